@@ -1,0 +1,198 @@
+#!/usr/bin/env python3
+"""Minimax coefficients of the even functions in the lane kernels -> src/batch/even_coefficients.rs.
+
+    pip install mpmath                     # the only dependency; Python 3.11
+    python3 scripts/fit_even.py            # writes the file, prints the table (a minute)
+    python3 scripts/fit_even.py --check    # derives it again (seconds), exit 1 if the committed file differs
+
+The argument is the square of the angle or sine, so no kernel takes a square root. Every polynomial runs on a dual
+number: one Horner pass gives p and p', and both are results. A fit that is minimax in p is poor there, because its
+derivative error peaks at the ends of the interval, some degree^2 times larger. So Remez levels the error of p' against
+f', and p(0) = 1 fixes the integral: the error of p is then far below that of p', and arcsin needs one degree less.
+"""
+
+import sys
+from functools import cache
+from pathlib import Path
+
+from mpmath import mp, mpf
+
+OUT = Path(__file__).resolve().parent.parent / "src/batch/even_coefficients.rs"
+BITS = {"F32": 24, "F64": 53}
+# The pick, and what it has to meet as (value, derivative); `!` in the table marks a row that does not.
+DEGREE = {"ASIN": {"F32": 10, "F64": 21}, "SINC": {"F32": 5, "F64": 8}, "COS": {"F32": 5, "F64": 8}}
+BOUND = {"F32": (1.5e-8, 3e-8), "F64": (3e-17, 1e-16)}
+
+mp.prec = 400  # small y to the power 23 must still be far above the noise
+V_END = (mp.pi / 2) ** 2 * mpf("1.02")  # half an angle, squared, once the sign is fixed; 2 % to spare
+
+
+def asin(y):
+    s = mp.sqrt(y)
+    k = mp.asin(s) / s if y else mpf(1)
+    return k, (1 / mp.sqrt(1 - y) - k) / (2 * y) if y else mpf(1) / 6
+
+
+def sinc(v):
+    s = mp.sqrt(v)
+    k = mp.sin(s) / s if v else mpf(1)
+    return k, (mp.cos(s) - k) / (2 * v) if v else -mpf(1) / 6
+
+
+def cos(v):
+    return mp.cos(mp.sqrt(v)), -sinc(v)[0] / 2
+
+
+# name: (f and f', end of the interval, its spelling, formula, kind of error: cos reaches 0, so its error is absolute)
+FUNCTIONS = {
+    "ASIN": (asin, mpf(1) / 2, "1/2", "arcsin(√y)/√y", "relative"),
+    "SINC": (sinc, V_END, "1.02·(π/2)²", "sin(√v)/√v", "relative"),
+    "COS": (cos, V_END, "1.02·(π/2)²", "cos(√v)", "absolute"),
+}
+
+
+def rounded(x, bits):
+    """Nearest number of so many bits: exactly f32 or f64, as nothing here comes near overflow or underflow."""
+    with mp.workprec(bits):
+        return +x
+
+
+@cache
+def samples(name, count, bits=None):
+    """(y, f, f', scale of f, scale of f') from 0 to the end: dense at both, or even and on numbers of the format."""
+    f, end, *_, kind = FUNCTIONS[name]
+    rows = []
+    for i in range(count + 1):
+        y = rounded(end * i / count, bits) if bits else end * (1 - mp.cos(mp.pi * i / count)) / 2
+        v, d = f(y)
+        rows.append((y, v, d, abs(v), abs(d)) if kind == "relative" else (y, v, d, mpf(1), mpf(1)))
+    return rows
+
+
+def alternation(error, want):
+    """Indices of `want` extrema of alternating sign, the largest among them."""
+    runs = []
+    for i, e in enumerate(error):
+        if runs and (e > 0) == (error[runs[-1]] > 0):
+            runs[-1] = max(runs[-1], i, key=lambda j: abs(error[j]))
+        else:
+            runs.append(i)
+    while len(runs) > want:
+        size = [abs(error[i]) for i in runs]
+        k = size.index(min(size))
+        if len(runs) == want + 1:  # only an end can go without breaking the alternation
+            del runs[0 if size[0] < size[-1] else -1]
+        elif k in (0, len(runs) - 1):
+            del runs[k]
+        else:  # a small inner wiggle goes with its smaller neighbour
+            j = k - 1 if size[k - 1] < size[k + 1] else k
+            del runs[j : j + 2]
+    return runs
+
+
+def remez(columns, target):
+    """Coefficients that minimise max |target - sum c_k columns_k| over the samples: the discrete exchange algorithm."""
+    n, count = len(columns), len(target)
+    reference = [int(count * (r + 0.5) / (n + 1)) for r in range(n + 1)]
+    for _ in range(60):
+        system = mp.matrix([[c[i] for c in columns] + [(-1) ** r] for r, i in enumerate(reference)])
+        *c, level = mp.lu_solve(system, mp.matrix([target[i] for i in reference]))
+        error = [t - mp.fdot(c, row) for t, *row in zip(target, *columns)]
+        if max(map(abs, error)) <= abs(level) * mpf("1.0001"):
+            return c
+        reference = alternation(error, n + 1)
+    raise ArithmeticError("Remez did not converge")
+
+
+def fit(name, degree, bits, of="derivative"):
+    """Coefficients from the constant up, each rounded before all above it are fitted again.
+
+    The first two are f(0) = 1 and f'(0), rounded: the identity is exact and a tiny screw as good as the format allows.
+    So the derivative's error at 0 is given; the weight y/(y + end/1000) keeps it from setting the level elsewhere.
+    """
+    zero, *points = samples(name, 20 * degree)
+    powers = range(1, degree + 1)
+    if of == "derivative":
+        end = points[-1][0]
+        weight = [y / (y + end / 1000) / scale for y, *_, scale in points]
+        columns = [[w * k * y ** (k - 1) for w, (y, *_) in zip(weight, points)] for k in powers]
+        rest = [w * d for w, (_, _, d, *_) in zip(weight, points)]
+    else:  # what the table compares with
+        columns = [[y**k / scale for y, _, _, scale, _ in points] for k in powers]
+        rest = [(v - 1) / scale for _, v, _, scale, _ in points]
+    coefficients = [mpf(1), rounded(zero[2], bits)]
+    while True:
+        settled = columns.pop(0)
+        rest = [r - coefficients[-1] * s for r, s in zip(rest, settled)]
+        if not columns:
+            return coefficients
+        coefficients.append(rounded(remez(columns, rest)[0], bits))
+
+
+def horner(coefficients, y, bits, fused):
+    """p and p' in one pass, each operation rounded to so many bits as the CPU does it."""
+    with mp.workprec(bits):
+        p, slope = coefficients[-1], mpf(0)
+        for c in reversed(coefficients[:-1]):
+            slope, p = mp.fmul(slope, y, exact=fused) + p, mp.fmul(p, y, exact=fused) + c
+    return p, slope
+
+
+def error(name, coefficients, bits=None, fused=True):
+    """Largest error of p and of p', in exact arithmetic or in the format's own."""
+    worst = [mpf(0), mpf(0)]
+    for y, v, d, *scale in samples(name, 4000, bits):
+        for i, (got, want) in enumerate(zip(horner(coefficients, y, bits or mp.prec, fused), (v, d))):
+            worst[i] = max(worst[i], abs(got - want) / scale[i])
+    return worst
+
+
+def literal(x, bits):
+    """Shortest decimal that reads back as x."""
+    shortest = next(s for n in range(1, 18) if rounded(mpf(s := f"{float(x):.{n}g}"), bits) == x)
+    return shortest.replace("e-0", "e-") if "." in shortest or "e" in shortest else shortest + ".0"
+
+
+def short(errors):
+    return [f"{float(e):.1e}".replace("e-0", "e-") for e in errors]
+
+
+def rust():
+    text = (
+        "//! Coefficients of the even functions, lowest degree first, for Horner's scheme on dual numbers.\n//!\n"
+        "//! Generated by `scripts/fit_even.py`, which says how they are found. To change them, edit it and run\n"
+        "//! `pip install mpmath && python3 scripts/fit_even.py`; with `--check` it compares this file instead.\n"
+    )
+    for name, (_, _, end, formula, kind) in FUNCTIONS.items():
+        for precision, bits in BITS.items():
+            c = fit(name, DEGREE[name][precision], bits)
+            value, derivative = short(error(name, c))
+            text += f"\n/// {formula} on [0, {end}], degree {len(c) - 1};"
+            text += f" {kind} fit error {value}, of the derivative {derivative}.\n"
+            text += f"pub(super) const {name}_{precision}: [{precision.lower()}; {len(c)}] = [\n"
+            text += "".join(f"    {literal(x, bits)},\n" for x in c) + "];\n"
+    return text
+
+
+def table():
+    print("Error of value / derivative with the rounded coefficients, relative (cos: absolute): in exact arithmetic,")
+    print("then in the format's own. * emitted, ! fit over the bound; a fit of the value is there for comparison.\n")
+    print("| set | degree | fit of | fit error | fused | unfused |\n|---|---|---|---|---|---|")
+    for name, precision in ((n, p) for n in FUNCTIONS for p in BITS):
+        bits, pick = BITS[precision], DEGREE[name][precision]
+        rows = [("derivative", d) for d in range(pick - 2, pick + 3)] + [("value", d) for d in range(pick, pick + 2)]
+        for of, degree in rows:
+            c = fit(name, degree, bits, of)
+            errors = [error(name, c), error(name, c, bits, True), error(name, c, bits, False)]
+            over = any(e > bound for e, bound in zip(errors[0], BOUND[precision]))
+            mark = "*" * ((of, degree) == ("derivative", pick)) + "!" * over
+            cells = [f"{name}_{precision}", f"{degree}{mark}", of, *(" / ".join(short(e)) for e in errors)]
+            print("|", " | ".join(cells), "|", flush=True)
+
+
+if __name__ == "__main__":
+    text = rust()
+    if "--check" in sys.argv[1:]:
+        sys.exit(0 if OUT.read_text("utf-8") == text else f"{OUT} is not what {Path(__file__).name} derives")
+    OUT.write_text(text, "utf-8")
+    table()

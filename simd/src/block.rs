@@ -1,0 +1,82 @@
+//! [`Block`]: structure-of-arrays memory, one row of numbers a component.
+
+use crate::lane::{Lane, Row};
+use crate::level::Level;
+use bytemuck::{Pod, Zeroable};
+
+/// `C` components of [`Row::LANES`] things: row `c` holds component `c` of all of them.
+///
+/// ```text
+///              lane 0  lane 1  …  lane 7
+/// component 0    x₀      x₁          x₇
+/// component 1    y₀      y₁          y₇
+///     …
+/// ```
+///
+/// Eight components of eight `f32` are 256 bytes: four cache lines, each full of use. The alignment
+/// is that of a cache line, so that no vector load ever crosses one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C, align(64))]
+pub struct Block<A, const C: usize>(
+    /// The rows.
+    pub [A; C],
+);
+
+// SAFETY: an array of zeroable rows, and every padding byte (there may be some for small C) may be
+// zero as well.
+unsafe impl<A: Row, const C: usize> Zeroable for Block<A, C> {}
+
+// SAFETY: `Row` is sealed, its implementors are plain numbers of 16, 32 or 64 bytes, so eight of
+// them fill whole cache lines and the alignment adds no padding. Any bits are valid numbers.
+unsafe impl<A: Row> Pod for Block<A, 8> {}
+
+impl<A: Row, const C: usize> Block<A, C> {
+    /// The same record in every lane.
+    #[inline]
+    #[must_use]
+    pub fn splat(record: [A::Real; C]) -> Self {
+        Self(record.map(|value| {
+            let mut row = A::zeroed();
+            row.as_mut().fill(value);
+            row
+        }))
+    }
+
+    /// The record in `lane`, or `None` beyond the last lane.
+    #[inline]
+    #[must_use]
+    pub fn get(&self, lane: usize) -> Option<[A::Real; C]> {
+        (lane < A::LANES).then(|| self.0.map(|row| row.as_ref()[lane]))
+    }
+
+    /// Writes the record in `lane`; gives the record back if there is no such lane.
+    #[inline]
+    pub fn set(&mut self, lane: usize, record: [A::Real; C]) -> Result<(), [A::Real; C]> {
+        if lane >= A::LANES {
+            return Err(record);
+        }
+        for (row, value) in self.0.iter_mut().zip(record) {
+            row.as_mut()[lane] = value;
+        }
+        Ok(())
+    }
+
+    /// All lanes of every component.
+    #[inline(always)]
+    pub fn load<V: Level>(&self, level: V) -> [A::Lane<V>; C] {
+        // No closure: one inside an inlined kernel is compiled without the kernel's instructions.
+        let mut components = [A::Lane::<V>::splat(level, A::Real::default()); C];
+        for (component, row) in components.iter_mut().zip(&self.0) {
+            *component = A::Lane::<V>::load(level, row);
+        }
+        components
+    }
+
+    /// All lanes of every component.
+    #[inline(always)]
+    pub fn store<V: Level>(&mut self, components: [A::Lane<V>; C]) {
+        for (row, component) in self.0.iter_mut().zip(components) {
+            component.store(row);
+        }
+    }
+}

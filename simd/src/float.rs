@@ -1,0 +1,37 @@
+//! [`Float`]: the number in a lane.
+
+use bytemuck::Pod;
+use core::fmt::Debug;
+
+/// `f32` or `f64`, as far as a kernel must tell them apart: to write constants. Sealed.
+pub trait Float:
+    Pod + PartialOrd + Default + Debug + From<f32> + Into<f64> + sealed::Sealed
+{
+    /// Whether this is `f32`.
+    const SINGLE: bool;
+    /// The nearest number of this type.
+    fn from_f64(value: f64) -> Self;
+}
+
+impl Float for f32 {
+    const SINGLE: bool = true;
+    #[inline(always)]
+    #[allow(clippy::cast_possible_truncation, reason = "rounding is the purpose")]
+    fn from_f64(value: f64) -> Self {
+        value as f32
+    }
+}
+
+impl Float for f64 {
+    const SINGLE: bool = false;
+    #[inline(always)]
+    fn from_f64(value: f64) -> Self {
+        value
+    }
+}
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for f32 {}
+    impl Sealed for f64 {}
+}

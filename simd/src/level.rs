@@ -1,0 +1,29 @@
+//! [`Level`]: the proof that the CPU can compute with a lane type.
+
+use crate::lane::Lane;
+use core::fmt::Debug;
+
+/// A set of instructions, held as a value that proves the CPU has them.
+///
+/// [`Portable`](crate::Portable) is free to construct, because its lanes use what the build target
+/// already promises. A level whose instructions are found at run time has a private field, so that
+/// only detection can hand it out; whoever holds one of its lanes therefore holds the proof too.
+pub trait Level: Copy + Debug + Send + Sync + 'static {
+    /// Four lanes of `f32`.
+    type F32x4: Lane<Real = f32, Level = Self, Array = [f32; 4]>;
+    /// Eight lanes of `f32`.
+    type F32x8: Lane<Real = f32, Level = Self, Array = [f32; 8]>;
+    /// Sixteen lanes of `f32`.
+    type F32x16: Lane<Real = f32, Level = Self, Array = [f32; 16]>;
+    /// Two lanes of `f64`.
+    type F64x2: Lane<Real = f64, Level = Self, Array = [f64; 2]>;
+    /// Four lanes of `f64`.
+    type F64x4: Lane<Real = f64, Level = Self, Array = [f64; 4]>;
+    /// Eight lanes of `f64`.
+    type F64x8: Lane<Real = f64, Level = Self, Array = [f64; 8]>;
+
+    /// Runs `kernel` compiled with the instructions of this level.
+    ///
+    /// Everything that `kernel` calls must be `#[inline(always)]`, or it is compiled without them.
+    fn run<R>(self, kernel: impl FnOnce() -> R) -> R;
+}

@@ -1,0 +1,42 @@
+//! Lanes for `dq8`.
+//!
+//! | module | what it holds |
+//! |---|---|
+//! | [`lane`] | [`Lane`] and [`Mask`]: what a kernel may ask of a vector of numbers |
+//! | [`float`] | [`Float`]: the number in a lane |
+//! | [`level`] | [`Level`]: the proof that the CPU can compute with a lane type |
+//! | [`mod@portable`] | [`Portable`]: the lanes of the crate `wide`, with the instructions of the build target |
+//! | [`one`] | plain `f32` and `f64` as vectors of one lane |
+//! | [`block`] | [`Block`]: structure-of-arrays memory, one row of numbers a component |
+//!
+//! Kernels are written once, generic over [`Lane`], and marked `#[inline(always)]`: a kernel that
+//! is not inlined into its [`Level::run`] pays a call for every instruction.
+//!
+//! ```
+//! use dq8_simd::{Lane, Portable};
+//! use wide::f32x8;
+//!
+//! fn length<L: Lane>(x: L, y: L) -> L {
+//!     x.mul_add(x, y * y).sqrt()
+//! }
+//! let three = f32x8::splat(3.0);
+//! let four = <f32x8 as Lane>::splat(Portable, 4.0);
+//! assert_eq!(length(three, four).to_array(), [5.0; 8]);
+//! ```
+#![no_std]
+
+pub mod block;
+pub mod float;
+pub mod lane;
+pub mod level;
+pub mod one;
+pub mod portable;
+
+pub use block::Block;
+pub use float::Float;
+pub use lane::{Lane, Mask, Row};
+pub use level::Level;
+pub use portable::Portable;
+
+/// The portable lane types themselves.
+pub use wide::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};

@@ -1,0 +1,104 @@
+//! Plain `f32` and `f64` as vectors of one lane: the same kernels on targets without SIMD, and the
+//! smallest width that tests can compare.
+
+use crate::lane::{Lane, Mask};
+use crate::portable::Portable;
+
+impl Mask for bool {
+    #[inline(always)]
+    fn any(self) -> bool {
+        self
+    }
+    #[inline(always)]
+    fn all(self) -> bool {
+        self
+    }
+    #[inline(always)]
+    fn to_bitmask(self) -> u32 {
+        u32::from(self)
+    }
+}
+
+/// The two differ in name only; their methods are inherent, so no generic `impl` can reach them.
+macro_rules! one_lane {
+    ($($real:ident, $bits:ty;)*) => {$(
+        impl Lane for $real {
+            type Real = $real;
+            type Mask = bool;
+            type Level = Portable;
+            type Array = [$real; 1];
+            const LANES: usize = 1;
+
+            #[inline(always)]
+            fn level(self) -> Portable {
+                Portable
+            }
+            #[inline(always)]
+            fn splat(_: Portable, value: $real) -> Self {
+                value
+            }
+            #[inline(always)]
+            fn load(_: Portable, from: &[$real; 1]) -> Self {
+                from[0]
+            }
+            #[inline(always)]
+            fn store(self, to: &mut [$real; 1]) {
+                to[0] = self;
+            }
+            #[inline(always)]
+            fn mul_add(self, factor: Self, addend: Self) -> Self {
+                // Not `f32::mul_add`: without the instruction that is a slow library call.
+                self * factor + addend
+            }
+            #[inline(always)]
+            fn neg_mul_add(self, factor: Self, addend: Self) -> Self {
+                addend - self * factor
+            }
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                one_sqrt::$real(self)
+            }
+            #[inline(always)]
+            fn abs(self) -> Self {
+                <$real>::from_bits(self.to_bits() & !(1 << (<$bits>::BITS - 1)))
+            }
+            #[inline(always)]
+            fn copysign(self, sign: Self) -> Self {
+                let sign_bit = 1 << (<$bits>::BITS - 1);
+                <$real>::from_bits((self.to_bits() & !sign_bit) | (sign.to_bits() & sign_bit))
+            }
+            #[inline(always)]
+            fn lt(self, other: Self) -> bool {
+                self < other
+            }
+            #[inline(always)]
+            fn le(self, other: Self) -> bool {
+                self <= other
+            }
+            #[inline(always)]
+            fn eq(self, other: Self) -> bool {
+                self == other
+            }
+            #[inline(always)]
+            fn select(mask: bool, yes: Self, no: Self) -> Self {
+                if mask { yes } else { no }
+            }
+        }
+    )*};
+}
+one_lane! {
+    f32, u32;
+    f64, u64;
+}
+
+/// `core` has no square root; the narrowest vector of `wide` has, on every target.
+mod one_sqrt {
+    #[inline(always)]
+    pub(super) fn f32(value: f32) -> f32 {
+        wide::f32x4::splat(value).sqrt().to_array()[0]
+    }
+    #[inline(always)]
+    pub(super) fn f64(value: f64) -> f64 {
+        wide::f64x2::splat(value).sqrt().to_array()[0]
+    }
+}

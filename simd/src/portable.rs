@@ -1,0 +1,143 @@
+//! [`Portable`]: the lanes of the crate [`wide`], with the instructions of the build target.
+
+use crate::lane::{Lane, Mask};
+use crate::level::Level;
+use core::ops::{BitAnd, BitOr, Not};
+use wide::{Select, f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
+
+/// What the build target has: SSE2 on a default x86-64 build, AVX2 with
+/// `-C target-cpu=x86-64-v3`, NEON on aarch64, simd128 on wasm, plain arrays elsewhere.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Portable;
+
+impl Level for Portable {
+    type F32x4 = f32x4;
+    type F32x8 = f32x8;
+    type F32x16 = f32x16;
+    type F64x2 = f64x2;
+    type F64x4 = f64x4;
+    type F64x8 = f64x8;
+
+    #[inline(always)]
+    fn run<R>(self, kernel: impl FnOnce() -> R) -> R {
+        kernel()
+    }
+}
+
+/// A mask of [`wide`]: a vector whose lanes are all ones or all zeros.
+#[derive(Clone, Copy, Debug)]
+pub struct WideMask<V>(V);
+
+/// `wide` offers these operations as inherent methods only, so no generic `impl` can reach them.
+macro_rules! wide_lanes {
+    ($($vector:ident: [$real:ty; $lanes:literal];)*) => {$(
+        impl Lane for $vector {
+            type Real = $real;
+            type Mask = WideMask<$vector>;
+            type Level = Portable;
+            type Array = [$real; $lanes];
+            const LANES: usize = $lanes;
+
+            #[inline(always)]
+            fn level(self) -> Portable {
+                Portable
+            }
+            #[inline(always)]
+            fn splat(_: Portable, value: $real) -> Self {
+                <$vector>::splat(value)
+            }
+            #[inline(always)]
+            fn load(_: Portable, from: &[$real; $lanes]) -> Self {
+                <$vector>::new(*from)
+            }
+            #[inline(always)]
+            fn store(self, to: &mut [$real; $lanes]) {
+                *to = <$vector>::to_array(self);
+            }
+            #[inline(always)]
+            fn mul_add(self, factor: Self, addend: Self) -> Self {
+                <$vector>::mul_add(self, factor, addend)
+            }
+            #[inline(always)]
+            fn neg_mul_add(self, factor: Self, addend: Self) -> Self {
+                <$vector>::mul_neg_add(self, factor, addend)
+            }
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                <$vector>::sqrt(self)
+            }
+            #[inline(always)]
+            fn abs(self) -> Self {
+                <$vector>::abs(self)
+            }
+            #[inline(always)]
+            fn copysign(self, sign: Self) -> Self {
+                let sign_bit = <$vector>::splat(-0.0);
+                (self & !sign_bit) | (sign & sign_bit)
+            }
+            #[inline(always)]
+            fn lt(self, other: Self) -> Self::Mask {
+                WideMask(<$vector>::simd_lt(self, other))
+            }
+            #[inline(always)]
+            fn le(self, other: Self) -> Self::Mask {
+                WideMask(<$vector>::simd_le(self, other))
+            }
+            #[inline(always)]
+            fn eq(self, other: Self) -> Self::Mask {
+                WideMask(<$vector>::simd_eq(self, other))
+            }
+            #[inline(always)]
+            fn select(mask: Self::Mask, yes: Self, no: Self) -> Self {
+                Select::select(mask.0, yes, no)
+            }
+        }
+
+        impl Mask for WideMask<$vector> {
+            #[inline(always)]
+            fn any(self) -> bool {
+                self.0.any()
+            }
+            #[inline(always)]
+            fn all(self) -> bool {
+                self.0.all()
+            }
+            #[inline(always)]
+            fn to_bitmask(self) -> u32 {
+                self.0.to_bitmask()
+            }
+        }
+    )*};
+}
+wide_lanes! {
+    f32x4: [f32; 4];
+    f32x8: [f32; 8];
+    f32x16: [f32; 16];
+    f64x2: [f64; 2];
+    f64x4: [f64; 4];
+    f64x8: [f64; 8];
+}
+
+impl<V: BitAnd<Output = V>> BitAnd for WideMask<V> {
+    type Output = Self;
+    #[inline(always)]
+    fn bitand(self, other: Self) -> Self {
+        Self(self.0 & other.0)
+    }
+}
+
+impl<V: BitOr<Output = V>> BitOr for WideMask<V> {
+    type Output = Self;
+    #[inline(always)]
+    fn bitor(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+}
+
+impl<V: Not<Output = V>> Not for WideMask<V> {
+    type Output = Self;
+    #[inline(always)]
+    fn not(self) -> Self {
+        Self(!self.0)
+    }
+}

@@ -1,0 +1,44 @@
+//! Linear blending.
+
+use super::DualQuat;
+use dq8_simd::Lane;
+
+impl<L: Lane> DualQuat<L> {
+    /// (1−t)a ± tb exactly normalised, by the shorter way; `t` may differ from lane to lane.
+    #[inline(always)]
+    #[must_use]
+    pub fn nlerp(self, other: Self, t: L) -> Self {
+        let weight = other.weight_toward(self, t);
+        let start = self.scale(t.with(1.0) - t);
+        other.scale_onto(weight, start).normalize()
+    }
+
+    /// Σ ±wᵢσᵢ exactly normalised, each sign turned toward the first motion; `None` without
+    /// influences.
+    #[inline(always)]
+    #[must_use]
+    pub fn dlb(influences: &[(Self, L)]) -> Option<Self> {
+        let (&(first, weight), others) = influences.split_first()?;
+        let mut sum = first.scale(weight);
+        for &(motion, weight) in others {
+            sum = motion.scale_onto(motion.weight_toward(first, weight), sum);
+        }
+        Some(sum.normalize())
+    }
+
+    /// sσ + onto
+    #[inline(always)]
+    fn scale_onto(self, factor: L, onto: Self) -> Self {
+        Self::new(
+            self.real().scale_onto(factor, onto.real()),
+            self.dual().scale_onto(factor, onto.dual()),
+        )
+    }
+
+    /// `weight`, negated where σ points away from `pivot`.
+    #[inline(always)]
+    fn weight_toward(self, pivot: Self, weight: L) -> L {
+        let away = self.real().dot(pivot.real()).lt(weight.with(0.0));
+        L::select(away, -weight, weight)
+    }
+}

@@ -1,0 +1,93 @@
+use core::ops::{Add, Div, Mul, Neg, Sub};
+use dq8_simd::Lane;
+
+/// Dual numbers a + εb, one a lane: [`Dual`](crate::Dual) on lanes.
+#[derive(Clone, Copy, Debug)]
+pub struct Dual<L> {
+    /// a, the real part.
+    pub real: L,
+    /// b, the dual part.
+    pub dual: L,
+}
+
+impl<L: Lane> Dual<L> {
+    /// a + εb
+    #[inline(always)]
+    #[must_use]
+    pub fn new(real: L, dual: L) -> Self {
+        Self { real, dual }
+    }
+
+    /// f(a + εb) = f(a) + ε b f′(a), given f(a) and f′(a) (Jia eq. 10).
+    #[inline(always)]
+    #[must_use]
+    pub fn apply(self, value: L, derivative: L) -> Self {
+        Self::new(value, self.dual * derivative)
+    }
+
+    /// s(a + εb) for a real number s.
+    #[inline(always)]
+    #[must_use]
+    pub fn scale(self, factor: L) -> Self {
+        Self::new(self.real * factor, self.dual * factor)
+    }
+
+    /// √(a + εb) = √a + ε b/(2√a)
+    #[inline(always)]
+    #[must_use]
+    pub fn sqrt(self) -> Self {
+        let root = self.real.sqrt();
+        self.apply(root, root.with(0.5) / root)
+    }
+
+    /// 1 / (a + εb) = a⁻¹ − ε b a⁻² (Jia eq. 7)
+    #[inline(always)]
+    #[must_use]
+    pub fn recip(self) -> Self {
+        let recip = self.real.with(1.0) / self.real;
+        self.apply(recip, -(recip * recip))
+    }
+}
+
+impl<L: Lane> Add for Dual<L> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self::new(self.real + other.real, self.dual + other.dual)
+    }
+}
+
+impl<L: Lane> Sub for Dual<L> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self::new(self.real - other.real, self.dual - other.dual)
+    }
+}
+
+/// ac + ε(ad + bc)
+impl<L: Lane> Mul for Dual<L> {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        Self::new(self.real * other.real, self.real.mul_add(other.dual, self.dual * other.real))
+    }
+}
+
+/// a/c + ε(bc − ad)/c²
+impl<L: Lane> Div for Dual<L> {
+    type Output = Self;
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        let quotient = self.real / other.real;
+        Self::new(quotient, quotient.neg_mul_add(other.dual, self.dual) / other.real)
+    }
+}
+
+impl<L: Lane> Neg for Dual<L> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self::new(-self.real, -self.dual)
+    }
+}

@@ -1,0 +1,252 @@
+use super::{Dual, Quat};
+use crate::geometry::DualVector;
+use core::ops::{Add, Mul, Neg, Sub};
+use dq8_simd::{Block, Lane, Level, Row};
+
+/// Dual quaternions σ = p + εq, one a lane: [`DualQuat`](crate::DualQuat) on lanes.
+///
+/// Conventions and laws are those of [`Motion`](crate::Motion); formulas, sources and examples stand
+/// on the scalar type.
+#[derive(Clone, Copy, Debug)]
+pub struct DualQuat<L> {
+    real: Quat<L>,
+    dual: Quat<L>,
+}
+
+impl<L: Lane> DualQuat<L> {
+    /// p + εq
+    #[inline(always)]
+    #[must_use]
+    pub fn new(real: Quat<L>, dual: Quat<L>) -> Self {
+        Self { real, dual }
+    }
+
+    /// The identity in every lane.
+    #[inline(always)]
+    #[must_use]
+    pub fn identity(level: L::Level) -> Self {
+        let one = Quat::<L>::identity(level);
+        let zero = one.w().with(0.0);
+        Self::new(one, Quat::from_array([zero; 4]))
+    }
+
+    /// The same `[px, py, pz, pw, qx, qy, qz, qw]` in every lane.
+    #[inline(always)]
+    #[must_use]
+    pub fn splat(level: L::Level, components: [L::Real; 8]) -> Self {
+        let mut lanes = [L::splat(level, L::Real::default()); 8];
+        for (lane, value) in lanes.iter_mut().zip(components) {
+            *lane = L::splat(level, value);
+        }
+        Self::from_array(lanes)
+    }
+
+    /// From the lanes of `[px, py, pz, pw, qx, qy, qz, qw]`.
+    #[inline(always)]
+    #[must_use]
+    pub fn from_array([px, py, pz, pw, qx, qy, qz, qw]: [L; 8]) -> Self {
+        Self::new(Quat::from_xyzw(px, py, pz, pw), Quat::from_xyzw(qx, qy, qz, qw))
+    }
+
+    /// From a dual number and a dual vector (Jia eq. 15).
+    #[inline(always)]
+    #[must_use]
+    pub fn from_dual_parts(scalar: Dual<L>, vector: DualVector<L>) -> Self {
+        Self::new(
+            Quat::from_parts(vector.real, scalar.real),
+            Quat::from_parts(vector.dual, scalar.dual),
+        )
+    }
+
+    /// Lane `i` from record `i`, `[px, py, pz, pw, qx, qy, qz, qw]`: plain dual quaternions in
+    /// memory, transposed on the way in. Lanes without a record hold the identity.
+    #[inline(always)]
+    #[must_use]
+    pub fn load_records(level: L::Level, records: &[[L::Real; 8]]) -> Self {
+        let (zero, one) = (L::Real::default(), L::Real::from(1.0));
+        let identity = [zero, zero, zero, one, zero, zero, zero, zero];
+        Self::from_array(L::load_records(level, records, identity))
+    }
+
+    /// Record `i` from lane `i`; records beyond the last lane are left as they were.
+    #[inline(always)]
+    pub fn store_records(self, records: &mut [[L::Real; 8]]) {
+        L::store_records(self.to_array(), records);
+    }
+
+    /// The lanes of `[px, py, pz, pw, qx, qy, qz, qw]`.
+    #[inline(always)]
+    #[must_use]
+    pub fn to_array(self) -> [L; 8] {
+        let [px, py, pz, pw] = self.real.to_array();
+        let [qx, qy, qz, qw] = self.dual.to_array();
+        [px, py, pz, pw, qx, qy, qz, qw]
+    }
+
+    /// p, the real part.
+    #[inline(always)]
+    #[must_use]
+    pub fn real(self) -> Quat<L> {
+        self.real
+    }
+
+    /// q, the dual part.
+    #[inline(always)]
+    #[must_use]
+    pub fn dual(self) -> Quat<L> {
+        self.dual
+    }
+
+    /// p_w + εq_w
+    #[inline(always)]
+    #[must_use]
+    pub fn dual_scalar(self) -> Dual<L> {
+        Dual::new(self.real.w(), self.dual.w())
+    }
+
+    /// The three dual components beside [`dual_scalar`](Self::dual_scalar).
+    #[inline(always)]
+    #[must_use]
+    pub fn dual_vector(self) -> DualVector<L> {
+        DualVector { real: self.real.xyz(), dual: self.dual.xyz() }
+    }
+
+    /// σ• = p − εq
+    #[inline(always)]
+    #[must_use]
+    pub fn conjugate_dual(self) -> Self {
+        Self::new(self.real, -self.dual)
+    }
+
+    /// σ* = p* + εq*, the inverse of a unit σ
+    #[inline(always)]
+    #[must_use]
+    pub fn conjugate(self) -> Self {
+        Self::new(self.real.conjugate(), self.dual.conjugate())
+    }
+
+    /// σ⋄ = p* − εq*
+    #[inline(always)]
+    #[must_use]
+    pub fn conjugate_both(self) -> Self {
+        let [x, y, z, w] = self.dual.to_array();
+        Self::new(self.real.conjugate(), Quat::from_xyzw(x, y, z, -w))
+    }
+
+    /// sσ for a real number s a lane
+    #[inline(always)]
+    #[must_use]
+    pub fn scale(self, factor: L) -> Self {
+        Self::new(self.real.scale(factor), self.dual.scale(factor))
+    }
+
+    /// (a + εb)σ for a dual number a lane
+    #[inline(always)]
+    #[must_use]
+    pub fn scale_dual(self, factor: Dual<L>) -> Self {
+        let dual = self.real.scale_onto(factor.dual, self.dual.scale(factor.real));
+        Self::new(self.real.scale(factor.real), dual)
+    }
+
+    /// (a + εb)σ + onto
+    #[inline(always)]
+    pub(super) fn scale_dual_onto(self, factor: Dual<L>, onto: Self) -> Self {
+        let turned = self.dual.scale_onto(factor.real, onto.dual);
+        Self::new(
+            self.real.scale_onto(factor.real, onto.real),
+            self.real.scale_onto(factor.dual, turned),
+        )
+    }
+
+    /// ⟨a, b⟩ = p_a·p_b + ε(p_a·q_b + q_a·p_b)
+    #[inline(always)]
+    #[must_use]
+    pub fn dot(self, other: Self) -> Dual<L> {
+        let across = self.real.dot(other.dual) + self.dual.dot(other.real);
+        Dual::new(self.real.dot(other.real), across)
+    }
+
+    /// Whether every component of the two differs by at most `tolerance`; false for NaN.
+    #[inline(always)]
+    #[must_use]
+    pub fn abs_diff_eq(self, other: Self, tolerance: L) -> L::Mask {
+        let (a, b) = (self.to_array(), other.to_array());
+        let mut close = (a[0] - b[0]).abs().le(tolerance);
+        for (a, b) in a.into_iter().zip(b).skip(1) {
+            close = close & (a - b).abs().le(tolerance);
+        }
+        close
+    }
+
+    /// Of σ and −σ the one with p_w ≥ 0; a zero of either sign counts as positive.
+    #[inline(always)]
+    #[must_use]
+    pub fn canonical(self) -> Self {
+        let w = self.real.w();
+        self.negate_where(w.lt(w.with(0.0)))
+    }
+
+    #[inline(always)]
+    pub(super) fn negate_where(self, mask: L::Mask) -> Self {
+        let one = self.real.w().with(1.0);
+        self.scale(L::select(mask, -one, one))
+    }
+}
+
+/// Blocks of memory: the whole of a [`Block`] at once.
+impl<L: Lane> DualQuat<L> {
+    /// The dual quaternions of a block.
+    #[inline(always)]
+    #[must_use]
+    pub fn load<A, V>(level: V, block: &Block<A, 8>) -> Self
+    where
+        A: Row<Lane<V> = L>,
+        V: Level,
+    {
+        Self::from_array(block.load(level))
+    }
+
+    /// Into a block.
+    #[inline(always)]
+    pub fn store<A, V>(self, block: &mut Block<A, 8>)
+    where
+        A: Row<Lane<V> = L>,
+        V: Level,
+    {
+        block.store::<V>(self.to_array());
+    }
+}
+
+impl<L: Lane> Add for DualQuat<L> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self::new(self.real + other.real, self.dual + other.dual)
+    }
+}
+
+impl<L: Lane> Sub for DualQuat<L> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self::new(self.real - other.real, self.dual - other.dual)
+    }
+}
+
+/// p₁p₂ + ε(p₁q₂ + q₁p₂): 48 multiplications, 40 of them fused with the additions.
+impl<L: Lane> Mul for DualQuat<L> {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        let dual = self.dual.mul_onto(other.real, self.real * other.dual);
+        Self::new(self.real * other.real, dual)
+    }
+}
+
+impl<L: Lane> Neg for DualQuat<L> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self::new(-self.real, -self.dual)
+    }
+}

@@ -1,0 +1,96 @@
+//! The analytic functions behind the screw operations, on dual numbers.
+//!
+//! Half the angle of a motion, Θ, enters only through functions that are even in it. Taken as
+//! functions of a *square* they are analytic, also at Θ = 0: no axis, no branch and no division by a
+//! vanishing sine. On a dual argument they give value and derivative, f(a) + ε b f′(a) (Jia eq. 10),
+//! both from one Horner run.
+//!
+//! The polynomials and their errors are in `even_coefficients.rs`, found by `scripts/fit_even.py`.
+
+use super::Dual;
+use super::even_coefficients as coefficients;
+use dq8_simd::{Float, Lane, Mask};
+
+/// (π/2)², with the margin that the polynomials have.
+const ORDINARY: f64 = 2.5;
+
+/// arcsin(√y)/√y for y in [0, ½].
+#[inline(always)]
+pub(super) fn asin_over_root<L: Lane>(y: Dual<L>) -> Dual<L> {
+    let (value, derivative) = horner(&coefficients::ASIN_F32, &coefficients::ASIN_F64, y.real);
+    y.apply(value, derivative)
+}
+
+/// cos √v and sin(√v)/√v for any v ≥ 0.
+///
+/// The derivatives are −½ sin(√v)/√v and (cos √v − sin(√v)/√v)/(2v); the second cancels for small v
+/// and comes from the polynomial there.
+#[inline(always)]
+pub(super) fn cos_sinc<L: Lane>(v: Dual<L>) -> (Dual<L>, Dual<L>) {
+    let minus_half = v.real.with(-0.5);
+    let (cos, _) = horner(&coefficients::COS_F32, &coefficients::COS_F64, v.real);
+    let (sinc, slope) = horner(&coefficients::SINC_F32, &coefficients::SINC_F64, v.real);
+    let ordinary = v.real.le(v.real.with(ORDINARY));
+    if ordinary.all() {
+        return (v.apply(cos, minus_half * sinc), v.apply(sinc, slope));
+    }
+    let (far_cos, far_sinc, far_slope) = far_cos_sinc(v.real);
+    let cos = L::select(ordinary, cos, far_cos);
+    let sinc = L::select(ordinary, sinc, far_sinc);
+    let slope = L::select(ordinary, slope, far_slope);
+    (v.apply(cos, minus_half * sinc), v.apply(sinc, slope))
+}
+
+/// cos √v, sin(√v)/√v and the derivative of the latter, for v > (π/2)²: √v = kπ + r, |r| ≤ π/2.
+///
+/// Errors grow with √v as those of √v itself do: a float of size y is only known to y/2²⁴ (2⁵³).
+#[inline(always)]
+fn far_cos_sinc<L: Lane>(v: L) -> (L, L, L) {
+    let root = v.sqrt();
+    let turns = round(root * v.with(core::f64::consts::FRAC_1_PI));
+    // π in three parts whose products with a small integer are exact (Cody and Waite 1980).
+    let [high, middle, low] = if L::Real::SINGLE {
+        [3.140_625, 9.670_257_568_359_375e-4, 6.277_114_152_908_325e-7]
+    } else {
+        [3.141_592_502_593_994, 1.509_957_883_171_927_3e-7, 1.078_060_570_811_623_8e-14]
+    };
+    let rest = turns.neg_mul_add(v.with(high), root);
+    let rest = turns.neg_mul_add(v.with(middle), rest);
+    let rest = turns.neg_mul_add(v.with(low), rest);
+    let square = rest * rest;
+    let (cos, _) = horner(&coefficients::COS_F32, &coefficients::COS_F64, square);
+    let (sinc, _) = horner(&coefficients::SINC_F32, &coefficients::SINC_F64, square);
+    // (−1)ᵏ: k/2 is a whole number or half way between two.
+    let half_turns = turns * v.with(0.5);
+    let odd = (half_turns - round(half_turns)).abs();
+    let sign = odd.neg_mul_add(v.with(4.0), v.with(1.0));
+    let cos = sign * cos;
+    let sinc = sign * rest * sinc / root;
+    (cos, sinc, (cos - sinc) / (v + v))
+}
+
+/// The nearest whole number: adding 1.5·2²³ (2⁵²) leaves no bits for a fraction.
+#[inline(always)]
+fn round<L: Lane>(x: L) -> L {
+    let shift = x.with(if L::Real::SINGLE { 12_582_912.0 } else { 6_755_399_441_055_744.0 });
+    (x + shift) - shift
+}
+
+/// A polynomial, lowest coefficient first, and its derivative.
+#[inline(always)]
+fn horner<L: Lane>(single: &[f32], double: &[f64], x: L) -> (L, L) {
+    let zero = x.with(0.0);
+    let (mut value, mut slope) = (zero, zero);
+    if L::Real::SINGLE {
+        for &c in single.iter().rev() {
+            slope = slope.mul_add(x, value);
+            value = value.mul_add(x, x.with(f64::from(c)));
+        }
+    } else {
+        for &c in double.iter().rev() {
+            slope = slope.mul_add(x, value);
+            value = value.mul_add(x, x.with(c));
+        }
+    }
+    (value, slope)
+}

@@ -1,0 +1,37 @@
+//! Many motions at a time: the operations of the scalar reference on SIMD lanes.
+//!
+//! Everything is written once, generic over [`Lane`](dq8_simd::Lane), and computes every lane alike:
+//! where a formula has cases, all are computed and [`select`](dq8_simd::Lane::select) picks. Where a
+//! case is rare and dear, a test whether *any* lane needs it comes first; the value of a lane never
+//! depends on its neighbours.
+//!
+//! ```
+//! use dq8::batch::{DualQuat, Quat};
+//! use dq8::{Portable, f32x8};
+//! // Eight robots, each turned by its own angle about z and moved by its own x.
+//! let angle = f32x8::new([0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7]);
+//! let (zero, one) = (f32x8::splat(0.0), f32x8::splat(1.0));
+//! let turn = Quat::from_axis_angle([zero, zero, one], angle);
+//! let pose = DualQuat::from_rotation_translation(turn, [angle, zero, zero]);
+//! let sensor = (pose * pose).transform_point([one, zero, zero]);
+//! assert!((sensor[1].to_array()[5] - (1.0_f32.sin() + 0.5 * 0.5_f32.sin())).abs() < 1e-6);
+//! ```
+
+mod blend;
+mod dual;
+mod dual_quat;
+mod even;
+mod even_coefficients;
+mod length;
+mod matrix;
+mod motion;
+mod norm;
+mod quat;
+mod rigid;
+mod screw;
+mod transform;
+mod vector;
+
+pub use dual::Dual;
+pub use dual_quat::DualQuat;
+pub use quat::Quat;

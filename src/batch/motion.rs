@@ -1,0 +1,25 @@
+use super::{Dual, DualQuat, Quat};
+use crate::motion::{Motion, delegate_to_inherent};
+use dq8_simd::Lane;
+
+impl<L: Lane> Motion for DualQuat<L> {
+    type Level = L::Level;
+    type Real = L;
+    type Mask = L::Mask;
+    type Dual = Dual<L>;
+    type Quat = Quat<L>;
+
+    #[inline(always)]
+    fn identity(level: L::Level) -> Self {
+        Self::identity(level)
+    }
+    #[inline(always)]
+    fn normalize_checked(self) -> (Self, L::Mask) {
+        self.normalize_checked()
+    }
+    #[inline(always)]
+    fn inverse_checked(self) -> (Self, L::Mask) {
+        self.inverse_checked()
+    }
+    delegate_to_inherent!();
+}

@@ -1,0 +1,102 @@
+//! Norm, normalisation and inverses.
+
+use super::{Dual, DualQuat, Quat, vector};
+use dq8_simd::{Float, Lane};
+
+impl<L: Lane> DualQuat<L> {
+    /// √(σσ*) = |p| + ε (p·q)/|p|; the dual part is NaN where p = 0.
+    #[inline(always)]
+    #[must_use]
+    pub fn norm(self) -> Dual<L> {
+        let length = self.real().length();
+        let unit = Quat::from_array(length.divide_all(self.real().to_array()));
+        Dual::new(length.value(), unit.dot(self.dual()))
+    }
+
+    /// Exact normalisation: the real part to unit length and the dual part orthogonal to it. Where
+    /// [`normalize_checked`](Self::normalize_checked) fails, some component is NaN.
+    #[inline(always)]
+    #[must_use]
+    pub fn normalize(self) -> Self {
+        let length = self.real().length();
+        let p = Quat::from_array(length.divide_all(self.real().to_array()));
+        let q = Quat::from_array(length.divide_all(self.dual().to_array()));
+        Self::new(p, p.scale_onto(-p.dot(q), q))
+    }
+
+    /// Exact normalisation, and the lanes that could not be: p zero, or a component of σ or of the
+    /// result not finite. In those, every component is NaN.
+    ///
+    /// ```
+    /// use dq8::{Mask, Portable, batch::DualQuat, f32x4};
+    /// let poses = [[0.0, 0.0, 0.0, 2.0, 6.0, 0.0, 0.0, 4.0], [0.0; 8]];
+    /// let (unit, failed) = DualQuat::<f32x4>::load_records(Portable, &poses).normalize_checked();
+    /// assert_eq!(failed.to_bitmask(), 0b0010);
+    /// let mut back = [[9.0; 8]];
+    /// unit.store_records(&mut back);
+    /// assert_eq!(back, [[0.0, 0.0, 0.0, 1.0, 3.0, 0.0, 0.0, 0.0]]);
+    /// ```
+    #[inline(always)]
+    #[must_use]
+    pub fn normalize_checked(self) -> (Self, L::Mask) {
+        self.normalize().checked()
+    }
+
+    /// ||p| − 1| ≤ tolerance and |p·q| ≤ tolerance·max(1, |q|)
+    #[inline(always)]
+    #[must_use]
+    pub fn is_unit(self, tolerance: L) -> L::Mask {
+        let one = tolerance.with(1.0);
+        let off = (self.real().norm() - one).abs();
+        let along = self.real().dot(self.dual()).abs();
+        let size = self.dual().norm();
+        let scale = L::select(size.lt(one), one, size);
+        off.le(tolerance) & along.le(tolerance * scale)
+    }
+
+    /// [`is_unit`](Self::is_unit) within 32 units of the last place.
+    #[inline(always)]
+    #[must_use]
+    pub fn is_normalized(self) -> L::Mask {
+        let epsilon = if L::Real::SINGLE { f64::from(f32::EPSILON) } else { f64::EPSILON };
+        self.is_unit(self.real().w().with(32.0 * epsilon))
+    }
+
+    /// σ⁻¹ of any σ with p ≠ 0. Where [`inverse_checked`](Self::inverse_checked) fails, some
+    /// component is NaN or infinite.
+    #[inline(always)]
+    #[must_use]
+    pub fn inverse(self) -> Self {
+        let length = self.real().length();
+        let unit = Quat::from_array(length.divide_all(self.real().to_array())).conjugate();
+        let q = Quat::from_array(length.divide_all(self.dual().to_array()));
+        let dual = (unit * q * unit).to_array();
+        Self::new(
+            Quat::from_array(length.divide_all(unit.to_array())),
+            -Quat::from_array(length.divide_all(dual)),
+        )
+    }
+
+    /// σ⁻¹ = p⁻¹ − ε p⁻¹qp⁻¹, and the lanes that have none: p zero, or a component of σ or of the
+    /// result not finite. In those, every component is NaN.
+    #[inline(always)]
+    #[must_use]
+    pub fn inverse_checked(self) -> (Self, L::Mask) {
+        self.inverse().checked()
+    }
+
+    /// NaN in all of a lane that has a component which is not finite, and which lanes those are.
+    #[inline(always)]
+    fn checked(self) -> (Self, L::Mask) {
+        let components = self.to_array();
+        let zero = components[0].with(0.0);
+        // 0·c is 0 for finite c and NaN otherwise.
+        let mut sum = zero;
+        for component in components {
+            sum = component.mul_add(zero, sum);
+        }
+        let finite = sum.eq(zero);
+        let nan = [zero.with(f64::NAN); 8];
+        (Self::from_array(vector::select(finite, components, nan)), !finite)
+    }
+}

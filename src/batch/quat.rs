@@ -1,0 +1,218 @@
+use super::even::cos_sinc;
+use super::length::Length;
+use super::{Dual, vector};
+use core::ops::{Add, Mul, Neg, Sub};
+use dq8_simd::Lane;
+
+/// Quaternions, one a lane: [`Quat`](crate::Quat) on lanes.
+#[derive(Clone, Copy, Debug)]
+pub struct Quat<L>([L; 4]);
+
+impl<L: Lane> Quat<L> {
+    /// 1 in every lane.
+    #[inline(always)]
+    #[must_use]
+    pub fn identity(level: L::Level) -> Self {
+        let zero = L::splat(level, L::Real::from(0.0));
+        Self([zero, zero, zero, zero.with(1.0)])
+    }
+
+    /// From components in the order of memory.
+    #[inline(always)]
+    #[must_use]
+    pub fn from_xyzw(x: L, y: L, z: L, w: L) -> Self {
+        Self([x, y, z, w])
+    }
+
+    /// From `[x, y, z, w]`.
+    #[inline(always)]
+    #[must_use]
+    pub fn from_array(xyzw: [L; 4]) -> Self {
+        Self(xyzw)
+    }
+
+    /// From the vector part and the scalar part.
+    #[inline(always)]
+    #[must_use]
+    pub fn from_parts([x, y, z]: [L; 3], w: L) -> Self {
+        Self([x, y, z, w])
+    }
+
+    /// cos(θ/2) + n sin(θ/2); `axis` must have length 1, `angle` is in radians.
+    #[inline(always)]
+    #[must_use]
+    pub fn from_axis_angle(axis: [L; 3], angle: L) -> Self {
+        let half = angle * angle.with(0.5);
+        let (cos, sinc) = cos_sinc(Dual::new(half * half, half.with(0.0)));
+        Self::from_parts(vector::scale(axis, half * sinc.real), cos.real)
+    }
+
+    /// `[x, y, z, w]`
+    #[inline(always)]
+    #[must_use]
+    pub fn to_array(self) -> [L; 4] {
+        self.0
+    }
+
+    /// The component of i.
+    #[inline(always)]
+    #[must_use]
+    pub fn x(self) -> L {
+        self.0[0]
+    }
+    /// The component of j.
+    #[inline(always)]
+    #[must_use]
+    pub fn y(self) -> L {
+        self.0[1]
+    }
+    /// The component of k.
+    #[inline(always)]
+    #[must_use]
+    pub fn z(self) -> L {
+        self.0[2]
+    }
+    /// The scalar part.
+    #[inline(always)]
+    #[must_use]
+    pub fn w(self) -> L {
+        self.0[3]
+    }
+    /// The vector part.
+    #[inline(always)]
+    #[must_use]
+    pub fn xyz(self) -> [L; 3] {
+        [self.0[0], self.0[1], self.0[2]]
+    }
+
+    /// w − xi − yj − zk
+    #[inline(always)]
+    #[must_use]
+    pub fn conjugate(self) -> Self {
+        let [x, y, z, w] = self.0;
+        Self([-x, -y, -z, w])
+    }
+
+    /// The scalar product of the two as 4-vectors.
+    #[inline(always)]
+    #[must_use]
+    pub fn dot(self, other: Self) -> L {
+        let [ax, ay, az, aw] = self.0;
+        let [bx, by, bz, bw] = other.0;
+        aw.mul_add(bw, az.mul_add(bz, ay.mul_add(by, ax * bx)))
+    }
+
+    /// |q| = √(q q*)
+    #[inline(always)]
+    #[must_use]
+    pub fn norm(self) -> L {
+        self.length().value()
+    }
+
+    /// q / |q|; some component is NaN in lanes that are zero or not finite.
+    #[inline(always)]
+    #[must_use]
+    pub fn normalize(self) -> Self {
+        Self(self.length().divide_all(self.0))
+    }
+
+    #[inline(always)]
+    pub(super) fn length(self) -> Length<L> {
+        Length::of(self.0, self.w().with(1.0))
+    }
+
+    /// q times a real number.
+    #[inline(always)]
+    #[must_use]
+    pub fn scale(self, factor: L) -> Self {
+        let [x, y, z, w] = self.0;
+        Self([x * factor, y * factor, z * factor, w * factor])
+    }
+
+    /// q·s + onto
+    #[inline(always)]
+    pub(super) fn scale_onto(self, factor: L, onto: Self) -> Self {
+        let [x, y, z, w] = self.0;
+        let [ox, oy, oz, ow] = onto.0;
+        Self([
+            x.mul_add(factor, ox),
+            y.mul_add(factor, oy),
+            z.mul_add(factor, oz),
+            w.mul_add(factor, ow),
+        ])
+    }
+
+    /// pq + onto
+    #[inline(always)]
+    pub(super) fn mul_onto(self, other: Self, onto: Self) -> Self {
+        let [ax, ay, az, aw] = self.0;
+        let [bx, by, bz, bw] = other.0;
+        let [ox, oy, oz, ow] = onto.0;
+        Self([
+            az.neg_mul_add(by, ay.mul_add(bz, ax.mul_add(bw, aw.mul_add(bx, ox)))),
+            ax.neg_mul_add(bz, az.mul_add(bx, ay.mul_add(bw, aw.mul_add(by, oy)))),
+            ay.neg_mul_add(bx, ax.mul_add(by, az.mul_add(bw, aw.mul_add(bz, oz)))),
+            az.neg_mul_add(bz, ay.neg_mul_add(by, ax.neg_mul_add(bx, aw.mul_add(bw, ow)))),
+        ])
+    }
+
+    /// r v r*, the vector `v` turned by these unit quaternions.
+    #[inline(always)]
+    #[must_use]
+    pub fn rotate(self, v: [L; 3]) -> [L; 3] {
+        self.rotate_onto(v, v)
+    }
+
+    /// r v r* − v + onto: v + 2 r × (r × v + w v) with another first summand.
+    #[inline(always)]
+    pub(super) fn rotate_onto(self, v: [L; 3], onto: [L; 3]) -> [L; 3] {
+        let r = self.xyz();
+        let inner = vector::cross_onto(r, v, vector::scale(v, self.w()));
+        vector::scale_onto(vector::cross(r, inner), self.w().with(2.0), onto)
+    }
+}
+
+impl<L: Lane> Add for Quat<L> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        let [ax, ay, az, aw] = self.0;
+        let [bx, by, bz, bw] = other.0;
+        Self([ax + bx, ay + by, az + bz, aw + bw])
+    }
+}
+
+impl<L: Lane> Sub for Quat<L> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        let [ax, ay, az, aw] = self.0;
+        let [bx, by, bz, bw] = other.0;
+        Self([ax - bx, ay - by, az - bz, aw - bw])
+    }
+}
+
+/// Hamilton's product: 16 multiplications, 12 of them fused.
+impl<L: Lane> Mul for Quat<L> {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        let [ax, ay, az, aw] = self.0;
+        let [bx, by, bz, bw] = other.0;
+        Self([
+            az.neg_mul_add(by, ay.mul_add(bz, ax.mul_add(bw, aw * bx))),
+            ax.neg_mul_add(bz, az.mul_add(bx, ay.mul_add(bw, aw * by))),
+            ay.neg_mul_add(bx, ax.mul_add(by, az.mul_add(bw, aw * bz))),
+            az.neg_mul_add(bz, ay.neg_mul_add(by, ax.neg_mul_add(bx, aw * bw))),
+        ])
+    }
+}
+
+impl<L: Lane> Neg for Quat<L> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        let [x, y, z, w] = self.0;
+        Self([-x, -y, -z, -w])
+    }
+}

@@ -1,0 +1,74 @@
+//! Rotation and translation, in and out.
+
+use super::{DualQuat, Quat, vector};
+use dq8_simd::Lane;
+
+impl<L: Lane> DualQuat<L> {
+    /// r + ε0; `rotation` must be unit.
+    #[inline(always)]
+    #[must_use]
+    pub fn from_rotation(rotation: Quat<L>) -> Self {
+        Self::new(rotation, Quat::from_array([rotation.w().with(0.0); 4]))
+    }
+
+    /// 1 + ½εt
+    #[inline(always)]
+    #[must_use]
+    pub fn from_translation(translation: [L; 3]) -> Self {
+        let zero = translation[0].with(0.0);
+        let half = vector::scale(translation, zero.with(0.5));
+        Self::new(Quat::identity(zero.level()), Quat::from_parts(half, zero))
+    }
+
+    /// Rotate, then translate: r + ½εtr; `rotation` must be unit.
+    #[inline(always)]
+    #[must_use]
+    pub fn from_rotation_translation(rotation: Quat<L>, translation: [L; 3]) -> Self {
+        let half = vector::scale(translation, rotation.w().with(0.5));
+        let (r, w) = (rotation.xyz(), rotation.w());
+        // ½tr for a pure quaternion t: (t × r + w t, −t·r)
+        let dual = vector::cross_onto(half, r, vector::scale(half, w));
+        Self::new(rotation, Quat::from_parts(dual, -vector::dot(half, r)))
+    }
+
+    /// Translate, then rotate: r + ½εrt; `rotation` must be unit.
+    #[inline(always)]
+    #[must_use]
+    pub fn from_translation_rotation(translation: [L; 3], rotation: Quat<L>) -> Self {
+        let half = vector::scale(translation, rotation.w().with(0.5));
+        let (r, w) = (rotation.xyz(), rotation.w());
+        let dual = vector::cross_onto(r, half, vector::scale(half, w));
+        Self::new(rotation, Quat::from_parts(dual, -vector::dot(half, r)))
+    }
+
+    /// r = p of unit σ
+    #[inline(always)]
+    #[must_use]
+    pub fn rotation(self) -> Quat<L> {
+        self.real()
+    }
+
+    /// t = 2qp* of unit σ
+    #[inline(always)]
+    #[must_use]
+    pub fn translation(self) -> [L; 3] {
+        self.translation_onto_half([self.real().w().with(0.0); 3])
+    }
+
+    /// t + 2·half: the factor 2 is shared with a caller that adds something to the translation.
+    #[inline(always)]
+    fn translation_onto_half(self, half: [L; 3]) -> [L; 3] {
+        let (p, q) = (self.real(), self.dual());
+        // The vector part of qp*: w_p q − w_q p + p × q
+        let onto = vector::scale_onto(q.xyz(), p.w(), half);
+        let onto = vector::scale_onto(p.xyz(), -q.w(), onto);
+        let sum = vector::cross_onto(p.xyz(), q.xyz(), onto);
+        vector::scale(sum, p.w().with(2.0))
+    }
+
+    /// v + t + 2·half, for [`transform_point`](Self::transform_point).
+    #[inline(always)]
+    pub(super) fn moved_by_half(self, v: [L; 3], half: [L; 3]) -> [L; 3] {
+        vector::add(v, self.translation_onto_half(half))
+    }
+}

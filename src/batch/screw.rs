@@ -1,0 +1,234 @@
+//! Screws: parameters, logarithm, exponential, powers and screw interpolation.
+//!
+//! With Θ half the dual angle θ̂ of a motion, everything is written in Y = sin²(Θ/2) and
+//! K(Y) = arcsin(√Y)/√Y, which is analytic: Θ = 2√Y K(Y), so Θ² = 4YK² and Θ/sin Θ = K/cos(Θ/2). See
+//! [`even`](super::even) and the chapter on screws in `ARCHITECTURE.md`.
+
+use super::even::{asin_over_root, cos_sinc};
+use super::length::Length;
+use super::{Dual, DualQuat, Quat, vector};
+use crate::geometry::{DualVector, Line, Screw};
+use dq8_simd::Lane;
+
+impl<L: Lane> DualQuat<L> {
+    /// The screw of unit σ, angle in [0, π]. A pure translation has angle 0, its own direction as
+    /// axis and moment 0; the identity has the axis (1, 0, 0).
+    #[inline(always)]
+    #[must_use]
+    pub fn to_screw(self) -> Screw<L> {
+        let sigma = self.canonical();
+        let half = HalfAngle::of(sigma);
+        let (w, t) = (sigma.real().w(), sigma.translation());
+        let (zero, one) = (w.with(0.0), w.with(1.0));
+        let sine = Length::of(sigma.real().xyz(), one);
+        let angle = (sine.value() + sine.value()) * half.over_sine().real;
+
+        let direction = sine.divide_all(sigma.real().xyz());
+        let slide = vector::dot(t, direction);
+        // m = ½ (t × l + (t − d l) cot(θ/2)), Jia eq. 37
+        let across = vector::scale_onto(direction, -slide, t);
+        let twice = vector::cross_onto(t, direction, vector::scale(across, sine.divide(w)));
+        let moment = vector::scale(twice, w.with(0.5));
+
+        let distance = Length::of(t, one);
+        let turns = zero.lt(sine.value());
+        let moves = zero.lt(distance.value());
+        let along = vector::select(moves, distance.divide_all(t), [one, zero, zero]);
+        Screw {
+            axis: Line {
+                direction: vector::select(turns, direction, along),
+                moment: vector::select(turns, moment, [zero; 3]),
+            },
+            angle,
+            slide: L::select(turns, slide, distance.value()),
+        }
+    }
+
+    /// σ = cos(θ̂/2) + sin(θ̂/2)(l + εm); the axis must have length 1.
+    #[inline(always)]
+    #[must_use]
+    pub fn from_screw(screw: Screw<L>) -> Self {
+        let half = screw.angle.with(0.5);
+        let half_angle = Dual::new(screw.angle * half, screw.slide * half);
+        let (cos, sinc) = cos_sinc(half_angle * half_angle);
+        let axis = DualVector { real: screw.axis.direction, dual: screw.axis.moment };
+        Self::from_dual_parts(cos, times_dual(axis, half_angle * sinc))
+    }
+
+    /// (θ̂/2)(l + εm) of the one of ±σ with p_w ≥ 0: the vector part of σ times Θ/sin Θ.
+    #[inline(always)]
+    #[must_use]
+    pub fn log(self) -> DualVector<L> {
+        let sigma = self.canonical();
+        times_dual(sigma.dual_vector(), HalfAngle::of(sigma).over_sine())
+    }
+
+    /// cos ĥ + sin ĥ (l + εm) of a + εb, with ĥ² = a·a + 2ε a·b.
+    #[inline(always)]
+    #[must_use]
+    pub fn exp(log: DualVector<L>) -> Self {
+        let across = vector::dot(log.real, log.dual);
+        let square = Dual::new(vector::dot(log.real, log.real), across + across);
+        let (cos, sinc) = cos_sinc(square);
+        Self::from_dual_parts(cos, times_dual(log, sinc))
+    }
+
+    /// σᵗ of the one of ±σ with p_w ≥ 0; `t` may differ from lane to lane.
+    #[inline(always)]
+    #[must_use]
+    pub fn pow(self, t: L) -> Self {
+        let sigma = self.canonical();
+        let half = HalfAngle::of(sigma);
+        let (cos, sinc) = cos_sinc(half.square().scale(t * t));
+        let factor = (half.over_sine() * sinc).scale(t);
+        Self::from_dual_parts(cos, times_dual(sigma.dual_vector(), factor))
+    }
+
+    /// √σ of the one of ±σ with p_w ≥ 0: cos(Θ/2) and the vector part over 2 cos(Θ/2).
+    #[inline(always)]
+    #[must_use]
+    pub fn sqrt(self) -> Self {
+        let sigma = self.canonical();
+        let cos = HalfAngle::of(sigma).half_cosine;
+        let factor = (cos + cos).recip();
+        Self::from_dual_parts(cos, times_dual(sigma.dual_vector(), factor))
+    }
+
+    /// a(a*b)ᵗ by the shorter way; `t` may differ from lane to lane.
+    ///
+    /// Slerp about the middle of the way. With m = (a+b)/2 and h = (b−a)/2, which are orthogonal for
+    /// unit a and b, Y = ⟨h, h⟩ and τ = 2t − 1:
+    ///
+    /// ```text
+    /// σ(t) = cos(τΘ/2)/cos(Θ/2) m + sin(τΘ/2)/sin(Θ/2) h
+    /// ```
+    ///
+    /// The difference b − a is exact for poses that almost agree, where their cosine has lost it.
+    #[inline(always)]
+    #[must_use]
+    pub fn sclerp(self, other: Self, t: L) -> Self {
+        let zero = t.with(0.0);
+        let near = other.negate_where(self.real().dot(other.real()).lt(zero));
+        let way = Way::between(self, near);
+        let tau = t + t - t.with(1.0);
+        let (cos, sinc) = cos_sinc(way.quarter_square().scale(tau * tau));
+        let along = (way.asin_over_root * sinc).scale(tau);
+        let at_middle = way.middle.scale_dual(cos * way.half_cosine.recip());
+        way.half.scale_dual_onto(along, at_middle)
+    }
+
+    /// As [`sclerp`](Self::sclerp), but from `self` to `other` and not to −`other`. The way from σ
+    /// to −σ has no axis: NaN.
+    #[inline(always)]
+    #[must_use]
+    pub fn sclerp_long(self, other: Self, t: L) -> Self {
+        let zero = t.with(0.0);
+        let apart = self.real().dot(other.real()).lt(zero);
+        let way = Way::between(self, other.negate_where(apart));
+        let tau = t + t - t.with(1.0);
+        let (cos, sinc) = cos_sinc(way.quarter_square().scale(tau * tau));
+        let along = (way.asin_over_root * sinc).scale(tau);
+        let at_middle = way.middle.scale_dual(cos * way.half_cosine.recip());
+        let short = way.half.scale_dual_onto(along, at_middle);
+
+        // The longer way is π − Θ. Its m and h are −h and −m of the shorter way, its cos(Θ/2) and
+        // sin(Θ/2) are sin(Θ/2) and cos(Θ/2) of the shorter.
+        let length = Length::of(way.half.real().to_array(), t.with(1.0));
+        let unit = Quat::from_array(length.divide_all(way.half.real().to_array()));
+        let half_sine = Dual::new(length.value(), unit.dot(way.half.dual()));
+        let right_angle = Dual::new(t.with(core::f64::consts::FRAC_PI_2), zero);
+        let angle = (right_angle - half_sine * way.asin_over_root).scale(tau);
+        let (cos, sinc) = cos_sinc(angle * angle);
+        let along = -(angle * sinc * way.half_cosine.recip());
+        let at_middle = way.half.scale_dual(-(cos * half_sine.recip()));
+        let long = way.middle.scale_dual_onto(along, at_middle);
+        Self::from_array(vector::select(apart, long.to_array(), short.to_array()))
+    }
+}
+
+/// Half the dual angle, Θ, of motions with p_w ≥ 0.
+struct HalfAngle<L> {
+    /// Y = sin²(Θ/2)
+    y: Dual<L>,
+    /// K(Y)
+    asin_over_root: Dual<L>,
+    /// cos(Θ/2)
+    half_cosine: Dual<L>,
+}
+
+impl<L: Lane> HalfAngle<L> {
+    /// From cos²(Θ/2) = (1 + w)/2 and Y = sin²Θ/(4 cos²(Θ/2)). Not from 1 − w, which is all rounding
+    /// for small angles, where the vector part still has its full relative precision.
+    #[inline(always)]
+    fn of(sigma: DualQuat<L>) -> Self {
+        let w = sigma.dual_scalar();
+        let half = w.real.with(0.5);
+        let cosine_squared = Dual::new(w.real.mul_add(half, half), w.dual * half);
+        let v = sigma.dual_vector();
+        let across = vector::dot(v.real, v.dual);
+        let sine_squared = Dual::new(vector::dot(v.real, v.real), across + across);
+        let y = sine_squared.scale(w.real.with(0.25)) / cosine_squared;
+        Self { y, asin_over_root: asin_over_root(y), half_cosine: cosine_squared.sqrt() }
+    }
+
+    /// Θ/sin Θ = K/cos(Θ/2)
+    #[inline(always)]
+    fn over_sine(&self) -> Dual<L> {
+        self.asin_over_root / self.half_cosine
+    }
+
+    /// Θ² = 4YK²
+    #[inline(always)]
+    fn square(&self) -> Dual<L> {
+        let four = self.y.real.with(4.0);
+        (self.y * self.asin_over_root * self.asin_over_root).scale(four)
+    }
+}
+
+/// The way from a to b, which do not point apart.
+struct Way<L> {
+    /// m = (a + b)/2
+    middle: DualQuat<L>,
+    /// h = (b − a)/2
+    half: DualQuat<L>,
+    /// Y = ⟨h, h⟩ = sin²(Θ/2)
+    y: Dual<L>,
+    /// K(Y)
+    asin_over_root: Dual<L>,
+    /// cos(Θ/2)
+    half_cosine: Dual<L>,
+}
+
+impl<L: Lane> Way<L> {
+    #[inline(always)]
+    fn between(a: DualQuat<L>, b: DualQuat<L>) -> Self {
+        let one_half = a.real().w().with(0.5);
+        let one = one_half.with(1.0);
+        let (middle, half) = ((a + b).scale(one_half), (b - a).scale(one_half));
+        let across = half.real().dot(half.dual());
+        let y = Dual::new(half.real().dot(half.real()), across + across);
+        let cosine_squared = Dual::new(one - y.real, -y.dual);
+        Self {
+            middle,
+            half,
+            y,
+            asin_over_root: asin_over_root(y),
+            half_cosine: cosine_squared.sqrt(),
+        }
+    }
+
+    /// (Θ/2)² = YK²
+    #[inline(always)]
+    fn quarter_square(&self) -> Dual<L> {
+        self.y * self.asin_over_root * self.asin_over_root
+    }
+}
+
+/// (s + εu)(a + εb)
+#[inline(always)]
+fn times_dual<L: Lane>(v: DualVector<L>, factor: Dual<L>) -> DualVector<L> {
+    DualVector {
+        real: vector::scale(v.real, factor.real),
+        dual: vector::scale_onto(v.real, factor.dual, vector::scale(v.dual, factor.real)),
+    }
+}

@@ -1,0 +1,42 @@
+//! What unit dual quaternions do to points, directions, lines and planes.
+
+use super::{DualQuat, vector};
+use crate::geometry::{Line, Plane};
+use dq8_simd::Lane;
+
+impl<L: Lane> DualQuat<L> {
+    /// Rv + t; σ must be unit.
+    #[inline(always)]
+    #[must_use]
+    pub fn transform_point(self, point: [L; 3]) -> [L; 3] {
+        let (r, w) = (self.real().xyz(), self.real().w());
+        // Rv = v + 2 r × (r × v + w v), and t = 2(…): both in one sum.
+        let inner = vector::cross_onto(r, point, vector::scale(point, w));
+        self.moved_by_half(point, vector::cross(r, inner))
+    }
+
+    /// Rv; σ must be unit.
+    #[inline(always)]
+    #[must_use]
+    pub fn transform_vector(self, vector: [L; 3]) -> [L; 3] {
+        self.real().rotate(vector)
+    }
+
+    /// l′ = Rl, m′ = Rm + t × l′; σ must be unit.
+    #[inline(always)]
+    #[must_use]
+    pub fn transform_line(self, line: Line<L>) -> Line<L> {
+        let direction = self.real().rotate(line.direction);
+        let turned = self.real().rotate(line.moment);
+        Line { direction, moment: vector::cross_onto(self.translation(), direction, turned) }
+    }
+
+    /// n′ = Rn, d′ = d + n′·t; σ must be unit.
+    #[inline(always)]
+    #[must_use]
+    pub fn transform_plane(self, plane: Plane<L>) -> Plane<L> {
+        let normal = self.real().rotate(plane.normal);
+        let offset = plane.offset + vector::dot(normal, self.translation());
+        Plane { normal, offset }
+    }
+}

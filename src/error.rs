@@ -1,0 +1,211 @@
+//! What can be wrong with an argument. Every error names the value, and the index where there is
+//! one; all implement [`core::error::Error`].
+
+use core::fmt;
+use core::ops::Range;
+
+/// A dual quaternion that has no unit dual quaternion beside it: its real part is zero or some
+/// component is not finite (or the quotient would not be).
+///
+/// Fabisch (*Normalizing Dual Quaternions*, "Edge Case") leaves this case open.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NormalizeError {
+    /// The norm of the real part.
+    pub real_norm: f64,
+}
+
+impl fmt::Display for NormalizeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "cannot normalise: the norm of the real part is {} and every component must be finite",
+            self.real_norm
+        )
+    }
+}
+
+/// A dual quaternion or dual number without an inverse: its real part is zero or not finite.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct InverseError {
+    /// The norm of the real part.
+    pub real_norm: f64,
+}
+
+impl fmt::Display for InverseError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "no inverse: the norm of the real part is {}", self.real_norm)
+    }
+}
+
+/// A matrix that is not a rigid motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum MatrixError {
+    /// Rows `row` and `column` of the rotation are not orthonormal: their product is `value`
+    /// where the identity has 0 or 1.
+    NotOrthonormal {
+        /// The first of the two rows.
+        row: usize,
+        /// The second of the two rows.
+        column: usize,
+        /// Their scalar product.
+        value: f64,
+    },
+    /// The rotation mirrors: its determinant is negative.
+    Mirrors {
+        /// The determinant.
+        determinant: f64,
+    },
+    /// An element of the translation is not finite.
+    NotFinite {
+        /// The row of the element.
+        row: usize,
+        /// The element.
+        value: f64,
+    },
+    /// The last row of a 4×4 matrix is not 0 0 0 1.
+    NotAffine {
+        /// The column of the element that differs.
+        column: usize,
+        /// The element.
+        value: f64,
+    },
+}
+
+impl fmt::Display for MatrixError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotOrthonormal { row, column, value } => write!(
+                f,
+                "not a rotation: the product of rows {row} and {column} is {value} \
+                 (non-uniform scale and shear are no rigid motions)"
+            ),
+            Self::Mirrors { determinant } => {
+                write!(f, "not a rotation: the determinant is {determinant}")
+            }
+            Self::NotFinite { row, value } => {
+                write!(f, "the translation is not finite: element {row} is {value}")
+            }
+            Self::NotAffine { column, value } => write!(
+                f,
+                "not affine: element {column} of the last row is {value}, which must be 0 0 0 1"
+            ),
+        }
+    }
+}
+
+/// A parent array that is no hierarchy.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum HierarchyError {
+    /// A joint's parent does not come before it: a forward reference, or a cycle.
+    ParentNotBefore {
+        /// The joint.
+        joint: usize,
+        /// Its parent.
+        parent: u32,
+    },
+    /// A joint's parent is no joint at all.
+    ParentOutOfRange {
+        /// The joint.
+        joint: usize,
+        /// Its parent.
+        parent: u32,
+        /// How many joints there are.
+        joints: usize,
+    },
+    /// More joints than a `u32` can number.
+    TooManyJoints {
+        /// How many joints there are.
+        joints: usize,
+    },
+}
+
+impl fmt::Display for HierarchyError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::ParentNotBefore { joint, parent } if *joint == *parent as usize => {
+                write!(f, "joint {joint} is its own parent")
+            }
+            Self::ParentNotBefore { joint, parent } => write!(
+                f,
+                "joint {joint} has parent {parent}, which must come before it (sort parents first; \
+                 a cycle cannot be sorted)"
+            ),
+            Self::ParentOutOfRange { joint, parent, joints } => {
+                write!(f, "joint {joint} has parent {parent}, but there are only {joints} joints")
+            }
+            Self::TooManyJoints { joints } => {
+                write!(f, "{joints} joints are more than a u32 can number")
+            }
+        }
+    }
+}
+
+/// Slices that do not fit a hierarchy, or each other. Nothing has been written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum ShapeError {
+    /// A slice does not hold a whole number of instances.
+    NotWhole {
+        /// Which slice.
+        what: &'static str,
+        /// Its length.
+        length: usize,
+        /// The joints of one instance.
+        joints: usize,
+    },
+    /// A slice has another length than it must.
+    Length {
+        /// Which slice.
+        what: &'static str,
+        /// Its length.
+        length: usize,
+        /// The length it must have.
+        expected: usize,
+    },
+    /// A range of joints that is no range of this hierarchy.
+    Joints {
+        /// The range.
+        range: Range<usize>,
+        /// How many joints there are.
+        joints: usize,
+    },
+    /// A pose that a crowd does not have.
+    NoPose {
+        /// The instance asked for.
+        instance: usize,
+        /// The joint asked for.
+        joint: usize,
+        /// How many instances there are.
+        instances: usize,
+        /// How many joints there are.
+        joints: usize,
+    },
+}
+
+impl fmt::Display for ShapeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotWhole { what, length, joints } => write!(
+                f,
+                "{what} holds {length} elements, which is no multiple of the {joints} joints"
+            ),
+            Self::Length { what, length, expected } => {
+                write!(f, "{what} holds {length} elements where {expected} are needed")
+            }
+            Self::Joints { range, joints } => write!(
+                f,
+                "joints {}..{} are no range of a hierarchy of {joints} joints",
+                range.start, range.end
+            ),
+            Self::NoPose { instance, joint, instances, joints } => write!(
+                f,
+                "no joint {joint} of instance {instance} among {instances} instances of {joints} joints"
+            ),
+        }
+    }
+}
+
+impl core::error::Error for NormalizeError {}
+impl core::error::Error for InverseError {}
+impl core::error::Error for MatrixError {}
+impl core::error::Error for HierarchyError {}
+impl core::error::Error for ShapeError {}

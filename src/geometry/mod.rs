@@ -1,0 +1,12 @@
+//! What a motion acts on and what describes it: plain data, the same for one motion (`T` a float)
+//! and for many (`T` a vector of lanes). Points and directions are plain `[T; 3]`.
+
+mod dual_vector;
+mod line;
+mod plane;
+mod screw;
+
+pub use dual_vector::DualVector;
+pub use line::Line;
+pub use plane::Plane;
+pub use screw::Screw;

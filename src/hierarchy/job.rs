@@ -1,0 +1,268 @@
+use super::{Hierarchy, Pose};
+use crate::error::ShapeError;
+use crate::motion::Motion;
+use crate::scalar::DualQuat;
+use core::ops::Range;
+use dq8_simd::{Level, Portable};
+
+/// A run over a hierarchy: with a root transform, or on some of the joints.
+///
+/// ```
+/// use dq8::{DualQuat, Hierarchy};
+/// let parents = [Hierarchy::ROOT, 0, 1];
+/// let arm = Hierarchy::new(&parents)?;
+/// let locals = [DualQuat::from_translation([1.0_f32, 0.0, 0.0]); 3];
+/// let mut models = locals;
+/// let table = DualQuat::from_translation([0.0, 0.0, 10.0]);
+/// arm.job().root(table).local_to_model(&locals, &mut models)?;
+/// assert_eq!(models[2].translation(), [3.0, 0.0, 10.0]);
+/// // The wrist has moved: joint 2 anew, its parents stay as they are.
+/// let moved = [locals[0], locals[1], DualQuat::from_translation([0.0, 5.0, 0.0])];
+/// arm.job().joints(2..3).local_to_model(&moved, &mut models)?;
+/// assert_eq!(models[2].translation(), [2.0, 5.0, 10.0]);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Job<'a, P: Pose> {
+    hierarchy: Hierarchy<'a>,
+    root: Root<'a, P>,
+    joints: Range<usize>,
+}
+
+/// What joints without a parent stand on.
+#[derive(Clone, Debug)]
+enum Root<'a, P: Pose> {
+    /// Nothing: their local pose is their model pose.
+    None,
+    /// The same motion for every instance.
+    Same(DualQuat<P::Real>),
+    /// A motion for each instance, one element an instance (block).
+    Each(&'a [P]),
+}
+
+impl<'a> Hierarchy<'a> {
+    /// Model poses of all joints from local ones: model(j) = model(parent(j)) · local(j).
+    ///
+    /// `locals` and `models` hold one element a joint, or several whole instances one after the
+    /// other. A [`Job`] does the same with a root transform or on some of the joints.
+    ///
+    /// # Errors
+    /// If the slices differ in length or hold no whole number of instances; `models` is untouched.
+    #[inline]
+    pub fn local_to_model<P: Pose>(
+        &self,
+        locals: &[P],
+        models: &mut [P],
+    ) -> Result<(), ShapeError> {
+        self.job().local_to_model(locals, models)
+    }
+
+    /// [`local_to_model`](Self::local_to_model) over the locals themselves: half the memory.
+    ///
+    /// # Errors
+    /// If the slice holds no whole number of instances; it is untouched then.
+    #[inline]
+    pub fn local_to_model_in_place<P: Pose>(&self, poses: &mut [P]) -> Result<(), ShapeError> {
+        self.job().local_to_model_in_place(poses)
+    }
+
+    /// Local poses of all joints from model ones: local(j) = model(parent(j))* · model(j). The
+    /// models must be unit.
+    ///
+    /// # Errors
+    /// If the slices differ in length or hold no whole number of instances; `locals` is untouched.
+    ///
+    /// ```
+    /// use dq8::{DualQuat, Hierarchy};
+    /// let parents = [Hierarchy::ROOT, 0];
+    /// let pair = Hierarchy::new(&parents)?;
+    /// let models = [1.0_f32, 3.0].map(|x| DualQuat::from_translation([x, 0.0, 0.0]));
+    /// let mut locals = models;
+    /// pair.model_to_local(&models, &mut locals)?;
+    /// assert_eq!(locals[1].translation(), [2.0, 0.0, 0.0]);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[inline]
+    pub fn model_to_local<P: Pose>(
+        &self,
+        models: &[P],
+        locals: &mut [P],
+    ) -> Result<(), ShapeError> {
+        self.job().model_to_local(models, locals)
+    }
+
+    /// [`model_to_local`](Self::model_to_local) over the models themselves.
+    ///
+    /// # Errors
+    /// If the slice holds no whole number of instances; it is untouched then.
+    #[inline]
+    pub fn model_to_local_in_place<P: Pose>(&self, poses: &mut [P]) -> Result<(), ShapeError> {
+        self.job().model_to_local_in_place(poses)
+    }
+
+    /// A run with options.
+    #[must_use]
+    pub fn job<P: Pose>(&self) -> Job<'a, P> {
+        Job { hierarchy: *self, root: Root::None, joints: 0..self.joints() }
+    }
+}
+
+impl<'a, P: Pose> Job<'a, P> {
+    /// Puts every root joint on `root`: model(j) = root · local(j), the same for all instances.
+    #[must_use]
+    pub fn root(mut self, root: DualQuat<P::Real>) -> Self {
+        self.root = Root::Same(root);
+        self
+    }
+
+    /// Puts the root joints of each instance (block) on its own element of `roots`.
+    #[must_use]
+    pub fn roots(mut self, roots: &'a [P]) -> Self {
+        self.root = Root::Each(roots);
+        self
+    }
+
+    /// Only these joints are computed. Their parents outside the range must already hold their
+    /// model poses; the other joints are not written.
+    #[must_use]
+    pub fn joints(mut self, joints: Range<usize>) -> Self {
+        self.joints = joints;
+        self
+    }
+
+    /// See [`Hierarchy::local_to_model`].
+    ///
+    /// # Errors
+    /// If lengths or the range do not fit; `models` is untouched.
+    #[inline]
+    pub fn local_to_model(&self, locals: &[P], models: &mut [P]) -> Result<(), ShapeError> {
+        self.check("locals", locals.len())?;
+        same_length("models", models.len(), locals.len())?;
+        Portable.run(|| self.forward(Portable, Some(locals), models));
+        Ok(())
+    }
+
+    /// See [`Hierarchy::local_to_model_in_place`].
+    ///
+    /// # Errors
+    /// If lengths or the range do not fit; `poses` is untouched.
+    #[inline]
+    pub fn local_to_model_in_place(&self, poses: &mut [P]) -> Result<(), ShapeError> {
+        self.check("poses", poses.len())?;
+        Portable.run(|| self.forward(Portable, None, poses));
+        Ok(())
+    }
+
+    /// See [`Hierarchy::model_to_local`]. With [`joints`](Self::joints), only those locals are
+    /// written.
+    ///
+    /// # Errors
+    /// If lengths or the range do not fit; `locals` is untouched.
+    #[inline]
+    pub fn model_to_local(&self, models: &[P], locals: &mut [P]) -> Result<(), ShapeError> {
+        self.check("models", models.len())?;
+        same_length("locals", locals.len(), models.len())?;
+        Portable.run(|| self.backward(Portable, Some(models), locals));
+        Ok(())
+    }
+
+    /// See [`Hierarchy::model_to_local_in_place`].
+    ///
+    /// # Errors
+    /// If lengths or the range do not fit; `poses` is untouched.
+    #[inline]
+    pub fn model_to_local_in_place(&self, poses: &mut [P]) -> Result<(), ShapeError> {
+        self.check("poses", poses.len())?;
+        Portable.run(|| self.backward(Portable, None, poses));
+        Ok(())
+    }
+
+    /// model(j) = model(parent(j)) · local(j), parents first. Without `locals`, `models` holds them.
+    #[inline(always)]
+    fn forward<V: Level>(&self, level: V, locals: Option<&[P]>, models: &mut [P]) {
+        let parents = self.hierarchy.parents();
+        // `check` has seen to it that the joints are not 0 where there is anything to do.
+        for (instance, models) in models.chunks_exact_mut(parents.len().max(1)).enumerate() {
+            let locals =
+                locals.and_then(|all| all.chunks_exact(parents.len().max(1)).nth(instance));
+            let root = self.root_of(level, instance);
+            for joint in self.joints.clone() {
+                let Some(local) = locals.unwrap_or(models).get(joint) else { break };
+                let mut model = local.load(level);
+                // ROOT is beyond the last joint, so the check of the bound tells roots apart.
+                match parents.get(joint).and_then(|&parent| models.get(parent as usize)) {
+                    Some(parent) => model = parent.load(level) * model,
+                    None => {
+                        if let Some(root) = root {
+                            model = root * model;
+                        }
+                    }
+                }
+                if let Some(slot) = models.get_mut(joint) {
+                    slot.store(level, model);
+                }
+            }
+        }
+    }
+
+    /// local(j) = model(parent(j))* · model(j), children first, so that in place every parent is
+    /// still a model when its children need it.
+    #[inline(always)]
+    fn backward<V: Level>(&self, level: V, models: Option<&[P]>, locals: &mut [P]) {
+        let parents = self.hierarchy.parents();
+        for (instance, locals) in locals.chunks_exact_mut(parents.len().max(1)).enumerate() {
+            let models =
+                models.and_then(|all| all.chunks_exact(parents.len().max(1)).nth(instance));
+            let root = self.root_of(level, instance);
+            for joint in self.joints.clone().rev() {
+                let models = models.unwrap_or(locals);
+                let Some(model) = models.get(joint) else { break };
+                let mut local = model.load(level);
+                match parents.get(joint).and_then(|&parent| models.get(parent as usize)) {
+                    Some(parent) => local = parent.load(level).conjugate() * local,
+                    None => {
+                        if let Some(root) = root {
+                            local = root.conjugate() * local;
+                        }
+                    }
+                }
+                if let Some(slot) = locals.get_mut(joint) {
+                    slot.store(level, local);
+                }
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn root_of<V: Level>(&self, level: V, instance: usize) -> Option<P::Motion<V>> {
+        match self.root {
+            Root::None => None,
+            Root::Same(root) => Some(P::splat(level, root)),
+            Root::Each(roots) => roots.get(instance).map(|root| root.load(level)),
+        }
+    }
+
+    /// Whether the range, the roots and `length` elements of `what` fit the hierarchy.
+    fn check(&self, what: &'static str, length: usize) -> Result<(), ShapeError> {
+        let joints = self.hierarchy.joints();
+        if self.joints.start > self.joints.end || self.joints.end > joints {
+            return Err(ShapeError::Joints { range: self.joints.clone(), joints });
+        }
+        let instances = match (length, joints) {
+            (0, _) => 0,
+            (_, 0) => return Err(ShapeError::NotWhole { what, length, joints }),
+            (_, _) if length % joints != 0 => {
+                return Err(ShapeError::NotWhole { what, length, joints });
+            }
+            (_, _) => length / joints,
+        };
+        match self.root {
+            Root::Each(roots) => same_length("roots", roots.len(), instances),
+            Root::None | Root::Same(_) => Ok(()),
+        }
+    }
+}
+
+fn same_length(what: &'static str, length: usize, expected: usize) -> Result<(), ShapeError> {
+    if length == expected { Ok(()) } else { Err(ShapeError::Length { what, length, expected }) }
+}

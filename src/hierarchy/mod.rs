@@ -1,0 +1,29 @@
+//! Joint hierarchies: local poses to model space and back.
+//!
+//! | item | what it is |
+//! |---|---|
+//! | [`Hierarchy`] | a parent array, checked once |
+//! | [`Pose`] | how a motion lies in memory: one ([`DualQuat`](crate::DualQuat)), or a [`Block`] of instances |
+//! | [`Job`] | a run with a root transform or on some of the joints |
+//! | [`Crowd`] | owned blocks for any number of instances (feature `alloc`) |
+//! | [`pack`], [`unpack`] | the same conversion between slices of your own |
+//!
+//! # Layout
+//!
+//! One instance is one element a joint. Several instances stand one after the other; instances in
+//! blocks share a lane position: `[instance block][joint][component][lane]`, so that a child finds
+//! its parent in the same lane of another block, without any shuffling.
+
+#[cfg(feature = "alloc")]
+mod crowd;
+mod job;
+mod packing;
+mod parents;
+mod pose;
+
+#[cfg(feature = "alloc")]
+pub use crowd::Crowd;
+pub use job::Job;
+pub use packing::{pack, unpack};
+pub use parents::Hierarchy;
+pub use pose::{Block, Pose};

@@ -1,0 +1,148 @@
+//! [`Real`]: the two floating-point types, with square root and trigonometry from `std` or `libm`.
+
+use bytemuck::Pod;
+use core::fmt::{Debug, Display};
+use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+/// `f32` or `f64`. Sealed: kernels and accuracy bounds are written for these two.
+///
+/// The functions are those of the standard library; without the feature `std` they come from the
+/// crate `libm`.
+pub trait Real:
+    Pod
+    + PartialOrd
+    + Default
+    + Debug
+    + Display
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + AddAssign
+    + SubAssign
+    + MulAssign
+    + DivAssign
+    + From<f32>
+    + Into<f64>
+    + Send
+    + Sync
+    + sealed::Sealed
+{
+    /// 0
+    const ZERO: Self;
+    /// 1
+    const ONE: Self;
+    /// 2
+    const TWO: Self;
+    /// ½
+    const HALF: Self;
+    /// π
+    const PI: Self;
+    /// The distance from 1 to the next larger number.
+    const EPSILON: Self;
+
+    /// The nearest number of this type.
+    fn from_f64(value: f64) -> Self;
+    /// Neither infinite nor NaN.
+    fn is_finite(self) -> bool;
+    /// The value without its sign.
+    #[must_use]
+    fn abs(self) -> Self;
+    /// The larger of the two; NaN if either is NaN, unlike `f32::max`.
+    #[must_use]
+    fn max_or_nan(self, other: Self) -> Self {
+        if self > other || self.is_nan() { self } else { other }
+    }
+    /// Not a number.
+    fn is_nan(self) -> bool {
+        self.partial_cmp(&self).is_none()
+    }
+    /// √x
+    #[must_use]
+    fn sqrt(self) -> Self;
+    /// sin x, radians
+    #[must_use]
+    fn sin(self) -> Self;
+    /// cos x, radians
+    #[must_use]
+    fn cos(self) -> Self;
+    /// tan x, radians
+    #[must_use]
+    fn tan(self) -> Self;
+    /// arcsin x, radians
+    #[must_use]
+    fn asin(self) -> Self;
+    /// arccos x, radians
+    #[must_use]
+    fn acos(self) -> Self;
+    /// arctan x, radians
+    #[must_use]
+    fn atan(self) -> Self;
+    /// The angle of the point (`x`, `self`), radians
+    #[must_use]
+    fn atan2(self, x: Self) -> Self;
+    /// eˣ
+    #[must_use]
+    fn exp(self) -> Self;
+    /// ln x
+    #[must_use]
+    fn ln(self) -> Self;
+}
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for f32 {}
+    impl Sealed for f64 {}
+}
+
+/// The standard library's functions are inherent and `libm`'s are free, so neither can be reached
+/// through a common trait: this lists each name with its two homes.
+macro_rules! real {
+    ($real:ident, $($name:ident = $libm:ident ( $($argument:ident),* );)*) => {
+        impl Real for $real {
+            const ZERO: Self = 0.0;
+            const ONE: Self = 1.0;
+            const TWO: Self = 2.0;
+            const HALF: Self = 0.5;
+            const PI: Self = core::$real::consts::PI;
+            const EPSILON: Self = $real::EPSILON;
+
+            #[inline]
+            #[allow(clippy::cast_possible_truncation, reason = "rounding is the purpose")]
+            fn from_f64(value: f64) -> Self {
+                value as $real
+            }
+            #[inline]
+            fn is_finite(self) -> bool {
+                $real::is_finite(self)
+            }
+            #[inline]
+            fn abs(self) -> Self {
+                $real::abs(self)
+            }
+            $(
+                #[cfg(feature = "std")]
+                #[inline]
+                fn $name(self $(, $argument: Self)*) -> Self {
+                    $real::$name(self $(, $argument)*)
+                }
+                #[cfg(not(feature = "std"))]
+                #[inline]
+                fn $name(self $(, $argument: Self)*) -> Self {
+                    libm::$libm(self $(, $argument)*)
+                }
+            )*
+        }
+    };
+}
+real! {
+    f32,
+    sqrt = sqrtf(); sin = sinf(); cos = cosf(); tan = tanf(); asin = asinf(); acos = acosf();
+    atan = atanf(); atan2 = atan2f(x); exp = expf(); ln = logf();
+}
+real! {
+    f64,
+    sqrt = sqrt(); sin = sin(); cos = cos(); tan = tan(); asin = asin(); acos = acos();
+    atan = atan(); atan2 = atan2(x); exp = exp(); ln = log();
+}

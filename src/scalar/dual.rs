@@ -1,0 +1,168 @@
+use crate::error::InverseError;
+use crate::real::Real;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A dual number a + εb, ε² = 0 (Clifford 1873).
+///
+/// A function of a dual number is f(a + εb) = f(a) + ε b f′(a) (Jia eq. 10), so dual numbers
+/// differentiate whatever is computed with them:
+///
+/// ```
+/// use dq8::Dual;
+/// // d/dx (x² sin x) at x = 2
+/// let x = Dual::new(2.0_f64, 1.0);
+/// let y = x * x * x.sin();
+/// assert!((y.dual - (4.0 * 2.0_f64.sin() + 4.0 * 2.0_f64.cos())).abs() < 1e-14);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
+pub struct Dual<R> {
+    /// a, the real part.
+    pub real: R,
+    /// b, the dual part.
+    pub dual: R,
+}
+
+impl<R: Real> Dual<R> {
+    /// 0 + ε0
+    pub const ZERO: Self = Self::new(R::ZERO, R::ZERO);
+    /// 1 + ε0
+    pub const ONE: Self = Self::new(R::ONE, R::ZERO);
+    /// The dual unit 0 + ε1
+    pub const EPSILON: Self = Self::new(R::ZERO, R::ONE);
+
+    /// a + εb
+    #[must_use]
+    pub const fn new(real: R, dual: R) -> Self {
+        Self { real, dual }
+    }
+
+    /// 1 / (a + εb) = a⁻¹ − ε b a⁻² (Jia eq. 7).
+    ///
+    /// # Errors
+    /// If a is zero or not finite: εb has no inverse.
+    ///
+    /// ```
+    /// use dq8::Dual;
+    /// let x = Dual::new(4.0_f32, 2.0);
+    /// assert_eq!(x.inverse().unwrap() * x, Dual::ONE);
+    /// assert!(Dual::<f32>::EPSILON.inverse().is_err());
+    /// ```
+    pub fn inverse(self) -> Result<Self, InverseError> {
+        if self.real == R::ZERO || !self.real.is_finite() {
+            return Err(InverseError { real_norm: self.real.abs().into() });
+        }
+        Ok(Self::ONE / self)
+    }
+
+    /// f(a + εb) = f(a) + ε b f′(a), given f(a) and f′(a) (Jia eq. 10).
+    ///
+    /// ```
+    /// use dq8::Dual;
+    /// let cube = |x: Dual<f64>| x.apply(x.real.powi(3), 3.0 * x.real.powi(2));
+    /// assert_eq!(cube(Dual::new(2.0, 1.0)), Dual::new(8.0, 12.0));
+    /// ```
+    #[must_use]
+    pub fn apply(self, value: R, derivative: R) -> Self {
+        Self::new(value, self.dual * derivative)
+    }
+
+    /// √(a + εb) = √a + ε b/(2√a); NaN for a < 0, no dual part for a = 0.
+    #[must_use]
+    pub fn sqrt(self) -> Self {
+        let root = self.real.sqrt();
+        self.apply(root, R::HALF / root)
+    }
+
+    /// sin, radians
+    #[must_use]
+    pub fn sin(self) -> Self {
+        self.apply(self.real.sin(), self.real.cos())
+    }
+
+    /// cos, radians
+    #[must_use]
+    pub fn cos(self) -> Self {
+        self.apply(self.real.cos(), -self.real.sin())
+    }
+
+    /// tan, radians
+    #[must_use]
+    pub fn tan(self) -> Self {
+        let tan = self.real.tan();
+        self.apply(tan, R::ONE + tan * tan)
+    }
+
+    /// arcsin, radians; the derivative is infinite at ±1
+    #[must_use]
+    pub fn asin(self) -> Self {
+        let cos = ((R::ONE - self.real) * (R::ONE + self.real)).sqrt();
+        self.apply(self.real.asin(), R::ONE / cos)
+    }
+
+    /// arccos, radians; the derivative is infinite at ±1
+    #[must_use]
+    pub fn acos(self) -> Self {
+        let sin = ((R::ONE - self.real) * (R::ONE + self.real)).sqrt();
+        self.apply(self.real.acos(), -R::ONE / sin)
+    }
+
+    /// arctan, radians
+    #[must_use]
+    pub fn atan(self) -> Self {
+        self.apply(self.real.atan(), R::ONE / (R::ONE + self.real * self.real))
+    }
+
+    /// eˣ
+    #[must_use]
+    pub fn exp(self) -> Self {
+        let exp = self.real.exp();
+        self.apply(exp, exp)
+    }
+
+    /// ln x
+    #[must_use]
+    pub fn ln(self) -> Self {
+        self.apply(self.real.ln(), R::ONE / self.real)
+    }
+}
+
+/// (a + εb) + (c + εd) = (a + c) + ε(b + d) (Jia eq. 5).
+impl<R: Real> Add for Dual<R> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self::new(self.real + other.real, self.dual + other.dual)
+    }
+}
+
+impl<R: Real> Sub for Dual<R> {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Self::new(self.real - other.real, self.dual - other.dual)
+    }
+}
+
+/// (a + εb)(c + εd) = ac + ε(ad + bc) (Jia eq. 6).
+impl<R: Real> Mul for Dual<R> {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        Self::new(self.real * other.real, self.real * other.dual + self.dual * other.real)
+    }
+}
+
+/// (a + εb)/(c + εd) = a/c + ε(bc − ad)/c² (Kenwright §5.1). There is no quotient for c = 0: the
+/// result is then infinite or NaN, as for floats; [`Dual::inverse`] checks.
+impl<R: Real> Div for Dual<R> {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        let quotient = self.real / other.real;
+        Self::new(quotient, (self.dual - quotient * other.dual) / other.real)
+    }
+}
+
+impl<R: Real> Neg for Dual<R> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self::new(-self.real, -self.dual)
+    }
+}

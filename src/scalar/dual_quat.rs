@@ -1,0 +1,213 @@
+use super::{Dual, Quat};
+use crate::geometry::DualVector;
+use crate::real::Real;
+use bytemuck::{Pod, Zeroable};
+use core::ops::{Add, Mul, Neg, Sub};
+
+/// A dual quaternion σ = p + εq, in memory `[px, py, pz, pw, qx, qy, qz, qw]`.
+///
+/// A *unit* σ (|p| = 1, p·q = 0) is a rigid motion: turn by p, then translate by t = 2qp*.
+/// Conventions and laws are those of [`Motion`](crate::Motion).
+///
+/// ```
+/// use dq8::{DualQuat, Quat};
+/// // Jia, example 1: a third of a turn about (1,1,1), then up by 5.
+/// let r = Quat::from_xyzw(0.5_f32, 0.5, 0.5, 0.5);
+/// let motion = DualQuat::from_rotation_translation(r, [0.0, 0.0, 5.0]);
+/// assert_eq!(motion.transform_point([2.0, 0.0, 0.0]), [0.0, 2.0, 5.0]);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(transparent)]
+pub struct DualQuat<R>([R; 8]);
+
+/// The identity motion.
+impl<R: Real> Default for DualQuat<R> {
+    fn default() -> Self {
+        Self::IDENTITY
+    }
+}
+
+impl<R: Real> DualQuat<R> {
+    /// 1, the motion that moves nothing.
+    pub const IDENTITY: Self = Self::new(Quat::IDENTITY, Quat::ZERO);
+    /// 0, the neutral element of addition; no motion.
+    pub const ZERO: Self = Self([R::ZERO; 8]);
+    /// What the unchecked operations return where the checked ones return an error.
+    pub(super) fn nan() -> Self {
+        Self([R::ZERO / R::ZERO; 8])
+    }
+
+    /// p + εq
+    #[must_use]
+    pub const fn new(real: Quat<R>, dual: Quat<R>) -> Self {
+        let [px, py, pz, pw] = real.to_array();
+        let [qx, qy, qz, qw] = dual.to_array();
+        Self([px, py, pz, pw, qx, qy, qz, qw])
+    }
+
+    /// From `[px, py, pz, pw, qx, qy, qz, qw]`.
+    #[must_use]
+    pub const fn from_array(components: [R; 8]) -> Self {
+        Self(components)
+    }
+
+    /// From the order of the literature, `[pw, px, py, pz, qw, qx, qy, qz]`.
+    ///
+    /// ```
+    /// use dq8::DualQuat;
+    /// let up = DualQuat::from_wxyz([1.0_f32, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 2.5]);
+    /// assert_eq!(up.translation(), [0.0, 0.0, 5.0]);
+    /// ```
+    #[must_use]
+    pub const fn from_wxyz([pw, px, py, pz, qw, qx, qy, qz]: [R; 8]) -> Self {
+        Self([px, py, pz, pw, qx, qy, qz, qw])
+    }
+
+    /// From a dual number and a dual vector (Jia eq. 15).
+    #[must_use]
+    pub const fn from_dual_parts(scalar: Dual<R>, vector: DualVector<R>) -> Self {
+        Self::new(
+            Quat::from_parts(vector.real, scalar.real),
+            Quat::from_parts(vector.dual, scalar.dual),
+        )
+    }
+
+    /// `[px, py, pz, pw, qx, qy, qz, qw]`
+    #[must_use]
+    pub const fn to_array(self) -> [R; 8] {
+        self.0
+    }
+
+    /// The order of the literature, `[pw, px, py, pz, qw, qx, qy, qz]`.
+    #[must_use]
+    pub const fn to_wxyz(self) -> [R; 8] {
+        let [px, py, pz, pw, qx, qy, qz, qw] = self.0;
+        [pw, px, py, pz, qw, qx, qy, qz]
+    }
+
+    /// p, the real part.
+    #[must_use]
+    pub const fn real(self) -> Quat<R> {
+        let [x, y, z, w, ..] = self.0;
+        Quat::from_xyzw(x, y, z, w)
+    }
+
+    /// q, the dual part.
+    #[must_use]
+    pub const fn dual(self) -> Quat<R> {
+        let [.., x, y, z, w] = self.0;
+        Quat::from_xyzw(x, y, z, w)
+    }
+
+    /// The dual number among the four dual components: p_w + εq_w (Jia eq. 15).
+    #[must_use]
+    pub const fn dual_scalar(self) -> Dual<R> {
+        Dual::new(self.real().w(), self.dual().w())
+    }
+
+    /// The dual vector among the four dual components (Jia eq. 15).
+    #[must_use]
+    pub const fn dual_vector(self) -> DualVector<R> {
+        DualVector { real: self.real().xyz(), dual: self.dual().xyz() }
+    }
+
+    /// σ• = p − εq (Jia eq. 16).
+    #[must_use]
+    pub fn conjugate_dual(self) -> Self {
+        Self::new(self.real(), -self.dual())
+    }
+
+    /// σ* = p* + εq* (Jia eq. 17), the inverse of a unit σ.
+    ///
+    /// ```
+    /// use dq8::{DualQuat, Quat};
+    /// let r = Quat::from_xyzw(0.5_f32, 0.5, 0.5, 0.5);
+    /// let motion = DualQuat::from_rotation_translation(r, [1.0, 2.0, 3.0]);
+    /// assert_eq!(motion * motion.conjugate(), DualQuat::IDENTITY);
+    /// ```
+    #[must_use]
+    pub fn conjugate(self) -> Self {
+        Self::new(self.real().conjugate(), self.dual().conjugate())
+    }
+
+    /// σ⋄ = p* − εq* (Jia eq. 19), the one that moves points.
+    #[must_use]
+    pub fn conjugate_both(self) -> Self {
+        Self::new(self.real().conjugate(), -self.dual().conjugate())
+    }
+
+    /// sσ for a real number s (Kenwright §7.1).
+    #[must_use]
+    pub fn scale(self, factor: R) -> Self {
+        Self::new(self.real().scale(factor), self.dual().scale(factor))
+    }
+
+    /// (a + εb)σ = ap + ε(aq + bp) for a dual number.
+    #[must_use]
+    pub fn scale_dual(self, factor: Dual<R>) -> Self {
+        Self::new(
+            self.real().scale(factor.real),
+            self.dual().scale(factor.real) + self.real().scale(factor.dual),
+        )
+    }
+
+    /// The dual number ⟨a, b⟩ = p_a·p_b + ε(p_a·q_b + q_a·p_b), the dual part of whose real part is
+    /// Kenwright's `Dot`. For unit motions it is the cosine of half their dual angle.
+    #[must_use]
+    pub fn dot(self, other: Self) -> Dual<R> {
+        Dual::new(
+            self.real().dot(other.real()),
+            self.real().dot(other.dual()) + self.dual().dot(other.real()),
+        )
+    }
+
+    /// Whether every component of the two differs by at most `tolerance`; false for NaN. σ and −σ
+    /// are the same motion but not equal here: see [`canonical`](Self::canonical).
+    #[must_use]
+    pub fn abs_diff_eq(self, other: Self, tolerance: R) -> bool {
+        let pairs = self.0.into_iter().zip(other.0);
+        pairs.into_iter().all(|(a, b)| (a - b).abs() <= tolerance)
+    }
+
+    /// Of σ and −σ the one with p_w ≥ 0: both are the same motion. A zero of either sign counts as
+    /// positive.
+    #[must_use]
+    pub fn canonical(self) -> Self {
+        if self.real().w() < R::ZERO { -self } else { self }
+    }
+}
+
+/// Component by component (Jia eq. 13).
+impl<R: Real> Add for DualQuat<R> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self::new(self.real() + other.real(), self.dual() + other.dual())
+    }
+}
+
+impl<R: Real> Sub for DualQuat<R> {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+/// σ₁σ₂ = p₁p₂ + ε(p₁q₂ + q₁p₂) (Jia eq. 14): the motion σ₂, then the motion σ₁.
+///
+/// Three quaternion products and a sum: 48 multiplications and 40 additions.
+impl<R: Real> Mul for DualQuat<R> {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        Self::new(
+            self.real() * other.real(),
+            self.real() * other.dual() + self.dual() * other.real(),
+        )
+    }
+}
+
+impl<R: Real> Neg for DualQuat<R> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self::new(-self.real(), -self.dual())
+    }
+}

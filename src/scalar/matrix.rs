@@ -1,0 +1,114 @@
+//! 3×4 and 4×4 matrices, rows, acting on column vectors.
+
+use super::{DualQuat, Quat, vector};
+use crate::error::MatrixError;
+use crate::real::Real;
+
+impl<R: Real> DualQuat<R> {
+    /// The rows of the matrix [R | t] of a unit σ, so that `row · (v, 1)` is a coordinate of the
+    /// moved point.
+    ///
+    /// ```
+    /// use dq8::DualQuat;
+    /// let matrix = DualQuat::from_translation([1.0_f32, 2.0, 3.0]).to_matrix3x4();
+    /// assert_eq!(matrix[2], [0.0, 0.0, 1.0, 3.0]);
+    /// ```
+    #[must_use]
+    pub fn to_matrix3x4(self) -> [[R; 4]; 3] {
+        let [x, y, z, w] = self.real().to_array();
+        let [tx, ty, tz] = self.translation();
+        let (one, two) = (R::ONE, R::TWO);
+        [
+            [one - two * (y * y + z * z), two * (x * y - w * z), two * (x * z + w * y), tx],
+            [two * (x * y + w * z), one - two * (x * x + z * z), two * (y * z - w * x), ty],
+            [two * (x * z - w * y), two * (y * z + w * x), one - two * (x * x + y * y), tz],
+        ]
+    }
+
+    /// [`to_matrix3x4`](Self::to_matrix3x4) with the row 0 0 0 1 below.
+    #[must_use]
+    pub fn to_matrix4(self) -> [[R; 4]; 4] {
+        let [a, b, c] = self.to_matrix3x4();
+        [a, b, c, [R::ZERO, R::ZERO, R::ZERO, R::ONE]]
+    }
+
+    /// The motion of a matrix that is known to be rigid, p_w ≥ 0; garbage in, garbage out:
+    /// [`try_from_matrix3x4`](Self::try_from_matrix3x4) checks.
+    ///
+    /// The largest of the four components is found first and divides the others (Shepperd 1978), so
+    /// that nothing is divided by a small number.
+    #[must_use]
+    pub fn from_matrix3x4(rows: [[R; 4]; 3]) -> Self {
+        let [[m00, m01, m02, tx], [m10, m11, m12, ty], [m20, m21, m22, tz]] = rows;
+        let one = R::ONE;
+        // Each is four times the square of a component.
+        let x2 = one + m00 - m11 - m22;
+        let y2 = one - m00 + m11 - m22;
+        let z2 = one - m00 - m11 + m22;
+        let w2 = one + m00 + m11 + m22;
+        let [x, y, z, w] = if w2 >= x2 && w2 >= y2 && w2 >= z2 {
+            [m21 - m12, m02 - m20, m10 - m01, w2]
+        } else if x2 >= y2 && x2 >= z2 {
+            [x2, m01 + m10, m02 + m20, m21 - m12]
+        } else if y2 >= z2 {
+            [m01 + m10, y2, m12 + m21, m02 - m20]
+        } else {
+            [m02 + m20, m12 + m21, z2, m10 - m01]
+        };
+        let rotation = Quat::from_xyzw(x, y, z, w).normalize();
+        Self::from_rotation_translation(rotation, [tx, ty, tz]).canonical()
+    }
+
+    /// The motion of a matrix, p_w ≥ 0.
+    ///
+    /// # Errors
+    /// If the left 3×3 part differs from a rotation by more than `tolerance` in a product of its
+    /// rows (it scales, shears or mirrors), or an element is not finite.
+    ///
+    /// ```
+    /// use dq8::{DualQuat, MatrixError};
+    /// let doubled = [[2.0_f32, 0.0, 0.0, 0.0], [0.0, 2.0, 0.0, 0.0], [0.0, 0.0, 2.0, 0.0]];
+    /// assert_eq!(
+    ///     DualQuat::try_from_matrix3x4(doubled, 1e-4),
+    ///     Err(MatrixError::NotOrthonormal { row: 0, column: 0, value: 4.0 })
+    /// );
+    /// ```
+    pub fn try_from_matrix3x4(rows: [[R; 4]; 3], tolerance: R) -> Result<Self, MatrixError> {
+        let axes = rows.map(|[x, y, z, _]| [x, y, z]);
+        for row in 0..3 {
+            for column in row..3 {
+                let value = vector::dot(axes[row], axes[column]);
+                let wanted = if row == column { R::ONE } else { R::ZERO };
+                let close = (value - wanted).abs() <= tolerance;
+                if !close {
+                    return Err(MatrixError::NotOrthonormal { row, column, value: value.into() });
+                }
+            }
+        }
+        let determinant = vector::dot(axes[0], vector::cross(axes[1], axes[2]));
+        if determinant < R::ZERO {
+            return Err(MatrixError::Mirrors { determinant: determinant.into() });
+        }
+        for (row, [.., value]) in rows.into_iter().enumerate() {
+            if !value.is_finite() {
+                return Err(MatrixError::NotFinite { row, value: value.into() });
+            }
+        }
+        Ok(Self::from_matrix3x4(rows))
+    }
+
+    /// As [`try_from_matrix3x4`](Self::try_from_matrix3x4).
+    ///
+    /// # Errors
+    /// As there, and if the last row is not 0 0 0 1.
+    pub fn try_from_matrix4(rows: [[R; 4]; 4], tolerance: R) -> Result<Self, MatrixError> {
+        let [a, b, c, last] = rows;
+        for (column, value) in last.into_iter().enumerate() {
+            let wanted = if column == 3 { R::ONE } else { R::ZERO };
+            if value != wanted {
+                return Err(MatrixError::NotAffine { column, value: value.into() });
+            }
+        }
+        Self::try_from_matrix3x4([a, b, c], tolerance)
+    }
+}

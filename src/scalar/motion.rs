@@ -1,0 +1,22 @@
+use super::{Dual, DualQuat, Quat};
+use crate::motion::{Motion, delegate_to_inherent};
+use crate::real::Real;
+
+impl<R: Real> Motion for DualQuat<R> {
+    type Level = ();
+    type Real = R;
+    type Mask = bool;
+    type Dual = Dual<R>;
+    type Quat = Quat<R>;
+
+    fn identity((): ()) -> Self {
+        Self::IDENTITY
+    }
+    fn normalize_checked(self) -> (Self, bool) {
+        self.try_normalize().map_or((Self::nan(), true), |unit| (unit, false))
+    }
+    fn inverse_checked(self) -> (Self, bool) {
+        self.try_inverse().map_or((Self::nan(), true), |inverse| (inverse, false))
+    }
+    delegate_to_inherent!();
+}

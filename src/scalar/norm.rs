@@ -1,0 +1,103 @@
+//! Norm, normalisation and inverses.
+
+use super::{Dual, DualQuat};
+use crate::error::{InverseError, NormalizeError};
+use crate::real::Real;
+
+impl<R: Real> DualQuat<R> {
+    /// The norm as a dual number, √(σσ*) = |p| + ε (p·q)/|p| (Jia eq. 18, Fabisch "Norm of a Dual
+    /// Quaternion"). For p = 0 there is none: the dual part is NaN.
+    ///
+    /// ```
+    /// use dq8::{Dual, DualQuat};
+    /// let sigma = DualQuat::from_wxyz([3.0_f32, 4.0, 0.0, 0.0, 5.0, 0.0, 0.0, 0.0]);
+    /// assert_eq!(sigma.norm(), Dual::new(5.0, 3.0));
+    /// ```
+    #[must_use]
+    pub fn norm(self) -> Dual<R> {
+        let norm = self.real().norm();
+        // p/|p| first: p·q itself may overflow where the quotient does not.
+        Dual::new(norm, self.real().normalize().dot(self.dual()))
+    }
+
+    /// Exact normalisation, σ/√(σσ*): the real part to unit length *and* the dual part orthogonal
+    /// to it. Every component is NaN where [`try_normalize`](Self::try_normalize) fails.
+    #[must_use]
+    pub fn normalize(self) -> Self {
+        self.try_normalize().unwrap_or(Self::nan())
+    }
+
+    /// Exact normalisation in Fabisch's two steps: σ/|p|, then the part of q along p taken away.
+    /// Dividing by |p| alone would leave a q that is no translation.
+    ///
+    /// # Errors
+    /// If p is zero, or a component of σ or of the result is not finite.
+    ///
+    /// ```
+    /// use dq8::DualQuat;
+    /// let sigma = DualQuat::from_wxyz([2.0_f32, 0.0, 0.0, 0.0, 7.0, 0.0, 0.0, 5.0]);
+    /// let unit = sigma.try_normalize()?;
+    /// assert_eq!(unit.to_wxyz(), [1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 2.5]);
+    /// assert!(DualQuat::<f32>::ZERO.try_normalize().is_err());
+    /// # Ok::<(), dq8::NormalizeError>(())
+    /// ```
+    pub fn try_normalize(self) -> Result<Self, NormalizeError> {
+        let norm = self.real().norm();
+        let p = self.real().try_normalize()?;
+        let [x, y, z, w] = self.dual().to_array().map(|c| c / norm);
+        let q = super::Quat::from_xyzw(x, y, z, w);
+        let unit = Self::new(p, q - p.scale(p.dot(q)));
+        if unit.to_array().iter().all(|c| c.is_finite()) {
+            Ok(unit)
+        } else {
+            Err(NormalizeError { real_norm: norm.into() })
+        }
+    }
+
+    /// Whether σσ* = 1 within `tolerance`: ||p| − 1| ≤ tolerance and |p·q| ≤ tolerance·max(1, |q|)
+    /// (Jia eqs. 20 and 21; the second grows with the translation). False for NaN.
+    #[must_use]
+    pub fn is_unit(self, tolerance: R) -> bool {
+        let off = (self.real().norm() - R::ONE).abs();
+        let along = self.real().dot(self.dual()).abs();
+        off <= tolerance && along <= tolerance * self.dual().norm().max_or_nan(R::ONE)
+    }
+
+    /// [`is_unit`](Self::is_unit) within 32 units of the last place: what a handful of products
+    /// leaves of a unit motion.
+    #[must_use]
+    pub fn is_normalized(self) -> bool {
+        self.is_unit(R::EPSILON * R::from(32.0))
+    }
+
+    /// σ⁻¹ of any σ with p ≠ 0, unit or not: every component is NaN where
+    /// [`try_inverse`](Self::try_inverse) fails. For a unit σ, [`conjugate`](Self::conjugate) is the
+    /// same and cheaper.
+    #[must_use]
+    pub fn inverse(self) -> Self {
+        self.try_inverse().unwrap_or(Self::nan())
+    }
+
+    /// σ⁻¹ = p⁻¹ − ε p⁻¹qp⁻¹ (Jia §4), p⁻¹ = p*/|p|².
+    ///
+    /// # Errors
+    /// If p is zero, or a component of σ or of the result is not finite.
+    ///
+    /// ```
+    /// use dq8::DualQuat;
+    /// let sigma = DualQuat::from_wxyz([2.0_f32, 0.0, 0.0, 0.0, 4.0, 0.0, 8.0, 0.0]);
+    /// assert_eq!(sigma * sigma.try_inverse()?, DualQuat::IDENTITY);
+    /// # Ok::<(), dq8::InverseError>(())
+    /// ```
+    pub fn try_inverse(self) -> Result<Self, InverseError> {
+        let norm = self.real().norm();
+        let failed = InverseError { real_norm: norm.into() };
+        let unit = self.real().try_normalize().map_err(|_| failed)?.conjugate();
+        let over_norm = |c: R| c / norm;
+        let real = super::Quat::from_array(unit.to_array().map(over_norm));
+        let q = super::Quat::from_array(self.dual().to_array().map(over_norm));
+        let dual = super::Quat::from_array((unit * q * unit).to_array().map(over_norm));
+        let inverse = Self::new(real, -dual);
+        if inverse.to_array().iter().all(|c| c.is_finite()) { Ok(inverse) } else { Err(failed) }
+    }
+}

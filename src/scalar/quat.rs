@@ -1,0 +1,199 @@
+use super::vector;
+use crate::error::NormalizeError;
+use crate::real::Real;
+use bytemuck::{Pod, Zeroable};
+use core::ops::{Add, Mul, Neg, Sub};
+
+/// A quaternion w + xi + yj + zk (Hamilton 1844), in memory `[x, y, z, w]`.
+///
+/// A unit quaternion cos(θ/2) + n sin(θ/2) turns by θ about the unit axis n.
+///
+/// ```
+/// use dq8::Quat;
+/// let quarter = Quat::from_axis_angle([0.0, 0.0, 1.0], core::f64::consts::FRAC_PI_2);
+/// let [x, y, z] = quarter.rotate([1.0, 0.0, 0.0]);
+/// assert!((x.abs() + (y - 1.0).abs() + z.abs()) < 1e-15);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+#[repr(transparent)]
+pub struct Quat<R>([R; 4]);
+
+impl<R: Real> Quat<R> {
+    /// 1, which turns nothing.
+    pub const IDENTITY: Self = Self([R::ZERO, R::ZERO, R::ZERO, R::ONE]);
+    /// 0
+    pub const ZERO: Self = Self([R::ZERO; 4]);
+
+    /// From components in the order of memory.
+    #[must_use]
+    pub const fn from_xyzw(x: R, y: R, z: R, w: R) -> Self {
+        Self([x, y, z, w])
+    }
+
+    /// From components in the order of the literature.
+    #[must_use]
+    pub const fn from_wxyz([w, x, y, z]: [R; 4]) -> Self {
+        Self([x, y, z, w])
+    }
+
+    /// From `[x, y, z, w]`.
+    #[must_use]
+    pub const fn from_array(xyzw: [R; 4]) -> Self {
+        Self(xyzw)
+    }
+
+    /// From the vector part and the scalar part.
+    #[must_use]
+    pub const fn from_parts([x, y, z]: [R; 3], w: R) -> Self {
+        Self([x, y, z, w])
+    }
+
+    /// The turn by `angle` radians about `axis`, which must have length 1:
+    /// cos(θ/2) + n sin(θ/2) (Jia eq. 3).
+    #[must_use]
+    pub fn from_axis_angle(axis: [R; 3], angle: R) -> Self {
+        let half = angle * R::HALF;
+        Self::from_parts(vector::scale(axis, half.sin()), half.cos())
+    }
+
+    /// `[x, y, z, w]`
+    #[must_use]
+    pub const fn to_array(self) -> [R; 4] {
+        self.0
+    }
+
+    /// `[w, x, y, z]`, the order of the literature.
+    #[must_use]
+    pub const fn to_wxyz(self) -> [R; 4] {
+        let [x, y, z, w] = self.0;
+        [w, x, y, z]
+    }
+
+    /// The component of i.
+    #[must_use]
+    pub const fn x(self) -> R {
+        self.0[0]
+    }
+    /// The component of j.
+    #[must_use]
+    pub const fn y(self) -> R {
+        self.0[1]
+    }
+    /// The component of k.
+    #[must_use]
+    pub const fn z(self) -> R {
+        self.0[2]
+    }
+    /// The scalar part.
+    #[must_use]
+    pub const fn w(self) -> R {
+        self.0[3]
+    }
+    /// The vector part.
+    #[must_use]
+    pub const fn xyz(self) -> [R; 3] {
+        [self.0[0], self.0[1], self.0[2]]
+    }
+
+    /// w − xi − yj − zk, the inverse of a unit quaternion.
+    #[must_use]
+    pub fn conjugate(self) -> Self {
+        let [x, y, z, w] = self.0;
+        Self([-x, -y, -z, w])
+    }
+
+    /// The scalar product of the two as 4-vectors.
+    #[must_use]
+    pub fn dot(self, other: Self) -> R {
+        let [ax, ay, az, aw] = self.0;
+        let [bx, by, bz, bw] = other.0;
+        ax * bx + ay * by + az * bz + aw * bw
+    }
+
+    /// |q| = √(q q*), without overflow or underflow on the way.
+    #[must_use]
+    pub fn norm(self) -> R {
+        vector::norm(self.0)
+    }
+
+    /// q times a real number.
+    #[must_use]
+    pub fn scale(self, factor: R) -> Self {
+        let [x, y, z, w] = self.0;
+        Self([x * factor, y * factor, z * factor, w * factor])
+    }
+
+    /// q / |q|; every component is NaN where [`try_normalize`](Self::try_normalize) fails.
+    #[must_use]
+    pub fn normalize(self) -> Self {
+        self.try_normalize().unwrap_or(Self([R::ZERO / R::ZERO; 4]))
+    }
+
+    /// q / |q|.
+    ///
+    /// # Errors
+    /// If q is zero or not finite.
+    ///
+    /// ```
+    /// use dq8::Quat;
+    /// assert_eq!(Quat::from_xyzw(0.0, 3e-40_f32, 0.0, 4e-40).norm(), 5e-40);
+    /// assert!(Quat::<f32>::ZERO.try_normalize().is_err());
+    /// ```
+    pub fn try_normalize(self) -> Result<Self, NormalizeError> {
+        let norm = self.norm();
+        if norm == R::ZERO || !norm.is_finite() {
+            return Err(NormalizeError { real_norm: norm.into() });
+        }
+        // The reciprocal of a subnormal norm would overflow; the quotients are at most 1.
+        let [x, y, z, w] = self.0;
+        Ok(Self([x / norm, y / norm, z / norm, w / norm]))
+    }
+
+    /// r v r*, the vector `v` turned by this unit quaternion:
+    /// v + 2 r × (r × v + w v) with r the vector part.
+    #[must_use]
+    pub fn rotate(self, v: [R; 3]) -> [R; 3] {
+        let r = self.xyz();
+        let inner = vector::add(vector::cross(r, v), vector::scale(v, self.w()));
+        vector::add(v, vector::scale(vector::cross(r, inner), R::TWO))
+    }
+}
+
+impl<R: Real> Add for Quat<R> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        let [ax, ay, az, aw] = self.0;
+        let [bx, by, bz, bw] = other.0;
+        Self([ax + bx, ay + by, az + bz, aw + bw])
+    }
+}
+
+impl<R: Real> Sub for Quat<R> {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+/// Hamilton's product pq = p₀q₀ − p·q + p₀q + q₀p + p×q (Jia eq. 2): the turn q, then the turn p.
+impl<R: Real> Mul for Quat<R> {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        let [ax, ay, az, aw] = self.0;
+        let [bx, by, bz, bw] = other.0;
+        Self([
+            aw * bx + ax * bw + ay * bz - az * by,
+            aw * by + ay * bw + az * bx - ax * bz,
+            aw * bz + az * bw + ax * by - ay * bx,
+            aw * bw - ax * bx - ay * by - az * bz,
+        ])
+    }
+}
+
+impl<R: Real> Neg for Quat<R> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        let [x, y, z, w] = self.0;
+        Self([-x, -y, -z, -w])
+    }
+}

@@ -1,0 +1,54 @@
+//! Rotation and translation, in and out.
+
+use super::{DualQuat, Quat, vector};
+use crate::real::Real;
+
+impl<R: Real> DualQuat<R> {
+    /// The pure rotation r + ε0 (Kenwright §7.1). `rotation` must be unit.
+    #[must_use]
+    pub fn from_rotation(rotation: Quat<R>) -> Self {
+        Self::new(rotation, Quat::ZERO)
+    }
+
+    /// The pure translation 1 + ½εt (Kenwright §7.1).
+    #[must_use]
+    pub fn from_translation(translation: [R; 3]) -> Self {
+        let half = vector::scale(translation, R::HALF);
+        Self::new(Quat::IDENTITY, Quat::from_parts(half, R::ZERO))
+    }
+
+    /// Rotate by `rotation`, then translate by `translation`: r + ½ε t r (Jia eq. 22).
+    /// `rotation` must be unit.
+    ///
+    /// ```
+    /// use dq8::{DualQuat, Quat};
+    /// let r = Quat::from_xyzw(0.5_f32, 0.5, 0.5, 0.5);
+    /// let motion = DualQuat::from_rotation_translation(r, [1.0, 2.0, 3.0]);
+    /// assert_eq!((motion.rotation(), motion.translation()), (r, [1.0, 2.0, 3.0]));
+    /// ```
+    #[must_use]
+    pub fn from_rotation_translation(rotation: Quat<R>, translation: [R; 3]) -> Self {
+        let half = vector::scale(translation, R::HALF);
+        Self::new(rotation, Quat::from_parts(half, R::ZERO) * rotation)
+    }
+
+    /// Translate by `translation`, then rotate by `rotation`: r + ½ε r t (Jia eq. 26; Tarini's
+    /// "translo-rotation"). `rotation` must be unit.
+    #[must_use]
+    pub fn from_translation_rotation(translation: [R; 3], rotation: Quat<R>) -> Self {
+        let half = vector::scale(translation, R::HALF);
+        Self::new(rotation, rotation * Quat::from_parts(half, R::ZERO))
+    }
+
+    /// The rotation r = p of a unit σ (Jia eq. 23).
+    #[must_use]
+    pub fn rotation(self) -> Quat<R> {
+        self.real()
+    }
+
+    /// The translation t = 2qp* of a unit σ (Jia eq. 24).
+    #[must_use]
+    pub fn translation(self) -> [R; 3] {
+        (self.dual() * self.real().conjugate()).scale(R::TWO).xyz()
+    }
+}

@@ -1,0 +1,170 @@
+//! Screws: parameters, logarithm, exponential, powers and screw interpolation.
+
+use super::{DualQuat, Quat, vector};
+use crate::geometry::{DualVector, Line, Screw};
+use crate::real::Real;
+
+impl<R: Real> DualQuat<R> {
+    /// The screw of a unit σ (Jia §8.2), angle in [0, π]: of ±σ, the one with p_w ≥ 0 is taken.
+    ///
+    /// A pure translation has angle 0, its own direction as axis and moment 0 (Jia's moment is
+    /// infinite there); the identity has the axis (1, 0, 0).
+    ///
+    /// ```
+    /// use dq8::DualQuat;
+    /// let screw = DualQuat::from_translation([0.0_f64, 3.0, 4.0]).to_screw();
+    /// assert_eq!((screw.angle, screw.slide, screw.axis.direction), (0.0, 5.0, [0.0, 0.6, 0.8]));
+    /// ```
+    #[must_use]
+    pub fn to_screw(self) -> Screw<R> {
+        let sigma = self.canonical();
+        let t = sigma.translation();
+        let sine = vector::norm(sigma.real().xyz());
+        if sine == R::ZERO {
+            let slide = vector::norm(t);
+            let direction =
+                if slide == R::ZERO { [R::ONE, R::ZERO, R::ZERO] } else { t.map(|c| c / slide) };
+            let axis = Line { direction, moment: [R::ZERO; 3] };
+            return Screw { axis, angle: R::ZERO, slide };
+        }
+        let half_angle = sine.atan2(sigma.real().w());
+        let direction = sigma.real().xyz().map(|c| c / sine);
+        let slide = vector::dot(t, direction);
+        // m = ½ (t × l + (t − d l) cot(θ/2)), Jia eq. 37
+        let cot = sigma.real().w() / sine;
+        let across = vector::sub(t, vector::scale(direction, slide));
+        let twice = vector::add(vector::cross(t, direction), vector::scale(across, cot));
+        let axis = Line { direction, moment: vector::scale(twice, R::HALF) };
+        Screw { axis, angle: R::TWO * half_angle, slide }
+    }
+
+    /// σ = cos(θ̂/2) + sin(θ̂/2)(l + εm), θ̂ = θ + εd (Jia eq. 43). The axis must have length 1, and
+    /// its moment be orthogonal to it.
+    #[must_use]
+    pub fn from_screw(screw: Screw<R>) -> Self {
+        let (sin, cos) = ((screw.angle * R::HALF).sin(), (screw.angle * R::HALF).cos());
+        let half_slide = screw.slide * R::HALF;
+        let l = screw.axis.direction;
+        let dual =
+            vector::add(vector::scale(screw.axis.moment, sin), vector::scale(l, half_slide * cos));
+        Self::new(
+            Quat::from_parts(vector::scale(l, sin), cos),
+            Quat::from_parts(dual, -half_slide * sin),
+        )
+    }
+
+    /// The logarithm of a unit σ, a + εb = (θ̂/2)(l + εm) with σ = ±exp(a + εb): of ±σ, the one with
+    /// p_w ≥ 0, so that |a| ≤ π/2. No singularity: a pure translation has a = 0, b = t/2.
+    ///
+    /// From Jia eq. 37, the infinite moment multiplied by the vanishing angle:
+    /// b = ½ ( h t×l + h cot h (t − d l) + d l ), h = θ/2.
+    ///
+    /// ```
+    /// use dq8::DualQuat;
+    /// let log = DualQuat::from_translation([2.0_f32, 4.0, 6.0]).log();
+    /// assert_eq!((log.real, log.dual), ([0.0; 3], [1.0, 2.0, 3.0]));
+    /// ```
+    #[must_use]
+    pub fn log(self) -> DualVector<R> {
+        self.canonical().log_without_flip()
+    }
+
+    /// The logarithm of this very σ, not of −σ: 0 ≤ |a| ≤ π.
+    fn log_without_flip(self) -> DualVector<R> {
+        let t = self.translation();
+        let sine = vector::norm(self.real().xyz());
+        let cosine = self.real().w();
+        if sine == R::ZERO && cosine >= R::ZERO {
+            return DualVector { real: [R::ZERO; 3], dual: vector::scale(t, R::HALF) };
+        }
+        let h = sine.atan2(cosine);
+        let h_cot_h = h / sine * cosine;
+        let l = self.real().xyz().map(|c| c / sine);
+        let along = vector::scale(l, vector::dot(t, l));
+        let turned = vector::add(
+            vector::scale(vector::cross(t, l), h),
+            vector::scale(vector::sub(t, along), h_cot_h),
+        );
+        DualVector {
+            real: vector::scale(l, h),
+            dual: vector::scale(vector::add(turned, along), R::HALF),
+        }
+    }
+
+    /// The exponential of a + εb: with h = |a|, l = a/h and d/2 = b·l, the screw
+    /// cos ĥ + sin ĥ (l + εm), ĥ = h + εd/2. For a = 0 it is 1 + εb, the translation by 2b.
+    ///
+    /// ```
+    /// use dq8::{DualQuat, DualVector};
+    /// let half_turn = DualVector { real: [0.0, 0.0, core::f64::consts::FRAC_PI_2], dual: [0.0; 3] };
+    /// let [x, y, _] = DualQuat::exp(half_turn).transform_point([1.0, 0.0, 0.0]);
+    /// assert!((x + 1.0).abs() < 1e-15 && y.abs() < 1e-15);
+    /// ```
+    #[must_use]
+    pub fn exp(log: DualVector<R>) -> Self {
+        let h = vector::norm(log.real);
+        if h == R::ZERO {
+            return Self::new(Quat::IDENTITY, Quat::from_parts(log.dual, R::ZERO));
+        }
+        let (sin, cos) = (h.sin(), h.cos());
+        let l = log.real.map(|c| c / h);
+        let half_slide = vector::dot(log.dual, l);
+        let along = vector::scale(l, half_slide);
+        let across = vector::sub(log.dual, along);
+        let dual = vector::add(vector::scale(across, sin / h), vector::scale(along, cos));
+        Self::new(
+            Quat::from_parts(vector::scale(l, sin), cos),
+            Quat::from_parts(dual, -half_slide * sin),
+        )
+    }
+
+    /// σᵗ = exp(t log σ): the same screw axis, t times the angle and the slide (Jia eq. 44, for any
+    /// real t). Of ±σ, the one with p_w ≥ 0.
+    ///
+    /// ```
+    /// use dq8::DualQuat;
+    /// let step = DualQuat::from_translation([1.0_f32, 2.0, 3.0]);
+    /// assert_eq!(step.pow(-2.0).translation(), [-2.0, -4.0, -6.0]);
+    /// ```
+    #[must_use]
+    pub fn pow(self, t: R) -> Self {
+        Self::exp(times(self.log(), t))
+    }
+
+    /// The motion that gives σ when made twice: half the angle, half the slide.
+    #[must_use]
+    pub fn sqrt(self) -> Self {
+        self.pow(R::HALF)
+    }
+
+    /// Screw linear interpolation, a(a*b)ᵗ, by the shorter way (Jia eq. 46; Kavan et al. 2006):
+    /// constant speed of turning and sliding along one screw. `t` = 0 gives `self`, 1 gives ±`other`;
+    /// values outside [0, 1] go on along the screw.
+    ///
+    /// ```
+    /// use dq8::{DualQuat, Quat};
+    /// let a = DualQuat::<f64>::IDENTITY;
+    /// let b = DualQuat::from_rotation_translation(
+    ///     Quat::from_axis_angle([0.0, 0.0, 1.0], 1.0),
+    ///     [0.0, 0.0, 2.0],
+    /// );
+    /// let screw = a.sclerp(b, 0.25).to_screw();
+    /// assert!((screw.angle - 0.25).abs() < 1e-15 && (screw.slide - 0.5).abs() < 1e-15);
+    /// ```
+    #[must_use]
+    pub fn sclerp(self, other: Self, t: R) -> Self {
+        self * (self.conjugate() * other).pow(t)
+    }
+
+    /// As [`sclerp`](Self::sclerp), but from `self` to `other` and not to −`other`: the longer way
+    /// where the two point apart. The way from σ to −σ itself has no axis: every component is NaN.
+    #[must_use]
+    pub fn sclerp_long(self, other: Self, t: R) -> Self {
+        let log = (self.conjugate() * other).log_without_flip();
+        self * Self::exp(times(log, t))
+    }
+}
+
+fn times<R: Real>(log: DualVector<R>, t: R) -> DualVector<R> {
+    DualVector { real: vector::scale(log.real, t), dual: vector::scale(log.dual, t) }
+}

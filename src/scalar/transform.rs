@@ -1,0 +1,50 @@
+//! What a unit dual quaternion does to points, directions, lines and planes.
+
+use super::{DualQuat, vector};
+use crate::geometry::{Line, Plane};
+use crate::real::Real;
+
+impl<R: Real> DualQuat<R> {
+    /// The point Rv + t, which is σ(1 + εv)σ⋄ (Jia eq. 25). σ must be unit.
+    #[must_use]
+    pub fn transform_point(self, point: [R; 3]) -> [R; 3] {
+        vector::add(self.real().rotate(point), self.translation())
+    }
+
+    /// The direction Rv: directions turn and do not translate (Tarini, slide 121). σ must be unit.
+    #[must_use]
+    pub fn transform_vector(self, vector: [R; 3]) -> [R; 3] {
+        self.real().rotate(vector)
+    }
+
+    /// The line σ(l + εm)σ*: l′ = Rl, m′ = Rm + t × l′ (Jia eqs. 29 and 31). σ must be unit.
+    ///
+    /// ```
+    /// use dq8::{DualQuat, Line};
+    /// let x_axis = Line { direction: [1.0_f32, 0.0, 0.0], moment: [0.0; 3] };
+    /// let raised = DualQuat::from_translation([0.0, 0.0, 2.0]).transform_line(x_axis);
+    /// assert_eq!(raised.moment, [0.0, 2.0, 0.0]); // (0,0,2) × (1,0,0)
+    /// ```
+    #[must_use]
+    pub fn transform_line(self, line: Line<R>) -> Line<R> {
+        let direction = self.real().rotate(line.direction);
+        let turned = self.real().rotate(line.moment);
+        let shift = vector::cross(self.translation(), direction);
+        Line { direction, moment: vector::add(turned, shift) }
+    }
+
+    /// The plane n′ = Rn, d′ = d + n′·t. σ must be unit.
+    ///
+    /// ```
+    /// use dq8::{DualQuat, Plane};
+    /// let floor = Plane { normal: [0.0_f32, 0.0, 1.0], offset: 0.0 };
+    /// let raised = DualQuat::from_translation([5.0, 5.0, 2.0]).transform_plane(floor);
+    /// assert_eq!(raised.offset, 2.0);
+    /// ```
+    #[must_use]
+    pub fn transform_plane(self, plane: Plane<R>) -> Plane<R> {
+        let normal = self.real().rotate(plane.normal);
+        let offset = plane.offset + vector::dot(normal, self.translation());
+        Plane { normal, offset }
+    }
+}

@@ -1,0 +1,38 @@
+//! Three-vectors as plain arrays.
+
+use crate::real::Real;
+
+pub(super) fn add<R: Real>(a: [R; 3], b: [R; 3]) -> [R; 3] {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+}
+
+pub(super) fn sub<R: Real>(a: [R; 3], b: [R; 3]) -> [R; 3] {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+pub(super) fn scale<R: Real>(a: [R; 3], s: R) -> [R; 3] {
+    [a[0] * s, a[1] * s, a[2] * s]
+}
+
+pub(super) fn dot<R: Real>(a: [R; 3], b: [R; 3]) -> R {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+pub(super) fn cross<R: Real>(a: [R; 3], b: [R; 3]) -> [R; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// The Euclidean length of `components`, however large or small they are: squares of the
+/// components themselves would overflow or vanish, squares of their ratios to the largest do not.
+pub(super) fn norm<R: Real, const N: usize>(components: [R; N]) -> R {
+    let largest = components.iter().fold(R::ZERO, |largest, c| c.abs().max_or_nan(largest));
+    if largest == R::ZERO || !largest.is_finite() {
+        return largest;
+    }
+    let mut sum = R::ZERO;
+    for c in components {
+        let ratio = c / largest;
+        sum += ratio * ratio;
+    }
+    largest * sum.sqrt()
+}
