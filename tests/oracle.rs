@@ -1,40 +1,76 @@
-//! x
-use dq8_contract::{for_every_implementation, operation, sample::Sample, vectors};
-use std::collections::BTreeMap;
+//! Known answers, computed with 60 digits, against every implementation under the accuracy contract.
+
+use dq8_contract::conformance::worst_errors;
+use dq8_contract::for_every_implementation;
+use dq8_contract::tolerance::{BOUNDS, bound};
+use dq8_contract::vectors::{self, Vector};
+
+fn reference() -> Vec<Vector> {
+    vectors::parse(include_str!("vectors/reference.jsonl")).expect("the vectors can be read")
+}
 
 #[test]
-fn explore() {
-    let rows = vectors::parse(include_str!("vectors/reference.jsonl")).unwrap();
-    let mut worst: BTreeMap<(String, String), Vec<String>> = BTreeMap::new();
+fn every_implementation_keeps_every_bound_on_every_vector() {
+    let vectors = reference();
+    let (mut broken, mut answered, mut implementations) = (Vec::new(), 0, 0);
     for_every_implementation!(|name, M| {
-        if name.ends_with("f32") || name.ends_with("f64") || name.ends_with("x8") {
-            let mut groups: BTreeMap<(String, String, usize), Vec<&vectors::Vector>> =
-                BTreeMap::new();
-            for r in &rows {
-                groups
-                    .entry((r.op.clone(), r.kind.clone(), r.input("w").len()))
-                    .or_default()
-                    .push(r);
-            }
-            let mut w: BTreeMap<(String, String), (f64, usize)> = BTreeMap::new();
-            for ((op, kind, _), rows) in groups {
-                for chunk in rows.chunks(<M as Sample>::LANES) {
-                    let a = operation::answers::<M>(chunk);
-                    for (r, a) in chunk.iter().zip(&a) {
-                        let e = operation::error(r, a);
-                        let s = w.entry((op.clone(), kind.clone())).or_default();
-                        if e >= s.0 {
-                            *s = (e, r.row);
-                        }
-                    }
-                }
-            }
-            for (k, (e, row)) in w {
-                worst.entry(k).or_default().push(format!("{e:.1e}@{row}"));
+        for worst in worst_errors::<M>(name, &vectors).expect("every operation has a bound") {
+            answered += worst.vectors;
+            if worst.breaks_bound() {
+                broken.push(format!(
+                    "{name}, {} ({}), row {}: error {:.2e}, allowed {:.2e} ({})",
+                    worst.op, worst.kind, worst.row, worst.error, worst.allowed, worst.bound.reason
+                ));
             }
         }
+        implementations += 1;
     });
-    for (k, v) in worst {
-        println!("{:27}{:12} {}", k.0, k.1, v.join("  "));
+    assert!(broken.is_empty(), "{}", broken.join("\n"));
+    assert_eq!((implementations, answered), (10, 10 * vectors.len()), "something did not run");
+}
+
+#[test]
+fn small_rotations_are_bounded_by_three_ten_millionths() {
+    for op in ["sclerp", "pow", "log"] {
+        for kind in ["near0", "close", "translation"] {
+            let units = bound(op, kind).expect("it has a bound").units;
+            assert!(units * f64::from(f32::EPSILON) / 2.0 <= 3e-7, "{op} ({kind}): {units} u");
+        }
+    }
+}
+
+#[test]
+fn every_line_of_the_table_is_used() {
+    let vectors = reference();
+    for line in BOUNDS {
+        let used = vectors.iter().any(|vector| {
+            bound(&vector.op, &vector.kind).is_some_and(|used| std::ptr::eq(used, line))
+        });
+        assert!(used, "no vector is measured by {line:?}");
+    }
+}
+
+#[test]
+fn a_row_that_cannot_be_read_is_named() {
+    let good = r#"{"op":"norm","kind":"general","a":[3,4,0,0,0,0,0,0],"out":["5","0"]}"#;
+    let cases = [
+        (r#"{"op":"norm""#, "EOF"),
+        (r#"{"op":"twirl","kind":"plain","out":[]}"#, "unknown operation \"twirl\""),
+        (r#"{"op":"norm","kind":"plain","out":["5","0"]}"#, "norm needs the field \"a\""),
+        (r#"{"op":"norm","kind":"plain","a":[1,2],"out":["5","0"]}"#, "holds 2 numbers, not 8"),
+        (
+            r#"{"op":"norm","kind":"plain","a":[3,4,0,0,0,0,0,0],"out":["5","x"]}"#,
+            "\"x\" is no number",
+        ),
+        (
+            r#"{"op":"dlb","kind":"plain","s":[[1,0,0,0,0,0,0,0]],"w":[],"out":[1,0,0,0,0,0,0,0]}"#,
+            "weights",
+        ),
+    ];
+    assert_eq!(vectors::parse(good).expect("it is good").len(), 1);
+    for (bad, reason) in cases {
+        let error = vectors::parse(&format!("{good}\n{bad}\n")).expect_err(bad);
+        assert_eq!(error.row, 2);
+        assert!(error.to_string().contains(reason), "{error} should say {reason}");
     }
 }

@@ -1,6 +1,9 @@
 //! The accuracy contract: reference vectors, every implementation of [`dq8::Motion`], and the table
 //! of errors allowed. Shared by the tests and by the example `conform`.
 
+#![allow(missing_docs, reason = "support for tests, not published")]
+
+pub mod conformance;
 pub mod operation;
 pub mod sample;
 pub mod tolerance;

@@ -1,0 +1,73 @@
+//! Runs reference vectors on every implementation and prints the worst error of each operation and
+//! kind of input beside the bound of the accuracy contract.
+//!
+//! ```text
+//! cargo run --release --example conform -- FILE.jsonl
+//! ```
+//!
+//! Errors are relative to max(1, |t|), |t| the largest translation among inputs and result. The exit
+//! code is 1 if a bound is broken or a row cannot be read.
+
+use dq8_contract::conformance::{Worst, worst_errors};
+use dq8_contract::{for_every_implementation, vectors};
+use std::process::ExitCode;
+use std::{env, fs};
+
+fn main() -> ExitCode {
+    let mut arguments = env::args_os().skip(1);
+    let (Some(path), None) = (arguments.next(), arguments.next()) else {
+        eprintln!("usage: conform FILE.jsonl");
+        return ExitCode::from(2);
+    };
+    let worst = fs::read_to_string(&path)
+        .map_err(|error| error.to_string())
+        .and_then(|text| conform(&text))
+        .map_err(|reason| format!("{}: {reason}", path.display()));
+    match worst {
+        Ok(worst) => report(&worst),
+        Err(message) => {
+            eprintln!("{message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// The worst errors of every implementation, sorted by operation and kind.
+fn conform(text: &str) -> Result<Vec<Worst>, String> {
+    let vectors = vectors::parse(text).map_err(|error| error.to_string())?;
+    if vectors.is_empty() {
+        return Err("no rows".to_owned());
+    }
+    let mut all = Vec::new();
+    for_every_implementation!(|name, M| all.extend(worst_errors::<M>(name, &vectors)?));
+    all.sort_by(|a, b| (&a.op, &a.kind).cmp(&(&b.op, &b.kind)));
+    Ok(all)
+}
+
+fn report(worst: &[Worst]) -> ExitCode {
+    println!(
+        "{:26} {:12} {:13} {:>5} {:>9} {:>9} {:>6}",
+        "operation", "kind", "backend", "rows", "worst", "allowed", "row"
+    );
+    for w in worst {
+        println!(
+            "{:26} {:12} {:13} {:5} {:9.2e} {:9.2e} {:6}{}",
+            w.op,
+            w.kind,
+            w.implementation,
+            w.vectors,
+            w.error,
+            w.allowed,
+            w.row,
+            if w.breaks_bound() { "  BROKEN" } else { "" }
+        );
+    }
+    let broken = worst.iter().filter(|w| w.breaks_bound()).count();
+    if broken == 0 {
+        println!("\nPASS: {} bounds kept", worst.len());
+        ExitCode::SUCCESS
+    } else {
+        println!("\nFAIL: {broken} of {} bounds broken", worst.len());
+        ExitCode::FAILURE
+    }
+}
