@@ -1,4 +1,53 @@
 //! Rigid motions as dual quaternions, many at a time on SIMD lanes.
+//!
+//! A dual quaternion is eight floats: a rotation and a translation in one number. This crate
+//! multiplies, blends and interpolates them, moves points with them, and runs them down joint
+//! hierarchies; one at a time in a textbook reference, or as many at a time as the lanes of a SIMD
+//! register, with the same operations and the same laws.
+//!
+//! ```
+//! use dq8::{Crowd, DualQuat, Hierarchy, Quat};
+//! // A two-link arm, and eleven poses of it: lanes are poses.
+//! let parents = [Hierarchy::ROOT, 0];
+//! let arm = Hierarchy::new(&parents)?;
+//! let pose = |angle: f32| {
+//!     let turn = Quat::from_axis_angle([0.0, 0.0, 1.0], angle);
+//!     [DualQuat::from_rotation(turn), DualQuat::from_rotation_translation(turn, [1.0, 0.0, 0.0])]
+//! };
+//! let locals: Vec<_> = (0..11).flat_map(|i| pose(0.1 * i as f32)).collect();
+//! let mut crowd = Crowd::<f32, 8>::from_slice(arm.joints(), &locals)?;
+//! arm.local_to_model_in_place(crowd.blocks_mut())?;
+//! let [x, y, _] = crowd.get(10, 1).unwrap().transform_point([1.0, 0.0, 0.0]);
+//! assert!((x - (1f32.cos() + 2f32.cos())).abs() + (y - (1f32.sin() + 2f32.sin())).abs() < 1e-6);
+//! # Ok::<(), Box<dyn core::error::Error>>(())
+//! ```
+//!
+//! # Where things are
+//!
+//! | item | what it is |
+//! |---|---|
+//! | [`Motion`] | **the conventions, stated once**, and the laws; the trait of both implementations |
+//! | [`DualQuat`], [`Quat`], [`Dual`] | the scalar reference, with formula, source and example at every operation |
+//! | [`batch`] | the same names on lanes |
+//! | [`Line`], [`Plane`], [`Screw`], [`DualVector`] | what motions act on and are described by |
+//! | [`Hierarchy`], [`Job`], [`Crowd`], [`Block`] | joint hierarchies, one instance or many |
+//! | [`Lane`], [`Mask`], [`Level`], [`Portable`] | lanes, for kernels of your own |
+//!
+//! # Features
+//!
+//! | feature | default | what it does |
+//! |---|---|---|
+//! | `std` | yes | square roots and trigonometry of the standard library; implies `alloc` |
+//! | `alloc` | | `Crowd`, owned blocks for any number of instances |
+//! | `libm` | | square roots and trigonometry without std |
+//!
+//! Without `std` nothing else is linked than `core` (and `alloc` if asked for); no operation on
+//! borrowed memory allocates.
+//!
+//! # Not here
+//!
+//! Scale and shear: non-uniform scale is no rigid motion and no dual quaternion, and uniform scale
+//! stands beside the motion where a skeleton needs it.
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -23,7 +72,7 @@ pub use error::{HierarchyError, InverseError, MatrixError, NormalizeError, Shape
 pub use geometry::{DualVector, Line, Plane, Screw};
 #[cfg(feature = "alloc")]
 pub use hierarchy::Crowd;
-pub use hierarchy::{Block, Hierarchy, Job, Pose, pack, unpack};
+pub use hierarchy::{Block, Hierarchy, Job, Pose, Renormalise, pack, unpack};
 pub use motion::Motion;
 pub use real::Real;
 pub use scalar::{Dual, DualQuat, Quat};

@@ -1,4 +1,4 @@
-use super::{Hierarchy, Pose};
+use super::{Hierarchy, Pose, Renormalise};
 use crate::error::ShapeError;
 use crate::motion::Motion;
 use crate::scalar::DualQuat;
@@ -27,6 +27,7 @@ pub struct Job<'a, P: Pose> {
     hierarchy: Hierarchy<'a>,
     root: Root<'a, P>,
     joints: Range<usize>,
+    renormalise: Renormalise,
 }
 
 /// What joints without a parent stand on.
@@ -103,7 +104,12 @@ impl<'a> Hierarchy<'a> {
     /// A run with options.
     #[must_use]
     pub fn job<P: Pose>(&self) -> Job<'a, P> {
-        Job { hierarchy: *self, root: Root::None, joints: 0..self.joints() }
+        Job {
+            hierarchy: *self,
+            root: Root::None,
+            joints: 0..self.joints(),
+            renormalise: Renormalise::Never,
+        }
     }
 }
 
@@ -127,6 +133,13 @@ impl<'a, P: Pose> Job<'a, P> {
     #[must_use]
     pub fn joints(mut self, joints: Range<usize>) -> Self {
         self.joints = joints;
+        self
+    }
+
+    /// Normalises models on the way down; never, unless told.
+    #[must_use]
+    pub fn renormalise(mut self, policy: Renormalise) -> Self {
+        self.renormalise = policy;
         self
     }
 
@@ -197,6 +210,9 @@ impl<'a, P: Pose> Job<'a, P> {
                             model = root * model;
                         }
                     }
+                }
+                if self.renormalise.applies_to(joint) {
+                    model = model.normalize();
                 }
                 if let Some(slot) = models.get_mut(joint) {
                     slot.store(level, model);

@@ -5,6 +5,7 @@
 //! | [`Hierarchy`] | a parent array, checked once |
 //! | [`Pose`] | how a motion lies in memory: one ([`DualQuat`](crate::DualQuat)), or a [`Block`] of instances |
 //! | [`Job`] | a run with a root transform or on some of the joints |
+//! | [`Renormalise`] | when a run normalises what it has multiplied |
 //! | [`Crowd`] | owned blocks for any number of instances (feature `alloc`) |
 //! | [`pack`], [`unpack`] | the same conversion between slices of your own |
 //!
@@ -20,6 +21,7 @@ mod job;
 mod packing;
 mod parents;
 mod pose;
+mod renormalise;
 
 #[cfg(feature = "alloc")]
 pub use crowd::Crowd;
@@ -27,3 +29,4 @@ pub use job::Job;
 pub use packing::{pack, unpack};
 pub use parents::Hierarchy;
 pub use pose::{Block, Pose};
+pub use renormalise::Renormalise;

@@ -1,6 +1,6 @@
 //! Norm, normalisation and inverses.
 
-use super::{Dual, DualQuat};
+use super::{Dual, DualQuat, Quat, vector};
 use crate::error::{InverseError, NormalizeError};
 use crate::real::Real;
 
@@ -44,8 +44,7 @@ impl<R: Real> DualQuat<R> {
     pub fn try_normalize(self) -> Result<Self, NormalizeError> {
         let norm = self.real().norm();
         let p = self.real().try_normalize()?;
-        let [x, y, z, w] = self.dual().to_array().map(|c| c / norm);
-        let q = super::Quat::from_xyzw(x, y, z, w);
+        let q = Quat::from_array(vector::over_norm(self.dual().to_array(), norm));
         let unit = Self::new(p, q - p.scale(p.dot(q)));
         if unit.to_array().iter().all(|c| c.is_finite()) {
             Ok(unit)
@@ -93,10 +92,9 @@ impl<R: Real> DualQuat<R> {
         let norm = self.real().norm();
         let failed = InverseError { real_norm: norm.into() };
         let unit = self.real().try_normalize().map_err(|_| failed)?.conjugate();
-        let over_norm = |c: R| c / norm;
-        let real = super::Quat::from_array(unit.to_array().map(over_norm));
-        let q = super::Quat::from_array(self.dual().to_array().map(over_norm));
-        let dual = super::Quat::from_array((unit * q * unit).to_array().map(over_norm));
+        let over_norm = |q: Quat<R>| Quat::from_array(vector::over_norm(q.to_array(), norm));
+        let real = over_norm(unit);
+        let dual = over_norm(unit * over_norm(self.dual()) * unit);
         let inverse = Self::new(real, -dual);
         if inverse.to_array().iter().all(|c| c.is_finite()) { Ok(inverse) } else { Err(failed) }
     }

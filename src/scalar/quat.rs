@@ -144,9 +144,7 @@ impl<R: Real> Quat<R> {
         if norm == R::ZERO || !norm.is_finite() {
             return Err(NormalizeError { real_norm: norm.into() });
         }
-        // The reciprocal of a subnormal norm would overflow; the quotients are at most 1.
-        let [x, y, z, w] = self.0;
-        Ok(Self([x / norm, y / norm, z / norm, w / norm]))
+        Ok(Self(vector::over_norm(self.0, norm)))
     }
 
     /// r v r*, the vector `v` turned by this unit quaternion:

@@ -36,3 +36,19 @@ pub(super) fn norm<R: Real, const N: usize>(components: [R; N]) -> R {
     }
     largest * sum.sqrt()
 }
+
+/// Every component divided by `norm`, by way of its reciprocal.
+///
+/// Not by division: a norm one unit of the last place below 1 would then push every component up by
+/// a whole unit where half of one is meant. |p| is measured again at the next product, but nothing
+/// measures the length of q, so a chain that normalises at every product would scale its translation
+/// by about 10⁻⁹ a product, always the same way (see the example `drift`).
+pub(super) fn over_norm<R: Real, const N: usize>(components: [R; N], norm: R) -> [R; N] {
+    // Outside these the reciprocal is not a normal number, in `f32`.
+    let large = R::from(1e30);
+    if norm > large || norm * large < R::ONE {
+        return components.map(|c| c / norm);
+    }
+    let reciprocal = R::ONE / norm;
+    components.map(|c| c * reciprocal)
+}

@@ -3,8 +3,11 @@
 
 #![allow(missing_docs, reason = "support for tests, not published")]
 
+pub mod agreement;
 pub mod conformance;
+pub mod inputs;
 pub mod operation;
+pub mod repertoire;
 pub mod sample;
 pub mod tolerance;
 pub mod vectors;

@@ -1,0 +1,191 @@
+//! Arguments that do not fit are refused with the index and the values, and nothing is written.
+
+use crate::layout::{Layout, bits, for_every_layout};
+use core::error::Error;
+use core::ops::Range;
+use dq8::{DualQuat, Hierarchy, HierarchyError, Job, ShapeError};
+use proptest::prelude::*;
+
+const ROOT: u32 = Hierarchy::ROOT;
+
+/// An error is one of `core::error::Error`, and its text says every one of `numbers`.
+fn names(error: &dyn Error, numbers: &[usize]) {
+    let text = error.to_string();
+    let words: Vec<usize> =
+        text.split(|c: char| !c.is_ascii_digit()).filter_map(|word| word.parse().ok()).collect();
+    for number in numbers {
+        assert!(words.contains(number), "no {number} in \"{text}\"");
+    }
+}
+
+fn refused(parents: &[u32], wanted: HierarchyError, numbers: &[usize]) {
+    let error = Hierarchy::new(parents).unwrap_err();
+    assert_eq!(error, wanted);
+    names(&error, numbers);
+}
+
+#[test]
+fn a_joint_that_is_its_own_parent_is_refused() {
+    refused(&[0], HierarchyError::ParentNotBefore { joint: 0, parent: 0 }, &[0]);
+    let own = HierarchyError::ParentNotBefore { joint: 2, parent: 2 };
+    refused(&[ROOT, 0, 2, 1], own, &[2]);
+}
+
+#[test]
+fn a_parent_that_comes_later_is_refused() {
+    let later = HierarchyError::ParentNotBefore { joint: 1, parent: 3 };
+    refused(&[ROOT, 3, 1, 0], later, &[1, 3]);
+}
+
+#[test]
+fn a_cycle_is_refused_at_its_first_joint() {
+    let cycle = HierarchyError::ParentNotBefore { joint: 1, parent: 3 };
+    refused(&[ROOT, 3, 1, 2], cycle, &[1, 3]);
+}
+
+#[test]
+fn a_parent_that_is_no_joint_is_refused() {
+    let beyond = HierarchyError::ParentOutOfRange { joint: 2, parent: 3, joints: 3 };
+    refused(&[ROOT, 0, 3], beyond, &[2, 3]);
+    // One below the mark of a root, which must not be taken for one.
+    let parent = ROOT - 1;
+    let far = HierarchyError::ParentOutOfRange { joint: 1, parent, joints: 2 };
+    refused(&[ROOT, parent], far, &[1, parent as usize, 2]);
+}
+
+/// A parent array that long does not fit a test; its error can still be read.
+#[test]
+fn too_many_joints_are_counted() {
+    names(&HierarchyError::TooManyJoints { joints: 5_000_000_000 }, &[5_000_000_000]);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// The rule of `Hierarchy::new` once more: a parent is ROOT, or smaller than its child.
+    #[test]
+    fn the_first_joint_whose_parent_does_not_come_before_it_is_named(
+        parents in prop::collection::vec(prop_oneof![4 => 0..12_u32, 1 => Just(ROOT)], 0..12),
+    ) {
+        let joints = parents.len();
+        let mut numbered = parents.iter().enumerate();
+        let bad = numbered.find(|&(joint, &parent)| parent != ROOT && parent as usize >= joint);
+        let wanted = bad.map_or(Ok(&parents[..]), |(joint, &parent)| {
+            Err(if (parent as usize) < joints {
+                HierarchyError::ParentNotBefore { joint, parent }
+            } else {
+                HierarchyError::ParentOutOfRange { joint, parent, joints }
+            })
+        });
+        prop_assert_eq!(Hierarchy::new(&parents).map(|skeleton| skeleton.parents()), wanted);
+    }
+}
+
+/// The four runs of a job, each with slices of the given lengths; in place only the second counts.
+/// Every one must give `wanted` of its slices' names and leave what it would write as it was.
+fn all_refuse<P: Layout>(
+    job: &Job<P>,
+    [input, output]: [usize; 2],
+    numbers: &[usize],
+    wanted: impl Fn(&'static str, &'static str) -> ShapeError,
+) {
+    let from = vec![P::filled(0.25); input];
+    let before = vec![P::filled(0.5); output];
+    let check = |run: &dyn Fn(&mut [P]) -> Result<(), ShapeError>, wanted: ShapeError| {
+        let mut to = before.clone();
+        let error = run(&mut to).unwrap_err();
+        assert_eq!(error, wanted);
+        names(&error, numbers);
+        assert_eq!(bits(&to), bits(&before), "written in spite of {error}");
+    };
+    check(&|to| job.local_to_model(&from, to), wanted("locals", "models"));
+    check(&|to| job.model_to_local(&from, to), wanted("models", "locals"));
+    if input == output {
+        check(&|to| job.local_to_model_in_place(to), wanted("poses", "poses"));
+        check(&|to| job.model_to_local_in_place(to), wanted("poses", "poses"));
+    }
+}
+
+#[test]
+fn slices_that_hold_no_whole_instances_are_refused() {
+    fn broken<P: Layout>() {
+        let arm = Hierarchy::new(&[ROOT, 0, 1]).unwrap();
+        for length in [1, 2, 4, 5, 7] {
+            all_refuse::<P>(&arm.job(), [length; 2], &[length, 3], |what, _| {
+                ShapeError::NotWhole { what, length, joints: 3 }
+            });
+        }
+    }
+    for_every_layout!(broken());
+}
+
+#[test]
+fn slices_of_different_lengths_are_refused() {
+    fn uneven<P: Layout>() {
+        let arm = Hierarchy::new(&[ROOT, 0, 1]).unwrap();
+        for (expected, length) in [(3, 6), (6, 3), (3, 0), (0, 3), (3, 2), (6, 7)] {
+            all_refuse::<P>(&arm.job(), [expected, length], &[length, expected], |_, what| {
+                ShapeError::Length { what, length, expected }
+            });
+        }
+    }
+    for_every_layout!(uneven());
+}
+
+#[test]
+fn poses_for_no_joints_are_refused() {
+    fn too_many<P: Layout>() {
+        let nobody = Hierarchy::new(&[]).unwrap();
+        all_refuse::<P>(&nobody.job(), [2, 2], &[2, 0], |what, _| ShapeError::NotWhole {
+            what,
+            length: 2,
+            joints: 0,
+        });
+    }
+    for_every_layout!(too_many());
+}
+
+#[test]
+fn a_range_that_ends_before_it_starts_or_beyond_the_joints_is_refused() {
+    fn bad_range<P: Layout>() {
+        let arm = Hierarchy::new(&[ROOT, 0, 1]).unwrap();
+        for (start, end) in [(2, 1), (3, 0), (0, 4), (4, 4), (5, 4), (1, usize::MAX)] {
+            let range = Range { start, end };
+            for length in [0, 3, 6] {
+                let job = arm.job().joints(range.clone());
+                all_refuse::<P>(&job, [length; 2], &[start, end, 3], |_, _| ShapeError::Joints {
+                    range: range.clone(),
+                    joints: 3,
+                });
+            }
+        }
+    }
+    for_every_layout!(bad_range());
+}
+
+#[test]
+fn any_number_of_roots_but_one_an_instance_is_refused() {
+    fn bad_roots<P: Layout>() {
+        let arm = Hierarchy::new(&[ROOT, 0, 1]).unwrap();
+        for (instances, length) in [(0, 1), (1, 0), (1, 2), (2, 1), (2, 3), (2, 6)] {
+            let roots = vec![P::filled(1.0); length];
+            let job = arm.job().roots(&roots);
+            all_refuse::<P>(&job, [3 * instances; 2], &[length, instances], |_, _| {
+                ShapeError::Length { what: "roots", length, expected: instances }
+            });
+        }
+    }
+    for_every_layout!(bad_roots());
+}
+
+/// The last of `root` and `roots` counts, so a wrong number of roots is forgotten with them.
+#[test]
+fn a_shared_root_takes_the_place_of_roots() {
+    fn replaced<P: Layout>() {
+        let arm = Hierarchy::new(&[ROOT, 0, 1]).unwrap();
+        let roots = vec![P::filled(1.0); 5];
+        let job = arm.job().roots(&roots).root(DualQuat::IDENTITY);
+        job.local_to_model_in_place(&mut [P::filled(1.0); 3]).unwrap();
+    }
+    for_every_layout!(replaced());
+}
