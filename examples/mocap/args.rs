@@ -1,0 +1,119 @@
+//! The command line.
+
+use std::ffi::OsString;
+use std::fmt;
+use std::path::PathBuf;
+
+pub(crate) const USAGE: &str = "\
+usage: mocap [FILE.bvh] [--csv OUT] [--svg OUT] [--instances N]
+
+Without FILE.bvh, animates an embedded biped.
+  --csv OUT      write the world positions, one row a frame
+  --svg OUT      draw the skeleton at several frames and the path of its root
+  --instances N  repeat the clip to N times its frames, for timing
+";
+
+#[derive(Debug, PartialEq)]
+pub(crate) struct Args {
+    pub(crate) clip: Option<PathBuf>,
+    pub(crate) csv: Option<PathBuf>,
+    pub(crate) svg: Option<PathBuf>,
+    pub(crate) instances: usize,
+}
+
+#[derive(Debug, PartialEq)]
+pub(crate) enum Request {
+    Run(Args),
+    Help,
+}
+
+/// What is wrong with the command line.
+#[derive(Debug, PartialEq)]
+pub(crate) struct Misuse(String);
+
+impl fmt::Display for Misuse {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+pub(crate) fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Request, Misuse> {
+    let (mut clip, mut csv, mut svg, mut instances) = (None, None, None, None);
+    let mut words = words.into_iter();
+    while let Some(word) = words.next() {
+        let text = word.to_string_lossy();
+        match text.as_ref() {
+            "-h" | "--help" => return Ok(Request::Help),
+            "--csv" => set(&mut csv, "--csv", value("--csv", &mut words)?.into())?,
+            "--svg" => set(&mut svg, "--svg", value("--svg", &mut words)?.into())?,
+            "--instances" => {
+                let value = value("--instances", &mut words)?;
+                let count = value.to_str().and_then(|text| text.parse().ok()).filter(|&n| n > 0);
+                let Some(count) = count else {
+                    let value = value.to_string_lossy();
+                    return Err(Misuse(format!("--instances: `{value}` is not a positive number")));
+                };
+                set(&mut instances, "--instances", count)?;
+            }
+            option if option.starts_with('-') => {
+                return Err(Misuse(format!("no such option: `{option}`")));
+            }
+            _ => set(&mut clip, "FILE.bvh", word.into())?,
+        }
+    }
+    Ok(Request::Run(Args { clip, csv, svg, instances: instances.unwrap_or(1) }))
+}
+
+fn value(option: &str, words: &mut impl Iterator<Item = OsString>) -> Result<OsString, Misuse> {
+    // An option in place of a value is a value forgotten; a file of such a name is `./--svg`.
+    let value = words.next().filter(|word| !word.to_string_lossy().starts_with("--"));
+    value.ok_or_else(|| Misuse(format!("{option} needs a value")))
+}
+
+fn set<T>(slot: &mut Option<T>, name: &str, value: T) -> Result<(), Misuse> {
+    match slot.replace(value) {
+        None => Ok(()),
+        Some(_) => Err(Misuse(format!("{name} is given twice"))),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Args, Misuse, Request, parse};
+
+    fn words(line: &str) -> Result<Request, Misuse> {
+        parse(line.split_whitespace().map(Into::into))
+    }
+
+    #[test]
+    fn options_stand_in_any_order() {
+        let args = Args {
+            clip: Some("walk.bvh".into()),
+            csv: Some("a.csv".into()),
+            svg: Some("b.svg".into()),
+            instances: 20,
+        };
+        let line = "--csv a.csv walk.bvh --instances 20 --svg b.svg";
+        assert_eq!(words(line), Ok(Request::Run(args)));
+        let none = Args { clip: None, csv: None, svg: None, instances: 1 };
+        assert_eq!(words(""), Ok(Request::Run(none)));
+        assert_eq!(words("walk.bvh --help"), Ok(Request::Help));
+    }
+
+    #[test]
+    fn misuse_is_named() {
+        for (line, named) in [
+            ("--cvs a", "`--cvs`"),
+            ("--csv", "--csv needs"),
+            ("--csv --svg a", "--csv needs"),
+            ("--instances 0", "`0`"),
+            ("--instances -1", "`-1`"),
+            ("--instances 1e3", "`1e3`"),
+            ("a.bvh b.bvh", "FILE.bvh is given twice"),
+            ("--svg a --svg b", "--svg is given twice"),
+        ] {
+            let misuse = words(line).unwrap_err();
+            assert!(misuse.0.contains(named), "{line}: {misuse}");
+        }
+    }
+}

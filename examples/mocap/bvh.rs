@@ -1,0 +1,228 @@
+//! Reads a motion-capture clip in the BVH format of Biovision.
+//!
+//! The format has no standard. What is accepted here:
+//! - keywords in any case, LF or CRLF, any white space, braces with or without space around them,
+//!   several `ROOT`s;
+//! - joint names with spaces; two joints of one name are an error, because the columns of a table
+//!   need names;
+//! - end sites become joints without channels named `<Parent>_End` (a second one `<Parent>_End2`,
+//!   and so on);
+//! - any number of channels in any order, rotations also repeated (`Z X Z`), and none at all
+//!   (`CHANNELS 0`);
+//! - a frame starts on a new line. Its values may go on over the next lines, as some programs wrap
+//!   long lines.
+
+mod error;
+mod hierarchy;
+mod motion;
+mod source;
+
+use crate::clip::Clip;
+use error::{BvhError, Reason};
+use source::Source;
+
+/// `title` is what the clip is to be called.
+pub(crate) fn parse(title: String, bytes: &[u8]) -> Result<Clip, BvhError> {
+    let text = std::str::from_utf8(bytes).map_err(|error| {
+        let line_feeds = bytes[..error.valid_up_to()].iter().filter(|&&byte| byte == b'\n').count();
+        BvhError { line: line_feeds + 1, reason: Reason::NotUtf8 }
+    })?;
+    let mut source = Source::new(text);
+    let joints = hierarchy::read(&mut source)?;
+    let channels = joints.iter().map(|joint| joint.channels.len()).sum();
+    let (frame_time, values) = motion::read(&mut source, channels)?;
+    Ok(Clip { title, joints, frame_time, values })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::error::{BvhError, Reason};
+    use super::parse;
+    use crate::clip::Clip;
+
+    const TWO_JOINTS: &str = "\
+HIERARCHY
+ROOT Hips
+{
+	OFFSET 0 0 0
+	CHANNELS 6 Xposition Yposition Zposition Zrotation Yrotation Xrotation
+	JOINT Chest
+	{
+		OFFSET 0 5 0
+		CHANNELS 2 Yrotation Yposition
+		End Site
+		{
+			OFFSET 0 2 0
+		}
+	}
+}
+MOTION
+Frames: 2
+Frame Time: .0083333
+1 2 3 90 0 0 0 5
+1 2 3 0 0 90 90 4
+";
+
+    fn read(text: &str) -> Result<Clip, BvhError> {
+        parse("test".into(), text.as_bytes())
+    }
+
+    /// World positions of one frame, by hand: independent of `Hierarchy`.
+    fn positions(clip: &Clip, frame: usize) -> Vec<[f64; 3]> {
+        let joints = clip.joints.len();
+        let mut models = clip.locals()[frame * joints..][..joints].to_vec();
+        for (index, joint) in clip.joints.iter().enumerate() {
+            if let Some(parent) = joint.parent {
+                models[index] = models[parent] * models[index];
+            }
+        }
+        models.iter().map(|model| model.translation()).collect()
+    }
+
+    fn close(a: &[[f64; 3]], b: &[[f64; 3]]) -> bool {
+        a.len() == b.len()
+            && a.iter().flatten().zip(b.iter().flatten()).all(|(a, b)| (a - b).abs() < 1e-12)
+    }
+
+    #[test]
+    fn two_joints_and_an_end_site_stand_where_they_should() {
+        let clip = read(TWO_JOINTS).unwrap();
+        let names: Vec<_> = clip.joints.iter().map(|joint| joint.name.as_str()).collect();
+        assert_eq!(names, ["Hips", "Chest", "Chest_End"]);
+        assert_eq!((clip.frames(), clip.end_sites(), clip.frame_time), (2, 1, 0.0083333));
+        // Frame 0: hips turned by 90° about z, so the spine along y points along −x.
+        assert!(close(&positions(&clip, 0), &[[1., 2., 3.], [-4., 2., 3.], [-6., 2., 3.]]));
+        // Frame 1: by 90° about x, the spine points along z; the chest's Yposition shortens it to
+        // 4.
+        assert!(close(&positions(&clip, 1), &[[1., 2., 3.], [1., 2., 7.], [1., 2., 9.]]));
+    }
+
+    #[test]
+    fn line_endings_tabs_case_and_wrapped_frames_make_no_difference() {
+        let plain = read(TWO_JOINTS).unwrap();
+        let variants = [
+            TWO_JOINTS.replace('\n', "\r\n"),
+            TWO_JOINTS.replace(' ', "\t"),
+            TWO_JOINTS.replace("\n{", " {").replace("\n\t{", "{"),
+            TWO_JOINTS.replace("1 2 3 0", "1 2\n3 0"),
+            TWO_JOINTS.replace("Frames: ", "frames:").replace("Frame Time: ", "FRAME  TIME :\t"),
+            TWO_JOINTS.to_lowercase().replace("hips", "Hips").replace("chest", "Chest"),
+            format!("\u{feff}\n{TWO_JOINTS}\n\n"),
+        ];
+        for variant in variants {
+            let clip = read(&variant).unwrap_or_else(|error| panic!("{error} in {variant}"));
+            assert_eq!((clip.joints, clip.values), (plain.joints.clone(), plain.values.clone()));
+        }
+    }
+
+    /// A wrong file, made from the good one, with the line and the words that the error must name.
+    #[test]
+    fn wrong_files_are_refused_with_line_and_reason() {
+        let cases = [
+            (TWO_JOINTS.replace("HIERARCHY\n", ""), 1, "HIERARCHY"),
+            (TWO_JOINTS.replace("ROOT", "JOINT"), 2, "ROOT"),
+            (TWO_JOINTS.replace("Hips", ""), 2, "without a name"),
+            (TWO_JOINTS.replace("OFFSET 0 0 0", ""), 6, "no OFFSET"),
+            (TWO_JOINTS.replace("\tOFFSET 0 2 0", ""), 13, "no OFFSET"),
+            (TWO_JOINTS.replace("OFFSET 0 0 0", "OFFSET 0 0"), 5, "`CHANNELS`"),
+            (TWO_JOINTS.replace("OFFSET 0 0 0", "OFFSET 0 0 0 7"), 4, "`7`"),
+            (TWO_JOINTS.replace("OFFSET 0 5 0", "OFFSET 0 nan 0"), 8, "`nan`"),
+            (TWO_JOINTS.replace("OFFSET 0 5 0", "OFFSET 0 1e999 0"), 8, "`1e999`"),
+            (TWO_JOINTS.replace("OFFSET 0 5 0", "OFFSET 0 5 0 OFFSET 1 1 1"), 8, "second OFFSET"),
+            (TWO_JOINTS.replace("CHANNELS 2 Yrotation Yposition", ""), 10, "no CHANNELS"),
+            (TWO_JOINTS.replace("CHANNELS 2", "CHANNELS 3"), 9, "announces 3 channels and lists 2"),
+            (TWO_JOINTS.replace("CHANNELS 2", "CHANNELS -2"), 9, "`-2`"),
+            (TWO_JOINTS.replace("2 Yrotation", "2 Wrotation"), 9, "`Wrotation`"),
+            (TWO_JOINTS.replace("2 Yrotation", "2 Yposition"), 9, "twice"),
+            (
+                TWO_JOINTS.replace("OFFSET 0 2 0", "OFFSET 0 2 0 CHANNELS 1 Xrotation"),
+                12,
+                "end site",
+            ),
+            (TWO_JOINTS.replace("OFFSET 0 2 0", "OFFSET 0 2 0 JOINT Tip {"), 12, "`JOINT`"),
+            (TWO_JOINTS.replace("Chest", "Hips"), 6, "`Hips`, the first is on line 2"),
+            (
+                TWO_JOINTS.replace("\t}\n}", "\t}\n"),
+                16,
+                "`Hips` is not closed: no `}` for the `{` of line 3",
+            ),
+            (TWO_JOINTS.replace("\t}\n}", "\t}\n}}"), 15, "`}`"),
+            (TWO_JOINTS.replace("End Site", "End Sight"), 10, "`Sight`"),
+            (TWO_JOINTS.replace("End Site", "Sphere"), 10, "`Sphere`"),
+            (TWO_JOINTS.replace("MOTION", "NOTION"), 16, "`NOTION`"),
+            (TWO_JOINTS.replace("Frames: 2\n", ""), 17, "Frames:"),
+            (TWO_JOINTS.replace("Frames: 2", "Frames: two"), 17, "`two`"),
+            (TWO_JOINTS.replace("Frames: 2", "Frames: 0"), 17, "no frames"),
+            (TWO_JOINTS.replace("Frames: 2", "Frames: -1"), 17, "`-1`"),
+            (TWO_JOINTS.replace("Frame Time: .0083333\n", ""), 18, "Frame Time:"),
+            (TWO_JOINTS.replace(".0083333", "0"), 18, "`0`"),
+            (TWO_JOINTS.replace(".0083333", "-0.01"), 18, "`-0.01`"),
+            (TWO_JOINTS.replace(".0083333", "NaN"), 18, "`NaN`"),
+            (TWO_JOINTS.replace("3 90", "3 9O"), 19, "`9O`"),
+            (TWO_JOINTS.replace("3 90", "3 -inf"), 19, "`-inf`"),
+            (
+                TWO_JOINTS.replace("90 0 0 0 5", "90 0 0 0"),
+                19,
+                "frame 1 has 7, its channels need 8",
+            ),
+            (
+                TWO_JOINTS.replace("90 0 0 0 5", "90 0 0 0 5 6"),
+                19,
+                "frame 1 has 9, its channels need 8",
+            ),
+            (TWO_JOINTS.replace("90 4", "90"), 20, "frame 2 has 7, its channels need 8"),
+            (TWO_JOINTS.replace("Frames: 2", "Frames: 3"), 20, "ends after 2"),
+            (TWO_JOINTS.replace("Frames: 2", "Frames: 1"), 20, "more lines follow"),
+        ];
+        for (text, line, words) in cases {
+            let Err(error) = read(&text) else {
+                panic!("accepted, though {words} is wrong: {text}")
+            };
+            assert!(
+                error.line == line && error.to_string().contains(words),
+                "{line} {words}: {error}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_file_cut_anywhere_is_refused_and_never_panics() {
+        // The last value may lose its last digits and stay a number: cut before that one.
+        for end in 0..TWO_JOINTS.len() - 2 {
+            let error = read(&TWO_JOINTS[..end]).map(|_| end).unwrap_err();
+            let lines = TWO_JOINTS[..end].lines().count().max(1);
+            assert!((1..=lines).contains(&error.line), "{end}: {error}");
+        }
+        assert_eq!(read("").map(|_| ()).unwrap_err().reason, Reason::Empty);
+        assert_eq!(read(" \r\n\t").map(|_| ()).unwrap_err().reason, Reason::Empty);
+    }
+
+    #[test]
+    fn bytes_that_are_no_text_are_refused_on_their_line() {
+        let error = parse(String::new(), b"HIERARCHY\nROOT H\xffps").map(|_| ()).unwrap_err();
+        assert_eq!(error, BvhError { line: 2, reason: Reason::NotUtf8 });
+    }
+
+    #[test]
+    fn nesting_of_any_depth_is_read() {
+        let depth = 100_000;
+        let mut text = "HIERARCHY ROOT j {OFFSET 0 0 0 CHANNELS 1 Zrotation".to_owned();
+        for index in 0..depth {
+            text += &format!("\nJOINT {index} {{OFFSET 1 0 0 CHANNELS 0");
+        }
+        text += &"}".repeat(depth + 1);
+        let unclosed = read(&text[..text.len() - 1]).map(|_| ()).unwrap_err();
+        assert!(matches!(unclosed.reason, Reason::Unclosed { opened: 1, .. }), "{unclosed}");
+        text += "MOTION\nFrames: 1\nFrame Time: 1\n90\n";
+        let clip = read(&text).unwrap();
+        let tip = positions(&clip, 0)[depth];
+        assert!(tip[0].abs() < 1e-6 && (tip[1] - depth as f64).abs() < 1e-6, "{tip:?}");
+    }
+
+    #[test]
+    fn an_absurd_frame_count_costs_no_memory() {
+        let error = read(&TWO_JOINTS.replace("Frames: 2", &format!("Frames: {}", usize::MAX)));
+        let reason = error.map(|_| ()).unwrap_err().reason;
+        assert_eq!(reason, Reason::TooFewFrames { announced: usize::MAX, found: 2 });
+    }
+}

@@ -1,0 +1,312 @@
+//! The part between `HIERARCHY` and `MOTION`: the tree of joints.
+
+use std::collections::{HashMap, HashSet};
+
+use super::error::{BvhError, Reason};
+use super::source::{Source, Word};
+use crate::clip::{Axis, Channel, Joint};
+
+/// Reads the tree and the word `MOTION` behind it. Joints come in file order, so parents before
+/// their children.
+pub(crate) fn read(source: &mut Source<'_>) -> Result<Vec<Joint>, BvhError> {
+    let Some(first) = source.next_word() else {
+        return Err(BvhError { line: 1, reason: Reason::Empty });
+    };
+    if !first.is("HIERARCHY") {
+        return Err(BvhError::expected("HIERARCHY", first));
+    }
+    let mut tree = Tree::default();
+    loop {
+        let Some(word) = source.next_word() else {
+            return Err(tree.ends_early(source.line()));
+        };
+        if word.is("MOTION") {
+            break;
+        }
+        tree.read_entry(word, source)?;
+    }
+    if let Some(open) = tree.open.last() {
+        return Err(open.unclosed(&tree.joints, source.line()));
+    }
+    let line = source.line();
+    if tree.joints.is_empty() {
+        return Err(BvhError { line, reason: Reason::NoRoot });
+    }
+    if tree.joints.iter().all(|joint| joint.channels.is_empty()) {
+        return Err(BvhError { line, reason: Reason::NoChannels });
+    }
+    name_end_sites(&mut tree.joints);
+    Ok(tree.joints)
+}
+
+/// The tree as far as it has been read. The open braces are a list rather than calls within calls:
+/// a file may nest deeper than the stack of this program.
+#[derive(Default)]
+struct Tree {
+    joints: Vec<Joint>,
+    /// Line of each joint by its name.
+    lines: HashMap<String, usize>,
+    open: Vec<Open>,
+}
+
+/// A joint whose brace is not closed yet.
+struct Open {
+    joint: usize,
+    line: usize,
+    has_offset: bool,
+    has_channels: bool,
+}
+
+impl Open {
+    fn unclosed(&self, joints: &[Joint], line: usize) -> BvhError {
+        let joint = joints[self.joint].name.clone();
+        BvhError { line, reason: Reason::Unclosed { joint, opened: self.line } }
+    }
+}
+
+impl Tree {
+    fn read_entry(&mut self, word: Word<'_>, source: &mut Source<'_>) -> Result<(), BvhError> {
+        let Some(open) = self.open.last_mut() else {
+            if word.is("ROOT") {
+                return self.open_joint("ROOT", word.line, source);
+            }
+            return Err(BvhError::expected("ROOT or MOTION", word));
+        };
+        let joint = &mut self.joints[open.joint];
+        let fails = |reason| BvhError { line: word.line, reason };
+        if word.is("OFFSET") {
+            if std::mem::replace(&mut open.has_offset, true) {
+                return Err(fails(Reason::Repeated { joint: joint.name.clone(), what: "OFFSET" }));
+            }
+            joint.offset = read_offset(&joint.name, source)?;
+            return Ok(());
+        }
+        if word.is("CHANNELS") {
+            if std::mem::replace(&mut open.has_channels, true) && !joint.end_site {
+                return Err(fails(Reason::Repeated {
+                    joint: joint.name.clone(),
+                    what: "CHANNELS",
+                }));
+            }
+            joint.channels = read_channels(&joint.name, source)?;
+            if joint.end_site && !joint.channels.is_empty() {
+                return Err(fails(Reason::EndSiteMoves));
+            }
+            return Ok(());
+        }
+        // What follows ends the joint's own description: its values come before those of its
+        // children.
+        let child = word.is("JOINT") || word.is("End");
+        if !word.is("}") && (!child || joint.end_site) {
+            let what = if joint.end_site {
+                "OFFSET or `}`"
+            } else {
+                "OFFSET, CHANNELS, JOINT, End Site or `}`"
+            };
+            return Err(BvhError::expected(what, word));
+        }
+        for (has, missing) in [(open.has_offset, "OFFSET"), (open.has_channels, "CHANNELS")] {
+            if !has {
+                return Err(fails(Reason::Incomplete { joint: joint.name.clone(), missing }));
+            }
+        }
+        if word.is("}") {
+            self.open.pop();
+            return Ok(());
+        }
+        if word.is("JOINT") {
+            return self.open_joint("JOINT", word.line, source);
+        }
+        self.open_end_site(source)
+    }
+
+    fn open_joint(
+        &mut self,
+        what: &'static str,
+        line: usize,
+        source: &mut Source<'_>,
+    ) -> Result<(), BvhError> {
+        let name = source.next_name();
+        if name.is_empty() {
+            return Err(BvhError { line, reason: Reason::NoName { what } });
+        }
+        if let Some(first) = self.lines.insert(name.clone(), line) {
+            return Err(BvhError { line, reason: Reason::DuplicateJoint { name, first } });
+        }
+        self.open_brace(name, false, source)
+    }
+
+    fn open_end_site(&mut self, source: &mut Source<'_>) -> Result<(), BvhError> {
+        let word = next(source, "Site")?;
+        if !word.is("Site") {
+            return Err(BvhError::expected("Site", word));
+        }
+        // Its name comes later, when those of all joints are known.
+        self.open_brace("End Site".into(), true, source)
+    }
+
+    fn open_brace(
+        &mut self,
+        name: String,
+        end_site: bool,
+        source: &mut Source<'_>,
+    ) -> Result<(), BvhError> {
+        let brace = next(source, "`{`")?;
+        if !brace.is("{") {
+            return Err(BvhError::expected("`{`", brace));
+        }
+        let parent = self.open.last().map(|open| open.joint);
+        let joint = self.joints.len();
+        self.open.push(Open { joint, line: brace.line, has_offset: false, has_channels: end_site });
+        self.joints.push(Joint { name, parent, offset: [0.0; 3], channels: Vec::new(), end_site });
+        Ok(())
+    }
+
+    fn ends_early(&self, line: usize) -> BvhError {
+        match self.open.last() {
+            Some(open) => open.unclosed(&self.joints, line),
+            None if self.joints.is_empty() => {
+                BvhError { line, reason: Reason::Ends { before: "ROOT" } }
+            }
+            None => BvhError { line, reason: Reason::Ends { before: "MOTION" } },
+        }
+    }
+}
+
+fn next<'a>(source: &mut Source<'a>, what: &'static str) -> Result<Word<'a>, BvhError> {
+    let line = source.line();
+    source.next_word().ok_or(BvhError { line, reason: Reason::Ends { before: what } })
+}
+
+fn read_offset(joint: &str, source: &mut Source<'_>) -> Result<[f64; 3], BvhError> {
+    let mut offset = [0.0; 3];
+    for component in &mut offset {
+        let word = next(source, "three numbers of an OFFSET")?;
+        *component = word.number().ok_or_else(|| {
+            let (joint, found) = (joint.to_owned(), word.text.to_owned());
+            BvhError { line: word.line, reason: Reason::Offset { joint, found } }
+        })?;
+    }
+    Ok(offset)
+}
+
+fn read_channels(joint: &str, source: &mut Source<'_>) -> Result<Vec<Channel>, BvhError> {
+    let count = next(source, "the number of CHANNELS")?;
+    let Ok(announced) = count.text.parse::<usize>() else {
+        return Err(BvhError::expected("the number of channels", count));
+    };
+    let mut channels = Vec::new();
+    // Everything up to the next keyword is meant as a channel, so that a wrong number is told from
+    // a wrong name.
+    while let Some(word) = source.peek_word().filter(|word| !is_keyword(*word)) {
+        source.next_word();
+        let named = || (joint.to_owned(), word.text.to_owned());
+        let Some(channel) = channel(word) else {
+            let (joint, found) = named();
+            return Err(BvhError {
+                line: word.line,
+                reason: Reason::UnknownChannel { joint, found },
+            });
+        };
+        if matches!(channel, Channel::Position(_)) && channels.contains(&channel) {
+            let (joint, found) = named();
+            return Err(BvhError {
+                line: word.line,
+                reason: Reason::DuplicateChannel { joint, found },
+            });
+        }
+        channels.push(channel);
+    }
+    if channels.len() != announced {
+        let (joint, found) = (joint.to_owned(), channels.len());
+        return Err(BvhError {
+            line: count.line,
+            reason: Reason::ChannelCount { joint, announced, found },
+        });
+    }
+    Ok(channels)
+}
+
+fn is_keyword(word: Word<'_>) -> bool {
+    let keywords = ["{", "}", "ROOT", "JOINT", "End", "OFFSET", "CHANNELS", "MOTION"];
+    keywords.iter().any(|keyword| word.is(keyword))
+}
+
+fn channel(word: Word<'_>) -> Option<Channel> {
+    let channels = [
+        ("Xposition", Channel::Position(Axis::X)),
+        ("Yposition", Channel::Position(Axis::Y)),
+        ("Zposition", Channel::Position(Axis::Z)),
+        ("Xrotation", Channel::Rotation(Axis::X)),
+        ("Yrotation", Channel::Rotation(Axis::Y)),
+        ("Zrotation", Channel::Rotation(Axis::Z)),
+    ];
+    channels.iter().find(|(name, _)| word.is(name)).map(|&(_, channel)| channel)
+}
+
+/// `<Parent>_End`, or `<Parent>_End2` and so on where that name is taken: by another end site of
+/// this joint, or by a joint whose own name ends like that.
+fn name_end_sites(joints: &mut [Joint]) {
+    let mut taken: HashSet<String> = joints.iter().map(|joint| joint.name.clone()).collect();
+    let mut next_number = vec![1_usize; joints.len()];
+    for index in 0..joints.len() {
+        let Some(parent) = joints[index].parent.filter(|_| joints[index].end_site) else {
+            continue;
+        };
+        loop {
+            let number = next_number[parent];
+            next_number[parent] += 1;
+            let suffix = if number == 1 { String::new() } else { number.to_string() };
+            let name = format!("{}_End{suffix}", joints[parent].name);
+            if taken.insert(name.clone()) {
+                joints[index].name = name;
+                break;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::read;
+    use crate::bvh::source::Source;
+    use crate::clip::{Axis, Channel};
+
+    #[test]
+    fn several_roots_and_any_channel_order() {
+        let text = "HIERARCHY ROOT a {OFFSET 0 0 0\n\
+            CHANNELS 4 Xrotation Zposition Zrotation Xrotation}\n\
+            ROOT b {CHANNELS 0 OFFSET 1 2 -3. JOINT c {OFFSET .5 +1 1e1\n\
+            CHANNELS 1 yROTATION}} MOTION";
+        let joints = read(&mut Source::new(text)).unwrap();
+        let parents: Vec<_> = joints.iter().map(|joint| joint.parent).collect();
+        assert_eq!(parents, [None, None, Some(1)]);
+        let (x, z) = (Channel::Rotation(Axis::X), Channel::Rotation(Axis::Z));
+        assert_eq!(joints[0].channels, [x, Channel::Position(Axis::Z), z, x]);
+        assert_eq!((joints[1].offset, joints[2].offset), ([1.0, 2.0, -3.0], [0.5, 1.0, 10.0]));
+    }
+
+    #[test]
+    fn end_sites_never_share_a_name() {
+        let tip = "End Site {OFFSET 0 0 0}";
+        let text = format!(
+            "HIERARCHY ROOT Hand {{OFFSET 0 0 0 CHANNELS 1 Xrotation {tip} {tip}\n\
+             JOINT Hand_End2 {{OFFSET 0 0 0 CHANNELS 0\n\
+             End Site {{OFFSET 1 1 1 CHANNELS 0}}}} {tip}}} MOTION"
+        );
+        let joints = read(&mut Source::new(&text)).unwrap();
+        let names: Vec<_> = joints.iter().map(|joint| joint.name.as_str()).collect();
+        let expected = ["Hand", "Hand_End", "Hand_End3", "Hand_End2", "Hand_End2_End", "Hand_End4"];
+        assert_eq!(names, expected);
+    }
+
+    #[test]
+    fn a_tree_without_joints_or_channels_is_refused() {
+        let refused = |text| read(&mut Source::new(text)).unwrap_err().to_string();
+        assert!(refused("HIERARCHY MOTION").contains("no ROOT"));
+        assert!(
+            refused("HIERARCHY ROOT a {OFFSET 0 0 0 CHANNELS 0} MOTION")
+                .contains("nothing can move")
+        );
+    }
+}

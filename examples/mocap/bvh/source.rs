@@ -1,0 +1,131 @@
+//! The text of a file, read word by word in the hierarchy and line by line in the motion.
+
+use std::iter::Enumerate;
+use std::str::Lines;
+
+/// A word and the line it stands on, counted from one.
+#[derive(Clone, Copy)]
+pub(crate) struct Word<'a> {
+    pub(crate) line: usize,
+    pub(crate) text: &'a str,
+}
+
+impl Word<'_> {
+    pub(crate) fn is(&self, keyword: &str) -> bool {
+        self.text.eq_ignore_ascii_case(keyword)
+    }
+
+    /// `parse` alone would also take `inf` and `nan`, and round `1e999` to infinity.
+    pub(crate) fn number(&self) -> Option<f64> {
+        self.text.parse().ok().filter(|number: &f64| number.is_finite())
+    }
+}
+
+#[derive(Clone)]
+pub(crate) struct Source<'a> {
+    lines: Enumerate<Lines<'a>>,
+    /// What is left of the current line.
+    rest: &'a str,
+    /// The current line, counted from one.
+    line: usize,
+}
+
+impl<'a> Source<'a> {
+    pub(crate) fn new(text: &'a str) -> Self {
+        // Windows programs like to put a byte order mark in front.
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        Self { lines: text.lines().enumerate(), rest: "", line: 1 }
+    }
+
+    /// The line reached so far; at the end of the file, its last one.
+    pub(crate) fn line(&self) -> usize {
+        self.line
+    }
+
+    /// The next line that is not blank. What is left of the current line counts as one.
+    pub(crate) fn next_line(&mut self) -> Option<Word<'a>> {
+        self.seek()?;
+        let text = std::mem::take(&mut self.rest);
+        Some(Word { line: self.line, text })
+    }
+
+    /// The next word. A brace is a word of its own, also where no space surrounds it.
+    pub(crate) fn next_word(&mut self) -> Option<Word<'a>> {
+        self.seek()?;
+        let is_end = |c: char| c.is_whitespace() || c == '{' || c == '}';
+        let end = match self.rest.find(is_end) {
+            Some(0) => 1, // a brace, since `seek` has skipped the space
+            Some(end) => end,
+            None => self.rest.len(),
+        };
+        let (text, rest) = self.rest.split_at(end);
+        self.rest = rest;
+        Some(Word { line: self.line, text })
+    }
+
+    pub(crate) fn peek_word(&self) -> Option<Word<'a>> {
+        self.clone().next_word()
+    }
+
+    /// The words up to a brace or the end of this line: names of joints may contain spaces.
+    pub(crate) fn next_name(&mut self) -> String {
+        let end = self.rest.find(['{', '}']).unwrap_or(self.rest.len());
+        let (name, rest) = self.rest.split_at(end);
+        self.rest = rest;
+        name.split_whitespace().collect::<Vec<_>>().join(" ")
+    }
+
+    /// Goes to the next thing that is not white space.
+    fn seek(&mut self) -> Option<()> {
+        loop {
+            self.rest = self.rest.trim_start();
+            if !self.rest.is_empty() {
+                return Some(());
+            }
+            let (index, text) = self.lines.next()?;
+            self.rest = text;
+            self.line = index + 1;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Source;
+
+    #[test]
+    fn braces_need_no_space_and_lines_are_counted_through_crlf() {
+        let mut source = Source::new("\u{feff}ROOT\tHips{\r\n\r\n}JOINT\n  x ");
+        let mut words = Vec::new();
+        while let Some(word) = source.next_word() {
+            words.push((word.line, word.text));
+        }
+        let expected = [(1, "ROOT"), (1, "Hips"), (1, "{"), (3, "}"), (3, "JOINT"), (4, "x")];
+        assert_eq!(words, expected);
+    }
+
+    #[test]
+    fn peeking_does_not_move() {
+        let mut source = Source::new("a\nb");
+        assert_eq!(source.peek_word().map(|word| word.text), Some("a"));
+        assert_eq!(source.next_word().map(|word| word.text), Some("a"));
+        assert_eq!(source.line(), 1);
+    }
+
+    #[test]
+    fn names_keep_their_spaces_and_end_at_a_brace() {
+        let mut source = Source::new("JOINT Bip01 \t L  Thigh {");
+        source.next_word();
+        assert_eq!(source.next_name(), "Bip01 L Thigh");
+        assert_eq!(source.next_word().map(|word| word.text), Some("{"));
+    }
+
+    #[test]
+    fn lines_skip_blanks_and_begin_with_the_rest_of_the_current_one() {
+        let mut source = Source::new("MOTION Frames: 2\n\n \t\n1 2\r\r\n");
+        source.next_word();
+        assert_eq!(source.next_line().map(|line| (line.line, line.text)), Some((1, "Frames: 2")));
+        assert_eq!(source.next_line().map(|line| (line.line, line.text.trim())), Some((4, "1 2")));
+        assert!(source.next_line().is_none());
+    }
+}

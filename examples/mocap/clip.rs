@@ -1,0 +1,168 @@
+//! A clip: a tree of joints and, for each frame, one number a channel. The embedded biped and a BVH
+//! file both become this, so everything after it is one path.
+
+use dq8::{DualQuat, Hierarchy, Quat};
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Axis {
+    X,
+    Y,
+    Z,
+}
+
+/// One degree of freedom of a joint.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Channel {
+    /// Replaces this component of the joint's offset.
+    Position(Axis),
+    /// Turns by this many degrees.
+    Rotation(Axis),
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Joint {
+    pub(crate) name: String,
+    /// Index of the parent, which stands earlier in the list; `None` for a root.
+    pub(crate) parent: Option<usize>,
+    /// From the parent's origin, in the parent's axes.
+    pub(crate) offset: [f64; 3],
+    pub(crate) channels: Vec<Channel>,
+    /// The tip of a chain: a place without a motion of its own.
+    pub(crate) end_site: bool,
+}
+
+pub(crate) struct Clip {
+    pub(crate) title: String,
+    pub(crate) joints: Vec<Joint>,
+    /// Seconds from one frame to the next.
+    pub(crate) frame_time: f64,
+    /// `[frame][channel]`, channels in the order of the joints and, within a joint, as it lists
+    /// them.
+    pub(crate) values: Vec<f64>,
+}
+
+impl Clip {
+    pub(crate) fn channels(&self) -> usize {
+        self.joints.iter().map(|joint| joint.channels.len()).sum()
+    }
+
+    pub(crate) fn frames(&self) -> usize {
+        self.values.len() / self.channels()
+    }
+
+    pub(crate) fn end_sites(&self) -> usize {
+        self.joints.iter().filter(|joint| joint.end_site).count()
+    }
+
+    pub(crate) fn time(&self, frame: usize) -> f64 {
+        frame as f64 * self.frame_time
+    }
+
+    /// The parents as [`Hierarchy`] takes them.
+    pub(crate) fn parents(&self) -> Vec<u32> {
+        let index = |parent: usize| u32::try_from(parent).unwrap_or(Hierarchy::ROOT);
+        self.joints.iter().map(|joint| joint.parent.map_or(Hierarchy::ROOT, index)).collect()
+    }
+
+    /// For each joint the root it hangs on.
+    pub(crate) fn roots(&self) -> Vec<usize> {
+        let mut roots = Vec::with_capacity(self.joints.len());
+        for (index, joint) in self.joints.iter().enumerate() {
+            roots.push(joint.parent.map_or(index, |parent| roots[parent]));
+        }
+        roots
+    }
+
+    /// Every joint's motion relative to its parent, `[frame][joint]`.
+    pub(crate) fn locals(&self) -> Vec<DualQuat<f64>> {
+        let mut locals = Vec::with_capacity(self.frames() * self.joints.len());
+        for frame in self.values.chunks_exact(self.channels()) {
+            let mut rest = frame;
+            for joint in &self.joints {
+                let (values, others) = rest.split_at(joint.channels.len());
+                locals.push(joint.local(values));
+                rest = others;
+            }
+        }
+        locals
+    }
+}
+
+impl Joint {
+    /// Rotations compose from left to right as listed: `Zrotation Xrotation` is Rz · Rx on column
+    /// vectors, so the last one listed acts first.
+    pub(crate) fn local(&self, values: &[f64]) -> DualQuat<f64> {
+        let mut rotation = Quat::<f64>::IDENTITY;
+        let mut translation = self.offset;
+        for (channel, &value) in self.channels.iter().zip(values) {
+            match *channel {
+                Channel::Position(axis) => translation[axis as usize] = value,
+                Channel::Rotation(axis) => {
+                    let mut unit = [0.0; 3];
+                    unit[axis as usize] = 1.0;
+                    rotation = rotation * Quat::from_axis_angle(unit, value.to_radians());
+                }
+            }
+        }
+        DualQuat::from_rotation_translation(rotation, translation)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Axis, Channel, Clip, Joint};
+    use Channel::{Position, Rotation};
+
+    fn joint(parent: Option<usize>, offset: [f64; 3], channels: &[Channel]) -> Joint {
+        let name = format!("under {parent:?}");
+        Joint { name, parent, offset, channels: channels.to_vec(), end_site: false }
+    }
+
+    fn close(a: [f64; 3], b: [f64; 3]) -> bool {
+        a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-12)
+    }
+
+    #[test]
+    fn rotations_compose_from_left_to_right() {
+        let zx = joint(None, [0.0; 3], &[Rotation(Axis::Z), Rotation(Axis::X)]);
+        let xz = joint(None, [0.0; 3], &[Rotation(Axis::X), Rotation(Axis::Z)]);
+        // Rz · Rx: x turns y into z, z leaves it there. Rx · Rz: z turns y into −x, x leaves that.
+        let turned = |joint: Joint| joint.local(&[90.0, 90.0]).transform_point([0.0, 1.0, 0.0]);
+        assert!(close(turned(zx), [0.0, 0.0, 1.0]));
+        assert!(close(turned(xz), [-1.0, 0.0, 0.0]));
+    }
+
+    #[test]
+    fn each_axis_turns_the_way_of_the_right_hand() {
+        let about = |axis| joint(None, [0.0; 3], &[Rotation(axis)]).local(&[90.0]);
+        assert!(close(about(Axis::X).transform_point([0.0, 1.0, 0.0]), [0.0, 0.0, 1.0]));
+        assert!(close(about(Axis::Y).transform_point([0.0, 0.0, 1.0]), [1.0, 0.0, 0.0]));
+        assert!(close(about(Axis::Z).transform_point([1.0, 0.0, 0.0]), [0.0, 1.0, 0.0]));
+    }
+
+    #[test]
+    fn positions_replace_only_the_axes_they_name() {
+        let channels = [Rotation(Axis::Y), Position(Axis::Z), Position(Axis::X)];
+        let local = joint(Some(0), [1.0, 2.0, 3.0], &channels).local(&[30.0, -7.0, 5.0]);
+        assert!(close(local.translation(), [5.0, 2.0, -7.0]));
+    }
+
+    #[test]
+    fn values_are_dealt_to_the_joints_in_order() {
+        let clip = Clip {
+            title: String::new(),
+            joints: vec![
+                joint(None, [0.0; 3], &[Position(Axis::X)]),
+                joint(Some(0), [0.0, 1.0, 0.0], &[]),
+                joint(Some(1), [0.0; 3], &[Position(Axis::Y), Position(Axis::Z)]),
+            ],
+            frame_time: 0.5,
+            values: vec![1.0, 2.0, 3.0, 4.0, 5.0, 6.0],
+        };
+        let translations: Vec<_> = clip.locals().iter().map(|local| local.translation()).collect();
+        assert_eq!(clip.frames(), 2);
+        assert!(close(translations[0], [1.0, 0.0, 0.0]) && close(translations[3], [4.0, 0.0, 0.0]));
+        assert!(close(translations[1], [0.0, 1.0, 0.0]) && close(translations[4], [0.0, 1.0, 0.0]));
+        assert!(close(translations[2], [0.0, 2.0, 3.0]) && close(translations[5], [0.0, 5.0, 6.0]));
+    }
+}

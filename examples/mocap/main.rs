@@ -1,0 +1,93 @@
+//! Forward kinematics of a motion-capture clip: all frames at once, eight at a time, and what that
+//! is worth.
+//!
+//! ```text
+//! cargo run --release --example mocap                                    # an embedded biped
+//! cargo run --release --example mocap -- walk.bvh --csv walk.csv --svg walk.svg
+//! cargo run --release --example mocap -- walk.bvh --instances 20         # more frames, for timing
+//! ```
+//!
+//! A clip (`clip`) comes from the biped (`biped`) or a file (`bvh`); `contest` concatenates it by
+//! lanes, by both scalars and by matrices; `table`, `csv` and `svg` show the result.
+
+mod args;
+mod biped;
+mod bvh;
+mod clip;
+mod contest;
+mod csv;
+mod matrix;
+mod output;
+mod stopwatch;
+mod svg;
+mod table;
+
+use std::error::Error;
+use std::io::Write;
+use std::path::Path;
+use std::process::ExitCode;
+use std::{env, fs, io};
+
+use args::{Args, Request};
+use clip::Clip;
+
+fn main() -> ExitCode {
+    let args = match args::parse(env::args_os().skip(1)) {
+        Ok(Request::Run(args)) => args,
+        Ok(Request::Help) => return exit(print(args::USAGE)),
+        Err(misuse) => {
+            eprint!("mocap: {misuse}\n\n{}", args::USAGE);
+            return ExitCode::from(2);
+        }
+    };
+    exit(run(&args))
+}
+
+fn exit(result: Result<(), Box<dyn Error>>) -> ExitCode {
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("mocap: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(args: &Args) -> Result<(), Box<dyn Error>> {
+    let clip = match &args.clip {
+        Some(path) => load(path)?,
+        None => biped::clip(),
+    };
+    let contest = contest::run(&clip, args.instances)?;
+    print(&table::text(&clip, args.instances, &contest)?)?;
+    contest.check()?;
+
+    let mut outputs: Vec<(&Path, String)> = Vec::new();
+    if let Some(path) = &args.csv {
+        outputs.push((path, csv::table(&clip, &contest.positions)?));
+    }
+    if let Some(path) = &args.svg {
+        outputs.push((path, svg::picture(&clip, &contest.positions, contest.size)?));
+    }
+    output::write(&outputs, args.clip.as_deref())?;
+    for (path, _) in outputs {
+        print(&format!("  wrote {}\n", path.display()))?;
+    }
+    Ok(())
+}
+
+fn load(path: &Path) -> Result<Clip, Box<dyn Error>> {
+    let shown = path.display();
+    let bytes = fs::read(path).map_err(|error| format!("cannot read {shown}: {error}"))?;
+    let title =
+        path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
+    Ok(bvh::parse(title, &bytes).map_err(|error| format!("{shown}, {error}"))?)
+}
+
+/// Not `print!`, which panics when the reader of a pipe has gone; then there is nobody to tell.
+fn print(text: &str) -> Result<(), Box<dyn Error>> {
+    match io::stdout().write_all(text.as_bytes()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(error.into()),
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,126 @@
+//! The files the program writes: all of them or none.
+
+use std::fmt;
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// A file that could not be written.
+#[derive(Debug)]
+pub(crate) struct Unwritable {
+    path: PathBuf,
+    reason: io::Error,
+}
+
+impl fmt::Display for Unwritable {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "cannot write {}: {}", self.path.display(), self.reason)
+    }
+}
+
+impl std::error::Error for Unwritable {}
+
+/// Writes each text to its path. `input` is a file that must not be overwritten.
+///
+/// All files are opened before any is changed, so a path that cannot be written leaves the others
+/// as they were.
+pub(crate) fn write(texts: &[(&Path, String)], input: Option<&Path>) -> Result<(), Unwritable> {
+    let mut created = Vec::new();
+    let written = open_and_write(texts, input, &mut created);
+    if written.is_err() {
+        for path in created {
+            // The error to be reported is the first one.
+            let _ = fs::remove_file(path);
+        }
+    }
+    written
+}
+
+fn open_and_write<'a>(
+    texts: &[(&'a Path, String)],
+    input: Option<&Path>,
+    created: &mut Vec<&'a Path>,
+) -> Result<(), Unwritable> {
+    let fails = |path: &Path| {
+        let path = path.to_owned();
+        move |reason| Unwritable { path, reason }
+    };
+    let mut files: Vec<File> = Vec::new();
+    let mut taken: Vec<PathBuf> =
+        input.and_then(|path| fs::canonicalize(path).ok()).into_iter().collect();
+    for (path, _) in texts {
+        let exists = path.exists();
+        let mut options = OpenOptions::new();
+        let file =
+            options.write(true).create(true).truncate(false).open(path).map_err(fails(path))?;
+        if !exists {
+            created.push(path);
+        }
+        // Two names may mean one file. What has no name in the file system, like a pipe, is taken
+        // as it is.
+        let name = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
+        if taken.contains(&name) {
+            return Err(fails(path)(io::Error::other("it is the input or another output")));
+        }
+        taken.push(name);
+        files.push(file);
+    }
+    for ((path, text), mut file) in texts.iter().zip(files) {
+        if file.metadata().is_ok_and(|metadata| metadata.is_file()) {
+            file.set_len(0).map_err(fails(path))?;
+        }
+        file.write_all(text.as_bytes()).map_err(fails(path))?;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::write;
+    use std::fs;
+    use std::path::PathBuf;
+
+    /// An empty directory for one test.
+    fn directory(name: &str) -> PathBuf {
+        let path = std::env::temp_dir().join(format!("dq8-mocap-{}-{name}", std::process::id()));
+        fs::create_dir_all(&path).unwrap();
+        path
+    }
+
+    #[test]
+    fn files_are_replaced_whole() {
+        let directory = directory("replaced");
+        let path = directory.join("a");
+        fs::write(&path, "much longer than what comes").unwrap();
+        write(&[(&path, "short".into())], None).unwrap();
+        assert_eq!(fs::read_to_string(&path).unwrap(), "short");
+        fs::remove_dir_all(directory).unwrap();
+    }
+
+    #[test]
+    fn a_path_that_cannot_be_written_leaves_no_file_and_changes_none() {
+        let directory = directory("unwritable");
+        let [new, old, wrong] =
+            ["new", "old", "no such directory/file"].map(|name| directory.join(name));
+        fs::write(&old, "before").unwrap();
+        let texts = [&new, &old, &wrong].map(|path| (path.as_path(), "after".to_owned()));
+        let error = write(&texts, None).unwrap_err().to_string();
+        assert!(error.contains("no such directory"), "{error}");
+        assert!(!new.exists());
+        assert_eq!(fs::read_to_string(&old).unwrap(), "before");
+        fs::remove_dir_all(directory).unwrap();
+    }
+
+    #[test]
+    fn the_input_and_an_output_are_not_overwritten_by_another() {
+        let directory = directory("twice");
+        let [input, output] = ["clip.bvh", "out"].map(|name| directory.join(name));
+        fs::write(&input, "the clip").unwrap();
+        assert!(write(&[(&input, "text".into())], Some(&input)).is_err());
+        assert_eq!(fs::read_to_string(&input).unwrap(), "the clip");
+        let same = directory.join(".").join("out");
+        assert!(write(&[(&output, "a".into()), (&same, "b".into())], Some(&input)).is_err());
+        assert!(!output.exists());
+        fs::remove_dir_all(directory).unwrap();
+    }
+}

@@ -1,0 +1,197 @@
+//! The clip as a picture: the figure at several moments, a closer look at a second and a half in
+//! the middle, and the path of the root from above.
+
+mod plan;
+mod scene;
+mod side;
+mod strip;
+mod view;
+
+use std::fmt::{self, Write};
+use std::ops::Range;
+
+use crate::clip::Clip;
+use plan::Plan;
+use scene::Scene;
+use side::Side;
+use strip::Strip;
+
+const WIDTH: f64 = 1400.0;
+const MARGIN: f64 = 40.0;
+const FIGURES: usize = 10;
+
+/// A rectangle of the picture, in pixels.
+#[derive(Clone, Copy)]
+struct Frame {
+    left: f64,
+    top: f64,
+    width: f64,
+    height: f64,
+}
+
+impl Frame {
+    fn right(&self) -> f64 {
+        self.left + self.width
+    }
+
+    fn bottom(&self) -> f64 {
+        self.top + self.height
+    }
+}
+
+const STYLE: &str = "\
+text{font-family:sans-serif;font-size:15px;fill:#333}\
+.title{font-size:26px;font-weight:bold}.caption{font-size:17px;font-weight:bold}\
+.time{text-anchor:middle;font-size:13px;fill:#555}.note{font-size:13px;fill:#555}\
+path{fill:none;stroke-linecap:round;stroke-linejoin:round}\
+.bone{stroke-width:4.5}.track{stroke-width:1.5}\
+.left{stroke:#0072b2}.right{stroke:#d55e00}.middle{stroke:#444}\
+.left.track,.right.track{stroke-opacity:.45}\
+.root.track{stroke:#009e73;stroke-width:2}circle.root{fill:#009e73}\
+.head{fill:#fff;stroke:#444;stroke-width:3.5}\
+.ground{stroke:#999;stroke-width:2}.scale{stroke:#555;stroke-width:1.5;stroke-linecap:butt}";
+
+/// `positions` are in the world, `[frame][joint]`; `size` is the skeleton's.
+pub(crate) fn picture(
+    clip: &Clip,
+    positions: &[[f64; 3]],
+    size: f64,
+) -> Result<String, fmt::Error> {
+    let scene = Scene::new(clip, positions, size);
+    let mut body = String::new();
+    draw_heading(&mut body, &scene)?;
+    let below = |top: f64, height| Frame { left: MARGIN, top, width: WIDTH - 2.0 * MARGIN, height };
+
+    let all = 0..clip.frames();
+    caption(&mut body, 120.0, &format!("The whole clip, {:.2} s", clip.time(all.end)))?;
+    let strip = Strip::new(&scene, all.clone(), FIGURES, below(140.0, 360.0));
+    strip.draw(&mut body)?;
+    let mut top = strip.area.bottom() + 70.0;
+
+    if let Some(part) = closer_look(clip) {
+        let (from, to) = (clip.time(part.start), clip.time(part.end));
+        caption(&mut body, top, &format!("A closer look, from {from:.2} s to {to:.2} s"))?;
+        let strip = Strip::new(&scene, part, FIGURES, below(top + 20.0, 360.0));
+        strip.draw(&mut body)?;
+        top = strip.area.bottom() + 70.0;
+    }
+
+    caption(&mut body, top, "The path of the root, from above")?;
+    let plan = Plan::new(&scene, all, below(top + 25.0, 200.0));
+    plan.draw(&mut body, &strip.moments)?;
+
+    let height = plan.area.bottom() + 50.0;
+    let view_box = format!("0 0 {WIDTH} {height:.0}");
+    Ok(format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{view_box}\" \
+         width=\"{WIDTH}\" height=\"{height:.0}\">\n<style>{STYLE}</style>\n\
+         <rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n{body}</svg>\n"
+    ))
+}
+
+/// Title and legend.
+fn draw_heading(out: &mut String, scene: &Scene<'_>) -> fmt::Result {
+    let clip = scene.clip;
+    let title = escaped(&clip.title);
+    writeln!(out, r#"<text class="title" x="{MARGIN}" y="50">{title}</text>"#)?;
+    let (joints, end_sites, frames) = (clip.joints.len(), clip.end_sites(), clip.frames());
+    let numbers = format!(
+        "Joints: {joints}, of them {end_sites} end sites. Frames: {frames} of {:.2} ms. Time runs \
+         to the right, figures stand at equal times. Thin lines trace root and feet.",
+        clip.frame_time * 1e3
+    );
+    writeln!(out, r#"<text x="{MARGIN}" y="76">{numbers}</text>"#)?;
+    let mut legend = vec![("root track", "root")];
+    if scene.sides.contains(&Side::Left) || scene.sides.contains(&Side::Right) {
+        legend.extend([("middle bone", "trunk"), ("right bone", "right"), ("left bone", "left")]);
+    }
+    for (index, (class, meaning)) in legend.iter().enumerate() {
+        let x = WIDTH - MARGIN - 100.0 * (index + 1) as f64;
+        writeln!(
+            out,
+            r#"<path class="{class}" d="M{x} 45h30"/><text x="{}" y="50">{meaning}</text>"#,
+            x + 40.0
+        )?;
+    }
+    Ok(())
+}
+
+fn caption(out: &mut String, top: f64, text: &str) -> fmt::Result {
+    writeln!(out, r#"<text class="caption" x="{MARGIN}" y="{top}">{text}</text>"#)
+}
+
+/// The middle of a longer clip, short enough to see one pose become the next.
+fn closer_look(clip: &Clip) -> Option<Range<usize>> {
+    const SECONDS: f64 = 1.5;
+    let frames = clip.frames();
+    let part = (SECONDS / clip.frame_time).round();
+    if part < FIGURES as f64 || part > 0.7 * frames as f64 {
+        return None;
+    }
+    let part = part as usize;
+    let start = (frames - part) / 2;
+    Some(start..start + part)
+}
+
+/// Frames enough for a smooth line, whatever their number.
+fn sparse(frames: &Range<usize>) -> impl Iterator<Item = usize> + use<> {
+    const POINTS: usize = 1000;
+    frames.clone().step_by(frames.len().div_ceil(POINTS).max(1))
+}
+
+/// Control characters have no place in XML, not even escaped.
+fn escaped(text: &str) -> String {
+    let text: String = text.chars().filter(|character| !character.is_control()).collect();
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::picture;
+    use crate::biped;
+    use crate::clip::{Axis, Channel, Clip, Joint};
+    use crate::contest;
+
+    /// Every number of the picture's shapes.
+    fn coordinates(picture: &str) -> Vec<f64> {
+        let shapes =
+            picture.lines().filter(|line| line.starts_with("<path") || line.starts_with("<circle"));
+        let words = shapes
+            .flat_map(|line| line.split(|c: char| !(c.is_ascii_digit() || c == '.' || c == '-')));
+        words.filter_map(|word| word.parse().ok()).collect()
+    }
+
+    #[test]
+    fn the_biped_is_drawn_inside_the_picture() {
+        let clip = biped::clip();
+        let contest = contest::run(&clip, 1).unwrap();
+        let picture = picture(&clip, &contest.positions, contest.size).unwrap();
+        assert!(picture.matches("left bone").count() == 21, "twenty figures and the legend");
+        assert!(!picture.contains("NaN") && !picture.contains("inf"));
+        let coordinates = coordinates(&picture);
+        assert!(coordinates.iter().all(|x| (-10.0..=1400.0).contains(x)), "{coordinates:?}");
+    }
+
+    #[test]
+    fn clips_without_extent_are_drawn_too() {
+        let joint = Joint {
+            name: "a < b & \"c\"".into(),
+            parent: None,
+            offset: [0.0; 3],
+            channels: vec![Channel::Position(Axis::X)],
+            end_site: false,
+        };
+        for frames in [1, 2, 3000] {
+            for far in [0.0, 1e-30, 7.0, 1e30] {
+                let values: Vec<f64> = (0..frames).map(|frame| far * f64::from(frame)).collect();
+                let positions: Vec<_> = values.iter().map(|&x| [x, 0.0, 0.0]).collect();
+                let (title, joints) = ("a < b & c".to_owned(), vec![joint.clone()]);
+                let clip = Clip { title, joints, frame_time: 1e-3, values };
+                let picture = picture(&clip, &positions, 0.0).unwrap();
+                assert!(!picture.contains("NaN") && !picture.contains("inf"), "{picture}");
+                assert!(picture.contains("a &lt; b &amp; c"));
+                assert!(coordinates(&picture).iter().all(|x| x.abs() < 2000.0), "{picture}");
+            }
+        }
+    }
+}
