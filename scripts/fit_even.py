@@ -131,8 +131,9 @@ def remez(columns, target):
 def fit(name, degree, bits, of="derivative"):
     """Coefficients from the constant up, each rounded before all above it are fitted again.
 
-    The first two are f(0) and f'(0), rounded: where f(0) = 1 the identity is exact and a tiny screw as good as the format allows.
-    So the derivative's error at 0 is given; the weight y/(y + end/1000) keeps it from setting the level elsewhere.
+    The first two are f(0) and f'(0), rounded: where f(0) = 1 the identity is exact, and a tiny screw is as good
+    as the format allows. So the derivative's error at 0 is given; the weight y/(y + end/1000) keeps it from setting the
+    level elsewhere.
     """
     zero, *points = samples(name, 20 * degree)
     coefficients = [rounded(zero[1], bits), rounded(zero[2], bits)]
@@ -193,8 +194,11 @@ def rust():
             value, derivative = short(error(name, c))
             text += f"\n/// {formula} on [0, {end}], degree {len(c) - 1};"
             text += f" {kind} fit error {value}, of the derivative {derivative}.\n"
-            text += f"pub(super) const {name}_{precision}: [{precision.lower()}; {len(c)}] = [\n"
-            text += "".join(f"    {literal(x, bits)},\n" for x in c) + "];\n"
+            text += f"pub(super) const {name}_{precision}: [{precision.lower()}; {len(c)}] ="
+            row = ", ".join(literal(x, bits) for x in c)
+            # As rustfmt would have it, or the next `cargo fmt` makes --check fail.
+            fits = len(row) + len("    [];") <= 100
+            text += f"\n    [{row}];\n" if fits else " [\n    " + row.replace(", ", ",\n    ") + ",\n];\n"
     return text
 
 

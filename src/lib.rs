@@ -69,10 +69,10 @@ pub mod scalar;
 
 pub use dq8_simd::{Float, Lane, Level, Mask, Portable, f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
 pub use error::{HierarchyError, InverseError, MatrixError, NormalizeError, ShapeError};
-pub use geometry::{DualVector, Line, Plane, Screw};
+pub use geometry::{DualVector, Line, Mean, Plane, Screw, Twist, Wrench};
 #[cfg(feature = "alloc")]
 pub use hierarchy::Crowd;
-pub use hierarchy::{Block, Hierarchy, Job, Pose, Renormalise, pack, unpack};
+pub use hierarchy::{Block, Hierarchy, Job, Pose, Renormalise, TwistBlock, pack, unpack};
 pub use motion::Motion;
 pub use real::Real;
 pub use scalar::{Dual, DualQuat, Quat};

@@ -1,6 +1,6 @@
 //! [`Motion`]: the contract that the scalar reference and the lanes share.
 
-use crate::geometry::{DualVector, Line, Plane, Screw};
+use crate::geometry::{DualVector, Line, Mean, Plane, Screw, Twist, Wrench};
 use core::fmt::Debug;
 use core::ops::{Add, Mul, Neg, Sub};
 
@@ -33,7 +33,15 @@ use core::ops::{Add, Mul, Neg, Sub};
 /// | exp(log σ) = ±σ, σˢσᵗ = σˢ⁺ᵗ, σ¹ = ±σ, σ⁰ = 1, (√σ)² = ±σ | unit |
 /// | sclerp(a, b, 0) = a, sclerp(a, b, 1) = ±b, sclerp(ca, cb, t) = c sclerp(a, b, t) | unit |
 /// | nlerp(a, b, t) = nlerp(a, −b, t), the same for sclerp | unit |
+/// | dib({(a, 1−t), (b, t)}) = ±sclerp(a, b, t); dib, dlb and sclerp of cσᵢ and σᵢc are those of σᵢ times c | unit |
+/// | distance_weighted, angle_to and distance_to keep the triangle inequality and do not see the sign of σ | unit |
+/// | point_error(a, b, v) ≤ shell_error(a, b, r) for \|v\| ≤ r | unit |
 /// | from_screw(to_screw(σ)) = ±σ | unit |
+/// | spatial_twist(derivative_spatial(σ, ξ)) = ξ = adjoint(σ, body_twist(derivative_spatial(σ, ξ))) | unit |
+/// | velocity(derivative_from_velocity(σ, ω, ṫ)) = (ω, ṫ) | unit |
+/// | from_twist(to_twist(σ)) = ±σ, integrate_body(σ, ξ, s + t) = integrate_body(integrate_body(σ, ξ, s), ξ, t) | unit |
+/// | adjoint(ab) = adjoint(a) adjoint(b), the same for coadjoint; the power of a wrench on a twist is kept | unit |
+/// | left_jacobian(x) = adjoint(from_twist(x)) right_jacobian(x) = left_jacobian_inverse(x)⁻¹ | \|ω\| < 2π |
 ///
 /// The documentation of each operation, with formula and source, stands on the scalar type; users
 /// need not import this trait, because both types have every operation as a method of their own.
@@ -43,7 +51,12 @@ pub trait Motion:
     /// What it takes to make a constant: nothing, `()`, or the proof that the CPU has the lanes.
     type Level: Copy;
     /// A real number, or one a lane.
-    type Real: Copy + Debug;
+    type Real: Copy
+        + Debug
+        + Add<Output = Self::Real>
+        + Sub<Output = Self::Real>
+        + Mul<Output = Self::Real>
+        + Neg<Output = Self::Real>;
     /// A truth value, or one a lane.
     type Mask: Copy + Debug;
     /// A dual number, or one a lane.
@@ -130,6 +143,17 @@ pub trait Motion:
     fn nlerp(self, other: Self, t: Self::Real) -> Self;
     /// normalize(Σ ±wᵢσᵢ), signs toward the first; `None` without influences.
     fn dlb(influences: &[(Self, Self::Real)]) -> Option<Self>;
+    /// normalize(Σ ±wᵢσᵢ), signs toward the sum so far; `None` without influences.
+    fn dlb_running(influences: &[(Self, Self::Real)]) -> Option<Self>;
+    /// b with Σ wᵢ log(b*σᵢ) = 0, steps of at most `tolerance` being none; `None` without influences.
+    fn dib(
+        influences: &[(Self, Self::Real)],
+        tolerance: Self::Real,
+        max_iterations: u32,
+    ) -> Option<Mean<Self, Self::Real, Self::Mask>>;
+    /// slerp(r_a, r_b, t) and (1−t)t_a + t t_b, to compare with.
+    #[must_use]
+    fn slerp_lerp(self, other: Self, t: Self::Real) -> Self;
 
     /// (θ̂/2)(l + εm)
     fn log(self) -> DualVector<Self::Real>;
@@ -147,6 +171,64 @@ pub trait Motion:
     /// a(a*b)ᵗ without turning b to −b
     #[must_use]
     fn sclerp_long(self, other: Self, t: Self::Real) -> Self;
+    /// sclerp(sclerp(σ₀, σ₁, t), sclerp(s₀, s₁, t), 2t(1−t)) from `self` to `end`
+    #[must_use]
+    fn squad(self, control_start: Self, control_end: Self, end: Self, t: Self::Real) -> Self;
+    /// σ exp(−(log(σ*σ₊) + log(σ*σ₋))/4)
+    #[must_use]
+    fn squad_control(previous: Self, current: Self, next: Self) -> Self;
+
+    /// θ, the angle of p_a*p_b, radians in [0, π]
+    fn angle_to(self, other: Self) -> Self::Real;
+    /// d = |t_a − t_b|
+    fn distance_to(self, other: Self) -> Self::Real;
+    /// √((λθ)² + d²)
+    fn distance_weighted(self, other: Self, length_per_radian: Self::Real) -> Self::Real;
+    /// |av − bv|
+    fn point_error(self, other: Self, point: [Self::Real; 3]) -> Self::Real;
+    /// d + 2 r sin(θ/2), at least |av − bv| for |v| ≤ r
+    fn shell_error(self, other: Self, radius: Self::Real) -> Self::Real;
+    /// Not unit within the tolerance.
+    fn needs_renormalisation(self, tolerance: Self::Real) -> Self::Mask;
+
+    /// ½ξσ, ξ the spatial twist
+    #[must_use]
+    fn derivative_spatial(self, twist: Twist<Self::Real>) -> Self;
+    /// ½σξ, ξ the body twist
+    #[must_use]
+    fn derivative_body(self, twist: Twist<Self::Real>) -> Self;
+    /// 2σ̇σ*
+    fn spatial_twist(self, derivative: Self) -> Twist<Self::Real>;
+    /// 2σ*σ̇
+    fn body_twist(self, derivative: Self) -> Twist<Self::Real>;
+    /// ½ωr + ½ε(ṫr + ½tωr)
+    #[must_use]
+    fn derivative_from_velocity(self, angular: [Self::Real; 3], linear: [Self::Real; 3]) -> Self;
+    /// (ω, ṫ)
+    fn velocity(self, derivative: Self) -> ([Self::Real; 3], [Self::Real; 3]);
+    /// exp(½ξ)
+    fn from_twist(twist: Twist<Self::Real>) -> Self;
+    /// 2 log σ
+    fn to_twist(self) -> Twist<Self::Real>;
+    /// exp(½ξ dt) σ
+    #[must_use]
+    fn integrate_spatial(self, twist: Twist<Self::Real>, dt: Self::Real) -> Self;
+    /// σ exp(½ξ dt)
+    #[must_use]
+    fn integrate_body(self, twist: Twist<Self::Real>, dt: Self::Real) -> Self;
+    /// ω′ = Rω, v′ = Rv + t × ω′
+    fn adjoint(self, twist: Twist<Self::Real>) -> Twist<Self::Real>;
+    /// f′ = Rf, τ′ = Rτ + t × f′
+    fn coadjoint(self, wrench: Wrench<Self::Real>) -> Wrench<Self::Real>;
+    /// J_l(x) y, exp(½(x + δy)) ≈ exp(½δ J_l(x) y) exp(½x)
+    fn left_jacobian(at: Twist<Self::Real>, along: Twist<Self::Real>) -> Twist<Self::Real>;
+    /// J_r(x) y, exp(½(x + δy)) ≈ exp(½x) exp(½δ J_r(x) y)
+    fn right_jacobian(at: Twist<Self::Real>, along: Twist<Self::Real>) -> Twist<Self::Real>;
+    /// J_l⁻¹(x) y, infinite at |ω| = 2π
+    fn left_jacobian_inverse(at: Twist<Self::Real>, along: Twist<Self::Real>) -> Twist<Self::Real>;
+    /// J_r⁻¹(x) y, infinite at |ω| = 2π
+    fn right_jacobian_inverse(at: Twist<Self::Real>, along: Twist<Self::Real>)
+    -> Twist<Self::Real>;
 }
 
 /// Writes the body of `impl Motion` for a type that has every method as an inherent one:
@@ -161,7 +243,31 @@ macro_rules! delegate_to_inherent {
             fn from_matrix3x4(rows: [[Self::Real; 4]; 3]) -> Self;
             fn from_screw(screw: crate::Screw<Self::Real>) -> Self;
             fn dlb(influences: &[(Self, Self::Real)]) -> Option<Self>;
+            fn dlb_running(influences: &[(Self, Self::Real)]) -> Option<Self>;
+            fn dib(
+                influences: &[(Self, Self::Real)],
+                tolerance: Self::Real,
+                max_iterations: u32
+            ) -> Option<crate::Mean<Self, Self::Real, Self::Mask>>;
+            fn squad_control(previous: Self, current: Self, next: Self) -> Self;
             fn exp(log: crate::DualVector<Self::Real>) -> Self;
+            fn from_twist(twist: crate::Twist<Self::Real>) -> Self;
+            fn left_jacobian(
+                at: crate::Twist<Self::Real>,
+                along: crate::Twist<Self::Real>
+            ) -> crate::Twist<Self::Real>;
+            fn right_jacobian(
+                at: crate::Twist<Self::Real>,
+                along: crate::Twist<Self::Real>
+            ) -> crate::Twist<Self::Real>;
+            fn left_jacobian_inverse(
+                at: crate::Twist<Self::Real>,
+                along: crate::Twist<Self::Real>
+            ) -> crate::Twist<Self::Real>;
+            fn right_jacobian_inverse(
+                at: crate::Twist<Self::Real>,
+                along: crate::Twist<Self::Real>
+            ) -> crate::Twist<Self::Real>;
         }
         crate::motion::delegate_to_inherent! {
             self
@@ -192,6 +298,28 @@ macro_rules! delegate_to_inherent {
             fn sqrt() -> Self;
             fn sclerp(other: Self, t: Self::Real) -> Self;
             fn sclerp_long(other: Self, t: Self::Real) -> Self;
+            fn slerp_lerp(other: Self, t: Self::Real) -> Self;
+            fn squad(control_start: Self, control_end: Self, end: Self, t: Self::Real) -> Self;
+            fn angle_to(other: Self) -> Self::Real;
+            fn distance_to(other: Self) -> Self::Real;
+            fn distance_weighted(other: Self, length_per_radian: Self::Real) -> Self::Real;
+            fn point_error(other: Self, point: [Self::Real; 3]) -> Self::Real;
+            fn shell_error(other: Self, radius: Self::Real) -> Self::Real;
+            fn needs_renormalisation(tolerance: Self::Real) -> Self::Mask;
+            fn derivative_spatial(twist: crate::Twist<Self::Real>) -> Self;
+            fn derivative_body(twist: crate::Twist<Self::Real>) -> Self;
+            fn spatial_twist(derivative: Self) -> crate::Twist<Self::Real>;
+            fn body_twist(derivative: Self) -> crate::Twist<Self::Real>;
+            fn derivative_from_velocity(
+                angular: [Self::Real; 3],
+                linear: [Self::Real; 3]
+            ) -> Self;
+            fn velocity(derivative: Self) -> ([Self::Real; 3], [Self::Real; 3]);
+            fn to_twist() -> crate::Twist<Self::Real>;
+            fn integrate_spatial(twist: crate::Twist<Self::Real>, dt: Self::Real) -> Self;
+            fn integrate_body(twist: crate::Twist<Self::Real>, dt: Self::Real) -> Self;
+            fn adjoint(twist: crate::Twist<Self::Real>) -> crate::Twist<Self::Real>;
+            fn coadjoint(wrench: crate::Wrench<Self::Real>) -> crate::Wrench<Self::Real>;
         }
     };
     ($this:ident $(fn $name:ident($($argument:ident: $type:ty),*) -> $result:ty;)*) => {$(

@@ -1,86 +1,224 @@
-//! Lanes against the scalar reference of the same precision: every operation, every lane type.
-use dq8::DualQuat;
-use dq8_contract::agreement::{Kind, distance};
-use dq8_contract::inputs::{self, Arguments, Case};
-use dq8_contract::repertoire::{self, ALGEBRA, NAMES, answer};
-use dq8_contract::{for_every_implementation, sample::Sample, tolerance::unit_roundoff};
-use proptest::prelude::*;
-use std::collections::BTreeMap;
+//! Lanes against the scalar reference of the same precision: every operation of the contract on
+//! every lane type, and what the types have beside it in `agree_inherent.rs`.
 
-fn differences<M: Sample>(
-    implementation: &str,
-    names: &[&'static str],
-    cases: &[Case],
-    worst: &mut BTreeMap<String, (f64, String)>,
-) {
+use dq8::{DualQuat, Motion};
+use dq8_contract::agreement::{LANES, bound, distance};
+use dq8_contract::inputs::{self, Arguments, Case, NUMBERS};
+use dq8_contract::repertoire::{self, ALGEBRA, Answer, NAMES, answer};
+use dq8_contract::tolerance::unit_roundoff;
+use dq8_contract::{for_every_implementation, sample::Sample};
+use proptest::prelude::*;
+use proptest::test_runner::{TestCaseError, TestRunner};
+
+/// The answer of the scalar reference in the precision of `M`.
+fn reference<M: Sample>(name: &str, case: &Case) -> Answer {
+    if M::SINGLE {
+        answer(name, &Arguments::<DualQuat<f32>>::new(&[*case]))
+    } else {
+        answer(name, &Arguments::<DualQuat<f64>>::new(&[*case]))
+    }
+}
+
+/// Where both ways between two motions are equally long up to rounding, either is right.
+fn is_a_tie<M: Sample>(name: &str, case: &Case) -> bool {
+    let apart = |other: &[f64; 8]| {
+        let dot: f64 = case.a.iter().zip(other).take(4).map(|(a, b)| a * b).sum();
+        dot.abs() < 16.0 * unit_roundoff(M::SINGLE)
+    };
+    match name {
+        "nlerp" | "sclerp" | "sclerp_long" => apart(&case.b),
+        "dlb" => apart(&case.b) || apart(&case.c),
+        _ => false,
+    }
+}
+
+/// Compares every operation in `names` on all `cases`, as many at a time as there are lanes.
+fn agree<M: Sample>(implementation: &str, names: &[&str], cases: &[Case]) -> Result<(), String> {
     for chunk in cases.chunks(M::LANES) {
         let lanes = Arguments::<M>::new(chunk);
         for &name in names {
-            let got = answer(name, &lanes);
+            let answers = answer(name, &lanes);
             for (lane, case) in chunk.iter().enumerate() {
-                let wanted = if M::SINGLE {
-                    answer(name, &Arguments::<DualQuat<f32>>::new(&[*case]))
-                } else {
-                    answer(name, &Arguments::<DualQuat<f64>>::new(&[*case]))
-                };
-                let (got, _gm) = got.lane(lane);
-                let (wanted, _wm) = wanted.lane(0);
-                let scale = repertoire::scale(name, case);
-                let dot: f64 = case.a.iter().zip(&case.b).take(4).map(|(a, b)| a * b).sum();
-                let dotc: f64 = case.a.iter().zip(&case.c).take(4).map(|(a, b)| a * b).sum();
-                if matches!(name, "nlerp" | "dlb" | "sclerp" | "sclerp_long")
-                    && (dot.abs() < 16.0 * unit_roundoff(M::SINGLE)
-                        || dotc.abs() < 16.0 * unit_roundoff(M::SINGLE))
-                {
+                if is_a_tie::<M>(name, case) {
                     continue;
                 }
-                for (i, ((kind, g), (_, w))) in got.iter().zip(&wanted).enumerate() {
-                    let d = if !g.is_finite() && !w.is_finite() {
-                        0.0
-                    } else {
-                        distance(*g, *w, scale.of(*kind), M::SINGLE)
-                    };
-                    let e = worst.entry(format!("{name} {kind:?}")).or_default();
-                    if d > e.0 {
-                        *e = (
-                            d,
-                            format!(
-                                "{implementation} [{i}] got {g:e} want {w:e} scale {:e} a={:?} b={:?} t={} screw={:?} v {:?} w {:?}",
-                                scale.of(*kind),
-                                case.a,
-                                case.b,
-                                case.t,
-                                case.screw,
-                                case.v,
-                                case.w
-                            ),
+                let (numbers, masks) = answers.lane(lane);
+                let (wanted, truths) = reference::<M>(name, case).lane(0);
+                let scale = repertoire::scale(name, case);
+                for ((kind, got), (_, wanted)) in numbers.into_iter().zip(wanted) {
+                    // Infinity and NaN are both no answer.
+                    let none = !got.is_finite() && !wanted.is_finite();
+                    let units = distance(got, wanted, scale.of(kind), M::SINGLE);
+                    if !none && units > bound(LANES, name) {
+                        return Err(format!(
+                            "{implementation}, lane {lane}: {name} gives {got:e} for a {kind:?}, scalar \
+                             {wanted:e}: {units:.2} units apart for {case:?}"
+                        ));
+                    }
+                }
+                if masks != truths {
+                    return Err(format!(
+                        "{implementation}, lane {lane}: {name} says {masks:?}, scalar {truths:?} \
+                         for {case:?}"
+                    ));
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Runs a property of some cases on every lane type.
+macro_rules! check_lanes {
+    (|$name:ident, $M:ident, $cases:ident: $strategy:expr, $count:expr| $property:expr) => {
+        for_every_implementation!(|$name, $M| {
+            // One lane is enough for scalar; the lane types are compared with it.
+            if $name.starts_with("lanes") {
+                let strategy = prop::collection::vec($strategy, 1..=2 * <$M as Sample>::LANES + 1);
+                let mut runner = TestRunner::new(inputs::proptest_config($count));
+                let result = runner.run(&strategy, |$cases| {
+                    let property: Result<(), String> = $property;
+                    property.map_err(TestCaseError::fail)
+                });
+                result.unwrap_or_else(|failure| panic!("{failure}"));
+            }
+        });
+    };
+}
+
+#[test]
+fn every_operation_agrees_on_edge_cases() {
+    let cases = inputs::unit_cases();
+    for_every_implementation!(|name, M| {
+        agree::<M>(name, &NAMES, &cases).unwrap_or_else(|failure| panic!("{failure}"));
+    });
+}
+
+#[test]
+fn every_operation_agrees_on_random_unit_motions() {
+    check_lanes!(|name, M, cases: inputs::case(inputs::unit_motion()), 16| {
+        agree::<M>(name, &NAMES, &cases)
+    });
+}
+
+#[test]
+fn the_algebra_agrees_on_any_dual_quaternions() {
+    check_lanes!(|name, M, cases: inputs::case(inputs::general_motion()), 24| {
+        agree::<M>(name, &ALGEBRA, &cases)
+    });
+}
+
+#[test]
+fn the_repertoire_is_the_whole_contract() {
+    let source = include_str!("../src/motion.rs");
+    let (_, body) = source.split_once("pub trait Motion").expect("the trait");
+    let (body, _) = body.split_once("\n}").expect("its end");
+    let methods = body.lines().filter_map(|line| line.strip_prefix("    fn "));
+    let methods: Vec<_> = methods.filter_map(|line| line.split('(').next()).collect();
+    assert_eq!([&methods[..], &["add", "sub", "mul", "neg"]].concat(), NAMES);
+    let table: Vec<_> = LANES.iter().map(|line| line.name).collect();
+    for name in NAMES {
+        assert!(table.contains(&name), "{name} has no line in the table");
+    }
+}
+
+/// Numbers that hurt, among ordinary ones.
+fn any_number(single: bool) -> impl Strategy<Value = f64> {
+    let bits = if single {
+        any::<u32>().prop_map(|bits| f64::from(f32::from_bits(bits))).boxed()
+    } else {
+        any::<u64>().prop_map(f64::from_bits).boxed()
+    };
+    let special = [0.0, -0.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e-45, 1e-40, 1e30, 3e38];
+    prop_oneof![4 => -2.0..2.0_f64, 1 => bits, 1 => prop::sample::select(special.to_vec())]
+}
+
+fn any_case(single: bool) -> impl Strategy<Value = Case> {
+    prop::collection::vec(any_number(single), NUMBERS).prop_map(|numbers| {
+        Case::of_numbers(numbers.as_slice().try_into().expect("as many as were asked for"))
+    })
+}
+
+#[test]
+fn masks_are_those_of_scalar_for_any_numbers() {
+    let names = ["normalize_checked", "inverse_checked", "is_unit", "abs_diff_eq"];
+    check_lanes!(|implementation, M, cases: any_case(M::SINGLE), 200| {
+        for chunk in cases.chunks(M::LANES) {
+            let lanes = Arguments::<M>::new(chunk);
+            for name in names {
+                let answers = answer(name, &lanes);
+                for (lane, case) in chunk.iter().enumerate() {
+                    let (got, wanted) = (answers.lane(lane), reference::<M>(name, case).lane(0));
+                    if got.1 != wanted.1 {
+                        return Err(TestCaseError::fail(format!(
+                            "{implementation}, lane {lane}: {name} says {:?}, scalar {:?} for {case:?}",
+                            got.1, wanted.1
+                        )));
+                    }
+                }
+            }
+        }
+        Ok(())
+    });
+}
+
+/// Motions that are not quite unit: |p| off by `off`, and q off by `along` along p.
+fn nearly_unit(motion: [f64; 8], off: f64, along: f64) -> [f64; 8] {
+    let [px, py, pz, pw, qx, qy, qz, qw] = motion.map(|c| c * (1.0 + off));
+    let tilted = [qx + along * px, qy + along * py, qz + along * pz, qw + along * pw];
+    let [qx, qy, qz, qw] = tilted;
+    [px, py, pz, pw, qx, qy, qz, qw]
+}
+
+#[test]
+fn is_unit_draws_its_line_where_scalar_does() {
+    let motion = inputs::edge_motions()[60];
+    let tolerance = 1e-3;
+    let mut cases = Vec::new();
+    for (off, along) in [(0.0, 0.0), (0.9, 0.0), (1.1, 0.0), (-0.9, 0.0), (-1.1, 0.0)] {
+        cases.push((nearly_unit(motion, off * tolerance, along * tolerance), off.abs() < 1.0));
+    }
+    for_every_implementation!(|name, M| {
+        for chunk in cases.chunks(M::LANES) {
+            let gathered: Vec<_> = (0..M::LANES).map(|i| chunk[i % chunk.len()].0).collect();
+            let bits = M::bits(M::gather(&gathered).is_unit(M::splat(tolerance)));
+            for (lane, (motion, unit)) in chunk.iter().enumerate() {
+                assert_eq!(bits >> lane & 1 == 1, *unit, "{name}, lane {lane}: {motion:?}");
+            }
+        }
+    });
+}
+
+#[test]
+fn a_lane_does_not_know_its_place_or_its_neighbours() {
+    let edges = inputs::unit_cases();
+    let cases: Vec<_> = edges.iter().step_by(edges.len() / 12).copied().collect();
+    let neighbours = [0.0, 1e-40, 2.0, 1e2, 1e30, f64::INFINITY, f64::NAN];
+    let neighbours: Vec<_> = neighbours.map(|n| Case::of_numbers(&[n; NUMBERS])).to_vec();
+    // NaN has many bit patterns, which mean the same.
+    let bits = |number: f64| if number.is_nan() { f64::NAN.to_bits() } else { number.to_bits() };
+    let bits = |answer: (Vec<(_, f64)>, Vec<bool>)| {
+        (answer.0.iter().map(|(_, number)| bits(*number)).collect::<Vec<_>>(), answer.1)
+    };
+    for_every_implementation!(|implementation, M| {
+        for case in &cases {
+            let alone = Arguments::<M>::new(&[*case; 1]);
+            let alone = NAMES.map(|name| bits(answer(name, &alone).lane(0)));
+            for (i, lane) in (0..M::LANES).enumerate() {
+                for neighbour in &neighbours {
+                    let mut crowd = vec![*neighbour; M::LANES];
+                    crowd[lane] = *case;
+                    let crowd = Arguments::<M>::new(&crowd);
+                    for (name, alone) in NAMES.iter().zip(&alone) {
+                        assert_eq!(
+                            &bits(answer(name, &crowd).lane(lane)),
+                            alone,
+                            "{implementation}: {name} in lane {i} beside {:e}, {case:?}",
+                            neighbour.s
                         );
                     }
                 }
             }
         }
-    }
-}
-
-#[test]
-fn explore() {
-    let verbose = std::env::var("VERBOSE").unwrap_or_default();
-    let count: usize = std::env::var("COUNT").map_or(256, |c| c.parse().unwrap());
-    for single in [true, false] {
-        let mut worst = BTreeMap::new();
-        for_every_implementation!(|name, M| {
-            if M::SINGLE == single && name.starts_with("lanes") {
-                let unit = inputs::unit_cases_n(count);
-                differences::<M>(name, &NAMES, &unit, &mut worst);
-                differences::<M>(name, &ALGEBRA, &inputs::general_cases_n(count), &mut worst);
-            }
-        });
-        println!("SINGLE {single}");
-        for (k, (v, text)) in &worst {
-            println!(
-                "{k:35} {v:10.2} {}",
-                if k.starts_with(&verbose) && !verbose.is_empty() { text } else { "" }
-            );
-        }
-    }
+    });
 }

@@ -143,6 +143,8 @@ pub trait Lane:
 pub trait Mask:
     Copy + Debug + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self>
 {
+    /// How many lanes there are.
+    const LANES: u32;
     /// True if some lane is.
     fn any(self) -> bool;
     /// True if every lane is.

@@ -26,11 +26,17 @@
 #![no_std]
 
 pub mod block;
+#[cfg(target_arch = "x86_64")]
+mod detect;
 pub mod float;
 pub mod lane;
 pub mod level;
 pub mod one;
+#[cfg(target_arch = "x86_64")]
+pub mod pair;
 pub mod portable;
+#[cfg(target_arch = "x86_64")]
+pub mod x86_64;
 
 pub use block::Block;
 pub use float::Float;

@@ -5,6 +5,7 @@ use crate::lane::{Lane, Mask};
 use crate::portable::Portable;
 
 impl Mask for bool {
+    const LANES: u32 = 1;
     #[inline(always)]
     fn any(self) -> bool {
         self

@@ -94,6 +94,7 @@ macro_rules! wide_lanes {
         }
 
         impl Mask for WideMask<$vector> {
+            const LANES: u32 = $lanes;
             #[inline(always)]
             fn any(self) -> bool {
                 self.0.any()

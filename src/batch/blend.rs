@@ -26,6 +26,19 @@ impl<L: Lane> DualQuat<L> {
         Some(sum.normalize())
     }
 
+    /// Σ ±wᵢσᵢ exactly normalised, each sign turned toward the sum so far; `None` without
+    /// influences.
+    #[inline(always)]
+    #[must_use]
+    pub fn dlb_running(influences: &[(Self, L)]) -> Option<Self> {
+        let (&(first, weight), others) = influences.split_first()?;
+        let mut sum = first.scale(weight);
+        for &(motion, weight) in others {
+            sum = motion.scale_onto(motion.weight_toward(sum, weight), sum);
+        }
+        Some(sum.normalize())
+    }
+
     /// sσ + onto
     #[inline(always)]
     fn scale_onto(self, factor: L, onto: Self) -> Self {

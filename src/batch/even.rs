@@ -41,6 +41,43 @@ pub(super) fn cos_sinc<L: Lane>(v: Dual<L>) -> (Dual<L>, Dual<L>) {
     (v.apply(cos, minus_half * sinc), v.apply(sinc, slope))
 }
 
+/// (1 − cos √u)/u and (√u − sin √u)/√u³ for any u ≥ 0: the integrals of sin and of 1 − cos in the
+/// left Jacobian of SE(3).
+#[inline(always)]
+pub(super) fn exponential_integrals<L: Lane>(u: Dual<L>) -> (Dual<L>, Dual<L>) {
+    let one = u.real.with(1.0);
+    let (cos, sinc) = cos_sinc(u.scale(one.with(0.25)));
+    let first = sinc.scale(one.with(0.5)) * sinc;
+    let (value, slope) = horner(&coefficients::LEFT_F32, &coefficients::LEFT_F64, u.real);
+    let second = u.apply(value, slope);
+    let ordinary = u.real.le(one.with(4.0 * ORDINARY));
+    if ordinary.all() {
+        return (first, second);
+    }
+    let far = (Dual::new(one, one.with(0.0)) - cos * sinc) / u;
+    (first, select(ordinary, second, far))
+}
+
+/// (1 − (√u/2) cot(√u/2))/u for any u ≥ 0 but (2π)², (4π)², …, where it is infinite.
+#[inline(always)]
+pub(super) fn half_cotangent<L: Lane>(u: Dual<L>) -> Dual<L> {
+    let one = u.real.with(1.0);
+    let (value, slope) = horner(&coefficients::INVERSE_F32, &coefficients::INVERSE_F64, u.real);
+    let near = u.apply(value, slope);
+    let ordinary = u.real.le(one.with(4.0 * ORDINARY));
+    if ordinary.all() {
+        return near;
+    }
+    let (cos, sinc) = cos_sinc(u.scale(one.with(0.25)));
+    let far = (Dual::new(one, one.with(0.0)) - cos / sinc) / u;
+    select(ordinary, near, far)
+}
+
+#[inline(always)]
+fn select<L: Lane>(mask: L::Mask, yes: Dual<L>, no: Dual<L>) -> Dual<L> {
+    Dual::new(L::select(mask, yes.real, no.real), L::select(mask, yes.dual, no.dual))
+}
+
 /// cos √v, sin(√v)/√v and the derivative of the latter, for v > (π/2)²: √v = kπ + r, |r| ≤ π/2.
 ///
 /// Errors grow with √v as those of √v itself do: a float of size y is only known to y/2²⁴ (2⁵³).

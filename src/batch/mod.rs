@@ -17,18 +17,25 @@
 //! assert!((sensor[1].to_array()[5] - (1.0_f32.sin() + 0.5 * 0.5_f32.sin())).abs() < 1e-6);
 //! ```
 
+mod adjoint;
 mod blend;
+mod derivative;
 mod dual;
 mod dual_quat;
 mod even;
 mod even_coefficients;
+mod jacobian;
 mod length;
 mod matrix;
+mod mean;
+mod metric;
 mod motion;
 mod norm;
 mod quat;
 mod rigid;
 mod screw;
+mod slerp;
+mod squad;
 mod transform;
 mod vector;
 

@@ -42,7 +42,7 @@ impl<L: Lane> DualQuat<L> {
         self.normalize().checked()
     }
 
-    /// ||p| − 1| ≤ tolerance and |p·q| ≤ tolerance·max(1, |q|)
+    /// ||p| − 1| ≤ tolerance and |p·q| ≤ tolerance·max(1, |q|) < ∞
     #[inline(always)]
     #[must_use]
     pub fn is_unit(self, tolerance: L) -> L::Mask {
@@ -51,7 +51,7 @@ impl<L: Lane> DualQuat<L> {
         let along = self.real().dot(self.dual()).abs();
         let size = self.dual().norm();
         let scale = L::select(size.lt(one), one, size);
-        off.le(tolerance) & along.le(tolerance * scale)
+        off.le(tolerance) & along.le(tolerance * scale) & scale.lt(one.with(f64::INFINITY))
     }
 
     /// [`is_unit`](Self::is_unit) within 32 units of the last place.

@@ -147,7 +147,7 @@ impl<L: Lane> DualQuat<L> {
 }
 
 /// Half the dual angle, Θ, of motions with p_w ≥ 0.
-struct HalfAngle<L> {
+pub(super) struct HalfAngle<L> {
     /// Y = sin²(Θ/2)
     y: Dual<L>,
     /// K(Y)
@@ -160,7 +160,7 @@ impl<L: Lane> HalfAngle<L> {
     /// From cos²(Θ/2) = (1 + w)/2 and Y = sin²Θ/(4 cos²(Θ/2)). Not from 1 − w, which is all rounding
     /// for small angles, where the vector part still has its full relative precision.
     #[inline(always)]
-    fn of(sigma: DualQuat<L>) -> Self {
+    pub(super) fn of(sigma: DualQuat<L>) -> Self {
         let w = sigma.dual_scalar();
         let half = w.real.with(0.5);
         let cosine_squared = Dual::new(w.real.mul_add(half, half), w.dual * half);
@@ -173,7 +173,7 @@ impl<L: Lane> HalfAngle<L> {
 
     /// Θ/sin Θ = K/cos(Θ/2)
     #[inline(always)]
-    fn over_sine(&self) -> Dual<L> {
+    pub(super) fn over_sine(&self) -> Dual<L> {
         self.asin_over_root / self.half_cosine
     }
 

@@ -3,10 +3,16 @@
 
 mod dual_vector;
 mod line;
+mod mean;
 mod plane;
 mod screw;
+mod twist;
+mod wrench;
 
 pub use dual_vector::DualVector;
 pub use line::Line;
+pub use mean::Mean;
 pub use plane::Plane;
 pub use screw::Screw;
+pub use twist::Twist;
+pub use wrench::Wrench;

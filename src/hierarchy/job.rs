@@ -279,6 +279,10 @@ impl<'a, P: Pose> Job<'a, P> {
     }
 }
 
-fn same_length(what: &'static str, length: usize, expected: usize) -> Result<(), ShapeError> {
+pub(super) fn same_length(
+    what: &'static str,
+    length: usize,
+    expected: usize,
+) -> Result<(), ShapeError> {
     if length == expected { Ok(()) } else { Err(ShapeError::Length { what, length, expected }) }
 }

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`Hierarchy`] | a parent array, checked once |
 //! | [`Pose`] | how a motion lies in memory: one ([`DualQuat`](crate::DualQuat)), or a [`Block`] of instances |
+//! | [`TwistBlock`] | twists of the instances of a block, for velocities and Jacobians |
 //! | [`Job`] | a run with a root transform or on some of the joints |
 //! | [`Renormalise`] | when a run normalises what it has multiplied |
 //! | [`Crowd`] | owned blocks for any number of instances (feature `alloc`) |
@@ -22,11 +23,12 @@ mod packing;
 mod parents;
 mod pose;
 mod renormalise;
+mod velocity;
 
 #[cfg(feature = "alloc")]
 pub use crowd::Crowd;
 pub use job::Job;
 pub use packing::{pack, unpack};
 pub use parents::Hierarchy;
-pub use pose::{Block, Pose};
+pub use pose::{Block, Pose, TwistBlock};
 pub use renormalise::Renormalise;

@@ -24,10 +24,15 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// Dual quaternion linear blending, Σ ±wᵢσᵢ exactly normalised, each sign turned toward the
-    /// first motion (Kavan et al. 2008, "DLB"). The weights need not sum to one.
+    /// first motion (Kavan et al. 2008, "DLB"). Cheaper than [`dib`](Self::dib), the mean in
+    /// earnest, from which the blend of two motions turns away by at most 8.15°.
     ///
-    /// `None` without influences; every component is NaN if the sum cannot be normalised, as when
-    /// the weights cancel.
+    /// The weights need not sum to one, because the sum is normalised: all of them times any number
+    /// but zero give the same motion. A negative weight moves the blend away from its motion. Where
+    /// weights sum to zero the result is of no use, and often NaN.
+    ///
+    /// `None` without influences; every component is NaN if the sum cannot be normalised: its real
+    /// part is zero, as when the weights cancel, or a component is not finite.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -41,6 +46,33 @@ impl<R: Real> DualQuat<R> {
         let mut sum = first.scale(weight);
         for &(motion, weight) in others {
             sum = sum + motion.toward(first).scale(weight);
+        }
+        Some(sum.normalize())
+    }
+
+    /// As [`dlb`](Self::dlb), each sign turned toward the sum of the motions before: for influences
+    /// that are no cluster about the first, or where the first one's weight may be zero. Where the
+    /// two are exactly at right angles (half a turn apart) the sign is kept. The result depends on
+    /// the order of the influences where they span more than half a turn. The weights need not sum
+    /// to one, but no sum on the way should be negative: it would point away from its motions.
+    ///
+    /// `None` without influences; every component is NaN if the sum cannot be normalised.
+    ///
+    /// ```
+    /// use dq8::{DualQuat, Quat};
+    /// let turn = |angle| DualQuat::from_rotation(Quat::from_axis_angle([0.0, 0.0, 1.0], angle));
+    /// // 200° are more than half a turn from 0°, but not from the sum of 0° and 120°.
+    /// let influences = [0.0_f64, 120.0, 200.0].map(|angle| (turn(angle.to_radians()), 1.0));
+    /// let degrees = |blend: Option<DualQuat<f64>>| blend.unwrap().to_screw().angle.to_degrees();
+    /// assert!((degrees(DualQuat::dlb_running(&influences)) - 108.8).abs() < 0.1);
+    /// assert!((degrees(DualQuat::dlb(&influences)) - 8.1).abs() < 0.1);
+    /// ```
+    #[must_use]
+    pub fn dlb_running(influences: &[(Self, R)]) -> Option<Self> {
+        let (&(first, weight), others) = influences.split_first()?;
+        let mut sum = first.scale(weight);
+        for &(motion, weight) in others {
+            sum = sum + motion.toward(sum).scale(weight);
         }
         Some(sum.normalize())
     }

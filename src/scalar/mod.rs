@@ -3,15 +3,22 @@
 //! Written by hand beside the papers and independent of [`batch`](crate::batch), which is tested
 //! against it. The contract that both keep is [`Motion`](crate::Motion).
 
+mod adjoint;
 mod blend;
+mod derivative;
 mod dual;
 mod dual_quat;
+mod jacobian;
 mod matrix;
+mod mean;
+mod metric;
 mod motion;
 mod norm;
 mod quat;
 mod rigid;
 mod screw;
+mod slerp;
+mod squad;
 mod transform;
 mod vector;
 

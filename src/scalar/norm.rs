@@ -54,12 +54,14 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// Whether σσ* = 1 within `tolerance`: ||p| − 1| ≤ tolerance and |p·q| ≤ tolerance·max(1, |q|)
-    /// (Jia eqs. 20 and 21; the second grows with the translation). False for NaN.
+    /// (Jia eqs. 20 and 21; the second grows with the translation). False where a component is
+    /// not finite.
     #[must_use]
     pub fn is_unit(self, tolerance: R) -> bool {
         let off = (self.real().norm() - R::ONE).abs();
         let along = self.real().dot(self.dual()).abs();
-        off <= tolerance && along <= tolerance * self.dual().norm().max_or_nan(R::ONE)
+        let size = self.dual().norm().max_or_nan(R::ONE);
+        off <= tolerance && along <= tolerance * size && size.is_finite()
     }
 
     /// [`is_unit`](Self::is_unit) within 32 units of the last place: what a handful of products

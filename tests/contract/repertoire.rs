@@ -4,7 +4,7 @@
 use crate::agreement::{Kind, Scale};
 use crate::inputs::{Arguments, Case};
 use crate::sample::Sample;
-use dq8::Line;
+use dq8::{DualQuat, Line};
 
 /// The methods of the trait, then its operators.
 pub const NAMES: [&str; 42] = [
@@ -209,7 +209,9 @@ pub fn scale(name: &str, x: &Case) -> Scale {
             Scale { turn: sine, ..scale(1.0, moment * sine + x.screw[7].abs()) }
         }
         "to_screw" => {
-            Scale { turn: 2.0 * norm(&x.a[..3]), moment: length + moment, ..scale(1.0, qa) }
+            // m = ½ (t × l + (t − dl) cot(θ/2)), and t − dl may cancel.
+            let sine = norm(&x.a[..3]);
+            Scale { turn: 2.0 * sine, moment: qa / sine, ..scale(1.0, qa) }
         }
         "scale" => scale(x.s.abs() * pa, x.s.abs() * qa),
         "scale_dual" => scale(x.s.abs() * pa, x.s.abs() * qa + x.t.abs() * pa),
@@ -235,8 +237,9 @@ pub fn scale(name: &str, x: &Case) -> Scale {
         "sclerp" => scale(1.0 + x.t.abs(), length * (1.0 + x.t.abs()).powi(2)),
         "sclerp_long" => {
             // Near the antipode the axis is what is left of a difference.
-            let dot: f64 = x.a.iter().zip(&x.b).take(4).map(|(a, b)| a * b).sum();
-            let sine = if dot < 0.0 { (1.0 - dot * dot).max(0.0).sqrt() } else { 1.0 };
+            let way = DualQuat::from_array(x.a).conjugate() * DualQuat::from_array(x.b);
+            let [x0, y0, z0, w] = way.real().to_array();
+            let sine = if w < 0.0 { norm(&[x0, y0, z0]) } else { 1.0 };
             let times = (1.0 + x.t.abs()) / sine;
             scale(times, length * times.powi(2))
         }

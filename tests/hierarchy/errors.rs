@@ -39,8 +39,8 @@ fn a_parent_that_comes_later_is_refused() {
 
 #[test]
 fn a_cycle_is_refused_at_its_first_joint() {
-    let cycle = HierarchyError::ParentNotBefore { joint: 1, parent: 3 };
-    refused(&[ROOT, 3, 1, 2], cycle, &[1, 3]);
+    let cycle = HierarchyError::ParentNotBefore { joint: 1, parent: 2 };
+    refused(&[ROOT, 2, 3, 1], cycle, &[1, 2]);
 }
 
 #[test]

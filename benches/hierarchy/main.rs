@@ -1,0 +1,53 @@
+//! Hierarchy concatenation: nanoseconds a joint of a crowd, this crate beside its peers.
+//!
+//! One skeleton of 64 joints ([`skeleton`]), crowds of 1 to 8192 instances, out of place and in
+//! place. Every contender gets the same poses in its own representation and is compared with `f64`
+//! matrices before it is timed. Throughput counts joints × instances; lanes without an instance (all
+//! but one in a crowd of 1) do not count.
+//!
+//! ```text
+//! cargo bench --bench hierarchy -- crowd/1024/in-place
+//! cargo bench --bench hierarchy -- lanes-f32x8
+//! ```
+
+mod contender;
+mod crowd;
+#[path = "../measurement/mod.rs"]
+mod measurement;
+mod race;
+#[path = "../random/mod.rs"]
+mod random;
+#[path = "../representation/mod.rs"]
+mod representation;
+mod rows;
+mod skeleton;
+
+use contender::{Own, Peer};
+use criterion::{Criterion, criterion_group, criterion_main};
+use crowd::Place;
+use dq8::{Block, DualQuat};
+use glam::{Affine3A, Mat4};
+use nalgebra::{Isometry3, UnitDualQuaternion};
+use race::Race;
+use rows::{Rows3x4, Rows4x4};
+
+fn crowds(criterion: &mut Criterion) {
+    for instances in [1, 8, 64, 1024, 8192] {
+        for place in [Place::Out, Place::In] {
+            Race::new(criterion, instances, place)
+                .run::<Own<DualQuat<f32>>>("scalar-f32")
+                .run::<Own<Block<f32, 4>>>("lanes-f32x4")
+                .run::<Own<Block<f32, 8>>>("lanes-f32x8")
+                .run::<Own<Block<f32, 16>>>("lanes-f32x16")
+                .run::<Peer<Rows3x4<f32>>>("rows-3x4")
+                .run::<Peer<Rows4x4<f32>>>("rows-4x4")
+                .run::<Peer<Affine3A>>("glam-Affine3A")
+                .run::<Peer<Mat4>>("glam-Mat4")
+                .run::<Peer<UnitDualQuaternion<f32>>>("nalgebra-UnitDualQuaternion")
+                .run::<Peer<Isometry3<f32>>>("nalgebra-Isometry3");
+        }
+    }
+}
+
+criterion_group! { name = hierarchy; config = measurement::brief(); targets = crowds }
+criterion_main!(hierarchy);

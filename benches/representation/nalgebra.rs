@@ -1,0 +1,33 @@
+use super::{Representation, Rows};
+use dq8::DualQuat;
+use nalgebra::{Isometry3, Quaternion, Translation3, UnitDualQuaternion, UnitQuaternion};
+
+impl Representation for UnitDualQuaternion<f32> {
+    fn from_motion(motion: &DualQuat<f32>) -> Self {
+        Self::from_isometry(&Isometry3::from_motion(motion))
+    }
+    #[inline(always)]
+    fn product(&self, first: &Self) -> Self {
+        self * first
+    }
+    fn rows(&self) -> Rows {
+        self.to_isometry().rows()
+    }
+}
+
+impl Representation for Isometry3<f32> {
+    fn from_motion(motion: &DualQuat<f32>) -> Self {
+        // The motion is unit, and normalising again would give nalgebra another input than the rest.
+        let rotation =
+            UnitQuaternion::new_unchecked(Quaternion::from(motion.rotation().to_array()));
+        Self::from_parts(Translation3::from(motion.translation()), rotation)
+    }
+    #[inline(always)]
+    fn product(&self, first: &Self) -> Self {
+        self * first
+    }
+    fn rows(&self) -> Rows {
+        let matrix = self.to_homogeneous();
+        [0, 1, 2].map(|row| [0, 1, 2, 3].map(|column| f64::from(matrix[(row, column)])))
+    }
+}

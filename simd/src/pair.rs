@@ -1,0 +1,141 @@
+//! [`Pair`]: two vectors as one of twice the width, for levels whose registers are narrower.
+
+use crate::float::Float;
+use crate::lane::{Lane, Mask};
+use bytemuck::Pod;
+use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
+
+/// The lower lanes and the upper lanes.
+#[derive(Clone, Copy, Debug)]
+pub struct Pair<L>(L, L);
+
+/// The memory of `Pair<L>` for lanes of `[R; N]`: `[R; 2N]`, which generic code cannot name.
+pub trait Doubled: Pod {
+    /// `[R; 2N]`
+    type Twice: Pod + core::fmt::Debug + AsRef<[Self::Real]> + AsMut<[Self::Real]>;
+    /// R
+    type Real: Float;
+}
+
+impl Doubled for [f32; 8] {
+    type Twice = [f32; 16];
+    type Real = f32;
+}
+
+impl Doubled for [f64; 4] {
+    type Twice = [f64; 8];
+    type Real = f64;
+}
+
+impl<L> Lane for Pair<L>
+where
+    L: Lane<Array: Doubled<Real = L::Real>>,
+{
+    type Real = L::Real;
+    type Mask = Pair<L::Mask>;
+    type Level = L::Level;
+    type Array = <L::Array as Doubled>::Twice;
+    const LANES: usize = 2 * L::LANES;
+
+    #[inline(always)]
+    fn level(self) -> L::Level {
+        self.0.level()
+    }
+    #[inline(always)]
+    fn splat(level: L::Level, value: L::Real) -> Self {
+        Self(L::splat(level, value), L::splat(level, value))
+    }
+    #[inline(always)]
+    fn load(level: L::Level, from: &Self::Array) -> Self {
+        let [lower, upper]: &[L::Array; 2] = bytemuck::cast_ref(from);
+        Self(L::load(level, lower), L::load(level, upper))
+    }
+    #[inline(always)]
+    fn store(self, to: &mut Self::Array) {
+        let [lower, upper]: &mut [L::Array; 2] = bytemuck::cast_mut(to);
+        self.0.store(lower);
+        self.1.store(upper);
+    }
+    #[inline(always)]
+    fn mul_add(self, factor: Self, addend: Self) -> Self {
+        Self(self.0.mul_add(factor.0, addend.0), self.1.mul_add(factor.1, addend.1))
+    }
+    #[inline(always)]
+    fn neg_mul_add(self, factor: Self, addend: Self) -> Self {
+        Self(self.0.neg_mul_add(factor.0, addend.0), self.1.neg_mul_add(factor.1, addend.1))
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self(self.0.sqrt(), self.1.sqrt())
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Self(self.0.abs(), self.1.abs())
+    }
+    #[inline(always)]
+    fn copysign(self, sign: Self) -> Self {
+        Self(self.0.copysign(sign.0), self.1.copysign(sign.1))
+    }
+    #[inline(always)]
+    fn lt(self, other: Self) -> Self::Mask {
+        Pair(self.0.lt(other.0), self.1.lt(other.1))
+    }
+    #[inline(always)]
+    fn le(self, other: Self) -> Self::Mask {
+        Pair(self.0.le(other.0), self.1.le(other.1))
+    }
+    #[inline(always)]
+    fn eq(self, other: Self) -> Self::Mask {
+        Pair(self.0.eq(other.0), self.1.eq(other.1))
+    }
+    #[inline(always)]
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self {
+        Self(L::select(mask.0, yes.0, no.0), L::select(mask.1, yes.1, no.1))
+    }
+}
+
+/// The four operators act on each half; a trait and a method name are all that differs.
+macro_rules! operator {
+    ($($trait:ident $method:ident;)*) => {$(
+        impl<L: $trait<Output = L>> $trait for Pair<L> {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                Self(self.0.$method(other.0), self.1.$method(other.1))
+            }
+        }
+    )*};
+}
+operator! { Add add; Sub sub; Mul mul; Div div; BitAnd bitand; BitOr bitor; }
+
+impl<L: Neg<Output = L>> Neg for Pair<L> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self(-self.0, -self.1)
+    }
+}
+
+impl<M: Not<Output = M>> Not for Pair<M> {
+    type Output = Self;
+    #[inline(always)]
+    fn not(self) -> Self {
+        Self(!self.0, !self.1)
+    }
+}
+
+impl<M: Mask> Mask for Pair<M> {
+    const LANES: u32 = 2 * M::LANES;
+    #[inline(always)]
+    fn any(self) -> bool {
+        self.0.any() || self.1.any()
+    }
+    #[inline(always)]
+    fn all(self) -> bool {
+        self.0.all() && self.1.all()
+    }
+    #[inline(always)]
+    fn to_bitmask(self) -> u32 {
+        self.0.to_bitmask() | (self.1.to_bitmask() << M::LANES)
+    }
+}

@@ -1,0 +1,149 @@
+use super::vector::vector;
+use crate::lane::{Lane, Mask};
+use crate::level::Level;
+use crate::pair::Pair;
+use core::arch::x86_64::*;
+use core::ops::{BitAnd, BitOr, Not};
+
+/// AVX2 and FMA: eight `f32` or four `f64` at a time. [`Avx2::detect`] is the only way to one.
+#[derive(Clone, Copy, Debug)]
+pub struct Avx2(());
+
+impl Avx2 {
+    /// The proof, if the CPU and the operating system have AVX2 and FMA.
+    #[inline]
+    #[must_use]
+    pub fn detect() -> Option<Self> {
+        crate::detect::avx2().then_some(Self(()))
+    }
+}
+
+impl Level for Avx2 {
+    type F32x4 = F32x4;
+    type F32x8 = F32x8;
+    type F32x16 = Pair<F32x8>;
+    type F64x2 = F64x2;
+    type F64x4 = F64x4;
+    type F64x8 = Pair<F64x4>;
+
+    #[inline(always)]
+    fn run<R>(self, kernel: impl FnOnce() -> R) -> R {
+        #[inline]
+        #[target_feature(enable = "avx2,fma")]
+        fn with_avx2<R>(kernel: impl FnOnce() -> R) -> R {
+            kernel()
+        }
+        // SAFETY: `self` proves AVX2 and FMA.
+        unsafe { with_avx2(kernel) }
+    }
+}
+
+vector! {
+    /// Four `f32`.
+    F32x4 = __m128 [f32; 4], Avx2, mask M32x4;
+    add _mm_add_ps; sub _mm_sub_ps; mul _mm_mul_ps; div _mm_div_ps; sqrt _mm_sqrt_ps;
+    mul_add _mm_fmadd_ps; neg_mul_add _mm_fnmadd_ps;
+    splat _mm_set1_ps; load _mm_loadu_ps; store _mm_storeu_ps;
+    and _mm_and_ps; and_not _mm_andnot_ps; or _mm_or_ps; xor _mm_xor_ps;
+    less |a, b| M32x4(_mm_cmplt_ps(a.0, b.0), a.1);
+    less_equal |a, b| M32x4(_mm_cmple_ps(a.0, b.0), a.1);
+    equal |a, b| M32x4(_mm_cmpeq_ps(a.0, b.0), a.1);
+    select |mask, yes, no| _mm_blendv_ps(no.0, yes.0, mask.0);
+}
+
+vector! {
+    /// Eight `f32`.
+    F32x8 = __m256 [f32; 8], Avx2, mask M32x8;
+    add _mm256_add_ps; sub _mm256_sub_ps; mul _mm256_mul_ps; div _mm256_div_ps; sqrt _mm256_sqrt_ps;
+    mul_add _mm256_fmadd_ps; neg_mul_add _mm256_fnmadd_ps;
+    splat _mm256_set1_ps; load _mm256_loadu_ps; store _mm256_storeu_ps;
+    and _mm256_and_ps; and_not _mm256_andnot_ps; or _mm256_or_ps; xor _mm256_xor_ps;
+    less |a, b| M32x8(_mm256_cmp_ps::<_CMP_LT_OQ>(a.0, b.0), a.1);
+    less_equal |a, b| M32x8(_mm256_cmp_ps::<_CMP_LE_OQ>(a.0, b.0), a.1);
+    equal |a, b| M32x8(_mm256_cmp_ps::<_CMP_EQ_OQ>(a.0, b.0), a.1);
+    select |mask, yes, no| _mm256_blendv_ps(no.0, yes.0, mask.0);
+}
+
+vector! {
+    /// Two `f64`.
+    F64x2 = __m128d [f64; 2], Avx2, mask M64x2;
+    add _mm_add_pd; sub _mm_sub_pd; mul _mm_mul_pd; div _mm_div_pd; sqrt _mm_sqrt_pd;
+    mul_add _mm_fmadd_pd; neg_mul_add _mm_fnmadd_pd;
+    splat _mm_set1_pd; load _mm_loadu_pd; store _mm_storeu_pd;
+    and _mm_and_pd; and_not _mm_andnot_pd; or _mm_or_pd; xor _mm_xor_pd;
+    less |a, b| M64x2(_mm_cmplt_pd(a.0, b.0), a.1);
+    less_equal |a, b| M64x2(_mm_cmple_pd(a.0, b.0), a.1);
+    equal |a, b| M64x2(_mm_cmpeq_pd(a.0, b.0), a.1);
+    select |mask, yes, no| _mm_blendv_pd(no.0, yes.0, mask.0);
+}
+
+vector! {
+    /// Four `f64`.
+    F64x4 = __m256d [f64; 4], Avx2, mask M64x4;
+    add _mm256_add_pd; sub _mm256_sub_pd; mul _mm256_mul_pd; div _mm256_div_pd; sqrt _mm256_sqrt_pd;
+    mul_add _mm256_fmadd_pd; neg_mul_add _mm256_fnmadd_pd;
+    splat _mm256_set1_pd; load _mm256_loadu_pd; store _mm256_storeu_pd;
+    and _mm256_and_pd; and_not _mm256_andnot_pd; or _mm256_or_pd; xor _mm256_xor_pd;
+    less |a, b| M64x4(_mm256_cmp_pd::<_CMP_LT_OQ>(a.0, b.0), a.1);
+    less_equal |a, b| M64x4(_mm256_cmp_pd::<_CMP_LE_OQ>(a.0, b.0), a.1);
+    equal |a, b| M64x4(_mm256_cmp_pd::<_CMP_EQ_OQ>(a.0, b.0), a.1);
+    select |mask, yes, no| _mm256_blendv_pd(no.0, yes.0, mask.0);
+}
+
+/// A mask is a vector whose lanes are all ones or all zeros.
+macro_rules! mask {
+    ($name:ident = $register:ident, $lanes:literal; $and:ident; $or:ident; $xor:ident; $ones:expr; $bits:ident) => {
+        /// A truth value a lane: all ones or all zeros.
+        #[derive(Clone, Copy, Debug)]
+        pub struct $name($register, Avx2);
+
+        impl Mask for $name {
+            const LANES: u32 = $lanes;
+            #[inline(always)]
+            fn any(self) -> bool {
+                self.to_bitmask() != 0
+            }
+            #[inline(always)]
+            fn all(self) -> bool {
+                self.to_bitmask() == (1 << $lanes) - 1
+            }
+            #[inline(always)]
+            fn to_bitmask(self) -> u32 {
+                // SAFETY: `self` proves the instructions.
+                unsafe { $bits(self.0) }.cast_unsigned()
+            }
+        }
+        impl BitAnd for $name {
+            type Output = Self;
+            #[inline(always)]
+            fn bitand(self, other: Self) -> Self {
+                // SAFETY: `self` proves the instructions.
+                Self(unsafe { $and(self.0, other.0) }, self.1)
+            }
+        }
+        impl BitOr for $name {
+            type Output = Self;
+            #[inline(always)]
+            fn bitor(self, other: Self) -> Self {
+                // SAFETY: `self` proves the instructions.
+                Self(unsafe { $or(self.0, other.0) }, self.1)
+            }
+        }
+        impl Not for $name {
+            type Output = Self;
+            #[inline(always)]
+            fn not(self) -> Self {
+                // SAFETY: `self` proves the instructions.
+                Self(unsafe { $xor(self.0, $ones) }, self.1)
+            }
+        }
+    };
+}
+mask! { M32x4 = __m128, 4; _mm_and_ps; _mm_or_ps; _mm_xor_ps;
+_mm_castsi128_ps(_mm_set1_epi32(-1)); _mm_movemask_ps }
+mask! { M32x8 = __m256, 8; _mm256_and_ps; _mm256_or_ps; _mm256_xor_ps;
+_mm256_castsi256_ps(_mm256_set1_epi32(-1)); _mm256_movemask_ps }
+mask! { M64x2 = __m128d, 2; _mm_and_pd; _mm_or_pd; _mm_xor_pd;
+_mm_castsi128_pd(_mm_set1_epi32(-1)); _mm_movemask_pd }
+mask! { M64x4 = __m256d, 4; _mm256_and_pd; _mm256_or_pd; _mm256_xor_pd;
+_mm256_castsi256_pd(_mm256_set1_epi32(-1)); _mm256_movemask_pd }

@@ -1,0 +1,170 @@
+use super::vector::vector;
+use crate::lane::{Lane, Mask};
+use crate::level::Level;
+use core::arch::x86_64::*;
+use core::ops::{BitAnd, BitOr, Not};
+
+/// AVX-512 F, VL and DQ: sixteen `f32` or eight `f64` at a time. [`Avx512::detect`] is the only way
+/// to one.
+#[derive(Clone, Copy, Debug)]
+pub struct Avx512(());
+
+impl Avx512 {
+    /// The proof, if the CPU and the operating system have AVX-512 F, VL and DQ.
+    #[inline]
+    #[must_use]
+    pub fn detect() -> Option<Self> {
+        crate::detect::avx512().then_some(Self(()))
+    }
+}
+
+impl Level for Avx512 {
+    type F32x4 = F32x4;
+    type F32x8 = F32x8;
+    type F32x16 = F32x16;
+    type F64x2 = F64x2;
+    type F64x4 = F64x4;
+    type F64x8 = F64x8;
+
+    #[inline(always)]
+    fn run<R>(self, kernel: impl FnOnce() -> R) -> R {
+        #[inline]
+        #[target_feature(enable = "avx2,fma,avx512f,avx512vl,avx512dq")]
+        fn with_avx512<R>(kernel: impl FnOnce() -> R) -> R {
+            kernel()
+        }
+        // SAFETY: `self` proves AVX-512 F, VL and DQ, of which AVX2 and FMA are a part.
+        unsafe { with_avx512(kernel) }
+    }
+}
+
+/// A truth value a lane, a bit each, for any number of lanes up to 16.
+#[derive(Clone, Copy, Debug)]
+pub struct Bits<const LANES: u32>(u32);
+
+impl<const LANES: u32> Bits<LANES> {
+    const ALL: u32 = (1 << LANES) - 1;
+}
+
+impl<const LANES: u32> Mask for Bits<LANES> {
+    const LANES: u32 = LANES;
+    #[inline(always)]
+    fn any(self) -> bool {
+        self.0 != 0
+    }
+    #[inline(always)]
+    fn all(self) -> bool {
+        self.0 == Self::ALL
+    }
+    #[inline(always)]
+    fn to_bitmask(self) -> u32 {
+        self.0
+    }
+}
+
+impl<const LANES: u32> BitAnd for Bits<LANES> {
+    type Output = Self;
+    #[inline(always)]
+    fn bitand(self, other: Self) -> Self {
+        Self(self.0 & other.0)
+    }
+}
+
+impl<const LANES: u32> BitOr for Bits<LANES> {
+    type Output = Self;
+    #[inline(always)]
+    fn bitor(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+}
+
+impl<const LANES: u32> Not for Bits<LANES> {
+    type Output = Self;
+    #[inline(always)]
+    fn not(self) -> Self {
+        Self(!self.0 & Self::ALL)
+    }
+}
+
+type Bits2 = Bits<2>;
+type Bits4 = Bits<4>;
+type Bits8 = Bits<8>;
+type Bits16 = Bits<16>;
+
+vector! {
+    /// Four `f32`.
+    F32x4 = __m128 [f32; 4], Avx512, mask Bits4;
+    add _mm_add_ps; sub _mm_sub_ps; mul _mm_mul_ps; div _mm_div_ps; sqrt _mm_sqrt_ps;
+    mul_add _mm_fmadd_ps; neg_mul_add _mm_fnmadd_ps;
+    splat _mm_set1_ps; load _mm_loadu_ps; store _mm_storeu_ps;
+    and _mm_and_ps; and_not _mm_andnot_ps; or _mm_or_ps; xor _mm_xor_ps;
+    less |a, b| Bits(u32::from(_mm_cmp_ps_mask::<_CMP_LT_OQ>(a.0, b.0)));
+    less_equal |a, b| Bits(u32::from(_mm_cmp_ps_mask::<_CMP_LE_OQ>(a.0, b.0)));
+    equal |a, b| Bits(u32::from(_mm_cmp_ps_mask::<_CMP_EQ_OQ>(a.0, b.0)));
+    select |mask, yes, no| _mm_mask_blend_ps(mask.0 as __mmask8, no.0, yes.0);
+}
+
+vector! {
+    /// Eight `f32`.
+    F32x8 = __m256 [f32; 8], Avx512, mask Bits8;
+    add _mm256_add_ps; sub _mm256_sub_ps; mul _mm256_mul_ps; div _mm256_div_ps; sqrt _mm256_sqrt_ps;
+    mul_add _mm256_fmadd_ps; neg_mul_add _mm256_fnmadd_ps;
+    splat _mm256_set1_ps; load _mm256_loadu_ps; store _mm256_storeu_ps;
+    and _mm256_and_ps; and_not _mm256_andnot_ps; or _mm256_or_ps; xor _mm256_xor_ps;
+    less |a, b| Bits(u32::from(_mm256_cmp_ps_mask::<_CMP_LT_OQ>(a.0, b.0)));
+    less_equal |a, b| Bits(u32::from(_mm256_cmp_ps_mask::<_CMP_LE_OQ>(a.0, b.0)));
+    equal |a, b| Bits(u32::from(_mm256_cmp_ps_mask::<_CMP_EQ_OQ>(a.0, b.0)));
+    select |mask, yes, no| _mm256_mask_blend_ps(mask.0 as __mmask8, no.0, yes.0);
+}
+
+vector! {
+    /// Sixteen `f32`.
+    F32x16 = __m512 [f32; 16], Avx512, mask Bits16;
+    add _mm512_add_ps; sub _mm512_sub_ps; mul _mm512_mul_ps; div _mm512_div_ps; sqrt _mm512_sqrt_ps;
+    mul_add _mm512_fmadd_ps; neg_mul_add _mm512_fnmadd_ps;
+    splat _mm512_set1_ps; load _mm512_loadu_ps; store _mm512_storeu_ps;
+    and _mm512_and_ps; and_not _mm512_andnot_ps; or _mm512_or_ps; xor _mm512_xor_ps;
+    less |a, b| Bits(u32::from(_mm512_cmp_ps_mask::<_CMP_LT_OQ>(a.0, b.0)));
+    less_equal |a, b| Bits(u32::from(_mm512_cmp_ps_mask::<_CMP_LE_OQ>(a.0, b.0)));
+    equal |a, b| Bits(u32::from(_mm512_cmp_ps_mask::<_CMP_EQ_OQ>(a.0, b.0)));
+    select |mask, yes, no| _mm512_mask_blend_ps(mask.0 as __mmask16, no.0, yes.0);
+}
+
+vector! {
+    /// Two `f64`.
+    F64x2 = __m128d [f64; 2], Avx512, mask Bits2;
+    add _mm_add_pd; sub _mm_sub_pd; mul _mm_mul_pd; div _mm_div_pd; sqrt _mm_sqrt_pd;
+    mul_add _mm_fmadd_pd; neg_mul_add _mm_fnmadd_pd;
+    splat _mm_set1_pd; load _mm_loadu_pd; store _mm_storeu_pd;
+    and _mm_and_pd; and_not _mm_andnot_pd; or _mm_or_pd; xor _mm_xor_pd;
+    less |a, b| Bits(u32::from(_mm_cmp_pd_mask::<_CMP_LT_OQ>(a.0, b.0)));
+    less_equal |a, b| Bits(u32::from(_mm_cmp_pd_mask::<_CMP_LE_OQ>(a.0, b.0)));
+    equal |a, b| Bits(u32::from(_mm_cmp_pd_mask::<_CMP_EQ_OQ>(a.0, b.0)));
+    select |mask, yes, no| _mm_mask_blend_pd(mask.0 as __mmask8, no.0, yes.0);
+}
+
+vector! {
+    /// Four `f64`.
+    F64x4 = __m256d [f64; 4], Avx512, mask Bits4;
+    add _mm256_add_pd; sub _mm256_sub_pd; mul _mm256_mul_pd; div _mm256_div_pd; sqrt _mm256_sqrt_pd;
+    mul_add _mm256_fmadd_pd; neg_mul_add _mm256_fnmadd_pd;
+    splat _mm256_set1_pd; load _mm256_loadu_pd; store _mm256_storeu_pd;
+    and _mm256_and_pd; and_not _mm256_andnot_pd; or _mm256_or_pd; xor _mm256_xor_pd;
+    less |a, b| Bits(u32::from(_mm256_cmp_pd_mask::<_CMP_LT_OQ>(a.0, b.0)));
+    less_equal |a, b| Bits(u32::from(_mm256_cmp_pd_mask::<_CMP_LE_OQ>(a.0, b.0)));
+    equal |a, b| Bits(u32::from(_mm256_cmp_pd_mask::<_CMP_EQ_OQ>(a.0, b.0)));
+    select |mask, yes, no| _mm256_mask_blend_pd(mask.0 as __mmask8, no.0, yes.0);
+}
+
+vector! {
+    /// Eight `f64`.
+    F64x8 = __m512d [f64; 8], Avx512, mask Bits8;
+    add _mm512_add_pd; sub _mm512_sub_pd; mul _mm512_mul_pd; div _mm512_div_pd; sqrt _mm512_sqrt_pd;
+    mul_add _mm512_fmadd_pd; neg_mul_add _mm512_fnmadd_pd;
+    splat _mm512_set1_pd; load _mm512_loadu_pd; store _mm512_storeu_pd;
+    and _mm512_and_pd; and_not _mm512_andnot_pd; or _mm512_or_pd; xor _mm512_xor_pd;
+    less |a, b| Bits(u32::from(_mm512_cmp_pd_mask::<_CMP_LT_OQ>(a.0, b.0)));
+    less_equal |a, b| Bits(u32::from(_mm512_cmp_pd_mask::<_CMP_LE_OQ>(a.0, b.0)));
+    equal |a, b| Bits(u32::from(_mm512_cmp_pd_mask::<_CMP_EQ_OQ>(a.0, b.0)));
+    select |mask, yes, no| _mm512_mask_blend_pd(mask.0 as __mmask8, no.0, yes.0);
+}

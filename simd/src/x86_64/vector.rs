@@ -1,0 +1,134 @@
+//! Makes a lane type of a register and the instructions that compute with it.
+
+/// `$name` is a vector of `[$real; $lanes]` in a `$register`, proven by `$level`.
+///
+/// The operations of a type differ in the name of the instruction only, and instructions are no
+/// trait: hence a macro. Comparisons and `select` differ more between AVX2 and AVX-512 and are
+/// given as code.
+macro_rules! vector {
+    (
+        $(#[$doc:meta])*
+        $name:ident = $register:ident [$real:ident; $lanes:literal], $level:ident, mask $mask:ident;
+        add $add:ident; sub $sub:ident; mul $mul:ident; div $div:ident; sqrt $sqrt:ident;
+        mul_add $mul_add:ident; neg_mul_add $neg_mul_add:ident;
+        splat $splat:ident; load $load:ident; store $store:ident;
+        and $and:ident; and_not $and_not:ident; or $or:ident; xor $xor:ident;
+        less |$la:ident, $lb:ident| $less:expr;
+        less_equal |$ea:ident, $eb:ident| $less_equal:expr;
+        equal |$qa:ident, $qb:ident| $equal:expr;
+        select |$m:ident, $yes:ident, $no:ident| $select:expr;
+    ) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug)]
+        pub struct $name($register, $level);
+
+        impl Lane for $name {
+            type Real = $real;
+            type Mask = $mask;
+            type Level = $level;
+            type Array = [$real; $lanes];
+            const LANES: usize = $lanes;
+
+            #[inline(always)]
+            fn level(self) -> $level {
+                self.1
+            }
+            #[inline(always)]
+            fn splat(level: $level, value: $real) -> Self {
+                // SAFETY: `level` proves the instructions.
+                Self(unsafe { $splat(value) }, level)
+            }
+            #[inline(always)]
+            fn load(level: $level, from: &[$real; $lanes]) -> Self {
+                // SAFETY: `level` proves the instructions; the pointer is that of a whole array.
+                Self(unsafe { $load(from.as_ptr()) }, level)
+            }
+            #[inline(always)]
+            fn store(self, to: &mut [$real; $lanes]) {
+                // SAFETY: `self` proves the instructions; the pointer is that of a whole array.
+                unsafe { $store(to.as_mut_ptr(), self.0) }
+            }
+            #[inline(always)]
+            fn mul_add(self, factor: Self, addend: Self) -> Self {
+                // SAFETY: `self` proves the instructions.
+                Self(unsafe { $mul_add(self.0, factor.0, addend.0) }, self.1)
+            }
+            #[inline(always)]
+            fn neg_mul_add(self, factor: Self, addend: Self) -> Self {
+                // SAFETY: `self` proves the instructions.
+                Self(unsafe { $neg_mul_add(self.0, factor.0, addend.0) }, self.1)
+            }
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                // SAFETY: `self` proves the instructions.
+                Self(unsafe { $sqrt(self.0) }, self.1)
+            }
+            #[inline(always)]
+            fn abs(self) -> Self {
+                // SAFETY: `self` proves the instructions.
+                Self(unsafe { $and_not($splat(-0.0), self.0) }, self.1)
+            }
+            #[inline(always)]
+            fn copysign(self, sign: Self) -> Self {
+                // SAFETY: `self` proves the instructions.
+                let joined = unsafe {
+                    let bit = $splat(-0.0);
+                    $or($and_not(bit, self.0), $and(bit, sign.0))
+                };
+                Self(joined, self.1)
+            }
+            #[inline(always)]
+            fn lt(self, other: Self) -> $mask {
+                let ($la, $lb) = (self, other);
+                // SAFETY: `self` proves the instructions.
+                unsafe { $less }
+            }
+            #[inline(always)]
+            fn le(self, other: Self) -> $mask {
+                let ($ea, $eb) = (self, other);
+                // SAFETY: `self` proves the instructions.
+                unsafe { $less_equal }
+            }
+            #[inline(always)]
+            fn eq(self, other: Self) -> $mask {
+                let ($qa, $qb) = (self, other);
+                // SAFETY: `self` proves the instructions.
+                unsafe { $equal }
+            }
+            #[inline(always)]
+            fn select($m: $mask, $yes: Self, $no: Self) -> Self {
+                // SAFETY: the lanes prove the instructions.
+                Self(unsafe { $select }, $yes.1)
+            }
+        }
+
+        crate::x86_64::vector::operator!($name, Add, add, $add);
+        crate::x86_64::vector::operator!($name, Sub, sub, $sub);
+        crate::x86_64::vector::operator!($name, Mul, mul, $mul);
+        crate::x86_64::vector::operator!($name, Div, div, $div);
+
+        impl core::ops::Neg for $name {
+            type Output = Self;
+            #[inline(always)]
+            fn neg(self) -> Self {
+                // SAFETY: `self` proves the instructions.
+                Self(unsafe { $xor(self.0, $splat(-0.0)) }, self.1)
+            }
+        }
+    };
+}
+pub(super) use vector;
+
+macro_rules! operator {
+    ($name:ident, $trait:ident, $method:ident, $instruction:ident) => {
+        impl core::ops::$trait for $name {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                // SAFETY: `self` proves the instructions.
+                Self(unsafe { $instruction(self.0, other.0) }, self.1)
+            }
+        }
+    };
+}
+pub(super) use operator;

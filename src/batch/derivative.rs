@@ -1,0 +1,140 @@
+//! Velocity: σ̇ from twists and back, and integration of a constant twist.
+
+use super::{DualQuat, Quat, vector};
+use crate::geometry::{DualVector, Twist};
+use dq8_simd::Lane;
+
+impl<L: Lane> DualQuat<L> {
+    /// ½ξσ, ξ = ω + εv the spatial twist.
+    #[inline(always)]
+    #[must_use]
+    pub fn derivative_spatial(self, twist: Twist<L>) -> Self {
+        let half = half(twist);
+        let dual = times_left(half.real, self.dual()) + times_left(half.dual, self.real());
+        Self::new(times_left(half.real, self.real()), dual)
+    }
+
+    /// ½σξ, ξ = ω + εv the body twist.
+    #[inline(always)]
+    #[must_use]
+    pub fn derivative_body(self, twist: Twist<L>) -> Self {
+        let half = half(twist);
+        let dual = times_right(self.dual(), half.real) + times_right(self.real(), half.dual);
+        Self::new(times_right(self.real(), half.real), dual)
+    }
+
+    /// 2σ̇σ* of unit σ
+    #[inline(always)]
+    #[must_use]
+    pub fn spatial_twist(self, derivative: Self) -> Twist<L> {
+        let two = self.real().w().with(2.0);
+        let (p, q) = (self.real(), self.dual());
+        let (p_rate, q_rate) = (derivative.real(), derivative.dual());
+        let none = [two.with(0.0); 3];
+        let linear = before_conjugate(p_rate, q, before_conjugate(q_rate, p, none));
+        Twist {
+            angular: vector::scale(before_conjugate(p_rate, p, none), two),
+            linear: vector::scale(linear, two),
+        }
+    }
+
+    /// 2σ*σ̇ of unit σ
+    #[inline(always)]
+    #[must_use]
+    pub fn body_twist(self, derivative: Self) -> Twist<L> {
+        let two = self.real().w().with(2.0);
+        let (p, q) = (self.real(), self.dual());
+        let (p_rate, q_rate) = (derivative.real(), derivative.dual());
+        let none = [two.with(0.0); 3];
+        let linear = after_conjugate(q, p_rate, after_conjugate(p, q_rate, none));
+        Twist {
+            angular: vector::scale(after_conjugate(p, p_rate, none), two),
+            linear: vector::scale(linear, two),
+        }
+    }
+
+    /// ½ωr + ½ε(ṫr + ½tωr), `angular` ω in fixed axes and `linear` ṫ; σ must be unit. Here as ½ξσ with
+    /// the spatial twist ξ = ω + ε(ṫ + t × ω).
+    #[inline(always)]
+    #[must_use]
+    pub fn derivative_from_velocity(self, angular: [L; 3], linear: [L; 3]) -> Self {
+        let at_origin = vector::cross_onto(self.translation(), angular, linear);
+        self.derivative_spatial(Twist { angular, linear: at_origin })
+    }
+
+    /// (ω, ṫ) of unit σ, both in fixed axes: ṫ = v + ω × t of the spatial twist.
+    #[inline(always)]
+    #[must_use]
+    pub fn velocity(self, derivative: Self) -> ([L; 3], [L; 3]) {
+        let twist = self.spatial_twist(derivative);
+        let linear = vector::cross_onto(twist.angular, self.translation(), twist.linear);
+        (twist.angular, linear)
+    }
+
+    /// exp(½ξ), the motion that a constant twist makes in unit time.
+    #[inline(always)]
+    #[must_use]
+    pub fn from_twist(twist: Twist<L>) -> Self {
+        Self::exp(half(twist))
+    }
+
+    /// 2 log σ, the constant twist that makes the motion in unit time.
+    #[inline(always)]
+    #[must_use]
+    pub fn to_twist(self) -> Twist<L> {
+        let log = self.log();
+        let two = self.real().w().with(2.0);
+        Twist { angular: vector::scale(log.real, two), linear: vector::scale(log.dual, two) }
+    }
+
+    /// exp(½ξ dt) σ, ξ a constant spatial twist; `dt` may differ from lane to lane.
+    #[inline(always)]
+    #[must_use]
+    pub fn integrate_spatial(self, twist: Twist<L>, dt: L) -> Self {
+        Self::from_twist(twist.scale(dt)) * self
+    }
+
+    /// σ exp(½ξ dt), ξ a constant body twist; `dt` may differ from lane to lane.
+    #[inline(always)]
+    #[must_use]
+    pub fn integrate_body(self, twist: Twist<L>, dt: L) -> Self {
+        self * Self::from_twist(twist.scale(dt))
+    }
+}
+
+/// ½ω + ½εv
+#[inline(always)]
+fn half<L: Lane>(twist: Twist<L>) -> DualVector<L> {
+    let half = twist.angular[0].with(0.5);
+    DualVector { real: vector::scale(twist.angular, half), dual: vector::scale(twist.linear, half) }
+}
+
+/// vq for a pure quaternion v: (w v + v × r, −v·r)
+#[inline(always)]
+fn times_left<L: Lane>(v: [L; 3], q: Quat<L>) -> Quat<L> {
+    let xyz = vector::cross_onto(v, q.xyz(), vector::scale(v, q.w()));
+    Quat::from_parts(xyz, -vector::dot(v, q.xyz()))
+}
+
+/// qv for a pure quaternion v: (w v + r × v, −r·v)
+#[inline(always)]
+fn times_right<L: Lane>(q: Quat<L>, v: [L; 3]) -> Quat<L> {
+    let xyz = vector::cross_onto(q.xyz(), v, vector::scale(v, q.w()));
+    Quat::from_parts(xyz, -vector::dot(q.xyz(), v))
+}
+
+/// The vector part of ab*, w_b a − w_a b − a × b, plus `onto`.
+#[inline(always)]
+fn before_conjugate<L: Lane>(a: Quat<L>, b: Quat<L>, onto: [L; 3]) -> [L; 3] {
+    let onto = vector::scale_onto(a.xyz(), b.w(), onto);
+    let onto = vector::scale_onto(b.xyz(), -a.w(), onto);
+    vector::cross_onto(b.xyz(), a.xyz(), onto)
+}
+
+/// The vector part of a*b, w_a b − w_b a − a × b, plus `onto`.
+#[inline(always)]
+fn after_conjugate<L: Lane>(a: Quat<L>, b: Quat<L>, onto: [L; 3]) -> [L; 3] {
+    let onto = vector::scale_onto(b.xyz(), a.w(), onto);
+    let onto = vector::scale_onto(a.xyz(), -b.w(), onto);
+    vector::cross_onto(b.xyz(), a.xyz(), onto)
+}

@@ -1,0 +1,75 @@
+//! Jacobians of the exponential of SE(3), on dual numbers: with u = x·x,
+//!
+//! ```text
+//! J_l(x) y   = y +   A(u) x×y + B(u) x×(x×y)
+//! J_l⁻¹(x) y = y − ½      x×y + C(u) x×(x×y)
+//! ```
+//!
+//! The coefficients are analytic in u: see [`even`](super::even).
+
+use super::even::{exponential_integrals, half_cotangent};
+use super::{Dual, DualQuat, vector};
+use crate::geometry::Twist;
+use dq8_simd::Lane;
+
+impl<L: Lane> DualQuat<L> {
+    /// exp(½(x + δy)) ≈ exp(½δ J_l(x) y) exp(½x) with x = `at`, y = `along`.
+    #[inline(always)]
+    #[must_use]
+    pub fn left_jacobian(at: Twist<L>, along: Twist<L>) -> Twist<L> {
+        let (first, second) = exponential_integrals(square(at));
+        let once = cross(at, along);
+        times_onto(second, cross(at, once), times_onto(first, once, along))
+    }
+
+    /// exp(½(x + δy)) ≈ exp(½x) exp(½δ J_r(x) y)
+    #[inline(always)]
+    #[must_use]
+    pub fn right_jacobian(at: Twist<L>, along: Twist<L>) -> Twist<L> {
+        Self::left_jacobian(-at, along)
+    }
+
+    /// 2 log(exp(½δy) exp(½x)) ≈ x + δ J_l⁻¹(x) y; infinite at |ω| = 2π.
+    #[inline(always)]
+    #[must_use]
+    pub fn left_jacobian_inverse(at: Twist<L>, along: Twist<L>) -> Twist<L> {
+        let u = square(at);
+        let minus_half = Dual::new(u.real.with(-0.5), u.real.with(0.0));
+        let once = cross(at, along);
+        times_onto(half_cotangent(u), cross(at, once), times_onto(minus_half, once, along))
+    }
+
+    /// 2 log(exp(½x) exp(½δy)) ≈ x + δ J_r⁻¹(x) y; infinite at |ω| = 2π.
+    #[inline(always)]
+    #[must_use]
+    pub fn right_jacobian_inverse(at: Twist<L>, along: Twist<L>) -> Twist<L> {
+        Self::left_jacobian_inverse(-at, along)
+    }
+}
+
+/// x·x
+#[inline(always)]
+fn square<L: Lane>(x: Twist<L>) -> Dual<L> {
+    let across = vector::dot(x.angular, x.linear);
+    Dual::new(vector::dot(x.angular, x.angular), across + across)
+}
+
+/// x × y
+#[inline(always)]
+fn cross<L: Lane>(x: Twist<L>, y: Twist<L>) -> Twist<L> {
+    let moved = vector::cross(x.linear, y.angular);
+    Twist {
+        angular: vector::cross(x.angular, y.angular),
+        linear: vector::cross_onto(x.angular, y.linear, moved),
+    }
+}
+
+/// (a + εb)x + y
+#[inline(always)]
+fn times_onto<L: Lane>(factor: Dual<L>, x: Twist<L>, y: Twist<L>) -> Twist<L> {
+    let linear = vector::scale_onto(x.angular, factor.dual, y.linear);
+    Twist {
+        angular: vector::scale_onto(x.angular, factor.real, y.angular),
+        linear: vector::scale_onto(x.linear, factor.real, linear),
+    }
+}

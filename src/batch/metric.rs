@@ -1,0 +1,66 @@
+//! How far two motions are apart.
+
+use super::DualQuat;
+use super::length::Length;
+use super::screw::HalfAngle;
+use dq8_simd::Lane;
+
+impl<L: Lane> DualQuat<L> {
+    /// The angle of p_a*p_b, radians in [0, π].
+    #[inline(always)]
+    #[must_use]
+    pub fn angle_to(self, other: Self) -> L {
+        let between = Self::from_rotation(self.real().conjugate() * other.real()).canonical();
+        let (one, pi) = (self.real().w().with(1.0), self.real().w().with(core::f64::consts::PI));
+        let sine = Length::of(between.real().xyz(), one).value();
+        // θ = 2 sin Θ · Θ/sin Θ, and rounding may carry it beyond π.
+        let angle = (sine + sine) * HalfAngle::of(between).over_sine().real;
+        L::select(pi.lt(angle), pi, angle)
+    }
+
+    /// |t_a − t_b|
+    #[inline(always)]
+    #[must_use]
+    pub fn distance_to(self, other: Self) -> L {
+        between(self.translation(), other.translation())
+    }
+
+    /// √((λθ)² + d²), θ from [`angle_to`](Self::angle_to) and d from
+    /// [`distance_to`](Self::distance_to); λ may differ from lane to lane.
+    #[inline(always)]
+    #[must_use]
+    pub fn distance_weighted(self, other: Self, length_per_radian: L) -> L {
+        let legs = [length_per_radian * self.angle_to(other), self.distance_to(other)];
+        Length::of(legs, length_per_radian.with(1.0)).value()
+    }
+
+    /// |a v − b v|
+    #[inline(always)]
+    #[must_use]
+    pub fn point_error(self, other: Self, point: [L; 3]) -> L {
+        between(self.transform_point(point), other.transform_point(point))
+    }
+
+    /// d + 2 r sin(θ/2), which bounds [`point_error`](Self::point_error) within the radius. The
+    /// sine is the length of the vector part of p_a*p_b.
+    #[inline(always)]
+    #[must_use]
+    pub fn shell_error(self, other: Self, radius: L) -> L {
+        let turn = (self.real().conjugate() * other.real()).xyz();
+        let sine = Length::of(turn, radius.with(1.0)).value();
+        (radius + radius).mul_add(sine, self.distance_to(other))
+    }
+
+    /// Not [`is_unit`](Self::is_unit).
+    #[inline(always)]
+    #[must_use]
+    pub fn needs_renormalisation(self, tolerance: L) -> L::Mask {
+        !self.is_unit(tolerance)
+    }
+}
+
+/// |a − b|
+#[inline(always)]
+fn between<L: Lane>(a: [L; 3], b: [L; 3]) -> L {
+    Length::of([a[0] - b[0], a[1] - b[1], a[2] - b[2]], a[0].with(1.0)).value()
+}

@@ -1,0 +1,28 @@
+//! Spherical linear interpolation of rotations, and rotation and translation interpolated apart.
+
+use super::{DualQuat, Quat, vector};
+use dq8_simd::Lane;
+
+impl<L: Lane> Quat<L> {
+    /// Turns from `self` to ±`other` about one axis at constant speed, by the shorter way; `t` may
+    /// differ from lane to lane.
+    ///
+    /// The screw motion of pure rotations: whatever it computes for the dual part is left away.
+    #[inline(always)]
+    #[must_use]
+    pub fn slerp(self, other: Self, t: L) -> Self {
+        DualQuat::from_rotation(self).sclerp(DualQuat::from_rotation(other), t).real()
+    }
+}
+
+impl<L: Lane> DualQuat<L> {
+    /// Rotation by SLERP, translation by LERP; `t` may differ from lane to lane.
+    #[inline(always)]
+    #[must_use]
+    pub fn slerp_lerp(self, other: Self, t: L) -> Self {
+        let rotation = self.rotation().slerp(other.rotation(), t);
+        let start = vector::scale(self.translation(), t.with(1.0) - t);
+        let translation = vector::scale_onto(other.translation(), t, start);
+        Self::from_rotation_translation(rotation, translation)
+    }
+}

@@ -1,0 +1,13 @@
+/// A mean of motions, found by iteration, and how it was found: the answer of
+/// [`dib`](crate::Motion::dib).
+///
+/// `M` is one motion, `T` a float and `B` a `bool`; or all three are lanes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mean<M, T, B> {
+    /// The mean, or the last approximation to it.
+    pub motion: M,
+    /// How many steps were made, a whole number. 0 is the linear blend, untouched.
+    pub iterations: T,
+    /// Whether the next step would have been within the tolerance.
+    pub converged: B,
+}

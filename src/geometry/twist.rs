@@ -1,0 +1,102 @@
+use core::ops::{Add, Mul, Neg, Sub};
+
+/// A twist ω + εv: the velocity of a rigid body as a dual vector, an element of se(3).
+///
+/// `angular` is ω in radians per unit of time. `linear` is v, the velocity of *the point of the body
+/// that is at the origin of the frame*, in lengths per unit of time. Which frame depends on the twist:
+///
+/// - *spatial*: both in the axes and about the origin of the fixed frame, σ̇ = ½ξσ;
+/// - *body*: both in the axes and about the origin of the moving frame, σ̇ = ½σξ.
+///
+/// A motion takes the one to the other: spatial = σ body σ*, which is
+/// [`DualQuat::adjoint`](crate::DualQuat::adjoint).
+///
+/// The logarithm of a motion is half the twist that makes it in unit time, because a quaternion
+/// carries half the angle: [`DualQuat::to_twist`](crate::DualQuat::to_twist).
+///
+/// ```
+/// use dq8::{DualQuat, Twist};
+/// // A wheel of radius 2 on the ground: its lowest point, at the origin, stands still.
+/// let rolling = Twist { angular: [0.0_f32, 1.0, 0.0], linear: [0.0, 0.0, 0.0] };
+/// assert_eq!(rolling.velocity_at([0.0, 0.0, 2.0]), [2.0, 0.0, 0.0]);
+/// // Seen from the hub, the ground's frame is 2 below.
+/// let hub = DualQuat::from_translation([0.0, 0.0, 2.0]);
+/// assert_eq!(hub.conjugate().adjoint(rolling).linear, [2.0, 0.0, 0.0]);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+pub struct Twist<T> {
+    /// ω, radians per unit of time.
+    pub angular: [T; 3],
+    /// v, lengths per unit of time, of the point at the frame's origin.
+    pub linear: [T; 3],
+}
+
+impl<T: Copy> Twist<T> {
+    /// From `[ωx, ωy, ωz, vx, vy, vz]`.
+    #[inline(always)]
+    #[must_use]
+    pub const fn from_array([wx, wy, wz, vx, vy, vz]: [T; 6]) -> Self {
+        Self { angular: [wx, wy, wz], linear: [vx, vy, vz] }
+    }
+
+    /// `[ωx, ωy, ωz, vx, vy, vz]`
+    #[inline(always)]
+    #[must_use]
+    pub const fn to_array(self) -> [T; 6] {
+        let ([wx, wy, wz], [vx, vy, vz]) = (self.angular, self.linear);
+        [wx, wy, wz, vx, vy, vz]
+    }
+
+    /// The twist times a number: a joint's screw times its rate.
+    #[inline(always)]
+    #[must_use]
+    pub fn scale(self, factor: T) -> Self
+    where
+        T: Mul<Output = T>,
+    {
+        let [wx, wy, wz, vx, vy, vz] = self.to_array();
+        let angular = [wx * factor, wy * factor, wz * factor];
+        Self { angular, linear: [vx * factor, vy * factor, vz * factor] }
+    }
+
+    /// v + ω × x, the velocity of the point of the body that is at x, in the frame of the twist.
+    #[inline(always)]
+    #[must_use]
+    pub fn velocity_at(self, [x, y, z]: [T; 3]) -> [T; 3]
+    where
+        T: Add<Output = T> + Sub<Output = T> + Mul<Output = T>,
+    {
+        let [wx, wy, wz, vx, vy, vz] = self.to_array();
+        [vx + (wy * z - wz * y), vy + (wz * x - wx * z), vz + (wx * y - wy * x)]
+    }
+}
+
+impl<T: Copy + Add<Output = T>> Add for Twist<T> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        let [a, b, c, d, e, f] = self.to_array();
+        let [g, h, i, j, k, l] = other.to_array();
+        Self::from_array([a + g, b + h, c + i, d + j, e + k, f + l])
+    }
+}
+
+impl<T: Copy + Sub<Output = T>> Sub for Twist<T> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        let [a, b, c, d, e, f] = self.to_array();
+        let [g, h, i, j, k, l] = other.to_array();
+        Self::from_array([a - g, b - h, c - i, d - j, e - k, f - l])
+    }
+}
+
+impl<T: Copy + Neg<Output = T>> Neg for Twist<T> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        let [a, b, c, d, e, f] = self.to_array();
+        Self::from_array([-a, -b, -c, -d, -e, -f])
+    }
+}

@@ -1,0 +1,46 @@
+//! What a change of frame does to twists and wrenches.
+
+use super::{DualQuat, vector};
+use crate::geometry::{Twist, Wrench};
+use crate::real::Real;
+
+impl<R: Real> DualQuat<R> {
+    /// Ad_σ ξ = σ(ω + εv)σ*: ω′ = Rω, v′ = Rv + t × ω′ (Murray, Li, Sastry 1994, eq. 2.58), as lines
+    /// move. Takes a twist in the body's frame to the fixed frame; `conjugate().adjoint()` takes it
+    /// back. Ad_{ab} = Ad_a Ad_b. σ must be unit.
+    ///
+    /// ```
+    /// use dq8::{DualQuat, Twist};
+    /// let pose = DualQuat::from_translation([2.0_f32, 0.0, 0.0]);
+    /// let turning = Twist { angular: [0.0, 0.0, 1.0], linear: [0.0; 3] };
+    /// // At the fixed origin, what turns with a body at x = 2 moves down.
+    /// assert_eq!(pose.adjoint(turning).linear, [0.0, -2.0, 0.0]);
+    /// ```
+    #[must_use]
+    pub fn adjoint(self, twist: Twist<R>) -> Twist<R> {
+        let angular = self.real().rotate(twist.angular);
+        let turned = self.real().rotate(twist.linear);
+        let shift = vector::cross(self.translation(), angular);
+        Twist { angular, linear: vector::add(turned, shift) }
+    }
+
+    /// The co-adjoint action on wrenches: f′ = Rf, τ′ = Rτ + t × f′, so that the power of a wrench on
+    /// a twist is the same in both frames. Takes a wrench in the body's frame to the fixed frame.
+    /// σ must be unit.
+    ///
+    /// This is (Ad_σ⁻¹)ᵀ, a left action: coadjoint of ab is that of b, then that of a.
+    ///
+    /// ```
+    /// use dq8::{DualQuat, Wrench};
+    /// let pose = DualQuat::from_translation([2.0_f32, 0.0, 0.0]);
+    /// let weight = Wrench { force: [0.0, 0.0, -9.0], torque: [0.0; 3] };
+    /// assert_eq!(pose.coadjoint(weight).torque, [0.0, 18.0, 0.0]);
+    /// ```
+    #[must_use]
+    pub fn coadjoint(self, wrench: Wrench<R>) -> Wrench<R> {
+        let force = self.real().rotate(wrench.force);
+        let turned = self.real().rotate(wrench.torque);
+        let shift = vector::cross(self.translation(), force);
+        Wrench { force, torque: vector::add(turned, shift) }
+    }
+}

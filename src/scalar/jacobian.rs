@@ -1,0 +1,188 @@
+//! Jacobians of the exponential of SE(3), on dual numbers.
+//!
+//! With twists as dual vectors, the Lie bracket of se(3) is the dual cross product x × y =
+//! ω×η + ε(ω×w + v×η), so by the transfer principle the Jacobians are those of SO(3) over dual
+//! numbers. With u = x·x = ω·ω + 2ε ω·v:
+//!
+//! ```text
+//! J_l(x) y   = y +   A x×y + B x×(x×y)     A = (1 − cos √u)/u,  B = (√u − sin √u)/√u³
+//! J_l⁻¹(x) y = y − ½ x×y   + C x×(x×y)     C = (1 − (√u/2) cot(√u/2))/u
+//! ```
+
+use super::{Dual, DualQuat, vector};
+use crate::geometry::Twist;
+use crate::real::Real;
+
+impl<R: Real> DualQuat<R> {
+    /// The left Jacobian of SE(3) at the twist x, applied to y: how the *spatial* side of the motion
+    /// of x answers to a change of x by y,
+    /// exp(½(x + δy)) ≈ exp(½δ J_l(x) y) exp(½x).
+    ///
+    /// Barfoot & Furgale 2014; Barfoot 2017, eq. 7.85, there with the translation first. `at` is a
+    /// twist as [`to_twist`](Self::to_twist) gives it: radians and lengths, any |ω|. Singular, not
+    /// infinite, at |ω| = 2π, 4π, …
+    ///
+    /// ```
+    /// use dq8::{DualQuat, Twist};
+    /// let at = Twist { angular: [0.0_f64, 0.0, 1.0], linear: [1.0, 2.0, 3.0] };
+    /// let along = Twist { angular: [1.0, 0.0, 0.0], linear: [0.0, 1.0, 0.0] };
+    /// let step = 1e-6;
+    /// let (a, b) = (DualQuat::from_twist(at), DualQuat::from_twist(at + along.scale(step)));
+    /// let change = (b * a.conjugate()).to_twist().scale(1.0 / step);
+    /// let error = change - DualQuat::left_jacobian(at, along);
+    /// assert!(error.to_array().iter().all(|e| e.abs() < 1e-5));
+    /// ```
+    #[must_use]
+    pub fn left_jacobian(at: Twist<R>, along: Twist<R>) -> Twist<R> {
+        let u = square(at);
+        let (first, second) = if u.real < R::ONE {
+            (series(u, &COSINE_SERIES), series(u, &SINE_SERIES))
+        } else {
+            let angle = u.sqrt();
+            ((Dual::ONE - angle.cos()) / u, (angle - angle.sin()) / (angle * u))
+        };
+        let once = cross(at, along);
+        along + times(first, once) + times(second, cross(at, once))
+    }
+
+    /// The right Jacobian of SE(3) at the twist x, applied to y: how the *body* side of the motion of
+    /// x answers, exp(½(x + δy)) ≈ exp(½x) exp(½δ J_r(x) y). J_r(x) = J_l(−x), and
+    /// J_l(x) = Ad_{exp ½x} J_r(x).
+    #[must_use]
+    pub fn right_jacobian(at: Twist<R>, along: Twist<R>) -> Twist<R> {
+        Self::left_jacobian(-at, along)
+    }
+
+    /// The inverse of the left Jacobian at the twist x, applied to y: how the twist x of a motion
+    /// changes when the motion changes by the *spatial* twist y,
+    /// 2 log(exp(½δy) exp(½x)) ≈ x + δ J_l⁻¹(x) y.
+    ///
+    /// For |ω| < 2π; C is **infinite at |ω| = 2π** and every multiple of it, and errors grow like
+    /// 1/(2π − |ω|) near it. A twist from [`to_twist`](Self::to_twist) has |ω| ≤ π.
+    #[must_use]
+    pub fn left_jacobian_inverse(at: Twist<R>, along: Twist<R>) -> Twist<R> {
+        let u = square(at);
+        let second = if u.real < R::ONE {
+            series(u, &COTANGENT_SERIES)
+        } else {
+            let half = u.sqrt() * Dual::new(R::HALF, R::ZERO);
+            (Dual::ONE - half * half.cos() / half.sin()) / u
+        };
+        let once = cross(at, along);
+        along - once.scale(R::HALF) + times(second, cross(at, once))
+    }
+
+    /// The inverse of the right Jacobian at the twist x, applied to y: how the twist x of a motion
+    /// changes when the motion changes by the *body* twist y. See
+    /// [`left_jacobian_inverse`](Self::left_jacobian_inverse).
+    #[must_use]
+    pub fn right_jacobian_inverse(at: Twist<R>, along: Twist<R>) -> Twist<R> {
+        Self::left_jacobian_inverse(-at, along)
+    }
+
+    /// The left Jacobian as a 6×6 matrix, rows and columns in the order `[ωx, ωy, ωz, vx, vy, vz]`:
+    /// [J, 0; Q, J] (Barfoot 2017, eq. 7.85b, with his blocks in the other order).
+    ///
+    /// ```
+    /// use dq8::{DualQuat, Twist};
+    /// let sliding = Twist { angular: [0.0_f32; 3], linear: [0.0, 0.0, 2.0] };
+    /// let rows = DualQuat::left_jacobian_matrix(sliding);
+    /// assert_eq!(rows[0], [1.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
+    /// assert_eq!(rows[3], [0.0, -1.0, 0.0, 1.0, 0.0, 0.0]);
+    /// ```
+    #[must_use]
+    pub fn left_jacobian_matrix(at: Twist<R>) -> [[R; 6]; 6] {
+        matrix(at, Self::left_jacobian)
+    }
+
+    /// The inverse of the left Jacobian as a 6×6 matrix, in the order of
+    /// [`left_jacobian_matrix`](Self::left_jacobian_matrix).
+    #[must_use]
+    pub fn left_jacobian_inverse_matrix(at: Twist<R>) -> [[R; 6]; 6] {
+        matrix(at, Self::left_jacobian_inverse)
+    }
+}
+
+/// A as a power series of u, (−1)ᵏ/(2k + 2)!; with u < 1 the first term left out is below 10⁻¹⁹.
+const COSINE_SERIES: [f64; 9] = [
+    1.0 / 2.0,
+    -1.0 / 24.0,
+    1.0 / 720.0,
+    -1.0 / 40_320.0,
+    1.0 / 3_628_800.0,
+    -1.0 / 479_001_600.0,
+    1.0 / 87_178_291_200.0,
+    -1.0 / 20_922_789_888_000.0,
+    1.0 / 6_402_373_705_728_000.0,
+];
+
+/// B as a power series of u, (−1)ᵏ/(2k + 3)!; with u < 1 the first term left out is below 10⁻¹⁹.
+const SINE_SERIES: [f64; 9] = [
+    1.0 / 6.0,
+    -1.0 / 120.0,
+    1.0 / 5_040.0,
+    -1.0 / 362_880.0,
+    1.0 / 39_916_800.0,
+    -1.0 / 6_227_020_800.0,
+    1.0 / 1_307_674_368_000.0,
+    -1.0 / 355_687_428_096_000.0,
+    1.0 / 121_645_100_408_832_000.0,
+];
+
+/// C as a power series of u, |B₂ₖ|/(2k)! with Bernoulli's numbers; with u < 1 the first term left out
+/// is below 10⁻¹⁸.
+const COTANGENT_SERIES: [f64; 11] = [
+    1.0 / 12.0,
+    1.0 / 720.0,
+    1.0 / 30_240.0,
+    1.0 / 1_209_600.0,
+    1.0 / 47_900_160.0,
+    691.0 / 1_307_674_368_000.0,
+    1.0 / 74_724_249_600.0,
+    3_617.0 / 10_670_622_842_880_000.0,
+    43_867.0 / 5_109_094_217_170_944_000.0,
+    174_611.0 / 802_857_662_698_291_200_000.0,
+    77_683.0 / 14_101_100_039_391_805_440_000.0,
+];
+
+/// Σ cₖuᵏ. Closed forms cancel for small u: the derivative of B is a difference over u.
+fn series<R: Real>(u: Dual<R>, coefficients: &[f64]) -> Dual<R> {
+    coefficients.iter().rev().fold(Dual::ZERO, |sum, &coefficient| {
+        sum * u + Dual::new(R::from_f64(coefficient), R::ZERO)
+    })
+}
+
+/// x·x
+fn square<R: Real>(x: Twist<R>) -> Dual<R> {
+    Dual::new(vector::dot(x.angular, x.angular), R::TWO * vector::dot(x.angular, x.linear))
+}
+
+/// x × y, the Lie bracket.
+fn cross<R: Real>(x: Twist<R>, y: Twist<R>) -> Twist<R> {
+    let linear =
+        vector::add(vector::cross(x.angular, y.linear), vector::cross(x.linear, y.angular));
+    Twist { angular: vector::cross(x.angular, y.angular), linear }
+}
+
+/// (a + εb)(ω + εv)
+fn times<R: Real>(factor: Dual<R>, twist: Twist<R>) -> Twist<R> {
+    let linear = vector::add(
+        vector::scale(twist.linear, factor.real),
+        vector::scale(twist.angular, factor.dual),
+    );
+    Twist { angular: vector::scale(twist.angular, factor.real), linear }
+}
+
+/// The matrix of a linear map: its columns are what it does to the unit twists.
+fn matrix<R: Real>(at: Twist<R>, map: fn(Twist<R>, Twist<R>) -> Twist<R>) -> [[R; 6]; 6] {
+    let mut rows = [[R::ZERO; 6]; 6];
+    for column in 0..6 {
+        let mut unit = [R::ZERO; 6];
+        unit[column] = R::ONE;
+        let image = map(at, Twist::from_array(unit)).to_array();
+        for (row, value) in rows.iter_mut().zip(image) {
+            row[column] = value;
+        }
+    }
+    rows
+}

@@ -1,0 +1,78 @@
+//! Twists, velocities and Jacobians: every implementation against the scalar `f64` path, against
+//! finite differences, and against their laws.
+
+#[path = "differential/arm.rs"]
+mod arm;
+#[path = "differential/case.rs"]
+mod case;
+#[path = "differential/difference.rs"]
+mod difference;
+#[path = "differential/edge.rs"]
+mod edge;
+#[path = "differential/law.rs"]
+mod law;
+#[path = "differential/operation.rs"]
+mod operation;
+#[path = "differential/oracle.rs"]
+mod oracle;
+
+use case::{Arguments, Case, cases};
+use dq8::DualQuat;
+use dq8_contract::for_every_implementation;
+use dq8_contract::sample::Sample;
+use dq8_contract::tolerance::unit_roundoff;
+use operation::{BOUNDS, answer, scale};
+
+/// The worst error of the operation `name` of `M` over `cases`, in units of u · scale, and where.
+fn worst_error<M: Sample>(name: &str, cases: &[Case]) -> (f64, Case) {
+    // Below the normal numbers the last place no longer shrinks.
+    let smallest = if M::SINGLE { f64::from(f32::MIN_POSITIVE) } else { f64::MIN_POSITIVE };
+    let mut worst = (0.0, cases[0]);
+    for chunk in cases.chunks(M::LANES) {
+        let got = answer(name, &Arguments::<M>::new(chunk)).lanes::<M>();
+        for (case, got) in chunk.iter().zip(got) {
+            let case = case.rounded::<M>();
+            let wanted = answer(name, &Arguments::<DualQuat<f64>>::new(&[case]));
+            let scale = scale(name, &case).map(|scale| scale.max(smallest));
+            let error = got.distance(&wanted, scale) / unit_roundoff(M::SINGLE);
+            if error > worst.0 {
+                worst = (error, case);
+            }
+        }
+    }
+    worst
+}
+
+#[test]
+fn every_implementation_keeps_the_table() {
+    let cases = cases();
+    let (mut broken, mut implementations) = (Vec::new(), 0);
+    let mut measured = [0.0_f64; BOUNDS.len()];
+    for_every_implementation!(|implementation, M| {
+        for (bound, measured) in BOUNDS.iter().zip(&mut measured) {
+            // An infinite answer has no error; the tests of edges look at it.
+            let finite = |case: &&Case| !bound.name.ends_with("inverse") || case.angle() < 6.25;
+            let cases: Vec<_> = cases.iter().filter(finite).copied().collect();
+            let (error, case) = worst_error::<M>(bound.name, &cases);
+            *measured = measured.max(error);
+            if error.is_nan() || error > bound.units {
+                let name = (bound.name, bound.units, bound.reason);
+                broken.push(format!("{implementation}, {name:?}: {error:.2} at {case:?}"));
+            }
+        }
+        implementations += 1;
+    });
+    for (bound, measured) in BOUNDS.iter().zip(measured) {
+        println!("{:26} {measured:6.2} of {:.2}", bound.name, bound.units);
+    }
+    assert!(broken.is_empty(), "{}", broken.join("\n"));
+    assert_eq!(implementations, 10, "something did not run");
+}
+
+/// A bound that nothing comes near says nothing.
+#[test]
+fn bounds_are_what_was_measured_and_half_as_much() {
+    for bound in &BOUNDS {
+        assert!(bound.units <= 1.75 * bound.measured + 0.25, "{bound:?}");
+    }
+}

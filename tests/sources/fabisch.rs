@@ -1,0 +1,171 @@
+//! A. Fabisch, *Normalizing Dual Quaternions*: his vector, his numbers, his four mistakes.
+
+use crate::{assert_close, assert_far, length};
+use dq8::batch;
+use dq8::{Dual, DualQuat, Mask, NormalizeError, Portable, Quat, f32x4};
+
+/// The article prints eight digits after the point.
+const PRINTED: f64 = 1e-8;
+
+/// In [3]: eight random numbers.
+fn sigma() -> DualQuat<f64> {
+    DualQuat::from_wxyz([
+        0.30471708,
+        -1.03998411,
+        0.7504512,
+        0.94056472,
+        -1.95103519,
+        -1.30217951,
+        0.1278404,
+        -0.31624259,
+    ])
+}
+
+/// Out [8], [10] and [14].
+const UNIT: [f64; 8] = [
+    0.18817376,
+    -0.64222759,
+    0.4634306,
+    0.58083254,
+    -1.24489263,
+    -0.66742595,
+    -0.01970857,
+    -0.31893819,
+];
+
+/// s + εt = pᵀp + 2ε pᵀq
+fn squared_norm(sigma: DualQuat<f64>) -> Dual<f64> {
+    let (p, q) = (sigma.real(), sigma.dual());
+    Dual::new(p.dot(p), 2.0 * p.dot(q))
+}
+
+#[test]
+fn out_4_and_5_the_squared_norm_is_a_dual_number() {
+    let product = sigma() * sigma().conjugate();
+    let [s, _, _, _, t, ..] = product.to_wxyz();
+    assert_close([s, t], [2.62225842, 1.11644721], 3.0 * PRINTED);
+    // The vector parts cancel.
+    assert_close(product.real().xyz(), [0.0; 3], 1e-15);
+    assert_close(product.dual().xyz(), [0.0; 3], 1e-15);
+    let simplified = squared_norm(sigma());
+    assert_close([s, t], [simplified.real, simplified.dual], 1e-15);
+    // dq8's norm is its root.
+    let norm = sigma().norm() * sigma().norm();
+    assert_close([norm.real, norm.dual], [s, t], 1e-15);
+}
+
+#[test]
+fn the_inverse_root_of_a_dual_number_has_the_dual_part_minus_t_over_2_s_to_the_three_halves() {
+    let squared = squared_norm(sigma());
+    let u = 1.0 / squared.real.sqrt();
+    let inverse_root = Dual::ONE / squared.sqrt();
+    assert_close(
+        [inverse_root.real, inverse_root.dual],
+        [u, -0.5 * squared.dual * u.powi(3)],
+        1e-15,
+    );
+    let one = inverse_root * inverse_root * squared;
+    assert_close([one.real, one.dual], [1.0, 0.0], 1e-15);
+}
+
+#[test]
+fn out_8_the_direct_normalisation() {
+    let direct = sigma().scale_dual(Dual::ONE / squared_norm(sigma()).sqrt());
+    assert_close(direct.to_wxyz(), UNIT, 3.0 * PRINTED);
+    assert_close(direct.to_array(), sigma().normalize().to_array(), 1e-15);
+    assert!(direct.is_normalized());
+}
+
+#[test]
+fn out_14_the_normalisation_in_two_steps() {
+    let mut p = sigma().real();
+    let mut q = sigma().dual();
+    let norm = p.norm();
+    p = p.scale(1.0 / norm);
+    q = q.scale(1.0 / norm);
+    q = q - p.scale(p.dot(q));
+    assert_close(DualQuat::new(p, q).to_wxyz(), UNIT, 3.0 * PRINTED);
+    assert_close(DualQuat::new(p, q).to_array(), sigma().normalize().to_array(), 1e-15);
+}
+
+#[test]
+fn side_note_two_solutions_the_other_sign_is_the_same_motion() {
+    let (plus, minus) = (sigma().normalize(), (-sigma()).normalize());
+    assert_eq!(minus, -plus);
+    let v = [1.0, 2.0, 3.0];
+    assert_close(plus.transform_point(v), minus.transform_point(v), 1e-15);
+}
+
+/// He proposes p = 1 and omits it. A motion made up from nothing would hide the fault, so here it is
+/// an error from the checked call and NaN, as in his Out [12], from the other.
+#[test]
+fn out_12_the_edge_case_p_is_zero_is_an_error() {
+    let only_dual = DualQuat::new(Quat::ZERO, sigma().dual());
+    for degenerate in [DualQuat::ZERO, only_dual] {
+        let error = degenerate.try_normalize().unwrap_err();
+        assert_eq!(error, NormalizeError { real_norm: 0.0 });
+        assert!(error.to_string().contains("is 0 "), "{error}");
+        assert!(degenerate.normalize().to_array().iter().all(|c| c.is_nan()));
+    }
+}
+
+#[test]
+fn out_12_the_edge_case_on_lanes_says_which_lane() {
+    let mut records = [sigma().to_array().map(|c| c as f32); 4];
+    records[2][..4].fill(0.0);
+    let (unit, failed) =
+        batch::DualQuat::<f32x4>::load_records(Portable, &records).normalize_checked();
+    assert_eq!(failed.to_bitmask(), 0b0100);
+    let mut back = [[0.0_f32; 8]; 4];
+    unit.store_records(&mut back);
+    for (lane, record) in back.into_iter().enumerate() {
+        let unit = DualQuat::from_array(record.map(f64::from));
+        if lane == 2 {
+            assert!(record.iter().all(|c| c.is_nan()));
+        } else {
+            assert_close(unit.to_wxyz(), UNIT, 3e-7);
+        }
+    }
+}
+
+#[test]
+fn mistake_1_dividing_by_the_real_norm_alone_leaves_the_dual_part_of_the_norm() {
+    let wrong = sigma().scale(1.0 / sigma().real().norm());
+    let squared = squared_norm(wrong);
+    assert_close([squared.real, squared.dual], [1.0, 1.11644721 / 2.62225842], 3.0 * PRINTED);
+    assert!(!wrong.is_unit(0.1));
+    assert_far(wrong.to_wxyz(), UNIT);
+}
+
+#[test]
+fn mistake_2_dividing_only_the_real_part_makes_the_translation_too_long() {
+    let norm = sigma().real().norm();
+    let p = sigma().real().scale(1.0 / norm);
+    let wrong = DualQuat::new(p, sigma().dual());
+    assert!(!wrong.is_unit(0.1));
+    // Orthogonal or not, the translation is too long by the norm that was forgotten.
+    let right = sigma().normalize().translation();
+    assert_close([length(wrong.translation())], [norm * length(right)], 1e-14);
+    assert_far(wrong.translation(), right);
+}
+
+#[test]
+fn mistake_3_without_the_square_root_the_norm_becomes_its_own_inverse() {
+    let squared = squared_norm(sigma());
+    let wrong = sigma().scale_dual(Dual::ONE / squared);
+    assert_close([wrong.real().norm()], [1.0 / squared.real.sqrt()], 1e-15);
+    assert!(!wrong.is_unit(0.1));
+}
+
+#[test]
+fn mistake_4_the_updated_real_part_in_the_direct_solution_is_not_orthogonal() {
+    let (p, q) = (sigma().real(), sigma().dual());
+    let u = 1.0 / p.norm();
+    let v = -p.dot(q) * u.powi(3);
+    let updated = p.scale(u);
+    let right = DualQuat::new(updated, q.scale(u) + p.scale(v));
+    let wrong = DualQuat::new(updated, q.scale(u) + updated.scale(v));
+    assert_close(right.to_wxyz(), UNIT, 3.0 * PRINTED);
+    assert_close([updated.dot(wrong.dual())], [u * u * p.dot(q) * (1.0 - u)], 1e-15);
+    assert!(!wrong.is_unit(0.03));
+}
