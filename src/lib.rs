@@ -60,6 +60,7 @@ extern crate std;
 compile_error!("dq8 needs square roots and trigonometry: enable the feature `std` or `libm`");
 
 pub mod batch;
+mod dispatch;
 mod error;
 mod geometry;
 pub mod hierarchy;
@@ -67,6 +68,7 @@ mod motion;
 mod real;
 pub mod scalar;
 
+pub use dispatch::Backend;
 pub use dq8_simd::{Float, Lane, Level, Mask, Portable, f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
 pub use error::{HierarchyError, InverseError, MatrixError, NormalizeError, ShapeError};
 pub use geometry::{DualVector, Line, Mean, Plane, Screw, Twist, Wrench};

@@ -1,7 +1,7 @@
 //! [`Crowd`]: poses to concatenate, and what has to come out.
 
 use crate::contender::{Contender, Peer};
-use crate::representation::{Rows, largest_difference};
+use crate::representation::Rows;
 use crate::rows::Rows3x4;
 use crate::skeleton::{self, JOINTS};
 use dq8::{DualQuat, Hierarchy};
@@ -77,4 +77,12 @@ fn models<C: Contender>(h: Hierarchy, locals: &[DualQuat<f32>], place: Place) ->
         Place::In => C::local_to_model_in_place(&h, &mut models),
     }
     C::unpack(JOINTS, &models)
+}
+
+/// The largest difference between two elements; NaN if there is any.
+fn largest_difference(a: &Rows, b: &Rows) -> f64 {
+    let pairs = a.as_flattened().iter().zip(b.as_flattened());
+    pairs.map(|(a, b)| (a - b).abs()).fold(0.0, |largest, difference| {
+        if difference > largest || difference.is_nan() { difference } else { largest }
+    })
 }

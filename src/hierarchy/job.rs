@@ -1,9 +1,8 @@
+use super::concatenate::{Backward, Forward, run};
 use super::{Hierarchy, Pose, Renormalise};
 use crate::error::ShapeError;
-use crate::motion::Motion;
 use crate::scalar::DualQuat;
 use core::ops::Range;
-use dq8_simd::{Level, Portable};
 
 /// A run over a hierarchy: with a root transform, or on some of the joints.
 ///
@@ -24,15 +23,15 @@ use dq8_simd::{Level, Portable};
 /// ```
 #[derive(Clone, Debug)]
 pub struct Job<'a, P: Pose> {
-    hierarchy: Hierarchy<'a>,
-    root: Root<'a, P>,
-    joints: Range<usize>,
-    renormalise: Renormalise,
+    pub(super) hierarchy: Hierarchy<'a>,
+    pub(super) root: Root<'a, P>,
+    pub(super) joints: Range<usize>,
+    pub(super) renormalise: Renormalise,
 }
 
 /// What joints without a parent stand on.
 #[derive(Clone, Debug)]
-enum Root<'a, P: Pose> {
+pub(super) enum Root<'a, P: Pose> {
     /// Nothing: their local pose is their model pose.
     None,
     /// The same motion for every instance.
@@ -151,7 +150,7 @@ impl<'a, P: Pose> Job<'a, P> {
     pub fn local_to_model(&self, locals: &[P], models: &mut [P]) -> Result<(), ShapeError> {
         self.check("locals", locals.len())?;
         same_length("models", models.len(), locals.len())?;
-        Portable.run(|| self.forward(Portable, Some(locals), models));
+        run::<P, _>(Forward { job: self, locals: Some(locals), models });
         Ok(())
     }
 
@@ -162,7 +161,7 @@ impl<'a, P: Pose> Job<'a, P> {
     #[inline]
     pub fn local_to_model_in_place(&self, poses: &mut [P]) -> Result<(), ShapeError> {
         self.check("poses", poses.len())?;
-        Portable.run(|| self.forward(Portable, None, poses));
+        run::<P, _>(Forward { job: self, locals: None, models: poses });
         Ok(())
     }
 
@@ -175,7 +174,7 @@ impl<'a, P: Pose> Job<'a, P> {
     pub fn model_to_local(&self, models: &[P], locals: &mut [P]) -> Result<(), ShapeError> {
         self.check("models", models.len())?;
         same_length("locals", locals.len(), models.len())?;
-        Portable.run(|| self.backward(Portable, Some(models), locals));
+        run::<P, _>(Backward { job: self, models: Some(models), locals });
         Ok(())
     }
 
@@ -186,76 +185,8 @@ impl<'a, P: Pose> Job<'a, P> {
     #[inline]
     pub fn model_to_local_in_place(&self, poses: &mut [P]) -> Result<(), ShapeError> {
         self.check("poses", poses.len())?;
-        Portable.run(|| self.backward(Portable, None, poses));
+        run::<P, _>(Backward { job: self, models: None, locals: poses });
         Ok(())
-    }
-
-    /// model(j) = model(parent(j)) · local(j), parents first. Without `locals`, `models` holds them.
-    #[inline(always)]
-    fn forward<V: Level>(&self, level: V, locals: Option<&[P]>, models: &mut [P]) {
-        let parents = self.hierarchy.parents();
-        // `check` has seen to it that the joints are not 0 where there is anything to do.
-        for (instance, models) in models.chunks_exact_mut(parents.len().max(1)).enumerate() {
-            let locals =
-                locals.and_then(|all| all.chunks_exact(parents.len().max(1)).nth(instance));
-            let root = self.root_of(level, instance);
-            for joint in self.joints.clone() {
-                let Some(local) = locals.unwrap_or(models).get(joint) else { break };
-                let mut model = local.load(level);
-                // ROOT is beyond the last joint, so the check of the bound tells roots apart.
-                match parents.get(joint).and_then(|&parent| models.get(parent as usize)) {
-                    Some(parent) => model = parent.load(level) * model,
-                    None => {
-                        if let Some(root) = root {
-                            model = root * model;
-                        }
-                    }
-                }
-                if self.renormalise.applies_to(joint) {
-                    model = model.normalize();
-                }
-                if let Some(slot) = models.get_mut(joint) {
-                    slot.store(level, model);
-                }
-            }
-        }
-    }
-
-    /// local(j) = model(parent(j))* · model(j), children first, so that in place every parent is
-    /// still a model when its children need it.
-    #[inline(always)]
-    fn backward<V: Level>(&self, level: V, models: Option<&[P]>, locals: &mut [P]) {
-        let parents = self.hierarchy.parents();
-        for (instance, locals) in locals.chunks_exact_mut(parents.len().max(1)).enumerate() {
-            let models =
-                models.and_then(|all| all.chunks_exact(parents.len().max(1)).nth(instance));
-            let root = self.root_of(level, instance);
-            for joint in self.joints.clone().rev() {
-                let models = models.unwrap_or(locals);
-                let Some(model) = models.get(joint) else { break };
-                let mut local = model.load(level);
-                match parents.get(joint).and_then(|&parent| models.get(parent as usize)) {
-                    Some(parent) => local = parent.load(level).conjugate() * local,
-                    None => {
-                        if let Some(root) = root {
-                            local = root.conjugate() * local;
-                        }
-                    }
-                }
-                if let Some(slot) = locals.get_mut(joint) {
-                    slot.store(level, local);
-                }
-            }
-        }
-    }
-
-    #[inline(always)]
-    fn root_of<V: Level>(&self, level: V, instance: usize) -> Option<P::Motion<V>> {
-        match self.root {
-            Root::None => None,
-            Root::Same(root) => Some(P::splat(level, root)),
-            Root::Each(roots) => roots.get(instance).map(|root| root.load(level)),
-        }
     }
 
     /// Whether the range, the roots and `length` elements of `what` fit the hierarchy.

@@ -16,6 +16,7 @@
 //! blocks share a lane position: `[instance block][joint][component][lane]`, so that a child finds
 //! its parent in the same lane of another block, without any shuffling.
 
+mod concatenate;
 #[cfg(feature = "alloc")]
 mod crowd;
 mod job;

@@ -1,10 +1,12 @@
+use super::concatenate::run;
 use super::job::same_length;
 use super::packing::whole_instances;
 use super::{Hierarchy, Pose};
+use crate::dispatch::Kernel;
 use crate::error::ShapeError;
 use crate::geometry::Twist;
 use crate::motion::Motion;
-use dq8_simd::{Level, Portable};
+use dq8_simd::Level;
 
 impl Hierarchy<'_> {
     /// Spatial twists of all joints from the rates of the joints:
@@ -42,7 +44,7 @@ impl Hierarchy<'_> {
         whole_instances("models", self.joints(), models.len())?;
         same_length("rates", rates.len(), models.len())?;
         same_length("twists", twists.len(), models.len())?;
-        Portable.run(|| self.add_up(Portable, models, rates, twists));
+        run::<P, _>(Velocities { parents: self.parents(), models, rates, twists });
         Ok(())
     }
 
@@ -90,19 +92,26 @@ impl Hierarchy<'_> {
             let range = effector..effector.saturating_add(1);
             return Err(ShapeError::Joints { range, joints });
         }
-        Portable.run(|| self.screws(Portable, models, axes, effector, columns));
+        let parents = self.parents();
+        run::<P, _>(Screws { parents, models, axes, effector, columns });
         Ok(())
     }
+}
+
+/// The sums of [`Hierarchy::velocities`].
+struct Velocities<'h, 's, P: Pose> {
+    parents: &'h [u32],
+    models: &'s [P],
+    rates: &'s [P::Twist],
+    twists: &'s mut [P::Twist],
+}
+
+impl<P: Pose> Kernel for Velocities<'_, '_, P> {
+    type Output = ();
 
     #[inline(always)]
-    fn add_up<P: Pose, V: Level>(
-        &self,
-        level: V,
-        models: &[P],
-        rates: &[P::Twist],
-        twists: &mut [P::Twist],
-    ) {
-        let parents = self.parents();
+    fn run<V: Level>(self, level: V) {
+        let Self { parents, models, rates, twists } = self;
         let joints = parents.len().max(1);
         let instances = models.chunks_exact(joints).zip(rates.chunks_exact(joints));
         for ((models, rates), twists) in instances.zip(twists.chunks_exact_mut(joints)) {
@@ -120,17 +129,23 @@ impl Hierarchy<'_> {
             }
         }
     }
+}
+
+/// The columns of [`Hierarchy::jacobian`].
+struct Screws<'h, 's, P: Pose> {
+    parents: &'h [u32],
+    models: &'s [P],
+    axes: &'s [Twist<P::Real>],
+    effector: usize,
+    columns: &'s mut [P::Twist],
+}
+
+impl<P: Pose> Kernel for Screws<'_, '_, P> {
+    type Output = ();
 
     #[inline(always)]
-    fn screws<P: Pose, V: Level>(
-        &self,
-        level: V,
-        models: &[P],
-        axes: &[Twist<P::Real>],
-        effector: usize,
-        columns: &mut [P::Twist],
-    ) {
-        let parents = self.parents();
+    fn run<V: Level>(self, level: V) {
+        let Self { parents, models, axes, effector, columns } = self;
         let joints = parents.len().max(1);
         let none = P::splat_twist(level, Twist::from_array([P::Real::default(); 6]));
         for (models, columns) in models.chunks_exact(joints).zip(columns.chunks_exact_mut(joints)) {
