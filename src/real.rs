@@ -41,6 +41,8 @@ pub trait Real:
     const PI: Self;
     /// The distance from 1 to the next larger number.
     const EPSILON: Self;
+    /// Not a number: what unchecked operations return where there is no answer.
+    const NAN: Self;
 
     /// The nearest number of this type.
     fn from_f64(value: f64) -> Self;
@@ -107,6 +109,7 @@ macro_rules! real {
             const HALF: Self = 0.5;
             const PI: Self = core::$real::consts::PI;
             const EPSILON: Self = $real::EPSILON;
+            const NAN: Self = $real::NAN;
 
             #[inline]
             #[allow(clippy::cast_possible_truncation, reason = "rounding is the purpose")]

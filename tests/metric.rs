@@ -178,6 +178,16 @@ fn angles_are_precise_from_the_smallest_to_half_a_turn() {
             assert!((measured - angle).abs() / u <= 13.0, "{name}: {measured} at {angle}");
             assert!(measured <= if M::SINGLE { f64::from(std::f32::consts::PI) } else { PI });
         }
+        // Half a turn about any axis, though |p| is rounded up for some.
+        for step in 0..500 {
+            let (latitude, longitude) = (0.01 * f64::from(step), 2.4 * f64::from(step));
+            let (level, up) = (latitude.cos(), latitude.sin());
+            let axis = [level * longitude.cos(), level * longitude.sin(), up];
+            let pose = all_lanes::<M>(turn_and_move(axis, PI, [0.0; 3]));
+            let measured = number::<M>(none.angle_to(pose));
+            assert!((PI - measured).abs() / u <= 13.0, "{name}: {measured} about {axis:?}");
+            assert!(measured <= if M::SINGLE { f64::from(std::f32::consts::PI) } else { PI });
+        }
         // Subnormal, beside the identity.
         let least = if M::SINGLE { f64::from(f32::from_bits(3)) } else { f64::from_bits(3) };
         let one = all_lanes::<M>([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0]);

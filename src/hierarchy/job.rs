@@ -198,7 +198,7 @@ impl<'a, P: Pose> Job<'a, P> {
         let instances = match (length, joints) {
             (0, _) => 0,
             (_, 0) => return Err(ShapeError::NotWhole { what, length, joints }),
-            (_, _) if length % joints != 0 => {
+            (_, _) if !length.is_multiple_of(joints) => {
                 return Err(ShapeError::NotWhole { what, length, joints });
             }
             (_, _) => length / joints,

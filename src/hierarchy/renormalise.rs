@@ -27,7 +27,7 @@ impl Renormalise {
     pub(super) fn applies_to(self, joint: usize) -> bool {
         match self {
             Self::Never => false,
-            Self::Every(n) => (joint + 1) % n.get() as usize == 0,
+            Self::Every(n) => (joint + 1).is_multiple_of(n.get() as usize),
         }
     }
 }

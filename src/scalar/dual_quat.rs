@@ -34,7 +34,7 @@ impl<R: Real> DualQuat<R> {
     pub const ZERO: Self = Self([R::ZERO; 8]);
     /// What the unchecked operations return where the checked ones return an error.
     pub(super) fn nan() -> Self {
-        Self([R::ZERO / R::ZERO; 8])
+        Self([R::NAN; 8])
     }
 
     /// p + εq

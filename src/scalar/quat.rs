@@ -126,7 +126,7 @@ impl<R: Real> Quat<R> {
     /// q / |q|; every component is NaN where [`try_normalize`](Self::try_normalize) fails.
     #[must_use]
     pub fn normalize(self) -> Self {
-        self.try_normalize().unwrap_or(Self([R::ZERO / R::ZERO; 4]))
+        self.try_normalize().unwrap_or(Self([R::NAN; 4]))
     }
 
     /// q / |q|.

@@ -178,14 +178,16 @@ fn tiny_turns_keep_their_precision() {
             close("dlb_running", dlb_running(&[start, end]), 0.5 * angle);
             close("dib", dib(&[start, end]), 0.5 * angle);
         }
-        // Below the normal numbers only the last place is lost.
-        let least = if M::SINGLE { f64::from(f32::from_bits(2)) } else { f64::from_bits(2) };
-        let [(a, _), (b, _)] = everywhere::<M, 2>([
-            (turn(0.0), 1.0),
-            ([least, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0], 1.0),
-        ]);
-        let half = a.slerp_lerp(b, M::splat(0.5)).scatter()[0];
-        assert_eq!(half[..4], [0.5 * least, 0.0, 0.0, 1.0], "{name}");
+        // Below the normal numbers only the last place is lost, also where there is but one.
+        for bits in 1..=3_u8 {
+            let single = f64::from(f32::from_bits(bits.into()));
+            let tiny = if M::SINGLE { single } else { f64::from_bits(bits.into()) };
+            let pose = [tiny, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0];
+            let [(a, _), (b, _)] = everywhere::<M, 2>([(turn(0.0), 1.0), (pose, 1.0)]);
+            let [x, y, z, w, ..] = a.slerp_lerp(b, M::splat(0.5)).scatter()[0];
+            assert_eq!([y, z, w], [0.0, 0.0, 1.0], "{name}: {tiny:e}");
+            assert!((0.0..=tiny).contains(&x), "{name}: {x:e} is not half of {tiny:e}");
+        }
     }
     for_every_implementation!(|name, M| check::<M>(name));
 }

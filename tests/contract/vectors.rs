@@ -39,9 +39,12 @@ impl Vector {
     }
 }
 
+/// Names and lengths.
+type Inputs = &'static [(&'static str, usize)];
+
 /// The shape of each operation: inputs with their lengths (0 for any multiple of 8 or any number),
 /// and the length of the answer.
-const SHAPES: &[(&str, &[(&str, usize)], usize)] = &[
+const SHAPES: &[(&str, Inputs, usize)] = &[
     ("mul", &[("a", 8), ("b", 8)], 8),
     ("conj_dual", &[("a", 8)], 8),
     ("conj_quat", &[("a", 8)], 8),
