@@ -14,10 +14,10 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("motion", &["geometry"]),
     ("scalar", &["error", "real", "geometry", "motion"]),
     ("batch", &["error", "real", "geometry", "motion", "dq8_simd"]),
-    ("hierarchy", &["error", "real", "geometry", "motion", "dq8_simd", "scalar", "batch"]),
+    ("dispatch", &["dq8_simd"]),
     (
-        "dispatch",
-        &["error", "real", "geometry", "motion", "dq8_simd", "scalar", "batch", "hierarchy"],
+        "hierarchy",
+        &["error", "real", "geometry", "motion", "dq8_simd", "scalar", "batch", "dispatch"],
     ),
 ];
 
@@ -30,8 +30,8 @@ const SIMD_MAY_IMPORT: &[(&str, &[&str])] = &[
     ("portable", &["float", "lane", "level"]),
     ("one", &["float", "lane", "level", "portable"]),
     ("pair", &["float", "lane", "level"]),
-    ("x86_64", &["float", "lane", "level", "pair"]),
-    ("detect", &["float", "lane", "level", "portable", "x86_64"]),
+    ("detect", &[]),
+    ("x86_64", &["float", "lane", "level", "pair", "detect"]),
 ];
 
 /// Files of `batch` without a twin in `scalar`: the scalar reference has these from the standard

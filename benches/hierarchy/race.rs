@@ -5,6 +5,7 @@ use crate::crowd::{Crowd, Place};
 use crate::skeleton::JOINTS;
 use criterion::measurement::WallTime;
 use criterion::{Bencher, BenchmarkGroup, Criterion, Throughput};
+use dq8::Backend;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
@@ -34,8 +35,17 @@ impl<'a> Race<'a> {
         Self { group, crowd: Crowd::new(instances), place }
     }
 
+    /// [`run`](Self::run) with each set of instructions; its name is appended.
+    pub(crate) fn run_on_every_backend<C: Contender>(&mut self, name: &str) {
+        for backend in Backend::available() {
+            Backend::limit(Some(backend));
+            self.run::<C>(&format!("{name}-{backend}"));
+        }
+        Backend::limit(None);
+    }
+
     /// Checks the contender against `f64`, then times it.
-    pub(crate) fn run<C: Contender>(&mut self, name: &str) -> &mut Self {
+    pub(crate) fn run<C: Contender>(&mut self, name: &str) {
         let Self { group, crowd, place } = self;
         let hierarchy = crowd.hierarchy();
         // Criterion calls the closure several times, and not at all if a filter excludes it.
@@ -54,7 +64,6 @@ impl<'a> Race<'a> {
                 }),
             }
         });
-        self
     }
 }
 

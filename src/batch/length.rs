@@ -8,56 +8,59 @@ use dq8_simd::{Float, Lane, Mask};
 /// lane is out of the ordinary, all are stretched by a power of two, which is 1 for ordinary lanes.
 #[derive(Clone, Copy)]
 pub(super) struct Length<L> {
-    /// The length of the stretched vector, and its reciprocal.
+    /// The length of the stretched vector.
     root: L,
-    recip: L,
-    /// Square root of the stretch, so that it can be applied in two steps that do not overflow.
-    half_stretch: Option<L>,
+    /// Its reciprocal, or the stretch where that makes vectors smaller.
+    first: L,
+    /// The other of the two, and the stretch, where any lane is stretched.
+    stretched: Option<(L, L)>,
 }
 
 impl<L: Lane> Length<L> {
     #[inline(always)]
     pub(super) fn of<const N: usize>(vector: [L; N], one: L) -> Self {
         let squared = sum_of_squares(vector, one);
-        let (limit, half_stretch) = if L::Real::SINGLE {
-            (power_of_two(80), power_of_two(48))
+        // Stretched, the squares of all numbers there are fit, and so do the quotients on the way.
+        let (limit, up, down) = if L::Real::SINGLE {
+            (power_of_two(80), power_of_two(88), power_of_two(-66))
         } else {
-            (power_of_two(800), power_of_two(350))
+            (power_of_two(800), power_of_two(564), power_of_two(-514))
         };
         let small = squared.lt(one.with(1.0 / limit));
         let fits = squared.le(one.with(limit));
         if (fits & !small).all() {
             let root = squared.sqrt();
-            return Self { root, recip: one / root, half_stretch: None };
+            return Self { root, first: one / root, stretched: None };
         }
-        let stretch = L::select(
-            small,
-            one.with(half_stretch),
-            L::select(fits, one, one.with(1.0 / half_stretch)),
-        );
+        let stretch = L::select(small, one.with(up), L::select(fits, one, one.with(down)));
         let mut stretched = vector;
         for component in &mut stretched {
-            *component = *component * stretch * stretch;
+            *component = *component * stretch;
         }
         let root = sum_of_squares(stretched, one).sqrt();
-        Self { root, recip: one / root, half_stretch: Some(stretch) }
+        let recip = one / root;
+        // Large numbers are made smaller first, small ones larger last: nothing on the way is beyond
+        // both ends of the quotient.
+        let first = L::select(fits, recip, stretch);
+        let second = L::select(fits, stretch, recip);
+        Self { root, first, stretched: Some((second, stretch)) }
     }
 
     /// The length itself.
     #[inline(always)]
     pub(super) fn value(self) -> L {
-        match self.half_stretch {
+        match self.stretched {
             None => self.root,
-            Some(stretch) => self.root / stretch / stretch,
+            Some((_, stretch)) => self.root / stretch,
         }
     }
 
     /// `component` divided by the length.
     #[inline(always)]
     pub(super) fn divide(self, component: L) -> L {
-        match self.half_stretch {
-            None => component * self.recip,
-            Some(stretch) => component * stretch * self.recip * stretch,
+        match self.stretched {
+            None => component * self.first,
+            Some((second, _)) => component * self.first * second,
         }
     }
 
@@ -82,6 +85,6 @@ fn sum_of_squares<L: Lane, const N: usize>(vector: [L; N], one: L) -> L {
 }
 
 /// 2ⁿ, written as the bits of a float: `core` has no `powi`.
-const fn power_of_two(exponent: u64) -> f64 {
-    f64::from_bits((1023 + exponent) << 52)
+const fn power_of_two(exponent: i64) -> f64 {
+    f64::from_bits(((1023 + exponent) << 52).cast_unsigned())
 }

@@ -132,15 +132,14 @@ impl<L: Lane> DualQuat<L> {
         let short = way.half.scale_dual_onto(along, at_middle);
 
         // The longer way is π − Θ. Its m and h are −h and −m of the shorter way, its cos(Θ/2) and
-        // sin(Θ/2) are sin(Θ/2) and cos(Θ/2) of the shorter.
-        let length = Length::of(way.half.real().to_array(), t.with(1.0));
-        let unit = Quat::from_array(length.divide_all(way.half.real().to_array()));
-        let half_sine = Dual::new(length.value(), unit.dot(way.half.dual()));
+        // sin(Θ/2) are sin(Θ/2) and cos(Θ/2) of the shorter. h over its dual length is a motion,
+        // however short h is; its length would have no inverse.
+        let half_sine = way.half.norm();
         let right_angle = Dual::new(t.with(core::f64::consts::FRAC_PI_2), zero);
         let angle = (right_angle - half_sine * way.asin_over_root).scale(tau);
         let (cos, sinc) = cos_sinc(angle * angle);
         let along = -(angle * sinc * way.half_cosine.recip());
-        let at_middle = way.half.scale_dual(-(cos * half_sine.recip()));
+        let at_middle = way.half.normalize().scale_dual(-cos);
         let long = way.middle.scale_dual_onto(along, at_middle);
         Self::from_array(vector::select(apart, long.to_array(), short.to_array()))
     }

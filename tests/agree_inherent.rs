@@ -1,0 +1,245 @@
+//! What the lane types have beside the contract, against the scalar reference of the same precision:
+//! records and blocks in memory, quaternions, dual numbers.
+
+use dq8::{Float, Lane, Mask, Portable, Real, batch, scalar};
+use dq8_contract::agreement::{Bound, INHERENT, bound, distance};
+use dq8_contract::inputs::{self, Case};
+use dq8_contract::sample::Sample;
+use dq8_simd::{Block, Row};
+
+/// The number in a lane, as the scalar reference and as lanes see it.
+trait Number: Float + Real {}
+impl<R: Float + Real> Number for R {}
+
+/// Runs `$body` with `$L` as each lane type there is.
+macro_rules! for_every_lane_type {
+    (|$name:ident, $L:ident| $body:expr) => {
+        for_every_lane_type! { @each $name, $L, $body;
+            f32 f64 dq8::f32x4 dq8::f32x8 dq8::f32x16 dq8::f64x2 dq8::f64x4 dq8::f64x8 }
+    };
+    (@each $name:ident, $L:ident, $body:expr; $($type:ty)*) => {$({
+        type $L = $type;
+        let $name = stringify!($type);
+        $body
+    })*};
+}
+
+fn round<R: Number>(numbers: [f64; 8]) -> [R; 8] {
+    numbers.map(<R as Real>::from_f64)
+}
+
+fn lanes<L: Lane<Level = Portable>>(numbers: &[f64]) -> L {
+    <batch::DualQuat<L> as Sample>::real(numbers)
+}
+
+#[test]
+fn records_fill_the_first_lanes_and_the_others_hold_the_identity() {
+    fn check<L: Lane<Level = Portable, Real: Number>>(name: &str) {
+        let motions: Vec<_> = inputs::edge_motions().into_iter().map(round::<L::Real>).collect();
+        let identity = scalar::DualQuat::<L::Real>::IDENTITY.to_array();
+        for length in 0..=2 * L::LANES + 1 {
+            let records = &motions[40..40 + length];
+            let loaded = batch::DualQuat::<L>::load_records(Portable, records).to_array();
+            let rows = loaded.map(Lane::to_array);
+            for lane in 0..L::LANES {
+                let held: [L::Real; 8] = std::array::from_fn(|c| rows[c].as_ref()[lane]);
+                let wanted = *records.get(lane).unwrap_or(&identity);
+                assert_eq!(held, wanted, "{name}: lane {lane} of {length} records");
+            }
+        }
+    }
+    for_every_lane_type!(|name, L| check::<L>(name));
+}
+
+#[test]
+fn records_beyond_the_lanes_are_left_alone() {
+    fn check<L: Lane<Level = Portable, Real: Number>>(name: &str) {
+        let motions: Vec<_> = inputs::edge_motions().into_iter().map(round::<L::Real>).collect();
+        let untouched = round::<L::Real>([9.0; 8]);
+        for length in 0..=2 * L::LANES + 1 {
+            let mut records = vec![untouched; length];
+            batch::DualQuat::<L>::load_records(Portable, &motions[40..])
+                .store_records(&mut records);
+            for (i, record) in records.iter().enumerate() {
+                let wanted = if i < L::LANES { motions[40 + i] } else { untouched };
+                assert_eq!(*record, wanted, "{name}: record {i} of {length}");
+            }
+        }
+    }
+    for_every_lane_type!(|name, L| check::<L>(name));
+}
+
+/// A slice of any length, a chunk of lanes at a time, the last one partial.
+#[test]
+fn a_slice_gives_the_same_bits_whatever_its_length() {
+    fn step<L: Lane<Level = Portable>>(motion: batch::DualQuat<L>, t: L) -> batch::DualQuat<L> {
+        (motion.normalize() * motion).pow(t)
+    }
+    fn check<L: Lane<Level = Portable, Real: Number>>(name: &str) {
+        let motions: Vec<_> = inputs::edge_motions().into_iter().map(round::<L::Real>).collect();
+        let t = <L as Lane>::splat(Portable, <L::Real as From<f32>>::from(0.75));
+        for length in 0..=2 * L::LANES + 1 {
+            let mut records = motions[60..60 + length].to_vec();
+            for chunk in records.chunks_mut(L::LANES) {
+                step(batch::DualQuat::<L>::load_records(Portable, chunk), t).store_records(chunk);
+            }
+            for (i, record) in records.iter().enumerate() {
+                let mut alone = [round::<L::Real>([9.0; 8])];
+                let splat = batch::DualQuat::<L>::splat(Portable, motions[60 + i]);
+                step(splat, t).store_records(&mut alone);
+                assert_eq!(*record, alone[0], "{name}: record {i} of {length}");
+            }
+        }
+    }
+    for_every_lane_type!(|name, L| check::<L>(name));
+}
+
+#[test]
+fn a_block_gives_back_what_was_stored() {
+    fn check<A: Row<Real: Number>>() {
+        let motions = inputs::edge_motions();
+        let mut block = Block::<A, 8>::splat(round([9.0; 8]));
+        for lane in 0..A::LANES {
+            assert!(block.set(lane, round(motions[40 + lane])).is_ok());
+        }
+        let level = Portable;
+        let loaded = batch::DualQuat::<A::Lane<Portable>>::load(level, &block);
+        let mut copy = Block::<A, 8>::splat(round([0.0; 8]));
+        (-loaded).store(&mut copy);
+        for lane in 0..A::LANES {
+            let negated = motions[40 + lane].map(|c| -c);
+            assert_eq!(copy.get(lane), Some(round(negated)), "lane {lane} of {}", A::LANES);
+        }
+    }
+    check::<[f32; 4]>();
+    check::<[f32; 8]>();
+    check::<[f32; 16]>();
+    check::<[f64; 2]>();
+    check::<[f64; 4]>();
+    check::<[f64; 8]>();
+}
+
+#[test]
+fn is_normalized_says_what_scalar_says() {
+    fn check<L: Lane<Level = Portable, Real: Number>>(name: &str) {
+        let unit = inputs::edge_motions()[60];
+        let epsilon: f64 = <L::Real as Real>::EPSILON.into();
+        // 32 units of the last place are allowed; rounding blurs that by two or so.
+        for off in [0.0, 20.0, -20.0, 28.0, -28.0, 36.0, -36.0, 1e3, f64::NAN] {
+            let motion = round::<L::Real>(unit.map(|c| c * (1.0 + off * epsilon)));
+            let scalar = scalar::DualQuat::from_array(motion).is_normalized();
+            assert_eq!(scalar, off.abs() < 32.0, "scalar, {off} units off");
+            let mask = batch::DualQuat::<L>::splat(Portable, motion).is_normalized();
+            assert_eq!((mask.all(), mask.any()), (scalar, scalar), "{name}, {off} units off");
+        }
+    }
+    for_every_lane_type!(|name, L| check::<L>(name));
+}
+
+/// The operations of `Quat` have the same names on scalar and on lanes.
+macro_rules! quat_operations {
+    ($Quat:ident, $a:expr, $b:expr, $v:expr, $s:expr) => {{
+        let (a, b) = ($Quat::from_array($a), $Quat::from_array($b));
+        let [x, y, z] = a.xyz();
+        vec![
+            (
+                "Quat::from_parts",
+                $Quat::from_parts([a.x(), a.y(), a.z()], a.w()).to_array().to_vec(),
+            ),
+            ("Quat::from_xyzw", $Quat::from_xyzw(x, y, z, a.w()).to_array().to_vec()),
+            ("Quat::from_axis_angle", $Quat::from_axis_angle($v, $s).to_array().to_vec()),
+            ("Quat::conjugate", a.conjugate().to_array().to_vec()),
+            ("Quat::dot", vec![a.dot(b)]),
+            ("Quat::norm", vec![a.norm()]),
+            ("Quat::normalize", a.normalize().to_array().to_vec()),
+            ("Quat::scale", a.scale($s).to_array().to_vec()),
+            ("Quat::rotate", a.rotate($v).to_vec()),
+            ("Quat::add", (a + b).to_array().to_vec()),
+            ("Quat::sub", (a - b).to_array().to_vec()),
+            ("Quat::mul", (a * b).to_array().to_vec()),
+            ("Quat::neg", (-a).to_array().to_vec()),
+        ]
+    }};
+}
+
+/// So do those of `Dual`, but for the reciprocal.
+macro_rules! dual_operations {
+    ($x:expr, $y:expr, $recip:expr) => {{
+        let (x, y) = ($x, $y);
+        let pair = |dual: [_; 2]| dual.to_vec();
+        vec![
+            ("Dual::add", pair([(x + y).real, (x + y).dual])),
+            ("Dual::sub", pair([(x - y).real, (x - y).dual])),
+            ("Dual::mul", pair([(x * y).real, (x * y).dual])),
+            ("Dual::div", pair([(x / y).real, (x / y).dual])),
+            ("Dual::neg", pair([(-x).real, (-x).dual])),
+            ("Dual::sqrt", pair([x.sqrt().real, x.sqrt().dual])),
+            ("Dual::apply", pair([x.apply(y.real, y.dual).real, x.apply(y.real, y.dual).dual])),
+            ("Dual::inverse", pair([$recip.real, $recip.dual])),
+        ]
+    }};
+}
+
+type Answers<N> = Vec<(&'static str, Vec<N>)>;
+
+fn on_scalar<R: Number>(case: &Case) -> Answers<R> {
+    use scalar::{Dual, Quat};
+    let real = <R as Real>::from_f64;
+    let [ax, ay, az, aw, ..] = case.a.map(real);
+    let [bx, by, bz, bw, ..] = case.b.map(real);
+    let (s, v) = (real(case.s), case.v.map(real));
+    let (x, y) = (Dual::new(real(case.weights[0]), s), Dual::new(real(case.weights[1]), v[0]));
+    let quats = quat_operations!(Quat, [ax, ay, az, aw], [bx, by, bz, bw], v, s);
+    let recip = x.inverse().expect("weights are not zero");
+    [quats, dual_operations!(x, y, recip)].concat()
+}
+
+fn on_lanes<L: Lane<Level = Portable>>(cases: &[Case]) -> Answers<L> {
+    use batch::{Dual, Quat};
+    let column = |pick: &dyn Fn(&Case) -> f64| {
+        lanes::<L>(&(0..L::LANES).map(|i| pick(&cases[i % cases.len()])).collect::<Vec<_>>())
+    };
+    let a: [L; 4] = std::array::from_fn(|c| column(&|case| case.a[c]));
+    let b: [L; 4] = std::array::from_fn(|c| column(&|case| case.b[c]));
+    let v: [L; 3] = std::array::from_fn(|c| column(&|case| case.v[c]));
+    let s = column(&|case| case.s);
+    let x = Dual::new(column(&|case| case.weights[0]), s);
+    let y = Dual::new(column(&|case| case.weights[1]), v[0]);
+    [quat_operations!(Quat, a, b, v, s), dual_operations!(x, y, x.recip())].concat()
+}
+
+#[test]
+fn quaternions_and_dual_numbers_agree() {
+    fn check<L: Lane<Level = Portable, Real: Number>>(name: &str) {
+        for chunk in inputs::unit_cases().chunks(L::LANES) {
+            let answers = on_lanes::<L>(chunk);
+            for (lane, case) in chunk.iter().enumerate() {
+                let scalar = on_scalar::<L::Real>(case);
+                for ((operation, got), (_, wanted)) in answers.iter().zip(scalar) {
+                    let allowed = bound(INHERENT, operation);
+                    for (got, wanted) in got.iter().zip(wanted) {
+                        let got: f64 = got.to_array().as_ref()[lane].into();
+                        let wanted: f64 = wanted.into();
+                        // Sums of a few numbers up to 4, and quotients by numbers above 1/16.
+                        let scale = 1.0_f64.max(wanted.abs());
+                        let units = distance(got, wanted, scale, L::Real::SINGLE);
+                        assert!(
+                            units <= allowed,
+                            "{name}: {operation} gives {got:e}, scalar {wanted:e}, {units:.2} units \
+                             apart for {case:?}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+    for_every_lane_type!(|name, L| check::<L>(name));
+}
+
+#[test]
+fn the_table_has_one_line_for_each_inherent_operation() {
+    let cases = inputs::unit_cases();
+    let names = on_scalar::<f64>(&cases[0]).into_iter().map(|(name, _)| name);
+    let lines = INHERENT.iter().map(|Bound { name, .. }| *name);
+    assert!(names.eq(lines));
+}
