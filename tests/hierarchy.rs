@@ -18,7 +18,7 @@ use scene::{Root, Scene, Wanted, scene};
 
 proptest! {
     #![proptest_config(ProptestConfig {
-        cases: 24,
+        cases: 48,
         max_shrink_iters: 200,
         failure_persistence: None,
         ..ProptestConfig::default()
@@ -141,6 +141,30 @@ fn any_number_of_instances_from_none_to_two_blocks_and_one_is_computed() {
         }
     }
     for_every_layout!(every_number());
+}
+
+/// Every instance is moved on by one place and so into every lane, full and partial blocks alike.
+#[test]
+fn an_instance_gets_the_same_bits_in_every_lane() {
+    fn every_lane<P: Layout>() {
+        let instances = 2 * P::INSTANCES + 1;
+        let scene = Scene::small(instances);
+        let joints = scene.joints();
+        let run = |poses: &[DualQuat<P::Real>]| {
+            let mut elements = P::lay(joints, poses);
+            let skeleton = Hierarchy::new(&scene.parents).unwrap();
+            skeleton.local_to_model_in_place(&mut elements).unwrap();
+            P::flat(joints, instances, &elements)
+        };
+        let mut poses = P::flat(joints, instances, &scene.poses::<P>());
+        let mut models = run(&poses);
+        for _ in 0..instances {
+            poses.rotate_left(joints);
+            models.rotate_left(joints);
+            assert_eq!(bits(&run(&poses)), bits(&models));
+        }
+    }
+    for_every_layout!(every_lane());
 }
 
 /// Only a root transform that all instances share reaches the lanes without an instance: a job does

@@ -146,30 +146,31 @@ pub static LAWS: &[Bound] = &[
     line("sclerp(a, b, t) = sclerp(a, −b, t)", 0.0, "the sign is fixed before the first rounding"),
 ];
 
-/// Lanes against scalar, for what is not in the contract.
+/// Lanes against scalar, for what is not in the contract. About 1.6 times the worst of 60 000 random
+/// cases, in units of u · max(1, |the number|).
 #[rustfmt::skip]
 pub static INHERENT: &[Bound] = &[
-    line("Quat::from_parts", 1e9, "TODO"),
-    line("Quat::from_xyzw", 1e9, "TODO"),
-    line("Quat::from_axis_angle", 1e9, "TODO"),
-    line("Quat::conjugate", 1e9, "TODO"),
-    line("Quat::dot", 1e9, "TODO"),
-    line("Quat::norm", 1e9, "TODO"),
-    line("Quat::normalize", 1e9, "TODO"),
-    line("Quat::scale", 1e9, "TODO"),
-    line("Quat::rotate", 1e9, "TODO"),
-    line("Quat::add", 1e9, "TODO"),
-    line("Quat::sub", 1e9, "TODO"),
-    line("Quat::mul", 1e9, "TODO"),
-    line("Quat::neg", 1e9, "TODO"),
-    line("Dual::add", 1e9, "TODO"),
-    line("Dual::sub", 1e9, "TODO"),
-    line("Dual::mul", 1e9, "TODO"),
-    line("Dual::div", 1e9, "TODO"),
-    line("Dual::neg", 1e9, "TODO"),
-    line("Dual::sqrt", 1e9, "TODO"),
-    line("Dual::apply", 1e9, "TODO"),
-    line("Dual::inverse", 1e9, "TODO"),
+    line("Quat::from_parts", 0.0, "copies"),
+    line("Quat::from_xyzw", 0.0, "copies"),
+    line("Quat::from_axis_angle", 6.0, "sine and cosine are polynomials, where scalar asks the library"),
+    line("Quat::conjugate", 0.0, "signs"),
+    line("Quat::dot", 4.0, "a fused sum of four products"),
+    line("Quat::norm", 7.0, "scalar sums the squares of ratios to the largest component"),
+    line("Quat::normalize", 7.0, "another length"),
+    line("Quat::scale", 0.0, "one product"),
+    line("Quat::rotate", 20.0, "fused products, doubled at another step; |v| is up to 3.5"),
+    line("Quat::add", 0.0, "one sum"),
+    line("Quat::sub", 0.0, "one difference"),
+    line("Quat::mul", 5.0, "fused products, another order of summands"),
+    line("Quat::neg", 0.0, "signs"),
+    line("Dual::add", 0.0, "one sum"),
+    line("Dual::sub", 0.0, "one difference"),
+    line("Dual::mul", 3.5, "a fused sum of two products"),
+    line("Dual::div", 27.0, "a fused difference that may cancel, divided by no less than 1/16"),
+    line("Dual::neg", 0.0, "signs"),
+    line("Dual::sqrt", 0.0, "the same quotient of the same root"),
+    line("Dual::apply", 0.0, "one product"),
+    line("Dual::inverse", 7.0, "the square of a reciprocal, where scalar divides twice"),
 ];
 
 /// The line of a table for `name`.

@@ -242,13 +242,10 @@ pub fn case(motion: impl Strategy<Value = [f64; 8]>) -> impl Strategy<Value = Ca
 
 /// Each edge case with two others, and random ones: for tests that do not shrink.
 pub fn unit_cases() -> Vec<Case> {
-    unit_cases_n(256)
-}
-pub fn unit_cases_n(n: usize) -> Vec<Case> {
     let edges = edge_motions();
     let at = |i: usize| edges[i % edges.len()];
     let paired = (0..edges.len()).map(|i| Case::of_motions(at(i), at(7 * i + 3), at(31 * i + 5)));
-    let random = draw(case(unit_motion()), n);
+    let random = draw(case(unit_motion()), 256);
     // The numbers of the random cases serve the edge cases as well.
     let numbered = paired.zip(random.iter().cycle()).map(|(edge, random)| Case {
         a: edge.a,
@@ -263,11 +260,8 @@ pub fn unit_cases_n(n: usize) -> Vec<Case> {
 
 /// The unit cases and others that are no motions.
 pub fn general_cases() -> Vec<Case> {
-    general_cases_n(256)
-}
-pub fn general_cases_n(n: usize) -> Vec<Case> {
-    let mut cases = unit_cases_n(n);
-    cases.extend(draw(case(general_motion()), n));
+    let mut cases = unit_cases();
+    cases.extend(draw(case(general_motion()), 256));
     cases
 }
 

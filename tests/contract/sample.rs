@@ -3,6 +3,10 @@
 
 use dq8::{DualQuat, Float, Lane, Mask, Motion, Portable, Quat, Real, batch, scalar};
 
+pub use dq8::Level;
+#[cfg(target_arch = "x86_64")]
+pub use dq8_simd::x86_64::{Avx2, Avx512};
+
 /// A [`Motion`] that tests can fill and read, lane by lane.
 pub trait Sample: Motion {
     /// How many motions one value holds.
@@ -77,14 +81,14 @@ impl<R: Real> Sample for DualQuat<R> {
     }
 }
 
-impl<L: Lane<Level = Portable>> Sample for batch::DualQuat<L> {
+impl<L: Lane<Level: Proof>> Sample for batch::DualQuat<L> {
     const LANES: usize = L::LANES;
     const SINGLE: bool = L::Real::SINGLE;
 
     fn real(lanes: &[f64]) -> L {
         let rounded: Vec<_> = lanes.iter().map(|&v| L::Real::from_f64(v)).collect();
         assert!(rounded.len() == L::LANES, "{} values for {} lanes", rounded.len(), L::LANES);
-        L::load_partial(Portable, &rounded, L::Real::default())
+        L::load_partial(L::Level::proof(), &rounded, L::Real::default())
     }
     fn lanes(real: L) -> Vec<f64> {
         real.to_array().as_ref().iter().map(|&v| v.into()).collect()
@@ -111,8 +115,65 @@ impl<L: Lane<Level = Portable>> Sample for batch::DualQuat<L> {
         mask.to_bitmask()
     }
     fn one() -> Self {
-        Self::identity(Portable)
+        Self::identity(L::Level::proof())
     }
+}
+
+/// A level that tests can have: the code that they guard by `is_there` may ask for the proof.
+pub trait Proof: Level {
+    fn is_there() -> bool;
+    fn proof() -> Self;
+}
+
+impl Proof for Portable {
+    fn is_there() -> bool {
+        true
+    }
+    fn proof() -> Self {
+        Self
+    }
+}
+
+/// The levels that are found at run time.
+#[cfg(target_arch = "x86_64")]
+mod found {
+    use super::Proof;
+    use dq8_simd::x86_64::{Avx2, Avx512};
+
+    impl Proof for Avx2 {
+        fn is_there() -> bool {
+            Self::detect().is_some()
+        }
+        fn proof() -> Self {
+            Self::detect().expect("the CPU has AVX2")
+        }
+    }
+
+    impl Proof for Avx512 {
+        fn is_there() -> bool {
+            Self::detect().is_some()
+        }
+        fn proof() -> Self {
+            Self::detect().expect("the CPU has AVX-512")
+        }
+    }
+}
+
+/// How many implementations [`for_every_implementation!`](crate::for_every_implementation) runs on
+/// this machine, for tests that count what ran: those of `f32` and those of `f64`.
+pub fn implementations_of() -> [usize; 2] {
+    let (mut single, mut double) = (5, 5);
+    #[cfg(target_arch = "x86_64")]
+    for found in [Avx2::is_there(), Avx512::is_there()] {
+        single += 2 * usize::from(found);
+        double += usize::from(found);
+    }
+    [single, double]
+}
+
+/// All of them.
+pub fn implementations() -> usize {
+    implementations_of().into_iter().sum()
 }
 
 /// Runs `$body` with `$M` as each implementation of [`Motion`] there is, and its name.
@@ -130,6 +191,24 @@ macro_rules! for_every_implementation {
             "lanes f64x2" = dq8::batch::DualQuat<dq8::f64x2>;
             "lanes f64x4" = dq8::batch::DualQuat<dq8::f64x4>;
             "lanes f64x8" = dq8::batch::DualQuat<dq8::f64x8>;
+        }
+        #[cfg(target_arch = "x86_64")]
+        {
+            use $crate::sample::{Avx2, Avx512, Level, Proof};
+            if <Avx2 as Proof>::is_there() {
+                $crate::for_every_implementation! { @each $name, $M, $body;
+                    "lanes AVX2 f32x8" = dq8::batch::DualQuat<<Avx2 as Level>::F32x8>;
+                    "lanes AVX2 f32x16" = dq8::batch::DualQuat<<Avx2 as Level>::F32x16>;
+                    "lanes AVX2 f64x4" = dq8::batch::DualQuat<<Avx2 as Level>::F64x4>;
+                }
+            }
+            if <Avx512 as Proof>::is_there() {
+                $crate::for_every_implementation! { @each $name, $M, $body;
+                    "lanes AVX-512 f32x8" = dq8::batch::DualQuat<<Avx512 as Level>::F32x8>;
+                    "lanes AVX-512 f32x16" = dq8::batch::DualQuat<<Avx512 as Level>::F32x16>;
+                    "lanes AVX-512 f64x8" = dq8::batch::DualQuat<<Avx512 as Level>::F64x8>;
+                }
+            }
         }
     }};
     (@each $name:ident, $M:ident, $body:expr; $($text:literal = $type:ty;)*) => {$({

@@ -3,8 +3,9 @@
 
 use bytemuck::Pod;
 use core::fmt::Debug;
-use dq8::{Block, DualQuat, Pose, Real, pack, unpack};
+use dq8::{Backend, Block, DualQuat, Pose, Real, pack, unpack};
 use dq8_simd::Row;
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 pub(crate) trait Layout: Pose + Pod + Debug {
     /// `[instance][joint]` as this layout keeps it.
@@ -60,15 +61,39 @@ pub(crate) fn bits<P: Pod>(elements: &[P]) -> &[u8] {
     bytemuck::cast_slice(elements)
 }
 
-/// Calls `$check` with every layout there is.
-macro_rules! for_every_layout {
-    ($check:ident $arguments:tt) => {
-        $crate::layout::for_every_layout! { @each $check $arguments
-            dq8::DualQuat<f32>, dq8::DualQuat<f64>,
-            dq8::Block<f32, 4>, dq8::Block<f32, 8>, dq8::Block<f32, 16>,
-            dq8::Block<f64, 2>, dq8::Block<f64, 4>, dq8::Block<f64, 8>
+/// While it lives, blocks are computed with `backend`. The limit is one for the whole process, so only
+/// one test may hold it at a time, and all that compute with blocks must.
+pub(crate) fn on(backend: Backend) -> impl Drop {
+    struct Limit {
+        _lock: MutexGuard<'static, ()>,
+    }
+    impl Drop for Limit {
+        fn drop(&mut self) {
+            Backend::limit(None);
         }
-    };
+    }
+    static ONE_AT_A_TIME: Mutex<()> = Mutex::new(());
+    // A test that failed while it held the lock has said so itself.
+    let _lock = ONE_AT_A_TIME.lock().unwrap_or_else(PoisonError::into_inner);
+    Backend::limit(Some(backend));
+    assert_eq!(Backend::best(), backend, "this CPU has it");
+    Limit { _lock }
+}
+
+/// Calls `$check` with every layout there is, blocks on every backend of this CPU.
+macro_rules! for_every_layout {
+    ($check:ident $arguments:tt) => {{
+        $crate::layout::for_every_layout! { @each $check $arguments
+            dq8::DualQuat<f32>, dq8::DualQuat<f64>
+        }
+        for backend in dq8::Backend::available() {
+            let _limit = $crate::layout::on(backend);
+            $crate::layout::for_every_layout! { @each $check $arguments
+                dq8::Block<f32, 4>, dq8::Block<f32, 8>, dq8::Block<f32, 16>,
+                dq8::Block<f64, 2>, dq8::Block<f64, 4>, dq8::Block<f64, 8>
+            }
+        }
+    }};
     (@each $check:ident $arguments:tt $($layout:ty),*) => {
         { $($check::<$layout> $arguments;)* }
     };

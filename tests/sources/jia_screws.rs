@@ -22,6 +22,15 @@ fn section_8_1_the_moment_is_that_of_any_point_and_l_cross_m_the_closest() {
     let closest = cross(l, m);
     assert_close([dot(closest, l), length(closest)], [0.0, length(m)], 1e-15);
     assert_close(line_through(closest, l).moment, m, 1e-15);
+    // The same of the moved line, whose points are the moved points.
+    let [s, _] = motions();
+    let moved = s.transform_line(line_through(p, l));
+    for point in [p, further, closest] {
+        let through = line_through(s.transform_point(point), moved.direction);
+        assert_close(through.moment, moved.moment, 1e-14);
+    }
+    let away = cross(moved.direction, moved.moment);
+    assert_close([dot(away, moved.direction), length(away)], [0.0, length(moved.moment)], 1e-14);
 }
 
 /// A point of the line at (0,0,3), its direction x; turned to (3,0,0) and y, shifted by (1,2,5).
