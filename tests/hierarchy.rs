@@ -18,7 +18,7 @@ use scene::{Root, Scene, Wanted, scene};
 
 proptest! {
     #![proptest_config(ProptestConfig {
-        cases: 48,
+        cases: 20,
         max_shrink_iters: 200,
         failure_persistence: None,
         ..ProptestConfig::default()

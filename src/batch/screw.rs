@@ -6,7 +6,7 @@
 
 use super::even::{asin_over_root, cos_sinc};
 use super::length::Length;
-use super::{Dual, DualQuat, Quat, vector};
+use super::{Dual, DualQuat, vector};
 use crate::geometry::{DualVector, Line, Screw};
 use dq8_simd::Lane;
 
@@ -73,7 +73,8 @@ impl<L: Lane> DualQuat<L> {
         Self::from_dual_parts(cos, times_dual(log, sinc))
     }
 
-    /// σᵗ of the one of ±σ with p_w ≥ 0; `t` may differ from lane to lane.
+    /// σᵗ of the one of ±σ with p_w ≥ 0; `t` may differ from lane to lane, and its square must be
+    /// finite: NaN beyond 10¹⁹ (`f32`).
     #[inline(always)]
     #[must_use]
     pub fn pow(self, t: L) -> Self {
