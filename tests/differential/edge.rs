@@ -183,7 +183,8 @@ fn lanes_do_not_see_their_neighbours() {
         for (i, &case) in cases.iter().enumerate() {
             let alone = Arguments::<M>::new(&[case]);
             let mut crowd: Vec<_> = strangers.iter().cycle().take(M::LANES).copied().collect();
-            let lane = i % M::LANES;
+            // Every lane has its turn.
+            let lane = i.checked_rem(crowd.len()).unwrap_or(0);
             crowd[lane] = case;
             let among = Arguments::<M>::new(&crowd);
             for bound in &BOUNDS {

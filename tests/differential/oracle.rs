@@ -111,9 +111,9 @@ fn the_matrices_are_inverse_to_each_other() {
     for i in 0..=60 {
         let x = Twist::from_array(case(&mut random, 0.1 * f64::from(i), 10.0).x);
         let (a, b) = (DualQuat::left_jacobian_matrix(x), DualQuat::left_jacobian_inverse_matrix(x));
-        for row in 0..6 {
+        for (row, a) in a.iter().enumerate() {
             for column in 0..6 {
-                let got: f64 = (0..6).map(|k| a[row][k] * b[k][column]).sum();
+                let got: f64 = a.iter().zip(&b).map(|(a, b)| a * b[column]).sum();
                 let wanted = if row == column { 1.0 } else { 0.0 };
                 assert!((got - wanted).abs() < 1e-11, "{got:e}, not {wanted}, at {x:?}");
             }
