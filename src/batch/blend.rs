@@ -41,7 +41,7 @@ impl<L: Lane> DualQuat<L> {
 
     /// sσ + onto
     #[inline(always)]
-    fn scale_onto(self, factor: L, onto: Self) -> Self {
+    pub(super) fn scale_onto(self, factor: L, onto: Self) -> Self {
         Self::new(
             self.real().scale_onto(factor, onto.real()),
             self.dual().scale_onto(factor, onto.dual()),

@@ -113,21 +113,20 @@ fn round<L: Lane>(x: L) -> L {
     (x + shift) - shift
 }
 
-/// A polynomial, lowest coefficient first, and its derivative.
+/// A polynomial, lowest coefficient first, and its derivative, in the precision of the lanes.
 #[inline(always)]
 fn horner<L: Lane>(single: &[f32], double: &[f64], x: L) -> (L, L) {
-    let zero = x.with(0.0);
-    let (mut value, mut slope) = (zero, zero);
-    if L::Real::SINGLE {
-        for &c in single.iter().rev() {
-            slope = slope.mul_add(x, value);
-            value = value.mul_add(x, x.with(f64::from(c)));
-        }
-    } else {
-        for &c in double.iter().rev() {
-            slope = slope.mul_add(x, value);
-            value = value.mul_add(x, x.with(c));
-        }
+    if L::Real::SINGLE { horner_of(single, x) } else { horner_of(double, x) }
+}
+
+#[inline(always)]
+fn horner_of<L: Lane, C: Copy + Into<f64>>(coefficients: &[C], x: L) -> (L, L) {
+    let [lower @ .., second, top] = coefficients else { return (x.with(0.0), x.with(0.0)) };
+    let mut slope = x.with((*top).into());
+    let mut value = slope.mul_add(x, x.with((*second).into()));
+    for &c in lower.iter().rev() {
+        slope = slope.mul_add(x, value);
+        value = value.mul_add(x, x.with(c.into()));
     }
     (value, slope)
 }
