@@ -5,7 +5,7 @@ use crate::outcome::Outcome;
 use crate::peer;
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, Throughput};
-use dq8::{DualQuat, batch, f32x8};
+use dq8::{DualQuat, batch, f32x8, f32x16};
 use std::hint::black_box;
 
 /// Relative to the number, or to 1 where that is smaller.
@@ -16,6 +16,7 @@ pub(crate) struct Contenders {
     pub(crate) reference: Cases<DualQuat<f64>>,
     pub(crate) scalar: Cases<DualQuat<f32>>,
     pub(crate) lanes: Cases<batch::DualQuat<f32x8>>,
+    pub(crate) wide: Cases<batch::DualQuat<f32x16>>,
 }
 
 impl Contenders {
@@ -25,6 +26,7 @@ impl Contenders {
             reference: Cases::new(&elements),
             scalar: Cases::new(&elements),
             lanes: Cases::new(&elements),
+            wide: Cases::new(&elements),
         }
     }
 }
@@ -120,5 +122,8 @@ macro_rules! own {
         let $one = $group.contenders.lanes.one;
         let input = $group.contenders.lanes.select(|$case| $input);
         $group.contender("lanes-f32x8", &input, |$i| $outcome);
+        let $one = $group.contenders.wide.one;
+        let input = $group.contenders.wide.select(|$case| $input);
+        $group.contender("lanes-f32x16", &input, |$i| $outcome);
     };
 }
