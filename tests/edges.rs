@@ -1,12 +1,14 @@
 //! Where formulas break: zeros, infinities, NaN, subnormals, ends of ranges. Blends, metrics and
 //! derivatives have edge cases of their own beside their tests.
 
-use dq8::{DualQuat, DualVector, InverseError, MatrixError, NormalizeError, Quat};
-use dq8_contract::inputs::{Arguments, Case, NUMBERS, turn_and_move};
+use dq8::{DualQuat, DualVector, InverseError, MatrixError, NormalizeError, Quat, Twist, Wrench};
+use dq8_contract::inputs::{Arguments, Case, NUMBERS, proptest_config, turn_and_move};
 use dq8_contract::repertoire::{NAMES, answer};
 use dq8_contract::{for_every_implementation, sample::Sample};
+use proptest::prelude::*;
+use proptest::test_runner::TestRunner;
 use std::error::Error;
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
 
 /// Numbers that hurt.
 const HARD: [f64; 14] = [
@@ -26,25 +28,51 @@ const HARD: [f64; 14] = [
     1e308,
 ];
 
-#[test]
-fn no_operation_panics_on_any_numbers() {
-    fn check<M: Sample>(_name: &str) {
-        for start in 0..HARD.len() {
-            for step in [1, 3, 5] {
-                let at = |i: usize| HARD[(start + i * step + i / 8) % HARD.len()];
-                let case = Case::of_numbers(&std::array::from_fn::<_, NUMBERS, _>(at));
-                let arguments = Arguments::<M>::new(&[case]);
-                for name in NAMES {
-                    assert!(!answer(name, &arguments).lane(0).0.is_empty() || is_mask(name));
-                }
-            }
-        }
-    }
-    for_every_implementation!(|name, M| check::<M>(name));
+/// Any bits of the type, and among them numbers that hurt and ordinary ones.
+fn any_number(single: bool) -> impl Strategy<Value = f64> {
+    let bits = if single {
+        any::<u32>().prop_map(|bits| f64::from(f32::from_bits(bits))).boxed()
+    } else {
+        any::<u64>().prop_map(f64::from_bits).boxed()
+    };
+    prop_oneof![2 => bits, 1 => prop::sample::select(HARD.to_vec()), 1 => -4.0..4.0_f64]
 }
 
-fn is_mask(name: &str) -> bool {
-    matches!(name, "is_unit" | "abs_diff_eq")
+/// All methods of the contract and its operators, whatever they answer.
+fn do_everything<M: Sample>(case: &Case) {
+    let x = Arguments::<M>::new(&[*case]);
+    for name in NAMES {
+        let (numbers, masks) = answer(name, &x).lane(0);
+        assert!(numbers.len() + masks.len() > 0);
+    }
+    let twist = Twist { angular: x.v, linear: x.w };
+    let other = Twist { angular: x.weights, linear: x.v };
+    let _ = (M::dlb(&[]), M::dlb_running(&x.influences()), M::dib(&x.influences(), x.tolerance, 3));
+    let _ = (x.a.slerp_lerp(x.b, x.t), M::squad_control(x.a, x.b, x.c));
+    let _ = (x.a.squad(x.b, x.c, x.b, x.t), x.a.angle_to(x.b), x.a.distance_to(x.b));
+    let _ = (x.a.distance_weighted(x.b, x.s), x.a.point_error(x.b, x.v), x.a.shell_error(x.b, x.s));
+    let _ = (x.a.needs_renormalisation(x.tolerance), x.a.derivative_spatial(twist));
+    let _ = (x.a.derivative_body(twist), x.a.spatial_twist(x.b), x.a.body_twist(x.b));
+    let _ = (x.a.derivative_from_velocity(x.v, x.w), x.a.velocity(x.b));
+    let _ = (M::from_twist(twist), x.a.to_twist(), x.a.integrate_spatial(twist, x.t));
+    let _ = (x.a.integrate_body(twist, x.t), x.a.adjoint(twist));
+    let _ = x.a.coadjoint(Wrench { torque: x.v, force: x.w });
+    let _ = (M::left_jacobian(twist, other), M::right_jacobian(twist, other));
+    let _ = (M::left_jacobian_inverse(twist, other), M::right_jacobian_inverse(twist, other));
+}
+
+#[test]
+fn no_operation_panics_on_any_numbers() {
+    fn check<M: Sample>() {
+        let numbers = prop::collection::vec(any_number(M::SINGLE), NUMBERS);
+        let done = TestRunner::new(proptest_config(64)).run(&numbers, |numbers| {
+            let numbers = numbers.as_slice().try_into().expect("as many as were asked for");
+            do_everything::<M>(&Case::of_numbers(numbers));
+            Ok(())
+        });
+        done.unwrap_or_else(|failure| panic!("{failure}"));
+    }
+    for_every_implementation!(|_name, M| check::<M>());
 }
 
 fn splat<M: Sample>(motion: [f64; 8]) -> M {
@@ -241,6 +269,91 @@ fn every_form_of_a_matrix_and_the_ties_between_them_give_the_rotation() {
         }
     }
     for_every_implementation!(|name, M| check::<M>(name, &rotations));
+}
+
+/// Exactly half a turn from another motion: neither way is shorter, and `sign` of the product is 0.
+#[test]
+fn at_half_a_turn_exactly_nothing_vanishes() {
+    fn check<M: Sample>(name: &str) {
+        let a = [0.0, 0.0, 0.0, 1.0, 0.5, -1.0, 0.25, 0.0];
+        let bound = if M::SINGLE { 1e-6 } else { 2e-15 };
+        for (direction, w) in [(1.0, 0.0), (-1.0, 0.0), (1.0, -0.0), (-1.0, -0.0)] {
+            let b = [0.0, 0.0, direction, w, 2.0, 1.0, 0.0, -1.5];
+            let (start, end) = (splat::<M>(a), splat::<M>(b));
+            let half = M::splat(0.5);
+            let middles = [
+                ("nlerp", only(start.nlerp(end, half))),
+                ("sclerp", only(start.sclerp(end, half))),
+                ("sclerp_long", only(start.sclerp_long(end, half))),
+                ("dlb", only(M::dlb(&[(start, half), (end, half)]).expect("two of them"))),
+            ];
+            for (operation, middle) in middles {
+                // A quarter of a turn about ±z, and no length gone.
+                let wanted = [0.0, 0.0, direction * FRAC_1_SQRT_2, FRAC_1_SQRT_2];
+                for (got, wanted) in middle.iter().zip(wanted) {
+                    let error = (got - wanted).abs();
+                    assert!(
+                        error <= bound,
+                        "{name}: {operation} gives {middle:?} between {a:?} {b:?}"
+                    );
+                }
+                let along: f64 = (0..4).map(|i| middle[i] * middle[i + 4]).sum();
+                assert!(along.abs() <= 4.0 * bound, "{name}: {operation} gives {middle:?}");
+            }
+            for (t, wanted) in [(0.0, a), (1.0, b)] {
+                let t = M::splat(t);
+                for got in [start.nlerp(end, t), start.sclerp(end, t), start.sclerp_long(end, t)] {
+                    for (got, wanted) in only(got).iter().zip(wanted) {
+                        assert!((got - wanted).abs() <= 4.0 * bound, "{name}: {got} {wanted}");
+                    }
+                }
+            }
+        }
+    }
+    for_every_implementation!(|name, M| check::<M>(name));
+}
+
+#[test]
+fn weights_that_cancel_leave_nothing_to_normalise() {
+    fn check<M: Sample>(name: &str) {
+        let motion = turn_and_move([0.6, -0.48, 0.64], 1.0, [0.3, -1.2, 0.7]);
+        let (sigma, one) = (splat::<M>(motion), M::splat(1.0));
+        for other in [sigma, -sigma] {
+            let gone = M::dlb(&[(sigma, one), (other, M::splat(-1.0))]).expect("two of them");
+            assert!(only(gone).iter().all(|c| c.is_nan()), "{name}: {gone:?}");
+        }
+    }
+    for_every_implementation!(|name, M| check::<M>(name));
+}
+
+#[test]
+fn a_number_without_a_real_part_has_a_norm_of_nothing_and_is_not_unit() {
+    fn check<M: Sample>(name: &str) {
+        let sigma = splat::<M>([0.0, 0.0, -0.0, 0.0, 1.0, 2.0, 3.0, 4.0]);
+        let [real, dual] = M::dual_parts(sigma.norm()).map(M::lanes);
+        assert!(real.iter().all(|&r| r == 0.0) && dual.iter().all(|d| d.is_nan()), "{name}");
+        for bad in [sigma, splat::<M>([f64::NAN; 8]), splat::<M>([f64::INFINITY; 8])] {
+            assert_eq!(M::bits(bad.is_unit(M::splat(0.5))), 0, "{name}: {bad:?}");
+            assert_eq!(M::bits(bad.abs_diff_eq(-bad, M::splat(0.5))), 0, "{name}: {bad:?}");
+        }
+    }
+    for_every_implementation!(|name, M| check::<M>(name));
+}
+
+/// w is 0 or −0 at half a turn, and both are the same motion.
+#[test]
+fn zeros_of_either_sign_mean_the_same() {
+    fn check<M: Sample>(name: &str) {
+        let half_turn = |w| [0.6, 0.0, -0.8, w, 1.5, 2.0, 1.125, 0.25];
+        let case =
+            |w| Case { t: 0.75, s: 0.5, ..Case::of_motions(half_turn(w), half_turn(w), [1.0; 8]) };
+        let [plus, minus] = [0.0, -0.0].map(|w| Arguments::<M>::new(&[case(w)]));
+        for operation in NAMES {
+            let [plus, minus] = [&plus, &minus].map(|x| answer(operation, x).lane(0));
+            assert_eq!(plus, minus, "{name}: {operation}");
+        }
+    }
+    for_every_implementation!(|name, M| check::<M>(name));
 }
 
 #[test]
