@@ -1,6 +1,9 @@
 //! Where formulas break: zeros, infinities, NaN, subnormals, ends of ranges. Blends, metrics and
 //! derivatives have edge cases of their own beside their tests.
 
+#[path = "edges/infinite.rs"]
+mod infinite;
+
 use dq8::{DualQuat, DualVector, InverseError, MatrixError, NormalizeError, Quat, Twist, Wrench};
 use dq8_contract::inputs::{Arguments, Case, NUMBERS, proptest_config, turn_and_move};
 use dq8_contract::repertoire::{NAMES, answer};
