@@ -42,6 +42,7 @@
 //! | `std` | yes | square roots and trigonometry of the standard library; implies `alloc` |
 //! | `alloc` | | `Crowd`, owned blocks for any number of instances |
 //! | `libm` | | square roots and trigonometry without std |
+//! | `rayon` | | crowds over all cores: the `par_` methods of [`Job`] |
 //!
 //! Without `std` nothing else is linked than `core` (and `alloc` if asked for); no operation on
 //! borrowed memory allocates.
@@ -79,8 +80,8 @@ pub use geometry::{DualVector, Line, Mean, Plane, Screw, Twist, Wrench};
 #[cfg(feature = "alloc")]
 pub use hierarchy::Crowd;
 pub use hierarchy::{
-    Block, Hierarchy, Job, Pose, Renormalise, RotationBlock, RotationTranslationBlock, TwistBlock,
-    pack, unpack,
+    Block, Hierarchy, Job, Motions, Pose, Renormalise, RotationBlock, RotationTranslationBlock,
+    Rotations, RotationsTranslations, TwistBlock, pack, unpack,
 };
 pub use motion::Motion;
 pub use place::{MatrixBlock, NumberBlock, Place, PointBlock};

@@ -46,12 +46,11 @@ fn numbers<R: Real>(motions: &[DualQuat<R>]) -> Vec<[R; 8]> {
 /// Every kernel in one layout: `P` motions, `V` vectors, `T` numbers, `M` matrices.
 fn is_one_after_the_other<P, V, T, M, G>(backend: Backend)
 where
-    P: Memory<8> + Place<8, Layout: Layout<Real: Real>>,
+    P: Memory<8, Number = Number<P>> + Place<8, Layout: Layout<Real: Real>>,
     V: Memory<3, Number = P::Number> + Place<3, Layout = P::Layout>,
     T: Memory<1, Number = P::Number> + Place<1, Layout = P::Layout>,
     M: Memory<12, Number = P::Number> + Place<12, Layout = P::Layout>,
     G: Memory<16, Number = P::Number> + Place<16, Layout = P::Layout>,
-    P: Memory<8, Number = Number<P>>,
 {
     for length in LENGTHS {
         let (a, b) = (motions::<Number<P>>(length, 0.1), motions::<Number<P>>(length, 2.0));

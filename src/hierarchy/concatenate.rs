@@ -2,7 +2,8 @@
 
 use super::Pose;
 use super::job::{Job, Root};
-use super::locals::{Locals, Spot};
+use super::locals::{Locals, Motions, Spot};
+use super::palette::Finish;
 use crate::dispatch::{Backend, Kernel};
 use crate::motion::Motion;
 use dq8_simd::{Level, Portable};
@@ -14,19 +15,20 @@ pub(super) fn run<P: Pose, K: Kernel>(backend: Backend, kernel: K) -> K::Output 
     if P::INSTANCES == 1 { Portable.run(|| kernel.run(Portable)) } else { backend.run(kernel) }
 }
 
-/// model(j) = model(parent(j)) · local(j), parents first.
-pub(super) struct Forward<'j, 'h, 's, P: Pose, L> {
+/// model(j) = model(parent(j)) · local(j), parents first. Without `locals`, `models` holds them.
+pub(super) struct Forward<'j, 'h, 's, P: Pose, L, F> {
     pub(super) job: &'j Job<'h, P>,
-    pub(super) locals: L,
+    pub(super) locals: Option<L>,
     pub(super) models: &'s mut [P],
+    pub(super) finish: F,
 }
 
-impl<P: Pose, L: Locals<P>> Kernel for Forward<'_, '_, '_, P, L> {
+impl<P: Pose, L: Locals<P>, F: Finish<P>> Kernel for Forward<'_, '_, '_, P, L, F> {
     type Output = ();
 
     #[inline(always)]
     fn run<V: Level>(self, level: V) {
-        let Self { job, locals, models } = self;
+        let Self { job, locals, models, mut finish } = self;
         // The joints are not 0 where there is anything to do.
         let joints = job.hierarchy.joints().max(1);
         // Parts of one instance are side by side already.
@@ -35,9 +37,9 @@ impl<P: Pose, L: Locals<P>> Kernel for Forward<'_, '_, '_, P, L> {
         for (first, models) in (0..).step_by(side_by_side).zip(sets) {
             let (a, b) = models.split_at_mut(joints);
             if b.is_empty() {
-                forward(level, job, locals, [(first, a)]);
+                forward(level, job, locals, &mut finish, [(first, a)]);
             } else {
-                forward(level, job, locals, [(first, a), (first + 1, b)]);
+                forward(level, job, locals, &mut finish, [(first, a), (first + 1, b)]);
             }
         }
     }
@@ -45,10 +47,11 @@ impl<P: Pose, L: Locals<P>> Kernel for Forward<'_, '_, '_, P, L> {
 
 /// Instances side by side: a child waits for its parent, and while one waits, the other is computed.
 #[inline(always)]
-fn forward<P: Pose, L: Locals<P>, V: Level, const K: usize>(
+fn forward<P: Pose, L: Locals<P>, F: Finish<P>, V: Level, const K: usize>(
     level: V,
     job: &Job<'_, P>,
-    locals: L,
+    locals: Option<L>,
+    finish: &mut F,
     mut instances: [(usize, &mut [P]); K],
 ) {
     let parents = job.hierarchy.parents();
@@ -62,13 +65,18 @@ fn forward<P: Pose, L: Locals<P>, V: Level, const K: usize>(
                     Some(parent) => Some(parent.load(level, part)),
                     None => root_of(job, level, *instance, part),
                 };
-                let Some(mut model) = locals.onto(level, parent, models, spot) else { break };
+                let model = match locals {
+                    Some(locals) => locals.onto(level, parent, spot),
+                    None => Motions(models).onto(level, parent, Spot { index: joint, ..spot }),
+                };
+                let Some(mut model) = model else { break };
                 if job.renormalise.applies_to(joint) {
                     model = model.normalize();
                 }
                 if let Some(slot) = models.get_mut(joint) {
                     slot.store(level, part, model);
                 }
+                finish.finish(level, spot, model);
             }
         }
     }

@@ -1,5 +1,6 @@
 use super::concatenate::{Backward, Forward, run};
-use super::locals::{Motions, Rotations, RotationsTranslations};
+use super::locals::{Locals, Motions};
+use super::palette::{Entry, Finish, ModelsOnly, Palette};
 use super::{Hierarchy, Pose, Renormalise};
 use crate::dispatch::Backend;
 use crate::error::ShapeError;
@@ -159,9 +160,8 @@ impl<'a, P: Pose> Job<'a, P> {
     /// If lengths or the range do not fit; `models` is untouched.
     #[inline]
     pub fn local_to_model(&self, locals: &[P], models: &mut [P]) -> Result<(), ShapeError> {
-        self.check("locals", locals.len())?;
-        same_length("models", models.len(), locals.len())?;
-        run::<P, _>(self.backend, Forward { job: self, locals: Motions(Some(locals)), models });
+        self.check_locals(&Motions(locals), models.len())?;
+        self.forward(Some(Motions(locals)), models, ModelsOnly);
         Ok(())
     }
 
@@ -172,70 +172,77 @@ impl<'a, P: Pose> Job<'a, P> {
     #[inline]
     pub fn local_to_model_in_place(&self, poses: &mut [P]) -> Result<(), ShapeError> {
         self.check("poses", poses.len())?;
-        run::<P, _>(self.backend, Forward { job: self, locals: Motions(None), models: poses });
+        self.forward(None::<Motions<'_, P>>, poses, ModelsOnly);
         Ok(())
     }
 
-    /// [`local_to_model`](Self::local_to_model) of locals r + ½εtr that are given as rotations and
-    /// translations: fewer operations, less memory.
+    /// [`local_to_model`](Self::local_to_model) of locals in any form.
     ///
     /// # Errors
     /// If lengths or the range do not fit; `models` is untouched.
     ///
     /// ```
-    /// use dq8::{DualQuat, Hierarchy};
+    /// use dq8::{DualQuat, Hierarchy, Quat, Rotations};
     /// let parents = [Hierarchy::ROOT, 0];
     /// let arm = Hierarchy::new(&parents)?;
-    /// let half_turn = [0.0_f32, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0]; // about z, then along x
-    /// let mut models = [DualQuat::IDENTITY; 2];
-    /// arm.job().rotations_translations_to_model(&[half_turn; 2], &mut models)?;
-    /// assert_eq!(models[1].translation(), [0.0, 0.0, 0.0]);
-    /// # Ok::<(), Box<dyn core::error::Error>>(())
-    /// ```
-    #[inline]
-    pub fn rotations_translations_to_model(
-        &self,
-        locals: &[P::RotationTranslation],
-        models: &mut [P],
-    ) -> Result<(), ShapeError> {
-        self.check("locals", locals.len())?;
-        same_length("models", models.len(), locals.len())?;
-        let locals = RotationsTranslations(locals);
-        run::<P, _>(self.backend, Forward { job: self, locals, models });
-        Ok(())
-    }
-
-    /// [`local_to_model`](Self::local_to_model) of locals r + ½εtr whose t is the same for all
-    /// instances: `offsets` holds one a joint, its place in its parent. That is what animation clips
-    /// hold, and half the memory of motions.
-    ///
-    /// # Errors
-    /// If lengths or the range do not fit; `models` is untouched.
-    ///
-    /// ```
-    /// use dq8::{DualQuat, Hierarchy, Quat};
-    /// let parents = [Hierarchy::ROOT, 0];
-    /// let arm = Hierarchy::new(&parents)?;
-    /// let bones = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0]];
     /// let half_turn = Quat::from_xyzw(0.0_f32, 0.0, 1.0, 0.0);
+    /// let locals = Rotations { rotations: &[half_turn; 2], offsets: &[[0.0; 3], [2.0, 0.0, 0.0]] };
     /// let mut models = [DualQuat::IDENTITY; 2];
-    /// arm.job().rotations_to_model(&[half_turn; 2], &bones, &mut models)?;
+    /// arm.job().locals_to_model(locals, &mut models)?;
     /// assert_eq!(models[1].translation(), [-2.0, 0.0, 0.0]);
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     #[inline]
-    pub fn rotations_to_model(
+    pub fn locals_to_model<L: Locals<P>>(
         &self,
-        rotations: &[P::Rotation],
-        offsets: &[[P::Real; 3]],
+        locals: L,
         models: &mut [P],
     ) -> Result<(), ShapeError> {
-        self.check("rotations", rotations.len())?;
-        same_length("offsets", offsets.len(), self.hierarchy.joints())?;
-        same_length("models", models.len(), rotations.len())?;
-        let locals = Rotations { rotations, offsets };
-        run::<P, _>(self.backend, Forward { job: self, locals, models });
+        self.check_locals(&locals, models.len())?;
+        self.forward(Some(locals), models, ModelsOnly);
         Ok(())
+    }
+
+    /// [`locals_to_model`](Self::locals_to_model), and in the same pass the skinning palette:
+    /// `palette[j]` = model(j) · `inverse_binds[j]`, which takes a vertex of the mesh in its rest pose
+    /// to where joint j has moved it. `inverse_binds` holds one a joint, the same for all instances;
+    /// the palette is of motions or of 3×4 matrices.
+    ///
+    /// # Errors
+    /// If lengths or the range do not fit; `models` and `palette` are untouched.
+    ///
+    /// ```
+    /// use dq8::{DualQuat, Hierarchy, Motions};
+    /// let parents = [Hierarchy::ROOT, 0];
+    /// let leg = Hierarchy::new(&parents)?;
+    /// let rest = [0.0_f32, -1.0].map(|y| DualQuat::from_translation([0.0, y, 0.0]));
+    /// let mut models = rest;
+    /// leg.local_to_model_in_place(&mut models)?;
+    /// let inverse_binds = models.map(|model| model.conjugate());
+    /// // In the rest pose no vertex moves.
+    /// let mut palette = [[[0.0; 4]; 3]; 2];
+    /// leg.job().locals_to_palette(Motions(&rest), &mut models, &inverse_binds, &mut palette)?;
+    /// assert_eq!(palette[1], DualQuat::<f32>::IDENTITY.to_matrix3x4());
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[inline]
+    pub fn locals_to_palette<L: Locals<P>, E: Entry<P>>(
+        &self,
+        locals: L,
+        models: &mut [P],
+        inverse_binds: &[DualQuat<P::Real>],
+        palette: &mut [E],
+    ) -> Result<(), ShapeError> {
+        self.check_locals(&locals, models.len())?;
+        same_length("inverse_binds", inverse_binds.len(), self.hierarchy.joints())?;
+        same_length("palette", palette.len(), models.len())?;
+        self.forward(Some(locals), models, Palette { inverse_binds, entries: palette });
+        Ok(())
+    }
+
+    #[inline]
+    fn forward<L: Locals<P>, F: Finish<P>>(&self, locals: Option<L>, models: &mut [P], finish: F) {
+        run::<P, _>(self.backend, Forward { job: self, locals, models, finish });
     }
 
     /// See [`Hierarchy::model_to_local`]. With [`joints`](Self::joints), only those locals are
@@ -262,8 +269,18 @@ impl<'a, P: Pose> Job<'a, P> {
         Ok(())
     }
 
+    pub(super) fn check_locals<L: Locals<P>>(
+        &self,
+        locals: &L,
+        models: usize,
+    ) -> Result<(), ShapeError> {
+        let (what, length) = locals.shape(self.hierarchy.joints())?;
+        self.check(what, length)?;
+        same_length("models", models, length)
+    }
+
     /// Whether the range, the roots and `length` elements of `what` fit the hierarchy.
-    fn check(&self, what: &'static str, length: usize) -> Result<(), ShapeError> {
+    pub(super) fn check(&self, what: &'static str, length: usize) -> Result<(), ShapeError> {
         let joints = self.hierarchy.joints();
         if self.joints.start > self.joints.end || self.joints.end > joints {
             return Err(ShapeError::Joints { range: self.joints.clone(), joints });

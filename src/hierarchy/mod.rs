@@ -4,7 +4,9 @@
 //! |---|---|
 //! | [`Hierarchy`] | a parent array, checked once |
 //! | [`Pose`] | how a motion lies in memory: one ([`DualQuat`](crate::DualQuat)), or a [`Block`] of instances |
-//! | [`RotationBlock`], [`RotationTranslationBlock`] | locals that are less than a motion |
+//! | [`Motions`], [`RotationsTranslations`], [`Rotations`] | forms of locals |
+//! | [`RotationBlock`], [`RotationTranslationBlock`] | blocks of locals that are less than a motion |
+//! | [`Entry`] | what a skinning palette is made of: motions or matrices |
 //! | [`TwistBlock`] | twists of the instances of a block, for velocities and Jacobians |
 //! | [`Job`] | a run with a root transform or on some of the joints |
 //! | [`Renormalise`] | when a run normalises what it has multiplied |
@@ -23,6 +25,9 @@ mod crowd;
 mod job;
 mod locals;
 mod packing;
+mod palette;
+#[cfg(feature = "rayon")]
+mod parallel;
 mod parents;
 mod pose;
 mod renormalise;
@@ -31,7 +36,9 @@ mod velocity;
 #[cfg(feature = "alloc")]
 pub use crowd::Crowd;
 pub use job::Job;
+pub use locals::{Locals, Motions, Rotations, RotationsTranslations};
 pub use packing::{pack, unpack};
+pub use palette::Entry;
 pub use parents::Hierarchy;
 pub use pose::{Block, Pose, RotationBlock, RotationTranslationBlock, TwistBlock};
 pub use renormalise::Renormalise;

@@ -1,6 +1,6 @@
 //! [`Memory`]: places that tests can fill and read, without the kernels under test.
 
-use dq8::{DualQuat, Place, Real};
+use dq8::{DualQuat, Place, Quat, Real};
 use dq8_simd::{Block, Float, Row};
 
 /// A layout that tests can fill and read.
@@ -50,6 +50,8 @@ plain! {
     f32, f32, 1;
     f64, f64, 1;
     R = R, [R; 3], 3;
+    R = R, Quat<R>, 4;
+    R = R, [R; 7], 7;
     R = R, DualQuat<R>, 8;
     R = R, [R; 12], 12;
     R = R, [[R; 4]; 3], 12;
