@@ -1,0 +1,66 @@
+//! [`Task`]: what is to be measured, and the plan of a whole run.
+
+mod hierarchy;
+mod pairs;
+mod points;
+
+use crate::caches::{Caches, Level};
+use crate::contest::Contest;
+use crate::limit::Limit;
+use hierarchy::{Place, Shape};
+use pairs::Operation;
+use points::Motions;
+
+/// A contest whose data are not made yet.
+pub(crate) enum Task {
+    Bandwidth,
+    Pairs(Operation, Level),
+    Hierarchy(Shape, Place),
+    Points(Motions, Level),
+}
+
+/// Everything, or with `quick` what fits into the first caches.
+pub(crate) fn plan(quick: bool) -> Vec<Task> {
+    let levels: &[Level] = if quick { &[Level::L1] } else { &Level::ALL };
+    let instances: &[usize] = if quick { &[64] } else { &[64, 1024] };
+    let mut tasks = vec![Task::Bandwidth];
+    tasks.extend(levels.iter().map(|&level| Task::Pairs(Operation::Product, level)));
+    for &instances in instances {
+        tasks.extend([Place::In, Place::Out].map(|place| {
+            Task::Hierarchy(Shape::Crowd { instances }, place)
+        }));
+    }
+    for shape in [Shape::Crowd { instances: 1 }, Shape::Biped, Shape::Chain] {
+        tasks.push(Task::Hierarchy(shape, Place::Out));
+    }
+    for motions in [Motions::One, Motions::Each] {
+        tasks.extend(levels.iter().map(|&level| Task::Points(motions, level)));
+    }
+    for operation in [Operation::Normalise, Operation::Nlerp, Operation::Sclerp] {
+        tasks.push(Task::Pairs(operation, Level::L1));
+    }
+    tasks
+}
+
+impl Task {
+    /// Makes the data and hands the contest to `run`.
+    pub(crate) fn with_contest<R>(
+        &self,
+        caches: &Caches,
+        run: impl FnOnce(&Contest<'_>) -> R,
+    ) -> R {
+        match *self {
+            Self::Bandwidth => run(&bandwidth(caches)),
+            Self::Pairs(operation, level) => pairs::with_contest(operation, level, caches, run),
+            Self::Hierarchy(shape, place) => hierarchy::with_contest(shape, place, run),
+            Self::Points(motions, level) => points::with_contest(motions, level, caches, run),
+        }
+    }
+}
+
+/// No contest, only limits: memory beyond the last cache.
+fn bandwidth(caches: &Caches) -> Contest<'static> {
+    let bytes = caches.l3 / 8 * 9;
+    let limits = vec![Limit::copy("DRAM", bytes), Limit::triad("DRAM", bytes)];
+    Contest { limits, ..Contest::new("limits", "DRAM", "copy and triad") }
+}

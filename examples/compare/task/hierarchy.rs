@@ -1,0 +1,198 @@
+//! J2 and J3: down the joints of many skeletons, or of one.
+
+use crate::contest::Contest;
+use crate::limit::{Limit, Limited};
+use crate::memory::{Many, Packed, QuatVec3A, flat};
+use crate::representation::{Product, Representation};
+use crate::rows::Rows3x4;
+use crate::{skeleton, walk};
+use dq8::{Backend, Block, DualQuat, Hierarchy, Pose};
+use glam::{Affine3A, Mat4};
+use nalgebra::{Isometry3, UnitDualQuaternion};
+use simba::simd::WideF32x8;
+use ultraviolet::{Isometry3x8, Mat4x8};
+
+#[derive(Clone, Copy)]
+pub(crate) enum Shape {
+    /// Of 64 joints.
+    Crowd { instances: usize },
+    /// One, of 21.
+    Biped,
+    /// One, of a thousand joints in a row.
+    Chain,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) enum Place {
+    /// From locals into models.
+    Out,
+    /// Over the locals.
+    In,
+}
+
+type Motion = DualQuat<f32>;
+
+/// The biped of the example `mocap`, links and tips: parents, and metres from them. Two arms, two
+/// legs.
+const BIPED: [(u32, f64); 21] = {
+    const ROOT: u32 = Hierarchy::ROOT;
+    [
+        (ROOT, 0.0), (0, 0.10), (1, 0.17), (2, 0.30), (3, 0.24),
+        (2, 0.30), (5, 0.30), (6, 0.26), (7, 0.17),
+        (2, 0.30), (9, 0.30), (10, 0.26), (11, 0.17),
+        (0, 0.09), (13, 0.44), (14, 0.44), (15, 0.21),
+        (0, 0.09), (17, 0.44), (18, 0.44), (19, 0.21),
+    ]
+};
+const CHAIN: u32 = 1000;
+/// Metres between the joints of the chain.
+const LINK: f64 = 0.1;
+
+struct Scene {
+    parents: Vec<u32>,
+    locals: Many<Motion>,
+}
+
+pub(crate) fn with_contest<R>(
+    shape: Shape,
+    place: Place,
+    run: impl FnOnce(&Contest<'_>) -> R,
+) -> R {
+    let scene = Scene::new(shape);
+    let hierarchy = Hierarchy::new(&scene.parents).expect("parents come first");
+    let joints = hierarchy.joints();
+    let (job, size, title, tolerance) = match shape {
+        Shape::Crowd { instances: 1 } => {
+            ("J3", format!("skeleton {joints}"), "one skeleton".to_owned(), 3e-5)
+        }
+        Shape::Crowd { instances } => {
+            let place = if place == Place::Out { " out" } else { "" };
+            let title = format!("{instances} skeletons of {joints} joints");
+            ("J2", format!("{joints}x{instances}{place}"), title, 3e-5)
+        }
+        Shape::Biped => ("J3", "biped".to_owned(), format!("one biped of {joints} joints"), 3e-5),
+        // A thousand roundings, and each turns all that follows.
+        Shape::Chain => {
+            ("J3", format!("chain {joints}"), format!("one chain of {joints} joints"), 1e-3)
+        }
+    };
+    let place_name = if place == Place::Out { "out of place" } else { "in place" };
+    let mut contest = Contest {
+        transforms: scene.locals.len(),
+        tolerance,
+        expected: scene.expected(&hierarchy),
+        ..Contest::new(job, size, format!("{title}, {place_name}"))
+    };
+    let mut field = Field { scene: &scene, hierarchy, place, contest: &mut contest };
+    field.everyone(matches!(shape, Shape::Crowd { instances: 2.. }));
+    if job == "J2" && place == Place::Out {
+        let bytes = size_of::<Motion>() * contest.transforms;
+        contest.limits.push(Limit::copy(contest.size.clone(), bytes));
+        let moved = 2 * size_of::<Motion>();
+        contest.limited = Some(Limited::Bytes(moved as f64, contest.size.clone()));
+    }
+    run(&contest)
+}
+
+impl Scene {
+    fn new(shape: Shape) -> Self {
+        let (parents, bones, instances) = match shape {
+            Shape::Crowd { instances } => (skeleton::parents(), skeleton::bones(), instances),
+            Shape::Biped => {
+                let bone = |&(parent, length)| (parent != Hierarchy::ROOT).then_some(length);
+                let parents = BIPED.iter().map(|&(parent, _)| parent).collect();
+                (parents, BIPED.iter().map(bone).collect(), 1)
+            }
+            Shape::Chain => {
+                let parents = [Hierarchy::ROOT].into_iter().chain(0..CHAIN - 1).collect();
+                let bones = (0..CHAIN).map(|joint| (joint > 0).then_some(LINK)).collect();
+                (parents, bones, 1)
+            }
+        };
+        let different = skeleton::locals(&bones, instances.min(Many::<Motion>::DIFFERENT));
+        Self { locals: Many::new(parents.len(), different, instances), parents }
+    }
+
+    fn expected(&self, hierarchy: &Hierarchy) -> Vec<Vec<f64>> {
+        let different = self.locals.different().iter();
+        let mut poses: Vec<_> = different.map(Rows3x4::<f64>::from_motion).collect();
+        walk::local_to_model_in_place(hierarchy, &mut poses);
+        poses.iter().map(|rows| flat(&rows.rows())).collect()
+    }
+}
+
+struct Field<'a, 'c> {
+    scene: &'a Scene,
+    hierarchy: Hierarchy<'a>,
+    place: Place,
+    contest: &'c mut Contest<'a>,
+}
+
+impl<'a> Field<'a, '_> {
+    /// `lanes`: whether there are instances for them.
+    fn everyone(&mut self, lanes: bool) {
+        self.peer::<Motion>("dq8 scalar");
+        self.own::<Motion>("AoS");
+        self.peer::<Mat4>("glam Mat4");
+        self.peer::<Affine3A>("glam Affine3A");
+        self.peer::<QuatVec3A>("glam Quat+Vec3A");
+        self.peer::<UnitDualQuaternion<f32>>("nalgebra UnitDualQuaternion");
+        if lanes {
+            self.own::<Block<f32, 8>>("8 lanes");
+            self.own::<Block<f32, 16>>("16 lanes");
+            self.peer::<UnitDualQuaternion<WideF32x8>>("nalgebra UnitDualQuaternion, 8 lanes");
+            self.peer::<Isometry3<WideF32x8>>("nalgebra Isometry3, 8 lanes");
+            self.peer::<Isometry3x8>("ultraviolet Isometry3x8");
+            self.peer::<Mat4x8>("ultraviolet Mat4x8");
+        }
+    }
+
+    fn peer<M: Product + Packed<Motion>>(&mut self, name: &str) {
+        let hierarchy = self.hierarchy;
+        self.add::<M>(
+            name.to_owned(),
+            None,
+            move |locals, models| walk::local_to_model(&hierarchy, locals, models),
+            move |poses| walk::local_to_model_in_place(&hierarchy, poses),
+        );
+    }
+
+    fn own<P: Pose + Packed<Motion>>(&mut self, layout: &str) {
+        let hierarchy = self.hierarchy;
+        for backend in Backend::available() {
+            self.add::<P>(
+                format!("dq8 {layout} {backend}"),
+                Some(backend),
+                move |locals, models| {
+                    Backend::limit(Some(backend));
+                    hierarchy.local_to_model(locals, models).expect("whole instances");
+                },
+                move |poses| {
+                    Backend::limit(Some(backend));
+                    hierarchy.local_to_model_in_place(poses).expect("whole instances");
+                },
+            );
+        }
+    }
+
+    fn add<E: Packed<Motion>>(
+        &mut self,
+        name: String,
+        backend: Option<Backend>,
+        out: impl Fn(&[E], &mut [E]) + Copy + 'a,
+        in_place: impl Fn(&mut [E]) + Copy + 'a,
+    ) {
+        let locals = &self.scene.locals;
+        let numbers = |models: &[E], index| locals.numbers(models, index);
+        match self.place {
+            Place::Out => {
+                let memory = || (locals.pack(), locals.pack());
+                let pass = move |locals: &Vec<E>, models: &mut [E]| out(locals, models);
+                self.contest.add(name, backend, memory, pass, numbers);
+            }
+            Place::In => {
+                self.contest.add_in_place(name, backend, || locals.pack(), in_place, numbers);
+            }
+        }
+    }
+}
