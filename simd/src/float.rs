@@ -1,20 +1,25 @@
 //! [`Float`]: the number in a lane.
 
+use crate::lane::Lane;
+use crate::level::Level;
 use bytemuck::Pod;
 use core::fmt::Debug;
 
-/// `f32` or `f64`, as far as a kernel must tell them apart: to write constants. Sealed.
+/// `f32` or `f64`, as far as a kernel must tell them apart: to write constants and to find its lanes. Sealed.
 pub trait Float:
     Pod + PartialOrd + Default + Debug + From<f32> + Into<f64> + sealed::Sealed
 {
     /// Whether this is `f32`.
     const SINGLE: bool;
+    /// The lanes of this number that fill a register of `V`.
+    type Lanes<V: Level>: Lane<Real = Self, Level = V>;
     /// The nearest number of this type.
     fn from_f64(value: f64) -> Self;
 }
 
 impl Float for f32 {
     const SINGLE: bool = true;
+    type Lanes<V: Level> = V::Single;
     #[inline(always)]
     #[allow(clippy::cast_possible_truncation, reason = "rounding is the purpose")]
     fn from_f64(value: f64) -> Self {
@@ -24,6 +29,7 @@ impl Float for f32 {
 
 impl Float for f64 {
     const SINGLE: bool = false;
+    type Lanes<V: Level> = V::Double;
     #[inline(always)]
     fn from_f64(value: f64) -> Self {
         value

@@ -84,32 +84,72 @@ pub trait Lane:
         from: &[[Self::Real; C]],
         padding: [Self::Real; C],
     ) -> [Self; C] {
-        let mut rows = padding.map(|value| {
-            let mut row = Self::Array::zeroed();
-            row.as_mut().fill(value);
-            row
-        });
-        for (lane, record) in from.iter().take(Self::LANES).enumerate() {
-            for (row, &value) in rows.iter_mut().zip(record) {
-                if let Some(slot) = row.as_mut().get_mut(lane) {
-                    *slot = value;
-                }
+        let mut components = [Self::splat(level, Self::Real::default()); C];
+        if let Some(from) = from.get(..Self::LANES)
+            && C.is_multiple_of(4)
+        {
+            for (quad, first) in components.chunks_exact_mut(4).zip((0..C).step_by(4)) {
+                let flat = from.as_flattened().get(first..).unwrap_or_default();
+                quad.copy_from_slice(&Self::load_quads(level, flat, C));
             }
+            return components;
         }
-        rows.map(|row| Self::load(level, &row))
+        if from.len() >= Self::LANES && C == 3 {
+            let [x, y, z, _] = Self::load_quads(level, from.as_flattened(), C);
+            components.copy_from_slice(&[x, y, z]);
+            return components;
+        }
+        for (c, component) in components.iter_mut().enumerate() {
+            let mut row = Self::Array::zeroed();
+            for (lane, slot) in row.as_mut().iter_mut().enumerate() {
+                *slot = from.get(lane).unwrap_or(&padding)[c];
+            }
+            *component = Self::load(level, &row);
+        }
+        components
     }
     /// Transposes on the way out: lane `i` of `C` vectors becomes record `i` of `to`.
     /// Records beyond `LANES` are left as they were.
     #[inline(always)]
     fn store_records<const C: usize>(components: [Self; C], to: &mut [[Self::Real; C]]) {
-        let rows = components.map(Self::to_array);
-        for (lane, record) in to.iter_mut().take(Self::LANES).enumerate() {
-            for (value, row) in record.iter_mut().zip(&rows) {
-                if let Some(&source) = row.as_ref().get(lane) {
-                    *value = source;
+        if let Some(to) = to.get_mut(..Self::LANES)
+            && C.is_multiple_of(4)
+        {
+            for (quad, first) in components.chunks_exact(4).zip((0..C).step_by(4)) {
+                let flat = to.as_flattened_mut().get_mut(first..).unwrap_or_default();
+                if let &[x, y, z, w] = quad {
+                    Self::store_quads([x, y, z, w], flat, C);
                 }
             }
+            return;
         }
+        if let (&[x, y, z], true) = (components.as_slice(), to.len() >= Self::LANES) {
+            Self::store_triples([x, y, z], to.as_flattened_mut());
+            return;
+        }
+        for (c, component) in components.into_iter().enumerate() {
+            for (record, &value) in to.iter_mut().zip(component.to_array().as_ref()) {
+                record[c] = value;
+            }
+        }
+    }
+    /// Transposes on the way in: lane `i` of four vectors is `from[i · stride ..][.. 4]`, zero where
+    /// `from` ends before.
+    #[inline(always)]
+    fn load_quads(level: Self::Level, from: &[Self::Real], stride: usize) -> [Self; 4] {
+        load_each(level, from, stride)
+    }
+    /// Transposes on the way out: lane `i` of four vectors goes to `to[i · stride ..][.. 4]`, for
+    /// strides of 4 or more; what is beyond the end of `to` is dropped.
+    #[inline(always)]
+    fn store_quads(components: [Self; 4], to: &mut [Self::Real], stride: usize) {
+        store_each(components, to, stride);
+    }
+    /// Transposes on the way out: lane `i` of three vectors goes to `to[3i ..][.. 3]`; what is beyond
+    /// the end of `to` is dropped.
+    #[inline(always)]
+    fn store_triples(components: [Self; 3], to: &mut [Self::Real]) {
+        store_each(components, to, 3);
     }
 
     /// `self · factor + addend`, rounded once where the hardware fuses.
@@ -137,6 +177,36 @@ pub trait Lane:
     /// `yes` in the lanes where `mask` holds, `no` in the others.
     #[must_use]
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+}
+
+/// [`Lane::load_quads`] one number at a time.
+#[inline(always)]
+pub(crate) fn load_each<L: Lane>(level: L::Level, from: &[L::Real], stride: usize) -> [L; 4] {
+    let mut components = [L::splat(level, L::Real::default()); 4];
+    for (c, component) in components.iter_mut().enumerate() {
+        let mut row = L::Array::zeroed();
+        for (lane, slot) in row.as_mut().iter_mut().enumerate() {
+            *slot = from.get(lane * stride + c).copied().unwrap_or_default();
+        }
+        *component = L::load(level, &row);
+    }
+    components
+}
+
+/// [`Lane::store_quads`] and [`Lane::store_triples`] one number at a time.
+#[inline(always)]
+pub(crate) fn store_each<L: Lane, const C: usize>(
+    components: [L; C],
+    to: &mut [L::Real],
+    stride: usize,
+) {
+    for (c, component) in components.into_iter().enumerate() {
+        for (lane, &value) in component.to_array().as_ref().iter().enumerate() {
+            if let Some(slot) = to.get_mut(lane * stride + c) {
+                *slot = value;
+            }
+        }
+    }
 }
 
 /// One truth value a lane.

@@ -22,6 +22,11 @@ pub trait Level: Copy + Debug + Send + Sync + 'static {
     /// Eight lanes of `f64`.
     type F64x8: Lane<Real = f64, Level = Self, Array = [f64; 8]>;
 
+    /// The `f32` lanes that fill a register.
+    type Single: Lane<Real = f32, Level = Self>;
+    /// The `f64` lanes that fill a register.
+    type Double: Lane<Real = f64, Level = Self>;
+
     /// Runs `kernel` compiled with the instructions of this level.
     ///
     /// Everything that `kernel` calls must be `#[inline(always)]`, or it is compiled without them.

@@ -17,11 +17,32 @@ impl Level for Portable {
     type F64x2 = f64x2;
     type F64x4 = f64x4;
     type F64x8 = f64x8;
+    type Single = width::Single;
+    type Double = width::Double;
 
     #[inline(always)]
     fn run<R>(self, kernel: impl FnOnce() -> R) -> R {
         kernel()
     }
+}
+
+/// The registers of the build target: 256 bits with AVX, 128 with SSE2, NEON or simd128, and one number
+/// where packed types would be emulated.
+mod width {
+    #[cfg(target_feature = "avx")]
+    pub(super) use wide::{f32x8 as Single, f64x4 as Double};
+    #[cfg(all(
+        not(target_feature = "avx"),
+        any(target_feature = "sse2", target_feature = "neon", target_feature = "simd128")
+    ))]
+    pub(super) use wide::{f32x4 as Single, f64x2 as Double};
+    #[cfg(not(any(
+        target_feature = "avx",
+        target_feature = "sse2",
+        target_feature = "neon",
+        target_feature = "simd128"
+    )))]
+    pub(super) use {f32 as Single, f64 as Double};
 }
 
 /// A mask of [`wide`]: a vector whose lanes are all ones or all zeros.
@@ -30,7 +51,7 @@ pub struct WideMask<V>(V);
 
 /// `wide` offers these operations as inherent methods only, so no generic `impl` can reach them.
 macro_rules! wide_lanes {
-    ($($vector:ident: [$real:ty; $lanes:literal];)*) => {$(
+    ($($vector:ident: [$real:ty; $lanes:literal] $(, $transpose:ident)?;)*) => {$(
         impl Lane for $vector {
             type Real = $real;
             type Mask = WideMask<$vector>;
@@ -54,6 +75,34 @@ macro_rules! wide_lanes {
             fn store(self, to: &mut [$real; $lanes]) {
                 *to = <$vector>::to_array(self);
             }
+            $(
+                #[inline(always)]
+                fn load_quads(level: Portable, from: &[$real], stride: usize) -> [Self; 4] {
+                    let reach = stride.saturating_mul($lanes - 1).saturating_add(4);
+                    let Some(from) = from.get(..reach) else {
+                        return crate::lane::load_each(level, from, stride);
+                    };
+                    let mut rows = [Self::ZERO; 4];
+                    for (i, row) in rows.iter_mut().enumerate() {
+                        let start = i * stride;
+                        let record = from.get(start..start + 4).and_then(|r| r.try_into().ok());
+                        *row = Self::new(record.unwrap_or_default());
+                    }
+                    Self::$transpose(rows)
+                }
+                #[inline(always)]
+                fn store_quads(components: [Self; 4], to: &mut [$real], stride: usize) {
+                    let reach = stride.saturating_mul($lanes - 1).saturating_add(4);
+                    let Some(to) = to.get_mut(..reach) else {
+                        return crate::lane::store_each(components, to, stride);
+                    };
+                    for (i, row) in Self::$transpose(components).into_iter().enumerate() {
+                        if let Some(record) = to.get_mut(i * stride..i * stride + 4) {
+                            record.copy_from_slice(&row.to_array());
+                        }
+                    }
+                }
+            )?
             #[inline(always)]
             fn mul_add(self, factor: Self, addend: Self) -> Self {
                 <$vector>::mul_add(self, factor, addend)
@@ -111,7 +160,7 @@ macro_rules! wide_lanes {
     )*};
 }
 wide_lanes! {
-    f32x4: [f32; 4];
+    f32x4: [f32; 4], transpose;
     f32x8: [f32; 8];
     f32x16: [f32; 16];
     f64x2: [f64; 2];

@@ -143,15 +143,14 @@ fn lanes_from<L: Lane>(level: L::Level, source: &[L::Real]) -> L {
     L::load_partial(level, source, L::Real::default())
 }
 
-fn records<L: Lane>(level: L::Level) {
-    let real = |i: usize| L::Real::from_f64(i as f64);
-    let source: Vec<[L::Real; 3]> =
-        (0..L::LANES + 2).map(|i| [real(3 * i), real(3 * i + 1), real(3 * i + 2)]).collect();
-    let padding = [-1.0, -2.0, -3.0].map(L::Real::from_f64);
+fn records<L: Lane, const C: usize>(level: L::Level) {
+    let record = |i: usize| std::array::from_fn(|c| L::Real::from_f64((100 * i + c) as f64));
+    let source: Vec<[L::Real; C]> = (0..L::LANES + 2).map(record).collect();
+    let padding = std::array::from_fn(|c| L::Real::from_f64(-1.0 - c as f64));
     for length in 0..=L::LANES + 2 {
         let columns = L::load_records(level, &source[..length], padding);
         for (c, column) in columns.into_iter().enumerate() {
-            let wanted = |i: usize| if i < length { (3 * i + c) as f64 } else { -1.0 - c as f64 };
+            let wanted = |i: usize| if i < length { source[i][c] } else { padding[c] }.into();
             same("load_records", &numbers(column), &(0..L::LANES).map(wanted).collect::<Vec<_>>());
         }
         let mut target = vec![padding; length];
@@ -163,12 +162,41 @@ fn records<L: Lane>(level: L::Level) {
     }
 }
 
+/// Records `stride` numbers apart, in memory of any length.
+fn quads<L: Lane>(level: L::Level) {
+    for stride in [1, 3, 4, 5, 11] {
+        for length in 0..=(L::LANES - 1) * stride + 6 {
+            let memory: Vec<_> = (0..length).map(|i| L::Real::from_f64(i as f64 + 1.0)).collect();
+            let columns = L::load_quads(level, &memory, stride);
+            for (c, column) in columns.into_iter().enumerate() {
+                let wanted = |i: usize| memory.get(i * stride + c).map_or(0.0, |&x| x.into());
+                let wanted: Vec<_> = (0..L::LANES).map(wanted).collect();
+                same("load_quads", &numbers(column), &wanted);
+            }
+            let mut target = vec![L::Real::default(); length];
+            if stride == 3 {
+                L::store_triples([columns[0], columns[1], columns[2]], &mut target);
+            } else if stride > 3 {
+                L::store_quads(columns, &mut target, stride);
+            }
+            for (i, (&number, &source)) in target.iter().zip(&memory).enumerate() {
+                let written = stride >= 3 && i / stride < L::LANES && i % stride < 4;
+                assert_eq!(number, if written { source } else { L::Real::default() }, "{i}");
+            }
+        }
+    }
+}
+
 fn check<L: Lane>(level: L::Level) {
     arithmetic::<L>(level);
     fused_or_not::<L>(level);
     comparisons::<L>(level);
     memory::<L>(level);
-    records::<L>(level);
+    records::<L, 3>(level);
+    records::<L, 7>(level);
+    records::<L, 8>(level);
+    records::<L, 12>(level);
+    quads::<L>(level);
 }
 
 fn check_level<V: Level>(level: V) {
@@ -179,6 +207,8 @@ fn check_level<V: Level>(level: V) {
         check::<V::F64x2>(level);
         check::<V::F64x4>(level);
         check::<V::F64x8>(level);
+        check::<V::Single>(level);
+        check::<V::Double>(level);
     });
 }
 

@@ -3,7 +3,7 @@
 //! Half the angle of a motion, Θ, enters only through functions that are even in it. Taken as
 //! functions of a *square* they are analytic, also at Θ = 0: no axis, no branch and no division by a
 //! vanishing sine. On a dual argument they give value and derivative, f(a) + ε b f′(a) (Jia eq. 10),
-//! both from one Horner run.
+//! the second from the derivative of the polynomial.
 //!
 //! The polynomials and their errors are in `even_coefficients.rs`, found by `scripts/fit_even.py`.
 
@@ -17,7 +17,7 @@ const ORDINARY: f64 = 2.5;
 /// arcsin(√y)/√y for y in [0, ½].
 #[inline(always)]
 pub(super) fn asin_over_root<L: Lane>(y: Dual<L>) -> Dual<L> {
-    let (value, derivative) = horner(&coefficients::ASIN_F32, &coefficients::ASIN_F64, y.real);
+    let (value, derivative) = polynomial(&coefficients::ASIN_F32, &coefficients::ASIN_F64, y.real);
     y.apply(value, derivative)
 }
 
@@ -28,8 +28,8 @@ pub(super) fn asin_over_root<L: Lane>(y: Dual<L>) -> Dual<L> {
 #[inline(always)]
 pub(super) fn cos_sinc<L: Lane>(v: Dual<L>) -> (Dual<L>, Dual<L>) {
     let minus_half = v.real.with(-0.5);
-    let (cos, _) = horner(&coefficients::COS_F32, &coefficients::COS_F64, v.real);
-    let (sinc, slope) = horner(&coefficients::SINC_F32, &coefficients::SINC_F64, v.real);
+    let (cos, _) = polynomial(&coefficients::COS_F32, &coefficients::COS_F64, v.real);
+    let (sinc, slope) = polynomial(&coefficients::SINC_F32, &coefficients::SINC_F64, v.real);
     let ordinary = v.real.le(v.real.with(ORDINARY));
     if ordinary.all() {
         return (v.apply(cos, minus_half * sinc), v.apply(sinc, slope));
@@ -48,7 +48,7 @@ pub(super) fn exponential_integrals<L: Lane>(u: Dual<L>) -> (Dual<L>, Dual<L>) {
     let one = u.real.with(1.0);
     let (cos, sinc) = cos_sinc(u.scale(one.with(0.25)));
     let first = sinc.scale(one.with(0.5)) * sinc;
-    let (value, slope) = horner(&coefficients::LEFT_F32, &coefficients::LEFT_F64, u.real);
+    let (value, slope) = polynomial(&coefficients::LEFT_F32, &coefficients::LEFT_F64, u.real);
     let second = u.apply(value, slope);
     let ordinary = u.real.le(one.with(4.0 * ORDINARY));
     if ordinary.all() {
@@ -62,7 +62,7 @@ pub(super) fn exponential_integrals<L: Lane>(u: Dual<L>) -> (Dual<L>, Dual<L>) {
 #[inline(always)]
 pub(super) fn half_cotangent<L: Lane>(u: Dual<L>) -> Dual<L> {
     let one = u.real.with(1.0);
-    let (value, slope) = horner(&coefficients::INVERSE_F32, &coefficients::INVERSE_F64, u.real);
+    let (value, slope) = polynomial(&coefficients::INVERSE_F32, &coefficients::INVERSE_F64, u.real);
     let near = u.apply(value, slope);
     let ordinary = u.real.le(one.with(4.0 * ORDINARY));
     if ordinary.all() {
@@ -95,8 +95,8 @@ fn far_cos_sinc<L: Lane>(v: L) -> (L, L, L) {
     let rest = turns.neg_mul_add(v.with(middle), rest);
     let rest = turns.neg_mul_add(v.with(low), rest);
     let square = rest * rest;
-    let (cos, _) = horner(&coefficients::COS_F32, &coefficients::COS_F64, square);
-    let (sinc, _) = horner(&coefficients::SINC_F32, &coefficients::SINC_F64, square);
+    let (cos, _) = polynomial(&coefficients::COS_F32, &coefficients::COS_F64, square);
+    let (sinc, _) = polynomial(&coefficients::SINC_F32, &coefficients::SINC_F64, square);
     // (−1)ᵏ: k/2 is a whole number or half way between two.
     let half_turns = turns * v.with(0.5);
     let odd = (half_turns - round(half_turns)).abs();
@@ -115,18 +115,41 @@ fn round<L: Lane>(x: L) -> L {
 
 /// A polynomial, lowest coefficient first, and its derivative, in the precision of the lanes.
 #[inline(always)]
-fn horner<L: Lane>(single: &[f32], double: &[f64], x: L) -> (L, L) {
-    if L::Real::SINGLE { horner_of(single, x) } else { horner_of(double, x) }
+fn polynomial<L: Lane>(single: &[f32], double: &[f64], x: L) -> (L, L) {
+    if L::Real::SINGLE { value_and_slope(single, x) } else { value_and_slope(double, x) }
 }
 
 #[inline(always)]
-fn horner_of<L: Lane, C: Copy + Into<f64>>(coefficients: &[C], x: L) -> (L, L) {
-    let [lower @ .., second, top] = coefficients else { return (x.with(0.0), x.with(0.0)) };
-    let mut slope = x.with((*top).into());
-    let mut value = slope.mul_add(x, x.with((*second).into()));
-    for &c in lower.iter().rev() {
-        slope = slope.mul_add(x, value);
-        value = value.mul_add(x, x.with(c.into()));
+fn value_and_slope<L: Lane, C: Copy + Into<f64>>(coefficients: &[C], x: L) -> (L, L) {
+    let square = x * x;
+    (two_chains(coefficients, 0, x, square), two_chains(coefficients, 1, x, square))
+}
+
+/// The derivative of this order, 0 or 1. Even and odd powers are summed in a Horner chain each: one
+/// chain of all powers would wait twice as long for its own results.
+#[inline(always)]
+fn two_chains<L: Lane, C: Copy + Into<f64>>(
+    coefficients: &[C],
+    order: usize,
+    x: L,
+    square: L,
+) -> L {
+    let mut chains = [x.with(0.0); 2];
+    let terms = coefficients.len() - order;
+    let mut power = terms;
+    while power > 0 {
+        power -= 1;
+        let mut factor: f64 = coefficients[power + order].into();
+        if order == 1 {
+            factor *= (power + 1) as f64;
+        }
+        let chain = &mut chains[power % 2];
+        *chain = if power + 2 < terms {
+            chain.mul_add(square, x.with(factor))
+        } else {
+            x.with(factor)
+        };
     }
-    (value, slope)
+    let [even, odd] = chains;
+    odd.mul_add(x, even)
 }

@@ -12,6 +12,7 @@ macro_rules! vector {
         add $add:ident; sub $sub:ident; mul $mul:ident; div $div:ident; sqrt $sqrt:ident;
         mul_add $mul_add:ident; neg_mul_add $neg_mul_add:ident;
         splat $splat:ident; load $load:ident; store $store:ident;
+        quads $load_quads:ident $store_quads:ident $store_triples:ident;
         and $and:ident; and_not $and_not:ident; or $or:ident; xor $xor:ident;
         less |$la:ident, $lb:ident| $less:expr;
         less_equal |$ea:ident, $eb:ident| $less_equal:expr;
@@ -47,6 +48,33 @@ macro_rules! vector {
             fn store(self, to: &mut [$real; $lanes]) {
                 // SAFETY: `self` proves the instructions; the pointer is that of a whole array.
                 unsafe { $store(to.as_mut_ptr(), self.0) }
+            }
+            #[inline(always)]
+            fn load_quads(level: $level, from: &[$real], stride: usize) -> [Self; 4] {
+                let reach = stride.saturating_mul($lanes - 1).saturating_add(4);
+                if from.len() < reach {
+                    return crate::lane::load_each(level, from, stride);
+                }
+                // SAFETY: `level` proves the instructions; the last number read is in the slice.
+                let [x, y, z, w] = unsafe { $load_quads(from.as_ptr(), stride) };
+                [Self(x, level), Self(y, level), Self(z, level), Self(w, level)]
+            }
+            #[inline(always)]
+            fn store_quads([x, y, z, w]: [Self; 4], to: &mut [$real], stride: usize) {
+                let reach = stride.saturating_mul($lanes - 1).saturating_add(4);
+                if to.len() < reach || stride < 4 {
+                    return crate::lane::store_each([x, y, z, w], to, stride);
+                }
+                // SAFETY: the lanes prove the instructions; the last number written is in the slice.
+                unsafe { $store_quads([x.0, y.0, z.0, w.0], to.as_mut_ptr(), stride) }
+            }
+            #[inline(always)]
+            fn store_triples([x, y, z]: [Self; 3], to: &mut [$real]) {
+                if to.len() < 3 * $lanes {
+                    return crate::lane::store_each([x, y, z], to, 3);
+                }
+                // SAFETY: the lanes prove the instructions; the last number written is in the slice.
+                unsafe { $store_triples([x.0, y.0, z.0], to.as_mut_ptr()) }
             }
             #[inline(always)]
             fn mul_add(self, factor: Self, addend: Self) -> Self {

@@ -1,0 +1,261 @@
+//! Transposes between records of four (or three) numbers in memory and vectors of their components.
+//!
+//! Record by record is how memory goes; four registers that hold a record a 128-bit group (`f32`) or
+//! a 256-bit group (`f64`) are then transposed inside the groups. That transpose is its own inverse,
+//! so the way out is the way in, read backwards.
+//!
+//! Registers and pointers here are raw: the lanes that call prove the instructions and the bounds.
+#![allow(clippy::missing_safety_doc, reason = "stated once, below, for all of them")]
+
+use core::arch::x86_64::*;
+
+// All functions of this file: the CPU must have the instructions of the register's type, and
+// `LANES` records of four numbers (three for triples), `stride` numbers apart, must lie at `at`.
+
+/// The transpose of the 4 × 4 numbers in each 128-bit group.
+macro_rules! transpose_singles {
+    ($name:ident, $register:ident, $low:ident, $high:ident, $shuffle:ident) => {
+        #[inline(always)]
+        unsafe fn $name([a, b, c, d]: [$register; 4]) -> [$register; 4] {
+            // SAFETY: the caller's CPU has the instructions.
+            unsafe {
+                let (ab, cd) = ($low(a, b), $low(c, d)); // a₀ b₀ a₁ b₁, c₀ d₀ c₁ d₁
+                let (ab_high, cd_high) = ($high(a, b), $high(c, d)); // a₂ b₂ a₃ b₃, …
+                [
+                    $shuffle::<0b01_00_01_00>(ab, cd),
+                    $shuffle::<0b11_10_11_10>(ab, cd),
+                    $shuffle::<0b01_00_01_00>(ab_high, cd_high),
+                    $shuffle::<0b11_10_11_10>(ab_high, cd_high),
+                ]
+            }
+        }
+    };
+}
+transpose_singles! { transpose_f32x4, __m128, _mm_unpacklo_ps, _mm_unpackhi_ps, _mm_shuffle_ps }
+transpose_singles! { transpose_f32x8, __m256, _mm256_unpacklo_ps, _mm256_unpackhi_ps, _mm256_shuffle_ps }
+transpose_singles! { transpose_f32x16, __m512, _mm512_unpacklo_ps, _mm512_unpackhi_ps, _mm512_shuffle_ps }
+
+/// Four records in each of four registers and back: a register type, how records join in it, and how
+/// it falls apart into the places of its groups.
+macro_rules! single_quads {
+    (
+        $load:ident, $store:ident, $triples:ident, $register:ident, $lanes:literal, $transpose:ident;
+        join |$get:ident, $i:ident| $join:expr;
+        split |$whole:ident| $split:expr;
+    ) => {
+        #[inline(always)]
+        pub(super) unsafe fn $load(at: *const f32, stride: usize) -> [$register; 4] {
+            // SAFETY: the caller's promise, above.
+            unsafe {
+                let mut rows = [core::mem::zeroed::<$register>(); 4];
+                for ($i, row) in rows.iter_mut().enumerate() {
+                    macro_rules! $get {
+                        ($record:expr) => {
+                            _mm_loadu_ps(at.add($record * stride))
+                        };
+                    }
+                    *row = $join;
+                }
+                $transpose(rows)
+            }
+        }
+        #[inline(always)]
+        pub(super) unsafe fn $store(components: [$register; 4], at: *mut f32, stride: usize) {
+            // SAFETY: the caller's promise, above.
+            unsafe {
+                for (i, $whole) in $transpose(components).into_iter().enumerate() {
+                    for (group, record) in $split.into_iter().enumerate() {
+                        _mm_storeu_ps(at.add((4 * group + i) * stride), record);
+                    }
+                }
+            }
+        }
+        #[inline(always)]
+        pub(super) unsafe fn $triples([x, y, z]: [$register; 3], at: *mut f32) {
+            // SAFETY: the caller's promise, above. A store of four numbers overwrites the first of
+            // the next record, which is written later; the last record stores three.
+            unsafe {
+                let rows = $transpose([x, y, z, z]);
+                for group in 0..$lanes / 4 {
+                    for (i, $whole) in rows.into_iter().enumerate() {
+                        let (record, number) = ($split[group], 4 * group + i);
+                        if number + 1 < $lanes {
+                            _mm_storeu_ps(at.add(3 * number), record);
+                        } else {
+                            _mm_storel_pd(at.add(3 * number).cast(), _mm_castps_pd(record));
+                            _mm_store_ss(at.add(3 * number + 2), _mm_movehl_ps(record, record));
+                        }
+                    }
+                }
+            }
+        }
+    };
+}
+
+single_quads! {
+    f32x4_load, f32x4_store, f32x4_store_triples, __m128, 4, transpose_f32x4;
+    join |get, i| get!(i);
+    split |whole| [whole];
+}
+single_quads! {
+    f32x8_load, f32x8_store, f32x8_store_triples, __m256, 8, transpose_f32x8;
+    join |get, i| _mm256_insertf128_ps::<1>(_mm256_castps128_ps256(get!(i)), get!(i + 4));
+    split |whole| [_mm256_castps256_ps128(whole), _mm256_extractf128_ps::<1>(whole)];
+}
+single_quads! {
+    f32x16_load, f32x16_store, f32x16_store_triples, __m512, 16, transpose_f32x16;
+    join |get, i| {
+        let two = _mm512_insertf32x4::<1>(_mm512_castps128_ps512(get!(i)), get!(i + 4));
+        _mm512_insertf32x4::<3>(_mm512_insertf32x4::<2>(two, get!(i + 8)), get!(i + 12))
+    };
+    split |whole| [
+        _mm512_castps512_ps128(whole),
+        _mm512_extractf32x4_ps::<1>(whole),
+        _mm512_extractf32x4_ps::<2>(whole),
+        _mm512_extractf32x4_ps::<3>(whole),
+    ];
+}
+
+/// The transpose of 4 × 4 numbers.
+#[inline(always)]
+unsafe fn transpose_f64x4([a, b, c, d]: [__m256d; 4]) -> [__m256d; 4] {
+    // SAFETY: the caller's CPU has the instructions.
+    unsafe {
+        let (ab, cd) = (_mm256_unpacklo_pd(a, b), _mm256_unpacklo_pd(c, d)); // a₀ b₀ a₂ b₂, …
+        let (ab_odd, cd_odd) = (_mm256_unpackhi_pd(a, b), _mm256_unpackhi_pd(c, d));
+        [
+            _mm256_permute2f128_pd::<0x20>(ab, cd),
+            _mm256_permute2f128_pd::<0x20>(ab_odd, cd_odd),
+            _mm256_permute2f128_pd::<0x31>(ab, cd),
+            _mm256_permute2f128_pd::<0x31>(ab_odd, cd_odd),
+        ]
+    }
+}
+
+/// The transpose of the 4 × 4 numbers in each half.
+#[inline(always)]
+unsafe fn transpose_f64x8([a, b, c, d]: [__m512d; 4]) -> [__m512d; 4] {
+    // SAFETY: the caller's CPU has the instructions.
+    unsafe {
+        let first = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13);
+        let second = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
+        let (ab, cd) = (_mm512_unpacklo_pd(a, b), _mm512_unpacklo_pd(c, d));
+        let (ab_odd, cd_odd) = (_mm512_unpackhi_pd(a, b), _mm512_unpackhi_pd(c, d));
+        [
+            _mm512_permutex2var_pd(ab, first, cd),
+            _mm512_permutex2var_pd(ab_odd, first, cd_odd),
+            _mm512_permutex2var_pd(ab, second, cd),
+            _mm512_permutex2var_pd(ab_odd, second, cd_odd),
+        ]
+    }
+}
+
+/// Three numbers of a record of four.
+#[inline(always)]
+unsafe fn store_triple(record: __m256d, at: *mut f64) {
+    // SAFETY: the caller's promise, above.
+    unsafe {
+        _mm_storeu_pd(at, _mm256_castpd256_pd128(record));
+        _mm_store_sd(at.add(2), _mm256_extractf128_pd::<1>(record));
+    }
+}
+
+#[inline(always)]
+pub(super) unsafe fn f64x4_load(at: *const f64, stride: usize) -> [__m256d; 4] {
+    // SAFETY: the caller's promise, above.
+    unsafe {
+        transpose_f64x4([
+            _mm256_loadu_pd(at),
+            _mm256_loadu_pd(at.add(stride)),
+            _mm256_loadu_pd(at.add(2 * stride)),
+            _mm256_loadu_pd(at.add(3 * stride)),
+        ])
+    }
+}
+#[inline(always)]
+pub(super) unsafe fn f64x4_store(components: [__m256d; 4], at: *mut f64, stride: usize) {
+    // SAFETY: the caller's promise, above.
+    unsafe {
+        for (i, record) in transpose_f64x4(components).into_iter().enumerate() {
+            _mm256_storeu_pd(at.add(i * stride), record);
+        }
+    }
+}
+#[inline(always)]
+pub(super) unsafe fn f64x4_store_triples([x, y, z]: [__m256d; 3], at: *mut f64) {
+    // SAFETY: the caller's promise, above.
+    unsafe {
+        for (i, record) in transpose_f64x4([x, y, z, z]).into_iter().enumerate() {
+            store_triple(record, at.add(3 * i));
+        }
+    }
+}
+
+#[inline(always)]
+pub(super) unsafe fn f64x8_load(at: *const f64, stride: usize) -> [__m512d; 4] {
+    // SAFETY: the caller's promise, above.
+    unsafe {
+        let mut rows = [_mm512_setzero_pd(); 4];
+        for (i, row) in rows.iter_mut().enumerate() {
+            let lower = _mm512_castpd256_pd512(_mm256_loadu_pd(at.add(i * stride)));
+            *row = _mm512_insertf64x4::<1>(lower, _mm256_loadu_pd(at.add((i + 4) * stride)));
+        }
+        transpose_f64x8(rows)
+    }
+}
+#[inline(always)]
+pub(super) unsafe fn f64x8_store(components: [__m512d; 4], at: *mut f64, stride: usize) {
+    // SAFETY: the caller's promise, above.
+    unsafe {
+        for (i, records) in transpose_f64x8(components).into_iter().enumerate() {
+            _mm256_storeu_pd(at.add(i * stride), _mm512_castpd512_pd256(records));
+            _mm256_storeu_pd(at.add((i + 4) * stride), _mm512_extractf64x4_pd::<1>(records));
+        }
+    }
+}
+#[inline(always)]
+pub(super) unsafe fn f64x8_store_triples([x, y, z]: [__m512d; 3], at: *mut f64) {
+    // SAFETY: the caller's promise, above.
+    unsafe {
+        for (i, records) in transpose_f64x8([x, y, z, z]).into_iter().enumerate() {
+            store_triple(_mm512_castpd512_pd256(records), at.add(3 * i));
+            store_triple(_mm512_extractf64x4_pd::<1>(records), at.add(3 * (i + 4)));
+        }
+    }
+}
+
+#[inline(always)]
+pub(super) unsafe fn f64x2_load(at: *const f64, stride: usize) -> [__m128d; 4] {
+    // SAFETY: the caller's promise, above.
+    unsafe {
+        let (a, b) = (at, at.add(stride));
+        let (xy_a, zw_a) = (_mm_loadu_pd(a), _mm_loadu_pd(a.add(2)));
+        let (xy_b, zw_b) = (_mm_loadu_pd(b), _mm_loadu_pd(b.add(2)));
+        [
+            _mm_unpacklo_pd(xy_a, xy_b),
+            _mm_unpackhi_pd(xy_a, xy_b),
+            _mm_unpacklo_pd(zw_a, zw_b),
+            _mm_unpackhi_pd(zw_a, zw_b),
+        ]
+    }
+}
+#[inline(always)]
+pub(super) unsafe fn f64x2_store([x, y, z, w]: [__m128d; 4], at: *mut f64, stride: usize) {
+    // SAFETY: the caller's promise, above.
+    unsafe {
+        _mm_storeu_pd(at, _mm_unpacklo_pd(x, y));
+        _mm_storeu_pd(at.add(2), _mm_unpacklo_pd(z, w));
+        _mm_storeu_pd(at.add(stride), _mm_unpackhi_pd(x, y));
+        _mm_storeu_pd(at.add(stride + 2), _mm_unpackhi_pd(z, w));
+    }
+}
+#[inline(always)]
+pub(super) unsafe fn f64x2_store_triples([x, y, z]: [__m128d; 3], at: *mut f64) {
+    // SAFETY: the caller's promise, above.
+    unsafe {
+        _mm_storeu_pd(at, _mm_unpacklo_pd(x, y));
+        _mm_store_sd(at.add(2), z);
+        _mm_storeu_pd(at.add(3), _mm_unpackhi_pd(x, y));
+        _mm_storeh_pd(at.add(5), z);
+    }
+}
