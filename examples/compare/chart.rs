@@ -66,12 +66,7 @@ fn write_heading(out: &mut String) -> fmt::Result {
 }
 
 /// Gives back where it ends.
-fn write_panel(
-    out: &mut String,
-    left: f64,
-    top: f64,
-    rows: &[&Row],
-) -> Result<f64, fmt::Error> {
+fn write_panel(out: &mut String, left: f64, top: f64, rows: &[&Row]) -> Result<f64, fmt::Error> {
     let (job, size, title) = (rows[0].job, &rows[0].size, &rows[0].title);
     let y = top + LINE;
     writeln!(out, r#"<text class="caption" x="{left}" y="{y}">{job} {size}: {title}</text>"#)?;
@@ -149,7 +144,8 @@ mod tests {
 
     #[test]
     fn bars_are_drawn_inside_the_picture() {
-        let rows = vec![row("dq8 scalar", 1.0, 1.1), row("slow", 2.0, 9.0), row("slower", 1e4, 1e5)];
+        let rows =
+            vec![row("dq8 scalar", 1.0, 1.1), row("slow", 2.0, 9.0), row("slower", 1e4, 1e5)];
         let picture = picture(&Results { rows, ..Results::default() }).unwrap();
         assert!(!picture.contains("NaN") && !picture.contains("inf"));
         assert_eq!(picture.matches(r#"class="peer""#).count(), 3, "two bars and the legend");

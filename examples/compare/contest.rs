@@ -85,7 +85,12 @@ impl<'a> Contest<'a> {
             let (input, output) = memory();
             Box::new(Outward { input, output, pass, numbers }) as Box<dyn Checked + 'a>
         };
-        self.contenders.push(Contender { name: name.into(), backend, start: Box::new(start), expected: None });
+        self.contenders.push(Contender {
+            name: name.into(),
+            backend,
+            start: Box::new(start),
+            expected: None,
+        });
     }
 
     /// A contender that writes over its input.
@@ -102,7 +107,12 @@ impl<'a> Contest<'a> {
             let output = input.clone();
             Box::new(InPlace { input, output, pass, numbers }) as Box<dyn Checked + 'a>
         };
-        self.contenders.push(Contender { name: name.into(), backend, start: Box::new(start), expected: None });
+        self.contenders.push(Contender {
+            name: name.into(),
+            backend,
+            start: Box::new(start),
+            expected: None,
+        });
     }
 }
 

@@ -80,8 +80,7 @@ impl<T: Copy> Many<T> {
         let mut packed = Vec::with_capacity(self.len() / E::LANES);
         for block in self.different.chunks_exact(self.joints * E::LANES) {
             for joint in 0..self.joints {
-                let lanes: Vec<T> =
-                    block[joint..].iter().step_by(self.joints).copied().collect();
+                let lanes: Vec<T> = block[joint..].iter().step_by(self.joints).copied().collect();
                 packed.push(E::gather(&lanes));
             }
         }
@@ -109,9 +108,8 @@ mod tests {
     use ultraviolet::{Isometry3x8, Mat4x8};
 
     fn comes_back<E: super::Packed<DualQuat<f32>>>() {
-        let different: Vec<_> = (0..32_u16)
-            .map(|i| DualQuat::from_translation([f32::from(i), 1.0, -2.0]))
-            .collect();
+        let different: Vec<_> =
+            (0..32_u16).map(|i| DualQuat::from_translation([f32::from(i), 1.0, -2.0])).collect();
         let many = Many::new(2, different, 64);
         let packed = many.pack::<E>();
         assert_eq!(packed.len() * E::LANES, 128);

@@ -16,15 +16,13 @@ pub(crate) fn text(results: &Results) -> Result<String, fmt::Error> {
         let head = ["min ns", "median", "× dq8", "× AVX2", "share"];
         writeln!(text, "  {:<38}{}", "", head.map(|word| format!("{word:>9}")).concat())?;
         for row in rows {
-            let ratio = |to: Option<f64>| to.map_or(String::new(), |to| format!("{:.2}", row.min / to));
+            let ratio =
+                |to: Option<f64>| to.map_or(String::new(), |to| format!("{:.2}", row.min / to));
             let share = results.limits.share(row);
             let share = share.map_or(String::new(), |share| format!("{:.0} %", 100.0 * share));
             let (name, min, median) = (&row.contender, row.min, row.median);
             let (best, avx2) = (ratio(best), ratio(avx2));
-            writeln!(
-                text,
-                "  {name:<38}{min:>9.3}{median:>9.3}{best:>9}{avx2:>9}{share:>9}"
-            )?;
+            writeln!(text, "  {name:<38}{min:>9.3}{median:>9.3}{best:>9}{avx2:>9}{share:>9}")?;
         }
     }
     text.push_str(

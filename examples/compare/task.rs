@@ -26,9 +26,9 @@ pub(crate) fn plan(quick: bool) -> Vec<Task> {
     let mut tasks = vec![Task::Bandwidth];
     tasks.extend(levels.iter().map(|&level| Task::Pairs(Operation::Product, level)));
     for &instances in instances {
-        tasks.extend([Place::In, Place::Out].map(|place| {
-            Task::Hierarchy(Shape::Crowd { instances }, place)
-        }));
+        tasks.extend(
+            [Place::In, Place::Out].map(|place| Task::Hierarchy(Shape::Crowd { instances }, place)),
+        );
     }
     for shape in [Shape::Crowd { instances: 1 }, Shape::Biped, Shape::Chain] {
         tasks.push(Task::Hierarchy(shape, Place::Out));

@@ -144,11 +144,8 @@ fn two_chains<L: Lane, C: Copy + Into<f64>>(
             factor *= (power + 1) as f64;
         }
         let chain = &mut chains[power % 2];
-        *chain = if power + 2 < terms {
-            chain.mul_add(square, x.with(factor))
-        } else {
-            x.with(factor)
-        };
+        *chain =
+            if power + 2 < terms { chain.mul_add(square, x.with(factor)) } else { x.with(factor) };
     }
     let [even, odd] = chains;
     odd.mul_add(x, even)

@@ -20,9 +20,8 @@ impl Packed<DualQuat<f32>> for Isometry3x8 {
     const LANES: usize = LANES;
 
     fn gather(lanes: &[DualQuat<f32>]) -> Self {
-        let rotation = [0, 1, 2, 3].map(|c| {
-            f32x8::new(std::array::from_fn(|lane| lanes[lane].rotation().to_array()[c]))
-        });
+        let rotation = [0, 1, 2, 3]
+            .map(|c| f32x8::new(std::array::from_fn(|lane| lanes[lane].rotation().to_array()[c])));
         let translations: Vec<_> = lanes.iter().map(|motion| motion.translation()).collect();
         Self::new(vector(&translations), Rotor3x8::from_quaternion_array(rotation))
     }

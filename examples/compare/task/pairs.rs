@@ -94,9 +94,11 @@ fn normalise<'a>(pairs: &'a Pairs, contest: &mut Contest<'a>) {
     contest.expected = pairs.expected(|a, _| a.normalize());
     pairs.each(contest, "dq8 scalar", |a: &Motion, _: &Motion| a.normalize());
     // By the real norm only, which is enough here: the input is a real multiple of unit ones.
-    pairs.each(contest, "nalgebra DualQuaternion", |a: &DualQuaternion<f32>, _: &DualQuaternion<f32>| {
-        a.normalize()
-    });
+    pairs.each(
+        contest,
+        "nalgebra DualQuaternion",
+        |a: &DualQuaternion<f32>, _: &DualQuaternion<f32>| a.normalize(),
+    );
 }
 
 fn nlerp<'a>(pairs: &'a Pairs, contest: &mut Contest<'a>) {
@@ -104,7 +106,9 @@ fn nlerp<'a>(pairs: &'a Pairs, contest: &mut Contest<'a>) {
     contest.expected = pairs.expected(|a, b| a.nlerp(b, t));
     pairs.each(contest, "dq8 scalar", |a: &Motion, b: &Motion| a.nlerp(*b, T));
     // By the real norm only, and without a look for the shorter way.
-    pairs.each(contest, "nalgebra UnitDualQuaternion", |a: &UnitDualQuaternion<f32>, b| a.nlerp(b, T));
+    pairs.each(contest, "nalgebra UnitDualQuaternion", |a: &UnitDualQuaternion<f32>, b| {
+        a.nlerp(b, T)
+    });
     type Lanes = UnitDualQuaternion<WideF32x8>;
     pairs.each(contest, "nalgebra UnitDualQuaternion, 8 lanes", |a: &Lanes, b| {
         a.nlerp(b, WideF32x8::splat(T))
@@ -127,7 +131,9 @@ fn sclerp<'a>(pairs: &'a Pairs, contest: &mut Contest<'a>) {
     let t = f64::from(T);
     contest.expected = pairs.expected(|a, b| a.sclerp(b, t));
     pairs.each(contest, "dq8 scalar", |a: &Motion, b: &Motion| a.sclerp(*b, T));
-    pairs.each(contest, "nalgebra UnitDualQuaternion", |a: &UnitDualQuaternion<f32>, b| a.sclerp(b, T));
+    pairs.each(contest, "nalgebra UnitDualQuaternion", |a: &UnitDualQuaternion<f32>, b| {
+        a.sclerp(b, T)
+    });
     // No screws, but what users of glam and ultraviolet do instead.
     let straight = pairs.expected(|a, b| straight(a, b, a.sclerp(b, t).rotation(), t));
     pairs.each(contest, "glam slerp + lerp", |a: &QuatVec3A, b| QuatVec3A {
@@ -143,12 +149,7 @@ fn sclerp<'a>(pairs: &'a Pairs, contest: &mut Contest<'a>) {
 }
 
 /// The rotation, and the translation on the straight way from one to the other.
-fn straight(
-    a: DualQuat<f64>,
-    b: DualQuat<f64>,
-    rotation: Quat<f64>,
-    t: f64,
-) -> DualQuat<f64> {
+fn straight(a: DualQuat<f64>, b: DualQuat<f64>, rotation: Quat<f64>, t: f64) -> DualQuat<f64> {
     let (a, b) = (a.translation(), b.translation());
     let translation = [0, 1, 2].map(|c| a[c] + t * (b[c] - a[c]));
     DualQuat::from_rotation_translation(rotation, translation)

@@ -58,10 +58,9 @@ pub(crate) fn with_contest<R>(
         "nalgebra UnitDualQuaternion, 8 lanes",
         |m: &UnitDualQuaternion<WideF32x8>, p: &Point3<WideF32x8>| m * p,
     );
-    field.add(
-        "nalgebra Isometry3, 8 lanes",
-        |m: &Isometry3<WideF32x8>, p: &Point3<WideF32x8>| m * p,
-    );
+    field.add("nalgebra Isometry3, 8 lanes", |m: &Isometry3<WideF32x8>, p: &Point3<WideF32x8>| {
+        m * p
+    });
     field.add("ultraviolet Isometry3x8", |m: &Isometry3x8, p: &Vec3x8| *m * *p);
     field.add("ultraviolet Mat4x8", |m: &Mat4x8, p: &Vec3x8| m.transform_point3(*p));
     run(&contest)
@@ -115,9 +114,8 @@ impl<'a> Field<'a, '_> {
         match self.motions {
             Motions::One => {
                 let one = self.scene.one();
-                let memory = move || {
-                    ((M::gather(&vec![one; M::LANES]), points.pack::<P>()), points.pack())
-                };
+                let memory =
+                    move || ((M::gather(&vec![one; M::LANES]), points.pack::<P>()), points.pack());
                 let pass = move |(motion, points): &(M, Vec<P>), output: &mut [P]| {
                     for (output, point) in output.iter_mut().zip(points) {
                         *output = moved(motion, point);
