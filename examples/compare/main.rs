@@ -57,7 +57,7 @@ use std::time::Duration;
 use std::{env, io};
 
 const QUICK: Effort = Effort { budget: Duration::from_millis(900), most_rounds: 20 };
-const WHOLE: Effort = Effort { budget: Duration::from_secs(7), most_rounds: 60 };
+const WHOLE: Effort = Effort { budget: Duration::from_secs(7), most_rounds: 100 };
 
 fn main() -> ExitCode {
     let args = match args::parse(env::args_os().skip(1)) {
