@@ -6,8 +6,10 @@ use dq8_simd::{Level, Portable};
 
 /// A set of instructions that the kernels over memory (hierarchies, slices) are compiled for.
 ///
-/// They choose the [`best`](Self::best) at run time, once a call. [`limit`](Self::limit) makes them
-/// do with less, so that tests and benches can walk every path.
+/// Hierarchies choose the [`best`](Self::best) at run time, once a call, unless a
+/// [`Job`](crate::Job) names another; the kernels over slices ([`slices`](crate::slices)) are methods
+/// of the backend itself. A backend that the CPU lacks does its work with the best below it.
+/// [`limit`](Self::limit) makes all of them do with less, so that tests can walk every path.
 ///
 /// ```
 /// use dq8::Backend;
@@ -36,6 +38,8 @@ static LIMIT: AtomicU8 = AtomicU8::new(u8::MAX);
 
 impl Backend {
     const ALL: [Self; 3] = [Self::Portable, Self::Avx2, Self::Avx512];
+    /// No limit: what the CPU lacks is passed over.
+    pub(crate) const MOST: Self = Self::Avx512;
 
     /// The backends that this CPU has, in rising order, whatever the limit.
     pub fn available() -> impl Iterator<Item = Self> {
@@ -78,17 +82,18 @@ impl Backend {
         LIMIT.store(most.map_or(u8::MAX, |backend| backend as u8), Ordering::Relaxed);
     }
 
-    /// Runs `kernel` with the best backend.
+    /// Runs `kernel` with this backend, or the best below it that the CPU has and the
+    /// [`limit`](Self::limit) allows.
     ///
     /// The closures must be inlined as well: left to itself, the compiler keeps a large one apart,
     /// without the instructions of its level, and every lane operation becomes a call: 35 times slower.
     #[inline]
-    pub(crate) fn run_best<K: Kernel>(kernel: K) -> K::Output {
+    pub(crate) fn run<K: Kernel>(self, kernel: K) -> K::Output {
         #[cfg(target_arch = "x86_64")]
         {
             use dq8_simd::x86_64::{Avx2, Avx512};
-            let limit = LIMIT.load(Ordering::Relaxed);
-            if limit >= Self::Avx512 as u8
+            let most = LIMIT.load(Ordering::Relaxed).min(self as u8);
+            if most >= Self::Avx512 as u8
                 && let Some(level) = Avx512::detect()
             {
                 return level.run(
@@ -96,7 +101,7 @@ impl Backend {
                     || kernel.run(level),
                 );
             }
-            if limit >= Self::Avx2 as u8
+            if most >= Self::Avx2 as u8
                 && let Some(level) = Avx2::detect()
             {
                 return level.run(

@@ -31,6 +31,7 @@
 //! | [`batch`] | the same names on lanes |
 //! | [`Line`], [`Plane`], [`Screw`], [`DualVector`] | what motions act on and are described by |
 //! | [`Hierarchy`], [`Job`], [`Crowd`], [`Block`] | joint hierarchies, one instance or many |
+//! | [`Backend`], [`slices`], [`Place`] | kernels over slices of motions and points, plain or in blocks |
 //! | [`Lane`], [`Mask`], [`Level`], [`Portable`] | lanes, for kernels of your own |
 //!
 //! # Features
@@ -65,8 +66,10 @@ mod error;
 mod geometry;
 pub mod hierarchy;
 mod motion;
+pub mod place;
 mod real;
 pub mod scalar;
+pub mod slices;
 
 pub use dispatch::Backend;
 pub use dq8_simd::{Float, Lane, Level, Mask, Portable, f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
@@ -74,7 +77,11 @@ pub use error::{HierarchyError, InverseError, MatrixError, NormalizeError, Shape
 pub use geometry::{DualVector, Line, Mean, Plane, Screw, Twist, Wrench};
 #[cfg(feature = "alloc")]
 pub use hierarchy::Crowd;
-pub use hierarchy::{Block, Hierarchy, Job, Pose, Renormalise, TwistBlock, pack, unpack};
+pub use hierarchy::{
+    Block, Hierarchy, Job, Pose, Renormalise, RotationBlock, RotationTranslationBlock, TwistBlock,
+    pack, unpack,
+};
 pub use motion::Motion;
+pub use place::{MatrixBlock, NumberBlock, Place, PointBlock};
 pub use real::Real;
 pub use scalar::{Dual, DualQuat, Quat};

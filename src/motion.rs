@@ -75,6 +75,9 @@ pub trait Motion:
     fn from_rotation_translation(rotation: Self::Quat, translation: [Self::Real; 3]) -> Self;
     /// r + ½εrt
     fn from_translation_rotation(translation: [Self::Real; 3], rotation: Self::Quat) -> Self;
+    /// σ(r + ½εtr)
+    #[must_use]
+    fn mul_rotation_translation(self, rotation: Self::Quat, translation: [Self::Real; 3]) -> Self;
     /// The motion of a rigid matrix, p_w ≥ 0.
     fn from_matrix3x4(rows: [[Self::Real; 4]; 3]) -> Self;
     /// cos(θ̂/2) + sin(θ̂/2)(l + εm)
@@ -271,6 +274,7 @@ macro_rules! delegate_to_inherent {
         }
         crate::motion::delegate_to_inherent! {
             self
+            fn mul_rotation_translation(r: Self::Quat, t: [Self::Real; 3]) -> Self;
             fn rotation() -> Self::Quat;
             fn translation() -> [Self::Real; 3];
             fn to_matrix3x4() -> [[Self::Real; 4]; 3];

@@ -15,15 +15,21 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("scalar", &["error", "real", "geometry", "motion"]),
     ("batch", &["error", "real", "geometry", "motion", "dq8_simd"]),
     ("dispatch", &["dq8_simd"]),
+    ("place", &["real", "dq8_simd", "scalar"]),
+    ("slices", &["error", "dq8_simd", "scalar", "batch", "dispatch", "place"]),
     (
         "hierarchy",
-        &["error", "real", "geometry", "motion", "dq8_simd", "scalar", "batch", "dispatch"],
+        &[
+            "error", "real", "geometry", "motion", "dq8_simd", "scalar", "batch", "dispatch",
+            "place",
+        ],
     ),
 ];
 
-/// The same for `dq8-simd`. `lane` and `level` name each other: a lane belongs to a level.
+/// The same for `dq8-simd`. `float`, `lane` and `level` name each other: a lane
+/// belongs to a level, and a number has lanes.
 const SIMD_MAY_IMPORT: &[(&str, &[&str])] = &[
-    ("float", &[]),
+    ("float", &["lane", "level"]),
     ("lane", &["float", "level"]),
     ("level", &["lane"]),
     ("block", &["lane", "level"]),

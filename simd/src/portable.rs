@@ -29,13 +29,13 @@ impl Level for Portable {
 /// The registers of the build target: 256 bits with AVX, 128 with SSE2, NEON or simd128, and one number
 /// where packed types would be emulated.
 mod width {
-    #[cfg(target_feature = "avx")]
-    pub(super) use wide::{f32x8 as Single, f64x4 as Double};
     #[cfg(all(
         not(target_feature = "avx"),
         any(target_feature = "sse2", target_feature = "neon", target_feature = "simd128")
     ))]
     pub(super) use wide::{f32x4 as Single, f64x2 as Double};
+    #[cfg(target_feature = "avx")]
+    pub(super) use wide::{f32x8 as Single, f64x4 as Double};
     #[cfg(not(any(
         target_feature = "avx",
         target_feature = "sse2",

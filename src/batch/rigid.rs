@@ -41,6 +41,19 @@ impl<L: Lane> DualQuat<L> {
         Self::new(rotation, Quat::from_parts(dual, -vector::dot(half, r)))
     }
 
+    /// σ(r + ½εtr) = (p + ε(q + ½pt))r, in 44 operations instead of the 48 of a product.
+    #[inline(always)]
+    #[must_use]
+    pub fn mul_rotation_translation(self, rotation: Quat<L>, translation: [L; 3]) -> Self {
+        let half = vector::scale(translation, rotation.w().with(0.5));
+        let (p, w, q) = (self.real().xyz(), self.real().w(), self.dual());
+        // pt for a pure quaternion t: (p × t + w t, −p·t)
+        let moved = vector::cross_onto(p, half, vector::scale_onto(half, w, q.xyz()));
+        let [tx, ty, tz] = half;
+        let moved_w = p[2].neg_mul_add(tz, p[1].neg_mul_add(ty, p[0].neg_mul_add(tx, q.w())));
+        Self::new(self.real() * rotation, Quat::from_parts(moved, moved_w) * rotation)
+    }
+
     /// r = p of unit σ
     #[inline(always)]
     #[must_use]

@@ -2,6 +2,7 @@
 
 use super::Pose;
 use super::job::{Job, Root};
+use super::locals::Locals;
 use crate::dispatch::{Backend, Kernel};
 use crate::motion::Motion;
 use dq8_simd::{Level, Portable};
@@ -9,51 +10,61 @@ use dq8_simd::{Level, Portable};
 /// Runs a kernel over poses `P`: single motions gain nothing from wider instructions, and would only
 /// be compiled several times.
 #[inline]
-pub(super) fn run<P: Pose, K: Kernel>(kernel: K) -> K::Output {
-    if P::INSTANCES == 1 {
-        Portable.run(|| kernel.run(Portable))
-    } else {
-        Backend::run_best(kernel)
-    }
+pub(super) fn run<P: Pose, K: Kernel>(backend: Backend, kernel: K) -> K::Output {
+    if P::INSTANCES == 1 { Portable.run(|| kernel.run(Portable)) } else { backend.run(kernel) }
 }
 
-/// model(j) = model(parent(j)) · local(j), parents first. Without `locals`, `models` holds them.
-pub(super) struct Forward<'j, 'h, 's, P: Pose> {
+/// model(j) = model(parent(j)) · local(j), parents first.
+pub(super) struct Forward<'j, 'h, 's, P: Pose, L> {
     pub(super) job: &'j Job<'h, P>,
-    pub(super) locals: Option<&'s [P]>,
+    pub(super) locals: L,
     pub(super) models: &'s mut [P],
 }
 
-impl<P: Pose> Kernel for Forward<'_, '_, '_, P> {
+impl<P: Pose, L: Locals<P>> Kernel for Forward<'_, '_, '_, P, L> {
     type Output = ();
 
     #[inline(always)]
     fn run<V: Level>(self, level: V) {
         let Self { job, locals, models } = self;
-        let parents = job.hierarchy.parents();
         // The joints are not 0 where there is anything to do.
-        let joints = parents.len().max(1);
-        for (instance, models) in models.chunks_exact_mut(joints).enumerate() {
-            let locals = locals.and_then(|all| all.chunks_exact(joints).nth(instance));
-            let root = root_of(job, level, instance);
-            for joint in job.joints.clone() {
-                let Some(local) = locals.unwrap_or(models).get(joint) else { break };
-                let mut model = local.load(level);
-                // ROOT is beyond the last joint, so the check of the bound tells roots apart.
-                match parents.get(joint).and_then(|&parent| models.get(parent as usize)) {
-                    Some(parent) => model = parent.load(level) * model,
-                    None => {
-                        if let Some(root) = root {
-                            model = root * model;
-                        }
-                    }
-                }
-                if job.renormalise.applies_to(joint) {
-                    model = model.normalize();
-                }
-                if let Some(slot) = models.get_mut(joint) {
-                    slot.store(level, model);
-                }
+        let joints = job.hierarchy.joints().max(1);
+        for (pair, models) in models.chunks_mut(joints.saturating_mul(2)).enumerate() {
+            let first = pair * 2;
+            let (a, b) = models.split_at_mut(joints);
+            if b.is_empty() {
+                forward(level, job, locals, [(first, a)]);
+            } else {
+                forward(level, job, locals, [(first, a), (first + 1, b)]);
+            }
+        }
+    }
+}
+
+/// Instances side by side: a child waits for its parent, and while one waits, the other is computed.
+#[inline(always)]
+fn forward<P: Pose, L: Locals<P>, V: Level, const K: usize>(
+    level: V,
+    job: &Job<'_, P>,
+    locals: L,
+    mut instances: [(usize, &mut [P]); K],
+) {
+    let parents = job.hierarchy.parents();
+    for joint in job.joints.clone() {
+        for (instance, models) in &mut instances {
+            let place = (*instance * parents.len() + joint, joint);
+            // ROOT is beyond the last joint, so the check of the bound tells roots apart.
+            let parent = parents.get(joint).and_then(|&parent| models.get(parent as usize));
+            let parent = match parent {
+                Some(parent) => Some(parent.load(level)),
+                None => root_of(job, level, *instance),
+            };
+            let Some(mut model) = locals.onto(level, parent, models, place) else { break };
+            if job.renormalise.applies_to(joint) {
+                model = model.normalize();
+            }
+            if let Some(slot) = models.get_mut(joint) {
+                slot.store(level, model);
             }
         }
     }

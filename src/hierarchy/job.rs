@@ -1,5 +1,7 @@
 use super::concatenate::{Backward, Forward, run};
+use super::locals::{Motions, Rotations, RotationsTranslations};
 use super::{Hierarchy, Pose, Renormalise};
+use crate::dispatch::Backend;
 use crate::error::ShapeError;
 use crate::scalar::DualQuat;
 use core::ops::Range;
@@ -27,6 +29,7 @@ pub struct Job<'a, P: Pose> {
     pub(super) root: Root<'a, P>,
     pub(super) joints: Range<usize>,
     pub(super) renormalise: Renormalise,
+    pub(super) backend: Backend,
 }
 
 /// What joints without a parent stand on.
@@ -108,6 +111,7 @@ impl<'a> Hierarchy<'a> {
             root: Root::None,
             joints: 0..self.joints(),
             renormalise: Renormalise::Never,
+            backend: Backend::MOST,
         }
     }
 }
@@ -142,6 +146,13 @@ impl<'a, P: Pose> Job<'a, P> {
         self
     }
 
+    /// Runs with this backend, or the best below it that the CPU has; the best there is, unless told.
+    #[must_use]
+    pub fn backend(mut self, backend: Backend) -> Self {
+        self.backend = backend;
+        self
+    }
+
     /// See [`Hierarchy::local_to_model`].
     ///
     /// # Errors
@@ -150,7 +161,7 @@ impl<'a, P: Pose> Job<'a, P> {
     pub fn local_to_model(&self, locals: &[P], models: &mut [P]) -> Result<(), ShapeError> {
         self.check("locals", locals.len())?;
         same_length("models", models.len(), locals.len())?;
-        run::<P, _>(Forward { job: self, locals: Some(locals), models });
+        run::<P, _>(self.backend, Forward { job: self, locals: Motions(Some(locals)), models });
         Ok(())
     }
 
@@ -161,7 +172,69 @@ impl<'a, P: Pose> Job<'a, P> {
     #[inline]
     pub fn local_to_model_in_place(&self, poses: &mut [P]) -> Result<(), ShapeError> {
         self.check("poses", poses.len())?;
-        run::<P, _>(Forward { job: self, locals: None, models: poses });
+        run::<P, _>(self.backend, Forward { job: self, locals: Motions(None), models: poses });
+        Ok(())
+    }
+
+    /// [`local_to_model`](Self::local_to_model) of locals r + ½εtr that are given as rotations and
+    /// translations: fewer operations, less memory.
+    ///
+    /// # Errors
+    /// If lengths or the range do not fit; `models` is untouched.
+    ///
+    /// ```
+    /// use dq8::{DualQuat, Hierarchy};
+    /// let parents = [Hierarchy::ROOT, 0];
+    /// let arm = Hierarchy::new(&parents)?;
+    /// let half_turn = [0.0_f32, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0]; // about z, then along x
+    /// let mut models = [DualQuat::IDENTITY; 2];
+    /// arm.job().rotations_translations_to_model(&[half_turn; 2], &mut models)?;
+    /// assert_eq!(models[1].translation(), [0.0, 0.0, 0.0]);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[inline]
+    pub fn rotations_translations_to_model(
+        &self,
+        locals: &[P::RotationTranslation],
+        models: &mut [P],
+    ) -> Result<(), ShapeError> {
+        self.check("locals", locals.len())?;
+        same_length("models", models.len(), locals.len())?;
+        let locals = RotationsTranslations(locals);
+        run::<P, _>(self.backend, Forward { job: self, locals, models });
+        Ok(())
+    }
+
+    /// [`local_to_model`](Self::local_to_model) of locals r + ½εtr whose t is the same for all
+    /// instances: `offsets` holds one a joint, its place in its parent. That is what animation clips
+    /// hold, and half the memory of motions.
+    ///
+    /// # Errors
+    /// If lengths or the range do not fit; `models` is untouched.
+    ///
+    /// ```
+    /// use dq8::{DualQuat, Hierarchy, Quat};
+    /// let parents = [Hierarchy::ROOT, 0];
+    /// let arm = Hierarchy::new(&parents)?;
+    /// let bones = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0]];
+    /// let half_turn = Quat::from_xyzw(0.0_f32, 0.0, 1.0, 0.0);
+    /// let mut models = [DualQuat::IDENTITY; 2];
+    /// arm.job().rotations_to_model(&[half_turn; 2], &bones, &mut models)?;
+    /// assert_eq!(models[1].translation(), [-2.0, 0.0, 0.0]);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[inline]
+    pub fn rotations_to_model(
+        &self,
+        rotations: &[P::Rotation],
+        offsets: &[[P::Real; 3]],
+        models: &mut [P],
+    ) -> Result<(), ShapeError> {
+        self.check("rotations", rotations.len())?;
+        same_length("offsets", offsets.len(), self.hierarchy.joints())?;
+        same_length("models", models.len(), rotations.len())?;
+        let locals = Rotations { rotations, offsets };
+        run::<P, _>(self.backend, Forward { job: self, locals, models });
         Ok(())
     }
 
@@ -174,7 +247,7 @@ impl<'a, P: Pose> Job<'a, P> {
     pub fn model_to_local(&self, models: &[P], locals: &mut [P]) -> Result<(), ShapeError> {
         self.check("models", models.len())?;
         same_length("locals", locals.len(), models.len())?;
-        run::<P, _>(Backward { job: self, models: Some(models), locals });
+        run::<P, _>(self.backend, Backward { job: self, models: Some(models), locals });
         Ok(())
     }
 
@@ -185,7 +258,7 @@ impl<'a, P: Pose> Job<'a, P> {
     #[inline]
     pub fn model_to_local_in_place(&self, poses: &mut [P]) -> Result<(), ShapeError> {
         self.check("poses", poses.len())?;
-        run::<P, _>(Backward { job: self, models: None, locals: poses });
+        run::<P, _>(self.backend, Backward { job: self, models: None, locals: poses });
         Ok(())
     }
 

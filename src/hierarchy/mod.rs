@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`Hierarchy`] | a parent array, checked once |
 //! | [`Pose`] | how a motion lies in memory: one ([`DualQuat`](crate::DualQuat)), or a [`Block`] of instances |
+//! | [`RotationBlock`], [`RotationTranslationBlock`] | locals that are less than a motion |
 //! | [`TwistBlock`] | twists of the instances of a block, for velocities and Jacobians |
 //! | [`Job`] | a run with a root transform or on some of the joints |
 //! | [`Renormalise`] | when a run normalises what it has multiplied |
@@ -20,6 +21,7 @@ mod concatenate;
 #[cfg(feature = "alloc")]
 mod crowd;
 mod job;
+mod locals;
 mod packing;
 mod parents;
 mod pose;
@@ -31,5 +33,5 @@ pub use crowd::Crowd;
 pub use job::Job;
 pub use packing::{pack, unpack};
 pub use parents::Hierarchy;
-pub use pose::{Block, Pose, TwistBlock};
+pub use pose::{Block, Pose, RotationBlock, RotationTranslationBlock, TwistBlock};
 pub use renormalise::Renormalise;

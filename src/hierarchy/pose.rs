@@ -4,7 +4,7 @@ use crate::batch;
 use crate::geometry::Twist;
 use crate::motion::Motion;
 use crate::real::Real;
-use crate::scalar::DualQuat;
+use crate::scalar::{DualQuat, Quat};
 use dq8_simd::{Lane, Level, Row};
 
 /// Dual quaternions of `N` instances: eight rows of `N` numbers, `[px, py, pz, pw, qx, qy, qz, qw]`.
@@ -15,6 +15,12 @@ pub type Block<R, const N: usize> = dq8_simd::Block<[R; N], 8>;
 /// [`Twist::to_array`].
 pub type TwistBlock<R, const N: usize> = dq8_simd::Block<[R; N], 6>;
 
+/// Rotations of `N` instances: four rows of `N` numbers, `[x, y, z, w]`.
+pub type RotationBlock<R, const N: usize> = dq8_simd::Block<[R; N], 4>;
+
+/// Rotations and translations of `N` instances: seven rows of `N` numbers, `[x, y, z, w, tx, ty, tz]`.
+pub type RotationTranslationBlock<R, const N: usize> = dq8_simd::Block<[R; N], 7>;
+
 /// A place in memory that holds one motion, or one an instance.
 ///
 /// Implemented for [`DualQuat`] (one instance) and [`Block`] (as many as it has lanes); sealed.
@@ -23,6 +29,11 @@ pub trait Pose: Copy + sealed::Sealed {
     type Real: Real;
     /// What is computed with: the motion itself, or lanes of it.
     type Motion<V: Level>: Motion;
+    /// A place in memory that holds a rotation for each motion: a [`Quat`], or a block of four rows.
+    type Rotation: Copy;
+    /// A place in memory that holds `[x, y, z, w, tx, ty, tz]` for each motion: an array of seven, or
+    /// a block of seven rows.
+    type RotationTranslation: Copy;
     /// A place in memory that holds a twist for each motion: a [`Twist`], or a [`TwistBlock`].
     type Twist: Copy;
     /// How many instances share an element.
@@ -35,6 +46,16 @@ pub trait Pose: Copy + sealed::Sealed {
     /// The same motion for every instance.
     fn splat<V: Level>(level: V, motion: DualQuat<Self::Real>) -> Self::Motion<V>;
 
+    /// Reads a rotation.
+    fn load_rotation<V: Level>(level: V, from: &Self::Rotation) -> Rotation<Self, V>;
+    /// Reads a rotation and a translation.
+    fn load_rotation_translation<V: Level>(
+        level: V,
+        from: &Self::RotationTranslation,
+    ) -> (Rotation<Self, V>, [Number<Self, V>; 3]);
+    /// The same vector for every instance.
+    fn splat_vector<V: Level>(level: V, vector: [Self::Real; 3]) -> [Number<Self, V>; 3];
+
     /// Reads a twist.
     fn load_twist<V: Level>(level: V, from: &Self::Twist) -> Twist<Number<Self, V>>;
     /// Writes a twist.
@@ -46,6 +67,9 @@ pub trait Pose: Copy + sealed::Sealed {
 /// What the motions of a pose are made of: a number, or lanes of them.
 type Number<P, V> = <<P as Pose>::Motion<V> as Motion>::Real;
 
+/// The quaternions of a pose, or lanes of them.
+type Rotation<P, V> = <<P as Pose>::Motion<V> as Motion>::Quat;
+
 mod sealed {
     pub trait Sealed {}
 }
@@ -54,6 +78,8 @@ impl<R: Real> sealed::Sealed for DualQuat<R> {}
 impl<R: Real> Pose for DualQuat<R> {
     type Real = R;
     type Motion<V: Level> = Self;
+    type Rotation = Quat<R>;
+    type RotationTranslation = [R; 7];
     type Twist = Twist<R>;
     const INSTANCES: usize = 1;
 
@@ -68,6 +94,19 @@ impl<R: Real> Pose for DualQuat<R> {
     #[inline(always)]
     fn splat<V: Level>(_: V, motion: Self) -> Self {
         motion
+    }
+    #[inline(always)]
+    fn load_rotation<V: Level>(_: V, from: &Quat<R>) -> Quat<R> {
+        *from
+    }
+    #[inline(always)]
+    fn load_rotation_translation<V: Level>(_: V, from: &[R; 7]) -> (Quat<R>, [R; 3]) {
+        let [x, y, z, w, translation @ ..] = *from;
+        (Quat::from_array([x, y, z, w]), translation)
+    }
+    #[inline(always)]
+    fn splat_vector<V: Level>(_: V, vector: [R; 3]) -> [R; 3] {
+        vector
     }
     #[inline(always)]
     fn load_twist<V: Level>(_: V, from: &Twist<R>) -> Twist<R> {
@@ -87,6 +126,8 @@ impl<A: Row<Real: Real>> sealed::Sealed for dq8_simd::Block<A, 8> {}
 impl<A: Row<Real: Real>> Pose for dq8_simd::Block<A, 8> {
     type Real = A::Real;
     type Motion<V: Level> = batch::DualQuat<A::Lane<V>>;
+    type Rotation = dq8_simd::Block<A, 4>;
+    type RotationTranslation = dq8_simd::Block<A, 7>;
     type Twist = dq8_simd::Block<A, 6>;
     const INSTANCES: usize = A::LANES;
 
@@ -101,6 +142,22 @@ impl<A: Row<Real: Real>> Pose for dq8_simd::Block<A, 8> {
     #[inline(always)]
     fn splat<V: Level>(level: V, motion: DualQuat<A::Real>) -> Self::Motion<V> {
         batch::DualQuat::splat(level, motion.to_array())
+    }
+    #[inline(always)]
+    fn load_rotation<V: Level>(level: V, from: &Self::Rotation) -> batch::Quat<A::Lane<V>> {
+        batch::Quat::from_array(from.load(level))
+    }
+    #[inline(always)]
+    fn load_rotation_translation<V: Level>(
+        level: V,
+        from: &Self::RotationTranslation,
+    ) -> (batch::Quat<A::Lane<V>>, [A::Lane<V>; 3]) {
+        let [x, y, z, w, translation @ ..] = from.load(level);
+        (batch::Quat::from_array([x, y, z, w]), translation)
+    }
+    #[inline(always)]
+    fn splat_vector<V: Level>(level: V, [x, y, z]: [A::Real; 3]) -> [A::Lane<V>; 3] {
+        [A::Lane::splat(level, x), A::Lane::splat(level, y), A::Lane::splat(level, z)]
     }
     #[inline(always)]
     fn load_twist<V: Level>(level: V, from: &Self::Twist) -> Twist<A::Lane<V>> {

@@ -2,7 +2,7 @@ use super::concatenate::run;
 use super::job::same_length;
 use super::packing::whole_instances;
 use super::{Hierarchy, Pose};
-use crate::dispatch::Kernel;
+use crate::dispatch::{Backend, Kernel};
 use crate::error::ShapeError;
 use crate::geometry::Twist;
 use crate::motion::Motion;
@@ -44,7 +44,7 @@ impl Hierarchy<'_> {
         whole_instances("models", self.joints(), models.len())?;
         same_length("rates", rates.len(), models.len())?;
         same_length("twists", twists.len(), models.len())?;
-        run::<P, _>(Velocities { parents: self.parents(), models, rates, twists });
+        run::<P, _>(Backend::MOST, Velocities { parents: self.parents(), models, rates, twists });
         Ok(())
     }
 
@@ -93,7 +93,7 @@ impl Hierarchy<'_> {
             return Err(ShapeError::Joints { range, joints });
         }
         let parents = self.parents();
-        run::<P, _>(Screws { parents, models, axes, effector, columns });
+        run::<P, _>(Backend::MOST, Screws { parents, models, axes, effector, columns });
         Ok(())
     }
 }

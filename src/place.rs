@@ -1,0 +1,151 @@
+//! [`Place`]: how components lie in memory, plain or in blocks of lanes.
+
+use crate::real::Real;
+use crate::scalar::{DualQuat, Quat};
+use core::marker::PhantomData;
+use dq8_simd::{Block, Float, Lane, Level, Row};
+
+/// One number for each of `N` motions.
+pub type NumberBlock<R, const N: usize> = Block<[R; N], 1>;
+/// `N` points or vectors: rows of x, y and z.
+pub type PointBlock<R, const N: usize> = Block<[R; N], 3>;
+/// `N` 3×4 matrices: their rows one after the other, twelve rows of `N` numbers.
+pub type MatrixBlock<R, const N: usize> = Block<[R; N], 12>;
+
+/// Which lanes a place is read into; a kernel reads all its slices into the same. Sealed.
+pub trait Layout: sealed::Sealed {
+    /// The number.
+    type Real: Real + Float;
+    /// The lanes.
+    type Lanes<V: Level>: Lane<Real = Self::Real, Level = V>;
+}
+
+/// One thing an element: arrays of structures. They are transposed on the way into the widest lanes
+/// of the backend, and back on the way out.
+#[derive(Clone, Copy, Debug)]
+pub struct Plain<R>(PhantomData<R>);
+
+/// [`Row::LANES`] things an element: [`Block`]s, structures of arrays. They are read as they are.
+#[derive(Clone, Copy, Debug)]
+pub struct InBlocks<A>(PhantomData<A>);
+
+impl<R: Real + Float> Layout for Plain<R> {
+    type Real = R;
+    type Lanes<V: Level> = R::Lanes<V>;
+}
+
+impl<A: Row<Real: Real>> Layout for InBlocks<A> {
+    type Real = A::Real;
+    type Lanes<V: Level> = A::Lane<V>;
+}
+
+/// An element of memory with `C` components: of one thing, or of several in a block. Sealed.
+///
+/// | `C` | what | one an element | `N` an element |
+/// |---|---|---|---|
+/// | 1 | a number | `R` | `Block<[R; N], 1>` |
+/// | 3 | a point or a vector | `[R; 3]` | `Block<[R; N], 3>` |
+/// | 4 | a rotation | [`Quat<R>`](Quat) | `Block<[R; N], 4>` |
+/// | 7 | a rotation and a translation | `[R; 7]`: `[x, y, z, w, tx, ty, tz]` | `Block<[R; N], 7>` |
+/// | 8 | a motion | [`DualQuat<R>`](DualQuat) | `Block<[R; N], 8>` |
+/// | 12 | a 3×4 matrix | `[R; 12]`, `[[R; 4]; 3]` | `Block<[R; N], 12>` |
+/// | 16 | a 4×4 matrix | `[R; 16]`, `[[R; 4]; 4]` | `Block<[R; N], 16>` |
+pub trait Place<const C: usize>: Copy + sealed::Sealed {
+    /// Which lanes it is read into.
+    type Layout: Layout;
+
+    /// How many elements fill the lanes of a level.
+    #[must_use]
+    fn step<V: Level>() -> usize;
+    /// The first elements into lanes, as many as there are; `padding` in lanes that are left.
+    fn gather<V: Level>(
+        level: V,
+        from: &[Self],
+        padding: [Number<Self, C>; C],
+    ) -> [Lanes<Self, V, C>; C];
+    /// Lanes into the first elements, as many as there are.
+    fn scatter<V: Level>(components: [Lanes<Self, V, C>; C], to: &mut [Self]);
+}
+
+/// The number of a place.
+pub type Number<P, const C: usize> = <<P as Place<C>>::Layout as Layout>::Real;
+/// The lanes that a place is read into.
+pub type Lanes<P, V, const C: usize> = <<P as Place<C>>::Layout as Layout>::Lanes<V>;
+
+impl<A: Row<Real: Real>, const C: usize> Place<C> for Block<A, C> {
+    type Layout = InBlocks<A>;
+
+    #[inline(always)]
+    fn step<V: Level>() -> usize {
+        1
+    }
+    #[inline(always)]
+    fn gather<V: Level>(level: V, from: &[Self], padding: [A::Real; C]) -> [A::Lane<V>; C] {
+        match from.first() {
+            Some(block) => block.load(level),
+            None => Self::splat(padding).load(level),
+        }
+    }
+    #[inline(always)]
+    fn scatter<V: Level>(components: [A::Lane<V>; C], to: &mut [Self]) {
+        if let Some(block) = to.first_mut() {
+            block.store::<V>(components);
+        }
+    }
+}
+
+/// Records of `C` numbers: the types differ, the bytes do not.
+macro_rules! plain {
+    ($($real:ident $(= $any:ident)?, $record:ty, $components:literal;)*) => {$(
+        impl$(<$any: Real + Float>)? Place<$components> for $record {
+            type Layout = Plain<$real>;
+
+            #[inline(always)]
+            fn step<V: Level>() -> usize {
+                <$real as Float>::Lanes::<V>::LANES
+            }
+            #[inline(always)]
+            fn gather<V: Level>(
+                level: V,
+                from: &[Self],
+                padding: [$real; $components],
+            ) -> [<$real as Float>::Lanes<V>; $components] {
+                let records: &[[$real; $components]] = bytemuck::must_cast_slice(from);
+                <$real as Float>::Lanes::<V>::load_records(level, records, padding)
+            }
+            #[inline(always)]
+            fn scatter<V: Level>(
+                components: [<$real as Float>::Lanes<V>; $components],
+                to: &mut [Self],
+            ) {
+                let records: &mut [[$real; $components]] = bytemuck::must_cast_slice_mut(to);
+                <$real as Float>::Lanes::<V>::store_records(components, records);
+            }
+        }
+    )*};
+}
+plain! {
+    f32, f32, 1;
+    f64, f64, 1;
+    R = R, [R; 3], 3;
+    R = R, Quat<R>, 4;
+    R = R, [R; 7], 7;
+    R = R, DualQuat<R>, 8;
+    R = R, [R; 12], 12;
+    R = R, [[R; 4]; 3], 12;
+    R = R, [R; 16], 16;
+    R = R, [[R; 4]; 4], 16;
+}
+
+mod sealed {
+    use super::{Block, DualQuat, InBlocks, Plain, Quat};
+    pub trait Sealed {}
+    impl<R> Sealed for Plain<R> {}
+    impl<A> Sealed for InBlocks<A> {}
+    impl<A, const C: usize> Sealed for Block<A, C> {}
+    impl<R> Sealed for Quat<R> {}
+    impl<R> Sealed for DualQuat<R> {}
+    impl<T, const N: usize> Sealed for [T; N] {}
+    impl Sealed for f32 {}
+    impl Sealed for f64 {}
+}

@@ -1,0 +1,36 @@
+//! Kernels over slices, as methods of [`Backend`]: one choice of instructions a call.
+//!
+//! | method | what it computes |
+//! |---|---|
+//! | [`mul`](Backend::mul), [`mul_in_place`](Backend::mul_in_place) | aᵢbᵢ |
+//! | [`normalize`](Backend::normalize), [`inverse`](Backend::inverse), and in place | exactly, one by one |
+//! | [`nlerp`](Backend::nlerp), [`sclerp`](Backend::sclerp), with one t or one each | between aᵢ and bᵢ |
+//! | [`transform_points`](Backend::transform_points), [`transform_vectors`](Backend::transform_vectors), and in place | by one motion |
+//! | [`transform_points_each`](Backend::transform_points_each), [`transform_vectors_each`](Backend::transform_vectors_each) | by one motion each |
+//! | [`matrices`](Backend::matrices) | 3×4 and 4×4 matrices, by rows or by columns |
+//!
+//! Each takes plain slices (`[DualQuat<f32>]`, `[[f32; 3]]`, …) or slices of blocks; see
+//! [`Place`]. Plain slices may have any length and lie anywhere: they are transposed in registers,
+//! and the last few elements go through the same kernel with the lanes that are left filled up.
+//! Blocks are read as they are: the fastest way.
+//!
+//! ```
+//! use dq8::{Backend, DualQuat, Quat};
+//! let turn = DualQuat::from_rotation(Quat::from_xyzw(0.0_f32, 0.0, 1.0, 0.0));
+//! let points = [[1.0, 2.0, 3.0]; 5];
+//! let mut moved = [[0.0; 3]; 5];
+//! Backend::best().transform_points(turn, &points, &mut moved)?;
+//! assert_eq!(moved, [[-1.0, -2.0, 3.0]; 5]);
+//! # Ok::<(), dq8::ShapeError>(())
+//! ```
+
+mod interpolate;
+mod matrix;
+mod product;
+mod sweep;
+mod transform;
+mod unit;
+
+#[cfg(doc)]
+use crate::{Backend, Place};
+pub use matrix::MatrixOrder;

@@ -1,0 +1,53 @@
+use super::sweep::{Operation, motions, same_length, sweep};
+use crate::dispatch::Backend;
+use crate::error::ShapeError;
+use crate::place::{Lanes, Place};
+use dq8_simd::Level;
+
+impl Backend {
+    /// `products[i] = a[i] · b[i]`: b acts first.
+    ///
+    /// # Errors
+    /// If the slices differ in length; `products` is untouched.
+    ///
+    /// ```
+    /// use dq8::{Backend, DualQuat};
+    /// let step = [DualQuat::from_translation([1.0_f32, 0.0, 0.0]); 3];
+    /// let mut two = [DualQuat::IDENTITY; 3];
+    /// Backend::best().mul(&step, &step, &mut two)?;
+    /// assert_eq!(two[2].translation(), [2.0, 0.0, 0.0]);
+    /// # Ok::<(), dq8::ShapeError>(())
+    /// ```
+    #[inline]
+    pub fn mul<P: Place<8>>(self, a: &[P], b: &[P], products: &mut [P]) -> Result<(), ShapeError> {
+        same_length("b", b.len(), a.len())?;
+        same_length("products", products.len(), a.len())?;
+        sweep(self, products, Product { a: Some(a), b });
+        Ok(())
+    }
+
+    /// `a[i] ← a[i] · b[i]`
+    ///
+    /// # Errors
+    /// If the slices differ in length; `a` is untouched.
+    #[inline]
+    pub fn mul_in_place<P: Place<8>>(self, a: &mut [P], b: &[P]) -> Result<(), ShapeError> {
+        same_length("b", b.len(), a.len())?;
+        sweep(self, a, Product { a: None, b });
+        Ok(())
+    }
+}
+
+/// Without `a`, what the output holds.
+struct Product<'s, P> {
+    a: Option<&'s [P]>,
+    b: &'s [P],
+}
+
+impl<P: Place<8>> Operation<P, 8> for Product<'_, P> {
+    #[inline(always)]
+    fn compute<V: Level>(&self, level: V, output: &[P], at: usize) -> [Lanes<P, V, 8>; 8] {
+        let a = motions(level, self.a.unwrap_or(output), at);
+        (a * motions(level, self.b, at)).to_array()
+    }
+}
