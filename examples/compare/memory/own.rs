@@ -1,7 +1,7 @@
 use super::{Packed, flat};
 use crate::representation::{Product, Representation};
 use crate::rows::Rows3x4;
-use dq8::{Block, DualQuat};
+use dq8::{Block, DualQuat, Quat};
 use dq8_simd::Row;
 
 /// A reference as the numbers that contenders are compared with.
@@ -53,6 +53,36 @@ where
     fn numbers(&self, lane: usize) -> Vec<f64> {
         let motion = self.get(lane).expect("lanes of the block");
         double(DualQuat::from_array(motion)).numbers()
+    }
+}
+
+impl Packed<[f32; 4]> for Quat<f32> {
+    const LANES: usize = 1;
+
+    fn gather(lanes: &[[f32; 4]]) -> Self {
+        Self::from_array(lanes[0])
+    }
+    fn numbers(&self, _: usize) -> Vec<f64> {
+        self.to_array().map(f64::from).to_vec()
+    }
+}
+
+/// Points, rotations: whatever has no type of its own.
+impl<const N: usize, const C: usize> Packed<[f32; C]> for dq8_simd::Block<[f32; N], C>
+where
+    [f32; N]: Row<Real = f32>,
+{
+    const LANES: usize = N;
+
+    fn gather(lanes: &[[f32; C]]) -> Self {
+        let mut block = Self::splat([0.0; C]);
+        for (lane, record) in lanes.iter().enumerate() {
+            block.set(lane, *record).expect("as many records as lanes");
+        }
+        block
+    }
+    fn numbers(&self, lane: usize) -> Vec<f64> {
+        self.get(lane).expect("lanes of the block").map(f64::from).to_vec()
     }
 }
 

@@ -180,12 +180,12 @@ impl<'a> Field<'a, '_> {
                 format!("dq8 {layout} {backend}"),
                 Some(backend),
                 move |locals, models| {
-                    Backend::limit(Some(backend));
-                    hierarchy.local_to_model(locals, models).expect("whole instances");
+                    let job = hierarchy.job().backend(backend);
+                    job.local_to_model(locals, models).expect("whole instances");
                 },
                 move |poses| {
-                    Backend::limit(Some(backend));
-                    hierarchy.local_to_model_in_place(poses).expect("whole instances");
+                    let job = hierarchy.job().backend(backend);
+                    job.local_to_model_in_place(poses).expect("whole instances");
                 },
             );
         }

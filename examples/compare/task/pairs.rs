@@ -7,7 +7,7 @@ use crate::memory::{Many, Numbers, Packed, QuatVec3A, double};
 use crate::random::Random;
 use crate::representation::Product;
 use crate::rows::Rows3x4;
-use dq8::{Backend, DualQuat, Quat};
+use dq8::{Backend, Block, DualQuat, Quat, ShapeError};
 use glam::{Affine3A, Mat4};
 use nalgebra::{DualQuaternion, Isometry3, UnitDualQuaternion};
 use simba::simd::{SimdValue, WideF32x8};
@@ -66,6 +66,18 @@ pub(crate) fn with_contest<R>(
     run(&contest)
 }
 
+/// `own!(pairs, contest, |backend, a, b, output| call)`: this crate's kernel on every layout, with
+/// every set of instructions.
+///
+/// A macro because no closure is generic: each layout needs its own.
+macro_rules! own {
+    ($pairs:ident, $contest:ident, $kernel:expr) => {
+        $pairs.own::<Motion>($contest, "AoS", $kernel);
+        $pairs.own::<Block<f32, 8>>($contest, "8 lanes", $kernel);
+        $pairs.own::<Block<f32, 16>>($contest, "16 lanes", $kernel);
+    };
+}
+
 fn product<'a>(pairs: &'a Pairs, contest: &mut Contest<'a>) {
     // By plain matrices: another algebra.
     let matrix = |motion: DualQuat<f64>| Rows3x4(motion.to_matrix3x4());
@@ -79,6 +91,7 @@ fn product<'a>(pairs: &'a Pairs, contest: &mut Contest<'a>) {
     ) {
         pairs.each(contest, name, |a: &M, b: &M| a.product(b));
     }
+    own!(pairs, contest, |backend, a, b, output| backend.mul(a, b, output));
     peer::<Motion>(pairs, contest, "dq8 scalar");
     peer::<Mat4>(pairs, contest, "glam Mat4");
     peer::<Affine3A>(pairs, contest, "glam Affine3A");
@@ -92,6 +105,7 @@ fn product<'a>(pairs: &'a Pairs, contest: &mut Contest<'a>) {
 
 fn normalise<'a>(pairs: &'a Pairs, contest: &mut Contest<'a>) {
     contest.expected = pairs.expected(|a, _| a.normalize());
+    own!(pairs, contest, |backend, a, _, output| backend.normalize(a, output));
     pairs.each(contest, "dq8 scalar", |a: &Motion, _: &Motion| a.normalize());
     // By the real norm only, which is enough here: the input is a real multiple of unit ones.
     pairs.each(
@@ -104,6 +118,7 @@ fn normalise<'a>(pairs: &'a Pairs, contest: &mut Contest<'a>) {
 fn nlerp<'a>(pairs: &'a Pairs, contest: &mut Contest<'a>) {
     let t = f64::from(T);
     contest.expected = pairs.expected(|a, b| a.nlerp(b, t));
+    own!(pairs, contest, |backend, a, b, output| backend.nlerp(a, b, T, output));
     pairs.each(contest, "dq8 scalar", |a: &Motion, b: &Motion| a.nlerp(*b, T));
     // By the real norm only, and without a look for the shorter way.
     pairs.each(contest, "nalgebra UnitDualQuaternion", |a: &UnitDualQuaternion<f32>, b| {
@@ -130,6 +145,7 @@ fn nlerp<'a>(pairs: &'a Pairs, contest: &mut Contest<'a>) {
 fn sclerp<'a>(pairs: &'a Pairs, contest: &mut Contest<'a>) {
     let t = f64::from(T);
     contest.expected = pairs.expected(|a, b| a.sclerp(b, t));
+    own!(pairs, contest, |backend, a, b, output| backend.sclerp(a, b, T, output));
     pairs.each(contest, "dq8 scalar", |a: &Motion, b: &Motion| a.sclerp(*b, T));
     pairs.each(contest, "nalgebra UnitDualQuaternion", |a: &UnitDualQuaternion<f32>, b| {
         a.sclerp(b, T)
@@ -180,6 +196,20 @@ impl Pairs {
         pairs.map(|(&a, &b)| operation(double(a), double(b)).numbers()).collect()
     }
 
+    fn own<'a, P: Packed<Motion>>(
+        &'a self,
+        contest: &mut Contest<'a>,
+        layout: &str,
+        kernel: impl Fn(Backend, &[P], &[P], &mut [P]) -> Result<(), ShapeError> + Copy + 'a,
+    ) {
+        for backend in Backend::available() {
+            let pass = move |(a, b): &(Vec<P>, Vec<P>), output: &mut [P]| {
+                kernel(backend, a, b, output).expect("slices of one length");
+            };
+            self.add(contest, &format!("dq8 {layout} {backend}"), Some(backend), pass);
+        }
+    }
+
     /// The plain loop.
     fn each<'a, I: Packed<Motion>, O: Packed<Motion>>(
         &'a self,
@@ -192,8 +222,18 @@ impl Pairs {
                 *output = operation(a, b);
             }
         };
+        self.add(contest, name, None, pass);
+    }
+
+    fn add<'a, I: Packed<Motion>, O: Packed<Motion>>(
+        &'a self,
+        contest: &mut Contest<'a>,
+        name: &str,
+        backend: Option<Backend>,
+        pass: impl Fn(&(Vec<I>, Vec<I>), &mut [O]) + Copy + 'a,
+    ) {
         let memory = || ((self.a.pack(), self.b.pack()), self.a.pack());
-        contest.add(name, None, memory, pass, |output, index| self.a.numbers(output, index));
+        contest.add(name, backend, memory, pass, |output, index| self.a.numbers(output, index));
     }
 }
 

@@ -4,7 +4,8 @@ use crate::caches::{Caches, Footprint, Level};
 use crate::contest::Contest;
 use crate::memory::{Many, Packed, QuatVec3A, double};
 use crate::random::Random;
-use dq8::{DualQuat, Quat};
+use dq8::place::Layout;
+use dq8::{Backend, Block, DualQuat, Place, PointBlock, Quat};
 use glam::{Affine3A, Mat4, Vec3A};
 use nalgebra::{Isometry3, Point3, UnitDualQuaternion};
 use simba::simd::WideF32x8;
@@ -49,20 +50,23 @@ pub(crate) fn with_contest<R>(
         ..Contest::new("J4", format!("{name} {}", level.name()), title)
     };
     let mut field = Field { scene: &scene, motions, contest: &mut contest };
-    field.add("dq8 scalar", |m: &Motion, p: &Point| m.transform_point(*p));
-    field.add("glam Mat4", |m: &Mat4, p: &Vec3A| m.transform_point3a(*p));
-    field.add("glam Affine3A", |m: &Affine3A, p: &Vec3A| m.transform_point3a(*p));
-    field.add("glam Quat+Vec3A", |m: &QuatVec3A, p: &Vec3A| m.rotation * *p + m.translation);
-    field.add("nalgebra UnitDualQuaternion", |m: &UnitDualQuaternion<f32>, p: &Point3<f32>| m * p);
-    field.add(
+    field.own::<Motion, Point>("AoS");
+    field.own::<Block<f32, 8>, PointBlock<f32, 8>>("8 lanes");
+    field.own::<Block<f32, 16>, PointBlock<f32, 16>>("16 lanes");
+    field.each("dq8 scalar", |m: &Motion, p: &Point| m.transform_point(*p));
+    field.each("glam Mat4", |m: &Mat4, p: &Vec3A| m.transform_point3a(*p));
+    field.each("glam Affine3A", |m: &Affine3A, p: &Vec3A| m.transform_point3a(*p));
+    field.each("glam Quat+Vec3A", |m: &QuatVec3A, p: &Vec3A| m.rotation * *p + m.translation);
+    field.each("nalgebra UnitDualQuaternion", |m: &UnitDualQuaternion<f32>, p: &Point3<f32>| m * p);
+    field.each(
         "nalgebra UnitDualQuaternion, 8 lanes",
         |m: &UnitDualQuaternion<WideF32x8>, p: &Point3<WideF32x8>| m * p,
     );
-    field.add("nalgebra Isometry3, 8 lanes", |m: &Isometry3<WideF32x8>, p: &Point3<WideF32x8>| {
+    field.each("nalgebra Isometry3, 8 lanes", |m: &Isometry3<WideF32x8>, p: &Point3<WideF32x8>| {
         m * p
     });
-    field.add("ultraviolet Isometry3x8", |m: &Isometry3x8, p: &Vec3x8| *m * *p);
-    field.add("ultraviolet Mat4x8", |m: &Mat4x8, p: &Vec3x8| m.transform_point3(*p));
+    field.each("ultraviolet Isometry3x8", |m: &Isometry3x8, p: &Vec3x8| *m * *p);
+    field.each("ultraviolet Mat4x8", |m: &Mat4x8, p: &Vec3x8| m.transform_point3(*p));
     run(&contest)
 }
 
@@ -103,34 +107,74 @@ struct Field<'a, 'c> {
 }
 
 impl<'a> Field<'a, '_> {
+    fn own<M, P>(&mut self, layout: &str)
+    where
+        M: Place<8> + Packed<Motion>,
+        P: Place<3, Layout = M::Layout> + Packed<Point>,
+        M::Layout: Layout<Real = f32>,
+    {
+        let one = self.scene.one();
+        for backend in Backend::available() {
+            self.add(
+                format!("dq8 {layout} {backend}"),
+                Some(backend),
+                move |_: &M, points: &[P], output: &mut [P]| {
+                    backend.transform_points(one, points, output).expect("slices of one length");
+                },
+                move |motions: &[M], points: &[P], output: &mut [P]| {
+                    let done = backend.transform_points_each(motions, points, output);
+                    done.expect("slices of one length");
+                },
+            );
+        }
+    }
+
     /// The plain loop.
-    fn add<M: Packed<Motion>, P: Packed<Point>>(
+    fn each<M: Packed<Motion>, P: Packed<Point>>(
         &mut self,
         name: &str,
         moved: impl Fn(&M, &P) -> P + Copy + 'a,
     ) {
-        let Scene { motions, points } = self.scene;
-        let numbers = |output: &[P], index| points.numbers(output, index);
+        self.add(
+            name.to_owned(),
+            None,
+            move |motion: &M, points: &[P], output: &mut [P]| {
+                for (output, point) in output.iter_mut().zip(points) {
+                    *output = moved(motion, point);
+                }
+            },
+            move |motions: &[M], points: &[P], output: &mut [P]| {
+                for ((output, motion), point) in output.iter_mut().zip(motions).zip(points) {
+                    *output = moved(motion, point);
+                }
+            },
+        );
+    }
+
+    fn add<M: Packed<Motion>, P: Packed<Point>>(
+        &mut self,
+        name: String,
+        backend: Option<Backend>,
+        by_one: impl Fn(&M, &[P], &mut [P]) + Copy + 'a,
+        by_each: impl Fn(&[M], &[P], &mut [P]) + Copy + 'a,
+    ) {
+        let scene = self.scene;
+        let numbers = |output: &[P], index| scene.points.numbers(output, index);
         match self.motions {
             Motions::One => {
-                let one = self.scene.one();
-                let memory =
-                    move || ((M::gather(&vec![one; M::LANES]), points.pack::<P>()), points.pack());
+                let one = move || M::gather(&vec![scene.one(); M::LANES]);
+                let memory = move || ((one(), scene.points.pack()), scene.points.pack());
                 let pass = move |(motion, points): &(M, Vec<P>), output: &mut [P]| {
-                    for (output, point) in output.iter_mut().zip(points) {
-                        *output = moved(motion, point);
-                    }
+                    by_one(motion, points, output);
                 };
-                self.contest.add(name, None, memory, pass, numbers);
+                self.contest.add(name, backend, memory, pass, numbers);
             }
             Motions::Each => {
-                let memory = || ((motions.pack::<M>(), points.pack::<P>()), points.pack());
+                let memory = || ((scene.motions.pack(), scene.points.pack()), scene.points.pack());
                 let pass = move |(motions, points): &(Vec<M>, Vec<P>), output: &mut [P]| {
-                    for ((output, motion), point) in output.iter_mut().zip(motions).zip(points) {
-                        *output = moved(motion, point);
-                    }
+                    by_each(motions, points, output);
                 };
-                self.contest.add(name, None, memory, pass, numbers);
+                self.contest.add(name, backend, memory, pass, numbers);
             }
         }
     }
