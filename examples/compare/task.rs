@@ -7,7 +7,7 @@ mod points;
 use crate::caches::{Caches, Level};
 use crate::contest::Contest;
 use crate::limit::Limit;
-use hierarchy::{Place, Shape};
+use hierarchy::{Shape, Way};
 use pairs::Operation;
 use points::Motions;
 
@@ -15,7 +15,7 @@ use points::Motions;
 pub(crate) enum Task {
     Bandwidth,
     Pairs(Operation, Level),
-    Hierarchy(Shape, Place),
+    Hierarchy(Shape, Way),
     Points(Motions, Level),
 }
 
@@ -27,11 +27,12 @@ pub(crate) fn plan(quick: bool) -> Vec<Task> {
     tasks.extend(levels.iter().map(|&level| Task::Pairs(Operation::Product, level)));
     for &instances in instances {
         tasks.extend(
-            [Place::In, Place::Out].map(|place| Task::Hierarchy(Shape::Crowd { instances }, place)),
+            [Way::In, Way::Out, Way::Rotations]
+                .map(|way| Task::Hierarchy(Shape::Crowd { instances }, way)),
         );
     }
     for shape in [Shape::Crowd { instances: 1 }, Shape::Biped, Shape::Chain] {
-        tasks.push(Task::Hierarchy(shape, Place::Out));
+        tasks.push(Task::Hierarchy(shape, Way::Out));
     }
     for motions in [Motions::One, Motions::Each] {
         tasks.extend(levels.iter().map(|&level| Task::Points(motions, level)));
@@ -52,7 +53,7 @@ impl Task {
         match *self {
             Self::Bandwidth => run(&bandwidth(caches)),
             Self::Pairs(operation, level) => pairs::with_contest(operation, level, caches, run),
-            Self::Hierarchy(shape, place) => hierarchy::with_contest(shape, place, run),
+            Self::Hierarchy(shape, way) => hierarchy::with_contest(shape, way, run),
             Self::Points(motions, level) => points::with_contest(motions, level, caches, run),
         }
     }

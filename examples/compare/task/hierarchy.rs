@@ -23,11 +23,14 @@ pub(crate) enum Shape {
 }
 
 #[derive(Clone, Copy, PartialEq)]
-pub(crate) enum Place {
+pub(crate) enum Way {
     /// From locals into models.
     Out,
     /// Over the locals.
     In,
+    /// From rotations and the bones that all instances share into models, beside this crate's own
+    /// way from motions.
+    Rotations,
 }
 
 type Motion = DualQuat<f32>;
@@ -67,24 +70,27 @@ const LINK: f64 = 0.1;
 struct Scene {
     parents: Vec<u32>,
     locals: Many<Motion>,
+    /// Of each joint, from its parent; zero for roots.
+    bones: Vec<[f32; 3]>,
 }
 
-pub(crate) fn with_contest<R>(
-    shape: Shape,
-    place: Place,
-    run: impl FnOnce(&Contest<'_>) -> R,
-) -> R {
+pub(crate) fn with_contest<R>(shape: Shape, way: Way, run: impl FnOnce(&Contest<'_>) -> R) -> R {
     let scene = Scene::new(shape);
     let hierarchy = Hierarchy::new(&scene.parents).expect("parents come first");
     let joints = hierarchy.joints();
+    let (suffix, in_words) = match way {
+        Way::Out => (" out", "out of place"),
+        Way::In => ("", "in place"),
+        Way::Rotations => (" rotations", "out of place, from rotations"),
+    };
+    // Twelve levels of single precision lose a few millionths.
     let (job, size, title, tolerance) = match shape {
         Shape::Crowd { instances: 1 } => {
             ("J3", format!("skeleton {joints}"), "one skeleton".to_owned(), 3e-5)
         }
         Shape::Crowd { instances } => {
-            let place = if place == Place::Out { " out" } else { "" };
             let title = format!("{instances} skeletons of {joints} joints");
-            ("J2", format!("{joints}x{instances}{place}"), title, 3e-5)
+            ("J2", format!("{joints}x{instances}{suffix}"), title, 3e-5)
         }
         Shape::Biped => ("J3", "biped".to_owned(), format!("one biped of {joints} joints"), 3e-5),
         // A thousand roundings, and each turns all that follows.
@@ -92,16 +98,18 @@ pub(crate) fn with_contest<R>(
             ("J3", format!("chain {joints}"), format!("one chain of {joints} joints"), 1e-3)
         }
     };
-    let place_name = if place == Place::Out { "out of place" } else { "in place" };
     let mut contest = Contest {
         transforms: scene.locals.len(),
         tolerance,
         expected: scene.expected(&hierarchy),
-        ..Contest::new(job, size, format!("{title}, {place_name}"))
+        ..Contest::new(job, size, format!("{title}, {in_words}"))
     };
-    let mut field = Field { scene: &scene, hierarchy, place, contest: &mut contest };
-    field.everyone(matches!(shape, Shape::Crowd { instances: 2.. }));
-    if job == "J2" && place == Place::Out {
+    let mut field = Field { scene: &scene, hierarchy, way, contest: &mut contest };
+    match shape {
+        Shape::Crowd { instances: 2.. } => field.crowd(),
+        _ => field.one(),
+    }
+    if job == "J2" && way == Way::Out {
         let bytes = size_of::<Motion>() * contest.transforms;
         contest.limits.push(Limit::copy(contest.size.clone(), bytes));
         let moved = 2 * size_of::<Motion>();
@@ -126,7 +134,29 @@ impl Scene {
             }
         };
         let different = skeleton::locals(&bones, instances.min(Many::<Motion>::DIFFERENT));
-        Self { locals: Many::new(parents.len(), different, instances), parents }
+        let bones = parents.iter().zip(&different).map(|(&parent, local)| match parent {
+            Hierarchy::ROOT => [0.0; 3],
+            _ => local.translation(),
+        });
+        Self {
+            bones: bones.collect(),
+            locals: Many::new(parents.len(), different, instances),
+            parents,
+        }
+    }
+
+    fn rotations(&self) -> Many<[f32; 4]> {
+        let (joints, locals) = (self.parents.len(), self.locals.different());
+        let rotations = locals.iter().map(|local| local.rotation().to_array()).collect();
+        Many::new(joints, rotations, self.locals.len() / joints)
+    }
+
+    /// Where each instance stands.
+    fn roots(&self) -> Many<Motion> {
+        let joints = self.parents.len();
+        let instances = self.locals.different().chunks(joints);
+        let places = instances.map(|poses| DualQuat::from_translation(poses[0].translation()));
+        Many::new(1, places.collect(), self.locals.len() / joints)
     }
 
     fn expected(&self, hierarchy: &Hierarchy) -> Vec<Vec<f64>> {
@@ -140,27 +170,34 @@ impl Scene {
 struct Field<'a, 'c> {
     scene: &'a Scene,
     hierarchy: Hierarchy<'a>,
-    place: Place,
+    way: Way,
     contest: &'c mut Contest<'a>,
 }
 
 impl<'a> Field<'a, '_> {
-    /// `lanes`: whether there are instances for them.
-    fn everyone(&mut self, lanes: bool) {
+    fn crowd(&mut self) {
+        self.own::<Block<f32, 8>>("8 lanes");
+        self.own::<Block<f32, 16>>("16 lanes");
+        if self.way == Way::Rotations {
+            self.rotations::<Block<f32, 8>>("8 lanes");
+            self.rotations::<Block<f32, 16>>("16 lanes");
+            return;
+        }
+        self.one();
+        self.peer::<UnitDualQuaternion<WideF32x8>>("nalgebra UnitDualQuaternion, 8 lanes");
+        self.peer::<Isometry3<WideF32x8>>("nalgebra Isometry3, 8 lanes");
+        self.peer::<Isometry3x8>("ultraviolet Isometry3x8");
+        self.peer::<Mat4x8>("ultraviolet Mat4x8");
+    }
+
+    /// Those who need no other instances to fill their lanes.
+    fn one(&mut self) {
         self.peer::<Motion>("dq8 scalar");
         self.own::<Motion>("AoS");
         self.peer::<Mat4>("glam Mat4");
         self.peer::<Affine3A>("glam Affine3A");
         self.peer::<QuatVec3A>("glam Quat+Vec3A");
         self.peer::<UnitDualQuaternion<f32>>("nalgebra UnitDualQuaternion");
-        if lanes {
-            self.own::<Block<f32, 8>>("8 lanes");
-            self.own::<Block<f32, 16>>("16 lanes");
-            self.peer::<UnitDualQuaternion<WideF32x8>>("nalgebra UnitDualQuaternion, 8 lanes");
-            self.peer::<Isometry3<WideF32x8>>("nalgebra Isometry3, 8 lanes");
-            self.peer::<Isometry3x8>("ultraviolet Isometry3x8");
-            self.peer::<Mat4x8>("ultraviolet Mat4x8");
-        }
     }
 
     fn peer<M: Product + Packed<Motion>>(&mut self, name: &str) {
@@ -191,6 +228,26 @@ impl<'a> Field<'a, '_> {
         }
     }
 
+    fn rotations<P>(&mut self, layout: &str)
+    where
+        P: Pose<Real = f32, Rotation: Packed<[f32; 4]>> + Packed<Motion>,
+    {
+        let Self { scene, hierarchy, .. } = *self;
+        for backend in Backend::available() {
+            let memory = || {
+                let input = (scene.rotations().pack::<P::Rotation>(), scene.roots().pack::<P>());
+                (input, scene.locals.pack::<P>())
+            };
+            let pass = move |(rotations, roots): &(Vec<P::Rotation>, Vec<P>), models: &mut [P]| {
+                let job = hierarchy.job().backend(backend).roots(roots);
+                job.rotations_to_model(rotations, &scene.bones, models).expect("whole instances");
+            };
+            let name = format!("dq8 rotations, {layout} {backend}");
+            let numbers = |models: &[P], index| scene.locals.numbers(models, index);
+            self.contest.add(name, Some(backend), memory, pass, numbers);
+        }
+    }
+
     fn add<E: Packed<Motion>>(
         &mut self,
         name: String,
@@ -200,13 +257,13 @@ impl<'a> Field<'a, '_> {
     ) {
         let locals = &self.scene.locals;
         let numbers = |models: &[E], index| locals.numbers(models, index);
-        match self.place {
-            Place::Out => {
+        match self.way {
+            Way::Out | Way::Rotations => {
                 let memory = || (locals.pack(), locals.pack());
                 let pass = move |locals: &Vec<E>, models: &mut [E]| out(locals, models);
                 self.contest.add(name, backend, memory, pass, numbers);
             }
-            Place::In => {
+            Way::In => {
                 self.contest.add_in_place(name, backend, || locals.pack(), in_place, numbers);
             }
         }
