@@ -3,7 +3,7 @@
 use crate::real::Real;
 use crate::scalar::{DualQuat, Quat};
 use core::marker::PhantomData;
-use dq8_simd::{Block, Float, Lane, Level, Row};
+use dq8_simd::{Block, Float, Lane, Level, Part, Row};
 
 /// One number for each of `N` motions.
 pub type NumberBlock<R, const N: usize> = Block<[R; N], 1>;
@@ -25,7 +25,8 @@ pub trait Layout: sealed::Sealed {
 #[derive(Clone, Copy, Debug)]
 pub struct Plain<R>(PhantomData<R>);
 
-/// [`Row::LANES`] things an element: [`Block`]s, structures of arrays. They are read as they are.
+/// [`Row::LANES`] things an element: [`Block`]s, structures of arrays. They are read as they are, a
+/// register at a time.
 #[derive(Clone, Copy, Debug)]
 pub struct InBlocks<A>(PhantomData<A>);
 
@@ -36,7 +37,7 @@ impl<R: Real + Float> Layout for Plain<R> {
 
 impl<A: Row<Real: Real>> Layout for InBlocks<A> {
     type Real = A::Real;
-    type Lanes<V: Level> = A::Lane<V>;
+    type Lanes<V: Level> = Part<A, V>;
 }
 
 /// An element of memory with `C` components: of one thing, or of several in a block. Sealed.
@@ -54,17 +55,18 @@ pub trait Place<const C: usize>: Copy + sealed::Sealed {
     /// Which lanes it is read into.
     type Layout: Layout;
 
-    /// How many elements fill the lanes of a level.
+    /// How many steps of a kernel go over `length` elements: a step fills a register of each component.
     #[must_use]
-    fn step<V: Level>() -> usize;
-    /// The first elements into lanes, as many as there are; `padding` in lanes that are left.
+    fn steps<V: Level>(length: usize) -> usize;
+    /// Into lanes what belongs to a step; `padding` where `from` has ended.
     fn gather<V: Level>(
         level: V,
         from: &[Self],
+        step: usize,
         padding: [Number<Self, C>; C],
     ) -> [Lanes<Self, V, C>; C];
-    /// Lanes into the first elements, as many as there are.
-    fn scatter<V: Level>(components: [Lanes<Self, V, C>; C], to: &mut [Self]);
+    /// Lanes to where they belong in a step; what is beyond the end of `to` is dropped.
+    fn scatter<V: Level>(components: [Lanes<Self, V, C>; C], to: &mut [Self], step: usize);
 }
 
 /// The number of a place.
@@ -76,20 +78,27 @@ impl<A: Row<Real: Real>, const C: usize> Place<C> for Block<A, C> {
     type Layout = InBlocks<A>;
 
     #[inline(always)]
-    fn step<V: Level>() -> usize {
-        1
+    fn steps<V: Level>(length: usize) -> usize {
+        length * Self::parts::<V>()
     }
     #[inline(always)]
-    fn gather<V: Level>(level: V, from: &[Self], padding: [A::Real; C]) -> [A::Lane<V>; C] {
-        match from.first() {
-            Some(block) => block.load(level),
-            None => Self::splat(padding).load(level),
+    fn gather<V: Level>(
+        level: V,
+        from: &[Self],
+        step: usize,
+        padding: [A::Real; C],
+    ) -> [Part<A, V>; C] {
+        let parts = Self::parts::<V>();
+        match from.get(step / parts) {
+            Some(block) => block.load_part(level, step % parts),
+            None => Self::splat(padding).load_part(level, 0),
         }
     }
     #[inline(always)]
-    fn scatter<V: Level>(components: [A::Lane<V>; C], to: &mut [Self]) {
-        if let Some(block) = to.first_mut() {
-            block.store::<V>(components);
+    fn scatter<V: Level>(components: [Part<A, V>; C], to: &mut [Self], step: usize) {
+        let parts = Self::parts::<V>();
+        if let Some(block) = to.get_mut(step / parts) {
+            block.store_part::<V>(components, step % parts);
         }
     }
 }
@@ -101,24 +110,30 @@ macro_rules! plain {
             type Layout = Plain<$real>;
 
             #[inline(always)]
-            fn step<V: Level>() -> usize {
-                <$real as Float>::Lanes::<V>::LANES
+            fn steps<V: Level>(length: usize) -> usize {
+                length.div_ceil(<$real as Float>::Lanes::<V>::LANES)
             }
             #[inline(always)]
             fn gather<V: Level>(
                 level: V,
                 from: &[Self],
+                step: usize,
                 padding: [$real; $components],
             ) -> [<$real as Float>::Lanes<V>; $components] {
                 let records: &[[$real; $components]] = bytemuck::must_cast_slice(from);
+                let first = step * <$real as Float>::Lanes::<V>::LANES;
+                let records = records.get(first..).unwrap_or_default();
                 <$real as Float>::Lanes::<V>::load_records(level, records, padding)
             }
             #[inline(always)]
             fn scatter<V: Level>(
                 components: [<$real as Float>::Lanes<V>; $components],
                 to: &mut [Self],
+                step: usize,
             ) {
                 let records: &mut [[$real; $components]] = bytemuck::must_cast_slice_mut(to);
+                let first = step * <$real as Float>::Lanes::<V>::LANES;
+                let records = records.get_mut(first..).unwrap_or_default();
                 <$real as Float>::Lanes::<V>::store_records(components, records);
             }
         }

@@ -1,6 +1,6 @@
 //! [`Block`]: structure-of-arrays memory, one row of numbers a component.
 
-use crate::lane::{Lane, Row};
+use crate::lane::{Lane, Part, Row};
 use crate::level::Level;
 use bytemuck::{Pod, Zeroable};
 
@@ -70,6 +70,39 @@ impl<A: Row, const C: usize> Block<A, C> {
             *component = A::Lane::<V>::load(level, row);
         }
         components
+    }
+
+    /// How many [`Part`]s a row has.
+    #[inline(always)]
+    #[must_use]
+    pub fn parts<V: Level>() -> usize {
+        A::LANES / Part::<A, V>::LANES
+    }
+
+    /// One part of every component; zero beyond the last part.
+    #[inline(always)]
+    pub fn load_part<V: Level>(&self, level: V, part: usize) -> [Part<A, V>; C] {
+        let mut components = [Part::<A, V>::splat(level, A::Real::default()); C];
+        for (component, row) in components.iter_mut().zip(&self.0) {
+            let parts: &[<Part<A, V> as Lane>::Array] =
+                bytemuck::cast_slice(core::slice::from_ref(row));
+            if let Some(array) = parts.get(part) {
+                *component = Part::<A, V>::load(level, array);
+            }
+        }
+        components
+    }
+
+    /// One part of every component; nothing beyond the last part.
+    #[inline(always)]
+    pub fn store_part<V: Level>(&mut self, components: [Part<A, V>; C], part: usize) {
+        for (row, component) in self.0.iter_mut().zip(components) {
+            let parts: &mut [<Part<A, V> as Lane>::Array] =
+                bytemuck::cast_slice_mut(core::slice::from_mut(row));
+            if let Some(array) = parts.get_mut(part) {
+                component.store(array);
+            }
+        }
     }
 
     /// All lanes of every component.

@@ -30,6 +30,9 @@ pub trait Lane:
     type Mask: Mask;
     /// The instructions that these lanes need.
     type Level: Level;
+    /// The lanes of one register: these, or a fraction of them where they are several registers. A
+    /// kernel that works part by part keeps its numbers in registers.
+    type Part: Lane<Real = Self::Real, Level = Self::Level>;
     /// The lanes in memory: `[Real; LANES]`.
     type Array: Pod + Debug + AsRef<[Self::Real]> + AsMut<[Self::Real]>;
     /// How many numbers there are.
@@ -234,6 +237,9 @@ pub trait Row: Pod + AsRef<[Self::Real]> + AsMut<[Self::Real]> + Debug + sealed:
     /// How many numbers.
     const LANES: usize;
 }
+
+/// The lanes of one register that read a row, or a part of it.
+pub type Part<A, V> = <<A as Row>::Lane<V> as Lane>::Part;
 
 mod sealed {
     pub trait Sealed {}

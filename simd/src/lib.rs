@@ -40,7 +40,7 @@ pub mod x86_64;
 
 pub use block::Block;
 pub use float::Float;
-pub use lane::{Lane, Mask, Row};
+pub use lane::{Lane, Mask, Part, Row};
 pub use level::Level;
 pub use portable::Portable;
 

@@ -27,6 +27,7 @@ macro_rules! one_lane {
             type Real = $real;
             type Mask = bool;
             type Level = Portable;
+            type Part = Self;
             type Array = [$real; 1];
             const LANES: usize = 1;
 

@@ -34,6 +34,7 @@ where
     type Real = L::Real;
     type Mask = Pair<L::Mask>;
     type Level = L::Level;
+    type Part = L;
     type Array = <L::Array as Doubled>::Twice;
     const LANES: usize = 2 * L::LANES;
 

@@ -17,8 +17,8 @@ impl Level for Portable {
     type F64x2 = f64x2;
     type F64x4 = f64x4;
     type F64x8 = f64x8;
-    type Single = width::Single;
-    type Double = width::Double;
+    type Single = part::F32x16;
+    type Double = part::F64x8;
 
     #[inline(always)]
     fn run<R>(self, kernel: impl FnOnce() -> R) -> R {
@@ -27,22 +27,30 @@ impl Level for Portable {
 }
 
 /// The registers of the build target: 256 bits with AVX, 128 with SSE2, NEON or simd128, and one number
-/// where packed types would be emulated.
-mod width {
-    #[cfg(all(
-        not(target_feature = "avx"),
-        any(target_feature = "sse2", target_feature = "neon", target_feature = "simd128")
-    ))]
-    pub(super) use wide::{f32x4 as Single, f64x2 as Double};
-    #[cfg(target_feature = "avx")]
-    pub(super) use wide::{f32x8 as Single, f64x4 as Double};
+/// where packed types would be emulated. The largest that fit, by lanes.
+mod part {
     #[cfg(not(any(
         target_feature = "avx",
         target_feature = "sse2",
         target_feature = "neon",
         target_feature = "simd128"
     )))]
-    pub(super) use {f32 as Single, f64 as Double};
+    pub(super) use core::primitive::{
+        f32 as F32x4, f32 as F32x8, f32 as F32x16, f64 as F64x2, f64 as F64x4, f64 as F64x8,
+    };
+    #[cfg(all(
+        not(target_feature = "avx"),
+        any(target_feature = "sse2", target_feature = "neon", target_feature = "simd128")
+    ))]
+    pub(super) use wide::{
+        f32x4 as F32x4, f32x4 as F32x8, f32x4 as F32x16, f64x2 as F64x2, f64x2 as F64x4,
+        f64x2 as F64x8,
+    };
+    #[cfg(target_feature = "avx")]
+    pub(super) use wide::{
+        f32x4 as F32x4, f32x8 as F32x8, f32x8 as F32x16, f64x2 as F64x2, f64x4 as F64x4,
+        f64x4 as F64x8,
+    };
 }
 
 /// A mask of [`wide`]: a vector whose lanes are all ones or all zeros.
@@ -51,11 +59,12 @@ pub struct WideMask<V>(V);
 
 /// `wide` offers these operations as inherent methods only, so no generic `impl` can reach them.
 macro_rules! wide_lanes {
-    ($($vector:ident: [$real:ty; $lanes:literal] $(, $transpose:ident)?;)*) => {$(
+    ($($vector:ident: [$real:ty; $lanes:literal], $part:ty $(, $transpose:ident)?;)*) => {$(
         impl Lane for $vector {
             type Real = $real;
             type Mask = WideMask<$vector>;
             type Level = Portable;
+            type Part = $part;
             type Array = [$real; $lanes];
             const LANES: usize = $lanes;
 
@@ -160,12 +169,12 @@ macro_rules! wide_lanes {
     )*};
 }
 wide_lanes! {
-    f32x4: [f32; 4], transpose;
-    f32x8: [f32; 8];
-    f32x16: [f32; 16];
-    f64x2: [f64; 2];
-    f64x4: [f64; 4];
-    f64x8: [f64; 8];
+    f32x4: [f32; 4], part::F32x4, transpose;
+    f32x8: [f32; 8], part::F32x8;
+    f32x16: [f32; 16], part::F32x16;
+    f64x2: [f64; 2], part::F64x2;
+    f64x4: [f64; 4], part::F64x4;
+    f64x8: [f64; 8], part::F64x8;
 }
 
 impl<V: BitAnd<Output = V>> BitAnd for WideMask<V> {

@@ -2,7 +2,7 @@
 
 use super::Pose;
 use super::job::{Job, Root};
-use super::locals::Locals;
+use super::locals::{Locals, Spot};
 use crate::dispatch::{Backend, Kernel};
 use crate::motion::Motion;
 use dq8_simd::{Level, Portable};
@@ -29,8 +29,10 @@ impl<P: Pose, L: Locals<P>> Kernel for Forward<'_, '_, '_, P, L> {
         let Self { job, locals, models } = self;
         // The joints are not 0 where there is anything to do.
         let joints = job.hierarchy.joints().max(1);
-        for (pair, models) in models.chunks_mut(joints.saturating_mul(2)).enumerate() {
-            let first = pair * 2;
+        // Parts of one instance are side by side already.
+        let side_by_side = if P::parts::<V>() == 1 { 2 } else { 1 };
+        let sets = models.chunks_mut(joints.saturating_mul(side_by_side));
+        for (first, models) in (0..).step_by(side_by_side).zip(sets) {
             let (a, b) = models.split_at_mut(joints);
             if b.is_empty() {
                 forward(level, job, locals, [(first, a)]);
@@ -52,19 +54,21 @@ fn forward<P: Pose, L: Locals<P>, V: Level, const K: usize>(
     let parents = job.hierarchy.parents();
     for joint in job.joints.clone() {
         for (instance, models) in &mut instances {
-            let place = (*instance * parents.len() + joint, joint);
-            // ROOT is beyond the last joint, so the check of the bound tells roots apart.
-            let parent = parents.get(joint).and_then(|&parent| models.get(parent as usize));
-            let parent = match parent {
-                Some(parent) => Some(parent.load(level)),
-                None => root_of(job, level, *instance),
-            };
-            let Some(mut model) = locals.onto(level, parent, models, place) else { break };
-            if job.renormalise.applies_to(joint) {
-                model = model.normalize();
-            }
-            if let Some(slot) = models.get_mut(joint) {
-                slot.store(level, model);
+            for part in 0..P::parts::<V>() {
+                let spot = Spot { index: *instance * parents.len() + joint, joint, part };
+                // ROOT is beyond the last joint, so the check of the bound tells roots apart.
+                let parent = parents.get(joint).and_then(|&parent| models.get(parent as usize));
+                let parent = match parent {
+                    Some(parent) => Some(parent.load(level, part)),
+                    None => root_of(job, level, *instance, part),
+                };
+                let Some(mut model) = locals.onto(level, parent, models, spot) else { break };
+                if job.renormalise.applies_to(joint) {
+                    model = model.normalize();
+                }
+                if let Some(slot) = models.get_mut(joint) {
+                    slot.store(level, part, model);
+                }
             }
         }
     }
@@ -88,21 +92,22 @@ impl<P: Pose> Kernel for Backward<'_, '_, '_, P> {
         let joints = parents.len().max(1);
         for (instance, locals) in locals.chunks_exact_mut(joints).enumerate() {
             let models = models.and_then(|all| all.chunks_exact(joints).nth(instance));
-            let root = root_of(job, level, instance);
             for joint in job.joints.clone().rev() {
-                let models = models.unwrap_or(locals);
-                let Some(model) = models.get(joint) else { break };
-                let mut local = model.load(level);
-                match parents.get(joint).and_then(|&parent| models.get(parent as usize)) {
-                    Some(parent) => local = parent.load(level).conjugate() * local,
-                    None => {
-                        if let Some(root) = root {
-                            local = root.conjugate() * local;
-                        }
+                for part in 0..P::parts::<V>() {
+                    let models = models.unwrap_or(locals);
+                    let Some(model) = models.get(joint) else { break };
+                    let parent = parents.get(joint).and_then(|&parent| models.get(parent as usize));
+                    let parent = match parent {
+                        Some(parent) => Some(parent.load(level, part)),
+                        None => root_of(job, level, instance, part),
+                    };
+                    let mut local = model.load(level, part);
+                    if let Some(parent) = parent {
+                        local = parent.conjugate() * local;
                     }
-                }
-                if let Some(slot) = locals.get_mut(joint) {
-                    slot.store(level, local);
+                    if let Some(slot) = locals.get_mut(joint) {
+                        slot.store(level, part, local);
+                    }
                 }
             }
         }
@@ -110,10 +115,15 @@ impl<P: Pose> Kernel for Backward<'_, '_, '_, P> {
 }
 
 #[inline(always)]
-fn root_of<P: Pose, V: Level>(job: &Job<'_, P>, level: V, instance: usize) -> Option<P::Motion<V>> {
+fn root_of<P: Pose, V: Level>(
+    job: &Job<'_, P>,
+    level: V,
+    instance: usize,
+    part: usize,
+) -> Option<P::Motion<V>> {
     match job.root {
         Root::None => None,
         Root::Same(root) => Some(P::splat(level, root)),
-        Root::Each(roots) => roots.get(instance).map(|root| root.load(level)),
+        Root::Each(roots) => roots.get(instance).map(|root| root.load(level, part)),
     }
 }

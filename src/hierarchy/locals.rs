@@ -4,16 +4,26 @@ use super::Pose;
 use crate::motion::Motion;
 use dq8_simd::Level;
 
+/// Which local.
+#[derive(Clone, Copy)]
+pub(super) struct Spot {
+    /// Among all instances.
+    pub(super) index: usize,
+    pub(super) joint: usize,
+    /// See [`Pose::parts`].
+    pub(super) part: usize,
+}
+
 /// Locals of whole instances, `[instance][joint]`.
 pub(super) trait Locals<P: Pose>: Copy {
-    /// parent · local, or the local itself, of the element at `place`: its index among all
-    /// instances, and its joint. `models` are those of its instance.
+    /// parent · local, or the local itself, of a part of the element at `spot`. `models` are those of
+    /// its instance.
     fn onto<V: Level>(
         self,
         level: V,
         parent: Option<P::Motion<V>>,
         models: &[P],
-        place: (usize, usize),
+        spot: Spot,
     ) -> Option<P::Motion<V>>;
 }
 
@@ -28,13 +38,13 @@ impl<P: Pose> Locals<P> for Motions<'_, P> {
         level: V,
         parent: Option<P::Motion<V>>,
         models: &[P],
-        (index, joint): (usize, usize),
+        Spot { index, joint, part }: Spot,
     ) -> Option<P::Motion<V>> {
         let local = match self.0 {
             Some(locals) => locals.get(index)?,
             None => models.get(joint)?,
         };
-        let local = local.load(level);
+        let local = local.load(level, part);
         Some(match parent {
             Some(parent) => parent * local,
             None => local,
@@ -53,9 +63,9 @@ impl<P: Pose> Locals<P> for RotationsTranslations<'_, P> {
         level: V,
         parent: Option<P::Motion<V>>,
         _: &[P],
-        (index, _): (usize, usize),
+        Spot { index, part, .. }: Spot,
     ) -> Option<P::Motion<V>> {
-        let (rotation, translation) = P::load_rotation_translation(level, self.0.get(index)?);
+        let (rotation, translation) = P::load_rotation_translation(level, part, self.0.get(index)?);
         Some(joined(parent, rotation, translation))
     }
 }
@@ -75,9 +85,9 @@ impl<P: Pose> Locals<P> for Rotations<'_, P> {
         level: V,
         parent: Option<P::Motion<V>>,
         _: &[P],
-        (index, joint): (usize, usize),
+        Spot { index, joint, part }: Spot,
     ) -> Option<P::Motion<V>> {
-        let rotation = P::load_rotation(level, self.rotations.get(index)?);
+        let rotation = P::load_rotation(level, part, self.rotations.get(index)?);
         let offset = P::splat_vector(level, *self.offsets.get(joint)?);
         Some(joined(parent, rotation, offset))
     }

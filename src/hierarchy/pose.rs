@@ -5,7 +5,7 @@ use crate::geometry::Twist;
 use crate::motion::Motion;
 use crate::real::Real;
 use crate::scalar::{DualQuat, Quat};
-use dq8_simd::{Lane, Level, Row};
+use dq8_simd::{Lane, Level, Part, Row};
 
 /// Dual quaternions of `N` instances: eight rows of `N` numbers, `[px, py, pz, pw, qx, qy, qz, qw]`.
 /// `Block<f32, 8>` is 256 bytes.
@@ -23,7 +23,8 @@ pub type RotationTranslationBlock<R, const N: usize> = dq8_simd::Block<[R; N], 7
 
 /// A place in memory that holds one motion, or one an instance.
 ///
-/// Implemented for [`DualQuat`] (one instance) and [`Block`] (as many as it has lanes); sealed.
+/// Implemented for [`DualQuat`] (one instance) and [`Block`] (as many as it has lanes); sealed. What
+/// has several registers of lanes is read and written in parts, one register each.
 pub trait Pose: Copy + sealed::Sealed {
     /// The number.
     type Real: Real;
@@ -39,27 +40,37 @@ pub trait Pose: Copy + sealed::Sealed {
     /// How many instances share an element.
     const INSTANCES: usize;
 
+    /// How many parts there are, each computed by itself: a register full of instances.
+    #[must_use]
+    fn parts<V: Level>() -> usize;
+
     /// Reads the motion.
-    fn load<V: Level>(&self, level: V) -> Self::Motion<V>;
+    fn load<V: Level>(&self, level: V, part: usize) -> Self::Motion<V>;
     /// Writes the motion.
-    fn store<V: Level>(&mut self, level: V, motion: Self::Motion<V>);
+    fn store<V: Level>(&mut self, level: V, part: usize, motion: Self::Motion<V>);
     /// The same motion for every instance.
     fn splat<V: Level>(level: V, motion: DualQuat<Self::Real>) -> Self::Motion<V>;
 
     /// Reads a rotation.
-    fn load_rotation<V: Level>(level: V, from: &Self::Rotation) -> Rotation<Self, V>;
+    fn load_rotation<V: Level>(level: V, part: usize, from: &Self::Rotation) -> Rotation<Self, V>;
     /// Reads a rotation and a translation.
     fn load_rotation_translation<V: Level>(
         level: V,
+        part: usize,
         from: &Self::RotationTranslation,
     ) -> (Rotation<Self, V>, [Number<Self, V>; 3]);
     /// The same vector for every instance.
     fn splat_vector<V: Level>(level: V, vector: [Self::Real; 3]) -> [Number<Self, V>; 3];
 
     /// Reads a twist.
-    fn load_twist<V: Level>(level: V, from: &Self::Twist) -> Twist<Number<Self, V>>;
+    fn load_twist<V: Level>(level: V, part: usize, from: &Self::Twist) -> Twist<Number<Self, V>>;
     /// Writes a twist.
-    fn store_twist<V: Level>(level: V, to: &mut Self::Twist, twist: Twist<Number<Self, V>>);
+    fn store_twist<V: Level>(
+        level: V,
+        part: usize,
+        to: &mut Self::Twist,
+        twist: Twist<Number<Self, V>>,
+    );
     /// The same twist for every instance.
     fn splat_twist<V: Level>(level: V, twist: Twist<Self::Real>) -> Twist<Number<Self, V>>;
 }
@@ -84,11 +95,15 @@ impl<R: Real> Pose for DualQuat<R> {
     const INSTANCES: usize = 1;
 
     #[inline(always)]
-    fn load<V: Level>(&self, _: V) -> Self {
+    fn parts<V: Level>() -> usize {
+        1
+    }
+    #[inline(always)]
+    fn load<V: Level>(&self, _: V, _: usize) -> Self {
         *self
     }
     #[inline(always)]
-    fn store<V: Level>(&mut self, _: V, motion: Self) {
+    fn store<V: Level>(&mut self, _: V, _: usize, motion: Self) {
         *self = motion;
     }
     #[inline(always)]
@@ -96,11 +111,11 @@ impl<R: Real> Pose for DualQuat<R> {
         motion
     }
     #[inline(always)]
-    fn load_rotation<V: Level>(_: V, from: &Quat<R>) -> Quat<R> {
+    fn load_rotation<V: Level>(_: V, _: usize, from: &Quat<R>) -> Quat<R> {
         *from
     }
     #[inline(always)]
-    fn load_rotation_translation<V: Level>(_: V, from: &[R; 7]) -> (Quat<R>, [R; 3]) {
+    fn load_rotation_translation<V: Level>(_: V, _: usize, from: &[R; 7]) -> (Quat<R>, [R; 3]) {
         let [x, y, z, w, translation @ ..] = *from;
         (Quat::from_array([x, y, z, w]), translation)
     }
@@ -109,11 +124,11 @@ impl<R: Real> Pose for DualQuat<R> {
         vector
     }
     #[inline(always)]
-    fn load_twist<V: Level>(_: V, from: &Twist<R>) -> Twist<R> {
+    fn load_twist<V: Level>(_: V, _: usize, from: &Twist<R>) -> Twist<R> {
         *from
     }
     #[inline(always)]
-    fn store_twist<V: Level>(_: V, to: &mut Twist<R>, twist: Twist<R>) {
+    fn store_twist<V: Level>(_: V, _: usize, to: &mut Twist<R>, twist: Twist<R>) {
         *to = twist;
     }
     #[inline(always)]
@@ -125,53 +140,66 @@ impl<R: Real> Pose for DualQuat<R> {
 impl<A: Row<Real: Real>> sealed::Sealed for dq8_simd::Block<A, 8> {}
 impl<A: Row<Real: Real>> Pose for dq8_simd::Block<A, 8> {
     type Real = A::Real;
-    type Motion<V: Level> = batch::DualQuat<A::Lane<V>>;
+    type Motion<V: Level> = batch::DualQuat<Part<A, V>>;
     type Rotation = dq8_simd::Block<A, 4>;
     type RotationTranslation = dq8_simd::Block<A, 7>;
     type Twist = dq8_simd::Block<A, 6>;
     const INSTANCES: usize = A::LANES;
 
     #[inline(always)]
-    fn load<V: Level>(&self, level: V) -> Self::Motion<V> {
-        batch::DualQuat::load(level, self)
+    fn parts<V: Level>() -> usize {
+        Self::parts::<V>()
     }
     #[inline(always)]
-    fn store<V: Level>(&mut self, _: V, motion: Self::Motion<V>) {
-        motion.store::<A, V>(self);
+    fn load<V: Level>(&self, level: V, part: usize) -> Self::Motion<V> {
+        batch::DualQuat::from_array(self.load_part(level, part))
+    }
+    #[inline(always)]
+    fn store<V: Level>(&mut self, _: V, part: usize, motion: Self::Motion<V>) {
+        self.store_part::<V>(motion.to_array(), part);
     }
     #[inline(always)]
     fn splat<V: Level>(level: V, motion: DualQuat<A::Real>) -> Self::Motion<V> {
         batch::DualQuat::splat(level, motion.to_array())
     }
     #[inline(always)]
-    fn load_rotation<V: Level>(level: V, from: &Self::Rotation) -> batch::Quat<A::Lane<V>> {
-        batch::Quat::from_array(from.load(level))
+    fn load_rotation<V: Level>(
+        level: V,
+        part: usize,
+        from: &Self::Rotation,
+    ) -> batch::Quat<Part<A, V>> {
+        batch::Quat::from_array(from.load_part(level, part))
     }
     #[inline(always)]
     fn load_rotation_translation<V: Level>(
         level: V,
+        part: usize,
         from: &Self::RotationTranslation,
-    ) -> (batch::Quat<A::Lane<V>>, [A::Lane<V>; 3]) {
-        let [x, y, z, w, translation @ ..] = from.load(level);
+    ) -> (batch::Quat<Part<A, V>>, [Part<A, V>; 3]) {
+        let [x, y, z, w, translation @ ..] = from.load_part(level, part);
         (batch::Quat::from_array([x, y, z, w]), translation)
     }
     #[inline(always)]
-    fn splat_vector<V: Level>(level: V, [x, y, z]: [A::Real; 3]) -> [A::Lane<V>; 3] {
-        [A::Lane::splat(level, x), A::Lane::splat(level, y), A::Lane::splat(level, z)]
+    fn splat_vector<V: Level>(level: V, [x, y, z]: [A::Real; 3]) -> [Part<A, V>; 3] {
+        [
+            Part::<A, V>::splat(level, x),
+            Part::<A, V>::splat(level, y),
+            Part::<A, V>::splat(level, z),
+        ]
     }
     #[inline(always)]
-    fn load_twist<V: Level>(level: V, from: &Self::Twist) -> Twist<A::Lane<V>> {
-        Twist::from_array(from.load(level))
+    fn load_twist<V: Level>(level: V, part: usize, from: &Self::Twist) -> Twist<Part<A, V>> {
+        Twist::from_array(from.load_part(level, part))
     }
     #[inline(always)]
-    fn store_twist<V: Level>(_: V, to: &mut Self::Twist, twist: Twist<A::Lane<V>>) {
-        to.store::<V>(twist.to_array());
+    fn store_twist<V: Level>(_: V, part: usize, to: &mut Self::Twist, twist: Twist<Part<A, V>>) {
+        to.store_part::<V>(twist.to_array(), part);
     }
     #[inline(always)]
-    fn splat_twist<V: Level>(level: V, twist: Twist<A::Real>) -> Twist<A::Lane<V>> {
-        let mut lanes = [A::Lane::<V>::splat(level, A::Real::default()); 6];
+    fn splat_twist<V: Level>(level: V, twist: Twist<A::Real>) -> Twist<Part<A, V>> {
+        let mut lanes = [Part::<A, V>::splat(level, A::Real::default()); 6];
         for (lane, value) in lanes.iter_mut().zip(twist.to_array()) {
-            *lane = A::Lane::<V>::splat(level, value);
+            *lane = Part::<A, V>::splat(level, value);
         }
         Twist::from_array(lanes)
     }

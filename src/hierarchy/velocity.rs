@@ -118,13 +118,16 @@ impl<P: Pose> Kernel for Velocities<'_, '_, P> {
             for (joint, ((model, rate), &parent)) in
                 models.iter().zip(rates).zip(parents).enumerate()
             {
-                let mut twist = model.load(level).adjoint(P::load_twist(level, rate));
-                // ROOT is beyond the last joint, so the check of the bound tells roots apart.
-                if let Some(parent) = twists.get(parent as usize) {
-                    twist = P::load_twist(level, parent) + twist;
-                }
-                if let Some(slot) = twists.get_mut(joint) {
-                    P::store_twist(level, slot, twist);
+                for part in 0..P::parts::<V>() {
+                    let rate = P::load_twist(level, part, rate);
+                    let mut twist = model.load(level, part).adjoint(rate);
+                    // ROOT is beyond the last joint, so the check of the bound tells roots apart.
+                    if let Some(parent) = twists.get(parent as usize) {
+                        twist = P::load_twist(level, part, parent) + twist;
+                    }
+                    if let Some(slot) = twists.get_mut(joint) {
+                        P::store_twist(level, part, slot, twist);
+                    }
                 }
             }
         }
@@ -150,7 +153,9 @@ impl<P: Pose> Kernel for Screws<'_, '_, P> {
         let none = P::splat_twist(level, Twist::from_array([P::Real::default(); 6]));
         for (models, columns) in models.chunks_exact(joints).zip(columns.chunks_exact_mut(joints)) {
             for column in columns.iter_mut() {
-                P::store_twist(level, column, none);
+                for part in 0..P::parts::<V>() {
+                    P::store_twist(level, part, column, none);
+                }
             }
             let mut joint = effector;
             // ROOT is beyond the last joint, and ends the walk.
@@ -158,7 +163,9 @@ impl<P: Pose> Kernel for Screws<'_, '_, P> {
                 (models.get(joint), axes.get(joint), columns.get_mut(joint), parents.get(joint))
             {
                 let axis = P::splat_twist(level, axis);
-                P::store_twist(level, column, model.load(level).adjoint(axis));
+                for part in 0..P::parts::<V>() {
+                    P::store_twist(level, part, column, model.load(level, part).adjoint(axis));
+                }
                 joint = parent as usize;
             }
         }

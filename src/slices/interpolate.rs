@@ -131,7 +131,7 @@ impl Way for Sclerp {
 
 /// t, the same for all or one each.
 trait Parameter<P: Place<8>> {
-    fn lanes<V: Level>(&self, level: V, at: usize) -> Lanes<P, V, 8>;
+    fn lanes<V: Level>(&self, level: V, step: usize) -> Lanes<P, V, 8>;
 }
 
 struct One<R>(R);
@@ -145,8 +145,8 @@ impl<P: Place<8>> Parameter<P> for One<Number<P, 8>> {
 struct Many<'s, T>(&'s [T]);
 impl<P: Place<8>, T: Place<1, Layout = P::Layout>> Parameter<P> for Many<'_, T> {
     #[inline(always)]
-    fn lanes<V: Level>(&self, level: V, at: usize) -> Lanes<P, V, 8> {
-        let [t] = T::gather(level, self.0.get(at..).unwrap_or_default(), [Default::default()]);
+    fn lanes<V: Level>(&self, level: V, step: usize) -> Lanes<P, V, 8> {
+        let [t] = T::gather(level, self.0, step, [Default::default()]);
         t
     }
 }
@@ -160,8 +160,8 @@ struct Interpolation<'s, P, W, T> {
 
 impl<P: Place<8>, W: Way, T: Parameter<P>> Operation<P, 8> for Interpolation<'_, P, W, T> {
     #[inline(always)]
-    fn compute<V: Level>(&self, level: V, _: &[P], at: usize) -> [Lanes<P, V, 8>; 8] {
-        let (a, b) = (motions(level, self.a, at), motions(level, self.b, at));
-        self.way.at(a, b, self.t.lanes(level, at)).to_array()
+    fn compute<V: Level>(&self, level: V, _: &[P], step: usize) -> [Lanes<P, V, 8>; 8] {
+        let (a, b) = (motions(level, self.a, step), motions(level, self.b, step));
+        self.way.at(a, b, self.t.lanes(level, step)).to_array()
     }
 }

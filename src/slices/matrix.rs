@@ -64,8 +64,8 @@ where
     M: Matrix<C, Layout = P::Layout>,
 {
     #[inline(always)]
-    fn compute<V: Level>(&self, level: V, _: &[M], at: usize) -> [Lanes<M, V, C>; C] {
-        let rows = motions(level, self.motions, at).to_matrix4();
+    fn compute<V: Level>(&self, level: V, _: &[M], step: usize) -> [Lanes<M, V, C>; C] {
+        let rows = motions(level, self.motions, step).to_matrix4();
         let mut numbers = [rows[3][0]; C];
         for (i, number) in numbers.iter_mut().enumerate() {
             let (row, column) = match self.order {

@@ -46,8 +46,8 @@ struct Product<'s, P> {
 
 impl<P: Place<8>> Operation<P, 8> for Product<'_, P> {
     #[inline(always)]
-    fn compute<V: Level>(&self, level: V, output: &[P], at: usize) -> [Lanes<P, V, 8>; 8] {
-        let a = motions(level, self.a.unwrap_or(output), at);
-        (a * motions(level, self.b, at)).to_array()
+    fn compute<V: Level>(&self, level: V, output: &[P], step: usize) -> [Lanes<P, V, 8>; 8] {
+        let a = motions(level, self.a.unwrap_or(output), step);
+        (a * motions(level, self.b, step)).to_array()
     }
 }

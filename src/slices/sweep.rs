@@ -8,8 +8,8 @@ use dq8_simd::Level;
 
 /// What becomes of the elements of a slice, lanes at a time.
 pub(super) trait Operation<Q: Place<D>, const D: usize> {
-    /// The elements from `at` on, as many as fill the lanes; `output` is what the slice holds so far.
-    fn compute<V: Level>(&self, level: V, output: &[Q], at: usize) -> [Lanes<Q, V, D>; D];
+    /// What belongs to a step, see [`Place`]; `output` is what the slice holds so far.
+    fn compute<V: Level>(&self, level: V, output: &[Q], step: usize) -> [Lanes<Q, V, D>; D];
 }
 
 /// Writes `operation` over `output`.
@@ -32,36 +32,34 @@ impl<Q: Place<D>, O: Operation<Q, D>, const D: usize> Kernel for Sweep<'_, Q, O,
 
     #[inline(always)]
     fn run<V: Level>(self, level: V) {
-        let mut at = 0;
-        while at < self.output.len() {
-            let components = self.operation.compute(level, self.output, at);
-            Q::scatter(components, self.output.get_mut(at..).unwrap_or_default());
-            at += Q::step::<V>();
+        for step in 0..Q::steps::<V>(self.output.len()) {
+            let components = self.operation.compute(level, self.output, step);
+            Q::scatter(components, self.output, step);
         }
     }
 }
 
-/// The motions of `slice` from `at` on, as many as fill the lanes; the identity beyond its end.
+/// The motions of a step; the identity beyond the end of `slice`.
 #[inline(always)]
 pub(super) fn motions<P: Place<8>, V: Level>(
     level: V,
     slice: &[P],
-    at: usize,
+    step: usize,
 ) -> batch::DualQuat<Lanes<P, V, 8>> {
     let (zero, one) = (Number::<P, 8>::default(), Number::<P, 8>::from(1.0));
     let identity = [zero, zero, zero, one, zero, zero, zero, zero];
-    batch::DualQuat::from_array(P::gather(level, slice.get(at..).unwrap_or_default(), identity))
+    batch::DualQuat::from_array(P::gather(level, slice, step, identity))
 }
 
-/// The vectors of `slice` from `at` on; zero beyond its end.
+/// The vectors of a step; zero beyond the end of `slice`.
 #[inline(always)]
 pub(super) fn vectors<P: Place<3>, V: Level>(
     level: V,
     slice: &[P],
-    at: usize,
+    step: usize,
 ) -> [Lanes<P, V, 3>; 3] {
     let zero = [Number::<P, 3>::default(); 3];
-    P::gather(level, slice.get(at..).unwrap_or_default(), zero)
+    P::gather(level, slice, step, zero)
 }
 
 pub(super) fn same_length(

@@ -119,8 +119,8 @@ impl<'s, P: Place<3>> ByOne<'s, P> {
 
 impl<P: Place<3>> Operation<P, 3> for ByOne<'_, P> {
     #[inline(always)]
-    fn compute<V: Level>(&self, level: V, output: &[P], at: usize) -> [Lanes<P, V, 3>; 3] {
-        let [x, y, z] = vectors(level, self.from.unwrap_or(output), at);
+    fn compute<V: Level>(&self, level: V, output: &[P], step: usize) -> [Lanes<P, V, 3>; 3] {
+        let [x, y, z] = vectors(level, self.from.unwrap_or(output), step);
         let mut moved = [x; 3];
         for (moved, row) in moved.iter_mut().zip(self.rows) {
             // The compiler keeps the twelve lanes in registers from one turn of the loop to the next.
@@ -168,7 +168,7 @@ where
     A: Action,
 {
     #[inline(always)]
-    fn compute<V: Level>(&self, level: V, _: &[P], at: usize) -> [Lanes<P, V, 3>; 3] {
-        self.action.act(motions(level, self.motions, at), vectors(level, self.from, at))
+    fn compute<V: Level>(&self, level: V, _: &[P], step: usize) -> [Lanes<P, V, 3>; 3] {
+        self.action.act(motions(level, self.motions, step), vectors(level, self.from, step))
     }
 }

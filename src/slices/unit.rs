@@ -81,7 +81,7 @@ struct Each<'s, P, C> {
 
 impl<P: Place<8>, C: Change> Operation<P, 8> for Each<'_, P, C> {
     #[inline(always)]
-    fn compute<V: Level>(&self, level: V, output: &[P], at: usize) -> [Lanes<P, V, 8>; 8] {
-        self.change.of(motions(level, self.from.unwrap_or(output), at)).to_array()
+    fn compute<V: Level>(&self, level: V, output: &[P], step: usize) -> [Lanes<P, V, 8>; 8] {
+        self.change.of(motions(level, self.from.unwrap_or(output), step)).to_array()
     }
 }

@@ -27,6 +27,7 @@ macro_rules! vector {
             type Real = $real;
             type Mask = $mask;
             type Level = $level;
+            type Part = Self;
             type Array = [$real; $lanes];
             const LANES: usize = $lanes;
 
