@@ -12,10 +12,9 @@ use std::time::{Duration, Instant};
 pub(crate) struct Effort {
     /// No round begins after it, but for the fewest.
     pub(crate) budget: Duration,
+    pub(crate) fewest_rounds: usize,
     pub(crate) most_rounds: usize,
 }
-
-const FEWEST_ROUNDS: usize = 3;
 
 /// A measurement must be long against the tick of the clock and interrupts.
 const SAMPLE: Duration = Duration::from_millis(1);
@@ -44,7 +43,7 @@ pub(crate) fn race(
     let mut times: Vec<Vec<f64>> = vec![Vec::new(); contest.contenders.len()];
     let begin = Instant::now();
     for round in 0..effort.most_rounds {
-        if round >= FEWEST_ROUNDS && begin.elapsed() > effort.budget {
+        if round >= effort.fewest_rounds && begin.elapsed() > effort.budget {
             break;
         }
         for limit in &contest.limits {
@@ -146,7 +145,7 @@ mod tests {
     use crate::results::Results;
     use std::time::Duration;
 
-    const EFFORT: Effort = Effort { budget: Duration::ZERO, most_rounds: 3 };
+    const EFFORT: Effort = Effort { budget: Duration::ZERO, fewest_rounds: 3, most_rounds: 3 };
 
     fn halving<'a>(name: &'static str, factor: f32) -> Contest<'a> {
         let mut contest = Contest {
