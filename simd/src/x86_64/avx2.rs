@@ -1,3 +1,4 @@
+use super::frame::align_frame;
 use super::quads::*;
 use super::vector::vector;
 use crate::lane::{Lane, Mask};
@@ -34,6 +35,7 @@ impl Level for Avx2 {
         #[inline]
         #[target_feature(enable = "avx2,fma")]
         fn with_avx2<R>(kernel: impl FnOnce() -> R) -> R {
+            align_frame();
             kernel()
         }
         // SAFETY: `self` proves AVX2 and FMA.

@@ -1,3 +1,4 @@
+use super::frame::align_frame;
 use super::quads::*;
 use super::vector::vector;
 use crate::lane::{Lane, Mask};
@@ -34,6 +35,7 @@ impl Level for Avx512 {
         #[inline]
         #[target_feature(enable = "avx2,fma,avx512f,avx512vl,avx512dq")]
         fn with_avx512<R>(kernel: impl FnOnce() -> R) -> R {
+            align_frame();
             kernel()
         }
         // SAFETY: `self` proves AVX-512 F, VL and DQ, of which AVX2 and FMA are a part.
