@@ -58,7 +58,7 @@ use std::{env, io};
 
 const QUICK: Effort =
     Effort { budget: Duration::from_millis(700), fewest_rounds: 1, most_rounds: 20 };
-const WHOLE: Effort = Effort { budget: Duration::from_secs(7), fewest_rounds: 3, most_rounds: 100 };
+const WHOLE: Effort = Effort { budget: Duration::from_secs(7), fewest_rounds: 3, most_rounds: 60 };
 
 fn main() -> ExitCode {
     let args = match args::parse(env::args_os().skip(1)) {

@@ -47,8 +47,9 @@ pub(crate) fn race(
             break;
         }
         for limit in &contest.limits {
-            let rate = limit.per_pass / nanoseconds_a_pass(&mut *(limit.start)());
-            results.limits.reached(&limit.kind, rate);
+            for nanoseconds in nanoseconds_a_pass(&mut *(limit.start)()) {
+                results.limits.reached(&limit.kind, limit.per_pass / nanoseconds);
+            }
         }
         // Each round another one goes first.
         for turn in 0..contest.contenders.len() {
@@ -59,9 +60,10 @@ pub(crate) fn race(
             if round == 0 {
                 check(contest, contender, &mut *run)?;
             }
-            let mut nanoseconds = 0.0;
-            deeper(round % 64, &mut || nanoseconds = nanoseconds_a_pass(&mut *run));
-            times[index].push(nanoseconds / contest.transforms as f64);
+            deeper(round % 64, &mut || {
+                let samples = nanoseconds_a_pass(&mut *run);
+                times[index].extend(samples.map(|pass| pass / contest.transforms as f64));
+            });
         }
     }
     for (contender, mut times) in contest.contenders.iter().zip(times) {
@@ -95,8 +97,9 @@ fn deeper(frames: usize, work: &mut dyn FnMut()) {
     black_box(&frame);
 }
 
-/// Runs until caches, branch predictors and clocks are warm, then measures.
-fn nanoseconds_a_pass(run: &mut dyn Run) -> f64 {
+/// Runs until caches, branch predictors and clocks are warm, then measures. More than once: to make
+/// the data of a large contest takes longer than that.
+fn nanoseconds_a_pass(run: &mut dyn Run) -> [f64; 3] {
     let mut passes: u32 = 1;
     let elapsed = loop {
         let elapsed = run.time(passes);
@@ -107,7 +110,7 @@ fn nanoseconds_a_pass(run: &mut dyn Run) -> f64 {
     };
     let enough = SAMPLE.as_secs_f64() / elapsed.as_secs_f64() * f64::from(passes);
     let passes = (enough.ceil() as u32).max(1);
-    run.time(passes).as_secs_f64() * 1e9 / f64::from(passes)
+    [(); 3].map(|()| run.time(passes).as_secs_f64() * 1e9 / f64::from(passes))
 }
 
 fn check(

@@ -81,7 +81,7 @@ pub(crate) fn with_contest<R>(shape: Shape, way: Way, run: impl FnOnce(&Contest<
     let (suffix, in_words) = match way {
         Way::Out => (" out", "out of place"),
         Way::In => ("", "in place"),
-        Way::Rotations => (" rotations", "out of place, from rotations"),
+        Way::Rotations => (" rotations", "from rotations"),
     };
     // Twelve levels of single precision lose a few millionths.
     let (job, size, title, tolerance) = match shape {
