@@ -46,12 +46,12 @@ mod walk;
 
 use args::{Args, Request};
 use caches::Caches;
+use output::Outputs;
 use progress::Progress;
 use race::{Effort, race};
 use results::Results;
 use std::error::Error;
 use std::io::Write;
-use std::path::Path;
 use std::process::ExitCode;
 use std::time::Duration;
 use std::{env, io};
@@ -83,6 +83,9 @@ fn exit(result: Result<(), Box<dyn Error>>) -> ExitCode {
 }
 
 fn run(args: &Args) -> Result<(), Box<dyn Error>> {
+    let paths = || args.json.iter().chain(&args.svg).map(|path| path.as_path());
+    // Minutes before they are needed: a path that cannot be written is better known now.
+    let outputs = Outputs::open(paths(), None)?;
     let caches = Caches::of_this_machine();
     let tasks = task::plan(args.quick);
     let effort = if args.quick { QUICK } else { WHOLE };
@@ -94,15 +97,15 @@ fn run(args: &Args) -> Result<(), Box<dyn Error>> {
     progress.finish();
     print(&table::text(&results)?)?;
 
-    let mut outputs: Vec<(&Path, String)> = Vec::new();
-    if let Some(path) = &args.json {
-        outputs.push((path, json::text(&results)));
+    let mut texts = Vec::new();
+    if args.json.is_some() {
+        texts.push(json::text(&results));
     }
-    if let Some(path) = &args.svg {
-        outputs.push((path, chart::picture(&results)?));
+    if args.svg.is_some() {
+        texts.push(chart::picture(&results)?);
     }
-    output::write(&outputs, None)?;
-    for (path, _) in outputs {
+    outputs.write(&texts)?;
+    for path in paths() {
         print(&format!("wrote {}\n", path.display()))?;
     }
     Ok(())
