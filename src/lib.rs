@@ -30,6 +30,7 @@
 //! | [`DualQuat`], [`Quat`], [`Dual`] | the scalar reference, with formula, source and example at every operation |
 //! | [`batch`] | the same names on lanes |
 //! | [`Line`], [`Plane`], [`Screw`], [`DualVector`] | what motions act on and are described by |
+//! | [`Twist`], [`Wrench`], [`TwistBlock`] | velocities and forces: derivatives, adjoints and Jacobians of motions and joints |
 //! | [`Hierarchy`], [`Job`], [`Crowd`], [`Block`] | joint hierarchies, one instance or many |
 //! | [`Backend`], [`slices`], [`Place`] | kernels over slices of motions and points, plain or in blocks |
 //! | [`Lane`], [`Mask`], [`Level`], [`Portable`] | lanes, for kernels of your own |

@@ -19,9 +19,10 @@ mod oracle;
 use case::{Arguments, Case, cases};
 use dq8::DualQuat;
 use dq8_contract::for_every_implementation;
+use dq8_contract::ledger::Ledger;
 use dq8_contract::sample::Sample;
-use dq8_contract::tolerance::unit_roundoff;
-use operation::{BOUNDS, answer, scale};
+use dq8_contract::tolerance::{section, unit_roundoff};
+use operation::{answer, scale};
 
 /// The worst error of the operation `name` of `M` over `cases`, in units of u · scale, and where.
 fn worst_error<M: Sample>(name: &str, cases: &[Case]) -> (f64, Case) {
@@ -43,36 +44,26 @@ fn worst_error<M: Sample>(name: &str, cases: &[Case]) -> (f64, Case) {
     worst
 }
 
+/// The names of all operations.
+fn names() -> impl Iterator<Item = &'static str> {
+    section("twists").lines.iter().map(|line| line.op)
+}
+
 #[test]
 fn every_implementation_keeps_the_table() {
     let cases = cases();
-    let (mut broken, mut implementations) = (Vec::new(), 0);
-    let mut measured = [0.0_f64; BOUNDS.len()];
-    for_every_implementation!(|implementation, M| {
-        for (bound, measured) in BOUNDS.iter().zip(&mut measured) {
-            // An infinite answer has no error; the tests of edges look at it.
-            let finite = |case: &&Case| !bound.name.ends_with("inverse") || case.angle() < 6.25;
-            let cases: Vec<_> = cases.iter().filter(finite).copied().collect();
-            let (error, case) = worst_error::<M>(bound.name, &cases);
-            *measured = measured.max(error);
-            if error.is_nan() || error > bound.units {
-                let name = (bound.name, bound.units, bound.reason);
-                broken.push(format!("{implementation}, {name:?}: {error:.2} at {case:?}"));
+    let mut implementations = 0;
+    Ledger::keep("twists", |ledger| {
+        for_every_implementation!(|implementation, M| {
+            for name in names() {
+                // An infinite answer has no error; the tests of edges look at it.
+                let finite = |case: &&Case| !name.ends_with("inverse") || case.angle() < 6.25;
+                let cases: Vec<_> = cases.iter().filter(finite).copied().collect();
+                let (error, case) = worst_error::<M>(name, &cases);
+                ledger.measure(name, "", error, || format!("{implementation}: {case:?}"));
             }
-        }
-        implementations += 1;
+            implementations += 1;
+        });
     });
-    for (bound, measured) in BOUNDS.iter().zip(measured) {
-        println!("{:26} {measured:6.2} of {:.2}", bound.name, bound.units);
-    }
-    assert!(broken.is_empty(), "{}", broken.join("\n"));
     assert_eq!(implementations, dq8_contract::sample::implementations(), "something did not run");
-}
-
-/// A bound that nothing comes near says nothing.
-#[test]
-fn bounds_are_what_was_measured_and_half_as_much() {
-    for bound in &BOUNDS {
-        assert!(bound.units <= 1.75 * bound.measured + 0.25, "{bound:?}");
-    }
 }

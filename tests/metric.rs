@@ -2,7 +2,8 @@
 
 use dq8::DualQuat;
 use dq8_contract::cluster::{Cluster, Dealt, cluster, length};
-use dq8_contract::inputs::{proptest_config, turn_and_move, unit_motion, vector};
+use dq8_contract::inputs::{for_all, proptest_config, turn_and_move, unit_motion, vector};
+use dq8_contract::ledger::Ledger;
 use dq8_contract::tolerance::unit_roundoff;
 use dq8_contract::{for_every_implementation, sample::Sample};
 use proptest::collection::vec;
@@ -14,17 +15,6 @@ const CASES: usize = 16;
 /// For points and shells, in units of which the body is a few large.
 const RADIUS: f64 = 5.0;
 const POINT: [f64; 3] = [3.0, -2.4, 3.2];
-
-// Bounds in units of u · max(1, |t|) (and of u · π for the angle, which is so large at most), about
-// one and a half times the worst of 1600 pairs.
-/// A product of rotations, whose vector part cancels; twice an arctangent of it.
-const ANGLE: f64 = 4.0;
-/// Two translations of 8 products each.
-const DISTANCE: f64 = 8.0;
-/// Both, and a root.
-const WEIGHTED: f64 = 9.0;
-/// Two points of 14 u each at worst, but over |t| + |v|.
-const TRANSFORMED: f64 = 7.5;
 
 fn number<M: Sample>(real: M::Real) -> f64 {
     M::lanes(real)[0]
@@ -45,13 +35,10 @@ fn distances<M: Sample>(a: M, b: M) -> [(&'static str, M::Real); 5] {
     ]
 }
 
-fn reference<M: Sample>(name: &str, clusters: &[Cluster]) {
+fn reference<M: Sample>(name: &str, clusters: &[Cluster], ledger: &Ledger) {
     let x = Dealt::<M>::new(clusters);
     let [a, b, ..] = x.poses;
-    let units = [ANGLE, DISTANCE, WEIGHTED, TRANSFORMED, TRANSFORMED];
-    for (((what, plain), (_, flipped)), units) in
-        distances(a, b).into_iter().zip(distances(a, -b)).zip(units)
-    {
+    for ((what, plain), (_, flipped)) in distances(a, b).into_iter().zip(distances(a, -b)) {
         assert_eq!(M::lanes(plain), M::lanes(flipped), "{name}, {what}: the sign of σ matters");
         for (lane, got) in M::lanes(plain).into_iter().enumerate() {
             let exact = x.lane(lane);
@@ -64,7 +51,7 @@ fn reference<M: Sample>(name: &str, clusters: &[Cluster]) {
                 _ => length(&[a.to_array(), b.to_array()]) + RADIUS,
             };
             let off = (got - wanted).abs() / scale / unit_roundoff(M::SINGLE);
-            assert!(off <= units, "{name}, {what}: {off} u from the reference: {a:?} {b:?}");
+            ledger.measure(what, "", off, || format!("{name}: {a:?} {b:?}"));
         }
     }
 }
@@ -108,15 +95,6 @@ proptest! {
     #![proptest_config(proptest_config(64))]
 
     #[test]
-    fn lanes_measure_as_the_scalar_reference_does(clusters in vec(cluster(), CASES)) {
-        for_every_implementation!(|name, M| {
-            for chunk in clusters.chunks_exact(<M as Sample>::LANES) {
-                reference::<M>(name, chunk);
-            }
-        });
-    }
-
-    #[test]
     fn distances_are_metrics(
         poses in prop::array::uniform3(unit_motion()),
         common in unit_motion(),
@@ -132,6 +110,19 @@ proptest! {
     ) {
         for_every_implementation!(|name, M| shell::<M>(name, poses, direction, share));
     }
+}
+
+#[test]
+fn lanes_measure_as_the_scalar_reference_does() {
+    Ledger::keep("distances", |ledger| {
+        for_all(64, &vec(cluster(), CASES), |clusters| {
+            for_every_implementation!(|name, M| {
+                for chunk in clusters.chunks_exact(<M as Sample>::LANES) {
+                    reference::<M>(name, chunk, ledger);
+                }
+            });
+        });
+    });
 }
 
 #[test]
@@ -151,7 +142,7 @@ fn the_bound_of_the_shell_is_reached_across_the_axis() {
 
 #[test]
 fn angles_are_precise_from_the_smallest_to_half_a_turn() {
-    fn check<M: Sample>(name: &str) {
+    fn check<M: Sample>(name: &str, ledger: &Ledger) {
         let u = unit_roundoff(M::SINGLE);
         let axis = [0.6, -0.48, 0.64];
         let none = all_lanes::<M>(turn_and_move(axis, 0.0, [1.0, 2.0, 3.0]));
@@ -165,17 +156,19 @@ fn angles_are_precise_from_the_smallest_to_half_a_turn() {
         for exponent in 1..=if M::SINGLE { 37 } else { 300 } {
             let angle = 10.0_f64.powi(-exponent);
             let off = (measure(angle) / angle - 1.0).abs() / u;
-            assert!(off <= 6.0, "{name}: {off} u at {angle:e}");
+            ledger.measure("angle_to", "tiny", off, || format!("{name}: {angle:e}"));
         }
+        let compare = |measured: f64, angle: f64, place: &dyn Fn() -> String| {
+            ledger.measure("angle_to", "", (measured - angle).abs() / u, place);
+        };
         for step in 0..=64 {
             let angle = PI * f64::from(step) / 64.0;
-            let off = (measure(angle) - angle).abs() / u;
-            assert!(off <= 13.0, "{name}: {off} u at {angle}");
+            compare(measure(angle), angle, &|| format!("{name}: {angle}"));
         }
         for exponent in 1..=16 {
             let angle = PI - 10.0_f64.powi(-exponent);
             let measured = measure(angle);
-            assert!((measured - angle).abs() / u <= 13.0, "{name}: {measured} at {angle}");
+            compare(measured, angle, &|| format!("{name}: {angle}"));
             assert!(measured <= if M::SINGLE { f64::from(std::f32::consts::PI) } else { PI });
         }
         // Half a turn about any axis, though |p| is rounded up for some.
@@ -185,7 +178,7 @@ fn angles_are_precise_from_the_smallest_to_half_a_turn() {
             let axis = [level * longitude.cos(), level * longitude.sin(), up];
             let pose = all_lanes::<M>(turn_and_move(axis, PI, [0.0; 3]));
             let measured = number::<M>(none.angle_to(pose));
-            assert!((PI - measured).abs() / u <= 13.0, "{name}: {measured} about {axis:?}");
+            compare(measured, PI, &|| format!("{name}: half a turn about {axis:?}"));
             assert!(measured <= if M::SINGLE { f64::from(std::f32::consts::PI) } else { PI });
         }
         // Subnormal, beside the identity.
@@ -194,22 +187,22 @@ fn angles_are_precise_from_the_smallest_to_half_a_turn() {
         let tiny = all_lanes::<M>([0.0, 0.0, least, 1.0, 0.0, 0.0, 0.0, 0.0]);
         assert_eq!(number::<M>(one.angle_to(tiny)).to_bits(), (2.0 * least).to_bits(), "{name}");
     }
-    for_every_implementation!(|name, M| check::<M>(name));
+    Ledger::keep("angles", |ledger| {
+        for_every_implementation!(|name, M| check::<M>(name, ledger));
+    });
 }
 
 #[test]
 fn lengths_neither_overflow_nor_vanish_on_the_way() {
-    fn check<M: Sample>(name: &str) {
+    fn check<M: Sample>(name: &str, ledger: &Ledger) {
         let exponents = if M::SINGLE { [-36, -25, 25, 36] } else { [-300, -200, 200, 300] };
         let at = |t: [f64; 3]| all_lanes::<M>(DualQuat::from_translation(t).to_array());
         for size in exponents.map(|e| 10.0_f64.powi(e)) {
             let (a, b) = (at([size, 0.0, -size]), at([-2.0 * size, 0.0, 3.0 * size]));
             let close = |what: &str, got: M::Real| {
                 let off = (number::<M>(got) / size / 5.0 - 1.0).abs();
-                assert!(
-                    off < 8.0 * unit_roundoff(M::SINGLE),
-                    "{name}, {what} at {size:e}: {off:e}"
-                );
+                let off = off / unit_roundoff(M::SINGLE);
+                ledger.measure(what, "", off, || format!("{name}: {size:e}"));
             };
             close("distance_to", a.distance_to(b));
             close("point_error", a.point_error(b, [0.0; 3].map(M::splat)));
@@ -217,7 +210,9 @@ fn lengths_neither_overflow_nor_vanish_on_the_way() {
             close("distance_weighted", a.distance_weighted(b, M::splat(1.0)));
         }
     }
-    for_every_implementation!(|name, M| check::<M>(name));
+    Ledger::keep("lengths of any size", |ledger| {
+        for_every_implementation!(|name, M| check::<M>(name, ledger));
+    });
 }
 
 #[test]

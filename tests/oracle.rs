@@ -2,8 +2,10 @@
 
 use dq8_contract::conformance::worst_errors;
 use dq8_contract::for_every_implementation;
-use dq8_contract::tolerance::{BOUNDS, bound};
+use dq8_contract::tolerance::{TABLE, section};
 use dq8_contract::vectors::{self, Vector};
+use std::fs;
+use std::path::{Path, PathBuf};
 
 fn reference() -> Vec<Vector> {
     vectors::parse(include_str!("vectors/reference.jsonl")).expect("the vectors can be read")
@@ -35,20 +37,49 @@ fn every_implementation_keeps_every_bound_on_every_vector() {
 fn small_rotations_are_bounded_by_three_ten_millionths() {
     for op in ["sclerp", "pow", "log"] {
         for kind in ["near0", "close", "translation"] {
-            let units = bound(op, kind).expect("it has a bound").units;
+            let units = section("vectors").line(op, kind).units;
             assert!(units * f64::from(f32::EPSILON) / 2.0 <= 3e-7, "{op} ({kind}): {units} u");
         }
     }
 }
 
 #[test]
-fn every_line_of_the_table_is_used() {
-    let vectors = reference();
-    for line in BOUNDS {
+fn every_line_for_vectors_is_used() {
+    let (vectors, section) = (reference(), section("vectors"));
+    for line in section.lines {
         let used = vectors.iter().any(|vector| {
-            bound(&vector.op, &vector.kind).is_some_and(|used| std::ptr::eq(used, line))
+            let used = section.bound(&vector.op, &vector.kind);
+            used.is_some_and(|used| std::ptr::eq(used, line))
         });
         assert!(used, "no vector is measured by {line:?}");
+    }
+}
+
+/// A ledger fails if one of its lines is not measured; here, if a section has no ledger.
+#[test]
+fn every_section_of_the_table_is_used() {
+    let tests = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests");
+    let mut sources = vec![tests.join("contract/conformance.rs")];
+    for folder in ["", "blending", "differential", "hierarchy"] {
+        for entry in fs::read_dir(tests.join(folder)).expect("it is a folder") {
+            let path = entry.expect("it can be read").path();
+            sources.extend(path.extension().is_some_and(|end| end == "rs").then_some(path));
+        }
+    }
+    let read = |path: &PathBuf| fs::read_to_string(path).expect("it is a text");
+    let text: String = sources.iter().map(read).collect();
+    for (i, section) in TABLE.iter().enumerate() {
+        let name = section.name;
+        let kept = text.contains(&format!("Ledger::keep(\"{name}\""));
+        let asked = text.contains(&format!("section(\"{name}\")"));
+        assert!(kept || asked, "no test asks for the section {name:?}");
+        // Lines that are looked up one by one are named one by one.
+        for line in if kept || name == "vectors" { &[] } else { section.lines } {
+            let op = text.contains(&format!("\"{}\"", line.op));
+            let all = line.kinds.iter().all(|kind| text.contains(&format!("\"{kind}\"")));
+            assert!(op && all, "no test asks for {line:?}");
+        }
+        assert!(TABLE[..i].iter().all(|other| other.name != name), "{name:?} is there twice");
     }
 }
 

@@ -3,6 +3,8 @@
 //! A peer that becomes better makes the first half of a test fail: then the claim is to be dropped.
 
 use dq8::{DualQuat, Lane, Portable, batch, f32x8};
+use dq8_contract::ledger::Ledger;
+use dq8_contract::tolerance::unit_roundoff;
 use nalgebra::{Quaternion, Translation3, UnitDualQuaternion, UnitQuaternion};
 
 fn peer(motion: DualQuat<f32>) -> UnitDualQuaternion<f32> {
@@ -40,8 +42,7 @@ fn ours(a: DualQuat<f32>, b: DualQuat<f32>, t: f32) -> Vec<DualQuat<f64>> {
 
 const AXIS: [f64; 3] = [0.6, -0.48, 0.64];
 
-#[test]
-fn sclerp_keeps_the_small_rotations_that_nalgebra_freezes() {
+fn small_rotations_that_nalgebra_freezes(ledger: &Ledger) {
     let start = DualQuat::<f32>::IDENTITY;
     let t = 0.5;
     for angle in [6.9e-4, 5e-4, 1e-4, 1e-5, 1e-7, 1e-12, 1e-20, 1e-35] {
@@ -55,15 +56,15 @@ fn sclerp_keeps_the_small_rotations_that_nalgebra_freezes() {
         for motion in ours(start, end, t) {
             // Each component of the turn, relative to itself.
             for (ours, truth) in motion.rotation().xyz().into_iter().zip(truth.rotation().xyz()) {
-                assert!((ours / truth - 1.0).abs() < 3e-7, "{ours:e} for {truth:e} at {angle:e}");
+                measure(ledger, "turn", (ours / truth - 1.0).abs(), angle);
             }
-            assert!(motion.distance_to(truth) < 2e-6, "{angle:e}");
+            let [x, y, z] = truth.translation();
+            measure(ledger, "distance", motion.distance_to(truth) / x.hypot(y).hypot(z), angle);
         }
     }
 }
 
-#[test]
-fn sclerp_between_close_poses_follows_both() {
+fn close_poses_of_which_nalgebra_follows_one(ledger: &Ledger) {
     let t = 0.5;
     for angle in [5e-4, 2e-4, 1e-4, 5e-5] {
         let start = pose([0.0, 0.6, 0.8], 1.0, [1.0, 2.0, 3.0]);
@@ -73,10 +74,22 @@ fn sclerp_between_close_poses_follows_both() {
         let lost = theirs.angle_to(truth) / (0.5 * angle);
         assert!(lost > 0.9, "at {angle:e} nalgebra now loses only {lost}");
         for motion in ours(start, end, t) {
-            let off = motion.angle_to(truth);
-            assert!(off < 2e-7, "{off:e} rad of {angle:e} are lost");
+            measure(ledger, "angle", motion.angle_to(truth), angle);
         }
     }
+}
+
+fn measure(ledger: &Ledger, kind: &str, error: f64, angle: f64) {
+    let units = error / unit_roundoff(true);
+    ledger.measure("sclerp", kind, units, || format!("{angle:e}"));
+}
+
+#[test]
+fn sclerp_keeps_what_nalgebra_loses() {
+    Ledger::keep("what nalgebra loses", |ledger| {
+        small_rotations_that_nalgebra_freezes(ledger);
+        close_poses_of_which_nalgebra_follows_one(ledger);
+    });
 }
 
 #[test]

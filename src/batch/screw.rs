@@ -157,7 +157,9 @@ impl<L: Lane> HalfAngle<L> {
         let cosine_squared = Dual::new(w.real.mul_add(half, half), w.dual * half);
         let v = sigma.dual_vector();
         let across = vector::dot(v.real, v.dual);
-        let sine_squared = Dual::new(vector::dot(v.real, v.real), across + across);
+        // An infinite w would divide every other component away and leave no turn; 0·w makes it NaN.
+        let squared = w.real.mul_add(w.real.with(0.0), vector::dot(v.real, v.real));
+        let sine_squared = Dual::new(squared, across + across);
         let y = sine_squared.scale(w.real.with(0.25)) / cosine_squared;
         Self { y, asin_over_root: asin_over_root(y), half_cosine: cosine_squared.sqrt() }
     }

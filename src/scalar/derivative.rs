@@ -6,7 +6,8 @@ use crate::real::Real;
 
 impl<R: Real> DualQuat<R> {
     /// σ̇ = ½ξσ for the *spatial* twist ξ = ω + εv: fixed axes, v = ṫ − ω × t is the velocity of the
-    /// point of the body that is at the fixed origin.
+    /// point of the body that is at the fixed origin (Jia §9). ω is in radians per unit of
+    /// time, v in lengths per unit of time. Linear in both, so σ need not be unit.
     ///
     /// ```
     /// use dq8::{DualQuat, Twist};
@@ -21,7 +22,8 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// σ̇ = ½σξ for the *body* twist ξ = ω + εv: the axes and the origin of the moving frame, v is
-    /// ṫ in those axes.
+    /// ṫ in those axes. Units as for [`derivative_spatial`](Self::derivative_spatial), whose twist
+    /// is Ad_σ of this one (Murray, Li, Sastry 1994, §2.4).
     ///
     /// ```
     /// use dq8::{DualQuat, Twist};
@@ -36,14 +38,15 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// The spatial twist 2σ̇σ* of a unit σ that changes by σ̇ per unit of time; undoes
-    /// [`derivative_spatial`](Self::derivative_spatial).
+    /// [`derivative_spatial`](Self::derivative_spatial), whose formula times 2σ* it is. Scalar parts,
+    /// zero where σ̇ keeps σ unit, are left away.
     #[must_use]
     pub fn spatial_twist(self, derivative: Self) -> Twist<R> {
         of_pure((derivative * self.conjugate()).scale(R::TWO))
     }
 
     /// The body twist 2σ*σ̇ of a unit σ that changes by σ̇ per unit of time; undoes
-    /// [`derivative_body`](Self::derivative_body).
+    /// [`derivative_body`](Self::derivative_body), as [`spatial_twist`](Self::spatial_twist) does.
     #[must_use]
     pub fn body_twist(self, derivative: Self) -> Twist<R> {
         of_pure((self.conjugate() * derivative).scale(R::TWO))
@@ -82,7 +85,8 @@ impl<R: Real> DualQuat<R> {
         (angular.xyz(), moving.scale(R::TWO).xyz())
     }
 
-    /// The motion that a constant twist makes in unit time, exp(½ξ).
+    /// The motion that a constant twist makes in unit time, exp(½ξ) (the half as in Jia eq. 43). Any
+    /// twist, radians and lengths per unit of time; undoes [`to_twist`](Self::to_twist).
     ///
     /// ```
     /// use dq8::{DualQuat, Twist};
@@ -96,7 +100,7 @@ impl<R: Real> DualQuat<R> {
 
     /// The constant twist that makes the motion in unit time, 2 log σ, |ω| ≤ π; spatial and body are
     /// the same here. In other words, the logarithm of SE(3) in the usual units: [`log`](Self::log)
-    /// is that of the dual quaternion, half of it.
+    /// is that of the dual quaternion, half of it. σ must be unit.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -110,7 +114,7 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// Where a body at σ is after `dt` of a constant *spatial* twist: exp(½ξ dt) σ, exact for any
-    /// step. Over many steps the norm drifts by rounding alone; [`normalize`](Self::normalize) now
+    /// step, `dt` of either sign. Over many steps the norm drifts by rounding alone; [`normalize`](Self::normalize) now
     /// and then.
     ///
     /// ```
@@ -125,7 +129,8 @@ impl<R: Real> DualQuat<R> {
         Self::from_twist(twist.scale(dt)) * self
     }
 
-    /// Where a body at σ is after `dt` of a constant *body* twist: σ exp(½ξ dt), exact for any step.
+    /// Where a body at σ is after `dt` of a constant *body* twist: σ exp(½ξ dt), exact for any step; as
+    /// [`integrate_spatial`](Self::integrate_spatial), but for the side.
     #[must_use]
     pub fn integrate_body(self, twist: Twist<R>, dt: R) -> Self {
         self * Self::from_twist(twist.scale(dt))

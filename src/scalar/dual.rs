@@ -74,53 +74,53 @@ impl<R: Real> Dual<R> {
         self.apply(root, R::HALF / root)
     }
 
-    /// sin, radians
+    /// sin a + ε b cos a, radians.
     #[must_use]
     pub fn sin(self) -> Self {
         self.apply(self.real.sin(), self.real.cos())
     }
 
-    /// cos, radians
+    /// cos a − ε b sin a, radians.
     #[must_use]
     pub fn cos(self) -> Self {
         self.apply(self.real.cos(), -self.real.sin())
     }
 
-    /// tan, radians
+    /// tan a + ε b/cos²a, radians.
     #[must_use]
     pub fn tan(self) -> Self {
         let tan = self.real.tan();
         self.apply(tan, R::ONE + tan * tan)
     }
 
-    /// arcsin, radians; the derivative is infinite at ±1
+    /// arcsin a + ε b/√(1 − a²), radians, |a| ≤ 1, else NaN; the derivative is infinite at ±1.
     #[must_use]
     pub fn asin(self) -> Self {
         let cos = ((R::ONE - self.real) * (R::ONE + self.real)).sqrt();
         self.apply(self.real.asin(), R::ONE / cos)
     }
 
-    /// arccos, radians; the derivative is infinite at ±1
+    /// arccos a − ε b/√(1 − a²), radians, |a| ≤ 1, else NaN; the derivative is infinite at ±1.
     #[must_use]
     pub fn acos(self) -> Self {
         let sin = ((R::ONE - self.real) * (R::ONE + self.real)).sqrt();
         self.apply(self.real.acos(), -R::ONE / sin)
     }
 
-    /// arctan, radians
+    /// arctan a + ε b/(1 + a²), radians.
     #[must_use]
     pub fn atan(self) -> Self {
         self.apply(self.real.atan(), R::ONE / (R::ONE + self.real * self.real))
     }
 
-    /// eˣ
+    /// eᵃ + ε b eᵃ
     #[must_use]
     pub fn exp(self) -> Self {
         let exp = self.real.exp();
         self.apply(exp, exp)
     }
 
-    /// ln x
+    /// ln a + ε b/a; NaN for a < 0.
     #[must_use]
     pub fn ln(self) -> Self {
         self.apply(self.real.ln(), R::ONE / self.real)

@@ -142,7 +142,7 @@ impl<R: Real> DualQuat<R> {
         Self::new(self.real().scale(factor), self.dual().scale(factor))
     }
 
-    /// (a + εb)σ = ap + ε(aq + bp) for a dual number.
+    /// (a + εb)σ = ap + ε(aq + bp) for a dual number (Jia eq. 14, with one factor a number).
     #[must_use]
     pub fn scale_dual(self, factor: Dual<R>) -> Self {
         Self::new(
@@ -161,7 +161,7 @@ impl<R: Real> DualQuat<R> {
         )
     }
 
-    /// Whether every component of the two differs by at most `tolerance`; false for NaN. σ and −σ
+    /// Whether every component of the two differs by at most `tolerance`, |a_c − b_c| ≤ tolerance; false for NaN. σ and −σ
     /// are the same motion but not equal here: see [`canonical`](Self::canonical).
     #[must_use]
     pub fn abs_diff_eq(self, other: Self, tolerance: R) -> bool {

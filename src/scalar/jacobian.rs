@@ -73,7 +73,7 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// The inverse of the right Jacobian at the twist x, applied to y: how the twist x of a motion
-    /// changes when the motion changes by the *body* twist y. See
+    /// changes when the motion changes by the *body* twist y, J_r⁻¹(x) = J_l⁻¹(−x). See
     /// [`left_jacobian_inverse`](Self::left_jacobian_inverse).
     #[must_use]
     pub fn right_jacobian_inverse(at: Twist<R>, along: Twist<R>) -> Twist<R> {
@@ -96,7 +96,8 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// The inverse of the left Jacobian as a 6×6 matrix, in the order of
-    /// [`left_jacobian_matrix`](Self::left_jacobian_matrix).
+    /// [`left_jacobian_matrix`](Self::left_jacobian_matrix); domain as
+    /// [`left_jacobian_inverse`](Self::left_jacobian_inverse).
     #[must_use]
     pub fn left_jacobian_inverse_matrix(at: Twist<R>) -> [[R; 6]; 6] {
         matrix(at, Self::left_jacobian_inverse)

@@ -6,7 +6,7 @@ use crate::real::Real;
 
 impl<R: Real> DualQuat<R> {
     /// The rows of the matrix [R | t] of a unit σ, so that `row · (v, 1)` is a coordinate of the
-    /// moved point.
+    /// moved point (columns r e r* for the axes e, and t = 2qp*, Jia eq. 24).
     ///
     /// ```
     /// use dq8::DualQuat;

@@ -95,14 +95,14 @@ impl<R: Real> Quat<R> {
         [self.0[0], self.0[1], self.0[2]]
     }
 
-    /// w − xi − yj − zk, the inverse of a unit quaternion.
+    /// q* = w − xi − yj − zk, the inverse of a unit quaternion (Hamilton 1844).
     #[must_use]
     pub fn conjugate(self) -> Self {
         let [x, y, z, w] = self.0;
         Self([-x, -y, -z, w])
     }
 
-    /// The scalar product of the two as 4-vectors.
+    /// The scalar product of the two as 4-vectors, the sum of xx′, yy′, zz′ and ww′.
     #[must_use]
     pub fn dot(self, other: Self) -> R {
         let [ax, ay, az, aw] = self.0;
@@ -148,7 +148,7 @@ impl<R: Real> Quat<R> {
     }
 
     /// r v r*, the vector `v` turned by this unit quaternion:
-    /// v + 2 r × (r × v + w v) with r the vector part.
+    /// v + 2 r × (r × v + w v) with r the vector part, the two products written out.
     #[must_use]
     pub fn rotate(self, v: [R; 3]) -> [R; 3] {
         let r = self.xyz();

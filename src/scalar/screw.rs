@@ -39,7 +39,7 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// σ = cos(θ̂/2) + sin(θ̂/2)(l + εm), θ̂ = θ + εd (Jia eq. 43). The axis must have length 1, and
-    /// its moment be orthogonal to it.
+    /// its moment be orthogonal to it; the angle is any, in radians, the slide a length.
     #[must_use]
     pub fn from_screw(screw: Screw<R>) -> Self {
         let (sin, cos) = ((screw.angle * R::HALF).sin(), (screw.angle * R::HALF).cos());
@@ -92,7 +92,9 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// The exponential of a + εb: with h = |a|, l = a/h and d/2 = b·l, the screw
-    /// cos ĥ + sin ĥ (l + εm), ĥ = h + εd/2. For a = 0 it is 1 + εb, the translation by 2b.
+    /// cos ĥ + sin ĥ (l + εm), ĥ = h + εd/2 (Jia eq. 43). For a = 0 it is 1 + εb, the translation
+    /// by 2b. Any a and b; |a| is half the angle in radians, and the error grows with it as that of
+    /// its rounding does.
     ///
     /// ```
     /// use dq8::{DualQuat, DualVector};
@@ -119,7 +121,7 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// σᵗ = exp(t log σ): the same screw axis, t times the angle and the slide (Jia eq. 44, for any
-    /// real t). Of ±σ, the one with p_w ≥ 0.
+    /// real t). Of ±σ, the one with p_w ≥ 0. σ must be unit.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -131,7 +133,8 @@ impl<R: Real> DualQuat<R> {
         Self::exp(times(self.log(), t))
     }
 
-    /// The motion that gives σ when made twice: half the angle, half the slide.
+    /// σ^½ (Jia eq. 44), the motion that gives σ when made twice: half the angle, half the slide. Of
+    /// ±σ, the one with p_w ≥ 0, so at most a quarter of a turn. σ must be unit.
     #[must_use]
     pub fn sqrt(self) -> Self {
         self.pow(R::HALF)
@@ -139,7 +142,8 @@ impl<R: Real> DualQuat<R> {
 
     /// Screw linear interpolation, a(a*b)ᵗ, by the shorter way (Jia eq. 46; Kavan et al. 2006):
     /// constant speed of turning and sliding along one screw. `t` = 0 gives `self`, 1 gives ±`other`;
-    /// values outside [0, 1] go on along the screw.
+    /// values outside [0, 1] go on along the screw. Both must be unit; exactly half a turn apart
+    /// either way is as short, and the one of `other` as it stands is taken.
     ///
     /// ```
     /// use dq8::{DualQuat, Quat};
@@ -157,7 +161,8 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// As [`sclerp`](Self::sclerp), but from `self` to `other` and not to −`other`: the longer way
-    /// where the two point apart. The way from σ to −σ itself has no axis: every component is NaN.
+    /// where the two point apart: a exp(t log(a*b)), the logarithm not turned over. Both must be
+    /// unit. The way from σ to −σ itself has no axis: every component is NaN.
     #[must_use]
     pub fn sclerp_long(self, other: Self, t: R) -> Self {
         let log = (self.conjugate() * other).log_without_flip();

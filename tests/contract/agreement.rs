@@ -73,6 +73,7 @@ pub static LANES: &[Bound] = &[
     line("from_translation", 0.0, "a product with one half is exact"),
     line("from_rotation_translation", 3.0, "fused products, and another order of summands"),
     line("from_translation_rotation", 3.0, "fused products, and another order of summands"),
+    line("mul_rotation_translation", 8.0, "as mul; (q + ½pt)r in lanes, q·r + p·(½tr) in scalar"),
     line("from_matrix3x4", 7.0, "a quaternion normalised, a product with the translation"),
     line("from_screw", 5.0, "sine and cosine are polynomials, where scalar asks the library"),
     line("rotation", 0.0, "copies"),

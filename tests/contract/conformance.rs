@@ -2,7 +2,7 @@
 
 use crate::operation::{answers, error};
 use crate::sample::Sample;
-use crate::tolerance::{Bound, bound, unit_roundoff};
+use crate::tolerance::{Bound, section, unit_roundoff};
 use crate::vectors::Vector;
 use std::collections::BTreeMap;
 
@@ -46,7 +46,7 @@ pub fn worst_errors<M: Sample>(
     }
     let mut worst: BTreeMap<(&str, &str), Worst> = BTreeMap::new();
     for ((op, kind, _), group) in groups {
-        let bound = bound(op, kind).ok_or_else(|| {
+        let bound = section("vectors").bound(op, kind).ok_or_else(|| {
             format!("row {}: the table has no bound for {op} ({kind})", group[0].row)
         })?;
         let entry = worst.entry((op, kind)).or_insert_with(|| Worst {

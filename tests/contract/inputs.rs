@@ -273,6 +273,16 @@ fn draw<S: Strategy>(strategy: S, count: usize) -> Vec<S::Value> {
     (0..count).map(|_| next()).collect()
 }
 
+/// `check` for `cases` values of a strategy, as [`proptest_config`] has it, where a test collects what
+/// it saw: the macro `proptest!` has no room for that.
+pub fn for_all<S: Strategy>(cases: u32, strategy: &S, check: impl Fn(S::Value)) {
+    let done = TestRunner::new(proptest_config(cases)).run(strategy, |value| {
+        check(value);
+        Ok(())
+    });
+    done.unwrap_or_else(|failure| panic!("{failure}"));
+}
+
 /// The settings of proptest here: the same inputs in every run unless `PROPTEST_RNG_SEED` says
 /// otherwise, and no files of failures beside the sources.
 pub fn proptest_config(cases: u32) -> ProptestConfig {

@@ -8,6 +8,7 @@ pub mod cluster;
 pub mod conformance;
 pub mod inputs;
 pub mod law;
+pub mod ledger;
 pub mod operation;
 pub mod repertoire;
 pub mod sample;

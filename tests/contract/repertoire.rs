@@ -7,12 +7,13 @@ use crate::sample::Sample;
 use dq8::{DualQuat, Line};
 
 /// The methods of the trait, then its operators.
-pub const NAMES: [&str; 42] = [
+pub const NAMES: [&str; 43] = [
     "identity",
     "from_rotation",
     "from_translation",
     "from_rotation_translation",
     "from_translation_rotation",
+    "mul_rotation_translation",
     "from_matrix3x4",
     "from_screw",
     "rotation",
@@ -137,6 +138,9 @@ pub fn answer<M: Sample>(name: &str, x: &Arguments<M>) -> Answer {
         "from_translation_rotation" => {
             Answer::motion(M::from_translation_rotation(x.v, x.a.rotation()))
         }
+        "mul_rotation_translation" => {
+            Answer::motion(x.a.mul_rotation_translation(x.b.rotation(), x.v))
+        }
         "from_matrix3x4" => Answer::motion(M::from_matrix3x4(x.rows)),
         "from_screw" => Answer::small_motion(M::from_screw(x.screw)),
         "rotation" => quat(x.a.rotation()),
@@ -203,6 +207,7 @@ pub fn scale(name: &str, x: &Case) -> Scale {
         "from_translation" | "from_rotation_translation" | "from_translation_rotation" => {
             scale(1.0, v)
         }
+        "mul_rotation_translation" => scale(pa * pb, pb * (qa + pa * v)),
         "from_matrix3x4" => scale(1.0, norm(&x.rows.map(|row| row[3]))),
         "from_screw" => {
             let sine = (x.screw[6] / 2.0).sin().abs();

@@ -1,44 +1,8 @@
-//! Every differential operation by name, on any implementation, and the table of errors allowed.
+//! Every differential operation by name, on any implementation.
 
 use crate::case::{Arguments, Case, length};
 use dq8::Twist;
 use dq8_contract::sample::Sample;
-
-/// The worst error allowed of an operation, on any implementation, against the scalar `f64` path on
-/// the same rounded input. Unit: the unit roundoff u of the type (2⁻²⁴, 2⁻⁵³) times [`scale`].
-#[derive(Debug)]
-pub(crate) struct Bound {
-    pub(crate) name: &'static str,
-    /// The worst measured, on all of `f32` and `f64`, scalar and lanes.
-    pub(crate) measured: f64,
-    /// What is enforced: about one and a half times as much.
-    pub(crate) units: f64,
-    pub(crate) reason: &'static str,
-}
-
-const fn line(name: &'static str, measured: f64, units: f64, reason: &'static str) -> Bound {
-    Bound { name, measured, units, reason }
-}
-
-#[rustfmt::skip]
-pub(crate) static BOUNDS: [Bound; 16] = [
-    line("derivative_spatial", 3.1, 5.0, "sums of 3 and 7 products"),
-    line("derivative_body", 1.9, 3.0, "sums of 3 and 7 products"),
-    line("spatial_twist", 2.7, 4.5, "sums of 4 and 8 products"),
-    line("body_twist", 2.8, 4.5, "sums of 4 and 8 products"),
-    line("derivative_from_velocity", 3.3, 5.0, "a translation and two products"),
-    line("velocity", 3.4, 5.5, "lanes go through the spatial twist"),
-    line("from_twist", 1.2, 2.0, "exp of the half"),
-    line("to_twist", 12.0, 18.0, "twice a log; turns are up to π, so 1 ulp of one is 4 u"),
-    line("integrate_spatial", 2.1, 3.5, "exp and a product"),
-    line("integrate_body", 1.9, 3.0, "exp and a product"),
-    line("adjoint", 5.4, 8.5, "two turns and a product of the translation"),
-    line("coadjoint", 4.2, 6.5, "two turns and a product of the translation"),
-    line("left_jacobian", 1.6, 2.5, "two dual cross products, coefficients of a few u"),
-    line("right_jacobian", 1.9, 3.0, "as the left one"),
-    line("left_jacobian_inverse", 2.4, 4.0, "grows towards |ω| = 2π, which the scale takes out"),
-    line("right_jacobian_inverse", 2.3, 3.5, "as the left one"),
-];
 
 /// What an operation answers: numbers that do not grow with lengths, and numbers that do.
 #[derive(Clone, Debug)]

@@ -2,7 +2,10 @@
 //! knows dual numbers.
 
 use crate::case::{Random, case};
+use crate::operation::scale;
 use dq8::{DualQuat, Twist};
+use dq8_contract::ledger::Ledger;
+use dq8_contract::tolerance::unit_roundoff;
 
 type Matrix = [[f64; 3]; 3];
 
@@ -35,14 +38,19 @@ fn the_left_jacobian_is_the_mean_of_the_adjoints_on_the_way() {
     let mut random = Random(1);
     let spread = (1..=90).map(|i| 0.1 * f64::from(i));
     let at_series = [0.0, 1e-9, 1e-4, 0.999_999, 1.0, 1.000_001];
-    for angle in spread.chain(at_series) {
-        let case = case(&mut random, angle, 10.0);
-        let (x, y) = (Twist::from_array(case.x), Twist::from_array(case.y));
-        let got = DualQuat::left_jacobian(x, y).to_array();
-        for (got, wanted) in got.into_iter().zip(integral(x, y)) {
-            assert!((got - wanted).abs() < 2e-14, "{got:e}, not {wanted:e}, at |ω| = {angle}");
+    Ledger::keep("jacobians by an integral", |ledger| {
+        for angle in spread.chain(at_series) {
+            let case = case(&mut random, angle, 10.0);
+            let (x, y) = (Twist::from_array(case.x), Twist::from_array(case.y));
+            let [plain, length] = scale("left_jacobian", &case);
+            let got = DualQuat::left_jacobian(x, y).to_array();
+            for (i, (got, wanted)) in got.into_iter().zip(integral(x, y)).enumerate() {
+                let scale = if i < 3 { plain } else { length };
+                let units = (got - wanted).abs() / scale / unit_roundoff(false);
+                ledger.measure("left_jacobian", "", units, || format!("|ω| = {angle}"));
+            }
         }
-    }
+    });
 }
 
 /// Barfoot 2017, eqs. 7.77 and 7.86, in his order of terms but ω before v: [J, 0; Q, J].
@@ -95,14 +103,16 @@ fn sum(terms: &[(f64, Matrix)]) -> Matrix {
 #[test]
 fn the_matrix_of_the_left_jacobian_is_that_of_barfoot() {
     let mut random = Random(2);
-    for i in 5..=90 {
-        let x = Twist::from_array(case(&mut random, 0.1 * f64::from(i), 10.0).x);
-        let (got, wanted) = (DualQuat::left_jacobian_matrix(x), barfoot(x));
-        for (got, wanted) in got.as_flattened().iter().zip(wanted.as_flattened()) {
-            // His coefficients divide small differences by up to φ⁵.
-            assert!((got - wanted).abs() < 1e-12, "{got:e}, not {wanted:e}, at {x:?}");
+    Ledger::keep("jacobians by Barfoot", |ledger| {
+        for i in 5..=90 {
+            let x = Twist::from_array(case(&mut random, 0.1 * f64::from(i), 10.0).x);
+            let (got, wanted) = (DualQuat::left_jacobian_matrix(x), barfoot(x));
+            for (got, wanted) in got.as_flattened().iter().zip(wanted.as_flattened()) {
+                let units = (got - wanted).abs() / unit_roundoff(false);
+                ledger.measure("left_jacobian_matrix", "", units, || format!("{x:?}"));
+            }
         }
-    }
+    });
 }
 
 #[test]
