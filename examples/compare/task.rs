@@ -65,3 +65,29 @@ fn bandwidth(caches: &Caches) -> Contest<'static> {
     let limits = vec![Limit::copy("DRAM", bytes), Limit::triad("DRAM", bytes)];
     Contest { limits, ..Contest::new("limits", "DRAM", "copy and triad") }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Task, plan};
+    use crate::caches::Caches;
+    use crate::progress::Progress;
+    use crate::race::{Effort, race};
+    use crate::results::Results;
+    use std::time::Duration;
+
+    #[test]
+    fn every_contender_is_right() {
+        let effort = Effort { budget: Duration::ZERO, fewest_rounds: 1, most_rounds: 1 };
+        let (caches, mut results) = (Caches::of_this_machine(), Results::default());
+        // Gigabytes, and nothing to check.
+        for task in plan(true).iter().filter(|task| !matches!(task, Task::Bandwidth)) {
+            task.with_contest(&caches, |contest| {
+                race(contest, effort, &mut Progress::silent(), &mut results).unwrap();
+            });
+        }
+        for job in ["J1", "J2", "J3", "J4", "J5"] {
+            let mut own = results.rows.iter().filter(|row| row.job == job && row.is_own());
+            assert!(own.any(|row| row.min > 0.0), "{job}");
+        }
+    }
+}
