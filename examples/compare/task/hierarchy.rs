@@ -1,26 +1,20 @@
 //! J2 and J3: down the joints of many skeletons, or of one.
 
+mod scene;
+
+pub(crate) use scene::Shape;
+
 use crate::contest::Contest;
 use crate::limit::{Limit, Limited};
-use crate::memory::{Many, Packed, QuatVec3A, flat};
-use crate::representation::{Product, Representation};
-use crate::rows::Rows3x4;
-use crate::{skeleton, walk};
+use crate::memory::{Packed, QuatVec3A};
+use crate::representation::Product;
+use crate::walk;
 use dq8::{Backend, Block, DualQuat, Hierarchy, Pose};
 use glam::{Affine3A, Mat4};
 use nalgebra::{Isometry3, UnitDualQuaternion};
+use scene::Scene;
 use simba::simd::WideF32x8;
 use ultraviolet::{Isometry3x8, Mat4x8};
-
-#[derive(Clone, Copy)]
-pub(crate) enum Shape {
-    /// Of 64 joints.
-    Crowd { instances: usize },
-    /// One, of 21.
-    Biped,
-    /// One, of a thousand joints in a row.
-    Chain,
-}
 
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Way {
@@ -34,45 +28,6 @@ pub(crate) enum Way {
 }
 
 type Motion = DualQuat<f32>;
-
-/// The biped of the example `mocap`, links and tips: parents, and metres from them. Two arms, two
-/// legs.
-const BIPED: [(u32, f64); 21] = {
-    const ROOT: u32 = Hierarchy::ROOT;
-    [
-        (ROOT, 0.0),
-        (0, 0.10),
-        (1, 0.17),
-        (2, 0.30),
-        (3, 0.24),
-        (2, 0.30),
-        (5, 0.30),
-        (6, 0.26),
-        (7, 0.17),
-        (2, 0.30),
-        (9, 0.30),
-        (10, 0.26),
-        (11, 0.17),
-        (0, 0.09),
-        (13, 0.44),
-        (14, 0.44),
-        (15, 0.21),
-        (0, 0.09),
-        (17, 0.44),
-        (18, 0.44),
-        (19, 0.21),
-    ]
-};
-const CHAIN: u32 = 1000;
-/// Metres between the joints of the chain.
-const LINK: f64 = 0.1;
-
-struct Scene {
-    parents: Vec<u32>,
-    locals: Many<Motion>,
-    /// Of each joint, from its parent; zero for roots.
-    bones: Vec<[f32; 3]>,
-}
 
 pub(crate) fn with_contest<R>(shape: Shape, way: Way, run: impl FnOnce(&Contest<'_>) -> R) -> R {
     let scene = Scene::new(shape);
@@ -116,55 +71,6 @@ pub(crate) fn with_contest<R>(shape: Shape, way: Way, run: impl FnOnce(&Contest<
         contest.limited = Some(Limited::Bytes(moved as f64, contest.size.clone()));
     }
     run(&contest)
-}
-
-impl Scene {
-    fn new(shape: Shape) -> Self {
-        let (parents, bones, instances) = match shape {
-            Shape::Crowd { instances } => (skeleton::parents(), skeleton::bones(), instances),
-            Shape::Biped => {
-                let bone = |&(parent, length)| (parent != Hierarchy::ROOT).then_some(length);
-                let parents = BIPED.iter().map(|&(parent, _)| parent).collect();
-                (parents, BIPED.iter().map(bone).collect(), 1)
-            }
-            Shape::Chain => {
-                let parents = [Hierarchy::ROOT].into_iter().chain(0..CHAIN - 1).collect();
-                let bones = (0..CHAIN).map(|joint| (joint > 0).then_some(LINK)).collect();
-                (parents, bones, 1)
-            }
-        };
-        let different = skeleton::locals(&bones, instances.min(Many::<Motion>::DIFFERENT));
-        let bones = parents.iter().zip(&different).map(|(&parent, local)| match parent {
-            Hierarchy::ROOT => [0.0; 3],
-            _ => local.translation(),
-        });
-        Self {
-            bones: bones.collect(),
-            locals: Many::new(parents.len(), different, instances),
-            parents,
-        }
-    }
-
-    fn rotations(&self) -> Many<[f32; 4]> {
-        let (joints, locals) = (self.parents.len(), self.locals.different());
-        let rotations = locals.iter().map(|local| local.rotation().to_array()).collect();
-        Many::new(joints, rotations, self.locals.len() / joints)
-    }
-
-    /// Where each instance stands.
-    fn roots(&self) -> Many<Motion> {
-        let joints = self.parents.len();
-        let instances = self.locals.different().chunks(joints);
-        let places = instances.map(|poses| DualQuat::from_translation(poses[0].translation()));
-        Many::new(1, places.collect(), self.locals.len() / joints)
-    }
-
-    fn expected(&self, hierarchy: &Hierarchy) -> Vec<Vec<f64>> {
-        let different = self.locals.different().iter();
-        let mut poses: Vec<_> = different.map(Rows3x4::<f64>::from_motion).collect();
-        walk::local_to_model_in_place(hierarchy, &mut poses);
-        poses.iter().map(|rows| flat(&rows.rows())).collect()
-    }
 }
 
 struct Field<'a, 'c> {
@@ -212,7 +118,9 @@ impl<'a> Field<'a, '_> {
 
     fn own<P: Pose + Packed<Motion>>(&mut self, layout: &str) {
         let hierarchy = self.hierarchy;
-        for backend in Backend::available() {
+        // The crate does not use wider instructions for motions that stand alone.
+        let differs = |&backend: &_| P::INSTANCES > 1 || backend == Backend::Portable;
+        for backend in Backend::available().filter(differs) {
             self.add::<P>(
                 format!("dq8 {layout} {backend}"),
                 Some(backend),
