@@ -1,5 +1,6 @@
 //! [`Place`]: how components lie in memory, plain or in blocks of lanes.
 
+use crate::dispatch::Backend;
 use crate::real::Real;
 use crate::scalar::{DualQuat, Quat};
 use core::marker::PhantomData;
@@ -16,6 +17,8 @@ pub type MatrixBlock<R, const N: usize> = Block<[R; N], 12>;
 pub trait Layout: sealed::Sealed {
     /// The number.
     type Real: Real + Float;
+    /// The best backend for this layout; a better one computes with it.
+    const MOST: Backend;
     /// The lanes.
     type Lanes<V: Level>: Lane<Real = Self::Real, Level = V>;
 }
@@ -32,11 +35,15 @@ pub struct InBlocks<A>(PhantomData<A>);
 
 impl<R: Real + Float> Layout for Plain<R> {
     type Real = R;
+    // Transposes are shuffles, and the compiler makes AVX-512 shuffles of them, which run on one port
+    // instead of two: products take 2.2 ns instead of 1.8, points 0.69 instead of 0.52.
+    const MOST: Backend = Backend::Avx2;
     type Lanes<V: Level> = R::Lanes<V>;
 }
 
 impl<A: Row<Real: Real>> Layout for InBlocks<A> {
     type Real = A::Real;
+    const MOST: Backend = Backend::MOST;
     type Lanes<V: Level> = Part<A, V>;
 }
 

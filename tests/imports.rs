@@ -15,7 +15,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("scalar", &["error", "real", "geometry", "motion"]),
     ("batch", &["error", "real", "geometry", "motion", "dq8_simd"]),
     ("dispatch", &["dq8_simd"]),
-    ("place", &["real", "dq8_simd", "scalar"]),
+    ("place", &["real", "dq8_simd", "scalar", "dispatch"]),
     ("slices", &["error", "dq8_simd", "scalar", "batch", "dispatch", "place"]),
     (
         "hierarchy",

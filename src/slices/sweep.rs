@@ -3,7 +3,7 @@
 use crate::batch;
 use crate::dispatch::{Backend, Kernel};
 use crate::error::ShapeError;
-use crate::place::{Lanes, Number, Place};
+use crate::place::{Lanes, Layout, Number, Place};
 use dq8_simd::Level;
 
 /// What becomes of the elements of a slice, lanes at a time.
@@ -19,7 +19,7 @@ pub(super) fn sweep<Q: Place<D>, O: Operation<Q, D>, const D: usize>(
     output: &mut [Q],
     operation: O,
 ) {
-    backend.run(Sweep { output, operation });
+    backend.min(Q::Layout::MOST).run(Sweep { output, operation });
 }
 
 struct Sweep<'s, Q, O, const D: usize> {
