@@ -10,7 +10,7 @@ const GAP: f64 = 40.0;
 const PANEL: f64 = 500.0;
 /// Where bars begin, right of the names, and how long the longest is.
 const BARS: f64 = 245.0;
-const LONGEST: f64 = 195.0;
+const LONGEST: f64 = 180.0;
 const LINE: f64 = 18.0;
 const HEADING: f64 = 120.0;
 const CAPTION: f64 = 34.0;
