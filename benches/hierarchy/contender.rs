@@ -2,6 +2,7 @@
 //! users of another representation write.
 
 use crate::representation::{Representation, Rows};
+use crate::walk;
 use dq8::{Block, DualQuat, Hierarchy, Pose};
 use dq8_simd::Row;
 use std::marker::PhantomData;
@@ -83,25 +84,9 @@ impl<M: Representation> Contender for Peer<M> {
         models.iter().map(M::rows).collect()
     }
     fn local_to_model(h: &Hierarchy, locals: &[M], models: &mut [M]) {
-        let instances = locals.chunks_exact(h.joints()).zip(models.chunks_exact_mut(h.joints()));
-        for (locals, models) in instances {
-            for (joint, (&parent, local)) in h.parents().iter().zip(locals).enumerate() {
-                // ROOT is beyond the last joint: one comparison checks the bound and finds roots.
-                let model = match models.get(parent as usize) {
-                    Some(parent) => parent.product(local),
-                    None => *local,
-                };
-                models[joint] = model;
-            }
-        }
+        walk::local_to_model(h, locals, models);
     }
     fn local_to_model_in_place(h: &Hierarchy, poses: &mut [M]) {
-        for poses in poses.chunks_exact_mut(h.joints()) {
-            for (joint, &parent) in h.parents().iter().enumerate() {
-                if let Some(parent) = poses.get(parent as usize) {
-                    poses[joint] = parent.product(&poses[joint]);
-                }
-            }
-        }
+        walk::local_to_model_in_place(h, poses);
     }
 }

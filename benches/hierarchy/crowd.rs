@@ -35,7 +35,7 @@ impl Crowd {
         let parents = skeleton::parents();
         let hierarchy_parents = parents.clone();
         let poses = move || {
-            let locals = skeleton::locals(instances);
+            let locals = skeleton::locals(&skeleton::bones(), instances);
             let hierarchy = hierarchy(&hierarchy_parents);
             let models = models::<Peer<Rows3x4<f64>>>(hierarchy, &locals, Place::Out);
             Poses { locals, models }

@@ -19,8 +19,12 @@ mod race;
 mod random;
 #[path = "../representation/mod.rs"]
 mod representation;
+#[path = "../rows/mod.rs"]
 mod rows;
 mod skeleton;
+mod square;
+#[path = "../walk/mod.rs"]
+mod walk;
 
 use contender::{Own, Peer};
 use criterion::{Criterion, criterion_group, criterion_main};
@@ -29,7 +33,8 @@ use dq8::{Block, DualQuat};
 use glam::{Affine3A, Mat4};
 use nalgebra::{Isometry3, UnitDualQuaternion};
 use race::Race;
-use rows::{Rows3x4, Rows4x4};
+use rows::Rows3x4;
+use square::Rows4x4;
 
 fn crowds(criterion: &mut Criterion) {
     for instances in [1, 8, 64, 1024, 8192] {

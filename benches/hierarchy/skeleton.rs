@@ -75,19 +75,25 @@ pub(crate) fn parents() -> Vec<u32> {
     joints.iter().enumerate().map(parent).collect()
 }
 
-/// Local poses, `[instance][joint]`: any turn up to a radian at every joint, the bone's length from
-/// its parent, and the roots on a ground of ten metres. Computed in `f64` and rounded once.
-pub(crate) fn locals(instances: usize) -> Vec<DualQuat<f32>> {
-    let (joints, mut random) = (joints(), Random(8));
-    let mut locals = Vec::with_capacity(instances * JOINTS);
+/// How far every joint is from its parent; `None` for roots.
+pub(crate) fn bones() -> Vec<Option<f64>> {
+    joints().iter().map(|&(_, parent, length)| (parent != ROOT).then_some(length)).collect()
+}
+
+/// Local poses, `[instance][joint]`: any turn up to a radian at every joint, bones that are the same
+/// in all instances, and the roots on a ground of ten metres. Computed in `f64` and rounded once.
+pub(crate) fn locals(bones: &[Option<f64>], instances: usize) -> Vec<DualQuat<f32>> {
+    let mut random = Random(8);
+    let bones: Vec<Option<[f64; 3]>> = bones
+        .iter()
+        .map(|bone| bone.map(|length| random.direction().map(|c| c * length)))
+        .collect();
+    let mut locals = Vec::with_capacity(instances * bones.len());
     for _ in 0..instances {
-        for &(_, parent, length) in &joints {
+        for bone in &bones {
             let turn = Quat::from_axis_angle(random.direction(), random.between(-1.0, 1.0));
-            let offset = if parent == ROOT {
-                [random.between(-5.0, 5.0), 1.0, random.between(-5.0, 5.0)]
-            } else {
-                random.direction().map(|c| c * length)
-            };
+            let offset =
+                bone.unwrap_or_else(|| [random.between(-5.0, 5.0), 1.0, random.between(-5.0, 5.0)]);
             let local = DualQuat::<f64>::from_rotation_translation(turn, offset);
             locals.push(DualQuat::from_array(local.to_array().map(|c| c as f32)));
         }

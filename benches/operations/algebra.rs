@@ -1,7 +1,7 @@
 //! The algebra of dual quaternions.
 
 use crate::group::Group;
-use crate::representation::Representation;
+use crate::representation::Product;
 use criterion::Criterion;
 
 pub(crate) fn product(criterion: &mut Criterion) {

@@ -1,17 +1,27 @@
-use super::{Representation, Rows};
+use super::{Product, Representation, Rows};
 use dq8::DualQuat;
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitDualQuaternion, UnitQuaternion};
+
+impl Product for UnitDualQuaternion<f32> {
+    #[inline(always)]
+    fn product(&self, first: &Self) -> Self {
+        self * first
+    }
+}
 
 impl Representation for UnitDualQuaternion<f32> {
     fn from_motion(motion: &DualQuat<f32>) -> Self {
         Self::from_isometry(&Isometry3::from_motion(motion))
     }
+    fn rows(&self) -> Rows {
+        self.to_isometry().rows()
+    }
+}
+
+impl Product for Isometry3<f32> {
     #[inline(always)]
     fn product(&self, first: &Self) -> Self {
         self * first
-    }
-    fn rows(&self) -> Rows {
-        self.to_isometry().rows()
     }
 }
 
@@ -21,10 +31,6 @@ impl Representation for Isometry3<f32> {
         let rotation =
             UnitQuaternion::new_unchecked(Quaternion::from(motion.rotation().to_array()));
         Self::from_parts(Translation3::from(motion.translation()), rotation)
-    }
-    #[inline(always)]
-    fn product(&self, first: &Self) -> Self {
-        self * first
     }
     fn rows(&self) -> Rows {
         let matrix = self.to_homogeneous();

@@ -30,6 +30,7 @@ use std::{env, fs, io};
 
 use args::{Args, Request};
 use clip::Clip;
+use output::Outputs;
 
 fn main() -> ExitCode {
     let args = match args::parse(env::args_os().skip(1)) {
@@ -62,15 +63,17 @@ fn run(args: &Args) -> Result<(), Box<dyn Error>> {
     print(&table::text(&clip, args.instances, &contest)?)?;
     contest.check()?;
 
-    let mut outputs: Vec<(&Path, String)> = Vec::new();
+    let (mut paths, mut texts): (Vec<&Path>, _) = (Vec::new(), Vec::new());
     if let Some(path) = &args.csv {
-        outputs.push((path, csv::table(&clip, &contest.positions)?));
+        paths.push(path);
+        texts.push(csv::table(&clip, &contest.positions)?);
     }
     if let Some(path) = &args.svg {
-        outputs.push((path, svg::picture(&clip, &contest.positions, contest.size)?));
+        paths.push(path);
+        texts.push(svg::picture(&clip, &contest.positions, contest.size)?);
     }
-    output::write(&outputs, args.clip.as_deref())?;
-    for (path, _) in outputs {
+    Outputs::open(paths.iter().copied(), args.clip.as_deref())?.write(&texts)?;
+    for path in paths {
         print(&format!("  wrote {}\n", path.display()))?;
     }
     Ok(())

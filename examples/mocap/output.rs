@@ -20,65 +20,80 @@ impl fmt::Display for Unwritable {
 
 impl std::error::Error for Unwritable {}
 
-/// Writes each text to its path. `input` is a file that must not be overwritten.
-///
-/// All files are opened before any is changed, so a path that cannot be written leaves the others
-/// as they were.
-pub(crate) fn write(texts: &[(&Path, String)], input: Option<&Path>) -> Result<(), Unwritable> {
-    let mut created = Vec::new();
-    let written = open_and_write(texts, input, &mut created);
-    if written.is_err() {
-        for path in created {
-            // The error to be reported is the first one.
+/// Files that can be written, and are not changed yet. Those that did not exist are gone again if
+/// nothing comes to be written.
+#[derive(Debug)]
+pub(crate) struct Outputs<'a> {
+    files: Vec<(&'a Path, File)>,
+    created: Vec<&'a Path>,
+}
+
+impl<'a> Outputs<'a> {
+    /// Opens all files or none. `input` is a file that must not be overwritten.
+    pub(crate) fn open(
+        paths: impl IntoIterator<Item = &'a Path>,
+        input: Option<&Path>,
+    ) -> Result<Self, Unwritable> {
+        let mut outputs = Self { files: Vec::new(), created: Vec::new() };
+        let mut taken: Vec<PathBuf> =
+            input.and_then(|path| fs::canonicalize(path).ok()).into_iter().collect();
+        for path in paths {
+            let exists = path.exists();
+            let mut options = OpenOptions::new();
+            let file =
+                options.write(true).create(true).truncate(false).open(path).map_err(fails(path))?;
+            if !exists {
+                outputs.created.push(path);
+            }
+            // Two names may mean one file. What has no name in the file system, like a pipe, is
+            // taken as it is.
+            let name = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
+            if taken.contains(&name) {
+                return Err(fails(path)(io::Error::other("it is the input or another output")));
+            }
+            taken.push(name);
+            outputs.files.push((path, file));
+        }
+        Ok(outputs)
+    }
+
+    /// Writes one text to each.
+    pub(crate) fn write(mut self, texts: &[String]) -> Result<(), Unwritable> {
+        for ((path, file), text) in self.files.iter_mut().zip(texts) {
+            if file.metadata().is_ok_and(|metadata| metadata.is_file()) {
+                file.set_len(0).map_err(fails(path))?;
+            }
+            file.write_all(text.as_bytes()).map_err(fails(path))?;
+        }
+        self.created.clear();
+        Ok(())
+    }
+}
+
+impl Drop for Outputs<'_> {
+    fn drop(&mut self) {
+        for path in &self.created {
+            // There is another error to be reported.
             let _ = fs::remove_file(path);
         }
     }
-    written
 }
 
-fn open_and_write<'a>(
-    texts: &[(&'a Path, String)],
-    input: Option<&Path>,
-    created: &mut Vec<&'a Path>,
-) -> Result<(), Unwritable> {
-    let fails = |path: &Path| {
-        let path = path.to_owned();
-        move |reason| Unwritable { path, reason }
-    };
-    let mut files: Vec<File> = Vec::new();
-    let mut taken: Vec<PathBuf> =
-        input.and_then(|path| fs::canonicalize(path).ok()).into_iter().collect();
-    for (path, _) in texts {
-        let exists = path.exists();
-        let mut options = OpenOptions::new();
-        let file =
-            options.write(true).create(true).truncate(false).open(path).map_err(fails(path))?;
-        if !exists {
-            created.push(path);
-        }
-        // Two names may mean one file. What has no name in the file system, like a pipe, is taken
-        // as it is.
-        let name = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
-        if taken.contains(&name) {
-            return Err(fails(path)(io::Error::other("it is the input or another output")));
-        }
-        taken.push(name);
-        files.push(file);
-    }
-    for ((path, text), mut file) in texts.iter().zip(files) {
-        if file.metadata().is_ok_and(|metadata| metadata.is_file()) {
-            file.set_len(0).map_err(fails(path))?;
-        }
-        file.write_all(text.as_bytes()).map_err(fails(path))?;
-    }
-    Ok(())
+fn fails(path: &Path) -> impl FnOnce(io::Error) -> Unwritable + use<> {
+    let path = path.to_owned();
+    move |reason| Unwritable { path, reason }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::write;
+    use super::{Outputs, Unwritable};
     use std::fs;
-    use std::path::PathBuf;
+    use std::path::{Path, PathBuf};
+
+    fn write(texts: &[(&Path, String)], input: Option<&Path>) -> Result<(), Unwritable> {
+        let outputs = Outputs::open(texts.iter().map(|&(path, _)| path), input)?;
+        outputs.write(&texts.iter().map(|(_, text)| text.clone()).collect::<Vec<_>>())
+    }
 
     /// An empty directory for one test.
     fn directory(name: &str) -> PathBuf {
@@ -94,6 +109,17 @@ mod tests {
         fs::write(&path, "much longer than what comes").unwrap();
         write(&[(&path, "short".into())], None).unwrap();
         assert_eq!(fs::read_to_string(&path).unwrap(), "short");
+        fs::remove_dir_all(directory).unwrap();
+    }
+
+    #[test]
+    fn nothing_written_leaves_no_file_and_changes_none() {
+        let directory = directory("unwritten");
+        let [new, old] = ["new", "old"].map(|name| directory.join(name));
+        fs::write(&old, "before").unwrap();
+        drop(Outputs::open([new.as_path(), &old], None).unwrap());
+        assert!(!new.exists());
+        assert_eq!(fs::read_to_string(&old).unwrap(), "before");
         fs::remove_dir_all(directory).unwrap();
     }
 

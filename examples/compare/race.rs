@@ -1,0 +1,189 @@
+//! A contest is run: every contender is checked, then all are timed in turns.
+
+use crate::contest::{Checked, Contender, Contest, Run};
+use crate::progress::Progress;
+use crate::results::{Results, Row};
+use std::fmt;
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+/// How much time a contest may take.
+#[derive(Clone, Copy)]
+pub(crate) struct Effort {
+    /// No round begins after it, but for the fewest.
+    pub(crate) budget: Duration,
+    pub(crate) fewest_rounds: usize,
+    pub(crate) most_rounds: usize,
+}
+
+/// A measurement must be long against the tick of the clock and interrupts.
+const SAMPLE: Duration = Duration::from_millis(1);
+
+/// More than this many results of one contender are not looked at: the data repeat anyway.
+const MOST_CHECKED: usize = 8192;
+
+/// A contender that does not do what it should.
+#[derive(Debug)]
+pub(crate) struct Wrong(String);
+
+impl fmt::Display for Wrong {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for Wrong {}
+
+pub(crate) fn race(
+    contest: &Contest<'_>,
+    effort: Effort,
+    progress: &mut Progress,
+    results: &mut Results,
+) -> Result<(), Wrong> {
+    let mut times: Vec<Vec<f64>> = vec![Vec::new(); contest.contenders.len()];
+    let begin = Instant::now();
+    for round in 0..effort.most_rounds {
+        if round >= effort.fewest_rounds && begin.elapsed() > effort.budget {
+            break;
+        }
+        for limit in &contest.limits {
+            for nanoseconds in nanoseconds_a_pass(&mut *(limit.start)()) {
+                results.limits.reached(&limit.kind, limit.per_pass / nanoseconds);
+            }
+        }
+        // Each round another one goes first.
+        for turn in 0..contest.contenders.len() {
+            let index = (round + turn) % contest.contenders.len();
+            let contender = &contest.contenders[index];
+            progress.show(contest, round, &contender.name);
+            let mut run = (contender.start)();
+            if round == 0 {
+                check(contest, contender, &mut *run)?;
+            }
+            deeper(round % 64, &mut || {
+                let samples = nanoseconds_a_pass(&mut *run);
+                times[index].extend(samples.map(|pass| pass / contest.transforms as f64));
+            });
+        }
+    }
+    for (contender, mut times) in contest.contenders.iter().zip(times) {
+        times.sort_by(f64::total_cmp);
+        results.rows.push(Row {
+            job: contest.job,
+            size: contest.size.clone(),
+            title: contest.title.clone(),
+            contender: contender.name.clone(),
+            backend: contender.backend,
+            min: times[0],
+            median: times[times.len() / 2],
+            limited: contest.limited.clone(),
+        });
+    }
+    Ok(())
+}
+
+/// Works with so many frames of some ninety bytes below on the stack.
+///
+/// A kernel that keeps values there runs at half its speed if they straddle pages, in one process and
+/// not in the next. So every round tries another place, as it tries another place for the data.
+#[inline(never)]
+fn deeper(frames: usize, work: &mut dyn FnMut()) {
+    let frame = black_box([0_u8; 64]);
+    if frames == 0 {
+        work();
+    } else {
+        deeper(frames - 1, work);
+    }
+    black_box(&frame);
+}
+
+/// Runs until caches, branch predictors and clocks are warm, then measures. More than once: to make
+/// the data of a large contest takes longer than that.
+fn nanoseconds_a_pass(run: &mut dyn Run) -> [f64; 3] {
+    let mut passes: u32 = 1;
+    let elapsed = loop {
+        let elapsed = run.time(passes);
+        if elapsed >= SAMPLE / 4 {
+            break elapsed;
+        }
+        passes *= 2;
+    };
+    let enough = SAMPLE.as_secs_f64() / elapsed.as_secs_f64() * f64::from(passes);
+    let passes = (enough.ceil() as u32).max(1);
+    [(); 3].map(|()| run.time(passes).as_secs_f64() * 1e9 / f64::from(passes))
+}
+
+fn check(
+    contest: &Contest<'_>,
+    contender: &Contender<'_>,
+    run: &mut dyn Checked,
+) -> Result<(), Wrong> {
+    run.time(1);
+    let count = contest.transforms;
+    let all = contender.expected.as_ref().unwrap_or(&contest.expected);
+    // From both ends, in steps that share no factor with blocks or skeletons.
+    let stride = (count / MOST_CHECKED).next_multiple_of(2) + 1;
+    let stride = if count <= MOST_CHECKED { 1 } else { stride };
+    for index in (0..count).step_by(stride).chain([count - 1]) {
+        let expected = &all[index % all.len()];
+        let numbers = run.numbers(index);
+        let size = expected.iter().fold(1.0_f64, |size, number| size.max(number.abs()));
+        let pairs = numbers.iter().zip(expected);
+        let close = |(a, b): (&f64, &f64)| (a - b).abs() <= contest.tolerance * size;
+        if numbers.len() != expected.len() || !pairs.into_iter().all(close) {
+            let (job, size, name) = (contest.job, &contest.size, &contender.name);
+            return Err(Wrong(format!(
+                "{job} {size}: {name} is wrong at transform {index}: {numbers:?}, not {expected:?}"
+            )));
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Effort, race};
+    use crate::contest::Contest;
+    use crate::progress::Progress;
+    use crate::results::Results;
+    use std::time::Duration;
+
+    const EFFORT: Effort = Effort { budget: Duration::ZERO, fewest_rounds: 3, most_rounds: 3 };
+
+    fn halving<'a>(name: &'static str, factor: f32) -> Contest<'a> {
+        let mut contest = Contest {
+            transforms: 4,
+            expected: vec![vec![0.5], vec![1.0]],
+            tolerance: 1e-6,
+            ..Contest::new("J0", "tiny", "a half")
+        };
+        let pass = move |input: &Vec<f32>, output: &mut [f32]| {
+            for (output, input) in output.iter_mut().zip(input) {
+                *output = factor * input;
+            }
+        };
+        let memory = || (vec![1.0, 2.0, 1.0, 2.0], vec![0.0; 4]);
+        contest.add(name, None, memory, pass, |output, index| vec![output[index].into()]);
+        contest
+    }
+
+    #[test]
+    fn who_is_right_gets_a_row() {
+        let mut results = Results::default();
+        race(&halving("right", 0.5), EFFORT, &mut Progress::silent(), &mut results).unwrap();
+        let [row] = results.rows.as_slice() else { panic!("{:?}", results.rows) };
+        assert_eq!((row.job, row.contender.as_str()), ("J0", "right"));
+        assert!(row.min > 0.0 && row.min <= row.median);
+    }
+
+    #[test]
+    fn who_is_wrong_is_named() {
+        for factor in [0.500_01, f32::NAN] {
+            let mut results = Results::default();
+            let contest = halving("wrong", factor);
+            let wrong = race(&contest, EFFORT, &mut Progress::silent(), &mut results).unwrap_err();
+            assert!(wrong.0.contains("wrong is wrong at transform 0"), "{wrong}");
+            assert!(results.rows.is_empty());
+        }
+    }
+}

@@ -1,0 +1,71 @@
+//! [`Results`]: what has been measured.
+
+use crate::limit::{Kind, Limited};
+use dq8::Backend;
+use std::collections::BTreeMap;
+
+#[derive(Debug, Default)]
+pub(crate) struct Results {
+    pub(crate) rows: Vec<Row>,
+    pub(crate) limits: Limits,
+}
+
+/// One contender in one contest; nanoseconds a transform.
+#[derive(Clone, Debug)]
+pub(crate) struct Row {
+    pub(crate) job: &'static str,
+    pub(crate) size: String,
+    pub(crate) title: String,
+    pub(crate) contender: String,
+    pub(crate) backend: Option<Backend>,
+    pub(crate) min: f64,
+    pub(crate) median: f64,
+    pub(crate) limited: Option<Limited>,
+}
+
+impl Row {
+    /// Names of this crate's contenders begin like this.
+    pub(crate) fn is_own(&self) -> bool {
+        self.contender.starts_with("dq8 ")
+    }
+}
+
+/// The highest rates that were reached, per nanosecond.
+#[derive(Debug, Default)]
+pub(crate) struct Limits(pub(crate) BTreeMap<Kind, f64>);
+
+impl Limits {
+    pub(crate) fn reached(&mut self, kind: &Kind, rate: f64) {
+        let most = self.0.entry(kind.clone()).or_insert(rate);
+        *most = most.max(rate);
+    }
+
+    /// The part of the machine's limit that a row of this crate's uses.
+    pub(crate) fn share(&self, row: &Row) -> Option<f64> {
+        let (limited, backend) = (row.limited.as_ref()?, row.backend?);
+        // Where nothing fuses, a multiplication that adds nothing takes half the time of one that does.
+        if matches!(limited, Limited::MultiplyAdds(_)) && backend == Backend::Portable {
+            return None;
+        }
+        let most = self.0.get(&limited.kind(backend))?;
+        Some(limited.amount() / row.min / most)
+    }
+}
+
+impl Results {
+    /// Rows by contest, the fastest first.
+    pub(crate) fn contests(&self) -> impl Iterator<Item = Vec<&Row>> {
+        let contests = self.rows.chunk_by(|a, b| (a.job, &a.size) == (b.job, &b.size));
+        contests.map(|rows| {
+            let mut rows: Vec<&Row> = rows.iter().collect();
+            rows.sort_by(|a, b| a.min.total_cmp(&b.min));
+            rows
+        })
+    }
+}
+
+/// The fastest of this crate's rows that `counts`.
+pub(crate) fn best_own(rows: &[&Row], counts: impl Fn(&Row) -> bool) -> Option<f64> {
+    let own = rows.iter().filter(|row| row.is_own() && counts(row));
+    own.map(|row| row.min).min_by(f64::total_cmp)
+}

@@ -1,0 +1,93 @@
+//! [`Task`]: what is to be measured, and the plan of a whole run.
+
+mod hierarchy;
+mod pairs;
+mod points;
+
+use crate::caches::{Caches, Level};
+use crate::contest::Contest;
+use crate::limit::Limit;
+use hierarchy::{Shape, Way};
+use pairs::Operation;
+use points::Motions;
+
+/// A contest whose data are not made yet.
+pub(crate) enum Task {
+    Bandwidth,
+    Pairs(Operation, Level),
+    Hierarchy(Shape, Way),
+    Points(Motions, Level),
+}
+
+/// Everything, or with `quick` what fits into the first caches.
+pub(crate) fn plan(quick: bool) -> Vec<Task> {
+    let levels: &[Level] = if quick { &[Level::L1] } else { &Level::ALL };
+    let instances: &[usize] = if quick { &[64] } else { &[64, 1024] };
+    let mut tasks = vec![Task::Bandwidth];
+    tasks.extend(levels.iter().map(|&level| Task::Pairs(Operation::Product, level)));
+    for &instances in instances {
+        tasks.extend(
+            [Way::In, Way::Out, Way::Rotations]
+                .map(|way| Task::Hierarchy(Shape::Crowd { instances }, way)),
+        );
+    }
+    for shape in [Shape::Crowd { instances: 1 }, Shape::Biped, Shape::Chain] {
+        tasks.push(Task::Hierarchy(shape, Way::Out));
+    }
+    for motions in [Motions::One, Motions::Each] {
+        tasks.extend(levels.iter().map(|&level| Task::Points(motions, level)));
+    }
+    for operation in [Operation::Normalise, Operation::Nlerp, Operation::Sclerp] {
+        tasks.push(Task::Pairs(operation, Level::L1));
+    }
+    tasks
+}
+
+impl Task {
+    /// Makes the data and hands the contest to `run`.
+    pub(crate) fn with_contest<R>(
+        &self,
+        caches: &Caches,
+        run: impl FnOnce(&Contest<'_>) -> R,
+    ) -> R {
+        match *self {
+            Self::Bandwidth => run(&bandwidth(caches)),
+            Self::Pairs(operation, level) => pairs::with_contest(operation, level, caches, run),
+            Self::Hierarchy(shape, way) => hierarchy::with_contest(shape, way, run),
+            Self::Points(motions, level) => points::with_contest(motions, level, caches, run),
+        }
+    }
+}
+
+/// No contest, only limits: memory beyond the last cache.
+fn bandwidth(caches: &Caches) -> Contest<'static> {
+    let bytes = caches.l3 / 8 * 9;
+    let limits = vec![Limit::copy("DRAM", bytes), Limit::triad("DRAM", bytes)];
+    Contest { limits, ..Contest::new("limits", "DRAM", "copy and triad") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Task, plan};
+    use crate::caches::Caches;
+    use crate::progress::Progress;
+    use crate::race::{Effort, race};
+    use crate::results::Results;
+    use std::time::Duration;
+
+    #[test]
+    fn every_contender_is_right() {
+        let effort = Effort { budget: Duration::ZERO, fewest_rounds: 1, most_rounds: 1 };
+        let (caches, mut results) = (Caches::of_this_machine(), Results::default());
+        // Gigabytes, and nothing to check.
+        for task in plan(true).iter().filter(|task| !matches!(task, Task::Bandwidth)) {
+            task.with_contest(&caches, |contest| {
+                race(contest, effort, &mut Progress::silent(), &mut results).unwrap();
+            });
+        }
+        for job in ["J1", "J2", "J3", "J4", "J5"] {
+            let mut own = results.rows.iter().filter(|row| row.job == job && row.is_own());
+            assert!(own.any(|row| row.min > 0.0), "{job}");
+        }
+    }
+}

@@ -1,0 +1,180 @@
+//! J2 and J3: down the joints of many skeletons, or of one.
+
+mod scene;
+
+pub(crate) use scene::Shape;
+
+use crate::contest::Contest;
+use crate::limit::{Limit, Limited};
+use crate::memory::{Packed, QuatVec3A};
+use crate::representation::Product;
+use crate::walk;
+use dq8::{Backend, Block, DualQuat, Hierarchy, Pose};
+use glam::{Affine3A, Mat4};
+use nalgebra::{Isometry3, UnitDualQuaternion};
+use scene::Scene;
+use simba::simd::WideF32x8;
+use ultraviolet::{Isometry3x8, Mat4x8};
+
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) enum Way {
+    /// From locals into models.
+    Out,
+    /// Over the locals.
+    In,
+    /// From rotations and the bones that all instances share into models, beside this crate's own
+    /// way from motions.
+    Rotations,
+}
+
+type Motion = DualQuat<f32>;
+
+pub(crate) fn with_contest<R>(shape: Shape, way: Way, run: impl FnOnce(&Contest<'_>) -> R) -> R {
+    let scene = Scene::new(shape);
+    let hierarchy = Hierarchy::new(&scene.parents).expect("parents come first");
+    let joints = hierarchy.joints();
+    let (suffix, in_words) = match way {
+        Way::Out => (" out", "out of place"),
+        Way::In => ("", "in place"),
+        Way::Rotations => (" rotations", "from rotations"),
+    };
+    // Twelve levels of single precision lose a few millionths.
+    let (job, size, title, tolerance) = match shape {
+        Shape::Crowd { instances: 1 } => {
+            ("J3", format!("skeleton {joints}"), "one skeleton".to_owned(), 3e-5)
+        }
+        Shape::Crowd { instances } => {
+            let title = format!("{instances} skeletons of {joints} joints");
+            ("J2", format!("{joints}x{instances}{suffix}"), title, 3e-5)
+        }
+        Shape::Biped => ("J3", "biped".to_owned(), format!("one biped of {joints} joints"), 3e-5),
+        // A thousand roundings, and each turns all that follows.
+        Shape::Chain => {
+            ("J3", format!("chain {joints}"), format!("one chain of {joints} joints"), 1e-3)
+        }
+    };
+    let mut contest = Contest {
+        transforms: scene.locals.len(),
+        tolerance,
+        expected: scene.expected(&hierarchy),
+        ..Contest::new(job, size, format!("{title}, {in_words}"))
+    };
+    let mut field = Field { scene: &scene, hierarchy, way, contest: &mut contest };
+    match shape {
+        Shape::Crowd { instances: 2.. } => field.crowd(),
+        _ => field.one(),
+    }
+    if job == "J2" && way == Way::Out {
+        let bytes = size_of::<Motion>() * contest.transforms;
+        contest.limits.push(Limit::copy(contest.size.clone(), bytes));
+        let moved = 2 * size_of::<Motion>();
+        contest.limited = Some(Limited::Bytes(moved as f64, contest.size.clone()));
+    }
+    run(&contest)
+}
+
+struct Field<'a, 'c> {
+    scene: &'a Scene,
+    hierarchy: Hierarchy<'a>,
+    way: Way,
+    contest: &'c mut Contest<'a>,
+}
+
+impl<'a> Field<'a, '_> {
+    fn crowd(&mut self) {
+        self.own::<Block<f32, 8>>("8 lanes");
+        self.own::<Block<f32, 16>>("16 lanes");
+        if self.way == Way::Rotations {
+            self.rotations::<Block<f32, 8>>("8 lanes");
+            self.rotations::<Block<f32, 16>>("16 lanes");
+            return;
+        }
+        self.one();
+        self.peer::<UnitDualQuaternion<WideF32x8>>("nalgebra UnitDualQuaternion, 8 lanes");
+        self.peer::<Isometry3<WideF32x8>>("nalgebra Isometry3, 8 lanes");
+        self.peer::<Isometry3x8>("ultraviolet Isometry3x8");
+        self.peer::<Mat4x8>("ultraviolet Mat4x8");
+    }
+
+    /// Those who need no other instances to fill their lanes.
+    fn one(&mut self) {
+        self.peer::<Motion>("dq8 scalar");
+        self.own::<Motion>("AoS");
+        self.peer::<Mat4>("glam Mat4");
+        self.peer::<Affine3A>("glam Affine3A");
+        self.peer::<QuatVec3A>("glam Quat+Vec3A");
+        self.peer::<UnitDualQuaternion<f32>>("nalgebra UnitDualQuaternion");
+    }
+
+    fn peer<M: Product + Packed<Motion>>(&mut self, name: &str) {
+        let hierarchy = self.hierarchy;
+        self.add::<M>(
+            name.to_owned(),
+            None,
+            move |locals, models| walk::local_to_model(&hierarchy, locals, models),
+            move |poses| walk::local_to_model_in_place(&hierarchy, poses),
+        );
+    }
+
+    fn own<P: Pose + Packed<Motion>>(&mut self, layout: &str) {
+        let hierarchy = self.hierarchy;
+        // The crate does not use wider instructions for motions that stand alone.
+        let differs = |&backend: &_| P::INSTANCES > 1 || backend == Backend::Portable;
+        for backend in Backend::available().filter(differs) {
+            self.add::<P>(
+                format!("dq8 {layout} {backend}"),
+                Some(backend),
+                move |locals, models| {
+                    let job = hierarchy.job().backend(backend);
+                    job.local_to_model(locals, models).expect("whole instances");
+                },
+                move |poses| {
+                    let job = hierarchy.job().backend(backend);
+                    job.local_to_model_in_place(poses).expect("whole instances");
+                },
+            );
+        }
+    }
+
+    fn rotations<P>(&mut self, layout: &str)
+    where
+        P: Pose<Real = f32, Rotation: Packed<[f32; 4]>> + Packed<Motion>,
+    {
+        let Self { scene, hierarchy, .. } = *self;
+        for backend in Backend::available() {
+            let memory = || {
+                let input = (scene.rotations().pack::<P::Rotation>(), scene.roots().pack::<P>());
+                (input, scene.locals.pack::<P>())
+            };
+            let pass = move |(rotations, roots): &(Vec<P::Rotation>, Vec<P>), models: &mut [P]| {
+                let job = hierarchy.job().backend(backend).roots(roots);
+                let locals = dq8::Rotations { rotations, offsets: &scene.bones };
+                job.locals_to_model(locals, models).expect("whole instances");
+            };
+            let name = format!("dq8 rotations, {layout} {backend}");
+            let numbers = |models: &[P], index| scene.locals.numbers(models, index);
+            self.contest.add(name, Some(backend), memory, pass, numbers);
+        }
+    }
+
+    fn add<E: Packed<Motion>>(
+        &mut self,
+        name: String,
+        backend: Option<Backend>,
+        out: impl Fn(&[E], &mut [E]) + Copy + 'a,
+        in_place: impl Fn(&mut [E]) + Copy + 'a,
+    ) {
+        let locals = &self.scene.locals;
+        let numbers = |models: &[E], index| locals.numbers(models, index);
+        match self.way {
+            Way::Out | Way::Rotations => {
+                let memory = || (locals.pack(), locals.pack());
+                let pass = move |locals: &Vec<E>, models: &mut [E]| out(locals, models);
+                self.contest.add(name, backend, memory, pass, numbers);
+            }
+            Way::In => {
+                self.contest.add_in_place(name, backend, || locals.pack(), in_place, numbers);
+            }
+        }
+    }
+}

@@ -1,0 +1,248 @@
+//! J1 and J5: an operation on every pair of two slices.
+
+use crate::caches::{Caches, Footprint, Level};
+use crate::contest::Contest;
+use crate::limit::{Limit, Limited};
+use crate::memory::{Many, Numbers, Packed, QuatVec3A, double};
+use crate::random::Random;
+use crate::representation::Product;
+use crate::rows::Rows3x4;
+use dq8::{Backend, Block, DualQuat, Quat, ShapeError};
+use glam::{Affine3A, Mat4};
+use nalgebra::{DualQuaternion, Isometry3, UnitDualQuaternion};
+use simba::simd::{SimdValue, WideF32x8};
+use ultraviolet::{Isometry3x8, Lerp, Mat4x8, Slerp, f32x8};
+
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) enum Operation {
+    Product,
+    Normalise,
+    Nlerp,
+    Sclerp,
+}
+
+/// How far interpolation goes, the same for all pairs.
+const T: f32 = 0.3;
+
+/// Turns of up to π and shifts of up to 1 in single precision, relative to the larger of both.
+const TOLERANCE: f64 = 1e-5;
+
+type Motion = DualQuat<f32>;
+
+/// Two slices and what the operation makes of them.
+struct Pairs {
+    a: Many<Motion>,
+    /// From a, a turn of 0.3 to 2.2 radians and a shift of at most 1: no way is ambiguous, and none
+    /// so short that nalgebra's ScLERP in `f32` stands still.
+    b: Many<Motion>,
+}
+
+pub(crate) fn with_contest<R>(
+    operation: Operation,
+    level: Level,
+    caches: &Caches,
+    run: impl FnOnce(&Contest<'_>) -> R,
+) -> R {
+    // Two motions in, one out; glam has 64 bytes a motion.
+    let footprint = Footprint { own: 3 * size_of::<Motion>(), most: 3 * size_of::<Mat4>() };
+    let pairs = Pairs::new(operation, caches.transforms(level, footprint));
+    let (job, size, title) = match operation {
+        Operation::Product => ("J1", level.name().to_owned(), "pairwise product"),
+        Operation::Normalise => ("J5", format!("normalise {}", level.name()), "normalise"),
+        Operation::Nlerp => ("J5", format!("NLERP {}", level.name()), "blend linearly"),
+        Operation::Sclerp => ("J5", format!("ScLERP {}", level.name()), "interpolate along screws"),
+    };
+    let mut contest = Contest {
+        transforms: pairs.a.len(),
+        tolerance: TOLERANCE,
+        ..Contest::new(job, size, title)
+    };
+    match operation {
+        Operation::Product => product(&pairs, &mut contest),
+        Operation::Normalise => normalise(&pairs, &mut contest),
+        Operation::Nlerp => nlerp(&pairs, &mut contest),
+        Operation::Sclerp => sclerp(&pairs, &mut contest),
+    }
+    run(&contest)
+}
+
+/// `own!(pairs, contest, |backend, a, b, output| call)`: this crate's kernel on every layout, with
+/// every set of instructions.
+///
+/// A macro because no closure is generic: each layout needs its own.
+macro_rules! own {
+    ($pairs:ident, $contest:ident, $kernel:expr) => {
+        $pairs.own::<Motion>($contest, "AoS", $kernel);
+        $pairs.own::<Block<f32, 8>>($contest, "8 lanes", $kernel);
+        $pairs.own::<Block<f32, 16>>($contest, "16 lanes", $kernel);
+    };
+}
+
+fn product<'a>(pairs: &'a Pairs, contest: &mut Contest<'a>) {
+    // By plain matrices: another algebra.
+    let matrix = |motion: DualQuat<f64>| Rows3x4(motion.to_matrix3x4());
+    contest.expected = pairs.expected(|a, b| matrix(a).product(&matrix(b)));
+    contest.limits.extend(Backend::available().map(Limit::multiply_add));
+    contest.limited = Some(Limited::MultiplyAdds(48.0));
+    fn peer<'a, M: Product + Packed<Motion>>(
+        pairs: &'a Pairs,
+        contest: &mut Contest<'a>,
+        name: &str,
+    ) {
+        pairs.each(contest, name, |a: &M, b: &M| a.product(b));
+    }
+    own!(pairs, contest, |backend, a, b, output| backend.mul(a, b, output));
+    peer::<Motion>(pairs, contest, "dq8 scalar");
+    peer::<Mat4>(pairs, contest, "glam Mat4");
+    peer::<Affine3A>(pairs, contest, "glam Affine3A");
+    peer::<QuatVec3A>(pairs, contest, "glam Quat+Vec3A");
+    peer::<UnitDualQuaternion<f32>>(pairs, contest, "nalgebra UnitDualQuaternion");
+    peer::<UnitDualQuaternion<WideF32x8>>(pairs, contest, "nalgebra UnitDualQuaternion, 8 lanes");
+    peer::<Isometry3<WideF32x8>>(pairs, contest, "nalgebra Isometry3, 8 lanes");
+    peer::<Isometry3x8>(pairs, contest, "ultraviolet Isometry3x8");
+    peer::<Mat4x8>(pairs, contest, "ultraviolet Mat4x8");
+}
+
+fn normalise<'a>(pairs: &'a Pairs, contest: &mut Contest<'a>) {
+    contest.expected = pairs.expected(|a, _| a.normalize());
+    own!(pairs, contest, |backend, a, _, output| backend.normalize(a, output));
+    pairs.each(contest, "dq8 scalar", |a: &Motion, _: &Motion| a.normalize());
+    // By the real norm only, which is enough here: the input is a real multiple of unit ones.
+    pairs.each(
+        contest,
+        "nalgebra DualQuaternion",
+        |a: &DualQuaternion<f32>, _: &DualQuaternion<f32>| a.normalize(),
+    );
+}
+
+fn nlerp<'a>(pairs: &'a Pairs, contest: &mut Contest<'a>) {
+    let t = f64::from(T);
+    contest.expected = pairs.expected(|a, b| a.nlerp(b, t));
+    own!(pairs, contest, |backend, a, b, output| backend.nlerp(a, b, T, output));
+    pairs.each(contest, "dq8 scalar", |a: &Motion, b: &Motion| a.nlerp(*b, T));
+    // By the real norm only, and without a look for the shorter way.
+    pairs.each(contest, "nalgebra UnitDualQuaternion", |a: &UnitDualQuaternion<f32>, b| {
+        a.nlerp(b, T)
+    });
+    type Lanes = UnitDualQuaternion<WideF32x8>;
+    pairs.each(contest, "nalgebra UnitDualQuaternion, 8 lanes", |a: &Lanes, b| {
+        a.nlerp(b, WideF32x8::splat(T))
+    });
+    // Another way for the translation, which is what users of glam and ultraviolet go.
+    let straight = pairs.expected(|a, b| straight(a, b, a.nlerp(b, t).rotation(), t));
+    pairs.each(contest, "glam Quat+Vec3A", |a: &QuatVec3A, b| QuatVec3A {
+        rotation: a.rotation.lerp(b.rotation, T),
+        translation: a.translation.lerp(b.translation, T),
+    });
+    contest.last_should(straight.clone());
+    pairs.each(contest, "ultraviolet Isometry3x8", |a: &Isometry3x8, b| Isometry3x8 {
+        rotation: a.rotation.lerp(b.rotation, f32x8::splat(T)).normalized(),
+        translation: a.translation.lerp(b.translation, f32x8::splat(T)),
+    });
+    contest.last_should(straight);
+}
+
+fn sclerp<'a>(pairs: &'a Pairs, contest: &mut Contest<'a>) {
+    let t = f64::from(T);
+    contest.expected = pairs.expected(|a, b| a.sclerp(b, t));
+    own!(pairs, contest, |backend, a, b, output| backend.sclerp(a, b, T, output));
+    pairs.each(contest, "dq8 scalar", |a: &Motion, b: &Motion| a.sclerp(*b, T));
+    pairs.each(contest, "nalgebra UnitDualQuaternion", |a: &UnitDualQuaternion<f32>, b| {
+        a.sclerp(b, T)
+    });
+    // No screws, but what users of glam and ultraviolet do instead.
+    let straight = pairs.expected(|a, b| straight(a, b, a.sclerp(b, t).rotation(), t));
+    pairs.each(contest, "glam slerp + lerp", |a: &QuatVec3A, b| QuatVec3A {
+        rotation: a.rotation.slerp(b.rotation, T),
+        translation: a.translation.lerp(b.translation, T),
+    });
+    contest.last_should(straight.clone());
+    pairs.each(contest, "ultraviolet slerp + lerp, 8 lanes", |a: &Isometry3x8, b| Isometry3x8 {
+        rotation: a.rotation.slerp(b.rotation, f32x8::splat(T)),
+        translation: a.translation.lerp(b.translation, f32x8::splat(T)),
+    });
+    contest.last_should(straight);
+}
+
+/// The rotation, and the translation on the straight way from one to the other.
+fn straight(a: DualQuat<f64>, b: DualQuat<f64>, rotation: Quat<f64>, t: f64) -> DualQuat<f64> {
+    let (a, b) = (a.translation(), b.translation());
+    let translation = [0, 1, 2].map(|c| a[c] + t * (b[c] - a[c]));
+    DualQuat::from_rotation_translation(rotation, translation)
+}
+
+impl Pairs {
+    fn new(operation: Operation, count: usize) -> Self {
+        let mut random = Random(8);
+        let (mut a, mut b) = (Vec::new(), Vec::new());
+        for _ in 0..Many::<Motion>::DIFFERENT {
+            let (motion, way) = (motion(&mut random, -3.0, 3.0), motion(&mut random, 0.3, 2.2));
+            let norm = match operation {
+                Operation::Normalise => random.between(0.5, 2.0),
+                _ => 1.0,
+            };
+            a.push(single(motion.scale(norm)));
+            b.push(single(motion * way));
+        }
+        let [a, b] = [a, b].map(|different| Many::new(1, different, count));
+        Self { a, b }
+    }
+
+    fn expected<O: Numbers>(
+        &self,
+        operation: impl Fn(DualQuat<f64>, DualQuat<f64>) -> O,
+    ) -> Vec<Vec<f64>> {
+        let pairs = self.a.different().iter().zip(self.b.different());
+        pairs.map(|(&a, &b)| operation(double(a), double(b)).numbers()).collect()
+    }
+
+    fn own<'a, P: Packed<Motion>>(
+        &'a self,
+        contest: &mut Contest<'a>,
+        layout: &str,
+        kernel: impl Fn(Backend, &[P], &[P], &mut [P]) -> Result<(), ShapeError> + Copy + 'a,
+    ) {
+        for backend in Backend::available() {
+            let pass = move |(a, b): &(Vec<P>, Vec<P>), output: &mut [P]| {
+                kernel(backend, a, b, output).expect("slices of one length");
+            };
+            self.add(contest, &format!("dq8 {layout} {backend}"), Some(backend), pass);
+        }
+    }
+
+    /// The plain loop.
+    fn each<'a, I: Packed<Motion>, O: Packed<Motion>>(
+        &'a self,
+        contest: &mut Contest<'a>,
+        name: &str,
+        operation: impl Fn(&I, &I) -> O + Copy + 'a,
+    ) {
+        let pass = move |(a, b): &(Vec<I>, Vec<I>), output: &mut [O]| {
+            for ((output, a), b) in output.iter_mut().zip(a).zip(b) {
+                *output = operation(a, b);
+            }
+        };
+        self.add(contest, name, None, pass);
+    }
+
+    fn add<'a, I: Packed<Motion>, O: Packed<Motion>>(
+        &'a self,
+        contest: &mut Contest<'a>,
+        name: &str,
+        backend: Option<Backend>,
+        pass: impl Fn(&(Vec<I>, Vec<I>), &mut [O]) + Copy + 'a,
+    ) {
+        let memory = || ((self.a.pack(), self.b.pack()), self.a.pack());
+        contest.add(name, backend, memory, pass, |output, index| self.a.numbers(output, index));
+    }
+}
+
+fn motion(random: &mut Random, least: f64, most: f64) -> DualQuat<f64> {
+    let turn = Quat::from_axis_angle(random.direction(), random.between(least, most));
+    let shift = random.between(0.0, 1.0);
+    DualQuat::from_rotation_translation(turn, random.direction().map(|c| c * shift))
+}
+
+fn single(motion: DualQuat<f64>) -> Motion {
+    DualQuat::from_array(motion.to_array().map(|c| c as f32))
+}
