@@ -140,9 +140,9 @@ where
     }
 }
 
-fn plain<R: Real + Float>(backend: Backend)
+fn plain<R>(backend: Backend)
 where
-    R: Memory<1, Number = R> + Place<1, Layout = Plain<R>>,
+    R: Real + Float + Memory<1, Number = R> + Place<1, Layout = Plain<R>>,
 {
     is_one_after_the_other::<DualQuat<R>, [R; 3], R, [[R; 4]; 3], [[R; 4]; 4]>(backend);
     is_one_after_the_other::<DualQuat<R>, [R; 3], R, [R; 12], [R; 16]>(backend);
