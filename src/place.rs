@@ -62,18 +62,28 @@ pub trait Place<const C: usize>: Copy + sealed::Sealed {
     /// Which lanes it is read into.
     type Layout: Layout;
 
-    /// How many steps of a kernel go over `length` elements: a step fills a register of each component.
+    /// How many turns of a kernel go over `length` elements.
     #[must_use]
-    fn steps<V: Level>(length: usize) -> usize;
-    /// Into lanes what belongs to a step; `padding` where `from` has ended.
+    fn turns<V: Level>(length: usize) -> usize;
+    /// How many steps a turn has: a step fills a register of each component.
+    #[must_use]
+    fn parts<V: Level>() -> usize;
+    /// Into lanes what belongs to a step; `padding` where `from` has ended, and nothing beyond it.
     fn gather<V: Level>(
         level: V,
         from: &[Self],
-        step: usize,
+        step: Step,
         padding: [Number<Self, C>; C],
-    ) -> [Lanes<Self, V, C>; C];
+    ) -> Option<[Lanes<Self, V, C>; C]>;
     /// Lanes to where they belong in a step; what is beyond the end of `to` is dropped.
-    fn scatter<V: Level>(components: [Lanes<Self, V, C>; C], to: &mut [Self], step: usize);
+    fn scatter<V: Level>(components: [Lanes<Self, V, C>; C], to: &mut [Self], step: Step);
+}
+
+/// Which elements, and which of their parts.
+#[derive(Clone, Copy, Debug)]
+pub struct Step {
+    pub(crate) turn: usize,
+    pub(crate) part: usize,
 }
 
 /// The number of a place.
@@ -85,27 +95,26 @@ impl<A: Row<Real: Real>, const C: usize> Place<C> for Block<A, C> {
     type Layout = InBlocks<A>;
 
     #[inline(always)]
-    fn steps<V: Level>(length: usize) -> usize {
-        length * Self::parts::<V>()
+    fn turns<V: Level>(length: usize) -> usize {
+        length
+    }
+    #[inline(always)]
+    fn parts<V: Level>() -> usize {
+        Self::parts::<V>()
     }
     #[inline(always)]
     fn gather<V: Level>(
         level: V,
         from: &[Self],
-        step: usize,
-        padding: [A::Real; C],
-    ) -> [Part<A, V>; C] {
-        let parts = Self::parts::<V>();
-        match from.get(step / parts) {
-            Some(block) => block.load_part(level, step % parts),
-            None => Self::splat(padding).load_part(level, 0),
-        }
+        step: Step,
+        _: [A::Real; C],
+    ) -> Option<[Part<A, V>; C]> {
+        Some(from.get(step.turn)?.load_part(level, step.part))
     }
     #[inline(always)]
-    fn scatter<V: Level>(components: [Part<A, V>; C], to: &mut [Self], step: usize) {
-        let parts = Self::parts::<V>();
-        if let Some(block) = to.get_mut(step / parts) {
-            block.store_part::<V>(components, step % parts);
+    fn scatter<V: Level>(components: [Part<A, V>; C], to: &mut [Self], step: Step) {
+        if let Some(block) = to.get_mut(step.turn) {
+            block.store_part::<V>(components, step.part);
         }
     }
 }
@@ -117,29 +126,32 @@ macro_rules! plain {
             type Layout = Plain<$real>;
 
             #[inline(always)]
-            fn steps<V: Level>(length: usize) -> usize {
+            fn turns<V: Level>(length: usize) -> usize {
                 length.div_ceil(<$real as Float>::Lanes::<V>::LANES)
+            }
+            #[inline(always)]
+            fn parts<V: Level>() -> usize {
+                1
             }
             #[inline(always)]
             fn gather<V: Level>(
                 level: V,
                 from: &[Self],
-                step: usize,
+                step: Step,
                 padding: [$real; $components],
-            ) -> [<$real as Float>::Lanes<V>; $components] {
+            ) -> Option<[<$real as Float>::Lanes<V>; $components]> {
                 let records: &[[$real; $components]] = bytemuck::must_cast_slice(from);
-                let first = step * <$real as Float>::Lanes::<V>::LANES;
-                let records = records.get(first..).unwrap_or_default();
-                <$real as Float>::Lanes::<V>::load_records(level, records, padding)
+                let first = step.turn * <$real as Float>::Lanes::<V>::LANES;
+                Some(<$real as Float>::Lanes::<V>::load_records(level, records.get(first..)?, padding))
             }
             #[inline(always)]
             fn scatter<V: Level>(
                 components: [<$real as Float>::Lanes<V>; $components],
                 to: &mut [Self],
-                step: usize,
+                step: Step,
             ) {
                 let records: &mut [[$real; $components]] = bytemuck::must_cast_slice_mut(to);
-                let first = step * <$real as Float>::Lanes::<V>::LANES;
+                let first = step.turn * <$real as Float>::Lanes::<V>::LANES;
                 let records = records.get_mut(first..).unwrap_or_default();
                 <$real as Float>::Lanes::<V>::store_records(components, records);
             }

@@ -2,7 +2,7 @@ use super::sweep::{Operation, motions, same_length, sweep};
 use crate::batch;
 use crate::dispatch::Backend;
 use crate::error::ShapeError;
-use crate::place::{Lanes, Number, Place};
+use crate::place::{Lanes, Number, Place, Step};
 use dq8_simd::{Lane, Level};
 
 impl Backend {
@@ -131,23 +131,23 @@ impl Way for Sclerp {
 
 /// t, the same for all or one each.
 trait Parameter<P: Place<8>> {
-    fn lanes<V: Level>(&self, level: V, step: usize) -> Lanes<P, V, 8>;
+    fn lanes<V: Level>(&self, level: V, step: Step) -> Option<Lanes<P, V, 8>>;
 }
 
 struct One<R>(R);
 impl<P: Place<8>> Parameter<P> for One<Number<P, 8>> {
     #[inline(always)]
-    fn lanes<V: Level>(&self, level: V, _: usize) -> Lanes<P, V, 8> {
-        Lane::splat(level, self.0)
+    fn lanes<V: Level>(&self, level: V, _: Step) -> Option<Lanes<P, V, 8>> {
+        Some(Lane::splat(level, self.0))
     }
 }
 
 struct Many<'s, T>(&'s [T]);
 impl<P: Place<8>, T: Place<1, Layout = P::Layout>> Parameter<P> for Many<'_, T> {
     #[inline(always)]
-    fn lanes<V: Level>(&self, level: V, step: usize) -> Lanes<P, V, 8> {
-        let [t] = T::gather(level, self.0, step, [Default::default()]);
-        t
+    fn lanes<V: Level>(&self, level: V, step: Step) -> Option<Lanes<P, V, 8>> {
+        let [t] = T::gather(level, self.0, step, [Default::default()])?;
+        Some(t)
     }
 }
 
@@ -160,8 +160,8 @@ struct Interpolation<'s, P, W, T> {
 
 impl<P: Place<8>, W: Way, T: Parameter<P>> Operation<P, 8> for Interpolation<'_, P, W, T> {
     #[inline(always)]
-    fn compute<V: Level>(&self, level: V, _: &[P], step: usize) -> [Lanes<P, V, 8>; 8] {
-        let (a, b) = (motions(level, self.a, step), motions(level, self.b, step));
-        self.way.at(a, b, self.t.lanes(level, step)).to_array()
+    fn compute<V: Level>(&self, level: V, _: &[P], step: Step) -> Option<[Lanes<P, V, 8>; 8]> {
+        let (a, b) = (motions(level, self.a, step)?, motions(level, self.b, step)?);
+        Some(self.way.at(a, b, self.t.lanes(level, step)?).to_array())
     }
 }

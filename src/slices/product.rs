@@ -1,7 +1,7 @@
 use super::sweep::{Operation, motions, same_length, sweep};
 use crate::dispatch::Backend;
 use crate::error::ShapeError;
-use crate::place::{Lanes, Place};
+use crate::place::{Lanes, Place, Step};
 use dq8_simd::Level;
 
 impl Backend {
@@ -46,8 +46,8 @@ struct Product<'s, P> {
 
 impl<P: Place<8>> Operation<P, 8> for Product<'_, P> {
     #[inline(always)]
-    fn compute<V: Level>(&self, level: V, output: &[P], step: usize) -> [Lanes<P, V, 8>; 8] {
-        let a = motions(level, self.a.unwrap_or(output), step);
-        (a * motions(level, self.b, step)).to_array()
+    fn compute<V: Level>(&self, level: V, output: &[P], step: Step) -> Option<[Lanes<P, V, 8>; 8]> {
+        let a = motions(level, self.a.unwrap_or(output), step)?;
+        Some((a * motions(level, self.b, step)?).to_array())
     }
 }

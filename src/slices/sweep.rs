@@ -3,13 +3,13 @@
 use crate::batch;
 use crate::dispatch::{Backend, Kernel};
 use crate::error::ShapeError;
-use crate::place::{Lanes, Layout, Number, Place};
+use crate::place::{Lanes, Layout, Number, Place, Step};
 use dq8_simd::Level;
 
 /// What becomes of the elements of a slice, lanes at a time.
 pub(super) trait Operation<Q: Place<D>, const D: usize> {
     /// What belongs to a step, see [`Place`]; `output` is what the slice holds so far.
-    fn compute<V: Level>(&self, level: V, output: &[Q], step: usize) -> [Lanes<Q, V, D>; D];
+    fn compute<V: Level>(&self, level: V, output: &[Q], step: Step) -> Option<[Lanes<Q, V, D>; D]>;
 }
 
 /// Writes `operation` over `output`.
@@ -32,32 +32,38 @@ impl<Q: Place<D>, O: Operation<Q, D>, const D: usize> Kernel for Sweep<'_, Q, O,
 
     #[inline(always)]
     fn run<V: Level>(self, level: V) {
-        for step in 0..Q::steps::<V>(self.output.len()) {
-            let components = self.operation.compute(level, self.output, step);
-            Q::scatter(components, self.output, step);
+        for turn in 0..Q::turns::<V>(self.output.len()) {
+            for part in 0..Q::parts::<V>() {
+                let step = Step { turn, part };
+                // The lengths were checked, so this always is something; the compiler need not know.
+                let Some(components) = self.operation.compute(level, self.output, step) else {
+                    return;
+                };
+                Q::scatter(components, self.output, step);
+            }
         }
     }
 }
 
-/// The motions of a step; the identity beyond the end of `slice`.
+/// The motions of a step; the identity in lanes beyond the end of `slice`.
 #[inline(always)]
 pub(super) fn motions<P: Place<8>, V: Level>(
     level: V,
     slice: &[P],
-    step: usize,
-) -> batch::DualQuat<Lanes<P, V, 8>> {
+    step: Step,
+) -> Option<batch::DualQuat<Lanes<P, V, 8>>> {
     let (zero, one) = (Number::<P, 8>::default(), Number::<P, 8>::from(1.0));
     let identity = [zero, zero, zero, one, zero, zero, zero, zero];
-    batch::DualQuat::from_array(P::gather(level, slice, step, identity))
+    Some(batch::DualQuat::from_array(P::gather(level, slice, step, identity)?))
 }
 
-/// The vectors of a step; zero beyond the end of `slice`.
+/// The vectors of a step; zero in lanes beyond the end of `slice`.
 #[inline(always)]
 pub(super) fn vectors<P: Place<3>, V: Level>(
     level: V,
     slice: &[P],
-    step: usize,
-) -> [Lanes<P, V, 3>; 3] {
+    step: Step,
+) -> Option<[Lanes<P, V, 3>; 3]> {
     let zero = [Number::<P, 3>::default(); 3];
     P::gather(level, slice, step, zero)
 }

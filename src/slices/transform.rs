@@ -2,7 +2,7 @@ use super::sweep::{Operation, motions, same_length, sweep, vectors};
 use crate::batch;
 use crate::dispatch::Backend;
 use crate::error::ShapeError;
-use crate::place::{Lanes, Number, Place};
+use crate::place::{Lanes, Number, Place, Step};
 use crate::scalar::DualQuat;
 use dq8_simd::{Lane, Level};
 
@@ -119,8 +119,8 @@ impl<'s, P: Place<3>> ByOne<'s, P> {
 
 impl<P: Place<3>> Operation<P, 3> for ByOne<'_, P> {
     #[inline(always)]
-    fn compute<V: Level>(&self, level: V, output: &[P], step: usize) -> [Lanes<P, V, 3>; 3] {
-        let [x, y, z] = vectors(level, self.from.unwrap_or(output), step);
+    fn compute<V: Level>(&self, level: V, output: &[P], step: Step) -> Option<[Lanes<P, V, 3>; 3]> {
+        let [x, y, z] = vectors(level, self.from.unwrap_or(output), step)?;
         let mut moved = [x; 3];
         for (moved, row) in moved.iter_mut().zip(self.rows) {
             // The compiler keeps the twelve lanes in registers from one turn of the loop to the next.
@@ -130,7 +130,7 @@ impl<P: Place<3>> Operation<P, 3> for ByOne<'_, P> {
             );
             *moved = z.mul_add(c, y.mul_add(b, x.mul_add(a, t)));
         }
-        moved
+        Some(moved)
     }
 }
 
@@ -168,7 +168,7 @@ where
     A: Action,
 {
     #[inline(always)]
-    fn compute<V: Level>(&self, level: V, _: &[P], step: usize) -> [Lanes<P, V, 3>; 3] {
-        self.action.act(motions(level, self.motions, step), vectors(level, self.from, step))
+    fn compute<V: Level>(&self, level: V, _: &[P], step: Step) -> Option<[Lanes<P, V, 3>; 3]> {
+        Some(self.action.act(motions(level, self.motions, step)?, vectors(level, self.from, step)?))
     }
 }

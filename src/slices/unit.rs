@@ -2,7 +2,7 @@ use super::sweep::{Operation, motions, same_length, sweep};
 use crate::batch;
 use crate::dispatch::Backend;
 use crate::error::ShapeError;
-use crate::place::{Lanes, Place};
+use crate::place::{Lanes, Place, Step};
 use dq8_simd::{Lane, Level};
 
 impl Backend {
@@ -81,7 +81,7 @@ struct Each<'s, P, C> {
 
 impl<P: Place<8>, C: Change> Operation<P, 8> for Each<'_, P, C> {
     #[inline(always)]
-    fn compute<V: Level>(&self, level: V, output: &[P], step: usize) -> [Lanes<P, V, 8>; 8] {
-        self.change.of(motions(level, self.from.unwrap_or(output), step)).to_array()
+    fn compute<V: Level>(&self, level: V, output: &[P], step: Step) -> Option<[Lanes<P, V, 8>; 8]> {
+        Some(self.change.of(motions(level, self.from.unwrap_or(output), step)?).to_array())
     }
 }

@@ -9,6 +9,8 @@ use core::hint::black_box;
 pub(super) fn align_frame() {
     #[repr(align(64))]
     struct CacheLine(#[allow(dead_code, reason = "only its place matters")] u8);
-    // A local that something may look at has to be where its alignment says.
-    black_box(&CacheLine(0));
+    // A local that something may write to has to be where its alignment says. (A constant that is only
+    // looked at would become a static.)
+    let mut local = CacheLine(0);
+    black_box(&mut local);
 }
