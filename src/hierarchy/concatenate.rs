@@ -56,29 +56,50 @@ fn forward<P: Pose, L: Locals<P>, F: Finish<P>, V: Level, const K: usize>(
 ) {
     let parents = job.hierarchy.parents();
     for joint in job.joints.clone() {
+        // ROOT is beyond the last joint: there is no such model.
+        let Some(&parent) = parents.get(joint) else { return };
+        let renormalise = job.renormalise.applies_to(joint);
         for (instance, models) in &mut instances {
+            let index = *instance * parents.len() + joint;
             for part in 0..P::parts::<V>() {
-                let spot = Spot { index: *instance * parents.len() + joint, joint, part };
-                // ROOT is beyond the last joint, so the check of the bound tells roots apart.
-                let parent = parents.get(joint).and_then(|&parent| models.get(parent as usize));
-                let parent = match parent {
-                    Some(parent) => Some(parent.load(level, part)),
-                    None => root_of(job, level, *instance, part),
+                let spot = Spot { index, joint, part };
+                let in_place = Spot { index: joint, ..spot };
+                // What is rare stands apart, or it would take registers from what is not.
+                let model = if let Some(parent) = models.get(parent as usize) {
+                    match locals {
+                        Some(locals) => locals.onto(level, parent.load(level, part), spot),
+                        None => Motions(models).onto(level, parent.load(level, part), in_place),
+                    }
+                } else {
+                    root(level, job, locals, models, spot)
                 };
-                let model = match locals {
-                    Some(locals) => locals.onto(level, parent, spot),
-                    None => Motions(models).onto(level, parent, Spot { index: joint, ..spot }),
-                };
-                let Some(mut model) = model else { break };
-                if job.renormalise.applies_to(joint) {
-                    model = model.normalize();
+                let (Some(model), Some(slot)) = (model, models.get_mut(joint)) else { return };
+                slot.store(level, part, model);
+                if renormalise {
+                    slot.store(level, part, slot.load(level, part).normalize());
                 }
-                if let Some(slot) = models.get_mut(joint) {
-                    slot.store(level, part, model);
-                }
-                finish.finish(level, spot, model);
+                finish.finish(level, spot, slot);
             }
         }
+    }
+}
+
+/// The model of a joint without a parent.
+#[inline(always)]
+fn root<P: Pose, L: Locals<P>, V: Level>(
+    level: V,
+    job: &Job<'_, P>,
+    locals: Option<L>,
+    models: &[P],
+    spot: Spot,
+) -> Option<P::Motion<V>> {
+    let instance = spot.index / job.hierarchy.joints().max(1);
+    let in_place = Spot { index: spot.joint, ..spot };
+    match (root_of(job, level, instance, spot.part), locals) {
+        (None, Some(locals)) => locals.alone(level, spot),
+        (None, None) => Motions(models).alone(level, in_place),
+        (Some(root), Some(locals)) => locals.onto(level, root, spot),
+        (Some(root), None) => Motions(models).onto(level, root, in_place),
     }
 }
 

@@ -14,13 +14,10 @@ pub trait Locals<P: Pose>: Copy + sealed::Sealed {
     /// # Errors
     /// If what is the same for all instances is not there for all joints.
     fn shape(&self, joints: usize) -> Result<(&'static str, usize), ShapeError>;
-    /// parent · local, or the local itself.
-    fn onto<V: Level>(
-        self,
-        level: V,
-        parent: Option<P::Motion<V>>,
-        spot: Spot,
-    ) -> Option<P::Motion<V>>;
+    /// parent · local
+    fn onto<V: Level>(self, level: V, parent: P::Motion<V>, spot: Spot) -> Option<P::Motion<V>>;
+    /// The local itself.
+    fn alone<V: Level>(self, level: V, spot: Spot) -> Option<P::Motion<V>>;
 }
 
 /// Which local.
@@ -48,14 +45,14 @@ impl<P: Pose> Locals<P> for Motions<'_, P> {
     fn onto<V: Level>(
         self,
         level: V,
-        parent: Option<P::Motion<V>>,
+        parent: P::Motion<V>,
         Spot { index, part, .. }: Spot,
     ) -> Option<P::Motion<V>> {
-        let local = self.0.get(index)?.load(level, part);
-        Some(match parent {
-            Some(parent) => parent * local,
-            None => local,
-        })
+        Some(parent * self.0.get(index)?.load(level, part))
+    }
+    #[inline(always)]
+    fn alone<V: Level>(self, level: V, Spot { index, part, .. }: Spot) -> Option<P::Motion<V>> {
+        Some(self.0.get(index)?.load(level, part))
     }
 }
 
@@ -74,11 +71,16 @@ impl<P: Pose> Locals<P> for RotationsTranslations<'_, P> {
     fn onto<V: Level>(
         self,
         level: V,
-        parent: Option<P::Motion<V>>,
+        parent: P::Motion<V>,
         Spot { index, part, .. }: Spot,
     ) -> Option<P::Motion<V>> {
         let (rotation, translation) = P::load_rotation_translation(level, part, self.0.get(index)?);
-        Some(joined(parent, rotation, translation))
+        Some(parent.mul_rotation_translation(rotation, translation))
+    }
+    #[inline(always)]
+    fn alone<V: Level>(self, level: V, Spot { index, part, .. }: Spot) -> Option<P::Motion<V>> {
+        let (rotation, translation) = P::load_rotation_translation(level, part, self.0.get(index)?);
+        Some(Motion::from_rotation_translation(rotation, translation))
     }
 }
 
@@ -101,20 +103,18 @@ impl<P: Pose> Locals<P> for Rotations<'_, P> {
     fn onto<V: Level>(
         self,
         level: V,
-        parent: Option<P::Motion<V>>,
+        parent: P::Motion<V>,
         Spot { index, joint, part }: Spot,
     ) -> Option<P::Motion<V>> {
         let rotation = P::load_rotation(level, part, self.rotations.get(index)?);
         let offset = P::splat_vector(level, *self.offsets.get(joint)?);
-        Some(joined(parent, rotation, offset))
+        Some(parent.mul_rotation_translation(rotation, offset))
     }
-}
-
-#[inline(always)]
-fn joined<M: Motion>(parent: Option<M>, rotation: M::Quat, translation: [M::Real; 3]) -> M {
-    match parent {
-        Some(parent) => parent.mul_rotation_translation(rotation, translation),
-        None => M::from_rotation_translation(rotation, translation),
+    #[inline(always)]
+    fn alone<V: Level>(self, level: V, Spot { index, joint, part }: Spot) -> Option<P::Motion<V>> {
+        let rotation = P::load_rotation(level, part, self.rotations.get(index)?);
+        let offset = P::splat_vector(level, *self.offsets.get(joint)?);
+        Some(Motion::from_rotation_translation(rotation, offset))
     }
 }
 

@@ -51,7 +51,7 @@ impl<A: Row<Real: Real>> Entry<dq8_simd::Block<A, 8>> for dq8_simd::Block<A, 12>
 
 /// What else becomes of a model once it is known.
 pub(super) trait Finish<P: Pose> {
-    fn finish<V: Level>(&mut self, level: V, spot: Spot, model: P::Motion<V>);
+    fn finish<V: Level>(&mut self, level: V, spot: Spot, model: &P);
 }
 
 /// Nothing.
@@ -59,7 +59,7 @@ pub(super) struct ModelsOnly;
 
 impl<P: Pose> Finish<P> for ModelsOnly {
     #[inline(always)]
-    fn finish<V: Level>(&mut self, _: V, _: Spot, _: P::Motion<V>) {}
+    fn finish<V: Level>(&mut self, _: V, _: Spot, _: &P) {}
 }
 
 /// model(j) · inverse bind(j), from the mesh in its rest pose to the posed mesh.
@@ -70,16 +70,11 @@ pub(super) struct Palette<'s, P: Pose, E> {
 
 impl<P: Pose, E: Entry<P>> Finish<P> for Palette<'_, P, E> {
     #[inline(always)]
-    fn finish<V: Level>(
-        &mut self,
-        level: V,
-        Spot { index, joint, part }: Spot,
-        model: P::Motion<V>,
-    ) {
+    fn finish<V: Level>(&mut self, level: V, Spot { index, joint, part }: Spot, model: &P) {
         if let (Some(bind), Some(entry)) =
             (self.inverse_binds.get(joint), self.entries.get_mut(index))
         {
-            entry.store(level, part, model * P::splat(level, *bind));
+            entry.store(level, part, model.load(level, part) * P::splat(level, *bind));
         }
     }
 }
