@@ -286,7 +286,7 @@ fn a_chain_of_ten_thousand_joints_needs_no_stack() {
         chain.model_to_local_in_place(&mut poses).unwrap();
         assert_eq!(P::flat(JOINTS as usize, 1, &poses), P::flat(JOINTS as usize, 1, &locals));
     }
-    let small_stack = std::thread::Builder::new().stack_size(256 * 1024);
+    let small_stack = std::thread::Builder::new().stack_size(1024 * 1024);
     let run = small_stack.spawn(|| for_every_layout!(chain())).unwrap();
     run.join().unwrap();
 }
