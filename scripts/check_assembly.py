@@ -1,0 +1,87 @@
+#!/usr/bin/env python3
+"""Looks at the machine code of the hot kernels, in a default build for x86-64.
+
+    python3 scripts/check_assembly.py         # needs cargo and objdump (Debian package binutils)
+
+A kernel that is not inlined into its instruction set still gives the right numbers, 35 times slower. So the
+innermost loop of each must multiply and add in whole registers of its backend, must call nothing, and, where
+there are but 16 registers (AVX2), must not spill: what a loop spills, it loads again. Prints a line a kernel;
+exits 1 if one is not as it should be or is missing.
+"""
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+# What the kernel is called here; what names it in its symbol; whether its AVX2 loop must be free of spills.
+KERNELS = [
+    ("pairwise product", r"slices::product::Product", True),
+    ("points by one motion", r"slices::transform::ByOne", True),
+    ("normalise", r"slices::unit::Normalize", False),
+    ("ScLERP", r"slices::interpolate::Sclerp", False),
+    ("crowd in place", r"concatenate::Forward", False),
+]
+BACKENDS = [("AVX2", "with_avx2", "ymm", (8, 16)), ("AVX-512", "with_avx512", "zmm", (16,))]
+FUSED = re.compile(r"\tvfn?m(add|sub)\d+ps\b")
+
+
+def build():
+    """The program, with symbols that spell out generic arguments, and its disassembly by function."""
+    target = ROOT / "target/assembly"
+    environment = {
+        **os.environ,
+        "RUSTFLAGS": "-C symbol-mangling-version=v0",
+        "CARGO_TARGET_DIR": str(target),
+        "CARGO_PROFILE_RELEASE_STRIP": "none",
+    }
+    command = ["cargo", "build", "--quiet", "--release", "-p", "dq8-assembly"]
+    subprocess.run(command, cwd=ROOT, env=environment, check=True)
+    command = ["objdump", "-d", "--no-show-raw-insn", "--demangle=rust", target / "release/dq8-assembly"]
+    listing = subprocess.run(command, check=True, capture_output=True, text=True).stdout
+    functions, body = {}, []
+    for line in listing.splitlines():
+        if head := re.match(r"^[0-9a-f]+ <(.*)>:$", line):
+            body = functions.setdefault(head[1], [])
+        elif instruction := re.match(r"^ *([0-9a-f]+):(\t.*)$", line):
+            body.append((int(instruction[1], 16), instruction[2]))
+    return functions
+
+
+def hot_loop(body):
+    """Of the innermost loops the one that multiplies most."""
+    loops = []
+    for end, (_, text) in enumerate(body):
+        if jump := re.match(r"\tj\w+ +([0-9a-f]+) ", text):
+            to = int(jump[1], 16)
+            start = next((i for i, (address, _) in enumerate(body) if address == to), None)
+            if start is not None and start <= end:
+                loops.append((start, end))
+    inner = [a for a in loops if not any(b != a and a[0] <= b[0] and b[1] <= a[1] for b in loops)]
+    texts = [[text for _, text in body[start : end + 1]] for start, end in inner]
+    return max(texts, key=lambda loop: sum(bool(FUSED.search(text)) for text in loop), default=[])
+
+
+def main():
+    functions, failures = build(), 0
+    print(f"{'kernel':22}{'backend':9}{'lanes':>6}{'fused':>7}{'calls':>7}{'spills':>8}")
+    for kernel, symbol, spill_free in KERNELS:
+        for backend, level, register, widths in BACKENDS:
+            for lanes in widths:
+                wanted = lambda name: level in name and re.search(symbol, name) and f"[f32; {lanes}" in name
+                bodies = [body for name, body in functions.items() if wanted(name)]
+                loop = max((hot_loop(body) for body in bodies), key=len, default=[])
+                fused = sum(bool(FUSED.search(text)) and register in text for text in loop)
+                calls = sum("\tcall" in text for text in loop)
+                spills = sum("mm" in text and ("(%rsp" in text or "(%rbp" in text) for text in loop)
+                bad = not fused or calls or (spill_free and backend == "AVX2" and spills)
+                failures += bool(bad)
+                mark = "  <-- not as it should be" if bad else ""
+                print(f"{kernel:22}{backend:9}{lanes:6}{fused:7}{calls:7}{spills:8}{mark}")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,28 @@
+//! Calls the hot kernels, so that their machine code is in this program.
+
+use dq8::{Backend, Block, DualQuat, Hierarchy, PointBlock};
+use std::hint::black_box;
+
+fn main() {
+    kernels::<8>([Block::splat([0.0; 8]); 2], [PointBlock::splat([0.0; 3]); 2]);
+    kernels::<16>([Block::splat([0.0; 8]); 2], [PointBlock::splat([0.0; 3]); 2]);
+}
+
+/// Each on blocks of `N` lanes.
+fn kernels<const N: usize>(a: [Block<f32, N>; 2], points: [PointBlock<f32, N>; 2])
+where
+    Block<f32, N>: dq8::Pose<Real = f32> + dq8::Place<8, Layout: dq8::place::Layout<Real = f32>>,
+    PointBlock<f32, N>: dq8::Place<3, Layout: dq8::place::Layout<Real = f32>>,
+{
+    let backend = Backend::best();
+    let parents = [Hierarchy::ROOT, 0];
+    let hierarchy = Hierarchy::new(&parents).expect("a hierarchy");
+    let (mut out, mut moved) = (black_box(a), black_box(points));
+    let fits = "they are of one length";
+    backend.mul(&black_box(a), &black_box(a), &mut out).expect(fits);
+    backend.normalize(&black_box(a), &mut out).expect(fits);
+    backend.sclerp(&black_box(a), &black_box(a), black_box(0.5), &mut out).expect(fits);
+    backend.transform_points(black_box(DualQuat::IDENTITY), &points, &mut moved).expect(fits);
+    hierarchy.local_to_model_in_place(&mut out).expect(fits);
+    black_box((out, moved));
+}
