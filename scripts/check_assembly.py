@@ -4,8 +4,8 @@
     python3 scripts/check_assembly.py         # needs cargo and objdump (Debian package binutils)
 
 A kernel that is not inlined into its instruction set still gives the right numbers, 35 times slower. So the
-innermost loop of each must multiply and add in whole registers of its backend, must call nothing, and, where
-there are but 16 registers (AVX2), must not spill: what a loop spills, it loads again. Prints a line a kernel;
+innermost loop of each must multiply and add in whole registers of its backend, must call nothing, and must keep
+off the stack where there are but 16 registers (AVX2). Prints a line a kernel;
 exits 1 if one is not as it should be or is missing.
 """
 
@@ -16,13 +16,15 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-# What the kernel is called here; what names it in its symbol; whether its AVX2 loop must be free of spills.
+# What the kernel is called here; what names it in its symbol; how often its AVX2 loop may touch the stack. A crowd
+# in place keeps all eight results until it has loaded everything, for they go where it loads from: one does not fit.
+# ScLERP has more constants than there are registers.
 KERNELS = [
-    ("pairwise product", r"slices::product::Product", True),
-    ("points by one motion", r"slices::transform::ByOne", True),
-    ("normalise", r"slices::unit::Normalize", False),
-    ("ScLERP", r"slices::interpolate::Sclerp", False),
-    ("crowd in place", r"concatenate::Forward", False),
+    ("pairwise product", r"slices::product::Product", 0),
+    ("points by one motion", r"slices::transform::ByOne", 0),
+    ("normalise", r"slices::unit::Normalize", 0),
+    ("ScLERP", r"slices::interpolate::Sclerp", None),
+    ("crowd in place", r"concatenate::Forward", 4),
 ]
 BACKENDS = [("AVX2", "with_avx2", "ymm", (8, 16)), ("AVX-512", "with_avx512", "zmm", (16,))]
 FUSED = re.compile(r"\tvfn?m(add|sub)\d+ps\b")
@@ -67,7 +69,7 @@ def hot_loop(body):
 def main():
     functions, failures = build(), 0
     print(f"{'kernel':22}{'backend':9}{'lanes':>6}{'fused':>7}{'calls':>7}{'spills':>8}")
-    for kernel, symbol, spill_free in KERNELS:
+    for kernel, symbol, most_spills in KERNELS:
         for backend, level, register, widths in BACKENDS:
             for lanes in widths:
                 wanted = lambda name: level in name and re.search(symbol, name) and f"[f32; {lanes}" in name
@@ -76,7 +78,8 @@ def main():
                 fused = sum(bool(FUSED.search(text)) and register in text for text in loop)
                 calls = sum("\tcall" in text for text in loop)
                 spills = sum("mm" in text and ("(%rsp" in text or "(%rbp" in text) for text in loop)
-                bad = not fused or calls or (spill_free and backend == "AVX2" and spills)
+                spilling = backend == "AVX2" and most_spills is not None and spills > most_spills
+                bad = not fused or calls or spilling
                 failures += bool(bad)
                 mark = "  <-- not as it should be" if bad else ""
                 print(f"{kernel:22}{backend:9}{lanes:6}{fused:7}{calls:7}{spills:8}{mark}")

@@ -2,10 +2,11 @@
 
 use super::Pose;
 use super::job::{Job, Root};
-use super::locals::{Locals, Motions, Spot};
+use super::locals::{Locals, Spot};
 use super::palette::Finish;
 use crate::dispatch::{Backend, Kernel};
 use crate::motion::Motion;
+use core::sync::atomic::{Ordering, compiler_fence};
 use dq8_simd::{Level, Portable};
 
 /// Runs a kernel over poses `P`: single motions gain nothing from wider instructions, and would only
@@ -15,10 +16,10 @@ pub(super) fn run<P: Pose, K: Kernel>(backend: Backend, kernel: K) -> K::Output 
     if P::INSTANCES == 1 { Portable.run(|| kernel.run(Portable)) } else { backend.run(kernel) }
 }
 
-/// model(j) = model(parent(j)) · local(j), parents first. Without `locals`, `models` holds them.
+/// model(j) = model(parent(j)) · local(j), parents first.
 pub(super) struct Forward<'j, 'h, 's, P: Pose, L, F> {
     pub(super) job: &'j Job<'h, P>,
-    pub(super) locals: Option<L>,
+    pub(super) locals: L,
     pub(super) models: &'s mut [P],
     pub(super) finish: F,
 }
@@ -50,7 +51,7 @@ impl<P: Pose, L: Locals<P>, F: Finish<P>> Kernel for Forward<'_, '_, '_, P, L, F
 fn forward<P: Pose, L: Locals<P>, F: Finish<P>, V: Level, const K: usize>(
     level: V,
     job: &Job<'_, P>,
-    locals: Option<L>,
+    locals: L,
     finish: &mut F,
     mut instances: [(usize, &mut [P]); K],
 ) {
@@ -63,18 +64,17 @@ fn forward<P: Pose, L: Locals<P>, F: Finish<P>, V: Level, const K: usize>(
             let index = *instance * parents.len() + joint;
             for part in 0..P::parts::<V>() {
                 let spot = Spot { index, joint, part };
-                let in_place = Spot { index: joint, ..spot };
-                // What is rare stands apart, or it would take registers from what is not.
-                let model = if let Some(parent) = models.get(parent as usize) {
-                    match locals {
-                        Some(locals) => locals.onto(level, parent.load(level, part), spot),
-                        None => Motions(models).onto(level, parent.load(level, part), in_place),
-                    }
+                if let Some(parent) = models.get(parent as usize) {
+                    let model = locals.onto(level, parent.load(level, part), models, spot);
+                    let (Some(model), Some(slot)) = (model, models.get_mut(joint)) else { return };
+                    slot.store(level, part, model);
                 } else {
-                    root(level, job, locals, models, spot)
-                };
-                let (Some(model), Some(slot)) = (model, models.get_mut(joint)) else { return };
-                slot.store(level, part, model);
+                    root(level, job, locals, models, spot);
+                }
+                // The next part, or instance, is none of this one's business: a compiler that mixes
+                // them has not enough registers.
+                compiler_fence(Ordering::SeqCst);
+                let Some(slot) = models.get_mut(joint) else { return };
                 if renormalise {
                     slot.store(level, part, slot.load(level, part).normalize());
                 }
@@ -84,23 +84,31 @@ fn forward<P: Pose, L: Locals<P>, F: Finish<P>, V: Level, const K: usize>(
     }
 }
 
-/// The model of a joint without a parent.
-#[inline(always)]
+/// The model of a joint without a parent. Not inlined: its registers would be missing where the work
+/// is.
+#[cold]
+#[inline(never)]
 fn root<P: Pose, L: Locals<P>, V: Level>(
     level: V,
     job: &Job<'_, P>,
-    locals: Option<L>,
-    models: &[P],
+    locals: L,
+    models: &mut [P],
     spot: Spot,
-) -> Option<P::Motion<V>> {
-    let instance = spot.index / job.hierarchy.joints().max(1);
-    let in_place = Spot { index: spot.joint, ..spot };
-    match (root_of(job, level, instance, spot.part), locals) {
-        (None, Some(locals)) => locals.alone(level, spot),
-        (None, None) => Motions(models).alone(level, in_place),
-        (Some(root), Some(locals)) => locals.onto(level, root, spot),
-        (Some(root), None) => Motions(models).onto(level, root, in_place),
-    }
+) {
+    level.run(
+        #[inline(always)]
+        || {
+            let Spot { index, joint, part } = spot;
+            let instance = index / job.hierarchy.joints().max(1);
+            let model = match root_of(job, level, instance, part) {
+                Some(root) => locals.onto(level, root, models, spot),
+                None => locals.alone(level, models, spot),
+            };
+            if let (Some(model), Some(slot)) = (model, models.get_mut(joint)) {
+                slot.store(level, part, model);
+            }
+        },
+    );
 }
 
 /// local(j) = model(parent(j))* · model(j), children first, so that in place every parent is still

@@ -1,5 +1,5 @@
 use super::concatenate::{Backward, Forward, run};
-use super::locals::{Locals, Motions};
+use super::locals::{InPlace, Locals, Motions};
 use super::palette::{Entry, Finish, ModelsOnly, Palette};
 use super::{Hierarchy, Pose, Renormalise};
 use crate::dispatch::Backend;
@@ -160,9 +160,7 @@ impl<'a, P: Pose> Job<'a, P> {
     /// If lengths or the range do not fit; `models` is untouched.
     #[inline]
     pub fn local_to_model(&self, locals: &[P], models: &mut [P]) -> Result<(), ShapeError> {
-        self.check_locals(&Motions(locals), models.len())?;
-        self.forward(Some(Motions(locals)), models, ModelsOnly);
-        Ok(())
+        self.locals_to_model(Motions(locals), models)
     }
 
     /// See [`Hierarchy::local_to_model_in_place`].
@@ -171,9 +169,7 @@ impl<'a, P: Pose> Job<'a, P> {
     /// If lengths or the range do not fit; `poses` is untouched.
     #[inline]
     pub fn local_to_model_in_place(&self, poses: &mut [P]) -> Result<(), ShapeError> {
-        self.check("poses", poses.len())?;
-        self.forward(None::<Motions<'_, P>>, poses, ModelsOnly);
-        Ok(())
+        self.locals_to_model(InPlace, poses)
     }
 
     /// [`local_to_model`](Self::local_to_model) of locals in any form.
@@ -199,7 +195,7 @@ impl<'a, P: Pose> Job<'a, P> {
         models: &mut [P],
     ) -> Result<(), ShapeError> {
         self.check_locals(&locals, models.len())?;
-        self.forward(Some(locals), models, ModelsOnly);
+        self.forward(locals, models, ModelsOnly);
         Ok(())
     }
 
@@ -236,12 +232,12 @@ impl<'a, P: Pose> Job<'a, P> {
         self.check_locals(&locals, models.len())?;
         same_length("inverse_binds", inverse_binds.len(), self.hierarchy.joints())?;
         same_length("palette", palette.len(), models.len())?;
-        self.forward(Some(locals), models, Palette { inverse_binds, entries: palette });
+        self.forward(locals, models, Palette { inverse_binds, entries: palette });
         Ok(())
     }
 
     #[inline]
-    fn forward<L: Locals<P>, F: Finish<P>>(&self, locals: Option<L>, models: &mut [P], finish: F) {
+    fn forward<L: Locals<P>, F: Finish<P>>(&self, locals: L, models: &mut [P], finish: F) {
         run::<P, _>(self.backend, Forward { job: self, locals, models, finish });
     }
 
@@ -274,13 +270,13 @@ impl<'a, P: Pose> Job<'a, P> {
         locals: &L,
         models: usize,
     ) -> Result<(), ShapeError> {
-        let (what, length) = locals.shape(self.hierarchy.joints())?;
+        let (what, length) = locals.shape(self.hierarchy.joints(), models)?;
         self.check(what, length)?;
         same_length("models", models, length)
     }
 
     /// Whether the range, the roots and `length` elements of `what` fit the hierarchy.
-    pub(super) fn check(&self, what: &'static str, length: usize) -> Result<(), ShapeError> {
+    fn check(&self, what: &'static str, length: usize) -> Result<(), ShapeError> {
         let joints = self.hierarchy.joints();
         if self.joints.start > self.joints.end || self.joints.end > joints {
             return Err(ShapeError::Joints { range: self.joints.clone(), joints });

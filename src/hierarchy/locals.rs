@@ -9,15 +9,21 @@ use dq8_simd::Level;
 /// Locals of whole instances, `[instance][joint]`: [`Motions`], [`RotationsTranslations`] or
 /// [`Rotations`]. Sealed.
 pub trait Locals<P: Pose>: Copy + sealed::Sealed {
-    /// Their name in errors, and how many there are.
+    /// Their name in errors, and how many there are for so many models.
     ///
     /// # Errors
     /// If what is the same for all instances is not there for all joints.
-    fn shape(&self, joints: usize) -> Result<(&'static str, usize), ShapeError>;
-    /// parent · local
-    fn onto<V: Level>(self, level: V, parent: P::Motion<V>, spot: Spot) -> Option<P::Motion<V>>;
+    fn shape(&self, joints: usize, models: usize) -> Result<(&'static str, usize), ShapeError>;
+    /// parent · local; `models` are those of the instance.
+    fn onto<V: Level>(
+        self,
+        level: V,
+        parent: P::Motion<V>,
+        models: &[P],
+        spot: Spot,
+    ) -> Option<P::Motion<V>>;
     /// The local itself.
-    fn alone<V: Level>(self, level: V, spot: Spot) -> Option<P::Motion<V>>;
+    fn alone<V: Level>(self, level: V, models: &[P], spot: Spot) -> Option<P::Motion<V>>;
 }
 
 /// Which local.
@@ -38,7 +44,7 @@ pub struct Motions<'s, P>(
 );
 
 impl<P: Pose> Locals<P> for Motions<'_, P> {
-    fn shape(&self, _: usize) -> Result<(&'static str, usize), ShapeError> {
+    fn shape(&self, _: usize, _: usize) -> Result<(&'static str, usize), ShapeError> {
         Ok(("locals", self.0.len()))
     }
     #[inline(always)]
@@ -46,13 +52,48 @@ impl<P: Pose> Locals<P> for Motions<'_, P> {
         self,
         level: V,
         parent: P::Motion<V>,
+        _: &[P],
         Spot { index, part, .. }: Spot,
     ) -> Option<P::Motion<V>> {
         Some(parent * self.0.get(index)?.load(level, part))
     }
     #[inline(always)]
-    fn alone<V: Level>(self, level: V, Spot { index, part, .. }: Spot) -> Option<P::Motion<V>> {
+    fn alone<V: Level>(
+        self,
+        level: V,
+        _: &[P],
+        Spot { index, part, .. }: Spot,
+    ) -> Option<P::Motion<V>> {
         Some(self.0.get(index)?.load(level, part))
+    }
+}
+
+/// Motions that lie where the models go.
+#[derive(Clone, Copy)]
+pub(super) struct InPlace;
+
+impl<P: Pose> Locals<P> for InPlace {
+    fn shape(&self, _: usize, models: usize) -> Result<(&'static str, usize), ShapeError> {
+        Ok(("poses", models))
+    }
+    #[inline(always)]
+    fn onto<V: Level>(
+        self,
+        level: V,
+        parent: P::Motion<V>,
+        models: &[P],
+        Spot { joint, part, .. }: Spot,
+    ) -> Option<P::Motion<V>> {
+        Some(parent * models.get(joint)?.load(level, part))
+    }
+    #[inline(always)]
+    fn alone<V: Level>(
+        self,
+        level: V,
+        models: &[P],
+        Spot { joint, part, .. }: Spot,
+    ) -> Option<P::Motion<V>> {
+        Some(models.get(joint)?.load(level, part))
     }
 }
 
@@ -64,7 +105,7 @@ pub struct RotationsTranslations<'s, P: Pose>(
 );
 
 impl<P: Pose> Locals<P> for RotationsTranslations<'_, P> {
-    fn shape(&self, _: usize) -> Result<(&'static str, usize), ShapeError> {
+    fn shape(&self, _: usize, _: usize) -> Result<(&'static str, usize), ShapeError> {
         Ok(("locals", self.0.len()))
     }
     #[inline(always)]
@@ -72,13 +113,19 @@ impl<P: Pose> Locals<P> for RotationsTranslations<'_, P> {
         self,
         level: V,
         parent: P::Motion<V>,
+        _: &[P],
         Spot { index, part, .. }: Spot,
     ) -> Option<P::Motion<V>> {
         let (rotation, translation) = P::load_rotation_translation(level, part, self.0.get(index)?);
         Some(parent.mul_rotation_translation(rotation, translation))
     }
     #[inline(always)]
-    fn alone<V: Level>(self, level: V, Spot { index, part, .. }: Spot) -> Option<P::Motion<V>> {
+    fn alone<V: Level>(
+        self,
+        level: V,
+        _: &[P],
+        Spot { index, part, .. }: Spot,
+    ) -> Option<P::Motion<V>> {
         let (rotation, translation) = P::load_rotation_translation(level, part, self.0.get(index)?);
         Some(Motion::from_rotation_translation(rotation, translation))
     }
@@ -95,7 +142,7 @@ pub struct Rotations<'s, P: Pose> {
 }
 
 impl<P: Pose> Locals<P> for Rotations<'_, P> {
-    fn shape(&self, joints: usize) -> Result<(&'static str, usize), ShapeError> {
+    fn shape(&self, joints: usize, _: usize) -> Result<(&'static str, usize), ShapeError> {
         same_length("offsets", self.offsets.len(), joints)?;
         Ok(("rotations", self.rotations.len()))
     }
@@ -104,6 +151,7 @@ impl<P: Pose> Locals<P> for Rotations<'_, P> {
         self,
         level: V,
         parent: P::Motion<V>,
+        _: &[P],
         Spot { index, joint, part }: Spot,
     ) -> Option<P::Motion<V>> {
         let rotation = P::load_rotation(level, part, self.rotations.get(index)?);
@@ -111,7 +159,12 @@ impl<P: Pose> Locals<P> for Rotations<'_, P> {
         Some(parent.mul_rotation_translation(rotation, offset))
     }
     #[inline(always)]
-    fn alone<V: Level>(self, level: V, Spot { index, joint, part }: Spot) -> Option<P::Motion<V>> {
+    fn alone<V: Level>(
+        self,
+        level: V,
+        _: &[P],
+        Spot { index, joint, part }: Spot,
+    ) -> Option<P::Motion<V>> {
         let rotation = P::load_rotation(level, part, self.rotations.get(index)?);
         let offset = P::splat_vector(level, *self.offsets.get(joint)?);
         Some(Motion::from_rotation_translation(rotation, offset))
@@ -119,8 +172,9 @@ impl<P: Pose> Locals<P> for Rotations<'_, P> {
 }
 
 mod sealed {
-    use super::{Motions, Pose, Rotations, RotationsTranslations};
+    use super::{InPlace, Motions, Pose, Rotations, RotationsTranslations};
     pub trait Sealed {}
+    impl Sealed for InPlace {}
     impl<P> Sealed for Motions<'_, P> {}
     impl<P: Pose> Sealed for RotationsTranslations<'_, P> {}
     impl<P: Pose> Sealed for Rotations<'_, P> {}

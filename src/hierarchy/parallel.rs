@@ -2,7 +2,7 @@
 
 use super::Pose;
 use super::job::{Job, Root};
-use super::locals::Motions;
+use super::locals::{InPlace, Motions};
 use crate::error::ShapeError;
 use rayon::prelude::*;
 
@@ -46,7 +46,7 @@ where
     /// # Errors
     /// If lengths or the range do not fit; `poses` is untouched.
     pub fn par_local_to_model_in_place(&self, poses: &mut [P]) -> Result<(), ShapeError> {
-        self.check("poses", poses.len())?;
+        self.check_locals(&InPlace, poses.len())?;
         let task = self.task();
         let tasks = poses.par_chunks_mut(task).enumerate();
         tasks.try_for_each(|(i, poses)| {
