@@ -20,10 +20,10 @@ ROOT = Path(__file__).resolve().parent.parent
 # in place keeps all eight results until it has loaded everything, for they go where it loads from: one does not fit.
 # ScLERP has more constants than there are registers.
 KERNELS = [
-    ("pairwise product", r"slices::product::Product", 0),
-    ("points by one motion", r"slices::transform::ByOne", 0),
-    ("normalise", r"slices::unit::Normalize", 0),
-    ("ScLERP", r"slices::interpolate::Sclerp", None),
+    ("pairwise product", r"sweep::Sweep<.*slices::product::Product", 0),
+    ("points by one motion", r"sweep::Sweep<.*slices::transform::ByOne", 0),
+    ("normalise", r"sweep::Sweep<.*slices::unit::Normalize", 0),
+    ("ScLERP", r"sweep::Sweep<.*slices::interpolate::Sclerp", None),
     ("crowd in place", r"concatenate::Forward", 4),
 ]
 BACKENDS = [("AVX2", "with_avx2", "ymm", (8, 16)), ("AVX-512", "with_avx512", "zmm", (16,))]

@@ -75,6 +75,13 @@ pub trait Place<const C: usize>: Copy + sealed::Sealed {
         step: Step,
         padding: [Number<Self, C>; C],
     ) -> Option<[Lanes<Self, V, C>; C]>;
+    /// [`scatter`](Self::scatter) of every step, past the caches where that exists. The first `None` of
+    /// `each` ends.
+    fn stream<V: Level>(
+        level: V,
+        to: &mut [Self],
+        each: impl FnMut(Step) -> Option<[Lanes<Self, V, C>; C]>,
+    );
     /// Lanes to where they belong in a step; what is beyond the end of `to` is dropped.
     fn scatter<V: Level>(components: [Lanes<Self, V, C>; C], to: &mut [Self], step: Step);
 }
@@ -112,6 +119,19 @@ impl<A: Row<Real: Real>, const C: usize> Place<C> for Block<A, C> {
         Some(from.get(step.turn)?.load_part(level, step.part))
     }
     #[inline(always)]
+    fn stream<V: Level>(
+        level: V,
+        to: &mut [Self],
+        mut each: impl FnMut(Step) -> Option<[Part<A, V>; C]>,
+    ) {
+        Self::stream(
+            level,
+            to,
+            #[inline(always)]
+            |turn, part| each(Step { turn, part }),
+        );
+    }
+    #[inline(always)]
     fn scatter<V: Level>(components: [Part<A, V>; C], to: &mut [Self], step: Step) {
         if let Some(block) = to.get_mut(step.turn) {
             block.store_part::<V>(components, step.part);
@@ -143,6 +163,19 @@ macro_rules! plain {
                 let records: &[[$real; $components]] = bytemuck::must_cast_slice(from);
                 let first = step.turn * <$real as Float>::Lanes::<V>::LANES;
                 Some(<$real as Float>::Lanes::<V>::load_records(level, records.get(first..)?, padding))
+            }
+            #[inline(always)]
+            fn stream<V: Level>(
+                _: V,
+                to: &mut [Self],
+                mut each: impl FnMut(Step) -> Option<[<$real as Float>::Lanes<V>; $components]>,
+            ) {
+                // Records are pieces of cache lines, which cannot be written past the caches.
+                for turn in 0..<Self as Place<$components>>::turns::<V>(to.len()) {
+                    let step = Step { turn, part: 0 };
+                    let Some(components) = each(step) else { return };
+                    <Self as Place<$components>>::scatter::<V>(components, to, step);
+                }
             }
             #[inline(always)]
             fn scatter<V: Level>(

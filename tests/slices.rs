@@ -240,6 +240,20 @@ fn slices_of_different_lengths_are_refused_and_the_output_is_untouched() {
     assert_eq!((moved, rows), ([[7.0; 3]; 5], [[[7.0; 4]; 3]; 5]));
 }
 
+/// Large outputs are written past the caches, and are the same.
+#[test]
+fn outputs_larger_than_caches_are_computed_as_small_ones() {
+    let a = motions::<f32>(16, 0.1);
+    let block = Block::<[f32; 16], 8>::pack(&numbers(&a))[0];
+    let many = vec![block; (64 << 20) / size_of_val(&block)];
+    for backend in Backend::available() {
+        let (mut few, mut all) = ([block; 3], many.clone());
+        backend.normalize(&[block; 3], &mut few).expect("they fit");
+        backend.normalize(&many, &mut all).expect("they fit");
+        assert!(all.iter().all(|block| *block == few[2]), "{backend}");
+    }
+}
+
 #[test]
 fn what_is_no_motion_is_nan_in_its_own_place_only() {
     for backend in Backend::available() {

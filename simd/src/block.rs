@@ -105,6 +105,38 @@ impl<A: Row, const C: usize> Block<A, C> {
         }
     }
 
+    /// Fills `to` past the caches: `each` gives what becomes of a part of a block, and its first `None`
+    /// ends. Worth it where the caches could not hold `to` anyway, and a loss where they could.
+    #[inline(always)]
+    pub fn stream<V: Level>(
+        level: V,
+        to: &mut [Self],
+        mut each: impl FnMut(usize, usize) -> Option<[Part<A, V>; C]>,
+    ) {
+        /// Fences also if `each` panics.
+        struct Fence<V: Level>(V);
+        impl<V: Level> Drop for Fence<V> {
+            #[inline(always)]
+            fn drop(&mut self) {
+                self.0.fence();
+            }
+        }
+        let _fence = Fence(level);
+        for (index, block) in to.iter_mut().enumerate() {
+            for part in 0..Self::parts::<V>() {
+                let Some(components) = each(index, part) else { return };
+                for (row, component) in block.0.iter_mut().zip(components) {
+                    let parts: &mut [<Part<A, V> as Lane>::Array] =
+                        bytemuck::cast_slice_mut(core::slice::from_mut(row));
+                    if let Some(array) = parts.get_mut(part) {
+                        // SAFETY: `to` is borrowed until the fence.
+                        unsafe { component.stream(array) };
+                    }
+                }
+            }
+        }
+    }
+
     /// All lanes of every component.
     #[inline(always)]
     pub fn store<V: Level>(&mut self, components: [A::Lane<V>; C]) {

@@ -54,6 +54,16 @@ pub trait Lane:
     /// Element `i` from lane `i`.
     fn store(self, to: &mut Self::Array);
 
+    /// [`store`](Self::store) past the caches, where the CPU has such an instruction and `to` is
+    /// aligned for it.
+    ///
+    /// # Safety
+    /// Before anything else reads or writes `to`, [`Level::fence`] must have been called.
+    #[inline(always)]
+    unsafe fn stream(self, to: &mut Self::Array) {
+        self.store(to);
+    }
+
     /// The first elements of `from`, at most `LANES`; `padding` in the lanes that are left.
     #[inline(always)]
     fn load_partial(level: Self::Level, from: &[Self::Real], padding: Self::Real) -> Self {

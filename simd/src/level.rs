@@ -27,6 +27,10 @@ pub trait Level: Copy + Debug + Send + Sync + 'static {
     /// The `f64` lanes that fill a register.
     type Double: Lane<Real = f64, Level = Self>;
 
+    /// Waits until what was stored past the caches is where other instructions see it.
+    #[inline(always)]
+    fn fence(self) {}
+
     /// Runs `kernel` compiled with the instructions of this level.
     ///
     /// Everything that `kernel` calls must be `#[inline(always)]`, or it is compiled without them.

@@ -207,6 +207,12 @@ fn check_level<V: Level>(level: V) {
         check::<V::F64x2>(level);
         check::<V::F64x4>(level);
         check::<V::F64x8>(level);
+        streams::<[f32; 4], V>(level);
+        streams::<[f32; 8], V>(level);
+        streams::<[f32; 16], V>(level);
+        streams::<[f64; 2], V>(level);
+        streams::<[f64; 4], V>(level);
+        streams::<[f64; 8], V>(level);
         check::<V::Single>(level);
         check::<V::Double>(level);
     });
@@ -251,6 +257,25 @@ fn lanes_found_at_run_time_are_found_where_they_are_and_compute_as_numbers_do() 
     }
     if let Some(level) = avx512 {
         check_level(level);
+    }
+}
+
+/// Until there is nothing more, and nothing beyond.
+fn streams<A: Row, V: Level>(level: V) {
+    let number = |i: usize| A::Real::from_f64(i as f64);
+    let mut blocks = vec![Block::<A, 3>::splat([number(7); 3]); 5];
+    let parts = Block::<A, 3>::parts::<V>();
+    Block::stream(level, &mut blocks, |index, part| {
+        let source = Block::<A, 3>::splat([0, 1, 2].map(|c| number(100 * index + 10 * part + c)));
+        (index < 4).then(|| source.load_part(level, part))
+    });
+    for (index, block) in blocks.iter().enumerate() {
+        for lane in 0..A::LANES {
+            let part = lane / (A::LANES / parts);
+            let wanted = [0, 1, 2].map(|c| number(100 * index + 10 * part + c));
+            let wanted = if index < 4 { wanted } else { [number(7); 3] };
+            assert_eq!(block.get(lane), Some(wanted), "block {index}, lane {lane}");
+        }
     }
 }
 

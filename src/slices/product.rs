@@ -45,6 +45,9 @@ struct Product<'s, P> {
 }
 
 impl<P: Place<8>> Operation<P, 8> for Product<'_, P> {
+    fn reads_output(&self) -> bool {
+        self.a.is_none()
+    }
     #[inline(always)]
     fn compute<V: Level>(&self, level: V, output: &[P], step: Step) -> Option<[Lanes<P, V, 8>; 8]> {
         let a = motions(level, self.a.unwrap_or(output), step)?;

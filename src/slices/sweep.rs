@@ -8,9 +8,25 @@ use dq8_simd::Level;
 
 /// What becomes of the elements of a slice, lanes at a time.
 pub(super) trait Operation<Q: Place<D>, const D: usize> {
+    /// Whether it is in place.
+    fn reads_output(&self) -> bool {
+        false
+    }
+
     /// What belongs to a step, see [`Place`]; `output` is what the slice holds so far.
     fn compute<V: Level>(&self, level: V, output: &[Q], step: Step) -> Option<[Lanes<Q, V, D>; D]>;
 }
+
+/// From this size on, in bytes, an output is written past the caches: a line that is written whole need
+/// not be read first. Products of 16-lane blocks, ns each, on a server with 2 MiB of L2 cache:
+///
+/// | output | AVX-512 | past the caches | AVX2 | past the caches |
+/// |---|---|---|---|---|
+/// | 2 MiB | 3.22 | 3.25 | 3.24 | 4.12 |
+/// | 16 MiB | 3.29 | 3.34 | 3.31 | 4.21 |
+/// | 64 MiB | 4.97 | 3.69 | 5.28 | 4.80 |
+/// | 256 MiB | 5.96 | 4.69 | 6.46 | 5.80 |
+const BEYOND_CACHES: usize = 64 << 20;
 
 /// Writes `operation` over `output`.
 #[inline]
@@ -19,7 +35,12 @@ pub(super) fn sweep<Q: Place<D>, O: Operation<Q, D>, const D: usize>(
     output: &mut [Q],
     operation: O,
 ) {
-    backend.min(Q::Layout::MOST).run(Sweep { output, operation });
+    let backend = backend.min(Q::Layout::MOST);
+    if size_of_val(output) >= BEYOND_CACHES && !operation.reads_output() {
+        backend.run(Stream { output, operation });
+    } else {
+        backend.run(Sweep { output, operation });
+    }
 }
 
 struct Sweep<'s, Q, O, const D: usize> {
@@ -42,6 +63,27 @@ impl<Q: Place<D>, O: Operation<Q, D>, const D: usize> Kernel for Sweep<'_, Q, O,
                 Q::scatter(components, self.output, step);
             }
         }
+    }
+}
+
+/// [`Sweep`] past the caches. A kernel of its own, so that neither loop costs the other registers.
+struct Stream<'s, Q, O, const D: usize> {
+    output: &'s mut [Q],
+    operation: O,
+}
+
+impl<Q: Place<D>, O: Operation<Q, D>, const D: usize> Kernel for Stream<'_, Q, O, D> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<V: Level>(self, level: V) {
+        let Self { output, operation } = self;
+        Q::stream(
+            level,
+            output,
+            #[inline(always)]
+            |step| operation.compute(level, &[], step),
+        );
     }
 }
 

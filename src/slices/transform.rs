@@ -118,6 +118,9 @@ impl<'s, P: Place<3>> ByOne<'s, P> {
 }
 
 impl<P: Place<3>> Operation<P, 3> for ByOne<'_, P> {
+    fn reads_output(&self) -> bool {
+        self.from.is_none()
+    }
     #[inline(always)]
     fn compute<V: Level>(&self, level: V, output: &[P], step: Step) -> Option<[Lanes<P, V, 3>; 3]> {
         let [x, y, z] = vectors(level, self.from.unwrap_or(output), step)?;

@@ -80,6 +80,9 @@ struct Each<'s, P, C> {
 }
 
 impl<P: Place<8>, C: Change> Operation<P, 8> for Each<'_, P, C> {
+    fn reads_output(&self) -> bool {
+        self.from.is_none()
+    }
     #[inline(always)]
     fn compute<V: Level>(&self, level: V, output: &[P], step: Step) -> Option<[Lanes<P, V, 8>; 8]> {
         Some(self.change.of(motions(level, self.from.unwrap_or(output), step)?).to_array())

@@ -11,7 +11,7 @@ macro_rules! vector {
         $name:ident = $register:ident [$real:ident; $lanes:literal], $level:ident, mask $mask:ident;
         add $add:ident; sub $sub:ident; mul $mul:ident; div $div:ident; sqrt $sqrt:ident;
         mul_add $mul_add:ident; neg_mul_add $neg_mul_add:ident;
-        splat $splat:ident; load $load:ident; store $store:ident;
+        splat $splat:ident; load $load:ident; store $store:ident; stream $stream:ident;
         quads $load_quads:ident $store_quads:ident $store_triples:ident;
         and $and:ident; and_not $and_not:ident; or $or:ident; xor $xor:ident;
         less |$la:ident, $lb:ident| $less:expr;
@@ -49,6 +49,16 @@ macro_rules! vector {
             fn store(self, to: &mut [$real; $lanes]) {
                 // SAFETY: `self` proves the instructions; the pointer is that of a whole array.
                 unsafe { $store(to.as_mut_ptr(), self.0) }
+            }
+            #[inline(always)]
+            unsafe fn stream(self, to: &mut [$real; $lanes]) {
+                let at = to.as_mut_ptr();
+                if at.addr() % size_of::<$register>() != 0 {
+                    return self.store(to);
+                }
+                // SAFETY: `self` proves the instructions; the pointer is that of a whole array, and
+                // aligned; the caller fences.
+                unsafe { $stream(at.cast(), self.0) }
             }
             #[inline(always)]
             fn load_quads(level: $level, from: &[$real], stride: usize) -> [Self; 4] {
