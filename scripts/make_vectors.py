@@ -5,8 +5,8 @@
     python3 scripts/make_vectors.py          # writes the file (half a minute)
     python3 scripts/make_vectors.py --check  # derives it again, exit 1 if the committed file differs
 
-The truth shares no formula with the crate. A quaternion is the 2×2 matrix w − i(xX + yY + zZ) with Pauli's X, Y, Z, and
-σ = p + εq is the 4×4 matrix [p q; 0 p]. Products, inverses, square roots, logarithms and exponentials are those of
+The truth shares definitions with the crate, not methods. A quaternion is the 2×2 matrix w − i(xX + yY + zZ) with
+Pauli's X, Y, Z, and σ = p + εq is the 4×4 matrix [p q; 0 p]. Products, inverses, square roots, logarithms and exponentials are those of
 matrices, which know nothing of screws, half angles or dual numbers; rigid matrices are exponentials of skew ones.
 
 One JSON object a line: op, kind, inputs by name, and the answer as text with 20 digits. σ is [pw,px,py,pz, qw,qx,qy,qz].
