@@ -19,9 +19,9 @@ fn main() -> ExitCode {
         eprintln!("usage: conform FILE.jsonl");
         return ExitCode::from(2);
     };
-    let worst = fs::read_to_string(&path)
+    let worst = fs::read(&path)
         .map_err(|error| error.to_string())
-        .and_then(|text| conform(&text))
+        .and_then(|bytes| text(&bytes).and_then(conform))
         .map_err(|reason| format!("{}: {reason}", path.display()));
     match worst {
         Ok(worst) => report(&worst),
@@ -30,6 +30,15 @@ fn main() -> ExitCode {
             ExitCode::FAILURE
         }
     }
+}
+
+/// The text of a file; where it is none, the row is named as for any other that cannot be read.
+fn text(bytes: &[u8]) -> Result<&str, String> {
+    str::from_utf8(bytes).map_err(|error| {
+        let before = &bytes[..error.valid_up_to()];
+        let row = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
+        format!("row {row}: {error}")
+    })
 }
 
 /// The worst errors of every implementation, sorted by operation and kind.

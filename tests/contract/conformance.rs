@@ -2,7 +2,7 @@
 
 use crate::operation::{answers, error};
 use crate::sample::Sample;
-use crate::tolerance::{Bound, section, unit_roundoff};
+use crate::tolerance::{section, unit_roundoff};
 use crate::vectors::Vector;
 use std::collections::BTreeMap;
 
@@ -20,7 +20,6 @@ pub struct Worst {
     pub error: f64,
     /// What the table allows.
     pub allowed: f64,
-    pub bound: &'static Bound,
 }
 
 impl Worst {
@@ -57,7 +56,6 @@ pub fn worst_errors<M: Sample>(
             vectors: 0,
             error: 0.0,
             allowed: bound.units * unit_roundoff(M::SINGLE),
-            bound,
         });
         for chunk in group.chunks(M::LANES) {
             for (vector, answer) in chunk.iter().zip(answers::<M>(chunk)) {

@@ -1,5 +1,6 @@
-//! Reference vectors: JSON lines in the format of the project's `reference.jsonl`, known answers
-//! that were computed with 60 digits.
+//! Reference vectors: JSON lines, known answers that were computed with 60 digits or more. The
+//! operations of `reference.jsonl` have its names; those of `more.jsonl`, which
+//! `scripts/make_vectors.py` writes, have the names of the methods.
 
 use serde_json::Value;
 use std::fmt;
@@ -64,6 +65,24 @@ const SHAPES: &[(&str, Inputs, usize)] = &[
     ("sclerp", &[("a", 8), ("b", 8), ("t", 1)], 8),
     ("screw", &[("a", 8)], 8),
     ("dlb", &[("s", 0), ("w", 0)], 8),
+    ("from_screw", &[("l", 3), ("m", 3), ("angle", 1), ("slide", 1)], 8),
+    ("from_matrix3x4", &[("rows", 12)], 8),
+    ("to_matrix4", &[("a", 8)], 16),
+    ("transform_plane", &[("a", 8), ("n", 3), ("offset", 1)], 4),
+    ("from_translation_rotation", &[("t", 3), ("r", 4)], 8),
+    ("mul_rotation_translation", &[("a", 8), ("r", 4), ("t", 3)], 8),
+    ("sqrt", &[("a", 8)], 8),
+    ("sclerp_long", &[("a", 8), ("b", 8), ("t", 1)], 8),
+    ("nlerp", &[("a", 8), ("b", 8), ("t", 1)], 8),
+    ("slerp_lerp", &[("a", 8), ("b", 8), ("t", 1)], 8),
+    ("squad", &[("a", 8), ("b", 8), ("c", 8), ("d", 8), ("t", 1)], 8),
+    ("squad_control", &[("a", 8), ("b", 8), ("c", 8)], 8),
+    ("dot", &[("a", 8), ("b", 8)], 2),
+    ("add", &[("a", 8), ("b", 8)], 8),
+    ("sub", &[("a", 8), ("b", 8)], 8),
+    ("scale", &[("a", 8), ("factor", 1)], 8),
+    ("scale_dual", &[("a", 8), ("factor", 2)], 8),
+    ("canonical", &[("a", 8)], 8),
 ];
 
 /// Every row of `text`; the first that cannot be read is the error.
