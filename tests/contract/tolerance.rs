@@ -64,7 +64,7 @@ pub static TABLE: &[Section] = &[
         line("point", &[], 14.0, "a vector and a translation"),
         line("line", &[], 11.0, "three vectors and a product of a translation, over 1 + |l|"),
         line("log", SMALL, 4.0, "no cancellation: the vector part keeps its relative precision"),
-        line("log", &[], 6.0, "normalised first; then one factor that varies slowly"),
+        line("log", &[], 8.0, "normalised first; then one factor that varies slowly"),
         line("exp", &[], 2.5, "even functions of the square, one product"),
         line("pow", SMALL, 4.0, "no cancellation: the vector part keeps its relative precision"),
         line("pow", &[], 6.0, "normalised first; log, times t, exp"),
