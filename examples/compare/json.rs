@@ -32,6 +32,7 @@ fn limits(limits: &Limits) -> Value {
             // A multiplication and an addition.
             Kind::MultiplyAdd(backend) => ("fma_gflops", backend.to_string(), 2.0 * rate),
             Kind::Copy(size) => ("copy_gb_per_s", size.clone(), rate),
+            Kind::Rewrite(size) => ("rewrite_gb_per_s", size.clone(), rate),
             Kind::Triad(size) => ("triad_gb_per_s", size.clone(), rate),
         };
         let group = groups.entry(group).or_insert_with(|| Value::Object(Map::new()));

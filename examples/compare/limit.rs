@@ -12,6 +12,8 @@ pub(crate) enum Kind {
     MultiplyAdd(Backend),
     /// Bytes read and written per nanosecond by copying slices as large as those of this size.
     Copy(String),
+    /// Bytes read and written per nanosecond by changing slices of this size where they are.
+    Rewrite(String),
     /// Bytes of `a = b + s · c` per nanosecond.
     Triad(String),
 }
@@ -30,12 +32,16 @@ pub(crate) enum Limited {
     MultiplyAdds(f64),
     /// By memory: so many bytes, against copying at this size.
     Bytes(f64, String),
+    /// By memory: so many bytes, against rewriting in place at this size.
+    BytesInPlace(f64, String),
 }
 
 impl Limited {
     pub(crate) fn amount(&self) -> f64 {
         match *self {
-            Self::MultiplyAdds(amount) | Self::Bytes(amount, _) => amount,
+            Self::MultiplyAdds(amount) | Self::Bytes(amount, _) | Self::BytesInPlace(amount, _) => {
+                amount
+            }
         }
     }
 
@@ -43,6 +49,7 @@ impl Limited {
         match self {
             Self::MultiplyAdds(_) => Kind::MultiplyAdd(backend),
             Self::Bytes(_, size) => Kind::Copy(size.clone()),
+            Self::BytesInPlace(_, size) => Kind::Rewrite(size.clone()),
         }
     }
 }
@@ -74,6 +81,15 @@ impl Limit<'_> {
             start: Box::new(move || {
                 Box::new(Copy { from: rows(bytes, 1.0), to: rows(bytes, 0.0) })
             }),
+        }
+    }
+
+    /// Of a slice of `bytes`.
+    pub(crate) fn rewrite(size: impl Into<String>, bytes: usize) -> Self {
+        Self {
+            kind: Kind::Rewrite(size.into()),
+            per_pass: 2.0 * bytes as f64,
+            start: Box::new(move || Box::new(Rewrite(rows(bytes, 1.0)))),
         }
     }
 
@@ -165,6 +181,20 @@ impl Run for Copy {
         let start = Instant::now();
         for _ in 0..passes {
             black_box(&mut self.to).copy_from_slice(black_box(&self.from));
+        }
+        start.elapsed()
+    }
+}
+
+struct Rewrite(Vec<Line>);
+
+impl Run for Rewrite {
+    fn time(&mut self, passes: u32) -> Duration {
+        let start = Instant::now();
+        for _ in 0..passes {
+            for number in black_box(&mut self.0).as_flattened_mut() {
+                *number = -*number;
+            }
         }
         start.elapsed()
     }

@@ -39,11 +39,12 @@ fn write_limits(text: &mut String, limits: &Limits) -> fmt::Result {
         let name = match kind {
             Kind::MultiplyAdd(backend) => format!("multiply-adds, {backend}"),
             Kind::Copy(size) => format!("copy, {size}"),
+            Kind::Rewrite(size) => format!("rewrite in place, {size}"),
             Kind::Triad(size) => format!("triad, {size}"),
         };
         let rate = match kind {
             Kind::MultiplyAdd(_) => format!("{:>8.1} GFLOP/s", 2.0 * rate),
-            Kind::Copy(_) | Kind::Triad(_) => format!("{rate:>8.1} GB/s"),
+            Kind::Copy(_) | Kind::Rewrite(_) | Kind::Triad(_) => format!("{rate:>8.1} GB/s"),
         };
         writeln!(text, "  {name:<28}{rate}")?;
     }

@@ -64,11 +64,16 @@ pub(crate) fn with_contest<R>(shape: Shape, way: Way, run: impl FnOnce(&Contest<
         Shape::Crowd { instances: 2.. } => field.crowd(),
         _ => field.one(),
     }
-    if job == "J2" && way == Way::Out {
+    if job == "J2" {
         let bytes = size_of::<Motion>() * contest.transforms;
-        contest.limits.push(Limit::copy(contest.size.clone(), bytes));
-        let moved = 2 * size_of::<Motion>();
-        contest.limited = Some(Limited::Bytes(moved as f64, contest.size.clone()));
+        let (size, moved) = (contest.size.clone(), 2.0 * size_of::<Motion>() as f64);
+        let (limit, limited) = match way {
+            Way::Out => (Limit::copy(size.clone(), bytes), Limited::Bytes(moved, size)),
+            Way::In => (Limit::rewrite(size.clone(), bytes), Limited::BytesInPlace(moved, size)),
+            Way::Rotations => return run(&contest),
+        };
+        contest.limits.push(limit);
+        contest.limited = Some(limited);
     }
     run(&contest)
 }
