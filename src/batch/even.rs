@@ -14,11 +14,12 @@ use dq8_simd::{Float, Lane, Mask};
 /// (π/2)², with the margin that the polynomials have.
 const ORDINARY: f64 = 2.5;
 
-/// arcsin(√y)/√y for y in [0, ½].
+/// An arc of up to a quarter of the unit circle over its chord, from the squared chord c:
+/// arcsin(√c/2)/(√c/2) for c in [0, 2].
 #[inline(always)]
-pub(super) fn asin_over_root<L: Lane>(y: Dual<L>) -> Dual<L> {
-    let (value, derivative) = polynomial(&coefficients::ASIN_F32, &coefficients::ASIN_F64, y.real);
-    y.apply(value, derivative)
+pub(super) fn arc_over_chord<L: Lane>(c: Dual<L>) -> Dual<L> {
+    let (value, derivative) = polynomial(&coefficients::ARC_F32, &coefficients::ARC_F64, c.real);
+    c.apply(value, derivative)
 }
 
 /// cos √v and sin(√v)/√v for any v ≥ 0.

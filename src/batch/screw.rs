@@ -1,10 +1,11 @@
 //! Screws: parameters, logarithm, exponential, powers and screw interpolation.
 //!
-//! With Θ half the dual angle θ̂ of a motion, everything is written in Y = sin²(Θ/2) and
-//! K(Y) = arcsin(√Y)/√Y, which is analytic: Θ = 2√Y K(Y), so Θ² = 4YK² and Θ/sin Θ = K/cos(Θ/2). See
+//! With Θ half the dual angle θ̂ of a motion, everything is written in the squared chord of Θ,
+//! C = 4 sin²(Θ/2), and in the arc over the chord, K(C) = arcsin(√C/2)/(√C/2), which is analytic:
+//! Θ = √C K(C), so Θ² = CK² and Θ/sin Θ = K/cos(Θ/2). See
 //! [`even`](super::even) and the chapter on screws in `ARCHITECTURE.md`.
 
-use super::even::{asin_over_root, cos_sinc};
+use super::even::{arc_over_chord, cos_sinc};
 use super::length::Length;
 use super::{Dual, DualQuat, vector};
 use crate::geometry::{DualVector, Line, Screw};
@@ -98,7 +99,7 @@ impl<L: Lane> DualQuat<L> {
     /// a(a*b)ᵗ by the shorter way; `t` may differ from lane to lane.
     ///
     /// Slerp about the middle of the way. With m = (a+b)/2 and h = (b−a)/2, which are orthogonal for
-    /// unit a and b, Y = ⟨h, h⟩ and τ = 2t − 1:
+    /// unit a and b, and τ = 2t − 1:
     ///
     /// ```text
     /// σ(t) = cos(τΘ/2)/cos(Θ/2) m + sin(τΘ/2)/sin(Θ/2) h
@@ -128,7 +129,7 @@ impl<L: Lane> DualQuat<L> {
         let half_sine = way.back.norm().scale(t.with(0.5));
         let right_angle = Dual::new(t.with(core::f64::consts::FRAC_PI_2), zero);
         let tau = t + t - t.with(1.0);
-        let angle = (right_angle - half_sine * way.asin_over_root).scale(tau);
+        let angle = (right_angle - half_sine * way.arc_over_chord).scale(tau);
         let (cos, sinc) = cos_sinc(angle * angle);
         let along = -(angle * sinc * way.half_secant);
         let at_middle = way.back.normalize().scale_dual(cos);
@@ -139,16 +140,16 @@ impl<L: Lane> DualQuat<L> {
 
 /// Half the dual angle, Θ, of motions with p_w ≥ 0.
 pub(super) struct HalfAngle<L> {
-    /// Y = sin²(Θ/2)
-    y: Dual<L>,
-    /// K(Y)
-    asin_over_root: Dual<L>,
+    /// C = 4 sin²(Θ/2)
+    chord_squared: Dual<L>,
+    /// K(C)
+    arc_over_chord: Dual<L>,
     /// cos(Θ/2)
     half_cosine: Dual<L>,
 }
 
 impl<L: Lane> HalfAngle<L> {
-    /// From cos²(Θ/2) = (1 + w)/2 and Y = sin²Θ/(4 cos²(Θ/2)). Not from 1 − w, which is all rounding
+    /// From cos²(Θ/2) = (1 + w)/2 and C = sin²Θ/cos²(Θ/2). Not from 1 − w, which is all rounding
     /// for small angles, where the vector part still has its full relative precision.
     #[inline(always)]
     pub(super) fn of(sigma: DualQuat<L>) -> Self {
@@ -160,21 +161,24 @@ impl<L: Lane> HalfAngle<L> {
         // An infinite w would divide every other component away and leave no turn; 0·w makes it NaN.
         let squared = w.real.mul_add(w.real.with(0.0), vector::dot(v.real, v.real));
         let sine_squared = Dual::new(squared, across + across);
-        let y = sine_squared.scale(w.real.with(0.25)) / cosine_squared;
-        Self { y, asin_over_root: asin_over_root(y), half_cosine: cosine_squared.sqrt() }
+        let chord_squared = sine_squared / cosine_squared;
+        Self {
+            chord_squared,
+            arc_over_chord: arc_over_chord(chord_squared),
+            half_cosine: cosine_squared.sqrt(),
+        }
     }
 
     /// Θ/sin Θ = K/cos(Θ/2)
     #[inline(always)]
     pub(super) fn over_sine(&self) -> Dual<L> {
-        self.asin_over_root / self.half_cosine
+        self.arc_over_chord / self.half_cosine
     }
 
-    /// Θ² = 4YK²
+    /// Θ² = CK²
     #[inline(always)]
     fn square(&self) -> Dual<L> {
-        let four = self.y.real.with(4.0);
-        (self.y * self.asin_over_root * self.asin_over_root).scale(four)
+        self.chord_squared * self.arc_over_chord * self.arc_over_chord
     }
 }
 
@@ -185,11 +189,11 @@ struct Way<L> {
     sum: DualQuat<L>,
     /// −2h = a ∓ b
     back: DualQuat<L>,
-    /// Y = ⟨h, h⟩ = sin²(Θ/2)
-    y: Dual<L>,
-    /// K(Y)
-    asin_over_root: Dual<L>,
-    /// 1/(2 cos(Θ/2)), cos²(Θ/2) = 1 − Y
+    /// C = ⟨2h, 2h⟩ = 4 sin²(Θ/2)
+    chord_squared: Dual<L>,
+    /// K(C)
+    arc_over_chord: Dual<L>,
+    /// 1/(2 cos(Θ/2)), 4 cos²(Θ/2) = 4 − C
     half_secant: Dual<L>,
 }
 
@@ -200,26 +204,24 @@ impl<L: Lane> Way<L> {
         let one = a.real().w().with(1.0);
         let sign = L::select(apart, -one, one);
         let (sum, back) = (b.scale_onto(sign, a), b.scale_onto(-sign, a));
-        let y = Dual::new(
-            back.real().dot(back.real()) * one.with(0.25),
-            back.real().dot(back.dual()) * one.with(0.5),
-        );
-        // ½ x^(−½), and its derivative by x = 1 − Y, −¼ x^(−3/2); dx = −dY.
-        let secant = one.with(0.5) / (one - y.real).sqrt();
-        let cubed = secant * secant * secant;
-        let half_secant = y.apply(secant, cubed + cubed);
-        Self { sum, back, y, asin_over_root: asin_over_root(y), half_secant }
+        let across = back.real().dot(back.dual());
+        let chord_squared = Dual::new(back.real().dot(back.real()), across + across);
+        // x^(−½), and its derivative by x = 4 − C, −½ x^(−3/2); dx = −dC.
+        let secant = one / (one.with(4.0) - chord_squared.real).sqrt();
+        let slope = secant * one.with(0.5) * (secant * secant);
+        let half_secant = chord_squared.apply(secant, slope);
+        let arc_over_chord = arc_over_chord(chord_squared);
+        Self { sum, back, chord_squared, arc_over_chord, half_secant }
     }
 
     /// cos(τΘ/2)/cos(Θ/2) m + τ K sinc(τΘ/2) h, τ = 2t − 1
     #[inline(always)]
     fn at(&self, t: L) -> DualQuat<L> {
-        let tau = t + t - t.with(1.0);
-        // (Θ/2)² = YK²
-        let square = self.y * self.asin_over_root * self.asin_over_root;
-        let (cos, sinc) = cos_sinc(square.scale(tau * tau));
-        let along = (self.asin_over_root * sinc).scale(tau * t.with(-0.5));
-        self.back.scale_dual_onto(along, self.sum.scale_dual(cos * self.half_secant))
+        // −τK/2: of −2h, and (τΘ/2)² is its square times C.
+        let weight = self.arc_over_chord.scale(t.with(0.5) - t);
+        let (cos, sinc) = cos_sinc(self.chord_squared * weight * weight);
+        let middle = self.sum.scale_dual(cos * self.half_secant);
+        self.back.scale_dual_onto(weight * sinc, middle)
     }
 }
 
