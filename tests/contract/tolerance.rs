@@ -171,7 +171,7 @@ pub static TABLE: &[Section] = &[
     Section { name: "edges", truth: "closed forms in f64", scale: "the size of the numbers", lines: &[
         line("normalize", &["any size"], 2.0, "as among the vectors: lengths neither overflow nor vanish"),
         line("pow", &["tiny, far"], 5.5, "half the angle times t, which may be large, and its sine"),
-        line("sclerp", &["tiny, far"], 2.5, "as pow; the scale is the angle itself"),
+        line("sclerp", &["tiny, far"], 4.0, "as pow; the scale is the angle itself"),
         line("sclerp_long", &["long"], 6.5, "π − Θ, to 3 times of it"),
         line("log", &["half turn"], 1.25, "π/2, of which 1 ulp is 2 u"),
         line("exp", &["half turn"], 3.0, "the sine of a rounded angle"),
