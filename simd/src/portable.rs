@@ -19,6 +19,8 @@ impl Level for Portable {
     type F64x8 = f64x8;
     type Single = part::F32x16;
     type Double = part::F64x8;
+    type SingleGathered = part::F32x16;
+    type DoubleGathered = part::F64x8;
 
     #[inline(always)]
     fn run<R>(self, kernel: impl FnOnce() -> R) -> R {
@@ -108,6 +110,46 @@ macro_rules! wide_lanes {
                     for (i, row) in Self::$transpose(components).into_iter().enumerate() {
                         if let Some(record) = to.get_mut(i * stride..i * stride + 4) {
                             record.copy_from_slice(&row.to_array());
+                        }
+                    }
+                }
+                #[inline(always)]
+                fn gather_records<const C: usize>(
+                    level: Portable,
+                    from: &[[$real; C]],
+                    at: &[u32],
+                ) -> [Self; C] {
+                    let Some(at) = at.first_chunk::<$lanes>().filter(|_| C.is_multiple_of(4)) else {
+                        return crate::lane::gather_each(level, from, at);
+                    };
+                    let mut components = [Self::ZERO; C];
+                    for (quad, first) in components.chunks_exact_mut(4).zip((0..C).step_by(4)) {
+                        let mut rows = [Self::ZERO; 4];
+                        for (row, &index) in rows.iter_mut().zip(at) {
+                            let record = from.get(index as usize);
+                            let numbers = record.and_then(|record| record[first..].first_chunk());
+                            *row = Self::new(numbers.copied().unwrap_or_default());
+                        }
+                        quad.copy_from_slice(&Self::$transpose(rows));
+                    }
+                    components
+                }
+                #[inline(always)]
+                fn scatter_records<const C: usize>(
+                    components: [Self; C],
+                    to: &mut [[$real; C]],
+                    at: &[u32],
+                ) {
+                    let Some(at) = at.first_chunk::<$lanes>().filter(|_| C.is_multiple_of(4)) else {
+                        return crate::lane::scatter_each(components, to, at);
+                    };
+                    for (quad, first) in components.chunks_exact(4).zip((0..C).step_by(4)) {
+                        let &[x, y, z, w] = quad else { break };
+                        for (row, &index) in Self::$transpose([x, y, z, w]).into_iter().zip(at) {
+                            let record = to.get_mut(index as usize);
+                            if let Some(four) = record.and_then(|record| record[first..].first_chunk_mut()) {
+                                *four = row.to_array();
+                            }
                         }
                     }
                 }

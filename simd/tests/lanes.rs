@@ -1,6 +1,6 @@
 //! Every operation of every lane type against plain arithmetic, lane by lane.
 
-use dq8_simd::{Block, Float, Lane, Level, Mask, Portable, Row};
+use dq8_simd::{Block, Float, Lane, Level, Mask, Octet, Portable, Row};
 use dq8_simd::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
 
 /// Numbers that hurt, among ordinary ones.
@@ -187,6 +187,51 @@ fn quads<L: Lane>(level: L::Level) {
     }
 }
 
+/// Records in any order, twice the same, and of some there are none.
+fn records_anywhere<L: Lane, const C: usize>(level: L::Level) {
+    let real = |i: usize, c: usize| L::Real::from_f64((100 * i + c) as f64 + 1.0);
+    let source: Vec<[L::Real; C]> = (0..7).map(|i| std::array::from_fn(|c| real(i, c))).collect();
+    for (factor, reach) in [(1, 7), (3, 7), (5, 7), (0, 7), (1, 9), (6, 8)] {
+        for lanes in [L::LANES, L::LANES - 1, 0] {
+            let at: Vec<u32> = (0..lanes as u32).map(|lane| (lane * factor + 2) % reach).collect();
+            let columns = L::gather_records(level, &source, &at);
+            for (c, column) in columns.into_iter().enumerate() {
+                let record = |lane: usize| source.get(*at.get(lane)? as usize);
+                let wanted = |lane| record(lane).map_or(0.0, |record| record[c].into());
+                let wanted: Vec<_> = (0..L::LANES).map(wanted).collect();
+                same("gather_records", &numbers(column), &wanted);
+            }
+            // Where it came from it goes back; the rest of the target stays as it is.
+            let mut target = vec![[L::Real::default(); C]; 7];
+            L::scatter_records(columns, &mut target, &at);
+            for (i, record) in target.iter().enumerate() {
+                let written = at.iter().any(|&index| index as usize == i);
+                assert_eq!(*record, if written { source[i] } else { [L::Real::default(); C] });
+            }
+        }
+    }
+    // Of two lanes at one place the later one stays.
+    let lanes = L::gather_records(level, &source, &(0..L::LANES as u32).collect::<Vec<_>>());
+    let mut target = [[L::Real::default(); C]];
+    L::scatter_records(lanes, &mut target, &vec![0; L::LANES]);
+    let last = source.get(L::LANES - 1).copied();
+    assert_eq!(target[0], last.unwrap_or([L::Real::default(); C]));
+}
+
+fn octets<L: Octet>(level: L::Level) {
+    let numbers_of = |octet: [f64; 8]| {
+        let octet = octet.map(L::Real::from_f64);
+        L::load_partial(level, &octet, L::Real::default())
+    };
+    let octet = numbers_of([1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0]);
+    let [x, y, z, w] = octet.columns();
+    same("columns, x", &numbers(x), &[4.0, 3.0, -2.0, -1.0, 8.0, 7.0, -6.0, -5.0]);
+    same("columns, y", &numbers(y), &[-3.0, 4.0, 1.0, -2.0, -7.0, 8.0, 5.0, -6.0]);
+    same("columns, z", &numbers(z), &[2.0, -1.0, 4.0, -3.0, 6.0, -5.0, 8.0, -7.0]);
+    same("columns, w", &numbers(w), &numbers(octet));
+    same("raised", &numbers(octet.raised()), &[0.0, 0.0, 0.0, 0.0, 1.0, 2.0, 3.0, 4.0]);
+}
+
 fn check<L: Lane>(level: L::Level) {
     arithmetic::<L>(level);
     fused_or_not::<L>(level);
@@ -197,6 +242,8 @@ fn check<L: Lane>(level: L::Level) {
     records::<L, 8>(level);
     records::<L, 12>(level);
     quads::<L>(level);
+    records_anywhere::<L, 3>(level);
+    records_anywhere::<L, 8>(level);
 }
 
 fn check_level<V: Level>(level: V) {
@@ -209,6 +256,10 @@ fn check_level<V: Level>(level: V) {
         check::<V::F64x8>(level);
         check::<V::Single>(level);
         check::<V::Double>(level);
+        check::<V::SingleGathered>(level);
+        check::<V::DoubleGathered>(level);
+        octets::<V::F32x8>(level);
+        octets::<V::F64x8>(level);
     });
 }
 
