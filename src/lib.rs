@@ -75,12 +75,12 @@ pub use dispatch::Backend;
 pub use dq8_simd::{Float, Lane, Level, Mask, Portable, f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
 pub use error::{HierarchyError, InverseError, MatrixError, NormalizeError, ShapeError};
 pub use geometry::{DualVector, Line, Mean, Plane, Screw, Twist, Wrench};
-#[cfg(feature = "alloc")]
-pub use hierarchy::Crowd;
 pub use hierarchy::{
-    Block, Hierarchy, Job, Pose, Renormalise, RotationBlock, RotationTranslationBlock, TwistBlock,
-    pack, unpack,
+    Block, Hierarchy, Job, Link, Pose, Renormalise, RotationBlock, RotationTranslationBlock,
+    TwistBlock, pack, pack_chain, unpack, unpack_chain,
 };
+#[cfg(feature = "alloc")]
+pub use hierarchy::{Crowd, HierarchyPlan, Strategy};
 pub use motion::Motion;
 pub use place::{MatrixBlock, NumberBlock, Place, PointBlock};
 pub use real::Real;

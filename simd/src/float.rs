@@ -1,5 +1,6 @@
 //! [`Float`]: the number in a lane.
 
+use crate::gather::Gather;
 use crate::lane::Lane;
 use crate::level::Level;
 use crate::octet::Octet;
@@ -22,7 +23,7 @@ pub trait Float:
     /// The lanes of this number that fill a register of `V`.
     type Lanes<V: Level>: Lane<Real = Self, Level = V>;
     /// The lanes of this number that gather and scatter records fastest.
-    type Gathered<V: Level>: Lane<Real = Self, Level = V>;
+    type Gathered<V: Level>: Gather<Real = Self, Level = V>;
     /// The lanes that hold one record of eight of this number.
     type Octet<V: Level>: Octet<Real = Self, Level = V, Array = [Self; 8]>;
     /// The nearest number of this type.

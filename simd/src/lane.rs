@@ -155,27 +155,6 @@ pub trait Lane:
         store_each(components, to, 3);
     }
 
-    /// Transposes on the way in: lane `i` of `C` vectors is record `at[i]` of `from`, zero where there
-    /// is none.
-    #[inline(always)]
-    fn gather_records<const C: usize>(
-        level: Self::Level,
-        from: &[[Self::Real; C]],
-        at: &[u32],
-    ) -> [Self; C] {
-        gather_each(level, from, at)
-    }
-    /// Transposes on the way out: lane `i` of `C` vectors becomes record `at[i]` of `to`, the later of
-    /// two lanes at the same place; what has no place is dropped.
-    #[inline(always)]
-    fn scatter_records<const C: usize>(
-        components: [Self; C],
-        to: &mut [[Self::Real; C]],
-        at: &[u32],
-    ) {
-        scatter_each(components, to, at);
-    }
-
     /// `self · factor + addend`, rounded once where the hardware fuses.
     #[must_use]
     fn mul_add(self, factor: Self, addend: Self) -> Self;
@@ -228,42 +207,6 @@ pub(crate) fn store_each<L: Lane, const C: usize>(
         for (lane, &value) in component.to_array().as_ref().iter().enumerate() {
             if let Some(slot) = to.get_mut(lane * stride + c) {
                 *slot = value;
-            }
-        }
-    }
-}
-
-/// [`Lane::gather_records`] one number at a time.
-#[inline(always)]
-pub(crate) fn gather_each<L: Lane, const C: usize>(
-    level: L::Level,
-    from: &[[L::Real; C]],
-    at: &[u32],
-) -> [L; C] {
-    let mut components = [L::splat(level, L::Real::default()); C];
-    for (c, component) in components.iter_mut().enumerate() {
-        let mut row = L::Array::zeroed();
-        for (slot, &index) in row.as_mut().iter_mut().zip(at) {
-            if let Some(record) = from.get(index as usize) {
-                *slot = record[c];
-            }
-        }
-        *component = L::load(level, &row);
-    }
-    components
-}
-
-/// [`Lane::scatter_records`] one number at a time.
-#[inline(always)]
-pub(crate) fn scatter_each<L: Lane, const C: usize>(
-    components: [L; C],
-    to: &mut [[L::Real; C]],
-    at: &[u32],
-) {
-    for (c, component) in components.into_iter().enumerate() {
-        for (&value, &index) in component.to_array().as_ref().iter().zip(at) {
-            if let Some(record) = to.get_mut(index as usize) {
-                record[c] = value;
             }
         }
     }

@@ -77,38 +77,6 @@ where
         L::store_triples([x.1, y.1, z.1], upper);
     }
     #[inline(always)]
-    fn gather_records<const C: usize>(
-        level: L::Level,
-        from: &[[L::Real; C]],
-        at: &[u32],
-    ) -> [Self; C] {
-        let (lower, upper) = at.split_at_checked(L::LANES).unwrap_or((at, &[]));
-        let mut components = [Self::splat(level, L::Real::default()); C];
-        let halves = L::gather_records(level, from, lower);
-        for (component, half) in components.iter_mut().zip(halves) {
-            component.0 = half;
-        }
-        let halves = L::gather_records(level, from, upper);
-        for (component, half) in components.iter_mut().zip(halves) {
-            component.1 = half;
-        }
-        components
-    }
-    #[inline(always)]
-    fn scatter_records<const C: usize>(components: [Self; C], to: &mut [[L::Real; C]], at: &[u32]) {
-        let (lower, upper) = at.split_at_checked(L::LANES).unwrap_or((at, &[]));
-        let Some(&Self(any, _)) = components.first() else { return };
-        let mut halves = [any; C];
-        for (half, pair) in halves.iter_mut().zip(components) {
-            *half = pair.0;
-        }
-        L::scatter_records(halves, to, lower);
-        for (half, pair) in halves.iter_mut().zip(components) {
-            *half = pair.1;
-        }
-        L::scatter_records(halves, to, upper);
-    }
-    #[inline(always)]
     fn mul_add(self, factor: Self, addend: Self) -> Self {
         Self(self.0.mul_add(factor.0, addend.0), self.1.mul_add(factor.1, addend.1))
     }

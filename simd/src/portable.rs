@@ -1,5 +1,6 @@
 //! [`Portable`]: the lanes of the crate [`wide`], with the instructions of the build target.
 
+use crate::gather::Gather;
 use crate::lane::{Lane, Mask};
 use crate::level::Level;
 use core::ops::{BitAnd, BitOr, Not};
@@ -113,46 +114,6 @@ macro_rules! wide_lanes {
                         }
                     }
                 }
-                #[inline(always)]
-                fn gather_records<const C: usize>(
-                    level: Portable,
-                    from: &[[$real; C]],
-                    at: &[u32],
-                ) -> [Self; C] {
-                    let Some(at) = at.first_chunk::<$lanes>().filter(|_| C.is_multiple_of(4)) else {
-                        return crate::lane::gather_each(level, from, at);
-                    };
-                    let mut components = [Self::ZERO; C];
-                    for (quad, first) in components.chunks_exact_mut(4).zip((0..C).step_by(4)) {
-                        let mut rows = [Self::ZERO; 4];
-                        for (row, &index) in rows.iter_mut().zip(at) {
-                            let record = from.get(index as usize);
-                            let numbers = record.and_then(|record| record[first..].first_chunk());
-                            *row = Self::new(numbers.copied().unwrap_or_default());
-                        }
-                        quad.copy_from_slice(&Self::$transpose(rows));
-                    }
-                    components
-                }
-                #[inline(always)]
-                fn scatter_records<const C: usize>(
-                    components: [Self; C],
-                    to: &mut [[$real; C]],
-                    at: &[u32],
-                ) {
-                    let Some(at) = at.first_chunk::<$lanes>().filter(|_| C.is_multiple_of(4)) else {
-                        return crate::lane::scatter_each(components, to, at);
-                    };
-                    for (quad, first) in components.chunks_exact(4).zip((0..C).step_by(4)) {
-                        let &[x, y, z, w] = quad else { break };
-                        for (row, &index) in Self::$transpose([x, y, z, w]).into_iter().zip(at) {
-                            let record = to.get_mut(index as usize);
-                            if let Some(four) = record.and_then(|record| record[first..].first_chunk_mut()) {
-                                *four = row.to_array();
-                            }
-                        }
-                    }
-                }
             )?
             #[inline(always)]
             fn mul_add(self, factor: Self, addend: Self) -> Self {
@@ -242,3 +203,8 @@ impl<V: Not<Output = V>> Not for WideMask<V> {
         Self(!self.0)
     }
 }
+
+impl Gather for f32x4 {}
+impl Gather for f32x8 {}
+impl Gather for f64x2 {}
+impl Gather for f64x4 {}

@@ -17,21 +17,30 @@
 //! blocks share a lane position: `[instance block][joint][component][lane]`, so that a child finds
 //! its parent in the same lane of another block, without any shuffling.
 
+mod chain;
 mod concatenate;
 #[cfg(feature = "alloc")]
 mod crowd;
 mod job;
 mod locals;
+mod octet;
 mod packing;
 mod parents;
+#[cfg(feature = "alloc")]
+mod plan;
 mod pose;
 mod renormalise;
+#[cfg(feature = "alloc")]
+mod schedule;
 mod velocity;
 
+pub use chain::{Link, pack_chain, unpack_chain};
 #[cfg(feature = "alloc")]
 pub use crowd::Crowd;
 pub use job::Job;
 pub use packing::{pack, unpack};
 pub use parents::Hierarchy;
+#[cfg(feature = "alloc")]
+pub use plan::{HierarchyPlan, Strategy};
 pub use pose::{Block, Pose, RotationBlock, RotationTranslationBlock, TwistBlock};
 pub use renormalise::Renormalise;

@@ -78,67 +78,6 @@ macro_rules! vector {
                 unsafe { $store_quads([x.0, y.0, z.0, w.0], at) }
             }
             #[inline(always)]
-            fn gather_records<const C: usize>(
-                level: $level,
-                from: &[[$real; C]],
-                at: &[u32],
-            ) -> [Self; C] {
-                let Some(at) = at.first_chunk::<$lanes>().filter(|_| C.is_multiple_of(4)) else {
-                    return crate::lane::gather_each(level, from, at);
-                };
-                let mut records = [from.as_ptr().cast::<$real>(); $lanes];
-                for (record, &index) in records.iter_mut().zip(at) {
-                    let Some(place) = from.get(index as usize) else {
-                        return crate::lane::gather_each(level, from, at);
-                    };
-                    *record = place.as_ptr();
-                }
-                let mut components = [Self::splat(level, 0.0); C];
-                for (quad, first) in components.chunks_exact_mut(4).zip((0..C).step_by(4)) {
-                    let mut at = records;
-                    for at in &mut at {
-                        *at = at.wrapping_add(first);
-                    }
-                    // SAFETY: `level` proves the instructions; each pointer is into a record of `C`
-                    // numbers, four before its end or more.
-                    let [x, y, z, w] = unsafe { $load_quads(at) };
-                    quad.copy_from_slice(&[
-                        Self(x, level),
-                        Self(y, level),
-                        Self(z, level),
-                        Self(w, level),
-                    ]);
-                }
-                components
-            }
-            #[inline(always)]
-            fn scatter_records<const C: usize>(
-                components: [Self; C],
-                to: &mut [[$real; C]],
-                at: &[u32],
-            ) {
-                let Some(at) = at.first_chunk::<$lanes>().filter(|_| C.is_multiple_of(4)) else {
-                    return crate::lane::scatter_each(components, to, at);
-                };
-                let mut records = [to.as_mut_ptr().cast::<$real>(); $lanes];
-                for (record, &index) in records.iter_mut().zip(at) {
-                    if index as usize >= to.len() {
-                        return crate::lane::scatter_each(components, to, at);
-                    }
-                    *record = record.wrapping_add(index as usize * C);
-                }
-                for (quad, first) in components.chunks_exact(4).zip((0..C).step_by(4)) {
-                    let &[x, y, z, w] = quad else { break };
-                    let mut at = records;
-                    for at in &mut at {
-                        *at = at.wrapping_add(first);
-                    }
-                    // SAFETY: the lanes prove the instructions; each pointer is into a record of `C`
-                    // numbers, four before its end or more.
-                    unsafe { $store_quads([x.0, y.0, z.0, w.0], at) }
-                }
-            }
-            #[inline(always)]
             fn store_triples([x, y, z]: [Self; 3], to: &mut [$real]) {
                 if to.len() < 3 * $lanes {
                     return crate::lane::store_each([x, y, z], to, 3);
