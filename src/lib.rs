@@ -31,6 +31,7 @@
 //! | [`batch`] | the same names on lanes |
 //! | [`Line`], [`Plane`], [`Screw`], [`DualVector`] | what motions act on and are described by |
 //! | [`Hierarchy`], [`Job`], [`Crowd`], [`Block`] | joint hierarchies, one instance or many |
+//! | [`HierarchyPlan`], [`Backend::chain_products`] | one instance: a skeleton or a long chain |
 //! | [`Backend`], [`slices`], [`Place`] | kernels over slices of motions and points, plain or in blocks |
 //! | [`Lane`], [`Mask`], [`Level`], [`Portable`] | lanes, for kernels of your own |
 //!
@@ -39,7 +40,7 @@
 //! | feature | default | what it does |
 //! |---|---|---|
 //! | `std` | yes | square roots and trigonometry of the standard library; implies `alloc` |
-//! | `alloc` | | `Crowd`, owned blocks for any number of instances |
+//! | `alloc` | | `Crowd`, owned blocks for any number of instances, and `HierarchyPlan` |
 //! | `libm` | | square roots and trigonometry without std |
 //!
 //! Without `std` nothing else is linked than `core` (and `alloc` if asked for); no operation on

@@ -29,17 +29,16 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
 /// The same for `dq8-simd`. `float`, `lane`, `level` and their like name each other: a lane
 /// belongs to a level, and a number has lanes.
 const SIMD_MAY_IMPORT: &[(&str, &[&str])] = &[
-    ("float", &["gather", "lane", "level", "octet"]),
+    ("float", &["lane", "level", "octet"]),
     ("lane", &["float", "level"]),
-    ("level", &["gather", "lane", "octet"]),
+    ("level", &["lane", "octet"]),
     ("octet", &["lane"]),
-    ("gather", &["lane"]),
     ("block", &["lane", "level"]),
-    ("portable", &["float", "gather", "lane", "level"]),
-    ("one", &["float", "gather", "lane", "level", "portable"]),
+    ("portable", &["float", "lane", "level"]),
+    ("one", &["float", "lane", "level", "portable"]),
     ("pair", &["float", "lane", "level"]),
     ("detect", &[]),
-    ("x86_64", &["float", "gather", "lane", "level", "octet", "pair", "detect"]),
+    ("x86_64", &["float", "lane", "level", "octet", "pair", "detect"]),
 ];
 
 /// Files of `batch` without a twin in `scalar`: the scalar reference has these from the standard

@@ -1,6 +1,5 @@
 //! [`Float`]: the number in a lane.
 
-use crate::gather::Gather;
 use crate::lane::Lane;
 use crate::level::Level;
 use crate::octet::Octet;
@@ -22,8 +21,6 @@ pub trait Float:
     const SINGLE: bool;
     /// The lanes of this number that fill a register of `V`.
     type Lanes<V: Level>: Lane<Real = Self, Level = V>;
-    /// The lanes of this number that gather and scatter records fastest.
-    type Gathered<V: Level>: Gather<Real = Self, Level = V>;
     /// The lanes that hold one record of eight of this number.
     type Octet<V: Level>: Octet<Real = Self, Level = V, Array = [Self; 8]>;
     /// The nearest number of this type.
@@ -33,7 +30,6 @@ pub trait Float:
 impl Float for f32 {
     const SINGLE: bool = true;
     type Lanes<V: Level> = V::Single;
-    type Gathered<V: Level> = V::SingleGathered;
     type Octet<V: Level> = V::F32x8;
     #[inline(always)]
     #[allow(clippy::cast_possible_truncation, reason = "rounding is the purpose")]
@@ -45,7 +41,6 @@ impl Float for f32 {
 impl Float for f64 {
     const SINGLE: bool = false;
     type Lanes<V: Level> = V::Double;
-    type Gathered<V: Level> = V::DoubleGathered;
     type Octet<V: Level> = V::F64x8;
     #[inline(always)]
     fn from_f64(value: f64) -> Self {

@@ -1,6 +1,5 @@
 //! [`Level`]: the proof that the CPU can compute with a lane type.
 
-use crate::gather::Gather;
 use crate::lane::Lane;
 use crate::octet::Octet;
 use core::fmt::Debug;
@@ -28,11 +27,6 @@ pub trait Level: Copy + Debug + Send + Sync + 'static {
     type Single: Lane<Real = f32, Level = Self>;
     /// The `f64` lanes that fill a register.
     type Double: Lane<Real = f64, Level = Self>;
-    /// The `f32` lanes that gather and scatter records fastest: at most 256 bits, because x86-64 CPUs
-    /// shuffle wider registers at half the rate.
-    type SingleGathered: Gather<Real = f32, Level = Self>;
-    /// The same of `f64`.
-    type DoubleGathered: Gather<Real = f64, Level = Self>;
 
     /// Runs `kernel` compiled with the instructions of this level.
     ///

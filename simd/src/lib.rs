@@ -29,7 +29,6 @@ pub mod block;
 #[cfg(target_arch = "x86_64")]
 mod detect;
 pub mod float;
-pub mod gather;
 pub mod lane;
 pub mod level;
 pub mod octet;
@@ -42,7 +41,6 @@ pub mod x86_64;
 
 pub use block::Block;
 pub use float::Float;
-pub use gather::{Gather, Indices};
 pub use lane::{Lane, Mask, Part, Row};
 pub use level::Level;
 pub use octet::Octet;

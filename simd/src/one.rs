@@ -1,7 +1,6 @@
 //! Plain `f32` and `f64` as vectors of one lane: the same kernels on targets without SIMD, and the
 //! smallest width that tests can compare.
 
-use crate::gather::Gather;
 use crate::lane::{Lane, Mask};
 use crate::portable::Portable;
 
@@ -24,7 +23,6 @@ impl Mask for bool {
 /// The two differ in name only; their methods are inherent, so no generic `impl` can reach them.
 macro_rules! one_lane {
     ($($real:ident, $bits:ty;)*) => {$(
-        impl Gather for $real {}
         impl Lane for $real {
             type Real = $real;
             type Mask = bool;

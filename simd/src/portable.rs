@@ -1,6 +1,5 @@
 //! [`Portable`]: the lanes of the crate [`wide`], with the instructions of the build target.
 
-use crate::gather::Gather;
 use crate::lane::{Lane, Mask};
 use crate::level::Level;
 use core::ops::{BitAnd, BitOr, Not};
@@ -20,8 +19,6 @@ impl Level for Portable {
     type F64x8 = f64x8;
     type Single = part::F32x16;
     type Double = part::F64x8;
-    type SingleGathered = part::F32x16;
-    type DoubleGathered = part::F64x8;
 
     #[inline(always)]
     fn run<R>(self, kernel: impl FnOnce() -> R) -> R {
@@ -203,8 +200,3 @@ impl<V: Not<Output = V>> Not for WideMask<V> {
         Self(!self.0)
     }
 }
-
-impl Gather for f32x4 {}
-impl Gather for f32x8 {}
-impl Gather for f64x2 {}
-impl Gather for f64x4 {}

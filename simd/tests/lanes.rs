@@ -1,6 +1,6 @@
 //! Every operation of every lane type against plain arithmetic, lane by lane.
 
-use dq8_simd::{Block, Float, Gather, Indices, Lane, Level, Mask, Octet, Portable, Row};
+use dq8_simd::{Block, Float, Lane, Level, Mask, Octet, Portable, Row};
 use dq8_simd::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
 
 /// Numbers that hurt, among ordinary ones.
@@ -187,48 +187,6 @@ fn quads<L: Lane>(level: L::Level) {
     }
 }
 
-/// Records in any order, some of them twice; nothing where one is beyond the end.
-fn gathers<L: Gather, const C: usize>(level: L::Level) {
-    let real = |i: usize, c: usize| L::Real::from_f64((100 * i + c) as f64 + 1.0);
-    let source: Vec<[L::Real; C]> = (0..7).map(|i| std::array::from_fn(|c| real(i, c))).collect();
-    let untouched = [L::Real::default(); C];
-    for (factor, reach) in [(1, 7), (3, 7), (5, 7), (0, 7), (1, 9), (6, 8), (2, 4)] {
-        let indices = Indices::new(std::array::from_fn(|lane| (lane as u32 * factor + 2) % reach));
-        let at = indices.get();
-        let inside = at.iter().all(|&index| index < 7);
-        for first in 0..=Indices::COUNT + 1 {
-            let mut target = vec![untouched; 7];
-            let there = inside && first + L::LANES <= Indices::COUNT;
-            let Some(columns) = L::gather(level, &source, &indices, first) else {
-                assert!(!there, "{at:?} from {first}");
-                let any = [L::splat(level, L::Real::from_f64(-1.0)); C];
-                L::scatter(any, &mut target, &indices, first);
-                assert_eq!(target, vec![untouched; 7], "nothing is written");
-                continue;
-            };
-            assert!(there, "{at:?} from {first}");
-            let at = &at[first..first + L::LANES];
-            for (c, column) in columns.into_iter().enumerate() {
-                let wanted: Vec<f64> =
-                    at.iter().map(|&index| source[index as usize][c].into()).collect();
-                same("gather", &numbers(column), &wanted);
-            }
-            // Where it came from it goes back; the rest of the target stays as it is.
-            L::scatter(columns, &mut target, &indices, first);
-            for (i, record) in target.iter().enumerate() {
-                let written = at.iter().any(|&index| index as usize == i);
-                assert_eq!(*record, if written { source[i] } else { untouched });
-            }
-        }
-    }
-    // Of two lanes at one place the later one stays.
-    let each = Indices::new([0, 1, 2, 3, 4, 5, 6, 6]);
-    let lanes = L::gather(level, &source, &each, 0).unwrap();
-    let mut target = [untouched];
-    L::scatter(lanes, &mut target, &Indices::new([0; 8]), 0);
-    assert_eq!(target[0], source[(L::LANES - 1).min(6)]);
-}
-
 fn octets<L: Octet>(level: L::Level) {
     let numbers_of = |octet: [f64; 8]| {
         let octet = octet.map(L::Real::from_f64);
@@ -265,11 +223,6 @@ fn check_level<V: Level>(level: V) {
         check::<V::F64x8>(level);
         check::<V::Single>(level);
         check::<V::Double>(level);
-        check::<V::SingleGathered>(level);
-        check::<V::DoubleGathered>(level);
-        gathers::<V::SingleGathered, 8>(level);
-        gathers::<V::DoubleGathered, 8>(level);
-        gathers::<V::SingleGathered, 4>(level);
         octets::<V::F32x8>(level);
         octets::<V::F64x8>(level);
     });
@@ -288,8 +241,6 @@ fn portable_lanes_compute_as_numbers_do() {
 
 #[test]
 fn one_lane_computes_as_a_number_does() {
-    gathers::<f32, 8>(Portable);
-    gathers::<f64, 8>(Portable);
     check::<f32>(Portable);
     check::<f64>(Portable);
 }

@@ -46,14 +46,20 @@ impl Backend {
         if length != expected {
             return Err(ShapeError::Length { what: "products", length, expected });
         }
-        self.run(Scan { links: Some(links), products });
+        self.scan(Some(links), products);
         Ok(())
     }
 
     /// [`chain_products`](Self::chain_products) over the links themselves.
     #[inline]
     pub fn chain_products_in_place<P: Link>(self, links: &mut [P]) {
-        self.run(Scan { links: None, products: links });
+        self.scan(None, links);
+    }
+
+    /// Without `links`, they lie where the products go. Lengths have been checked.
+    #[inline]
+    pub(super) fn scan<P: Link>(self, links: Option<&[P]>, products: &mut [P]) {
+        self.run(Scan { links, products });
     }
 }
 
@@ -133,7 +139,7 @@ pub trait Link: Copy + super::pose::sealed::Sealed {
     fn parts<V: Level>() -> usize;
     /// How many links a segment has; what is left over is for [`finish`](Self::finish).
     #[must_use]
-    fn steps<V: Level>(length: usize) -> usize;
+    fn steps(length: usize) -> usize;
     /// A link of each segment of a part.
     fn load<V: Level>(level: V, from: &[Self], part: usize, step: usize) -> Motions<Self, V>;
     /// To a link of each segment of a part.
@@ -160,20 +166,26 @@ impl<P: Link> Kernel for Scan<'_, P> {
     #[inline(always)]
     fn run<V: Level>(self, level: V) {
         let Self { links, products } = self;
-        let (parts, steps) = (P::parts::<V>(), P::steps::<V>(products.len()));
+        let (parts, steps) = (P::parts::<V>(), P::steps(products.len()));
         let lanes = P::Lanes::<V>::LANES;
         // What the segments come to; lanes or parts that there are not stay at the identity.
         let mut segments = [DualQuat::IDENTITY.to_array(); MOST_SEGMENTS];
         for (part, totals) in segments.chunks_exact_mut(lanes).take(parts).enumerate() {
             let mut total = batch::DualQuat::identity(level);
-            for step in 0..steps {
-                total = total * P::load(level, links.unwrap_or(products), part, step);
+            let from = links.unwrap_or(products);
+            for step in (1..steps).step_by(2) {
+                // Two links first: that product waits for nothing.
+                let two = P::load(level, from, part, step - 1) * P::load(level, from, part, step);
+                total = total * two;
+            }
+            if steps % 2 == 1 {
+                total = total * P::load(level, from, part, steps - 1);
             }
             total.store_records(totals);
         }
         // What comes before each of them.
-        let mut before =
-            <P::Real as Float>::Octet::<V>::load(level, &DualQuat::IDENTITY.to_array());
+        let identity = DualQuat::IDENTITY.to_array();
+        let mut before = <P::Real as Float>::Octet::<V>::load(level, &identity);
         for segment in segments.iter_mut().take(parts * lanes) {
             let after = product(before, segment);
             before.store(segment);
@@ -190,45 +202,45 @@ impl<P: Link> Kernel for Scan<'_, P> {
     }
 }
 
-/// Plain motions: segments lie one after the other, and are transposed in registers.
+/// Segments of plain motions.
+const PLAIN_SEGMENTS: usize = 8;
+
+/// Plain motions: eight segments lie one after the other, and are transposed in registers.
 impl<R: Real + Float> Link for DualQuat<R> {
     type Real = R;
-    type Lanes<V: Level> = R::Gathered<V>;
+    type Lanes<V: Level> = R::Octet<V>;
 
     #[inline(always)]
     fn parts<V: Level>() -> usize {
         1
     }
     #[inline(always)]
-    fn steps<V: Level>(length: usize) -> usize {
-        length / (Self::parts::<V>() * R::Gathered::<V>::LANES)
+    fn steps(length: usize) -> usize {
+        length / PLAIN_SEGMENTS
     }
     #[inline(always)]
-    fn load<V: Level>(level: V, from: &[Self], part: usize, step: usize) -> Motions<Self, V> {
-        let steps = Self::steps::<V>(from.len());
-        let first = part * R::Gathered::<V>::LANES * steps + step;
-        let numbers: &[[R; 8]] = bytemuck::must_cast_slice(from);
-        let numbers = numbers.get(first..).unwrap_or_default().as_flattened();
-        let dual = numbers.get(4..).unwrap_or_default();
-        let [px, py, pz, pw] = R::Gathered::load_quads(level, numbers, 8 * steps);
-        let [qx, qy, qz, qw] = R::Gathered::load_quads(level, dual, 8 * steps);
+    fn load<V: Level>(level: V, from: &[Self], _: usize, step: usize) -> Motions<Self, V> {
+        let stride = 8 * Self::steps(from.len());
+        let records: &[[R; 8]] = bytemuck::must_cast_slice(from);
+        let real = records.get(step..).unwrap_or_default().as_flattened();
+        let dual = real.get(4..).unwrap_or_default();
+        let [px, py, pz, pw] = R::Octet::load_quads(level, real, stride);
+        let [qx, qy, qz, qw] = R::Octet::load_quads(level, dual, stride);
         batch::DualQuat::from_array([px, py, pz, pw, qx, qy, qz, qw])
     }
     #[inline(always)]
-    fn store<V: Level>(motions: Motions<Self, V>, to: &mut [Self], part: usize, step: usize) {
-        let steps = Self::steps::<V>(to.len());
-        let first = part * R::Gathered::<V>::LANES * steps + step;
-        let numbers: &mut [[R; 8]] = bytemuck::must_cast_slice_mut(to);
-        let numbers = numbers.get_mut(first..).unwrap_or_default().as_flattened_mut();
+    fn store<V: Level>(motions: Motions<Self, V>, to: &mut [Self], _: usize, step: usize) {
+        let stride = 8 * Self::steps(to.len());
+        let records: &mut [[R; 8]] = bytemuck::must_cast_slice_mut(to);
+        let real = records.get_mut(step..).unwrap_or_default().as_flattened_mut();
         let [px, py, pz, pw, qx, qy, qz, qw] = motions.to_array();
-        R::Gathered::store_quads([px, py, pz, pw], numbers, 8 * steps);
-        let dual = numbers.get_mut(4..).unwrap_or_default();
-        R::Gathered::store_quads([qx, qy, qz, qw], dual, 8 * steps);
+        R::Octet::store_quads([px, py, pz, pw], real, stride);
+        let dual = real.get_mut(4..).unwrap_or_default();
+        R::Octet::store_quads([qx, qy, qz, qw], dual, stride);
     }
     #[inline(always)]
     fn finish<V: Level>(mut before: R::Octet<V>, links: Option<&[Self]>, products: &mut [Self]) {
-        let segments = Self::parts::<V>() * R::Gathered::<V>::LANES;
-        for index in Self::steps::<V>(products.len()) * segments..products.len() {
+        for index in PLAIN_SEGMENTS * Self::steps(products.len())..products.len() {
             let Some(link) = links.unwrap_or(products).get(index) else { break };
             before = product(before, &link.to_array());
             let Some(slot) = products.get_mut(index) else { break };
@@ -250,7 +262,7 @@ where
         Self::parts::<V>()
     }
     #[inline(always)]
-    fn steps<V: Level>(length: usize) -> usize {
+    fn steps(length: usize) -> usize {
         length
     }
     #[inline(always)]

@@ -7,6 +7,8 @@
 //! | [`RotationBlock`], [`RotationTranslationBlock`] | locals that are less than a motion |
 //! | [`TwistBlock`] | twists of the instances of a block, for velocities and Jacobians |
 //! | [`Job`] | a run with a root transform or on some of the joints |
+//! | [`HierarchyPlan`], [`Strategy`] | one instance: an order found once (feature `alloc`) |
+//! | [`Link`], [`pack_chain`], [`unpack_chain`] | chains in segments, for [`Backend::chain_products`](crate::Backend::chain_products) |
 //! | [`Renormalise`] | when a run normalises what it has multiplied |
 //! | [`Crowd`] | owned blocks for any number of instances (feature `alloc`) |
 //! | [`pack`], [`unpack`] | the same conversion between slices of your own |

@@ -29,8 +29,6 @@ impl Level for Avx2 {
     type F64x8 = Pair<F64x4>;
     type Single = F32x8;
     type Double = F64x4;
-    type SingleGathered = F32x8;
-    type DoubleGathered = F64x4;
 
     #[inline(always)]
     fn run<R>(self, kernel: impl FnOnce() -> R) -> R {

@@ -29,8 +29,6 @@ impl Level for Avx512 {
     type F64x8 = F64x8;
     type Single = F32x16;
     type Double = F64x8;
-    type SingleGathered = F32x8;
-    type DoubleGathered = F64x4;
 
     #[inline(always)]
     fn run<R>(self, kernel: impl FnOnce() -> R) -> R {

@@ -9,8 +9,8 @@
 
 use core::arch::x86_64::*;
 
-// All functions of this file: the CPU must have the instructions of the register's type, and a
-// record of four numbers must lie at each pointer of `at`; `LANES` records of three for triples.
+// All functions of this file: the CPU must have the instructions of the register's type, and
+// `LANES` records of four numbers (three for triples), `stride` numbers apart, must lie at `at`.
 
 /// The transpose of the 4 × 4 numbers in each 128-bit group.
 macro_rules! transpose_singles {
@@ -44,14 +44,14 @@ macro_rules! single_quads {
         split |$whole:ident| $split:expr;
     ) => {
         #[inline(always)]
-        pub(super) unsafe fn $load(at: [*const f32; $lanes]) -> [$register; 4] {
+        pub(super) unsafe fn $load(at: *const f32, stride: usize) -> [$register; 4] {
             // SAFETY: the caller's promise, above.
             unsafe {
                 let mut rows = [core::mem::zeroed::<$register>(); 4];
                 for ($i, row) in rows.iter_mut().enumerate() {
                     macro_rules! $get {
                         ($record:expr) => {
-                            _mm_loadu_ps(at[$record])
+                            _mm_loadu_ps(at.add($record * stride))
                         };
                     }
                     *row = $join;
@@ -60,12 +60,12 @@ macro_rules! single_quads {
             }
         }
         #[inline(always)]
-        pub(super) unsafe fn $store(components: [$register; 4], at: [*mut f32; $lanes]) {
+        pub(super) unsafe fn $store(components: [$register; 4], at: *mut f32, stride: usize) {
             // SAFETY: the caller's promise, above.
             unsafe {
                 for (i, $whole) in $transpose(components).into_iter().enumerate() {
                     for (group, record) in $split.into_iter().enumerate() {
-                        _mm_storeu_ps(at[4 * group + i], record);
+                        _mm_storeu_ps(at.add((4 * group + i) * stride), record);
                     }
                 }
             }
@@ -161,23 +161,23 @@ unsafe fn store_triple(record: __m256d, at: *mut f64) {
 }
 
 #[inline(always)]
-pub(super) unsafe fn f64x4_load([a, b, c, d]: [*const f64; 4]) -> [__m256d; 4] {
+pub(super) unsafe fn f64x4_load(at: *const f64, stride: usize) -> [__m256d; 4] {
     // SAFETY: the caller's promise, above.
     unsafe {
         transpose_f64x4([
-            _mm256_loadu_pd(a),
-            _mm256_loadu_pd(b),
-            _mm256_loadu_pd(c),
-            _mm256_loadu_pd(d),
+            _mm256_loadu_pd(at),
+            _mm256_loadu_pd(at.add(stride)),
+            _mm256_loadu_pd(at.add(2 * stride)),
+            _mm256_loadu_pd(at.add(3 * stride)),
         ])
     }
 }
 #[inline(always)]
-pub(super) unsafe fn f64x4_store(components: [__m256d; 4], at: [*mut f64; 4]) {
+pub(super) unsafe fn f64x4_store(components: [__m256d; 4], at: *mut f64, stride: usize) {
     // SAFETY: the caller's promise, above.
     unsafe {
-        for (at, record) in at.into_iter().zip(transpose_f64x4(components)) {
-            _mm256_storeu_pd(at, record);
+        for (i, record) in transpose_f64x4(components).into_iter().enumerate() {
+            _mm256_storeu_pd(at.add(i * stride), record);
         }
     }
 }
@@ -192,24 +192,24 @@ pub(super) unsafe fn f64x4_store_triples([x, y, z]: [__m256d; 3], at: *mut f64) 
 }
 
 #[inline(always)]
-pub(super) unsafe fn f64x8_load(at: [*const f64; 8]) -> [__m512d; 4] {
+pub(super) unsafe fn f64x8_load(at: *const f64, stride: usize) -> [__m512d; 4] {
     // SAFETY: the caller's promise, above.
     unsafe {
         let mut rows = [_mm512_setzero_pd(); 4];
         for (i, row) in rows.iter_mut().enumerate() {
-            let lower = _mm512_castpd256_pd512(_mm256_loadu_pd(at[i]));
-            *row = _mm512_insertf64x4::<1>(lower, _mm256_loadu_pd(at[i + 4]));
+            let lower = _mm512_castpd256_pd512(_mm256_loadu_pd(at.add(i * stride)));
+            *row = _mm512_insertf64x4::<1>(lower, _mm256_loadu_pd(at.add((i + 4) * stride)));
         }
         transpose_f64x8(rows)
     }
 }
 #[inline(always)]
-pub(super) unsafe fn f64x8_store(components: [__m512d; 4], at: [*mut f64; 8]) {
+pub(super) unsafe fn f64x8_store(components: [__m512d; 4], at: *mut f64, stride: usize) {
     // SAFETY: the caller's promise, above.
     unsafe {
         for (i, records) in transpose_f64x8(components).into_iter().enumerate() {
-            _mm256_storeu_pd(at[i], _mm512_castpd512_pd256(records));
-            _mm256_storeu_pd(at[i + 4], _mm512_extractf64x4_pd::<1>(records));
+            _mm256_storeu_pd(at.add(i * stride), _mm512_castpd512_pd256(records));
+            _mm256_storeu_pd(at.add((i + 4) * stride), _mm512_extractf64x4_pd::<1>(records));
         }
     }
 }
@@ -225,9 +225,10 @@ pub(super) unsafe fn f64x8_store_triples([x, y, z]: [__m512d; 3], at: *mut f64) 
 }
 
 #[inline(always)]
-pub(super) unsafe fn f64x2_load([a, b]: [*const f64; 2]) -> [__m128d; 4] {
+pub(super) unsafe fn f64x2_load(at: *const f64, stride: usize) -> [__m128d; 4] {
     // SAFETY: the caller's promise, above.
     unsafe {
+        let (a, b) = (at, at.add(stride));
         let (xy_a, zw_a) = (_mm_loadu_pd(a), _mm_loadu_pd(a.add(2)));
         let (xy_b, zw_b) = (_mm_loadu_pd(b), _mm_loadu_pd(b.add(2)));
         [
@@ -239,13 +240,13 @@ pub(super) unsafe fn f64x2_load([a, b]: [*const f64; 2]) -> [__m128d; 4] {
     }
 }
 #[inline(always)]
-pub(super) unsafe fn f64x2_store([x, y, z, w]: [__m128d; 4], [a, b]: [*mut f64; 2]) {
+pub(super) unsafe fn f64x2_store([x, y, z, w]: [__m128d; 4], at: *mut f64, stride: usize) {
     // SAFETY: the caller's promise, above.
     unsafe {
-        _mm_storeu_pd(a, _mm_unpacklo_pd(x, y));
-        _mm_storeu_pd(a.add(2), _mm_unpacklo_pd(z, w));
-        _mm_storeu_pd(b, _mm_unpackhi_pd(x, y));
-        _mm_storeu_pd(b.add(2), _mm_unpackhi_pd(z, w));
+        _mm_storeu_pd(at, _mm_unpacklo_pd(x, y));
+        _mm_storeu_pd(at.add(2), _mm_unpacklo_pd(z, w));
+        _mm_storeu_pd(at.add(stride), _mm_unpackhi_pd(x, y));
+        _mm_storeu_pd(at.add(stride + 2), _mm_unpackhi_pd(z, w));
     }
 }
 #[inline(always)]

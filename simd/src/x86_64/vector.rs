@@ -56,12 +56,8 @@ macro_rules! vector {
                 if from.len() < reach {
                     return crate::lane::load_each(level, from, stride);
                 }
-                let mut at = [from.as_ptr(); $lanes];
-                for (i, at) in at.iter_mut().enumerate() {
-                    *at = at.wrapping_add(i * stride);
-                }
                 // SAFETY: `level` proves the instructions; the last number read is in the slice.
-                let [x, y, z, w] = unsafe { $load_quads(at) };
+                let [x, y, z, w] = unsafe { $load_quads(from.as_ptr(), stride) };
                 [Self(x, level), Self(y, level), Self(z, level), Self(w, level)]
             }
             #[inline(always)]
@@ -70,12 +66,8 @@ macro_rules! vector {
                 if to.len() < reach || stride < 4 {
                     return crate::lane::store_each([x, y, z, w], to, stride);
                 }
-                let mut at = [to.as_mut_ptr(); $lanes];
-                for (i, at) in at.iter_mut().enumerate() {
-                    *at = at.wrapping_add(i * stride);
-                }
                 // SAFETY: the lanes prove the instructions; the last number written is in the slice.
-                unsafe { $store_quads([x.0, y.0, z.0, w.0], at) }
+                unsafe { $store_quads([x.0, y.0, z.0, w.0], to.as_mut_ptr(), stride) }
             }
             #[inline(always)]
             fn store_triples([x, y, z]: [Self; 3], to: &mut [$real]) {
