@@ -31,14 +31,14 @@ fn chain(joints: u32) -> Vec<u32> {
 
 /// One joint in `roots` is a root, the others hang from one of the last `reach` joints.
 fn tree(numbers: &mut Numbers, joints: u32, roots: u64, reach: u32) -> Vec<u32> {
-    let mut parent = |joint: u32| {
+    let parent = |joint: u32| {
         let first = joint.saturating_sub(reach);
         if joint == 0 || numbers.next().is_multiple_of(roots) {
             return ROOT;
         }
         first + (numbers.next() % u64::from(joint - first)) as u32
     };
-    (0..joints).map(|joint| parent(joint)).collect()
+    (0..joints).map(parent).collect()
 }
 
 /// Trees, forests and chains of many sizes.
