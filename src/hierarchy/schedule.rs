@@ -9,8 +9,9 @@ use core::cmp::Reverse;
 /// How many other joints are begun before a joint whose parent is being computed. A product of a plan
 /// takes about four times as long as until the next one can begin.
 ///
-/// Measured on skeletons of 21 and 64 joints, AVX-512, by `cargo bench --bench hierarchy -- one-instance`
-/// with other values here: 2 takes a twentieth longer, 4 to 6 are the same.
+/// Measured on skeletons of 21 and 64 joints, with other values here, by `cargo bench --bench hierarchy
+/// -- one-instance`: 3 to 6 are the same within a few hundredths, plain level order takes a twentieth
+/// longer, depth first half as long again.
 const BETWEEN: usize = 4;
 
 /// Joint and parent, in the order of computing.
