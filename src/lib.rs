@@ -32,6 +32,7 @@
 //! | [`Line`], [`Plane`], [`Screw`], [`DualVector`] | what motions act on and are described by |
 //! | [`Twist`], [`Wrench`], [`TwistBlock`] | velocities and forces: derivatives, adjoints and Jacobians of motions and joints |
 //! | [`Hierarchy`], [`Job`], [`Crowd`], [`Block`] | joint hierarchies, one instance or many |
+//! | [`HierarchyPlan`], [`Backend::chain_products`] | one instance: a skeleton or a long chain |
 //! | [`Backend`], [`slices`], [`Place`] | kernels over slices of motions and points, plain or in blocks |
 //! | [`Lane`], [`Mask`], [`Level`], [`Portable`] | lanes, for kernels of your own |
 //!
@@ -40,7 +41,7 @@
 //! | feature | default | what it does |
 //! |---|---|---|
 //! | `std` | yes | square roots and trigonometry of the standard library; implies `alloc` |
-//! | `alloc` | | `Crowd`, owned blocks for any number of instances |
+//! | `alloc` | | `Crowd`, owned blocks for any number of instances, and `HierarchyPlan` |
 //! | `libm` | | square roots and trigonometry without std |
 //! | `rayon` | | crowds over all cores: the `par_` methods of [`Job`] |
 //!
@@ -77,12 +78,13 @@ pub use dispatch::Backend;
 pub use dq8_simd::{Float, Lane, Level, Mask, Portable, f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
 pub use error::{HierarchyError, InverseError, MatrixError, NormalizeError, ShapeError};
 pub use geometry::{DualVector, Line, Mean, Plane, Screw, Twist, Wrench};
-#[cfg(feature = "alloc")]
-pub use hierarchy::Crowd;
 pub use hierarchy::{
-    Block, Hierarchy, Job, Motions, Pose, Renormalise, RotationBlock, RotationTranslationBlock,
-    Rotations, RotationsTranslations, TwistBlock, pack, unpack,
+    Block, Hierarchy, Job, Link, Motions, Pose, Renormalise, RotationBlock,
+    RotationTranslationBlock, Rotations, RotationsTranslations, TwistBlock, pack, pack_chain,
+    unpack, unpack_chain,
 };
+#[cfg(feature = "alloc")]
+pub use hierarchy::{Crowd, HierarchyPlan, Strategy};
 pub use motion::Motion;
 pub use place::{MatrixBlock, NumberBlock, Place, PointBlock};
 pub use real::Real;

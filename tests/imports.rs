@@ -26,18 +26,19 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ),
 ];
 
-/// The same for `dq8-simd`. `float`, `lane` and `level` name each other: a lane
+/// The same for `dq8-simd`. `float`, `lane`, `level` and their like name each other: a lane
 /// belongs to a level, and a number has lanes.
 const SIMD_MAY_IMPORT: &[(&str, &[&str])] = &[
-    ("float", &["lane", "level"]),
+    ("float", &["lane", "level", "octet"]),
     ("lane", &["float", "level"]),
-    ("level", &["lane"]),
+    ("level", &["lane", "octet"]),
+    ("octet", &["lane"]),
     ("block", &["lane", "level"]),
     ("portable", &["float", "lane", "level"]),
     ("one", &["float", "lane", "level", "portable"]),
     ("pair", &["float", "lane", "level"]),
     ("detect", &[]),
-    ("x86_64", &["float", "lane", "level", "pair", "detect"]),
+    ("x86_64", &["float", "lane", "level", "octet", "pair", "detect"]),
 ];
 
 /// Files of `batch` without a twin in `scalar`: the scalar reference has these from the standard

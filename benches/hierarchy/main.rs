@@ -3,17 +3,20 @@
 //! One skeleton of 64 joints ([`skeleton`]), crowds of 1 to 8192 instances, out of place and in
 //! place. Lanes run with every set of instructions that the CPU has; a crowd of 1 has nothing for
 //! them. Every contender gets the same poses in its own representation and is compared with `f64`
-//! matrices before it is timed. Throughput counts joints × instances.
+//! matrices before it is timed. Throughput counts joints × instances. The groups [`one_instance`]
+//! compare the strategies for a crowd of 1.
 //!
 //! ```text
 //! cargo bench --bench hierarchy -- crowd/1024/in-place
 //! cargo bench --bench hierarchy -- lanes-f32x8-AVX2
+//! cargo bench --bench hierarchy -- one-instance
 //! ```
 
 mod contender;
 mod crowd;
 #[path = "../measurement/mod.rs"]
 mod measurement;
+mod one_instance;
 mod race;
 #[path = "../random/mod.rs"]
 mod random;
@@ -56,5 +59,5 @@ fn crowds(criterion: &mut Criterion) {
     }
 }
 
-criterion_group! { name = hierarchy; config = measurement::brief(); targets = crowds }
+criterion_group! { name = hierarchy; config = measurement::brief(); targets = crowds, one_instance::skeletons, one_instance::chains }
 criterion_main!(hierarchy);

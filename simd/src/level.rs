@@ -1,6 +1,7 @@
 //! [`Level`]: the proof that the CPU can compute with a lane type.
 
 use crate::lane::Lane;
+use crate::octet::Octet;
 use core::fmt::Debug;
 
 /// A set of instructions, held as a value that proves the CPU has them.
@@ -12,7 +13,7 @@ pub trait Level: Copy + Debug + Send + Sync + 'static {
     /// Four lanes of `f32`.
     type F32x4: Lane<Real = f32, Level = Self, Array = [f32; 4]>;
     /// Eight lanes of `f32`.
-    type F32x8: Lane<Real = f32, Level = Self, Array = [f32; 8]>;
+    type F32x8: Octet<Real = f32, Level = Self, Array = [f32; 8]>;
     /// Sixteen lanes of `f32`.
     type F32x16: Lane<Real = f32, Level = Self, Array = [f32; 16]>;
     /// Two lanes of `f64`.
@@ -20,7 +21,7 @@ pub trait Level: Copy + Debug + Send + Sync + 'static {
     /// Four lanes of `f64`.
     type F64x4: Lane<Real = f64, Level = Self, Array = [f64; 4]>;
     /// Eight lanes of `f64`.
-    type F64x8: Lane<Real = f64, Level = Self, Array = [f64; 8]>;
+    type F64x8: Octet<Real = f64, Level = Self, Array = [f64; 8]>;
 
     /// The `f32` lanes that fill a register.
     type Single: Lane<Real = f32, Level = Self>;

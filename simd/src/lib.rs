@@ -31,6 +31,7 @@ mod detect;
 pub mod float;
 pub mod lane;
 pub mod level;
+pub mod octet;
 pub mod one;
 #[cfg(target_arch = "x86_64")]
 pub mod pair;
@@ -42,6 +43,7 @@ pub use block::Block;
 pub use float::Float;
 pub use lane::{Lane, Mask, Part, Row};
 pub use level::Level;
+pub use octet::Octet;
 pub use portable::Portable;
 
 /// The portable lane types themselves.

@@ -7,7 +7,7 @@ use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 /// The lower lanes and the upper lanes.
 #[derive(Clone, Copy, Debug)]
-pub struct Pair<L>(L, L);
+pub struct Pair<L>(pub(crate) L, pub(crate) L);
 
 /// The memory of `Pair<L>` for lanes of `[R; N]`: `[R; 2N]`, which generic code cannot name.
 pub trait Doubled: Pod {

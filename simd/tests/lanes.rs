@@ -1,6 +1,6 @@
 //! Every operation of every lane type against plain arithmetic, lane by lane.
 
-use dq8_simd::{Block, Float, Lane, Level, Mask, Portable, Row};
+use dq8_simd::{Block, Float, Lane, Level, Mask, Octet, Portable, Row};
 use dq8_simd::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
 
 /// Numbers that hurt, among ordinary ones.
@@ -187,6 +187,20 @@ fn quads<L: Lane>(level: L::Level) {
     }
 }
 
+fn octets<L: Octet>(level: L::Level) {
+    let numbers_of = |octet: [f64; 8]| {
+        let octet = octet.map(L::Real::from_f64);
+        L::load_partial(level, &octet, L::Real::default())
+    };
+    let octet = numbers_of([1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0]);
+    let [x, y, z, w] = octet.columns();
+    same("columns, x", &numbers(x), &[4.0, 3.0, -2.0, -1.0, 8.0, 7.0, -6.0, -5.0]);
+    same("columns, y", &numbers(y), &[-3.0, 4.0, 1.0, -2.0, -7.0, 8.0, 5.0, -6.0]);
+    same("columns, z", &numbers(z), &[2.0, -1.0, 4.0, -3.0, 6.0, -5.0, 8.0, -7.0]);
+    same("columns, w", &numbers(w), &numbers(octet));
+    same("raised", &numbers(octet.raised()), &[0.0, 0.0, 0.0, 0.0, 1.0, 2.0, 3.0, 4.0]);
+}
+
 fn check<L: Lane>(level: L::Level) {
     arithmetic::<L>(level);
     fused_or_not::<L>(level);
@@ -215,6 +229,8 @@ fn check_level<V: Level>(level: V) {
         streams::<[f64; 8], V>(level);
         check::<V::Single>(level);
         check::<V::Double>(level);
+        octets::<V::F32x8>(level);
+        octets::<V::F64x8>(level);
     });
 }
 

@@ -9,6 +9,8 @@
 //! | [`Entry`] | what a skinning palette is made of: motions or matrices |
 //! | [`TwistBlock`] | twists of the instances of a block, for velocities and Jacobians |
 //! | [`Job`] | a run with a root transform or on some of the joints |
+//! | [`HierarchyPlan`], [`Strategy`] | one instance: an order found once (feature `alloc`) |
+//! | [`Link`], [`pack_chain`], [`unpack_chain`] | chains in segments, for [`Backend::chain_products`](crate::Backend::chain_products) |
 //! | [`Renormalise`] | when a run normalises what it has multiplied |
 //! | [`Crowd`] | owned blocks for any number of instances (feature `alloc`) |
 //! | [`pack`], [`unpack`] | the same conversion between slices of your own |
@@ -19,20 +21,27 @@
 //! blocks share a lane position: `[instance block][joint][component][lane]`, so that a child finds
 //! its parent in the same lane of another block, without any shuffling.
 
+mod chain;
 mod concatenate;
 #[cfg(feature = "alloc")]
 mod crowd;
 mod job;
 mod locals;
+mod octet;
 mod packing;
 mod palette;
 #[cfg(feature = "rayon")]
 mod parallel;
 mod parents;
+#[cfg(feature = "alloc")]
+mod plan;
 mod pose;
 mod renormalise;
+#[cfg(feature = "alloc")]
+mod schedule;
 mod velocity;
 
+pub use chain::{Link, pack_chain, unpack_chain};
 #[cfg(feature = "alloc")]
 pub use crowd::Crowd;
 pub use job::Job;
@@ -40,5 +49,7 @@ pub use locals::{Locals, Motions, Rotations, RotationsTranslations};
 pub use packing::{pack, unpack};
 pub use palette::Entry;
 pub use parents::Hierarchy;
+#[cfg(feature = "alloc")]
+pub use plan::{HierarchyPlan, Strategy};
 pub use pose::{Block, Pose, RotationBlock, RotationTranslationBlock, TwistBlock};
 pub use renormalise::Renormalise;

@@ -81,7 +81,7 @@ type Number<P, V> = <<P as Pose>::Motion<V> as Motion>::Real;
 /// The quaternions of a pose, or lanes of them.
 type Rotation<P, V> = <<P as Pose>::Motion<V> as Motion>::Quat;
 
-mod sealed {
+pub(super) mod sealed {
     pub trait Sealed {}
 }
 

@@ -5,6 +5,7 @@
 //! | `vector.rs` | the short macro that makes a lane type of a register and its instructions |
 //! | `frame.rs` | where vector registers are spilled to |
 //! | `quads.rs` | transposes between records of four or three numbers and vectors of components |
+//! | `octet.rs` | one dual quaternion in a register |
 //! | `avx2.rs` | [`Avx2`]: 8 × `f32`, 4 × `f64`, and half as many; AVX2 and FMA |
 //! | `avx512.rs` | [`Avx512`]: 16 × `f32`, 8 × `f64`, and the narrower ones; AVX-512 F, VL, DQ |
 //!
@@ -14,6 +15,7 @@
 mod avx2;
 mod avx512;
 mod frame;
+mod octet;
 mod quads;
 mod vector;
 

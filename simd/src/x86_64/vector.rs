@@ -21,7 +21,7 @@ macro_rules! vector {
     ) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug)]
-        pub struct $name($register, $level);
+        pub struct $name(pub(super) $register, pub(super) $level);
 
         impl Lane for $name {
             type Real = $real;

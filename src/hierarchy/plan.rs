@@ -1,0 +1,228 @@
+use super::Hierarchy;
+use super::job::same_length;
+use super::octet::product;
+use super::packing::whole_instances;
+use super::schedule::Schedule;
+use crate::dispatch::{Backend, Kernel};
+use crate::error::ShapeError;
+use crate::real::Real;
+use crate::scalar::DualQuat;
+use dq8_simd::{Float, Lane, Level};
+
+/// From this many joints on, a chain is cut into segments: `cargo bench --bench hierarchy --
+/// one-instance/chain` shows both strategies around it. (Nanoseconds a joint, AVX-512, of 16, 24 and 32
+/// joints: ordered 4.9, 5.6, 6.0; in segments 6.7, 5.3, 4.7. Without AVX2 segments never win.)
+const LEAST_CHAIN: usize = 24;
+
+/// How to compute one instance of a hierarchy, found once.
+///
+/// [`Hierarchy`] takes its lanes from many instances. Where there is one, joints wait for their
+/// parents, and what counts is how many wait at a time; that depends on the parents alone. A plan
+/// is made of them once and serves any number of poses: it computes
+///
+/// model(j) = model(parent(j)) · local(j)
+///
+/// as [`Hierarchy::local_to_model`] does, of plain slices in the joints' own order. Products and
+/// their order are the same for a tree, so results differ by rounding only; of a long chain see
+/// [`Backend::chain_products`].
+///
+/// Several instances one after the other are computed one after the other: for crowds, [`Block`] is
+/// the faster way.
+///
+/// [`Block`]: super::Block
+///
+/// ```
+/// use dq8::{DualQuat, Hierarchy, HierarchyPlan};
+/// let parents = [Hierarchy::ROOT, 0, 1, 0];
+/// let plan = HierarchyPlan::new(&Hierarchy::new(&parents)?);
+/// let locals = [DualQuat::from_translation([0.0_f32, 2.0, 0.0]); 4];
+/// let mut models = locals;
+/// plan.local_to_model(&locals, &mut models)?;
+/// assert_eq!(models[2].translation(), [0.0, 6.0, 0.0]);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct HierarchyPlan {
+    joints: usize,
+    /// `None` for a chain in segments.
+    schedule: Option<Schedule>,
+    backend: Backend,
+}
+
+/// How a [`HierarchyPlan`] uses lanes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Strategy {
+    /// Joints one by one, the eight components of a motion in the lanes of one register, in an order
+    /// in which few wait for their parents.
+    Ordered,
+    /// The hierarchy is one chain, and lanes are its segments: [`Backend::chain_products`].
+    Chain,
+}
+
+impl HierarchyPlan {
+    /// The plan with the strategy that measured best: [`Strategy::Chain`] for chains of 24 joints or
+    /// more where there are instructions for it, [`Strategy::Ordered`] otherwise.
+    ///
+    /// # Panics
+    /// If the memory cannot be allocated, as for any `Vec`.
+    #[must_use]
+    pub fn new(hierarchy: &Hierarchy<'_>) -> Self {
+        let long = hierarchy.joints() >= LEAST_CHAIN && Backend::best() != Backend::Portable;
+        let chain = if long { Self::with_strategy(hierarchy, Strategy::Chain) } else { None };
+        chain.unwrap_or_else(|| Self {
+            joints: hierarchy.joints(),
+            schedule: Some(Schedule::new(hierarchy)),
+            backend: Backend::MOST,
+        })
+    }
+
+    /// The plan with this strategy: to measure it. `None` if the hierarchy is no chain and would have
+    /// to be one.
+    #[must_use]
+    pub fn with_strategy(hierarchy: &Hierarchy<'_>, strategy: Strategy) -> Option<Self> {
+        let schedule = match strategy {
+            Strategy::Ordered => Some(Schedule::new(hierarchy)),
+            Strategy::Chain if is_chain(hierarchy) => None,
+            Strategy::Chain => return None,
+        };
+        Some(Self { joints: hierarchy.joints(), schedule, backend: Backend::MOST })
+    }
+
+    /// How many joints there are.
+    #[must_use]
+    pub const fn joints(&self) -> usize {
+        self.joints
+    }
+
+    /// How lanes are used.
+    #[must_use]
+    pub const fn strategy(&self) -> Strategy {
+        match self.schedule {
+            Some(_) => Strategy::Ordered,
+            None => Strategy::Chain,
+        }
+    }
+
+    /// Runs with this backend, or the best below it that the CPU has; the best there is, unless told.
+    #[must_use]
+    pub fn backend(mut self, backend: Backend) -> Self {
+        self.backend = backend;
+        self
+    }
+
+    /// Model poses of all joints from local ones, both in the joints' own order; one instance, or
+    /// several whole ones one after the other.
+    ///
+    /// # Errors
+    /// If the slices differ in length or hold no whole number of instances; `models` is untouched.
+    #[inline]
+    pub fn local_to_model<R: Real + Float>(
+        &self,
+        locals: &[DualQuat<R>],
+        models: &mut [DualQuat<R>],
+    ) -> Result<(), ShapeError> {
+        whole_instances("locals", self.joints, locals.len())?;
+        same_length("models", models.len(), locals.len())?;
+        self.run(Some(locals), models);
+        Ok(())
+    }
+
+    /// [`local_to_model`](Self::local_to_model) over the locals themselves.
+    ///
+    /// # Errors
+    /// If the slice holds no whole number of instances; it is untouched then.
+    #[inline]
+    pub fn local_to_model_in_place<R: Real + Float>(
+        &self,
+        poses: &mut [DualQuat<R>],
+    ) -> Result<(), ShapeError> {
+        whole_instances("poses", self.joints, poses.len())?;
+        self.run(None, poses);
+        Ok(())
+    }
+
+    /// Without `locals`, they lie where the models go. Lengths have been checked.
+    #[inline]
+    fn run<R: Real + Float>(&self, locals: Option<&[DualQuat<R>]>, models: &mut [DualQuat<R>]) {
+        if let Some(schedule) = &self.schedule {
+            return self.backend.run(Walk { schedule, joints: self.joints, locals, models });
+        }
+        // A chain of no joints has no instances either.
+        let joints = self.joints.max(1);
+        let mut locals = locals.map(|locals| locals.chunks_exact(joints));
+        for models in models.chunks_exact_mut(joints) {
+            match locals.as_mut().and_then(Iterator::next) {
+                Some(locals) => self.backend.scan(Some(locals), models),
+                None => self.backend.scan(None, models),
+            }
+        }
+    }
+}
+
+/// Whether every joint hangs from the one before it. The mark of the root is what comes before 0.
+fn is_chain(hierarchy: &Hierarchy<'_>) -> bool {
+    (0_u32..).zip(hierarchy.parents()).all(|(joint, &parent)| parent == joint.wrapping_sub(1))
+}
+
+struct Walk<'p, 's, R> {
+    schedule: &'p Schedule,
+    joints: usize,
+    locals: Option<&'s [DualQuat<R>]>,
+    models: &'s mut [DualQuat<R>],
+}
+
+impl<R: Real + Float> Kernel for Walk<'_, '_, R> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<V: Level>(self, level: V) {
+        let Self { schedule, joints, locals, models } = self;
+        let mut models: &mut [[R; 8]] = bytemuck::must_cast_slice_mut(models);
+        let mut locals: &[[R; 8]] = bytemuck::must_cast_slice(locals.unwrap_or_default());
+        // An instance of no joints would come again for ever.
+        while joints > 0
+            && let Some((instance, others)) = models.split_at_mut_checked(joints)
+        {
+            match locals.split_at_checked(joints) {
+                Some((of_instance, rest)) => {
+                    out_of_place(level, schedule, of_instance, instance);
+                    locals = rest;
+                }
+                None => in_place(level, schedule, instance),
+            }
+            models = others;
+        }
+    }
+}
+
+#[inline(always)]
+fn out_of_place<R: Real + Float, V: Level>(
+    level: V,
+    schedule: &Schedule,
+    locals: &[[R; 8]],
+    models: &mut [[R; 8]],
+) {
+    for &[joint, parent] in schedule.steps() {
+        let Some(local) = locals.get(joint as usize) else { return };
+        // ROOT is beyond the last joint.
+        let model = match models.get(parent as usize) {
+            Some(parent) => product(R::Octet::load(level, parent), local),
+            None => R::Octet::load(level, local),
+        };
+        let Some(slot) = models.get_mut(joint as usize) else { return };
+        model.store(slot);
+    }
+}
+
+#[inline(always)]
+fn in_place<R: Real + Float, V: Level>(level: V, schedule: &Schedule, poses: &mut [[R; 8]]) {
+    for &[joint, parent] in schedule.steps() {
+        // ROOT is beyond the last joint, and a root stays as it is.
+        let Some(parent) = poses.get(parent as usize) else { continue };
+        let Some(local) = poses.get(joint as usize) else { return };
+        let model = product(R::Octet::load(level, parent), local);
+        let Some(slot) = poses.get_mut(joint as usize) else { return };
+        model.store(slot);
+    }
+}

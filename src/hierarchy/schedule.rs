@@ -1,0 +1,72 @@
+//! [`Schedule`]: which joint is computed when, if they are computed one by one.
+
+use super::Hierarchy;
+use alloc::collections::{BinaryHeap, VecDeque};
+use alloc::vec;
+use alloc::vec::Vec;
+use core::cmp::Reverse;
+
+/// How many other joints are begun before a joint whose parent is being computed. A product of a plan
+/// takes about four times as long as until the next one can begin.
+///
+/// Measured on skeletons of 21 and 64 joints, with other values here, by `cargo bench --bench hierarchy
+/// -- one-instance`: 3 to 6 are the same within a few hundredths, plain level order takes a twentieth
+/// longer, depth first half as long again.
+const BETWEEN: usize = 4;
+
+/// Joint and parent, in the order of computing.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Schedule {
+    steps: Vec<[u32; 2]>,
+}
+
+impl Schedule {
+    /// Of the joints whose parent is done, the one with the longest way down comes first: it decides
+    /// how long the whole takes. The others fill the time in which it waits for its parent.
+    pub(super) fn new(hierarchy: &Hierarchy<'_>) -> Self {
+        let parents = hierarchy.parents();
+        // The longest way from a joint down, and its children, the last one first.
+        let mut heights = vec![0_u32; parents.len()];
+        let mut children = vec![Vec::new(); parents.len()];
+        let mut able = BinaryHeap::new();
+        let joints: Vec<u32> = (0..).take(parents.len()).collect();
+        for (&joint, &parent) in joints.iter().zip(parents).rev() {
+            let height = heights[joint as usize];
+            match children.get_mut(parent as usize) {
+                Some(siblings) => {
+                    siblings.push(joint);
+                    let above = &mut heights[parent as usize];
+                    *above = (height + 1).max(*above);
+                }
+                None => able.push((height, Reverse(joint))),
+            }
+        }
+        let mut steps = Vec::with_capacity(parents.len());
+        // Joints whose parent has begun, and from when on they may.
+        let mut soon = VecDeque::new();
+        let mut time = 0;
+        while steps.len() < parents.len() {
+            if able.is_empty() {
+                // All there is waits for its parent.
+                time = soon.front().map_or(time, |&(when, _)| time.max(when));
+            }
+            while let Some(&(when, joint)) = soon.front()
+                && when <= time
+            {
+                soon.pop_front();
+                able.push((heights[joint as usize], Reverse(joint)));
+            }
+            let Some((_, Reverse(joint))) = able.pop() else { break };
+            let index = joint as usize;
+            soon.extend(children[index].iter().rev().map(|&child| (time + BETWEEN, child)));
+            steps.push([joint, parents[index]]);
+            time += 1;
+        }
+        Self { steps }
+    }
+
+    #[inline(always)]
+    pub(super) fn steps(&self) -> &[[u32; 2]] {
+        &self.steps
+    }
+}
