@@ -1,5 +1,6 @@
 //! J2 and J3: down the joints of many skeletons, or of one.
 
+mod alone;
 mod scene;
 
 pub(crate) use scene::Shape;
@@ -62,7 +63,14 @@ pub(crate) fn with_contest<R>(shape: Shape, way: Way, run: impl FnOnce(&Contest<
     let mut field = Field { scene: &scene, hierarchy, way, contest: &mut contest };
     match shape {
         Shape::Crowd { instances: 2.. } => field.crowd(),
-        _ => field.one(),
+        _ => {
+            field.one();
+            field.plan();
+        }
+    }
+    if matches!(shape, Shape::Chain) {
+        field.segments::<8>();
+        field.segments::<16>();
     }
     if job == "J2" {
         let bytes = size_of::<Motion>() * contest.transforms;
