@@ -1,11 +1,20 @@
 //! Calls the hot kernels, so that their machine code is in this program.
 
-use dq8::{Backend, Block, DualQuat, Hierarchy, PointBlock};
+use dq8::{Backend, Block, DualQuat, Hierarchy, HierarchyPlan, PointBlock};
 use std::hint::black_box;
 
 fn main() {
+    one_instance();
     kernels::<8>([Block::splat([0.0; 8]); 2], [PointBlock::splat([0.0; 3]); 2]);
     kernels::<16>([Block::splat([0.0; 8]); 2], [PointBlock::splat([0.0; 3]); 2]);
+}
+
+fn one_instance() {
+    let parents = [Hierarchy::ROOT, 0];
+    let plan = HierarchyPlan::new(&Hierarchy::new(&parents).expect("a hierarchy"));
+    let (locals, mut models) = (black_box([DualQuat::<f32>::IDENTITY; 2]), [DualQuat::ZERO; 2]);
+    plan.local_to_model(&locals, &mut models).expect("they are of one length");
+    black_box(models);
 }
 
 /// Each on blocks of `N` lanes.
