@@ -19,14 +19,16 @@ ROOT = Path(__file__).resolve().parent.parent
 # What the kernel is called here; what names it in its symbol; how often its AVX2 loop may touch the stack. A crowd
 # in place keeps all eight results until it has loaded everything, for they go where it loads from: one does not fit.
 # ScLERP has more constants than there are registers.
+BLOCKS = r"\[f32; {lanes}"
 KERNELS = [
-    ("pairwise product", r"sweep::Sweep<.*slices::product::Product", 0),
-    ("points by one motion", r"sweep::Sweep<.*slices::transform::ByOne", 0),
-    ("normalise", r"sweep::Sweep<.*slices::unit::Normalize", 0),
-    ("ScLERP", r"sweep::Sweep<.*slices::interpolate::Sclerp", None),
-    ("crowd in place", r"concatenate::Forward", 4),
+    ("pairwise product", r"sweep::Sweep<.*slices::product::Product.*" + BLOCKS, 0),
+    ("points by one motion", r"sweep::Sweep<.*slices::transform::ByOne.*" + BLOCKS, 0),
+    ("normalise", r"sweep::Sweep<.*slices::unit::Each.*" + BLOCKS + ".*Normalize", 0),
+    ("ScLERP", r"sweep::Sweep<.*slices::interpolate::Interpolation.*" + BLOCKS, None),
+    ("crowd in place", r"concatenate::Forward.*" + BLOCKS, 4),
+    ("one instance, planned", r"plan::Walk<f32>", 0),
 ]
-BACKENDS = [("AVX2", "with_avx2", "ymm", (8, 16)), ("AVX-512", "with_avx512", "zmm", (16,))]
+BACKENDS = [("AVX2", "with_avx2", (8, 16)), ("AVX-512", "with_avx512", (8, 16))]
 FUSED = re.compile(r"\tvfn?m(add|sub)\d+ps\b")
 
 
@@ -70,10 +72,12 @@ def main():
     functions, failures = build(), 0
     print(f"{'kernel':22}{'backend':9}{'lanes':>6}{'fused':>7}{'calls':>7}{'spills':>8}")
     for kernel, symbol, most_spills in KERNELS:
-        for backend, level, register, widths in BACKENDS:
-            for lanes in widths:
-                wanted = lambda name: level in name and re.search(symbol, name) and f"[f32; {lanes}" in name
-                bodies = [body for name, body in functions.items() if wanted(name)]
+        for backend, level, widths in BACKENDS:
+            # What is no block is one motion: eight lanes.
+            for lanes in widths if BLOCKS in symbol else widths[:1]:
+                register = "zmm" if level == "with_avx512" and lanes == 16 else "ymm"
+                wanted = re.compile(level + ".*" + symbol.replace("{lanes}", str(lanes)))
+                bodies = [body for name, body in functions.items() if wanted.search(name)]
                 loop = max((hot_loop(body) for body in bodies), key=len, default=[])
                 fused = sum(bool(FUSED.search(text)) and register in text for text in loop)
                 calls = sum("\tcall" in text for text in loop)

@@ -7,7 +7,7 @@ use dq8_simd::{Lane, Level};
 
 impl Backend {
     /// `units[i]` = σᵢ/√(σᵢσᵢ*), exactly; some component is NaN where there is no such motion (see
-    /// [`DualQuat::normalize_checked`](crate::DualQuat::normalize_checked)).
+    /// [`Motion::normalize_checked`](crate::Motion::normalize_checked)).
     ///
     /// # Errors
     /// If the slices differ in length; `units` is untouched.
@@ -34,7 +34,7 @@ impl Backend {
     }
 
     /// `inverses[i]` = σᵢ⁻¹; some component is NaN or infinite where there is none (see
-    /// [`DualQuat::inverse_checked`](crate::DualQuat::inverse_checked)).
+    /// [`Motion::inverse_checked`](crate::Motion::inverse_checked)).
     ///
     /// # Errors
     /// If the slices differ in length; `inverses` is untouched.
