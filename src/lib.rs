@@ -43,7 +43,7 @@
 //! | `std` | yes | square roots and trigonometry of the standard library; implies `alloc` |
 //! | `alloc` | | `Crowd`, owned blocks for any number of instances, and `HierarchyPlan` |
 //! | `libm` | | square roots and trigonometry without std |
-//! | `rayon` | | crowds over all cores: the `par_` methods of [`Job`] |
+//! | `rayon` | | crowds and chains over all cores: the `par_` methods of [`Job`] and [`Backend`] |
 //!
 //! Without `std` nothing else is linked than `core` (and `alloc` if asked for); no operation on
 //! borrowed memory allocates.

@@ -1,7 +1,7 @@
 //! Crowds over all cores: every bit as on one.
 #![cfg(feature = "rayon")]
 
-use dq8::{Crowd, DualQuat, Hierarchy, Quat, Renormalise, ShapeError};
+use dq8::{Backend, Crowd, DualQuat, Hierarchy, Quat, Renormalise, ShapeError};
 
 const PARENTS: [u32; 5] = [Hierarchy::ROOT, 0, 1, 1, 0];
 
@@ -37,6 +37,29 @@ fn all_cores_compute_the_bits_of_one() {
             let mut in_place = locals.clone();
             job.par_local_to_model_in_place(in_place.blocks_mut()).expect("they fit");
             assert_eq!(one, in_place);
+        }
+    }
+}
+
+#[test]
+fn a_chain_in_segments_of_threads_is_the_chain() {
+    let backend = Backend::best();
+    // None, less than a segment, whole segments, and a rest.
+    for length in [0, 100, 4096, 9001] {
+        let mut one = Vec::new();
+        for instance in 0..length {
+            let pose = crowd(1).get(0, instance % PARENTS.len()).expect("a joint");
+            let turn = pose.rotation().to_array().map(f64::from);
+            one.push(DualQuat::from_rotation(Quat::from_array(turn).normalize()));
+        }
+        let mut all = one.clone();
+        backend.par_chain_products_in_place(&mut all);
+        let mut product = DualQuat::<f64>::IDENTITY;
+        for (i, (link, got)) in one.iter_mut().zip(&all).enumerate() {
+            product = product * *link;
+            for (a, b) in product.to_array().iter().zip(got.to_array()) {
+                assert!((a - b).abs() < 1e-11, "link {i} of {length}: {a} {b}");
+            }
         }
     }
 }

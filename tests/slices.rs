@@ -73,6 +73,11 @@ where
         backend.mul_in_place(&mut in_place, &pb).expect("they fit");
         assert_eq!(P::unpack(&in_place, length), P::unpack(&out, length), "mul in place");
 
+        let left = motions::<Number<P>>(1, 7.0)[0];
+        let mut in_place = pb.clone();
+        backend.mul_left_in_place(left, &mut in_place);
+        check("mul_left", &in_place, each(&|i| left * b[i]));
+
         let twice: Vec<_> = a.iter().map(|a| a.scale(real(2.0))).collect();
         let twice = P::pack(&numbers(&twice));
         backend.normalize(&twice, &mut out).expect("they fit");

@@ -1,9 +1,14 @@
-//! Crowds over all cores (feature `rayon`): whole instances to each task.
+//! Crowds and chains over all cores (feature `rayon`): whole instances, or segments of a chain, to each
+//! task.
 
 use super::Pose;
 use super::job::{Job, Root};
 use super::locals::{InPlace, Motions};
+use crate::dispatch::Backend;
 use crate::error::ShapeError;
+use crate::real::Real;
+use crate::scalar::DualQuat;
+use dq8_simd::Float;
 use rayon::prelude::*;
 
 /// How many elements a task has at least: some microseconds of work, where starting a task takes a
@@ -69,5 +74,29 @@ where
             Root::None | Root::Same(_) => self.root.clone(),
         };
         Self { root, ..self.clone() }
+    }
+}
+
+impl Backend {
+    /// [`chain_products_in_place`](Self::chain_products_in_place) on all threads of rayon's current
+    /// pool: the products of segments, then, serially, what comes before each of them, then every
+    /// product by that. Results differ in the last bits from those of one thread, as the order of
+    /// multiplication does; they do not depend on the number of threads.
+    ///
+    /// ```
+    /// use dq8::{Backend, DualQuat};
+    /// let mut rope = vec![DualQuat::from_translation([0.0_f32, 0.5, 0.0]); 10_000];
+    /// Backend::best().par_chain_products_in_place(&mut rope);
+    /// assert_eq!(rope[9_999].translation(), [0.0, 5000.0, 0.0]);
+    /// ```
+    pub fn par_chain_products_in_place<R: Real + Float>(self, links: &mut [DualQuat<R>]) {
+        let totals = links.par_chunks_mut(GRAIN).map(|segment| {
+            self.chain_products_in_place(segment);
+            segment.last().copied().unwrap_or_default()
+        });
+        let mut before: alloc::vec::Vec<_> = totals.collect();
+        self.chain_products_in_place(&mut before);
+        let others = links.par_chunks_mut(GRAIN).skip(1).zip(before);
+        others.for_each(|(segment, before)| self.mul_left_in_place(before, segment));
     }
 }

@@ -3,6 +3,7 @@
 //! | method | what it computes |
 //! |---|---|
 //! | [`mul`](Backend::mul), [`mul_in_place`](Backend::mul_in_place) | aᵢbᵢ |
+//! | [`mul_left_in_place`](Backend::mul_left_in_place) | a bᵢ |
 //! | [`normalize`](Backend::normalize), [`inverse`](Backend::inverse), and in place | exactly, one by one |
 //! | [`nlerp`](Backend::nlerp), [`sclerp`](Backend::sclerp), with one t or one each | between aᵢ and bᵢ |
 //! | [`transform_points`](Backend::transform_points), [`transform_vectors`](Backend::transform_vectors), and in place | by one motion |

@@ -1,7 +1,9 @@
 use super::sweep::{Operation, motions, same_length, sweep};
+use crate::batch;
 use crate::dispatch::Backend;
 use crate::error::ShapeError;
-use crate::place::{Lanes, Place, Step};
+use crate::place::{Lanes, Number, Place, Step};
+use crate::scalar::DualQuat;
 use dq8_simd::Level;
 
 impl Backend {
@@ -35,6 +37,33 @@ impl Backend {
         same_length("b", b.len(), a.len())?;
         sweep(self, a, Product { a: None, b });
         Ok(())
+    }
+
+    /// `motions[i] ← left · motions[i]`: every motion goes where `left` takes it.
+    ///
+    /// ```
+    /// use dq8::{Backend, DualQuat};
+    /// let mut poses = [DualQuat::from_translation([1.0_f32, 0.0, 0.0]); 3];
+    /// let up = DualQuat::from_translation([0.0, 0.0, 2.0]);
+    /// Backend::best().mul_left_in_place(up, &mut poses);
+    /// assert_eq!(poses[2].translation(), [1.0, 0.0, 2.0]);
+    /// ```
+    #[inline]
+    pub fn mul_left_in_place<P: Place<8>>(self, left: DualQuat<Number<P, 8>>, motions: &mut [P]) {
+        sweep(self, motions, Left(left));
+    }
+}
+
+struct Left<R>(DualQuat<R>);
+
+impl<P: Place<8>> Operation<P, 8> for Left<Number<P, 8>> {
+    fn reads_output(&self) -> bool {
+        true
+    }
+    #[inline(always)]
+    fn compute<V: Level>(&self, level: V, output: &[P], step: Step) -> Option<[Lanes<P, V, 8>; 8]> {
+        let left = batch::DualQuat::splat(level, self.0.to_array());
+        Some((left * motions(level, output, step)?).to_array())
     }
 }
 
