@@ -1,7 +1,7 @@
 //! Hierarchies on every backend that this machine has, against the scalar path; and that none was
 //! left out. The limit is for the whole process, so this is one test in a binary of its own.
 
-use dq8::{Backend, Block, Crowd, DualQuat, Hierarchy, Quat, Real};
+use dq8::{Backend, Block, Crowd, DualQuat, Float, Hierarchy, Quat, Real};
 use dq8_simd::Row;
 
 const JOINTS: usize = 23;
@@ -17,7 +17,7 @@ fn parents() -> Vec<u32> {
 }
 
 fn locals<R: Real>(instances: usize) -> Vec<DualQuat<R>> {
-    let real = R::from_f64;
+    let real = <R as Real>::from_f64;
     (0..instances * JOINTS)
         .map(|i| {
             let x = i as f64;
@@ -29,7 +29,7 @@ fn locals<R: Real>(instances: usize) -> Vec<DualQuat<R>> {
 }
 
 /// Runs a crowd forward and back, in and out of place, and returns the largest difference to scalar.
-fn difference<R: Real, const N: usize>(instances: usize) -> f64
+fn difference<R: Real + Float, const N: usize>(instances: usize) -> f64
 where
     [R; N]: Row<Real = R>,
 {

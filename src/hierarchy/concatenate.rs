@@ -4,17 +4,10 @@ use super::Pose;
 use super::job::{Job, Root};
 use super::locals::{Locals, Spot};
 use super::palette::Finish;
-use crate::dispatch::{Backend, Kernel};
+use crate::dispatch::Kernel;
 use crate::motion::Motion;
 use core::sync::atomic::{Ordering, compiler_fence};
-use dq8_simd::{Level, Portable};
-
-/// Runs a kernel over poses `P`: single motions gain nothing from wider instructions, and would only
-/// be compiled several times.
-#[inline]
-pub(super) fn run<P: Pose, K: Kernel>(backend: Backend, kernel: K) -> K::Output {
-    if P::INSTANCES == 1 { Portable.run(|| kernel.run(Portable)) } else { backend.run(kernel) }
-}
+use dq8_simd::Level;
 
 /// model(j) = model(parent(j)) · local(j), parents first.
 pub(super) struct Forward<'j, 'h, 's, P: Pose, L, F> {
@@ -65,7 +58,7 @@ fn forward<P: Pose, L: Locals<P>, F: Finish<P>, V: Level, const K: usize>(
             for part in 0..P::parts::<V>() {
                 let spot = Spot { index, joint, part };
                 if let Some(parent) = models.get(parent as usize) {
-                    let model = locals.onto(level, parent.load(level, part), models, spot);
+                    let model = locals.onto(level, parent, models, spot);
                     let (Some(model), Some(slot)) = (model, models.get_mut(joint)) else { return };
                     slot.store(level, part, model);
                 } else {
@@ -100,10 +93,11 @@ fn root<P: Pose, L: Locals<P>, V: Level>(
         || {
             let Spot { index, joint, part } = spot;
             let instance = index / job.hierarchy.joints().max(1);
-            let model = match root_of(job, level, instance, part) {
-                Some(root) => locals.onto(level, root, models, spot),
-                None => locals.alone(level, models, spot),
-            };
+            let local = locals.alone(level, models, spot);
+            let model = local.map(|local| match root_of(job, level, instance, part) {
+                Some(root) => root * local,
+                None => local,
+            });
             if let (Some(model), Some(slot)) = (model, models.get_mut(joint)) {
                 slot.store(level, part, model);
             }

@@ -1,4 +1,4 @@
-use super::concatenate::{Backward, Forward, run};
+use super::concatenate::{Backward, Forward};
 use super::locals::{InPlace, Locals, Motions};
 use super::palette::{Entry, Finish, ModelsOnly, Palette};
 use super::{Hierarchy, Pose, Renormalise};
@@ -238,7 +238,7 @@ impl<'a, P: Pose> Job<'a, P> {
 
     #[inline]
     fn forward<L: Locals<P>, F: Finish<P>>(&self, locals: L, models: &mut [P], finish: F) {
-        run::<P, _>(self.backend, Forward { job: self, locals, models, finish });
+        self.backend.run(Forward { job: self, locals, models, finish });
     }
 
     /// See [`Hierarchy::model_to_local`]. With [`joints`](Self::joints), only those locals are
@@ -250,7 +250,7 @@ impl<'a, P: Pose> Job<'a, P> {
     pub fn model_to_local(&self, models: &[P], locals: &mut [P]) -> Result<(), ShapeError> {
         self.check("models", models.len())?;
         same_length("locals", locals.len(), models.len())?;
-        run::<P, _>(self.backend, Backward { job: self, models: Some(models), locals });
+        self.backend.run(Backward { job: self, models: Some(models), locals });
         Ok(())
     }
 
@@ -261,7 +261,7 @@ impl<'a, P: Pose> Job<'a, P> {
     #[inline]
     pub fn model_to_local_in_place(&self, poses: &mut [P]) -> Result<(), ShapeError> {
         self.check("poses", poses.len())?;
-        run::<P, _>(self.backend, Backward { job: self, models: None, locals: poses });
+        self.backend.run(Backward { job: self, models: None, locals: poses });
         Ok(())
     }
 

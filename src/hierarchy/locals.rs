@@ -15,13 +15,8 @@ pub trait Locals<P: Pose>: Copy + sealed::Sealed {
     /// If what is the same for all instances is not there for all joints.
     fn shape(&self, joints: usize, models: usize) -> Result<(&'static str, usize), ShapeError>;
     /// parent · local; `models` are those of the instance.
-    fn onto<V: Level>(
-        self,
-        level: V,
-        parent: P::Motion<V>,
-        models: &[P],
-        spot: Spot,
-    ) -> Option<P::Motion<V>>;
+    fn onto<V: Level>(self, level: V, parent: &P, models: &[P], spot: Spot)
+    -> Option<P::Motion<V>>;
     /// The local itself.
     fn alone<V: Level>(self, level: V, models: &[P], spot: Spot) -> Option<P::Motion<V>>;
 }
@@ -51,11 +46,11 @@ impl<P: Pose> Locals<P> for Motions<'_, P> {
     fn onto<V: Level>(
         self,
         level: V,
-        parent: P::Motion<V>,
+        parent: &P,
         _: &[P],
         Spot { index, part, .. }: Spot,
     ) -> Option<P::Motion<V>> {
-        Some(parent * self.0.get(index)?.load(level, part))
+        Some(P::product(level, part, parent, self.0.get(index)?))
     }
     #[inline(always)]
     fn alone<V: Level>(
@@ -80,11 +75,11 @@ impl<P: Pose> Locals<P> for InPlace {
     fn onto<V: Level>(
         self,
         level: V,
-        parent: P::Motion<V>,
+        parent: &P,
         models: &[P],
         Spot { joint, part, .. }: Spot,
     ) -> Option<P::Motion<V>> {
-        Some(parent * models.get(joint)?.load(level, part))
+        Some(P::product(level, part, parent, models.get(joint)?))
     }
     #[inline(always)]
     fn alone<V: Level>(
@@ -112,12 +107,12 @@ impl<P: Pose> Locals<P> for RotationsTranslations<'_, P> {
     fn onto<V: Level>(
         self,
         level: V,
-        parent: P::Motion<V>,
+        parent: &P,
         _: &[P],
         Spot { index, part, .. }: Spot,
     ) -> Option<P::Motion<V>> {
         let (rotation, translation) = P::load_rotation_translation(level, part, self.0.get(index)?);
-        Some(parent.mul_rotation_translation(rotation, translation))
+        Some(parent.load(level, part).mul_rotation_translation(rotation, translation))
     }
     #[inline(always)]
     fn alone<V: Level>(
@@ -150,13 +145,13 @@ impl<P: Pose> Locals<P> for Rotations<'_, P> {
     fn onto<V: Level>(
         self,
         level: V,
-        parent: P::Motion<V>,
+        parent: &P,
         _: &[P],
         Spot { index, joint, part }: Spot,
     ) -> Option<P::Motion<V>> {
         let rotation = P::load_rotation(level, part, self.rotations.get(index)?);
         let offset = P::splat_vector(level, *self.offsets.get(joint)?);
-        Some(parent.mul_rotation_translation(rotation, offset))
+        Some(parent.load(level, part).mul_rotation_translation(rotation, offset))
     }
     #[inline(always)]
     fn alone<V: Level>(

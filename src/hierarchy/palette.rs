@@ -4,7 +4,7 @@ use super::Pose;
 use super::locals::Spot;
 use crate::real::Real;
 use crate::scalar::DualQuat;
-use dq8_simd::{Level, Row};
+use dq8_simd::{Float, Level, Row};
 
 /// An element of a skinning palette: a motion like `P`, or a 3×4 matrix ([`MatrixBlock`] for blocks,
 /// `[[R; 4]; 3]` for one instance). Sealed.
@@ -15,14 +15,14 @@ pub trait Entry<P: Pose>: Copy + sealed::Sealed {
     fn store<V: Level>(&mut self, level: V, part: usize, motion: P::Motion<V>);
 }
 
-impl<R: Real> Entry<DualQuat<R>> for DualQuat<R> {
+impl<R: Real + Float> Entry<DualQuat<R>> for DualQuat<R> {
     #[inline(always)]
     fn store<V: Level>(&mut self, level: V, part: usize, motion: Self) {
         Pose::store(self, level, part, motion);
     }
 }
 
-impl<R: Real> Entry<DualQuat<R>> for [[R; 4]; 3] {
+impl<R: Real + Float> Entry<DualQuat<R>> for [[R; 4]; 3] {
     #[inline(always)]
     fn store<V: Level>(&mut self, _: V, _: usize, motion: DualQuat<R>) {
         *self = motion.to_matrix3x4();

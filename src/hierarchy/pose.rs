@@ -1,11 +1,12 @@
 //! [`Pose`]: how a motion lies in memory.
 
+use super::octet;
 use crate::batch;
 use crate::geometry::Twist;
 use crate::motion::Motion;
 use crate::real::Real;
 use crate::scalar::{DualQuat, Quat};
-use dq8_simd::{Lane, Level, Part, Row};
+use dq8_simd::{Float, Lane, Level, Part, Row};
 
 /// Dual quaternions of `N` instances: eight rows of `N` numbers, `[px, py, pz, pw, qx, qy, qz, qw]`.
 /// `Block<f32, 8>` is 256 bytes.
@@ -46,6 +47,8 @@ pub trait Pose: Copy + sealed::Sealed {
 
     /// Reads the motion.
     fn load<V: Level>(&self, level: V, part: usize) -> Self::Motion<V>;
+    /// parent · local
+    fn product<V: Level>(level: V, part: usize, parent: &Self, local: &Self) -> Self::Motion<V>;
     /// Writes the motion.
     fn store<V: Level>(&mut self, level: V, part: usize, motion: Self::Motion<V>);
     /// The same motion for every instance.
@@ -86,7 +89,7 @@ pub(super) mod sealed {
 }
 
 impl<R: Real> sealed::Sealed for DualQuat<R> {}
-impl<R: Real> Pose for DualQuat<R> {
+impl<R: Real + Float> Pose for DualQuat<R> {
     type Real = R;
     type Motion<V: Level> = Self;
     type Rotation = Quat<R>;
@@ -101,6 +104,14 @@ impl<R: Real> Pose for DualQuat<R> {
     #[inline(always)]
     fn load<V: Level>(&self, _: V, _: usize) -> Self {
         *self
+    }
+    #[inline(always)]
+    fn product<V: Level>(level: V, _: usize, parent: &Self, local: &Self) -> Self {
+        if <R::Octet<V> as Lane>::Part::LANES == 1 {
+            return *parent * *local;
+        }
+        let parent = R::Octet::load(level, bytemuck::must_cast_ref(parent));
+        Self::from_array(octet::product(parent, bytemuck::must_cast_ref(local)).to_array())
     }
     #[inline(always)]
     fn store<V: Level>(&mut self, _: V, _: usize, motion: Self) {
@@ -153,6 +164,10 @@ impl<A: Row<Real: Real>> Pose for dq8_simd::Block<A, 8> {
     #[inline(always)]
     fn load<V: Level>(&self, level: V, part: usize) -> Self::Motion<V> {
         batch::DualQuat::from_array(self.load_part(level, part))
+    }
+    #[inline(always)]
+    fn product<V: Level>(level: V, part: usize, parent: &Self, local: &Self) -> Self::Motion<V> {
+        Pose::load(parent, level, part) * Pose::load(local, level, part)
     }
     #[inline(always)]
     fn store<V: Level>(&mut self, _: V, part: usize, motion: Self::Motion<V>) {

@@ -1,4 +1,3 @@
-use super::concatenate::run;
 use super::job::same_length;
 use super::packing::whole_instances;
 use super::{Hierarchy, Pose};
@@ -44,7 +43,7 @@ impl Hierarchy<'_> {
         whole_instances("models", self.joints(), models.len())?;
         same_length("rates", rates.len(), models.len())?;
         same_length("twists", twists.len(), models.len())?;
-        run::<P, _>(Backend::MOST, Velocities { parents: self.parents(), models, rates, twists });
+        Backend::MOST.run(Velocities { parents: self.parents(), models, rates, twists });
         Ok(())
     }
 
@@ -93,7 +92,7 @@ impl Hierarchy<'_> {
             return Err(ShapeError::Joints { range, joints });
         }
         let parents = self.parents();
-        run::<P, _>(Backend::MOST, Screws { parents, models, axes, effector, columns });
+        Backend::MOST.run(Screws { parents, models, axes, effector, columns });
         Ok(())
     }
 }

@@ -2,7 +2,7 @@
 //! and a biped with branches, one instance and blocks of every width.
 
 use crate::case::{Random, length};
-use dq8::{Block, DualQuat, Hierarchy, Pose, Real, ShapeError, Twist, TwistBlock, pack};
+use dq8::{Block, DualQuat, Float, Hierarchy, Pose, Real, ShapeError, Twist, TwistBlock, pack};
 use dq8_contract::ledger::Ledger;
 use dq8_contract::tolerance::unit_roundoff;
 use dq8_simd::Row;
@@ -164,12 +164,12 @@ fn velocities_are_differences_of_forward_kinematics_and_the_jacobian_times_the_r
     }
 }
 
-fn exact<R: Real, const C: usize>(numbers: [R; C]) -> [f64; C] {
+fn exact<R: Real + Float, const C: usize>(numbers: [R; C]) -> [f64; C] {
     numbers.map(Into::into)
 }
 
 /// Two blocks and a bit of instances, in blocks and each by itself, against `f64`.
-fn joints_keep_the_table<R: Real, const N: usize>(ledger: &Ledger)
+fn joints_keep_the_table<R: Real + Float, const N: usize>(ledger: &Ledger)
 where
     [R; N]: Row<Real = R>,
 {
@@ -177,13 +177,15 @@ where
     for machine in Machine::both() {
         let (joints, instances) = (machine.joints(), 2 * N + 1);
         let effector = joints - 2;
-        let round = |twist: Twist<f64>| Twist::from_array(twist.to_array().map(R::from_f64));
+        let round =
+            |twist: Twist<f64>| Twist::from_array(twist.to_array().map(<R as Real>::from_f64));
         let mut models = Vec::new();
         let mut rates = Vec::new();
         for _ in 0..instances {
             let posed = machine.models(&numbers(&mut random, joints));
-            models
-                .extend(posed.iter().map(|m| DualQuat::from_array(m.to_array().map(R::from_f64))));
+            models.extend(
+                posed.iter().map(|m| DualQuat::from_array(m.to_array().map(<R as Real>::from_f64))),
+            );
             rates.extend((0..joints).map(|_| round(Twist::from_array(random.twist(1.0)))));
         }
         let axes: Vec<Twist<R>> = machine.axes.iter().map(|&axis| round(axis)).collect();
@@ -215,7 +217,7 @@ where
             let block = &mut block_rates[instance / N * joints + joint];
             block.set(instance % N, rate.to_array()).expect("there is such a lane");
         }
-        let nowhere = TwistBlock::splat([R::from_f64(f64::NAN); 6]);
+        let nowhere = TwistBlock::splat([<R as Real>::from_f64(f64::NAN); 6]);
         let mut block_twists = vec![nowhere; blocks.len()];
         let mut block_columns = vec![nowhere; blocks.len()];
         hierarchy.velocities(&blocks, &block_rates, &mut block_twists).expect("lengths fit");

@@ -3,7 +3,7 @@
 
 use bytemuck::Pod;
 use core::fmt::Debug;
-use dq8::{Backend, Block, DualQuat, Pose, Real, pack, unpack};
+use dq8::{Backend, Block, DualQuat, Float, Pose, Real, pack, unpack};
 use dq8_simd::Row;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -18,7 +18,7 @@ pub(crate) trait Layout: Pose + Pod + Debug {
     fn record(&self, lane: usize) -> [f64; 8];
 }
 
-impl<R: Real> Layout for DualQuat<R> {
+impl<R: Real + Float> Layout for DualQuat<R> {
     fn lay(_: usize, poses: &[Self]) -> Vec<Self> {
         poses.to_vec()
     }
@@ -26,7 +26,7 @@ impl<R: Real> Layout for DualQuat<R> {
         elements.to_vec()
     }
     fn filled(value: f64) -> Self {
-        Self::from_array([R::from_f64(value); 8])
+        Self::from_array([<R as Real>::from_f64(value); 8])
     }
     fn record(&self, _: usize) -> [f64; 8] {
         self.to_array().map(Into::into)

@@ -131,9 +131,7 @@ impl<'a> Field<'a, '_> {
 
     fn own<P: Pose + Packed<Motion>>(&mut self, layout: &str) {
         let hierarchy = self.hierarchy;
-        // The crate does not use wider instructions for motions that stand alone.
-        let differs = |&backend: &_| P::INSTANCES > 1 || backend == Backend::Portable;
-        for backend in Backend::available().filter(differs) {
+        for backend in Backend::available() {
             self.add::<P>(
                 format!("dq8 {layout} {backend}"),
                 Some(backend),
