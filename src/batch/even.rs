@@ -126,8 +126,11 @@ fn value_and_slope<L: Lane, C: Copy + Into<f64>>(coefficients: &[C], x: L) -> (L
     (two_chains(coefficients, 0, x, square), two_chains(coefficients, 1, x, square))
 }
 
-/// The derivative of this order, 0 or 1. Even and odd powers are summed in a Horner chain each: one
-/// chain of all powers would wait twice as long for its own results.
+/// The derivative of this order, 0 or 1.
+///
+/// Even and odd powers from the third term on are summed in a Horner chain each: one chain of all powers
+/// would wait twice as long for its own results. The first two terms, by far the largest, come last and
+/// one after the other, as in Horner's scheme, so that nearly all rounding is that of the result.
 #[inline(always)]
 fn two_chains<L: Lane, C: Copy + Into<f64>>(
     coefficients: &[C],
@@ -135,19 +138,18 @@ fn two_chains<L: Lane, C: Copy + Into<f64>>(
     x: L,
     square: L,
 ) -> L {
-    let mut chains = [x.with(0.0); 2];
     let terms = coefficients.len() - order;
-    let mut power = terms;
-    while power > 0 {
-        power -= 1;
-        let mut factor: f64 = coefficients[power + order].into();
-        if order == 1 {
-            factor *= (power + 1) as f64;
-        }
-        let chain = &mut chains[power % 2];
-        *chain =
-            if power + 2 < terms { chain.mul_add(square, x.with(factor)) } else { x.with(factor) };
+    let factor = |power: usize| {
+        let factor: f64 = coefficients[power + order].into();
+        if order == 1 { factor * (power + 1) as f64 } else { factor }
+    };
+    let mut chains = [x.with(factor(terms - 2)), x.with(factor(terms - 1))];
+    for power in (2..terms - 2).rev() {
+        let chain = &mut chains[(terms - power) % 2];
+        *chain = chain.mul_add(square, x.with(factor(power)));
     }
-    let [even, odd] = chains;
-    odd.mul_add(x, even)
+    // The chain that ends with the second power, and the one that ends with the third.
+    let [second, third] = if terms.is_multiple_of(2) { chains } else { [chains[1], chains[0]] };
+    let rest = third.mul_add(x, second);
+    rest.mul_add(x, x.with(factor(1))).mul_add(x, x.with(factor(0)))
 }
