@@ -198,20 +198,22 @@ const char *dq8_backend_name(void);
 dq8_status dq8_backend_limit(int32_t most);
 
 /**
- * Whether `parents` is a hierarchy: parents[j] is the parent of joint j and comes before it, or is
+ * Whether `parents` is a hierarchy: `parents[j]` is the parent of joint j and comes before it, or is
  * -1. Every function that takes parents checks them too, in a pass that costs little beside its
  * work; this one also says where the fault is.
  *
  * If it is DQ8_STATUS_PARENT_NOT_BEFORE or _PARENT_OUT_OF_RANGE, `bad_joint` is set to the first
  * such joint; it may be null, and must not lie in `parents`.
  */
-dq8_status dq8_check_parents(const int32_t *parents, size_t joints, size_t *bad_joint);
+dq8_status dq8_check_parents(const int32_t *parents,
+                             size_t joints,
+                             size_t *bad_joint);
 
 /**
- * Model poses of all joints from local ones: models[j] = models[parents[j]] * locals[j].
+ * Model poses of all joints from local ones: `models[j] = models[parents[j]] * locals[j]`.
  *
  * `locals` and `models` hold `count` motions: one a joint, or several instances one after the
- * other, [instance][joint]. `root` is what joints without a parent stand on, or null.
+ * other, `[instance][joint]`. `root` is what joints without a parent stand on, or null.
  * `models` may be `locals`.
  */
 dq8_status dq8_local_to_model_f32(const int32_t *parents,
@@ -301,8 +303,9 @@ dq8_status dq8_blocks_rotations_translations_to_model_f32(size_t lanes,
                                                           size_t count);
 
 /**
- * As dq8_local_to_model, and in the same pass the skinning palette: palette[j] = models[j] *
- * inverse_binds[j], which takes a vertex of the mesh at rest to where joint j has moved it.
+ * As dq8_local_to_model, and in the same pass the skinning palette:
+ * `palette[j] = models[j] * inverse_binds[j]`, which takes a vertex of the mesh at rest to where
+ * joint j has moved it.
  *
  * `inverse_binds` holds `joints` plain motions, the same for all instances. `models` and
  * `palette` hold `count` motions and must overlap nothing.
@@ -330,7 +333,7 @@ dq8_status dq8_blocks_palette_f32(size_t lanes,
                                   size_t count);
 
 /**
- * As dq8_palette with a palette of matrices [R | t], twelve numbers each, row after row.
+ * As dq8_palette with a palette of matrices `[R | t]`, twelve numbers each, row after row.
  */
 dq8_status dq8_palette_matrices_f32(const int32_t *parents,
                                     size_t joints,
@@ -355,10 +358,10 @@ dq8_status dq8_blocks_palette_matrices_f32(size_t lanes,
                                            size_t count);
 
 /**
- * Model poses of all joints from local ones: models[j] = models[parents[j]] * locals[j].
+ * Model poses of all joints from local ones: `models[j] = models[parents[j]] * locals[j]`.
  *
  * `locals` and `models` hold `count` motions: one a joint, or several instances one after the
- * other, [instance][joint]. `root` is what joints without a parent stand on, or null.
+ * other, `[instance][joint]`. `root` is what joints without a parent stand on, or null.
  * `models` may be `locals`.
  */
 dq8_status dq8_local_to_model_f64(const int32_t *parents,
@@ -448,8 +451,9 @@ dq8_status dq8_blocks_rotations_translations_to_model_f64(size_t lanes,
                                                           size_t count);
 
 /**
- * As dq8_local_to_model, and in the same pass the skinning palette: palette[j] = models[j] *
- * inverse_binds[j], which takes a vertex of the mesh at rest to where joint j has moved it.
+ * As dq8_local_to_model, and in the same pass the skinning palette:
+ * `palette[j] = models[j] * inverse_binds[j]`, which takes a vertex of the mesh at rest to where
+ * joint j has moved it.
  *
  * `inverse_binds` holds `joints` plain motions, the same for all instances. `models` and
  * `palette` hold `count` motions and must overlap nothing.
@@ -477,7 +481,7 @@ dq8_status dq8_blocks_palette_f64(size_t lanes,
                                   size_t count);
 
 /**
- * As dq8_palette with a palette of matrices [R | t], twelve numbers each, row after row.
+ * As dq8_palette with a palette of matrices `[R | t]`, twelve numbers each, row after row.
  */
 dq8_status dq8_palette_matrices_f64(const int32_t *parents,
                                     size_t joints,
@@ -536,7 +540,7 @@ dq8_status dq8_motion_from_matrix_3x4_f32(const float *matrix, float tolerance, 
 dq8_status dq8_motion_from_matrix_4x4_f32(const float *matrix, float tolerance, float *out);
 
 /**
- * The matrix [R | t] of a unit motion: twelve numbers, row after row.
+ * The matrix `[R | t]` of a unit motion: twelve numbers, row after row.
  */
 dq8_status dq8_motion_to_matrix_3x4_f32(const float *motion, float *matrix);
 
@@ -616,7 +620,7 @@ dq8_status dq8_motion_from_matrix_3x4_f64(const double *matrix, double tolerance
 dq8_status dq8_motion_from_matrix_4x4_f64(const double *matrix, double tolerance, double *out);
 
 /**
- * The matrix [R | t] of a unit motion: twelve numbers, row after row.
+ * The matrix `[R | t]` of a unit motion: twelve numbers, row after row.
  */
 dq8_status dq8_motion_to_matrix_3x4_f64(const double *motion, double *matrix);
 
@@ -662,7 +666,7 @@ dq8_status dq8_motion_point_f64(const double *motion, const double *point, doubl
 dq8_status dq8_motion_vector_f64(const double *motion, const double *vector, double *out);
 
 /**
- * Writes `poses`, [instance][joint], into blocks of `lanes` instances, [instance block][joint];
+ * Writes `poses`, `[instance][joint]`, into blocks of `lanes` instances, `[instance block][joint]`;
  * lanes without an instance get the identity. `block_count` is `joints` times the number of
  * instances over `lanes`, rounded up; DQ8_STATUS_LENGTH if it is not.
  */
@@ -692,7 +696,7 @@ size_t dq8_block_size_f32(size_t lanes,
                           size_t components);
 
 /**
- * Writes `poses`, [instance][joint], into blocks of `lanes` instances, [instance block][joint];
+ * Writes `poses`, `[instance][joint]`, into blocks of `lanes` instances, `[instance block][joint]`;
  * lanes without an instance get the identity. `block_count` is `joints` times the number of
  * instances over `lanes`, rounded up; DQ8_STATUS_LENGTH if it is not.
  */
@@ -760,7 +764,7 @@ dq8_status dq8_motion_pow_f32(const float *motion, float t, float *out);
 
 /**
  * The screw of a unit motion, eight numbers: direction of the axis, moment of the axis, angle in
- * [0, pi], slide along the axis. A translation has angle 0.
+ * 0 to pi, slide along the axis. A translation has angle 0.
  */
 dq8_status dq8_motion_to_screw_f32(const float *motion, float *screw);
 
@@ -809,7 +813,7 @@ dq8_status dq8_motion_pow_f64(const double *motion, double t, double *out);
 
 /**
  * The screw of a unit motion, eight numbers: direction of the axis, moment of the axis, angle in
- * [0, pi], slide along the axis. A translation has angle 0.
+ * 0 to pi, slide along the axis. A translation has angle 0.
  */
 dq8_status dq8_motion_to_screw_f64(const double *motion, double *screw);
 
@@ -985,7 +989,7 @@ dq8_status dq8_blocks_vectors_each_f32(size_t lanes,
                                        size_t count);
 
 /**
- * The matrices [R | t] of unit `motions`, twelve numbers each; `order` is one of enum
+ * The matrices `[R | t]` of unit `motions`, twelve numbers each; `order` is one of enum
  * dq8_matrix_order.
  */
 dq8_status dq8_matrices_3x4_f32(const float *motions, int32_t order, float *out, size_t count);
@@ -1183,7 +1187,7 @@ dq8_status dq8_blocks_vectors_each_f64(size_t lanes,
                                        size_t count);
 
 /**
- * The matrices [R | t] of unit `motions`, twelve numbers each; `order` is one of enum
+ * The matrices `[R | t]` of unit `motions`, twelve numbers each; `order` is one of enum
  * dq8_matrix_order.
  */
 dq8_status dq8_matrices_3x4_f64(const double *motions, int32_t order, double *out, size_t count);

@@ -190,10 +190,10 @@ unsafe fn palette_matrices<L: Layout>(
 macro_rules! functions {
     ($R:ident $lanes:tt) => {
         export! { $R $lanes
-            /// Model poses of all joints from local ones: models[j] = models[parents[j]] * locals[j].
+            /// Model poses of all joints from local ones: `models[j] = models[parents[j]] * locals[j]`.
             ///
             /// `locals` and `models` hold `count` motions: one a joint, or several instances one after the
-            /// other, [instance][joint]. `root` is what joints without a parent stand on, or null.
+            /// other, `[instance][joint]`. `root` is what joints without a parent stand on, or null.
             /// `models` may be `locals`.
             local_to_model, blocks_local_to_model(
                 parents: *const i32, joints: usize, root: *const $R,
@@ -225,8 +225,9 @@ macro_rules! functions {
             )
         }
         export! { $R $lanes
-            /// As dq8_local_to_model, and in the same pass the skinning palette: palette[j] = models[j] *
-            /// inverse_binds[j], which takes a vertex of the mesh at rest to where joint j has moved it.
+            /// As dq8_local_to_model, and in the same pass the skinning palette:
+            /// `palette[j] = models[j] * inverse_binds[j]`, which takes a vertex of the mesh at rest to where
+            /// joint j has moved it.
             ///
             /// `inverse_binds` holds `joints` plain motions, the same for all instances. `models` and
             /// `palette` hold `count` motions and must overlap nothing.
@@ -236,7 +237,7 @@ macro_rules! functions {
             )
         }
         export! { $R $lanes
-            /// As dq8_palette with a palette of matrices [R | t], twelve numbers each, row after row.
+            /// As dq8_palette with a palette of matrices `[R | t]`, twelve numbers each, row after row.
             palette_matrices, blocks_palette_matrices(
                 parents: *const i32, joints: usize, root: *const $R,
                 locals: *const $R, inverse_binds: *const $R, models: *mut $R, palette: *mut $R,
@@ -246,7 +247,7 @@ macro_rules! functions {
 }
 for_both_numbers!(functions);
 
-/// Whether `parents` is a hierarchy: parents[j] is the parent of joint j and comes before it, or is
+/// Whether `parents` is a hierarchy: `parents[j]` is the parent of joint j and comes before it, or is
 /// -1. Every function that takes parents checks them too, in a pass that costs little beside its
 /// work; this one also says where the fault is.
 ///

@@ -74,7 +74,7 @@ macro_rules! functions {
                 one(matrix, out, |rows| Ok(DualQuat::try_from_matrix4(rows, tolerance)?))
         }
         export_one! { $R
-            /// The matrix [R | t] of a unit motion: twelve numbers, row after row.
+            /// The matrix `[R | t]` of a unit motion: twelve numbers, row after row.
             to_matrix_3x4(motion: *const $R, matrix: *mut $R) =
                 one(motion, matrix, |motion: DualQuat<$R>| Ok(motion.to_matrix3x4()))
         }

@@ -45,7 +45,7 @@ where
 
 macro_rules! functions {
     ($R:ident [$few:literal $many:literal]) => {
-        /// Writes `poses`, [instance][joint], into blocks of `lanes` instances, [instance block][joint];
+        /// Writes `poses`, `[instance][joint]`, into blocks of `lanes` instances, `[instance block][joint]`;
         /// lanes without an instance get the identity. `block_count` is `joints` times the number of
         /// instances over `lanes`, rounded up; DQ8_STATUS_LENGTH if it is not.
         ///

@@ -85,7 +85,7 @@ macro_rules! functions {
         }
         export_one! { $R
             /// The screw of a unit motion, eight numbers: direction of the axis, moment of the axis, angle in
-            /// [0, pi], slide along the axis. A translation has angle 0.
+            /// 0 to pi, slide along the axis. A translation has angle 0.
             to_screw(motion: *const $R, screw: *mut $R) =
                 one(motion, screw, |motion: DualQuat<$R>| Ok(numbers(motion.to_screw())))
         }

@@ -301,7 +301,7 @@ macro_rules! functions {
             )
         }
         export! { $R $lanes
-            /// The matrices [R | t] of unit `motions`, twelve numbers each; `order` is one of enum
+            /// The matrices `[R | t]` of unit `motions`, twelve numbers each; `order` is one of enum
             /// dq8_matrix_order.
             matrices_3x4, blocks_matrices_3x4(motions: *const $R, order: i32, out: *mut $R)
         }
