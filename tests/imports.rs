@@ -266,9 +266,10 @@ fn every_file_of_scalar_has_a_twin_in_batch_and_the_other_way_round() {
     assert_eq!(alone, BATCH_ONLY, "only in batch");
 }
 
+/// `simd` has the instructions, `capi` the pointers of C.
 #[test]
-fn no_unsafe_code_stands_outside_the_lanes() {
-    for source in sources("src") {
+fn no_unsafe_code_stands_outside_the_lanes_and_the_c_abi() {
+    for source in ["src", "examples", "benches"].into_iter().flat_map(sources) {
         assert!(!tokens(&source.text).iter().any(|token| token == "unsafe"), "{}", source.path);
     }
     let lib = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/src/lib.rs")).unwrap();
@@ -278,7 +279,7 @@ fn no_unsafe_code_stands_outside_the_lanes() {
 
 #[test]
 fn no_file_is_longer_than_four_hundred_lines() {
-    for source in sources("src").into_iter().chain(sources("simd/src")) {
+    for source in ["src", "simd/src", "capi"].into_iter().flat_map(sources) {
         let lines = source.text.lines().count();
         assert!(lines <= MOST_LINES, "{} has {lines} lines", source.path);
     }

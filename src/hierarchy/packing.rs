@@ -35,8 +35,10 @@ where
     check::<N>("poses", joints, poses.len(), blocks.len())?;
     blocks.fill(Block::splat(DualQuat::IDENTITY.to_array()));
     for (index, pose) in poses.iter().enumerate() {
-        let (block, lane) = place::<N>(joints, index);
-        let _ = blocks[block].set(lane, pose.to_array());
+        let Some((block, lane)) = place::<N>(joints, index) else { break };
+        if let Some(block) = blocks.get_mut(block) {
+            let _ = block.set(lane, pose.to_array());
+        }
     }
     Ok(())
 }
@@ -57,8 +59,8 @@ where
 {
     check::<N>("poses", joints, poses.len(), blocks.len())?;
     for (index, pose) in poses.iter_mut().enumerate() {
-        let (block, lane) = place::<N>(joints, index);
-        if let Some(record) = blocks[block].get(lane) {
+        let Some((block, lane)) = place::<N>(joints, index) else { break };
+        if let Some(record) = blocks.get(block).and_then(|block| block.get(lane)) {
             *pose = DualQuat::from_array(record);
         }
     }
@@ -70,10 +72,11 @@ pub(super) const fn blocks_for<const N: usize>(joints: usize, instances: usize) 
     instances.div_ceil(N) * joints
 }
 
-/// Block and lane of element `index` of `[instance][joint]`.
-const fn place<const N: usize>(joints: usize, index: usize) -> (usize, usize) {
-    let (instance, joint) = (index / joints, index % joints);
-    (instance / N * joints + joint, instance % N)
+/// Block and lane of element `index` of `[instance][joint]`; `None` without joints. Lengths have been
+/// checked, so that both always exist; the compiler need not know, and keeps no panic.
+fn place<const N: usize>(joints: usize, index: usize) -> Option<(usize, usize)> {
+    let (instance, joint) = (index.checked_div(joints)?, index.checked_rem(joints)?);
+    Some((instance / N * joints + joint, instance % N))
 }
 
 fn check<const N: usize>(

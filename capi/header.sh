@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# Writes include/dq8.h from the sources; with --check, only says whether it is what they give.
+set -euo pipefail
+cd "$(dirname "$0")"
+
+cbindgen=${CBINDGEN:-cbindgen}
+command -v "$cbindgen" >/dev/null || {
+  echo 'missing: cbindgen 0.29 or later (cargo install cbindgen --locked)' >&2
+  exit 1
+}
+made=$(mktemp)
+trap 'rm -f "$made"' EXIT
+# Macros are expanded by rustc, which a stable one does only when told so.
+RUSTC_BOOTSTRAP=1 "$cbindgen" --quiet --config cbindgen.toml --crate dq8-capi . |
+  # What Rust wants said of every unsafe function, the head of the file says once.
+  sed -z 's/\n \*\n \* # Safety\(\n \* [^\n]*\)*//g' > "$made"
+if [ "${1-}" = --check ]; then
+  diff -u include/dq8.h "$made" || { echo 'include/dq8.h is out of date: run capi/header.sh' >&2; exit 1; }
+else
+  cp "$made" include/dq8.h
+fi

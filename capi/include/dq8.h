@@ -1,0 +1,1229 @@
+/*
+ * dq8: rigid motions as dual quaternions, many at a time. Generated from capi/src by capi/header.sh;
+ * do not edit.
+ *
+ * A motion is eight numbers, px py pz pw qx qy qz qw: p + eq rotates by p, then translates by t,
+ * where q = tp/2. In a product a * b it is b that acts first. Angles are radians, lengths your unit.
+ *
+ * Names.    dq8_motion_NAME: one motion. dq8_NAME: arrays of `count` things, plain. dq8_blocks_NAME:
+ *           the same on blocks, the fastest way. Each for float (_f32) and for double (_f64).
+ * Blocks.   A block has `lanes` things, component after component: with 8 lanes, the eight px, then
+ *           the eight py, and so on. Its size is rounded up to whole 64 bytes (dq8_block_size).
+ *           float has blocks of 8 and 16 lanes, double of 4 and 8.
+ * Errors.   Every call returns a dq8_status. Whatever it is but DQ8_STATUS_OK, nothing was written,
+ *           except the index for which dq8_check_parents has an argument.
+ * Memory.   All of it is yours: the library allocates nothing, frees nothing, and keeps no pointer
+ *           after it returns. A pointer may be null where the length of its array is 0.
+ * Align.    That of the number type; blocks start at multiples of 64 bytes.
+ * Aliasing. Inputs may overlap each other. An output overlaps nothing, unless a function says that it
+ *           may be one of the inputs: then exactly that array. Functions on one motion read all before
+ *           they write, so there an output may lie anywhere.
+ * Checked.  Null and misaligned pointers, overlaps and lengths give an error. That an array is as
+ *           long as you say cannot be checked, nor that a motion is unit where one is asked for.
+ * Threads.  Calls do not know of each other; only dq8_backend_limit is for all threads.
+ */
+
+#ifndef DQ8_H
+#define DQ8_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/**
+ * What became of a call. Whatever it is but DQ8_STATUS_OK, nothing has been written.
+ */
+enum dq8_status
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : int32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+  /**
+   * It is done.
+   */
+  DQ8_STATUS_OK = 0,
+  /**
+   * A pointer is null where there is something to read or to write.
+   */
+  DQ8_STATUS_NULL_POINTER = 1,
+  /**
+   * A pointer is not aligned: to its number type, or to 64 bytes for blocks.
+   */
+  DQ8_STATUS_MISALIGNED = 2,
+  /**
+   * An output overlaps an input, or another output, and is not exactly the array that it may be.
+   */
+  DQ8_STATUS_OVERLAP = 3,
+  /**
+   * An array would be larger than memory.
+   */
+  DQ8_STATUS_TOO_LARGE = 4,
+  /**
+   * Lengths do not fit each other, such as a count that is no multiple of the joints.
+   */
+  DQ8_STATUS_LENGTH = 5,
+  /**
+   * There are no blocks of so many lanes: float has 8 and 16, double 4 and 8.
+   */
+  DQ8_STATUS_LANES = 6,
+  /**
+   * The motion is not unit.
+   */
+  DQ8_STATUS_NOT_UNIT = 7,
+  /**
+   * There is no unit motion: the real part is zero, or a number is not finite.
+   */
+  DQ8_STATUS_NOT_NORMALIZABLE = 8,
+  /**
+   * There is no inverse: the real part is zero, or a number is not finite.
+   */
+  DQ8_STATUS_NO_INVERSE = 9,
+  /**
+   * The matrix scales or shears.
+   */
+  DQ8_STATUS_NOT_ORTHONORMAL = 10,
+  /**
+   * The matrix mirrors.
+   */
+  DQ8_STATUS_MIRRORS = 11,
+  /**
+   * The translation of the matrix is not finite.
+   */
+  DQ8_STATUS_NOT_FINITE = 12,
+  /**
+   * The last row of the 4x4 matrix is not 0 0 0 1.
+   */
+  DQ8_STATUS_NOT_AFFINE = 13,
+  /**
+   * There is nothing to blend.
+   */
+  DQ8_STATUS_NO_INFLUENCES = 14,
+  /**
+   * A parent does not come before its child: a forward reference, or a cycle.
+   */
+  DQ8_STATUS_PARENT_NOT_BEFORE = 15,
+  /**
+   * A parent is no joint at all, nor -1.
+   */
+  DQ8_STATUS_PARENT_OUT_OF_RANGE = 16,
+  /**
+   * There are more joints than 32 bits can number.
+   */
+  DQ8_STATUS_TOO_MANY_JOINTS = 17,
+  /**
+   * A number stands for no backend, or for no order of matrices.
+   */
+  DQ8_STATUS_UNKNOWN_VALUE = 18,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum dq8_status dq8_status;
+#else
+typedef int32_t dq8_status;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * The instructions that kernels over arrays and blocks may use, in rising order.
+ */
+enum dq8_backend
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : int32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+  /**
+   * What the library was built for: SSE2 on x86-64, NEON on aarch64, none on a Cortex-M.
+   */
+  DQ8_BACKEND_PORTABLE = 0,
+  /**
+   * x86-64 with AVX2 and FMA.
+   */
+  DQ8_BACKEND_AVX2 = 1,
+  /**
+   * x86-64 with AVX-512 F, VL and DQ.
+   */
+  DQ8_BACKEND_AVX512 = 2,
+  /**
+   * No limit. Newer versions may know more than the others above.
+   */
+  DQ8_BACKEND_ANY = 255,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum dq8_backend dq8_backend;
+#else
+typedef int32_t dq8_backend;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * In which order the numbers of a matrix lie in memory.
+ */
+enum dq8_matrix_order
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : int32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+  /**
+   * Row after row: C arrays.
+   */
+  DQ8_MATRIX_ORDER_ROWS = 0,
+  /**
+   * Column after column: OpenGL, GPU buffers.
+   */
+  DQ8_MATRIX_ORDER_COLUMNS = 1,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum dq8_matrix_order dq8_matrix_order;
+#else
+typedef int32_t dq8_matrix_order;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+#ifdef __cplusplus
+extern "C" {
+#endif // __cplusplus
+
+/**
+ * The name of what computes now, for logs: text that lives as long as the program.
+ */
+const char *dq8_backend_name(void);
+
+/**
+ * From now on, in all threads, nothing better than `most` computes: one of enum dq8_backend. What
+ * the CPU lacks is passed over, so a limit is always safe.
+ *
+ * DQ8_STATUS_UNKNOWN_VALUE if `most` is no backend; the limit stays as it was.
+ */
+dq8_status dq8_backend_limit(int32_t most);
+
+/**
+ * Whether `parents` is a hierarchy: `parents[j]` is the parent of joint j and comes before it, or is
+ * -1. Every function that takes parents checks them too, in a pass that costs little beside its
+ * work; this one also says where the fault is.
+ *
+ * If it is DQ8_STATUS_PARENT_NOT_BEFORE or _PARENT_OUT_OF_RANGE, `bad_joint` is set to the first
+ * such joint; it may be null, and must not lie in `parents`.
+ */
+dq8_status dq8_check_parents(const int32_t *parents,
+                             size_t joints,
+                             size_t *bad_joint);
+
+/**
+ * Model poses of all joints from local ones: `models[j] = models[parents[j]] * locals[j]`.
+ *
+ * `locals` and `models` hold `count` motions: one a joint, or several instances one after the
+ * other, `[instance][joint]`. `root` is what joints without a parent stand on, or null.
+ * `models` may be `locals`.
+ */
+dq8_status dq8_local_to_model_f32(const int32_t *parents,
+                                  size_t joints,
+                                  const float *root,
+                                  const float *locals,
+                                  float *models,
+                                  size_t count);
+
+/**
+ * dq8_local_to_model_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_local_to_model_f32(size_t lanes,
+                                         const int32_t *parents,
+                                         size_t joints,
+                                         const float *root,
+                                         const float *locals,
+                                         float *models,
+                                         size_t count);
+
+/**
+ * Local poses of all joints from unit model ones, as dq8_local_to_model the other way round.
+ * `locals` may be `models`.
+ */
+dq8_status dq8_model_to_local_f32(const int32_t *parents,
+                                  size_t joints,
+                                  const float *root,
+                                  const float *models,
+                                  float *locals,
+                                  size_t count);
+
+/**
+ * dq8_model_to_local_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_model_to_local_f32(size_t lanes,
+                                         const int32_t *parents,
+                                         size_t joints,
+                                         const float *root,
+                                         const float *models,
+                                         float *locals,
+                                         size_t count);
+
+/**
+ * As dq8_local_to_model of `count` unit quaternions (x, y, z, w) and `joints` offsets of joints
+ * from their parents (x, y, z), the same for all instances: what animation clips hold.
+ */
+dq8_status dq8_rotations_to_model_f32(const int32_t *parents,
+                                      size_t joints,
+                                      const float *root,
+                                      const float *rotations,
+                                      const float *offsets,
+                                      float *models,
+                                      size_t count);
+
+/**
+ * dq8_rotations_to_model_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_rotations_to_model_f32(size_t lanes,
+                                             const int32_t *parents,
+                                             size_t joints,
+                                             const float *root,
+                                             const float *rotations,
+                                             const float *offsets,
+                                             float *models,
+                                             size_t count);
+
+/**
+ * As dq8_local_to_model of `locals` with seven numbers each: a unit quaternion (x, y, z, w) and a
+ * translation (x, y, z).
+ */
+dq8_status dq8_rotations_translations_to_model_f32(const int32_t *parents,
+                                                   size_t joints,
+                                                   const float *root,
+                                                   const float *locals,
+                                                   float *models,
+                                                   size_t count);
+
+/**
+ * dq8_rotations_translations_to_model_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_rotations_translations_to_model_f32(size_t lanes,
+                                                          const int32_t *parents,
+                                                          size_t joints,
+                                                          const float *root,
+                                                          const float *locals,
+                                                          float *models,
+                                                          size_t count);
+
+/**
+ * As dq8_local_to_model, and in the same pass the skinning palette:
+ * `palette[j] = models[j] * inverse_binds[j]`, which takes a vertex of the mesh at rest to where
+ * joint j has moved it.
+ *
+ * `inverse_binds` holds `joints` plain motions, the same for all instances. `models` and
+ * `palette` hold `count` motions and must overlap nothing.
+ */
+dq8_status dq8_palette_f32(const int32_t *parents,
+                           size_t joints,
+                           const float *root,
+                           const float *locals,
+                           const float *inverse_binds,
+                           float *models,
+                           float *palette,
+                           size_t count);
+
+/**
+ * dq8_palette_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_palette_f32(size_t lanes,
+                                  const int32_t *parents,
+                                  size_t joints,
+                                  const float *root,
+                                  const float *locals,
+                                  const float *inverse_binds,
+                                  float *models,
+                                  float *palette,
+                                  size_t count);
+
+/**
+ * As dq8_palette with a palette of matrices `[R | t]`, twelve numbers each, row after row.
+ */
+dq8_status dq8_palette_matrices_f32(const int32_t *parents,
+                                    size_t joints,
+                                    const float *root,
+                                    const float *locals,
+                                    const float *inverse_binds,
+                                    float *models,
+                                    float *palette,
+                                    size_t count);
+
+/**
+ * dq8_palette_matrices_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_palette_matrices_f32(size_t lanes,
+                                           const int32_t *parents,
+                                           size_t joints,
+                                           const float *root,
+                                           const float *locals,
+                                           const float *inverse_binds,
+                                           float *models,
+                                           float *palette,
+                                           size_t count);
+
+/**
+ * Model poses of all joints from local ones: `models[j] = models[parents[j]] * locals[j]`.
+ *
+ * `locals` and `models` hold `count` motions: one a joint, or several instances one after the
+ * other, `[instance][joint]`. `root` is what joints without a parent stand on, or null.
+ * `models` may be `locals`.
+ */
+dq8_status dq8_local_to_model_f64(const int32_t *parents,
+                                  size_t joints,
+                                  const double *root,
+                                  const double *locals,
+                                  double *models,
+                                  size_t count);
+
+/**
+ * dq8_local_to_model_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_local_to_model_f64(size_t lanes,
+                                         const int32_t *parents,
+                                         size_t joints,
+                                         const double *root,
+                                         const double *locals,
+                                         double *models,
+                                         size_t count);
+
+/**
+ * Local poses of all joints from unit model ones, as dq8_local_to_model the other way round.
+ * `locals` may be `models`.
+ */
+dq8_status dq8_model_to_local_f64(const int32_t *parents,
+                                  size_t joints,
+                                  const double *root,
+                                  const double *models,
+                                  double *locals,
+                                  size_t count);
+
+/**
+ * dq8_model_to_local_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_model_to_local_f64(size_t lanes,
+                                         const int32_t *parents,
+                                         size_t joints,
+                                         const double *root,
+                                         const double *models,
+                                         double *locals,
+                                         size_t count);
+
+/**
+ * As dq8_local_to_model of `count` unit quaternions (x, y, z, w) and `joints` offsets of joints
+ * from their parents (x, y, z), the same for all instances: what animation clips hold.
+ */
+dq8_status dq8_rotations_to_model_f64(const int32_t *parents,
+                                      size_t joints,
+                                      const double *root,
+                                      const double *rotations,
+                                      const double *offsets,
+                                      double *models,
+                                      size_t count);
+
+/**
+ * dq8_rotations_to_model_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_rotations_to_model_f64(size_t lanes,
+                                             const int32_t *parents,
+                                             size_t joints,
+                                             const double *root,
+                                             const double *rotations,
+                                             const double *offsets,
+                                             double *models,
+                                             size_t count);
+
+/**
+ * As dq8_local_to_model of `locals` with seven numbers each: a unit quaternion (x, y, z, w) and a
+ * translation (x, y, z).
+ */
+dq8_status dq8_rotations_translations_to_model_f64(const int32_t *parents,
+                                                   size_t joints,
+                                                   const double *root,
+                                                   const double *locals,
+                                                   double *models,
+                                                   size_t count);
+
+/**
+ * dq8_rotations_translations_to_model_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_rotations_translations_to_model_f64(size_t lanes,
+                                                          const int32_t *parents,
+                                                          size_t joints,
+                                                          const double *root,
+                                                          const double *locals,
+                                                          double *models,
+                                                          size_t count);
+
+/**
+ * As dq8_local_to_model, and in the same pass the skinning palette:
+ * `palette[j] = models[j] * inverse_binds[j]`, which takes a vertex of the mesh at rest to where
+ * joint j has moved it.
+ *
+ * `inverse_binds` holds `joints` plain motions, the same for all instances. `models` and
+ * `palette` hold `count` motions and must overlap nothing.
+ */
+dq8_status dq8_palette_f64(const int32_t *parents,
+                           size_t joints,
+                           const double *root,
+                           const double *locals,
+                           const double *inverse_binds,
+                           double *models,
+                           double *palette,
+                           size_t count);
+
+/**
+ * dq8_palette_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_palette_f64(size_t lanes,
+                                  const int32_t *parents,
+                                  size_t joints,
+                                  const double *root,
+                                  const double *locals,
+                                  const double *inverse_binds,
+                                  double *models,
+                                  double *palette,
+                                  size_t count);
+
+/**
+ * As dq8_palette with a palette of matrices `[R | t]`, twelve numbers each, row after row.
+ */
+dq8_status dq8_palette_matrices_f64(const int32_t *parents,
+                                    size_t joints,
+                                    const double *root,
+                                    const double *locals,
+                                    const double *inverse_binds,
+                                    double *models,
+                                    double *palette,
+                                    size_t count);
+
+/**
+ * dq8_palette_matrices_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_palette_matrices_f64(size_t lanes,
+                                           const int32_t *parents,
+                                           size_t joints,
+                                           const double *root,
+                                           const double *locals,
+                                           const double *inverse_binds,
+                                           double *models,
+                                           double *palette,
+                                           size_t count);
+
+/**
+ * The motion that moves nothing.
+ */
+dq8_status dq8_motion_identity_f32(float *out);
+
+/**
+ * Rotate by the unit quaternion `rotation` (x, y, z, w), then move by `translation` (x, y, z).
+ */
+dq8_status dq8_motion_from_rotation_translation_f32(const float *rotation,
+                                                    const float *translation,
+                                                    float *out);
+
+/**
+ * The parts of a unit motion: `rotation` four numbers, `translation` three, which must not
+ * overlap each other.
+ */
+dq8_status dq8_motion_to_rotation_translation_f32(const float *motion,
+                                                  float *rotation,
+                                                  float *translation);
+
+/**
+ * The motion of a matrix, twelve numbers, row after row. `tolerance` is how far products of
+ * rows of the rotation may be from 0 and 1.
+ *
+ * DQ8_STATUS_NOT_ORTHONORMAL, _MIRRORS or _NOT_FINITE if it is no rigid motion.
+ */
+dq8_status dq8_motion_from_matrix_3x4_f32(const float *matrix, float tolerance, float *out);
+
+/**
+ * As dq8_motion_from_matrix_3x4, of sixteen numbers; DQ8_STATUS_NOT_AFFINE if the last row is
+ * not 0 0 0 1.
+ */
+dq8_status dq8_motion_from_matrix_4x4_f32(const float *matrix, float tolerance, float *out);
+
+/**
+ * The matrix `[R | t]` of a unit motion: twelve numbers, row after row.
+ */
+dq8_status dq8_motion_to_matrix_3x4_f32(const float *motion, float *matrix);
+
+/**
+ * The matrix of a unit motion with the row 0 0 0 1: sixteen numbers, row after row.
+ */
+dq8_status dq8_motion_to_matrix_4x4_f32(const float *motion, float *matrix);
+
+/**
+ * a * b: b acts first.
+ */
+dq8_status dq8_motion_mul_f32(const float *a, const float *b, float *out);
+
+/**
+ * The inverse of a unit motion, which costs nothing but signs.
+ */
+dq8_status dq8_motion_conjugate_f32(const float *motion, float *out);
+
+/**
+ * The inverse of a motion, unit or not; DQ8_STATUS_NO_INVERSE if there is none.
+ */
+dq8_status dq8_motion_inverse_f32(const float *motion, float *out);
+
+/**
+ * The unit motion beside a dual quaternion, exactly; DQ8_STATUS_NOT_NORMALIZABLE if there is
+ * none.
+ */
+dq8_status dq8_motion_normalize_f32(const float *motion, float *out);
+
+/**
+ * DQ8_STATUS_NOT_UNIT if the norm of the motion is further from 1 than `tolerance`.
+ */
+dq8_status dq8_motion_check_unit_f32(const float *motion, float tolerance);
+
+/**
+ * A point, three numbers, moved by a unit motion.
+ */
+dq8_status dq8_motion_point_f32(const float *motion, const float *point, float *out);
+
+/**
+ * A direction, three numbers, turned by a unit motion.
+ */
+dq8_status dq8_motion_vector_f32(const float *motion, const float *vector, float *out);
+
+/**
+ * The motion that moves nothing.
+ */
+dq8_status dq8_motion_identity_f64(double *out);
+
+/**
+ * Rotate by the unit quaternion `rotation` (x, y, z, w), then move by `translation` (x, y, z).
+ */
+dq8_status dq8_motion_from_rotation_translation_f64(const double *rotation,
+                                                    const double *translation,
+                                                    double *out);
+
+/**
+ * The parts of a unit motion: `rotation` four numbers, `translation` three, which must not
+ * overlap each other.
+ */
+dq8_status dq8_motion_to_rotation_translation_f64(const double *motion,
+                                                  double *rotation,
+                                                  double *translation);
+
+/**
+ * The motion of a matrix, twelve numbers, row after row. `tolerance` is how far products of
+ * rows of the rotation may be from 0 and 1.
+ *
+ * DQ8_STATUS_NOT_ORTHONORMAL, _MIRRORS or _NOT_FINITE if it is no rigid motion.
+ */
+dq8_status dq8_motion_from_matrix_3x4_f64(const double *matrix, double tolerance, double *out);
+
+/**
+ * As dq8_motion_from_matrix_3x4, of sixteen numbers; DQ8_STATUS_NOT_AFFINE if the last row is
+ * not 0 0 0 1.
+ */
+dq8_status dq8_motion_from_matrix_4x4_f64(const double *matrix, double tolerance, double *out);
+
+/**
+ * The matrix `[R | t]` of a unit motion: twelve numbers, row after row.
+ */
+dq8_status dq8_motion_to_matrix_3x4_f64(const double *motion, double *matrix);
+
+/**
+ * The matrix of a unit motion with the row 0 0 0 1: sixteen numbers, row after row.
+ */
+dq8_status dq8_motion_to_matrix_4x4_f64(const double *motion, double *matrix);
+
+/**
+ * a * b: b acts first.
+ */
+dq8_status dq8_motion_mul_f64(const double *a, const double *b, double *out);
+
+/**
+ * The inverse of a unit motion, which costs nothing but signs.
+ */
+dq8_status dq8_motion_conjugate_f64(const double *motion, double *out);
+
+/**
+ * The inverse of a motion, unit or not; DQ8_STATUS_NO_INVERSE if there is none.
+ */
+dq8_status dq8_motion_inverse_f64(const double *motion, double *out);
+
+/**
+ * The unit motion beside a dual quaternion, exactly; DQ8_STATUS_NOT_NORMALIZABLE if there is
+ * none.
+ */
+dq8_status dq8_motion_normalize_f64(const double *motion, double *out);
+
+/**
+ * DQ8_STATUS_NOT_UNIT if the norm of the motion is further from 1 than `tolerance`.
+ */
+dq8_status dq8_motion_check_unit_f64(const double *motion, double tolerance);
+
+/**
+ * A point, three numbers, moved by a unit motion.
+ */
+dq8_status dq8_motion_point_f64(const double *motion, const double *point, double *out);
+
+/**
+ * A direction, three numbers, turned by a unit motion.
+ */
+dq8_status dq8_motion_vector_f64(const double *motion, const double *vector, double *out);
+
+/**
+ * Writes `poses`, `[instance][joint]`, into blocks of `lanes` instances, `[instance block][joint]`;
+ * lanes without an instance get the identity. `block_count` is `joints` times the number of
+ * instances over `lanes`, rounded up; DQ8_STATUS_LENGTH if it is not.
+ */
+dq8_status dq8_pack_f32(size_t lanes,
+                        size_t joints,
+                        const float *poses,
+                        size_t pose_count,
+                        float *blocks,
+                        size_t block_count);
+
+/**
+ * Writes blocks into `poses`, the other way round; lanes beyond the last instance are dropped.
+ */
+dq8_status dq8_unpack_f32(size_t lanes,
+                          size_t joints,
+                          const float *blocks,
+                          size_t block_count,
+                          float *poses,
+                          size_t pose_count);
+
+/**
+ * How many numbers one block takes that has `components` (8 in motions, 3 in points, 4 in rotations,
+ * 7 in rotations with translations, 12 or 16 in matrices) of each of `lanes` things: their
+ * product, rounded up to whole 64 bytes.
+ */
+size_t dq8_block_size_f32(size_t lanes,
+                          size_t components);
+
+/**
+ * Writes `poses`, `[instance][joint]`, into blocks of `lanes` instances, `[instance block][joint]`;
+ * lanes without an instance get the identity. `block_count` is `joints` times the number of
+ * instances over `lanes`, rounded up; DQ8_STATUS_LENGTH if it is not.
+ */
+dq8_status dq8_pack_f64(size_t lanes,
+                        size_t joints,
+                        const double *poses,
+                        size_t pose_count,
+                        double *blocks,
+                        size_t block_count);
+
+/**
+ * Writes blocks into `poses`, the other way round; lanes beyond the last instance are dropped.
+ */
+dq8_status dq8_unpack_f64(size_t lanes,
+                          size_t joints,
+                          const double *blocks,
+                          size_t block_count,
+                          double *poses,
+                          size_t pose_count);
+
+/**
+ * How many numbers one block takes that has `components` (8 in motions, 3 in points, 4 in rotations,
+ * 7 in rotations with translations, 12 or 16 in matrices) of each of `lanes` things: their
+ * product, rounded up to whole 64 bytes.
+ */
+size_t dq8_block_size_f64(size_t lanes,
+                          size_t components);
+
+/**
+ * From `a` to `b` by the shorter way, `t` of it: linear and normalised.
+ * DQ8_STATUS_NOT_NORMALIZABLE if the sum is no motion.
+ */
+dq8_status dq8_motion_nlerp_f32(const float *a, const float *b, float t, float *out);
+
+/**
+ * From unit `a` to unit `b` by the shorter way, `t` of it, along one screw at constant speed.
+ */
+dq8_status dq8_motion_sclerp_f32(const float *a, const float *b, float t, float *out);
+
+/**
+ * The blend of `count` unit motions by `weights`, which need not sum to 1: their sum, each
+ * turned toward the first, normalised (dual quaternion linear blending).
+ *
+ * DQ8_STATUS_NO_INFLUENCES if `count` is 0, DQ8_STATUS_NOT_NORMALIZABLE if the sum is no motion.
+ */
+dq8_status dq8_motion_blend_f32(const float *motions,
+                                const float *weights,
+                                size_t count,
+                                float *out);
+
+/**
+ * The logarithm of a unit motion, six numbers: half the angle times the axis, and its moment.
+ */
+dq8_status dq8_motion_log_f32(const float *motion, float *log);
+
+/**
+ * The motion of a logarithm of six numbers.
+ */
+dq8_status dq8_motion_exp_f32(const float *log, float *out);
+
+/**
+ * `t` of a unit motion: the same screw axis, t times the angle and the slide.
+ */
+dq8_status dq8_motion_pow_f32(const float *motion, float t, float *out);
+
+/**
+ * The screw of a unit motion, eight numbers: direction of the axis, moment of the axis, angle in
+ * 0 to pi, slide along the axis. A translation has angle 0.
+ */
+dq8_status dq8_motion_to_screw_f32(const float *motion, float *screw);
+
+/**
+ * The motion of a screw, eight numbers: direction of length 1, moment at right angles to it,
+ * angle, slide.
+ */
+dq8_status dq8_motion_from_screw_f32(const float *numbers, float *out);
+
+/**
+ * From `a` to `b` by the shorter way, `t` of it: linear and normalised.
+ * DQ8_STATUS_NOT_NORMALIZABLE if the sum is no motion.
+ */
+dq8_status dq8_motion_nlerp_f64(const double *a, const double *b, double t, double *out);
+
+/**
+ * From unit `a` to unit `b` by the shorter way, `t` of it, along one screw at constant speed.
+ */
+dq8_status dq8_motion_sclerp_f64(const double *a, const double *b, double t, double *out);
+
+/**
+ * The blend of `count` unit motions by `weights`, which need not sum to 1: their sum, each
+ * turned toward the first, normalised (dual quaternion linear blending).
+ *
+ * DQ8_STATUS_NO_INFLUENCES if `count` is 0, DQ8_STATUS_NOT_NORMALIZABLE if the sum is no motion.
+ */
+dq8_status dq8_motion_blend_f64(const double *motions,
+                                const double *weights,
+                                size_t count,
+                                double *out);
+
+/**
+ * The logarithm of a unit motion, six numbers: half the angle times the axis, and its moment.
+ */
+dq8_status dq8_motion_log_f64(const double *motion, double *log);
+
+/**
+ * The motion of a logarithm of six numbers.
+ */
+dq8_status dq8_motion_exp_f64(const double *log, double *out);
+
+/**
+ * `t` of a unit motion: the same screw axis, t times the angle and the slide.
+ */
+dq8_status dq8_motion_pow_f64(const double *motion, double t, double *out);
+
+/**
+ * The screw of a unit motion, eight numbers: direction of the axis, moment of the axis, angle in
+ * 0 to pi, slide along the axis. A translation has angle 0.
+ */
+dq8_status dq8_motion_to_screw_f64(const double *motion, double *screw);
+
+/**
+ * The motion of a screw, eight numbers: direction of length 1, moment at right angles to it,
+ * angle, slide.
+ */
+dq8_status dq8_motion_from_screw_f64(const double *numbers, double *out);
+
+/**
+ * `out[i] = a[i] * b[i]`: b acts first. `out` may be `a`.
+ */
+dq8_status dq8_mul_f32(const float *a, const float *b, float *out, size_t count);
+
+/**
+ * dq8_mul_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_mul_f32(size_t lanes,
+                              const float *a,
+                              const float *b,
+                              float *out,
+                              size_t count);
+
+/**
+ * The unit motions beside `motions`, NaN where there is none; dq8_motion_normalize tells
+ * so. `out` may be `motions`.
+ */
+dq8_status dq8_normalize_f32(const float *motions, float *out, size_t count);
+
+/**
+ * dq8_normalize_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_normalize_f32(size_t lanes, const float *motions, float *out, size_t count);
+
+/**
+ * The inverses of `motions`, unit or not; NaN or infinite where there is none;
+ * dq8_motion_inverse tells so. `out` may be `motions`.
+ */
+dq8_status dq8_inverse_f32(const float *motions, float *out, size_t count);
+
+/**
+ * dq8_inverse_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_inverse_f32(size_t lanes, const float *motions, float *out, size_t count);
+
+/**
+ * From `a[i]` to `b[i]` by the shorter way, `t` of it: linear and normalised.
+ */
+dq8_status dq8_nlerp_f32(const float *a, const float *b, float t, float *out, size_t count);
+
+/**
+ * dq8_nlerp_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_nlerp_f32(size_t lanes,
+                                const float *a,
+                                const float *b,
+                                float t,
+                                float *out,
+                                size_t count);
+
+/**
+ * As dq8_nlerp with a number `t[i]` for each.
+ */
+dq8_status dq8_nlerp_each_f32(const float *a,
+                              const float *b,
+                              const float *t,
+                              float *out,
+                              size_t count);
+
+/**
+ * dq8_nlerp_each_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_nlerp_each_f32(size_t lanes,
+                                     const float *a,
+                                     const float *b,
+                                     const float *t,
+                                     float *out,
+                                     size_t count);
+
+/**
+ * From unit `a[i]` to unit `b[i]` by the shorter way, `t` of it, along one screw at constant
+ * speed.
+ */
+dq8_status dq8_sclerp_f32(const float *a, const float *b, float t, float *out, size_t count);
+
+/**
+ * dq8_sclerp_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_sclerp_f32(size_t lanes,
+                                 const float *a,
+                                 const float *b,
+                                 float t,
+                                 float *out,
+                                 size_t count);
+
+/**
+ * As dq8_sclerp with a number `t[i]` for each.
+ */
+dq8_status dq8_sclerp_each_f32(const float *a,
+                               const float *b,
+                               const float *t,
+                               float *out,
+                               size_t count);
+
+/**
+ * dq8_sclerp_each_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_sclerp_each_f32(size_t lanes,
+                                      const float *a,
+                                      const float *b,
+                                      const float *t,
+                                      float *out,
+                                      size_t count);
+
+/**
+ * `points`, three numbers each, moved by the one unit `motion`. `out` may be `points`.
+ */
+dq8_status dq8_points_f32(const float *motion, const float *points, float *out, size_t count);
+
+/**
+ * dq8_points_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_points_f32(size_t lanes,
+                                 const float *motion,
+                                 const float *points,
+                                 float *out,
+                                 size_t count);
+
+/**
+ * `vectors`, three numbers each, turned by the one unit `motion`: directions do not
+ * translate. `out` may be `vectors`.
+ */
+dq8_status dq8_vectors_f32(const float *motion, const float *vectors, float *out, size_t count);
+
+/**
+ * dq8_vectors_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_vectors_f32(size_t lanes,
+                                  const float *motion,
+                                  const float *vectors,
+                                  float *out,
+                                  size_t count);
+
+/**
+ * `points[i]`, three numbers each, moved by the unit `motions[i]`.
+ */
+dq8_status dq8_points_each_f32(const float *motions, const float *points, float *out, size_t count);
+
+/**
+ * dq8_points_each_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_points_each_f32(size_t lanes,
+                                      const float *motions,
+                                      const float *points,
+                                      float *out,
+                                      size_t count);
+
+/**
+ * `vectors[i]`, three numbers each, turned by the unit `motions[i]`.
+ */
+dq8_status dq8_vectors_each_f32(const float *motions,
+                                const float *vectors,
+                                float *out,
+                                size_t count);
+
+/**
+ * dq8_vectors_each_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_vectors_each_f32(size_t lanes,
+                                       const float *motions,
+                                       const float *vectors,
+                                       float *out,
+                                       size_t count);
+
+/**
+ * The matrices `[R | t]` of unit `motions`, twelve numbers each; `order` is one of enum
+ * dq8_matrix_order.
+ */
+dq8_status dq8_matrices_3x4_f32(const float *motions, int32_t order, float *out, size_t count);
+
+/**
+ * dq8_matrices_3x4_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_matrices_3x4_f32(size_t lanes,
+                                       const float *motions,
+                                       int32_t order,
+                                       float *out,
+                                       size_t count);
+
+/**
+ * The matrices of unit `motions` with the row 0 0 0 1, sixteen numbers each; `order` is one
+ * of enum dq8_matrix_order.
+ */
+dq8_status dq8_matrices_4x4_f32(const float *motions, int32_t order, float *out, size_t count);
+
+/**
+ * dq8_matrices_4x4_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_matrices_4x4_f32(size_t lanes,
+                                       const float *motions,
+                                       int32_t order,
+                                       float *out,
+                                       size_t count);
+
+/**
+ * `out[i] = a[i] * b[i]`: b acts first. `out` may be `a`.
+ */
+dq8_status dq8_mul_f64(const double *a, const double *b, double *out, size_t count);
+
+/**
+ * dq8_mul_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_mul_f64(size_t lanes,
+                              const double *a,
+                              const double *b,
+                              double *out,
+                              size_t count);
+
+/**
+ * The unit motions beside `motions`, NaN where there is none; dq8_motion_normalize tells
+ * so. `out` may be `motions`.
+ */
+dq8_status dq8_normalize_f64(const double *motions, double *out, size_t count);
+
+/**
+ * dq8_normalize_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_normalize_f64(size_t lanes, const double *motions, double *out, size_t count);
+
+/**
+ * The inverses of `motions`, unit or not; NaN or infinite where there is none;
+ * dq8_motion_inverse tells so. `out` may be `motions`.
+ */
+dq8_status dq8_inverse_f64(const double *motions, double *out, size_t count);
+
+/**
+ * dq8_inverse_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_inverse_f64(size_t lanes, const double *motions, double *out, size_t count);
+
+/**
+ * From `a[i]` to `b[i]` by the shorter way, `t` of it: linear and normalised.
+ */
+dq8_status dq8_nlerp_f64(const double *a, const double *b, double t, double *out, size_t count);
+
+/**
+ * dq8_nlerp_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_nlerp_f64(size_t lanes,
+                                const double *a,
+                                const double *b,
+                                double t,
+                                double *out,
+                                size_t count);
+
+/**
+ * As dq8_nlerp with a number `t[i]` for each.
+ */
+dq8_status dq8_nlerp_each_f64(const double *a,
+                              const double *b,
+                              const double *t,
+                              double *out,
+                              size_t count);
+
+/**
+ * dq8_nlerp_each_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_nlerp_each_f64(size_t lanes,
+                                     const double *a,
+                                     const double *b,
+                                     const double *t,
+                                     double *out,
+                                     size_t count);
+
+/**
+ * From unit `a[i]` to unit `b[i]` by the shorter way, `t` of it, along one screw at constant
+ * speed.
+ */
+dq8_status dq8_sclerp_f64(const double *a, const double *b, double t, double *out, size_t count);
+
+/**
+ * dq8_sclerp_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_sclerp_f64(size_t lanes,
+                                 const double *a,
+                                 const double *b,
+                                 double t,
+                                 double *out,
+                                 size_t count);
+
+/**
+ * As dq8_sclerp with a number `t[i]` for each.
+ */
+dq8_status dq8_sclerp_each_f64(const double *a,
+                               const double *b,
+                               const double *t,
+                               double *out,
+                               size_t count);
+
+/**
+ * dq8_sclerp_each_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_sclerp_each_f64(size_t lanes,
+                                      const double *a,
+                                      const double *b,
+                                      const double *t,
+                                      double *out,
+                                      size_t count);
+
+/**
+ * `points`, three numbers each, moved by the one unit `motion`. `out` may be `points`.
+ */
+dq8_status dq8_points_f64(const double *motion, const double *points, double *out, size_t count);
+
+/**
+ * dq8_points_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_points_f64(size_t lanes,
+                                 const double *motion,
+                                 const double *points,
+                                 double *out,
+                                 size_t count);
+
+/**
+ * `vectors`, three numbers each, turned by the one unit `motion`: directions do not
+ * translate. `out` may be `vectors`.
+ */
+dq8_status dq8_vectors_f64(const double *motion, const double *vectors, double *out, size_t count);
+
+/**
+ * dq8_vectors_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_vectors_f64(size_t lanes,
+                                  const double *motion,
+                                  const double *vectors,
+                                  double *out,
+                                  size_t count);
+
+/**
+ * `points[i]`, three numbers each, moved by the unit `motions[i]`.
+ */
+dq8_status dq8_points_each_f64(const double *motions,
+                               const double *points,
+                               double *out,
+                               size_t count);
+
+/**
+ * dq8_points_each_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_points_each_f64(size_t lanes,
+                                      const double *motions,
+                                      const double *points,
+                                      double *out,
+                                      size_t count);
+
+/**
+ * `vectors[i]`, three numbers each, turned by the unit `motions[i]`.
+ */
+dq8_status dq8_vectors_each_f64(const double *motions,
+                                const double *vectors,
+                                double *out,
+                                size_t count);
+
+/**
+ * dq8_vectors_each_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_vectors_each_f64(size_t lanes,
+                                       const double *motions,
+                                       const double *vectors,
+                                       double *out,
+                                       size_t count);
+
+/**
+ * The matrices `[R | t]` of unit `motions`, twelve numbers each; `order` is one of enum
+ * dq8_matrix_order.
+ */
+dq8_status dq8_matrices_3x4_f64(const double *motions, int32_t order, double *out, size_t count);
+
+/**
+ * dq8_matrices_3x4_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_matrices_3x4_f64(size_t lanes,
+                                       const double *motions,
+                                       int32_t order,
+                                       double *out,
+                                       size_t count);
+
+/**
+ * The matrices of unit `motions` with the row 0 0 0 1, sixteen numbers each; `order` is one
+ * of enum dq8_matrix_order.
+ */
+dq8_status dq8_matrices_4x4_f64(const double *motions, int32_t order, double *out, size_t count);
+
+/**
+ * dq8_matrices_4x4_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_matrices_4x4_f64(size_t lanes,
+                                       const double *motions,
+                                       int32_t order,
+                                       double *out,
+                                       size_t count);
+
+/**
+ * What a status means, in English: text that lives as long as the program. A number that is no
+ * status has a text too, which says so.
+ */
+const char *dq8_status_text(int32_t status);
+
+#ifdef __cplusplus
+}  // extern "C"
+#endif  // __cplusplus
+
+#endif  /* DQ8_H */

@@ -1,0 +1,289 @@
+//! Joint hierarchies: local poses to model space and back, and skinning palettes.
+
+use crate::layout::{Blocks, Layout, Plain};
+use crate::memory::{Input, Output, from_to, read};
+use crate::status::{Done, Status};
+use dq8::hierarchy::Entry;
+use dq8::{DualQuat, Hierarchy, HierarchyError, Job, Motions, Rotations, RotationsTranslations};
+
+/// Parents as C has them. It marks roots by -1: in the same four bytes, [`Hierarchy::ROOT`].
+fn parents(start: *const i32, joints: usize) -> Result<Input<u32>, Status> {
+    Input::new(start, joints)
+}
+
+/// A run over the hierarchy, on `root` if that is not null.
+///
+/// # Safety
+/// As for [`Input::slice`] and [`read`].
+unsafe fn job<'a, L: Layout>(
+    parents: &Input<u32>,
+    root: *const L::Real,
+) -> Result<Job<'a, L::Motion>, Status> {
+    // SAFETY: promised.
+    let job = Hierarchy::new(unsafe { parents.slice() })?.job();
+    if root.is_null() {
+        return Ok(job);
+    }
+    // SAFETY: promised.
+    let root: DualQuat<L::Real> = unsafe { read(root)? };
+    Ok(job.root(root))
+}
+
+/// # Safety
+/// As for [`from_to`]; `parents` and `root` as [`job`].
+unsafe fn local_to_model<L: Layout>(
+    parents: *const i32,
+    joints: usize,
+    root: *const L::Real,
+    locals: *const L::Real,
+    models: *mut L::Real,
+    count: usize,
+) -> Done {
+    let parents = self::parents(parents, joints)?;
+    Output::<L::Motion>::new(models, count)?.apart_from(&parents)?;
+    // SAFETY: promised, and apart from what is written.
+    let job = unsafe { job::<L>(&parents, root)? };
+    let apart = |from: &[_], to: &mut [_]| job.local_to_model(from, to);
+    // SAFETY: promised.
+    unsafe { from_to(locals, models, count, apart, |all| job.local_to_model_in_place(all)) }
+}
+
+/// # Safety
+/// As for [`from_to`]; `parents` and `root` as [`job`].
+unsafe fn model_to_local<L: Layout>(
+    parents: *const i32,
+    joints: usize,
+    root: *const L::Real,
+    models: *const L::Real,
+    locals: *mut L::Real,
+    count: usize,
+) -> Done {
+    let parents = self::parents(parents, joints)?;
+    Output::<L::Motion>::new(locals, count)?.apart_from(&parents)?;
+    // SAFETY: promised, and apart from what is written.
+    let job = unsafe { job::<L>(&parents, root)? };
+    let apart = |from: &[_], to: &mut [_]| job.model_to_local(from, to);
+    // SAFETY: promised.
+    unsafe { from_to(models, locals, count, apart, |all| job.model_to_local_in_place(all)) }
+}
+
+/// # Safety
+/// As for [`Input::slice`] and [`Output::slice`]; `parents` and `root` as [`job`].
+unsafe fn rotations_to_model<L: Layout>(
+    parents: *const i32,
+    joints: usize,
+    root: *const L::Real,
+    rotations: *const L::Real,
+    offsets: *const L::Real,
+    models: *mut L::Real,
+    count: usize,
+) -> Done {
+    let parents = self::parents(parents, joints)?;
+    let rotations = Input::<L::Rotation>::new(rotations, count)?;
+    let offsets = Input::<[L::Real; 3]>::new(offsets, joints)?;
+    let models = Output::new(models, count)?;
+    models.apart_from(&parents)?;
+    models.apart_from(&rotations)?;
+    models.apart_from(&offsets)?;
+    // SAFETY: promised, and apart.
+    unsafe {
+        let job = job::<L>(&parents, root)?;
+        let locals = Rotations { rotations: rotations.slice(), offsets: offsets.slice() };
+        Ok(job.locals_to_model(locals, models.slice())?)
+    }
+}
+
+/// # Safety
+/// As for [`Input::slice`] and [`Output::slice`]; `parents` and `root` as [`job`].
+unsafe fn rotations_translations_to_model<L: Layout>(
+    parents: *const i32,
+    joints: usize,
+    root: *const L::Real,
+    locals: *const L::Real,
+    models: *mut L::Real,
+    count: usize,
+) -> Done {
+    let parents = self::parents(parents, joints)?;
+    let locals = Input::<L::RotationTranslation>::new(locals, count)?;
+    let models = Output::new(models, count)?;
+    models.apart_from(&parents)?;
+    models.apart_from(&locals)?;
+    // SAFETY: promised, and apart.
+    unsafe {
+        let job = job::<L>(&parents, root)?;
+        Ok(job.locals_to_model(RotationsTranslations(locals.slice()), models.slice())?)
+    }
+}
+
+/// What [`palette`] and [`palette_matrices`] share: all but what the palette is made of.
+struct Skin<L: Layout> {
+    parents: *const i32,
+    joints: usize,
+    root: *const L::Real,
+    locals: *const L::Real,
+    inverse_binds: *const L::Real,
+    models: *mut L::Real,
+    count: usize,
+}
+
+impl<L: Layout> Skin<L> {
+    /// # Safety
+    /// As for [`Input::slice`] and [`Output::slice`]; `parents` and `root` as [`job`].
+    unsafe fn palette<E: Entry<L::Motion>>(self, palette: *mut L::Real) -> Done {
+        let parents = parents(self.parents, self.joints)?;
+        let locals = Input::<L::Motion>::new(self.locals, self.count)?;
+        let binds = Input::<DualQuat<L::Real>>::new(self.inverse_binds, self.joints)?;
+        let models = Output::<L::Motion>::new(self.models, self.count)?;
+        let palette = Output::<E>::new(palette, self.count)?;
+        models.apart_from_output(&palette)?;
+        models.apart_from(&parents)?;
+        models.apart_from(&locals)?;
+        models.apart_from(&binds)?;
+        palette.apart_from(&parents)?;
+        palette.apart_from(&locals)?;
+        palette.apart_from(&binds)?;
+        // SAFETY: promised, and apart.
+        unsafe {
+            let job = job::<L>(&parents, self.root)?;
+            let locals = Motions(locals.slice());
+            Ok(job.locals_to_palette(locals, models.slice(), binds.slice(), palette.slice())?)
+        }
+    }
+}
+
+/// # Safety
+/// As for [`Skin::palette`].
+#[expect(clippy::too_many_arguments, reason = "one a line of the C function")]
+unsafe fn palette<L: Layout>(
+    parents: *const i32,
+    joints: usize,
+    root: *const L::Real,
+    locals: *const L::Real,
+    inverse_binds: *const L::Real,
+    models: *mut L::Real,
+    palette: *mut L::Real,
+    count: usize,
+) -> Done {
+    let skin = Skin::<L> { parents, joints, root, locals, inverse_binds, models, count };
+    // SAFETY: promised.
+    unsafe { skin.palette::<L::Motion>(palette) }
+}
+
+/// # Safety
+/// As for [`Skin::palette`].
+#[expect(clippy::too_many_arguments, reason = "one a line of the C function")]
+unsafe fn palette_matrices<L: Layout>(
+    parents: *const i32,
+    joints: usize,
+    root: *const L::Real,
+    locals: *const L::Real,
+    inverse_binds: *const L::Real,
+    models: *mut L::Real,
+    palette: *mut L::Real,
+    count: usize,
+) -> Done {
+    let skin = Skin::<L> { parents, joints, root, locals, inverse_binds, models, count };
+    // SAFETY: promised.
+    unsafe { skin.palette::<L::Matrix3x4>(palette) }
+}
+
+macro_rules! functions {
+    ($R:ident $lanes:tt) => {
+        export! { $R $lanes
+            /// Model poses of all joints from local ones: `models[j] = models[parents[j]] * locals[j]`.
+            ///
+            /// `locals` and `models` hold `count` motions: one a joint, or several instances one after the
+            /// other, `[instance][joint]`. `root` is what joints without a parent stand on, or null.
+            /// `models` may be `locals`.
+            local_to_model, blocks_local_to_model(
+                parents: *const i32, joints: usize, root: *const $R,
+                locals: *const $R, models: *mut $R,
+            )
+        }
+        export! { $R $lanes
+            /// Local poses of all joints from unit model ones, as dq8_local_to_model the other way round.
+            /// `locals` may be `models`.
+            model_to_local, blocks_model_to_local(
+                parents: *const i32, joints: usize, root: *const $R,
+                models: *const $R, locals: *mut $R,
+            )
+        }
+        export! { $R $lanes
+            /// As dq8_local_to_model of `count` unit quaternions (x, y, z, w) and `joints` offsets of joints
+            /// from their parents (x, y, z), the same for all instances: what animation clips hold.
+            rotations_to_model, blocks_rotations_to_model(
+                parents: *const i32, joints: usize, root: *const $R,
+                rotations: *const $R, offsets: *const $R, models: *mut $R,
+            )
+        }
+        export! { $R $lanes
+            /// As dq8_local_to_model of `locals` with seven numbers each: a unit quaternion (x, y, z, w) and a
+            /// translation (x, y, z).
+            rotations_translations_to_model, blocks_rotations_translations_to_model(
+                parents: *const i32, joints: usize, root: *const $R,
+                locals: *const $R, models: *mut $R,
+            )
+        }
+        export! { $R $lanes
+            /// As dq8_local_to_model, and in the same pass the skinning palette:
+            /// `palette[j] = models[j] * inverse_binds[j]`, which takes a vertex of the mesh at rest to where
+            /// joint j has moved it.
+            ///
+            /// `inverse_binds` holds `joints` plain motions, the same for all instances. `models` and
+            /// `palette` hold `count` motions and must overlap nothing.
+            palette, blocks_palette(
+                parents: *const i32, joints: usize, root: *const $R,
+                locals: *const $R, inverse_binds: *const $R, models: *mut $R, palette: *mut $R,
+            )
+        }
+        export! { $R $lanes
+            /// As dq8_palette with a palette of matrices `[R | t]`, twelve numbers each, row after row.
+            palette_matrices, blocks_palette_matrices(
+                parents: *const i32, joints: usize, root: *const $R,
+                locals: *const $R, inverse_binds: *const $R, models: *mut $R, palette: *mut $R,
+            )
+        }
+    };
+}
+for_both_numbers!(functions);
+
+/// Whether `parents` is a hierarchy: `parents[j]` is the parent of joint j and comes before it, or is
+/// -1. Every function that takes parents checks them too, in a pass that costs little beside its
+/// work; this one also says where the fault is.
+///
+/// If it is DQ8_STATUS_PARENT_NOT_BEFORE or _PARENT_OUT_OF_RANGE, `bad_joint` is set to the first
+/// such joint; it may be null, and must not lie in `parents`.
+///
+/// # Safety
+/// `parents` holds `joints` numbers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn dq8_check_parents(
+    parents: *const i32,
+    joints: usize,
+    bad_joint: *mut usize,
+) -> Status {
+    // SAFETY: promised.
+    Status::of(unsafe { check_parents(parents, joints, bad_joint) })
+}
+
+/// # Safety
+/// As for [`Input::slice`] and [`Output::write`].
+unsafe fn check_parents(start: *const i32, joints: usize, bad_joint: *mut usize) -> Done {
+    let parents = parents(start, joints)?;
+    let bad_joint = if bad_joint.is_null() { None } else { Some(Output::new(bad_joint, 1)?) };
+    if let Some(bad_joint) = &bad_joint {
+        bad_joint.apart_from(&parents)?;
+    }
+    // SAFETY: promised.
+    let Err(error) = Hierarchy::new(unsafe { parents.slice() }) else { return Ok(()) };
+    if let (
+        Some(bad_joint),
+        HierarchyError::ParentNotBefore { joint, .. }
+        | HierarchyError::ParentOutOfRange { joint, .. },
+    ) = (bad_joint, &error)
+    {
+        // SAFETY: promised, and apart.
+        unsafe { bad_joint.write(*joint) };
+    }
+    Err(error.into())
+}

@@ -1,0 +1,42 @@
+//! The C ABI of `dq8`. C users read `include/dq8.h`, which is generated from here, and `README.md`.
+//!
+//! | module | what it exports |
+//! |---|---|
+//! | [`status`] | [`Status`], what every call returns, and its text |
+//! | [`backend`] | which instructions compute |
+//! | [`motion`], [`screw`] | operations on one motion: the scalar reference |
+//! | [`slices`] | kernels over arrays of motions and points, plain or in blocks |
+//! | [`hierarchy`] | joint hierarchies and skinning palettes, plain or in blocks |
+//! | [`packing`] | between plain arrays and blocks |
+//!
+//! Each but the first two has its functions twice: in `single` for `f32`, in `double` for `f64`. The
+//! symbol of `slices::single::mul` is `dq8_mul_f32`.
+//!
+//! Nothing here computes: pointers are checked and become slices, and errors become numbers. No
+//! function allocates, and none panics; a panic could not leave an `extern "C"` function anyway, it
+//! would abort.
+#![cfg_attr(target_os = "none", no_std)]
+
+#[macro_use]
+mod export;
+pub mod backend;
+pub mod hierarchy;
+mod layout;
+mod memory;
+pub mod motion;
+pub mod packing;
+pub mod screw;
+pub mod slices;
+pub mod status;
+
+pub use backend::InstructionSet;
+pub use slices::Order;
+pub use status::Status;
+
+/// A static library brings its own handler where there is no std. Nothing reaches it: the firmware
+/// in `firmware/` is searched for panics after linking.
+#[cfg(target_os = "none")]
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
+    loop {}
+}

@@ -1,0 +1,152 @@
+//! [`Status`]: what became of a call.
+
+use core::ffi::{CStr, c_char};
+use dq8::{HierarchyError, InverseError, MatrixError, NormalizeError, ShapeError};
+
+/// What a function does inside: its error is the status.
+pub(crate) type Done = Result<(), Status>;
+
+/// What became of a call. Whatever it is but DQ8_STATUS_OK, nothing has been written.
+#[repr(i32)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// It is done.
+    Ok = 0,
+    /// A pointer is null where there is something to read or to write.
+    NullPointer = 1,
+    /// A pointer is not aligned: to its number type, or to 64 bytes for blocks.
+    Misaligned = 2,
+    /// An output overlaps an input, or another output, and is not exactly the array that it may be.
+    Overlap = 3,
+    /// An array would be larger than memory.
+    TooLarge = 4,
+    /// Lengths do not fit each other, such as a count that is no multiple of the joints.
+    Length = 5,
+    /// There are no blocks of so many lanes: float has 8 and 16, double 4 and 8.
+    Lanes = 6,
+    /// The motion is not unit.
+    NotUnit = 7,
+    /// There is no unit motion: the real part is zero, or a number is not finite.
+    NotNormalizable = 8,
+    /// There is no inverse: the real part is zero, or a number is not finite.
+    NoInverse = 9,
+    /// The matrix scales or shears.
+    NotOrthonormal = 10,
+    /// The matrix mirrors.
+    Mirrors = 11,
+    /// The translation of the matrix is not finite.
+    NotFinite = 12,
+    /// The last row of the 4x4 matrix is not 0 0 0 1.
+    NotAffine = 13,
+    /// There is nothing to blend.
+    NoInfluences = 14,
+    /// A parent does not come before its child: a forward reference, or a cycle.
+    ParentNotBefore = 15,
+    /// A parent is no joint at all, nor -1.
+    ParentOutOfRange = 16,
+    /// There are more joints than 32 bits can number.
+    TooManyJoints = 17,
+    /// A number stands for no backend, or for no order of matrices.
+    UnknownValue = 18,
+}
+
+impl Status {
+    const ALL: [Self; 19] = [
+        Self::Ok,
+        Self::NullPointer,
+        Self::Misaligned,
+        Self::Overlap,
+        Self::TooLarge,
+        Self::Length,
+        Self::Lanes,
+        Self::NotUnit,
+        Self::NotNormalizable,
+        Self::NoInverse,
+        Self::NotOrthonormal,
+        Self::Mirrors,
+        Self::NotFinite,
+        Self::NotAffine,
+        Self::NoInfluences,
+        Self::ParentNotBefore,
+        Self::ParentOutOfRange,
+        Self::TooManyJoints,
+        Self::UnknownValue,
+    ];
+
+    pub(crate) fn of(done: Done) -> Self {
+        done.err().unwrap_or(Self::Ok)
+    }
+
+    fn text(self) -> &'static CStr {
+        match self {
+            Self::Ok => c"done",
+            Self::NullPointer => c"a pointer is null",
+            Self::Misaligned => c"a pointer is not aligned",
+            Self::Overlap => c"an output overlaps another array",
+            Self::TooLarge => c"an array would be larger than memory",
+            Self::Length => c"lengths do not fit each other",
+            Self::Lanes => c"there are no blocks of so many lanes",
+            Self::NotUnit => c"the motion is not unit",
+            Self::NotNormalizable => {
+                c"there is no unit motion: the real part is zero or a number not finite"
+            }
+            Self::NoInverse => c"there is no inverse: the real part is zero or a number not finite",
+            Self::NotOrthonormal => c"the matrix is no rotation: it scales or shears",
+            Self::Mirrors => c"the matrix is no rotation: it mirrors",
+            Self::NotFinite => c"the translation is not finite",
+            Self::NotAffine => c"the last row of the matrix is not 0 0 0 1",
+            Self::NoInfluences => c"there is nothing to blend",
+            Self::ParentNotBefore => c"a parent does not come before its child",
+            Self::ParentOutOfRange => c"a parent is no joint",
+            Self::TooManyJoints => c"there are more joints than 32 bits can number",
+            Self::UnknownValue => c"a number stands for no backend and no order of matrices",
+        }
+    }
+}
+
+impl From<ShapeError> for Status {
+    fn from(_: ShapeError) -> Self {
+        Self::Length
+    }
+}
+
+impl From<HierarchyError> for Status {
+    fn from(error: HierarchyError) -> Self {
+        match error {
+            HierarchyError::ParentNotBefore { .. } => Self::ParentNotBefore,
+            HierarchyError::ParentOutOfRange { .. } => Self::ParentOutOfRange,
+            HierarchyError::TooManyJoints { .. } => Self::TooManyJoints,
+        }
+    }
+}
+
+impl From<MatrixError> for Status {
+    fn from(error: MatrixError) -> Self {
+        match error {
+            MatrixError::NotOrthonormal { .. } => Self::NotOrthonormal,
+            MatrixError::Mirrors { .. } => Self::Mirrors,
+            MatrixError::NotFinite { .. } => Self::NotFinite,
+            MatrixError::NotAffine { .. } => Self::NotAffine,
+        }
+    }
+}
+
+impl From<NormalizeError> for Status {
+    fn from(_: NormalizeError) -> Self {
+        Self::NotNormalizable
+    }
+}
+
+impl From<InverseError> for Status {
+    fn from(_: InverseError) -> Self {
+        Self::NoInverse
+    }
+}
+
+/// What a status means, in English: text that lives as long as the program. A number that is no
+/// status has a text too, which says so.
+#[unsafe(no_mangle)]
+pub extern "C" fn dq8_status_text(status: i32) -> *const c_char {
+    let known = Status::ALL.into_iter().find(|known| *known as i32 == status);
+    known.map_or(c"no status of dq8", Status::text).as_ptr()
+}

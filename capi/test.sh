@@ -1,0 +1,64 @@
+#!/usr/bin/env bash
+# The C library as its users have it: installed to a prefix, found by pkg-config and by CMake, called
+# from C99 and from C++. The example returns 0 only if all it computes is right.
+set -euo pipefail
+cd "$(dirname "$0")"
+
+need() { command -v "$1" >/dev/null || { echo "missing: $1 (Debian package $2)" >&2; exit 1; }; }
+need gcc gcc
+need g++ g++
+need pkg-config pkg-config
+need cmake cmake
+
+prefix=$(mktemp -d)
+trap 'rm -rf "$prefix"' EXIT
+./install.sh "$prefix"
+export PKG_CONFIG_PATH="$prefix/lib/pkgconfig" LD_LIBRARY_PATH="$prefix/lib"
+strict=(-O1 -Wall -Wextra -Werror -pedantic)
+read -ra cflags < <(pkg-config --cflags dq8)
+read -ra shared < <(pkg-config --libs dq8)
+read -ra private < <(pkg-config --static --libs-only-l dq8)
+# The static library by its name, for -l prefers the shared one; then what it needs of the system.
+static=("$prefix/lib/libdq8_capi.a" "${private[@]:1}")
+
+passes() {
+  local said
+  said=$("$@") || { echo "$said" >&2; echo "failed: $*" >&2; exit 1; }
+  [ "${said##*$'\n'}" = PASS ] || { echo "no PASS: $*" >&2; exit 1; }
+}
+
+echo 'C99, static'
+gcc -std=c99 "${strict[@]}" "${cflags[@]}" examples/arm.c "${static[@]}" -o "$prefix/arm"
+passes "$prefix/arm"
+echo 'C99, shared'
+gcc -std=c99 "${strict[@]}" "${cflags[@]}" examples/arm.c "${shared[@]}" -lm -o "$prefix/arm"
+passes "$prefix/arm"
+echo 'C++11'
+g++ -std=c++11 "${strict[@]}" "${cflags[@]}" -x c++ examples/arm.c -x none "${static[@]}" -o "$prefix/arm"
+passes "$prefix/arm"
+echo 'C99 with the address and undefined behaviour sanitizers'
+gcc -std=c99 -g -fsanitize=address,undefined -fno-sanitize-recover=all "${strict[@]}" "${cflags[@]}" \
+  examples/arm.c "${static[@]}" -o "$prefix/arm"
+passes "$prefix/arm"
+
+echo 'CMake'
+mkdir "$prefix/app"
+cat > "$prefix/app/CMakeLists.txt" <<EOF
+cmake_minimum_required(VERSION 3.16)
+project(arm C)
+set(CMAKE_C_STANDARD 99)
+find_package(dq8 CONFIG REQUIRED)
+foreach(kind dq8 static)
+  add_executable(arm_\${kind} $PWD/examples/arm.c)
+  target_link_libraries(arm_\${kind} PRIVATE dq8::\${kind} m)
+endforeach()
+EOF
+cmake -S "$prefix/app" -B "$prefix/app/build" -DCMAKE_PREFIX_PATH="$prefix" >/dev/null
+cmake --build "$prefix/app/build" >/dev/null
+passes "$prefix/app/build/arm_dq8"
+passes "$prefix/app/build/arm_static"
+
+echo 'the header names what the library has, and nothing else'
+names() { grep -o '\bdq8_[a-z0-9_]*(' include/dq8.h | tr -d '(' | sort -u; }
+exports() { nm -D --defined-only "$prefix/lib/libdq8_capi.so" | sed -n 's/.* T \(dq8_.*\)/\1/p' | sort -u; }
+diff <(names) <(exports) || { echo 'header and library differ' >&2; exit 1; }

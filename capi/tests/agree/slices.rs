@@ -1,0 +1,222 @@
+//! Kernels over arrays, plain and in blocks.
+
+use crate::sample::{COUNT, block, motions, numbers, same, vector, wave};
+use dq8::slices::MatrixOrder;
+use dq8::{
+    Backend, Block, DualQuat, MatrixBlock, NumberBlock, PointBlock, RotationBlock,
+    RotationTranslationBlock,
+};
+use dq8_capi::{packing, slices};
+
+macro_rules! agree {
+    ($test:ident, $R:ident, $of:ident, $lanes:literal) => {
+        mod $test {
+            use super::*;
+
+            type Motion = DualQuat<$R>;
+
+            #[test]
+            fn slices_plain() {
+                use slices::$of as s;
+                let (a, b) = (motions(0.0), motions(1.0));
+                let scaled: Vec<_> = a.iter().map(|motion| motion.scale(3.0)).collect();
+                let t: Vec<$R> = (0..COUNT).map(|i| wave(i, 2.0)).collect();
+                let points: Vec<[$R; 3]> = (0..COUNT).map(|i| vector(i, 3.0)).collect();
+                let (pa, pb, ps, pt) = (numbers(&a), numbers(&b), numbers(&scaled), numbers(&t));
+                let (pv, n) = (numbers(&points), COUNT);
+                let best = Backend::best();
+                let none = [Motion::ZERO; COUNT];
+                let nowhere = [[9.0; 3]; COUNT];
+                // SAFETY: all arrays have COUNT elements.
+                unsafe {
+                    same("mul", &none, |o| s::mul(pa, pb, o, n), |o| best.mul(&a, &b, o).unwrap());
+                    same(
+                        "mul in place",
+                        &a,
+                        |o| s::mul(o, pb, o, n),
+                        |o| best.mul_in_place(o, &b).unwrap(),
+                    );
+                    same(
+                        "normalize",
+                        &none,
+                        |o| s::normalize(ps, o, n),
+                        |o| best.normalize(&scaled, o).unwrap(),
+                    );
+                    same(
+                        "normalize in place",
+                        &scaled,
+                        |o| s::normalize(o, o, n),
+                        |o| best.normalize_in_place(o),
+                    );
+                    same(
+                        "inverse",
+                        &none,
+                        |o| s::inverse(ps, o, n),
+                        |o| best.inverse(&scaled, o).unwrap(),
+                    );
+                    same(
+                        "inverse in place",
+                        &a,
+                        |o| s::inverse(o, o, n),
+                        |o| best.inverse_in_place(o),
+                    );
+                    same(
+                        "nlerp",
+                        &none,
+                        |o| s::nlerp(pa, pb, 0.3, o, n),
+                        |o| best.nlerp(&a, &b, 0.3, o).unwrap(),
+                    );
+                    same(
+                        "sclerp",
+                        &none,
+                        |o| s::sclerp(pa, pb, 0.3, o, n),
+                        |o| best.sclerp(&a, &b, 0.3, o).unwrap(),
+                    );
+                    same(
+                        "nlerp_each",
+                        &none,
+                        |o| s::nlerp_each(pa, pb, pt, o, n),
+                        |o| best.nlerp_each(&a, &b, &t, o).unwrap(),
+                    );
+                    same(
+                        "sclerp_each",
+                        &none,
+                        |o| s::sclerp_each(pa, pb, pt, o, n),
+                        |o| best.sclerp_each(&a, &b, &t, o).unwrap(),
+                    );
+                    same(
+                        "points",
+                        &nowhere,
+                        |o| s::points(pa, pv, o, n),
+                        |o| best.transform_points(a[0], &points, o).unwrap(),
+                    );
+                    same(
+                        "points in place",
+                        &points,
+                        |o| s::points(pb, o, o, n),
+                        |o| best.transform_points_in_place(b[0], o),
+                    );
+                    same(
+                        "vectors",
+                        &nowhere,
+                        |o| s::vectors(pa, pv, o, n),
+                        |o| best.transform_vectors(a[0], &points, o).unwrap(),
+                    );
+                    same(
+                        "vectors in place",
+                        &points,
+                        |o| s::vectors(pb, o, o, n),
+                        |o| best.transform_vectors_in_place(b[0], o),
+                    );
+                    same(
+                        "points_each",
+                        &nowhere,
+                        |o| s::points_each(pa, pv, o, n),
+                        |o| best.transform_points_each(&a, &points, o).unwrap(),
+                    );
+                    same(
+                        "vectors_each",
+                        &nowhere,
+                        |o| s::vectors_each(pa, pv, o, n),
+                        |o| best.transform_vectors_each(&a, &points, o).unwrap(),
+                    );
+                    same(
+                        "3x4",
+                        &[[[9.0; 4]; 3]; COUNT],
+                        |o| s::matrices_3x4(pa, 0, o, n),
+                        |o| best.matrices(&a, MatrixOrder::Rows, o).unwrap(),
+                    );
+                    same(
+                        "4x4",
+                        &[[[9.0; 4]; 4]; COUNT],
+                        |o| s::matrices_4x4(pa, 1, o, n),
+                        |o| best.matrices(&a, MatrixOrder::Columns, o).unwrap(),
+                    );
+                }
+            }
+
+            #[test]
+            fn slices_in_blocks() {
+                use slices::$of as s;
+                let (a, b) = (motions(0.0), motions(1.0));
+                let a: [Block<$R, $lanes>; 2] =
+                    [0, 1].map(|k| block(|i| a[(i + k) % COUNT].to_array()));
+                let b: [Block<$R, $lanes>; 2] =
+                    [0, 1].map(|k| block(|i| b[(i + k) % COUNT].to_array()));
+                let t: [NumberBlock<$R, $lanes>; 2] =
+                    [2.0, 3.0].map(|seed| block(|i| [wave(i, seed)]));
+                let points: [PointBlock<$R, $lanes>; 2] =
+                    [4.0, 5.0].map(|seed| block(|i| vector(i, seed)));
+                let by = motions(6.0)[0];
+                let (pa, pb, pt, pv) = (numbers(&a), numbers(&b), numbers(&t), numbers(&points));
+                let none = [Block::splat([9.0; 8]); 2];
+                let nowhere = [PointBlock::splat([9.0; 3]); 2];
+                let best = Backend::best();
+                // SAFETY: all arrays have two blocks.
+                unsafe {
+                    same(
+                        "mul",
+                        &none,
+                        |o| s::blocks_mul($lanes, pa, pb, o, 2),
+                        |o| best.mul(&a, &b, o).unwrap(),
+                    );
+                    same(
+                        "normalize",
+                        &none,
+                        |o| s::blocks_normalize($lanes, pa, o, 2),
+                        |o| best.normalize(&a, o).unwrap(),
+                    );
+                    same(
+                        "inverse",
+                        &none,
+                        |o| s::blocks_inverse($lanes, pa, o, 2),
+                        |o| best.inverse(&a, o).unwrap(),
+                    );
+                    same(
+                        "nlerp",
+                        &none,
+                        |o| s::blocks_nlerp($lanes, pa, pb, 0.3, o, 2),
+                        |o| best.nlerp(&a, &b, 0.3, o).unwrap(),
+                    );
+                    same(
+                        "sclerp_each",
+                        &none,
+                        |o| s::blocks_sclerp_each($lanes, pa, pb, pt, o, 2),
+                        |o| best.sclerp_each(&a, &b, &t, o).unwrap(),
+                    );
+                    same(
+                        "points",
+                        &nowhere,
+                        |o| s::blocks_points($lanes, numbers(&[by]), pv, o, 2),
+                        |o| best.transform_points(by, &points, o).unwrap(),
+                    );
+                    same(
+                        "vectors_each",
+                        &nowhere,
+                        |o| s::blocks_vectors_each($lanes, pa, pv, o, 2),
+                        |o| best.transform_vectors_each(&a, &points, o).unwrap(),
+                    );
+                    let matrices = [dq8_simd::Block::<[$R; $lanes], 16>::splat([9.0; 16]); 2];
+                    same(
+                        "4x4",
+                        &matrices,
+                        |o| s::blocks_matrices_4x4($lanes, pa, 0, o, 2),
+                        |o| best.matrices(&a, MatrixOrder::Rows, o).unwrap(),
+                    );
+                }
+                let size =
+                    |components| packing::$of::block_size($lanes, components) * size_of::<$R>();
+                assert_eq!(size(8), size_of_val(&a[0]));
+                assert_eq!(size(3), size_of_val(&points[0]));
+                assert_eq!(size(1), size_of_val(&t[0]));
+                assert_eq!(size(4), size_of::<RotationBlock<$R, $lanes>>());
+                assert_eq!(size(7), size_of::<RotationTranslationBlock<$R, $lanes>>());
+                assert_eq!(size(12), size_of::<MatrixBlock<$R, $lanes>>());
+            }
+        }
+    };
+}
+agree!(single_eight, f32, single, 8);
+agree!(single_sixteen, f32, single, 16);
+agree!(double_four, f64, double, 4);
+agree!(double_eight, f64, double, 8);

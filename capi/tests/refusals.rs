@@ -1,0 +1,291 @@
+//! Every pointer of every function, wrong in every way: an error of its own, and nothing written.
+
+use dq8_capi::Status;
+use dq8_capi::{hierarchy, motion, packing, screw, slices};
+use std::ptr;
+
+/// Numbers at a multiple of 64 bytes, enough for three blocks of anything.
+#[repr(C, align(64))]
+#[derive(Clone)]
+struct Memory<R>([R; 3 * 16 * 16]);
+
+/// A number type, and a unit motion everywhere: blocks of it are no motions, but finite.
+macro_rules! memory {
+    ($R:ident) => {
+        Memory::<$R>(std::array::from_fn(|i| if i % 8 == 3 { 1.0 } else { 0.0 }))
+    };
+}
+
+/// What a buffer holds, which C has a pointer to as well.
+fn now<R: Copy, const N: usize>(buffer: *const R) -> [R; N] {
+    // SAFETY: the tests call this with buffers that are alive, and so long.
+    unsafe { buffer.cast::<[R; N]>().read() }
+}
+
+/// What may happen to the last pointer, the output.
+#[derive(Clone, Copy, PartialEq)]
+enum Aliasing {
+    /// It may lie anywhere.
+    Free,
+    /// It may be the input of this number.
+    InPlace(usize),
+    /// It must be apart from all inputs.
+    Apart,
+}
+
+/// Calls with pointers that are wrong. `call` gets all pointers, the output last.
+macro_rules! refuses {
+    ($R:ident, $name:expr, $aliasing:expr, $count:literal, $call:expr) => {{
+        const POINTERS: usize = $count;
+        let call: &dyn Fn([*mut $R; POINTERS]) -> Status = &$call;
+        let aliasing: Aliasing = $aliasing;
+        let name = concat!($name, " ", stringify!($R));
+        // How far into an input an output overlaps it, aligned as blocks must be.
+        let into =
+            if name.contains("pack") || name.contains("blocks") { 64 } else { size_of::<$R>() };
+        let before: Vec<_> = (0..POINTERS).map(|_| memory!($R)).collect();
+        let mut buffers = before.clone();
+        let good: [*mut $R; POINTERS] = {
+            let mut starts = buffers.iter_mut().map(|buffer| buffer.0.as_mut_ptr());
+            std::array::from_fn(|_| starts.next().unwrap())
+        };
+        let refused = |pointers, wanted, what: &str| {
+            assert_eq!(call(pointers), wanted, "{name}: {what}");
+            for (buffer, before) in good.iter().zip(&before) {
+                assert_eq!(now(*buffer), before.0, "{name}: {what}: something was written");
+            }
+        };
+        for at in 0..POINTERS {
+            let mut pointers = good;
+            pointers[at] = ptr::null_mut();
+            refused(pointers, Status::NullPointer, &format!("argument {at} null"));
+            pointers[at] = good[at].wrapping_byte_add(2);
+            refused(pointers, Status::Misaligned, &format!("argument {at} misaligned"));
+            let output = POINTERS - 1;
+            if at != output && aliasing != Aliasing::Free {
+                let mut pointers = good;
+                pointers[output] = good[at].wrapping_byte_add(into);
+                refused(pointers, Status::Overlap, &format!("output within argument {at}"));
+                if aliasing != Aliasing::InPlace(at) {
+                    pointers[output] = good[at];
+                    refused(pointers, Status::Overlap, &format!("output is argument {at}"));
+                }
+            }
+        }
+        assert_eq!(call(good), Status::Ok, "{name}");
+        if let Aliasing::InPlace(at) = aliasing {
+            let mut pointers = good;
+            pointers[POINTERS - 1] = good[at];
+            assert_eq!(call(pointers), Status::Ok, "{name}: in place");
+        }
+    }};
+}
+
+const PARENTS: [i32; 2] = [-1, 0];
+
+macro_rules! all {
+    ($test:ident, $R:ident, $of:ident, $lanes:literal) => {
+        #[test]
+        fn $test() {
+            use Aliasing::{Apart, Free, InPlace};
+            use hierarchy::$of as h;
+            use motion::$of as m;
+            use packing::$of as p;
+            use screw::$of as c;
+            use slices::$of as s;
+            let parents = PARENTS.as_ptr();
+            // SAFETY: all arrays are as long as their buffers, whose length is enough for 17 plain
+            // things and for three blocks.
+            unsafe {
+                refuses!($R, "mul", InPlace(0), 3, |[a, b, o]| s::mul(a, b, o, 17));
+                refuses!($R, "blocks_mul", InPlace(0), 3, |[a, b, o]| s::blocks_mul(
+                    $lanes, a, b, o, 3
+                ));
+                refuses!($R, "normalize", InPlace(0), 2, |[a, o]| s::normalize(a, o, 17));
+                refuses!($R, "inverse", InPlace(0), 2, |[a, o]| s::inverse(a, o, 17));
+                refuses!($R, "blocks_inverse", InPlace(0), 2, |[a, o]| s::blocks_inverse(
+                    $lanes, a, o, 3
+                ));
+                refuses!($R, "nlerp", Apart, 3, |[a, b, o]| s::nlerp(a, b, 0.5, o, 17));
+                refuses!($R, "nlerp_each", Apart, 4, |[a, b, t, o]| s::nlerp_each(a, b, t, o, 17));
+                refuses!($R, "sclerp", Apart, 3, |[a, b, o]| s::sclerp(a, b, 0.5, o, 17));
+                refuses!($R, "sclerp_each", Apart, 4, |[a, b, t, o]| s::sclerp_each(
+                    a, b, t, o, 17
+                ));
+                refuses!($R, "blocks_sclerp_each", Apart, 4, |[a, b, t, o]| {
+                    s::blocks_sclerp_each($lanes, a, b, t, o, 3)
+                });
+                let mut by = memory!($R);
+                let by = by.0.as_mut_ptr();
+                refuses!($R, "points", InPlace(0), 2, |[a, o]| s::points(by, a, o, 17));
+                refuses!($R, "vectors", InPlace(0), 2, |[a, o]| s::vectors(by, a, o, 17));
+                refuses!($R, "points_each", Apart, 3, |[a, b, o]| s::points_each(a, b, o, 17));
+                refuses!($R, "vectors_each", Apart, 3, |[a, b, o]| s::vectors_each(a, b, o, 17));
+                refuses!($R, "matrices_3x4", Apart, 2, |[a, o]| s::matrices_3x4(a, 0, o, 17));
+                refuses!($R, "matrices_4x4", Apart, 2, |[a, o]| s::matrices_4x4(a, 1, o, 17));
+
+                refuses!($R, "local_to_model", InPlace(0), 2, |[a, o]| {
+                    h::local_to_model(parents, 2, ptr::null(), a, o, 16)
+                });
+                refuses!($R, "blocks_local_to_model", InPlace(0), 2, |[a, o]| {
+                    h::blocks_local_to_model($lanes, parents, 2, by, a, o, 2)
+                });
+                refuses!($R, "model_to_local", InPlace(0), 2, |[a, o]| {
+                    h::model_to_local(parents, 2, by, a, o, 16)
+                });
+                refuses!($R, "rotations_to_model", Apart, 3, |[a, b, o]| {
+                    h::rotations_to_model(parents, 2, ptr::null(), a, b, o, 16)
+                });
+                refuses!($R, "rotations_translations_to_model", Apart, 2, |[a, o]| {
+                    h::rotations_translations_to_model(parents, 2, ptr::null(), a, o, 16)
+                });
+                refuses!($R, "palette", Apart, 4, |[a, b, models, o]| {
+                    h::palette(parents, 2, ptr::null(), a, b, models, o, 16)
+                });
+                refuses!($R, "palette, models", Apart, 4, |[a, b, palette, o]| {
+                    h::palette_matrices(parents, 2, ptr::null(), a, b, o, palette, 16)
+                });
+
+                refuses!($R, "pack", Apart, 2, |[a, o]| p::pack($lanes, 2, a, 16, o, 16 / $lanes));
+                refuses!($R, "unpack", Apart, 2, |[a, o]| p::unpack(
+                    $lanes,
+                    2,
+                    a,
+                    16 / $lanes,
+                    o,
+                    16
+                ));
+
+                refuses!($R, "identity", Free, 1, |[o]| m::identity(o));
+                refuses!($R, "from_rotation_translation", Free, 3, |[a, b, o]| {
+                    m::from_rotation_translation(a, b, o)
+                });
+                refuses!($R, "to_rotation_translation", Free, 3, |[a, b, o]| {
+                    m::to_rotation_translation(a, b, o)
+                });
+                refuses!($R, "to_matrix_3x4", Free, 2, |[a, o]| m::to_matrix_3x4(a, o));
+                refuses!($R, "to_matrix_4x4", Free, 2, |[a, o]| m::to_matrix_4x4(a, o));
+                refuses!($R, "motion_mul", Free, 3, |[a, b, o]| m::mul(a, b, o));
+                refuses!($R, "conjugate", Free, 2, |[a, o]| m::conjugate(a, o));
+                refuses!($R, "motion_inverse", Free, 2, |[a, o]| m::inverse(a, o));
+                refuses!($R, "motion_normalize", Free, 2, |[a, o]| m::normalize(a, o));
+                refuses!($R, "point", Free, 3, |[a, b, o]| m::point(a, b, o));
+                refuses!($R, "vector", Free, 3, |[a, b, o]| m::vector(a, b, o));
+                refuses!($R, "motion_nlerp", Free, 3, |[a, b, o]| c::nlerp(a, b, 0.5, o));
+                refuses!($R, "motion_sclerp", Free, 3, |[a, b, o]| c::sclerp(a, b, 0.5, o));
+                refuses!($R, "log", Free, 2, |[a, o]| c::log(a, o));
+                refuses!($R, "exp", Free, 2, |[a, o]| c::exp(a, o));
+                refuses!($R, "pow", Free, 2, |[a, o]| c::pow(a, 0.5, o));
+                refuses!($R, "to_screw", Free, 2, |[a, o]| c::to_screw(a, o));
+                refuses!($R, "from_screw", Free, 2, |[a, o]| c::from_screw(a, o));
+                // The first weight is 0, the fourth 1.
+                refuses!($R, "blend", Free, 3, |[a, b, o]| c::blend(a, b, 4, o));
+            }
+        }
+    };
+}
+all!(every_pointer_single, f32, single, 8);
+all!(every_pointer_double, f64, double, 4);
+
+#[test]
+fn what_else_is_wrong() {
+    use hierarchy::{dq8_check_parents, single as h};
+    use motion::single as m;
+    use packing::single as p;
+    use slices::single as s;
+    let mut a = memory!(f32);
+    let mut out = memory!(f32);
+    let before = out.0;
+    let (from, to) = (a.0.as_mut_ptr(), out.0.as_mut_ptr());
+    let parents = PARENTS.as_ptr();
+    let root = ptr::null();
+    let huge = usize::MAX / 4;
+    let nan = [f32::NAN; 16];
+    let (mut scales, mut mirrors) = ([0.0_f32; 16], [0.0_f32; 16]);
+    for axis in 0..4 {
+        scales[axis * 5] = if axis == 1 { 2.0 } else { 1.0 };
+        mirrors[axis * 5] = if axis == 1 { -1.0 } else { 1.0 };
+    }
+    let mut unfinished = mirrors;
+    unfinished[5] = 1.0;
+    let mut slanted = unfinished;
+    slanted[12] = 0.5;
+    unfinished[3] = f32::INFINITY;
+    let zero = [0.0_f32; 8];
+    // SAFETY: what is dereferenced is as long as it is said to be; the huge ones are refused.
+    let results = unsafe {
+        [
+            (s::mul(from, from, to, huge), Status::TooLarge),
+            (s::mul(from, from, to, usize::MAX), Status::TooLarge),
+            (s::mul(from, from, to, isize::MAX as usize / 32 + 1), Status::TooLarge),
+            (s::blocks_mul(5, from, from, to, 1), Status::Lanes),
+            (s::matrices_3x4(from, 2, to, 1), Status::UnknownValue),
+            (h::local_to_model(parents, 2, root, from, to, 3), Status::Length),
+            (h::local_to_model(parents, 0, root, from, to, 3), Status::Length),
+            (h::blocks_local_to_model(4, parents, 2, root, from, to, 2), Status::Lanes),
+            (h::local_to_model([-1, 1].as_ptr(), 2, root, from, to, 2), Status::ParentNotBefore),
+            (h::local_to_model([-2, 0].as_ptr(), 2, root, from, to, 2), Status::ParentOutOfRange),
+            (h::local_to_model(ptr::null(), 2, root, from, to, 2), Status::NullPointer),
+            (h::local_to_model(to.cast(), 2, root, from, to, 2), Status::Overlap),
+            (p::pack(8, 2, from, 16, to, 3), Status::Length),
+            (p::pack(8, 2, from, 15, to, 2), Status::Length),
+            (p::unpack(8, 2, from, 1, to, 16), Status::Length),
+            (p::pack(2, 2, from, 16, to, 2), Status::Lanes),
+            (m::normalize(zero.as_ptr(), to), Status::NotNormalizable),
+            (m::inverse(zero.as_ptr(), to), Status::NoInverse),
+            (m::inverse(nan.as_ptr(), to), Status::NoInverse),
+            (m::check_unit(zero.as_ptr(), 0.1), Status::NotUnit),
+            (m::from_matrix_3x4(scales.as_ptr(), 1e-5, to), Status::NotOrthonormal),
+            (m::from_matrix_4x4(mirrors.as_ptr(), 1e-5, to), Status::Mirrors),
+            (m::from_matrix_3x4(unfinished.as_ptr(), 1e-5, to), Status::NotFinite),
+            (m::from_matrix_4x4(slanted.as_ptr(), 1e-5, to), Status::NotAffine),
+            (m::to_rotation_translation(from, to, to.add(3)), Status::Overlap),
+            (screw::single::blend(from, from, 0, to), Status::NoInfluences),
+            (screw::single::blend(from, zero.as_ptr(), 3, to), Status::NotNormalizable),
+            (screw::single::nlerp(from, nan.as_ptr(), 0.5, to), Status::NotNormalizable),
+            (dq8_check_parents([-1, 5].as_ptr(), 2, ptr::null_mut()), Status::ParentOutOfRange),
+            (dq8_check_parents(ptr::null(), usize::MAX, ptr::null_mut()), Status::NullPointer),
+            (dq8_capi::backend::dq8_backend_limit(3), Status::UnknownValue),
+        ]
+    };
+    for (at, (got, wanted)) in results.into_iter().enumerate() {
+        assert_eq!(got, wanted, "case {at}");
+    }
+    assert_eq!(out.0, before);
+}
+
+#[test]
+fn the_joint_that_is_wrong_is_named() {
+    let parents = [-1, 0, 3, 1];
+    let mut bad = 77;
+    // SAFETY: the array is as long as it is said to be.
+    let status = unsafe { hierarchy::dq8_check_parents(parents.as_ptr(), 4, &mut bad) };
+    assert_eq!((status, bad), (Status::ParentNotBefore, 2));
+    // SAFETY: as above.
+    let status = unsafe { hierarchy::dq8_check_parents(parents.as_ptr(), 2, &mut bad) };
+    assert_eq!((status, bad), (Status::Ok, 2));
+}
+
+#[test]
+fn nothing_at_all_may_lie_nowhere() {
+    let (none, nowhere) = (ptr::null::<f32>(), ptr::null_mut::<f32>());
+    // SAFETY: there is nothing to read or to write.
+    unsafe {
+        assert_eq!(slices::single::mul(none, none, nowhere, 0), Status::Ok);
+        assert_eq!(slices::single::blocks_mul(8, none, none, nowhere, 0), Status::Ok);
+        let run = hierarchy::single::local_to_model;
+        assert_eq!(run(ptr::null(), 0, none, none, nowhere, 0), Status::Ok);
+        assert_eq!(packing::single::pack(16, 3, none, 0, nowhere, 0), Status::Ok);
+    }
+}
+
+#[test]
+fn every_status_has_a_text_of_its_own() {
+    let text = |status| {
+        // SAFETY: the text is static and ends with a zero.
+        unsafe { std::ffi::CStr::from_ptr(dq8_capi::status::dq8_status_text(status)) }
+    };
+    let texts: std::collections::BTreeSet<_> = (-1..19).map(text).collect();
+    assert_eq!(texts.len(), 20);
+    assert_eq!(text(19), text(i32::MIN));
+}
