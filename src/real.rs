@@ -124,6 +124,17 @@ macro_rules! real {
             fn abs(self) -> Self {
                 $real::abs(self)
             }
+            #[cfg(feature = "std")]
+            #[inline]
+            fn sqrt(self) -> Self {
+                $real::sqrt(self)
+            }
+            // Not `libm`'s: it knows no instruction of microcontrollers, and this crate no `asm!`.
+            #[cfg(not(feature = "std"))]
+            #[inline]
+            fn sqrt(self) -> Self {
+                dq8_simd::square_root::$real(self)
+            }
             $(
                 #[cfg(feature = "std")]
                 #[inline]
@@ -141,11 +152,11 @@ macro_rules! real {
 }
 real! {
     f32,
-    sqrt = sqrtf(); sin = sinf(); cos = cosf(); tan = tanf(); asin = asinf(); acos = acosf();
+    sin = sinf(); cos = cosf(); tan = tanf(); asin = asinf(); acos = acosf();
     atan = atanf(); atan2 = atan2f(x); exp = expf(); ln = logf();
 }
 real! {
     f64,
-    sqrt = sqrt(); sin = sin(); cos = cos(); tan = tan(); asin = asin(); acos = acos();
+    sin = sin(); cos = cos(); tan = tan(); asin = asin(); acos = acos();
     atan = atan(); atan2 = atan2(x); exp = exp(); ln = log();
 }

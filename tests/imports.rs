@@ -9,7 +9,7 @@ use std::path::Path;
 /// `scalar` and `batch` never see each other: the twins would share their bugs.
 const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("error", &[]),
-    ("real", &[]),
+    ("real", &["dq8_simd"]),
     ("geometry", &[]),
     ("motion", &["geometry"]),
     ("scalar", &["error", "real", "geometry", "motion"]),
@@ -34,7 +34,8 @@ const SIMD_MAY_IMPORT: &[(&str, &[&str])] = &[
     ("level", &["lane"]),
     ("block", &["lane", "level"]),
     ("portable", &["float", "lane", "level"]),
-    ("one", &["float", "lane", "level", "portable"]),
+    ("square_root", &[]),
+    ("one", &["float", "lane", "level", "portable", "square_root"]),
     ("pair", &["float", "lane", "level"]),
     ("detect", &[]),
     ("x86_64", &["float", "lane", "level", "pair", "detect"]),
