@@ -9,7 +9,8 @@ use std::path::Path;
 /// `scalar` and `batch` never see each other: the twins would share their bugs.
 const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("error", &[]),
-    ("real", &["dq8_simd"]),
+    ("sine", &[]),
+    ("real", &["dq8_simd", "sine"]),
     ("geometry", &[]),
     ("motion", &["geometry"]),
     ("scalar", &["error", "real", "geometry", "motion"]),

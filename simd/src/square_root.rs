@@ -49,12 +49,17 @@ mod which {
     pub(super) fn f32(value: f32) -> f32 {
         let root: f32;
         // SAFETY: the target passes floats in FPU registers, so there is an FPU, and each has a square
-        // root in single precision. It reads and writes registers only.
+        // root in single precision. Nothing but the registers named here is read or written.
         unsafe {
             core::arch::asm!(
-                "vsqrt.f32 {root}, {value}",
-                root = lateout(sreg) root,
-                value = in(sreg) value,
+                // By way of a core register, because the compiler takes an FPU without double precision
+                // for none when it looks for a register of it (`sreg`).
+                "vmov s0, {value}",
+                "vsqrt.f32 s0, s0",
+                "vmov {root}, s0",
+                value = in(reg) value,
+                root = lateout(reg) root,
+                out("s0") _,
                 options(pure, nomem, nostack),
             );
         }

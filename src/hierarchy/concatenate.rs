@@ -36,7 +36,9 @@ impl<P: Pose, L: Locals<P>, F: Finish<P>> Kernel for Forward<'_, '_, '_, P, L, F
         let side_by_side = if P::parts::<V>() == 1 { 2 } else { 1 };
         let sets = models.chunks_mut(joints.saturating_mul(side_by_side));
         for (first, models) in (0..).step_by(side_by_side).zip(sets) {
-            let (a, b) = models.split_at_mut(joints);
+            // There is no part of an instance, which the compiler does not know: a plain `split_at_mut`
+            // would leave a path to a panic in the machine code.
+            let Some((a, b)) = models.split_at_mut_checked(joints) else { return };
             if b.is_empty() {
                 forward(level, job, locals, &mut finish, [(first, a)]);
             } else {

@@ -1,0 +1,23 @@
+//! What every board computes, against answers with 60 digits, and the table that it prints.
+#![no_std]
+#![forbid(unsafe_code)]
+
+mod answers;
+mod arm;
+mod biped;
+mod board;
+mod error;
+mod operations;
+mod table;
+
+pub use board::Board;
+use table::Table;
+
+/// Runs everything; true if all answers are right.
+pub fn run<B: Board>(board: &mut B) -> bool {
+    let mut table = Table::begin(board);
+    biped::run(&mut table);
+    arm::run(&mut table);
+    operations::run(&mut table);
+    table.end()
+}
