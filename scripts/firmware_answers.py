@@ -137,10 +137,10 @@ def biped(out):
     n = len(joints)
     out += [
         "/// The parent of each joint of the biped; end sites are joints.",
-        f"pub(crate) const BIPED_PARENTS: [u32; {n}] = [{parents}];",
-        f"pub(crate) const BIPED_ROTATIONS: [[f32; 4]; {n}] = [", *(f"    {array(xyzw(r))}," for r in rotations), "];",
-        f"pub(crate) const BIPED_OFFSETS: [[f32; 3]; {n}] = [", *(f"    {array(t)}," for t in offsets), "];",
-        f"pub(crate) const BIPED_MODELS: [[f32; 8]; {n}] = [", *(f"    {array(xyzw(m))}," for m in models), "];",
+        f"pub const BIPED_PARENTS: [u32; {n}] = [{parents}];",
+        f"pub const BIPED_ROTATIONS: [[f32; 4]; {n}] = [", *(f"    {array(xyzw(r))}," for r in rotations), "];",
+        f"pub const BIPED_OFFSETS: [[f32; 3]; {n}] = [", *(f"    {array(t)}," for t in offsets), "];",
+        f"pub const BIPED_MODELS: [[f32; 8]; {n}] = [", *(f"    {array(xyzw(m))}," for m in models), "];",
     ]  # fmt: skip
 
 
@@ -154,12 +154,12 @@ def arm(out):
     tip = translation(dual_mul(model, rigid([mpf(1), mpf(0), mpf(0), mpf(0)], tool)))
     out += [
         "/// The six joints of the arm: the axis of each, its place in its parent, and how far it is turned.",
-        f"pub(crate) const ARM_AXES: [[f32; 3]; 6] = [{', '.join(map(array, ARM_AXES))}];",
-        "pub(crate) const ARM_OFFSETS: [[f32; 3]; 6] = [", *(f"    {array(o)}," for o in offsets), "];",
-        f"pub(crate) const ARM_ANGLES: [f32; 6] = {array(angles)};",
+        f"pub const ARM_AXES: [[f32; 3]; 6] = [{', '.join(map(array, ARM_AXES))}];",
+        "pub const ARM_OFFSETS: [[f32; 3]; 6] = [", *(f"    {array(o)}," for o in offsets), "];",
+        f"pub const ARM_ANGLES: [f32; 6] = {array(angles)};",
         "/// The tip of the tool in the last joint, and where it is.",
-        f"pub(crate) const ARM_TOOL: [f32; 3] = {array(tool)};",
-        f"pub(crate) const ARM_TIP: [f32; 3] = {array(tip)};",
+        f"pub const ARM_TOOL: [f32; 3] = {array(tool)};",
+        f"pub const ARM_TIP: [f32; 3] = {array(tip)};",
     ]  # fmt: skip
 
 
@@ -180,7 +180,7 @@ def vectors(out):
                     value = xyzw(value) if len(value) == 8 else value
                     values.append(text(value[0]) if key == "t" else array(value))
                 lines.append(f"    ({', '.join(values)}),")
-        out += [f"/// Rows of `{op}`: {', '.join(inputs)}, answer.", f"pub(crate) const {name}: [({types}); {len(lines)}] = [", *lines, "];"]  # fmt: skip
+        out += [f"/// Rows of `{op}`: {', '.join(inputs)}, answer.", f"pub const {name}: [({types}); {len(lines)}] = [", *lines, "];"]  # fmt: skip
 
 
 def main():

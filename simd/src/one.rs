@@ -49,6 +49,20 @@ macro_rules! one_lane {
                 to[0] = self;
             }
             #[inline(always)]
+            fn load_records<const C: usize>(
+                _: Portable,
+                from: &[[$real; C]],
+                padding: [$real; C],
+            ) -> [Self; C] {
+                from.first().copied().unwrap_or(padding)
+            }
+            #[inline(always)]
+            fn store_records<const C: usize>(components: [Self; C], to: &mut [[$real; C]]) {
+                if let Some(record) = to.first_mut() {
+                    *record = components;
+                }
+            }
+            #[inline(always)]
             fn mul_add(self, factor: Self, addend: Self) -> Self {
                 // Not `f32::mul_add`: without the instruction that is a slow library call.
                 self * factor + addend

@@ -181,6 +181,7 @@ impl<R: Real> Sub for Quat<R> {
 /// Hamilton's product pq = p₀q₀ − p·q + p₀q + q₀p + p×q (Jia eq. 2): the turn q, then the turn p.
 impl<R: Real> Mul for Quat<R> {
     type Output = Self;
+    #[inline]
     fn mul(self, other: Self) -> Self {
         let [ax, ay, az, aw] = self.0;
         let [bx, by, bz, bw] = other.0;

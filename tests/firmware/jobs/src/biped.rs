@@ -17,7 +17,9 @@ pub(crate) fn run<B: Board>(table: &mut Table<'_, B>) {
     };
     let rotations = BIPED_ROTATIONS.map(Quat::from_array);
     let mut motions = [DualQuat::IDENTITY; JOINTS];
-    for (motion, (&rotation, &offset)) in motions.iter_mut().zip(rotations.iter().zip(&BIPED_OFFSETS)) {
+    for (motion, (&rotation, &offset)) in
+        motions.iter_mut().zip(rotations.iter().zip(&BIPED_OFFSETS))
+    {
         *motion = DualQuat::from_rotation_translation(rotation, offset);
     }
 
@@ -42,7 +44,8 @@ pub(crate) fn run<B: Board>(table: &mut Table<'_, B>) {
     });
     let mut error = 0.0;
     for instance in 0..8 {
-        let models = crowd.map(|block| DualQuat::from_array(block.get(instance).unwrap_or([f32::NAN; 8])));
+        let models =
+            crowd.map(|block| DualQuat::from_array(block.get(instance).unwrap_or([f32::NAN; 8])));
         error = max_or_nan(worst(&models), error);
     }
     table.line("biped, one of 8 in blocks", instructions / 8, error, BOUND);
@@ -50,5 +53,7 @@ pub(crate) fn run<B: Board>(table: &mut Table<'_, B>) {
 
 fn worst(models: &[DualQuat<f32>; JOINTS]) -> f32 {
     let pairs = models.iter().zip(&BIPED_MODELS);
-    pairs.fold(0.0, |worst, (model, expected)| max_or_nan(motion_error(model.to_array(), expected), worst))
+    pairs.fold(0.0, |worst, (model, expected)| {
+        max_or_nan(motion_error(model.to_array(), expected), worst)
+    })
 }

@@ -2,16 +2,17 @@
 #![no_std]
 #![forbid(unsafe_code)]
 
-mod answers;
+#[rustfmt::skip]
+pub mod answers;
 mod arm;
 mod biped;
 mod board;
-mod error;
+pub mod error;
 mod operations;
 mod table;
 
 pub use board::Board;
-use table::Table;
+pub use table::Table;
 
 /// Runs everything; true if all answers are right.
 pub fn run<B: Board>(board: &mut B) -> bool {

@@ -32,7 +32,9 @@ fn products<B: Board>(table: &mut Table<'_, B>) {
 
     let cost = each(table, |i| computed[i] = black_box(a[i]) * black_box(b[i]));
     table.line("product", cost, worst(&computed), PRODUCT);
-    let cost = on_slices(table, |best| best.mul(black_box(&a), black_box(&b), black_box(&mut computed)).is_ok());
+    let cost = on_slices(table, |best| {
+        best.mul(black_box(&a), black_box(&b), black_box(&mut computed)).is_ok()
+    });
     table.line("product, slices", cost, worst(&computed), PRODUCT);
 }
 
@@ -43,7 +45,8 @@ fn units<B: Board>(table: &mut Table<'_, B>) {
 
     let cost = each(table, |i| computed[i] = black_box(a[i]).normalize());
     table.line("normalise", cost, worst(&computed), UNIT);
-    let cost = on_slices(table, |best| best.normalize(black_box(&a), black_box(&mut computed)).is_ok());
+    let cost =
+        on_slices(table, |best| best.normalize(black_box(&a), black_box(&mut computed)).is_ok());
     table.line("normalise, slices", cost, worst(&computed), UNIT);
 }
 
@@ -52,7 +55,8 @@ fn points<B: Board>(table: &mut Table<'_, B>) {
     let v = POINT.map(|(_, v, _)| v);
     let worst = |computed: &[[f32; 3]; ROWS]| {
         let pairs = computed.iter().zip(&POINT);
-        pairs.fold(0.0, |worst, (computed, (.., answer))| max_or_nan(error(computed, answer), worst))
+        pairs
+            .fold(0.0, |worst, (computed, (.., answer))| max_or_nan(error(computed, answer), worst))
     };
     let mut computed = [[0.0; 3]; ROWS];
 
@@ -71,10 +75,12 @@ fn screws<B: Board>(table: &mut Table<'_, B>) {
     let worst = |computed: &Motions| worst(computed, SCLERP.map(|(.., answer)| answer));
     let mut computed = [DualQuat::ZERO; ROWS];
 
-    let cost = each(table, |i| computed[i] = black_box(a[i]).sclerp(black_box(b[i]), black_box(t[i])));
+    let cost =
+        each(table, |i| computed[i] = black_box(a[i]).sclerp(black_box(b[i]), black_box(t[i])));
     table.line("ScLERP", cost, worst(&computed), SCREW);
     let cost = on_slices(table, |best| {
-        best.sclerp_each(black_box(&a), black_box(&b), black_box(&t), black_box(&mut computed)).is_ok()
+        best.sclerp_each(black_box(&a), black_box(&b), black_box(&t), black_box(&mut computed))
+            .is_ok()
     });
     table.line("ScLERP, slices", cost, worst(&computed), SCREW);
 }
@@ -92,5 +98,7 @@ fn on_slices<B: Board>(table: &mut Table<'_, B>, work: impl FnOnce(Backend) -> b
 
 fn worst(computed: &Motions, answers: [[f32; 8]; ROWS]) -> f32 {
     let pairs = computed.iter().zip(&answers);
-    pairs.fold(0.0, |worst, (computed, answer)| max_or_nan(motion_error(computed.to_array(), answer), worst))
+    pairs.fold(0.0, |worst, (computed, answer)| {
+        max_or_nan(motion_error(computed.to_array(), answer), worst)
+    })
 }

@@ -3,7 +3,7 @@ use crate::Board;
 /// Prints a line a job: what it took, and whether its answer is right.
 ///
 /// Without `core::fmt`, which can panic as far as the linker knows.
-pub(crate) struct Table<'b, B: Board> {
+pub struct Table<'b, B: Board> {
     board: &'b mut B,
     /// Instructions of a measurement of nothing.
     overhead: u32,
@@ -11,7 +11,7 @@ pub(crate) struct Table<'b, B: Board> {
 }
 
 impl<'b, B: Board> Table<'b, B> {
-    pub(crate) fn begin(board: &'b mut B) -> Self {
+    pub fn begin(board: &'b mut B) -> Self {
         board.print(B::NAME);
         board.print("\njob                                   instructions  error  bound\n");
         let mut table = Self { board, overhead: 0, passed: true };
@@ -20,7 +20,7 @@ impl<'b, B: Board> Table<'b, B> {
     }
 
     /// How many instructions `work` takes; it reads its inputs through `black_box`.
-    pub(crate) fn count(&mut self, work: impl FnOnce()) -> u32 {
+    pub fn count(&mut self, work: impl FnOnce()) -> u32 {
         let before = self.board.instructions();
         work();
         let after = self.board.instructions();
@@ -28,7 +28,7 @@ impl<'b, B: Board> Table<'b, B> {
     }
 
     /// A line, red if `error` is beyond `bound`; both in units of 2⁻²³.
-    pub(crate) fn line(&mut self, name: &str, instructions: u32, error: f32, bound: f32) {
+    pub fn line(&mut self, name: &str, instructions: u32, error: f32, bound: f32) {
         // Not `error > bound`: NaN is a failure.
         let passed = error <= bound;
         self.passed &= passed;
@@ -39,7 +39,7 @@ impl<'b, B: Board> Table<'b, B> {
         self.board.print(if passed { "  PASS\n" } else { "  FAIL\n" });
     }
 
-    pub(crate) fn end(self) -> bool {
+    pub fn end(self) -> bool {
         self.board.print(if self.passed { "all: PASS\n" } else { "all: FAIL\n" });
         self.passed
     }

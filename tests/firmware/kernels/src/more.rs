@@ -1,7 +1,8 @@
 //! Everything else that firmware may want.
 
 use dq8::{
-    Backend, Block, DualQuat, DualVector, Hierarchy, Line, Motions, Plane, Quat, Rotations, Screw, Twist, Wrench,
+    Backend, Block, DualQuat, DualVector, Hierarchy, Line, Motions, Plane, Quat, Rotations, Screw,
+    Twist, Wrench,
 };
 
 type Motion = DualQuat<f32>;
@@ -103,8 +104,9 @@ fn more_palette(
     inverse_binds: &[Motion],
     palette: &mut [[[f32; 4]; 3]],
 ) -> bool {
-    Hierarchy::new(parents)
-        .is_ok_and(|h| h.job().locals_to_palette(Motions(locals), models, inverse_binds, palette).is_ok())
+    Hierarchy::new(parents).is_ok_and(|h| {
+        h.job().locals_to_palette(Motions(locals), models, inverse_binds, palette).is_ok()
+    })
 }
 #[unsafe(no_mangle)]
 fn more_model_to_local(parents: &[u32], poses: &mut [Motion]) -> bool {
