@@ -34,8 +34,10 @@ impl<'b, B: Board> Table<'b, B> {
         self.passed &= passed;
         self.left(name, 36);
         self.whole(instructions, 14);
-        self.tenths(error, 7);
-        self.tenths(bound, 7);
+        self.board.print(" ");
+        self.tenths(error, 6);
+        self.board.print(" ");
+        self.tenths(bound, 6);
         self.board.print(if passed { "  PASS\n" } else { "  FAIL\n" });
     }
 

@@ -3,6 +3,7 @@
 #![no_std]
 #![no_main]
 
+mod between;
 mod biped;
 mod contender;
 mod points;
@@ -20,6 +21,7 @@ fn main() -> ! {
     product::run(&mut table);
     biped::run(&mut table);
     points::run(&mut table);
+    between::run(&mut table);
     console::exit(table.end())
 }
 
