@@ -55,8 +55,11 @@ impl<R: Real> DualQuat<R> {
     /// ```
     #[must_use]
     pub fn mul_rotation_translation(self, rotation: Quat<R>, translation: [R; 3]) -> Self {
-        let half = Quat::from_parts(vector::scale(translation, R::HALF), R::ZERO);
-        let moved = self.dual() + self.real() * half;
+        let half = vector::scale(translation, R::HALF);
+        let (w, v) = (self.real().w(), self.real().xyz());
+        // ½pt by Jia eq. 2, without the products that t has no scalar part for.
+        let turned = vector::add(vector::scale(half, w), vector::cross(v, half));
+        let moved = self.dual() + Quat::from_parts(turned, -vector::dot(v, half));
         Self::new(self.real() * rotation, moved * rotation)
     }
 

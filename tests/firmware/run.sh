@@ -20,11 +20,19 @@ for argument; do
 done
 [ ${#boards[@]} -gt 0 ] || boards=(cortex-m4 aarch64 riscv32 x86-64)
 
+# What each step needs, and the Debian package that has it.
+needs=(/usr/bin/rustc=rustc-web /usr/bin/cargo=cargo-web /usr/lib/rustlib/src/rust/library=rust-web-src /usr/bin/ld.lld=lld
+  /usr/bin/llvm-readelf=llvm /usr/bin/python3=python3 /etc/ssl/certs/ca-certificates.crt=ca-certificates)
+for board in "${boards[@]}"; do
+  case $board in
+    cortex-m4 | aarch64) needs+=(/usr/bin/qemu-system-arm=qemu-system-arm) ;;
+    riscv32) needs+=(/usr/bin/qemu-system-riscv32=qemu-system-misc) ;;
+    x86-64) needs+=(/usr/bin/qemu-system-x86_64=qemu-system-x86) ;;
+  esac
+done
 packages=()
-for pair in /usr/bin/rustc=rustc-web /usr/bin/cargo=cargo-web /usr/lib/rustlib/src/rust/library=rust-web-src \
-  /usr/bin/ld.lld=lld /usr/bin/llvm-readelf=llvm /usr/bin/python3=python3 /usr/bin/qemu-system-arm=qemu-system-arm \
-  /usr/bin/qemu-system-riscv32=qemu-system-misc /usr/bin/qemu-system-x86_64=qemu-system-x86; do
-  [ -e "${pair%%=*}" ] || packages+=("${pair##*=}")
+for need in "${needs[@]}"; do
+  [ -e "${need%%=*}" ] || packages+=("${need##*=}")
 done
 if [ ${#packages[@]} -gt 0 ]; then
   apt-get update -qq
@@ -38,7 +46,7 @@ semihosting=(-display none -serial none -monitor none -semihosting-config 'enabl
 build() {
   local target=$1 flags=$2
   shift 2
-  RUSTFLAGS="-Clinker=ld.lld -Zemit-stack-sizes $flags" /usr/bin/cargo build --quiet --locked --release --target "$target" \
+  RUSTFLAGS="-Clinker=ld.lld -Zemit-stack-sizes $flags" /usr/bin/cargo build --quiet --release --target "$target" \
     -Zbuild-std=core,compiler_builtins -Zbuild-std-features=compiler-builtins-mem "${@/#/--package=}"
 }
 
