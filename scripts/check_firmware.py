@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 """Proofs about the machine code of the kernels for one target, and their sizes.
 
-    python3 scripts/check_firmware.py TARGET libkernels.a            # prints; exits 1 if a proof fails
-    python3 scripts/check_firmware.py TARGET libkernels.a --update   # writes the sizes that are checked
+    python3 scripts/check_firmware.py TARGET libkernels.a IMAGE            # prints; exits 1 if a proof fails
+    python3 scripts/check_firmware.py TARGET libkernels.a IMAGE --update   # writes the sizes that are checked
 
 Needs ld.lld and the llvm tools (Debian packages lld and llvm). The library is tests/firmware/kernels. Its functions are
 linked in groups, without libc, allocator or panic handler: what links cannot panic and does not allocate. Of each group:
 bytes of code, which must not grow by more than GROWTH over tests/firmware/sizes.txt; the deepest stack, from the frames of
 the compiler and the calls in the machine code (a call that cannot be followed, or a circle, is a failure); calls of f64
-arithmetic, of which there must be none.
+arithmetic, of which there must be none, also not in IMAGE, that of the board.
 """
 
 import re
@@ -118,6 +118,15 @@ class Stack:
         return self.own[name] + max(below, default=0)
 
 
+def unwanted(image):
+    """Symbols that say that something can panic or computes in f64."""
+    names = run("llvm-nm", image).split()
+    return {
+        "panics": [name for name in names if PANIC.search(name)],
+        "double": [name for name in names if DOUBLE.match(name)],
+    }
+
+
 def examine(target, library, group):
     sources = "".join(path.read_text() for path in sorted(KERNELS.glob("*.rs")))
     roots = [name for name in re.findall(r"^fn (\w+)", sources, re.M) if name.startswith(GROUPS[group])]
@@ -127,14 +136,12 @@ def examine(target, library, group):
         culprits = [root for root in roots if link(target, library, [root], image).returncode]
         print(linked.stderr, file=sys.stderr)
         raise SystemExit(f"{target}: can panic or needs what is not there: {', '.join(culprits)}")
-    names = run("llvm-nm", image).split()
     stack = Stack(image)
     return {
         "text": text_size(image),
         "stack": max(stack.deepest(root) for root in roots),
-        "panics": [name for name in names if PANIC.search(name)],
         "has": MUST_HAVE.get(target, "") in run("llvm-objdump", "-d", image),
-        "double": [name for name in names if DOUBLE.match(name)],
+        **unwanted(image),
     }
 
 
@@ -144,7 +151,7 @@ def committed():
 
 
 def main():
-    target, library = sys.argv[1:3]
+    target, library, image = sys.argv[1:4]
     sizes, failures = committed() if SIZES.exists() else {}, []
     for group in GROUPS:
         found = examine(target, library, group)
@@ -165,6 +172,7 @@ def main():
         failures += [f"{group}: {name}" for name in found["panics"] + found["double"]]
         print(f"{target:30} {group:8} {found['text']:7} bytes of code {found['stack']:6} of stack, "
               f"{len(found['panics'])} panic symbols, {len(found['double'])} f64 calls")  # fmt: skip
+    failures += [f"{Path(image).name}: {name}" for names in unwanted(image).values() for name in names]
     if "--update" in sys.argv:
         head = "# Bytes of code: target, group, size. Written by scripts/check_firmware.py --update.\n"
         SIZES.write_text(head + "".join(f"{t} {g} {size}\n" for (t, g), size in sorted(sizes.items())))

@@ -61,9 +61,10 @@ boot() {
   fi
 }
 
-# prove TARGET
+# prove TARGET IMAGE
 prove() {
-  python3 ../../scripts/check_firmware.py "$1" "$CARGO_TARGET_DIR/$1/release/libkernels.a" "${update[@]}" || failed=1
+  local out=$CARGO_TARGET_DIR/$1/release
+  python3 ../../scripts/check_firmware.py "$1" "$out/libkernels.a" "$out/$2" "${update[@]}" || failed=1
 }
 
 failed=0
@@ -100,7 +101,7 @@ for board in "${boards[@]}"; do
         -kernel "$CARGO_TARGET_DIR/$target/release/dq8-firmware-x86-64"
       ;;
   esac
-  prove $target
+  prove $target "dq8-firmware-$board"
 done
 
 if [ $failed -ne 0 ]; then
