@@ -72,6 +72,9 @@ mod motion;
 pub mod place;
 mod real;
 pub mod scalar;
+// Tested where there is something to test it against.
+#[cfg(any(not(feature = "std"), test))]
+mod sine;
 pub mod slices;
 
 pub use dispatch::Backend;

@@ -1,13 +1,15 @@
 //! [`Real`]: the two floating-point types, with square root and trigonometry from `std` or `libm`.
 
+#[cfg(not(feature = "std"))]
+use crate::sine;
 use bytemuck::Pod;
 use core::fmt::{Debug, Display};
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// `f32` or `f64`. Sealed: kernels and accuracy bounds are written for these two.
 ///
-/// The functions are those of the standard library; without the feature `std` they come from the
-/// crate `libm`.
+/// The functions are those of the standard library. Without the feature `std` they come from the crate
+/// `libm`, but for those that it computes in `f64` for `f32`.
 pub trait Real:
     Pod
     + PartialOrd
@@ -101,7 +103,7 @@ mod sealed {
 /// The standard library's functions are inherent and `libm`'s are free, so neither can be reached
 /// through a common trait: this lists each name with its two homes.
 macro_rules! real {
-    ($real:ident, $($name:ident = $libm:ident ( $($argument:ident),* );)*) => {
+    ($real:ident, $($name:ident = $home:ident :: $other:ident ( $($argument:ident),* );)*) => {
         impl Real for $real {
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
@@ -124,6 +126,17 @@ macro_rules! real {
             fn abs(self) -> Self {
                 $real::abs(self)
             }
+            #[cfg(feature = "std")]
+            #[inline]
+            fn sqrt(self) -> Self {
+                $real::sqrt(self)
+            }
+            // Not `libm`'s: it knows no instruction of microcontrollers, and this crate no `asm!`.
+            #[cfg(not(feature = "std"))]
+            #[inline]
+            fn sqrt(self) -> Self {
+                dq8_simd::square_root::$real(self)
+            }
             $(
                 #[cfg(feature = "std")]
                 #[inline]
@@ -133,7 +146,7 @@ macro_rules! real {
                 #[cfg(not(feature = "std"))]
                 #[inline]
                 fn $name(self $(, $argument: Self)*) -> Self {
-                    libm::$libm(self $(, $argument)*)
+                    $home::$other(self $(, $argument)*)
                 }
             )*
         }
@@ -141,11 +154,11 @@ macro_rules! real {
 }
 real! {
     f32,
-    sqrt = sqrtf(); sin = sinf(); cos = cosf(); tan = tanf(); asin = asinf(); acos = acosf();
-    atan = atanf(); atan2 = atan2f(x); exp = expf(); ln = logf();
+    sin = sine::sin(); cos = sine::cos(); tan = sine::tan(); asin = libm::asinf(); acos = libm::acosf();
+    atan = libm::atanf(); atan2 = libm::atan2f(x); exp = libm::expf(); ln = libm::logf();
 }
 real! {
     f64,
-    sqrt = sqrt(); sin = sin(); cos = cos(); tan = tan(); asin = asin(); acos = acos();
-    atan = atan(); atan2 = atan2(x); exp = exp(); ln = log();
+    sin = libm::sin(); cos = libm::cos(); tan = libm::tan(); asin = libm::asin(); acos = libm::acos();
+    atan = libm::atan(); atan2 = libm::atan2(x); exp = libm::exp(); ln = libm::log();
 }

@@ -9,7 +9,8 @@ use std::path::Path;
 /// `scalar` and `batch` never see each other: the twins would share their bugs.
 const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("error", &[]),
-    ("real", &[]),
+    ("sine", &[]),
+    ("real", &["dq8_simd", "sine"]),
     ("geometry", &[]),
     ("motion", &["geometry"]),
     ("scalar", &["error", "real", "geometry", "motion"]),
@@ -35,7 +36,8 @@ const SIMD_MAY_IMPORT: &[(&str, &[&str])] = &[
     ("octet", &["lane"]),
     ("block", &["lane", "level"]),
     ("portable", &["float", "lane", "level"]),
-    ("one", &["float", "lane", "level", "portable"]),
+    ("square_root", &[]),
+    ("one", &["float", "lane", "level", "portable", "square_root"]),
     ("pair", &["float", "lane", "level"]),
     ("detect", &[]),
     ("x86_64", &["float", "lane", "level", "octet", "pair", "detect"]),

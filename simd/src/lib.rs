@@ -7,6 +7,7 @@
 //! | [`level`] | [`Level`]: the proof that the CPU can compute with a lane type |
 //! | [`mod@portable`] | [`Portable`]: the lanes of the crate `wide`, with the instructions of the build target |
 //! | [`one`] | plain `f32` and `f64` as vectors of one lane |
+//! | [`square_root`] | the square root of one number, which `core` does not have |
 //! | [`block`] | [`Block`]: structure-of-arrays memory, one row of numbers a component |
 //!
 //! Kernels are written once, generic over [`Lane`], and marked `#[inline(always)]`: a kernel that
@@ -36,6 +37,7 @@ pub mod one;
 #[cfg(target_arch = "x86_64")]
 pub mod pair;
 pub mod portable;
+pub mod square_root;
 #[cfg(target_arch = "x86_64")]
 pub mod x86_64;
 

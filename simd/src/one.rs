@@ -3,6 +3,7 @@
 
 use crate::lane::{Lane, Mask};
 use crate::portable::Portable;
+use crate::square_root;
 
 impl Mask for bool {
     const LANES: u32 = 1;
@@ -48,6 +49,20 @@ macro_rules! one_lane {
                 to[0] = self;
             }
             #[inline(always)]
+            fn load_records<const C: usize>(
+                _: Portable,
+                from: &[[$real; C]],
+                padding: [$real; C],
+            ) -> [Self; C] {
+                from.first().copied().unwrap_or(padding)
+            }
+            #[inline(always)]
+            fn store_records<const C: usize>(components: [Self; C], to: &mut [[$real; C]]) {
+                if let Some(record) = to.first_mut() {
+                    *record = components;
+                }
+            }
+            #[inline(always)]
             fn mul_add(self, factor: Self, addend: Self) -> Self {
                 // Not `f32::mul_add`: without the instruction that is a slow library call.
                 self * factor + addend
@@ -58,7 +73,7 @@ macro_rules! one_lane {
             }
             #[inline(always)]
             fn sqrt(self) -> Self {
-                one_sqrt::$real(self)
+                square_root::$real(self)
             }
             #[inline(always)]
             fn abs(self) -> Self {
@@ -91,16 +106,4 @@ macro_rules! one_lane {
 one_lane! {
     f32, u32;
     f64, u64;
-}
-
-/// `core` has no square root; the narrowest vector of `wide` has, on every target.
-mod one_sqrt {
-    #[inline(always)]
-    pub(super) fn f32(value: f32) -> f32 {
-        wide::f32x4::splat(value).sqrt().to_array()[0]
-    }
-    #[inline(always)]
-    pub(super) fn f64(value: f64) -> f64 {
-        wide::f64x2::splat(value).sqrt().to_array()[0]
-    }
 }

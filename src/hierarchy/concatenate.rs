@@ -9,6 +9,11 @@ use crate::motion::Motion;
 use core::sync::atomic::{Ordering, compiler_fence};
 use dq8_simd::Level;
 
+/// Whether instructions that wait do not keep others from running. Microcontrollers execute one after the
+/// other, and have little room for code.
+const OVERLAPS: bool =
+    cfg!(not(all(target_os = "none", any(target_arch = "arm", target_arch = "riscv32"))));
+
 /// model(j) = model(parent(j)) · local(j), parents first.
 pub(super) struct Forward<'j, 'h, 's, P: Pose, L, F> {
     pub(super) job: &'j Job<'h, P>,
@@ -26,12 +31,13 @@ impl<P: Pose, L: Locals<P>, F: Finish<P>> Kernel for Forward<'_, '_, '_, P, L, F
         // The joints are not 0 where there is anything to do.
         let joints = job.hierarchy.joints().max(1);
         // Parts of one instance are side by side already.
-        let side_by_side = if P::parts::<V>() == 1 { 2 } else { 1 };
+        let side_by_side = if OVERLAPS && P::parts::<V>() == 1 { 2 } else { 1 };
         let sets = models.chunks_mut(joints.saturating_mul(side_by_side));
         for (first, models) in (0..).step_by(side_by_side).zip(sets) {
-            // The lengths were checked, so there always is one; the compiler need not know.
+            // There is no part of an instance, which the compiler does not know: a plain `split_at_mut`
+            // would leave a path to a panic in the machine code.
             let Some((a, b)) = models.split_at_mut_checked(joints) else { return };
-            if b.is_empty() {
+            if side_by_side == 1 || b.is_empty() {
                 forward(level, job, locals, &mut finish, [(first, a)]);
             } else {
                 forward(level, job, locals, &mut finish, [(first, a), (first + 1, b)]);

@@ -197,6 +197,7 @@ impl<R: Real> Sub for DualQuat<R> {
 /// Three quaternion products and a sum: 48 multiplications and 40 additions.
 impl<R: Real> Mul for DualQuat<R> {
     type Output = Self;
+    #[inline]
     fn mul(self, other: Self) -> Self {
         Self::new(
             self.real() * other.real(),

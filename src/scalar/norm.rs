@@ -24,7 +24,7 @@ impl<R: Real> DualQuat<R> {
     /// to it. Every component is NaN where [`try_normalize`](Self::try_normalize) fails.
     #[must_use]
     pub fn normalize(self) -> Self {
-        self.try_normalize().unwrap_or(Self::nan())
+        self.unit().unwrap_or(Self::nan())
     }
 
     /// Exact normalisation in Fabisch's two steps: σ/|p|, then the part of q along p taken away.
@@ -42,15 +42,17 @@ impl<R: Real> DualQuat<R> {
     /// # Ok::<(), dq8::NormalizeError>(())
     /// ```
     pub fn try_normalize(self) -> Result<Self, NormalizeError> {
+        self.unit().map_err(|norm| NormalizeError { real_norm: norm.into() })
+    }
+
+    /// The same, or the norm of the real part: an error holds it as `f64`, which would cost a target
+    /// without double precision a library call even where nobody asks.
+    fn unit(self) -> Result<Self, R> {
         let norm = self.real().norm();
-        let p = self.real().try_normalize()?;
+        let p = self.real().unit()?;
         let q = Quat::from_array(vector::over_norm(self.dual().to_array(), norm));
         let unit = Self::new(p, q - p.scale(p.dot(q)));
-        if unit.to_array().iter().all(|c| c.is_finite()) {
-            Ok(unit)
-        } else {
-            Err(NormalizeError { real_norm: norm.into() })
-        }
+        if unit.to_array().iter().all(|c| c.is_finite()) { Ok(unit) } else { Err(norm) }
     }
 
     /// Whether σσ* = 1 within `tolerance`: ||p| − 1| ≤ tolerance and |p·q| ≤ tolerance·max(1, |q|)
@@ -76,7 +78,7 @@ impl<R: Real> DualQuat<R> {
     /// same and cheaper.
     #[must_use]
     pub fn inverse(self) -> Self {
-        self.try_inverse().unwrap_or(Self::nan())
+        self.reciprocal().unwrap_or(Self::nan())
     }
 
     /// σ⁻¹ = p⁻¹ − ε p⁻¹qp⁻¹ (Jia §4), p⁻¹ = p*/|p|².
@@ -91,13 +93,17 @@ impl<R: Real> DualQuat<R> {
     /// # Ok::<(), dq8::InverseError>(())
     /// ```
     pub fn try_inverse(self) -> Result<Self, InverseError> {
+        self.reciprocal().map_err(|norm| InverseError { real_norm: norm.into() })
+    }
+
+    /// The same, or the norm of the real part: see `unit`.
+    fn reciprocal(self) -> Result<Self, R> {
         let norm = self.real().norm();
-        let failed = InverseError { real_norm: norm.into() };
-        let unit = self.real().try_normalize().map_err(|_| failed)?.conjugate();
+        let unit = self.real().unit()?.conjugate();
         let over_norm = |q: Quat<R>| Quat::from_array(vector::over_norm(q.to_array(), norm));
         let real = over_norm(unit);
         let dual = over_norm(unit * over_norm(self.dual()) * unit);
         let inverse = Self::new(real, -dual);
-        if inverse.to_array().iter().all(|c| c.is_finite()) { Ok(inverse) } else { Err(failed) }
+        if inverse.to_array().iter().all(|c| c.is_finite()) { Ok(inverse) } else { Err(norm) }
     }
 }

@@ -126,7 +126,7 @@ impl<R: Real> Quat<R> {
     /// q / |q|; every component is NaN where [`try_normalize`](Self::try_normalize) fails.
     #[must_use]
     pub fn normalize(self) -> Self {
-        self.try_normalize().unwrap_or(Self([R::NAN; 4]))
+        self.unit().unwrap_or(Self([R::NAN; 4]))
     }
 
     /// q / |q|.
@@ -140,9 +140,14 @@ impl<R: Real> Quat<R> {
     /// assert!(Quat::<f32>::ZERO.try_normalize().is_err());
     /// ```
     pub fn try_normalize(self) -> Result<Self, NormalizeError> {
+        self.unit().map_err(|norm| NormalizeError { real_norm: norm.into() })
+    }
+
+    /// The same, or |q|.
+    pub(super) fn unit(self) -> Result<Self, R> {
         let norm = self.norm();
         if norm == R::ZERO || !norm.is_finite() {
-            return Err(NormalizeError { real_norm: norm.into() });
+            return Err(norm);
         }
         Ok(Self(vector::over_norm(self.0, norm)))
     }
@@ -176,6 +181,7 @@ impl<R: Real> Sub for Quat<R> {
 /// Hamilton's product pq = p₀q₀ − p·q + p₀q + q₀p + p×q (Jia eq. 2): the turn q, then the turn p.
 impl<R: Real> Mul for Quat<R> {
     type Output = Self;
+    #[inline]
     fn mul(self, other: Self) -> Self {
         let [ax, ay, az, aw] = self.0;
         let [bx, by, bz, bw] = other.0;

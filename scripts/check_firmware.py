@@ -1,0 +1,184 @@
+#!/usr/bin/env python3
+"""Proofs about the machine code of the kernels for one target, and their sizes.
+
+    python3 scripts/check_firmware.py TARGET libkernels.a IMAGE            # prints; exits 1 if a proof fails
+    python3 scripts/check_firmware.py TARGET libkernels.a IMAGE --update   # writes the sizes that are checked
+
+Needs ld.lld and the llvm tools (Debian packages lld and llvm). The library is tests/firmware/kernels. Its functions are
+linked in groups, without libc, allocator or panic handler: what links cannot panic and does not allocate. Of each group:
+bytes of code, which must not grow by more than GROWTH over tests/firmware/sizes.txt; the deepest stack, from the frames of
+the compiler and the calls in the machine code (a call that cannot be followed, or a circle, is a failure); calls of f64
+arithmetic, of which there must be none, also not in IMAGE, that of the board.
+"""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+FIRMWARE = Path(__file__).resolve().parent.parent / "tests/firmware"
+SIZES, KERNELS = FIRMWARE / "sizes.txt", FIRMWARE / "kernels/src"
+GROWTH = 1.05
+# Which functions, by the beginning of their names: see tests/firmware/kernels.
+GROUPS = {"forward": ("forward_",), "core": ("forward_", "core_"), "all": ("forward_", "core_", "more_")}
+EMULATION = {
+    "thumbv7em-none-eabihf": "armelf",
+    "aarch64-unknown-none": "aarch64elf",
+    "riscv32imac-unknown-none-elf": "elf32lriscv",
+    "x86_64-unknown-linux-gnu": "elf_x86_64",
+}
+# At most, by target and group: (bytes of code, bytes of stack).
+LIMITS = {
+    ("thumbv7em-none-eabihf", "forward"): (4096, 512),
+    ("thumbv7em-none-eabihf", "core"): (4096, 512),
+}
+# Arithmetic in double precision where it is a library call: Arm's names, and those of libgcc.
+DOUBLE = re.compile(r"__aeabi_(d\w+|\w+2d)$|__\w+df[23s]\w*$|__\w+df$")
+PANIC = re.compile(r"panic|unwrap_failed|slice_\w*fail|something_can")
+CALL = re.compile(r"\t(?:bl|blx|b|b\.w|call|callq|jmp|jal|j|tail|jalr|blr|br)\b\s+(.*)")
+
+# What the code of the core must contain: an FPU is there to be used.
+MUST_HAVE = {"thumbv7em-none-eabihf": "vsqrt.f32"}
+BY_REGISTER = re.compile(r"\t(blx|blr|call\w*|jalr)\s+(\*|%?[rx]\d|[ast]\d)")
+
+
+def run(*command):
+    return subprocess.run(command, check=True, capture_output=True, text=True).stdout
+
+
+def link(target, library, roots, out):
+    keep = [argument for root in roots for argument in ("-u", root)]
+    command = ["ld.lld", "-m", EMULATION[target], "--gc-sections", "-e", "0", *keep, library, "-o", out]
+    return subprocess.run(command, capture_output=True, text=True)
+
+
+def text_size(image):
+    lines = (line.split() for line in run("llvm-size", "-A", image).splitlines())
+    return sum(int(line[1]) for line in lines if line and line[0] == ".text")
+
+
+def functions(image):
+    """The names of each function, by address: equal functions are one, of several names."""
+    names = {}
+    for address, kind, name in re.findall(r"^([0-9a-f]+) (\w) (\S+)$", run("llvm-nm", image), re.M):
+        if kind in "tTwW" and not name.startswith("$"):
+            # The lowest bit of Arm's addresses says Thumb.
+            names.setdefault(int(address, 16) & ~1, []).append(name)
+    return names
+
+
+def frames(image):
+    """Bytes of stack of each function, without what it calls."""
+    lines = run("llvm-readelf", "--stack-sizes", image).splitlines()
+    found = [m for line in lines if (m := re.match(r"\s+(\d+)\s+(\S.*)$", line))]
+    return {name: int(m[1]) for m in found for name in m[2].split(", ")}
+
+
+def calls(image):
+    """The functions that each function calls or jumps to; None for a call that names none."""
+    graph, inside = {}, None
+    for line in run("llvm-objdump", "-d", "--no-show-raw-insn", image).splitlines():
+        if head := re.match(r"[0-9a-f]+ <(.*)>:$", line):
+            # Symbols that mark code and data among instructions are no functions.
+            if not head[1].startswith("$"):
+                inside = graph.setdefault(head[1], set())
+        elif call := CALL.search(line):
+            where = re.search(r"<([^>+]+)(\+0x[0-9a-f]+)?>", call[1])
+            if where is not None and not where[1].startswith("$"):
+                name, offset = where.groups()
+                if not (offset and graph[name] is inside):
+                    inside.add(name)
+            elif where is None and BY_REGISTER.search(line):
+                inside.add(None)
+    return graph
+
+
+class Stack:
+    """How deep functions of an image go."""
+
+    def __init__(self, image):
+        self.graph, own = calls(image), frames(image)
+        self.name, self.own = {}, {}
+        for aliases in functions(image).values():
+            known = [name for name in aliases if name in self.graph]
+            sizes = [own[name] for name in aliases if name in own]
+            for name in aliases:
+                if known:
+                    self.name[name] = known[0]
+                if sizes:
+                    self.own[name] = max(sizes)
+
+    def deepest(self, function, above=()):
+        name = self.name.get(function)
+        if name is None or name not in self.own:
+            raise SystemExit(f"{' > '.join((*above, str(function)))}: a call that cannot be followed")
+        if name in above:
+            raise SystemExit(f"{' > '.join((*above, name))}: a circle, so the stack has no bound")
+        below = (self.deepest(to, (*above, name)) for to in self.graph[name])
+        return self.own[name] + max(below, default=0)
+
+
+def unwanted(image):
+    """Symbols that say that something can panic or computes in f64."""
+    names = run("llvm-nm", image).split()
+    return {
+        "panics": [name for name in names if PANIC.search(name)],
+        "double": [name for name in names if DOUBLE.match(name)],
+    }
+
+
+def examine(target, library, group):
+    sources = "".join(path.read_text() for path in sorted(KERNELS.glob("*.rs")))
+    roots = [name for name in re.findall(r"^fn (\w+)", sources, re.M) if name.startswith(GROUPS[group])]
+    image = str(Path(library).with_name(f"kernels-{group}.elf"))
+    linked = link(target, library, roots, image)
+    if linked.returncode:
+        culprits = [root for root in roots if link(target, library, [root], image).returncode]
+        print(linked.stderr, file=sys.stderr)
+        raise SystemExit(f"{target}: can panic or needs what is not there: {', '.join(culprits)}")
+    stack = Stack(image)
+    return {
+        "text": text_size(image),
+        "stack": max(stack.deepest(root) for root in roots),
+        "has": MUST_HAVE.get(target, "") in run("llvm-objdump", "-d", image),
+        **unwanted(image),
+    }
+
+
+def committed():
+    lines = (line.split() for line in SIZES.read_text().splitlines() if not line.startswith("#"))
+    return {(target, group): int(size) for target, group, size in lines}
+
+
+def main():
+    target, library, image = sys.argv[1:4]
+    sizes, failures = committed() if SIZES.exists() else {}, []
+    for group in GROUPS:
+        found = examine(target, library, group)
+        most_text, most_stack = LIMITS.get((target, group), (None, None))
+        before = sizes.get((target, group))
+        if "--update" in sys.argv:
+            sizes[target, group] = found["text"]
+        elif before is None:
+            failures.append(f"{group}: no size in {SIZES.name}; --update writes it")
+        elif found["text"] > before * GROWTH:
+            failures.append(f"{group}: {found['text']} bytes of code, {before} before")
+        if most_text and found["text"] > most_text:
+            failures.append(f"{group}: {found['text']} bytes of code, at most {most_text}")
+        if most_stack and found["stack"] > most_stack:
+            failures.append(f"{group}: {found['stack']} bytes of stack, at most {most_stack}")
+        if group != "forward" and target in MUST_HAVE and not found["has"]:
+            failures.append(f"{group}: no {MUST_HAVE[target]}")
+        failures += [f"{group}: {name}" for name in found["panics"] + found["double"]]
+        print(f"{target:30} {group:8} {found['text']:7} bytes of code {found['stack']:6} of stack, "
+              f"{len(found['panics'])} panic symbols, {len(found['double'])} f64 calls")  # fmt: skip
+    failures += [f"{Path(image).name}: {name}" for names in unwanted(image).values() for name in names]
+    if "--update" in sys.argv:
+        head = "# Bytes of code: target, group, size. Written by scripts/check_firmware.py --update.\n"
+        SIZES.write_text(head + "".join(f"{t} {g} {size}\n" for (t, g), size in sorted(sizes.items())))
+    if failures:
+        raise SystemExit("\n".join(f"{target}: {failure}" for failure in failures))
+
+
+if __name__ == "__main__":
+    main()

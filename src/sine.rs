@@ -1,0 +1,134 @@
+//! Sine and cosine of `f32` in `f32`, for targets without std: those of `libm` compute in `f64`, which
+//! takes most microcontrollers a thousand instructions and 9 KB of code.
+
+/// sin x, within 1.1 units of the last place.
+pub(crate) fn sin(x: f32) -> f32 {
+    let (quarters, rest) = reduce(x);
+    of_quarter(quarters, rest)
+}
+
+/// cos x, within 1.1 units of the last place.
+pub(crate) fn cos(x: f32) -> f32 {
+    let (quarters, rest) = reduce(x);
+    of_quarter(quarters.wrapping_add(1), rest)
+}
+
+/// tan x, within 2.7 units of the last place.
+pub(crate) fn tan(x: f32) -> f32 {
+    let (quarters, rest) = reduce(x);
+    of_quarter(quarters, rest) / of_quarter(quarters.wrapping_add(1), rest)
+}
+
+/// A number and what is missing to it.
+#[derive(Clone, Copy)]
+struct Precise {
+    number: f32,
+    missing: f32,
+}
+
+/// sin(kπ/2 + r) for |r| ≤ π/4, by the polynomials of Cephes (Moshier 1984).
+fn of_quarter(k: u32, r: Precise) -> f32 {
+    let Precise { number: r, missing } = r;
+    let z = r * r;
+    let value = if k & 1 == 0 {
+        let tail = (-1.951_529_6e-4 * z + 8.332_161e-3) * z - 1.666_665_5e-1;
+        // A zero keeps its sign.
+        (r + (missing + r * z * tail)).copysign(r)
+    } else {
+        let tail = (2.443_315_7e-5 * z - 1.388_731_6e-3) * z + 4.166_664_6e-2;
+        1.0 - (0.5 * z - (z * z * tail - r * missing))
+    };
+    if k & 2 == 0 { value } else { -value }
+}
+
+/// How many quarter turns are nearest to x, modulo 4, and the rest. NaN unless x is finite.
+///
+/// In integers (Payne and Hanek 1983), because the rest of a large number, or of one close to a
+/// quarter turn, needs more bits than a float has.
+fn reduce(x: f32) -> (u32, Precise) {
+    /// The first 224 bits of 2/π, after 32 zeros.
+    const TWO_OVER_PI: [u32; 8] = [
+        0,
+        0xa2f9_836e,
+        0x4e44_1529,
+        0xfc27_57d1,
+        0xf534_ddc0,
+        0xdb62_9599,
+        0x3c43_9041,
+        0xfe51_63ab,
+    ];
+    /// π/2 · 2³¹
+    const HALF_PI: u64 = 0xc90f_daa2;
+
+    if x.abs() <= core::f32::consts::FRAC_PI_4 {
+        return (0, Precise { number: x, missing: 0.0 });
+    }
+    if !x.is_finite() {
+        return (0, Precise { number: f32::NAN, missing: 0.0 });
+    }
+    // |x| = m · 2ᵏ, −24 ≤ k ≤ 104. Bits of 2/π that m · 2ᵏ makes multiples of four turn nothing: of the
+    // others the next 96 are enough.
+    let bits = x.to_bits();
+    let m = u64::from(bits & 0x7f_ffff | 0x80_0000);
+    let skip = ((bits >> 23) & 0xff).wrapping_sub(150 - 30);
+    let word = |i: u32| {
+        let at = |i: u32| u64::from(TWO_OVER_PI.get(i as usize).copied().unwrap_or_default());
+        let pair = at(skip / 32 + i) << 32 | at(skip / 32 + i + 1);
+        (pair << (skip % 32)) >> 32
+    };
+    // Quarter turns: two bits before the point, 62 behind it.
+    let product = ((m * word(0)) << 32).wrapping_add(m * word(1)).wrapping_add((m * word(2)) >> 32);
+    let quarters = product.wrapping_add(1 << 61) >> 62;
+    let rest = product.wrapping_sub(quarters << 62).cast_signed();
+
+    // Its 32 leading bits in radians: 24 that fit a float, and what they leave.
+    let size = rest.unsigned_abs();
+    let shift = size.leading_zeros();
+    let leading = (size << shift) >> 32;
+    let radians = leading * HALF_PI;
+    // leading/2³² · 2^(64 − shift) · 2⁻⁶² quarter turns are radians · 2^(−61 − shift).
+    let number = (radians >> 40) as u32;
+    let missing = ((radians >> 16) as u32) & 0xff_ffff;
+    let unit = f32::from_bits((127 + 40 - 61 - shift) << 23);
+    let sign = if (rest < 0) != x.is_sign_negative() { -unit } else { unit };
+    let rest =
+        Precise { number: number as f32 * sign, missing: missing as f32 * (sign / 16_777_216.0) };
+    let quarters = quarters as u32;
+    (if x.is_sign_negative() { quarters.wrapping_neg() } else { quarters }, rest)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{cos, sin, tan};
+
+    /// In units of the last place of the result.
+    fn error(computed: f32, exact: f64) -> f64 {
+        let last = f64::from(f32::EPSILON) * 2f64.powi(exact.abs().log2().floor() as i32);
+        ((f64::from(computed) - exact) / last).abs()
+    }
+
+    /// Every 1013th float: all exponents, from subnormal numbers to the largest.
+    #[test]
+    fn as_in_double_precision() {
+        let mut worst = [0.0_f64; 3];
+        for bits in (1..0x7f80_0000).step_by(1013) {
+            let x = f32::from_bits(bits);
+            let wide = f64::from(x);
+            worst[0] = worst[0].max(error(sin(x), wide.sin()));
+            worst[1] = worst[1].max(error(cos(-x), wide.cos()));
+            worst[2] = worst[2].max(error(tan(x), wide.tan()));
+        }
+        assert!(worst[0] < 1.1 && worst[1] < 1.1 && worst[2] < 2.7, "{worst:?}");
+    }
+
+    #[test]
+    fn zeros_keep_their_sign_and_what_is_not_finite_has_no_sine() {
+        assert_eq!(sin(-0.0).to_bits(), (-0.0_f32).to_bits());
+        assert_eq!((cos(0.0), sin(-1.0)), (1.0, -sin(1.0)));
+        assert!(
+            [f32::INFINITY, f32::NEG_INFINITY, f32::NAN]
+                .iter()
+                .all(|&x| sin(x).is_nan() && cos(x).is_nan())
+        );
+    }
+}
