@@ -2,6 +2,7 @@
 //! left out. The limit is for the whole process, so this is one test in a binary of its own.
 
 use dq8::{Backend, Block, Crowd, DualQuat, Float, Hierarchy, Quat, Real};
+use dq8_contract::kinematics;
 use dq8_simd::Row;
 
 const JOINTS: usize = 23;
@@ -37,7 +38,9 @@ where
     let hierarchy = Hierarchy::new(&parents).expect("a hierarchy");
     let locals = locals::<R>(instances);
     let mut models = locals.clone();
-    hierarchy.local_to_model(&locals, &mut models).expect("they fit");
+    kinematics::local_to_model(&parents, &locals, &mut models);
+    let mut plain = locals.clone();
+    hierarchy.local_to_model(&locals, &mut plain).expect("they fit");
 
     let crowd = Crowd::<R, N>::from_slice(JOINTS, &locals).expect("they fit");
     let mut in_place = crowd.clone();
@@ -56,7 +59,7 @@ where
             a.iter().zip(b).flat_map(|(a, b)| a.to_array().into_iter().zip(b.to_array()));
         components.map(|(a, b)| (a - b).abs().into()).fold(0.0, f64::max)
     };
-    let forward = apart(&out.to_vec(), &models);
+    let forward = apart(&out.to_vec(), &models).max(apart(&plain, &models));
     hierarchy.model_to_local_in_place(out.blocks_mut()).expect("they fit");
     forward.max(apart(&out.to_vec(), &locals))
 }

@@ -7,6 +7,7 @@ use dq8::hierarchy::Entry;
 use dq8::{
     Backend, DualQuat, Hierarchy, Motions, Pose, Quat, Rotations, RotationsTranslations, ShapeError,
 };
+use dq8_contract::kinematics;
 use dq8_simd::{Block, Row};
 use memory::Memory;
 
@@ -95,8 +96,9 @@ fn check<P: Layout>(backend: Backend, instances: usize) {
 
     let count = instances * JOINTS;
     let motion = |i: usize| DualQuat::from_rotation_translation(rotation(i), offset(i % JOINTS));
-    let mut models: Vec<_> = (0..count).map(motion).collect();
-    hierarchy.local_to_model_in_place(&mut models).expect("whole instances");
+    let locals: Vec<_> = (0..count).map(motion).collect();
+    let mut models = locals.clone();
+    kinematics::local_to_model(&PARENTS, &locals, &mut models);
     let matches = |what: &str, got: &[P]| {
         for (element, lanes) in unpack::<P, 8>(P::LANES, got).into_iter().enumerate() {
             let (block, joint) = (element / JOINTS, element % JOINTS);

@@ -4,6 +4,7 @@ use dq8::{
     Backend, Block, DualQuat, Hierarchy, HierarchyPlan, Link, Quat, Real, ShapeError, Strategy,
     pack_chain, unpack_chain,
 };
+use dq8_contract::kinematics;
 use dq8_simd::{Float, Row};
 
 const ROOT: u32 = Hierarchy::ROOT;
@@ -67,8 +68,9 @@ fn motions<R: Real>(numbers: &mut Numbers, count: usize) -> Vec<DualQuat<R>> {
 /// By the scalar loop, in `f64`.
 fn wanted<R: Real>(parents: &[u32], locals: &[DualQuat<R>]) -> Vec<DualQuat<f64>> {
     let exact = |motion: &DualQuat<R>| DualQuat::from_array(motion.to_array().map(Into::into));
-    let mut models: Vec<DualQuat<f64>> = locals.iter().map(exact).collect();
-    Hierarchy::new(parents).unwrap().local_to_model_in_place(&mut models).unwrap();
+    let locals: Vec<DualQuat<f64>> = locals.iter().map(exact).collect();
+    let mut models = locals.clone();
+    kinematics::local_to_model(parents, &locals, &mut models);
     models
 }
 

@@ -24,6 +24,7 @@ mod random;
 mod representation;
 #[path = "../rows/mod.rs"]
 mod rows;
+mod scalar;
 mod skeleton;
 mod square;
 #[path = "../walk/mod.rs"]
@@ -43,7 +44,8 @@ fn crowds(criterion: &mut Criterion) {
     for instances in [1, 8, 64, 1024, 8192] {
         for place in [Place::Out, Place::In] {
             let mut race = Race::new(criterion, instances, place);
-            race.run::<Own<DualQuat<f32>>>("scalar-f32");
+            race.run::<Peer<DualQuat<f32>>>("scalar-f32");
+            race.run_on_every_backend::<Own<DualQuat<f32>>>("plain-f32");
             if instances > 1 {
                 race.run_on_every_backend::<Own<Block<f32, 4>>>("lanes-f32x4");
                 race.run_on_every_backend::<Own<Block<f32, 8>>>("lanes-f32x8");

@@ -6,6 +6,7 @@ use std::fmt;
 use std::hint::black_box;
 
 use dq8::{Crowd, DualQuat, Hierarchy};
+use dq8_contract::kinematics;
 
 use crate::clip::Clip;
 use crate::matrix::{self, Matrix};
@@ -63,7 +64,10 @@ pub(crate) fn run(clip: &Clip, instances: usize) -> Result<Contest, Box<dyn Erro
         compete(
             Entry { joints: doubles.len(), instances, reference: None },
             locals.clone(),
-            |models| hierarchy.local_to_model(black_box(&locals), models),
+            |models| {
+                kinematics::local_to_model(&parents, black_box(&locals), models);
+                Ok::<(), Infallible>(())
+            },
             |models, index| models[index].translation(),
         )?
     };
@@ -73,7 +77,10 @@ pub(crate) fn run(clip: &Clip, instances: usize) -> Result<Contest, Box<dyn Erro
         compete(
             entry,
             locals.clone(),
-            |models| hierarchy.local_to_model(black_box(&locals), models),
+            |models| {
+                kinematics::local_to_model(&parents, black_box(&locals), models);
+                Ok::<(), Infallible>(())
+            },
             |models, index| world(index, models[index].translation()),
         )?
     };

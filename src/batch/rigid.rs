@@ -41,7 +41,8 @@ impl<L: Lane> DualQuat<L> {
         Self::new(rotation, Quat::from_parts(dual, -vector::dot(half, r)))
     }
 
-    /// σ(r + ½εtr) = (p + ε(q + ½pt))r, in 44 operations instead of the 48 of a product.
+    /// σ(r + ½εtr) = (p + ε(q + ½pt))r, in 47 operations. Joining r and t first takes 15, and a product 48
+    /// more.
     #[inline(always)]
     #[must_use]
     pub fn mul_rotation_translation(self, rotation: Quat<L>, translation: [L; 3]) -> Self {

@@ -92,7 +92,7 @@ impl<P: Pose> Locals<P> for InPlace {
     }
 }
 
-/// Rotations and translations, r + ½εtr: fewer operations than motions, and an eighth less memory.
+/// Rotations and translations, r + ½εtr: an eighth less memory than motions, and no more operations.
 #[derive(Clone, Copy, Debug)]
 pub struct RotationsTranslations<'s, P: Pose>(
     /// One a joint.

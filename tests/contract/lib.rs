@@ -7,6 +7,7 @@ pub mod agreement;
 pub mod cluster;
 pub mod conformance;
 pub mod inputs;
+pub mod kinematics;
 pub mod law;
 pub mod ledger;
 pub mod operation;

@@ -61,8 +61,9 @@ pub(crate) fn bits<P: Pod>(elements: &[P]) -> &[u8] {
     bytemuck::cast_slice(elements)
 }
 
-/// While it lives, blocks are computed with `backend`. The limit is one for the whole process, so only
-/// one test may hold it at a time, and all that compute with blocks must.
+/// While it lives, hierarchies are computed with `backend`. The limit is one for the whole process, so
+/// only one test may hold it at a time, and all that compute must: two runs on different backends differ
+/// in the last bits.
 pub(crate) fn on(backend: Backend) -> impl Drop {
     struct Limit {
         _lock: MutexGuard<'static, ()>,
@@ -80,15 +81,13 @@ pub(crate) fn on(backend: Backend) -> impl Drop {
     Limit { _lock }
 }
 
-/// Calls `$check` with every layout there is, blocks on every backend of this CPU.
+/// Calls `$check` with every layout there is, on every backend of this CPU.
 macro_rules! for_every_layout {
     ($check:ident $arguments:tt) => {{
-        $crate::layout::for_every_layout! { @each $check $arguments
-            dq8::DualQuat<f32>, dq8::DualQuat<f64>
-        }
         for backend in dq8::Backend::available() {
             let _limit = $crate::layout::on(backend);
             $crate::layout::for_every_layout! { @each $check $arguments
+                dq8::DualQuat<f32>, dq8::DualQuat<f64>,
                 dq8::Block<f32, 4>, dq8::Block<f32, 8>, dq8::Block<f32, 16>,
                 dq8::Block<f64, 2>, dq8::Block<f64, 4>, dq8::Block<f64, 8>
             }
