@@ -29,6 +29,7 @@
 //! | [`Motion`] | **the conventions, stated once**, and the laws; the trait of both implementations |
 //! | [`DualQuat`], [`Quat`], [`Dual`] | the scalar reference, with formula, source and example at every operation |
 //! | [`batch`] | the same names on lanes |
+//! | [`Real`] | what the reference computes with: floats, dual numbers (which differentiate it), your own |
 //! | [`Line`], [`Plane`], [`Screw`], [`DualVector`] | what motions act on and are described by |
 //! | [`Twist`], [`Wrench`], [`TwistBlock`] | velocities and forces: derivatives, adjoints and Jacobians of motions and joints |
 //! | [`Hierarchy`], [`Job`], [`Crowd`], [`Block`] | joint hierarchies, one instance or many |
@@ -64,6 +65,7 @@ extern crate std;
 compile_error!("dq8 needs square roots and trigonometry: enable the feature `std` or `libm`");
 
 pub mod batch;
+mod differentiate;
 mod dispatch;
 mod error;
 mod geometry;

@@ -1,17 +1,26 @@
-//! [`Real`]: the two floating-point types, with square root and trigonometry from `std` or `libm`.
+//! [`Real`]: what the scalar reference computes with; `f32` and `f64`, with square root and
+//! trigonometry from `std` or `libm`.
 
 #[cfg(not(feature = "std"))]
 use crate::sine;
-use bytemuck::Pod;
 use core::fmt::{Debug, Display};
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// `f32` or `f64`. Sealed: kernels and accuracy bounds are written for these two.
+/// A number that the scalar reference computes with: `f32`, `f64`, or one of your own.
 ///
-/// The functions are those of the standard library. Without the feature `std` they come from the crate
-/// `libm`, but for those that it computes in `f64` for `f32`.
+/// The functions of `f32` and `f64` are those of the standard library. Without the feature `std` they
+/// come from the crate `libm`, but for those that it computes in `f64` for `f32`.
+///
+/// Accuracy is promised, and tested, for these two. [`Dual`](crate::Dual) numbers over any `Real` are
+/// `Real` too, so whatever is written for every `R: Real`, the operations of this crate included, can
+/// be differentiated; a number that counts its operations is another use. Kernels over memory and
+/// lanes are for `f32` and `f64` alone ([`Float`](crate::Float)).
+///
+/// An implementation must order its numbers as `==` tells them apart, and all of `abs`, `is_finite`
+/// and the comparisons must agree with that order, because edge cases are told by them.
 pub trait Real:
-    Pod
+    Copy
+    + 'static
     + PartialOrd
     + Default
     + Debug
@@ -29,7 +38,6 @@ pub trait Real:
     + Into<f64>
     + Send
     + Sync
-    + sealed::Sealed
 {
     /// 0
     const ZERO: Self;
@@ -92,12 +100,6 @@ pub trait Real:
     /// ln x
     #[must_use]
     fn ln(self) -> Self;
-}
-
-mod sealed {
-    pub trait Sealed {}
-    impl Sealed for f32 {}
-    impl Sealed for f64 {}
 }
 
 /// The standard library's functions are inherent and `libm`'s are free, so neither can be reached

@@ -2,7 +2,7 @@
 
 use bytemuck::cast_slice;
 use core::error::Error;
-use dq8::{Block, Crowd, DualQuat, Real, ShapeError, f32x4, pack, unpack};
+use dq8::{Block, Crowd, DualQuat, Float, Real, ShapeError, f32x4, pack, unpack};
 use dq8_simd::Row;
 
 /// Calls `$check` for every width of block there is.
@@ -205,7 +205,7 @@ fn lanes_without_an_instance_hold_the_identity_whatever_was_there() {
 /// Packing copies and computes nothing: signs of zeros, infinities and NaN come back to the bit.
 #[test]
 fn every_bit_of_a_float_survives() {
-    fn copied<R: Real, const N: usize>()
+    fn copied<R: Real + Float, const N: usize>()
     where
         [R; N]: Row<Real = R>,
     {

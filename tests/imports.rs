@@ -14,6 +14,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("geometry", &[]),
     ("motion", &["geometry"]),
     ("scalar", &["error", "real", "geometry", "motion"]),
+    ("differentiate", &["real", "scalar"]),
     ("batch", &["error", "real", "geometry", "motion", "dq8_simd"]),
     ("dispatch", &["dq8_simd"]),
     ("place", &["real", "dq8_simd", "scalar", "dispatch"]),

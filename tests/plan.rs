@@ -100,7 +100,7 @@ fn plans(parents: &[u32]) -> Vec<HierarchyPlan> {
     plans
 }
 
-fn bits<R: Real>(motions: &[DualQuat<R>]) -> &[u8] {
+fn bits<R: Real + Float>(motions: &[DualQuat<R>]) -> &[u8] {
     bytemuck::cast_slice(motions)
 }
 

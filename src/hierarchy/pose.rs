@@ -28,7 +28,7 @@ pub type RotationTranslationBlock<R, const N: usize> = dq8_simd::Block<[R; N], 7
 /// has several registers of lanes is read and written in parts, one register each.
 pub trait Pose: Copy + sealed::Sealed {
     /// The number.
-    type Real: Real;
+    type Real: Real + Float;
     /// What is computed with: the motion itself, or lanes of it.
     type Motion<V: Level>: Motion;
     /// A place in memory that holds a rotation for each motion: a [`Quat`], or a block of four rows.

@@ -14,7 +14,10 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// let y = x * x * x.sin();
 /// assert!((y.dual - (4.0 * 2.0_f64.sin() + 4.0 * 2.0_f64.cos())).abs() < 1e-14);
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+///
+/// The order is that of ε as an infinitesimal, positive and smaller than every number: real parts
+/// first, dual parts where these are equal.
+#[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
 #[repr(C)]
 pub struct Dual<R> {
     /// a, the real part.

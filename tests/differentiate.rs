@@ -1,0 +1,122 @@
+//! Dual numbers as `Real`: what is written for every `R: Real` differentiates itself.
+
+use dq8::{Dual, DualQuat, Line, Quat, Real, Screw, Twist};
+
+type Hyper = Dual<Dual<f64>>;
+
+fn constant<R: Real, const N: usize>(values: [f64; N]) -> [R; N] {
+    values.map(R::from_f64)
+}
+
+/// A motion that depends on a parameter in every way the algebra offers: turn, screw, blend.
+fn motion<R: Real>(t: R) -> DualQuat<R> {
+    let turn = Quat::from_axis_angle(constant([0.6, 0.0, 0.8]), t * R::from_f64(1.3));
+    let moving = DualQuat::from_rotation_translation(turn, [t, t * t, t.sin()]);
+    let twist = Twist {
+        angular: constant([0.1, -0.7, 0.4]),
+        linear: [R::from_f64(1.0), t.exp(), R::from_f64(-2.0)],
+    };
+    let still = DualQuat::from_twist(twist);
+    moving.sclerp(still * moving, t).nlerp(still.pow(t), R::from_f64(0.25)).normalize()
+}
+
+/// f(x + ε) = f(x) + εf′(x), the derivative by central differences of fourth order.
+#[test]
+fn every_operation_differentiates_itself() {
+    let difference = |t: f64, h: f64| {
+        let at = |s: f64| motion(t + s * h).to_array();
+        let (a, b, c, d) = (at(-2.0), at(-1.0), at(1.0), at(2.0));
+        core::array::from_fn::<f64, 8, _>(|i| (a[i] - d[i] + 8.0 * (c[i] - b[i])) / (12.0 * h))
+    };
+    for step in 1..=20 {
+        let t = 0.05 * f64::from(step);
+        let dual = motion(Dual::new(t, 1.0)).to_array();
+        let (value, by_difference) = (motion(t).to_array(), difference(t, 1e-3));
+        for i in 0..8 {
+            assert!((dual[i].real - value[i]).abs() < 1e-15, "{t}: component {i}");
+            let error = dual[i].dual - by_difference[i];
+            assert!(error.abs() < 1e-9, "{t}: derivative of component {i} is off by {error}");
+        }
+    }
+}
+
+/// Hyper-dual numbers, ε₁ and ε₂ both 1, give the second derivative at ε₁ε₂.
+#[test]
+fn dual_numbers_of_dual_numbers_give_second_derivatives() {
+    for step in 1..=20 {
+        let t = 0.05 * f64::from(step);
+        let x = Hyper::new(Dual::new(t, 1.0), Dual::new(1.0, 0.0));
+        let slope = |t: f64| motion(Dual::new(t, 1.0)).to_array().map(|c| c.dual);
+        let h = 1e-4;
+        let (before, after) = (slope(t - h), slope(t + h));
+        for (i, component) in motion(x).to_array().into_iter().enumerate() {
+            assert_eq!(component.real.dual, component.dual.real, "both first derivatives");
+            let error = component.dual.dual - (after[i] - before[i]) / (2.0 * h);
+            assert!(error.abs() < 1e-5, "{t}: second derivative {i} is off by {error}");
+        }
+    }
+}
+
+/// The derivative of a motion by `derivative_spatial` is what differentiating `from_twist` gives.
+#[test]
+fn twists_are_what_differentiation_finds() {
+    let twist = Twist { angular: [0.3, -1.1, 0.7], linear: [2.0, 0.5, -1.0] };
+    for t in [1e-9, 0.4, 1.0, 2.5] {
+        let time = Dual::new(t, 1.0);
+        let path = DualQuat::from_twist(Twist::from_array(
+            twist.to_array().map(|c| Dual::new(c, 0.0) * time),
+        ));
+        let at = DualQuat::from_array(path.to_array().map(|c| c.real));
+        let wanted = at.derivative_spatial(twist).to_array();
+        for (found, wanted) in path.to_array().into_iter().zip(wanted) {
+            assert!((found.dual - wanted).abs() < 1e-14, "{t}: {} for {wanted}", found.dual);
+        }
+    }
+}
+
+/// A joint at rest: its derivative by its angle is half its axis, at zero as anywhere.
+#[test]
+fn joints_at_rest_have_derivatives() {
+    let axis = Line { direction: constant([0.0, 0.6, 0.8]), moment: constant([2.0, 0.0, 0.0]) };
+    let joint = Screw { axis, angle: Dual::new(0.0, 1.0), slide: Dual::new(0.0, 0.25) };
+    let slope = DualQuat::from_screw(joint).to_array().map(|c| c.dual);
+    assert_eq!(slope, [0.0, 0.3, 0.4, 0.0, 1.0, 0.075, 0.1, 0.0]);
+}
+
+#[test]
+fn functions_have_their_derivatives() {
+    type D = Dual<f64>;
+    /// A name, the function, where, and its derivative there.
+    type Case = (&'static str, fn(D) -> D, f64, f64);
+    let cases: [Case; 11] = [
+        ("sqrt", Real::sqrt, 2.0, 0.5 / 2.0_f64.sqrt()),
+        ("sin", Real::sin, 0.7, 0.7_f64.cos()),
+        ("cos", Real::cos, 0.7, -0.7_f64.sin()),
+        ("tan", Real::tan, 0.7, 1.0 / (0.7_f64.cos() * 0.7_f64.cos())),
+        ("asin", Real::asin, 0.6, 1.25),
+        ("acos", Real::acos, 0.6, -1.25),
+        ("atan", Real::atan, 3.0, 0.1),
+        ("exp", Real::exp, 1.5, 1.5_f64.exp()),
+        ("ln", Real::ln, 4.0, 0.25),
+        ("abs", Real::abs, -4.0, -1.0),
+        ("atan2 of y", |y| y.atan2(D::new(2.0, 0.0)), 1.0, 0.4),
+    ];
+    for (name, f, at, derivative) in cases {
+        let found = f(D::new(at, 1.0)).dual;
+        assert!((found - derivative).abs() < 1e-15, "{name}: {found} for {derivative}");
+    }
+    let huge = D::new(3e200, 1e200).atan2(D::new(4e200, 0.0));
+    assert!((huge.dual - 0.16).abs() < 1e-15, "no square overflows: {}", huge.dual);
+}
+
+/// ε is positive and smaller than every number.
+#[test]
+fn order_is_that_of_an_infinitesimal() {
+    let zero = <Dual<f64> as Real>::ZERO;
+    assert!(Dual::EPSILON > zero && Dual::EPSILON < Dual::new(f64::MIN_POSITIVE, -1e300));
+    assert_eq!((-Dual::<f64>::EPSILON).abs(), Dual::EPSILON);
+    assert_eq!(Dual::new(-0.0, -2.0).abs(), Dual::new(0.0, 2.0));
+    assert!(Dual::new(f64::NAN, 0.0).is_nan() && Dual::new(0.0, f64::NAN).is_nan());
+    assert!(!Dual::new(0.0, f64::INFINITY).is_finite());
+    assert_eq!(Dual::new(1.5, -2.0).to_string(), "(1.5 + -2ε)");
+}
