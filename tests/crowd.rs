@@ -1,8 +1,8 @@
 //! Crowds of instances: packing into blocks of every width and back, to the bit.
 
-use bytemuck::cast_slice;
+use bytemuck::{Pod, cast_slice};
 use core::error::Error;
-use dq8::{Block, Crowd, DualQuat, Float, Real, ShapeError, f32x4, pack, unpack};
+use dq8::{Block, Crowd, DualQuat, Real, ShapeError, f32x4, pack, unpack};
 use dq8_simd::Row;
 
 /// Calls `$check` for every width of block there is.
@@ -162,7 +162,7 @@ fn the_layout_is_instance_block_then_joint_then_component_then_lane() {
 
 #[test]
 fn blocks_are_floats_without_gaps_on_whole_cache_lines() {
-    fn floats<R: Real, const N: usize>()
+    fn floats<R: Real + Pod, const N: usize>()
     where
         [R; N]: Row<Real = R>,
     {
@@ -205,7 +205,7 @@ fn lanes_without_an_instance_hold_the_identity_whatever_was_there() {
 /// Packing copies and computes nothing: signs of zeros, infinities and NaN come back to the bit.
 #[test]
 fn every_bit_of_a_float_survives() {
-    fn copied<R: Real + Float, const N: usize>()
+    fn copied<R: Real + Pod, const N: usize>()
     where
         [R; N]: Row<Real = R>,
     {
