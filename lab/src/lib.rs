@@ -1,0 +1,7 @@
+//! A laboratory beside dq8, for learning and measuring: what its sources claim, tried out. Nothing
+//! depends on it.
+//!
+//! Every experiment is a module with a function `section` that runs it and writes it up for the
+//! report; `cargo run --release -p lab -- --out DIR` puts all of them on one page.
+
+pub mod report;

@@ -1,0 +1,88 @@
+use plotters::prelude::*;
+use std::error::Error;
+
+/// A line in a chart.
+#[derive(Clone, Debug)]
+pub struct Series {
+    /// What the legend says.
+    pub name: String,
+    /// (x, y); what is not finite, or on a logarithmic scale not positive, leaves a gap.
+    pub points: Vec<(f64, f64)>,
+}
+
+/// A line chart.
+#[derive(Clone, Debug)]
+pub struct Chart {
+    /// Above the chart.
+    pub title: String,
+    /// Below the horizontal axis, with its unit.
+    pub x: String,
+    /// Beside the vertical axis, with its unit.
+    pub y: String,
+    /// Whether the vertical axis is logarithmic.
+    pub logarithmic: bool,
+    /// The lines.
+    pub series: Vec<Series>,
+}
+
+impl Chart {
+    /// The chart as an SVG element.
+    ///
+    /// # Errors
+    /// If there is nothing to draw.
+    pub fn to_svg(&self) -> Result<String, Box<dyn Error>> {
+        // A logarithmic axis is a plain one of exponents: plotters has two types for them.
+        let height = |y: f64| if self.logarithmic { y.log10() } else { y };
+        let lines: Vec<Vec<(f64, f64)>> = self
+            .series
+            .iter()
+            .map(|line| {
+                let points = line.points.iter().map(|&(x, y)| (x, height(y)));
+                points.filter(|(x, y)| x.is_finite() && y.is_finite()).collect()
+            })
+            .collect();
+        let Some((x, y)) = spans(lines.iter().flatten().copied()) else {
+            return Err(format!("nothing to draw in the chart: {}", self.title).into());
+        };
+        let mut svg = String::new();
+        {
+            let area = SVGBackend::with_string(&mut svg, (900, 420)).into_drawing_area();
+            let mut axes = ChartBuilder::on(&area)
+                .caption(&self.title, ("sans-serif", 20))
+                .margin(12)
+                .x_label_area_size(44)
+                .y_label_area_size(90)
+                .build_cartesian_2d(x.0..x.1, y.0..y.1)?;
+            let mut mesh = axes.configure_mesh();
+            mesh.x_desc(&self.x).y_desc(&self.y).light_line_style(TRANSPARENT);
+            if self.logarithmic {
+                mesh.y_label_formatter(&|exponent| format!("1e{exponent:.1}")).draw()?;
+            } else {
+                mesh.draw()?;
+            }
+            for (number, (line, points)) in self.series.iter().zip(lines).enumerate() {
+                let colour = Palette99::pick(number).to_rgba();
+                axes.draw_series(LineSeries::new(points, colour.stroke_width(2)))?
+                    .label(&line.name)
+                    .legend(move |(x, y)| PathElement::new([(x, y), (x + 18, y)], colour));
+            }
+            axes.configure_series_labels()
+                .background_style(WHITE.mix(0.8))
+                .border_style(BLACK.mix(0.3))
+                .draw()?;
+            area.present()?;
+        }
+        Ok(svg)
+    }
+}
+
+/// The smallest and largest x and y, never of no width; `None` without points.
+fn spans(mut points: impl Iterator<Item = (f64, f64)>) -> Option<((f64, f64), (f64, f64))> {
+    let (x, y) = points.next()?;
+    let (x, y) = points.fold(((x, x), (y, y)), |(across, up), (x, y)| {
+        ((across.0.min(x), across.1.max(x)), (up.0.min(y), up.1.max(y)))
+    });
+    let wide =
+        |(low, high): (f64, f64)| if low < high { (low, high) } else { (low - 1.0, high + 1.0) };
+    Some((wide(x), wide(y)))
+}
