@@ -1,0 +1,92 @@
+#!/usr/bin/env bash
+# Runs the test suite on machines other than this one: foreign CPUs under QEMU's user mode, wasm32 under node.
+#
+#     bash tests/hosts/run.sh                       # every host, all tests
+#     bash tests/hosts/run.sh aarch64 s390x         # these hosts
+#     bash tests/hosts/run.sh --quick s390x         # only the tests in QUICK
+#
+# Needs Debian, and installs from it what is missing: no Rust target or component is downloaded. The standard library of each
+# host is compiled from Debian's source.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+
+# Lanes against scalar, against 60 digits and against plain matrices: what another CPU could change.
+QUICK=(agree backends oracle slices hierarchy locals plan crowd)
+
+hosts=() tests=(--tests)
+for argument; do
+  case $argument in
+    --quick) tests=("${QUICK[@]/#/--test=}") ;;
+    aarch64 | armv7 | s390x | wasm32) hosts+=("$argument") ;;
+    *) echo "no such host: $argument" >&2; exit 2 ;;
+  esac
+done
+[ ${#hosts[@]} -gt 0 ] || hosts=(aarch64 armv7 s390x wasm32)
+
+# What each step needs, and the Debian package that has it.
+needs=(/usr/bin/rustc=rustc-web /usr/bin/cargo=cargo-web /usr/lib/rustlib/src/rust/library=rust-web-src)
+for host in "${hosts[@]}"; do
+  case $host in
+    aarch64) needs+=(/usr/bin/qemu-aarch64=qemu-user /usr/bin/aarch64-linux-gnu-gcc=gcc-aarch64-linux-gnu
+      /usr/aarch64-linux-gnu/lib/libc.so.6=libc6-dev-arm64-cross) ;;
+    armv7) needs+=(/usr/bin/qemu-arm=qemu-user /usr/bin/arm-linux-gnueabihf-gcc=gcc-arm-linux-gnueabihf
+      /usr/arm-linux-gnueabihf/lib/libc.so.6=libc6-dev-armhf-cross) ;;
+    s390x) needs+=(/usr/bin/qemu-s390x=qemu-user /usr/bin/s390x-linux-gnu-gcc=gcc-s390x-linux-gnu
+      /usr/s390x-linux-gnu/lib/libc.so.6=libc6-dev-s390x-cross) ;;
+    wasm32) needs+=(/usr/bin/node=nodejs /usr/bin/wasm-ld=lld /usr/bin/clang=clang
+      /usr/lib/wasm32-wasi/libc.a=wasi-libc) ;;
+  esac
+done
+packages=()
+for need in "${needs[@]}"; do
+  [ -e "${need%%=*}" ] || packages+=("${need##*=}")
+done
+if [ ${#packages[@]} -gt 0 ]; then
+  apt-get update -qq
+  apt-get install -y -qq --no-install-recommends "${packages[@]}" >/dev/null
+fi
+
+# Optimised a little, because emulators are slow; without debug information, because there is much to link.
+export RUSTC=/usr/bin/rustc RUSTDOC=/usr/bin/rustdoc RUSTC_BOOTSTRAP=1 CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$PWD/target}/hosts
+export CARGO_PROFILE_DEV_OPT_LEVEL=1 CARGO_PROFILE_DEV_DEBUG=0 CARGO_INCREMENTAL=0
+
+# run TARGET LINKER RUNNER OPTION…: the tests on one host.
+run() {
+  local target=$1 linker=$2 runner=$3
+  local name=${target^^}
+  name=${name//-/_}
+  shift 3
+  env "CARGO_TARGET_${name}_LINKER=$linker" "CARGO_TARGET_${name}_RUNNER=$runner" \
+    /usr/bin/cargo test --quiet --target "$target" --package dq8 --package dq8-simd "$@"
+}
+
+table=() failed=0
+for host in "${hosts[@]}"; do
+  log=$(mktemp)
+  status=0
+  case $host in
+    aarch64)
+      run aarch64-unknown-linux-gnu aarch64-linux-gnu-gcc 'qemu-aarch64 -L /usr/aarch64-linux-gnu' -Zbuild-std "${tests[@]}" ;;
+    armv7)
+      run armv7-unknown-linux-gnueabihf arm-linux-gnueabihf-gcc 'qemu-arm -L /usr/arm-linux-gnueabihf' -Zbuild-std "${tests[@]}" ;;
+    s390x)
+      run s390x-unknown-linux-gnu s390x-linux-gnu-gcc 'qemu-s390x -L /usr/s390x-linux-gnu' -Zbuild-std "${tests[@]}" ;;
+    wasm32)
+      # Debian's C library instead of the one that rustup would bring along.
+      RUSTFLAGS="-Ctarget-feature=+simd128 -Clink-self-contained=no -Clink-arg=/usr/lib/wasm32-wasi/crt1-command.o
+        -Clink-arg=-L/usr/lib/wasm32-wasi" \
+        run wasm32-wasip1 wasm-ld "node $PWD/tests/hosts/wasi.mjs" -Zbuild-std=std,panic_abort,test "${tests[@]}" ;;
+  esac >"$log" 2>&1 || status=$?
+  # How many tests passed: a host on which nothing ran has shown nothing.
+  passed=$(awk '/^test result: ok/ { sum += $4 } END { print sum + 0 }' "$log")
+  if [ "$status" -eq 0 ] && [ "$passed" -gt 0 ]; then
+    table+=("$(printf '%-8s %5d tests  PASS' "$host" "$passed")")
+  else
+    grep -vE '^\.*$' "$log" | tail -n 60 >&2
+    table+=("$(printf '%-8s %5d tests  FAIL' "$host" "$passed")")
+    failed=1
+  fi
+  rm -f "$log"
+done
+printf '%s\n' "${table[@]}"
+exit "$failed"

@@ -1,0 +1,10 @@
+// Runs one program of the test suite: node wasi.mjs PROGRAM ARGUMENT…
+import { readFile } from 'node:fs/promises';
+import { argv, cwd, env } from 'node:process';
+import { WASI } from 'node:wasi';
+
+const [program, ...rest] = argv.slice(2);
+// Tests read their data by the absolute paths of the build.
+const wasi = new WASI({ version: 'preview1', args: [program, ...rest], env, preopens: { '/': '/', '.': cwd() } });
+const { instance } = await WebAssembly.instantiate(await readFile(program), wasi.getImportObject());
+process.exitCode = wasi.start(instance);
