@@ -22,7 +22,7 @@ impl<R: Real> Line<R> {
     pub fn from_points(start: [R; 3], end: [R; 3]) -> Result<Self, IncidenceError> {
         let way = vector::sub(end, start);
         let (direction, _) = unit(way, "the way between two points of a line")?;
-        Self::from_point_direction(start, direction).checked()
+        Self::from_point_direction(start, direction).orthogonal()
     }
 
     /// The line in which two planes meet: l = n₁ × n₂, m = d₂n₁ − d₁n₂, made unit.
@@ -70,8 +70,7 @@ impl<R: Real> Line<R> {
     pub fn try_normalize(self) -> Result<Self, IncidenceError> {
         let (direction, length) = unit(self.direction, "the direction of a line")?;
         let moment = vector::over_norm(self.moment, length);
-        let along = vector::scale(direction, vector::dot(direction, moment));
-        Self { direction, moment: vector::sub(moment, along) }.checked()
+        Self { direction, moment }.orthogonal()
     }
 
     /// Whether l + εm is a line, of any length: l ≠ 0 and |l·m| ≤ tolerance·|l|·max(|l|, |m|), the
@@ -101,9 +100,12 @@ impl<R: Real> Line<R> {
         Ok(distance)
     }
 
-    /// The line, if its moment is finite.
-    pub(super) fn checked(self) -> Result<Self, IncidenceError> {
-        finite(self.moment, "the moment of a line")?;
-        Ok(self)
+    /// The unit line without the part of m along l, which may be one of rounding: p × l is wrong by a
+    /// rounding of |p|, however near to the origin the line passes.
+    pub(super) fn orthogonal(self) -> Result<Self, IncidenceError> {
+        let Self { direction, moment } = self;
+        let along = vector::scale(direction, vector::dot(direction, moment));
+        let moment = finite(vector::sub(moment, along), "the moment of a line")?;
+        Ok(Self { direction, moment })
     }
 }

@@ -33,8 +33,8 @@ impl<R: Real> Line<R> {
     /// angles and the distance of parallel lines; here θ is an arctangent, accurate to a few
     /// roundings for every angle, and d is right for parallel lines. d is never negative for them.
     ///
-    /// The distance of lines that are *almost* parallel is as ill-conditioned as their perpendicular:
-    /// its error is that of their moments over sin θ.
+    /// The error of d is a few roundings of how far lines and feet are from the origin, or may be: the
+    /// feet of lines that are *almost* parallel are often far away, and have errors over sin² θ.
     ///
     /// # Errors
     /// If a direction is zero, or a number or the result is not finite.
@@ -97,7 +97,7 @@ impl<R: Real> Line<R> {
         finite(first, "a foot of the perpendicular")?;
         finite(second, "a foot of the perpendicular")?;
         finite([distance], "the distance of two lines")?;
-        let axis = Self::from_point_direction(first, direction).checked()?;
+        let axis = Self::from_point_direction(first, direction).orthogonal()?;
         Ok(CommonPerpendicular { axis, feet, angle: Dual::new(theta, distance), parallel })
     }
 
@@ -138,10 +138,9 @@ type Perpendicular<R> = ([R; 3], [[R; 3]; 2], R);
 /// The one between unit lines, given l₁ × l₂ and its length.
 fn between_skew<R: Real>(a: Line<R>, b: Line<R>, normal: [R; 3], sine: R) -> Perpendicular<R> {
     let n = vector::over_norm(normal, sine);
-    // From two points that are as near as may be: −(l₁·m₂ + m₁·l₂)/sin θ, of moments about a
-    // distant origin, would cancel.
-    let on_a = a.closest_point_to_origin();
-    let on_b = b.closest_point(on_a);
+    // From the way between two points: the other formula, −(l₁·m₂ + m₁·l₂)/sin θ, would multiply the
+    // roundings of both moments by 1/sin θ.
+    let [on_a, on_b] = [a, b].map(Line::closest_point_to_origin);
     let way = vector::sub(on_b, on_a);
     // on_a + s l₁ + d n = on_b + t l₂, multiplied by l₂ × n and by l₁ × n.
     let s = vector::dot(vector::cross(way, b.direction), n) / sine;

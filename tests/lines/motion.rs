@@ -55,12 +55,12 @@ fn motions_keep_the_dual_angle_and_move_the_perpendicular<R: Real>(allowed: [f64
 
 #[test]
 fn motions_keep_the_dual_angle_and_move_the_perpendicular_in_f32() {
-    motions_keep_the_dual_angle_and_move_the_perpendicular::<f32>([4.0, 4.0, 4.0]);
+    motions_keep_the_dual_angle_and_move_the_perpendicular::<f32>([12.0, 10.0, 12.0]);
 }
 
 #[test]
 fn motions_keep_the_dual_angle_and_move_the_perpendicular_in_f64() {
-    motions_keep_the_dual_angle_and_move_the_perpendicular::<f64>([4.0, 4.0, 4.0]);
+    motions_keep_the_dual_angle_and_move_the_perpendicular::<f64>([6.0, 10.0, 10.0]);
 }
 
 /// Skew, parallel, antiparallel: the screw about the common perpendicular by the dual angle.
@@ -85,8 +85,8 @@ fn the_screw_of_the_dual_angle_takes_one_line_to_the_other() {
             moments.see(length(off.dual), turned * (length(p) + length(q) + 1.0) / sine);
         }
     });
-    directions.within(8.0);
-    moments.within(8.0);
+    directions.within(16.0);
+    moments.within(40.0);
 }
 
 fn motions_keep_incidences<R: Real>(allowed: f64) {
@@ -101,7 +101,7 @@ fn motions_keep_incidences<R: Real>(allowed: f64) {
         let shift = length(exact(sigma.translation()));
         let size = roundoff::<R>() * (length(p) + length(q) + length(x) + shift + 1.0);
         let (x, y) = (rounded(x), sigma.transform_point(rounded(x)));
-        assert!(moved.is_line(R::EPSILON * R::from(4.0)));
+        worst.see(dot(exact(moved.direction), exact(moved.moment)), size);
         let distances = [
             line.distance_to_point(x).unwrap() - moved.distance_to_point(y).unwrap(),
             plane.signed_distance(x) - moved_plane.signed_distance(y),
@@ -120,6 +120,6 @@ fn motions_keep_incidences<R: Real>(allowed: f64) {
 
 #[test]
 fn motions_keep_incidences_in_f32_and_f64() {
-    motions_keep_incidences::<f32>(8.0);
-    motions_keep_incidences::<f64>(8.0);
+    motions_keep_incidences::<f32>(15.0);
+    motions_keep_incidences::<f64>(15.0);
 }

@@ -40,7 +40,8 @@ fn skew_lines_are_measured_as_vectors_do<R: Real>(allowed: [f64; 4]) {
         let size = (length(a.0) + length(b.0) + 1.0) / sine;
         let u = roundoff::<R>();
         worst[0].see(real.into() - angle(a.1, b.1), u);
-        worst[1].see(dual.into() - dot(sub(b.0, a.0), normal) / sine, u * size);
+        let far = length(a.0) + length(b.0) + length(exact(feet[0])) + 1.0;
+        worst[1].see(dual.into() - dot(sub(b.0, a.0), normal) / sine, u * far);
         for (found, wanted) in feet.into_iter().zip(nearest(a, b)) {
             worst[2].see(length(sub(exact(found), wanted)), u * size / sine);
         }
@@ -52,12 +53,13 @@ fn skew_lines_are_measured_as_vectors_do<R: Real>(allowed: [f64; 4]) {
 
 #[test]
 fn skew_lines_are_measured_as_vectors_do_in_f32() {
-    skew_lines_are_measured_as_vectors_do::<f32>([4.0, 4.0, 4.0, 4.0]);
+    skew_lines_are_measured_as_vectors_do::<f32>([6.0, 5.0, 7.0, 4.0]);
 }
 
 #[test]
 fn skew_lines_are_measured_as_vectors_do_in_f64() {
-    skew_lines_are_measured_as_vectors_do::<f64>([4.0, 4.0, 4.0, 4.0]);
+    // Here the feet are also wrong by what their solution rounds away.
+    skew_lines_are_measured_as_vectors_do::<f64>([6.0, 6.0, 30.0, 4.0]);
 }
 
 /// Two unit lines with these feet, at this angle.
@@ -67,7 +69,7 @@ fn pair_with(feet: [[f64; 3]; 2], l: [f64; 3], n: [f64; 3], angle: f64) -> [Ray;
 }
 
 /// Down to 10⁻⁷ in f32 and 10⁻¹⁵ in f64, where an arccosine has lost all.
-fn small_angles_and_those_near_pi_are_exact<R: Real>() {
+fn small_angles_and_those_near_pi_are_exact<R: Real>(allowed: [f64; 2]) {
     let (l, n) = ([0.48, 0.64, 0.6], [0.8, -0.6, 0.0]);
     let u = roundoff::<R>();
     let worst = Worst::of("nearly parallel: angle");
@@ -84,18 +86,22 @@ fn small_angles_and_those_near_pi_are_exact<R: Real>() {
             let found = line::<R>(a).common_perpendicular(line(b)).unwrap();
             assert!(!found.parallel, "{theta}");
             worst.see(found.angle.real.into() - angle(a.1, b.1), u);
-            // Rounding turns n by u/sin θ, but the way between these feet is along it.
-            distances.see(found.angle.dual.into() - 3.0, 3.0 * u / theta.sin());
+            // Rounding has turned the perpendicular: l × (±l′ − l) keeps what l × l′ rounds away.
+            let sense = if theta > 1.0 { -1.0 } else { 1.0 };
+            let normal = scale(cross(a.1, sub(scale(b.1, sense), a.1)), sense);
+            let feet_off = 3.0 * u / length(normal).powi(2);
+            let far = 3.0 + length(foot) + length(exact(found.feet[0])) + feet_off;
+            distances.see(found.angle.dual.into() - dot(sub(b.0, a.0), unit(normal)), u * far);
         }
     }
-    worst.within(4.0);
-    distances.within(4.0);
+    worst.within(allowed[0]);
+    distances.within(allowed[1]);
 }
 
 #[test]
 fn small_angles_and_those_near_pi_are_exact_in_both() {
-    small_angles_and_those_near_pi_are_exact::<f32>();
-    small_angles_and_those_near_pi_are_exact::<f64>();
+    small_angles_and_those_near_pi_are_exact::<f32>([3.0, 3.0]);
+    small_angles_and_those_near_pi_are_exact::<f64>([1.0, 3.0]);
 }
 
 /// cos θ̂ = a·b and sin θ̂ (axis) = a × b of the unit lines as dual vectors.
@@ -115,8 +121,8 @@ fn inner_and_cross_product_are_cosine_and_sine_of_the_dual_angle() {
         sine.see(length(off.real), roundoff::<f64>());
         sine.see(length(off.dual), scale / angle.sin().real);
     });
-    cosine.within(4.0);
-    sine.within(4.0);
+    cosine.within(6.0);
+    sine.within(10.0);
 }
 
 /// The order of two lines does not matter, the sense of either does.
@@ -151,7 +157,7 @@ fn parallel_and_antiparallel_lines_have_the_perpendicular_through_the_origin() {
         worst.see(length(sub(found.feet[1], found.feet[0])) - found.angle.dual, scale);
         assert!(dot(found.axis.direction, unit(u)).abs() < 1e-11, "{found:?}");
     });
-    worst.within(4.0);
+    worst.within(8.0);
 }
 
 #[test]
@@ -185,7 +191,7 @@ fn lines_through_a_point_meet_in_it<R: Real>(allowed: f64) {
             return;
         }
         let size = roundoff::<R>() * (length(p) + 1.0) / sine;
-        let near = line::<R>(a).intersection(line(b), R::from_f64(4.0 * size));
+        let near = line::<R>(a).intersection(line(b), R::from_f64(8.0 * size));
         worst.see(length(sub(exact(near.unwrap()), a.0)), size);
     });
     worst.within(allowed);
@@ -193,8 +199,8 @@ fn lines_through_a_point_meet_in_it<R: Real>(allowed: f64) {
 
 #[test]
 fn lines_through_a_point_meet_in_it_in_both() {
-    lines_through_a_point_meet_in_it::<f32>(4.0);
-    lines_through_a_point_meet_in_it::<f64>(4.0);
+    lines_through_a_point_meet_in_it::<f32>(8.0);
+    lines_through_a_point_meet_in_it::<f64>(8.0);
 }
 
 #[test]

@@ -10,8 +10,8 @@ use nalgebra::{Matrix3, Vector3};
 
 /// The point in which three planes nᵢ·x = dᵢ meet.
 fn meet(planes: [([f64; 3], f64); 3]) -> [f64; 3] {
-    let rows = planes.map(|(normal, _)| Vector3::from(normal).transpose());
-    let offsets = Vector3::from(planes.map(|(_, offset)| offset));
+    let rows = planes.map(|(normal, _)| Vector3::from(unit(normal)).transpose());
+    let offsets = Vector3::from(planes.map(|(normal, offset)| offset / length(normal)));
     let solved = Matrix3::from_rows(&rows).lu().solve(&offsets);
     solved.expect("they meet").into()
 }
@@ -38,8 +38,8 @@ fn a_line_through_two_points_holds_both<R: Real>(allowed: f64) {
 
 #[test]
 fn a_line_through_two_points_holds_both_in_f32_and_f64() {
-    a_line_through_two_points_holds_both::<f32>(4.0);
-    a_line_through_two_points_holds_both::<f64>(4.0);
+    a_line_through_two_points_holds_both::<f32>(5.0);
+    a_line_through_two_points_holds_both::<f64>(5.0);
 }
 
 fn points_beside_a_line_are_as_far_as_vectors_say<R: Real>(allowed: f64) {
@@ -87,8 +87,8 @@ fn the_line_of_two_planes_lies_in_both<R: Real>(allowed: f64) {
 
 #[test]
 fn the_line_of_two_planes_lies_in_both_in_f32_and_f64() {
-    the_line_of_two_planes_lies_in_both::<f32>(4.0);
-    the_line_of_two_planes_lies_in_both::<f64>(4.0);
+    the_line_of_two_planes_lies_in_both::<f32>(6.0);
+    the_line_of_two_planes_lies_in_both::<f64>(9.0);
 }
 
 fn a_plane_through_three_points_holds_them<R: Real>(allowed: f64) {
@@ -114,8 +114,8 @@ fn a_plane_through_three_points_holds_them<R: Real>(allowed: f64) {
 
 #[test]
 fn a_plane_through_three_points_holds_them_in_f32_and_f64() {
-    a_plane_through_three_points_holds_them::<f32>(4.0);
-    a_plane_through_three_points_holds_them::<f64>(4.0);
+    a_plane_through_three_points_holds_them::<f32>(5.0);
+    a_plane_through_three_points_holds_them::<f64>(5.0);
 }
 
 #[test]
@@ -140,7 +140,7 @@ fn a_plane_through_a_line_and_a_point_holds_both() {
         let again = Line::from_planes(plane, other).unwrap();
         assert!((dot(again.direction, unit(l)).abs() - 1.0).abs() < 1e-6);
     });
-    worst.within(4.0);
+    worst.within(2.0);
 }
 
 fn a_line_meets_a_plane_where_three_planes_do<R: Real>(allowed: f64) {
@@ -155,9 +155,9 @@ fn a_line_meets_a_plane_where_three_planes_do<R: Real>(allowed: f64) {
         }
         // Two planes through the line, at right angles.
         let m = cross(l, if l[0].abs() < l[1].abs() { [1.0, 0.0, 0.0] } else { [0.0, 1.0, 0.0] });
-        let [m, k] = [m, cross(l, m)].map(unit);
+        let k = cross(l, m);
         let (n, d) = stored(plane);
-        let wanted = meet([(m, dot(m, p)), (k, dot(k, p)), (unit(n), d / length(n))]);
+        let wanted = meet([(m, dot(m, p)), (k, dot(k, p)), (n, d)]);
         let found = exact(line.intersection_with_plane(plane).unwrap());
         let size = u * (length(p) + length(q) + 1.0) / sine / sine;
         worst.see(length(sub(found, wanted)), size);
