@@ -163,13 +163,13 @@ fn motions_that_leave_the_camera_open_are_refused() {
     }
 }
 
-/// (λ₁ − 2⁻²⁷ λ₂)(λ₁ − 2²⁷ λ₂), where −b and the root of the discriminant are nearly the same; and
-/// the one with both signs changed.
+/// (λ₁ − 1.3·10⁻⁷ λ₂)(λ₁ − 1.7·10⁷ λ₂), where −b and the root of the discriminant are nearly the same;
+/// and the one with both signs changed.
 #[test]
 fn both_roots_of_the_quadratic_are_precise() {
-    let (small, large) = (2.0_f64.powi(-27), 2.0_f64.powi(27));
+    let (small, large) = (1.3e-7, 1.7e7);
     for sign in [1.0, -1.0] {
-        let roots = simultaneous::roots(1.0, -sign * (small + large), 1.0);
+        let roots = simultaneous::roots(1.0, -sign * (small + large), small * large);
         let mut ratios = roots.map(|[l1, l2]| l1 / l2);
         ratios.sort_by(|a, b| a.abs().total_cmp(&b.abs()));
         for (ratio, wanted) in ratios.into_iter().zip([small, large]) {
