@@ -31,6 +31,7 @@
 //! | [`batch`] | the same names on lanes |
 //! | [`Real`] | what the reference computes with: floats, dual numbers (which differentiate it), your own |
 //! | [`Line`], [`Plane`], [`Screw`], [`DualVector`] | what motions act on and are described by |
+//! | [`Line::from_points`], [`Line::dual_angle`], [`CommonPerpendicular`], [`Plane::from_points`] | lines, planes and points together, with typed errors where they are parallel or one |
 //! | [`Twist`], [`Wrench`], [`TwistBlock`] | velocities and forces: derivatives, adjoints and Jacobians of motions and joints |
 //! | [`Hierarchy`], [`Job`], [`Crowd`], [`Block`] | joint hierarchies, one instance or many |
 //! | [`HierarchyPlan`], [`Backend::chain_products`] | one instance: a skeleton or a long chain |
@@ -70,6 +71,7 @@ mod dispatch;
 mod error;
 mod geometry;
 pub mod hierarchy;
+mod incidence;
 mod motion;
 pub mod place;
 mod real;
@@ -81,7 +83,9 @@ pub mod slices;
 
 pub use dispatch::Backend;
 pub use dq8_simd::{Float, Lane, Level, Mask, Portable, f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
-pub use error::{HierarchyError, InverseError, MatrixError, NormalizeError, ShapeError};
+pub use error::{
+    HierarchyError, IncidenceError, InverseError, MatrixError, NormalizeError, ShapeError,
+};
 pub use geometry::{DualVector, Line, Mean, Plane, Screw, Twist, Wrench};
 pub use hierarchy::{
     Block, Hierarchy, Job, Link, Motions, Pose, Renormalise, RotationBlock,
@@ -90,6 +94,7 @@ pub use hierarchy::{
 };
 #[cfg(feature = "alloc")]
 pub use hierarchy::{Crowd, HierarchyPlan, Strategy};
+pub use incidence::CommonPerpendicular;
 pub use motion::Motion;
 pub use place::{MatrixBlock, NumberBlock, Place, PointBlock};
 pub use real::Real;

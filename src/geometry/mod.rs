@@ -7,6 +7,7 @@ mod mean;
 mod plane;
 mod screw;
 mod twist;
+pub(crate) mod vector;
 mod wrench;
 
 pub use dual_vector::DualVector;

@@ -68,9 +68,7 @@ impl<R: Real> DualQuat<R> {
         let mut mean = DualVector { real: [R::ZERO; 3], dual: [R::ZERO; 3] };
         for &(pose, weight) in influences {
             let log = (self.conjugate() * pose).log();
-            let share = weight / total;
-            mean.real = vector::add(mean.real, vector::scale(log.real, share));
-            mean.dual = vector::add(mean.dual, vector::scale(log.dual, share));
+            mean = mean + log.scale(weight / total);
         }
         mean
     }

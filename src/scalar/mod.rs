@@ -20,7 +20,7 @@ mod screw;
 mod slerp;
 mod squad;
 mod transform;
-mod vector;
+pub(crate) mod vector;
 
 pub use dual::Dual;
 pub use dual_quat::DualQuat;

@@ -130,7 +130,7 @@ impl<R: Real> DualQuat<R> {
     /// ```
     #[must_use]
     pub fn pow(self, t: R) -> Self {
-        Self::exp(times(self.log(), t))
+        Self::exp(self.log().scale(t))
     }
 
     /// σ^½ (Jia eq. 44), the motion that gives σ when made twice: half the angle, half the slide. Of
@@ -166,10 +166,6 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     pub fn sclerp_long(self, other: Self, t: R) -> Self {
         let log = (self.conjugate() * other).log_without_flip();
-        self * Self::exp(times(log, t))
+        self * Self::exp(log.scale(t))
     }
-}
-
-fn times<R: Real>(log: DualVector<R>, t: R) -> DualVector<R> {
-    DualVector { real: vector::scale(log.real, t), dual: vector::scale(log.dual, t) }
 }

@@ -1,7 +1,6 @@
 //! Smooth motion through key poses.
 
-use super::{DualQuat, vector};
-use crate::geometry::DualVector;
+use super::DualQuat;
 use crate::real::Real;
 
 impl<R: Real> DualQuat<R> {
@@ -54,11 +53,6 @@ impl<R: Real> DualQuat<R> {
     pub fn squad_control(previous: Self, current: Self, next: Self) -> Self {
         let inverse = current.conjugate();
         let (ahead, back) = ((inverse * next).log(), (inverse * previous).log());
-        let minus_quarter = -R::HALF * R::HALF;
-        current
-            * Self::exp(DualVector {
-                real: vector::scale(vector::add(ahead.real, back.real), minus_quarter),
-                dual: vector::scale(vector::add(ahead.dual, back.dual), minus_quarter),
-            })
+        current * Self::exp((ahead + back).scale(-R::HALF * R::HALF))
     }
 }

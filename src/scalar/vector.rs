@@ -1,30 +1,11 @@
-//! Three-vectors as plain arrays.
+//! Three-vectors as plain arrays, and their lengths.
 
+pub(crate) use crate::geometry::vector::{add, cross, dot, scale, sub};
 use crate::real::Real;
-
-pub(super) fn add<R: Real>(a: [R; 3], b: [R; 3]) -> [R; 3] {
-    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
-}
-
-pub(super) fn sub<R: Real>(a: [R; 3], b: [R; 3]) -> [R; 3] {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-pub(super) fn scale<R: Real>(a: [R; 3], s: R) -> [R; 3] {
-    [a[0] * s, a[1] * s, a[2] * s]
-}
-
-pub(super) fn dot<R: Real>(a: [R; 3], b: [R; 3]) -> R {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-pub(super) fn cross<R: Real>(a: [R; 3], b: [R; 3]) -> [R; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
 
 /// The Euclidean length of `components`, however large or small they are: squares of the
 /// components themselves would overflow or vanish, squares of their ratios to the largest do not.
-pub(super) fn norm<R: Real, const N: usize>(components: [R; N]) -> R {
+pub(crate) fn norm<R: Real, const N: usize>(components: [R; N]) -> R {
     let largest = components.iter().fold(R::ZERO, |largest, c| c.abs().max_or_nan(largest));
     if largest == R::ZERO || !largest.is_finite() {
         return largest;
@@ -43,7 +24,7 @@ pub(super) fn norm<R: Real, const N: usize>(components: [R; N]) -> R {
 /// a whole unit where half of one is meant. |p| is measured again at the next product, but nothing
 /// measures the length of q, so a chain that normalises at every product would scale its translation
 /// by about 10⁻⁹ a product, always the same way (see the example `drift`).
-pub(super) fn over_norm<R: Real, const N: usize>(components: [R; N], norm: R) -> [R; N] {
+pub(crate) fn over_norm<R: Real, const N: usize>(components: [R; N], norm: R) -> [R; N] {
     // Outside these the reciprocal is not a normal number, in `f32`.
     let large = R::from(1e30);
     if norm > large || norm * large < R::ONE {
