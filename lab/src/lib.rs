@@ -7,6 +7,7 @@
 pub mod arends;
 mod counted;
 pub mod drift;
+pub mod interpolation;
 pub mod matrix;
 pub mod operations;
 pub mod report;

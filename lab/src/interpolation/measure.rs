@@ -1,0 +1,149 @@
+use super::method::Method;
+use crate::matrix::{self, Matrix};
+use dq8::{DualQuat, Quat};
+
+/// Two poses.
+#[derive(Clone, Copy, Debug)]
+pub struct Pair {
+    /// What is special about them.
+    pub name: &'static str,
+    /// At 0.
+    pub from: DualQuat<f64>,
+    /// At 1.
+    pub to: DualQuat<f64>,
+}
+
+/// Steps on the way.
+const STEPS: usize = 500;
+/// The point of the body that is watched.
+pub const POINT: [f64; 3] = [0.5, 0.2, -0.3];
+
+/// Pairs of poses, from easy to hard.
+#[must_use]
+pub fn pairs() -> [Pair; 5] {
+    let turn = |axis: [f64; 3], degrees: f64| Quat::from_axis_angle(axis, degrees.to_radians());
+    let pose = |axis, degrees, t| DualQuat::from_rotation_translation(turn(axis, degrees), t);
+    let start = pose([0.6, 0.0, 0.8], 40.0, [1.0, -2.0, 0.5]);
+    [
+        Pair {
+            name: "translation",
+            from: start,
+            to: DualQuat::from_translation([2.0, 1.0, 0.0]) * start,
+        },
+        Pair {
+            name: "1e-6 rad",
+            from: start,
+            to: start * pose([0.0, 0.6, 0.8], 1e-6_f64.to_degrees(), [3e-6, 0.0, 1e-6]),
+        },
+        Pair {
+            name: "90° on a circle",
+            from: DualQuat::from_translation([1.0, 0.0, 0.0]),
+            to: pose([0.0, 0.0, 1.0], 90.0, [0.0, 1.0, 0.0]),
+        },
+        Pair {
+            name: "150° screw",
+            from: start,
+            to: start * pose([0.48, 0.6, 0.64], 150.0, [1.0, 2.0, -1.0]),
+        },
+        Pair {
+            name: "179°",
+            from: start,
+            to: start * pose([0.64, 0.48, -0.6], 179.0, [0.0, 1.0, 2.0]),
+        },
+    ]
+}
+
+/// What a way is like.
+#[derive(Clone, Copy, Debug)]
+pub struct Facts {
+    /// The length of the way of [`POINT`].
+    pub path: f64,
+    /// The largest speed of that point over the smallest.
+    pub speed: f64,
+    /// The largest speed of turning over the smallest; NaN where nothing turns.
+    pub turning: f64,
+    /// The angle turned on the way over the angle between the poses; NaN where nothing turns.
+    pub detour: f64,
+    /// The largest element of AᵀA − 1 on the way.
+    pub distortion: f64,
+    /// The largest difference between the way from ca to cb and c times that from a to b: another frame
+    /// of the world.
+    pub left: f64,
+    /// The same for ac and bc: another frame of the body.
+    pub right: f64,
+    /// The same for −b, which is the same pose.
+    pub sign: f64,
+}
+
+/// The parameter at step `i`.
+fn parameter(i: usize) -> f64 {
+    i as f64 / STEPS as f64
+}
+
+/// The speed of [`POINT`] and the speed of turning on the way, with the parameter; per unit of it.
+#[must_use]
+pub fn speeds(method: Method, pair: Pair) -> Vec<(f64, f64, f64)> {
+    let way: Vec<_> = (0..=STEPS).map(|i| (method.at)(pair.from, pair.to, parameter(i))).collect();
+    let between = way.windows(2).enumerate().map(|(i, ends)| {
+        let [from, to] = [ends[0], ends[1]];
+        let [p, q] = [from, to].map(|pose| matrix::affine_apply(pose, POINT));
+        let distance = (0..3).map(|axis| (p[axis] - q[axis]).powi(2)).sum::<f64>().sqrt();
+        let angle = rotation(from).angle_to(rotation(to));
+        let steps = STEPS as f64;
+        (parameter(i) + 0.5 / steps, distance * steps, angle * steps)
+    });
+    between.collect()
+}
+
+/// The rotation that is nearest at hand to a matrix that may be none.
+fn rotation(pose: Matrix<f64, 3, 4>) -> DualQuat<f64> {
+    let [x, y, z] = matrix::gram_schmidt(matrix::left(pose));
+    DualQuat::from_matrix3x4([x, y, z].map(|[p, q, r]| [p, q, r, 0.0]))
+}
+
+/// Measures a way.
+#[must_use]
+pub fn facts(method: Method, pair: Pair) -> Facts {
+    let Pair { from, to, .. } = pair;
+    let c = DualQuat::from_rotation_translation(
+        Quat::from_axis_angle([0.36, 0.48, 0.8], 1.1),
+        [3.0, -1.0, 2.0],
+    );
+    let frame = c.to_matrix3x4();
+    let speeds = speeds(method, pair);
+    let along = |pick: fn(&(f64, f64, f64)) -> f64| speeds.iter().map(pick);
+    let ratio = |pick| {
+        let largest = along(pick).fold(0.0, f64::max);
+        largest / along(pick).fold(f64::INFINITY, f64::min)
+    };
+    let sum = |pick| along(pick).sum::<f64>() / STEPS as f64;
+    let worst = |error: &dyn Fn(f64) -> f64| {
+        (0..=STEPS).map(|i| error(parameter(i))).fold(0.0, f64::max)
+    };
+    let angle = from.angle_to(to);
+    let turns = angle > 1e-12;
+    let at = |t| (method.at)(from, to, t);
+    Facts {
+        path: sum(|(_, distance, _)| *distance),
+        speed: ratio(|(_, distance, _)| *distance),
+        turning: if turns { ratio(|(_, _, angle)| *angle) } else { f64::NAN },
+        detour: if turns { sum(|(_, _, angle)| *angle) / angle } else { f64::NAN },
+        distortion: worst(&|t| {
+            let linear = matrix::left(at(t));
+            matrix::skew(linear).max(matrix::stretch(linear))
+        }),
+        left: worst(&|t| {
+            difference((method.at)(c * from, c * to, t), matrix::affine_product(frame, at(t)))
+        }),
+        right: worst(&|t| {
+            difference((method.at)(from * c, to * c, t), matrix::affine_product(at(t), frame))
+        }),
+        sign: worst(&|t| difference((method.at)(from, -to, t), at(t))),
+    }
+}
+
+/// The largest difference of elements.
+fn difference(a: Matrix<f64, 3, 4>, b: Matrix<f64, 3, 4>) -> f64 {
+    let pairs = a.as_flattened().iter().zip(b.as_flattened());
+    pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+}
