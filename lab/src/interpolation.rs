@@ -6,9 +6,9 @@ mod slerp_case;
 
 pub use measure::{Facts, POINT, Pair, facts, pairs, speeds};
 pub use method::{METHODS, Method};
-pub use slerp_case::{Outcome, SlerpCase, slerp_cases};
+pub use slerp_case::{Outcome, SlerpCase, largest_norm, slerp_cases};
 
-use crate::report::{Chart, Section, Series, Table, paragraph, scientific};
+use crate::report::{Chart, Section, Series, Table, decimal, paragraph};
 use std::error::Error;
 
 /// The pair whose speeds are drawn.
@@ -19,15 +19,17 @@ const DRAWN: usize = 3;
 /// # Errors
 /// If a chart cannot be drawn.
 pub fn section() -> Result<Section, Box<dyn Error>> {
-    let measured: Vec<_> =
-        METHODS.iter().map(|method| (method.name, pairs().map(|pair| facts(*method, pair)))).collect();
+    let measured: Vec<_> = METHODS
+        .iter()
+        .map(|method| (method.name, pairs().map(|pair| facts(*method, pair))))
+        .collect();
     let body = charts()?
         + &paragraph(
             "Speed ratios are the largest over the smallest speed on the way; 1 is a constant speed. A \
-             detour is the angle turned over the angle between the poses; 1 is the shortest. The three \
+             detour is the angle turned, to b or to −b, over the angle between the poses; 1 is the shortest. The three \
              columns of differences are the largest elements by which the way of changed poses differs \
              from the changed way of the poses: for another frame of the world (ca, cb), another frame \
-             of the body (ac, bc), and the other sign of b.",
+             of the body (ac, bc), and the other sign of b (∞ where there is no answer).",
         )
         + &properties(&measured)
         + &by_pair("Length of the way of a body point", &measured, |facts| facts.path)
@@ -58,12 +60,14 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
         .map(str::to_owned)
         .to_vec(),
         found: found(&measured),
-        verdict: "Jia is right: of these only ScLERP has constant speeds for every point of the body, and \
-                  only it and NLERP keep both frames. NLERP turns along the same way at another speed. \
-                  SLERP with LERP depends on the point that is called the origin of the body. Matrix LERP \
-                  and LERP without normalising are no motions on the way. The shortest path is no gift of \
-                  dual quaternions: the sign has to be turned, as Tarini says. Arends' formula gives √2, \
-                  not 2√2; his if also catches rotations that differ in w alone."
+        verdict: "Jia is right: ScLERP turns and moves every point of the body at constant speed, and is \
+                  the only one here that does so and stays rigid. It and NLERP do not depend on the frame, \
+                  neither of the world nor of the body; SLERP with LERP depends on which point of the body \
+                  is called its origin. NLERP turns by the same rotations as ScLERP at another speed. \
+                  Matrix LERP and LERP without normalising are not rigid on the way, as Kenwright says of \
+                  the first. The shortest path is no gift of dual quaternions: the sign has to be \
+                  turned, as Tarini says. Arends' example gives √2, not 2√2; his if mends it, but also takes \
+                  rotations for equal that differ in w alone, and at Ω = π what comes out is rounding."
             .to_owned(),
         body,
     })
@@ -82,36 +86,29 @@ fn found(measured: &[Measured]) -> Vec<String> {
             format!(
                 "{name}: speed of a point changes by a factor of up to {}, AᵀA − 1 up to {}, differences in \
                  another frame of the world {}, of the body {}.",
-                ratio(worst(facts, |facts| facts.speed)),
-                scientific(worst(facts, |facts| facts.distortion)),
-                scientific(worst(facts, |facts| facts.left)),
-                scientific(worst(facts, |facts| facts.right)),
+                decimal(worst(facts, |facts| facts.speed)),
+                decimal(worst(facts, |facts| facts.distortion)),
+                decimal(worst(facts, |facts| facts.left)),
+                decimal(worst(facts, |facts| facts.right)),
             )
         })
         .collect();
     lines.extend(slerp_cases().iter().map(|case| {
         let (printed, dq8) = (case.printed(), case.dq8());
         format!(
-            "SLERP, {}: norm {} as Arends prints it, {} in dq8.",
+            "SLERP, {}: as Arends prints it norm {} and wrong by {} rad; in dq8 {} and {}.",
             case.name,
             decimal(printed.norm.into()),
-            decimal(dq8.norm.into())
+            decimal(printed.error.into()),
+            decimal(dq8.norm.into()),
+            decimal(dq8.error.into()),
         )
     }));
+    lines.push(format!(
+        "SLERP as Arends prints it from 1°, 2° … 90° to the same and a whole turn, Ω = π: norms up to {}.",
+        decimal(largest_norm().into())
+    ));
     lines
-}
-
-fn decimal(value: f64) -> String {
-    if value.is_nan() { "–".to_owned() } else { format!("{value:.4}") }
-}
-
-/// A ratio that may be infinite or, where nothing turns, nothing.
-fn ratio(value: f64) -> String {
-    match value {
-        value if value.is_nan() => "–".to_owned(),
-        value if value < 1000.0 => format!("{value:.3}"),
-        value => scientific(value),
-    }
 }
 
 fn properties(measured: &[Measured]) -> String {
@@ -131,7 +128,7 @@ fn properties(measured: &[Measured]) -> String {
             worst(facts, |facts| facts.right),
             worst(facts, |facts| facts.sign),
         ];
-        let cells = ratios.map(ratio).into_iter().chain(errors.map(scientific));
+        let cells = ratios.map(decimal).into_iter().chain(errors.map(decimal));
         table.row(core::iter::once((*name).to_owned()).chain(cells));
     }
     table.to_html()
@@ -142,10 +139,7 @@ fn by_pair(caption: &str, measured: &[Measured], pick: impl Fn(&Facts) -> f64) -
     let headings: Vec<_> = core::iter::once("way").chain(names).collect();
     let mut table = Table::new(caption, &headings);
     for (name, facts) in measured {
-        let cells = facts.iter().map(|facts| {
-            let value = pick(facts);
-            if value.abs() < 1e-3 { scientific(value) } else { ratio(value) }
-        });
+        let cells = facts.iter().map(|facts| decimal(pick(facts)));
         table.row(core::iter::once((*name).to_owned()).chain(cells));
     }
     table.to_html()
@@ -161,9 +155,9 @@ fn cases() -> String {
         table.row([
             case.name.to_owned(),
             decimal(printed.norm.into()),
-            scientific(printed.error.into()),
+            decimal(printed.error.into()),
             decimal(dq8.norm.into()),
-            scientific(dq8.error.into()),
+            decimal(dq8.error.into()),
         ]);
     }
     table.to_html()

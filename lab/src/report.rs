@@ -5,7 +5,7 @@ mod number;
 mod table;
 
 pub use chart::{Chart, Series};
-pub use number::{power_of_ten, scientific};
+pub use number::{decimal, power_of_ten, scientific};
 pub use table::Table;
 
 use core::fmt::Write;
@@ -90,14 +90,14 @@ slides.</p>
 ";
 
 const STYLE: &str = "
-body { font: 16px/1.5 sans-serif; max-width: 66em; margin: 2em auto; padding: 0 1em; color: #222 }
+body { font: 16px/1.5 sans-serif; max-width: 70em; margin: 2em auto; padding: 0 1em; color: #222 }
 h1, h2 { line-height: 1.2 } h2 { margin-top: 2.5em; border-bottom: 1px solid #ccc }
 h3 { margin: 1em 0 .2em; font-size: 1em } h3 + p, h3 + ul { margin-top: 0 }
 pre { background: #f4f4f4; padding: .5em 1em }
 table { border-collapse: collapse; margin: 1.5em 0; font-size: .85em; line-height: 1.35 }
-caption { text-align: left; font-weight: bold; padding-bottom: .3em }
+caption { text-align: left; white-space: nowrap; font-weight: bold; padding-bottom: .3em }
 th, td { padding: .25em .6em; border-bottom: 1px solid #ddd; text-align: left; vertical-align: top }
 th { vertical-align: bottom } tr:hover { background: #f8f8f8 }
-td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap }
+td.number, th.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap }
 svg { max-width: 100%; height: auto; margin: .5em 0 }
 ";

@@ -31,7 +31,7 @@ pub fn pairs() -> [Pair; 5] {
             to: DualQuat::from_translation([2.0, 1.0, 0.0]) * start,
         },
         Pair {
-            name: "1e-6 rad",
+            name: "10⁻⁶ rad",
             from: start,
             to: start * pose([0.0, 0.6, 0.8], 1e-6_f64.to_degrees(), [3e-6, 0.0, 1e-6]),
         },
@@ -62,7 +62,8 @@ pub struct Facts {
     pub speed: f64,
     /// The largest speed of turning over the smallest; NaN where nothing turns.
     pub turning: f64,
-    /// The angle turned on the way over the angle between the poses; NaN where nothing turns.
+    /// The angle turned on the way from a to b, or from a to −b if that is more, over the angle between
+    /// the poses; NaN where nothing turns.
     pub detour: f64,
     /// The largest element of AᵀA − 1 on the way.
     pub distortion: f64,
@@ -116,18 +117,22 @@ pub fn facts(method: Method, pair: Pair) -> Facts {
         let largest = along(pick).fold(0.0, f64::max);
         largest / along(pick).fold(f64::INFINITY, f64::min)
     };
-    let sum = |pick| along(pick).sum::<f64>() / STEPS as f64;
-    let worst = |error: &dyn Fn(f64) -> f64| {
-        (0..=STEPS).map(|i| error(parameter(i))).fold(0.0, f64::max)
+    let mean = |of: &[(f64, f64, f64)], pick: fn(&(f64, f64, f64)) -> f64| {
+        of.iter().map(pick).sum::<f64>() / of.len() as f64
     };
+    let other_sign = self::speeds(method, Pair { to: -to, ..pair });
+    let angle_turned = |speeds: &[_]| mean(speeds, |(_, _, angle)| *angle);
+    let turned = angle_turned(&speeds).max(angle_turned(&other_sign));
+    let worst =
+        |error: &dyn Fn(f64) -> f64| (0..=STEPS).map(|i| error(parameter(i))).fold(0.0, f64::max);
     let angle = from.angle_to(to);
     let turns = angle > 1e-12;
     let at = |t| (method.at)(from, to, t);
     Facts {
-        path: sum(|(_, distance, _)| *distance),
+        path: mean(&speeds, |(_, distance, _)| *distance),
         speed: ratio(|(_, distance, _)| *distance),
         turning: if turns { ratio(|(_, _, angle)| *angle) } else { f64::NAN },
-        detour: if turns { sum(|(_, _, angle)| *angle) / angle } else { f64::NAN },
+        detour: if turns { turned / angle } else { f64::NAN },
         distortion: worst(&|t| {
             let linear = matrix::left(at(t));
             matrix::skew(linear).max(matrix::stretch(linear))
@@ -142,8 +147,9 @@ pub fn facts(method: Method, pair: Pair) -> Facts {
     }
 }
 
-/// The largest difference of elements.
+/// The largest difference of elements; infinite where there is no answer.
 fn difference(a: Matrix<f64, 3, 4>, b: Matrix<f64, 3, 4>) -> f64 {
     let pairs = a.as_flattened().iter().zip(b.as_flattened());
-    pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+    let differences = pairs.map(|(a, b)| (a - b).abs());
+    differences.fold(0.0, |worst, d| if d.is_nan() { f64::INFINITY } else { worst.max(d) })
 }

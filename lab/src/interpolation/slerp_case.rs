@@ -48,10 +48,13 @@ impl SlerpCase {
     }
 }
 
+fn turn(degrees: f32) -> Quat<f32> {
+    Quat::from_axis_angle([0.6, 0.0, 0.8], degrees.to_radians())
+}
+
 /// The cases in which it breaks, and two in which it does not.
 #[must_use]
 pub fn slerp_cases() -> [SlerpCase; 7] {
-    let turn = |degrees: f32| Quat::from_axis_angle([0.6, 0.0, 0.8], degrees.to_radians());
     let half_turn = Quat::from_wxyz([0.0_f32, 1.0, 0.0, 0.0]);
     let case = |name, from, to, angle: f32, t, wanted| SlerpCase {
         name,
@@ -69,9 +72,34 @@ pub fn slerp_cases() -> [SlerpCase; 7] {
             ..case("equal, by the formula, Ω = π/2", half_turn, half_turn, PI / 2.0, 0.5, half_turn)
         },
         case("equal, with his test", half_turn, half_turn, PI / 2.0, 0.5, half_turn),
-        case("120° to 240°: only w differs", turn(120.0), turn(240.0), PI / 3.0, 0.5, turn(180.0)),
-        case("opposite: q to −q, Ω = π", turn(40.0), -turn(40.0), PI, 0.25, turn(40.0)),
+        case(
+            "120° to 240°, where only w differs",
+            turn(120.0),
+            turn(240.0),
+            PI / 3.0,
+            0.5,
+            turn(180.0),
+        ),
+        case("opposite, q to −q, Ω = π", turn(40.0), -turn(40.0), PI, 0.25, turn(40.0)),
         case("40° to 400°, rounded, Ω = π", turn(40.0), turn(400.0), PI, 0.25, turn(40.0)),
-        case("40° to 360°: the longer way", turn(40.0), turn(360.0), 160_f32.to_radians(), 0.5, turn(20.0)),
+        case(
+            "40° to 360°, the longer way",
+            turn(40.0),
+            turn(360.0),
+            160_f32.to_radians(),
+            0.5,
+            turn(20.0),
+        ),
     ]
+}
+
+/// The largest norm that Arends' SLERP gives between rotations and the same after a whole turn, which
+/// are opposite quaternions but for rounding, at a quarter of the way.
+#[must_use]
+pub fn largest_norm() -> f32 {
+    let norms = (1_u8..=90).map(|degrees| {
+        let degrees = f32::from(degrees);
+        arends::slerp(turn(degrees), turn(degrees + 360.0), 0.25, PI).norm()
+    });
+    norms.fold(0.0, f32::max)
 }

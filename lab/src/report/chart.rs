@@ -11,7 +11,7 @@ pub struct Series {
     pub points: Vec<(f64, f64)>,
 }
 
-/// A line chart.
+/// A line chart. Lines that coincide have the same colour, and a name each.
 #[derive(Clone, Debug)]
 pub struct Chart {
     /// Above the chart.
@@ -70,9 +70,12 @@ impl Chart {
             } else {
                 mesh.draw()?;
             }
-            for (number, (line, points)) in self.series.iter().zip(lines).enumerate() {
-                let colour = Palette99::pick(number).to_rgba();
-                axes.draw_series(LineSeries::new(points, colour.stroke_width(2)))?;
+            let pixel = (y.1 - y.0) / f64::from(HEIGHT);
+            for (number, (line, points)) in self.series.iter().zip(&lines).enumerate() {
+                // Curves that would hide each other share a colour.
+                let first = lines.iter().position(|other| coincide(other, points, pixel));
+                let colour = Palette99::pick(first.unwrap_or(number)).to_rgba();
+                axes.draw_series(LineSeries::new(points.clone(), colour.stroke_width(2)))?;
                 // Beside the axes: curves are everywhere in them.
                 let (left, height) = ((WIDTH - LEGEND) as i32 + 8, 56 + 20 * number as i32);
                 let key = vec![(left, height), (left + 20, height)];
@@ -84,6 +87,11 @@ impl Chart {
         }
         Ok(svg)
     }
+}
+
+/// Whether two lines are nowhere farther apart than `gap`.
+fn coincide(a: &[(f64, f64)], b: &[(f64, f64)], gap: f64) -> bool {
+    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.0 == b.0 && (a.1 - b.1).abs() <= gap)
 }
 
 /// A tick without the rounding of its sum.
