@@ -61,9 +61,10 @@ impl Counts {
     }
 }
 
-fn count(one: impl FnOnce(&mut Counts)) {
+/// One more of a kind.
+fn count(kind: impl FnOnce(&mut Counts) -> &mut u32) {
     let mut counts = COUNTS.get();
-    one(&mut counts);
+    *kind(&mut counts) += 1;
     COUNTS.set(counts);
 }
 
@@ -74,7 +75,7 @@ pub struct Counted(pub f64);
 impl Add for Counted {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        count(|counts| counts.additions += 1);
+        count(|counts| &mut counts.additions);
         Self(self.0 + other.0)
     }
 }
@@ -82,7 +83,7 @@ impl Add for Counted {
 impl Sub for Counted {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
-        count(|counts| counts.additions += 1);
+        count(|counts| &mut counts.additions);
         Self(self.0 - other.0)
     }
 }
@@ -90,7 +91,7 @@ impl Sub for Counted {
 impl Mul for Counted {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        count(|counts| counts.multiplications += 1);
+        count(|counts| &mut counts.multiplications);
         Self(self.0 * other.0)
     }
 }
@@ -98,7 +99,7 @@ impl Mul for Counted {
 impl Div for Counted {
     type Output = Self;
     fn div(self, other: Self) -> Self {
-        count(|counts| counts.divisions += 1);
+        count(|counts| &mut counts.divisions);
         Self(self.0 / other.0)
     }
 }
@@ -106,7 +107,7 @@ impl Div for Counted {
 impl Neg for Counted {
     type Output = Self;
     fn neg(self) -> Self {
-        count(|counts| counts.negations += 1);
+        count(|counts| &mut counts.negations);
         Self(-self.0)
     }
 }
@@ -137,14 +138,14 @@ impl DivAssign for Counted {
 
 impl PartialEq for Counted {
     fn eq(&self, other: &Self) -> bool {
-        count(|counts| counts.comparisons += 1);
+        count(|counts| &mut counts.comparisons);
         self.0 == other.0
     }
 }
 
 impl PartialOrd for Counted {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        count(|counts| counts.comparisons += 1);
+        count(|counts| &mut counts.comparisons);
         self.0.partial_cmp(&other.0)
     }
 }
@@ -169,12 +170,12 @@ impl From<Counted> for f64 {
 
 impl Counted {
     fn trigonometric(self, function: impl FnOnce(f64) -> f64) -> Self {
-        count(|counts| counts.trigonometric += 1);
+        count(|counts| &mut counts.trigonometric);
         Self(function(self.0))
     }
 
     fn exponential(self, function: impl FnOnce(f64) -> f64) -> Self {
-        count(|counts| counts.exponentials += 1);
+        count(|counts| &mut counts.exponentials);
         Self(function(self.0))
     }
 }
@@ -192,15 +193,15 @@ impl Real for Counted {
         Self(value)
     }
     fn is_finite(self) -> bool {
-        count(|counts| counts.comparisons += 1);
+        count(|counts| &mut counts.comparisons);
         self.0.is_finite()
     }
     fn abs(self) -> Self {
-        count(|counts| counts.comparisons += 1);
+        count(|counts| &mut counts.comparisons);
         Self(self.0.abs())
     }
     fn sqrt(self) -> Self {
-        count(|counts| counts.square_roots += 1);
+        count(|counts| &mut counts.square_roots);
         Self(self.0.sqrt())
     }
     fn sin(self) -> Self {

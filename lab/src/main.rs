@@ -6,8 +6,10 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-/// The experiments, in the order of the page.
-const SECTIONS: &[fn() -> Result<Section, Box<dyn Error>>] =
+type Experiment = fn() -> Result<Section, Box<dyn Error>>;
+
+/// In the order of the page.
+const SECTIONS: &[Experiment] =
     &[lab::drift::section, lab::operations::section, lab::interpolation::section];
 
 fn main() -> ExitCode {

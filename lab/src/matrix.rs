@@ -37,7 +37,7 @@ pub fn apply<R: Real, const L: usize, const M: usize>(a: Matrix<R, L, M>, v: [R;
     a.map(|row| sum_of_products(row, v))
 }
 
-/// [A | s][B | t] = [AB | At + s]: the last rows 0 0 0 1 are neither stored nor multiplied.
+/// `[A | s][B | t] = [AB | At + s]`: the last rows 0 0 0 1 are neither stored nor multiplied.
 #[must_use]
 pub fn affine_product<R: Real>(a: Matrix<R, 3, 4>, b: Matrix<R, 3, 4>) -> Matrix<R, 3, 4> {
     let linear = product(left(a), left(b));
@@ -51,7 +51,7 @@ pub fn affine_apply<R: Real>(a: Matrix<R, 3, 4>, v: [R; 3]) -> [R; 3] {
     a.map(|[x, y, z, s]| sum_of_products([x, y, z], v) + s)
 }
 
-/// [A | s]⁻¹ = [Aᵀ | −Aᵀs] of a rotation A.
+/// `[A | s]⁻¹ = [Aᵀ | −Aᵀs]` of a rotation A.
 #[must_use]
 pub fn rigid_inverse<R: Real>(a: Matrix<R, 3, 4>) -> Matrix<R, 3, 4> {
     let transposed: Matrix<R, 3, 3> = core::array::from_fn(|i| column(left(a), i));
@@ -86,8 +86,8 @@ pub fn about_axes<R: Real>(angles: [R; 3]) -> [Matrix<R, 3, 3>; 3] {
     ]
 }
 
-/// The rotation by `angle` radians about the unit `axis` n: cos θ 1 + (1 − cos θ) nnᵀ + sin θ [n]ₓ
-/// (Rodrigues 1840).
+/// The rotation by `angle` radians about the unit `axis` n: cos θ 1 + (1 − cos θ) nnᵀ + sin θ N,
+/// Nv = n × v (Rodrigues 1840).
 #[must_use]
 pub fn about<R: Real>([x, y, z]: [R; 3], angle: R) -> Matrix<R, 3, 3> {
     let (sin, cos) = (angle.sin(), angle.cos());

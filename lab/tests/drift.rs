@@ -67,7 +67,7 @@ fn gram_schmidt_brings_the_end_closer_by_steps_too_small_to_see() {
         let [raw, kept] = ["matrix", "matrix, Gram–Schmidt"].map(|name| sample(samples, name));
         let position = kept.error(Measure::Position);
         assert!(position < 0.5 * raw.error(Measure::Position), "{order:?}: {raw:?} {kept:?}");
-        assert!(kept.error(Measure::Jump) < 1e-5, "{order:?}: {kept:?}");
+        assert!((1e-8..1e-5).contains(&kept.error(Measure::Jump)), "{order:?}: {kept:?}");
         let normalised = sample(samples, "dual quaternion, normalised").error(Measure::Position);
         assert!(
             (0.2..5.0).contains(&(position / normalised)),

@@ -89,6 +89,13 @@ fn lerp_of_matrices_and_of_dual_quaternions_is_not_rigid() {
 }
 
 #[test]
+fn no_other_way_sees_the_sign() {
+    for method in METHODS.iter().filter(|method| method.name != "ScLERP, sign kept") {
+        assert!(worst(&of(method.name), |fact| fact.sign) < 1e-14, "{}", method.name);
+    }
+}
+
+#[test]
 fn a_sign_that_is_kept_is_a_detour() {
     let facts = of("ScLERP, sign kept");
     // 150° the one way are 210° the other.

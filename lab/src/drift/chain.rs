@@ -85,7 +85,7 @@ impl<S: Representation> Chain<S> {
         })
     }
 
-    /// The end effector, the rows of [A | t].
+    /// The end effector, the rows of `[A | t]`.
     #[must_use]
     pub fn end(&self) -> Matrix<f64, 3, 4> {
         let [.., last] = self.models();
@@ -105,12 +105,6 @@ impl<S: Representation> Chain<S> {
             ((x * x + y * y + z * z).sqrt() - f64::from(self.order.offset(joint))).abs()
         });
         errors.fold(0.0, f64::max)
-    }
-
-    /// The states of the joints.
-    #[must_use]
-    pub fn joints(&self) -> &[S; LINKS] {
-        &self.joints
     }
 }
 

@@ -15,7 +15,7 @@ pub trait Representation: Copy {
     /// `other` acts first.
     #[must_use]
     fn times(self, other: Self) -> Self;
-    /// The same numbers in double precision, and from them what becomes of points: the rows of [A | t].
+    /// The same numbers in double precision, and from them what becomes of points: the rows of `[A | t]`.
     fn to_matrix(self) -> Matrix<f64, 3, 4>;
     /// By how much it fails to be what it should be: |det A − 1| of a matrix, ||p| − 1| of a
     /// quaternion, the larger of that and |p·q| of a dual quaternion.

@@ -7,7 +7,7 @@ use dq8::DualQuat;
 pub struct Method {
     /// For tables and legends.
     pub name: &'static str,
-    /// The rows of [A | t] on the way from the first, at 0, to the second, at 1.
+    /// The rows of `[A | t]` on the way from the first, at 0, to the second, at 1.
     pub at: fn(DualQuat<f64>, DualQuat<f64>, f64) -> Matrix<f64, 3, 4>,
 }
 
