@@ -25,8 +25,8 @@ const EVERY: usize = 100;
 /// # Errors
 /// If a chart cannot be drawn.
 pub fn section() -> Result<Section, Box<dyn Error>> {
-    let (step_last, missed) = finals(FRAMES, Order::StateStep);
-    let (step_first, _) = finals(FRAMES, Order::StepState);
+    let (state_step, missed) = finals(FRAMES, Order::StateStep);
+    let (step_state, _) = finals(FRAMES, Order::StepState);
     let mut body = charts()?;
     body += &paragraph(&format!(
         "Skew and scale are the largest elements of AᵀA − 1, beside the diagonal and on it, over the \
@@ -38,9 +38,9 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
          round in {DRAWN} frames, with steps that carry the links."
     ));
     let each = "the joint turns about itself: state · step";
-    body += &table(&format!("After {FRAMES} frames, {each}"), &step_last);
+    body += &table(&format!("After {FRAMES} frames, {each}"), &state_step);
     let each = "the step carries the link: step · state";
-    body += &table(&format!("After {FRAMES} frames, {each}"), &step_first);
+    body += &table(&format!("After {FRAMES} frames, {each}"), &step_state);
     Ok(Section {
         title: "Drift: a chain that follows a target".to_owned(),
         tried: format!(
@@ -66,7 +66,7 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
         ]
         .map(str::to_owned)
         .to_vec(),
-        found: found(&step_last, &step_first),
+        found: found(&state_step, &step_state),
         verdict: "That matrices skew and scale is true; dual quaternions that nobody normalises do no less, \
                   here rather more, so the drift itself is not less. That making matrices orthonormal moves \
                   the error elsewhere is not confirmed: the end effector comes closer to where it should be, \
@@ -115,12 +115,15 @@ fn table(caption: &str, samples: &[Sample]) -> String {
     table.to_html()
 }
 
-fn found(step_last: &[Sample; METHODS.len()], step_first: &[Sample; METHODS.len()]) -> Vec<String> {
-    let [matrix, orthonormal, dual, normalised, kenwright, _, pair] = step_last;
+fn found(
+    state_step: &[Sample; METHODS.len()],
+    step_state: &[Sample; METHODS.len()],
+) -> Vec<String> {
+    let [matrix, orthonormal, dual, normalised, kenwright, _, pair] = state_step;
     let skew = |sample: &Sample| scientific(sample.error(Measure::Skew));
     let position = |sample: &Sample| scientific(sample.error(Measure::Position));
     let link = |sample: &Sample| scientific(sample.error(Measure::Link));
-    let [_, links_orthonormal, _, links_normalised, ..] = step_first;
+    let [_, links_orthonormal, _, links_normalised, ..] = step_state;
     vec![
         format!(
             "Left alone, matrices come to a skew of {}, dual quaternions of {}; the end is off by {} and \

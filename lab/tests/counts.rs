@@ -63,6 +63,19 @@ fn rows_that_claim_to_agree_do_and_the_others_do_not() {
     }
 }
 
+/// What the remarks in the table say of Arends' sums.
+#[test]
+fn with_negations_as_multiplications_arends_sums_are_found() {
+    let list = operations();
+    let counts = |name| find(&list, name).expect("in the list").counts;
+    let products = |name| counts(name).multiplications + counts(name).negations;
+    assert_eq!(products("quaternion, vector by qpq*"), 35);
+    assert_eq!(products("dual quaternion, point by qpq†"), 2 * 48 + 10);
+    assert_eq!(counts("dual quaternion, point by qpq†").additions, 72 + 8);
+    assert_eq!(products("hyper-dual quaternion, point by qpq†"), 312);
+    assert_eq!(counts("hyper-dual quaternion, point by qpq†").additions, 216 + 40);
+}
+
 #[test]
 fn every_operation_of_a_number_counts_once() {
     let (x, y) = (Counted(0.5), Counted(0.25));

@@ -111,28 +111,27 @@ pub fn facts(method: Method, pair: Pair) -> Facts {
         [3.0, -1.0, 2.0],
     );
     let frame = c.to_matrix3x4();
-    let speeds = speeds(method, pair);
-    let along = |pick: fn(&(f64, f64, f64)) -> f64| speeds.iter().map(pick);
-    let ratio = |pick| {
-        let largest = along(pick).fold(0.0, f64::max);
-        largest / along(pick).fold(f64::INFINITY, f64::min)
+    let way = speeds(method, pair);
+    let to_other_sign = speeds(method, Pair { to: -to, ..pair });
+    let ratio = |pick: fn(&(f64, f64, f64)) -> f64| {
+        let largest = way.iter().map(pick).fold(0.0, f64::max);
+        largest / way.iter().map(pick).fold(f64::INFINITY, f64::min)
     };
     let mean = |of: &[(f64, f64, f64)], pick: fn(&(f64, f64, f64)) -> f64| {
         of.iter().map(pick).sum::<f64>() / of.len() as f64
     };
-    let other_sign = self::speeds(method, Pair { to: -to, ..pair });
-    let angle_turned = |speeds: &[_]| mean(speeds, |(_, _, angle)| *angle);
-    let turned = angle_turned(&speeds).max(angle_turned(&other_sign));
+    let [turned, turned_to_other_sign] =
+        [&way, &to_other_sign].map(|way| mean(way, |(_, _, angle)| *angle));
     let worst =
         |error: &dyn Fn(f64) -> f64| (0..=STEPS).map(|i| error(parameter(i))).fold(0.0, f64::max);
     let angle = from.angle_to(to);
     let turns = angle > 1e-12;
     let at = |t| (method.at)(from, to, t);
     Facts {
-        path: mean(&speeds, |(_, distance, _)| *distance),
+        path: mean(&way, |(_, distance, _)| *distance),
         speed: ratio(|(_, distance, _)| *distance),
         turning: if turns { ratio(|(_, _, angle)| *angle) } else { f64::NAN },
-        detour: if turns { turned / angle } else { f64::NAN },
+        detour: if turns { turned.max(turned_to_other_sign) / angle } else { f64::NAN },
         distortion: worst(&|t| {
             let linear = matrix::left(at(t));
             matrix::skew(linear).max(matrix::stretch(linear))
