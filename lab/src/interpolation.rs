@@ -4,7 +4,7 @@ mod measure;
 mod method;
 mod slerp_case;
 
-pub use measure::{Facts, POINT, Pair, facts, pairs, speeds};
+pub use measure::{Facts, POINT, Pair, Speed, facts, pairs, speeds};
 pub use method::{METHODS, Method};
 pub use slerp_case::{Outcome, SlerpCase, largest_norm, slerp_cases};
 
@@ -166,10 +166,10 @@ fn cases() -> String {
 fn charts() -> Result<String, Box<dyn Error>> {
     let pair = pairs()[DRAWN];
     let runs = METHODS.map(|method| (method.name, speeds(method, pair)));
-    let chart = |what: &str, y: &str, pick: fn(&(f64, f64, f64)) -> (f64, f64)| {
+    let chart = |what: &str, y: &str, pick: fn(&Speed) -> f64| {
         let series = runs.iter().map(|(name, speeds)| Series {
             name: (*name).to_owned(),
-            points: speeds.iter().map(pick).collect(),
+            points: speeds.iter().map(|speed| (speed.t, pick(speed))).collect(),
         });
         Chart {
             title: format!("{what}: {}", pair.name),
@@ -180,6 +180,6 @@ fn charts() -> Result<String, Box<dyn Error>> {
         }
         .to_svg()
     };
-    Ok(chart("Speed of a body point", "length per unit of t", |&(t, speed, _)| (t, speed))?
-        + &chart("Speed of turning", "radians per unit of t", |&(t, _, turning)| (t, turning))?)
+    Ok(chart("Speed of a body point", "length per unit of t", |speed| speed.point)?
+        + &chart("Speed of turning", "radians per unit of t", |speed| speed.turning)?)
 }

@@ -81,9 +81,20 @@ fn parameter(i: usize) -> f64 {
     i as f64 / STEPS as f64
 }
 
-/// The speed of [`POINT`] and the speed of turning on the way, with the parameter; per unit of it.
+/// How fast a way is at a parameter, per unit of it.
+#[derive(Clone, Copy, Debug)]
+pub struct Speed {
+    /// The parameter.
+    pub t: f64,
+    /// Of [`POINT`].
+    pub point: f64,
+    /// Of turning, radians.
+    pub turning: f64,
+}
+
+/// The speeds all along the way.
 #[must_use]
-pub fn speeds(method: Method, pair: Pair) -> Vec<(f64, f64, f64)> {
+pub fn speeds(method: Method, pair: Pair) -> Vec<Speed> {
     let way: Vec<_> = (0..=STEPS).map(|i| (method.at)(pair.from, pair.to, parameter(i))).collect();
     let between = way.windows(2).enumerate().map(|(i, ends)| {
         let [from, to] = [ends[0], ends[1]];
@@ -91,7 +102,7 @@ pub fn speeds(method: Method, pair: Pair) -> Vec<(f64, f64, f64)> {
         let distance = (0..3).map(|axis| (p[axis] - q[axis]).powi(2)).sum::<f64>().sqrt();
         let angle = rotation(from).angle_to(rotation(to));
         let steps = STEPS as f64;
-        (parameter(i) + 0.5 / steps, distance * steps, angle * steps)
+        Speed { t: parameter(i) + 0.5 / steps, point: distance * steps, turning: angle * steps }
     });
     between.collect()
 }
@@ -113,24 +124,23 @@ pub fn facts(method: Method, pair: Pair) -> Facts {
     let frame = c.to_matrix3x4();
     let way = speeds(method, pair);
     let to_other_sign = speeds(method, Pair { to: -to, ..pair });
-    let ratio = |pick: fn(&(f64, f64, f64)) -> f64| {
+    let ratio = |pick: fn(&Speed) -> f64| {
         let largest = way.iter().map(pick).fold(0.0, f64::max);
         largest / way.iter().map(pick).fold(f64::INFINITY, f64::min)
     };
-    let mean = |of: &[(f64, f64, f64)], pick: fn(&(f64, f64, f64)) -> f64| {
-        of.iter().map(pick).sum::<f64>() / of.len() as f64
-    };
+    let mean =
+        |of: &[Speed], pick: fn(&Speed) -> f64| of.iter().map(pick).sum::<f64>() / of.len() as f64;
     let [turned, turned_to_other_sign] =
-        [&way, &to_other_sign].map(|way| mean(way, |(_, _, angle)| *angle));
+        [&way, &to_other_sign].map(|way| mean(way, |speed| speed.turning));
     let worst =
         |error: &dyn Fn(f64) -> f64| (0..=STEPS).map(|i| error(parameter(i))).fold(0.0, f64::max);
     let angle = from.angle_to(to);
     let turns = angle > 1e-12;
     let at = |t| (method.at)(from, to, t);
     Facts {
-        path: mean(&way, |(_, distance, _)| *distance),
-        speed: ratio(|(_, distance, _)| *distance),
-        turning: if turns { ratio(|(_, _, angle)| *angle) } else { f64::NAN },
+        path: mean(&way, |speed| speed.point),
+        speed: ratio(|speed| speed.point),
+        turning: if turns { ratio(|speed| speed.turning) } else { f64::NAN },
         detour: if turns { turned.max(turned_to_other_sign) / angle } else { f64::NAN },
         distortion: worst(&|t| {
             let linear = matrix::left(at(t));
