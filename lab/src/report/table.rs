@@ -24,24 +24,34 @@ impl Table {
         self.rows.push(row);
     }
 
-    /// Cells that begin like numbers stand to the right.
+    /// Numbers stand to the right, and so do headings of nothing but numbers and blanks.
     #[must_use]
     pub fn to_html(&self) -> String {
         let mut html = format!("<table><caption>{}</caption>\n<tr>", escape(&self.caption));
-        for heading in &self.headings {
-            let _ = write!(html, "<th>{}</th>", escape(heading));
+        for (column, heading) in self.headings.iter().enumerate() {
+            let mut cells =
+                self.rows.iter().map(|row| &row[column]).filter(|cell| !cell.is_empty());
+            let class = class(cells.all(|cell| is_number(cell)));
+            let _ = write!(html, "<th{class}>{}</th>", escape(heading));
         }
         html.push_str("</tr>\n");
         for row in &self.rows {
             html.push_str("<tr>");
             for cell in row {
-                let number = cell.starts_with(|c: char| c.is_ascii_digit() || c == '-' || c == '−');
-                let class = if number { " class=\"number\"" } else { "" };
-                let _ = write!(html, "<td{class}>{}</td>", escape(cell));
+                let _ = write!(html, "<td{}>{}</td>", class(is_number(cell)), escape(cell));
             }
             html.push_str("</tr>\n");
         }
         html.push_str("</table>\n");
         html
     }
+}
+
+fn class(number: bool) -> &'static str {
+    if number { " class=\"number\"" } else { "" }
+}
+
+/// As [`decimal`](super::decimal) writes them.
+fn is_number(cell: &str) -> bool {
+    cell.chars().all(|c| c.is_numeric() || ".·⁻−–∞".contains(c))
 }
