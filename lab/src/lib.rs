@@ -4,4 +4,10 @@
 //! Every experiment is a module with a function `section` that runs it and writes it up for the
 //! report; `cargo run --release -p lab -- --out DIR` puts all of them on one page.
 
+pub mod arends;
+mod counted;
+pub mod drift;
+pub mod matrix;
 pub mod report;
+
+pub use counted::{Counted, Counts};

@@ -1,3 +1,4 @@
+use super::power_of_ten;
 use plotters::prelude::*;
 use std::error::Error;
 
@@ -41,40 +42,53 @@ impl Chart {
                 points.filter(|(x, y)| x.is_finite() && y.is_finite()).collect()
             })
             .collect();
-        let Some((x, y)) = spans(lines.iter().flatten().copied()) else {
+        let Some((x, mut y)) = spans(lines.iter().flatten().copied()) else {
             return Err(format!("nothing to draw in the chart: {}", self.title).into());
         };
+        if self.logarithmic {
+            y = (y.0.floor(), y.1.ceil());
+        }
         let mut svg = String::new();
         {
-            let area = SVGBackend::with_string(&mut svg, (900, 420)).into_drawing_area();
+            let area = SVGBackend::with_string(&mut svg, (WIDTH, HEIGHT)).into_drawing_area();
             let mut axes = ChartBuilder::on(&area)
-                .caption(&self.title, ("sans-serif", 20))
-                .margin(12)
+                .caption(&self.title, ("sans-serif", 18))
+                .margin(10)
+                .margin_right(LEGEND)
                 .x_label_area_size(44)
-                .y_label_area_size(90)
+                .y_label_area_size(72)
                 .build_cartesian_2d(x.0..x.1, y.0..y.1)?;
             let mut mesh = axes.configure_mesh();
             mesh.x_desc(&self.x).y_desc(&self.y).light_line_style(TRANSPARENT);
+            mesh.bold_line_style(BLACK.mix(0.12)).label_style(("sans-serif", 13));
             if self.logarithmic {
-                mesh.y_label_formatter(&|exponent| format!("1e{exponent:.1}")).draw()?;
+                // Ticks at whole exponents, of which there is one more than there are decades.
+                mesh.y_labels((y.1 - y.0) as usize + 1)
+                    .y_label_formatter(&|exponent| power_of_ten(exponent.round() as i32))
+                    .draw()?;
             } else {
                 mesh.draw()?;
             }
             for (number, (line, points)) in self.series.iter().zip(lines).enumerate() {
                 let colour = Palette99::pick(number).to_rgba();
-                axes.draw_series(LineSeries::new(points, colour.stroke_width(2)))?
-                    .label(&line.name)
-                    .legend(move |(x, y)| PathElement::new([(x, y), (x + 18, y)], colour));
+                axes.draw_series(LineSeries::new(points, colour.stroke_width(2)))?;
+                // Beside the axes: curves are everywhere in them.
+                let (left, height) = ((WIDTH - LEGEND) as i32 + 8, 56 + 20 * number as i32);
+                let key = vec![(left, height), (left + 20, height)];
+                area.draw(&PathElement::new(key, colour.stroke_width(3)))?;
+                let style = ("sans-serif", 13).into_font();
+                area.draw(&Text::new(line.name.clone(), (left + 26, height - 6), style))?;
             }
-            axes.configure_series_labels()
-                .background_style(WHITE.mix(0.8))
-                .border_style(BLACK.mix(0.3))
-                .draw()?;
             area.present()?;
         }
         Ok(svg)
     }
 }
+
+const WIDTH: u32 = 1000;
+const HEIGHT: u32 = 400;
+/// Pixels at the right for the names of the lines.
+const LEGEND: u32 = 270;
 
 /// The smallest and largest x and y, never of no width; `None` without points.
 fn spans(mut points: impl Iterator<Item = (f64, f64)>) -> Option<((f64, f64), (f64, f64))> {

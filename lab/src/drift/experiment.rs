@@ -1,0 +1,184 @@
+use super::chain::{Chain, Order, Steps};
+use super::representation::{Homogeneous, Representation, RotationTranslation, kenwright_normalize};
+use super::target::follow;
+use crate::matrix::{self, Matrix};
+use core::convert::identity;
+use dq8::DualQuat;
+
+/// What is measured of a chain, the worst of its links where they have one each.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Measure {
+    /// How far axes are from right angles, [`matrix::skew`].
+    Skew,
+    /// How far axes are from unit length, [`matrix::stretch`].
+    Stretch,
+    /// [`Representation::norm_error`]
+    Norm,
+    /// Of the end effector from where the same steps bring it exactly, in links.
+    Position,
+    /// Of the end effector from the same, radians.
+    Angle,
+    /// Of the length of a link, relative.
+    Link,
+    /// By how much upkeep moves the end effector in one frame, in links.
+    Jump,
+}
+
+impl Measure {
+    /// In the order of declaration.
+    pub const ALL: [Self; 7] = [
+        Self::Skew,
+        Self::Stretch,
+        Self::Norm,
+        Self::Position,
+        Self::Angle,
+        Self::Link,
+        Self::Jump,
+    ];
+
+    /// For a heading.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Skew => "skew",
+            Self::Stretch => "scale",
+            Self::Norm => "norm",
+            Self::Position => "end position, links",
+            Self::Angle => "end angle, rad",
+            Self::Link => "link length",
+            Self::Jump => "jump, links",
+        }
+    }
+}
+
+/// The state of a chain in a frame.
+#[derive(Clone, Copy, Debug)]
+pub struct Sample {
+    /// Steps taken.
+    pub frame: usize,
+    errors: [f64; Measure::ALL.len()],
+}
+
+impl Sample {
+    /// One of its errors.
+    #[must_use]
+    pub fn error(&self, measure: Measure) -> f64 {
+        self.errors[measure as usize]
+    }
+}
+
+/// A representation and what keeps it in order.
+#[derive(Clone, Copy, Debug)]
+pub struct Method {
+    /// For tables and legends.
+    pub name: &'static str,
+    /// Takes the steps in single precision, and measures at every so many frames.
+    pub trace: fn(&[Steps], Order, usize) -> Vec<Sample>,
+}
+
+/// All that are compared.
+pub const METHODS: [Method; 7] = [
+    Method { name: "matrix", trace: |steps, order, every| trace(steps, order, every, identity::<Homogeneous<f32>>) },
+    Method {
+        name: "matrix, Gram–Schmidt",
+        trace: |steps, order, every| trace(steps, order, every, Homogeneous::<f32>::gram_schmidt),
+    },
+    Method {
+        name: "dual quaternion",
+        trace: |steps, order, every| trace(steps, order, every, identity::<DualQuat<f32>>),
+    },
+    Method {
+        name: "dual quaternion, normalised",
+        trace: |steps, order, every| trace(steps, order, every, DualQuat::<f32>::normalize),
+    },
+    Method {
+        name: "dual quaternion, Kenwright's Normalize",
+        trace: |steps, order, every| trace(steps, order, every, kenwright_normalize::<f32>),
+    },
+    Method {
+        name: "quaternion + vector",
+        trace: |steps, order, every| trace(steps, order, every, identity::<RotationTranslation<f32>>),
+    },
+    Method {
+        name: "quaternion + vector, normalised",
+        trace: |steps, order, every| {
+            trace(steps, order, every, RotationTranslation::<f32>::normalize)
+        },
+    },
+];
+
+/// Takes the steps twice, as an `S` with `upkeep` in every frame and exactly (dual quaternions in
+/// double precision, normalised), and compares them at every so many frames.
+#[must_use]
+pub fn trace<S: Representation>(
+    steps: &[Steps],
+    order: Order,
+    every: usize,
+    upkeep: impl Fn(S) -> S,
+) -> Vec<Sample> {
+    let mut chain = Chain::<S>::bent(order);
+    let mut exact = Chain::<DualQuat<f64>>::bent(order);
+    let mut samples = Vec::new();
+    for (frame, step) in (1..).zip(steps) {
+        chain.advance(step);
+        exact.advance(step);
+        exact.keep(DualQuat::normalize);
+        let measured = frame % every == 0;
+        let before = measured.then(|| chain.end());
+        chain.keep(&upkeep);
+        if let Some(before) = before {
+            samples.push(Sample { frame, errors: errors(&chain, before, exact.end()) });
+        }
+    }
+    samples
+}
+
+/// In the order of [`Measure`].
+fn errors<S: Representation>(
+    chain: &Chain<S>,
+    before_upkeep: Matrix<f64, 3, 4>,
+    exact: Matrix<f64, 3, 4>,
+) -> [f64; Measure::ALL.len()] {
+    let models = chain.models();
+    let end = chain.end();
+    let worst = |measure: fn(S) -> f64| models.into_iter().map(measure).fold(0.0, f64::max);
+    let [motion, wanted] = [end, exact].map(DualQuat::from_matrix3x4);
+    [
+        worst(|model| matrix::skew(matrix::left(model.to_matrix()))),
+        worst(|model| matrix::stretch(matrix::left(model.to_matrix()))),
+        worst(S::norm_error),
+        distance(end, exact),
+        motion.angle_to(wanted),
+        chain.link_error(),
+        distance(before_upkeep, end),
+    ]
+}
+
+fn distance(a: Matrix<f64, 3, 4>, b: Matrix<f64, 3, 4>) -> f64 {
+    (0..3).map(|i| (a[i][3] - b[i][3]).powi(2)).sum::<f64>().sqrt()
+}
+
+/// How fast the targets are: frames for one round. What one of them does is chance.
+pub const ROUNDS: [usize; 5] = [200, 500, 1000, 3000, 7000];
+
+/// What each of [`METHODS`] has come to in the last of `frames` frames, root mean squares over targets
+/// of all speeds; and the worst that the exact chain misses its target by, in links.
+///
+/// # Panics
+/// For no frames.
+#[must_use]
+pub fn finals(frames: usize, order: Order) -> ([Sample; METHODS.len()], f64) {
+    let runs = ROUNDS.map(|round| follow(frames, round, order));
+    let samples = METHODS.map(|method| {
+        let mut squares = [0.0; Measure::ALL.len()];
+        for (steps, _) in &runs {
+            let traced = (method.trace)(steps, order, frames);
+            let last = traced.last().expect("at least one frame");
+            for (sum, error) in squares.iter_mut().zip(last.errors) {
+                *sum += error * error / ROUNDS.len() as f64;
+            }
+        }
+        Sample { frame: frames, errors: squares.map(f64::sqrt) }
+    });
+    (samples, runs.iter().map(|(_, missed)| *missed).fold(0.0, f64::max))
+}
