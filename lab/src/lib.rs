@@ -8,6 +8,7 @@ pub mod arends;
 mod counted;
 pub mod drift;
 pub mod matrix;
+pub mod operations;
 pub mod report;
 
 pub use counted::{Counted, Counts};

@@ -8,7 +8,7 @@ use std::process::ExitCode;
 
 /// The experiments, in the order of the page.
 const SECTIONS: &[fn() -> Result<Section, Box<dyn Error>>] =
-    &[lab::drift::section];
+    &[lab::drift::section, lab::operations::section];
 
 fn main() -> ExitCode {
     let arguments: Vec<_> = std::env::args_os().skip(1).collect();

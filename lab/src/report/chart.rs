@@ -60,6 +60,7 @@ impl Chart {
                 .build_cartesian_2d(x.0..x.1, y.0..y.1)?;
             let mut mesh = axes.configure_mesh();
             mesh.x_desc(&self.x).y_desc(&self.y).light_line_style(TRANSPARENT);
+            mesh.x_label_formatter(&|x| plain(*x)).y_label_formatter(&|y| plain(*y));
             mesh.bold_line_style(BLACK.mix(0.12)).label_style(("sans-serif", 13));
             if self.logarithmic {
                 // Ticks at whole exponents, of which there is one more than there are decades.
@@ -83,6 +84,11 @@ impl Chart {
         }
         Ok(svg)
     }
+}
+
+/// A tick without the rounding of its sum.
+fn plain(tick: f64) -> String {
+    ((tick * 1e6).round() / 1e6).to_string()
 }
 
 const WIDTH: u32 = 1000;
