@@ -7,8 +7,12 @@
 pub mod arends;
 mod counted;
 pub mod drift;
+mod hyper_dual;
+mod hyper_dual_quat;
 pub mod matrix;
 pub mod operations;
 pub mod report;
 
 pub use counted::{Counted, Counts};
+pub use hyper_dual::HyperDual;
+pub use hyper_dual_quat::HyperDualQuat;
