@@ -77,8 +77,8 @@ impl<R: Real> HyperDualQuat<R> {
         self.each(Quat::conjugate)
     }
 
-    /// The conjugate with ε₁ → −ε₁: a* − b*ε₁ + c*ε₂ − d*ε₁ε₂. (xy) becomes y x, as for every
-    /// conjugate that is one of the quaternions and one of the dual units.
+    /// The conjugate with ε₁ → −ε₁: a* − b*ε₁ + c*ε₂ − d*ε₁ε₂, which turns products round as
+    /// [`conjugate`](Self::conjugate) does.
     #[must_use]
     pub fn conjugate_first(self) -> Self {
         let Self { real, first, second, mixed } = self.conjugate();
