@@ -1,6 +1,7 @@
 //! Arends, chapter 5, §1: what he says of hyper-dual numbers, and what he leaves out.
 
-use super::{Number, assert_close, invertible, parts, reals};
+use super::inputs::{assert_close, reals};
+use super::{Number, invertible, parts};
 use dq8::Real;
 use lab::HyperDual;
 use proptest::prelude::*;

@@ -1,7 +1,7 @@
 //! Arends, chapter 5, §§2–6: hyper-dual quaternions and what they move.
 
-use super::{assert_close, reals};
-use dq8::{Dual, DualQuat, Quat, Twist};
+use super::inputs::{assert_close, motion, reals, twist};
+use dq8::{Dual, DualQuat, Quat};
 use lab::{HyperDual, HyperDualQuat};
 use proptest::prelude::*;
 
@@ -19,18 +19,7 @@ fn invertible_four() -> impl Strategy<Value = Four> {
 }
 
 fn rotation() -> impl Strategy<Value = Quat<f64>> {
-    reals::<4>(1.0)
-        .prop_map(Quat::from_array)
-        .prop_filter("a direction", |q| q.norm() > 0.1)
-        .prop_map(Quat::normalize)
-}
-
-fn motion() -> impl Strategy<Value = DualQuat<f64>> {
-    (rotation(), reals(2.0)).prop_map(|(r, t)| DualQuat::from_rotation_translation(r, t))
-}
-
-fn twist() -> impl Strategy<Value = Twist<f64>> {
-    reals(2.0).prop_map(Twist::from_array)
+    motion().prop_map(DualQuat::rotation)
 }
 
 fn components(x: Four) -> [f64; 16] {
@@ -189,7 +178,7 @@ proptest! {
     /// What the second unit does buy: a motion with its rate, and the product rule for nothing.
     #[test]
     fn a_hyper_dual_quaternion_is_a_motion_with_its_rate(
-        s in motion(), u in motion(), xi in twist(), eta in twist(), v in reals(2.0), w in reals(2.0),
+        s in motion(), u in motion(), xi in twist(2.0), eta in twist(2.0), v in reals(2.0), w in reals(2.0),
     ) {
         let moving = |sigma: DualQuat<f64>, xi| {
             let rate = sigma.derivative_spatial(xi);

@@ -1,7 +1,8 @@
 //! Hyper-dual numbers written out against dq8's `Dual<Dual<f64>>`, ε₁ outside and ε₂ inside: the
 //! same numbers by other formulas.
 
-use super::{Number, assert_close, invertible, parts, reals};
+use super::inputs::{assert_close, reals};
+use super::{Number, invertible, parts};
 use dq8::{Dual, DualQuat, Quat, Real, Twist};
 use lab::HyperDual;
 use proptest::prelude::*;

@@ -1,0 +1,39 @@
+//! Alexa's keyframes, as he means them and as Arends reads them, and the logarithm of matrices that
+//! they stand on.
+
+mod inputs;
+#[path = "keyframe/alexa.rs"]
+mod alexa;
+#[path = "keyframe/elements.rs"]
+mod elements;
+#[path = "keyframe/logarithm.rs"]
+mod logarithm;
+
+use dq8::{DualQuat, Twist};
+use nalgebra::Matrix4;
+
+/// [ω]× and v: the matrix whose exponential is the motion of the twist.
+fn of_twist(twist: Twist<f64>) -> Matrix4<f64> {
+    let [x, y, z, a, b, c] = twist.to_array();
+    Matrix4::new(0.0, -z, y, a, z, 0.0, -x, b, -y, x, 0.0, c, 0.0, 0.0, 0.0, 0.0)
+}
+
+/// A turn about z through (1, 0, 0), with a slide, by `degrees`.
+fn about_z(degrees: f64) -> DualQuat<f64> {
+    let twist = Twist { angular: [0.0, 0.0, 1.0], linear: [0.0, -1.0, 0.25] };
+    DualQuat::from_twist(twist.scale(degrees.to_radians()))
+}
+
+/// Every element within `tolerance` of the wanted one.
+#[track_caller]
+fn assert_same(found: &Matrix4<f64>, wanted: &Matrix4<f64>, tolerance: f64) {
+    let error = (found - wanted).amax();
+    assert!(error <= tolerance, "off by {error:e}:{found}for{wanted}");
+}
+
+/// At least one element further than `tolerance` from the other.
+#[track_caller]
+fn assert_differ(a: &Matrix4<f64>, b: &Matrix4<f64>, tolerance: f64) {
+    let distance = (a - b).amax();
+    assert!(distance > tolerance, "apart by no more than {distance:e}:{a}and{b}");
+}
