@@ -5,8 +5,10 @@
 //! report; `cargo run --release -p lab -- --out DIR` puts all of them on one page.
 
 pub mod arends;
+mod arm;
 mod counted;
 pub mod drift;
+pub mod hessian;
 mod hyper_dual;
 mod hyper_dual_quat;
 pub mod keyframe;
@@ -15,6 +17,7 @@ pub mod matrix;
 pub mod operations;
 pub mod report;
 
+pub use arm::{Arm, Joint};
 pub use counted::{Counted, Counts};
 pub use hyper_dual::HyperDual;
 pub use hyper_dual_quat::HyperDualQuat;

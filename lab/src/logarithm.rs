@@ -142,9 +142,8 @@ fn check(a: &Matrix4<f64>) -> Result<(), LogarithmError> {
         .ok_or(LogarithmError::NotConverged { steps: MOST_STEPS })?;
     let eigenvalues = schur.complex_eigenvalues();
     let largest = eigenvalues.iter().fold(0.0, |largest: f64, e| largest.max(e.norm()));
-    let cut = |e: &&Complex<f64>| {
-        e.norm() == 0.0 || (e.re <= 0.0 && e.im.abs() <= ON_THE_AXIS * largest)
-    };
+    let cut =
+        |e: &&Complex<f64>| e.norm() == 0.0 || (e.re <= 0.0 && e.im.abs() <= ON_THE_AXIS * largest);
     match eigenvalues.iter().find(cut) {
         Some(e) => Err(LogarithmError::Eigenvalue { real: e.re, imaginary: e.im }),
         None => Ok(()),

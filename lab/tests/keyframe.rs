@@ -1,11 +1,11 @@
 //! Alexa's keyframes, as he means them and as Arends reads them, and the logarithm of matrices that
 //! they stand on.
 
-mod inputs;
 #[path = "keyframe/alexa.rs"]
 mod alexa;
 #[path = "keyframe/elements.rs"]
 mod elements;
+mod inputs;
 #[path = "keyframe/logarithm.rs"]
 mod logarithm;
 
