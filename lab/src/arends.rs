@@ -56,12 +56,7 @@ pub fn hyper_product<R: Real>(
     [a1, a2, a3, a4]: HyperDualQuat<R>,
     [b1, b2, b3, b4]: HyperDualQuat<R>,
 ) -> HyperDualQuat<R> {
-    [
-        a1 * b1,
-        a1 * b2 + a2 * b1,
-        a1 * b3 + a3 * b1,
-        a1 * b4 + (a2 * b3 + (a3 * b2 + a4 * b1)),
-    ]
+    [a1 * b1, a1 * b2 + a2 * b1, a1 * b3 + a3 * b1, a1 * b4 + (a2 * b3 + (a3 * b2 + a4 * b1))]
 }
 
 /// p′ = qpq† of §5.4, the last lines of `hdqtransform`.

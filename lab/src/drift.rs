@@ -83,7 +83,8 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
 
 fn charts() -> Result<String, Box<dyn Error>> {
     let (steps, _) = follow(FRAMES, DRAWN, Order::StepState);
-    let traces = METHODS.map(|method| (method.name, (method.trace)(&steps, Order::StepState, EVERY)));
+    let traces =
+        METHODS.map(|method| (method.name, (method.trace)(&steps, Order::StepState, EVERY)));
     let chart = |measure: Measure, title: &str, y: &str| {
         let series = traces.iter().map(|(name, samples)| {
             let points = samples.iter().map(|sample| (sample.frame as f64, sample.error(measure)));
@@ -115,10 +116,7 @@ fn table(caption: &str, samples: &[Sample]) -> String {
     table.to_html()
 }
 
-fn found(
-    step_last: &[Sample; METHODS.len()],
-    step_first: &[Sample; METHODS.len()],
-) -> Vec<String> {
+fn found(step_last: &[Sample; METHODS.len()], step_first: &[Sample; METHODS.len()]) -> Vec<String> {
     let [matrix, orthonormal, dual, normalised, kenwright, _, pair] = step_last;
     let skew = |sample: &Sample| scientific(sample.error(Measure::Skew));
     let position = |sample: &Sample| scientific(sample.error(Measure::Position));
@@ -171,6 +169,7 @@ fn found(
 #[must_use]
 pub fn upkeep_costs() -> (Counts, Counts) {
     let tilt = matrix::about([0.6, 0.0, 0.8].map(Counted), Counted(0.5));
-    let motion = DualQuat::from_array([0.5, 0.5, 0.5, 0.5, 0.1, 0.2, 0.3, 0.4].map(Counted::from_f64));
+    let motion =
+        DualQuat::from_array([0.5, 0.5, 0.5, 0.5, 0.1, 0.2, 0.3, 0.4].map(Counted::from_f64));
     (Counts::of(|| matrix::gram_schmidt(tilt)), Counts::of(|| motion.normalize()))
 }

@@ -47,12 +47,13 @@ impl Derivatives {
         for i in 0..6 {
             let (after, before) = (at(&[(i, 1.0)]), at(&[(i, -1.0)]));
             derivatives.first[i] = core::array::from_fn(|k| (after[k] - before[k]) / (2.0 * step));
-            for j in 0..6 {
+            for j in i..6 {
                 let [a, b, c, d] = [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)]
                     .map(|(first, second)| at(&[(i, first), (j, second)]));
                 let difference = |k: usize| (a[k] - b[k]) - (c[k] - d[k]);
                 let over = 4.0 * step * step;
                 derivatives.second[i][j] = core::array::from_fn(|k| difference(k) / over);
+                derivatives.second[j][i] = derivatives.second[i][j];
             }
         }
         derivatives

@@ -7,11 +7,15 @@
 pub mod arends;
 mod arm;
 mod counted;
+pub mod differentiation;
 pub mod drift;
+pub mod forward_kinematics;
 pub mod hessian;
 mod hyper_dual;
+pub mod hyper_dual_claims;
 mod hyper_dual_quat;
 pub mod keyframe;
+pub mod keyframing;
 mod logarithm;
 pub mod matrix;
 pub mod operations;

@@ -82,7 +82,19 @@ fn sentence(operation: &Operation) -> String {
 fn table(list: &[Operation]) -> String {
     let mut table = Table::new(
         "Measured operations",
-        &["operation", "mul", "add", "neg", "div", "sqrt", "trig", "exp", "tests", "printed", "remark"],
+        &[
+            "operation",
+            "mul",
+            "add",
+            "neg",
+            "div",
+            "sqrt",
+            "trig",
+            "exp",
+            "tests",
+            "printed",
+            "remark",
+        ],
     );
     for Operation { name, printed, reason, counts } in list {
         let numbers = [
@@ -108,8 +120,10 @@ fn memory() -> Table {
         (size_of::<T>() / size_of::<Counted>()).to_string()
     }
     type R = Counted;
-    let mut table =
-        Table::new("Numbers stored; a rigid motion has six degrees of freedom", &["representation", "numbers"]);
+    let mut table = Table::new(
+        "Numbers stored; a rigid motion has six degrees of freedom",
+        &["representation", "numbers"],
+    );
     for (name, stored) in [
         ("Euler angles + vector", numbers::<[[R; 3]; 2]>()),
         ("quaternion", numbers::<Quat<R>>()),

@@ -164,3 +164,12 @@ fn sclerp_by_dual_numbers_is_nan_at_its_start() {
     let constant = from.sclerp(to, Dual::new(0.0, 0.0)).to_array();
     assert!(constant.iter().all(|c| c.real.is_finite()));
 }
+
+#[test]
+fn the_experiments_are_written_up_with_table_and_chart() {
+    for section in [lab::forward_kinematics::section, lab::differentiation::section] {
+        let section = section().unwrap();
+        assert!(section.body.contains("<table>") && section.body.contains("<svg"));
+        assert!(!section.body.contains("NaN"), "{}", section.title);
+    }
+}

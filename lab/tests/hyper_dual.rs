@@ -25,3 +25,15 @@ fn invertible() -> impl Strategy<Value = Number> {
 fn parts(x: Number) -> [f64; 4] {
     [x.real, x.first, x.second, x.mixed]
 }
+
+#[test]
+fn the_experiment_finds_two_statements_of_the_thesis_wrong() {
+    let found = lab::hyper_dual_claims::section().unwrap().found;
+    assert_eq!(found[0], "8 of the 10 lines of the table hold up to rounding.");
+    assert!(found[1].starts_with("(xy)† = y†x†, all four used (§5.2): off by"), "{found:?}");
+    assert!(
+        found[2].starts_with("rotation and translation, the sum as printed (§5.4)"),
+        "{found:?}"
+    );
+    assert_eq!(found.len(), 3);
+}

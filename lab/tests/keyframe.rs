@@ -37,3 +37,15 @@ fn assert_differ(a: &Matrix4<f64>, b: &Matrix4<f64>, tolerance: f64) {
     let distance = (a - b).amax();
     assert!(distance > tolerance, "apart by no more than {distance:e}:{a}and{b}");
 }
+
+#[test]
+fn the_experiment_is_written_up_with_tables_and_charts() {
+    let section = lab::keyframing::section().unwrap();
+    assert_eq!(section.body.matches("<table>").count(), 4);
+    assert_eq!(section.body.matches("<svg").count(), 2);
+    assert!(section.body.contains("no principal logarithm: the eigenvalue -1"));
+    assert!(!section.body.contains("NaN"));
+    let detour =
+        "Keys 2° apart on both sides of half a turn: C turns 358° on the way between them.";
+    assert!(section.found.iter().any(|line| line == detour), "{:?}", section.found);
+}

@@ -1,5 +1,7 @@
 use super::chain::{Chain, Order, Steps};
-use super::representation::{Homogeneous, Representation, RotationTranslation, kenwright_normalize};
+use super::representation::{
+    Homogeneous, Representation, RotationTranslation, kenwright_normalize,
+};
 use super::target::follow;
 use crate::matrix::{self, Matrix};
 use core::convert::identity;
@@ -78,7 +80,10 @@ pub struct Method {
 
 /// All that are compared.
 pub const METHODS: [Method; 7] = [
-    Method { name: "matrix", trace: |steps, order, every| trace(steps, order, every, identity::<Homogeneous<f32>>) },
+    Method {
+        name: "matrix",
+        trace: |steps, order, every| trace(steps, order, every, identity::<Homogeneous<f32>>),
+    },
     Method {
         name: "matrix, Gram–Schmidt",
         trace: |steps, order, every| trace(steps, order, every, Homogeneous::<f32>::gram_schmidt),
@@ -97,7 +102,9 @@ pub const METHODS: [Method; 7] = [
     },
     Method {
         name: "quaternion + vector",
-        trace: |steps, order, every| trace(steps, order, every, identity::<RotationTranslation<f32>>),
+        trace: |steps, order, every| {
+            trace(steps, order, every, identity::<RotationTranslation<f32>>)
+        },
     },
     Method {
         name: "quaternion + vector, normalised",

@@ -34,7 +34,8 @@ pub fn follow(frames: usize, round: usize, order: Order) -> (Vec<Steps>, f64) {
         chain.keep(DualQuat::normalize);
         steps.push(step);
     }
-    let missed = frames.checked_sub(1).map_or(0.0, |last| end(&chain).distance_to(target(last, round)));
+    let missed =
+        frames.checked_sub(1).map_or(0.0, |last| end(&chain).distance_to(target(last, round)));
     (steps, missed)
 }
 

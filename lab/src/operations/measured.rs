@@ -98,17 +98,23 @@ fn matrices() -> Vec<Operation> {
         row("matrix 3×3, Gram–Schmidt", "", "third row by a cross product", || {
             matrix::gram_schmidt(matrix::left(a))
         }),
-        row("Euler angles to matrix 3×3", "", "two products of the three turns about axes", || {
-            let [x, y, z] = matrix::about_axes(angles);
-            matrix::product(matrix::product(x, y), z)
-        }),
+        row(
+            "Euler angles to matrix 3×3",
+            "",
+            "two products of the three turns about axes",
+            || {
+                let [x, y, z] = matrix::about_axes(angles);
+                matrix::product(matrix::product(x, y), z)
+            },
+        ),
         row(
             "Euler angles applied to a point, by 4×4",
             "Arends §2.6: 144 mul, 108 add, 12 trig",
             "Each turn has one sine and one cosine; he counts the four elements that hold them.",
             || {
-                let [x_turn, y_turn, z_turn] = matrix::about_axes(angles)
-                    .map(|rows| matrix::homogeneous(rows.map(|[x, y, z]| [x, y, z, Counted::ZERO])));
+                let [x_turn, y_turn, z_turn] = matrix::about_axes(angles).map(|rows| {
+                    matrix::homogeneous(rows.map(|[x, y, z]| [x, y, z, Counted::ZERO]))
+                });
                 let turn = matrix::product(matrix::product(x_turn, y_turn), z_turn);
                 matrix::apply(turn, [x, y, z, one])
             },
@@ -135,9 +141,12 @@ fn quaternions() -> Vec<Operation> {
             || arends::rotate(p, Quat::from_parts(point, Counted::ZERO)),
         ),
         row("quaternion, vector", "", "v + 2 r × (r × v + w v)", || p.rotate(point)),
-        row("quaternion normalised", "", "scaled by the largest component, so that nothing overflows", || {
-            p.normalize()
-        }),
+        row(
+            "quaternion normalised",
+            "",
+            "scaled by the largest component, so that nothing overflows",
+            || p.normalize(),
+        ),
         row("quaternion + vector, product", "", "(r₁r₂, r₁t₂r₁* + t₁)", || {
             let turned = p.rotate(b_translation());
             let sum: [Counted; 3] = from_fn(|i| turned[i] + point[i]);
@@ -167,9 +176,12 @@ fn motions() -> Vec<Operation> {
             "As §13.1 writes it: its constructor normalises the real part of every product.",
             || kenwright_product(a, b),
         ),
-        row("dual quaternion by rotation and translation", "", "the second made of the two first", || {
-            a.mul_rotation_translation(r, t)
-        }),
+        row(
+            "dual quaternion by rotation and translation",
+            "",
+            "the second made of the two first",
+            || a.mul_rotation_translation(r, t),
+        ),
         row("dual quaternion, point", "", "Rv + 2qp*", || a.transform_point(point)),
         row(
             "dual quaternion, point by qpq†",
@@ -179,9 +191,12 @@ fn motions() -> Vec<Operation> {
             || arends::dual_transform(a, moved),
         ),
         row("dual quaternion to matrix 3×4", "", "with t = 2qp*", || a.to_matrix3x4()),
-        row("matrix 3×4 to dual quaternion", "", "largest component first (Shepperd 1978)", || {
-            DualQuat::from_matrix3x4(matrix)
-        }),
+        row(
+            "matrix 3×4 to dual quaternion",
+            "",
+            "largest component first (Shepperd 1978)",
+            || DualQuat::from_matrix3x4(matrix),
+        ),
         row("dual quaternion, conjugate", "", "inverse of a unit one", || a.conjugate()),
         row("dual quaternion, inverse", "", "of any: p⁻¹ − ε p⁻¹qp⁻¹", || a.inverse()),
         row("dual quaternion normalised", "", "exactly: |p| = 1 and p·q = 0", || a.normalize()),
@@ -234,9 +249,12 @@ fn interpolations() -> Vec<Operation> {
     let (p, q) = (a.rotation(), b.rotation());
     vec![
         row("LERP of quaternions", "", "(1−t)a + tb", || p.scale(Counted::ONE - t) + q.scale(t)),
-        row("SLERP of quaternions, angle given", "Arends §3.4: 10 mul, 5 add, 4 trig, 2 div", "agrees", || {
-            arends::slerp_formula(p, q, t, Counted(0.5))
-        }),
+        row(
+            "SLERP of quaternions, angle given",
+            "Arends §3.4: 10 mul, 5 add, 4 trig, 2 div",
+            "agrees",
+            || arends::slerp_formula(p, q, t, Counted(0.5)),
+        ),
         row(
             "SLERP of quaternions",
             "",
