@@ -20,23 +20,26 @@ fn by_twists<R: Real>(a: Twist<f64>, b: Twist<f64>, t: R) -> DualQuat<R> {
 }
 
 proptest! {
+    // Logarithms are slow without optimisation.
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
     #[test]
     fn a_part_of_a_motion_is_the_power_of_its_screw(x in moderate(), s in -1.0..1.0) {
         let sigma = DualQuat::from_twist(x);
         let part = scale(s, &matrix(sigma)).unwrap();
-        assert_same(&part, &matrix(sigma.pow(s)), 2e-13);
+        assert_same(&part, &matrix(sigma.pow(s)), 2e-14);
     }
 
     #[test]
     fn the_sum_of_motions_on_one_screw_is_their_product(a in -80.0..80.0, b in -80.0..80.0) {
         let [first, second] = [a, b].map(|degrees| matrix(about_z(degrees)));
-        assert_same(&add(&first, &second).unwrap(), &(first * second), 1e-14);
+        assert_same(&add(&first, &second).unwrap(), &(first * second), 5e-15);
     }
 
     #[test]
     fn sums_commute(x in moderate(), y in moderate()) {
         let [a, b] = [x, y].map(|x| matrix(DualQuat::from_twist(x)));
-        assert_same(&add(&a, &b).unwrap(), &add(&b, &a).unwrap(), 1e-13);
+        assert_same(&add(&a, &b).unwrap(), &add(&b, &a).unwrap(), 0.0);
     }
 
     #[test]
@@ -45,13 +48,13 @@ proptest! {
     ) {
         let [a, b] = [x, y].map(|x| matrix(DualQuat::from_twist(x)));
         let between = interpolate(&a, &b, t).unwrap();
-        prop_assert!(orthonormality_error(&between) < 4e-13);
+        prop_assert!(orthonormality_error(&between) < 4e-14);
         prop_assert_eq!(between.row(3).transpose(), Matrix4::identity().row(3).transpose());
-        assert_same(&between, &matrix(by_twists(x, y, t)), 4e-13);
+        assert_same(&between, &matrix(by_twists(x, y, t)), 4e-14);
         let apart = add(&scale(1.0 - t, &a).unwrap(), &scale(t, &b).unwrap()).unwrap();
-        assert_same(&between, &apart, 4e-13);
-        assert_same(&interpolate(&a, &b, 0.0).unwrap(), &a, 4e-13);
-        assert_same(&interpolate(&a, &b, 1.0).unwrap(), &b, 4e-13);
+        assert_same(&between, &apart, 1e-13);
+        assert_same(&interpolate(&a, &b, 0.0).unwrap(), &a, 4e-14);
+        assert_same(&interpolate(&a, &b, 1.0).unwrap(), &b, 4e-14);
     }
 
     /// Another choice of axes for everything, G A G⁻¹, does not change the way.
@@ -62,7 +65,7 @@ proptest! {
         let [a, b] = [x, y].map(|x| matrix(DualQuat::from_twist(x)));
         let (to, back) = (matrix(g), matrix(g.conjugate()));
         let seen = interpolate(&(to * a * back), &(to * b * back), t).unwrap();
-        assert_same(&seen, &(to * interpolate(&a, &b, t).unwrap() * back), 4e-13);
+        assert_same(&seen, &(to * interpolate(&a, &b, t).unwrap() * back), 1e-13);
     }
 
     /// Of affine maps too: the volume goes as det A^(1−t) det Bᵗ.
@@ -79,7 +82,7 @@ proptest! {
         let (a, b) = (affine(x), affine(y));
         let between = interpolate(&a, &b, t).unwrap();
         let volume = a.determinant().powf(1.0 - t) * b.determinant().powf(t);
-        assert_close([between.determinant()], [volume], 1e-13 * volume);
+        assert_close([between.determinant()], [volume], 3e-14 * volume);
     }
 }
 
@@ -106,7 +109,7 @@ fn keyframes_on_one_screw_are_sclerp() {
         for t in [0.25, 0.5, 0.9, 1.5] {
             let between = interpolate(&matrix(a), &matrix(b), t);
             // Beyond 180 degrees too: it is a logarithm that is multiplied, not a motion.
-            assert_same(&between.unwrap(), &matrix(a.sclerp(b, t)), 1e-13);
+            assert_same(&between.unwrap(), &matrix(a.sclerp(b, t)), 1e-14);
         }
     }
 }
@@ -168,7 +171,7 @@ fn the_speed_of_sclerp_is_constant_and_that_of_keyframes_on_two_screws_is_not() 
     };
     let sclerp = span(times().map(|t| speed(a.sclerp(b, t))).collect());
     let alexa = span(times().map(|t| speed(by_twists(x, y, t))).collect());
-    assert!(1.0 - sclerp < 1e-14, "{sclerp}");
+    assert!(1.0 - sclerp < 1e-15, "{sclerp}");
     assert!((0.5..0.98).contains(&alexa), "{alexa}");
 }
 
@@ -178,8 +181,8 @@ fn keys_on_both_sides_of_half_a_turn_go_the_long_way() {
     let (a, b) = (about_z(170.0), about_z(190.0));
     let middle = interpolate(&matrix(a), &matrix(b), 0.5).unwrap();
     let slide = Vector3::new(0.0, 0.0, 0.25 * core::f64::consts::PI);
-    assert_same(&middle, &Matrix4::new_translation(&slide), 1e-13);
-    assert_same(&matrix(a.sclerp(b, 0.5)), &matrix(about_z(180.0)), 1e-14);
+    assert_same(&middle, &Matrix4::new_translation(&slide), 1e-14);
+    assert_same(&matrix(a.sclerp(b, 0.5)), &matrix(about_z(180.0)), 1e-15);
     let half_turn = matrix(about_z(180.0));
     for pair in [(&half_turn, &matrix(b)), (&matrix(a), &half_turn)] {
         let error = interpolate(pair.0, pair.1, 0.5).unwrap_err();

@@ -13,17 +13,20 @@ fn any_matrix(limit: f64) -> impl Strategy<Value = Matrix4<f64>> {
 }
 
 proptest! {
+    // Logarithms are slow without optimisation.
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
     /// Norms below π keep the eigenvalues of X in the strip of the principal logarithm.
     #[test]
     fn the_logarithm_undoes_the_exponential(x in any_matrix(0.75)) {
-        assert_same(&logarithm(&x.exp()).unwrap(), &x, 4e-13);
+        assert_same(&logarithm(&x.exp()).unwrap(), &x, 4e-14);
     }
 
     #[test]
     fn the_exponential_undoes_the_logarithm(x in any_matrix(1.5)) {
         let a = x.exp();
         match logarithm(&a) {
-            Ok(log) => assert_same(&log.exp(), &a, 1e-11 * a.amax().max(1.0)),
+            Ok(log) => assert_same(&log.exp(), &a, 1e-12 * a.amax().max(1.0)),
             Err(error) => prop_assert!(false, "{error}"),
         }
     }
@@ -54,7 +57,7 @@ fn the_logarithm_ends_at_half_a_turn_and_loses_digits_before() {
         let before = 10_f64.powi(-digits);
         let sigma = about_z(180.0 - before);
         let log = logarithm(&matrix(sigma)).unwrap();
-        assert_same(&log, &of_twist(sigma.to_twist()), 2e-14 / before);
+        assert_same(&log, &of_twist(sigma.to_twist()), 1e-14 / before);
     }
     let error = logarithm(&matrix(about_z(180.0))).unwrap_err();
     let LogarithmError::Eigenvalue { real, imaginary } = error else { panic!("{error}") };
