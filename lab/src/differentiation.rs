@@ -66,11 +66,15 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
     for way in &WAYS {
         let speeds = speeds(way, keys);
         let turning = |speed: &Speed| Vector3::from(speed.twist.angular).norm();
-        let largest = |of: &dyn Fn(&Speed) -> f64| speeds.iter().map(of).fold(0.0, f64::max);
+        let largest =
+            |of: &dyn Fn(&Speed) -> f64| speeds.iter().map(of).fold(0.0, Real::max_or_nan);
         let slowest = speeds.iter().map(turning).fold(f64::INFINITY, f64::min);
         let fastest = largest(&turning);
         let off = largest(&|speed| {
-            (speed.twist - whole).to_array().into_iter().fold(0.0, |most: f64, c| most.max(c.abs()))
+            (speed.twist - whole)
+                .to_array()
+                .into_iter()
+                .fold(0.0, |most: f64, c| most.max_or_nan(c.abs()))
         });
         let change = largest(&|speed| speed.change);
         table.row([
@@ -134,7 +138,8 @@ fn speeds(way: &Way, keys: [DualQuat<f64>; 2]) -> Vec<Speed> {
             let second = (way.second)(keys.map(lifted), HyperDual::new(t, 1.0, 1.0, 0.0));
             let acceleration = DualQuat::from_array(second.to_array().map(|c| c.mixed));
             let rest = acceleration - rate.derivative_body(twist);
-            let change = rest.to_array().into_iter().fold(0.0, |most: f64, c| most.max(c.abs()));
+            let change =
+                rest.to_array().into_iter().fold(0.0, |most: f64, c| most.max_or_nan(c.abs()));
             Speed { t, twist, change }
         })
         .collect()

@@ -3,6 +3,7 @@
 use crate::Arm;
 use crate::hessian::Derivatives;
 use crate::report::{Chart, Section, Series, Table, paragraph, scientific};
+use dq8::Real;
 use std::error::Error;
 
 /// Where the arm stands: nothing is at rest, and nothing aligned.
@@ -58,7 +59,7 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
             let best = points.iter().copied().fold((0.0, f64::INFINITY), |best: (f64, f64), at| {
                 if at.1 < best.1 { at } else { best }
             });
-            let worst = points.iter().fold(0.0, |worst: f64, at| worst.max(at.1));
+            let worst = points.iter().fold(0.0, |worst: f64, at| worst.max_or_nan(at.1));
             let step = scientific(10_f64.powf(best.0));
             let (error, worst) = (scientific(best.1), scientific(worst));
             found.push(format!(

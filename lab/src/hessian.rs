@@ -2,7 +2,7 @@
 
 use crate::{Arm, HyperDual};
 use core::error::Error;
-use dq8::{DualQuat, Hierarchy, Twist};
+use dq8::{DualQuat, Hierarchy, Real, Twist};
 
 /// Where the effector's origin is and its derivatives by the joint variables.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -80,12 +80,12 @@ impl Derivatives {
         Ok(derivatives)
     }
 
-    /// The largest difference of first derivatives and that of second ones.
+    /// The largest difference of first derivatives and that of second ones; NaN if one is.
     #[must_use]
     pub fn distances(&self, other: &Self) -> [f64; 2] {
         let largest = |a: &[[f64; 3]], b: &[[f64; 3]]| {
             let pairs = a.as_flattened().iter().zip(b.as_flattened());
-            pairs.fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()))
+            pairs.fold(0.0, |most: f64, (a, b)| most.max_or_nan((a - b).abs()))
         };
         [
             largest(&self.first, &other.first),

@@ -1,7 +1,7 @@
 //! Keyframes between matrices after Alexa (2002), as Arends tells it and as Alexa means it.
 
 use crate::{LogarithmError, logarithm};
-use dq8::DualQuat;
+use dq8::{DualQuat, Real};
 use nalgebra::{Matrix3, Matrix4};
 
 /// The matrix of a unit σ.
@@ -11,11 +11,12 @@ pub fn matrix(sigma: DualQuat<f64>) -> Matrix4<f64> {
     Matrix4::from_fn(|row, column| rows[row][column])
 }
 
-/// How far the rotation R of an affine matrix is from orthonormal: the largest element of RᵀR − 1.
+/// How far the rotation R of an affine matrix is from orthonormal: the largest element of RᵀR − 1; NaN
+/// if one is.
 #[must_use]
 pub fn orthonormality_error(a: &Matrix4<f64>) -> f64 {
     let r: Matrix3<f64> = a.fixed_view::<3, 3>(0, 0).into();
-    (r.transpose() * r - Matrix3::identity()).amax()
+    (r.transpose() * r - Matrix3::identity()).fold(0.0, |most, c| most.max_or_nan(c.abs()))
 }
 
 /// s ⊙ A = exp(s log A) (Alexa 2002; Arends, chapter 2, §4): the part s of a transformation. For a

@@ -28,6 +28,8 @@ fn about_z(degrees: f64) -> DualQuat<f64> {
 #[track_caller]
 fn assert_same(found: &Matrix4<f64>, wanted: &Matrix4<f64>, tolerance: f64) {
     let error = (found - wanted).amax();
+    // The largest of elements with NaN among them need not be NaN.
+    assert!(found.iter().all(|element| element.is_finite()), "{found}");
     assert!(error <= tolerance, "off by {error:e}:{found}for{wanted}");
 }
 

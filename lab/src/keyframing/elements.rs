@@ -4,7 +4,7 @@ use crate::keyframe::{
     interpolate, interpolate_elements, matrix, orthonormality_error, smallest_offset,
 };
 use crate::report::{Chart, Series, Table};
-use dq8::{DualQuat, Twist};
+use dq8::{DualQuat, Real, Twist};
 use nalgebra::{Matrix4, Point3};
 use std::error::Error;
 
@@ -46,7 +46,7 @@ pub(super) fn write_up() -> Result<(String, f64), Box<dyn Error>> {
             cells.extend([format!("{skew:.3}"), format!("{off:.3}")]);
             series[number].points.push((t, skew));
             if number < MORE.len() {
-                worst = worst.max(skew);
+                worst = worst.max_or_nan(skew);
             }
         }
         if step % (STEPS / 4) == 0 {

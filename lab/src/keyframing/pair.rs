@@ -2,7 +2,7 @@ use crate::LogarithmError;
 use crate::keyframe::{add, interpolate, matrix, orthonormality_error};
 use crate::report::{Chart, Series};
 use dq8::{Dual, DualQuat, Real, Twist};
-use nalgebra::Vector3;
+use nalgebra::{Matrix4, Vector3};
 use std::error::Error;
 
 /// Two rigid keys, by their twists.
@@ -97,16 +97,16 @@ impl Pair {
         for step in 0..=10 {
             let t = f64::from(step) / 10.0;
             let between = interpolate(&a, &b, t)?;
-            from_sclerp = from_sclerp.max((between - matrix(self.sclerp(t))).amax());
+            from_sclerp = from_sclerp.max_or_nan(largest(&(between - matrix(self.sclerp(t)))));
             let seen = interpolate(&(to * a * back), &(to * b * back), t)?;
-            other_axes = other_axes.max((seen - to * between * back).amax());
+            other_axes = other_axes.max_or_nan(largest(&(seen - to * between * back)));
             let moved = interpolate(&shifted[0], &shifted[1], t)?;
-            other_rest = other_rest.max((moved - matrix(little) * between).amax());
-            orthonormality = orthonormality.max(orthonormality_error(&between));
+            other_rest = other_rest.max_or_nan(largest(&(moved - matrix(little) * between)));
+            orthonormality = orthonormality.max_or_nan(orthonormality_error(&between));
         }
         let (speeds, even) = (Self::turning(|t| self.alexa(t)), Self::turning(|t| self.sclerp(t)));
         Ok(Facts {
-            sum_from_product: (add(&a, &b)? - a * b).amax(),
+            sum_from_product: largest(&(add(&a, &b)? - a * b)),
             from_sclerp,
             detour: total(&speeds) / total(&even),
             evenness: evenness(&speeds),
@@ -118,6 +118,11 @@ impl Pair {
     }
 }
 
+/// The largest element; unlike nalgebra's, NaN if one is.
+fn largest(difference: &Matrix4<f64>) -> f64 {
+    difference.fold(0.0, |most, c| most.max_or_nan(c.abs()))
+}
+
 fn total(speeds: &[(f64, f64)]) -> f64 {
     speeds.iter().map(|(_, speed)| speed).sum()
 }
@@ -126,7 +131,7 @@ fn total(speeds: &[(f64, f64)]) -> f64 {
 fn evenness(speeds: &[(f64, f64)]) -> f64 {
     let (slowest, fastest) =
         speeds.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), (_, speed)| {
-            (low.min(*speed), high.max(*speed))
+            (low.min(*speed), high.max_or_nan(*speed))
         });
     slowest / fastest
 }

@@ -122,6 +122,14 @@ fn the_order_is_that_of_infinitesimals() {
 }
 
 #[test]
+fn no_absolute_value_is_minus_zero() {
+    for first in [-2.0_f64, 0.0, 2.0] {
+        let size = HyperDual::new(-0.0_f64, first, 0.0, 0.0).abs();
+        assert!(size.real.is_sign_positive(), "{size}");
+    }
+}
+
+#[test]
 fn nan_and_infinities_in_any_part_are_seen() {
     for part in 0..4 {
         for odd in [f64::NAN, f64::INFINITY] {

@@ -2,7 +2,7 @@
 
 use super::{about_z, assert_same, of_twist};
 use crate::inputs::{motion, reals};
-use dq8::DualQuat;
+use dq8::{DualQuat, Quat};
 use lab::keyframe::matrix;
 use lab::{LogarithmError, logarithm};
 use nalgebra::{Matrix4, Vector3};
@@ -96,6 +96,19 @@ fn very_large_and_very_small_scales_have_logarithms() {
         let scale = Matrix4::from_diagonal(&[size, 2.0 * size, 1.0, 1.0].into());
         let wanted = Matrix4::from_diagonal(&[size.ln(), (2.0 * size).ln(), 0.0, 0.0].into());
         assert_same(&logarithm(&scale).unwrap(), &wanted, 1e-12);
+    }
+}
+
+/// Rounding moves the eigenvalues of most half turns off the axis.
+#[test]
+fn half_turns_about_any_axis_have_no_logarithm() {
+    for number in 1..=200 {
+        let [x, y, z] = [2.0_f64, 3.0, 5.0].map(|p| (f64::from(number) * p.sqrt()).fract() - 0.5);
+        let axis = Quat::from_xyzw(x, y, z, 0.0).normalize();
+        let sigma = DualQuat::from_rotation_translation(axis, [x, -y, z]);
+        let error = logarithm(&matrix(sigma)).unwrap_err();
+        let LogarithmError::Eigenvalue { real, .. } = error else { panic!("{number}: {error}") };
+        assert!((real + 1.0).abs() < 1e-14, "{number}: {error}");
     }
 }
 
