@@ -20,13 +20,13 @@ proptest! {
     fn first_derivatives_by_hyper_dual_numbers_are_the_geometric_jacobian(q in reals::<6>(3.0)) {
         let arm = Arm::example();
         let columns = columns(&arm, q).unwrap();
-        for i in 0..6 {
+        for (i, column) in columns.into_iter().enumerate() {
             let pose = arm.pose(seeded(q, i, i, 1.0));
             let (sigma, rate) = (part(pose, |c| c.real), part(pose, |c| c.first));
             let spatial = sigma.spatial_twist(rate);
-            assert_close(spatial.to_array(), columns[i].to_array(), 4e-15);
+            assert_close(spatial.to_array(), column.to_array(), 4e-15);
             // The body Jacobian is the same columns seen from the effector.
-            let body = sigma.conjugate().adjoint(columns[i]);
+            let body = sigma.conjugate().adjoint(column);
             assert_close(sigma.body_twist(rate).to_array(), body.to_array(), 8e-15);
             prop_assert_eq!(rate, part(pose, |c| c.second));
         }
