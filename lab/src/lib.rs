@@ -5,11 +5,25 @@
 //! report; `cargo run --release -p lab -- --out DIR` puts all of them on one page.
 
 pub mod arends;
+mod arm;
 mod counted;
+pub mod differentiation;
 pub mod drift;
+pub mod forward_kinematics;
+pub mod hessian;
+mod hyper_dual;
+pub mod hyper_dual_claims;
+mod hyper_dual_quat;
 pub mod interpolation;
+pub mod keyframe;
+pub mod keyframing;
+mod logarithm;
 pub mod matrix;
 pub mod operations;
 pub mod report;
 
+pub use arm::{Arm, Joint};
 pub use counted::{Counted, Counts};
+pub use hyper_dual::HyperDual;
+pub use hyper_dual_quat::HyperDualQuat;
+pub use logarithm::{LogarithmError, logarithm};

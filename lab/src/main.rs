@@ -9,8 +9,15 @@ use std::process::ExitCode;
 type Experiment = fn() -> Result<Section, Box<dyn Error>>;
 
 /// In the order of the page.
-const SECTIONS: &[Experiment] =
-    &[lab::drift::section, lab::operations::section, lab::interpolation::section];
+const SECTIONS: &[Experiment] = &[
+    lab::drift::section,
+    lab::operations::section,
+    lab::interpolation::section,
+    lab::keyframing::section,
+    lab::hyper_dual_claims::section,
+    lab::forward_kinematics::section,
+    lab::differentiation::section,
+];
 
 fn main() -> ExitCode {
     let arguments: Vec<_> = std::env::args_os().skip(1).collect();
