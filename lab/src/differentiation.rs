@@ -113,7 +113,7 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
                   the second derivative has nothing left beside it. NLERP is fastest in the middle; SLERP \
                   with LERP turns evenly but its twist is not constant, because the translation is not \
                   that of the screw. One limit: at t = 0 itself the power of the screw has no turn and so \
-                  no axis, and dual numbers give NaN."
+                  no axis, and dual numbers give no number."
             .to_owned(),
         body: table.to_html() + &chart.to_svg()?,
     })

@@ -63,7 +63,8 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
         verdict: "Jia is right: ScLERP turns and moves every point of the body at constant speed, and is \
                   the only one here that does so and stays rigid. It and NLERP do not depend on the frame, \
                   neither of the world nor of the body; SLERP with LERP depends on which point of the body \
-                  is called its origin. NLERP turns by the same rotations as ScLERP at another speed. \
+                  is called its origin. Keyframes after Alexa are rigid, and depend on both frames (see there). \
+                  NLERP turns by the same rotations as ScLERP at another speed. \
                   Matrix LERP and LERP without normalising are not rigid on the way, as Kenwright says of \
                   the first. The shortest path is no gift of dual quaternions: the sign has to be \
                   turned, as Tarini says. Arends' example gives √2, not 2√2; his if mends it, but also takes \

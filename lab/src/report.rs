@@ -98,6 +98,7 @@ table { border-collapse: collapse; margin: 1.5em 0; font-size: .85em; line-heigh
 caption { text-align: left; white-space: nowrap; font-weight: bold; padding-bottom: .3em }
 th, td { padding: .25em .6em; border-bottom: 1px solid #ddd; text-align: left; vertical-align: top }
 th { vertical-align: bottom } tr:hover { background: #f8f8f8 }
-td.number, th.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap }
+td.number, th.number { text-align: right; font-variant-numeric: tabular-nums }
+td.number { white-space: nowrap }
 svg { max-width: 100%; height: auto; margin: .5em 0 }
 ";
