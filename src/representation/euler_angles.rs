@@ -30,8 +30,8 @@ pub struct EulerAngles<R> {
 /// Where the first and the last axis fall together (the middle angle at ±π/2 with three different
 /// axes, at 0 or π with a proper order), only the sum or the difference of the outer angles is known:
 /// *gimbal lock* (Kenwright §3.3.3; Arends ch. 2 §5 writes out the products for θ = π/2 and θ = 0).
-/// There **the last angle is zero**, the first one has the whole turn, and `gimbal_lock` is set.
-/// Nothing can do better: the rotation does not have the missing number.
+/// Within rounding of that the middle angle is exactly there, **the last angle is zero**, the first
+/// one has the whole turn, and `gimbal_lock` is set: the rotation does not have the missing number.
 ///
 /// Near the lock the angles are still those of the rotation, but an error of δ in it moves the outer
 /// ones by δ over the sine of the angle between the two axes, and their sum or difference by δ only.
@@ -39,7 +39,8 @@ pub struct EulerAngles<R> {
 pub struct EulerSolution<R> {
     /// The angles, with the order they were asked for.
     pub angles: EulerAngles<R>,
-    /// The first and the last axis are parallel within rounding, so the last angle was chosen to be 0.
+    /// The first and the last axis are parallel within 4 units of the last place of 1, in radians, so
+    /// the last angle was chosen to be 0.
     pub gimbal_lock: bool,
 }
 
@@ -111,29 +112,45 @@ impl<R: Real> Quat<R> {
         let [a, b, c, d] =
             if proper { [w, x_i, x_j, x_k] } else { [w - x_j, x_i + x_k, w + x_j, x_k - x_i] };
         let (cosine, sine) = (vector::norm([a, b]), vector::norm([c, d]));
-        let middle = if proper {
-            R::TWO * sine.atan2(cosine)
-        } else {
-            // 2 (atan(sine/cosine) − π/4), without the difference, which would cost a small β.
-            let sum = sine + cosine;
-            R::TWO * (R::from(4.0) * (w * x_j - x_i * x_k)).atan2(sum * sum)
-        };
-
         // Below this the direction of a vanishing number is nothing but the rounding of q.
-        let least = R::from(4.0) * R::EPSILON;
-        let opposite = cosine <= least * sine;
-        let gimbal_lock = opposite || sine <= least * cosine;
-        let [alpha, gamma] = if opposite {
-            let difference = (R::TWO * c * d).atan2(c * c - d * d);
+        let least = R::TWO * R::EPSILON;
+        let (highest, lowest) = (cosine <= least * sine, sine <= least * cosine);
+        let quarter = R::PI * R::HALF;
+        let middle = match (highest, lowest) {
+            (true, _) => {
+                if proper {
+                    R::PI
+                } else {
+                    quarter
+                }
+            }
+            (_, true) => {
+                if proper {
+                    R::ZERO
+                } else {
+                    -quarter
+                }
+            }
+            _ if proper => R::TWO * sine.atan2(cosine),
+            _ => {
+                // 2 (atan(sine/cosine) − π/4), without the difference, which would cost a small β.
+                let sum = sine + cosine;
+                R::TWO * (R::from(4.0) * (w * x_j - x_i * x_k)).atan2(sum * sum)
+            }
+        };
+        // A zero of either sign is a positive one here: which it is may depend on the sign of q.
+        let argument = |sine: R, cosine: R| (sine + R::ZERO).atan2(cosine);
+        let [alpha, gamma] = if highest {
+            let difference = argument(R::TWO * c * d, c * c - d * d);
             if mirrored { [R::ZERO, difference] } else { [-difference, R::ZERO] }
-        } else if gimbal_lock {
-            let sum = (R::TWO * a * b).atan2(a * a - b * b);
+        } else if lowest {
+            let sum = argument(R::TWO * a * b, a * a - b * b);
             if mirrored { [R::ZERO, sum] } else { [sum, R::ZERO] }
         } else {
-            [(b * c - a * d).atan2(a * c + b * d), (b * c + a * d).atan2(a * c - b * d)]
+            [argument(b * c - a * d, a * c + b * d), argument(b * c + a * d, a * c - b * d)]
         };
         let gamma = if proper { gamma } else { handedness * gamma };
         let angles = if mirrored { [gamma, middle, alpha] } else { [alpha, middle, gamma] };
-        EulerSolution { angles: EulerAngles { angles, order }, gimbal_lock }
+        EulerSolution { angles: EulerAngles { angles, order }, gimbal_lock: highest || lowest }
     }
 }

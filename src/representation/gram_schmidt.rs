@@ -3,8 +3,8 @@ use crate::real::Real;
 use crate::scalar::vector;
 
 /// The rotation matrix with the first column in the direction of the matrix's first, the second in
-/// the plane of its first two, and the third their cross product (Gram 1883, Schmidt 1907). Rows in,
-/// rows out.
+/// the plane of its first two, and the third their cross product (Gram 1883, Schmidt 1907; Kenwright
+/// §3.5.2 names it against drift). Rows in, rows out.
 ///
 /// Cheap, and not fair: the first axis keeps its direction and the errors go to the others, so another
 /// order of axes gives another rotation. [`Polar`](crate::Polar) gives the nearest one. The first two

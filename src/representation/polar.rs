@@ -37,8 +37,8 @@ impl<R: Real> Polar<R> {
     /// symmetric 4×4 matrix (Horn 1987; Higham & Noferini 2016). With the singular values σ₁ ≥ σ₂ ≥ σ₃
     /// of A the four eigenvalues of −A are those of A negated, and the largest is σ₁ + σ₂ + σ₃ for the
     /// one of ±A that does not mirror, which is how that is told. Newton's iteration (Higham 1986)
-    /// inverts A at every step; this inverts nothing, so a flat A (σ₃ = 0) has its answer too: it does
-    /// not count as mirroring.
+    /// inverts A at every step; this inverts nothing, so a flat A (σ₃ = 0 within rounding) has its
+    /// answer too, and does not count as mirroring.
     ///
     /// # Errors
     /// If an element is not finite, or if A squeezes space into a line or a point within rounding
@@ -56,7 +56,7 @@ impl<R: Real> Polar<R> {
             most = if values[index] > values[most] { index } else { most };
             least = if values[index] < values[least] { index } else { least };
         }
-        let rounding = R::from(8.0) * R::EPSILON;
+        let rounding = R::from(32.0) * R::EPSILON;
         let mirrors = -values[least] > values[most] * (R::ONE + rounding);
         let (best, sign) = if mirrors { (least, -R::ONE) } else { (most, R::ONE) };
         // 2 (σ₂ + σ₃) at the least.
@@ -86,7 +86,13 @@ fn horn<R: Real>([[a, b, c], [d, e, f], [g, h, i]]: [[R; 3]; 3]) -> [[R; 4]; 4] 
 /// The symmetric part of RᵀA; the other part is rounding.
 fn stretch<R: Real>(rotation: Quat<R>, rows: [[R; 3]; 3]) -> [[R; 3]; 3] {
     let axes = rotation.to_matrix3();
-    let product =
-        |i: usize, j: usize| (0..3).fold(R::ZERO, |sum, k| sum + axes[k][i] * rows[k][j] * R::HALF);
-    core::array::from_fn(|i| core::array::from_fn(|j| product(i, j) + product(j, i)))
+    let product = |i: usize, j: usize| (0..3).fold(R::ZERO, |sum, k| sum + axes[k][i] * rows[k][j]);
+    core::array::from_fn(|row| {
+        core::array::from_fn(|column| {
+            let (i, j) = (row.min(column), row.max(column));
+            // Half of the difference: half of the sum may overflow, a sum of halves vanish.
+            let above = product(i, j);
+            above + (product(j, i) - above) * R::HALF
+        })
+    })
 }

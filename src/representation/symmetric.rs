@@ -28,12 +28,12 @@ pub(super) fn eigen<R: Real>(mut matrix: [[R; 4]; 4]) -> ([R; 4], [[R; 4]; 4]) {
                 let tangent = R::ONE / (tau.abs() + (R::ONE + tau * tau).sqrt());
                 let tangent = if tau < R::ZERO { -tangent } else { tangent };
                 let cosine = R::ONE / (R::ONE + tangent * tangent).sqrt();
-                let plane = Plane { p, q, cosine, sine: tangent * cosine };
+                let turn = Turn { p, q, cosine, sine: tangent * cosine };
                 // The matrix is symmetric: its rows turn as the columns of its transpose.
-                plane.turn(&mut matrix);
+                turn.columns_of(&mut matrix);
                 matrix = transpose(matrix);
-                plane.turn(&mut matrix);
-                plane.turn(&mut vectors);
+                turn.columns_of(&mut matrix);
+                turn.columns_of(&mut vectors);
             }
         }
         if settled {
@@ -43,16 +43,16 @@ pub(super) fn eigen<R: Real>(mut matrix: [[R; 4]; 4]) -> ([R; 4], [[R; 4]; 4]) {
     (core::array::from_fn(|index| matrix[index][index]), vectors)
 }
 
-/// A turn of two columns.
-struct Plane<R> {
+/// A turn in the plane of two coordinates.
+struct Turn<R> {
     p: usize,
     q: usize,
     cosine: R,
     sine: R,
 }
 
-impl<R: Real> Plane<R> {
-    fn turn(&self, matrix: &mut [[R; 4]; 4]) {
+impl<R: Real> Turn<R> {
+    fn columns_of(&self, matrix: &mut [[R; 4]; 4]) {
         for row in matrix {
             let (x, y) = (row[self.p], row[self.q]);
             row[self.p] = self.cosine * x - self.sine * y;
