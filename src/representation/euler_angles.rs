@@ -98,7 +98,7 @@ impl<R: Real> Quat<R> {
     pub fn to_euler(self, order: EulerOrder) -> EulerSolution<R> {
         let [first, j, last] = order.axes.indices();
         // Intrinsic turns are extrinsic ones in the opposite order.
-        let (i, mirrored) = match order.frame {
+        let (i, reversed) = match order.frame {
             EulerFrame::Intrinsic => (last, true),
             EulerFrame::Extrinsic => (first, false),
         };
@@ -114,43 +114,29 @@ impl<R: Real> Quat<R> {
         let (cosine, sine) = (vector::norm([a, b]), vector::norm([c, d]));
         // Below this the direction of a vanishing number is nothing but the rounding of q.
         let least = R::TWO * R::EPSILON;
-        let (highest, lowest) = (cosine <= least * sine, sine <= least * cosine);
+        let (lowest, highest) = (sine <= least * cosine, cosine <= least * sine);
         let quarter = R::PI * R::HALF;
-        let middle = match (highest, lowest) {
-            (true, _) => {
-                if proper {
-                    R::PI
-                } else {
-                    quarter
-                }
-            }
-            (_, true) => {
-                if proper {
-                    R::ZERO
-                } else {
-                    -quarter
-                }
-            }
-            _ if proper => R::TWO * sine.atan2(cosine),
-            _ => {
+        let [low, high] = if proper { [R::ZERO, R::PI] } else { [-quarter, quarter] };
+        // A zero of either sign is a positive one here: which it is may depend on the sign of q.
+        let argument = |sine: R, cosine: R| (sine + R::ZERO).atan2(cosine);
+        let [alpha, middle, gamma] = if lowest {
+            let sum = argument(R::TWO * a * b, a * a - b * b);
+            if reversed { [R::ZERO, low, sum] } else { [sum, low, R::ZERO] }
+        } else if highest {
+            let difference = argument(R::TWO * c * d, c * c - d * d);
+            if reversed { [R::ZERO, high, difference] } else { [-difference, high, R::ZERO] }
+        } else {
+            let middle = if proper {
+                R::TWO * sine.atan2(cosine)
+            } else {
                 // 2 (atan(sine/cosine) − π/4), without the difference, which would cost a small β.
                 let sum = sine + cosine;
                 R::TWO * (R::from(4.0) * (w * x_j - x_i * x_k)).atan2(sum * sum)
-            }
-        };
-        // A zero of either sign is a positive one here: which it is may depend on the sign of q.
-        let argument = |sine: R, cosine: R| (sine + R::ZERO).atan2(cosine);
-        let [alpha, gamma] = if highest {
-            let difference = argument(R::TWO * c * d, c * c - d * d);
-            if mirrored { [R::ZERO, difference] } else { [-difference, R::ZERO] }
-        } else if lowest {
-            let sum = argument(R::TWO * a * b, a * a - b * b);
-            if mirrored { [R::ZERO, sum] } else { [sum, R::ZERO] }
-        } else {
-            [argument(b * c - a * d, a * c + b * d), argument(b * c + a * d, a * c - b * d)]
+            };
+            [argument(b * c - a * d, a * c + b * d), middle, argument(b * c + a * d, a * c - b * d)]
         };
         let gamma = if proper { gamma } else { handedness * gamma };
-        let angles = if mirrored { [gamma, middle, alpha] } else { [alpha, middle, gamma] };
-        EulerSolution { angles: EulerAngles { angles, order }, gimbal_lock: highest || lowest }
+        let angles = if reversed { [gamma, middle, alpha] } else { [alpha, middle, gamma] };
+        EulerSolution { angles: EulerAngles { angles, order }, gimbal_lock: lowest || highest }
     }
 }

@@ -26,7 +26,7 @@ pub fn gram_schmidt<R: Real>(rows: [[R; 3]; 3]) -> Result<[[R; 3]; 3], Orthonorm
     let least = R::from(4.0) * R::EPSILON;
     let column = |index: usize| {
         let column = rows.map(|row| row[index]);
-        let largest = column.iter().fold(R::ZERO, |largest, c| c.abs().max_or_nan(largest));
+        let largest = vector::largest(column);
         if largest == R::ZERO {
             return Err(OrthonormalError::Dependent { column: index, sine: 0.0 });
         }

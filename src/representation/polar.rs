@@ -2,7 +2,7 @@ use super::gram_schmidt::all_finite;
 use super::symmetric;
 use crate::error::OrthonormalError;
 use crate::real::Real;
-use crate::scalar::Quat;
+use crate::scalar::{Quat, vector};
 
 /// The polar decomposition of a 3×3 matrix, A = R S: a stretch along three orthogonal directions, then
 /// a rotation. Of all rotations R is the nearest to A, in the sum of the squares of the differences of
@@ -45,8 +45,7 @@ impl<R: Real> Polar<R> {
     /// (σ₂ = σ₃ = 0): then many rotations are as near as each other.
     pub fn try_from_matrix3(rows: [[R; 3]; 3]) -> Result<Self, OrthonormalError> {
         all_finite(rows)?;
-        let largest =
-            rows.as_flattened().iter().fold(R::ZERO, |largest, c| c.abs().max_or_nan(largest));
+        let largest = vector::largest(rows.map(vector::largest));
         if largest == R::ZERO {
             return Err(OrthonormalError::Ambiguous { gap: 0.0 });
         }
@@ -59,11 +58,12 @@ impl<R: Real> Polar<R> {
         let rounding = R::from(32.0) * R::EPSILON;
         let mirrors = -values[least] > values[most] * (R::ONE + rounding);
         let (best, sign) = if mirrors { (least, -R::ONE) } else { (most, R::ONE) };
-        // 2 (σ₂ + σ₃) at the least.
-        let gap = (0..4).filter(|index| *index != best).fold(R::TWO, |gap, index| {
-            let below = sign * (values[best] - values[index]) / (R::TWO * sign * values[best]);
-            if below < gap { below } else { gap }
-        });
+        let values = values.map(|value| sign * value);
+        let others = values.into_iter().enumerate().filter(|(index, _)| *index != best);
+        // They are no further below than −λ.
+        let next =
+            others.fold(-values[best], |next, (_, other)| if other > next { other } else { next });
+        let gap = (values[best] - next) / (R::TWO * values[best]);
         if gap <= rounding {
             return Err(OrthonormalError::Ambiguous { gap: gap.into() });
         }

@@ -36,7 +36,7 @@ const OF_GLAM: [EulerRot; 24] = [
 
 /// The three turns multiplied by nalgebra.
 fn product(EulerAngles { angles, order }: EulerAngles<f64>) -> UnitQuaternion<f64> {
-    let axes = order.axes.indices().map(|axis| Vector3::ith_axis(axis));
+    let axes = order.axes.indices().map(Vector3::ith_axis);
     let [first, second, third] =
         std::array::from_fn(|i| UnitQuaternion::from_axis_angle(&axes[i], angles[i]));
     match order.frame {
