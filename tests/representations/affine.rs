@@ -44,16 +44,23 @@ fn a_reflection_undoes_itself_and_leaves_its_plane_alone() {
     }
 }
 
-/// Two mirrors that meet at half the angle, or half the distance apart: why motions need two.
+/// Planes that meet at half the angle, or are half the distance apart: why a motion is two mirrors.
 #[test]
-fn two_reflections_are_the_motion_of_the_product_of_their_normals() {
-    for (first, second) in planes().zip(planes().skip(4)) {
+fn two_reflections_are_a_motion_that_turns_by_the_product_of_the_normals() {
+    for (first, second) in planes().flat_map(|first| planes().map(move |second| (first, second))) {
         let both = Affine::reflection(second) * Affine::reflection(first);
         let [a, b] = [first, second].map(|plane| Quat::from_parts(plane.normal, 0.0));
-        let turn = b * a;
+        let (motion, stretch) = both.try_decompose().expect("it is rigid");
+        assert!(
+            between(opinion(motion.rotation()), opinion(b * a)) < 2e-15,
+            "{first:?} {second:?}"
+        );
+        assert!((exact_rows(stretch) - Matrix3::identity()).amax() < 2e-15);
         for v in POINTS {
-            let turned = turn.rotate(v);
-            assert!(apart(both.transform_vector(v), turned) < 1e-14, "{first:?} {second:?}");
+            let one_by_one = [first, second]
+                .into_iter()
+                .fold(v, |v, plane| Affine::reflection(plane).transform_point(v));
+            assert!(apart(motion.transform_point(v), one_by_one) < 2e-14, "{first:?} {second:?}");
         }
     }
 }

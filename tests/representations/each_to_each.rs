@@ -1,8 +1,8 @@
 //! Every representation into every other.
 
-use super::{Worst, exact, for_random_motions, round};
+use super::{Worst, between, exact, for_random_motions, opinion, round};
 use core::f64::consts::{FRAC_PI_2, PI};
-use dq8::{DualQuat, EulerAngles, EulerOrder, Quat, Real, RotationTranslation};
+use dq8::{DualQuat, EulerAngles, EulerOrder, MatrixError, Quat, Real, RotationTranslation};
 use dq8_contract::inputs::edge_motions;
 use nalgebra::{Isometry3, Point3, Quaternion, Translation3, UnitQuaternion};
 
@@ -160,5 +160,21 @@ fn rotation_matrices_are_those_of_glam() {
         for (row, column) in (0..9).map(|i| (i / 3, i % 3)) {
             assert!((rows[row][column] - columns[column][row]).abs() < 1e-15);
         }
+        let back = Quat::from_matrix3(rows);
+        assert!(between(opinion(back), opinion(motion.rotation())) < 3e-15, "{back:?}");
+        assert!(back.w() >= 0.0, "{back:?} is the longer way");
     });
+}
+
+#[test]
+fn a_matrix_that_is_no_rotation_says_why() {
+    let error = |rows| Quat::<f64>::try_from_matrix3(rows, 1e-9).expect_err("it is bad");
+    let mirror = error([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, -1.0]]);
+    assert_eq!(mirror, MatrixError::Mirrors { determinant: -1.0 });
+    let sheared = error([[1.0, 0.0, 0.0], [0.5, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+    assert_eq!(sheared, MatrixError::NotOrthonormal { row: 0, column: 1, value: 0.5 });
+    let nothing = error([[1.0, 0.0, 0.0], [0.0, f64::NAN, 0.0], [0.0, 0.0, 1.0]]);
+    assert!(
+        matches!(nothing, MatrixError::NotOrthonormal { row: 0, column: 1, value } if value.is_nan())
+    );
 }
