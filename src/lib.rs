@@ -30,6 +30,7 @@
 //! | [`DualQuat`], [`Quat`], [`Dual`] | the scalar reference, with formula, source and example at every operation |
 //! | [`batch`] | the same names on lanes |
 //! | [`Real`] | what the reference computes with: floats, dual numbers (which differentiate it), your own |
+//! | [`EulerAngles`], [`RotationTranslation`], [`Polar`], [`Affine`] | [other representations](representation) and matrices |
 //! | [`Line`], [`Plane`], [`Screw`], [`DualVector`] | what motions act on and are described by |
 //! | [`Line::from_points`], [`Line::dual_angle`], [`CommonPerpendicular`], [`Plane::from_points`] | lines, planes and points together, with typed errors where they are parallel or one |
 //! | [`Twist`], [`Wrench`], [`TwistBlock`] | velocities and forces: derivatives, adjoints and Jacobians of motions and joints |
@@ -52,8 +53,8 @@
 //!
 //! # Not here
 //!
-//! Scale and shear: non-uniform scale is no rigid motion and no dual quaternion, and uniform scale
-//! stands beside the motion where a skeleton needs it.
+//! Scale and shear on lanes and in hierarchies: they are no rigid motions and no dual quaternions
+//! ([`Affine`] has the reason), and stand beside the motion where a skeleton needs them.
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -75,6 +76,7 @@ mod incidence;
 mod motion;
 pub mod place;
 mod real;
+pub mod representation;
 pub mod scalar;
 // Tested where there is something to test it against.
 #[cfg(any(not(feature = "std"), test))]
@@ -84,7 +86,8 @@ pub mod slices;
 pub use dispatch::Backend;
 pub use dq8_simd::{Float, Lane, Level, Mask, Portable, f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
 pub use error::{
-    HierarchyError, IncidenceError, InverseError, MatrixError, NormalizeError, ShapeError,
+    HierarchyError, IncidenceError, InverseError, MatrixError, NormalizeError, OrthonormalError,
+    ShapeError,
 };
 pub use geometry::{DualVector, Line, Mean, Plane, Screw, Twist, Wrench};
 pub use hierarchy::{
@@ -98,4 +101,8 @@ pub use incidence::CommonPerpendicular;
 pub use motion::Motion;
 pub use place::{MatrixBlock, NumberBlock, Place, PointBlock};
 pub use real::Real;
+pub use representation::{
+    Affine, EulerAngles, EulerAxes, EulerFrame, EulerOrder, EulerSolution, Polar,
+    RotationTranslation, gram_schmidt,
+};
 pub use scalar::{Dual, DualQuat, Quat};

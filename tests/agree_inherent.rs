@@ -154,6 +154,9 @@ macro_rules! quat_operations {
             ("Quat::normalize", a.normalize().to_array().to_vec()),
             ("Quat::scale", a.scale($s).to_array().to_vec()),
             ("Quat::rotate", a.rotate($v).to_vec()),
+            ("Quat::to_matrix3", a.to_matrix3().concat()),
+            // As a matrix again, which does not see the sign.
+            ("Quat::from_matrix3", $Quat::from_matrix3(a.to_matrix3()).to_matrix3().concat()),
             ("Quat::add", (a + b).to_array().to_vec()),
             ("Quat::sub", (a - b).to_array().to_vec()),
             ("Quat::mul", (a * b).to_array().to_vec()),

@@ -16,6 +16,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("scalar", &["error", "real", "geometry", "motion"]),
     ("differentiate", &["real", "scalar"]),
     ("incidence", &["error", "real", "geometry", "scalar"]),
+    ("representation", &["error", "real", "geometry", "scalar"]),
     ("batch", &["error", "real", "geometry", "motion", "dq8_simd"]),
     ("dispatch", &["dq8_simd"]),
     ("place", &["real", "dq8_simd", "scalar", "dispatch"]),

@@ -1,45 +1,37 @@
-//! 3×4 and 4×4 matrices, rows, acting on column vectors.
+//! 3×3, 3×4 and 4×4 matrices, rows, acting on column vectors.
 
 use super::{DualQuat, Quat, vector};
 use crate::error::MatrixError;
 use crate::real::Real;
 
-impl<R: Real> DualQuat<R> {
-    /// The rows of the matrix [R | t] of a unit σ, so that `row · (v, 1)` is a coordinate of the
-    /// moved point (columns r e r* for the axes e, and t = 2qp*, Jia eq. 24).
+impl<R: Real> Quat<R> {
+    /// The rows of the rotation matrix of a unit quaternion, columns r e r* for the axes e.
     ///
     /// ```
-    /// use dq8::DualQuat;
-    /// let matrix = DualQuat::from_translation([1.0_f32, 2.0, 3.0]).to_matrix3x4();
-    /// assert_eq!(matrix[2], [0.0, 0.0, 1.0, 3.0]);
+    /// use dq8::Quat;
+    /// let third_turn = Quat::from_xyzw(0.5_f32, 0.5, 0.5, 0.5);
+    /// assert_eq!(third_turn.to_matrix3(), [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
     /// ```
     #[must_use]
-    pub fn to_matrix3x4(self) -> [[R; 4]; 3] {
-        let [x, y, z, w] = self.real().to_array();
-        let [tx, ty, tz] = self.translation();
+    pub fn to_matrix3(self) -> [[R; 3]; 3] {
+        let [x, y, z, w] = self.to_array();
         let (one, two) = (R::ONE, R::TWO);
         [
-            [one - two * (y * y + z * z), two * (x * y - w * z), two * (x * z + w * y), tx],
-            [two * (x * y + w * z), one - two * (x * x + z * z), two * (y * z - w * x), ty],
-            [two * (x * z - w * y), two * (y * z + w * x), one - two * (x * x + y * y), tz],
+            [one - two * (y * y + z * z), two * (x * y - w * z), two * (x * z + w * y)],
+            [two * (x * y + w * z), one - two * (x * x + z * z), two * (y * z - w * x)],
+            [two * (x * z - w * y), two * (y * z + w * x), one - two * (x * x + y * y)],
         ]
     }
 
-    /// [`to_matrix3x4`](Self::to_matrix3x4) with the row 0 0 0 1 below.
-    #[must_use]
-    pub fn to_matrix4(self) -> [[R; 4]; 4] {
-        let [a, b, c] = self.to_matrix3x4();
-        [a, b, c, [R::ZERO, R::ZERO, R::ZERO, R::ONE]]
-    }
-
-    /// The motion of a matrix that is known to be rigid, p_w ≥ 0; garbage in, garbage out:
-    /// [`try_from_matrix3x4`](Self::try_from_matrix3x4) checks.
+    /// The unit quaternion of a matrix that is known to be a rotation, w ≥ 0; garbage in, garbage
+    /// out: [`try_from_matrix3`](Self::try_from_matrix3) checks, and [`Polar`](crate::Polar) finds
+    /// the nearest rotation to any matrix.
     ///
     /// The largest of the four components is found first and divides the others (Shepperd 1978), so
     /// that nothing is divided by a small number.
     #[must_use]
-    pub fn from_matrix3x4(rows: [[R; 4]; 3]) -> Self {
-        let [[m00, m01, m02, tx], [m10, m11, m12, ty], [m20, m21, m22, tz]] = rows;
+    pub fn from_matrix3(rows: [[R; 3]; 3]) -> Self {
+        let [[m00, m01, m02], [m10, m11, m12], [m20, m21, m22]] = rows;
         let one = R::ONE;
         // Each is four times the square of a component.
         let x2 = one + m00 - m11 - m22;
@@ -55,8 +47,64 @@ impl<R: Real> DualQuat<R> {
         } else {
             [m02 + m20, m12 + m21, z2, m10 - m01]
         };
-        let rotation = Quat::from_xyzw(x, y, z, w).normalize();
-        Self::from_rotation_translation(rotation, [tx, ty, tz]).canonical()
+        let rotation = Self::from_xyzw(x, y, z, w).normalize();
+        if rotation.w() < R::ZERO { -rotation } else { rotation }
+    }
+
+    /// The unit quaternion of a rotation matrix, w ≥ 0.
+    ///
+    /// # Errors
+    /// If the matrix differs from a rotation by more than `tolerance` in a product of its rows (it
+    /// scales, shears or mirrors), or an element is not finite.
+    pub fn try_from_matrix3(rows: [[R; 3]; 3], tolerance: R) -> Result<Self, MatrixError> {
+        for row in 0..3 {
+            for column in row..3 {
+                let value = vector::dot(rows[row], rows[column]);
+                let wanted = if row == column { R::ONE } else { R::ZERO };
+                let close = (value - wanted).abs() <= tolerance;
+                if !close {
+                    return Err(MatrixError::NotOrthonormal { row, column, value: value.into() });
+                }
+            }
+        }
+        let determinant = vector::dot(rows[0], vector::cross(rows[1], rows[2]));
+        if determinant < R::ZERO {
+            return Err(MatrixError::Mirrors { determinant: determinant.into() });
+        }
+        Ok(Self::from_matrix3(rows))
+    }
+}
+
+impl<R: Real> DualQuat<R> {
+    /// The rows of the matrix [R | t] of a unit σ, so that `row · (v, 1)` is a coordinate of the
+    /// moved point (columns r e r* for the axes e, and t = 2qp*, Jia eq. 24).
+    ///
+    /// ```
+    /// use dq8::DualQuat;
+    /// let matrix = DualQuat::from_translation([1.0_f32, 2.0, 3.0]).to_matrix3x4();
+    /// assert_eq!(matrix[2], [0.0, 0.0, 1.0, 3.0]);
+    /// ```
+    #[must_use]
+    pub fn to_matrix3x4(self) -> [[R; 4]; 3] {
+        let [[a, b, c], [d, e, f], [g, h, i]] = self.real().to_matrix3();
+        let [x, y, z] = self.translation();
+        [[a, b, c, x], [d, e, f, y], [g, h, i, z]]
+    }
+
+    /// [`to_matrix3x4`](Self::to_matrix3x4) with the row 0 0 0 1 below.
+    #[must_use]
+    pub fn to_matrix4(self) -> [[R; 4]; 4] {
+        let [a, b, c] = self.to_matrix3x4();
+        [a, b, c, [R::ZERO, R::ZERO, R::ZERO, R::ONE]]
+    }
+
+    /// The motion of a matrix that is known to be rigid, p_w ≥ 0; garbage in, garbage out:
+    /// [`try_from_matrix3x4`](Self::try_from_matrix3x4) checks. The rotation is that of
+    /// [`Quat::from_matrix3`].
+    #[must_use]
+    pub fn from_matrix3x4(rows: [[R; 4]; 3]) -> Self {
+        let (rotation, translation) = apart(rows);
+        Self::from_rotation_translation(Quat::from_matrix3(rotation), translation)
     }
 
     /// The motion of a matrix, p_w ≥ 0.
@@ -74,27 +122,14 @@ impl<R: Real> DualQuat<R> {
     /// );
     /// ```
     pub fn try_from_matrix3x4(rows: [[R; 4]; 3], tolerance: R) -> Result<Self, MatrixError> {
-        let axes = rows.map(|[x, y, z, _]| [x, y, z]);
-        for row in 0..3 {
-            for column in row..3 {
-                let value = vector::dot(axes[row], axes[column]);
-                let wanted = if row == column { R::ONE } else { R::ZERO };
-                let close = (value - wanted).abs() <= tolerance;
-                if !close {
-                    return Err(MatrixError::NotOrthonormal { row, column, value: value.into() });
-                }
-            }
-        }
-        let determinant = vector::dot(axes[0], vector::cross(axes[1], axes[2]));
-        if determinant < R::ZERO {
-            return Err(MatrixError::Mirrors { determinant: determinant.into() });
-        }
-        for (row, [.., value]) in rows.into_iter().enumerate() {
+        let (rotation, translation) = apart(rows);
+        let rotation = Quat::try_from_matrix3(rotation, tolerance)?;
+        for (row, value) in translation.into_iter().enumerate() {
             if !value.is_finite() {
                 return Err(MatrixError::NotFinite { row, value: value.into() });
             }
         }
-        Ok(Self::from_matrix3x4(rows))
+        Ok(Self::from_rotation_translation(rotation, translation))
     }
 
     /// As [`try_from_matrix3x4`](Self::try_from_matrix3x4).
@@ -111,4 +146,9 @@ impl<R: Real> DualQuat<R> {
         }
         Self::try_from_matrix3x4([a, b, c], tolerance)
     }
+}
+
+/// The left 3×3 part and the last column.
+fn apart<R: Real>(rows: [[R; 4]; 3]) -> ([[R; 3]; 3], [R; 3]) {
+    (rows.map(|[x, y, z, _]| [x, y, z]), rows.map(|[.., t]| t))
 }

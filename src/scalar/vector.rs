@@ -3,10 +3,15 @@
 pub(crate) use crate::geometry::vector::{add, cross, dot, scale, sub};
 use crate::real::Real;
 
+/// The largest of the absolute values, NaN if there is one.
+pub(crate) fn largest<R: Real, const N: usize>(components: [R; N]) -> R {
+    components.iter().fold(R::ZERO, |largest, c| c.abs().max_or_nan(largest))
+}
+
 /// The Euclidean length of `components`, however large or small they are: squares of the
 /// components themselves would overflow or vanish, squares of their ratios to the largest do not.
 pub(crate) fn norm<R: Real, const N: usize>(components: [R; N]) -> R {
-    let largest = components.iter().fold(R::ZERO, |largest, c| c.abs().max_or_nan(largest));
+    let largest = largest(components);
     if largest == R::ZERO || !largest.is_finite() {
         return largest;
     }

@@ -160,6 +160,8 @@ pub static INHERENT: &[Bound] = &[
     line("Quat::normalize", 7.0, "another length"),
     line("Quat::scale", 0.0, "one product"),
     line("Quat::rotate", 20.0, "fused products, doubled at another step; |v| is up to 3.5"),
+    line("Quat::to_matrix3", 4.0, "fused products, doubled at another step"),
+    line("Quat::from_matrix3", 22.0, "another length divides; as a matrix again, to_matrix3 of two quaternions"),
     line("Quat::add", 0.0, "one sum"),
     line("Quat::sub", 0.0, "one difference"),
     line("Quat::mul", 5.0, "fused products, another order of summands"),

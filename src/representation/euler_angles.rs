@@ -1,0 +1,142 @@
+use super::{EulerFrame, EulerOrder};
+use crate::real::Real;
+use crate::scalar::{Quat, vector};
+
+/// Three turns about coordinate axes, one after the other (Kenwright §3.3; Arends ch. 2 §2).
+///
+/// Good for typing a pose in and reading it out; compute with the quaternion. Euler angles do not
+/// commute, have no short way between two of them, and lose a degree of freedom where the first and
+/// the last axis meet: see [`EulerSolution`].
+///
+/// ```
+/// use core::f64::consts::FRAC_PI_2;
+/// use dq8::{EulerAngles, EulerAxes, EulerFrame, EulerOrder};
+/// let order = EulerOrder { axes: EulerAxes::XYZ, frame: EulerFrame::Extrinsic };
+/// let turns = EulerAngles { angles: [FRAC_PI_2, 0.0, FRAC_PI_2], order };
+/// // y to z about x, and z stays about z.
+/// let [x, y, z] = turns.to_quat().rotate([0.0, 1.0, 0.0]);
+/// assert!(x.abs() + y.abs() + (z - 1.0).abs() < 1e-15);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EulerAngles<R> {
+    /// Radians, first turn first, about the axes of the order.
+    pub angles: [R; 3],
+    /// Which axes, and whose.
+    pub order: EulerOrder,
+}
+
+/// The Euler angles of a rotation, and whether they are one choice of many.
+///
+/// Where the first and the last axis fall together (the middle angle at ±π/2 with three different
+/// axes, at 0 or π with a proper order), only the sum or the difference of the outer angles is known:
+/// *gimbal lock* (Kenwright §3.3.3; Arends ch. 2 §5 writes out the products for θ = π/2 and θ = 0).
+/// Within rounding of that the middle angle is exactly there, **the last angle is zero**, the first
+/// one has the whole turn, and `gimbal_lock` is set: the rotation does not have the missing number.
+///
+/// Near the lock the angles are still those of the rotation, but an error of δ in it moves the outer
+/// ones by δ over the sine of the angle between the two axes, and their sum or difference by δ only.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EulerSolution<R> {
+    /// The angles, with the order they were asked for.
+    pub angles: EulerAngles<R>,
+    /// The first and the last axis are parallel within 4 units of the last place of 1, in radians, so
+    /// the last angle was chosen to be 0.
+    pub gimbal_lock: bool,
+}
+
+impl<R: Real> EulerAngles<R> {
+    /// The unit quaternion of the three turns, in the order that the frame says
+    /// ([`EulerFrame`]). Any angles.
+    #[must_use]
+    pub fn to_quat(self) -> Quat<R> {
+        let mut turns = [Quat::IDENTITY; 3];
+        for (turn, (axis, angle)) in
+            turns.iter_mut().zip(self.order.axes.indices().into_iter().zip(self.angles))
+        {
+            let mut unit = [R::ZERO; 3];
+            unit[axis] = R::ONE;
+            *turn = Quat::from_axis_angle(unit, angle);
+        }
+        let [first, second, third] = turns;
+        match self.order.frame {
+            EulerFrame::Intrinsic => first * second * third,
+            EulerFrame::Extrinsic => third * second * first,
+        }
+    }
+}
+
+impl<R: Real> Quat<R> {
+    /// The Euler angles of this unit quaternion, those of −q to the bit: the middle one in
+    /// [−π/2, π/2] if the three axes differ and in [0, π] if the last is the first again, the outer
+    /// ones in [−π, π]. NaN if a component is.
+    ///
+    /// Straight from the quaternion, without a matrix (Bernardes & Viollet 2022). With extrinsic turns
+    /// by α about i, β about j and γ about i, and k = ±i × j,
+    ///
+    /// ```text
+    /// a + b√−1 = w + x_i√−1 = cos(β/2) exp(√−1 (α + γ)/2)
+    /// c + d√−1 = x_j ± x_k√−1 = sin(β/2) exp(√−1 (γ − α)/2)
+    /// ```
+    ///
+    /// and a quarter of a turn about j makes three different axes such ones. The outer angles are then
+    /// the arguments of products of the two numbers and β is an arctangent of their lengths, so the
+    /// result is as good near gimbal lock as elsewhere. An arcsine of a matrix element, as in many
+    /// codes, keeps half of the digits there.
+    ///
+    /// ```
+    /// use core::f32::consts::FRAC_PI_2;
+    /// use dq8::{EulerAngles, EulerAxes, EulerFrame, EulerOrder};
+    /// let order = EulerOrder { axes: EulerAxes::ZYX, frame: EulerFrame::Intrinsic };
+    /// // The nose straight up: yaw and roll are one turn.
+    /// let up = EulerAngles { angles: [0.75, FRAC_PI_2, 0.5], order };
+    /// let solution = up.to_quat().to_euler(order);
+    /// let [yaw, pitch, roll] = solution.angles.angles;
+    /// assert!(solution.gimbal_lock);
+    /// assert!((yaw - 0.25).abs() < 1e-6 && (pitch - FRAC_PI_2).abs() < 1e-6 && roll == 0.0);
+    /// ```
+    #[must_use]
+    pub fn to_euler(self, order: EulerOrder) -> EulerSolution<R> {
+        let [first, j, last] = order.axes.indices();
+        // Intrinsic turns are extrinsic ones in the opposite order.
+        let (i, reversed) = match order.frame {
+            EulerFrame::Intrinsic => (last, true),
+            EulerFrame::Extrinsic => (first, false),
+        };
+        let k = 3 - i - j;
+        let handedness = if (i + 1) % 3 == j { R::ONE } else { -R::ONE };
+        let (w, [x_i, x_j, x_k]) = (self.w(), [i, j, k].map(|axis| self.xyz()[axis]));
+        let x_k = handedness * x_k;
+
+        // Lengths that nearly vanish are differences of components, exact but for their rounding.
+        let proper = order.axes.is_proper();
+        let [a, b, c, d] =
+            if proper { [w, x_i, x_j, x_k] } else { [w - x_j, x_i + x_k, w + x_j, x_k - x_i] };
+        let (cosine, sine) = (vector::norm([a, b]), vector::norm([c, d]));
+        // Below this the direction of a vanishing number is nothing but the rounding of q.
+        let least = R::TWO * R::EPSILON;
+        let (lowest, highest) = (sine <= least * cosine, cosine <= least * sine);
+        let quarter = R::PI * R::HALF;
+        let [low, high] = if proper { [R::ZERO, R::PI] } else { [-quarter, quarter] };
+        // A zero of either sign is a positive one here: which it is may depend on the sign of q.
+        let argument = |sine: R, cosine: R| (sine + R::ZERO).atan2(cosine);
+        let [alpha, middle, gamma] = if lowest {
+            let sum = argument(R::TWO * a * b, a * a - b * b);
+            if reversed { [R::ZERO, low, sum] } else { [sum, low, R::ZERO] }
+        } else if highest {
+            let difference = argument(R::TWO * c * d, c * c - d * d);
+            if reversed { [R::ZERO, high, difference] } else { [-difference, high, R::ZERO] }
+        } else {
+            let middle = if proper {
+                R::TWO * sine.atan2(cosine)
+            } else {
+                // 2 (atan(sine/cosine) − π/4), without the difference, which would cost a small β.
+                let sum = sine + cosine;
+                R::TWO * (R::from(4.0) * (w * x_j - x_i * x_k)).atan2(sum * sum)
+            };
+            [argument(b * c - a * d, a * c + b * d), middle, argument(b * c + a * d, a * c - b * d)]
+        };
+        let gamma = if proper { gamma } else { handedness * gamma };
+        let angles = if reversed { [gamma, middle, alpha] } else { [alpha, middle, gamma] };
+        EulerSolution { angles: EulerAngles { angles, order }, gimbal_lock: lowest || highest }
+    }
+}

@@ -1,0 +1,106 @@
+/// In which order Euler angles turn about which axes: 24 in all, [`EulerOrder::ALL`].
+///
+/// Kenwright (§3.3) says twelve and prints eleven, three of them twice. There are six with three
+/// different axes (Tait–Bryan) and six with the first axis again at the end (proper Euler angles), and
+/// each may turn about axes that move along or that stay.
+///
+/// ```
+/// use dq8::{EulerAxes, EulerFrame, EulerOrder};
+/// // Yaw, pitch and roll of an aircraft.
+/// let aircraft = EulerOrder { axes: EulerAxes::ZYX, frame: EulerFrame::Intrinsic };
+/// assert!(EulerOrder::ALL.contains(&aircraft));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct EulerOrder {
+    /// The axes, first turn first.
+    pub axes: EulerAxes,
+    /// Whether the axes move along.
+    pub frame: EulerFrame,
+}
+
+/// Whose axes the turns are about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum EulerFrame {
+    /// Of the turning body: each turn moves the axes of the later ones, R = R₁R₂R₃.
+    Intrinsic,
+    /// Of the space around: the axes stay, R = R₃R₂R₁.
+    Extrinsic,
+}
+
+/// The axes of three turns, first turn first: no two neighbours are equal.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs, reason = "the names are the axes")]
+pub enum EulerAxes {
+    XYZ,
+    XZY,
+    YXZ,
+    YZX,
+    ZXY,
+    ZYX,
+    XYX,
+    XZX,
+    YXY,
+    YZY,
+    ZXZ,
+    ZYZ,
+}
+
+impl EulerAxes {
+    /// All twelve: the six of Tait and Bryan, then the six proper ones.
+    pub const ALL: [Self; 12] = [
+        Self::XYZ,
+        Self::XZY,
+        Self::YXZ,
+        Self::YZX,
+        Self::ZXY,
+        Self::ZYX,
+        Self::XYX,
+        Self::XZX,
+        Self::YXY,
+        Self::YZY,
+        Self::ZXZ,
+        Self::ZYZ,
+    ];
+
+    /// The axes as indices into a vector: x is 0, y is 1, z is 2.
+    #[must_use]
+    pub const fn indices(self) -> [usize; 3] {
+        match self {
+            Self::XYZ => [0, 1, 2],
+            Self::XZY => [0, 2, 1],
+            Self::YXZ => [1, 0, 2],
+            Self::YZX => [1, 2, 0],
+            Self::ZXY => [2, 0, 1],
+            Self::ZYX => [2, 1, 0],
+            Self::XYX => [0, 1, 0],
+            Self::XZX => [0, 2, 0],
+            Self::YXY => [1, 0, 1],
+            Self::YZY => [1, 2, 1],
+            Self::ZXZ => [2, 0, 2],
+            Self::ZYZ => [2, 1, 2],
+        }
+    }
+
+    /// Whether the last axis is the first one again: then the middle angle is in [0, π], and
+    /// otherwise in [−π/2, π/2].
+    #[must_use]
+    pub const fn is_proper(self) -> bool {
+        let [first, _, last] = self.indices();
+        first == last
+    }
+}
+
+impl EulerOrder {
+    /// All 24: the axes in the order of [`EulerAxes::ALL`], intrinsic and then extrinsic.
+    pub const ALL: [Self; 24] = {
+        let mut all = [Self { axes: EulerAxes::XYZ, frame: EulerFrame::Intrinsic }; 24];
+        let mut index = 0;
+        while index < 12 {
+            let axes = EulerAxes::ALL[index];
+            all[index] = Self { axes, frame: EulerFrame::Intrinsic };
+            all[index + 12] = Self { axes, frame: EulerFrame::Extrinsic };
+            index += 1;
+        }
+        all
+    };
+}

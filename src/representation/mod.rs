@@ -1,0 +1,46 @@
+//! Other representations of rotations and rigid motions, and what more than a motion a matrix can hold.
+//!
+//! A unit quaternion is the middle of all of them. Kenwright (§3) compares Euler angles, axis and
+//! angle, matrices, and quaternions with a translation; each is one call away from [`Quat`] or
+//! [`DualQuat`], so any two are two calls apart:
+//!
+//! | representation | to a quaternion or motion | back |
+//! |---|---|---|
+//! | Euler angles, 24 orders | [`EulerAngles::to_quat`] | [`Quat::to_euler`] |
+//! | axis and angle | [`Quat::from_axis_angle`] | [`Quat::to_axis_angle`] |
+//! | axis times angle | [`Quat::from_scaled_axis`] | [`Quat::to_scaled_axis`] |
+//! | 3×3 matrix | [`Quat::from_matrix3`], [`Quat::try_from_matrix3`], [`Polar`] | [`Quat::to_matrix3`] |
+//! | 3×4, 4×4 matrix | [`DualQuat::from_matrix3x4`], [`DualQuat::try_from_matrix4`] | [`DualQuat::to_matrix3x4`], [`DualQuat::to_matrix4`] |
+//! | rotation and translation | `DualQuat::from(`[`RotationTranslation`]`)` | `RotationTranslation::from` |
+//! | affine map | [`Affine::try_decompose`] | [`Affine::from_motion`] |
+//!
+//! [`DualQuat`]: crate::DualQuat
+//! [`DualQuat::from_matrix3x4`]: crate::DualQuat::from_matrix3x4
+//! [`DualQuat::try_from_matrix4`]: crate::DualQuat::try_from_matrix4
+//! [`DualQuat::to_matrix3x4`]: crate::DualQuat::to_matrix3x4
+//! [`DualQuat::to_matrix4`]: crate::DualQuat::to_matrix4
+//! [`Quat`]: crate::Quat
+//! [`Quat::to_euler`]: crate::Quat::to_euler
+//! [`Quat::from_axis_angle`]: crate::Quat::from_axis_angle
+//! [`Quat::to_axis_angle`]: crate::Quat::to_axis_angle
+//! [`Quat::from_scaled_axis`]: crate::Quat::from_scaled_axis
+//! [`Quat::to_scaled_axis`]: crate::Quat::to_scaled_axis
+//! [`Quat::from_matrix3`]: crate::Quat::from_matrix3
+//! [`Quat::try_from_matrix3`]: crate::Quat::try_from_matrix3
+//! [`Quat::to_matrix3`]: crate::Quat::to_matrix3
+
+mod affine;
+mod axis_angle;
+mod euler_angles;
+mod euler_order;
+mod gram_schmidt;
+mod polar;
+mod rotation_translation;
+mod symmetric;
+
+pub use affine::Affine;
+pub use euler_angles::{EulerAngles, EulerSolution};
+pub use euler_order::{EulerAxes, EulerFrame, EulerOrder};
+pub use gram_schmidt::gram_schmidt;
+pub use polar::Polar;
+pub use rotation_translation::RotationTranslation;

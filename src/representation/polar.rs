@@ -1,0 +1,98 @@
+use super::gram_schmidt::all_finite;
+use super::symmetric;
+use crate::error::OrthonormalError;
+use crate::real::Real;
+use crate::scalar::{Quat, vector};
+
+/// The polar decomposition of a 3×3 matrix, A = R S: a stretch along three orthogonal directions, then
+/// a rotation. Of all rotations R is the nearest to A, in the sum of the squares of the differences of
+/// the elements (Fan & Hoffman 1955), whatever the order of the axes.
+///
+/// ```
+/// use dq8::{Polar, Quat};
+/// let stretched = [[0.0_f64, -3.0, 0.0], [2.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
+/// let Polar { rotation, stretch, mirrors } = Polar::try_from_matrix3(stretched)?;
+/// let quarter = Quat::from_axis_angle([0.0, 0.0, 1.0], core::f64::consts::FRAC_PI_2);
+/// assert!((rotation - quarter).norm() < 1e-15 && !mirrors);
+/// assert!((stretch[0][0] - 2.0).abs() + (stretch[1][1] - 3.0).abs() < 1e-14);
+/// # Ok::<(), dq8::OrthonormalError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Polar<R> {
+    /// R, unit, w ≥ 0.
+    pub rotation: Quat<R>,
+    /// S = RᵀA, symmetric. Its eigenvalues are the singular values of A, all of them negated if A
+    /// mirrors.
+    pub stretch: [[R; 3]; 3],
+    /// The determinant of A is negative. No rotation mirrors, so R is then the one nearest to −A, and
+    /// S mirrors in the origin (Shoemake & Duff 1992 keep that sign as a factor of its own).
+    pub mirrors: bool,
+}
+
+impl<R: Real> Polar<R> {
+    /// The decomposition of the rows.
+    ///
+    /// The sum of the products of the elements of A and those of the rotation matrix of q is a
+    /// quadratic form of q, so the nearest rotation is the eigenvector of the largest eigenvalue of a
+    /// symmetric 4×4 matrix (Horn 1987; Higham & Noferini 2016). With the singular values σ₁ ≥ σ₂ ≥ σ₃
+    /// of A the four eigenvalues of −A are those of A negated, and the largest is σ₁ + σ₂ + σ₃ for the
+    /// one of ±A that does not mirror, which is how that is told. Newton's iteration (Higham 1986)
+    /// inverts A at every step; this inverts nothing, so a flat A (σ₃ = 0 within rounding) has its
+    /// answer too, and does not count as mirroring.
+    ///
+    /// # Errors
+    /// If an element is not finite, or if A squeezes space into a line or a point within rounding
+    /// (σ₂ = σ₃ = 0): then many rotations are as near as each other.
+    pub fn try_from_matrix3(rows: [[R; 3]; 3]) -> Result<Self, OrthonormalError> {
+        all_finite(rows)?;
+        let largest = vector::largest(rows.map(vector::largest));
+        if largest == R::ZERO {
+            return Err(OrthonormalError::Ambiguous { gap: 0.0 });
+        }
+        let (values, vectors) = symmetric::eigen(horn(rows.map(|row| row.map(|c| c / largest))));
+        let [mut most, mut least] = [0; 2];
+        for index in 1..4 {
+            most = if values[index] > values[most] { index } else { most };
+            least = if values[index] < values[least] { index } else { least };
+        }
+        let rounding = R::from(32.0) * R::EPSILON;
+        let mirrors = -values[least] > values[most] * (R::ONE + rounding);
+        let (best, sign) = if mirrors { (least, -R::ONE) } else { (most, R::ONE) };
+        let values = values.map(|value| sign * value);
+        let others = values.into_iter().enumerate().filter(|(index, _)| *index != best);
+        // They are no further below than −λ.
+        let next =
+            others.fold(-values[best], |next, (_, other)| if other > next { other } else { next });
+        let gap = (values[best] - next) / (R::TWO * values[best]);
+        if gap <= rounding {
+            return Err(OrthonormalError::Ambiguous { gap: gap.into() });
+        }
+        let rotation = Quat::from_array(vectors.map(|row| row[best])).normalize();
+        let rotation = if rotation.w() < R::ZERO { -rotation } else { rotation };
+        Ok(Self { rotation, stretch: stretch(rotation, rows), mirrors })
+    }
+}
+
+/// K with q·Kq = Σ aᵢⱼ rᵢⱼ, the sum over the elements of A and of the rotation matrix of a unit q.
+fn horn<R: Real>([[a, b, c], [d, e, f], [g, h, i]]: [[R; 3]; 3]) -> [[R; 4]; 4] {
+    [
+        [a - e - i, b + d, c + g, h - f],
+        [b + d, e - a - i, f + h, c - g],
+        [c + g, f + h, i - a - e, d - b],
+        [h - f, c - g, d - b, a + e + i],
+    ]
+}
+
+/// The symmetric part of RᵀA; the other part is rounding.
+fn stretch<R: Real>(rotation: Quat<R>, rows: [[R; 3]; 3]) -> [[R; 3]; 3] {
+    let axes = rotation.to_matrix3();
+    let product = |i: usize, j: usize| (0..3).fold(R::ZERO, |sum, k| sum + axes[k][i] * rows[k][j]);
+    core::array::from_fn(|row| {
+        core::array::from_fn(|column| {
+            let (i, j) = (row.min(column), row.max(column));
+            // Half of the difference: half of the sum may overflow, a sum of halves vanish.
+            let above = product(i, j);
+            above + (product(j, i) - above) * R::HALF
+        })
+    })
+}

@@ -1,0 +1,88 @@
+use crate::real::Real;
+use crate::scalar::{DualQuat, Quat, vector};
+use core::ops::Mul;
+
+/// A rotation and a translation side by side, v ↦ r v r* + t (Kenwright §3): what files and
+/// physics engines hold, a number less than a [`DualQuat`], and the same motion.
+///
+/// [`to_array`](Self::to_array) is what
+/// [`RotationsTranslations`](crate::hierarchy::RotationsTranslations) takes.
+///
+/// ```
+/// use dq8::{DualQuat, Quat, RotationTranslation};
+/// let quarter = Quat::from_axis_angle([0.0, 0.0, 1.0], core::f64::consts::FRAC_PI_2);
+/// let pose = RotationTranslation { rotation: quarter, translation: [1.0, 2.0, 3.0] };
+/// let same = DualQuat::from(pose);
+/// let off = same.transform_point([4.0, 0.0, 0.0])[1] - pose.transform_point([4.0, 0.0, 0.0])[1];
+/// assert!(off.abs() < 1e-14);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+pub struct RotationTranslation<R> {
+    /// r, unit.
+    pub rotation: Quat<R>,
+    /// t
+    pub translation: [R; 3],
+}
+
+impl<R: Real> RotationTranslation<R> {
+    /// 1 and 0, which moves nothing.
+    pub const IDENTITY: Self = Self { rotation: Quat::IDENTITY, translation: [R::ZERO; 3] };
+
+    /// From `[x, y, z, w, tx, ty, tz]`.
+    #[must_use]
+    pub const fn from_array([x, y, z, w, tx, ty, tz]: [R; 7]) -> Self {
+        Self { rotation: Quat::from_xyzw(x, y, z, w), translation: [tx, ty, tz] }
+    }
+
+    /// `[x, y, z, w, tx, ty, tz]`
+    #[must_use]
+    pub const fn to_array(self) -> [R; 7] {
+        let ([x, y, z, w], [tx, ty, tz]) = (self.rotation.to_array(), self.translation);
+        [x, y, z, w, tx, ty, tz]
+    }
+
+    /// The inverse motion, r* and −r*tr.
+    #[must_use]
+    pub fn inverse(self) -> Self {
+        let rotation = self.rotation.conjugate();
+        Self { rotation, translation: rotation.rotate(self.translation).map(|c| -c) }
+    }
+
+    /// The point rvr* + t.
+    #[must_use]
+    pub fn transform_point(self, point: [R; 3]) -> [R; 3] {
+        vector::add(self.rotation.rotate(point), self.translation)
+    }
+
+    /// The direction rvr*.
+    #[must_use]
+    pub fn transform_vector(self, vector: [R; 3]) -> [R; 3] {
+        self.rotation.rotate(vector)
+    }
+}
+
+/// `other`, then `self`: r_a r_b and r_a t_b r_a* + t_a.
+impl<R: Real> Mul for RotationTranslation<R> {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        Self {
+            rotation: self.rotation * other.rotation,
+            translation: self.transform_point(other.translation),
+        }
+    }
+}
+
+/// r + ½εtr
+impl<R: Real> From<RotationTranslation<R>> for DualQuat<R> {
+    fn from(pose: RotationTranslation<R>) -> Self {
+        Self::from_rotation_translation(pose.rotation, pose.translation)
+    }
+}
+
+/// r = p, t = 2qp* of a unit σ.
+impl<R: Real> From<DualQuat<R>> for RotationTranslation<R> {
+    fn from(motion: DualQuat<R>) -> Self {
+        Self { rotation: motion.rotation(), translation: motion.translation() }
+    }
+}

@@ -1,0 +1,122 @@
+//! Axis and angle, as a pair and as a product.
+
+use super::{Worst, between, exact, opinion, round};
+use core::f64::consts::PI;
+use dq8::{Dual, Quat, Real};
+use nalgebra::{UnitQuaternion, Vector3};
+
+const AXES: [[f64; 3]; 4] =
+    [[0.6, -0.48, 0.64], [1.0, 0.0, 0.0], [0.0, -0.8, 0.6], [1e-9, 0.0, -1.0]];
+
+/// From tiny ones to a whole half turn, and close to it.
+fn angles() -> impl Iterator<Item = f64> {
+    let tiny = (0..=36).map(|decade| 10_f64.powi(-decade));
+    let near_half = (0..=16).map(|decade| PI - 10_f64.powi(-decade));
+    tiny.chain(near_half).chain((1..=24).map(|i| f64::from(i) * PI / 24.0))
+}
+
+#[test]
+fn the_axis_and_the_angle_come_back_with_all_their_digits() {
+    fn check<R: Real>(of_axis: Worst, of_angle: Worst, of_product: Worst) {
+        for axis in AXES {
+            for angle in angles().map(R::from_f64) {
+                let case = (axis, angle);
+                let quat = Quat::from_axis_angle(round(axis), angle);
+                for quat in [quat, -quat] {
+                    let (found, turn) = quat.to_axis_angle();
+                    // At half a turn both of ±axis are right, and rounding chooses.
+                    let sign = if Into::<f64>::into(angle) < PI - 1e-6 {
+                        1.0
+                    } else {
+                        (0..3).map(|i| Into::<f64>::into(found[i]) * axis[i]).sum::<f64>().signum()
+                    };
+                    let (turn, angle): (f64, f64) = (turn.into(), angle.into());
+                    let off = Vector3::from(exact(found)) * sign - Vector3::from(axis);
+                    of_axis.see(off.norm(), &case);
+                    of_angle.see((turn - angle).abs() / angle, &case);
+                    let product = Vector3::from(exact(quat.to_scaled_axis())) * sign / angle;
+                    of_product.see((product - Vector3::from(axis)).norm(), &case);
+                }
+            }
+        }
+    }
+    check::<f32>(
+        Worst::new::<f32>("axis, f32", 1.5),
+        Worst::new::<f32>("angle, f32", 2.0),
+        Worst::new::<f32>("product, f32", 2.0),
+    );
+    check::<f64>(
+        Worst::new::<f64>("axis, f64", 1.5),
+        Worst::new::<f64>("angle, f64", 2.0),
+        Worst::new::<f64>("product, f64", 2.0),
+    );
+}
+
+#[test]
+fn the_turn_by_a_vector_is_that_of_nalgebra() {
+    fn check<R: Real>(worst: Worst) {
+        for axis in AXES {
+            for angle in angles().chain([4.0, 6.0, 2.0 * PI]) {
+                let v = round::<R, 3>(axis.map(|c| c * angle));
+                let wanted = UnitQuaternion::from_scaled_axis(Vector3::from(exact(v)));
+                let got = Quat::from_scaled_axis(v);
+                worst.see(between(opinion(got), wanted), &(axis, angle));
+                let length: f64 = (got.norm() - R::ONE).into();
+                assert!(length.abs() <= 2.0 * R::EPSILON.into(), "{got:?} is not unit");
+            }
+        }
+    }
+    check::<f32>(Worst::new::<f32>("from_scaled_axis, f32", 2.0));
+    check::<f64>(Worst::new::<f64>("from_scaled_axis, f64", 4.0));
+}
+
+#[test]
+fn half_turns_are_by_pi_about_the_vector_part_as_it_stands() {
+    for axis in [[1.0_f32, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [0.6, 0.0, -0.8]] {
+        for w in [0.0, -0.0] {
+            let half = Quat::from_parts(axis, w);
+            let turned = half.to_axis_angle();
+            assert_eq!((turned.0, turned.1), (axis, core::f32::consts::PI));
+            let scaled = half.to_scaled_axis();
+            assert_eq!(scaled, axis.map(|c| c * core::f32::consts::PI));
+        }
+    }
+}
+
+#[test]
+fn no_turn_is_by_zero_about_x() {
+    for identity in [Quat::<f64>::IDENTITY, -Quat::IDENTITY] {
+        assert_eq!(identity.to_axis_angle(), ([1.0, 0.0, 0.0], 0.0));
+        assert_eq!(identity.to_scaled_axis(), [0.0; 3]);
+    }
+}
+
+#[test]
+fn subnormal_turns_are_neither_lost_nor_infinite() {
+    let least = f32::from_bits(1);
+    let turned = Quat::from_xyzw(0.0, least, 0.0, 1.0);
+    assert_eq!(turned.to_axis_angle(), ([0.0, 1.0, 0.0], 2.0 * least));
+    assert_eq!(turned.to_scaled_axis(), [0.0, 2.0 * least, 0.0]);
+    let v = [2.0 * least, 0.0, 4000.0 * least];
+    assert_eq!(Quat::from_scaled_axis(v).to_scaled_axis(), v);
+}
+
+#[test]
+fn what_is_not_finite_becomes_nan() {
+    for bad in [f32::NAN, f32::INFINITY] {
+        let quat = Quat::from_scaled_axis([1.0, bad, 0.0]);
+        assert!(quat.to_array().iter().any(|c| c.is_nan()), "{quat:?}");
+        let (axis, angle) = Quat::from_xyzw(0.0, bad, 0.0, bad).to_axis_angle();
+        assert!(axis[1].is_nan() || angle.is_nan(), "{axis:?} {angle}");
+        assert!(Quat::from_xyzw(0.0, bad, 0.0, bad).to_scaled_axis()[1].is_nan());
+    }
+}
+
+/// Where the length has none: d/dv of exp(v/2) at 0 is ½, of the way back 2.
+#[test]
+fn both_ways_have_a_derivative_at_no_turn() {
+    let v = [0.0, 1.0, 2.0].map(|slope| Dual::new(0.0_f64, slope));
+    let quat = Quat::from_scaled_axis(v);
+    assert_eq!(quat.to_array().map(|c| c.dual), [0.0, 0.5, 1.0, 0.0]);
+    assert_eq!(quat.to_scaled_axis().map(|c| c.dual), [0.0, 1.0, 2.0]);
+}

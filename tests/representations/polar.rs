@@ -1,0 +1,145 @@
+//! The nearest rotation, and the stretch before it.
+
+use super::gram_schmidt::matrices;
+use super::{Worst, between, exact_rows, for_random_motions, opinion, round_rows};
+use dq8::{OrthonormalError, Polar, Quat, Real, gram_schmidt};
+use dq8_contract::inputs::for_all;
+use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+
+fn polar<R: Real>(matrix: Matrix3<f64>) -> Polar<R> {
+    Polar::try_from_matrix3(round_rows(matrix)).expect("its nearest rotation is the only one")
+}
+
+fn rotation<R: Real>(matrix: Matrix3<f64>) -> Matrix3<f64> {
+    opinion(polar::<R>(matrix).rotation).to_rotation_matrix().into_inner()
+}
+
+#[test]
+fn the_rotation_is_that_of_the_singular_value_decomposition() {
+    fn check<R: Real>(worst: Worst, of_product: Worst) {
+        for_all(1000, &matrices(), |matrix| {
+            let matrix = exact_rows(round_rows::<R>(matrix));
+            let svd = matrix.svd(true, true);
+            let by_svd = svd.u.expect("asked for") * svd.v_t.expect("asked for");
+            let Polar { rotation, stretch, mirrors } = polar::<R>(matrix);
+            let turned = opinion(rotation).to_rotation_matrix().into_inner();
+            let mut singular = svd.singular_values;
+            singular.as_mut_slice().sort_by(f64::total_cmp);
+            let condition = singular[2] / (singular[0] + singular[1]);
+            worst.see((turned - by_svd).amax() / condition, &matrix);
+            let stretch = exact_rows(stretch);
+            of_product.see((turned * stretch - matrix).amax(), &matrix);
+            assert!(!mirrors && stretch == stretch.transpose());
+            assert!(stretch.symmetric_eigenvalues().min() > 0.0, "{stretch}");
+        });
+    }
+    check::<f32>(Worst::new::<f32>("polar, f32", 8.0), Worst::new::<f32>("R S, f32", 10.0));
+    check::<f64>(Worst::new::<f64>("polar, f64", 8.0), Worst::new::<f64>("R S, f64", 10.0));
+}
+
+/// Neighbours all around, the rotation by Gram–Schmidt, and rotations far away.
+#[test]
+fn no_other_rotation_is_nearer_and_that_of_gram_schmidt_is_not_as_near() {
+    for_all(100, &matrices(), |matrix| {
+        let nearest = rotation::<f64>(matrix);
+        let distance = |other: Matrix3<f64>| (other - matrix).norm();
+        let ours = distance(nearest);
+        for axis in [Vector3::x(), Vector3::y(), Vector3::z(), Vector3::new(1.0, -2.0, 0.5)] {
+            for angle in [1e-6, -1e-6, 1e-2, -1e-2, 0.5, -0.5, 3.0] {
+                let turn = UnitQuaternion::from_scaled_axis(axis * angle).to_rotation_matrix();
+                assert!(distance(nearest * turn) > ours - 1e-15, "{axis:?} {angle} {matrix}");
+            }
+        }
+        let by_columns =
+            gram_schmidt(round_rows::<f64>(matrix)).map(exact_rows).expect("no mirror");
+        assert!(distance(by_columns) > ours + 1e-6, "{matrix}");
+    });
+}
+
+#[test]
+fn the_order_of_axes_changes_the_rotation_of_gram_schmidt_and_not_the_nearest() {
+    let cycle = Matrix3::new(0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0);
+    for_all(100, &matrices(), |matrix| {
+        let relabelled = cycle.transpose() * matrix * cycle;
+        let there_and_back = cycle * rotation::<f64>(relabelled) * cycle.transpose();
+        let condition = 1.0 / matrix.singular_values().min();
+        let off = (there_and_back - rotation::<f64>(matrix)).amax();
+        assert!(off < 2e-15 * condition, "{off:e} {matrix}");
+        let columns =
+            |matrix| gram_schmidt(round_rows::<f64>(matrix)).map(exact_rows).expect("no mirror");
+        let there_and_back = cycle * columns(relabelled) * cycle.transpose();
+        assert!((there_and_back - columns(matrix)).amax() > 1e-3, "{matrix}");
+    });
+}
+
+/// Thin in two directions, where an inverse has lost all digits in f32.
+#[test]
+fn rounding_moves_the_rotation_no_more_than_the_elements_rounding_does() {
+    fn check<R: Real>(worst: Worst, smallest: i32) {
+        for_random_motions(|motion| {
+            let turn = opinion(motion.rotation());
+            let tilt = UnitQuaternion::from_euler_angles(0.3, -0.8, 1.9).to_rotation_matrix();
+            for decade in 0..=smallest {
+                let thin = 10_f64.powi(-decade);
+                for stretch in [[1.0, 1.0, thin], [1.0, thin, thin], [1.0, thin, 0.3 * thin]] {
+                    let along = Matrix3::from_diagonal(&Vector3::from(stretch));
+                    let stretch_matrix = tilt * along * tilt.transpose();
+                    let matrix = turn.to_rotation_matrix() * stretch_matrix;
+                    let got = polar::<R>(matrix);
+                    let off = between(opinion(got.rotation), turn);
+                    worst.see(off * (stretch[1] + stretch[2]), &(matrix, decade));
+                }
+            }
+        });
+    }
+    check::<f32>(Worst::new::<f32>("thin, f32", 12.0), 4);
+    check::<f64>(Worst::new::<f64>("thin, f64", 12.0), 13);
+}
+
+#[test]
+fn a_mirror_is_told_and_its_stretch_mirrors_in_the_origin() {
+    for_all(100, &matrices(), |matrix| {
+        let upright = polar::<f64>(matrix);
+        let mirrored = polar::<f64>(-matrix);
+        assert!(mirrored.mirrors && !upright.mirrors);
+        assert!((mirrored.rotation - upright.rotation).norm() < 1e-12, "{matrix}");
+        assert!((exact_rows(mirrored.stretch) + exact_rows(upright.stretch)).amax() < 1e-12);
+    });
+    let floor = polar::<f64>(Matrix3::from_diagonal(&Vector3::new(1.0, 1.0, -1.0)));
+    assert_eq!((floor.rotation, floor.mirrors), (Quat::from_xyzw(0.0, 0.0, 1.0, 0.0), true));
+}
+
+#[test]
+fn a_flat_matrix_has_a_nearest_rotation_and_does_not_mirror() {
+    for_random_motions(|motion| {
+        let turn = opinion(motion.rotation());
+        let flat = turn.to_rotation_matrix() * Matrix3::from_diagonal(&Vector3::new(2.0, 0.0, 1.0));
+        let got = polar::<f64>(flat);
+        let off = between(opinion(got.rotation), turn);
+        assert!(!got.mirrors && off < 2e-14, "{off:e} {got:?}");
+    });
+}
+
+#[test]
+fn whole_turns_of_the_axes_are_exact_whatever_the_scale() {
+    for scale in [1.0_f32, 1e-45, 1e-20, 1e30, 1e38] {
+        let identity = polar::<f32>(Matrix3::identity() * f64::from(scale));
+        assert_eq!(identity.rotation, Quat::IDENTITY);
+        assert_eq!(identity.stretch, [[scale, 0.0, 0.0], [0.0, scale, 0.0], [0.0, 0.0, scale]]);
+        let half = Matrix3::from_diagonal(&Vector3::new(-1.0, 1.0, -1.0)) * f64::from(scale);
+        assert_eq!(polar::<f32>(half).rotation, Quat::from_xyzw(0.0, 1.0, 0.0, 0.0));
+    }
+}
+
+#[test]
+fn every_matrix_without_a_nearest_rotation_says_why() {
+    let error = |rows: [[f64; 3]; 3]| Polar::try_from_matrix3(rows).expect_err("it is bad");
+    assert_eq!(error([[0.0; 3]; 3]), OrthonormalError::Ambiguous { gap: 0.0 });
+    let line = error([[1.0, 2.0, 3.0], [2.0, 4.0, 6.0], [-1.0, -2.0, -3.0]]);
+    assert!(matches!(line, OrthonormalError::Ambiguous { gap } if gap.abs() < 1e-15), "{line}");
+    assert!(line.to_string().contains("no nearest rotation"));
+    for bad in [f64::NAN, f64::INFINITY] {
+        let infinite = error([[1.0, 0.0, 0.0], [0.0, 1.0, bad], [0.0, 0.0, 1.0]]);
+        assert!(matches!(infinite, OrthonormalError::NotFinite { row: 1, column: 2, .. }));
+    }
+}
