@@ -112,7 +112,7 @@ impl<P: Pose> Locals<P> for RotationsTranslations<'_, P> {
         Spot { index, part, .. }: Spot,
     ) -> Option<P::Motion<V>> {
         let (rotation, translation) = P::load_rotation_translation(level, part, self.0.get(index)?);
-        Some(parent.load(level, part).mul_rotation_translation(rotation, translation))
+        Some(P::product_rotation_translation(level, part, parent, rotation, translation))
     }
     #[inline(always)]
     fn alone<V: Level>(
@@ -151,7 +151,7 @@ impl<P: Pose> Locals<P> for Rotations<'_, P> {
     ) -> Option<P::Motion<V>> {
         let rotation = P::load_rotation(level, part, self.rotations.get(index)?);
         let offset = P::splat_vector(level, *self.offsets.get(joint)?);
-        Some(parent.load(level, part).mul_rotation_translation(rotation, offset))
+        Some(P::product_rotation_translation(level, part, parent, rotation, offset))
     }
     #[inline(always)]
     fn alone<V: Level>(

@@ -49,6 +49,17 @@ pub trait Pose: Copy + sealed::Sealed {
     fn load<V: Level>(&self, level: V, part: usize) -> Self::Motion<V>;
     /// parent · local
     fn product<V: Level>(level: V, part: usize, parent: &Self, local: &Self) -> Self::Motion<V>;
+    /// parent · (r + ½εtr)
+    #[inline(always)]
+    fn product_rotation_translation<V: Level>(
+        level: V,
+        part: usize,
+        parent: &Self,
+        rotation: Rotation<Self, V>,
+        translation: [Number<Self, V>; 3],
+    ) -> Self::Motion<V> {
+        parent.load(level, part).mul_rotation_translation(rotation, translation)
+    }
     /// Writes the motion.
     fn store<V: Level>(&mut self, level: V, part: usize, motion: Self::Motion<V>);
     /// The same motion for every instance.
@@ -112,6 +123,23 @@ impl<R: Real + Float> Pose for DualQuat<R> {
         }
         let parent = R::Octet::load(level, bytemuck::must_cast_ref(parent));
         Self::from_array(octet::product(parent, bytemuck::must_cast_ref(local)).to_array())
+    }
+    #[inline(always)]
+    fn product_rotation_translation<V: Level>(
+        level: V,
+        part: usize,
+        parent: &Self,
+        rotation: Quat<R>,
+        translation: [R; 3],
+    ) -> Self {
+        if <R::Octet<V> as Lane>::Part::LANES > 1 {
+            let local = Self::from_rotation_translation(rotation, translation);
+            return Self::product(level, part, parent, &local);
+        }
+        // (p + ε(q + ½pt))r, as on lanes: two thirds of the reference's operations.
+        let half = Quat::from_parts(translation.map(|c| c * R::HALF), R::ZERO);
+        let moved = parent.dual() + parent.real() * half;
+        Self::new(parent.real() * rotation, moved * rotation)
     }
     #[inline(always)]
     fn store<V: Level>(&mut self, _: V, _: usize, motion: Self) {
