@@ -22,6 +22,10 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("place", &["real", "dq8_simd", "scalar", "dispatch"]),
     ("slices", &["error", "dq8_simd", "scalar", "batch", "dispatch", "place"]),
     (
+        "ik",
+        &["error", "real", "geometry", "dq8_simd", "scalar", "batch", "dispatch"],
+    ),
+    (
         "hierarchy",
         &[
             "error", "real", "geometry", "motion", "dq8_simd", "scalar", "batch", "dispatch",
