@@ -25,7 +25,7 @@ pub(super) fn damped<L: Lane, const N: usize>(
         }
     }
     let trace = a[0][0] + a[1][1] + a[2][2] + a[3][3] + a[4][4] + a[5][5];
-    let least = trace.mul_add(damping.with(4.0 * epsilon::<L>()), damping);
+    let least = trace.mul_add(damping.with(0.25 * epsilon::<L>()), damping);
 
     // L of LLᵀ, row by row, with the reciprocals of its diagonal.
     let mut reciprocals = [zero; 6];

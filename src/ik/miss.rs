@@ -10,7 +10,11 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
     /// [`forward`](Self::forward) on lanes.
     #[inline(always)]
     #[must_use]
-    pub fn forward_lanes<L: Lane<Real = R>>(&self, level: L::Level, values: &[L; N]) -> DualQuat<L> {
+    pub fn forward_lanes<L: Lane<Real = R>>(
+        &self,
+        level: L::Level,
+        values: &[L; N],
+    ) -> DualQuat<L> {
         self.forward_jacobian(level, values).0
     }
 

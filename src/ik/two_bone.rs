@@ -63,10 +63,10 @@ impl<R: Real> TwoBone<R> {
     ///
     /// A limb without a plane takes one: where the pole is zero or along the way to the target, the knee
     /// goes toward the axis (x, y or z) that is most across it; where the target is at the root, the
-    /// limb is folded across the pole.
+    /// knee is where the pole points, or on x.
     ///
     /// # Errors
-    /// If a length is negative or a number is not finite.
+    /// If a length is negative, or a number or the sum of all sides is not finite.
     pub fn reach(
         root: [R; 3],
         lengths: [R; 2],
@@ -78,6 +78,11 @@ impl<R: Real> TwoBone<R> {
                 return Err(LimbError::Length { bone, value: length.into() });
             }
         }
+        let [a, b] = lengths;
+        // Twice: the sides of the triangle are added up.
+        if !(R::TWO * (a + b)).is_finite() {
+            return Err(LimbError::Length { bone: 1, value: b.into() });
+        }
         let way = vector::sub(target, root);
         for (what, point) in [("root", root), ("target", target), ("pole", pole), ("way", way)] {
             for (index, value) in point.into_iter().enumerate() {
@@ -87,21 +92,22 @@ impl<R: Real> TwoBone<R> {
             }
         }
 
-        let [a, b] = lengths;
         let wanted = vector::norm(way);
         let (shortest, longest) = ((a - b).abs(), a + b);
-        let (span, distance) = if wanted > longest {
-            (Span::Stretched, longest)
+        // Straight limbs are told apart: the root of a rounding is eight digits, not sixteen.
+        let (span, d, root_angle, bend) = if wanted > longest {
+            (Span::Stretched, longest, R::ZERO, R::ZERO)
         } else if wanted < shortest {
-            (Span::Folded, shortest)
+            (Span::Folded, shortest, if a < b { R::PI } else { R::ZERO }, R::PI)
         } else {
-            (Span::Within, wanted)
+            let d = wanted;
+            let sides = [b + (d - a), b - (d - a)];
+            let root_angle = twice_arctangent(sides, [a + d + b, d + (a - b)]);
+            let bend = twice_arctangent([a + b + d, a + b - d], [d + (a - b), d - (a - b)]);
+            (Span::Within, d, root_angle, bend)
         };
-        let d = distance;
-        let root_angle = twice_arctangent([b + (d - a), b - (d - a)], [a + d + b, d + (a - b)]);
-        let bend = twice_arctangent([a + b + d, a + b - d], [d + (a - b), d - (a - b)]);
 
-        let (along, side) = plane(way, pole);
+        let (along, side) = plane(way, pole, a < b);
         let about_z = |angle: R| Quat::from_axis_angle([R::ZERO, R::ZERO, R::ONE], angle);
         let frame = frame(along, side);
         Ok(Self {
@@ -109,7 +115,7 @@ impl<R: Real> TwoBone<R> {
             lower: frame * about_z(bend - root_angle),
             bend,
             span,
-            missed: (wanted - distance).abs(),
+            missed: (wanted - d).abs(),
         })
     }
 }
@@ -123,20 +129,22 @@ fn twice_arctangent<R: Real>(over: [R; 2], under: [R; 2]) -> R {
     R::TWO * root(over).atan2(root(under))
 }
 
-/// The direction to the target, and the one across it that the knee goes to.
-fn plane<R: Real>(way: [R; 3], pole: [R; 3]) -> ([R; 3], [R; 3]) {
-    match (direction(way), direction(pole)) {
-        (Some(along), Some(pole)) => {
-            let across = across(along, pole);
-            // What is left of a pole along the way is rounding.
-            let least = R::from(16.0) * R::EPSILON;
-            let side = if vector::norm(across) > least { direction(across) } else { None };
-            (along, side.unwrap_or_else(|| any_across(along)))
-        }
-        (Some(along), None) => (along, any_across(along)),
-        (None, Some(pole)) => (any_across(pole), pole),
-        (None, None) => ([R::ONE, R::ZERO, R::ZERO], [R::ZERO, R::ONE, R::ZERO]),
-    }
+/// The direction to the target, and the one across it that the knee goes to. A target at the root
+/// leaves the knee on the way to it: behind it if the bone at the root is the shorter.
+fn plane<R: Real>(way: [R; 3], pole: [R; 3], shorter: bool) -> ([R; 3], [R; 3]) {
+    let Some(along) = direction(way) else {
+        let knee = direction(pole).unwrap_or([R::ONE, R::ZERO, R::ZERO]);
+        let along = if shorter { vector::scale(knee, -R::ONE) } else { knee };
+        return (along, any_across(along));
+    };
+    let across_way = |pole| {
+        let left = across(along, pole);
+        // What is left of a pole along the way is rounding; of one nearly so, it is not quite across.
+        let least = R::from(16.0) * R::EPSILON;
+        let side = if vector::norm(left) > least { direction(left) } else { None };
+        side.and_then(|side| direction(across(along, side)))
+    };
+    (along, direction(pole).and_then(across_way).unwrap_or_else(|| any_across(along)))
 }
 
 /// `vector` with length 1, unless it is zero.
