@@ -2,7 +2,7 @@
 
 use super::least_squares::epsilon;
 use super::miss::{Miss, Weights, distance, splat};
-use super::step::clamp;
+use super::step::{Stride, clamp};
 use super::{Arm, Options, Outcomes, Report};
 use crate::batch::{DualQuat, vector};
 use crate::geometry::Twist;
@@ -26,7 +26,7 @@ struct Goal<L> {
     weights: Weights<L>,
     angular_tolerance: L,
     linear_tolerance: L,
-    max_step: L,
+    stride: Stride<L>,
 }
 
 /// Where each lane is.
@@ -88,7 +88,7 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
                 &state.columns,
                 &state.miss,
                 goal.weights,
-                goal.max_step,
+                goal.stride,
             );
             let mut next = self.moved(&state.values, &step.changes);
             let left = state.miss.left_after(&step.changes, &state.columns, goal.weights);
@@ -195,12 +195,16 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
             Some(length) => L::splat(level, length),
             None => L::select(zero.lt(eighth), eighth, zero.with(1.0)),
         };
+        let damping = L::splat(level, options.damping);
         Goal {
             target,
             weights: Weights { length, radians_per_length: zero.with(1.0) / length },
             angular_tolerance: L::splat(level, options.angular_tolerance),
             linear_tolerance: L::splat(level, options.linear_tolerance),
-            max_step: L::splat(level, options.max_step),
+            stride: Stride {
+                longest: L::splat(level, options.max_step),
+                least_damping: damping * damping,
+            },
         }
     }
 

@@ -16,6 +16,10 @@ pub struct Options<R> {
     pub length_per_radian: Option<R>,
     /// The most that a hinge turns in one step, radians; a slide moves as many lengths per radian.
     pub max_step: R,
+    /// λ of the damped least squares at the target itself, radians. Zero, the default, reaches it
+    /// fastest; with λ no step is longer than |e|/(2λ) for an error |e|, also in front of a singular
+    /// pose, as a machine wants it that follows a target.
+    pub damping: R,
     /// Whether to begin again from another pose of the arm where the search got stuck. Without, the
     /// solution is the one that the start leads to, as a hand that follows a target wants it.
     pub restarts: bool,
@@ -30,6 +34,7 @@ impl<R: Real> Default for Options<R> {
             max_iterations: 29,
             length_per_radian: None,
             max_step: R::from(1.5),
+            damping: R::ZERO,
             restarts: true,
         }
     }

@@ -7,6 +7,15 @@ use crate::geometry::Twist;
 use crate::real::Real;
 use dq8_simd::{Float, Lane, Mask};
 
+/// What keeps a step short.
+#[derive(Clone, Copy)]
+pub(super) struct Stride<L> {
+    /// The most that a hinge turns.
+    pub(super) longest: L,
+    /// λ² where the target is.
+    pub(super) least_damping: L,
+}
+
 /// Where a step leads.
 pub(super) struct Step<L: Lane, const N: usize> {
     /// The changes of the joints.
@@ -34,18 +43,17 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
         columns: &[Twist<L>; N],
         miss: &Miss<L>,
         weights: Weights<L>,
-        max_step: L,
+        stride: Stride<L>,
     ) -> Step<L, N> {
-        let newton = self.limited_step(values, columns, miss, weights, max_step);
-        let zero = max_step.with(0.0);
-        let half = max_step.with(0.5);
+        let newton = self.limited_step(values, columns, miss, weights, stride);
+        let (zero, half) = (stride.longest.with(0.0), stride.longest.with(0.5));
         let mut moved = Twist::from_array([zero; 6]);
         let mut bent = *columns;
         for ((bent, &column), &change) in bent.iter_mut().zip(columns).zip(&newton.changes) {
             *bent = column + lie_bracket(moved, column).scale(half);
             moved = moved + column.scale(change);
         }
-        self.limited_step(values, &bent, miss, weights, max_step)
+        self.limited_step(values, &bent, miss, weights, stride)
     }
 
     /// A damped step that no limit forbids: a joint that would leave them goes to its limit and stays
@@ -57,9 +65,9 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
         columns: &[Twist<L>; N],
         miss: &Miss<L>,
         weights: Weights<L>,
-        max_step: L,
+        stride: Stride<L>,
     ) -> Step<L, N> {
-        let (zero, one) = (max_step.with(0.0), max_step.with(1.0));
+        let (zero, one) = (stride.longest.with(0.0), stride.longest.with(1.0));
         // Slides in radians as well.
         let mut rows = [[zero; 6]; N];
         for ((row, &column), joint) in rows.iter_mut().zip(columns).zip(&self.joints) {
@@ -71,11 +79,11 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
         let mut changes = [zero; N];
         let mut limited = never;
         let mut left = miss.error;
-        let damping = miss.square * max_step.with(DAMPING);
+        let damping = miss.square.mul_add(one.with(DAMPING), stride.least_damping);
         // Each turn holds a joint more, in some lane.
         for _ in 0..=N {
             let y = least_squares::damped(&rows, &held, left, damping);
-            let mut longest = max_step;
+            let mut longest = stride.longest;
             let mut radians = [zero; N];
             for (radians, row) in radians.iter_mut().zip(&rows) {
                 *radians = dot(row, &y);
@@ -84,7 +92,7 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
                 let length = L::select(held, zero, radians.abs());
                 longest = L::select(longest.lt(length), length, longest);
             }
-            let shrink = max_step / longest;
+            let shrink = stride.longest / longest;
             let mut stopped = never;
             for (j, joint) in self.joints.iter().enumerate() {
                 let unit = if joint.is_slide() { weights.length } else { one };
