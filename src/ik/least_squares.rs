@@ -8,6 +8,7 @@ use dq8_simd::{Float, Lane};
 /// By Cholesky's factorisation in place. To λ² is added what rounding makes of JJᵀ, so that a singular
 /// J is no special case; and each pivot is at least λ², as it would be without rounding.
 #[inline(always)]
+#[allow(clippy::needless_range_loop, reason = "rows and columns are numbers here")]
 pub(super) fn damped<L: Lane, const N: usize>(
     columns: &[[L; 6]; N],
     held: &[L::Mask; N],

@@ -101,6 +101,13 @@ impl<L: Lane> Miss<L> {
     }
 }
 
+/// Neither infinite nor NaN.
+#[inline(always)]
+pub(super) fn is_finite<L: Lane>(number: L) -> L::Mask {
+    let zero = number.with(0.0);
+    (number * zero).eq(zero)
+}
+
 /// |a − b|, which does not overflow before it must.
 #[inline(always)]
 pub(super) fn distance<L: Lane>([ax, ay, az]: [L; 3], [bx, by, bz]: [L; 3]) -> L {

@@ -1,7 +1,7 @@
 //! The search: steps until the target is reached, and other beginnings where it got stuck.
 
 use super::least_squares::epsilon;
-use super::miss::{Miss, Weights, distance, splat};
+use super::miss::{Miss, Weights, distance, is_finite, splat};
 use super::step::{Stride, clamp};
 use super::{Arm, Options, Outcomes, Report};
 use crate::batch::{DualQuat, vector};
@@ -150,11 +150,10 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
         let level = target.real().w().level();
         let zero = L::splat(level, R::ZERO);
         let at = target.translation();
-        // A difference with itself is zero, but for infinities and NaN.
         let far = distance(at, splat(level, self.centre));
-        let mut valid = target.is_unit(zero.with(UNIT)) & (far - far).eq(zero);
+        let mut valid = target.is_unit(zero.with(UNIT)) & is_finite(far);
         for value in *start {
-            valid = valid & (value - value).eq(zero);
+            valid = valid & is_finite(value);
         }
         let identity = DualQuat::identity(level).to_array();
         (DualQuat::from_array(vector::select(valid, target.to_array(), identity)), valid)

@@ -1,6 +1,6 @@
 //! One step of an arm toward its target, within its limits.
 
-use super::miss::{Miss, Weights, dot, splat};
+use super::miss::{Miss, Weights, dot, is_finite, splat};
 use super::{Arm, Joint, least_squares};
 use crate::batch::lie_bracket;
 use crate::geometry::Twist;
@@ -129,7 +129,7 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
             let next = *value + change;
             let next = if joint.wraps() { wrap(joint, next) } else { next };
             let next = clamp(joint, next);
-            *value = L::select((next - next).eq(next.with(0.0)), next, *value);
+            *value = L::select(is_finite(next), next, *value);
         }
         moved
     }
