@@ -93,6 +93,34 @@ fn a_limit_in_the_way_is_named_and_kept() {
     assert!((values[0] - 0.9).abs() < 1e-5);
 }
 
+/// A slide that cannot move asks for a share of every step and gets none; the others step as if it were
+/// not there.
+#[test]
+fn a_joint_held_at_its_limits_is_as_none() {
+    let (plan, mut random) = (ur5(), Random(11));
+    let arm = plan.arm::<f64>();
+    let [a, b, c, d, e, f] = *arm.joints();
+    let stuck = Joint::prismatic([1.0, 0.0, 0.0], [0.0, 0.0]);
+    let longer = Arm::new([a, b, c, stuck, d, e, f], arm.forward(&[0.0; 6])).expect("an arm");
+    let once = Options { restarts: false, ..Options::default() };
+    for _ in 0..20 {
+        let target = arm.forward(&plan.draw(&mut random));
+        let start = plan.draw(&mut random).map(|angle| 0.3 * angle);
+        let mut six = start;
+        let [a, b, c, d, e, f] = start;
+        let mut seven = [a, b, c, 0.0, d, e, f];
+        let options = Options { max_iterations: 5, ..once };
+        let (wanted, report) =
+            (arm.reach(target, &mut six, &options), longer.reach(target, &mut seven, &options));
+        assert_eq!((report.iterations, report.outcome), (wanted.iterations, wanted.outcome));
+        let [a, b, c, held, d, e, f] = seven;
+        assert_eq!(held, 0.0);
+        for (got, wanted) in [a, b, c, d, e, f].into_iter().zip(six) {
+            assert!((got - wanted).abs() < 1e-9, "{got} for {wanted}");
+        }
+    }
+}
+
 /// From one end of a full turn the way across is the shorter one.
 #[test]
 fn a_hinge_without_stops_goes_over_the_half_turn() {
