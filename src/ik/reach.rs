@@ -47,7 +47,7 @@ struct Best<L: Lane, const N: usize> {
 
 impl<R: Real + Float, const N: usize> Arm<R, N> {
     /// [`reach`](Self::reach) for a target a lane, as [`Backend::reach`](crate::Backend::reach) does
-    /// it: lanes that have arrived are left as they are while their neighbours go on, and neither the
+    /// it: what a lane has arrived at is kept while its neighbours go on, and neither the
     /// values nor the report of a lane depend on the others.
     #[inline(always)]
     pub fn reach_lanes<L: Lane<Real = R>>(
@@ -104,7 +104,6 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
                 running = running & !(restarting & one.with(f64::INFINITY).le(square));
                 restarts = restarts + L::select(restarting, one, zero);
             }
-            let next = vector::select(running, next, state.values);
             state = self.state(level, next, &goal);
 
             let arrived = running & goal.is_reached(&state.miss) & !beyond;
