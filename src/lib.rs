@@ -35,6 +35,7 @@
 //! | [`Line::from_points`], [`Line::dual_angle`], [`CommonPerpendicular`], [`Plane::from_points`] | lines, planes and points together, with typed errors where they are parallel or one |
 //! | [`Twist`], [`Wrench`], [`TwistBlock`] | velocities and forces: derivatives, adjoints and Jacobians of motions and joints |
 //! | [`Hierarchy`], [`Job`], [`Crowd`], [`Block`] | joint hierarchies, one instance or many |
+//! | [`ik`] | inverse kinematics: two bones, and arms of any number of joints |
 //! | [`HierarchyPlan`], [`Backend::chain_products`] | one instance: a skeleton or a long chain |
 //! | [`Backend`], [`slices`], [`Place`] | kernels over slices of motions and points, plain or in blocks |
 //! | [`Lane`], [`Mask`], [`Level`], [`Portable`] | lanes, for kernels of your own |
@@ -72,6 +73,7 @@ mod dispatch;
 mod error;
 mod geometry;
 pub mod hierarchy;
+pub mod ik;
 mod incidence;
 mod motion;
 pub mod place;

@@ -21,6 +21,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("dispatch", &["dq8_simd"]),
     ("place", &["real", "dq8_simd", "scalar", "dispatch"]),
     ("slices", &["error", "dq8_simd", "scalar", "batch", "dispatch", "place"]),
+    ("ik", &["error", "real", "geometry", "dq8_simd", "scalar", "batch", "dispatch"]),
     (
         "hierarchy",
         &[

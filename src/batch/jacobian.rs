@@ -18,8 +18,8 @@ impl<L: Lane> DualQuat<L> {
     #[must_use]
     pub fn left_jacobian(at: Twist<L>, along: Twist<L>) -> Twist<L> {
         let (first, second) = exponential_integrals(square(at));
-        let once = cross(at, along);
-        times_onto(second, cross(at, once), times_onto(first, once, along))
+        let once = lie_bracket(at, along);
+        times_onto(second, lie_bracket(at, once), times_onto(first, once, along))
     }
 
     /// exp(½(x + δy)) ≈ exp(½x) exp(½δ J_r(x) y)
@@ -35,8 +35,8 @@ impl<L: Lane> DualQuat<L> {
     pub fn left_jacobian_inverse(at: Twist<L>, along: Twist<L>) -> Twist<L> {
         let u = square(at);
         let minus_half = Dual::new(u.real.with(-0.5), u.real.with(0.0));
-        let once = cross(at, along);
-        times_onto(half_cotangent(u), cross(at, once), times_onto(minus_half, once, along))
+        let once = lie_bracket(at, along);
+        times_onto(half_cotangent(u), lie_bracket(at, once), times_onto(minus_half, once, along))
     }
 
     /// 2 log(exp(½x) exp(½δy)) ≈ x + δ J_r⁻¹(x) y; infinite at |ω| = 2π.
@@ -54,9 +54,9 @@ fn square<L: Lane>(x: Twist<L>) -> Dual<L> {
     Dual::new(vector::dot(x.angular, x.angular), across + across)
 }
 
-/// x × y
+/// x × y, the Lie bracket [x, y].
 #[inline(always)]
-fn cross<L: Lane>(x: Twist<L>, y: Twist<L>) -> Twist<L> {
+pub(crate) fn lie_bracket<L: Lane>(x: Twist<L>, y: Twist<L>) -> Twist<L> {
     let moved = vector::cross(x.linear, y.angular);
     Twist {
         angular: vector::cross(x.angular, y.angular),

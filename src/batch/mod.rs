@@ -37,8 +37,9 @@ mod screw;
 mod slerp;
 mod squad;
 mod transform;
-mod vector;
+pub(crate) mod vector;
 
 pub use dual::Dual;
 pub use dual_quat::DualQuat;
+pub(crate) use jacobian::lie_bracket;
 pub use quat::Quat;

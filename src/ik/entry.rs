@@ -1,0 +1,129 @@
+//! One target, and slices of them.
+
+use super::{Arm, Options, Outcome, Report};
+use crate::batch;
+use crate::dispatch::{Backend, Kernel};
+use crate::error::ShapeError;
+use crate::real::Real;
+use crate::scalar::DualQuat;
+use dq8_simd::{Float, Lane, Level, Portable};
+
+impl<R, const N: usize> Arm<R, N>
+where
+    R: Real + Float + Lane<Real = R, Level = Portable, Mask = bool>,
+{
+    /// Moves the joints from `values` until the end is at `target`, which must be unit.
+    ///
+    /// Each iteration is a damped step of second order (Halley's) along the screws of the joints, with
+    /// the error 2 log(target · pose*): λ² is a part of the squared error (Sugihara 2011); a joint that
+    /// would leave its limits is held there and the others step again; a hinge whose limits span a turn
+    /// goes on a turn less. Starts outside the limits begin at them.
+    ///
+    /// Where two steps in a row do not lead much nearer, or limits leave no way nearer, the search
+    /// begins again ([`Options::restarts`]) from the nearest of 128 poses of the arm, the next time from
+    /// the second nearest, and so on. A restart counts as an iteration. So the solution may be another
+    /// than the one next to the start; but what comes is the same in every run.
+    ///
+    /// ```
+    /// use dq8::ik::{Arm, Joint, Options, Outcome};
+    /// use dq8::DualQuat;
+    /// let joints = [0.0, 1.0].map(|x| Joint::revolute([0.0, 0.0, 1.0_f32], [x, 0.0, 0.0]));
+    /// let arm = Arm::new(joints, DualQuat::from_translation([2.0, 0.0, 0.0]))?;
+    /// let mut angles = [0.3, 0.5];
+    /// // Two links of length 1 do not reach that far; they stretch.
+    /// let target = DualQuat::from_translation([3.0, 0.0, 0.0]);
+    /// let report = arm.reach(target, &mut angles, &Options::default());
+    /// assert_eq!(report.outcome, Outcome::OutOfReach);
+    /// assert!((report.linear_error - 1.0).abs() < 1e-2);
+    /// # Ok::<(), dq8::ik::ArmError>(())
+    /// ```
+    pub fn reach(
+        &self,
+        target: DualQuat<R>,
+        values: &mut [R; N],
+        options: &Options<R>,
+    ) -> Report<R, Outcome> {
+        let target = batch::DualQuat::from_array(target.to_array());
+        let report = self.reach_lanes(target, values, options);
+        Report {
+            iterations: report.iterations,
+            restarts: report.restarts,
+            angular_error: report.angular_error,
+            linear_error: report.linear_error,
+            outcome: report.outcome.lane(0),
+        }
+    }
+}
+
+impl Backend {
+    /// [`Arm::reach`] for every target, as many at a time as there are lanes; `values[i]` and
+    /// `reports[i]` belong to `targets[i]`.
+    ///
+    /// # Errors
+    /// If the slices differ in length; nothing is touched.
+    ///
+    /// ```
+    /// use dq8::ik::{Arm, Joint, Options, Outcome, Report};
+    /// use dq8::{Backend, DualQuat, Quat};
+    /// let up = [0.0, 0.0, 1.0_f32];
+    /// let joints = [0.0, 1.0, 2.0].map(|x| Joint::revolute(up, [x, 0.0, 0.0]));
+    /// let arm = Arm::new(joints, DualQuat::from_translation([2.0, 0.0, 0.0]))?;
+    /// let targets: [_; 11] = std::array::from_fn(|i| {
+    ///     let turn = Quat::from_axis_angle(up, 0.1 * i as f32);
+    ///     DualQuat::from_rotation_translation(turn, [1.0, 0.1 * i as f32, 0.0])
+    /// });
+    /// let mut values = [[0.1, 0.2, 0.3]; 11];
+    /// let mut reports = [Report::default(); 11];
+    /// Backend::best().reach(&arm, &targets, &mut values, &mut reports, &Options::default())?;
+    /// assert!(reports.iter().all(|report| report.outcome == Outcome::Converged));
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    pub fn reach<R: Real + Float, const N: usize>(
+        self,
+        arm: &Arm<R, N>,
+        targets: &[DualQuat<R>],
+        values: &mut [[R; N]],
+        reports: &mut [Report<R, Outcome>],
+        options: &Options<R>,
+    ) -> Result<(), ShapeError> {
+        for (what, length) in [("values", values.len()), ("reports", reports.len())] {
+            if length != targets.len() {
+                return Err(ShapeError::Length { what, length, expected: targets.len() });
+            }
+        }
+        self.run(Targets { arm, targets, values, reports, options });
+        Ok(())
+    }
+}
+
+struct Targets<'s, R, const N: usize> {
+    arm: &'s Arm<R, N>,
+    targets: &'s [DualQuat<R>],
+    values: &'s mut [[R; N]],
+    reports: &'s mut [Report<R, Outcome>],
+    options: &'s Options<R>,
+}
+
+impl<R: Real + Float, const N: usize> Kernel for Targets<'_, R, N> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<V: Level>(self, level: V) {
+        let lanes = R::Lanes::<V>::LANES;
+        // Lanes without a target have nothing to do.
+        let nowhere = [R::NAN; 8];
+        let records: &[[R; 8]] = bytemuck::must_cast_slice(self.targets);
+        for ((targets, values), reports) in records
+            .chunks(lanes)
+            .zip(self.values.chunks_mut(lanes))
+            .zip(self.reports.chunks_mut(lanes))
+        {
+            let target = R::Lanes::<V>::load_records(level, targets, nowhere);
+            let mut joints = R::Lanes::<V>::load_records(level, values, [R::ZERO; N]);
+            let target = batch::DualQuat::from_array(target);
+            let report = self.arm.reach_lanes(target, &mut joints, self.options);
+            R::Lanes::<V>::store_records(joints, values);
+            report.store(reports);
+        }
+    }
+}

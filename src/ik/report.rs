@@ -1,0 +1,129 @@
+use crate::real::Real;
+use dq8_simd::{Lane, Mask};
+
+/// When a search ends, and how it weighs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options<R> {
+    /// The turn that may be left, radians.
+    pub angular_tolerance: R,
+    /// The distance that may be left, in the unit of the arm.
+    pub linear_tolerance: R,
+    /// Steps and restarts together.
+    pub max_iterations: u32,
+    /// How long a distance weighs as much as a radian; `None` is an eighth of the arm's length
+    /// ([`Arm::reach_bound`](super::Arm::reach_bound)). It decides what is nearest where the target
+    /// cannot be reached, and how fast it is reached where it can.
+    pub length_per_radian: Option<R>,
+    /// The most that a hinge turns in one step, radians; a slide moves as many lengths per radian.
+    pub max_step: R,
+    /// λ of the damped least squares at the target itself, radians. Zero, the default, reaches it
+    /// fastest; with λ no step is longer than |e|/(2λ) for an error |e|, also in front of a singular
+    /// pose, as a machine wants it that follows a target.
+    pub damping: R,
+    /// Whether to begin again from another pose of the arm where the search got stuck. Without, the
+    /// solution is the one that the start leads to, as a hand that follows a target wants it.
+    pub restarts: bool,
+}
+
+/// 10⁻⁵ rad and 10⁻⁵ lengths, 29 iterations, steps of at most 1.5 rad, restarts.
+impl<R: Real> Default for Options<R> {
+    fn default() -> Self {
+        Self {
+            angular_tolerance: R::from(1e-5),
+            linear_tolerance: R::from(1e-5),
+            max_iterations: 29,
+            length_per_radian: None,
+            max_step: R::from(1.5),
+            damping: R::ZERO,
+            restarts: true,
+        }
+    }
+}
+
+/// What came of a search: of one target, `Report<R, Outcome>`, or of one a lane,
+/// `Report<L, Outcomes<L::Mask>>`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Report<T, O> {
+    /// Steps and restarts together; zero where the start was good enough.
+    pub iterations: T,
+    /// How many of them were restarts.
+    pub restarts: T,
+    /// The turn that is left, radians.
+    pub angular_error: T,
+    /// The distance that is left.
+    pub linear_error: T,
+    /// How it ended.
+    pub outcome: O,
+}
+
+/// How a search ended. The joint values are the best that were found, within the limits, but for
+/// [`Invalid`](Self::Invalid).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Outcome {
+    /// Both errors are within the tolerances.
+    Converged,
+    /// The target is farther away than the arm is long: nothing can reach it. The end points as near
+    /// to it as was found.
+    OutOfReach,
+    /// No way led nearer, and a limit stands in the way: the best values have a joint at its limit.
+    /// There may be a solution elsewhere.
+    AtLimits,
+    /// No way led nearer: a local minimum, or a pose out of reach within the arm's length.
+    Stalled,
+    /// The iterations ran out while the end still came nearer.
+    Unfinished,
+    /// The target is not a unit motion, or a number is not finite, or a distance overflows. The joint
+    /// values are untouched, the errors NaN.
+    #[default]
+    Invalid,
+}
+
+/// [`Outcome`] of each lane; the first that holds, from above.
+#[derive(Clone, Copy, Debug)]
+pub struct Outcomes<M> {
+    /// See [`Outcome::Invalid`].
+    pub invalid: M,
+    /// See [`Outcome::Converged`].
+    pub converged: M,
+    /// See [`Outcome::OutOfReach`].
+    pub out_of_reach: M,
+    /// See [`Outcome::AtLimits`].
+    pub at_limits: M,
+    /// See [`Outcome::Stalled`].
+    pub stalled: M,
+}
+
+impl<M: Mask> Outcomes<M> {
+    /// The outcome of a lane; lanes that do not exist are [`Outcome::Unfinished`].
+    #[must_use]
+    pub fn lane(&self, lane: usize) -> Outcome {
+        let holds = |mask: M| mask.to_bitmask() >> lane.min(31) & 1 == 1;
+        [
+            (self.invalid, Outcome::Invalid),
+            (self.converged, Outcome::Converged),
+            (self.out_of_reach, Outcome::OutOfReach),
+            (self.at_limits, Outcome::AtLimits),
+            (self.stalled, Outcome::Stalled),
+        ]
+        .into_iter()
+        .find_map(|(mask, outcome)| holds(mask).then_some(outcome))
+        .unwrap_or(Outcome::Unfinished)
+    }
+}
+
+impl<L: Lane> Report<L, Outcomes<L::Mask>> {
+    /// Writes the reports of the first lanes into `to`, at most as many as there are lanes.
+    pub fn store(&self, to: &mut [Report<L::Real, Outcome>]) {
+        let [iterations, restarts, angular, linear] =
+            [self.iterations, self.restarts, self.angular_error, self.linear_error]
+                .map(Lane::to_array);
+        let numbers = iterations.as_ref().iter().zip(restarts.as_ref());
+        let errors = angular.as_ref().iter().zip(linear.as_ref());
+        for (lane, (report, ((&iterations, &restarts), (&angular_error, &linear_error)))) in
+            to.iter_mut().zip(numbers.zip(errors)).enumerate()
+        {
+            let outcome = self.outcome.lane(lane);
+            *report = Report { iterations, restarts, angular_error, linear_error, outcome };
+        }
+    }
+}

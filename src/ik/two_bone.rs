@@ -1,0 +1,182 @@
+use super::error::LimbError;
+use crate::real::Real;
+use crate::scalar::{DualQuat, Quat, vector};
+
+/// A limb of two bones with a hinge between them, hip, knee and ankle or shoulder, elbow and wrist,
+/// with its end at a target.
+///
+/// The limb lies in the plane of the target and the *pole*: the knee is on the side of the pole. At
+/// rest, the identity, both bones run along x and the hinge turns about z, so that the knee bends
+/// toward −y and the frame of each bone has x along the bone. A limb that rests otherwise, along the
+/// columns of F, has the rotation `upper * F.conjugate()`.
+///
+/// ```
+/// use dq8::ik::{Span, TwoBone};
+/// // A leg of 0.4 and 0.4 under a hip at height 0.8, with its foot on a step; the knee bends forward, +y.
+/// let hip = [0.0_f64, 0.0, 0.8];
+/// let leg = TwoBone::reach(hip, [0.4, 0.4], [0.0, 0.2, 0.2], [0.0, 1.0, 0.0])?;
+/// assert_eq!(leg.span, Span::Within);
+/// let knee = leg.upper.rotate([0.4, 0.0, 0.0]);
+/// let shin = leg.lower.rotate([0.4, 0.0, 0.0]);
+/// assert!((hip[2] + knee[2] + shin[2] - 0.2).abs() < 1e-15);
+/// assert!(knee[1] > 0.2);
+/// # Ok::<(), dq8::ik::LimbError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TwoBone<R> {
+    /// The rotation of the bone at the root, in the frame of the root and the target.
+    pub upper: Quat<R>,
+    /// The rotation of the other bone, in the same frame: `upper` times a turn of `bend` about z.
+    pub lower: Quat<R>,
+    /// The angle of the hinge, 0 for a stretched limb and π for a folded one.
+    pub bend: R,
+    /// How the target lies to the limb.
+    pub span: Span,
+    /// How far the end is from the target: zero but for rounding if that is [`Span::Within`].
+    pub missed: R,
+}
+
+/// How far from the root a target is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Span {
+    /// As far as the bones can reach.
+    Within,
+    /// Farther: the limb is stretched toward it.
+    Stretched,
+    /// Nearer than the bones differ in length: the limb is folded, its longer bone toward the target if
+    /// it is the one at the root, and away from it if not.
+    Folded,
+}
+
+impl<R: Real> TwoBone<R> {
+    /// The limb with its root at `root`, bones of `lengths` (the one at the root first) and its end at
+    /// `target`; the knee is where `pole`, a direction of any length, points.
+    ///
+    /// With the distance D to the target and bones a and b, twice the halves of the angles at the root
+    /// and at the knee of the triangle (a, b, D), from its sides (Kahan, *Miscalculating Area and Angles
+    /// of a Needle-like Triangle*, 2014), which lose nothing where it is flat:
+    ///
+    /// ```text
+    /// tan(α/2) = √((b + D − a)(b − D + a) / ((a + D + b)(a + D − b)))
+    /// tan(β/2) = √((a + b + D)(a + b − D) / ((D + a − b)(D − a + b))),  β the bend
+    /// ```
+    ///
+    /// A limb without a plane takes one: where the pole is zero or along the way to the target, the knee
+    /// goes toward the axis (x, y or z) that is most across it; where the target is at the root, the
+    /// knee is where the pole points, or on x.
+    ///
+    /// # Errors
+    /// If a length is negative, or a number or the sum of all sides is not finite.
+    pub fn reach(
+        root: [R; 3],
+        lengths: [R; 2],
+        target: [R; 3],
+        pole: [R; 3],
+    ) -> Result<Self, LimbError> {
+        for (bone, length) in lengths.into_iter().enumerate() {
+            if !(length >= R::ZERO && length.is_finite()) {
+                return Err(LimbError::Length { bone, value: length.into() });
+            }
+        }
+        let [a, b] = lengths;
+        // Twice: the sides of the triangle are added up.
+        if !(R::TWO * (a + b)).is_finite() {
+            return Err(LimbError::Length { bone: 1, value: b.into() });
+        }
+        let way = vector::sub(target, root);
+        for (what, point) in [("root", root), ("target", target), ("pole", pole), ("way", way)] {
+            for (index, value) in point.into_iter().enumerate() {
+                if !value.is_finite() {
+                    return Err(LimbError::NotFinite { what, index, value: value.into() });
+                }
+            }
+        }
+
+        let wanted = vector::norm(way);
+        let (shortest, longest) = ((a - b).abs(), a + b);
+        // Straight limbs are told apart: the root of a rounding is eight digits, not sixteen.
+        let (span, d, root_angle, bend) = if wanted > longest {
+            (Span::Stretched, longest, R::ZERO, R::ZERO)
+        } else if wanted < shortest {
+            (Span::Folded, shortest, if a < b { R::PI } else { R::ZERO }, R::PI)
+        } else {
+            let d = wanted;
+            let sides = [b + (d - a), b - (d - a)];
+            let root_angle = twice_arctangent(sides, [a + d + b, d + (a - b)]);
+            let bend = twice_arctangent([a + b + d, a + b - d], [d + (a - b), d - (a - b)]);
+            (Span::Within, d, root_angle, bend)
+        };
+
+        let (along, side) = plane(way, pole, a < b);
+        let about_z = |angle: R| Quat::from_axis_angle([R::ZERO, R::ZERO, R::ONE], angle);
+        let frame = frame(along, side);
+        Ok(Self {
+            upper: frame * about_z(-root_angle),
+            lower: frame * about_z(bend - root_angle),
+            bend,
+            span,
+            missed: (wanted - d).abs(),
+        })
+    }
+}
+
+/// 2 arctan √(ab/(cd)); rounding may have left a factor a little below zero.
+fn twice_arctangent<R: Real>(over: [R; 2], under: [R; 2]) -> R {
+    let root = |[a, b]: [R; 2]| {
+        let clipped = |x: R| if x > R::ZERO { x } else { R::ZERO };
+        clipped(a).sqrt() * clipped(b).sqrt()
+    };
+    R::TWO * root(over).atan2(root(under))
+}
+
+/// The direction to the target, and the one across it that the knee goes to. A target at the root
+/// leaves the knee on the way to it: behind it if the bone at the root is the shorter.
+fn plane<R: Real>(way: [R; 3], pole: [R; 3], shorter: bool) -> ([R; 3], [R; 3]) {
+    let Some(along) = direction(way) else {
+        let knee = direction(pole).unwrap_or([R::ONE, R::ZERO, R::ZERO]);
+        let along = if shorter { vector::scale(knee, -R::ONE) } else { knee };
+        return (along, any_across(along));
+    };
+    let across_way = |pole| {
+        let left = across(along, pole);
+        // What is left of a pole along the way is rounding; of one nearly so, it is not quite across.
+        let least = R::from(16.0) * R::EPSILON;
+        let side = if vector::norm(left) > least { direction(left) } else { None };
+        side.and_then(|side| direction(across(along, side)))
+    };
+    (along, direction(pole).and_then(across_way).unwrap_or_else(|| any_across(along)))
+}
+
+/// `vector` with length 1, unless it is zero.
+fn direction<R: Real>(vector: [R; 3]) -> Option<[R; 3]> {
+    let norm = vector::norm(vector);
+    (norm > R::ZERO).then(|| vector::over_norm(vector, norm))
+}
+
+/// What of `vector` is across the unit vector `along`.
+fn across<R: Real>(along: [R; 3], vector: [R; 3]) -> [R; 3] {
+    vector::sub(vector, vector::scale(along, vector::dot(along, vector)))
+}
+
+/// The unit vector across `along` that is next to the axis most across it.
+fn any_across<R: Real>(along: [R; 3]) -> [R; 3] {
+    let [x, y, z] = along.map(Real::abs);
+    let (zero, one) = (R::ZERO, R::ONE);
+    let axis = if x <= y && x <= z {
+        [one, zero, zero]
+    } else if y <= z {
+        [zero, one, zero]
+    } else {
+        [zero, zero, one]
+    };
+    let across = across(along, axis);
+    vector::over_norm(across, vector::norm(across))
+}
+
+/// The rotation that takes x to `along` and −y to `side`.
+fn frame<R: Real>(along: [R; 3], side: [R; 3]) -> Quat<R> {
+    let y = [-side[0], -side[1], -side[2]];
+    let z = vector::cross(along, y);
+    let row = |i: usize| [along[i], y[i], z[i], R::ZERO];
+    DualQuat::from_matrix3x4([row(0), row(1), row(2)]).rotation()
+}

@@ -1,0 +1,14 @@
+//! Inverse kinematics: arms against other algebra, and limbs against their own geometry.
+
+#[path = "ik/arms.rs"]
+mod arms;
+#[path = "ik/forward.rs"]
+mod forward;
+#[path = "ik/lanes.rs"]
+mod lanes;
+#[path = "ik/outcomes.rs"]
+mod outcomes;
+#[path = "ik/success.rs"]
+mod success;
+#[path = "ik/two_bone.rs"]
+mod two_bone;

@@ -1,0 +1,179 @@
+//! Poses and Jacobians of arms against nalgebra, automatic differentiation and hierarchies.
+
+use super::arms::{Plan, Random, gantry, puma, rounded, ur5};
+use dq8::ik::{Arm, ArmError, Joint};
+use dq8::{Dual, DualQuat, Hierarchy, Portable, Quat, Twist};
+
+fn poses_are_those_of_nalgebra<const N: usize>(plan: &Plan<N>) {
+    let (arm, single) = (plan.arm::<f64>(), plan.arm::<f32>());
+    let mut random = Random(1);
+    for _ in 0..50 {
+        let values = plan.draw(&mut random);
+        let wanted = plan.isometry(&values).to_homogeneous();
+        let on_lanes = arm.forward_lanes(Portable, &values).to_matrix3x4();
+        let matrix = arm.forward(&values).to_matrix3x4();
+        let in_single = single.forward(&rounded(values)).to_matrix3x4();
+        for row in 0..3 {
+            for column in 0..4 {
+                let wanted = wanted[(row, column)];
+                assert!((matrix[row][column] - wanted).abs() < 4e-15, "{row}, {column}");
+                assert!((on_lanes[row][column] - wanted).abs() < 4e-15, "{row}, {column}");
+                assert!((f64::from(in_single[row][column]) - wanted).abs() < 2e-6);
+            }
+        }
+    }
+}
+
+#[test]
+fn the_pose_is_the_product_of_the_motions_of_the_joints() {
+    poses_are_those_of_nalgebra(&ur5());
+    poses_are_those_of_nalgebra(&puma());
+    poses_are_those_of_nalgebra(&gantry());
+}
+
+fn columns_are_derivatives<const N: usize>(plan: &Plan<N>) {
+    let (arm, dual) = (plan.arm::<f64>(), plan.arm::<Dual<f64>>());
+    let mut random = Random(2);
+    // The first at zero, where the UR5 is stretched.
+    let mut values = [0.0; N];
+    for _ in 0..20 {
+        let (pose, columns) = arm.forward_jacobian(Portable, &values);
+        let pose = DualQuat::from_array(pose.to_array());
+        for (joint, column) in columns.iter().enumerate() {
+            let mut moving = values.map(|value| Dual::new(value, 0.0));
+            moving[joint].dual = 1.0;
+            let derivative = dual.forward(&moving).to_array().map(|c| c.dual);
+            let wanted = pose.spatial_twist(DualQuat::from_array(derivative));
+
+            let at = |step: f64| {
+                let mut values = values;
+                values[joint] += step;
+                arm.forward(&values)
+            };
+            let step = 1e-5;
+            let difference = (at(step) * at(-step).conjugate()).to_twist().scale(0.5 / step);
+            for i in 0..6 {
+                let [got, wanted, difference] =
+                    [*column, wanted, difference].map(|t| t.to_array()[i]);
+                assert!((got - wanted).abs() < 1e-14, "joint {joint}: {got} for {wanted}");
+                assert!((got - difference).abs() < 1e-9, "joint {joint}: {got} for {difference}");
+            }
+        }
+        values = plan.draw(&mut random);
+    }
+}
+
+#[test]
+fn the_jacobian_is_what_differentiation_finds() {
+    columns_are_derivatives(&ur5());
+    columns_are_derivatives(&puma());
+    columns_are_derivatives(&gantry());
+}
+
+/// The chain of ancestors of a joint, with screws moved from the joints' frames to the base.
+#[test]
+fn the_jacobian_is_that_of_the_hierarchy() {
+    let parents = [Hierarchy::ROOT, 0, 1, 1, 3];
+    let hierarchy = Hierarchy::new(&parents).expect("parents come first");
+    let mut random = Random(3);
+    let rest: [DualQuat<f64>; 5] = core::array::from_fn(|_| {
+        let turn = Quat::from_array(core::array::from_fn(|_| random.signed())).normalize();
+        DualQuat::from_rotation_translation(turn, core::array::from_fn(|_| random.signed()))
+    });
+    let hinge = Twist { angular: [0.6, 0.0, 0.8], linear: [0.0; 3] };
+    let slide = Twist { angular: [0.0; 3], linear: [0.0, 0.6, 0.8] };
+    let axes = [hinge, slide, hinge, hinge, hinge];
+    let chain = [0, 1, 3, 4];
+
+    let mut at_rest = rest;
+    hierarchy.local_to_model_in_place(&mut at_rest).expect("they fit");
+    let joints = chain.map(|joint: usize| Joint {
+        screw: at_rest[joint].adjoint(axes[joint]),
+        limits: [-1.0, 1.0],
+    });
+    let arm = Arm::new(joints, at_rest[4]).expect("the chain is an arm");
+
+    let values: [f64; 4] = core::array::from_fn(|_| random.signed());
+    let mut models = rest;
+    for (&joint, &value) in chain.iter().zip(&values) {
+        models[joint] = rest[joint] * DualQuat::from_twist(axes[joint].scale(value));
+    }
+    hierarchy.local_to_model_in_place(&mut models).expect("they fit");
+    let mut wanted = [Twist::from_array([0.0; 6]); 5];
+    hierarchy.jacobian(&models, &axes, 4, &mut wanted).expect("they fit");
+
+    let (pose, columns) = arm.forward_jacobian(Portable, &values);
+    let pose = DualQuat::from_array(pose.to_array());
+    assert!(pose.distance_to(models[4]) + pose.angle_to(models[4]) < 4e-15);
+    for (column, joint) in columns.iter().zip(chain) {
+        for (got, wanted) in column.to_array().into_iter().zip(wanted[joint].to_array()) {
+            assert!((got - wanted).abs() < 2e-14, "joint {joint}: {got} for {wanted}");
+        }
+    }
+}
+
+#[test]
+fn the_end_is_never_farther_than_the_bound() {
+    let mut random = Random(4);
+    let mut nearest = f64::INFINITY;
+    for plan in [ur5(), puma()] {
+        let (centre, length) = plan.arm::<f64>().reach_bound();
+        for _ in 0..2000 {
+            let end = plan.isometry(&plan.draw(&mut random)).translation.vector;
+            let far = (end - nalgebra::Vector3::from(centre)).norm();
+            assert!(far <= length + 1e-15, "{far} of {length}");
+            nearest = nearest.min(length - far);
+        }
+    }
+    assert!(nearest < 0.25, "the bound is of use: {nearest}");
+    let plan = gantry();
+    let (centre, length) = plan.arm::<f64>().reach_bound();
+    for _ in 0..2000 {
+        let end = plan.isometry(&plan.draw(&mut random)).translation.vector;
+        assert!((end - nalgebra::Vector3::from(centre)).norm() <= length);
+    }
+}
+
+#[test]
+fn joints_that_make_no_arm_are_named() {
+    let good = Joint::revolute([0.0, 0.0, 1.0], [1.0, 0.0, 0.0]);
+    let home = DualQuat::<f64>::IDENTITY;
+    let with = |joint| Arm::new([good, joint], home).map(|_| ());
+    let (inf, nan) = (f64::INFINITY, f64::NAN);
+
+    let short = Joint::revolute([0.0, 0.0, 0.5], [0.0; 3]);
+    assert_eq!(with(short), Err(ArmError::Screw { joint: 1, angular: 0.5, linear: 0.0 }));
+    let nothing = Joint::prismatic([0.0; 3], [0.0, 1.0]);
+    assert_eq!(with(nothing), Err(ArmError::Screw { joint: 1, angular: 0.0, linear: 0.0 }));
+    for bad in [nan, inf] {
+        assert!(matches!(
+            with(Joint::revolute([0.0, bad, 1.0], [0.0; 3])),
+            Err(ArmError::Screw { joint: 1, .. })
+        ));
+        assert!(matches!(
+            with(Joint::revolute([0.0, 0.0, 1.0], [bad, 0.0, 0.0])),
+            Err(ArmError::Screw { joint: 1, .. })
+        ));
+    }
+    for limits in [[1.0, 0.0], [nan, 0.0], [0.0, nan], [inf, inf], [-inf, -inf]] {
+        assert!(matches!(with(good.with_limits(limits)), Err(ArmError::Limits { joint: 1, .. })));
+    }
+    let endless = Joint::prismatic([0.0, 1.0, 0.0], [0.0, inf]);
+    assert_eq!(with(endless), Err(ArmError::Limits { joint: 1, low: 0.0, high: inf }));
+    assert_eq!(with(good.with_limits([-inf, inf])), Ok(()));
+    assert_eq!(with(good.with_limits([0.5, 0.5])), Ok(()));
+
+    for home in [
+        DualQuat::ZERO,
+        home.scale(2.0),
+        home.scale(nan),
+        DualQuat::from_translation([inf, 0.0, 0.0]),
+    ] {
+        assert!(matches!(Arm::new([good], home), Err(ArmError::Home { .. })));
+    }
+    let error = ArmError::Limits { joint: 1, low: 0.0, high: inf };
+    assert_eq!(
+        error.to_string(),
+        "joint 1 cannot move between 0 and inf: limits must be in order, and finite for what slides"
+    );
+}

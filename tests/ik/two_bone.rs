@@ -1,0 +1,190 @@
+//! Limbs of two bones, against the points that their rotations give.
+
+use super::arms::Random;
+use dq8::ik::{LimbError, Span, TwoBone};
+use dq8::{Dual, Quat, Real};
+use nalgebra::Vector3;
+use std::f64::consts::PI;
+
+/// Where knee and end are.
+fn points(limb: &TwoBone<f64>, root: [f64; 3], [a, b]: [f64; 2]) -> [Vector3<f64>; 2] {
+    let knee = Vector3::from(root) + Vector3::from(limb.upper.rotate([a, 0.0, 0.0]));
+    [knee, knee + Vector3::from(limb.lower.rotate([b, 0.0, 0.0]))]
+}
+
+fn vector(random: &mut Random) -> [f64; 3] {
+    core::array::from_fn(|_| random.signed())
+}
+
+#[test]
+fn the_end_is_at_the_target_and_the_knee_on_the_side_of_the_pole() {
+    let mut random = Random(20);
+    let (mut within, mut worst) = (0, 0.0_f64);
+    for _ in 0..2000 {
+        let (root, target, pole) = (vector(&mut random), vector(&mut random), vector(&mut random));
+        let lengths = [0.2 + random.next(), 0.2 + random.next()];
+        let limb = TwoBone::reach(root, lengths, target, pole).expect("finite");
+        let [knee, end] = points(&limb, root, lengths);
+        let (root, target, pole) =
+            (Vector3::from(root), Vector3::from(target), Vector3::from(pole));
+        worst = worst.max(((end - target).norm() - limb.missed).abs());
+        within += u32::from(limb.span == Span::Within);
+
+        let way = (target - root).normalize();
+        // In the plane of target and pole, on its side of the way.
+        assert!((knee - root).dot(&way.cross(&pole)).abs() < 1e-14);
+        let across = pole - way * way.dot(&pole);
+        assert!((knee - root).dot(&across) > -1e-14);
+        // Out of reach it is straight: a root of rounding would be eight digits aside.
+        if limb.span != Span::Within {
+            assert!((knee - root).cross(&way).norm() < 1e-15);
+        }
+        // A hinge about z between the two.
+        let z = Quat::from_axis_angle([0.0, 0.0, 1.0], limb.bend);
+        let hinged = limb.upper * z;
+        assert!((hinged.dot(limb.lower).abs() - 1.0).abs() < 1e-14);
+        assert!((0.0..=PI).contains(&limb.bend));
+        assert!((limb.upper.norm() - 1.0).abs() + (limb.lower.norm() - 1.0).abs() < 1e-15);
+    }
+    assert!((900..1100).contains(&within), "{within}");
+    assert!(worst < 3e-15, "{worst:e}");
+}
+
+#[test]
+fn a_target_too_far_stretches_and_one_too_near_folds() {
+    let root = [1.0, 2.0, 3.0];
+    let up = [0.0, 0.0, 1.0];
+    let far = TwoBone::reach(root, [0.5, 0.25], [3.0, 2.0, 3.0], up).expect("finite");
+    assert_eq!((far.span, far.bend, far.missed), (Span::Stretched, 0.0, 1.25));
+    let [knee, end] = points(&far, root, [0.5, 0.25]);
+    assert!(
+        (knee - Vector3::new(1.5, 2.0, 3.0)).norm() + (end - Vector3::new(1.75, 2.0, 3.0)).norm()
+            < 1e-15
+    );
+
+    let near = TwoBone::reach(root, [0.5, 0.25], [1.125, 2.0, 3.0], up).expect("finite");
+    assert_eq!((near.span, near.bend, near.missed), (Span::Folded, PI, 0.125));
+    let [knee, end] = points(&near, root, [0.5, 0.25]);
+    assert!(
+        (knee - Vector3::new(1.5, 2.0, 3.0)).norm() + (end - Vector3::new(1.25, 2.0, 3.0)).norm()
+            < 1e-15
+    );
+
+    // The longer bone at the end: the knee goes the other way.
+    let near = TwoBone::reach(root, [0.25, 0.5], [1.125, 2.0, 3.0], up).expect("finite");
+    let [knee, end] = points(&near, root, [0.25, 0.5]);
+    assert!(
+        (knee - Vector3::new(0.75, 2.0, 3.0)).norm() + (end - Vector3::new(1.25, 2.0, 3.0)).norm()
+            < 1e-15
+    );
+}
+
+/// A flat triangle keeps its digits: cosines of the law of cosines would have lost half of them.
+#[test]
+fn an_almost_stretched_limb_is_as_accurate() {
+    for short in [1e-4, 1e-8, 1e-12] {
+        let target = [2.0 * (1.0 - short), 0.0, 0.0];
+        let limb = TwoBone::reach([0.0; 3], [1.0, 1.0], target, [0.0, 1.0, 0.0]).expect("finite");
+        // The bend is 2 arccos(D/2), which is 2√(2s)(1 + s/12) but for terms of s².
+        let wanted = 2.0 * (2.0 * (1.0 - target[0] / 2.0)).sqrt() * (1.0 + short / 12.0);
+        assert!((limb.bend / wanted - 1.0).abs() < 1e-8, "{short}: {} {wanted}", limb.bend);
+    }
+}
+
+#[test]
+fn a_limb_without_a_plane_takes_one() {
+    let (root, lengths) = ([0.5, 0.0, 0.0], [0.4, 0.4]);
+    let target = [0.5, 0.6, 0.0];
+    for pole in [[0.0; 3], [0.0, 2.0, 0.0], [0.0, -1e-30, 0.0], [0.0, 1.0, 1e-17]] {
+        let limb = TwoBone::reach(root, lengths, target, pole).expect("finite");
+        let [knee, end] = points(&limb, root, lengths);
+        assert!((end - Vector3::from(target)).norm() < 1e-15, "{pole:?}");
+        assert!((knee - Vector3::new(0.5 + 0.07_f64.sqrt(), 0.3, 0.0)).norm() < 1e-15, "{knee}");
+    }
+    // The target at the root: the knee where the pole points, or on x.
+    for (pole, x, y) in [([0.0, 3.0, 0.0], 0.5, 0.4), ([0.0; 3], 0.9, 0.0)] {
+        let limb = TwoBone::reach(root, lengths, root, pole).expect("finite");
+        assert_eq!((limb.span, limb.bend, limb.missed), (Span::Within, PI, 0.0));
+        let [knee, end] = points(&limb, root, lengths);
+        assert!((end - Vector3::from(root)).norm() < 1e-15);
+        assert!((knee - Vector3::new(x, y, 0.0)).norm() < 1e-15, "{knee}");
+        for lengths in [[0.25, 0.5], [0.5, 0.25]] {
+            let limb = TwoBone::reach(root, lengths, root, pole).expect("finite");
+            assert_eq!((limb.span, limb.missed), (Span::Folded, 0.25));
+            let [knee, _] = points(&limb, root, lengths);
+            let wanted = Vector3::new(x - 0.5, y, 0.0) * (lengths[0] / 0.4);
+            assert!((knee - Vector3::from(root) - wanted).norm() < 1e-15, "{knee}");
+        }
+    }
+    // Bones without length.
+    for lengths in [[0.0, 0.0], [0.4, 0.0], [0.0, 0.4]] {
+        let limb = TwoBone::reach(root, lengths, target, [0.0, 0.0, 1.0]).expect("finite");
+        let [_, end] = points(&limb, root, lengths);
+        assert!(((end - Vector3::from(target)).norm() - limb.missed).abs() < 1e-15);
+    }
+}
+
+fn refuses<R: Real>() {
+    let (inf, nan) = (R::ONE / R::ZERO, R::NAN);
+    let good = [R::ONE, R::ZERO, R::TWO];
+    for bad in [inf, -inf, nan] {
+        for axis in 0..3 {
+            let mut point = good;
+            point[axis] = bad;
+            for (what, [root, target, pole]) in [
+                ("root", [point, good, good]),
+                ("target", [good, point, good]),
+                ("pole", [good, good, point]),
+            ] {
+                let refused = TwoBone::reach(root, [R::ONE; 2], target, pole).unwrap_err();
+                let LimbError::NotFinite { what: named, index, .. } = refused else {
+                    panic!("{refused}");
+                };
+                assert_eq!((named, index), (what, axis));
+            }
+        }
+    }
+    for bad in [inf, nan, -R::ONE] {
+        for bone in 0..2 {
+            let mut lengths = [R::ONE; 2];
+            lengths[bone] = bad;
+            let refused = TwoBone::reach(good, lengths, good, good).unwrap_err();
+            assert!(matches!(refused, LimbError::Length { bone: named, .. } if named == bone));
+        }
+    }
+}
+
+#[test]
+fn what_is_not_finite_is_refused() {
+    refuses::<f64>();
+    refuses::<f32>();
+    let error = LimbError::Length { bone: 1, value: -2.0 };
+    assert_eq!(error.to_string(), "bone 1 cannot have the length -2");
+}
+
+#[test]
+fn lengths_may_be_as_large_or_small_as_numbers_are() {
+    for scale in [f32::MAX / 8.0, 1e-30, f32::MIN_POSITIVE] {
+        let target = [0.0, 1.2 * scale, 0.0];
+        let limb = TwoBone::reach([0.0; 3], [scale; 2], target, [scale, 0.0, 0.0]).expect("finite");
+        assert_eq!(limb.span, Span::Within);
+        assert!((limb.bend - 2.0 * 0.6_f32.acos()).abs() < 1e-6, "{scale}: {}", limb.bend);
+    }
+    let long = TwoBone::reach([0.0; 3], [f32::MAX; 2], [1.0, 0.0, 0.0], [0.0; 3]);
+    assert!(matches!(long, Err(LimbError::Length { bone: 1, .. })));
+}
+
+/// The knee's speed as the ankle moves, by automatic differentiation and by a difference.
+#[test]
+fn a_limb_differentiates_itself() {
+    let bend = |x: f64| {
+        let limb = TwoBone::reach([0.0; 3], [0.5, 0.4], [x, 0.2, 0.1], [0.0, 0.0, 1.0]);
+        limb.expect("finite").bend
+    };
+    let c = |x: f64| Dual::new(x, 0.0);
+    let moving = [Dual::new(0.6, 1.0), c(0.2), c(0.1)];
+    let limb = TwoBone::reach([c(0.0); 3], [c(0.5), c(0.4)], moving, [c(0.0), c(0.0), c(1.0)]);
+    let h = 1e-5;
+    let difference = (bend(0.6 + h) - bend(0.6 - h)) / (2.0 * h);
+    assert!((limb.expect("finite").bend.dual - difference).abs() < 1e-9);
+}
