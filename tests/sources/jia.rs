@@ -17,12 +17,14 @@ fn eq_2_the_product_of_quaternions_in_parts() {
 }
 
 #[test]
-fn eqs_1_and_13_sums_go_component_by_component() {
+fn eqs_1_and_13_sums_and_multiples_go_component_by_component() {
     let sum = quat(1.0, 2.0, 3.0, 4.0) + quat(5.0, 6.0, 7.0, 8.0);
     assert_eq!(sum, quat(6.0, 8.0, 10.0, 12.0));
     let [a, b] = whole_numbers();
     let components = core::array::from_fn(|i| a.to_array()[i] + b.to_array()[i]);
     assert_eq!((a + b).to_array(), components);
+    assert_eq!((a - b).to_array(), (a + b.scale(-1.0)).to_array());
+    assert_eq!(a.scale(3.0).to_array(), a.to_array().map(|c| 3.0 * c));
 }
 
 /// "Where θ ∈ [0, π]": with −1 < w < 0 the angle is beyond π. It is so up to sign.
