@@ -2,7 +2,8 @@
 
 use crate::{assert_close, assert_far, motions};
 use core::f64::consts::{PI, TAU};
-use dq8::{Dual, DualQuat, Quat};
+use dq8::{Dual, DualQuat, Quat, Twist};
+use nalgebra::SMatrix;
 
 const X: [f64; 3] = [1.0, 0.0, 0.0];
 const Y: [f64; 3] = [0.0, 1.0, 0.0];
@@ -73,6 +74,32 @@ fn section_3_3_4_a_straight_line_in_euler_angles_is_no_shortest_way() {
     assert!(across(-PI) > 150.0, "{}", across(-PI));
     // About one axis it is.
     assert_close([detour(euler, [[0.1, 0.0, 0.0], [1.8, 0.0, 0.0]])], [1.0], 1e-12);
+}
+
+/// At 90° about y the three Euler angles turn about two axes only; the dual quaternion there has all six
+/// ways to go, as everywhere.
+#[test]
+fn sections_3_3_3_and_8_dual_quaternions_have_no_gimbal_lock() {
+    let slopes = |[x, y, z]: [f64; 3]| {
+        SMatrix::<f64, 4, 3>::from_fn(|component, changed| {
+            let angle = |i: usize, at: f64| Dual::new(at, f64::from(u8::from(i == changed)));
+            let turn = |axis: [f64; 3], angle| {
+                Quat::from_axis_angle(axis.map(|c| Dual::new(c, 0.0)), angle)
+            };
+            let rotation = turn(Z, angle(2, z)) * turn(Y, angle(1, y)) * turn(X, angle(0, x));
+            rotation.to_array()[component].dual
+        })
+    };
+    assert_eq!(slopes([0.3, 0.7, -0.4]).rank(1e-9), 3);
+    for lock in [PI / 2.0, -PI / 2.0] {
+        assert_eq!(slopes([0.3, lock, -0.4]).rank(1e-9), 2);
+        let locked = DualQuat::from_rotation_translation(euler([0.3, lock, -0.4]), [1.0, 2.0, 3.0]);
+        let tangents = SMatrix::<f64, 8, 6>::from_fn(|component, i| {
+            let twist = Twist::from_array(core::array::from_fn(|j| f64::from(u8::from(i == j))));
+            locked.derivative_spatial(twist).to_array()[component]
+        });
+        assert_eq!(tangents.rank(0.1), 6);
+    }
 }
 
 #[test]
