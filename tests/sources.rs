@@ -3,6 +3,10 @@
 
 #[path = "sources/arends.rs"]
 mod arends;
+#[path = "sources/arends_matrices.rs"]
+mod arends_matrices;
+#[path = "sources/arends_quaternions.rs"]
+mod arends_quaternions;
 #[path = "sources/fabisch.rs"]
 mod fabisch;
 #[path = "sources/jia.rs"]
@@ -11,6 +15,8 @@ mod jia;
 mod jia_screws;
 #[path = "sources/kenwright.rs"]
 mod kenwright;
+#[path = "sources/kenwright_representations.rs"]
+mod kenwright_representations;
 #[path = "sources/tarini.rs"]
 mod tarini;
 

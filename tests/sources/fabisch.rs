@@ -68,6 +68,42 @@ fn the_inverse_root_of_a_dual_number_has_the_dual_part_minus_t_over_2_s_to_the_t
     assert_close([one.real, one.dual], [1.0, 0.0], 1e-15);
 }
 
+/// u = ±1/√s and v = −½ t/(±√s)³.
+#[test]
+fn the_other_inverse_root_of_a_dual_number_is_its_negative() {
+    let squared = squared_norm(sigma());
+    for root in [squared.real.sqrt(), -squared.real.sqrt()] {
+        let inverse = Dual::new(1.0 / root, -0.5 * squared.dual / root.powi(3));
+        let one = inverse * inverse * squared;
+        assert_close([one.real, one.dual], [1.0, 0.0], 1e-15);
+    }
+}
+
+/// He prints p₁q₂ + p₂q₁. Quaternions do not commute: it is p₁q₂ + q₁p₂, as his norm has it.
+#[test]
+fn dual_quaternion_product_erratum_the_dual_part_keeps_the_order_of_its_factors() {
+    let other = DualQuat::from_wxyz([0.5, -1.0, 2.0, 0.25, 1.5, 0.75, -0.5, 1.0]);
+    let ([p1, p2], [q1, q2]) =
+        ([sigma(), other].map(DualQuat::real), [sigma(), other].map(DualQuat::dual));
+    let product = (sigma() * other).dual();
+    assert_close(product.to_array(), (p1 * q2 + q1 * p2).to_array(), 1e-15);
+    assert_far(product.to_array(), (p1 * q2 + p2 * q1).to_array());
+}
+
+/// Step two takes from q its projection on p. It changes the real part of 2qp* alone, so the
+/// translation was right before.
+#[test]
+fn geometrical_interpretation_step_two_removes_a_projection_and_keeps_the_translation() {
+    let one_step = sigma().scale(1.0 / sigma().real().norm());
+    let (p, q) = (one_step.real(), one_step.dual());
+    let removed = q - sigma().normalize().dual();
+    assert_close(removed.to_array(), p.scale(p.dot(q)).to_array(), 1e-15);
+    assert_close([sigma().normalize().dual().dot(p)], [0.0], 1e-15);
+    let twice = [q, q - removed].map(|q| (q * p.conjugate()).scale(2.0));
+    assert_close(twice[0].xyz(), twice[1].xyz(), 1e-15);
+    assert_close([twice[0].w(), twice[1].w()], [2.0 * p.dot(q), 0.0], 1e-15);
+}
+
 #[test]
 fn out_8_the_direct_normalisation() {
     let direct = sigma().scale_dual(Dual::ONE / squared_norm(sigma()).sqrt());

@@ -2,7 +2,8 @@
 
 use crate::{add, assert_close, assert_far, cross, dot, motions, point, pure, quat};
 use crate::{third_turn, whole_numbers};
-use dq8::{Dual, DualQuat, Quat};
+use dq8::{Dual, DualQuat, Quat, Twist};
+use nalgebra::SMatrix;
 
 #[test]
 fn eq_2_the_product_of_quaternions_in_parts() {
@@ -13,6 +14,42 @@ fn eq_2_the_product_of_quaternions_in_parts() {
     assert_eq!(p * q, quat(-60.0, 12.0, 30.0, 24.0));
     assert_eq!((p * q).conjugate(), q.conjugate() * p.conjugate());
     assert_eq!(p * p.conjugate(), quat(30.0, 0.0, 0.0, 0.0));
+}
+
+#[test]
+fn eqs_1_and_13_sums_and_multiples_go_component_by_component() {
+    let sum = quat(1.0, 2.0, 3.0, 4.0) + quat(5.0, 6.0, 7.0, 8.0);
+    assert_eq!(sum, quat(6.0, 8.0, 10.0, 12.0));
+    let [a, b] = whole_numbers();
+    let components = core::array::from_fn(|i| a.to_array()[i] + b.to_array()[i]);
+    assert_eq!((a + b).to_array(), components);
+    assert_eq!((a - b).to_array(), (a + b.scale(-1.0)).to_array());
+    assert_eq!(a.scale(3.0).to_array(), a.to_array().map(|c| 3.0 * c));
+}
+
+/// "Where θ ∈ [0, π]": with −1 < w < 0 the angle is beyond π. It is so up to sign.
+#[test]
+fn eq_3_erratum_angles_up_to_pi_reach_the_quaternions_without_negative_real_part() {
+    let (q, u) = (quat(-0.6, 0.8, 0.0, 0.0), [1.0, 0.0, 0.0]);
+    let theta = 2.0 * 0.8_f64.atan2(-0.6);
+    assert!(theta > core::f64::consts::PI);
+    assert_close(Quat::from_axis_angle(u, theta).to_array(), q.to_array(), 1e-15);
+    // dq8's screws have angles up to π, of the one of ±q with w ≥ 0.
+    let screw = DualQuat::from_rotation(q).to_screw();
+    assert_close([screw.angle], [core::f64::consts::TAU - theta], 1e-15);
+    assert_close(screw.axis.direction, [-1.0, 0.0, 0.0], 1e-15);
+}
+
+#[test]
+fn eq_4_the_power_of_a_quaternion_turns_by_a_multiple_of_the_angle() {
+    let (u, theta) = ([2.0 / 7.0, 6.0 / 7.0, -3.0 / 7.0], 0.7_f64);
+    let q = Quat::from_parts(u.map(|c| c * theta.sin()), theta.cos());
+    for rho in [0.0, 0.25, 1.0, 2.0, -1.5] {
+        let (sin, cos) = (rho * theta).sin_cos();
+        let power = DualQuat::from_rotation(q).pow(rho);
+        let wanted = DualQuat::from_rotation(Quat::from_parts(u.map(|c| c * sin), cos));
+        assert_close(power.to_array(), wanted.to_array(), 1e-15);
+    }
 }
 
 #[test]
@@ -41,6 +78,25 @@ fn eqs_8_9_and_15_the_product_is_that_of_quaternions_of_dual_numbers() {
     let (scalar, vector) = parts(a * b);
     assert_eq!(scalar, a0 * b0 - inner);
     assert_eq!(vector, core::array::from_fn(|i| a0 * bv[i] + b0 * av[i] + outer[i]));
+}
+
+/// Dual numbers stand in the real components, vectors and dual vectors in the others.
+#[test]
+fn section_4_numbers_vectors_and_quaternions_are_special_dual_quaternions() {
+    let number = |d: Dual<f64>| DualQuat::IDENTITY.scale_dual(d);
+    let (a, b) = (Dual::new(2.0, 3.0), Dual::new(4.0, -5.0));
+    assert_eq!(number(a) * number(b), number(a * b));
+    assert_eq!(number(a) + number(b), number(a + b));
+    let (p, q) = (quat(1.0, 2.0, 3.0, 4.0), quat(5.0, 6.0, 7.0, 8.0));
+    assert_eq!(
+        DualQuat::from_rotation(p) * DualQuat::from_rotation(q),
+        DualQuat::from_rotation(p * q)
+    );
+    // Dual numbers commute with all; a dual quaternion is one of them and a dual vector.
+    let [s, _] = whole_numbers();
+    assert_eq!(number(a) * s, s * number(a));
+    assert_eq!(number(a) * s, s.scale_dual(a));
+    assert_eq!(DualQuat::from_dual_parts(s.dual_scalar(), s.dual_vector()), s);
 }
 
 #[test]
@@ -109,6 +165,26 @@ fn eqs_20_and_21_a_displacement_is_unit_and_its_inverse_the_conjugate() {
         assert_close([s.real().norm(), s.real().dot(s.dual())], [1.0, 0.0], 1e-15);
         assert_close((s * s.conjugate()).to_array(), DualQuat::IDENTITY.to_array(), 1e-15);
         assert_close(s.inverse().to_array(), s.conjugate().to_array(), 1e-15);
+    }
+}
+
+/// Both conditions' gradients, (2p, 0) and (q, p), are independent wherever p is not 0: 8 − 2 = 6. The
+/// six twists span what they leave.
+#[test]
+fn section_6_unit_dual_quaternions_have_six_degrees_of_freedom() {
+    for s in motions() {
+        let conditions = [(s.real().scale(2.0), Quat::ZERO), (s.dual(), s.real())];
+        let gradients = SMatrix::<f64, 8, 2>::from_fn(|component, i| {
+            let (p, q) = conditions[i];
+            DualQuat::new(p, q).to_array()[component]
+        });
+        assert_eq!(gradients.rank(0.1), 2);
+        let tangents = SMatrix::<f64, 8, 6>::from_fn(|component, i| {
+            let twist = Twist::from_array(core::array::from_fn(|j| f64::from(u8::from(i == j))));
+            s.derivative_spatial(twist).to_array()[component]
+        });
+        assert_eq!(tangents.rank(0.1), 6);
+        assert!((gradients.transpose() * tangents).amax() < 1e-15);
     }
 }
 

@@ -33,6 +33,35 @@ fn section_8_1_the_moment_is_that_of_any_point_and_l_cross_m_the_closest() {
     assert_close([dot(away, moved.direction), length(away)], [0.0, length(moved.moment)], 1e-14);
 }
 
+/// (cl, cm) is the same line: the same closest point, moved to the same place; l·m = 0 stays.
+#[test]
+fn section_8_1_a_multiple_of_the_coordinates_is_the_same_line() {
+    let (p, l) = ([1.0, 2.0, 3.0], [2.0 / 7.0, 6.0 / 7.0, -3.0 / 7.0]);
+    let closest = |line: Line<f64>| {
+        let square = dot(line.direction, line.direction);
+        cross(line.direction, line.moment).map(|c| c / square)
+    };
+    let [s, _] = motions();
+    let line = line_through(p, l);
+    for factor in [2.0, -0.5, 10.0] {
+        let multiple = line_through(p, l.map(|c| factor * c));
+        assert_close(multiple.moment, line.moment.map(|c| factor * c), 1e-14);
+        assert_close(closest(multiple), closest(line), 1e-14);
+        let moved = s.transform_line(multiple);
+        assert_close(closest(moved), closest(s.transform_line(line)), 1e-14);
+        assert_close([dot(moved.direction, moved.moment)], [0.0], 1e-13);
+    }
+}
+
+#[test]
+fn eqs_32_and_33_cross_products_turn_along_and_are_halves_of_products() {
+    let (a, b) = ([1.0, -2.0, 0.5], [0.25, 3.0, -1.5]);
+    let half = (pure(b) * pure(a).conjugate() + pure(a) * pure(b)).scale(0.5);
+    assert_eq!(half, pure(cross(a, b)));
+    let r = motions()[0].rotation();
+    assert_close(cross(r.rotate(a), r.rotate(b)), r.rotate(cross(a, b)), 1e-15);
+}
+
 /// A point of the line at (0,0,3), its direction x; turned to (3,0,0) and y, shifted by (1,2,5).
 #[test]
 fn theorem_1_holds_for_the_motion_t_r_of_its_proof() {
@@ -101,6 +130,29 @@ fn eqs_37_to_43_screw_parameters_and_motion_say_the_same() {
     }
 }
 
+#[test]
+fn eqs_37_and_38_every_form_of_the_moment_is_the_same() {
+    let (p, l) = ([1.0, -2.0, 0.5], [2.0 / 7.0, 6.0 / 7.0, -3.0 / 7.0]);
+    let m = line_through(p, l).moment;
+    for (angle, slide) in [(0.3, 2.0), (1.5, -1.0), (3.0, 0.0)] {
+        let sigma = turn_and_slide(p, l, angle, slide);
+        let t = sigma.translation();
+        // d = t·l, and t = 2qp*.
+        assert_close([dot(t, l)], [slide], 1e-14);
+        let across = cross(t, l);
+        let cot = 1.0 / (angle / 2.0).tan();
+        let first = add(across, cross(l, across).map(|c| cot * c)).map(|c| c / 2.0);
+        let rest = add(t, l.map(|c| -slide * c));
+        let second = add(across, rest.map(|c| cot * c)).map(|c| c / 2.0);
+        assert_close(first, m, 1e-14);
+        assert_close(second, m, 1e-14);
+        let (sin, cos) = (angle / 2.0).sin_cos();
+        let left = add(m.map(|c| sin * c), l.map(|c| slide / 2.0 * cos * c));
+        let right = add(across.map(|c| sin * c), t.map(|c| cos * c)).map(|c| c / 2.0);
+        assert_close(left, right, 1e-14);
+    }
+}
+
 /// §8.2 has the moment infinite "when θ = 0 or π". At π the cotangent is 0: half a turn about the
 /// vertical through (1,2,0), up by 3.
 #[test]
@@ -159,6 +211,16 @@ fn eq_45_the_derivative_takes_the_angular_velocity_of_space() {
     let seen = r.conjugate().rotate(omega);
     let of_body = (r * pure(seen)).scale(0.5);
     assert_close(slope.to_array(), derivative(of_body).to_array(), 1e-9);
+}
+
+#[test]
+fn section_10_the_difference_of_two_motions_holds_that_of_their_translations() {
+    let [a, b] = motions();
+    let back = a.rotation().conjugate();
+    let apart = add(b.translation(), a.translation().map(|c| -c));
+    let dual = (back * pure(apart) * b.rotation()).scale(0.5);
+    let wanted = DualQuat::new(back * b.rotation(), dual);
+    assert_close((a.inverse() * b).to_array(), wanted.to_array(), 1e-15);
 }
 
 #[test]
