@@ -30,14 +30,7 @@ for board in "${boards[@]}"; do
     x86-64) needs+=(/usr/bin/qemu-system-x86_64=qemu-system-x86) ;;
   esac
 done
-packages=()
-for need in "${needs[@]}"; do
-  [ -e "${need%%=*}" ] || packages+=("${need##*=}")
-done
-if [ ${#packages[@]} -gt 0 ]; then
-  apt-get update -qq
-  apt-get install -y -qq --no-install-recommends "${packages[@]}" >/dev/null
-fi
+../../scripts/install_missing.sh "${needs[@]}"
 
 export RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1 CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$PWD/target}
 semihosting=(-display none -serial none -monitor none -semihosting-config 'enable=on,target=native')

@@ -37,14 +37,7 @@ for host in "${hosts[@]}"; do
       /usr/lib/wasm32-wasi/libc.a=wasi-libc) ;;
   esac
 done
-packages=()
-for need in "${needs[@]}"; do
-  [ -e "${need%%=*}" ] || packages+=("${need##*=}")
-done
-if [ ${#packages[@]} -gt 0 ]; then
-  apt-get update -qq
-  apt-get install -y -qq --no-install-recommends "${packages[@]}" >/dev/null
-fi
+scripts/install_missing.sh "${needs[@]}"
 
 # Optimised a little, because emulators are slow; without debug information, because there is much to link.
 export RUSTC=/usr/bin/rustc RUSTDOC=/usr/bin/rustdoc RUSTC_BOOTSTRAP=1 CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$PWD/target}/hosts
