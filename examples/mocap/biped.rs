@@ -2,6 +2,8 @@
 //! shows a figure; lengths, axes and the walk ([`walk`]) are invented here, after a person of
 //! 1.75 m. Metres, y is up, z is forward.
 
+#[cfg(test)]
+mod reach;
 mod walk;
 
 use crate::clip::{Axis, Channel, Clip, Joint};
@@ -174,13 +176,13 @@ mod tests {
     use crate::clip::{Channel, Clip};
     use dq8::{DualQuat, Hierarchy};
 
-    fn models(clip: &Clip) -> Vec<DualQuat<f64>> {
+    pub(super) fn models(clip: &Clip) -> Vec<DualQuat<f64>> {
         let (parents, mut poses) = (clip.parents(), clip.locals());
         Hierarchy::new(&parents).unwrap().local_to_model_in_place(&mut poses).unwrap();
         poses
     }
 
-    fn joint(clip: &Clip, name: &str) -> usize {
+    pub(super) fn joint(clip: &Clip, name: &str) -> usize {
         clip.joints.iter().position(|joint| joint.name == name).unwrap()
     }
 
