@@ -63,7 +63,8 @@ for host in "${hosts[@]}"; do
     armv7)
       run armv7-unknown-linux-gnueabihf arm-linux-gnueabihf-gcc 'qemu-arm -L /usr/arm-linux-gnueabihf' -Zbuild-std "${tests[@]}" ;;
     s390x)
-      run s390x-unknown-linux-gnu s390x-linux-gnu-gcc 'qemu-s390x -L /usr/s390x-linux-gnu' -Zbuild-std "${tests[@]}" ;;
+      # Not optimised: QEMU before 8.0 computes MDEBR (f32 · f32 as f64) wrongly, which only the optimiser uses.
+      CARGO_PROFILE_DEV_OPT_LEVEL=0 run s390x-unknown-linux-gnu s390x-linux-gnu-gcc 'qemu-s390x -L /usr/s390x-linux-gnu' -Zbuild-std "${tests[@]}" ;;
     wasm32)
       # Debian's C library instead of the one that rustup would bring along.
       RUSTFLAGS="-Ctarget-feature=+simd128 -Clink-self-contained=no -Clink-arg=/usr/lib/wasm32-wasi/crt1-command.o
