@@ -47,7 +47,7 @@ run() {
   name=${name//-/_}
   shift 3
   env "CARGO_TARGET_${name}_LINKER=$linker" "CARGO_TARGET_${name}_RUNNER=$runner" \
-    /usr/bin/cargo test --quiet --target "$target" --tests "${packages[@]/#/--package=}" "$@"
+    /usr/bin/cargo test --quiet --no-fail-fast --target "$target" "${packages[@]/#/--package=}" "$@"
 }
 
 table=() failed=0
@@ -56,17 +56,20 @@ for host in "${hosts[@]}"; do
   status=0
   case $host in
     aarch64)
-      run aarch64-unknown-linux-gnu aarch64-linux-gnu-gcc 'qemu-aarch64 -L /usr/aarch64-linux-gnu' -Zbuild-std ;;
+      run aarch64-unknown-linux-gnu aarch64-linux-gnu-gcc 'qemu-aarch64 -L /usr/aarch64-linux-gnu' -Zbuild-std --tests ;;
     armv7)
-      run armv7-unknown-linux-gnueabihf arm-linux-gnueabihf-gcc 'qemu-arm -L /usr/arm-linux-gnueabihf' -Zbuild-std ;;
+      run armv7-unknown-linux-gnueabihf arm-linux-gnueabihf-gcc 'qemu-arm -L /usr/arm-linux-gnueabihf' -Zbuild-std --tests ;;
     s390x)
       # Not optimised: QEMU before 8.0 computes MDEBR (f32 · f32 as f64) wrongly, which only the optimiser uses.
-      CARGO_PROFILE_DEV_OPT_LEVEL=0 run s390x-unknown-linux-gnu s390x-linux-gnu-gcc 'qemu-s390x -L /usr/s390x-linux-gnu' -Zbuild-std ;;
+      CARGO_PROFILE_DEV_OPT_LEVEL=0 run s390x-unknown-linux-gnu s390x-linux-gnu-gcc 'qemu-s390x -L /usr/s390x-linux-gnu' -Zbuild-std --tests ;;
     wasm32)
-      # Debian's C library instead of the one that rustup would bring along.
+      # Debian's C library instead of the one that rustup would bring along. Without what needs threads or looks for files by
+      # other paths than those of the build: one test, and the tests of the examples. One compiler of node's from the start: node 20
+      # crashes at the end of a program that it has begun to compile again.
       RUSTFLAGS="-Ctarget-feature=+simd128 -Clink-self-contained=no -Clink-arg=/usr/lib/wasm32-wasi/crt1-command.o
         -Clink-arg=-L/usr/lib/wasm32-wasi -Clink-arg=--allow-undefined" \
-        run wasm32-wasip1 wasm-ld "node $PWD/tests/hosts/wasi.mjs" -Zbuild-std=std,panic_abort,test ;;
+        run wasm32-wasip1 wasm-ld "node --no-liftoff $PWD/tests/hosts/wasi.mjs" -Zbuild-std=std,panic_abort,test \
+        --lib --test '*' -- --skip a_chain_of_ten_thousand_joints_needs_no_stack ;;
   esac >"$log" 2>&1 || status=$?
   # How many tests passed: a host on which nothing ran has shown nothing.
   passed=$(awk '/^test result: ok/ { sum += $4 } END { print sum + 0 }' "$log")
