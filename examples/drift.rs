@@ -10,6 +10,7 @@
 //! distance travelled, as max(1, |t|).
 
 use dq8::{DualQuat, batch};
+use dq8_contract::random::Random;
 
 /// Chains per number; enough that its second digit is steady.
 const CHAINS: u64 = 16;
@@ -49,26 +50,12 @@ fn newton(product: DualQuat<f32>) -> DualQuat<f32> {
     product.scale(0.5 * (3.0 - product.real().dot(product.real())))
 }
 
-/// A small generator (SplitMix64): the table is the same on every machine.
-struct Random(u64);
-
-impl Random {
-    fn signed(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-    }
-
-    fn motion(&mut self) -> DualQuat<f32> {
-        let [x, y, z, w, a, b, c, d] = std::array::from_fn(|_| self.signed());
-        let motion = DualQuat::from_array([x, y, z, w, a, b, c, d]).normalize();
-        let t = motion.translation();
-        let longest = t.iter().fold(1.0_f64, |longest, c| longest.max(c.abs()));
-        let short = DualQuat::from_rotation_translation(motion.rotation(), t.map(|c| c / longest));
-        DualQuat::from_array(short.to_array().map(|c| c as f32))
-    }
+fn motion(random: &mut Random) -> DualQuat<f32> {
+    let motion = DualQuat::from_array([(); 8].map(|()| random.signed())).normalize();
+    let t = motion.translation();
+    let longest = t.iter().fold(1.0_f64, |longest, c| longest.max(c.abs()));
+    let short = DualQuat::from_rotation_translation(motion.rotation(), t.map(|c| c / longest));
+    DualQuat::from_array(short.to_array().map(|c| c as f32))
 }
 
 /// Squares of the errors of one chain: |p| − 1, p·q / max(1, |t|), rotation (radians), translation
@@ -78,7 +65,7 @@ fn errors(method: &Method, seed: u64, products: usize) -> [f64; 4] {
     let mut product = DualQuat::<f32>::IDENTITY;
     let mut exact = DualQuat::<f64>::IDENTITY;
     for n in 1..=products {
-        let next = random.motion();
+        let next = motion(&mut random);
         product = (method.keep)(product * next, n);
         // The factors are unit to 2⁻²⁴ only, and the exact product is that of the motions they mean.
         exact = (exact * wide(next).normalize()).normalize();

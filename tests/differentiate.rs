@@ -13,7 +13,7 @@ fn motion<R: Real>(t: R) -> DualQuat<R> {
     let turn = Quat::from_axis_angle(constant([0.6, 0.0, 0.8]), t * R::from_f64(1.3));
     let moving = DualQuat::from_rotation_translation(turn, [t, t * t, t.sin()]);
     let twist = Twist {
-        angular: constant([0.1, -0.7, 0.4]),
+        angular: [R::from_f64(0.1), t.cos(), R::from_f64(0.4)],
         linear: [R::from_f64(1.0), t.exp(), R::from_f64(-2.0)],
     };
     let still = DualQuat::from_twist(twist);
@@ -88,7 +88,7 @@ fn functions_have_their_derivatives() {
     type D = Dual<f64>;
     /// A name, the function, where, and its derivative there.
     type Case = (&'static str, fn(D) -> D, f64, f64);
-    let cases: [Case; 11] = [
+    let cases: [Case; 12] = [
         ("sqrt", Real::sqrt, 2.0, 0.5 / 2.0_f64.sqrt()),
         ("sin", Real::sin, 0.7, 0.7_f64.cos()),
         ("cos", Real::cos, 0.7, -0.7_f64.sin()),
@@ -100,6 +100,7 @@ fn functions_have_their_derivatives() {
         ("ln", Real::ln, 4.0, 0.25),
         ("abs", Real::abs, -4.0, -1.0),
         ("atan2 of y", |y| y.atan2(D::new(2.0, 0.0)), 1.0, 0.4),
+        ("atan2 of x", |x| D::new(2.0, 0.0).atan2(x), 1.0, -0.4),
     ];
     for (name, f, at, derivative) in cases {
         let found = f(D::new(at, 1.0)).dual;

@@ -18,8 +18,6 @@ mod crowd;
 mod measurement;
 mod one_instance;
 mod race;
-#[path = "../random/mod.rs"]
-mod random;
 #[path = "../representation/mod.rs"]
 mod representation;
 #[path = "../rows/mod.rs"]

@@ -2,7 +2,6 @@
 //! strategies cross is what the constants in `src/hierarchy/{plan,schedule}.rs` say.
 
 use crate::contender::{Contender, Peer};
-use crate::random::Random;
 use crate::representation::{Representation, Rows};
 use crate::rows::Rows3x4;
 use crate::skeleton;
@@ -10,6 +9,7 @@ use criterion::{BenchmarkId, Criterion, Throughput};
 use dq8::{
     Backend, Block, DualQuat, Hierarchy, HierarchyPlan, Quat, Strategy, pack_chain, unpack_chain,
 };
+use dq8_contract::random::Random;
 use glam::Affine3A;
 use std::hint::black_box;
 

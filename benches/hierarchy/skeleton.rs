@@ -3,8 +3,8 @@
 //! The 31 joints of the CMU motion capture skeleton (its ASF files), five fingers of three joints on
 //! each hand, where game skeletons have them, and jaw and eyes on the head.
 
-use crate::random::Random;
 use dq8::{DualQuat, Hierarchy, Quat};
+use dq8_contract::random::Random;
 
 const ROOT: &str = "";
 

@@ -1,7 +1,7 @@
 //! [`Case`]: what operations are applied to, in any implementation of [`Motion`](dq8::Motion).
 
-use crate::random::Random;
 use dq8::{DualQuat, DualVector, Line, Quat};
+use dq8_contract::random::Random;
 use dq8_contract::sample::Sample;
 
 /// A whole number of every lane type. The largest input and output, of `product` with matrices, are

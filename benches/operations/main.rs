@@ -19,8 +19,6 @@ mod case;
 mod measurement;
 mod outcome;
 mod peer;
-#[path = "../random/mod.rs"]
-mod random;
 #[path = "../representation/mod.rs"]
 mod representation;
 mod rigid;

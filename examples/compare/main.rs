@@ -30,8 +30,6 @@ mod memory;
 mod output;
 mod progress;
 mod race;
-#[path = "../../benches/random/mod.rs"]
-mod random;
 #[path = "../../benches/representation/mod.rs"]
 mod representation;
 mod results;

@@ -11,8 +11,6 @@
 //! robot whose X is known.
 
 mod calibration;
-#[path = "../../benches/random/mod.rs"]
-mod random;
 mod robot;
 mod separate;
 mod simultaneous;

@@ -1,8 +1,8 @@
 //! A robot whose camera is where we put it.
 
 use crate::calibration::Pair;
-use crate::random::Random;
 use dq8::{DualQuat, Quat, Twist};
+use dq8_contract::random::Random;
 use std::f64::consts::TAU;
 
 /// Standard deviations in each axis of the noise of B.

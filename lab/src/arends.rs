@@ -1,5 +1,6 @@
 //! Formulas and code of Arends, as printed: to be counted, and to show where they break. Not for use.
 
+use crate::HyperDualQuat;
 use dq8::{DualQuat, Quat, Real};
 
 /// `SLERP` of the appendix, which is told the `angle` instead of finding it: radians between `begin`
@@ -47,24 +48,12 @@ pub fn dual_transform<R: Real>(q: DualQuat<R>, p: DualQuat<R>) -> DualQuat<R> {
     q * p * conjugate(q)
 }
 
-/// a + bε₁ + cε₂ + dε₁ε₂, quaternions (§5.2).
-pub type HyperDualQuat<R> = [Quat<R>; 4];
-
-/// `Hyperdualquaternion::multiply` of the appendix, written out: nine quaternion products.
-#[must_use]
-pub fn hyper_product<R: Real>(
-    [a1, a2, a3, a4]: HyperDualQuat<R>,
-    [b1, b2, b3, b4]: HyperDualQuat<R>,
-) -> HyperDualQuat<R> {
-    [a1 * b1, a1 * b2 + a2 * b1, a1 * b3 + a3 * b1, a1 * b4 + (a2 * b3 + (a3 * b2 + a4 * b1))]
-}
-
 /// p′ = qpq† of §5.4, the last lines of `hdqtransform`.
 #[must_use]
 pub fn hyper_transform<R: Real>(q: HyperDualQuat<R>, p: HyperDualQuat<R>) -> HyperDualQuat<R> {
-    let [a, b, c, d] = q.map(Quat::conjugate);
-    let conjugate = [a, b.scale(minus_one()), c.scale(minus_one()), d.scale(minus_one())];
-    hyper_product(hyper_product(q, p), conjugate)
+    let turned = |part: Quat<R>| part.conjugate().scale(minus_one());
+    let [first, second, mixed] = [q.first, q.second, q.mixed].map(turned);
+    q * p * HyperDualQuat::new(q.real.conjugate(), first, second, mixed)
 }
 
 /// C(t) = ((1−t) ⊙ A) ⊕ (t ⊙ B) of §2.4 for vectors, element by element: r ⊙ A = e^(r ln A),

@@ -1,48 +1,40 @@
 //! The square root of one number, which `core` does not have: the instruction where there is one.
 
+/// Whether the narrowest vector of `wide` has the instruction: wherever there are vectors, and on all
+/// targets with `std`. Without both, `wide` computes with `f64` in integers.
+#[cfg(feature = "libm")]
+const VECTORS: bool = cfg!(any(
+    feature = "std",
+    target_feature = "sse2",
+    all(target_arch = "aarch64", target_feature = "neon"),
+    target_feature = "simd128"
+));
+
 /// √`value`, correctly rounded; NaN below zero.
 #[inline(always)]
 #[must_use]
 pub fn f32(value: f32) -> f32 {
-    which::f32(value)
+    #[cfg(feature = "libm")]
+    if !VECTORS {
+        return without_vectors::f32(value);
+    }
+    wide::f32x4::splat(value).sqrt().to_array()[0]
 }
 
 /// √`value`, correctly rounded; NaN below zero.
 #[inline(always)]
 #[must_use]
 pub fn f64(value: f64) -> f64 {
-    which::f64(value)
+    #[cfg(feature = "libm")]
+    if !VECTORS {
+        return without_vectors::f64(value);
+    }
+    wide::f64x2::splat(value).sqrt().to_array()[0]
 }
 
-/// The narrowest vector of `wide` has it wherever there are vectors, and on all targets with `std`.
-#[cfg(any(
-    feature = "std",
-    not(feature = "libm"),
-    target_feature = "sse2",
-    all(target_arch = "aarch64", target_feature = "neon"),
-    target_feature = "simd128"
-))]
-mod which {
-    #[inline(always)]
-    pub(super) fn f32(value: f32) -> f32 {
-        wide::f32x4::splat(value).sqrt().to_array()[0]
-    }
-    #[inline(always)]
-    pub(super) fn f64(value: f64) -> f64 {
-        wide::f64x2::splat(value).sqrt().to_array()[0]
-    }
-}
-
-/// Without both, `wide` computes with `f64` in integers; `libm` stays with `f32`, and some targets have
-/// the instruction.
-#[cfg(not(any(
-    feature = "std",
-    not(feature = "libm"),
-    target_feature = "sse2",
-    all(target_arch = "aarch64", target_feature = "neon"),
-    target_feature = "simd128"
-)))]
-mod which {
+/// `libm` stays with `f32`, and some targets have the instruction.
+#[cfg(feature = "libm")]
+mod without_vectors {
     /// All FPUs whose registers carry arguments have this one, from the Cortex-M4F on.
     #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
     #[inline(always)]

@@ -52,7 +52,7 @@ impl<R: Real, const N: usize> Arm<R, N> {
                 return Err(ArmError::Limits { joint: index, low: low.into(), high: high.into() });
             }
         }
-        if !home.is_unit(tolerance) || home.to_array().iter().any(|c| !c.is_finite()) {
+        if !home.is_unit(tolerance) {
             return Err(ArmError::Home { norm: home.real().norm().into() });
         }
         let (centre, length) = span(&joints, home.translation());

@@ -135,42 +135,22 @@ fn plane<R: Real>(way: [R; 3], pole: [R; 3], shorter: bool) -> ([R; 3], [R; 3]) 
     let Some(along) = direction(way) else {
         let knee = direction(pole).unwrap_or([R::ONE, R::ZERO, R::ZERO]);
         let along = if shorter { vector::scale(knee, -R::ONE) } else { knee };
-        return (along, any_across(along));
+        return (along, vector::any_across(along));
     };
     let across_way = |pole| {
-        let left = across(along, pole);
+        let left = vector::across(along, pole);
         // What is left of a pole along the way is rounding; of one nearly so, it is not quite across.
         let least = R::from(16.0) * R::EPSILON;
         let side = if vector::norm(left) > least { direction(left) } else { None };
-        side.and_then(|side| direction(across(along, side)))
+        side.and_then(|side| direction(vector::across(along, side)))
     };
-    (along, direction(pole).and_then(across_way).unwrap_or_else(|| any_across(along)))
+    (along, direction(pole).and_then(across_way).unwrap_or_else(|| vector::any_across(along)))
 }
 
 /// `vector` with length 1, unless it is zero.
 fn direction<R: Real>(vector: [R; 3]) -> Option<[R; 3]> {
     let norm = vector::norm(vector);
     (norm > R::ZERO).then(|| vector::over_norm(vector, norm))
-}
-
-/// What of `vector` is across the unit vector `along`.
-fn across<R: Real>(along: [R; 3], vector: [R; 3]) -> [R; 3] {
-    vector::sub(vector, vector::scale(along, vector::dot(along, vector)))
-}
-
-/// The unit vector across `along` that is next to the axis most across it.
-fn any_across<R: Real>(along: [R; 3]) -> [R; 3] {
-    let [x, y, z] = along.map(Real::abs);
-    let (zero, one) = (R::ZERO, R::ONE);
-    let axis = if x <= y && x <= z {
-        [one, zero, zero]
-    } else if y <= z {
-        [zero, one, zero]
-    } else {
-        [zero, zero, one]
-    };
-    let across = across(along, axis);
-    vector::over_norm(across, vector::norm(across))
 }
 
 /// The rotation that takes x to `along` and −y to `side`.

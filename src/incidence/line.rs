@@ -104,8 +104,7 @@ impl<R: Real> Line<R> {
     /// rounding of |p|, however near to the origin the line passes.
     pub(super) fn orthogonal(self) -> Result<Self, IncidenceError> {
         let Self { direction, moment } = self;
-        let along = vector::scale(direction, vector::dot(direction, moment));
-        let moment = finite(vector::sub(moment, along), "the moment of a line")?;
+        let moment = finite(vector::across(direction, moment), "the moment of a line")?;
         Ok(Self { direction, moment })
     }
 }

@@ -154,22 +154,11 @@ fn between_skew<R: Real>(a: Line<R>, b: Line<R>, normal: [R; 3], sine: R) -> Per
 fn between_parallel<R: Real>(a: Line<R>, b: Line<R>) -> Result<Perpendicular<R>, IncidenceError> {
     let feet = [a, b].map(Line::closest_point_to_origin);
     let way = vector::sub(feet[1], feet[0]);
-    let along = vector::scale(a.direction, vector::dot(a.direction, way));
-    let across = vector::sub(way, along);
+    let across = vector::across(a.direction, way);
     let distance = vector::norm(across);
     if distance <= parallel_sine::<R>() * size(a.moment, b.moment) {
-        return Ok((any_perpendicular(a.direction), feet, R::ZERO));
+        return Ok((vector::any_across(a.direction), feet, R::ZERO));
     }
     let (direction, _) = unit(across, "the way between parallel lines")?;
     Ok((direction, feet, distance))
-}
-
-/// A unit vector across a unit vector: its product with the axis that is farthest from it.
-fn any_perpendicular<R: Real>(l: [R; 3]) -> [R; 3] {
-    let [x, y, z] = l.map(Real::abs);
-    let mut axis = [R::ZERO; 3];
-    let farthest = if x <= y && x <= z { 0 } else { usize::from(y > z) + 1 };
-    axis[farthest] = R::ONE;
-    let across = vector::cross(l, axis);
-    vector::over_norm(across, vector::norm(across))
 }

@@ -34,12 +34,12 @@ pub fn gram_schmidt<R: Real>(rows: [[R; 3]; 3]) -> Result<[[R; 3]; 3], Orthonorm
         Ok(direction(column.map(|c| c / largest)))
     };
     let x = column(0)?;
-    let across = without(column(1)?, x);
+    let across = vector::across(x, column(1)?);
     let sine = vector::norm(across);
     if sine <= least {
         return Err(OrthonormalError::Dependent { column: 1, sine: sine.into() });
     }
-    let y = direction(without(direction(across), x));
+    let y = direction(vector::across(x, direction(across)));
     let z = vector::cross(x, y);
     let height = vector::dot(z, column(2)?);
     if height.abs() <= least {
@@ -67,9 +67,4 @@ pub(super) fn all_finite<R: Real>(rows: [[R; 3]; 3]) -> Result<(), OrthonormalEr
 fn direction<R: Real>(v: [R; 3]) -> [R; 3] {
     let norm = vector::norm(v);
     v.map(|c| c / norm)
-}
-
-/// v without its part along the unit vector.
-fn without<R: Real>(v: [R; 3], unit: [R; 3]) -> [R; 3] {
-    vector::sub(v, vector::scale(unit, vector::dot(v, unit)))
 }

@@ -23,6 +23,20 @@ pub(crate) fn norm<R: Real, const N: usize>(components: [R; N]) -> R {
     largest * sum.sqrt()
 }
 
+/// What of `vector` is across the unit vector `along`.
+pub(crate) fn across<R: Real>(along: [R; 3], vector: [R; 3]) -> [R; 3] {
+    sub(vector, scale(along, dot(along, vector)))
+}
+
+/// The unit vector across the unit vector `along` that is next to the axis most across it.
+pub(crate) fn any_across<R: Real>(along: [R; 3]) -> [R; 3] {
+    let [x, y, z] = along.map(Real::abs);
+    let mut axis = [R::ZERO; 3];
+    axis[if x <= y && x <= z { 0 } else { usize::from(y > z) + 1 }] = R::ONE;
+    let across = across(along, axis);
+    over_norm(across, norm(across))
+}
+
 /// Every component divided by `norm`, by way of its reciprocal.
 ///
 /// Not by division: a norm one unit of the last place below 1 would then push every component up by

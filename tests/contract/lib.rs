@@ -11,6 +11,7 @@ pub mod kinematics;
 pub mod law;
 pub mod ledger;
 pub mod operation;
+pub mod random;
 pub mod repertoire;
 pub mod sample;
 pub mod tolerance;

@@ -1,7 +1,7 @@
 //! Velocities and Jacobians of hierarchies against differences of forward kinematics: a six-axis arm
 //! and a biped with branches, one instance and blocks of every width.
 
-use crate::case::{Random, length};
+use crate::case::{Draw, Random, length};
 use dq8::{Block, DualQuat, Float, Hierarchy, Pose, Real, ShapeError, Twist, TwistBlock, pack};
 use dq8_contract::ledger::Ledger;
 use dq8_contract::tolerance::unit_roundoff;

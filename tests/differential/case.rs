@@ -1,6 +1,7 @@
 //! Inputs: edge cases and random ones, the same in every run.
 
 use dq8::{DualQuat, Quat, Twist, Wrench};
+pub(crate) use dq8_contract::random::Random;
 use dq8_contract::sample::Sample;
 use std::f64::consts::PI;
 
@@ -135,35 +136,33 @@ pub(crate) fn length(components: &[f64]) -> f64 {
     components.iter().fold(0.0, |length: f64, c| length.hypot(*c))
 }
 
-/// Steele, Lea, Flood 2014 ("SplitMix64").
-pub(crate) struct Random(pub(crate) u64);
+/// What these tests draw.
+pub(crate) trait Draw {
+    /// Evenly from −1 to 1.
+    fn next(&mut self) -> f64;
 
-impl Random {
-    /// Evenly in [−1, 1).
-    pub(crate) fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-
-    pub(crate) fn vector(&mut self) -> [f64; 3] {
+    fn vector(&mut self) -> [f64; 3] {
         std::array::from_fn(|_| self.next())
     }
 
-    pub(crate) fn twist(&mut self, size: f64) -> [f64; 6] {
+    fn twist(&mut self, size: f64) -> [f64; 6] {
         std::array::from_fn(|i| self.next() * if i < 3 { 1.0 } else { size })
     }
 
-    pub(crate) fn axis(&mut self) -> [f64; 3] {
+    fn axis(&mut self) -> [f64; 3] {
         let axis = self.vector();
         axis.map(|c| c / length(&axis))
     }
 
-    pub(crate) fn motion(&mut self, size: f64) -> DualQuat<f64> {
+    fn motion(&mut self, size: f64) -> DualQuat<f64> {
         let turn = Quat::from_axis_angle(self.axis(), PI * self.next());
         let translation = self.vector().map(|c| c * size);
         DualQuat::from_rotation_translation(turn, translation).normalize()
+    }
+}
+
+impl Draw for Random {
+    fn next(&mut self) -> f64 {
+        self.signed()
     }
 }

@@ -1,6 +1,6 @@
 //! Central differences in `f64`, on every implementation that has it.
 
-use crate::case::{Arguments, Case, Random, case};
+use crate::case::{Arguments, Case, Draw, Random, case};
 use dq8::{DualQuat, Quat, Twist};
 use dq8_contract::for_every_implementation;
 use dq8_contract::sample::Sample;

@@ -2,6 +2,7 @@
 
 use dq8::ik::{Arm, Joint};
 use dq8::{DualQuat, Quat, Real};
+pub(crate) use dq8_contract::random::Random;
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 use std::f64::consts::PI;
 
@@ -120,7 +121,7 @@ impl<const N: usize> Plan<N> {
     pub(crate) fn draw(&self, random: &mut Random) -> [f64; N] {
         self.axes.map(|axis| {
             let [low, high] = axis.limits;
-            low + (high - low) * random.next()
+            random.between(low, high)
         })
     }
 
@@ -129,24 +130,6 @@ impl<const N: usize> Plan<N> {
         let (a, b) = (self.isometry(a), self.isometry(b));
         let distance = (a.translation.vector - b.translation.vector).norm();
         [a.rotation.angle_to(&b.rotation), distance]
-    }
-}
-
-/// SplitMix64
-pub(crate) struct Random(pub(crate) u64);
-
-impl Random {
-    /// From 0 to 1.
-    pub(crate) fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    pub(crate) fn signed(&mut self) -> f64 {
-        2.0 * self.next() - 1.0
     }
 }
 

@@ -134,6 +134,19 @@ fn the_end_is_never_farther_than_the_bound() {
     }
 }
 
+/// Where all of the way is the pitch of one screw, the bound is that way.
+#[test]
+fn a_screw_reaches_as_far_as_its_pitch_takes_it() {
+    let screw = Twist { angular: [0.0, 0.0, 1.0], linear: [0.0, 0.0, 0.5] };
+    let joint = Joint { screw, limits: [0.0, 8.0] };
+    let arm = Arm::new([joint], DualQuat::IDENTITY).unwrap();
+    assert_eq!(arm.reach_bound(), ([0.0; 3], 4.0));
+    assert_eq!(arm.forward(&[8.0]).translation(), [0.0, 0.0, 4.0]);
+    let endless = Joint { limits: [0.0, f64::INFINITY], ..joint };
+    let error = Arm::new([endless], DualQuat::IDENTITY).unwrap_err();
+    assert_eq!(error, ArmError::Limits { joint: 0, low: 0.0, high: f64::INFINITY });
+}
+
 #[test]
 fn joints_that_make_no_arm_are_named() {
     let good = Joint::revolute([0.0, 0.0, 1.0], [1.0, 0.0, 0.0]);

@@ -38,7 +38,7 @@ fn a_target_beyond_the_arm_is_out_of_reach_and_the_arm_stretches_toward_it() {
             let direction = Quat::from_array(core::array::from_fn(|_| random.signed()))
                 .normalize()
                 .rotate([1.0, 0.0, 0.0]);
-            let target = turned(random.next(), direction.map(|c| c * far * length));
+            let target = turned(random.between(0.0, 1.0), direction.map(|c| c * far * length));
             let mut values = plan.draw(&mut random);
             let report = arm.reach(target, &mut values, &Options::default());
             assert_eq!((report.outcome, report.restarts), (Outcome::OutOfReach, 0.0));

@@ -22,7 +22,7 @@ fn the_end_is_at_the_target_and_the_knee_on_the_side_of_the_pole() {
     let (mut within, mut worst) = (0, 0.0_f64);
     for _ in 0..2000 {
         let (root, target, pole) = (vector(&mut random), vector(&mut random), vector(&mut random));
-        let lengths = [0.2 + random.next(), 0.2 + random.next()];
+        let lengths = [(); 2].map(|()| random.between(0.2, 1.2));
         let limb = TwoBone::reach(root, lengths, target, pole).expect("finite");
         let [knee, end] = points(&limb, root, lengths);
         let (root, target, pole) =

@@ -3,9 +3,9 @@
 use crate::caches::{Caches, Footprint, Level};
 use crate::contest::Contest;
 use crate::memory::{Many, Packed, QuatVec3A, double};
-use crate::random::Random;
 use dq8::place::Layout;
 use dq8::{Backend, Block, DualQuat, Place, PointBlock, Quat};
+use dq8_contract::random::Random;
 use glam::{Affine3A, Mat4, Vec3A};
 use nalgebra::{Isometry3, Point3, UnitDualQuaternion};
 use simba::simd::WideF32x8;

@@ -1,3 +1,4 @@
+use crate::HyperDualQuat;
 use crate::arends;
 use crate::counted::{Counted, Counts};
 use crate::matrix::{self, Matrix};
@@ -237,11 +238,10 @@ fn kenwright_product(left: DualQuat<Counted>, right: DualQuat<Counted>) -> DualQ
 
 fn hyper_dual() -> Vec<Operation> {
     let Sample { motions: [a, b], point, .. } = Sample::new();
-    let [p, q] = [a, b].map(|m| [m.real(), m.dual(), m.dual(), m.real()]);
-    let zero = Quat::ZERO;
-    let moved = [Quat::IDENTITY, zero, zero, Quat::from_parts(point, Counted::ZERO)];
-    let nested = |[a, b, c, d]: arends::HyperDualQuat<Counted>| {
-        let [a, b, c, d] = [a, b, c, d].map(Quat::to_array);
+    let [p, q] = [a, b].map(|m| HyperDualQuat::new(m.real(), m.dual(), m.dual(), m.real()));
+    let moved = HyperDualQuat::point(point);
+    let nested = |sigma: HyperDualQuat<Counted>| {
+        let [a, b, c, d] = [sigma.real, sigma.first, sigma.second, sigma.mixed].map(Quat::to_array);
         let number = |i: usize| Dual::new(Dual::new(a[i], b[i]), Dual::new(c[i], d[i]));
         Quat::from_array(from_fn(number))
     };
@@ -251,7 +251,7 @@ fn hyper_dual() -> Vec<Operation> {
             "hyper-dual quaternion product, written out",
             UNPRINTED,
             "Nine quaternion products and five sums.",
-            || arends::hyper_product(p, q),
+            || p * q,
         ),
         row(
             "hyper-dual quaternion product, Quat<Dual<Dual>>",

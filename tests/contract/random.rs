@@ -1,10 +1,12 @@
-//! [`Random`]: the same numbers in every run.
+//! [`Random`]: the same numbers in every run and on every machine.
 
 /// SplitMix64 (Steele, Lea and Flood 2014).
-pub(crate) struct Random(pub(crate) u64);
+#[derive(Clone, Debug)]
+pub struct Random(pub u64);
 
 impl Random {
-    pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
+    /// Evenly from `low` to `high`.
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut bits = self.0;
         bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -14,10 +16,15 @@ impl Random {
         low + (high - low) * unit
     }
 
+    /// Evenly from −1 to 1.
+    pub fn signed(&mut self) -> f64 {
+        self.between(-1.0, 1.0)
+    }
+
     /// A vector of length 1, all directions alike.
-    pub(crate) fn direction(&mut self) -> [f64; 3] {
+    pub fn direction(&mut self) -> [f64; 3] {
         loop {
-            let v = [(); 3].map(|()| self.between(-1.0, 1.0));
+            let v = [(); 3].map(|()| self.signed());
             let length = v.iter().map(|c| c * c).sum::<f64>().sqrt();
             // Out of the ball: the corners of the cube would be too frequent.
             if (0.1..1.0).contains(&length) {
