@@ -32,6 +32,13 @@ pub trait Level: Copy + Debug + Send + Sync + 'static {
     #[inline(always)]
     fn fence(self) {}
 
+    /// Asks for the cache lines of `value`, which will be read or written soon. For what is read one after
+    /// the other over more memory than the first cache holds: the CPU guesses that too, but later.
+    #[inline(always)]
+    fn prefetch<T>(self, value: &T) {
+        let _ = value;
+    }
+
     /// Runs `kernel` compiled with the instructions of this level.
     ///
     /// Everything that `kernel` calls must be `#[inline(always)]`, or it is compiled without them.

@@ -14,6 +14,14 @@ use dq8_simd::Level;
 const OVERLAPS: bool =
     cfg!(not(all(target_os = "none", any(target_arch = "arm", target_arch = "riscv32"))));
 
+/// Bytes of the first cache, or less, that instances side by side may fill.
+const CACHE: usize = 32 << 10;
+
+/// So many joints ahead the next ones are fetched. Crowds of 64 joints in place by 1024 take a tenth less
+/// time for it with AVX2 and a twentieth less with AVX-512; one block of 16, which never leaves the first
+/// cache, a twentieth more. 2, 4, 6 and 8 are the same within what can be measured.
+const AHEAD: usize = 2;
+
 /// model(j) = model(parent(j)) · local(j), parents first.
 pub(super) struct Forward<'j, 'h, 's, P: Pose, L, F> {
     pub(super) job: &'j Job<'h, P>,
@@ -31,7 +39,8 @@ impl<P: Pose, L: Locals<P>, F: Finish<P>> Kernel for Forward<'_, '_, '_, P, L, F
         // The joints are not 0 where there is anything to do.
         let joints = job.hierarchy.joints().max(1);
         // Parts of one instance are side by side already.
-        let side_by_side = if OVERLAPS && P::parts::<V>() == 1 { 2 } else { 1 };
+        let alone = P::parts::<V>() > 1 || joints > CACHE / 2 / size_of::<P>();
+        let side_by_side = if OVERLAPS && !alone { 2 } else { 1 };
         let sets = models.chunks_mut(joints.saturating_mul(side_by_side));
         for (first, models) in (0..).step_by(side_by_side).zip(sets) {
             // There is no part of an instance, which the compiler does not know: a plain `split_at_mut`
@@ -61,6 +70,11 @@ fn forward<P: Pose, L: Locals<P>, F: Finish<P>, V: Level, const K: usize>(
         let Some(&parent) = parents.get(joint) else { return };
         let renormalise = job.renormalise.applies_to(joint);
         for (instance, models) in &mut instances {
+            if P::INSTANCES > 1
+                && let Some(soon) = models.get(joint.saturating_add(AHEAD))
+            {
+                level.prefetch(soon);
+            }
             let index = *instance * parents.len() + joint;
             for part in 0..P::parts::<V>() {
                 let spot = Spot { index, joint, part };

@@ -1,4 +1,5 @@
 use super::frame::align_frame;
+use super::prefetch::prefetch;
 use super::quads::*;
 use super::vector::vector;
 use crate::lane::{Lane, Mask};
@@ -34,6 +35,11 @@ impl Level for Avx2 {
     fn fence(self) {
         // SAFETY: `self` proves more than the SSE that this is a part of.
         unsafe { _mm_sfence() };
+    }
+
+    #[inline(always)]
+    fn prefetch<T>(self, value: &T) {
+        prefetch(value);
     }
 
     #[inline(always)]

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `vector.rs` | the short macro that makes a lane type of a register and its instructions |
 //! | `frame.rs` | where vector registers are spilled to |
+//! | `prefetch.rs` | memory that will be needed soon |
 //! | `quads.rs` | transposes between records of four or three numbers and vectors of components |
 //! | `octet.rs` | one dual quaternion in a register |
 //! | `avx2.rs` | [`Avx2`]: 8 × `f32`, 4 × `f64`, and half as many; AVX2 and FMA |
@@ -16,6 +17,7 @@ mod avx2;
 mod avx512;
 mod frame;
 mod octet;
+mod prefetch;
 mod quads;
 mod vector;
 

@@ -1,0 +1,14 @@
+use core::arch::x86_64::*;
+
+/// Bytes of a cache line of every x86-64 CPU that has these levels.
+const LINE: usize = 64;
+
+/// See [`Level::prefetch`](crate::Level::prefetch).
+#[inline(always)]
+pub(super) fn prefetch<T>(value: &T) {
+    let start = core::ptr::from_ref(value).cast::<i8>();
+    for offset in (0..size_of::<T>()).step_by(LINE) {
+        // SAFETY: SSE is part of every x86-64 CPU, the address is one of `value`, and nothing is read.
+        unsafe { _mm_prefetch::<_MM_HINT_T0>(start.add(offset)) };
+    }
+}
