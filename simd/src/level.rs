@@ -39,6 +39,14 @@ pub trait Level: Copy + Debug + Send + Sync + 'static {
         let _ = value;
     }
 
+    /// `value`, whose address is in a register of its own. For values of which single numbers are
+    /// multiplied into every lane: AVX-512 loads, multiplies and adds in one step from such an address,
+    /// and in two from a sum of registers, which a compiler would take to save an instruction.
+    #[inline(always)]
+    fn locate<T>(self, value: &T) -> &T {
+        value
+    }
+
     /// Runs `kernel` compiled with the instructions of this level.
     ///
     /// Everything that `kernel` calls must be `#[inline(always)]`, or it is compiled without them.

@@ -8,6 +8,7 @@
 //! | [`mod@portable`] | [`Portable`]: the lanes of the crate `wide`, with the instructions of the build target |
 //! | [`one`] | plain `f32` and `f64` as vectors of one lane |
 //! | [`square_root`] | the square root of one number, which `core` does not have |
+//! | `steps` | `Steps`: results that need earlier results (feature `alloc`) |
 //! | [`block`] | [`Block`]: structure-of-arrays memory, one row of numbers a component |
 //!
 //! Kernels are written once, generic over [`Lane`], and marked `#[inline(always)]`: a kernel that
@@ -26,6 +27,9 @@
 //! ```
 #![no_std]
 
+#[cfg(feature = "alloc")]
+extern crate alloc;
+
 pub mod block;
 #[cfg(target_arch = "x86_64")]
 mod detect;
@@ -38,6 +42,8 @@ pub mod one;
 pub mod pair;
 pub mod portable;
 pub mod square_root;
+#[cfg(feature = "alloc")]
+pub mod steps;
 #[cfg(target_arch = "x86_64")]
 pub mod x86_64;
 
@@ -47,6 +53,8 @@ pub use lane::{Lane, Mask, Part, Row};
 pub use level::Level;
 pub use octet::Octet;
 pub use portable::Portable;
+#[cfg(feature = "alloc")]
+pub use steps::Steps;
 
 /// The portable lane types themselves.
 pub use wide::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};

@@ -1,7 +1,7 @@
 //! The product of two motions that nothing else waits beside: one register holds a whole motion.
 
 use crate::real::Real;
-use dq8_simd::Octet;
+use dq8_simd::{Level, Octet};
 
 /// left · right, of which the left factor comes whole and the right one number by number from memory.
 ///
@@ -15,7 +15,7 @@ use dq8_simd::Octet;
 pub(super) fn product<R: Real, L: Octet<Real = R>>(left: L, right: &[R; 8]) -> L {
     let level = left.level();
     let [x, y, z, w] = left.columns();
-    let [px, py, pz, pw, qx, qy, qz, qw] = right;
+    let [px, py, pz, pw, qx, qy, qz, qw] = level.locate(right);
     let dual = x.mul_add(L::splat(level, *qx), w * L::splat(level, *qw));
     let dual = y.mul_add(L::splat(level, *qy), dual);
     let dual = z.mul_add(L::splat(level, *qz), dual);

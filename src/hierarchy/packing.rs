@@ -100,6 +100,10 @@ pub(super) fn whole_instances(
     joints: usize,
     length: usize,
 ) -> Result<usize, ShapeError> {
+    // Divisions take long, and one instance is what most have.
+    if length == joints && length > 0 {
+        return Ok(1);
+    }
     match length.checked_rem(joints) {
         Some(0) => Ok(length / joints),
         None if length == 0 => Ok(0),

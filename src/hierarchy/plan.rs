@@ -146,7 +146,7 @@ impl HierarchyPlan {
     #[inline]
     fn run<R: Real + Float>(&self, locals: Option<&[DualQuat<R>]>, models: &mut [DualQuat<R>]) {
         if let Some(schedule) = &self.schedule {
-            return self.backend.run(Walk { schedule, joints: self.joints, locals, models });
+            return self.backend.run(Walk { schedule, locals, models });
         }
         // A chain of no joints has no instances either.
         let joints = self.joints.max(1);
@@ -167,7 +167,6 @@ fn is_chain(hierarchy: &Hierarchy<'_>) -> bool {
 
 struct Walk<'p, 's, R> {
     schedule: &'p Schedule,
-    joints: usize,
     locals: Option<&'s [DualQuat<R>]>,
     models: &'s mut [DualQuat<R>],
 }
@@ -177,7 +176,8 @@ impl<R: Real + Float> Kernel for Walk<'_, '_, R> {
 
     #[inline(always)]
     fn run<V: Level>(self, level: V) {
-        let Self { schedule, joints, locals, models } = self;
+        let Self { schedule, locals, models } = self;
+        let joints = schedule.steps.bound();
         let mut models: &mut [[R; 8]] = bytemuck::must_cast_slice_mut(models);
         let mut locals: &[[R; 8]] = bytemuck::must_cast_slice(locals.unwrap_or_default());
         // An instance of no joints would come again for ever.
@@ -186,10 +186,29 @@ impl<R: Real + Float> Kernel for Walk<'_, '_, R> {
         {
             match locals.split_at_checked(joints) {
                 Some((of_instance, rest)) => {
-                    out_of_place(level, schedule, of_instance, instance);
+                    for &root in &schedule.roots {
+                        if let (Some(local), Some(model)) =
+                            (of_instance.get(root), instance.get_mut(root))
+                        {
+                            *model = *local;
+                        }
+                    }
+                    schedule.steps.run(
+                        of_instance,
+                        instance,
+                        #[inline(always)]
+                        |parent, local| step(level, parent, local),
+                    );
                     locals = rest;
                 }
-                None => in_place(level, schedule, instance),
+                // A root stays as it is.
+                None => {
+                    schedule.steps.run_in_place(
+                        instance,
+                        #[inline(always)]
+                        |parent, local| step(level, parent, local),
+                    );
+                }
             }
             models = others;
         }
@@ -197,32 +216,8 @@ impl<R: Real + Float> Kernel for Walk<'_, '_, R> {
 }
 
 #[inline(always)]
-fn out_of_place<R: Real + Float, V: Level>(
-    level: V,
-    schedule: &Schedule,
-    locals: &[[R; 8]],
-    models: &mut [[R; 8]],
-) {
-    for &[joint, parent] in schedule.steps() {
-        let Some(local) = locals.get(joint as usize) else { return };
-        // ROOT is beyond the last joint.
-        let model = match models.get(parent as usize) {
-            Some(parent) => product(R::Octet::load(level, parent), local),
-            None => R::Octet::load(level, local),
-        };
-        let Some(slot) = models.get_mut(joint as usize) else { return };
-        model.store(slot);
-    }
-}
-
-#[inline(always)]
-fn in_place<R: Real + Float, V: Level>(level: V, schedule: &Schedule, poses: &mut [[R; 8]]) {
-    for &[joint, parent] in schedule.steps() {
-        // ROOT is beyond the last joint, and a root stays as it is.
-        let Some(parent) = poses.get(parent as usize) else { continue };
-        let Some(local) = poses.get(joint as usize) else { return };
-        let model = product(R::Octet::load(level, parent), local);
-        let Some(slot) = poses.get_mut(joint as usize) else { return };
-        model.store(slot);
-    }
+fn step<R: Real + Float, V: Level>(level: V, parent: &[R; 8], local: &[R; 8]) -> [R; 8] {
+    let mut model = [R::ZERO; 8];
+    product(R::Octet::load(level, parent), local).store(&mut model);
+    model
 }

@@ -5,6 +5,7 @@ use alloc::collections::{BinaryHeap, VecDeque};
 use alloc::vec;
 use alloc::vec::Vec;
 use core::cmp::Reverse;
+use dq8_simd::Steps;
 
 /// How many other joints are begun before a joint whose parent is being computed. A product of a plan
 /// takes about four times as long as until the next one can begin.
@@ -14,10 +15,13 @@ use core::cmp::Reverse;
 /// longer, depth first half as long again.
 const BETWEEN: usize = 4;
 
-/// Joint and parent, in the order of computing.
-#[derive(Clone, Debug, Default)]
+/// The joints of one instance in the order of computing.
+#[derive(Clone, Debug)]
 pub(super) struct Schedule {
-    steps: Vec<[u32; 2]>,
+    /// Joints without a parent, which come first.
+    pub(super) roots: Vec<usize>,
+    /// Joint and parent of the others.
+    pub(super) steps: Steps,
 }
 
 impl Schedule {
@@ -41,11 +45,12 @@ impl Schedule {
                 None => able.push((height, Reverse(joint))),
             }
         }
+        let mut roots = Vec::new();
         let mut steps = Vec::with_capacity(parents.len());
         // Joints whose parent has begun, and from when on they may.
         let mut soon = VecDeque::new();
         let mut time = 0;
-        while steps.len() < parents.len() {
+        while roots.len() + steps.len() < parents.len() {
             if able.is_empty() {
                 // All there is waits for its parent.
                 time = soon.front().map_or(time, |&(when, _)| time.max(when));
@@ -59,14 +64,13 @@ impl Schedule {
             let Some((_, Reverse(joint))) = able.pop() else { break };
             let index = joint as usize;
             soon.extend(children[index].iter().rev().map(|&child| (time + BETWEEN, child)));
-            steps.push([joint, parents[index]]);
+            match parents[index] {
+                Hierarchy::ROOT => roots.push(index),
+                parent => steps.push([joint, parent]),
+            }
             time += 1;
         }
-        Self { steps }
-    }
-
-    #[inline(always)]
-    pub(super) fn steps(&self) -> &[[u32; 2]] {
-        &self.steps
+        let steps = Steps::new(steps.into_boxed_slice(), parents.len());
+        Self { roots, steps: steps.expect("a hierarchy's parents are among its joints") }
     }
 }

@@ -4,6 +4,7 @@ use super::quads::*;
 use super::vector::vector;
 use crate::lane::{Lane, Mask};
 use crate::level::Level;
+use core::arch::asm;
 use core::arch::x86_64::*;
 use core::ops::{BitAnd, BitOr, Not};
 
@@ -40,6 +41,16 @@ impl Level for Avx512 {
     #[inline(always)]
     fn prefetch<T>(self, value: &T) {
         prefetch(value);
+    }
+
+    #[inline(always)]
+    fn locate<T>(self, value: &T) -> &T {
+        let mut address = core::ptr::from_ref(value);
+        // SAFETY: no instruction; the address stays what it was.
+        unsafe {
+            asm!("/* {0} */", inout(reg) address, options(pure, nomem, nostack, preserves_flags));
+            &*address
+        }
     }
 
     #[inline(always)]

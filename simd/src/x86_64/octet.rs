@@ -5,6 +5,7 @@ use super::avx512;
 use crate::lane::Lane;
 use crate::octet::Octet;
 use crate::pair::Pair;
+use core::arch::asm;
 use core::arch::x86_64::*;
 
 /// Where the columns of [`Octet::columns`] change the sign.
@@ -46,16 +47,33 @@ macro_rules! columns {
     }};
 }
 
+/// The columns with AVX-512, which picks numbers from two vectors: the signs are flipped once for all.
+#[inline]
+#[target_feature(enable = "avx512f,avx512vl")]
+fn picked_columns(v: __m256) -> [__m256; 4] {
+    let negative = _mm256_xor_ps(v, _mm256_set1_ps(-0.0));
+    // Below 8 from `v`, from 8 on from its negative; the upper half as the lower one.
+    let [y, z] = [[10, 3, 0, 9], [1, 8, 3, 10]].map(|[a, b, c, d]| {
+        let mut from = _mm256_setr_epi32(a, b, c, d, a + 4, b + 4, c + 4, d + 4);
+        // SAFETY: no instruction. Left to itself, the compiler picks in two steps and gains nothing.
+        unsafe {
+            asm!("/* {0} */", inout(ymm_reg) from, options(pure, nomem, nostack, preserves_flags));
+        }
+        _mm256_permutex2var_ps(v, from, negative)
+    });
+    let x = _mm256_shuffle_ps::<0b00_01_10_11>(v, negative);
+    [x, y, z, v]
+}
+
 /// A register that holds all eight.
 macro_rules! octet {
-    ($($name:ty, $signs:ident, $permute:ident, $xor:ident, $load:ident, |$v:ident| $raised:expr;)*) => {$(
+    ($($name:ty, |$v:ident| $columns:expr, $raised:expr;)*) => {$(
         impl Octet for $name {
             #[inline(always)]
             fn columns(self) -> [Self; 4] {
-                let level = self.level();
+                let (level, $v) = (self.level(), self.0);
                 // SAFETY: `self` proves the instructions; the pointers are those of whole arrays.
-                let columns = unsafe { columns!(self.0, const { $signs::<8>() }, $permute, $xor, $load) };
-                let [x, y, z, w] = columns;
+                let [x, y, z, w] = unsafe { $columns };
                 [Self(x, level), Self(y, level), Self(z, level), Self(w, level)]
             }
             #[inline(always)]
@@ -68,12 +86,15 @@ macro_rules! octet {
     )*};
 }
 octet! {
-    avx2::F32x8, signs_f32, _mm256_permute_ps, _mm256_xor_ps, _mm256_loadu_ps,
-        |v| _mm256_permute2f128_ps::<0x08>(v, v);
-    avx512::F32x8, signs_f32, _mm256_permute_ps, _mm256_xor_ps, _mm256_loadu_ps,
-        |v| _mm256_permute2f128_ps::<0x08>(v, v);
-    avx512::F64x8, signs_f64, _mm512_permutex_pd, _mm512_xor_pd, _mm512_loadu_pd,
-        |v| _mm512_maskz_shuffle_f64x2::<0b01_00_01_00>(0xf0, v, v);
+    avx2::F32x8,
+        |v| columns!(v, const { signs_f32::<8>() }, _mm256_permute_ps, _mm256_xor_ps, _mm256_loadu_ps),
+        _mm256_permute2f128_ps::<0x08>(v, v);
+    avx512::F32x8,
+        |v| picked_columns(v),
+        _mm256_permute2f128_ps::<0x08>(v, v);
+    avx512::F64x8,
+        |v| columns!(v, const { signs_f64::<8>() }, _mm512_permutex_pd, _mm512_xor_pd, _mm512_loadu_pd),
+        _mm512_maskz_shuffle_f64x2::<0b01_00_01_00>(0xf0, v, v);
 }
 
 impl Octet for Pair<avx2::F64x4> {
