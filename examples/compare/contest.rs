@@ -143,11 +143,11 @@ where
     }
 }
 
-struct InPlace<E, P, N> {
-    input: Vec<E>,
-    output: Vec<E>,
-    pass: P,
-    numbers: N,
+pub(crate) struct InPlace<E, P, N> {
+    pub(crate) input: Vec<E>,
+    pub(crate) output: Vec<E>,
+    pub(crate) pass: P,
+    pub(crate) numbers: N,
 }
 
 /// Passes in place before the input is restored.
