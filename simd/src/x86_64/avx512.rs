@@ -44,6 +44,7 @@ impl Level for Avx512 {
     }
 
     #[inline(always)]
+    #[expect(clippy::pointers_in_nomem_asm_block, reason = "the pointer is not followed")]
     fn locate<T>(self, value: &T) -> &T {
         let mut address = core::ptr::from_ref(value);
         // SAFETY: no instruction; the address stays what it was.
