@@ -29,6 +29,12 @@ KERNELS = [
     ("one instance, planned", r"plan::Walk<f32>", 0),
 ]
 BACKENDS = [("AVX2", "with_avx2", (8, 16)), ("AVX-512", "with_avx512", (8, 16))]
+# What else a loop must hold, and must not, by kernel and backend; ARCHITECTURE.md has the reasons.
+MUST = {
+    ("crowd in place", "AVX-512"): r"\tprefetcht0",
+    ("one instance, planned", "AVX-512"): r"\tvperm[it]2ps",
+}
+MUST_NOT = {("one instance, planned", "AVX-512"): r"\(%r\w+,%r.*\{1to8\}"}
 FUSED = re.compile(r"\tvfn?m(add|sub)\d+ps\b")
 
 
@@ -83,7 +89,10 @@ def main():
                 calls = sum("\tcall" in text for text in loop)
                 spills = sum("mm" in text and ("(%rsp" in text or "(%rbp" in text) for text in loop)
                 spilling = backend == "AVX2" and most_spills is not None and spills > most_spills
-                bad = not fused or calls or spilling
+                must, must_not = MUST.get((kernel, backend), ""), MUST_NOT.get((kernel, backend), "$^")
+                lacking = not any(re.search(must, text) for text in loop)
+                unwanted = any(re.search(must_not, text) for text in loop)
+                bad = not fused or calls or spilling or lacking or unwanted
                 failures += bool(bad)
                 mark = "  <-- not as it should be" if bad else ""
                 print(f"{kernel:22}{backend:9}{lanes:6}{fused:7}{calls:7}{spills:8}{mark}")
