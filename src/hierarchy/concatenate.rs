@@ -36,15 +36,14 @@ impl<P: Pose, L: Locals<P>, F: Finish<P>> Kernel for Forward<'_, '_, '_, P, L, F
     #[inline(always)]
     fn run<V: Level>(self, level: V) {
         let Self { job, locals, models, mut finish } = self;
-        // The joints are not 0 where there is anything to do.
-        let joints = job.hierarchy.joints().max(1);
+        let joints = job.hierarchy.joints();
         // Parts of one instance are side by side already.
         let alone = P::parts::<V>() > 1 || joints > CACHE / 2 / size_of::<P>();
         let side_by_side = if OVERLAPS && !alone { 2 } else { 1 };
-        let sets = models.chunks_mut(joints.saturating_mul(side_by_side));
+        // There are joints where there is anything to do, and no part of an instance. The compiler does not
+        // know: `chunks_mut(0)` or a plain `split_at_mut` would be a path to a panic in the machine code.
+        let sets = models.chunks_mut(joints.saturating_mul(side_by_side).max(1));
         for (first, models) in (0..).step_by(side_by_side).zip(sets) {
-            // There is no part of an instance, which the compiler does not know: a plain `split_at_mut`
-            // would leave a path to a panic in the machine code.
             let Some((a, b)) = models.split_at_mut_checked(joints) else { return };
             if side_by_side == 1 || b.is_empty() {
                 forward(level, job, locals, &mut finish, [(first, a)]);
