@@ -1,7 +1,7 @@
 //! The command line.
 
+use crate::command::{Misuse, Request, set, value};
 use std::ffi::OsString;
-use std::fmt;
 use std::path::PathBuf;
 
 pub(crate) const USAGE: &str = "\
@@ -19,56 +19,27 @@ pub(crate) struct Args {
     pub(crate) svg: Option<PathBuf>,
 }
 
-#[derive(Debug, PartialEq)]
-pub(crate) enum Request {
-    Run(Args),
-    Help,
-}
-
-/// What is wrong with the command line.
-#[derive(Debug, PartialEq)]
-pub(crate) struct Misuse(String);
-
-impl fmt::Display for Misuse {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
-    }
-}
-
-pub(crate) fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Request, Misuse> {
+pub(crate) fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Request<Args>, Misuse> {
     let mut args = Args::default();
     let mut words = words.into_iter();
     while let Some(word) = words.next() {
         match word.to_string_lossy().as_ref() {
             "-h" | "--help" => return Ok(Request::Help),
             "--quick" => args.quick = true,
-            "--json" => set(&mut args.json, "--json", &mut words)?,
-            "--svg" => set(&mut args.svg, "--svg", &mut words)?,
+            "--json" => set(&mut args.json, "--json", value("--json", &mut words)?.into())?,
+            "--svg" => set(&mut args.svg, "--svg", value("--svg", &mut words)?.into())?,
             other => return Err(Misuse(format!("no such argument: `{other}`"))),
         }
     }
     Ok(Request::Run(args))
 }
 
-fn set(
-    slot: &mut Option<PathBuf>,
-    option: &str,
-    words: &mut impl Iterator<Item = OsString>,
-) -> Result<(), Misuse> {
-    // An option in place of a path is a path forgotten; a file of such a name is `./--svg`.
-    let path = words.next().filter(|word| !word.to_string_lossy().starts_with("--"));
-    let path = path.ok_or_else(|| Misuse(format!("{option} needs a path")))?;
-    match slot.replace(path.into()) {
-        None => Ok(()),
-        Some(_) => Err(Misuse(format!("{option} is given twice"))),
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{Args, Misuse, Request, parse};
+    use super::{Args, parse};
+    use crate::command::{Misuse, Request};
 
-    fn words(line: &str) -> Result<Request, Misuse> {
+    fn words(line: &str) -> Result<Request<Args>, Misuse> {
         parse(line.split_whitespace().map(Into::into))
     }
 

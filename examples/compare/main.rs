@@ -22,6 +22,8 @@
 mod args;
 mod caches;
 mod chart;
+#[path = "../mocap/command.rs"]
+mod command;
 mod contest;
 mod json;
 mod limit;
@@ -42,42 +44,23 @@ mod task;
 #[path = "../../benches/walk/mod.rs"]
 mod walk;
 
-use args::{Args, Request};
+use args::Args;
 use caches::Caches;
+use command::print;
 use output::Outputs;
 use progress::Progress;
 use race::{Effort, race};
 use results::Results;
 use std::error::Error;
-use std::io::Write;
 use std::process::ExitCode;
 use std::time::Duration;
-use std::{env, io};
 
 const QUICK: Effort =
     Effort { budget: Duration::from_millis(700), fewest_rounds: 1, most_rounds: 20 };
 const WHOLE: Effort = Effort { budget: Duration::from_secs(7), fewest_rounds: 3, most_rounds: 60 };
 
 fn main() -> ExitCode {
-    let args = match args::parse(env::args_os().skip(1)) {
-        Ok(Request::Run(args)) => args,
-        Ok(Request::Help) => return exit(print(args::USAGE)),
-        Err(misuse) => {
-            eprint!("compare: {misuse}\n\n{}", args::USAGE);
-            return ExitCode::from(2);
-        }
-    };
-    exit(run(&args))
-}
-
-fn exit(result: Result<(), Box<dyn Error>>) -> ExitCode {
-    match result {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("compare: {error}");
-            ExitCode::FAILURE
-        }
-    }
+    command::execute("compare", args::USAGE, args::parse, run)
 }
 
 fn run(args: &Args) -> Result<(), Box<dyn Error>> {
@@ -107,12 +90,4 @@ fn run(args: &Args) -> Result<(), Box<dyn Error>> {
         print(&format!("wrote {}\n", path.display()))?;
     }
     Ok(())
-}
-
-/// Not `print!`, which panics when the reader of a pipe has gone; then there is nobody to tell.
-fn print(text: &str) -> Result<(), Box<dyn Error>> {
-    match io::stdout().write_all(text.as_bytes()) {
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(error.into()),
-        _ => Ok(()),
-    }
 }

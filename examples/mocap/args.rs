@@ -1,7 +1,7 @@
 //! The command line.
 
+use crate::command::{Misuse, Request, set, value};
 use std::ffi::OsString;
-use std::fmt;
 use std::path::PathBuf;
 
 pub(crate) const USAGE: &str = "\
@@ -21,23 +21,7 @@ pub(crate) struct Args {
     pub(crate) instances: usize,
 }
 
-#[derive(Debug, PartialEq)]
-pub(crate) enum Request {
-    Run(Args),
-    Help,
-}
-
-/// What is wrong with the command line.
-#[derive(Debug, PartialEq)]
-pub(crate) struct Misuse(String);
-
-impl fmt::Display for Misuse {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
-    }
-}
-
-pub(crate) fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Request, Misuse> {
+pub(crate) fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Request<Args>, Misuse> {
     let (mut clip, mut csv, mut svg, mut instances) = (None, None, None, None);
     let mut words = words.into_iter();
     while let Some(word) = words.next() {
@@ -64,24 +48,12 @@ pub(crate) fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Request
     Ok(Request::Run(Args { clip, csv, svg, instances: instances.unwrap_or(1) }))
 }
 
-fn value(option: &str, words: &mut impl Iterator<Item = OsString>) -> Result<OsString, Misuse> {
-    // An option in place of a value is a value forgotten; a file of such a name is `./--svg`.
-    let value = words.next().filter(|word| !word.to_string_lossy().starts_with("--"));
-    value.ok_or_else(|| Misuse(format!("{option} needs a value")))
-}
-
-fn set<T>(slot: &mut Option<T>, name: &str, value: T) -> Result<(), Misuse> {
-    match slot.replace(value) {
-        None => Ok(()),
-        Some(_) => Err(Misuse(format!("{name} is given twice"))),
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{Args, Misuse, Request, parse};
+    use super::{Args, parse};
+    use crate::command::{Misuse, Request};
 
-    fn words(line: &str) -> Result<Request, Misuse> {
+    fn words(line: &str) -> Result<Request<Args>, Misuse> {
         parse(line.split_whitespace().map(Into::into))
     }
 

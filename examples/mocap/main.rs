@@ -14,6 +14,7 @@ mod args;
 mod biped;
 mod bvh;
 mod clip;
+mod command;
 mod contest;
 mod csv;
 mod matrix;
@@ -23,35 +24,17 @@ mod svg;
 mod table;
 
 use std::error::Error;
-use std::io::Write;
+use std::fs;
 use std::path::Path;
 use std::process::ExitCode;
-use std::{env, fs, io};
 
-use args::{Args, Request};
+use args::Args;
 use clip::Clip;
+use command::print;
 use output::Outputs;
 
 fn main() -> ExitCode {
-    let args = match args::parse(env::args_os().skip(1)) {
-        Ok(Request::Run(args)) => args,
-        Ok(Request::Help) => return exit(print(args::USAGE)),
-        Err(misuse) => {
-            eprint!("mocap: {misuse}\n\n{}", args::USAGE);
-            return ExitCode::from(2);
-        }
-    };
-    exit(run(&args))
-}
-
-fn exit(result: Result<(), Box<dyn Error>>) -> ExitCode {
-    match result {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("mocap: {error}");
-            ExitCode::FAILURE
-        }
-    }
+    command::execute("mocap", args::USAGE, args::parse, run)
 }
 
 fn run(args: &Args) -> Result<(), Box<dyn Error>> {
@@ -85,12 +68,4 @@ fn load(path: &Path) -> Result<Clip, Box<dyn Error>> {
     let title =
         path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
     Ok(bvh::parse(title, &bytes).map_err(|error| format!("{shown}, {error}"))?)
-}
-
-/// Not `print!`, which panics when the reader of a pipe has gone; then there is nobody to tell.
-fn print(text: &str) -> Result<(), Box<dyn Error>> {
-    match io::stdout().write_all(text.as_bytes()) {
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(error.into()),
-        _ => Ok(()),
-    }
 }
