@@ -64,12 +64,26 @@ where
     forward.max(apart(&out.to_vec(), &locals))
 }
 
+/// Models of a crowd, by a backend that is named or by the best that may be used.
+fn models(named: Option<Backend>) -> Crowd<f32, 8> {
+    let parents = parents();
+    let hierarchy = Hierarchy::new(&parents).expect("a hierarchy");
+    let mut crowd = Crowd::from_slice(JOINTS, &locals(19)).expect("they fit");
+    let job = named.map_or(hierarchy.job(), |backend| hierarchy.job().backend(backend));
+    job.local_to_model_in_place(crowd.blocks_mut()).expect("they fit");
+    crowd
+}
+
 #[test]
 fn every_backend_that_the_machine_has_agrees_with_the_scalar_path() {
     let mut ran = Vec::new();
     for backend in Backend::available() {
+        Backend::limit(None);
+        let named = models(Some(backend));
         Backend::limit(Some(backend));
         assert_eq!(Backend::best(), backend);
+        // Where one backend fuses and another does not, the bits tell which it was.
+        assert_eq!(models(None), named, "{backend} is the limit");
         for instances in [1, 7, 16, 33] {
             for (name, single) in [
                 ("f32 × 4", difference::<f32, 4>(instances)),
