@@ -1,7 +1,7 @@
 //! Many targets at once against one at a time, on every backend.
 
 use super::arms::{Plan, Random, puma, rounded, ur5};
-use dq8::ik::{Options, Outcome, Report};
+use dq8::ik::{Arm, Options, Outcome, Report};
 use dq8::{Backend, DualQuat, Float, Lane, Portable, Real, ShapeError, batch, f32x8, f64x8};
 
 /// Targets, and values to start from.
@@ -21,6 +21,14 @@ fn drawn<R: Real + Float>(plan: &Plan<6>, count: usize) -> (Vec<DualQuat<R>>, Ve
         .unzip()
 }
 
+/// Whether these lanes round a multiply-add once. One lane alone rounds twice, and near singular poses
+/// the last bit becomes another way to the target.
+fn fuses<L: Lane<Level = Portable>>() -> bool {
+    let x = L::splat(Portable, <L::Real as Float>::from_f64(1.1));
+    let rest = x.mul_add(x, -(x * x)).to_array();
+    rest.as_ref().iter().any(|&rest| rest != L::Real::default())
+}
+
 fn eight_are_as_one<L: Lane<Level = Portable, Real: Real>>()
 where
     L::Real: Lane<Real = L::Real, Level = Portable, Mask = bool>,
@@ -29,6 +37,7 @@ where
         let arm = plan.arm::<L::Real>();
         let (targets, starts) = drawn::<L::Real>(&plan, 64);
         let options = Options::default();
+        let mut differ = 0;
         for (targets, starts) in targets.chunks(8).zip(starts.chunks(8)) {
             let records: Vec<_> = targets.iter().map(|target| target.to_array()).collect();
             let target = batch::DualQuat::<L>::load_records(Portable, &records);
@@ -42,6 +51,13 @@ where
                 let mut alone = starts[lane];
                 let report = arm.reach(targets[lane], &mut alone, &options);
                 let in_lane = reports[lane];
+                if fuses::<L>() {
+                    differ += u32::from(in_lane.outcome != report.outcome);
+                    if in_lane.outcome == Outcome::Converged {
+                        assert_reached(&arm, targets[lane], &together[lane]);
+                    }
+                    continue;
+                }
                 assert_eq!(in_lane.outcome, report.outcome, "lane {lane}");
                 assert_eq!(in_lane.iterations, report.iterations, "lane {lane}");
                 assert_eq!(in_lane.restarts, report.restarts, "lane {lane}");
@@ -52,7 +68,14 @@ where
                 }
             }
         }
+        assert!(differ <= 2, "{differ} of 64");
     }
+}
+
+fn assert_reached<R: Real + Float>(arm: &Arm<R, 6>, target: DualQuat<R>, values: &[R; 6]) {
+    let pose = arm.forward(values);
+    let most = 1e-5 + 32.0 * Into::<f64>::into(<R as Real>::EPSILON);
+    assert!(pose.distance_to(target).into() < most && pose.angle_to(target).into() < most);
 }
 
 #[test]
@@ -112,10 +135,7 @@ fn every_backend_agrees<R: Real + Float>() {
             .expect("lengths fit");
         for ((target, values), report) in targets.iter().zip(&values).zip(&reports) {
             if report.outcome == Outcome::Converged {
-                let pose = arm.forward(values);
-                let most = 1e-5 + 32.0 * Into::<f64>::into(<R as Real>::EPSILON);
-                assert!(pose.distance_to(*target).into() < most, "{backend}");
-                assert!(pose.angle_to(*target).into() < most, "{backend}");
+                assert_reached(&arm, *target, values);
             }
         }
         all.push((backend, reports));
