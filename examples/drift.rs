@@ -1,11 +1,11 @@
-//! What rounding does to long products of motions, and what normalising mends.
+//! What rounding does to long products of motions, and what normalizing mends.
 //!
 //! ```text
 //! cargo run --release --example drift
 //! ```
 //!
 //! Chains of random unit motions (angles up to π, translations up to 1) are multiplied in `f32`, with
-//! several ways of normalising, and compared with the product of the same motions in `f64`. Each
+//! several ways of normalizing, and compared with the product of the same motions in `f64`. Each
 //! number is the root mean square over several chains. Translations are compared relative to the
 //! distance travelled, as max(1, |t|).
 
@@ -15,7 +15,7 @@ use dq8_contract::random::Random;
 /// Chains per number; enough that its second digit is steady.
 const CHAINS: u64 = 16;
 
-/// A way of keeping a product normalised: its name, and what it makes of product number `n`.
+/// A way of keeping a product normalized: its name, and what it makes of product number `n`.
 struct Method {
     name: &'static str,
     keep: fn(DualQuat<f32>, usize) -> DualQuat<f32>,
@@ -35,7 +35,7 @@ fn every(product: DualQuat<f32>, n: usize, k: usize) -> DualQuat<f32> {
     if n.is_multiple_of(k) { product.normalize() } else { product }
 }
 
-/// The lanes' own normalisation, on the one lane that is needed.
+/// The lanes' own normalization, on the one lane that is needed.
 fn on_lanes(product: DualQuat<f32>) -> DualQuat<f32> {
     DualQuat::from_array(batch::DualQuat::from_array(product.to_array()).normalize().to_array())
 }
@@ -75,7 +75,7 @@ fn errors(method: &Method, seed: u64, products: usize) -> [f64; 4] {
     let difference = exact.conjugate() * product.normalize();
     let [x, y, z] = difference.real().xyz();
     let rotation = 2.0 * (x * x + y * y + z * z).sqrt().atan2(difference.real().w().abs());
-    // As a user reads it, without normalising first.
+    // As a user reads it, without normalizing first.
     let (t, wanted) = (product.translation(), exact.translation());
     let distance = |a: [f64; 3], b: [f64; 3]| {
         a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt()
@@ -90,7 +90,7 @@ fn wide(motion: DualQuat<f32>) -> DualQuat<f64> {
 
 fn main() {
     println!(
-        "| products | normalised | norm | p·q, relative | rotation, rad | translation, relative |"
+        "| products | normalized | norm | p·q, relative | rotation, rad | translation, relative |"
     );
     println!("|---|---|---|---|---|---|");
     for products in [1_000, 10_000, 100_000, 1_000_000] {

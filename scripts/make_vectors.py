@@ -13,7 +13,7 @@ One JSON object a line: op, kind, inputs by name, and the answer as text with 20
 Inputs are exactly binary32 numbers, so that f32 and f64 start from the same. Only `rows` of from_matrix3x4 and the axis
 `l`, `m` of from_screw are text with 20 digits, which each type rounds: rigid ones are no binary32 numbers.
 The answers of add, sub, scale, scale_dual, dot, canonical and mul_rotation_translation are those of the inputs as they
-stand; all others of the inputs normalised exactly.
+stand; all others of the inputs normalized exactly.
 """
 
 import json

@@ -18,7 +18,7 @@ impl fmt::Display for NormalizeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "cannot normalise: the norm of the real part is {} and every component must be finite",
+            "cannot normalize: the norm of the real part is {} and every component must be finite",
             self.real_norm
         )
     }
@@ -136,7 +136,7 @@ impl fmt::Display for OrthonormalError {
                  (the sine of the angle is {sine})"
             ),
             Self::Mirrors { determinant } => {
-                write!(f, "no rotation: the determinant of the normalised columns is {determinant}")
+                write!(f, "no rotation: the determinant of the normalized columns is {determinant}")
             }
             Self::Ambiguous { gap } => write!(
                 f,

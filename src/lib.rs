@@ -38,7 +38,7 @@
 //! | [`ik`] | inverse kinematics: two bones, and arms of any number of joints |
 //! | [`HierarchyPlan`], [`Backend::chain_products`] | one instance: a skeleton or a long chain |
 //! | [`Backend`], [`slices`], [`Place`] | kernels over slices of motions and points, plain or in blocks |
-//! | [`Lane`], [`Mask`], [`Level`], [`Portable`] | lanes, for kernels of your own |
+//! | [`Lanes`], [`Mask`], [`Level`], [`Portable`] | lanes, for kernels of your own |
 //!
 //! # Features
 //!
@@ -86,14 +86,16 @@ mod sine;
 pub mod slices;
 
 pub use dispatch::Backend;
-pub use dq8_simd::{Float, Lane, Level, Mask, Portable, f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
+pub use dq8_simd::{
+    Float, Lanes, Level, Mask, Portable, f32x4, f32x8, f32x16, f64x2, f64x4, f64x8,
+};
 pub use error::{
     HierarchyError, IncidenceError, InverseError, MatrixError, NormalizeError, OrthonormalError,
     ShapeError,
 };
 pub use geometry::{DualVector, Line, Mean, Plane, Screw, Twist, Wrench};
 pub use hierarchy::{
-    Block, Hierarchy, Job, Link, Motions, Pose, Renormalise, RotationBlock,
+    Block, Hierarchy, Job, Link, Motions, Pose, Renormalize, RotationBlock,
     RotationTranslationBlock, Rotations, RotationsTranslations, TwistBlock, pack, pack_chain,
     unpack, unpack_chain,
 };

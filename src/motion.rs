@@ -192,7 +192,7 @@ pub trait Motion:
     /// d + 2 r sin(θ/2), at least |av − bv| for |v| ≤ r
     fn shell_error(self, other: Self, radius: Self::Real) -> Self::Real;
     /// Not unit within the tolerance.
-    fn needs_renormalisation(self, tolerance: Self::Real) -> Self::Mask;
+    fn needs_renormalization(self, tolerance: Self::Real) -> Self::Mask;
 
     /// ½ξσ, ξ the spatial twist
     #[must_use]
@@ -309,7 +309,7 @@ macro_rules! delegate_to_inherent {
             fn distance_weighted(other: Self, length_per_radian: Self::Real) -> Self::Real;
             fn point_error(other: Self, point: [Self::Real; 3]) -> Self::Real;
             fn shell_error(other: Self, radius: Self::Real) -> Self::Real;
-            fn needs_renormalisation(tolerance: Self::Real) -> Self::Mask;
+            fn needs_renormalization(tolerance: Self::Real) -> Self::Mask;
             fn derivative_spatial(twist: crate::Twist<Self::Real>) -> Self;
             fn derivative_body(twist: crate::Twist<Self::Real>) -> Self;
             fn spatial_twist(derivative: Self) -> crate::Twist<Self::Real>;

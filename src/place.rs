@@ -4,7 +4,7 @@ use crate::dispatch::Backend;
 use crate::real::Real;
 use crate::scalar::{DualQuat, Quat};
 use core::marker::PhantomData;
-use dq8_simd::{Block, Float, Lane, Level, Part, Row};
+use dq8_simd::{Block, Float, Lanes, Level, Native, Row};
 
 /// One number for each of `N` motions.
 pub type NumberBlock<R, const N: usize> = Block<[R; N], 1>;
@@ -20,7 +20,7 @@ pub trait Layout: sealed::Sealed {
     /// The best backend for this layout; a better one computes with it.
     const MOST: Backend;
     /// The lanes.
-    type Lanes<V: Level>: Lane<Real = Self::Real, Level = V>;
+    type Lanes<V: Level>: Lanes<Real = Self::Real, Level = V>;
 }
 
 /// One thing an element: arrays of structures. They are transposed on the way into the widest lanes
@@ -44,7 +44,7 @@ impl<R: Real + Float> Layout for Plain<R> {
 impl<A: Row<Real: Real>> Layout for InBlocks<A> {
     type Real = A::Real;
     const MOST: Backend = Backend::MOST;
-    type Lanes<V: Level> = Part<A, V>;
+    type Lanes<V: Level> = Native<A, V>;
 }
 
 /// An element of memory with `C` components: of one thing, or of several in a block. Sealed.
@@ -74,16 +74,16 @@ pub trait Place<const C: usize>: Copy + sealed::Sealed {
         from: &[Self],
         step: Step,
         padding: [Number<Self, C>; C],
-    ) -> Option<[Lanes<Self, V, C>; C]>;
+    ) -> Option<[Register<Self, V, C>; C]>;
     /// [`scatter`](Self::scatter) of every step, past the caches where that exists. The first `None` of
     /// `each` ends.
     fn stream<V: Level>(
         level: V,
         to: &mut [Self],
-        each: impl FnMut(Step) -> Option<[Lanes<Self, V, C>; C]>,
+        each: impl FnMut(Step) -> Option<[Register<Self, V, C>; C]>,
     );
     /// Lanes to where they belong in a step; what is beyond the end of `to` is dropped.
-    fn scatter<V: Level>(components: [Lanes<Self, V, C>; C], to: &mut [Self], step: Step);
+    fn scatter<V: Level>(components: [Register<Self, V, C>; C], to: &mut [Self], step: Step);
 }
 
 /// Which elements, and which of their parts.
@@ -96,7 +96,7 @@ pub struct Step {
 /// The number of a place.
 pub type Number<P, const C: usize> = <<P as Place<C>>::Layout as Layout>::Real;
 /// The lanes that a place is read into.
-pub type Lanes<P, V, const C: usize> = <<P as Place<C>>::Layout as Layout>::Lanes<V>;
+pub type Register<P, V, const C: usize> = <<P as Place<C>>::Layout as Layout>::Lanes<V>;
 
 impl<A: Row<Real: Real>, const C: usize> Place<C> for Block<A, C> {
     type Layout = InBlocks<A>;
@@ -115,14 +115,14 @@ impl<A: Row<Real: Real>, const C: usize> Place<C> for Block<A, C> {
         from: &[Self],
         step: Step,
         _: [A::Real; C],
-    ) -> Option<[Part<A, V>; C]> {
+    ) -> Option<[Native<A, V>; C]> {
         Some(from.get(step.turn)?.load_part(level, step.part))
     }
     #[inline(always)]
     fn stream<V: Level>(
         level: V,
         to: &mut [Self],
-        mut each: impl FnMut(Step) -> Option<[Part<A, V>; C]>,
+        mut each: impl FnMut(Step) -> Option<[Native<A, V>; C]>,
     ) {
         Self::stream(
             level,
@@ -132,7 +132,7 @@ impl<A: Row<Real: Real>, const C: usize> Place<C> for Block<A, C> {
         );
     }
     #[inline(always)]
-    fn scatter<V: Level>(components: [Part<A, V>; C], to: &mut [Self], step: Step) {
+    fn scatter<V: Level>(components: [Native<A, V>; C], to: &mut [Self], step: Step) {
         if let Some(block) = to.get_mut(step.turn) {
             block.store_part::<V>(components, step.part);
         }

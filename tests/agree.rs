@@ -118,7 +118,7 @@ const ELSEWHERE: &[(&str, &str, &[&str])] = &[
             "distance_weighted",
             "point_error",
             "shell_error",
-            "needs_renormalisation",
+            "needs_renormalization",
         ],
     ),
     (

@@ -1,7 +1,7 @@
 //! What the lane types have beside the contract, against the scalar reference of the same precision:
 //! records and blocks in memory, quaternions, dual numbers.
 
-use dq8::{Float, Lane, Mask, Portable, Real, batch, scalar};
+use dq8::{Float, Lanes, Mask, Portable, Real, batch, scalar};
 use dq8_contract::agreement::{Bound, INHERENT, bound, distance};
 use dq8_contract::inputs::{self, Case};
 use dq8_contract::sample::Sample;
@@ -28,19 +28,19 @@ fn round<R: Number>(numbers: [f64; 8]) -> [R; 8] {
     numbers.map(<R as Real>::from_f64)
 }
 
-fn lanes<L: Lane<Level = Portable>>(numbers: &[f64]) -> L {
+fn lanes<L: Lanes<Level = Portable>>(numbers: &[f64]) -> L {
     <batch::DualQuat<L> as Sample>::real(numbers)
 }
 
 #[test]
 fn records_fill_the_first_lanes_and_the_others_hold_the_identity() {
-    fn check<L: Lane<Level = Portable, Real: Number>>(name: &str) {
+    fn check<L: Lanes<Level = Portable, Real: Number>>(name: &str) {
         let motions: Vec<_> = inputs::edge_motions().into_iter().map(round::<L::Real>).collect();
         let identity = scalar::DualQuat::<L::Real>::IDENTITY.to_array();
         for length in 0..=2 * L::LANES + 1 {
             let records = &motions[40..40 + length];
             let loaded = batch::DualQuat::<L>::load_records(Portable, records).to_array();
-            let rows = loaded.map(Lane::to_array);
+            let rows = loaded.map(Lanes::to_array);
             for lane in 0..L::LANES {
                 let held: [L::Real; 8] = std::array::from_fn(|c| rows[c].as_ref()[lane]);
                 let wanted = *records.get(lane).unwrap_or(&identity);
@@ -53,7 +53,7 @@ fn records_fill_the_first_lanes_and_the_others_hold_the_identity() {
 
 #[test]
 fn records_beyond_the_lanes_are_left_alone() {
-    fn check<L: Lane<Level = Portable, Real: Number>>(name: &str) {
+    fn check<L: Lanes<Level = Portable, Real: Number>>(name: &str) {
         let motions: Vec<_> = inputs::edge_motions().into_iter().map(round::<L::Real>).collect();
         let untouched = round::<L::Real>([9.0; 8]);
         for length in 0..=2 * L::LANES + 1 {
@@ -72,12 +72,12 @@ fn records_beyond_the_lanes_are_left_alone() {
 /// A slice of any length, a chunk of lanes at a time, the last one partial.
 #[test]
 fn a_slice_gives_the_same_bits_whatever_its_length() {
-    fn step<L: Lane<Level = Portable>>(motion: batch::DualQuat<L>, t: L) -> batch::DualQuat<L> {
+    fn step<L: Lanes<Level = Portable>>(motion: batch::DualQuat<L>, t: L) -> batch::DualQuat<L> {
         (motion.normalize() * motion).pow(t)
     }
-    fn check<L: Lane<Level = Portable, Real: Number>>(name: &str) {
+    fn check<L: Lanes<Level = Portable, Real: Number>>(name: &str) {
         let motions: Vec<_> = inputs::edge_motions().into_iter().map(round::<L::Real>).collect();
-        let t = <L as Lane>::splat(Portable, <L::Real as From<f32>>::from(0.75));
+        let t = <L as Lanes>::splat(Portable, <L::Real as From<f32>>::from(0.75));
         for length in 0..=2 * L::LANES + 1 {
             let mut records = motions[60..60 + length].to_vec();
             for chunk in records.chunks_mut(L::LANES) {
@@ -103,7 +103,7 @@ fn a_block_gives_back_what_was_stored() {
             assert!(block.set(lane, round(motions[40 + lane])).is_ok());
         }
         let level = Portable;
-        let loaded = batch::DualQuat::<A::Lane<Portable>>::load(level, &block);
+        let loaded = batch::DualQuat::<A::Lanes<Portable>>::load(level, &block);
         let mut copy = Block::<A, 8>::splat(round([0.0; 8]));
         (-loaded).store(&mut copy);
         for lane in 0..A::LANES {
@@ -121,7 +121,7 @@ fn a_block_gives_back_what_was_stored() {
 
 #[test]
 fn is_normalized_says_what_scalar_says() {
-    fn check<L: Lane<Level = Portable, Real: Number>>(name: &str) {
+    fn check<L: Lanes<Level = Portable, Real: Number>>(name: &str) {
         let unit = inputs::edge_motions()[60];
         let epsilon: f64 = <L::Real as Real>::EPSILON.into();
         // 32 units of the last place are allowed; rounding blurs that by two or so.
@@ -197,7 +197,7 @@ fn on_scalar<R: Number>(case: &Case) -> Answers<R> {
     [quats, dual_operations!(x, y, recip)].concat()
 }
 
-fn on_lanes<L: Lane<Level = Portable>>(cases: &[Case]) -> Answers<L> {
+fn on_lanes<L: Lanes<Level = Portable>>(cases: &[Case]) -> Answers<L> {
     use batch::{Dual, Quat};
     let column = |pick: &dyn Fn(&Case) -> f64| {
         lanes::<L>(&(0..L::LANES).map(|i| pick(&cases[i % cases.len()])).collect::<Vec<_>>())
@@ -213,7 +213,7 @@ fn on_lanes<L: Lane<Level = Portable>>(cases: &[Case]) -> Answers<L> {
 
 #[test]
 fn quaternions_and_dual_numbers_agree() {
-    fn check<L: Lane<Level = Portable, Real: Number>>(name: &str) {
+    fn check<L: Lanes<Level = Portable, Real: Number>>(name: &str) {
         for chunk in inputs::unit_cases().chunks(L::LANES) {
             let answers = on_lanes::<L>(chunk);
             for (lane, case) in chunk.iter().enumerate() {

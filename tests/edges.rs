@@ -55,7 +55,7 @@ fn do_everything<M: Sample>(case: &Case) {
     let _ = (x.a.slerp_lerp(x.b, x.t), M::squad_control(x.a, x.b, x.c));
     let _ = (x.a.squad(x.b, x.c, x.b, x.t), x.a.angle_to(x.b), x.a.distance_to(x.b));
     let _ = (x.a.distance_weighted(x.b, x.s), x.a.point_error(x.b, x.v), x.a.shell_error(x.b, x.s));
-    let _ = (x.a.needs_renormalisation(x.tolerance), x.a.derivative_spatial(twist));
+    let _ = (x.a.needs_renormalization(x.tolerance), x.a.derivative_spatial(twist));
     let _ = (x.a.derivative_body(twist), x.a.spatial_twist(x.b), x.a.body_twist(x.b));
     let _ = (x.a.derivative_from_velocity(x.v, x.w), x.a.velocity(x.b));
     let _ = (M::from_twist(twist), x.a.to_twist(), x.a.integrate_spatial(twist, x.t));
@@ -100,7 +100,7 @@ fn only<M: Sample>(motion: M) -> [f64; 8] {
 }
 
 #[test]
-fn what_cannot_be_normalised_or_inverted_is_nan_and_said_to_be() {
+fn what_cannot_be_normalized_or_inverted_is_nan_and_said_to_be() {
     let mut bad = vec![[0.0; 8], [0.0, 0.0, 0.0, 0.0, 1.0, 2.0, 3.0, 4.0]];
     for component in 0..8 {
         for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
@@ -128,7 +128,7 @@ fn what_cannot_be_normalised_or_inverted_is_nan_and_said_to_be() {
 }
 
 #[test]
-fn subnormal_and_huge_numbers_are_normalised_as_any_other() {
+fn subnormal_and_huge_numbers_are_normalized_as_any_other() {
     let unit = turn_and_move([0.6, -0.48, 0.64], 1.0, [0.3, -1.2, 0.7]);
     fn check<M: Sample>(name: &str, unit: [f64; 8]) {
         let exponents = if M::SINGLE {
@@ -325,7 +325,7 @@ fn at_half_a_turn_exactly_nothing_vanishes() {
 }
 
 #[test]
-fn weights_that_cancel_leave_nothing_to_normalise() {
+fn weights_that_cancel_leave_nothing_to_normalize() {
     fn check<M: Sample>(name: &str) {
         let motion = turn_and_move([0.6, -0.48, 0.64], 1.0, [0.3, -1.2, 0.7]);
         let (sigma, one) = (splat::<M>(motion), M::splat(1.0));

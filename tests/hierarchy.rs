@@ -11,7 +11,7 @@ mod scene;
 
 use core::num::NonZeroU32;
 use core::ops::Range;
-use dq8::{DualQuat, Hierarchy, Renormalise};
+use dq8::{DualQuat, Hierarchy, Renormalize};
 use layout::{Layout, bits, for_every_layout};
 use proptest::prelude::*;
 use scene::{Root, Scene, Wanted, scene};
@@ -238,25 +238,25 @@ fn an_empty_range_computes_nothing() {
     for_every_layout!(nothing());
 }
 
-/// Locals of norm 1¼, so that a model that is not normalised shows how many came before it.
+/// Locals of norm 1¼, so that a model that is not normalized shows how many came before it.
 #[test]
-fn every_nth_joint_is_normalised_and_no_other() {
+fn every_nth_joint_is_normalized_and_no_other() {
     fn norms<P: Layout>() {
         let parents: Vec<u32> = (0..7_u32).map(|joint| joint.wrapping_sub(1)).collect();
         let chain = Hierarchy::new(&parents).unwrap();
         let factor = P::Real::from(1.25);
         let step = DualQuat::from_translation([2.0, 0.0, 0.0].map(P::Real::from)).scale(factor);
         let locals = P::lay(7, &[step; 7]);
-        let norms = |policy: Renormalise, range: Range<usize>| -> Vec<f64> {
+        let norms = |policy: Renormalize, range: Range<usize>| -> Vec<f64> {
             let mut models = locals.clone();
-            let job = chain.job().joints(range).renormalise(policy);
+            let job = chain.job().joints(range).renormalize(policy);
             job.local_to_model_in_place(&mut models).unwrap();
             P::flat(7, 1, &models).iter().map(|model| model.real().norm().into()).collect()
         };
-        let every = |n: u32| Renormalise::Every(NonZeroU32::new(n).unwrap());
+        let every = |n: u32| Renormalize::Every(NonZeroU32::new(n).unwrap());
         let powers: Vec<f64> = (1..=7).map(|n| 1.25_f64.powi(n)).collect();
-        assert_eq!(norms(Renormalise::Never, 0..7), powers);
-        assert_eq!(norms(Renormalise::default(), 0..7), powers);
+        assert_eq!(norms(Renormalize::Never, 0..7), powers);
+        assert_eq!(norms(Renormalize::default(), 0..7), powers);
         assert_eq!(norms(every(1), 0..7), [1.0; 7]);
         assert_eq!(norms(every(3), 0..7), [1.25, 1.5625, 1.0, 1.25, 1.5625, 1.0, 1.25]);
         assert_eq!(norms(every(8), 0..7), powers);

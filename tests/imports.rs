@@ -52,7 +52,7 @@ const SIMD_MAY_IMPORT: &[(&str, &[&str])] = &[
 /// library (`even`: sine and arcsine) or as a plain function (`length`: `vector::norm`).
 const BATCH_ONLY: &[&str] = &["even.rs", "even_coefficients.rs", "length.rs"];
 
-const MOST_LINES: usize = 400;
+const MAX_LINES: usize = 400;
 
 /// A source file: its module path from the crate root, its path for messages, its text.
 struct Source {
@@ -288,14 +288,14 @@ fn no_unsafe_code_stands_outside_the_lanes_and_the_c_abi() {
 fn no_file_is_longer_than_four_hundred_lines() {
     for source in ["src", "simd/src", "capi"].into_iter().flat_map(sources) {
         let lines = source.text.lines().count();
-        assert!(lines <= MOST_LINES, "{} has {lines} lines", source.path);
+        assert!(lines <= MAX_LINES, "{} has {lines} lines", source.path);
     }
 }
 
 /// The reader itself, on code that tries to slip through.
 #[test]
 fn imports_are_found_however_they_are_written() {
-    let lib = "pub use scalar::{Dual, DualQuat as D}; pub use dq8_simd::Lane; use batch::Wide;";
+    let lib = "pub use scalar::{Dual, DualQuat as D}; pub use dq8_simd::Lanes; use batch::Wide;";
     let reexports = reexports(lib);
     let found = |module: &str, code: &str| -> Vec<String> {
         let module: Vec<String> = module.split("::").map(str::to_owned).collect();
@@ -309,10 +309,10 @@ fn imports_are_found_however_they_are_written() {
         ("batch", "fn f() { crate::hierarchy::pack() }", &["hierarchy"]),
         ("batch", "macro_rules! m { () => { $crate::scalar::f() } }", &["scalar"]),
         ("batch", "use crate::Dual;", &["scalar"]),
-        ("scalar", "use crate::Lane;", &["dq8_simd"]),
+        ("scalar", "use crate::Lanes;", &["dq8_simd"]),
         ("scalar", "use crate::*;", &["*"]),
         ("scalar", "extern crate dq8_simd as lanes;", &["dq8_simd"]),
-        ("scalar", "fn f<L: dq8_simd::Lane>() {}", &["dq8_simd"]),
+        ("scalar", "fn f<L: dq8_simd::Lanes>() {}", &["dq8_simd"]),
         // Inside its own module nothing leaves it.
         ("batch::norm", "use super::{Dual, vector}; use self::inner::X;", &["batch"]),
         ("real", "mod sealed { use super::Real; } use super::batch;", &["batch", "real"]),

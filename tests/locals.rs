@@ -3,7 +3,7 @@
 
 mod memory;
 
-use dq8::hierarchy::Entry;
+use dq8::hierarchy::PaletteEntry;
 use dq8::{
     Backend, DualQuat, Hierarchy, Motions, Pose, Quat, Rotations, RotationsTranslations, ShapeError,
 };
@@ -31,10 +31,10 @@ fn inverse_bind(joint: usize) -> DualQuat<f64> {
 }
 
 /// A pose layout, with the layouts of what belongs to it.
-trait Layout: Pose + Entry<Self> + Memory<8, Number = <Self as Pose>::Real> {
+trait Layout: Pose + PaletteEntry<Self> + Memory<8, Number = <Self as Pose>::Real> {
     type Rotations: Memory<4, Number = <Self as Pose>::Real> + Into<Self::Rotation>;
     type Both: Memory<7, Number = <Self as Pose>::Real> + Into<Self::RotationTranslation>;
-    type Matrix: Memory<12, Number = <Self as Pose>::Real> + Entry<Self>;
+    type Matrix: Memory<12, Number = <Self as Pose>::Real> + PaletteEntry<Self>;
     const LANES: usize;
 }
 

@@ -239,7 +239,7 @@ fn what_is_not_finite_is_no_distance_and_leaves_other_lanes_alone() {
                     assert!(got[0].is_nan() || got[0] == f64::INFINITY, "{what}");
                     assert_eq!(got[1..], wanted[1..], "{what}");
                 }
-                let needs = M::bits(spoilt.needs_renormalisation(M::splat(1e-3)));
+                let needs = M::bits(spoilt.needs_renormalization(M::splat(1e-3)));
                 assert_eq!(needs, 1, "{name}: {value} in {component}");
             }
         }
@@ -248,12 +248,12 @@ fn what_is_not_finite_is_no_distance_and_leaves_other_lanes_alone() {
 }
 
 #[test]
-fn drift_needs_renormalisation() {
+fn drift_needs_renormalization() {
     fn check<M: Sample>(name: &str) {
         let motion = DualQuat::from_array(turn_and_move([1.0, 2.0, 2.0], 0.5, [40.0, 2.0, 3.0]));
         let tolerance = M::splat(1e-3);
         let needs = |motion: DualQuat<f64>| {
-            let bits = M::bits(all_lanes::<M>(motion.to_array()).needs_renormalisation(tolerance));
+            let bits = M::bits(all_lanes::<M>(motion.to_array()).needs_renormalization(tolerance));
             assert!(bits == 0 || bits == (1 << M::LANES) - 1, "{name}: lanes differ");
             bits != 0
         };

@@ -1,7 +1,7 @@
 //! Crowds over all cores: every bit as on one.
 #![cfg(feature = "rayon")]
 
-use dq8::{Backend, Crowd, DualQuat, Hierarchy, Quat, Renormalise, ShapeError};
+use dq8::{Backend, Crowd, DualQuat, Hierarchy, Quat, Renormalize, ShapeError};
 
 const PARENTS: [u32; 5] = [Hierarchy::ROOT, 0, 1, 1, 0];
 
@@ -22,12 +22,12 @@ fn all_cores_compute_the_bits_of_one() {
     for instances in [0, 1, 100, 20_011] {
         let locals = crowd(instances);
         let roots = locals.blocks().iter().step_by(PARENTS.len()).copied().collect::<Vec<_>>();
-        let every = Renormalise::Every(3.try_into().expect("not 0"));
+        let every = Renormalize::Every(3.try_into().expect("not 0"));
         let jobs = [
             hierarchy.job(),
             hierarchy.job().root(DualQuat::from_translation([1.0, 2.0, 3.0])),
             hierarchy.job().roots(&roots),
-            hierarchy.job().joints(1..4).renormalise(every),
+            hierarchy.job().joints(1..4).renormalize(every),
         ];
         for job in jobs {
             let (mut one, mut all) = (locals.clone(), locals.clone());

@@ -2,7 +2,7 @@
 //!
 //! A peer that becomes better makes the first half of a test fail: then the claim is to be dropped.
 
-use dq8::{DualQuat, Lane, Portable, batch, f32x8};
+use dq8::{DualQuat, Lanes, Portable, batch, f32x8};
 use dq8_contract::ledger::Ledger;
 use dq8_contract::tolerance::unit_roundoff;
 use nalgebra::{Quaternion, Translation3, UnitDualQuaternion, UnitQuaternion};
@@ -34,7 +34,7 @@ fn pose(axis: [f64; 3], angle: f64, translation: [f64; 3]) -> DualQuat<f32> {
 fn ours(a: DualQuat<f32>, b: DualQuat<f32>, t: f32) -> Vec<DualQuat<f64>> {
     let lanes = |motion: DualQuat<f32>| batch::DualQuat::splat(Portable, motion.to_array());
     let mut records = [[0.0; 8]; 8];
-    lanes(a).sclerp(lanes(b), <f32x8 as Lane>::splat(Portable, t)).store_records(&mut records);
+    lanes(a).sclerp(lanes(b), <f32x8 as Lanes>::splat(Portable, t)).store_records(&mut records);
     let mut motions = vec![exact(a.sclerp(b, t))];
     motions.extend(records.map(|record| exact(DualQuat::from_array(record))));
     motions

@@ -27,7 +27,7 @@ pub(crate) struct Case<M: Sample> {
     /// From a, a turn of 0.3 to 2.2 radians and a shift of at most 1: no way is ambiguous, and none
     /// so short that nalgebra's ScLERP in `f32` stands still.
     pub(crate) b: M,
-    /// A real multiple of a, which is all that nalgebra normalises as this crate does.
+    /// A real multiple of a, which is all that nalgebra normalizes as this crate does.
     pub(crate) scaled: M,
     pub(crate) rotation: M::Quat,
     pub(crate) translation: [M::Real; 3],

@@ -1,7 +1,7 @@
 //! [`Outcome`]: what an operation gives, as numbers that can be compared.
 
 use crate::representation::{Representation, Rows};
-use dq8::{DualQuat, DualVector, Lane, Line, Portable, Real, batch, f32x8, f32x16};
+use dq8::{DualQuat, DualVector, Lanes, Line, Portable, Real, batch, f32x8, f32x16};
 use glam::{Affine3A, Vec3A};
 use nalgebra::{DualQuaternion, Matrix4, Point3, Translation3, UnitDualQuaternion, Vector3};
 
@@ -70,7 +70,7 @@ impl<R: Real> Outcome for DualQuat<R> {
     }
 }
 
-impl<L: Number + Lane<Level = Portable>> Outcome for batch::DualQuat<L> {
+impl<L: Number + Lanes<Level = Portable>> Outcome for batch::DualQuat<L> {
     fn numbers(&self, lane: usize) -> Vec<f64> {
         DualQuat::from_array(self.to_array().map(|number| number.lane(lane))).numbers(0)
     }

@@ -726,7 +726,7 @@ size_t dq8_block_size_f64(size_t lanes,
                           size_t components);
 
 /**
- * From `a` to `b` by the shorter way, `t` of it: linear and normalised.
+ * From `a` to `b` by the shorter way, `t` of it: linear and normalized.
  * DQ8_STATUS_NOT_NORMALIZABLE if the sum is no motion.
  */
 dq8_status dq8_motion_nlerp_f32(const float *a, const float *b, float t, float *out);
@@ -738,7 +738,7 @@ dq8_status dq8_motion_sclerp_f32(const float *a, const float *b, float t, float 
 
 /**
  * The blend of `count` unit motions by `weights`, which need not sum to 1: their sum, each
- * turned toward the first, normalised (dual quaternion linear blending).
+ * turned toward the first, normalized (dual quaternion linear blending).
  *
  * DQ8_STATUS_NO_INFLUENCES if `count` is 0, DQ8_STATUS_NOT_NORMALIZABLE if the sum is no motion.
  */
@@ -775,7 +775,7 @@ dq8_status dq8_motion_to_screw_f32(const float *motion, float *screw);
 dq8_status dq8_motion_from_screw_f32(const float *numbers, float *out);
 
 /**
- * From `a` to `b` by the shorter way, `t` of it: linear and normalised.
+ * From `a` to `b` by the shorter way, `t` of it: linear and normalized.
  * DQ8_STATUS_NOT_NORMALIZABLE if the sum is no motion.
  */
 dq8_status dq8_motion_nlerp_f64(const double *a, const double *b, double t, double *out);
@@ -787,7 +787,7 @@ dq8_status dq8_motion_sclerp_f64(const double *a, const double *b, double t, dou
 
 /**
  * The blend of `count` unit motions by `weights`, which need not sum to 1: their sum, each
- * turned toward the first, normalised (dual quaternion linear blending).
+ * turned toward the first, normalized (dual quaternion linear blending).
  *
  * DQ8_STATUS_NO_INFLUENCES if `count` is 0, DQ8_STATUS_NOT_NORMALIZABLE if the sum is no motion.
  */
@@ -860,7 +860,7 @@ dq8_status dq8_inverse_f32(const float *motions, float *out, size_t count);
 dq8_status dq8_blocks_inverse_f32(size_t lanes, const float *motions, float *out, size_t count);
 
 /**
- * From `a[i]` to `b[i]` by the shorter way, `t` of it: linear and normalised.
+ * From `a[i]` to `b[i]` by the shorter way, `t` of it: linear and normalized.
  */
 dq8_status dq8_nlerp_f32(const float *a, const float *b, float t, float *out, size_t count);
 
@@ -1055,7 +1055,7 @@ dq8_status dq8_inverse_f64(const double *motions, double *out, size_t count);
 dq8_status dq8_blocks_inverse_f64(size_t lanes, const double *motions, double *out, size_t count);
 
 /**
- * From `a[i]` to `b[i]` by the shorter way, `t` of it: linear and normalised.
+ * From `a[i]` to `b[i]` by the shorter way, `t` of it: linear and normalized.
  */
 dq8_status dq8_nlerp_f64(const double *a, const double *b, double t, double *out, size_t count);
 

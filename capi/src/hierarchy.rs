@@ -3,7 +3,7 @@
 use crate::layout::{Blocks, Layout, Plain};
 use crate::memory::{Input, Output, from_to, read};
 use crate::status::{Done, Status};
-use dq8::hierarchy::Entry;
+use dq8::hierarchy::PaletteEntry;
 use dq8::{DualQuat, Hierarchy, HierarchyError, Job, Motions, Rotations, RotationsTranslations};
 
 /// Parents as C has them. It marks roots by -1: in the same four bytes, [`Hierarchy::ROOT`].
@@ -129,7 +129,7 @@ struct Skin<L: Layout> {
 impl<L: Layout> Skin<L> {
     /// # Safety
     /// As for [`Input::slice`] and [`Output::slice`]; `parents` and `root` as [`job`].
-    unsafe fn palette<E: Entry<L::Motion>>(self, palette: *mut L::Real) -> Done {
+    unsafe fn palette<E: PaletteEntry<L::Motion>>(self, palette: *mut L::Real) -> Done {
         let parents = parents(self.parents, self.joints)?;
         let locals = Input::<L::Motion>::new(self.locals, self.count)?;
         let binds = Input::<DualQuat<L::Real>>::new(self.inverse_binds, self.joints)?;

@@ -2,7 +2,7 @@
 //! written once.
 
 use core::marker::PhantomData;
-use dq8::hierarchy::Entry;
+use dq8::hierarchy::PaletteEntry;
 use dq8::{
     Block, DualQuat, Float, MatrixBlock, NumberBlock, Place, PointBlock, Pose, Quat, Real,
     RotationBlock, RotationTranslationBlock, place,
@@ -23,8 +23,8 @@ pub(crate) trait Layout {
             Real = Self::Real,
             Rotation = Self::Rotation,
             RotationTranslation = Self::RotationTranslation,
-        > + Entry<Self::Motion>;
-    type Matrix3x4: Place<12, Layout = Self::Lanes> + Entry<Self::Motion>;
+        > + PaletteEntry<Self::Motion>;
+    type Matrix3x4: Place<12, Layout = Self::Lanes> + PaletteEntry<Self::Motion>;
     type Matrix4x4: Place<16, Layout = Self::Lanes>;
 }
 

@@ -45,7 +45,7 @@ fn screw<R>([lx, ly, lz, mx, my, mz, angle, slide]: [R; 8]) -> Screw<R> {
 macro_rules! functions {
     ($R:ident $lanes:tt) => {
         export_one! { $R
-            /// From `a` to `b` by the shorter way, `t` of it: linear and normalised.
+            /// From `a` to `b` by the shorter way, `t` of it: linear and normalized.
             /// DQ8_STATUS_NOT_NORMALIZABLE if the sum is no motion.
             nlerp(a: *const $R, b: *const $R, t: $R, out: *mut $R) =
                 two(a, b, out, |a: DualQuat<$R>, b: DualQuat<$R>| finite(a.nlerp(b, t)))
@@ -57,7 +57,7 @@ macro_rules! functions {
         }
         export_one! { $R
             /// The blend of `count` unit motions by `weights`, which need not sum to 1: their sum, each
-            /// turned toward the first, normalised (dual quaternion linear blending).
+            /// turned toward the first, normalized (dual quaternion linear blending).
             ///
             /// DQ8_STATUS_NO_INFLUENCES if `count` is 0, DQ8_STATUS_NOT_NORMALIZABLE if the sum is no motion.
             blend(motions: *const $R, weights: *const $R, count: usize, out: *mut $R) =

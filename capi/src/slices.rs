@@ -259,7 +259,7 @@ macro_rules! functions {
             inverse, blocks_inverse(motions: *const $R, out: *mut $R)
         }
         export! { $R $lanes
-            /// From `a[i]` to `b[i]` by the shorter way, `t` of it: linear and normalised.
+            /// From `a[i]` to `b[i]` by the shorter way, `t` of it: linear and normalized.
             nlerp, blocks_nlerp(a: *const $R, b: *const $R, t: $R, out: *mut $R)
         }
         export! { $R $lanes

@@ -1,7 +1,7 @@
 //! What the machine can do at most: multiply and add, copy, and both at once.
 
 use crate::contest::{InPlace, Run};
-use dq8::{Backend, Lane, Level, Portable};
+use dq8::{Backend, Lanes, Level, Portable};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
@@ -158,7 +158,7 @@ impl Run for MultiplyAdd {
 }
 
 #[inline(always)]
-fn multiply_add<L: Lane<Real = f32>>(level: L::Level, steps: usize) {
+fn multiply_add<L: Lanes<Real = f32>>(level: L::Level, steps: usize) {
     // Different starts: equal sums would be computed once.
     let mut starts = [0.0_f32; SUMS];
     for (index, start) in starts.iter_mut().enumerate() {

@@ -12,7 +12,7 @@
 //! | J2 | crowds of 64 joints, local poses to model poses |
 //! | J3 | the same for one skeleton, one biped, one chain |
 //! | J4 | points by one motion, or each by its own |
-//! | J5 | normalising, linear blending, screw interpolation |
+//! | J5 | normalizing, linear blending, screw interpolation |
 //!
 //! A `task` makes the data of a `contest`, a `race` checks every contender against `f64` and times
 //! them in interleaved rounds; `memory` is how each of them holds motions and points. `table`, `json`

@@ -20,7 +20,7 @@ pub(crate) struct Effort {
 const SAMPLE: Duration = Duration::from_millis(1);
 
 /// More than this many results of one contender are not looked at: the data repeat anyway.
-const MOST_CHECKED: usize = 8192;
+const MAX_CHECKED: usize = 8192;
 
 /// A contender that does not do what it should.
 #[derive(Debug)]
@@ -122,8 +122,8 @@ fn check(
     let count = contest.transforms;
     let all = contender.expected.as_ref().unwrap_or(&contest.expected);
     // From both ends, in steps that share no factor with blocks or skeletons.
-    let stride = (count / MOST_CHECKED).next_multiple_of(2) + 1;
-    let stride = if count <= MOST_CHECKED { 1 } else { stride };
+    let stride = (count / MAX_CHECKED).next_multiple_of(2) + 1;
+    let stride = if count <= MAX_CHECKED { 1 } else { stride };
     for index in (0..count).step_by(stride).chain([count - 1]) {
         let expected = &all[index % all.len()];
         let numbers = run.numbers(index);

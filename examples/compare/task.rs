@@ -37,7 +37,7 @@ pub(crate) fn plan(quick: bool) -> Vec<Task> {
     for motions in [Motions::One, Motions::Each] {
         tasks.extend(levels.iter().map(|&level| Task::Points(motions, level)));
     }
-    for operation in [Operation::Normalise, Operation::Nlerp, Operation::Sclerp] {
+    for operation in [Operation::Normalize, Operation::Nlerp, Operation::Sclerp] {
         tasks.push(Task::Pairs(operation, Level::L1));
     }
     tasks

@@ -19,7 +19,7 @@ const LANES: usize = 8;
 const TOLERANCE: f64 = 1e-5;
 
 /// Repeating a clip may not ask for more joints than this: two gigabytes for the largest contender.
-const MOST_JOINTS: usize = 1 << 24;
+const MAX_JOINTS: usize = 1 << 24;
 
 pub(crate) struct Contest {
     pub(crate) contenders: [Contender; 4],
@@ -45,8 +45,8 @@ pub(crate) fn run(clip: &Clip, instances: usize) -> Result<Contest, Box<dyn Erro
     let hierarchy = Hierarchy::new(&parents)?;
     let doubles = clip.locals();
     let count = doubles.len().checked_mul(instances);
-    if instances > 1 && count.is_none_or(|count| count > MOST_JOINTS) {
-        let most = MOST_JOINTS / doubles.len();
+    if instances > 1 && count.is_none_or(|count| count > MAX_JOINTS) {
+        let most = MAX_JOINTS / doubles.len();
         return Err(
             format!("--instances {instances} is too many for this clip, at most {most}").into()
         );
@@ -62,7 +62,7 @@ pub(crate) fn run(clip: &Clip, instances: usize) -> Result<Contest, Box<dyn Erro
     let scalar_f64 = {
         let locals = doubles.repeat(instances);
         compete(
-            Entry { joints: doubles.len(), instances, reference: None },
+            PaletteEntry { joints: doubles.len(), instances, reference: None },
             locals.clone(),
             |models| {
                 kinematics::local_to_model(&parents, black_box(&locals), models);
@@ -71,7 +71,8 @@ pub(crate) fn run(clip: &Clip, instances: usize) -> Result<Contest, Box<dyn Erro
             |models, index| models[index].translation(),
         )?
     };
-    let entry = Entry { reference: Some(&scalar_f64.positions), joints: doubles.len(), instances };
+    let entry =
+        PaletteEntry { reference: Some(&scalar_f64.positions), joints: doubles.len(), instances };
     let scalar_f32 = {
         let locals = singles.repeat(instances);
         compete(
@@ -185,7 +186,7 @@ fn around_roots(clip: &Clip, locals: &[DualQuat<f64>]) -> (Vec<DualQuat<f32>>, V
 
 /// What a contender has to do.
 #[derive(Clone, Copy)]
-struct Entry<'a> {
+struct PaletteEntry<'a> {
     /// All joints of all frames of the clip.
     joints: usize,
     /// How often the clip is repeated.
@@ -205,7 +206,7 @@ struct Timed {
 }
 
 fn compete<M, E>(
-    entry: Entry<'_>,
+    entry: PaletteEntry<'_>,
     mut models: M,
     mut concatenate: impl FnMut(&mut M) -> Result<(), E>,
     position: impl Fn(&M, usize) -> [f64; 3],

@@ -59,22 +59,22 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
             "Kenwright §10.1: concatenated matrices show skewing and scaling.",
             "Kenwright §10.1: making them orthonormal between updates removes both, but the joints show \
              discontinuities and the end effector is not where it should be.",
-            "Kenwright §10.2: dual quaternions drift from unit length, which renormalising mends; \
+            "Kenwright §10.2: dual quaternions drift from unit length, which renormalizing mends; \
              repairing a matrix is much more complicated.",
-            "Kenwright §12: the problem and cost of drifting and normalising is less with dual quaternions.",
+            "Kenwright §12: the problem and cost of drifting and normalizing is less with dual quaternions.",
             "Kenwright §13.1: Normalize, which divides by the square of the norm.",
         ]
         .map(str::to_owned)
         .to_vec(),
         found: found(&state_step, &step_state),
-        verdict: "That matrices skew and scale is true; dual quaternions that nobody normalises do no less, \
+        verdict: "That matrices skew and scale is true; dual quaternions that nobody normalizes do no less, \
                   here rather more, so the drift itself is not less. That making matrices orthonormal moves \
                   the error elsewhere is not confirmed: the end effector comes closer to where it should be, \
                   and the jumps are of the size of rounding. Kept in order, all representations point the \
-                  links equally well, and Gram–Schmidt costs about as much as normalising a dual quaternion \
-                  (see the operation counts). What is true of dual quaternions is that normalising mends \
+                  links equally well, and Gram–Schmidt costs about as much as normalizing a dual quaternion \
+                  (see the operation counts). What is true of dual quaternions is that normalizing mends \
                   the translation too: where steps carry the links, these keep their length, and the links \
-                  of orthonormal matrices do not. Kenwright's Normalize keeps nothing normalised."
+                  of orthonormal matrices do not. Kenwright's Normalize keeps nothing normalized."
             .to_owned(),
         body,
     })
@@ -119,11 +119,11 @@ fn found(
     state_step: &[Sample; METHODS.len()],
     step_state: &[Sample; METHODS.len()],
 ) -> Vec<String> {
-    let [matrix, orthonormal, dual, normalised, kenwright, _, pair] = state_step;
+    let [matrix, orthonormal, dual, normalized, kenwright, _, pair] = state_step;
     let skew = |sample: &Sample| scientific(sample.error(Measure::Skew));
     let position = |sample: &Sample| scientific(sample.error(Measure::Position));
     let link = |sample: &Sample| scientific(sample.error(Measure::Link));
-    let [_, links_orthonormal, _, links_normalised, ..] = step_state;
+    let [_, links_orthonormal, _, links_normalized, ..] = step_state;
     vec![
         format!(
             "Left alone, matrices come to a skew of {}, dual quaternions of {}; the end is off by {} and \
@@ -135,24 +135,24 @@ fn found(
         ),
         format!(
             "Made orthonormal in every frame, matrices have a skew of {} and an end off by {} links; \
-             dual quaternions, normalised in every frame, {} and {}; quaternion and vector {} and {}.",
+             dual quaternions, normalized in every frame, {} and {}; quaternion and vector {} and {}.",
             skew(orthonormal),
             position(orthonormal),
-            skew(normalised),
-            position(normalised),
+            skew(normalized),
+            position(normalized),
             skew(pair),
             position(pair),
         ),
         format!(
-            "Gram–Schmidt moves the end by {} links in a frame; normalising dual quaternions, by {}.",
+            "Gram–Schmidt moves the end by {} links in a frame; normalizing dual quaternions, by {}.",
             scientific(orthonormal.error(Measure::Jump)),
-            scientific(normalised.error(Measure::Jump)),
+            scientific(normalized.error(Measure::Jump)),
         ),
         format!(
             "Where the step carries the link, links are wrong by {} with orthonormal matrices and by {} \
-             with normalised dual quaternions.",
+             with normalized dual quaternions.",
             link(links_orthonormal),
-            link(links_normalised),
+            link(links_normalized),
         ),
         format!("With Kenwright's Normalize the skew is {}.", skew(kenwright)),
     ]

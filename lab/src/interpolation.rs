@@ -65,7 +65,7 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
                   neither of the world nor of the body; SLERP with LERP depends on which point of the body \
                   is called its origin. Keyframes after Alexa are rigid, and depend on both frames (see there). \
                   NLERP turns by the same rotations as ScLERP at another speed. \
-                  Matrix LERP and LERP without normalising are not rigid on the way, as Kenwright says of \
+                  Matrix LERP and LERP without normalizing are not rigid on the way, as Kenwright says of \
                   the first. The shortest path is no gift of dual quaternions: the sign has to be \
                   turned, as Tarini says. Arends' example gives √2, not 2√2; his if mends it, but also takes \
                   rotations for equal that differ in w alone, and at Ω = π what comes out is rounding."

@@ -53,7 +53,7 @@ const ON_THE_AXIS: f64 = 1e-14;
 
 /// More steps than any matrix with a principal logarithm needs: a square root halves the exponent of
 /// an eigenvalue bit by bit.
-const MOST_STEPS: usize = 1200;
+const MAX_STEPS: usize = 1200;
 
 /// Where the Padé approximant of order 7 is exact to rounding (Higham 2008, table 11.1, θ₇).
 const NEAR_IDENTITY: f64 = 0.264;
@@ -112,7 +112,7 @@ pub fn logarithm(a: &Matrix4<f64>) -> Result<Matrix4<f64>, LogarithmError> {
 fn square_root(a: &Matrix4<f64>) -> Result<Matrix4<f64>, LogarithmError> {
     let (mut x, mut y) = (*a, Matrix4::identity());
     let mut before = f64::INFINITY;
-    for _ in 0..MOST_STEPS {
+    for _ in 0..MAX_STEPS {
         let distance = one_norm(&(x * y - Matrix4::identity()));
         // Convergence is quadratic in the end: what no longer shrinks there is rounding, which is as
         // large as the two factors are.
@@ -125,7 +125,7 @@ fn square_root(a: &Matrix4<f64>) -> Result<Matrix4<f64>, LogarithmError> {
         y = (y + inverse(&x)?) * 0.5;
         x = next;
     }
-    Err(LogarithmError::NotConverged { steps: MOST_STEPS })
+    Err(LogarithmError::NotConverged { steps: MAX_STEPS })
 }
 
 /// That a principal logarithm exists.
@@ -138,8 +138,8 @@ fn check(a: &Matrix4<f64>) -> Result<(), LogarithmError> {
             }
         }
     }
-    let schur = Schur::try_new(*a, f64::EPSILON, MOST_STEPS)
-        .ok_or(LogarithmError::NotConverged { steps: MOST_STEPS })?;
+    let schur = Schur::try_new(*a, f64::EPSILON, MAX_STEPS)
+        .ok_or(LogarithmError::NotConverged { steps: MAX_STEPS })?;
     let eigenvalues = schur.complex_eigenvalues();
     let largest = eigenvalues.iter().fold(0.0, |largest: f64, e| largest.max(e.norm()));
     let cut =

@@ -72,7 +72,7 @@ const HEADLINES: [&str; 10] = [
     "SLERP of quaternions, angle given",
     "ScLERP",
     "matrix 3×3, Gram–Schmidt",
-    "dual quaternion normalised, unguarded",
+    "dual quaternion normalized, unguarded",
 ];
 
 /// A row of the table in words.

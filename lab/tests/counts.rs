@@ -22,7 +22,7 @@ fn counts_are_those_of_the_formulas() {
         ("dual quaternion product", 48, 40),
         ("dual quaternion product of Kenwright's class", 56, 43),
         ("dual quaternion, conjugate", 0, 0),
-        ("dual quaternion normalised, unguarded", 20, 10),
+        ("dual quaternion normalized, unguarded", 20, 10),
         ("hyper-dual quaternion product, written out", 144, 128),
         ("hyper-dual quaternion product, Quat<Dual<Dual>>", 144, 128),
         ("SLERP of quaternions, angle given", 10, 5),

@@ -30,8 +30,8 @@ fn what_is_kept_in_order_stays_rigid_and_what_is_left_alone_does_not() {
         let samples = samples(order);
         for name in [
             "matrix, Gram–Schmidt",
-            "dual quaternion, normalised",
-            "quaternion + vector, normalised",
+            "dual quaternion, normalized",
+            "quaternion + vector, normalized",
         ] {
             let sample = sample(samples, name);
             for measure in [Measure::Skew, Measure::Stretch, Measure::Norm] {
@@ -68,18 +68,18 @@ fn gram_schmidt_brings_the_end_closer_by_steps_too_small_to_see() {
         let position = kept.error(Measure::Position);
         assert!(position < 0.5 * raw.error(Measure::Position), "{order:?}: {raw:?} {kept:?}");
         assert!((1e-8..1e-5).contains(&kept.error(Measure::Jump)), "{order:?}: {kept:?}");
-        let normalised = sample(samples, "dual quaternion, normalised").error(Measure::Position);
+        let normalized = sample(samples, "dual quaternion, normalized").error(Measure::Position);
         assert!(
-            (0.2..5.0).contains(&(position / normalised)),
-            "{order:?}: {position} {normalised}"
+            (0.2..5.0).contains(&(position / normalized)),
+            "{order:?}: {position} {normalized}"
         );
     }
 }
 
 #[test]
-fn normalising_keeps_links_that_gram_schmidt_does_not() {
+fn normalizing_keeps_links_that_gram_schmidt_does_not() {
     let step_state = samples(Order::StepState);
-    let [matrix, dual] = ["matrix, Gram–Schmidt", "dual quaternion, normalised"]
+    let [matrix, dual] = ["matrix, Gram–Schmidt", "dual quaternion, normalized"]
         .map(|name| sample(step_state, name).error(Measure::Link));
     assert!(10.0 * dual < matrix, "{dual} {matrix}");
     // A translation that is multiplied by nothing is not rounded.
@@ -91,11 +91,11 @@ fn normalising_keeps_links_that_gram_schmidt_does_not() {
 }
 
 #[test]
-fn kenwrights_normalize_keeps_nothing_normalised() {
+fn kenwrights_normalize_keeps_nothing_normalized() {
     for order in ORDERS {
         let samples = samples(order);
         let [right, wrong] =
-            ["dual quaternion, normalised", "dual quaternion, Kenwright's Normalize"]
+            ["dual quaternion, normalized", "dual quaternion, Kenwright's Normalize"]
                 .map(|name| sample(samples, name).error(Measure::Norm));
         assert!(50.0 * right < wrong, "{order:?}: {right} {wrong}");
     }

@@ -1,6 +1,6 @@
 //! [`Block`]: structure-of-arrays memory, one row of numbers a component.
 
-use crate::lane::{Lane, Part, Row};
+use crate::lane::{Lanes, Native, Row};
 use crate::level::Level;
 use bytemuck::{Pod, Zeroable};
 
@@ -63,31 +63,31 @@ impl<A: Row, const C: usize> Block<A, C> {
 
     /// All lanes of every component.
     #[inline(always)]
-    pub fn load<V: Level>(&self, level: V) -> [A::Lane<V>; C] {
+    pub fn load<V: Level>(&self, level: V) -> [A::Lanes<V>; C] {
         // No closure: one inside an inlined kernel is compiled without the kernel's instructions.
-        let mut components = [A::Lane::<V>::splat(level, A::Real::default()); C];
+        let mut components = [A::Lanes::<V>::splat(level, A::Real::default()); C];
         for (component, row) in components.iter_mut().zip(&self.0) {
-            *component = A::Lane::<V>::load(level, row);
+            *component = A::Lanes::<V>::load(level, row);
         }
         components
     }
 
-    /// How many [`Part`]s a row has.
+    /// How many [`Native`]s a row has.
     #[inline(always)]
     #[must_use]
     pub fn parts<V: Level>() -> usize {
-        A::LANES / Part::<A, V>::LANES
+        A::LANES / Native::<A, V>::LANES
     }
 
     /// One part of every component; zero beyond the last part.
     #[inline(always)]
-    pub fn load_part<V: Level>(&self, level: V, part: usize) -> [Part<A, V>; C] {
-        let mut components = [Part::<A, V>::splat(level, A::Real::default()); C];
+    pub fn load_part<V: Level>(&self, level: V, part: usize) -> [Native<A, V>; C] {
+        let mut components = [Native::<A, V>::splat(level, A::Real::default()); C];
         for (component, row) in components.iter_mut().zip(&self.0) {
-            let parts: &[<Part<A, V> as Lane>::Array] =
+            let parts: &[<Native<A, V> as Lanes>::Array] =
                 bytemuck::cast_slice(core::slice::from_ref(row));
             if let Some(array) = parts.get(part) {
-                *component = Part::<A, V>::load(level, array);
+                *component = Native::<A, V>::load(level, array);
             }
         }
         components
@@ -95,9 +95,9 @@ impl<A: Row, const C: usize> Block<A, C> {
 
     /// One part of every component; nothing beyond the last part.
     #[inline(always)]
-    pub fn store_part<V: Level>(&mut self, components: [Part<A, V>; C], part: usize) {
+    pub fn store_part<V: Level>(&mut self, components: [Native<A, V>; C], part: usize) {
         for (row, component) in self.0.iter_mut().zip(components) {
-            let parts: &mut [<Part<A, V> as Lane>::Array] =
+            let parts: &mut [<Native<A, V> as Lanes>::Array] =
                 bytemuck::cast_slice_mut(core::slice::from_mut(row));
             if let Some(array) = parts.get_mut(part) {
                 component.store(array);
@@ -111,7 +111,7 @@ impl<A: Row, const C: usize> Block<A, C> {
     pub fn stream<V: Level>(
         level: V,
         to: &mut [Self],
-        mut each: impl FnMut(usize, usize) -> Option<[Part<A, V>; C]>,
+        mut each: impl FnMut(usize, usize) -> Option<[Native<A, V>; C]>,
     ) {
         /// Fences also if `each` panics.
         struct Fence<V: Level>(V);
@@ -126,7 +126,7 @@ impl<A: Row, const C: usize> Block<A, C> {
             for part in 0..Self::parts::<V>() {
                 let Some(components) = each(index, part) else { return };
                 for (row, component) in block.0.iter_mut().zip(components) {
-                    let parts: &mut [<Part<A, V> as Lane>::Array] =
+                    let parts: &mut [<Native<A, V> as Lanes>::Array] =
                         bytemuck::cast_slice_mut(core::slice::from_mut(row));
                     if let Some(array) = parts.get_mut(part) {
                         // SAFETY: `to` is borrowed until the fence.
@@ -139,7 +139,7 @@ impl<A: Row, const C: usize> Block<A, C> {
 
     /// All lanes of every component.
     #[inline(always)]
-    pub fn store<V: Level>(&mut self, components: [A::Lane<V>; C]) {
+    pub fn store<V: Level>(&mut self, components: [A::Lanes<V>; C]) {
         for (row, component) in self.0.iter_mut().zip(components) {
             component.store(row);
         }

@@ -1,6 +1,6 @@
 //! [`Float`]: the number in a lane.
 
-use crate::lane::Lane;
+use crate::lane::Lanes;
 use crate::level::Level;
 use crate::octet::Octet;
 use bytemuck::Pod;
@@ -20,7 +20,7 @@ pub trait Float:
     /// Whether this is `f32`.
     const SINGLE: bool;
     /// The lanes of this number that fill a register of `V`.
-    type Lanes<V: Level>: Lane<Real = Self, Level = V>;
+    type Lanes<V: Level>: Lanes<Real = Self, Level = V>;
     /// The lanes that hold one record of eight of this number.
     type Octet<V: Level>: Octet<Real = Self, Level = V, Array = [Self; 8]>;
     /// The nearest number of this type.

@@ -1,4 +1,4 @@
-//! [`Lane`]: what a kernel may ask of a vector of numbers.
+//! [`Lanes`]: what a kernel may ask of a vector of numbers.
 
 use crate::float::Float;
 use crate::level::Level;
@@ -12,9 +12,9 @@ use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 /// [`neg_mul_add`](Self::neg_mul_add) may differ between types: they round once where the hardware
 /// fuses, twice elsewhere.
 ///
-/// A constant needs a [`Level`] or another lane to stand beside ([`with`](Self::with)): a value of
+/// A constant needs a [`Level`] or another lane to stand beside ([`constant`](Self::constant)): a value of
 /// the type is itself proof that the CPU can compute with it.
-pub trait Lane:
+pub trait Lanes:
     Copy
     + Debug
     + Add<Output = Self>
@@ -32,7 +32,7 @@ pub trait Lane:
     type Level: Level;
     /// The lanes of one register: these, or a fraction of them where they are several registers. A
     /// kernel that works part by part keeps its numbers in registers.
-    type Part: Lane<Real = Self::Real, Level = Self::Level>;
+    type Native: Lanes<Real = Self::Real, Level = Self::Level>;
     /// The lanes in memory: `[Real; LANES]`.
     type Array: Pod + Debug + AsRef<[Self::Real]> + AsMut<[Self::Real]>;
     /// How many numbers there are.
@@ -45,7 +45,7 @@ pub trait Lane:
     /// The number nearest to `value` in every lane, for code that holds a lane and no level.
     #[inline(always)]
     #[must_use]
-    fn with(self, value: f64) -> Self {
+    fn constant(self, value: f64) -> Self {
         Self::splat(self.level(), Self::Real::from_f64(value))
     }
 
@@ -192,9 +192,9 @@ pub trait Lane:
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
 }
 
-/// [`Lane::load_quads`] one number at a time.
+/// [`Lanes::load_quads`] one number at a time.
 #[inline(always)]
-pub(crate) fn load_each<L: Lane>(level: L::Level, from: &[L::Real], stride: usize) -> [L; 4] {
+pub(crate) fn load_each<L: Lanes>(level: L::Level, from: &[L::Real], stride: usize) -> [L; 4] {
     let mut components = [L::splat(level, L::Real::default()); 4];
     for (c, component) in components.iter_mut().enumerate() {
         let mut row = L::Array::zeroed();
@@ -206,9 +206,9 @@ pub(crate) fn load_each<L: Lane>(level: L::Level, from: &[L::Real], stride: usiz
     components
 }
 
-/// [`Lane::store_quads`] and [`Lane::store_triples`] one number at a time.
+/// [`Lanes::store_quads`] and [`Lanes::store_triples`] one number at a time.
 #[inline(always)]
-pub(crate) fn store_each<L: Lane, const C: usize>(
+pub(crate) fn store_each<L: Lanes, const C: usize>(
     components: [L; C],
     to: &mut [L::Real],
     stride: usize,
@@ -243,13 +243,13 @@ pub trait Row: Pod + AsRef<[Self::Real]> + AsMut<[Self::Real]> + Debug + sealed:
     /// The number.
     type Real: Float;
     /// The lane type of `V` that holds one row.
-    type Lane<V: Level>: Lane<Real = Self::Real, Level = V, Array = Self>;
+    type Lanes<V: Level>: Lanes<Real = Self::Real, Level = V, Array = Self>;
     /// How many numbers.
     const LANES: usize;
 }
 
 /// The lanes of one register that read a row, or a part of it.
-pub type Part<A, V> = <<A as Row>::Lane<V> as Lane>::Part;
+pub type Native<A, V> = <<A as Row>::Lanes<V> as Lanes>::Native;
 
 mod sealed {
     pub trait Sealed {}
@@ -261,7 +261,7 @@ macro_rules! rows {
         impl sealed::Sealed for [$real; $lanes] {}
         impl Row for [$real; $lanes] {
             type Real = $real;
-            type Lane<V: Level> = V::$lane;
+            type Lanes<V: Level> = V::$lane;
             const LANES: usize = $lanes;
         }
     )*};

@@ -1,6 +1,6 @@
 //! [`Level`]: the proof that the CPU can compute with a lane type.
 
-use crate::lane::Lane;
+use crate::lane::Lanes;
 use crate::octet::Octet;
 use core::fmt::Debug;
 
@@ -11,22 +11,22 @@ use core::fmt::Debug;
 /// only detection can hand it out; whoever holds one of its lanes therefore holds the proof too.
 pub trait Level: Copy + Debug + Send + Sync + 'static {
     /// Four lanes of `f32`.
-    type F32x4: Lane<Real = f32, Level = Self, Array = [f32; 4]>;
+    type F32x4: Lanes<Real = f32, Level = Self, Array = [f32; 4]>;
     /// Eight lanes of `f32`.
     type F32x8: Octet<Real = f32, Level = Self, Array = [f32; 8]>;
     /// Sixteen lanes of `f32`.
-    type F32x16: Lane<Real = f32, Level = Self, Array = [f32; 16]>;
+    type F32x16: Lanes<Real = f32, Level = Self, Array = [f32; 16]>;
     /// Two lanes of `f64`.
-    type F64x2: Lane<Real = f64, Level = Self, Array = [f64; 2]>;
+    type F64x2: Lanes<Real = f64, Level = Self, Array = [f64; 2]>;
     /// Four lanes of `f64`.
-    type F64x4: Lane<Real = f64, Level = Self, Array = [f64; 4]>;
+    type F64x4: Lanes<Real = f64, Level = Self, Array = [f64; 4]>;
     /// Eight lanes of `f64`.
     type F64x8: Octet<Real = f64, Level = Self, Array = [f64; 8]>;
 
     /// The `f32` lanes that fill a register.
-    type Single: Lane<Real = f32, Level = Self>;
+    type Single: Lanes<Real = f32, Level = Self>;
     /// The `f64` lanes that fill a register.
-    type Double: Lane<Real = f64, Level = Self>;
+    type Double: Lanes<Real = f64, Level = Self>;
 
     /// Waits until what was stored past the caches is where other instructions see it.
     #[inline(always)]

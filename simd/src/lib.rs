@@ -2,27 +2,27 @@
 //!
 //! | module | what it holds |
 //! |---|---|
-//! | [`lane`] | [`Lane`] and [`Mask`]: what a kernel may ask of a vector of numbers |
+//! | [`lane`] | [`Lanes`] and [`Mask`]: what a kernel may ask of a vector of numbers |
 //! | [`float`] | [`Float`]: the number in a lane |
 //! | [`level`] | [`Level`]: the proof that the CPU can compute with a lane type |
 //! | [`mod@portable`] | [`Portable`]: the lanes of the crate `wide`, with the instructions of the build target |
 //! | [`one`] | plain `f32` and `f64` as vectors of one lane |
 //! | [`square_root`] | the square root of one number, which `core` does not have |
-//! | `steps` | `Steps`: results that need earlier results (feature `alloc`) |
+//! | `checked_schedule` | `CheckedSchedule`: results that need earlier results (feature `alloc`) |
 //! | [`block`] | [`Block`]: structure-of-arrays memory, one row of numbers a component |
 //!
-//! Kernels are written once, generic over [`Lane`], and marked `#[inline(always)]`: a kernel that
+//! Kernels are written once, generic over [`Lanes`], and marked `#[inline(always)]`: a kernel that
 //! is not inlined into its [`Level::run`] pays a call for every instruction.
 //!
 //! ```
-//! use dq8_simd::{Lane, Portable};
+//! use dq8_simd::{Lanes, Portable};
 //! use wide::f32x8;
 //!
-//! fn length<L: Lane>(x: L, y: L) -> L {
+//! fn length<L: Lanes>(x: L, y: L) -> L {
 //!     x.mul_add(x, y * y).sqrt()
 //! }
 //! let three = f32x8::splat(3.0);
-//! let four = <f32x8 as Lane>::splat(Portable, 4.0);
+//! let four = <f32x8 as Lanes>::splat(Portable, 4.0);
 //! assert_eq!(length(three, four).to_array(), [5.0; 8]);
 //! ```
 #![no_std]
@@ -31,6 +31,8 @@
 extern crate alloc;
 
 pub mod block;
+#[cfg(feature = "alloc")]
+pub mod checked_schedule;
 #[cfg(target_arch = "x86_64")]
 mod detect;
 pub mod float;
@@ -42,19 +44,17 @@ pub mod one;
 pub mod pair;
 pub mod portable;
 pub mod square_root;
-#[cfg(feature = "alloc")]
-pub mod steps;
 #[cfg(target_arch = "x86_64")]
 pub mod x86_64;
 
 pub use block::Block;
+#[cfg(feature = "alloc")]
+pub use checked_schedule::CheckedSchedule;
 pub use float::Float;
-pub use lane::{Lane, Mask, Part, Row};
+pub use lane::{Lanes, Mask, Native, Row};
 pub use level::Level;
 pub use octet::Octet;
 pub use portable::Portable;
-#[cfg(feature = "alloc")]
-pub use steps::Steps;
 
 /// The portable lane types themselves.
 pub use wide::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};

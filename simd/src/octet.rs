@@ -1,13 +1,13 @@
 //! [`Octet`]: eight lanes that hold two quaternions of one motion.
 
-use crate::lane::Lane;
+use crate::lane::Lanes;
 use bytemuck::Zeroable;
 
 /// Eight lanes `[px, py, pz, pw, qx, qy, qz, qw]`: one dual quaternion p + εq, as it lies in memory.
 ///
 /// Products of such vectors serve where there is only one thing to compute at a time: a child waits
-/// for its parent. Two rearrangements are all that they need beside [`Lane`].
-pub trait Octet: Lane {
+/// for its parent. Two rearrangements are all that they need beside [`Lanes`].
+pub trait Octet: Lanes {
     /// What the components x, y, z and w of another quaternion multiply, in both halves: with these
     /// four columns, p·b = c₀b_x + c₁b_y + c₂b_z + c₃b_w.
     ///

@@ -1,7 +1,7 @@
 //! Plain `f32` and `f64` as vectors of one lane: the same kernels on targets without SIMD, and the
 //! smallest width that tests can compare.
 
-use crate::lane::{Lane, Mask};
+use crate::lane::{Lanes, Mask};
 use crate::portable::Portable;
 use crate::square_root;
 
@@ -24,11 +24,11 @@ impl Mask for bool {
 /// The two differ in name only; their methods are inherent, so no generic `impl` can reach them.
 macro_rules! one_lane {
     ($($real:ident, $bits:ty;)*) => {$(
-        impl Lane for $real {
+        impl Lanes for $real {
             type Real = $real;
             type Mask = bool;
             type Level = Portable;
-            type Part = Self;
+            type Native = Self;
             type Array = [$real; 1];
             const LANES: usize = 1;
 

@@ -1,7 +1,7 @@
 //! [`Pair`]: two vectors as one of twice the width, for levels whose registers are narrower.
 
 use crate::float::Float;
-use crate::lane::{Lane, Mask};
+use crate::lane::{Lanes, Mask};
 use bytemuck::Pod;
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
@@ -27,14 +27,14 @@ impl Doubled for [f64; 4] {
     type Real = f64;
 }
 
-impl<L> Lane for Pair<L>
+impl<L> Lanes for Pair<L>
 where
-    L: Lane<Array: Doubled<Real = L::Real>>,
+    L: Lanes<Array: Doubled<Real = L::Real>>,
 {
     type Real = L::Real;
     type Mask = Pair<L::Mask>;
     type Level = L::Level;
-    type Part = L;
+    type Native = L;
     type Array = <L::Array as Doubled>::Twice;
     const LANES: usize = 2 * L::LANES;
 

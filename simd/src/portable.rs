@@ -1,6 +1,6 @@
 //! [`Portable`]: the lanes of the crate [`wide`], with the instructions of the build target.
 
-use crate::lane::{Lane, Mask};
+use crate::lane::{Lanes, Mask};
 use crate::level::Level;
 use core::ops::{BitAnd, BitOr, Not};
 use wide::{Select, f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
@@ -60,11 +60,11 @@ pub struct WideMask<V>(V);
 /// `wide` offers these operations as inherent methods only, so no generic `impl` can reach them.
 macro_rules! wide_lanes {
     ($($vector:ident: [$real:ty; $lanes:literal], $part:ty $(, $transpose:ident)?;)*) => {$(
-        impl Lane for $vector {
+        impl Lanes for $vector {
             type Real = $real;
             type Mask = WideMask<$vector>;
             type Level = Portable;
-            type Part = $part;
+            type Native = $part;
             type Array = [$real; $lanes];
             const LANES: usize = $lanes;
 

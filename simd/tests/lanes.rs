@@ -1,6 +1,6 @@
 //! Every operation of every lane type against plain arithmetic, lane by lane.
 
-use dq8_simd::{Block, Float, Lane, Level, Mask, Octet, Portable, Row};
+use dq8_simd::{Block, Float, Lanes, Level, Mask, Octet, Portable, Row};
 use dq8_simd::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
 
 /// Numbers that hurt, among ordinary ones.
@@ -29,13 +29,13 @@ fn bits(number: f64) -> u64 {
 }
 
 /// Lane `i` from `NUMBERS[(first + i) % 16]`.
-fn lanes<L: Lane>(level: L::Level, first: usize) -> L {
+fn lanes<L: Lanes>(level: L::Level, first: usize) -> L {
     let numbers: Vec<_> =
         (0..L::LANES).map(|i| L::Real::from_f64(NUMBERS[(first + i) % NUMBERS.len()])).collect();
     L::load_partial(level, &numbers, L::Real::default())
 }
 
-fn numbers<L: Lane>(lanes: L) -> Vec<f64> {
+fn numbers<L: Lanes>(lanes: L) -> Vec<f64> {
     lanes.to_array().as_ref().iter().map(|&number| number.into()).collect()
 }
 
@@ -49,11 +49,11 @@ fn same(what: &str, got: &[f64], wanted: &[f64]) {
 }
 
 /// What a number becomes when it is stored in a lane.
-fn rounded<L: Lane>(number: f64) -> f64 {
+fn rounded<L: Lanes>(number: f64) -> f64 {
     L::Real::from_f64(number).into()
 }
 
-fn arithmetic<L: Lane>(level: L::Level) {
+fn arithmetic<L: Lanes>(level: L::Level) {
     for (first, second) in (0..16).flat_map(|i| (0..16).map(move |j| (i, j))) {
         let (a, b): (L, L) = (lanes(level, first), lanes(level, second));
         // f64 arithmetic, rounded to f32, is f32 arithmetic for one operation (53 ≥ 2·24 + 2).
@@ -75,7 +75,7 @@ fn arithmetic<L: Lane>(level: L::Level) {
     }
 }
 
-fn fused_or_not<L: Lane>(level: L::Level) {
+fn fused_or_not<L: Lanes>(level: L::Level) {
     let epsilon = if L::Real::SINGLE { f64::from(f32::EPSILON) } else { f64::EPSILON };
     let three = |value: f64| L::splat(level, L::Real::from_f64(value));
     for (a, b, c) in [(1.5, -2.25, 7.0), (0.1, 0.3, -0.03), (1e20, 1e-20, 1.0), (3.0, 5.0, -15.0)] {
@@ -91,7 +91,7 @@ fn fused_or_not<L: Lane>(level: L::Level) {
     }
 }
 
-fn comparisons<L: Lane>(level: L::Level) {
+fn comparisons<L: Lanes>(level: L::Level) {
     let all = (1_u64 << L::LANES) - 1;
     for (first, second) in (0..16).flat_map(|i| (0..16).map(move |j| (i, j))) {
         let (a, b): (L, L) = (lanes(level, first), lanes(level, second));
@@ -116,7 +116,7 @@ fn comparisons<L: Lane>(level: L::Level) {
     }
 }
 
-fn memory<L: Lane>(level: L::Level) {
+fn memory<L: Lanes>(level: L::Level) {
     let source: Vec<_> =
         (0..2 * L::LANES + 2).map(|i| L::Real::from_f64(10.0 + i as f64)).collect();
     let padding = L::Real::from_f64(-1.0);
@@ -135,15 +135,15 @@ fn memory<L: Lane>(level: L::Level) {
     let array = L::load_partial(level, &source, padding).to_array();
     same("load", &numbers(L::load(level, &array)), &numbers(lanes_from::<L>(level, &source)));
     assert_eq!(numbers(L::splat(level, padding)), vec![-1.0; L::LANES]);
-    let beside = L::splat(L::splat(level, padding).level(), padding).with(0.1);
+    let beside = L::splat(L::splat(level, padding).level(), padding).constant(0.1);
     assert_eq!(numbers(beside), vec![rounded::<L>(0.1); L::LANES]);
 }
 
-fn lanes_from<L: Lane>(level: L::Level, source: &[L::Real]) -> L {
+fn lanes_from<L: Lanes>(level: L::Level, source: &[L::Real]) -> L {
     L::load_partial(level, source, L::Real::default())
 }
 
-fn records<L: Lane, const C: usize>(level: L::Level) {
+fn records<L: Lanes, const C: usize>(level: L::Level) {
     let record = |i: usize| std::array::from_fn(|c| L::Real::from_f64((100 * i + c) as f64));
     let source: Vec<[L::Real; C]> = (0..L::LANES + 2).map(record).collect();
     let padding = std::array::from_fn(|c| L::Real::from_f64(-1.0 - c as f64));
@@ -163,7 +163,7 @@ fn records<L: Lane, const C: usize>(level: L::Level) {
 }
 
 /// Records `stride` numbers apart, in memory of any length.
-fn quads<L: Lane>(level: L::Level) {
+fn quads<L: Lanes>(level: L::Level) {
     for stride in [1, 3, 4, 5, 11] {
         for length in 0..=(L::LANES - 1) * stride + 6 {
             let memory: Vec<_> = (0..length).map(|i| L::Real::from_f64(i as f64 + 1.0)).collect();
@@ -201,7 +201,7 @@ fn octets<L: Octet>(level: L::Level) {
     same("raised", &numbers(octet.raised()), &[0.0, 0.0, 0.0, 0.0, 1.0, 2.0, 3.0, 4.0]);
 }
 
-fn check<L: Lane>(level: L::Level) {
+fn check<L: Lanes>(level: L::Level) {
     arithmetic::<L>(level);
     fused_or_not::<L>(level);
     comparisons::<L>(level);

@@ -2,9 +2,9 @@
 
 use super::{DualQuat, vector};
 use crate::geometry::{Twist, Wrench};
-use dq8_simd::Lane;
+use dq8_simd::Lanes;
 
-impl<L: Lane> DualQuat<L> {
+impl<L: Lanes> DualQuat<L> {
     /// ω′ = Rω, v′ = Rv + t × ω′; σ must be unit.
     #[inline(always)]
     #[must_use]

@@ -1,19 +1,19 @@
 //! Linear blending.
 
 use super::DualQuat;
-use dq8_simd::Lane;
+use dq8_simd::Lanes;
 
-impl<L: Lane> DualQuat<L> {
-    /// (1−t)a ± tb exactly normalised, by the shorter way; `t` may differ from lane to lane.
+impl<L: Lanes> DualQuat<L> {
+    /// (1−t)a ± tb exactly normalized, by the shorter way; `t` may differ from lane to lane.
     #[inline(always)]
     #[must_use]
     pub fn nlerp(self, other: Self, t: L) -> Self {
         let weight = other.weight_toward(self, t);
-        let start = self.scale(t.with(1.0) - t);
+        let start = self.scale(t.constant(1.0) - t);
         other.scale_onto(weight, start).normalize()
     }
 
-    /// Σ ±wᵢσᵢ exactly normalised, each sign turned toward the first motion; `None` without
+    /// Σ ±wᵢσᵢ exactly normalized, each sign turned toward the first motion; `None` without
     /// influences.
     #[inline(always)]
     #[must_use]
@@ -26,7 +26,7 @@ impl<L: Lane> DualQuat<L> {
         Some(sum.normalize())
     }
 
-    /// Σ ±wᵢσᵢ exactly normalised, each sign turned toward the sum so far; `None` without
+    /// Σ ±wᵢσᵢ exactly normalized, each sign turned toward the sum so far; `None` without
     /// influences.
     #[inline(always)]
     #[must_use]
@@ -51,7 +51,7 @@ impl<L: Lane> DualQuat<L> {
     /// `weight`, negated where σ points away from `pivot`.
     #[inline(always)]
     fn weight_toward(self, pivot: Self, weight: L) -> L {
-        let away = self.real().dot(pivot.real()).lt(weight.with(0.0));
+        let away = self.real().dot(pivot.real()).lt(weight.constant(0.0));
         L::select(away, -weight, weight)
     }
 }

@@ -2,9 +2,9 @@
 
 use super::{DualQuat, Quat, vector};
 use crate::geometry::{DualVector, Twist};
-use dq8_simd::Lane;
+use dq8_simd::Lanes;
 
-impl<L: Lane> DualQuat<L> {
+impl<L: Lanes> DualQuat<L> {
     /// ½ξσ, ξ = ω + εv the spatial twist.
     #[inline(always)]
     #[must_use]
@@ -27,10 +27,10 @@ impl<L: Lane> DualQuat<L> {
     #[inline(always)]
     #[must_use]
     pub fn spatial_twist(self, derivative: Self) -> Twist<L> {
-        let two = self.real().w().with(2.0);
+        let two = self.real().w().constant(2.0);
         let (p, q) = (self.real(), self.dual());
         let (p_rate, q_rate) = (derivative.real(), derivative.dual());
-        let none = [two.with(0.0); 3];
+        let none = [two.constant(0.0); 3];
         let linear = before_conjugate(p_rate, q, before_conjugate(q_rate, p, none));
         Twist {
             angular: vector::scale(before_conjugate(p_rate, p, none), two),
@@ -42,10 +42,10 @@ impl<L: Lane> DualQuat<L> {
     #[inline(always)]
     #[must_use]
     pub fn body_twist(self, derivative: Self) -> Twist<L> {
-        let two = self.real().w().with(2.0);
+        let two = self.real().w().constant(2.0);
         let (p, q) = (self.real(), self.dual());
         let (p_rate, q_rate) = (derivative.real(), derivative.dual());
-        let none = [two.with(0.0); 3];
+        let none = [two.constant(0.0); 3];
         let linear = after_conjugate(q, p_rate, after_conjugate(p, q_rate, none));
         Twist {
             angular: vector::scale(after_conjugate(p, p_rate, none), two),
@@ -83,7 +83,7 @@ impl<L: Lane> DualQuat<L> {
     #[must_use]
     pub fn to_twist(self) -> Twist<L> {
         let log = self.log();
-        let two = self.real().w().with(2.0);
+        let two = self.real().w().constant(2.0);
         Twist { angular: vector::scale(log.real, two), linear: vector::scale(log.dual, two) }
     }
 
@@ -104,28 +104,28 @@ impl<L: Lane> DualQuat<L> {
 
 /// ½ω + ½εv
 #[inline(always)]
-fn half<L: Lane>(twist: Twist<L>) -> DualVector<L> {
-    let half = twist.angular[0].with(0.5);
+fn half<L: Lanes>(twist: Twist<L>) -> DualVector<L> {
+    let half = twist.angular[0].constant(0.5);
     DualVector { real: vector::scale(twist.angular, half), dual: vector::scale(twist.linear, half) }
 }
 
 /// vq for a pure quaternion v: (w v + v × r, −v·r)
 #[inline(always)]
-fn times_left<L: Lane>(v: [L; 3], q: Quat<L>) -> Quat<L> {
+fn times_left<L: Lanes>(v: [L; 3], q: Quat<L>) -> Quat<L> {
     let xyz = vector::cross_onto(v, q.xyz(), vector::scale(v, q.w()));
     Quat::from_parts(xyz, -vector::dot(v, q.xyz()))
 }
 
 /// qv for a pure quaternion v: (w v + r × v, −r·v)
 #[inline(always)]
-fn times_right<L: Lane>(q: Quat<L>, v: [L; 3]) -> Quat<L> {
+fn times_right<L: Lanes>(q: Quat<L>, v: [L; 3]) -> Quat<L> {
     let xyz = vector::cross_onto(q.xyz(), v, vector::scale(v, q.w()));
     Quat::from_parts(xyz, -vector::dot(q.xyz(), v))
 }
 
 /// The vector part of ab*, w_b a − w_a b − a × b, plus `onto`.
 #[inline(always)]
-fn before_conjugate<L: Lane>(a: Quat<L>, b: Quat<L>, onto: [L; 3]) -> [L; 3] {
+fn before_conjugate<L: Lanes>(a: Quat<L>, b: Quat<L>, onto: [L; 3]) -> [L; 3] {
     let onto = vector::scale_onto(a.xyz(), b.w(), onto);
     let onto = vector::scale_onto(b.xyz(), -a.w(), onto);
     vector::cross_onto(b.xyz(), a.xyz(), onto)
@@ -133,7 +133,7 @@ fn before_conjugate<L: Lane>(a: Quat<L>, b: Quat<L>, onto: [L; 3]) -> [L; 3] {
 
 /// The vector part of a*b, w_a b − w_b a − a × b, plus `onto`.
 #[inline(always)]
-fn after_conjugate<L: Lane>(a: Quat<L>, b: Quat<L>, onto: [L; 3]) -> [L; 3] {
+fn after_conjugate<L: Lanes>(a: Quat<L>, b: Quat<L>, onto: [L; 3]) -> [L; 3] {
     let onto = vector::scale_onto(b.xyz(), a.w(), onto);
     let onto = vector::scale_onto(a.xyz(), -b.w(), onto);
     vector::cross_onto(b.xyz(), a.xyz(), onto)

@@ -1,5 +1,5 @@
 use core::ops::{Add, Div, Mul, Neg, Sub};
-use dq8_simd::Lane;
+use dq8_simd::Lanes;
 
 /// Dual numbers a + εb, one a lane: [`Dual`](crate::Dual) on lanes.
 #[derive(Clone, Copy, Debug)]
@@ -10,7 +10,7 @@ pub struct Dual<L> {
     pub dual: L,
 }
 
-impl<L: Lane> Dual<L> {
+impl<L: Lanes> Dual<L> {
     /// a + εb
     #[inline(always)]
     #[must_use]
@@ -37,19 +37,19 @@ impl<L: Lane> Dual<L> {
     #[must_use]
     pub fn sqrt(self) -> Self {
         let root = self.real.sqrt();
-        self.apply(root, root.with(0.5) / root)
+        self.apply(root, root.constant(0.5) / root)
     }
 
     /// 1 / (a + εb) = a⁻¹ − ε b a⁻² (Jia eq. 7)
     #[inline(always)]
     #[must_use]
     pub fn recip(self) -> Self {
-        let recip = self.real.with(1.0) / self.real;
+        let recip = self.real.constant(1.0) / self.real;
         self.apply(recip, -(recip * recip))
     }
 }
 
-impl<L: Lane> Add for Dual<L> {
+impl<L: Lanes> Add for Dual<L> {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
@@ -57,7 +57,7 @@ impl<L: Lane> Add for Dual<L> {
     }
 }
 
-impl<L: Lane> Sub for Dual<L> {
+impl<L: Lanes> Sub for Dual<L> {
     type Output = Self;
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
@@ -66,7 +66,7 @@ impl<L: Lane> Sub for Dual<L> {
 }
 
 /// ac + ε(ad + bc)
-impl<L: Lane> Mul for Dual<L> {
+impl<L: Lanes> Mul for Dual<L> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
@@ -75,7 +75,7 @@ impl<L: Lane> Mul for Dual<L> {
 }
 
 /// a/c + ε(bc − ad)/c²
-impl<L: Lane> Div for Dual<L> {
+impl<L: Lanes> Div for Dual<L> {
     type Output = Self;
     #[inline(always)]
     fn div(self, other: Self) -> Self {
@@ -84,7 +84,7 @@ impl<L: Lane> Div for Dual<L> {
     }
 }
 
-impl<L: Lane> Neg for Dual<L> {
+impl<L: Lanes> Neg for Dual<L> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {

@@ -1,7 +1,7 @@
 use super::{Dual, Quat};
 use crate::geometry::DualVector;
 use core::ops::{Add, Mul, Neg, Sub};
-use dq8_simd::{Block, Lane, Level, Row};
+use dq8_simd::{Block, Lanes, Level, Row};
 
 /// Dual quaternions σ = p + εq, one a lane: [`DualQuat`](crate::DualQuat) on lanes.
 ///
@@ -13,7 +13,7 @@ pub struct DualQuat<L> {
     dual: Quat<L>,
 }
 
-impl<L: Lane> DualQuat<L> {
+impl<L: Lanes> DualQuat<L> {
     /// p + εq
     #[inline(always)]
     #[must_use]
@@ -26,7 +26,7 @@ impl<L: Lane> DualQuat<L> {
     #[must_use]
     pub fn identity(level: L::Level) -> Self {
         let one = Quat::<L>::identity(level);
-        let zero = one.w().with(0.0);
+        let zero = one.w().constant(0.0);
         Self::new(one, Quat::from_array([zero; 4]))
     }
 
@@ -183,24 +183,24 @@ impl<L: Lane> DualQuat<L> {
     #[must_use]
     pub fn canonical(self) -> Self {
         let w = self.real.w();
-        self.negate_where(w.lt(w.with(0.0)))
+        self.negate_where(w.lt(w.constant(0.0)))
     }
 
     #[inline(always)]
     pub(super) fn negate_where(self, mask: L::Mask) -> Self {
-        let one = self.real.w().with(1.0);
+        let one = self.real.w().constant(1.0);
         self.scale(L::select(mask, -one, one))
     }
 }
 
 /// Blocks of memory: the whole of a [`Block`] at once.
-impl<L: Lane> DualQuat<L> {
+impl<L: Lanes> DualQuat<L> {
     /// The dual quaternions of a block.
     #[inline(always)]
     #[must_use]
     pub fn load<A, V>(level: V, block: &Block<A, 8>) -> Self
     where
-        A: Row<Lane<V> = L>,
+        A: Row<Lanes<V> = L>,
         V: Level,
     {
         Self::from_array(block.load(level))
@@ -210,14 +210,14 @@ impl<L: Lane> DualQuat<L> {
     #[inline(always)]
     pub fn store<A, V>(self, block: &mut Block<A, 8>)
     where
-        A: Row<Lane<V> = L>,
+        A: Row<Lanes<V> = L>,
         V: Level,
     {
         block.store::<V>(self.to_array());
     }
 }
 
-impl<L: Lane> Add for DualQuat<L> {
+impl<L: Lanes> Add for DualQuat<L> {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
@@ -225,7 +225,7 @@ impl<L: Lane> Add for DualQuat<L> {
     }
 }
 
-impl<L: Lane> Sub for DualQuat<L> {
+impl<L: Lanes> Sub for DualQuat<L> {
     type Output = Self;
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
@@ -234,7 +234,7 @@ impl<L: Lane> Sub for DualQuat<L> {
 }
 
 /// p₁p₂ + ε(p₁q₂ + q₁p₂): 48 multiplications, 40 of them fused with the additions.
-impl<L: Lane> Mul for DualQuat<L> {
+impl<L: Lanes> Mul for DualQuat<L> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
@@ -243,7 +243,7 @@ impl<L: Lane> Mul for DualQuat<L> {
     }
 }
 
-impl<L: Lane> Neg for DualQuat<L> {
+impl<L: Lanes> Neg for DualQuat<L> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {

@@ -9,7 +9,7 @@
 
 use super::Dual;
 use super::even_coefficients as coefficients;
-use dq8_simd::{Float, Lane, Mask};
+use dq8_simd::{Float, Lanes, Mask};
 
 /// (π/2)², with the margin that the polynomials have.
 const ORDINARY: f64 = 2.5;
@@ -17,7 +17,7 @@ const ORDINARY: f64 = 2.5;
 /// An arc of up to a quarter of the unit circle over its chord, from the squared chord c:
 /// arcsin(√c/2)/(√c/2) for c in [0, 2].
 #[inline(always)]
-pub(super) fn arc_over_chord<L: Lane>(c: Dual<L>) -> Dual<L> {
+pub(super) fn arc_over_chord<L: Lanes>(c: Dual<L>) -> Dual<L> {
     let (value, derivative) = polynomial(&coefficients::ARC_F32, &coefficients::ARC_F64, c.real);
     c.apply(value, derivative)
 }
@@ -27,11 +27,11 @@ pub(super) fn arc_over_chord<L: Lane>(c: Dual<L>) -> Dual<L> {
 /// The derivatives are −½ sin(√v)/√v and (cos √v − sin(√v)/√v)/(2v); the second cancels for small v
 /// and comes from the polynomial there.
 #[inline(always)]
-pub(super) fn cos_sinc<L: Lane>(v: Dual<L>) -> (Dual<L>, Dual<L>) {
-    let minus_half = v.real.with(-0.5);
+pub(super) fn cos_sinc<L: Lanes>(v: Dual<L>) -> (Dual<L>, Dual<L>) {
+    let minus_half = v.real.constant(-0.5);
     let (cos, _) = polynomial(&coefficients::COS_F32, &coefficients::COS_F64, v.real);
     let (sinc, slope) = polynomial(&coefficients::SINC_F32, &coefficients::SINC_F64, v.real);
-    let ordinary = v.real.le(v.real.with(ORDINARY));
+    let ordinary = v.real.le(v.real.constant(ORDINARY));
     if ordinary.all() {
         return (v.apply(cos, minus_half * sinc), v.apply(sinc, slope));
     }
@@ -45,37 +45,37 @@ pub(super) fn cos_sinc<L: Lane>(v: Dual<L>) -> (Dual<L>, Dual<L>) {
 /// (1 − cos √u)/u and (√u − sin √u)/√u³ for any u ≥ 0: the integrals of sin and of 1 − cos in the
 /// left Jacobian of SE(3).
 #[inline(always)]
-pub(super) fn exponential_integrals<L: Lane>(u: Dual<L>) -> (Dual<L>, Dual<L>) {
-    let one = u.real.with(1.0);
-    let (cos, sinc) = cos_sinc(u.scale(one.with(0.25)));
-    let first = sinc.scale(one.with(0.5)) * sinc;
+pub(super) fn exponential_integrals<L: Lanes>(u: Dual<L>) -> (Dual<L>, Dual<L>) {
+    let one = u.real.constant(1.0);
+    let (cos, sinc) = cos_sinc(u.scale(one.constant(0.25)));
+    let first = sinc.scale(one.constant(0.5)) * sinc;
     let (value, slope) = polynomial(&coefficients::LEFT_F32, &coefficients::LEFT_F64, u.real);
     let second = u.apply(value, slope);
-    let ordinary = u.real.le(one.with(4.0 * ORDINARY));
+    let ordinary = u.real.le(one.constant(4.0 * ORDINARY));
     if ordinary.all() {
         return (first, second);
     }
-    let far = (Dual::new(one, one.with(0.0)) - cos * sinc) / u;
+    let far = (Dual::new(one, one.constant(0.0)) - cos * sinc) / u;
     (first, select(ordinary, second, far))
 }
 
 /// (1 − (√u/2) cot(√u/2))/u for any u ≥ 0 but (2π)², (4π)², …, where it is infinite.
 #[inline(always)]
-pub(super) fn half_cotangent<L: Lane>(u: Dual<L>) -> Dual<L> {
-    let one = u.real.with(1.0);
+pub(super) fn half_cotangent<L: Lanes>(u: Dual<L>) -> Dual<L> {
+    let one = u.real.constant(1.0);
     let (value, slope) = polynomial(&coefficients::INVERSE_F32, &coefficients::INVERSE_F64, u.real);
     let near = u.apply(value, slope);
-    let ordinary = u.real.le(one.with(4.0 * ORDINARY));
+    let ordinary = u.real.le(one.constant(4.0 * ORDINARY));
     if ordinary.all() {
         return near;
     }
-    let (cos, sinc) = cos_sinc(u.scale(one.with(0.25)));
-    let far = (Dual::new(one, one.with(0.0)) - cos / sinc) / u;
+    let (cos, sinc) = cos_sinc(u.scale(one.constant(0.25)));
+    let far = (Dual::new(one, one.constant(0.0)) - cos / sinc) / u;
     select(ordinary, near, far)
 }
 
 #[inline(always)]
-fn select<L: Lane>(mask: L::Mask, yes: Dual<L>, no: Dual<L>) -> Dual<L> {
+fn select<L: Lanes>(mask: L::Mask, yes: Dual<L>, no: Dual<L>) -> Dual<L> {
     Dual::new(L::select(mask, yes.real, no.real), L::select(mask, yes.dual, no.dual))
 }
 
@@ -83,25 +83,25 @@ fn select<L: Lane>(mask: L::Mask, yes: Dual<L>, no: Dual<L>) -> Dual<L> {
 ///
 /// Errors grow with √v as those of √v itself do: a float of size y is only known to y/2²⁴ (2⁵³).
 #[inline(always)]
-fn far_cos_sinc<L: Lane>(v: L) -> (L, L, L) {
+fn far_cos_sinc<L: Lanes>(v: L) -> (L, L, L) {
     let root = v.sqrt();
-    let turns = round(root * v.with(core::f64::consts::FRAC_1_PI));
+    let turns = round(root * v.constant(core::f64::consts::FRAC_1_PI));
     // π in three parts whose products with a small integer are exact (Cody and Waite 1980).
     let [high, middle, low] = if L::Real::SINGLE {
         [3.140_625, 9.670_257_568_359_375e-4, 6.277_114_152_908_325e-7]
     } else {
         [3.141_592_502_593_994, 1.509_957_883_171_927_3e-7, 1.078_060_570_811_623_8e-14]
     };
-    let rest = turns.neg_mul_add(v.with(high), root);
-    let rest = turns.neg_mul_add(v.with(middle), rest);
-    let rest = turns.neg_mul_add(v.with(low), rest);
+    let rest = turns.neg_mul_add(v.constant(high), root);
+    let rest = turns.neg_mul_add(v.constant(middle), rest);
+    let rest = turns.neg_mul_add(v.constant(low), rest);
     let square = rest * rest;
     let (cos, _) = polynomial(&coefficients::COS_F32, &coefficients::COS_F64, square);
     let (sinc, _) = polynomial(&coefficients::SINC_F32, &coefficients::SINC_F64, square);
     // (−1)ᵏ: k/2 is a whole number or half way between two.
-    let half_turns = turns * v.with(0.5);
+    let half_turns = turns * v.constant(0.5);
     let odd = (half_turns - round(half_turns)).abs();
-    let sign = odd.neg_mul_add(v.with(4.0), v.with(1.0));
+    let sign = odd.neg_mul_add(v.constant(4.0), v.constant(1.0));
     let cos = sign * cos;
     let sinc = sign * rest * sinc / root;
     (cos, sinc, (cos - sinc) / (v + v))
@@ -109,19 +109,19 @@ fn far_cos_sinc<L: Lane>(v: L) -> (L, L, L) {
 
 /// The nearest whole number: adding 1.5·2²³ (2⁵²) leaves no bits for a fraction.
 #[inline(always)]
-fn round<L: Lane>(x: L) -> L {
-    let shift = x.with(if L::Real::SINGLE { 12_582_912.0 } else { 6_755_399_441_055_744.0 });
+fn round<L: Lanes>(x: L) -> L {
+    let shift = x.constant(if L::Real::SINGLE { 12_582_912.0 } else { 6_755_399_441_055_744.0 });
     (x + shift) - shift
 }
 
 /// A polynomial, lowest coefficient first, and its derivative, in the precision of the lanes.
 #[inline(always)]
-fn polynomial<L: Lane>(single: &[f32], double: &[f64], x: L) -> (L, L) {
+fn polynomial<L: Lanes>(single: &[f32], double: &[f64], x: L) -> (L, L) {
     if L::Real::SINGLE { value_and_slope(single, x) } else { value_and_slope(double, x) }
 }
 
 #[inline(always)]
-fn value_and_slope<L: Lane, C: Copy + Into<f64>>(coefficients: &[C], x: L) -> (L, L) {
+fn value_and_slope<L: Lanes, C: Copy + Into<f64>>(coefficients: &[C], x: L) -> (L, L) {
     let square = x * x;
     (two_chains(coefficients, 0, x, square), two_chains(coefficients, 1, x, square))
 }
@@ -132,7 +132,7 @@ fn value_and_slope<L: Lane, C: Copy + Into<f64>>(coefficients: &[C], x: L) -> (L
 /// would wait twice as long for its own results. The first two terms, by far the largest, come last and
 /// one after the other, as in Horner's scheme, so that nearly all rounding is that of the result.
 #[inline(always)]
-fn two_chains<L: Lane, C: Copy + Into<f64>>(
+fn two_chains<L: Lanes, C: Copy + Into<f64>>(
     coefficients: &[C],
     order: usize,
     x: L,
@@ -143,13 +143,13 @@ fn two_chains<L: Lane, C: Copy + Into<f64>>(
         let factor: f64 = coefficients[power + order].into();
         if order == 1 { factor * (power + 1) as f64 } else { factor }
     };
-    let mut chains = [x.with(factor(terms - 2)), x.with(factor(terms - 1))];
+    let mut chains = [x.constant(factor(terms - 2)), x.constant(factor(terms - 1))];
     for power in (2..terms - 2).rev() {
         let chain = &mut chains[(terms - power) % 2];
-        *chain = chain.mul_add(square, x.with(factor(power)));
+        *chain = chain.mul_add(square, x.constant(factor(power)));
     }
     // The chain that ends with the second power, and the one that ends with the third.
     let [second, third] = if terms.is_multiple_of(2) { chains } else { [chains[1], chains[0]] };
     let rest = third.mul_add(x, second);
-    rest.mul_add(x, x.with(factor(1))).mul_add(x, x.with(factor(0)))
+    rest.mul_add(x, x.constant(factor(1))).mul_add(x, x.constant(factor(0)))
 }

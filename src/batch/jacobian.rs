@@ -10,9 +10,9 @@
 use super::even::{exponential_integrals, half_cotangent};
 use super::{Dual, DualQuat, vector};
 use crate::geometry::Twist;
-use dq8_simd::Lane;
+use dq8_simd::Lanes;
 
-impl<L: Lane> DualQuat<L> {
+impl<L: Lanes> DualQuat<L> {
     /// exp(½(x + δy)) ≈ exp(½δ J_l(x) y) exp(½x) with x = `at`, y = `along`.
     #[inline(always)]
     #[must_use]
@@ -34,7 +34,7 @@ impl<L: Lane> DualQuat<L> {
     #[must_use]
     pub fn left_jacobian_inverse(at: Twist<L>, along: Twist<L>) -> Twist<L> {
         let u = square(at);
-        let minus_half = Dual::new(u.real.with(-0.5), u.real.with(0.0));
+        let minus_half = Dual::new(u.real.constant(-0.5), u.real.constant(0.0));
         let once = lie_bracket(at, along);
         times_onto(half_cotangent(u), lie_bracket(at, once), times_onto(minus_half, once, along))
     }
@@ -49,14 +49,14 @@ impl<L: Lane> DualQuat<L> {
 
 /// x·x
 #[inline(always)]
-fn square<L: Lane>(x: Twist<L>) -> Dual<L> {
+fn square<L: Lanes>(x: Twist<L>) -> Dual<L> {
     let across = vector::dot(x.angular, x.linear);
     Dual::new(vector::dot(x.angular, x.angular), across + across)
 }
 
 /// x × y, the Lie bracket [x, y].
 #[inline(always)]
-pub(crate) fn lie_bracket<L: Lane>(x: Twist<L>, y: Twist<L>) -> Twist<L> {
+pub(crate) fn lie_bracket<L: Lanes>(x: Twist<L>, y: Twist<L>) -> Twist<L> {
     let moved = vector::cross(x.linear, y.angular);
     Twist {
         angular: vector::cross(x.angular, y.angular),
@@ -66,7 +66,7 @@ pub(crate) fn lie_bracket<L: Lane>(x: Twist<L>, y: Twist<L>) -> Twist<L> {
 
 /// (a + εb)x + y
 #[inline(always)]
-fn times_onto<L: Lane>(factor: Dual<L>, x: Twist<L>, y: Twist<L>) -> Twist<L> {
+fn times_onto<L: Lanes>(factor: Dual<L>, x: Twist<L>, y: Twist<L>) -> Twist<L> {
     let linear = vector::scale_onto(x.angular, factor.dual, y.linear);
     Twist {
         angular: vector::scale_onto(x.angular, factor.real, y.angular),

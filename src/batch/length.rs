@@ -1,6 +1,6 @@
 //! [`Length`]: Euclidean lengths that neither overflow nor vanish on the way.
 
-use dq8_simd::{Float, Lane, Mask};
+use dq8_simd::{Float, Lanes, Mask};
 
 /// The length of a vector in each lane, and division by it.
 ///
@@ -16,7 +16,7 @@ pub(super) struct Length<L> {
     stretched: Option<(L, L)>,
 }
 
-impl<L: Lane> Length<L> {
+impl<L: Lanes> Length<L> {
     #[inline(always)]
     pub(super) fn of<const N: usize>(vector: [L; N], one: L) -> Self {
         let squared = sum_of_squares(vector, one);
@@ -26,13 +26,13 @@ impl<L: Lane> Length<L> {
         } else {
             (power_of_two(800), power_of_two(564), power_of_two(-514))
         };
-        let small = squared.lt(one.with(1.0 / limit));
-        let fits = squared.le(one.with(limit));
+        let small = squared.lt(one.constant(1.0 / limit));
+        let fits = squared.le(one.constant(limit));
         if (fits & !small).all() {
             let root = squared.sqrt();
             return Self { root, first: one / root, stretched: None };
         }
-        let stretch = L::select(small, one.with(up), L::select(fits, one, one.with(down)));
+        let stretch = L::select(small, one.constant(up), L::select(fits, one, one.constant(down)));
         let mut stretched = vector;
         for component in &mut stretched {
             *component = *component * stretch;
@@ -76,8 +76,8 @@ impl<L: Lane> Length<L> {
 }
 
 #[inline(always)]
-fn sum_of_squares<L: Lane, const N: usize>(vector: [L; N], one: L) -> L {
-    let mut sum = one.with(0.0);
+fn sum_of_squares<L: Lanes, const N: usize>(vector: [L; N], one: L) -> L {
+    let mut sum = one.constant(0.0);
     for component in vector {
         sum = component.mul_add(component, sum);
     }

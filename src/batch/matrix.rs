@@ -1,15 +1,15 @@
 //! 3×3, 3×4 and 4×4 matrices, rows, acting on column vectors.
 
 use super::{DualQuat, Quat, vector};
-use dq8_simd::Lane;
+use dq8_simd::Lanes;
 
-impl<L: Lane> Quat<L> {
+impl<L: Lanes> Quat<L> {
     /// The rows of the rotation matrices of unit quaternions.
     #[inline(always)]
     #[must_use]
     pub fn to_matrix3(self) -> [[L; 3]; 3] {
         let [x, y, z, w] = self.to_array();
-        let one = w.with(1.0);
+        let one = w.constant(1.0);
         let (x2, y2, z2) = (x + x, y + y, z + z);
         let (wx, wy, wz) = (w * x2, w * y2, w * z2);
         [
@@ -25,7 +25,7 @@ impl<L: Lane> Quat<L> {
     #[must_use]
     pub fn from_matrix3(rows: [[L; 3]; 3]) -> Self {
         let [[m00, m01, m02], [m10, m11, m12], [m20, m21, m22]] = rows;
-        let one = m00.with(1.0);
+        let one = m00.constant(1.0);
         let (x2, y2) = (one + m00 - m11 - m22, one - m00 + m11 - m22);
         let (z2, w2) = (one - m00 - m11 + m22, one + m00 + m11 + m22);
         let (sum_xy, sum_xz, sum_yz) = (m01 + m10, m02 + m20, m12 + m21);
@@ -37,12 +37,12 @@ impl<L: Lane> Quat<L> {
         let not_w = vector::select(x_largest, [x2, sum_xy, sum_xz, wx], y_or_z);
         let rotation = Self::from_array(vector::select(w_largest, [wx, wy, wz, w2], not_w));
         let rotation = rotation.normalize();
-        let turned_over = rotation.w().lt(one.with(0.0));
+        let turned_over = rotation.w().lt(one.constant(0.0));
         rotation.scale(L::select(turned_over, -one, one))
     }
 }
 
-impl<L: Lane> DualQuat<L> {
+impl<L: Lanes> DualQuat<L> {
     /// The rows of [R | t] of unit σ.
     #[inline(always)]
     #[must_use]
@@ -57,8 +57,8 @@ impl<L: Lane> DualQuat<L> {
     #[must_use]
     pub fn to_matrix4(self) -> [[L; 4]; 4] {
         let [a, b, c] = self.to_matrix3x4();
-        let zero = a[0].with(0.0);
-        [a, b, c, [zero, zero, zero, zero.with(1.0)]]
+        let zero = a[0].constant(0.0);
+        [a, b, c, [zero, zero, zero, zero.constant(1.0)]]
     }
 
     /// The motions of rigid matrices, p_w ≥ 0.

@@ -3,9 +3,9 @@
 use super::length::Length;
 use super::{DualQuat, vector};
 use crate::geometry::{DualVector, Mean};
-use dq8_simd::{Lane, Mask};
+use dq8_simd::{Lanes, Mask};
 
-impl<L: Lane> DualQuat<L> {
+impl<L: Lanes> DualQuat<L> {
     /// Σ wᵢ log(b*σᵢ) = 0, from the linear blend by b ← b exp(Σ wᵢ log(b*σᵢ) / Σ wᵢ), a step of at
     /// most `tolerance` being none; `None` without influences.
     ///
@@ -19,7 +19,7 @@ impl<L: Lane> DualQuat<L> {
         max_iterations: u32,
     ) -> Option<Mean<Self, L, L::Mask>> {
         let mut motion = Self::dlb(influences)?;
-        let (zero, one) = (tolerance.with(0.0), tolerance.with(1.0));
+        let (zero, one) = (tolerance.constant(0.0), tolerance.constant(1.0));
         let (mut total, mut longest) = (zero, zero);
         for &(pose, weight) in influences {
             total = total + weight;
@@ -49,7 +49,7 @@ impl<L: Lane> DualQuat<L> {
     /// Σ wᵢ log(σ*σᵢ) / Σ wᵢ
     #[inline(always)]
     fn mean_log(self, influences: &[(Self, L)], total: L) -> DualVector<L> {
-        let zero = total.with(0.0);
+        let zero = total.constant(0.0);
         let mut mean = DualVector { real: [zero; 3], dual: [zero; 3] };
         let inverse = self.conjugate();
         for &(pose, weight) in influences {

@@ -3,15 +3,16 @@
 use super::DualQuat;
 use super::length::Length;
 use super::screw::HalfAngle;
-use dq8_simd::Lane;
+use dq8_simd::Lanes;
 
-impl<L: Lane> DualQuat<L> {
+impl<L: Lanes> DualQuat<L> {
     /// The angle of p_a*p_b, radians in [0, π].
     #[inline(always)]
     #[must_use]
     pub fn angle_to(self, other: Self) -> L {
         let between = Self::from_rotation(self.real().conjugate() * other.real()).canonical();
-        let (one, pi) = (self.real().w().with(1.0), self.real().w().with(core::f64::consts::PI));
+        let (one, pi) =
+            (self.real().w().constant(1.0), self.real().w().constant(core::f64::consts::PI));
         let sine = Length::of(between.real().xyz(), one).value();
         // θ = 2 sin Θ · Θ/sin Θ, and rounding may carry it beyond π.
         let angle = (sine + sine) * HalfAngle::of(between).over_sine().real;
@@ -31,7 +32,7 @@ impl<L: Lane> DualQuat<L> {
     #[must_use]
     pub fn distance_weighted(self, other: Self, length_per_radian: L) -> L {
         let legs = [length_per_radian * self.angle_to(other), self.distance_to(other)];
-        Length::of(legs, length_per_radian.with(1.0)).value()
+        Length::of(legs, length_per_radian.constant(1.0)).value()
     }
 
     /// |a v − b v|
@@ -47,20 +48,20 @@ impl<L: Lane> DualQuat<L> {
     #[must_use]
     pub fn shell_error(self, other: Self, radius: L) -> L {
         let turn = (self.real().conjugate() * other.real()).xyz();
-        let sine = Length::of(turn, radius.with(1.0)).value();
+        let sine = Length::of(turn, radius.constant(1.0)).value();
         (radius + radius).mul_add(sine, self.distance_to(other))
     }
 
     /// Not [`is_unit`](Self::is_unit).
     #[inline(always)]
     #[must_use]
-    pub fn needs_renormalisation(self, tolerance: L) -> L::Mask {
+    pub fn needs_renormalization(self, tolerance: L) -> L::Mask {
         !self.is_unit(tolerance)
     }
 }
 
 /// |a − b|
 #[inline(always)]
-fn between<L: Lane>(a: [L; 3], b: [L; 3]) -> L {
-    Length::of([a[0] - b[0], a[1] - b[1], a[2] - b[2]], a[0].with(1.0)).value()
+fn between<L: Lanes>(a: [L; 3], b: [L; 3]) -> L {
+    Length::of([a[0] - b[0], a[1] - b[1], a[2] - b[2]], a[0].constant(1.0)).value()
 }

@@ -1,7 +1,7 @@
 //! Many motions at a time: the operations of the scalar reference on SIMD lanes.
 //!
-//! Everything is written once, generic over [`Lane`](dq8_simd::Lane), and computes every lane alike:
-//! where a formula has cases, all are computed and [`select`](dq8_simd::Lane::select) picks. Where a
+//! Everything is written once, generic over [`Lanes`](dq8_simd::Lanes), and computes every lane alike:
+//! where a formula has cases, all are computed and [`select`](dq8_simd::Lanes::select) picks. Where a
 //! case is rare and dear, a test whether *any* lane needs it comes first; the value of a lane never
 //! depends on its neighbours.
 //!

@@ -1,8 +1,8 @@
 use super::{Dual, DualQuat, Quat};
 use crate::motion::{Motion, delegate_to_inherent};
-use dq8_simd::Lane;
+use dq8_simd::Lanes;
 
-impl<L: Lane> Motion for DualQuat<L> {
+impl<L: Lanes> Motion for DualQuat<L> {
     type Level = L::Level;
     type Real = L;
     type Mask = L::Mask;

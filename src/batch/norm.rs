@@ -1,9 +1,9 @@
-//! Norm, normalisation and inverses.
+//! Norm, normalization and inverses.
 
 use super::{Dual, DualQuat, Quat, vector};
-use dq8_simd::{Float, Lane};
+use dq8_simd::{Float, Lanes};
 
-impl<L: Lane> DualQuat<L> {
+impl<L: Lanes> DualQuat<L> {
     /// √(σσ*) = |p| + ε (p·q)/|p|; the dual part is NaN where p = 0.
     #[inline(always)]
     #[must_use]
@@ -13,7 +13,7 @@ impl<L: Lane> DualQuat<L> {
         Dual::new(length.value(), unit.dot(self.dual()))
     }
 
-    /// Exact normalisation: the real part to unit length and the dual part orthogonal to it. Where
+    /// Exact normalization: the real part to unit length and the dual part orthogonal to it. Where
     /// [`normalize_checked`](Self::normalize_checked) fails, some component is NaN.
     #[inline(always)]
     #[must_use]
@@ -24,7 +24,7 @@ impl<L: Lane> DualQuat<L> {
         Self::new(p, p.scale_onto(-p.dot(q), q))
     }
 
-    /// Exact normalisation, and the lanes that could not be: p zero, or a component of σ or of the
+    /// Exact normalization, and the lanes that could not be: p zero, or a component of σ or of the
     /// result not finite. In those, every component is NaN.
     ///
     /// ```
@@ -46,12 +46,12 @@ impl<L: Lane> DualQuat<L> {
     #[inline(always)]
     #[must_use]
     pub fn is_unit(self, tolerance: L) -> L::Mask {
-        let one = tolerance.with(1.0);
+        let one = tolerance.constant(1.0);
         let off = (self.real().norm() - one).abs();
         let along = self.real().dot(self.dual()).abs();
         let size = self.dual().norm();
         let scale = L::select(size.lt(one), one, size);
-        off.le(tolerance) & along.le(tolerance * scale) & scale.lt(one.with(f64::INFINITY))
+        off.le(tolerance) & along.le(tolerance * scale) & scale.lt(one.constant(f64::INFINITY))
     }
 
     /// [`is_unit`](Self::is_unit) within 32 units of the last place.
@@ -59,7 +59,7 @@ impl<L: Lane> DualQuat<L> {
     #[must_use]
     pub fn is_normalized(self) -> L::Mask {
         let epsilon = if L::Real::SINGLE { f64::from(f32::EPSILON) } else { f64::EPSILON };
-        self.is_unit(self.real().w().with(32.0 * epsilon))
+        self.is_unit(self.real().w().constant(32.0 * epsilon))
     }
 
     /// σ⁻¹ of any σ with p ≠ 0. Where [`inverse_checked`](Self::inverse_checked) fails, some
@@ -89,14 +89,14 @@ impl<L: Lane> DualQuat<L> {
     #[inline(always)]
     fn checked(self) -> (Self, L::Mask) {
         let components = self.to_array();
-        let zero = components[0].with(0.0);
+        let zero = components[0].constant(0.0);
         // 0·c is 0 for finite c and NaN otherwise.
         let mut sum = zero;
         for component in components {
             sum = component.mul_add(zero, sum);
         }
         let finite = sum.eq(zero);
-        let nan = [zero.with(f64::NAN); 8];
+        let nan = [zero.constant(f64::NAN); 8];
         (Self::from_array(vector::select(finite, components, nan)), !finite)
     }
 }

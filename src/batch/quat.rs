@@ -2,19 +2,19 @@ use super::even::cos_sinc;
 use super::length::Length;
 use super::{Dual, vector};
 use core::ops::{Add, Mul, Neg, Sub};
-use dq8_simd::Lane;
+use dq8_simd::Lanes;
 
 /// Quaternions, one a lane: [`Quat`](crate::Quat) on lanes.
 #[derive(Clone, Copy, Debug)]
 pub struct Quat<L>([L; 4]);
 
-impl<L: Lane> Quat<L> {
+impl<L: Lanes> Quat<L> {
     /// 1 in every lane.
     #[inline(always)]
     #[must_use]
     pub fn identity(level: L::Level) -> Self {
         let zero = L::splat(level, L::Real::from(0.0));
-        Self([zero, zero, zero, zero.with(1.0)])
+        Self([zero, zero, zero, zero.constant(1.0)])
     }
 
     /// From components in the order of memory.
@@ -42,8 +42,8 @@ impl<L: Lane> Quat<L> {
     #[inline(always)]
     #[must_use]
     pub fn from_axis_angle(axis: [L; 3], angle: L) -> Self {
-        let half = angle * angle.with(0.5);
-        let (cos, sinc) = cos_sinc(Dual::new(half * half, half.with(0.0)));
+        let half = angle * angle.constant(0.5);
+        let (cos, sinc) = cos_sinc(Dual::new(half * half, half.constant(0.0)));
         Self::from_parts(vector::scale(axis, half * sinc.real), cos.real)
     }
 
@@ -118,7 +118,7 @@ impl<L: Lane> Quat<L> {
 
     #[inline(always)]
     pub(super) fn length(self) -> Length<L> {
-        Length::of(self.0, self.w().with(1.0))
+        Length::of(self.0, self.w().constant(1.0))
     }
 
     /// q times a real number.
@@ -168,11 +168,11 @@ impl<L: Lane> Quat<L> {
     pub(super) fn rotate_onto(self, v: [L; 3], onto: [L; 3]) -> [L; 3] {
         let r = self.xyz();
         let inner = vector::cross_onto(r, v, vector::scale(v, self.w()));
-        vector::scale_onto(vector::cross(r, inner), self.w().with(2.0), onto)
+        vector::scale_onto(vector::cross(r, inner), self.w().constant(2.0), onto)
     }
 }
 
-impl<L: Lane> Add for Quat<L> {
+impl<L: Lanes> Add for Quat<L> {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
@@ -182,7 +182,7 @@ impl<L: Lane> Add for Quat<L> {
     }
 }
 
-impl<L: Lane> Sub for Quat<L> {
+impl<L: Lanes> Sub for Quat<L> {
     type Output = Self;
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
@@ -193,7 +193,7 @@ impl<L: Lane> Sub for Quat<L> {
 }
 
 /// Hamilton's product: 16 multiplications, 12 of them fused.
-impl<L: Lane> Mul for Quat<L> {
+impl<L: Lanes> Mul for Quat<L> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
@@ -208,7 +208,7 @@ impl<L: Lane> Mul for Quat<L> {
     }
 }
 
-impl<L: Lane> Neg for Quat<L> {
+impl<L: Lanes> Neg for Quat<L> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {

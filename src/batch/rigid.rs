@@ -1,22 +1,22 @@
 //! Rotation and translation, in and out.
 
 use super::{DualQuat, Quat, vector};
-use dq8_simd::Lane;
+use dq8_simd::Lanes;
 
-impl<L: Lane> DualQuat<L> {
+impl<L: Lanes> DualQuat<L> {
     /// r + ε0; `rotation` must be unit.
     #[inline(always)]
     #[must_use]
     pub fn from_rotation(rotation: Quat<L>) -> Self {
-        Self::new(rotation, Quat::from_array([rotation.w().with(0.0); 4]))
+        Self::new(rotation, Quat::from_array([rotation.w().constant(0.0); 4]))
     }
 
     /// 1 + ½εt
     #[inline(always)]
     #[must_use]
     pub fn from_translation(translation: [L; 3]) -> Self {
-        let zero = translation[0].with(0.0);
-        let half = vector::scale(translation, zero.with(0.5));
+        let zero = translation[0].constant(0.0);
+        let half = vector::scale(translation, zero.constant(0.5));
         Self::new(Quat::identity(zero.level()), Quat::from_parts(half, zero))
     }
 
@@ -24,7 +24,7 @@ impl<L: Lane> DualQuat<L> {
     #[inline(always)]
     #[must_use]
     pub fn from_rotation_translation(rotation: Quat<L>, translation: [L; 3]) -> Self {
-        let half = vector::scale(translation, rotation.w().with(0.5));
+        let half = vector::scale(translation, rotation.w().constant(0.5));
         let (r, w) = (rotation.xyz(), rotation.w());
         // ½tr for a pure quaternion t: (t × r + w t, −t·r)
         let dual = vector::cross_onto(half, r, vector::scale(half, w));
@@ -35,7 +35,7 @@ impl<L: Lane> DualQuat<L> {
     #[inline(always)]
     #[must_use]
     pub fn from_translation_rotation(translation: [L; 3], rotation: Quat<L>) -> Self {
-        let half = vector::scale(translation, rotation.w().with(0.5));
+        let half = vector::scale(translation, rotation.w().constant(0.5));
         let (r, w) = (rotation.xyz(), rotation.w());
         let dual = vector::cross_onto(r, half, vector::scale(half, w));
         Self::new(rotation, Quat::from_parts(dual, -vector::dot(half, r)))
@@ -46,7 +46,7 @@ impl<L: Lane> DualQuat<L> {
     #[inline(always)]
     #[must_use]
     pub fn mul_rotation_translation(self, rotation: Quat<L>, translation: [L; 3]) -> Self {
-        let half = vector::scale(translation, rotation.w().with(0.5));
+        let half = vector::scale(translation, rotation.w().constant(0.5));
         let (p, w, q) = (self.real().xyz(), self.real().w(), self.dual());
         // pt for a pure quaternion t: (p × t + w t, −p·t)
         let moved = vector::cross_onto(p, half, vector::scale_onto(half, w, q.xyz()));
@@ -66,7 +66,7 @@ impl<L: Lane> DualQuat<L> {
     #[inline(always)]
     #[must_use]
     pub fn translation(self) -> [L; 3] {
-        self.translation_onto_half([self.real().w().with(0.0); 3])
+        self.translation_onto_half([self.real().w().constant(0.0); 3])
     }
 
     /// t + 2·half: the factor 2 is shared with a caller that adds something to the translation.
@@ -77,7 +77,7 @@ impl<L: Lane> DualQuat<L> {
         let onto = vector::scale_onto(q.xyz(), p.w(), half);
         let onto = vector::scale_onto(p.xyz(), -q.w(), onto);
         let sum = vector::cross_onto(p.xyz(), q.xyz(), onto);
-        vector::scale(sum, p.w().with(2.0))
+        vector::scale(sum, p.w().constant(2.0))
     }
 
     /// v + t + 2·half, for [`transform_point`](Self::transform_point).

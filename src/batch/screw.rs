@@ -9,9 +9,9 @@ use super::even::{arc_over_chord, cos_sinc};
 use super::length::Length;
 use super::{Dual, DualQuat, vector};
 use crate::geometry::{DualVector, Line, Screw};
-use dq8_simd::Lane;
+use dq8_simd::Lanes;
 
-impl<L: Lane> DualQuat<L> {
+impl<L: Lanes> DualQuat<L> {
     /// The screw of unit σ, angle in [0, π]. A pure translation has angle 0, its own direction as
     /// axis and moment 0; the identity has the axis (1, 0, 0).
     #[inline(always)]
@@ -20,7 +20,7 @@ impl<L: Lane> DualQuat<L> {
         let sigma = self.canonical();
         let half = HalfAngle::of(sigma);
         let (w, t) = (sigma.real().w(), sigma.translation());
-        let (zero, one) = (w.with(0.0), w.with(1.0));
+        let (zero, one) = (w.constant(0.0), w.constant(1.0));
         let sine = Length::of(sigma.real().xyz(), one);
         let angle = (sine.value() + sine.value()) * half.over_sine().real;
 
@@ -29,7 +29,7 @@ impl<L: Lane> DualQuat<L> {
         // m = ½ (t × l + (t − d l) cot(θ/2)), Jia eq. 37
         let across = vector::scale_onto(direction, -slide, t);
         let twice = vector::cross_onto(t, direction, vector::scale(across, sine.divide(w)));
-        let moment = vector::scale(twice, w.with(0.5));
+        let moment = vector::scale(twice, w.constant(0.5));
 
         let distance = Length::of(t, one);
         let turns = zero.lt(sine.value());
@@ -49,7 +49,7 @@ impl<L: Lane> DualQuat<L> {
     #[inline(always)]
     #[must_use]
     pub fn from_screw(screw: Screw<L>) -> Self {
-        let half = screw.angle.with(0.5);
+        let half = screw.angle.constant(0.5);
         let half_angle = Dual::new(screw.angle * half, screw.slide * half);
         let (cos, sinc) = cos_sinc(half_angle * half_angle);
         let axis = DualVector { real: screw.axis.direction, dual: screw.axis.moment };
@@ -109,7 +109,7 @@ impl<L: Lane> DualQuat<L> {
     #[inline(always)]
     #[must_use]
     pub fn sclerp(self, other: Self, t: L) -> Self {
-        let apart = self.real().dot(other.real()).lt(t.with(0.0));
+        let apart = self.real().dot(other.real()).lt(t.constant(0.0));
         Way::between(self, other, apart).at(t)
     }
 
@@ -118,7 +118,7 @@ impl<L: Lane> DualQuat<L> {
     #[inline(always)]
     #[must_use]
     pub fn sclerp_long(self, other: Self, t: L) -> Self {
-        let zero = t.with(0.0);
+        let zero = t.constant(0.0);
         let apart = self.real().dot(other.real()).lt(zero);
         let way = Way::between(self, other, apart);
         let short = way.at(t);
@@ -126,9 +126,9 @@ impl<L: Lane> DualQuat<L> {
         // The longer way is π − Θ. Its m and h are −h and −m of the shorter way, its cos(Θ/2) and
         // sin(Θ/2) are sin(Θ/2) and cos(Θ/2) of the shorter. h over its dual length is a motion,
         // however short h is; its length would have no inverse.
-        let half_sine = way.back.norm().scale(t.with(0.5));
-        let right_angle = Dual::new(t.with(core::f64::consts::FRAC_PI_2), zero);
-        let tau = t + t - t.with(1.0);
+        let half_sine = way.back.norm().scale(t.constant(0.5));
+        let right_angle = Dual::new(t.constant(core::f64::consts::FRAC_PI_2), zero);
+        let tau = t + t - t.constant(1.0);
         let angle = (right_angle - half_sine * way.arc_over_chord).scale(tau);
         let (cos, sinc) = cos_sinc(angle * angle);
         let along = -(angle * sinc * way.half_secant);
@@ -148,18 +148,18 @@ pub(super) struct HalfAngle<L> {
     half_cosine: Dual<L>,
 }
 
-impl<L: Lane> HalfAngle<L> {
+impl<L: Lanes> HalfAngle<L> {
     /// From cos²(Θ/2) = (1 + w)/2 and C = sin²Θ/cos²(Θ/2). Not from 1 − w, which is all rounding
     /// for small angles, where the vector part still has its full relative precision.
     #[inline(always)]
     pub(super) fn of(sigma: DualQuat<L>) -> Self {
         let w = sigma.dual_scalar();
-        let half = w.real.with(0.5);
+        let half = w.real.constant(0.5);
         let cosine_squared = Dual::new(w.real.mul_add(half, half), w.dual * half);
         let v = sigma.dual_vector();
         let across = vector::dot(v.real, v.dual);
         // An infinite w would divide every other component away and leave no turn; 0·w makes it NaN.
-        let squared = w.real.mul_add(w.real.with(0.0), vector::dot(v.real, v.real));
+        let squared = w.real.mul_add(w.real.constant(0.0), vector::dot(v.real, v.real));
         let sine_squared = Dual::new(squared, across + across);
         let chord_squared = sine_squared / cosine_squared;
         Self {
@@ -197,18 +197,18 @@ struct Way<L> {
     half_secant: Dual<L>,
 }
 
-impl<L: Lane> Way<L> {
+impl<L: Lanes> Way<L> {
     /// To −b in the lanes where `apart` holds.
     #[inline(always)]
     fn between(a: DualQuat<L>, b: DualQuat<L>, apart: L::Mask) -> Self {
-        let one = a.real().w().with(1.0);
+        let one = a.real().w().constant(1.0);
         let sign = L::select(apart, -one, one);
         let (sum, back) = (b.scale_onto(sign, a), b.scale_onto(-sign, a));
         let across = back.real().dot(back.dual());
         let chord_squared = Dual::new(back.real().dot(back.real()), across + across);
         // x^(−½), and its derivative by x = 4 − C, −½ x^(−3/2); dx = −dC.
-        let secant = one / (one.with(4.0) - chord_squared.real).sqrt();
-        let slope = secant * one.with(0.5) * (secant * secant);
+        let secant = one / (one.constant(4.0) - chord_squared.real).sqrt();
+        let slope = secant * one.constant(0.5) * (secant * secant);
         let half_secant = chord_squared.apply(secant, slope);
         let arc_over_chord = arc_over_chord(chord_squared);
         Self { sum, back, chord_squared, arc_over_chord, half_secant }
@@ -218,7 +218,7 @@ impl<L: Lane> Way<L> {
     #[inline(always)]
     fn at(&self, t: L) -> DualQuat<L> {
         // −τK/2: of −2h, and (τΘ/2)² is its square times C.
-        let weight = self.arc_over_chord.scale(t.with(0.5) - t);
+        let weight = self.arc_over_chord.scale(t.constant(0.5) - t);
         let (cos, sinc) = cos_sinc(self.chord_squared * weight * weight);
         let middle = self.sum.scale_dual(cos * self.half_secant);
         self.back.scale_dual_onto(weight * sinc, middle)
@@ -227,7 +227,7 @@ impl<L: Lane> Way<L> {
 
 /// (s + εu)(a + εb)
 #[inline(always)]
-fn times_dual<L: Lane>(v: DualVector<L>, factor: Dual<L>) -> DualVector<L> {
+fn times_dual<L: Lanes>(v: DualVector<L>, factor: Dual<L>) -> DualVector<L> {
     DualVector {
         real: vector::scale(v.real, factor.real),
         dual: vector::scale_onto(v.real, factor.dual, vector::scale(v.dual, factor.real)),

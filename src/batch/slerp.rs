@@ -1,9 +1,9 @@
 //! Spherical linear interpolation of rotations, and rotation and translation interpolated apart.
 
 use super::{DualQuat, Quat, vector};
-use dq8_simd::Lane;
+use dq8_simd::Lanes;
 
-impl<L: Lane> Quat<L> {
+impl<L: Lanes> Quat<L> {
     /// Turns from `self` to ±`other` about one axis at constant speed, by the shorter way; `t` may
     /// differ from lane to lane.
     ///
@@ -15,13 +15,13 @@ impl<L: Lane> Quat<L> {
     }
 }
 
-impl<L: Lane> DualQuat<L> {
+impl<L: Lanes> DualQuat<L> {
     /// Rotation by SLERP, translation by LERP; `t` may differ from lane to lane.
     #[inline(always)]
     #[must_use]
     pub fn slerp_lerp(self, other: Self, t: L) -> Self {
         let rotation = self.rotation().slerp(other.rotation(), t);
-        let start = vector::scale(self.translation(), t.with(1.0) - t);
+        let start = vector::scale(self.translation(), t.constant(1.0) - t);
         let translation = vector::scale_onto(other.translation(), t, start);
         Self::from_rotation_translation(rotation, translation)
     }

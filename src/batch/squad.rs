@@ -2,9 +2,9 @@
 
 use super::{DualQuat, vector};
 use crate::geometry::DualVector;
-use dq8_simd::Lane;
+use dq8_simd::Lanes;
 
-impl<L: Lane> DualQuat<L> {
+impl<L: Lanes> DualQuat<L> {
     /// sclerp(sclerp(σ₀, σ₁, t), sclerp(s₀, s₁, t), 2t(1−t)) from `self` to `end`; `t` may differ
     /// from lane to lane.
     #[inline(always)]
@@ -12,7 +12,7 @@ impl<L: Lane> DualQuat<L> {
     pub fn squad(self, control_start: Self, control_end: Self, end: Self, t: L) -> Self {
         let along_keys = self.sclerp(end, t);
         let along_controls = control_start.sclerp(control_end, t);
-        along_keys.sclerp(along_controls, (t + t) * (t.with(1.0) - t))
+        along_keys.sclerp(along_controls, (t + t) * (t.constant(1.0) - t))
     }
 
     /// σ exp(−(log(σ*σ₊) + log(σ*σ₋))/4)
@@ -21,7 +21,7 @@ impl<L: Lane> DualQuat<L> {
     pub fn squad_control(previous: Self, current: Self, next: Self) -> Self {
         let inverse = current.conjugate();
         let (ahead, back) = ((inverse * next).log(), (inverse * previous).log());
-        let minus_quarter = current.real().w().with(-0.25);
+        let minus_quarter = current.real().w().constant(-0.25);
         let log = DualVector {
             real: vector::scale(vector::add(ahead.real, back.real), minus_quarter),
             dual: vector::scale(vector::add(ahead.dual, back.dual), minus_quarter),

@@ -2,9 +2,9 @@
 
 use super::{DualQuat, vector};
 use crate::geometry::{Line, Plane};
-use dq8_simd::Lane;
+use dq8_simd::Lanes;
 
-impl<L: Lane> DualQuat<L> {
+impl<L: Lanes> DualQuat<L> {
     /// Rv + t; σ must be unit.
     #[inline(always)]
     #[must_use]

@@ -1,30 +1,30 @@
 //! Three-vectors of lanes as plain arrays.
 
-use dq8_simd::Lane;
+use dq8_simd::Lanes;
 
 #[inline(always)]
-pub(crate) fn add<L: Lane>(a: [L; 3], b: [L; 3]) -> [L; 3] {
+pub(crate) fn add<L: Lanes>(a: [L; 3], b: [L; 3]) -> [L; 3] {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
 #[inline(always)]
-pub(crate) fn scale<L: Lane>(a: [L; 3], s: L) -> [L; 3] {
+pub(crate) fn scale<L: Lanes>(a: [L; 3], s: L) -> [L; 3] {
     [a[0] * s, a[1] * s, a[2] * s]
 }
 
 /// a·s + b
 #[inline(always)]
-pub(crate) fn scale_onto<L: Lane>(a: [L; 3], s: L, b: [L; 3]) -> [L; 3] {
+pub(crate) fn scale_onto<L: Lanes>(a: [L; 3], s: L, b: [L; 3]) -> [L; 3] {
     [a[0].mul_add(s, b[0]), a[1].mul_add(s, b[1]), a[2].mul_add(s, b[2])]
 }
 
 #[inline(always)]
-pub(crate) fn dot<L: Lane>(a: [L; 3], b: [L; 3]) -> L {
+pub(crate) fn dot<L: Lanes>(a: [L; 3], b: [L; 3]) -> L {
     a[2].mul_add(b[2], a[1].mul_add(b[1], a[0] * b[0]))
 }
 
 #[inline(always)]
-pub(crate) fn cross<L: Lane>(a: [L; 3], b: [L; 3]) -> [L; 3] {
+pub(crate) fn cross<L: Lanes>(a: [L; 3], b: [L; 3]) -> [L; 3] {
     [
         a[2].neg_mul_add(b[1], a[1] * b[2]),
         a[0].neg_mul_add(b[2], a[2] * b[0]),
@@ -34,7 +34,7 @@ pub(crate) fn cross<L: Lane>(a: [L; 3], b: [L; 3]) -> [L; 3] {
 
 /// a × b + c
 #[inline(always)]
-pub(crate) fn cross_onto<L: Lane>(a: [L; 3], b: [L; 3], c: [L; 3]) -> [L; 3] {
+pub(crate) fn cross_onto<L: Lanes>(a: [L; 3], b: [L; 3], c: [L; 3]) -> [L; 3] {
     [
         a[2].neg_mul_add(b[1], a[1].mul_add(b[2], c[0])),
         a[0].neg_mul_add(b[2], a[2].mul_add(b[0], c[1])),
@@ -43,7 +43,7 @@ pub(crate) fn cross_onto<L: Lane>(a: [L; 3], b: [L; 3], c: [L; 3]) -> [L; 3] {
 }
 
 #[inline(always)]
-pub(crate) fn select<L: Lane, const N: usize>(mask: L::Mask, yes: [L; N], no: [L; N]) -> [L; N] {
+pub(crate) fn select<L: Lanes, const N: usize>(mask: L::Mask, yes: [L; N], no: [L; N]) -> [L; N] {
     let mut picked = no;
     for (slot, value) in picked.iter_mut().zip(yes) {
         *slot = L::select(mask, value, *slot);

@@ -7,10 +7,10 @@ use crate::dispatch::{Backend, Kernel};
 use crate::error::ShapeError;
 use crate::real::Real;
 use crate::scalar::DualQuat;
-use dq8_simd::{Float, Lane, Level, Part, Row};
+use dq8_simd::{Float, Lanes, Level, Native, Row};
 
 /// The most segments that a chain is cut into: the lanes of the widest block.
-const MOST_SEGMENTS: usize = 16;
+const MAX_SEGMENTS: usize = 16;
 
 impl Backend {
     /// `products[i] = links[0] · links[1] ⋯ links[i]`: the models of a chain from its locals.
@@ -132,7 +132,7 @@ pub trait Link: Copy + super::pose::sealed::Sealed {
     /// The number.
     type Real: Real + Float;
     /// As many segments as are computed together.
-    type Lanes<V: Level>: Lane<Real = Self::Real, Level = V>;
+    type Lanes<V: Level>: Lanes<Real = Self::Real, Level = V>;
 
     /// How many times as many segments there are.
     #[must_use]
@@ -169,7 +169,7 @@ impl<P: Link> Kernel for Scan<'_, P> {
         let (parts, steps) = (P::parts::<V>(), P::steps(products.len()));
         let lanes = P::Lanes::<V>::LANES;
         // What the segments come to; lanes or parts that there are not stay at the identity.
-        let mut segments = [DualQuat::IDENTITY.to_array(); MOST_SEGMENTS];
+        let mut segments = [DualQuat::IDENTITY.to_array(); MAX_SEGMENTS];
         for (part, totals) in segments.chunks_exact_mut(lanes).take(parts).enumerate() {
             let mut total = batch::DualQuat::identity(level);
             let from = links.unwrap_or(products);
@@ -255,7 +255,7 @@ where
     [R; N]: Row<Real = R>,
 {
     type Real = R;
-    type Lanes<V: Level> = Part<[R; N], V>;
+    type Lanes<V: Level> = Native<[R; N], V>;
 
     #[inline(always)]
     fn parts<V: Level>() -> usize {

@@ -2,8 +2,8 @@
 
 use super::Pose;
 use super::job::{Job, Root};
-use super::locals::{Locals, Spot};
-use super::palette::Finish;
+use super::locals::{JointSlot, Locals};
+use super::palette::Epilogue;
 use crate::dispatch::Kernel;
 use crate::motion::Motion;
 use core::sync::atomic::{Ordering, compiler_fence};
@@ -30,7 +30,7 @@ pub(super) struct Forward<'j, 'h, 's, P: Pose, L, F> {
     pub(super) finish: F,
 }
 
-impl<P: Pose, L: Locals<P>, F: Finish<P>> Kernel for Forward<'_, '_, '_, P, L, F> {
+impl<P: Pose, L: Locals<P>, F: Epilogue<P>> Kernel for Forward<'_, '_, '_, P, L, F> {
     type Output = ();
 
     #[inline(always)]
@@ -56,7 +56,7 @@ impl<P: Pose, L: Locals<P>, F: Finish<P>> Kernel for Forward<'_, '_, '_, P, L, F
 
 /// Instances side by side: a child waits for its parent, and while one waits, the other is computed.
 #[inline(always)]
-fn forward<P: Pose, L: Locals<P>, F: Finish<P>, V: Level, const K: usize>(
+fn forward<P: Pose, L: Locals<P>, F: Epilogue<P>, V: Level, const K: usize>(
     level: V,
     job: &Job<'_, P>,
     locals: L,
@@ -67,7 +67,7 @@ fn forward<P: Pose, L: Locals<P>, F: Finish<P>, V: Level, const K: usize>(
     for joint in job.joints.clone() {
         // ROOT is beyond the last joint: there is no such model.
         let Some(&parent) = parents.get(joint) else { return };
-        let renormalise = job.renormalise.applies_to(joint);
+        let renormalize = job.renormalize.applies_to(joint);
         for (instance, models) in &mut instances {
             if P::INSTANCES > 1
                 && let Some(soon) = models.get(joint.saturating_add(AHEAD))
@@ -76,7 +76,7 @@ fn forward<P: Pose, L: Locals<P>, F: Finish<P>, V: Level, const K: usize>(
             }
             let index = *instance * parents.len() + joint;
             for part in 0..P::parts::<V>() {
-                let spot = Spot { index, joint, part };
+                let spot = JointSlot { index, joint, part };
                 if let Some(parent) = models.get(parent as usize) {
                     let model = locals.onto(level, parent, models, spot);
                     let (Some(model), Some(slot)) = (model, models.get_mut(joint)) else { return };
@@ -88,7 +88,7 @@ fn forward<P: Pose, L: Locals<P>, F: Finish<P>, V: Level, const K: usize>(
                 // them has not enough registers.
                 compiler_fence(Ordering::SeqCst);
                 let Some(slot) = models.get_mut(joint) else { return };
-                if renormalise {
+                if renormalize {
                     slot.store(level, part, slot.load(level, part).normalize());
                 }
                 finish.finish(level, spot, slot);
@@ -106,12 +106,12 @@ fn root<P: Pose, L: Locals<P>, V: Level>(
     job: &Job<'_, P>,
     locals: L,
     models: &mut [P],
-    spot: Spot,
+    spot: JointSlot,
 ) {
     level.run(
         #[inline(always)]
         || {
-            let Spot { index, joint, part } = spot;
+            let JointSlot { index, joint, part } = spot;
             let instance = index / job.hierarchy.joints().max(1);
             let local = locals.alone(level, models, spot);
             let model = local.map(|local| match root_of(job, level, instance, part) {

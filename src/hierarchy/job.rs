@@ -1,7 +1,7 @@
 use super::concatenate::{Backward, Forward};
 use super::locals::{InPlace, Locals, Motions};
-use super::palette::{Entry, Finish, ModelsOnly, Palette};
-use super::{Hierarchy, Pose, Renormalise};
+use super::palette::{Epilogue, NoEpilogue, Palette, PaletteEntry};
+use super::{Hierarchy, Pose, Renormalize};
 use crate::dispatch::Backend;
 use crate::error::ShapeError;
 use crate::scalar::DualQuat;
@@ -29,7 +29,7 @@ pub struct Job<'a, P: Pose> {
     pub(super) hierarchy: Hierarchy<'a>,
     pub(super) root: Root<'a, P>,
     pub(super) joints: Range<usize>,
-    pub(super) renormalise: Renormalise,
+    pub(super) renormalize: Renormalize,
     pub(super) backend: Backend,
 }
 
@@ -111,7 +111,7 @@ impl<'a> Hierarchy<'a> {
             hierarchy: *self,
             root: Root::None,
             joints: 0..self.joints(),
-            renormalise: Renormalise::Never,
+            renormalize: Renormalize::Never,
             backend: Backend::MOST,
         }
     }
@@ -140,10 +140,10 @@ impl<'a, P: Pose> Job<'a, P> {
         self
     }
 
-    /// Normalises models on the way down; never, unless told.
+    /// Normalizes models on the way down; never, unless told.
     #[must_use]
-    pub fn renormalise(mut self, policy: Renormalise) -> Self {
-        self.renormalise = policy;
+    pub fn renormalize(mut self, policy: Renormalize) -> Self {
+        self.renormalize = policy;
         self
     }
 
@@ -195,7 +195,7 @@ impl<'a, P: Pose> Job<'a, P> {
         models: &mut [P],
     ) -> Result<(), ShapeError> {
         self.check_locals(&locals, models.len())?;
-        self.forward(locals, models, ModelsOnly);
+        self.forward(locals, models, NoEpilogue);
         Ok(())
     }
 
@@ -222,7 +222,7 @@ impl<'a, P: Pose> Job<'a, P> {
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     #[inline]
-    pub fn locals_to_palette<L: Locals<P>, E: Entry<P>>(
+    pub fn locals_to_palette<L: Locals<P>, E: PaletteEntry<P>>(
         &self,
         locals: L,
         models: &mut [P],
@@ -237,7 +237,7 @@ impl<'a, P: Pose> Job<'a, P> {
     }
 
     #[inline]
-    fn forward<L: Locals<P>, F: Finish<P>>(&self, locals: L, models: &mut [P], finish: F) {
+    fn forward<L: Locals<P>, F: Epilogue<P>>(&self, locals: L, models: &mut [P], finish: F) {
         self.backend.run(Forward { job: self, locals, models, finish });
     }
 

@@ -15,15 +15,20 @@ pub trait Locals<P: Pose>: Copy + sealed::Sealed {
     /// If what is the same for all instances is not there for all joints.
     fn shape(&self, joints: usize, models: usize) -> Result<(&'static str, usize), ShapeError>;
     /// parent · local; `models` are those of the instance.
-    fn onto<V: Level>(self, level: V, parent: &P, models: &[P], spot: Spot)
-    -> Option<P::Motion<V>>;
+    fn onto<V: Level>(
+        self,
+        level: V,
+        parent: &P,
+        models: &[P],
+        spot: JointSlot,
+    ) -> Option<P::Motion<V>>;
     /// The local itself.
-    fn alone<V: Level>(self, level: V, models: &[P], spot: Spot) -> Option<P::Motion<V>>;
+    fn alone<V: Level>(self, level: V, models: &[P], spot: JointSlot) -> Option<P::Motion<V>>;
 }
 
 /// Which local.
 #[derive(Clone, Copy, Debug)]
-pub struct Spot {
+pub struct JointSlot {
     /// Among all instances.
     pub(super) index: usize,
     pub(super) joint: usize,
@@ -48,7 +53,7 @@ impl<P: Pose> Locals<P> for Motions<'_, P> {
         level: V,
         parent: &P,
         _: &[P],
-        Spot { index, part, .. }: Spot,
+        JointSlot { index, part, .. }: JointSlot,
     ) -> Option<P::Motion<V>> {
         Some(P::product(level, part, parent, self.0.get(index)?))
     }
@@ -57,7 +62,7 @@ impl<P: Pose> Locals<P> for Motions<'_, P> {
         self,
         level: V,
         _: &[P],
-        Spot { index, part, .. }: Spot,
+        JointSlot { index, part, .. }: JointSlot,
     ) -> Option<P::Motion<V>> {
         Some(self.0.get(index)?.load(level, part))
     }
@@ -77,7 +82,7 @@ impl<P: Pose> Locals<P> for InPlace {
         level: V,
         parent: &P,
         models: &[P],
-        Spot { joint, part, .. }: Spot,
+        JointSlot { joint, part, .. }: JointSlot,
     ) -> Option<P::Motion<V>> {
         Some(P::product(level, part, parent, models.get(joint)?))
     }
@@ -86,7 +91,7 @@ impl<P: Pose> Locals<P> for InPlace {
         self,
         level: V,
         models: &[P],
-        Spot { joint, part, .. }: Spot,
+        JointSlot { joint, part, .. }: JointSlot,
     ) -> Option<P::Motion<V>> {
         Some(models.get(joint)?.load(level, part))
     }
@@ -109,7 +114,7 @@ impl<P: Pose> Locals<P> for RotationsTranslations<'_, P> {
         level: V,
         parent: &P,
         _: &[P],
-        Spot { index, part, .. }: Spot,
+        JointSlot { index, part, .. }: JointSlot,
     ) -> Option<P::Motion<V>> {
         let (rotation, translation) = P::load_rotation_translation(level, part, self.0.get(index)?);
         Some(P::product_rotation_translation(level, part, parent, rotation, translation))
@@ -119,7 +124,7 @@ impl<P: Pose> Locals<P> for RotationsTranslations<'_, P> {
         self,
         level: V,
         _: &[P],
-        Spot { index, part, .. }: Spot,
+        JointSlot { index, part, .. }: JointSlot,
     ) -> Option<P::Motion<V>> {
         let (rotation, translation) = P::load_rotation_translation(level, part, self.0.get(index)?);
         Some(Motion::from_rotation_translation(rotation, translation))
@@ -147,7 +152,7 @@ impl<P: Pose> Locals<P> for Rotations<'_, P> {
         level: V,
         parent: &P,
         _: &[P],
-        Spot { index, joint, part }: Spot,
+        JointSlot { index, joint, part }: JointSlot,
     ) -> Option<P::Motion<V>> {
         let rotation = P::load_rotation(level, part, self.rotations.get(index)?);
         let offset = P::splat_vector(level, *self.offsets.get(joint)?);
@@ -158,7 +163,7 @@ impl<P: Pose> Locals<P> for Rotations<'_, P> {
         self,
         level: V,
         _: &[P],
-        Spot { index, joint, part }: Spot,
+        JointSlot { index, joint, part }: JointSlot,
     ) -> Option<P::Motion<V>> {
         let rotation = P::load_rotation(level, part, self.rotations.get(index)?);
         let offset = P::splat_vector(level, *self.offsets.get(joint)?);

@@ -6,12 +6,12 @@
 //! | [`Pose`] | how a motion lies in memory: one ([`DualQuat`](crate::DualQuat)), or a [`Block`] of instances |
 //! | [`Motions`], [`RotationsTranslations`], [`Rotations`] | forms of locals |
 //! | [`RotationBlock`], [`RotationTranslationBlock`] | blocks of locals that are less than a motion |
-//! | [`Entry`] | what a skinning palette is made of: motions or matrices |
+//! | [`PaletteEntry`] | what a skinning palette is made of: motions or matrices |
 //! | [`TwistBlock`] | twists of the instances of a block, for velocities and Jacobians |
 //! | [`Job`] | a run with a root transform or on some of the joints |
 //! | [`HierarchyPlan`], [`Strategy`] | one instance: an order found once (feature `alloc`) |
 //! | [`Link`], [`pack_chain`], [`unpack_chain`] | chains in segments, for [`Backend::chain_products`](crate::Backend::chain_products) |
-//! | [`Renormalise`] | when a run normalises what it has multiplied |
+//! | [`Renormalize`] | when a run normalizes what it has multiplied |
 //! | [`Crowd`] | owned blocks for any number of instances (feature `alloc`) |
 //! | [`pack`], [`unpack`] | the same conversion between slices of your own |
 //!
@@ -36,7 +36,7 @@ mod parents;
 #[cfg(feature = "alloc")]
 mod plan;
 mod pose;
-mod renormalise;
+mod renormalize;
 #[cfg(feature = "alloc")]
 mod schedule;
 mod velocity;
@@ -47,9 +47,9 @@ pub use crowd::Crowd;
 pub use job::Job;
 pub use locals::{Locals, Motions, Rotations, RotationsTranslations};
 pub use packing::{pack, unpack};
-pub use palette::Entry;
+pub use palette::PaletteEntry;
 pub use parents::Hierarchy;
 #[cfg(feature = "alloc")]
 pub use plan::{HierarchyPlan, Strategy};
 pub use pose::{Block, Pose, RotationBlock, RotationTranslationBlock, TwistBlock};
-pub use renormalise::Renormalise;
+pub use renormalize::Renormalize;

@@ -1,7 +1,7 @@
 //! [`Palette`]: what skinning needs of a joint, made while its model is at hand.
 
 use super::Pose;
-use super::locals::Spot;
+use super::locals::JointSlot;
 use crate::real::Real;
 use crate::scalar::DualQuat;
 use dq8_simd::{Float, Level, Row};
@@ -10,33 +10,33 @@ use dq8_simd::{Float, Level, Row};
 /// `[[R; 4]; 3]` for one instance). Sealed.
 ///
 /// [`MatrixBlock`]: crate::MatrixBlock
-pub trait Entry<P: Pose>: Copy + sealed::Sealed {
+pub trait PaletteEntry<P: Pose>: Copy + sealed::Sealed {
     /// Writes the motion.
     fn store<V: Level>(&mut self, level: V, part: usize, motion: P::Motion<V>);
 }
 
-impl<R: Real + Float> Entry<DualQuat<R>> for DualQuat<R> {
+impl<R: Real + Float> PaletteEntry<DualQuat<R>> for DualQuat<R> {
     #[inline(always)]
     fn store<V: Level>(&mut self, level: V, part: usize, motion: Self) {
         Pose::store(self, level, part, motion);
     }
 }
 
-impl<R: Real + Float> Entry<DualQuat<R>> for [[R; 4]; 3] {
+impl<R: Real + Float> PaletteEntry<DualQuat<R>> for [[R; 4]; 3] {
     #[inline(always)]
     fn store<V: Level>(&mut self, _: V, _: usize, motion: DualQuat<R>) {
         *self = motion.to_matrix3x4();
     }
 }
 
-impl<A: Row<Real: Real>> Entry<Self> for dq8_simd::Block<A, 8> {
+impl<A: Row<Real: Real>> PaletteEntry<Self> for dq8_simd::Block<A, 8> {
     #[inline(always)]
     fn store<V: Level>(&mut self, level: V, part: usize, motion: <Self as Pose>::Motion<V>) {
         Pose::store(self, level, part, motion);
     }
 }
 
-impl<A: Row<Real: Real>> Entry<dq8_simd::Block<A, 8>> for dq8_simd::Block<A, 12> {
+impl<A: Row<Real: Real>> PaletteEntry<dq8_simd::Block<A, 8>> for dq8_simd::Block<A, 12> {
     #[inline(always)]
     fn store<V: Level>(
         &mut self,
@@ -50,16 +50,16 @@ impl<A: Row<Real: Real>> Entry<dq8_simd::Block<A, 8>> for dq8_simd::Block<A, 12>
 }
 
 /// What else becomes of a model once it is known.
-pub(super) trait Finish<P: Pose> {
-    fn finish<V: Level>(&mut self, level: V, spot: Spot, model: &P);
+pub(super) trait Epilogue<P: Pose> {
+    fn finish<V: Level>(&mut self, level: V, spot: JointSlot, model: &P);
 }
 
 /// Nothing.
-pub(super) struct ModelsOnly;
+pub(super) struct NoEpilogue;
 
-impl<P: Pose> Finish<P> for ModelsOnly {
+impl<P: Pose> Epilogue<P> for NoEpilogue {
     #[inline(always)]
-    fn finish<V: Level>(&mut self, _: V, _: Spot, _: &P) {}
+    fn finish<V: Level>(&mut self, _: V, _: JointSlot, _: &P) {}
 }
 
 /// model(j) · inverse bind(j), from the mesh in its rest pose to the posed mesh.
@@ -68,9 +68,14 @@ pub(super) struct Palette<'s, P: Pose, E> {
     pub(super) entries: &'s mut [E],
 }
 
-impl<P: Pose, E: Entry<P>> Finish<P> for Palette<'_, P, E> {
+impl<P: Pose, E: PaletteEntry<P>> Epilogue<P> for Palette<'_, P, E> {
     #[inline(always)]
-    fn finish<V: Level>(&mut self, level: V, Spot { index, joint, part }: Spot, model: &P) {
+    fn finish<V: Level>(
+        &mut self,
+        level: V,
+        JointSlot { index, joint, part }: JointSlot,
+        model: &P,
+    ) {
         if let (Some(bind), Some(entry)) =
             (self.inverse_binds.get(joint), self.entries.get_mut(index))
         {

@@ -7,12 +7,12 @@ use crate::dispatch::{Backend, Kernel};
 use crate::error::ShapeError;
 use crate::real::Real;
 use crate::scalar::DualQuat;
-use dq8_simd::{Float, Lane, Level};
+use dq8_simd::{Float, Lanes, Level};
 
 /// From this many joints on, a chain is cut into segments: `cargo bench --bench hierarchy --
 /// one-instance/chain` shows both strategies around it. (Nanoseconds a joint, AVX-512, of 16, 24 and 32
 /// joints: ordered 4.9, 5.6, 6.0; in segments 6.7, 5.3, 4.7. Without AVX2 segments never win.)
-const LEAST_CHAIN: usize = 24;
+const MIN_CHAIN: usize = 24;
 
 /// How to compute one instance of a hierarchy, found once.
 ///
@@ -69,7 +69,7 @@ impl HierarchyPlan {
     /// If the memory cannot be allocated, as for any `Vec`.
     #[must_use]
     pub fn new(hierarchy: &Hierarchy<'_>) -> Self {
-        let long = hierarchy.joints() >= LEAST_CHAIN && Backend::best() != Backend::Portable;
+        let long = hierarchy.joints() >= MIN_CHAIN && Backend::best() != Backend::Portable;
         let chain = if long { Self::with_strategy(hierarchy, Strategy::Chain) } else { None };
         chain.unwrap_or_else(|| Self {
             joints: hierarchy.joints(),

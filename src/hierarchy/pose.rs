@@ -6,7 +6,7 @@ use crate::geometry::Twist;
 use crate::motion::Motion;
 use crate::real::Real;
 use crate::scalar::{DualQuat, Quat};
-use dq8_simd::{Float, Lane, Level, Part, Row};
+use dq8_simd::{Float, Lanes, Level, Native, Row};
 
 /// Dual quaternions of `N` instances: eight rows of `N` numbers, `[px, py, pz, pw, qx, qy, qz, qw]`.
 /// `Block<f32, 8>` is 256 bytes.
@@ -118,7 +118,7 @@ impl<R: Real + Float> Pose for DualQuat<R> {
     }
     #[inline(always)]
     fn product<V: Level>(level: V, _: usize, parent: &Self, local: &Self) -> Self {
-        if <R::Octet<V> as Lane>::Part::LANES == 1 {
+        if <R::Octet<V> as Lanes>::Native::LANES == 1 {
             return *parent * *local;
         }
         let parent = R::Octet::load(level, bytemuck::must_cast_ref(parent));
@@ -132,7 +132,7 @@ impl<R: Real + Float> Pose for DualQuat<R> {
         rotation: Quat<R>,
         translation: [R; 3],
     ) -> Self {
-        if <R::Octet<V> as Lane>::Part::LANES > 1 {
+        if <R::Octet<V> as Lanes>::Native::LANES > 1 {
             let local = Self::from_rotation_translation(rotation, translation);
             return Self::product(level, part, parent, &local);
         }
@@ -179,7 +179,7 @@ impl<R: Real + Float> Pose for DualQuat<R> {
 impl<A: Row<Real: Real>> sealed::Sealed for dq8_simd::Block<A, 8> {}
 impl<A: Row<Real: Real>> Pose for dq8_simd::Block<A, 8> {
     type Real = A::Real;
-    type Motion<V: Level> = batch::DualQuat<Part<A, V>>;
+    type Motion<V: Level> = batch::DualQuat<Native<A, V>>;
     type Rotation = dq8_simd::Block<A, 4>;
     type RotationTranslation = dq8_simd::Block<A, 7>;
     type Twist = dq8_simd::Block<A, 6>;
@@ -210,7 +210,7 @@ impl<A: Row<Real: Real>> Pose for dq8_simd::Block<A, 8> {
         level: V,
         part: usize,
         from: &Self::Rotation,
-    ) -> batch::Quat<Part<A, V>> {
+    ) -> batch::Quat<Native<A, V>> {
         batch::Quat::from_array(from.load_part(level, part))
     }
     #[inline(always)]
@@ -218,31 +218,31 @@ impl<A: Row<Real: Real>> Pose for dq8_simd::Block<A, 8> {
         level: V,
         part: usize,
         from: &Self::RotationTranslation,
-    ) -> (batch::Quat<Part<A, V>>, [Part<A, V>; 3]) {
+    ) -> (batch::Quat<Native<A, V>>, [Native<A, V>; 3]) {
         let [x, y, z, w, translation @ ..] = from.load_part(level, part);
         (batch::Quat::from_array([x, y, z, w]), translation)
     }
     #[inline(always)]
-    fn splat_vector<V: Level>(level: V, [x, y, z]: [A::Real; 3]) -> [Part<A, V>; 3] {
+    fn splat_vector<V: Level>(level: V, [x, y, z]: [A::Real; 3]) -> [Native<A, V>; 3] {
         [
-            Part::<A, V>::splat(level, x),
-            Part::<A, V>::splat(level, y),
-            Part::<A, V>::splat(level, z),
+            Native::<A, V>::splat(level, x),
+            Native::<A, V>::splat(level, y),
+            Native::<A, V>::splat(level, z),
         ]
     }
     #[inline(always)]
-    fn load_twist<V: Level>(level: V, part: usize, from: &Self::Twist) -> Twist<Part<A, V>> {
+    fn load_twist<V: Level>(level: V, part: usize, from: &Self::Twist) -> Twist<Native<A, V>> {
         Twist::from_array(from.load_part(level, part))
     }
     #[inline(always)]
-    fn store_twist<V: Level>(_: V, part: usize, to: &mut Self::Twist, twist: Twist<Part<A, V>>) {
+    fn store_twist<V: Level>(_: V, part: usize, to: &mut Self::Twist, twist: Twist<Native<A, V>>) {
         to.store_part::<V>(twist.to_array(), part);
     }
     #[inline(always)]
-    fn splat_twist<V: Level>(level: V, twist: Twist<A::Real>) -> Twist<Part<A, V>> {
-        let mut lanes = [Part::<A, V>::splat(level, A::Real::default()); 6];
+    fn splat_twist<V: Level>(level: V, twist: Twist<A::Real>) -> Twist<Native<A, V>> {
+        let mut lanes = [Native::<A, V>::splat(level, A::Real::default()); 6];
         for (lane, value) in lanes.iter_mut().zip(twist.to_array()) {
-            *lane = Part::<A, V>::splat(level, value);
+            *lane = Native::<A, V>::splat(level, value);
         }
         Twist::from_array(lanes)
     }

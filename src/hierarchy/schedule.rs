@@ -5,7 +5,7 @@ use alloc::collections::{BinaryHeap, VecDeque};
 use alloc::vec;
 use alloc::vec::Vec;
 use core::cmp::Reverse;
-use dq8_simd::Steps;
+use dq8_simd::CheckedSchedule;
 
 /// How many other joints are begun before a joint whose parent is being computed. A product of a plan
 /// takes about four times as long as until the next one can begin.
@@ -21,7 +21,7 @@ pub(super) struct Schedule {
     /// Joints without a parent, which come first.
     pub(super) roots: Vec<usize>,
     /// Joint and parent of the others.
-    pub(super) steps: Steps,
+    pub(super) steps: CheckedSchedule,
 }
 
 impl Schedule {
@@ -70,7 +70,7 @@ impl Schedule {
             }
             time += 1;
         }
-        let steps = Steps::new(steps.into_boxed_slice(), parents.len());
+        let steps = CheckedSchedule::new(steps.into_boxed_slice(), parents.len());
         Self { roots, steps: steps.expect("a hierarchy's parents are among its joints") }
     }
 }

@@ -6,11 +6,11 @@ use crate::dispatch::{Backend, Kernel};
 use crate::error::ShapeError;
 use crate::real::Real;
 use crate::scalar::DualQuat;
-use dq8_simd::{Float, Lane, Level, Portable};
+use dq8_simd::{Float, Lanes, Level, Portable};
 
 impl<R, const N: usize> Arm<R, N>
 where
-    R: Real + Float + Lane<Real = R, Level = Portable, Mask = bool>,
+    R: Real + Float + Lanes<Real = R, Level = Portable, Mask = bool>,
 {
     /// Moves the joints from `values` until the end is at `target`, which must be unit.
     ///

@@ -1,6 +1,6 @@
 //! Damped least squares in six dimensions, for any number of columns.
 
-use dq8_simd::{Float, Lane};
+use dq8_simd::{Float, Lanes};
 
 /// y with (JJᵀ + λ²1) y = e, so that Jᵀy is the x that makes |Jx − e|² + λ²|x|² least (Nakamura &
 /// Hanafusa 1986; Wampler 1986; Buss 2004, eq. 11), J without the columns that are `held`.
@@ -9,13 +9,13 @@ use dq8_simd::{Float, Lane};
 /// J is no special case; and each pivot is at least λ², as it would be without rounding.
 #[inline(always)]
 #[allow(clippy::needless_range_loop, reason = "rows and columns are numbers here")]
-pub(super) fn damped<L: Lane, const N: usize>(
+pub(super) fn damped<L: Lanes, const N: usize>(
     columns: &[[L; 6]; N],
     held: &[L::Mask; N],
     error: [L; 6],
     damping: L,
 ) -> [L; 6] {
-    let zero = damping.with(0.0);
+    let zero = damping.constant(0.0);
     let mut a = [[zero; 6]; 6];
     for (column, &held) in columns.iter().zip(held) {
         for i in 0..6 {
@@ -26,7 +26,7 @@ pub(super) fn damped<L: Lane, const N: usize>(
         }
     }
     let trace = a[0][0] + a[1][1] + a[2][2] + a[3][3] + a[4][4] + a[5][5];
-    let least = trace.mul_add(damping.with(0.25 * epsilon::<L>()), damping);
+    let least = trace.mul_add(damping.constant(0.25 * epsilon::<L>()), damping);
 
     // L of LLᵀ, row by row, with the reciprocals of its diagonal.
     let mut reciprocals = [zero; 6];
@@ -43,7 +43,7 @@ pub(super) fn damped<L: Lane, const N: usize>(
             pivot = a[i][k].neg_mul_add(a[i][k], pivot);
         }
         let pivot = L::select(pivot.lt(least), least, pivot);
-        reciprocals[i] = damping.with(1.0) / pivot.sqrt();
+        reciprocals[i] = damping.constant(1.0) / pivot.sqrt();
     }
     let mut y = error;
     for i in 0..6 {
@@ -63,6 +63,6 @@ pub(super) fn damped<L: Lane, const N: usize>(
 
 /// The distance from 1 to the next larger number.
 #[inline(always)]
-pub(super) fn epsilon<L: Lane>() -> f64 {
+pub(super) fn epsilon<L: Lanes>() -> f64 {
     if L::Real::SINGLE { f64::from(f32::EPSILON) } else { f64::EPSILON }
 }

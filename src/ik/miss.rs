@@ -4,13 +4,13 @@ use super::Arm;
 use crate::batch::{DualQuat, Quat, vector};
 use crate::geometry::Twist;
 use crate::real::Real;
-use dq8_simd::{Float, Lane};
+use dq8_simd::{Float, Lanes};
 
 impl<R: Real + Float, const N: usize> Arm<R, N> {
     /// [`forward`](Self::forward) on lanes.
     #[inline(always)]
     #[must_use]
-    pub fn forward_lanes<L: Lane<Real = R>>(
+    pub fn forward_lanes<L: Lanes<Real = R>>(
         &self,
         level: L::Level,
         values: &[L; N],
@@ -24,7 +24,7 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
     /// [`Hierarchy::jacobian`](crate::Hierarchy::jacobian).
     #[inline(always)]
     #[must_use]
-    pub fn forward_jacobian<L: Lane<Real = R>>(
+    pub fn forward_jacobian<L: Lanes<Real = R>>(
         &self,
         level: L::Level,
         values: &[L; N],
@@ -42,14 +42,14 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
 }
 
 #[inline(always)]
-fn splat_twist<L: Lane>(level: L::Level, twist: Twist<L::Real>) -> Twist<L> {
+fn splat_twist<L: Lanes>(level: L::Level, twist: Twist<L::Real>) -> Twist<L> {
     let [wx, wy, wz] = splat(level, twist.angular);
     let [vx, vy, vz] = splat(level, twist.linear);
     Twist::from_array([wx, wy, wz, vx, vy, vz])
 }
 
 #[inline(always)]
-pub(super) fn splat<L: Lane, const C: usize>(level: L::Level, numbers: [L::Real; C]) -> [L; C] {
+pub(super) fn splat<L: Lanes, const C: usize>(level: L::Level, numbers: [L::Real; C]) -> [L; C] {
     let mut lanes = [L::splat(level, L::Real::default()); C];
     for (lane, number) in lanes.iter_mut().zip(numbers) {
         *lane = L::splat(level, number);
@@ -72,7 +72,7 @@ pub(super) struct Miss<L> {
     pub(super) linear: L,
 }
 
-impl<L: Lane> Miss<L> {
+impl<L: Lanes> Miss<L> {
     #[inline(always)]
     pub(super) fn of(target: DualQuat<L>, pose: DualQuat<L>, weights: Weights<L>) -> Self {
         let at = pose.translation();
@@ -103,15 +103,15 @@ impl<L: Lane> Miss<L> {
 
 /// Neither infinite nor NaN.
 #[inline(always)]
-pub(super) fn is_finite<L: Lane>(number: L) -> L::Mask {
-    let zero = number.with(0.0);
+pub(super) fn is_finite<L: Lanes>(number: L) -> L::Mask {
+    let zero = number.constant(0.0);
     (number * zero).eq(zero)
 }
 
 /// |a − b|, which does not overflow before it must.
 #[inline(always)]
-pub(super) fn distance<L: Lane>([ax, ay, az]: [L; 3], [bx, by, bz]: [L; 3]) -> L {
-    Quat::from_xyzw(ax - bx, ay - by, az - bz, ax.with(0.0)).norm()
+pub(super) fn distance<L: Lanes>([ax, ay, az]: [L; 3], [bx, by, bz]: [L; 3]) -> L {
+    Quat::from_xyzw(ax - bx, ay - by, az - bz, ax.constant(0.0)).norm()
 }
 
 /// What makes lengths and radians comparable.
@@ -122,7 +122,7 @@ pub(super) struct Weights<L> {
     pub(super) radians_per_length: L,
 }
 
-impl<L: Lane> Weights<L> {
+impl<L: Lanes> Weights<L> {
     /// Angular part, and linear part at the point `at` in radians: about the origin of the base a twist
     /// of the end has a linear part that depends on where the base is.
     #[inline(always)]
@@ -135,7 +135,7 @@ impl<L: Lane> Weights<L> {
 }
 
 #[inline(always)]
-pub(super) fn dot<L: Lane>(a: &[L; 6], b: &[L; 6]) -> L {
+pub(super) fn dot<L: Lanes>(a: &[L; 6], b: &[L; 6]) -> L {
     let [au, av, aw, ax, ay, az] = *a;
     let [bu, bv, bw, bx, by, bz] = *b;
     vector::dot([au, av, aw], [bu, bv, bw]) + vector::dot([ax, ay, az], [bx, by, bz])

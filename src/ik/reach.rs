@@ -7,7 +7,7 @@ use super::{Arm, Options, Outcomes, Report};
 use crate::batch::{DualQuat, vector};
 use crate::geometry::Twist;
 use crate::real::Real;
-use dq8_simd::{Float, Lane, Mask};
+use dq8_simd::{Float, Lanes, Mask};
 
 /// The squared error must fall to this part of itself ...
 const PROGRESS: f64 = 0.4;
@@ -31,14 +31,14 @@ struct Goal<L> {
 
 /// Where each lane is.
 #[derive(Clone, Copy)]
-struct State<L: Lane, const N: usize> {
+struct State<L: Lanes, const N: usize> {
     values: [L; N],
     columns: [Twist<L>; N],
     miss: Miss<L>,
 }
 
 /// The nearest that each lane has been.
-struct Best<L: Lane, const N: usize> {
+struct Best<L: Lanes, const N: usize> {
     values: [L; N],
     square: L,
     angular: L,
@@ -50,7 +50,7 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
     /// it: what a lane has arrived at is kept while its neighbours go on, and neither the
     /// values nor the report of a lane depend on the others.
     #[inline(always)]
-    pub fn reach_lanes<L: Lane<Real = R>>(
+    pub fn reach_lanes<L: Lanes<Real = R>>(
         &self,
         target: DualQuat<L>,
         values: &mut [L; N],
@@ -93,15 +93,15 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
             let mut next = self.moved(&state.values, &step.changes);
             let left = state.miss.left_after(&step.changes, &state.columns, goal.weights);
             let hopeless = step.limited
-                & (state.miss.square * one.with(PROGRESS)).lt(left)
-                & one.with(NEAR).lt(state.miss.square);
+                & (state.miss.square * one.constant(PROGRESS)).lt(left)
+                & one.constant(NEAR).lt(state.miss.square);
             let restarting = running & stuck;
             if restarting.any() {
                 let (seed, square) = self.next_seed(&goal, nearest_seed, state.values);
                 next = vector::select(restarting, seed, next);
                 nearest_seed = L::select(restarting, square, nearest_seed);
                 // All have been tried.
-                running = running & !(restarting & one.with(f64::INFINITY).le(square));
+                running = running & !(restarting & one.constant(f64::INFINITY).le(square));
                 restarts = restarts + L::select(restarting, one, zero);
             }
             state = self.state(level, next, &goal);
@@ -111,8 +111,8 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
             converged = converged | arrived;
             running = running & !arrived;
 
-            let most = L::select(again, one.with(PATIENCE), one.with(LAST_PATIENCE));
-            let needed = L::select(again, one.with(PROGRESS), one.with(LAST_PROGRESS));
+            let most = L::select(again, one.constant(PATIENCE), one.constant(LAST_PATIENCE));
+            let needed = L::select(again, one.constant(PROGRESS), one.constant(LAST_PROGRESS));
             let nearer = state.miss.square.lt(mark * needed) | restarting;
             mark = L::select(nearer, state.miss.square, mark);
             patience = L::select(nearer, zero, patience + one);
@@ -122,7 +122,7 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
         }
 
         *values = vector::select(valid, best.values, started);
-        let nan = one.with(f64::NAN);
+        let nan = one.constant(f64::NAN);
         let linear = L::select(beyond, self.distance_to(level, target, &best.values), best.linear);
         Report {
             iterations,
@@ -141,7 +141,7 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
 
     /// The target, and where there is one and a start: the identity elsewhere.
     #[inline(always)]
-    fn seen<L: Lane<Real = R>>(
+    fn seen<L: Lanes<Real = R>>(
         &self,
         target: DualQuat<L>,
         start: &[L; N],
@@ -150,7 +150,7 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
         let zero = L::splat(level, R::ZERO);
         let at = target.translation();
         let far = distance(at, splat(level, self.centre));
-        let mut valid = target.is_unit(zero.with(UNIT)) & is_finite(far);
+        let mut valid = target.is_unit(zero.constant(UNIT)) & is_finite(far);
         for value in *start {
             valid = valid & is_finite(value);
         }
@@ -161,7 +161,7 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
     /// Targets beyond the arm's length, drawn to its edge; and which they are. From beyond they would
     /// pull the harder the farther they are.
     #[inline(always)]
-    fn pulled<L: Lane<Real = R>>(
+    fn pulled<L: Lanes<Real = R>>(
         &self,
         target: DualQuat<L>,
         tolerance: L,
@@ -172,7 +172,7 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
         let at = target.translation();
         let far = distance(at, centre);
         // Both have been rounded.
-        let rounding = length.with(1.0 + 64.0 * epsilon::<L>());
+        let rounding = length.constant(1.0 + 64.0 * epsilon::<L>());
         let beyond = (length * rounding + tolerance).lt(far);
         let share = length / far;
         let mut edge = centre;
@@ -185,18 +185,18 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
     }
 
     #[inline(always)]
-    fn goal<L: Lane<Real = R>>(&self, target: DualQuat<L>, options: &Options<R>) -> Goal<L> {
+    fn goal<L: Lanes<Real = R>>(&self, target: DualQuat<L>, options: &Options<R>) -> Goal<L> {
         let level = target.real().w().level();
         let zero = L::splat(level, R::ZERO);
-        let eighth = L::splat(level, self.length) * zero.with(0.125);
+        let eighth = L::splat(level, self.length) * zero.constant(0.125);
         let length = match options.length_per_radian {
             Some(length) => L::splat(level, length),
-            None => L::select(zero.lt(eighth), eighth, zero.with(1.0)),
+            None => L::select(zero.lt(eighth), eighth, zero.constant(1.0)),
         };
         let damping = L::splat(level, options.damping);
         Goal {
             target,
-            weights: Weights { length, radians_per_length: zero.with(1.0) / length },
+            weights: Weights { length, radians_per_length: zero.constant(1.0) / length },
             angular_tolerance: L::splat(level, options.angular_tolerance),
             linear_tolerance: L::splat(level, options.linear_tolerance),
             stride: Stride {
@@ -207,7 +207,7 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
     }
 
     #[inline(always)]
-    fn state<L: Lane<Real = R>>(
+    fn state<L: Lanes<Real = R>>(
         &self,
         level: L::Level,
         values: [L; N],
@@ -220,9 +220,9 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
     /// Of the seeds that are farther from the target than `than`, squared, the nearest; and its square.
     /// `none` and infinity where there is none.
     #[inline(always)]
-    fn next_seed<L: Lane<Real = R>>(&self, goal: &Goal<L>, than: L, none: [L; N]) -> ([L; N], L) {
+    fn next_seed<L: Lanes<Real = R>>(&self, goal: &Goal<L>, than: L, none: [L; N]) -> ([L; N], L) {
         let level = than.level();
-        let mut nearest = than.with(f64::INFINITY);
+        let mut nearest = than.constant(f64::INFINITY);
         let mut values = none;
         for seed in &self.seeds {
             let pose = DualQuat::splat(level, seed.pose.to_array());
@@ -235,7 +235,7 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
     }
 
     #[inline(always)]
-    fn distance_to<L: Lane<Real = R>>(
+    fn distance_to<L: Lanes<Real = R>>(
         &self,
         level: L::Level,
         target: DualQuat<L>,
@@ -246,7 +246,7 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
 
     /// Where a joint is at a limit that stops it.
     #[inline(always)]
-    fn is_at_limits<L: Lane<Real = R>>(&self, level: L::Level, values: &[L; N]) -> L::Mask {
+    fn is_at_limits<L: Lanes<Real = R>>(&self, level: L::Level, values: &[L; N]) -> L::Mask {
         let zero = L::splat(level, R::ZERO);
         let mut is_at_limits = zero.lt(zero);
         for (joint, &value) in self.joints.iter().zip(values) {
@@ -262,14 +262,14 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
 /// How far the norm of a target may be from 1.
 const UNIT: f64 = 1e-3;
 
-impl<L: Lane> Goal<L> {
+impl<L: Lanes> Goal<L> {
     #[inline(always)]
     fn is_reached(&self, miss: &Miss<L>) -> L::Mask {
         miss.angular.le(self.angular_tolerance) & miss.linear.le(self.linear_tolerance)
     }
 }
 
-impl<L: Lane, const N: usize> Best<L, N> {
+impl<L: Lanes, const N: usize> Best<L, N> {
     #[inline(always)]
     fn of(state: &State<L, N>) -> Self {
         let State { values, miss, .. } = *state;

@@ -1,5 +1,5 @@
 use crate::real::Real;
-use dq8_simd::{Lane, Mask};
+use dq8_simd::{Lanes, Mask};
 
 /// When a search ends, and how it weighs.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -111,12 +111,12 @@ impl<M: Mask> Outcomes<M> {
     }
 }
 
-impl<L: Lane> Report<L, Outcomes<L::Mask>> {
+impl<L: Lanes> Report<L, Outcomes<L::Mask>> {
     /// Writes the reports of the first lanes into `to`, at most as many as there are lanes.
     pub fn store(&self, to: &mut [Report<L::Real, Outcome>]) {
         let [iterations, restarts, angular, linear] =
             [self.iterations, self.restarts, self.angular_error, self.linear_error]
-                .map(Lane::to_array);
+                .map(Lanes::to_array);
         let numbers = iterations.as_ref().iter().zip(restarts.as_ref());
         let errors = angular.as_ref().iter().zip(linear.as_ref());
         for (lane, (report, ((&iterations, &restarts), (&angular_error, &linear_error)))) in

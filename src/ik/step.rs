@@ -5,7 +5,7 @@ use super::{Arm, Joint, least_squares};
 use crate::batch::lie_bracket;
 use crate::geometry::Twist;
 use crate::real::Real;
-use dq8_simd::{Float, Lane, Mask};
+use dq8_simd::{Float, Lanes, Mask};
 
 /// What keeps a step short.
 #[derive(Clone, Copy)]
@@ -17,7 +17,7 @@ pub(super) struct Stride<L> {
 }
 
 /// Where a step leads.
-pub(super) struct Step<L: Lane, const N: usize> {
+pub(super) struct Step<L: Lanes, const N: usize> {
     /// The changes of the joints.
     pub(super) changes: [L; N],
     /// Where a limit stopped a joint.
@@ -37,7 +37,7 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
     /// of singular poses and near them to its target: see Lloyd, Irani & Ahmadi (*Fast and Robust
     /// Inverse Kinematics of Serial Robots Using Halley's Method*, 2022).
     #[inline(always)]
-    pub(super) fn halley_step<L: Lane<Real = R>>(
+    pub(super) fn halley_step<L: Lanes<Real = R>>(
         &self,
         values: &[L; N],
         columns: &[Twist<L>; N],
@@ -46,7 +46,7 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
         stride: Stride<L>,
     ) -> Step<L, N> {
         let newton = self.limited_step(values, columns, miss, weights, stride);
-        let (zero, half) = (stride.longest.with(0.0), stride.longest.with(0.5));
+        let (zero, half) = (stride.longest.constant(0.0), stride.longest.constant(0.5));
         let mut moved = Twist::from_array([zero; 6]);
         let mut bent = *columns;
         for ((bent, &column), &change) in bent.iter_mut().zip(columns).zip(&newton.changes) {
@@ -59,7 +59,7 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
     /// A damped step that no limit forbids: a joint that would leave them goes to its limit and stays
     /// there, and the others step again toward what is left (Baerlocher & Boulic 2004).
     #[inline(always)]
-    fn limited_step<L: Lane<Real = R>>(
+    fn limited_step<L: Lanes<Real = R>>(
         &self,
         values: &[L; N],
         columns: &[Twist<L>; N],
@@ -67,7 +67,7 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
         weights: Weights<L>,
         stride: Stride<L>,
     ) -> Step<L, N> {
-        let (zero, one) = (stride.longest.with(0.0), stride.longest.with(1.0));
+        let (zero, one) = (stride.longest.constant(0.0), stride.longest.constant(1.0));
         // Slides in radians as well.
         let mut rows = [[zero; 6]; N];
         for ((row, &column), joint) in rows.iter_mut().zip(columns).zip(&self.joints) {
@@ -79,7 +79,7 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
         let mut changes = [zero; N];
         let mut limited = never;
         let mut left = miss.error;
-        let damping = miss.square.mul_add(one.with(DAMPING), stride.least_damping);
+        let damping = miss.square.mul_add(one.constant(DAMPING), stride.least_damping);
         // Each turn holds a joint more, in some lane.
         for _ in 0..=N {
             let y = least_squares::damped(&rows, &held, left, damping);
@@ -123,7 +123,7 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
     /// The joints moved, each within its limits; a joint that wraps goes on a turn less. What is not
     /// finite moves nothing.
     #[inline(always)]
-    pub(super) fn moved<L: Lane<Real = R>>(&self, values: &[L; N], changes: &[L; N]) -> [L; N] {
+    pub(super) fn moved<L: Lanes<Real = R>>(&self, values: &[L; N], changes: &[L; N]) -> [L; N] {
         let mut moved = *values;
         for ((value, &change), joint) in moved.iter_mut().zip(changes).zip(&self.joints) {
             let next = *value + change;
@@ -144,7 +144,7 @@ const DAMPING: f64 = 0.02;
 
 /// To the nearest value within the limits.
 #[inline(always)]
-pub(super) fn clamp<L: Lane<Real: Real>>(joint: &Joint<L::Real>, value: L) -> L {
+pub(super) fn clamp<L: Lanes<Real: Real>>(joint: &Joint<L::Real>, value: L) -> L {
     let [low, high] = splat(value.level(), joint.limits);
     let value = L::select(value.lt(low), low, value);
     L::select(high.lt(value), high, value)
@@ -152,9 +152,9 @@ pub(super) fn clamp<L: Lane<Real: Real>>(joint: &Joint<L::Real>, value: L) -> L 
 
 /// A turn less, beyond the limits.
 #[inline(always)]
-fn wrap<L: Lane<Real: Real>>(joint: &Joint<L::Real>, value: L) -> L {
+fn wrap<L: Lanes<Real: Real>>(joint: &Joint<L::Real>, value: L) -> L {
     let [low, high] = splat(value.level(), joint.limits);
-    let turn = value.with(core::f64::consts::TAU);
+    let turn = value.constant(core::f64::consts::TAU);
     let value = L::select(value.lt(low), value + turn, value);
     L::select(high.lt(value), value - turn, value)
 }

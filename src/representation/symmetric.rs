@@ -4,7 +4,7 @@ use crate::real::Real;
 
 /// No matrix in the tests takes more than six: from a sweep to the next, what is left off the
 /// diagonal is squared.
-const MOST_SWEEPS: usize = 10;
+const MAX_SWEEPS: usize = 10;
 
 /// The eigenvalues of a symmetric 4×4 matrix with elements around 1, in no order, and the unit
 /// eigenvectors, one a column: cyclic Jacobi (Golub & Van Loan 2013, algorithm 8.5.3), which always
@@ -15,7 +15,7 @@ pub(super) fn eigen<R: Real>(mut matrix: [[R; 4]; 4]) -> ([R; 4], [[R; 4]; 4]) {
         row[index] = R::ONE;
     }
     let negligible = R::EPSILON * R::EPSILON;
-    for _ in 0..MOST_SWEEPS {
+    for _ in 0..MAX_SWEEPS {
         let mut settled = true;
         for p in 0..3 {
             for q in p + 1..4 {

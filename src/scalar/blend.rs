@@ -4,12 +4,12 @@ use super::DualQuat;
 use crate::real::Real;
 
 impl<R: Real> DualQuat<R> {
-    /// Normalised linear interpolation by the shorter way: (1−t)a ± tb, exactly normalised, the
+    /// Normalized linear interpolation by the shorter way: (1−t)a ± tb, exactly normalized, the
     /// sign such that the two do not point apart (Tarini, slide 127). `t` = 0 gives `self`, 1 gives
     /// ±`other`. Cheaper than [`sclerp`](Self::sclerp), with the same path of the real part but not
     /// the same speed.
     ///
-    /// Every component is NaN if the result cannot be normalised.
+    /// Every component is NaN if the result cannot be normalized.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -23,15 +23,15 @@ impl<R: Real> DualQuat<R> {
         (self.scale(R::ONE - t) + near.scale(t)).normalize()
     }
 
-    /// Dual quaternion linear blending, Σ ±wᵢσᵢ exactly normalised, each sign turned toward the
+    /// Dual quaternion linear blending, Σ ±wᵢσᵢ exactly normalized, each sign turned toward the
     /// first motion (Kavan et al. 2008, "DLB"). Cheaper than [`dib`](Self::dib), the mean in
     /// earnest, from which the blend of two motions turns away by at most 8.15°.
     ///
-    /// The weights need not sum to one, because the sum is normalised: all of them times any number
+    /// The weights need not sum to one, because the sum is normalized: all of them times any number
     /// but zero give the same motion. A negative weight moves the blend away from its motion. Where
     /// weights sum to zero the result is of no use, and often NaN.
     ///
-    /// `None` without influences; every component is NaN if the sum cannot be normalised: its real
+    /// `None` without influences; every component is NaN if the sum cannot be normalized: its real
     /// part is zero, as when the weights cancel, or a component is not finite.
     ///
     /// ```
@@ -56,7 +56,7 @@ impl<R: Real> DualQuat<R> {
     /// the order of the influences where they span more than half a turn. The weights need not sum
     /// to one, but no sum on the way should be negative: it would point away from its motions.
     ///
-    /// `None` without influences; every component is NaN if the sum cannot be normalised.
+    /// `None` without influences; every component is NaN if the sum cannot be normalized.
     ///
     /// ```
     /// use dq8::{DualQuat, Quat};

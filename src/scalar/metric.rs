@@ -98,16 +98,16 @@ impl<R: Real> DualQuat<R> {
     /// [`is_unit`](Self::is_unit). A product adds about one [`EPSILON`](Real::EPSILON).
     ///
     /// [`normalize`](Self::normalize) then puts it back; it does not bring back the lost accuracy
-    /// of the rotation, so a chain need not be normalised at every product.
+    /// of the rotation, so a chain need not be normalized at every product.
     ///
     /// ```
     /// use dq8::DualQuat;
     /// let motion = DualQuat::from_translation([1.0_f32, 2.0, 3.0]);
-    /// assert!(!motion.needs_renormalisation(1e-6));
-    /// assert!(motion.scale(1.001).needs_renormalisation(1e-6));
+    /// assert!(!motion.needs_renormalization(1e-6));
+    /// assert!(motion.scale(1.001).needs_renormalization(1e-6));
     /// ```
     #[must_use]
-    pub fn needs_renormalisation(self, tolerance: R) -> bool {
+    pub fn needs_renormalization(self, tolerance: R) -> bool {
         !self.is_unit(tolerance)
     }
 }

@@ -1,4 +1,4 @@
-//! Norm, normalisation and inverses.
+//! Norm, normalization and inverses.
 
 use super::{Dual, DualQuat, Quat, vector};
 use crate::error::{InverseError, NormalizeError};
@@ -20,14 +20,14 @@ impl<R: Real> DualQuat<R> {
         Dual::new(norm, self.real().normalize().dot(self.dual()))
     }
 
-    /// Exact normalisation, σ/√(σσ*): the real part to unit length *and* the dual part orthogonal
+    /// Exact normalization, σ/√(σσ*): the real part to unit length *and* the dual part orthogonal
     /// to it. Every component is NaN where [`try_normalize`](Self::try_normalize) fails.
     #[must_use]
     pub fn normalize(self) -> Self {
         self.unit().unwrap_or(Self::nan())
     }
 
-    /// Exact normalisation in Fabisch's two steps: σ/|p|, then the part of q along p taken away.
+    /// Exact normalization in Fabisch's two steps: σ/|p|, then the part of q along p taken away.
     /// Dividing by |p| alone would leave a q that is no translation.
     ///
     /// # Errors

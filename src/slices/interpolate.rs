@@ -2,8 +2,8 @@ use super::sweep::{Operation, motions, same_length, sweep};
 use crate::batch;
 use crate::dispatch::Backend;
 use crate::error::ShapeError;
-use crate::place::{Lanes, Number, Place, Step};
-use dq8_simd::{Lane, Level};
+use crate::place::{Number, Place, Register, Step};
+use dq8_simd::{Lanes, Level};
 
 impl Backend {
     /// `between[i]` = normalize((1−t)aᵢ ± tbᵢ), by the shorter way; see
@@ -99,14 +99,18 @@ fn interpolate<P: Place<8>, W: Way, T: Parameter<P>>(
 
 /// From one motion to another.
 trait Way {
-    fn at<L: Lane>(&self, a: batch::DualQuat<L>, b: batch::DualQuat<L>, t: L)
-    -> batch::DualQuat<L>;
+    fn at<L: Lanes>(
+        &self,
+        a: batch::DualQuat<L>,
+        b: batch::DualQuat<L>,
+        t: L,
+    ) -> batch::DualQuat<L>;
 }
 
 struct Nlerp;
 impl Way for Nlerp {
     #[inline(always)]
-    fn at<L: Lane>(
+    fn at<L: Lanes>(
         &self,
         a: batch::DualQuat<L>,
         b: batch::DualQuat<L>,
@@ -119,7 +123,7 @@ impl Way for Nlerp {
 struct Sclerp;
 impl Way for Sclerp {
     #[inline(always)]
-    fn at<L: Lane>(
+    fn at<L: Lanes>(
         &self,
         a: batch::DualQuat<L>,
         b: batch::DualQuat<L>,
@@ -131,21 +135,21 @@ impl Way for Sclerp {
 
 /// t, the same for all or one each.
 trait Parameter<P: Place<8>> {
-    fn lanes<V: Level>(&self, level: V, step: Step) -> Option<Lanes<P, V, 8>>;
+    fn lanes<V: Level>(&self, level: V, step: Step) -> Option<Register<P, V, 8>>;
 }
 
 struct One<R>(R);
 impl<P: Place<8>> Parameter<P> for One<Number<P, 8>> {
     #[inline(always)]
-    fn lanes<V: Level>(&self, level: V, _: Step) -> Option<Lanes<P, V, 8>> {
-        Some(Lane::splat(level, self.0))
+    fn lanes<V: Level>(&self, level: V, _: Step) -> Option<Register<P, V, 8>> {
+        Some(Lanes::splat(level, self.0))
     }
 }
 
 struct Many<'s, T>(&'s [T]);
 impl<P: Place<8>, T: Place<1, Layout = P::Layout>> Parameter<P> for Many<'_, T> {
     #[inline(always)]
-    fn lanes<V: Level>(&self, level: V, step: Step) -> Option<Lanes<P, V, 8>> {
+    fn lanes<V: Level>(&self, level: V, step: Step) -> Option<Register<P, V, 8>> {
         let [t] = T::gather(level, self.0, step, [Default::default()])?;
         Some(t)
     }
@@ -160,7 +164,7 @@ struct Interpolation<'s, P, W, T> {
 
 impl<P: Place<8>, W: Way, T: Parameter<P>> Operation<P, 8> for Interpolation<'_, P, W, T> {
     #[inline(always)]
-    fn compute<V: Level>(&self, level: V, _: &[P], step: Step) -> Option<[Lanes<P, V, 8>; 8]> {
+    fn compute<V: Level>(&self, level: V, _: &[P], step: Step) -> Option<[Register<P, V, 8>; 8]> {
         let (a, b) = (motions(level, self.a, step)?, motions(level, self.b, step)?);
         Some(self.way.at(a, b, self.t.lanes(level, step)?).to_array())
     }

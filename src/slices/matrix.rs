@@ -1,7 +1,7 @@
 use super::sweep::{Operation, motions, same_length, sweep};
 use crate::dispatch::Backend;
 use crate::error::ShapeError;
-use crate::place::{Lanes, Place, Step};
+use crate::place::{Place, Register, Step};
 use dq8_simd::Level;
 
 /// In which order the numbers of a matrix lie in memory.
@@ -64,7 +64,7 @@ where
     M: Matrix<C, Layout = P::Layout>,
 {
     #[inline(always)]
-    fn compute<V: Level>(&self, level: V, _: &[M], step: Step) -> Option<[Lanes<M, V, C>; C]> {
+    fn compute<V: Level>(&self, level: V, _: &[M], step: Step) -> Option<[Register<M, V, C>; C]> {
         let rows = motions(level, self.motions, step)?.to_matrix4();
         let mut numbers = [rows[3][0]; C];
         for (i, number) in numbers.iter_mut().enumerate() {

@@ -2,7 +2,7 @@ use super::sweep::{Operation, motions, same_length, sweep};
 use crate::batch;
 use crate::dispatch::Backend;
 use crate::error::ShapeError;
-use crate::place::{Lanes, Number, Place, Step};
+use crate::place::{Number, Place, Register, Step};
 use crate::scalar::DualQuat;
 use dq8_simd::Level;
 
@@ -61,7 +61,12 @@ impl<P: Place<8>> Operation<P, 8> for Left<Number<P, 8>> {
         true
     }
     #[inline(always)]
-    fn compute<V: Level>(&self, level: V, output: &[P], step: Step) -> Option<[Lanes<P, V, 8>; 8]> {
+    fn compute<V: Level>(
+        &self,
+        level: V,
+        output: &[P],
+        step: Step,
+    ) -> Option<[Register<P, V, 8>; 8]> {
         let left = batch::DualQuat::splat(level, self.0.to_array());
         Some((left * motions(level, output, step)?).to_array())
     }
@@ -78,7 +83,12 @@ impl<P: Place<8>> Operation<P, 8> for Product<'_, P> {
         self.a.is_none()
     }
     #[inline(always)]
-    fn compute<V: Level>(&self, level: V, output: &[P], step: Step) -> Option<[Lanes<P, V, 8>; 8]> {
+    fn compute<V: Level>(
+        &self,
+        level: V,
+        output: &[P],
+        step: Step,
+    ) -> Option<[Register<P, V, 8>; 8]> {
         let a = motions(level, self.a.unwrap_or(output), step)?;
         Some((a * motions(level, self.b, step)?).to_array())
     }

@@ -3,7 +3,7 @@
 use crate::batch;
 use crate::dispatch::{Backend, Kernel};
 use crate::error::ShapeError;
-use crate::place::{Lanes, Layout, Number, Place, Step};
+use crate::place::{Layout, Number, Place, Register, Step};
 use dq8_simd::Level;
 
 /// What becomes of the elements of a slice, lanes at a time.
@@ -14,7 +14,12 @@ pub(super) trait Operation<Q: Place<D>, const D: usize> {
     }
 
     /// What belongs to a step, see [`Place`]; `output` is what the slice holds so far.
-    fn compute<V: Level>(&self, level: V, output: &[Q], step: Step) -> Option<[Lanes<Q, V, D>; D]>;
+    fn compute<V: Level>(
+        &self,
+        level: V,
+        output: &[Q],
+        step: Step,
+    ) -> Option<[Register<Q, V, D>; D]>;
 }
 
 /// From this size on, in bytes, an output is written past the caches: a line that is written whole need
@@ -93,7 +98,7 @@ pub(super) fn motions<P: Place<8>, V: Level>(
     level: V,
     slice: &[P],
     step: Step,
-) -> Option<batch::DualQuat<Lanes<P, V, 8>>> {
+) -> Option<batch::DualQuat<Register<P, V, 8>>> {
     let (zero, one) = (Number::<P, 8>::default(), Number::<P, 8>::from(1.0));
     let identity = [zero, zero, zero, one, zero, zero, zero, zero];
     Some(batch::DualQuat::from_array(P::gather(level, slice, step, identity)?))
@@ -105,7 +110,7 @@ pub(super) fn vectors<P: Place<3>, V: Level>(
     level: V,
     slice: &[P],
     step: Step,
-) -> Option<[Lanes<P, V, 3>; 3]> {
+) -> Option<[Register<P, V, 3>; 3]> {
     let zero = [Number::<P, 3>::default(); 3];
     P::gather(level, slice, step, zero)
 }

@@ -2,9 +2,9 @@ use super::sweep::{Operation, motions, same_length, sweep, vectors};
 use crate::batch;
 use crate::dispatch::Backend;
 use crate::error::ShapeError;
-use crate::place::{Lanes, Number, Place, Step};
+use crate::place::{Number, Place, Register, Step};
 use crate::scalar::DualQuat;
-use dq8_simd::{Lane, Level};
+use dq8_simd::{Lanes, Level};
 
 impl Backend {
     /// `moved[i]` = R·`points[i]` + t of one unit motion, which becomes a 3×4 matrix once: nine
@@ -122,14 +122,19 @@ impl<P: Place<3>> Operation<P, 3> for ByOne<'_, P> {
         self.from.is_none()
     }
     #[inline(always)]
-    fn compute<V: Level>(&self, level: V, output: &[P], step: Step) -> Option<[Lanes<P, V, 3>; 3]> {
+    fn compute<V: Level>(
+        &self,
+        level: V,
+        output: &[P],
+        step: Step,
+    ) -> Option<[Register<P, V, 3>; 3]> {
         let [x, y, z] = vectors(level, self.from.unwrap_or(output), step)?;
         let mut moved = [x; 3];
         for (moved, row) in moved.iter_mut().zip(self.rows) {
             // The compiler keeps the twelve lanes in registers from one turn of the loop to the next.
             let [a, b, c, t] = row.map(
                 #[inline(always)]
-                |number| Lanes::<P, V, 3>::splat(level, number),
+                |number| Register::<P, V, 3>::splat(level, number),
             );
             *moved = z.mul_add(c, y.mul_add(b, x.mul_add(a, t)));
         }
@@ -139,13 +144,13 @@ impl<P: Place<3>> Operation<P, 3> for ByOne<'_, P> {
 
 /// What a motion does to a vector.
 trait Action {
-    fn act<L: Lane>(&self, motion: batch::DualQuat<L>, vector: [L; 3]) -> [L; 3];
+    fn act<L: Lanes>(&self, motion: batch::DualQuat<L>, vector: [L; 3]) -> [L; 3];
 }
 
 struct Point;
 impl Action for Point {
     #[inline(always)]
-    fn act<L: Lane>(&self, motion: batch::DualQuat<L>, point: [L; 3]) -> [L; 3] {
+    fn act<L: Lanes>(&self, motion: batch::DualQuat<L>, point: [L; 3]) -> [L; 3] {
         motion.transform_point(point)
     }
 }
@@ -153,7 +158,7 @@ impl Action for Point {
 struct Vector;
 impl Action for Vector {
     #[inline(always)]
-    fn act<L: Lane>(&self, motion: batch::DualQuat<L>, vector: [L; 3]) -> [L; 3] {
+    fn act<L: Lanes>(&self, motion: batch::DualQuat<L>, vector: [L; 3]) -> [L; 3] {
         motion.transform_vector(vector)
     }
 }
@@ -171,7 +176,7 @@ where
     A: Action,
 {
     #[inline(always)]
-    fn compute<V: Level>(&self, level: V, _: &[P], step: Step) -> Option<[Lanes<P, V, 3>; 3]> {
+    fn compute<V: Level>(&self, level: V, _: &[P], step: Step) -> Option<[Register<P, V, 3>; 3]> {
         Some(self.action.act(motions(level, self.motions, step)?, vectors(level, self.from, step)?))
     }
 }

@@ -2,8 +2,8 @@ use super::sweep::{Operation, motions, same_length, sweep};
 use crate::batch;
 use crate::dispatch::Backend;
 use crate::error::ShapeError;
-use crate::place::{Lanes, Place, Step};
-use dq8_simd::{Lane, Level};
+use crate::place::{Place, Register, Step};
+use dq8_simd::{Lanes, Level};
 
 impl Backend {
     /// `units[i]` = σᵢ/√(σᵢσᵢ*), exactly; some component is NaN where there is no such motion (see
@@ -54,13 +54,13 @@ impl Backend {
 
 /// A function of one motion.
 trait Change {
-    fn of<L: Lane>(&self, motion: batch::DualQuat<L>) -> batch::DualQuat<L>;
+    fn of<L: Lanes>(&self, motion: batch::DualQuat<L>) -> batch::DualQuat<L>;
 }
 
 struct Normalize;
 impl Change for Normalize {
     #[inline(always)]
-    fn of<L: Lane>(&self, motion: batch::DualQuat<L>) -> batch::DualQuat<L> {
+    fn of<L: Lanes>(&self, motion: batch::DualQuat<L>) -> batch::DualQuat<L> {
         motion.normalize()
     }
 }
@@ -68,7 +68,7 @@ impl Change for Normalize {
 struct Inverse;
 impl Change for Inverse {
     #[inline(always)]
-    fn of<L: Lane>(&self, motion: batch::DualQuat<L>) -> batch::DualQuat<L> {
+    fn of<L: Lanes>(&self, motion: batch::DualQuat<L>) -> batch::DualQuat<L> {
         motion.inverse()
     }
 }
@@ -84,7 +84,12 @@ impl<P: Place<8>, C: Change> Operation<P, 8> for Each<'_, P, C> {
         self.from.is_none()
     }
     #[inline(always)]
-    fn compute<V: Level>(&self, level: V, output: &[P], step: Step) -> Option<[Lanes<P, V, 8>; 8]> {
+    fn compute<V: Level>(
+        &self,
+        level: V,
+        output: &[P],
+        step: Step,
+    ) -> Option<[Register<P, V, 8>; 8]> {
         Some(self.change.of(motions(level, self.from.unwrap_or(output), step)?).to_array())
     }
 }

@@ -119,7 +119,7 @@ impl<M: Sample> Arguments<M> {
         }
     }
 
-    /// The three motions normalised, for the laws of unit ones.
+    /// The three motions normalized, for the laws of unit ones.
     #[must_use]
     pub fn unit(self) -> Self {
         let (a, b, c) = (self.a.normalize(), self.b.normalize(), self.c.normalize());

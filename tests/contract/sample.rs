@@ -1,7 +1,7 @@
 //! [`Sample`]: numbers in and out of any implementation of [`Motion`], so that one generic test
 //! serves them all.
 
-use dq8::{DualQuat, Float, Lane, Mask, Motion, Portable, Quat, Real, batch, scalar};
+use dq8::{DualQuat, Float, Lanes, Mask, Motion, Portable, Quat, Real, batch, scalar};
 
 pub use dq8::Level;
 #[cfg(target_arch = "x86_64")]
@@ -81,7 +81,7 @@ impl<R: Real> Sample for DualQuat<R> {
     }
 }
 
-impl<L: Lane<Level: Proof>> Sample for batch::DualQuat<L> {
+impl<L: Lanes<Level: Proof>> Sample for batch::DualQuat<L> {
     const LANES: usize = L::LANES;
     const SINGLE: bool = L::Real::SINGLE;
 

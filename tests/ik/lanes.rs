@@ -2,7 +2,7 @@
 
 use super::arms::{Plan, Random, puma, rounded, ur5};
 use dq8::ik::{Arm, Options, Outcome, Report};
-use dq8::{Backend, DualQuat, Float, Lane, Portable, Real, ShapeError, batch, f32x8, f64x8};
+use dq8::{Backend, DualQuat, Float, Lanes, Portable, Real, ShapeError, batch, f32x8, f64x8};
 
 /// Targets, and values to start from.
 fn drawn<R: Real + Float>(plan: &Plan<6>, count: usize) -> (Vec<DualQuat<R>>, Vec<[R; 6]>) {
@@ -23,15 +23,15 @@ fn drawn<R: Real + Float>(plan: &Plan<6>, count: usize) -> (Vec<DualQuat<R>>, Ve
 
 /// Whether these lanes round a multiply-add once. Plain numbers round twice, and near singular poses the
 /// last bit becomes another way to the target.
-fn fuses<L: Lane<Level = Portable>>() -> bool {
+fn fuses<L: Lanes<Level = Portable>>() -> bool {
     let x = L::splat(Portable, <L::Real as Float>::from_f64(1.1));
     let rest = x.mul_add(x, -(x * x)).to_array();
     rest.as_ref().iter().any(|&rest| rest != L::Real::default())
 }
 
-fn eight_are_as_one<L: Lane<Level = Portable, Real: Real>>()
+fn eight_are_as_one<L: Lanes<Level = Portable, Real: Real>>()
 where
-    L::Real: Lane<Real = L::Real, Level = Portable, Mask = bool>,
+    L::Real: Lanes<Real = L::Real, Level = Portable, Mask = bool>,
 {
     for plan in [ur5(), puma()] {
         let arm = plan.arm::<L::Real>();
@@ -73,7 +73,7 @@ where
 }
 
 /// One target in all lanes: alone, and rounded as among others.
-fn in_every_lane<L: Lane<Level = Portable, Real: Real>>(
+fn in_every_lane<L: Lanes<Level = Portable, Real: Real>>(
     arm: &Arm<L::Real, 6>,
     target: DualQuat<L::Real>,
     start: [L::Real; 6],

@@ -3,7 +3,7 @@
 
 use dq8::{Dual, DualQuat, DualVector, Line, Plane, f32x8};
 use dq8_contract::inputs::{for_all, vector};
-use dq8_simd::{Lane, Portable};
+use dq8_simd::{Lanes, Portable};
 use proptest::prelude::*;
 
 type Vector = DualVector<f64>;

@@ -187,7 +187,7 @@ fn a_line_beside_a_plane_keeps_its_distance() {
 
 /// A screw l + ε(m + h l) has the pitch h and the axis l + εm.
 #[test]
-fn normalising_a_dual_vector_leaves_the_axis_of_its_screw() {
+fn normalizing_a_dual_vector_leaves_the_axis_of_its_screw() {
     let worst = Worst::of("axis");
     for_all(256, &(point(), direction(), -3.0..3.0_f64), |(p, l, pitch)| {
         let axis = Line::from_point_direction(p, unit(l));

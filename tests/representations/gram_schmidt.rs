@@ -1,4 +1,4 @@
-//! Ortho-normalisation one axis after the other.
+//! Ortho-normalization one axis after the other.
 
 use super::{Worst, exact_rows, round_rows};
 use dq8::{OrthonormalError, Real, gram_schmidt};

@@ -39,10 +39,10 @@ fn chapter_3_section_3_slerp_goes_along_the_circle_and_is_sclerp_without_transla
     }
 }
 
-/// He normalises (10, 1, 2, 3) to (0, 1, 2, 3). A rotation is divided by its norm; without its real
+/// He normalizes (10, 1, 2, 3) to (0, 1, 2, 3). A rotation is divided by its norm; without its real
 /// part it is half a turn.
 #[test]
-fn chapter_3_section_4_erratum_to_normalise_is_not_to_drop_the_real_part() {
+fn chapter_3_section_4_erratum_to_normalize_is_not_to_drop_the_real_part() {
     let q = quat(10.0, 1.0, 2.0, 3.0);
     let unit = q.normalize();
     assert_close([unit.norm(), unit.w() / unit.x()], [1.0, 10.0], 1e-14);

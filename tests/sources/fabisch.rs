@@ -105,7 +105,7 @@ fn geometrical_interpretation_step_two_removes_a_projection_and_keeps_the_transl
 }
 
 #[test]
-fn out_8_the_direct_normalisation() {
+fn out_8_the_direct_normalization() {
     let direct = sigma().scale_dual(Dual::ONE / squared_norm(sigma()).sqrt());
     assert_close(direct.to_wxyz(), UNIT, 3.0 * PRINTED);
     assert_close(direct.to_array(), sigma().normalize().to_array(), 1e-15);
@@ -113,7 +113,7 @@ fn out_8_the_direct_normalisation() {
 }
 
 #[test]
-fn out_14_the_normalisation_in_two_steps() {
+fn out_14_the_normalization_in_two_steps() {
     let mut p = sigma().real();
     let mut q = sigma().dual();
     let norm = p.norm();

@@ -201,7 +201,7 @@ fn appendix_erratum_normalize_is_wrong_by_a_square_root() {
     assert_close(slanted.normalize().to_array(), unit.to_array(), 1e-15);
 }
 
-/// `DualQuaternion_c(r, d)` normalises r and keeps d.
+/// `DualQuaternion_c(r, d)` normalizes r and keeps d.
 #[test]
 fn appendix_erratum_the_constructor_must_divide_the_dual_part_too() {
     let [unit, _] = motions();

@@ -148,7 +148,7 @@ fn section_4_erratum_eight_numbers_are_not_the_fewest() {
 }
 
 #[test]
-fn section_5_2_the_normalised_dual_part_of_a_point_on_a_curve_is_its_tangent() {
+fn section_5_2_the_normalized_dual_part_of_a_point_on_a_curve_is_its_tangent() {
     let time = Dual::new(0.7_f64, 2.0);
     let curve = [time.cos(), time.sin(), time * time];
     let dual = curve.map(|c| c.dual);

@@ -16,7 +16,7 @@ use ultraviolet::{Isometry3x8, Lerp, Mat4x8, Slerp, f32x8};
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Operation {
     Product,
-    Normalise,
+    Normalize,
     Nlerp,
     Sclerp,
 }
@@ -48,7 +48,7 @@ pub(crate) fn with_contest<R>(
     let pairs = Pairs::new(operation, caches.transforms(level, footprint));
     let (job, size, title) = match operation {
         Operation::Product => ("J1", level.name().to_owned(), "pairwise product"),
-        Operation::Normalise => ("J5", format!("normalise {}", level.name()), "normalise"),
+        Operation::Normalize => ("J5", format!("normalize {}", level.name()), "normalize"),
         Operation::Nlerp => ("J5", format!("NLERP {}", level.name()), "blend linearly"),
         Operation::Sclerp => ("J5", format!("ScLERP {}", level.name()), "interpolate along screws"),
     };
@@ -59,7 +59,7 @@ pub(crate) fn with_contest<R>(
     };
     match operation {
         Operation::Product => product(&pairs, &mut contest),
-        Operation::Normalise => normalise(&pairs, &mut contest),
+        Operation::Normalize => normalize(&pairs, &mut contest),
         Operation::Nlerp => nlerp(&pairs, &mut contest),
         Operation::Sclerp => sclerp(&pairs, &mut contest),
     }
@@ -103,7 +103,7 @@ fn product<'a>(pairs: &'a Pairs, contest: &mut Contest<'a>) {
     peer::<Mat4x8>(pairs, contest, "ultraviolet Mat4x8");
 }
 
-fn normalise<'a>(pairs: &'a Pairs, contest: &mut Contest<'a>) {
+fn normalize<'a>(pairs: &'a Pairs, contest: &mut Contest<'a>) {
     contest.expected = pairs.expected(|a, _| a.normalize());
     own!(pairs, contest, |backend, a, _, output| backend.normalize(a, output));
     pairs.each(contest, "dq8 scalar", |a: &Motion, _: &Motion| a.normalize());
@@ -178,7 +178,7 @@ impl Pairs {
         for _ in 0..Many::<Motion>::DIFFERENT {
             let (motion, way) = (motion(&mut random, -3.0, 3.0), motion(&mut random, 0.3, 2.2));
             let norm = match operation {
-                Operation::Normalise => random.between(0.5, 2.0),
+                Operation::Normalize => random.between(0.5, 2.0),
                 _ => 1.0,
             };
             a.push(single(motion.scale(norm)));

@@ -93,7 +93,7 @@ pub const METHODS: [Method; 7] = [
         trace: |steps, order, every| trace(steps, order, every, identity::<DualQuat<f32>>),
     },
     Method {
-        name: "dual quaternion, normalised",
+        name: "dual quaternion, normalized",
         trace: |steps, order, every| trace(steps, order, every, DualQuat::<f32>::normalize),
     },
     Method {
@@ -107,7 +107,7 @@ pub const METHODS: [Method; 7] = [
         },
     },
     Method {
-        name: "quaternion + vector, normalised",
+        name: "quaternion + vector, normalized",
         trace: |steps, order, every| {
             trace(steps, order, every, RotationTranslation::<f32>::normalize)
         },
@@ -115,7 +115,7 @@ pub const METHODS: [Method; 7] = [
 ];
 
 /// Takes the steps twice, as an `S` with `upkeep` in every frame and exactly (dual quaternions in
-/// double precision, normalised), and compares them at every so many frames.
+/// double precision, normalized), and compares them at every so many frames.
 #[must_use]
 pub fn trace<S: Representation>(
     steps: &[Steps],

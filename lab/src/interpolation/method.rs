@@ -30,7 +30,7 @@ fn matrix_lerp(a: DualQuat<f64>, b: DualQuat<f64>, t: f64) -> Matrix<f64, 3, 4> 
     from_fn(|i| from_fn(|j| (1.0 - t) * a[i][j] + t * b[i][j]))
 }
 
-/// (1−t)a ± tb as it is, not normalised.
+/// (1−t)a ± tb as it is, not normalized.
 fn lerp(a: DualQuat<f64>, b: DualQuat<f64>, t: f64) -> Matrix<f64, 3, 4> {
     let near = if a.dot(b).real < 0.0 { -b } else { b };
     (a.scale(1.0 - t) + near.scale(t)).to_matrix3x4()

@@ -149,7 +149,7 @@ fn quaternions() -> Vec<Operation> {
             || arends::rotate(p, Quat::from_parts(point, Counted::ZERO)),
         ),
         row("quaternion, vector", UNPRINTED, "v + 2 r × (r × v + w v)", || p.rotate(point)),
-        row("quaternion normalised", UNPRINTED, "guarded against overflow as below", || {
+        row("quaternion normalized", UNPRINTED, "guarded against overflow as below", || {
             p.normalize()
         }),
         row("quaternion + vector, product", UNPRINTED, "(r₁r₂, r₁t₂r₁* + t₁)", || {
@@ -178,7 +178,7 @@ fn motions() -> Vec<Operation> {
         row(
             "dual quaternion product of Kenwright's class",
             ("Kenwright §11", "42 mul, 38 add"),
-            "As §13.1 writes it: its constructor normalises the real part of every product.",
+            "As §13.1 writes it: its constructor normalizes the real part of every product.",
             || kenwright_product(a, b),
         ),
         row(
@@ -207,13 +207,13 @@ fn motions() -> Vec<Operation> {
             a.inverse()
         }),
         row(
-            "dual quaternion normalised",
+            "dual quaternion normalized",
             UNPRINTED,
             "exactly: |p| = 1 and p·q = 0; scaled by the largest component, so that nothing overflows",
             || a.normalize(),
         ),
         row(
-            "dual quaternion normalised, unguarded",
+            "dual quaternion normalized, unguarded",
             UNPRINTED,
             "the formula alone (Fabisch)",
             || fabisch_normalize(a),

@@ -2,7 +2,7 @@ use super::frame::align_frame;
 use super::prefetch::prefetch;
 use super::quads::*;
 use super::vector::vector;
-use crate::lane::{Lane, Mask};
+use crate::lane::{Lanes, Mask};
 use crate::level::Level;
 use core::arch::asm;
 use core::arch::x86_64::*;

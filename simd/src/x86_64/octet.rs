@@ -2,7 +2,7 @@
 
 use super::avx2;
 use super::avx512;
-use crate::lane::Lane;
+use crate::lane::Lanes;
 use crate::octet::Octet;
 use crate::pair::Pair;
 use core::arch::asm;
@@ -120,6 +120,6 @@ impl Octet for Pair<avx2::F64x4> {
     }
     #[inline(always)]
     fn raised(self) -> Self {
-        Self(self.0.with(0.0), self.0)
+        Self(self.0.constant(0.0), self.0)
     }
 }

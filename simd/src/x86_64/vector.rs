@@ -23,11 +23,11 @@ macro_rules! vector {
         #[derive(Clone, Copy, Debug)]
         pub struct $name(pub(super) $register, pub(super) $level);
 
-        impl Lane for $name {
+        impl Lanes for $name {
             type Real = $real;
             type Mask = $mask;
             type Level = $level;
-            type Part = Self;
+            type Native = Self;
             type Array = [$real; $lanes];
             const LANES: usize = $lanes;
 

@@ -44,10 +44,10 @@ fn units<B: Board>(table: &mut Table<'_, B>) {
     let mut computed = [DualQuat::ZERO; ROWS];
 
     let cost = each(table, |i| computed[i] = black_box(a[i]).normalize());
-    table.line("normalise", cost, worst(&computed), UNIT);
+    table.line("normalize", cost, worst(&computed), UNIT);
     let cost =
         on_slices(table, |best| best.normalize(black_box(&a), black_box(&mut computed)).is_ok());
-    table.line("normalise, slices", cost, worst(&computed), UNIT);
+    table.line("normalize, slices", cost, worst(&computed), UNIT);
 }
 
 fn points<B: Board>(table: &mut Table<'_, B>) {

@@ -1,19 +1,19 @@
 use core::num::NonZeroU32;
 
-/// When a run over a hierarchy normalises model poses exactly.
+/// When a run over a hierarchy normalizes model poses exactly.
 ///
 /// Products of unit motions are unit up to rounding, and rounding adds up: about 10⁻⁷ √n (`f32`) in
 /// the norm after n products, less than a skeleton can show. The example `drift` measures it; in
 /// short:
 ///
-/// - normalising does **not** make rotations more accurate, it only keeps the norm;
+/// - normalizing does **not** make rotations more accurate, it only keeps the norm;
 /// - chains of up to thousands of joints need none of it: [`Never`](Self::Never) is the default;
-/// - where a product goes on for long (odometry, physics), normalise exactly and rarely:
+/// - where a product goes on for long (odometry, physics), normalize exactly and rarely:
 ///   [`Every`](Self::Every) 64 joints is as good as every one;
-/// - dividing by the norm of the real part alone is no normalisation: it leaves the dual part with a
+/// - dividing by the norm of the real part alone is no normalization: it leaves the dual part with a
 ///   component that is no translation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Renormalise {
+pub enum Renormalize {
     /// Products only.
     #[default]
     Never,
@@ -21,8 +21,8 @@ pub enum Renormalise {
     Every(NonZeroU32),
 }
 
-impl Renormalise {
-    /// Whether the model of this joint is normalised.
+impl Renormalize {
+    /// Whether the model of this joint is normalized.
     #[inline(always)]
     pub(super) fn applies_to(self, joint: usize) -> bool {
         match self {

@@ -1,4 +1,4 @@
-//! [`Steps`]: results that need earlier results, in an order whose indices have been checked.
+//! [`CheckedSchedule`]: results that need earlier results, in an order whose indices have been checked.
 
 use alloc::boxed::Box;
 
@@ -6,13 +6,13 @@ use alloc::boxed::Box;
 /// is checked once and not in the loop: where a step takes seven cycles, half a cycle is what a check
 /// costs.
 #[derive(Clone, Debug)]
-pub struct Steps {
+pub struct CheckedSchedule {
     /// Invariant: no number in it reaches `bound`.
     pairs: Box<[[u32; 2]]>,
     bound: usize,
 }
 
-impl Steps {
+impl CheckedSchedule {
     /// These pairs in this order, over slices of `bound` elements; `None` if an index is beyond.
     #[must_use]
     pub fn new(pairs: Box<[[u32; 2]]>, bound: usize) -> Option<Self> {
@@ -77,20 +77,20 @@ impl Steps {
 
 #[cfg(test)]
 mod tests {
-    use super::Steps;
+    use super::CheckedSchedule;
     use alloc::boxed::Box;
 
     #[test]
     fn an_index_at_the_bound_is_refused_on_either_side() {
-        assert!(Steps::new(Box::new([[2, 1], [1, 0]]), 3).is_some());
-        assert!(Steps::new(Box::new([[2, 1], [3, 0]]), 3).is_none());
-        assert!(Steps::new(Box::new([[2, 1], [1, 3]]), 3).is_none());
-        assert!(Steps::new(Box::new([]), 0).is_some());
+        assert!(CheckedSchedule::new(Box::new([[2, 1], [1, 0]]), 3).is_some());
+        assert!(CheckedSchedule::new(Box::new([[2, 1], [3, 0]]), 3).is_none());
+        assert!(CheckedSchedule::new(Box::new([[2, 1], [1, 3]]), 3).is_none());
+        assert!(CheckedSchedule::new(Box::new([]), 0).is_some());
     }
 
     #[test]
     fn later_pairs_see_what_earlier_ones_wrote() {
-        let steps = Steps::new(Box::new([[2, 0], [1, 2]]), 3).unwrap();
+        let steps = CheckedSchedule::new(Box::new([[2, 0], [1, 2]]), 3).unwrap();
         let mut elements = [1, 10, 100];
         assert!(steps.run(&[3, 20, 200], &mut elements, |from, to| from + to).is_some());
         assert_eq!(elements, [1, 221, 201]);
@@ -100,7 +100,7 @@ mod tests {
 
     #[test]
     fn a_slice_of_another_length_is_left_alone() {
-        let steps = Steps::new(Box::new([[1, 0]]), 2).unwrap();
+        let steps = CheckedSchedule::new(Box::new([[1, 0]]), 2).unwrap();
         let (mut short, mut long) = ([1; 1], [1; 3]);
         assert!(steps.run_in_place(&mut short, |_, _| 2).is_none());
         assert!(steps.run(&[1; 2], &mut long, |_, _| 2).is_none());
