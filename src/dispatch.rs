@@ -1,125 +1,174 @@
-//! [`Backend`]: which instructions compute. The only place that chooses.
+//! [`Backend`]: which instructions compute, and [`Kernel`]: what they compute. The only place that chooses.
 
 use core::fmt;
 use core::sync::atomic::{AtomicU8, Ordering};
+#[cfg(target_arch = "x86_64")]
+use dq8_simd::x86_64::{Avx2, Avx512};
 use dq8_simd::{Level, Portable};
 
-/// A set of instructions that the kernels over memory (hierarchies, slices) are compiled for.
+/// A computation for any instructions, to [`run`](Backend::run) on a [`Backend`]. Write it once: the
+/// compiler makes one version of it for each instruction set.
 ///
-/// Hierarchies choose the [`best`](Self::best) at run time, once a call, unless a
-/// [`Job`](crate::Job) names another; the kernels over slices ([`slices`](crate::slices)) are methods
-/// of the backend itself. A backend that the CPU lacks does its work with the best below it.
-/// [`limit`](Self::limit) makes all of them do with less, so that tests can walk every path.
+/// Whatever `run` calls must be `#[inline(always)]`, closures included: what the compiler keeps out of
+/// line is compiled without the instructions of its level, and there every lane operation becomes a
+/// call, 10 to 50 times slower.
+///
+/// A kernel of your own, for motions in any layout and of any precision:
 ///
 /// ```
-/// use dq8::Backend;
-/// assert!(Backend::Portable.is_available());
-/// assert!(Backend::available().any(|backend| backend == Backend::best()));
+/// use dq8::batch;
+/// use dq8::storage::{self, Element};
+/// use dq8::{Backend, DualQuat, Kernel, Level};
+///
+/// /// motions[i] ← √motions[i], half of each screw motion.
+/// struct HalfWay<'s, E>(&'s mut [E]);
+///
+/// impl<E: Element<8>> Kernel for HalfWay<'_, E> {
+///     type Output = ();
+///     #[inline(always)]
+///     fn run<V: Level>(self, level: V) {
+///         for tile in storage::tiles::<E, V, 8>(self.0.len()) {
+///             let Some(lanes) = E::load(level, self.0, tile, storage::identity()) else { return };
+///             let half = batch::DualQuat::from_array(lanes).sqrt();
+///             E::store(half.to_array(), self.0, tile);
+///         }
+///     }
+/// }
+///
+/// let mut steps = [DualQuat::from_translation([4.0_f32, 0.0, 0.0]); 11];
+/// Backend::best().run(HalfWay(&mut steps));
+/// assert_eq!(steps[10].translation(), [2.0, 0.0, 0.0]);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[non_exhaustive]
-pub enum Backend {
-    /// What the build target has: SSE2 on a default x86-64 build, NEON on aarch64, simd128 on wasm.
-    Portable,
-    /// x86-64 with AVX2 and FMA: 8 × `f32`, 4 × `f64`.
-    Avx2,
-    /// x86-64 with AVX-512 F, VL and DQ: 16 × `f32`, 8 × `f64`.
-    Avx512,
-}
-
-/// A computation for any level. `run` must be `#[inline(always)]`: each level compiles it anew.
-pub(crate) trait Kernel {
+pub trait Kernel {
+    /// What it returns.
     type Output;
+    /// Whether it gains from AVX-512. If not, it is not compiled for it, and runs with AVX2 there.
+    const WIDE: bool = true;
+    /// Computes with the lanes of `level`. Must be `#[inline(always)]`.
     fn run<V: Level>(self, level: V) -> Self::Output;
 }
 
-/// The best backend that may be used, as its discriminant.
+/// Instructions that this CPU has, to compute with. A value is the proof that it has them, so that a
+/// call asks once, when it takes the [`best`](Self::best), and never again.
+///
+/// Hierarchies take the best unless a [`Job`](crate::Job) names another; the kernels over slices
+/// ([`slices`](crate::slices)) are methods of the backend itself.
+///
+/// ```
+/// use dq8::Backend;
+/// assert!(Backend::available().any(|backend| backend == Backend::best()));
+/// assert_eq!(Backend::PORTABLE.to_string(), "portable");
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Backend(Proof);
+
+/// In rising order. Whoever has AVX-512 has AVX2, for kernels that gain nothing from more.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+enum Proof {
+    Portable,
+    #[cfg(target_arch = "x86_64")]
+    Avx2(Avx2),
+    #[cfg(target_arch = "x86_64")]
+    Avx512(Avx512, Avx2),
+}
+
+/// How many of the available backends [`Backend::best`] may choose from, beyond the first.
 static LIMIT: AtomicU8 = AtomicU8::new(u8::MAX);
 
 impl Backend {
-    const ALL: [Self; 3] = [Self::Portable, Self::Avx2, Self::Avx512];
-    /// No limit: what the CPU lacks is passed over.
-    pub(crate) const MOST: Self = Self::Avx512;
+    /// What the build target has: SSE2 in a default x86-64 build, NEON on aarch64, simd128 on wasm.
+    pub const PORTABLE: Self = Self(Proof::Portable);
 
-    /// The backends that this CPU has, in rising order, whatever the limit.
-    pub fn available() -> impl Iterator<Item = Self> {
-        Self::ALL.into_iter().filter(|backend| backend.is_available())
-    }
-
-    /// Whether this CPU has the instructions.
+    /// x86-64 with AVX2 and FMA: 8 × `f32`, 4 × `f64`. `None` if the CPU lacks them.
     #[inline]
     #[must_use]
-    pub fn is_available(self) -> bool {
-        match self {
-            Self::Portable => true,
-            #[cfg(target_arch = "x86_64")]
-            Self::Avx2 => dq8_simd::x86_64::Avx2::detect().is_some(),
-            #[cfg(target_arch = "x86_64")]
-            Self::Avx512 => dq8_simd::x86_64::Avx512::detect().is_some(),
-            #[cfg(not(target_arch = "x86_64"))]
-            _ => false,
-        }
+    pub fn avx2() -> Option<Self> {
+        #[cfg(target_arch = "x86_64")]
+        return Avx2::detect().map(|level| Self(Proof::Avx2(level)));
+        #[cfg(not(target_arch = "x86_64"))]
+        return None;
     }
 
-    /// The best backend that the CPU has and the [`limit`](Self::limit) allows. Detection happens
-    /// once; afterwards this is two loads.
+    /// x86-64 with AVX-512 F, VL and DQ: 16 × `f32`, 8 × `f64`. `None` if the CPU lacks them.
+    #[inline]
+    #[must_use]
+    pub fn avx512() -> Option<Self> {
+        #[cfg(target_arch = "x86_64")]
+        return Some(Self(Proof::Avx512(Avx512::detect()?, Avx2::detect()?)));
+        #[cfg(not(target_arch = "x86_64"))]
+        return None;
+    }
+
+    /// The backends that this CPU has, in rising order.
+    pub fn available() -> impl Iterator<Item = Self> {
+        [Some(Self::PORTABLE), Self::avx2(), Self::avx512()].into_iter().flatten()
+    }
+
+    /// The best backend that this CPU has. It is looked for once; afterwards this is three loads.
     #[inline]
     #[must_use]
     pub fn best() -> Self {
+        let mut best = Self::PORTABLE;
         let limit = LIMIT.load(Ordering::Relaxed);
-        let mut best = Self::Portable;
-        for backend in Self::ALL {
-            if backend as u8 <= limit && backend.is_available() {
-                best = backend;
-            }
+        for better in [Self::avx2(), Self::avx512()].into_iter().take(limit.into()).flatten() {
+            best = better;
         }
         best
     }
 
-    /// Pretends a lesser CPU: from now on, in all threads, no better backend than `most` is used.
-    /// `None` takes the limit away.
-    pub fn limit(most: Option<Self>) {
-        LIMIT.store(most.map_or(u8::MAX, |backend| backend as u8), Ordering::Relaxed);
+    /// From now on, in all threads, [`best`](Self::best) is none better than `limit`; `None` takes the
+    /// limit away. For the C ABI, which has no backends to pass.
+    #[doc(hidden)]
+    pub fn limit(limit: Option<Self>) {
+        let limit = match limit.map(|backend| backend.0) {
+            Some(Proof::Portable) => 0,
+            #[cfg(target_arch = "x86_64")]
+            Some(Proof::Avx2(_)) => 1,
+            _ => u8::MAX,
+        };
+        LIMIT.store(limit, Ordering::Relaxed);
     }
 
-    /// Runs `kernel` with this backend, or the best below it that the CPU has and the
-    /// [`limit`](Self::limit) allows.
+    /// Runs `kernel` with these instructions.
     ///
-    /// The closures must be inlined as well: left to itself, the compiler keeps a large one apart,
-    /// without the instructions of its level, and every lane operation becomes a call: 35 times slower.
+    /// (The closures must be inlined as well: left to itself, the compiler keeps a large one out of
+    /// line, without the instructions of its level: 35 times slower.)
     #[inline]
-    pub(crate) fn run<K: Kernel>(self, kernel: K) -> K::Output {
-        #[cfg(target_arch = "x86_64")]
-        {
-            use dq8_simd::x86_64::{Avx2, Avx512};
-            let most = LIMIT.load(Ordering::Relaxed).min(self as u8);
-            if most >= Self::Avx512 as u8
-                && let Some(level) = Avx512::detect()
-            {
-                return level.run(
-                    #[inline(always)]
-                    || kernel.run(level),
-                );
-            }
-            if most >= Self::Avx2 as u8
-                && let Some(level) = Avx2::detect()
-            {
-                return level.run(
-                    #[inline(always)]
-                    || kernel.run(level),
-                );
-            }
+    pub fn run<K: Kernel>(self, kernel: K) -> K::Output {
+        match self.0 {
+            Proof::Portable => Portable.run(
+                #[inline(always)]
+                || kernel.run(Portable),
+            ),
+            #[cfg(target_arch = "x86_64")]
+            Proof::Avx512(level, _) if K::WIDE => level.run(
+                #[inline(always)]
+                || kernel.run(level),
+            ),
+            #[cfg(target_arch = "x86_64")]
+            Proof::Avx2(level) | Proof::Avx512(_, level) => level.run(
+                #[inline(always)]
+                || kernel.run(level),
+            ),
         }
-        Portable.run(|| kernel.run(Portable))
+    }
+}
+
+impl Default for Backend {
+    /// The [`best`](Self::best).
+    fn default() -> Self {
+        Self::best()
     }
 }
 
 impl fmt::Display for Backend {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Portable => "portable",
-            Self::Avx2 => "AVX2",
-            Self::Avx512 => "AVX-512",
+        f.write_str(match self.0 {
+            Proof::Portable => "portable",
+            #[cfg(target_arch = "x86_64")]
+            Proof::Avx2(_) => "AVX2",
+            #[cfg(target_arch = "x86_64")]
+            Proof::Avx512(..) => "AVX-512",
         })
     }
 }

@@ -2,7 +2,6 @@
 //! one; all implement [`core::error::Error`].
 
 use core::fmt;
-use core::ops::Range;
 
 /// A dual quaternion that has no unit dual quaternion beside it: its real part is zero or some
 /// component is not finite (or the quotient would not be).
@@ -193,70 +192,6 @@ impl fmt::Display for HierarchyError {
     }
 }
 
-/// Slices that do not fit a hierarchy, or each other. Nothing has been written.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum ShapeError {
-    /// A slice does not hold a whole number of instances.
-    NotWhole {
-        /// Which slice.
-        what: &'static str,
-        /// Its length.
-        length: usize,
-        /// The joints of one instance.
-        joints: usize,
-    },
-    /// A slice has another length than it must.
-    Length {
-        /// Which slice.
-        what: &'static str,
-        /// Its length.
-        length: usize,
-        /// The length it must have.
-        expected: usize,
-    },
-    /// A range of joints that is no range of this hierarchy.
-    Joints {
-        /// The range.
-        range: Range<usize>,
-        /// How many joints there are.
-        joints: usize,
-    },
-    /// A pose that a crowd does not have.
-    NoPose {
-        /// The instance asked for.
-        instance: usize,
-        /// The joint asked for.
-        joint: usize,
-        /// How many instances there are.
-        instances: usize,
-        /// How many joints there are.
-        joints: usize,
-    },
-}
-
-impl fmt::Display for ShapeError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NotWhole { what, length, joints } => write!(
-                f,
-                "{what} holds {length} elements, which is no multiple of the {joints} joints"
-            ),
-            Self::Length { what, length, expected } => {
-                write!(f, "{what} holds {length} elements where {expected} are needed")
-            }
-            Self::Joints { range, joints } => write!(
-                f,
-                "joints {}..{} are no range of a hierarchy of {joints} joints",
-                range.start, range.end
-            ),
-            Self::NoPose { instance, joint, instances, joints } => write!(
-                f,
-                "no joint {joint} of instance {instance} among {instances} instances of {joints} joints"
-            ),
-        }
-    }
-}
-
 /// Points, lines and planes that do not determine what was asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum IncidenceError {
@@ -340,5 +275,4 @@ impl core::error::Error for InverseError {}
 impl core::error::Error for MatrixError {}
 impl core::error::Error for OrthonormalError {}
 impl core::error::Error for HierarchyError {}
-impl core::error::Error for ShapeError {}
 impl core::error::Error for IncidenceError {}

@@ -76,37 +76,37 @@ pub mod hierarchy;
 pub mod ik;
 mod incidence;
 mod motion;
-pub mod place;
+mod palette_entry;
 mod real;
 pub mod representation;
 pub mod scalar;
 // Tested where there is something to test it against.
+mod shape;
 #[cfg(any(not(feature = "std"), test))]
 mod sine;
 pub mod slices;
+pub mod storage;
 
-pub use dispatch::Backend;
-pub use dq8_simd::{
-    Float, Lanes, Level, Mask, Portable, f32x4, f32x8, f32x16, f64x2, f64x4, f64x8,
-};
+/// The lanes' own crate: numbers, vectors and instruction sets, for kernels of your own.
+pub use dq8_simd as simd;
+
+pub use dispatch::{Backend, Kernel};
+pub use dq8_simd::{Lanes, Level};
 pub use error::{
     HierarchyError, IncidenceError, InverseError, MatrixError, NormalizeError, OrthonormalError,
-    ShapeError,
 };
 pub use geometry::{DualVector, Line, Mean, Plane, Screw, Twist, Wrench};
-pub use hierarchy::{
-    Block, Hierarchy, Job, Link, Motions, Pose, Renormalize, RotationBlock,
-    RotationTranslationBlock, Rotations, RotationsTranslations, TwistBlock, pack, pack_chain,
-    unpack, unpack_chain,
-};
 #[cfg(feature = "alloc")]
 pub use hierarchy::{Crowd, HierarchyPlan, Strategy};
+pub use hierarchy::{Hierarchy, Job, Poses, Renormalize, Rotations, RotationsTranslations};
 pub use incidence::CommonPerpendicular;
 pub use motion::Motion;
-pub use place::{MatrixBlock, NumberBlock, Place, PointBlock};
-pub use real::Real;
+pub use palette_entry::{MatrixOrder, PaletteEntry};
+pub use real::{Real, Scalar};
 pub use representation::{
     Affine, EulerAngles, EulerAxes, EulerFrame, EulerOrder, EulerSolution, Polar,
     RotationTranslation, gram_schmidt,
 };
 pub use scalar::{Dual, DualQuat, Quat};
+pub use shape::ShapeError;
+pub use storage::{Block, Element, PointBlock};

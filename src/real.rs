@@ -164,3 +164,7 @@ real! {
     sin = libm::sin(); cos = libm::cos(); tan = libm::tan(); asin = libm::asin(); acos = libm::acos();
     atan = libm::atan(); atan2 = libm::atan2(x); exp = libm::exp(); ln = libm::log();
 }
+
+/// A number that lies in memory and in lanes: `f32` or `f64`. What everything over slices is made of.
+pub trait Scalar: Real + dq8_simd::Float {}
+impl<R: Real + dq8_simd::Float> Scalar for R {}

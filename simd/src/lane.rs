@@ -6,6 +6,9 @@ use bytemuck::{Pod, Zeroable};
 use core::fmt::Debug;
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
+/// The most lanes that a register of any level has.
+pub const MAX_LANES: usize = 16;
+
 /// A vector of `LANES` floating-point numbers that are computed together.
 ///
 /// Arithmetic is IEEE 754 lane by lane. Only [`mul_add`](Self::mul_add) and
@@ -97,72 +100,114 @@ pub trait Lanes:
         from: &[[Self::Real; C]],
         padding: [Self::Real; C],
     ) -> [Self; C] {
-        let mut components = [Self::splat(level, Self::Real::default()); C];
-        if let Some(from) = from.get(..Self::LANES)
-            && C.is_multiple_of(4)
-        {
-            for (quad, first) in components.chunks_exact_mut(4).zip((0..C).step_by(4)) {
-                let flat = from.as_flattened().get(first..).unwrap_or_default();
-                quad.copy_from_slice(&Self::load_quads(level, flat, C));
-            }
-            return components;
-        }
-        if from.len() >= Self::LANES && C == 3 {
-            let [x, y, z, _] = Self::load_quads(level, from.as_flattened(), C);
-            components.copy_from_slice(&[x, y, z]);
-            return components;
-        }
-        for (c, component) in components.iter_mut().enumerate() {
-            let mut row = Self::Array::zeroed();
-            for (lane, slot) in row.as_mut().iter_mut().enumerate() {
-                *slot = from.get(lane).unwrap_or(&padding)[c];
-            }
-            *component = Self::load(level, &row);
-        }
-        components
+        Self::load_strided(level, from, 1, padding)
     }
     /// Transposes on the way out: lane `i` of `C` vectors becomes record `i` of `to`.
     /// Records beyond `LANES` are left as they were.
     #[inline(always)]
     fn store_records<const C: usize>(components: [Self; C], to: &mut [[Self::Real; C]]) {
-        if let Some(to) = to.get_mut(..Self::LANES)
-            && C.is_multiple_of(4)
+        Self::store_strided(components, to, 1);
+    }
+    /// [`load_records`](Self::load_records) of every `stride`-th record.
+    #[inline(always)]
+    fn load_strided<const C: usize>(
+        level: Self::Level,
+        from: &[[Self::Real; C]],
+        stride: usize,
+        padding: [Self::Real; C],
+    ) -> [Self; C] {
+        let mut components = [Self::splat(level, Self::Real::default()); C];
+        let flat = from.as_flattened();
+        if C == 3
+            && let Some([x, y, z, _]) = Self::load_quads(level, flat, 3 * stride)
         {
-            for (quad, first) in components.chunks_exact(4).zip((0..C).step_by(4)) {
-                let flat = to.as_flattened_mut().get_mut(first..).unwrap_or_default();
-                if let &[x, y, z, w] = quad {
-                    Self::store_quads([x, y, z, w], flat, C);
-                }
+            components.copy_from_slice(&[x, y, z]);
+            return components;
+        }
+        // Four components at a time; the last four begin earlier where C is no multiple of four.
+        let mut done = 0;
+        while C >= 4
+            && done < C
+            && let first = done.min(C.saturating_sub(4))
+            && let Some(from) = flat.get(first..)
+            && let Some(quad) = Self::load_quads(level, from, C * stride)
+        {
+            components[first..first + 4].copy_from_slice(&quad);
+            done = first + 4;
+        }
+        if done < C {
+            let rows = load_each::<Self, C>(from, stride, padding);
+            for (component, row) in components.iter_mut().zip(&rows) {
+                *component = Self::load(level, row);
             }
+        }
+        components
+    }
+    /// [`store_records`](Self::store_records) to every `stride`-th record.
+    #[inline(always)]
+    fn store_strided<const C: usize>(
+        components: [Self; C],
+        to: &mut [[Self::Real; C]],
+        stride: usize,
+    ) {
+        let flat = to.as_flattened_mut();
+        if let (&[x, y, z], 1) = (components.as_slice(), stride)
+            && Self::store_triples([x, y, z], flat).is_some()
+        {
             return;
         }
-        if let (&[x, y, z], true) = (components.as_slice(), to.len() >= Self::LANES) {
-            Self::store_triples([x, y, z], to.as_flattened_mut());
-            return;
+        let mut done = 0;
+        while C >= 4
+            && done < C
+            && let first = done.min(C.saturating_sub(4))
+            && let (Some(to), &[x, y, z, w]) =
+                (flat.get_mut(first..), &components[first..first + 4])
+            && Self::store_quads([x, y, z, w], to, C * stride).is_some()
+        {
+            done = first + 4;
         }
-        for (c, component) in components.into_iter().enumerate() {
-            for (record, &value) in to.iter_mut().zip(component.to_array().as_ref()) {
-                record[c] = value;
+        if done < C {
+            let mut rows = [Self::Array::zeroed(); C];
+            for (row, component) in rows.iter_mut().zip(components) {
+                component.store(row);
             }
+            store_each::<Self, C>(&rows, to, stride);
         }
     }
-    /// Transposes on the way in: lane `i` of four vectors is `from[i · stride ..][.. 4]`, zero where
-    /// `from` ends before.
+    /// Transposes on the way in: lane `i` of four vectors is `from[i · stride ..][.. 4]`; `None` if `from`
+    /// ends before.
     #[inline(always)]
-    fn load_quads(level: Self::Level, from: &[Self::Real], stride: usize) -> [Self; 4] {
-        load_each(level, from, stride)
+    fn load_quads(level: Self::Level, from: &[Self::Real], stride: usize) -> Option<[Self; 4]> {
+        let from = from.get(..reach(Self::LANES, stride, 4))?;
+        let mut rows = [Self::Array::zeroed(); 4];
+        for (lane, quad) in from.chunks(stride.max(1)).take(Self::LANES).enumerate() {
+            for (row, &value) in rows.iter_mut().zip(quad) {
+                row.as_mut()[lane] = value;
+            }
+        }
+        let [x, y, z, w] = &rows;
+        Some([
+            Self::load(level, x),
+            Self::load(level, y),
+            Self::load(level, z),
+            Self::load(level, w),
+        ])
     }
     /// Transposes on the way out: lane `i` of four vectors goes to `to[i · stride ..][.. 4]`, for
-    /// strides of 4 or more; what is beyond the end of `to` is dropped.
+    /// strides of 4 or more. `None` if `to` ends before: nothing is written then.
     #[inline(always)]
-    fn store_quads(components: [Self; 4], to: &mut [Self::Real], stride: usize) {
-        store_each(components, to, stride);
+    fn store_quads(components: [Self; 4], to: &mut [Self::Real], stride: usize) -> Option<()> {
+        let to = to.get_mut(..reach(Self::LANES, stride, 4))?;
+        store_rows(components, to, stride);
+        Some(())
     }
-    /// Transposes on the way out: lane `i` of three vectors goes to `to[3i ..][.. 3]`; what is beyond
-    /// the end of `to` is dropped.
+    /// Transposes on the way out: lane `i` of three vectors goes to `to[3i ..][.. 3]`. `None` if `to`
+    /// ends before: nothing is written then.
     #[inline(always)]
-    fn store_triples(components: [Self; 3], to: &mut [Self::Real]) {
-        store_each(components, to, 3);
+    fn store_triples(components: [Self; 3], to: &mut [Self::Real]) -> Option<()> {
+        let to = to.get_mut(..3 * Self::LANES)?;
+        store_rows(components, to, 3);
+        Some(())
     }
 
     /// `self · factor + addend`, rounded once where the hardware fuses.
@@ -192,32 +237,56 @@ pub trait Lanes:
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
 }
 
-/// [`Lanes::load_quads`] one number at a time.
+/// How many numbers `lanes` records of `count` reach over, `stride` apart.
 #[inline(always)]
-pub(crate) fn load_each<L: Lanes>(level: L::Level, from: &[L::Real], stride: usize) -> [L; 4] {
-    let mut components = [L::splat(level, L::Real::default()); 4];
-    for (c, component) in components.iter_mut().enumerate() {
-        let mut row = L::Array::zeroed();
-        for (lane, slot) in row.as_mut().iter_mut().enumerate() {
-            *slot = from.get(lane * stride + c).copied().unwrap_or_default();
-        }
-        *component = L::load(level, &row);
-    }
-    components
+pub(crate) fn reach(lanes: usize, stride: usize, count: usize) -> usize {
+    stride.saturating_mul(lanes - 1).saturating_add(count)
 }
 
-/// [`Lanes::store_quads`] and [`Lanes::store_triples`] one number at a time.
+/// Transposes on the way out one number at a time.
 #[inline(always)]
-pub(crate) fn store_each<L: Lanes, const C: usize>(
-    components: [L; C],
-    to: &mut [L::Real],
+fn store_rows<L: Lanes, const C: usize>(components: [L; C], to: &mut [L::Real], stride: usize) {
+    let rows = components.map(
+        #[inline(always)]
+        |component| component.to_array(),
+    );
+    for (lane, record) in to.chunks_mut(stride.max(1)).take(L::LANES).enumerate() {
+        for (slot, row) in record.iter_mut().zip(&rows) {
+            *slot = row.as_ref()[lane];
+        }
+    }
+}
+
+/// [`Lanes::load_strided`] one number at a time: where the records end. Not inlined, and without
+/// vectors: the loop that calls it keeps its registers.
+#[cold]
+#[inline(never)]
+fn load_each<L: Lanes, const C: usize>(
+    from: &[[L::Real; C]],
+    stride: usize,
+    padding: [L::Real; C],
+) -> [L::Array; C] {
+    let mut rows = [L::Array::zeroed(); C];
+    let mut records = from.iter().step_by(stride.max(1));
+    for lane in 0..L::LANES {
+        for (row, &value) in rows.iter_mut().zip(records.next().unwrap_or(&padding)) {
+            row.as_mut()[lane] = value;
+        }
+    }
+    rows
+}
+
+/// [`Lanes::store_strided`] one number at a time: where the records end.
+#[cold]
+#[inline(never)]
+fn store_each<L: Lanes, const C: usize>(
+    rows: &[L::Array; C],
+    to: &mut [[L::Real; C]],
     stride: usize,
 ) {
-    for (c, component) in components.into_iter().enumerate() {
-        for (lane, &value) in component.to_array().as_ref().iter().enumerate() {
-            if let Some(slot) = to.get_mut(lane * stride + c) {
-                *slot = value;
-            }
+    for (lane, record) in to.iter_mut().step_by(stride.max(1)).take(L::LANES).enumerate() {
+        for (slot, row) in record.iter_mut().zip(rows) {
+            *slot = row.as_ref()[lane];
         }
     }
 }

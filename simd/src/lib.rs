@@ -51,7 +51,7 @@ pub use block::Block;
 #[cfg(feature = "alloc")]
 pub use checked_schedule::CheckedSchedule;
 pub use float::Float;
-pub use lane::{Lanes, Mask, Native, Row};
+pub use lane::{Lanes, MAX_LANES, Mask, Native, Row};
 pub use level::Level;
 pub use octet::Octet;
 pub use portable::Portable;

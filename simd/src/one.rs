@@ -49,15 +49,20 @@ macro_rules! one_lane {
                 to[0] = self;
             }
             #[inline(always)]
-            fn load_records<const C: usize>(
+            fn load_strided<const C: usize>(
                 _: Portable,
                 from: &[[$real; C]],
+                _: usize,
                 padding: [$real; C],
             ) -> [Self; C] {
                 from.first().copied().unwrap_or(padding)
             }
             #[inline(always)]
-            fn store_records<const C: usize>(components: [Self; C], to: &mut [[$real; C]]) {
+            fn store_strided<const C: usize>(
+                components: [Self; C],
+                to: &mut [[$real; C]],
+                _: usize,
+            ) {
                 if let Some(record) = to.first_mut() {
                     *record = components;
                 }

@@ -58,23 +58,22 @@ where
         self.1.store(upper);
     }
     #[inline(always)]
-    fn load_quads(level: L::Level, from: &[L::Real], stride: usize) -> [Self; 4] {
-        let upper = from.get(L::LANES * stride..).unwrap_or_default();
-        let [ax, ay, az, aw] = L::load_quads(level, from, stride);
-        let [bx, by, bz, bw] = L::load_quads(level, upper, stride);
-        [Self(ax, bx), Self(ay, by), Self(az, bz), Self(aw, bw)]
+    fn load_quads(level: L::Level, from: &[L::Real], stride: usize) -> Option<[Self; 4]> {
+        let upper = from.get(L::LANES * stride..)?;
+        let [ax, ay, az, aw] = L::load_quads(level, from, stride)?;
+        let [bx, by, bz, bw] = L::load_quads(level, upper, stride)?;
+        Some([Self(ax, bx), Self(ay, by), Self(az, bz), Self(aw, bw)])
     }
     #[inline(always)]
-    fn store_quads([x, y, z, w]: [Self; 4], to: &mut [L::Real], stride: usize) {
-        L::store_quads([x.0, y.0, z.0, w.0], to, stride);
-        let upper = to.get_mut(L::LANES * stride..).unwrap_or_default();
-        L::store_quads([x.1, y.1, z.1, w.1], upper, stride);
+    fn store_quads([x, y, z, w]: [Self; 4], to: &mut [L::Real], stride: usize) -> Option<()> {
+        // The upper lanes first: where they fit, the lower ones do.
+        L::store_quads([x.1, y.1, z.1, w.1], to.get_mut(L::LANES * stride..)?, stride)?;
+        L::store_quads([x.0, y.0, z.0, w.0], to, stride)
     }
     #[inline(always)]
-    fn store_triples([x, y, z]: [Self; 3], to: &mut [L::Real]) {
-        L::store_triples([x.0, y.0, z.0], to);
-        let upper = to.get_mut(L::LANES * 3..).unwrap_or_default();
-        L::store_triples([x.1, y.1, z.1], upper);
+    fn store_triples([x, y, z]: [Self; 3], to: &mut [L::Real]) -> Option<()> {
+        L::store_triples([x.1, y.1, z.1], to.get_mut(L::LANES * 3..)?)?;
+        L::store_triples([x.0, y.0, z.0], to)
     }
     #[inline(always)]
     fn mul_add(self, factor: Self, addend: Self) -> Self {

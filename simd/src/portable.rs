@@ -86,30 +86,21 @@ macro_rules! wide_lanes {
             }
             $(
                 #[inline(always)]
-                fn load_quads(level: Portable, from: &[$real], stride: usize) -> [Self; 4] {
-                    let reach = stride.saturating_mul($lanes - 1).saturating_add(4);
-                    let Some(from) = from.get(..reach) else {
-                        return crate::lane::load_each(level, from, stride);
-                    };
+                fn load_quads(_: Portable, from: &[$real], stride: usize) -> Option<[Self; 4]> {
+                    let from = from.get(..crate::lane::reach($lanes, stride, 4))?;
                     let mut rows = [Self::ZERO; 4];
                     for (i, row) in rows.iter_mut().enumerate() {
-                        let start = i * stride;
-                        let record = from.get(start..start + 4).and_then(|r| r.try_into().ok());
-                        *row = Self::new(record.unwrap_or_default());
+                        *row = Self::new(from.get(i * stride..)?.first_chunk().copied()?);
                     }
-                    Self::$transpose(rows)
+                    Some(Self::$transpose(rows))
                 }
                 #[inline(always)]
-                fn store_quads(components: [Self; 4], to: &mut [$real], stride: usize) {
-                    let reach = stride.saturating_mul($lanes - 1).saturating_add(4);
-                    let Some(to) = to.get_mut(..reach) else {
-                        return crate::lane::store_each(components, to, stride);
-                    };
+                fn store_quads(components: [Self; 4], to: &mut [$real], stride: usize) -> Option<()> {
+                    let to = to.get_mut(..crate::lane::reach($lanes, stride, 4))?;
                     for (i, row) in Self::$transpose(components).into_iter().enumerate() {
-                        if let Some(record) = to.get_mut(i * stride..i * stride + 4) {
-                            record.copy_from_slice(&row.to_array());
-                        }
+                        *to.get_mut(i * stride..)?.first_chunk_mut()? = row.to_array();
                     }
+                    Some(())
                 }
             )?
             #[inline(always)]

@@ -1,11 +1,11 @@
-//! The loops over a hierarchy, for any pose and any level. Lengths have been checked.
+//! model(j) = model(parent(j)) · local(j), for blocks: lanes are instances in memory already.
 
-use super::Pose;
-use super::job::{Job, Root};
-use super::locals::{JointSlot, Locals};
+use super::locals::{Locals, Motions, motions};
 use super::palette::Epilogue;
+use super::run::Run;
+use super::slot::JointSlot;
 use crate::dispatch::Kernel;
-use crate::motion::Motion;
+use crate::storage::{Element, Layout, Tile};
 use core::sync::atomic::{Ordering, compiler_fence};
 use dq8_simd::Level;
 
@@ -22,23 +22,30 @@ const CACHE: usize = 32 << 10;
 /// cache, a twentieth more. Farther ahead is no faster, and from 8 on slower.
 const AHEAD: usize = 2;
 
-/// model(j) = model(parent(j)) · local(j), parents first.
-pub(super) struct Forward<'j, 'h, 's, P: Pose, L, F> {
-    pub(super) job: &'j Job<'h, P>,
+/// Parents first. Three things keep this loop at the speed of its multiplications:
+///
+/// - A child waits for its parent, which takes as long as eight products. So two instances (or the
+///   registers of one block) are computed in turns: while one waits, the other multiplies. Two that do
+///   not fit the first cache together would push each other's parents out of it: then one at a time.
+/// - The turns are kept apart by fences for the compiler: left alone, it mixes two products and runs
+///   out of registers.
+/// - The next joint but one is fetched from memory meanwhile.
+pub(super) struct Forward<'r, 's, E: Element<8>, L, X> {
+    pub(super) run: &'r Run<'r, E>,
     pub(super) locals: L,
-    pub(super) models: &'s mut [P],
-    pub(super) finish: F,
+    pub(super) models: &'s mut [E],
+    pub(super) epilogue: X,
 }
 
-impl<P: Pose, L: Locals<P>, F: Epilogue<P>> Kernel for Forward<'_, '_, '_, P, L, F> {
+impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Forward<'_, '_, E, L, X> {
     type Output = ();
 
     #[inline(always)]
     fn run<V: Level>(self, level: V) {
-        let Self { job, locals, models, mut finish } = self;
-        let joints = job.hierarchy.joints();
-        // Parts of one instance are side by side already.
-        let alone = P::parts::<V>() > 1 || joints > CACHE / 2 / size_of::<P>();
+        let Self { run, locals, models, mut epilogue } = self;
+        let joints = run.parents.len();
+        // Registers of one block are side by side already.
+        let alone = E::Layout::registers::<V>() > 1 || joints > CACHE / 2 / size_of::<E>();
         let side_by_side = if OVERLAPS && !alone { 2 } else { 1 };
         // There are joints where there is anything to do, and no part of an instance. The compiler does not
         // know: `chunks_mut(0)` or a plain `split_at_mut` would be a path to a panic in the machine code.
@@ -46,52 +53,51 @@ impl<P: Pose, L: Locals<P>, F: Epilogue<P>> Kernel for Forward<'_, '_, '_, P, L,
         for (first, models) in (0..).step_by(side_by_side).zip(sets) {
             let Some((a, b)) = models.split_at_mut_checked(joints) else { return };
             if side_by_side == 1 || b.is_empty() {
-                forward(level, job, locals, &mut finish, [(first, a)]);
+                forward(level, run, locals, &mut epilogue, [(first, a)]);
             } else {
-                forward(level, job, locals, &mut finish, [(first, a), (first + 1, b)]);
+                forward(level, run, locals, &mut epilogue, [(first, a), (first + 1, b)]);
             }
         }
     }
 }
 
-/// Instances side by side: a child waits for its parent, and while one waits, the other is computed.
 #[inline(always)]
-fn forward<P: Pose, L: Locals<P>, F: Epilogue<P>, V: Level, const K: usize>(
+fn forward<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level, const K: usize>(
     level: V,
-    job: &Job<'_, P>,
+    run: &Run<'_, E>,
     locals: L,
-    finish: &mut F,
-    mut instances: [(usize, &mut [P]); K],
+    epilogue: &mut X,
+    mut instances: [(usize, &mut [E]); K],
 ) {
-    let parents = job.hierarchy.parents();
-    for joint in job.joints.clone() {
+    for joint in run.joints.clone() {
         // ROOT is beyond the last joint: there is no such model.
-        let Some(&parent) = parents.get(joint) else { return };
-        let renormalize = job.renormalize.applies_to(joint);
+        let Some(&parent) = run.parents.get(joint) else { return };
+        let renormalize = run.renormalize.applies_to(joint);
         for (instance, models) in &mut instances {
-            if P::INSTANCES > 1
-                && let Some(soon) = models.get(joint.saturating_add(AHEAD))
-            {
+            if let Some(soon) = models.get(joint.saturating_add(AHEAD)) {
                 level.prefetch(soon);
             }
-            let index = *instance * parents.len() + joint;
-            for part in 0..P::parts::<V>() {
-                let spot = JointSlot { index, joint, part };
-                if let Some(parent) = models.get(parent as usize) {
-                    let model = locals.onto(level, parent, models, spot);
-                    let (Some(model), Some(slot)) = (model, models.get_mut(joint)) else { return };
-                    slot.store(level, part, model);
+            for register in 0..E::Layout::registers::<V>() {
+                let slot = JointSlot::in_block(joint, *instance * run.parents.len(), register);
+                let parent = Tile::at(parent as usize, register);
+                if let Some(parent) = motions(level, models, parent) {
+                    let Some(model) = locals.onto(level, parent, models, slot) else { return };
+                    store(model, models, slot);
                 } else {
-                    root(level, job, locals, models, spot);
+                    root(level, run, *instance, locals, models, slot);
                 }
-                // The next part, or instance, is none of this one's business: a compiler that mixes
-                // them has not enough registers.
                 compiler_fence(Ordering::SeqCst);
-                let Some(slot) = models.get_mut(joint) else { return };
-                if renormalize {
-                    slot.store(level, part, slot.load(level, part).normalize());
+                if !renormalize && !X::ACTIVE {
+                    continue;
                 }
-                finish.finish(level, spot, slot);
+                let Some(mut model) = motions(level, models, slot.own_tile()) else { return };
+                if renormalize {
+                    model = model.normalize();
+                    store(model, models, slot);
+                }
+                if X::ACTIVE {
+                    epilogue.run(level, slot, model);
+                }
             }
         }
     }
@@ -101,80 +107,28 @@ fn forward<P: Pose, L: Locals<P>, F: Epilogue<P>, V: Level, const K: usize>(
 /// is.
 #[cold]
 #[inline(never)]
-fn root<P: Pose, L: Locals<P>, V: Level>(
+fn root<E: Element<8>, L: Locals<E>, V: Level>(
     level: V,
-    job: &Job<'_, P>,
+    run: &Run<'_, E>,
+    instance: usize,
     locals: L,
-    models: &mut [P],
-    spot: JointSlot,
+    models: &mut [E],
+    slot: JointSlot,
 ) {
     level.run(
         #[inline(always)]
         || {
-            let JointSlot { index, joint, part } = spot;
-            let instance = index / job.hierarchy.joints().max(1);
-            let local = locals.alone(level, models, spot);
-            let model = local.map(|local| match root_of(job, level, instance, part) {
+            let Some(local) = locals.load(level, models, slot) else { return };
+            let model = match run.root.load(level, instance, slot.own_tile().register) {
                 Some(root) => root * local,
                 None => local,
-            });
-            if let (Some(model), Some(slot)) = (model, models.get_mut(joint)) {
-                slot.store(level, part, model);
-            }
+            };
+            store(model, models, slot);
         },
     );
 }
 
-/// local(j) = model(parent(j))* · model(j), children first, so that in place every parent is still
-/// a model when its children need it.
-pub(super) struct Backward<'j, 'h, 's, P: Pose> {
-    pub(super) job: &'j Job<'h, P>,
-    pub(super) models: Option<&'s [P]>,
-    pub(super) locals: &'s mut [P],
-}
-
-impl<P: Pose> Kernel for Backward<'_, '_, '_, P> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<V: Level>(self, level: V) {
-        let Self { job, models, locals } = self;
-        let parents = job.hierarchy.parents();
-        let joints = parents.len().max(1);
-        for (instance, locals) in locals.chunks_exact_mut(joints).enumerate() {
-            let models = models.and_then(|all| all.chunks_exact(joints).nth(instance));
-            for joint in job.joints.clone().rev() {
-                for part in 0..P::parts::<V>() {
-                    let models = models.unwrap_or(locals);
-                    let Some(model) = models.get(joint) else { break };
-                    let parent = parents.get(joint).and_then(|&parent| models.get(parent as usize));
-                    let parent = match parent {
-                        Some(parent) => Some(parent.load(level, part)),
-                        None => root_of(job, level, instance, part),
-                    };
-                    let mut local = model.load(level, part);
-                    if let Some(parent) = parent {
-                        local = parent.conjugate() * local;
-                    }
-                    if let Some(slot) = locals.get_mut(joint) {
-                        slot.store(level, part, local);
-                    }
-                }
-            }
-        }
-    }
-}
-
 #[inline(always)]
-fn root_of<P: Pose, V: Level>(
-    job: &Job<'_, P>,
-    level: V,
-    instance: usize,
-    part: usize,
-) -> Option<P::Motion<V>> {
-    match job.root {
-        Root::None => None,
-        Root::Same(root) => Some(P::splat(level, root)),
-        Root::Each(roots) => roots.get(instance).map(|root| root.load(level, part)),
-    }
+fn store<E: Element<8>, V: Level>(model: Motions<E, V>, models: &mut [E], slot: JointSlot) {
+    E::store(model.to_array(), models, slot.own_tile());
 }

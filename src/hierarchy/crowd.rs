@@ -1,16 +1,17 @@
-use super::Block;
-use super::packing::{blocks_for, pack, unpack, whole_instances};
-use crate::error::ShapeError;
-use crate::real::Real;
+use crate::real::Scalar;
 use crate::scalar::DualQuat;
+use crate::shape::{ShapeError, same_length, whole_instances};
+use crate::storage::{Aos, Element, blocks_for, identity, pack_lanes, unpack_lanes};
 use alloc::vec;
 use alloc::vec::Vec;
-use dq8_simd::Row;
+use dq8_simd::{Block, Row};
 
-/// Poses of many instances of one skeleton, in blocks of `N` lanes: lanes are instances.
+/// Things of many instances of one skeleton, in blocks of `N` lanes: lanes are instances. Poses, unless
+/// another number of components `C` says otherwise: 4 for rotations, 7 for rotations and translations,
+/// 12 for matrices (see [`storage`](crate::storage)).
 ///
 /// ```
-/// use dq8::{Crowd, DualQuat, Hierarchy};
+/// use dq8::{Crowd, DualQuat, Hierarchy, Quat, Rotations};
 /// let parents = [Hierarchy::ROOT, 0];
 /// let skeleton = Hierarchy::new(&parents)?;
 /// let step = DualQuat::from_translation([0.0_f32, 1.0, 0.0]);
@@ -18,58 +19,63 @@ use dq8_simd::Row;
 /// let mut crowd = Crowd::<f32, 8>::from_slice(2, &[step; 11 * 2])?;
 /// skeleton.local_to_model_in_place(crowd.blocks_mut())?;
 /// assert_eq!(crowd.get(10, 1).unwrap().translation(), [0.0, 2.0, 0.0]);
+/// // The same from rotations.
+/// let turns = Crowd::<f32, 8, 4>::from_slice(2, &[Quat::IDENTITY; 11 * 2])?;
+/// let locals = Rotations { rotations: turns.blocks(), offsets: &[[0.0, 1.0, 0.0]; 2] };
+/// skeleton.job().locals_to_model(locals, crowd.blocks_mut())?;
+/// assert_eq!(crowd.get(10, 1).unwrap().translation(), [0.0, 2.0, 0.0]);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct Crowd<R, const N: usize> {
-    blocks: Vec<Block<R, N>>,
+pub struct Crowd<R, const N: usize, const C: usize = 8>
+where
+    [R; N]: Row<Real = R>,
+{
+    blocks: Vec<Block<[R; N], C>>,
     joints: usize,
     instances: usize,
 }
 
-impl<R: Real, const N: usize> Crowd<R, N>
+impl<R: Scalar, const N: usize, const C: usize> Crowd<R, N, C>
 where
     [R; N]: Row<Real = R>,
 {
-    /// All joints of all instances at the identity.
+    /// All joints of all instances at the identity (at zero, for what is not a motion, a rotation or a
+    /// matrix).
     ///
     /// # Panics
-    /// If the memory cannot be allocated, as for any `Vec`.
+    /// If the memory cannot be allocated, as for any `Vec`; so also if there are more blocks than a
+    /// `usize` can count.
     #[must_use]
     pub fn new(joints: usize, instances: usize) -> Self {
-        let identity = Block::splat(DualQuat::IDENTITY.to_array());
-        Self { blocks: vec![identity; blocks_for::<N>(joints, instances)], joints, instances }
+        let blocks = vec![Block::splat(identity()); blocks_for::<N>(joints, instances)];
+        Self { blocks, joints, instances }
     }
 
     /// From `[instance][joint]`.
     ///
     /// # Errors
-    /// If `poses` holds no whole number of instances.
-    pub fn from_slice(joints: usize, poses: &[DualQuat<R>]) -> Result<Self, ShapeError> {
-        let mut crowd = Self::new(joints, whole_instances("poses", joints, poses.len())?);
-        pack(joints, poses, &mut crowd.blocks)?;
+    /// If `things` holds no whole number of instances.
+    pub fn from_slice<E>(joints: usize, things: &[E]) -> Result<Self, ShapeError>
+    where
+        E: Element<C, Layout = Aos<R>>,
+    {
+        let mut crowd = Self::new(joints, whole_instances("things", joints, things.len())?);
+        pack_lanes(joints, things, &mut crowd.blocks);
         Ok(crowd)
     }
 
     /// Into `[instance][joint]`.
     ///
     /// # Errors
-    /// If `poses` is not `instances` · `joints` long; it is untouched then.
-    pub fn copy_to_slice(&self, poses: &mut [DualQuat<R>]) -> Result<(), ShapeError> {
-        let (length, expected) = (poses.len(), self.instances * self.joints);
-        if length != expected {
-            return Err(ShapeError::Length { what: "poses", length, expected });
-        }
-        unpack(self.joints, &self.blocks, poses)
-    }
-
-    /// As `[instance][joint]`.
-    #[must_use]
-    pub fn to_vec(&self) -> Vec<DualQuat<R>> {
-        let mut poses = vec![DualQuat::IDENTITY; self.instances * self.joints];
-        // The length is right by construction.
-        let _ = unpack(self.joints, &self.blocks, &mut poses);
-        poses
+    /// If `things` is not `instances` · `joints` long; it is untouched then.
+    pub fn copy_to_slice<E>(&self, things: &mut [E]) -> Result<(), ShapeError>
+    where
+        E: Element<C, Layout = Aos<R>>,
+    {
+        same_length("things", things.len(), self.instances * self.joints)?;
+        unpack_lanes(self.joints, &self.blocks, things);
+        Ok(())
     }
 
     /// How many joints an instance has.
@@ -86,21 +92,61 @@ where
 
     /// `[instance block][joint]`, for [`Hierarchy`](super::Hierarchy) and kernels of your own.
     #[must_use]
-    pub fn blocks(&self) -> &[Block<R, N>] {
+    pub fn blocks(&self) -> &[Block<[R; N], C>] {
         &self.blocks
     }
 
     /// `[instance block][joint]`. Lanes beyond the last instance hold the identity; keep them finite.
     #[must_use]
-    pub fn blocks_mut(&mut self) -> &mut [Block<R, N>] {
+    pub fn blocks_mut(&mut self) -> &mut [Block<[R; N], C>] {
         &mut self.blocks
+    }
+
+    /// The numbers of one joint of one instance; `None` beyond the last of either.
+    #[must_use]
+    pub fn record(&self, instance: usize, joint: usize) -> Option<[R; C]> {
+        self.blocks.get(self.index(instance, joint)?)?.get(instance % N)
+    }
+
+    /// Writes the numbers of one joint of one instance.
+    ///
+    /// # Errors
+    /// If there is no such instance or joint.
+    pub fn set_record(
+        &mut self,
+        instance: usize,
+        joint: usize,
+        record: [R; C],
+    ) -> Result<(), ShapeError> {
+        let missing =
+            ShapeError::NoPose { instance, joint, instances: self.instances, joints: self.joints };
+        let block = self.index(instance, joint).and_then(|index| self.blocks.get_mut(index));
+        let Some(block) = block else { return Err(missing) };
+        block.set(instance % N, record).map_err(|_| missing)
+    }
+
+    fn index(&self, instance: usize, joint: usize) -> Option<usize> {
+        let inside = instance < self.instances && joint < self.joints;
+        inside.then(|| instance / N * self.joints + joint)
+    }
+}
+
+impl<R: Scalar, const N: usize> Crowd<R, N>
+where
+    [R; N]: Row<Real = R>,
+{
+    /// As `[instance][joint]`.
+    #[must_use]
+    pub fn to_vec(&self) -> Vec<DualQuat<R>> {
+        let mut poses = vec![DualQuat::IDENTITY; self.instances * self.joints];
+        unpack_lanes(self.joints, &self.blocks, &mut poses);
+        poses
     }
 
     /// One pose; `None` beyond the last instance or joint.
     #[must_use]
     pub fn get(&self, instance: usize, joint: usize) -> Option<DualQuat<R>> {
-        let index = self.index(instance, joint)?;
-        self.blocks.get(index)?.get(instance % N).map(DualQuat::from_array)
+        self.record(instance, joint).map(DualQuat::from_array)
     }
 
     /// Writes one pose.
@@ -113,15 +159,6 @@ where
         joint: usize,
         pose: DualQuat<R>,
     ) -> Result<(), ShapeError> {
-        let missing =
-            ShapeError::NoPose { instance, joint, instances: self.instances, joints: self.joints };
-        let block = self.index(instance, joint).and_then(|index| self.blocks.get_mut(index));
-        let Some(block) = block else { return Err(missing) };
-        block.set(instance % N, pose.to_array()).map_err(|_| missing)
-    }
-
-    fn index(&self, instance: usize, joint: usize) -> Option<usize> {
-        let inside = instance < self.instances && joint < self.joints;
-        inside.then(|| instance / N * self.joints + joint)
+        self.set_record(instance, joint, pose.to_array())
     }
 }

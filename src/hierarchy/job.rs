@@ -1,10 +1,14 @@
-use super::concatenate::{Backward, Forward};
-use super::locals::{InPlace, Locals, Motions};
-use super::palette::{Epilogue, NoEpilogue, Palette, PaletteEntry};
-use super::{Hierarchy, Pose, Renormalize};
+use super::backward::Backward;
+use super::concatenate::Forward;
+use super::locals::{InPlace, Locals, Poses};
+use super::palette::{Epilogue, NoEpilogue, Palette};
+use super::run::{Root, Run};
+use super::{Hierarchy, Renormalize, transposed};
 use crate::dispatch::Backend;
-use crate::error::ShapeError;
+use crate::palette_entry::{MatrixOrder, PaletteEntry};
 use crate::scalar::DualQuat;
+use crate::shape::{ShapeError, joints_within, same_length, whole_instances};
+use crate::storage::{Element, Layout, Number, Source};
 use core::ops::Range;
 
 /// A run over a hierarchy: with a root transform, or on some of the joints.
@@ -25,23 +29,10 @@ use core::ops::Range;
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Job<'a, P: Pose> {
-    pub(super) hierarchy: Hierarchy<'a>,
-    pub(super) root: Root<'a, P>,
-    pub(super) joints: Range<usize>,
-    pub(super) renormalize: Renormalize,
-    pub(super) backend: Backend,
-}
-
-/// What joints without a parent stand on.
-#[derive(Clone, Debug)]
-pub(super) enum Root<'a, P: Pose> {
-    /// Nothing: their local pose is their model pose.
-    None,
-    /// The same motion for every instance.
-    Same(DualQuat<P::Real>),
-    /// A motion for each instance, one element an instance (block).
-    Each(&'a [P]),
+pub struct Job<'a, E: Element<8>> {
+    pub(super) run: Run<'a, E>,
+    pub(super) backend: Option<Backend>,
+    order: MatrixOrder,
 }
 
 impl<'a> Hierarchy<'a> {
@@ -53,10 +44,10 @@ impl<'a> Hierarchy<'a> {
     /// # Errors
     /// If the slices differ in length or hold no whole number of instances; `models` is untouched.
     #[inline]
-    pub fn local_to_model<P: Pose>(
+    pub fn local_to_model<E: Element<8>>(
         &self,
-        locals: &[P],
-        models: &mut [P],
+        locals: &[E],
+        models: &mut [E],
     ) -> Result<(), ShapeError> {
         self.job().local_to_model(locals, models)
     }
@@ -66,69 +57,38 @@ impl<'a> Hierarchy<'a> {
     /// # Errors
     /// If the slice holds no whole number of instances; it is untouched then.
     #[inline]
-    pub fn local_to_model_in_place<P: Pose>(&self, poses: &mut [P]) -> Result<(), ShapeError> {
-        self.job().local_to_model_in_place(poses)
-    }
-
-    /// Local poses of all joints from model ones: local(j) = model(parent(j))* · model(j). The
-    /// models must be unit.
-    ///
-    /// # Errors
-    /// If the slices differ in length or hold no whole number of instances; `locals` is untouched.
-    ///
-    /// ```
-    /// use dq8::{DualQuat, Hierarchy};
-    /// let parents = [Hierarchy::ROOT, 0];
-    /// let pair = Hierarchy::new(&parents)?;
-    /// let models = [1.0_f32, 3.0].map(|x| DualQuat::from_translation([x, 0.0, 0.0]));
-    /// let mut locals = models;
-    /// pair.model_to_local(&models, &mut locals)?;
-    /// assert_eq!(locals[1].translation(), [2.0, 0.0, 0.0]);
-    /// # Ok::<(), Box<dyn core::error::Error>>(())
-    /// ```
-    #[inline]
-    pub fn model_to_local<P: Pose>(
+    pub fn local_to_model_in_place<E: Element<8>>(
         &self,
-        models: &[P],
-        locals: &mut [P],
+        poses: &mut [E],
     ) -> Result<(), ShapeError> {
-        self.job().model_to_local(models, locals)
-    }
-
-    /// [`model_to_local`](Self::model_to_local) over the models themselves.
-    ///
-    /// # Errors
-    /// If the slice holds no whole number of instances; it is untouched then.
-    #[inline]
-    pub fn model_to_local_in_place<P: Pose>(&self, poses: &mut [P]) -> Result<(), ShapeError> {
-        self.job().model_to_local_in_place(poses)
+        self.job().local_to_model_in_place(poses)
     }
 
     /// A run with options.
     #[must_use]
-    pub fn job<P: Pose>(&self) -> Job<'a, P> {
-        Job {
-            hierarchy: *self,
-            root: Root::None,
+    pub fn job<E: Element<8>>(&self) -> Job<'a, E> {
+        let run = Run {
+            parents: self.parents(),
             joints: 0..self.joints(),
+            root: Root::None,
             renormalize: Renormalize::Never,
-            backend: Backend::MOST,
-        }
+        };
+        Job { run, backend: None, order: MatrixOrder::Rows }
     }
 }
 
-impl<'a, P: Pose> Job<'a, P> {
+impl<'a, E: Element<8>> Job<'a, E> {
     /// Puts every root joint on `root`: model(j) = root · local(j), the same for all instances.
     #[must_use]
-    pub fn root(mut self, root: DualQuat<P::Real>) -> Self {
-        self.root = Root::Same(root);
+    pub fn root(mut self, root: DualQuat<Number<E, 8>>) -> Self {
+        self.run.root = Root::Same(root);
         self
     }
 
     /// Puts the root joints of each instance (block) on its own element of `roots`.
     #[must_use]
-    pub fn roots(mut self, roots: &'a [P]) -> Self {
-        self.root = Root::Each(roots);
+    pub fn roots(mut self, roots: &'a [E]) -> Self {
+        self.run.root = Root::Each(roots);
         self
     }
 
@@ -136,21 +96,28 @@ impl<'a, P: Pose> Job<'a, P> {
     /// model poses; the other joints are not written.
     #[must_use]
     pub fn joints(mut self, joints: Range<usize>) -> Self {
-        self.joints = joints;
+        self.run.joints = joints;
+        self
+    }
+
+    /// In which order the numbers of a palette's matrices lie in memory; rows, unless told.
+    #[must_use]
+    pub fn matrix_order(mut self, order: MatrixOrder) -> Self {
+        self.order = order;
         self
     }
 
     /// Normalizes models on the way down; never, unless told.
     #[must_use]
     pub fn renormalize(mut self, policy: Renormalize) -> Self {
-        self.renormalize = policy;
+        self.run.renormalize = policy;
         self
     }
 
-    /// Runs with this backend, or the best below it that the CPU has; the best there is, unless told.
+    /// Runs with these instructions: the best that the CPU has, unless told.
     #[must_use]
     pub fn backend(mut self, backend: Backend) -> Self {
-        self.backend = backend;
+        self.backend = Some(backend);
         self
     }
 
@@ -159,8 +126,8 @@ impl<'a, P: Pose> Job<'a, P> {
     /// # Errors
     /// If lengths or the range do not fit; `models` is untouched.
     #[inline]
-    pub fn local_to_model(&self, locals: &[P], models: &mut [P]) -> Result<(), ShapeError> {
-        self.locals_to_model(Motions(locals), models)
+    pub fn local_to_model(&self, locals: &[E], models: &mut [E]) -> Result<(), ShapeError> {
+        self.locals_to_model(Poses(locals), models)
     }
 
     /// See [`Hierarchy::local_to_model_in_place`].
@@ -168,7 +135,7 @@ impl<'a, P: Pose> Job<'a, P> {
     /// # Errors
     /// If lengths or the range do not fit; `poses` is untouched.
     #[inline]
-    pub fn local_to_model_in_place(&self, poses: &mut [P]) -> Result<(), ShapeError> {
+    pub fn local_to_model_in_place(&self, poses: &mut [E]) -> Result<(), ShapeError> {
         self.locals_to_model(InPlace, poses)
     }
 
@@ -189,10 +156,10 @@ impl<'a, P: Pose> Job<'a, P> {
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     #[inline]
-    pub fn locals_to_model<L: Locals<P>>(
+    pub fn locals_to_model<L: Locals<E>>(
         &self,
         locals: L,
-        models: &mut [P],
+        models: &mut [E],
     ) -> Result<(), ShapeError> {
         self.check_locals(&locals, models.len())?;
         self.forward(locals, models, NoEpilogue);
@@ -208,7 +175,7 @@ impl<'a, P: Pose> Job<'a, P> {
     /// If lengths or the range do not fit; `models` and `palette` are untouched.
     ///
     /// ```
-    /// use dq8::{DualQuat, Hierarchy, Motions};
+    /// use dq8::{DualQuat, Hierarchy, Poses};
     /// let parents = [Hierarchy::ROOT, 0];
     /// let leg = Hierarchy::new(&parents)?;
     /// let rest = [0.0_f32, -1.0].map(|y| DualQuat::from_translation([0.0, y, 0.0]));
@@ -217,89 +184,105 @@ impl<'a, P: Pose> Job<'a, P> {
     /// let inverse_binds = models.map(|model| model.conjugate());
     /// // In the rest pose no vertex moves.
     /// let mut palette = [[[0.0; 4]; 3]; 2];
-    /// leg.job().locals_to_palette(Motions(&rest), &mut models, &inverse_binds, &mut palette)?;
+    /// leg.job().locals_to_palette(Poses(&rest), &mut models, &inverse_binds, &mut palette)?;
     /// assert_eq!(palette[1], DualQuat::<f32>::IDENTITY.to_matrix3x4());
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     #[inline]
-    pub fn locals_to_palette<L: Locals<P>, E: PaletteEntry<P>>(
+    pub fn locals_to_palette<L: Locals<E>, M, const C: usize>(
         &self,
         locals: L,
-        models: &mut [P],
-        inverse_binds: &[DualQuat<P::Real>],
-        palette: &mut [E],
-    ) -> Result<(), ShapeError> {
+        models: &mut [E],
+        inverse_binds: &[DualQuat<Number<E, 8>>],
+        palette: &mut [M],
+    ) -> Result<(), ShapeError>
+    where
+        M: PaletteEntry<C, Layout = E::Layout>,
+    {
         self.check_locals(&locals, models.len())?;
-        same_length("inverse_binds", inverse_binds.len(), self.hierarchy.joints())?;
+        same_length("inverse_binds", inverse_binds.len(), self.run.parents.len())?;
         same_length("palette", palette.len(), models.len())?;
-        self.forward(locals, models, Palette { inverse_binds, entries: palette });
+        self.forward(
+            locals,
+            models,
+            Palette { inverse_binds, order: self.order, entries: palette },
+        );
         Ok(())
     }
 
     #[inline]
-    fn forward<L: Locals<P>, F: Epilogue<P>>(&self, locals: L, models: &mut [P], finish: F) {
-        self.backend.run(Forward { job: self, locals, models, finish });
+    pub(super) fn forward<L: Locals<E>, X: Epilogue<E>>(
+        &self,
+        locals: L,
+        models: &mut [E],
+        mut epilogue: X,
+    ) {
+        let (run, backend) = (&self.run, self.backend.unwrap_or_default());
+        if E::Layout::THINGS > 1 {
+            backend.run(Forward { run, locals, models, epilogue });
+        } else {
+            transposed::forward(backend, run, locals, models, &mut epilogue);
+        }
     }
 
-    /// See [`Hierarchy::model_to_local`]. With [`joints`](Self::joints), only those locals are
-    /// written.
+    /// Local poses of all joints from model ones: local(j) = model(parent(j))* · model(j). The
+    /// models must be unit. With [`joints`](Self::joints), only those locals are written.
     ///
     /// # Errors
     /// If lengths or the range do not fit; `locals` is untouched.
+    ///
+    /// ```
+    /// use dq8::{DualQuat, Hierarchy};
+    /// let parents = [Hierarchy::ROOT, 0];
+    /// let pair = Hierarchy::new(&parents)?;
+    /// let models = [1.0_f32, 3.0].map(|x| DualQuat::from_translation([x, 0.0, 0.0]));
+    /// let mut locals = models;
+    /// pair.job().model_to_local(&models, &mut locals)?;
+    /// assert_eq!(locals[1].translation(), [2.0, 0.0, 0.0]);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
     #[inline]
-    pub fn model_to_local(&self, models: &[P], locals: &mut [P]) -> Result<(), ShapeError> {
+    pub fn model_to_local(&self, models: &[E], locals: &mut [E]) -> Result<(), ShapeError> {
         self.check("models", models.len())?;
         same_length("locals", locals.len(), models.len())?;
-        self.backend.run(Backward { job: self, models: Some(models), locals });
+        self.backward(Source::Slice(models), locals);
         Ok(())
     }
 
-    /// See [`Hierarchy::model_to_local_in_place`].
+    /// [`model_to_local`](Self::model_to_local) over the models themselves.
     ///
     /// # Errors
     /// If lengths or the range do not fit; `poses` is untouched.
     #[inline]
-    pub fn model_to_local_in_place(&self, poses: &mut [P]) -> Result<(), ShapeError> {
+    pub fn model_to_local_in_place(&self, poses: &mut [E]) -> Result<(), ShapeError> {
         self.check("poses", poses.len())?;
-        self.backend.run(Backward { job: self, models: None, locals: poses });
+        self.backward(Source::Output, poses);
         Ok(())
     }
 
-    pub(super) fn check_locals<L: Locals<P>>(
+    #[inline]
+    fn backward(&self, models: Source<'_, E>, locals: &mut [E]) {
+        self.backend.unwrap_or_default().run(Backward { run: &self.run, models, locals });
+    }
+
+    pub(super) fn check_locals<L: Locals<E>>(
         &self,
         locals: &L,
         models: usize,
     ) -> Result<(), ShapeError> {
-        let (what, length) = locals.shape(self.hierarchy.joints(), models)?;
+        let (what, length) = locals.shape(self.run.parents.len(), models)?;
         self.check(what, length)?;
         same_length("models", models, length)
     }
 
     /// Whether the range, the roots and `length` elements of `what` fit the hierarchy.
     fn check(&self, what: &'static str, length: usize) -> Result<(), ShapeError> {
-        let joints = self.hierarchy.joints();
-        if self.joints.start > self.joints.end || self.joints.end > joints {
-            return Err(ShapeError::Joints { range: self.joints.clone(), joints });
-        }
-        let instances = match (length, joints) {
-            (0, _) => 0,
-            (_, 0) => return Err(ShapeError::NotWhole { what, length, joints }),
-            (_, _) if !length.is_multiple_of(joints) => {
-                return Err(ShapeError::NotWhole { what, length, joints });
-            }
-            (_, _) => length / joints,
-        };
-        match self.root {
+        let joints = self.run.parents.len();
+        joints_within(&self.run.joints, joints)?;
+        let instances = whole_instances(what, joints, length)?;
+        match self.run.root {
             Root::Each(roots) => same_length("roots", roots.len(), instances),
             Root::None | Root::Same(_) => Ok(()),
         }
     }
-}
-
-pub(super) fn same_length(
-    what: &'static str,
-    length: usize,
-    expected: usize,
-) -> Result<(), ShapeError> {
-    if length == expected { Ok(()) } else { Err(ShapeError::Length { what, length, expected }) }
 }

@@ -1,181 +1,208 @@
 //! [`Locals`]: what a joint adds to its parent, and how it lies in memory.
 
-use super::Pose;
-use super::job::same_length;
-use crate::error::ShapeError;
-use crate::motion::Motion;
-use dq8_simd::Level;
+use super::slot::JointSlot;
+use crate::batch;
+use crate::shape::{ShapeError, same_length};
+use crate::storage::{self, Element, Number, Register, Tile};
+use core::ops::Range;
+use dq8_simd::{Lanes, Level};
 
-/// Locals of whole instances, `[instance][joint]`: [`Motions`], [`RotationsTranslations`] or
+/// The motions of one register of instances.
+pub(super) type Motions<E, V> = batch::DualQuat<Register<E, V, 8>>;
+
+/// Locals of whole instances, `[instance][joint]`: [`Poses`], [`RotationsTranslations`] or
 /// [`Rotations`]. Sealed.
-pub trait Locals<P: Pose>: Copy + sealed::Sealed {
+pub trait Locals<E: Element<8>>: Copy + sealed::Sealed {
     /// Their name in errors, and how many there are for so many models.
     ///
     /// # Errors
     /// If what is the same for all instances is not there for all joints.
     fn shape(&self, joints: usize, models: usize) -> Result<(&'static str, usize), ShapeError>;
-    /// parent · local; `models` are those of the instance.
+
+    /// The locals of a slot; `models` are those of its instances, as far as they are known.
+    fn load<V: Level>(self, level: V, models: &[E], slot: JointSlot) -> Option<Motions<E, V>>;
+
+    /// parent · local
+    #[inline(always)]
     fn onto<V: Level>(
         self,
         level: V,
-        parent: &P,
-        models: &[P],
-        spot: JointSlot,
-    ) -> Option<P::Motion<V>>;
-    /// The local itself.
-    fn alone<V: Level>(self, level: V, models: &[P], spot: JointSlot) -> Option<P::Motion<V>>;
-}
+        parent: Motions<E, V>,
+        models: &[E],
+        slot: JointSlot,
+    ) -> Option<Motions<E, V>> {
+        Some(parent * self.load(level, models, slot)?)
+    }
 
-/// Which local.
-#[derive(Clone, Copy, Debug)]
-pub struct JointSlot {
-    /// Among all instances.
-    pub(super) index: usize,
-    pub(super) joint: usize,
-    /// See [`Pose::parts`].
-    pub(super) part: usize,
+    /// The locals of joints of one instance, to be read number by number.
+    #[inline(always)]
+    fn records<V: Level>(
+        self,
+        level: V,
+        models: &[E],
+        slot: JointSlot,
+        to: &mut [[Number<E, 8>; 8]],
+    ) -> Option<()> {
+        Register::<E, V, 8>::store_records(self.load(level, models, slot)?.to_array(), to);
+        Some(())
+    }
+    /// The locals of some of the models.
+    #[must_use]
+    fn part(self, models: Range<usize>) -> Self;
 }
 
 /// Any motions.
 #[derive(Clone, Copy, Debug)]
-pub struct Motions<'s, P>(
-    /// One a joint.
-    pub &'s [P],
+pub struct Poses<'s, E>(
+    /// One for each joint.
+    pub &'s [E],
 );
 
-impl<P: Pose> Locals<P> for Motions<'_, P> {
+impl<E: Element<8>> Locals<E> for Poses<'_, E> {
     fn shape(&self, _: usize, _: usize) -> Result<(&'static str, usize), ShapeError> {
         Ok(("locals", self.0.len()))
     }
     #[inline(always)]
-    fn onto<V: Level>(
-        self,
-        level: V,
-        parent: &P,
-        _: &[P],
-        JointSlot { index, part, .. }: JointSlot,
-    ) -> Option<P::Motion<V>> {
-        Some(P::product(level, part, parent, self.0.get(index)?))
+    fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Motions<E, V>> {
+        motions(level, self.0, slot.tile())
     }
     #[inline(always)]
-    fn alone<V: Level>(
+    fn records<V: Level>(
         self,
-        level: V,
-        _: &[P],
-        JointSlot { index, part, .. }: JointSlot,
-    ) -> Option<P::Motion<V>> {
-        Some(self.0.get(index)?.load(level, part))
+        _: V,
+        _: &[E],
+        slot: JointSlot,
+        to: &mut [[Number<E, 8>; 8]],
+    ) -> Option<()> {
+        copy(self.0, slot.tile(), to)
+    }
+    fn part(self, models: Range<usize>) -> Self {
+        Self(self.0.get(models).unwrap_or_default())
     }
 }
 
 /// Motions that lie where the models go.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct InPlace;
 
-impl<P: Pose> Locals<P> for InPlace {
+impl<E: Element<8>> Locals<E> for InPlace {
     fn shape(&self, _: usize, models: usize) -> Result<(&'static str, usize), ShapeError> {
         Ok(("poses", models))
     }
     #[inline(always)]
-    fn onto<V: Level>(
-        self,
-        level: V,
-        parent: &P,
-        models: &[P],
-        JointSlot { joint, part, .. }: JointSlot,
-    ) -> Option<P::Motion<V>> {
-        Some(P::product(level, part, parent, models.get(joint)?))
+    fn load<V: Level>(self, level: V, models: &[E], slot: JointSlot) -> Option<Motions<E, V>> {
+        motions(level, models, slot.own_tile())
     }
     #[inline(always)]
-    fn alone<V: Level>(
+    fn records<V: Level>(
         self,
-        level: V,
-        models: &[P],
-        JointSlot { joint, part, .. }: JointSlot,
-    ) -> Option<P::Motion<V>> {
-        Some(models.get(joint)?.load(level, part))
+        _: V,
+        models: &[E],
+        slot: JointSlot,
+        to: &mut [[Number<E, 8>; 8]],
+    ) -> Option<()> {
+        copy(models, slot.own_tile(), to)
+    }
+    fn part(self, _: Range<usize>) -> Self {
+        self
     }
 }
 
 /// Rotations and translations, r + ½εtr: an eighth less memory than motions, and no more operations.
 #[derive(Clone, Copy, Debug)]
-pub struct RotationsTranslations<'s, P: Pose>(
-    /// One a joint.
-    pub &'s [P::RotationTranslation],
+pub struct RotationsTranslations<'s, T>(
+    /// One for each joint: `[x, y, z, w, tx, ty, tz]`, or blocks of seven rows.
+    pub &'s [T],
 );
 
-impl<P: Pose> Locals<P> for RotationsTranslations<'_, P> {
+impl<E: Element<8>, T: Element<7, Layout = E::Layout>> Locals<E> for RotationsTranslations<'_, T> {
     fn shape(&self, _: usize, _: usize) -> Result<(&'static str, usize), ShapeError> {
         Ok(("locals", self.0.len()))
+    }
+    #[inline(always)]
+    fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Motions<E, V>> {
+        let [x, y, z, w, t @ ..] = T::load(level, self.0, slot.tile(), storage::identity())?;
+        Some(Motions::<E, V>::from_rotation_translation(batch::Quat::from_xyzw(x, y, z, w), t))
     }
     #[inline(always)]
     fn onto<V: Level>(
         self,
         level: V,
-        parent: &P,
-        _: &[P],
-        JointSlot { index, part, .. }: JointSlot,
-    ) -> Option<P::Motion<V>> {
-        let (rotation, translation) = P::load_rotation_translation(level, part, self.0.get(index)?);
-        Some(P::product_rotation_translation(level, part, parent, rotation, translation))
+        parent: Motions<E, V>,
+        _: &[E],
+        slot: JointSlot,
+    ) -> Option<Motions<E, V>> {
+        let [x, y, z, w, t @ ..] = T::load(level, self.0, slot.tile(), storage::identity())?;
+        Some(parent.mul_rotation_translation(batch::Quat::from_xyzw(x, y, z, w), t))
     }
-    #[inline(always)]
-    fn alone<V: Level>(
-        self,
-        level: V,
-        _: &[P],
-        JointSlot { index, part, .. }: JointSlot,
-    ) -> Option<P::Motion<V>> {
-        let (rotation, translation) = P::load_rotation_translation(level, part, self.0.get(index)?);
-        Some(Motion::from_rotation_translation(rotation, translation))
+    fn part(self, models: Range<usize>) -> Self {
+        Self(self.0.get(models).unwrap_or_default())
     }
 }
 
 /// Rotations, and the offset of each joint from its parent, the same for all instances: what
 /// animation clips hold, and half the memory of motions.
 #[derive(Clone, Copy, Debug)]
-pub struct Rotations<'s, P: Pose> {
-    /// One a joint.
-    pub rotations: &'s [P::Rotation],
-    /// One a joint of the skeleton: its place in its parent.
-    pub offsets: &'s [[P::Real; 3]],
+pub struct Rotations<'s, Q: Element<4>> {
+    /// One for each joint.
+    pub rotations: &'s [Q],
+    /// One for each joint of the skeleton: its place in its parent.
+    pub offsets: &'s [[Number<Q, 4>; 3]],
 }
 
-impl<P: Pose> Locals<P> for Rotations<'_, P> {
+impl<E: Element<8>, Q: Element<4, Layout = E::Layout>> Locals<E> for Rotations<'_, Q> {
     fn shape(&self, joints: usize, _: usize) -> Result<(&'static str, usize), ShapeError> {
         same_length("offsets", self.offsets.len(), joints)?;
         Ok(("rotations", self.rotations.len()))
     }
     #[inline(always)]
+    fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Motions<E, V>> {
+        let rotation = Q::load(level, self.rotations, slot.tile(), storage::identity())?;
+        let offset = slot.of_joint(level, self.offsets)?;
+        let rotation = batch::Quat::from_array(rotation);
+        Some(Motions::<E, V>::from_rotation_translation(rotation, offset))
+    }
+    #[inline(always)]
     fn onto<V: Level>(
         self,
         level: V,
-        parent: &P,
-        _: &[P],
-        JointSlot { index, joint, part }: JointSlot,
-    ) -> Option<P::Motion<V>> {
-        let rotation = P::load_rotation(level, part, self.rotations.get(index)?);
-        let offset = P::splat_vector(level, *self.offsets.get(joint)?);
-        Some(P::product_rotation_translation(level, part, parent, rotation, offset))
+        parent: Motions<E, V>,
+        _: &[E],
+        slot: JointSlot,
+    ) -> Option<Motions<E, V>> {
+        let rotation = Q::load(level, self.rotations, slot.tile(), storage::identity())?;
+        let offset = slot.of_joint(level, self.offsets)?;
+        Some(parent.mul_rotation_translation(batch::Quat::from_array(rotation), offset))
     }
-    #[inline(always)]
-    fn alone<V: Level>(
-        self,
-        level: V,
-        _: &[P],
-        JointSlot { index, joint, part }: JointSlot,
-    ) -> Option<P::Motion<V>> {
-        let rotation = P::load_rotation(level, part, self.rotations.get(index)?);
-        let offset = P::splat_vector(level, *self.offsets.get(joint)?);
-        Some(Motion::from_rotation_translation(rotation, offset))
+    fn part(self, models: Range<usize>) -> Self {
+        Self { rotations: self.rotations.get(models).unwrap_or_default(), ..self }
     }
 }
 
+/// The motions of a tile; the identity in lanes beyond the end of `slice`.
+#[inline(always)]
+pub(super) fn motions<E: Element<8>, V: Level>(
+    level: V,
+    slice: &[E],
+    tile: Tile,
+) -> Option<Motions<E, V>> {
+    Some(batch::DualQuat::from_array(E::load(level, slice, tile, storage::identity())?))
+}
+
+/// Plain motions as they are, from the first of a tile on.
+#[inline(always)]
+fn copy<E: Element<8>>(from: &[E], tile: Tile, to: &mut [[Number<E, 8>; 8]]) -> Option<()> {
+    for (to, from) in to.iter_mut().zip(E::plain(from)?.get(tile.element..)?) {
+        *to = *from;
+    }
+    Some(())
+}
+
 mod sealed {
-    use super::{InPlace, Motions, Pose, Rotations, RotationsTranslations};
+    use super::{Element, InPlace, Poses, Rotations, RotationsTranslations};
     pub trait Sealed {}
     impl Sealed for InPlace {}
-    impl<P> Sealed for Motions<'_, P> {}
-    impl<P: Pose> Sealed for RotationsTranslations<'_, P> {}
-    impl<P: Pose> Sealed for Rotations<'_, P> {}
+    impl<E> Sealed for Poses<'_, E> {}
+    impl<T> Sealed for RotationsTranslations<'_, T> {}
+    impl<Q: Element<4>> Sealed for Rotations<'_, Q> {}
 }

@@ -21,35 +21,34 @@
 //! blocks share a lane position: `[instance block][joint][component][lane]`, so that a child finds
 //! its parent in the same lane of another block, without any shuffling.
 
+mod backward;
 mod chain;
 mod concatenate;
 #[cfg(feature = "alloc")]
 mod crowd;
 mod job;
 mod locals;
-mod octet;
-mod packing;
 mod palette;
 #[cfg(feature = "rayon")]
 mod parallel;
 mod parents;
 #[cfg(feature = "alloc")]
 mod plan;
-mod pose;
+mod product;
 mod renormalize;
+mod run;
 #[cfg(feature = "alloc")]
 mod schedule;
+mod slot;
+mod transposed;
 mod velocity;
 
-pub use chain::{Link, pack_chain, unpack_chain};
 #[cfg(feature = "alloc")]
 pub use crowd::Crowd;
 pub use job::Job;
-pub use locals::{Locals, Motions, Rotations, RotationsTranslations};
-pub use packing::{pack, unpack};
-pub use palette::PaletteEntry;
+pub use locals::{Locals, Poses, Rotations, RotationsTranslations};
 pub use parents::Hierarchy;
 #[cfg(feature = "alloc")]
 pub use plan::{HierarchyPlan, Strategy};
-pub use pose::{Block, Pose, RotationBlock, RotationTranslationBlock, TwistBlock};
 pub use renormalize::Renormalize;
+pub use slot::JointSlot;

@@ -1,93 +1,48 @@
-//! [`Palette`]: what skinning needs of a joint, made while its model is at hand.
+//! What else is computed of a joint while its model is at hand.
 
-use super::Pose;
-use super::locals::JointSlot;
-use crate::real::Real;
+use super::locals::Motions;
+use super::slot::JointSlot;
+use crate::batch;
+use crate::palette_entry::{MatrixOrder, PaletteEntry};
 use crate::scalar::DualQuat;
-use dq8_simd::{Float, Level, Row};
+use crate::storage::{Element, Number};
+use dq8_simd::Level;
 
-/// An element of a skinning palette: a motion like `P`, or a 3×4 matrix ([`MatrixBlock`] for blocks,
-/// `[[R; 4]; 3]` for one instance). Sealed.
-///
-/// [`MatrixBlock`]: crate::MatrixBlock
-pub trait PaletteEntry<P: Pose>: Copy + sealed::Sealed {
-    /// Writes the motion.
-    fn store<V: Level>(&mut self, level: V, part: usize, motion: P::Motion<V>);
-}
-
-impl<R: Real + Float> PaletteEntry<DualQuat<R>> for DualQuat<R> {
-    #[inline(always)]
-    fn store<V: Level>(&mut self, level: V, part: usize, motion: Self) {
-        Pose::store(self, level, part, motion);
-    }
-}
-
-impl<R: Real + Float> PaletteEntry<DualQuat<R>> for [[R; 4]; 3] {
-    #[inline(always)]
-    fn store<V: Level>(&mut self, _: V, _: usize, motion: DualQuat<R>) {
-        *self = motion.to_matrix3x4();
-    }
-}
-
-impl<A: Row<Real: Real>> PaletteEntry<Self> for dq8_simd::Block<A, 8> {
-    #[inline(always)]
-    fn store<V: Level>(&mut self, level: V, part: usize, motion: <Self as Pose>::Motion<V>) {
-        Pose::store(self, level, part, motion);
-    }
-}
-
-impl<A: Row<Real: Real>> PaletteEntry<dq8_simd::Block<A, 8>> for dq8_simd::Block<A, 12> {
-    #[inline(always)]
-    fn store<V: Level>(
-        &mut self,
-        _: V,
-        part: usize,
-        motion: <dq8_simd::Block<A, 8> as Pose>::Motion<V>,
-    ) {
-        let [[a, b, c, d], [e, f, g, h], [i, j, k, l]] = motion.to_matrix3x4();
-        self.store_part::<V>([a, b, c, d, e, f, g, h, i, j, k, l], part);
-    }
-}
-
-/// What else becomes of a model once it is known.
-pub(super) trait Epilogue<P: Pose> {
-    fn finish<V: Level>(&mut self, level: V, spot: JointSlot, model: &P);
+/// What is computed of a model once it is known, as in the epilogue of a matrix product.
+pub(super) trait Epilogue<E: Element<8>> {
+    /// Whether there is anything to do.
+    const ACTIVE: bool;
+    fn run<V: Level>(&mut self, level: V, slot: JointSlot, model: Motions<E, V>);
 }
 
 /// Nothing.
 pub(super) struct NoEpilogue;
 
-impl<P: Pose> Epilogue<P> for NoEpilogue {
+impl<E: Element<8>> Epilogue<E> for NoEpilogue {
+    const ACTIVE: bool = false;
     #[inline(always)]
-    fn finish<V: Level>(&mut self, _: V, _: JointSlot, _: &P) {}
+    fn run<V: Level>(&mut self, _: V, _: JointSlot, _: Motions<E, V>) {}
 }
 
 /// model(j) · inverse bind(j), from the mesh in its rest pose to the posed mesh.
-pub(super) struct Palette<'s, P: Pose, E> {
-    pub(super) inverse_binds: &'s [DualQuat<P::Real>],
-    pub(super) entries: &'s mut [E],
+pub(super) struct Palette<'s, R, M, const C: usize> {
+    pub(super) inverse_binds: &'s [DualQuat<R>],
+    pub(super) order: MatrixOrder,
+    pub(super) entries: &'s mut [M],
 }
 
-impl<P: Pose, E: PaletteEntry<P>> Epilogue<P> for Palette<'_, P, E> {
+impl<E, M, const C: usize> Epilogue<E> for Palette<'_, Number<E, 8>, M, C>
+where
+    E: Element<8>,
+    M: PaletteEntry<C, Layout = E::Layout>,
+{
+    const ACTIVE: bool = true;
     #[inline(always)]
-    fn finish<V: Level>(
-        &mut self,
-        level: V,
-        JointSlot { index, joint, part }: JointSlot,
-        model: &P,
-    ) {
-        if let (Some(bind), Some(entry)) =
-            (self.inverse_binds.get(joint), self.entries.get_mut(index))
-        {
-            entry.store(level, part, model.load(level, part) * P::splat(level, *bind));
-        }
+    fn run<V: Level>(&mut self, level: V, slot: JointSlot, model: Motions<E, V>) {
+        let Some(bind) = slot.of_joint(level, bytemuck::must_cast_slice(self.inverse_binds)) else {
+            return;
+        };
+        let entry = M::of(model * batch::DualQuat::from_array(bind), self.order);
+        M::store(entry, slot.within(self.entries), slot.tile());
     }
-}
-
-mod sealed {
-    use crate::scalar::DualQuat;
-    pub trait Sealed {}
-    impl<R> Sealed for DualQuat<R> {}
-    impl<R> Sealed for [[R; 4]; 3] {}
-    impl<A, const C: usize> Sealed for dq8_simd::Block<A, C> {}
 }

@@ -1,24 +1,22 @@
 //! Crowds and chains over all cores (feature `rayon`): whole instances, or segments of a chain, to each
 //! task.
 
-use super::Pose;
-use super::job::{Job, Root};
-use super::locals::{InPlace, Motions};
+use super::Job;
+use super::locals::{InPlace, Locals, Poses};
+use super::palette::NoEpilogue;
 use crate::dispatch::Backend;
-use crate::error::ShapeError;
-use crate::real::Real;
+use crate::palette_entry::PaletteEntry;
+use crate::real::Scalar;
 use crate::scalar::DualQuat;
-use dq8_simd::Float;
+use crate::shape::{ShapeError, same_length};
+use crate::storage::{Element, Number};
 use rayon::prelude::*;
 
 /// How many elements a task has at least: some microseconds of work, where starting a task takes a
 /// fraction of one.
 const GRAIN: usize = 2048;
 
-impl<P: Pose + Send + Sync> Job<'_, P>
-where
-    P::Real: Send + Sync,
-{
+impl<'a, E: Element<8> + Send + Sync> Job<'a, E> {
     /// [`local_to_model`](Self::local_to_model) on all threads of rayon's current pool. Every bit of
     /// the result is the same.
     ///
@@ -36,13 +34,8 @@ where
     /// assert_eq!(models.get(499, 1).unwrap().translation(), [0.0, -2.0, 0.0]);
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
-    pub fn par_local_to_model(&self, locals: &[P], models: &mut [P]) -> Result<(), ShapeError> {
-        self.check_locals(&Motions(locals), models.len())?;
-        let task = self.task();
-        let tasks = models.par_chunks_mut(task).zip(locals.par_chunks(task)).enumerate();
-        tasks.try_for_each(|(i, (models, locals))| {
-            self.part_of(i, task, models.len()).local_to_model(locals, models)
-        })
+    pub fn par_local_to_model(&self, locals: &[E], models: &mut [E]) -> Result<(), ShapeError> {
+        self.par_locals_to_model(Poses(locals), models)
     }
 
     /// [`local_to_model_in_place`](Self::local_to_model_in_place) on all threads of rayon's current
@@ -50,30 +43,68 @@ where
     ///
     /// # Errors
     /// If lengths or the range do not fit; `poses` is untouched.
-    pub fn par_local_to_model_in_place(&self, poses: &mut [P]) -> Result<(), ShapeError> {
-        self.check_locals(&InPlace, poses.len())?;
+    pub fn par_local_to_model_in_place(&self, poses: &mut [E]) -> Result<(), ShapeError> {
+        self.par_locals_to_model(InPlace, poses)
+    }
+
+    /// [`locals_to_model`](Self::locals_to_model) on all threads of rayon's current pool. Every bit of
+    /// the result is the same.
+    ///
+    /// # Errors
+    /// If lengths or the range do not fit; `models` is untouched.
+    pub fn par_locals_to_model<L: Locals<E> + Send + Sync>(
+        &self,
+        locals: L,
+        models: &mut [E],
+    ) -> Result<(), ShapeError> {
+        self.check_locals(&locals, models.len())?;
         let task = self.task();
-        let tasks = poses.par_chunks_mut(task).enumerate();
-        tasks.try_for_each(|(i, poses)| {
-            self.part_of(i, task, poses.len()).local_to_model_in_place(poses)
+        models.par_chunks_mut(task).enumerate().for_each(|(i, models)| {
+            let part = i * task..i * task + models.len();
+            self.part(part.clone()).forward(locals.part(part), models, NoEpilogue);
+        });
+        Ok(())
+    }
+
+    /// [`locals_to_palette`](Self::locals_to_palette) on all threads of rayon's current pool. Every bit
+    /// of the result is the same.
+    ///
+    /// # Errors
+    /// If lengths or the range do not fit; `models` and `palette` are untouched.
+    pub fn par_locals_to_palette<L, M, const C: usize>(
+        &self,
+        locals: L,
+        models: &mut [E],
+        inverse_binds: &[DualQuat<Number<E, 8>>],
+        palette: &mut [M],
+    ) -> Result<(), ShapeError>
+    where
+        L: Locals<E> + Send + Sync,
+        M: PaletteEntry<C, Layout = E::Layout> + Send + Sync,
+    {
+        self.check_locals(&locals, models.len())?;
+        same_length("inverse_binds", inverse_binds.len(), self.run.parents.len())?;
+        same_length("palette", palette.len(), models.len())?;
+        let task = self.task();
+        let tasks = models.par_chunks_mut(task).zip(palette.par_chunks_mut(task)).enumerate();
+        tasks.try_for_each(|(i, (models, palette))| {
+            let part = i * task..i * task + models.len();
+            let job = self.part(part.clone());
+            job.locals_to_palette(locals.part(part), models, inverse_binds, palette)
         })
     }
 
     /// How many elements a task has: whole instances.
     fn task(&self) -> usize {
-        let joints = self.hierarchy.joints().max(1);
-        GRAIN.next_multiple_of(joints)
+        GRAIN.next_multiple_of(self.run.parents.len().max(1))
     }
 
-    /// The same job for the instances of task `i`.
-    fn part_of(&self, i: usize, task: usize, length: usize) -> Self {
-        let joints = self.hierarchy.joints().max(1);
-        let first = i * task / joints;
-        let root = match self.root {
-            Root::Each(roots) => Root::Each(&roots[first..first + length / joints]),
-            Root::None | Root::Same(_) => self.root.clone(),
-        };
-        Self { root, ..self.clone() }
+    /// The same job for some of the models.
+    fn part(&self, models: core::ops::Range<usize>) -> Self {
+        let joints = self.run.parents.len().max(1);
+        let mut job = self.clone();
+        job.run.root = self.run.root.part(models.start / joints..models.end / joints);
+        job
     }
 }
 
@@ -89,7 +120,7 @@ impl Backend {
     /// Backend::best().par_chain_products_in_place(&mut rope);
     /// assert_eq!(rope[9_999].translation(), [0.0, 5000.0, 0.0]);
     /// ```
-    pub fn par_chain_products_in_place<R: Real + Float>(self, links: &mut [DualQuat<R>]) {
+    pub fn par_chain_products_in_place<R: Scalar>(self, links: &mut [DualQuat<R>]) {
         let totals = links.par_chunks_mut(GRAIN).map(|segment| {
             self.chain_products_in_place(segment);
             segment.last().copied().unwrap_or_default()

@@ -1,13 +1,12 @@
 use super::Hierarchy;
-use super::job::same_length;
-use super::octet::product;
-use super::packing::whole_instances;
+use super::product::packed_product;
 use super::schedule::Schedule;
 use crate::dispatch::{Backend, Kernel};
-use crate::error::ShapeError;
-use crate::real::Real;
+use crate::real::Scalar;
 use crate::scalar::DualQuat;
-use dq8_simd::{Float, Lanes, Level};
+use crate::shape::{ShapeError, same_length, whole_instances};
+use crate::storage::Source;
+use dq8_simd::{Lanes, Level};
 
 /// From this many joints on, a chain is cut into segments: `cargo bench --bench hierarchy --
 /// one-instance/chain` shows both strategies around it. (Nanoseconds a joint, AVX-512, of 16, 24 and 32
@@ -30,7 +29,7 @@ const MIN_CHAIN: usize = 24;
 /// the faster way. Motions that begin at a multiple of 32 bytes (`f32`) do not cross cache lines and take
 /// about 5 % less time than others.
 ///
-/// [`Block`]: super::Block
+/// [`Block`]: crate::storage::Block
 ///
 /// ```
 /// use dq8::{DualQuat, Hierarchy, HierarchyPlan};
@@ -47,7 +46,7 @@ pub struct HierarchyPlan {
     joints: usize,
     /// `None` for a chain in segments.
     schedule: Option<Schedule>,
-    backend: Backend,
+    backend: Option<Backend>,
 }
 
 /// How a [`HierarchyPlan`] uses lanes.
@@ -69,12 +68,12 @@ impl HierarchyPlan {
     /// If the memory cannot be allocated, as for any `Vec`.
     #[must_use]
     pub fn new(hierarchy: &Hierarchy<'_>) -> Self {
-        let long = hierarchy.joints() >= MIN_CHAIN && Backend::best() != Backend::Portable;
+        let long = hierarchy.joints() >= MIN_CHAIN && Backend::best() != Backend::PORTABLE;
         let chain = if long { Self::with_strategy(hierarchy, Strategy::Chain) } else { None };
         chain.unwrap_or_else(|| Self {
             joints: hierarchy.joints(),
             schedule: Some(Schedule::new(hierarchy)),
-            backend: Backend::MOST,
+            backend: None,
         })
     }
 
@@ -87,7 +86,7 @@ impl HierarchyPlan {
             Strategy::Chain if is_chain(hierarchy) => None,
             Strategy::Chain => return None,
         };
-        Some(Self { joints: hierarchy.joints(), schedule, backend: Backend::MOST })
+        Some(Self { joints: hierarchy.joints(), schedule, backend: None })
     }
 
     /// How many joints there are.
@@ -105,10 +104,10 @@ impl HierarchyPlan {
         }
     }
 
-    /// Runs with this backend, or the best below it that the CPU has; the best there is, unless told.
+    /// Runs with these instructions: the best that the CPU has, unless told.
     #[must_use]
     pub fn backend(mut self, backend: Backend) -> Self {
-        self.backend = backend;
+        self.backend = Some(backend);
         self
     }
 
@@ -118,14 +117,14 @@ impl HierarchyPlan {
     /// # Errors
     /// If the slices differ in length or hold no whole number of instances; `models` is untouched.
     #[inline]
-    pub fn local_to_model<R: Real + Float>(
+    pub fn local_to_model<R: Scalar>(
         &self,
         locals: &[DualQuat<R>],
         models: &mut [DualQuat<R>],
     ) -> Result<(), ShapeError> {
         whole_instances("locals", self.joints, locals.len())?;
         same_length("models", models.len(), locals.len())?;
-        self.run(Some(locals), models);
+        self.run(Source::Slice(locals), models);
         Ok(())
     }
 
@@ -134,29 +133,33 @@ impl HierarchyPlan {
     /// # Errors
     /// If the slice holds no whole number of instances; it is untouched then.
     #[inline]
-    pub fn local_to_model_in_place<R: Real + Float>(
+    pub fn local_to_model_in_place<R: Scalar>(
         &self,
         poses: &mut [DualQuat<R>],
     ) -> Result<(), ShapeError> {
         whole_instances("poses", self.joints, poses.len())?;
-        self.run(None, poses);
+        self.run(Source::Output, poses);
         Ok(())
     }
 
-    /// Without `locals`, they lie where the models go. Lengths have been checked.
+    /// Lengths have been checked.
     #[inline]
-    fn run<R: Real + Float>(&self, locals: Option<&[DualQuat<R>]>, models: &mut [DualQuat<R>]) {
+    fn run<R: Scalar>(&self, locals: Source<'_, DualQuat<R>>, models: &mut [DualQuat<R>]) {
+        let backend = self.backend.unwrap_or_default();
         if let Some(schedule) = &self.schedule {
-            return self.backend.run(Walk { schedule, locals, models });
+            return backend.run(Walk { schedule, locals, models });
         }
         // A chain of no joints has no instances either.
         let joints = self.joints.max(1);
-        let mut locals = locals.map(|locals| locals.chunks_exact(joints));
-        for models in models.chunks_exact_mut(joints) {
-            match locals.as_mut().and_then(Iterator::next) {
-                Some(locals) => self.backend.scan(Some(locals), models),
-                None => self.backend.scan(None, models),
-            }
+        for (instance, models) in models.chunks_exact_mut(joints).enumerate() {
+            let locals = match locals {
+                Source::Slice(all) => {
+                    let locals = all.get(instance * joints..).and_then(|rest| rest.get(..joints));
+                    Source::Slice(locals.unwrap_or_default())
+                }
+                Source::Output => Source::Output,
+            };
+            backend.scan(locals, models);
         }
     }
 }
@@ -168,11 +171,11 @@ fn is_chain(hierarchy: &Hierarchy<'_>) -> bool {
 
 struct Walk<'p, 's, R> {
     schedule: &'p Schedule,
-    locals: Option<&'s [DualQuat<R>]>,
+    locals: Source<'s, DualQuat<R>>,
     models: &'s mut [DualQuat<R>],
 }
 
-impl<R: Real + Float> Kernel for Walk<'_, '_, R> {
+impl<R: Scalar> Kernel for Walk<'_, '_, R> {
     type Output = ();
 
     #[inline(always)]
@@ -180,7 +183,10 @@ impl<R: Real + Float> Kernel for Walk<'_, '_, R> {
         let Self { schedule, locals, models } = self;
         let joints = schedule.steps.bound();
         let mut models: &mut [[R; 8]] = bytemuck::must_cast_slice_mut(models);
-        let mut locals: &[[R; 8]] = bytemuck::must_cast_slice(locals.unwrap_or_default());
+        let mut locals: &[[R; 8]] = match locals {
+            Source::Slice(locals) => bytemuck::must_cast_slice(locals),
+            Source::Output => &[],
+        };
         // An instance of no joints would come again for ever.
         while joints > 0
             && let Some((instance, others)) = models.split_at_mut_checked(joints)
@@ -217,8 +223,8 @@ impl<R: Real + Float> Kernel for Walk<'_, '_, R> {
 }
 
 #[inline(always)]
-fn step<R: Real + Float, V: Level>(level: V, parent: &[R; 8], local: &[R; 8]) -> [R; 8] {
+fn step<R: Scalar, V: Level>(level: V, parent: &[R; 8], local: &[R; 8]) -> [R; 8] {
     let mut model = [R::ZERO; 8];
-    product(R::Octet::load(level, parent), local).store(&mut model);
+    packed_product(R::Octet::<V>::load(level, parent), local).store(&mut model);
     model
 }

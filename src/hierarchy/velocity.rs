@@ -1,13 +1,14 @@
-use super::job::same_length;
-use super::packing::whole_instances;
-use super::{Hierarchy, Pose};
-use crate::dispatch::{Backend, Kernel};
-use crate::error::ShapeError;
+use super::Job;
+use super::locals::motions;
+use super::run::Run;
+use crate::batch;
+use crate::dispatch::Kernel;
 use crate::geometry::Twist;
-use crate::motion::Motion;
-use dq8_simd::Level;
+use crate::shape::{ShapeError, joints_within, same_length, whole_instances};
+use crate::storage::{Element, Layout, Number, Register, Tile, aos, identity};
+use dq8_simd::{Lanes, Level, MAX_LANES};
 
-impl Hierarchy<'_> {
+impl<E: Element<8>> Job<'_, E> {
     /// Spatial twists of all joints from the rates of the joints:
     /// twist(j) = twist(parent(j)) + Ad_{model(j)} rate(j).
     ///
@@ -34,16 +35,19 @@ impl Hierarchy<'_> {
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     #[inline]
-    pub fn velocities<P: Pose>(
+    pub fn velocities<T: Element<6, Layout = E::Layout>>(
         &self,
-        models: &[P],
-        rates: &[P::Twist],
-        twists: &mut [P::Twist],
+        models: &[E],
+        rates: &[T],
+        twists: &mut [T],
     ) -> Result<(), ShapeError> {
-        whole_instances("models", self.joints(), models.len())?;
+        let joints = self.run.parents.len();
+        joints_within(&self.run.joints, joints)?;
+        whole_instances("models", joints, models.len())?;
         same_length("rates", rates.len(), models.len())?;
         same_length("twists", twists.len(), models.len())?;
-        Backend::MOST.run(Velocities { parents: self.parents(), models, rates, twists });
+        let backend = self.backend.unwrap_or_default();
+        backend.run(Velocities { run: &self.run, models, rates, twists });
         Ok(())
     }
 
@@ -76,14 +80,15 @@ impl Hierarchy<'_> {
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     #[inline]
-    pub fn jacobian<P: Pose>(
+    pub fn jacobian<T: Element<6, Layout = E::Layout>>(
         &self,
-        models: &[P],
-        axes: &[Twist<P::Real>],
+        models: &[E],
+        axes: &[Twist<Number<E, 8>>],
         effector: usize,
-        columns: &mut [P::Twist],
+        columns: &mut [T],
     ) -> Result<(), ShapeError> {
-        let joints = self.joints();
+        let joints = self.run.parents.len();
+        joints_within(&self.run.joints, joints)?;
         whole_instances("models", joints, models.len())?;
         same_length("axes", axes.len(), joints)?;
         same_length("columns", columns.len(), models.len())?;
@@ -91,81 +96,179 @@ impl Hierarchy<'_> {
             let range = effector..effector.saturating_add(1);
             return Err(ShapeError::Joints { range, joints });
         }
-        let parents = self.parents();
-        Backend::MOST.run(Screws { parents, models, axes, effector, columns });
+        let backend = self.backend.unwrap_or_default();
+        backend.run(Columns { run: &self.run, models, axes, effector, columns });
         Ok(())
     }
 }
 
-/// The sums of [`Hierarchy::velocities`].
-struct Velocities<'h, 's, P: Pose> {
-    parents: &'h [u32],
-    models: &'s [P],
-    rates: &'s [P::Twist],
-    twists: &'s mut [P::Twist],
+/// The twists of one register of instances, or of joints.
+type Twists<E, V> = Twist<Register<E, V, 8>>;
+
+/// twist(j) = twist(parent(j)) + Ad_{model(j)} rate(j), parents first.
+struct Velocities<'r, 's, E: Element<8>, T> {
+    run: &'r Run<'r, E>,
+    models: &'s [E],
+    rates: &'s [T],
+    twists: &'s mut [T],
 }
 
-impl<P: Pose> Kernel for Velocities<'_, '_, P> {
+impl<E: Element<8>, T: Element<6, Layout = E::Layout>> Kernel for Velocities<'_, '_, E, T> {
     type Output = ();
+    const WIDE: bool = E::Layout::WIDE;
 
     #[inline(always)]
     fn run<V: Level>(self, level: V) {
-        let Self { parents, models, rates, twists } = self;
-        let joints = parents.len().max(1);
-        let instances = models.chunks_exact(joints).zip(rates.chunks_exact(joints));
-        for ((models, rates), twists) in instances.zip(twists.chunks_exact_mut(joints)) {
-            for (joint, ((model, rate), &parent)) in
-                models.iter().zip(rates).zip(parents).enumerate()
-            {
-                for part in 0..P::parts::<V>() {
-                    let rate = P::load_twist(level, part, rate);
-                    let mut twist = model.load(level, part).adjoint(rate);
-                    // ROOT is beyond the last joint, so the check of the bound tells roots apart.
-                    if let Some(parent) = twists.get(parent as usize) {
-                        twist = P::load_twist(level, part, parent) + twist;
+        let Self { run, models, rates, twists } = self;
+        let joints = run.parents.len().max(1);
+        for (instance, twists) in twists.chunks_exact_mut(joints).enumerate() {
+            let first = instance * joints;
+            if E::Layout::THINGS == 1 {
+                // Lanes are joints, which do not wait for each other yet; the sums come after.
+                for start in run.joints.clone().step_by(E::Layout::records::<V>()) {
+                    let Some(own) = own_twists(level, models, rates, Tile::at(first + start, 0))
+                    else {
+                        return;
+                    };
+                    let twists = twists.get_mut(..run.joints.end).unwrap_or_default();
+                    T::store(own.to_array(), twists, Tile::at(start, 0));
+                }
+            }
+            for joint in run.joints.clone() {
+                let Some(&parent) = run.parents.get(joint) else { return };
+                if E::Layout::THINGS == 1 {
+                    if let (Some(parent), Some(own)) =
+                        (T::get(twists, parent as usize), T::get(twists, joint))
+                    {
+                        let sum = Twist::from_array(parent) + Twist::from_array(own);
+                        T::set(twists, joint, sum.to_array());
                     }
-                    if let Some(slot) = twists.get_mut(joint) {
-                        P::store_twist(level, part, slot, twist);
+                    continue;
+                }
+                for register in 0..E::Layout::registers::<V>() {
+                    let tile = Tile::at(first + joint, register);
+                    let Some(mut twist) = own_twists(level, models, rates, tile) else { return };
+                    // ROOT is beyond the last joint: there is no such twist.
+                    let parent = Tile::at(parent as usize, register);
+                    if let Some(parent) = T::load(level, twists, parent, identity()) {
+                        twist = Twist::from_array(parent) + twist;
                     }
+                    T::store(twist.to_array(), twists, Tile::at(joint, register));
                 }
             }
         }
     }
 }
 
-/// The columns of [`Hierarchy::jacobian`].
-struct Screws<'h, 's, P: Pose> {
-    parents: &'h [u32],
-    models: &'s [P],
-    axes: &'s [Twist<P::Real>],
-    effector: usize,
-    columns: &'s mut [P::Twist],
+/// Ad_model rate
+#[inline(always)]
+fn own_twists<E: Element<8>, T: Element<6, Layout = E::Layout>, V: Level>(
+    level: V,
+    models: &[E],
+    rates: &[T],
+    tile: Tile,
+) -> Option<Twists<E, V>> {
+    let rate = Twist::from_array(T::load(level, rates, tile, identity())?);
+    Some(motions(level, models, tile)?.adjoint(rate))
 }
 
-impl<P: Pose> Kernel for Screws<'_, '_, P> {
+/// Ad_{model(j)} axis(j) for the effector and its ancestors, and zero for all others.
+struct Columns<'r, 's, E: Element<8>, T> {
+    run: &'r Run<'r, E>,
+    models: &'s [E],
+    axes: &'s [Twist<Number<E, 8>>],
+    effector: usize,
+    columns: &'s mut [T],
+}
+
+impl<E: Element<8>, T: Element<6, Layout = E::Layout>> Kernel for Columns<'_, '_, E, T> {
     type Output = ();
+    const WIDE: bool = E::Layout::WIDE;
 
     #[inline(always)]
     fn run<V: Level>(self, level: V) {
-        let Self { parents, models, axes, effector, columns } = self;
-        let joints = parents.len().max(1);
-        let none = P::splat_twist(level, Twist::from_array([P::Real::default(); 6]));
+        let Self { run, models, axes, effector, columns } = self;
+        let joints = run.parents.len().max(1);
+        let nothing = aos::splat(level, [Number::<E, 8>::default(); 6]);
         for (models, columns) in models.chunks_exact(joints).zip(columns.chunks_exact_mut(joints)) {
-            for column in columns.iter_mut() {
-                for part in 0..P::parts::<V>() {
-                    P::store_twist(level, part, column, none);
+            let written = columns.get_mut(..run.joints.end).unwrap_or_default();
+            for start in run.joints.clone().step_by(E::Layout::records::<V>()) {
+                for register in 0..E::Layout::registers::<V>() {
+                    T::store(nothing, written, Tile::at(start, register));
                 }
             }
-            let mut joint = effector;
-            // ROOT is beyond the last joint, and ends the walk.
-            while let (Some(model), Some(&axis), Some(column), Some(&parent)) =
-                (models.get(joint), axes.get(joint), columns.get_mut(joint), parents.get(joint))
-            {
-                let axis = P::splat_twist(level, axis);
-                for part in 0..P::parts::<V>() {
-                    P::store_twist(level, part, column, model.load(level, part).adjoint(axis));
-                }
-                joint = parent as usize;
+            if E::Layout::THINGS == 1 {
+                ancestors_together(level, run, models, axes, effector, columns);
+            } else {
+                ancestors(level, run, models, axes, effector, columns);
+            }
+        }
+    }
+}
+
+/// Lanes are instances.
+#[inline(always)]
+fn ancestors<E: Element<8>, T: Element<6, Layout = E::Layout>, V: Level>(
+    level: V,
+    run: &Run<'_, E>,
+    models: &[E],
+    axes: &[Twist<Number<E, 8>>],
+    effector: usize,
+    columns: &mut [T],
+) {
+    let mut joint = effector;
+    // ROOT is beyond the last joint, and ends the walk.
+    while let (Some(axis), Some(&parent)) = (axes.get(joint), run.parents.get(joint)) {
+        let axis = Twist::from_array(aos::splat(level, axis.to_array()));
+        for register in 0..E::Layout::registers::<V>() {
+            let tile = Tile::at(joint, register);
+            let Some(model) = motions(level, models, tile) else { return };
+            if run.joints.contains(&joint) {
+                T::store(model.adjoint(axis).to_array(), columns, tile);
+            }
+        }
+        joint = parent as usize;
+    }
+}
+
+/// Lanes are the effector and its ancestors, gathered on the walk to the root.
+#[inline(always)]
+fn ancestors_together<E: Element<8>, T: Element<6, Layout = E::Layout>, V: Level>(
+    level: V,
+    run: &Run<'_, E>,
+    models: &[E],
+    axes: &[Twist<Number<E, 8>>],
+    effector: usize,
+    columns: &mut [T],
+) {
+    let mut joint = effector;
+    loop {
+        let (mut which, mut count) = ([0; MAX_LANES], 0);
+        let (mut moves, mut screws) = ([identity(); MAX_LANES], [identity(); MAX_LANES]);
+        for ((which, motion), screw) in which.iter_mut().zip(&mut moves).zip(&mut screws) {
+            let (Some(model), Some(axis), Some(&parent)) =
+                (E::get(models, joint), axes.get(joint), run.parents.get(joint))
+            else {
+                break;
+            };
+            if count == E::Layout::records::<V>() {
+                break;
+            }
+            (*which, *motion, *screw) = (joint, model, axis.to_array());
+            count += 1;
+            joint = parent as usize;
+        }
+        if count == 0 {
+            return;
+        }
+        let motions = batch::DualQuat::<Register<E, V, 8>>::load_records(level, &moves);
+        let screws = Register::<E, V, 8>::load_records(level, &screws, identity());
+        let mut records = [identity(); MAX_LANES];
+        let moved = motions.adjoint(Twist::from_array(screws)).to_array();
+        Register::<E, V, 8>::store_records(moved, &mut records);
+        for (joint, record) in which.into_iter().zip(records).take(count) {
+            if run.joints.contains(&joint) {
+                T::set(columns, joint, record);
             }
         }
     }

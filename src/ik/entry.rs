@@ -3,9 +3,9 @@
 use super::{Arm, Options, Outcome, Report};
 use crate::batch;
 use crate::dispatch::{Backend, Kernel};
-use crate::error::ShapeError;
 use crate::real::Real;
 use crate::scalar::DualQuat;
+use crate::shape::ShapeError;
 use dq8_simd::{Float, Lanes, Level, Portable};
 
 impl<R, const N: usize> Arm<R, N>

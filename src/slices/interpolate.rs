@@ -1,8 +1,8 @@
-use super::sweep::{Operation, motions, same_length, sweep};
+use super::sweep::{SliceKernel, motions, sweep};
 use crate::batch;
 use crate::dispatch::Backend;
-use crate::error::ShapeError;
-use crate::place::{Number, Place, Register, Step};
+use crate::shape::{ShapeError, same_length};
+use crate::storage::{Element, Number, Register, Tile};
 use dq8_simd::{Lanes, Level};
 
 impl Backend {
@@ -12,12 +12,12 @@ impl Backend {
     /// # Errors
     /// If the slices differ in length; `between` is untouched.
     #[inline]
-    pub fn nlerp<P: Place<8>>(
+    pub fn nlerp<E: Element<8>>(
         self,
-        a: &[P],
-        b: &[P],
-        t: Number<P, 8>,
-        between: &mut [P],
+        a: &[E],
+        b: &[E],
+        t: Number<E, 8>,
+        between: &mut [E],
     ) -> Result<(), ShapeError> {
         interpolate(self, Nlerp, a, b, One(t), between)
     }
@@ -27,12 +27,12 @@ impl Backend {
     /// # Errors
     /// If the slices differ in length; `between` is untouched.
     #[inline]
-    pub fn nlerp_each<P: Place<8>, T: Place<1, Layout = P::Layout>>(
+    pub fn nlerp_each<E: Element<8>, T: Element<1, Layout = E::Layout>>(
         self,
-        a: &[P],
-        b: &[P],
+        a: &[E],
+        b: &[E],
         t: &[T],
-        between: &mut [P],
+        between: &mut [E],
     ) -> Result<(), ShapeError> {
         same_length("t", t.len(), a.len())?;
         interpolate(self, Nlerp, a, b, Many(t), between)
@@ -55,12 +55,12 @@ impl Backend {
     /// # Ok::<(), dq8::ShapeError>(())
     /// ```
     #[inline]
-    pub fn sclerp<P: Place<8>>(
+    pub fn sclerp<E: Element<8>>(
         self,
-        a: &[P],
-        b: &[P],
-        t: Number<P, 8>,
-        between: &mut [P],
+        a: &[E],
+        b: &[E],
+        t: Number<E, 8>,
+        between: &mut [E],
     ) -> Result<(), ShapeError> {
         interpolate(self, Sclerp, a, b, One(t), between)
     }
@@ -70,12 +70,12 @@ impl Backend {
     /// # Errors
     /// If the slices differ in length; `between` is untouched.
     #[inline]
-    pub fn sclerp_each<P: Place<8>, T: Place<1, Layout = P::Layout>>(
+    pub fn sclerp_each<E: Element<8>, T: Element<1, Layout = E::Layout>>(
         self,
-        a: &[P],
-        b: &[P],
+        a: &[E],
+        b: &[E],
         t: &[T],
-        between: &mut [P],
+        between: &mut [E],
     ) -> Result<(), ShapeError> {
         same_length("t", t.len(), a.len())?;
         interpolate(self, Sclerp, a, b, Many(t), between)
@@ -83,22 +83,22 @@ impl Backend {
 }
 
 #[inline]
-fn interpolate<P: Place<8>, W: Way, T: Parameter<P>>(
+fn interpolate<E: Element<8>, I: Interpolate, T: Parameter<E>>(
     backend: Backend,
-    way: W,
-    a: &[P],
-    b: &[P],
+    law: I,
+    a: &[E],
+    b: &[E],
     t: T,
-    between: &mut [P],
+    between: &mut [E],
 ) -> Result<(), ShapeError> {
     same_length("b", b.len(), a.len())?;
     same_length("between", between.len(), a.len())?;
-    sweep(backend, between, Interpolation { way, a, b, t });
+    sweep(backend, between, Interpolation { law, a, b, t });
     Ok(())
 }
 
 /// From one motion to another.
-trait Way {
+trait Interpolate {
     fn at<L: Lanes>(
         &self,
         a: batch::DualQuat<L>,
@@ -108,7 +108,7 @@ trait Way {
 }
 
 struct Nlerp;
-impl Way for Nlerp {
+impl Interpolate for Nlerp {
     #[inline(always)]
     fn at<L: Lanes>(
         &self,
@@ -121,7 +121,7 @@ impl Way for Nlerp {
 }
 
 struct Sclerp;
-impl Way for Sclerp {
+impl Interpolate for Sclerp {
     #[inline(always)]
     fn at<L: Lanes>(
         &self,
@@ -134,38 +134,40 @@ impl Way for Sclerp {
 }
 
 /// t, the same for all or one each.
-trait Parameter<P: Place<8>> {
-    fn lanes<V: Level>(&self, level: V, step: Step) -> Option<Register<P, V, 8>>;
+trait Parameter<E: Element<8>> {
+    fn load<V: Level>(&self, level: V, tile: Tile) -> Option<Register<E, V, 8>>;
 }
 
 struct One<R>(R);
-impl<P: Place<8>> Parameter<P> for One<Number<P, 8>> {
+impl<E: Element<8>> Parameter<E> for One<Number<E, 8>> {
     #[inline(always)]
-    fn lanes<V: Level>(&self, level: V, _: Step) -> Option<Register<P, V, 8>> {
+    fn load<V: Level>(&self, level: V, _: Tile) -> Option<Register<E, V, 8>> {
         Some(Lanes::splat(level, self.0))
     }
 }
 
 struct Many<'s, T>(&'s [T]);
-impl<P: Place<8>, T: Place<1, Layout = P::Layout>> Parameter<P> for Many<'_, T> {
+impl<E: Element<8>, T: Element<1, Layout = E::Layout>> Parameter<E> for Many<'_, T> {
     #[inline(always)]
-    fn lanes<V: Level>(&self, level: V, step: Step) -> Option<Register<P, V, 8>> {
-        let [t] = T::gather(level, self.0, step, [Default::default()])?;
+    fn load<V: Level>(&self, level: V, tile: Tile) -> Option<Register<E, V, 8>> {
+        let [t] = T::load(level, self.0, tile, [Default::default()])?;
         Some(t)
     }
 }
 
-struct Interpolation<'s, P, W, T> {
-    way: W,
-    a: &'s [P],
-    b: &'s [P],
+struct Interpolation<'s, E, I, T> {
+    law: I,
+    a: &'s [E],
+    b: &'s [E],
     t: T,
 }
 
-impl<P: Place<8>, W: Way, T: Parameter<P>> Operation<P, 8> for Interpolation<'_, P, W, T> {
+impl<E: Element<8>, I: Interpolate, T: Parameter<E>> SliceKernel<E, 8>
+    for Interpolation<'_, E, I, T>
+{
     #[inline(always)]
-    fn compute<V: Level>(&self, level: V, _: &[P], step: Step) -> Option<[Register<P, V, 8>; 8]> {
-        let (a, b) = (motions(level, self.a, step)?, motions(level, self.b, step)?);
-        Some(self.way.at(a, b, self.t.lanes(level, step)?).to_array())
+    fn compute<V: Level>(&self, level: V, _: &[E], tile: Tile) -> Option<[Register<E, V, 8>; 8]> {
+        let (a, b) = (motions(level, self.a, tile)?, motions(level, self.b, tile)?);
+        Some(self.law.at(a, b, self.t.load(level, tile)?).to_array())
     }
 }

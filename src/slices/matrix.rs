@@ -1,17 +1,9 @@
-use super::sweep::{Operation, motions, same_length, sweep};
+use super::sweep::{SliceKernel, motions, sweep};
 use crate::dispatch::Backend;
-use crate::error::ShapeError;
-use crate::place::{Place, Register, Step};
+use crate::palette_entry::{MatrixOrder, PaletteEntry};
+use crate::shape::{ShapeError, same_length};
+use crate::storage::{Element, Register, Tile};
 use dq8_simd::Level;
-
-/// In which order the numbers of a matrix lie in memory.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum MatrixOrder {
-    /// Row after row: HLSL `row_major`, C arrays, `[[R; 4]; 3]` as used everywhere in this crate.
-    Rows,
-    /// Column after column: GLSL, WGSL, glam and nalgebra.
-    Columns,
-}
 
 impl Backend {
     /// `matrices[i]` = [R | t] of unit σᵢ: 3×4 matrices for twelve numbers an element, 4×4 matrices,
@@ -21,7 +13,7 @@ impl Backend {
     /// If the slices differ in length; `matrices` is untouched.
     ///
     /// ```
-    /// use dq8::{Backend, DualQuat, slices::MatrixOrder};
+    /// use dq8::{Backend, DualQuat, MatrixOrder};
     /// let motions = [DualQuat::from_translation([7.0_f32, 8.0, 9.0]); 3];
     /// let mut rows = [[[0.0; 4]; 3]; 3];
     /// Backend::best().matrices(&motions, MatrixOrder::Rows, &mut rows)?;
@@ -32,15 +24,15 @@ impl Backend {
     /// # Ok::<(), dq8::ShapeError>(())
     /// ```
     #[inline]
-    pub fn matrices<P, M, const C: usize>(
+    pub fn matrices<E, M, const C: usize>(
         self,
-        motions: &[P],
+        motions: &[E],
         order: MatrixOrder,
         matrices: &mut [M],
     ) -> Result<(), ShapeError>
     where
-        P: Place<8>,
-        M: Matrix<C, Layout = P::Layout>,
+        E: Element<8>,
+        M: PaletteEntry<C, Layout = E::Layout>,
     {
         same_length("matrices", matrices.len(), motions.len())?;
         sweep(self, matrices, Matrices { motions, order });
@@ -48,32 +40,18 @@ impl Backend {
     }
 }
 
-/// A place of twelve or sixteen numbers.
-pub trait Matrix<const C: usize>: Place<C> {}
-impl<P: Place<12>> Matrix<12> for P {}
-impl<P: Place<16>> Matrix<16> for P {}
-
-struct Matrices<'s, P> {
-    motions: &'s [P],
+struct Matrices<'s, E> {
+    motions: &'s [E],
     order: MatrixOrder,
 }
 
-impl<P, M, const C: usize> Operation<M, C> for Matrices<'_, P>
+impl<E, M, const C: usize> SliceKernel<M, C> for Matrices<'_, E>
 where
-    P: Place<8>,
-    M: Matrix<C, Layout = P::Layout>,
+    E: Element<8>,
+    M: PaletteEntry<C, Layout = E::Layout>,
 {
     #[inline(always)]
-    fn compute<V: Level>(&self, level: V, _: &[M], step: Step) -> Option<[Register<M, V, C>; C]> {
-        let rows = motions(level, self.motions, step)?.to_matrix4();
-        let mut numbers = [rows[3][0]; C];
-        for (i, number) in numbers.iter_mut().enumerate() {
-            let (row, column) = match self.order {
-                MatrixOrder::Rows => (i / 4, i % 4),
-                MatrixOrder::Columns => (i % (C / 4), i / (C / 4)),
-            };
-            *number = rows[row % 4][column % 4];
-        }
-        Some(numbers)
+    fn compute<V: Level>(&self, level: V, _: &[M], tile: Tile) -> Option<[Register<M, V, C>; C]> {
+        Some(M::of(motions(level, self.motions, tile)?, self.order))
     }
 }

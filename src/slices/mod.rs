@@ -34,4 +34,3 @@ mod unit;
 
 #[cfg(doc)]
 use crate::{Backend, Place};
-pub use matrix::MatrixOrder;

@@ -1,9 +1,9 @@
-use super::sweep::{Operation, motions, same_length, sweep};
+use super::sweep::{SliceKernel, motions, sweep};
 use crate::batch;
 use crate::dispatch::Backend;
-use crate::error::ShapeError;
-use crate::place::{Number, Place, Register, Step};
 use crate::scalar::DualQuat;
+use crate::shape::{ShapeError, same_length};
+use crate::storage::{Element, Number, Register, Source, Tile};
 use dq8_simd::Level;
 
 impl Backend {
@@ -21,10 +21,15 @@ impl Backend {
     /// # Ok::<(), dq8::ShapeError>(())
     /// ```
     #[inline]
-    pub fn mul<P: Place<8>>(self, a: &[P], b: &[P], products: &mut [P]) -> Result<(), ShapeError> {
+    pub fn mul<E: Element<8>>(
+        self,
+        a: &[E],
+        b: &[E],
+        products: &mut [E],
+    ) -> Result<(), ShapeError> {
         same_length("b", b.len(), a.len())?;
         same_length("products", products.len(), a.len())?;
-        sweep(self, products, Product { a: Some(a), b });
+        sweep(self, products, Product { a: Source::Slice(a), b });
         Ok(())
     }
 
@@ -33,9 +38,9 @@ impl Backend {
     /// # Errors
     /// If the slices differ in length; `a` is untouched.
     #[inline]
-    pub fn mul_in_place<P: Place<8>>(self, a: &mut [P], b: &[P]) -> Result<(), ShapeError> {
+    pub fn mul_in_place<E: Element<8>>(self, a: &mut [E], b: &[E]) -> Result<(), ShapeError> {
         same_length("b", b.len(), a.len())?;
-        sweep(self, a, Product { a: None, b });
+        sweep(self, a, Product { a: Source::Output, b });
         Ok(())
     }
 
@@ -49,14 +54,14 @@ impl Backend {
     /// assert_eq!(poses[2].translation(), [1.0, 0.0, 2.0]);
     /// ```
     #[inline]
-    pub fn mul_left_in_place<P: Place<8>>(self, left: DualQuat<Number<P, 8>>, motions: &mut [P]) {
-        sweep(self, motions, Left(left));
+    pub fn mul_left_in_place<E: Element<8>>(self, left: DualQuat<Number<E, 8>>, motions: &mut [E]) {
+        sweep(self, motions, ProductByOne(left));
     }
 }
 
-struct Left<R>(DualQuat<R>);
+struct ProductByOne<R>(DualQuat<R>);
 
-impl<P: Place<8>> Operation<P, 8> for Left<Number<P, 8>> {
+impl<E: Element<8>> SliceKernel<E, 8> for ProductByOne<Number<E, 8>> {
     fn reads_output(&self) -> bool {
         true
     }
@@ -64,32 +69,31 @@ impl<P: Place<8>> Operation<P, 8> for Left<Number<P, 8>> {
     fn compute<V: Level>(
         &self,
         level: V,
-        output: &[P],
-        step: Step,
-    ) -> Option<[Register<P, V, 8>; 8]> {
+        output: &[E],
+        tile: Tile,
+    ) -> Option<[Register<E, V, 8>; 8]> {
         let left = batch::DualQuat::splat(level, self.0.to_array());
-        Some((left * motions(level, output, step)?).to_array())
+        Some((left * motions(level, output, tile)?).to_array())
     }
 }
 
-/// Without `a`, what the output holds.
-struct Product<'s, P> {
-    a: Option<&'s [P]>,
-    b: &'s [P],
+struct Product<'s, E> {
+    a: Source<'s, E>,
+    b: &'s [E],
 }
 
-impl<P: Place<8>> Operation<P, 8> for Product<'_, P> {
+impl<E: Element<8>> SliceKernel<E, 8> for Product<'_, E> {
     fn reads_output(&self) -> bool {
-        self.a.is_none()
+        self.a.is_output()
     }
     #[inline(always)]
     fn compute<V: Level>(
         &self,
         level: V,
-        output: &[P],
-        step: Step,
-    ) -> Option<[Register<P, V, 8>; 8]> {
-        let a = motions(level, self.a.unwrap_or(output), step)?;
-        Some((a * motions(level, self.b, step)?).to_array())
+        output: &[E],
+        tile: Tile,
+    ) -> Option<[Register<E, V, 8>; 8]> {
+        let a = motions(level, self.a.or(output), tile)?;
+        Some((a * motions(level, self.b, tile)?).to_array())
     }
 }

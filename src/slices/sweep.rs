@@ -2,23 +2,22 @@
 
 use crate::batch;
 use crate::dispatch::{Backend, Kernel};
-use crate::error::ShapeError;
-use crate::place::{Layout, Number, Place, Register, Step};
+use crate::storage::{self, Element, Layout, Register, Tile};
 use dq8_simd::Level;
 
-/// What becomes of the elements of a slice, lanes at a time.
-pub(super) trait Operation<Q: Place<D>, const D: usize> {
-    /// Whether it is in place.
+/// What is computed for each element of a slice, lanes at a time.
+pub(super) trait SliceKernel<Q: Element<D>, const D: usize> {
+    /// Whether it works in place.
     fn reads_output(&self) -> bool {
         false
     }
 
-    /// What belongs to a step, see [`Place`]; `output` is what the slice holds so far.
+    /// The things of a tile; `output` is what the slice holds so far. `None` if an input ends before.
     fn compute<V: Level>(
         &self,
         level: V,
         output: &[Q],
-        step: Step,
+        tile: Tile,
     ) -> Option<[Register<Q, V, D>; D]>;
 }
 
@@ -33,92 +32,68 @@ pub(super) trait Operation<Q: Place<D>, const D: usize> {
 /// | 256 MiB | 5.96 | 4.69 | 6.46 | 5.80 |
 const BEYOND_CACHES: usize = 64 << 20;
 
-/// Writes `operation` over `output`.
+/// Writes what `kernel` computes over `output`.
 #[inline]
-pub(super) fn sweep<Q: Place<D>, O: Operation<Q, D>, const D: usize>(
+pub(super) fn sweep<Q: Element<D>, K: SliceKernel<Q, D>, const D: usize>(
     backend: Backend,
     output: &mut [Q],
-    operation: O,
+    kernel: K,
 ) {
-    let backend = backend.min(Q::Layout::MOST);
-    if size_of_val(output) >= BEYOND_CACHES && !operation.reads_output() {
-        backend.run(Stream { output, operation });
+    if Q::Layout::STREAMS && size_of_val(output) >= BEYOND_CACHES && !kernel.reads_output() {
+        backend.run(Stream { output, kernel });
     } else {
-        backend.run(Sweep { output, operation });
+        backend.run(Sweep { output, kernel });
     }
 }
 
-struct Sweep<'s, Q, O, const D: usize> {
+struct Sweep<'s, Q, K, const D: usize> {
     output: &'s mut [Q],
-    operation: O,
+    kernel: K,
 }
 
-impl<Q: Place<D>, O: Operation<Q, D>, const D: usize> Kernel for Sweep<'_, Q, O, D> {
+impl<Q: Element<D>, K: SliceKernel<Q, D>, const D: usize> Kernel for Sweep<'_, Q, K, D> {
     type Output = ();
+    const WIDE: bool = Q::Layout::WIDE;
 
     #[inline(always)]
     fn run<V: Level>(self, level: V) {
-        for turn in 0..Q::turns::<V>(self.output.len()) {
-            for part in 0..Q::parts::<V>() {
-                let step = Step { turn, part };
-                // The lengths were checked, so this always is something; the compiler need not know.
-                let Some(components) = self.operation.compute(level, self.output, step) else {
-                    return;
-                };
-                Q::scatter(components, self.output, step);
-            }
+        let Self { output, kernel } = self;
+        for tile in storage::tiles::<Q, V, D>(output.len()) {
+            // The lengths were checked, so this always is something; the compiler need not know.
+            let Some(components) = kernel.compute(level, output, tile) else { return };
+            Q::store(components, output, tile);
         }
     }
 }
 
 /// [`Sweep`] past the caches. A kernel of its own, so that neither loop costs the other registers.
-struct Stream<'s, Q, O, const D: usize> {
+struct Stream<'s, Q, K, const D: usize> {
     output: &'s mut [Q],
-    operation: O,
+    kernel: K,
 }
 
-impl<Q: Place<D>, O: Operation<Q, D>, const D: usize> Kernel for Stream<'_, Q, O, D> {
+impl<Q: Element<D>, K: SliceKernel<Q, D>, const D: usize> Kernel for Stream<'_, Q, K, D> {
     type Output = ();
+    const WIDE: bool = Q::Layout::WIDE;
 
     #[inline(always)]
     fn run<V: Level>(self, level: V) {
-        let Self { output, operation } = self;
+        let Self { output, kernel } = self;
         Q::stream(
             level,
             output,
             #[inline(always)]
-            |step| operation.compute(level, &[], step),
+            |tile| kernel.compute(level, &[], tile),
         );
     }
 }
 
-/// The motions of a step; the identity in lanes beyond the end of `slice`.
+/// The motions of a tile; the identity in lanes beyond the end of `slice`.
 #[inline(always)]
-pub(super) fn motions<P: Place<8>, V: Level>(
+pub(super) fn motions<E: Element<8>, V: Level>(
     level: V,
-    slice: &[P],
-    step: Step,
-) -> Option<batch::DualQuat<Register<P, V, 8>>> {
-    let (zero, one) = (Number::<P, 8>::default(), Number::<P, 8>::from(1.0));
-    let identity = [zero, zero, zero, one, zero, zero, zero, zero];
-    Some(batch::DualQuat::from_array(P::gather(level, slice, step, identity)?))
-}
-
-/// The vectors of a step; zero in lanes beyond the end of `slice`.
-#[inline(always)]
-pub(super) fn vectors<P: Place<3>, V: Level>(
-    level: V,
-    slice: &[P],
-    step: Step,
-) -> Option<[Register<P, V, 3>; 3]> {
-    let zero = [Number::<P, 3>::default(); 3];
-    P::gather(level, slice, step, zero)
-}
-
-pub(super) fn same_length(
-    what: &'static str,
-    length: usize,
-    expected: usize,
-) -> Result<(), ShapeError> {
-    if length == expected { Ok(()) } else { Err(ShapeError::Length { what, length, expected }) }
+    slice: &[E],
+    tile: Tile,
+) -> Option<batch::DualQuat<Register<E, V, 8>>> {
+    Some(batch::DualQuat::from_array(E::load(level, slice, tile, storage::identity())?))
 }

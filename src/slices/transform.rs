@@ -1,9 +1,9 @@
-use super::sweep::{Operation, motions, same_length, sweep, vectors};
+use super::sweep::{SliceKernel, motions, sweep};
 use crate::batch;
 use crate::dispatch::Backend;
-use crate::error::ShapeError;
-use crate::place::{Number, Place, Register, Step};
 use crate::scalar::DualQuat;
+use crate::shape::{ShapeError, same_length};
+use crate::storage::{self, Element, Number, Register, Source, Tile};
 use dq8_simd::{Lanes, Level};
 
 impl Backend {
@@ -13,25 +13,25 @@ impl Backend {
     /// # Errors
     /// If the slices differ in length; `moved` is untouched.
     #[inline]
-    pub fn transform_points<P: Place<3>>(
+    pub fn transform_points<P: Element<3>>(
         self,
         motion: DualQuat<Number<P, 3>>,
         points: &[P],
         moved: &mut [P],
     ) -> Result<(), ShapeError> {
         same_length("moved", moved.len(), points.len())?;
-        sweep(self, moved, ByOne::of(motion, Some(points)));
+        sweep(self, moved, ByOne::of(motion, Source::Slice(points)));
         Ok(())
     }
 
     /// [`transform_points`](Self::transform_points) over the points themselves.
     #[inline]
-    pub fn transform_points_in_place<P: Place<3>>(
+    pub fn transform_points_in_place<P: Element<3>>(
         self,
         motion: DualQuat<Number<P, 3>>,
         points: &mut [P],
     ) {
-        sweep(self, points, ByOne::of(motion, None));
+        sweep(self, points, ByOne::of(motion, Source::Output));
     }
 
     /// `turned[i]` = R·`vectors[i]`: directions and differences, which do not translate.
@@ -39,25 +39,29 @@ impl Backend {
     /// # Errors
     /// If the slices differ in length; `turned` is untouched.
     #[inline]
-    pub fn transform_vectors<P: Place<3>>(
+    pub fn transform_vectors<P: Element<3>>(
         self,
         motion: DualQuat<Number<P, 3>>,
         vectors: &[P],
         turned: &mut [P],
     ) -> Result<(), ShapeError> {
         same_length("turned", turned.len(), vectors.len())?;
-        sweep(self, turned, ByOne::of(DualQuat::from_rotation(motion.rotation()), Some(vectors)));
+        sweep(
+            self,
+            turned,
+            ByOne::of(DualQuat::from_rotation(motion.rotation()), Source::Slice(vectors)),
+        );
         Ok(())
     }
 
     /// [`transform_vectors`](Self::transform_vectors) over the vectors themselves.
     #[inline]
-    pub fn transform_vectors_in_place<P: Place<3>>(
+    pub fn transform_vectors_in_place<P: Element<3>>(
         self,
         motion: DualQuat<Number<P, 3>>,
         vectors: &mut [P],
     ) {
-        sweep(self, vectors, ByOne::of(DualQuat::from_rotation(motion.rotation()), None));
+        sweep(self, vectors, ByOne::of(DualQuat::from_rotation(motion.rotation()), Source::Output));
     }
 
     /// `moved[i]` = Rᵢ·`points[i]` + tᵢ of a unit motion each.
@@ -74,7 +78,7 @@ impl Backend {
     /// # Ok::<(), dq8::ShapeError>(())
     /// ```
     #[inline]
-    pub fn transform_points_each<M: Place<8>, P: Place<3, Layout = M::Layout>>(
+    pub fn transform_points_each<M: Element<8>, P: Element<3, Layout = M::Layout>>(
         self,
         motions: &[M],
         points: &[P],
@@ -91,7 +95,7 @@ impl Backend {
     /// # Errors
     /// If the slices differ in length; `turned` is untouched.
     #[inline]
-    pub fn transform_vectors_each<M: Place<8>, P: Place<3, Layout = M::Layout>>(
+    pub fn transform_vectors_each<M: Element<8>, P: Element<3, Layout = M::Layout>>(
         self,
         motions: &[M],
         vectors: &[P],
@@ -104,31 +108,31 @@ impl Backend {
     }
 }
 
-/// By the rows of one matrix; without `from`, over what the output holds.
-struct ByOne<'s, P: Place<3>> {
+/// By the rows of one matrix.
+struct ByOne<'s, P: Element<3>> {
     rows: [[Number<P, 3>; 4]; 3],
-    from: Option<&'s [P]>,
+    from: Source<'s, P>,
 }
 
-impl<'s, P: Place<3>> ByOne<'s, P> {
+impl<'s, P: Element<3>> ByOne<'s, P> {
     #[inline]
-    fn of(motion: DualQuat<Number<P, 3>>, from: Option<&'s [P]>) -> Self {
+    fn of(motion: DualQuat<Number<P, 3>>, from: Source<'s, P>) -> Self {
         Self { rows: motion.to_matrix3x4(), from }
     }
 }
 
-impl<P: Place<3>> Operation<P, 3> for ByOne<'_, P> {
+impl<P: Element<3>> SliceKernel<P, 3> for ByOne<'_, P> {
     fn reads_output(&self) -> bool {
-        self.from.is_none()
+        self.from.is_output()
     }
     #[inline(always)]
     fn compute<V: Level>(
         &self,
         level: V,
         output: &[P],
-        step: Step,
+        tile: Tile,
     ) -> Option<[Register<P, V, 3>; 3]> {
-        let [x, y, z] = vectors(level, self.from.unwrap_or(output), step)?;
+        let [x, y, z] = vectors(level, self.from.or(output), tile)?;
         let mut moved = [x; 3];
         for (moved, row) in moved.iter_mut().zip(self.rows) {
             // The compiler keeps the twelve lanes in registers from one turn of the loop to the next.
@@ -143,12 +147,12 @@ impl<P: Place<3>> Operation<P, 3> for ByOne<'_, P> {
 }
 
 /// What a motion does to a vector.
-trait Action {
+trait VectorAction {
     fn act<L: Lanes>(&self, motion: batch::DualQuat<L>, vector: [L; 3]) -> [L; 3];
 }
 
 struct Point;
-impl Action for Point {
+impl VectorAction for Point {
     #[inline(always)]
     fn act<L: Lanes>(&self, motion: batch::DualQuat<L>, point: [L; 3]) -> [L; 3] {
         motion.transform_point(point)
@@ -156,7 +160,7 @@ impl Action for Point {
 }
 
 struct Vector;
-impl Action for Vector {
+impl VectorAction for Vector {
     #[inline(always)]
     fn act<L: Lanes>(&self, motion: batch::DualQuat<L>, vector: [L; 3]) -> [L; 3] {
         motion.transform_vector(vector)
@@ -169,14 +173,24 @@ struct ByEach<'s, M, P, A> {
     action: A,
 }
 
-impl<M, P, A> Operation<P, 3> for ByEach<'_, M, P, A>
+impl<M, P, A> SliceKernel<P, 3> for ByEach<'_, M, P, A>
 where
-    M: Place<8>,
-    P: Place<3, Layout = M::Layout>,
-    A: Action,
+    M: Element<8>,
+    P: Element<3, Layout = M::Layout>,
+    A: VectorAction,
 {
     #[inline(always)]
-    fn compute<V: Level>(&self, level: V, _: &[P], step: Step) -> Option<[Register<P, V, 3>; 3]> {
-        Some(self.action.act(motions(level, self.motions, step)?, vectors(level, self.from, step)?))
+    fn compute<V: Level>(&self, level: V, _: &[P], tile: Tile) -> Option<[Register<P, V, 3>; 3]> {
+        Some(self.action.act(motions(level, self.motions, tile)?, vectors(level, self.from, tile)?))
     }
+}
+
+/// The vectors of a tile; zero in lanes beyond the end of `slice`.
+#[inline(always)]
+fn vectors<E: Element<3>, V: Level>(
+    level: V,
+    slice: &[E],
+    tile: Tile,
+) -> Option<[Register<E, V, 3>; 3]> {
+    E::load(level, slice, tile, storage::identity())
 }

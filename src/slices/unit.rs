@@ -1,8 +1,8 @@
-use super::sweep::{Operation, motions, same_length, sweep};
+use super::sweep::{SliceKernel, motions, sweep};
 use crate::batch;
 use crate::dispatch::Backend;
-use crate::error::ShapeError;
-use crate::place::{Place, Register, Step};
+use crate::shape::{ShapeError, same_length};
+use crate::storage::{Element, Register, Source, Tile};
 use dq8_simd::{Lanes, Level};
 
 impl Backend {
@@ -21,16 +21,20 @@ impl Backend {
     /// # Ok::<(), dq8::ShapeError>(())
     /// ```
     #[inline]
-    pub fn normalize<P: Place<8>>(self, motions: &[P], units: &mut [P]) -> Result<(), ShapeError> {
+    pub fn normalize<E: Element<8>>(
+        self,
+        motions: &[E],
+        units: &mut [E],
+    ) -> Result<(), ShapeError> {
         same_length("units", units.len(), motions.len())?;
-        sweep(self, units, Each { from: Some(motions), change: Normalize });
+        sweep(self, units, Unary { from: Source::Slice(motions), operation: Normalize });
         Ok(())
     }
 
     /// [`normalize`](Self::normalize) over the motions themselves.
     #[inline]
-    pub fn normalize_in_place<P: Place<8>>(self, motions: &mut [P]) {
-        sweep(self, motions, Each { from: None, change: Normalize });
+    pub fn normalize_in_place<E: Element<8>>(self, motions: &mut [E]) {
+        sweep(self, motions, Unary { from: Source::Output, operation: Normalize });
     }
 
     /// `inverses[i]` = σᵢ⁻¹; some component is NaN or infinite where there is none (see
@@ -39,26 +43,30 @@ impl Backend {
     /// # Errors
     /// If the slices differ in length; `inverses` is untouched.
     #[inline]
-    pub fn inverse<P: Place<8>>(self, motions: &[P], inverses: &mut [P]) -> Result<(), ShapeError> {
+    pub fn inverse<E: Element<8>>(
+        self,
+        motions: &[E],
+        inverses: &mut [E],
+    ) -> Result<(), ShapeError> {
         same_length("inverses", inverses.len(), motions.len())?;
-        sweep(self, inverses, Each { from: Some(motions), change: Inverse });
+        sweep(self, inverses, Unary { from: Source::Slice(motions), operation: Inverse });
         Ok(())
     }
 
     /// [`inverse`](Self::inverse) over the motions themselves.
     #[inline]
-    pub fn inverse_in_place<P: Place<8>>(self, motions: &mut [P]) {
-        sweep(self, motions, Each { from: None, change: Inverse });
+    pub fn inverse_in_place<E: Element<8>>(self, motions: &mut [E]) {
+        sweep(self, motions, Unary { from: Source::Output, operation: Inverse });
     }
 }
 
 /// A function of one motion.
-trait Change {
+trait UnaryOperation {
     fn of<L: Lanes>(&self, motion: batch::DualQuat<L>) -> batch::DualQuat<L>;
 }
 
 struct Normalize;
-impl Change for Normalize {
+impl UnaryOperation for Normalize {
     #[inline(always)]
     fn of<L: Lanes>(&self, motion: batch::DualQuat<L>) -> batch::DualQuat<L> {
         motion.normalize()
@@ -66,30 +74,29 @@ impl Change for Normalize {
 }
 
 struct Inverse;
-impl Change for Inverse {
+impl UnaryOperation for Inverse {
     #[inline(always)]
     fn of<L: Lanes>(&self, motion: batch::DualQuat<L>) -> batch::DualQuat<L> {
         motion.inverse()
     }
 }
 
-/// Without `from`, what the output holds.
-struct Each<'s, P, C> {
-    from: Option<&'s [P]>,
-    change: C,
+struct Unary<'s, E, F> {
+    from: Source<'s, E>,
+    operation: F,
 }
 
-impl<P: Place<8>, C: Change> Operation<P, 8> for Each<'_, P, C> {
+impl<E: Element<8>, F: UnaryOperation> SliceKernel<E, 8> for Unary<'_, E, F> {
     fn reads_output(&self) -> bool {
-        self.from.is_none()
+        self.from.is_output()
     }
     #[inline(always)]
     fn compute<V: Level>(
         &self,
         level: V,
-        output: &[P],
-        step: Step,
-    ) -> Option<[Register<P, V, 8>; 8]> {
-        Some(self.change.of(motions(level, self.from.unwrap_or(output), step)?).to_array())
+        output: &[E],
+        tile: Tile,
+    ) -> Option<[Register<E, V, 8>; 8]> {
+        Some(self.operation.of(motions(level, self.from.or(output), tile)?).to_array())
     }
 }

@@ -9,7 +9,7 @@ use core::arch::x86_64::*;
 use core::ops::{BitAnd, BitOr, Not};
 
 /// AVX2 and FMA: eight `f32` or four `f64` at a time. [`Avx2::detect`] is the only way to one.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Avx2(());
 
 impl Avx2 {

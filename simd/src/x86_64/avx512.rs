@@ -10,7 +10,7 @@ use core::ops::{BitAnd, BitOr, Not};
 
 /// AVX-512 F, VL and DQ: sixteen `f32` or eight `f64` at a time. [`Avx512::detect`] is the only way
 /// to one.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Avx512(());
 
 impl Avx512 {

@@ -61,31 +61,31 @@ macro_rules! vector {
                 unsafe { $stream(at.cast(), self.0) }
             }
             #[inline(always)]
-            fn load_quads(level: $level, from: &[$real], stride: usize) -> [Self; 4] {
-                let reach = stride.saturating_mul($lanes - 1).saturating_add(4);
-                if from.len() < reach {
-                    return crate::lane::load_each(level, from, stride);
+            fn load_quads(level: $level, from: &[$real], stride: usize) -> Option<[Self; 4]> {
+                if from.len() < crate::lane::reach($lanes, stride, 4) {
+                    return None;
                 }
                 // SAFETY: `level` proves the instructions; the last number read is in the slice.
                 let [x, y, z, w] = unsafe { $load_quads(from.as_ptr(), stride) };
-                [Self(x, level), Self(y, level), Self(z, level), Self(w, level)]
+                Some([Self(x, level), Self(y, level), Self(z, level), Self(w, level)])
             }
             #[inline(always)]
-            fn store_quads([x, y, z, w]: [Self; 4], to: &mut [$real], stride: usize) {
-                let reach = stride.saturating_mul($lanes - 1).saturating_add(4);
-                if to.len() < reach || stride < 4 {
-                    return crate::lane::store_each([x, y, z, w], to, stride);
+            fn store_quads([x, y, z, w]: [Self; 4], to: &mut [$real], stride: usize) -> Option<()> {
+                if to.len() < crate::lane::reach($lanes, stride, 4) {
+                    return None;
                 }
                 // SAFETY: the lanes prove the instructions; the last number written is in the slice.
-                unsafe { $store_quads([x.0, y.0, z.0, w.0], to.as_mut_ptr(), stride) }
+                unsafe { $store_quads([x.0, y.0, z.0, w.0], to.as_mut_ptr(), stride) };
+                Some(())
             }
             #[inline(always)]
-            fn store_triples([x, y, z]: [Self; 3], to: &mut [$real]) {
-                if to.len() < 3 * $lanes {
-                    return crate::lane::store_each([x, y, z], to, 3);
+            fn store_triples([x, y, z]: [Self; 3], to: &mut [$real]) -> Option<()> {
+                if to.len() < crate::lane::reach($lanes, 3, 3) {
+                    return None;
                 }
                 // SAFETY: the lanes prove the instructions; the last number written is in the slice.
-                unsafe { $store_triples([x.0, y.0, z.0], to.as_mut_ptr()) }
+                unsafe { $store_triples([x.0, y.0, z.0], to.as_mut_ptr()) };
+                Some(())
             }
             #[inline(always)]
             fn mul_add(self, factor: Self, addend: Self) -> Self {

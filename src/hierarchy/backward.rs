@@ -1,0 +1,107 @@
+//! local(j) = model(parent(j))* · model(j). Children first, so that in place every parent is still a
+//! model when its children need it.
+
+use super::locals::motions;
+use super::run::Run;
+use crate::batch;
+use crate::dispatch::Kernel;
+use crate::storage::{Element, Layout, Register, Source, Tile, aos, identity};
+use dq8_simd::{Lanes, Level, MAX_LANES};
+
+pub(super) struct Backward<'r, 's, E: Element<8>> {
+    pub(super) run: &'r Run<'r, E>,
+    pub(super) models: Source<'s, E>,
+    pub(super) locals: &'s mut [E],
+}
+
+impl<E: Element<8>> Kernel for Backward<'_, '_, E> {
+    type Output = ();
+    const WIDE: bool = E::Layout::WIDE;
+
+    #[inline(always)]
+    fn run<V: Level>(self, level: V) {
+        let Self { run, models, locals } = self;
+        let joints = run.parents.len().max(1);
+        for (instance, locals) in locals.chunks_exact_mut(joints).enumerate() {
+            let first = instance * joints;
+            let models = match models {
+                Source::Slice(all) => {
+                    Source::Slice(all.get(first..first + joints).unwrap_or_default())
+                }
+                Source::Output => Source::Output,
+            };
+            if E::Layout::THINGS > 1 {
+                block(level, run, models, locals, instance);
+            } else {
+                plain(level, run, models, locals, instance);
+            }
+        }
+    }
+}
+
+/// Lanes are instances.
+#[inline(always)]
+fn block<E: Element<8>, V: Level>(
+    level: V,
+    run: &Run<'_, E>,
+    models: Source<'_, E>,
+    locals: &mut [E],
+    instance: usize,
+) {
+    for joint in run.joints.clone().rev() {
+        for register in 0..E::Layout::registers::<V>() {
+            let tile = Tile::at(joint, register);
+            let models = models.or(locals);
+            let Some(&parent) = run.parents.get(joint) else { return };
+            let Some(mut local) = motions(level, models, tile) else { return };
+            // ROOT is beyond the last joint: there is no such model.
+            let parent = motions(level, models, Tile::at(parent as usize, register));
+            if let Some(parent) = parent.or_else(
+                #[inline(always)]
+                || run.root.load(level, instance, register),
+            ) {
+                local = parent.conjugate() * local;
+            }
+            E::store(local.to_array(), locals, tile);
+        }
+    }
+}
+
+/// Lanes are joints of one instance, their parents gathered one by one.
+#[inline(always)]
+fn plain<E: Element<8>, V: Level>(
+    level: V,
+    run: &Run<'_, E>,
+    models: Source<'_, E>,
+    locals: &mut [E],
+    instance: usize,
+) {
+    let root = run.root_of(instance);
+    let lanes = E::Layout::records::<V>();
+    let mut end = run.joints.end;
+    while end > run.joints.start {
+        let start = end.saturating_sub(lanes).max(run.joints.start);
+        // Both are copied before anything is written: a parent may be among these joints.
+        let (mut own, mut parents) = ([identity(); MAX_LANES], [identity(); MAX_LANES]);
+        let Some(from) = E::plain(models.or(locals)) else { return };
+        for (joint, (own, parent)) in (start..end).zip(own.iter_mut().zip(&mut parents)) {
+            let (Some(model), Some(&of)) = (from.get(joint), run.parents.get(joint)) else {
+                return;
+            };
+            *own = *model;
+            *parent = from.get(of as usize).copied().or(root).unwrap_or_else(identity);
+        }
+        let load = |records: &[_; MAX_LANES]| {
+            let lanes = aos::load(level, records, Tile::at(0, 0), identity())?;
+            Some(batch::DualQuat::<Register<E, V, 8>>::from_array(lanes))
+        };
+        let (Some(model), Some(parent)) = (load(&own), load(&parents)) else { return };
+        let local = (parent.conjugate() * model).to_array();
+        Register::<E, V, 8>::store_records(local, &mut own);
+        let Some(locals) = E::plain_mut(locals) else { return };
+        for (local, own) in locals.get_mut(start..end).unwrap_or_default().iter_mut().zip(own) {
+            *local = own;
+        }
+        end = start;
+    }
+}

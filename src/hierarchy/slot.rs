@@ -1,0 +1,73 @@
+use crate::real::Scalar;
+use crate::storage::{Tile, aos, identity};
+use dq8_simd::Lanes;
+
+/// What the lanes of a kernel over hierarchies hold: one joint of several instances, or several joints
+/// of one instance.
+#[derive(Clone, Copy, Debug)]
+pub struct JointSlot {
+    /// The joint, or the first one.
+    joint: usize,
+    /// Where the joints of the instance (of the block, of the first lane) begin among all elements.
+    first: usize,
+    register: usize,
+    /// From one lane to the next.
+    stride: Option<usize>,
+    /// Whether lanes are joints; then, where the joints end that are computed.
+    end: Option<usize>,
+}
+
+impl JointSlot {
+    /// A joint of the instances in one register of a block; `first` is the block of joint 0.
+    #[inline(always)]
+    pub(super) fn in_block(joint: usize, first: usize, register: usize) -> Self {
+        Self { joint, first, register, stride: None, end: None }
+    }
+
+    /// A joint of as many instances, `joints` apart, as there are lanes.
+    #[inline(always)]
+    pub(super) fn of_instances(joint: usize, first: usize, joints: usize) -> Self {
+        Self { joint, first, register: 0, stride: Some(joints), end: None }
+    }
+
+    /// As many joints of one instance as there are lanes, up to the joint `end`.
+    #[inline(always)]
+    pub(super) fn of_joints(joint: usize, first: usize, end: usize) -> Self {
+        Self { joint, first, register: 0, stride: None, end: Some(end) }
+    }
+
+    /// Where it lies among all elements.
+    #[inline(always)]
+    pub(super) fn tile(self) -> Tile {
+        Tile { element: self.first + self.joint, register: self.register, stride: self.stride }
+    }
+
+    /// Where it lies among the elements of its own instances.
+    #[inline(always)]
+    pub(super) fn own_tile(self) -> Tile {
+        Tile { element: self.joint, register: self.register, stride: self.stride }
+    }
+
+    /// What lies in `to` up to where this slot may be written.
+    #[inline(always)]
+    pub(super) fn within<E>(self, to: &mut [E]) -> &mut [E] {
+        match self.end {
+            Some(end) => to.get_mut(..self.first + end).unwrap_or_default(),
+            None => to,
+        }
+    }
+
+    /// What is the same for all instances, a record for each joint.
+    #[inline(always)]
+    pub(super) fn of_joint<L: Lanes<Real: Scalar>, const C: usize>(
+        self,
+        level: L::Level,
+        records: &[[L::Real; C]],
+    ) -> Option<[L; C]> {
+        if self.end.is_some() {
+            aos::load(level, records, Tile::at(self.joint, 0), identity())
+        } else {
+            Some(aos::splat(level, *records.get(self.joint)?))
+        }
+    }
+}

@@ -1,0 +1,222 @@
+//! model(j) = model(parent(j)) · local(j), for plain motions, which are transposed in registers.
+//!
+//! As many instances as there are lanes are computed together; what is left over, and single instances,
+//! one by one. Both do the same operations in the same order: the model of an instance is the same to the
+//! last bit, however many others stand around it.
+
+use super::locals::{Locals, Motions, motions};
+use super::palette::Epilogue;
+use super::product::{packed_product, product_in_lanes};
+use super::run::Run;
+use super::slot::JointSlot;
+use crate::batch;
+use crate::dispatch::{Backend, Kernel};
+use crate::real::Scalar;
+use crate::storage::{Element, Layout, Register, identity};
+use dq8_simd::{Lanes, Level, MAX_LANES, Portable};
+
+/// So many models are kept as they are in registers, for their children. What lies farther back is
+/// transposed again. More would fill the first cache, which the instances share.
+const RECENT: usize = 16;
+
+/// Writes the models of all instances.
+#[inline]
+pub(super) fn forward<E: Element<8>, L: Locals<E>, X: Epilogue<E>>(
+    backend: Backend,
+    run: &Run<'_, E>,
+    locals: L,
+    models: &mut [E],
+    epilogue: &mut X,
+) {
+    // Where a register holds one number, one instance fills it.
+    let one_lane = Register::<E, Portable, 8>::LANES == 1;
+    let mut done = 0;
+    if one_lane || models.len() > run.parents.len() {
+        done = backend.run(Instances { run, locals, models, epilogue });
+    }
+    if !one_lane && done < models.len() {
+        backend.run(Walk { run, locals, models, epilogue, done });
+    }
+}
+
+/// Lanes are instances, strided in memory. Gives back how many elements are done: whole groups.
+struct Instances<'r, 's, E: Element<8>, L, X> {
+    run: &'r Run<'r, E>,
+    locals: L,
+    models: &'s mut [E],
+    epilogue: &'s mut X,
+}
+
+impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Instances<'_, '_, E, L, X> {
+    type Output = usize;
+    const WIDE: bool = E::Layout::WIDE;
+
+    #[inline(always)]
+    fn run<V: Level>(self, level: V) -> usize {
+        let Self { run, locals, models, epilogue } = self;
+        let joints = run.parents.len();
+        let group = E::Layout::records::<V>().saturating_mul(joints);
+        let mut done = 0;
+        if group > 0 {
+            for models in models.chunks_exact_mut(group) {
+                together(level, run, locals, models, epilogue, done);
+                done += group;
+            }
+        }
+        done
+    }
+}
+
+/// One group; `first` is its first element among all.
+#[inline(always)]
+fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
+    level: V,
+    run: &Run<'_, E>,
+    locals: L,
+    models: &mut [E],
+    epilogue: &mut X,
+    first: usize,
+) {
+    let joints = run.parents.len();
+    let nothing = Motions::<E, V>::identity(level).to_array();
+    // One number is read from memory as fast as from there.
+    let keeps = E::Layout::records::<V>() > 1;
+    let mut recent = [nothing; RECENT + 1];
+    for joint in run.joints.clone() {
+        let Some(&parent) = run.parents.get(joint) else { return };
+        let slot = JointSlot::of_instances(joint, first, joints);
+        let parent = parent as usize;
+        if parent < joint {
+            // One way to the parent, through memory: two would cost moves between registers.
+            let mut from = parent % RECENT;
+            if !keeps || joint - parent >= RECENT || parent < run.joints.start {
+                from = RECENT;
+                let far = JointSlot::of_instances(parent, first, joints).own_tile();
+                let Some(far) = motions(level, models, far) else { return };
+                recent[from] = far.to_array();
+            }
+            let Some(local) = locals.load(level, models, slot) else { return };
+            let model = product_in_lanes(recent[from], local.to_array());
+            recent[joint % RECENT] = model;
+            E::store(model, models, slot.own_tile());
+        } else {
+            let root = root(level, run, locals, models, slot, first / joints.max(1));
+            recent[joint % RECENT] = root;
+        }
+        if run.renormalize.applies_to(joint) {
+            let model = Motions::<E, V>::from_array(recent[joint % RECENT]).normalize().to_array();
+            recent[joint % RECENT] = model;
+            E::store(model, models, slot.own_tile());
+        }
+        if X::ACTIVE {
+            epilogue.run(level, slot, batch::DualQuat::from_array(recent[joint % RECENT]));
+        }
+    }
+}
+
+/// The models of a joint without a parent, written and given back.
+#[inline(always)]
+fn root<E: Element<8>, L: Locals<E>, V: Level>(
+    level: V,
+    run: &Run<'_, E>,
+    locals: L,
+    models: &mut [E],
+    slot: JointSlot,
+    instance: usize,
+) -> [Register<E, V, 8>; 8] {
+    let Some(local) = locals.load(level, models, slot) else {
+        return Motions::<E, V>::identity(level).to_array();
+    };
+    let mut model = local.to_array();
+    if let Some(root) = run.root.load(level, instance, 0) {
+        model = product_in_lanes(root.to_array(), model);
+    }
+    E::store(model, models, slot.own_tile());
+    model
+}
+
+/// One instance after the other: the eight numbers of one motion in the lanes of one register.
+struct Walk<'r, 's, E: Element<8>, L, X> {
+    run: &'r Run<'r, E>,
+    locals: L,
+    models: &'s mut [E],
+    epilogue: &'s mut X,
+    /// How many elements are done already.
+    done: usize,
+}
+
+impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Walk<'_, '_, E, L, X> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<V: Level>(self, level: V) {
+        let Self { run, locals, models, epilogue, done } = self;
+        let joints = run.parents.len().max(1);
+        let instances = models.get_mut(done..).unwrap_or_default().chunks_exact_mut(joints);
+        for (instance, models) in (done / joints..).zip(instances) {
+            walk(level, run, locals, models, epilogue, instance);
+        }
+    }
+}
+
+/// The locals of as many joints as there are lanes are made (or just copied) together, then each is
+/// multiplied onto its parent, then what else is computed of the models is, in lanes again.
+#[inline(always)]
+fn walk<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
+    level: V,
+    run: &Run<'_, E>,
+    locals: L,
+    models: &mut [E],
+    epilogue: &mut X,
+    instance: usize,
+) {
+    let first = instance * run.parents.len();
+    let lanes = E::Layout::records::<V>();
+    let root = run.root_of(instance);
+    let mut records = [identity(); MAX_LANES];
+    for start in run.joints.clone().step_by(lanes) {
+        let slot = JointSlot::of_joints(start, first, run.joints.end);
+        if locals.records(level, models, slot, &mut records).is_none() {
+            return;
+        }
+        let Some(plain) = E::plain_mut(models) else { return };
+        for (joint, record) in (start..run.joints.end).zip(records.iter().take(lanes)) {
+            let Some(&parent) = run.parents.get(joint) else { return };
+            // ROOT is beyond the last joint: there is no such model.
+            let model = match (plain.get(parent as usize), &root) {
+                (Some(parent), _) | (None, Some(parent)) => product::<_, V>(level, parent, record),
+                (None, None) => *record,
+            };
+            let Some(slot) = plain.get_mut(joint) else { return };
+            *slot = model;
+            if run.renormalize.applies_to(joint) {
+                normalize::<_, V>(level, slot);
+            }
+        }
+        if X::ACTIVE {
+            let Some(models) = motions(level, models, slot.own_tile()) else { return };
+            epilogue.run(level, slot, models);
+        }
+    }
+}
+
+#[inline(always)]
+fn product<R: Scalar, V: Level>(level: V, parent: &[R; 8], local: &[R; 8]) -> [R; 8] {
+    let mut model = [R::ZERO; 8];
+    packed_product(R::Octet::<V>::load(level, parent), local).store(&mut model);
+    model
+}
+
+/// On lanes, for the sake of the last bit.
+#[cold]
+#[inline(never)]
+fn normalize<R: Scalar, V: Level>(level: V, model: &mut [R; 8]) {
+    level.run(
+        #[inline(always)]
+        || {
+            let records = core::slice::from_mut(model);
+            let lanes = batch::DualQuat::<R::Lanes<V>>::load_records(level, records);
+            lanes.normalize().store_records(records);
+        },
+    );
+}

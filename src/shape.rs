@@ -1,0 +1,105 @@
+//! [`ShapeError`]: slices that do not fit each other, and the checks that return it.
+
+use core::fmt;
+use core::ops::Range;
+
+/// Slices that do not fit a hierarchy, or each other. Nothing has been written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum ShapeError {
+    /// A slice does not hold a whole number of instances.
+    NotWhole {
+        /// Which slice.
+        what: &'static str,
+        /// Its length.
+        length: usize,
+        /// The joints of one instance.
+        joints: usize,
+    },
+    /// A slice has another length than it must.
+    Length {
+        /// Which slice.
+        what: &'static str,
+        /// Its length.
+        length: usize,
+        /// The length it must have.
+        expected: usize,
+    },
+    /// A range of joints that is no range of this hierarchy.
+    Joints {
+        /// The range.
+        range: Range<usize>,
+        /// How many joints there are.
+        joints: usize,
+    },
+    /// A pose that a crowd does not have.
+    NoPose {
+        /// The instance asked for.
+        instance: usize,
+        /// The joint asked for.
+        joint: usize,
+        /// How many instances there are.
+        instances: usize,
+        /// How many joints there are.
+        joints: usize,
+    },
+}
+
+impl fmt::Display for ShapeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotWhole { what, length, joints } => write!(
+                f,
+                "{what} holds {length} elements, which is no multiple of the {joints} joints"
+            ),
+            Self::Length { what, length, expected } => {
+                write!(f, "{what} holds {length} elements where {expected} are needed")
+            }
+            Self::Joints { range, joints } => write!(
+                f,
+                "joints {}..{} are no range of a hierarchy of {joints} joints",
+                range.start, range.end
+            ),
+            Self::NoPose { instance, joint, instances, joints } => write!(
+                f,
+                "no joint {joint} of instance {instance} among {instances} instances of {joints} joints"
+            ),
+        }
+    }
+}
+
+impl core::error::Error for ShapeError {}
+
+/// Whether `what` holds as many elements as it must.
+pub(crate) fn same_length(
+    what: &'static str,
+    length: usize,
+    expected: usize,
+) -> Result<(), ShapeError> {
+    if length == expected { Ok(()) } else { Err(ShapeError::Length { what, length, expected }) }
+}
+
+/// How many instances of `joints` joints `what` holds.
+pub(crate) fn whole_instances(
+    what: &'static str,
+    joints: usize,
+    length: usize,
+) -> Result<usize, ShapeError> {
+    // Divisions take long, and one instance is what most have.
+    if length == joints && length > 0 {
+        return Ok(1);
+    }
+    match length.checked_rem(joints) {
+        Some(0) => Ok(length / joints),
+        None if length == 0 => Ok(0),
+        _ => Err(ShapeError::NotWhole { what, length, joints }),
+    }
+}
+
+/// Whether these are joints of a hierarchy.
+pub(crate) fn joints_within(range: &Range<usize>, joints: usize) -> Result<(), ShapeError> {
+    if range.start <= range.end && range.end <= joints {
+        return Ok(());
+    }
+    Err(ShapeError::Joints { range: range.clone(), joints })
+}

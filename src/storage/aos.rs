@@ -1,0 +1,159 @@
+use super::{Element, Layout, Number, Register, Tile, sealed};
+use crate::geometry::Twist;
+use crate::real::Scalar;
+use crate::scalar::{DualQuat, Quat};
+use core::marker::PhantomData;
+use dq8_simd::{Float, Lanes, Level, MAX_LANES};
+
+/// Array of structures: one thing after the other. They are transposed in registers on the way in, and
+/// back on the way out.
+#[derive(Clone, Copy, Debug)]
+pub struct Aos<R>(PhantomData<R>);
+
+impl<R: Scalar> sealed::Sealed for Aos<R> {}
+impl<R: Scalar> Layout for Aos<R> {
+    type Real = R;
+    type Record<const C: usize> = [R; C];
+    type Register<V: Level> = R::Lanes<V>;
+    const THINGS: usize = 1;
+    // Transposes are shuffles, and the compiler makes AVX-512 shuffles of them, which run on one port
+    // instead of two: products take 2.2 ns instead of 1.8, points 0.69 instead of 0.52.
+    const WIDE: bool = false;
+    // Records are pieces of cache lines, which cannot be written past the caches.
+    const STREAMS: bool = false;
+}
+
+/// The records of a tile in any lanes.
+#[inline(always)]
+pub(crate) fn load<L: Lanes, const C: usize>(
+    level: L::Level,
+    from: &[[L::Real; C]],
+    tile: Tile,
+    padding: [L::Real; C],
+) -> Option<[L; C]> {
+    let from = from.get(tile.element..)?;
+    Some(L::load_strided(level, from, tile.stride.unwrap_or(1), padding))
+}
+
+/// The records of a tile from any lanes.
+#[inline(always)]
+pub(crate) fn store<L: Lanes, const C: usize>(
+    components: [L; C],
+    to: &mut [[L::Real; C]],
+    tile: Tile,
+) {
+    if let Some(to) = to.get_mut(tile.element..) {
+        L::store_strided(components, to, tile.stride.unwrap_or(1));
+    }
+}
+
+/// Types that are `C` numbers and nothing else: their bytes are those of the record.
+macro_rules! casts {
+    ($($thing:ty: $components:tt of $real:ident $(, any $any:ident)? $(, any size $size:ident)?;)*) => {$(
+        impl<$($any: Scalar,)? $(const $size: usize)?> Element<$components> for $thing {
+            type Layout = Aos<$real>;
+
+            #[inline(always)]
+            fn load<V: Level>(
+                level: V,
+                from: &[Self],
+                tile: Tile,
+                padding: [$real; $components],
+            ) -> Option<[<$real as Float>::Lanes<V>; $components]> {
+                load(level, bytemuck::must_cast_slice(from), tile, padding)
+            }
+            #[inline(always)]
+            fn store<V: Level>(
+                components: [<$real as Float>::Lanes<V>; $components],
+                to: &mut [Self],
+                tile: Tile,
+            ) {
+                store(components, bytemuck::must_cast_slice_mut(to), tile);
+            }
+            #[inline(always)]
+            fn get(slice: &[Self], index: usize) -> Option<[$real; $components]> {
+                Some(bytemuck::must_cast(*slice.get(index)?))
+            }
+            #[inline(always)]
+            fn set(slice: &mut [Self], index: usize, thing: [$real; $components]) {
+                if let Some(slot) = slice.get_mut(index) {
+                    *slot = bytemuck::must_cast(thing);
+                }
+            }
+            #[inline(always)]
+            fn plain(slice: &[Self]) -> Option<&[[$real; $components]]> {
+                Some(bytemuck::must_cast_slice(slice))
+            }
+            #[inline(always)]
+            fn plain_mut(slice: &mut [Self]) -> Option<&mut [[$real; $components]]> {
+                Some(bytemuck::must_cast_slice_mut(slice))
+            }
+        }
+    )*};
+}
+casts! {
+    [R; C]: C of R, any R, any size C;
+    f32: 1 of f32;
+    f64: 1 of f64;
+    Quat<R>: 4 of R, any R;
+    DualQuat<R>: 8 of R, any R;
+    [[R; 4]; 3]: 12 of R, any R;
+    [[R; 4]; 4]: 16 of R, any R;
+}
+
+/// A twist has names for its two halves, and no cast to an array that is safe for any number.
+impl<R: Scalar> Element<6> for Twist<R> {
+    type Layout = Aos<R>;
+
+    #[inline(always)]
+    fn load<V: Level>(
+        level: V,
+        from: &[Self],
+        tile: Tile,
+        padding: [R; 6],
+    ) -> Option<[Register<Self, V, 6>; 6]> {
+        let twists = from.get(tile.element..)?.iter().step_by(tile.stride.unwrap_or(1).max(1));
+        let mut records = [padding; MAX_LANES];
+        for (record, twist) in records.iter_mut().zip(twists).take(R::Lanes::<V>::LANES) {
+            *record = twist.to_array();
+        }
+        Some(R::Lanes::<V>::load_records(level, &records, padding))
+    }
+    #[inline(always)]
+    fn store<V: Level>(components: [Register<Self, V, 6>; 6], to: &mut [Self], tile: Tile) {
+        let mut records = [[Number::<Self, 6>::ZERO; 6]; MAX_LANES];
+        R::Lanes::<V>::store_records(components, &mut records);
+        let twists = to.get_mut(tile.element..).unwrap_or_default();
+        let twists = twists.iter_mut().step_by(tile.stride.unwrap_or(1).max(1));
+        for (twist, record) in twists.zip(records).take(R::Lanes::<V>::LANES) {
+            *twist = Self::from_array(record);
+        }
+    }
+    #[inline(always)]
+    fn get(slice: &[Self], index: usize) -> Option<[R; 6]> {
+        slice.get(index).map(|twist| twist.to_array())
+    }
+    #[inline(always)]
+    fn set(slice: &mut [Self], index: usize, thing: [R; 6]) {
+        if let Some(slot) = slice.get_mut(index) {
+            *slot = Self::from_array(thing);
+        }
+    }
+}
+
+impl sealed::Sealed for f32 {}
+impl sealed::Sealed for f64 {}
+impl<R> sealed::Sealed for Quat<R> {}
+impl<R> sealed::Sealed for Twist<R> {}
+impl<R> sealed::Sealed for DualQuat<R> {}
+impl<T, const N: usize> sealed::Sealed for [T; N] {}
+
+/// The same record in every lane.
+#[inline(always)]
+pub(crate) fn splat<L: Lanes, const C: usize>(level: L::Level, record: [L::Real; C]) -> [L; C] {
+    let mut lanes = [L::splat(level, L::Real::default()); C];
+    for (lane, number) in lanes.iter_mut().zip(record) {
+        *lane = L::splat(level, number);
+    }
+    lanes
+}

@@ -1,0 +1,82 @@
+use super::{Element, Layout, Tile, sealed};
+use crate::real::Scalar;
+use core::marker::PhantomData;
+use dq8_simd::{Level, Native, Row};
+
+/// Motions of `N` instances: eight rows of `N` numbers, `[px, py, pz, pw, qx, qy, qz, qw]`.
+/// `Block<f32, 8>` is 256 bytes.
+pub type Block<R, const N: usize> = dq8_simd::Block<[R; N], 8>;
+/// One number for each of `N` motions.
+pub type NumberBlock<R, const N: usize> = dq8_simd::Block<[R; N], 1>;
+/// `N` points or vectors: rows of x, y and z.
+pub type PointBlock<R, const N: usize> = dq8_simd::Block<[R; N], 3>;
+/// Rotations of `N` instances: four rows of `N` numbers, `[x, y, z, w]`.
+pub type RotationBlock<R, const N: usize> = dq8_simd::Block<[R; N], 4>;
+/// Twists of `N` instances: six rows of `N` numbers, `[ωx, ωy, ωz, vx, vy, vz]`; see
+/// [`Twist::to_array`](crate::Twist::to_array).
+pub type TwistBlock<R, const N: usize> = dq8_simd::Block<[R; N], 6>;
+/// Rotations and translations of `N` instances: seven rows of `N` numbers, `[x, y, z, w, tx, ty, tz]`.
+pub type RotationTranslationBlock<R, const N: usize> = dq8_simd::Block<[R; N], 7>;
+/// `N` 3×4 matrices: their rows one after the other, twelve rows of `N` numbers.
+pub type MatrixBlock<R, const N: usize> = dq8_simd::Block<[R; N], 12>;
+
+/// Array of structures of arrays: [`Row::LANES`] things to a block, a row `A` of numbers for each
+/// component. They are read as they are, a register at a time.
+#[derive(Clone, Copy, Debug)]
+pub struct AoSoA<A>(PhantomData<A>);
+
+impl<A: Row<Real: Scalar>> sealed::Sealed for AoSoA<A> {}
+impl<A: Row<Real: Scalar>> Layout for AoSoA<A> {
+    type Real = A::Real;
+    type Record<const C: usize> = dq8_simd::Block<A, C>;
+    type Register<V: Level> = Native<A, V>;
+    const THINGS: usize = A::LANES;
+    const WIDE: bool = true;
+    // Other targets never hold as much as pays.
+    const STREAMS: bool = cfg!(target_arch = "x86_64");
+}
+
+impl<A, const C: usize> sealed::Sealed for dq8_simd::Block<A, C> {}
+impl<A: Row<Real: Scalar>, const C: usize> Element<C> for dq8_simd::Block<A, C> {
+    type Layout = AoSoA<A>;
+
+    #[inline(always)]
+    fn load<V: Level>(
+        level: V,
+        from: &[Self],
+        tile: Tile,
+        _: [A::Real; C],
+    ) -> Option<[Native<A, V>; C]> {
+        Some(from.get(tile.element)?.load_part(level, tile.register))
+    }
+    #[inline(always)]
+    fn store<V: Level>(components: [Native<A, V>; C], to: &mut [Self], tile: Tile) {
+        if let Some(block) = to.get_mut(tile.element) {
+            block.store_part::<V>(components, tile.register);
+        }
+    }
+    #[inline]
+    fn get(slice: &[Self], index: usize) -> Option<[A::Real; C]> {
+        slice.get(index / A::LANES)?.get(index % A::LANES)
+    }
+    #[inline]
+    fn set(slice: &mut [Self], index: usize, thing: [A::Real; C]) {
+        if let Some(block) = slice.get_mut(index / A::LANES) {
+            // There is such a lane.
+            let _ = block.set(index % A::LANES, thing);
+        }
+    }
+    #[inline(always)]
+    fn stream<V: Level>(
+        level: V,
+        to: &mut [Self],
+        mut each: impl FnMut(Tile) -> Option<[Native<A, V>; C]>,
+    ) {
+        Self::stream(
+            level,
+            to,
+            #[inline(always)]
+            |element, register| each(Tile::at(element, register)),
+        );
+    }
+}

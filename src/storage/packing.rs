@@ -1,0 +1,232 @@
+//! Between slices of single things and blocks: instances, or segments of a chain, become lanes.
+
+use super::{Element, Tile, aos, identity};
+use crate::dispatch::{Backend, Kernel};
+use crate::real::Scalar;
+use crate::shape::{ShapeError, same_length, whole_instances};
+use dq8_simd::{Lanes, Level, Row};
+
+/// Things of any number of components in blocks of `N` lanes.
+type BlockOf<R, const N: usize, const C: usize> = dq8_simd::Block<[R; N], C>;
+
+/// Writes `things`, `[instance][joint]`, into `blocks`, `[instance block][joint]`. Lanes of the last
+/// blocks that have no instance hold the [`identity`]: a number that computing cannot slow down.
+///
+/// For everything that blocks hold: motions, rotations, points, twists, matrices, numbers. What is not
+/// of a skeleton has one joint.
+///
+/// # Errors
+/// If `things` holds no whole number of instances, or `blocks` is not just large enough for them;
+/// `blocks` is untouched.
+///
+/// ```
+/// use dq8::storage::{Block, pack, unpack};
+/// use dq8::DualQuat;
+/// let poses = [DualQuat::from_translation([1.0_f32, 2.0, 3.0]); 3 * 2]; // 3 instances, 2 joints
+/// let mut blocks = [Block::<f32, 8>::splat([0.0; 8]); 2];
+/// pack(2, &poses, &mut blocks)?;
+/// assert_eq!(blocks[1].get(2), Some(poses[5].to_array()));
+/// let mut back = [DualQuat::IDENTITY; 6];
+/// unpack(2, &blocks, &mut back)?;
+/// assert_eq!(back, poses);
+/// # Ok::<(), dq8::ShapeError>(())
+/// ```
+pub fn pack<R: Scalar, E, const N: usize, const C: usize>(
+    joints: usize,
+    things: &[E],
+    blocks: &mut [BlockOf<R, N, C>],
+) -> Result<(), ShapeError>
+where
+    [R; N]: Row<Real = R>,
+    E: Element<C, Layout = super::Aos<R>>,
+{
+    let instances = whole_instances("things", joints, things.len())?;
+    same_length("blocks", blocks.len(), blocks_for::<N>(joints, instances))?;
+    pack_lanes(joints, things, blocks);
+    Ok(())
+}
+
+/// Writes `blocks`, `[instance block][joint]`, into `things`, `[instance][joint]`; the lanes beyond the
+/// last instance are dropped.
+///
+/// # Errors
+/// If `things` holds no whole number of instances, or `blocks` is not just large enough for them;
+/// `things` is untouched.
+pub fn unpack<R: Scalar, E, const N: usize, const C: usize>(
+    joints: usize,
+    blocks: &[BlockOf<R, N, C>],
+    things: &mut [E],
+) -> Result<(), ShapeError>
+where
+    [R; N]: Row<Real = R>,
+    E: Element<C, Layout = super::Aos<R>>,
+{
+    let instances = whole_instances("things", joints, things.len())?;
+    same_length("blocks", blocks.len(), blocks_for::<N>(joints, instances))?;
+    unpack_lanes(joints, blocks, things);
+    Ok(())
+}
+
+/// Writes a chain into blocks, a segment of `blocks.len()` links in each lane: link `i` is at lane
+/// `i / blocks.len()` of block `i % blocks.len()`. Lanes beyond the last link hold the identity.
+///
+/// # Errors
+/// If there are not just as many blocks as the links fill; `blocks` is untouched.
+///
+/// ```
+/// use dq8::storage::{Block, pack_chain, unpack_chain};
+/// use dq8::{Backend, DualQuat};
+/// let rope = [DualQuat::from_translation([1.0_f32, 0.0, 0.0]); 10];
+/// let mut blocks = [Block::<f32, 8>::splat([0.0; 8]); 2]; // ⌈10 / 8⌉
+/// pack_chain(&rope, &mut blocks)?;
+/// Backend::best().chain_products_in_place(&mut blocks);
+/// let mut models = [DualQuat::IDENTITY; 10];
+/// unpack_chain(&blocks, &mut models)?;
+/// assert_eq!(models[9].translation(), [10.0, 0.0, 0.0]);
+/// # Ok::<(), dq8::ShapeError>(())
+/// ```
+pub fn pack_chain<R: Scalar, E, const N: usize, const C: usize>(
+    links: &[E],
+    blocks: &mut [BlockOf<R, N, C>],
+) -> Result<(), ShapeError>
+where
+    [R; N]: Row<Real = R>,
+    E: Element<C, Layout = super::Aos<R>>,
+{
+    same_length("blocks", blocks.len(), links.len().div_ceil(N))?;
+    // One instance in each lane, of as many joints as a segment has links.
+    pack_lanes(blocks.len(), links, blocks);
+    Ok(())
+}
+
+/// Reads a chain from blocks, see [`pack_chain`].
+///
+/// # Errors
+/// If there are not just as many blocks as the links fill; `links` is untouched.
+pub fn unpack_chain<R: Scalar, E, const N: usize, const C: usize>(
+    blocks: &[BlockOf<R, N, C>],
+    links: &mut [E],
+) -> Result<(), ShapeError>
+where
+    [R; N]: Row<Real = R>,
+    E: Element<C, Layout = super::Aos<R>>,
+{
+    same_length("blocks", blocks.len(), links.len().div_ceil(N))?;
+    unpack_lanes(blocks.len(), blocks, links);
+    Ok(())
+}
+
+/// How many blocks `instances` of `joints` take.
+pub(crate) fn blocks_for<const N: usize>(joints: usize, instances: usize) -> usize {
+    instances.div_ceil(N).saturating_mul(joints)
+}
+
+/// Thing `lane · stride + joint` goes to `lane` of block `joint`. Lengths have been checked.
+pub(crate) fn pack_lanes<R: Scalar, E, const N: usize, const C: usize>(
+    stride: usize,
+    things: &[E],
+    blocks: &mut [BlockOf<R, N, C>],
+) where
+    [R; N]: Row<Real = R>,
+    E: Element<C, Layout = super::Aos<R>>,
+{
+    Backend::best().run(Pack { stride, things, blocks });
+}
+
+/// [`pack_lanes`], the other way.
+pub(crate) fn unpack_lanes<R: Scalar, E, const N: usize, const C: usize>(
+    stride: usize,
+    blocks: &[BlockOf<R, N, C>],
+    things: &mut [E],
+) where
+    [R; N]: Row<Real = R>,
+    E: Element<C, Layout = super::Aos<R>>,
+{
+    Backend::best().run(Unpack { stride, blocks, things });
+}
+
+/// Thing `lane · stride + joint` of each group of `N · stride` goes to `lane` of its block `joint`.
+struct Pack<'s, E, B> {
+    stride: usize,
+    things: &'s [E],
+    blocks: &'s mut [B],
+}
+
+impl<R: Scalar, E, const N: usize, const C: usize> Kernel for Pack<'_, E, BlockOf<R, N, C>>
+where
+    [R; N]: Row<Real = R>,
+    E: Element<C, Layout = super::Aos<R>>,
+{
+    type Output = ();
+    // Transposes: see `Aos`.
+    const WIDE: bool = false;
+
+    #[inline(always)]
+    fn run<V: Level>(self, level: V) {
+        let Self { stride, things, blocks } = self;
+        let padding = identity();
+        for (group, blocks) in blocks.chunks_mut(stride.max(1)).enumerate() {
+            for (joint, block) in blocks.iter_mut().enumerate() {
+                for lane in (0..N).step_by(R::Lanes::<V>::LANES) {
+                    let element = (group * N + lane) * stride + joint;
+                    let tile = Tile { element, register: 0, stride: Some(stride) };
+                    let components = E::load(level, things, tile, padding).unwrap_or_else(
+                        #[inline(always)]
+                        || aos::splat(level, padding),
+                    );
+                    for (row, component) in block.0.iter_mut().zip(components) {
+                        let lanes = row.as_mut().get_mut(lane..).unwrap_or_default();
+                        for (slot, &number) in lanes.iter_mut().zip(component.to_array().as_ref()) {
+                            *slot = number;
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// [`Pack`], the other way.
+struct Unpack<'s, E, B> {
+    stride: usize,
+    blocks: &'s [B],
+    things: &'s mut [E],
+}
+
+impl<R: Scalar, E, const N: usize, const C: usize> Kernel for Unpack<'_, E, BlockOf<R, N, C>>
+where
+    [R; N]: Row<Real = R>,
+    E: Element<C, Layout = super::Aos<R>>,
+{
+    type Output = ();
+    const WIDE: bool = false;
+
+    #[inline(always)]
+    fn run<V: Level>(self, level: V) {
+        let Self { stride, blocks, things } = self;
+        for (group, blocks) in blocks.chunks(stride.max(1)).enumerate() {
+            // Registers may have more lanes than blocks: those must not be written.
+            let end = (group + 1).saturating_mul(N).saturating_mul(stride).min(things.len());
+            let Some(things) = things.get_mut(..end) else { return };
+            for (joint, block) in blocks.iter().enumerate() {
+                for lane in (0..N).step_by(R::Lanes::<V>::LANES) {
+                    let mut components: [R::Lanes<V>; C] = aos::splat(level, [R::ZERO; C]);
+                    for (component, row) in components.iter_mut().zip(&block.0) {
+                        let mut array = component.to_array();
+                        let lanes = row.as_ref().get(lane..).unwrap_or_default();
+                        for (slot, &number) in array.as_mut().iter_mut().zip(lanes) {
+                            *slot = number;
+                        }
+                        *component = R::Lanes::<V>::load(level, &array);
+                    }
+                    let element = (group * N + lane) * stride + joint;
+                    E::store(
+                        components,
+                        things,
+                        Tile { element, register: 0, stride: Some(stride) },
+                    );
+                }
+            }
+        }
+    }
+}

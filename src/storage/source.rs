@@ -1,0 +1,25 @@
+/// What a kernel reads: a slice of its own, or, in place, what its output still holds.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Source<'s, E> {
+    Slice(&'s [E]),
+    Output,
+}
+
+impl<'s, E> Source<'s, E> {
+    /// The slice to read, of a kernel that writes `output`.
+    #[inline(always)]
+    pub(crate) fn or<'o>(self, output: &'o [E]) -> &'o [E]
+    where
+        's: 'o,
+    {
+        match self {
+            Self::Slice(slice) => slice,
+            Self::Output => output,
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn is_output(self) -> bool {
+        matches!(self, Self::Output)
+    }
+}
