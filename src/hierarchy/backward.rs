@@ -5,7 +5,7 @@ use super::locals::motions;
 use super::run::Run;
 use crate::batch;
 use crate::dispatch::Kernel;
-use crate::storage::{Element, Layout, Register, Source, Tile, aos, identity};
+use crate::storage::{Element, Layout, Register, Source, Tile, identity};
 use dq8_simd::{Lanes, Level, MAX_LANES};
 
 pub(super) struct Backward<'r, 's, E: Element<8>> {
@@ -56,10 +56,11 @@ fn block<E: Element<8>, V: Level>(
             let Some(mut local) = motions(level, models, tile) else { return };
             // ROOT is beyond the last joint: there is no such model.
             let parent = motions(level, models, Tile::at(parent as usize, register));
-            if let Some(parent) = parent.or_else(
-                #[inline(always)]
-                || run.root.load(level, instance, register),
-            ) {
+            let parent = match parent {
+                Some(parent) => Some(parent),
+                None => run.root.load(level, instance, register),
+            };
+            if let Some(parent) = parent {
                 local = parent.conjugate() * local;
             }
             E::store(local.to_array(), locals, tile);
@@ -78,29 +79,27 @@ fn plain<E: Element<8>, V: Level>(
 ) {
     let root = run.root_of(instance);
     let lanes = E::Layout::records::<V>();
+    let nothing = root.unwrap_or_else(identity);
+    let (mut own, mut parents) = ([nothing; MAX_LANES], [nothing; MAX_LANES]);
     let mut end = run.joints.end;
     while end > run.joints.start {
         let start = end.saturating_sub(lanes).max(run.joints.start);
         // Both are copied before anything is written: a parent may be among these joints.
-        let (mut own, mut parents) = ([identity(); MAX_LANES], [identity(); MAX_LANES]);
         let Some(from) = E::plain(models.or(locals)) else { return };
         for (joint, (own, parent)) in (start..end).zip(own.iter_mut().zip(&mut parents)) {
             let (Some(model), Some(&of)) = (from.get(joint), run.parents.get(joint)) else {
                 return;
             };
             *own = *model;
-            *parent = from.get(of as usize).copied().or(root).unwrap_or_else(identity);
+            *parent = *from.get(of as usize).unwrap_or(&nothing);
         }
-        let load = |records: &[_; MAX_LANES]| {
-            let lanes = aos::load(level, records, Tile::at(0, 0), identity())?;
-            Some(batch::DualQuat::<Register<E, V, 8>>::from_array(lanes))
-        };
-        let (Some(model), Some(parent)) = (load(&own), load(&parents)) else { return };
+        let model = batch::DualQuat::<Register<E, V, 8>>::load_records(level, &own);
+        let parent = batch::DualQuat::load_records(level, &parents);
         let local = (parent.conjugate() * model).to_array();
         Register::<E, V, 8>::store_records(local, &mut own);
         let Some(locals) = E::plain_mut(locals) else { return };
-        for (local, own) in locals.get_mut(start..end).unwrap_or_default().iter_mut().zip(own) {
-            *local = own;
+        for (local, own) in locals.get_mut(start..end).unwrap_or_default().iter_mut().zip(&own) {
+            *local = *own;
         }
         end = start;
     }

@@ -4,15 +4,13 @@ use super::locals::motions;
 use super::product::packed_product;
 use crate::batch;
 use crate::dispatch::{Backend, Kernel};
+use crate::real::Scalar;
 use crate::shape::{ShapeError, same_length};
-use crate::storage::{Element, Layout, Number, Register, Source, Tile, identity};
+use crate::storage::{Element, Layout, Register, Source, Tile, aos, identity};
 use dq8_simd::{Float, Lanes, Level};
 
 /// The most segments that a chain is cut into: the lanes of the widest block.
 const MAX_SEGMENTS: usize = 16;
-
-/// Segments of plain motions.
-const PLAIN_SEGMENTS: usize = 8;
 
 impl Backend {
     /// `products[i] = links[0] · links[1] ⋯ links[i]`: the models of a chain from its locals.
@@ -63,10 +61,6 @@ impl Backend {
 }
 
 /// A scan in three passes: totals of the segments, a scan over those totals, and the products.
-///
-/// Lanes are segments, so the links of one tile lie a segment's length apart: in blocks by the way they
-/// were packed, in plain slices by a stride. What plain links are left over at the end (a chain need not
-/// fill eight segments) is multiplied one by one.
 struct Scan<'s, E> {
     links: Source<'s, E>,
     products: &'s mut [E],
@@ -74,63 +68,155 @@ struct Scan<'s, E> {
 
 impl<E: Element<8>> Kernel for Scan<'_, E> {
     type Output = ();
-    const WIDE: bool = E::Layout::WIDE;
 
     #[inline(always)]
     fn run<V: Level>(self, level: V) {
         let Self { links, products } = self;
-        let lanes = Register::<E, V, 8>::LANES;
-        let is_plain = E::Layout::THINGS == 1;
-        let parts = if is_plain { PLAIN_SEGMENTS / lanes } else { E::Layout::registers::<V>() };
-        let steps = if is_plain { products.len() / PLAIN_SEGMENTS } else { products.len() };
-        let at = |part: usize, step: usize| {
-            if is_plain {
-                Tile { element: part * lanes * steps + step, register: 0, stride: Some(steps) }
-            } else {
-                Tile::at(step, part)
-            }
+        if E::Layout::THINGS > 1 {
+            scan(InBlocks { level, links, products });
+            return;
+        }
+        let links = match links {
+            Source::Slice(links) => E::plain(links).map(Source::Slice),
+            Source::Output => Some(Source::Output),
         };
-        // The totals of segments; lanes or parts that there are not stay at the identity.
-        let mut segments = [identity(); MAX_SEGMENTS];
-        for (part, totals) in segments.chunks_exact_mut(lanes).take(parts).enumerate() {
-            let mut total = batch::DualQuat::identity(level);
-            let from = links.or(products);
-            for step in (1..steps).step_by(2) {
-                // Two links first: that product waits for nothing.
-                let Some(first) = motions(level, from, at(part, step - 1)) else { return };
-                let Some(second) = motions(level, from, at(part, step)) else { return };
-                total = total * (first * second);
-            }
-            if steps % 2 == 1 {
-                let Some(last) = motions(level, from, at(part, steps - 1)) else { return };
-                total = total * last;
-            }
-            total.store_records(totals);
-        }
-        // What comes before each of them.
-        let mut before = <Number<E, 8> as Float>::Octet::<V>::load(level, &identity());
-        for segment in segments.iter_mut().take(parts * lanes) {
-            let after = packed_product(before, segment);
-            before.store(segment);
-            before = after;
-        }
-        for (part, starts) in segments.chunks_exact(lanes).take(parts).enumerate() {
-            let mut model = batch::DualQuat::load_records(level, starts);
-            for step in 0..steps {
-                let Some(link) = motions(level, links.or(products), at(part, step)) else { return };
-                model = model * link;
-                E::store(model.to_array(), products, at(part, step));
+        if let (Some(links), Some(products)) = (links, E::plain_mut(products)) {
+            let steps = products.len() / PLAIN_SEGMENTS;
+            let mut before = scan(Strided { level, steps, links, products: &mut *products });
+            // A chain need not fill its segments: the last few links one by one.
+            for index in PLAIN_SEGMENTS * steps..products.len() {
+                let Some(link) = links.or(products).get(index) else { return };
+                before = packed_product(before, link);
+                let Some(product) = products.get_mut(index) else { return };
+                before.store(product);
             }
         }
-        for index in PLAIN_SEGMENTS * steps..products.len() {
-            let Some(link) = E::plain(links.or(products)).and_then(|links| links.get(index)) else {
-                return;
-            };
-            before = packed_product(before, link);
-            let Some(product) = E::plain_mut(products).and_then(|all| all.get_mut(index)) else {
-                return;
-            };
-            before.store(product);
+    }
+}
+
+/// A chain in segments, one to a lane, in as many parts as it takes registers.
+trait Segments {
+    type Lanes: Lanes<Real: Scalar>;
+    fn level(&self) -> <Self::Lanes as Lanes>::Level;
+    fn parts(&self) -> usize;
+    /// How many links a segment has.
+    fn steps(&self) -> usize;
+    /// A link of each segment of a part.
+    fn load(&self, part: usize, step: usize) -> Option<batch::DualQuat<Self::Lanes>>;
+    /// To a product of each segment of a part.
+    fn store(&mut self, product: batch::DualQuat<Self::Lanes>, part: usize, step: usize);
+}
+
+/// The product of all links, after every product has been written.
+#[inline(always)]
+fn scan<S: Segments>(mut segments: S) -> Packed<S> {
+    let (level, steps) = (segments.level(), segments.steps());
+    let (parts, lanes) = (segments.parts(), S::Lanes::LANES);
+    // Lanes or parts that there are not stay at the identity.
+    let mut totals = [identity(); MAX_SEGMENTS];
+    for (part, totals) in totals.chunks_exact_mut(lanes).take(parts).enumerate() {
+        let mut total = batch::DualQuat::identity(level);
+        for step in (1..steps).step_by(2) {
+            // Two links first: that product waits for nothing.
+            let Some(first) = segments.load(part, step - 1) else { break };
+            let Some(second) = segments.load(part, step) else { break };
+            total = total * (first * second);
         }
+        if steps % 2 == 1
+            && let Some(last) = segments.load(part, steps - 1)
+        {
+            total = total * last;
+        }
+        total.store_records(totals);
+    }
+    // What comes before each of them.
+    let mut before = Packed::<S>::load(level, &identity());
+    for total in totals.iter_mut().take(parts * lanes) {
+        let after = packed_product(before, total);
+        before.store(total);
+        before = after;
+    }
+    for (part, starts) in totals.chunks_exact(lanes).take(parts).enumerate() {
+        let mut model = batch::DualQuat::load_records(level, starts);
+        for step in 0..steps {
+            let Some(link) = segments.load(part, step) else { break };
+            model = model * link;
+            segments.store(model, part, step);
+        }
+    }
+    before
+}
+
+/// One motion in a register.
+type Packed<S> = <<<S as Segments>::Lanes as Lanes>::Real as Float>::Octet<
+    <<S as Segments>::Lanes as Lanes>::Level,
+>;
+
+/// Blocks: every lane is a segment already.
+struct InBlocks<'s, V, E> {
+    level: V,
+    links: Source<'s, E>,
+    products: &'s mut [E],
+}
+
+impl<E: Element<8>, V: Level> Segments for InBlocks<'_, V, E> {
+    type Lanes = Register<E, V, 8>;
+    #[inline(always)]
+    fn level(&self) -> V {
+        self.level
+    }
+    #[inline(always)]
+    fn parts(&self) -> usize {
+        E::Layout::registers::<V>()
+    }
+    #[inline(always)]
+    fn steps(&self) -> usize {
+        self.products.len()
+    }
+    #[inline(always)]
+    fn load(&self, part: usize, step: usize) -> Option<batch::DualQuat<Self::Lanes>> {
+        motions(self.level, self.links.or(self.products), Tile::at(step, part))
+    }
+    #[inline(always)]
+    fn store(&mut self, product: batch::DualQuat<Self::Lanes>, part: usize, step: usize) {
+        E::store(product.to_array(), self.products, Tile::at(step, part));
+    }
+}
+
+/// Segments of plain motions.
+const PLAIN_SEGMENTS: usize = 8;
+
+/// Plain motions: eight segments lie one after the other, and are transposed in registers.
+struct Strided<'s, V, R> {
+    level: V,
+    steps: usize,
+    links: Source<'s, [R; 8]>,
+    products: &'s mut [[R; 8]],
+}
+
+impl<R: Scalar, V: Level> Segments for Strided<'_, V, R> {
+    type Lanes = R::Octet<V>;
+    #[inline(always)]
+    fn level(&self) -> V {
+        self.level
+    }
+    #[inline(always)]
+    fn parts(&self) -> usize {
+        1
+    }
+    #[inline(always)]
+    fn steps(&self) -> usize {
+        self.steps
+    }
+    #[inline(always)]
+    fn load(&self, _: usize, step: usize) -> Option<batch::DualQuat<Self::Lanes>> {
+        let tile = Tile { element: step, register: 0, stride: Some(self.steps) };
+        let links = aos::load(self.level, self.links.or(self.products), tile, identity())?;
+        Some(batch::DualQuat::from_array(links))
+    }
+    #[inline(always)]
+    fn store(&mut self, product: batch::DualQuat<Self::Lanes>, _: usize, step: usize) {
+        let tile = Tile { element: step, register: 0, stride: Some(self.steps) };
+        aos::store(product.to_array(), self.products, tile);
     }
 }

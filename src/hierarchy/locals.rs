@@ -3,9 +3,9 @@
 use super::slot::JointSlot;
 use crate::batch;
 use crate::shape::{ShapeError, same_length};
-use crate::storage::{self, Element, Number, Register, Tile};
+use crate::storage::{self, Element, Number, Register, Source, Tile};
 use core::ops::Range;
-use dq8_simd::{Lanes, Level};
+use dq8_simd::Level;
 
 /// The motions of one register of instances.
 pub(super) type Motions<E, V> = batch::DualQuat<Register<E, V, 8>>;
@@ -34,17 +34,10 @@ pub trait Locals<E: Element<8>>: Copy + sealed::Sealed {
         Some(parent * self.load(level, models, slot)?)
     }
 
-    /// The locals of joints of one instance, to be read number by number.
+    /// Where they lie, if they are motions in memory, to be read number by number.
     #[inline(always)]
-    fn records<V: Level>(
-        self,
-        level: V,
-        models: &[E],
-        slot: JointSlot,
-        to: &mut [[Number<E, 8>; 8]],
-    ) -> Option<()> {
-        Register::<E, V, 8>::store_records(self.load(level, models, slot)?.to_array(), to);
-        Some(())
+    fn motions(&self) -> Option<Source<'_, E>> {
+        None
     }
     /// The locals of some of the models.
     #[must_use]
@@ -67,14 +60,8 @@ impl<E: Element<8>> Locals<E> for Poses<'_, E> {
         motions(level, self.0, slot.tile())
     }
     #[inline(always)]
-    fn records<V: Level>(
-        self,
-        _: V,
-        _: &[E],
-        slot: JointSlot,
-        to: &mut [[Number<E, 8>; 8]],
-    ) -> Option<()> {
-        copy(self.0, slot.tile(), to)
+    fn motions(&self) -> Option<Source<'_, E>> {
+        Some(Source::Slice(self.0))
     }
     fn part(self, models: Range<usize>) -> Self {
         Self(self.0.get(models).unwrap_or_default())
@@ -94,14 +81,8 @@ impl<E: Element<8>> Locals<E> for InPlace {
         motions(level, models, slot.own_tile())
     }
     #[inline(always)]
-    fn records<V: Level>(
-        self,
-        _: V,
-        models: &[E],
-        slot: JointSlot,
-        to: &mut [[Number<E, 8>; 8]],
-    ) -> Option<()> {
-        copy(models, slot.own_tile(), to)
+    fn motions(&self) -> Option<Source<'_, E>> {
+        Some(Source::Output)
     }
     fn part(self, _: Range<usize>) -> Self {
         self
@@ -187,15 +168,6 @@ pub(super) fn motions<E: Element<8>, V: Level>(
     tile: Tile,
 ) -> Option<Motions<E, V>> {
     Some(batch::DualQuat::from_array(E::load(level, slice, tile, storage::identity())?))
-}
-
-/// Plain motions as they are, from the first of a tile on.
-#[inline(always)]
-fn copy<E: Element<8>>(from: &[E], tile: Tile, to: &mut [[Number<E, 8>; 8]]) -> Option<()> {
-    for (to, from) in to.iter_mut().zip(E::plain(from)?.get(tile.element..)?) {
-        *to = *from;
-    }
-    Some(())
 }
 
 mod sealed {

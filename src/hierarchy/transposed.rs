@@ -12,7 +12,7 @@ use super::slot::JointSlot;
 use crate::batch;
 use crate::dispatch::{Backend, Kernel};
 use crate::real::Scalar;
-use crate::storage::{Element, Layout, Register, identity};
+use crate::storage::{Element, Layout, Register, Source, identity};
 use dq8_simd::{Lanes, Level, MAX_LANES, Portable};
 
 /// So many models are kept as they are in registers, for their children. What lies farther back is
@@ -159,8 +159,8 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Walk<'_, '_, E, L, 
     }
 }
 
-/// The locals of as many joints as there are lanes are made (or just copied) together, then each is
-/// multiplied onto its parent, then what else is computed of the models is, in lanes again.
+/// Each joint is multiplied onto its parent. Locals that are not motions in memory are made before, for
+/// as many joints as there are lanes; what else is computed of the models is after, in lanes again.
 #[inline(always)]
 fn walk<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     level: V,
@@ -173,19 +173,26 @@ fn walk<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     let first = instance * run.parents.len();
     let lanes = E::Layout::records::<V>();
     let root = run.root_of(instance);
-    let mut records = [identity(); MAX_LANES];
+    let in_memory = locals.motions();
+    let mut made = [identity(); MAX_LANES];
     for start in run.joints.clone().step_by(lanes) {
         let slot = JointSlot::of_joints(start, first, run.joints.end);
-        if locals.records(level, models, slot, &mut records).is_none() {
-            return;
+        if in_memory.is_none() {
+            let Some(locals) = locals.load(level, models, slot) else { return };
+            locals.store_records(&mut made);
         }
         let Some(plain) = E::plain_mut(models) else { return };
-        for (joint, record) in (start..run.joints.end).zip(records.iter().take(lanes)) {
-            let Some(&parent) = run.parents.get(joint) else { return };
+        for joint in start..run.joints.end.min(start + lanes) {
+            let local = match in_memory {
+                Some(Source::Slice(all)) => E::plain(all).and_then(|all| all.get(first + joint)),
+                Some(Source::Output) => plain.get(joint),
+                None => made.get(joint - start),
+            };
+            let (Some(local), Some(&parent)) = (local, run.parents.get(joint)) else { return };
             // ROOT is beyond the last joint: there is no such model.
             let model = match (plain.get(parent as usize), &root) {
-                (Some(parent), _) | (None, Some(parent)) => product::<_, V>(level, parent, record),
-                (None, None) => *record,
+                (Some(parent), _) | (None, Some(parent)) => product::<_, V>(level, parent, local),
+                (None, None) => *local,
             };
             let Some(slot) = plain.get_mut(joint) else { return };
             *slot = model;

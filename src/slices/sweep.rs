@@ -58,10 +58,16 @@ impl<Q: Element<D>, K: SliceKernel<Q, D>, const D: usize> Kernel for Sweep<'_, Q
     #[inline(always)]
     fn run<V: Level>(self, level: V) {
         let Self { output, kernel } = self;
-        for tile in storage::tiles::<Q, V, D>(output.len()) {
-            // The lengths were checked, so this always is something; the compiler need not know.
-            let Some(components) = kernel.compute(level, output, tile) else { return };
-            Q::store(components, output, tile);
+        let (records, registers) = (Q::Layout::records::<V>(), Q::Layout::registers::<V>());
+        // Two plain loops, which the compiler unrolls over the registers of a block; `storage::tiles` is
+        // one, and 5 % slower where a block has two registers.
+        for i in 0..output.len().div_ceil(records) {
+            for register in 0..registers {
+                let tile = Tile::at(i * records, register);
+                // The lengths were checked, so this always is something; the compiler need not know.
+                let Some(components) = kernel.compute(level, output, tile) else { return };
+                Q::store(components, output, tile);
+            }
         }
     }
 }

@@ -114,16 +114,36 @@ impl Tile {
 /// The tiles of a slice of `length` elements, in order: each is a register for each component.
 #[inline(always)]
 pub fn tiles<E: Element<C>, V: Level, const C: usize>(length: usize) -> impl Iterator<Item = Tile> {
-    let (records, registers) = (E::Layout::records::<V>(), E::Layout::registers::<V>());
-    (0..length.div_ceil(records)).flat_map(
-        #[inline(always)]
-        move |i| {
-            (0..registers).map(
-                #[inline(always)]
-                move |register| Tile::at(i * records, register),
-            )
-        },
-    )
+    Tiles {
+        next: Tile::at(0, 0),
+        length,
+        records: E::Layout::records::<V>(),
+        registers: E::Layout::registers::<V>(),
+    }
+}
+
+struct Tiles {
+    next: Tile,
+    length: usize,
+    records: usize,
+    registers: usize,
+}
+
+impl Iterator for Tiles {
+    type Item = Tile;
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<Tile> {
+        let tile = self.next;
+        if tile.element >= self.length {
+            return None;
+        }
+        self.next.register += 1;
+        if self.next.register == self.registers {
+            self.next = Tile::at(tile.element + self.records, 0);
+        }
+        Some(tile)
+    }
 }
 
 /// What fills lanes without a thing: the motion, rotation or matrix that changes nothing, and zero for

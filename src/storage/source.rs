@@ -1,6 +1,6 @@
 /// What a kernel reads: a slice of its own, or, in place, what its output still holds.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Source<'s, E> {
+pub enum Source<'s, E> {
     Slice(&'s [E]),
     Output,
 }

@@ -1,5 +1,6 @@
 //! Calls the hot kernels, so that their machine code is in this program.
 
+use dq8::simd::Row;
 use dq8::{Backend, Block, DualQuat, Hierarchy, HierarchyPlan, PointBlock};
 use std::hint::black_box;
 
@@ -20,8 +21,7 @@ fn one_instance() {
 /// Each on blocks of `N` lanes.
 fn kernels<const N: usize>(a: [Block<f32, N>; 2], points: [PointBlock<f32, N>; 2])
 where
-    Block<f32, N>: dq8::Pose<Real = f32> + dq8::Place<8, Layout: dq8::place::Layout<Real = f32>>,
-    PointBlock<f32, N>: dq8::Place<3, Layout: dq8::place::Layout<Real = f32>>,
+    [f32; N]: Row<Real = f32>,
 {
     let backend = Backend::best();
     let parents = [Hierarchy::ROOT, 0];
