@@ -28,7 +28,7 @@ use dq8_simd::{Level, Portable};
 ///     #[inline(always)]
 ///     fn run<V: Level>(self, level: V) {
 ///         for tile in storage::tiles::<E, V, 8>(self.0.len()) {
-///             let Some(lanes) = E::load(level, self.0, tile, storage::identity()) else { return };
+///             let Some(lanes) = E::load(level, self.0, tile, &storage::identity()) else { return };
 ///             let half = batch::DualQuat::from_array(lanes).sqrt();
 ///             E::store(half.to_array(), self.0, tile);
 ///         }

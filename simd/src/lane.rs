@@ -100,7 +100,7 @@ pub trait Lanes:
         from: &[[Self::Real; C]],
         padding: [Self::Real; C],
     ) -> [Self; C] {
-        Self::load_strided(level, from, 1, padding)
+        Self::load_strided(level, from, 1, &padding)
     }
     /// Transposes on the way out: lane `i` of `C` vectors becomes record `i` of `to`.
     /// Records beyond `LANES` are left as they were.
@@ -114,7 +114,7 @@ pub trait Lanes:
         level: Self::Level,
         from: &[[Self::Real; C]],
         stride: usize,
-        padding: [Self::Real; C],
+        padding: &[Self::Real; C],
     ) -> [Self; C] {
         let mut components = [Self::splat(level, Self::Real::default()); C];
         let flat = from.as_flattened();
@@ -264,12 +264,12 @@ fn store_rows<L: Lanes, const C: usize>(components: [L; C], to: &mut [L::Real], 
 fn load_each<L: Lanes, const C: usize>(
     from: &[[L::Real; C]],
     stride: usize,
-    padding: [L::Real; C],
+    padding: &[L::Real; C],
 ) -> [L::Array; C] {
     let mut rows = [L::Array::zeroed(); C];
     let mut records = from.iter().step_by(stride.max(1));
     for lane in 0..L::LANES {
-        for (row, &value) in rows.iter_mut().zip(records.next().unwrap_or(&padding)) {
+        for (row, &value) in rows.iter_mut().zip(records.next().unwrap_or(padding)) {
             row.as_mut()[lane] = value;
         }
     }

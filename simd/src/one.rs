@@ -53,9 +53,9 @@ macro_rules! one_lane {
                 _: Portable,
                 from: &[[$real; C]],
                 _: usize,
-                padding: [$real; C],
+                padding: &[$real; C],
             ) -> [Self; C] {
-                from.first().copied().unwrap_or(padding)
+                *from.first().unwrap_or(padding)
             }
             #[inline(always)]
             fn store_strided<const C: usize>(

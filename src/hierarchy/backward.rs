@@ -79,7 +79,7 @@ fn plain<E: Element<8>, V: Level>(
 ) {
     let root = run.root_of(instance);
     let lanes = E::Layout::records::<V>();
-    let nothing = root.unwrap_or_else(identity);
+    let nothing = root.unwrap_or(identity());
     let (mut own, mut parents) = ([nothing; MAX_LANES], [nothing; MAX_LANES]);
     let mut end = run.joints.end;
     while end > run.joints.start {

@@ -211,7 +211,7 @@ impl<R: Scalar, V: Level> Segments for Strided<'_, V, R> {
     #[inline(always)]
     fn load(&self, _: usize, step: usize) -> Option<batch::DualQuat<Self::Lanes>> {
         let tile = Tile { element: step, register: 0, stride: Some(self.steps) };
-        let links = aos::load(self.level, self.links.or(self.products), tile, identity())?;
+        let links = aos::load(self.level, self.links.or(self.products), tile, &identity())?;
         Some(batch::DualQuat::from_array(links))
     }
     #[inline(always)]

@@ -102,7 +102,7 @@ impl<E: Element<8>, T: Element<7, Layout = E::Layout>> Locals<E> for RotationsTr
     }
     #[inline(always)]
     fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Motions<E, V>> {
-        let [x, y, z, w, t @ ..] = T::load(level, self.0, slot.tile(), storage::identity())?;
+        let [x, y, z, w, t @ ..] = T::load(level, self.0, slot.tile(), &storage::identity())?;
         Some(Motions::<E, V>::from_rotation_translation(batch::Quat::from_xyzw(x, y, z, w), t))
     }
     #[inline(always)]
@@ -113,7 +113,7 @@ impl<E: Element<8>, T: Element<7, Layout = E::Layout>> Locals<E> for RotationsTr
         _: &[E],
         slot: JointSlot,
     ) -> Option<Motions<E, V>> {
-        let [x, y, z, w, t @ ..] = T::load(level, self.0, slot.tile(), storage::identity())?;
+        let [x, y, z, w, t @ ..] = T::load(level, self.0, slot.tile(), &storage::identity())?;
         Some(parent.mul_rotation_translation(batch::Quat::from_xyzw(x, y, z, w), t))
     }
     fn part(self, models: Range<usize>) -> Self {
@@ -138,7 +138,7 @@ impl<E: Element<8>, Q: Element<4, Layout = E::Layout>> Locals<E> for Rotations<'
     }
     #[inline(always)]
     fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Motions<E, V>> {
-        let rotation = Q::load(level, self.rotations, slot.tile(), storage::identity())?;
+        let rotation = Q::load(level, self.rotations, slot.tile(), &storage::identity())?;
         let offset = slot.of_joint(level, self.offsets)?;
         let rotation = batch::Quat::from_array(rotation);
         Some(Motions::<E, V>::from_rotation_translation(rotation, offset))
@@ -151,7 +151,7 @@ impl<E: Element<8>, Q: Element<4, Layout = E::Layout>> Locals<E> for Rotations<'
         _: &[E],
         slot: JointSlot,
     ) -> Option<Motions<E, V>> {
-        let rotation = Q::load(level, self.rotations, slot.tile(), storage::identity())?;
+        let rotation = Q::load(level, self.rotations, slot.tile(), &storage::identity())?;
         let offset = slot.of_joint(level, self.offsets)?;
         Some(parent.mul_rotation_translation(batch::Quat::from_array(rotation), offset))
     }
@@ -167,7 +167,7 @@ pub(super) fn motions<E: Element<8>, V: Level>(
     slice: &[E],
     tile: Tile,
 ) -> Option<Motions<E, V>> {
-    Some(batch::DualQuat::from_array(E::load(level, slice, tile, storage::identity())?))
+    Some(batch::DualQuat::from_array(E::load(level, slice, tile, &storage::identity())?))
 }
 
 mod sealed {

@@ -43,7 +43,7 @@ impl<E: Element<8>> Root<'_, E> {
             Self::Same(root) => Some(batch::DualQuat::splat(level, root.to_array())),
             Self::Each(roots) => {
                 let tile = Tile::at(instance, register);
-                let roots = E::load(level, roots, tile, storage::identity())?;
+                let roots = E::load(level, roots, tile, &storage::identity())?;
                 Some(batch::DualQuat::from_array(roots))
             }
         }

@@ -65,7 +65,7 @@ impl JointSlot {
         records: &[[L::Real; C]],
     ) -> Option<[L; C]> {
         if self.end.is_some() {
-            aos::load(level, records, Tile::at(self.joint, 0), identity())
+            aos::load(level, records, Tile::at(self.joint, 0), &identity())
         } else {
             Some(aos::splat(level, *records.get(self.joint)?))
         }

@@ -57,9 +57,10 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Instances<'_, '_, E
         let joints = run.parents.len();
         let group = E::Layout::records::<V>().saturating_mul(joints);
         let mut done = 0;
+        let mut recent = [Motions::<E, V>::identity(level).to_array(); RECENT + 1];
         if group > 0 {
             for models in models.chunks_exact_mut(group) {
-                together(level, run, locals, models, epilogue, done);
+                together(level, run, locals, models, epilogue, done, &mut recent);
                 done += group;
             }
         }
@@ -76,12 +77,11 @@ fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     models: &mut [E],
     epilogue: &mut X,
     first: usize,
+    recent: &mut [[Register<E, V, 8>; 8]; RECENT + 1],
 ) {
     let joints = run.parents.len();
-    let nothing = Motions::<E, V>::identity(level).to_array();
     // One number is read from memory as fast as from there.
     let keeps = E::Layout::records::<V>() > 1;
-    let mut recent = [nothing; RECENT + 1];
     for joint in run.joints.clone() {
         let Some(&parent) = run.parents.get(joint) else { return };
         let slot = JointSlot::of_instances(joint, first, joints);

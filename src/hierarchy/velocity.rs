@@ -150,7 +150,7 @@ impl<E: Element<8>, T: Element<6, Layout = E::Layout>> Kernel for Velocities<'_,
                     let Some(mut twist) = own_twists(level, models, rates, tile) else { return };
                     // ROOT is beyond the last joint: there is no such twist.
                     let parent = Tile::at(parent as usize, register);
-                    if let Some(parent) = T::load(level, twists, parent, identity()) {
+                    if let Some(parent) = T::load(level, twists, parent, &identity()) {
                         twist = Twist::from_array(parent) + twist;
                     }
                     T::store(twist.to_array(), twists, Tile::at(joint, register));
@@ -168,7 +168,7 @@ fn own_twists<E: Element<8>, T: Element<6, Layout = E::Layout>, V: Level>(
     rates: &[T],
     tile: Tile,
 ) -> Option<Twists<E, V>> {
-    let rate = Twist::from_array(T::load(level, rates, tile, identity())?);
+    let rate = Twist::from_array(T::load(level, rates, tile, &identity())?);
     Some(motions(level, models, tile)?.adjoint(rate))
 }
 

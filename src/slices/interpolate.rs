@@ -2,7 +2,7 @@ use super::sweep::{SliceKernel, motions, sweep};
 use crate::batch;
 use crate::dispatch::Backend;
 use crate::shape::{ShapeError, same_length};
-use crate::storage::{Element, Number, Register, Tile};
+use crate::storage::{self, Element, Number, Register, Tile};
 use dq8_simd::{Lanes, Level};
 
 impl Backend {
@@ -150,7 +150,7 @@ struct Many<'s, T>(&'s [T]);
 impl<E: Element<8>, T: Element<1, Layout = E::Layout>> Parameter<E> for Many<'_, T> {
     #[inline(always)]
     fn load<V: Level>(&self, level: V, tile: Tile) -> Option<Register<E, V, 8>> {
-        let [t] = T::load(level, self.0, tile, [Default::default()])?;
+        let [t] = T::load(level, self.0, tile, &storage::identity())?;
         Some(t)
     }
 }

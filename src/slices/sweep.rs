@@ -101,5 +101,5 @@ pub(super) fn motions<E: Element<8>, V: Level>(
     slice: &[E],
     tile: Tile,
 ) -> Option<batch::DualQuat<Register<E, V, 8>>> {
-    Some(batch::DualQuat::from_array(E::load(level, slice, tile, storage::identity())?))
+    Some(batch::DualQuat::from_array(E::load(level, slice, tile, &storage::identity())?))
 }

@@ -192,5 +192,5 @@ fn vectors<E: Element<3>, V: Level>(
     slice: &[E],
     tile: Tile,
 ) -> Option<[Register<E, V, 3>; 3]> {
-    E::load(level, slice, tile, storage::identity())
+    E::load(level, slice, tile, &storage::identity())
 }

@@ -29,7 +29,7 @@ pub(crate) fn load<L: Lanes, const C: usize>(
     level: L::Level,
     from: &[[L::Real; C]],
     tile: Tile,
-    padding: [L::Real; C],
+    padding: &[L::Real; C],
 ) -> Option<[L; C]> {
     let from = from.get(tile.element..)?;
     Some(L::load_strided(level, from, tile.stride.unwrap_or(1), padding))
@@ -58,7 +58,7 @@ macro_rules! casts {
                 level: V,
                 from: &[Self],
                 tile: Tile,
-                padding: [$real; $components],
+                padding: &[$real; $components],
             ) -> Option<[<$real as Float>::Lanes<V>; $components]> {
                 load(level, bytemuck::must_cast_slice(from), tile, padding)
             }
@@ -110,14 +110,14 @@ impl<R: Scalar> Element<6> for Twist<R> {
         level: V,
         from: &[Self],
         tile: Tile,
-        padding: [R; 6],
+        padding: &[R; 6],
     ) -> Option<[Register<Self, V, 6>; 6]> {
         let twists = from.get(tile.element..)?.iter().step_by(tile.stride.unwrap_or(1).max(1));
-        let mut records = [padding; MAX_LANES];
+        let mut records = [*padding; MAX_LANES];
         for (record, twist) in records.iter_mut().zip(twists).take(R::Lanes::<V>::LANES) {
             *record = twist.to_array();
         }
-        Some(R::Lanes::<V>::load_records(level, &records, padding))
+        Some(R::Lanes::<V>::load_records(level, &records, *padding))
     }
     #[inline(always)]
     fn store<V: Level>(components: [Register<Self, V, 6>; 6], to: &mut [Self], tile: Tile) {

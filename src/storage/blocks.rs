@@ -45,7 +45,7 @@ impl<A: Row<Real: Scalar>, const C: usize> Element<C> for dq8_simd::Block<A, C> 
         level: V,
         from: &[Self],
         tile: Tile,
-        _: [A::Real; C],
+        _: &[A::Real; C],
     ) -> Option<[Native<A, V>; C]> {
         Some(from.get(tile.element)?.load_part(level, tile.register))
     }

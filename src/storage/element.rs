@@ -15,7 +15,7 @@ pub trait Element<const C: usize>: Copy + Debug + Sealed {
         level: V,
         from: &[Self],
         tile: Tile,
-        padding: [Number<Self, C>; C],
+        padding: &[Number<Self, C>; C],
     ) -> Option<[Register<Self, V, C>; C]>;
 
     /// The things of a tile from each component; what lies beyond the end of `to` is dropped.

@@ -57,6 +57,7 @@ pub(crate) use source::Source;
 
 use crate::real::Scalar;
 use core::fmt::Debug;
+use core::marker::PhantomData;
 use dq8_simd::{Lanes, Level};
 
 /// How things of any number of components lie in memory, and which registers read them: [`Aos`] or
@@ -151,19 +152,27 @@ impl Iterator for Tiles {
 #[inline(always)]
 #[must_use]
 pub fn identity<R: Scalar, const C: usize>() -> [R; C] {
-    let ones: &[usize] = match C {
-        4 | 7 | 8 => &[3],
-        12 => &[0, 5, 10],
-        16 => &[0, 5, 10, 15],
-        _ => &[],
-    };
-    let mut record = [R::ZERO; C];
-    for &one in ones {
-        if let Some(number) = record.get_mut(one) {
-            *number = R::ONE;
+    Identity::<R, C>::RECORD
+}
+
+/// A constant, so that nothing is built where it is passed on.
+struct Identity<R, const C: usize>(PhantomData<R>);
+
+impl<R: Scalar, const C: usize> Identity<R, C> {
+    const RECORD: [R; C] = {
+        // Ones lie this far apart, from this place on.
+        let (mut one, apart) = match C {
+            4 | 7 | 8 => (3, C),
+            12 | 16 => (0, 5),
+            _ => (C, 1),
+        };
+        let mut record = [R::ZERO; C];
+        while one < C {
+            record[one] = R::ONE;
+            one += apart;
         }
-    }
-    record
+        record
+    };
 }
 
 mod sealed {

@@ -170,7 +170,7 @@ where
                 for lane in (0..N).step_by(R::Lanes::<V>::LANES) {
                     let element = (group * N + lane) * stride + joint;
                     let tile = Tile { element, register: 0, stride: Some(stride) };
-                    let components = E::load(level, things, tile, padding).unwrap_or_else(
+                    let components = E::load(level, things, tile, &padding).unwrap_or_else(
                         #[inline(always)]
                         || aos::splat(level, padding),
                     );
