@@ -21,11 +21,13 @@ pub enum InstructionSet {
 /// The name of what computes now, for logs: text that lives as long as the program.
 #[unsafe(no_mangle)]
 pub extern "C" fn dq8_backend_name() -> *const c_char {
-    let name: &'static CStr = match Backend::best() {
-        Backend::Portable => c"portable",
-        Backend::Avx2 => c"AVX2",
-        Backend::Avx512 => c"AVX-512",
-        _ => c"other",
+    let best = Some(Backend::best());
+    let name: &'static CStr = if best == Backend::avx512() {
+        c"AVX-512"
+    } else if best == Backend::avx2() {
+        c"AVX2"
+    } else {
+        c"portable"
     };
     name.as_ptr()
 }
@@ -37,9 +39,9 @@ pub extern "C" fn dq8_backend_name() -> *const c_char {
 #[unsafe(no_mangle)]
 pub extern "C" fn dq8_backend_limit(most: i32) -> Status {
     let all = [
-        (InstructionSet::Portable, Some(Backend::Portable)),
-        (InstructionSet::Avx2, Some(Backend::Avx2)),
-        (InstructionSet::Avx512, Some(Backend::Avx512)),
+        (InstructionSet::Portable, Some(Backend::PORTABLE)),
+        (InstructionSet::Avx2, Backend::avx2()),
+        (InstructionSet::Avx512, Backend::avx512()),
         (InstructionSet::Any, None),
     ];
     match all.into_iter().find(|(known, _)| *known as i32 == most) {

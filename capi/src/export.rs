@@ -31,7 +31,7 @@ macro_rules! export {
         #[unsafe(export_name = concat!("dq8_", stringify!($plain), "_", stringify!($R)))]
         pub unsafe extern "C" fn $plain($($argument: $type,)* count: usize) -> Status {
             // SAFETY: promised.
-            Status::of(unsafe { super::$plain::<Plain<$R>>($($argument,)* count) })
+            Status::of(unsafe { super::$plain::<Aos<$R>>($($argument,)* count) })
         }
 
         #[doc = concat!(
@@ -49,9 +49,9 @@ macro_rules! export {
         ) -> Status {
             Status::of(match lanes {
                 // SAFETY: promised.
-                $few => unsafe { super::$plain::<Blocks<$R, $few>>($($argument,)* count) },
+                $few => unsafe { super::$plain::<AoSoA<[$R; $few]>>($($argument,)* count) },
                 // SAFETY: promised.
-                $many => unsafe { super::$plain::<Blocks<$R, $many>>($($argument,)* count) },
+                $many => unsafe { super::$plain::<AoSoA<[$R; $many]>>($($argument,)* count) },
                 _ => Err(Status::Lanes),
             })
         }

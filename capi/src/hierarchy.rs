@@ -1,10 +1,11 @@
 //! Joint hierarchies: local poses to model space and back, and skinning palettes.
 
-use crate::layout::{Blocks, Layout, Plain};
 use crate::memory::{Input, Output, from_to, read};
 use crate::status::{Done, Status};
-use dq8::hierarchy::PaletteEntry;
-use dq8::{DualQuat, Hierarchy, HierarchyError, Job, Motions, Rotations, RotationsTranslations};
+use dq8::storage::{AoSoA, Aos, Layout};
+use dq8::{
+    DualQuat, Hierarchy, HierarchyError, Job, PaletteEntry, Poses, Rotations, RotationsTranslations,
+};
 
 /// Parents as C has them. It marks roots by -1: in the same four bytes, [`Hierarchy::ROOT`].
 fn parents(start: *const i32, joints: usize) -> Result<Input<u32>, Status> {
@@ -18,7 +19,7 @@ fn parents(start: *const i32, joints: usize) -> Result<Input<u32>, Status> {
 unsafe fn job<'a, L: Layout>(
     parents: &Input<u32>,
     root: *const L::Real,
-) -> Result<Job<'a, L::Motion>, Status> {
+) -> Result<Job<'a, L::Record<8>>, Status> {
     // SAFETY: promised.
     let job = Hierarchy::new(unsafe { parents.slice() })?.job();
     if root.is_null() {
@@ -40,10 +41,10 @@ unsafe fn local_to_model<L: Layout>(
     count: usize,
 ) -> Done {
     let parents = self::parents(parents, joints)?;
-    Output::<L::Motion>::new(models, count)?.apart_from(&parents)?;
+    Output::<L::Record<8>>::new(models, count)?.apart_from(&parents)?;
     // SAFETY: promised, and apart from what is written.
     let job = unsafe { job::<L>(&parents, root)? };
-    let apart = |from: &[_], to: &mut [_]| job.local_to_model(from, to);
+    let apart = |from: &[_], to: &mut [_]| job.locals_to_model(Poses(from), to);
     // SAFETY: promised.
     unsafe { from_to(locals, models, count, apart, |all| job.local_to_model_in_place(all)) }
 }
@@ -59,7 +60,7 @@ unsafe fn model_to_local<L: Layout>(
     count: usize,
 ) -> Done {
     let parents = self::parents(parents, joints)?;
-    Output::<L::Motion>::new(locals, count)?.apart_from(&parents)?;
+    Output::<L::Record<8>>::new(locals, count)?.apart_from(&parents)?;
     // SAFETY: promised, and apart from what is written.
     let job = unsafe { job::<L>(&parents, root)? };
     let apart = |from: &[_], to: &mut [_]| job.model_to_local(from, to);
@@ -79,7 +80,7 @@ unsafe fn rotations_to_model<L: Layout>(
     count: usize,
 ) -> Done {
     let parents = self::parents(parents, joints)?;
-    let rotations = Input::<L::Rotation>::new(rotations, count)?;
+    let rotations = Input::<L::Record<4>>::new(rotations, count)?;
     let offsets = Input::<[L::Real; 3]>::new(offsets, joints)?;
     let models = Output::new(models, count)?;
     models.apart_from(&parents)?;
@@ -104,7 +105,7 @@ unsafe fn rotations_translations_to_model<L: Layout>(
     count: usize,
 ) -> Done {
     let parents = self::parents(parents, joints)?;
-    let locals = Input::<L::RotationTranslation>::new(locals, count)?;
+    let locals = Input::<L::Record<7>>::new(locals, count)?;
     let models = Output::new(models, count)?;
     models.apart_from(&parents)?;
     models.apart_from(&locals)?;
@@ -129,12 +130,15 @@ struct Skin<L: Layout> {
 impl<L: Layout> Skin<L> {
     /// # Safety
     /// As for [`Input::slice`] and [`Output::slice`]; `parents` and `root` as [`job`].
-    unsafe fn palette<E: PaletteEntry<L::Motion>>(self, palette: *mut L::Real) -> Done {
+    unsafe fn palette<M: PaletteEntry<C, Layout = L>, const C: usize>(
+        self,
+        palette: *mut L::Real,
+    ) -> Done {
         let parents = parents(self.parents, self.joints)?;
-        let locals = Input::<L::Motion>::new(self.locals, self.count)?;
+        let locals = Input::<L::Record<8>>::new(self.locals, self.count)?;
         let binds = Input::<DualQuat<L::Real>>::new(self.inverse_binds, self.joints)?;
-        let models = Output::<L::Motion>::new(self.models, self.count)?;
-        let palette = Output::<E>::new(palette, self.count)?;
+        let models = Output::<L::Record<8>>::new(self.models, self.count)?;
+        let palette = Output::<M>::new(palette, self.count)?;
         models.apart_from_output(&palette)?;
         models.apart_from(&parents)?;
         models.apart_from(&locals)?;
@@ -145,7 +149,7 @@ impl<L: Layout> Skin<L> {
         // SAFETY: promised, and apart.
         unsafe {
             let job = job::<L>(&parents, self.root)?;
-            let locals = Motions(locals.slice());
+            let locals = Poses(locals.slice());
             Ok(job.locals_to_palette(locals, models.slice(), binds.slice(), palette.slice())?)
         }
     }
@@ -166,7 +170,7 @@ unsafe fn palette<L: Layout>(
 ) -> Done {
     let skin = Skin::<L> { parents, joints, root, locals, inverse_binds, models, count };
     // SAFETY: promised.
-    unsafe { skin.palette::<L::Motion>(palette) }
+    unsafe { skin.palette::<L::Record<8>, 8>(palette) }
 }
 
 /// # Safety
@@ -184,7 +188,7 @@ unsafe fn palette_matrices<L: Layout>(
 ) -> Done {
     let skin = Skin::<L> { parents, joints, root, locals, inverse_binds, models, count };
     // SAFETY: promised.
-    unsafe { skin.palette::<L::Matrix3x4>(palette) }
+    unsafe { skin.palette::<L::Record<12>, 12>(palette) }
 }
 
 macro_rules! functions {

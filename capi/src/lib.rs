@@ -21,7 +21,6 @@
 mod export;
 pub mod backend;
 pub mod hierarchy;
-mod layout;
 mod memory;
 pub mod motion;
 pub mod packing;

@@ -2,12 +2,13 @@
 
 use crate::memory::{Input, Output};
 use crate::status::{Done, Status};
-use dq8::{Block, DualQuat, Real};
-use dq8_simd::Row;
+use dq8::simd::Row;
+use dq8::storage::{self, Block};
+use dq8::{DualQuat, Scalar};
 
 /// # Safety
 /// As for [`Input::slice`] and [`Output::slice`].
-unsafe fn pack<R: Real, const N: usize>(
+unsafe fn pack<R: Scalar, const N: usize>(
     joints: usize,
     poses: *const R,
     pose_count: usize,
@@ -21,12 +22,12 @@ where
     let blocks = Output::<Block<R, N>>::new(blocks, block_count)?;
     blocks.apart_from(&poses)?;
     // SAFETY: promised, and apart.
-    unsafe { Ok(dq8::pack(joints, poses.slice(), blocks.slice())?) }
+    unsafe { Ok(storage::pack(joints, poses.slice(), blocks.slice())?) }
 }
 
 /// # Safety
 /// As for [`Input::slice`] and [`Output::slice`].
-unsafe fn unpack<R: Real, const N: usize>(
+unsafe fn unpack<R: Scalar, const N: usize>(
     joints: usize,
     blocks: *const R,
     block_count: usize,
@@ -40,7 +41,7 @@ where
     let poses = Output::<DualQuat<R>>::new(poses, pose_count)?;
     poses.apart_from(&blocks)?;
     // SAFETY: promised, and apart.
-    unsafe { Ok(dq8::unpack(joints, blocks.slice(), poses.slice())?) }
+    unsafe { Ok(storage::unpack(joints, blocks.slice(), poses.slice())?) }
 }
 
 macro_rules! functions {

@@ -1,10 +1,9 @@
 //! Kernels over arrays of motions and points, plain or in blocks.
 
-use crate::layout::{Blocks, Layout, Plain};
 use crate::memory::{Input, Output, from_to, read, two_to};
 use crate::status::{Done, Status};
-use dq8::slices::MatrixOrder;
-use dq8::{Backend, DualQuat, ShapeError};
+use dq8::storage::{AoSoA, Aos, Layout};
+use dq8::{Backend, DualQuat, MatrixOrder, ShapeError};
 
 /// In which order the numbers of a matrix lie in memory.
 #[repr(i32)]
@@ -25,8 +24,8 @@ unsafe fn mul<L: Layout>(
     count: usize,
 ) -> Done {
     let best = Backend::best();
-    let b = Input::<L::Motion>::new(b, count)?;
-    Output::<L::Motion>::new(out, count)?.apart_from(&b)?;
+    let b = Input::<L::Record<8>>::new(b, count)?;
+    Output::<L::Record<8>>::new(out, count)?.apart_from(&b)?;
     // SAFETY: promised, and apart.
     let b = unsafe { b.slice() };
     let apart = |a: &[_], to: &mut [_]| best.mul(a, b, to);
@@ -38,7 +37,7 @@ unsafe fn mul<L: Layout>(
 /// As for [`from_to`].
 unsafe fn normalize<L: Layout>(motions: *const L::Real, out: *mut L::Real, count: usize) -> Done {
     let best = Backend::best();
-    let in_place = |all: &mut [L::Motion]| {
+    let in_place = |all: &mut [L::Record<8>]| {
         best.normalize_in_place(all);
         Ok(())
     };
@@ -50,7 +49,7 @@ unsafe fn normalize<L: Layout>(motions: *const L::Real, out: *mut L::Real, count
 /// As for [`from_to`].
 unsafe fn inverse<L: Layout>(motions: *const L::Real, out: *mut L::Real, count: usize) -> Done {
     let best = Backend::best();
-    let in_place = |all: &mut [L::Motion]| {
+    let in_place = |all: &mut [L::Record<8>]| {
         best.inverse_in_place(all);
         Ok(())
     };
@@ -67,7 +66,8 @@ unsafe fn nlerp<L: Layout>(
     out: *mut L::Real,
     count: usize,
 ) -> Done {
-    let run = |a: &[L::Motion], b: &[L::Motion], to: &mut [_]| Backend::best().nlerp(a, b, t, to);
+    let run =
+        |a: &[L::Record<8>], b: &[L::Record<8>], to: &mut [_]| Backend::best().nlerp(a, b, t, to);
     // SAFETY: promised.
     unsafe { two_to(a, b, out, count, run) }
 }
@@ -81,12 +81,13 @@ unsafe fn nlerp_each<L: Layout>(
     out: *mut L::Real,
     count: usize,
 ) -> Done {
-    let t = Input::<L::Number>::new(t, count)?;
-    Output::<L::Motion>::new(out, count)?.apart_from(&t)?;
+    let t = Input::<L::Record<1>>::new(t, count)?;
+    Output::<L::Record<8>>::new(out, count)?.apart_from(&t)?;
     // SAFETY: promised, and apart.
     let t = unsafe { t.slice() };
-    let run =
-        |a: &[L::Motion], b: &[L::Motion], to: &mut [_]| Backend::best().nlerp_each(a, b, t, to);
+    let run = |a: &[L::Record<8>], b: &[L::Record<8>], to: &mut [_]| {
+        Backend::best().nlerp_each(a, b, t, to)
+    };
     // SAFETY: promised.
     unsafe { two_to(a, b, out, count, run) }
 }
@@ -100,7 +101,8 @@ unsafe fn sclerp<L: Layout>(
     out: *mut L::Real,
     count: usize,
 ) -> Done {
-    let run = |a: &[L::Motion], b: &[L::Motion], to: &mut [_]| Backend::best().sclerp(a, b, t, to);
+    let run =
+        |a: &[L::Record<8>], b: &[L::Record<8>], to: &mut [_]| Backend::best().sclerp(a, b, t, to);
     // SAFETY: promised.
     unsafe { two_to(a, b, out, count, run) }
 }
@@ -114,12 +116,13 @@ unsafe fn sclerp_each<L: Layout>(
     out: *mut L::Real,
     count: usize,
 ) -> Done {
-    let t = Input::<L::Number>::new(t, count)?;
-    Output::<L::Motion>::new(out, count)?.apart_from(&t)?;
+    let t = Input::<L::Record<1>>::new(t, count)?;
+    Output::<L::Record<8>>::new(out, count)?.apart_from(&t)?;
     // SAFETY: promised, and apart.
     let t = unsafe { t.slice() };
-    let run =
-        |a: &[L::Motion], b: &[L::Motion], to: &mut [_]| Backend::best().sclerp_each(a, b, t, to);
+    let run = |a: &[L::Record<8>], b: &[L::Record<8>], to: &mut [_]| {
+        Backend::best().sclerp_each(a, b, t, to)
+    };
     // SAFETY: promised.
     unsafe { two_to(a, b, out, count, run) }
 }
@@ -135,7 +138,7 @@ unsafe fn points<L: Layout>(
     let best = Backend::best();
     // SAFETY: promised.
     let motion: DualQuat<L::Real> = unsafe { read(motion)? };
-    let in_place = |all: &mut [L::Point]| {
+    let in_place = |all: &mut [L::Record<3>]| {
         best.transform_points_in_place(motion, all);
         Ok(())
     };
@@ -155,7 +158,7 @@ unsafe fn vectors<L: Layout>(
     let best = Backend::best();
     // SAFETY: promised.
     let motion: DualQuat<L::Real> = unsafe { read(motion)? };
-    let in_place = |all: &mut [L::Point]| {
+    let in_place = |all: &mut [L::Record<3>]| {
         best.transform_vectors_in_place(motion, all);
         Ok(())
     };
@@ -172,7 +175,7 @@ unsafe fn points_each<L: Layout>(
     out: *mut L::Real,
     count: usize,
 ) -> Done {
-    let run = |motions: &[L::Motion], from: &[L::Point], to: &mut [_]| {
+    let run = |motions: &[L::Record<8>], from: &[L::Record<3>], to: &mut [_]| {
         Backend::best().transform_points_each(motions, from, to)
     };
     // SAFETY: promised.
@@ -187,7 +190,7 @@ unsafe fn vectors_each<L: Layout>(
     out: *mut L::Real,
     count: usize,
 ) -> Done {
-    let run = |motions: &[L::Motion], from: &[L::Point], to: &mut [_]| {
+    let run = |motions: &[L::Record<8>], from: &[L::Record<3>], to: &mut [_]| {
         Backend::best().transform_vectors_each(motions, from, to)
     };
     // SAFETY: promised.
@@ -201,14 +204,15 @@ unsafe fn matrices<L: Layout, M: Copy>(
     order: i32,
     out: *mut L::Real,
     count: usize,
-    run: impl FnOnce(&[L::Motion], MatrixOrder, &mut [M]) -> Result<(), ShapeError>,
+    run: impl FnOnce(&[L::Record<8>], MatrixOrder, &mut [M]) -> Result<(), ShapeError>,
 ) -> Done {
     let order = match order {
         rows if rows == Order::Rows as i32 => MatrixOrder::Rows,
         columns if columns == Order::Columns as i32 => MatrixOrder::Columns,
         _ => return Err(Status::UnknownValue),
     };
-    let (motions, out) = (Input::<L::Motion>::new(motions, count)?, Output::<M>::new(out, count)?);
+    let (motions, out) =
+        (Input::<L::Record<8>>::new(motions, count)?, Output::<M>::new(out, count)?);
     out.apart_from(&motions)?;
     // SAFETY: promised, and apart.
     Ok(run(unsafe { motions.slice() }, order, unsafe { out.slice() })?)
@@ -223,7 +227,7 @@ unsafe fn matrices_3x4<L: Layout>(
     count: usize,
 ) -> Done {
     let run =
-        |from: &[_], order, to: &mut [L::Matrix3x4]| Backend::best().matrices(from, order, to);
+        |from: &[_], order, to: &mut [L::Record<12>]| Backend::best().matrices(from, order, to);
     // SAFETY: promised.
     unsafe { matrices::<L, _>(motions, order, out, count, run) }
 }
@@ -237,7 +241,7 @@ unsafe fn matrices_4x4<L: Layout>(
     count: usize,
 ) -> Done {
     let run =
-        |from: &[_], order, to: &mut [L::Matrix4x4]| Backend::best().matrices(from, order, to);
+        |from: &[_], order, to: &mut [L::Record<16>]| Backend::best().matrices(from, order, to);
     // SAFETY: promised.
     unsafe { matrices::<L, _>(motions, order, out, count, run) }
 }

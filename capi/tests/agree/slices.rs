@@ -196,7 +196,7 @@ macro_rules! agree {
                         |o| s::blocks_vectors_each($lanes, pa, pv, o, 2),
                         |o| best.transform_vectors_each(&a, &points, o).unwrap(),
                     );
-                    let matrices = [dq8_simd::Block::<[$R; $lanes], 16>::splat([9.0; 16]); 2];
+                    let matrices = [dq8::simd::Block::<[$R; $lanes], 16>::splat([9.0; 16]); 2];
                     same(
                         "4x4",
                         &matrices,
