@@ -33,12 +33,14 @@
 //! | [`EulerAngles`], [`RotationTranslation`], [`Polar`], [`Affine`] | [other representations](representation) and matrices |
 //! | [`Line`], [`Plane`], [`Screw`], [`DualVector`] | what motions act on and are described by |
 //! | [`Line::from_points`], [`Line::dual_angle`], [`CommonPerpendicular`], [`Plane::from_points`] | lines, planes and points together, with typed errors where they are parallel or one |
-//! | [`Twist`], [`Wrench`], [`TwistBlock`] | velocities and forces: derivatives, adjoints and Jacobians of motions and joints |
-//! | [`Hierarchy`], [`Job`], [`Crowd`], [`Block`] | joint hierarchies, one instance or many |
-//! | [`ik`] | inverse kinematics: two bones, and arms of any number of joints |
+//! | [`Twist`], [`Wrench`] | velocities and forces: derivatives, adjoints and Jacobians of motions and joints |
+//! | [`Hierarchy`], [`Job`], [`Crowd`] | joint hierarchies, one instance or many |
 //! | [`HierarchyPlan`], [`Backend::chain_products`] | one instance: a skeleton or a long chain |
-//! | [`Backend`], [`slices`], [`Place`] | kernels over slices of motions and points, plain or in blocks |
-//! | [`Lanes`], [`Mask`], [`Level`], [`Portable`] | lanes, for kernels of your own |
+//! | [`ik`] | inverse kinematics: two bones, and arms of any number of joints |
+//! | [`Backend`], [`slices`] | kernels over slices of motions and points |
+//! | [`storage`] | how slices lie in memory: one thing after the other, or in [blocks](Block) of lanes |
+//! | [`Kernel`], [`Element`] | kernels of your own, for any layout and any instructions |
+//! | [`Lanes`], [`Level`], [`simd`] | vectors of numbers, and the proof that the CPU has them |
 //!
 //! # Features
 //!
@@ -91,7 +93,9 @@ pub mod storage;
 pub use dq8_simd as simd;
 
 pub use dispatch::{Backend, Kernel};
-pub use dq8_simd::{Lanes, Level};
+pub use dq8_simd::{
+    Float, Lanes, Level, Mask, Portable, f32x4, f32x8, f32x16, f64x2, f64x4, f64x8,
+};
 pub use error::{
     HierarchyError, IncidenceError, InverseError, MatrixError, NormalizeError, OrthonormalError,
 };

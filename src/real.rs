@@ -14,7 +14,7 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 /// Accuracy is promised, and tested, for these two. [`Dual`](crate::Dual) numbers over any `Real` are
 /// `Real` too, so whatever is written for every `R: Real`, the operations of this crate included, can
 /// be differentiated; a number that counts its operations is another use. Kernels over memory and
-/// lanes are for `f32` and `f64` alone ([`Float`](crate::Float)).
+/// lanes are for `f32` and `f64` alone ([`Scalar`]).
 ///
 /// An implementation must order its numbers as `==` tells them apart, and all of `abs`, `is_finite`
 /// and the comparisons must agree with that order, because edge cases are told by them.

@@ -3,23 +3,19 @@
 //! | item | what it is |
 //! |---|---|
 //! | [`Hierarchy`] | a parent array, checked once |
-//! | [`Pose`] | how a motion lies in memory: one ([`DualQuat`](crate::DualQuat)), or a [`Block`] of instances |
-//! | [`Motions`], [`RotationsTranslations`], [`Rotations`] | forms of locals |
-//! | [`RotationBlock`], [`RotationTranslationBlock`] | blocks of locals that are less than a motion |
-//! | [`PaletteEntry`] | what a skinning palette is made of: motions or matrices |
-//! | [`TwistBlock`] | twists of the instances of a block, for velocities and Jacobians |
-//! | [`Job`] | a run with a root transform or on some of the joints |
+//! | [`Job`] | a run over it: with a root transform, on some of the joints, with a palette, backwards |
+//! | [`Poses`], [`RotationsTranslations`], [`Rotations`] | forms of [locals](Locals) |
 //! | [`HierarchyPlan`], [`Strategy`] | one instance: an order found once (feature `alloc`) |
-//! | [`Link`], [`pack_chain`], [`unpack_chain`] | chains in segments, for [`Backend::chain_products`](crate::Backend::chain_products) |
 //! | [`Renormalize`] | when a run normalizes what it has multiplied |
 //! | [`Crowd`] | owned blocks for any number of instances (feature `alloc`) |
-//! | [`pack`], [`unpack`] | the same conversion between slices of your own |
 //!
 //! # Layout
 //!
-//! One instance is one element a joint. Several instances stand one after the other; instances in
-//! blocks share a lane position: `[instance block][joint][component][lane]`, so that a child finds
-//! its parent in the same lane of another block, without any shuffling.
+//! One instance is one element for each joint; several instances stand one after the other,
+//! `[instance][joint]`. Plain elements are transposed in registers, as many instances at a time as there
+//! are lanes. Instances in blocks share a lane position, `[instance block][joint][component][lane]`, so
+//! that a child finds its parent in the same lane of another block, without any shuffling: the fastest
+//! way. See [`storage`](crate::storage).
 
 mod backward;
 mod chain;

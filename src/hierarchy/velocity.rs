@@ -29,7 +29,7 @@ impl<E: Element<8>> Job<'_, E> {
     /// let models = [0.0_f32, 2.0].map(|x| DualQuat::from_translation([x, 0.0, 0.0]));
     /// let rates = [1.0, -1.0].map(|z| Twist { angular: [0.0, 0.0, z], linear: [0.0; 3] });
     /// let mut twists = rates;
-    /// arm.velocities(&models, &rates, &mut twists)?;
+    /// arm.job().velocities(&models, &rates, &mut twists)?;
     /// // The forearm does not turn, it moves in a circle.
     /// assert_eq!(twists[1], Twist { angular: [0.0; 3], linear: [0.0, 2.0, 0.0] });
     /// # Ok::<(), Box<dyn core::error::Error>>(())
@@ -73,7 +73,7 @@ impl<E: Element<8>> Job<'_, E> {
     /// let models = [0.0_f32, 2.0, 3.0].map(|x| DualQuat::from_translation([x, 0.0, 0.0]));
     /// let hinge = Twist { angular: [0.0, 0.0, 1.0], linear: [0.0; 3] };
     /// let mut columns = [hinge; 3];
-    /// fork.jacobian(&models, &[hinge; 3], 1, &mut columns)?;
+    /// fork.job().jacobian(&models, &[hinge; 3], 1, &mut columns)?;
     /// assert_eq!(columns[0].to_array(), [0.0, 0.0, 1.0, 0.0, 0.0, 0.0]);
     /// assert_eq!(columns[1].to_array(), [0.0, 0.0, 1.0, 0.0, -2.0, 0.0]);
     /// assert_eq!(columns[2].to_array(), [0.0; 6]); // the other branch

@@ -1,9 +1,8 @@
 //! Hierarchies, palettes and packing.
 
 use crate::sample::{COUNT, JOINTS, PARENTS, block, motions, numbers, rotation, same, vector};
-use dq8::{
-    Block, DualQuat, Hierarchy, Motions, RotationBlock, Rotations, RotationsTranslations, pack,
-};
+use dq8::storage::{Block, RotationBlock, pack};
+use dq8::{DualQuat, Hierarchy, Poses, Rotations, RotationsTranslations};
 use dq8_capi::{hierarchy, packing};
 use std::ptr;
 
@@ -89,11 +88,7 @@ macro_rules! agree {
                         "palette",
                         &none,
                         |o| h::palette(p, JOINTS, on, pl, pb, models.as_mut_ptr().cast(), o, n),
-                        |o| {
-                            job()
-                                .locals_to_palette(Motions(&locals), &mut wanted, binds, o)
-                                .unwrap()
-                        },
+                        |o| job().locals_to_palette(Poses(&locals), &mut wanted, binds, o).unwrap(),
                     );
                     assert_eq!(models, wanted);
                     same(
@@ -111,11 +106,7 @@ macro_rules! agree {
                                 n,
                             )
                         },
-                        |o| {
-                            job()
-                                .locals_to_palette(Motions(&locals), &mut wanted, binds, o)
-                                .unwrap()
-                        },
+                        |o| job().locals_to_palette(Poses(&locals), &mut wanted, binds, o).unwrap(),
                     );
 
                     let identity = Block::<$R, $lanes>::splat([9.0; 8]);
@@ -184,7 +175,7 @@ macro_rules! agree {
                                 JOINTS,
                             )
                         },
-                        |o| job.locals_to_palette(Motions(&blocks), &mut wanted, binds, o).unwrap(),
+                        |o| job.locals_to_palette(Poses(&blocks), &mut wanted, binds, o).unwrap(),
                     );
                     assert_eq!(models, wanted);
                 }

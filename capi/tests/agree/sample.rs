@@ -1,8 +1,8 @@
 //! Numbers to compute with, and the comparison.
 
+use dq8::simd::{Block, Row};
 use dq8::{DualQuat, Quat, Real};
 use dq8_capi::Status;
-use dq8::simd::{Block, Row};
 use std::fmt::Debug;
 
 pub(crate) const PARENTS: [i32; 4] = [-1, 0, 1, 0];

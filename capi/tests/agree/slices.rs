@@ -1,11 +1,10 @@
 //! Kernels over arrays, plain and in blocks.
 
 use crate::sample::{COUNT, block, motions, numbers, same, vector, wave};
-use dq8::slices::MatrixOrder;
-use dq8::{
-    Backend, Block, DualQuat, MatrixBlock, NumberBlock, PointBlock, RotationBlock,
-    RotationTranslationBlock,
+use dq8::storage::{
+    Block, MatrixBlock, NumberBlock, PointBlock, RotationBlock, RotationTranslationBlock,
 };
+use dq8::{Backend, DualQuat, MatrixOrder};
 use dq8_capi::{packing, slices};
 
 macro_rules! agree {

@@ -1,7 +1,7 @@
 //! Everything else that firmware may want.
 
 use dq8::{
-    Backend, Block, DualQuat, DualVector, Hierarchy, Line, Motions, Plane, Quat, Rotations, Screw,
+    Backend, Block, DualQuat, DualVector, Hierarchy, Line, Plane, Poses, Quat, Rotations, Screw,
     Twist, Wrench,
 };
 
@@ -105,7 +105,7 @@ fn more_palette(
     palette: &mut [[[f32; 4]; 3]],
 ) -> bool {
     Hierarchy::new(parents).is_ok_and(|h| {
-        h.job().locals_to_palette(Motions(locals), models, inverse_binds, palette).is_ok()
+        h.job().locals_to_palette(Poses(locals), models, inverse_binds, palette).is_ok()
     })
 }
 #[unsafe(no_mangle)]
