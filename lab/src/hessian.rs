@@ -118,7 +118,7 @@ pub fn columns(arm: &Arm, variables: [f64; 6]) -> Result<[Twist<f64>; 6], Box<dy
     chain.local_to_model(&locals, &mut models)?;
     let axes = arm.joints.map(|joint| joint.twist());
     let mut columns = axes;
-    chain.jacobian(&models, &axes, 5, &mut columns)?;
+    chain.job().jacobian(&models, &axes, 5, &mut columns)?;
     Ok(columns)
 }
 

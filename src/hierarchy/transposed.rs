@@ -95,8 +95,15 @@ fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
                 let Some(far) = motions(level, models, far) else { return };
                 recent[from] = far.to_array();
             }
-            let Some(local) = locals.load(level, models, slot) else { return };
-            let model = product_in_lanes(recent[from], local.to_array());
+            let model = if keeps {
+                let Some(local) = locals.load(level, models, slot) else { return };
+                product_in_lanes(recent[from], local.to_array())
+            } else {
+                // There is no other loop to agree with.
+                let parent = Motions::<E, V>::from_array(recent[from]);
+                let Some(model) = locals.onto(level, parent, models, slot) else { return };
+                model.to_array()
+            };
             recent[joint % RECENT] = model;
             E::store(model, models, slot.own_tile());
         } else {

@@ -93,7 +93,7 @@ fn more_point_error(a: &Motion, b: &Motion, point: &[f32; 3]) -> f32 {
 }
 
 #[unsafe(no_mangle)]
-fn more_rotations(parents: &[u32], locals: Rotations<'_, Motion>, models: &mut [Motion]) -> bool {
+fn more_rotations(parents: &[u32], locals: Rotations<'_, Quat<f32>>, models: &mut [Motion]) -> bool {
     Hierarchy::new(parents).is_ok_and(|h| h.job().locals_to_model(locals, models).is_ok())
 }
 #[unsafe(no_mangle)]
@@ -110,7 +110,7 @@ fn more_palette(
 }
 #[unsafe(no_mangle)]
 fn more_model_to_local(parents: &[u32], poses: &mut [Motion]) -> bool {
-    Hierarchy::new(parents).is_ok_and(|h| h.model_to_local_in_place(poses).is_ok())
+    Hierarchy::new(parents).is_ok_and(|h| h.job().model_to_local_in_place(poses).is_ok())
 }
 #[unsafe(no_mangle)]
 fn more_crowd(parents: &[u32], poses: &mut [Block<f32, 8>]) -> bool {
