@@ -86,60 +86,59 @@ fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
         let Some(&parent) = run.parents.get(joint) else { return };
         let slot = JointSlot::of_instances(joint, first, joints);
         let parent = parent as usize;
-        if parent < joint {
+        let mut model = if parent >= joint {
+            let root = root(level, run, locals, models, slot, first / joints.max(1));
+            let Some(root) = root else { return };
+            root
+        } else if keeps {
             // One way to the parent, through memory: two would cost moves between registers.
             let mut from = parent % RECENT;
-            if !keeps || joint - parent >= RECENT || parent < run.joints.start {
+            if joint - parent >= RECENT || parent < run.joints.start {
                 from = RECENT;
                 let far = JointSlot::of_instances(parent, first, joints).own_tile();
                 let Some(far) = motions(level, models, far) else { return };
                 recent[from] = far.to_array();
             }
-            let model = if keeps {
-                let Some(local) = locals.load(level, models, slot) else { return };
-                product_in_lanes(recent[from], local.to_array())
-            } else {
-                // There is no other loop to agree with.
-                let parent = Motions::<E, V>::from_array(recent[from]);
-                let Some(model) = locals.onto(level, parent, models, slot) else { return };
-                model.to_array()
-            };
-            recent[joint % RECENT] = model;
-            E::store(model, models, slot.own_tile());
+            let Some(local) = locals.load(level, models, slot) else { return };
+            Motions::<E, V>::from_array(product_in_lanes(recent[from], local.to_array()))
         } else {
-            let root = root(level, run, locals, models, slot, first / joints.max(1));
-            recent[joint % RECENT] = root;
-        }
+            // There is no other loop to agree with.
+            let parent = JointSlot::of_instances(parent, first, joints).own_tile();
+            let Some(parent) = motions(level, models, parent) else { return };
+            let Some(model) = locals.onto(level, parent, models, slot) else { return };
+            model
+        };
+        E::store(model.to_array(), models, slot.own_tile());
         if run.renormalize.applies_to(joint) {
-            let model = Motions::<E, V>::from_array(recent[joint % RECENT]).normalize().to_array();
-            recent[joint % RECENT] = model;
-            E::store(model, models, slot.own_tile());
+            model = model.normalize();
+            E::store(model.to_array(), models, slot.own_tile());
+        }
+        if keeps {
+            recent[joint % RECENT] = model.to_array();
         }
         if X::ACTIVE {
-            epilogue.run(level, slot, batch::DualQuat::from_array(recent[joint % RECENT]));
+            epilogue.run(level, slot, model);
         }
     }
 }
 
-/// The models of a joint without a parent, written and given back.
+/// The models of a joint without a parent.
 #[inline(always)]
 fn root<E: Element<8>, L: Locals<E>, V: Level>(
     level: V,
     run: &Run<'_, E>,
     locals: L,
-    models: &mut [E],
+    models: &[E],
     slot: JointSlot,
     instance: usize,
-) -> [Register<E, V, 8>; 8] {
-    let Some(local) = locals.load(level, models, slot) else {
-        return Motions::<E, V>::identity(level).to_array();
-    };
-    let mut model = local.to_array();
-    if let Some(root) = run.root.load(level, instance, 0) {
-        model = product_in_lanes(root.to_array(), model);
-    }
-    E::store(model, models, slot.own_tile());
-    model
+) -> Option<Motions<E, V>> {
+    let local = locals.load(level, models, slot)?;
+    Some(match run.root.load(level, instance, 0) {
+        Some(root) => {
+            Motions::<E, V>::from_array(product_in_lanes(root.to_array(), local.to_array()))
+        }
+        None => local,
+    })
 }
 
 /// One instance after the other: the eight numbers of one motion in the lanes of one register.
