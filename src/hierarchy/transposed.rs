@@ -12,7 +12,7 @@ use super::slot::JointSlot;
 use crate::batch;
 use crate::dispatch::{Backend, Kernel};
 use crate::real::Scalar;
-use crate::storage::{Element, Layout, Register, Source, identity};
+use crate::storage::{Element, Layout, Register, Source, Tile, identity};
 use dq8_simd::{Lanes, Level, MAX_LANES, Portable};
 
 /// So many models are kept as they are in registers, for their children. What lies farther back is
@@ -57,10 +57,15 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Instances<'_, '_, E
         let joints = run.parents.len();
         let group = E::Layout::records::<V>().saturating_mul(joints);
         let mut done = 0;
+        // Models as registers hold them; the last one is for parents that are not among them.
         let mut recent = [Motions::<E, V>::identity(level).to_array(); RECENT + 1];
         if group > 0 {
             for models in models.chunks_exact_mut(group) {
-                together(level, run, locals, models, epilogue, done, &mut recent);
+                if E::Layout::records::<V>() > 1 {
+                    together(level, run, locals, models, epilogue, done, &mut recent);
+                } else {
+                    alone(level, run, locals, models, epilogue, done);
+                }
                 done += group;
             }
         }
@@ -69,6 +74,10 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Instances<'_, '_, E
 }
 
 /// One group; `first` is its first element among all.
+///
+/// All models go through memory that the first cache holds, not from register to register: where two ways
+/// lead to a value (a parent that is recent or not, a joint that is a root or not), the compiler would
+/// move eight registers.
 #[inline(always)]
 fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     level: V,
@@ -80,65 +89,126 @@ fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     recent: &mut [[Register<E, V, 8>; 8]; RECENT + 1],
 ) {
     let joints = run.parents.len();
-    // One number is read from memory as fast as from there.
-    let keeps = E::Layout::records::<V>() > 1;
     for joint in run.joints.clone() {
         let Some(&parent) = run.parents.get(joint) else { return };
-        let slot = JointSlot::of_instances(joint, first, joints);
-        let parent = parent as usize;
-        let mut model = if parent >= joint {
-            let root = root(level, run, locals, models, slot, first / joints.max(1));
-            let Some(root) = root else { return };
-            root
-        } else if keeps {
-            // One way to the parent, through memory: two would cost moves between registers.
+        let (slot, parent) = (JointSlot::of_instances(joint, first, joints), parent as usize);
+        if parent < joint {
             let mut from = parent % RECENT;
             if joint - parent >= RECENT || parent < run.joints.start {
                 from = RECENT;
-                let far = JointSlot::of_instances(parent, first, joints).own_tile();
-                let Some(far) = motions(level, models, far) else { return };
-                recent[from] = far.to_array();
+                far(level, models, JointSlot::of_instances(parent, first, joints), recent);
             }
             let Some(local) = locals.load(level, models, slot) else { return };
-            Motions::<E, V>::from_array(product_in_lanes(recent[from], local.to_array()))
+            let model = product_in_lanes(recent[from], local.to_array());
+            recent[joint % RECENT] = model;
+            E::store(model, models, slot.own_tile());
         } else {
-            // There is no other loop to agree with.
-            let parent = JointSlot::of_instances(parent, first, joints).own_tile();
-            let Some(parent) = motions(level, models, parent) else { return };
-            let Some(model) = locals.onto(level, parent, models, slot) else { return };
-            model
-        };
-        E::store(model.to_array(), models, slot.own_tile());
-        if run.renormalize.applies_to(joint) {
-            model = model.normalize();
-            E::store(model.to_array(), models, slot.own_tile());
+            root(level, run, locals, models, slot, first, &mut recent[joint % RECENT]);
         }
-        if keeps {
-            recent[joint % RECENT] = model.to_array();
+        if run.renormalize.applies_to(joint) {
+            normalize_lanes::<E, V>(level, models, slot, &mut recent[joint % RECENT]);
         }
         if X::ACTIVE {
-            epilogue.run(level, slot, model);
+            epilogue.run(level, slot, batch::DualQuat::from_array(recent[joint % RECENT]));
         }
     }
 }
 
+/// A parent that is not among the recent models.
+#[cold]
+#[inline(never)]
+fn far<E: Element<8>, V: Level>(
+    level: V,
+    models: &[E],
+    slot: JointSlot,
+    recent: &mut [[Register<E, V, 8>; 8]; RECENT + 1],
+) {
+    level.run(
+        #[inline(always)]
+        || {
+            if let Some(far) = motions(level, models, slot.own_tile()) {
+                recent[RECENT] = far.to_array();
+            }
+        },
+    );
+}
+
 /// The models of a joint without a parent.
-#[inline(always)]
+#[cold]
+#[inline(never)]
 fn root<E: Element<8>, L: Locals<E>, V: Level>(
     level: V,
     run: &Run<'_, E>,
     locals: L,
-    models: &[E],
+    models: &mut [E],
     slot: JointSlot,
-    instance: usize,
-) -> Option<Motions<E, V>> {
-    let local = locals.load(level, models, slot)?;
-    Some(match run.root.load(level, instance, 0) {
-        Some(root) => {
-            Motions::<E, V>::from_array(product_in_lanes(root.to_array(), local.to_array()))
+    first: usize,
+    to: &mut [Register<E, V, 8>; 8],
+) {
+    level.run(
+        #[inline(always)]
+        || {
+            let instance = first.checked_div(run.parents.len()).unwrap_or(0);
+            let Some(local) = locals.load(level, models, slot) else { return };
+            *to = match run.root.load(level, instance, 0) {
+                Some(root) => product_in_lanes(root.to_array(), local.to_array()),
+                None => local.to_array(),
+            };
+            E::store(*to, models, slot.own_tile());
+        },
+    );
+}
+
+#[cold]
+#[inline(never)]
+fn normalize_lanes<E: Element<8>, V: Level>(
+    level: V,
+    models: &mut [E],
+    slot: JointSlot,
+    model: &mut [Register<E, V, 8>; 8],
+) {
+    level.run(
+        #[inline(always)]
+        || {
+            *model = Motions::<E, V>::from_array(*model).normalize().to_array();
+            E::store(*model, models, slot.own_tile());
+        },
+    );
+}
+
+/// One instance, one number to a register: memory is as near as anything else. And there is no other
+/// loop to agree with, so that rotations can be multiplied on as they are.
+#[inline(always)]
+fn alone<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
+    level: V,
+    run: &Run<'_, E>,
+    locals: L,
+    models: &mut [E],
+    epilogue: &mut X,
+    first: usize,
+) {
+    let joints = run.parents.len();
+    for joint in run.joints.clone() {
+        let Some(&parent) = run.parents.get(joint) else { return };
+        let slot = JointSlot::of_instances(joint, first, joints);
+        // ROOT is beyond the last joint: there is no such model.
+        let parent = match models.get(parent as usize) {
+            Some(parent) => motions(level, core::slice::from_ref(parent), Tile::at(0, 0)),
+            None => run.root.load(level, first.checked_div(joints).unwrap_or(0), 0),
+        };
+        let model = match parent {
+            Some(parent) => locals.onto(level, parent, models, slot),
+            None => locals.load(level, models, slot),
+        };
+        let Some(mut model) = model else { return };
+        if run.renormalize.applies_to(joint) {
+            model = model.normalize();
         }
-        None => local,
-    })
+        E::store(model.to_array(), models, slot.own_tile());
+        if X::ACTIVE {
+            epilogue.run(level, slot, model);
+        }
+    }
 }
 
 /// One instance after the other: the eight numbers of one motion in the lanes of one register.
