@@ -100,114 +100,115 @@ pub trait Lanes:
         from: &[[Self::Real; C]],
         padding: [Self::Real; C],
     ) -> [Self; C] {
-        Self::load_strided(level, from, 1, &padding)
+        Self::load_strided(level, from, None, &padding)
     }
     /// Transposes on the way out: lane `i` of `C` vectors becomes record `i` of `to`.
     /// Records beyond `LANES` are left as they were.
     #[inline(always)]
     fn store_records<const C: usize>(components: [Self; C], to: &mut [[Self::Real; C]]) {
-        Self::store_strided(components, to, 1);
+        Self::store_strided(components, to, None);
     }
-    /// [`load_records`](Self::load_records) of every `stride`-th record.
+    /// [`load_records`](Self::load_records) of every `stride`-th record; `None` is 1, which the compiler
+    /// can see.
     #[inline(always)]
     fn load_strided<const C: usize>(
         level: Self::Level,
         from: &[[Self::Real; C]],
-        stride: usize,
+        stride: Option<usize>,
         padding: &[Self::Real; C],
     ) -> [Self; C] {
         let mut components = [Self::splat(level, Self::Real::default()); C];
         let flat = from.as_flattened();
-        if C == 3
-            && let Some([x, y, z, _]) = Self::load_quads(level, flat, 3 * stride)
-        {
-            components.copy_from_slice(&[x, y, z]);
-            return components;
-        }
-        // Four components at a time; the last four begin earlier where C is no multiple of four.
-        let mut done = 0;
-        while C >= 4
-            && done < C
-            && let first = done.min(C.saturating_sub(4))
-            && let Some(from) = flat.get(first..)
-            && let Some(quad) = Self::load_quads(level, from, C * stride)
-        {
-            components[first..first + 4].copy_from_slice(&quad);
-            done = first + 4;
-        }
-        if done < C {
-            let rows = load_each::<Self, C>(from, stride, padding);
+        let apart = C.saturating_mul(stride.unwrap_or(1));
+        // Four numbers are read of a record of three.
+        if C < 3 || flat.len() < reach(Self::LANES, apart, C.max(4)) {
+            let rows = load_each::<Self, C>(from, stride.unwrap_or(1), padding);
             for (component, row) in components.iter_mut().zip(&rows) {
                 *component = Self::load(level, row);
             }
+            return components;
         }
-        components
+        // Four components at a time; the last four begin earlier where C is no multiple of four.
+        let mut first = 0;
+        loop {
+            // SAFETY: record `LANES − 1` begins `(LANES − 1) · apart` numbers from the start, and four
+            // numbers from `first` on are part of it, or, of three, are there: checked above.
+            let quad = unsafe { Self::load_quads(level, flat.as_ptr().add(first), apart) };
+            for (component, loaded) in components.iter_mut().skip(first).zip(quad) {
+                *component = loaded;
+            }
+            if first + 4 >= C {
+                return components;
+            }
+            first = (first + 4).min(C - 4);
+        }
     }
-    /// [`store_records`](Self::store_records) to every `stride`-th record.
+    /// [`store_records`](Self::store_records) to every `stride`-th record; `None` is 1.
     #[inline(always)]
     fn store_strided<const C: usize>(
         components: [Self; C],
         to: &mut [[Self::Real; C]],
-        stride: usize,
+        stride: Option<usize>,
     ) {
         let flat = to.as_flattened_mut();
-        if let (&[x, y, z], 1) = (components.as_slice(), stride)
-            && Self::store_triples([x, y, z], flat).is_some()
-        {
-            return;
+        let apart = C.saturating_mul(stride.unwrap_or(1));
+        let fits = flat.len() >= reach(Self::LANES, apart, C);
+        if let (&[x, y, z], true, 3) = (components.as_slice(), fits, apart) {
+            // SAFETY: checked above.
+            return unsafe { Self::store_triples([x, y, z], flat.as_mut_ptr()) };
         }
-        let mut done = 0;
-        while C >= 4
-            && done < C
-            && let first = done.min(C.saturating_sub(4))
-            && let (Some(to), &[x, y, z, w]) =
-                (flat.get_mut(first..), &components[first..first + 4])
-            && Self::store_quads([x, y, z, w], to, C * stride).is_some()
-        {
-            done = first + 4;
-        }
-        if done < C {
+        if C < 4 || !fits {
             let mut rows = [Self::Array::zeroed(); C];
             for (row, component) in rows.iter_mut().zip(components) {
                 component.store(row);
             }
-            store_each::<Self, C>(&rows, to, stride);
+            return store_each::<Self, C>(&rows, to, stride.unwrap_or(1));
+        }
+        let mut first = 0;
+        while let Some(&[x, y, z, w]) = components.get(first..).and_then(|rest| rest.first_chunk())
+        {
+            // SAFETY: record `LANES − 1` begins `(LANES − 1) · apart` numbers from the start, and four
+            // numbers from `first` on are part of it: checked above.
+            unsafe { Self::store_quads([x, y, z, w], flat.as_mut_ptr().add(first), apart) };
+            if first + 4 >= C {
+                return;
+            }
+            first = (first + 4).min(C - 4);
         }
     }
-    /// Transposes on the way in: lane `i` of four vectors is `from[i · stride ..][.. 4]`; `None` if `from`
-    /// ends before.
+    /// Transposes on the way in: lane `i` of four vectors is the four numbers at `from + i · stride`.
+    ///
+    /// # Safety
+    /// All those numbers may be read.
     #[inline(always)]
-    fn load_quads(level: Self::Level, from: &[Self::Real], stride: usize) -> Option<[Self; 4]> {
-        let from = from.get(..reach(Self::LANES, stride, 4))?;
+    unsafe fn load_quads(level: Self::Level, from: *const Self::Real, stride: usize) -> [Self; 4] {
         let mut rows = [Self::Array::zeroed(); 4];
-        for (lane, quad) in from.chunks(stride.max(1)).take(Self::LANES).enumerate() {
-            for (row, &value) in rows.iter_mut().zip(quad) {
-                row.as_mut()[lane] = value;
+        for lane in 0..Self::LANES {
+            for (c, row) in rows.iter_mut().enumerate() {
+                // SAFETY: promised.
+                row.as_mut()[lane] = unsafe { *from.add(lane * stride + c) };
             }
         }
         let [x, y, z, w] = &rows;
-        Some([
-            Self::load(level, x),
-            Self::load(level, y),
-            Self::load(level, z),
-            Self::load(level, w),
-        ])
+        [Self::load(level, x), Self::load(level, y), Self::load(level, z), Self::load(level, w)]
     }
-    /// Transposes on the way out: lane `i` of four vectors goes to `to[i · stride ..][.. 4]`, for
-    /// strides of 4 or more. `None` if `to` ends before: nothing is written then.
+    /// Transposes on the way out: lane `i` of four vectors goes to the four numbers at `to + i · stride`.
+    ///
+    /// # Safety
+    /// All those numbers may be written, and nothing else reads or writes them.
     #[inline(always)]
-    fn store_quads(components: [Self; 4], to: &mut [Self::Real], stride: usize) -> Option<()> {
-        let to = to.get_mut(..reach(Self::LANES, stride, 4))?;
-        store_rows(components, to, stride);
-        Some(())
+    unsafe fn store_quads(components: [Self; 4], to: *mut Self::Real, stride: usize) {
+        // SAFETY: promised.
+        unsafe { store_rows(components, to, stride) };
     }
-    /// Transposes on the way out: lane `i` of three vectors goes to `to[3i ..][.. 3]`. `None` if `to`
-    /// ends before: nothing is written then.
+    /// Transposes on the way out: lane `i` of three vectors goes to the three numbers at `to + 3i`.
+    ///
+    /// # Safety
+    /// As for [`store_quads`](Self::store_quads).
     #[inline(always)]
-    fn store_triples(components: [Self; 3], to: &mut [Self::Real]) -> Option<()> {
-        let to = to.get_mut(..3 * Self::LANES)?;
-        store_rows(components, to, 3);
-        Some(())
+    unsafe fn store_triples(components: [Self; 3], to: *mut Self::Real) {
+        // SAFETY: promised.
+        unsafe { store_rows(components, to, 3) };
     }
 
     /// `self · factor + addend`, rounded once where the hardware fuses.
@@ -244,15 +245,19 @@ pub(crate) fn reach(lanes: usize, stride: usize, count: usize) -> usize {
 }
 
 /// Transposes on the way out one number at a time.
+///
+/// # Safety
+/// As for [`Lanes::store_quads`], of `C` numbers.
 #[inline(always)]
-fn store_rows<L: Lanes, const C: usize>(components: [L; C], to: &mut [L::Real], stride: usize) {
-    let rows = components.map(
-        #[inline(always)]
-        |component| component.to_array(),
-    );
-    for (lane, record) in to.chunks_mut(stride.max(1)).take(L::LANES).enumerate() {
-        for (slot, row) in record.iter_mut().zip(&rows) {
-            *slot = row.as_ref()[lane];
+unsafe fn store_rows<L: Lanes, const C: usize>(
+    components: [L; C],
+    to: *mut L::Real,
+    stride: usize,
+) {
+    for (c, component) in components.into_iter().enumerate() {
+        for (lane, &number) in component.to_array().as_ref().iter().enumerate() {
+            // SAFETY: promised.
+            unsafe { *to.add(lane * stride + c) = number };
         }
     }
 }

@@ -52,7 +52,7 @@ macro_rules! one_lane {
             fn load_strided<const C: usize>(
                 _: Portable,
                 from: &[[$real; C]],
-                _: usize,
+                _: Option<usize>,
                 padding: &[$real; C],
             ) -> [Self; C] {
                 *from.first().unwrap_or(padding)
@@ -61,7 +61,7 @@ macro_rules! one_lane {
             fn store_strided<const C: usize>(
                 components: [Self; C],
                 to: &mut [[$real; C]],
-                _: usize,
+                _: Option<usize>,
             ) {
                 if let Some(record) = to.first_mut() {
                     *record = components;

@@ -58,22 +58,32 @@ where
         self.1.store(upper);
     }
     #[inline(always)]
-    fn load_quads(level: L::Level, from: &[L::Real], stride: usize) -> Option<[Self; 4]> {
-        let upper = from.get(L::LANES * stride..)?;
-        let [ax, ay, az, aw] = L::load_quads(level, from, stride)?;
-        let [bx, by, bz, bw] = L::load_quads(level, upper, stride)?;
-        Some([Self(ax, bx), Self(ay, by), Self(az, bz), Self(aw, bw)])
+    unsafe fn load_quads(level: L::Level, from: *const L::Real, stride: usize) -> [Self; 4] {
+        // SAFETY: promised, for all lanes.
+        let [a, b] = unsafe {
+            [
+                L::load_quads(level, from, stride),
+                L::load_quads(level, from.add(L::LANES * stride), stride),
+            ]
+        };
+        let ([ax, ay, az, aw], [bx, by, bz, bw]) = (a, b);
+        [Self(ax, bx), Self(ay, by), Self(az, bz), Self(aw, bw)]
     }
     #[inline(always)]
-    fn store_quads([x, y, z, w]: [Self; 4], to: &mut [L::Real], stride: usize) -> Option<()> {
-        // The upper lanes first: where they fit, the lower ones do.
-        L::store_quads([x.1, y.1, z.1, w.1], to.get_mut(L::LANES * stride..)?, stride)?;
-        L::store_quads([x.0, y.0, z.0, w.0], to, stride)
+    unsafe fn store_quads([x, y, z, w]: [Self; 4], to: *mut L::Real, stride: usize) {
+        // SAFETY: promised, for all lanes.
+        unsafe {
+            L::store_quads([x.0, y.0, z.0, w.0], to, stride);
+            L::store_quads([x.1, y.1, z.1, w.1], to.add(L::LANES * stride), stride);
+        }
     }
     #[inline(always)]
-    fn store_triples([x, y, z]: [Self; 3], to: &mut [L::Real]) -> Option<()> {
-        L::store_triples([x.1, y.1, z.1], to.get_mut(L::LANES * 3..)?)?;
-        L::store_triples([x.0, y.0, z.0], to)
+    unsafe fn store_triples([x, y, z]: [Self; 3], to: *mut L::Real) {
+        // SAFETY: promised, for all lanes.
+        unsafe {
+            L::store_triples([x.0, y.0, z.0], to);
+            L::store_triples([x.1, y.1, z.1], to.add(3 * L::LANES));
+        }
     }
     #[inline(always)]
     fn mul_add(self, factor: Self, addend: Self) -> Self {

@@ -86,21 +86,20 @@ macro_rules! wide_lanes {
             }
             $(
                 #[inline(always)]
-                fn load_quads(_: Portable, from: &[$real], stride: usize) -> Option<[Self; 4]> {
-                    let from = from.get(..crate::lane::reach($lanes, stride, 4))?;
+                unsafe fn load_quads(_: Portable, from: *const $real, stride: usize) -> [Self; 4] {
                     let mut rows = [Self::ZERO; 4];
                     for (i, row) in rows.iter_mut().enumerate() {
-                        *row = Self::new(from.get(i * stride..)?.first_chunk().copied()?);
+                        // SAFETY: promised; an array needs no more alignment than its numbers.
+                        *row = Self::new(unsafe { *from.add(i * stride).cast::<[$real; $lanes]>() });
                     }
-                    Some(Self::$transpose(rows))
+                    Self::$transpose(rows)
                 }
                 #[inline(always)]
-                fn store_quads(components: [Self; 4], to: &mut [$real], stride: usize) -> Option<()> {
-                    let to = to.get_mut(..crate::lane::reach($lanes, stride, 4))?;
+                unsafe fn store_quads(components: [Self; 4], to: *mut $real, stride: usize) {
                     for (i, row) in Self::$transpose(components).into_iter().enumerate() {
-                        *to.get_mut(i * stride..)?.first_chunk_mut()? = row.to_array();
+                        // SAFETY: promised; an array needs no more alignment than its numbers.
+                        unsafe { *to.add(i * stride).cast::<[$real; $lanes]>() = row.to_array() };
                     }
-                    Some(())
                 }
             )?
             #[inline(always)]

@@ -32,7 +32,7 @@ pub(crate) fn load<L: Lanes, const C: usize>(
     padding: &[L::Real; C],
 ) -> Option<[L; C]> {
     let from = from.get(tile.element..)?;
-    Some(L::load_strided(level, from, tile.stride.unwrap_or(1), padding))
+    Some(L::load_strided(level, from, tile.stride, padding))
 }
 
 /// The records of a tile from any lanes.
@@ -43,7 +43,7 @@ pub(crate) fn store<L: Lanes, const C: usize>(
     tile: Tile,
 ) {
     if let Some(to) = to.get_mut(tile.element..) {
-        L::store_strided(components, to, tile.stride.unwrap_or(1));
+        L::store_strided(components, to, tile.stride);
     }
 }
 

@@ -61,31 +61,20 @@ macro_rules! vector {
                 unsafe { $stream(at.cast(), self.0) }
             }
             #[inline(always)]
-            fn load_quads(level: $level, from: &[$real], stride: usize) -> Option<[Self; 4]> {
-                if from.len() < crate::lane::reach($lanes, stride, 4) {
-                    return None;
-                }
-                // SAFETY: `level` proves the instructions; the last number read is in the slice.
-                let [x, y, z, w] = unsafe { $load_quads(from.as_ptr(), stride) };
-                Some([Self(x, level), Self(y, level), Self(z, level), Self(w, level)])
+            unsafe fn load_quads(level: $level, from: *const $real, stride: usize) -> [Self; 4] {
+                // SAFETY: `level` proves the instructions; the rest is promised.
+                let [x, y, z, w] = unsafe { $load_quads(from, stride) };
+                [Self(x, level), Self(y, level), Self(z, level), Self(w, level)]
             }
             #[inline(always)]
-            fn store_quads([x, y, z, w]: [Self; 4], to: &mut [$real], stride: usize) -> Option<()> {
-                if to.len() < crate::lane::reach($lanes, stride, 4) {
-                    return None;
-                }
-                // SAFETY: the lanes prove the instructions; the last number written is in the slice.
-                unsafe { $store_quads([x.0, y.0, z.0, w.0], to.as_mut_ptr(), stride) };
-                Some(())
+            unsafe fn store_quads([x, y, z, w]: [Self; 4], to: *mut $real, stride: usize) {
+                // SAFETY: the lanes prove the instructions; the rest is promised.
+                unsafe { $store_quads([x.0, y.0, z.0, w.0], to, stride) }
             }
             #[inline(always)]
-            fn store_triples([x, y, z]: [Self; 3], to: &mut [$real]) -> Option<()> {
-                if to.len() < crate::lane::reach($lanes, 3, 3) {
-                    return None;
-                }
-                // SAFETY: the lanes prove the instructions; the last number written is in the slice.
-                unsafe { $store_triples([x.0, y.0, z.0], to.as_mut_ptr()) };
-                Some(())
+            unsafe fn store_triples([x, y, z]: [Self; 3], to: *mut $real) {
+                // SAFETY: the lanes prove the instructions; the rest is promised.
+                unsafe { $store_triples([x.0, y.0, z.0], to) }
             }
             #[inline(always)]
             fn mul_add(self, factor: Self, addend: Self) -> Self {
