@@ -34,10 +34,10 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
 /// The same for `dq8-simd`. `float`, `lane`, `level` and their like name each other: a lane
 /// belongs to a level, and a number has lanes.
 const SIMD_MAY_IMPORT: &[(&str, &[&str])] = &[
-    ("float", &["lane", "level", "octet"]),
+    ("float", &["lane", "level", "packed"]),
     ("lane", &["float", "level"]),
-    ("level", &["lane", "octet"]),
-    ("octet", &["lane"]),
+    ("level", &["lane", "packed"]),
+    ("packed", &["lane"]),
     ("block", &["lane", "level"]),
     ("portable", &["float", "lane", "level"]),
     ("square_root", &[]),
@@ -45,7 +45,7 @@ const SIMD_MAY_IMPORT: &[(&str, &[&str])] = &[
     ("one", &["float", "lane", "level", "portable", "square_root"]),
     ("pair", &["float", "lane", "level"]),
     ("detect", &[]),
-    ("x86_64", &["float", "lane", "level", "octet", "pair", "detect"]),
+    ("x86_64", &["float", "lane", "level", "packed", "pair", "detect"]),
 ];
 
 /// Files of `batch` without a twin in `scalar`: the scalar reference has these from the standard

@@ -1,8 +1,8 @@
 //! [`Block`]: structure-of-arrays memory, one row of numbers a component.
 
-use crate::lane::{Lanes, Native, Row};
-use crate::level::Level;
+use crate::lanes::{Float, Lanes, Level};
 use bytemuck::{Pod, Zeroable};
+use core::fmt::Debug;
 
 /// `C` components of [`Row::LANES`] things: row `c` holds component `c` of all of them.
 ///
@@ -144,4 +144,43 @@ impl<A: Row, const C: usize> Block<A, C> {
             component.store(row);
         }
     }
+}
+
+/// A row of numbers in memory, `[f32; N]` or `[f64; N]`, and the lanes that read it.
+///
+/// Sealed: blocks rely on a row being plain numbers of at least sixteen bytes.
+pub trait Row: Pod + AsRef<[Self::Real]> + AsMut<[Self::Real]> + Debug + sealed::Sealed {
+    /// The number.
+    type Real: Float;
+    /// The lane type of `V` that holds one row.
+    type Lanes<V: Level>: Lanes<Real = Self::Real, Level = V, Array = Self>;
+    /// How many numbers.
+    const LANES: usize;
+}
+
+/// The lanes of one register that read a row, or a part of it.
+pub type Native<A, V> = <<A as Row>::Lanes<V> as Lanes>::Native;
+
+mod sealed {
+    pub trait Sealed {}
+}
+
+/// One line a row type; the six have nothing in common that a generic `impl` could name.
+macro_rules! rows {
+    ($($real:ty, $lanes:literal => $lane:ident;)*) => {$(
+        impl sealed::Sealed for [$real; $lanes] {}
+        impl Row for [$real; $lanes] {
+            type Real = $real;
+            type Lanes<V: Level> = V::$lane;
+            const LANES: usize = $lanes;
+        }
+    )*};
+}
+rows! {
+    f32, 4 => F32x4;
+    f32, 8 => F32x8;
+    f32, 16 => F32x16;
+    f64, 2 => F64x2;
+    f64, 4 => F64x4;
+    f64, 8 => F64x8;
 }

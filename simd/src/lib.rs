@@ -2,14 +2,13 @@
 //!
 //! | module | what it holds |
 //! |---|---|
-//! | [`lane`] | [`Lanes`] and [`Mask`]: what a kernel may ask of a vector of numbers |
-//! | [`float`] | [`Float`]: the number in a lane |
-//! | [`level`] | [`Level`]: the proof that the CPU can compute with a lane type |
+//! | [`lanes`] | [`Lanes`] and [`Mask`], what a kernel may ask of a vector of numbers; [`Float`], the number in a lane; [`Level`], the proof that the CPU can compute with it |
+//! | [`records`] | [`Records`]: transposes between vectors and records of numbers |
 //! | [`mod@portable`] | [`Portable`]: the lanes of the crate `wide`, with the instructions of the build target |
 //! | [`one`] | plain `f32` and `f64` as vectors of one lane |
 //! | [`square_root`] | the square root of one number, which `core` does not have |
 //! | `checked_schedule` | `CheckedSchedule`: results that need earlier results (feature `alloc`) |
-//! | [`block`] | [`Block`]: structure-of-arrays memory, one row of numbers a component |
+//! | [`block`] | [`Block`]: structure-of-arrays memory, a row of numbers for each component |
 //!
 //! Kernels are written once, generic over [`Lanes`], and marked `#[inline(always)]`: a kernel that
 //! is not inlined into its [`Level::run`] pays a call for every instruction.
@@ -35,26 +34,22 @@ pub mod block;
 pub mod checked_schedule;
 #[cfg(target_arch = "x86_64")]
 mod detect;
-pub mod float;
-pub mod lane;
-pub mod level;
-pub mod octet;
+pub mod lanes;
 pub mod one;
 #[cfg(target_arch = "x86_64")]
 pub mod pair;
 pub mod portable;
+pub mod records;
 pub mod square_root;
 #[cfg(target_arch = "x86_64")]
 pub mod x86_64;
 
-pub use block::Block;
+pub use block::{Block, Native, Row};
 #[cfg(feature = "alloc")]
 pub use checked_schedule::CheckedSchedule;
-pub use float::Float;
-pub use lane::{Lanes, MAX_LANES, Mask, Native, Row};
-pub use level::Level;
-pub use octet::Octet;
+pub use lanes::{Float, Lanes, Level, MAX_LANES, Mask, PackedDualQuat};
 pub use portable::Portable;
+pub use records::Records;
 
 /// The portable lane types themselves.
 pub use wide::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};

@@ -1,7 +1,7 @@
 //! Plain `f32` and `f64` as vectors of one lane: the same kernels on targets without SIMD, and the
 //! smallest width that tests can compare.
 
-use crate::lane::{Lanes, Mask};
+use crate::lanes::{Lanes, Mask};
 use crate::portable::Portable;
 use crate::square_root;
 
@@ -47,25 +47,6 @@ macro_rules! one_lane {
             #[inline(always)]
             fn store(self, to: &mut [$real; 1]) {
                 to[0] = self;
-            }
-            #[inline(always)]
-            fn load_strided<const C: usize>(
-                _: Portable,
-                from: &[[$real; C]],
-                _: Option<usize>,
-                padding: &[$real; C],
-            ) -> [Self; C] {
-                *from.first().unwrap_or(padding)
-            }
-            #[inline(always)]
-            fn store_strided<const C: usize>(
-                components: [Self; C],
-                to: &mut [[$real; C]],
-                _: Option<usize>,
-            ) {
-                if let Some(record) = to.first_mut() {
-                    *record = components;
-                }
             }
             #[inline(always)]
             fn mul_add(self, factor: Self, addend: Self) -> Self {

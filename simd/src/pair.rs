@@ -1,7 +1,7 @@
 //! [`Pair`]: two vectors as one of twice the width, for levels whose registers are narrower.
 
-use crate::float::Float;
-use crate::lane::{Lanes, Mask};
+use crate::lanes::Float;
+use crate::lanes::{Lanes, Mask};
 use bytemuck::Pod;
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 

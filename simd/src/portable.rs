@@ -1,7 +1,6 @@
 //! [`Portable`]: the lanes of the crate [`wide`], with the instructions of the build target.
 
-use crate::lane::{Lanes, Mask};
-use crate::level::Level;
+use crate::lanes::{Lanes, Level, Mask, PackedDualQuat};
 use core::ops::{BitAnd, BitOr, Not};
 use wide::{Select, f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
 
@@ -190,3 +189,6 @@ impl<V: Not<Output = V>> Not for WideMask<V> {
         Self(!self.0)
     }
 }
+
+impl PackedDualQuat for f32x8 {}
+impl PackedDualQuat for f64x8 {}

@@ -1,6 +1,6 @@
 //! Every operation of every lane type against plain arithmetic, lane by lane.
 
-use dq8_simd::{Block, Float, Lanes, Level, Mask, Octet, Portable, Row};
+use dq8_simd::{Block, Float, Lanes, Level, Mask, PackedDualQuat, Portable, Records, Row};
 use dq8_simd::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
 
 /// Numbers that hurt, among ordinary ones.
@@ -162,43 +162,41 @@ fn records<L: Lanes, const C: usize>(level: L::Level) {
     }
 }
 
-/// Records `stride` numbers apart, in memory of any length.
-fn quads<L: Lanes>(level: L::Level) {
-    for stride in [1, 3, 4, 5, 11] {
-        for length in 0..=(L::LANES - 1) * stride + 6 {
-            let memory: Vec<_> = (0..length).map(|i| L::Real::from_f64(i as f64 + 1.0)).collect();
-            let columns = L::load_quads(level, &memory, stride);
+/// Every `stride`-th record, in memory of any length.
+fn strided<L: Lanes, const C: usize>(level: L::Level) {
+    let record = |i: usize| std::array::from_fn(|c| L::Real::from_f64((100 * i + c) as f64));
+    let padding = std::array::from_fn(|c| L::Real::from_f64(-1.0 - c as f64));
+    for stride in [1, 2, 5] {
+        for length in 0..=(L::LANES - 1) * stride + 2 {
+            let memory: Vec<[L::Real; C]> = (0..length).map(record).collect();
+            let columns = L::load_strided(level, &memory, Some(stride), &padding);
             for (c, column) in columns.into_iter().enumerate() {
-                let wanted = |i: usize| memory.get(i * stride + c).map_or(0.0, |&x| x.into());
-                let wanted: Vec<_> = (0..L::LANES).map(wanted).collect();
-                same("load_quads", &numbers(column), &wanted);
+                let wanted = |i: usize| memory.get(i * stride).unwrap_or(&padding)[c].into();
+                let wanted: Vec<f64> = (0..L::LANES).map(wanted).collect();
+                same("load_strided", &numbers(column), &wanted);
             }
-            let mut target = vec![L::Real::default(); length];
-            if stride == 3 {
-                L::store_triples([columns[0], columns[1], columns[2]], &mut target);
-            } else if stride > 3 {
-                L::store_quads(columns, &mut target, stride);
-            }
+            let mut target = vec![padding; length];
+            L::store_strided(columns, &mut target, Some(stride));
             for (i, (&number, &source)) in target.iter().zip(&memory).enumerate() {
-                let written = stride >= 3 && i / stride < L::LANES && i % stride < 4;
-                assert_eq!(number, if written { source } else { L::Real::default() }, "{i}");
+                let written = i % stride == 0 && i / stride < L::LANES;
+                assert_eq!(number, if written { source } else { padding }, "{i} of {length}");
             }
         }
     }
 }
 
-fn octets<L: Octet>(level: L::Level) {
-    let numbers_of = |octet: [f64; 8]| {
-        let octet = octet.map(L::Real::from_f64);
-        L::load_partial(level, &octet, L::Real::default())
+fn packed<L: PackedDualQuat>(level: L::Level) {
+    let numbers_of = |motion: [f64; 8]| {
+        let motion = motion.map(L::Real::from_f64);
+        L::load_partial(level, &motion, L::Real::default())
     };
-    let octet = numbers_of([1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0]);
-    let [x, y, z, w] = octet.columns();
+    let motion = numbers_of([1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0]);
+    let [x, y, z, w] = motion.columns();
     same("columns, x", &numbers(x), &[4.0, 3.0, -2.0, -1.0, 8.0, 7.0, -6.0, -5.0]);
     same("columns, y", &numbers(y), &[-3.0, 4.0, 1.0, -2.0, -7.0, 8.0, 5.0, -6.0]);
     same("columns, z", &numbers(z), &[2.0, -1.0, 4.0, -3.0, 6.0, -5.0, 8.0, -7.0]);
-    same("columns, w", &numbers(w), &numbers(octet));
-    same("raised", &numbers(octet.raised()), &[0.0, 0.0, 0.0, 0.0, 1.0, 2.0, 3.0, 4.0]);
+    same("columns, w", &numbers(w), &numbers(motion));
+    same("raised", &numbers(motion.raised()), &[0.0, 0.0, 0.0, 0.0, 1.0, 2.0, 3.0, 4.0]);
 }
 
 fn check<L: Lanes>(level: L::Level) {
@@ -210,7 +208,12 @@ fn check<L: Lanes>(level: L::Level) {
     records::<L, 7>(level);
     records::<L, 8>(level);
     records::<L, 12>(level);
-    quads::<L>(level);
+    strided::<L, 1>(level);
+    strided::<L, 3>(level);
+    strided::<L, 6>(level);
+    strided::<L, 7>(level);
+    strided::<L, 8>(level);
+    strided::<L, 16>(level);
 }
 
 fn check_level<V: Level>(level: V) {
@@ -229,8 +232,8 @@ fn check_level<V: Level>(level: V) {
         streams::<[f64; 8], V>(level);
         check::<V::Single>(level);
         check::<V::Double>(level);
-        octets::<V::F32x8>(level);
-        octets::<V::F64x8>(level);
+        packed::<V::F32x8>(level);
+        packed::<V::F64x8>(level);
     });
 }
 

@@ -1,7 +1,7 @@
 use super::{Dual, Quat};
 use crate::geometry::DualVector;
 use core::ops::{Add, Mul, Neg, Sub};
-use dq8_simd::{Block, Lanes, Level, Row};
+use dq8_simd::{Block, Lanes, Level, Records, Row};
 
 /// Dual quaternions σ = p + εq, one a lane: [`DualQuat`](crate::DualQuat) on lanes.
 ///

@@ -6,7 +6,7 @@ use super::run::Run;
 use crate::batch;
 use crate::dispatch::Kernel;
 use crate::storage::{Element, Layout, Register, Source, Tile, identity};
-use dq8_simd::{Lanes, Level, MAX_LANES};
+use dq8_simd::{Level, MAX_LANES, Records};
 
 pub(super) struct Backward<'r, 's, E: Element<8>> {
     pub(super) run: &'r Run<'r, E>,

@@ -148,7 +148,7 @@ fn scan<S: Segments>(mut segments: S) -> Packed<S> {
 }
 
 /// One motion in a register.
-type Packed<S> = <<<S as Segments>::Lanes as Lanes>::Real as Float>::Octet<
+type Packed<S> = <<<S as Segments>::Lanes as Lanes>::Real as Float>::Packed<
     <<S as Segments>::Lanes as Lanes>::Level,
 >;
 
@@ -195,7 +195,7 @@ struct Strided<'s, V, R> {
 }
 
 impl<R: Scalar, V: Level> Segments for Strided<'_, V, R> {
-    type Lanes = R::Octet<V>;
+    type Lanes = R::Packed<V>;
     #[inline(always)]
     fn level(&self) -> V {
         self.level

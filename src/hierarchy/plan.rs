@@ -225,6 +225,6 @@ impl<R: Scalar> Kernel for Walk<'_, '_, R> {
 #[inline(always)]
 fn step<R: Scalar, V: Level>(level: V, parent: &[R; 8], local: &[R; 8]) -> [R; 8] {
     let mut model = [R::ZERO; 8];
-    packed_product(R::Octet::<V>::load(level, parent), local).store(&mut model);
+    packed_product(R::Packed::<V>::load(level, parent), local).store(&mut model);
     model
 }

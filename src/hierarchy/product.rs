@@ -1,7 +1,7 @@
 //! The product of two motions where there is nothing else to compute meanwhile: one register holds a whole
 //! motion. And the same product in lanes, to the last bit.
 
-use dq8_simd::{Lanes, Level, Octet};
+use dq8_simd::{Lanes, Level, PackedDualQuat};
 
 /// left · right, of which the left factor comes whole and the right one number by number from memory.
 ///
@@ -12,7 +12,7 @@ use dq8_simd::{Lanes, Level, Octet};
 /// multiply-adds, which are three instructions less (by a sixth), the left factor number by number (by
 /// a sixth), and joints of one level in the lanes, gathered and scattered (by a twentieth).
 #[inline(always)]
-pub(super) fn packed_product<L: Octet>(left: L, right: &[L::Real; 8]) -> L {
+pub(super) fn packed_product<L: PackedDualQuat>(left: L, right: &[L::Real; 8]) -> L {
     let level = left.level();
     let [x, y, z, w] = left.columns();
     let [px, py, pz, pw, qx, qy, qz, qw] = level.locate(right);

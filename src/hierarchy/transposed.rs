@@ -286,7 +286,7 @@ fn walk<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
 #[inline(always)]
 fn product<R: Scalar, V: Level>(level: V, parent: &[R; 8], local: &[R; 8]) -> [R; 8] {
     let mut model = [R::ZERO; 8];
-    packed_product(R::Octet::<V>::load(level, parent), local).store(&mut model);
+    packed_product(R::Packed::<V>::load(level, parent), local).store(&mut model);
     model
 }
 

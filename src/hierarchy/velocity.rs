@@ -6,7 +6,7 @@ use crate::dispatch::Kernel;
 use crate::geometry::Twist;
 use crate::shape::{ShapeError, joints_within, same_length, whole_instances};
 use crate::storage::{Element, Layout, Number, Register, Tile, aos, identity};
-use dq8_simd::{Lanes, Level, MAX_LANES};
+use dq8_simd::{Level, MAX_LANES, Records};
 
 impl<E: Element<8>> Job<'_, E> {
     /// Spatial twists of all joints from the rates of the joints:

@@ -6,7 +6,7 @@ use crate::dispatch::{Backend, Kernel};
 use crate::real::Real;
 use crate::scalar::DualQuat;
 use crate::shape::ShapeError;
-use dq8_simd::{Float, Lanes, Level, Portable};
+use dq8_simd::{Float, Lanes, Level, Portable, Records};
 
 impl<R, const N: usize> Arm<R, N>
 where

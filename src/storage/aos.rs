@@ -3,7 +3,7 @@ use crate::geometry::Twist;
 use crate::real::Scalar;
 use crate::scalar::{DualQuat, Quat};
 use core::marker::PhantomData;
-use dq8_simd::{Float, Lanes, Level, MAX_LANES};
+use dq8_simd::{Float, Lanes, Level, MAX_LANES, Records};
 
 /// Array of structures: one thing after the other. They are transposed in registers on the way in, and
 /// back on the way out.

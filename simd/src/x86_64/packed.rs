@@ -2,13 +2,13 @@
 
 use super::avx2;
 use super::avx512;
-use crate::lane::Lanes;
-use crate::octet::Octet;
+use crate::lanes::Lanes;
+use crate::lanes::PackedDualQuat;
 use crate::pair::Pair;
 use core::arch::asm;
 use core::arch::x86_64::*;
 
-/// Where the columns of [`Octet::columns`] change the sign.
+/// Where the columns of [`PackedDualQuat::columns`] change the sign.
 const SIGNS: [[f64; 4]; 3] =
     [[0.0, 0.0, -0.0, -0.0], [-0.0, 0.0, 0.0, -0.0], [0.0, -0.0, 0.0, -0.0]];
 
@@ -66,9 +66,9 @@ fn picked_columns(v: __m256) -> [__m256; 4] {
 }
 
 /// A register that holds all eight.
-macro_rules! octet {
+macro_rules! packed {
     ($($name:ty, |$v:ident| $columns:expr, $raised:expr;)*) => {$(
-        impl Octet for $name {
+        impl PackedDualQuat for $name {
             #[inline(always)]
             fn columns(self) -> [Self; 4] {
                 let (level, $v) = (self.level(), self.0);
@@ -85,7 +85,7 @@ macro_rules! octet {
         }
     )*};
 }
-octet! {
+packed! {
     avx2::F32x8,
         |v| columns!(v, const { signs_f32::<8>() }, _mm256_permute_ps, _mm256_xor_ps, _mm256_loadu_ps),
         _mm256_permute2f128_ps::<0x08>(v, v);
@@ -97,7 +97,7 @@ octet! {
         _mm512_maskz_shuffle_f64x2::<0b01_00_01_00>(0xf0, v, v);
 }
 
-impl Octet for Pair<avx2::F64x4> {
+impl PackedDualQuat for Pair<avx2::F64x4> {
     #[inline(always)]
     fn columns(self) -> [Self; 4] {
         let level = self.level();

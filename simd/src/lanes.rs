@@ -1,7 +1,7 @@
-//! [`Lanes`]: what a kernel may ask of a vector of numbers.
+//! Numbers, vectors of them, and instruction sets: [`Float`], [`Lanes`] and [`Mask`], [`Level`],
+//! [`PackedDualQuat`]. They name each other: a number has vectors, a vector belongs to an instruction set,
+//! and an instruction set has vectors of each number.
 
-use crate::float::Float;
-use crate::level::Level;
 use bytemuck::{Pod, Zeroable};
 use core::fmt::Debug;
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
@@ -92,90 +92,6 @@ pub trait Lanes:
         array
     }
 
-    /// Transposes on the way in: record `i` of `from` becomes lane `i` of `C` vectors.
-    /// Lanes without a record take `padding`.
-    #[inline(always)]
-    fn load_records<const C: usize>(
-        level: Self::Level,
-        from: &[[Self::Real; C]],
-        padding: [Self::Real; C],
-    ) -> [Self; C] {
-        Self::load_strided(level, from, None, &padding)
-    }
-    /// Transposes on the way out: lane `i` of `C` vectors becomes record `i` of `to`.
-    /// Records beyond `LANES` are left as they were.
-    #[inline(always)]
-    fn store_records<const C: usize>(components: [Self; C], to: &mut [[Self::Real; C]]) {
-        Self::store_strided(components, to, None);
-    }
-    /// [`load_records`](Self::load_records) of every `stride`-th record; `None` is 1, which the compiler
-    /// can see.
-    #[inline(always)]
-    fn load_strided<const C: usize>(
-        level: Self::Level,
-        from: &[[Self::Real; C]],
-        stride: Option<usize>,
-        padding: &[Self::Real; C],
-    ) -> [Self; C] {
-        let mut components = [Self::splat(level, Self::Real::default()); C];
-        let flat = from.as_flattened();
-        let apart = C.saturating_mul(stride.unwrap_or(1));
-        // Four numbers are read of a record of three.
-        if C < 3 || flat.len() < reach(Self::LANES, apart, C.max(4)) {
-            let rows = load_each::<Self, C>(from, stride.unwrap_or(1), padding);
-            for (component, row) in components.iter_mut().zip(&rows) {
-                *component = Self::load(level, row);
-            }
-            return components;
-        }
-        // Four components at a time; the last four begin earlier where C is no multiple of four.
-        let mut first = 0;
-        loop {
-            // SAFETY: record `LANES − 1` begins `(LANES − 1) · apart` numbers from the start, and four
-            // numbers from `first` on are part of it, or, of three, are there: checked above.
-            let quad = unsafe { Self::load_quads(level, flat.as_ptr().add(first), apart) };
-            for (component, loaded) in components.iter_mut().skip(first).zip(quad) {
-                *component = loaded;
-            }
-            if first + 4 >= C {
-                return components;
-            }
-            first = (first + 4).min(C - 4);
-        }
-    }
-    /// [`store_records`](Self::store_records) to every `stride`-th record; `None` is 1.
-    #[inline(always)]
-    fn store_strided<const C: usize>(
-        components: [Self; C],
-        to: &mut [[Self::Real; C]],
-        stride: Option<usize>,
-    ) {
-        let flat = to.as_flattened_mut();
-        let apart = C.saturating_mul(stride.unwrap_or(1));
-        let fits = flat.len() >= reach(Self::LANES, apart, C);
-        if let (&[x, y, z], true, 3) = (components.as_slice(), fits, apart) {
-            // SAFETY: checked above.
-            return unsafe { Self::store_triples([x, y, z], flat.as_mut_ptr()) };
-        }
-        if C < 4 || !fits {
-            let mut rows = [Self::Array::zeroed(); C];
-            for (row, component) in rows.iter_mut().zip(components) {
-                component.store(row);
-            }
-            return store_each::<Self, C>(&rows, to, stride.unwrap_or(1));
-        }
-        let mut first = 0;
-        while let Some(&[x, y, z, w]) = components.get(first..).and_then(|rest| rest.first_chunk())
-        {
-            // SAFETY: record `LANES − 1` begins `(LANES − 1) · apart` numbers from the start, and four
-            // numbers from `first` on are part of it: checked above.
-            unsafe { Self::store_quads([x, y, z, w], flat.as_mut_ptr().add(first), apart) };
-            if first + 4 >= C {
-                return;
-            }
-            first = (first + 4).min(C - 4);
-        }
-    }
     /// Transposes on the way in: lane `i` of four vectors is the four numbers at `from + i · stride`.
     ///
     /// # Safety
@@ -238,12 +154,6 @@ pub trait Lanes:
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
 }
 
-/// How many numbers `lanes` records of `count` reach over, `stride` apart.
-#[inline(always)]
-pub(crate) fn reach(lanes: usize, stride: usize, count: usize) -> usize {
-    stride.saturating_mul(lanes - 1).saturating_add(count)
-}
-
 /// Transposes on the way out one number at a time.
 ///
 /// # Safety
@@ -262,40 +172,6 @@ unsafe fn store_rows<L: Lanes, const C: usize>(
     }
 }
 
-/// [`Lanes::load_strided`] one number at a time: where the records end. Not inlined, and without
-/// vectors: the loop that calls it keeps its registers.
-#[cold]
-#[inline(never)]
-fn load_each<L: Lanes, const C: usize>(
-    from: &[[L::Real; C]],
-    stride: usize,
-    padding: &[L::Real; C],
-) -> [L::Array; C] {
-    let mut rows = [L::Array::zeroed(); C];
-    let mut records = from.iter().step_by(stride.max(1));
-    for lane in 0..L::LANES {
-        for (row, &value) in rows.iter_mut().zip(records.next().unwrap_or(padding)) {
-            row.as_mut()[lane] = value;
-        }
-    }
-    rows
-}
-
-/// [`Lanes::store_strided`] one number at a time: where the records end.
-#[cold]
-#[inline(never)]
-fn store_each<L: Lanes, const C: usize>(
-    rows: &[L::Array; C],
-    to: &mut [[L::Real; C]],
-    stride: usize,
-) {
-    for (lane, record) in to.iter_mut().step_by(stride.max(1)).take(L::LANES).enumerate() {
-        for (slot, row) in record.iter_mut().zip(rows) {
-            *slot = row.as_ref()[lane];
-        }
-    }
-}
-
 /// One truth value a lane.
 pub trait Mask:
     Copy + Debug + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self>
@@ -310,41 +186,142 @@ pub trait Mask:
     fn to_bitmask(self) -> u32;
 }
 
-/// A row of numbers in memory, `[f32; N]` or `[f64; N]`, and the lanes that read it.
+/// A set of instructions, held as a value that proves the CPU has them.
 ///
-/// Sealed: blocks rely on a row being plain numbers of at least sixteen bytes.
-pub trait Row: Pod + AsRef<[Self::Real]> + AsMut<[Self::Real]> + Debug + sealed::Sealed {
-    /// The number.
-    type Real: Float;
-    /// The lane type of `V` that holds one row.
-    type Lanes<V: Level>: Lanes<Real = Self::Real, Level = V, Array = Self>;
-    /// How many numbers.
-    const LANES: usize;
+/// [`Portable`](crate::Portable) is free to construct, because its lanes use what the build target
+/// already promises. A level whose instructions are found at run time has a private field, so that
+/// only detection can hand it out; whoever holds one of its lanes therefore holds the proof too.
+pub trait Level: Copy + Debug + Send + Sync + 'static {
+    /// Four lanes of `f32`.
+    type F32x4: Lanes<Real = f32, Level = Self, Array = [f32; 4]>;
+    /// Eight lanes of `f32`.
+    type F32x8: PackedDualQuat<Real = f32, Level = Self, Array = [f32; 8]>;
+    /// Sixteen lanes of `f32`.
+    type F32x16: Lanes<Real = f32, Level = Self, Array = [f32; 16]>;
+    /// Two lanes of `f64`.
+    type F64x2: Lanes<Real = f64, Level = Self, Array = [f64; 2]>;
+    /// Four lanes of `f64`.
+    type F64x4: Lanes<Real = f64, Level = Self, Array = [f64; 4]>;
+    /// Eight lanes of `f64`.
+    type F64x8: PackedDualQuat<Real = f64, Level = Self, Array = [f64; 8]>;
+
+    /// The `f32` lanes that fill a register.
+    type Single: Lanes<Real = f32, Level = Self>;
+    /// The `f64` lanes that fill a register.
+    type Double: Lanes<Real = f64, Level = Self>;
+
+    /// Waits until what was stored past the caches is where other instructions see it.
+    #[inline(always)]
+    fn fence(self) {}
+
+    /// Asks for the cache lines of `value`, which will be read or written soon. For what is read one after
+    /// the other over more memory than the first cache holds: the CPU guesses that too, but later.
+    #[inline(always)]
+    fn prefetch<T>(self, value: &T) {
+        let _ = value;
+    }
+
+    /// `value`, whose address is in a register of its own. For values of which single numbers are
+    /// multiplied into every lane: AVX-512 loads, multiplies and adds in one step from such an address,
+    /// and in two from a sum of registers, which a compiler would take to save an instruction.
+    #[inline(always)]
+    fn locate<T>(self, value: &T) -> &T {
+        value
+    }
+
+    /// Runs `kernel` compiled with the instructions of this level.
+    ///
+    /// Everything that `kernel` calls must be `#[inline(always)]`, or it is compiled without them.
+    fn run<R>(self, kernel: impl FnOnce() -> R) -> R;
 }
 
-/// The lanes of one register that read a row, or a part of it.
-pub type Native<A, V> = <<A as Row>::Lanes<V> as Lanes>::Native;
+/// `f32` or `f64`, as far as a kernel must tell them apart: to write constants and to find its lanes. Sealed.
+pub trait Float:
+    Pod
+    + PartialOrd
+    + Default
+    + Debug
+    + From<f32>
+    + Into<f64>
+    + core::ops::Neg<Output = Self>
+    + sealed::Sealed
+{
+    /// Whether this is `f32`.
+    const SINGLE: bool;
+    /// The lanes of this number that fill a register of `V`.
+    type Lanes<V: Level>: Lanes<Real = Self, Level = V>;
+    /// The lanes that hold one record of eight of this number.
+    type Packed<V: Level>: PackedDualQuat<Real = Self, Level = V, Array = [Self; 8]>;
+    /// The nearest number of this type.
+    fn from_f64(value: f64) -> Self;
+}
+
+impl Float for f32 {
+    const SINGLE: bool = true;
+    type Lanes<V: Level> = V::Single;
+    type Packed<V: Level> = V::F32x8;
+    #[inline(always)]
+    #[allow(clippy::cast_possible_truncation, reason = "rounding is the purpose")]
+    fn from_f64(value: f64) -> Self {
+        value as f32
+    }
+}
+
+impl Float for f64 {
+    const SINGLE: bool = false;
+    type Lanes<V: Level> = V::Double;
+    type Packed<V: Level> = V::F64x8;
+    #[inline(always)]
+    fn from_f64(value: f64) -> Self {
+        value
+    }
+}
 
 mod sealed {
     pub trait Sealed {}
+    impl Sealed for f32 {}
+    impl Sealed for f64 {}
 }
 
-/// One line a row type; the six have nothing in common that a generic `impl` could name.
-macro_rules! rows {
-    ($($real:ty, $lanes:literal => $lane:ident;)*) => {$(
-        impl sealed::Sealed for [$real; $lanes] {}
-        impl Row for [$real; $lanes] {
-            type Real = $real;
-            type Lanes<V: Level> = V::$lane;
-            const LANES: usize = $lanes;
+/// Eight lanes `[px, py, pz, pw, qx, qy, qz, qw]`: one dual quaternion p + εq, as it lies in memory.
+///
+/// Products of such vectors serve where there is only one thing to compute at a time: a child waits
+/// for its parent. Two rearrangements are all that they need beside [`Lanes`].
+pub trait PackedDualQuat: Lanes {
+    /// What the components x, y, z and w of another quaternion multiply, in both halves: with these
+    /// four columns, p·b = c₀b_x + c₁b_y + c₂b_z + c₃b_w.
+    ///
+    /// ```text
+    /// c₀ = (pw, pz, −py, −px)   c₁ = (−pz, pw, px, −py)   c₂ = (py, −px, pw, −pz)   c₃ = p
+    /// ```
+    #[inline(always)]
+    #[must_use]
+    fn columns(self) -> [Self; 4] {
+        let level = self.level();
+        let from = self.to_array();
+        let mut columns = [Self::Array::zeroed(); 3];
+        for (half, p) in from.as_ref().chunks_exact(4).enumerate() {
+            let &[x, y, z, w] = p else { break };
+            let rows = [[w, z, -y, -x], [-z, w, x, -y], [y, -x, w, -z]];
+            for (column, row) in columns.iter_mut().zip(rows) {
+                for (slot, value) in column.as_mut().iter_mut().skip(4 * half).zip(row) {
+                    *slot = value;
+                }
+            }
         }
-    )*};
-}
-rows! {
-    f32, 4 => F32x4;
-    f32, 8 => F32x8;
-    f32, 16 => F32x16;
-    f64, 2 => F64x2;
-    f64, 4 => F64x4;
-    f64, 8 => F64x8;
+        let [x, y, z] = &columns;
+        [Self::load(level, x), Self::load(level, y), Self::load(level, z), self]
+    }
+
+    /// εσ: the lower half in the upper one, and zero below, for ε² = 0.
+    #[inline(always)]
+    #[must_use]
+    fn raised(self) -> Self {
+        let mut raised = Self::Array::zeroed();
+        let half = self.to_array();
+        for (slot, &value) in raised.as_mut().iter_mut().skip(4).zip(half.as_ref()) {
+            *slot = value;
+        }
+        Self::load(self.level(), &raised)
+    }
 }

@@ -1,0 +1,141 @@
+//! [`Records`]: between vectors of components and records of numbers in memory.
+
+use crate::lanes::Lanes;
+use bytemuck::Zeroable;
+
+/// Transposes between `C` vectors and records of `C` numbers: component `c` of record `i` is lane `i` of
+/// vector `c`.
+pub trait Records: Lanes {
+    /// Transposes on the way in: record `i` of `from` becomes lane `i` of `C` vectors.
+    /// Lanes without a record take `padding`.
+    #[inline(always)]
+    fn load_records<const C: usize>(
+        level: Self::Level,
+        from: &[[Self::Real; C]],
+        padding: [Self::Real; C],
+    ) -> [Self; C] {
+        Self::load_strided(level, from, None, &padding)
+    }
+    /// Transposes on the way out: lane `i` of `C` vectors becomes record `i` of `to`.
+    /// Records beyond `LANES` are left as they were.
+    #[inline(always)]
+    fn store_records<const C: usize>(components: [Self; C], to: &mut [[Self::Real; C]]) {
+        Self::store_strided(components, to, None);
+    }
+    /// [`load_records`](Self::load_records) of every `stride`-th record; `None` is 1, which the compiler
+    /// can see.
+    #[inline(always)]
+    fn load_strided<const C: usize>(
+        level: Self::Level,
+        from: &[[Self::Real; C]],
+        stride: Option<usize>,
+        padding: &[Self::Real; C],
+    ) -> [Self; C] {
+        let mut components = [Self::splat(level, Self::Real::default()); C];
+        if Self::LANES == 1 {
+            for (component, &number) in components.iter_mut().zip(from.first().unwrap_or(padding)) {
+                *component = Self::splat(level, number);
+            }
+            return components;
+        }
+        let flat = from.as_flattened();
+        let apart = C.saturating_mul(stride.unwrap_or(1));
+        // Four numbers are read of a record of three.
+        if C < 3 || flat.len() < reach(Self::LANES, apart, C.max(4)) {
+            let rows = load_each::<Self, C>(from, stride.unwrap_or(1), padding);
+            for (component, row) in components.iter_mut().zip(&rows) {
+                *component = Self::load(level, row);
+            }
+            return components;
+        }
+        // Four components at a time; the last four begin earlier where C is no multiple of four.
+        let mut first = 0;
+        loop {
+            // SAFETY: record `LANES − 1` begins `(LANES − 1) · apart` numbers from the start, and four
+            // numbers from `first` on are part of it, or, of three, are there: checked above.
+            let quad = unsafe { Self::load_quads(level, flat.as_ptr().add(first), apart) };
+            for (component, loaded) in components.iter_mut().skip(first).zip(quad) {
+                *component = loaded;
+            }
+            if first + 4 >= C {
+                return components;
+            }
+            first = (first + 4).min(C - 4);
+        }
+    }
+    /// [`store_records`](Self::store_records) to every `stride`-th record; `None` is 1.
+    #[inline(always)]
+    fn store_strided<const C: usize>(
+        components: [Self; C],
+        to: &mut [[Self::Real; C]],
+        stride: Option<usize>,
+    ) {
+        let flat = to.as_flattened_mut();
+        let apart = C.saturating_mul(stride.unwrap_or(1));
+        let fits = flat.len() >= reach(Self::LANES, apart, C);
+        if let (&[x, y, z], true, 3) = (components.as_slice(), fits, apart) {
+            // SAFETY: checked above.
+            return unsafe { Self::store_triples([x, y, z], flat.as_mut_ptr()) };
+        }
+        if C < 4 || !fits {
+            let mut rows = [Self::Array::zeroed(); C];
+            for (row, component) in rows.iter_mut().zip(components) {
+                component.store(row);
+            }
+            return store_each::<Self, C>(&rows, to, stride.unwrap_or(1));
+        }
+        let mut first = 0;
+        while let Some(&[x, y, z, w]) = components.get(first..).and_then(|rest| rest.first_chunk())
+        {
+            // SAFETY: record `LANES − 1` begins `(LANES − 1) · apart` numbers from the start, and four
+            // numbers from `first` on are part of it: checked above.
+            unsafe { Self::store_quads([x, y, z, w], flat.as_mut_ptr().add(first), apart) };
+            if first + 4 >= C {
+                return;
+            }
+            first = (first + 4).min(C - 4);
+        }
+    }
+}
+
+impl<L: Lanes> Records for L {}
+
+/// How many numbers `lanes` records of `count` reach over, `stride` apart.
+#[inline(always)]
+fn reach(lanes: usize, stride: usize, count: usize) -> usize {
+    stride.saturating_mul(lanes - 1).saturating_add(count)
+}
+
+/// [`Records::load_strided`] one number at a time: where the records end. Not inlined, and without
+/// vectors: the loop that calls it keeps its registers.
+#[cold]
+#[inline(never)]
+fn load_each<L: Lanes, const C: usize>(
+    from: &[[L::Real; C]],
+    stride: usize,
+    padding: &[L::Real; C],
+) -> [L::Array; C] {
+    let mut rows = [L::Array::zeroed(); C];
+    let mut records = from.iter().step_by(stride.max(1));
+    for lane in 0..L::LANES {
+        for (row, &value) in rows.iter_mut().zip(records.next().unwrap_or(padding)) {
+            row.as_mut()[lane] = value;
+        }
+    }
+    rows
+}
+
+/// [`Records::store_strided`] one number at a time: where the records end.
+#[cold]
+#[inline(never)]
+fn store_each<L: Lanes, const C: usize>(
+    rows: &[L::Array; C],
+    to: &mut [[L::Real; C]],
+    stride: usize,
+) {
+    for (lane, record) in to.iter_mut().step_by(stride.max(1)).take(L::LANES).enumerate() {
+        for (slot, row) in record.iter_mut().zip(rows) {
+            *slot = row.as_ref()[lane];
+        }
+    }
+}
