@@ -131,7 +131,7 @@ const fn degrees_of_freedom(links: &[Link]) -> usize {
 }
 
 /// Four whole cycles of the walk at 60 Hz.
-pub(crate) fn clip() -> Clip {
+pub fn clip() -> Clip {
     const FRAMES: usize = 256;
     let walk = Walk { period: 64.0 / 60.0 };
     let frame_time = 1.0 / 60.0;

@@ -10,7 +10,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
-hosts=() packages=(dq8 dq8-simd)
+hosts=() packages=(dq8 dq8-simd mocap dq8-contest dq8-compare)
 for argument; do
   case $argument in
     --quick) packages=(dq8-simd) ;;
