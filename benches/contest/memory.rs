@@ -10,16 +10,39 @@ pub use self::glam::QuatVec3A;
 pub use self::own::{Own, double, single};
 pub use self::rows::Rows3x4;
 
+use ::glam::{Affine3A, Mat4};
+use ::nalgebra::{Isometry3, UnitDualQuaternion};
+use ::ultraviolet::{Isometry3x8, Mat4x8};
 use dq8::DualQuat;
-use std::ops::Mul;
+use simba::simd::WideF32x8;
 
 /// Three rows of [R | t], in which every representation can be compared.
 pub type Rows = [[f64; 4]; 3];
 
-/// Motions that can be multiplied, one or as many as lanes. The right factor acts first.
-pub trait Product: Copy + Mul<Output = Self> {}
+/// Motions that can be multiplied, one or as many as lanes.
+pub trait Product: Copy {
+    /// `self` · `first`: `first` acts first.
+    fn product(&self, first: &Self) -> Self;
+}
 
-impl<M: Copy + Mul<Output = M>> Product for M {}
+/// `product!(|a, first| expression; types)`. A macro because references to some types have no `Mul`,
+/// and by value nalgebra's dual quaternions take half as long again down a hierarchy.
+macro_rules! product {
+    (|$a:ident, $first:ident| $product:expr; $($M:ty),* $(,)?) => {$(
+        impl Product for $M {
+            #[inline(always)]
+            fn product(&self, first: &Self) -> Self {
+                let ($a, $first) = (self, first);
+                $product
+            }
+        }
+    )*};
+}
+product!(|a, first| *a * *first; DualQuat<f32>, Affine3A, Mat4, Isometry3x8, Mat4x8);
+product!(
+    |a, first| a * first;
+    Isometry3<f32>, Isometry3<WideF32x8>, UnitDualQuaternion<f32>, UnitDualQuaternion<WideF32x8>,
+);
 
 /// One rigid motion.
 pub trait Representation: Product + 'static {

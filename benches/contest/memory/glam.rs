@@ -1,7 +1,6 @@
-use super::{Element, Packed, Representation, Rows};
+use super::{Element, Packed, Product, Representation, Rows};
 use dq8::DualQuat;
 use glam::{Affine3A, Mat4, Quat, Vec3, Vec3A};
-use std::ops::Mul;
 
 impl Representation for Affine3A {
     fn from_motion(motion: &DualQuat<f32>) -> Self {
@@ -31,11 +30,9 @@ pub struct QuatVec3A {
     pub translation: Vec3A,
 }
 
-impl Mul for QuatVec3A {
-    type Output = Self;
-
+impl Product for QuatVec3A {
     #[inline(always)]
-    fn mul(self, first: Self) -> Self {
+    fn product(&self, first: &Self) -> Self {
         Self {
             rotation: self.rotation * first.rotation,
             translation: self.translation + self.rotation * first.translation,

@@ -1,19 +1,16 @@
 //! Matrices as plain rows, which need no crate. In `f64` they are what all contenders are checked
 //! against: another algebra than that of dual quaternions.
 
-use super::{Representation, Rows};
+use super::{Product, Representation, Rows};
 use dq8::{DualQuat, Real};
-use std::ops::Mul;
 
 /// [R | t], rows.
 #[derive(Clone, Copy)]
 pub struct Rows3x4<T>(pub [[T; 4]; 3]);
 
-impl<T: Real> Mul for Rows3x4<T> {
-    type Output = Self;
-
+impl<T: Real> Product for Rows3x4<T> {
     #[inline(always)]
-    fn mul(self, first: Self) -> Self {
+    fn product(&self, first: &Self) -> Self {
         Self(self.0.map(|row| {
             let mut sum = combination(&row, &first.0);
             sum[3] += row[3];

@@ -117,7 +117,7 @@ macro_rules! lanes {
 fn product<'a>(pairs: &'a Pairs, contest: &mut Contest<'a>) {
     // By plain matrices: another algebra.
     let matrix = |motion: DualQuat<f64>| Rows3x4(motion.to_matrix3x4());
-    contest.expected = pairs.expected(|a, b| matrix(a) * matrix(b));
+    contest.expected = pairs.expected(|a, b| matrix(a).product(&matrix(b)));
     contest.limits.extend(Backend::available().map(Limit::multiply_add));
     contest.limited = Some(Limited::MultiplyAdds(48.0));
     fn peer<'a, M: Product + Packed<Motion>>(
@@ -125,7 +125,7 @@ fn product<'a>(pairs: &'a Pairs, contest: &mut Contest<'a>) {
         contest: &mut Contest<'a>,
         name: &str,
     ) {
-        pairs.each(contest, name, |&a: &M, &b: &M| a * b);
+        pairs.each(contest, name, |a: &M, b: &M| a.product(b));
     }
     own!(pairs, contest, |backend, a, b, output| backend.mul(a, b, output));
     peer::<Motion>(pairs, contest, "dq8 scalar");

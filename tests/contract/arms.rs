@@ -1,8 +1,8 @@
 //! Arms to test with, the same numbers in every run, and what nalgebra says of them.
 
+pub use crate::random::Random;
 use dq8::ik::{Arm, Joint};
 use dq8::{DualQuat, Quat, Real};
-pub(crate) use dq8_contract::random::Random;
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 use std::f64::consts::PI;
 
@@ -11,21 +11,21 @@ const Y: [f64; 3] = [0.0, 1.0, 0.0];
 const Z: [f64; 3] = [0.0, 0.0, 1.0];
 
 /// A joint as its axis, a point on it, its limits, and the length it slides by radian.
-#[derive(Clone, Copy)]
-pub(crate) struct Axis {
-    pub(crate) direction: [f64; 3],
-    pub(crate) through: [f64; 3],
-    pub(crate) limits: [f64; 2],
+#[derive(Clone, Copy, Debug)]
+pub struct Axis {
+    pub direction: [f64; 3],
+    pub through: [f64; 3],
+    pub limits: [f64; 2],
     /// `None` for a slide.
-    pub(crate) pitch: Option<f64>,
+    pub pitch: Option<f64>,
 }
 
 /// What an arm is made of.
-#[derive(Clone, Copy)]
-pub(crate) struct Plan<const N: usize> {
-    pub(crate) axes: [Axis; N],
+#[derive(Clone, Copy, Debug)]
+pub struct Plan<const N: usize> {
+    pub axes: [Axis; N],
     /// Axis and angle, and translation.
-    pub(crate) home: ([f64; 3], f64, [f64; 3]),
+    pub home: ([f64; 3], f64, [f64; 3]),
 }
 
 fn hinge(direction: [f64; 3], through: [f64; 3], limits: [f64; 2]) -> Axis {
@@ -37,7 +37,7 @@ fn down([x, y, z]: [f64; 3]) -> [f64; 3] {
 }
 
 /// A UR5: three parallel axes after the first, stretched at zero; every joint turns all around.
-pub(crate) fn ur5() -> Plan<6> {
+pub fn ur5() -> Plan<6> {
     let turn = |direction, through| hinge(direction, through, [-PI, PI]);
     let axes = [
         turn(Z, [0.0; 3]),
@@ -51,7 +51,7 @@ pub(crate) fn ur5() -> Plan<6> {
 }
 
 /// A PUMA 560: a shoulder, an elbow and a wrist of three crossing axes, with the limits of its makers.
-pub(crate) fn puma() -> Plan<6> {
+pub fn puma() -> Plan<6> {
     let turn = |direction, through, limits: [f64; 2]| {
         hinge(direction, through, limits.map(f64::to_radians))
     };
@@ -67,7 +67,7 @@ pub(crate) fn puma() -> Plan<6> {
 }
 
 /// Eight joints: a UR5 on a screw of pitch 0.05 on a slide.
-pub(crate) fn gantry() -> Plan<8> {
+pub fn gantry() -> Plan<8> {
     let slide = Axis { direction: X, through: [0.0; 3], limits: [-0.5, 0.7], pitch: None };
     let screw =
         Axis { direction: Z, through: [0.1, 0.2, 0.0], limits: [-2.0, 3.0], pitch: Some(0.05) };
@@ -76,7 +76,7 @@ pub(crate) fn gantry() -> Plan<8> {
 }
 
 impl<const N: usize> Plan<N> {
-    pub(crate) fn arm<R: Real>(&self) -> Arm<R, N> {
+    pub fn arm<R: Real>(&self) -> Arm<R, N> {
         let real = |vector: [f64; 3]| vector.map(R::from_f64);
         let joints = self.axes.map(|axis| {
             let limits = axis.limits.map(R::from_f64);
@@ -96,7 +96,7 @@ impl<const N: usize> Plan<N> {
     }
 
     /// Where the end is, by nalgebra.
-    pub(crate) fn isometry(&self, values: &[f64; N]) -> Isometry3<f64> {
+    pub fn isometry(&self, values: &[f64; N]) -> Isometry3<f64> {
         let mut pose = Isometry3::identity();
         for (axis, &value) in self.axes.iter().zip(values) {
             let direction = Vector3::from(axis.direction);
@@ -118,7 +118,7 @@ impl<const N: usize> Plan<N> {
     }
 
     /// Values within the limits.
-    pub(crate) fn draw(&self, random: &mut Random) -> [f64; N] {
+    pub fn draw(&self, random: &mut Random) -> [f64; N] {
         self.axes.map(|axis| {
             let [low, high] = axis.limits;
             random.between(low, high)
@@ -126,17 +126,17 @@ impl<const N: usize> Plan<N> {
     }
 
     /// The turn and the distance between two sets of values.
-    pub(crate) fn apart(&self, a: &[f64; N], b: &[f64; N]) -> [f64; 2] {
+    pub fn apart(&self, a: &[f64; N], b: &[f64; N]) -> [f64; 2] {
         let (a, b) = (self.isometry(a), self.isometry(b));
         let distance = (a.translation.vector - b.translation.vector).norm();
         [a.rotation.angle_to(&b.rotation), distance]
     }
 }
 
-pub(crate) fn exact<R: Into<f64>, const N: usize>(values: [R; N]) -> [f64; N] {
+pub fn exact<R: Into<f64>, const N: usize>(values: [R; N]) -> [f64; N] {
     values.map(Into::into)
 }
 
-pub(crate) fn rounded<R: Real, const N: usize>(values: [f64; N]) -> [R; N] {
+pub fn rounded<R: Real, const N: usize>(values: [f64; N]) -> [R; N] {
     values.map(R::from_f64)
 }
