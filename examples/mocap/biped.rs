@@ -1,5 +1,5 @@
 //! The biped of Kenwright §10.2: 16 links with 36 degrees of freedom. He names the two numbers and
-//! shows a figure; lengths, axes and the walk ([`walk`]) are invented here, after a person of
+//! shows a figure; lengths, axes and the walk (`walk`) are invented here, after a person of
 //! 1.75 m. Metres, y is up, z is forward.
 
 #[cfg(test)]
