@@ -1,4 +1,4 @@
-//! [`Scene`]: skeletons and their poses.
+//! `Scene`: skeletons and their poses.
 
 use crate::memory::{Element, Many, Representation, Rows3x4};
 use crate::{skeleton, walk};
