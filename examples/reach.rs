@@ -9,13 +9,9 @@
 //! default options: 10⁻⁵ m, 10⁻⁵ rad, 29 iterations of which restarts are a part. Its last column is
 //! the worst error of those that were reached, found by nalgebra.
 
-#[path = "../tests/ik/arms.rs"]
-#[allow(dead_code, reason = "the tests ask more of them")]
-mod arms;
-
-use arms::{Plan, Random, exact, gantry, puma, rounded, ur5};
 use dq8::ik::{Arm, ArmError, Joint, Options, Outcome, Report, TwoBone};
 use dq8::{Backend, DualQuat, Float, Hierarchy, Quat, Real};
+use dq8_contract::arms::{Plan, Random, exact, gantry, puma, rounded, ur5};
 use std::error::Error;
 use std::time::Instant;
 

@@ -1,7 +1,7 @@
 //! Inverse kinematics: arms against other algebra, and limbs against their own geometry.
 
-#[path = "ik/arms.rs"]
-mod arms;
+use dq8_contract::arms;
+
 #[path = "ik/forward.rs"]
 mod forward;
 #[path = "ik/lanes.rs"]

@@ -5,61 +5,44 @@ use dq8::{
     pack_chain, unpack_chain,
 };
 use dq8_contract::kinematics;
+use dq8_contract::random::Random;
 use dq8_simd::{Float, Row};
+use mocap::biped;
 
 const ROOT: u32 = Hierarchy::ROOT;
-
-/// The biped of the example mocap, end sites included: pelvis, trunk and head, arms, legs.
-const BIPED: [u32; 21] = [ROOT, 0, 1, 2, 3, 2, 5, 6, 7, 2, 9, 10, 11, 0, 13, 14, 15, 0, 17, 18, 19];
-
-/// Numbers that look random, the same every time.
-struct Numbers(u64);
-
-impl Numbers {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963);
-        self.0 >> 33
-    }
-    /// From −1 to 1.
-    fn real(&mut self) -> f64 {
-        self.next() as f64 / f64::from(1_u32 << 30) - 1.0
-    }
-}
 
 fn chain(joints: u32) -> Vec<u32> {
     (0..joints).map(|joint| joint.wrapping_sub(1)).collect()
 }
 
 /// One joint in `roots` is a root, the others hang from one of the last `reach` joints.
-fn tree(numbers: &mut Numbers, joints: u32, roots: u64, reach: u32) -> Vec<u32> {
+fn tree(random: &mut Random, joints: u32, roots: u32, reach: u32) -> Vec<u32> {
+    let mut below = |limit: u32| random.between(0.0, limit.into()) as u32;
     let parent = |joint: u32| {
         let first = joint.saturating_sub(reach);
-        if joint == 0 || numbers.next().is_multiple_of(roots) {
-            return ROOT;
-        }
-        first + (numbers.next() % u64::from(joint - first)) as u32
+        if joint == 0 || below(roots) == 0 { ROOT } else { first + below(joint - first) }
     };
     (0..joints).map(parent).collect()
 }
 
 /// Trees, forests and chains of many sizes.
 fn hierarchies() -> Vec<Vec<u32>> {
-    let mut numbers = Numbers(7);
-    let mut all = vec![BIPED.to_vec(), vec![ROOT; 5]];
+    let mut random = Random(7);
+    let mut all = vec![biped::clip().parents(), vec![ROOT; 5]];
     all.extend([0, 1, 2, 3, 7, 8, 9, 23, 24, 25, 31, 64, 129, 1000].map(chain));
     for joints in [2, 5, 16, 17, 64, 200] {
         for (roots, reach) in [(1000, 1000), (1000, 3), (4, 1000), (9, 2)] {
-            all.push(tree(&mut numbers, joints, roots, reach));
+            all.push(tree(&mut random, joints, roots, reach));
         }
     }
     all
 }
 
-fn motions<R: Real>(numbers: &mut Numbers, count: usize) -> Vec<DualQuat<R>> {
+fn motions<R: Real>(random: &mut Random, count: usize) -> Vec<DualQuat<R>> {
     let mut motion = || {
-        let [x, y, z, w] = [(); 4].map(|()| R::from_f64(numbers.real()));
+        let [x, y, z, w] = [(); 4].map(|()| R::from_f64(random.signed()));
         let turn = Quat::from_xyzw(x, y, z, w + R::from_f64(0.01)).normalize();
-        let shift = [(); 3].map(|()| R::from_f64(numbers.real()));
+        let shift = [(); 3].map(|()| R::from_f64(random.signed()));
         DualQuat::from_rotation_translation(turn, shift)
     };
     (0..count).map(|_| motion()).collect()
@@ -105,11 +88,11 @@ fn bits<R: Real + Float>(motions: &[DualQuat<R>]) -> &[u8] {
 }
 
 fn a_plan_gives_the_models_of_the_scalar_loop<R: Real + Float>() {
-    let mut numbers = Numbers(1);
+    let mut random = Random(1);
     for parents in hierarchies() {
         for instances in 0..=3 {
             // Of no joints there are no instances.
-            let locals = motions::<R>(&mut numbers, instances * parents.len());
+            let locals = motions::<R>(&mut random, instances * parents.len());
             let exact = wanted(&parents, &locals);
             for (plan, backend) in
                 plans(&parents).iter().flat_map(|p| Backend::available().map(move |b| (p, b)))
@@ -141,17 +124,18 @@ fn long_chains_are_cut_and_nothing_else_is() {
         if Backend::best() == Backend::Portable { Strategy::Ordered } else { Strategy::Chain };
     assert_eq!(strategy(&chain(1000)), long);
     assert_eq!(strategy(&chain(5)), Strategy::Ordered);
-    assert_eq!(strategy(&BIPED), Strategy::Ordered);
+    let biped = biped::clip().parents();
+    assert_eq!(strategy(&biped), Strategy::Ordered);
     // One joint beside the chain, or two chains.
     assert_eq!(strategy(&[chain(999), vec![5]].concat()), Strategy::Ordered);
     assert_eq!(strategy(&[chain(999), vec![ROOT]].concat()), Strategy::Ordered);
-    let biped = Hierarchy::new(&BIPED).unwrap();
+    let biped = Hierarchy::new(&biped).unwrap();
     assert!(HierarchyPlan::with_strategy(&biped, Strategy::Chain).is_none());
 }
 
 #[test]
 fn slices_that_do_not_fit_a_plan_are_left_as_they_are() {
-    for parents in [BIPED.to_vec(), chain(40), vec![]] {
+    for parents in [biped::clip().parents(), chain(40), vec![]] {
         for plan in plans(&parents) {
             let joints = parents.len();
             let locals = vec![DualQuat::<f32>::IDENTITY; 2 * joints + 1];
@@ -183,9 +167,9 @@ fn products_of<P: Link + PartialEq + core::fmt::Debug>(backend: Backend, links: 
 }
 
 fn every_product<R: Real + Float>() {
-    let mut numbers = Numbers(3);
+    let mut random = Random(3);
     for length in (0..70).chain([127, 128, 129, 1000, 1023]) {
-        let links = motions::<R>(&mut numbers, length);
+        let links = motions::<R>(&mut random, length);
         let exact = wanted(&chain(length as u32), &links);
         for backend in Backend::available() {
             close(&products_of(backend, &links), &exact, &format!("{length} on {backend}"));
@@ -197,9 +181,9 @@ fn every_product_in_blocks<R: Real + Float, const N: usize>()
 where
     [R; N]: Row<Real = R>,
 {
-    let mut numbers = Numbers(4);
+    let mut random = Random(4);
     for length in (0..3 * N + 2).chain([127, 128, 1000]) {
-        let links = motions::<R>(&mut numbers, length);
+        let links = motions::<R>(&mut random, length);
         let exact = wanted(&chain(length as u32), &links);
         let mut blocks = vec![Block::<R, N>::splat([R::NAN; 8]); length.div_ceil(N)];
         pack_chain(&links, &mut blocks).unwrap();

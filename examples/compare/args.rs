@@ -1,6 +1,6 @@
 //! The command line.
 
-use crate::command::{Misuse, Request, set, value};
+use mocap::command::{Misuse, Request, set, value};
 use std::ffi::OsString;
 use std::path::PathBuf;
 
@@ -37,7 +37,7 @@ pub(crate) fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Request
 #[cfg(test)]
 mod tests {
     use super::{Args, parse};
-    use crate::command::{Misuse, Request};
+    use mocap::command::{Misuse, Request};
 
     fn words(line: &str) -> Result<Request<Args>, Misuse> {
         parse(line.split_whitespace().map(Into::into))

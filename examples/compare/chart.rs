@@ -136,6 +136,7 @@ mod tests {
             title: "product".into(),
             contender: contender.into(),
             backend: None,
+            profile: "release",
             min,
             median,
             limited: None,

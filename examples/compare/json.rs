@@ -1,7 +1,7 @@
 //! The results for other programs.
 
-use crate::limit::Kind;
 use crate::results::{Limits, Results};
+use dq8_contest::limit::Kind;
 use serde_json::{Map, Value, json};
 
 pub(crate) fn text(results: &Results) -> String {
@@ -13,6 +13,7 @@ pub(crate) fn text(results: &Results) -> String {
                 "job": row.job,
                 "size": row.size,
                 "contender": row.contender,
+                "profile": row.profile,
                 "min_ns": row.min,
                 "median_ns": row.median,
             });
@@ -44,9 +45,9 @@ fn limits(limits: &Limits) -> Value {
 #[cfg(test)]
 mod tests {
     use super::text;
-    use crate::limit::{Kind, Limited};
     use crate::results::{Results, Row};
     use dq8::Backend;
+    use dq8_contest::limit::{Kind, Limited};
 
     #[test]
     fn rows_and_limits_are_there() {
@@ -59,6 +60,7 @@ mod tests {
             title: "product".into(),
             contender: "dq8 \"AoS\"".into(),
             backend: Some(Backend::Avx2),
+            profile: "release",
             min: 1.5,
             median: 2.0,
             limited: Some(Limited::MultiplyAdds(48.0)),
@@ -68,7 +70,7 @@ mod tests {
         assert_eq!((&row["job"], &row["size"]), (&"J1".into(), &"L1".into()));
         assert_eq!(row["contender"], "dq8 \"AoS\"");
         assert_eq!((&row["min_ns"], &row["median_ns"]), (&1.5.into(), &2.0.into()));
-        assert_eq!(row["share"], 0.5);
+        assert_eq!((&row["share"], &row["profile"]), (&0.5.into(), &"release".into()));
         assert_eq!(value["limits"]["fma_gflops"]["AVX2"], 128.0);
     }
 }

@@ -14,40 +14,25 @@
 //! | J4 | points by one motion, or each by its own |
 //! | J5 | normalizing, linear blending, screw interpolation |
 //!
-//! A `task` makes the data of a `contest`, a `race` checks every contender against `f64` and times
-//! them in interleaved rounds; `memory` is how each of them holds motions and points. `table`, `json`
-//! and `chart` show the `results`. The least time over the rounds is what counts: whatever else a
+//! The package `dq8-contest` has the jobs, their data and the contenders; `plan` says which, a `race`
+//! checks every contender against `f64` and times them in interleaved rounds. `table`, `json` and
+//! `chart` show the `results`. The least time over the rounds is what counts: whatever else a
 //! machine does only adds to it.
 
 mod args;
-mod caches;
 mod chart;
-#[path = "../mocap/command.rs"]
-mod command;
-mod contest;
 mod json;
-mod limit;
-mod memory;
-#[path = "../mocap/output.rs"]
-mod output;
+mod plan;
+mod profile;
 mod progress;
 mod race;
-#[path = "../../benches/representation/mod.rs"]
-mod representation;
 mod results;
-#[path = "../../benches/rows/mod.rs"]
-mod rows;
-#[path = "../../benches/hierarchy/skeleton.rs"]
-mod skeleton;
 mod table;
-mod task;
-#[path = "../../benches/walk/mod.rs"]
-mod walk;
 
 use args::Args;
-use caches::Caches;
-use command::print;
-use output::Outputs;
+use dq8_contest::caches::Caches;
+use mocap::command::{self, print};
+use mocap::output::Outputs;
 use progress::Progress;
 use race::{Effort, race};
 use results::Results;
@@ -68,7 +53,7 @@ fn run(args: &Args) -> Result<(), Box<dyn Error>> {
     // Minutes before they are needed: a path that cannot be written is better known now.
     let outputs = Outputs::open(paths(), None)?;
     let caches = Caches::of_this_machine();
-    let tasks = task::plan(args.quick);
+    let tasks = plan::plan(args.quick);
     let effort = if args.quick { QUICK } else { WHOLE };
     let (mut results, mut progress) = (Results::default(), Progress::new(tasks.len()));
     for task in &tasks {

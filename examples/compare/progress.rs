@@ -1,6 +1,6 @@
 //! [`Progress`]: a line that says what is being measured.
 
-use crate::contest::Contest;
+use dq8_contest::contest::Contest;
 use std::io::{IsTerminal, Write, stderr};
 use std::time::{Duration, Instant};
 

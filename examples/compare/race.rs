@@ -1,9 +1,9 @@
 //! A contest is run: every contender is checked, then all are timed in turns.
 
-use crate::contest::{Checked, Contender, Contest, Run};
+use crate::profile::PROFILE;
 use crate::progress::Progress;
 use crate::results::{Results, Row};
-use std::fmt;
+use dq8_contest::contest::{Contest, Run, Wrong};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
@@ -18,21 +18,6 @@ pub(crate) struct Effort {
 
 /// A measurement must be long against the tick of the clock and interrupts.
 const SAMPLE: Duration = Duration::from_millis(1);
-
-/// More than this many results of one contender are not looked at: the data repeat anyway.
-const MAX_CHECKED: usize = 8192;
-
-/// A contender that does not do what it should.
-#[derive(Debug)]
-pub(crate) struct Wrong(String);
-
-impl fmt::Display for Wrong {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
-    }
-}
-
-impl std::error::Error for Wrong {}
 
 pub(crate) fn race(
     contest: &Contest<'_>,
@@ -58,7 +43,7 @@ pub(crate) fn race(
             progress.show(contest, round, &contender.name);
             let mut run = (contender.start)();
             if round == 0 {
-                check(contest, contender, &mut *run)?;
+                contest.check(contender, &mut *run)?;
             }
             deeper(round % 64, &mut || {
                 let samples = nanoseconds_a_pass(&mut *run);
@@ -74,6 +59,7 @@ pub(crate) fn race(
             title: contest.title.clone(),
             contender: contender.name.clone(),
             backend: contender.backend,
+            profile: PROFILE,
             min: times[0],
             median: times[times.len() / 2],
             limited: contest.limited.clone(),
@@ -113,39 +99,12 @@ fn nanoseconds_a_pass(run: &mut dyn Run) -> [f64; 3] {
     [(); 3].map(|()| run.time(passes).as_secs_f64() * 1e9 / f64::from(passes))
 }
 
-fn check(
-    contest: &Contest<'_>,
-    contender: &Contender<'_>,
-    run: &mut dyn Checked,
-) -> Result<(), Wrong> {
-    run.time(1);
-    let count = contest.transforms;
-    let all = contender.expected.as_ref().unwrap_or(&contest.expected);
-    // From both ends, in steps that share no factor with blocks or skeletons.
-    let stride = (count / MAX_CHECKED).next_multiple_of(2) + 1;
-    let stride = if count <= MAX_CHECKED { 1 } else { stride };
-    for index in (0..count).step_by(stride).chain([count - 1]) {
-        let expected = &all[index % all.len()];
-        let numbers = run.numbers(index);
-        let size = expected.iter().fold(1.0_f64, |size, number| size.max(number.abs()));
-        let pairs = numbers.iter().zip(expected);
-        let close = |(a, b): (&f64, &f64)| (a - b).abs() <= contest.tolerance * size;
-        if numbers.len() != expected.len() || !pairs.into_iter().all(close) {
-            let (job, size, name) = (contest.job, &contest.size, &contender.name);
-            return Err(Wrong(format!(
-                "{job} {size}: {name} is wrong at transform {index}: {numbers:?}, not {expected:?}"
-            )));
-        }
-    }
-    Ok(())
-}
-
 #[cfg(test)]
 mod tests {
     use super::{Effort, race};
-    use crate::contest::Contest;
     use crate::progress::Progress;
     use crate::results::Results;
+    use dq8_contest::contest::Contest;
     use std::time::Duration;
 
     const EFFORT: Effort = Effort { budget: Duration::ZERO, fewest_rounds: 3, most_rounds: 3 };
@@ -182,7 +141,7 @@ mod tests {
             let mut results = Results::default();
             let contest = halving("wrong", factor);
             let wrong = race(&contest, EFFORT, &mut Progress::silent(), &mut results).unwrap_err();
-            assert!(wrong.0.contains("wrong is wrong at transform 0"), "{wrong}");
+            assert!(wrong.to_string().contains("wrong is wrong at transform 0"), "{wrong}");
             assert!(results.rows.is_empty());
         }
     }

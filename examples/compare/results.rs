@@ -1,7 +1,7 @@
 //! [`Results`]: what has been measured.
 
-use crate::limit::{Kind, Limited};
 use dq8::Backend;
+use dq8_contest::limit::{Kind, Limited};
 use std::collections::BTreeMap;
 
 #[derive(Debug, Default)]
@@ -18,6 +18,8 @@ pub(crate) struct Row {
     pub(crate) title: String,
     pub(crate) contender: String,
     pub(crate) backend: Option<Backend>,
+    /// What it was built with.
+    pub(crate) profile: &'static str,
     pub(crate) min: f64,
     pub(crate) median: f64,
     pub(crate) limited: Option<Limited>,

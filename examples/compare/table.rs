@@ -1,8 +1,8 @@
 //! What the program prints.
 
-use crate::limit::Kind;
 use crate::results::{Limits, Results, best_own};
 use dq8::Backend;
+use dq8_contest::limit::Kind;
 use std::fmt::{self, Write};
 
 pub(crate) fn text(results: &Results) -> Result<String, fmt::Error> {
@@ -12,7 +12,7 @@ pub(crate) fn text(results: &Results) -> Result<String, fmt::Error> {
         let best = best_own(&rows, |_| true);
         let avx2 = best_own(&rows, |row| row.backend == Some(Backend::Avx2));
         let (job, size, title) = (rows[0].job, &rows[0].size, &rows[0].title);
-        writeln!(text, "\n{job} {size}: {title}")?;
+        writeln!(text, "\n{job} {size}: {title} ({})", rows[0].profile)?;
         let head = ["min ns", "median", "× dq8", "× AVX2", "share"];
         writeln!(text, "  {:<38}{}", "", head.map(|word| format!("{word:>9}")).concat())?;
         for row in rows {

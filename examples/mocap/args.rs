@@ -5,12 +5,11 @@ use std::ffi::OsString;
 use std::path::PathBuf;
 
 pub(crate) const USAGE: &str = "\
-usage: mocap [FILE.bvh] [--csv OUT] [--svg OUT] [--instances N]
+usage: mocap [FILE.bvh] [--csv OUT] [--svg OUT]
 
 Without FILE.bvh, animates an embedded biped.
-  --csv OUT      write the world positions, one row a frame
-  --svg OUT      draw the skeleton at several frames and the path of its root
-  --instances N  repeat the clip to N times its frames, for timing
+  --csv OUT  write the world positions, one row per frame
+  --svg OUT  draw the skeleton at several frames and the path of its root
 ";
 
 #[derive(Debug, PartialEq)]
@@ -18,11 +17,10 @@ pub(crate) struct Args {
     pub(crate) clip: Option<PathBuf>,
     pub(crate) csv: Option<PathBuf>,
     pub(crate) svg: Option<PathBuf>,
-    pub(crate) instances: usize,
 }
 
 pub(crate) fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Request<Args>, Misuse> {
-    let (mut clip, mut csv, mut svg, mut instances) = (None, None, None, None);
+    let (mut clip, mut csv, mut svg) = (None, None, None);
     let mut words = words.into_iter();
     while let Some(word) = words.next() {
         let text = word.to_string_lossy();
@@ -30,22 +28,13 @@ pub(crate) fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Request
             "-h" | "--help" => return Ok(Request::Help),
             "--csv" => set(&mut csv, "--csv", value("--csv", &mut words)?.into())?,
             "--svg" => set(&mut svg, "--svg", value("--svg", &mut words)?.into())?,
-            "--instances" => {
-                let value = value("--instances", &mut words)?;
-                let count = value.to_str().and_then(|text| text.parse().ok()).filter(|&n| n > 0);
-                let Some(count) = count else {
-                    let value = value.to_string_lossy();
-                    return Err(Misuse(format!("--instances: `{value}` is not a positive number")));
-                };
-                set(&mut instances, "--instances", count)?;
-            }
             option if option.starts_with('-') => {
                 return Err(Misuse(format!("no such option: `{option}`")));
             }
             _ => set(&mut clip, "FILE.bvh", word.into())?,
         }
     }
-    Ok(Request::Run(Args { clip, csv, svg, instances: instances.unwrap_or(1) }))
+    Ok(Request::Run(Args { clip, csv, svg }))
 }
 
 #[cfg(test)]
@@ -63,11 +52,10 @@ mod tests {
             clip: Some("walk.bvh".into()),
             csv: Some("a.csv".into()),
             svg: Some("b.svg".into()),
-            instances: 20,
         };
-        let line = "--csv a.csv walk.bvh --instances 20 --svg b.svg";
+        let line = "--csv a.csv walk.bvh --svg b.svg";
         assert_eq!(words(line), Ok(Request::Run(args)));
-        let none = Args { clip: None, csv: None, svg: None, instances: 1 };
+        let none = Args { clip: None, csv: None, svg: None };
         assert_eq!(words(""), Ok(Request::Run(none)));
         assert_eq!(words("walk.bvh --help"), Ok(Request::Help));
     }
@@ -76,11 +64,9 @@ mod tests {
     fn misuse_is_named() {
         for (line, named) in [
             ("--cvs a", "`--cvs`"),
+            ("--instances 20", "`--instances`"),
             ("--csv", "--csv needs"),
             ("--csv --svg a", "--csv needs"),
-            ("--instances 0", "`0`"),
-            ("--instances -1", "`-1`"),
-            ("--instances 1e3", "`1e3`"),
             ("a.bvh b.bvh", "FILE.bvh is given twice"),
             ("--svg a --svg b", "--svg is given twice"),
         ] {

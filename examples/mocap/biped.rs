@@ -1,5 +1,5 @@
 //! The biped of Kenwright §10.2: 16 links with 36 degrees of freedom. He names the two numbers and
-//! shows a figure; lengths, axes and the walk ([`walk`]) are invented here, after a person of
+//! shows a figure; lengths, axes and the walk (`walk`) are invented here, after a person of
 //! 1.75 m. Metres, y is up, z is forward.
 
 #[cfg(test)]
@@ -131,7 +131,7 @@ const fn degrees_of_freedom(links: &[Link]) -> usize {
 }
 
 /// Four whole cycles of the walk at 60 Hz.
-pub(crate) fn clip() -> Clip {
+pub fn clip() -> Clip {
     const FRAMES: usize = 256;
     let walk = Walk { period: 64.0 / 60.0 };
     let frame_time = 1.0 / 60.0;

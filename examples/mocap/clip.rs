@@ -4,7 +4,7 @@
 use dq8::{DualQuat, Hierarchy, Quat};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Axis {
+pub enum Axis {
     X,
     Y,
     Z,
@@ -12,7 +12,7 @@ pub(crate) enum Axis {
 
 /// One degree of freedom of a joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Channel {
+pub enum Channel {
     /// Replaces this component of the joint's offset.
     Position(Axis),
     /// Turns by this many degrees.
@@ -20,52 +20,53 @@ pub(crate) enum Channel {
 }
 
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Joint {
-    pub(crate) name: String,
+pub struct Joint {
+    pub name: String,
     /// Index of the parent, which stands earlier in the list; `None` for a root.
-    pub(crate) parent: Option<usize>,
+    pub parent: Option<usize>,
     /// From the parent's origin, in the parent's axes.
-    pub(crate) offset: [f64; 3],
-    pub(crate) channels: Vec<Channel>,
+    pub offset: [f64; 3],
+    pub channels: Vec<Channel>,
     /// The tip of a chain: a place without a motion of its own.
-    pub(crate) end_site: bool,
+    pub end_site: bool,
 }
 
-pub(crate) struct Clip {
-    pub(crate) title: String,
-    pub(crate) joints: Vec<Joint>,
+#[derive(Clone, Debug)]
+pub struct Clip {
+    pub title: String,
+    pub joints: Vec<Joint>,
     /// Seconds from one frame to the next.
-    pub(crate) frame_time: f64,
+    pub frame_time: f64,
     /// `[frame][channel]`, channels in the order of the joints and, within a joint, as it lists
     /// them.
-    pub(crate) values: Vec<f64>,
+    pub values: Vec<f64>,
 }
 
 impl Clip {
-    pub(crate) fn channels(&self) -> usize {
+    pub fn channels(&self) -> usize {
         self.joints.iter().map(|joint| joint.channels.len()).sum()
     }
 
-    pub(crate) fn frames(&self) -> usize {
+    pub fn frames(&self) -> usize {
         self.values.len() / self.channels()
     }
 
-    pub(crate) fn end_sites(&self) -> usize {
+    pub fn end_sites(&self) -> usize {
         self.joints.iter().filter(|joint| joint.end_site).count()
     }
 
-    pub(crate) fn time(&self, frame: usize) -> f64 {
+    pub fn time(&self, frame: usize) -> f64 {
         frame as f64 * self.frame_time
     }
 
     /// The parents as [`Hierarchy`] takes them.
-    pub(crate) fn parents(&self) -> Vec<u32> {
+    pub fn parents(&self) -> Vec<u32> {
         let index = |parent: usize| u32::try_from(parent).unwrap_or(Hierarchy::ROOT);
         self.joints.iter().map(|joint| joint.parent.map_or(Hierarchy::ROOT, index)).collect()
     }
 
     /// For each joint the root it hangs on.
-    pub(crate) fn roots(&self) -> Vec<usize> {
+    pub fn roots(&self) -> Vec<usize> {
         let mut roots = Vec::with_capacity(self.joints.len());
         for (index, joint) in self.joints.iter().enumerate() {
             roots.push(joint.parent.map_or(index, |parent| roots[parent]));
@@ -74,7 +75,7 @@ impl Clip {
     }
 
     /// Every joint's motion relative to its parent, `[frame][joint]`.
-    pub(crate) fn locals(&self) -> Vec<DualQuat<f64>> {
+    pub fn locals(&self) -> Vec<DualQuat<f64>> {
         let mut locals = Vec::with_capacity(self.frames() * self.joints.len());
         for frame in self.values.chunks_exact(self.channels()) {
             let mut rest = frame;
@@ -91,7 +92,7 @@ impl Clip {
 impl Joint {
     /// Rotations compose from left to right as listed: `Zrotation Xrotation` is Rz · Rx on column
     /// vectors, so the last one listed acts first.
-    pub(crate) fn local(&self, values: &[f64]) -> DualQuat<f64> {
+    pub fn local(&self, values: &[f64]) -> DualQuat<f64> {
         let mut rotation = Quat::<f64>::IDENTITY;
         let mut translation = self.offset;
         for (channel, &value) in self.channels.iter().zip(values) {

@@ -7,14 +7,14 @@ use std::process::ExitCode;
 use std::{env, fmt, io};
 
 #[derive(Debug, PartialEq)]
-pub(crate) enum Request<A> {
+pub enum Request<A> {
     Run(A),
     Help,
 }
 
 /// What is wrong with the command line.
 #[derive(Debug, PartialEq)]
-pub(crate) struct Misuse(pub(crate) String);
+pub struct Misuse(pub String);
 
 impl fmt::Display for Misuse {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -23,7 +23,7 @@ impl fmt::Display for Misuse {
 }
 
 /// The program `name`: 0 if `work` went well, 1 if not, 2 if the command line makes no sense.
-pub(crate) fn execute<A>(
+pub fn execute<A>(
     name: &str,
     usage: &str,
     parse: impl FnOnce(env::ArgsOs) -> Result<Request<A>, Misuse>,
@@ -49,16 +49,13 @@ pub(crate) fn execute<A>(
 }
 
 /// What follows `option`.
-pub(crate) fn value(
-    option: &str,
-    words: &mut impl Iterator<Item = OsString>,
-) -> Result<OsString, Misuse> {
+pub fn value(option: &str, words: &mut impl Iterator<Item = OsString>) -> Result<OsString, Misuse> {
     // An option in place of a value is a value forgotten; a file of such a name is `./--svg`.
     let value = words.next().filter(|word| !word.to_string_lossy().starts_with("--"));
     value.ok_or_else(|| Misuse(format!("{option} needs a value")))
 }
 
-pub(crate) fn set<T>(slot: &mut Option<T>, name: &str, value: T) -> Result<(), Misuse> {
+pub fn set<T>(slot: &mut Option<T>, name: &str, value: T) -> Result<(), Misuse> {
     match slot.replace(value) {
         None => Ok(()),
         Some(_) => Err(Misuse(format!("{name} is given twice"))),
@@ -66,7 +63,7 @@ pub(crate) fn set<T>(slot: &mut Option<T>, name: &str, value: T) -> Result<(), M
 }
 
 /// Not `print!`, which panics when the reader of a pipe has gone; then there is nobody to tell.
-pub(crate) fn print(text: &str) -> Result<(), Box<dyn Error>> {
+pub fn print(text: &str) -> Result<(), Box<dyn Error>> {
     match io::stdout().write_all(text.as_bytes()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(error.into()),
         _ => Ok(()),

@@ -1,4 +1,4 @@
-//! World positions as a table: a row a frame, three columns a joint.
+//! World positions as a table: one row per frame, three columns per joint.
 
 use std::fmt::Write;
 

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 /// A file that could not be written.
 #[derive(Debug)]
-pub(crate) struct Unwritable {
+pub struct Unwritable {
     path: PathBuf,
     reason: io::Error,
 }
@@ -23,14 +23,14 @@ impl std::error::Error for Unwritable {}
 /// Files that can be written, and are not changed yet. Those that did not exist are gone again if
 /// nothing comes to be written.
 #[derive(Debug)]
-pub(crate) struct Outputs<'a> {
+pub struct Outputs<'a> {
     files: Vec<(&'a Path, File)>,
     created: Vec<&'a Path>,
 }
 
 impl<'a> Outputs<'a> {
     /// Opens all files or none. `input` is a file that must not be overwritten.
-    pub(crate) fn open(
+    pub fn open(
         paths: impl IntoIterator<Item = &'a Path>,
         input: Option<&Path>,
     ) -> Result<Self, Unwritable> {
@@ -58,7 +58,7 @@ impl<'a> Outputs<'a> {
     }
 
     /// Writes one text to each.
-    pub(crate) fn write(mut self, texts: &[String]) -> Result<(), Unwritable> {
+    pub fn write(mut self, texts: &[String]) -> Result<(), Unwritable> {
         for ((path, file), text) in self.files.iter_mut().zip(texts) {
             if file.metadata().is_ok_and(|metadata| metadata.is_file()) {
                 file.set_len(0).map_err(fails(path))?;

@@ -150,7 +150,7 @@ mod tests {
     use super::picture;
     use crate::biped;
     use crate::clip::{Axis, Channel, Clip, Joint};
-    use crate::contest;
+    use crate::positions::Positions;
 
     /// Every number of the picture's shapes.
     fn coordinates(picture: &str) -> Vec<f64> {
@@ -164,8 +164,8 @@ mod tests {
     #[test]
     fn the_biped_is_drawn_inside_the_picture() {
         let clip = biped::clip();
-        let contest = contest::run(&clip, 1).unwrap();
-        let picture = picture(&clip, &contest.positions, contest.size).unwrap();
+        let positions = Positions::of(&clip).unwrap();
+        let picture = picture(&clip, &positions.world, positions.size).unwrap();
         assert!(picture.matches("left bone").count() == 21, "twenty figures and the legend");
         assert!(!picture.contains("NaN") && !picture.contains("inf"));
         let coordinates = coordinates(&picture);

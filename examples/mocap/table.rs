@@ -3,30 +3,53 @@
 use std::fmt::{self, Write};
 
 use crate::clip::Clip;
-use crate::contest::Contest;
+use crate::positions::{Positions, distance};
 
-pub(crate) fn text(clip: &Clip, instances: usize, contest: &Contest) -> Result<String, fmt::Error> {
+pub(crate) fn text(clip: &Clip, positions: &Positions) -> Result<String, fmt::Error> {
     let mut text = String::new();
-    let (joints, end_sites) = (clip.joints.len(), clip.end_sites());
-    // A skeleton that is a single point has no size to compare with.
-    let sizes = |difference: f64| if difference == 0.0 { 0.0 } else { difference / contest.size };
+    let Positions { world, size, difference } = positions;
+    let (joints, end_sites, frames) = (clip.joints.len(), clip.end_sites(), clip.frames());
     writeln!(text, "{}", clip.title)?;
-    writeln!(text, "  joints  {joints}, of them {end_sites} end sites")?;
-    writeln!(text, "  frames  {}, timed {instances} ×", clip.frames())?;
-    writeln!(text, "  size    {:.4} from a root to its farthest joint", contest.size)?;
-    writeln!(text)?;
-    writeln!(text, "                    ns per joint   largest difference   in sizes")?;
-    for contender in &contest.contenders {
-        let (name, ns, difference) = (contender.name, contender.ns_per_joint, contender.difference);
-        let sizes = sizes(difference);
-        writeln!(text, "  {name:<16} {ns:>13.2} {difference:>20.1e} {sizes:>10.1e}  from f64")?;
+    writeln!(text, "  joints      {joints}, of them {end_sites} end sites")?;
+    writeln!(text, "  frames      {frames}, {:.2} s", frames as f64 * clip.frame_time)?;
+    writeln!(text, "  size        {size:.4} from a root to its farthest joint")?;
+    for (index, root) in clip.joints.iter().enumerate().filter(|(_, joint)| joint.parent.is_none())
+    {
+        let path: Vec<_> = world.iter().skip(index).step_by(joints).copied().collect();
+        let length: f64 = path.windows(2).map(|step| distance(step[0], step[1])).sum();
+        let (Some(&first), Some(&last)) = (path.first(), path.last()) else { continue };
+        let apart = distance(first, last);
+        let name = &root.name;
+        writeln!(
+            text,
+            "  root        {name}: a path of {length:.4}, ends {apart:.4} from its start"
+        )?;
     }
-    let difference = contest.lanes_to_f32;
-    let sizes = sizes(difference);
-    writeln!(
-        text,
-        "  {:<16} {:>13} {difference:>20.1e} {sizes:>10.1e}  from scalar f32",
-        "8 lanes f32", ""
-    )?;
+    for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
+        let (least, most) =
+            world.iter().fold((f64::MAX, f64::MIN), |(a, b), p| (a.min(p[axis]), b.max(p[axis])));
+        writeln!(text, "  {name}           {least:.4} to {most:.4}")?;
+    }
+    // A skeleton that is a single point has no size to compare with.
+    let sizes = if *difference == 0.0 { 0.0 } else { difference / size };
+    writeln!(text, "  f32 to f64  {difference:.1e} at most, {sizes:.1e} of the size")?;
     Ok(text)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::text;
+    use crate::biped;
+    use crate::positions::Positions;
+
+    #[test]
+    fn the_biped_goes_four_strides_and_stays_on_the_ground() {
+        let clip = biped::clip();
+        let text = text(&clip, &Positions::of(&clip).unwrap()).unwrap();
+        assert!(text.contains("joints      21, of them 5 end sites"), "{text}");
+        assert!(text.contains("frames      256, 4.27 s"), "{text}");
+        // 1.2 m each, but for the step from the last frame to the first.
+        assert!(text.contains("root        Pelvis: a path of 4.8460, ends 4.7813 from"), "{text}");
+        assert!(text.contains("y           -0.0005 to 1.7680"), "{text}");
+    }
 }

@@ -20,6 +20,7 @@ pub mod keyframing;
 mod logarithm;
 pub mod matrix;
 pub mod operations;
+pub mod products;
 pub mod report;
 
 pub use arm::{Arm, Joint};

@@ -4,6 +4,7 @@
 #![allow(missing_docs, reason = "support for tests, not published")]
 
 pub mod agreement;
+pub mod arms;
 pub mod cluster;
 pub mod conformance;
 pub mod inputs;

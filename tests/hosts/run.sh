@@ -10,15 +10,17 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
-hosts=() packages=(dq8 dq8-simd)
+# Programs have tests too, of which some look for files by other paths than those of the build; papers are in lab.
+hosts=() packages=(dq8 dq8-simd) programs=(mocap dq8-contest dq8-compare) papers=(--package=lab --test papers)
 for argument; do
   case $argument in
-    --quick) packages=(dq8-simd) ;;
+    --quick) packages=(dq8-simd) programs=() papers=() ;;
     aarch64 | armv7 | s390x | wasm32) hosts+=("$argument") ;;
     *) echo "no such host: $argument" >&2; exit 2 ;;
   esac
 done
 [ ${#hosts[@]} -gt 0 ] || hosts=(aarch64 armv7 s390x wasm32)
+packages=("${packages[@]/#/--package=}") programs=("${programs[@]/#/--package=}")
 
 # What each step needs, and the Debian package that has it.
 needs=(/usr/bin/rustc=rustc-web /usr/bin/cargo=cargo-web /usr/lib/rustlib/src/rust/library=rust-web-src)
@@ -40,14 +42,19 @@ scripts/install_missing.sh "${needs[@]}"
 export RUSTC=/usr/bin/rustc RUSTDOC=/usr/bin/rustdoc RUSTC_BOOTSTRAP=1 CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$PWD/target}/hosts
 export CARGO_PROFILE_DEV_OPT_LEVEL=1 CARGO_PROFILE_DEV_DEBUG=0 CARGO_INCREMENTAL=0
 
-# run TARGET LINKER RUNNER OPTION…: the tests on one host.
+# run TARGET LINKER RUNNER OPTION…: tests on one host.
 run() {
   local target=$1 linker=$2 runner=$3
   local name=${target^^}
   name=${name//-/_}
   shift 3
   env "CARGO_TARGET_${name}_LINKER=$linker" "CARGO_TARGET_${name}_RUNNER=$runner" \
-    /usr/bin/cargo test --quiet --no-fail-fast --target "$target" "${packages[@]/#/--package=}" "$@"
+    /usr/bin/cargo test --quiet --no-fail-fast --target "$target" "$@"
+}
+
+# The same arguments: the worked examples of the papers. Not where QEMU must not see optimised code, which lab is.
+of_papers() {
+  [ ${#papers[@]} -eq 0 ] || run "$@" "${papers[@]}"
 }
 
 table=() failed=0
@@ -56,19 +63,21 @@ for host in "${hosts[@]}"; do
   status=0
   case $host in
     aarch64)
-      run aarch64-unknown-linux-gnu aarch64-linux-gnu-gcc 'qemu-aarch64 -L /usr/aarch64-linux-gnu' -Zbuild-std --tests ;;
+      emulated=(aarch64-unknown-linux-gnu aarch64-linux-gnu-gcc 'qemu-aarch64 -L /usr/aarch64-linux-gnu' -Zbuild-std)
+      run "${emulated[@]}" --tests "${packages[@]}" "${programs[@]}" && of_papers "${emulated[@]}" ;;
     armv7)
-      run armv7-unknown-linux-gnueabihf arm-linux-gnueabihf-gcc 'qemu-arm -L /usr/arm-linux-gnueabihf' -Zbuild-std --tests ;;
+      emulated=(armv7-unknown-linux-gnueabihf arm-linux-gnueabihf-gcc 'qemu-arm -L /usr/arm-linux-gnueabihf' -Zbuild-std)
+      run "${emulated[@]}" --tests "${packages[@]}" "${programs[@]}" && of_papers "${emulated[@]}" ;;
     s390x)
       # Not optimised: QEMU before 8.0 computes MDEBR (f32 · f32 as f64) wrongly, which only the optimiser uses.
-      CARGO_PROFILE_DEV_OPT_LEVEL=0 run s390x-unknown-linux-gnu s390x-linux-gnu-gcc 'qemu-s390x -L /usr/s390x-linux-gnu' -Zbuild-std --tests ;;
+      CARGO_PROFILE_DEV_OPT_LEVEL=0 run s390x-unknown-linux-gnu s390x-linux-gnu-gcc 'qemu-s390x -L /usr/s390x-linux-gnu' -Zbuild-std --tests "${packages[@]}" "${programs[@]}" ;;
     wasm32)
-      # Debian's C library instead of the one that rustup would bring along. Without what needs threads or looks for files by
-      # other paths than those of the build: one test, and the tests of the examples. One compiler of node's from the start: node 20
+      # Debian's C library instead of the one that rustup would bring along. Without one test that needs a thread, and
+      # without the tests of programs. One compiler of node's from the start: node 20
       # crashes at the end of a program that it has begun to compile again.
       RUSTFLAGS="-Ctarget-feature=+simd128 -Clink-self-contained=no -Clink-arg=/usr/lib/wasm32-wasi/crt1-command.o
         -Clink-arg=-L/usr/lib/wasm32-wasi -Clink-arg=--allow-undefined" \
-        run wasm32-wasip1 wasm-ld "node --no-liftoff $PWD/tests/hosts/wasi.mjs" -Zbuild-std=std,panic_abort,test \
+        run wasm32-wasip1 wasm-ld "node --no-liftoff $PWD/tests/hosts/wasi.mjs" -Zbuild-std=std,panic_abort,test "${packages[@]}" \
         --lib --test '*' -- --skip a_chain_of_ten_thousand_joints_needs_no_stack ;;
   esac >"$log" 2>&1 || status=$?
   # How many tests passed: a host on which nothing ran has shown nothing.

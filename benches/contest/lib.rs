@@ -1,0 +1,18 @@
+//! Jobs, their data, and everyone who does them: what the criterion benches and the example
+//! `compare` share.
+//!
+//! A [`Task`](task::Task) makes the data of a [`Contest`](contest::Contest), whose contenders can be
+//! checked against `f64` and timed, by whoever holds it. [`memory`] is how each contender keeps motions
+//! and points, [`limit`] is what the machine can do at most.
+
+#![allow(missing_docs, reason = "shared by programs, not published")]
+#![allow(missing_debug_implementations, reason = "contests hold closures")]
+
+pub mod caches;
+pub mod contest;
+pub mod limit;
+pub mod memory;
+pub mod scene;
+pub mod skeleton;
+pub mod task;
+mod walk;

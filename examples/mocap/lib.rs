@@ -1,0 +1,68 @@
+//! The example `mocap`: forward kinematics of a motion-capture clip, all frames at once, eight at a
+//! time.
+//!
+//! A clip ([`clip`]) comes from the biped ([`biped`]) or a file (`bvh`); `positions` concatenates it
+//! by lanes; `table`, `csv` and `svg` show the result. [`command`] and [`output`] serve the example
+//! `compare` as well, and the biped serves tests.
+
+#![allow(missing_docs, reason = "parts of a program, not published")]
+
+mod args;
+pub mod biped;
+mod bvh;
+pub mod clip;
+pub mod command;
+mod csv;
+pub mod output;
+mod positions;
+mod svg;
+mod table;
+
+use std::error::Error;
+use std::fs;
+use std::path::Path;
+use std::process::ExitCode;
+
+use args::Args;
+use clip::Clip;
+use command::print;
+use output::Outputs;
+use positions::Positions;
+
+/// The whole program.
+pub fn main() -> ExitCode {
+    command::execute("mocap", args::USAGE, args::parse, run)
+}
+
+fn run(args: &Args) -> Result<(), Box<dyn Error>> {
+    let clip = match &args.clip {
+        Some(path) => load(path)?,
+        None => biped::clip(),
+    };
+    let positions = Positions::of(&clip)?;
+    print(&table::text(&clip, &positions)?)?;
+    positions.check()?;
+
+    let (mut paths, mut texts): (Vec<&Path>, _) = (Vec::new(), Vec::new());
+    if let Some(path) = &args.csv {
+        paths.push(path);
+        texts.push(csv::table(&clip, &positions.world)?);
+    }
+    if let Some(path) = &args.svg {
+        paths.push(path);
+        texts.push(svg::picture(&clip, &positions.world, positions.size)?);
+    }
+    Outputs::open(paths.iter().copied(), args.clip.as_deref())?.write(&texts)?;
+    for path in paths {
+        print(&format!("  wrote {}\n", path.display()))?;
+    }
+    Ok(())
+}
+
+fn load(path: &Path) -> Result<Clip, Box<dyn Error>> {
+    let shown = path.display();
+    let bytes = fs::read(path).map_err(|error| format!("cannot read {shown}: {error}"))?;
+    let title =
+        path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
+    Ok(bvh::parse(title, &bytes).map_err(|error| format!("{shown}, {error}"))?)
+}

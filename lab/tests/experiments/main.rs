@@ -1,0 +1,11 @@
+//! What the experiments of the laboratory find, and the report that they are written up in.
+
+mod counts;
+mod derivatives;
+mod drift;
+mod hyper_dual;
+mod inputs;
+mod interpolation;
+mod keyframe;
+mod products;
+mod report;

@@ -1,0 +1,142 @@
+//! Arms to test with, the same numbers in every run, and what nalgebra says of them.
+
+pub use crate::random::Random;
+use dq8::ik::{Arm, Joint};
+use dq8::{DualQuat, Quat, Real};
+use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
+use std::f64::consts::PI;
+
+const X: [f64; 3] = [1.0, 0.0, 0.0];
+const Y: [f64; 3] = [0.0, 1.0, 0.0];
+const Z: [f64; 3] = [0.0, 0.0, 1.0];
+
+/// A joint as its axis, a point on it, its limits, and the length it slides by radian.
+#[derive(Clone, Copy, Debug)]
+pub struct Axis {
+    pub direction: [f64; 3],
+    pub through: [f64; 3],
+    pub limits: [f64; 2],
+    /// `None` for a slide.
+    pub pitch: Option<f64>,
+}
+
+/// What an arm is made of.
+#[derive(Clone, Copy, Debug)]
+pub struct Plan<const N: usize> {
+    pub axes: [Axis; N],
+    /// Axis and angle, and translation.
+    pub home: ([f64; 3], f64, [f64; 3]),
+}
+
+fn hinge(direction: [f64; 3], through: [f64; 3], limits: [f64; 2]) -> Axis {
+    Axis { direction, through, limits, pitch: Some(0.0) }
+}
+
+fn down([x, y, z]: [f64; 3]) -> [f64; 3] {
+    [-x, -y, -z]
+}
+
+/// A UR5: three parallel axes after the first, stretched at zero; every joint turns all around.
+pub fn ur5() -> Plan<6> {
+    let turn = |direction, through| hinge(direction, through, [-PI, PI]);
+    let axes = [
+        turn(Z, [0.0; 3]),
+        turn(Y, [0.0, 0.0, 0.089159]),
+        turn(Y, [0.425, 0.0, 0.089159]),
+        turn(Y, [0.81725, 0.0, 0.089159]),
+        turn(down(Z), [0.81725, 0.10915, 0.0]),
+        turn(Y, [0.81725, 0.0, -0.005491]),
+    ];
+    Plan { axes, home: (X, -PI / 2.0, [0.81725, 0.19145, -0.005491]) }
+}
+
+/// A PUMA 560: a shoulder, an elbow and a wrist of three crossing axes, with the limits of its makers.
+pub fn puma() -> Plan<6> {
+    let turn = |direction, through, limits: [f64; 2]| {
+        hinge(direction, through, limits.map(f64::to_radians))
+    };
+    let axes = [
+        turn(Z, [0.0; 3], [-160.0, 160.0]),
+        turn(down(Y), [0.0; 3], [-225.0, 45.0]),
+        turn(down(Y), [0.4318, 0.0, 0.0], [-45.0, 225.0]),
+        turn(Z, [0.4115, -0.1501, 0.0], [-110.0, 170.0]),
+        turn(down(Y), [0.4115, 0.0, 0.4331], [-100.0, 100.0]),
+        turn(Z, [0.4115, -0.1501, 0.0], [-266.0, 266.0]),
+    ];
+    Plan { axes, home: (X, 0.0, [0.4115, -0.1501, 0.4894]) }
+}
+
+/// Eight joints: a UR5 on a screw of pitch 0.05 on a slide.
+pub fn gantry() -> Plan<8> {
+    let slide = Axis { direction: X, through: [0.0; 3], limits: [-0.5, 0.7], pitch: None };
+    let screw =
+        Axis { direction: Z, through: [0.1, 0.2, 0.0], limits: [-2.0, 3.0], pitch: Some(0.05) };
+    let [a, b, c, d, e, f] = ur5().axes;
+    Plan { axes: [slide, screw, a, b, c, d, e, f], home: ur5().home }
+}
+
+impl<const N: usize> Plan<N> {
+    pub fn arm<R: Real>(&self) -> Arm<R, N> {
+        let real = |vector: [f64; 3]| vector.map(R::from_f64);
+        let joints = self.axes.map(|axis| {
+            let limits = axis.limits.map(R::from_f64);
+            let Some(pitch) = axis.pitch else {
+                return Joint::prismatic(real(axis.direction), limits);
+            };
+            let mut joint = Joint::revolute(real(axis.direction), real(axis.through));
+            for (v, w) in joint.screw.linear.iter_mut().zip(axis.direction) {
+                *v += R::from_f64(pitch * w);
+            }
+            joint.with_limits(limits)
+        });
+        let (axis, angle, translation) = self.home;
+        let turn = Quat::from_axis_angle(real(axis), R::from_f64(angle));
+        Arm::new(joints, DualQuat::from_rotation_translation(turn, real(translation)))
+            .expect("the plan is an arm")
+    }
+
+    /// Where the end is, by nalgebra.
+    pub fn isometry(&self, values: &[f64; N]) -> Isometry3<f64> {
+        let mut pose = Isometry3::identity();
+        for (axis, &value) in self.axes.iter().zip(values) {
+            let direction = Vector3::from(axis.direction);
+            let at = Translation3::from(Vector3::from(axis.through));
+            pose *= match axis.pitch {
+                None => {
+                    Isometry3::from_parts((direction * value).into(), UnitQuaternion::identity())
+                }
+                Some(pitch) => {
+                    let turn = UnitQuaternion::from_scaled_axis(direction * value);
+                    at * Isometry3::from_parts((direction * (pitch * value)).into(), turn)
+                        * at.inverse()
+                }
+            };
+        }
+        let (axis, angle, translation) = self.home;
+        let turn = UnitQuaternion::from_scaled_axis(Vector3::from(axis) * angle);
+        pose * Isometry3::from_parts(Vector3::from(translation).into(), turn)
+    }
+
+    /// Values within the limits.
+    pub fn draw(&self, random: &mut Random) -> [f64; N] {
+        self.axes.map(|axis| {
+            let [low, high] = axis.limits;
+            random.between(low, high)
+        })
+    }
+
+    /// The turn and the distance between two sets of values.
+    pub fn apart(&self, a: &[f64; N], b: &[f64; N]) -> [f64; 2] {
+        let (a, b) = (self.isometry(a), self.isometry(b));
+        let distance = (a.translation.vector - b.translation.vector).norm();
+        [a.rotation.angle_to(&b.rotation), distance]
+    }
+}
+
+pub fn exact<R: Into<f64>, const N: usize>(values: [R; N]) -> [f64; N] {
+    values.map(Into::into)
+}
+
+pub fn rounded<R: Real, const N: usize>(values: [f64; N]) -> [R; N] {
+    values.map(R::from_f64)
+}
