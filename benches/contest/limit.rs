@@ -1,7 +1,7 @@
 //! What the machine can do at most: multiply and add, copy, and both at once.
 
 use crate::contest::{InPlace, Run};
-use dq8::{Backend, Lanes, Level, Portable};
+use dq8::{Backend, Kernel, Lanes, Level};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
@@ -61,11 +61,7 @@ const STEPS: usize = 100;
 
 impl Limit<'_> {
     pub fn multiply_add(backend: Backend) -> Self {
-        let lanes = match backend {
-            Backend::Avx512 => 16,
-            Backend::Avx2 => 8,
-            _ => 4,
-        };
+        let lanes = backend.run(RegisterLanes);
         Self {
             kind: Kind::MultiplyAdd(backend),
             per_pass: (SUMS * STEPS * lanes) as f64,
@@ -134,26 +130,31 @@ impl Run for MultiplyAdd {
     fn time(&mut self, passes: u32) -> Duration {
         let steps = passes as usize * STEPS;
         let start = Instant::now();
-        match self.0 {
-            #[cfg(target_arch = "x86_64")]
-            Backend::Avx512 => {
-                let level = dq8_simd::x86_64::Avx512::detect().expect("an available backend");
-                level.run(
-                    #[inline(always)]
-                    || multiply_add::<<dq8_simd::x86_64::Avx512 as Level>::F32x16>(level, steps),
-                );
-            }
-            #[cfg(target_arch = "x86_64")]
-            Backend::Avx2 => {
-                let level = dq8_simd::x86_64::Avx2::detect().expect("an available backend");
-                level.run(
-                    #[inline(always)]
-                    || multiply_add::<<dq8_simd::x86_64::Avx2 as Level>::F32x8>(level, steps),
-                );
-            }
-            _ => multiply_add::<<Portable as Level>::F32x4>(Portable, steps),
-        }
+        self.0.run(MultiplyAdds { steps });
         start.elapsed()
+    }
+}
+
+/// How many `f32` fill a register.
+struct RegisterLanes;
+
+impl Kernel for RegisterLanes {
+    type Output = usize;
+    #[inline(always)]
+    fn run<V: Level>(self, _: V) -> usize {
+        V::Single::LANES
+    }
+}
+
+struct MultiplyAdds {
+    steps: usize,
+}
+
+impl Kernel for MultiplyAdds {
+    type Output = ();
+    #[inline(always)]
+    fn run<V: Level>(self, level: V) {
+        multiply_add::<V::Single>(level, self.steps);
     }
 }
 

@@ -116,8 +116,8 @@ fn write_panel(out: &mut String, left: f64, top: f64, rows: &[&Row]) -> Result<f
 
 fn class(row: &Row) -> &'static str {
     match row.backend {
-        Some(Backend::Avx512) => "avx512",
-        Some(Backend::Avx2) => "avx2",
+        Some(backend) if Some(backend) == Backend::avx512() => "avx512",
+        Some(backend) if Some(backend) == Backend::avx2() => "avx2",
         Some(_) => "portable",
         None if row.is_own() => "scalar",
         None => "peer",

@@ -46,7 +46,7 @@ impl Limits {
     pub(crate) fn share(&self, row: &Row) -> Option<f64> {
         let (limited, backend) = (row.limited.as_ref()?, row.backend?);
         // Where nothing fuses, a multiplication that adds nothing takes half the time of one that does.
-        if matches!(limited, Limited::MultiplyAdds(_)) && backend == Backend::Portable {
+        if matches!(limited, Limited::MultiplyAdds(_)) && backend == Backend::PORTABLE {
             return None;
         }
         let most = self.0.get(&limited.kind(backend))?;

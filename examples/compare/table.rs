@@ -10,7 +10,7 @@ pub(crate) fn text(results: &Results) -> Result<String, fmt::Error> {
     write_limits(&mut text, &results.limits)?;
     for rows in results.contests() {
         let best = best_own(&rows, |_| true);
-        let avx2 = best_own(&rows, |row| row.backend == Some(Backend::Avx2));
+        let avx2 = best_own(&rows, |row| row.backend.is_some() && row.backend == Backend::avx2());
         let (job, size, title) = (rows[0].job, &rows[0].size, &rows[0].title);
         writeln!(text, "\n{job} {size}: {title} ({})", rows[0].profile)?;
         let head = ["min ns", "median", "× dq8", "× AVX2", "share"];

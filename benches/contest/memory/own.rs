@@ -1,20 +1,17 @@
 //! dq8's own. Everything that knows how it lays motions out in memory is here.
 
 use super::{Element, Packed, Representation, Rows, flat};
-use dq8::place::Layout;
-use dq8::{Block, DualQuat, DualVector, Lanes, Link, Place, PointBlock, Portable, Pose, Quat};
+use dq8::simd::Row;
+use dq8::storage::{self, Layout};
+use dq8::{Block, DualQuat, DualVector, Lanes, PointBlock, Portable, Quat};
 use dq8::{batch, f32x8, f32x16};
-use dq8_simd::Row;
 
 /// Motions as dq8's kernels take them: one after the other, or in blocks.
-pub trait Own:
-    Pose<Real = f32, Rotation: Packed<[f32; 4]>>
-    + Place<8, Layout: Layout<Real = f32>>
-    + Link
-    + Packed<DualQuat<f32>>
-{
+pub trait Own: storage::Element<8, Layout: Layout<Real = f32>> + Packed<DualQuat<f32>> {
     /// Points that lie in the same way.
-    type Point: Place<3, Layout = <Self as Place<8>>::Layout> + Packed<[f32; 3]>;
+    type Point: storage::Element<3, Layout = Self::Layout> + Packed<[f32; 3]>;
+    /// Rotations that lie in the same way.
+    type Rotation: storage::Element<4, Layout = Self::Layout> + Packed<[f32; 4]>;
 
     /// A chain, with a segment in each lane.
     fn links(chain: &[DualQuat<f32>]) -> Vec<Self>;
@@ -26,6 +23,7 @@ pub trait Own:
 
 impl Own for DualQuat<f32> {
     type Point = [f32; 3];
+    type Rotation = Quat<f32>;
 
     fn links(chain: &[Self]) -> Vec<Self> {
         chain.to_vec()
@@ -37,10 +35,11 @@ where
     [f32; N]: Row<Real = f32>,
 {
     type Point = PointBlock<f32, N>;
+    type Rotation = storage::RotationBlock<f32, N>;
 
     fn links(chain: &[DualQuat<f32>]) -> Vec<Self> {
         let mut blocks = vec![Self::splat([0.0; 8]); chain.len().div_ceil(N)];
-        dq8::pack_chain(chain, &mut blocks).expect("as many blocks as the links fill");
+        storage::pack_chain(chain, &mut blocks).expect("as many blocks as the links fill");
         blocks
     }
 }
@@ -69,7 +68,7 @@ impl Element for DualQuat<f64> {
 }
 
 /// Motions, points, rotations in blocks.
-impl<const N: usize, const C: usize> Element for dq8_simd::Block<[f32; N], C>
+impl<const N: usize, const C: usize> Element for dq8::simd::Block<[f32; N], C>
 where
     [f32; N]: Row<Real = f32>,
 {
@@ -94,7 +93,7 @@ where
     }
 }
 
-impl<const N: usize, const C: usize> Packed<[f32; C]> for dq8_simd::Block<[f32; N], C>
+impl<const N: usize, const C: usize> Packed<[f32; C]> for dq8::simd::Block<[f32; N], C>
 where
     [f32; N]: Row<Real = f32>,
 {
