@@ -1,5 +1,5 @@
 use super::error::ArmError;
-use super::joint::Joint;
+use super::joint::{Joint, chain};
 use super::seed::{SEEDS, Seed, seeds};
 use crate::real::Real;
 use crate::scalar::{DualQuat, vector};
@@ -68,7 +68,7 @@ impl<R: Real, const N: usize> Arm<R, N> {
     /// The pose of the end, one product after the other.
     #[must_use]
     pub fn forward(&self, values: &[R; N]) -> DualQuat<R> {
-        forward(&self.joints, self.home, values)
+        chain(&self.joints, self.home, values)
     }
 
     /// A point, and a distance from it that the end never exceeds: the sum of the shortest ways from
@@ -78,18 +78,6 @@ impl<R: Real, const N: usize> Arm<R, N> {
     pub fn reach_bound(&self) -> ([R; 3], R) {
         (self.centre, self.length)
     }
-}
-
-pub(super) fn forward<R: Real, const N: usize>(
-    joints: &[Joint<R>; N],
-    home: DualQuat<R>,
-    values: &[R; N],
-) -> DualQuat<R> {
-    let mut pose = DualQuat::IDENTITY;
-    for (joint, &value) in joints.iter().zip(values) {
-        pose = pose * joint.motion(value);
-    }
-    pose * home
 }
 
 /// [`Arm::reach_bound`]. A point on the axis of a hinge belongs to the links on both sides of it, so

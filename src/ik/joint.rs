@@ -69,3 +69,16 @@ impl<R: Real> Joint<R> {
         !self.is_slide() && high - low >= R::TWO * R::PI && pitch <= R::from(8.0) * R::EPSILON
     }
 }
+
+/// The pose of the end of a chain of joints, one product after the other.
+pub(super) fn chain<R: Real, const N: usize>(
+    joints: &[Joint<R>; N],
+    home: DualQuat<R>,
+    values: &[R; N],
+) -> DualQuat<R> {
+    let mut pose = DualQuat::IDENTITY;
+    for (joint, &value) in joints.iter().zip(values) {
+        pose = pose * joint.motion(value);
+    }
+    pose * home
+}

@@ -1,7 +1,6 @@
 //! Poses of an arm from which a search begins again.
 
-use super::Joint;
-use super::arm::forward;
+use super::joint::{Joint, chain};
 use crate::real::Real;
 use crate::scalar::DualQuat;
 
@@ -37,7 +36,7 @@ pub(super) fn seeds<R: Real, const N: usize>(
             let [low, high] = range(joint);
             *value = low + (high - low) * R::from_f64(*share);
         }
-        seed.pose = forward(joints, home, &seed.values);
+        seed.pose = chain(joints, home, &seed.values);
     }
     seeds
 }
