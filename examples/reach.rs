@@ -6,7 +6,7 @@
 //! ```
 //!
 //! The first table has targets from random joint values within the limits, random starts, and the
-//! default options: 10⁻⁵ m, 10⁻⁵ rad, 29 iterations of which restarts are a part. Its last column is
+//! default options: 10⁻⁵ m, 10⁻⁵ rad, at most 100 iterations of which restarts are a part. Its last column is
 //! the worst error of those that were reached, found by nalgebra.
 
 #[path = "../tests/ik/arms.rs"]

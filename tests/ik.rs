@@ -4,6 +4,8 @@
 mod arms;
 #[path = "ik/forward.rs"]
 mod forward;
+#[path = "ik/honest.rs"]
+mod honest;
 #[path = "ik/lanes.rs"]
 mod lanes;
 #[path = "ik/outcomes.rs"]

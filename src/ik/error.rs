@@ -12,7 +12,8 @@ pub enum ArmError {
         /// The length of the linear part.
         linear: f64,
     },
-    /// The limits of a joint are not in order, or it slides and they are infinite.
+    /// The limits of a joint are not in order; or it slides and they are infinite; or they are angles
+    /// beyond what a float tells.
     Limits {
         /// The joint.
         joint: usize,

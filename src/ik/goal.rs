@@ -1,5 +1,6 @@
 //! What a search is for: the target, how near is near enough, and what keeps its steps short.
 
+use super::joint::UNIT;
 use super::least_squares::epsilon;
 use super::residual::{Residual, Weights, distance};
 use super::step::StepLimits;
@@ -7,9 +8,6 @@ use super::{Arm, Options};
 use crate::batch::{DualQuat, vector};
 use crate::real::Real;
 use dq8_simd::{Float, Lanes};
-
-/// How far the norm of a target may be from 1.
-const UNIT: f64 = 1e-3;
 
 /// What all lanes seek.
 #[derive(Clone, Copy)]
@@ -55,8 +53,11 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
         }
     }
 
-    /// The target, and the lanes that have one and a start. The others get the identity, so that
-    /// nothing they compute is slow or traps.
+    /// The target, exactly unit, and the lanes that have one and a start. The others get the identity,
+    /// so that nothing they compute is slow or traps.
+    ///
+    /// Unit, because a norm of 1 + δ moves 2qp* by 2δ of itself and the logarithm by δ, so that the two
+    /// errors of a [`Residual`] would never vanish together.
     #[inline(always)]
     pub(super) fn validated<L: Lanes<Real = R>>(
         &self,
@@ -65,12 +66,13 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
     ) -> (DualQuat<L>, L::Mask) {
         let level = target.real().w().level();
         let far = distance(target.translation(), vector::splat(level, self.centre));
-        let mut valid = target.is_unit(far.constant(UNIT)) & vector::is_finite(far);
+        let mut valid = target.is_unit(far.constant(f64::from(UNIT))) & vector::is_finite(far);
         for value in *start {
             valid = valid & vector::is_finite(value);
         }
         let identity = DualQuat::identity(level).to_array();
-        (DualQuat::from_array(vector::select(valid, target.to_array(), identity)), valid)
+        let target = DualQuat::from_array(vector::select(valid, target.to_array(), identity));
+        (target.normalize(), valid)
     }
 
     /// Targets beyond the arm's length, drawn to its edge; and which they are. From beyond they would

@@ -12,12 +12,14 @@ impl<R, const N: usize> Arm<R, N>
 where
     R: Real + Float + Lanes<Real = R, Level = Portable, Mask = bool>,
 {
-    /// Moves the joints from `values` until the end is at `target`, which must be unit.
+    /// Moves the joints from `values` until the end is at `target`, which is normalized first; farther
+    /// than 10⁻³ from unit it is [`Outcome::Invalid`].
     ///
     /// Each iteration is a damped step of second order (Halley's) along the screws of the joints, with
     /// the error 2 log(target · pose*): λ² is a part of the squared error (Sugihara 2011); a joint that
     /// would leave its limits is held there and the others step again; a hinge whose limits span a turn
-    /// goes on a turn less. Starts outside the limits begin at them.
+    /// goes on a turn less. Starts outside the limits begin at them, those of hinges that span a turn
+    /// whole turns away. What is reported is the error of the pose at the values that are returned.
     ///
     /// Where two steps in a row do not lead much nearer, or limits leave no way nearer, the search
     /// begins again ([`Options::restarts`]) from the nearest of 128 poses of the arm, the next time from

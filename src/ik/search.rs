@@ -25,7 +25,6 @@
 //! returns depends on no other.
 
 use super::goal::Goal;
-use super::limits;
 use super::residual::{Residual, distance};
 use super::{Arm, Options, Outcomes, Report};
 use crate::batch::{DualQuat, vector};
@@ -96,8 +95,8 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
         let started = *values;
         let (target, valid) = self.validated(target, &started);
         let mut start = started;
-        for (value, joint) in start.iter_mut().zip(&self.joints) {
-            *value = limits::clamp(joint, L::select(valid, *value, zero));
+        for (value, range) in start.iter_mut().zip(&self.ranges) {
+            *value = range.enter(L::select(valid, *value, zero));
         }
         let mut search = Search::new(self, target, start, valid, options);
         for _ in 0..options.max_iterations {
@@ -185,9 +184,9 @@ impl<'a, R: Real + Float, L: Lanes<Real = R>, const N: usize> Search<'a, R, L, N
         let one = self.mark.constant(1.0);
         let (seed, square) = self.next_seed();
         self.last_seed = L::select(restarting, square, self.last_seed);
-        let exhausted = restarting & one.constant(f64::INFINITY).le(square);
-        self.running = self.running & !exhausted;
-        self.restarts = self.restarts + L::select(restarting, one, one.constant(0.0));
+        let is_seed = square.lt(one.constant(f64::INFINITY));
+        self.running = self.running & (is_seed | !restarting);
+        self.restarts = self.restarts + L::select(restarting & is_seed, one, one.constant(0.0));
         vector::select(restarting, seed, next)
     }
 

@@ -9,8 +9,9 @@
 //! Slides and hinges share the system because everything in it is in radians: rows by
 //! [`Weights::row`], and the column of a slide by the length that weighs as much as a radian.
 
+use super::limits::Range;
 use super::residual::{Residual, Weights, dot};
-use super::{Arm, Joint, least_squares, limits};
+use super::{Arm, Joint, least_squares};
 use crate::batch::lie_bracket;
 use crate::geometry::Twist;
 use crate::real::Real;
@@ -90,7 +91,7 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
         let mut limited = square.lt(square);
         for _ in 0..=N {
             let (radians, shrink) = system.solve(damping, limits.longest);
-            let stopped = system.take(&self.joints, values, &radians, shrink);
+            let stopped = system.take(&self.joints, &self.ranges, values, &radians, shrink);
             limited = limited | stopped;
             if !stopped.any() {
                 break;
@@ -161,21 +162,22 @@ impl<L: Lanes<Real: Real>, const N: usize> System<L, N> {
     fn take(
         &mut self,
         joints: &[Joint<L::Real>; N],
+        ranges: &[Range<L::Real>; N],
         values: &[L; N],
         radians: &[L; N],
         shrink: L,
     ) -> L::Mask {
         let (zero, one) = (shrink.constant(0.0), shrink.constant(1.0));
         let mut stopped = one.lt(zero);
-        for (j, joint) in joints.iter().enumerate() {
+        for (j, (joint, range)) in joints.iter().zip(ranges).enumerate() {
             let unit = if joint.is_slide() { self.length } else { one };
             let change = radians[j] * shrink * unit;
             self.changes[j] = L::select(self.held[j], self.changes[j], change);
-            if joint.wraps() {
+            if range.wraps {
                 continue;
             }
             let value = values[j] + self.changes[j];
-            let inside = limits::clamp(joint, value);
+            let inside = range.clamp(value);
             let stops = !self.held[j] & !value.eq(inside);
             self.changes[j] = L::select(stops, inside - values[j], self.changes[j]);
             let taken = L::select(stops, self.changes[j] / unit, zero);
