@@ -10,6 +10,8 @@ mod honest;
 mod lanes;
 #[path = "ik/outcomes.rs"]
 mod outcomes;
+#[path = "ik/reference.rs"]
+mod reference;
 #[path = "ik/success.rs"]
 mod success;
 #[path = "ik/two_bone.rs"]
