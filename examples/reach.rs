@@ -22,6 +22,9 @@ use std::time::Instant;
 const TARGETS: usize = 10_000;
 
 fn main() -> Result<(), Box<dyn Error>> {
+    if let Some(argument) = std::env::args().nth(1) {
+        return Err(format!("usage: reach, without arguments such as {argument}").into());
+    }
     println!("| arm | numbers | backend | reached | iterations | restarts | µs | worst error |");
     println!("|---|---|---|---|---|---|---|---|");
     for (name, plan) in [("UR5", ur5()), ("PUMA 560, narrow limits", puma())] {

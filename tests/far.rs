@@ -2,8 +2,8 @@
 //! component; never anything between. Up to there it is that of the scalar reference.
 
 use dq8::{
-    Backend, DualQuat, DualVector, Float, Lanes, Place, Portable, Quat, Real, Twist, batch, f32x4,
-    f32x8, f64x2, f64x4,
+    Backend, DualQuat, DualVector, Float, Lanes, MatrixError, Place, Portable, Quat, Real, Twist,
+    batch, f32x4, f32x8, f64x2, f64x4,
 };
 
 /// The largest half angle that lanes know: 2¹⁶ and 2⁴⁵.
@@ -128,4 +128,41 @@ where
 fn slices_turn_as_far_on_every_backend() {
     every_backend_ends_at_the_same_parameter::<f32>();
     every_backend_ends_at_the_same_parameter::<f64>();
+}
+
+/// An infinite tolerance takes any matrix of finite numbers whose products are finite, and no other.
+#[test]
+fn no_tolerance_makes_a_motion_of_what_is_not_finite() {
+    let (inf, nan) = (f32::INFINITY, f32::NAN);
+    let rigid = [[1.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 2.0], [0.0, 0.0, 1.0, 3.0]];
+    assert!(DualQuat::try_from_matrix3x4(rigid, inf).is_ok());
+    for bad in [inf, -inf, nan, f32::MAX, -f32::MAX] {
+        for index in 0..9 {
+            let mut rows = rigid;
+            rows[index / 3][index % 3] = bad;
+            let refused = DualQuat::try_from_matrix3x4(rows, inf);
+            assert!(matches!(refused, Err(MatrixError::NotOrthonormal { .. })), "{refused:?}");
+        }
+        assert!(DualQuat::try_from_matrix3x4([[bad; 4]; 3], inf).is_err());
+    }
+}
+
+/// However small the turn; where |t| over the angle overflows, the moment says so and the logarithm
+/// still has the way back.
+#[test]
+fn the_axis_of_the_smallest_turns_is_unit_and_the_moment_overflows_as_documented() {
+    for places in [1, 3, 100, 1 << 22] {
+        let c = |factor: f32| factor * places as f32 * f32::from_bits(1);
+        let turn = Quat::from_xyzw(c(1.0), c(-2.0), c(2.0), 1.0);
+        let pose = DualQuat::from_rotation_translation(turn, [1.0, 0.0, 0.0]);
+        let screw = pose.to_screw();
+        for (got, wanted) in
+            screw.axis.direction.into_iter().zip([1.0 / 3.0, -2.0 / 3.0, 2.0 / 3.0])
+        {
+            assert!((got - wanted).abs() < 1e-7, "{places}: {screw:?}");
+        }
+        let overflows = 1.0 / f64::from(screw.angle) > f64::from(f32::MAX);
+        assert_eq!(!screw.axis.moment.iter().all(|c| c.is_finite()), overflows, "{screw:?}");
+        assert!(DualQuat::exp(pose.log()).abs_diff_eq(pose, 1e-7));
+    }
 }

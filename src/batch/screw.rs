@@ -13,7 +13,8 @@ use dq8_simd::Lanes;
 
 impl<L: Lanes> DualQuat<L> {
     /// The screw of unit σ, angle in [0, π]. A pure translation has angle 0, its own direction as
-    /// axis and moment 0; the identity has the axis (1, 0, 0).
+    /// axis and moment 0; the identity has the axis (1, 0, 0). The moment is not finite where |t| over the
+    /// angle overflows.
     #[inline(always)]
     #[must_use]
     pub fn to_screw(self) -> Screw<L> {
