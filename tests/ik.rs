@@ -12,6 +12,8 @@ mod lanes;
 mod outcomes;
 #[path = "ik/reference.rs"]
 mod reference;
+#[path = "ik/shapes.rs"]
+mod shapes;
 #[path = "ik/success.rs"]
 mod success;
 #[path = "ik/two_bone.rs"]

@@ -1,7 +1,7 @@
 //! Joint values within the limits of their joints.
 
 use super::error::ArmError;
-use super::{Arm, Joint};
+use super::joint::Joint;
 use crate::batch::even::half_turns;
 use crate::batch::vector;
 use crate::real::Real;
@@ -58,7 +58,7 @@ fn turn_nearest_to_zero<R: Real>(low: R, high: R) -> [R; 2] {
 
 impl<R: Real + Float> Range<R> {
     #[inline(always)]
-    fn ends<L: Lanes<Real = R>>(&self, level: L::Level) -> [L; 2] {
+    pub(super) fn ends<L: Lanes<Real = R>>(&self, level: L::Level) -> [L; 2] {
         vector::splat(level, [self.low, self.high])
     }
 
@@ -80,7 +80,7 @@ impl<R: Real + Float> Range<R> {
 
     /// Where a step to `value` leads: a joint that wraps goes on a turn less.
     #[inline(always)]
-    fn go_on<L: Lanes<Real = R>>(&self, value: L) -> L {
+    pub(super) fn go_on<L: Lanes<Real = R>>(&self, value: L) -> L {
         if !self.wraps {
             return self.clamp(value);
         }
@@ -96,36 +96,5 @@ impl<R: Real + Float> Range<R> {
         let [low, high] = self.ends(value.level());
         let value = L::select(value.lt(low), low, value);
         L::select(high.lt(value), high, value)
-    }
-}
-
-impl<R: Real + Float, const N: usize> Arm<R, N> {
-    /// The joints moved, each within its limits. What is not finite moves nothing.
-    #[inline(always)]
-    pub(super) fn moved<L: Lanes<Real = R>>(&self, values: &[L; N], changes: &[L; N]) -> [L; N] {
-        let mut moved = *values;
-        for ((value, &change), range) in moved.iter_mut().zip(changes).zip(&self.ranges) {
-            let next = range.go_on(*value + change);
-            *value = L::select(vector::is_finite(next), next, *value);
-        }
-        moved
-    }
-
-    /// Where a joint is at a limit that stops it.
-    #[inline(always)]
-    pub(super) fn is_at_limits<L: Lanes<Real = R>>(
-        &self,
-        level: L::Level,
-        values: &[L; N],
-    ) -> L::Mask {
-        let zero = L::splat(level, R::ZERO);
-        let mut is_at_limits = zero.lt(zero);
-        for (range, &value) in self.ranges.iter().zip(values) {
-            let [low, high] = range.ends(level);
-            if !range.wraps {
-                is_at_limits = is_at_limits | value.le(low) | high.le(value);
-            }
-        }
-        is_at_limits
     }
 }

@@ -242,6 +242,20 @@ impl<'a, R: Real + Float, L: Lanes<Real = R>, const N: usize> Search<'a, R, L, N
         self.running = self.running & (again | !self.stuck);
     }
 
+    /// Where the best values have a joint at a limit that stops it.
+    #[inline(always)]
+    fn is_at_limits(&self) -> L::Mask {
+        // Nowhere yet.
+        let mut is_at_limits = self.mark.lt(self.mark);
+        for (range, &value) in self.arm.ranges.iter().zip(&self.best.values) {
+            let [low, high] = range.ends(value.level());
+            if !range.wraps {
+                is_at_limits = is_at_limits | value.le(low) | high.le(value);
+            }
+        }
+        is_at_limits
+    }
+
     /// Of a target that has been clamped to the reach, the report tells the distance to itself.
     #[inline(always)]
     fn report(&self, target: DualQuat<L>, valid: L::Mask) -> Report<L, Outcomes<L::Mask>> {
@@ -258,7 +272,7 @@ impl<'a, R: Real + Float, L: Lanes<Real = R>, const N: usize> Search<'a, R, L, N
                 invalid: !valid,
                 converged: self.converged,
                 out_of_reach: self.out_of_reach,
-                at_limits: self.ever_stuck & arm.is_at_limits(level, &best.values),
+                at_limits: self.ever_stuck & self.is_at_limits(),
                 stalled: self.ever_stuck,
             },
         }

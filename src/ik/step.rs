@@ -12,7 +12,7 @@
 use super::limits::Range;
 use super::residual::{Residual, Weights, dot};
 use super::{Arm, Joint, least_squares};
-use crate::batch::lie_bracket;
+use crate::batch::{lie_bracket, vector};
 use crate::geometry::Twist;
 use crate::real::Real;
 use dq8_simd::{Float, Lanes, Mask};
@@ -98,6 +98,17 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
             }
         }
         Step { changes: system.changes, limited }
+    }
+
+    /// The joints moved, each within its limits. What is not finite moves nothing.
+    #[inline(always)]
+    pub(super) fn moved<L: Lanes<Real = R>>(&self, values: &[L; N], changes: &[L; N]) -> [L; N] {
+        let mut moved = *values;
+        for ((value, &change), range) in moved.iter_mut().zip(changes).zip(&self.ranges) {
+            let next = range.go_on(*value + change);
+            *value = L::select(vector::is_finite(next), next, *value);
+        }
+        moved
     }
 }
 
