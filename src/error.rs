@@ -95,7 +95,7 @@ impl fmt::Display for MatrixError {
 /// A 3×3 matrix that has no rotation beside it, or many.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum OrthonormalError {
-    /// An element is not finite.
+    /// An element is not finite, or one of the stretch overflows.
     NotFinite {
         /// The row of the element.
         row: usize,

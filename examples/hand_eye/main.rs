@@ -20,6 +20,7 @@ mod tests;
 use calibration::{CalibrationError, Pair};
 use dq8::DualQuat;
 use robot::{Noise, Robot};
+use std::error::Error;
 
 /// How many robots, each with a camera somewhere else, make one line of the table.
 const ROBOTS: u64 = 200;
@@ -48,7 +49,10 @@ fn root_mean_squares(errors: &[[f64; 2]]) -> [f64; 2] {
     [mean(0).sqrt(), mean(1).sqrt()]
 }
 
-fn main() -> Result<(), CalibrationError> {
+fn main() -> Result<(), Box<dyn Error>> {
+    if let Some(argument) = std::env::args().nth(1) {
+        return Err(format!("usage: hand_eye, without arguments such as {argument}").into());
+    }
     println!(
         "Root mean squares of {ROBOTS} robots: how far the screws of A and B differ, and the errors"
     );

@@ -71,7 +71,8 @@ impl<L: Lanes> DualQuat<L> {
         (twist.angular, linear)
     }
 
-    /// exp(½ξ), the motion that a constant twist makes in unit time.
+    /// exp(½ξ), the motion that a constant twist makes in unit time. NaN where |ω| is beyond 2¹⁷ radians
+    /// (`f32`; `f64`: 2⁴⁶), and so for the integrals.
     #[inline(always)]
     #[must_use]
     pub fn from_twist(twist: Twist<L>) -> Self {

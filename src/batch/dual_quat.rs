@@ -1,4 +1,4 @@
-use super::{Dual, Quat};
+use super::{Dual, Quat, vector};
 use crate::geometry::DualVector;
 use core::ops::{Add, Mul, Neg, Sub};
 use dq8_simd::{Block, Lanes, Level, Records, Row};
@@ -34,11 +34,7 @@ impl<L: Lanes> DualQuat<L> {
     #[inline(always)]
     #[must_use]
     pub fn splat(level: L::Level, components: [L::Real; 8]) -> Self {
-        let mut lanes = [L::splat(level, L::Real::default()); 8];
-        for (lane, value) in lanes.iter_mut().zip(components) {
-            *lane = L::splat(level, value);
-        }
-        Self::from_array(lanes)
+        Self::from_array(vector::splat(level, components))
     }
 
     /// From the lanes of `[px, py, pz, pw, qx, qy, qz, qw]`.

@@ -79,32 +79,56 @@ fn select<L: Lanes>(mask: L::Mask, yes: Dual<L>, no: Dual<L>) -> Dual<L> {
     Dual::new(L::select(mask, yes.real, no.real), L::select(mask, yes.dual, no.dual))
 }
 
-/// cos √v, sin(√v)/√v and the derivative of the latter, for v > (π/2)²: √v = kπ + r, |r| ≤ π/2.
+/// The largest half angle that has a sine and a cosine, radians: 2¹⁶ (`f32`), 2⁴⁵ (`f64`).
+///
+/// Beyond it a float is known to no more than 2⁻⁸ radians, and soon not even to a turn; and what π in
+/// three parts leaves is no longer within the range of the polynomials, so that rotations would not
+/// be unit.
+fn farthest<L: Lanes>() -> f64 {
+    if L::Real::SINGLE { 65_536.0 } else { 35_184_372_088_832.0 }
+}
+
+/// cos √v, sin(√v)/√v and the derivative of the latter, for v > (π/2)²; NaN beyond [`farthest`].
 ///
 /// Errors grow with √v as those of √v itself do: a float of size y is only known to y/2²⁴ (2⁵³).
 #[inline(always)]
 fn far_cos_sinc<L: Lanes>(v: L) -> (L, L, L) {
     let root = v.sqrt();
-    let turns = round(root * v.constant(core::f64::consts::FRAC_1_PI));
+    let is_near = root.le(v.constant(farthest::<L>()));
+    let root = L::select(is_near, root, v.constant(f64::NAN));
+    let (cos, sin) = cos_sin(root);
+    let sinc = sin / root;
+    (cos, sinc, (cos - sinc) / (v + v))
+}
+
+/// cos x and sin x for |x| up to [`farthest`]; beyond it they are anything.
+#[inline(always)]
+pub(crate) fn cos_sin<L: Lanes>(x: L) -> (L, L) {
+    let (turns, rest) = half_turns(x);
+    let square = rest * rest;
+    let (cos, _) = polynomial(&coefficients::COS_F32, &coefficients::COS_F64, square);
+    let (sinc, _) = polynomial(&coefficients::SINC_F32, &coefficients::SINC_F64, square);
+    // (−1)ᵏ: k/2 is a whole number or half way between two.
+    let half_turns = turns * x.constant(0.5);
+    let odd = (half_turns - round(half_turns)).abs();
+    let sign = odd.neg_mul_add(x.constant(4.0), x.constant(1.0));
+    (sign * cos, sign * rest * sinc)
+}
+
+/// The whole number k and the rest r of x = kπ + r, |r| ≤ π/2 but for rounding.
+#[inline(always)]
+pub(crate) fn half_turns<L: Lanes>(x: L) -> (L, L) {
+    let turns = round(x * x.constant(core::f64::consts::FRAC_1_PI));
     // π in three parts whose products with a small integer are exact (Cody and Waite 1980).
     let [high, middle, low] = if L::Real::SINGLE {
         [3.140_625, 9.670_257_568_359_375e-4, 6.277_114_152_908_325e-7]
     } else {
         [3.141_592_502_593_994, 1.509_957_883_171_927_3e-7, 1.078_060_570_811_623_8e-14]
     };
-    let rest = turns.neg_mul_add(v.constant(high), root);
-    let rest = turns.neg_mul_add(v.constant(middle), rest);
-    let rest = turns.neg_mul_add(v.constant(low), rest);
-    let square = rest * rest;
-    let (cos, _) = polynomial(&coefficients::COS_F32, &coefficients::COS_F64, square);
-    let (sinc, _) = polynomial(&coefficients::SINC_F32, &coefficients::SINC_F64, square);
-    // (−1)ᵏ: k/2 is a whole number or half way between two.
-    let half_turns = turns * v.constant(0.5);
-    let odd = (half_turns - round(half_turns)).abs();
-    let sign = odd.neg_mul_add(v.constant(4.0), v.constant(1.0));
-    let cos = sign * cos;
-    let sinc = sign * rest * sinc / root;
-    (cos, sinc, (cos - sinc) / (v + v))
+    let rest = turns.neg_mul_add(x.constant(high), x);
+    let rest = turns.neg_mul_add(x.constant(middle), rest);
+    let rest = turns.neg_mul_add(x.constant(low), rest);
+    (turns, rest)
 }
 
 /// The nearest whole number: adding 1.5·2²³ (2⁵²) leaves no bits for a fraction.

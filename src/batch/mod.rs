@@ -22,7 +22,7 @@ mod blend;
 mod derivative;
 mod dual;
 mod dual_quat;
-mod even;
+pub(crate) mod even;
 mod even_coefficients;
 mod jacobian;
 mod length;

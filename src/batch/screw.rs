@@ -13,7 +13,8 @@ use dq8_simd::Lanes;
 
 impl<L: Lanes> DualQuat<L> {
     /// The screw of unit σ, angle in [0, π]. A pure translation has angle 0, its own direction as
-    /// axis and moment 0; the identity has the axis (1, 0, 0).
+    /// axis and moment 0; the identity has the axis (1, 0, 0). The moment is not finite where |t| over the
+    /// angle overflows.
     #[inline(always)]
     #[must_use]
     pub fn to_screw(self) -> Screw<L> {
@@ -46,6 +47,10 @@ impl<L: Lanes> DualQuat<L> {
     }
 
     /// σ = cos(θ̂/2) + sin(θ̂/2)(l + εm); the axis must have length 1.
+    ///
+    /// NaN where half the angle is beyond 2¹⁶ = 65,536 radians (`f32`; `f64`: 2⁴⁵), as it is for
+    /// [`exp`](Self::exp), [`pow`](Self::pow), [`sclerp`](Self::sclerp) and what is built on them: such
+    /// a number is known to no more than a 256th of a radian.
     #[inline(always)]
     #[must_use]
     pub fn from_screw(screw: Screw<L>) -> Self {
@@ -64,7 +69,8 @@ impl<L: Lanes> DualQuat<L> {
         times_dual(sigma.dual_vector(), HalfAngle::of(sigma).over_sine())
     }
 
-    /// cos ĥ + sin ĥ (l + εm) of a + εb, with ĥ² = a·a + 2ε a·b.
+    /// cos ĥ + sin ĥ (l + εm) of a + εb, with ĥ² = a·a + 2ε a·b. NaN where |a| is beyond 2¹⁶ (`f32`) or
+    /// 2⁴⁵ (`f64`).
     #[inline(always)]
     #[must_use]
     pub fn exp(log: DualVector<L>) -> Self {
@@ -74,8 +80,8 @@ impl<L: Lanes> DualQuat<L> {
         Self::from_dual_parts(cos, times_dual(log, sinc))
     }
 
-    /// σᵗ of the one of ±σ with p_w ≥ 0; `t` may differ from lane to lane, and its square must be
-    /// finite: NaN beyond 10¹⁹ (`f32`).
+    /// σᵗ of the one of ±σ with p_w ≥ 0; `t` may differ from lane to lane. NaN where t times half the
+    /// angle is beyond 2¹⁶ (`f32`) or 2⁴⁵ (`f64`), or t beyond 10¹⁹ or 10¹⁵⁴, where its square is.
     #[inline(always)]
     #[must_use]
     pub fn pow(self, t: L) -> Self {
@@ -96,7 +102,8 @@ impl<L: Lanes> DualQuat<L> {
         Self::from_dual_parts(cos, times_dual(sigma.dual_vector(), factor))
     }
 
-    /// a(a*b)ᵗ by the shorter way; `t` may differ from lane to lane.
+    /// a(a*b)ᵗ by the shorter way; `t` may differ from lane to lane. NaN so far beyond the ends that
+    /// t times half the angle is beyond 2¹⁶ (`f32`) or 2⁴⁵ (`f64`).
     ///
     /// Slerp about the middle of the way. With m = (a+b)/2 and h = (b−a)/2, which are orthogonal for
     /// unit a and b, and τ = 2t − 1:

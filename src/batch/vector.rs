@@ -1,4 +1,4 @@
-//! Three-vectors of lanes as plain arrays.
+//! Vectors of lanes as plain arrays, most of them of three.
 
 use dq8_simd::Lanes;
 
@@ -49,4 +49,21 @@ pub(crate) fn select<L: Lanes, const N: usize>(mask: L::Mask, yes: [L; N], no: [
         *slot = L::select(mask, value, *slot);
     }
     picked
+}
+
+/// The same numbers in every lane.
+#[inline(always)]
+pub(crate) fn splat<L: Lanes, const N: usize>(level: L::Level, numbers: [L::Real; N]) -> [L; N] {
+    let mut lanes = [L::splat(level, L::Real::default()); N];
+    for (lane, number) in lanes.iter_mut().zip(numbers) {
+        *lane = L::splat(level, number);
+    }
+    lanes
+}
+
+/// Where a number is neither infinite nor NaN.
+#[inline(always)]
+pub(crate) fn is_finite<L: Lanes>(number: L) -> L::Mask {
+    let zero = number.constant(0.0);
+    (number * zero).eq(zero)
 }

@@ -1,5 +1,6 @@
 use super::error::ArmError;
-use super::joint::Joint;
+use super::joint::{Joint, UNIT, chain};
+use super::limits::Range;
 use super::seed::{SEEDS, Seed, seeds};
 use crate::real::Real;
 use crate::scalar::{DualQuat, vector};
@@ -12,6 +13,9 @@ use crate::scalar::{DualQuat, vector};
 #[derive(Clone, Debug)]
 pub struct Arm<R, const N: usize> {
     pub(super) joints: [Joint<R>; N],
+    /// The way of each joint along its axis for a radian.
+    pub(super) pitches: [R; N],
+    pub(super) ranges: [Range<R>; N],
     pub(super) home: DualQuat<R>,
     /// A point that no joint moves sideways, and how far the end can be from it.
     pub(super) centre: [R; 3],
@@ -22,9 +26,12 @@ pub struct Arm<R, const N: usize> {
 impl<R: Real, const N: usize> Arm<R, N> {
     /// From joints, the one at the base first, and the pose of the end where all of them are zero.
     ///
+    /// Screws and pose are made exactly unit, so that numbers with four decimals will do.
+    ///
     /// # Errors
-    /// If the screw of a joint is not what [`Joint::screw`] asks for, its limits are not in order or
-    /// let it slide without end, or `home` is not unit.
+    /// If the screw of a joint or `home` is farther from unit than 10⁻³, or limits are not in order, let
+    /// what slides go without end, or are angles so large that a float does not tell them (beyond 2¹⁷
+    /// radians for `f32`, 2⁴⁶ for `f64`; an endless hinge may have any).
     ///
     /// ```
     /// use dq8::ik::{Arm, ArmError, Joint};
@@ -34,32 +41,23 @@ impl<R: Real, const N: usize> Arm<R, N> {
     /// assert_eq!(error, ArmError::Screw { joint: 0, angular: 2.0, linear: 0.0 });
     /// ```
     pub fn new(joints: [Joint<R>; N], home: DualQuat<R>) -> Result<Self, ArmError> {
-        let tolerance = R::from(1e-5);
-        for (index, joint) in joints.iter().enumerate() {
-            let angular = vector::norm(joint.screw.angular);
-            let linear = vector::norm(joint.screw.linear);
-            let unit = if joint.is_slide() { linear } else { angular };
-            let is_screw = (unit - R::ONE).abs() <= tolerance && linear.is_finite();
-            if !is_screw {
-                let (angular, linear) = (angular.into(), linear.into());
-                return Err(ArmError::Screw { joint: index, angular, linear });
-            }
-            let [low, high] = joint.limits;
-            let slides = joint.is_slide() || joint.pitch().abs() > tolerance;
-            let ends = low.is_finite() && high.is_finite();
-            let in_order = low <= high && low < R::ONE / R::ZERO && high > -R::ONE / R::ZERO;
-            if !in_order || slides && !ends {
-                return Err(ArmError::Limits { joint: index, low: low.into(), high: high.into() });
-            }
+        let (mut joints, mut pitches, mut ranges) = (joints, [R::ZERO; N], [Range::NONE; N]);
+        for index in 0..N {
+            let (joint, pitch) = joints[index].checked(index)?;
+            ranges[index] = Range::of(&joint, pitch, index)?;
+            (joints[index], pitches[index]) = (joint, pitch);
         }
-        if !home.is_unit(tolerance) {
+        if !home.is_unit(R::from(UNIT)) {
             return Err(ArmError::Home { norm: home.real().norm().into() });
         }
-        let (centre, length) = span(&joints, home.translation());
-        Ok(Self { seeds: seeds(&joints, home), joints, home, centre, length })
+        // What is unit to rounding stays as it is, to the bit.
+        let home = if home.is_normalized() { home } else { home.normalize() };
+        let (centre, length) = span(&joints, &pitches, &ranges, home.translation());
+        let seeds = seeds(&joints, &ranges, home);
+        Ok(Self { joints, pitches, ranges, home, centre, length, seeds })
     }
 
-    /// The joints, the one at the base first.
+    /// The joints, the one at the base first, with unit screws.
     #[must_use]
     pub fn joints(&self) -> &[Joint<R>; N] {
         &self.joints
@@ -68,7 +66,7 @@ impl<R: Real, const N: usize> Arm<R, N> {
     /// The pose of the end, one product after the other.
     #[must_use]
     pub fn forward(&self, values: &[R; N]) -> DualQuat<R> {
-        forward(&self.joints, self.home, values)
+        chain(&self.joints, self.home, values)
     }
 
     /// A point, and a distance from it that the end never exceeds: the sum of the shortest ways from
@@ -80,34 +78,23 @@ impl<R: Real, const N: usize> Arm<R, N> {
     }
 }
 
-pub(super) fn forward<R: Real, const N: usize>(
-    joints: &[Joint<R>; N],
-    home: DualQuat<R>,
-    values: &[R; N],
-) -> DualQuat<R> {
-    let mut pose = DualQuat::IDENTITY;
-    for (joint, &value) in joints.iter().zip(values) {
-        pose = pose * joint.motion(value);
-    }
-    pose * home
-}
-
 /// [`Arm::reach_bound`]. A point on the axis of a hinge belongs to the links on both sides of it, so
 /// the way to a point on the next axis is as long in every pose.
-fn span<R: Real, const N: usize>(joints: &[Joint<R>; N], end: [R; 3]) -> ([R; 3], R) {
+fn span<R: Real, const N: usize>(
+    joints: &[Joint<R>; N],
+    pitches: &[R; N],
+    ranges: &[Range<R>; N],
+    end: [R; 3],
+) -> ([R; 3], R) {
     let mut length = R::ZERO;
     let mut way: Option<([R; 3], [R; 3])> = None;
-    for joint in joints {
-        let [low, high] = joint.limits;
-        let most = low.abs().max_or_nan(high.abs());
+    for ((joint, pitch), range) in joints.iter().zip(pitches).zip(ranges) {
+        let most = range.low.abs().max_or_nan(range.high.abs());
         if joint.is_slide() {
             length += most;
             continue;
         }
-        let pitch = joint.pitch().abs();
-        if pitch > R::ZERO && most.is_finite() {
-            length += pitch * most;
-        }
+        length += pitch.abs() * most;
         let axis = joint.screw.angular;
         let nearest_origin = vector::cross(axis, joint.screw.linear);
         let (first, last) = way.unwrap_or((nearest_origin, nearest_origin));

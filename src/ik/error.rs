@@ -12,7 +12,8 @@ pub enum ArmError {
         /// The length of the linear part.
         linear: f64,
     },
-    /// The limits of a joint are not in order, or it slides and they are infinite.
+    /// The limits of a joint are not in order; or it slides and they are infinite; or they are angles
+    /// beyond what a float tells.
     Limits {
         /// The joint.
         joint: usize,
@@ -38,8 +39,8 @@ impl fmt::Display for ArmError {
             ),
             Self::Limits { joint, low, high } => write!(
                 f,
-                "joint {joint} cannot move between {low} and {high}: limits must be in order, and \
-                 finite for what slides"
+                "joint {joint} cannot move between {low} and {high}: limits must be in order, \
+                 finite for what slides, and angles that a float tells apart"
             ),
             Self::Home { norm } => {
                 write!(f, "the pose at zero is not unit: the norm of the real part is {norm}")

@@ -1,3 +1,4 @@
+use super::error::ArmError;
 use crate::geometry::{Line, Screw, Twist};
 use crate::real::Real;
 use crate::scalar::{DualQuat, vector};
@@ -6,7 +7,8 @@ use crate::scalar::{DualQuat, vector};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Joint<R> {
     /// How the joint moves what hangs on it, for a rate of 1: the spatial twist, in the frame of the
-    /// base, where all joints are zero. A unit angular part, or none and a unit linear part.
+    /// base, where all joints are zero. A unit angular part, or none and a unit linear part; an arm
+    /// takes it where that is off by up to 10⁻³, and makes it so.
     pub screw: Twist<R>,
     /// The least and the largest value; radians, or lengths for a slide.
     pub limits: [R; 2],
@@ -17,7 +19,10 @@ impl<R: Real> Joint<R> {
     /// point `through`: ω = axis, v = through × axis.
     #[must_use]
     pub fn revolute(axis: [R; 3], through: [R; 3]) -> Self {
-        let screw = Twist { angular: axis, linear: vector::cross(through, axis) };
+        // From the foot of the perpendicular: what `through` has along the axis adds nothing to v but
+        // rounding, and rounding along the axis would be a pitch.
+        let foot = vector::across(axis, through);
+        let screw = Twist { angular: axis, linear: vector::cross(foot, axis) };
         Self { screw, limits: [-R::PI, R::PI] }
     }
 
@@ -29,7 +34,10 @@ impl<R: Real> Joint<R> {
 
     /// The same joint with other limits. They may be infinite where nothing slides.
     ///
-    /// A hinge whose limits span a whole turn is never stopped by them: it goes on a turn less.
+    /// A hinge whose limits span a whole turn is never stopped by them: it goes on a turn less. One
+    /// whose limits span more than sixteen turns, or have no end, counts as endless: the values that an
+    /// arm returns for it are within half a turn of zero, or of the value next to zero that has half a
+    /// turn of room on both sides. A float many turns away is too coarse an angle.
     #[must_use]
     pub fn with_limits(self, limits: [R; 2]) -> Self {
         Self { limits, ..self }
@@ -58,14 +66,43 @@ impl<R: Real> Joint<R> {
     }
 
     /// ω·v, the way along the axis for a radian; zero for slides.
-    pub(super) fn pitch(&self) -> R {
+    fn pitch(&self) -> R {
         vector::dot(self.screw.angular, self.screw.linear)
     }
 
-    /// Whether a turn less is the same pose, and always within the limits.
-    pub(super) fn wraps(&self) -> bool {
-        let [low, high] = self.limits;
-        let pitch = self.pitch().abs();
-        !self.is_slide() && high - low >= R::TWO * R::PI && pitch <= R::from(8.0) * R::EPSILON
+    /// With a unit screw; and its pitch, zero where it is no more than rounding has left of a hinge.
+    pub(super) fn checked(self, index: usize) -> Result<(Self, R), ArmError> {
+        let Twist { angular, linear } = self.screw;
+        let lengths = [vector::norm(angular), vector::norm(linear)];
+        let unit = if self.is_slide() { lengths[1] } else { lengths[0] };
+        let is_unit = (unit - R::ONE).abs() <= R::from(UNIT);
+        if !is_unit || !lengths[1].is_finite() {
+            let [angular, linear] = lengths.map(Into::into);
+            return Err(ArmError::Screw { joint: index, angular, linear });
+        }
+        let angular = vector::over_norm(angular, unit);
+        let linear = vector::over_norm(linear, unit);
+        let along = vector::dot(angular, linear);
+        let is_hinge = along.abs() <= R::from(32.0) * R::EPSILON * lengths[1];
+        let (linear, pitch) =
+            if is_hinge { (vector::across(angular, linear), R::ZERO) } else { (linear, along) };
+        Ok((Self { screw: Twist { angular, linear }, ..self }, pitch))
     }
+}
+
+/// How far the length of an axis, and the norms of targets and of the pose at zero, may be from 1:
+/// numbers typed with four decimals are nearer.
+pub(super) const UNIT: f32 = 1e-3;
+
+/// The pose of the end of a chain of joints, one product after the other.
+pub(super) fn chain<R: Real, const N: usize>(
+    joints: &[Joint<R>; N],
+    home: DualQuat<R>,
+    values: &[R; N],
+) -> DualQuat<R> {
+    let mut pose = DualQuat::IDENTITY;
+    for (joint, &value) in joints.iter().zip(values) {
+        pose = pose * joint.motion(value);
+    }
+    pose * home
 }

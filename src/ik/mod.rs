@@ -28,13 +28,16 @@
 //! ```
 
 mod arm;
-mod entry;
 mod error;
+mod goal;
+mod jacobian;
 mod joint;
 mod least_squares;
-mod miss;
+mod limits;
 mod reach;
 mod report;
+mod residual;
+mod search;
 mod seed;
 mod step;
 mod two_bone;

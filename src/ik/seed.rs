@@ -1,7 +1,7 @@
 //! Poses of an arm from which a search begins again.
 
-use super::Joint;
-use super::arm::forward;
+use super::joint::{Joint, chain};
+use super::limits::Range;
 use crate::real::Real;
 use crate::scalar::DualQuat;
 
@@ -18,26 +18,25 @@ pub(super) struct Seed<R, const N: usize> {
 
 /// Joint values of low discrepancy within the limits: the additive recurrence u + kα modulo 1 with
 /// αⱼ = g⁻ʲ, g the positive root of gᴺ⁺¹ = g + 1, which generalises the golden ratio (Roberts 2018).
-/// A joint without limits takes a turn.
 pub(super) fn seeds<R: Real, const N: usize>(
     joints: &[Joint<R>; N],
+    ranges: &[Range<R>; N],
     home: DualQuat<R>,
 ) -> [Seed<R, N>; SEEDS] {
     let steps = recurrence::<N>();
     let mut shares = [0.5; N];
     let mut seeds = [Seed { values: [R::ZERO; N], pose: home }; SEEDS];
     for seed in &mut seeds {
-        for (((share, step), value), joint) in
-            shares.iter_mut().zip(steps).zip(&mut seed.values).zip(joints)
+        for (((share, step), value), &Range { low, high, .. }) in
+            shares.iter_mut().zip(steps).zip(&mut seed.values).zip(ranges)
         {
             *share += step;
             if *share >= 1.0 {
                 *share -= 1.0;
             }
-            let [low, high] = range(joint);
             *value = low + (high - low) * R::from_f64(*share);
         }
-        seed.pose = forward(joints, home, &seed.values);
+        seed.pose = chain(joints, home, &seed.values);
     }
     seeds
 }
@@ -53,16 +52,4 @@ fn recurrence<const N: usize>() -> [f64; N] {
         power /= ratio;
         power
     })
-}
-
-/// The limits, or as much of a turn as they leave.
-fn range<R: Real>(joint: &Joint<R>) -> [R; 2] {
-    let [low, high] = joint.limits;
-    let turn = R::TWO * R::PI;
-    match (low.is_finite(), high.is_finite()) {
-        (true, true) => [low, high],
-        (true, false) => [low, low + turn],
-        (false, true) => [high - turn, high],
-        (false, false) => [-R::PI, R::PI],
-    }
 }

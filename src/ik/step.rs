@@ -1,15 +1,32 @@
 //! One step of an arm toward its target, within its limits.
+//!
+//! A step is damped least squares, solved for all joints that are free. If that takes a joint beyond
+//! a limit, the joint goes to the limit and is *held* there; what its way contributes is taken off
+//! the error, its column leaves the system, and the others are solved again for the rest. So the
+//! others make up for it, where clipping the result would point the arm elsewhere. Each round holds
+//! at least one joint more, in some lane: N + 1 rounds are enough, and one where no limit is near.
+//!
+//! Slides and hinges share the system because everything in it is in radians: rows by
+//! [`Weights::row`], and the column of a slide by the length that weighs as much as a radian.
 
-use super::miss::{Miss, Weights, dot, is_finite, splat};
+use super::limits::Range;
+use super::residual::{Residual, Weights, dot};
 use super::{Arm, Joint, least_squares};
-use crate::batch::lie_bracket;
+use crate::batch::{lie_bracket, vector};
 use crate::geometry::Twist;
-use crate::real::Real;
-use dq8_simd::{Float, Lanes, Mask};
+use crate::real::Scalar;
+use dq8_simd::{Lanes, Mask};
+
+/// λ² of the damped least squares, as a part of the squared error: λ² = μ|e|², Sugihara's choice
+/// (*Solvability-Unconcerned Inverse Kinematics by the Levenberg–Marquardt Method*, 2011), which
+/// damps far from the target, where the columns promise too much, and in front of a target out of
+/// reach, where there is no limit to what they promise, but not at the end. His μ is ½; with second-order
+/// steps anything from 0.01 to 0.05 is as good, and better than ½.
+const DAMPING: f64 = 0.02;
 
 /// What keeps a step short.
 #[derive(Clone, Copy)]
-pub(super) struct Stride<L> {
+pub(super) struct StepLimits<L> {
     /// The most that a hinge turns.
     pub(super) longest: L,
     /// λ² where the target is.
@@ -24,7 +41,7 @@ pub(super) struct Step<L: Lanes, const N: usize> {
     pub(super) limited: L::Mask,
 }
 
-impl<R: Real + Float, const N: usize> Arm<R, N> {
+impl<R: Scalar, const N: usize> Arm<R, N> {
     /// Halley's step: Newton's, and then another along columns that are bent by half of it.
     ///
     /// The end moves by a product of exponentials, of which the logarithm is (Baker, Campbell, Hausdorff)
@@ -41,19 +58,19 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
         &self,
         values: &[L; N],
         columns: &[Twist<L>; N],
-        miss: &Miss<L>,
+        residual: &Residual<L>,
         weights: Weights<L>,
-        stride: Stride<L>,
+        limits: StepLimits<L>,
     ) -> Step<L, N> {
-        let newton = self.limited_step(values, columns, miss, weights, stride);
-        let (zero, half) = (stride.longest.constant(0.0), stride.longest.constant(0.5));
+        let newton = self.limited_step(values, columns, residual, weights, limits);
+        let (zero, half) = (limits.longest.constant(0.0), limits.longest.constant(0.5));
         let mut moved = Twist::from_array([zero; 6]);
         let mut bent = *columns;
         for ((bent, &column), &change) in bent.iter_mut().zip(columns).zip(&newton.changes) {
             *bent = column + lie_bracket(moved, column).scale(half);
             moved = moved + column.scale(change);
         }
-        self.limited_step(values, &bent, miss, weights, stride)
+        self.limited_step(values, &bent, residual, weights, limits)
     }
 
     /// A damped step that no limit forbids: a joint that would leave them goes to its limit and stays
@@ -63,98 +80,124 @@ impl<R: Real + Float, const N: usize> Arm<R, N> {
         &self,
         values: &[L; N],
         columns: &[Twist<L>; N],
-        miss: &Miss<L>,
+        residual: &Residual<L>,
         weights: Weights<L>,
-        stride: Stride<L>,
+        limits: StepLimits<L>,
     ) -> Step<L, N> {
-        let (zero, one) = (stride.longest.constant(0.0), stride.longest.constant(1.0));
-        // Slides in radians as well.
-        let mut rows = [[zero; 6]; N];
-        for ((row, &column), joint) in rows.iter_mut().zip(columns).zip(&self.joints) {
-            let unit = if joint.is_slide() { weights.length } else { one };
-            *row = weights.row(column.scale(unit), miss.at);
-        }
-        let never = one.lt(zero);
-        let mut held = [never; N];
-        let mut changes = [zero; N];
-        let mut limited = never;
-        let mut left = miss.error;
-        let damping = miss.square.mul_add(one.constant(DAMPING), stride.least_damping);
-        // Each turn holds a joint more, in some lane.
+        let mut system = System::new(&self.joints, columns, residual, weights);
+        let square = residual.square;
+        let damping = square.mul_add(square.constant(DAMPING), limits.least_damping);
+        // Nowhere yet.
+        let mut limited = square.lt(square);
         for _ in 0..=N {
-            let y = least_squares::damped(&rows, &held, left, damping);
-            let mut longest = stride.longest;
-            let mut radians = [zero; N];
-            for (radians, row) in radians.iter_mut().zip(&rows) {
-                *radians = dot(row, &y);
-            }
-            for (&radians, &held) in radians.iter().zip(&held) {
-                let length = L::select(held, zero, radians.abs());
-                longest = L::select(longest.lt(length), length, longest);
-            }
-            let shrink = stride.longest / longest;
-            let mut stopped = never;
-            for (j, joint) in self.joints.iter().enumerate() {
-                let unit = if joint.is_slide() { weights.length } else { one };
-                let change = radians[j] * shrink * unit;
-                changes[j] = L::select(held[j], changes[j], change);
-                if joint.wraps() {
-                    continue;
-                }
-                let value = values[j] + changes[j];
-                let inside = clamp(joint, value);
-                let stops = !held[j] & !value.eq(inside);
-                changes[j] = L::select(stops, inside - values[j], changes[j]);
-                let taken = L::select(stops, changes[j] / unit, zero);
-                for (left, &component) in left.iter_mut().zip(&rows[j]) {
-                    *left = component.neg_mul_add(taken, *left);
-                }
-                held[j] = held[j] | stops;
-                stopped = stopped | stops;
-            }
+            let (radians, shrink) = system.solve(damping, limits.longest);
+            let stopped = system.take(&self.joints, &self.ranges, values, &radians, shrink);
             limited = limited | stopped;
             if !stopped.any() {
                 break;
             }
         }
-        Step { changes, limited }
+        Step { changes: system.changes, limited }
     }
 
-    /// The joints moved, each within its limits; a joint that wraps goes on a turn less. What is not
-    /// finite moves nothing.
+    /// The joints moved, each within its limits. What is not finite moves nothing.
     #[inline(always)]
     pub(super) fn moved<L: Lanes<Real = R>>(&self, values: &[L; N], changes: &[L; N]) -> [L; N] {
         let mut moved = *values;
-        for ((value, &change), joint) in moved.iter_mut().zip(changes).zip(&self.joints) {
-            let next = *value + change;
-            let next = if joint.wraps() { wrap(joint, next) } else { next };
-            let next = clamp(joint, next);
-            *value = L::select(is_finite(next), next, *value);
+        for ((value, &change), range) in moved.iter_mut().zip(changes).zip(&self.ranges) {
+            let next = range.go_on(*value + change);
+            *value = L::select(vector::is_finite(next), next, *value);
         }
         moved
     }
 }
 
-/// λ² of the damped least squares, as a part of the squared error: λ² = μ|e|², Sugihara's choice
-/// (*Solvability-Unconcerned Inverse Kinematics by the Levenberg–Marquardt Method*, 2011), which
-/// damps far from the target, where the columns promise too much, and in front of a target out of
-/// reach, where there is no limit to what they promise, but not at the end. His μ is ½; with second-order
-/// steps anything from 0.01 to 0.05 is as good, and better than ½.
-const DAMPING: f64 = 0.02;
-
-/// To the nearest value within the limits.
-#[inline(always)]
-pub(super) fn clamp<L: Lanes<Real: Real>>(joint: &Joint<L::Real>, value: L) -> L {
-    let [low, high] = splat(value.level(), joint.limits);
-    let value = L::select(value.lt(low), low, value);
-    L::select(high.lt(value), high, value)
+/// The least squares of a step, and which joints have left it.
+struct System<L: Lanes, const N: usize> {
+    /// How the end moves with each joint, in radians.
+    rows: [[L; 6]; N],
+    /// Where a joint stands at a limit.
+    held: [L::Mask; N],
+    /// What each joint moves, in its own unit; final where it is held.
+    changes: [L; N],
+    /// The error without what the held joints contribute.
+    left: [L; 6],
+    /// A radian of a slide.
+    length: L,
 }
 
-/// A turn less, beyond the limits.
-#[inline(always)]
-fn wrap<L: Lanes<Real: Real>>(joint: &Joint<L::Real>, value: L) -> L {
-    let [low, high] = splat(value.level(), joint.limits);
-    let turn = value.constant(core::f64::consts::TAU);
-    let value = L::select(value.lt(low), value + turn, value);
-    L::select(high.lt(value), value - turn, value)
+impl<L: Lanes<Real: Scalar>, const N: usize> System<L, N> {
+    #[inline(always)]
+    fn new(
+        joints: &[Joint<L::Real>; N],
+        columns: &[Twist<L>; N],
+        residual: &Residual<L>,
+        weights: Weights<L>,
+    ) -> Self {
+        let zero = weights.length.constant(0.0);
+        let mut system = Self {
+            rows: [[zero; 6]; N],
+            held: [zero.lt(zero); N],
+            changes: [zero; N],
+            left: residual.error,
+            length: weights.length,
+        };
+        for ((row, &column), joint) in system.rows.iter_mut().zip(columns).zip(joints) {
+            let unit = if joint.is_slide() { weights.length } else { zero.constant(1.0) };
+            *row = weights.row(column.scale(unit), residual.end);
+        }
+        system
+    }
+
+    /// What the free joints should move, in radians, and the factor that makes the longest of it no
+    /// longer than allowed: all are shortened alike, to keep the direction.
+    #[inline(always)]
+    fn solve(&self, damping: L, longest: L) -> ([L; N], L) {
+        let zero = damping.constant(0.0);
+        let y = least_squares::damped(&self.rows, &self.held, self.left, damping);
+        let mut radians = [zero; N];
+        for (radians, row) in radians.iter_mut().zip(&self.rows) {
+            *radians = dot(row, &y);
+        }
+        let mut most = longest;
+        for (&radians, &held) in radians.iter().zip(&self.held) {
+            let length = L::select(held, zero, radians.abs());
+            most = L::select(most.lt(length), length, most);
+        }
+        (radians, longest / most)
+    }
+
+    /// Moves the free joints. Those that a limit stops go as far as it and are held from now on;
+    /// says where there was one.
+    #[inline(always)]
+    fn take(
+        &mut self,
+        joints: &[Joint<L::Real>; N],
+        ranges: &[Range<L::Real>; N],
+        values: &[L; N],
+        radians: &[L; N],
+        shrink: L,
+    ) -> L::Mask {
+        let (zero, one) = (shrink.constant(0.0), shrink.constant(1.0));
+        let mut stopped = one.lt(zero);
+        for (j, (joint, range)) in joints.iter().zip(ranges).enumerate() {
+            let unit = if joint.is_slide() { self.length } else { one };
+            let change = radians[j] * shrink * unit;
+            self.changes[j] = L::select(self.held[j], self.changes[j], change);
+            if range.wraps {
+                continue;
+            }
+            let value = values[j] + self.changes[j];
+            let inside = range.clamp(value);
+            let stops = !self.held[j] & !value.eq(inside);
+            self.changes[j] = L::select(stops, inside - values[j], self.changes[j]);
+            let taken = L::select(stops, self.changes[j] / unit, zero);
+            for (left, &component) in self.left.iter_mut().zip(&self.rows[j]) {
+                *left = component.neg_mul_add(taken, *left);
+            }
+            self.held[j] = self.held[j] | stops;
+            stopped = stopped | stops;
+        }
+        stopped
+    }
 }

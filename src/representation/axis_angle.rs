@@ -23,7 +23,7 @@ impl<R: Real> Quat<R> {
         if sine == R::ZERO {
             return ([R::ONE, R::ZERO, R::ZERO], R::ZERO);
         }
-        (short.xyz().map(|c| c / sine), R::TWO * sine.atan2(short.w()))
+        (vector::direction(short.xyz(), sine), R::TWO * sine.atan2(short.w()))
     }
 
     /// The turn by |v| radians about the direction of v, the exponential of v/2. Any v; the error of

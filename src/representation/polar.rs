@@ -41,7 +41,7 @@ impl<R: Real> Polar<R> {
     /// answer too, and does not count as mirroring.
     ///
     /// # Errors
-    /// If an element is not finite, or if A squeezes space into a line or a point within rounding
+    /// If an element is not finite, of A or of S (which overflows where singular values do), or if A squeezes space into a line or a point within rounding
     /// (σ₂ = σ₃ = 0): then many rotations are as near as each other.
     pub fn try_from_matrix3(rows: [[R; 3]; 3]) -> Result<Self, OrthonormalError> {
         all_finite(rows)?;
@@ -69,7 +69,12 @@ impl<R: Real> Polar<R> {
         }
         let rotation = Quat::from_array(vectors.map(|row| row[best])).normalize();
         let rotation = if rotation.w() < R::ZERO { -rotation } else { rotation };
-        Ok(Self { rotation, stretch: stretch(rotation, rows), mirrors })
+        // Near the top of the range the sums on the way may overflow where S does not.
+        let scale = if largest > R::from(1e30) { R::from(0.25) } else { R::ONE };
+        let stretch = stretch(rotation, rows.map(|row| row.map(|c| c * scale)));
+        let stretch = stretch.map(|row| row.map(|c| c / scale));
+        all_finite(stretch)?;
+        Ok(Self { rotation, stretch, mirrors })
     }
 }
 

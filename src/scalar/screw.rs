@@ -10,6 +10,9 @@ impl<R: Real> DualQuat<R> {
     /// A pure translation has angle 0, its own direction as axis and moment 0 (Jia's moment is
     /// infinite there); the identity has the axis (1, 0, 0).
     ///
+    /// The moment is as long as t over the angle: where a turn is so small that this overflows, it is
+    /// not finite, and [`from_screw`](Self::from_screw) has no way back. The logarithm has no such end.
+    ///
     /// ```
     /// use dq8::DualQuat;
     /// let screw = DualQuat::from_translation([0.0_f64, 3.0, 4.0]).to_screw();
@@ -28,7 +31,7 @@ impl<R: Real> DualQuat<R> {
             return Screw { axis, angle: R::ZERO, slide };
         }
         let half_angle = sine.atan2(sigma.real().w());
-        let direction = sigma.real().xyz().map(|c| c / sine);
+        let direction = vector::direction(sigma.real().xyz(), sine);
         let slide = vector::dot(t, direction);
         // m = ½ (t × l + (t − d l) cot(θ/2)), Jia eq. 37
         let cot = sigma.real().w() / sine;

@@ -23,6 +23,19 @@ pub(crate) fn norm<R: Real, const N: usize>(components: [R; N]) -> R {
     largest * sum.sqrt()
 }
 
+/// The unit vector along `components` of the length `norm`, not zero. Subnormal numbers have few digits,
+/// and their length no more: they are stretched, and measured again.
+pub(crate) fn direction<R: Real, const N: usize>(components: [R; N], norm: R) -> [R; N] {
+    // 2¹⁰⁰: a power of two rounds nothing.
+    let stretch = R::from(1.267_650_6e30);
+    if norm * stretch >= R::ONE {
+        return components.map(|c| c / norm);
+    }
+    let stretched = components.map(|c| c * stretch);
+    let norm = self::norm(stretched);
+    stretched.map(|c| c / norm)
+}
+
 /// What of `vector` is across the unit vector `along`.
 pub(crate) fn across<R: Real>(along: [R; 3], vector: [R; 3]) -> [R; 3] {
     sub(vector, scale(along, dot(along, vector)))

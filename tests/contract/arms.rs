@@ -66,6 +66,38 @@ pub fn puma() -> Plan<6> {
     Plan { axes, home: (X, 0.0, [0.4115, -0.1501, 0.4894]) }
 }
 
+/// An arm of seven axes, in the measures and limits of a KUKA iiwa 7.
+pub(crate) fn seven() -> Plan<7> {
+    let limits = [170.0_f64, 120.0, 170.0, 120.0, 170.0, 120.0, 175.0];
+    let axes = [(Z, 0.34), (Y, 0.34), (Z, 0.34), (down(Y), 0.74), (Z, 0.74), (Y, 1.14), (Z, 1.14)];
+    let axes = core::array::from_fn(|i| {
+        let limit = limits[i].to_radians();
+        hinge(axes[i].0, [0.0, 0.0, axes[i].1], [-limit, limit])
+    });
+    Plan { axes, home: (X, 0.0, [0.0, 0.0, 1.266]) }
+}
+
+/// Six hinges about axes in any direction, a third of a length apart, each turning all around.
+pub(crate) fn six_of_any_kind(random: &mut Random) -> Plan<6> {
+    let mut at = [0.0; 3];
+    let axes = core::array::from_fn(|_| {
+        at = at.map(|c| c + random.between(-0.3, 0.3));
+        hinge(direction(random), at, [-PI, PI])
+    });
+    Plan { axes, home: (direction(random), random.signed(), at.map(|c| c + 0.1)) }
+}
+
+/// Any direction.
+pub(crate) fn direction(random: &mut Random) -> [f64; 3] {
+    loop {
+        let vector: [f64; 3] = core::array::from_fn(|_| random.signed());
+        let length = vector.iter().map(|c| c * c).sum::<f64>().sqrt();
+        if (0.1..1.0).contains(&length) {
+            return vector.map(|c| c / length);
+        }
+    }
+}
+
 /// Eight joints: a UR5 on a screw of pitch 0.05 on a slide.
 pub fn gantry() -> Plan<8> {
     let slide = Axis { direction: X, through: [0.0; 3], limits: [-0.5, 0.7], pitch: None };
@@ -115,6 +147,11 @@ impl<const N: usize> Plan<N> {
         let (axis, angle, translation) = self.home;
         let turn = UnitQuaternion::from_scaled_axis(Vector3::from(axis) * angle);
         pose * Isometry3::from_parts(Vector3::from(translation).into(), turn)
+    }
+
+    /// The same arm with other axes and other limits.
+    pub(crate) fn with_axes(self, change: impl Fn(Axis) -> Axis) -> Self {
+        Self { axes: self.axes.map(change), ..self }
     }
 
     /// Values within the limits.

@@ -176,6 +176,13 @@ fn joints_that_make_no_arm_are_named() {
     assert_eq!(with(good.with_limits([-inf, inf])), Ok(()));
     assert_eq!(with(good.with_limits([0.5, 0.5])), Ok(()));
 
+    // Angles that a float does not tell, unless the hinge is endless.
+    let far = Joint::revolute([0.0_f32, 0.0, 1.0], [0.0; 3]).with_limits([1e7, 1e7 + 20.0]);
+    let refused = Arm::new([far], DualQuat::IDENTITY).map(|_| ());
+    assert_eq!(refused, Err(ArmError::Limits { joint: 0, low: 1e7, high: 1e7 + 20.0 }));
+    assert!(Arm::new([far.with_limits([-1e7, 1e7])], DualQuat::IDENTITY).is_ok());
+    assert_eq!(with(good.with_limits([1e7, 1e7 + 20.0])), Ok(()));
+
     for home in [
         DualQuat::ZERO,
         home.scale(2.0),
@@ -187,6 +194,17 @@ fn joints_that_make_no_arm_are_named() {
     let error = ArmError::Limits { joint: 1, low: 0.0, high: inf };
     assert_eq!(
         error.to_string(),
-        "joint 1 cannot move between 0 and inf: limits must be in order, and finite for what slides"
+        "joint 1 cannot move between 0 and inf: limits must be in order, finite for what slides, and \
+         angles that a float tells apart"
     );
+}
+
+/// With four decimals the pose at zero is unit to 10⁻⁴; the arm's poses are to rounding.
+#[test]
+fn a_home_typed_with_four_decimals_is_made_unit() {
+    let turn = Quat::from_array([0.1826, 0.3651, 0.5477, 0.7303]);
+    let home = DualQuat::from_rotation_translation(turn, [0.3, 0.2, 0.1]);
+    let joint = Joint::revolute([0.0, 0.0, 1.0], [1.0, 0.0, 0.0]);
+    let arm = Arm::new([joint], home).expect("an arm");
+    assert!(!home.is_normalized() && arm.forward(&[0.5]).is_normalized());
 }

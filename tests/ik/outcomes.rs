@@ -312,3 +312,18 @@ fn the_unit_of_length_does_not_matter() {
         }
     }
 }
+
+/// What is tried is what there is: 128 poses, each once, and then no more.
+#[test]
+fn a_search_ends_after_a_restart_from_each_of_its_128_poses() {
+    let up = [0.0, 0.0, 1.0_f64];
+    let joints = [0.0, 1.0, 2.0].map(|x| Joint::revolute(up, [x, 0.0, 0.0]));
+    let arm = Arm::new(joints, DualQuat::from_translation([2.0, 0.0, 0.0])).expect("an arm");
+    let tilt = Quat::from_axis_angle([1.0, 0.0, 0.0], 0.25);
+    let target = DualQuat::from_rotation_translation(tilt, [1.0, 0.5, 0.0]);
+    let options = Options { max_iterations: 100_000, ..Options::default() };
+    let mut values = [0.2, 0.7, -0.5];
+    let report = arm.reach(target, &mut values, &options);
+    assert_eq!((report.outcome, report.restarts), (Outcome::Stalled, 128.0), "{report:?}");
+    assert!(report.iterations < 3000.0, "{report:?}");
+}

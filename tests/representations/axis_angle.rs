@@ -101,6 +101,20 @@ fn subnormal_turns_are_neither_lost_nor_infinite() {
     assert_eq!(Quat::from_scaled_axis(v).to_scaled_axis(), v);
 }
 
+/// The length of so short a vector has but a few digits; its direction has them all.
+#[test]
+fn the_axis_of_a_subnormal_turn_is_unit() {
+    for places in [1, 2, 5, 40, 700, 100_000] {
+        let c = |factor: f32| factor * places as f32 * f32::from_bits(1);
+        let (axis, angle) = Quat::from_xyzw(c(3.0), c(-5.0), c(4.0), 1.0).to_axis_angle();
+        let length = 50.0_f64.sqrt();
+        for (got, wanted) in axis.into_iter().zip([3.0, -5.0, 4.0]) {
+            assert!((f64::from(got) - wanted / length).abs() < 1e-7, "{places}: {axis:?}");
+        }
+        assert!(angle > 0.0);
+    }
+}
+
 #[test]
 fn what_is_not_finite_becomes_nan() {
     for bad in [f32::NAN, f32::INFINITY] {

@@ -143,3 +143,35 @@ fn every_matrix_without_a_nearest_rotation_says_why() {
         assert!(matches!(infinite, OrthonormalError::NotFinite { row: 1, column: 2, .. }));
     }
 }
+
+/// Near the top of the range sums overflow on the way; the answer is finite or an error.
+#[test]
+fn the_stretch_of_the_largest_matrices_is_finite_or_refused() {
+    // One that overflowed on the way.
+    let rows = [
+        [6.316_404e-8, -f32::MAX, 2.148_485_7],
+        [-1.187_991_6e-18, 2.131_663_3, 0.159_077_27],
+        [5.755_230_3e34, -0.205_956_25, 3.867_092_3e18],
+    ];
+    let mut random = dq8_contract::random::Random(3);
+    let largest = (0..2000).map(|_| {
+        core::array::from_fn(|_| core::array::from_fn(|_| random.signed() as f32 * f32::MAX))
+    });
+    let (mut finite, mut refused) = (0, 0);
+    for rows in largest.chain([rows]) {
+        match Polar::try_from_matrix3(rows) {
+            Ok(polar) => {
+                assert!(polar.stretch.iter().flatten().all(|c| c.is_finite()), "{rows:?}");
+                assert!(polar.rotation.to_array().iter().all(|c| c.is_finite()), "{rows:?}");
+                finite += 1;
+            }
+            Err(OrthonormalError::NotFinite { value, .. }) => {
+                assert!(value.is_infinite(), "{rows:?}");
+                refused += 1;
+            }
+            Err(OrthonormalError::Ambiguous { .. }) => {}
+            Err(other) => panic!("{other} of {rows:?}"),
+        }
+    }
+    assert!(finite > 100 && refused > 100, "{finite} finite, {refused} refused");
+}

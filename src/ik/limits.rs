@@ -1,0 +1,100 @@
+//! Joint values within the limits of their joints.
+
+use super::error::ArmError;
+use super::joint::Joint;
+use crate::batch::even::half_turns;
+use crate::batch::vector;
+use crate::real::{Real, Scalar};
+use dq8_simd::Lanes;
+
+/// Hinges that may turn farther than this are endless. At half of it, eight turns from zero, a float
+/// in single precision is still finer than the tolerance of 10⁻⁵ that is the default.
+const ENDLESS_TURNS: f32 = 16.0;
+
+/// The values that a search gives a joint: always finite.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Range<R> {
+    pub(super) low: R,
+    pub(super) high: R,
+    /// Whether the ends stop nothing, because a turn less is the same pose and within them.
+    pub(super) wraps: bool,
+}
+
+impl<R: Real> Range<R> {
+    /// Zero alone.
+    pub(super) const NONE: Self = Self { low: R::ZERO, high: R::ZERO, wraps: false };
+
+    /// The limits, and of an endless hinge the turn within them that is nearest to zero.
+    pub(super) fn of(joint: &Joint<R>, pitch: R, index: usize) -> Result<Self, ArmError> {
+        let [low, high] = joint.limits;
+        let turn = R::TWO * R::PI;
+        let wraps = !joint.is_slide() && pitch == R::ZERO && high - low >= turn;
+        let is_endless = wraps && high - low > R::from(ENDLESS_TURNS) * turn;
+        let range = if is_endless { turn_nearest_to_zero(low, high) } else { [low, high] };
+        // Beyond 2¹⁷ radians (`f32`; `f64`: 2⁴⁶) lanes know no sine.
+        let is_angle = |value: R| value.abs() * R::from(64.0) * R::EPSILON <= R::ONE;
+        let fits = |value: R| value.is_finite() && (joint.is_slide() || is_angle(value));
+        // NaN is not in order.
+        if !(low <= high && range.into_iter().all(fits)) {
+            return Err(ArmError::Limits { joint: index, low: low.into(), high: high.into() });
+        }
+        let [low, high] = range;
+        Ok(Self { low, high, wraps })
+    }
+}
+
+fn turn_nearest_to_zero<R: Real>(low: R, high: R) -> [R; 2] {
+    let centre = if low > -R::PI {
+        low + R::PI
+    } else if high < R::PI {
+        high - R::PI
+    } else {
+        R::ZERO
+    };
+    let (first, last) = (centre - R::PI, centre + R::PI);
+    // Rounding may have left the limits.
+    [if first < low { low } else { first }, if last > high { high } else { last }]
+}
+
+impl<R: Scalar> Range<R> {
+    #[inline(always)]
+    pub(super) fn ends<L: Lanes<Real = R>>(&self, level: L::Level) -> [L; 2] {
+        vector::splat(level, [self.low, self.high])
+    }
+
+    /// The same pose within the range where a joint wraps, the nearest value elsewhere.
+    #[inline(always)]
+    pub(super) fn enter<L: Lanes<Real = R>>(&self, value: L) -> L {
+        let [low, high] = self.ends(value.level());
+        let outside = value.lt(low) | high.lt(value);
+        let entered = if self.wraps {
+            let half = value.constant(0.5);
+            let centre = (low + high) * half;
+            let (_, rest) = half_turns((value - centre) * half);
+            L::select(outside, (rest + rest) + centre, value)
+        } else {
+            value
+        };
+        self.clamp(entered)
+    }
+
+    /// Where a step to `value` leads: a joint that wraps goes on a turn less.
+    #[inline(always)]
+    pub(super) fn go_on<L: Lanes<Real = R>>(&self, value: L) -> L {
+        if !self.wraps {
+            return self.clamp(value);
+        }
+        let [low, high] = self.ends(value.level());
+        let turn = value.constant(core::f64::consts::TAU);
+        let value = L::select(value.lt(low), value + turn, value);
+        self.clamp(L::select(high.lt(value), value - turn, value))
+    }
+
+    /// The nearest value within the range.
+    #[inline(always)]
+    pub(super) fn clamp<L: Lanes<Real = R>>(&self, value: L) -> L {
+        let [low, high] = self.ends(value.level());
+        let value = L::select(value.lt(low), low, value);
+        L::select(high.lt(value), high, value)
+    }
+}

@@ -1,0 +1,167 @@
+//! Turns as far as numbers go: a motion on lanes is unit or, beyond the documented half angle, NaN in every
+//! component; never anything between. Up to there it is that of the scalar reference.
+
+use dq8::{
+    Backend, DualQuat, DualVector, Float, Lanes, MatrixError, Place, Portable, Quat, Real, Twist,
+    batch, f32x4, f32x8, f64x2, f64x4,
+};
+
+/// The largest half angle that lanes know: 2¹⁶ and 2⁴⁵.
+fn limit<R: Real>() -> f64 {
+    2f64.powi(if R::EPSILON.into() > 1e-10 { 16 } else { 45 })
+}
+
+/// Half angles from 0.7 to the largest number, none at the limit itself.
+fn half_angles<R: Real>() -> impl Iterator<Item = f64> {
+    let largest = if R::EPSILON.into() > 1e-10 { f64::from(f32::MAX) } else { f64::MAX };
+    let mut next = 0.7;
+    std::iter::from_fn(move || {
+        let half = next;
+        next *= 1.37;
+        (half.is_finite() && half <= largest).then_some(half)
+    })
+    .chain([largest])
+    .filter(|half| (half / limit::<R>() - 1.0).abs() > 1e-3)
+}
+
+/// Unit, or wholly NaN if it may be.
+fn assert_unit_or_nan<R: Real>(what: &str, half: f64, pose: DualQuat<R>) {
+    let components = pose.to_array().map(Into::<f64>::into);
+    if half > limit::<R>() {
+        assert!(components.iter().all(|c| c.is_nan()), "{what} of {half:e}: {pose:?}");
+        return;
+    }
+    let [p, q] = [&components[..4], &components[4..]];
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let epsilon: f64 = R::EPSILON.into();
+    let (norm, along, size) = (dot(p, p).sqrt(), dot(p, q), dot(q, q).sqrt());
+    assert!((norm - 1.0).abs() < 8.0 * epsilon, "{what} of {half:e}: |p| = {norm}");
+    assert!(along.abs() < 16.0 * epsilon * size.max(1.0), "{what} of {half:e}: p·q = {along:e}");
+}
+
+fn first<L: Lanes>(pose: batch::DualQuat<L>) -> DualQuat<L::Real>
+where
+    L::Real: Real,
+{
+    DualQuat::from_array(pose.to_array().map(|lanes| lanes.to_array().as_ref()[0]))
+}
+
+fn every_far_turn_is_unit_or_nan<L: Lanes<Level = Portable, Real: Real>>() {
+    let real = <L::Real as Real>::from_f64;
+    let lanes = |x: f64| L::splat(Portable, real(x));
+    let axis = [0.36, 0.48, 0.8];
+    let moment = [0.3, -0.5, 0.1];
+    let by_half = |half: f64| {
+        let angular = axis.map(|c| 2.0 * half * c);
+        Twist { angular: angular.map(lanes), linear: moment.map(lanes) }
+    };
+    let start = batch::DualQuat::from_translation([0.2, 0.1, -0.4].map(lanes));
+    let turn = batch::Quat::from_axis_angle(axis.map(lanes), lanes(2.0));
+    let radian = batch::DualQuat::from_rotation_translation(turn, moment.map(lanes));
+    for half in half_angles::<L::Real>() {
+        let log = DualVector { real: axis.map(|c| lanes(half * c)), dual: moment.map(lanes) };
+        let exp = first(batch::DualQuat::exp(log));
+        assert_unit_or_nan("exp", half, exp);
+        if half <= limit::<L::Real>() {
+            let log = DualVector { real: axis.map(|c| real(half * c)), dual: moment.map(real) };
+            let apart: f64 = exp.angle_to(DualQuat::exp(log)).into();
+            let epsilon: f64 = <L::Real as Real>::EPSILON.into();
+            assert!(apart < 4.0 * epsilon * half.max(1.0), "{apart:e} at {half:e}");
+        }
+        // Twice the half angle may be infinite.
+        if 2.0 * half * 0.8 < 1e38 || !L::Real::SINGLE && half < 1e307 {
+            assert_unit_or_nan(
+                "from_twist",
+                half,
+                first(batch::DualQuat::from_twist(by_half(half))),
+            );
+            let spin = batch::Quat::from_axis_angle(axis.map(lanes), lanes(2.0 * half));
+            let spun = batch::DualQuat::from_rotation(spin) * start;
+            assert_unit_or_nan("from_axis_angle", half, first(spun));
+        }
+        // Half the angle of `radian` is 1.
+        assert_unit_or_nan("pow", half, first(radian.pow(lanes(half))));
+        let identity = batch::DualQuat::identity(Portable);
+        assert_unit_or_nan("sclerp", half, first(identity.sclerp(radian, lanes(half))));
+        assert_unit_or_nan("sclerp_long", half, first(identity.sclerp_long(radian, lanes(half))));
+        let twist = by_half(1.0);
+        for (what, pose) in [
+            ("integrate_spatial", start.integrate_spatial(twist, lanes(half))),
+            ("integrate_body", start.integrate_body(twist, lanes(half))),
+        ] {
+            assert_unit_or_nan(what, half, first(pose));
+        }
+    }
+}
+
+#[test]
+fn lanes_turn_as_far_as_numbers_are_known_and_no_farther() {
+    every_far_turn_is_unit_or_nan::<f32x8>();
+    every_far_turn_is_unit_or_nan::<f32x4>();
+    every_far_turn_is_unit_or_nan::<f32>();
+    every_far_turn_is_unit_or_nan::<f64x4>();
+    every_far_turn_is_unit_or_nan::<f64x2>();
+    every_far_turn_is_unit_or_nan::<f64>();
+}
+
+/// The slice kernel, whose lanes are those of the CPU.
+fn every_backend_ends_at_the_same_parameter<R>()
+where
+    R: Real + Float + Place<1>,
+    DualQuat<R>: Place<8, Layout = <R as Place<1>>::Layout>,
+{
+    let real = <R as Real>::from_f64;
+    let turn = Quat::from_axis_angle([0.36, 0.48, 0.8].map(real), R::TWO);
+    let radian = DualQuat::from_rotation_translation(turn, [0.3, -0.5, 0.1].map(real));
+    let parameters: Vec<R> = half_angles::<R>().map(real).collect();
+    let (from, to) = (vec![DualQuat::IDENTITY; parameters.len()], vec![radian; parameters.len()]);
+    for backend in Backend::available() {
+        let mut poses = from.clone();
+        backend.sclerp_each(&from, &to, &parameters, &mut poses).expect("lengths fit");
+        for (pose, half) in poses.iter().zip(half_angles::<R>()) {
+            assert_unit_or_nan(&backend.to_string(), half, *pose);
+        }
+    }
+}
+
+#[test]
+fn slices_turn_as_far_on_every_backend() {
+    every_backend_ends_at_the_same_parameter::<f32>();
+    every_backend_ends_at_the_same_parameter::<f64>();
+}
+
+/// An infinite tolerance takes any matrix of finite numbers whose products are finite, and no other.
+#[test]
+fn no_tolerance_makes_a_motion_of_what_is_not_finite() {
+    let (inf, nan) = (f32::INFINITY, f32::NAN);
+    let rigid = [[1.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 2.0], [0.0, 0.0, 1.0, 3.0]];
+    assert!(DualQuat::try_from_matrix3x4(rigid, inf).is_ok());
+    for bad in [inf, -inf, nan, f32::MAX, -f32::MAX] {
+        for index in 0..9 {
+            let mut rows = rigid;
+            rows[index / 3][index % 3] = bad;
+            let refused = DualQuat::try_from_matrix3x4(rows, inf);
+            assert!(matches!(refused, Err(MatrixError::NotOrthonormal { .. })), "{refused:?}");
+        }
+        assert!(DualQuat::try_from_matrix3x4([[bad; 4]; 3], inf).is_err());
+    }
+}
+
+/// However small the turn; where |t| over the angle overflows, the moment says so and the logarithm
+/// still has the way back.
+#[test]
+fn the_axis_of_the_smallest_turns_is_unit_and_the_moment_overflows_as_documented() {
+    for places in [1, 3, 100, 1 << 22] {
+        let c = |factor: f32| factor * places as f32 * f32::from_bits(1);
+        let turn = Quat::from_xyzw(c(3.0), c(-5.0), c(4.0), 1.0);
+        let pose = DualQuat::from_rotation_translation(turn, [1.0, 0.0, 0.0]);
+        let screw = pose.to_screw();
+        for (got, wanted) in screw.axis.direction.into_iter().zip([3.0, -5.0, 4.0]) {
+            let wanted = wanted / 50.0_f64.sqrt();
+            assert!((f64::from(got) - wanted).abs() < 1e-7, "{places}: {screw:?}");
+        }
+        let overflows = 1.0 / f64::from(screw.angle) > f64::from(f32::MAX);
+        assert_eq!(!screw.axis.moment.iter().all(|c| c.is_finite()), overflows, "{screw:?}");
+        assert!(DualQuat::exp(pose.log()).abs_diff_eq(pose, 1e-7));
+    }
+}

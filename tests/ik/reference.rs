@@ -1,0 +1,260 @@
+//! The search of [`Arm::reach`] written once more, plainly: one target, `f64`, branches instead of masks,
+//! the joints by the scalar [`Joint::motion`](dq8::ik::Joint::motion), the linear algebra by nalgebra.
+//! It stands here and not in the library because nobody needs a second, slower search; the lanes
+//! need a second opinion.
+
+use super::arms::{Plan, Random, gantry, puma, seven, ur5};
+use dq8::ik::{Arm, Options, Outcome};
+use dq8::{DualQuat, Twist};
+use nalgebra::{DMatrix, DVector, Matrix6, Vector6};
+use std::f64::consts::{PI, TAU};
+
+/// How a plain search ended.
+struct Plain<const N: usize> {
+    outcome: Outcome,
+    iterations: u32,
+    restarts: u32,
+    values: [f64; N],
+}
+
+struct Search<'a, const N: usize> {
+    arm: &'a Arm<f64, N>,
+    target: DualQuat<f64>,
+    options: Options<f64>,
+    /// The length that weighs as much as a radian.
+    length: f64,
+}
+
+/// Where an arm is, and what separates it from its target.
+struct Here {
+    columns: Vec<Twist<f64>>,
+    end: [f64; 3],
+    error: Vector6<f64>,
+    reached: bool,
+}
+
+impl<const N: usize> Search<'_, N> {
+    fn is_slide(&self, joint: usize) -> bool {
+        self.arm.joints()[joint].screw.angular == [0.0; 3]
+    }
+
+    /// Whether a turn more or less is the same pose.
+    fn wraps(&self, joint: usize) -> bool {
+        let joint = &self.arm.joints()[joint];
+        let Twist { angular: w, linear: v } = joint.screw;
+        let pitch = w[0] * v[0] + w[1] * v[1] + w[2] * v[2];
+        w != [0.0; 3] && pitch.abs() < 1e-12 && joint.limits[1] - joint.limits[0] >= TAU
+    }
+
+    /// A twist as angle and way of the end, both in radians.
+    fn row(&self, twist: Twist<f64>, end: [f64; 3]) -> Vector6<f64> {
+        let [x, y, z] = twist.velocity_at(end).map(|c| c / self.length);
+        let [wx, wy, wz] = twist.angular;
+        Vector6::new(wx, wy, wz, x, y, z)
+    }
+
+    fn here(&self, values: &[f64; N]) -> Here {
+        let (mut pose, mut columns) = (DualQuat::IDENTITY, Vec::new());
+        for (joint, &value) in self.arm.joints().iter().zip(values) {
+            columns.push(pose.adjoint(joint.screw));
+            pose = pose * joint.motion(value);
+        }
+        let pose = self.arm.forward(values);
+        let (end, left) = (pose.translation(), (self.target * pose.conjugate()).to_twist());
+        let reached = pose.angle_to(self.target) <= self.options.angular_tolerance
+            && pose.distance_to(self.target) <= self.options.linear_tolerance;
+        Here { columns, end, error: self.row(left, end), reached }
+    }
+
+    /// Damped least squares; joints that would leave their limits stop there, and the others try again.
+    /// The changes, and whether there was such a joint.
+    fn step(&self, values: &[f64; N], columns: &[Twist<f64>], here: &Here) -> ([f64; N], bool) {
+        let unit = |j: usize| if self.is_slide(j) { self.length } else { 1.0 };
+        let row = |j: usize| self.row(columns[j].scale(unit(j)), here.end);
+        let damping = 0.02 * here.error.norm_squared() + self.options.damping.powi(2);
+        let (mut changes, mut left) = ([0.0; N], here.error);
+        let (mut free, mut limited): (Vec<usize>, bool) = ((0..N).collect(), false);
+        loop {
+            let rows: Vec<_> = free.iter().map(|&j| row(j)).collect();
+            let jacobian = DMatrix::from_fn(6, rows.len(), |i, j| rows[j][i]);
+            let square = &jacobian * jacobian.transpose();
+            let rounding = 0.25 * f64::EPSILON * (square.trace() + 1e-300);
+            let system = square + DMatrix::identity(6, 6) * (damping + rounding);
+            let system = Matrix6::from_column_slice(system.as_slice());
+            let y = system.cholesky().expect("damped").solve(&left);
+            let radians: DVector<f64> = jacobian.transpose() * y;
+            let shrink = (self.options.max_step / radians.amax()).min(1.0);
+            let mut stopped = Vec::new();
+            for (&j, radians) in free.iter().zip(radians.iter()) {
+                changes[j] = radians * shrink * unit(j);
+                let [low, high] = self.arm.joints()[j].limits;
+                let (value, inside) =
+                    (values[j] + changes[j], (values[j] + changes[j]).clamp(low, high));
+                if !self.wraps(j) && value != inside {
+                    changes[j] = inside - values[j];
+                    left -= row(j) * (changes[j] / unit(j));
+                    stopped.push(j);
+                }
+            }
+            limited |= !stopped.is_empty();
+            free.retain(|j| !stopped.contains(j));
+            if stopped.is_empty() || free.is_empty() {
+                return (changes, limited);
+            }
+        }
+    }
+
+    /// A step along columns that are bent by half of another.
+    fn halley(&self, values: &[f64; N], here: &Here) -> ([f64; N], bool) {
+        let (first, _) = self.step(values, &here.columns, here);
+        let mut moved = Twist::from_array([0.0; 6]);
+        let mut bent = Vec::new();
+        for (&column, change) in here.columns.iter().zip(first) {
+            bent.push(column + bracket(moved, column).scale(0.5));
+            moved = moved + column.scale(change);
+        }
+        self.step(values, &bent, here)
+    }
+
+    fn moved(&self, values: &[f64; N], changes: &[f64; N]) -> [f64; N] {
+        core::array::from_fn(|j| {
+            let [low, high] = self.arm.joints()[j].limits;
+            let value = values[j] + changes[j];
+            let turned = match self.wraps(j) {
+                true if value < low => value + TAU,
+                true if value > high => value - TAU,
+                _ => value,
+            };
+            turned.clamp(low, high)
+        })
+    }
+
+    fn run(&self, start: [f64; N]) -> Plain<N> {
+        let mut values = start;
+        let mut here = self.here(&values);
+        let (mut best, mut best_square) = (values, here.error.norm_squared());
+        let (mut mark, mut idle, mut stuck, mut ever_stuck) = (best_square, 0, false, false);
+        let mut seeds = None;
+        let (mut iterations, mut restarts) = (0, 0);
+        let mut outcome = if here.reached { Outcome::Converged } else { Outcome::Unfinished };
+        while outcome == Outcome::Unfinished && iterations < self.options.max_iterations {
+            iterations += 1;
+            let mut hopeless = false;
+            let restarting = stuck;
+            if restarting {
+                let seeds = seeds.get_or_insert_with(|| self.seeds());
+                let Some(seed) = seeds.pop() else { break };
+                (values, restarts) = (seed, restarts + 1);
+            } else {
+                let (changes, limited) = self.halley(&values, &here);
+                let square = here.error.norm_squared();
+                let mut left = here.error;
+                for (&column, change) in here.columns.iter().zip(changes) {
+                    left -= self.row(column, here.end) * change;
+                }
+                hopeless = limited && left.norm_squared() > 0.4 * square && square > 1e-4;
+                values = self.moved(&values, &changes);
+            }
+            here = self.here(&values);
+            let square = here.error.norm_squared();
+            if here.reached || square < best_square {
+                (best, best_square) = (values, square);
+            }
+            if here.reached {
+                outcome = Outcome::Converged;
+            }
+            let (patience, needed) = if self.options.restarts { (2, 0.4) } else { (6, 0.999) };
+            if restarting || square < mark * needed {
+                (mark, idle) = (square, 0);
+            } else {
+                idle += 1;
+            }
+            stuck = idle >= patience || hopeless && self.options.restarts;
+            ever_stuck |= stuck && !here.reached;
+            if stuck && !self.options.restarts {
+                break;
+            }
+        }
+        if outcome == Outcome::Unfinished && ever_stuck {
+            let at_limit = (0..N).any(|j| {
+                let [low, high] = self.arm.joints()[j].limits;
+                !self.wraps(j) && (best[j] <= low || best[j] >= high)
+            });
+            outcome = if at_limit { Outcome::AtLimits } else { Outcome::Stalled };
+        }
+        Plain { outcome, iterations, restarts, values: best }
+    }
+
+    /// The 128 poses to begin again from, the nearest to the target last: ½ + kα modulo 1.
+    fn seeds(&self) -> Vec<[f64; N]> {
+        let ratio = (0..64).fold(1.5_f64, |g, _| (1.0 + g).powf(1.0 / (N as f64 + 1.0)));
+        let mut seeds: Vec<(f64, [f64; N])> = (1..=128)
+            .map(|k| {
+                let values = core::array::from_fn(|j| {
+                    let share = (0.5 + f64::from(k) * ratio.powi(-(j as i32 + 1))).fract();
+                    let [low, high] = self.arm.joints()[j].limits;
+                    low + (high - low) * share
+                });
+                (self.here(&values).error.norm_squared(), values)
+            })
+            .collect();
+        seeds.sort_by(|(a, _), (b, _)| b.total_cmp(a));
+        seeds.into_iter().map(|(_, values)| values).collect()
+    }
+}
+
+/// [a, b] of spatial twists: a as a velocity of b.
+fn bracket(a: Twist<f64>, b: Twist<f64>) -> Twist<f64> {
+    let cross =
+        |[a, b, c]: [f64; 3], [x, y, z]: [f64; 3]| [b * z - c * y, c * x - a * z, a * y - b * x];
+    let (first, second) = (cross(a.angular, b.linear), cross(a.linear, b.angular));
+    Twist {
+        angular: cross(a.angular, b.angular),
+        linear: core::array::from_fn(|i| first[i] + second[i]),
+    }
+}
+
+/// Rounding differs, and near singular poses the last bit becomes another way: all but a few searches
+/// take the same steps to the same values. A fifth of the targets is moved out of reach or nearly so.
+fn searches_agree<const N: usize>(plan: &Plan<N>, options: &Options<f64>) {
+    let (arm, mut random) = (plan.arm::<f64>(), Random(21));
+    let (_, reach) = arm.reach_bound();
+    let length = options.length_per_radian.unwrap_or(reach / 8.0);
+    let mut differ = 0;
+    for i in 0..50 {
+        let mut target = arm.forward(&plan.draw(&mut random));
+        if i % 5 == 4 {
+            target = DualQuat::from_translation([0.2 * reach * random.signed(), 0.0, 0.0]) * target;
+        }
+        let start = plan.draw(&mut random);
+        let mut values = start;
+        let report = arm.reach(target, &mut values, options);
+        if report.outcome == Outcome::OutOfReach {
+            continue;
+        }
+        let search = Search { arm: &arm, target, options: *options, length };
+        let plain = search.run(start);
+        let same_way = (plain.outcome, f64::from(plain.iterations), f64::from(plain.restarts))
+            == (report.outcome, report.iterations, report.restarts);
+        let near = values.iter().zip(plain.values).all(|(a, b)| {
+            let apart = (a - b).abs();
+            apart < 1e-5 || (apart - 2.0 * PI).abs() < 1e-5
+        });
+        differ += usize::from(!(same_way && near));
+    }
+    assert!(differ <= 1, "{differ} of 50 differ");
+}
+
+#[test]
+fn a_search_written_plainly_takes_the_same_steps_to_the_same_values() {
+    let options = Options { max_iterations: 40, ..Options::default() };
+    let once = Options { restarts: false, ..options };
+    // Seven of eight searches with these begin again.
+    let careful = Options { damping: 0.01, max_step: 0.3, length_per_radian: Some(0.2), ..options };
+    for options in [options, once, careful] {
+        searches_agree(&ur5(), &options);
+        searches_agree(&puma(), &options);
+        searches_agree(&gantry(), &options);
+        searches_agree(&seven(), &options);
+    }
+}
