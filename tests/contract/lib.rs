@@ -6,6 +6,7 @@
 pub mod bound;
 pub mod case;
 pub mod conformance;
+mod entry;
 pub mod implementation;
 pub mod inputs;
 mod kinds;

@@ -11,6 +11,7 @@
 //! with answers of 60 digits. Every operation has one of the first two.
 
 use crate::bound::{Bound, Kind, on, within};
+use crate::entry::{method, operations};
 use crate::implementation::Implementation;
 use crate::kinds::*;
 use crate::lanes::{MAX_LANES, Motions, Reals, Row};
