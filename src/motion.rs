@@ -87,6 +87,7 @@ motion! {
     /// | from_screw(to_screw(σ)) = ±σ | unit |
     /// | spatial_twist(derivative_spatial(σ, ξ)) = ξ = adjoint(σ, body_twist(derivative_spatial(σ, ξ))) | unit |
     /// | velocity(derivative_from_velocity(σ, ω, ṫ)) = (ω, ṫ) | unit |
+    /// | integrate_body(a, twist_to(a, b), 1) = ±b | unit |
     /// | from_twist(to_twist(σ)) = ±σ, integrate_body(σ, ξ, s + t) = integrate_body(integrate_body(σ, ξ, s), ξ, t) | unit |
     /// | adjoint(ab) = adjoint(a) adjoint(b), the same for coadjoint; the power of a wrench on a twist is kept | unit |
     /// | left_jacobian(x) = adjoint(from_twist(x)) right_jacobian(x) = left_jacobian_inverse(x)⁻¹ | \|ω\| < 2π |
@@ -266,6 +267,8 @@ motion! {
         fn from_twist(twist: Twist<Self::Real>) -> Self;
         /// 2 log σ
         fn to_twist(self) -> Twist<Self::Real>;
+        /// 2 log(a*b) by the shorter way, a body twist
+        fn twist_to(self, other: Self) -> Twist<Self::Real>;
         /// exp(½ξ dt) σ
         #[must_use]
         fn integrate_spatial(self, twist: Twist<Self::Real>, dt: Self::Real) -> Self;

@@ -241,6 +241,8 @@ operations! {
         double(Twists, Kept, &[within(2.0, "exp of the half")])];
     to_twist(unit a) -> twist, scale::to_twist, [
         double(Twists, Kept, &[within(18.0, "twice a log; turns are up to π, so 1 ulp of one is 4 u")])];
+    twist_to(unit a, unit b) -> twist, scale::apart, [
+        double(Clusters, Kept, &[within(13.0, "a product, and twice a log, over π and the lengths")])];
     integrate_spatial(unit a, twist x, real dt) -> motion, scale::integrate, [
         double(Twists, Kept, &[within(3.5, "exp and a product")])];
     integrate_body(unit a, twist x, real dt) -> motion, scale::integrate, [

@@ -69,6 +69,14 @@ laws! {
     }
 
     #[test]
+    fn the_twist_to_a_pose_leads_to_it(x) -> "integrate_body(a, twist_to(a, b), 1) = ±b", for twist_cases(), law::far,
+        within 13.0, "two products; a factor and its reciprocal, each from its own function" {
+        let x = x.unit();
+        let there = x.a.integrate_body(x.a.twist_to(x.b), x.on.splat(1.0));
+        Sides::same_motions(x.b, there)
+    }
+
+    #[test]
     fn steps_in_the_fixed_frame_add(x) -> "a twist for dt twice is for 2 dt, spatial", for twist_cases(), law::step,
         within 4.5, "two exponentials and two products against one of each" {
         let x = x.unit();
