@@ -48,6 +48,7 @@ macro_rules! motion {
                 }
             )* };
         }
+        pub(crate) use delegate_to_inherent;
     };
 }
 
@@ -290,7 +291,6 @@ motion! {
         -> Twist<Self::Real>;
     }
 }
-pub(crate) use delegate_to_inherent;
 
 pub(crate) mod sealed {
     /// A new operation is then no change that breaks another crate.

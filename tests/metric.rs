@@ -92,7 +92,7 @@ fn the_bound_of_the_shell_is_reached_across_the_axis() {
         let bound = a.shell_error(b, on.splat(RADIUS)).first();
         assert!((bound - 13.0).abs() < 1e-5, "{on:?}: {bound}");
     }
-    implementations().into_iter().for_each(|on| check(on));
+    implementations().into_iter().for_each(check);
 }
 
 #[test]
@@ -210,7 +210,7 @@ fn what_is_not_finite_is_no_distance_and_leaves_other_lanes_alone() {
             }
         }
     }
-    implementations().into_iter().for_each(|on| check(on));
+    implementations().into_iter().for_each(check);
 }
 
 #[test]
@@ -231,5 +231,5 @@ fn drift_needs_renormalization() {
         assert!(needs(along(0.1)) && !needs(along(0.01)), "{on:?}");
         assert!(!needs(along(0.1).normalize()), "{on:?}");
     }
-    implementations().into_iter().for_each(|on| check(on));
+    implementations().into_iter().for_each(check);
 }

@@ -120,7 +120,7 @@ fn velocity_is_continuous_across_keys() {
             assert!(speed > 0.5, "{on:?}: a standstill would prove nothing");
         }
     }
-    implementations().into_iter().for_each(|on| check(on));
+    implementations().into_iter().for_each(check);
 }
 
 /// The mean of the screws from the key before and to the key after (Shoemake 1987).
@@ -167,5 +167,5 @@ fn what_is_not_finite_gives_nan_in_its_lane_alone() {
             }
         }
     }
-    implementations().into_iter().for_each(|on| check(on));
+    implementations().into_iter().for_each(check);
 }

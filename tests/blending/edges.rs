@@ -29,7 +29,7 @@ fn without_influences_there_is_no_blend() {
         assert!(on.dlb_running(&[]).is_none(), "{on:?}");
         assert!(on.dib(&[], tolerance(on), 8).is_none(), "{on:?}");
     }
-    implementations().into_iter().for_each(|on| check(on));
+    implementations().into_iter().for_each(check);
 }
 
 #[test]
@@ -44,7 +44,7 @@ fn the_running_sum_turns_what_the_first_influence_would_not() {
         assert!(degrees(dlb(&zero)).abs() < 0.01, "{on:?}");
         assert!((degrees(dlb_running(&zero)).abs() - 180.0).abs() < 0.01, "{on:?}");
     }
-    implementations().into_iter().for_each(|on| check(on));
+    implementations().into_iter().for_each(check);
 }
 
 #[test]
@@ -58,7 +58,7 @@ fn at_right_angles_the_sign_is_kept() {
             assert!((degrees(dib(&pair)).abs() - 90.0).abs() < 1e-4, "{on:?}");
         }
     }
-    implementations().into_iter().for_each(|on| check(on));
+    implementations().into_iter().for_each(check);
 }
 
 #[test]
@@ -91,7 +91,7 @@ fn weights_need_not_sum_to_one() {
             );
         }
     }
-    implementations().into_iter().for_each(|on| check(on));
+    implementations().into_iter().for_each(check);
 }
 
 #[test]
@@ -132,7 +132,7 @@ fn what_has_no_blend_is_nan_and_leaves_other_lanes_alone() {
         let mean = on.dib(&apart, tolerance(on), 32).expect("there are influences");
         assert_eq!(mean.converged, 0, "{on:?}");
     }
-    implementations().into_iter().for_each(|on| check(on));
+    implementations().into_iter().for_each(check);
 }
 
 #[test]
@@ -158,7 +158,7 @@ fn iterations_are_bounded_and_reported() {
         assert_eq!(alone.converged, all, "{on:?}");
         assert_eq!(alone.iterations.first().to_bits(), 0, "{on:?}");
     }
-    implementations().into_iter().for_each(|on| check(on));
+    implementations().into_iter().for_each(check);
 }
 
 #[test]
@@ -217,7 +217,7 @@ fn slerp_and_lerp_apart_go_straight_where_the_screw_goes_round() {
             assert_same(on.name, at, end, 1.0, 2.0);
         }
     }
-    implementations().into_iter().for_each(|on| check(on));
+    implementations().into_iter().for_each(check);
 }
 
 #[test]

@@ -70,5 +70,5 @@ fn no_screw_operation_answers_an_infinity_with_finite_numbers() {
             }
         }
     }
-    implementations().into_iter().for_each(|on| check(on));
+    implementations().into_iter().for_each(check);
 }

@@ -160,7 +160,7 @@ fn powers_of_tiny_screws_go_far_without_losing_the_angle() {
             }
         }
     }
-    implementations().into_iter().for_each(|on| check(on));
+    implementations().into_iter().for_each(check);
 }
 
 #[test]
@@ -178,7 +178,7 @@ fn interpolation_between_close_poses_goes_on_straight_beyond_both() {
             assert!(error <= relative * half.abs(), "{on:?}, t = {t}: {}", got[6]);
         }
     }
-    implementations().into_iter().for_each(|on| check(on));
+    implementations().into_iter().for_each(check);
 }
 
 #[test]
@@ -200,7 +200,7 @@ fn the_longer_way_goes_round_and_ends_where_it_should() {
         let lost = only(a.sclerp_long(-a, on.splat(0.5)));
         assert!(lost.iter().any(|c| c.is_nan()), "{on:?}: {lost:?}");
     }
-    implementations().into_iter().for_each(|on| check(on));
+    implementations().into_iter().for_each(check);
 }
 
 #[test]
@@ -218,7 +218,7 @@ fn a_half_turn_has_a_logarithm_and_an_exponential() {
             assert!((z - 1.0).abs() <= bound && w.abs() <= bound, "{on:?}: {z} {w}");
         }
     }
-    implementations().into_iter().for_each(|on| check(on));
+    implementations().into_iter().for_each(check);
 }
 
 #[test]
@@ -234,7 +234,7 @@ fn exponentials_of_many_turns_are_as_good_as_the_angle_is_known() {
             assert!(error <= bound * half.max(1.0), "{on:?}, {half}: {error:e}");
         }
     }
-    implementations().into_iter().for_each(|on| check(on));
+    implementations().into_iter().for_each(check);
 }
 
 #[test]
@@ -314,7 +314,7 @@ fn at_half_a_turn_exactly_nothing_vanishes() {
             }
         }
     }
-    implementations().into_iter().for_each(|on| check(on));
+    implementations().into_iter().for_each(check);
 }
 
 #[test]
@@ -327,7 +327,7 @@ fn weights_that_cancel_leave_nothing_to_normalize() {
             assert!(only(gone).iter().all(|c| c.is_nan()), "{on:?}: {gone:?}");
         }
     }
-    implementations().into_iter().for_each(|on| check(on));
+    implementations().into_iter().for_each(check);
 }
 
 #[test]
@@ -341,7 +341,7 @@ fn a_number_without_a_real_part_has_a_norm_of_nothing_and_is_not_unit() {
             assert_eq!(bad.abs_diff_eq(-bad, on.splat(0.5)), 0, "{on:?}: {bad:?}");
         }
     }
-    implementations().into_iter().for_each(|on| check(on));
+    implementations().into_iter().for_each(check);
 }
 
 /// w is 0 or −0 at half a turn, and both are the same motion.
@@ -356,7 +356,7 @@ fn zeros_of_either_sign_mean_the_same() {
             assert_eq!(plus, minus, "{on:?}: {}", operation.name);
         }
     }
-    implementations().into_iter().for_each(|on| check(on));
+    implementations().into_iter().for_each(check);
 }
 
 #[test]
