@@ -9,7 +9,8 @@
 //! code is 1 if a bound is broken or a row cannot be read.
 
 use dq8_contract::conformance::{Worst, worst_errors};
-use dq8_contract::{for_every_implementation, vectors};
+use dq8_contract::implementation::implementations;
+use dq8_contract::vectors;
 use std::process::ExitCode;
 use std::{env, fs};
 
@@ -48,7 +49,9 @@ fn conform(text: &str) -> Result<Vec<Worst>, String> {
         return Err("no rows".to_owned());
     }
     let mut all = Vec::new();
-    for_every_implementation!(|name, M| all.extend(worst_errors::<M>(name, &vectors)?));
+    for on in implementations() {
+        all.extend(worst_errors(on, &vectors)?);
+    }
     all.sort_by(|a, b| (&a.op, &a.kind).cmp(&(&b.op, &b.kind)));
     Ok(all)
 }

@@ -4,339 +4,295 @@ use crate::geometry::{DualVector, Line, Mean, Plane, Screw, Twist, Wrench};
 use core::fmt::Debug;
 use core::ops::{Add, Mul, Neg, Sub};
 
-/// Dual quaternions σ = p + εq, one ([`DualQuat`](crate::DualQuat)) or many at a time
-/// ([`batch::DualQuat`](crate::batch::DualQuat)).
-///
-/// # Conventions
-///
-/// - ε² = 0; p and q are quaternions. σ is *unit*, and then a rigid motion, if |p| = 1 and p·q = 0.
-/// - The motion is *rotate by r, then translate by t*: σ = r + ½εtr, so r = p and t = 2qp*.
-/// - `a * b` lets `b` act first: `(a * b).transform_point(v)` is
-///   `a.transform_point(b.transform_point(v))`, as with matrices on column vectors.
-/// - Points move by σ(1 + εv)σ⋄, directions by the rotation, lines by σ(l + εm)σ*.
-/// - σ and −σ are the same motion.
-/// - Angles are radians, lengths the user's own unit. Vectors are `[T; 3]`, matrices rows.
-///
-/// # Laws
-///
-/// They hold up to rounding for finite values (the table of tolerances is in the tests):
-///
-/// | law | for |
-/// |---|---|
-/// | (ab)c = a(bc), a·1 = 1·a = a, a(b + c) = ab + ac | all |
-/// | (ab)• = a•b•, (ab)* = b*a*, (ab)⋄ = b⋄a⋄, σ⋄ = (σ*)• | all |
-/// | σσ* = norm², norm(ab) = norm(a) norm(b) | p ≠ 0 |
-/// | normalize(σ) is unit; normalize(cσ) = normalize(σ) for real c > 0 | p ≠ 0 |
-/// | σσ⁻¹ = 1; σ⁻¹ = σ* for unit σ | p ≠ 0 |
-/// | from_rotation_translation(rotation(σ), translation(σ)) = σ = from_matrix(to_matrix(σ)), up to sign | unit |
-/// | (ab)v = a(bv) for points, directions, lines, planes; distances and incidences are kept | unit |
-/// | exp(log σ) = ±σ, σˢσᵗ = σˢ⁺ᵗ, σ¹ = ±σ, σ⁰ = 1, (√σ)² = ±σ | unit |
-/// | sclerp(a, b, 0) = a, sclerp(a, b, 1) = ±b, sclerp(ca, cb, t) = c sclerp(a, b, t) | unit |
-/// | nlerp(a, b, t) = nlerp(a, −b, t), the same for sclerp | unit |
-/// | dib({(a, 1−t), (b, t)}) = ±sclerp(a, b, t); dib, dlb and sclerp of cσᵢ and σᵢc are those of σᵢ times c | unit |
-/// | distance_weighted, angle_to and distance_to keep the triangle inequality and do not see the sign of σ | unit |
-/// | point_error(a, b, v) ≤ shell_error(a, b, r) for \|v\| ≤ r | unit |
-/// | from_screw(to_screw(σ)) = ±σ | unit |
-/// | spatial_twist(derivative_spatial(σ, ξ)) = ξ = adjoint(σ, body_twist(derivative_spatial(σ, ξ))) | unit |
-/// | velocity(derivative_from_velocity(σ, ω, ṫ)) = (ω, ṫ) | unit |
-/// | from_twist(to_twist(σ)) = ±σ, integrate_body(σ, ξ, s + t) = integrate_body(integrate_body(σ, ξ, s), ξ, t) | unit |
-/// | adjoint(ab) = adjoint(a) adjoint(b), the same for coadjoint; the power of a wrench on a twist is kept | unit |
-/// | left_jacobian(x) = adjoint(from_twist(x)) right_jacobian(x) = left_jacobian_inverse(x)⁻¹ | \|ω\| < 2π |
-///
-/// The documentation of each operation, with formula and source, stands on the scalar type; users
-/// need not import this trait, because both types have every operation as a method of their own.
-pub trait Motion:
-    Copy + Debug + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
-{
-    /// What it takes to make a constant: nothing, `()`, or the proof that the CPU has the lanes.
-    type Level: Copy;
-    /// A real number, or one a lane.
-    type Real: Copy
-        + Debug
-        + Add<Output = Self::Real>
-        + Sub<Output = Self::Real>
-        + Mul<Output = Self::Real>
-        + Neg<Output = Self::Real>;
-    /// A truth value, or one a lane.
-    type Mask: Copy + Debug;
-    /// A dual number, or one a lane.
-    type Dual: Copy + Debug;
-    /// A quaternion, or one a lane.
-    type Quat: Copy + Debug;
+/// Writes the trait, and the macro `delegate_to_inherent` for the types that have every method of the
+/// list as an inherent one: there `Self::name` finds that one first.
+macro_rules! motion {
+    (
+        $(#[$about:meta])*
+        trait $Motion:ident: $($bound:path),*;
+        types { $($types:tt)* }
+        by_hand { $(
+            $(#[$own:meta])*
+            fn $of_each:ident($($given:ident $(: $kind:ty)?),*) -> $outcome:ty;
+        )* }
+        inherent { $(
+            $(#[$method:meta])*
+            fn $name:ident($($argument:ident $(: $type:ty)?),* $(,)?) -> $result:ty;
+        )* }
+    ) => {
+        $(#[$about])*
+        pub trait $Motion: sealed::Sealed $(+ $bound)* {
+            $($types)*
 
-    /// The identity motion, 1 + ε0.
-    fn identity(level: Self::Level) -> Self;
+            /// The names of all methods, in this order.
+            const METHODS: &'static [&'static str] =
+                &[$(stringify!($of_each),)* $(stringify!($name)),*];
 
-    /// r + ε0
-    fn from_rotation(rotation: Self::Quat) -> Self;
-    /// 1 + ½εt
-    fn from_translation(translation: [Self::Real; 3]) -> Self;
-    /// r + ½εtr
-    fn from_rotation_translation(rotation: Self::Quat, translation: [Self::Real; 3]) -> Self;
-    /// r + ½εrt
-    fn from_translation_rotation(translation: [Self::Real; 3], rotation: Self::Quat) -> Self;
-    /// σ(r + ½εtr)
-    #[must_use]
-    fn mul_rotation_translation(self, rotation: Self::Quat, translation: [Self::Real; 3]) -> Self;
-    /// The motion of a rigid matrix, p_w ≥ 0.
-    fn from_matrix3x4(rows: [[Self::Real; 4]; 3]) -> Self;
-    /// cos(θ̂/2) + sin(θ̂/2)(l + εm)
-    fn from_screw(screw: Screw<Self::Real>) -> Self;
-
-    /// r = p
-    fn rotation(self) -> Self::Quat;
-    /// t = 2qp*
-    fn translation(self) -> [Self::Real; 3];
-    /// The rows of [R | t].
-    fn to_matrix3x4(self) -> [[Self::Real; 4]; 3];
-    /// The rows of [R | t] and 0 0 0 1.
-    fn to_matrix4(self) -> [[Self::Real; 4]; 4];
-    /// The screw of the one of ±σ with p_w ≥ 0.
-    fn to_screw(self) -> Screw<Self::Real>;
-
-    /// p − εq
-    #[must_use]
-    fn conjugate_dual(self) -> Self;
-    /// p* + εq*
-    #[must_use]
-    fn conjugate(self) -> Self;
-    /// p* − εq*
-    #[must_use]
-    fn conjugate_both(self) -> Self;
-    /// The one of ±σ with p_w ≥ 0.
-    #[must_use]
-    fn canonical(self) -> Self;
-    /// sσ
-    #[must_use]
-    fn scale(self, factor: Self::Real) -> Self;
-    /// (a + εb)σ
-    #[must_use]
-    fn scale_dual(self, factor: Self::Dual) -> Self;
-    /// p_a·p_b + ε(p_a·q_b + q_a·p_b)
-    fn dot(self, other: Self) -> Self::Dual;
-
-    /// √(σσ*)
-    fn norm(self) -> Self::Dual;
-    /// σ/√(σσ*), or NaN.
-    #[must_use]
-    fn normalize(self) -> Self;
-    /// σ/√(σσ*), and where that failed: p zero, or a component not finite. There the result is NaN.
-    fn normalize_checked(self) -> (Self, Self::Mask);
-    /// ||p| − 1| ≤ tolerance and |p·q| ≤ tolerance·max(1, |q|)
-    fn is_unit(self, tolerance: Self::Real) -> Self::Mask;
-    /// σ⁻¹, or NaN.
-    #[must_use]
-    fn inverse(self) -> Self;
-    /// σ⁻¹, and where that failed: p zero, or a component not finite. There the result is NaN.
-    fn inverse_checked(self) -> (Self, Self::Mask);
-    /// Every component differs by at most `tolerance`.
-    fn abs_diff_eq(self, other: Self, tolerance: Self::Real) -> Self::Mask;
-
-    /// Rv + t
-    fn transform_point(self, point: [Self::Real; 3]) -> [Self::Real; 3];
-    /// Rv
-    fn transform_vector(self, vector: [Self::Real; 3]) -> [Self::Real; 3];
-    /// Rl + ε(Rm + t × Rl)
-    fn transform_line(self, line: Line<Self::Real>) -> Line<Self::Real>;
-    /// n′ = Rn, d′ = d + n′·t
-    fn transform_plane(self, plane: Plane<Self::Real>) -> Plane<Self::Real>;
-
-    /// normalize((1−t)a ± tb)
-    #[must_use]
-    fn nlerp(self, other: Self, t: Self::Real) -> Self;
-    /// normalize(Σ ±wᵢσᵢ), signs toward the first; `None` without influences.
-    fn dlb(influences: &[(Self, Self::Real)]) -> Option<Self>;
-    /// normalize(Σ ±wᵢσᵢ), signs toward the sum so far; `None` without influences.
-    fn dlb_running(influences: &[(Self, Self::Real)]) -> Option<Self>;
-    /// b with Σ wᵢ log(b*σᵢ) = 0, steps of at most `tolerance` being none; `None` without influences.
-    fn dib(
-        influences: &[(Self, Self::Real)],
-        tolerance: Self::Real,
-        max_iterations: u32,
-    ) -> Option<Mean<Self, Self::Real, Self::Mask>>;
-    /// slerp(r_a, r_b, t) and (1−t)t_a + t t_b, to compare with.
-    #[must_use]
-    fn slerp_lerp(self, other: Self, t: Self::Real) -> Self;
-
-    /// (θ̂/2)(l + εm)
-    fn log(self) -> DualVector<Self::Real>;
-    /// cos ĥ + sin ĥ (l + εm)
-    fn exp(log: DualVector<Self::Real>) -> Self;
-    /// σᵗ
-    #[must_use]
-    fn pow(self, t: Self::Real) -> Self;
-    /// √σ
-    #[must_use]
-    fn sqrt(self) -> Self;
-    /// a(a*b)ᵗ by the shorter way
-    #[must_use]
-    fn sclerp(self, other: Self, t: Self::Real) -> Self;
-    /// a(a*b)ᵗ without turning b to −b
-    #[must_use]
-    fn sclerp_long(self, other: Self, t: Self::Real) -> Self;
-    /// sclerp(sclerp(σ₀, σ₁, t), sclerp(s₀, s₁, t), 2t(1−t)) from `self` to `end`
-    #[must_use]
-    fn squad(self, control_start: Self, control_end: Self, end: Self, t: Self::Real) -> Self;
-    /// σ exp(−(log(σ*σ₊) + log(σ*σ₋))/4)
-    #[must_use]
-    fn squad_control(previous: Self, current: Self, next: Self) -> Self;
-
-    /// θ, the angle of p_a*p_b, radians in [0, π]
-    fn angle_to(self, other: Self) -> Self::Real;
-    /// d = |t_a − t_b|
-    fn distance_to(self, other: Self) -> Self::Real;
-    /// √((λθ)² + d²)
-    fn distance_weighted(self, other: Self, length_per_radian: Self::Real) -> Self::Real;
-    /// |av − bv|
-    fn point_error(self, other: Self, point: [Self::Real; 3]) -> Self::Real;
-    /// d + 2 r sin(θ/2), at least |av − bv| for |v| ≤ r
-    fn shell_error(self, other: Self, radius: Self::Real) -> Self::Real;
-    /// Not unit within the tolerance.
-    fn needs_renormalization(self, tolerance: Self::Real) -> Self::Mask;
-
-    /// ½ξσ, ξ the spatial twist
-    #[must_use]
-    fn derivative_spatial(self, twist: Twist<Self::Real>) -> Self;
-    /// ½σξ, ξ the body twist
-    #[must_use]
-    fn derivative_body(self, twist: Twist<Self::Real>) -> Self;
-    /// 2σ̇σ*
-    fn spatial_twist(self, derivative: Self) -> Twist<Self::Real>;
-    /// 2σ*σ̇
-    fn body_twist(self, derivative: Self) -> Twist<Self::Real>;
-    /// ½ωr + ½ε(ṫr + ½tωr)
-    #[must_use]
-    fn derivative_from_velocity(self, angular: [Self::Real; 3], linear: [Self::Real; 3]) -> Self;
-    /// (ω, ṫ)
-    fn velocity(self, derivative: Self) -> ([Self::Real; 3], [Self::Real; 3]);
-    /// exp(½ξ)
-    fn from_twist(twist: Twist<Self::Real>) -> Self;
-    /// 2 log σ
-    fn to_twist(self) -> Twist<Self::Real>;
-    /// exp(½ξ dt) σ
-    #[must_use]
-    fn integrate_spatial(self, twist: Twist<Self::Real>, dt: Self::Real) -> Self;
-    /// σ exp(½ξ dt)
-    #[must_use]
-    fn integrate_body(self, twist: Twist<Self::Real>, dt: Self::Real) -> Self;
-    /// ω′ = Rω, v′ = Rv + t × ω′
-    fn adjoint(self, twist: Twist<Self::Real>) -> Twist<Self::Real>;
-    /// f′ = Rf, τ′ = Rτ + t × f′
-    fn coadjoint(self, wrench: Wrench<Self::Real>) -> Wrench<Self::Real>;
-    /// J_l(x) y, exp(½(x + δy)) ≈ exp(½δ J_l(x) y) exp(½x)
-    fn left_jacobian(at: Twist<Self::Real>, along: Twist<Self::Real>) -> Twist<Self::Real>;
-    /// J_r(x) y, exp(½(x + δy)) ≈ exp(½x) exp(½δ J_r(x) y)
-    fn right_jacobian(at: Twist<Self::Real>, along: Twist<Self::Real>) -> Twist<Self::Real>;
-    /// J_l⁻¹(x) y, infinite at |ω| = 2π
-    fn left_jacobian_inverse(at: Twist<Self::Real>, along: Twist<Self::Real>) -> Twist<Self::Real>;
-    /// J_r⁻¹(x) y, infinite at |ω| = 2π
-    fn right_jacobian_inverse(at: Twist<Self::Real>, along: Twist<Self::Real>)
-    -> Twist<Self::Real>;
-}
-
-/// Writes the body of `impl Motion` for a type that has every method as an inherent one:
-/// `Self::name` finds the inherent method first.
-macro_rules! delegate_to_inherent {
-    () => {
-        crate::motion::delegate_to_inherent! {
-            fn from_rotation(rotation: Self::Quat) -> Self;
-            fn from_translation(translation: [Self::Real; 3]) -> Self;
-            fn from_rotation_translation(r: Self::Quat, t: [Self::Real; 3]) -> Self;
-            fn from_translation_rotation(t: [Self::Real; 3], r: Self::Quat) -> Self;
-            fn from_matrix3x4(rows: [[Self::Real; 4]; 3]) -> Self;
-            fn from_screw(screw: crate::Screw<Self::Real>) -> Self;
-            fn dlb(influences: &[(Self, Self::Real)]) -> Option<Self>;
-            fn dlb_running(influences: &[(Self, Self::Real)]) -> Option<Self>;
-            fn dib(
-                influences: &[(Self, Self::Real)],
-                tolerance: Self::Real,
-                max_iterations: u32
-            ) -> Option<crate::Mean<Self, Self::Real, Self::Mask>>;
-            fn squad_control(previous: Self, current: Self, next: Self) -> Self;
-            fn exp(log: crate::DualVector<Self::Real>) -> Self;
-            fn from_twist(twist: crate::Twist<Self::Real>) -> Self;
-            fn left_jacobian(
-                at: crate::Twist<Self::Real>,
-                along: crate::Twist<Self::Real>
-            ) -> crate::Twist<Self::Real>;
-            fn right_jacobian(
-                at: crate::Twist<Self::Real>,
-                along: crate::Twist<Self::Real>
-            ) -> crate::Twist<Self::Real>;
-            fn left_jacobian_inverse(
-                at: crate::Twist<Self::Real>,
-                along: crate::Twist<Self::Real>
-            ) -> crate::Twist<Self::Real>;
-            fn right_jacobian_inverse(
-                at: crate::Twist<Self::Real>,
-                along: crate::Twist<Self::Real>
-            ) -> crate::Twist<Self::Real>;
+            $(
+                $(#[$own])*
+                fn $of_each($($given $(: $kind)?),*) -> $outcome;
+            )*
+            $(
+                $(#[$method])*
+                fn $name($($argument $(: $type)?),*) -> $result;
+            )*
         }
-        crate::motion::delegate_to_inherent! {
-            self
-            fn mul_rotation_translation(r: Self::Quat, t: [Self::Real; 3]) -> Self;
-            fn rotation() -> Self::Quat;
-            fn translation() -> [Self::Real; 3];
-            fn to_matrix3x4() -> [[Self::Real; 4]; 3];
-            fn to_matrix4() -> [[Self::Real; 4]; 4];
-            fn to_screw() -> crate::Screw<Self::Real>;
-            fn conjugate_dual() -> Self;
-            fn conjugate() -> Self;
-            fn conjugate_both() -> Self;
-            fn canonical() -> Self;
-            fn scale(factor: Self::Real) -> Self;
-            fn scale_dual(factor: Self::Dual) -> Self;
-            fn dot(other: Self) -> Self::Dual;
-            fn norm() -> Self::Dual;
-            fn normalize() -> Self;
-            fn is_unit(tolerance: Self::Real) -> Self::Mask;
-            fn inverse() -> Self;
-            fn abs_diff_eq(other: Self, tolerance: Self::Real) -> Self::Mask;
-            fn transform_point(point: [Self::Real; 3]) -> [Self::Real; 3];
-            fn transform_vector(vector: [Self::Real; 3]) -> [Self::Real; 3];
-            fn transform_line(line: crate::Line<Self::Real>) -> crate::Line<Self::Real>;
-            fn transform_plane(plane: crate::Plane<Self::Real>) -> crate::Plane<Self::Real>;
-            fn nlerp(other: Self, t: Self::Real) -> Self;
-            fn log() -> crate::DualVector<Self::Real>;
-            fn pow(t: Self::Real) -> Self;
-            fn sqrt() -> Self;
-            fn sclerp(other: Self, t: Self::Real) -> Self;
-            fn sclerp_long(other: Self, t: Self::Real) -> Self;
-            fn slerp_lerp(other: Self, t: Self::Real) -> Self;
-            fn squad(control_start: Self, control_end: Self, end: Self, t: Self::Real) -> Self;
-            fn angle_to(other: Self) -> Self::Real;
-            fn distance_to(other: Self) -> Self::Real;
-            fn distance_weighted(other: Self, length_per_radian: Self::Real) -> Self::Real;
-            fn point_error(other: Self, point: [Self::Real; 3]) -> Self::Real;
-            fn shell_error(other: Self, radius: Self::Real) -> Self::Real;
-            fn needs_renormalization(tolerance: Self::Real) -> Self::Mask;
-            fn derivative_spatial(twist: crate::Twist<Self::Real>) -> Self;
-            fn derivative_body(twist: crate::Twist<Self::Real>) -> Self;
-            fn spatial_twist(derivative: Self) -> crate::Twist<Self::Real>;
-            fn body_twist(derivative: Self) -> crate::Twist<Self::Real>;
-            fn derivative_from_velocity(
-                angular: [Self::Real; 3],
-                linear: [Self::Real; 3]
-            ) -> Self;
-            fn velocity(derivative: Self) -> ([Self::Real; 3], [Self::Real; 3]);
-            fn to_twist() -> crate::Twist<Self::Real>;
-            fn integrate_spatial(twist: crate::Twist<Self::Real>, dt: Self::Real) -> Self;
-            fn integrate_body(twist: crate::Twist<Self::Real>, dt: Self::Real) -> Self;
-            fn adjoint(twist: crate::Twist<Self::Real>) -> crate::Twist<Self::Real>;
-            fn coadjoint(wrench: crate::Wrench<Self::Real>) -> crate::Wrench<Self::Real>;
+
+        /// The methods of the list for an `impl Motion`, beside which the types of `geometry` are
+        /// imported.
+        macro_rules! delegate_to_inherent {
+            () => { $(
+                #[inline(always)]
+                fn $name($($argument $(: $type)?),*) -> $result {
+                    Self::$name($($argument),*)
+                }
+            )* };
         }
+        pub(crate) use delegate_to_inherent;
     };
-    ($this:ident $(fn $name:ident($($argument:ident: $type:ty),*) -> $result:ty;)*) => {$(
-        #[inline(always)]
-        fn $name($this $(, $argument: $type)*) -> $result {
-            Self::$name($this $(, $argument)*)
-        }
-    )*};
-    ($(fn $name:ident($($argument:ident: $type:ty),*) -> $result:ty;)*) => {$(
-        #[inline(always)]
-        fn $name($($argument: $type),*) -> $result {
-            Self::$name($($argument),*)
-        }
-    )*};
 }
-pub(crate) use delegate_to_inherent;
+
+motion! {
+    /// Dual quaternions σ = p + εq, one ([`DualQuat`](crate::DualQuat)) or many at a time
+    /// ([`batch::DualQuat`](crate::batch::DualQuat)).
+    ///
+    /// # Conventions
+    ///
+    /// - ε² = 0; p and q are quaternions. σ is *unit*, and then a rigid motion, if |p| = 1 and p·q = 0.
+    /// - The motion is *rotate by r, then translate by t*: σ = r + ½εtr, so r = p and t = 2qp*.
+    /// - `a * b` lets `b` act first: `(a * b).transform_point(v)` is
+    ///   `a.transform_point(b.transform_point(v))`, as with matrices on column vectors.
+    /// - Points move by σ(1 + εv)σ⋄, directions by the rotation, lines by σ(l + εm)σ*.
+    /// - σ and −σ are the same motion.
+    /// - Angles are radians, lengths the user's own unit. Vectors are `[T; 3]`, matrices rows.
+    ///
+    /// # Laws
+    ///
+    /// They hold up to rounding for finite values (the table of tolerances is in the tests):
+    ///
+    /// | law | for |
+    /// |---|---|
+    /// | (ab)c = a(bc), a·1 = 1·a = a, a(b + c) = ab + ac | all |
+    /// | (ab)• = a•b•, (ab)* = b*a*, (ab)⋄ = b⋄a⋄, σ⋄ = (σ*)• | all |
+    /// | σσ* = norm², norm(ab) = norm(a) norm(b) | p ≠ 0 |
+    /// | normalize(σ) is unit; normalize(cσ) = normalize(σ) for real c > 0 | p ≠ 0 |
+    /// | σσ⁻¹ = 1; σ⁻¹ = σ* for unit σ | p ≠ 0 |
+    /// | from_rotation_translation(rotation(σ), translation(σ)) = σ = from_matrix(to_matrix(σ)), up to sign | unit |
+    /// | (ab)v = a(bv) for points, directions, lines, planes; distances and incidences are kept | unit |
+    /// | exp(log σ) = ±σ, σˢσᵗ = σˢ⁺ᵗ, σ¹ = ±σ, σ⁰ = 1, (√σ)² = ±σ | unit |
+    /// | sclerp(a, b, 0) = a, sclerp(a, b, 1) = ±b, sclerp(ca, cb, t) = c sclerp(a, b, t) | unit |
+    /// | nlerp(a, b, t) = nlerp(a, −b, t), the same for sclerp | unit |
+    /// | dib({(a, 1−t), (b, t)}) = ±sclerp(a, b, t); dib, dlb and sclerp of cσᵢ and σᵢc are those of σᵢ times c | unit |
+    /// | distance_weighted, angle_to and distance_to keep the triangle inequality and do not see the sign of σ | unit |
+    /// | point_error(a, b, v) ≤ shell_error(a, b, r) for \|v\| ≤ r | unit |
+    /// | from_screw(to_screw(σ)) = ±σ | unit |
+    /// | spatial_twist(derivative_spatial(σ, ξ)) = ξ = adjoint(σ, body_twist(derivative_spatial(σ, ξ))) | unit |
+    /// | velocity(derivative_from_velocity(σ, ω, ṫ)) = (ω, ṫ) | unit |
+    /// | integrate_body(a, twist_to(a, b), 1) = ±b | unit |
+    /// | from_twist(to_twist(σ)) = ±σ, integrate_body(σ, ξ, s + t) = integrate_body(integrate_body(σ, ξ, s), ξ, t) | unit |
+    /// | adjoint(ab) = adjoint(a) adjoint(b), the same for coadjoint; the power of a wrench on a twist is kept | unit |
+    /// | left_jacobian(x) = adjoint(from_twist(x)) right_jacobian(x) = left_jacobian_inverse(x)⁻¹ | \|ω\| < 2π |
+    ///
+    /// The documentation of each operation, with formula and source, stands on the scalar type; users
+    /// need not import this trait, because both types have every operation as a method of their own.
+    /// No other type can implement it.
+    trait Motion: Copy, Debug, Add<Output = Self>, Sub<Output = Self>, Mul<Output = Self>, Neg<Output = Self>;
+
+    types {
+        /// What it takes to make a constant: nothing, `()`, or the proof that the CPU has the lanes.
+        type Level: Copy;
+        /// A real number, or one a lane.
+        type Real: Copy
+            + Debug
+            + Add<Output = Self::Real>
+            + Sub<Output = Self::Real>
+            + Mul<Output = Self::Real>
+            + Neg<Output = Self::Real>;
+        /// A truth value, or one a lane.
+        type Mask: Copy + Debug;
+        /// A dual number, or one a lane.
+        type Dual: Copy + Debug;
+        /// A quaternion, or one a lane.
+        type Quat: Copy + Debug;
+    }
+
+    by_hand {
+        /// The identity motion, 1 + ε0.
+        fn identity(level: Self::Level) -> Self;
+        /// σ/√(σσ*), and where that failed: p zero, or a component not finite. There the result is NaN.
+        fn normalize_checked(self) -> (Self, Self::Mask);
+        /// σ⁻¹, and where that failed: p zero, or a component not finite. There the result is NaN.
+        fn inverse_checked(self) -> (Self, Self::Mask);
+    }
+
+    inherent {
+        /// r + ε0
+        fn from_rotation(rotation: Self::Quat) -> Self;
+        /// 1 + ½εt
+        fn from_translation(translation: [Self::Real; 3]) -> Self;
+        /// r + ½εtr
+        fn from_rotation_translation(rotation: Self::Quat, translation: [Self::Real; 3]) -> Self;
+        /// r + ½εrt
+        fn from_translation_rotation(translation: [Self::Real; 3], rotation: Self::Quat) -> Self;
+        /// σ(r + ½εtr)
+        #[must_use]
+        fn mul_rotation_translation(self, rotation: Self::Quat, translation: [Self::Real; 3]) -> Self;
+        /// The motion of a rigid matrix, p_w ≥ 0.
+        fn from_matrix3x4(rows: [[Self::Real; 4]; 3]) -> Self;
+        /// cos(θ̂/2) + sin(θ̂/2)(l + εm)
+        fn from_screw(screw: Screw<Self::Real>) -> Self;
+
+        /// r = p
+        fn rotation(self) -> Self::Quat;
+        /// t = 2qp*
+        fn translation(self) -> [Self::Real; 3];
+        /// The rows of [R | t].
+        fn to_matrix3x4(self) -> [[Self::Real; 4]; 3];
+        /// The rows of [R | t] and 0 0 0 1.
+        fn to_matrix4(self) -> [[Self::Real; 4]; 4];
+        /// The screw of the one of ±σ with p_w ≥ 0.
+        fn to_screw(self) -> Screw<Self::Real>;
+
+        /// p − εq
+        #[must_use]
+        fn conjugate_dual(self) -> Self;
+        /// p* + εq*
+        #[must_use]
+        fn conjugate(self) -> Self;
+        /// p* − εq*
+        #[must_use]
+        fn conjugate_both(self) -> Self;
+        /// The one of ±σ with p_w ≥ 0.
+        #[must_use]
+        fn canonical(self) -> Self;
+        /// sσ
+        #[must_use]
+        fn scale(self, factor: Self::Real) -> Self;
+        /// (a + εb)σ
+        #[must_use]
+        fn scale_dual(self, factor: Self::Dual) -> Self;
+        /// p_a·p_b + ε(p_a·q_b + q_a·p_b)
+        fn dot(self, other: Self) -> Self::Dual;
+
+        /// √(σσ*)
+        fn norm(self) -> Self::Dual;
+        /// σ/√(σσ*), or NaN.
+        #[must_use]
+        fn normalize(self) -> Self;
+        /// ||p| − 1| ≤ tolerance and |p·q| ≤ tolerance·max(1, |q|)
+        fn is_unit(self, tolerance: Self::Real) -> Self::Mask;
+        /// σ⁻¹, or NaN.
+        #[must_use]
+        fn inverse(self) -> Self;
+        /// Every component differs by at most `tolerance`.
+        fn abs_diff_eq(self, other: Self, tolerance: Self::Real) -> Self::Mask;
+
+        /// Rv + t
+        fn transform_point(self, point: [Self::Real; 3]) -> [Self::Real; 3];
+        /// Rv
+        fn transform_vector(self, vector: [Self::Real; 3]) -> [Self::Real; 3];
+        /// Rl + ε(Rm + t × Rl)
+        fn transform_line(self, line: Line<Self::Real>) -> Line<Self::Real>;
+        /// n′ = Rn, d′ = d + n′·t
+        fn transform_plane(self, plane: Plane<Self::Real>) -> Plane<Self::Real>;
+
+        /// normalize((1−t)a ± tb)
+        #[must_use]
+        fn nlerp(self, other: Self, t: Self::Real) -> Self;
+        /// normalize(Σ ±wᵢσᵢ), signs toward the first; `None` without influences.
+        fn dlb(influences: &[(Self, Self::Real)]) -> Option<Self>;
+        /// normalize(Σ ±wᵢσᵢ), signs toward the sum so far; `None` without influences.
+        fn dlb_running(influences: &[(Self, Self::Real)]) -> Option<Self>;
+        /// b with Σ wᵢ log(b*σᵢ) = 0, steps of at most `tolerance` being none; `None` without influences.
+        fn dib(
+            influences: &[(Self, Self::Real)],
+            tolerance: Self::Real,
+            max_iterations: u32,
+        ) -> Option<Mean<Self, Self::Real, Self::Mask>>;
+        /// slerp(r_a, r_b, t) and (1−t)t_a + t t_b, to compare with.
+        #[must_use]
+        fn slerp_lerp(self, other: Self, t: Self::Real) -> Self;
+
+        /// (θ̂/2)(l + εm)
+        fn log(self) -> DualVector<Self::Real>;
+        /// cos ĥ + sin ĥ (l + εm)
+        fn exp(log: DualVector<Self::Real>) -> Self;
+        /// σᵗ
+        #[must_use]
+        fn pow(self, t: Self::Real) -> Self;
+        /// √σ
+        #[must_use]
+        fn sqrt(self) -> Self;
+        /// a(a*b)ᵗ by the shorter way
+        #[must_use]
+        fn sclerp(self, other: Self, t: Self::Real) -> Self;
+        /// a(a*b)ᵗ without turning b to −b
+        #[must_use]
+        fn sclerp_long(self, other: Self, t: Self::Real) -> Self;
+        /// sclerp(sclerp(σ₀, σ₁, t), sclerp(s₀, s₁, t), 2t(1−t)) from `self` to `end`
+        #[must_use]
+        fn squad(self, control_start: Self, control_end: Self, end: Self, t: Self::Real) -> Self;
+        /// σ exp(−(log(σ*σ₊) + log(σ*σ₋))/4)
+        #[must_use]
+        fn squad_control(previous: Self, current: Self, next: Self) -> Self;
+
+        /// θ, the angle of p_a*p_b, radians in [0, π]
+        fn angle_to(self, other: Self) -> Self::Real;
+        /// d = |t_a − t_b|
+        fn distance_to(self, other: Self) -> Self::Real;
+        /// √((λθ)² + d²)
+        fn distance_weighted(self, other: Self, length_per_radian: Self::Real) -> Self::Real;
+        /// |av − bv|
+        fn point_error(self, other: Self, point: [Self::Real; 3]) -> Self::Real;
+        /// d + 2 r sin(θ/2), at least |av − bv| for |v| ≤ r
+        fn shell_error(self, other: Self, radius: Self::Real) -> Self::Real;
+        /// Not unit within the tolerance.
+        fn needs_renormalization(self, tolerance: Self::Real) -> Self::Mask;
+
+        /// ½ξσ, ξ the spatial twist
+        #[must_use]
+        fn derivative_spatial(self, twist: Twist<Self::Real>) -> Self;
+        /// ½σξ, ξ the body twist
+        #[must_use]
+        fn derivative_body(self, twist: Twist<Self::Real>) -> Self;
+        /// 2σ̇σ*
+        fn spatial_twist(self, derivative: Self) -> Twist<Self::Real>;
+        /// 2σ*σ̇
+        fn body_twist(self, derivative: Self) -> Twist<Self::Real>;
+        /// ½ωr + ½ε(ṫr + ½tωr)
+        #[must_use]
+        fn derivative_from_velocity(self, angular: [Self::Real; 3], linear: [Self::Real; 3]) -> Self;
+        /// (ω, ṫ)
+        fn velocity(self, derivative: Self) -> ([Self::Real; 3], [Self::Real; 3]);
+        /// exp(½ξ)
+        fn from_twist(twist: Twist<Self::Real>) -> Self;
+        /// 2 log σ
+        fn to_twist(self) -> Twist<Self::Real>;
+        /// 2 log(a*b) by the shorter way, a body twist
+        fn twist_to(self, other: Self) -> Twist<Self::Real>;
+        /// exp(½ξ dt) σ
+        #[must_use]
+        fn integrate_spatial(self, twist: Twist<Self::Real>, dt: Self::Real) -> Self;
+        /// σ exp(½ξ dt)
+        #[must_use]
+        fn integrate_body(self, twist: Twist<Self::Real>, dt: Self::Real) -> Self;
+        /// ω′ = Rω, v′ = Rv + t × ω′
+        fn adjoint(self, twist: Twist<Self::Real>) -> Twist<Self::Real>;
+        /// f′ = Rf, τ′ = Rτ + t × f′
+        fn coadjoint(self, wrench: Wrench<Self::Real>) -> Wrench<Self::Real>;
+        /// J_l(x) y, exp(½(x + δy)) ≈ exp(½δ J_l(x) y) exp(½x)
+        fn left_jacobian(at: Twist<Self::Real>, along: Twist<Self::Real>) -> Twist<Self::Real>;
+        /// J_r(x) y, exp(½(x + δy)) ≈ exp(½x) exp(½δ J_r(x) y)
+        fn right_jacobian(at: Twist<Self::Real>, along: Twist<Self::Real>) -> Twist<Self::Real>;
+        /// J_l⁻¹(x) y, infinite at |ω| = 2π
+        fn left_jacobian_inverse(at: Twist<Self::Real>, along: Twist<Self::Real>) -> Twist<Self::Real>;
+        /// J_r⁻¹(x) y, infinite at |ω| = 2π
+        fn right_jacobian_inverse(at: Twist<Self::Real>, along: Twist<Self::Real>)
+        -> Twist<Self::Real>;
+    }
+}
+
+pub(crate) mod sealed {
+    /// A new operation is then no change that breaks another crate.
+    pub trait Sealed {}
+}

@@ -1,29 +1,24 @@
-//! Lanes against the scalar reference of the same precision: every operation of the contract on
-//! every lane type, and what the types have beside it in `agree_inherent.rs`.
+//! Lanes against the scalar reference of the same precision, and every implementation against the
+//! scalar path in `f64`: every operation of the table. What the types have beside it is in
+//! `agree_inherent.rs`.
 
-use dq8::DualQuat;
-use dq8_contract::agreement::{LANES, bound, distance};
-use dq8_contract::inputs::{self, Arguments, Case, NUMBERS};
-use dq8_contract::repertoire::{self, ALGEBRA, Answer, NAMES, answer};
-use dq8_contract::tolerance::unit_roundoff;
-use dq8_contract::{for_every_implementation, sample::Sample};
+use dq8::{DualQuat, Motion};
+use dq8_contract::bound::distance;
+use dq8_contract::case::{Case, NUMBERS};
+use dq8_contract::implementation::{On, implementations};
+use dq8_contract::inputs;
+use dq8_contract::ledger::{Ledger, Line};
+use dq8_contract::operation::{Held, Inputs, Operation};
+use dq8_contract::operations::{OPERATIONS, operation};
 use proptest::prelude::*;
 use proptest::test_runner::{TestCaseError, TestRunner};
-
-/// The answer of the scalar reference in the precision of `M`.
-fn reference<M: Sample>(name: &str, case: &Case) -> Answer {
-    if M::SINGLE {
-        answer(name, &Arguments::<DualQuat<f32>>::new(&[*case]))
-    } else {
-        answer(name, &Arguments::<DualQuat<f64>>::new(&[*case]))
-    }
-}
+use std::cell::RefCell;
 
 /// Where both ways between two motions are equally long up to rounding, either is right.
-fn is_a_tie<M: Sample>(name: &str, case: &Case) -> bool {
+fn is_a_tie(on: On, name: &str, case: &Case) -> bool {
     let apart = |other: &[f64; 8]| {
         let dot: f64 = case.a.iter().zip(other).take(4).map(|(a, b)| a * b).sum();
-        dot.abs() < 16.0 * unit_roundoff(M::SINGLE)
+        dot.abs() < 16.0 * on.roundoff()
     };
     match name {
         "nlerp" | "sclerp" | "sclerp_long" => apart(&case.b),
@@ -32,34 +27,35 @@ fn is_a_tie<M: Sample>(name: &str, case: &Case) -> bool {
     }
 }
 
-/// Compares every operation in `names` on all `cases`, as many at a time as there are lanes.
-fn agree<M: Sample>(implementation: &str, names: &[&str], cases: &[Case]) -> Result<(), String> {
-    for chunk in cases.chunks(M::LANES) {
-        let lanes = Arguments::<M>::new(chunk);
-        for &name in names {
-            let answers = answer(name, &lanes);
+/// Compares operations on all `cases`, as many at a time as there are lanes.
+fn agree(on: On, operations: &[&Operation], cases: &[Case]) -> Result<(), String> {
+    for operation in operations {
+        let Some(bound) = operation.agreement() else { continue };
+        for chunk in cases.chunks(on.lanes) {
+            let answers = operation.answer(on, chunk);
             for (lane, case) in chunk.iter().enumerate() {
-                if is_a_tie::<M>(name, case) {
+                if is_a_tie(on, operation.name, case) {
                     continue;
                 }
                 let (numbers, masks) = answers.lane(lane);
-                let (wanted, truths) = reference::<M>(name, case).lane(0);
-                let scale = repertoire::scale(name, case);
+                let (wanted, truths) = operation.answer(on.scalar(), &[*case]).lane(0);
+                let scale = (operation.scale)(case);
                 for ((kind, got), (_, wanted)) in numbers.into_iter().zip(wanted) {
                     // The reference overflowed on the way, as with the moment of a tiny screw.
                     let none = !wanted.is_finite();
-                    let units = distance(got, wanted, scale.of(kind), M::SINGLE);
-                    if !none && units > bound(LANES, name) {
+                    let units = distance(got, wanted, scale.of(kind), on.single);
+                    if !none && units > bound.units {
                         return Err(format!(
-                            "{implementation}, lane {lane}: {name} gives {got:e} for a {kind:?}, scalar \
-                             {wanted:e}: {units:.2} units apart for {case:?}"
+                            "{on:?}, lane {lane}: {} gives {got:e} for a {kind:?}, scalar {wanted:e}: \
+                             {units:.2} units apart, {} allowed ({}), for {case:?}",
+                            operation.name, bound.units, bound.reason
                         ));
                     }
                 }
                 if masks != truths {
                     return Err(format!(
-                        "{implementation}, lane {lane}: {name} says {masks:?}, scalar {truths:?} \
-                         for {case:?}"
+                        "{on:?}, lane {lane}: {} says {masks:?}, scalar {truths:?} for {case:?}",
+                        operation.name
                     ));
                 }
             }
@@ -69,104 +65,112 @@ fn agree<M: Sample>(implementation: &str, names: &[&str], cases: &[Case]) -> Res
 }
 
 /// Runs a property of some cases of a strategy: from one to all lanes twice and one more.
-fn check<M: Sample>(
+fn check(
+    on: On,
     case: impl Strategy<Value = Case>,
     times: u32,
     property: impl Fn(&[Case]) -> Result<(), String>,
 ) {
-    let cases = prop::collection::vec(case, 1..=2 * M::LANES + 1);
+    let cases = prop::collection::vec(case, 1..=2 * on.lanes + 1);
     let mut runner = TestRunner::new(inputs::proptest_config(times));
     runner
         .run(&cases, |cases| property(&cases).map_err(TestCaseError::fail))
         .unwrap_or_else(|failure| panic!("{failure}"));
 }
 
+fn all() -> Vec<&'static Operation> {
+    OPERATIONS.iter().collect()
+}
+
 #[test]
 fn every_operation_agrees_on_edge_cases() {
     let cases = inputs::unit_cases();
-    for_every_implementation!(|name, M| {
-        agree::<M>(name, &NAMES, &cases).unwrap_or_else(|failure| panic!("{failure}"));
-    });
+    for on in implementations() {
+        agree(on, &all(), &cases).unwrap_or_else(|failure| panic!("{failure}"));
+    }
 }
 
 #[test]
 fn every_operation_agrees_on_random_unit_motions() {
-    for_every_implementation!(|name, M| {
+    for on in implementations() {
         let case = inputs::case(inputs::unit_motion());
-        check::<M>(case, 16, |cases| agree::<M>(name, &NAMES, cases));
-    });
+        check(on, case, 16, |cases| agree(on, &all(), cases));
+    }
 }
 
 #[test]
 fn the_algebra_agrees_on_any_dual_quaternions() {
-    for_every_implementation!(|name, M| {
+    let algebra: Vec<_> = OPERATIONS.iter().filter(|operation| operation.is_algebra()).collect();
+    for on in implementations() {
         let case = inputs::case(inputs::general_motion());
-        check::<M>(case, 24, |cases| agree::<M>(name, &ALGEBRA, cases));
+        check(on, case, 24, |cases| agree(on, &algebra, cases));
+    }
+}
+
+#[test]
+fn every_implementation_answers_as_the_scalar_path_in_double_does() {
+    let twists = inputs::twist_cases();
+    let turns: Vec<_> = twists.iter().filter(|case| case.angle() < 6.25).copied().collect();
+    let clusters = RefCell::new(Vec::new());
+    inputs::for_all(32, &prop::collection::vec(inputs::cluster(), 16), |drawn| {
+        clusters.borrow_mut().extend(drawn);
+    });
+    let clusters = clusters.into_inner();
+    let held: Vec<_> =
+        OPERATIONS.iter().filter_map(|operation| Some((operation, operation.double()?))).collect();
+    let mut lines = Vec::new();
+    for &(operation, (.., bounds)) in &held {
+        lines.extend(bounds.iter().map(|&bound| Line { op: operation.name, bound }));
+    }
+    Ledger::keep("against f64", &lines, |ledger| {
+        for on in implementations() {
+            for &(operation, (inputs, sign, _)) in &held {
+                let cases = match inputs {
+                    Inputs::Twists => &twists,
+                    Inputs::Turns => &turns,
+                    Inputs::Clusters => &clusters,
+                };
+                let (error, case) = operation.worst_error(on, sign, cases);
+                ledger.measure(operation.name, "", error, || format!("{on:?}: {case:?}"));
+            }
+        }
     });
 }
 
-/// Operations that are held against the scalar path in tests of their own, with the file.
-const ELSEWHERE: &[(&str, &str, &[&str])] = &[
-    ("blending", include_str!("blending/main.rs"), &["dlb_running", "dib", "slerp_lerp"]),
-    ("squad", include_str!("squad.rs"), &["squad", "squad_control"]),
-    (
-        "metric",
-        include_str!("metric.rs"),
-        &[
-            "angle_to",
-            "distance_to",
-            "distance_weighted",
-            "point_error",
-            "shell_error",
-            "needs_renormalization",
-        ],
-    ),
-    (
-        "differential",
-        include_str!("differential/operation.rs"),
-        &[
-            "derivative_spatial",
-            "derivative_body",
-            "spatial_twist",
-            "body_twist",
-            "derivative_from_velocity",
-            "velocity",
-            "from_twist",
-            "to_twist",
-            "integrate_spatial",
-            "integrate_body",
-            "adjoint",
-            "coadjoint",
-            "left_jacobian",
-            "right_jacobian",
-            "left_jacobian_inverse",
-            "right_jacobian_inverse",
-        ],
-    ),
-];
-
 #[test]
 fn every_method_of_the_contract_is_held_against_the_scalar_path() {
-    let source = include_str!("../src/motion.rs");
-    let (_, body) = source.split_once("pub trait Motion").expect("the trait");
-    let (body, _) = body.split_once("\n}").expect("its end");
-    let methods = body.lines().filter_map(|line| line.strip_prefix("    fn "));
-    let methods: Vec<_> = methods.filter_map(|line| line.split('(').next()).collect();
-    let elsewhere = ELSEWHERE.iter().flat_map(|(.., names)| names.iter().copied());
-    let mut covered: Vec<_> = NAMES.iter().copied().chain(elsewhere).collect();
-    let mut wanted = [&methods[..], &["add", "sub", "mul", "neg"]].concat();
-    covered.sort_unstable();
+    let names = |held: &Operation| held.name;
+    let mut table: Vec<_> = OPERATIONS.iter().map(names).collect();
+    let operators = ["add", "sub", "mul", "neg"];
+    let mut wanted = [<DualQuat<f64> as Motion>::METHODS, &operators].concat();
+    table.sort_unstable();
     wanted.sort_unstable();
-    assert_eq!(wanted, covered);
-    for (file, text, names) in ELSEWHERE {
-        for name in *names {
-            assert!(text.contains(name), "tests of {file} do not name {name}");
+    assert_eq!(wanted, table);
+    for operation in OPERATIONS {
+        let against_scalar = |held: &&Held| !matches!(held, Held::Digits { .. });
+        let times = operation.bounds.iter().filter(against_scalar).count();
+        assert_eq!(times, 1, "{}", operation.name);
+    }
+}
+
+#[test]
+fn every_implementation_runs_that_the_machine_can_run() {
+    let names: Vec<_> = implementations().into_iter().map(|on| on.name).collect();
+    let mut wanted: Vec<_> = ["scalar f32", "scalar f64"].to_vec();
+    wanted.extend(["lanes f32x1", "lanes f32x4", "lanes f32x8", "lanes f32x16"]);
+    wanted.extend(["lanes f64x1", "lanes f64x2", "lanes f64x4", "lanes f64x8"]);
+    // Asked of the standard library, not of the detection that chooses the lanes.
+    #[cfg(target_arch = "x86_64")]
+    {
+        if std::is_x86_feature_detected!("avx2") && std::is_x86_feature_detected!("fma") {
+            wanted.extend(["lanes AVX2 f32x8", "lanes AVX2 f32x16", "lanes AVX2 f64x4"]);
+        }
+        if std::is_x86_feature_detected!("avx512f") {
+            let lanes = ["lanes AVX-512 f32x8", "lanes AVX-512 f32x16", "lanes AVX-512 f64x8"];
+            wanted.extend(lanes);
         }
     }
-    let table: Vec<_> = LANES.iter().map(|line| line.name).collect();
-    for name in NAMES {
-        assert!(table.contains(&name), "{name} has no line in the table");
-    }
+    assert_eq!(names, wanted);
 }
 
 /// Numbers that hurt, among ordinary ones.
@@ -188,27 +192,27 @@ fn any_case(single: bool) -> impl Strategy<Value = Case> {
 
 #[test]
 fn masks_are_those_of_scalar_for_any_numbers() {
-    for_every_implementation!(|name, M| {
-        check::<M>(any_case(M::SINGLE), 200, |cases| masks_agree::<M>(name, cases));
-    });
+    for on in implementations() {
+        check(on, any_case(on.single), 200, |cases| masks_agree(on, cases));
+    }
 }
 
-fn masks_agree<M: Sample>(implementation: &str, cases: &[Case]) -> Result<(), String> {
-    for chunk in cases.chunks(M::LANES) {
-        let lanes = Arguments::<M>::new(chunk);
+fn masks_agree(on: On, cases: &[Case]) -> Result<(), String> {
+    for chunk in cases.chunks(on.lanes) {
         for name in ["normalize_checked", "inverse_checked", "is_unit", "abs_diff_eq"] {
-            let answers = answer(name, &lanes);
+            let operation = operation(name);
+            let answers = operation.answer(on, chunk);
             for (lane, case) in chunk.iter().enumerate() {
                 // |p| itself may be no float though p is one: scalar has nothing to divide by then.
-                let largest = if M::SINGLE { f64::from(f32::MAX) } else { f64::MAX };
+                let largest = if on.single { f64::from(f32::MAX) } else { f64::MAX };
                 if case.a[..4].iter().any(|c| c.abs() > 0.5 * largest) {
                     continue;
                 }
-                let ((_, got), (_, wanted)) =
-                    (answers.lane(lane), reference::<M>(name, case).lane(0));
+                let wanted = operation.answer(on.scalar(), &[*case]);
+                let ((_, got), (_, wanted)) = (answers.lane(lane), wanted.lane(0));
                 if got != wanted {
                     return Err(format!(
-                        "{implementation}, lane {lane}: {name} says {got:?}, scalar {wanted:?} for \
+                        "{on:?}, lane {lane}: {name} says {got:?}, scalar {wanted:?} for \
                          {case:?}"
                     ));
                 }
@@ -234,15 +238,15 @@ fn is_unit_draws_its_line_where_scalar_does() {
     for (off, along) in [(0.0, 0.0), (0.9, 0.0), (1.1, 0.0), (-0.9, 0.0), (-1.1, 0.0)] {
         cases.push((nearly_unit(motion, off * tolerance, along * tolerance), off.abs() < 1.0));
     }
-    for_every_implementation!(|name, M| {
-        for chunk in cases.chunks(M::LANES) {
-            let gathered: Vec<_> = (0..M::LANES).map(|i| chunk[i % chunk.len()].0).collect();
-            let bits = M::bits(M::gather(&gathered).is_unit(<M as Sample>::splat(tolerance)));
+    for on in implementations() {
+        for chunk in cases.chunks(on.lanes) {
+            let gathered: Vec<_> = (0..on.lanes).map(|i| chunk[i % chunk.len()].0).collect();
+            let bits = on.gather(&gathered).is_unit(on.splat(tolerance));
             for (lane, (motion, unit)) in chunk.iter().enumerate() {
-                assert_eq!(bits >> lane & 1 == 1, *unit, "{name}, lane {lane}: {motion:?}");
+                assert_eq!(bits >> lane & 1 == 1, *unit, "{on:?}, lane {lane}: {motion:?}");
             }
         }
-    });
+    }
 }
 
 #[test]
@@ -256,25 +260,25 @@ fn a_lane_does_not_know_its_place_or_its_neighbours() {
     let bits = |answer: (Vec<(_, f64)>, Vec<bool>)| {
         (answer.0.iter().map(|(_, number)| bits(*number)).collect::<Vec<_>>(), answer.1)
     };
-    for_every_implementation!(|implementation, M| {
-        for case in &cases {
-            let alone = Arguments::<M>::new(&[*case; 1]);
-            let alone = NAMES.map(|name| bits(answer(name, &alone).lane(0)));
-            for lane in 0..M::LANES {
-                for neighbour in &neighbours {
-                    let mut crowd = vec![*neighbour; M::LANES];
-                    crowd[lane] = *case;
-                    let crowd = Arguments::<M>::new(&crowd);
-                    for (name, alone) in NAMES.iter().zip(&alone) {
+    for on in implementations() {
+        for operation in OPERATIONS {
+            let neighbours: Vec<_> = neighbours.iter().map(|x| operation.given(on, x)).collect();
+            for case in &cases {
+                let given = operation.given(on, case);
+                let alone = bits(operation.answer_given(on, &vec![&given; on.lanes]).lane(0));
+                for lane in 0..on.lanes {
+                    for neighbour in &neighbours {
+                        let mut crowd = vec![neighbour; on.lanes];
+                        crowd[lane] = &given;
                         assert_eq!(
-                            &bits(answer(name, &crowd).lane(lane)),
+                            bits(operation.answer_given(on, &crowd).lane(lane)),
                             alone,
-                            "{implementation}: {name} in lane {lane} beside {:e}, {case:?}",
-                            neighbour.s
+                            "{on:?}: {} in lane {lane} beside {neighbour:?}, {case:?}",
+                            operation.name
                         );
                     }
                 }
             }
         }
-    });
+    }
 }

@@ -3,8 +3,8 @@
 //! A peer that becomes better makes the first half of a test fail: then the claim is to be dropped.
 
 use dq8::{DualQuat, Lanes, Portable, batch, f32x8};
-use dq8_contract::ledger::Ledger;
-use dq8_contract::tolerance::unit_roundoff;
+use dq8_contract::bound::unit_roundoff;
+use dq8_contract::ledger::{Ledger, line};
 use nalgebra::{Quaternion, Translation3, UnitDualQuaternion, UnitQuaternion};
 
 fn peer(motion: DualQuat<f32>) -> UnitDualQuaternion<f32> {
@@ -86,7 +86,12 @@ fn measure(ledger: &Ledger, kind: &str, error: f64, angle: f64) {
 
 #[test]
 fn sclerp_keeps_what_nalgebra_loses() {
-    Ledger::keep("what nalgebra loses", |ledger| {
+    let lines = &[
+        line("sclerp", &["turn"], 3.5, "the vector part keeps its relative precision"),
+        line("sclerp", &["distance"], 3.5, "the scale is |t| of the end"),
+        line("sclerp", &["angle"], 1.5, "the angle between what is and what should be"),
+    ];
+    Ledger::keep("what nalgebra loses", lines, |ledger| {
         small_rotations_that_nalgebra_freezes(ledger);
         close_poses_of_which_nalgebra_follows_one(ledger);
     });

@@ -1,62 +1,48 @@
 //! Smooth motion through key poses.
 
 use dq8::DualQuat;
-use dq8_contract::cluster::{Cluster, Dealt, apart, cluster, length};
-use dq8_contract::inputs::{for_all, proptest_config, turn_and_move, vector};
-use dq8_contract::ledger::Ledger;
-use dq8_contract::tolerance::{section, unit_roundoff};
-use dq8_contract::{for_every_implementation, sample::Sample};
-use proptest::collection::vec;
+use dq8_contract::bound::apart;
+use dq8_contract::case::{Arguments, Case};
+use dq8_contract::implementation::{On, implementations};
+use dq8_contract::inputs::{cluster, draw, proptest_config, turn_and_move, vector};
+use dq8_contract::lanes::Motions;
+use dq8_contract::ledger::{Ledger, line};
+use dq8_contract::scale::farthest;
 use proptest::prelude::*;
 
-/// As many as the most lanes there are.
-const CLUSTERS: usize = 16;
-
-fn all_lanes<M: Sample>(pose: DualQuat<f64>) -> M {
-    M::gather(&vec![pose.to_array(); M::LANES])
-}
-
-fn reference<M: Sample>(name: &str, clusters: &[Cluster], ledger: &Ledger) {
-    let x = Dealt::<M>::new(clusters);
-    let [a, b, c, d] = x.poses;
-    let path = a.squad(b, c, d, x.t).scatter();
-    let control = M::squad_control(a, b, c).scatter();
-    let flipped = [(-a).squad(b, -c, -d, x.t), M::squad_control(-a, b, -c)].map(M::scatter);
-    let (starts, ends) = (a.squad(b, c, d, M::splat(0.0)), a.squad(b, c, d, M::splat(1.0)));
-    for lane in 0..M::LANES {
-        let exact = x.lane(lane);
-        let [a, b, c, d] = exact.poses;
-        let scale = length(&exact.poses.map(DualQuat::to_array));
-        let check = |op: &str, kind: &str, got, want: DualQuat<f64>| {
-            let off = apart(got, want.to_array(), scale) / unit_roundoff(M::SINGLE);
-            ledger.measure(op, kind, off, || format!("{name}: {exact:?}"));
-        };
-        check("squad", "", path[lane], a.squad(b, c, d, exact.t));
-        check("squad_control", "", control[lane], DualQuat::squad_control(a, b, c));
-        check("squad", "start", starts.scatter()[lane], a);
-        check("squad", "end", ends.scatter()[lane], d);
-        let of_signs = [(path[lane], flipped[0][lane]), (control[lane], flipped[1][lane])];
-        for (plain, flipped) in of_signs {
-            assert!(apart(plain, flipped, 1.0) == 0.0, "{name}: signs matter: {exact:?}");
+fn ends(on: On, clusters: &[Case], ledger: &Ledger) {
+    let x = Arguments::new(on, clusters);
+    let [a, b, c, d] = x.poses();
+    let (path, control) = (a.squad(b, c, d, x.t), a.squad_control(b, c));
+    let (flipped, control_flipped) = ((-a).squad(b, -c, -d, x.t), (-a).squad_control(b, -c));
+    let (start, end) = (a.squad(b, c, d, on.splat(0.0)), a.squad(b, c, d, on.splat(1.0)));
+    for (lane, case) in clusters.iter().enumerate() {
+        let scale = farthest(&case.poses());
+        for (kind, got, key) in [("start", start, a), ("end", end, d)] {
+            let off = apart(got.lane(lane), key.lane(lane), scale) / on.roundoff();
+            ledger.measure("squad", kind, off, || format!("{on:?}: {case:?}"));
+        }
+        for (plain, flipped) in [(path, flipped), (control, control_flipped)] {
+            let off = apart(plain.lane(lane), flipped.lane(lane), 1.0);
+            assert!(off == 0.0, "{on:?}: signs matter: {case:?}");
         }
     }
 }
 
 /// Keys evenly spaced along one screw.
-fn even_screw<M: Sample>(name: &str, start: [f64; 8], step: [f64; 8], t: f64) {
+fn even_screw(on: On, start: [f64; 8], step: [f64; 8], t: f64) {
     let step = DualQuat::from_array(step);
     let first = DualQuat::from_array(start);
     let keys = [first, first * step, first * step * step, first * step * step * step];
-    let [k0, k1, k2, k3] = keys.map(all_lanes::<M>);
-    let (s1, s2) = (M::squad_control(k0, k1, k2), M::squad_control(k1, k2, k3));
-    let scale = length(&keys.map(DualQuat::to_array));
-    let t = M::splat(t);
+    let [k0, k1, k2, k3] = keys.map(|key| on.same(key.to_array()));
+    let (s1, s2) = (k0.squad_control(k1, k2), k1.squad_control(k2, k3));
+    let scale = farthest(&keys.map(DualQuat::to_array));
+    let t = on.splat(t);
     let pairs = [("control", s1, k1), ("path", k1.squad(s1, s2, k2, t), k1.sclerp(k2, t))];
     for (what, left, right) in pairs {
-        let off = apart(left.scatter()[0], right.scatter()[0], scale) / unit_roundoff(M::SINGLE);
-        // Two ways, each with its own error.
-        let units = 2.0 * section("paths").line("squad", "").units;
-        assert!(off <= units, "{name}, {what}: {off} u");
+        let off = apart(left.lane(0), right.lane(0), scale) / on.roundoff();
+        // Two ways, each with the error of squad against the truth.
+        assert!(off <= 15.0, "{on:?}, {what}: {off} u");
     }
 }
 
@@ -71,22 +57,22 @@ proptest! {
         translation in vector(),
     ) {
         let step = turn_and_move(axis, angle, translation);
-        for_every_implementation!(|name, M| {
-            even_screw::<M>(name, cluster.poses[0], step, cluster.t);
-        });
+        for on in implementations() {
+            even_screw(on, cluster.a, step, cluster.t);
+        }
     }
 }
 
 #[test]
-fn paths_are_those_of_the_reference_and_do_not_see_signs() {
-    Ledger::keep("paths", |ledger| {
-        for_all(32, &vec(cluster(), CLUSTERS), |clusters| {
-            for_every_implementation!(|name, M| {
-                for chunk in clusters.chunks_exact(<M as Sample>::LANES) {
-                    reference::<M>(name, chunk, ledger);
-                }
-            });
-        });
+fn paths_begin_and_end_at_their_keys_and_do_not_see_signs() {
+    let lines = [line("squad", &["start", "end"], 6.5, "interpolated with 0 or 1")];
+    let clusters = draw(cluster(), 512);
+    Ledger::keep("ends of paths", &lines, |ledger| {
+        for on in implementations() {
+            for chunk in clusters.chunks_exact(on.lanes) {
+                ends(on, chunk, ledger);
+            }
+        }
     });
 }
 
@@ -109,32 +95,32 @@ fn keys() -> [DualQuat<f64>; 6] {
 
 #[test]
 fn velocity_is_continuous_across_keys() {
-    fn check<M: Sample>(name: &str) {
+    fn check(on: On) {
         let keys = keys();
-        let at = |i: usize| all_lanes::<M>(keys[i]);
-        let control = |i: usize| M::squad_control(at(i - 1), at(i), at(i + 1));
-        let point = [3.0, -1.0, 2.0].map(M::splat);
-        let moved = |motion: M| motion.transform_point(point).map(|c| M::lanes(c)[0]);
+        let at = |i: usize| on.same(keys[i].to_array());
+        let control = |i: usize| at(i - 1).squad_control(at(i), at(i + 1));
+        let point = [3.0, -1.0, 2.0].map(|c| on.splat(c));
+        let moved = |motion: Motions| motion.transform_point(point).map(|c| c.first());
         // One-sided differences of second order; what is left of them is the third derivative.
-        let (step, tolerance) = if M::SINGLE { (1.0 / 128.0, 2e-2) } else { (1e-4, 1e-5) };
+        let (step, tolerance) = if on.single { (1.0 / 128.0, 2e-2) } else { (1e-4, 1e-5) };
         for i in 2..=3 {
-            let before = |t| moved(at(i - 1).squad(control(i - 1), control(i), at(i), M::splat(t)));
-            let after = |t| moved(at(i).squad(control(i), control(i + 1), at(i + 1), M::splat(t)));
+            let before = |t| moved(at(i - 1).squad(control(i - 1), control(i), at(i), on.splat(t)));
+            let after = |t| moved(at(i).squad(control(i), control(i + 1), at(i + 1), on.splat(t)));
             let (b0, b1, b2) = (before(1.0), before(1.0 - step), before(1.0 - 2.0 * step));
             let (a0, a1, a2) = (after(0.0), after(step), after(2.0 * step));
             let mut speed = 0.0_f64;
             for c in 0..3 {
                 let arrives = (3.0 * b0[c] - 4.0 * b1[c] + b2[c]) / (2.0 * step);
                 let leaves = (4.0 * a1[c] - 3.0 * a0[c] - a2[c]) / (2.0 * step);
-                assert!((b0[c] - a0[c]).abs() < 1e-5, "{name}: key {i} is missed");
+                assert!((b0[c] - a0[c]).abs() < 1e-5, "{on:?}: key {i} is missed");
                 let jump = (arrives - leaves).abs();
-                assert!(jump < tolerance, "{name}: velocity {arrives} then {leaves} at key {i}");
+                assert!(jump < tolerance, "{on:?}: velocity {arrives} then {leaves} at key {i}");
                 speed = speed.max(arrives.abs());
             }
-            assert!(speed > 0.5, "{name}: a standstill would prove nothing");
+            assert!(speed > 0.5, "{on:?}: a standstill would prove nothing");
         }
     }
-    for_every_implementation!(|name, M| check::<M>(name));
+    implementations().into_iter().for_each(check);
 }
 
 /// The mean of the screws from the key before and to the key after (Shoemake 1987).
@@ -156,32 +142,30 @@ fn a_key_is_passed_with_the_mean_of_its_screws() {
 
 #[test]
 fn what_is_not_finite_gives_nan_in_its_lane_alone() {
-    fn check<M: Sample>(name: &str) {
+    fn check(on: On) {
         let [a, b, c, d, ..] = keys().map(DualQuat::to_array);
-        let same = |pose| M::gather(&vec![pose; M::LANES]);
-        let t = M::splat(0.25);
-        let wanted = [
-            same(a).squad(same(b), same(c), same(d), t),
-            M::squad_control(same(a), same(b), same(c)),
-        ];
+        let same = |pose| on.same(pose);
+        let t = on.splat(0.25);
+        let wanted =
+            [same(a).squad(same(b), same(c), same(d), t), same(a).squad_control(same(b), same(c))];
         for value in [f64::NAN, f64::INFINITY] {
             for which in 0..3 {
                 let spoilt = |i: usize, pose: [f64; 8]| {
-                    let mut lanes = vec![pose; M::LANES];
+                    let mut lanes = vec![pose; on.lanes];
                     if i == which {
                         lanes[0][5] = value;
                     }
-                    M::gather(&lanes)
+                    on.gather(&lanes)
                 };
                 let (a, b, c) = (spoilt(0, a), spoilt(1, b), spoilt(2, c));
-                let got = [a.squad(b, c, same(d), t), M::squad_control(a, b, c)];
+                let got = [a.squad(b, c, same(d), t), a.squad_control(b, c)];
                 for (got, wanted) in got.into_iter().zip(wanted) {
                     let (got, wanted) = (got.scatter(), wanted.scatter());
-                    assert!(got[0].iter().any(|c| c.is_nan()), "{name}: {value} in {which}");
-                    assert_eq!(got[1..], wanted[1..], "{name}: {value} in {which}");
+                    assert!(got[0].iter().any(|c| c.is_nan()), "{on:?}: {value} in {which}");
+                    assert_eq!(got[1..], wanted[1..], "{on:?}: {value} in {which}");
                 }
             }
         }
     }
-    for_every_implementation!(|name, M| check::<M>(name));
+    implementations().into_iter().for_each(check);
 }

@@ -5,9 +5,10 @@
 //! of 1, every float there is, a quarter of an hour.
 
 use dq8::{DualQuat, DualVector};
-use dq8_contract::ledger::Ledger;
+use dq8_contract::bound::unit_roundoff;
+use dq8_contract::ledger::{Ledger, line};
 use dq8_contract::sample::Sample;
-use dq8_contract::tolerance::unit_roundoff;
+
 use std::f32::consts::PI;
 
 /// Runs a sweep on the scalar reference and on lanes: fused or not, they share the polynomials.
@@ -127,17 +128,35 @@ fn root_has_half_the_angle<M: Sample>(ledger: &Ledger) {
 
 #[test]
 fn exp_is_sine_and_cosine_for_every_angle() {
-    Ledger::keep("sines", |ledger| on_every_f32_implementation!(exp_is_sine_and_cosine, ledger));
+    let lines = &[
+        line("exp", &["sin"], 3.0, "relative to the sine for small h"),
+        line("exp", &[], 3.0, "a polynomial, and h² is rounded"),
+    ];
+    Ledger::keep("sines", lines, |ledger| {
+        on_every_f32_implementation!(exp_is_sine_and_cosine, ledger)
+    });
 }
 
 #[test]
 fn log_keeps_relative_precision_for_every_angle() {
-    Ledger::keep("logarithms", |ledger| {
+    let lines = &[line(
+        "log",
+        &[],
+        5.0,
+        "no cancellation: the vector part times a factor that varies slowly",
+    )];
+    Ledger::keep("logarithms", lines, |ledger| {
         on_every_f32_implementation!(log_keeps_the_relative_precision_of_an_angle, ledger)
     });
 }
 
 #[test]
 fn root_has_half_the_angle_for_every_angle() {
-    Ledger::keep("roots", |ledger| on_every_f32_implementation!(root_has_half_the_angle, ledger));
+    let lines = &[
+        line("sqrt", &["sin"], 4.5, "the vector part over 2 cos(Θ/2); scalar is a log and an exp"),
+        line("sqrt", &["cos"], 1.5, "the root of (1 + w)/2"),
+    ];
+    Ledger::keep("roots", lines, |ledger| {
+        on_every_f32_implementation!(root_has_half_the_angle, ledger)
+    });
 }

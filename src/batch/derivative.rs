@@ -88,6 +88,13 @@ impl<L: Lanes> DualQuat<L> {
         Twist { angular: vector::scale(log.real, two), linear: vector::scale(log.dual, two) }
     }
 
+    /// 2 log(a*b), the constant body twist that takes a to b in unit time by the shorter way.
+    #[inline(always)]
+    #[must_use]
+    pub fn twist_to(self, other: Self) -> Twist<L> {
+        (self.conjugate() * other).to_twist()
+    }
+
     /// exp(½ξ dt) σ, ξ a constant spatial twist; `dt` may differ from lane to lane.
     #[inline(always)]
     #[must_use]

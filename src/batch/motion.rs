@@ -1,6 +1,9 @@
 use super::{Dual, DualQuat, Quat};
-use crate::motion::{Motion, delegate_to_inherent};
+use crate::geometry::{DualVector, Line, Mean, Plane, Screw, Twist, Wrench};
+use crate::motion::{Motion, delegate_to_inherent, sealed::Sealed};
 use dq8_simd::Lanes;
+
+impl<L: Lanes> Sealed for DualQuat<L> {}
 
 impl<L: Lanes> Motion for DualQuat<L> {
     type Level = L::Level;

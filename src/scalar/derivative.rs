@@ -113,6 +113,26 @@ impl<R: Real> DualQuat<R> {
         Twist { angular: vector::scale(log.real, R::TWO), linear: vector::scale(log.dual, R::TWO) }
     }
 
+    /// The constant *body* twist that takes σ to `other` in unit time, 2 log(σ* other), by the shorter
+    /// way: |ω| ≤ π (the logarithm of X⁻¹Y in Lynch and Park 2017, section 9.2.1). Radians and lengths per
+    /// unit of time, in the axes of σ; [`integrate_body`](Self::integrate_body) for unit time gives
+    /// ±`other`. What a controller feeds back as error of pose. Both must be unit; exactly half a turn
+    /// apart either way is as short.
+    ///
+    /// ```
+    /// use dq8::{DualQuat, Quat};
+    /// let turn = Quat::from_axis_angle([0.0, 0.0, 1.0], core::f64::consts::FRAC_PI_2);
+    /// let pose = DualQuat::from_rotation_translation(turn, [5.0, 0.0, 0.0]);
+    /// let goal = DualQuat::from_rotation_translation(turn, [5.0, 2.0, 0.0]);
+    /// // What is left in space is ahead of the body.
+    /// let [x, y, _] = pose.twist_to(goal).linear;
+    /// assert!((x - 2.0).abs() < 1e-15 && y.abs() < 1e-15);
+    /// ```
+    #[must_use]
+    pub fn twist_to(self, other: Self) -> Twist<R> {
+        (self.conjugate() * other).to_twist()
+    }
+
     /// Where a body at σ is after `dt` of a constant *spatial* twist: exp(½ξ dt) σ, exact for any
     /// step, `dt` of either sign. Over many steps the norm drifts by rounding alone; [`normalize`](Self::normalize) now
     /// and then.

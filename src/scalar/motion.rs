@@ -1,6 +1,9 @@
 use super::{Dual, DualQuat, Quat};
-use crate::motion::{Motion, delegate_to_inherent};
+use crate::geometry::{DualVector, Line, Mean, Plane, Screw, Twist, Wrench};
+use crate::motion::{Motion, delegate_to_inherent, sealed::Sealed};
 use crate::real::Real;
+
+impl<R: Real> Sealed for DualQuat<R> {}
 
 impl<R: Real> Motion for DualQuat<R> {
     type Level = ();

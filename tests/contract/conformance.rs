@@ -1,8 +1,6 @@
 //! Runs all vectors on one implementation and keeps the worst error of each operation and kind.
 
-use crate::operation::{answers, error};
-use crate::sample::Sample;
-use crate::tolerance::{section, unit_roundoff};
+use crate::implementation::On;
 use crate::vectors::Vector;
 use std::collections::BTreeMap;
 
@@ -29,14 +27,11 @@ impl Worst {
     }
 }
 
-/// The worst errors of `M`, by operation and kind.
+/// The worst errors of `on`, by operation and kind.
 ///
 /// # Errors
 /// If the table has no line for an operation; the message names the row.
-pub fn worst_errors<M: Sample>(
-    implementation: &'static str,
-    vectors: &[Vector],
-) -> Result<Vec<Worst>, String> {
+pub fn worst_errors(on: On, vectors: &[Vector]) -> Result<Vec<Worst>, String> {
     // Vectors that are computed together must be of one shape: influences differ in number.
     let mut groups: BTreeMap<(&str, &str, usize), Vec<&Vector>> = BTreeMap::new();
     for vector in vectors {
@@ -45,21 +40,21 @@ pub fn worst_errors<M: Sample>(
     }
     let mut worst: BTreeMap<(&str, &str), Worst> = BTreeMap::new();
     for ((op, kind, _), group) in groups {
-        let bound = section("vectors").bound(op, kind).ok_or_else(|| {
+        let bound = group[0].bound().ok_or_else(|| {
             format!("row {}: the table has no bound for {op} ({kind})", group[0].row)
         })?;
         let entry = worst.entry((op, kind)).or_insert_with(|| Worst {
             op: op.to_owned(),
             kind: kind.to_owned(),
-            implementation,
+            implementation: on.name,
             row: group[0].row,
             vectors: 0,
             error: 0.0,
-            allowed: bound.units * unit_roundoff(M::SINGLE),
+            allowed: bound.units * on.roundoff(),
         });
-        for chunk in group.chunks(M::LANES) {
-            for (vector, answer) in chunk.iter().zip(answers::<M>(chunk)) {
-                let error = error(vector, &answer);
+        for chunk in group.chunks(on.lanes) {
+            for (vector, answer) in chunk.iter().zip(chunk[0].answers(on, chunk)) {
+                let error = vector.error(&answer);
                 entry.vectors += 1;
                 if error > entry.error || error.is_nan() {
                     (entry.error, entry.row) = (error, vector.row);

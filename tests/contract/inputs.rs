@@ -1,148 +1,13 @@
 //! Inputs for the generic tests: edge cases, evenly spaced ones and random ones, as the tests of
 //! Rust's `libm` have them. Everything here is `f64`; implementations round it to their own type.
 
-use crate::sample::Sample;
-use dq8::{DualQuat, DualVector, Line, Plane, Quat, Screw};
+use crate::case::{Case, length};
+use crate::random::Random;
+use dq8::{DualQuat, Quat, Twist};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{RngAlgorithm, RngSeed, TestRng, TestRunner};
 use std::f64::consts::{FRAC_1_SQRT_2, PI};
-
-/// One element of input: what any operation of the contract may ask for.
-#[derive(Clone, Copy, Debug)]
-pub struct Case {
-    pub a: [f64; 8],
-    pub b: [f64; 8],
-    pub c: [f64; 8],
-    pub s: f64,
-    pub t: f64,
-    pub v: [f64; 3],
-    pub w: [f64; 3],
-    pub weights: [f64; 3],
-    pub tolerance: f64,
-    /// For `from_matrix3x4`.
-    pub rows: [[f64; 4]; 3],
-    /// For `from_screw`: direction, moment, angle, slide.
-    pub screw: [f64; 8],
-}
-
-/// How many numbers a [`Case`] holds.
-pub const NUMBERS: usize = 56;
-
-impl Case {
-    /// Any numbers at all.
-    pub fn of_numbers(numbers: &[f64; NUMBERS]) -> Self {
-        let mut rest = numbers.iter().copied();
-        let mut next = || rest.next().expect("as many numbers as a case holds");
-        Self {
-            a: std::array::from_fn(|_| next()),
-            b: std::array::from_fn(|_| next()),
-            c: std::array::from_fn(|_| next()),
-            s: next(),
-            t: next(),
-            v: std::array::from_fn(|_| next()),
-            w: std::array::from_fn(|_| next()),
-            weights: std::array::from_fn(|_| next()),
-            tolerance: next(),
-            rows: std::array::from_fn(|_| std::array::from_fn(|_| next())),
-            screw: std::array::from_fn(|_| next()),
-        }
-    }
-
-    /// Motions that are unit, with the matrix and the screw of `a`.
-    pub fn of_motions(a: [f64; 8], b: [f64; 8], c: [f64; 8]) -> Self {
-        let sigma = DualQuat::from_array(a);
-        let screw = sigma.to_screw();
-        let ([l0, l1, l2], [m0, m1, m2]) = (screw.axis.direction, screw.axis.moment);
-        Self {
-            a,
-            b,
-            c,
-            s: 0.75,
-            t: 0.25,
-            v: [0.5, -1.5, 2.0],
-            w: [-3.0, 0.25, 1.0],
-            weights: [0.5, 0.25, 0.25],
-            tolerance: 1e-3,
-            rows: sigma.to_matrix3x4(),
-            screw: [l0, l1, l2, m0, m1, m2, screw.angle, screw.slide],
-        }
-    }
-}
-
-/// [`Case`]s dealt out to the lanes of an implementation.
-#[derive(Clone, Copy, Debug)]
-pub struct Arguments<M: Sample> {
-    pub a: M,
-    pub b: M,
-    pub c: M,
-    pub s: M::Real,
-    pub t: M::Real,
-    pub v: [M::Real; 3],
-    pub w: [M::Real; 3],
-    pub weights: [M::Real; 3],
-    pub tolerance: M::Real,
-    pub rows: [[M::Real; 4]; 3],
-    pub screw: Screw<M::Real>,
-}
-
-impl<M: Sample> Arguments<M> {
-    /// Lane `i` from case `i`; lanes without a case repeat the first.
-    pub fn new(cases: &[Case]) -> Self {
-        let column = |pick: &dyn Fn(&Case) -> f64| {
-            let lane = |i| pick(cases.get(i).unwrap_or(&cases[0]));
-            M::real(&(0..M::LANES).map(lane).collect::<Vec<_>>())
-        };
-        let triple =
-            |pick: fn(&Case) -> [f64; 3]| std::array::from_fn(|i| column(&|case| pick(case)[i]));
-        let motion = |pick: fn(&Case) -> [f64; 8]| {
-            M::motion(std::array::from_fn(|i| column(&|case| pick(case)[i])))
-        };
-        let screw: [M::Real; 8] = std::array::from_fn(|i| column(&|case| case.screw[i]));
-        let [l0, l1, l2, m0, m1, m2, angle, slide] = screw;
-        Self {
-            a: motion(|case| case.a),
-            b: motion(|case| case.b),
-            c: motion(|case| case.c),
-            s: column(&|case| case.s),
-            t: column(&|case| case.t),
-            v: triple(|case| case.v),
-            w: triple(|case| case.w),
-            weights: triple(|case| case.weights),
-            tolerance: column(&|case| case.tolerance),
-            rows: std::array::from_fn(|r| std::array::from_fn(|c| column(&|case| case.rows[r][c]))),
-            screw: Screw {
-                axis: Line { direction: [l0, l1, l2], moment: [m0, m1, m2] },
-                angle,
-                slide,
-            },
-        }
-    }
-
-    /// The three motions normalized, for the laws of unit ones.
-    #[must_use]
-    pub fn unit(self) -> Self {
-        let (a, b, c) = (self.a.normalize(), self.b.normalize(), self.c.normalize());
-        Self { a, b, c, ..self }
-    }
-
-    pub fn line(&self) -> Line<M::Real> {
-        Line { direction: self.v, moment: self.w }
-    }
-
-    pub fn plane(&self) -> Plane<M::Real> {
-        Plane { normal: self.v, offset: self.s }
-    }
-
-    pub fn dual_vector(&self) -> DualVector<M::Real> {
-        DualVector { real: self.v, dual: self.w }
-    }
-
-    pub fn influences(&self) -> [(M, M::Real); 3] {
-        let [wa, wb, wc] = self.weights;
-        [(self.a, wa), (self.b, wb), (self.c, wc)]
-    }
-}
 
 /// The turn by `angle` about `axis` (of any length but zero), then the translation.
 pub fn turn_and_move(axis: [f64; 3], angle: f64, translation: [f64; 3]) -> [f64; 8] {
@@ -224,20 +89,48 @@ pub fn parameter() -> impl Strategy<Value = f64> {
     ]
 }
 
-/// A case of motions that `motion` makes.
+/// A case of motions that `motion` makes, with the matrix and the screw of a.
 pub fn case(motion: impl Strategy<Value = [f64; 8]>) -> impl Strategy<Value = Case> {
     let numbers = (parameter(), parameter(), vector(), vector());
-    let weights = prop::array::uniform3(0.0625..1.0_f64);
-    (prop::array::uniform3(motion), numbers, weights).prop_map(
-        |([a, b, c], (s, t, v, w), weights)| Case {
-            s,
-            t,
-            v,
-            w,
-            weights,
-            ..Case::of_motions(a, b, c)
+    let weights = prop::array::uniform4(0.0625..1.0_f64);
+    let twists = prop::array::uniform4(vector());
+    (prop::array::uniform4(motion), numbers, weights, twists).prop_map(
+        |([a, b, c, d], (s, t, v, w), weights, [angular, linear, along, across])| {
+            let (x, y) = ([angular, linear].concat(), [along, across].concat());
+            let (x, y) = (x.try_into().expect("six"), y.try_into().expect("six"));
+            Case { d, s, t, v, w, weights, x, y, dt: s, ..Case::of_motions(a, b, c) }
         },
     )
+}
+
+impl Case {
+    /// Motions that are unit, with the matrix and the screw of `a`, and ordinary numbers.
+    pub fn of_motions(a: [f64; 8], b: [f64; 8], c: [f64; 8]) -> Self {
+        let sigma = DualQuat::from_array(a);
+        let screw = sigma.to_screw();
+        let ([l0, l1, l2], [m0, m1, m2]) = (screw.axis.direction, screw.axis.moment);
+        let x = [0.5, -0.25, 1.0, 1.5, 2.0, -0.5];
+        Self {
+            a,
+            b,
+            c,
+            d: c,
+            derivative: sigma.derivative_spatial(Twist::from_array(x)).to_array(),
+            s: 0.75,
+            t: 0.25,
+            dt: -0.5,
+            radius: 2.5,
+            v: [0.5, -1.5, 2.0],
+            w: [-3.0, 0.25, 1.0],
+            weights: [0.5, 0.25, 0.25, 0.125],
+            tolerance: 1e-3,
+            rows: sigma.to_matrix3x4(),
+            screw: [l0, l1, l2, m0, m1, m2, screw.angle, screw.slide],
+            x,
+            y: [1.0, 0.75, -0.5, -0.25, 1.25, 0.5],
+            wrench: [0.25, 1.0, -1.5, 2.0, 0.5, -0.75],
+        }
+    }
 }
 
 /// Each edge case with two others, and random ones: for tests that do not shrink.
@@ -251,11 +144,101 @@ pub fn unit_cases() -> Vec<Case> {
         a: edge.a,
         b: edge.b,
         c: edge.c,
+        d: edge.d,
+        derivative: edge.derivative,
         rows: edge.rows,
         screw: edge.screw,
         ..*random
     });
     numbered.collect::<Vec<_>>().into_iter().chain(random.iter().copied()).collect()
+}
+
+/// Four poses within a radian or so of each other, of any spread, about unit motions of every kind.
+pub fn cluster() -> impl Strategy<Value = Case> {
+    let axis = prop::array::uniform3(-1.0..1.0_f64)
+        .prop_filter("an axis has a length", |v| v.iter().map(|c| c * c).sum::<f64>() > 0.01);
+    let member = (axis, -0.7..0.7_f64, vector());
+    let size = prop_oneof![3 => Just(1.0), 1 => (-6.0..0.0_f64).prop_map(|e| 10.0_f64.powf(e))];
+    let poses =
+        (unit_motion(), prop::array::uniform4(member), size).prop_map(|(centre, members, size)| {
+            members.map(|(axis, angle, translation)| {
+                let offset = turn_and_move(axis, size * angle, translation.map(|c| size * c));
+                (DualQuat::from_array(centre) * DualQuat::from_array(offset)).to_array()
+            })
+        });
+    let weights = prop::array::uniform4(0.0625..1.0_f64);
+    (poses, weights, 0.0..=1.0_f64).prop_map(|([a, b, c, d], weights, t)| Case {
+        d,
+        weights,
+        t,
+        // A body of which a few units are large.
+        v: [3.0, -2.4, 3.2],
+        radius: 5.0,
+        ..Case::of_motions(a, b, c)
+    })
+}
+
+/// Angles where something happens: nothing at all, subnormal and vanishing squares, where series end
+/// (1, √10), half and whole turns.
+const ANGLES: [f64; 32] = [
+    0.0, 1e-45, 1e-38, 1e-30, 1e-20, 1e-12, 1e-8, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.5, 0.999_999,
+    1.000_001, 1.5, 2.0, 2.5, 3.0, 3.135, PI, 3.145, 3.162, 3.1623, 3.2, 4.0, 5.0, 6.0, 6.2, 6.8,
+    9.0, 12.0,
+];
+
+/// Every angle with twists and translations of several sizes.
+pub fn twist_cases() -> Vec<Case> {
+    let mut random = Random(8);
+    let mut cases = Vec::new();
+    for size in [0.0, 1e-20, 1.0, 30.0, 1e4] {
+        for angle in ANGLES {
+            cases.push(twist_case(&mut random, angle, size));
+        }
+        for _ in 0..60 {
+            let angle = 6.0 * random.signed().abs();
+            cases.push(twist_case(&mut random, angle, size));
+        }
+    }
+    cases
+}
+
+/// |ω| is `angle`, and translations are of the size `size`.
+pub fn twist_case(random: &mut Random, angle: f64, size: f64) -> Case {
+    let pose = random.motion(size);
+    let [x, y] = [random.twist(size), random.twist(size.min(1.0))];
+    let turns = length(&x[..3]);
+    let x = std::array::from_fn(|i| if i < 3 { x[i] / turns * angle } else { x[i] });
+    let derivative = pose.derivative_spatial(Twist::from_array(random.twist(size)));
+    let other = random.motion(size).to_array();
+    Case {
+        derivative: derivative.to_array(),
+        x,
+        y,
+        wrench: random.twist(size.min(1.0)),
+        dt: random.signed(),
+        ..Case::of_motions(pose.to_array(), other, other)
+    }
+}
+
+impl Random {
+    pub fn vector(&mut self) -> [f64; 3] {
+        std::array::from_fn(|_| self.signed())
+    }
+
+    pub fn twist(&mut self, size: f64) -> [f64; 6] {
+        std::array::from_fn(|i| self.signed() * if i < 3 { 1.0 } else { size })
+    }
+
+    pub fn axis(&mut self) -> [f64; 3] {
+        let axis = self.vector();
+        axis.map(|c| c / length(&axis))
+    }
+
+    pub fn motion(&mut self, size: f64) -> DualQuat<f64> {
+        let turn = Quat::from_axis_angle(self.axis(), PI * self.signed());
+        let translation = self.vector().map(|c| c * size);
+        DualQuat::from_rotation_translation(turn, translation).normalize()
+    }
 }
 
 /// The unit cases and others that are no motions.
@@ -266,7 +249,7 @@ pub fn general_cases() -> Vec<Case> {
 }
 
 /// The first `count` values of a strategy, the same ones in every run.
-fn draw<S: Strategy>(strategy: S, count: usize) -> Vec<S::Value> {
+pub fn draw<S: Strategy>(strategy: S, count: usize) -> Vec<S::Value> {
     let rng = TestRng::deterministic_rng(RngAlgorithm::ChaCha);
     let mut runner = TestRunner::new_with_rng(ProptestConfig::default(), rng);
     let mut next = || strategy.new_tree(&mut runner).expect("filters are mild").current();

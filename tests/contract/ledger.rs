@@ -1,17 +1,36 @@
-//! [`Ledger`]: the worst error of each line of a section of the table.
+//! [`Ledger`]: the worst error of each line of a list of bounds.
 
-use crate::tolerance::{Bound, Section, section};
+use crate::bound::{Bound, on};
 use std::cell::RefCell;
 use std::fmt::Write;
 
-/// What was measured for each line of a section.
+/// A bound for an operation.
+#[derive(Clone, Copy, Debug)]
+pub struct Line {
+    pub op: &'static str,
+    pub bound: Bound,
+}
+
+/// The bound of an operation for the kinds of input named; for all that no line above names, where
+/// there are none.
+pub const fn line(
+    op: &'static str,
+    kinds: &'static [&'static str],
+    units: f64,
+    reason: &'static str,
+) -> Line {
+    Line { op, bound: on(kinds, units, reason) }
+}
+
+/// What was measured for each line of a list.
 #[derive(Debug)]
 pub struct Ledger {
-    section: &'static Section,
+    name: &'static str,
+    lines: Vec<Line>,
     worst: RefCell<Vec<Option<Worst>>>,
 }
 
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Worst {
     units: f64,
     place: String,
@@ -21,12 +40,11 @@ impl Ledger {
     /// Runs `measure`, and prints the worst errors beside those allowed.
     ///
     /// # Panics
-    /// If the table has no such section, an error is more than its line allows, or a line was not
-    /// measured, or is so loose that it says nothing.
-    pub fn keep(name: &str, measure: impl FnOnce(&Self)) {
-        let section = section(name);
-        let worst = section.lines.iter().map(|_| None).collect();
-        let ledger = Self { section, worst: RefCell::new(worst) };
+    /// If an error is more than its line allows, or a line was not measured, or is so loose that it
+    /// says nothing.
+    pub fn keep(name: &'static str, lines: &[Line], measure: impl FnOnce(&Self)) {
+        let worst = RefCell::new(vec![None; lines.len()]);
+        let ledger = Self { name, lines: lines.to_vec(), worst };
         measure(&ledger);
         ledger.close();
     }
@@ -34,12 +52,16 @@ impl Ledger {
     /// An error of `units` (in u · scale) at `place`; NaN is infinite.
     ///
     /// # Panics
-    /// If the section has no line for the operation and kind.
+    /// If there is no line for the operation and kind.
     pub fn measure(&self, op: &str, kind: &str, units: f64, place: impl FnOnce() -> String) {
-        let line = self.section.line(op, kind);
+        let of_op = || self.lines.iter().enumerate().filter(|(_, line)| line.op == op);
+        let named = of_op().find(|(_, line)| line.bound.kinds.contains(&kind));
+        let found = named.or_else(|| of_op().find(|(_, line)| line.bound.kinds.is_empty()));
+        let Some((index, _)) = found else {
+            panic!("{} have no line for {op} ({kind:?})", self.name);
+        };
         let units = if units.is_nan() { f64::INFINITY } else { units };
-        let index = self.section.lines.iter().position(|other| std::ptr::eq(other, line));
-        let slot = &mut self.worst.borrow_mut()[index.expect("the line is of this section")];
+        let slot = &mut self.worst.borrow_mut()[index];
         if slot.as_ref().is_none_or(|worst| units > worst.units) {
             *slot = Some(Worst { units, place: place() });
         }
@@ -47,16 +69,13 @@ impl Ledger {
 
     fn close(self) {
         let mut broken = String::new();
-        for (line, worst) in self.section.lines.iter().zip(self.worst.into_inner()) {
-            let Bound { op, kinds, units, reason } = line;
+        for (line, worst) in self.lines.iter().zip(self.worst.into_inner()) {
+            let Line { op, bound: Bound { kinds, units, reason } } = line;
             let Some(worst) = worst else {
                 writeln!(broken, "{op} {kinds:?} was not measured").expect("a string grows");
                 continue;
             };
-            println!(
-                "{:24} {op:24} {kinds:?} {:6.2} of {units:.2}",
-                self.section.name, worst.units
-            );
+            println!("{:24} {op:24} {kinds:?} {:6.2} of {units:.2}", self.name, worst.units);
             let verdict = if worst.units > *units {
                 "more than is allowed"
             } else if sampled_as_usual() && *units > LOOSE * worst.units + 1.0 {
@@ -71,7 +90,7 @@ impl Ledger {
             )
             .expect("a string grows");
         }
-        assert!(broken.is_empty(), "{}:\n{broken}", self.section.name);
+        assert!(broken.is_empty(), "{}:\n{broken}", self.name);
     }
 }
 

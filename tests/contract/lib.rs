@@ -1,19 +1,23 @@
-//! The accuracy contract: reference vectors, every implementation of [`dq8::Motion`], and the table
-//! of errors allowed. Shared by the tests and by the example `conform`.
+//! The accuracy contract: the [table](operations) of operations with the errors allowed, every
+//! [implementation] of [`dq8::Motion`], and reference vectors. Shared by the tests and by the example `conform`.
 
 #![allow(missing_docs, reason = "support for tests, not published")]
 
-pub mod agreement;
 pub mod arms;
-pub mod cluster;
+pub mod bound;
+pub mod case;
 pub mod conformance;
+mod entry;
+pub mod implementation;
 pub mod inputs;
+mod kinds;
 pub mod kinematics;
+pub mod lanes;
 pub mod law;
 pub mod ledger;
 pub mod operation;
+pub mod operations;
 pub mod random;
-pub mod repertoire;
 pub mod sample;
-pub mod tolerance;
+pub mod scale;
 pub mod vectors;

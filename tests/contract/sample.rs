@@ -1,6 +1,7 @@
 //! [`Sample`]: numbers in and out of any implementation of [`Motion`], so that one generic test
 //! serves them all.
 
+use crate::lanes::{MAX_LANES, Row};
 use dq8::{DualQuat, Float, Lanes, Mask, Motion, Portable, Quat, Real, batch, scalar};
 
 pub use dq8::Level;
@@ -14,6 +15,10 @@ pub trait Sample: Motion {
     /// Whether the numbers are `f32`.
     const SINGLE: bool;
 
+    fn level() -> Self::Level;
+    /// Lane `i` from element `i`, rounded.
+    fn load(row: &Row) -> Self::Real;
+    fn store(real: Self::Real) -> Row;
     /// Lane `i` from element `i`, rounded.
     fn real(lanes: &[f64]) -> Self::Real;
     fn lanes(real: Self::Real) -> Vec<f64>;
@@ -25,7 +30,6 @@ pub trait Sample: Motion {
     fn components(self) -> [Self::Real; 8];
     /// Which lanes a mask holds for.
     fn bits(mask: Self::Mask) -> u32;
-    fn one() -> Self;
 
     /// Lane `i` from `[px, py, pz, pw, qx, qy, qz, qw]` number `i`.
     fn gather(motions: &[[f64; 8]]) -> Self {
@@ -48,6 +52,16 @@ pub trait Sample: Motion {
 impl<R: Real> Sample for DualQuat<R> {
     const LANES: usize = 1;
     const SINGLE: bool = size_of::<R>() == 4;
+
+    fn level() {}
+    fn load(row: &Row) -> R {
+        R::from_f64(row[0])
+    }
+    fn store(real: R) -> Row {
+        let mut row = [0.0; MAX_LANES];
+        row[0] = real.into();
+        row
+    }
 
     fn real(lanes: &[f64]) -> R {
         R::from_f64(lanes[0])
@@ -76,14 +90,25 @@ impl<R: Real> Sample for DualQuat<R> {
     fn bits(mask: bool) -> u32 {
         u32::from(mask)
     }
-    fn one() -> Self {
-        Self::identity(())
-    }
 }
 
 impl<L: Lanes<Level: Proof>> Sample for batch::DualQuat<L> {
     const LANES: usize = L::LANES;
     const SINGLE: bool = L::Real::SINGLE;
+
+    fn level() -> L::Level {
+        L::Level::proof()
+    }
+    fn load(row: &Row) -> L {
+        let numbers = row.map(L::Real::from_f64);
+        L::load_partial(L::Level::proof(), &numbers[..L::LANES], L::Real::default())
+    }
+    fn store(real: L) -> Row {
+        let mut row = [0.0; MAX_LANES];
+        let lanes = real.to_array();
+        row.iter_mut().zip(lanes.as_ref()).for_each(|(slot, &number)| *slot = number.into());
+        row
+    }
 
     fn real(lanes: &[f64]) -> L {
         let rounded: Vec<_> = lanes.iter().map(|&v| L::Real::from_f64(v)).collect();
@@ -113,9 +138,6 @@ impl<L: Lanes<Level: Proof>> Sample for batch::DualQuat<L> {
     }
     fn bits(mask: L::Mask) -> u32 {
         mask.to_bitmask()
-    }
-    fn one() -> Self {
-        Self::identity(L::Level::proof())
     }
 }
 
@@ -157,61 +179,4 @@ mod found {
             Self::detect().expect("the CPU has AVX-512")
         }
     }
-}
-
-/// How many implementations [`for_every_implementation!`](crate::for_every_implementation) runs on
-/// this machine, for tests that count what ran: those of `f32` and those of `f64`.
-pub fn implementations_of() -> [usize; 2] {
-    #[cfg(target_arch = "x86_64")]
-    let levels = usize::from(Avx2::is_there()) + usize::from(Avx512::is_there());
-    #[cfg(not(target_arch = "x86_64"))]
-    let levels = 0;
-    [5 + 2 * levels, 5 + levels]
-}
-
-/// All of them.
-pub fn implementations() -> usize {
-    implementations_of().into_iter().sum()
-}
-
-/// Runs `$body` with `$M` as each implementation of [`Motion`] there is, and its name.
-#[macro_export]
-macro_rules! for_every_implementation {
-    (|$name:ident, $M:ident| $body:expr) => {{
-        $crate::for_every_implementation! { @each $name, $M, $body;
-            "scalar f32" = dq8::DualQuat<f32>;
-            "scalar f64" = dq8::DualQuat<f64>;
-            "lanes f32x1" = dq8::batch::DualQuat<f32>;
-            "lanes f32x4" = dq8::batch::DualQuat<dq8::f32x4>;
-            "lanes f32x8" = dq8::batch::DualQuat<dq8::f32x8>;
-            "lanes f32x16" = dq8::batch::DualQuat<dq8::f32x16>;
-            "lanes f64x1" = dq8::batch::DualQuat<f64>;
-            "lanes f64x2" = dq8::batch::DualQuat<dq8::f64x2>;
-            "lanes f64x4" = dq8::batch::DualQuat<dq8::f64x4>;
-            "lanes f64x8" = dq8::batch::DualQuat<dq8::f64x8>;
-        }
-        #[cfg(target_arch = "x86_64")]
-        {
-            use $crate::sample::{Avx2, Avx512, Level, Proof};
-            if <Avx2 as Proof>::is_there() {
-                $crate::for_every_implementation! { @each $name, $M, $body;
-                    "lanes AVX2 f32x8" = dq8::batch::DualQuat<<Avx2 as Level>::F32x8>;
-                    "lanes AVX2 f32x16" = dq8::batch::DualQuat<<Avx2 as Level>::F32x16>;
-                    "lanes AVX2 f64x4" = dq8::batch::DualQuat<<Avx2 as Level>::F64x4>;
-                }
-            }
-            if <Avx512 as Proof>::is_there() {
-                $crate::for_every_implementation! { @each $name, $M, $body;
-                    "lanes AVX-512 f32x8" = dq8::batch::DualQuat<<Avx512 as Level>::F32x8>;
-                    "lanes AVX-512 f32x16" = dq8::batch::DualQuat<<Avx512 as Level>::F32x16>;
-                    "lanes AVX-512 f64x8" = dq8::batch::DualQuat<<Avx512 as Level>::F64x8>;
-                }
-            }
-        }
-    }};
-    (@each $name:ident, $M:ident, $body:expr; $($text:literal = $type:ty;)*) => {$({
-        type $M = $type;
-        let $name = $text;
-        $body
-    })*};
 }

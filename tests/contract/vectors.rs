@@ -2,6 +2,11 @@
 //! operations of `reference.jsonl` have its names; those of `more.jsonl`, which
 //! `scripts/make_vectors.py` writes, have the names of the methods.
 
+use crate::bound::{Bound, find};
+use crate::case::length;
+use crate::implementation::On;
+use crate::operation::{Held, Operation, Sign, rows};
+use crate::operations::OPERATIONS;
 use serde_json::Value;
 use std::fmt;
 
@@ -14,6 +19,7 @@ pub struct Vector {
     pub kind: String,
     /// The inputs by name, flattened, w first as in the file.
     inputs: Vec<(String, Vec<f64>)>,
+    of: Known,
     /// The answer, flattened.
     pub out: Vec<f64>,
 }
@@ -38,52 +44,131 @@ impl Vector {
     pub fn input(&self, name: &str) -> &[f64] {
         self.inputs.iter().find(|(n, _)| n == name).map_or(&[], |(_, values)| values)
     }
+
+    pub fn norm(&self, name: &str) -> f64 {
+        length(self.input(name))
+    }
+
+    /// |p|
+    pub fn real_norm(&self, name: &str) -> f64 {
+        length(&self.input(name)[..4])
+    }
+
+    /// The bound of its kind.
+    pub fn bound(&self) -> Option<&'static Bound> {
+        find(self.of.bounds, &self.kind)
+    }
+
+    /// The answers of `on` to vectors of one operation and shape, at most as many as it has lanes.
+    pub fn answers(&self, on: On, vectors: &[&Self]) -> Vec<Vec<f64>> {
+        let operation = self.of.operation;
+        // Lanes without a vector repeat the first one.
+        let lane = |i: usize| *vectors.get(i).unwrap_or(&self);
+        let given = operation.arguments.iter().enumerate().map(|(index, argument)| {
+            let lanes = (0..on.lanes).map(|i| lane(i).argument(index)).collect::<Vec<_>>();
+            let lanes = lanes.iter().map(|numbers| &numbers[..]);
+            on.in_domain(argument.domain, rows(on, lanes))
+        });
+        let answer = on.call(operation.index, &given.collect::<Vec<_>>());
+        let columns: Vec<_> = answer.numbers.into_iter().map(|(_, row)| row).collect();
+        let order = if columns.len() == 8 && operation.name != "to_screw" {
+            vec![3, 0, 1, 2, 7, 4, 5, 6]
+        } else {
+            (0..columns.len()).collect()
+        };
+        let of_lane = |lane: usize| order.iter().map(|&c| columns[c][lane]).collect();
+        (0..vectors.len()).map(of_lane).collect()
+    }
+
+    /// Argument `index`, w behind x, y and z.
+    fn argument(&self, index: usize) -> Vec<f64> {
+        let fields: Vec<_> = self.of.fields(index).map(|(name, _)| self.input(name)).collect();
+        let xyzw = |quat: &[f64]| [quat[1], quat[2], quat[3], quat[0]];
+        match self.of.operation.arguments[index].numbers {
+            9 => {
+                let pairs = fields[0].chunks_exact(8).zip(fields[1]);
+                pairs.flat_map(|(s, &w)| [&xyzw(s)[..], &xyzw(&s[4..]), &[w]].concat()).collect()
+            }
+            8 if fields.len() == 1 => fields[0].chunks_exact(4).flat_map(xyzw).collect(),
+            4 if fields.len() == 1 => xyzw(fields[0]).to_vec(),
+            _ => fields.concat(),
+        }
+    }
+
+    /// The largest error of `answer` over its components, relative to the scale of the operation. NaN
+    /// counts as infinite.
+    pub fn error(&self, answer: &[f64]) -> f64 {
+        let distance = |sign: f64| {
+            let pairs = answer.iter().zip(&self.out);
+            pairs.map(|(a, b)| (sign * a - b).abs()).fold(0.0, |worst: f64, error| {
+                if error.is_nan() { f64::INFINITY } else { worst.max(error) }
+            })
+        };
+        let absolute = match self.of.sign {
+            Sign::Kept => distance(1.0),
+            Sign::Either => distance(1.0).min(distance(-1.0)),
+        };
+        absolute / (self.of.scale)(self, self.far())
+    }
+
+    /// max(1, |t|), |t| the largest translation, vector or moment among the inputs.
+    fn far(&self) -> f64 {
+        let mut far = 1.0_f64;
+        for (name, numbers) in &self.inputs {
+            match (name.as_str(), numbers.len()) {
+                ("a" | "b" | "c" | "d" | "s", _) => {
+                    far = numbers.chunks_exact(8).map(translation).fold(far, f64::max);
+                }
+                ("t" | "v" | "m", 3) => far = far.max(length(numbers)),
+                _ => {}
+            }
+        }
+        far
+    }
 }
 
-/// Names and lengths.
-type Inputs = &'static [(&'static str, usize)];
+/// |t| of σ with w first, however long σ is; none without a real part, or the scale would be infinite
+/// and no error seen.
+pub fn translation(sigma: &[f64]) -> f64 {
+    let t = 2.0 * length(&sigma[4..]) / length(&sigma[..4]);
+    if t.is_finite() { t } else { 0.0 }
+}
 
-/// The shape of each operation: inputs with their lengths (0 for any multiple of 8 or any number),
-/// and the length of the answer.
-const SHAPES: &[(&str, Inputs, usize)] = &[
-    ("mul", &[("a", 8), ("b", 8)], 8),
-    ("conj_dual", &[("a", 8)], 8),
-    ("conj_quat", &[("a", 8)], 8),
-    ("conj_both", &[("a", 8)], 8),
-    ("norm", &[("a", 8)], 2),
-    ("normalize", &[("a", 8)], 8),
-    ("inverse", &[("a", 8)], 8),
-    ("from_rotation_translation", &[("r", 4), ("t", 3)], 8),
-    ("translation", &[("a", 8)], 3),
-    ("point", &[("a", 8), ("v", 3)], 3),
-    ("vector", &[("a", 8), ("v", 3)], 3),
-    ("matrix", &[("a", 8)], 12),
-    ("line", &[("a", 8), ("l", 3), ("m", 3)], 6),
-    ("log", &[("a", 8)], 6),
-    ("exp", &[("v", 3), ("m", 3)], 8),
-    ("pow", &[("a", 8), ("t", 1)], 8),
-    ("sclerp", &[("a", 8), ("b", 8), ("t", 1)], 8),
-    ("screw", &[("a", 8)], 8),
-    ("dlb", &[("s", 0), ("w", 0)], 8),
-    ("from_screw", &[("l", 3), ("m", 3), ("angle", 1), ("slide", 1)], 8),
-    ("from_matrix3x4", &[("rows", 12)], 8),
-    ("to_matrix4", &[("a", 8)], 16),
-    ("transform_plane", &[("a", 8), ("n", 3), ("offset", 1)], 4),
-    ("from_translation_rotation", &[("t", 3), ("r", 4)], 8),
-    ("mul_rotation_translation", &[("a", 8), ("r", 4), ("t", 3)], 8),
-    ("sqrt", &[("a", 8)], 8),
-    ("sclerp_long", &[("a", 8), ("b", 8), ("t", 1)], 8),
-    ("nlerp", &[("a", 8), ("b", 8), ("t", 1)], 8),
-    ("slerp_lerp", &[("a", 8), ("b", 8), ("t", 1)], 8),
-    ("squad", &[("a", 8), ("b", 8), ("c", 8), ("d", 8), ("t", 1)], 8),
-    ("squad_control", &[("a", 8), ("b", 8), ("c", 8)], 8),
-    ("dot", &[("a", 8), ("b", 8)], 2),
-    ("add", &[("a", 8), ("b", 8)], 8),
-    ("sub", &[("a", 8), ("b", 8)], 8),
-    ("scale", &[("a", 8), ("factor", 1)], 8),
-    ("scale_dual", &[("a", 8), ("factor", 2)], 8),
-    ("canonical", &[("a", 8)], 8),
-];
+/// An operation that a file has answers for.
+#[derive(Clone, Copy, Debug)]
+pub struct Known {
+    pub operation: &'static Operation,
+    pub name: &'static str,
+    fields: &'static [&'static str],
+    sign: Sign,
+    scale: fn(&Vector, f64) -> f64,
+    pub bounds: &'static [Bound],
+}
+
+/// All of them.
+pub fn known() -> impl Iterator<Item = Known> {
+    OPERATIONS.iter().flat_map(|operation| {
+        operation.bounds.iter().filter_map(move |held| match *held {
+            Held::Digits { name, fields, sign, scale, bounds } => {
+                Some(Known { operation, name, fields, sign, scale, bounds })
+            }
+            _ => None,
+        })
+    })
+}
+
+impl Known {
+    /// The fields of argument `index` with their lengths, 0 for those that repeat.
+    fn fields(&self, index: usize) -> impl Iterator<Item = (&'static str, usize)> {
+        let numbers = self.operation.arguments[index].numbers;
+        let all = self.fields[index].split(' ');
+        let repeats = all.clone().count() > 1;
+        all.map(move |field| match field.split_once(':') {
+            Some((name, length)) => (name, length.parse().expect("a length")),
+            None => (field, if repeats { 0 } else { numbers }),
+        })
+    }
+}
 
 /// Every row of `text`; the first that cannot be read is the error.
 pub fn parse(text: &str) -> Result<Vec<Vector>, RowError> {
@@ -101,8 +186,8 @@ fn parse_row(row: usize, line: &str) -> Result<Vector, String> {
         field.map(str::to_owned).ok_or_else(|| format!("no text field \"{name}\""))
     };
     let (op, kind) = (text("op")?, text("kind")?);
-    let shape = SHAPES.iter().find(|(name, ..)| *name == op);
-    let (_, names, out_length) = shape.ok_or_else(|| format!("unknown operation \"{op}\""))?;
+    let of = known().find(|known| known.name == op);
+    let of = of.ok_or_else(|| format!("unknown operation \"{op}\""))?;
     let numbers = |name: &str, length: usize| -> Result<Vec<f64>, String> {
         let field = value.get(name).ok_or_else(|| format!("{op} needs the field \"{name}\""))?;
         let mut flat = Vec::new();
@@ -112,15 +197,20 @@ fn parse_row(row: usize, line: &str) -> Result<Vector, String> {
         }
         Ok(flat)
     };
-    let inputs = names
-        .iter()
-        .map(|&(name, length)| Ok((name.to_owned(), numbers(name, length)?)))
+    let fields = (0..of.fields.len()).flat_map(|index| of.fields(index));
+    let inputs = fields
+        .map(|(name, length)| Ok((name.to_owned(), numbers(name, length)?)))
         .collect::<Result<Vec<_>, String>>()?;
-    let out = numbers("out", *out_length)?;
-    let vector = Vector { row, op, kind, inputs, out };
+    let out = numbers("out", 0)?;
+    let vector = Vector { row, op, kind, inputs, of, out };
     let (motions, weights) = (vector.input("s").len(), vector.input("w").len());
     if motions != 8 * weights || (vector.op == "dlb" && weights == 0) {
         return Err(format!("{motions} numbers in \"s\" for {weights} weights"));
+    }
+    let (answered, held) =
+        (vector.answers(crate::implementation::scalar_f64(), &[&vector]), vector.out.len());
+    if answered[0].len() != held {
+        return Err(format!("\"out\" holds {held} numbers, not {}", answered[0].len()));
     }
     Ok(vector)
 }

@@ -1,10 +1,11 @@
 //! Velocities and Jacobians of hierarchies against differences of forward kinematics: a six-axis arm
 //! and a biped with branches, one instance and blocks of every width.
 
-use crate::case::{Draw, Random, length};
 use dq8::{Block, DualQuat, Float, Hierarchy, Pose, Real, ShapeError, Twist, TwistBlock, pack};
-use dq8_contract::ledger::Ledger;
-use dq8_contract::tolerance::unit_roundoff;
+use dq8_contract::bound::unit_roundoff;
+use dq8_contract::case::length;
+use dq8_contract::ledger::{Ledger, line};
+use dq8_contract::random::Random;
 use dq8_simd::Row;
 
 const ROOT: u32 = Hierarchy::ROOT;
@@ -68,7 +69,7 @@ impl Machine {
 }
 
 fn numbers(random: &mut Random, count: usize) -> Vec<f64> {
-    (0..count).map(|_| 2.0 * random.next()).collect()
+    (0..count).map(|_| 2.0 * random.signed()).collect()
 }
 
 fn assert_close(got: Twist<f64>, wanted: Twist<f64>, tolerance: f64, what: &str) {
@@ -245,7 +246,11 @@ where
 
 #[test]
 fn blocks_of_every_width_and_single_instances_keep_the_table() {
-    Ledger::keep("twists of joints", |ledger| {
+    let lines = &[
+        line("velocities", &[], 10.5, "an adjoint a joint, summed from the root down"),
+        line("jacobian", &[], 2.5, "an adjoint"),
+    ];
+    Ledger::keep("twists of joints", lines, |ledger| {
         joints_keep_the_table::<f32, 4>(ledger);
         joints_keep_the_table::<f32, 8>(ledger);
         joints_keep_the_table::<f32, 16>(ledger);

@@ -1,9 +1,11 @@
 //! Central differences in `f64`, on every implementation that has it.
 
-use crate::case::{Arguments, Case, Draw, Random, case};
 use dq8::{DualQuat, Quat, Twist};
-use dq8_contract::for_every_implementation;
-use dq8_contract::sample::Sample;
+use dq8_contract::case::{Arguments, Case};
+use dq8_contract::implementation::{On, implementations};
+use dq8_contract::inputs::twist_case as case;
+use dq8_contract::lanes::{Motions, Reals};
+use dq8_contract::random::Random;
 
 /// The step of a difference, and the error that its square and rounding leave of numbers below 10.
 const STEP: f64 = 1e-5;
@@ -14,27 +16,21 @@ macro_rules! differences {
     ($($name:ident, $limit:literal, |$a:ident| $body:block)*) => {$(
         #[test]
         fn $name() {
-            fn sides<M: Sample>($a: &Arguments<M>) -> [Vec<M::Real>; 2] $body
-            let mut doubles = 0;
-            for_every_implementation!(|name, M| if !M::SINGLE {
-                check::<M>(name, $limit, sides::<M>);
-                doubles += 1;
-            });
-            let [_, expected] = dq8_contract::sample::implementations_of();
-            assert_eq!(doubles, expected, "something did not run");
+            fn sides($a: &Arguments) -> [Vec<Reals>; 2] $body
+            implementations().into_iter().filter(|on| !on.single).for_each(|on| check(on, $limit, sides));
         }
     )*};
 }
 
-fn check<M: Sample>(name: &str, limit: f64, sides: fn(&Arguments<M>) -> [Vec<M::Real>; 2]) {
-    for chunk in up_to(limit).chunks(M::LANES) {
-        let [got, wanted] = sides(&Arguments::new(chunk));
+fn check(on: On, limit: f64, sides: fn(&Arguments) -> [Vec<Reals>; 2]) {
+    for chunk in up_to(limit).chunks(on.lanes) {
+        let [got, wanted] = sides(&Arguments::new(on, chunk));
         assert_eq!(got.len(), wanted.len());
         for (i, (got, wanted)) in got.into_iter().zip(wanted).enumerate() {
-            let pairs = M::lanes(got).into_iter().zip(M::lanes(wanted));
+            let pairs = got.lanes().into_iter().zip(wanted.lanes());
             for ((got, wanted), case) in pairs.zip(chunk) {
                 let close = (got - wanted).abs() < TOLERANCE;
-                assert!(close, "{name}, {i}: {got:e}, not {wanted:e}, at {case:?}");
+                assert!(close, "{on:?}, {i}: {got:e}, not {wanted:e}, at {case:?}");
             }
         }
     }
@@ -47,79 +43,82 @@ fn up_to(limit: f64) -> Vec<Case> {
 }
 
 /// (after − before)/2h, a number that is as large as a motion's.
-fn difference<M: Sample>(after: M, before: M) -> M {
-    (after - before).scale(M::splat(0.5 / STEP))
+fn difference(after: Motions, before: Motions) -> Motions {
+    let factor = after.on().splat(0.5 / STEP);
+    (after - before).scale(factor)
 }
 
 /// The twist that takes `before` to `after`, over 2h.
-fn change<M: Sample>(step: M) -> Vec<M::Real> {
-    step.to_twist().scale(M::splat(0.5 / STEP)).to_array().to_vec()
+fn change(step: Motions) -> Vec<Reals> {
+    let factor = step.on().splat(0.5 / STEP);
+    step.to_twist().scale(factor).to_array().to_vec()
 }
 
 /// Motions that differ by ±h times the twist.
-fn steps<M: Sample>(twist: Twist<M::Real>) -> (M, M) {
-    let step = twist.scale(M::splat(STEP));
-    (M::from_twist(step), M::from_twist(-step))
+fn steps(a: &Arguments, twist: Twist<Reals>) -> (Motions, Motions) {
+    let on = a.on;
+    let step = twist.scale(on.splat(STEP));
+    (on.from_twist(step), on.from_twist(-step))
 }
 
 differences! {
     a_derivative_in_the_fixed_frame, 3.0, |a| {
-        let (after, before) = steps::<M>(a.x);
-        let got = difference(after * a.pose, before * a.pose).components();
-        [got.to_vec(), a.pose.derivative_spatial(a.x).components().to_vec()]
+        let (after, before) = steps(a, a.x);
+        let got = difference(after * a.a, before * a.a).components();
+        [got.to_vec(), a.a.derivative_spatial(a.x).components().to_vec()]
     }
 
     a_derivative_in_the_moving_frame, 3.0, |a| {
-        let (after, before) = steps::<M>(a.x);
-        let got = difference(a.pose * after, a.pose * before).components();
-        [got.to_vec(), a.pose.derivative_body(a.x).components().to_vec()]
+        let (after, before) = steps(a, a.x);
+        let got = difference(a.a * after, a.a * before).components();
+        [got.to_vec(), a.a.derivative_body(a.x).components().to_vec()]
     }
 
     integration_starts_with_the_derivative, 3.0, |a| {
-        let (h, back) = (M::splat(STEP), M::splat(-STEP));
-        let spatial = (a.pose.integrate_spatial(a.x, h), a.pose.integrate_spatial(a.x, back));
-        let body = (a.pose.integrate_body(a.x, h), a.pose.integrate_body(a.x, back));
+        let (h, back) = (a.on.splat(STEP), a.on.splat(-STEP));
+        let spatial = (a.a.integrate_spatial(a.x, h), a.a.integrate_spatial(a.x, back));
+        let body = (a.a.integrate_body(a.x, h), a.a.integrate_body(a.x, back));
         let got = [difference(spatial.0, spatial.1), difference(body.0, body.1)];
-        let wanted = [a.pose.derivative_spatial(a.x), a.pose.derivative_body(a.x)];
-        let flat = |motions: [M; 2]| motions.map(M::components).concat();
+        let wanted = [a.a.derivative_spatial(a.x), a.a.derivative_body(a.x)];
+        let flat = |motions: [Motions; 2]| motions.map(Motions::components).concat();
         [flat(got), flat(wanted)]
     }
 
     left_jacobian, 9.0, |a| {
-        let step = a.y.scale(M::splat(STEP));
-        let (after, before) = (M::from_twist(a.x + step), M::from_twist(a.x - step));
-        [change(after * before.conjugate()), M::left_jacobian(a.x, a.y).to_array().to_vec()]
+        let step = a.y.scale(a.on.splat(STEP));
+        let (after, before) = (a.on.from_twist(a.x + step), a.on.from_twist(a.x - step));
+        [change(after * before.conjugate()), a.on.left_jacobian(a.x, a.y).to_array().to_vec()]
     }
 
     right_jacobian, 9.0, |a| {
-        let step = a.y.scale(M::splat(STEP));
-        let (after, before) = (M::from_twist(a.x + step), M::from_twist(a.x - step));
-        [change(before.conjugate() * after), M::right_jacobian(a.x, a.y).to_array().to_vec()]
+        let step = a.y.scale(a.on.splat(STEP));
+        let (after, before) = (a.on.from_twist(a.x + step), a.on.from_twist(a.x - step));
+        [change(before.conjugate() * after), a.on.right_jacobian(a.x, a.y).to_array().to_vec()]
     }
 
     // The logarithm gives the short way only, below π.
     inverse_of_the_left_jacobian, 3.1, |a| {
-        let (after, before) = steps::<M>(a.y);
-        let middle = M::from_twist(a.x);
+        let (after, before) = steps(a, a.y);
+        let middle = a.on.from_twist(a.x);
         let got = (after * middle).to_twist() - (before * middle).to_twist();
-        let got = got.scale(M::splat(0.5 / STEP)).to_array().to_vec();
-        [got, M::left_jacobian_inverse(a.x, a.y).to_array().to_vec()]
+        let got = got.scale(a.on.splat(0.5 / STEP)).to_array().to_vec();
+        [got, a.on.left_jacobian_inverse(a.x, a.y).to_array().to_vec()]
     }
 
     inverse_of_the_right_jacobian, 3.1, |a| {
-        let (after, before) = steps::<M>(a.y);
-        let middle = M::from_twist(a.x);
+        let (after, before) = steps(a, a.y);
+        let middle = a.on.from_twist(a.x);
         let got = (middle * after).to_twist() - (middle * before).to_twist();
-        let got = got.scale(M::splat(0.5 / STEP)).to_array().to_vec();
-        [got, M::right_jacobian_inverse(a.x, a.y).to_array().to_vec()]
+        let got = got.scale(a.on.splat(0.5 / STEP)).to_array().to_vec();
+        [got, a.on.right_jacobian_inverse(a.x, a.y).to_array().to_vec()]
     }
 
     the_velocity_of_a_point, 3.0, |a| {
-        let (h, point) = (M::splat(STEP), a.wrench.force);
-        let body_point = a.pose.conjugate().transform_point(point);
-        let after = a.pose.integrate_spatial(a.x, h).transform_point(body_point);
-        let before = a.pose.integrate_spatial(a.x, -h).transform_point(body_point);
-        let over = M::splat(0.5 / STEP);
+        let (h, point) = (a.on.splat(STEP), a.wrench.force);
+        let body_point = a.a.conjugate().transform_point(point);
+        let after = a.a.integrate_spatial(a.x, h).transform_point(body_point);
+        let before = a.a.integrate_spatial(a.x, -h).transform_point(body_point);
+        let over = a.on.splat(0.5 / STEP);
         let got = (0..3).map(|i| (after[i] - before[i]) * over).collect();
         [got, a.x.velocity_at(point).to_vec()]
     }
@@ -158,7 +157,7 @@ fn velocities_along_a_known_path() {
         let path = Path { first: random.axis(), second: random.axis() };
         let s = f64::from(i) / 25.0 - 1.0;
         let (pose, (angular, linear)) = (path.at(s), path.velocity(s));
-        let rate = difference(path.at(s + STEP), path.at(s - STEP));
+        let rate = (path.at(s + STEP) - path.at(s - STEP)).scale(0.5 / STEP);
         let [x, y, z] = pose.translation();
         let [wx, wy, wz] = angular;
         // ω × t

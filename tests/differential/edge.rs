@@ -1,36 +1,51 @@
 //! Where formulas break: no motion, half and whole turns, numbers that are none, and neighbours.
 
-use crate::case::{Arguments, Case, NUMBERS, Random, case, cases};
-use crate::operation::answer;
-use crate::{names, worst_error};
-use dq8::{DualQuat, Twist};
-use dq8_contract::for_every_implementation;
-use dq8_contract::ledger::Ledger;
-use dq8_contract::sample::Sample;
+use dq8::Twist;
+use dq8_contract::case::{Arguments, Case, NUMBERS};
+use dq8_contract::implementation::{On, implementations, scalar_f64};
+use dq8_contract::inputs::{twist_case as case, twist_cases as cases};
+use dq8_contract::ledger::{Ledger, line};
+use dq8_contract::operation::{Inputs, Operation, Sign};
+use dq8_contract::operations::{OPERATIONS, operation};
+use dq8_contract::random::Random;
 use std::f64::consts::PI;
+
+/// The operations on twists.
+fn twists() -> impl Iterator<Item = &'static Operation> {
+    let of_twists = |operation: &&Operation| {
+        matches!(operation.double(), Some((Inputs::Twists | Inputs::Turns, ..)))
+    };
+    OPERATIONS.iter().filter(of_twists)
+}
+
+/// What the first lane answers.
+fn numbers(on: On, operation: &Operation, case: &Case) -> Vec<f64> {
+    operation.answer(on, &[*case]).lane(0).0.into_iter().map(|(_, number)| number).collect()
+}
+
+fn is_finite(numbers: &[f64]) -> bool {
+    numbers.iter().all(|number| number.is_finite())
+}
 
 #[test]
 fn jacobians_of_no_twist_change_nothing() {
-    for_every_implementation!(|name, M| {
+    for on in implementations() {
         for tiny in [0.0, -0.0, 5e-324, 1e-45, 1e-300] {
             let mut case = case(&mut Random(1), 1.0, 1.0);
             (case.x, case.y) = ([tiny; 6], [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
-            let a = Arguments::<M>::new(&[case]);
-            for jacobian in names().filter(|name| name.contains("jacobian")) {
-                let got = answer(jacobian, &a).lanes::<M>()[0].clone();
-                let got = [got.plain, got.length].concat();
-                assert_eq!(got, case.y, "{name}, {jacobian}, {tiny:e}");
+            for jacobian in twists().filter(|operation| operation.name.contains("jacobian")) {
+                let got = numbers(on, jacobian, &case);
+                assert_eq!(got, case.y, "{on:?}, {}, {tiny:e}", jacobian.name);
             }
         }
-    });
+    }
 }
 
 #[test]
 fn jacobians_of_a_pure_translation_are_half_a_product() {
-    for_every_implementation!(|name, M| {
+    for on in implementations() {
         let mut case = case(&mut Random(1), 1.0, 1.0);
         (case.x, case.y) = ([0.0, 0.0, 0.0, 2.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0, 0.0, 8.0]);
-        let a = Arguments::<M>::new(&[case]);
         // v × η = (0, 0, 2)
         for (jacobian, z) in [
             ("left_jacobian", 9.0),
@@ -38,70 +53,68 @@ fn jacobians_of_a_pure_translation_are_half_a_product() {
             ("left_jacobian_inverse", 7.0),
             ("right_jacobian_inverse", 9.0),
         ] {
-            let got = answer(jacobian, &a).lanes::<M>()[0].clone();
-            assert_eq!(got.plain, [0.0, 1.0, 0.0], "{name}, {jacobian}");
-            assert_eq!(got.length, [0.0, 0.0, z], "{name}, {jacobian}");
+            let got = numbers(on, operation(jacobian), &case);
+            assert_eq!(got, [0.0, 1.0, 0.0, 0.0, 0.0, z], "{on:?}, {jacobian}");
         }
-    });
+    }
 }
 
 /// A motion that is known to its last place answers to it, however small.
 #[test]
 fn a_tiny_twist_keeps_its_relative_precision() {
-    for_every_implementation!(|name, M| {
-        let exponents = if M::SINGLE { 1..38 } else { 1..300 };
+    for on in implementations() {
+        let exponents = if on.single { 1..38 } else { 1..300 };
         for exponent in exponents {
             let size = 10.0_f64.powi(-exponent);
             let mut case = case(&mut Random(2), 1.0, 1.0);
             case.x = [3.0, -2.0, 1.0, 1.0, 2.0, 3.0].map(|c| c * size);
-            let case = case.rounded::<M>();
-            let a = Arguments::<M>::new(&[case]);
-            let back = M::from_twist(a.x).to_twist().to_array();
+            let case = case.rounded(on);
+            let a = Arguments::new(on, &[case]);
+            let back = on.from_twist(a.x).to_twist().to_array();
             for (got, wanted) in back.into_iter().zip(case.x) {
-                let (got, smallest) = (M::lanes(got)[0], if M::SINGLE { 1e-44 } else { 1e-322 });
-                let unit = if M::SINGLE { f64::from(f32::EPSILON) } else { f64::EPSILON };
+                let (got, smallest) = (got.first(), if on.single { 1e-44 } else { 1e-322 });
+                let unit = if on.single { f64::from(f32::EPSILON) } else { f64::EPSILON };
                 let close = (got - wanted).abs() <= 4.0 * unit * wanted.abs() + smallest;
-                assert!(close, "{name}: {got:e}, not {wanted:e}");
+                assert!(close, "{on:?}: {got:e}, not {wanted:e}");
             }
         }
-    });
+    }
 }
 
 /// Beyond a half turn the logarithm takes the other way round; at a half turn either will do.
 #[test]
 fn the_twist_of_a_motion_goes_the_short_way() {
-    for_every_implementation!(|name, M| {
+    for on in implementations() {
         for beyond in [-1e-3, 1e-3] {
             let mut case = case(&mut Random(3), 1.0, 1.0);
             case.x = [0.0, 0.0, PI + beyond, 0.0, 0.0, 1.0];
-            let twist = M::from_twist(Arguments::<M>::new(&[case]).x).to_twist().to_array();
+            let twist = on.from_twist(Arguments::new(on, &[case]).x).to_twist().to_array();
             let wanted = if beyond > 0.0 { beyond - PI } else { PI + beyond };
-            let (turn, slide) = (M::lanes(twist[2])[0], M::lanes(twist[5])[0]);
-            assert!((turn - wanted).abs() < 1e-6 && (slide - 1.0).abs() < 1e-5, "{name}: {turn}");
+            let (turn, slide) = (twist[2].first(), twist[5].first());
+            assert!((turn - wanted).abs() < 1e-6 && (slide - 1.0).abs() < 1e-5, "{on:?}: {turn}");
         }
-    });
+    }
 }
 
 #[test]
 fn the_inverse_jacobians_go_to_infinity_at_whole_turns() {
-    for_every_implementation!(|name, M| {
+    for on in implementations() {
         for turns in [1.0, 2.0] {
             let mut case = case(&mut Random(4), 1.0, 1.0);
             case.x = [2.0 * PI * turns, 0.0, 0.0, 0.0, 0.0, 0.0];
             case.y = [0.0, 1.0, 0.0, 0.0, 0.0, 0.0];
-            let a = Arguments::<M>::new(&[case]);
             for jacobian in ["left_jacobian_inverse", "right_jacobian_inverse"] {
-                let got = answer(jacobian, &a).lanes::<M>()[0].clone();
-                let largest = got.plain.iter().fold(0.0_f64, |most, c| most.max(c.abs()));
-                let endless = if M::SINGLE { 1e5 } else { 1e13 };
-                assert!(!got.is_finite() || largest > endless, "{name}, {jacobian}: {got:?}");
+                let got = numbers(on, operation(jacobian), &case);
+                let largest = got[..3].iter().fold(0.0_f64, |most, c| most.max(c.abs()));
+                let endless = if on.single { 1e5 } else { 1e13 };
+                assert!(!is_finite(&got) || largest > endless, "{on:?}, {jacobian}: {got:?}");
             }
             // The Jacobians themselves are only singular: across ω nothing is left.
-            let got = answer("left_jacobian", &a).lanes::<M>()[0].clone();
-            let small = if M::SINGLE { 1e-6 } else { 1e-14 };
-            assert!(got.plain.iter().all(|c| c.abs() < small), "{name}: {got:?}");
+            let got = numbers(on, operation("left_jacobian"), &case);
+            let small = if on.single { 1e-6 } else { 1e-14 };
+            assert!(got[..3].iter().all(|c| c.abs() < small), "{on:?}: {got:?}");
         }
-    });
+    }
 }
 
 #[test]
@@ -111,14 +124,17 @@ fn towards_a_whole_turn_only_the_amplification_grows() {
     let single: Vec<_> = (0..40).map(|_| near(0.02, &mut random)).collect();
     let double: Vec<_> =
         (1..40).map(|i| near(10.0_f64.powf(-f64::from(i) / 8.0), &mut random)).collect();
-    Ledger::keep("twists near a whole turn", |ledger| {
-        for_every_implementation!(|name, M| {
-            for jacobian in ["left_jacobian_inverse", "right_jacobian_inverse"] {
-                let cases = if M::SINGLE { &single } else { &double };
-                let (error, case) = worst_error::<M>(jacobian, cases);
-                ledger.measure(jacobian, "", error, || format!("{name}: {case:?}"));
+    let why = "what grows is in the scale";
+    let inverses = ["left_jacobian_inverse", "right_jacobian_inverse"];
+    let lines = inverses.map(|op| line(op, &[], 2.0, why));
+    Ledger::keep("twists near a whole turn", &lines, |ledger| {
+        for on in implementations() {
+            for jacobian in inverses {
+                let cases = if on.single { &single } else { &double };
+                let (error, case) = operation(jacobian).worst_error(on, Sign::Kept, cases);
+                ledger.measure(jacobian, "", error, || format!("{on:?}: {case:?}"));
             }
-        });
+        }
     });
 }
 
@@ -126,47 +142,47 @@ fn towards_a_whole_turn_only_the_amplification_grows() {
 #[test]
 fn what_is_no_number_is_passed_on() {
     let ordinary = case(&mut Random(6), 2.0, 1.0);
-    for_every_implementation!(|name, M| {
+    for on in implementations() {
         for place in 0..NUMBERS {
             for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-                let mut numbers = ordinary.to_numbers();
-                numbers[place] = bad;
-                let case = Case::of_numbers(numbers);
-                let a = Arguments::<M>::new(&[case]);
-                let scalar = Arguments::<DualQuat<f64>>::new(&[case]);
-                for operation in names() {
-                    let got = answer(operation, &a).lanes::<M>()[0].clone();
-                    let wanted = answer(operation, &scalar).lanes::<DualQuat<f64>>()[0].clone();
+                let mut spoilt = ordinary.to_numbers();
+                spoilt[place] = bad;
+                let case = Case::of_numbers(&spoilt);
+                for operation in twists() {
+                    let got = numbers(on, operation, &case);
+                    let wanted = numbers(scalar_f64(), operation, &case);
                     assert_eq!(
-                        got.is_finite(),
-                        wanted.is_finite(),
-                        "{name}, {operation}, {bad} at {place}: {got:?}, scalar {wanted:?}"
+                        is_finite(&got),
+                        is_finite(&wanted),
+                        "{on:?}, {}, {bad} at {place}: {got:?}, scalar {wanted:?}",
+                        operation.name
                     );
                 }
             }
         }
-    });
+    }
 }
 
 /// Twists scaled down to where all is subnormal: every step then rounds to the same last place,
 /// however small its operands, and that is all.
 #[test]
 fn subnormal_numbers_are_numbers() {
-    Ledger::keep("subnormal twists", |ledger| {
-        for_every_implementation!(|name, M| {
-            let size = if M::SINGLE { 1e-39 } else { 1e-309 };
+    let why = "every step rounds to the same last place, however small its operands";
+    Ledger::keep("subnormal twists", &[line("any", &[], 12.5, why)], |ledger| {
+        for on in implementations() {
+            let size = if on.single { 1e-39 } else { 1e-309 };
             for seed in 0..20 {
                 let mut case = case(&mut Random(seed), 1.0, 1.0);
                 for twist in [&mut case.x, &mut case.y, &mut case.wrench] {
                     *twist = twist.map(|c| c * size);
                 }
-                for operation in names() {
-                    let (error, case) = worst_error::<M>(operation, &[case]);
-                    let place = || format!("{name}, {operation}: {case:?}");
+                for operation in twists() {
+                    let (error, case) = operation.worst_error(on, Sign::Kept, &[case]);
+                    let place = || format!("{on:?}, {}: {case:?}", operation.name);
                     ledger.measure("any", "", error, place);
                 }
             }
-        });
+        }
     });
 }
 
@@ -176,29 +192,23 @@ fn lanes_do_not_see_their_neighbours() {
     let cases = cases();
     let mut strangers = vec![case(&mut Random(7), 50.0, 1e3), case(&mut Random(8), 0.0, 0.0)];
     for bad in [f64::NAN, f64::INFINITY] {
-        strangers.push(Case::of_numbers([bad; NUMBERS]));
+        strangers.push(Case::of_numbers(&[bad; NUMBERS]));
     }
-    for_every_implementation!(|name, M| {
+    for on in implementations() {
         for (i, &case) in cases.iter().enumerate() {
-            let alone = Arguments::<M>::new(&[case]);
-            let mut crowd: Vec<_> = strangers.iter().cycle().take(M::LANES).copied().collect();
+            let mut crowd: Vec<_> = strangers.iter().cycle().take(on.lanes).copied().collect();
             // Every lane has its turn.
             let lane = i.checked_rem(crowd.len()).unwrap_or(0);
             crowd[lane] = case;
-            let among = Arguments::<M>::new(&crowd);
-            for operation in names() {
-                let wanted = answer(operation, &alone).lanes::<M>()[0].clone();
-                let got = answer(operation, &among).lanes::<M>()[lane].clone();
-                let bits =
-                    |numbers: &[f64]| numbers.iter().map(|n| n.to_bits()).collect::<Vec<_>>();
-                assert_eq!(
-                    (bits(&got.plain), bits(&got.length)),
-                    (bits(&wanted.plain), bits(&wanted.length)),
-                    "{name}, {operation}, lane {lane}, {case:?}"
-                );
+            for operation in twists() {
+                let wanted = numbers(on, operation, &case);
+                let got = operation.answer(on, &crowd).lane(lane).0;
+                let got: Vec<_> = got.iter().map(|(_, number)| number.to_bits()).collect();
+                let wanted: Vec<_> = wanted.iter().map(|number| number.to_bits()).collect();
+                assert_eq!(got, wanted, "{on:?}, {}, lane {lane}, {case:?}", operation.name);
             }
         }
-    });
+    }
 }
 
 #[test]

@@ -1,297 +1,157 @@
-//! Laws, on every implementation: two ways to the same numbers.
+//! Laws of twists, on every implementation: two ways to the same numbers.
 
-use crate::case::{Arguments, Case, cases, length};
-use dq8::{Twist, Wrench};
-use dq8_contract::for_every_implementation;
-use dq8_contract::sample::Sample;
-use dq8_contract::tolerance::unit_roundoff;
+use dq8::Twist;
+use dq8_contract::bound::Kind;
+use dq8_contract::case::Case;
+use dq8_contract::inputs::twist_cases;
+use dq8_contract::law::{self, Sides};
+use dq8_contract::laws;
 
-/// A bound in units of u · scale, about one and a half times what was measured, and the two sides.
-struct Law<M: Sample> {
-    name: &'static str,
-    units: f64,
-    /// The largest |ω| it holds for.
-    limit: f64,
-    sides: fn(&Arguments<M>) -> [Vec<M::Real>; 2],
-    scale: fn(&Case) -> f64,
+/// Twists clearly below a whole turn, where the inverse Jacobians are infinite.
+fn turns() -> Vec<Case> {
+    twist_cases().into_iter().filter(|case| case.angle() < 6.25).collect()
 }
 
-fn flat<M: Sample>(twist: Twist<M::Real>) -> Vec<M::Real> {
-    twist.to_array().to_vec()
-}
-
-fn motion<M: Sample>(motion: M) -> Vec<M::Real> {
-    motion.components().to_vec()
-}
-
-fn wrench<M: Sample>(wrench: Wrench<M::Real>) -> Vec<M::Real> {
-    [wrench.force, wrench.torque].concat()
-}
-
-/// How large lengths are in a case.
-fn far(case: &Case) -> f64 {
-    let translation = |c: &[f64; 8]| 1.0 + 2.0 * length(&c[4..]);
-    translation(&case.pose) * translation(&case.other) * (1.0 + length(&case.x[3..]))
-}
-
-fn step(case: &Case) -> f64 {
-    far(case) * (1.0 + case.angle()) * (1.0 + case.dt.abs())
-}
-
-fn at_twist(case: &Case) -> f64 {
-    (1.0 + case.angle()).powi(2) * (1.0 + length(&case.x[3..])) * (1.0 + length(&case.y))
-}
-
-/// (θ/2)/sin(θ/2) grows without end towards 2π.
-fn inverse(case: &Case) -> f64 {
-    let half = case.angle() / 2.0;
-    let grows = if half < 1e-3 { 1.0 } else { (half / half.sin()).abs().max(1.0) };
-    at_twist(case) * grows.powi(3)
-}
-
-fn laws<M: Sample>() -> Vec<Law<M>> {
-    let law = |name, units, limit, sides, scale| Law { name, units, limit, sides, scale };
-    vec![
-        law(
-            "the twist of ½ξσ is ξ, spatial",
-            5.0,
-            99.0,
-            |a| [flat::<M>(a.pose.spatial_twist(a.pose.derivative_spatial(a.x))), flat::<M>(a.x)],
-            step,
-        ),
-        law(
-            "the twist of ½σξ is ξ, body",
-            5.5,
-            99.0,
-            |a| [flat::<M>(a.pose.body_twist(a.pose.derivative_body(a.x))), flat::<M>(a.x)],
-            step,
-        ),
-        law(
-            "spatial = Ad body",
-            9.0,
-            99.0,
-            |a| {
-                [
-                    flat::<M>(a.pose.spatial_twist(a.derivative)),
-                    flat::<M>(a.pose.adjoint(a.pose.body_twist(a.derivative))),
-                ]
-            },
-            |c| far(c) * (1.0 + length(&c.derivative)),
-        ),
-        law(
-            "½ξσ = ½σ Ad⁻¹ξ",
-            5.0,
-            99.0,
-            |a| {
-                [
-                    motion(a.pose.derivative_spatial(a.x)),
-                    motion(a.pose.derivative_body(a.pose.conjugate().adjoint(a.x))),
-                ]
-            },
-            step,
-        ),
-        law(
-            "Jia's σ̇ = ½ξσ with v = ṫ − ω × t",
-            0.25,
-            99.0,
-            |a| {
-                let at_origin = Twist {
-                    angular: a.x.angular,
-                    linear: a.x.velocity_at(a.pose.translation().map(|c| -c)),
-                };
-                [
-                    motion(a.pose.derivative_from_velocity(a.x.angular, a.x.linear)),
-                    motion(a.pose.derivative_spatial(at_origin)),
-                ]
-            },
-            step,
-        ),
-        law(
-            "(ω, ṫ) of Jia's σ̇",
-            5.0,
-            99.0,
-            |a| {
-                let (angular, linear) =
-                    a.pose.velocity(a.pose.derivative_from_velocity(a.x.angular, a.x.linear));
-                [flat::<M>(Twist { angular, linear }), flat::<M>(a.x)]
-            },
-            step,
-        ),
-        law(
-            "the motion of the twist of a motion",
-            8.0,
-            99.0,
-            |a| [motion(M::from_twist(a.pose.to_twist())), motion(a.pose.canonical())],
-            far,
-        ),
-        law(
-            "a twist for dt twice is for 2 dt, spatial",
-            4.5,
-            99.0,
-            |a| {
-                [
-                    motion(a.pose.integrate_spatial(a.x, a.dt).integrate_spatial(a.x, a.dt)),
-                    motion(a.pose.integrate_spatial(a.x, a.dt + a.dt)),
-                ]
-            },
-            step,
-        ),
-        law(
-            "a twist for dt twice is for 2 dt, body",
-            4.5,
-            99.0,
-            |a| {
-                [
-                    motion(a.pose.integrate_body(a.x, a.dt).integrate_body(a.x, a.dt)),
-                    motion(a.pose.integrate_body(a.x, a.dt + a.dt)),
-                ]
-            },
-            step,
-        ),
-        law(
-            "integration in either frame",
-            1.6,
-            99.0,
-            |a| {
-                [
-                    motion(a.pose.integrate_body(a.x, a.dt)),
-                    motion(a.pose.integrate_spatial(a.pose.adjoint(a.x), a.dt)),
-                ]
-            },
-            step,
-        ),
-        law(
-            "Ad of a product",
-            8.5,
-            99.0,
-            |a| {
-                [
-                    flat::<M>((a.pose * a.other).adjoint(a.x)),
-                    flat::<M>(a.pose.adjoint(a.other.adjoint(a.x))),
-                ]
-            },
-            step,
-        ),
-        law(
-            "Ad* of a product",
-            9.5,
-            99.0,
-            |a| {
-                [
-                    wrench::<M>((a.pose * a.other).coadjoint(a.wrench)),
-                    wrench::<M>(a.pose.coadjoint(a.other.coadjoint(a.wrench))),
-                ]
-            },
-            |c| far(c) * (1.0 + length(&c.wrench)),
-        ),
-        law(
-            "Ad of the inverse",
-            20.0,
-            99.0,
-            |a| [flat::<M>(a.pose.conjugate().adjoint(a.pose.adjoint(a.x))), flat::<M>(a.x)],
-            step,
-        ),
-        law(
-            "power is the same in both frames",
-            0.6,
-            99.0,
-            |a| {
-                [
-                    vec![a.pose.coadjoint(a.wrench).power(a.pose.adjoint(a.x))],
-                    vec![a.wrench.power(a.x)],
-                ]
-            },
-            |c| step(c) * (1.0 + length(&c.wrench)),
-        ),
-        law(
-            "J_l(x) = Ad J_r(x)",
-            2.3,
-            99.0,
-            |a| {
-                [
-                    flat::<M>(M::left_jacobian(a.x, a.y)),
-                    flat::<M>(M::from_twist(a.x).adjoint(M::right_jacobian(a.x, a.y))),
-                ]
-            },
-            at_twist,
-        ),
-        law(
-            "J(x) x = x",
-            0.25,
-            99.0,
-            |a| {
-                [
-                    [flat::<M>(M::left_jacobian(a.x, a.x)), flat::<M>(M::right_jacobian(a.x, a.x))]
-                        .concat(),
-                    [flat::<M>(a.x), flat::<M>(a.x)].concat(),
-                ]
-            },
-            |c| (1.0 + c.angle()).powi(2) * (1.0 + length(&c.x[3..])),
-        ),
-        law(
-            "J_l J_l⁻¹ = 1",
-            0.8,
-            6.25,
-            |a| {
-                [
-                    flat::<M>(M::left_jacobian(a.x, M::left_jacobian_inverse(a.x, a.y))),
-                    flat::<M>(a.y),
-                ]
-            },
-            inverse,
-        ),
-        law(
-            "J_r⁻¹ J_r = 1",
-            0.9,
-            6.25,
-            |a| {
-                [
-                    flat::<M>(M::right_jacobian_inverse(a.x, M::right_jacobian(a.x, a.y))),
-                    flat::<M>(a.y),
-                ]
-            },
-            inverse,
-        ),
-    ]
-}
-
-#[test]
-fn laws_hold_on_every_implementation() {
-    let cases = cases();
-    let (mut broken, mut implementations) = (Vec::new(), 0);
-    let mut measured = std::collections::BTreeMap::new();
-    for_every_implementation!(|implementation, M| {
-        for law in laws::<M>() {
-            let cases: Vec<_> =
-                cases.iter().filter(|case| case.angle() < law.limit).copied().collect();
-            let mut worst = (0.0, cases[0]);
-            for chunk in cases.chunks(M::LANES) {
-                let arguments = Arguments::<M>::new(chunk);
-                // Rounded motions are unit to their last place only.
-                let (pose, other) = (arguments.pose.normalize(), arguments.other.normalize());
-                let sides = (law.sides)(&Arguments { pose, other, ..arguments });
-                let [left, right] = sides.map(|side| side.into_iter().map(M::lanes));
-                for (left, right) in left.zip(right) {
-                    for ((left, right), case) in left.into_iter().zip(right).zip(chunk) {
-                        let error = (left - right).abs() / (law.scale)(case);
-                        if error.is_nan() || error > worst.0 {
-                            worst = (error, *case);
-                        }
-                    }
-                }
-            }
-            let units = worst.0 / unit_roundoff(M::SINGLE);
-            let so_far = measured.entry(law.name).or_insert(0.0);
-            *so_far = units.max(*so_far);
-            if units.is_nan() || units > law.units {
-                broken.push(format!("{implementation}, {}: {units:.2} at {:?}", law.name, worst.1));
-            }
-        }
-        implementations += 1;
-    });
-    for (name, units) in measured {
-        println!("{name:50} {units:.2}");
+laws! {
+    #[test]
+    fn the_spatial_twist_undoes_its_derivative(x) -> "the twist of ½ξσ is ξ, spatial", for twist_cases(), law::step,
+        within 5.0, "two products of a motion, each a sum of 7" {
+        let x = x.unit();
+        Sides::twists(x.a.spatial_twist(x.a.derivative_spatial(x.x)), x.x)
     }
-    assert!(broken.is_empty(), "{}", broken.join("\n"));
-    assert_eq!(implementations, dq8_contract::sample::implementations(), "something did not run");
+
+    #[test]
+    fn the_body_twist_undoes_its_derivative(x) -> "the twist of ½σξ is ξ, body", for twist_cases(), law::step,
+        within 5.5, "two products of a motion, each a sum of 7" {
+        let x = x.unit();
+        Sides::twists(x.a.body_twist(x.a.derivative_body(x.x)), x.x)
+    }
+
+    #[test]
+    fn the_adjoint_takes_body_twists_to_spatial_ones(x) -> "spatial = Ad body", for twist_cases(), law::with_derivative,
+        within 9.0, "two twists of sums of 8 products, and an adjoint, whose bound is 8.5 alone" {
+        let x = x.unit();
+        Sides::twists(x.a.spatial_twist(x.derivative), x.a.adjoint(x.a.body_twist(x.derivative)))
+    }
+
+    #[test]
+    fn the_derivatives_of_both_frames_agree(x) -> "½ξσ = ½σ Ad⁻¹ξ", for twist_cases(), law::step,
+        within 5.0, "a product a side, and an adjoint" {
+        let x = x.unit();
+        let body = x.a.conjugate().adjoint(x.x);
+        Sides::motions(x.a.derivative_spatial(x.x), x.a.derivative_body(body))
+    }
+
+    #[test]
+    fn the_derivative_from_velocity_is_that_of_the_twist_at_the_origin(x)
+        -> "Jia's σ̇ = ½ξσ with v = ṫ − ω × t", for twist_cases(), law::step,
+        within 0.25, "the scale has |ω|, |v| and |t| as factors, of which few cases are large in all" {
+        let x = x.unit();
+        let linear = x.x.velocity_at(x.a.translation().map(|c| -c));
+        let at_origin = Twist { angular: x.x.angular, linear };
+        let jia = x.a.derivative_from_velocity(x.x.angular, x.x.linear);
+        Sides::motions(jia, x.a.derivative_spatial(at_origin))
+    }
+
+    #[test]
+    fn the_velocity_undoes_its_derivative(x) -> "(ω, ṫ) of Jia's σ̇", for twist_cases(), law::step,
+        within 5.0, "two products of a motion and one of a translation" {
+        let x = x.unit();
+        let (angular, linear) = x.a.velocity(x.a.derivative_from_velocity(x.x.angular, x.x.linear));
+        Sides::twists(Twist { angular, linear }, x.x)
+    }
+
+    #[test]
+    fn the_twist_of_a_motion_makes_it(x) -> "from_twist(to_twist(σ)) = ±σ", for twist_cases(), law::far,
+        within 8.0, "a factor and its reciprocal, each from its own function" {
+        let x = x.unit();
+        Sides::motions(x.on.from_twist(x.a.to_twist()), x.a.canonical())
+    }
+
+    #[test]
+    fn the_twist_to_a_pose_leads_to_it(x) -> "integrate_body(a, twist_to(a, b), 1) = ±b", for twist_cases(), law::far,
+        within 13.0, "two products; a factor and its reciprocal, each from its own function" {
+        let x = x.unit();
+        let there = x.a.integrate_body(x.a.twist_to(x.b), x.on.splat(1.0));
+        Sides::same_motions(x.b, there)
+    }
+
+    #[test]
+    fn steps_in_the_fixed_frame_add(x) -> "a twist for dt twice is for 2 dt, spatial", for twist_cases(), law::step,
+        within 4.5, "two exponentials and two products against one of each" {
+        let x = x.unit();
+        let twice = x.a.integrate_spatial(x.x, x.dt).integrate_spatial(x.x, x.dt);
+        Sides::motions(twice, x.a.integrate_spatial(x.x, x.dt + x.dt))
+    }
+
+    #[test]
+    fn steps_in_the_moving_frame_add(x) -> "a twist for dt twice is for 2 dt, body", for twist_cases(), law::step,
+        within 4.5, "two exponentials and two products against one of each" {
+        let x = x.unit();
+        let twice = x.a.integrate_body(x.x, x.dt).integrate_body(x.x, x.dt);
+        Sides::motions(twice, x.a.integrate_body(x.x, x.dt + x.dt))
+    }
+
+    #[test]
+    fn integration_may_use_either_frame(x) -> "integration in either frame", for twist_cases(), law::step,
+        within 1.6, "an exponential and a product a side, and an adjoint, over a scale of several factors" {
+        let x = x.unit();
+        let spatial = x.a.integrate_spatial(x.a.adjoint(x.x), x.dt);
+        Sides::motions(x.a.integrate_body(x.x, x.dt), spatial)
+    }
+
+    #[test]
+    fn the_adjoint_of_a_product_is_the_product_of_adjoints(x) -> "Ad of a product", for twist_cases(), law::step,
+        within 8.5, "two adjoints against a product and an adjoint" {
+        let x = x.unit();
+        Sides::twists((x.a * x.b).adjoint(x.x), x.a.adjoint(x.b.adjoint(x.x)))
+    }
+
+    #[test]
+    fn the_coadjoint_of_a_product_is_the_product_of_coadjoints(x) -> "Ad* of a product", for twist_cases(), law::with_wrench,
+        within 9.5, "two coadjoints against a product and a coadjoint" {
+        let x = x.unit();
+        Sides::wrenches((x.a * x.b).coadjoint(x.wrench), x.a.coadjoint(x.b.coadjoint(x.wrench)))
+    }
+
+    #[test]
+    fn the_adjoint_of_the_inverse_undoes(x) -> "Ad of the inverse", for twist_cases(), law::step,
+        within 20.0, "two adjoints of 8.5 each, and |p| is only unit to 2 u" {
+        let x = x.unit();
+        Sides::twists(x.a.conjugate().adjoint(x.a.adjoint(x.x)), x.x)
+    }
+
+    #[test]
+    fn power_is_the_same_in_both_frames(x) -> "power is the same in both frames", for twist_cases(), law::power,
+        within 0.6, "six products a side; the scale has the wrench and the twist as factors" {
+        let x = x.unit();
+        let moved = x.a.coadjoint(x.wrench).power(x.a.adjoint(x.x));
+        Sides::reals(Kind::Plain, &[moved], &[x.wrench.power(x.x)])
+    }
+
+    #[test]
+    fn the_left_jacobian_is_the_moved_right_one(x) -> "J_l(x) = Ad J_r(x)", for twist_cases(), law::at_twist,
+        within 2.3, "two Jacobians, an exponential and an adjoint" {
+        let right = x.on.from_twist(x.x).adjoint(x.on.right_jacobian(x.x, x.y));
+        Sides::twists(x.on.left_jacobian(x.x, x.y), right)
+    }
+
+    #[test]
+    fn jacobians_leave_their_own_twist(x) -> "J(x) x = x", for twist_cases(), law::of_twist,
+        within 0.25, "the cross product of a vector with itself is all but none" {
+        Sides::twists(x.on.left_jacobian(x.x, x.x), x.x)
+            .and(Sides::twists(x.on.right_jacobian(x.x, x.x), x.x))
+    }
+
+    #[test]
+    fn the_left_jacobian_undoes_its_inverse(x) -> "J_l J_l⁻¹ = 1", for turns(), law::inverse,
+        within 0.8, "two Jacobians; what grows towards 2π is in the scale" {
+        Sides::twists(x.on.left_jacobian(x.x, x.on.left_jacobian_inverse(x.x, x.y)), x.y)
+    }
+
+    #[test]
+    fn the_inverse_of_the_right_jacobian_undoes_it(x) -> "J_r⁻¹ J_r = 1", for turns(), law::inverse,
+        within 0.9, "two Jacobians; what grows towards 2π is in the scale" {
+        Sides::twists(x.on.right_jacobian_inverse(x.x, x.on.right_jacobian(x.x, x.y)), x.y)
+    }
 }

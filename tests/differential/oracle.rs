@@ -1,11 +1,12 @@
 //! The third opinion on Jacobians: an integral, and Barfoot's closed form in 3×3 matrices. Neither
 //! knows dual numbers.
 
-use crate::case::{Random, case};
-use crate::operation::scale;
 use dq8::{DualQuat, Twist};
-use dq8_contract::ledger::Ledger;
-use dq8_contract::tolerance::unit_roundoff;
+use dq8_contract::bound::unit_roundoff;
+use dq8_contract::inputs::twist_case as case;
+use dq8_contract::ledger::{Ledger, line};
+use dq8_contract::random::Random;
+use dq8_contract::scale::jacobian;
 
 type Matrix = [[f64; 3]; 3];
 
@@ -38,14 +39,20 @@ fn the_left_jacobian_is_the_mean_of_the_adjoints_on_the_way() {
     let mut random = Random(1);
     let spread = (1..=90).map(|i| 0.1 * f64::from(i));
     let at_series = [0.0, 1e-9, 1e-4, 0.999_999, 1.0, 1.000_001];
-    Ledger::keep("jacobians by an integral", |ledger| {
+    let lines = &[line(
+        "left_jacobian",
+        &[],
+        13.0,
+        "as among the twists, and the sum that the integral is",
+    )];
+    Ledger::keep("jacobians by an integral", lines, |ledger| {
         for angle in spread.chain(at_series) {
             let case = case(&mut random, angle, 10.0);
             let (x, y) = (Twist::from_array(case.x), Twist::from_array(case.y));
-            let [plain, length] = scale("left_jacobian", &case);
+            let scale = jacobian(&case);
             let got = DualQuat::left_jacobian(x, y).to_array();
             for (i, (got, wanted)) in got.into_iter().zip(integral(x, y)).enumerate() {
-                let scale = if i < 3 { plain } else { length };
+                let scale = if i < 3 { scale.plain } else { scale.length };
                 let units = (got - wanted).abs() / scale / unit_roundoff(false);
                 ledger.measure("left_jacobian", "", units, || format!("|ω| = {angle}"));
             }
@@ -103,7 +110,13 @@ fn sum(terms: &[(f64, Matrix)]) -> Matrix {
 #[test]
 fn the_matrix_of_the_left_jacobian_is_that_of_barfoot() {
     let mut random = Random(2);
-    Ledger::keep("jacobians by Barfoot", |ledger| {
+    let lines = &[line(
+        "left_jacobian_matrix",
+        &[],
+        42.0,
+        "his own: coefficients divide small differences by up to φ⁵",
+    )];
+    Ledger::keep("jacobians by Barfoot", lines, |ledger| {
         for i in 5..=90 {
             let x = Twist::from_array(case(&mut random, 0.1 * f64::from(i), 10.0).x);
             let (got, wanted) = (DualQuat::left_jacobian_matrix(x), barfoot(x));

@@ -5,7 +5,7 @@ use crate::matrix::{IDENTITY, Matrix, Step, inverse, product};
 use core::fmt;
 use core::ops::Range;
 use dq8::{DualQuat, Hierarchy, Job, Real};
-use dq8_contract::tolerance::{section, unit_roundoff};
+use dq8_contract::bound::{unit_roundoff, within};
 use proptest::prelude::*;
 
 /// The most instances that a run takes: two full blocks of the widest kind and one more.
@@ -233,7 +233,8 @@ impl Wanted {
     /// Each product turns what follows by a few units of the last place; the errors are independent,
     /// so they add up like the root of their number.
     pub(crate) fn assert_is<R: Real>(&self, motion: DualQuat<R>, place: impl Fn() -> String) {
-        let units = section("hierarchies").line("poses", "").units;
+        let why = "each product turns what follows by a few u; errors are independent";
+        let units = within(8.0, why).units;
         let scale = f64::from(self.products).sqrt() * self.reach;
         let allowed = units * unit_roundoff(size_of::<R>() == 4) * scale;
         let error = crate::matrix::distance(motion, &self.matrix);

@@ -7,7 +7,7 @@ use crate::table::Table;
 use core::hint::black_box;
 use dq8::{Backend, DualQuat};
 
-// In units of 2⁻²³; the table of the project is tests/contract/tolerance.rs.
+// In units of 2⁻²³; the table of the project is tests/contract/operations.rs.
 const PRODUCT: f32 = 2.0;
 const UNIT: f32 = 2.0;
 const MOVED: f32 = 4.0;

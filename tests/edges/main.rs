@@ -1,14 +1,15 @@
 //! Where formulas break: zeros, infinities, NaN, subnormals, ends of ranges. Blends, metrics and
 //! derivatives have edge cases of their own beside their tests.
 
-#[path = "edges/infinite.rs"]
 mod infinite;
 
-use dq8::{DualQuat, DualVector, InverseError, MatrixError, NormalizeError, Quat, Twist, Wrench};
-use dq8_contract::inputs::{Arguments, Case, NUMBERS, proptest_config, turn_and_move};
-use dq8_contract::repertoire::{NAMES, answer};
-use dq8_contract::tolerance::{section, unit_roundoff};
-use dq8_contract::{for_every_implementation, sample::Sample};
+use dq8::{DualQuat, DualVector, InverseError, MatrixError, NormalizeError, Quat};
+use dq8_contract::bound::{Bound, within};
+use dq8_contract::case::{Case, NUMBERS};
+use dq8_contract::implementation::{On, implementations};
+use dq8_contract::inputs::{proptest_config, turn_and_move};
+use dq8_contract::lanes::Motions;
+use dq8_contract::operations::OPERATIONS;
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
 use std::error::Error;
@@ -43,53 +44,35 @@ fn any_number(single: bool) -> impl Strategy<Value = f64> {
 }
 
 /// All methods of the contract and its operators, whatever they answer.
-fn do_everything<M: Sample>(case: &Case) {
-    let x = Arguments::<M>::new(&[*case]);
-    for name in NAMES {
-        let (numbers, masks) = answer(name, &x).lane(0);
+fn do_everything(on: On, case: &Case) {
+    for operation in OPERATIONS {
+        let (numbers, masks) = operation.answer(on, &[*case]).lane(0);
         assert!(numbers.len() + masks.len() > 0);
     }
-    let twist = Twist { angular: x.v, linear: x.w };
-    let other = Twist { angular: x.weights, linear: x.v };
-    let _ = (M::dlb(&[]), M::dlb_running(&x.influences()), M::dib(&x.influences(), x.tolerance, 3));
-    let _ = (x.a.slerp_lerp(x.b, x.t), M::squad_control(x.a, x.b, x.c));
-    let _ = (x.a.squad(x.b, x.c, x.b, x.t), x.a.angle_to(x.b), x.a.distance_to(x.b));
-    let _ = (x.a.distance_weighted(x.b, x.s), x.a.point_error(x.b, x.v), x.a.shell_error(x.b, x.s));
-    let _ = (x.a.needs_renormalization(x.tolerance), x.a.derivative_spatial(twist));
-    let _ = (x.a.derivative_body(twist), x.a.spatial_twist(x.b), x.a.body_twist(x.b));
-    let _ = (x.a.derivative_from_velocity(x.v, x.w), x.a.velocity(x.b));
-    let _ = (M::from_twist(twist), x.a.to_twist(), x.a.integrate_spatial(twist, x.t));
-    let _ = (x.a.integrate_body(twist, x.t), x.a.adjoint(twist));
-    let _ = x.a.coadjoint(Wrench { torque: x.v, force: x.w });
-    let _ = (M::left_jacobian(twist, other), M::right_jacobian(twist, other));
-    let _ = (M::left_jacobian_inverse(twist, other), M::right_jacobian_inverse(twist, other));
+    assert!(on.dlb(&[]).is_none());
 }
 
 #[test]
 fn no_operation_panics_on_any_numbers() {
-    fn check<M: Sample>() {
-        let numbers = prop::collection::vec(any_number(M::SINGLE), NUMBERS);
+    fn check(on: On) {
+        let numbers = prop::collection::vec(any_number(on.single), NUMBERS);
         let done = TestRunner::new(proptest_config(64)).run(&numbers, |numbers| {
             let numbers = numbers.as_slice().try_into().expect("as many as were asked for");
-            do_everything::<M>(&Case::of_numbers(numbers));
+            do_everything(on, &Case::of_numbers(numbers));
             Ok(())
         });
         done.unwrap_or_else(|failure| panic!("{failure}"));
     }
-    for_every_implementation!(|_name, M| check::<M>());
+    implementations().into_iter().for_each(check);
 }
 
-fn splat<M: Sample>(motion: [f64; 8]) -> M {
-    M::motion(motion.map(M::splat))
-}
-
-/// What the table allows, times u.
-fn allowed<M: Sample>(op: &str, kind: &str) -> f64 {
-    section("edges").line(op, kind).units * unit_roundoff(M::SINGLE)
+/// A bound, times u.
+fn allowed(on: On, bound: Bound) -> f64 {
+    bound.units * on.roundoff()
 }
 
 /// The one motion that all lanes hold.
-fn only<M: Sample>(motion: M) -> [f64; 8] {
+fn only(motion: Motions) -> [f64; 8] {
     let lanes = motion.scatter();
     for lane in &lanes {
         for (a, b) in lane.iter().zip(&lanes[0]) {
@@ -109,29 +92,29 @@ fn what_cannot_be_normalized_or_inverted_is_nan_and_said_to_be() {
             bad.push(motion);
         }
     }
-    fn check<M: Sample>(name: &str, bad: &[[f64; 8]]) {
-        let all = (1_u64 << M::LANES) - 1;
+    fn check(on: On, bad: &[[f64; 8]]) {
+        let all = (1_u64 << on.lanes) - 1;
         for &motion in bad {
-            let sigma = splat::<M>(motion);
+            let sigma = on.same(motion);
             for (checked, unchecked) in [
                 (sigma.normalize_checked(), sigma.normalize()),
                 (sigma.inverse_checked(), sigma.inverse()),
             ] {
-                assert_eq!(u64::from(M::bits(checked.1)), all, "{name}: {motion:?}");
-                assert!(only(checked.0).iter().all(|c| c.is_nan()), "{name}: {motion:?}");
+                assert_eq!(u64::from(checked.1), all, "{on:?}: {motion:?}");
+                assert!(only(checked.0).iter().all(|c| c.is_nan()), "{on:?}: {motion:?}");
                 let found = only(unchecked).iter().any(|c| !c.is_finite());
-                assert!(found, "{name}: {motion:?} gives {unchecked:?}");
+                assert!(found, "{on:?}: {motion:?} gives {unchecked:?}");
             }
         }
     }
-    for_every_implementation!(|name, M| check::<M>(name, &bad));
+    implementations().into_iter().for_each(|on| check(on, &bad));
 }
 
 #[test]
 fn subnormal_and_huge_numbers_are_normalized_as_any_other() {
     let unit = turn_and_move([0.6, -0.48, 0.64], 1.0, [0.3, -1.2, 0.7]);
-    fn check<M: Sample>(name: &str, unit: [f64; 8]) {
-        let exponents = if M::SINGLE {
+    fn check(on: On, unit: [f64; 8]) {
+        let exponents = if on.single {
             vec![-40, -38, -30, -20, 0, 20, 30, 37]
         } else {
             vec![-318, -308, -200, 0, 200, 300, 307]
@@ -139,27 +122,31 @@ fn subnormal_and_huge_numbers_are_normalized_as_any_other() {
         for exponent in exponents {
             // Not `powi`, which goes by way of 1e318.
             let size: f64 = format!("1e{exponent}").parse().expect("a number");
-            let (normal, failed) = splat::<M>(unit.map(|c| c * size)).normalize_checked();
-            assert_eq!(M::bits(failed), 0, "{name}, 1e{exponent}");
+            let (normal, failed) = on.same(unit.map(|c| c * size)).normalize_checked();
+            assert_eq!(failed, 0, "{on:?}, 1e{exponent}");
             // Subnormal numbers have fewer digits to begin with.
-            let least = if M::SINGLE { 1.4e-45 } else { 4.9e-324 };
-            let allowed = allowed::<M>("normalize", "any size") + least / size;
+            let least = if on.single { 1.4e-45 } else { 4.9e-324 };
+            let allowed = allowed(
+                on,
+                within(2.0, "as among the vectors: lengths neither overflow nor vanish"),
+            ) + least / size;
             for (got, wanted) in only(normal).iter().zip(unit) {
                 let error = (got - wanted).abs();
-                assert!(error <= allowed, "{name}, 1e{exponent}: {got} is not {wanted}");
+                assert!(error <= allowed, "{on:?}, 1e{exponent}: {got} is not {wanted}");
             }
         }
     }
-    for_every_implementation!(|name, M| check::<M>(name, unit));
+    implementations().into_iter().for_each(|on| check(on, unit));
 }
 
 #[test]
 fn powers_of_tiny_screws_go_far_without_losing_the_angle() {
-    fn check<M: Sample>(name: &str) {
-        let relative = allowed::<M>("pow", "tiny, far");
+    fn check(on: On) {
+        let relative =
+            allowed(on, within(5.5, "half the angle times t, which may be large, and its sine"));
         for (angle, t) in [(1e-3, 1e3), (1e-4, -1e4), (1e-6, 5e5), (1e-12, 1e11), (1e-3, 2.5)] {
-            let sigma = splat::<M>(turn_and_move([0.0, 0.0, 1.0], angle, [0.0, 0.0, angle]));
-            let power = only(sigma.pow(M::splat(t)));
+            let sigma = on.same(turn_and_move([0.0, 0.0, 1.0], angle, [0.0, 0.0, angle]));
+            let power = only(sigma.pow(on.splat(t)));
             let (half, slide) = (0.5 * angle * t, 0.5 * angle * t);
             let wanted = [half.sin(), half.cos(), slide * half.cos(), -slide * half.sin()];
             let got = [power[2], power[3], power[6], power[7]];
@@ -168,86 +155,86 @@ fn powers_of_tiny_screws_go_far_without_losing_the_angle() {
                 let error = (got - wanted).abs();
                 assert!(
                     error <= allowed.max(relative * 1e-3),
-                    "{name}, {angle}^{t}: {got} {wanted}"
+                    "{on:?}, {angle}^{t}: {got} {wanted}"
                 );
             }
         }
     }
-    for_every_implementation!(|name, M| check::<M>(name));
+    implementations().into_iter().for_each(check);
 }
 
 #[test]
 fn interpolation_between_close_poses_goes_on_straight_beyond_both() {
-    fn check<M: Sample>(name: &str) {
-        let relative = allowed::<M>("sclerp", "tiny, far");
-        let a = splat::<M>(DualQuat::<f64>::IDENTITY.to_array());
-        let b = splat::<M>(turn_and_move([0.0, 0.0, 1.0], 1e-4, [0.0, 0.0, 1e-4]));
+    fn check(on: On) {
+        let relative = allowed(on, within(2.5, "as pow; the scale is the angle itself"));
+        let a = on.same(DualQuat::<f64>::IDENTITY.to_array());
+        let b = on.same(turn_and_move([0.0, 0.0, 1.0], 1e-4, [0.0, 0.0, 1e-4]));
         for t in [-1e4, -1.0, 0.5, 2.0, 1e4] {
             let half = 0.5 * 1e-4 * t;
-            let got = only(a.sclerp(b, M::splat(t)));
+            let got = only(a.sclerp(b, on.splat(t)));
             let error = (got[2] - half.sin()).abs();
-            assert!(error <= relative * half.abs(), "{name}, t = {t}: {} {}", got[2], half.sin());
+            assert!(error <= relative * half.abs(), "{on:?}, t = {t}: {} {}", got[2], half.sin());
             let error = (got[6] - half * half.cos()).abs();
-            assert!(error <= relative * half.abs(), "{name}, t = {t}: {}", got[6]);
+            assert!(error <= relative * half.abs(), "{on:?}, t = {t}: {}", got[6]);
         }
     }
-    for_every_implementation!(|name, M| check::<M>(name));
+    implementations().into_iter().for_each(check);
 }
 
 #[test]
 fn the_longer_way_goes_round_and_ends_where_it_should() {
-    fn check<M: Sample>(name: &str) {
-        let bound = allowed::<M>("sclerp_long", "long");
+    fn check(on: On) {
+        let bound = allowed(on, within(6.5, "π − Θ, to 3 times of it"));
         // 3 radians of half angle: more than a quarter of a turn apart as quaternions.
         let (a, b) = (
-            splat::<M>(turn_and_move([0.0, 0.0, 1.0], 0.0, [0.0; 3])),
-            splat::<M>(turn_and_move([0.0, 0.0, 1.0], 4.0, [0.0; 3])),
+            on.same(turn_and_move([0.0, 0.0, 1.0], 0.0, [0.0; 3])),
+            on.same(turn_and_move([0.0, 0.0, 1.0], 4.0, [0.0; 3])),
         );
         for (t, angle) in [(0.0, 0.0), (0.25, 1.0), (0.5, 2.0), (1.0, 4.0), (1.5, 6.0)] {
-            let got = only(a.sclerp_long(b, M::splat(t)));
+            let got = only(a.sclerp_long(b, on.splat(t)));
             let (sin, cos) = (0.5_f64 * angle).sin_cos();
             let error = (got[2] - sin).abs().max((got[3] - cos).abs());
-            assert!(error <= bound, "{name}, t = {t}: {got:?}");
+            assert!(error <= bound, "{on:?}, t = {t}: {got:?}");
         }
         // The way from σ to −σ has no axis.
-        let lost = only(a.sclerp_long(-a, M::splat(0.5)));
-        assert!(lost.iter().any(|c| c.is_nan()), "{name}: {lost:?}");
+        let lost = only(a.sclerp_long(-a, on.splat(0.5)));
+        assert!(lost.iter().any(|c| c.is_nan()), "{on:?}: {lost:?}");
     }
-    for_every_implementation!(|name, M| check::<M>(name));
+    implementations().into_iter().for_each(check);
 }
 
 #[test]
 fn a_half_turn_has_a_logarithm_and_an_exponential() {
-    fn check<M: Sample>(name: &str) {
+    fn check(on: On) {
         for w in [0.0, -0.0] {
-            let log = splat::<M>([0.0, 0.0, 1.0, w, 0.0, 0.0, 0.0, 0.0]).log();
-            let angle = M::lanes(log.real[2])[0];
-            let bound = allowed::<M>("log", "half turn");
-            assert!((angle - FRAC_PI_2).abs() <= bound, "{name}: {angle}");
-            let zero = M::splat(0.0);
-            let back = M::exp(DualVector { real: [zero, zero, M::splat(FRAC_PI_2)], ..log });
+            let log = on.same([0.0, 0.0, 1.0, w, 0.0, 0.0, 0.0, 0.0]).log();
+            let angle = log.real[2].first();
+            let bound = allowed(on, within(1.25, "π/2, of which 1 ulp is 2 u"));
+            assert!((angle - FRAC_PI_2).abs() <= bound, "{on:?}: {angle}");
+            let zero = on.splat(0.0);
+            let back = on.exp(DualVector { real: [zero, zero, on.splat(FRAC_PI_2)], ..log });
             let [.., z, w] = std::array::from_fn::<_, 4, _>(|i| only(back)[i]);
-            let bound = allowed::<M>("exp", "half turn");
-            assert!((z - 1.0).abs() <= bound && w.abs() <= bound, "{name}: {z} {w}");
+            let bound = allowed(on, within(3.0, "the sine of a rounded angle"));
+            assert!((z - 1.0).abs() <= bound && w.abs() <= bound, "{on:?}: {z} {w}");
         }
     }
-    for_every_implementation!(|name, M| check::<M>(name));
+    implementations().into_iter().for_each(check);
 }
 
 #[test]
 fn exponentials_of_many_turns_are_as_good_as_the_angle_is_known() {
-    fn check<M: Sample>(name: &str) {
-        let bound = allowed::<M>("exp", "many turns");
-        let zero = M::splat(0.0);
+    fn check(on: On) {
+        let bound = allowed(on, within(1.0, "over the angle, which is rounded, and its square"));
+        let zero = on.splat(0.0);
         for half in [1.0, PI, 10.0, 100.0, 1000.0] {
-            let real = [zero, zero, M::splat(half)];
-            let half = M::lanes(real[2])[0];
-            let got = only(M::exp(DualVector { real, dual: [zero; 3] }));
+            let real = [zero, zero, on.splat(half)];
+            let half = real[2].first();
+            let got = only(on.exp(DualVector { real, dual: [zero; 3] }));
             let error = (got[2] - half.sin()).abs().max((got[3] - half.cos()).abs());
-            assert!(error <= bound * half.max(1.0), "{name}, {half}: {error:e}");
+            assert!(error <= bound * half.max(1.0), "{on:?}, {half}: {error:e}");
         }
     }
-    for_every_implementation!(|name, M| check::<M>(name));
+    implementations().into_iter().for_each(check);
 }
 
 #[test]
@@ -263,108 +250,113 @@ fn every_form_of_a_matrix_and_the_ties_between_them_give_the_rotation() {
             rotations.push([0, 1, 2, 3].map(component));
         }
     }
-    fn check<M: Sample>(name: &str, rotations: &[[f64; 4]]) {
-        let bound = allowed::<M>("from_matrix3x4", "ties");
+    fn check(on: On, rotations: &[[f64; 4]]) {
+        let bound =
+            allowed(on, within(5.0, "rounded matrices; four ways to a quaternion, normalized"));
         for &[x, y, z, w] in rotations {
             let rotation = Quat::from_xyzw(x, y, z, w).normalize();
             let exact = DualQuat::from_rotation_translation(rotation, [1.0, 2.0, 3.0]).canonical();
-            let rows = exact.to_matrix3x4().map(|row| row.map(M::splat));
-            let got = only(M::from_matrix3x4(rows));
+            let rows = exact.to_matrix3x4().map(|row| row.map(|c| on.splat(c)));
+            let got = only(on.from_matrix3x4(rows));
             let wanted = exact.to_array();
             let apart = |sign: f64| {
                 let pairs = got.iter().zip(wanted);
                 pairs.map(|(a, b)| (a - sign * b).abs()).fold(0.0, f64::max)
             };
-            assert!(got[3] >= 0.0 && apart(1.0).min(apart(-1.0)) <= bound, "{name}: {got:?}");
+            assert!(got[3] >= 0.0 && apart(1.0).min(apart(-1.0)) <= bound, "{on:?}: {got:?}");
         }
     }
-    for_every_implementation!(|name, M| check::<M>(name, &rotations));
+    implementations().into_iter().for_each(|on| check(on, &rotations));
 }
 
 /// Exactly half a turn from another motion: neither way is shorter, and `sign` of the product is 0.
 #[test]
 fn at_half_a_turn_exactly_nothing_vanishes() {
-    fn check<M: Sample>(name: &str) {
+    fn check(on: On) {
         let a = [0.0, 0.0, 0.0, 1.0, 0.5, -1.0, 0.25, 0.0];
         for (direction, w) in [(1.0, 0.0), (-1.0, 0.0), (1.0, -0.0), (-1.0, -0.0)] {
             let b = [0.0, 0.0, direction, w, 2.0, 1.0, 0.0, -1.5];
-            let (start, end) = (splat::<M>(a), splat::<M>(b));
-            let half = M::splat(0.5);
+            let (start, end) = (on.same(a), on.same(b));
+            let half = on.splat(0.5);
+            let way = "half a turn by its middle";
             let middles = [
-                ("nlerp", only(start.nlerp(end, half))),
-                ("sclerp", only(start.sclerp(end, half))),
-                ("sclerp_long", only(start.sclerp_long(end, half))),
-                ("dlb", only(M::dlb(&[(start, half), (end, half)]).expect("two of them"))),
+                ("nlerp", within(2.5, "as dlb"), only(start.nlerp(end, half))),
+                ("sclerp", within(2.5, way), only(start.sclerp(end, half))),
+                ("sclerp_long", within(2.5, way), only(start.sclerp_long(end, half))),
+                (
+                    "dlb",
+                    within(2.5, "as among the vectors"),
+                    only(on.dlb(&[(start, half), (end, half)]).expect("two of them")),
+                ),
             ];
-            for (operation, middle) in middles {
-                let bound = allowed::<M>(operation, "half turn");
+            for (operation, bound, middle) in middles {
+                let bound = allowed(on, bound);
                 // A quarter of a turn about ±z, and no length gone.
                 let wanted = [0.0, 0.0, direction * FRAC_1_SQRT_2, FRAC_1_SQRT_2];
                 for (got, wanted) in middle.iter().zip(wanted) {
                     let error = (got - wanted).abs();
                     assert!(
                         error <= bound,
-                        "{name}: {operation} gives {middle:?} between {a:?} {b:?}"
+                        "{on:?}: {operation} gives {middle:?} between {a:?} {b:?}"
                     );
                 }
                 let along: f64 = (0..4).map(|i| middle[i] * middle[i + 4]).sum();
-                assert!(along.abs() <= 4.0 * bound, "{name}: {operation} gives {middle:?}");
+                assert!(along.abs() <= 4.0 * bound, "{on:?}: {operation} gives {middle:?}");
             }
-            let bound = allowed::<M>("ends", "half turn");
+            let bound = allowed(on, within(5.0, "interpolated with 0 or 1"));
             for (t, wanted) in [(0.0, a), (1.0, b)] {
-                let t = M::splat(t);
+                let t = on.splat(t);
                 for got in [start.nlerp(end, t), start.sclerp(end, t), start.sclerp_long(end, t)] {
                     for (got, wanted) in only(got).iter().zip(wanted) {
-                        assert!((got - wanted).abs() <= bound, "{name}: {got} {wanted}");
+                        assert!((got - wanted).abs() <= bound, "{on:?}: {got} {wanted}");
                     }
                 }
             }
         }
     }
-    for_every_implementation!(|name, M| check::<M>(name));
+    implementations().into_iter().for_each(check);
 }
 
 #[test]
 fn weights_that_cancel_leave_nothing_to_normalize() {
-    fn check<M: Sample>(name: &str) {
+    fn check(on: On) {
         let motion = turn_and_move([0.6, -0.48, 0.64], 1.0, [0.3, -1.2, 0.7]);
-        let (sigma, one) = (splat::<M>(motion), M::splat(1.0));
+        let (sigma, one) = (on.same(motion), on.splat(1.0));
         for other in [sigma, -sigma] {
-            let gone = M::dlb(&[(sigma, one), (other, M::splat(-1.0))]).expect("two of them");
-            assert!(only(gone).iter().all(|c| c.is_nan()), "{name}: {gone:?}");
+            let gone = on.dlb(&[(sigma, one), (other, on.splat(-1.0))]).expect("two of them");
+            assert!(only(gone).iter().all(|c| c.is_nan()), "{on:?}: {gone:?}");
         }
     }
-    for_every_implementation!(|name, M| check::<M>(name));
+    implementations().into_iter().for_each(check);
 }
 
 #[test]
 fn a_number_without_a_real_part_has_a_norm_of_nothing_and_is_not_unit() {
-    fn check<M: Sample>(name: &str) {
-        let sigma = splat::<M>([0.0, 0.0, -0.0, 0.0, 1.0, 2.0, 3.0, 4.0]);
-        let [real, dual] = M::dual_parts(sigma.norm()).map(M::lanes);
-        assert!(real.iter().all(|&r| r == 0.0) && dual.iter().all(|d| d.is_nan()), "{name}");
-        for bad in [sigma, splat::<M>([f64::NAN; 8]), splat::<M>([f64::INFINITY; 8])] {
-            assert_eq!(M::bits(bad.is_unit(M::splat(0.5))), 0, "{name}: {bad:?}");
-            assert_eq!(M::bits(bad.abs_diff_eq(-bad, M::splat(0.5))), 0, "{name}: {bad:?}");
+    fn check(on: On) {
+        let sigma = on.same([0.0, 0.0, -0.0, 0.0, 1.0, 2.0, 3.0, 4.0]);
+        let [real, dual] = sigma.norm().map(|part| part.lanes());
+        assert!(real.iter().all(|&r| r == 0.0) && dual.iter().all(|d| d.is_nan()), "{on:?}");
+        for bad in [sigma, on.same([f64::NAN; 8]), on.same([f64::INFINITY; 8])] {
+            assert_eq!(bad.is_unit(on.splat(0.5)), 0, "{on:?}: {bad:?}");
+            assert_eq!(bad.abs_diff_eq(-bad, on.splat(0.5)), 0, "{on:?}: {bad:?}");
         }
     }
-    for_every_implementation!(|name, M| check::<M>(name));
+    implementations().into_iter().for_each(check);
 }
 
 /// w is 0 or −0 at half a turn, and both are the same motion.
 #[test]
 fn zeros_of_either_sign_mean_the_same() {
-    fn check<M: Sample>(name: &str) {
+    fn check(on: On) {
+        let c = turn_and_move([1.0, 2.0, 2.0], 0.5, [1.0, 2.0, 3.0]);
         let half_turn = |w| [0.6, 0.0, -0.8, w, 1.5, 2.0, 1.125, 0.25];
-        let case =
-            |w| Case { t: 0.75, s: 0.5, ..Case::of_motions(half_turn(w), half_turn(w), [1.0; 8]) };
-        let [plus, minus] = [0.0, -0.0].map(|w| Arguments::<M>::new(&[case(w)]));
-        for operation in NAMES {
-            let [plus, minus] = [&plus, &minus].map(|x| answer(operation, x).lane(0));
-            assert_eq!(plus, minus, "{name}: {operation}");
+        let case = |w| Case { t: 0.75, s: 0.5, ..Case::of_motions(half_turn(w), half_turn(w), c) };
+        for operation in OPERATIONS {
+            let [plus, minus] = [0.0, -0.0].map(|w| operation.answer(on, &[case(w)]).lane(0));
+            assert_eq!(plus, minus, "{on:?}: {}", operation.name);
         }
     }
-    for_every_implementation!(|name, M| check::<M>(name));
+    implementations().into_iter().for_each(check);
 }
 
 #[test]
