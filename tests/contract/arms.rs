@@ -67,7 +67,7 @@ pub fn puma() -> Plan<6> {
 }
 
 /// An arm of seven axes, in the measures and limits of a KUKA iiwa 7.
-pub(crate) fn seven() -> Plan<7> {
+pub fn seven() -> Plan<7> {
     let limits = [170.0_f64, 120.0, 170.0, 120.0, 170.0, 120.0, 175.0];
     let axes = [(Z, 0.34), (Y, 0.34), (Z, 0.34), (down(Y), 0.74), (Z, 0.74), (Y, 1.14), (Z, 1.14)];
     let axes = core::array::from_fn(|i| {
@@ -78,7 +78,7 @@ pub(crate) fn seven() -> Plan<7> {
 }
 
 /// Six hinges about axes in any direction, a third of a length apart, each turning all around.
-pub(crate) fn six_of_any_kind(random: &mut Random) -> Plan<6> {
+pub fn six_of_any_kind(random: &mut Random) -> Plan<6> {
     let mut at = [0.0; 3];
     let axes = core::array::from_fn(|_| {
         at = at.map(|c| c + random.between(-0.3, 0.3));
@@ -88,7 +88,7 @@ pub(crate) fn six_of_any_kind(random: &mut Random) -> Plan<6> {
 }
 
 /// Any direction.
-pub(crate) fn direction(random: &mut Random) -> [f64; 3] {
+pub fn direction(random: &mut Random) -> [f64; 3] {
     loop {
         let vector: [f64; 3] = core::array::from_fn(|_| random.signed());
         let length = vector.iter().map(|c| c * c).sum::<f64>().sqrt();
@@ -150,7 +150,7 @@ impl<const N: usize> Plan<N> {
     }
 
     /// The same arm with other axes and other limits.
-    pub(crate) fn with_axes(self, change: impl Fn(Axis) -> Axis) -> Self {
+    pub fn with_axes(self, change: impl Fn(Axis) -> Axis) -> Self {
         Self { axes: self.axes.map(change), ..self }
     }
 

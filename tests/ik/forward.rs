@@ -100,7 +100,7 @@ fn the_jacobian_is_that_of_the_hierarchy() {
     }
     hierarchy.local_to_model_in_place(&mut models).expect("they fit");
     let mut wanted = [Twist::from_array([0.0; 6]); 5];
-    hierarchy.jacobian(&models, &axes, 4, &mut wanted).expect("they fit");
+    hierarchy.job().jacobian(&models, &axes, 4, &mut wanted).expect("they fit");
 
     let (pose, columns) = arm.forward_jacobian(Portable, &values);
     let pose = DualQuat::from_array(pose.to_array());

@@ -2,6 +2,7 @@
 
 use super::arms::{Plan, Random, puma, rounded, ur5};
 use dq8::ik::{Arm, Options, Outcome, Report};
+use dq8::simd::Records;
 use dq8::{Backend, DualQuat, Float, Lanes, Portable, Real, ShapeError, batch, f32x8, f64x8};
 
 /// Targets, and values to start from.
