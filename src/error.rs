@@ -38,6 +38,7 @@ impl fmt::Display for InverseError {
 
 /// A matrix that is not a rigid motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum MatrixError {
     /// Rows `row` and `column` of the rotation are not orthonormal: their product is `value`
     /// where the identity has 0 or 1.
@@ -94,6 +95,7 @@ impl fmt::Display for MatrixError {
 
 /// A 3×3 matrix that has no rotation beside it, or many.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum OrthonormalError {
     /// An element is not finite, or one of the stretch overflows.
     NotFinite {
@@ -147,6 +149,7 @@ impl fmt::Display for OrthonormalError {
 
 /// A parent array that is no hierarchy.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum HierarchyError {
     /// A joint's parent does not come before it: a forward reference, or a cycle.
     ParentNotBefore {
@@ -194,6 +197,7 @@ impl fmt::Display for HierarchyError {
 
 /// Points, lines and planes that do not determine what was asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum IncidenceError {
     /// A vector whose direction is needed is zero, or its length is not finite.
     NoDirection {

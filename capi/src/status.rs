@@ -116,6 +116,8 @@ impl From<HierarchyError> for Status {
             HierarchyError::ParentNotBefore { .. } => Self::ParentNotBefore,
             HierarchyError::ParentOutOfRange { .. } => Self::ParentOutOfRange,
             HierarchyError::TooManyJoints { .. } => Self::TooManyJoints,
+            // What only a newer dq8 knows.
+            _ => Self::UnknownValue,
         }
     }
 }
@@ -127,6 +129,8 @@ impl From<MatrixError> for Status {
             MatrixError::Mirrors { .. } => Self::Mirrors,
             MatrixError::NotFinite { .. } => Self::NotFinite,
             MatrixError::NotAffine { .. } => Self::NotAffine,
+            // What only a newer dq8 knows.
+            _ => Self::UnknownValue,
         }
     }
 }

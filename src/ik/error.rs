@@ -2,6 +2,7 @@ use core::fmt;
 
 /// Joints that make no arm.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum ArmError {
     /// The screw of a joint neither turns by 1 nor slides by 1.
     Screw {
@@ -51,6 +52,7 @@ impl fmt::Display for ArmError {
 
 /// What [`TwoBone`](crate::ik::TwoBone) cannot bend.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum LimbError {
     /// A bone of negative or infinite length, or NaN.
     Length {
