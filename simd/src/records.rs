@@ -70,6 +70,15 @@ pub trait Records: Lanes {
         to: &mut [[Self::Real; C]],
         stride: Option<usize>,
     ) {
+        if Self::LANES == 1 {
+            let record = to.first_mut().into_iter().flatten();
+            for (slot, component) in record.zip(components) {
+                if let [number] = component.to_array().as_ref() {
+                    *slot = *number;
+                }
+            }
+            return;
+        }
         let flat = to.as_flattened_mut();
         let apart = C.saturating_mul(stride.unwrap_or(1));
         let fits = flat.len() >= reach(Self::LANES, apart, C);

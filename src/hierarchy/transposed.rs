@@ -19,6 +19,10 @@ use dq8_simd::{Lanes, Level, MAX_LANES, Portable};
 /// transposed again. More would fill the first cache, which the instances share.
 const RECENT: usize = 16;
 
+/// Whether many instances in plain slices are worth a loop of their own. Firmware has few, and counts the
+/// bytes of code and stack.
+const MANY: bool = cfg!(not(target_os = "none"));
+
 /// Writes the models of all instances.
 #[inline]
 pub(super) fn forward<E: Element<8>, L: Locals<E>, X: Epilogue<E>>(
@@ -31,7 +35,7 @@ pub(super) fn forward<E: Element<8>, L: Locals<E>, X: Epilogue<E>>(
     // Where a register holds one number, one instance fills it.
     let one_lane = Register::<E, Portable, 8>::LANES == 1;
     let mut done = 0;
-    if one_lane || models.len() > run.parents.len() {
+    if one_lane || (MANY && models.len() > run.parents.len()) {
         done = backend.run(Instances { run, locals, models, epilogue });
     }
     if !one_lane && done < models.len() {
