@@ -14,5 +14,6 @@ pub mod operation;
 pub mod random;
 pub mod repertoire;
 pub mod sample;
+pub mod textbook;
 pub mod tolerance;
 pub mod vectors;

@@ -69,7 +69,7 @@ pub static TABLE: &[Section] = &[
         line("pow", SMALL, 4.0, "no cancellation: the vector part keeps its relative precision"),
         line("pow", &[], 6.0, "normalized first; log, times t, exp"),
         line("sclerp", SMALL, 5.0, "both ends normalized; slerp about their middle"),
-        line("sclerp", &[], 8.0, "both ends normalized; the scalar reference has two more products"),
+        line("sclerp", &[], 5.0, "both ends normalized; slerp about their middle"),
         line("screw", &[], 17.0, "normalized first; the angle is up to π, so 1 ulp of it is 4 u"),
         line("dlb", &[], 4.0, "up to 4 poses normalized, summed, normalized"),
         line("from_screw", &[], 2.5, "a sine and a cosine; the axis is rounded on the way in"),
