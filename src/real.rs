@@ -120,11 +120,13 @@ pub trait Real:
     fn quick_matrix3x4(_motion: [Self; 8]) -> Option<[[Self; 4]; 3]> {
         None
     }
+    /// All NaN: it has none.
     #[doc(hidden)]
     #[inline(always)]
     fn quick_unit(_motion: [Self; 8]) -> Option<[Self; 8]> {
         None
     }
+    /// All NaN: it has none.
     #[doc(hidden)]
     #[inline(always)]
     fn quick_inverse(_motion: [Self; 8]) -> Option<[Self; 8]> {
@@ -133,6 +135,11 @@ pub trait Real:
     #[doc(hidden)]
     #[inline(always)]
     fn quick_rotate(_rotation: [Self; 4], _vector: [Self; 3]) -> Option<[Self; 3]> {
+        None
+    }
+    #[doc(hidden)]
+    #[inline(always)]
+    fn quick_quaternion_product(_a: [Self; 4], _b: [Self; 4]) -> Option<[Self; 4]> {
         None
     }
     #[doc(hidden)]
@@ -227,6 +234,10 @@ macro_rules! real {
             #[inline(always)]
             fn quick_rotate(rotation: [Self; 4], vector: [Self; 3]) -> Option<[Self; 3]> {
                 everyday::rotate(rotation, vector)
+            }
+            #[inline(always)]
+            fn quick_quaternion_product(a: [Self; 4], b: [Self; 4]) -> Option<[Self; 4]> {
+                everyday::quaternion_product(a, b)
             }
             #[inline(always)]
             fn quick_nlerp(a: [Self; 8], b: [Self; 8], t: Self) -> Option<[Self; 8]> {

@@ -43,7 +43,7 @@ const SIMD_MAY_IMPORT: &[(&str, &[&str])] = &[
     ("block", &["lane", "level"]),
     ("portable", &["float", "lane", "level"]),
     ("square_root", &[]),
-    ("steps", &[]),
+    ("checked_schedule", &[]),
     ("one", &["float", "lane", "level", "portable", "square_root"]),
     ("pair", &["float", "lane", "level"]),
     ("detect", &[]),

@@ -2,7 +2,7 @@
 //! quaternion a register and polynomials side by side in its lanes.
 
 use super::quad::{dots, halves, join, load, sum, toward};
-use super::{Four, Number};
+use super::{Four, Number, one_lane};
 use crate::batch::even_coefficients as coefficients;
 use dq8_simd::Lanes;
 
@@ -13,6 +13,9 @@ const ORDINARY: f64 = 2.5;
 /// far outside [0, 1].
 #[inline]
 pub(crate) fn sclerp<F: Number>(a: [F; 8], b: [F; 8], t: F) -> Option<[F; 8]> {
+    if F::REGISTERS == 4 {
+        return one_lane::sclerp(a, b, t);
+    }
     let ([p, q], [r, s]) = (halves(a), halves(b));
     let sign = toward(p, r);
     let (ahead, ahead_dual) = (r.mul_add(sign, p), s.mul_add(sign, q));
@@ -31,6 +34,9 @@ pub(crate) fn sclerp<F: Number>(a: [F; 8], b: [F; 8], t: F) -> Option<[F; 8]> {
 /// As [`sclerp`], of rotations.
 #[inline]
 pub(crate) fn slerp<F: Number>(a: [F; 4], b: [F; 4], t: F) -> Option<[F; 4]> {
+    if F::REGISTERS == 4 {
+        return one_lane::slerp(a, b, t);
+    }
     let (a, b): (F::Four, F::Four) = (load(a), load(b));
     let sign = toward(a, b);
     let (ahead, back) = (b.mul_add(sign, a), b.neg_mul_add(sign, a));

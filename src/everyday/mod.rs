@@ -6,18 +6,21 @@
 //! but these two has any: a wrapper of a float runs through the reference alone, and so the tests
 //! compare the two.
 //!
-//! - `quad`: one quaternion in the four lanes of a register.
+//! - `quad`: one quaternion in the four lanes of a register, or of two.
 //! - `between`: interpolation on a screw, in such registers.
-//! - `screw`: the logarithm, the exponential and powers of [`batch`](crate::batch) at one lane.
+//! - `one_lane`: operations of [`batch`](crate::batch) at one lane: what has no better form, and on
+//!   targets without such registers most of the others.
 
 mod between;
+mod one_lane;
 mod quad;
-mod screw;
 
 pub(crate) use between::{sclerp, slerp};
 use dq8_simd::{Float, Lanes, Portable, f32x4, f64x4};
-pub(crate) use quad::{inverse, matrix3x4, nlerp, point, product, rotate, unit};
-pub(crate) use screw::{exp, log, pow};
+pub(crate) use one_lane::{exp, log, pow};
+pub(crate) use quad::{
+    inverse, matrix3x4, nlerp, point, product, quaternion_product, rotate, unit,
+};
 
 /// `f32` or `f64`: a number, and one lane.
 pub(crate) trait Number:

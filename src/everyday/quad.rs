@@ -1,9 +1,9 @@
 //! One quaternion in the four lanes of a register, x, y, z, w.
 
-use super::{Four, Number};
+use super::{Four, Number, one_lane};
 use dq8_simd::{Lanes, Mask, Portable};
 
-/// p₁p₂ + ε(p₁q₂ + q₁p₂), to the last bit as the reference has it.
+/// p₁p₂ + ε(p₁q₂ + q₁p₂)
 #[inline(always)]
 pub(crate) fn product<F: Number>(a: [F; 8], b: [F; 8]) -> Option<[F; 8]> {
     // Where each number is by itself, the order of the reference needs no signs to multiply by.
@@ -11,19 +11,18 @@ pub(crate) fn product<F: Number>(a: [F; 8], b: [F; 8]) -> Option<[F; 8]> {
         return None;
     }
     let ([p, q], [r, s]) = (halves(a), halves(b));
-    Some(join(quaternion_product(p, r), quaternion_product(p, s) + quaternion_product(q, r)))
+    let (p, q, r, s) = (each(p), each(q), turned(r), turned(s));
+    Some(join(sum_of_products(p, r), sum_of_products(p, s) + sum_of_products(q, r)))
 }
 
-/// Hamilton's product, summed in the order of the reference. Not fused, for the same reason.
+/// pq, rounded as the parts of [`product`] are: laws between the two lose nothing.
 #[inline(always)]
-fn quaternion_product<V: Four>(a: V, b: V) -> V {
-    let one = <V::Number>::from(1.0);
-    let sign = load::<V>([one, one, one, -one]);
-    let first = pick(a, [3; 4]) * b;
-    let second = pick(a, [0, 1, 2, 0]) * (pick(b, [3, 3, 3, 0]) * sign);
-    let third = pick(a, [1, 2, 0, 1]) * (pick(b, [2, 0, 1, 1]) * sign);
-    let fourth = pick(a, [2, 0, 1, 2]) * pick(b, [1, 2, 0, 2]);
-    first + second + third - fourth
+pub(crate) fn quaternion_product<F: Number>(a: [F; 4], b: [F; 4]) -> Option<[F; 4]> {
+    if F::REGISTERS == 4 {
+        return None;
+    }
+    let (a, b): (F::Four, F::Four) = (load(a), load(b));
+    Some(sum_of_products(each(a), turned(b)).to_array())
 }
 
 /// v + 2(p × (p × v + wv + q) + w_p q − w_q p): the translation 2(w_p q − w_q p + p × q) shares a
@@ -74,11 +73,16 @@ pub(crate) fn matrix3x4<F: Number>(motion: [F; 8]) -> Option<[[F; 4]; 3]> {
 /// has no normal number.
 #[inline(always)]
 pub(crate) fn unit<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
-    let [p, q] = halves(motion);
-    match unit_of(p, q) {
-        None => unit_of_stretched(join(p, q)),
-        unit => unit,
+    if F::REGISTERS == 4 {
+        return one_lane::unit(motion);
     }
+    let [p, q] = halves(motion);
+    if let Some(unit) = unit_of(p, q) {
+        return Some(unit);
+    }
+    // Number by number: what stays in memory, the compiler would keep there for all.
+    let [px, py, pz, pw, qx, qy, qz, qw] = unit_of_stretched(join(p, q))?;
+    Some([px, py, pz, pw, qx, qy, qz, qw])
 }
 
 /// A power of two changes no digit, so a multiple of σ by one has the same unit as σ.
@@ -97,6 +101,9 @@ fn unit_of_stretched<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
 /// The sum (1−t)a ± tb, the way that is shorter, exactly normalized; as [`unit`].
 #[inline(always)]
 pub(crate) fn nlerp<F: Number>(a: [F; 8], b: [F; 8], t: F) -> Option<[F; 8]> {
+    if F::REGISTERS == 4 {
+        return None;
+    }
     let ([p, q], [r, s]) = (halves(a), halves(b));
     let weight = toward(p, r) * load([t; 4]);
     let rest = load([t.constant(1.0) - t; 4]);
@@ -106,6 +113,9 @@ pub(crate) fn nlerp<F: Number>(a: [F; 8], b: [F; 8], t: F) -> Option<[F; 8]> {
 /// p*/|p|² + ε(q/|p|² − 2(p·q)p/|p|⁴)*, for p*qp* = 2(p·q)p* − |p|²q*; as [`unit`].
 #[inline(always)]
 pub(crate) fn inverse<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
+    if F::REGISTERS == 4 {
+        return one_lane::inverse(motion);
+    }
     let [p, q] = halves(motion);
     let [squared, along] = moderate(p, q)?;
     let recip = squared.constant(1.0) / squared;
@@ -140,9 +150,8 @@ fn moderate<V: Four>(p: V, q: V) -> Option<[V::Number; 2]> {
     let [squared, along] = dots(p, p, q);
     // Beside the smallest number there is, which p·q is rounded to, p and q are then large enough.
     let (least, most) = (squared.constant(1e-6), squared.constant(1e6));
-    let moderate = least.lt(squared)
-        & squared.lt(most)
-        & (q.abs().lt(q.constant(1e12)).to_bitmask() == 0b1111);
+    let fits = q.abs().lt(q.constant(1e12)).to_bitmask() == 0b1111;
+    let moderate = fits & least.lt(squared) & squared.lt(most);
     moderate.then_some([squared, along])
 }
 
@@ -172,6 +181,31 @@ fn translation_along<V: Four>(p: V, q: V) -> V {
 fn cross<V: Four>(a: V, b: V) -> V {
     let turned = pick(a, [1, 2, 0, 3]).neg_mul_add(b, a * pick(b, [1, 2, 0, 3]));
     pick(turned, [1, 2, 0, 3])
+}
+
+/// A number in all lanes, for each of the four.
+#[inline(always)]
+fn each<V: Four>(a: V) -> [V; 4] {
+    [pick(a, [0; 4]), pick(a, [1; 4]), pick(a, [2; 4]), pick(a, [3; 4])]
+}
+
+/// ib, jb, kb and b
+#[inline(always)]
+fn turned<V: Four>(b: V) -> [V; 4] {
+    let one = <V::Number>::from(1.0);
+    [
+        pick(b, [3, 2, 1, 0]) * load([one, -one, one, -one]),
+        pick(b, [2, 3, 0, 1]) * load([one, one, -one, -one]),
+        pick(b, [1, 0, 3, 2]) * load([-one, one, one, -one]),
+        b,
+    ]
+}
+
+/// a_x ib + a_y jb + a_z kb + a_w b
+#[inline(always)]
+fn sum_of_products<V: Four>(a: [V; 4], b: [V; 4]) -> V {
+    let ([x, y, z, w], [i, j, k, one]) = (a, b);
+    x.mul_add(i, w * one) + y.mul_add(j, z * k)
 }
 
 #[inline(always)]

@@ -26,7 +26,10 @@ impl<R: Real> DualQuat<R> {
     #[inline]
     #[must_use]
     pub fn normalize(self) -> Self {
-        self.unit().unwrap_or(Self::nan())
+        if let Some(unit) = R::quick_unit(self.to_array()) {
+            return Self::from_array(unit);
+        }
+        self.apart().unit_of_any_size().unwrap_or(Self::nan()).apart()
     }
 
     /// Exact normalization in Fabisch's two steps: σ/|p|, then the part of q along p taken away.
@@ -53,7 +56,8 @@ impl<R: Real> DualQuat<R> {
     #[inline]
     fn unit(self) -> Result<Self, R> {
         if let Some(unit) = R::quick_unit(self.to_array()) {
-            return Ok(Self::from_array(unit));
+            let failed = unit[0].is_nan();
+            return if failed { Err(self.real().norm()) } else { Ok(Self::from_array(unit)) };
         }
         self.apart().unit_of_any_size()
     }
@@ -94,7 +98,10 @@ impl<R: Real> DualQuat<R> {
     #[inline]
     #[must_use]
     pub fn inverse(self) -> Self {
-        self.reciprocal().unwrap_or(Self::nan())
+        if let Some(inverse) = R::quick_inverse(self.to_array()) {
+            return Self::from_array(inverse);
+        }
+        self.apart().reciprocal_of_any_size().unwrap_or(Self::nan()).apart()
     }
 
     /// σ⁻¹ = p⁻¹ − ε p⁻¹qp⁻¹ (Jia §4), p⁻¹ = p*/|p|².
@@ -117,7 +124,8 @@ impl<R: Real> DualQuat<R> {
     #[inline]
     fn reciprocal(self) -> Result<Self, R> {
         if let Some(inverse) = R::quick_inverse(self.to_array()) {
-            return Ok(Self::from_array(inverse));
+            let failed = inverse[0].is_nan();
+            return if failed { Err(self.real().norm()) } else { Ok(Self::from_array(inverse)) };
         }
         self.apart().reciprocal_of_any_size()
     }

@@ -215,6 +215,9 @@ impl<R: Real> Mul for Quat<R> {
     type Output = Self;
     #[inline]
     fn mul(self, other: Self) -> Self {
+        if let Some(product) = R::quick_quaternion_product(self.0, other.0) {
+            return Self(product);
+        }
         let [ax, ay, az, aw] = self.0;
         let [bx, by, bz, bw] = other.0;
         Self([
