@@ -144,7 +144,12 @@ pub trait Real:
     }
     #[doc(hidden)]
     #[inline(always)]
-    fn quick_nlerp(_a: [Self; 8], _b: [Self; 8], _t: Self) -> Option<[Self; 8]> {
+    fn quick_quaternion_unit(_quaternion: [Self; 4]) -> Option<[Self; 4]> {
+        None
+    }
+    #[doc(hidden)]
+    #[inline(always)]
+    fn quick_lerp(_a: [Self; 8], _b: [Self; 8], _t: Self) -> Option<[Self; 8]> {
         None
     }
     #[doc(hidden)]
@@ -240,8 +245,12 @@ macro_rules! real {
                 everyday::quaternion_product(a, b)
             }
             #[inline(always)]
-            fn quick_nlerp(a: [Self; 8], b: [Self; 8], t: Self) -> Option<[Self; 8]> {
-                everyday::nlerp(a, b, t)
+            fn quick_quaternion_unit(quaternion: [Self; 4]) -> Option<[Self; 4]> {
+                everyday::quaternion_unit(quaternion)
+            }
+            #[inline(always)]
+            fn quick_lerp(a: [Self; 8], b: [Self; 8], t: Self) -> Option<[Self; 8]> {
+                everyday::lerp(a, b, t)
             }
             #[inline(always)]
             fn quick_slerp(a: [Self; 4], b: [Self; 4], t: Self) -> Option<[Self; 4]> {

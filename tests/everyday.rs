@@ -180,6 +180,13 @@ fn what_is_not_finite_is_refused_whole() {
     });
 }
 
+/// Powers on lanes take the square of t.
+#[test]
+fn powers_take_numbers_whose_square_is_none() {
+    let far = DualQuat::from_translation([1.0_f32, 2.0, 0.0]).pow(1e20).translation();
+    assert_eq!(far, [1e20, 2e20, 0.0]);
+}
+
 /// Of zeros of either sign the way as it stands is taken, far outside [0, 1] the reference's.
 #[test]
 fn interpolation_takes_the_ways_of_the_reference() {

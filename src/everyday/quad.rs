@@ -55,8 +55,13 @@ pub(crate) fn rotate<F: Number>(rotation: [F; 4], [x, y, z]: [F; 3]) -> Option<[
 /// another and their partners in a third.
 #[inline(always)]
 pub(crate) fn matrix3x4<F: Number>(motion: [F; 8]) -> Option<[[F; 4]; 3]> {
+    if F::REGISTERS == 4 {
+        return None;
+    }
     let [p, q] = halves(motion);
-    let half = translation_along(p, q) + cross(p, q);
+    let one = F::from(1.0);
+    // qp*, as the translation is of a motion whose matrix nobody asks for.
+    let half = sum_of_products(each(q), turned(p * load([-one, -one, -one, one])));
     let twice = p + p;
     let squares = p * twice;
     let diagonal = p.constant(1.0) - (pick(squares, [1, 0, 0, 3]) + pick(squares, [2, 2, 1, 3]));
@@ -85,6 +90,18 @@ pub(crate) fn unit<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
     Some([px, py, pz, pw, qx, qy, qz, qw])
 }
 
+/// q / |q|, unless |q| is so large or so small that its square might overflow or vanish.
+#[inline(always)]
+pub(crate) fn quaternion_unit<F: Number>(quaternion: [F; 4]) -> Option<[F; 4]> {
+    if F::REGISTERS == 4 {
+        return None;
+    }
+    let q: F::Four = load(quaternion);
+    let squared = sum(q * q);
+    let moderate = squared.constant(1e-6).lt(squared) & squared.lt(squared.constant(1e6));
+    moderate.then(|| (q * load([squared.constant(1.0) / Lanes::sqrt(squared); 4])).to_array())
+}
+
 /// A power of two changes no digit, so a multiple of σ by one has the same unit as σ.
 #[cold]
 #[inline(never)]
@@ -98,16 +115,16 @@ fn unit_of_stretched<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
     unit_of(p, q)
 }
 
-/// The sum (1−t)a ± tb, the way that is shorter, exactly normalized; as [`unit`].
+/// (1−t)a ± tb, by the shorter way
 #[inline(always)]
-pub(crate) fn nlerp<F: Number>(a: [F; 8], b: [F; 8], t: F) -> Option<[F; 8]> {
+pub(crate) fn lerp<F: Number>(a: [F; 8], b: [F; 8], t: F) -> Option<[F; 8]> {
     if F::REGISTERS == 4 {
         return None;
     }
     let ([p, q], [r, s]) = (halves(a), halves(b));
     let weight = toward(p, r) * load([t; 4]);
     let rest = load([t.constant(1.0) - t; 4]);
-    unit_of(r.mul_add(weight, p * rest), s.mul_add(weight, q * rest))
+    Some(join(r.mul_add(weight, p * rest), s.mul_add(weight, q * rest)))
 }
 
 /// p*/|p|² + ε(q/|p|² − 2(p·q)p/|p|⁴)*, for p*qp* = 2(p·q)p* − |p|²q*; as [`unit`].

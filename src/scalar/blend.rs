@@ -20,14 +20,9 @@ impl<R: Real> DualQuat<R> {
     #[inline]
     #[must_use]
     pub fn nlerp(self, other: Self, t: R) -> Self {
-        if let Some(blend) = R::quick_nlerp(self.to_array(), other.to_array(), t) {
-            return Self::from_array(blend);
+        if let Some(sum) = R::quick_lerp(self.to_array(), other.to_array(), t) {
+            return Self::from_array(sum).normalize();
         }
-        self.apart().nlerp_by_the_book(other.apart(), t).apart()
-    }
-
-    #[inline(never)]
-    fn nlerp_by_the_book(self, other: Self, t: R) -> Self {
         let near = other.toward(self);
         (self.scale(R::ONE - t) + near.scale(t)).normalize()
     }

@@ -171,6 +171,14 @@ impl<R: Real> Quat<R> {
     /// The same, or |q|.
     #[inline]
     pub(super) fn unit(self) -> Result<Self, R> {
+        if let Some(unit) = R::quick_quaternion_unit(self.0) {
+            return Ok(Self(unit));
+        }
+        self.apart().unit_of_any_size()
+    }
+
+    #[inline(never)]
+    fn unit_of_any_size(self) -> Result<Self, R> {
         let norm = self.norm();
         if norm == R::ZERO || !norm.is_finite() {
             return Err(norm);
@@ -179,7 +187,7 @@ impl<R: Real> Quat<R> {
     }
 
     /// r v r*, the vector `v` turned by this unit quaternion:
-    /// v + 2 r × (r × v + w v) with r the vector part, the two products written out.
+    /// v + w u + r × u of u = 2 r × v, with r the vector part: the two products written out.
     #[inline]
     #[must_use]
     pub fn rotate(self, v: [R; 3]) -> [R; 3] {
@@ -187,8 +195,9 @@ impl<R: Real> Quat<R> {
             return turned;
         }
         let r = self.xyz();
-        let inner = vector::add(vector::cross(r, v), vector::scale(v, self.w()));
-        vector::add(v, vector::scale(vector::cross(r, inner), R::TWO))
+        let twice = vector::scale(vector::cross(r, v), R::TWO);
+        let onto = vector::add(vector::scale(twice, self.w()), v);
+        vector::add(vector::cross(r, twice), onto)
     }
 }
 

@@ -100,8 +100,8 @@ impl<R: Real> DualQuat<R> {
 
     /// The exponential of a + εb: with h = |a|, l = a/h and d/2 = b·l, the screw
     /// cos ĥ + sin ĥ (l + εm), ĥ = h + εd/2 (Jia eq. 43). For a = 0 it is 1 + εb, the translation
-    /// by 2b. Any a and b; |a| is half the angle in radians, and the error grows with it as that of
-    /// its rounding does.
+    /// by 2b. |a| is half the angle in radians, and the error grows with it as that of its rounding
+    /// does; floats whose |a|² is infinite (beyond 10¹⁹ in `f32`) give NaN.
     ///
     /// ```
     /// use dq8::{DualQuat, DualVector};
@@ -145,6 +145,12 @@ impl<R: Real> DualQuat<R> {
         if let Some(power) = R::quick_pow(self.to_array(), t) {
             return Self::from_array(power);
         }
+        self.apart().pow_by_the_book(t).apart()
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn pow_by_the_book(self, t: R) -> Self {
         Self::exp(self.log().scale(t))
     }
 

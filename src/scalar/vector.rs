@@ -9,25 +9,10 @@ pub(crate) fn largest<R: Real, const N: usize>(components: [R; N]) -> R {
     components.iter().fold(R::ZERO, |largest, c| c.abs().max_or_nan(largest))
 }
 
-/// The Euclidean length of `components`, however large or small they are.
+/// The Euclidean length of `components`, however large or small they are: squares of the
+/// components themselves would overflow or vanish, squares of their ratios to the largest do not.
 #[inline]
 pub(crate) fn norm<R: Real, const N: usize>(components: [R; N]) -> R {
-    let mut sum = R::ZERO;
-    for c in components {
-        sum += c * c;
-    }
-    // Nothing that counts overflowed or vanished, in `f32`.
-    if sum > R::from(1e-24) && sum < R::from(1e24) {
-        sum.sqrt()
-    } else {
-        norm_of_any_size(components)
-    }
-}
-
-/// Where squares of the components themselves would overflow or vanish, squares of their ratios to the
-/// largest do not.
-#[inline(never)]
-fn norm_of_any_size<R: Real, const N: usize>(components: [R; N]) -> R {
     let largest = largest(components);
     if largest == R::ZERO || !largest.is_finite() {
         return largest;
