@@ -194,7 +194,7 @@ def rust():
             value, derivative = short(error(name, c))
             text += f"\n/// {formula} on [0, {end}], degree {len(c) - 1};"
             text += f" {kind} fit error {value}, of the derivative {derivative}.\n"
-            text += f"pub(super) const {name}_{precision}: [{precision.lower()}; {len(c)}] ="
+            text += f"pub(crate) const {name}_{precision}: [{precision.lower()}; {len(c)}] ="
             row = ", ".join(literal(x, bits) for x in c)
             # As rustfmt would have it, or the next `cargo fmt` makes --check fail.
             fits = len(row) + len("    [];") <= 100

@@ -73,6 +73,7 @@ pub mod batch;
 mod differentiate;
 mod dispatch;
 mod error;
+mod everyday;
 mod geometry;
 pub mod hierarchy;
 pub mod ik;

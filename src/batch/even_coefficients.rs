@@ -4,7 +4,7 @@
 //! `pip install mpmath && python3 scripts/fit_even.py`; with `--check` it compares this file instead.
 
 /// arcsin(√c/2)/(√c/2) on [0, 2], degree 10; relative fit error 1.3e-10, of the derivative 3.0e-8.
-pub(super) const ARC_F32: [f32; 11] = [
+pub(crate) const ARC_F32: [f32; 11] = [
     1.0,
     0.041666668,
     0.0046874974,
@@ -19,7 +19,7 @@ pub(super) const ARC_F32: [f32; 11] = [
 ];
 
 /// arcsin(√c/2)/(√c/2) on [0, 2], degree 21; relative fit error 1.5e-19, of the derivative 7.2e-17.
-pub(super) const ARC_F64: [f64; 22] = [
+pub(crate) const ARC_F64: [f64; 22] = [
     1.0,
     0.041666666666666664,
     0.0046874999999998385,
@@ -45,11 +45,11 @@ pub(super) const ARC_F64: [f64; 22] = [
 ];
 
 /// sin(√v)/√v on [0, 1.02·(π/2)²], degree 5; relative fit error 1.6e-9, of the derivative 3.0e-8.
-pub(super) const SINC_F32: [f32; 6] =
+pub(crate) const SINC_F32: [f32; 6] =
     [1.0, -0.16666667, 0.008333357, -0.00019843988, 2.7665974e-6, -2.6037242e-8];
 
 /// sin(√v)/√v on [0, 1.02·(π/2)²], degree 8; relative fit error 1.0e-18, of the derivative 5.6e-17.
-pub(super) const SINC_F64: [f64; 9] = [
+pub(crate) const SINC_F64: [f64; 9] = [
     1.0,
     -0.16666666666666666,
     0.008333333333333177,
@@ -62,11 +62,11 @@ pub(super) const SINC_F64: [f64; 9] = [
 ];
 
 /// cos(√v) on [0, 1.02·(π/2)²], degree 5; absolute fit error 8.5e-10, of the derivative 2.8e-9.
-pub(super) const COS_F32: [f32; 6] =
+pub(crate) const COS_F32: [f32; 6] =
     [1.0, -0.5, 0.04166665, -0.0013888445, 2.4761754e-5, -2.6048923e-7];
 
 /// cos(√v) on [0, 1.02·(π/2)²], degree 8; absolute fit error 1.4e-17, of the derivative 7.4e-17.
-pub(super) const COS_F64: [f64; 9] = [
+pub(crate) const COS_F64: [f64; 9] = [
     1.0,
     -0.5,
     0.04166666666666548,
@@ -79,7 +79,7 @@ pub(super) const COS_F64: [f64; 9] = [
 ];
 
 /// (√u − sin √u)/√u³ on [0, 1.02·π²], degree 6; relative fit error 5.0e-8, of the derivative 5.2e-8.
-pub(super) const LEFT_F32: [f32; 7] = [
+pub(crate) const LEFT_F32: [f32; 7] = [
     0.16666667,
     -0.008333334,
     0.00019841346,
@@ -90,7 +90,7 @@ pub(super) const LEFT_F32: [f32; 7] = [
 ];
 
 /// (√u − sin √u)/√u³ on [0, 1.02·π²], degree 10; relative fit error 9.2e-17, of the derivative 1.4e-17.
-pub(super) const LEFT_F64: [f64; 11] = [
+pub(crate) const LEFT_F64: [f64; 11] = [
     0.16666666666666666,
     -0.008333333333333333,
     0.00019841269841269776,
@@ -105,7 +105,7 @@ pub(super) const LEFT_F64: [f64; 11] = [
 ];
 
 /// (1 − (√u/2) cot(√u/2))/u on [0, 1.02·π²], degree 8; relative fit error 3.0e-8, of the derivative 2.4e-8.
-pub(super) const INVERSE_F32: [f32; 9] = [
+pub(crate) const INVERSE_F32: [f32; 9] = [
     0.083333336,
     0.0013888889,
     3.3068765e-5,
@@ -118,7 +118,7 @@ pub(super) const INVERSE_F32: [f32; 9] = [
 ];
 
 /// (1 − (√u/2) cot(√u/2))/u on [0, 1.02·π²], degree 16; relative fit error 5.6e-17, of the derivative 3.8e-17.
-pub(super) const INVERSE_F64: [f64; 17] = [
+pub(crate) const INVERSE_F64: [f64; 17] = [
     0.08333333333333333,
     0.001388888888888889,
     3.306878306878304e-5,

@@ -23,7 +23,7 @@ mod derivative;
 mod dual;
 mod dual_quat;
 pub(crate) mod even;
-mod even_coefficients;
+pub(crate) mod even_coefficients;
 mod jacobian;
 mod length;
 mod matrix;

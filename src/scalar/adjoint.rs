@@ -16,6 +16,7 @@ impl<R: Real> DualQuat<R> {
     /// // At the fixed origin, what turns with a body at x = 2 moves down.
     /// assert_eq!(pose.adjoint(turning).linear, [0.0, -2.0, 0.0]);
     /// ```
+    #[inline]
     #[must_use]
     pub fn adjoint(self, twist: Twist<R>) -> Twist<R> {
         let angular = self.real().rotate(twist.angular);
@@ -36,6 +37,7 @@ impl<R: Real> DualQuat<R> {
     /// let weight = Wrench { force: [0.0, 0.0, -9.0], torque: [0.0; 3] };
     /// assert_eq!(pose.coadjoint(weight).torque, [0.0, 18.0, 0.0]);
     /// ```
+    #[inline]
     #[must_use]
     pub fn coadjoint(self, wrench: Wrench<R>) -> Wrench<R> {
         let force = self.real().rotate(wrench.force);

@@ -17,8 +17,12 @@ impl<R: Real> DualQuat<R> {
     /// let b = DualQuat::from_translation([8.0, 0.0, 0.0]);
     /// assert_eq!(a.nlerp(-b, 0.25).translation(), [2.0, 0.0, 0.0]);
     /// ```
+    #[inline]
     #[must_use]
     pub fn nlerp(self, other: Self, t: R) -> Self {
+        if let Some(sum) = R::quick_lerp(self.to_array(), other.to_array(), t) {
+            return Self::from_array(sum).normalize();
+        }
         let near = other.toward(self);
         (self.scale(R::ONE - t) + near.scale(t)).normalize()
     }
@@ -40,6 +44,7 @@ impl<R: Real> DualQuat<R> {
     /// let b = DualQuat::from_translation([8.0, 0.0, 0.0]);
     /// assert_eq!(DualQuat::dlb(&[(a, 3.0), (b, 1.0)]).unwrap().translation(), [2.0, 0.0, 0.0]);
     /// ```
+    #[inline]
     #[must_use]
     pub fn dlb(influences: &[(Self, R)]) -> Option<Self> {
         let (&(first, weight), others) = influences.split_first()?;
@@ -67,6 +72,7 @@ impl<R: Real> DualQuat<R> {
     /// assert!((degrees(DualQuat::dlb_running(&influences)) - 108.8).abs() < 0.1);
     /// assert!((degrees(DualQuat::dlb(&influences)) - 8.1).abs() < 0.1);
     /// ```
+    #[inline]
     #[must_use]
     pub fn dlb_running(influences: &[(Self, R)]) -> Option<Self> {
         let (&(first, weight), others) = influences.split_first()?;
@@ -78,6 +84,7 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// Of σ and −σ, the same motion, the one on the side of `pivot`.
+    #[inline]
     pub(super) fn toward(self, pivot: Self) -> Self {
         if self.real().dot(pivot.real()) < R::ZERO { -self } else { self }
     }

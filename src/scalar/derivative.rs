@@ -16,6 +16,7 @@ impl<R: Real> DualQuat<R> {
     /// let (angular, linear) = pose.velocity(pose.derivative_spatial(turning));
     /// assert_eq!((angular, linear), ([0.0, 0.0, 1.0], [0.0, 2.0, 0.0]));
     /// ```
+    #[inline]
     #[must_use]
     pub fn derivative_spatial(self, twist: Twist<R>) -> Self {
         (pure(twist) * self).scale(R::HALF)
@@ -32,6 +33,7 @@ impl<R: Real> DualQuat<R> {
     /// let (angular, linear) = pose.velocity(pose.derivative_body(turning));
     /// assert_eq!((angular, linear), ([0.0, 0.0, 1.0], [0.0; 3]));
     /// ```
+    #[inline]
     #[must_use]
     pub fn derivative_body(self, twist: Twist<R>) -> Self {
         (self * pure(twist)).scale(R::HALF)
@@ -40,6 +42,7 @@ impl<R: Real> DualQuat<R> {
     /// The spatial twist 2σ̇σ* of a unit σ that changes by σ̇ per unit of time; undoes
     /// [`derivative_spatial`](Self::derivative_spatial), whose formula times 2σ* it is. Scalar parts,
     /// zero where σ̇ keeps σ unit, are left away.
+    #[inline]
     #[must_use]
     pub fn spatial_twist(self, derivative: Self) -> Twist<R> {
         of_pure((derivative * self.conjugate()).scale(R::TWO))
@@ -47,6 +50,7 @@ impl<R: Real> DualQuat<R> {
 
     /// The body twist 2σ*σ̇ of a unit σ that changes by σ̇ per unit of time; undoes
     /// [`derivative_body`](Self::derivative_body), as [`spatial_twist`](Self::spatial_twist) does.
+    #[inline]
     #[must_use]
     pub fn body_twist(self, derivative: Self) -> Twist<R> {
         of_pure((self.conjugate() * derivative).scale(R::TWO))
@@ -63,6 +67,7 @@ impl<R: Real> DualQuat<R> {
     /// let twist = Twist { angular: [0.0, 0.0, 1.0], linear: [0.0, 3.0, 0.0] };
     /// assert_eq!(pose.spatial_twist(rate), twist);
     /// ```
+    #[inline]
     #[must_use]
     pub fn derivative_from_velocity(self, angular: [R; 3], linear: [R; 3]) -> Self {
         let r = self.rotation();
@@ -77,6 +82,7 @@ impl<R: Real> DualQuat<R> {
     /// [`derivative_from_velocity`](Self::derivative_from_velocity).
     ///
     /// ω = 2ṙr*, and by the product rule on t = 2qp*, ṫ = 2(q̇p* + qṗ*).
+    #[inline]
     #[must_use]
     pub fn velocity(self, derivative: Self) -> ([R; 3], [R; 3]) {
         let back = self.real().conjugate();
@@ -93,6 +99,7 @@ impl<R: Real> DualQuat<R> {
     /// let twist = Twist { angular: [0.0_f32; 3], linear: [1.0, 2.0, 3.0] };
     /// assert_eq!(DualQuat::from_twist(twist).translation(), [1.0, 2.0, 3.0]);
     /// ```
+    #[inline]
     #[must_use]
     pub fn from_twist(twist: Twist<R>) -> Self {
         Self::exp(half(twist))
@@ -107,6 +114,7 @@ impl<R: Real> DualQuat<R> {
     /// let twist = DualQuat::from_translation([1.0_f32, 2.0, 3.0]).to_twist();
     /// assert_eq!((twist.angular, twist.linear), ([0.0; 3], [1.0, 2.0, 3.0]));
     /// ```
+    #[inline]
     #[must_use]
     pub fn to_twist(self) -> Twist<R> {
         let log = self.log();
@@ -144,6 +152,7 @@ impl<R: Real> DualQuat<R> {
     /// let [x, y, _] = pose.integrate_spatial(turning, core::f64::consts::PI).translation();
     /// assert!((x + 1.0).abs() < 1e-15 && y.abs() < 1e-15);
     /// ```
+    #[inline]
     #[must_use]
     pub fn integrate_spatial(self, twist: Twist<R>, dt: R) -> Self {
         Self::from_twist(twist.scale(dt)) * self
@@ -151,6 +160,7 @@ impl<R: Real> DualQuat<R> {
 
     /// Where a body at σ is after `dt` of a constant *body* twist: σ exp(½ξ dt), exact for any step; as
     /// [`integrate_spatial`](Self::integrate_spatial), but for the side.
+    #[inline]
     #[must_use]
     pub fn integrate_body(self, twist: Twist<R>, dt: R) -> Self {
         self * Self::from_twist(twist.scale(dt))
@@ -158,17 +168,20 @@ impl<R: Real> DualQuat<R> {
 }
 
 /// ω + εv as a dual quaternion without scalar parts.
+#[inline]
 fn pure<R: Real>(twist: Twist<R>) -> DualQuat<R> {
     let vector = DualVector { real: twist.angular, dual: twist.linear };
     DualQuat::from_dual_parts(Dual::ZERO, vector)
 }
 
 /// The vector parts; the scalar parts of σ̇σ* are zero for unit σ.
+#[inline]
 fn of_pure<R: Real>(sigma: DualQuat<R>) -> Twist<R> {
     Twist { angular: sigma.real().xyz(), linear: sigma.dual().xyz() }
 }
 
 /// Quaternions carry half the angle.
+#[inline]
 fn half<R: Real>(twist: Twist<R>) -> DualVector<R> {
     DualVector {
         real: vector::scale(twist.angular, R::HALF),

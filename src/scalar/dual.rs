@@ -35,6 +35,7 @@ impl<R: Real> Dual<R> {
     pub const EPSILON: Self = Self::new(R::ZERO, R::ONE);
 
     /// a + εb
+    #[inline]
     #[must_use]
     pub const fn new(real: R, dual: R) -> Self {
         Self { real, dual }
@@ -51,6 +52,7 @@ impl<R: Real> Dual<R> {
     /// assert_eq!(x.inverse().unwrap() * x, Dual::ONE);
     /// assert!(Dual::<f32>::EPSILON.inverse().is_err());
     /// ```
+    #[inline]
     pub fn inverse(self) -> Result<Self, InverseError> {
         if self.real == R::ZERO || !self.real.is_finite() {
             return Err(InverseError { real_norm: self.real.abs().into() });
@@ -65,12 +67,14 @@ impl<R: Real> Dual<R> {
     /// let cube = |x: Dual<f64>| x.apply(x.real.powi(3), 3.0 * x.real.powi(2));
     /// assert_eq!(cube(Dual::new(2.0, 1.0)), Dual::new(8.0, 12.0));
     /// ```
+    #[inline]
     #[must_use]
     pub fn apply(self, value: R, derivative: R) -> Self {
         Self::new(value, self.dual * derivative)
     }
 
     /// √(a + εb) = √a + ε b/(2√a); NaN for a < 0, no dual part for a = 0.
+    #[inline]
     #[must_use]
     pub fn sqrt(self) -> Self {
         let root = self.real.sqrt();
@@ -78,18 +82,21 @@ impl<R: Real> Dual<R> {
     }
 
     /// sin a + ε b cos a, radians.
+    #[inline]
     #[must_use]
     pub fn sin(self) -> Self {
         self.apply(self.real.sin(), self.real.cos())
     }
 
     /// cos a − ε b sin a, radians.
+    #[inline]
     #[must_use]
     pub fn cos(self) -> Self {
         self.apply(self.real.cos(), -self.real.sin())
     }
 
     /// tan a + ε b/cos²a, radians.
+    #[inline]
     #[must_use]
     pub fn tan(self) -> Self {
         let tan = self.real.tan();
@@ -97,6 +104,7 @@ impl<R: Real> Dual<R> {
     }
 
     /// arcsin a + ε b/√(1 − a²), radians, |a| ≤ 1, else NaN; the derivative is infinite at ±1.
+    #[inline]
     #[must_use]
     pub fn asin(self) -> Self {
         let cos = ((R::ONE - self.real) * (R::ONE + self.real)).sqrt();
@@ -104,6 +112,7 @@ impl<R: Real> Dual<R> {
     }
 
     /// arccos a − ε b/√(1 − a²), radians, |a| ≤ 1, else NaN; the derivative is infinite at ±1.
+    #[inline]
     #[must_use]
     pub fn acos(self) -> Self {
         let sin = ((R::ONE - self.real) * (R::ONE + self.real)).sqrt();
@@ -111,12 +120,14 @@ impl<R: Real> Dual<R> {
     }
 
     /// arctan a + ε b/(1 + a²), radians.
+    #[inline]
     #[must_use]
     pub fn atan(self) -> Self {
         self.apply(self.real.atan(), R::ONE / (R::ONE + self.real * self.real))
     }
 
     /// eᵃ + ε b eᵃ
+    #[inline]
     #[must_use]
     pub fn exp(self) -> Self {
         let exp = self.real.exp();
@@ -124,6 +135,7 @@ impl<R: Real> Dual<R> {
     }
 
     /// ln a + ε b/a; NaN for a < 0.
+    #[inline]
     #[must_use]
     pub fn ln(self) -> Self {
         self.apply(self.real.ln(), R::ONE / self.real)
@@ -133,6 +145,7 @@ impl<R: Real> Dual<R> {
 /// (a + εb) + (c + εd) = (a + c) + ε(b + d) (Jia eq. 5).
 impl<R: Real> Add for Dual<R> {
     type Output = Self;
+    #[inline]
     fn add(self, other: Self) -> Self {
         Self::new(self.real + other.real, self.dual + other.dual)
     }
@@ -140,6 +153,7 @@ impl<R: Real> Add for Dual<R> {
 
 impl<R: Real> Sub for Dual<R> {
     type Output = Self;
+    #[inline]
     fn sub(self, other: Self) -> Self {
         Self::new(self.real - other.real, self.dual - other.dual)
     }
@@ -148,6 +162,7 @@ impl<R: Real> Sub for Dual<R> {
 /// (a + εb)(c + εd) = ac + ε(ad + bc) (Jia eq. 6).
 impl<R: Real> Mul for Dual<R> {
     type Output = Self;
+    #[inline]
     fn mul(self, other: Self) -> Self {
         Self::new(self.real * other.real, self.real * other.dual + self.dual * other.real)
     }
@@ -157,6 +172,7 @@ impl<R: Real> Mul for Dual<R> {
 /// result is then infinite or NaN, as for floats; [`Dual::inverse`] checks.
 impl<R: Real> Div for Dual<R> {
     type Output = Self;
+    #[inline]
     fn div(self, other: Self) -> Self {
         let quotient = self.real / other.real;
         Self::new(quotient, (self.dual - quotient * other.dual) / other.real)
@@ -165,6 +181,7 @@ impl<R: Real> Div for Dual<R> {
 
 impl<R: Real> Neg for Dual<R> {
     type Output = Self;
+    #[inline]
     fn neg(self) -> Self {
         Self::new(-self.real, -self.dual)
     }

@@ -22,6 +22,7 @@ pub struct DualQuat<R>([R; 8]);
 
 /// The identity motion.
 impl<R: Real> Default for DualQuat<R> {
+    #[inline]
     fn default() -> Self {
         Self::IDENTITY
     }
@@ -33,11 +34,21 @@ impl<R: Real> DualQuat<R> {
     /// 0, the neutral element of addition; no motion.
     pub const ZERO: Self = Self([R::ZERO; 8]);
     /// What the unchecked operations return where the checked ones return an error.
+    #[inline]
     pub(super) fn nan() -> Self {
         Self([R::NAN; 8])
     }
 
+    /// The same, number by number, in a place of its own. A function that is not inlined takes and
+    /// returns motions in memory; where it is called, this keeps them in registers on the other way.
+    #[inline(always)]
+    pub(super) fn apart(self) -> Self {
+        let [px, py, pz, pw, qx, qy, qz, qw] = self.0;
+        Self([px, py, pz, pw, qx, qy, qz, qw])
+    }
+
     /// p + εq
+    #[inline]
     #[must_use]
     pub const fn new(real: Quat<R>, dual: Quat<R>) -> Self {
         let [px, py, pz, pw] = real.to_array();
@@ -46,6 +57,7 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// From `[px, py, pz, pw, qx, qy, qz, qw]`.
+    #[inline]
     #[must_use]
     pub const fn from_array(components: [R; 8]) -> Self {
         Self(components)
@@ -58,12 +70,14 @@ impl<R: Real> DualQuat<R> {
     /// let up = DualQuat::from_wxyz([1.0_f32, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 2.5]);
     /// assert_eq!(up.translation(), [0.0, 0.0, 5.0]);
     /// ```
+    #[inline]
     #[must_use]
     pub const fn from_wxyz([pw, px, py, pz, qw, qx, qy, qz]: [R; 8]) -> Self {
         Self([px, py, pz, pw, qx, qy, qz, qw])
     }
 
     /// From a dual number and a dual vector (Jia eq. 15).
+    #[inline]
     #[must_use]
     pub const fn from_dual_parts(scalar: Dual<R>, vector: DualVector<R>) -> Self {
         Self::new(
@@ -73,12 +87,14 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// `[px, py, pz, pw, qx, qy, qz, qw]`
+    #[inline]
     #[must_use]
     pub const fn to_array(self) -> [R; 8] {
         self.0
     }
 
     /// The order of the literature, `[pw, px, py, pz, qw, qx, qy, qz]`.
+    #[inline]
     #[must_use]
     pub const fn to_wxyz(self) -> [R; 8] {
         let [px, py, pz, pw, qx, qy, qz, qw] = self.0;
@@ -86,6 +102,7 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// p, the real part.
+    #[inline]
     #[must_use]
     pub const fn real(self) -> Quat<R> {
         let [x, y, z, w, ..] = self.0;
@@ -93,6 +110,7 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// q, the dual part.
+    #[inline]
     #[must_use]
     pub const fn dual(self) -> Quat<R> {
         let [.., x, y, z, w] = self.0;
@@ -100,18 +118,21 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// The dual number among the four dual components: p_w + εq_w (Jia eq. 15).
+    #[inline]
     #[must_use]
     pub const fn dual_scalar(self) -> Dual<R> {
         Dual::new(self.real().w(), self.dual().w())
     }
 
     /// The dual vector among the four dual components (Jia eq. 15).
+    #[inline]
     #[must_use]
     pub const fn dual_vector(self) -> DualVector<R> {
         DualVector { real: self.real().xyz(), dual: self.dual().xyz() }
     }
 
     /// σ• = p − εq (Jia eq. 16).
+    #[inline]
     #[must_use]
     pub fn conjugate_dual(self) -> Self {
         Self::new(self.real(), -self.dual())
@@ -125,24 +146,28 @@ impl<R: Real> DualQuat<R> {
     /// let motion = DualQuat::from_rotation_translation(r, [1.0, 2.0, 3.0]);
     /// assert_eq!(motion * motion.conjugate(), DualQuat::IDENTITY);
     /// ```
+    #[inline]
     #[must_use]
     pub fn conjugate(self) -> Self {
         Self::new(self.real().conjugate(), self.dual().conjugate())
     }
 
     /// σ⋄ = p* − εq* (Jia eq. 19), the one that moves points.
+    #[inline]
     #[must_use]
     pub fn conjugate_both(self) -> Self {
         Self::new(self.real().conjugate(), -self.dual().conjugate())
     }
 
     /// sσ for a real number s (Kenwright §7.1).
+    #[inline]
     #[must_use]
     pub fn scale(self, factor: R) -> Self {
         Self::new(self.real().scale(factor), self.dual().scale(factor))
     }
 
     /// (a + εb)σ = ap + ε(aq + bp) for a dual number (Jia eq. 14, with one factor a number).
+    #[inline]
     #[must_use]
     pub fn scale_dual(self, factor: Dual<R>) -> Self {
         Self::new(
@@ -153,6 +178,7 @@ impl<R: Real> DualQuat<R> {
 
     /// The dual number ⟨a, b⟩ = p_a·p_b + ε(p_a·q_b + q_a·p_b), the dual part of whose real part is
     /// Kenwright's `Dot`. For unit motions it is the cosine of half their dual angle.
+    #[inline]
     #[must_use]
     pub fn dot(self, other: Self) -> Dual<R> {
         Dual::new(
@@ -163,6 +189,7 @@ impl<R: Real> DualQuat<R> {
 
     /// Whether every component of the two differs by at most `tolerance`, |a_c − b_c| ≤ tolerance; false for NaN. σ and −σ
     /// are the same motion but not equal here: see [`canonical`](Self::canonical).
+    #[inline]
     #[must_use]
     pub fn abs_diff_eq(self, other: Self, tolerance: R) -> bool {
         let pairs = self.0.into_iter().zip(other.0);
@@ -171,6 +198,7 @@ impl<R: Real> DualQuat<R> {
 
     /// Of σ and −σ the one with p_w ≥ 0: both are the same motion. A zero of either sign counts as
     /// positive.
+    #[inline]
     #[must_use]
     pub fn canonical(self) -> Self {
         if self.real().w() < R::ZERO { -self } else { self }
@@ -180,6 +208,7 @@ impl<R: Real> DualQuat<R> {
 /// Component by component (Jia eq. 13).
 impl<R: Real> Add for DualQuat<R> {
     type Output = Self;
+    #[inline]
     fn add(self, other: Self) -> Self {
         Self::new(self.real() + other.real(), self.dual() + other.dual())
     }
@@ -187,6 +216,7 @@ impl<R: Real> Add for DualQuat<R> {
 
 impl<R: Real> Sub for DualQuat<R> {
     type Output = Self;
+    #[inline]
     fn sub(self, other: Self) -> Self {
         self + -other
     }
@@ -199,6 +229,9 @@ impl<R: Real> Mul for DualQuat<R> {
     type Output = Self;
     #[inline]
     fn mul(self, other: Self) -> Self {
+        if let Some(product) = R::quick_product(self.0, other.0) {
+            return Self(product);
+        }
         Self::new(
             self.real() * other.real(),
             self.real() * other.dual() + self.dual() * other.real(),
@@ -208,6 +241,7 @@ impl<R: Real> Mul for DualQuat<R> {
 
 impl<R: Real> Neg for DualQuat<R> {
     type Output = Self;
+    #[inline]
     fn neg(self) -> Self {
         Self::new(-self.real(), -self.dual())
     }

@@ -32,6 +32,7 @@ impl<R: Real> DualQuat<R> {
     /// let error = change - DualQuat::left_jacobian(at, along);
     /// assert!(error.to_array().iter().all(|e| e.abs() < 1e-5));
     /// ```
+    #[inline]
     #[must_use]
     pub fn left_jacobian(at: Twist<R>, along: Twist<R>) -> Twist<R> {
         let u = square(at);
@@ -48,6 +49,7 @@ impl<R: Real> DualQuat<R> {
     /// The right Jacobian of SE(3) at the twist x, applied to y: how the *body* side of the motion of
     /// x answers, exp(½(x + δy)) ≈ exp(½x) exp(½δ J_r(x) y). J_r(x) = J_l(−x), and
     /// J_l(x) = Ad_{exp ½x} J_r(x).
+    #[inline]
     #[must_use]
     pub fn right_jacobian(at: Twist<R>, along: Twist<R>) -> Twist<R> {
         Self::left_jacobian(-at, along)
@@ -59,6 +61,7 @@ impl<R: Real> DualQuat<R> {
     ///
     /// For |ω| < 2π; C is **infinite at |ω| = 2π** and every multiple of it, and errors grow like
     /// 1/(2π − |ω|) near it. A twist from [`to_twist`](Self::to_twist) has |ω| ≤ π.
+    #[inline]
     #[must_use]
     pub fn left_jacobian_inverse(at: Twist<R>, along: Twist<R>) -> Twist<R> {
         let u = square(at);
@@ -75,6 +78,7 @@ impl<R: Real> DualQuat<R> {
     /// The inverse of the right Jacobian at the twist x, applied to y: how the twist x of a motion
     /// changes when the motion changes by the *body* twist y, J_r⁻¹(x) = J_l⁻¹(−x). See
     /// [`left_jacobian_inverse`](Self::left_jacobian_inverse).
+    #[inline]
     #[must_use]
     pub fn right_jacobian_inverse(at: Twist<R>, along: Twist<R>) -> Twist<R> {
         Self::left_jacobian_inverse(-at, along)
@@ -90,6 +94,7 @@ impl<R: Real> DualQuat<R> {
     /// assert_eq!(rows[0], [1.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
     /// assert_eq!(rows[3], [0.0, -1.0, 0.0, 1.0, 0.0, 0.0]);
     /// ```
+    #[inline]
     #[must_use]
     pub fn left_jacobian_matrix(at: Twist<R>) -> [[R; 6]; 6] {
         matrix(at, Self::left_jacobian)
@@ -98,6 +103,7 @@ impl<R: Real> DualQuat<R> {
     /// The inverse of the left Jacobian as a 6×6 matrix, in the order of
     /// [`left_jacobian_matrix`](Self::left_jacobian_matrix); domain as
     /// [`left_jacobian_inverse`](Self::left_jacobian_inverse).
+    #[inline]
     #[must_use]
     pub fn left_jacobian_inverse_matrix(at: Twist<R>) -> [[R; 6]; 6] {
         matrix(at, Self::left_jacobian_inverse)
@@ -147,6 +153,7 @@ const COTANGENT_SERIES: [f64; 11] = [
 ];
 
 /// Σ cₖuᵏ. Closed forms cancel for small u: the derivative of B is a difference over u.
+#[inline]
 fn series<R: Real>(u: Dual<R>, coefficients: &[f64]) -> Dual<R> {
     coefficients.iter().rev().fold(Dual::ZERO, |sum, &coefficient| {
         sum * u + Dual::new(R::from_f64(coefficient), R::ZERO)
@@ -154,11 +161,13 @@ fn series<R: Real>(u: Dual<R>, coefficients: &[f64]) -> Dual<R> {
 }
 
 /// x·x
+#[inline]
 fn square<R: Real>(x: Twist<R>) -> Dual<R> {
     Dual::new(vector::dot(x.angular, x.angular), R::TWO * vector::dot(x.angular, x.linear))
 }
 
 /// x × y, the Lie bracket.
+#[inline]
 fn cross<R: Real>(x: Twist<R>, y: Twist<R>) -> Twist<R> {
     let linear =
         vector::add(vector::cross(x.angular, y.linear), vector::cross(x.linear, y.angular));
@@ -166,6 +175,7 @@ fn cross<R: Real>(x: Twist<R>, y: Twist<R>) -> Twist<R> {
 }
 
 /// (a + εb)(ω + εv)
+#[inline]
 fn times<R: Real>(factor: Dual<R>, twist: Twist<R>) -> Twist<R> {
     let linear = vector::add(
         vector::scale(twist.linear, factor.real),
@@ -175,6 +185,7 @@ fn times<R: Real>(factor: Dual<R>, twist: Twist<R>) -> Twist<R> {
 }
 
 /// The matrix of a linear map: its columns are what it does to the unit twists.
+#[inline]
 fn matrix<R: Real>(at: Twist<R>, map: fn(Twist<R>, Twist<R>) -> Twist<R>) -> [[R; 6]; 6] {
     let mut rows = [[R::ZERO; 6]; 6];
     for column in 0..6 {

@@ -12,6 +12,7 @@ impl<R: Real> Quat<R> {
     /// let third_turn = Quat::from_xyzw(0.5_f32, 0.5, 0.5, 0.5);
     /// assert_eq!(third_turn.to_matrix3(), [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
     /// ```
+    #[inline]
     #[must_use]
     pub fn to_matrix3(self) -> [[R; 3]; 3] {
         let [x, y, z, w] = self.to_array();
@@ -29,6 +30,7 @@ impl<R: Real> Quat<R> {
     ///
     /// The largest of the four components is found first and divides the others (Shepperd 1978), so
     /// that nothing is divided by a small number.
+    #[inline]
     #[must_use]
     pub fn from_matrix3(rows: [[R; 3]; 3]) -> Self {
         let [[m00, m01, m02], [m10, m11, m12], [m20, m21, m22]] = rows;
@@ -56,6 +58,7 @@ impl<R: Real> Quat<R> {
     /// # Errors
     /// If the matrix differs from a rotation by more than `tolerance` in a product of its rows (it
     /// scales, shears or mirrors), or an element is not finite.
+    #[inline]
     pub fn try_from_matrix3(rows: [[R; 3]; 3], tolerance: R) -> Result<Self, MatrixError> {
         for row in 0..3 {
             for column in row..3 {
@@ -85,14 +88,19 @@ impl<R: Real> DualQuat<R> {
     /// let matrix = DualQuat::from_translation([1.0_f32, 2.0, 3.0]).to_matrix3x4();
     /// assert_eq!(matrix[2], [0.0, 0.0, 1.0, 3.0]);
     /// ```
+    #[inline]
     #[must_use]
     pub fn to_matrix3x4(self) -> [[R; 4]; 3] {
+        if let Some(rows) = R::quick_matrix3x4(self.to_array()) {
+            return rows;
+        }
         let [[a, b, c], [d, e, f], [g, h, i]] = self.real().to_matrix3();
         let [x, y, z] = self.translation();
         [[a, b, c, x], [d, e, f, y], [g, h, i, z]]
     }
 
     /// [`to_matrix3x4`](Self::to_matrix3x4) with the row 0 0 0 1 below.
+    #[inline]
     #[must_use]
     pub fn to_matrix4(self) -> [[R; 4]; 4] {
         let [a, b, c] = self.to_matrix3x4();
@@ -102,6 +110,7 @@ impl<R: Real> DualQuat<R> {
     /// The motion of a matrix that is known to be rigid, p_w ≥ 0; garbage in, garbage out:
     /// [`try_from_matrix3x4`](Self::try_from_matrix3x4) checks. The rotation is that of
     /// [`Quat::from_matrix3`].
+    #[inline]
     #[must_use]
     pub fn from_matrix3x4(rows: [[R; 4]; 3]) -> Self {
         let (rotation, translation) = apart(rows);
@@ -122,6 +131,7 @@ impl<R: Real> DualQuat<R> {
     ///     Err(MatrixError::NotOrthonormal { row: 0, column: 0, value: 4.0 })
     /// );
     /// ```
+    #[inline]
     pub fn try_from_matrix3x4(rows: [[R; 4]; 3], tolerance: R) -> Result<Self, MatrixError> {
         let (rotation, translation) = apart(rows);
         let rotation = Quat::try_from_matrix3(rotation, tolerance)?;
@@ -137,6 +147,7 @@ impl<R: Real> DualQuat<R> {
     ///
     /// # Errors
     /// As there, and if the last row is not 0 0 0 1.
+    #[inline]
     pub fn try_from_matrix4(rows: [[R; 4]; 4], tolerance: R) -> Result<Self, MatrixError> {
         let [a, b, c, last] = rows;
         for (column, value) in last.into_iter().enumerate() {
@@ -150,6 +161,7 @@ impl<R: Real> DualQuat<R> {
 }
 
 /// The left 3×3 part and the last column.
+#[inline]
 fn apart<R: Real>(rows: [[R; 4]; 3]) -> ([[R; 3]; 3], [R; 3]) {
     (rows.map(|[x, y, z, _]| [x, y, z]), rows.map(|[.., t]| t))
 }

@@ -34,6 +34,7 @@ impl<R: Real> DualQuat<R> {
     /// assert!(mean.converged && mean.iterations <= 4.0);
     /// assert!((mean.motion.to_screw().angle - 0.7).abs() < 1e-12); // (0.3 + 0.6 + 1.2) / 3
     /// ```
+    #[inline]
     #[must_use]
     pub fn dib(
         influences: &[(Self, R)],
@@ -64,6 +65,7 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// Σ wᵢ log(σ*σᵢ) / Σ wᵢ
+    #[inline]
     fn mean_log(self, influences: &[(Self, R)], total: R) -> DualVector<R> {
         let mut mean = DualVector { real: [R::ZERO; 3], dual: [R::ZERO; 3] };
         for &(pose, weight) in influences {

@@ -20,6 +20,7 @@ impl<R: Real> DualQuat<R> {
     /// assert_eq!(turn(0.0).angle_to(turn(1e-20)), 1e-20);
     /// assert_eq!(turn(0.0).angle_to(-turn(1e-20)), 1e-20);
     /// ```
+    #[inline]
     #[must_use]
     pub fn angle_to(self, other: Self) -> R {
         let between = self.real().conjugate() * other.real();
@@ -37,6 +38,7 @@ impl<R: Real> DualQuat<R> {
     /// let at = |x: f32, y: f32| DualQuat::from_translation([x, y, 0.0]);
     /// assert_eq!(at(1.0, 1.0).distance_to(-at(4.0, 5.0)), 5.0);
     /// ```
+    #[inline]
     #[must_use]
     pub fn distance_to(self, other: Self) -> R {
         vector::norm(vector::sub(self.translation(), other.translation()))
@@ -58,6 +60,7 @@ impl<R: Real> DualQuat<R> {
     /// assert_eq!(a.distance_weighted(b, 0.5), 5.0);
     /// assert_eq!(a.distance_weighted(-a, 0.5), 0.0);
     /// ```
+    #[inline]
     #[must_use]
     pub fn distance_weighted(self, other: Self, length_per_radian: R) -> R {
         vector::norm([length_per_radian * self.angle_to(other), self.distance_to(other)])
@@ -70,6 +73,7 @@ impl<R: Real> DualQuat<R> {
     /// let (a, b) = (DualQuat::IDENTITY, DualQuat::from_translation([3.0_f32, 0.0, 4.0]));
     /// assert_eq!(a.point_error(b, [7.0, 8.0, 9.0]), 5.0);
     /// ```
+    #[inline]
     #[must_use]
     pub fn point_error(self, other: Self, point: [R; 3]) -> R {
         vector::norm(vector::sub(self.transform_point(point), other.transform_point(point)))
@@ -88,6 +92,7 @@ impl<R: Real> DualQuat<R> {
     /// let half_turn = DualQuat::from_rotation(Quat::from_xyzw(0.0_f32, 0.0, 1.0, 0.0));
     /// assert_eq!(DualQuat::IDENTITY.shell_error(half_turn, 3.0), 6.0);
     /// ```
+    #[inline]
     #[must_use]
     pub fn shell_error(self, other: Self, radius: R) -> R {
         let chord = R::TWO * (self.angle_to(other) * R::HALF).sin();
@@ -106,6 +111,7 @@ impl<R: Real> DualQuat<R> {
     /// assert!(!motion.needs_renormalization(1e-6));
     /// assert!(motion.scale(1.001).needs_renormalization(1e-6));
     /// ```
+    #[inline]
     #[must_use]
     pub fn needs_renormalization(self, tolerance: R) -> bool {
         !self.is_unit(tolerance)

@@ -12,12 +12,15 @@ impl<R: Real> Motion for DualQuat<R> {
     type Dual = Dual<R>;
     type Quat = Quat<R>;
 
+    #[inline]
     fn identity((): ()) -> Self {
         Self::IDENTITY
     }
+    #[inline]
     fn normalize_checked(self) -> (Self, bool) {
         self.try_normalize().map_or((Self::nan(), true), |unit| (unit, false))
     }
+    #[inline]
     fn inverse_checked(self) -> (Self, bool) {
         self.try_inverse().map_or((Self::nan(), true), |inverse| (inverse, false))
     }

@@ -13,6 +13,7 @@ impl<R: Real> DualQuat<R> {
     /// let sigma = DualQuat::from_wxyz([3.0_f32, 4.0, 0.0, 0.0, 5.0, 0.0, 0.0, 0.0]);
     /// assert_eq!(sigma.norm(), Dual::new(5.0, 3.0));
     /// ```
+    #[inline]
     #[must_use]
     pub fn norm(self) -> Dual<R> {
         let norm = self.real().norm();
@@ -22,9 +23,13 @@ impl<R: Real> DualQuat<R> {
 
     /// Exact normalization, σ/√(σσ*): the real part to unit length *and* the dual part orthogonal
     /// to it. Every component is NaN where [`try_normalize`](Self::try_normalize) fails.
+    #[inline]
     #[must_use]
     pub fn normalize(self) -> Self {
-        self.unit().unwrap_or(Self::nan())
+        if let Some(unit) = R::quick_unit(self.to_array()) {
+            return Self::from_array(unit);
+        }
+        self.apart().unit_of_any_size().unwrap_or(Self::nan()).apart()
     }
 
     /// Exact normalization in Fabisch's two steps: σ/|p|, then the part of q along p taken away.
@@ -41,13 +46,25 @@ impl<R: Real> DualQuat<R> {
     /// assert!(DualQuat::<f32>::ZERO.try_normalize().is_err());
     /// # Ok::<(), dq8::NormalizeError>(())
     /// ```
+    #[inline]
     pub fn try_normalize(self) -> Result<Self, NormalizeError> {
         self.unit().map_err(|norm| NormalizeError { real_norm: norm.into() })
     }
 
     /// The same, or the norm of the real part: an error holds it as `f64`, which would cost a target
     /// without double precision a library call even where nobody asks.
+    #[inline]
     fn unit(self) -> Result<Self, R> {
+        if let Some(unit) = R::quick_unit(self.to_array()) {
+            let failed = unit[0].is_nan();
+            return if failed { Err(self.real().norm()) } else { Ok(Self::from_array(unit)) };
+        }
+        self.apart().unit_of_any_size()
+    }
+
+    /// Out of line, because floats come here only if they are very large, very small or no numbers.
+    #[inline(never)]
+    fn unit_of_any_size(self) -> Result<Self, R> {
         let norm = self.real().norm();
         let p = self.real().unit()?;
         let q = Quat::from_array(vector::over_norm(self.dual().to_array(), norm));
@@ -58,6 +75,7 @@ impl<R: Real> DualQuat<R> {
     /// Whether σσ* = 1 within `tolerance`: ||p| − 1| ≤ tolerance and |p·q| ≤ tolerance·max(1, |q|)
     /// (Jia eqs. 20 and 21; the second grows with the translation). False where a component is
     /// not finite.
+    #[inline]
     #[must_use]
     pub fn is_unit(self, tolerance: R) -> bool {
         let off = (self.real().norm() - R::ONE).abs();
@@ -68,6 +86,7 @@ impl<R: Real> DualQuat<R> {
 
     /// [`is_unit`](Self::is_unit) within 32 units of the last place: what a handful of products
     /// leaves of a unit motion.
+    #[inline]
     #[must_use]
     pub fn is_normalized(self) -> bool {
         self.is_unit(R::EPSILON * R::from(32.0))
@@ -76,9 +95,13 @@ impl<R: Real> DualQuat<R> {
     /// σ⁻¹ of any σ with p ≠ 0, unit or not: every component is NaN where
     /// [`try_inverse`](Self::try_inverse) fails. For a unit σ, [`conjugate`](Self::conjugate) is the
     /// same and cheaper.
+    #[inline]
     #[must_use]
     pub fn inverse(self) -> Self {
-        self.reciprocal().unwrap_or(Self::nan())
+        if let Some(inverse) = R::quick_inverse(self.to_array()) {
+            return Self::from_array(inverse);
+        }
+        self.apart().reciprocal_of_any_size().unwrap_or(Self::nan()).apart()
     }
 
     /// σ⁻¹ = p⁻¹ − ε p⁻¹qp⁻¹ (Jia §4), p⁻¹ = p*/|p|².
@@ -92,12 +115,23 @@ impl<R: Real> DualQuat<R> {
     /// assert_eq!(sigma * sigma.try_inverse()?, DualQuat::IDENTITY);
     /// # Ok::<(), dq8::InverseError>(())
     /// ```
+    #[inline]
     pub fn try_inverse(self) -> Result<Self, InverseError> {
         self.reciprocal().map_err(|norm| InverseError { real_norm: norm.into() })
     }
 
     /// The same, or the norm of the real part: see `unit`.
+    #[inline]
     fn reciprocal(self) -> Result<Self, R> {
+        if let Some(inverse) = R::quick_inverse(self.to_array()) {
+            let failed = inverse[0].is_nan();
+            return if failed { Err(self.real().norm()) } else { Ok(Self::from_array(inverse)) };
+        }
+        self.apart().reciprocal_of_any_size()
+    }
+
+    #[inline(never)]
+    fn reciprocal_of_any_size(self) -> Result<Self, R> {
         let norm = self.real().norm();
         let unit = self.real().unit()?.conjugate();
         let over_norm = |q: Quat<R>| Quat::from_array(vector::over_norm(q.to_array(), norm));

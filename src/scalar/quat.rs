@@ -25,24 +25,28 @@ impl<R: Real> Quat<R> {
     pub const ZERO: Self = Self([R::ZERO; 4]);
 
     /// From components in the order of memory.
+    #[inline]
     #[must_use]
     pub const fn from_xyzw(x: R, y: R, z: R, w: R) -> Self {
         Self([x, y, z, w])
     }
 
     /// From components in the order of the literature.
+    #[inline]
     #[must_use]
     pub const fn from_wxyz([w, x, y, z]: [R; 4]) -> Self {
         Self([x, y, z, w])
     }
 
     /// From `[x, y, z, w]`.
+    #[inline]
     #[must_use]
     pub const fn from_array(xyzw: [R; 4]) -> Self {
         Self(xyzw)
     }
 
     /// From the vector part and the scalar part.
+    #[inline]
     #[must_use]
     pub const fn from_parts([x, y, z]: [R; 3], w: R) -> Self {
         Self([x, y, z, w])
@@ -50,19 +54,29 @@ impl<R: Real> Quat<R> {
 
     /// The turn by `angle` radians about `axis`, which must have length 1:
     /// cos(θ/2) + n sin(θ/2) (Jia eq. 3).
+    #[inline]
     #[must_use]
     pub fn from_axis_angle(axis: [R; 3], angle: R) -> Self {
         let half = angle * R::HALF;
         Self::from_parts(vector::scale(axis, half.sin()), half.cos())
     }
 
+    /// As [`DualQuat::apart`](super::DualQuat).
+    #[inline(always)]
+    pub(super) fn apart(self) -> Self {
+        let [x, y, z, w] = self.0;
+        Self([x, y, z, w])
+    }
+
     /// `[x, y, z, w]`
+    #[inline]
     #[must_use]
     pub const fn to_array(self) -> [R; 4] {
         self.0
     }
 
     /// `[w, x, y, z]`, the order of the literature.
+    #[inline]
     #[must_use]
     pub const fn to_wxyz(self) -> [R; 4] {
         let [x, y, z, w] = self.0;
@@ -70,32 +84,38 @@ impl<R: Real> Quat<R> {
     }
 
     /// The component of i.
+    #[inline]
     #[must_use]
     pub const fn x(self) -> R {
         self.0[0]
     }
     /// The component of j.
+    #[inline]
     #[must_use]
     pub const fn y(self) -> R {
         self.0[1]
     }
     /// The component of k.
+    #[inline]
     #[must_use]
     pub const fn z(self) -> R {
         self.0[2]
     }
     /// The scalar part.
+    #[inline]
     #[must_use]
     pub const fn w(self) -> R {
         self.0[3]
     }
     /// The vector part.
+    #[inline]
     #[must_use]
     pub const fn xyz(self) -> [R; 3] {
         [self.0[0], self.0[1], self.0[2]]
     }
 
     /// q* = w − xi − yj − zk, the inverse of a unit quaternion (Hamilton 1844).
+    #[inline]
     #[must_use]
     pub fn conjugate(self) -> Self {
         let [x, y, z, w] = self.0;
@@ -103,6 +123,7 @@ impl<R: Real> Quat<R> {
     }
 
     /// The scalar product of the two as 4-vectors, the sum of xx′, yy′, zz′ and ww′.
+    #[inline]
     #[must_use]
     pub fn dot(self, other: Self) -> R {
         let [ax, ay, az, aw] = self.0;
@@ -111,12 +132,14 @@ impl<R: Real> Quat<R> {
     }
 
     /// |q| = √(q q*), without overflow or underflow on the way.
+    #[inline]
     #[must_use]
     pub fn norm(self) -> R {
         vector::norm(self.0)
     }
 
     /// q times a real number.
+    #[inline]
     #[must_use]
     pub fn scale(self, factor: R) -> Self {
         let [x, y, z, w] = self.0;
@@ -124,6 +147,7 @@ impl<R: Real> Quat<R> {
     }
 
     /// q / |q|; every component is NaN where [`try_normalize`](Self::try_normalize) fails.
+    #[inline]
     #[must_use]
     pub fn normalize(self) -> Self {
         self.unit().unwrap_or(Self([R::NAN; 4]))
@@ -139,12 +163,22 @@ impl<R: Real> Quat<R> {
     /// assert_eq!(Quat::from_xyzw(0.0, 3e-40_f32, 0.0, 4e-40).norm(), 5e-40);
     /// assert!(Quat::<f32>::ZERO.try_normalize().is_err());
     /// ```
+    #[inline]
     pub fn try_normalize(self) -> Result<Self, NormalizeError> {
         self.unit().map_err(|norm| NormalizeError { real_norm: norm.into() })
     }
 
     /// The same, or |q|.
+    #[inline]
     pub(super) fn unit(self) -> Result<Self, R> {
+        if let Some(unit) = R::quick_quaternion_unit(self.0) {
+            return Ok(Self(unit));
+        }
+        self.apart().unit_of_any_size()
+    }
+
+    #[inline(never)]
+    fn unit_of_any_size(self) -> Result<Self, R> {
         let norm = self.norm();
         if norm == R::ZERO || !norm.is_finite() {
             return Err(norm);
@@ -153,17 +187,23 @@ impl<R: Real> Quat<R> {
     }
 
     /// r v r*, the vector `v` turned by this unit quaternion:
-    /// v + 2 r × (r × v + w v) with r the vector part, the two products written out.
+    /// v + w u + r × u of u = 2 r × v, with r the vector part: the two products written out.
+    #[inline]
     #[must_use]
     pub fn rotate(self, v: [R; 3]) -> [R; 3] {
+        if let Some(turned) = R::quick_rotate(self.0, v) {
+            return turned;
+        }
         let r = self.xyz();
-        let inner = vector::add(vector::cross(r, v), vector::scale(v, self.w()));
-        vector::add(v, vector::scale(vector::cross(r, inner), R::TWO))
+        let twice = vector::scale(vector::cross(r, v), R::TWO);
+        let onto = vector::add(vector::scale(twice, self.w()), v);
+        vector::add(vector::cross(r, twice), onto)
     }
 }
 
 impl<R: Real> Add for Quat<R> {
     type Output = Self;
+    #[inline]
     fn add(self, other: Self) -> Self {
         let [ax, ay, az, aw] = self.0;
         let [bx, by, bz, bw] = other.0;
@@ -173,6 +213,7 @@ impl<R: Real> Add for Quat<R> {
 
 impl<R: Real> Sub for Quat<R> {
     type Output = Self;
+    #[inline]
     fn sub(self, other: Self) -> Self {
         self + -other
     }
@@ -183,6 +224,9 @@ impl<R: Real> Mul for Quat<R> {
     type Output = Self;
     #[inline]
     fn mul(self, other: Self) -> Self {
+        if let Some(product) = R::quick_quaternion_product(self.0, other.0) {
+            return Self(product);
+        }
         let [ax, ay, az, aw] = self.0;
         let [bx, by, bz, bw] = other.0;
         Self([
@@ -196,6 +240,7 @@ impl<R: Real> Mul for Quat<R> {
 
 impl<R: Real> Neg for Quat<R> {
     type Output = Self;
+    #[inline]
     fn neg(self) -> Self {
         let [x, y, z, w] = self.0;
         Self([-x, -y, -z, -w])

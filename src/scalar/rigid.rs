@@ -5,12 +5,14 @@ use crate::real::Real;
 
 impl<R: Real> DualQuat<R> {
     /// The pure rotation r + ε0 (Kenwright §7.1). `rotation` must be unit.
+    #[inline]
     #[must_use]
     pub fn from_rotation(rotation: Quat<R>) -> Self {
         Self::new(rotation, Quat::ZERO)
     }
 
     /// The pure translation 1 + ½εt (Kenwright §7.1).
+    #[inline]
     #[must_use]
     pub fn from_translation(translation: [R; 3]) -> Self {
         let half = vector::scale(translation, R::HALF);
@@ -26,6 +28,7 @@ impl<R: Real> DualQuat<R> {
     /// let motion = DualQuat::from_rotation_translation(r, [1.0, 2.0, 3.0]);
     /// assert_eq!((motion.rotation(), motion.translation()), (r, [1.0, 2.0, 3.0]));
     /// ```
+    #[inline]
     #[must_use]
     pub fn from_rotation_translation(rotation: Quat<R>, translation: [R; 3]) -> Self {
         let half = vector::scale(translation, R::HALF);
@@ -34,6 +37,7 @@ impl<R: Real> DualQuat<R> {
 
     /// Translate by `translation`, then rotate by `rotation`: r + ½ε r t (Jia eq. 26; Tarini's
     /// "translo-rotation"). `rotation` must be unit.
+    #[inline]
     #[must_use]
     pub fn from_translation_rotation(translation: [R; 3], rotation: Quat<R>) -> Self {
         let half = vector::scale(translation, R::HALF);
@@ -53,18 +57,21 @@ impl<R: Real> DualQuat<R> {
     /// let moved = up.mul_rotation_translation(half_turn, [5.0, 0.0, 0.0]);
     /// assert_eq!(moved.transform_point([1.0, 0.0, 0.0]), [4.0, 0.0, 1.0]);
     /// ```
+    #[inline]
     #[must_use]
     pub fn mul_rotation_translation(self, rotation: Quat<R>, translation: [R; 3]) -> Self {
         self * Self::from_rotation_translation(rotation, translation)
     }
 
     /// The rotation r = p of a unit σ (Jia eq. 23).
+    #[inline]
     #[must_use]
     pub fn rotation(self) -> Quat<R> {
         self.real()
     }
 
     /// The translation t = 2qp* of a unit σ (Jia eq. 24).
+    #[inline]
     #[must_use]
     pub fn translation(self) -> [R; 3] {
         (self.dual() * self.real().conjugate()).scale(R::TWO).xyz()

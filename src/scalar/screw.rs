@@ -18,6 +18,7 @@ impl<R: Real> DualQuat<R> {
     /// let screw = DualQuat::from_translation([0.0_f64, 3.0, 4.0]).to_screw();
     /// assert_eq!((screw.angle, screw.slide, screw.axis.direction), (0.0, 5.0, [0.0, 0.6, 0.8]));
     /// ```
+    #[inline]
     #[must_use]
     pub fn to_screw(self) -> Screw<R> {
         let sigma = self.canonical();
@@ -43,6 +44,7 @@ impl<R: Real> DualQuat<R> {
 
     /// σ = cos(θ̂/2) + sin(θ̂/2)(l + εm), θ̂ = θ + εd (Jia eq. 43). The axis must have length 1, and
     /// its moment be orthogonal to it; the angle is any, in radians, the slide a length.
+    #[inline]
     #[must_use]
     pub fn from_screw(screw: Screw<R>) -> Self {
         let (sin, cos) = ((screw.angle * R::HALF).sin(), (screw.angle * R::HALF).cos());
@@ -67,12 +69,17 @@ impl<R: Real> DualQuat<R> {
     /// let log = DualQuat::from_translation([2.0_f32, 4.0, 6.0]).log();
     /// assert_eq!((log.real, log.dual), ([0.0; 3], [1.0, 2.0, 3.0]));
     /// ```
+    #[inline]
     #[must_use]
     pub fn log(self) -> DualVector<R> {
+        if let Some(log) = R::quick_log(self.to_array()) {
+            return log;
+        }
         self.canonical().log_without_flip()
     }
 
     /// The logarithm of this very σ, not of −σ: 0 ≤ |a| ≤ π.
+    #[inline]
     fn log_without_flip(self) -> DualVector<R> {
         let t = self.translation();
         let sine = vector::norm(self.real().xyz());
@@ -96,8 +103,8 @@ impl<R: Real> DualQuat<R> {
 
     /// The exponential of a + εb: with h = |a|, l = a/h and d/2 = b·l, the screw
     /// cos ĥ + sin ĥ (l + εm), ĥ = h + εd/2 (Jia eq. 43). For a = 0 it is 1 + εb, the translation
-    /// by 2b. Any a and b; |a| is half the angle in radians, and the error grows with it as that of
-    /// its rounding does.
+    /// by 2b. |a| is half the angle in radians, and the error grows with it as that of its rounding
+    /// does; floats whose |a|² is infinite (beyond 10¹⁹ in `f32`) give NaN.
     ///
     /// ```
     /// use dq8::{DualQuat, DualVector};
@@ -105,8 +112,12 @@ impl<R: Real> DualQuat<R> {
     /// let [x, y, _] = DualQuat::exp(half_turn).transform_point([1.0, 0.0, 0.0]);
     /// assert!((x + 1.0).abs() < 1e-15 && y.abs() < 1e-15);
     /// ```
+    #[inline]
     #[must_use]
     pub fn exp(log: DualVector<R>) -> Self {
+        if let Some(exp) = R::quick_exp(log) {
+            return Self::from_array(exp);
+        }
         let h = vector::norm(log.real);
         if h == R::ZERO {
             return Self::new(Quat::IDENTITY, Quat::from_parts(log.dual, R::ZERO));
@@ -131,13 +142,24 @@ impl<R: Real> DualQuat<R> {
     /// let step = DualQuat::from_translation([1.0_f32, 2.0, 3.0]);
     /// assert_eq!(step.pow(-2.0).translation(), [-2.0, -4.0, -6.0]);
     /// ```
+    #[inline]
     #[must_use]
     pub fn pow(self, t: R) -> Self {
+        if let Some(power) = R::quick_pow(self.to_array(), t) {
+            return Self::from_array(power);
+        }
+        self.apart().pow_by_the_book(t).apart()
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn pow_by_the_book(self, t: R) -> Self {
         Self::exp(self.log().scale(t))
     }
 
     /// σ^½ (Jia eq. 44), the motion that gives σ when made twice: half the angle, half the slide. Of
     /// ±σ, the one with p_w ≥ 0, so at most a quarter of a turn. σ must be unit.
+    #[inline]
     #[must_use]
     pub fn sqrt(self) -> Self {
         self.pow(R::HALF)
@@ -158,14 +180,24 @@ impl<R: Real> DualQuat<R> {
     /// let screw = a.sclerp(b, 0.25).to_screw();
     /// assert!((screw.angle - 0.25).abs() < 1e-15 && (screw.slide - 0.5).abs() < 1e-15);
     /// ```
+    #[inline]
     #[must_use]
     pub fn sclerp(self, other: Self, t: R) -> Self {
+        if let Some(between) = R::quick_sclerp(self.to_array(), other.to_array(), t) {
+            return Self::from_array(between);
+        }
+        self.apart().sclerp_by_the_book(other.apart(), t).apart()
+    }
+
+    #[inline(never)]
+    fn sclerp_by_the_book(self, other: Self, t: R) -> Self {
         self * (self.conjugate() * other).pow(t)
     }
 
     /// As [`sclerp`](Self::sclerp), but from `self` to `other` and not to −`other`: the longer way
     /// where the two point apart: a exp(t log(a*b)), the logarithm not turned over. Both must be
     /// unit. The way from σ to −σ itself has no axis: every component is NaN.
+    #[inline]
     #[must_use]
     pub fn sclerp_long(self, other: Self, t: R) -> Self {
         let log = (self.conjugate() * other).log_without_flip();

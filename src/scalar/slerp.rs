@@ -18,8 +18,17 @@ impl<R: Real> Quat<R> {
     /// let tiny = Quat::from_xyzw(0.0_f32, 1e-30, 0.0, 1.0);
     /// assert_eq!(Quat::IDENTITY.slerp(tiny, 0.25).y(), 0.25e-30);
     /// ```
+    #[inline]
     #[must_use]
     pub fn slerp(self, other: Self, t: R) -> Self {
+        if let Some(turned) = R::quick_slerp(self.to_array(), other.to_array(), t) {
+            return Self::from_array(turned);
+        }
+        self.apart().slerp_by_the_book(other.apart(), t).apart()
+    }
+
+    #[inline(never)]
+    fn slerp_by_the_book(self, other: Self, t: R) -> Self {
         let near = if self.dot(other) < R::ZERO { -other } else { other };
         let angle = R::TWO * (near - self).norm().atan2((near + self).norm());
         let reach = angle * (R::ONE + t.abs());
@@ -55,6 +64,7 @@ impl<R: Real> DualQuat<R> {
     /// assert!((distance(start.sclerp(end, 0.5)) - 1.0).abs() < 1e-15);
     /// assert!((distance(start.slerp_lerp(end, 0.5)) - 0.5_f64.sqrt()).abs() < 1e-15);
     /// ```
+    #[inline]
     #[must_use]
     pub fn slerp_lerp(self, other: Self, t: R) -> Self {
         let rotation = self.rotation().slerp(other.rotation(), t);

@@ -26,6 +26,7 @@ impl<R: Real> DualQuat<R> {
     /// let middle = keys[1].squad(s1, s2, keys[2], 0.5);
     /// assert_eq!(middle.translation(), [1.5, 0.5, 0.0]);
     /// ```
+    #[inline]
     #[must_use]
     pub fn squad(self, control_start: Self, control_end: Self, end: Self, t: R) -> Self {
         let along_keys = self.sclerp(end, t);
@@ -49,6 +50,7 @@ impl<R: Real> DualQuat<R> {
     /// assert_eq!(DualQuat::squad_control(at(0.0), at(1.0), at(2.0)), at(1.0));
     /// assert_eq!(DualQuat::squad_control(at(0.0), at(1.0), at(4.0)), at(0.5));
     /// ```
+    #[inline]
     #[must_use]
     pub fn squad_control(previous: Self, current: Self, next: Self) -> Self {
         let inverse = current.conjugate();

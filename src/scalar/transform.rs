@@ -6,12 +6,17 @@ use crate::real::Real;
 
 impl<R: Real> DualQuat<R> {
     /// The point Rv + t, which is σ(1 + εv)σ⋄ (Jia eq. 25). σ must be unit.
+    #[inline]
     #[must_use]
     pub fn transform_point(self, point: [R; 3]) -> [R; 3] {
+        if let Some(moved) = R::quick_point(self.to_array(), point) {
+            return moved;
+        }
         vector::add(self.real().rotate(point), self.translation())
     }
 
     /// The direction Rv: directions turn and do not translate (Tarini, slide 121). σ must be unit.
+    #[inline]
     #[must_use]
     pub fn transform_vector(self, vector: [R; 3]) -> [R; 3] {
         self.real().rotate(vector)
@@ -25,6 +30,7 @@ impl<R: Real> DualQuat<R> {
     /// let raised = DualQuat::from_translation([0.0, 0.0, 2.0]).transform_line(x_axis);
     /// assert_eq!(raised.moment, [0.0, 2.0, 0.0]); // (0,0,2) × (1,0,0)
     /// ```
+    #[inline]
     #[must_use]
     pub fn transform_line(self, line: Line<R>) -> Line<R> {
         let direction = self.real().rotate(line.direction);
@@ -41,6 +47,7 @@ impl<R: Real> DualQuat<R> {
     /// let raised = DualQuat::from_translation([5.0, 5.0, 2.0]).transform_plane(floor);
     /// assert_eq!(raised.offset, 2.0);
     /// ```
+    #[inline]
     #[must_use]
     pub fn transform_plane(self, plane: Plane<R>) -> Plane<R> {
         let normal = self.real().rotate(plane.normal);

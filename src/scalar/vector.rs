@@ -4,12 +4,14 @@ pub(crate) use crate::geometry::vector::{add, cross, dot, scale, sub};
 use crate::real::Real;
 
 /// The largest of the absolute values, NaN if there is one.
+#[inline]
 pub(crate) fn largest<R: Real, const N: usize>(components: [R; N]) -> R {
     components.iter().fold(R::ZERO, |largest, c| c.abs().max_or_nan(largest))
 }
 
 /// The Euclidean length of `components`, however large or small they are: squares of the
 /// components themselves would overflow or vanish, squares of their ratios to the largest do not.
+#[inline]
 pub(crate) fn norm<R: Real, const N: usize>(components: [R; N]) -> R {
     let largest = largest(components);
     if largest == R::ZERO || !largest.is_finite() {
@@ -37,11 +39,13 @@ pub(crate) fn direction<R: Real, const N: usize>(components: [R; N], norm: R) ->
 }
 
 /// What of `vector` is across the unit vector `along`.
+#[inline]
 pub(crate) fn across<R: Real>(along: [R; 3], vector: [R; 3]) -> [R; 3] {
     sub(vector, scale(along, dot(along, vector)))
 }
 
 /// The unit vector across the unit vector `along` that is next to the axis most across it.
+#[inline]
 pub(crate) fn any_across<R: Real>(along: [R; 3]) -> [R; 3] {
     let [x, y, z] = along.map(Real::abs);
     let mut axis = [R::ZERO; 3];
@@ -56,6 +60,7 @@ pub(crate) fn any_across<R: Real>(along: [R; 3]) -> [R; 3] {
 /// a whole unit where half of one is meant. |p| is measured again at the next product, but nothing
 /// measures the length of q, so a chain that normalizes at every product would scale its translation
 /// by about 10⁻⁹ a product, always the same way (see the example `drift`).
+#[inline]
 pub(crate) fn over_norm<R: Real, const N: usize>(components: [R; N], norm: R) -> [R; N] {
     // Outside these the reciprocal is not a normal number, in `f32`.
     let large = R::from(1e30);

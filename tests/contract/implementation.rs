@@ -8,6 +8,7 @@ use crate::operations::Calls;
 use crate::sample::Sample;
 #[cfg(target_arch = "x86_64")]
 use crate::sample::{Avx2, Avx512, Level, Proof};
+use crate::textbook::Textbook;
 use dq8::{DualQuat, batch};
 use std::fmt;
 
@@ -72,9 +73,9 @@ impl Implementation {
         if self.single { f64::from(number as f32) } else { number }
     }
 
-    /// The scalar reference of the same precision.
+    /// The scalar reference of the same precision, without the quicker forms that floats have.
     pub fn scalar(&self) -> On {
-        if self.single { &scalar_f32::IMPLEMENTATION } else { scalar_f64() }
+        if self.single { &textbook_f32::IMPLEMENTATION } else { scalar_f64() }
     }
 
     /// Lane `i` from element `i`, rounded.
@@ -115,7 +116,7 @@ impl Implementation {
 
 /// The oracle of all others.
 pub fn scalar_f64() -> On {
-    &scalar_f64::IMPLEMENTATION
+    &textbook_f64::IMPLEMENTATION
 }
 
 /// A module each, so that each is compiled by itself, and again only when it has changed.
@@ -147,6 +148,8 @@ macro_rules! implementations {
 
 #[rustfmt::skip]
 implementations! {
+    textbook_f32 "textbook f32" = DualQuat<Textbook<f32>>, where true;
+    textbook_f64 "textbook f64" = DualQuat<Textbook<f64>>, where true;
     scalar_f32 "scalar f32" = DualQuat<f32>, where true;
     scalar_f64 "scalar f64" = DualQuat<f64>, where true;
     f32x1 "lanes f32x1" = batch::DualQuat<f32>, where true;

@@ -20,4 +20,5 @@ pub mod operations;
 pub mod random;
 pub mod sample;
 pub mod scale;
+pub mod textbook;
 pub mod vectors;

@@ -1,0 +1,132 @@
+//! Interpolation on a screw: slerp about the middle of the way, as `batch/screw.rs` has it, with a
+//! quaternion a register and polynomials side by side in its lanes.
+
+use super::quad::{dots, halves, join, load, sum, toward};
+use super::{Four, Number, one_lane};
+use crate::batch::even_coefficients as coefficients;
+use dq8_simd::Lanes;
+
+/// (π/2)², with the margin that the polynomials have.
+const ORDINARY: f64 = 2.5;
+
+/// cos(τΘ/2)/cos(Θ/2) m + sin(τΘ/2)/sin(Θ/2) h, τ = 2t − 1, of m = (a ± b)/2 and h = (±b − a)/2; nothing
+/// far outside [0, 1].
+#[inline]
+pub(crate) fn sclerp<F: Number>(a: [F; 8], b: [F; 8], t: F) -> Option<[F; 8]> {
+    if F::REGISTERS == 4 {
+        return one_lane::sclerp(a, b, t);
+    }
+    let ([p, q], [r, s]) = (halves(a), halves(b));
+    let sign = toward(p, r);
+    let (ahead, ahead_dual) = (r.mul_add(sign, p), s.mul_add(sign, q));
+    let (back, back_dual) = (r.neg_mul_add(sign, p), s.neg_mul_add(sign, q));
+    let [chord, across] = dots(back, back, back_dual);
+    let weights = Weights::of(chord, t)?;
+    let (middle, along) = (load([weights.middle; 4]), load([weights.along; 4]));
+    let chord_dual = across + across;
+    let middle_dual = load([chord_dual * weights.middle_slope; 4]);
+    let along_dual = load([chord_dual * weights.along_slope; 4]);
+    let ahead_dual = ahead_dual.mul_add(middle, ahead * middle_dual);
+    let back_dual = back_dual.mul_add(along, back * along_dual);
+    Some(join(ahead.mul_add(middle, back * along), ahead_dual + back_dual))
+}
+
+/// As [`sclerp`], of rotations.
+#[inline]
+pub(crate) fn slerp<F: Number>(a: [F; 4], b: [F; 4], t: F) -> Option<[F; 4]> {
+    if F::REGISTERS == 4 {
+        return one_lane::slerp(a, b, t);
+    }
+    let (a, b): (F::Four, F::Four) = (load(a), load(b));
+    let sign = toward(a, b);
+    let (ahead, back) = (b.mul_add(sign, a), b.neg_mul_add(sign, a));
+    let weights = Weights::of(sum(back * back), t)?;
+    Some(ahead.mul_add(load([weights.middle; 4]), back * load([weights.along; 4])).to_array())
+}
+
+/// What 2m = a ± b and −2h = a ∓ b are multiplied by; their derivatives by the squared chord C of Θ are
+/// what its dual part is multiplied by.
+struct Weights<F> {
+    middle: F,
+    middle_slope: F,
+    along: F,
+    along_slope: F,
+}
+
+impl<F: Number> Weights<F> {
+    /// cos √v/√(4 − C) and w sin(√v)/√v, of w = (½ − t)K(C) and v = Cw² = (τΘ/2)².
+    #[inline(always)]
+    fn of(chord: F, t: F) -> Option<Self> {
+        let (half, one) = (t.constant(0.5), t.constant(1.0));
+        let back = half - t;
+        let secant = one / Lanes::sqrt(one.constant(4.0) - chord);
+        let [arc, _, slope, _] = polynomial::<F::Four>(F::ARC, chord).to_array();
+        let (w, w_slope) = (back * arc, back * slope);
+        let v = chord * w * w;
+        if !v.le(t.constant(ORDINARY)) {
+            return None;
+        }
+        let v_slope = w * (w + chord * (w_slope + w_slope));
+        let [cos, sinc, sinc_slope, _] = polynomial::<F::Four>(F::WAVES, v).to_array();
+        Some(Self {
+            middle: cos * secant,
+            middle_slope: half * secant * (cos * (secant * secant) - sinc * v_slope),
+            along: w * sinc,
+            along_slope: w_slope * sinc + w * (sinc_slope * v_slope),
+        })
+    }
+}
+
+/// A polynomial a lane, lowest coefficients first: the chains of `batch/even.rs`.
+#[inline(always)]
+fn polynomial<V: Four>(rows: &[[V::Number; 4]], x: V::Number) -> V {
+    let (x, square): (V, V) = (load([x; 4]), load([x * x; 4]));
+    let row = |power: usize| load::<V>(rows[power]);
+    let last = rows.len() - 1;
+    let mut chains = [row(last - 1), row(last)];
+    for power in (2..last - 1).rev() {
+        let chain = &mut chains[(last + 1 - power) % 2];
+        *chain = chain.mul_add(square, row(power));
+    }
+    let [second, third] = if last % 2 == 1 { chains } else { [chains[1], chains[0]] };
+    third.mul_add(x, second).mul_add(x, row(1)).mul_add(x, row(0))
+}
+
+/// The polynomials of `batch/even_coefficients.rs` side by side.
+pub(crate) trait Even: Sized + 'static {
+    /// arcsin(√c/2)/(√c/2), again, and its derivative.
+    const ARC: &'static [[Self; 4]];
+    /// cos √v, sin(√v)/√v and the derivative of the latter.
+    const WAVES: &'static [[Self; 4]];
+}
+
+/// The two differ in name only; no arithmetic of constants can be generic.
+macro_rules! even {
+    ($real:ty, $arc:ident, $cos:ident, $sinc:ident) => {
+        const _: () = {
+            /// `first` and `second`, and the derivative of the latter.
+            const fn beside<const N: usize>(
+                first: [$real; N],
+                second: [$real; N],
+            ) -> [[$real; 4]; N] {
+                let mut rows = [[0.0; 4]; N];
+                let mut power = 0;
+                while power < N {
+                    rows[power] = [first[power], second[power], 0.0, 0.0];
+                    if power > 0 {
+                        rows[power - 1][2] = power as $real * second[power];
+                    }
+                    power += 1;
+                }
+                rows
+            }
+            impl Even for $real {
+                const ARC: &'static [[Self; 4]] = &beside(coefficients::$arc, coefficients::$arc);
+                const WAVES: &'static [[Self; 4]] =
+                    &beside(coefficients::$cos, coefficients::$sinc);
+            }
+        };
+    };
+}
+even!(f32, ARC_F32, COS_F32, SINC_F32);
+even!(f64, ARC_F64, COS_F64, SINC_F64);

@@ -1,0 +1,63 @@
+//! Operations of [`batch`] at one lane: screw motions, which ask no library for a sine or an arccosine and
+//! are nowhere singular (see `batch/even.rs`), and what has a better form where four numbers are a register.
+
+use super::Number;
+use crate::batch;
+use crate::geometry::DualVector;
+use dq8_simd::Lanes;
+
+/// (θ̂/2)(l + εm)
+#[inline(always)]
+pub(crate) fn log<F: Number>(motion: [F; 8]) -> Option<DualVector<F>> {
+    Some(log_out_of_line(motion))
+}
+
+/// Others take logarithms on their way, and firmware has room for one.
+#[inline(never)]
+fn log_out_of_line<F: Number>(motion: [F; 8]) -> DualVector<F> {
+    batch::DualQuat::<F>::from_array(motion).log()
+}
+
+/// cos ĥ + sin ĥ (l + εm)
+pub(crate) fn exp<F: Number>(log: DualVector<F>) -> Option<[F; 8]> {
+    Some(batch::DualQuat::<F>::exp(log).to_array())
+}
+
+/// σᵗ, of t whose square is a number.
+pub(crate) fn pow<F: Number>(motion: [F; 8], t: F) -> Option<[F; 8]> {
+    if !(t * t).lt(F::from_f64(f64::INFINITY)) {
+        return None;
+    }
+    Some(batch::DualQuat::<F>::from_array(motion).pow(t).to_array())
+}
+
+/// a(a*b)ᵗ by the shorter way
+#[inline]
+pub(crate) fn sclerp<F: Number>(a: [F; 8], b: [F; 8], t: F) -> Option<[F; 8]> {
+    let (a, b) = (batch::DualQuat::<F>::from_array(a), batch::DualQuat::from_array(b));
+    Some(a.sclerp(b, t).to_array())
+}
+
+/// Turns from a to ±b, by the shorter way.
+#[inline]
+pub(crate) fn slerp<F: Number>(a: [F; 4], b: [F; 4], t: F) -> Option<[F; 4]> {
+    let (a, b) = (batch::Quat::<F>::from_array(a), batch::Quat::from_array(b));
+    Some(a.slerp(b, t).to_array())
+}
+
+/// Exact normalization, or all NaN.
+#[inline]
+pub(crate) fn unit<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
+    let unit = batch::DualQuat::<F>::from_array(motion).normalize();
+    // A p that is zero or not finite leaves no number in q. Zero times what is not finite is NaN.
+    let [x, y, z, w] = unit.dual().to_array();
+    let zero = F::default();
+    let finite = Lanes::eq(zero * x * y * z * w, zero);
+    Some(if finite { unit.to_array() } else { [F::from_f64(f64::NAN); 8] })
+}
+
+/// σ⁻¹, or all NaN.
+#[inline]
+pub(crate) fn inverse<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
+    Some(batch::DualQuat::<F>::from_array(motion).inverse_checked().0.to_array())
+}

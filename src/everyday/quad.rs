@@ -1,0 +1,250 @@
+//! One quaternion in the four lanes of a register, x, y, z, w.
+
+use super::{Four, Number, one_lane};
+use dq8_simd::{Lanes, Mask, Portable};
+
+/// p₁p₂ + ε(p₁q₂ + q₁p₂)
+#[inline(always)]
+pub(crate) fn product<F: Number>(a: [F; 8], b: [F; 8]) -> Option<[F; 8]> {
+    // Where each number is by itself, the order of the reference needs no signs to multiply by.
+    if F::REGISTERS == 4 {
+        return None;
+    }
+    let ([p, q], [r, s]) = (halves(a), halves(b));
+    let (p, q, r, s) = (each(p), each(q), turned(r), turned(s));
+    Some(join(sum_of_products(p, r), sum_of_products(p, s) + sum_of_products(q, r)))
+}
+
+/// pq, rounded as the parts of [`product`] are: laws between the two lose nothing.
+#[inline(always)]
+pub(crate) fn quaternion_product<F: Number>(a: [F; 4], b: [F; 4]) -> Option<[F; 4]> {
+    if F::REGISTERS == 4 {
+        return None;
+    }
+    let (a, b): (F::Four, F::Four) = (load(a), load(b));
+    Some(sum_of_products(each(a), turned(b)).to_array())
+}
+
+/// v + 2(p × (p × v + wv + q) + w_p q − w_q p): the translation 2(w_p q − w_q p + p × q) shares a
+/// cross product with the rotation.
+#[inline(always)]
+pub(crate) fn point<F: Number>(motion: [F; 8], [x, y, z]: [F; 3]) -> Option<[F; 3]> {
+    let [p, q] = halves(motion);
+    let v = load([x, y, z, F::default()]);
+    let inner = pick(p, [3; 4]).mul_add(v, q) + cross(p, v);
+    let half = cross(p, inner) + translation_along(p, q);
+    let [x, y, z, _] = (half + half + v).to_array();
+    Some([x, y, z])
+}
+
+/// v + 2p × (p × v + wv)
+#[inline(always)]
+pub(crate) fn rotate<F: Number>(rotation: [F; 4], [x, y, z]: [F; 3]) -> Option<[F; 3]> {
+    // Two registers take as long as four numbers: of these, one in four is of no use here.
+    if F::REGISTERS != 1 {
+        return None;
+    }
+    let p: F::Four = load(rotation);
+    let v = load([x, y, z, F::default()]);
+    let half = cross(p, pick(p, [3; 4]).mul_add(v, cross(p, v)));
+    let [x, y, z, _] = (half + half + v).to_array();
+    Some([x, y, z])
+}
+
+/// The rows of [R | t]: 1 − 2(y² + z²) and so on in one register, 2(xy − wz), 2(yz − wx), 2(zx − wy) in
+/// another and their partners in a third.
+#[inline(always)]
+pub(crate) fn matrix3x4<F: Number>(motion: [F; 8]) -> Option<[[F; 4]; 3]> {
+    if F::REGISTERS == 4 {
+        return None;
+    }
+    let [p, q] = halves(motion);
+    let one = F::from(1.0);
+    // qp*, as the translation is of a motion whose matrix nobody asks for.
+    let half = sum_of_products(each(q), turned(p * load([-one, -one, -one, one])));
+    let twice = p + p;
+    let squares = p * twice;
+    let diagonal = p.constant(1.0) - (pick(squares, [1, 0, 0, 3]) + pick(squares, [2, 2, 1, 3]));
+    let across = p * pick(twice, [1, 2, 0, 3]);
+    let turning = pick(pick(p, [3; 4]) * twice, [2, 0, 1, 3]);
+    let [xx, yy, zz, _] = diagonal.to_array();
+    let [xy, yz, zx, _] = (across - turning).to_array();
+    let [yx, zy, xz, _] = (across + turning).to_array();
+    let [x, y, z, _] = (half + half).to_array();
+    Some([[xx, xy, xz, x], [yx, yy, yz, y], [zx, zy, zz, z]])
+}
+
+/// Exact normalization, unless |p| or |q| is so large or so small that a square or a quotient on the way
+/// has no normal number.
+#[inline(always)]
+pub(crate) fn unit<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
+    if F::REGISTERS == 4 {
+        return one_lane::unit(motion);
+    }
+    let [p, q] = halves(motion);
+    if let Some(unit) = unit_of(p, q) {
+        return Some(unit);
+    }
+    // Number by number: what stays in memory, the compiler would keep there for all.
+    let [px, py, pz, pw, qx, qy, qz, qw] = unit_of_stretched(join(p, q))?;
+    Some([px, py, pz, pw, qx, qy, qz, qw])
+}
+
+/// q / |q|, unless |q| is so large or so small that its square might overflow or vanish.
+#[inline(always)]
+pub(crate) fn quaternion_unit<F: Number>(quaternion: [F; 4]) -> Option<[F; 4]> {
+    if F::REGISTERS == 4 {
+        return None;
+    }
+    let q: F::Four = load(quaternion);
+    let squared = sum(q * q);
+    let moderate = squared.constant(1e-6).lt(squared) & squared.lt(squared.constant(1e6));
+    moderate.then(|| (q * load([squared.constant(1.0) / Lanes::sqrt(squared); 4])).to_array())
+}
+
+/// A power of two changes no digit, so a multiple of σ by one has the same unit as σ.
+#[cold]
+#[inline(never)]
+fn unit_of_stretched<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
+    let mut largest = F::default();
+    for component in motion.into_iter().take(4).map(Lanes::abs) {
+        largest = F::select(largest.lt(component), component, largest);
+    }
+    let stretch = F::from(1.0) / largest.power_of_two();
+    let [p, q] = halves(motion.map(|component| component * stretch));
+    unit_of(p, q)
+}
+
+/// (1−t)a ± tb, by the shorter way
+#[inline(always)]
+pub(crate) fn lerp<F: Number>(a: [F; 8], b: [F; 8], t: F) -> Option<[F; 8]> {
+    if F::REGISTERS == 4 {
+        return None;
+    }
+    let ([p, q], [r, s]) = (halves(a), halves(b));
+    let weight = toward(p, r) * load([t; 4]);
+    let rest = load([t.constant(1.0) - t; 4]);
+    Some(join(r.mul_add(weight, p * rest), s.mul_add(weight, q * rest)))
+}
+
+/// p*/|p|² + ε(q/|p|² − 2(p·q)p/|p|⁴)*, for p*qp* = 2(p·q)p* − |p|²q*; as [`unit`].
+#[inline(always)]
+pub(crate) fn inverse<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
+    if F::REGISTERS == 4 {
+        return one_lane::inverse(motion);
+    }
+    let [p, q] = halves(motion);
+    let [squared, along] = moderate(p, q)?;
+    let recip = squared.constant(1.0) / squared;
+    let twice = load([(along + along) * recip; 4]);
+    let over_squared = load([recip; 4]);
+    let [px, py, pz, pw] = (p * over_squared).to_array();
+    let [qx, qy, qz, qw] = (p.neg_mul_add(twice, q) * over_squared).to_array();
+    Some([-px, -py, -pz, pw, -qx, -qy, -qz, qw])
+}
+
+#[inline(always)]
+fn unit_of<V: Four>(p: V, q: V) -> Option<[V::Number; 8]> {
+    let [squared, along] = moderate(p, q)?;
+    // One division, which need not wait for the root.
+    let recip = squared.constant(1.0) / squared;
+    let over_norm = load([Lanes::sqrt(squared) * recip; 4]);
+    let along = load([along * recip; 4]);
+    Some(join(p * over_norm, p.neg_mul_add(along, q) * over_norm))
+}
+
+/// −1 where `a` and `b` point apart, else 1.
+#[inline(always)]
+pub(super) fn toward<V: Four>(a: V, b: V) -> V {
+    // A zero of either sign is no way apart.
+    let dot = sum(a * b) + V::Number::default();
+    load([dot.constant(1.0).copysign(dot); 4])
+}
+
+/// |p|² and p·q, unless squares or quotients might overflow or vanish.
+#[inline(always)]
+fn moderate<V: Four>(p: V, q: V) -> Option<[V::Number; 2]> {
+    let [squared, along] = dots(p, p, q);
+    // Beside the smallest number there is, which p·q is rounded to, p and q are then large enough.
+    let (least, most) = (squared.constant(1e-6), squared.constant(1e6));
+    let fits = q.abs().lt(q.constant(1e12)).to_bitmask() == 0b1111;
+    let moderate = fits & least.lt(squared) & squared.lt(most);
+    moderate.then_some([squared, along])
+}
+
+/// a·b and a·c
+#[inline(always)]
+pub(super) fn dots<V: Four>(a: V, b: V, c: V) -> [V::Number; 2] {
+    let ([b0, b1, b2, b3], [c0, c1, c2, c3]) = ((a * b).to_array(), (a * c).to_array());
+    let sums: V = load::<V>([b0, c0, b1, c1]) + load([b2, c2, b3, c3]);
+    let [first, second, ..] = (sums + pick(sums, [2, 3, 2, 3])).to_array();
+    [first, second]
+}
+
+#[inline(always)]
+pub(super) fn sum<V: Four>(numbers: V) -> V::Number {
+    let [even, odd, ..] = (numbers + pick(numbers, [2, 3, 2, 3])).to_array();
+    even + odd
+}
+
+/// w_p q − w_q p, what of half the translation is no cross product.
+#[inline(always)]
+fn translation_along<V: Four>(p: V, q: V) -> V {
+    pick(q, [3; 4]).neg_mul_add(p, pick(p, [3; 4]) * q)
+}
+
+/// a × b, and a number of no use.
+#[inline(always)]
+fn cross<V: Four>(a: V, b: V) -> V {
+    let turned = pick(a, [1, 2, 0, 3]).neg_mul_add(b, a * pick(b, [1, 2, 0, 3]));
+    pick(turned, [1, 2, 0, 3])
+}
+
+/// A number in all lanes, for each of the four.
+#[inline(always)]
+fn each<V: Four>(a: V) -> [V; 4] {
+    [pick(a, [0; 4]), pick(a, [1; 4]), pick(a, [2; 4]), pick(a, [3; 4])]
+}
+
+/// ib, jb, kb and b
+#[inline(always)]
+fn turned<V: Four>(b: V) -> [V; 4] {
+    let one = <V::Number>::from(1.0);
+    [
+        pick(b, [3, 2, 1, 0]) * load([one, -one, one, -one]),
+        pick(b, [2, 3, 0, 1]) * load([one, one, -one, -one]),
+        pick(b, [1, 0, 3, 2]) * load([-one, one, one, -one]),
+        b,
+    ]
+}
+
+/// a_x ib + a_y jb + a_z kb + a_w b
+#[inline(always)]
+fn sum_of_products<V: Four>(a: [V; 4], b: [V; 4]) -> V {
+    let ([x, y, z, w], [i, j, k, one]) = (a, b);
+    x.mul_add(i, w * one) + y.mul_add(j, z * k)
+}
+
+#[inline(always)]
+pub(super) fn halves<F: Number>(motion: [F; 8]) -> [F::Four; 2] {
+    let [px, py, pz, pw, qx, qy, qz, qw] = motion;
+    [load([px, py, pz, pw]), load([qx, qy, qz, qw])]
+}
+
+#[inline(always)]
+pub(super) fn join<V: Four>(p: V, q: V) -> [V::Number; 8] {
+    let ([px, py, pz, pw], [qx, qy, qz, qw]) = (p.to_array(), q.to_array());
+    [px, py, pz, pw, qx, qy, qz, qw]
+}
+
+#[inline(always)]
+pub(super) fn load<V: Four>(numbers: [V::Number; 4]) -> V {
+    V::load(Portable, &numbers)
+}
+
+/// The numbers in another order.
+#[inline(always)]
+pub(super) fn pick<V: Four>(from: V, [i, j, k, l]: [usize; 4]) -> V {
+    let from = from.to_array();
+    load([from[i], from[j], from[k], from[l]])
+}
