@@ -1,8 +1,9 @@
 //! Turns as far as numbers go: a motion on lanes is unit or, beyond the documented half angle, NaN in every
 //! component; never anything between. Up to there it is that of the scalar reference.
 
+use dq8::storage::{Aos, Element};
 use dq8::{
-    Backend, DualQuat, DualVector, Float, Lanes, MatrixError, Place, Portable, Quat, Real, Twist,
+    Backend, DualQuat, DualVector, Float, Lanes, MatrixError, Portable, Quat, Real, Scalar, Twist,
     batch, f32x4, f32x8, f64x2, f64x4,
 };
 
@@ -107,8 +108,7 @@ fn lanes_turn_as_far_as_numbers_are_known_and_no_farther() {
 /// The slice kernel, whose lanes are those of the CPU.
 fn every_backend_ends_at_the_same_parameter<R>()
 where
-    R: Real + Float + Place<1>,
-    DualQuat<R>: Place<8, Layout = <R as Place<1>>::Layout>,
+    R: Scalar + Element<1, Layout = Aos<R>>,
 {
     let real = <R as Real>::from_f64;
     let turn = Quat::from_axis_angle([0.36, 0.48, 0.8].map(real), R::TWO);
