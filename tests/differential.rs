@@ -1,8 +1,6 @@
-//! Twists, velocities and Jacobians: every implementation against the scalar `f64` path, against
+//! Twists and Jacobians: every implementation against the scalar `f64` path, against
 //! finite differences, and against their laws.
 
-#[path = "differential/arm.rs"]
-mod arm;
 #[path = "differential/case.rs"]
 mod case;
 #[path = "differential/difference.rs"]

@@ -11,7 +11,7 @@
 //! | [`matrices`](Backend::matrices) | 3×4 and 4×4 matrices, by rows or by columns |
 //!
 //! Each takes plain slices (`[DualQuat<f32>]`, `[[f32; 3]]`, …) or slices of blocks; see
-//! [`Place`]. Plain slices may have any length and lie anywhere: they are transposed in registers,
+//! [`Element`]. Plain slices may have any length and lie anywhere: they are transposed in registers,
 //! and the last few elements go through the same kernel with the lanes that are left filled up.
 //! Blocks are read as they are: the fastest way.
 //!
@@ -33,4 +33,4 @@ mod transform;
 mod unit;
 
 #[cfg(doc)]
-use crate::{Backend, Place};
+use crate::{Backend, Element};

@@ -1,7 +1,8 @@
 //! [`Sample`]: numbers in and out of any implementation of [`Motion`], so that one generic test
 //! serves them all.
 
-use dq8::{DualQuat, Float, Lanes, Mask, Motion, Portable, Quat, Real, batch, scalar};
+use dq8::simd::{Float, Mask, Portable};
+use dq8::{DualQuat, Lanes, Motion, Quat, Real, batch, scalar};
 
 pub use dq8::Level;
 #[cfg(target_arch = "x86_64")]
@@ -182,13 +183,13 @@ macro_rules! for_every_implementation {
             "scalar f32" = dq8::DualQuat<f32>;
             "scalar f64" = dq8::DualQuat<f64>;
             "lanes f32x1" = dq8::batch::DualQuat<f32>;
-            "lanes f32x4" = dq8::batch::DualQuat<dq8::f32x4>;
-            "lanes f32x8" = dq8::batch::DualQuat<dq8::f32x8>;
-            "lanes f32x16" = dq8::batch::DualQuat<dq8::f32x16>;
+            "lanes f32x4" = dq8::batch::DualQuat<dq8::simd::f32x4>;
+            "lanes f32x8" = dq8::batch::DualQuat<dq8::simd::f32x8>;
+            "lanes f32x16" = dq8::batch::DualQuat<dq8::simd::f32x16>;
             "lanes f64x1" = dq8::batch::DualQuat<f64>;
-            "lanes f64x2" = dq8::batch::DualQuat<dq8::f64x2>;
-            "lanes f64x4" = dq8::batch::DualQuat<dq8::f64x4>;
-            "lanes f64x8" = dq8::batch::DualQuat<dq8::f64x8>;
+            "lanes f64x2" = dq8::batch::DualQuat<dq8::simd::f64x2>;
+            "lanes f64x4" = dq8::batch::DualQuat<dq8::simd::f64x4>;
+            "lanes f64x8" = dq8::batch::DualQuat<dq8::simd::f64x8>;
         }
         #[cfg(target_arch = "x86_64")]
         {
