@@ -5,12 +5,18 @@
 
 use crate::records::equal;
 use crate::scene::{Forms, MAX_INSTANCES, On, Scene, tree};
-use crate::subject::{Given, Task, for_every_subject};
+use crate::subject::{Given, Subject, Task, for_every_subject};
 use dq8::{Hierarchy, MatrixOrder, Renormalize};
 use dq8_contract::random::Random;
 
-/// Fewer than lanes, as many, and some more; the last is what the others are held against.
-const COUNTS: [usize; 13] = [1, 2, 3, 4, 5, 7, 8, 9, 15, 16, 17, 32, MAX_INSTANCES];
+/// Fewer than lanes, as many, and some more; the last is what the others are held against. Instances of
+/// blocks have their lanes, wherever others are: one, a block, and one more.
+fn counts(subject: &dyn Subject) -> Vec<usize> {
+    match subject.things() {
+        1 => vec![1, 3, 7, 8, 9, 16, 17, MAX_INSTANCES],
+        lanes => vec![1, lanes, lanes + 1],
+    }
+}
 
 /// Near parents and far ones: more than 16 joints back they are read from memory again.
 fn parents() -> Vec<u32> {
@@ -24,15 +30,14 @@ fn parents() -> Vec<u32> {
 /// What a job may be told: what roots stand on, which joints, and when it normalizes.
 fn tasks<'a>(scene: &'a Scene, roots: &'a [[f64; 8]], backend: dq8::Backend) -> Vec<Task<'a>> {
     let every = Renormalize::Every(3.try_into().expect("not 0"));
-    let mut tasks = Vec::new();
-    for on in On::ALL {
-        let task = scene.task(backend, on, roots);
-        tasks.push(Task { joints: 18..41, ..task.clone() });
-        tasks.push(Task { renormalize: every, order: MatrixOrder::Columns, ..task.clone() });
-        tasks.push(Task { joints: 3..40, renormalize: every, ..task.clone() });
-        tasks.push(task);
-    }
-    tasks
+    let [nothing, same, each] = On::ALL.map(|on| scene.task(backend, on, roots));
+    vec![
+        Task { joints: 18..41, ..nothing.clone() },
+        nothing,
+        Task { renormalize: every, order: MatrixOrder::Columns, ..same },
+        Task { joints: 3..40, renormalize: every, ..each.clone() },
+        each,
+    ]
 }
 
 #[track_caller]
@@ -64,8 +69,9 @@ fn models_and_palettes_are_the_same_however_many_instances_stand_around_them() {
                     }
                     (models, subject.palette(&task, given, &binds, 9.0).1)
                 };
-                let all = run(MAX_INSTANCES);
-                for instances in COUNTS {
+                let mut counts = counts(subject);
+                let all = run(counts.pop().expect("some"));
+                for instances in counts {
                     let some = run(instances);
                     let what = format!("{} on {backend}, form {form}, {task:?}", subject.name());
                     assert_prefix(&some.0, &all.0, instances * joints, &what);
@@ -94,8 +100,9 @@ fn locals_twists_and_jacobians_are_the_same_however_many_instances_stand_around_
                 let columns = subject.jacobian(&task, &models[..end], axes, 40, rates);
                 (locals, in_place, twists, columns)
             };
-            let all = run(MAX_INSTANCES);
-            for instances in COUNTS {
+            let mut counts = counts(subject);
+            let all = run(counts.pop().expect("some"));
+            for instances in counts {
                 let some = run(instances);
                 let what = format!("{} on {backend}, {task:?}", subject.name());
                 let count = instances * joints;

@@ -14,9 +14,27 @@ const PARENTS: [u32; 22] = {
     [ROOT, 0, 1, 1, 3, 0, ROOT, 6, 7, 8, 7, 2, ROOT, 12, 5, 5, 14, 3, 0, 1, 6, 12]
 };
 
-/// The instance, the joint and the component that is no number.
-const PLACES: [(usize, usize, usize); 5] =
-    [(0, 0, 0), (1, 1, 3), (9, 6, 5), (16, 3, 7), (32, 12, 1)];
+/// The instance, the joint, the component that is no number, and what it is.
+const PLACES: [(usize, usize, usize, f64); 7] = [
+    (0, 0, 0, f64::NAN),
+    (1, 1, 3, f64::INFINITY),
+    (9, 6, 5, f64::NEG_INFINITY),
+    (16, 3, 7, f64::NAN),
+    (32, 12, 1, f64::INFINITY),
+    (7, 5, 4, f64::NAN),
+    (2, 6, 6, f64::INFINITY),
+];
+
+/// As many instances as show all lanes and what is left over, and the places among them.
+fn instances(subject: &dyn Subject) -> usize {
+    if subject.things() == 1 { MAX_INSTANCES } else { subject.things() + 1 }
+}
+
+fn places(instances: usize) -> impl Iterator<Item = (usize, usize, usize, f64)> {
+    PLACES
+        .into_iter()
+        .map(move |(at, of, component, poison)| (at % instances, of, component, poison))
+}
 
 /// Whether `joint` is `of` or descends from it.
 fn descends(joint: usize, of: usize) -> bool {
@@ -58,12 +76,14 @@ fn a_local_that_is_no_number_reaches_the_descendants_of_its_joint_only() {
     let clean = Forms::new(&scene, MAX_INSTANCES);
     let every = Renormalize::Every(2.try_into().expect("not 0"));
     for_every_subject(|subject, backend| {
+        let instances = instances(subject);
         for (on, renormalize) in [(On::Nothing, Renormalize::Never), (On::Each, every)] {
             let task = Task { renormalize, ..scene.task(backend, on, &roots) };
             for form in 0..4 {
                 let run = |forms: &Forms| {
-                    let given = forms.first(MAX_INSTANCES)[form];
-                    let models = subject.forward(&task, given, &forms.poses);
+                    let given = forms.first(instances)[form];
+                    let before = &forms.poses[..instances * PARENTS.len()];
+                    let models = subject.forward(&task, given, before);
                     let palette = match given {
                         Given::InPlace => Vec::new(),
                         _ => subject.palette(&task, given, &binds, 9.0).1,
@@ -71,10 +91,8 @@ fn a_local_that_is_no_number_reaches_the_descendants_of_its_joint_only() {
                     (models, palette)
                 };
                 let without = run(&clean);
-                for ((at, of, component), poison) in
-                    PLACES.iter().flat_map(|place| POISONS.map(|poison| (*place, poison)))
-                {
-                    let mut forms = Forms::new(&scene, MAX_INSTANCES);
+                for (at, of, component, poison) in places(instances) {
+                    let mut forms = clean.clone();
                     forms.poison(at * PARENTS.len() + of, component, poison);
                     let with = run(&forms);
                     let what = what(subject, backend, (form, at, of, component), poison);
@@ -94,29 +112,28 @@ fn a_root_that_is_no_number_reaches_its_instance_and_a_bind_its_joint_only() {
     let (clean, binds) = (scene.roots(), scene.binds());
     let forms = Forms::new(&scene, MAX_INSTANCES);
     for_every_subject(|subject, backend| {
+        let instances = instances(subject);
         let run = |form: usize, roots: &[[f64; 8]], binds: &[[f64; 8]]| {
             let task = scene.task(backend, On::Each, roots);
-            subject.palette(&task, forms.first(MAX_INSTANCES)[form], binds, 9.0)
+            subject.palette(&task, forms.first(instances)[form], binds, 9.0)
         };
         for form in 0..3 {
             let without = run(form, &clean, &binds);
-            for (at, of, component) in PLACES {
-                for poison in POISONS {
-                    let what = what(subject, backend, (form, at, of, component), poison);
-                    let mut roots = clean.clone();
-                    roots[at][component] = poison;
-                    let with = run(form, &roots, &binds);
-                    assert_untouched(&with.0, &without.0, &what, |instance, _| instance == at);
-                    assert_untouched(&with.1, &without.1, &what, |instance, _| instance == at);
-                    assert!(!is_finite(&with.0[at * PARENTS.len()]), "{what}: it is lost");
+            for (at, of, component, poison) in places(instances) {
+                let what = what(subject, backend, (form, at, of, component), poison);
+                let mut roots = clean.clone();
+                roots[at][component] = poison;
+                let with = run(form, &roots, &binds);
+                assert_untouched(&with.0, &without.0, &what, |instance, _| instance == at);
+                assert_untouched(&with.1, &without.1, &what, |instance, _| instance == at);
+                assert!(!is_finite(&with.0[at * PARENTS.len()]), "{what}: it is lost");
 
-                    let mut poisoned = binds.clone();
-                    poisoned[of][component] = poison;
-                    let with = run(form, &clean, &poisoned);
-                    assert_untouched(&with.0, &without.0, &what, |_, _| false);
-                    assert_untouched(&with.1, &without.1, &what, |_, joint| joint == of);
-                    assert!(!is_finite(&with.1[of]), "{what}: it is lost");
-                }
+                let mut poisoned = binds.clone();
+                poisoned[of][component] = poison;
+                let with = run(form, &clean, &poisoned);
+                assert_untouched(&with.0, &without.0, &what, |_, _| false);
+                assert_untouched(&with.1, &without.1, &what, |_, joint| joint == of);
+                assert!(!is_finite(&with.1[of]), "{what}: it is lost");
             }
         }
     });
@@ -127,24 +144,24 @@ fn a_model_that_is_no_number_reaches_its_own_local_and_its_childrens_only() {
     let scene = Scene::new(&PARENTS, MAX_INSTANCES, 43);
     let (roots, clean) = (scene.roots(), scene.poses(MAX_INSTANCES));
     for_every_subject(|subject, backend| {
+        let instances = instances(subject);
+        let clean = &clean[..instances * PARENTS.len()];
         let task = scene.task(backend, On::Each, &roots);
         let run = |models: &[[f64; 8]]| {
-            (subject.backward(&task, Some(models), &clean), subject.backward(&task, None, models))
+            (subject.backward(&task, Some(models), clean), subject.backward(&task, None, models))
         };
-        let without = run(&clean);
-        for (at, of, component) in PLACES {
-            for poison in POISONS {
-                let mut models = clean.clone();
-                models[at * PARENTS.len() + of][component] = poison;
-                let with = run(&models);
-                let what = what(subject, backend, (at, of, component), poison);
-                let reached = |instance: usize, joint: usize| {
-                    instance == at && (joint == of || PARENTS[joint] as usize == of)
-                };
-                assert_untouched(&with.0, &without.0, &what, reached);
-                assert_untouched(&with.1, &without.1, &what, reached);
-                assert!(!is_finite(&with.0[at * PARENTS.len() + of]), "{what}: it is lost");
-            }
+        let without = run(clean);
+        for (at, of, component, poison) in places(instances) {
+            let mut models = clean.to_vec();
+            models[at * PARENTS.len() + of][component] = poison;
+            let with = run(&models);
+            let what = what(subject, backend, (at, of, component), poison);
+            let reached = |instance: usize, joint: usize| {
+                instance == at && (joint == of || PARENTS[joint] as usize == of)
+            };
+            assert_untouched(&with.0, &without.0, &what, reached);
+            assert_untouched(&with.1, &without.1, &what, reached);
+            assert!(!is_finite(&with.0[at * PARENTS.len() + of]), "{what}: it is lost");
         }
     });
 }
@@ -156,6 +173,9 @@ fn a_twist_that_is_no_number_reaches_the_descendants_and_a_column_no_other() {
     let rates: Vec<[f64; 6]> =
         clean.iter().map(|[a, b, c, d, e, f, ..]| [*a, *b, *c, *d, *e, *f]).collect();
     for_every_subject(|subject, backend| {
+        let instances = instances(subject);
+        let count = instances * PARENTS.len();
+        let (clean, rates) = (&clean[..count], &rates[..count]);
         let task = Task::new(&PARENTS, backend);
         let run = |models: &[[f64; 8]], rates: &[[f64; 6]], axes: &[[f64; 6]]| {
             (
@@ -164,30 +184,28 @@ fn a_twist_that_is_no_number_reaches_the_descendants_and_a_column_no_other() {
             )
         };
         let axes = &rates[..PARENTS.len()];
-        let without = run(&clean, &rates, axes);
-        for (at, of, component) in PLACES.into_iter().chain([(5, 14, 2)]) {
-            for poison in POISONS {
-                let what = what(subject, backend, (at, of, component), poison);
-                let index = at * PARENTS.len() + of;
-                let (mut models, mut turned) = (clean.clone(), rates.clone());
-                models[index][component] = poison;
-                turned[index][component % 6] = poison;
-                let here = |instance: usize, joint: usize| instance == at && joint == of;
-                let below = |instance, joint| instance == at && descends(joint, of);
+        let without = run(clean, rates, axes);
+        for (at, of, component, poison) in places(instances).chain([(1, 14, 2, f64::NAN)]) {
+            let what = what(subject, backend, (at, of, component), poison);
+            let index = at * PARENTS.len() + of;
+            let (mut models, mut turned) = (clean.to_vec(), rates.to_vec());
+            models[index][component] = poison;
+            turned[index][component % 6] = poison;
+            let here = |instance: usize, joint: usize| instance == at && joint == of;
+            let below = |instance, joint| instance == at && descends(joint, of);
 
-                let with = run(&models, &rates, axes);
-                assert_untouched(&with.0, &without.0, &what, below);
-                assert_untouched(&with.1, &without.1, &what, here);
-                assert_eq!(is_finite(&with.1[index]), !descends(effector, of), "{what}");
-                let with = run(&clean, &turned, axes);
-                assert_untouched(&with.0, &without.0, &what, below);
-                assert!(!is_finite(&with.0[index]), "{what}: it is lost");
-                let mut turned = axes.to_vec();
-                turned[of][component % 6] = poison;
-                let with = run(&clean, &rates, &turned);
-                assert_untouched(&with.1, &without.1, &what, |_, joint| joint == of);
-                assert_eq!(is_finite(&with.1[of]), !descends(effector, of), "{what}");
-            }
+            let with = run(&models, rates, axes);
+            assert_untouched(&with.0, &without.0, &what, below);
+            assert_untouched(&with.1, &without.1, &what, here);
+            assert_eq!(is_finite(&with.1[index]), !descends(effector, of), "{what}");
+            let with = run(clean, &turned, axes);
+            assert_untouched(&with.0, &without.0, &what, below);
+            assert!(!is_finite(&with.0[index]), "{what}: it is lost");
+            let mut turned = axes.to_vec();
+            turned[of][component % 6] = poison;
+            let with = run(clean, rates, &turned);
+            assert_untouched(&with.1, &without.1, &what, |_, joint| joint == of);
+            assert_eq!(is_finite(&with.1[of]), !descends(effector, of), "{what}");
         }
     });
 }

@@ -252,6 +252,7 @@ impl Scene {
 }
 
 /// Locals of a scene in every form.
+#[derive(Clone)]
 pub(crate) struct Forms {
     pub(crate) poses: Vec<[f64; 8]>,
     rotations_translations: Vec<[f64; 7]>,
