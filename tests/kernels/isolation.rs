@@ -15,7 +15,7 @@ const PARENTS: [u32; 22] = {
 };
 
 /// The instance, the joint, the component that is no number, and what it is.
-const PLACES: [(usize, usize, usize, f64); 7] = [
+const PLACES: [(usize, usize, usize, f64); 8] = [
     (0, 0, 0, f64::NAN),
     (1, 1, 3, f64::INFINITY),
     (9, 6, 5, f64::NEG_INFINITY),
@@ -23,6 +23,8 @@ const PLACES: [(usize, usize, usize, f64); 7] = [
     (32, 12, 1, f64::INFINITY),
     (7, 5, 4, f64::NAN),
     (2, 6, 6, f64::INFINITY),
+    // One that is left over where instances are computed together.
+    (32, 7, 5, f64::INFINITY),
 ];
 
 /// As many instances as show all lanes and what is left over, and the places among them.
@@ -57,6 +59,14 @@ fn assert_untouched<T: AsRef<[f64]>>(
             let same = same_bits(with.as_ref(), without.as_ref());
             assert!(same, "{what}: it reached joint {joint} of instance {instance}");
         }
+    }
+}
+
+/// Rotations do not know of translations, whatever those are.
+#[track_caller]
+fn assert_same_rotations(with: &[[f64; 8]], without: &[[f64; 8]], what: &str) {
+    for (with, without) in with.iter().zip(without) {
+        assert!(same_bits(&with[..4], &without[..4]), "{what}: {with:?} is not {without:?}");
     }
 }
 
@@ -100,6 +110,9 @@ fn a_local_that_is_no_number_reaches_the_descendants_of_its_joint_only() {
                     assert_untouched(&with.0, &without.0, &what, reached);
                     assert_untouched(&with.1, &without.1, &what, reached);
                     assert!(!is_finite(&with.0[at * PARENTS.len() + of]), "{what}: it is lost");
+                    if [component, component % 7, 0, component][form] >= 4 {
+                        assert_same_rotations(&with.0, &without.0, &what);
+                    }
                 }
             }
         }
@@ -225,6 +238,9 @@ fn a_link_that_is_no_number_reaches_the_products_from_it_on_only() {
                     let same = |i: usize| same_bits(&with[i], &without[i]);
                     assert!((0..at).all(same), "{what}: it reached what comes before");
                     assert!(!is_finite(&with[at]), "{what}: it is lost");
+                    if component >= 4 {
+                        assert_same_rotations(&with, &without, &what);
+                    }
                 }
             }
         }
@@ -251,7 +267,11 @@ fn a_plan_keeps_it_to_the_descendants_too() {
         for (of, poison) in (0..66).flat_map(|of| POISONS.map(|poison| (of, poison))) {
             let mut locals = clean.clone();
             locals[of][of % 8] = poison;
-            for (index, (with, without)) in run(&locals).iter().zip(&without).enumerate() {
+            let with = run(&locals);
+            if of % 8 >= 4 {
+                assert_same_rotations(&with, &without, &format!("{of} on {backend}"));
+            }
+            for (index, (with, without)) in with.iter().zip(&without).enumerate() {
                 let below = if parents.len() == 66 {
                     index >= of
                 } else {
