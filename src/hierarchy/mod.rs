@@ -3,17 +3,15 @@
 //! | item | what it is |
 //! |---|---|
 //! | [`Hierarchy`] | a parent array, checked once |
-//! | [`Pose`] | how a motion lies in memory: one ([`DualQuat`](crate::DualQuat)), or a [`Block`] of instances |
-//! | [`Motions`], [`RotationsTranslations`], [`Rotations`] | forms of locals |
-//! | [`RotationBlock`], [`RotationTranslationBlock`] | blocks of locals that are less than a motion |
-//! | [`PaletteEntry`] | what a skinning palette is made of: motions or matrices |
-//! | [`TwistBlock`] | twists of the instances of a block, for velocities and Jacobians |
+//! | [`Element`](crate::Element) | how motions lie in memory: one ([`DualQuat`](crate::DualQuat)), or a [`Block`](crate::Block) of instances |
+//! | [`Poses`], [`RotationsTranslations`], [`Rotations`] | forms of locals |
+//! | [`PaletteEntry`](crate::PaletteEntry) | what a skinning palette is made of: motions or matrices |
 //! | [`Job`] | a run with a root transform or on some of the joints |
 //! | [`HierarchyPlan`], [`Strategy`] | one instance: an order found once (feature `alloc`) |
-//! | [`Link`], [`pack_chain`], [`unpack_chain`] | chains in segments, for [`Backend::chain_products`](crate::Backend::chain_products) |
+//! | [`pack_chain`](crate::storage::pack_chain), [`unpack_chain`](crate::storage::unpack_chain) | chains in segments, for [`Backend::chain_products`](crate::Backend::chain_products) |
 //! | [`Renormalize`] | when a run normalizes what it has multiplied |
 //! | [`Crowd`] | owned blocks for any number of instances (feature `alloc`) |
-//! | [`pack`], [`unpack`] | the same conversion between slices of your own |
+//! | [`pack`](crate::storage::pack), [`unpack`](crate::storage::unpack) | the same conversion between slices of your own |
 //!
 //! # Layout
 //!

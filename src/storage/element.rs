@@ -6,8 +6,8 @@ use crate::real::Scalar;
 use core::fmt::Debug;
 use dq8_simd::{Lanes, Level};
 
-/// How things of any number of components lie in memory, and which registers read them: [`Aos`] or
-/// [`AoSoA`]. Sealed.
+/// How things of any number of components lie in memory, and which registers read them: [`Aos`](super::Aos) or
+/// [`AoSoA`](super::AoSoA). Sealed.
 ///
 /// A layout whose numbers in memory are not those in registers, say 16 bits each, would be another
 /// implementation; no kernel would change.

@@ -41,8 +41,8 @@
 pub(crate) mod aos;
 mod blocks;
 mod element;
-mod identity;
 mod packing;
+mod padding;
 mod source;
 mod tile;
 
@@ -52,9 +52,9 @@ pub use blocks::{
     TwistBlock,
 };
 pub use element::{Element, Layout, Number, Register, tiles};
-pub use identity::identity;
 #[cfg(feature = "alloc")]
 pub(crate) use packing::{blocks_for, pack_lanes, unpack_lanes};
 pub use packing::{pack, pack_chain, unpack, unpack_chain};
+pub use padding::identity;
 pub(crate) use source::Source;
 pub use tile::Tile;
