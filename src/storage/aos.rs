@@ -1,4 +1,5 @@
-use super::{Element, Layout, Number, Register, Tile, sealed};
+use super::element::{Element, Layout, Number, Register, sealed};
+use super::tile::Tile;
 use crate::geometry::Twist;
 use crate::real::Scalar;
 use crate::scalar::{DualQuat, Quat};

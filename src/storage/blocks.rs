@@ -1,4 +1,5 @@
-use super::{Element, Layout, Tile, sealed};
+use super::element::{Element, Layout, sealed};
+use super::tile::Tile;
 use crate::real::Scalar;
 use core::marker::PhantomData;
 use dq8_simd::{Level, Native, Row};

@@ -1,11 +1,48 @@
-use super::sealed::Sealed;
-use super::{Layout, Tile};
+//! [`Layout`] and [`Element`], which name each other: a layout has elements of any number of components, and
+//! an element has a layout.
+
+use super::tile::Tile;
+use crate::real::Scalar;
 use core::fmt::Debug;
-use dq8_simd::Level;
+use dq8_simd::{Lanes, Level};
+
+/// How things of any number of components lie in memory, and which registers read them: [`Aos`](super::Aos) or
+/// [`AoSoA`](super::AoSoA). Sealed.
+///
+/// A layout whose numbers in memory are not those in registers, say 16 bits each, would be another
+/// implementation; no kernel would change.
+pub trait Layout: Copy + Debug + sealed::Sealed {
+    /// The number in a register.
+    type Real: Scalar;
+    /// What a slice is made of where nothing says more than the number of components: `[R; C]`, or a
+    /// block.
+    type Record<const C: usize>: Element<C, Layout = Self>;
+    /// One register of `V`.
+    type Register<V: Level>: Lanes<Real = Self::Real, Level = V>;
+    /// How many things a [`Record`](Self::Record) holds.
+    const THINGS: usize;
+    /// Whether kernels over this layout gain from AVX-512.
+    const WIDE: bool;
+    /// Whether it can be written past the caches, on targets that may have more memory than caches.
+    const STREAMS: bool;
+
+    /// How many registers it takes to read one component of a record.
+    #[must_use]
+    #[inline(always)]
+    fn registers<V: Level>() -> usize {
+        (Self::THINGS / Self::Register::<V>::LANES).max(1)
+    }
+    /// How many records a register reads.
+    #[must_use]
+    #[inline(always)]
+    fn records<V: Level>() -> usize {
+        (Self::Register::<V>::LANES / Self::THINGS).max(1)
+    }
+}
 
 /// An element of a slice: a thing of `C` numbers, or a block of such things. The one bound that code
 /// for any [`Layout`] needs; [the table](super) says what implements it. Sealed.
-pub trait Element<const C: usize>: Copy + Debug + Sealed {
+pub trait Element<const C: usize>: Copy + Debug + sealed::Sealed {
     /// How it lies in memory.
     type Layout: Layout;
 
@@ -36,7 +73,7 @@ pub trait Element<const C: usize>: Copy + Debug + Sealed {
         mut each: impl FnMut(Tile) -> Option<[Register<Self, V, C>; C]>,
     ) {
         let _ = level;
-        for tile in super::tiles::<Self, V, C>(to.len()) {
+        for tile in tiles::<Self, V, C>(to.len()) {
             let Some(components) = each(tile) else { return };
             Self::store(components, to, tile);
         }
@@ -63,3 +100,42 @@ pub trait Element<const C: usize>: Copy + Debug + Sealed {
 pub type Number<E, const C: usize> = <<E as Element<C>>::Layout as Layout>::Real;
 /// The register that reads one component of an element.
 pub type Register<E, V, const C: usize> = <<E as Element<C>>::Layout as Layout>::Register<V>;
+
+/// The tiles of a slice of `length` elements, in order: each is a register for each component.
+#[inline(always)]
+pub fn tiles<E: Element<C>, V: Level, const C: usize>(length: usize) -> impl Iterator<Item = Tile> {
+    Tiles {
+        next: Tile::at(0, 0),
+        length,
+        records: E::Layout::records::<V>(),
+        registers: E::Layout::registers::<V>(),
+    }
+}
+
+struct Tiles {
+    next: Tile,
+    length: usize,
+    records: usize,
+    registers: usize,
+}
+
+impl Iterator for Tiles {
+    type Item = Tile;
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<Tile> {
+        let tile = self.next;
+        if tile.element >= self.length {
+            return None;
+        }
+        self.next.register += 1;
+        if self.next.register == self.registers {
+            self.next = Tile::at(tile.element + self.records, 0);
+        }
+        Some(tile)
+    }
+}
+
+pub(super) mod sealed {
+    pub trait Sealed {}
+}

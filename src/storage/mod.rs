@@ -42,139 +42,19 @@ pub(crate) mod aos;
 mod blocks;
 mod element;
 mod packing;
+mod padding;
 mod source;
+mod tile;
 
 pub use aos::Aos;
 pub use blocks::{
     AoSoA, Block, MatrixBlock, NumberBlock, PointBlock, RotationBlock, RotationTranslationBlock,
     TwistBlock,
 };
-pub use element::{Element, Number, Register};
+pub use element::{Element, Layout, Number, Register, tiles};
 #[cfg(feature = "alloc")]
 pub(crate) use packing::{blocks_for, pack_lanes, unpack_lanes};
 pub use packing::{pack, pack_chain, unpack, unpack_chain};
+pub use padding::identity;
 pub(crate) use source::Source;
-
-use crate::real::Scalar;
-use core::fmt::Debug;
-use core::marker::PhantomData;
-use dq8_simd::{Lanes, Level};
-
-/// How things of any number of components lie in memory, and which registers read them: [`Aos`] or
-/// [`AoSoA`]. Sealed.
-///
-/// A layout whose numbers in memory are not those in registers, say 16 bits each, would be another
-/// implementation; no kernel would change.
-pub trait Layout: Copy + Debug + sealed::Sealed {
-    /// The number in a register.
-    type Real: Scalar;
-    /// What a slice is made of where nothing says more than the number of components: `[R; C]`, or a
-    /// block.
-    type Record<const C: usize>: Element<C, Layout = Self>;
-    /// One register of `V`.
-    type Register<V: Level>: Lanes<Real = Self::Real, Level = V>;
-    /// How many things a [`Record`](Self::Record) holds.
-    const THINGS: usize;
-    /// Whether kernels over this layout gain from AVX-512.
-    const WIDE: bool;
-    /// Whether it can be written past the caches, on targets that may have more memory than caches.
-    const STREAMS: bool;
-
-    /// How many registers it takes to read one component of a record.
-    #[must_use]
-    #[inline(always)]
-    fn registers<V: Level>() -> usize {
-        (Self::THINGS / Self::Register::<V>::LANES).max(1)
-    }
-    /// How many records a register reads.
-    #[must_use]
-    #[inline(always)]
-    fn records<V: Level>() -> usize {
-        (Self::Register::<V>::LANES / Self::THINGS).max(1)
-    }
-}
-
-/// The things that a register reads: register `register` of the block `element`; or, where a record is
-/// one thing, those at `element`, `element + stride`, `element + 2·stride`, … one in each lane.
-#[derive(Clone, Copy, Debug)]
-pub struct Tile {
-    pub(crate) element: usize,
-    pub(crate) register: usize,
-    /// `None` is 1, which the compiler can see.
-    pub(crate) stride: Option<usize>,
-}
-
-impl Tile {
-    /// The lanes of one register of the block `element`, or as many records as it reads from there on.
-    #[inline(always)]
-    pub(crate) fn at(element: usize, register: usize) -> Self {
-        Self { element, register, stride: None }
-    }
-}
-
-/// The tiles of a slice of `length` elements, in order: each is a register for each component.
-#[inline(always)]
-pub fn tiles<E: Element<C>, V: Level, const C: usize>(length: usize) -> impl Iterator<Item = Tile> {
-    Tiles {
-        next: Tile::at(0, 0),
-        length,
-        records: E::Layout::records::<V>(),
-        registers: E::Layout::registers::<V>(),
-    }
-}
-
-struct Tiles {
-    next: Tile,
-    length: usize,
-    records: usize,
-    registers: usize,
-}
-
-impl Iterator for Tiles {
-    type Item = Tile;
-
-    #[inline(always)]
-    fn next(&mut self) -> Option<Tile> {
-        let tile = self.next;
-        if tile.element >= self.length {
-            return None;
-        }
-        self.next.register += 1;
-        if self.next.register == self.registers {
-            self.next = Tile::at(tile.element + self.records, 0);
-        }
-        Some(tile)
-    }
-}
-
-/// What fills lanes without a thing: the motion, rotation or matrix that changes nothing, and zero for
-/// vectors and numbers. Computing with it is never slow, as it is with garbage.
-#[inline(always)]
-#[must_use]
-pub fn identity<R: Scalar, const C: usize>() -> [R; C] {
-    Identity::<R, C>::RECORD
-}
-
-/// A constant, so that nothing is built where it is passed on.
-struct Identity<R, const C: usize>(PhantomData<R>);
-
-impl<R: Scalar, const C: usize> Identity<R, C> {
-    const RECORD: [R; C] = {
-        // Ones lie this far apart, from this place on.
-        let (mut one, apart) = match C {
-            4 | 7 | 8 => (3, C),
-            12 | 16 => (0, 5),
-            _ => (C, 1),
-        };
-        let mut record = [R::ZERO; C];
-        while one < C {
-            record[one] = R::ONE;
-            one += apart;
-        }
-        record
-    };
-}
-
-mod sealed {
-    pub trait Sealed {}
-}
+pub use tile::Tile;

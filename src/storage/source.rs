@@ -19,7 +19,7 @@ impl<'s, E> Source<'s, E> {
     }
 
     #[inline(always)]
-    pub(crate) fn is_output(self) -> bool {
+    pub(crate) fn is_output(&self) -> bool {
         matches!(self, Self::Output)
     }
 }

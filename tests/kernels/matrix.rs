@@ -1,7 +1,7 @@
 //! The third opinion: rigid motions as 4×4 matrices in `f64`, multiplied by plain loops. Rotations
 //! come from Rodrigues' formula, so no quaternion is involved on the way in.
 
-use dq8::{DualQuat, Quat, Real};
+use dq8::{DualQuat, Quat};
 
 pub(crate) type Matrix = [[f64; 4]; 4];
 
@@ -18,11 +18,10 @@ pub(crate) struct Step {
 }
 
 impl Step {
-    /// Computed in `f64` and rounded once, so that its error is that of the eight components alone.
-    pub(crate) fn motion<R: Real>(&self) -> DualQuat<R> {
+    /// `[px, py, pz, pw, qx, qy, qz, qw]`
+    pub(crate) fn motion(&self) -> [f64; 8] {
         let turn = Quat::from_axis_angle(self.axis, self.angle);
-        let exact = DualQuat::from_rotation_translation(turn, self.shift);
-        DualQuat::from_array(exact.to_array().map(R::from_f64))
+        DualQuat::from_rotation_translation(turn, self.shift).to_array()
     }
 
     /// Rodrigues: R = cos θ + sin θ [k]× + (1 − cos θ) k kᵀ.
@@ -68,8 +67,7 @@ pub(crate) fn inverse(matrix: &Matrix) -> Matrix {
 
 /// The matrix of eight floats, written out here so that the library's own conversion is no judge in
 /// its own case: columns p v p*, translation 2 q p*.
-fn of_motion<R: Real>(motion: DualQuat<R>) -> Matrix {
-    let [x, y, z, w, a, b, c, d] = motion.to_array().map(Into::<f64>::into);
+fn of_motion([x, y, z, w, a, b, c, d]: [f64; 8]) -> Matrix {
     [
         [
             w * w + x * x - y * y - z * z,
@@ -94,8 +92,8 @@ fn of_motion<R: Real>(motion: DualQuat<R>) -> Matrix {
 }
 
 /// The largest difference of an element, NaN being infinite.
-pub(crate) fn distance<R: Real>(motion: DualQuat<R>, wanted: &Matrix) -> f64 {
-    let got = of_motion(motion);
+pub(crate) fn distance(motion: &[f64; 8], wanted: &Matrix) -> f64 {
+    let got = of_motion(*motion);
     let pairs = got.as_flattened().iter().zip(wanted.as_flattened());
     pairs.fold(0.0, |worst: f64, (a, b)| {
         let error = (a - b).abs();

@@ -1,0 +1,17 @@
+/// The things that a register reads: register `register` of the block `element`; or, where a record is
+/// one thing, those at `element`, `element + stride`, `element + 2·stride`, … one in each lane.
+#[derive(Clone, Copy, Debug)]
+pub struct Tile {
+    pub(crate) element: usize,
+    pub(crate) register: usize,
+    /// `None` is 1, which the compiler can see.
+    pub(crate) stride: Option<usize>,
+}
+
+impl Tile {
+    /// The lanes of one register of the block `element`, or as many records as it reads from there on.
+    #[inline(always)]
+    pub(crate) fn at(element: usize, register: usize) -> Self {
+        Self { element, register, stride: None }
+    }
+}

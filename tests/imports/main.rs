@@ -1,0 +1,146 @@
+//! The layering rule of the design: imports run one way. Reads the sources as they are.
+
+mod reader;
+mod rooms;
+
+use reader::{Source, imports, reexports, sources, tokens};
+use std::collections::BTreeSet;
+
+/// What each module of `dq8` may import beside itself, `std`, `core` and `bytemuck`. A new module
+/// needs a line here, behind those that it imports.
+///
+/// `scalar` and `batch` never see each other: the twins would share their bugs. What floats have of
+/// `everyday` comes to `scalar` through `Real` alone, so that there are numbers without it to test with.
+const MAY_IMPORT: &[(&str, &[&str])] = &[
+    ("error", &[]),
+    ("shape", &[]),
+    ("sine", &[]),
+    ("geometry", &[]),
+    ("motion", &["geometry"]),
+    ("batch", &["error", "geometry", "motion", "dq8_simd"]),
+    ("everyday", &["geometry", "batch", "dq8_simd"]),
+    ("real", &["geometry", "everyday", "dq8_simd", "sine"]),
+    ("scalar", &["error", "real", "geometry", "motion"]),
+    ("differentiate", &["real", "scalar"]),
+    ("incidence", &["error", "real", "geometry", "scalar"]),
+    ("representation", &["error", "real", "geometry", "scalar"]),
+    ("dispatch", &["dq8_simd"]),
+    ("storage", &["shape", "real", "geometry", "dq8_simd", "scalar", "dispatch"]),
+    ("palette_entry", &["dq8_simd", "batch", "storage"]),
+    ("slices", &["shape", "dq8_simd", "scalar", "batch", "dispatch", "storage", "palette_entry"]),
+    ("ik", &["error", "shape", "real", "geometry", "dq8_simd", "scalar", "batch", "dispatch"]),
+    (
+        "hierarchy",
+        &[
+            "error",
+            "shape",
+            "real",
+            "geometry",
+            "motion",
+            "dq8_simd",
+            "scalar",
+            "batch",
+            "dispatch",
+            "storage",
+            "palette_entry",
+        ],
+    ),
+];
+
+/// The same for `dq8-simd`.
+const SIMD_MAY_IMPORT: &[(&str, &[&str])] = &[
+    ("lanes", &[]),
+    ("records", &["lanes"]),
+    ("block", &["lanes"]),
+    ("square_root", &[]),
+    ("checked_schedule", &[]),
+    ("portable", &["lanes"]),
+    ("one", &["lanes", "portable", "square_root"]),
+    ("pair", &["lanes"]),
+    ("detect", &[]),
+    ("x86_64", &["lanes", "pair", "detect"]),
+];
+
+/// Files of `batch` without a twin in `scalar`: the scalar reference has these from the standard
+/// library (`even`: sine and arcsine) or as a plain function (`length`: `vector::norm`).
+const BATCH_ONLY: &[&str] = &["even.rs", "even_coefficients.rs", "length.rs"];
+
+const MAX_LINES: usize = 400;
+
+/// Every import of `folder` that its table does not allow.
+fn forbidden(folder: &str, may_import: &[(&str, &[&str])]) -> Vec<String> {
+    let sources = sources(folder);
+    let lib = sources.iter().find(|source| source.module.is_empty()).expect("lib.rs");
+    let reexports = reexports(&lib.text);
+    let mut complaints = Vec::new();
+    for Source { module, path, text } in &sources {
+        // The root gathers what the crate shows.
+        let Some(own) = module.first() else { continue };
+        let Some((_, allowed)) = may_import.iter().find(|(name, _)| name == own) else {
+            complaints.push(format!("{path}: the module {own} has no line in the table"));
+            continue;
+        };
+        for import in imports(module, text, &reexports) {
+            if import != *own && !allowed.contains(&import.as_str()) {
+                complaints.push(format!("{path}: {own} must not import {import}"));
+            }
+        }
+    }
+    complaints
+}
+
+#[test]
+fn imports_of_dq8_run_one_way() {
+    assert_eq!(forbidden("src", MAY_IMPORT), Vec::<String>::new());
+}
+
+#[test]
+fn imports_of_the_lanes_run_one_way_and_never_to_dq8() {
+    assert_eq!(forbidden("simd/src", SIMD_MAY_IMPORT), Vec::<String>::new());
+}
+
+/// A table that allowed what the design forbids would let everything pass.
+#[test]
+fn the_tables_keep_the_twins_apart_and_have_no_circle() {
+    for (module, allowed) in MAY_IMPORT {
+        let before = MAY_IMPORT.iter().take_while(|(name, _)| name != module);
+        for import in allowed.iter().filter(|import| **import != "dq8_simd") {
+            assert!(before.clone().any(|(name, _)| name == import), "{module} before {import}");
+        }
+        assert!(!(allowed.contains(&"scalar") && *module == "batch"));
+        assert!(!(allowed.contains(&"dq8_simd") && ["scalar", "motion"].contains(module)));
+        assert!(!(allowed.contains(&"everyday") && *module != "real"));
+    }
+}
+
+#[test]
+fn every_file_of_scalar_has_a_twin_in_batch_and_the_other_way_round() {
+    let files = |folder: &str| -> BTreeSet<String> {
+        let names = sources(folder).into_iter().map(|source| source.path);
+        names.map(|path| path.rsplit(['/', '\\']).next().unwrap().to_owned()).collect()
+    };
+    let (scalar, batch) = (files("src/scalar"), files("src/batch"));
+    let alone: Vec<_> = scalar.difference(&batch).collect();
+    assert!(alone.is_empty(), "only in scalar: {alone:?}");
+    let alone: Vec<_> = batch.difference(&scalar).collect();
+    assert_eq!(alone, BATCH_ONLY, "only in batch");
+}
+
+/// `simd` has the instructions, `capi` the pointers of C.
+#[test]
+fn no_unsafe_code_stands_outside_the_lanes_and_the_c_abi() {
+    for source in ["src", "examples", "benches"].into_iter().flat_map(sources) {
+        assert!(!tokens(&source.text).iter().any(|token| token == "unsafe"), "{}", source.path);
+    }
+    let lib = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/src/lib.rs")).unwrap();
+    let forbid = ["#", "!", "[", "forbid", "(", "unsafe_code", ")", "]"];
+    assert!(tokens(&lib).windows(forbid.len()).any(|window| window == forbid));
+}
+
+#[test]
+fn no_file_is_longer_than_four_hundred_lines() {
+    for source in ["src", "simd/src", "capi"].into_iter().flat_map(sources) {
+        let lines = source.text.lines().count();
+        assert!(lines <= MAX_LINES, "{} has {lines} lines", source.path);
+    }
+}

@@ -1,0 +1,213 @@
+//! Arguments that do not fit are refused with the index and the values, and nothing is written.
+
+use crate::subject::{Root, Run, Task, for_every_subject};
+use core::error::Error;
+use core::ops::Range;
+use dq8::storage::Block;
+use dq8::{DualQuat, Hierarchy, HierarchyError, ShapeError};
+use proptest::prelude::*;
+
+const ROOT: u32 = Hierarchy::ROOT;
+
+/// A root and two joints.
+const ARM: [u32; 3] = [ROOT, 0, 1];
+
+/// An error is one of `core::error::Error`, and its text says every one of `numbers`.
+pub(crate) fn names(error: &dyn Error, numbers: &[usize]) {
+    let text = error.to_string();
+    let words: Vec<usize> =
+        text.split(|c: char| !c.is_ascii_digit()).filter_map(|word| word.parse().ok()).collect();
+    for number in numbers {
+        assert!(words.contains(number), "no {number} in \"{text}\"");
+    }
+}
+
+fn refused(parents: &[u32], wanted: HierarchyError, numbers: &[usize]) {
+    let error = Hierarchy::new(parents).unwrap_err();
+    assert_eq!(error, wanted);
+    names(&error, numbers);
+}
+
+#[test]
+fn a_joint_that_is_its_own_parent_is_refused() {
+    refused(&[0], HierarchyError::ParentNotBefore { joint: 0, parent: 0 }, &[0]);
+    let own = HierarchyError::ParentNotBefore { joint: 2, parent: 2 };
+    refused(&[ROOT, 0, 2, 1], own, &[2]);
+}
+
+#[test]
+fn a_parent_that_comes_later_is_refused() {
+    let later = HierarchyError::ParentNotBefore { joint: 1, parent: 3 };
+    refused(&[ROOT, 3, 1, 0], later, &[1, 3]);
+}
+
+#[test]
+fn a_cycle_is_refused_at_its_first_joint() {
+    let cycle = HierarchyError::ParentNotBefore { joint: 1, parent: 2 };
+    refused(&[ROOT, 2, 3, 1], cycle, &[1, 2]);
+}
+
+#[test]
+fn a_parent_that_is_no_joint_is_refused() {
+    let beyond = HierarchyError::ParentOutOfRange { joint: 2, parent: 3, joints: 3 };
+    refused(&[ROOT, 0, 3], beyond, &[2, 3]);
+    // One below the mark of a root, which must not be taken for one.
+    let parent = ROOT - 1;
+    let far = HierarchyError::ParentOutOfRange { joint: 1, parent, joints: 2 };
+    refused(&[ROOT, parent], far, &[1, parent as usize, 2]);
+}
+
+/// A parent array that long does not fit a test; its error can still be read.
+#[test]
+fn too_many_joints_are_counted() {
+    names(&HierarchyError::TooManyJoints { joints: usize::MAX }, &[usize::MAX]);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// The rule of `Hierarchy::new` once more: a parent is ROOT, or smaller than its child.
+    #[test]
+    fn the_first_joint_whose_parent_does_not_come_before_it_is_named(
+        parents in prop::collection::vec(prop_oneof![4 => 0..12_u32, 1 => Just(ROOT)], 0..12),
+    ) {
+        let joints = parents.len();
+        let mut numbered = parents.iter().enumerate();
+        let bad = numbered.find(|&(joint, &parent)| parent != ROOT && parent as usize >= joint);
+        let wanted = bad.map_or(Ok(&parents[..]), |(joint, &parent)| {
+            Err(if (parent as usize) < joints {
+                HierarchyError::ParentNotBefore { joint, parent }
+            } else {
+                HierarchyError::ParentOutOfRange { joint, parent, joints }
+            })
+        });
+        prop_assert_eq!(Hierarchy::new(&parents).map(|skeleton| skeleton.parents()), wanted);
+    }
+}
+
+/// The four runs of a job, each with slices of the given lengths; in place only the second counts.
+/// Every one must give `wanted` of its slices' names and leave what it would write as it was.
+fn all_refuse(
+    parents: &[u32],
+    joints: Range<usize>,
+    roots: Option<usize>,
+    [input, output]: [usize; 2],
+    numbers: &[usize],
+    wanted: impl Fn(&'static str, &'static str) -> ShapeError,
+) {
+    for_every_subject(|subject, backend| {
+        let task = Task { joints: joints.clone(), ..Task::new(parents, backend) };
+        let check = |run: Run, wanted: ShapeError| {
+            let error = subject.run(&task, run, [input, output], roots).unwrap_err();
+            assert_eq!(error, wanted);
+            names(&error, numbers);
+        };
+        check(Run::LocalToModel, wanted("locals", "models"));
+        check(Run::ModelToLocal, wanted("models", "locals"));
+        if input == output {
+            check(Run::LocalToModelInPlace, wanted("poses", "poses"));
+            check(Run::ModelToLocalInPlace, wanted("poses", "poses"));
+        }
+    });
+}
+
+#[test]
+fn slices_that_hold_no_whole_instances_are_refused() {
+    for length in [1, 2, 4, 5, 7] {
+        all_refuse(&ARM, 0..3, None, [length; 2], &[length, 3], |what, _| ShapeError::NotWhole {
+            what,
+            length,
+            joints: 3,
+        });
+    }
+}
+
+#[test]
+fn slices_of_different_lengths_are_refused() {
+    for (expected, length) in [(3, 6), (6, 3), (3, 0), (0, 3), (3, 2), (6, 7)] {
+        all_refuse(&ARM, 0..3, None, [expected, length], &[length, expected], |_, what| {
+            ShapeError::Length { what, length, expected }
+        });
+    }
+}
+
+#[test]
+fn poses_for_no_joints_are_refused() {
+    all_refuse(&[], 0..0, None, [2, 2], &[2, 0], |what, _| ShapeError::NotWhole {
+        what,
+        length: 2,
+        joints: 0,
+    });
+}
+
+#[test]
+fn a_range_that_ends_before_it_starts_or_beyond_the_joints_is_refused() {
+    for (start, end) in [(2, 1), (3, 0), (0, 4), (4, 4), (5, 4), (1, usize::MAX)] {
+        let range = Range { start, end };
+        let wanted = ShapeError::Joints { range: range.clone(), joints: 3 };
+        for length in [0, 3, 6] {
+            all_refuse(&ARM, range.clone(), None, [length; 2], &[start, end, 3], |_, _| {
+                wanted.clone()
+            });
+        }
+        for_every_subject(|subject, backend| {
+            let task = Task { joints: range.clone(), ..Task::new(&ARM, backend) };
+            assert_eq!(subject.try_velocities(&task, [3; 3]).as_ref(), Err(&wanted));
+            assert_eq!(subject.try_jacobian(&task, [3; 3], 0).as_ref(), Err(&wanted));
+        });
+    }
+}
+
+#[test]
+fn any_number_of_roots_but_one_an_instance_is_refused() {
+    for (instances, length) in [(0, 1), (1, 0), (1, 2), (2, 1), (2, 3), (2, 6)] {
+        let numbers = [length, instances];
+        all_refuse(&ARM, 0..3, Some(length), [3 * instances; 2], &numbers, |_, _| {
+            ShapeError::Length { what: "roots", length, expected: instances }
+        });
+    }
+}
+
+/// The last of `root` and `roots` counts, so a wrong number of roots is forgotten with them.
+#[test]
+fn a_shared_root_takes_the_place_of_roots() {
+    let arm = Hierarchy::new(&ARM).expect("parents come first");
+    let one = DualQuat::<f64>::IDENTITY;
+    let roots = [one; 5];
+    let job = arm.job().roots(&roots).root(one);
+    job.local_to_model_in_place(&mut [one; 3]).expect("there is one root");
+    let one = Block::<f32, 8>::splat([1.0; 8]);
+    let roots = [one; 5];
+    let job = arm.job().roots(&roots).root(DualQuat::IDENTITY);
+    job.local_to_model_in_place(&mut [one; 3]).expect("there is one root");
+    // And the other way round.
+    let job = arm.job().root(DualQuat::IDENTITY).roots(&roots);
+    job.local_to_model_in_place(&mut [one; 3]).unwrap_err();
+}
+
+#[test]
+fn twists_that_do_not_fit_are_refused() {
+    let length = |what, length, expected| Err(ShapeError::Length { what, length, expected });
+    for_every_subject(|subject, backend| {
+        let arm = Task::new(&ARM, backend);
+        let whole = Err(ShapeError::NotWhole { what: "models", length: 7, joints: 3 });
+        assert_eq!(subject.try_velocities(&arm, [7, 7, 7]), whole);
+        assert_eq!(subject.try_jacobian(&arm, [7, 3, 7], 0), whole);
+        assert_eq!(subject.try_velocities(&arm, [6, 5, 6]), length("rates", 5, 6));
+        assert_eq!(subject.try_velocities(&arm, [6, 6, 7]), length("twists", 7, 6));
+        assert_eq!(subject.try_jacobian(&arm, [6, 4, 6], 0), length("axes", 4, 3));
+        assert_eq!(subject.try_jacobian(&arm, [6, 3, 7], 0), length("columns", 7, 6));
+        for effector in [3, usize::MAX] {
+            let range = effector..effector.saturating_add(1);
+            let joints = Err(ShapeError::Joints { range, joints: 3 });
+            assert_eq!(subject.try_jacobian(&arm, [6, 3, 6], effector), joints);
+        }
+        // No instances, and no joints.
+        assert_eq!(subject.try_velocities(&arm, [0; 3]), Ok(()));
+        assert_eq!(subject.try_jacobian(&arm, [0, 3, 0], 2), Ok(()));
+        let nothing = Task { root: Root::None, ..Task::new(&[], backend) };
+        assert_eq!(subject.try_velocities(&nothing, [0; 3]), Ok(()));
+        let joints = Err(ShapeError::Joints { range: 0..1, joints: 0 });
+        assert_eq!(subject.try_jacobian(&nothing, [0; 3], 0), joints);
+    });
+}

@@ -1,0 +1,26 @@
+//! Kernels over memory: slices, hierarchies, chains and crowds, in every layout, on every backend.
+//!
+//! The tests compute with `f64` records and do not know layouts: a [`Subject`](subject::Subject) is one
+//! layout behind a plain interface. So every kernel is compiled once for each layout, here.
+
+mod backends;
+mod chain;
+mod crowd;
+mod elements;
+mod errors;
+mod hierarchy;
+mod instances;
+mod isolation;
+mod kernel;
+mod locals;
+mod matrix;
+mod memory;
+mod packing;
+#[cfg(feature = "rayon")]
+mod parallel;
+mod plan;
+mod records;
+mod scene;
+mod slices;
+mod subject;
+mod velocity;

@@ -1,0 +1,180 @@
+//! Jobs over all cores: every bit as on one.
+
+use crate::scene::{Scene, motions, step};
+use dq8::{
+    Backend, Block, Crowd, DualQuat, Hierarchy, MatrixOrder, Poses, Quat, Renormalize, Rotations,
+    RotationsTranslations, ShapeError,
+};
+use dq8_contract::random::Random;
+
+const PARENTS: [u32; 5] = [Hierarchy::ROOT, 0, 1, 1, 0];
+
+/// From less than a task to several, the last of them short.
+const INSTANCES: [usize; 4] = [0, 1, 100, 20_011];
+
+fn poses(instances: usize) -> Vec<DualQuat<f32>> {
+    let mut random = Random(6);
+    let pose = || DualQuat::from_array(step(&mut random).motion().map(|c| c as f32));
+    core::iter::repeat_with(pose).take(instances * PARENTS.len()).collect()
+}
+
+fn crowd(instances: usize) -> Crowd<f32, 8> {
+    Crowd::from_slice(PARENTS.len(), &poses(instances)).expect("whole instances")
+}
+
+/// Jobs of every kind; `roots` are one for each instance.
+fn jobs<'a, E: dq8::Element<8>>(hierarchy: &Hierarchy<'a>, roots: &'a [E]) -> [dq8::Job<'a, E>; 4] {
+    let every = Renormalize::Every(3.try_into().expect("not 0"));
+    let root = DualQuat::from_translation([1.0, 2.0, 3.0].map(dq8::Real::from_f64));
+    [
+        hierarchy.job().backend(Backend::PORTABLE),
+        hierarchy.job().root(root),
+        hierarchy.job().roots(roots).matrix_order(MatrixOrder::Columns),
+        hierarchy.job().joints(1..4).renormalize(every),
+    ]
+}
+
+#[test]
+fn all_cores_compute_the_bits_of_one() {
+    let hierarchy = Hierarchy::new(&PARENTS).expect("a hierarchy");
+    for instances in INSTANCES {
+        let locals = crowd(instances);
+        let roots = locals.blocks().iter().step_by(PARENTS.len()).copied().collect::<Vec<_>>();
+        for job in jobs(&hierarchy, &roots) {
+            let (mut one, mut all) = (locals.clone(), locals.clone());
+            job.local_to_model(locals.blocks(), one.blocks_mut()).expect("they fit");
+            job.par_local_to_model(locals.blocks(), all.blocks_mut()).expect("they fit");
+            assert_eq!(one, all);
+            let mut in_place = locals.clone();
+            job.par_local_to_model_in_place(in_place.blocks_mut()).expect("they fit");
+            assert_eq!(one, in_place);
+        }
+    }
+}
+
+/// Plain motions: tasks end where lanes of instances do not.
+#[test]
+fn all_cores_compute_the_bits_of_one_of_plain_motions() {
+    let hierarchy = Hierarchy::new(&PARENTS).expect("a hierarchy");
+    for instances in INSTANCES {
+        let locals = poses(instances);
+        let roots: Vec<_> = locals.iter().step_by(PARENTS.len()).copied().collect();
+        for job in jobs(&hierarchy, &roots) {
+            let (mut one, mut all) = (locals.clone(), locals.clone());
+            job.local_to_model(&locals, &mut one).expect("they fit");
+            job.par_local_to_model(&locals, &mut all).expect("they fit");
+            assert!(one == all, "{instances} instances");
+            let mut in_place = locals.clone();
+            job.par_local_to_model_in_place(&mut in_place).expect("they fit");
+            assert!(one == in_place, "{instances} instances, in place");
+        }
+    }
+}
+
+#[test]
+fn all_cores_compute_the_bits_of_one_of_every_form_and_palette() {
+    let hierarchy = Hierarchy::new(&PARENTS).expect("a hierarchy");
+    let scene = Scene::new(&PARENTS, 1, 3);
+    let binds: Vec<_> =
+        scene.binds().iter().map(|b| DualQuat::from_array(b.map(|c| c as f32))).collect();
+    let offsets: Vec<_> = scene.offsets().iter().map(|o| o.map(|c| c as f32)).collect();
+    for instances in INSTANCES {
+        let locals = poses(instances);
+        let turns: Vec<_> = locals.iter().map(|local| local.rotation()).collect();
+        let both: Vec<[f32; 7]> = locals
+            .iter()
+            .map(|local| {
+                let ([x, y, z, w], [tx, ty, tz]) =
+                    (local.rotation().to_array(), local.translation());
+                [x, y, z, w, tx, ty, tz]
+            })
+            .collect();
+        let roots: Vec<_> = locals.iter().step_by(PARENTS.len()).copied().collect();
+        for job in jobs(&hierarchy, &roots) {
+            let (mut one, mut all) = (locals.clone(), locals.clone());
+            let turned = Rotations { rotations: &turns, offsets: &offsets };
+            job.locals_to_model(turned, &mut one).expect("they fit");
+            job.par_locals_to_model(turned, &mut all).expect("they fit");
+            assert!(one == all, "{instances} instances, rotations");
+
+            let (mut motions, mut par_motions) = (locals.clone(), locals.clone());
+            job.locals_to_palette(turned, &mut one, &binds, &mut motions).expect("they fit");
+            job.par_locals_to_palette(turned, &mut all, &binds, &mut par_motions)
+                .expect("they fit");
+            assert!(one == all && motions == par_motions, "{instances} instances, motions");
+
+            let mut small = vec![[[0.0_f32; 4]; 3]; locals.len()];
+            let mut par_small = small.clone();
+            let given = Poses(&locals[..]);
+            job.locals_to_palette(given, &mut one, &binds, &mut small).expect("they fit");
+            job.par_locals_to_palette(given, &mut all, &binds, &mut par_small).expect("they fit");
+            assert!(one == all && small == par_small, "{instances} instances, 3 by 4");
+
+            let mut large = vec![[[0.0_f32; 4]; 4]; locals.len()];
+            let mut par_large = large.clone();
+            let given = RotationsTranslations(&both);
+            job.locals_to_palette(given, &mut one, &binds, &mut large).expect("they fit");
+            job.par_locals_to_palette(given, &mut all, &binds, &mut par_large).expect("they fit");
+            assert!(one == all && large == par_large, "{instances} instances, 4 by 4");
+        }
+        // And crowds of less than motions, with palettes of matrices.
+        let turns = Crowd::<f32, 8, 4>::from_slice(PARENTS.len(), &turns).expect("whole instances");
+        let locals = Rotations { rotations: turns.blocks(), offsets: &offsets };
+        let (mut one, mut all) = (crowd(instances), crowd(instances));
+        let mut matrices = Crowd::<f32, 8, 12>::new(PARENTS.len(), instances);
+        let mut par_matrices = matrices.clone();
+        let job = hierarchy.job();
+        job.locals_to_palette(locals, one.blocks_mut(), &binds, matrices.blocks_mut())
+            .expect("they fit");
+        job.par_locals_to_palette(locals, all.blocks_mut(), &binds, par_matrices.blocks_mut())
+            .expect("they fit");
+        assert!(one == all && matrices == par_matrices, "{instances} instances in blocks");
+    }
+}
+
+#[test]
+fn a_chain_in_segments_of_threads_is_the_chain() {
+    let backend = Backend::best();
+    // None, less than a segment, whole segments, and a rest.
+    for length in [0, 100, 4096, 9001] {
+        let turns = motions(&mut Random(8), length);
+        let mut all: Vec<_> = turns
+            .iter()
+            .map(|turn| {
+                DualQuat::from_rotation(Quat::from_array([turn[0], turn[1], turn[2], turn[3]]))
+            })
+            .collect();
+        let one = all.clone();
+        backend.par_chain_products_in_place(&mut all);
+        let mut product = DualQuat::<f64>::IDENTITY;
+        for (i, (link, got)) in one.iter().zip(&all).enumerate() {
+            product = product * *link;
+            for (a, b) in product.to_array().iter().zip(got.to_array()) {
+                assert!((a - b).abs() < 1e-11, "link {i} of {length}: {a} {b}");
+            }
+        }
+    }
+}
+
+#[test]
+fn what_does_not_fit_is_refused_and_nothing_is_written() {
+    let hierarchy = Hierarchy::new(&PARENTS).expect("a hierarchy");
+    let mut crowd = crowd(5000);
+    let before = crowd.clone();
+    let blocks: &[Block<f32, 8>] = before.blocks();
+    let roots = &blocks[..7];
+    let error = hierarchy.job().roots(roots).par_local_to_model_in_place(crowd.blocks_mut());
+    assert_eq!(error, Err(ShapeError::Length { what: "roots", length: 7, expected: 625 }));
+    let error = hierarchy.job().par_local_to_model(&blocks[5..], crowd.blocks_mut());
+    assert!(matches!(error, Err(ShapeError::Length { what: "models", .. })), "{error:?}");
+    let binds = [DualQuat::IDENTITY; 4];
+    let mut palette = before.clone();
+    let error = hierarchy.job().par_locals_to_palette(
+        Poses(blocks),
+        crowd.blocks_mut(),
+        &binds,
+        palette.blocks_mut(),
+    );
+    assert_eq!(error, Err(ShapeError::Length { what: "inverse_binds", length: 4, expected: 5 }));
+    assert_eq!((crowd, palette), (before.clone(), before));
+}

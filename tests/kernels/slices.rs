@@ -1,0 +1,368 @@
+//! Kernels over slices: in every layout, on every backend, of any length, what one motion after the
+//! other is.
+
+use crate::memory::{Memory, lay, read, round};
+use crate::records::{equal, is_finite, same_bits};
+use crate::scene::{motions, rounded};
+#[cfg(doc)]
+use crate::subject::Subject;
+use crate::subject::for_every_subject;
+use dq8::storage::Block;
+use dq8::{Backend, DualQuat, MatrixOrder, ShapeError};
+use dq8_contract::random::Random;
+
+/// What is computed of [`Inputs`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Operation {
+    Mul,
+    MulLeft,
+    Normalize,
+    Inverse,
+    Nlerp,
+    NlerpEach,
+    Sclerp,
+    SclerpEach,
+    Points,
+    Vectors,
+    PointsEach,
+    VectorsEach,
+    Matrices3x4(MatrixOrder),
+    Matrices4x4(MatrixOrder),
+}
+
+impl Operation {
+    pub(crate) const ALL: [Self; 16] = [
+        Self::Mul,
+        Self::MulLeft,
+        Self::Normalize,
+        Self::Inverse,
+        Self::Nlerp,
+        Self::NlerpEach,
+        Self::Sclerp,
+        Self::SclerpEach,
+        Self::Points,
+        Self::Vectors,
+        Self::PointsEach,
+        Self::VectorsEach,
+        Self::Matrices3x4(MatrixOrder::Rows),
+        Self::Matrices3x4(MatrixOrder::Columns),
+        Self::Matrices4x4(MatrixOrder::Rows),
+        Self::Matrices4x4(MatrixOrder::Columns),
+    ];
+}
+
+#[derive(Clone, Debug)]
+pub(crate) struct Inputs {
+    pub(crate) a: Vec<[f64; 8]>,
+    b: Vec<[f64; 8]>,
+    t: Vec<[f64; 1]>,
+    vectors: Vec<[f64; 3]>,
+    one: [f64; 8],
+}
+
+/// Where all are interpolated.
+const BETWEEN: f64 = 0.3;
+/// How much too long motions are that are normalized and inverted.
+const LONG: f64 = 2.0;
+
+impl Inputs {
+    pub(crate) fn new(count: usize) -> Self {
+        let mut random = Random(count as u64);
+        Self {
+            a: motions(&mut random, count),
+            b: motions(&mut random, count),
+            t: (0..count).map(|i| [i as f64 / 40.0]).collect(),
+            vectors: (0..count).map(|i| [1.0, -0.5, 0.1 * i as f64]).collect(),
+            one: motions(&mut random, 1)[0],
+        }
+    }
+
+    /// As the numbers of a layout hold them.
+    fn rounded(&self, single: bool) -> Self {
+        Self {
+            a: rounded(single, &self.a),
+            b: rounded(single, &self.b),
+            t: rounded(single, &self.t),
+            vectors: rounded(single, &self.vectors),
+            one: rounded(single, &[self.one])[0],
+        }
+    }
+
+    fn from(&self, first: usize) -> Self {
+        Self {
+            a: self.a[first..].to_vec(),
+            b: self.b[first..].to_vec(),
+            t: self.t[first..].to_vec(),
+            vectors: self.vectors[first..].to_vec(),
+            one: self.one,
+        }
+    }
+
+    fn long(&self) -> Vec<[f64; 8]> {
+        self.a.iter().map(|motion| motion.map(|c| LONG * c)).collect()
+    }
+}
+
+/// What [`Subject::slices`] gives, of one layout.
+pub(crate) fn compute<L: Memory>(
+    backend: Backend,
+    operation: Operation,
+    inputs: &Inputs,
+) -> Vec<Vec<f64>> {
+    let (a, b) = (lay::<L, 8>(1, &inputs.a), lay::<L, 8>(1, &inputs.b));
+    let (t, vectors) = (lay::<L, 1>(1, &inputs.t), lay::<L, 3>(1, &inputs.vectors));
+    let one = DualQuat::from_array(round(inputs.one));
+    let [between] = round([BETWEEN]);
+    let long = lay::<L, 8>(1, &inputs.long());
+    let mut motions = b.clone();
+    let mut moved = vectors.clone();
+    let answer = match operation {
+        Operation::Mul => {
+            let mut products = a.clone();
+            backend.mul_in_place(&mut products, &b).expect("they fit");
+            let answer = backend.mul(&a, &b, &mut motions);
+            assert_in_place::<L, 8>(&products, &motions);
+            answer
+        }
+        Operation::MulLeft => {
+            backend.mul_left_in_place(one, &mut motions);
+            Ok(())
+        }
+        Operation::Normalize => {
+            let mut units = long.clone();
+            backend.normalize_in_place(&mut units);
+            let answer = backend.normalize(&long, &mut motions);
+            assert_in_place::<L, 8>(&units, &motions);
+            answer
+        }
+        Operation::Inverse => {
+            let mut inverses = long.clone();
+            backend.inverse_in_place(&mut inverses);
+            let answer = backend.inverse(&long, &mut motions);
+            assert_in_place::<L, 8>(&inverses, &motions);
+            answer
+        }
+        Operation::Nlerp => backend.nlerp(&a, &b, between, &mut motions),
+        Operation::NlerpEach => backend.nlerp_each(&a, &b, &t, &mut motions),
+        Operation::Sclerp => backend.sclerp(&a, &b, between, &mut motions),
+        Operation::SclerpEach => backend.sclerp_each(&a, &b, &t, &mut motions),
+        Operation::Points => {
+            let mut in_place = vectors.clone();
+            backend.transform_points_in_place(one, &mut in_place);
+            let answer = backend.transform_points(one, &vectors, &mut moved);
+            assert_in_place::<L, 3>(&in_place, &moved);
+            answer
+        }
+        Operation::Vectors => {
+            let mut in_place = vectors.clone();
+            backend.transform_vectors_in_place(one, &mut in_place);
+            let answer = backend.transform_vectors(one, &vectors, &mut moved);
+            assert_in_place::<L, 3>(&in_place, &moved);
+            answer
+        }
+        Operation::PointsEach => backend.transform_points_each(&a, &vectors, &mut moved),
+        Operation::VectorsEach => backend.transform_vectors_each(&a, &vectors, &mut moved),
+        Operation::Matrices3x4(order) => {
+            let mut matrices = lay::<L, 12>(1, &vec![[9.0; 12]; inputs.a.len()]);
+            backend.matrices(&a, order, &mut matrices).expect("they fit");
+            return flat(inputs, &read::<L, 12>(1, &matrices));
+        }
+        Operation::Matrices4x4(order) => {
+            let mut matrices = lay::<L, 16>(1, &vec![[9.0; 16]; inputs.a.len()]);
+            backend.matrices(&a, order, &mut matrices).expect("they fit");
+            return flat(inputs, &read::<L, 16>(1, &matrices));
+        }
+    };
+    answer.expect("they fit");
+    match operation {
+        Operation::Points | Operation::Vectors | Operation::PointsEach | Operation::VectorsEach => {
+            flat(inputs, &read::<L, 3>(1, &moved))
+        }
+        _ => flat(inputs, &read::<L, 8>(1, &motions)),
+    }
+}
+
+fn flat<const C: usize>(inputs: &Inputs, records: &[[f64; C]]) -> Vec<Vec<f64>> {
+    records.iter().take(inputs.a.len()).map(|record| record.to_vec()).collect()
+}
+
+fn assert_in_place<L: Memory, const C: usize>(in_place: &[L::Record<C>], apart: &[L::Record<C>]) {
+    let (in_place, apart) = (read::<L, C>(1, in_place), read::<L, C>(1, apart));
+    crate::records::assert_same_bits(&in_place, &apart, "in place");
+}
+
+/// The same by the scalar reference in `f64`.
+fn wanted(operation: Operation, inputs: &Inputs, i: usize, between: f64) -> Vec<f64> {
+    let motion = DualQuat::<f64>::from_array;
+    let (a, b, one) = (motion(inputs.a[i]), motion(inputs.b[i]), motion(inputs.one));
+    let ([t], v) = (inputs.t[i], inputs.vectors[i]);
+    let entry = |columns: bool, count: usize| {
+        let (rows, matrix) = (count / 4, a.to_matrix4());
+        let place = |k: usize| if columns { (k % rows, k / rows) } else { (k / 4, k % 4) };
+        (0..count).map(|k| matrix[place(k).0][place(k).1]).collect()
+    };
+    match operation {
+        Operation::Mul => (a * b).to_array().to_vec(),
+        Operation::MulLeft => (one * b).to_array().to_vec(),
+        Operation::Normalize => a.to_array().to_vec(),
+        Operation::Inverse => a.conjugate().scale(1.0 / LONG).to_array().to_vec(),
+        Operation::Nlerp => a.nlerp(b, between).to_array().to_vec(),
+        Operation::NlerpEach => a.nlerp(b, t).to_array().to_vec(),
+        Operation::Sclerp => a.sclerp(b, between).to_array().to_vec(),
+        Operation::SclerpEach => a.sclerp(b, t).to_array().to_vec(),
+        Operation::Points => one.transform_point(v).to_vec(),
+        Operation::Vectors => one.transform_vector(v).to_vec(),
+        Operation::PointsEach => a.transform_point(v).to_vec(),
+        Operation::VectorsEach => a.transform_vector(v).to_vec(),
+        Operation::Matrices3x4(order) => entry(order == MatrixOrder::Columns, 12),
+        Operation::Matrices4x4(order) => entry(order == MatrixOrder::Columns, 16),
+    }
+}
+
+#[test]
+fn slices_are_computed_as_one_motion_after_the_other() {
+    // Some more than two steps of the widest lanes there are.
+    for length in [0, 1, 3, 7, 8, 16, 17, 33, 37] {
+        let inputs = Inputs::new(length);
+        for_every_subject(|subject, backend| {
+            let single = subject.single();
+            let epsilon = if single { f64::from(f32::EPSILON) } else { f64::EPSILON };
+            let exact = inputs.rounded(single);
+            let between = rounded(single, &[[BETWEEN]])[0][0];
+            for operation in Operation::ALL {
+                let got = subject.slices(backend, operation, &inputs);
+                assert_eq!(got.len(), length);
+                for (i, got) in got.iter().enumerate() {
+                    let wanted = wanted(operation, &exact, i, between);
+                    let close = |(a, b): (&f64, &f64)| (a - b).abs() <= 24.0 * epsilon;
+                    assert!(
+                        got.len() == wanted.len() && got.iter().zip(&wanted).all(close),
+                        "{operation:?}, {} of {length}, {i}, {backend}: {got:?} is not {wanted:?}",
+                        subject.name()
+                    );
+                }
+            }
+        });
+    }
+}
+
+#[test]
+fn an_element_gets_the_same_bits_wherever_it_stands() {
+    let inputs = Inputs::new(37);
+    for_every_subject(|subject, backend| {
+        for operation in Operation::ALL {
+            let whole = subject.slices(backend, operation, &inputs);
+            for first in [1, 2, 3, 5, 8, 13, 15, 16, 21, 29, 36] {
+                let rest = subject.slices(backend, operation, &inputs.from(first));
+                for (rest, whole) in rest.iter().zip(&whole[first..]) {
+                    let name = subject.name();
+                    assert!(same_bits(rest, whole), "{operation:?}, {name}, {backend}, {first}");
+                }
+            }
+        }
+    });
+}
+
+/// One motion that is none leaves the others as they are, whatever is computed.
+#[test]
+fn what_is_no_motion_is_seen_in_its_own_place_only() {
+    let clean = Inputs::new(35);
+    for_every_subject(|subject, backend| {
+        for operation in Operation::ALL {
+            let without = subject.slices(backend, operation, &clean);
+            for (at, component) in [(0, 3), (7, 0), (33, 5)] {
+                for poison in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+                    let mut inputs = clean.clone();
+                    (inputs.a[at][component], inputs.b[at][component]) = (poison, poison);
+                    (inputs.t[at][0], inputs.vectors[at][0]) = (poison, poison);
+                    let with = subject.slices(backend, operation, &inputs);
+                    for (i, (with, without)) in with.iter().zip(&without).enumerate() {
+                        let what = || format!("{operation:?}, {}, {backend}", subject.name());
+                        // A rotation does not know of a dual part.
+                        let knows = component < 4 || operation != Operation::VectorsEach;
+                        if i != at {
+                            assert!(same_bits(with, without), "{}: {at} reached {i}", what());
+                        } else if knows || operation == Operation::Vectors {
+                            // The inverse of what is infinite may be zero.
+                            let changed = !is_finite(with) || !equal(with, without);
+                            assert!(changed, "{}: nothing of {poison}", what());
+                        }
+                    }
+                }
+            }
+        }
+        let mut zero = clean.clone();
+        zero.a[7] = [0.0; 8];
+        for (i, unit) in subject.slices(backend, Operation::Normalize, &zero).iter().enumerate() {
+            assert_eq!(unit.iter().any(|c| c.is_nan()), i == 7, "{backend}: {i}");
+        }
+    });
+}
+
+/// Large outputs are written past the caches, unless they are read as well, and are the same.
+#[test]
+fn outputs_larger_than_caches_are_computed_as_small_ones() {
+    let mut random = Random(3);
+    let few: [Block<f32, 16>; 3] = std::array::from_fn(|_| {
+        lay::<dq8::storage::AoSoA<[f32; 16]>, 8>(1, &motions(&mut random, 16))[0]
+    });
+    let length = (64 << 20) / size_of_val(&few[0]) + 1;
+    let many: Vec<_> = few.into_iter().cycle().take(length).collect();
+    let as_few = |all: &[_], few: [_; 3]| all.iter().enumerate().all(|(i, a)| *a == few[i % 3]);
+    for backend in Backend::available() {
+        let (mut units, mut all) = (few, many.clone());
+        backend.normalize(&few, &mut units).expect("they fit");
+        backend.normalize(&many, &mut all).expect("they fit");
+        assert!(as_few(&all, units), "{backend}");
+
+        let mut squares = units;
+        backend.mul_in_place(&mut squares, &units).expect("they fit");
+        let factors = all.clone();
+        backend.mul_in_place(&mut all, &factors).expect("they fit");
+        assert!(as_few(&all, squares), "{backend}, in place");
+    }
+}
+
+#[test]
+fn slices_of_different_lengths_are_refused_and_the_output_is_untouched() {
+    let backend = Backend::best();
+    let (a, t, v) = ([DualQuat::<f32>::IDENTITY; 5], [0.5_f32; 5], [[1.0_f32; 3]; 5]);
+    let too_short = |what| ShapeError::Length { what, length: 4, expected: 5 };
+    let mut out = [DualQuat::from_translation([7.0, 8.0, 9.0]); 5];
+    let before = out;
+    let answers = [
+        (backend.mul(&a, &a[1..], &mut out), "b"),
+        (backend.mul(&a, &a, &mut out[1..]), "products"),
+        (backend.mul_in_place(&mut out, &a[1..]), "b"),
+        (backend.normalize(&a, &mut out[1..]), "units"),
+        (backend.inverse(&a, &mut out[1..]), "inverses"),
+        (backend.nlerp(&a, &a[1..], 0.5, &mut out), "b"),
+        (backend.nlerp(&a, &a, 0.5, &mut out[1..]), "between"),
+        (backend.nlerp_each(&a, &a, &t[1..], &mut out), "t"),
+        (backend.nlerp_each(&a, &a[1..], &t, &mut out), "b"),
+        (backend.sclerp(&a, &a[1..], 0.5, &mut out), "b"),
+        (backend.sclerp(&a, &a, 0.5, &mut out[1..]), "between"),
+        (backend.sclerp_each(&a, &a, &t[1..], &mut out), "t"),
+        (backend.sclerp_each(&a, &a, &t, &mut out[1..]), "between"),
+    ];
+    for (answer, what) in answers {
+        assert_eq!(answer, Err(too_short(what)));
+    }
+    assert_eq!(out, before);
+
+    let mut moved = [[7.0_f32; 3]; 5];
+    let mut rows = [[[7.0_f32; 4]; 3]; 5];
+    let answers = [
+        (backend.transform_points(a[0], &v, &mut moved[1..]), "moved"),
+        (backend.transform_vectors(a[0], &v, &mut moved[1..]), "turned"),
+        (backend.transform_points_each(&a, &v[1..], &mut moved), "points"),
+        (backend.transform_points_each(&a, &v, &mut moved[1..]), "moved"),
+        (backend.transform_vectors_each(&a, &v[1..], &mut moved), "vectors"),
+        (backend.transform_vectors_each(&a, &v, &mut moved[1..]), "turned"),
+        (backend.matrices(&a, MatrixOrder::Rows, &mut rows[1..]), "matrices"),
+    ];
+    for (answer, what) in answers {
+        assert_eq!(answer, Err(too_short(what)));
+    }
+    assert_eq!((moved, rows), ([[7.0; 3]; 5], [[[7.0; 4]; 3]; 5]));
+}
