@@ -104,7 +104,7 @@ impl Backend {
         [Some(Self::PORTABLE), Self::avx2(), Self::avx512()].into_iter().flatten()
     }
 
-    /// The best backend that this CPU has. It is looked for once; afterwards this is three loads.
+    /// The best backend that this CPU has. Detection runs once; afterwards this is three loads.
     #[inline]
     #[must_use]
     pub fn best() -> Self {
@@ -116,8 +116,8 @@ impl Backend {
         best
     }
 
-    /// From now on, in all threads, [`best`](Self::best) is none better than `limit`; `None` takes the
-    /// limit away. For the C ABI, which has no backends to pass.
+    /// From now on, in all threads, [`best`](Self::best) is at most `limit`; `None` removes the limit.
+    /// For the C ABI, which has no backends to pass.
     #[doc(hidden)]
     pub fn limit(limit: Option<Self>) {
         let limit = match limit.map(|backend| backend.0) {
