@@ -62,7 +62,7 @@ pub trait Kernel {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Backend(Proof);
 
-/// In rising order. Whoever has AVX-512 has AVX2, for kernels that gain nothing from more.
+/// In rising order. The proof of AVX-512 holds that of AVX2, for kernels that gain nothing from more.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 enum Proof {
     Portable,
@@ -131,8 +131,8 @@ impl Backend {
 
     /// Runs `kernel` with these instructions.
     ///
-    /// (The closures must be inlined as well: left to itself, the compiler keeps a large one out of
-    /// line, without the instructions of its level: 35 times slower.)
+    /// (The closures must be inlined as well. Otherwise the compiler keeps a large one out of line, without
+    /// the instructions of its level: 35 times slower.)
     #[inline]
     pub fn run<K: Kernel>(self, kernel: K) -> K::Output {
         match self.0 {
