@@ -1,5 +1,5 @@
 //! Runs reference vectors on every implementation and prints the worst error of each operation and
-//! kind of input beside the bound of the accuracy contract.
+//! kind of input together with the bound of the accuracy contract.
 //!
 //! ```text
 //! cargo run --release --example conform -- FILE.jsonl

@@ -62,7 +62,7 @@ pub trait Kernel {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Backend(Proof);
 
-/// In rising order. Whoever has AVX-512 has AVX2, for kernels that gain nothing from more.
+/// In rising order. The proof of AVX-512 holds that of AVX2, for kernels that gain nothing from more.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 enum Proof {
     Portable,
@@ -104,7 +104,7 @@ impl Backend {
         [Some(Self::PORTABLE), Self::avx2(), Self::avx512()].into_iter().flatten()
     }
 
-    /// The best backend that this CPU has. It is looked for once; afterwards this is three loads.
+    /// The best backend that this CPU has. Detection runs once; afterwards this is three loads.
     #[inline]
     #[must_use]
     pub fn best() -> Self {
@@ -116,8 +116,8 @@ impl Backend {
         best
     }
 
-    /// From now on, in all threads, [`best`](Self::best) is none better than `limit`; `None` takes the
-    /// limit away. For the C ABI, which has no backends to pass.
+    /// From now on, in all threads, [`best`](Self::best) is at most `limit`; `None` removes the limit.
+    /// For the C ABI, which has no backends to pass.
     #[doc(hidden)]
     pub fn limit(limit: Option<Self>) {
         let limit = match limit.map(|backend| backend.0) {
@@ -131,8 +131,8 @@ impl Backend {
 
     /// Runs `kernel` with these instructions.
     ///
-    /// (The closures must be inlined as well: left to itself, the compiler keeps a large one out of
-    /// line, without the instructions of its level: 35 times slower.)
+    /// (The closures must be inlined as well. Otherwise the compiler keeps a large one out of line, without
+    /// the instructions of its level: 35 times slower.)
     #[inline]
     pub fn run<K: Kernel>(self, kernel: K) -> K::Output {
         match self.0 {

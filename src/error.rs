@@ -3,8 +3,8 @@
 
 use core::fmt;
 
-/// A dual quaternion that has no unit dual quaternion beside it: its real part is zero or some
-/// component is not finite (or the quotient would not be).
+/// A dual quaternion that cannot be normalized: its real part is zero or some component is not finite
+/// (or the quotient would not be).
 ///
 /// Fabisch (*Normalizing Dual Quaternions*, "Edge Case") leaves this case open.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -77,7 +77,7 @@ impl fmt::Display for MatrixError {
             Self::NotOrthonormal { row, column, value } => write!(
                 f,
                 "not a rotation: the product of rows {row} and {column} is {value} \
-                 (non-uniform scale and shear are no rigid motions)"
+                 (non-uniform scale and shear are not rigid motions)"
             ),
             Self::Mirrors { determinant } => {
                 write!(f, "not a rotation: the determinant is {determinant}")
@@ -93,7 +93,7 @@ impl fmt::Display for MatrixError {
     }
 }
 
-/// A 3×3 matrix that has no rotation beside it, or many.
+/// A 3×3 matrix that has no nearest rotation, or many.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum OrthonormalError {
@@ -147,7 +147,7 @@ impl fmt::Display for OrthonormalError {
     }
 }
 
-/// A parent array that is no hierarchy.
+/// A parent array that is not a hierarchy.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum HierarchyError {
@@ -158,7 +158,7 @@ pub enum HierarchyError {
         /// Its parent.
         parent: u32,
     },
-    /// A joint's parent is no joint at all.
+    /// A joint's parent is not a joint at all.
     ParentOutOfRange {
         /// The joint.
         joint: usize,
@@ -195,7 +195,7 @@ impl fmt::Display for HierarchyError {
     }
 }
 
-/// Points, lines and planes that do not determine what was asked for.
+/// Points, lines and planes that do not determine the result.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum IncidenceError {

@@ -51,13 +51,13 @@
 //! | `libm` | | square roots and trigonometry without std |
 //! | `rayon` | | crowds and chains over all cores: the `par_` methods of [`Job`] and [`Backend`] |
 //!
-//! Without `std` nothing else is linked than `core` (and `alloc` if asked for); no operation on
-//! borrowed memory allocates.
+//! Without `std` only `core` is linked (and `alloc` if asked for). No operation on borrowed memory
+//! allocates.
 //!
 //! # Not here
 //!
-//! Scale and shear on lanes and in hierarchies: they are no rigid motions and no dual quaternions
-//! ([`Affine`] has the reason), and stand beside the motion where a skeleton needs them.
+//! Scale and shear on lanes and in hierarchies: they are not rigid motions, and dual quaternions cannot
+//! hold them ([`Affine`] has the reason). A skeleton that needs them keeps them next to the motion.
 #![no_std]
 #![forbid(unsafe_code)]
 

@@ -38,7 +38,7 @@ macro_rules! motion {
             )*
         }
 
-        /// The methods of the list for an `impl Motion`, beside which the types of `geometry` are
+        /// The methods of the list for an `impl Motion`, where the types of `geometry` must be
         /// imported.
         macro_rules! delegate_to_inherent {
             () => { $(
@@ -101,18 +101,18 @@ motion! {
     types {
         /// What it takes to make a constant: nothing, `()`, or the proof that the CPU has the lanes.
         type Level: Copy;
-        /// A real number, or one a lane.
+        /// A real number, or one per lane.
         type Real: Copy
             + Debug
             + Add<Output = Self::Real>
             + Sub<Output = Self::Real>
             + Mul<Output = Self::Real>
             + Neg<Output = Self::Real>;
-        /// A truth value, or one a lane.
+        /// A truth value, or one per lane.
         type Mask: Copy + Debug;
-        /// A dual number, or one a lane.
+        /// A dual number, or one per lane.
         type Dual: Copy + Debug;
-        /// A quaternion, or one a lane.
+        /// A quaternion, or one per lane.
         type Quat: Copy + Debug;
     }
 
@@ -293,6 +293,6 @@ motion! {
 }
 
 pub(crate) mod sealed {
-    /// A new operation is then no change that breaks another crate.
+    /// So that a new operation breaks no other crate.
     pub trait Sealed {}
 }

@@ -53,7 +53,7 @@ pub trait Real:
     const PI: Self;
     /// The distance from 1 to the next larger number.
     const EPSILON: Self;
-    /// Not a number: what unchecked operations return where there is no answer.
+    /// Not a number: what unchecked operations return where the result does not exist.
     const NAN: Self;
 
     /// The nearest number of this type.

@@ -16,7 +16,7 @@ pub enum ShapeError {
         /// The joints of one instance.
         joints: usize,
     },
-    /// A slice has another length than it must.
+    /// A slice has the wrong length.
     Length {
         /// Which slice.
         what: &'static str,
@@ -25,7 +25,7 @@ pub enum ShapeError {
         /// The length it must have.
         expected: usize,
     },
-    /// A range of joints that is no range of this hierarchy.
+    /// A range of joints that is not a range of this hierarchy.
     Joints {
         /// The range.
         range: Range<usize>,
@@ -50,14 +50,14 @@ impl fmt::Display for ShapeError {
         match self {
             Self::NotWhole { what, length, joints } => write!(
                 f,
-                "{what} holds {length} elements, which is no multiple of the {joints} joints"
+                "{what} holds {length} elements, which is not a multiple of the {joints} joints"
             ),
             Self::Length { what, length, expected } => {
                 write!(f, "{what} holds {length} elements where {expected} are needed")
             }
             Self::Joints { range, joints } => write!(
                 f,
-                "joints {}..{} are no range of a hierarchy of {joints} joints",
+                "joints {}..{} are not a range of a hierarchy of {joints} joints",
                 range.start, range.end
             ),
             Self::NoPose { instance, joint, instances, joints } => write!(
@@ -85,7 +85,7 @@ pub(crate) fn whole_instances(
     joints: usize,
     length: usize,
 ) -> Result<usize, ShapeError> {
-    // Divisions take long, and one instance is what most have.
+    // Divisions are slow, and most callers have one instance.
     if length == joints && length > 0 {
         return Ok(1);
     }

@@ -110,7 +110,7 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
         ],
         found,
         verdict: "Right. The derivative of ScLERP by t is the constant twist 2 log(a*b) at every t, and \
-                  the second derivative has nothing left beside it. NLERP is fastest in the middle; SLERP \
+                  the second derivative is negligible compared with it. NLERP is fastest in the middle; SLERP \
                   with LERP turns evenly but its twist is not constant, because the translation is not \
                   that of the screw. One limit: at t = 0 itself the power of the screw has no turn and so \
                   no axis, and dual numbers give no number."

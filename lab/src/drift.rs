@@ -29,7 +29,7 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
     let (step_state, _) = finals(FRAMES, Order::StepState);
     let mut body = charts()?;
     body += &paragraph(&format!(
-        "Skew and scale are the largest elements of AᵀA − 1, beside the diagonal and on it, over the \
+        "Skew and scale are the largest elements of AᵀA − 1, off the diagonal and on it, over the \
          frames of all links as they act on points; norm is |det A − 1|, ||p| − 1|, and for dual \
          quaternions the larger of this and |p·q|; the end is compared with where the same steps lead in \
          double precision. A jump is what upkeep moves the end by in one frame. A quaternion turns points by \
@@ -98,7 +98,7 @@ fn charts() -> Result<String, Box<dyn Error>> {
         }
         .to_svg()
     };
-    Ok(chart(Measure::Skew, "Skew of the worst link", "largest element beside the diagonal")?
+    Ok(chart(Measure::Skew, "Skew of the worst link", "largest element off the diagonal")?
         + &chart(Measure::Stretch, "Scale of the worst link", "largest element on the diagonal")?
         + &chart(Measure::Position, "Error of the end effector", "links")?
         + &chart(Measure::Link, "Error of the length of the worst link", "relative")?)

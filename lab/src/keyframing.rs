@@ -37,7 +37,7 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
     Ok(Section {
         title: "Keyframes after Alexa".to_owned(),
         tried: "s ⊙ A = exp(s log A), A ⊕ B = exp(log A + log B) and C(t) = ((1 − t) ⊙ A) ⊕ (t ⊙ B), with \
-                the exponential and the logarithm of matrices, beside ScLERP; and with those of each \
+                the exponential and the logarithm of matrices, compared with ScLERP; and with those of each \
                 element."
             .to_owned(),
         claimed: [
@@ -95,7 +95,7 @@ fn pairs(rows: &[(Pair, Facts)]) -> String {
     table.to_html()
 }
 
-/// Volumes and axes of what is no rigid motion.
+/// Volumes and axes of what is not a rigid motion.
 fn affine() -> Result<String, LogarithmError> {
     let a = Matrix4::new_nonuniform_scaling(&Vector3::new(1.0, 4.0, 0.5));
     let turn = Twist { angular: [0.0, 0.0, 1.0], linear: [1.0, 0.0, 0.0] };

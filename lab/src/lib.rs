@@ -1,4 +1,4 @@
-//! A laboratory beside dq8, for learning and measuring: what its sources claim, tried out. Nothing
+//! A laboratory for dq8, for learning and measuring: it tests what the sources claim. Nothing
 //! depends on it.
 //!
 //! Every experiment is a module with a function `section` that runs it and writes it up for the

@@ -114,7 +114,7 @@ pub fn gram_schmidt<R: Real>([x, y, _]: Matrix<R, 3, 3>) -> Matrix<R, 3, 3> {
     [x, y, z]
 }
 
-/// AᵀA − 1, by which columns fail to be orthonormal: beside the diagonal the skew, on it the scale.
+/// AᵀA − 1, by which columns fail to be orthonormal: off the diagonal the skew, on it the scale.
 #[must_use]
 pub fn distortion(a: Matrix<f64, 3, 3>) -> Matrix<f64, 3, 3> {
     core::array::from_fn(|i| {
@@ -125,7 +125,7 @@ pub fn distortion(a: Matrix<f64, 3, 3>) -> Matrix<f64, 3, 3> {
     })
 }
 
-/// The largest element of [`distortion`] beside the diagonal: the sine of how far two axes are from a
+/// The largest element of [`distortion`] off the diagonal: the sine of how far two axes are from a
 /// right angle.
 #[must_use]
 pub fn skew(a: Matrix<f64, 3, 3>) -> f64 {

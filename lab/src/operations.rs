@@ -1,4 +1,4 @@
-//! Operation counts, measured by computing with [`Counted`] numbers, beside those that are printed.
+//! Operation counts, measured by computing with [`Counted`] numbers, compared with those that are printed.
 
 mod measured;
 

@@ -1,4 +1,4 @@
-//! [`Block`]: structure-of-arrays memory, one row of numbers a component.
+//! [`Block`]: structure-of-arrays memory, one row of numbers per component.
 
 use crate::lanes::{Float, Lanes, Level};
 use bytemuck::{Pod, Zeroable};
@@ -49,7 +49,7 @@ impl<A: Row, const C: usize> Block<A, C> {
         (lane < A::LANES).then(|| self.0.map(|row| row.as_ref()[lane]))
     }
 
-    /// Writes the record in `lane`; gives the record back if there is no such lane.
+    /// Writes the record in `lane`; gives the record back if the block has no such lane.
     #[inline]
     pub fn set(&mut self, lane: usize, record: [A::Real; C]) -> Result<(), [A::Real; C]> {
         if lane >= A::LANES {
@@ -105,8 +105,8 @@ impl<A: Row, const C: usize> Block<A, C> {
         }
     }
 
-    /// Fills `to` past the caches: `each` gives what becomes of a part of a block, and its first `None`
-    /// ends. Worth it where the caches could not hold `to` anyway, and a loss where they could.
+    /// Fills `to` past the caches: `each` computes one part of a block, and its first `None` ends the
+    /// loop. Faster where the caches could not hold `to` anyway, slower where they could.
     #[inline(always)]
     pub fn stream<V: Level>(
         level: V,
@@ -165,7 +165,7 @@ mod sealed {
     pub trait Sealed {}
 }
 
-/// One line a row type; the six have nothing in common that a generic `impl` could name.
+/// One line per row type; the six have nothing in common that a generic `impl` could name.
 macro_rules! rows {
     ($($real:ty, $lanes:literal => $lane:ident;)*) => {$(
         impl sealed::Sealed for [$real; $lanes] {}

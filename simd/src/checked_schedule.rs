@@ -2,9 +2,9 @@
 
 use alloc::boxed::Box;
 
-/// Pairs `[to, from]`: element `to` is computed of element `from`. All indices lie below a bound, which
-/// is checked once and not in the loop: where a step takes seven cycles, half a cycle is what a check
-/// costs.
+/// Pairs `[to, from]`: element `to` is computed from element `from`. All indices lie below a bound. This
+/// is checked once and not in the loop, where a step takes seven cycles and a check would add half a
+/// cycle.
 #[derive(Clone, Debug)]
 pub struct CheckedSchedule {
     /// Invariant: no number in it reaches `bound`.

@@ -15,7 +15,7 @@ pub const MAX_LANES: usize = 16;
 /// [`neg_mul_add`](Self::neg_mul_add) may differ between types: they round once where the hardware
 /// fuses, twice elsewhere.
 ///
-/// A constant needs a [`Level`] or another lane to stand beside ([`constant`](Self::constant)): a value of
+/// A constant needs a [`Level`] or another value of the type ([`constant`](Self::constant)): a value of
 /// the type is itself proof that the CPU can compute with it.
 pub trait Lanes:
     Copy
@@ -29,7 +29,7 @@ pub trait Lanes:
 {
     /// The number in each lane: `f32` or `f64`.
     type Real: Float;
-    /// One truth value a lane.
+    /// One truth value per lane.
     type Mask: Mask;
     /// The instructions that these lanes need.
     type Level: Level;
@@ -172,7 +172,7 @@ unsafe fn store_rows<L: Lanes, const C: usize>(
     }
 }
 
-/// One truth value a lane.
+/// One truth value per lane.
 pub trait Mask:
     Copy + Debug + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self>
 {
@@ -286,7 +286,7 @@ mod sealed {
 /// Eight lanes `[px, py, pz, pw, qx, qy, qz, qw]`: one dual quaternion p + εq, as it lies in memory.
 ///
 /// Products of such vectors serve where there is only one thing to compute at a time: a child waits
-/// for its parent. Two rearrangements are all that they need beside [`Lanes`].
+/// for its parent. Two rearrangements are all that they need in addition to [`Lanes`].
 pub trait PackedDualQuat: Lanes {
     /// What the components x, y, z and w of another quaternion multiply, in both halves: with these
     /// four columns, p·b = c₀b_x + c₁b_y + c₂b_z + c₃b_w.

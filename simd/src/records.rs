@@ -48,7 +48,7 @@ pub trait Records: Lanes {
             }
             return components;
         }
-        // Four components at a time; the last four begin earlier where C is no multiple of four.
+        // Four components at a time; the last four begin earlier where C is not a multiple of four.
         let mut first = 0;
         loop {
             // SAFETY: record `LANES − 1` begins `(LANES − 1) · apart` numbers from the start, and four

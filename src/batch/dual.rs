@@ -1,7 +1,7 @@
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use dq8_simd::Lanes;
 
-/// Dual numbers a + εb, one a lane: [`Dual`](crate::Dual) on lanes.
+/// Dual numbers a + εb, one per lane: [`Dual`](crate::Dual) on lanes.
 #[derive(Clone, Copy, Debug)]
 pub struct Dual<L> {
     /// a, the real part.

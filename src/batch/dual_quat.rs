@@ -3,7 +3,7 @@ use crate::geometry::DualVector;
 use core::ops::{Add, Mul, Neg, Sub};
 use dq8_simd::{Block, Lanes, Level, Records, Row};
 
-/// Dual quaternions σ = p + εq, one a lane: [`DualQuat`](crate::DualQuat) on lanes.
+/// Dual quaternions σ = p + εq, one per lane: [`DualQuat`](crate::DualQuat) on lanes.
 ///
 /// Conventions and laws are those of [`Motion`](crate::Motion); formulas, sources and examples stand
 /// on the scalar type.
@@ -100,7 +100,7 @@ impl<L: Lanes> DualQuat<L> {
         Dual::new(self.real.w(), self.dual.w())
     }
 
-    /// The three dual components beside [`dual_scalar`](Self::dual_scalar).
+    /// The three dual components in addition to [`dual_scalar`](Self::dual_scalar).
     #[inline(always)]
     #[must_use]
     pub fn dual_vector(self) -> DualVector<L> {
@@ -136,7 +136,7 @@ impl<L: Lanes> DualQuat<L> {
         Self::new(self.real.scale(factor), self.dual.scale(factor))
     }
 
-    /// (a + εb)σ for a dual number a lane
+    /// (a + εb)σ for one dual number per lane
     #[inline(always)]
     #[must_use]
     pub fn scale_dual(self, factor: Dual<L>) -> Self {

@@ -2,7 +2,7 @@
 //!
 //! Everything is written once, generic over [`Lanes`](dq8_simd::Lanes), and computes every lane alike:
 //! where a formula has cases, all are computed and [`select`](dq8_simd::Lanes::select) picks. Where a
-//! case is rare and dear, a test whether *any* lane needs it comes first; the value of a lane never
+//! case is rare and expensive, a test comes first: does *any* lane need it? The value of a lane never
 //! depends on its neighbours.
 //!
 //! ```

@@ -85,7 +85,7 @@ impl<L: Lanes> DualQuat<L> {
         self.inverse().checked()
     }
 
-    /// NaN in all of a lane that has a component which is not finite, and which lanes those are.
+    /// Fills every lane that has a component which is not finite with NaN; and the mask of those lanes.
     #[inline(always)]
     fn checked(self) -> (Self, L::Mask) {
         let components = self.to_array();

@@ -4,7 +4,7 @@ use super::{Dual, vector};
 use core::ops::{Add, Mul, Neg, Sub};
 use dq8_simd::Lanes;
 
-/// Quaternions, one a lane: [`Quat`](crate::Quat) on lanes.
+/// Quaternions, one per lane: [`Quat`](crate::Quat) on lanes.
 #[derive(Clone, Copy, Debug)]
 pub struct Quat<L>([L; 4]);
 

@@ -7,7 +7,7 @@ impl<L: Lanes> Quat<L> {
     /// Turns from `self` to ±`other` about one axis at constant speed, by the shorter way; `t` may
     /// differ from lane to lane.
     ///
-    /// The screw motion of pure rotations: whatever it computes for the dual part is left away.
+    /// The screw motion of pure rotations: the dual part that it computes is discarded.
     #[inline(always)]
     #[must_use]
     pub fn slerp(self, other: Self, t: L) -> Self {

@@ -19,7 +19,7 @@ const CACHE: usize = 32 << 10;
 
 /// So many joints ahead the next ones are fetched. Crowds of 64 joints in place by 1024 take a tenth less
 /// time for it with AVX2 and a twentieth less with AVX-512; one block of 16, which never leaves the first
-/// cache, a twentieth more. Farther ahead is no faster, and from 8 on slower.
+/// cache, a twentieth more. Farther ahead is not faster, and from 8 on slower.
 const AHEAD: usize = 2;
 
 /// Parents first. Three things keep this loop at the speed of its multiplications:

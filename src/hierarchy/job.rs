@@ -38,7 +38,7 @@ pub struct Job<'a, E: Element<8>> {
 impl<'a> Hierarchy<'a> {
     /// Model poses of all joints from local ones: model(j) = model(parent(j)) · local(j).
     ///
-    /// `locals` and `models` hold one element a joint, or several whole instances one after the
+    /// `locals` and `models` hold one element per joint, or several whole instances one after the
     /// other. A [`Job`] does the same with a root transform or on some of the joints.
     ///
     /// # Errors
@@ -100,21 +100,21 @@ impl<'a, E: Element<8>> Job<'a, E> {
         self
     }
 
-    /// In which order the numbers of a palette's matrices lie in memory; rows, unless told.
+    /// Sets the order of the numbers in a palette's matrices; rows by default.
     #[must_use]
     pub fn matrix_order(mut self, order: MatrixOrder) -> Self {
         self.order = order;
         self
     }
 
-    /// Normalizes models on the way down; never, unless told.
+    /// Sets when models are normalized on the way down; never by default.
     #[must_use]
     pub fn renormalize(mut self, policy: Renormalize) -> Self {
         self.run.renormalize = policy;
         self
     }
 
-    /// Runs with these instructions: the best that the CPU has, unless told.
+    /// Runs with these instructions; by default with the best that the CPU has.
     #[must_use]
     pub fn backend(mut self, backend: Backend) -> Self {
         self.backend = Some(backend);
@@ -168,7 +168,7 @@ impl<'a, E: Element<8>> Job<'a, E> {
 
     /// [`locals_to_model`](Self::locals_to_model), and in the same pass the skinning palette:
     /// `palette[j]` = model(j) · `inverse_binds[j]`, which takes a vertex of the mesh in its rest pose
-    /// to where joint j has moved it. `inverse_binds` holds one a joint, the same for all instances;
+    /// to where joint j has moved it. `inverse_binds` holds one per joint, the same for all instances;
     /// the palette is of motions or of 3×4 matrices.
     ///
     /// # Errors

@@ -1,4 +1,4 @@
-//! What else is computed of a joint while its model is at hand.
+//! [`Epilogue`]: what is computed from a model, for example a palette, while it is at hand.
 
 use super::locals::Motions;
 use super::slot::JointSlot;
@@ -8,7 +8,7 @@ use crate::scalar::DualQuat;
 use crate::storage::{Element, Number};
 use dq8_simd::Level;
 
-/// What is computed of a model once it is known, as in the epilogue of a matrix product.
+/// What is computed from a model once it is known, as in the epilogue of a matrix product.
 pub(super) trait Epilogue<E: Element<8>> {
     /// Whether there is anything to do.
     const ACTIVE: bool;

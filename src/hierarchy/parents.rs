@@ -22,14 +22,14 @@ pub struct Hierarchy<'a> {
 }
 
 impl<'a> Hierarchy<'a> {
-    /// The parent of a joint that has none. It is what −1 becomes as a `u32`.
+    /// The parent of a joint that has none: −1 as a `u32`.
     pub const ROOT: u32 = u32::MAX;
 
     /// Checks `parents`: `parents[j]` is the parent of joint `j`, or [`ROOT`](Self::ROOT).
     ///
     /// # Errors
-    /// If a parent is no joint, or does not come before its child: that is a forward reference or
-    /// a cycle. The error names the first such joint and its parent. Also if there are more joints
+    /// If a parent is not a joint, or does not come before its child (a forward reference or a
+    /// cycle). The error names the first such joint and its parent. Also if there are more joints
     /// than a `u32` can number.
     ///
     /// ```

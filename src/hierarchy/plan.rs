@@ -9,7 +9,7 @@ use crate::storage::Source;
 use dq8_simd::{Lanes, Level};
 
 /// From this many joints on, a chain is cut into segments: `cargo bench --bench hierarchy --
-/// one-instance/chain` shows both strategies around it. (Nanoseconds a joint, AVX-512, of 16, 24 and 32
+/// one-instance/chain` shows both strategies around it. (Nanoseconds per joint, AVX-512, of 16, 24 and 32
 /// joints: ordered 4.9, 5.6, 6.0; in segments 6.7, 5.3, 4.7. Without AVX2 segments never win.)
 const MIN_CHAIN: usize = 24;
 
@@ -77,8 +77,8 @@ impl HierarchyPlan {
         })
     }
 
-    /// The plan with this strategy: to measure it. `None` if the hierarchy is no chain and would have
-    /// to be one.
+    /// The plan with this strategy: to measure it. `None` if the strategy needs a chain and the
+    /// hierarchy is not one.
     #[must_use]
     pub fn with_strategy(hierarchy: &Hierarchy<'_>, strategy: Strategy) -> Option<Self> {
         let schedule = match strategy {
@@ -104,7 +104,7 @@ impl HierarchyPlan {
         }
     }
 
-    /// Runs with these instructions: the best that the CPU has, unless told.
+    /// Runs with these instructions; by default with the best that the CPU has.
     #[must_use]
     pub fn backend(mut self, backend: Backend) -> Self {
         self.backend = Some(backend);

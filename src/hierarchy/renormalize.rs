@@ -3,15 +3,15 @@ use core::num::NonZeroU32;
 /// When a run over a hierarchy normalizes model poses exactly.
 ///
 /// Products of unit motions are unit up to rounding, and rounding adds up: about 10⁻⁷ √n (`f32`) in
-/// the norm after n products, less than a skeleton can show. The example `drift` measures it; in
+/// the norm after n products, less than a skeleton can show. `lab/src/products.rs` measures it; in
 /// short:
 ///
 /// - normalizing does **not** make rotations more accurate, it only keeps the norm;
-/// - chains of up to thousands of joints need none of it: [`Never`](Self::Never) is the default;
+/// - chains of up to thousands of joints do not need it: [`Never`](Self::Never) is the default;
 /// - where a product goes on for long (odometry, physics), normalize exactly and rarely:
 ///   [`Every`](Self::Every) 64 joints is as good as every one;
-/// - dividing by the norm of the real part alone is no normalization: it leaves the dual part with a
-///   component that is no translation.
+/// - dividing by the norm of the real part alone does not normalize: it leaves the dual part with a
+///   component that is not a translation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Renormalize {
     /// Products only.

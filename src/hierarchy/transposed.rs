@@ -240,7 +240,7 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Walk<'_, '_, E, L, 
 }
 
 /// Each joint is multiplied onto its parent. Locals that are not motions in memory are made before, for
-/// as many joints as there are lanes; what else is computed of the models is after, in lanes again.
+/// as many joints as there are lanes; the epilogue comes after, in lanes again.
 #[inline(always)]
 fn walk<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     level: V,
@@ -294,7 +294,7 @@ fn product<R: Scalar, V: Level>(level: V, parent: &[R; 8], local: &[R; 8]) -> [R
     model
 }
 
-/// On lanes, for the sake of the last bit.
+/// On lanes, so that every bit is that of `normalize_lanes`.
 #[cold]
 #[inline(never)]
 fn normalize<R: Scalar, V: Level>(level: V, model: &mut [R; 8]) {

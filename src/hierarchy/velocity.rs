@@ -15,7 +15,7 @@ impl<E: Element<8>> Job<'_, E> {
     /// `models` are model poses, unit; `rates` body twists of each joint relative to its parent, in
     /// the joint's own frame (for a joint of one degree of freedom, its axis times its rate);
     /// `twists` come out in the frame that the models are in, about its origin
-    /// ([`Twist::velocity_at`] gives the velocity of a point). All hold one element a joint, or several
+    /// ([`Twist::velocity_at`] gives the velocity of a point). All hold one element per joint, or several
     /// whole instances one after the other.
     ///
     /// # Errors
@@ -57,14 +57,14 @@ impl<E: Element<8>> Job<'_, E> {
     ///
     /// `axes` holds the screw of each joint in its own frame, the same for all instances: the body
     /// twist for a rate of 1 ((axis, 0) for a hinge, (0, axis) for a slide, both for a screw).
-    /// `models` and `columns` hold one element a joint, or several whole instances one after the
+    /// `models` and `columns` hold one element per joint, or several whole instances one after the
     /// other.
     ///
     /// The *geometric* Jacobian of robotics, with ṗ of a point p of the effector, has the same angular
     /// rows and [`column.velocity_at(p)`](Twist::velocity_at) for the linear ones.
     ///
     /// # Errors
-    /// If lengths do not fit or there is no joint `effector`; `columns` is untouched.
+    /// If lengths do not fit or joint `effector` does not exist; `columns` is untouched.
     ///
     /// ```
     /// use dq8::{DualQuat, Hierarchy, Twist};

@@ -70,7 +70,7 @@ impl<R: Real> Joint<R> {
         vector::dot(self.screw.angular, self.screw.linear)
     }
 
-    /// With a unit screw; and its pitch, zero where it is no more than rounding has left of a hinge.
+    /// With a unit screw; and its pitch, zero where it is only what rounding has left of a hinge.
     pub(super) fn checked(self, index: usize) -> Result<(Self, R), ArmError> {
         let Twist { angular, linear } = self.screw;
         let lengths = [vector::norm(angular), vector::norm(linear)];

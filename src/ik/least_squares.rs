@@ -6,7 +6,7 @@ use dq8_simd::{Float, Lanes};
 /// Hanafusa 1986; Wampler 1986; Buss 2004, eq. 11), J without the columns that are `held`.
 ///
 /// By Cholesky's factorisation in place. To λ² is added what rounding makes of JJᵀ, so that a singular
-/// J is no special case; and each pivot is at least λ², as it would be without rounding.
+/// J is not a special case; and each pivot is at least λ², as it would be without rounding.
 #[inline(always)]
 #[allow(clippy::needless_range_loop, reason = "rows and columns are numbers here")]
 pub(super) fn damped<L: Lanes, const N: usize>(

@@ -8,8 +8,8 @@
 //! An [`Arm`] is a product of exponentials (Brockett 1984): the screws of its [`Joint`]s and the pose
 //! of the end where all joints are zero, so that no frames have to be laid into the links. It is
 //! solved for one target ([`Arm::reach`]), for as many as there are lanes ([`Arm::reach_lanes`]) or
-//! for a slice of targets with the best instructions of the CPU ([`Backend::reach`]): one and the
-//! same text. What came of it is a [`Report`].
+//! for a slice of targets with the best instructions of the CPU ([`Backend::reach`]), by the same
+//! code. The result is a [`Report`].
 //!
 //! ```
 //! use dq8::ik::{Arm, Joint, Options, Outcome};

@@ -24,7 +24,7 @@ where
     /// Where two steps in a row do not lead much nearer, or limits leave no way nearer, the search
     /// begins again ([`Options::restarts`]) from the nearest of 128 poses of the arm, the next time from
     /// the second nearest, and so on. A restart counts as an iteration. So the solution may be another
-    /// than the one next to the start; but what comes is the same in every run.
+    /// than the one next to the start; but the result is the same in every run.
     ///
     /// ```
     /// use dq8::ik::{Arm, Joint, Options, Outcome};

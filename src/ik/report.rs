@@ -9,7 +9,7 @@ pub struct Options<R> {
     /// The distance that may be left, in the unit of the arm.
     pub linear_tolerance: R,
     /// Steps and restarts together. Most targets take six or seven; the default of 100 is for the few
-    /// in a hundred that begin again, and costs nothing but where a target cannot be reached.
+    /// in a hundred that begin again, and costs time only where a target cannot be reached.
     pub max_iterations: u32,
     /// How long a distance weighs as much as a radian; `None` is an eighth of the arm's length
     /// ([`Arm::reach_bound`](super::Arm::reach_bound)). It decides what is nearest where the target
@@ -19,7 +19,7 @@ pub struct Options<R> {
     pub max_step: R,
     /// λ of the damped least squares at the target itself, radians. Zero, the default, reaches it
     /// fastest; with λ no step is longer than |e|/(2λ) for an error |e|, also in front of a singular
-    /// pose, as a machine wants it that follows a target.
+    /// pose: right for a machine that follows a target.
     pub damping: R,
     /// Whether to begin again from another pose of the arm where the search got stuck. If false,
     /// converge from the given start only: right for tracking a target that moves.
@@ -41,7 +41,7 @@ impl<R: Real> Default for Options<R> {
     }
 }
 
-/// What came of a search: of one target, `Report<R, Outcome>`, or of one a lane,
+/// The result of a search: for one target, `Report<R, Outcome>`, or for one per lane,
 /// `Report<L, Outcomes<L::Mask>>`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Report<T, O> {

@@ -15,7 +15,7 @@
 //! steps ([`PATIENCE`]). Steps near a solution converge quadratically, so a search that falls slowly is
 //! on its way to a local minimum, and an iteration spent there is one that a restart cannot use. *Hope*
 //! is what the columns promise: where a limit cuts a step so short that even its own linear model leaves
-//! most of the error, the way is blocked, and waiting would be in vain.
+//! most of the error, the way is blocked, and waiting would not help.
 //!
 //! *Restarts* take the arm's own poses, [`SEEDS`](super::seed::SEEDS) of them, in the order of their
 //! distance from the target. Instead of a sorted list, which no lane could have for itself without
@@ -37,10 +37,10 @@ const PROGRESS: f64 = 0.4;
 /// ... or, where there is no other beginning, to this part ...
 const LAST_PROGRESS: f64 = 0.999;
 /// ... in this many steps. Patience costs iterations that a restart could use: with 3, fewer of the
-/// random targets in the tests are reached. Where there is no restart, nothing is lost by it.
+/// random targets in the tests are reached. Without restarts, patience costs nothing.
 const PATIENCE: f64 = 2.0;
 const LAST_PATIENCE: f64 = 6.0;
-/// Below this squared error (radians²) a limit in the way is no reason to give up at once.
+/// Below this squared error (radians²) a limit in the way is not a reason to give up at once.
 const NEAR: f64 = 1e-4;
 
 /// A search in each lane.
@@ -81,7 +81,7 @@ struct Best<L: Lanes, const N: usize> {
 }
 
 impl<R: Scalar, const N: usize> Arm<R, N> {
-    /// [`reach`](Self::reach) for a target a lane, as [`Backend::reach`](crate::Backend::reach) does
+    /// [`reach`](Self::reach) for one target per lane, as [`Backend::reach`](crate::Backend::reach) does
     /// it: what a lane has arrived at is kept while its neighbours go on, and neither the
     /// values nor the report of a lane depend on the others.
     #[inline(always)]
@@ -164,7 +164,7 @@ impl<'a, R: Scalar, L: Lanes<Real = R>, const N: usize> Search<'a, R, L, N> {
         self.judge(restarting, hopeless);
     }
 
-    /// Where a step leads, and where there is no hope in going on like that.
+    /// Where a step leads, and in which lanes going on like that is hopeless.
     #[inline(always)]
     fn step(&self) -> ([L; N], L::Mask) {
         let State { values, columns, residual } = &self.here;

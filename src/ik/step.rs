@@ -20,7 +20,7 @@ use dq8_simd::{Lanes, Mask};
 /// λ² of the damped least squares, as a part of the squared error: λ² = μ|e|², Sugihara's choice
 /// (*Solvability-Unconcerned Inverse Kinematics by the Levenberg–Marquardt Method*, 2011), which
 /// damps far from the target, where the columns promise too much, and in front of a target out of
-/// reach, where there is no limit to what they promise, but not at the end. His μ is ½; with second-order
+/// reach, where nothing limits what they promise, but not at the end. His μ is ½; with second-order
 /// steps anything from 0.01 to 0.05 is as good, and better than ½.
 const DAMPING: f64 = 0.02;
 

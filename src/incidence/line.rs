@@ -1,4 +1,4 @@
-//! Lines from points and planes, and points beside them.
+//! Lines from points and planes, and points near them.
 
 use super::{finite, parallel_sine, unit};
 use crate::error::IncidenceError;

@@ -30,7 +30,7 @@ impl<R: Real> Plane<R> {
         Self::from_point_normal(a, vector::over_norm(normal, sine)).checked()
     }
 
-    /// The plane through a line and a point beside it; its normal is along m − x × l: direction of
+    /// The plane through a line and a point off the line; its normal is along m − x × l: direction of
     /// the line, way from the line to the point, and normal are right-handed.
     ///
     /// # Errors

@@ -14,11 +14,11 @@ use core::ops::Mul;
 /// |p|², and the only term with v is pvp*: |p|² times a rotation. As a point, real part 1, it is that
 /// rotation and a translation, so *every* σ with p ≠ 0 keeps distances and handedness. A dual
 /// part that is not divided scales uniformly, by the factor of Arends ch. 5 §6.1, but with a real part
-/// other than 1 it is no point any more. Scale that differs between directions and shear would have to
+/// other than 1 it is not a point any more. Scale that differs between directions and shear would have to
 /// act on single components, and products of quaternions mix all four (Arends ch. 5 §6.1 and §6.3). A
 /// reflection needs another product, nvn ([`reflection`](Self::reflection)).
 ///
-/// So scale is carried beside the motion: [`try_decompose`](Self::try_decompose) takes them apart.
+/// So scale is carried along with the motion: [`try_decompose`](Self::try_decompose) takes them apart.
 ///
 /// ```
 /// use dq8::{Affine, DualQuat};

@@ -60,7 +60,7 @@ impl<R: Real> Polar<R> {
         let (best, sign) = if mirrors { (least, -R::ONE) } else { (most, R::ONE) };
         let values = values.map(|value| sign * value);
         let others = values.into_iter().enumerate().filter(|(index, _)| *index != best);
-        // They are no further below than −λ.
+        // They are not further below than −λ.
         let next =
             others.fold(-values[best], |next, (_, other)| if other > next { other } else { next });
         let gap = (values[best] - next) / (R::TWO * values[best]);

@@ -56,7 +56,7 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// As [`dlb`](Self::dlb), each sign turned toward the sum of the motions before: for influences
-    /// that are no cluster about the first, or where the first one's weight may be zero. Where the
+    /// that do not cluster about the first, or where the first one's weight may be zero. Where the
     /// two are exactly at right angles (half a turn apart) the sign is kept. The result depends on
     /// the order of the influences where they span more than half a turn. The weights need not sum
     /// to one, but no sum on the way should be negative: it would point away from its motions.

@@ -41,7 +41,7 @@ impl<R: Real> DualQuat<R> {
 
     /// The spatial twist 2σ̇σ* of a unit σ that changes by σ̇ per unit of time; undoes
     /// [`derivative_spatial`](Self::derivative_spatial), whose formula times 2σ* it is. Scalar parts,
-    /// zero where σ̇ keeps σ unit, are left away.
+    /// zero where σ̇ keeps σ unit, are dropped.
     #[inline]
     #[must_use]
     pub fn spatial_twist(self, derivative: Self) -> Twist<R> {

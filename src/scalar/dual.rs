@@ -168,7 +168,7 @@ impl<R: Real> Mul for Dual<R> {
     }
 }
 
-/// (a + εb)/(c + εd) = a/c + ε(bc − ad)/c² (Kenwright §5.1). There is no quotient for c = 0: the
+/// (a + εb)/(c + εd) = a/c + ε(bc − ad)/c² (Kenwright §5.1). For c = 0 the quotient does not exist: the
 /// result is then infinite or NaN, as for floats; [`Dual::inverse`] checks.
 impl<R: Real> Div for Dual<R> {
     type Output = Self;

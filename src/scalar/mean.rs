@@ -23,7 +23,7 @@ impl<R: Real> DualQuat<R> {
     /// mean, there may be several.
     ///
     /// The weights need not sum to one; all of them times any number give the same motion. Where
-    /// they sum to zero there is no mean: components are NaN, or `converged` is false. NaN and
+    /// they sum to zero the mean does not exist: components are NaN, or `converged` is false. NaN and
     /// infinities in a motion or a weight give NaN. `None` without influences.
     ///
     /// ```

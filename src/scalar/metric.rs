@@ -9,7 +9,7 @@ impl<R: Real> DualQuat<R> {
     /// of dual quaternions: from matrices it takes a conversion.
     ///
     /// θ = 2 atan2(|v|, |w|) with w + v = p_a*p_b. An arccosine of p_a·p_b has lost small angles
-    /// (below 5·10⁻⁴ in `f32`); this keeps them, down to subnormal ones beside the identity, and is
+    /// (below 5·10⁻⁴ in `f32`); this keeps them, down to subnormal ones next to the identity, and is
     /// as good near π. Elsewhere the rounding of the components themselves is what limits it.
     ///
     /// Both must be unit. NaN if a real part is not finite.

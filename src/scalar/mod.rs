@@ -1,6 +1,6 @@
 //! The reference: one motion at a time, textbook formulas with plain branches.
 //!
-//! Written by hand beside the papers and independent of [`batch`](crate::batch), which is tested
+//! Written by hand from the papers and independent of [`batch`](crate::batch), which is tested
 //! against it. The contract that both keep is [`Motion`](crate::Motion).
 
 mod adjoint;

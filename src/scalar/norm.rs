@@ -6,7 +6,7 @@ use crate::real::Real;
 
 impl<R: Real> DualQuat<R> {
     /// The norm as a dual number, √(σσ*) = |p| + ε (p·q)/|p| (Jia eq. 18, Fabisch "Norm of a Dual
-    /// Quaternion"). For p = 0 there is none: the dual part is NaN.
+    /// Quaternion"). For p = 0 it does not exist: the dual part is NaN.
     ///
     /// ```
     /// use dq8::{Dual, DualQuat};
@@ -33,7 +33,7 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// Exact normalization in Fabisch's two steps: σ/|p|, then the part of q along p taken away.
-    /// Dividing by |p| alone would leave a q that is no translation.
+    /// Dividing by |p| alone would leave a q that is not a translation.
     ///
     /// # Errors
     /// If p is zero, or a component of σ or of the result is not finite.

@@ -46,7 +46,7 @@ impl<R: Real> DualQuat<R> {
     /// without dual quaternions do, here to compare with. `t` = 0 gives `self`, 1 gives ±`other`.
     ///
     /// The origin of the body moves on a straight line at constant speed and the body turns about
-    /// it, so this is no screw motion, and it depends on which point of the body is the origin: for
+    /// it, so this is not a screw motion, and it depends on which point of the body is the origin: for
     /// a motion c on the right, slerp_lerp(ac, bc, t) ≠ slerp_lerp(a, b, t)c, where
     /// [`sclerp`](Self::sclerp) has equality on both sides. A common motion on the left, of the
     /// world, it does keep.

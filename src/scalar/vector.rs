@@ -59,7 +59,7 @@ pub(crate) fn any_across<R: Real>(along: [R; 3]) -> [R; 3] {
 /// Not by division: a norm one unit of the last place below 1 would then push every component up by
 /// a whole unit where half of one is meant. |p| is measured again at the next product, but nothing
 /// measures the length of q, so a chain that normalizes at every product would scale its translation
-/// by about 10⁻⁹ a product, always the same way (see the example `drift`).
+/// by about 10⁻⁹ per product, always in the same direction (measured in `lab/src/products.rs`).
 #[inline]
 pub(crate) fn over_norm<R: Real, const N: usize>(components: [R; N], norm: R) -> [R; N] {
     // Outside these the reciprocal is not a normal number, in `f32`.

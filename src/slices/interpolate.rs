@@ -133,7 +133,7 @@ impl Interpolate for Sclerp {
     }
 }
 
-/// t, the same for all or one each.
+/// The parameter t: the same for all, or one for each.
 trait Parameter<E: Element<8>> {
     fn load<V: Level>(&self, level: V, tile: Tile) -> Option<Register<E, V, 8>>;
 }

@@ -6,7 +6,7 @@ use crate::storage::{Element, Register, Tile};
 use dq8_simd::Level;
 
 impl Backend {
-    /// `matrices[i]` = [R | t] of unit σᵢ: 3×4 matrices for twelve numbers an element, 4×4 matrices,
+    /// `matrices[i]` = [R | t] of unit σᵢ: 3×4 matrices for twelve numbers per element, 4×4 matrices,
     /// with the row 0 0 0 1, for sixteen.
     ///
     /// # Errors

@@ -8,7 +8,7 @@ use dq8_simd::{Lanes, Level};
 
 impl Backend {
     /// `moved[i]` = R·`points[i]` + t of one unit motion, which becomes a 3×4 matrix once: nine
-    /// multiplications a point.
+    /// multiplications per point.
     ///
     /// # Errors
     /// If the slices differ in length; `moved` is untouched.

@@ -6,7 +6,7 @@ use crate::storage::{Element, Register, Source, Tile};
 use dq8_simd::{Lanes, Level};
 
 impl Backend {
-    /// `units[i]` = σᵢ/√(σᵢσᵢ*), exactly; some component is NaN where there is no such motion (see
+    /// `units[i]` = σᵢ/√(σᵢσᵢ*), exactly; some component is NaN where the result does not exist (see
     /// [`Motion::normalize_checked`](crate::Motion::normalize_checked)).
     ///
     /// # Errors
@@ -37,7 +37,7 @@ impl Backend {
         sweep(self, motions, Unary { from: Source::Output, operation: Normalize });
     }
 
-    /// `inverses[i]` = σᵢ⁻¹; some component is NaN or infinite where there is none (see
+    /// `inverses[i]` = σᵢ⁻¹; some component is NaN or infinite where it does not exist (see
     /// [`Motion::inverse_checked`](crate::Motion::inverse_checked)).
     ///
     /// # Errors

@@ -79,8 +79,8 @@ pub trait Element<const C: usize>: Copy + Debug + sealed::Sealed {
         }
     }
 
-    /// The same numbers as arrays, if they lie one after the other: what is faster for one thing than
-    /// lanes are. `None` for blocks.
+    /// The same numbers as arrays, if they lie one after the other: for one thing this is faster than
+    /// lanes. `None` for blocks.
     #[must_use]
     #[inline(always)]
     fn plain(slice: &[Self]) -> Option<&[[Number<Self, C>; C]]> {

@@ -17,6 +17,7 @@ fn refused<T: Debug>(result: Result<T, IncidenceError>) -> &'static str {
         IncidenceError::ParallelToPlane { .. } => "parallel to plane",
         IncidenceError::ParallelLines { .. } => "parallel lines",
         IncidenceError::SkewLines { .. } => "skew lines",
+        other => panic!("an error without a name here: {other:?}"),
     }
 }
 

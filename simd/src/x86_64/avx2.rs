@@ -114,7 +114,7 @@ vector! {
 /// A mask is a vector whose lanes are all ones or all zeros.
 macro_rules! mask {
     ($name:ident = $register:ident, $lanes:literal; $and:ident; $or:ident; $xor:ident; $ones:expr; $bits:ident) => {
-        /// A truth value a lane: all ones or all zeros.
+        /// One truth value per lane: all ones or all zeros.
         #[derive(Clone, Copy, Debug)]
         pub struct $name($register, Avx2);
 

@@ -67,7 +67,7 @@ impl Level for Avx512 {
     }
 }
 
-/// A truth value a lane, a bit each, for any number of lanes up to 16.
+/// One truth value per lane, one bit each, for any number of lanes up to 16.
 #[derive(Clone, Copy, Debug)]
 pub struct Bits<const LANES: u32>(u32);
 

@@ -1,4 +1,4 @@
-//! Instructions on a Cortex-M4F: dq8 beside nalgebra's isometries and micromath's quaternions, the same
+//! Instructions on a Cortex-M4F: dq8, nalgebra's isometries and micromath's quaternions, the same
 //! work on the same numbers. A peer's answer is checked like ours, or it would not count.
 #![no_std]
 #![no_main]
