@@ -164,8 +164,8 @@ pub static TABLE: &[Section] = &[
         line("shell_error", &[], 3.0, "lengths neither overflow nor vanish on the way"),
     ]},
     Section { name: "what nalgebra loses", truth: DOUBLE, scale: "the number; |t| for the distance; 1 for the angle", lines: &[
-        line("sclerp", &["turn"], 3.5, "the vector part keeps its relative precision"),
-        line("sclerp", &["distance"], 3.5, "the scale is |t| of the end"),
+        line("sclerp", &["turn"], 2.0, "the vector part keeps its relative precision"),
+        line("sclerp", &["distance"], 2.0, "the scale is |t| of the end"),
         line("sclerp", &["angle"], 1.5, "the angle between what is and what should be"),
     ]},
     Section { name: "edges", truth: "closed forms in f64", scale: "the size of the numbers", lines: &[
