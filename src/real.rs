@@ -149,6 +149,11 @@ pub trait Real:
     }
     #[doc(hidden)]
     #[inline(always)]
+    fn quick_translation(_motion: [Self; 8]) -> Option<[Self; 3]> {
+        None
+    }
+    #[doc(hidden)]
+    #[inline(always)]
     fn quick_lerp(_a: [Self; 8], _b: [Self; 8], _t: Self) -> Option<[Self; 8]> {
         None
     }
@@ -247,6 +252,10 @@ macro_rules! real {
             #[inline(always)]
             fn quick_quaternion_unit(quaternion: [Self; 4]) -> Option<[Self; 4]> {
                 everyday::quaternion_unit(quaternion)
+            }
+            #[inline(always)]
+            fn quick_translation(motion: [Self; 8]) -> Option<[Self; 3]> {
+                everyday::translation(motion)
             }
             #[inline(always)]
             fn quick_lerp(a: [Self; 8], b: [Self; 8], t: Self) -> Option<[Self; 8]> {

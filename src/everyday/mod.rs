@@ -19,7 +19,8 @@ pub(crate) use between::{sclerp, slerp};
 use dq8_simd::{Float, Lanes, Portable, f32x4, f64x4};
 pub(crate) use one_lane::{exp, log, pow};
 pub(crate) use quad::{
-    inverse, lerp, matrix3x4, point, product, quaternion_product, quaternion_unit, rotate, unit,
+    inverse, lerp, matrix3x4, point, product, quaternion_product, quaternion_unit, rotate,
+    translation, unit,
 };
 
 /// `f32` or `f64`: a number, and one lane.

@@ -7,23 +7,19 @@ use crate::geometry::DualVector;
 use dq8_simd::Lanes;
 
 /// (θ̂/2)(l + εm)
-#[inline(always)]
+#[inline]
 pub(crate) fn log<F: Number>(motion: [F; 8]) -> Option<DualVector<F>> {
-    Some(log_out_of_line(motion))
-}
-
-/// Others take logarithms on their way, and firmware has room for one.
-#[inline(never)]
-fn log_out_of_line<F: Number>(motion: [F; 8]) -> DualVector<F> {
-    batch::DualQuat::<F>::from_array(motion).log()
+    Some(batch::DualQuat::<F>::from_array(motion).log())
 }
 
 /// cos ĥ + sin ĥ (l + εm)
+#[inline]
 pub(crate) fn exp<F: Number>(log: DualVector<F>) -> Option<[F; 8]> {
     Some(batch::DualQuat::<F>::exp(log).to_array())
 }
 
 /// σᵗ, of t whose square is a number.
+#[inline]
 pub(crate) fn pow<F: Number>(motion: [F; 8], t: F) -> Option<[F; 8]> {
     if !(t * t).lt(F::from_f64(f64::INFINITY)) {
         return None;

@@ -51,6 +51,18 @@ pub(crate) fn rotate<F: Number>(rotation: [F; 4], [x, y, z]: [F; 3]) -> Option<[
     Some([x, y, z])
 }
 
+/// t = 2qp*, the one that is in the matrix too.
+#[inline(always)]
+pub(crate) fn translation<F: Number>(motion: [F; 8]) -> Option<[F; 3]> {
+    if F::REGISTERS == 4 {
+        return None;
+    }
+    let [p, q] = halves(motion);
+    let half = half_translation(p, q);
+    let [x, y, z, _] = (half + half).to_array();
+    Some([x, y, z])
+}
+
 /// The rows of [R | t]: 1 − 2(y² + z²) and so on in one register, 2(xy − wz), 2(yz − wx), 2(zx − wy) in
 /// another and their partners in a third.
 #[inline(always)]
@@ -59,9 +71,7 @@ pub(crate) fn matrix3x4<F: Number>(motion: [F; 8]) -> Option<[[F; 4]; 3]> {
         return None;
     }
     let [p, q] = halves(motion);
-    let one = F::from(1.0);
-    // qp*, as the translation is of a motion whose matrix nobody asks for.
-    let half = sum_of_products(each(q), turned(p * load([-one, -one, -one, one])));
+    let half = half_translation(p, q);
     let twice = p + p;
     let squares = p * twice;
     let diagonal = p.constant(1.0) - (pick(squares, [1, 0, 0, 3]) + pick(squares, [2, 2, 1, 3]));
@@ -146,10 +156,11 @@ pub(crate) fn inverse<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
 #[inline(always)]
 fn unit_of<V: Four>(p: V, q: V) -> Option<[V::Number; 8]> {
     let [squared, along] = moderate(p, q)?;
-    // One division, which need not wait for the root.
-    let recip = squared.constant(1.0) / squared;
-    let over_norm = load([Lanes::sqrt(squared) * recip; 4]);
-    let along = load([along * recip; 4]);
+    // Not the root over the square, which need not wait but rounds once more: a chain of products by one
+    // axis stays at the norm 1 this way.
+    let over_norm = squared.constant(1.0) / Lanes::sqrt(squared);
+    let along = load([along * (over_norm * over_norm); 4]);
+    let over_norm = load([over_norm; 4]);
     Some(join(p * over_norm, p.neg_mul_add(along, q) * over_norm))
 }
 
@@ -187,6 +198,11 @@ pub(super) fn sum<V: Four>(numbers: V) -> V::Number {
     even + odd
 }
 
+#[inline(always)]
+fn half_translation<V: Four>(p: V, q: V) -> V {
+    translation_along(p, q) + cross(p, q)
+}
+
 /// w_p q − w_q p, what of half the translation is no cross product.
 #[inline(always)]
 fn translation_along<V: Four>(p: V, q: V) -> V {
@@ -222,7 +238,7 @@ fn turned<V: Four>(b: V) -> [V; 4] {
 #[inline(always)]
 fn sum_of_products<V: Four>(a: [V; 4], b: [V; 4]) -> V {
     let ([x, y, z, w], [i, j, k, one]) = (a, b);
-    x.mul_add(i, w * one) + y.mul_add(j, z * k)
+    z.mul_add(k, y.mul_add(j, x.mul_add(i, w * one)))
 }
 
 #[inline(always)]

@@ -187,7 +187,7 @@ impl<R: Real> Quat<R> {
     }
 
     /// r v r*, the vector `v` turned by this unit quaternion:
-    /// v + w u + r × u of u = 2 r × v, with r the vector part: the two products written out.
+    /// v + 2 r × (r × v + w v) with r the vector part, the two products written out.
     #[inline]
     #[must_use]
     pub fn rotate(self, v: [R; 3]) -> [R; 3] {
@@ -195,9 +195,8 @@ impl<R: Real> Quat<R> {
             return turned;
         }
         let r = self.xyz();
-        let twice = vector::scale(vector::cross(r, v), R::TWO);
-        let onto = vector::add(vector::scale(twice, self.w()), v);
-        vector::add(vector::cross(r, twice), onto)
+        let inner = vector::add(vector::cross(r, v), vector::scale(v, self.w()));
+        vector::add(v, vector::scale(vector::cross(r, inner), R::TWO))
     }
 }
 

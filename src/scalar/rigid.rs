@@ -74,6 +74,9 @@ impl<R: Real> DualQuat<R> {
     #[inline]
     #[must_use]
     pub fn translation(self) -> [R; 3] {
+        if let Some(translation) = R::quick_translation(self.to_array()) {
+            return translation;
+        }
         (self.dual() * self.real().conjugate()).scale(R::TWO).xyz()
     }
 }
