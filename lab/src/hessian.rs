@@ -105,7 +105,7 @@ pub fn seeded(variables: [f64; 6], i: usize, j: usize, step: f64) -> [HyperDual<
     seeded
 }
 
-/// The spatial Jacobian by [`Hierarchy::jacobian`]: Jᵢ = Ad of all joints before i on ξᵢ.
+/// The spatial Jacobian by [`Job::jacobian`](dq8::Job::jacobian): Jᵢ = Ad of all joints before i on ξᵢ.
 ///
 /// # Errors
 /// Those of [`Hierarchy`], which six joints in a row do not meet.
