@@ -11,6 +11,7 @@ the compiler and the calls in the machine code (a call that cannot be followed, 
 arithmetic, of which there must be none, also not in IMAGE, that of the board.
 """
 
+import bisect
 import re
 import subprocess
 import sys
@@ -75,21 +76,27 @@ def frames(image):
 
 
 def calls(image):
-    """The functions that each function calls or jumps to; None for a call that names none."""
-    graph, inside = {}, None
-    for line in run("llvm-objdump", "-d", "--no-show-raw-insn", image).splitlines():
-        if head := re.match(r"[0-9a-f]+ <(.*)>:$", line):
-            # Symbols that mark code and data among instructions are no functions.
-            if not head[1].startswith("$"):
-                inside = graph.setdefault(head[1], set())
+    """The functions that each function calls or jumps to; None for a call that names none.
+
+    By address: names of jumps within a function may be those of anything near.
+    """
+    listing = run("llvm-objdump", "-d", "--no-show-raw-insn", image).splitlines()
+    heads = (re.match(r"([0-9a-f]+) <(.*)>:$", line) for line in listing)
+    # Symbols that mark code and data among instructions are no functions.
+    starts = {int(head[1], 16): head[2] for head in heads if head and not head[2].startswith("$")}
+    addresses = sorted(starts)
+    graph, inside = {name: set() for name in starts.values()}, None
+    for line in listing:
+        if head := re.match(r"([0-9a-f]+) <(.*)>:$", line):
+            inside = starts.get(int(head[1], 16), inside)
         elif call := CALL.search(line):
-            where = re.search(r"<([^>+]+)(\+0x[0-9a-f]+)?>", call[1])
-            if where is not None and not where[1].startswith("$"):
-                name, offset = where.groups()
-                if not (offset and graph[name] is inside):
-                    inside.add(name)
-            elif where is None and BY_REGISTER.search(line):
-                inside.add(None)
+            if where := re.search(r"(?:0x)?([0-9a-f]+) <([^>]+)>", call[1]):
+                before = bisect.bisect_right(addresses, int(where[1], 16)) - 1
+                name = starts[addresses[before]] if before >= 0 else None
+                if name != inside or int(where[1], 16) == addresses[before]:
+                    graph[inside].add(name)
+            elif BY_REGISTER.search(line):
+                graph[inside].add(None)
     return graph
 
 

@@ -80,25 +80,27 @@ fn plain<E: Element<8>, V: Level>(
     let root = run.root_of(instance);
     let lanes = E::Layout::records::<V>();
     let nothing = root.unwrap_or(identity());
-    let (mut own, mut parents) = ([nothing; MAX_LANES], [nothing; MAX_LANES]);
+    // One array of both: of two that begin alike, the compiler would copy one from the other by a call.
+    let mut both = [nothing; 2 * MAX_LANES];
+    let (own, parents) = both.split_at_mut(MAX_LANES);
     let mut end = run.joints.end;
     while end > run.joints.start {
         let start = end.saturating_sub(lanes).max(run.joints.start);
         // Both are copied before anything is written: a parent may be among these joints.
         let Some(from) = E::plain(models.or(locals)) else { return };
-        for (joint, (own, parent)) in (start..end).zip(own.iter_mut().zip(&mut parents)) {
+        for (joint, (own, parent)) in (start..end).zip(own.iter_mut().zip(&mut *parents)) {
             let (Some(model), Some(&of)) = (from.get(joint), run.parents.get(joint)) else {
                 return;
             };
             *own = *model;
             *parent = *from.get(of as usize).unwrap_or(&nothing);
         }
-        let model = batch::DualQuat::<Register<E, V, 8>>::load_records(level, &own);
-        let parent = batch::DualQuat::load_records(level, &parents);
+        let model = batch::DualQuat::<Register<E, V, 8>>::load_records(level, own);
+        let parent = batch::DualQuat::load_records(level, parents);
         let local = (parent.conjugate() * model).to_array();
-        Register::<E, V, 8>::store_records(local, &mut own);
+        Register::<E, V, 8>::store_records(local, own);
         let Some(locals) = E::plain_mut(locals) else { return };
-        for (local, own) in locals.get_mut(start..end).unwrap_or_default().iter_mut().zip(&own) {
+        for (local, own) in locals.get_mut(start..end).unwrap_or_default().iter_mut().zip(&*own) {
             *local = *own;
         }
         end = start;
