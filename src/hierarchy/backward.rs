@@ -30,16 +30,16 @@ impl<E: Element<8>> Kernel for Backward<'_, '_, E> {
                 }
                 Source::Output => Source::Output,
             };
-            if E::Layout::THINGS > 1 {
-                block(level, run, models, locals, instance);
-            } else {
+            if E::Layout::transposes::<V>() {
                 plain(level, run, models, locals, instance);
+            } else {
+                block(level, run, models, locals, instance);
             }
         }
     }
 }
 
-/// Lanes are instances.
+/// Lanes are instances, or there is one.
 #[inline(always)]
 fn block<E: Element<8>, V: Level>(
     level: V,

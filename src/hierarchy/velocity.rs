@@ -123,7 +123,7 @@ impl<E: Element<8>, T: Element<6, Layout = E::Layout>> Kernel for Velocities<'_,
         let joints = run.parents.len().max(1);
         for (instance, twists) in twists.chunks_exact_mut(joints).enumerate() {
             let first = instance * joints;
-            if E::Layout::THINGS == 1 {
+            if E::Layout::transposes::<V>() {
                 // Lanes are joints, which do not wait for each other yet; the sums come after.
                 for start in run.joints.clone().step_by(E::Layout::records::<V>()) {
                     let Some(own) = own_twists(level, models, rates, Tile::at(first + start, 0))
@@ -136,7 +136,7 @@ impl<E: Element<8>, T: Element<6, Layout = E::Layout>> Kernel for Velocities<'_,
             }
             for joint in run.joints.clone() {
                 let Some(&parent) = run.parents.get(joint) else { return };
-                if E::Layout::THINGS == 1 {
+                if E::Layout::transposes::<V>() {
                     if let (Some(parent), Some(own)) =
                         (T::get(twists, parent as usize), T::get(twists, joint))
                     {
@@ -197,7 +197,7 @@ impl<E: Element<8>, T: Element<6, Layout = E::Layout>> Kernel for Columns<'_, '_
                     T::store(nothing, written, Tile::at(start, register));
                 }
             }
-            if E::Layout::THINGS == 1 {
+            if E::Layout::transposes::<V>() {
                 ancestors_together(level, run, models, axes, effector, columns);
             } else {
                 ancestors(level, run, models, axes, effector, columns);
@@ -206,7 +206,7 @@ impl<E: Element<8>, T: Element<6, Layout = E::Layout>> Kernel for Columns<'_, '_
     }
 }
 
-/// Lanes are instances.
+/// Lanes are instances, or there is one.
 #[inline(always)]
 fn ancestors<E: Element<8>, T: Element<6, Layout = E::Layout>, V: Level>(
     level: V,

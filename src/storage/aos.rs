@@ -113,6 +113,11 @@ impl<R: Scalar> Element<6> for Twist<R> {
         tile: Tile,
         padding: &[R; 6],
     ) -> Option<[Register<Self, V, 6>; 6]> {
+        if R::Lanes::<V>::LANES == 1 {
+            let twist = from.get(tile.element..)?.first();
+            let twist = twist.map_or(*padding, |twist| twist.to_array());
+            return Some(R::Lanes::<V>::load_records(level, &[twist], *padding));
+        }
         let twists = from.get(tile.element..)?.iter().step_by(tile.stride.unwrap_or(1).max(1));
         let mut records = [*padding; MAX_LANES];
         for (record, twist) in records.iter_mut().zip(twists).take(R::Lanes::<V>::LANES) {
@@ -122,6 +127,11 @@ impl<R: Scalar> Element<6> for Twist<R> {
     }
     #[inline(always)]
     fn store<V: Level>(components: [Register<Self, V, 6>; 6], to: &mut [Self], tile: Tile) {
+        if R::Lanes::<V>::LANES == 1 {
+            let mut record = [[R::ZERO; 6]];
+            R::Lanes::<V>::store_records(components, &mut record);
+            return Self::set(to, tile.element, record[0]);
+        }
         let mut records = [[Number::<Self, 6>::ZERO; 6]; MAX_LANES];
         R::Lanes::<V>::store_records(components, &mut records);
         let twists = to.get_mut(tile.element..).unwrap_or_default();

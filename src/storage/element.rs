@@ -38,6 +38,12 @@ pub trait Layout: Copy + Debug + sealed::Sealed {
     fn records<V: Level>() -> usize {
         (Self::Register::<V>::LANES / Self::THINGS).max(1)
     }
+    /// Whether a register reads one thing from each of several records.
+    #[must_use]
+    #[inline(always)]
+    fn transposes<V: Level>() -> bool {
+        Self::THINGS == 1 && Self::Register::<V>::LANES > 1
+    }
 }
 
 /// An element of a slice: a thing of `C` numbers, or a block of such things. The one bound that code
