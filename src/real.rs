@@ -182,6 +182,11 @@ pub trait Real:
     fn quick_pow(_motion: [Self; 8], _t: Self) -> Option<[Self; 8]> {
         None
     }
+    #[doc(hidden)]
+    #[inline(always)]
+    fn quick_sqrt(_motion: [Self; 8]) -> Option<[Self; 8]> {
+        None
+    }
 }
 
 /// The standard library's functions are inherent and `libm`'s are free, so neither can be reached
@@ -280,6 +285,10 @@ macro_rules! real {
             #[inline(always)]
             fn quick_pow(motion: [Self; 8], t: Self) -> Option<[Self; 8]> {
                 everyday::pow(motion, t)
+            }
+            #[inline(always)]
+            fn quick_sqrt(motion: [Self; 8]) -> Option<[Self; 8]> {
+                everyday::sqrt(motion)
             }
             $(
                 #[cfg(feature = "std")]

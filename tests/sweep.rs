@@ -153,7 +153,7 @@ fn log_keeps_relative_precision_for_every_angle() {
 #[test]
 fn root_has_half_the_angle_for_every_angle() {
     let lines = &[
-        line("sqrt", &["sin"], 4.5, "the vector part over 2 cos(Θ/2); scalar is a log and an exp"),
+        line("sqrt", &["sin"], 4.5, "the vector part over 2 cos(Θ/2)"),
         line("sqrt", &["cos"], 1.5, "the root of (1 + w)/2"),
     ];
     Ledger::keep("roots", lines, |ledger| {

@@ -17,7 +17,7 @@ mod quad;
 
 pub(crate) use between::{sclerp, slerp};
 use dq8_simd::{Float, Lanes, Portable, f32x4, f64x4};
-pub(crate) use one_lane::{exp, log, pow};
+pub(crate) use one_lane::{exp, log, pow, sqrt};
 pub(crate) use quad::{
     inverse, lerp, matrix3x4, point, product, quaternion_product, quaternion_unit, rotate,
     translation, unit,

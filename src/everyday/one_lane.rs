@@ -27,6 +27,12 @@ pub(crate) fn pow<F: Number>(motion: [F; 8], t: F) -> Option<[F; 8]> {
     Some(batch::DualQuat::<F>::from_array(motion).pow(t).to_array())
 }
 
+/// σ^½ of the one of ±σ with p_w ≥ 0
+#[inline]
+pub(crate) fn sqrt<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
+    Some(batch::DualQuat::<F>::from_array(motion).sqrt().to_array())
+}
+
 /// a(a*b)ᵗ by the shorter way
 #[inline]
 pub(crate) fn sclerp<F: Number>(a: [F; 8], b: [F; 8], t: F) -> Option<[F; 8]> {

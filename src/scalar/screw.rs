@@ -162,6 +162,9 @@ impl<R: Real> DualQuat<R> {
     #[inline]
     #[must_use]
     pub fn sqrt(self) -> Self {
+        if let Some(root) = R::quick_sqrt(self.to_array()) {
+            return Self::from_array(root);
+        }
         self.pow(R::HALF)
     }
 

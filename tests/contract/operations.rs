@@ -196,10 +196,10 @@ operations! {
             on(SMALL, 4.0, "no cancellation: the vector part keeps its relative precision"),
             within(6.0, "normalized first; log, times t, exp")])];
     sqrt(unit a) -> small_motion, scale::sqrt, [
-        agrees(5.5, "no exponential in lanes: cos(Θ/2) and the vector part over 2 cos(Θ/2)"),
+        agrees(5.5, "by the book a log and an exp, else cos(Θ/2) and the vector part over 2 cos(Θ/2)"),
         digits_of_either_sign("sqrt", &["a"], &[
             on(SMALL, 1.5, "no cancellation: the vector part keeps its relative precision"),
-            within(3.0, "normalized first; one root, or half a screw")])];
+            within(3.0, "normalized first; one root, or, by the book, half a screw")])];
     sclerp(unit a, unit b, real t) -> motion, scale::sclerp, [
         agrees(8.5, "slerp about the middle in lanes, a(a*b)ᵗ in scalar"),
         digits_of_either_sign("sclerp", &["a", "b", "t"], &[
