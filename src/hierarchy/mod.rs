@@ -5,6 +5,7 @@
 //! | [`Hierarchy`] | a parent array, checked once |
 //! | [`Job`] | a run over it: with a root transform, on some of the joints, with a palette, backwards |
 //! | [`Poses`], [`RotationsTranslations`], [`Rotations`] | forms of [locals](Locals) |
+//! | [`Clip`], [`Sampled`], [`Layered`] | locals that are sampled, blended and masked on their way into registers |
 //! | [`HierarchyPlan`], [`Strategy`] | one instance: an order found once (feature `alloc`) |
 //! | [`Renormalize`] | when a run normalizes what it has multiplied |
 //! | [`Crowd`] | owned blocks for any number of instances (feature `alloc`) |
@@ -23,6 +24,7 @@ mod concatenate;
 #[cfg(feature = "alloc")]
 mod crowd;
 mod job;
+mod layers;
 mod locals;
 mod palette;
 #[cfg(feature = "rayon")]
@@ -33,6 +35,7 @@ mod plan;
 mod product;
 mod renormalize;
 mod run;
+mod sampled;
 #[cfg(feature = "alloc")]
 mod schedule;
 mod slot;
@@ -42,9 +45,11 @@ mod velocity;
 #[cfg(feature = "alloc")]
 pub use crowd::Crowd;
 pub use job::Job;
+pub use layers::{Layered, PoseSource};
 pub use locals::{Locals, Poses, Rotations, RotationsTranslations};
 pub use parents::Hierarchy;
 #[cfg(feature = "alloc")]
 pub use plan::{HierarchyPlan, Strategy};
 pub use renormalize::Renormalize;
+pub use sampled::{Clip, Sampled};
 pub use slot::JointSlot;

@@ -20,6 +20,7 @@ mod packing;
 mod parallel;
 mod plan;
 mod records;
+mod sampling;
 mod scene;
 mod slices;
 mod subject;
