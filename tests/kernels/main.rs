@@ -22,6 +22,7 @@ mod plan;
 mod records;
 mod sampling;
 mod scene;
+mod slice_lengths;
 mod slices;
 mod subject;
 mod velocity;
