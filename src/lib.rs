@@ -85,7 +85,7 @@ pub mod representation;
 pub mod scalar;
 // Tested where there is something to test it against.
 mod shape;
-#[cfg(any(not(feature = "std"), test))]
+#[cfg(any(all(not(feature = "std"), feature = "libm"), test))]
 mod sine;
 pub mod slices;
 pub mod storage;

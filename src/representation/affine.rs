@@ -36,6 +36,13 @@ pub struct Affine<R> {
     pub translation: [R; 3],
 }
 
+/// The identity.
+impl<R: Real> Default for Affine<R> {
+    fn default() -> Self {
+        Self::IDENTITY
+    }
+}
+
 impl<R: Real> Affine<R> {
     /// The map that leaves every point where it is.
     pub const IDENTITY: Self = Self {

@@ -25,6 +25,13 @@ pub struct RotationTranslation<R> {
     pub translation: [R; 3],
 }
 
+/// The identity.
+impl<R: Real> Default for RotationTranslation<R> {
+    fn default() -> Self {
+        Self::IDENTITY
+    }
+}
+
 impl<R: Real> RotationTranslation<R> {
     /// 1 and 0, which moves nothing.
     pub const IDENTITY: Self = Self { rotation: Quat::IDENTITY, translation: [R::ZERO; 3] };

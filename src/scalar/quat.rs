@@ -14,9 +14,17 @@ use core::ops::{Add, Mul, Neg, Sub};
 /// let [x, y, z] = quarter.rotate([1.0, 0.0, 0.0]);
 /// assert!((x.abs() + (y - 1.0).abs() + z.abs()) < 1e-15);
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 #[repr(transparent)]
 pub struct Quat<R>([R; 4]);
+
+/// The identity, not zero, which would make a rest pose of defaults vanish without an error.
+impl<R: Real> Default for Quat<R> {
+    #[inline]
+    fn default() -> Self {
+        Self::IDENTITY
+    }
+}
 
 impl<R: Real> Quat<R> {
     /// 1, which turns nothing.
