@@ -70,6 +70,7 @@ extern crate std;
 compile_error!("dq8 needs square roots and trigonometry: enable the feature `std` or `libm`");
 
 pub mod batch;
+mod convert;
 mod differentiate;
 mod dispatch;
 mod error;
@@ -79,6 +80,7 @@ pub mod hierarchy;
 pub mod ik;
 mod incidence;
 mod motion;
+mod operators;
 mod palette_entry;
 mod real;
 pub mod representation;
@@ -89,6 +91,7 @@ mod shape;
 mod sine;
 pub mod slices;
 pub mod storage;
+mod text;
 
 /// The lanes' own crate: numbers, vectors and instruction sets, for kernels of your own.
 pub use dq8_simd as simd;
@@ -115,3 +118,4 @@ pub use representation::{
 pub use scalar::{Dual, DualQuat, Quat};
 pub use shape::ShapeError;
 pub use storage::{Block, Element, PointBlock};
+pub use text::ParseError;

@@ -6,6 +6,7 @@
 //! | [`mul_left_in_place`](Backend::mul_left_in_place) | a bᵢ |
 //! | [`normalize`](Backend::normalize), [`inverse`](Backend::inverse), and in place | exactly, one by one |
 //! | [`nlerp`](Backend::nlerp), [`sclerp`](Backend::sclerp), with one t or one each | between aᵢ and bᵢ |
+//! | [`resample`](Backend::resample), [`dib_windows`](Backend::dib_windows) | a trajectory at other times, and smoothed |
 //! | [`transform_points`](Backend::transform_points), [`transform_vectors`](Backend::transform_vectors), and in place | by one motion |
 //! | [`transform_points_each`](Backend::transform_points_each), [`transform_vectors_each`](Backend::transform_vectors_each) | by one motion each |
 //! | [`matrices`](Backend::matrices) | 3×4 and 4×4 matrices, by rows or by columns |
@@ -29,8 +30,11 @@ mod interpolate;
 mod matrix;
 mod product;
 mod sweep;
+mod trajectory;
 mod transform;
 mod unit;
+
+pub use trajectory::TrajectoryError;
 
 #[cfg(doc)]
 use crate::Backend;
