@@ -79,6 +79,7 @@ mod geometry;
 pub mod hierarchy;
 pub mod ik;
 mod incidence;
+pub mod interop;
 mod motion;
 mod operators;
 mod palette_entry;

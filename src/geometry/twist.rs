@@ -24,6 +24,8 @@ use core::ops::{Add, Mul, Neg, Sub};
 /// assert_eq!(hub.conjugate().adjoint(rolling).linear, [2.0, 0.0, 0.0]);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "rkyv_08", derive(rkyv::Archive, rkyv::Serialize, rkyv::Deserialize))]
 #[repr(C)]
 pub struct Twist<T> {
     /// ω, radians per unit of time.

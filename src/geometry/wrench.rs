@@ -7,6 +7,7 @@ use core::ops::{Add, Mul};
 /// frame is *spatial* (fixed) or *body* (moving), and
 /// [`DualQuat::coadjoint`](crate::DualQuat::coadjoint) takes the one to the other.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(C)]
 pub struct Wrench<T> {
     /// f

@@ -29,6 +29,7 @@ use core::ops::Mul;
 /// # Ok::<(), dq8::OrthonormalError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Affine<R> {
     /// L, rows.
     pub linear: [[R; 3]; 3],

@@ -17,6 +17,8 @@ use core::ops::Mul;
 /// assert!(off.abs() < 1e-14);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "rkyv_08", derive(rkyv::Archive, rkyv::Serialize, rkyv::Deserialize))]
 #[repr(C)]
 pub struct RotationTranslation<R> {
     /// r, unit.

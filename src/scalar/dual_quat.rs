@@ -17,6 +17,9 @@ use core::ops::{Add, Mul, Neg, Sub};
 /// assert_eq!(motion.transform_point([2.0, 0.0, 0.0]), [0.0, 2.0, 5.0]);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "rkyv_08", derive(rkyv::Archive, rkyv::Serialize, rkyv::Deserialize))]
+#[cfg_attr(feature = "serde", serde(transparent))]
 #[repr(transparent)]
 pub struct DualQuat<R>([R; 8]);
 

@@ -15,6 +15,9 @@ use core::ops::{Add, Mul, Neg, Sub};
 /// assert!((x.abs() + (y - 1.0).abs() + z.abs()) < 1e-15);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "rkyv_08", derive(rkyv::Archive, rkyv::Serialize, rkyv::Deserialize))]
+#[cfg_attr(feature = "serde", serde(transparent))]
 #[repr(transparent)]
 pub struct Quat<R>([R; 4]);
 
