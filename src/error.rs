@@ -179,6 +179,11 @@ pub enum HierarchyError {
         /// How many joints there are.
         joints: usize,
     },
+    /// A joint is its own ancestor.
+    Cycle {
+        /// The joint.
+        joint: usize,
+    },
     /// More joints than a `u32` can number.
     TooManyJoints {
         /// How many joints there are.
@@ -200,6 +205,7 @@ impl fmt::Display for HierarchyError {
             Self::ParentOutOfRange { joint, parent, joints } => {
                 write!(f, "joint {joint} has parent {parent}, but there are only {joints} joints")
             }
+            Self::Cycle { joint } => write!(f, "joint {joint} is its own ancestor"),
             Self::TooManyJoints { joints } => {
                 write!(f, "{joints} joints are more than a u32 can number")
             }

@@ -35,6 +35,7 @@
 //! | [`Line::from_points`], [`Line::dual_angle`], [`CommonPerpendicular`], [`Plane::from_points`] | lines, planes and points together, with typed errors where they are parallel or one |
 //! | [`Twist`], [`Wrench`] | velocities and forces: derivatives, adjoints and Jacobians of motions and joints |
 //! | [`Hierarchy`], [`Job`], [`Crowd`] | joint hierarchies, one instance or many |
+//! | [`Skeleton`] | a hierarchy that owns its parents, of any order and type |
 //! | [`HierarchyPlan`], [`Backend::chain_products`] | one instance: a skeleton or a long chain |
 //! | [`ik`] | inverse kinematics: two bones, and arms of any number of joints |
 //! | [`Backend`], [`slices`] | kernels over slices of motions and points |
@@ -106,7 +107,7 @@ pub use error::{
 };
 pub use geometry::{DualVector, Line, Mean, Plane, Screw, Twist, Wrench};
 #[cfg(feature = "alloc")]
-pub use hierarchy::{Crowd, HierarchyPlan, Strategy};
+pub use hierarchy::{Crowd, HierarchyPlan, Skeleton, Strategy};
 pub use hierarchy::{Hierarchy, Job, Poses, Renormalize, Rotations, RotationsTranslations};
 pub use incidence::CommonPerpendicular;
 pub use motion::Motion;

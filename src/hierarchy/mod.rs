@@ -3,6 +3,7 @@
 //! | item | what it is |
 //! |---|---|
 //! | [`Hierarchy`] | a parent array, checked once |
+//! | [`Skeleton`] | one that owns its parents, of any order and type, and takes a plan where that is faster (feature `alloc`) |
 //! | [`Job`] | a run over it: with a root transform, on some of the joints, with a palette, backwards |
 //! | [`Poses`], [`RotationsTranslations`], [`Rotations`] | forms of [locals](Locals) |
 //! | [`HierarchyPlan`], [`Strategy`] | one instance: an order found once (feature `alloc`) |
@@ -30,11 +31,15 @@ mod parallel;
 mod parents;
 #[cfg(feature = "alloc")]
 mod plan;
+#[cfg(feature = "alloc")]
+mod planned;
 mod product;
 mod renormalize;
 mod run;
 #[cfg(feature = "alloc")]
 mod schedule;
+#[cfg(feature = "alloc")]
+mod skeleton;
 mod slot;
 mod transposed;
 mod velocity;
@@ -47,4 +52,6 @@ pub use parents::Hierarchy;
 #[cfg(feature = "alloc")]
 pub use plan::{HierarchyPlan, Strategy};
 pub use renormalize::Renormalize;
+#[cfg(feature = "alloc")]
+pub use skeleton::{ParentIndex, Skeleton};
 pub use slot::JointSlot;
