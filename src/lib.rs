@@ -60,6 +60,7 @@
 //! Scale and shear on lanes and in hierarchies: they are not rigid motions, and dual quaternions cannot
 //! hold them ([`Affine`] has the reason). A skeleton that needs them keeps them next to the motion.
 #![no_std]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]
 
 #[cfg(feature = "alloc")]
