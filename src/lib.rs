@@ -100,6 +100,7 @@ mod text;
 pub use dq8_simd as simd;
 
 pub use dispatch::{Backend, Kernel};
+#[doc(inline)]
 pub use dq8_simd::{
     Float, Lanes, Level, Mask, Portable, f32x4, f32x8, f32x16, f64x2, f64x4, f64x8,
 };
@@ -108,17 +109,22 @@ pub use error::{
 };
 pub use geometry::{DualVector, Line, Mean, Plane, Screw, Twist, Wrench};
 #[cfg(feature = "alloc")]
+#[doc(inline)]
 pub use hierarchy::{Crowd, HierarchyPlan, Skeleton, Strategy};
+#[doc(inline)]
 pub use hierarchy::{Hierarchy, Job, Poses, Renormalize, Rotations, RotationsTranslations};
 pub use incidence::CommonPerpendicular;
 pub use motion::Motion;
 pub use palette_entry::{MatrixOrder, PaletteEntry};
 pub use real::{Real, Scalar};
+#[doc(inline)]
 pub use representation::{
     Affine, EulerAngles, EulerAxes, EulerFrame, EulerOrder, EulerSolution, Polar,
     RotationTranslation, gram_schmidt,
 };
+#[doc(inline)]
 pub use scalar::{Dual, DualQuat, Quat};
 pub use shape::ShapeError;
+#[doc(inline)]
 pub use storage::{Block, Element, PointBlock};
 pub use text::ParseError;
