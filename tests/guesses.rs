@@ -1,6 +1,8 @@
 //! One-liners that somebody who knows glam or nalgebra would type without looking anything up. They
 //! compile, and mean what they seem to.
 
+#![allow(clippy::op_ref, reason = "operators of references are what is tried")]
+
 use dq8::{
     Affine, Backend, Crowd, Dual, DualQuat, DualVector, Hierarchy, Line, Plane, Quat,
     RotationTranslation, Twist, Wrench,

@@ -9,7 +9,7 @@ fn poses(count: usize) -> (Vec<f64>, Vec<DualQuat<f64>>) {
         let s = i as f64;
         let turn = Quat::from_axis_angle([0.36, 0.48, 0.8], (0.3 * s).sin() * 2.0);
         let pose = DualQuat::from_rotation_translation(turn, [s, (0.2 * s).cos(), -s * 0.5]);
-        if i % 3 == 0 { -pose } else { pose }
+        if i.is_multiple_of(3) { -pose } else { pose }
     };
     (times, (0..count).map(pose).collect())
 }
