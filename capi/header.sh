@@ -8,12 +8,14 @@ command -v "$cbindgen" >/dev/null || {
   echo 'missing: cbindgen 0.29 or later (cargo install cbindgen --locked)' >&2
   exit 1
 }
+IFS=. read -r major minor patch < <(cargo pkgid | sed 's/.*[#@]//')
 made=$(mktemp)
 trap 'rm -f "$made"' EXIT
 # Macros are expanded by rustc, which a stable one does only when told so.
 RUSTC_BOOTSTRAP=1 "$cbindgen" --quiet --config cbindgen.toml --crate dq8-capi . |
   # What Rust wants said of every unsafe function, the head of the file says once.
-  sed -z 's/\n \*\n \* # Safety\(\n \* [^\n]*\)*//g' > "$made"
+  sed -z 's/\n \*\n \* # Safety\(\n \* [^\n]*\)*//g' |
+  sed "s/@major@/$major/; s/@minor@/$minor/; s/@patch@/$patch/" > "$made"
 if [ "${1-}" = --check ]; then
   diff -u include/dq8.h "$made" || { echo 'include/dq8.h is out of date: run capi/header.sh' >&2; exit 1; }
 else

@@ -47,7 +47,11 @@ cat > "$prefix/app/CMakeLists.txt" <<EOF
 cmake_minimum_required(VERSION 3.16)
 project(arm C)
 set(CMAKE_C_STANDARD 99)
-find_package(dq8 CONFIG REQUIRED)
+find_package(dq8 0.1 CONFIG REQUIRED)
+find_package(dq8 0.2 CONFIG QUIET)
+if(dq8_FOUND)
+  message(FATAL_ERROR "0.1 passes for 0.2")
+endif()
 foreach(kind dq8 static)
   add_executable(arm_\${kind} $PWD/examples/arm.c)
   target_link_libraries(arm_\${kind} PRIVATE dq8::\${kind} m)
@@ -57,6 +61,16 @@ cmake -S "$prefix/app" -B "$prefix/app/build" -DCMAKE_PREFIX_PATH="$prefix" >/de
 cmake --build "$prefix/app/build" >/dev/null
 passes "$prefix/app/build/arm_dq8"
 passes "$prefix/app/build/arm_static"
+
+# Of code, not of symbols. With everything that the library has it is several times as large.
+code() { size "$1" | awk 'END { print $1 }'; }
+gcc -std=c99 "${cflags[@]}" examples/arm.c "${static[@]}" -Wl,--no-gc-sections -o "$prefix/whole"
+[ $(($(code "$prefix/app/build/arm_static") * 2)) -lt "$(code "$prefix/whole")" ] \
+  || { echo "the static example has $(code "$prefix/app/build/arm_static") bytes of code: unused functions are linked" >&2; exit 1; }
+
+echo 'the name that the shared library asks for'
+readelf -d "$prefix/app/build/arm_dq8" | grep -q 'NEEDED.*\[libdq8_capi\.so\.0\.1\]' \
+  || { echo 'the program does not ask for libdq8_capi.so.0.1' >&2; exit 1; }
 
 echo 'the header names what the library has, and nothing else'
 names() { grep -o '\bdq8_[a-z0-9_]*(' include/dq8.h | tr -d '(' | sort -u; }

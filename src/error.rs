@@ -50,6 +50,11 @@ pub enum MatrixError {
         /// Their scalar product.
         value: f64,
     },
+    /// A rotation times a number: the matrix scales by the same factor in every direction.
+    Scales {
+        /// The factor, negative if the matrix mirrors as well.
+        factor: f64,
+    },
     /// The rotation mirrors: its determinant is negative.
     Mirrors {
         /// The determinant.
@@ -77,7 +82,12 @@ impl fmt::Display for MatrixError {
             Self::NotOrthonormal { row, column, value } => write!(
                 f,
                 "not a rotation: the product of rows {row} and {column} is {value} \
-                 (non-uniform scale and shear are not rigid motions)"
+                 (non-uniform scale and shear are not rigid motions: Affine::try_decompose takes them apart)"
+            ),
+            Self::Scales { factor } => write!(
+                f,
+                "not a rotation: the matrix scales by {factor}, which no motion does \
+                 (Affine::try_decompose takes the scale and the motion apart)"
             ),
             Self::Mirrors { determinant } => {
                 write!(f, "not a rotation: the determinant is {determinant}")
@@ -87,7 +97,9 @@ impl fmt::Display for MatrixError {
             }
             Self::NotAffine { column, value } => write!(
                 f,
-                "not affine: element {column} of the last row is {value}, which must be 0 0 0 1"
+                "not affine: element {column} of the last row is {value}, which must be 0 0 0 1 \
+                 (a matrix given by columns, as by glam, nalgebra and glTF, is for \
+                 try_from_cols_array_2d)"
             ),
         }
     }
@@ -167,6 +179,11 @@ pub enum HierarchyError {
         /// How many joints there are.
         joints: usize,
     },
+    /// A joint is its own ancestor.
+    Cycle {
+        /// The joint.
+        joint: usize,
+    },
     /// More joints than a `u32` can number.
     TooManyJoints {
         /// How many joints there are.
@@ -188,6 +205,7 @@ impl fmt::Display for HierarchyError {
             Self::ParentOutOfRange { joint, parent, joints } => {
                 write!(f, "joint {joint} has parent {parent}, but there are only {joints} joints")
             }
+            Self::Cycle { joint } => write!(f, "joint {joint} is its own ancestor"),
             Self::TooManyJoints { joints } => {
                 write!(f, "{joints} joints are more than a u32 can number")
             }

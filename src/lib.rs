@@ -35,6 +35,7 @@
 //! | [`Line::from_points`], [`Line::dual_angle`], [`CommonPerpendicular`], [`Plane::from_points`] | lines, planes and points together, with typed errors where they are parallel or one |
 //! | [`Twist`], [`Wrench`] | velocities and forces: derivatives, adjoints and Jacobians of motions and joints |
 //! | [`Hierarchy`], [`Job`], [`Crowd`] | joint hierarchies, one instance or many |
+//! | [`Skeleton`] | a hierarchy that owns its parents, of any order and type |
 //! | [`HierarchyPlan`], [`Backend::chain_products`] | one instance: a skeleton or a long chain |
 //! | [`ik`] | inverse kinematics: two bones, and arms of any number of joints |
 //! | [`Backend`], [`slices`] | kernels over slices of motions and points |
@@ -59,6 +60,7 @@
 //! Scale and shear on lanes and in hierarchies: they are not rigid motions, and dual quaternions cannot
 //! hold them ([`Affine`] has the reason). A skeleton that needs them keeps them next to the motion.
 #![no_std]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]
 
 #[cfg(feature = "alloc")]
@@ -70,6 +72,7 @@ extern crate std;
 compile_error!("dq8 needs square roots and trigonometry: enable the feature `std` or `libm`");
 
 pub mod batch;
+mod convert;
 mod differentiate;
 mod dispatch;
 mod error;
@@ -78,23 +81,27 @@ mod geometry;
 pub mod hierarchy;
 pub mod ik;
 mod incidence;
+pub mod interop;
 pub mod law;
 mod motion;
+mod operators;
 mod palette_entry;
 mod real;
 pub mod representation;
 pub mod scalar;
 // Tested where there is something to test it against.
 mod shape;
-#[cfg(any(not(feature = "std"), test))]
+#[cfg(any(all(not(feature = "std"), feature = "libm"), test))]
 mod sine;
 pub mod slices;
 pub mod storage;
+mod text;
 
 /// The lanes' own crate: numbers, vectors and instruction sets, for kernels of your own.
 pub use dq8_simd as simd;
 
 pub use dispatch::{Backend, Kernel};
+#[doc(inline)]
 pub use dq8_simd::{
     Float, Lanes, Level, Mask, Portable, f32x4, f32x8, f32x16, f64x2, f64x4, f64x8,
 };
@@ -103,17 +110,23 @@ pub use error::{
 };
 pub use geometry::{DualVector, Line, Mean, Plane, Screw, Twist, Wrench};
 #[cfg(feature = "alloc")]
-pub use hierarchy::{Crowd, HierarchyPlan, Strategy};
+#[doc(inline)]
+pub use hierarchy::{Crowd, HierarchyPlan, Skeleton, Strategy};
+#[doc(inline)]
 pub use hierarchy::{Hierarchy, Job, Poses, Renormalize, Rotations, RotationsTranslations};
 pub use incidence::CommonPerpendicular;
 pub use law::{Nlerp, Sclerp, Separate};
 pub use motion::Motion;
 pub use palette_entry::{MatrixOrder, PaletteEntry};
 pub use real::{Real, Scalar};
+#[doc(inline)]
 pub use representation::{
     Affine, EulerAngles, EulerAxes, EulerFrame, EulerOrder, EulerSolution, Polar,
     RotationTranslation, gram_schmidt,
 };
+#[doc(inline)]
 pub use scalar::{Dual, DualQuat, Quat};
 pub use shape::ShapeError;
+#[doc(inline)]
 pub use storage::{Block, Element, PointBlock};
+pub use text::ParseError;

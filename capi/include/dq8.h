@@ -29,6 +29,11 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/* The version of this header. */
+#define DQ8_VERSION_MAJOR 0
+#define DQ8_VERSION_MINOR 1
+#define DQ8_VERSION_PATCH 0
+
 /**
  * What became of a call. Whatever it is but DQ8_STATUS_OK, nothing has been written.
  */

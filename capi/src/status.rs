@@ -125,7 +125,7 @@ impl From<HierarchyError> for Status {
 impl From<MatrixError> for Status {
     fn from(error: MatrixError) -> Self {
         match error {
-            MatrixError::NotOrthonormal { .. } => Self::NotOrthonormal,
+            MatrixError::NotOrthonormal { .. } | MatrixError::Scales { .. } => Self::NotOrthonormal,
             MatrixError::Mirrors { .. } => Self::Mirrors,
             MatrixError::NotFinite { .. } => Self::NotFinite,
             MatrixError::NotAffine { .. } => Self::NotAffine,

@@ -26,6 +26,30 @@ pub struct Block<A, const C: usize>(
 // zero as well.
 unsafe impl<A: Row, const C: usize> Zeroable for Block<A, C> {}
 
+/// Blocks without padding, for casts to slices of numbers (to a GPU, say). Rows are 16, 32 or 64 bytes, so
+/// four, eight, twelve or sixteen of any fill whole cache lines; of the longer rows, other counts do as well.
+macro_rules! plain {
+    ($($count:literal of any;)*) => {$(
+        plain! { $count of f32 4, f32 8, f32 16, f64 2, f64 4, f64 8; }
+    )*};
+    ($($count:literal of $($real:ident $lanes:literal),*;)*) => {$($(
+        const _: () = assert!(
+            size_of::<Block<[$real; $lanes], $count>>() == $count * size_of::<[$real; $lanes]>()
+        );
+        // SAFETY: an array of plain numbers, of which any bits are valid, and the assertion above shows
+        // that the alignment adds no padding.
+        unsafe impl Pod for Block<[$real; $lanes], $count> {}
+    )*)*};
+}
+plain! { 4 of any; 12 of any; 16 of any; }
+plain! {
+    1 of f32 16, f64 8;
+    2 of f32 8, f32 16, f64 4, f64 8;
+    3 of f32 16, f64 8;
+    6 of f32 8, f32 16, f64 4, f64 8;
+    7 of f32 16, f64 8;
+}
+
 // SAFETY: `Row` is sealed, its implementors are plain numbers of 16, 32 or 64 bytes, so eight of
 // them fill whole cache lines and the alignment adds no padding. Any bits are valid numbers.
 unsafe impl<A: Row> Pod for Block<A, 8> {}

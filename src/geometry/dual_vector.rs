@@ -19,7 +19,8 @@ use core::ops::{Add, Mul, Neg, Sub};
 /// assert_eq!(a.dot(b), [0.0, -3.0]);
 /// assert_eq!(a.cross(b), DualVector { real: [0.0, 0.0, 1.0], dual: [0.0; 3] });
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct DualVector<T> {
     /// a
     pub real: [T; 3],

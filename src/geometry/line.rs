@@ -12,6 +12,7 @@ use core::ops::{Add, Mul, Sub};
 /// [`from_planes`](Line::from_planes), [`dual_angle`](Line::dual_angle),
 /// [`common_perpendicular`](Line::common_perpendicular) and others.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Line<T> {
     /// l, the direction.
     pub direction: [T; 3],

@@ -3,6 +3,7 @@ use core::ops::{Add, Mul, Sub};
 
 /// A plane n·x = d.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Plane<T> {
     /// n, the normal.
     pub normal: [T; 3],

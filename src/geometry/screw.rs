@@ -5,6 +5,7 @@ use super::Line;
 /// The unit dual quaternion is σ = cos(θ̂/2) + sin(θ̂/2)(l + εm) with the dual angle θ̂ = θ + εd
 /// (Jia, *Dual Quaternions*, eq. 43).
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Screw<T> {
     /// The screw axis l + εm, |l| = 1.
     pub axis: Line<T>,

@@ -23,7 +23,9 @@ use core::ops::{Add, Mul, Neg, Sub};
 /// let hub = DualQuat::from_translation([0.0, 0.0, 2.0]);
 /// assert_eq!(hub.conjugate().adjoint(rolling).linear, [2.0, 0.0, 0.0]);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "rkyv_08", derive(rkyv::Archive, rkyv::Serialize, rkyv::Deserialize))]
 #[repr(C)]
 pub struct Twist<T> {
     /// ω, radians per unit of time.

@@ -6,7 +6,8 @@ use core::ops::{Add, Mul};
 /// `torque` is taken about the origin of the frame; both vectors are in its axes. As with twists, the
 /// frame is *spatial* (fixed) or *body* (moving), and
 /// [`DualQuat::coadjoint`](crate::DualQuat::coadjoint) takes the one to the other.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(C)]
 pub struct Wrench<T> {
     /// f

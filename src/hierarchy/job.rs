@@ -4,6 +4,8 @@ use super::locals::{InPlace, Locals, Poses};
 use super::palette::{Epilogue, NoEpilogue, Palette};
 use super::run::{Root, Run};
 use super::{Hierarchy, Renormalize, transposed};
+#[cfg(feature = "alloc")]
+use super::{HierarchyPlan, planned};
 use crate::dispatch::Backend;
 use crate::palette_entry::{MatrixOrder, PaletteEntry};
 use crate::scalar::DualQuat;
@@ -33,6 +35,9 @@ pub struct Job<'a, E: Element<8>> {
     pub(super) run: Run<'a, E>,
     pub(super) backend: Option<Backend>,
     order: MatrixOrder,
+    /// The order to take for one instance.
+    #[cfg(feature = "alloc")]
+    plan: Option<&'a HierarchyPlan>,
 }
 
 impl<'a> Hierarchy<'a> {
@@ -73,7 +78,13 @@ impl<'a> Hierarchy<'a> {
             root: Root::None,
             renormalize: Renormalize::Never,
         };
-        Job { run, backend: None, order: MatrixOrder::Rows }
+        Job {
+            run,
+            backend: None,
+            order: MatrixOrder::Rows,
+            #[cfg(feature = "alloc")]
+            plan: None,
+        }
     }
 }
 
@@ -118,6 +129,13 @@ impl<'a, E: Element<8>> Job<'a, E> {
     #[must_use]
     pub fn backend(mut self, backend: Backend) -> Self {
         self.backend = Some(backend);
+        self
+    }
+
+    /// Takes the order of this plan, which is of the same parents, for one instance.
+    #[cfg(feature = "alloc")]
+    pub(super) fn planned(mut self, plan: &'a HierarchyPlan) -> Self {
+        self.plan = Some(plan);
         self
     }
 
@@ -264,6 +282,12 @@ impl<'a, E: Element<8>> Job<'a, E> {
         mut epilogue: X,
     ) {
         let (run, backend) = (&self.run, self.backend.unwrap_or_default());
+        #[cfg(feature = "alloc")]
+        if let Some(plan) = self.plan
+            && planned::applies(run, models.len())
+        {
+            return planned::forward(backend, plan, run, locals, models, &mut epilogue);
+        }
         if E::Layout::THINGS > 1 {
             backend.run(Forward { run, locals, models, epilogue });
         } else {

@@ -3,6 +3,7 @@
 //! | item | what it is |
 //! |---|---|
 //! | [`Hierarchy`] | a parent array, checked once |
+//! | [`Skeleton`] | one that owns its parents, of any order and type, and takes a plan where that is faster (feature `alloc`) |
 //! | [`Job`] | a run over it: with a root transform, on some of the joints, with a palette, backwards |
 //! | [`Poses`], [`RotationsTranslations`], [`Rotations`] | forms of [locals](Locals) |
 //! | [`Clip`], [`Sampled`], [`Layered`] | locals that are sampled, blended and masked on their way into registers |
@@ -32,12 +33,16 @@ mod parallel;
 mod parents;
 #[cfg(feature = "alloc")]
 mod plan;
+#[cfg(feature = "alloc")]
+mod planned;
 mod product;
 mod renormalize;
 mod run;
 mod sampled;
 #[cfg(feature = "alloc")]
 mod schedule;
+#[cfg(feature = "alloc")]
+mod skeleton;
 mod slot;
 mod transposed;
 mod velocity;
@@ -52,4 +57,6 @@ pub use parents::Hierarchy;
 pub use plan::{HierarchyPlan, Strategy};
 pub use renormalize::Renormalize;
 pub use sampled::{Clip, Sampled};
+#[cfg(feature = "alloc")]
+pub use skeleton::{ParentIndex, Skeleton};
 pub use slot::JointSlot;

@@ -56,6 +56,12 @@ impl<'a> Hierarchy<'a> {
         Ok(Self { parents })
     }
 
+    /// Of parents that have been checked.
+    #[cfg(feature = "alloc")]
+    pub(super) const fn of_checked(parents: &'a [u32]) -> Self {
+        Self { parents }
+    }
+
     /// How many joints there are.
     #[must_use]
     pub const fn joints(&self) -> usize {

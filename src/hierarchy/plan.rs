@@ -124,7 +124,7 @@ impl HierarchyPlan {
     ) -> Result<(), ShapeError> {
         whole_instances("locals", self.joints, locals.len())?;
         same_length("models", models.len(), locals.len())?;
-        self.run(Source::Slice(locals), models);
+        self.run(self.backend.unwrap_or_default(), Source::Slice(locals), models);
         Ok(())
     }
 
@@ -138,14 +138,18 @@ impl HierarchyPlan {
         poses: &mut [DualQuat<R>],
     ) -> Result<(), ShapeError> {
         whole_instances("poses", self.joints, poses.len())?;
-        self.run(Source::Output, poses);
+        self.run(self.backend.unwrap_or_default(), Source::Output, poses);
         Ok(())
     }
 
     /// Lengths have been checked.
     #[inline]
-    fn run<R: Scalar>(&self, locals: Source<'_, DualQuat<R>>, models: &mut [DualQuat<R>]) {
-        let backend = self.backend.unwrap_or_default();
+    pub(super) fn run<R: Scalar>(
+        &self,
+        backend: Backend,
+        locals: Source<'_, DualQuat<R>>,
+        models: &mut [DualQuat<R>],
+    ) {
         if let Some(schedule) = &self.schedule {
             return backend.run(Walk { schedule, locals, models });
         }

@@ -29,11 +29,19 @@ use core::ops::Mul;
 /// # Ok::<(), dq8::OrthonormalError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Affine<R> {
     /// L, rows.
     pub linear: [[R; 3]; 3],
     /// t
     pub translation: [R; 3],
+}
+
+/// The identity.
+impl<R: Real> Default for Affine<R> {
+    fn default() -> Self {
+        Self::IDENTITY
+    }
 }
 
 impl<R: Real> Affine<R> {

@@ -8,6 +8,7 @@
 //! |---|---|---|
 //! | Euler angles, 24 orders | [`EulerAngles::to_quat`] | [`Quat::to_euler`] |
 //! | axis and angle | [`Quat::from_axis_angle`] | [`Quat::to_axis_angle`] |
+//! | directions: coordinate axes, an arc, forward and up | [`Quat::from_rotation_x`], [`Quat::from_rotation_arc`], [`Quat::look_to`] | [`Quat::rotate`] |
 //! | axis times angle | [`Quat::from_scaled_axis`] | [`Quat::to_scaled_axis`] |
 //! | 3×3 matrix | [`Quat::from_matrix3`], [`Quat::try_from_matrix3`], [`Polar`] | [`Quat::to_matrix3`] |
 //! | 3×4, 4×4 matrix | [`DualQuat::from_matrix3x4`], [`DualQuat::try_from_matrix4`] | [`DualQuat::to_matrix3x4`], [`DualQuat::to_matrix4`] |
@@ -23,6 +24,10 @@
 //! [`Quat::to_euler`]: crate::Quat::to_euler
 //! [`Quat::from_axis_angle`]: crate::Quat::from_axis_angle
 //! [`Quat::to_axis_angle`]: crate::Quat::to_axis_angle
+//! [`Quat::from_rotation_x`]: crate::Quat::from_rotation_x
+//! [`Quat::from_rotation_arc`]: crate::Quat::from_rotation_arc
+//! [`Quat::look_to`]: crate::Quat::look_to
+//! [`Quat::rotate`]: crate::Quat::rotate
 //! [`Quat::from_scaled_axis`]: crate::Quat::from_scaled_axis
 //! [`Quat::to_scaled_axis`]: crate::Quat::to_scaled_axis
 //! [`Quat::from_matrix3`]: crate::Quat::from_matrix3
@@ -31,6 +36,7 @@
 
 mod affine;
 mod axis_angle;
+mod directions;
 mod euler_angles;
 mod euler_order;
 mod gram_schmidt;

@@ -17,12 +17,21 @@ use core::ops::Mul;
 /// assert!(off.abs() < 1e-14);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "rkyv_08", derive(rkyv::Archive, rkyv::Serialize, rkyv::Deserialize))]
 #[repr(C)]
 pub struct RotationTranslation<R> {
     /// r, unit.
     pub rotation: Quat<R>,
     /// t
     pub translation: [R; 3],
+}
+
+/// The identity.
+impl<R: Real> Default for RotationTranslation<R> {
+    fn default() -> Self {
+        Self::IDENTITY
+    }
 }
 
 impl<R: Real> RotationTranslation<R> {

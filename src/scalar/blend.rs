@@ -1,7 +1,19 @@
 //! Linear blending.
 
-use super::DualQuat;
+use super::{DualQuat, Quat};
 use crate::real::Real;
+
+impl<R: Real> Quat<R> {
+    /// Normalized linear interpolation by the shorter way: (1−t)a ± tb, normalized (Shoemake 1985).
+    /// `t` = 0 gives `self`, 1 gives ±`other`. On the same arc as [`slerp`](Self::slerp), cheaper, and
+    /// not at constant speed. NaN if the sum is zero.
+    #[inline]
+    #[must_use]
+    pub fn nlerp(self, other: Self, t: R) -> Self {
+        let near = if self.dot(other) < R::ZERO { -other } else { other };
+        (self.scale(R::ONE - t) + near.scale(t)).normalize()
+    }
+}
 
 impl<R: Real> DualQuat<R> {
     /// Normalized linear interpolation by the shorter way: (1−t)a ± tb, exactly normalized, the

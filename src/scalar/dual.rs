@@ -18,6 +18,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// The order is that of ε as an infinitesimal, positive and smaller than every number: real parts
 /// first, dual parts where these are equal.
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(C)]
 pub struct Dual<R> {
     /// a, the real part.

@@ -17,6 +17,9 @@ use core::ops::{Add, Mul, Neg, Sub};
 /// assert_eq!(motion.transform_point([2.0, 0.0, 0.0]), [0.0, 2.0, 5.0]);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "rkyv_08", derive(rkyv::Archive, rkyv::Serialize, rkyv::Deserialize))]
+#[cfg_attr(feature = "serde", serde(transparent))]
 #[repr(transparent)]
 pub struct DualQuat<R>([R; 8]);
 
@@ -196,12 +199,47 @@ impl<R: Real> DualQuat<R> {
         pairs.into_iter().all(|(a, b)| (a - b).abs() <= tolerance)
     }
 
+    /// Whether every component is finite.
+    #[inline]
+    #[must_use]
+    pub fn is_finite(self) -> bool {
+        self.0.into_iter().all(Real::is_finite)
+    }
+
+    /// The same with numbers of another type, each rounded to the nearest: `f32` to `f64` and back.
+    ///
+    /// ```
+    /// use dq8::DualQuat;
+    /// let near: DualQuat<f32> = DualQuat::from_translation([1.0_f64, 2.0, 3.0]).cast();
+    /// assert_eq!(near.translation(), [1.0, 2.0, 3.0]);
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn cast<S: Real>(self) -> DualQuat<S> {
+        DualQuat(self.0.map(|component| S::from_f64(component.into())))
+    }
+
     /// Of σ and −σ the one with p_w ≥ 0: both are the same motion. A zero of either sign counts as
     /// positive.
     #[inline]
     #[must_use]
     pub fn canonical(self) -> Self {
         if self.real().w() < R::ZERO { -self } else { self }
+    }
+}
+
+/// `[px, py, pz, pw, qx, qy, qz, qw]`, in place.
+impl<R> AsRef<[R; 8]> for DualQuat<R> {
+    #[inline]
+    fn as_ref(&self) -> &[R; 8] {
+        &self.0
+    }
+}
+
+impl<R> AsMut<[R; 8]> for DualQuat<R> {
+    #[inline]
+    fn as_mut(&mut self) -> &mut [R; 8] {
+        &mut self.0
     }
 }
 

@@ -67,7 +67,10 @@ impl<R: Real> Quat<R> {
                 // An infinite tolerance forgives all but what is not finite.
                 let close = value.is_finite() && (value - wanted).abs() <= tolerance;
                 if !close {
-                    return Err(MatrixError::NotOrthonormal { row, column, value: value.into() });
+                    return Err(uniform_scale(rows, tolerance).map_or(
+                        MatrixError::NotOrthonormal { row, column, value: value.into() },
+                        |factor| MatrixError::Scales { factor: factor.into() },
+                    ));
                 }
             }
         }
@@ -76,6 +79,24 @@ impl<R: Real> Quat<R> {
             return Err(MatrixError::Mirrors { determinant: determinant.into() });
         }
         Ok(Self::from_matrix3(rows))
+    }
+
+    /// The columns of the rotation matrix, `[column][row]`, as in glam, nalgebra and OpenGL;
+    /// [`to_matrix3`](Self::to_matrix3) has its rows. Both have the same type, and the one taken for
+    /// the other is the inverse rotation.
+    #[inline]
+    #[must_use]
+    pub fn to_cols_array_2d(self) -> [[R; 3]; 3] {
+        transpose(self.to_matrix3())
+    }
+
+    /// [`try_from_matrix3`](Self::try_from_matrix3) of the columns, `[column][row]`.
+    ///
+    /// # Errors
+    /// As there; rows in the error are those of the matrix.
+    #[inline]
+    pub fn try_from_cols_array_2d(cols: [[R; 3]; 3], tolerance: R) -> Result<Self, MatrixError> {
+        Self::try_from_matrix3(transpose(cols), tolerance)
     }
 }
 
@@ -99,7 +120,8 @@ impl<R: Real> DualQuat<R> {
         [[a, b, c, x], [d, e, f, y], [g, h, i, z]]
     }
 
-    /// [`to_matrix3x4`](Self::to_matrix3x4) with the row 0 0 0 1 below.
+    /// [`to_matrix3x4`](Self::to_matrix3x4) with the row 0 0 0 1 below. These are rows: glam, nalgebra,
+    /// OpenGL and glTF want [`to_cols_array_2d`](Self::to_cols_array_2d).
     #[inline]
     #[must_use]
     pub fn to_matrix4(self) -> [[R; 4]; 4] {
@@ -128,7 +150,7 @@ impl<R: Real> DualQuat<R> {
     /// let doubled = [[2.0_f32, 0.0, 0.0, 0.0], [0.0, 2.0, 0.0, 0.0], [0.0, 0.0, 2.0, 0.0]];
     /// assert_eq!(
     ///     DualQuat::try_from_matrix3x4(doubled, 1e-4),
-    ///     Err(MatrixError::NotOrthonormal { row: 0, column: 0, value: 4.0 })
+    ///     Err(MatrixError::Scales { factor: 2.0 })
     /// );
     /// ```
     #[inline]
@@ -143,7 +165,9 @@ impl<R: Real> DualQuat<R> {
         Ok(Self::from_rotation_translation(rotation, translation))
     }
 
-    /// As [`try_from_matrix3x4`](Self::try_from_matrix3x4).
+    /// As [`try_from_matrix3x4`](Self::try_from_matrix3x4). These are rows: for the columns of glam,
+    /// nalgebra, OpenGL and glTF there is [`try_from_cols_array_2d`](Self::try_from_cols_array_2d). A
+    /// pure rotation given the wrong way round is the inverse rotation, which nothing can notice.
     ///
     /// # Errors
     /// As there, and if the last row is not 0 0 0 1.
@@ -158,6 +182,84 @@ impl<R: Real> DualQuat<R> {
         }
         Self::try_from_matrix3x4([a, b, c], tolerance)
     }
+
+    /// [`try_from_matrix4`](Self::try_from_matrix4), with the order of the numbers in its name:
+    /// `[row][column]`, as in mathematics and NumPy.
+    ///
+    /// # Errors
+    /// As there.
+    #[inline]
+    pub fn try_from_rows_array_2d(rows: [[R; 4]; 4], tolerance: R) -> Result<Self, MatrixError> {
+        Self::try_from_matrix4(rows, tolerance)
+    }
+
+    /// [`try_from_matrix4`](Self::try_from_matrix4) of the columns, `[column][row]`, the last of which
+    /// is the translation and a 1: what glam, nalgebra, OpenGL and glTF hold.
+    ///
+    /// # Errors
+    /// As there; rows and columns in the error are those of the matrix.
+    ///
+    /// ```
+    /// use dq8::DualQuat;
+    /// let columns = [
+    ///     [1.0_f32, 0.0, 0.0, 0.0],
+    ///     [0.0, 1.0, 0.0, 0.0],
+    ///     [0.0, 0.0, 1.0, 0.0],
+    ///     [5.0, 6.0, 7.0, 1.0],
+    /// ];
+    /// let moved = DualQuat::try_from_cols_array_2d(columns, 1e-6)?;
+    /// assert_eq!(moved.translation(), [5.0, 6.0, 7.0]);
+    /// assert_eq!(moved.to_cols_array_2d(), columns);
+    /// # Ok::<(), dq8::MatrixError>(())
+    /// ```
+    #[inline]
+    pub fn try_from_cols_array_2d(cols: [[R; 4]; 4], tolerance: R) -> Result<Self, MatrixError> {
+        Self::try_from_matrix4(transpose(cols), tolerance)
+    }
+
+    /// The 4×4 matrix as [`to_matrix4`](Self::to_matrix4), with the order in its name: `[row][column]`.
+    #[inline]
+    #[must_use]
+    pub fn to_rows_array_2d(self) -> [[R; 4]; 4] {
+        self.to_matrix4()
+    }
+
+    /// The columns of the 4×4 matrix, `[column][row]`, as in glam, nalgebra, OpenGL and glTF.
+    #[inline]
+    #[must_use]
+    pub fn to_cols_array_2d(self) -> [[R; 4]; 4] {
+        transpose(self.to_matrix4())
+    }
+}
+
+/// The factor of a matrix that is a rotation times a number other than 1, within `tolerance` of it.
+#[cold]
+fn uniform_scale<R: Real>(rows: [[R; 3]; 3], tolerance: R) -> Option<R> {
+    let size = rows.map(vector::norm);
+    let close = |a: R, b: R| (a - b).abs() <= tolerance * b;
+    let same = size[0] > R::ZERO && close(size[1], size[0]) && close(size[2], size[0]);
+    if !same || !size[0].is_finite() || close(size[0], R::ONE) {
+        return None;
+    }
+    let unit = [0, 1, 2].map(|row| rows[row].map(|c| c / size[row]));
+    let across = |a: usize, b: usize| vector::dot(unit[a], unit[b]).abs() <= tolerance;
+    if !(across(0, 1) && across(0, 2) && across(1, 2)) {
+        return None;
+    }
+    let mirrors = vector::dot(unit[0], vector::cross(unit[1], unit[2])) < R::ZERO;
+    Some(if mirrors { -size[0] } else { size[0] })
+}
+
+/// The other order of the numbers of a matrix.
+#[inline]
+fn transpose<R: Real, const N: usize>(matrix: [[R; N]; N]) -> [[R; N]; N] {
+    let mut other = matrix;
+    for (i, line) in matrix.into_iter().enumerate() {
+        for (j, value) in line.into_iter().enumerate() {
+            other[j][i] = value;
+        }
+    }
+    other
 }
 
 /// The left 3×3 part and the last column.

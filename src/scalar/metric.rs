@@ -1,7 +1,21 @@
 //! How far two motions are apart.
 
-use super::{DualQuat, vector};
+use super::{DualQuat, Quat, vector};
 use crate::real::Real;
+
+impl<R: Real> Quat<R> {
+    /// The angle of the turn between two rotations by the shorter way, radians in [0, π]; of unit
+    /// quaternions of either sign. As [`DualQuat::angle_to`], which says how.
+    #[inline]
+    #[must_use]
+    pub fn angle_to(self, other: Self) -> R {
+        let between = self.conjugate() * other;
+        if !between.norm().is_finite() {
+            return R::NAN;
+        }
+        R::TWO * vector::norm(between.xyz()).atan2(between.w().abs())
+    }
+}
 
 impl<R: Real> DualQuat<R> {
     /// The angle between two orientations, radians in [0, π]: of the turn from one to the other, by
@@ -23,11 +37,7 @@ impl<R: Real> DualQuat<R> {
     #[inline]
     #[must_use]
     pub fn angle_to(self, other: Self) -> R {
-        let between = self.real().conjugate() * other.real();
-        if !between.norm().is_finite() {
-            return R::from(f32::NAN);
-        }
-        R::TWO * vector::norm(between.xyz()).atan2(between.w().abs())
+        self.real().angle_to(other.real())
     }
 
     /// The distance between two positions, |t_a − t_b|, in the user's unit of length. It does not

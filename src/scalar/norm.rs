@@ -4,6 +4,37 @@ use super::{Dual, DualQuat, Quat, vector};
 use crate::error::{InverseError, NormalizeError};
 use crate::real::Real;
 
+impl<R: Real> Quat<R> {
+    /// q⁻¹ = q*/|q|² of any q ≠ 0, unit or not: every component is NaN where q is zero or not finite.
+    /// For a unit q, [`conjugate`](Self::conjugate) is the same and cheaper.
+    ///
+    /// ```
+    /// use dq8::Quat;
+    /// assert_eq!(Quat::from_xyzw(0.0_f32, 0.0, 2.0, 0.0).inverse().to_array(), [0.0, 0.0, -0.5, 0.0]);
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn inverse(self) -> Self {
+        let unit = self.normalize().conjugate();
+        Self::from_array(vector::over_norm(unit.to_array(), self.norm()))
+    }
+
+    /// Whether ||q| − 1| ≤ `tolerance`; false where a component is not finite.
+    #[inline]
+    #[must_use]
+    pub fn is_unit(self, tolerance: R) -> bool {
+        (self.norm() - R::ONE).abs() <= tolerance
+    }
+
+    /// [`is_unit`](Self::is_unit) within 32 units of the last place: what a handful of products
+    /// leaves of a unit quaternion.
+    #[inline]
+    #[must_use]
+    pub fn is_normalized(self) -> bool {
+        self.is_unit(R::EPSILON * R::from(32.0))
+    }
+}
+
 impl<R: Real> DualQuat<R> {
     /// The norm as a dual number, √(σσ*) = |p| + ε (p·q)/|p| (Jia eq. 18, Fabisch "Norm of a Dual
     /// Quaternion"). For p = 0 it does not exist: the dual part is NaN.

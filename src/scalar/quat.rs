@@ -14,9 +14,20 @@ use core::ops::{Add, Mul, Neg, Sub};
 /// let [x, y, z] = quarter.rotate([1.0, 0.0, 0.0]);
 /// assert!((x.abs() + (y - 1.0).abs() + z.abs()) < 1e-15);
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "rkyv_08", derive(rkyv::Archive, rkyv::Serialize, rkyv::Deserialize))]
+#[cfg_attr(feature = "serde", serde(transparent))]
 #[repr(transparent)]
 pub struct Quat<R>([R; 4]);
+
+/// The identity, not zero, which would make a rest pose of defaults vanish without an error.
+impl<R: Real> Default for Quat<R> {
+    #[inline]
+    fn default() -> Self {
+        Self::IDENTITY
+    }
+}
 
 impl<R: Real> Quat<R> {
     /// 1, which turns nothing.
@@ -138,6 +149,28 @@ impl<R: Real> Quat<R> {
         vector::norm(self.0)
     }
 
+    /// Whether every component is finite.
+    #[inline]
+    #[must_use]
+    pub fn is_finite(self) -> bool {
+        self.0.into_iter().all(Real::is_finite)
+    }
+
+    /// The same with numbers of another type, each rounded to the nearest: `f32` to `f64` and back.
+    #[inline]
+    #[must_use]
+    pub fn cast<S: Real>(self) -> Quat<S> {
+        Quat(self.0.map(|component| S::from_f64(component.into())))
+    }
+
+    /// Whether every component of the two differs by at most `tolerance`; false for NaN. q and −q are
+    /// the same rotation but not equal here.
+    #[inline]
+    #[must_use]
+    pub fn abs_diff_eq(self, other: Self, tolerance: R) -> bool {
+        self.0.into_iter().zip(other.0).all(|(a, b)| (a - b).abs() <= tolerance)
+    }
+
     /// q times a real number.
     #[inline]
     #[must_use]
@@ -197,6 +230,21 @@ impl<R: Real> Quat<R> {
         let r = self.xyz();
         let inner = vector::add(vector::cross(r, v), vector::scale(v, self.w()));
         vector::add(v, vector::scale(vector::cross(r, inner), R::TWO))
+    }
+}
+
+/// `[x, y, z, w]`, in place.
+impl<R> AsRef<[R; 4]> for Quat<R> {
+    #[inline]
+    fn as_ref(&self) -> &[R; 4] {
+        &self.0
+    }
+}
+
+impl<R> AsMut<[R; 4]> for Quat<R> {
+    #[inline]
+    fn as_mut(&mut self) -> &mut [R; 4] {
+        &mut self.0
     }
 }
 

@@ -7,7 +7,7 @@ impl<R: Real> DualQuat<R> {
     /// The pure rotation r + ε0 (Kenwright §7.1). `rotation` must be unit.
     #[inline]
     #[must_use]
-    pub fn from_rotation(rotation: Quat<R>) -> Self {
+    pub const fn from_rotation(rotation: Quat<R>) -> Self {
         Self::new(rotation, Quat::ZERO)
     }
 

@@ -7,6 +7,7 @@
 //! | [`normalize`](Backend::normalize), [`inverse`](Backend::inverse), and in place | exactly, one by one |
 //! | [`conjugate`](Backend::conjugate), and in place | the inverse of unit motions |
 //! | [`nlerp`](Backend::nlerp), [`sclerp`](Backend::sclerp), with one t or one each | between aᵢ and bᵢ |
+//! | [`resample`](Backend::resample), [`dib_windows`](Backend::dib_windows) | a trajectory at other times, and smoothed |
 //! | [`transform_points`](Backend::transform_points), [`transform_vectors`](Backend::transform_vectors), and in place | by one motion |
 //! | [`transform_points_each`](Backend::transform_points_each), [`transform_vectors_each`](Backend::transform_vectors_each) | by one motion each |
 //! | [`transform_lines_each`](Backend::transform_lines_each), [`transform_planes_each`](Backend::transform_planes_each), [`transform_twists_each`](Backend::transform_twists_each) | by one motion each |
@@ -38,9 +39,12 @@ mod metric;
 mod product;
 mod screw;
 mod sweep;
+mod trajectory;
 mod transform;
 mod transform_each;
 mod unit;
+
+pub use trajectory::TrajectoryError;
 
 #[cfg(doc)]
 use crate::Backend;

@@ -24,10 +24,17 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("differentiate", &["real", "scalar"]),
     ("incidence", &["error", "real", "geometry", "scalar"]),
     ("representation", &["error", "real", "geometry", "scalar"]),
+    ("operators", &["real", "geometry", "scalar", "representation"]),
+    ("convert", &["real", "geometry", "scalar", "representation"]),
+    ("text", &["real", "geometry", "scalar", "representation"]),
+    ("interop", &["error", "real", "geometry", "scalar", "representation"]),
     ("dispatch", &["dq8_simd"]),
     ("storage", &["shape", "real", "geometry", "dq8_simd", "scalar", "dispatch"]),
     ("palette_entry", &["dq8_simd", "batch", "storage"]),
-    ("slices", &["shape", "dq8_simd", "scalar", "batch", "dispatch", "storage", "palette_entry"]),
+    (
+        "slices",
+        &["shape", "real", "dq8_simd", "scalar", "batch", "dispatch", "storage", "palette_entry"],
+    ),
     ("ik", &["error", "shape", "real", "geometry", "dq8_simd", "scalar", "batch", "dispatch"]),
     (
         "hierarchy",

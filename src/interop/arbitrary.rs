@@ -1,0 +1,18 @@
+//! Any bits, infinities and NaN among them: what a fuzzer wants. [`DualQuat::normalize`] makes motions.
+
+use crate::geometry::Twist;
+use crate::real::Real;
+use crate::representation::RotationTranslation;
+use crate::scalar::{DualQuat, Quat};
+use arbitrary::{Arbitrary, Result, Unstructured};
+
+macro_rules! any {
+    ($($thing:ident)*) => {$(
+        impl<'a, R: Real + Arbitrary<'a>> Arbitrary<'a> for $thing<R> {
+            fn arbitrary(bytes: &mut Unstructured<'a>) -> Result<Self> {
+                Ok(Self::from_array(bytes.arbitrary()?))
+            }
+        }
+    )*};
+}
+any! { Quat DualQuat RotationTranslation Twist }

@@ -1,0 +1,41 @@
+//! Types of other crates, each behind a feature with its name. Names of crates before 1.0 carry the
+//! version, so that a new one of theirs is a new feature here and breaks nobody.
+//!
+//! | feature | what it adds |
+//! |---|---|
+//! | `serde` | `Serialize` and `Deserialize` of the plain types: quaternions as arrays in the order of memory, others by the names of their fields |
+//! | `rkyv_08` | `Archive`, `Serialize` and `Deserialize` of rkyv 0.8 for [`Quat`], [`DualQuat`], [`Twist`] and [`RotationTranslation`] |
+//! | `mint_05` | `From` and `Into` of mint 0.5: quaternions, and matrices by rows or columns |
+//! | `glam_034` | `From` and `Into` of glam 0.34: quaternions, affine maps and matrices; slices by cast |
+//! | `nalgebra_035` | `From` and `Into` of nalgebra 0.35: (dual) quaternions, isometries, matrices; slices by cast |
+//! | `approx_05` | `abs_diff_eq!`, `relative_eq!` and `ulps_eq!` of approx 0.5 |
+//! | `rand_010` | uniform rotations and poses for rand 0.10 |
+//! | `arbitrary` | any bits, for fuzzers |
+//! | `proptest` | strategies for unit rotations and motions (implies `std`) |
+//! | `defmt` | `Format`, for logs of firmware |
+//!
+//! A matrix becomes a motion only through `TryFrom`, which wants it rigid within √ε of its numbers (3·10⁻⁴ in
+//! `f32`, 1.5·10⁻⁸ in `f64`); [`DualQuat::try_from_cols_array_2d`] takes another tolerance.
+//!
+//! [`Quat`]: crate::Quat
+//! [`DualQuat`]: crate::DualQuat
+//! [`DualQuat::try_from_cols_array_2d`]: crate::DualQuat::try_from_cols_array_2d
+//! [`Twist`]: crate::Twist
+//! [`RotationTranslation`]: crate::RotationTranslation
+
+#[cfg(feature = "approx_05")]
+mod approx_05;
+#[cfg(feature = "arbitrary")]
+mod arbitrary;
+#[cfg(feature = "defmt")]
+mod defmt;
+#[cfg(feature = "glam_034")]
+pub mod glam_034;
+#[cfg(feature = "mint_05")]
+mod mint_05;
+#[cfg(feature = "nalgebra_035")]
+pub mod nalgebra_035;
+#[cfg(feature = "proptest")]
+pub mod proptest;
+#[cfg(feature = "rand_010")]
+mod rand_010;

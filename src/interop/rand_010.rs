@@ -1,0 +1,33 @@
+//! Uniform rotations and poses for rand 0.10: `rng.random::<Quat<f32>>()`.
+
+use crate::real::Real;
+use crate::scalar::{DualQuat, Quat};
+use rand::distr::{Distribution, StandardUniform};
+use rand::{Rng, RngExt};
+
+/// Uniform over all rotations (Shoemake 1992): two points on circles of radii √(1−u) and √u.
+impl<R: Real> Distribution<Quat<R>> for StandardUniform
+where
+    Self: Distribution<R>,
+{
+    fn sample<G: Rng + ?Sized>(&self, rng: &mut G) -> Quat<R> {
+        let [u, first, second]: [R; 3] = [rng.random(), rng.random(), rng.random()];
+        let turn = R::TWO * R::PI;
+        let (inner, outer) = ((R::ONE - u).sqrt(), u.sqrt());
+        let (first, second) = (turn * first, turn * second);
+        let [x, y] = [inner * first.sin(), inner * first.cos()];
+        Quat::from_xyzw(x, y, outer * second.sin(), outer * second.cos()).normalize()
+    }
+}
+
+/// A uniform rotation, and a translation uniform in the cube from −1 to 1.
+impl<R: Real> Distribution<DualQuat<R>> for StandardUniform
+where
+    Self: Distribution<R>,
+{
+    fn sample<G: Rng + ?Sized>(&self, rng: &mut G) -> DualQuat<R> {
+        let rotation = <Self as Distribution<Quat<R>>>::sample(self, rng);
+        let translation: [R; 3] = [rng.random(), rng.random(), rng.random()];
+        DualQuat::from_rotation_translation(rotation, translation.map(|c| c * R::TWO - R::ONE))
+    }
+}

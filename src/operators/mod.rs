@@ -1,0 +1,12 @@
+//! The operators of `core` on the plain types, as far as the textbook's own (`+`, `-`, `*` of values, in
+//! `scalar`, `geometry` and `representation`) imply them: `*=`, references, numbers as factors, sums and
+//! products of iterators, indices.
+//!
+//! Macros list the types: a trait of another crate cannot be implemented for all types that have
+//! something.
+
+mod assign;
+mod factors;
+mod index;
+mod iterators;
+mod references;

@@ -1,0 +1,198 @@
+//! Trajectories: poses at times, sampled at other times, and smoothed.
+
+use super::sweep::motions;
+use crate::batch;
+use crate::dispatch::{Backend, Kernel};
+use crate::real::Scalar;
+use crate::scalar::DualQuat;
+use crate::shape::{ShapeError, same_length};
+use crate::storage::{Element, Tile, tiles};
+use core::fmt;
+use dq8_simd::{Lanes, Level};
+
+/// So many samples are looked up before they are computed: their poses and parameters stay in the first
+/// cache, and no memory is allocated.
+const CHUNK: usize = 64;
+
+/// Times and poses that are no trajectory.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum TrajectoryError {
+    /// Slices that do not fit each other.
+    Shape(ShapeError),
+    /// There are no poses to sample.
+    Empty,
+    /// A time is not finite, or not later than the one before.
+    NotRising {
+        /// Which time.
+        index: usize,
+        /// Its value.
+        value: f64,
+    },
+    /// A time to sample at is NaN.
+    NotATime {
+        /// Which.
+        index: usize,
+    },
+}
+
+impl fmt::Display for TrajectoryError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Shape(error) => error.fmt(f),
+            Self::Empty => f.write_str("a trajectory without poses has no samples"),
+            Self::NotRising { index, value } => {
+                write!(f, "time {index} is {value}: times must be finite, and rise")
+            }
+            Self::NotATime { index } => write!(f, "sample {index} is asked for at NaN"),
+        }
+    }
+}
+
+impl core::error::Error for TrajectoryError {}
+
+impl From<ShapeError> for TrajectoryError {
+    fn from(error: ShapeError) -> Self {
+        Self::Shape(error)
+    }
+}
+
+impl Backend {
+    /// `samples[i]` = the pose at the time `at[i]` on the trajectory through `poses[k]` at `times[k]`:
+    /// screw motion between neighbours, [`DualQuat::sclerp`] by the shorter way; before the first and
+    /// after the last pose, that pose. Samples may be asked for in any order; rising ones are found
+    /// fastest.
+    ///
+    /// # Errors
+    /// If lengths differ (`times` and `poses`, `at` and `samples`), there is no pose, times do not rise
+    /// or one is not finite, or a sample is asked for at NaN; `samples` is untouched.
+    ///
+    /// ```
+    /// use dq8::{Backend, DualQuat};
+    /// let poses = [0.0_f64, 2.0, 8.0].map(|x| DualQuat::from_translation([x, 0.0, 0.0]));
+    /// let mut samples = [DualQuat::IDENTITY; 3];
+    /// Backend::best().resample(&[0.0, 1.0, 3.0], &poses, &[0.5, 2.0, 9.0], &mut samples)?;
+    /// assert_eq!(samples.map(|pose| pose.translation()[0]), [1.0, 5.0, 8.0]);
+    /// # Ok::<(), dq8::slices::TrajectoryError>(())
+    /// ```
+    pub fn resample<R: Scalar>(
+        self,
+        times: &[R],
+        poses: &[DualQuat<R>],
+        at: &[R],
+        samples: &mut [DualQuat<R>],
+    ) -> Result<(), TrajectoryError> {
+        same_length("poses", poses.len(), times.len())?;
+        same_length("samples", samples.len(), at.len())?;
+        let Some(first) = poses.first() else { return Err(TrajectoryError::Empty) };
+        let mut before = None;
+        for (index, &time) in times.iter().enumerate() {
+            if !time.is_finite() || before.is_some_and(|before| time <= before) {
+                return Err(TrajectoryError::NotRising { index, value: time.into() });
+            }
+            before = Some(time);
+        }
+        if let Some(index) = at.iter().position(|time| time.is_nan()) {
+            return Err(TrajectoryError::NotATime { index });
+        }
+        let (mut from, mut to, mut share) = ([*first; CHUNK], [*first; CHUNK], [[R::ZERO]; CHUNK]);
+        let mut after = 0;
+        for (at, samples) in at.chunks(CHUNK).zip(samples.chunks_mut(CHUNK)) {
+            let slots = from.iter_mut().zip(&mut to).zip(&mut share);
+            for (&time, ((from, to), [share])) in at.iter().zip(slots) {
+                after = first_after(times, time, after);
+                let (start, end) = (after.saturating_sub(1), after.min(times.len() - 1));
+                (*from, *to) = (poses[start], poses[end]);
+                let (start, end) = (times[start], times[end]);
+                *share = if start < end { (time - start) / (end - start) } else { R::ZERO };
+            }
+            let n = at.len();
+            self.sclerp_each(&from[..n], &to[..n], &share[..n], samples)?;
+        }
+        Ok(())
+    }
+
+    /// `means[i]` = the intrinsic mean of `poses[i..i + W]` with these weights, the same for all:
+    /// a trajectory smoothed, [`DualQuat::dib`] on lanes. Gives back how many of the means have
+    /// converged to the tolerance.
+    ///
+    /// # Errors
+    /// If there are no weights, or `means` does not hold one element for each whole window,
+    /// `poses.len() + 1 - W`; `means` is untouched.
+    ///
+    /// ```
+    /// use dq8::{Backend, DualQuat};
+    /// let poses = [0.0_f64, 1.0, 5.0, 6.0].map(|x| DualQuat::from_translation([x, 0.0, 0.0]));
+    /// let mut means = [DualQuat::IDENTITY; 2];
+    /// let converged = Backend::best().dib_windows(&poses, &[1.0; 3], 1e-12, 16, &mut means)?;
+    /// assert_eq!(converged, 2);
+    /// assert!((means[1].translation()[0] - 4.0).abs() < 1e-12);
+    /// # Ok::<(), dq8::ShapeError>(())
+    /// ```
+    pub fn dib_windows<R: Scalar, const W: usize>(
+        self,
+        poses: &[DualQuat<R>],
+        weights: &[R; W],
+        tolerance: R,
+        max_iterations: u32,
+        means: &mut [DualQuat<R>],
+    ) -> Result<usize, ShapeError> {
+        if W == 0 {
+            return same_length("weights", 0, 1).map(|()| 0);
+        }
+        same_length("means", means.len(), (poses.len() + 1).saturating_sub(W))?;
+        Ok(self.run(Windows { poses, weights, tolerance, max_iterations, means }))
+    }
+}
+
+/// The index of the first of the `times` later than `time`; `near` is a guess, right if samples rise
+/// slowly.
+fn first_after<R: Scalar>(times: &[R], time: R, near: usize) -> usize {
+    let before = |index: usize| times.get(index).is_some_and(|&t| t <= time);
+    for guess in near..near.saturating_add(4) {
+        if !before(guess) && (guess == 0 || before(guess - 1)) {
+            return guess.min(times.len());
+        }
+    }
+    times.partition_point(|&t| t <= time)
+}
+
+struct Windows<'s, R, const W: usize> {
+    poses: &'s [DualQuat<R>],
+    weights: &'s [R; W],
+    tolerance: R,
+    max_iterations: u32,
+    means: &'s mut [DualQuat<R>],
+}
+
+impl<R: Scalar, const W: usize> Kernel for Windows<'_, R, W> {
+    type Output = usize;
+    const WIDE: bool = false;
+
+    #[inline(always)]
+    fn run<V: Level>(self, level: V) -> usize {
+        let Self { poses, weights, tolerance, max_iterations, means } = self;
+        let tolerance = R::Lanes::<V>::splat(level, tolerance);
+        let (zero, one) = (tolerance.constant(0.0), tolerance.constant(1.0));
+        let mut converged = 0;
+        for tile in tiles::<DualQuat<R>, V, 8>(means.len()) {
+            let mut window = [(batch::DualQuat::identity(level), zero); W];
+            for (offset, (influence, &weight)) in window.iter_mut().zip(weights).enumerate() {
+                let Some(poses) = motions(level, poses, Tile::at(tile.element + offset, 0)) else {
+                    return converged;
+                };
+                *influence = (poses, R::Lanes::<V>::splat(level, weight));
+            }
+            let Some(mean) = batch::DualQuat::dib(&window, tolerance, max_iterations) else {
+                return converged;
+            };
+            let done = R::Lanes::<V>::select(mean.converged, one, zero).to_array();
+            let here = means.len().saturating_sub(tile.element);
+            for &lane in done.as_ref().iter().take(here) {
+                converged += usize::from(lane == R::ONE);
+            }
+            DualQuat::store(mean.motion.to_array(), means, tile);
+        }
+        converged
+    }
+}

@@ -1,0 +1,97 @@
+//! The plain types as text: [`Display`](fmt::Display) writes `[x, y, z, w]`, and `parse` reads it back to
+//! the last bit.
+
+use crate::geometry::Twist;
+use crate::real::Real;
+use crate::representation::RotationTranslation;
+use crate::scalar::{DualQuat, Quat};
+use core::fmt;
+use core::str::FromStr;
+
+/// Text that is not a list of so many numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum ParseError {
+    /// What stands at this place of the list is no number.
+    NotANumber {
+        /// Its place among the numbers, from 0 on.
+        index: usize,
+    },
+    /// The list has the wrong length.
+    Count {
+        /// How many numbers there are.
+        found: usize,
+        /// How many there must be.
+        expected: usize,
+    },
+}
+
+impl fmt::Display for ParseError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotANumber { index } => write!(f, "element {index} of the list is not a number"),
+            Self::Count { found, expected } => {
+                write!(f, "the list has {found} numbers where {expected} are needed")
+            }
+        }
+    }
+}
+
+impl core::error::Error for ParseError {}
+
+/// Numbers between commas, white space or both; brackets around them may be left out.
+fn parse<R: Real + FromStr, const N: usize>(text: &str) -> Result<[R; N], ParseError> {
+    let text = text.trim();
+    let inner = text.strip_prefix('[').and_then(|text| text.strip_suffix(']')).unwrap_or(text);
+    let words = || {
+        let words = inner.split(|c: char| c == ',' || c.is_whitespace());
+        words.filter(|word| !word.is_empty())
+    };
+    let found = words().count();
+    if found != N {
+        return Err(ParseError::Count { found, expected: N });
+    }
+    let mut numbers = [R::ZERO; N];
+    for (index, (number, word)) in numbers.iter_mut().zip(words()).enumerate() {
+        *number = word.parse().map_err(|_| ParseError::NotANumber { index })?;
+    }
+    Ok(numbers)
+}
+
+/// Width and precision hold for every number: `{:.3}` writes three digits after the point.
+fn write<R: Real>(numbers: &[R], f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    f.write_str("[")?;
+    for (index, number) in numbers.iter().enumerate() {
+        if index > 0 {
+            f.write_str(", ")?;
+        }
+        fmt::Display::fmt(number, f)?;
+    }
+    f.write_str("]")
+}
+
+macro_rules! text {
+    ($($thing:ident: $order:literal;)*) => {$(
+        #[doc = $order]
+        /// A precision holds for every number.
+        impl<R: Real> fmt::Display for $thing<R> {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                write(&self.to_array(), f)
+            }
+        }
+        #[doc = $order]
+        /// Commas or spaces between the numbers; the brackets may be left out.
+        impl<R: Real + FromStr> FromStr for $thing<R> {
+            type Err = ParseError;
+            fn from_str(text: &str) -> Result<Self, ParseError> {
+                Ok(Self::from_array(parse(text)?))
+            }
+        }
+    )*};
+}
+text! {
+    Quat: "`[x, y, z, w]`";
+    DualQuat: "`[px, py, pz, pw, qx, qy, qz, qw]`";
+    RotationTranslation: "`[x, y, z, w, tx, ty, tz]`";
+    Twist: "`[ωx, ωy, ωz, vx, vy, vz]`";
+}

@@ -1,0 +1,269 @@
+//! One-liners that somebody who knows glam or nalgebra would type without looking anything up. They
+//! compile, and mean what they seem to.
+
+#![allow(clippy::op_ref, reason = "operators of references are what is tried")]
+
+use dq8::{
+    Affine, Backend, Crowd, Dual, DualQuat, DualVector, Hierarchy, Line, Plane, Quat,
+    RotationTranslation, Twist, Wrench,
+};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+const UP: [f64; 3] = [0.0, 0.0, 1.0];
+
+fn a() -> DualQuat<f64> {
+    DualQuat::from_rotation_translation(
+        Quat::from_axis_angle([0.36, 0.48, 0.8], 0.7),
+        [1.0, 2.0, 3.0],
+    )
+}
+
+fn b() -> DualQuat<f64> {
+    DualQuat::from_rotation_translation(Quat::from_rotation_y(-1.1), [-4.0, 0.5, 2.0])
+}
+
+fn near(a: [f64; 3], b: [f64; 3]) -> bool {
+    a.into_iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-12)
+}
+
+#[test]
+fn products_and_sums_take_values_and_references() {
+    let (a, b, p, q) = (a(), b(), a().rotation(), b().rotation());
+    let product = a * b;
+    assert_eq!([&a * &b, a * &b, &a * b], [product; 3]);
+    assert_eq!([&p * &q, p * &q, &p * q], [p * q; 3]);
+    assert_eq!([&a + &b, a + &b, &a + b], [a + b; 3]);
+    assert_eq!([&p - &q, p - &q, &p - q], [p - q; 3]);
+    assert_eq!((-&a, -&p), (-a, -p));
+    let mut c = a;
+    c *= b;
+    assert_eq!(c, product);
+    c = a;
+    c *= &b;
+    assert_eq!(c, product);
+    c += a;
+    c -= &a;
+    assert!(c.abs_diff_eq(product, 1e-15));
+    let mut r = p;
+    r *= q;
+    r += p;
+    r -= p;
+    assert!(r.abs_diff_eq(p * q, 1e-15));
+    let x = Dual::new(2.0, 1.0);
+    assert_eq!(&x * &x, x * x);
+}
+
+#[test]
+fn numbers_are_factors_from_both_sides() {
+    let (a, q) = (a(), a().rotation());
+    assert_eq!([a * 2.0, 2.0 * a, a / 0.5], [a.scale(2.0); 3]);
+    assert_eq!([q * 2.0, 2.0 * q, q / 0.5], [q.scale(2.0); 3]);
+    let single: DualQuat<f32> = a.cast();
+    assert_eq!(2.0 * single, single * 2.0);
+    let twist = Twist { angular: UP, linear: [1.0, 2.0, 3.0] };
+    assert_eq!([twist * 2.0, 2.0 * twist, twist / 0.5], [twist.scale(2.0); 3]);
+    let log = a.log();
+    assert_eq!(log * 0.5, 0.5 * log);
+    let mut twice = q;
+    twice *= 2.0;
+    twice /= 2.0;
+    assert_eq!(twice, q);
+}
+
+#[test]
+fn iterators_sum_and_multiply_in_order() {
+    let steps = [a(), b(), a()];
+    assert_eq!(steps.iter().product::<DualQuat<f64>>(), DualQuat::IDENTITY * a() * b() * a());
+    assert_eq!(steps.into_iter().product::<DualQuat<f64>>(), steps.iter().product());
+    assert_eq!(steps.iter().sum::<DualQuat<f64>>(), DualQuat::ZERO + a() + b() + a());
+    assert_eq!(
+        steps.map(|s| s.rotation()).iter().product::<Quat<f64>>(),
+        steps.iter().product::<DualQuat<f64>>().rotation()
+    );
+    let twists = [Twist { angular: UP, linear: UP }; 3];
+    assert_eq!(twists.into_iter().sum::<Twist<f64>>(), twists[0] * 3.0);
+    let poses = steps.map(RotationTranslation::from);
+    let moved = poses.iter().product::<RotationTranslation<f64>>().transform_point(UP);
+    assert!(near(moved, steps.iter().product::<DualQuat<f64>>().transform_point(UP)));
+    let maps = steps.map(Affine::from_motion);
+    assert!(near(maps.iter().product::<Affine<f64>>().transform_point(UP), moved));
+    let logs: DualVector<f64> = steps.iter().map(|s| s.log()).sum();
+    assert_eq!(logs, DualVector::default() + a().log() + b().log() + a().log());
+}
+
+#[test]
+fn arrays_quaternions_and_pairs_convert() {
+    let (a, q) = (a(), a().rotation());
+    let array: [f64; 8] = a.into();
+    assert_eq!(DualQuat::from(array), a);
+    let xyzw: [f64; 4] = q.into();
+    assert_eq!(Quat::from(xyzw), q);
+    let (rotation, translation) = a.into();
+    assert_eq!(
+        DualQuat::from((rotation, translation)),
+        DualQuat::from_rotation_translation(rotation, translation)
+    );
+    assert_eq!(DualQuat::from(q), DualQuat::from_rotation(q));
+    assert_eq!(DualQuat::from([a.real(), a.dual()]), a);
+    let pose = RotationTranslation::from((rotation, translation));
+    let seven: [f64; 7] = pose.into();
+    assert_eq!(RotationTranslation::from(seven), pose);
+    let six: [f64; 6] = a.to_twist().into();
+    assert_eq!(Twist::from(six), a.to_twist());
+    assert_eq!(Wrench::from((UP, UP)), Wrench { force: UP, torque: UP });
+    assert!((b() * pose).abs_diff_eq(b() * a, 1e-14));
+    assert_eq!((q.as_ref()[3], a.as_ref()[7]), (q.w(), a.dual().w()));
+}
+
+#[test]
+fn numbers_change_their_type_by_cast() {
+    let narrow: DualQuat<f32> = a().cast();
+    assert!(narrow.cast::<f64>().abs_diff_eq(a(), 1e-6));
+    assert_eq!(narrow.cast::<f64>().cast::<f32>(), narrow);
+    assert_eq!(Quat::<f32>::IDENTITY.cast::<f64>(), Quat::IDENTITY);
+}
+
+#[test]
+fn components_have_indices() {
+    let mut q = Quat::from_xyzw(1.0, 2.0, 3.0, 4.0);
+    assert_eq!((q[0], q[3]), (q.x(), q.w()));
+    q[1] = 7.0;
+    assert_eq!(q.y(), 7.0);
+    let mut a = a();
+    a[7] = -1.0;
+    assert_eq!((a[7], a.dual().w()), (-1.0, -1.0));
+    assert!(std::panic::catch_unwind(|| Quat::<f32>::IDENTITY[4]).is_err());
+}
+
+#[test]
+fn text_comes_back_to_the_last_bit() {
+    assert_eq!(Quat::from_xyzw(0.5_f32, 0.0, -1.0, 2.0).to_string(), "[0.5, 0, -1, 2]");
+    assert_eq!(format!("{:.2}", Quat::<f64>::IDENTITY), "[0.00, 0.00, 0.00, 1.00]");
+    assert_eq!(a().to_string().parse(), Ok(a()));
+    assert_eq!(" 0 0,0 , 1 ".parse(), Ok(Quat::<f32>::IDENTITY));
+    let pose = RotationTranslation::from(a());
+    assert_eq!(pose.to_string().parse(), Ok(pose));
+    assert_eq!(a().to_twist().to_string().parse(), Ok(a().to_twist()));
+    let error = "[1, 2, x, 4]".parse::<Quat<f32>>().unwrap_err();
+    assert_eq!(error.to_string(), "element 2 of the list is not a number");
+    let error = "[1, 2, 3]".parse::<Quat<f32>>().unwrap_err();
+    assert_eq!(error.to_string(), "the list has 3 numbers where 4 are needed");
+}
+
+#[test]
+fn constants_are_constants() {
+    const IDENTITY: DualQuat<f32> = DualQuat::IDENTITY;
+    const TURN: Quat<f32> = Quat::from_xyzw(0.0, 0.0, 1.0, 0.0);
+    const POSE: RotationTranslation<f32> =
+        RotationTranslation { rotation: TURN, translation: [1.0, 2.0, 3.0] };
+    const MOTION: DualQuat<f32> = DualQuat::from_rotation(TURN);
+    const PARTS: DualQuat<f32> = DualQuat::new(TURN, Quat::ZERO);
+    assert_eq!((MOTION, IDENTITY.real().w(), POSE.rotation), (PARTS, 1.0, TURN));
+}
+
+#[test]
+fn quaternions_have_what_other_libraries_quaternions_have() {
+    let (p, q) = (a().rotation(), b().rotation());
+    assert!((p * p.inverse()).abs_diff_eq(Quat::IDENTITY, 1e-15));
+    assert!((p * 3.0 * (p * 3.0).inverse()).abs_diff_eq(Quat::IDENTITY, 1e-15));
+    assert!(Quat::<f64>::ZERO.inverse().to_array().iter().all(|c| c.is_nan()));
+    assert!(
+        p.nlerp(q, 0.0).abs_diff_eq(p, 1e-15) && p.nlerp(-q, 1.0).abs_diff_eq(p.nlerp(q, 1.0), 0.0)
+    );
+    assert!((p.angle_to(p.nlerp(q, 0.5)) - p.angle_to(q) / 2.0).abs() < 1e-14);
+    assert!((p.angle_to(-(p * Quat::from_rotation_x(0.25))) - 0.25).abs() < 1e-15);
+    assert!(
+        p.is_unit(1e-15)
+            && p.is_normalized()
+            && !(p * 2.0).is_unit(0.5)
+            && !(p * 2.0).is_normalized()
+    );
+    assert!(p.is_finite() && !Quat::from_xyzw(0.0, f64::NAN, 0.0, 1.0).is_finite());
+    assert!(a().is_finite() && !(a() * f64::INFINITY).is_finite());
+    assert!(near(Quat::from_rotation_x(FRAC_PI_2) * [0.0, 1.0, 0.0], UP));
+    assert!(near(Quat::from_rotation_y(FRAC_PI_2) * UP, [1.0, 0.0, 0.0]));
+    assert!(near(Quat::from_rotation_z(FRAC_PI_2) * [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]));
+    assert!((p.slerp(q, 0.5).norm() - 1.0).abs() < 1e-15 && (p.dot(p) - 1.0).abs() < 1e-15);
+}
+
+#[test]
+fn the_shortest_arc_takes_one_direction_to_the_other_at_every_angle() {
+    let from = [0.6, 0.0, 0.8];
+    for angle in [0.0, 1e-300, 1e-20, 1e-8, 0.3, FRAC_PI_2, 3.0, PI - 1e-8, PI - 1e-15, PI] {
+        let turn = Quat::from_axis_angle([0.0, 1.0, 0.0], angle);
+        let to = turn.rotate(from);
+        let arc = Quat::from_rotation_arc(from.map(|c| c * 7.0), to.map(|c| c * 1e-200));
+        assert!(arc.is_normalized() && near(arc.rotate(from), to), "{angle}: {arc}");
+        assert!((arc.angle_to(Quat::IDENTITY) - angle).abs() < 2e-15, "{angle}: {arc}");
+    }
+    let opposite = Quat::from_rotation_arc(UP, [0.0, 0.0, -1.0]);
+    assert!(near(opposite.rotate(UP), [0.0, 0.0, -1.0]) && opposite.is_normalized());
+    assert!(!Quat::from_rotation_arc([0.0; 3], UP).is_finite());
+}
+
+#[test]
+fn looking_puts_z_forward_and_y_up() {
+    for (forward, up) in [(UP, [0.0, 1.0, 0.0]), ([1.0, -2.0, 0.5], UP), ([0.0, -1e200, 0.0], UP)] {
+        let turn = Quat::look_to(forward, up).unwrap();
+        let length = forward.iter().fold(0.0_f64, |sum, c| sum.hypot(*c));
+        assert!(near(turn.rotate(UP), forward.map(|c| c / length)), "{forward:?}");
+        let [_, y, _] = turn.conjugate().rotate(up);
+        assert!(turn.conjugate().rotate(up)[0].abs() < 1e-14 && y > 0.0);
+    }
+    let camera = DualQuat::look_at([1.0, 2.0, 3.0], [1.0, 2.0, 13.0], [0.0, 5.0, 0.0]).unwrap();
+    assert!(near(camera.transform_point([0.0, 1.0, 10.0]), [1.0, 3.0, 13.0]));
+    assert!(Quat::look_to(UP, UP).is_err() && Quat::look_to([0.0; 3], UP).is_err());
+    assert!(DualQuat::look_at(UP, UP, UP).is_err());
+    assert!(Quat::look_to([f64::NAN, 0.0, 0.0], UP).is_err());
+}
+
+#[test]
+fn a_trajectory_keeps_its_signs_after_make_continuous() {
+    let mut turns: Vec<_> = (0..50).map(|i| Quat::from_rotation_x(0.4 * f64::from(i))).collect();
+    let smooth = turns.clone();
+    for index in [3, 4, 20, 49] {
+        turns[index] = -turns[index];
+    }
+    let mut motions: Vec<_> = turns.iter().copied().map(DualQuat::from).collect();
+    Quat::make_continuous(&mut turns);
+    assert_eq!(turns, smooth);
+    DualQuat::make_continuous(&mut motions);
+    assert!(motions.iter().zip(&smooth).all(|(m, q)| m.real() == *q));
+    Quat::<f32>::make_continuous(&mut []);
+}
+
+#[test]
+fn points_lines_planes_crowds_and_hierarchies_are_where_they_are_looked_for() {
+    let moved = a().transform_point(UP);
+    assert!(near(a().inverse().transform_point(moved), UP));
+    assert!(near(a().conjugate().transform_point(moved), UP));
+    assert!(
+        (a().sclerp(b(), 0.5).distance_to(a()) - a().sclerp(b(), 0.5).distance_to(b())).abs()
+            < 1e-12
+    );
+    let line = Line::from_point_direction([0.0; 3], UP);
+    let plane = Plane::from_point_normal([0.0; 3], UP);
+    assert_eq!(
+        (DualQuat::default().transform_line(line), DualQuat::default().transform_plane(plane)),
+        (line, plane)
+    );
+    let crowd = Crowd::<f32, 8>::new(2, 3);
+    assert_eq!(crowd.get(2, 1), Some(DualQuat::default()));
+    let parents = [Hierarchy::ROOT, 0];
+    let mut poses = vec![DualQuat::<f32>::default(); 2];
+    Hierarchy::new(&parents).unwrap().local_to_model_in_place(&mut poses).unwrap();
+    let mut out = poses.clone();
+    Backend::best().mul(&poses, &poses, &mut out).unwrap();
+    assert_eq!(out, poses);
+    assert_eq!(vec![Quat::<f32>::default(); 4].len(), 4);
+    let blocks = [dq8::storage::MatrixBlock::<f32, 8>::splat([1.0; 12]); 2];
+    assert_eq!(bytemuck::cast_slice::<_, f32>(&blocks), [1.0; 2 * 12 * 8]);
+    let floats: &[f32] = bytemuck_free(&poses);
+    assert_eq!(floats.len(), 16);
+}
+
+/// A motion is plain data: `as_ref` needs no crate for casts.
+fn bytemuck_free(poses: &[DualQuat<f32>]) -> &[f32] {
+    // One slice of records is a slice of arrays by way of `storage::Element`.
+    dq8::storage::Element::<8>::plain(poses).unwrap_or_default().as_flattened()
+}

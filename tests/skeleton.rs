@@ -1,0 +1,177 @@
+//! A `Skeleton` computes what its `Hierarchy` does, with every form of locals, root and palette, whatever
+//! the order and the type of its parents.
+
+use dq8::hierarchy::Locals;
+use dq8::{
+    Backend, DualQuat, Hierarchy, HierarchyError, Job, MatrixOrder, Poses, Quat, Renormalize,
+    Rotations, RotationsTranslations, Skeleton,
+};
+
+/// A biped's parents, a chain that is long enough for segments, many roots, and the smallest.
+fn parents() -> Vec<Vec<u32>> {
+    let root = Hierarchy::ROOT;
+    let biped = vec![root, 0, 1, 2, 2, 4, 5, 2, 7, 8, 0, 10, 11, 0, 13, 14, 3];
+    let chain: Vec<u32> = (0..40).map(|joint: u32| joint.wrapping_sub(1)).collect();
+    vec![biped, chain, vec![root, root, 0, 1, root], vec![root; 9], vec![root], vec![]]
+}
+
+fn turn(joint: usize) -> Quat<f32> {
+    let s = joint as f32;
+    Quat::from_axis_angle([0.36, 0.48, 0.8], 0.4 * s.sin())
+}
+
+fn offset(joint: usize) -> [f32; 3] {
+    [0.1, 0.3 * (joint as f32).cos(), -0.2]
+}
+
+fn same(a: &[DualQuat<f32>], b: &[DualQuat<f32>], plan_is_chain: bool) -> bool {
+    // A tree has the same products in the same order; a chain in segments has others.
+    a == b || (plan_is_chain && a.iter().zip(b).all(|(a, b)| a.abs_diff_eq(*b, 2e-5)))
+}
+
+fn options<'a>(
+    job: Job<'a, DualQuat<f32>>,
+    case: u32,
+    backend: Backend,
+    roots: &'a [DualQuat<f32>],
+) -> Job<'a, DualQuat<f32>> {
+    let job = job.backend(backend).matrix_order(MatrixOrder::Columns);
+    match (case, roots) {
+        (1, &[root]) => job.root(root),
+        (2, _) => job.renormalize(Renormalize::Every(3.try_into().unwrap())),
+        (3, roots) => job.roots(roots),
+        _ => job,
+    }
+}
+
+fn agrees<L: Locals<DualQuat<f32>>>(skeleton: &Skeleton, locals: L, before: &[DualQuat<f32>]) {
+    let hierarchy = skeleton.hierarchy();
+    let chain = skeleton.plan().strategy() == dq8::Strategy::Chain;
+    let root = DualQuat::from_rotation_translation(turn(77), [4.0, 5.0, 6.0]);
+    let roots: Vec<_> = (skeleton.joints() > 0).then_some(root).into_iter().collect();
+    let binds: Vec<_> =
+        (0..skeleton.joints()).map(|j| DualQuat::from(turn(j)).conjugate()).collect();
+    for backend in Backend::available() {
+        for case in 0..4 {
+            let (planned, plain) = (
+                options(skeleton.job(), case, backend, &roots),
+                options(hierarchy.job(), case, backend, &roots),
+            );
+            let (mut ours, mut wanted) = (before.to_vec(), before.to_vec());
+            planned.locals_to_model(locals, &mut ours).unwrap();
+            plain.locals_to_model(locals, &mut wanted).unwrap();
+            assert!(same(&ours, &wanted, chain), "case {case}, {backend}: {ours:?} {wanted:?}");
+            let mut palettes =
+                [vec![[[0.0_f32; 4]; 3]; before.len()], vec![[[0.0; 4]; 3]; before.len()]];
+            let (mut ours, mut wanted) = (before.to_vec(), before.to_vec());
+            planned.locals_to_palette(locals, &mut ours, &binds, &mut palettes[0]).unwrap();
+            plain.locals_to_palette(locals, &mut wanted, &binds, &mut palettes[1]).unwrap();
+            assert!(same(&ours, &wanted, chain));
+            let [ours, wanted] = palettes.map(|p| p.as_flattened().as_flattened().to_vec());
+            assert!(ours.iter().zip(&wanted).all(|(a, b)| (a - b).abs() <= 1e-4), "case {case}");
+            assert!(chain || ours == wanted);
+        }
+    }
+}
+
+#[test]
+fn a_skeleton_agrees_with_its_hierarchy_in_every_form() {
+    for parents in parents() {
+        let skeleton = Skeleton::new(&parents).unwrap();
+        assert_eq!((skeleton.parents(), skeleton.joints()), (&parents[..], parents.len()));
+        assert_eq!(skeleton, Skeleton::from(Hierarchy::new(&parents).unwrap()));
+        for instances in [1, 3] {
+            let joints = 0..parents.len() * instances;
+            let rotations: Vec<_> = joints.clone().map(turn).collect();
+            let seven: Vec<[f32; 7]> = joints
+                .clone()
+                .map(|j| {
+                    let ([x, y, z, w], [a, b, c]) = (turn(j).to_array(), offset(j));
+                    [x, y, z, w, a, b, c]
+                })
+                .collect();
+            let poses: Vec<_> = joints.map(|j| DualQuat::from((turn(j), offset(j)))).collect();
+            let offsets: Vec<_> = (0..parents.len()).map(offset).collect();
+            let blank = vec![DualQuat::IDENTITY; poses.len()];
+            if instances == 1 {
+                agrees(&skeleton, Poses(&poses), &blank);
+                agrees(&skeleton, RotationsTranslations(&seven), &blank);
+                agrees(&skeleton, Rotations { rotations: &rotations, offsets: &offsets }, &blank);
+            }
+            let (mut ours, mut wanted, mut out) = (poses.clone(), poses.clone(), blank);
+            skeleton.local_to_model_in_place(&mut ours).unwrap();
+            Hierarchy::new(&parents).unwrap().local_to_model_in_place(&mut wanted).unwrap();
+            assert!(same(&ours, &wanted, true));
+            skeleton.local_to_model(&poses, &mut out).unwrap();
+            assert_eq!(out, ours);
+        }
+    }
+}
+
+#[test]
+fn lengths_are_checked_and_nothing_is_written() {
+    let skeleton = Skeleton::new(&[-1, 0, 1]).unwrap();
+    let mut models = [DualQuat::<f32>::ZERO; 3];
+    assert!(skeleton.local_to_model(&[DualQuat::IDENTITY; 2], &mut models).is_err());
+    assert!(
+        skeleton.job().roots(&[]).local_to_model(&[DualQuat::IDENTITY; 3], &mut models).is_err()
+    );
+    assert_eq!(models, [DualQuat::ZERO; 3]);
+    let job = skeleton.job().joints(1..2);
+    job.local_to_model(&[DualQuat::IDENTITY; 3], &mut models).unwrap();
+    assert_eq!(models, [DualQuat::ZERO; 3], "a range is not the whole");
+}
+
+#[test]
+fn any_order_of_parents_is_sorted_and_the_order_told() {
+    for parents in parents() {
+        let count = parents.len();
+        // 7 and the lengths have no common divisor but for 7 itself, which is none of them.
+        let shuffle: Vec<usize> = (0..count).map(|i| i * 7 % count.max(1)).collect();
+        let place = |old: usize| shuffle.iter().position(|&from| from == old).unwrap();
+        let mixed: Vec<Option<usize>> = shuffle
+            .iter()
+            .map(|&from| (parents[from] != Hierarchy::ROOT).then(|| place(parents[from] as usize)))
+            .collect();
+        let (skeleton, order) = Skeleton::sorted(&mixed).unwrap();
+        assert_eq!(order.len(), count);
+        for (joint, &old) in order.iter().enumerate() {
+            let parent = skeleton.parents()[joint];
+            let wanted = mixed[old];
+            assert_eq!(order.get(parent as usize).copied(), wanted, "joint {joint}");
+            assert!(wanted.is_none() == (parent == Hierarchy::ROOT));
+        }
+        // What is sorted stays.
+        let (again, order) = Skeleton::sorted(&parents).unwrap();
+        assert_eq!((again.parents(), order), (&parents[..], (0..count).collect()));
+    }
+}
+
+#[test]
+fn parents_of_every_type_mean_the_same_and_what_is_no_tree_is_refused() {
+    let wanted = Skeleton::new(&[u32::MAX, 0, 1]).unwrap();
+    assert_eq!(Skeleton::new(&[-1_i16, 0, 1]), Ok(wanted.clone()));
+    assert_eq!(Skeleton::new(&[-1_i32, 0, 1]), Ok(wanted.clone()));
+    assert_eq!(Skeleton::new(&[-1_isize, 0, 1]), Ok(wanted.clone()));
+    assert_eq!(Skeleton::new(&[u16::MAX, 0, 1]), Ok(wanted.clone()));
+    assert_eq!(Skeleton::new(&[usize::MAX, 0, 1]), Ok(wanted.clone()));
+    assert_eq!(Skeleton::new(&[None, Some(0_u32), Some(1)]), Ok(wanted));
+    let beyond = u32::MAX - 1;
+    for refused in [
+        Skeleton::new(&[-2]).unwrap_err(),
+        Skeleton::new(&[u64::from(u32::MAX)]).unwrap_err(),
+        Skeleton::new(&[Some(u32::MAX)]).unwrap_err(),
+        Skeleton::sorted(&[-2]).unwrap_err(),
+    ] {
+        assert_eq!(
+            refused,
+            HierarchyError::ParentOutOfRange { joint: 0, parent: beyond, joints: 1 }
+        );
+    }
+    assert_eq!(Skeleton::sorted(&[0]).unwrap_err(), HierarchyError::Cycle { joint: 0 });
+    assert_eq!(Skeleton::sorted(&[1, 2, 3, 1]).unwrap_err(), HierarchyError::Cycle { joint: 1 });
+    assert!(HierarchyError::Cycle { joint: 1 }.to_string().contains("its own ancestor"));
+    let deep: Vec<i64> =
+        (0..100_000).map(|joint| if joint == 99_999 { -1 } else { joint + 1 }).collect();
+    assert_eq!(Skeleton::sorted(&deep).unwrap().1[0], 99_999);
+}
