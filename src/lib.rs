@@ -83,6 +83,7 @@ pub mod ik;
 mod incidence;
 pub mod interop;
 pub mod law;
+pub mod mechanism;
 mod motion;
 mod operators;
 mod palette_entry;

@@ -17,6 +17,18 @@ pub trait Records: Lanes {
     ) -> [Self; C] {
         Self::load_strided(level, from, None, &padding)
     }
+    /// Transposes on the way in of four numbers from each of `LANES` rows that begin `apart` numbers from
+    /// each other, the first of them at the beginning of `from`; for rows whose length is known at run
+    /// time. `None` if `from` ends before the last of these numbers.
+    #[inline(always)]
+    fn load_rows(level: Self::Level, from: &[Self::Real], apart: usize) -> Option<[Self; 4]> {
+        if from.len() < reach(Self::LANES, apart, 4) {
+            return None;
+        }
+        // SAFETY: row `LANES − 1` begins `(LANES − 1) · apart` numbers from the start, and four numbers
+        // from there on are part of `from`: checked above.
+        Some(unsafe { Self::load_quads(level, from.as_ptr(), apart) })
+    }
     /// Transposes on the way out: lane `i` of `C` vectors becomes record `i` of `to`.
     /// Records beyond `LANES` are left as they were.
     #[inline(always)]

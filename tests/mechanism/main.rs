@@ -1,0 +1,7 @@
+//! Mechanisms: one configuration against matrices, lanes against one configuration, Jacobians against
+//! differentiation, and what cannot be one.
+
+mod errors;
+mod lanes;
+mod random;
+mod single;
