@@ -10,6 +10,7 @@
 mod error;
 mod frame;
 mod group;
+mod jacobians;
 mod joint;
 #[cfg(feature = "alloc")]
 mod owned;
@@ -18,7 +19,9 @@ mod poses;
 mod single;
 mod step;
 mod tree;
+mod twists;
 mod values;
+mod velocities;
 mod walk;
 
 pub use error::MechanismError;

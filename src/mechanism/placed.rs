@@ -90,18 +90,23 @@ impl<L: Lanes<Real: Scalar>> Placed<L> {
         Quat::from_array(self.rotation).rotate_onto(vector, vector::add(vector, self.half))
     }
 
-    /// R n for the axis of a joint, whichever way it points: the column of the rotation, for an axis of
-    /// the frame.
+    /// R v
+    #[inline(always)]
+    pub(super) fn rotated(self, vector: [L; 3]) -> [L; 3] {
+        Quat::from_array(self.rotation).rotate(vector)
+    }
+
+    /// R n for the axis of a joint: a column of the rotation, where it is an axis of the frame.
     #[inline(always)]
     pub(super) fn direction(self, step: &Step<L::Real>) -> [L; 3] {
         let level = self.half[0].level();
-        let nowhere = Self { half: [L::splat(level, L::Real::default()); 3], ..self };
+        let at_origin = Self { half: [L::splat(level, L::Real::default()); 3], ..self };
         let one = L::splat(level, step.sign);
         match step.aligned {
-            Alignment::X => nowhere.along::<0>(one),
-            Alignment::Y => nowhere.along::<1>(one),
-            Alignment::Z => nowhere.along::<2>(one),
-            Alignment::Any | Alignment::None => nowhere.moved(vector::splat(level, step.axis)),
+            Alignment::X => at_origin.along::<0>(one),
+            Alignment::Y => at_origin.along::<1>(one),
+            Alignment::Z => at_origin.along::<2>(one),
+            Alignment::Any | Alignment::None => self.rotated(vector::splat(level, step.axis)),
         }
     }
 

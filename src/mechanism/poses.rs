@@ -98,14 +98,13 @@ struct All<'s, E> {
 }
 
 impl<E: Element<8>> Task<E::Layout> for All<'_, E> {
+    type State<V: Level> = ();
     type Carried<V: Level> = ();
 
     #[inline(always)]
-    fn base<V: Level>(_: V) {}
+    fn start<V: Level>(&self, _: V) {}
     #[inline(always)]
-    fn skips(&self, _: &[Step<Number<E, 8>>], _: usize) -> bool {
-        false
-    }
+    fn base<V: Level>(_: V) {}
     #[inline(always)]
     fn link<V: Level>(
         &mut self,
@@ -114,6 +113,7 @@ impl<E: Element<8>> Task<E::Layout> for All<'_, E> {
         step: &Step<Number<E, 8>>,
         joined: &Joined<<E::Layout as Layout>::Register<V>>,
         (): &(),
+        (): &mut (),
     ) {
         let link = step.link as usize;
         let tile = group.tile::<E::Layout, V>(link, self.links);
@@ -128,8 +128,6 @@ impl<E: Element<8>> Task<E::Layout> for All<'_, E> {
             }
         }
     }
-    #[inline(always)]
-    fn end<V: Level>(&mut self, _: V, _: Group, _: &[Step<Number<E, 8>>]) {}
 }
 
 struct Chosen<'s, E> {
@@ -138,8 +136,11 @@ struct Chosen<'s, E> {
 }
 
 impl<E: Element<8>> Task<E::Layout> for Chosen<'_, E> {
+    type State<V: Level> = ();
     type Carried<V: Level> = ();
 
+    #[inline(always)]
+    fn start<V: Level>(&self, _: V) {}
     #[inline(always)]
     fn base<V: Level>(_: V) {}
     #[inline(always)]
@@ -154,6 +155,7 @@ impl<E: Element<8>> Task<E::Layout> for Chosen<'_, E> {
         step: &Step<Number<E, 8>>,
         joined: &Joined<<E::Layout as Layout>::Register<V>>,
         (): &(),
+        (): &mut (),
     ) {
         for (index, &link) in self.links.iter().enumerate() {
             if link == step.link as usize {
@@ -162,8 +164,6 @@ impl<E: Element<8>> Task<E::Layout> for Chosen<'_, E> {
             }
         }
     }
-    #[inline(always)]
-    fn end<V: Level>(&mut self, _: V, _: Group, _: &[Step<Number<E, 8>>]) {}
 }
 
 /// Whether the link of a step, or one that it carries, is among `links`.

@@ -138,6 +138,51 @@ impl<R: Real> Mechanism<'_, R> {
         Ok(())
     }
 
+    /// The same, and the spatial accelerations of all links, the derivatives of their twists:
+    /// acceleration(j) = acceleration(parent(j)) + Ad(pose(j)) Sⱼ second_rates(j) + ad(twist) Ad(pose(j))
+    /// Sⱼ rates(j) (Featherstone, *Rigid Body Dynamics Algorithms*, 2008, eq. 2.47). The point of a link
+    /// that is at x is accelerated by a + α × x + ω × (v + ω × x), for the twist (ω, v) and the
+    /// acceleration (α, a).
+    ///
+    /// # Errors
+    /// If a slice has another length than the mechanism asks for; nothing is written.
+    pub fn link_accelerations(
+        &self,
+        values: &[R],
+        rates: &[R],
+        second_rates: &[R],
+        poses: &mut [DualQuat<R>],
+        twists: &mut [Twist<R>],
+        accelerations: &mut [Twist<R>],
+    ) -> Result<(), ShapeError> {
+        same_length("second_rates", second_rates.len(), self.rates)?;
+        same_length("accelerations", accelerations.len(), self.links())?;
+        self.link_velocities(values, rates, poses, twists)?;
+        let zero = Twist::from_array([R::ZERO; 6]);
+        for step in self.steps {
+            let Some(pose) = poses.get(step.link as usize) else { continue };
+            let parent = step.parent as usize;
+            let mut acceleration = accelerations.get(parent).copied().unwrap_or(zero);
+            acceleration = acceleration + pose.adjoint(step.own_twist(values, second_rates));
+            // What carries the screws of the joint along: its parent, and for the turn of a planar joint
+            // its slides, which are before it.
+            let mut carrying = twists.get(parent).copied().unwrap_or(zero);
+            let own_rates = rates.get(step.rate as usize..).unwrap_or_default();
+            for (own, &rate) in step.own_twists(values).into_iter().zip(own_rates) {
+                let Some(own) = own else { continue };
+                let moving = pose.adjoint(own).scale(rate);
+                acceleration = acceleration + bracket(carrying, moving);
+                if let JointKind::Planar { .. } = step.kind {
+                    carrying = carrying + moving;
+                }
+            }
+            if let Some(slot) = accelerations.get_mut(step.link as usize) {
+                *slot = acceleration;
+            }
+        }
+        Ok(())
+    }
+
     fn check(&self, values: &[R], link: usize) -> Result<(), ShapeError> {
         same_length("values", values.len(), self.values)?;
         joints_within(&(link..link.saturating_add(1)), self.links())
@@ -236,5 +281,14 @@ impl<R: Real> Step<R> {
             }
         }
         sum
+    }
+}
+
+/// ad_a b = (ω_a × ω_b) + ε (v_a × ω_b + ω_a × v_b) (Lynch & Park 2017, definition 8.4).
+fn bracket<R: Real>(a: Twist<R>, b: Twist<R>) -> Twist<R> {
+    let across = vector::cross(a.linear, b.angular);
+    Twist {
+        angular: vector::cross(a.angular, b.angular),
+        linear: vector::add(across, vector::cross(a.angular, b.linear)),
     }
 }

@@ -18,12 +18,22 @@ const SLOTS: usize = 32;
 
 /// What is done with each link.
 pub(super) trait Task<Y: Layout> {
+    /// What it keeps in registers' form.
+    type State<V: Level>;
     /// What children need of a link in addition to its pose.
     type Carried<V: Level>: Copy;
-    /// That of the base.
+    /// Before everything.
+    fn start<V: Level>(&self, level: V) -> Self::State<V>;
+    /// What the base carries.
     fn base<V: Level>(level: V) -> Self::Carried<V>;
+    /// Before the links of a group.
+    #[inline(always)]
+    fn begin<V: Level>(&mut self, _: V, _: Group, _: &[Step<Y::Real>], _: &mut Self::State<V>) {}
     /// Whether neither the link of this step nor what it carries is wanted.
-    fn skips(&self, steps: &[Step<Y::Real>], position: usize) -> bool;
+    #[inline(always)]
+    fn skips(&self, _: &[Step<Y::Real>], _: usize) -> bool {
+        false
+    }
     /// Takes a link.
     fn link<V: Level>(
         &mut self,
@@ -32,9 +42,11 @@ pub(super) trait Task<Y: Layout> {
         step: &Step<Y::Real>,
         joined: &Joined<Y::Register<V>>,
         parent: &Self::Carried<V>,
+        state: &mut Self::State<V>,
     ) -> Self::Carried<V>;
-    /// All links of a group have been there.
-    fn end<V: Level>(&mut self, level: V, group: Group, steps: &[Step<Y::Real>]);
+    /// After the links of a group.
+    #[inline(always)]
+    fn end<V: Level>(&mut self, _: V, _: Group, _: &[Step<Y::Real>], _: &mut Self::State<V>) {}
 }
 
 /// A link and its joint, one configuration per lane.
@@ -64,10 +76,12 @@ impl<Y: Layout, T: JointValues<Y>, K: Task<Y>> Kernel for Walk<'_, Y, T, K> {
         let mut numbers = Numbers::<Y, T, V>::new(level, values, mechanism.values);
         let mut poses = [Placed::<Y::Register<V>>::identity(level); SLOTS];
         let mut carried = [K::base(level); SLOTS];
+        let mut state = task.start(level);
         for first in (0..elements).step_by(Y::records::<V>()) {
             for register in 0..Y::registers::<V>() {
                 let group = Group { first, register };
                 numbers.turn_to(group);
+                task.begin(level, group, mechanism.steps, &mut state);
                 let mut position = 0;
                 while let Some(step) = mechanism.steps.get(position) {
                     if task.skips(mechanism.steps, position) {
@@ -88,9 +102,9 @@ impl<Y: Layout, T: JointValues<Y>, K: Task<Y>> Kernel for Walk<'_, Y, T, K> {
                     let joined = Joined { before, pose };
                     let parent = if is_root { K::base(level) } else { carried[from] };
                     poses[to] = pose;
-                    carried[to] = task.link(level, group, step, &joined, &parent);
+                    carried[to] = task.link(level, group, step, &joined, &parent, &mut state);
                 }
-                task.end(level, group, mechanism.steps);
+                task.end(level, group, mechanism.steps, &mut state);
             }
         }
     }

@@ -1,9 +1,9 @@
 //! Many configurations on the lanes of every backend, held to one configuration at a time.
 
 use crate::random::{Numbers, mechanism, tree, values};
-use dq8::mechanism::{Joint, OwnedMechanism};
+use dq8::mechanism::{Body, JacobianFrame, Joint, OwnedMechanism, World, WorldAligned};
 use dq8::storage::NumberBlock;
-use dq8::{Backend, Block, DualQuat};
+use dq8::{Backend, Block, DualQuat, Twist};
 
 /// Poses of `configurations` by the book.
 fn wanted(
@@ -142,10 +142,121 @@ fn angles_many_turns_away_are_as_exact_as_near_ones() {
         let mut poses = vec![DualQuat::IDENTITY; angles.len()];
         backend.link_poses(single.view(), &angles, &mut poses).unwrap();
         for (pose, wanted) in poses.iter().zip(&wanted) {
-            // What is left of an angle of up to π/2 is rounded twice, and the result once.
+            // Units of 2⁻²⁴: what is left of the angle, up to π/2, is rounded twice, the quotient
+            // of sine and angle once, and the product with the angle once.
             let error = (0..8).map(|i| f64::from(pose.to_array()[i]) - wanted.to_array()[i]);
             let error = error.map(f64::abs).fold(0.0, f64::max);
-            assert!(error < 1.8e-7, "{backend}: {error}");
+            assert!(error < 2.4e-7, "{backend}: {error}");
+        }
+    }
+}
+
+const NOTHING: Twist<f64> = Twist { angular: [0.0; 3], linear: [0.0; 3] };
+
+fn close_twists(found: &[[f64; 6]], wanted: &[Twist<f64>], what: &str) {
+    assert_eq!(found.len(), wanted.len());
+    for (found, wanted) in found.iter().zip(wanted) {
+        for (found, wanted) in found.iter().zip(wanted.to_array()) {
+            let error = (found - wanted).abs() / (1.0 + wanted.abs());
+            assert!(error < 1e-12, "{what}: {found} for {wanted}");
+        }
+    }
+}
+
+fn jacobians_agree<F: JacobianFrame>(frame: F) {
+    let mut numbers = Numbers::new(8);
+    for count in 1..25 {
+        let joints = tree(&mut numbers, count);
+        let configurations = [1, 3, 4, 9, 16, 21][count % 6];
+        let values: Vec<f64> =
+            (0..configurations).flat_map(|_| values(&mut numbers, &joints)).collect();
+        let owned = mechanism::<f64>(&joints);
+        let (robot, link) = (owned.view(), numbers.below(count));
+        if robot.values() == 0 {
+            continue;
+        }
+        let mut wanted = vec![NOTHING; configurations * robot.rates()];
+        let tools: Vec<_> = values
+            .chunks_exact(robot.values())
+            .zip(wanted.chunks_exact_mut(robot.rates()))
+            .map(|(values, columns)| robot.link_jacobian(frame, values, link, columns).unwrap())
+            .collect();
+        for backend in Backend::available() {
+            let what = format!("{backend}, {frame:?}, {count} joints, link {link}");
+            let mut poses = vec![DualQuat::IDENTITY; configurations];
+            let mut columns = vec![[f64::NAN; 6]; wanted.len()];
+            backend.link_jacobians(frame, robot, link, &values, &mut poses, &mut columns).unwrap();
+            close_twists(&columns, &wanted, &what);
+            for (&pose, &tool) in poses.iter().zip(&tools) {
+                close(pose, tool, 1e-13, &what);
+            }
+        }
+    }
+}
+
+#[test]
+fn jacobians_on_lanes_are_those_of_one_configuration_in_every_frame() {
+    jacobians_agree(World);
+    jacobians_agree(Body);
+    jacobians_agree(WorldAligned);
+}
+
+#[test]
+fn velocities_and_accelerations_on_lanes_are_those_of_one_configuration() {
+    let mut numbers = Numbers::new(9);
+    for count in 1..25 {
+        let joints = tree(&mut numbers, count);
+        let configurations = [1, 3, 4, 9, 16, 21][count % 6];
+        let values: Vec<f64> =
+            (0..configurations).flat_map(|_| values(&mut numbers, &joints)).collect();
+        let owned = mechanism::<f64>(&joints);
+        let robot = owned.view();
+        if robot.values() == 0 {
+            continue;
+        }
+        let mut random = |_| numbers.next();
+        let rates: Vec<f64> = (0..configurations * robot.rates()).map(&mut random).collect();
+        let second: Vec<f64> = (0..configurations * robot.rates()).map(&mut random).collect();
+        let links = configurations * count;
+        let mut wanted_poses = vec![DualQuat::IDENTITY; links];
+        let (mut wanted, mut wanted_second) = (vec![NOTHING; links], vec![NOTHING; links]);
+        for configuration in 0..configurations {
+            let of = |all: usize| configuration * all..(configuration + 1) * all;
+            robot
+                .link_accelerations(
+                    &values[of(robot.values())],
+                    &rates[of(robot.rates())],
+                    &second[of(robot.rates())],
+                    &mut wanted_poses[of(count)],
+                    &mut wanted[of(count)],
+                    &mut wanted_second[of(count)],
+                )
+                .unwrap();
+        }
+        for backend in Backend::available() {
+            let what = format!("{backend}, {count} joints");
+            let mut poses = vec![DualQuat::IDENTITY; links];
+            let (mut twists, mut accelerations) =
+                (vec![[f64::NAN; 6]; links], vec![[f64::NAN; 6]; links]);
+            backend
+                .link_accelerations(
+                    robot,
+                    &values,
+                    &rates,
+                    &second,
+                    &mut poses,
+                    &mut twists,
+                    &mut accelerations,
+                )
+                .unwrap();
+            close_twists(&twists, &wanted, &what);
+            close_twists(&accelerations, &wanted_second, &what);
+            for (&pose, &wanted) in poses.iter().zip(&wanted_poses) {
+                close(pose, wanted, 1e-13, &what);
+            }
+            let mut alone = vec![[f64::NAN; 6]; links];
+            backend.link_velocities(robot, &values, &rates, &mut poses, &mut alone).unwrap();
+            assert_eq!(alone, twists, "{what}");
         }
     }
 }

@@ -1,7 +1,7 @@
 //! One configuration.
 
 use crate::random::{Numbers, mechanism, tree, values};
-use dq8::mechanism::{Body, Joint, JointKind, OwnedMechanism, World, WorldAligned};
+use dq8::mechanism::{Body, Joint, JointKind, Mechanism, OwnedMechanism, World, WorldAligned};
 use dq8::{Dual, DualQuat, Quat, Twist};
 use nalgebra::{Matrix4, Rotation3, Translation3, Unit, UnitQuaternion, Vector3};
 
@@ -86,22 +86,12 @@ fn jacobians_are_derivatives_of_poses() {
         let link = numbers.below(count);
         let mut columns = vec![Twist::from_array([0.0; 6]); owned.view().rates()];
         let pose = owned.view().link_jacobian(World, &values, link, &mut columns).unwrap();
-        // Rates of floating joints are twists: their values are moved one by one below.
-        let mut rate = 0;
-        for joint in &joints {
-            let single = joint.mimic.is_none() && joint.kind.values() > 0;
-            if !single {
-                continue;
-            }
-            for _ in 0..joint.kind.rates() {
-                let wanted = derivative(&joints, &values, &owned, &dual, link, rate);
-                let error = (columns[rate] - wanted).to_array().map(f64::abs);
-                let largest = error.into_iter().fold(0.0, f64::max);
-                assert!(largest < 1e-11, "rate {rate}, link {link} of {count}: {largest}");
-                rate += 1;
-            }
+        for (rate, column) in columns.iter().enumerate() {
+            let wanted = derivative(&joints, &values, &owned, &dual, link, rate);
+            let error = (*column - wanted).to_array().map(f64::abs);
+            let largest = error.into_iter().fold(0.0, f64::max);
+            assert!(largest < 1e-11, "rate {rate}, link {link} of {count}: {largest}");
         }
-        assert_eq!(rate, columns.len());
         let mut others = columns.clone();
         owned.view().link_jacobian(Body, &values, link, &mut others).unwrap();
         for (column, body) in columns.iter().zip(&others) {
@@ -130,33 +120,9 @@ fn derivative(
     link: usize,
     rate: usize,
 ) -> Twist<f64> {
-    let mut moved: Vec<_> = values.iter().map(|&value| Dual::new(value, 0.0)).collect();
-    let mut before = 0;
-    for (index, joint) in joints.iter().enumerate() {
-        if joint.mimic.is_some() {
-            continue;
-        }
-        let (range, rates) = (owned.view().values_of(index).unwrap(), joint.kind.rates());
-        if (before..before + rates).contains(&rate) {
-            let own = rate - before;
-            if joint.kind == JointKind::Floating {
-                // Values move along the body twist: ṗ = ½ p ω, ṫ = R v.
-                let number = |offset: usize| values[range.start + offset];
-                let turn = Quat::from_xyzw(number(0), number(1), number(2), number(3));
-                let mut twist = [0.0; 6];
-                twist[own] = 1.0;
-                let [wx, wy, wz, vx, vy, vz] = twist;
-                let spin = (turn * Quat::from_xyzw(wx, wy, wz, 0.0)).scale(0.5).to_array();
-                let slide = turn.normalize().rotate([vx, vy, vz]);
-                for (offset, speed) in spin.into_iter().chain(slide).enumerate() {
-                    moved[range.start + offset].dual = speed;
-                }
-            } else {
-                moved[range.start + own].dual = 1.0;
-            }
-        }
-        before += rates;
-    }
+    let mut rates = vec![0.0; owned.view().rates()];
+    rates[rate] = 1.0;
+    let moved = moving(joints, values, &rates, owned.view());
     let pose = dual.view().link_pose(&moved, link).unwrap().to_array();
     let at = DualQuat::from_array(pose.map(|number| number.real));
     let speed = DualQuat::from_array(pose.map(|number| number.dual));
@@ -184,6 +150,81 @@ fn velocities_are_jacobians_times_rates() {
             assert!(error.into_iter().all(|error| error < 1e-11), "link {link} of {count}");
         }
     }
+}
+
+/// Twists of dual numbers: values and rates that move differentiate them.
+#[test]
+fn accelerations_are_derivatives_of_twists() {
+    let mut numbers = Numbers::new(7);
+    for count in 1..25 {
+        let joints = tree(&mut numbers, count);
+        let values = values(&mut numbers, &joints);
+        let (owned, dual) = (mechanism::<f64>(&joints), mechanism::<Dual<f64>>(&joints));
+        let robot = owned.view();
+        let mut random = |_| numbers.next();
+        let rates: Vec<f64> = (0..robot.rates()).map(&mut random).collect();
+        let second: Vec<f64> = (0..robot.rates()).map(&mut random).collect();
+        let zero = Twist::from_array([0.0; 6]);
+        let (mut poses, mut twists) = (vec![DualQuat::IDENTITY; count], vec![zero; count]);
+        let mut accelerations = twists.clone();
+        robot
+            .link_accelerations(
+                &values,
+                &rates,
+                &second,
+                &mut poses,
+                &mut twists,
+                &mut accelerations,
+            )
+            .unwrap();
+        let moved = moving(&joints, &values, &rates, robot);
+        let changing: Vec<_> =
+            rates.iter().zip(&second).map(|(&rate, &second)| Dual::new(rate, second)).collect();
+        let nothing = Dual::new(0.0, 0.0);
+        let mut dual_poses = vec![DualQuat::IDENTITY; count];
+        let mut dual_twists = vec![Twist::from_array([nothing; 6]); count];
+        let view = dual.view();
+        view.link_velocities(&moved, &changing, &mut dual_poses, &mut dual_twists).unwrap();
+        for (link, (wanted, found)) in dual_twists.iter().zip(&accelerations).enumerate() {
+            for (wanted, found) in wanted.to_array().into_iter().zip(found.to_array()) {
+                let error = (wanted.dual - found).abs() / (1.0 + found.abs());
+                assert!(error < 1e-11, "link {link} of {count}: {error}");
+            }
+        }
+    }
+}
+
+/// Values that move at these rates.
+fn moving(
+    joints: &[Joint<f64>],
+    values: &[f64],
+    rates: &[f64],
+    robot: Mechanism<'_, f64>,
+) -> Vec<Dual<f64>> {
+    let mut moved: Vec<_> = values.iter().map(|&value| Dual::new(value, 0.0)).collect();
+    let mut rates = rates.iter().copied();
+    for (index, joint) in joints.iter().enumerate() {
+        if joint.mimic.is_some() {
+            continue;
+        }
+        let first = robot.values_of(index).unwrap().start;
+        if joint.kind == JointKind::Floating {
+            // ṗ = ½ p ω, ṫ = R v.
+            let twist: [f64; 6] = core::array::from_fn(|_| rates.next().unwrap());
+            let [wx, wy, wz, vx, vy, vz] = twist;
+            let turn = Quat::from_array(core::array::from_fn(|i| values[first + i]));
+            let spin = (turn * Quat::from_xyzw(wx, wy, wz, 0.0)).scale(0.5).to_array();
+            let slide = turn.normalize().rotate([vx, vy, vz]);
+            for (offset, speed) in spin.into_iter().chain(slide).enumerate() {
+                moved[first + offset].dual = speed;
+            }
+        } else {
+            for offset in 0..joint.kind.rates() {
+                moved[first + offset].dual = rates.next().unwrap();
+            }
+        }
+    }
+    moved
 }
 
 /// A product of exponentials is another way to the same pose.

@@ -7,7 +7,7 @@
 
 mod robots;
 
-use dq8::mechanism::{Joint, JointKind, OwnedMechanism};
+use dq8::mechanism::{Joint, JointKind, OwnedMechanism, World};
 use dq8::storage::NumberBlock;
 use dq8::{Backend, Block, DualQuat};
 use std::hint::black_box;
@@ -48,6 +48,9 @@ macro_rules! jobs {
             let mut pose_blocks =
                 vec![Block::<$real, $lanes>::splat(DualQuat::IDENTITY.to_array()); blocks * links];
             let mut mixed_blocks = pose_blocks.clone();
+            let mut tool_poses = vec![DualQuat::<$real>::IDENTITY; (*CONFIGS.get().unwrap())];
+            let mut columns = vec![[0.0 as $real; 6]; (*CONFIGS.get().unwrap()) * links];
+            let (mut twists, mut moving_poses) = (columns.clone(), poses.clone());
             let mut one = vec![DualQuat::<$real>::IDENTITY; links];
             let mut tools = vec![DualQuat::<$real>::IDENTITY; (*CONFIGS.get().unwrap())];
             let mut jobs: Vec<(&'static str, Box<dyn FnMut() + '_>)> = vec![
@@ -65,6 +68,14 @@ macro_rules! jobs {
                         .expect("shape");
                 })),
             ];
+            jobs.push(("tool and Jacobian, plain", Box::new(|| {
+                backend.link_jacobians(World, robot, tool, black_box(&values), &mut tool_poses, &mut columns)
+                    .expect("shape");
+            })));
+            jobs.push(("velocities, plain", Box::new(|| {
+                backend.link_velocities(robot, black_box(&values), &values, &mut moving_poses, &mut twists)
+                    .expect("shape");
+            })));
             jobs.push(("all poses, one by one", Box::new(|| {
                 for values in black_box(&values).chunks_exact(links) {
                     robot.link_poses(values, &mut one).expect("shape");
