@@ -1,3 +1,4 @@
+use crate::real::Real;
 use crate::scalar::DualQuat;
 
 /// How a link is joined to the one that carries it.
@@ -101,6 +102,44 @@ impl<R> Joint<R> {
     pub fn mimicking(self, joint: usize, multiplier: R, offset: R) -> Self {
         Self { mimic: Some(Mimic { joint, multiplier, offset }), ..self }
     }
+}
+
+impl<R: Real> Joint<R> {
+    /// The same joint in other numbers, by way of `f64`.
+    #[must_use]
+    pub fn cast<S: Real>(&self) -> Joint<S> {
+        let mimic = self.mimic.map(|mimic| Mimic {
+            joint: mimic.joint,
+            multiplier: cast(mimic.multiplier),
+            offset: cast(mimic.offset),
+        });
+        Joint {
+            parent: self.parent,
+            placement: DualQuat::from_array(self.placement.to_array().map(cast)),
+            kind: self.kind.cast(),
+            limits: self.limits.map(|limits| limits.map(cast)),
+            mimic,
+        }
+    }
+}
+
+impl<R: Real> JointKind<R> {
+    fn cast<S: Real>(&self) -> JointKind<S> {
+        match *self {
+            Self::Fixed => JointKind::Fixed,
+            Self::Revolute { axis } => JointKind::Revolute { axis: axis.map(cast) },
+            Self::Prismatic { axis } => JointKind::Prismatic { axis: axis.map(cast) },
+            Self::Screw { axis, pitch } => {
+                JointKind::Screw { axis: axis.map(cast), pitch: cast(pitch) }
+            }
+            Self::Planar { normal } => JointKind::Planar { normal: normal.map(cast) },
+            Self::Floating => JointKind::Floating,
+        }
+    }
+}
+
+fn cast<R: Real, S: Real>(number: R) -> S {
+    S::from_f64(number.into())
 }
 
 impl<R> JointKind<R> {

@@ -164,7 +164,7 @@ impl<R: Real> Step<R> {
 
     fn place(&mut self, placement: DualQuat<R>, index: usize) -> Result<(), MechanismError> {
         let norm = placement.real().norm();
-        if !((norm - R::ONE).abs() <= R::from(UNIT)) {
+        if is_far_from_one(norm) {
             return Err(MechanismError::Placement { joint: index, norm: norm.into() });
         }
         let placement = if placement.is_normalized() { placement } else { placement.normalize() };
@@ -205,9 +205,15 @@ fn from_z<R: Real>([x, y, z]: [R; 3]) -> Quat<R> {
     Quat::from_xyzw(-y, x, R::ZERO, w).normalize()
 }
 
+/// NaN is too.
+fn is_far_from_one<R: Real>(length: R) -> bool {
+    let near = (length - R::ONE).abs() <= R::from(UNIT);
+    !near
+}
+
 fn unit<R: Real>(axis: [R; 3], index: usize) -> Result<[R; 3], MechanismError> {
     let length = vector::norm(axis);
-    if !((length - R::ONE).abs() <= R::from(UNIT)) {
+    if is_far_from_one(length) {
         return Err(MechanismError::Axis { joint: index, length: length.into() });
     }
     Ok(vector::over_norm(axis, length))

@@ -101,29 +101,7 @@ pub(crate) fn values(numbers: &mut Numbers, joints: &[Joint<f64>]) -> Vec<f64> {
     values
 }
 
-/// The same joint, of other numbers.
-pub(crate) fn cast<R: Real>(joint: &Joint<f64>) -> Joint<R> {
-    let number = R::from_f64;
-    let vector = |vector: [f64; 3]| vector.map(number);
-    let kind = match joint.kind {
-        JointKind::Revolute { axis } => JointKind::Revolute { axis: vector(axis) },
-        JointKind::Prismatic { axis } => JointKind::Prismatic { axis: vector(axis) },
-        JointKind::Screw { axis, pitch } => {
-            JointKind::Screw { axis: vector(axis), pitch: number(pitch) }
-        }
-        JointKind::Planar { normal } => JointKind::Planar { normal: vector(normal) },
-        JointKind::Floating => JointKind::Floating,
-        _ => JointKind::Fixed,
-    };
-    let placement = DualQuat::from_array(joint.placement.to_array().map(number));
-    let cast = Joint::new(joint.parent, placement, kind);
-    match joint.mimic {
-        Some(mimic) => cast.mimicking(mimic.joint, number(mimic.multiplier), number(mimic.offset)),
-        None => cast,
-    }
-}
-
 pub(crate) fn mechanism<R: Real>(joints: &[Joint<f64>]) -> OwnedMechanism<R> {
-    let joints: Vec<_> = joints.iter().map(cast).collect();
+    let joints: Vec<_> = joints.iter().map(Joint::cast).collect();
     OwnedMechanism::new(&joints).expect("a mechanism")
 }

@@ -7,36 +7,28 @@
 
 mod robots;
 
-use dq8::mechanism::{Joint, JointKind, OwnedMechanism, World};
+use dq8::mechanism::{Joint, OwnedMechanism, World};
 use dq8::storage::NumberBlock;
 use dq8::{Backend, Block, DualQuat};
 use std::hint::black_box;
 use std::time::Instant;
 
-static CONFIGS: std::sync::OnceLock<usize> = std::sync::OnceLock::new();
+const CONFIGURATIONS: usize = 10_000;
 
 /// The jobs of one robot in one precision.
 macro_rules! jobs {
     ($name:ident, $real:ident, $lanes:literal) => {
         fn $name(joints: &[Joint<f64>], rounds: usize) -> Vec<(&'static str, f64)> {
-            let joints: Vec<_> = joints.iter().map(|joint| {
-                let JointKind::Revolute { axis } = joint.kind else { panic!("only hinges here") };
-                let placement = joint.placement.to_array().map(|number| number as $real);
-                Joint::revolute(
-                    joint.parent,
-                    DualQuat::from_array(placement),
-                    axis.map(|number| number as $real),
-                )
-            }).collect();
+            let joints: Vec<Joint<$real>> = joints.iter().map(Joint::cast).collect();
             let owned = OwnedMechanism::new(&joints).expect("a robot");
             let (robot, backend) = (owned.view(), backend());
             let (links, tool) = (robot.links(), robot.links() - 1);
             let mut seed = 1_u64;
-            let values: Vec<$real> = (0..(*CONFIGS.get().unwrap()) * links).map(|_| {
+            let values: Vec<$real> = (0..CONFIGURATIONS * links).map(|_| {
                 seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
                 ((seed >> 33) as f64 / f64::from(1_u32 << 31) * 6.0 - 3.0) as $real
             }).collect();
-            let blocks = (*CONFIGS.get().unwrap()) / $lanes;
+            let blocks = CONFIGURATIONS / $lanes;
             let mut packed = vec![NumberBlock::<$real, $lanes>::splat([0.0]); blocks * links];
             for (configuration, values) in values.chunks_exact(links).enumerate() {
                 for (value, &number) in values.iter().enumerate() {
@@ -44,15 +36,15 @@ macro_rules! jobs {
                     block.set(configuration % $lanes, [number]).expect("a lane");
                 }
             }
-            let mut poses = vec![DualQuat::<$real>::IDENTITY; (*CONFIGS.get().unwrap()) * links];
+            let mut poses = vec![DualQuat::<$real>::IDENTITY; CONFIGURATIONS * links];
             let mut pose_blocks =
                 vec![Block::<$real, $lanes>::splat(DualQuat::IDENTITY.to_array()); blocks * links];
             let mut mixed_blocks = pose_blocks.clone();
-            let mut tool_poses = vec![DualQuat::<$real>::IDENTITY; (*CONFIGS.get().unwrap())];
-            let mut columns = vec![[0.0 as $real; 6]; (*CONFIGS.get().unwrap()) * links];
+            let mut tool_poses = vec![DualQuat::<$real>::IDENTITY; CONFIGURATIONS];
+            let mut columns = vec![[0.0 as $real; 6]; CONFIGURATIONS * links];
             let (mut twists, mut moving_poses) = (columns.clone(), poses.clone());
             let mut one = vec![DualQuat::<$real>::IDENTITY; links];
-            let mut tools = vec![DualQuat::<$real>::IDENTITY; (*CONFIGS.get().unwrap())];
+            let mut tools = vec![DualQuat::<$real>::IDENTITY; CONFIGURATIONS];
             let mut jobs: Vec<(&'static str, Box<dyn FnMut() + '_>)> = vec![
                 ("all poses, plain", Box::new(|| {
                     backend.link_poses(robot, black_box(&values), &mut poses).expect("shape");
@@ -82,13 +74,12 @@ macro_rules! jobs {
                     black_box(&mut one);
                 }
             })));
-            if let Ok(only) = std::env::var("ONLY") { jobs.retain(|(name, _)| *name == only); }
             let mut least: Vec<_> = jobs.iter().map(|(name, _)| (*name, f64::INFINITY)).collect();
             for _ in 0..rounds {
                 for ((_, job), (_, least)) in jobs.iter_mut().zip(&mut least) {
                     let start = Instant::now();
                     job();
-                    *least = least.min(start.elapsed().as_secs_f64() * 1e9 / (*CONFIGS.get().unwrap()) as f64);
+                    *least = least.min(start.elapsed().as_secs_f64() * 1e9 / CONFIGURATIONS as f64);
                 }
             }
             least
@@ -98,9 +89,14 @@ macro_rules! jobs {
 jobs! { singles, f32, 8 }
 jobs! { doubles, f64, 4 }
 
-fn backend() -> Backend { if std::env::var_os("AVX512").is_some() { Backend::best() } else { Backend::avx2().unwrap() } }
+/// AVX2 unless the variable `BACKEND` is set, to the name of another.
+fn backend() -> Backend {
+    let name = std::env::var("BACKEND").unwrap_or_else(|_| "AVX2".into());
+    let named = Backend::available().find(|backend| backend.to_string() == name);
+    named.unwrap_or_else(Backend::best)
+}
+
 fn main() {
-    CONFIGS.set(std::env::args().nth(2).and_then(|text| text.parse().ok()).unwrap_or(10_000)).unwrap();
     let rounds = std::env::args().nth(1).and_then(|text| text.parse().ok()).unwrap_or(60);
     println!("{}; ns per configuration", backend());
     for (name, joints) in [("arm of 7", robots::arm()), ("humanoid of 29", robots::humanoid())] {
