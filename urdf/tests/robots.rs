@@ -3,7 +3,6 @@
 use dq8::mechanism::JointKind;
 use dq8::{Backend, DualQuat};
 use dq8_urdf::Robot;
-use nalgebra::{Matrix4, Rotation3, Translation3, Unit, Vector3};
 use std::collections::HashMap;
 
 const FILES: [(&str, &str, usize); 3] = [
@@ -12,11 +11,40 @@ const FILES: [(&str, &str, usize); 3] = [
     ("humanoid", include_str!("../robots/humanoid.urdf"), 29),
 ];
 
+type Matrix = [[f64; 4]; 4];
+
+const IDENTITY: Matrix =
+    [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
+
+fn product(a: Matrix, b: Matrix) -> Matrix {
+    core::array::from_fn(|row| {
+        core::array::from_fn(|column| (0..4).map(|k| a[row][k] * b[k][column]).sum())
+    })
+}
+
+fn shift([x, y, z]: [f64; 3]) -> Matrix {
+    let mut matrix = IDENTITY;
+    (matrix[0][3], matrix[1][3], matrix[2][3]) = (x, y, z);
+    matrix
+}
+
+/// Rodrigues' rotation by `angle` about a unit axis.
+fn turn([x, y, z]: [f64; 3], angle: f64) -> Matrix {
+    let (s, c) = angle.sin_cos();
+    let d = 1.0 - c;
+    [
+        [c + d * x * x, d * x * y - s * z, d * x * z + s * y, 0.0],
+        [d * x * y + s * z, c + d * y * y, d * y * z - s * x, 0.0],
+        [d * x * z - s * y, d * y * z + s * x, c + d * z * z, 0.0],
+        [0.0, 0.0, 0.0, 1.0],
+    ]
+}
+
 /// Poses of links by name, from the elements as urdf-rs reads them.
-fn by_matrices(text: &str, values: &HashMap<&str, f64>) -> HashMap<String, Matrix4<f64>> {
+fn by_matrices(text: &str, values: &HashMap<&str, f64>) -> HashMap<String, Matrix> {
     let file = urdf_rs::read_from_string(text).unwrap();
-    let mut poses: HashMap<String, Matrix4<f64>> = HashMap::new();
-    poses.insert(file.links[0].name.clone(), Matrix4::identity());
+    let mut poses: HashMap<String, Matrix> = HashMap::new();
+    poses.insert(file.links[0].name.clone(), IDENTITY);
     while poses.len() < file.links.len() {
         for joint in &file.joints {
             let Some(&parent) = poses.get(&joint.parent.link) else { continue };
@@ -25,16 +53,17 @@ fn by_matrices(text: &str, values: &HashMap<&str, f64>) -> HashMap<String, Matri
                 None => values.get(joint.name.as_str()).copied().unwrap_or(0.0),
             };
             let [roll, pitch, yaw] = joint.origin.rpy.0;
-            let axis = Vector3::from(joint.axis.xyz.0);
+            let axis = joint.axis.xyz.0;
             let motion = match joint.joint_type {
-                urdf_rs::JointType::Fixed => Matrix4::identity(),
-                urdf_rs::JointType::Prismatic => Translation3::from(axis * value).to_homogeneous(),
-                _ => Rotation3::from_axis_angle(&Unit::new_normalize(axis), value).to_homogeneous(),
+                urdf_rs::JointType::Fixed => IDENTITY,
+                urdf_rs::JointType::Prismatic => shift(axis.map(|number| number * value)),
+                _ => turn(axis, value),
             };
-            let pose = parent
-                * Translation3::from(Vector3::from(joint.origin.xyz.0)).to_homogeneous()
-                * Rotation3::from_euler_angles(roll, pitch, yaw).to_homogeneous()
-                * motion;
+            // About fixed axes: roll first, so it stands last.
+            let (x, y, z) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]);
+            let turned = product(product(turn(z, yaw), turn(y, pitch)), turn(x, roll));
+            let placement = product(shift(joint.origin.xyz.0), turned);
+            let pose = product(product(parent, placement), motion);
             poses.insert(joint.child.link.clone(), pose);
         }
     }
@@ -63,7 +92,7 @@ fn poses_of_links_are_products_of_matrices() {
             for (link, pose) in robot.link_names().iter().zip(poses) {
                 for (row, numbers) in pose.to_matrix3x4().into_iter().enumerate() {
                     for (column, number) in numbers.into_iter().enumerate() {
-                        let error = (number - wanted[link][(row, column)]).abs();
+                        let error = (number - wanted[link][row][column]).abs();
                         assert!(error < 1e-14, "{name}, {link}: {error}");
                     }
                 }

@@ -13,6 +13,8 @@ const CONFIGURATIONS: usize = 400_000;
 /// Cells of a side of a view, and its size in pixels.
 const CELLS: usize = 150;
 const SIDE: f64 = 600.0;
+/// Shades of a cell.
+const SHADES: usize = 32;
 
 /// The views: a title and which coordinates go right and up.
 const VIEWS: [(&str, [usize; 2], [&str; 2]); 2] =
@@ -110,15 +112,16 @@ fn cells(
         counts[row.min(CELLS - 1) * CELLS + column.min(CELLS - 1)] += 1;
     }
     let most = f64::from(counts.iter().copied().max().unwrap_or(1)).ln_1p();
+    // One path for each shade; cells are a little larger than they are apart, so that no seams show.
+    let mut paths = vec![String::new(); SHADES];
     for (cell, &count) in counts.iter().enumerate().filter(|(_, count)| **count > 0) {
         let (x, y) = ((cell % CELLS) as f64 * size + left, (cell / CELLS) as f64 * size + top);
-        let [red, green, blue] = colour(f64::from(count).ln_1p() / most);
-        // A little larger than a cell, so that no seams show.
-        let _ = writeln!(
-            svg,
-            "<rect x=\"{x:.1}\" y=\"{y:.1}\" width=\"{w:.2}\" height=\"{w:.2}\" fill=\"#{red:02x}{green:02x}{blue:02x}\"/>",
-            w = size + 0.15,
-        );
+        let shade = f64::from(count).ln_1p() / most * (SHADES - 1) as f64;
+        let _ = write!(paths[shade as usize], "M{x} {y}h{w}v{w}h-{w}z", w = size + 0.2);
+    }
+    for (shade, path) in paths.iter().enumerate().filter(|(_, path)| !path.is_empty()) {
+        let [red, green, blue] = colour(shade as f64 / (SHADES - 1) as f64);
+        let _ = writeln!(svg, "<path fill=\"#{red:02x}{green:02x}{blue:02x}\" d=\"{path}\"/>");
     }
 }
 
