@@ -14,6 +14,8 @@ mod jacobians;
 mod joint;
 #[cfg(feature = "alloc")]
 mod owned;
+#[cfg(feature = "rayon")]
+mod parallel;
 mod placed;
 mod poses;
 mod single;

@@ -22,6 +22,10 @@ pub trait JointValues<Y: Layout>: Copy + Debug + sealed::Sealed {
         count: usize,
         elements: usize,
     ) -> Result<(), ShapeError>;
+    /// Those of `elements` configurations or blocks of them, from `first` on, or of as many as there are.
+    #[doc(hidden)]
+    #[cfg(feature = "rayon")]
+    fn part(slice: &[Self], count: usize, first: usize, elements: usize) -> &[Self];
     /// Four numbers from `first` on, or fewer where a configuration has no more than that.
     #[doc(hidden)]
     fn load<V: Level>(
@@ -42,6 +46,12 @@ impl<A: Row<Real: Scalar>> JointValues<AoSoA<A>> for Block<A, 1> {
         elements: usize,
     ) -> Result<(), ShapeError> {
         same_length(what, length, elements * count)
+    }
+
+    #[cfg(feature = "rayon")]
+    fn part(slice: &[Self], count: usize, first: usize, elements: usize) -> &[Self] {
+        let rest = slice.get(first * count..).unwrap_or_default();
+        rest.get(..elements * count).unwrap_or(rest)
     }
 
     #[inline(always)]
@@ -79,6 +89,12 @@ macro_rules! plain {
                     return Ok(());
                 }
                 same_length(what, length, elements * Y::THINGS * count)
+            }
+
+            #[cfg(feature = "rayon")]
+            fn part(slice: &[Self], count: usize, first: usize, elements: usize) -> &[Self] {
+                let rest = slice.get(first * Y::THINGS * count..).unwrap_or_default();
+                rest.get(..elements * Y::THINGS * count).unwrap_or(rest)
             }
 
             #[inline(always)]

@@ -3,5 +3,7 @@
 
 mod errors;
 mod lanes;
+#[cfg(feature = "rayon")]
+mod parallel;
 mod random;
 mod single;

@@ -5,6 +5,7 @@
 //! cargo run --release --manifest-path benches/mechanism/Cargo.toml -- [ROUNDS]
 //! ```
 
+mod peer;
 mod robots;
 
 use dq8::mechanism::{Joint, OwnedMechanism, World};
@@ -24,10 +25,12 @@ macro_rules! jobs {
             let (robot, backend) = (owned.view(), backend());
             let (links, tool) = (robot.links(), robot.links() - 1);
             let mut seed = 1_u64;
-            let values: Vec<$real> = (0..CONFIGURATIONS * links).map(|_| {
-                seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-                ((seed >> 33) as f64 / f64::from(1_u32 << 31) * 6.0 - 3.0) as $real
-            }).collect();
+            let values: Vec<$real> = (0..CONFIGURATIONS * links)
+                .map(|_| {
+                    seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+                    ((seed >> 33) as f64 / f64::from(1_u32 << 31) * 6.0 - 3.0) as $real
+                })
+                .collect();
             let blocks = CONFIGURATIONS / $lanes;
             let mut packed = vec![NumberBlock::<$real, $lanes>::splat([0.0]); blocks * links];
             for (configuration, values) in values.chunks_exact(links).enumerate() {
@@ -46,34 +49,75 @@ macro_rules! jobs {
             let mut one = vec![DualQuat::<$real>::IDENTITY; links];
             let mut tools = vec![DualQuat::<$real>::IDENTITY; CONFIGURATIONS];
             let mut jobs: Vec<(&'static str, Box<dyn FnMut() + '_>)> = vec![
-                ("all poses, plain", Box::new(|| {
-                    backend.link_poses(robot, black_box(&values), &mut poses).expect("shape");
-                })),
-                ("all poses, blocks", Box::new(|| {
-                    backend.link_poses(robot, black_box(&packed), &mut pose_blocks).expect("shape");
-                })),
-                ("all poses, plain to blocks", Box::new(|| {
-                    backend.link_poses(robot, black_box(&values), &mut mixed_blocks).expect("shape");
-                })),
-                ("tool, plain", Box::new(|| {
-                    backend.chosen_link_poses(robot, &[tool], black_box(&values), &mut tools)
-                        .expect("shape");
-                })),
+                (
+                    "all poses, plain",
+                    Box::new(|| {
+                        backend.link_poses(robot, black_box(&values), &mut poses).expect("shape");
+                    }),
+                ),
+                (
+                    "all poses, blocks",
+                    Box::new(|| {
+                        backend
+                            .link_poses(robot, black_box(&packed), &mut pose_blocks)
+                            .expect("shape");
+                    }),
+                ),
+                (
+                    "all poses, plain to blocks",
+                    Box::new(|| {
+                        backend
+                            .link_poses(robot, black_box(&values), &mut mixed_blocks)
+                            .expect("shape");
+                    }),
+                ),
+                (
+                    "tool, plain",
+                    Box::new(|| {
+                        backend
+                            .chosen_link_poses(robot, &[tool], black_box(&values), &mut tools)
+                            .expect("shape");
+                    }),
+                ),
             ];
-            jobs.push(("tool and Jacobian, plain", Box::new(|| {
-                backend.link_jacobians(World, robot, tool, black_box(&values), &mut tool_poses, &mut columns)
-                    .expect("shape");
-            })));
-            jobs.push(("velocities, plain", Box::new(|| {
-                backend.link_velocities(robot, black_box(&values), &values, &mut moving_poses, &mut twists)
-                    .expect("shape");
-            })));
-            jobs.push(("all poses, one by one", Box::new(|| {
-                for values in black_box(&values).chunks_exact(links) {
-                    robot.link_poses(values, &mut one).expect("shape");
-                    black_box(&mut one);
-                }
-            })));
+            jobs.push((
+                "tool and Jacobian, plain",
+                Box::new(|| {
+                    backend
+                        .link_jacobians(
+                            World,
+                            robot,
+                            tool,
+                            black_box(&values),
+                            &mut tool_poses,
+                            &mut columns,
+                        )
+                        .expect("shape");
+                }),
+            ));
+            jobs.push((
+                "velocities, plain",
+                Box::new(|| {
+                    backend
+                        .link_velocities(
+                            robot,
+                            black_box(&values),
+                            &values,
+                            &mut moving_poses,
+                            &mut twists,
+                        )
+                        .expect("shape");
+                }),
+            ));
+            jobs.push((
+                "all poses, one by one",
+                Box::new(|| {
+                    for values in black_box(&values).chunks_exact(links) {
+                        robot.link_poses(values, &mut one).expect("shape");
+                        black_box(&mut one);
+                    }
+                }),
+            ));
             let mut least: Vec<_> = jobs.iter().map(|(name, _)| (*name, f64::INFINITY)).collect();
             for _ in 0..rounds {
                 for ((_, job), (_, least)) in jobs.iter_mut().zip(&mut least) {
@@ -100,10 +144,16 @@ fn main() {
     let rounds = std::env::args().nth(1).and_then(|text| text.parse().ok()).unwrap_or(60);
     println!("{}; ns per configuration", backend());
     for (name, joints) in [("arm of 7", robots::arm()), ("humanoid of 29", robots::humanoid())] {
-        for (number, jobs) in [("f64", doubles(&joints, rounds)), ("f32", singles(&joints, rounds))] {
+        for (number, jobs) in [("f64", doubles(&joints, rounds)), ("f32", singles(&joints, rounds))]
+        {
             for (job, nanoseconds) in jobs {
                 println!("{name:16} {number} {job:28} {nanoseconds:8.1}");
             }
+        }
+    }
+    for file in ["arm7", "humanoid"] {
+        for (job, nanoseconds) in peer::file(file, backend(), rounds) {
+            println!("{file:16} f64 {job:28} {nanoseconds:8.1}");
         }
     }
 }
