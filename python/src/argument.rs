@@ -36,7 +36,9 @@ impl<'a, 'py> Argument<'a, 'py> {
 /// An argument as memory: one element after the other.
 pub(crate) struct Input<'py, R: Number> {
     array: PyReadonlyArrayDyn<'py, R>,
+    /// The dimensions before those of one element, and 1 for what has no stride.
     leading: Vec<usize>,
+    full_leading: Vec<usize>,
 }
 
 impl<'py, R: Number> Input<'py, R> {
@@ -56,7 +58,8 @@ impl<'py, R: Number> Input<'py, R> {
                 tuple(shape)
             )));
         };
-        let mut leading = leading.to_vec();
+        let full_leading = leading.to_vec();
+        let mut leading = full_leading.clone();
         let array = if array.is_c_contiguous() && array.data().is_aligned() {
             array
         } else {
@@ -72,12 +75,34 @@ impl<'py, R: Number> Input<'py, R> {
             }
             numpy_function(py, &COPY, "ascontiguousarray")?.call1((once,))?.cast_into()?
         };
-        Ok(Self { array: borrow(&array, argument.name)?, leading })
+        Ok(Self { array: borrow(&array, argument.name)?, leading, full_leading })
     }
 
-    /// The dimensions before those of one element.
+    /// The dimensions before those of one element; 1 for one whose elements are all the same.
     pub(crate) fn leading(&self) -> &[usize] {
         &self.leading
+    }
+
+    /// The interpreter.
+    pub(crate) fn py(&self) -> Python<'py> {
+        self.array.py()
+    }
+
+    /// The shape of the argument.
+    pub(crate) fn shape(&self) -> Vec<usize> {
+        let core = &self.array.shape()[self.leading.len()..];
+        [&self.full_leading[..], core].concat()
+    }
+
+    /// The leading dimensions of the argument, where [`leading`](Self::leading) may have a 1 for one that
+    /// has no stride.
+    pub(crate) fn full_leading(&self) -> Vec<usize> {
+        self.full_leading.clone()
+    }
+
+    /// Whether this is the very memory of a result.
+    pub(crate) fn is(&self, out: &Output<'py, R>) -> bool {
+        self.array.is(&out.array)
     }
 
     /// The elements.
@@ -100,18 +125,22 @@ impl<'py, R: Number> Input<'py, R> {
             return Ok(self);
         }
         let copy = self.array.call_method0("copy")?.cast_into::<PyArrayDyn<R>>()?;
-        Ok(Self { array: copy.readonly(), leading: self.leading })
+        Ok(Self { array: copy.readonly(), ..self })
     }
 
-    /// Repeats elements until there is one for each of `shape`.
-    pub(crate) fn repeated(self, shape: &[usize]) -> PyResult<Self> {
+    /// With an element in memory for each of `shape`, to which the leading dimensions broadcast.
+    pub(crate) fn filled(self, shape: &[usize]) -> PyResult<Self> {
+        if self.leading == shape {
+            return Ok(self);
+        }
         let py = self.array.py();
         let mut full = shape.to_vec();
         full.extend_from_slice(&self.array.shape()[self.leading.len()..]);
         let full = PyTuple::new(py, full)?;
         let all = py.import("numpy")?.call_method1("broadcast_to", (&*self.array, full))?;
         let all = numpy_function(py, &COPY, "ascontiguousarray")?.call1((all,))?;
-        Ok(Self { array: all.cast_into::<PyArrayDyn<R>>()?.readonly(), leading: shape.to_vec() })
+        let array = all.cast_into::<PyArrayDyn<R>>()?.readonly();
+        Ok(Self { array, leading: shape.to_vec(), full_leading: shape.to_vec() })
     }
 }
 

@@ -61,7 +61,7 @@ where
         for input in &mut inputs {
             // One for all stays one for all.
             if input.as_ref().is_some_and(|input| input.leading().iter().any(|&size| size > 1)) {
-                *input = input.take().map(|input| input.repeated(&broadcast.shape)).transpose()?;
+                *input = input.take().map(|input| input.filled(&broadcast.shape)).transpose()?;
             }
         }
         broadcast = self::broadcast(&inputs, names)?;

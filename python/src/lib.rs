@@ -8,6 +8,7 @@ mod argument;
 mod broadcast;
 mod call;
 mod functions;
+mod hierarchy;
 mod law;
 mod sweep;
 mod threads;
@@ -31,19 +32,23 @@ mod _core {
         adjoint, coadjoint, transform_lines, transform_planes, transform_points, transform_vectors,
     };
     #[pymodule_export]
-    use super::functions::algebra::{compose, conjugate, inverse, mul, normalize};
+    use super::functions::algebra::{compose, conjugate, inverse, mul, normalize, unit_or_identity};
     #[pymodule_export]
     use super::functions::between::{nlerp, sclerp};
     #[pymodule_export]
     use super::functions::conversions::{
-        from_matrix, from_rotation_translation, from_translation, to_matrix, translation,
+        from_matrix, from_rotation_translation, from_translation, rigidity, to_matrix, translation,
     };
     #[pymodule_export]
     use super::functions::distances::{angle_to, distance_to, distance_weighted, point_error};
     #[pymodule_export]
+    use super::functions::means::{dlb, mean};
+    #[pymodule_export]
     use super::functions::screws::{
         exp, from_screw, from_twist, log, pow, to_screw, to_twist,
     };
+    #[pymodule_export]
+    use super::hierarchy::Hierarchy;
     #[pymodule_export]
     use super::threads::{forget_threads, get_num_threads, set_num_threads};
 }

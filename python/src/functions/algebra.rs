@@ -177,3 +177,39 @@ pub(crate) fn normalize<'py>(
 ) -> Answer<'py> {
     call(motions.py(), Normalize, [Argument::new("motions", EIGHT, motions), None, None], EIGHT, out)
 }
+
+#[derive(Clone, Copy)]
+struct UnitOrIdentity;
+impl Law<8, 0, 0, 8> for UnitOrIdentity {
+    #[inline(always)]
+    fn of<L: Lanes>(self, a: [L; 8], _: [L; 0], _: [L; 0]) -> [L; 8] {
+        let [x, y, z, w, ..] = a;
+        let zero = w.constant(0.0);
+        let nothing = x.eq(zero) & y.eq(zero) & z.eq(zero) & w.eq(zero);
+        let mut made = a;
+        made[3] = L::select(nothing, w.constant(1.0), w);
+        motion(made).normalize().to_array()
+    }
+}
+
+/// `normalize`, with p = 1 where p = 0: what SciPy takes dual quaternions for.
+///
+/// Parameters
+/// ----------
+/// motions : array_like, shape (..., 8)
+///     Dual quaternions.
+/// out : ndarray, optional
+///     Where to write the result.
+///
+/// Returns
+/// -------
+/// ndarray, shape (..., 8)
+#[pyfunction]
+#[pyo3(signature = (motions, /, *, out=None))]
+pub(crate) fn unit_or_identity<'py>(
+    motions: &Bound<'py, PyAny>,
+    out: Option<&Bound<'py, PyAny>>,
+) -> Answer<'py> {
+    let arguments = [Argument::new("dual_quat", EIGHT, motions), None, None];
+    call(motions.py(), UnitOrIdentity, arguments, EIGHT, out)
+}

@@ -173,6 +173,71 @@ pub(crate) fn from_matrix<'py>(
     matrices: &Bound<'py, PyAny>,
     out: Option<&Bound<'py, PyAny>>,
 ) -> Answer<'py> {
-    let arguments = [Argument::new("matrices", MATRIX, matrices), None, None];
+    let arguments = [Argument::new("matrix", MATRIX, matrices), None, None];
     call(matrices.py(), FromMatrix, arguments, EIGHT, out)
+}
+
+#[derive(Clone, Copy)]
+struct Rigidity;
+impl Law<16, 0, 0, 3> for Rigidity {
+    #[inline(always)]
+    fn of<L: Lanes>(self, m: [L; 16], _: [L; 0], _: [L; 0]) -> [L; 3] {
+        let one = m[0].constant(1.0);
+        let rows = [[m[0], m[1], m[2]], [m[4], m[5], m[6]], [m[8], m[9], m[10]]];
+        let [a, b, c] = rows;
+        let mut defect = one.constant(0.0);
+        for off in [
+            dot(a, a) - one,
+            dot(b, b) - one,
+            dot(c, c) - one,
+            dot(a, b),
+            dot(a, c),
+            dot(b, c),
+        ] {
+            defect = larger(defect, off.abs());
+        }
+        let [x, y, z] = a;
+        let determinant = x * (b[1] * c[2] - b[2] * c[1])
+            + y * (b[2] * c[0] - b[0] * c[2])
+            + z * (b[0] * c[1] - b[1] * c[0]);
+        let mut last_row = one.constant(0.0);
+        for off in [m[12], m[13], m[14], m[15] - one] {
+            last_row = larger(last_row, off.abs());
+        }
+        [defect, determinant, last_row]
+    }
+}
+
+#[inline(always)]
+fn dot<L: Lanes>(a: [L; 3], b: [L; 3]) -> L {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// The larger one; NaN where `b` is, and from then on.
+#[inline(always)]
+fn larger<L: Lanes>(a: L, b: L) -> L {
+    L::select(b.le(a), a, a * a.constant(0.0) + b)
+}
+
+/// How far matrices are from rigid ones: the largest component of ``|RRᵀ − 1|``, the determinant of R, and
+/// the largest difference of the last row from 0 0 0 1.
+///
+/// Parameters
+/// ----------
+/// matrices : array_like, shape (..., 4, 4)
+///     Matrices.
+/// out : ndarray, optional
+///     Where to write the result.
+///
+/// Returns
+/// -------
+/// ndarray, shape (..., 3)
+#[pyfunction]
+#[pyo3(signature = (matrices, /, *, out=None))]
+pub(crate) fn rigidity<'py>(
+    matrices: &Bound<'py, PyAny>,
+    out: Option<&Bound<'py, PyAny>>,
+) -> Answer<'py> {
+    let arguments = [Argument::new("matrix", MATRIX, matrices), None, None];
+    call(matrices.py(), Rigidity, arguments, VECTOR, out)
 }

@@ -5,6 +5,7 @@ pub(crate) mod algebra;
 pub(crate) mod between;
 pub(crate) mod conversions;
 pub(crate) mod distances;
+pub(crate) mod means;
 pub(crate) mod screws;
 
 use dq8::{Lanes, batch};
