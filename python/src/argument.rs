@@ -73,9 +73,14 @@ impl<'py, R: Number> Input<'py, R> {
                     once = once.get_item(PyTuple::new(py, index)?)?;
                 }
             }
-            numpy_function(py, &COPY, "ascontiguousarray")?.call1((once,))?.cast_into()?
+            // A copy is aligned as well.
+            once.call_method1("copy", ("C",))?.cast_into()?
         };
-        Ok(Self { array: borrow(&array, argument.name)?, leading, full_leading })
+        let array = borrow(&array, argument.name)?;
+        array.as_slice().map_err(|error| {
+            PyValueError::new_err(format!("`{}` cannot be read: {error}", argument.name))
+        })?;
+        Ok(Self { array, leading, full_leading })
     }
 
     /// The dimensions before those of one element; 1 for one whose elements are all the same.
@@ -96,8 +101,8 @@ impl<'py, R: Number> Input<'py, R> {
 
     /// The leading dimensions of the argument, where [`leading`](Self::leading) may have a 1 for one that
     /// has no stride.
-    pub(crate) fn full_leading(&self) -> Vec<usize> {
-        self.full_leading.clone()
+    pub(crate) fn full_leading(&self) -> &[usize] {
+        &self.full_leading
     }
 
     /// Whether this is the very memory of a result.
@@ -107,7 +112,7 @@ impl<'py, R: Number> Input<'py, R> {
 
     /// The elements.
     pub(crate) fn records<const C: usize>(&self) -> &[[R; C]] {
-        // It is contiguous.
+        // That it is a slice was checked when it was made.
         self.array.as_slice().unwrap_or_default().as_chunks().0
     }
 
@@ -138,7 +143,7 @@ impl<'py, R: Number> Input<'py, R> {
         full.extend_from_slice(&self.array.shape()[self.leading.len()..]);
         let full = PyTuple::new(py, full)?;
         let all = py.import("numpy")?.call_method1("broadcast_to", (&*self.array, full))?;
-        let all = numpy_function(py, &COPY, "ascontiguousarray")?.call1((all,))?;
+        let all = all.call_method1("copy", ("C",))?;
         let array = all.cast_into::<PyArrayDyn<R>>()?.readonly();
         Ok(Self { array, leading: shape.to_vec(), full_leading: shape.to_vec() })
     }
@@ -186,7 +191,9 @@ impl<'py, R: Number> Output<'py, R> {
             )));
         }
         if !out.getattr("flags")?.getattr("writeable")?.is_truthy()? {
-            return Err(PyValueError::new_err("Expected `out` to be writeable, got a read-only array."));
+            return Err(PyValueError::new_err(
+                "Expected `out` to be writeable, got a read-only array.",
+            ));
         }
         let plain = given.is_c_contiguous() && given.data().is_aligned();
         let array = if plain { given.clone() } else { empty(py, &shape)? };
@@ -245,7 +252,6 @@ enum Precision {
 }
 
 static AS_ARRAY: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
-static COPY: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
 static EMPTY: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
 
 fn numpy_function<'py>(
@@ -253,15 +259,16 @@ fn numpy_function<'py>(
     cell: &'static PyOnceLock<Py<PyAny>>,
     name: &str,
 ) -> PyResult<&'py Bound<'py, PyAny>> {
-    let function = cell
-        .get_or_try_init(py, || Ok::<_, PyErr>(py.import("numpy")?.getattr(name)?.unbind()))?;
+    let function =
+        cell.get_or_try_init(py, || Ok::<_, PyErr>(py.import("numpy")?.getattr(name)?.unbind()))?;
     Ok(function.bind(py))
 }
 
 fn as_array<'py>(argument: Argument<'_, 'py>) -> PyResult<Bound<'py, PyUntypedArray>> {
     let py = argument.value.py();
     let array = numpy_function(py, &AS_ARRAY, "asarray")?.call1((argument.value,));
-    let array = array.map_err(|error| PyValueError::new_err(format!("`{}`: {error}", argument.name)))?;
+    let array =
+        array.map_err(|error| PyValueError::new_err(format!("`{}`: {error}", argument.name)))?;
     Ok(array.cast_into::<PyUntypedArray>()?)
 }
 
@@ -338,4 +345,3 @@ fn pattern(core: &[usize]) -> String {
     let sizes: String = core.iter().map(|size| format!(", {size}")).collect();
     format!("(...{sizes})")
 }
-

@@ -24,8 +24,9 @@ struct Repeat {
 }
 
 impl Broadcast {
-    /// Of arguments with these leading dimensions; `None` if they do not fit each other.
-    pub(crate) fn of(arguments: [&[usize]; 3]) -> Option<Self> {
+    /// Of arguments with these leading dimensions; `None` if they do not fit each other. `once` are the same
+    /// dimensions, with a 1 for each along which memory has one element, repeated without a stride.
+    pub(crate) fn of(arguments: [&[usize]; 3], once: [&[usize]; 3]) -> Option<Self> {
         let rank = arguments.iter().map(|shape| shape.len()).max().unwrap_or(0);
         let mut shape = vec![1; rank];
         for argument in arguments {
@@ -48,7 +49,7 @@ impl Broadcast {
                 continue;
             }
             let own: [usize; 3] = std::array::from_fn(|i| {
-                let argument = arguments[i];
+                let argument = once[i];
                 argument.len().checked_sub(from_end + 1).map_or(1, |axis| argument[axis])
             });
             let full = own.map(|own| own == size);
@@ -64,6 +65,12 @@ impl Broadcast {
         }
         outer.reverse();
         Some(Self { shape, run, each, outer })
+    }
+
+    /// One run of all elements.
+    pub(crate) fn flat(shape: Vec<usize>, each: Which) -> Self {
+        let run = shape.iter().product();
+        Self { shape, run, each, outer: Vec::new() }
     }
 
     /// How many runs there are.
@@ -83,4 +90,12 @@ impl Broadcast {
         }
         begin
     }
+}
+
+/// Whether an argument with these leading dimensions is the same elements over and over in `shape`, to
+/// which it broadcasts.
+pub(crate) fn cycles(argument: &[usize], shape: &[usize]) -> bool {
+    let own =
+        argument.iter().position(|&size| size != 1).map_or(&[][..], |first| &argument[first..]);
+    shape.ends_with(own)
 }

@@ -1,10 +1,11 @@
 //! From a Python call to a sweep: precision, shapes, memory, and the interpreter lock.
 
 use crate::argument::{Argument, Input, Number, Output, is_single, tuple};
-use crate::broadcast::Broadcast;
-use crate::law::Law;
+use crate::broadcast::{Broadcast, cycles};
+use crate::law::{Each, Law, Operand};
 use crate::sweep::{Arguments, sweep};
 use crate::threads::{GRAIN, Threads};
+use dq8::simd::MAX_LANES;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use rayon::prelude::*;
@@ -15,7 +16,7 @@ pub(crate) type Answer<'py> = PyResult<Bound<'py, PyAny>>;
 /// From so many elements on, other Python threads run meanwhile: some microseconds of work.
 const RELEASE: usize = 512;
 
-/// Runs shorter than this are made into one, with copies of what is broadcast.
+/// Runs shorter than this are made into one: beginning a run costs as much as some elements.
 const SHORT: usize = 32;
 
 /// `law` of the arguments; the result has the last dimensions `core` and is written to `out`, if given.
@@ -57,18 +58,27 @@ where
     for input in &mut inputs {
         *input = input.take().map(|input| input.apart_from(&output)).transpose()?;
     }
-    if broadcast.runs() > 1 && broadcast.run < SHORT {
-        for input in &mut inputs {
-            // One for all stays one for all.
-            if input.as_ref().is_some_and(|input| input.leading().iter().any(|&size| size > 1)) {
-                *input = input.take().map(|input| input.filled(&broadcast.shape)).transpose()?;
-            }
+    // Short runs are made into one: what cycles is read over and over, what does not is repeated in memory.
+    let short = broadcast.runs() > 1 && broadcast.run < SHORT;
+    if short {
+        let mut each = [false; 3];
+        for (input, each) in inputs.iter_mut().zip(&mut each) {
+            let Some(argument) = input.take() else { continue };
+            *each = argument.leading().iter().any(|&size| size > 1);
+            let as_it_is = !*each || cycles(argument.leading(), &broadcast.shape);
+            *input = Some(if as_it_is { argument } else { argument.filled(&broadcast.shape)? });
         }
-        broadcast = self::broadcast(&inputs, names)?;
+        broadcast = Broadcast::flat(broadcast.shape, each);
     }
 
     let [a, b, c] = &inputs;
-    let arguments = Arguments { a: records(a), b: records(b), c: records(c) };
+    let (mut cycle_a, mut cycle_b, mut cycle_c) = (Vec::new(), Vec::new(), Vec::new());
+    let cycling = short.then_some(broadcast.run);
+    let arguments = Arguments {
+        a: operand(a, cycling, &mut cycle_a),
+        b: operand(b, cycling, &mut cycle_b),
+        c: operand(c, cycling, &mut cycle_c),
+    };
     let mut memory = output.borrow()?;
     // It is contiguous.
     let to = memory.as_slice_mut().map(|numbers| numbers.as_chunks_mut::<D>().0);
@@ -82,21 +92,35 @@ where
     output.finish()
 }
 
-/// What is not there has one element of no numbers, for every other.
-fn records<'s, R: Number, const C: usize>(input: &'s Option<Input<'_, R>>) -> &'s [[R; C]] {
-    input.as_ref().map_or(&[], |input| input.records())
+/// The elements of an argument. If there must be `cycling` of them and there are fewer, then those over and
+/// over, from `cycle`.
+fn operand<'s, R: Number, const C: usize>(
+    input: &'s Option<Input<'_, R>>,
+    cycling: Option<usize>,
+    cycle: &'s mut Vec<[R; C]>,
+) -> Each<'s, R, C> {
+    let records = input.as_ref().map_or(&[][..], |input| input.records());
+    if cycling.is_none_or(|count| records.len() <= 1 || records.len() == count) {
+        return Each { records, period: usize::MAX, first: 0 };
+    }
+    cycle.extend(records.iter().cycle().take(records.len() + MAX_LANES));
+    Each { records: cycle, period: records.len(), first: 0 }
 }
 
 fn broadcast<R: Number>(
     inputs: &[Option<Input<'_, R>>; 3],
     arguments: [Option<Argument<'_, '_>>; 3],
 ) -> PyResult<Broadcast> {
-    let shapes = [0, 1, 2].map(|i| inputs[i].as_ref().map_or(&[][..], |input| input.leading()));
-    Broadcast::of(shapes).ok_or_else(|| {
+    let once = [0, 1, 2].map(|i| inputs[i].as_ref().map_or(&[][..], |input| input.leading()));
+    let shapes =
+        [0, 1, 2].map(|i| inputs[i].as_ref().map_or(&[][..], |input| input.full_leading()));
+    Broadcast::of(shapes, once).ok_or_else(|| {
         let given: Vec<_> = arguments
             .iter()
             .zip(shapes)
-            .filter_map(|(argument, shape)| Some(format!("`{}` {}", (*argument)?.name, tuple(shape))))
+            .filter_map(|(argument, shape)| {
+                Some(format!("`{}` {}", (*argument)?.name, tuple(shape)))
+            })
             .collect();
         PyValueError::new_err(format!(
             "operands could not be broadcast together: leading dimensions {}",
@@ -121,11 +145,8 @@ fn runs<R, F, const A: usize, const B: usize, const C: usize, const D: usize>(
     let threads = Threads::for_elements(to.len());
     let run = |threads: &Threads, index: usize, to: &mut [[R; D]]| {
         let [a, b, c] = broadcast.begin(index);
-        let arguments = Arguments {
-            a: arguments.a.get(a..).unwrap_or_default(),
-            b: arguments.b.get(b..).unwrap_or_default(),
-            c: arguments.c.get(c..).unwrap_or_default(),
-        };
+        let arguments =
+            Arguments { a: arguments.a.from(a), b: arguments.b.from(b), c: arguments.c.from(c) };
         sweep(threads, law, arguments, broadcast.each, to);
     };
     // Long runs are split, short ones are handed out whole.

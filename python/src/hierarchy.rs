@@ -39,7 +39,10 @@ impl Hierarchy {
         })?;
         let parents = given.iter().map(|&parent| match parent {
             -1 => Ok(dq8::Hierarchy::ROOT),
-            _ => u32::try_from(parent).ok().filter(|&parent| parent != dq8::Hierarchy::ROOT).ok_or(parent),
+            _ => u32::try_from(parent)
+                .ok()
+                .filter(|&parent| parent != dq8::Hierarchy::ROOT)
+                .ok_or(parent),
         });
         let parents: Vec<u32> = parents.collect::<Result<_, _>>().map_err(|parent| {
             PyValueError::new_err(format!("`parents`: {parent} is neither a joint nor −1."))
@@ -52,9 +55,12 @@ impl Hierarchy {
     /// The parent of every joint, −1 for a root.
     #[getter]
     fn parents<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
-        PyList::new(py, self.parents.iter().map(|&parent| {
-            if parent == dq8::Hierarchy::ROOT { -1 } else { i64::from(parent) }
-        }))
+        PyList::new(
+            py,
+            self.parents
+                .iter()
+                .map(|&parent| if parent == dq8::Hierarchy::ROOT { -1 } else { i64::from(parent) }),
+        )
     }
 
     /// How many joints there are.
@@ -156,7 +162,7 @@ impl Hierarchy {
     ) -> Answer<'py> {
         let (name, py) = (poses.name, poses.value.py());
         let poses = Input::<R>::of(poses)?;
-        let full = poses.full_leading();
+        let full = poses.full_leading().to_vec();
         if full.last() != Some(&self.parents.len()) {
             return Err(PyValueError::new_err(format!(
                 "Expected `{name}` to have shape (..., {}, 8), got {}.",

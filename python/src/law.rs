@@ -17,7 +17,13 @@ pub(crate) trait Law<const A: usize, const B: usize, const C: usize, const D: us
 
     /// Of one first argument and many second ones, where there is a quicker way than lanes of the same;
     /// false if there is none.
-    fn of_one<R: Scalar>(self, backend: Backend, a: &[R; A], b: &[[R; B]], to: &mut [[R; D]]) -> bool {
+    fn of_one<R: Scalar>(
+        self,
+        backend: Backend,
+        a: &[R; A],
+        b: &[[R; B]],
+        to: &mut [[R; D]],
+    ) -> bool {
         let _ = (backend, a, b, to);
         false
     }
@@ -52,18 +58,31 @@ impl<R: Scalar, const C: usize> Operand<R, C> for One<R, C> {
     }
 }
 
-/// One for each element.
+/// One for each element; or so many, over and over.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Each<'s, R, const C: usize>(pub(crate) &'s [[R; C]]);
+pub(crate) struct Each<'s, R, const C: usize> {
+    /// Where they begin over again, some follow that are the first ones: a register may read beyond the
+    /// end.
+    pub(crate) records: &'s [[R; C]],
+    /// After how many they begin over again.
+    pub(crate) period: usize,
+    /// The first one of the run.
+    pub(crate) first: usize,
+}
 
 impl<R: Scalar, const C: usize> Operand<R, C> for Each<'_, R, C> {
     #[inline(always)]
     fn load<V: Level>(self, level: V, first: usize) -> Option<[R::Lanes<V>; C]> {
-        load(level, self.0.get(first..)?)
+        let mut at = self.first + first;
+        // Divisions are slow, and most arguments do not begin over again.
+        if at >= self.period {
+            at %= self.period;
+        }
+        load(level, self.records.get(at..)?)
     }
     #[inline(always)]
     fn from(self, first: usize) -> Self {
-        Self(self.0.get(first..).unwrap_or_default())
+        Self { first: self.first + first, ..self }
     }
 }
 

@@ -32,7 +32,9 @@ mod _core {
         adjoint, coadjoint, transform_lines, transform_planes, transform_points, transform_vectors,
     };
     #[pymodule_export]
-    use super::functions::algebra::{compose, conjugate, inverse, mul, normalize, unit_or_identity};
+    use super::functions::algebra::{
+        compose, conjugate, inverse, mul, normalize, unit_or_identity,
+    };
     #[pymodule_export]
     use super::functions::between::{nlerp, sclerp};
     #[pymodule_export]
@@ -45,7 +47,8 @@ mod _core {
     use super::functions::means::{dlb, mean};
     #[pymodule_export]
     use super::functions::screws::{
-        exp, from_screw, from_twist, log, pow, to_screw, to_twist,
+        exp, from_screw, from_twist, integrate_body, integrate_spatial, log, pow, to_screw,
+        to_twist,
     };
     #[pymodule_export]
     use super::hierarchy::Hierarchy;

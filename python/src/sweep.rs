@@ -7,12 +7,12 @@ use dq8::{Backend, Kernel, Lanes, Level, Scalar};
 /// Which of the three arguments has an element for each result, where the others are one for all.
 pub(crate) type Which = [bool; 3];
 
-/// The arguments of one run, as far as they go.
+/// The arguments of one run.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Arguments<'s, R, const A: usize, const B: usize, const C: usize> {
-    pub(crate) a: &'s [[R; A]],
-    pub(crate) b: &'s [[R; B]],
-    pub(crate) c: &'s [[R; C]],
+    pub(crate) a: Each<'s, R, A>,
+    pub(crate) b: Each<'s, R, B>,
+    pub(crate) c: Each<'s, R, C>,
 }
 
 /// Writes `law` of the arguments over `to`; on more than one thread where it pays.
@@ -29,27 +29,30 @@ pub(crate) fn sweep<R, F, const A: usize, const B: usize, const C: usize, const 
     let Arguments { a, b, c } = arguments;
     // What is not there has no first element either; its one element has no numbers.
     let one = (
-        One(a.first().copied().unwrap_or([R::ZERO; A])),
-        One(b.first().copied().unwrap_or([R::ZERO; B])),
-        One(c.first().copied().unwrap_or([R::ZERO; C])),
+        One(a.records.get(a.first).copied().unwrap_or([R::ZERO; A])),
+        One(b.records.get(b.first).copied().unwrap_or([R::ZERO; B])),
+        One(c.records.get(c.first).copied().unwrap_or([R::ZERO; C])),
     );
     let each_one = [A > 0 && each[0], B > 0 && each[1], C > 0 && each[2]];
     match each_one {
-        [true, true, true] => chunks(threads, law, Each(a), Each(b), Each(c), to),
-        [true, true, false] => chunks(threads, law, Each(a), Each(b), one.2, to),
-        [true, false, true] => chunks(threads, law, Each(a), one.1, Each(c), to),
-        // A run of more than one element has some argument with more than one.
-        [_, false, false] => chunks(threads, law, Each(a), one.1, one.2, to),
-        [false, true, true] => chunks(threads, law, one.0, Each(b), Each(c), to),
+        [true, true, true] => chunks(threads, law, a, b, c, to),
+        [true, true, false] => chunks(threads, law, a, b, one.2, to),
+        [true, false, true] => chunks(threads, law, a, one.1, c, to),
+        [true, false, false] => chunks(threads, law, a, one.1, one.2, to),
+        [false, true, true] => chunks(threads, law, one.0, b, c, to),
         [false, true, false] => {
             let backend = Backend::best();
             if !threads.split(to, |first, to| {
-                law.of_one(backend, &one.0.0, &b[first..first + to.len()], to)
+                let records = b.records.get(b.first + first..).unwrap_or_default();
+                let records = records.get(..to.len()).unwrap_or_default();
+                law.of_one(backend, &one.0.0, records, to)
             }) {
-                chunks(threads, law, one.0, Each(b), one.2, to);
+                chunks(threads, law, one.0, b, one.2, to);
             }
         }
-        [false, false, true] => chunks(threads, law, one.0, one.1, Each(c), to),
+        [false, false, true] => chunks(threads, law, one.0, one.1, c, to),
+        // One result, over and over: arrays without strides.
+        [false, false, false] => chunks(threads, law, one.0, one.1, one.2, to),
     }
 }
 

@@ -65,9 +65,9 @@ pub(crate) fn set_num_threads(count: usize) -> PyResult<()> {
         1 => None,
         _ => {
             let pool = ThreadPoolBuilder::new().num_threads(count).build();
-            Some(Arc::new(pool.map_err(|error| {
-                PyValueError::new_err(format!("`count` = {count}: {error}"))
-            })?))
+            Some(Arc::new(
+                pool.map_err(|error| PyValueError::new_err(format!("`count` = {count}: {error}")))?,
+            ))
         }
     };
     *POOL.lock().unwrap_or_else(PoisonError::into_inner) = pool;

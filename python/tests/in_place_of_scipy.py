@@ -28,7 +28,8 @@ def _put_in_place() -> None:
     scipy.spatial.transform.RigidTransform = dq8.RigidTransform
 
 
-_put_in_place()
+def pytest_configure() -> None:
+    _put_in_place()
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

@@ -15,7 +15,13 @@ impl Law<8, 3, 0, 3> for Point {
     fn of<L: Lanes>(self, a: [L; 8], b: [L; 3], _: [L; 0]) -> [L; 3] {
         motion(a).transform_point(b)
     }
-    fn of_one<R: Scalar>(self, backend: Backend, a: &[R; 8], b: &[[R; 3]], to: &mut [[R; 3]]) -> bool {
+    fn of_one<R: Scalar>(
+        self,
+        backend: Backend,
+        a: &[R; 8],
+        b: &[[R; 3]],
+        to: &mut [[R; 3]],
+    ) -> bool {
         backend.transform_points(DualQuat::from_array(*a), b, to).is_ok()
     }
 }
@@ -41,7 +47,13 @@ pub(crate) fn transform_points<'py>(
     points: &Bound<'py, PyAny>,
     out: Option<&Bound<'py, PyAny>>,
 ) -> Answer<'py> {
-    call(motions.py(), Point, arguments(motions, Argument::new("points", VECTOR, points)), VECTOR, out)
+    call(
+        motions.py(),
+        Point,
+        arguments(motions, Argument::new("points", VECTOR, points)),
+        VECTOR,
+        out,
+    )
 }
 
 #[derive(Clone, Copy)]
@@ -51,7 +63,13 @@ impl Law<8, 3, 0, 3> for Vector {
     fn of<L: Lanes>(self, a: [L; 8], b: [L; 3], _: [L; 0]) -> [L; 3] {
         motion(a).transform_vector(b)
     }
-    fn of_one<R: Scalar>(self, backend: Backend, a: &[R; 8], b: &[[R; 3]], to: &mut [[R; 3]]) -> bool {
+    fn of_one<R: Scalar>(
+        self,
+        backend: Backend,
+        a: &[R; 8],
+        b: &[[R; 3]],
+        to: &mut [[R; 3]],
+    ) -> bool {
         backend.transform_vectors(DualQuat::from_array(*a), b, to).is_ok()
     }
 }
@@ -149,7 +167,13 @@ pub(crate) fn transform_planes<'py>(
     planes: &Bound<'py, PyAny>,
     out: Option<&Bound<'py, PyAny>>,
 ) -> Answer<'py> {
-    call(motions.py(), OfPlane, arguments(motions, Argument::new("planes", FOUR, planes)), FOUR, out)
+    call(
+        motions.py(),
+        OfPlane,
+        arguments(motions, Argument::new("planes", FOUR, planes)),
+        FOUR,
+        out,
+    )
 }
 
 #[derive(Clone, Copy)]

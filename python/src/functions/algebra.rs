@@ -144,7 +144,13 @@ pub(crate) fn conjugate<'py>(
     motions: &Bound<'py, PyAny>,
     out: Option<&Bound<'py, PyAny>>,
 ) -> Answer<'py> {
-    call(motions.py(), Conjugate, [Argument::new("motions", EIGHT, motions), None, None], EIGHT, out)
+    call(
+        motions.py(),
+        Conjugate,
+        [Argument::new("motions", EIGHT, motions), None, None],
+        EIGHT,
+        out,
+    )
 }
 
 #[derive(Clone, Copy)]
@@ -175,7 +181,13 @@ pub(crate) fn normalize<'py>(
     motions: &Bound<'py, PyAny>,
     out: Option<&Bound<'py, PyAny>>,
 ) -> Answer<'py> {
-    call(motions.py(), Normalize, [Argument::new("motions", EIGHT, motions), None, None], EIGHT, out)
+    call(
+        motions.py(),
+        Normalize,
+        [Argument::new("motions", EIGHT, motions), None, None],
+        EIGHT,
+        out,
+    )
 }
 
 #[derive(Clone, Copy)]

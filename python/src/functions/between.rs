@@ -47,6 +47,8 @@ pub(crate) fn nlerp<'py>(
 #[derive(Clone, Copy)]
 struct Sclerp;
 impl Law<8, 8, 1, 8> for Sclerp {
+    const WIDE: bool = true;
+
     #[inline(always)]
     fn of<L: Lanes>(self, a: [L; 8], b: [L; 8], [t]: [L; 1]) -> [L; 8] {
         motion(a).sclerp(motion(b), t).to_array()

@@ -104,7 +104,13 @@ pub(crate) fn translation<'py>(
     motions: &Bound<'py, PyAny>,
     out: Option<&Bound<'py, PyAny>>,
 ) -> Answer<'py> {
-    call(motions.py(), Translation, [Argument::new("motions", EIGHT, motions), None, None], VECTOR, out)
+    call(
+        motions.py(),
+        Translation,
+        [Argument::new("motions", EIGHT, motions), None, None],
+        VECTOR,
+        out,
+    )
 }
 
 #[derive(Clone, Copy)]
@@ -135,7 +141,13 @@ pub(crate) fn to_matrix<'py>(
     motions: &Bound<'py, PyAny>,
     out: Option<&Bound<'py, PyAny>>,
 ) -> Answer<'py> {
-    call(motions.py(), ToMatrix, [Argument::new("motions", EIGHT, motions), None, None], MATRIX, out)
+    call(
+        motions.py(),
+        ToMatrix,
+        [Argument::new("motions", EIGHT, motions), None, None],
+        MATRIX,
+        out,
+    )
 }
 
 #[derive(Clone, Copy)]
@@ -186,14 +198,9 @@ impl Law<16, 0, 0, 3> for Rigidity {
         let rows = [[m[0], m[1], m[2]], [m[4], m[5], m[6]], [m[8], m[9], m[10]]];
         let [a, b, c] = rows;
         let mut defect = one.constant(0.0);
-        for off in [
-            dot(a, a) - one,
-            dot(b, b) - one,
-            dot(c, c) - one,
-            dot(a, b),
-            dot(a, c),
-            dot(b, c),
-        ] {
+        for off in
+            [dot(a, a) - one, dot(b, b) - one, dot(c, c) - one, dot(a, b), dot(a, c), dot(b, c)]
+        {
             defect = larger(defect, off.abs());
         }
         let [x, y, z] = a;

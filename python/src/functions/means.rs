@@ -106,7 +106,7 @@ fn typed<'py, R: Number>(
     out: Option<&Bound<'py, PyAny>>,
 ) -> Answer<'py> {
     let motions = Input::<R>::of(motions)?;
-    let full = motions.full_leading();
+    let full = motions.full_leading().to_vec();
     let Some((&count, leading)) = full.split_last().filter(|(count, _)| **count > 0) else {
         return Err(PyValueError::new_err(format!(
             "Expected `motions` to have shape (..., n, 8) with n > 0, got {}.",
@@ -130,7 +130,7 @@ fn typed<'py, R: Number>(
     };
     let weights = weights
         .map(|weights| {
-            let shape = weights.full_leading();
+            let shape = weights.full_leading().to_vec();
             weights.filled(&shape)
         })
         .transpose()?;

@@ -11,6 +11,8 @@ use pyo3::prelude::*;
 #[derive(Clone, Copy)]
 struct Log;
 impl Law<8, 0, 0, 6> for Log {
+    const WIDE: bool = true;
+
     #[inline(always)]
     fn of<L: Lanes>(self, a: [L; 8], _: [L; 0], _: [L; 0]) -> [L; 6] {
         let log = motion(a).log();
@@ -35,7 +37,10 @@ impl Law<8, 0, 0, 6> for Log {
 ///     Real part (half the rotation vector, radians) and dual part (lengths).
 #[pyfunction]
 #[pyo3(signature = (motions, /, *, out=None))]
-pub(crate) fn log<'py>(motions: &Bound<'py, PyAny>, out: Option<&Bound<'py, PyAny>>) -> Answer<'py> {
+pub(crate) fn log<'py>(
+    motions: &Bound<'py, PyAny>,
+    out: Option<&Bound<'py, PyAny>>,
+) -> Answer<'py> {
     call(motions.py(), Log, [Argument::new("motions", EIGHT, motions), None, None], SIX, out)
 }
 
@@ -71,6 +76,8 @@ pub(crate) fn exp<'py>(logs: &Bound<'py, PyAny>, out: Option<&Bound<'py, PyAny>>
 #[derive(Clone, Copy)]
 struct ToTwist;
 impl Law<8, 0, 0, 6> for ToTwist {
+    const WIDE: bool = true;
+
     #[inline(always)]
     fn of<L: Lanes>(self, a: [L; 8], _: [L; 0], _: [L; 0]) -> [L; 6] {
         let twist = motion(a).to_twist();
@@ -135,6 +142,8 @@ pub(crate) fn from_twist<'py>(
 #[derive(Clone, Copy)]
 struct Pow;
 impl Law<8, 1, 0, 8> for Pow {
+    const WIDE: bool = true;
+
     #[inline(always)]
     fn of<L: Lanes>(self, a: [L; 8], [t]: [L; 1], _: [L; 0]) -> [L; 8] {
         motion(a).pow(t).to_array()
@@ -235,4 +244,91 @@ pub(crate) fn from_screw<'py>(
     out: Option<&Bound<'py, PyAny>>,
 ) -> Answer<'py> {
     call(screws.py(), FromScrew, [Argument::new("screws", EIGHT, screws), None, None], EIGHT, out)
+}
+
+#[derive(Clone, Copy)]
+struct IntegrateBody;
+impl Law<8, 6, 1, 8> for IntegrateBody {
+    #[inline(always)]
+    fn of<L: Lanes>(self, a: [L; 8], b: [L; 6], [dt]: [L; 1]) -> [L; 8] {
+        motion(a).integrate_body(Twist::from_array(b), dt).to_array()
+    }
+}
+
+/// Where constant body twists take motions in the time `dt`: ``σ exp(½ξ dt)``.
+///
+/// With the screw axis of a joint as twist and its angle as time, this is the pose of a link in its parent:
+/// ``integrate_body(offset, [axis, 0], angle)`` of a hinge.
+///
+/// Parameters
+/// ----------
+/// motions : array_like, shape (..., 8)
+///     Unit dual quaternions at time 0.
+/// twists : array_like, shape (..., 6)
+///     ``[ω, v]`` in the moving frame, radians and lengths per unit of time.
+/// dt : array_like, shape (...)
+///     Time, or the angle of a joint. Leading dimensions of all three broadcast.
+/// out : ndarray, optional
+///     Where to write the result.
+///
+/// Returns
+/// -------
+/// ndarray, shape (..., 8)
+#[pyfunction]
+#[pyo3(signature = (motions, twists, dt, /, *, out=None))]
+pub(crate) fn integrate_body<'py>(
+    motions: &Bound<'py, PyAny>,
+    twists: &Bound<'py, PyAny>,
+    dt: &Bound<'py, PyAny>,
+    out: Option<&Bound<'py, PyAny>>,
+) -> Answer<'py> {
+    call(motions.py(), IntegrateBody, arguments(motions, twists, dt), EIGHT, out)
+}
+
+#[derive(Clone, Copy)]
+struct IntegrateSpatial;
+impl Law<8, 6, 1, 8> for IntegrateSpatial {
+    #[inline(always)]
+    fn of<L: Lanes>(self, a: [L; 8], b: [L; 6], [dt]: [L; 1]) -> [L; 8] {
+        motion(a).integrate_spatial(Twist::from_array(b), dt).to_array()
+    }
+}
+
+/// Where constant spatial twists take motions in the time `dt`: ``exp(½ξ dt) σ``.
+///
+/// Parameters
+/// ----------
+/// motions : array_like, shape (..., 8)
+///     Unit dual quaternions at time 0.
+/// twists : array_like, shape (..., 6)
+///     ``[ω, v]`` in the fixed frame, radians and lengths per unit of time.
+/// dt : array_like, shape (...)
+///     Time. Leading dimensions of all three broadcast.
+/// out : ndarray, optional
+///     Where to write the result.
+///
+/// Returns
+/// -------
+/// ndarray, shape (..., 8)
+#[pyfunction]
+#[pyo3(signature = (motions, twists, dt, /, *, out=None))]
+pub(crate) fn integrate_spatial<'py>(
+    motions: &Bound<'py, PyAny>,
+    twists: &Bound<'py, PyAny>,
+    dt: &Bound<'py, PyAny>,
+    out: Option<&Bound<'py, PyAny>>,
+) -> Answer<'py> {
+    call(motions.py(), IntegrateSpatial, arguments(motions, twists, dt), EIGHT, out)
+}
+
+fn arguments<'a, 'py>(
+    motions: &'a Bound<'py, PyAny>,
+    twists: &'a Bound<'py, PyAny>,
+    dt: &'a Bound<'py, PyAny>,
+) -> [Option<Argument<'a, 'py>>; 3] {
+    [
+        Argument::new("motions", EIGHT, motions),
+        Argument::new("twists", SIX, twists),
+        Argument::new("dt", NUMBER, dt),
+    ]
 }
