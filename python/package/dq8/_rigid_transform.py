@@ -60,7 +60,8 @@ def _rotation_type() -> type[Rotation]:
     # Imported when it is needed: importing SciPy takes longer than importing this package.
     from scipy.spatial.transform import Rotation
 
-    return Rotation
+    made: type[Rotation] = Rotation
+    return made
 
 
 def _unrigid_made_rigid(matrices: NDArray[Any]) -> NDArray[Any]:
@@ -372,7 +373,7 @@ class RigidTransform:
     def __len__(self) -> int:
         if self.single:
             raise TypeError("Single transform has no len")
-        return self._motions.shape[0]
+        return len(self._motions)
 
     def __getitem__(self, indexer: Any) -> RigidTransform:
         if self.single:
