@@ -27,7 +27,14 @@ pub trait Records: Lanes {
         }
         // SAFETY: row `LANES − 1` begins `(LANES − 1) · apart` numbers from the start, and four numbers
         // from there on are part of `from`: checked above.
-        Some(unsafe { Self::load_quads(level, from.as_ptr(), apart) })
+        Some(unsafe {
+            Self::load_quads(
+                level,
+                from.as_ptr(),
+                #[inline(always)]
+                |lane| lane * apart,
+            )
+        })
     }
     /// Transposes on the way out: lane `i` of `C` vectors becomes record `i` of `to`.
     /// Records beyond `LANES` are left as they were.
