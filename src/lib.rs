@@ -38,6 +38,7 @@
 //! | [`Skeleton`] | a hierarchy that owns its parents, of any order and type |
 //! | [`HierarchyPlan`], [`Backend::chain_products`] | one instance: a skeleton or a long chain |
 //! | [`ik`] | inverse kinematics: two bones, and arms of any number of joints |
+//! | [`mechanism`] | robots: from joint values to poses of links, Jacobians and velocities, one or many configurations |
 //! | [`Backend`], [`slices`] | kernels over slices of motions and points |
 //! | [`storage`] | how slices lie in memory: one thing after the other, or in [blocks](Block) of lanes |
 //! | [`Kernel`], [`Element`] | kernels of your own, for any layout and any instructions |

@@ -142,11 +142,12 @@ fn angles_many_turns_away_are_as_exact_as_near_ones() {
         let mut poses = vec![DualQuat::IDENTITY; angles.len()];
         backend.link_poses(single.view(), &angles, &mut poses).unwrap();
         for (pose, wanted) in poses.iter().zip(&wanted) {
-            // Units of 2⁻²⁴: what is left of the angle, up to π/2, is rounded twice, the quotient
-            // of sine and angle once, and the product with the angle once.
+            // Five units of 2⁻²⁴. What is left of the angle, up to π/2, is rounded twice. Near π/2, where
+            // terms of size 1.2 cancel, the cosine adds the rounding of the square, of the inner sum
+            // times 2.5, and, where nothing fuses, of the last product: three more.
             let error = (0..8).map(|i| f64::from(pose.to_array()[i]) - wanted.to_array()[i]);
             let error = error.map(f64::abs).fold(0.0, f64::max);
-            assert!(error < 2.4e-7, "{backend}: {error}");
+            assert!(error < 5.0 / f64::from(1 << 24), "{backend}: {error}");
         }
     }
 }

@@ -14,24 +14,27 @@ pub fn file(name: &str, backend: Backend, rounds: usize) -> [(&'static str, f64)
     let chain = k::Chain::<f64>::from_urdf_file(&path).expect("a robot");
     let (mechanism, count) = (robot.mechanism(), robot.mechanism().values());
     let links = mechanism.links();
+    // Within the limits, which the peer asks for.
+    let middles = robot
+        .value_limits()
+        .into_iter()
+        .map(|limits| limits.map_or(0.0, |[low, high]| 0.5 * (low + high)));
+    let middles: Vec<f64> = middles.collect();
     let values: Vec<f64> =
-        (0..CONFIGURATIONS * count).map(|i| 0.02 + 0.01 * (i as f64).sin()).collect();
+        (0..CONFIGURATIONS * count).map(|i| middles[i % count] + 0.01 * (i as f64).sin()).collect();
     let mut poses = vec![DualQuat::IDENTITY; CONFIGURATIONS * links];
-    // The order in which the peer wants the values.
-    let order: Vec<usize> = chain
+    // The order in which the peer wants the values; for joints that mimic it wants one and does not use it.
+    let order: Vec<Option<usize>> = chain
         .iter_joints()
-        .map(|joint| {
-            let name = joint.name.clone();
-            robot.value_names().iter().position(|other| *other == name).expect("the same joints")
-        })
+        .map(|joint| robot.value_names().iter().position(|name| *name == joint.name))
         .collect();
     let theirs: Vec<f64> = values
         .chunks_exact(count)
-        .flat_map(|values| order.iter().map(|&value| values[value]))
+        .flat_map(|values| order.iter().map(|value| value.map_or(0.0, |value| values[value])))
         .collect();
     backend.link_poses(mechanism, &values, &mut poses).expect("shape");
     for (values, poses) in theirs.chunks_exact(order.len()).zip(poses.chunks_exact(links)) {
-        chain.set_joint_positions_unchecked(values);
+        chain.set_joint_positions(values).expect("within limits");
         chain.update_transforms();
         for node in chain.iter() {
             let link = node.link().as_ref().map(|link| link.name.clone());
@@ -49,7 +52,7 @@ pub fn file(name: &str, backend: Backend, rounds: usize) -> [(&'static str, f64)
         let ours = start.elapsed();
         let start = Instant::now();
         for values in black_box(&theirs).chunks_exact(order.len()) {
-            chain.set_joint_positions_unchecked(values);
+            chain.set_joint_positions(values).expect("within limits");
             black_box(chain.update_transforms());
         }
         for (least, time) in least.iter_mut().zip([ours, start.elapsed()]) {
