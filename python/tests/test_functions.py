@@ -231,7 +231,8 @@ def test_the_steps_from_the_mean_add_up_to_nothing(rng, random_motions, count):
     weights = rng.random(size=(9, count))
     mean = dq8.mean(a, weights)
     logs = dq8.log(dq8.mul(dq8.conjugate(mean)[:, None], a))
-    np.testing.assert_allclose(np.sum(weights[..., None] * logs, axis=1), 0, atol=1e-13)
+    step = np.sum(weights[..., None] * logs, axis=1) / np.sum(weights, axis=1)[:, None]
+    np.testing.assert_allclose(step, 0, atol=1e-13)
 
 
 @pytest.mark.parametrize("count", INFLUENCES)
