@@ -1,8 +1,9 @@
-//! Python objects as arrays of `f32` or `f64`.
+//! Arguments: Python objects as arrays of `f32` or `f64`.
 
+use crate::output::Output;
 use dq8::Scalar;
 use numpy::prelude::*;
-use numpy::{Element, PyArrayDyn, PyReadonlyArrayDyn, PyReadwriteArrayDyn, PyUntypedArray};
+use numpy::{Element, PyArrayDyn, PyReadonlyArrayDyn, PyUntypedArray};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
@@ -107,7 +108,7 @@ impl<'py, R: Number> Input<'py, R> {
 
     /// Whether this is the very memory of a result.
     pub(crate) fn is(&self, out: &Output<'py, R>) -> bool {
-        self.array.is(&out.array)
+        self.array.is(out.memory())
     }
 
     /// The elements.
@@ -125,7 +126,7 @@ impl<'py, R: Number> Input<'py, R> {
 
     /// The same numbers elsewhere, if they lie where `out` is about to be written.
     pub(crate) fn apart_from(self, out: &Output<'py, R>) -> PyResult<Self> {
-        let Some(given) = &out.given else { return Ok(self) };
+        let Some(given) = out.given() else { return Ok(self) };
         if !self.overlaps(given) {
             return Ok(self);
         }
@@ -146,78 +147,6 @@ impl<'py, R: Number> Input<'py, R> {
         let all = all.call_method1("copy", ("C",))?;
         let array = all.cast_into::<PyArrayDyn<R>>()?.readonly();
         Ok(Self { array, leading: shape.to_vec(), full_leading: shape.to_vec() })
-    }
-}
-
-/// Where a result is written.
-pub(crate) struct Output<'py, R: Number> {
-    /// What the caller gave as `out`.
-    given: Option<Bound<'py, PyArrayDyn<R>>>,
-    /// Contiguous.
-    array: Bound<'py, PyArrayDyn<R>>,
-}
-
-impl<'py, R: Number> Output<'py, R> {
-    /// `out`, or a new array.
-    pub(crate) fn new(
-        py: Python<'py>,
-        out: Option<&Bound<'py, PyAny>>,
-        leading: &[usize],
-        core: &[usize],
-    ) -> PyResult<Self> {
-        let mut shape = leading.to_vec();
-        shape.extend_from_slice(core);
-        let Some(out) = out else {
-            return Ok(Self { given: None, array: empty(py, &shape)? });
-        };
-        let Ok(untyped) = out.cast::<PyUntypedArray>() else {
-            return Err(PyTypeError::new_err(format!(
-                "Expected `out` to be an array, got {}.",
-                out.get_type().name()?
-            )));
-        };
-        let Ok(given) = out.cast::<PyArrayDyn<R>>() else {
-            return Err(PyTypeError::new_err(format!(
-                "Expected `out` to have dtype {}, the dtype of the result, got {}.",
-                if R::SINGLE { "float32" } else { "float64" },
-                untyped.dtype()
-            )));
-        };
-        if given.shape() != shape {
-            return Err(PyValueError::new_err(format!(
-                "Expected `out` to have shape {}, that of the result, got {}.",
-                tuple(&shape),
-                tuple(given.shape())
-            )));
-        }
-        if !out.getattr("flags")?.getattr("writeable")?.is_truthy()? {
-            return Err(PyValueError::new_err(
-                "Expected `out` to be writeable, got a read-only array.",
-            ));
-        }
-        let plain = given.is_c_contiguous() && given.data().is_aligned();
-        let array = if plain { given.clone() } else { empty(py, &shape)? };
-        Ok(Self { given: Some(given.clone()), array })
-    }
-
-    /// The memory to be written.
-    pub(crate) fn borrow(&self) -> PyResult<PyReadwriteArrayDyn<'py, R>> {
-        self.array.try_readwrite().map_err(|error| PyValueError::new_err(format!("`out`: {error}")))
-    }
-
-    /// What the function returns: `out`, the new array, or, of no dimensions, a number.
-    pub(crate) fn finish(self) -> PyResult<Bound<'py, PyAny>> {
-        let Some(given) = self.given else {
-            return if self.array.ndim() == 0 {
-                self.array.get_item(PyTuple::empty(self.array.py()))
-            } else {
-                Ok(self.array.into_any())
-            };
-        };
-        if !given.is(&self.array) {
-            given.py().import("numpy")?.call_method1("copyto", (&given, &self.array))?;
-        }
-        Ok(given.into_any())
     }
 }
 
@@ -252,9 +181,9 @@ enum Precision {
 }
 
 static AS_ARRAY: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
-static EMPTY: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
 
-fn numpy_function<'py>(
+/// A function of NumPy, looked up once.
+pub(crate) fn numpy_function<'py>(
     py: Python<'py>,
     cell: &'static PyOnceLock<Py<PyAny>>,
     name: &str,
@@ -293,13 +222,6 @@ fn convert<'py, R: Number>(argument: Argument<'_, 'py>) -> PyResult<Bound<'py, P
     // Subclasses of arrays lose their class here, other dtypes and byte orders are converted.
     let typed = numpy_function(py, &AS_ARRAY, "asarray")?.call1((array, numpy::dtype::<R>(py)))?;
     Ok(typed.cast_into::<PyArrayDyn<R>>()?)
-}
-
-/// Without zeros in it: all of it is about to be written.
-fn empty<'py, R: Number>(py: Python<'py>, shape: &[usize]) -> PyResult<Bound<'py, PyArrayDyn<R>>> {
-    let shape = PyTuple::new(py, shape)?;
-    let array = numpy_function(py, &EMPTY, "empty")?.call1((shape, numpy::dtype::<R>(py)))?;
-    Ok(array.cast_into::<PyArrayDyn<R>>()?)
 }
 
 fn borrow<'py, R: Number>(

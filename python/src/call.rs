@@ -1,8 +1,9 @@
 //! From a Python call to a sweep: precision, shapes, memory, and the interpreter lock.
 
-use crate::argument::{Argument, Input, Number, Output, is_single, tuple};
+use crate::argument::{Argument, Input, Number, is_single, tuple};
 use crate::broadcast::{Broadcast, cycles};
 use crate::law::{Each, Law, Operand};
+use crate::output::Output;
 use crate::sweep::{Arguments, sweep};
 use crate::threads::{GRAIN, Threads};
 use dq8::simd::MAX_LANES;

@@ -1,8 +1,9 @@
 //! Joint hierarchies.
 
-use crate::argument::{Argument, Input, Number, Output, is_single, tuple};
+use crate::argument::{Argument, Input, Number, is_single, tuple};
 use crate::call::Answer;
 use crate::functions::core_shape::EIGHT;
+use crate::output::Output;
 use crate::threads::Threads;
 use dq8::{DualQuat, ShapeError};
 use pyo3::exceptions::{PyTypeError, PyValueError};

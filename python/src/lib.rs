@@ -1,15 +1,18 @@
 //! The kernels of dq8 on NumPy arrays: the module `dq8._core`. What users import is in `package/dq8`.
 //!
-//! A call ([`call`]) finds its precision, takes its arguments as memory ([`argument`]), finds runs of
-//! elements that lie one after the other ([`broadcast`]), and computes each of them ([`sweep`]) with the
-//! best instructions. What is computed for one element is a [`law::Law`], written on lanes.
+//! A call ([`call`]) finds its precision, takes its arguments and its result as memory ([`argument`],
+//! [`output`]), finds runs of elements that lie one after the other ([`broadcast`]), and computes each of
+//! them ([`sweep`]) with the best instructions. What is computed for one element is a [`law::Law`], written
+//! on lanes.
 
 mod argument;
+mod blend;
 mod broadcast;
 mod call;
 mod functions;
 mod hierarchy;
 mod law;
+mod output;
 mod sweep;
 mod threads;
 

@@ -202,33 +202,42 @@ def test_integrating_a_twist_is_a_product_with_its_exponential(random_motions, r
     close(dq8.to_matrix(dq8.integrate_spatial(a, twist, dt)), (step * scipy_of(a)).as_matrix(), 100)
 
 
+# Of few influences, lanes are blends; of many, lanes are influences, and the last register is not full.
+INFLUENCES = [1, 5, 67]
+
+
+@pytest.mark.parametrize("count", INFLUENCES)
 @pytest.mark.parametrize("shared_weights", [False, True])
-def test_dlb_is_the_normalized_sum_with_signs_toward_the_first(random_motions, rng, close, shared_weights):
-    a = random_motions(9, 5)
-    weights = rng.random(size=5 if shared_weights else (9, 5))
+def test_dlb_is_the_normalized_sum_with_signs_toward_the_first(random_motions, rng, close, shared_weights, count):
+    a = random_motions(9, count)
+    weights = rng.random(size=count if shared_weights else (9, count))
     sign = np.sign(np.sum(a[:, :, :4] * a[:, :1, :4], axis=-1))
     total = np.sum((weights * sign)[..., None] * a, axis=1)
     expected = RigidTransform.from_dual_quat(total).as_matrix()
     close(dq8.to_matrix(dq8.dlb(a, weights)), expected, 10)
 
 
-def test_without_weights_all_weigh_the_same(random_motions, close):
-    a = random_motions(9, 5)
-    close(dq8.dlb(a), dq8.dlb(a, np.ones(5)))
-    close(dq8.mean(a), dq8.mean(a, np.ones((9, 5))))
+@pytest.mark.parametrize("count", INFLUENCES)
+def test_without_weights_all_weigh_the_same(rng, random_motions, close, count):
+    a = dq8.integrate_body(random_motions(9, 1), 0.5 * rng.normal(size=(9, count, 6)), 1.0)
+    close(dq8.dlb(a), dq8.dlb(a, np.ones(count)), 10)
+    close(dq8.mean(a), dq8.mean(a, np.ones((9, count))), 10)
 
 
-def test_the_steps_from_the_mean_add_up_to_nothing(rng, random_motions):
-    steps = 0.5 * rng.normal(size=(9, 5, 6))
+@pytest.mark.parametrize("count", INFLUENCES)
+def test_the_steps_from_the_mean_add_up_to_nothing(rng, random_motions, count):
+    steps = 0.5 * rng.normal(size=(9, count, 6))
     a = dq8.integrate_body(random_motions(9, 1), steps, 1.0)
-    weights = rng.random(size=(9, 5))
+    weights = rng.random(size=(9, count))
     mean = dq8.mean(a, weights)
     logs = dq8.log(dq8.mul(dq8.conjugate(mean)[:, None], a))
-    np.testing.assert_allclose(np.sum(weights[..., None] * logs, axis=1), 0, atol=1e-13)
+    step = np.sum(weights[..., None] * logs, axis=1) / np.sum(weights, axis=1)[:, None]
+    np.testing.assert_allclose(step, 0, atol=1e-13)
 
 
-def test_the_mean_of_moved_motions_is_the_moved_mean(rng, random_motions):
-    a = dq8.integrate_body(random_motions(9, 1), 0.5 * rng.normal(size=(9, 5, 6)), 1.0)
+@pytest.mark.parametrize("count", INFLUENCES)
+def test_the_mean_of_moved_motions_is_the_moved_mean(rng, random_motions, count):
+    a = dq8.integrate_body(random_motions(9, 1), 0.5 * rng.normal(size=(9, count, 6)), 1.0)
     left, right = random_motions(), random_motions()
     moved = dq8.mean(dq8.mul(dq8.mul(left, a), right))
     same_motion(moved, dq8.mul(dq8.mul(left, dq8.mean(a)), right), 1e-13)

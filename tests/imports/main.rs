@@ -31,9 +31,21 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("dispatch", &["dq8_simd"]),
     ("storage", &["shape", "real", "geometry", "dq8_simd", "scalar", "dispatch"]),
     ("palette_entry", &["dq8_simd", "batch", "storage"]),
+    ("law", &["dq8_simd", "batch"]),
     (
         "slices",
-        &["shape", "real", "dq8_simd", "scalar", "batch", "dispatch", "storage", "palette_entry"],
+        &[
+            "shape",
+            "real",
+            "geometry",
+            "dq8_simd",
+            "scalar",
+            "batch",
+            "law",
+            "dispatch",
+            "storage",
+            "palette_entry",
+        ],
     ),
     ("ik", &["error", "shape", "real", "geometry", "dq8_simd", "scalar", "batch", "dispatch"]),
     (
@@ -51,6 +63,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
             "dq8_simd",
             "scalar",
             "batch",
+            "law",
             "dispatch",
             "storage",
             "palette_entry",
@@ -61,7 +74,8 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
 /// The same for `dq8-simd`.
 const SIMD_MAY_IMPORT: &[(&str, &[&str])] = &[
     ("lanes", &[]),
-    ("records", &["lanes"]),
+    ("gather", &[]),
+    ("records", &["gather", "lanes"]),
     ("block", &["lanes"]),
     ("square_root", &[]),
     ("checked_schedule", &[]),

@@ -1,20 +1,13 @@
-//! Blends of any number of motions: lanes are blends, whose influences lie apart in memory.
+//! Blends of any number of motions.
 
 use super::core_shape::{EIGHT, NUMBER};
-use crate::argument::{Argument, Input, Number, Output, is_single, tuple};
+use crate::argument::{Argument, Input, Number, is_single, tuple};
+use crate::blend::{Influences, Mean};
 use crate::call::Answer;
+use crate::output::Output;
 use crate::threads::Threads;
-use dq8::simd::Records;
-use dq8::{Backend, Kernel, Lanes, Level, batch, storage};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-
-/// Which mean.
-#[derive(Clone, Copy)]
-enum Mean {
-    Linear,
-    Intrinsic { tolerance: f64, max_iterations: u32 },
-}
 
 /// Dual quaternion linear blending: ``normalize(Σ ±wᵢσᵢ)``, each sign turned toward the first.
 ///
@@ -150,87 +143,10 @@ fn typed<'py, R: Number>(
     motions.py().detach(|| {
         let threads = Threads::for_elements(influences.motions.len());
         threads.split(to, |first, to| {
-            Backend::best().run(Blend { mean, influences: influences.from(first), to });
+            influences.from(first).blend(mean, to);
             true
         })
     });
     drop(memory);
     output.finish()
-}
-
-/// What is blended: `count` motions for each result.
-#[derive(Clone, Copy)]
-struct Influences<'s, R> {
-    count: usize,
-    motions: &'s [[R; 8]],
-    weights: Option<&'s [[R; 1]]>,
-    /// Whether each result has its own weights.
-    own: bool,
-}
-
-impl<R> Influences<'_, R> {
-    /// Those of the results from `first` on.
-    fn from(self, first: usize) -> Self {
-        let motions = self.motions.get(first * self.count..).unwrap_or_default();
-        let weights = self.weights.map(|weights| {
-            if self.own { weights.get(first * self.count..).unwrap_or_default() } else { weights }
-        });
-        Self { motions, weights, ..self }
-    }
-}
-
-struct Blend<'s, R> {
-    mean: Mean,
-    influences: Influences<'s, R>,
-    to: &'s mut [[R; 8]],
-}
-
-impl<R: Number> Kernel for Blend<'_, R> {
-    type Output = ();
-    const WIDE: bool = false;
-
-    #[inline(always)]
-    fn run<V: Level>(self, level: V) {
-        let Self { mean, influences, to } = self;
-        let Influences { count, motions, weights, own } = influences;
-        let one = R::Lanes::<V>::splat(level, R::ONE);
-        let mut blended = vec![(batch::DualQuat::<R::Lanes<V>>::identity(level), one); count];
-        let mut first = 0;
-        while let Some(rest) = to.get_mut(first..).filter(|rest| !rest.is_empty()) {
-            for (i, (motion, weight)) in blended.iter_mut().enumerate() {
-                let Some(from) = motions.get(first * count + i..) else { return };
-                *motion = batch::DualQuat::from_array(R::Lanes::<V>::load_strided(
-                    level,
-                    from,
-                    Some(count),
-                    &storage::identity(),
-                ));
-                if let Some(weights) = weights {
-                    let at = if own { first * count + i } else { i };
-                    let Some(from) = weights.get(at..) else { return };
-                    *weight = if own {
-                        let [weight] =
-                            R::Lanes::<V>::load_strided(level, from, Some(count), &[R::ONE]);
-                        weight
-                    } else {
-                        let Some(&[weight]) = from.first() else { return };
-                        R::Lanes::<V>::splat(level, weight)
-                    };
-                }
-            }
-            let result = match mean {
-                Mean::Linear => batch::DualQuat::dlb(&blended),
-                Mean::Intrinsic { tolerance, max_iterations } => {
-                    let usual = if R::SINGLE { 1e-6 } else { 1e-14 };
-                    let tolerance =
-                        one.constant(if tolerance.is_nan() { usual } else { tolerance });
-                    batch::DualQuat::dib(&blended, tolerance, max_iterations)
-                        .map(|mean| mean.motion)
-                }
-            };
-            let Some(result) = result else { return };
-            result.store_records(rest);
-            first += R::Lanes::<V>::LANES;
-        }
-    }
 }

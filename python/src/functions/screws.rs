@@ -249,6 +249,8 @@ pub(crate) fn from_screw<'py>(
 #[derive(Clone, Copy)]
 struct IntegrateBody;
 impl Law<8, 6, 1, 8> for IntegrateBody {
+    const WIDE: bool = true;
+
     #[inline(always)]
     fn of<L: Lanes>(self, a: [L; 8], b: [L; 6], [dt]: [L; 1]) -> [L; 8] {
         motion(a).integrate_body(Twist::from_array(b), dt).to_array()
@@ -288,6 +290,8 @@ pub(crate) fn integrate_body<'py>(
 #[derive(Clone, Copy)]
 struct IntegrateSpatial;
 impl Law<8, 6, 1, 8> for IntegrateSpatial {
+    const WIDE: bool = true;
+
     #[inline(always)]
     fn of<L: Lanes>(self, a: [L; 8], b: [L; 6], [dt]: [L; 1]) -> [L; 8] {
         motion(a).integrate_spatial(Twist::from_array(b), dt).to_array()

@@ -1,0 +1,100 @@
+//! Where results are written: `out`, or new arrays.
+
+use crate::argument::{Number, numpy_function, tuple};
+use numpy::prelude::*;
+use numpy::{PyArrayDyn, PyReadwriteArrayDyn, PyUntypedArray};
+use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::sync::PyOnceLock;
+use pyo3::types::PyTuple;
+
+static EMPTY: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
+
+/// Where a result is written.
+pub(crate) struct Output<'py, R: Number> {
+    /// What the caller gave as `out`.
+    given: Option<Bound<'py, PyArrayDyn<R>>>,
+    /// Contiguous.
+    array: Bound<'py, PyArrayDyn<R>>,
+}
+
+impl<'py, R: Number> Output<'py, R> {
+    /// `out`, or a new array.
+    pub(crate) fn new(
+        py: Python<'py>,
+        out: Option<&Bound<'py, PyAny>>,
+        leading: &[usize],
+        core: &[usize],
+    ) -> PyResult<Self> {
+        let mut shape = leading.to_vec();
+        shape.extend_from_slice(core);
+        let Some(out) = out else {
+            return Ok(Self { given: None, array: empty(py, &shape)? });
+        };
+        let Ok(untyped) = out.cast::<PyUntypedArray>() else {
+            return Err(PyTypeError::new_err(format!(
+                "Expected `out` to be an array, got {}.",
+                out.get_type().name()?
+            )));
+        };
+        let Ok(given) = out.cast::<PyArrayDyn<R>>() else {
+            return Err(PyTypeError::new_err(format!(
+                "Expected `out` to have dtype {}, the dtype of the result, got {}.",
+                if R::SINGLE { "float32" } else { "float64" },
+                untyped.dtype()
+            )));
+        };
+        if given.shape() != shape {
+            return Err(PyValueError::new_err(format!(
+                "Expected `out` to have shape {}, that of the result, got {}.",
+                tuple(&shape),
+                tuple(given.shape())
+            )));
+        }
+        if !out.getattr("flags")?.getattr("writeable")?.is_truthy()? {
+            return Err(PyValueError::new_err(
+                "Expected `out` to be writeable, got a read-only array.",
+            ));
+        }
+        let plain = given.is_c_contiguous() && given.data().is_aligned();
+        let array = if plain { given.clone() } else { empty(py, &shape)? };
+        Ok(Self { given: Some(given.clone()), array })
+    }
+
+    /// What the caller gave as `out`.
+    pub(crate) fn given(&self) -> Option<&Bound<'py, PyArrayDyn<R>>> {
+        self.given.as_ref()
+    }
+
+    /// The array that is written first.
+    pub(crate) fn memory(&self) -> &Bound<'py, PyArrayDyn<R>> {
+        &self.array
+    }
+
+    /// The memory to be written.
+    pub(crate) fn borrow(&self) -> PyResult<PyReadwriteArrayDyn<'py, R>> {
+        self.array.try_readwrite().map_err(|error| PyValueError::new_err(format!("`out`: {error}")))
+    }
+
+    /// What the function returns: `out`, the new array, or, of no dimensions, a number.
+    pub(crate) fn finish(self) -> PyResult<Bound<'py, PyAny>> {
+        let Some(given) = self.given else {
+            return if self.array.ndim() == 0 {
+                self.array.get_item(PyTuple::empty(self.array.py()))
+            } else {
+                Ok(self.array.into_any())
+            };
+        };
+        if !given.is(&self.array) {
+            given.py().import("numpy")?.call_method1("copyto", (&given, &self.array))?;
+        }
+        Ok(given.into_any())
+    }
+}
+
+/// Without zeros in it: all of it is about to be written.
+fn empty<'py, R: Number>(py: Python<'py>, shape: &[usize]) -> PyResult<Bound<'py, PyArrayDyn<R>>> {
+    let shape = PyTuple::new(py, shape)?;
+    let array = numpy_function(py, &EMPTY, "empty")?.call1((shape, numpy::dtype::<R>(py)))?;
+    Ok(array.cast_into::<PyArrayDyn<R>>()?)
+}
