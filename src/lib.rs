@@ -87,6 +87,7 @@ pub mod scalar;
 mod shape;
 #[cfg(any(not(feature = "std"), test))]
 mod sine;
+pub mod skinning;
 pub mod slices;
 pub mod storage;
 

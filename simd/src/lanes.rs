@@ -108,6 +108,26 @@ pub trait Lanes:
         let [x, y, z, w] = &rows;
         [Self::load(level, x), Self::load(level, y), Self::load(level, z), Self::load(level, w)]
     }
+    /// Transposes on the way in: lane `i` of four vectors is the four numbers at `from + offsets[i]`.
+    ///
+    /// # Safety
+    /// There are as many offsets as lanes, and all those numbers may be read.
+    #[inline(always)]
+    unsafe fn gather_quads(
+        level: Self::Level,
+        from: *const Self::Real,
+        offsets: &[usize],
+    ) -> [Self; 4] {
+        let mut rows = [Self::Array::zeroed(); 4];
+        for (lane, &offset) in offsets.iter().take(Self::LANES).enumerate() {
+            for (c, row) in rows.iter_mut().enumerate() {
+                // SAFETY: promised.
+                row.as_mut()[lane] = unsafe { *from.add(offset + c) };
+            }
+        }
+        let [x, y, z, w] = &rows;
+        [Self::load(level, x), Self::load(level, y), Self::load(level, z), Self::load(level, w)]
+    }
     /// Transposes on the way out: lane `i` of four vectors goes to the four numbers at `to + i · stride`.
     ///
     /// # Safety
@@ -288,6 +308,16 @@ mod sealed {
 /// Products of such vectors serve where there is only one thing to compute at a time: a child waits
 /// for its parent. Two rearrangements are all that they need in addition to [`Lanes`].
 pub trait PackedDualQuat: Lanes {
+    /// The lower four lanes and the upper four, in two places. What is read again in halves must be written in
+    /// halves: CPUs forward a part of a store to a load late, or not at all.
+    #[inline(always)]
+    fn store_halves(self, lower: &mut [Self::Real; 4], upper: &mut [Self::Real; 4]) {
+        let array = self.to_array();
+        for (slot, &number) in lower.iter_mut().chain(upper).zip(array.as_ref()) {
+            *slot = number;
+        }
+    }
+
     /// What the components x, y, z and w of another quaternion multiply, in both halves: with these
     /// four columns, p·b = c₀b_x + c₁b_y + c₂b_z + c₃b_w.
     ///

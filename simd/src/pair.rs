@@ -70,6 +70,21 @@ where
         [Self(ax, bx), Self(ay, by), Self(az, bz), Self(aw, bw)]
     }
     #[inline(always)]
+    unsafe fn gather_quads(
+        level: L::Level,
+        from: *const L::Real,
+        offsets: &[usize],
+    ) -> [Self; 4] {
+        // SAFETY: promised: there are twice as many offsets as `L` has lanes.
+        let [a, b] = unsafe {
+            [
+                L::gather_quads(level, from, offsets),
+                L::gather_quads(level, from, offsets.get_unchecked(L::LANES..)),
+            ]
+        };
+        [Self(a[0], b[0]), Self(a[1], b[1]), Self(a[2], b[2]), Self(a[3], b[3])]
+    }
+    #[inline(always)]
     unsafe fn store_quads([x, y, z, w]: [Self; 4], to: *mut L::Real, stride: usize) {
         // SAFETY: promised, for all lanes.
         unsafe {

@@ -94,6 +94,15 @@ macro_rules! wide_lanes {
                     Self::$transpose(rows)
                 }
                 #[inline(always)]
+                unsafe fn gather_quads(_: Portable, from: *const $real, offsets: &[usize]) -> [Self; 4] {
+                    let mut rows = [Self::ZERO; 4];
+                    for (row, &offset) in rows.iter_mut().zip(offsets) {
+                        // SAFETY: promised; an array needs no more alignment than its numbers.
+                        *row = Self::new(unsafe { *from.add(offset).cast::<[$real; $lanes]>() });
+                    }
+                    Self::$transpose(rows)
+                }
+                #[inline(always)]
                 unsafe fn store_quads(components: [Self; 4], to: *mut $real, stride: usize) {
                     for (i, row) in Self::$transpose(components).into_iter().enumerate() {
                         // SAFETY: promised; an array needs no more alignment than its numbers.

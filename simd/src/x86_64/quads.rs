@@ -10,7 +10,8 @@
 use core::arch::x86_64::*;
 
 // All functions of this file: the CPU must have the instructions of the register's type, and
-// `LANES` records of four numbers (three for triples), `stride` numbers apart, must lie at `at`.
+// `LANES` records of four numbers (three for triples), `stride` numbers apart or at `LANES` offsets, must
+// lie at `at`.
 
 /// The transpose of the 4 × 4 numbers in each 128-bit group.
 macro_rules! transpose_singles {
@@ -39,7 +40,7 @@ transpose_singles! { transpose_f32x16, __m512, _mm512_unpacklo_ps, _mm512_unpack
 /// it falls apart into the places of its groups.
 macro_rules! single_quads {
     (
-        $load:ident, $store:ident, $triples:ident, $register:ident, $lanes:literal, $transpose:ident;
+        $load:ident, $gather:ident, $store:ident, $triples:ident, $register:ident, $lanes:literal, $transpose:ident;
         join |$get:ident, $i:ident| $join:expr;
         split |$whole:ident| $split:expr;
     ) => {
@@ -52,6 +53,22 @@ macro_rules! single_quads {
                     macro_rules! $get {
                         ($record:expr) => {
                             _mm_loadu_ps(at.add($record * stride))
+                        };
+                    }
+                    *row = $join;
+                }
+                $transpose(rows)
+            }
+        }
+        #[inline(always)]
+        pub(super) unsafe fn $gather(at: *const f32, offsets: &[usize]) -> [$register; 4] {
+            // SAFETY: the caller's promise, above.
+            unsafe {
+                let mut rows = [core::mem::zeroed::<$register>(); 4];
+                for ($i, row) in rows.iter_mut().enumerate() {
+                    macro_rules! $get {
+                        ($record:expr) => {
+                            _mm_loadu_ps(at.add(*offsets.get_unchecked($record)))
                         };
                     }
                     *row = $join;
@@ -93,17 +110,17 @@ macro_rules! single_quads {
 }
 
 single_quads! {
-    f32x4_load, f32x4_store, f32x4_store_triples, __m128, 4, transpose_f32x4;
+    f32x4_load, f32x4_gather, f32x4_store, f32x4_store_triples, __m128, 4, transpose_f32x4;
     join |get, i| get!(i);
     split |whole| [whole];
 }
 single_quads! {
-    f32x8_load, f32x8_store, f32x8_store_triples, __m256, 8, transpose_f32x8;
+    f32x8_load, f32x8_gather, f32x8_store, f32x8_store_triples, __m256, 8, transpose_f32x8;
     join |get, i| _mm256_insertf128_ps::<1>(_mm256_castps128_ps256(get!(i)), get!(i + 4));
     split |whole| [_mm256_castps256_ps128(whole), _mm256_extractf128_ps::<1>(whole)];
 }
 single_quads! {
-    f32x16_load, f32x16_store, f32x16_store_triples, __m512, 16, transpose_f32x16;
+    f32x16_load, f32x16_gather, f32x16_store, f32x16_store_triples, __m512, 16, transpose_f32x16;
     join |get, i| {
         let two = _mm512_insertf32x4::<1>(_mm512_castps128_ps512(get!(i)), get!(i + 4));
         _mm512_insertf32x4::<3>(_mm512_insertf32x4::<2>(two, get!(i + 8)), get!(i + 12))
@@ -173,6 +190,17 @@ pub(super) unsafe fn f64x4_load(at: *const f64, stride: usize) -> [__m256d; 4] {
     }
 }
 #[inline(always)]
+pub(super) unsafe fn f64x4_gather(at: *const f64, offsets: &[usize]) -> [__m256d; 4] {
+    // SAFETY: the caller's promise, above.
+    unsafe {
+        let mut rows = [_mm256_setzero_pd(); 4];
+        for (i, row) in rows.iter_mut().enumerate() {
+            *row = _mm256_loadu_pd(at.add(*offsets.get_unchecked(i)));
+        }
+        transpose_f64x4(rows)
+    }
+}
+#[inline(always)]
 pub(super) unsafe fn f64x4_store(components: [__m256d; 4], at: *mut f64, stride: usize) {
     // SAFETY: the caller's promise, above.
     unsafe {
@@ -204,6 +232,19 @@ pub(super) unsafe fn f64x8_load(at: *const f64, stride: usize) -> [__m512d; 4] {
     }
 }
 #[inline(always)]
+pub(super) unsafe fn f64x8_gather(at: *const f64, offsets: &[usize]) -> [__m512d; 4] {
+    // SAFETY: the caller's promise, above.
+    unsafe {
+        let mut rows = [_mm512_setzero_pd(); 4];
+        for (i, row) in rows.iter_mut().enumerate() {
+            let lower = _mm256_loadu_pd(at.add(*offsets.get_unchecked(i)));
+            let upper = _mm256_loadu_pd(at.add(*offsets.get_unchecked(i + 4)));
+            *row = _mm512_insertf64x4::<1>(_mm512_castpd256_pd512(lower), upper);
+        }
+        transpose_f64x8(rows)
+    }
+}
+#[inline(always)]
 pub(super) unsafe fn f64x8_store(components: [__m512d; 4], at: *mut f64, stride: usize) {
     // SAFETY: the caller's promise, above.
     unsafe {
@@ -227,8 +268,14 @@ pub(super) unsafe fn f64x8_store_triples([x, y, z]: [__m512d; 3], at: *mut f64) 
 #[inline(always)]
 pub(super) unsafe fn f64x2_load(at: *const f64, stride: usize) -> [__m128d; 4] {
     // SAFETY: the caller's promise, above.
+    unsafe { f64x2_gather(at, &[0, stride]) }
+}
+#[inline(always)]
+pub(super) unsafe fn f64x2_gather(at: *const f64, offsets: &[usize]) -> [__m128d; 4] {
+    // SAFETY: the caller's promise, above.
     unsafe {
-        let (a, b) = (at, at.add(stride));
+        let a = at.add(*offsets.get_unchecked(0));
+        let b = at.add(*offsets.get_unchecked(1));
         let (xy_a, zw_a) = (_mm_loadu_pd(a), _mm_loadu_pd(a.add(2)));
         let (xy_b, zw_b) = (_mm_loadu_pd(b), _mm_loadu_pd(b.add(2)));
         [

@@ -12,7 +12,7 @@ macro_rules! vector {
         add $add:ident; sub $sub:ident; mul $mul:ident; div $div:ident; sqrt $sqrt:ident;
         mul_add $mul_add:ident; neg_mul_add $neg_mul_add:ident;
         splat $splat:ident; load $load:ident; store $store:ident; stream $stream:ident;
-        quads $load_quads:ident $store_quads:ident $store_triples:ident;
+        quads $load_quads:ident $gather_quads:ident $store_quads:ident $store_triples:ident;
         and $and:ident; and_not $and_not:ident; or $or:ident; xor $xor:ident;
         less |$la:ident, $lb:ident| $less:expr;
         less_equal |$ea:ident, $eb:ident| $less_equal:expr;
@@ -64,6 +64,12 @@ macro_rules! vector {
             unsafe fn load_quads(level: $level, from: *const $real, stride: usize) -> [Self; 4] {
                 // SAFETY: `level` proves the instructions; the rest is promised.
                 let [x, y, z, w] = unsafe { $load_quads(from, stride) };
+                [Self(x, level), Self(y, level), Self(z, level), Self(w, level)]
+            }
+            #[inline(always)]
+            unsafe fn gather_quads(level: $level, from: *const $real, offsets: &[usize]) -> [Self; 4] {
+                // SAFETY: `level` proves the instructions; the rest is promised.
+                let [x, y, z, w] = unsafe { $gather_quads(from, offsets) };
                 [Self(x, level), Self(y, level), Self(z, level), Self(w, level)]
             }
             #[inline(always)]
