@@ -29,6 +29,10 @@ impl<'a, R: Scalar> Dual<'a, R> {
     pub fn new(palette: &'a [DualQuat<R>]) -> Self {
         Self { palette }
     }
+
+    pub(super) fn joints(&self) -> usize {
+        self.palette.len()
+    }
 }
 
 /// A sum of motions on its way.

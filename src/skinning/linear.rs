@@ -22,6 +22,10 @@ impl<'a, R: Scalar> Linear<'a, R> {
     pub fn new(palette: &'a [[[R; 4]; 3]]) -> Self {
         Self { palette }
     }
+
+    pub(super) fn joints(&self) -> usize {
+        self.palette.len()
+    }
 }
 
 /// A register that holds eight numbers of a matrix.

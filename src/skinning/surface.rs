@@ -70,3 +70,31 @@ impl<'s, P> SurfaceMut<'s, P> {
         same_length("posed tangents", length(self.tangents.as_deref()), length(rest.tangents))
     }
 }
+
+/// Pieces of both for the tasks of [`parallel`](super::parallel).
+#[cfg(feature = "rayon")]
+impl<'s, P> Surface<'s, P> {
+    pub(super) fn chunks(self, size: usize) -> impl Iterator<Item = Self> {
+        self.positions.chunks(size).enumerate().map(move |(task, positions)| {
+            let piece = |slice: &'s [P]| &slice[task * size..task * size + positions.len()];
+            Self {
+                positions,
+                normals: self.normals.map(piece),
+                tangents: self.tangents.map(piece),
+            }
+        })
+    }
+}
+
+#[cfg(feature = "rayon")]
+impl<'s, P> SurfaceMut<'s, P> {
+    pub(super) fn chunks(self, size: usize) -> impl Iterator<Item = Self> {
+        let mut normals = self.normals.map(|slice| slice.chunks_mut(size));
+        let mut tangents = self.tangents.map(|slice| slice.chunks_mut(size));
+        self.positions.chunks_mut(size).map(move |positions| Self {
+            positions,
+            normals: normals.as_mut().and_then(Iterator::next),
+            tangents: tangents.as_mut().and_then(Iterator::next),
+        })
+    }
+}
