@@ -37,6 +37,7 @@
 //! | [`Hierarchy`], [`Job`], [`Crowd`] | joint hierarchies, one instance or many |
 //! | [`HierarchyPlan`], [`Backend::chain_products`] | one instance: a skeleton or a long chain |
 //! | [`ik`] | inverse kinematics: two bones, and arms of any number of joints |
+//! | [`skinning`] | meshes that follow joints: linear and dual quaternion blends |
 //! | [`Backend`], [`slices`] | kernels over slices of motions and points |
 //! | [`storage`] | how slices lie in memory: one thing after the other, or in [blocks](Block) of lanes |
 //! | [`Kernel`], [`Element`] | kernels of your own, for any layout and any instructions |

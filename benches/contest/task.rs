@@ -3,6 +3,7 @@
 mod hierarchy;
 mod pairs;
 mod points;
+mod skin;
 
 pub use crate::scene::Shape;
 pub use hierarchy::Way;
@@ -20,6 +21,7 @@ pub enum Task {
     Pairs(Operation, Level),
     Hierarchy(Shape, Way),
     Points(Motions, Level),
+    Skin,
 }
 
 impl Task {
@@ -30,6 +32,7 @@ impl Task {
             Self::Pairs(operation, level) => pairs::with_contest(operation, level, caches, run),
             Self::Hierarchy(shape, way) => hierarchy::with_contest(shape, way, run),
             Self::Points(motions, level) => points::with_contest(motions, level, caches, run),
+            Self::Skin => skin::with_contest(run),
         }
     }
 }
@@ -53,6 +56,7 @@ mod tests {
             Operation::ALL.map(|operation| Task::Pairs(operation, Level::L1)).into();
         tasks.extend([Motions::One, Motions::Each].map(|by| Task::Points(by, Level::L1)));
         tasks.extend([Way::In, Way::Out, Way::Rotations].map(|w| Task::Hierarchy(crowd(64), w)));
+        tasks.push(Task::Skin);
         tasks.extend([1, 8].map(|instances| Task::Hierarchy(crowd(instances), Way::In)));
         for shape in [
             crowd(1),

@@ -66,7 +66,9 @@ fn slice<'b>(
     let short = || Error(format!("{place}: it ends beyond view {}", view.index()));
     let length = match count.checked_sub(1) {
         None => 0,
-        Some(last) => last.checked_mul(stride).and_then(|n| n.checked_add(size)).ok_or_else(short)?,
+        Some(last) => {
+            last.checked_mul(stride).and_then(|n| n.checked_add(size)).ok_or_else(short)?
+        }
     };
     let end = offset.checked_add(length).filter(|&end| end <= view.length()).ok_or_else(short)?;
     let buffer = buffers.get(view.buffer().index());

@@ -29,8 +29,10 @@ fn turned([x, y, z]: [f64; 3]) -> [f64; 3] {
 
 /// The panels next to each other, all on one scale; the nearest triangles last.
 pub(crate) fn svg(panels: &[Panel]) -> String {
-    let seen: Vec<Vec<_>> =
-        panels.iter().map(|panel| panel.triangles.iter().map(|t| t.map(turned)).collect()).collect();
+    let seen: Vec<Vec<_>> = panels
+        .iter()
+        .map(|panel| panel.triangles.iter().map(|t| t.map(turned)).collect())
+        .collect();
     let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
     for point in seen.iter().flatten().flatten() {
         for c in 0..2 {

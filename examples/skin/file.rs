@@ -65,8 +65,11 @@ impl File {
                 let is = |a: &gltf::Animation<'_>| {
                     a.name() == Some(name) || name.parse() == Ok(a.index())
                 };
-                let names: Vec<_> =
-                    self.document.animations().map(|a| a.name().unwrap_or("?").to_owned()).collect();
+                let names: Vec<_> = self
+                    .document
+                    .animations()
+                    .map(|a| a.name().unwrap_or("?").to_owned())
+                    .collect();
                 let none = || {
                     let names = names.join(", ");
                     Error::at(&self.path, format!("no animation {name}; there are: {names}"))
@@ -76,7 +79,8 @@ impl File {
         };
         // The crate gltf does not.
         let json = &self.document.as_json().animations[found.index()];
-        let unknown = |c: &gltf::json::animation::Channel| matches!(c.target.path, Checked::Invalid);
+        let unknown =
+            |c: &gltf::json::animation::Channel| matches!(c.target.path, Checked::Invalid);
         if let Some(channel) = json.channels.iter().position(unknown) {
             let place = format!("animation {}, channel {channel}", found.index());
             return Err(Error::at(&self.path, format!("{place}: its path is unknown")));
@@ -109,15 +113,13 @@ impl File {
         for node in self.document.nodes() {
             let (Some(mesh), Some(skin)) = (node.mesh(), node.skin()) else { continue };
             let joints: Vec<_> = skin.joints().map(|joint| joint.index()).collect();
-            let at = |Error(what)| {
-                Error::at(&self.path, format!("skin {}: {what}", skin.index()))
-            };
+            let at = |Error(what)| Error::at(&self.path, format!("skin {}: {what}", skin.index()));
             let inverse_binds = match skin.inverse_bind_matrices() {
                 Some(accessor) => {
                     read::<16>(&self.buffers, &accessor, Dimensions::Mat4).map_err(at)?
                 }
                 None => {
-                    let identity = |i: usize| if i % 5 == 0 { 1.0 } else { 0.0 };
+                    let identity = |i: usize| if i.is_multiple_of(5) { 1.0 } else { 0.0 };
                     vec![core::array::from_fn(identity); joints.len()]
                 }
             };
@@ -128,9 +130,9 @@ impl File {
             for primitive in mesh.primitives() {
                 let read = Mesh::read(&self.buffers, &primitive, &joints, &inverse_binds);
                 let place = format!("mesh {}, primitive {}", mesh.index(), primitive.index());
-                meshes.push(read.map_err(|Error(what)| {
-                    Error::at(&self.path, format!("{place}: {what}"))
-                })?);
+                meshes.push(
+                    read.map_err(|Error(what)| Error::at(&self.path, format!("{place}: {what}")))?,
+                );
             }
         }
         if meshes.is_empty() {

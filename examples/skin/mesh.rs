@@ -65,7 +65,8 @@ impl Mesh {
         if let Some(&index) = indices.iter().find(|&&index| index >= positions.len()) {
             return Err(Error(format!("index {index} of {} vertices", positions.len())));
         }
-        let columns = |m: &[f64; 16]| core::array::from_fn(|c| core::array::from_fn(|r| m[4 * c + r]));
+        let columns =
+            |m: &[f64; 16]| core::array::from_fn(|c| core::array::from_fn(|r| m[4 * c + r]));
         let mesh = Self {
             place: format!("primitive {}", primitive.index()),
             joints: joints.to_vec(),
@@ -132,7 +133,9 @@ fn triangles(mode: Mode, indices: &[usize]) -> Vec<[usize; 3]> {
         Mode::Triangles => indices.as_chunks::<3>().0.to_vec(),
         Mode::TriangleStrip => {
             let strip = indices.windows(3).enumerate();
-            strip.map(|(i, w)| if i % 2 == 0 { [w[0], w[1], w[2]] } else { [w[1], w[0], w[2]] }).collect()
+            strip
+                .map(|(i, w)| if i % 2 == 0 { [w[0], w[1], w[2]] } else { [w[1], w[0], w[2]] })
+                .collect()
         }
         Mode::TriangleFan => match indices.split_first() {
             Some((&hub, rim)) => rim.windows(2).map(|w| [hub, w[0], w[1]]).collect(),

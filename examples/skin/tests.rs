@@ -125,7 +125,11 @@ fn bad_files_get_an_error_with_its_place() {
         (r#""skin":0"#, r#""skin":7"#, "skin"),
         (r#""skin":0"#, r#""name":"s""#, "no mesh has a skin"),
         (r#""turn""#, r#""other""#, "other"),
-        (r#""interpolation":"CUBICSPLINE""#, r#""interpolation":"LINEAR""#, "animation 0, channel 1"),
+        (
+            r#""interpolation":"CUBICSPLINE""#,
+            r#""interpolation":"LINEAR""#,
+            "animation 0, channel 1",
+        ),
         (r#""input":3,"output":4"#, r#""input":0,"output":4"#, "accessor 0"),
         (r#""byteOffset":36"#, r#""byteOffset":36000"#, "view"),
         (r#""path":"scale""#, r#""path":"size""#, "channel 1: its path"),

@@ -70,11 +70,7 @@ where
         [Self(ax, bx), Self(ay, by), Self(az, bz), Self(aw, bw)]
     }
     #[inline(always)]
-    unsafe fn gather_quads(
-        level: L::Level,
-        from: *const L::Real,
-        offsets: &[usize],
-    ) -> [Self; 4] {
+    unsafe fn gather_quads(level: L::Level, from: *const L::Real, offsets: &[usize]) -> [Self; 4] {
         // SAFETY: promised: there are twice as many offsets as `L` has lanes.
         let [a, b] = unsafe {
             [

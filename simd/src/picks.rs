@@ -110,7 +110,7 @@ impl<'a, J: Index, const C: usize> Picks<'a, J, C> {
     #[inline(always)]
     #[must_use]
     pub fn of<'t, R>(&'t self, table: &'t [[R; C]]) -> Option<Picked<'t, R, C>> {
-        let fits = 0 < table.len() && self.checked.bound <= table.len();
+        let fits = !table.is_empty() && self.checked.bound <= table.len();
         fits.then_some(Picked { offsets: &self.offsets, table })
     }
 }

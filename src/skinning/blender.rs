@@ -1,8 +1,8 @@
 use super::influences::Influences;
 use crate::real::Scalar;
 use crate::shape::ShapeError;
-use dq8_simd::picks::Index;
 use dq8_simd::Lanes;
+use dq8_simd::picks::Index;
 
 /// A way to blend the motions of joints, on lanes that are vertices: a sum over groups of influences, and
 /// what the sum does to a surface.

@@ -1,7 +1,7 @@
 use crate::real::Scalar;
 use core::hint::black_box;
-use dq8_simd::picks::{CheckedIndices, Index, Picks};
 use dq8_simd::MAX_LANES;
+use dq8_simd::picks::{CheckedIndices, Index, Picks};
 
 /// How many influences of a vertex are read at a time.
 pub(super) const GROUP: usize = dq8_simd::picks::GROUP;

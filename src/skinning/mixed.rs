@@ -4,8 +4,8 @@ use super::influences::Influences;
 use super::linear_map::unit;
 use crate::real::Scalar;
 use crate::shape::{ShapeError, same_length};
-use dq8_simd::picks::Index;
 use dq8_simd::Lanes;
+use dq8_simd::picks::Index;
 
 /// Two blends mixed by a number per vertex: v ↦ (1 − s) A(v) + s B(v). With [`Linear`](super::Linear) and
 /// [`Dual`](super::Dual) that is the usual weighted blend of the two, against the bulge of the second at bent

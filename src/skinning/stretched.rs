@@ -76,9 +76,6 @@ impl<R: Scalar> Blender<R> for Stretched<'_, R> {
         (stretch, rigid): Self::Sum<L>,
         first: usize,
     ) -> StretchedMap<L> {
-        StretchedMap(
-            self.stretch.map(level, stretch, first),
-            self.rigid.map(level, rigid, first),
-        )
+        StretchedMap(self.stretch.map(level, stretch, first), self.rigid.map(level, rigid, first))
     }
 }

@@ -77,11 +77,7 @@ impl<'s, P> Surface<'s, P> {
     pub(super) fn chunks(self, size: usize) -> impl Iterator<Item = Self> {
         self.positions.chunks(size).enumerate().map(move |(task, positions)| {
             let piece = |slice: &'s [P]| &slice[task * size..task * size + positions.len()];
-            Self {
-                positions,
-                normals: self.normals.map(piece),
-                tangents: self.tangents.map(piece),
-            }
+            Self { positions, normals: self.normals.map(piece), tangents: self.tangents.map(piece) }
         })
     }
 }

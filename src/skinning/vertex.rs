@@ -49,11 +49,8 @@ pub fn dual_blend<R: Real>(influences: &[(DualQuat<R>, R)]) -> Option<DualQuat<R
     let (mut sum, mut total) = (DualQuat::ZERO, R::ZERO);
     for &(motion, weight) in influences {
         let dot = motion.real().dot(pivot.real());
-        let away = if dot == R::ZERO {
-            is_negative(motion) != is_negative(pivot)
-        } else {
-            dot < R::ZERO
-        };
+        let away =
+            if dot == R::ZERO { is_negative(motion) != is_negative(pivot) } else { dot < R::ZERO };
         sum = sum + motion.scale(if away { -weight } else { weight });
         total += weight;
     }

@@ -32,9 +32,8 @@ fn expected<R: Scalar + Weight>(scene: &Scene<R>, vertex: usize, blend: &str) ->
         _ => {
             let (a, b) = (through(of(&matrices)), through(rigid));
             let share = share::<R>(vertex);
-            let mix = |i: usize| {
-                core::array::from_fn(|c| (R::ONE - share) * a[i][c] + share * b[i][c])
-            };
+            let mix =
+                |i: usize| core::array::from_fn(|c| (R::ONE - share) * a[i][c] + share * b[i][c]);
             [mix(0), unit(mix(1)), unit(mix(2))]
         }
     }
@@ -182,8 +181,7 @@ fn the_implied_weight_is_what_the_others_leave() {
             .chunks(influences)
             .flat_map(|weights| weights[..influences - 1].to_vec())
             .collect();
-        let implied =
-            Skin::with_implied_weight(JOINTS, influences, &scene.joints, &given).unwrap();
+        let implied = Skin::with_implied_weight(JOINTS, influences, &scene.joints, &given).unwrap();
         let matrices = scene.matrices();
         for backend in Backend::available() {
             let pairs = [

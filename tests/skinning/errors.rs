@@ -16,10 +16,7 @@ fn a_bad_skin_names_the_vertex() {
         let mut weights = good;
         weights[2 * vertex + influence] = bad;
         let value = bad.into();
-        assert_eq!(
-            new(&[0; 4], &weights),
-            Err(SkinningError::Weight { vertex, influence, value })
-        );
+        assert_eq!(new(&[0; 4], &weights), Err(SkinningError::Weight { vertex, influence, value }));
     }
     let nan = new(&[0; 4], &[0.5, 0.5, f32::NAN, 1.0]).unwrap_err();
     assert!(matches!(nan, SkinningError::Weight { vertex: 1, influence: 0, .. }), "{nan}");
@@ -29,8 +26,12 @@ fn a_bad_skin_names_the_vertex() {
     }
     assert!(matches!(new(&[0; 3], &good[..3]), Err(SkinningError::Shape(_))));
     assert!(matches!(new(&[0; 4], &good[..3]), Err(SkinningError::Shape(_))));
-    assert_eq!(Skin::new(3, 0, &[0_u8; 0], &good[..0]).map(|_| ()), Err(SkinningError::NoInfluences));
-    let implied = |weights: &[f32]| Skin::with_implied_weight(3, 2, &[0_u8; 4], weights).map(|_| ());
+    assert_eq!(
+        Skin::new(3, 0, &[0_u8; 0], &good[..0]).map(|_| ()),
+        Err(SkinningError::NoInfluences)
+    );
+    let implied =
+        |weights: &[f32]| Skin::with_implied_weight(3, 2, &[0_u8; 4], weights).map(|_| ());
     assert_eq!(implied(&[0.5, 1.0]), Ok(()));
     assert_eq!(implied(&[0.5, 1.5]), Err(SkinningError::Total { vertex: 1, total: 1.5 }));
     assert!(matches!(implied(&good), Err(SkinningError::Shape(_))));

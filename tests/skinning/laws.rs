@@ -154,7 +154,8 @@ fn a_stretch_and_then_a_motion_is_the_matrix_of_a_single_influence() {
 /// angle behind. No vertex moves farther in a step than the fastest point of the two.
 #[test]
 fn nothing_flips_when_joints_turn_through_a_full_turn() {
-    let weights: Vec<f32> = (0..=10).flat_map(|i| [1.0 - i as f32 / 10.0, i as f32 / 10.0]).collect();
+    let weights: Vec<f32> =
+        (0..=10).flat_map(|i| [1.0 - i as f32 / 10.0, i as f32 / 10.0]).collect();
     let joints = [0_u16, 1].repeat(11);
     let skin = Skin::new(2, 2, &joints, &weights).unwrap();
     let rest = [[1.0_f32, 0.0, 0.5]; 11];

@@ -12,7 +12,8 @@ fn volume(points: &[[f32; 3]]) -> f64 {
     let point = |ring: usize, i: usize| points[ring * AROUND + i % AROUND].map(f64::from);
     let mut sum = 0.0;
     let mut add = |[a, b, c]: [[f64; 3]; 3]| {
-        sum += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2])
+        sum += a[0] * (b[1] * c[2] - b[2] * c[1])
+            + a[1] * (b[2] * c[0] - b[0] * c[2])
             + a[2] * (b[0] * c[1] - b[1] * c[0]);
     };
     for i in 0..AROUND {

@@ -39,10 +39,9 @@ fn a_million_vertices_without_a_nan() {
     let skin = Skin::new(motions.len(), 4, &joints, &weights).unwrap();
     let rest: Vec<_> = (0..vertices).map(|_| random.direction().map(|c| c as f32)).collect();
     for backend in Backend::available() {
-        for posed in [
-            dual(backend, &skin, &motions, &rest),
-            linear(backend, &skin, &matrices, &rest),
-        ] {
+        for posed in
+            [dual(backend, &skin, &motions, &rest), linear(backend, &skin, &matrices, &rest)]
+        {
             let bad = posed.iter().position(|point| point.iter().any(|c| !c.is_finite()));
             assert_eq!(bad, None, "{backend}");
         }
