@@ -1,6 +1,7 @@
 //! The worst that may come in.
 
 use super::scene::{dual, linear};
+use core::f64::consts::{PI, TAU};
 use dq8::skinning::Skin;
 use dq8::{Backend, DualQuat, Quat};
 use dq8_contract::random::Random;
@@ -12,7 +13,7 @@ fn a_million_vertices_without_a_nan() {
     let mut random = Random(77);
     let mut motions = Vec::new();
     for axis in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], random.direction()] {
-        for angle in [0.0, 1e-6, 3.141_592, core::f64::consts::PI, 3.141_593, 6.283_185] {
+        for angle in [0.0, 1e-6, PI - 1e-6, PI, PI + 1e-6, TAU] {
             let turn = Quat::from_axis_angle(axis.map(|c| c as f32), angle as f32);
             let far = if random.between(0.0, 1.0) < 0.1 { 1e6 } else { 1.0 };
             let slide = random.direction().map(|c| (c * far) as f32);
