@@ -58,10 +58,10 @@ fn a_single_influence_is_the_motion_to_the_last_bit() {
 fn negating_any_entry_of_a_palette_changes_no_bit() {
     for influences in [2, 4, 9] {
         let mut scene = Scene::<f32>::new(200, influences);
-        // Half turns about the axes and the identity: at right angles to each other, exactly.
-        for (joint, axis) in [(0, 0), (1, 1), (2, 2), (3, 3)] {
-            let mut turn = [0.0; 4];
-            turn[axis] = 1.0;
+        // At right angles to each other, exactly: products that cancel, and signed zeros.
+        let half = core::f32::consts::FRAC_1_SQRT_2;
+        let across = [[half, half, 0.0, 0.0], [half, -half, 0.0, 0.0], [0.0, 0.0, half, half]];
+        for (joint, turn) in across.into_iter().enumerate() {
             scene.motions[joint] = DualQuat::from_rotation(Quat::from_array(turn));
         }
         for backend in Backend::available() {
