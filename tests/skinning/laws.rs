@@ -39,7 +39,6 @@ fn single<R: Scalar + Weight>() {
             let mut moved = vec![[R::ZERO; 3]; 50];
             backend.transform_points_each(&each, &scene.positions, &mut moved).unwrap();
             let posed = dual(backend, &skin, &scene.motions, &scene.positions);
-            // AVX-512 has no kernel of its own for plain slices; the bits are those of AVX2.
             assert_eq!(posed, moved, "{influences} {backend}");
         }
     }
