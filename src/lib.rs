@@ -39,6 +39,7 @@
 //! | [`HierarchyPlan`], [`Backend::chain_products`] | one instance: a skeleton or a long chain |
 //! | [`ik`] | inverse kinematics: two bones, and arms of any number of joints |
 //! | [`mechanism`] | robots: from joint values to poses of links, Jacobians and velocities, one or many configurations |
+//! | [`skinning`] | meshes that follow joints: linear and dual quaternion blends |
 //! | [`Backend`], [`slices`] | kernels over slices of motions and points |
 //! | [`storage`] | how slices lie in memory: one thing after the other, or in [blocks](Block) of lanes |
 //! | [`Kernel`], [`Element`] | kernels of your own, for any layout and any instructions |
@@ -95,6 +96,7 @@ pub mod scalar;
 mod shape;
 #[cfg(any(all(not(feature = "std"), feature = "libm"), test))]
 mod sine;
+pub mod skinning;
 pub mod slices;
 pub mod storage;
 mod text;

@@ -4,6 +4,7 @@ mod animation;
 mod hierarchy;
 mod pairs;
 mod points;
+mod skin;
 
 pub use crate::scene::Shape;
 pub use hierarchy::Way;
@@ -23,6 +24,7 @@ pub enum Task {
     Points(Motions, Level),
     /// So many characters.
     Animation(usize),
+    Skin,
 }
 
 impl Task {
@@ -34,6 +36,7 @@ impl Task {
             Self::Hierarchy(shape, way) => hierarchy::with_contest(shape, way, run),
             Self::Points(motions, level) => points::with_contest(motions, level, caches, run),
             Self::Animation(instances) => animation::with_contest(instances, run),
+            Self::Skin => skin::with_contest(run),
         }
     }
 }
@@ -58,6 +61,7 @@ mod tests {
         tasks.extend([Motions::One, Motions::Each].map(|by| Task::Points(by, Level::L1)));
         tasks.push(Task::Animation(64));
         tasks.extend([Way::In, Way::Out, Way::Rotations].map(|w| Task::Hierarchy(crowd(64), w)));
+        tasks.push(Task::Skin);
         tasks.extend([1, 8].map(|instances| Task::Hierarchy(crowd(instances), Way::In)));
         for shape in [
             crowd(1),

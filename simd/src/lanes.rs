@@ -293,6 +293,16 @@ mod sealed {
 /// Products of such vectors serve where there is only one thing to compute at a time: a child waits
 /// for its parent. Two rearrangements are all that they need in addition to [`Lanes`].
 pub trait PackedDualQuat: Lanes {
+    /// The lower four lanes and the upper four, in two places. What is read again in halves must be written in
+    /// halves: CPUs forward a part of a store to a load late, or not at all.
+    #[inline(always)]
+    fn store_halves(self, lower: &mut [Self::Real; 4], upper: &mut [Self::Real; 4]) {
+        let array = self.to_array();
+        for (slot, &number) in lower.iter_mut().chain(upper).zip(array.as_ref()) {
+            *slot = number;
+        }
+    }
+
     /// What the components x, y, z and w of another quaternion multiply, in both halves: with these
     /// four columns, p·b = c₀b_x + c₁b_y + c₂b_z + c₃b_w.
     ///

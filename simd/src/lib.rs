@@ -40,6 +40,7 @@ pub mod lanes;
 pub mod one;
 #[cfg(target_arch = "x86_64")]
 pub mod pair;
+pub mod picks;
 pub mod portable;
 pub mod records;
 pub mod square_root;

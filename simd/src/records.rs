@@ -118,6 +118,27 @@ pub trait Records: Lanes {
             )
         })
     }
+    /// Four components of the first records, from component `first` on. `None` if there are not as many
+    /// records as lanes, or no such components.
+    #[inline(always)]
+    fn load_four<const C: usize>(
+        level: Self::Level,
+        from: &[[Self::Real; C]],
+        first: usize,
+    ) -> Option<[Self; 4]> {
+        if from.len() < Self::LANES || first + 4 > C {
+            return None;
+        }
+        // SAFETY: there is a record for each lane, and four of its numbers begin at `first`.
+        Some(unsafe {
+            Self::load_quads(
+                level,
+                from.as_flattened().as_ptr().add(first),
+                #[inline(always)]
+                |lane| lane * C,
+            )
+        })
+    }
     /// [`store_records`](Self::store_records) to every `stride`-th record; `None` is 1.
     #[inline(always)]
     fn store_strided<const C: usize>(

@@ -163,12 +163,24 @@ impl<L: Lanes> Quat<L> {
         self.rotate_onto(v, v)
     }
 
+    /// The same for q of any norm; `two` is 2/|q|².
+    #[inline(always)]
+    pub(crate) fn rotate_scaled(self, v: [L; 3], two: L) -> [L; 3] {
+        self.twice_across(v, v, two)
+    }
+
     /// r v r* − v + onto: v + 2 r × (r × v + w v) with another first summand.
     #[inline(always)]
     pub(crate) fn rotate_onto(self, v: [L; 3], onto: [L; 3]) -> [L; 3] {
+        self.twice_across(v, onto, self.w().constant(2.0))
+    }
+
+    /// two·r × (r × v + w v) + onto
+    #[inline(always)]
+    fn twice_across(self, v: [L; 3], onto: [L; 3], two: L) -> [L; 3] {
         let r = self.xyz();
         let inner = vector::cross_onto(r, v, vector::scale(v, self.w()));
-        vector::scale_onto(vector::cross(r, inner), self.w().constant(2.0), onto)
+        vector::scale_onto(vector::cross(r, inner), two, onto)
     }
 }
 

@@ -9,10 +9,16 @@ impl<L: Lanes> DualQuat<L> {
     #[inline(always)]
     #[must_use]
     pub fn transform_point(self, point: [L; 3]) -> [L; 3] {
+        self.transform_point_scaled(point, self.real().w().constant(2.0))
+    }
+
+    /// The same for σ of any norm; `two` is 2/|p|². What q has along p moves nothing.
+    #[inline(always)]
+    pub(crate) fn transform_point_scaled(self, point: [L; 3], two: L) -> [L; 3] {
         let (r, w) = (self.real().xyz(), self.real().w());
         // Rv = v + 2 r × (r × v + w v), and t = 2(…): both in one sum.
         let inner = vector::cross_onto(r, point, vector::scale(point, w));
-        self.moved_by_half(point, vector::cross(r, inner))
+        self.moved_by_half(point, vector::cross(r, inner), two)
     }
 
     /// Rv; σ must be unit.

@@ -1,0 +1,83 @@
+//! A mesh follows its joints: linear blending, dual quaternion blending, and a mix of both.
+//!
+//! ```text
+//! skin [--svg OUT]                     an own tube, bent and twisted: one SVG, volume and length
+//! skin FILE.glb [--animation NAME] [--method lbs|dlb|mix=X] [--times T0,T1,…] [--obj DIR] [--svg OUT]
+//! ```
+//!
+//! FILE is a binary or textual glTF file with a skin. Its skinned meshes are posed in world space, at each time in
+//! seconds (by default four of the animation), in the order of nodes, primitives and vertices of the file.
+//! X is the share of `dlb`, the default method, in [0, 1].
+#![allow(clippy::print_stdout, reason = "a program")]
+
+mod accessor;
+mod args;
+mod drawing;
+mod error;
+mod file;
+mod mesh;
+mod obj;
+mod pose;
+mod sampler;
+#[cfg(test)]
+mod tests;
+mod tube;
+
+use args::Args;
+use error::Error;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    // What panics is reported as an error.
+    std::panic::set_hook(Box::new(|_| ()));
+    let result = Args::parse(std::env::args().skip(1)).and_then(|args| {
+        let file = args.file.clone().unwrap_or_default();
+        error::guarded(&file, || run(&args))
+    });
+    match result {
+        Ok(report) => {
+            print!("{report}");
+            ExitCode::SUCCESS
+        }
+        Err(error) => {
+            eprintln!("skin: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// What is to be printed.
+fn run(args: &Args) -> Result<String, Error> {
+    let Some(path) = &args.file else {
+        let (report, svg) = tube::report()?;
+        let to = args.svg.clone().unwrap_or_else(|| "skin.svg".into());
+        error::write(&to, &svg)?;
+        return Ok(format!("{report}{} written\n", to.display()));
+    };
+    let file = file::File::open(path)?;
+    let animation = file.animation(args.animation.as_deref())?;
+    let times = args.times.clone().unwrap_or_else(|| animation.times());
+    if let Some(directory) = &args.obj {
+        std::fs::create_dir_all(directory).map_err(|error| Error::at(directory, error))?;
+    }
+    let mut report = String::new();
+    let (mut panels, skinned) = (Vec::new(), file.skinned_meshes()?);
+    for (index, &time) in times.iter().enumerate() {
+        let worlds = file.worlds(&animation, time)?;
+        let mut posed = Vec::new();
+        for mesh in &skinned {
+            posed.push(mesh.pose(&worlds, args.method)?);
+        }
+        let vertices: usize = posed.iter().map(Vec::len).sum();
+        report += &format!("{time:8.3} s: {vertices} vertices, {}\n", mesh::bounds(&posed));
+        if let Some(directory) = &args.obj {
+            let to = directory.join(format!("pose-{index:03}.obj"));
+            error::write(&to, &obj::text(time, &skinned, &posed))?;
+        }
+        panels.push(drawing::Panel::of(format!("{time} s"), &skinned, &posed));
+    }
+    if let Some(to) = &args.svg {
+        error::write(to, &drawing::svg(&panels))?;
+    }
+    Ok(report)
+}

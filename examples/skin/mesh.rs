@@ -1,0 +1,158 @@
+use crate::accessor::read;
+use crate::args::Method;
+use crate::error::Error;
+use dq8::skinning::{
+    Linear, Mixed, Skin, SkinningError, Stretched, Surface, SurfaceMut, matrix_palette,
+    split_palette,
+};
+use dq8::{Affine, Backend, DualQuat, MatrixOrder};
+use gltf::Semantic;
+use gltf::accessor::Dimensions;
+use gltf::mesh::Mode;
+
+/// A primitive with its skin.
+#[derive(Debug)]
+pub(crate) struct Mesh {
+    place: String,
+    /// Nodes.
+    joints: Vec<usize>,
+    inverse_binds: Vec<[[f64; 4]; 4]>,
+    influences: usize,
+    influence_joints: Vec<u16>,
+    weights: Vec<f64>,
+    positions: Vec<[f64; 3]>,
+    pub(crate) triangles: Vec<[usize; 3]>,
+}
+
+impl Mesh {
+    pub(crate) fn read(
+        buffers: &[Vec<u8>],
+        primitive: &gltf::Primitive<'_>,
+        joints: &[usize],
+        inverse_binds: &[[f64; 16]],
+    ) -> Result<Self, Error> {
+        let get = |semantic: &Semantic| {
+            primitive.get(semantic).ok_or_else(|| Error(format!("no {semantic:?}")))
+        };
+        let positions = read(buffers, &get(&Semantic::Positions)?, Dimensions::Vec3)?;
+        let sets = (0..).take_while(|&set| primitive.get(&Semantic::Joints(set)).is_some()).count();
+        let sets = u32::try_from(sets.max(1)).unwrap_or(1);
+        let influences = 4 * sets as usize;
+        let mut influence_joints = vec![0; influences * positions.len()];
+        let mut weights = vec![0.0; influences * positions.len()];
+        for set in 0..sets {
+            let of = read::<4>(buffers, &get(&Semantic::Joints(set))?, Dimensions::Vec4)?;
+            let by = read::<4>(buffers, &get(&Semantic::Weights(set))?, Dimensions::Vec4)?;
+            for (what, length) in [("JOINTS", of.len()), ("WEIGHTS", by.len())] {
+                if length != positions.len() {
+                    let need = positions.len();
+                    return Err(Error(format!("{length} {what}_{set} for {need} vertices")));
+                }
+            }
+            for (vertex, (of, by)) in of.into_iter().zip(by).enumerate() {
+                let at = vertex * influences + 4 * set as usize;
+                influence_joints[at..at + 4].copy_from_slice(&of.map(|joint| joint as u16));
+                weights[at..at + 4].copy_from_slice(&by);
+            }
+        }
+        let indices = match primitive.indices() {
+            Some(accessor) => read::<1>(buffers, &accessor, Dimensions::Scalar)?
+                .into_iter()
+                .map(|[index]| index as usize)
+                .collect(),
+            None => (0..positions.len()).collect::<Vec<_>>(),
+        };
+        if let Some(&index) = indices.iter().find(|&&index| index >= positions.len()) {
+            return Err(Error(format!("index {index} of {} vertices", positions.len())));
+        }
+        let columns =
+            |m: &[f64; 16]| core::array::from_fn(|c| core::array::from_fn(|r| m[4 * c + r]));
+        let mesh = Self {
+            place: format!("primitive {}", primitive.index()),
+            joints: joints.to_vec(),
+            inverse_binds: inverse_binds[..joints.len()].iter().map(columns).collect(),
+            influences,
+            influence_joints,
+            weights,
+            positions,
+            triangles: triangles(primitive.mode(), &indices),
+        };
+        mesh.skin().map_err(|error| Error(error.to_string()))?;
+        Ok(mesh)
+    }
+
+    fn skin(&self) -> Result<Skin<'_, u16, f64>, SkinningError> {
+        Skin::new(self.joints.len(), self.influences, &self.influence_joints, &self.weights)
+    }
+
+    /// The vertices in the world.
+    pub(crate) fn pose(
+        &self,
+        worlds: &[Affine<f64>],
+        method: Method,
+    ) -> Result<Vec<[f64; 3]>, Error> {
+        self.try_pose(worlds, method).map_err(|error| Error(format!("{}: {error}", self.place)))
+    }
+
+    fn try_pose(
+        &self,
+        worlds: &[Affine<f64>],
+        method: Method,
+    ) -> Result<Vec<[f64; 3]>, SkinningError> {
+        let model = |&joint: &usize| {
+            let rows = worlds[joint].to_matrix3x4();
+            core::array::from_fn(|column| {
+                let last = if column == 3 { 1.0 } else { 0.0 };
+                [rows[0][column], rows[1][column], rows[2][column], last]
+            })
+        };
+        let models: Vec<[[f64; 4]; 4]> = self.joints.iter().map(model).collect();
+        let mut palette = vec![[[0.0; 4]; 3]; models.len()];
+        matrix_palette(&models, &self.inverse_binds, MatrixOrder::Columns, &mut palette)?;
+        let mut motions = vec![DualQuat::IDENTITY; models.len()];
+        let mut stretches = palette.clone();
+        split_palette(&palette, &mut motions, &mut stretches)?;
+        let mut posed = vec![[0.0; 3]; self.positions.len()];
+        let (from, to) = (Surface::positions(&self.positions), SurfaceMut::positions(&mut posed));
+        let (linear, dual) = (Linear::new(&palette), Stretched::new(&motions, &stretches));
+        let (best, skin) = (Backend::best(), self.skin()?);
+        match method {
+            Method::Linear => best.skin(&skin, linear, from, to),
+            Method::Dual => best.skin(&skin, dual, from, to),
+            Method::Mix(share) => {
+                let shares = vec![share; self.positions.len()];
+                best.skin(&skin, Mixed::new(linear, dual, &shares)?, from, to)
+            }
+        }?;
+        Ok(posed)
+    }
+}
+
+fn triangles(mode: Mode, indices: &[usize]) -> Vec<[usize; 3]> {
+    match mode {
+        Mode::Triangles => indices.as_chunks::<3>().0.to_vec(),
+        Mode::TriangleStrip => {
+            let strip = indices.windows(3).enumerate();
+            strip
+                .map(|(i, w)| if i % 2 == 0 { [w[0], w[1], w[2]] } else { [w[1], w[0], w[2]] })
+                .collect()
+        }
+        Mode::TriangleFan => match indices.split_first() {
+            Some((&hub, rim)) => rim.windows(2).map(|w| [hub, w[0], w[1]]).collect(),
+            None => Vec::new(),
+        },
+        _ => Vec::new(),
+    }
+}
+
+/// From where to where the vertices reach.
+pub(crate) fn bounds(posed: &[Vec<[f64; 3]>]) -> String {
+    let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+    for point in posed.iter().flatten() {
+        for c in 0..3 {
+            (low[c], high[c]) = (low[c].min(point[c]), high[c].max(point[c]));
+        }
+    }
+    let corner = |[x, y, z]: [f64; 3]| format!("({x:.3}, {y:.3}, {z:.3})");
+    format!("{} … {}", corner(low), corner(high))
+}

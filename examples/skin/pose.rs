@@ -1,0 +1,129 @@
+use crate::error::Error;
+use crate::sampler::{Sampler, lerp, slerp};
+use dq8::{Affine, DualQuat, Quat};
+use gltf::accessor::Dimensions;
+use gltf::animation::Property;
+
+/// What moves the nodes of a file.
+#[derive(Debug, Default)]
+pub(crate) struct Animation {
+    channels: Vec<(usize, Channel)>,
+}
+
+#[derive(Debug)]
+enum Channel {
+    Translation(Sampler<3>),
+    Rotation(Sampler<4>),
+    Scale(Sampler<3>),
+}
+
+impl Animation {
+    pub(crate) fn read(
+        buffers: &[Vec<u8>],
+        animation: &gltf::Animation<'_>,
+    ) -> Result<Self, Error> {
+        let mut channels = Vec::new();
+        for (index, channel) in animation.channels().enumerate() {
+            let (target, sampler) = (channel.target(), channel.sampler());
+            let vector = || Sampler::read(buffers, &sampler, Dimensions::Vec3);
+            let read = match target.property() {
+                Property::Translation => vector().map(Channel::Translation),
+                Property::Scale => vector().map(Channel::Scale),
+                Property::Rotation => {
+                    Sampler::read(buffers, &sampler, Dimensions::Vec4).map(Channel::Rotation)
+                }
+                // Morph targets move no joints.
+                Property::MorphTargetWeights => continue,
+            };
+            let place = |Error(what)| {
+                Error(format!("animation {}, channel {index}: {what}", animation.index()))
+            };
+            channels.push((target.node().index(), read.map_err(place)?));
+        }
+        Ok(Self { channels })
+    }
+
+    /// Four, from the beginning on.
+    pub(crate) fn times(&self) -> Vec<f64> {
+        let ends = self.channels.iter().map(|(_, channel)| match channel {
+            Channel::Translation(sampler) | Channel::Scale(sampler) => sampler.end(),
+            Channel::Rotation(sampler) => sampler.end(),
+        });
+        let end = ends.fold(0.0, f64::max);
+        if end > 0.0 { [0.0, 0.25, 0.5, 0.75].map(|t| t * end).to_vec() } else { vec![0.0] }
+    }
+
+    /// The local maps of all nodes.
+    pub(crate) fn locals(&self, nodes: &[Local], time: f64) -> Vec<Affine<f64>> {
+        let mut nodes = nodes.to_vec();
+        for (node, channel) in &self.channels {
+            let Some(node) = nodes.get_mut(*node) else { continue };
+            let (mut translation, mut rotation, mut scale) = node.parts();
+            match channel {
+                Channel::Translation(sampler) => translation = sampler.at(time, lerp),
+                Channel::Scale(sampler) => scale = sampler.at(time, lerp),
+                Channel::Rotation(sampler) => rotation = sampler.at(time, slerp),
+            }
+            *node = Local::Parts { translation, rotation, scale };
+        }
+        nodes.iter().map(Local::map).collect()
+    }
+}
+
+/// Where a node is in its parent.
+#[derive(Clone, Debug)]
+pub(crate) enum Local {
+    Matrix(Affine<f64>),
+    Parts { translation: [f64; 3], rotation: [f64; 4], scale: [f64; 3] },
+}
+
+impl Local {
+    pub(crate) fn of(node: &gltf::Node<'_>) -> Result<Self, Error> {
+        let place = |what: &str| Error(format!("node {}: {what}", node.index()));
+        let local = match node.transform() {
+            gltf::scene::Transform::Matrix { matrix } => {
+                // Columns.
+                let row = |row: usize| [0, 1, 2, 3].map(|column| f64::from(matrix[column][row]));
+                if row(3) != [0.0, 0.0, 0.0, 1.0] {
+                    return Err(place("the last row of its matrix is not 0 0 0 1"));
+                }
+                Self::Matrix(Affine::from_matrix3x4([row(0), row(1), row(2)]))
+            }
+            gltf::scene::Transform::Decomposed { translation, rotation, scale } => Self::Parts {
+                translation: translation.map(f64::from),
+                rotation: rotation.map(f64::from),
+                scale: scale.map(f64::from),
+            },
+        };
+        let finite = local.map().to_matrix3x4().as_flattened().iter().all(|c| c.is_finite());
+        if finite { Ok(local) } else { Err(place("its transform is not finite")) }
+    }
+
+    /// Translation, rotation and scale, of a matrix only what an animation does not replace anyway: files
+    /// animate no nodes that have one.
+    fn parts(&self) -> ([f64; 3], [f64; 4], [f64; 3]) {
+        match *self {
+            Self::Parts { translation, rotation, scale } => (translation, rotation, scale),
+            Self::Matrix(map) => match map.try_decompose() {
+                Ok((motion, stretch)) => (
+                    map.translation,
+                    motion.rotation().to_array(),
+                    [stretch[0][0], stretch[1][1], stretch[2][2]],
+                ),
+                Err(_) => (map.translation, Quat::IDENTITY.to_array(), [1.0; 3]),
+            },
+        }
+    }
+
+    fn map(&self) -> Affine<f64> {
+        match *self {
+            Self::Matrix(map) => map,
+            Self::Parts { translation, rotation, scale } => {
+                let turn = Quat::from_array(rotation).normalize();
+                let motion = DualQuat::from_rotation_translation(turn, translation);
+                let rigid = Affine { translation, ..Affine::from_motion(motion) };
+                rigid * Affine::scale(scale)
+            }
+        }
+    }
+}

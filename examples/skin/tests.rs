@@ -1,0 +1,176 @@
+use crate::args::Method;
+use crate::error::{Error, guarded};
+use crate::file::File;
+use crate::{obj, tube};
+use std::path::Path;
+
+/// A strip of two vertices per joint, built by hand: joint 1 lies one up from joint 0, and turns by 90° about z
+/// and doubles its width from 0 s to 1 s.
+fn glb(change: impl Fn(&str) -> String) -> Vec<u8> {
+    let mut bin: Vec<u8> = Vec::new();
+    let mut put = |numbers: &[f32]| {
+        let at = bin.len();
+        bin.extend(numbers.iter().flat_map(|number| number.to_le_bytes()));
+        (at, bin.len() - at)
+    };
+    let positions = put(&[0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 2.0, 0.0]);
+    let weights = put(&[1.0, 0.0, 0.0, 0.0, 0.5, 0.5, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]);
+    let mut bind = [0.0; 32];
+    for i in [0, 5, 10, 15, 16, 21, 26, 31] {
+        bind[i] = 1.0;
+    }
+    // Columns: joint 1 is at y = 1 at rest.
+    bind[16 + 13] = -1.0;
+    let binds = put(&bind);
+    let times = put(&[0.0, 1.0]);
+    let half = core::f32::consts::FRAC_1_SQRT_2;
+    let turns = put(&[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, half, half]);
+    // A spline: tangents and values.
+    let scales = put(&[
+        0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 2.0, 1.0, 1.0, 0.0, 0.0, 0.0,
+    ]);
+    let at = bin.len();
+    bin.extend([0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0]);
+    let joints = (at, 12);
+    let views: Vec<_> = [positions, weights, binds, times, turns, scales, joints]
+        .iter()
+        .map(|(at, length)| format!(r#"{{"buffer":0,"byteOffset":{at},"byteLength":{length}}}"#))
+        .collect();
+    let accessor = |view: usize, count: usize, kind: &str, component: u32, more: &str| {
+        format!(
+            r#"{{"bufferView":{view},"count":{count},"type":"{kind}","componentType":{component}{more}}}"#
+        )
+    };
+    let bounds = r#","min":[0,0,0],"max":[1,2,0]"#;
+    let accessors = [
+        accessor(0, 3, "VEC3", 5126, bounds),
+        accessor(1, 3, "VEC4", 5126, ""),
+        accessor(2, 2, "MAT4", 5126, ""),
+        accessor(3, 2, "SCALAR", 5126, r#","min":[0],"max":[1]"#),
+        accessor(4, 2, "VEC4", 5126, ""),
+        accessor(5, 6, "VEC3", 5126, ""),
+        accessor(6, 3, "VEC4", 5121, ""),
+    ];
+    let json = format!(
+        r#"{{"asset":{{"version":"2.0"}},"scene":0,"scenes":[{{"nodes":[0,2]}}],
+        "nodes":[{{"children":[1],"translation":[0,0,5]}},{{"translation":[0,1,0]}},{{"mesh":0,"skin":0}}],
+        "meshes":[{{"primitives":[{{"attributes":{{"POSITION":0,"JOINTS_0":6,"WEIGHTS_0":1}}}}]}}],
+        "skins":[{{"joints":[0,1],"inverseBindMatrices":2}}],
+        "animations":[{{"name":"turn","channels":[
+            {{"sampler":0,"target":{{"node":1,"path":"rotation"}}}},
+            {{"sampler":1,"target":{{"node":1,"path":"scale"}}}}],
+        "samplers":[{{"input":3,"output":4}},{{"input":3,"output":5,"interpolation":"CUBICSPLINE"}}]}}],
+        "buffers":[{{"byteLength":{}}}],"bufferViews":[{}],"accessors":[{}]}}"#,
+        bin.len(),
+        views.join(","),
+        accessors.join(",")
+    );
+    let mut json = change(&json).into_bytes();
+    json.resize(json.len().next_multiple_of(4), b' ');
+    let mut file = b"glTF".to_vec();
+    let total = 12 + 8 + json.len() + 8 + bin.len();
+    for number in [2, total as u32, json.len() as u32, 0x4e4f_534a] {
+        file.extend(number.to_le_bytes());
+    }
+    file.extend(&json);
+    for number in [bin.len() as u32, 0x004e_4942] {
+        file.extend(number.to_le_bytes());
+    }
+    file.extend(&bin);
+    file
+}
+
+fn posed(bytes: &[u8], time: f64, method: Method) -> Result<Vec<[f64; 3]>, Error> {
+    let file = File::parse(Path::new("strip.glb"), bytes)?;
+    let animation = file.animation(Some("turn"))?;
+    let worlds = file.worlds(&animation, time)?;
+    let meshes = file.skinned_meshes()?;
+    assert_eq!(meshes.len(), 1);
+    let posed = meshes[0].pose(&worlds, method)?;
+    let text = obj::text(time, &meshes, std::slice::from_ref(&posed));
+    assert_eq!(text.lines().filter(|line| line.starts_with("v ")).count(), 3);
+    assert!(text.ends_with("f 1 2 3\n"), "{text}");
+    Ok(posed)
+}
+
+fn close(a: &[[f64; 3]], b: &[[f64; 3]]) -> bool {
+    a.iter().flatten().zip(b.iter().flatten()).all(|(a, b)| (a - b).abs() < 1e-6)
+}
+
+#[test]
+fn a_strip_is_posed_as_by_hand() {
+    let bytes = glb(str::to_owned);
+    let rest = [[0.0, 0.0, 5.0], [0.0, 1.0, 5.0], [1.0, 2.0, 5.0]];
+    for method in [Method::Linear, Method::Dual, Method::Mix(0.5)] {
+        let got = posed(&bytes, 0.0, method).unwrap();
+        assert!(close(&got, &rest), "{method:?}: {got:?}");
+        // Vertex 2 belongs to joint 1: (1, 1) from it is (2, 1) scaled and (−1, 2) turned.
+        let got = posed(&bytes, 1.0, method).unwrap();
+        assert!(close(&got[..1], &rest[..1]) && close(&got[2..], &[[-1.0, 3.0, 5.0]]), "{got:?}");
+        assert_eq!(got, posed(&bytes, 7.0, method).unwrap());
+    }
+    // Half the time: 45°, and half of a spline without slope, 1.5.
+    let got = posed(&bytes, 0.5, Method::Dual).unwrap();
+    let half = core::f64::consts::FRAC_1_SQRT_2;
+    assert!(close(&got[2..], &[[0.5 * half, 1.0 + 2.5 * half, 5.0]]), "{got:?}");
+}
+
+#[test]
+fn bad_files_get_an_error_with_its_place() {
+    for (from, to, wanted) in [
+        (r#""children":[1]"#, r#""children":[0]"#, "node 0"),
+        (r#""joints":[0,1]"#, r#""joints":[0]"#, "vertex 1"),
+        (r#""bufferView":0,"count":3"#, r#""bufferView":0,"count":4"#, "accessor 0"),
+        (r#""JOINTS_0":6,"#, "", "Joints"),
+        (r#""skin":0"#, r#""skin":7"#, "skin"),
+        (r#""skin":0"#, r#""name":"s""#, "no mesh has a skin"),
+        (r#""turn""#, r#""other""#, "other"),
+        (
+            r#""interpolation":"CUBICSPLINE""#,
+            r#""interpolation":"LINEAR""#,
+            "animation 0, channel 1",
+        ),
+        (r#""input":3,"output":4"#, r#""input":0,"output":4"#, "accessor 0"),
+        (r#""byteOffset":36"#, r#""byteOffset":36000"#, "view"),
+        (r#""path":"scale""#, r#""path":"size""#, "channel 1: its path"),
+        (r#""asset""#, r#""asset"#, "line"),
+    ] {
+        let bytes = glb(|json| json.replacen(from, to, 1));
+        let error = posed(&bytes, 0.5, Method::Dual).expect_err(from).to_string();
+        assert!(error.contains(wanted), "{from}: {error}");
+    }
+    let bytes = glb(str::to_owned);
+    for length in 0..bytes.len() {
+        assert!(posed(&bytes[..length], 0.0, Method::Dual).is_err(), "{length} bytes");
+    }
+    // Any byte may be another: an error or a pose, never a panic.
+    for at in 0..bytes.len() {
+        for flip in [0x01, 0x80, 0xff] {
+            let mut bytes = bytes.clone();
+            bytes[at] ^= flip;
+            let path = Path::new("strip.glb");
+            // An error for a panic of the crate gltf, but none of a panic in here.
+            let file = guarded(path, || File::parse(path, &bytes));
+            let Ok(file) = file else { continue };
+            let Ok(animation) = file.animation(None) else { continue };
+            let Ok(worlds) = file.worlds(&animation, 0.3) else { continue };
+            for mesh in file.skinned_meshes().unwrap_or_default() {
+                let _ = mesh.pose(&worlds, Method::Mix(0.5));
+            }
+        }
+    }
+}
+
+#[test]
+fn the_tube_collapses_bulges_and_keeps() {
+    let (linear, _) = tube::measured(tube::twist(), 0.0).unwrap();
+    let (dual, length) = tube::measured(tube::twist(), 1.0).unwrap();
+    assert!(linear < 0.75 && (dual - 1.0).abs() < 0.02, "{linear} {dual}");
+    assert!((length - 1.0).abs() < 1e-9);
+    let (bent_linear, _) = tube::measured(tube::bend(), 0.0).unwrap();
+    let (bent_dual, _) = tube::measured(tube::bend(), 1.0).unwrap();
+    let (mix, _) = tube::measured(tube::bend(), 0.5).unwrap();
+    assert!(bent_linear < mix && mix < bent_dual, "{bent_linear} {mix} {bent_dual}");
+    let (_, svg) = tube::report().unwrap();
+    assert!(svg.matches("<text").count() == 6 && svg.ends_with("</svg>\n"));
+}

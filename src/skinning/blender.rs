@@ -1,0 +1,50 @@
+use super::influences::Influences;
+use crate::real::Scalar;
+use crate::shape::ShapeError;
+use dq8_simd::Lanes;
+use dq8_simd::picks::Index;
+
+/// A way to blend the motions of joints, on lanes that are vertices: a sum over groups of influences, and
+/// what the sum does to a surface.
+pub trait Blender<R: Scalar>: Copy {
+    /// What is summed.
+    type Sum<L: Lanes<Real = R>>;
+    /// What the sum does.
+    type Map<L: Lanes<Real = R>>: SurfaceMap<L>;
+
+    /// Whether it has a palette of motions.
+    const MOTIONS: bool;
+    /// Whether it has a palette of matrices.
+    const MATRICES: bool;
+
+    /// Whether palettes have `joints` entries, and what is per vertex fits `vertices`.
+    ///
+    /// # Errors
+    /// If not.
+    fn check(&self, joints: usize, vertices: usize) -> Result<(), ShapeError>;
+    /// The sum of a group of influences. `None` where an index is out of range, which has been checked.
+    fn sum<L: Lanes<Real = R>, J: Index>(
+        &self,
+        level: L::Level,
+        influences: &mut Influences<'_, R, J>,
+    ) -> Option<Self::Sum<L>>;
+    /// The sum of two groups.
+    fn join<L: Lanes<Real = R>>(&self, a: Self::Sum<L>, b: Self::Sum<L>) -> Self::Sum<L>;
+    /// The map of the vertices from `first` on.
+    fn map<L: Lanes<Real = R>>(
+        &self,
+        level: L::Level,
+        sum: Self::Sum<L>,
+        first: usize,
+    ) -> Self::Map<L>;
+}
+
+/// What a blend does to a surface.
+pub trait SurfaceMap<L>: Copy {
+    /// A point of it.
+    fn point(&self, point: [L; 3]) -> [L; 3];
+    /// A normal, of length 1 again.
+    fn normal(&self, normal: [L; 3]) -> [L; 3];
+    /// A tangent, of length 1 again.
+    fn tangent(&self, tangent: [L; 3]) -> [L; 3];
+}

@@ -1,0 +1,105 @@
+use super::SkinningError;
+use super::blender::{Blender, SurfaceMap};
+use super::influences::Influences;
+use super::linear_map::unit;
+use crate::real::Scalar;
+use crate::shape::{ShapeError, same_length};
+use dq8_simd::Lanes;
+use dq8_simd::picks::Index;
+
+/// Two blends mixed by a number per vertex: v ↦ (1 − s) A(v) + s B(v). With [`Linear`](super::Linear) and
+/// [`Dual`](super::Dual) that is the usual weighted blend of the two, against the bulge of the second at bent
+/// joints. Normals and tangents are mixed in the same way and normalized.
+#[derive(Clone, Copy, Debug)]
+pub struct Mixed<'a, A, B, R> {
+    a: A,
+    b: B,
+    shares: &'a [R],
+}
+
+impl<'a, A, B, R: Scalar> Mixed<'a, A, B, R> {
+    /// The share of `b` for each vertex, from 0 to 1.
+    ///
+    /// # Errors
+    /// If a share is not.
+    pub fn new(a: A, b: B, shares: &'a [R]) -> Result<Self, SkinningError> {
+        let outside = |&share: &R| !(R::ZERO <= share && share <= R::ONE);
+        match shares.iter().position(outside) {
+            Some(vertex) => Err(SkinningError::Share { vertex, value: shares[vertex].into() }),
+            None => Ok(Self { a, b, shares }),
+        }
+    }
+}
+
+/// Between two maps.
+#[derive(Clone, Copy, Debug)]
+pub struct MixedMap<A, B, L> {
+    a: A,
+    b: B,
+    share: L,
+}
+
+impl<A, B, L: Lanes> MixedMap<A, B, L> {
+    #[inline(always)]
+    fn mix(&self, a: [L; 3], b: [L; 3]) -> [L; 3] {
+        let mut mixed = a;
+        let mut component = 0;
+        while component < 3 {
+            let rest = self.share.neg_mul_add(a[component], a[component]);
+            mixed[component] = self.share.mul_add(b[component], rest);
+            component += 1;
+        }
+        mixed
+    }
+}
+
+impl<A: SurfaceMap<L>, B: SurfaceMap<L>, L: Lanes> SurfaceMap<L> for MixedMap<A, B, L> {
+    #[inline(always)]
+    fn point(&self, point: [L; 3]) -> [L; 3] {
+        self.mix(self.a.point(point), self.b.point(point))
+    }
+    #[inline(always)]
+    fn normal(&self, normal: [L; 3]) -> [L; 3] {
+        unit(self.mix(self.a.normal(normal), self.b.normal(normal)))
+    }
+    #[inline(always)]
+    fn tangent(&self, tangent: [L; 3]) -> [L; 3] {
+        unit(self.mix(self.a.tangent(tangent), self.b.tangent(tangent)))
+    }
+}
+
+impl<R: Scalar, A: Blender<R>, B: Blender<R>> Blender<R> for Mixed<'_, A, B, R> {
+    type Sum<L: Lanes<Real = R>> = (A::Sum<L>, B::Sum<L>);
+    type Map<L: Lanes<Real = R>> = MixedMap<A::Map<L>, B::Map<L>, L>;
+    const MOTIONS: bool = A::MOTIONS || B::MOTIONS;
+    const MATRICES: bool = A::MATRICES || B::MATRICES;
+
+    fn check(&self, joints: usize, vertices: usize) -> Result<(), ShapeError> {
+        self.a.check(joints, vertices)?;
+        self.b.check(joints, vertices)?;
+        same_length("shares", self.shares.len(), vertices)
+    }
+    #[inline(always)]
+    fn sum<L: Lanes<Real = R>, J: Index>(
+        &self,
+        level: L::Level,
+        influences: &mut Influences<'_, R, J>,
+    ) -> Option<Self::Sum<L>> {
+        Some((self.a.sum(level, influences)?, self.b.sum(level, influences)?))
+    }
+    #[inline(always)]
+    fn join<L: Lanes<Real = R>>(&self, x: Self::Sum<L>, y: Self::Sum<L>) -> Self::Sum<L> {
+        (self.a.join(x.0, y.0), self.b.join(x.1, y.1))
+    }
+    #[inline(always)]
+    fn map<L: Lanes<Real = R>>(
+        &self,
+        level: L::Level,
+        (a, b): Self::Sum<L>,
+        first: usize,
+    ) -> Self::Map<L> {
+        let shares = self.shares.get(first..).unwrap_or_default();
+        let share = L::load_partial(level, shares, R::ZERO);
+        MixedMap { a: self.a.map(level, a, first), b: self.b.map(level, b, first), share }
+    }
+}

@@ -1,0 +1,61 @@
+//! Skinning: a mesh follows the joints of a skeleton.
+//!
+//! A [`Skin`] says which joints move a vertex and how much, checked once. [`Backend::skin`] poses a mesh with it, in
+//! plain slices or blocks of `f32` or `f64`, positions, normals and tangents, by one of these blends:
+//!
+//! | blend | palette | what it does |
+//! |---|---|---|
+//! | [`Linear`] | 3×4 matrices | Σ wᵢMᵢv: for any matrix; collapses where joints twist |
+//! | [`Dual`] | motions | Σ ±wᵢσᵢ, normalized: keeps volume; bulges where joints bend |
+//! | [`Stretched`] | stretches and motions | the same for joints that scale and shear: UsdSkel's `dualQuaternion` |
+//! | [`Mixed`] | those of two | a mix by a number per vertex |
+//!
+//! Palettes of motions or 3×4 matrices come from [`Job::locals_to_palette`](crate::Job::locals_to_palette) as
+//! well; [`matrix_palette`] makes one of the matrices of an engine or a file, and [`split_palette`] takes it
+//! apart into motions and stretches. [`linear_blend`] and [`dual_blend`] are the reference, for one vertex.
+//!
+//! Nothing allocates, and nothing panics: [`SkinningError`] says what is wrong, before anything is written.
+//!
+//! ```
+//! use dq8::skinning::{Dual, Skin, Surface, SurfaceMut};
+//! use dq8::{Backend, DualQuat, Quat};
+//! // Halfway between a joint at rest and one that is twisted by a third of a turn.
+//! let skin = Skin::new(2, 2, &[0_u16, 1], &[0.5_f32, 0.5])?;
+//! let twist = Quat::from_axis_angle([0.0_f32, 0.0, 1.0], 120_f32.to_radians());
+//! let palette = [DualQuat::IDENTITY, DualQuat::from_rotation(twist)];
+//! let mut posed = [[0.0; 3]];
+//! let rest = Surface::positions(&[[1.0, 0.0, 0.0]]);
+//! Backend::best().skin(&skin, Dual::new(&palette), rest, SurfaceMut::positions(&mut posed))?;
+//! assert!((posed[0][0] - 0.5).abs() < 1e-6 && (posed[0][1] - 0.75_f32.sqrt()).abs() < 1e-6);
+//! # Ok::<(), dq8::skinning::SkinningError>(())
+//! ```
+//!
+//! [`Backend::skin`]: crate::Backend::skin
+
+mod blender;
+mod dual;
+mod error;
+mod influences;
+mod linear;
+mod linear_map;
+mod mixed;
+mod palette;
+#[cfg(feature = "rayon")]
+mod parallel;
+mod run;
+mod skin;
+mod stretched;
+mod surface;
+mod vertex;
+mod weight;
+
+pub use dual::Dual;
+pub use error::SkinningError;
+pub use linear::Linear;
+pub use mixed::Mixed;
+pub use palette::{Split, matrix_palette, split_palette};
+pub use skin::Skin;
+pub use stretched::Stretched;
+pub use surface::{Surface, SurfaceMut};
+pub use vertex::{dual_blend, linear_blend};
+pub use weight::Weight;

@@ -1,0 +1,152 @@
+use super::SkinningError;
+use crate::palette_entry::MatrixOrder;
+use crate::real::Real;
+use crate::representation::Affine;
+use crate::scalar::DualQuat;
+use crate::shape::same_length;
+
+/// What [`split_palette`] found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Split {
+    /// The largest difference of an element of a stretch from the identity: nothing but rounding if all
+    /// joints are rigid, and [`Dual`](super::Dual) is enough.
+    pub stretch: f64,
+    /// The joint that has it.
+    pub joint: usize,
+    /// How many joints mirror.
+    pub mirroring: usize,
+    /// How many joints squeeze space into a line or a point, or have no stretch that is finite. They have no
+    /// rotation; all of the matrix but the translation is in the stretch.
+    pub squeezing: usize,
+}
+
+impl Split {
+    /// Whether no stretch differs from the identity by more than `tolerance`.
+    #[must_use]
+    pub fn is_rigid(&self, tolerance: f64) -> bool {
+        self.stretch <= tolerance && self.mirroring == 0 && self.squeezing == 0
+    }
+}
+
+/// model(j) · inverse bind(j) of affine 4×4 matrices, as the rows of 3×4 matrices: a palette for
+/// [`Linear`](super::Linear). `order` is that of the matrices given.
+///
+/// # Errors
+/// If the slices differ in length, an element is not finite, or a last row is not 0 0 0 1. `palette` is then
+/// untouched.
+///
+/// ```
+/// use dq8::MatrixOrder;
+/// use dq8::skinning::matrix_palette;
+/// // Columns, as in glTF: the translation comes last.
+/// let model = [[1.0_f32, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [5.0, 0.0, 0.0, 1.0]];
+/// let mut palette = [[[0.0; 4]; 3]];
+/// matrix_palette(&[model], &[model], MatrixOrder::Columns, &mut palette)?;
+/// assert_eq!(palette[0][0], [1.0, 0.0, 0.0, 10.0]);
+/// # Ok::<(), dq8::skinning::SkinningError>(())
+/// ```
+pub fn matrix_palette<R: Real>(
+    models: &[[[R; 4]; 4]],
+    inverse_binds: &[[[R; 4]; 4]],
+    order: MatrixOrder,
+    palette: &mut [[[R; 4]; 3]],
+) -> Result<(), SkinningError> {
+    same_length("inverse_binds", inverse_binds.len(), models.len())?;
+    same_length("palette", palette.len(), models.len())?;
+    let product = |joint: usize| -> Result<Affine<R>, SkinningError> {
+        Ok(affine(models[joint], order, joint)? * affine(inverse_binds[joint], order, joint)?)
+    };
+    for joint in 0..models.len() {
+        product(joint)?;
+    }
+    for (joint, entry) in palette.iter_mut().enumerate() {
+        *entry = product(joint)?.to_matrix3x4();
+    }
+    Ok(())
+}
+
+/// The affine map of a 4×4 matrix.
+fn affine<R: Real>(
+    matrix: [[R; 4]; 4],
+    order: MatrixOrder,
+    joint: usize,
+) -> Result<Affine<R>, SkinningError> {
+    let rows = match order {
+        MatrixOrder::Rows => matrix,
+        MatrixOrder::Columns => core::array::from_fn(|i| core::array::from_fn(|j| matrix[j][i])),
+    };
+    if let Some(value) = rows.into_iter().flatten().find(|value| !value.is_finite()) {
+        return Err(SkinningError::NotFinite { joint, value: value.into() });
+    }
+    let [x, y, z, last] = rows;
+    let identity = [R::ZERO, R::ZERO, R::ZERO, R::ONE];
+    if let Some(column) = (0..4).find(|&column| last[column] != identity[column]) {
+        return Err(SkinningError::NotAffine { joint, column, value: last[column].into() });
+    }
+    Ok(Affine::from_matrix3x4([x, y, z]))
+}
+
+/// Takes each joint's matrix apart into a stretch and, after it, a motion (polar decomposition; see
+/// [`Affine::try_decompose`]): a palette for [`Stretched`](super::Stretched), or, where all are rigid, for
+/// [`Dual`](super::Dual).
+///
+/// # Errors
+/// If the slices differ in length or an element is not finite; `motions` and `stretches` are then untouched.
+///
+/// ```
+/// use dq8::skinning::split_palette;
+/// let mut motions = [dq8::DualQuat::IDENTITY];
+/// let mut stretches = [[[0.0_f64; 4]; 3]];
+/// let wide = [[0.0, -3.0, 0.0, 5.0], [2.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
+/// let split = split_palette(&[wide], &mut motions, &mut stretches)?;
+/// assert!((split.stretch - 2.0).abs() < 1e-14);
+/// assert!((stretches[0][0][0] - 2.0).abs() < 1e-14);
+/// assert!((motions[0].translation()[0] - 5.0).abs() < 1e-14);
+/// # Ok::<(), dq8::skinning::SkinningError>(())
+/// ```
+pub fn split_palette<R: Real>(
+    matrices: &[[[R; 4]; 3]],
+    motions: &mut [DualQuat<R>],
+    stretches: &mut [[[R; 4]; 3]],
+) -> Result<Split, SkinningError> {
+    same_length("motions", motions.len(), matrices.len())?;
+    same_length("stretches", stretches.len(), matrices.len())?;
+    for (joint, matrix) in matrices.iter().enumerate() {
+        if let Some(&value) = matrix.as_flattened().iter().find(|value| !value.is_finite()) {
+            return Err(SkinningError::NotFinite { joint, value: value.into() });
+        }
+    }
+    let mut split = Split { stretch: 0.0, joint: 0, mirroring: 0, squeezing: 0 };
+    let entries = motions.iter_mut().zip(stretches.iter_mut());
+    for ((joint, matrix), (motion, stretch)) in matrices.iter().enumerate().zip(entries) {
+        let map = Affine::from_matrix3x4(*matrix);
+        let linear = match map.try_decompose() {
+            Ok((rigid, linear)) => {
+                *motion = rigid;
+                split.mirroring += usize::from(determinant(linear) < R::ZERO);
+                linear
+            }
+            Err(_) => {
+                split.squeezing += 1;
+                *motion = DualQuat::from_translation(map.translation);
+                map.linear
+            }
+        };
+        for (row, numbers) in linear.into_iter().enumerate() {
+            for (column, number) in numbers.into_iter().enumerate() {
+                let identity = if row == column { R::ONE } else { R::ZERO };
+                let off = (number - identity).abs().into();
+                if off > split.stretch {
+                    (split.stretch, split.joint) = (off, joint);
+                }
+            }
+        }
+        let [x, y, z] = linear;
+        *stretch = [x, y, z].map(|[a, b, c]| [a, b, c, R::ZERO]);
+    }
+    Ok(split)
+}
+
+fn determinant<R: Real>([[a, b, c], [d, e, f], [g, h, i]]: [[R; 3]; 3]) -> R {
+    a * (e * i - f * h) + b * (f * g - d * i) + c * (d * h - e * g)
+}

@@ -1,0 +1,44 @@
+//! Skinning over all cores (feature `rayon`).
+
+use super::SkinningError;
+use super::blender::Blender;
+use super::run::{Run, check};
+use super::skin::Skin;
+use super::surface::{Surface, SurfaceMut};
+use super::weight::Weight;
+use crate::dispatch::Backend;
+use crate::storage::{Element, Layout, Number};
+use alloc::vec::Vec;
+use dq8_simd::picks::Index;
+use rayon::prelude::*;
+
+/// How many vertices a task has: some microseconds of work.
+const GRAIN: usize = 4096;
+
+impl Backend {
+    /// [`skin`](Self::skin) on all threads of rayon's current pool. Every bit of the result is the same.
+    ///
+    /// # Errors
+    /// If the slices, the palette and the skin do not fit each other; `posed` is untouched.
+    pub fn par_skin<J, W, B, P>(
+        self,
+        skin: &Skin<'_, J, W>,
+        blend: B,
+        rest: Surface<'_, P>,
+        posed: SurfaceMut<'_, P>,
+    ) -> Result<(), SkinningError>
+    where
+        J: Index,
+        W: Weight,
+        B: Blender<Number<P, 3>> + Send + Sync,
+        P: Element<3> + Send + Sync,
+    {
+        check(skin, &blend, &rest, &posed)?;
+        let size = GRAIN / P::Layout::THINGS;
+        let tasks: Vec<_> = rest.chunks(size).zip(posed.chunks(size)).enumerate().collect();
+        tasks.into_par_iter().for_each(|(task, (rest, posed))| {
+            self.run(Run { skin, blend, first: task * GRAIN, rest, posed });
+        });
+        Ok(())
+    }
+}

@@ -1,0 +1,81 @@
+use super::blender::{Blender, SurfaceMap};
+use super::dual::{Dual, DualSum, ScaledMotion};
+use super::influences::Influences;
+use super::linear::Linear;
+use super::linear_map::LinearMap;
+use crate::real::Scalar;
+use crate::scalar::DualQuat;
+use crate::shape::{ShapeError, same_length};
+use dq8_simd::Lanes;
+use dq8_simd::picks::Index;
+
+/// Dual quaternion skinning of joints that scale and shear: v ↦ σ applied to Sv, S = Σ wᵢSᵢ, σ as of
+/// [`Dual`]. What a joint's matrix has beyond a motion comes first, blended linearly (UsdSkel's
+/// `dualQuaternion`); [`split_palette`](super::split_palette) takes matrices apart.
+///
+/// Normals become σ applied to cof(S)n, normalized; tangents σ applied to St, normalized.
+#[derive(Clone, Copy, Debug)]
+pub struct Stretched<'a, R> {
+    stretch: Linear<'a, R>,
+    rigid: Dual<'a, R>,
+}
+
+impl<'a, R: Scalar> Stretched<'a, R> {
+    /// Each joint's motion, unit, and before it its stretch: the rows of a 3×4 matrix without translation.
+    #[must_use]
+    pub fn new(motions: &'a [DualQuat<R>], stretches: &'a [[[R; 4]; 3]]) -> Self {
+        Self { stretch: Linear::new(stretches), rigid: Dual::new(motions) }
+    }
+}
+
+/// First a stretch, then a motion.
+#[derive(Clone, Copy, Debug)]
+pub struct StretchedMap<L>(LinearMap<L>, ScaledMotion<L>);
+
+impl<L: Lanes> SurfaceMap<L> for StretchedMap<L> {
+    #[inline(always)]
+    fn point(&self, point: [L; 3]) -> [L; 3] {
+        self.1.point(self.0.point(point))
+    }
+    #[inline(always)]
+    fn normal(&self, normal: [L; 3]) -> [L; 3] {
+        self.1.normal(self.0.normal(normal))
+    }
+    #[inline(always)]
+    fn tangent(&self, tangent: [L; 3]) -> [L; 3] {
+        self.1.tangent(self.0.tangent(tangent))
+    }
+}
+
+impl<R: Scalar> Blender<R> for Stretched<'_, R> {
+    type Sum<L: Lanes<Real = R>> = ([[L; 4]; 3], DualSum<L>);
+    type Map<L: Lanes<Real = R>> = StretchedMap<L>;
+    const MOTIONS: bool = true;
+    const MATRICES: bool = true;
+
+    fn check(&self, joints: usize, _: usize) -> Result<(), ShapeError> {
+        same_length("motions", self.rigid.joints(), joints)?;
+        same_length("stretches", self.stretch.joints(), joints)
+    }
+    #[inline(always)]
+    fn sum<L: Lanes<Real = R>, J: Index>(
+        &self,
+        level: L::Level,
+        influences: &mut Influences<'_, R, J>,
+    ) -> Option<Self::Sum<L>> {
+        Some((self.stretch.sum(level, influences)?, self.rigid.sum(level, influences)?))
+    }
+    #[inline(always)]
+    fn join<L: Lanes<Real = R>>(&self, a: Self::Sum<L>, b: Self::Sum<L>) -> Self::Sum<L> {
+        (self.stretch.join(a.0, b.0), self.rigid.join(a.1, b.1))
+    }
+    #[inline(always)]
+    fn map<L: Lanes<Real = R>>(
+        &self,
+        level: L::Level,
+        (stretch, rigid): Self::Sum<L>,
+        first: usize,
+    ) -> StretchedMap<L> {
+        StretchedMap(self.stretch.map(level, stretch, first), self.rigid.map(level, rigid, first))
+    }
+}

@@ -1,0 +1,44 @@
+use crate::real::Real;
+use core::fmt::Debug;
+
+/// How a weight lies in memory: `f32` and `f64` as they are, `u8` and `u16` normalized, so that the largest
+/// number is 1 exactly (glTF 2.0, §3.11; Vulkan's `UNORM`).
+///
+/// ```
+/// use dq8::skinning::Weight;
+/// assert_eq!([0_u8, 51, 255].map(|weight| weight.value::<f32>()), [0.0, 0.2, 1.0]);
+/// ```
+pub trait Weight: Copy + Debug + Send + Sync + 'static {
+    /// The weight as a number.
+    #[must_use]
+    fn value<R: Real>(self) -> R;
+}
+
+impl Weight for f32 {
+    #[inline(always)]
+    fn value<R: Real>(self) -> R {
+        R::from(self)
+    }
+}
+
+impl Weight for f64 {
+    #[inline(always)]
+    fn value<R: Real>(self) -> R {
+        R::from_f64(self)
+    }
+}
+
+// Divided, not multiplied by a reciprocal: 255 · (1/255) need not be 1.
+impl Weight for u8 {
+    #[inline(always)]
+    fn value<R: Real>(self) -> R {
+        R::from(f32::from(self)) / R::from(255.0)
+    }
+}
+
+impl Weight for u16 {
+    #[inline(always)]
+    fn value<R: Real>(self) -> R {
+        R::from(f32::from(self)) / R::from(65535.0)
+    }
+}

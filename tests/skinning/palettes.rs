@@ -1,0 +1,67 @@
+//! Palettes of matrices, and what they are taken apart into.
+
+use super::scene::motion;
+use dq8::skinning::{SkinningError, matrix_palette, split_palette};
+use dq8::{Affine, DualQuat, MatrixOrder};
+use dq8_contract::random::Random;
+
+#[test]
+fn rows_and_columns_make_the_same_palette() {
+    let mut random = Random(4);
+    let motions: [DualQuat<f64>; 6] = core::array::from_fn(|_| motion(&mut random));
+    let rows = motions.map(|motion| motion.to_matrix4());
+    let columns = rows.map(|m| core::array::from_fn(|i| core::array::from_fn(|j| m[j][i])));
+    let mut palettes = [[[[0.0; 4]; 3]; 3]; 2];
+    let [a, b] = &mut palettes;
+    matrix_palette(&rows[..3], &rows[3..], MatrixOrder::Rows, a).unwrap();
+    matrix_palette(&columns[..3], &columns[3..], MatrixOrder::Columns, b).unwrap();
+    assert_eq!(palettes[0], palettes[1]);
+    for joint in 0..3 {
+        let wanted = (motions[joint] * motions[joint + 3]).to_matrix3x4();
+        for (a, b) in palettes[0][joint].as_flattened().iter().zip(wanted.as_flattened()) {
+            assert!((a - b).abs() < 1e-14);
+        }
+    }
+    let mut palette = [[[9.0; 4]; 3]; 3];
+    let error = matrix_palette(&columns[..3], &rows[3..], MatrixOrder::Rows, &mut palette);
+    assert!(matches!(error, Err(SkinningError::NotAffine { joint: 0, .. })), "{error:?}");
+    let mut broken = rows;
+    broken[2][1][3] = f64::INFINITY;
+    let error = matrix_palette(&broken[..3], &rows[3..], MatrixOrder::Rows, &mut palette);
+    assert_eq!(error, Err(SkinningError::NotFinite { joint: 2, value: f64::INFINITY }));
+    assert_eq!(palette, [[[9.0; 4]; 3]; 3]);
+}
+
+#[test]
+fn what_is_taken_apart_is_the_matrix_together_again() {
+    let mut random = Random(6);
+    let rigid = Affine::from_motion(motion::<f64>(&mut random));
+    let maps = [
+        rigid,
+        rigid * Affine::uniform_scale(2.0),
+        rigid * Affine::scale([1.0, 3.0, 0.5]),
+        rigid * Affine::shear([0.5, 0.0, 0.0], [0.0, 1.0, 0.0]),
+        rigid * Affine::scale([1.0, -1.0, 1.0]),
+        rigid * Affine::scale([0.0, 0.0, 2.0]),
+        rigid * Affine::scale([0.0; 3]),
+    ];
+    let matrices = maps.map(Affine::to_matrix3x4);
+    let mut motions = [DualQuat::IDENTITY; 7];
+    let mut stretches = [[[9.0; 4]; 3]; 7];
+    let split = split_palette(&matrices, &mut motions, &mut stretches).unwrap();
+    assert_eq!((split.mirroring, split.squeezing), (1, 2));
+    for joint in 0..7 {
+        assert!(motions[joint].is_normalized(), "{joint}");
+        let together =
+            Affine::from_motion(motions[joint]) * Affine::from_matrix3x4(stretches[joint]);
+        for (a, b) in
+            together.to_matrix3x4().as_flattened().iter().zip(matrices[joint].as_flattened())
+        {
+            assert!((a - b).abs() < 1e-14, "{joint}");
+        }
+    }
+    let split = split_palette(&matrices[..1], &mut motions[..1], &mut stretches[..1]).unwrap();
+    assert!(split.is_rigid(1e-14), "{split:?}");
+    let split = split_palette(&matrices[..2], &mut motions[..2], &mut stretches[..2]).unwrap();
+    assert!(split.joint == 1 && (split.stretch - 1.0).abs() < 1e-14, "{split:?}");
+}
