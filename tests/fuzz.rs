@@ -236,7 +236,7 @@ fn hierarchies(fuzz: &mut Fuzz) {
         skeleton.job().root(root).locals_to_model(RotationsTranslations(&seven), third).is_ok(),
     ];
     fuzz.called(4);
-    let whole = if joints == 0 { count == 0 } else { count % joints == 0 };
+    let whole = count.is_multiple_of(joints);
     assert_eq!(
         fits,
         [whole && length == count; 3],
@@ -294,7 +294,7 @@ fn slices(fuzz: &mut Fuzz) {
     let blocks = (count / joints).div_ceil(8) * joints;
     let mut packed = vec![Block::<f32, 8>::splat([3.0; 8]); blocks];
     let mut back = vec![DualQuat::ZERO; count];
-    let fits = count % joints == 0;
+    let fits = count.is_multiple_of(joints);
     assert_eq!(storage::pack(joints, a, &mut packed).is_ok(), fits);
     assert_eq!(storage::unpack(joints, &packed, &mut back).is_ok(), fits);
     let bits = |motion: &DualQuat<f32>| motion.to_array().map(f32::to_bits);
