@@ -84,6 +84,8 @@ pub mod hierarchy;
 pub mod ik;
 mod incidence;
 pub mod interop;
+pub mod law;
+pub mod mechanism;
 mod motion;
 mod operators;
 mod palette_entry;
@@ -116,6 +118,7 @@ pub use hierarchy::{Crowd, HierarchyPlan, Skeleton, Strategy};
 #[doc(inline)]
 pub use hierarchy::{Hierarchy, Job, Poses, Renormalize, Rotations, RotationsTranslations};
 pub use incidence::CommonPerpendicular;
+pub use law::{Nlerp, Sclerp, Separate};
 pub use motion::Motion;
 pub use palette_entry::{MatrixOrder, PaletteEntry};
 pub use real::{Real, Scalar};

@@ -43,6 +43,15 @@ pub enum ShapeError {
         /// How many joints there are.
         joints: usize,
     },
+    /// A frame that a clip does not have, or that no frame follows.
+    NoFrame {
+        /// The instance that is to be there.
+        instance: usize,
+        /// The frame asked for.
+        frame: usize,
+        /// How many frames there are.
+        frames: usize,
+    },
 }
 
 impl fmt::Display for ShapeError {
@@ -63,6 +72,10 @@ impl fmt::Display for ShapeError {
             Self::NoPose { instance, joint, instances, joints } => write!(
                 f,
                 "no joint {joint} of instance {instance} among {instances} instances of {joints} joints"
+            ),
+            Self::NoFrame { instance, frame, frames } => write!(
+                f,
+                "instance {instance} lies after frame {frame}, and none follows it among {frames} frames"
             ),
         }
     }

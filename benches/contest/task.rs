@@ -1,5 +1,6 @@
 //! [`Task`]: what is to be measured.
 
+mod animation;
 mod hierarchy;
 mod pairs;
 mod points;
@@ -20,6 +21,8 @@ pub enum Task {
     Pairs(Operation, Level),
     Hierarchy(Shape, Way),
     Points(Motions, Level),
+    /// So many characters.
+    Animation(usize),
 }
 
 impl Task {
@@ -30,6 +33,7 @@ impl Task {
             Self::Pairs(operation, level) => pairs::with_contest(operation, level, caches, run),
             Self::Hierarchy(shape, way) => hierarchy::with_contest(shape, way, run),
             Self::Points(motions, level) => points::with_contest(motions, level, caches, run),
+            Self::Animation(instances) => animation::with_contest(instances, run),
         }
     }
 }
@@ -52,6 +56,7 @@ mod tests {
         let mut tasks: Vec<_> =
             Operation::ALL.map(|operation| Task::Pairs(operation, Level::L1)).into();
         tasks.extend([Motions::One, Motions::Each].map(|by| Task::Points(by, Level::L1)));
+        tasks.push(Task::Animation(64));
         tasks.extend([Way::In, Way::Out, Way::Rotations].map(|w| Task::Hierarchy(crowd(64), w)));
         tasks.extend([1, 8].map(|instances| Task::Hierarchy(crowd(instances), Way::In)));
         for shape in [

@@ -13,6 +13,7 @@
 //! | J3 | the same for one skeleton, one biped, one chain |
 //! | J4 | points by one motion, or each by its own |
 //! | J5 | normalizing, linear blending, screw interpolation |
+//! | J6 | a frame of a crowd: two clips sampled, blended, to model space, 3×4 matrices |
 //!
 //! The package `dq8-contest` has the jobs, their data and the contenders; `plan` says which, a `race`
 //! checks every contender against `f64` and times them in interleaved rounds. `table`, `json` and

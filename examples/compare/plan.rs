@@ -21,6 +21,7 @@ pub(crate) fn plan(quick: bool) -> Vec<Task> {
     for motions in [Motions::One, Motions::Each] {
         tasks.extend(levels.iter().map(|&level| Task::Points(motions, level)));
     }
+    tasks.extend(instances.iter().map(|&instances| Task::Animation(instances)));
     for operation in [Operation::Normalize, Operation::Nlerp, Operation::Sclerp] {
         tasks.push(Task::Pairs(operation, Level::L1));
     }
@@ -42,7 +43,7 @@ mod tests {
         let contests = tasks.iter().filter(|task| !matches!(task, Task::Bandwidth));
         let jobs: BTreeSet<_> =
             contests.map(|task| task.with_contest(&caches, |contest| contest.job)).collect();
-        assert_eq!(jobs, BTreeSet::from(["J1", "J2", "J3", "J4", "J5"]));
+        assert_eq!(jobs, BTreeSet::from(["J1", "J2", "J3", "J4", "J5", "J6"]));
         assert!(plan(false).len() > tasks.len());
     }
 }

@@ -92,17 +92,22 @@ pub trait Lanes:
         array
     }
 
-    /// Transposes on the way in: lane `i` of four vectors is the four numbers at `from + i · stride`.
+    /// Transposes on the way in: lane `i` of four vectors is the four numbers at `from + place(i)`.
+    /// `place` must be `#[inline(always)]`.
     ///
     /// # Safety
     /// All those numbers may be read.
     #[inline(always)]
-    unsafe fn load_quads(level: Self::Level, from: *const Self::Real, stride: usize) -> [Self; 4] {
+    unsafe fn load_quads(
+        level: Self::Level,
+        from: *const Self::Real,
+        place: impl Fn(usize) -> usize,
+    ) -> [Self; 4] {
         let mut rows = [Self::Array::zeroed(); 4];
         for lane in 0..Self::LANES {
             for (c, row) in rows.iter_mut().enumerate() {
                 // SAFETY: promised.
-                row.as_mut()[lane] = unsafe { *from.add(lane * stride + c) };
+                row.as_mut()[lane] = unsafe { *from.add(place(lane) + c) };
             }
         }
         let [x, y, z, w] = &rows;

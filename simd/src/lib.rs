@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`lanes`] | [`Lanes`] and [`Mask`], what a kernel may ask of a vector of numbers; [`Float`], the number in a lane; [`Level`], the proof that the CPU can compute with it |
 //! | [`records`] | [`Records`]: transposes between vectors and records of numbers |
+//! | [`gather`] | [`Gather`]: records of a table, each lane from a row of its own |
 //! | [`mod@portable`] | [`Portable`]: the lanes of the crate `wide`, with the instructions of the build target |
 //! | [`one`] | plain `f32` and `f64` as vectors of one lane |
 //! | [`square_root`] | the square root of one number, which `core` does not have |
@@ -34,6 +35,7 @@ pub mod block;
 pub mod checked_schedule;
 #[cfg(target_arch = "x86_64")]
 mod detect;
+pub mod gather;
 pub mod lanes;
 pub mod one;
 #[cfg(target_arch = "x86_64")]
@@ -47,6 +49,7 @@ pub mod x86_64;
 pub use block::{Block, Native, Row};
 #[cfg(feature = "alloc")]
 pub use checked_schedule::CheckedSchedule;
+pub use gather::Gather;
 pub use lanes::{Float, Lanes, Level, MAX_LANES, Mask, PackedDualQuat};
 pub use portable::Portable;
 pub use records::Records;

@@ -58,12 +58,21 @@ where
         self.1.store(upper);
     }
     #[inline(always)]
-    unsafe fn load_quads(level: L::Level, from: *const L::Real, stride: usize) -> [Self; 4] {
+    unsafe fn load_quads(
+        level: L::Level,
+        from: *const L::Real,
+        place: impl Fn(usize) -> usize,
+    ) -> [Self; 4] {
         // SAFETY: promised, for all lanes.
         let [a, b] = unsafe {
             [
-                L::load_quads(level, from, stride),
-                L::load_quads(level, from.add(L::LANES * stride), stride),
+                L::load_quads(level, from, &place),
+                L::load_quads(
+                    level,
+                    from,
+                    #[inline(always)]
+                    |lane| place(L::LANES + lane),
+                ),
             ]
         };
         let ([ax, ay, az, aw], [bx, by, bz, bw]) = (a, b);

@@ -85,11 +85,15 @@ macro_rules! wide_lanes {
             }
             $(
                 #[inline(always)]
-                unsafe fn load_quads(_: Portable, from: *const $real, stride: usize) -> [Self; 4] {
+                unsafe fn load_quads(
+                    _: Portable,
+                    from: *const $real,
+                    place: impl Fn(usize) -> usize,
+                ) -> [Self; 4] {
                     let mut rows = [Self::ZERO; 4];
                     for (i, row) in rows.iter_mut().enumerate() {
                         // SAFETY: promised; an array needs no more alignment than its numbers.
-                        *row = Self::new(unsafe { *from.add(i * stride).cast::<[$real; $lanes]>() });
+                        *row = Self::new(unsafe { *from.add(place(i)).cast::<[$real; $lanes]>() });
                     }
                     Self::$transpose(rows)
                 }

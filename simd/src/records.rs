@@ -1,6 +1,7 @@
 //! [`Records`]: between vectors of components and records of numbers in memory.
 
-use crate::lanes::Lanes;
+use crate::gather::Gather;
+use crate::lanes::{Lanes, MAX_LANES};
 use bytemuck::Zeroable;
 
 /// Transposes between `C` vectors and records of `C` numbers: component `c` of record `i` is lane `i` of
@@ -15,6 +16,25 @@ pub trait Records: Lanes {
         padding: [Self::Real; C],
     ) -> [Self; C] {
         Self::load_strided(level, from, None, &padding)
+    }
+    /// Transposes on the way in of four numbers from each of `LANES` rows that begin `apart` numbers from
+    /// each other, the first of them at the beginning of `from`; for rows whose length is known at run
+    /// time. `None` if `from` ends before the last of these numbers.
+    #[inline(always)]
+    fn load_rows(level: Self::Level, from: &[Self::Real], apart: usize) -> Option<[Self; 4]> {
+        if from.len() < reach(Self::LANES, apart, 4) {
+            return None;
+        }
+        // SAFETY: row `LANES − 1` begins `(LANES − 1) · apart` numbers from the start, and four numbers
+        // from there on are part of `from`: checked above.
+        Some(unsafe {
+            Self::load_quads(
+                level,
+                from.as_ptr(),
+                #[inline(always)]
+                |lane| lane * apart,
+            )
+        })
     }
     /// Transposes on the way out: lane `i` of `C` vectors becomes record `i` of `to`.
     /// Records beyond `LANES` are left as they were.
@@ -40,6 +60,13 @@ pub trait Records: Lanes {
         }
         let flat = from.as_flattened();
         let apart = C.saturating_mul(stride.unwrap_or(1));
+        // Numbers one after the other need no transpose.
+        if let (1, None, Some(row)) = (C, stride, flat.get(..Self::LANES)) {
+            let mut array = Self::Array::zeroed();
+            array.as_mut().copy_from_slice(row);
+            components.fill(Self::load(level, &array));
+            return components;
+        }
         // Four numbers are read of a record of three.
         if C < 3 || flat.len() < reach(Self::LANES, apart, C.max(4)) {
             let rows = load_each::<Self, C>(from, stride.unwrap_or(1), padding);
@@ -48,20 +75,48 @@ pub trait Records: Lanes {
             }
             return components;
         }
-        // Four components at a time; the last four begin earlier where C is not a multiple of four.
-        let mut first = 0;
-        loop {
-            // SAFETY: record `LANES − 1` begins `(LANES − 1) · apart` numbers from the start, and four
-            // numbers from `first` on are part of it, or, of three, are there: checked above.
-            let quad = unsafe { Self::load_quads(level, flat.as_ptr().add(first), apart) };
-            for (component, loaded) in components.iter_mut().skip(first).zip(quad) {
-                *component = loaded;
-            }
-            if first + 4 >= C {
-                return components;
-            }
-            first = (first + 4).min(C - 4);
+        // SAFETY: record `LANES − 1` begins `(LANES − 1) · apart` numbers from the start, and the numbers of
+        // each, or, of three, a fourth one, are there: checked above.
+        unsafe {
+            load_all(
+                level,
+                flat.as_ptr(),
+                #[inline(always)]
+                |lane| lane * apart,
+            )
         }
+    }
+    /// Lane `i` of `C` vectors is the record `column` of row `frames[first + i]`, as [`Gather`] has them;
+    /// lanes beyond the last frame read its row too. `None` if there is no frame, or if a row or the
+    /// column does not exist. `C` must be at least four.
+    #[inline(always)]
+    fn load_gathered<const C: usize>(
+        level: Self::Level,
+        from: &[[Self::Real; C]],
+        gather: Gather<'_>,
+        first: usize,
+        column: usize,
+    ) -> Option<[Self; C]> {
+        const { assert!(C >= 4) }
+        let padded;
+        let mut frames = gather.frames.get(first..).unwrap_or_default();
+        if frames.len() < Self::LANES {
+            padded = repeat(frames, *gather.frames.last()?);
+            frames = &padded;
+        }
+        if gather.greatest.saturating_add(column) >= from.len() {
+            return None;
+        }
+        // SAFETY: there are as many frames as lanes; the record of the greatest frame is there, and no other
+        // lies beyond it.
+        Some(unsafe {
+            load_all(
+                level,
+                from.as_flattened().as_ptr(),
+                #[inline(always)]
+                |lane| (*frames.get_unchecked(lane) as usize * gather.pitch + column) * C,
+            )
+        })
     }
     /// [`store_records`](Self::store_records) to every `stride`-th record; `None` is 1.
     #[inline(always)]
@@ -108,6 +163,43 @@ pub trait Records: Lanes {
 }
 
 impl<L: Lanes> Records for L {}
+
+/// Four components at a time; the last four begin earlier where C is not a multiple of four.
+///
+/// # Safety
+/// Of the `C` numbers, or of the four if `C` is three, that begin `place(lane)` numbers after `from`, all
+/// may be read, for each lane.
+#[inline(always)]
+unsafe fn load_all<L: Lanes, const C: usize>(
+    level: L::Level,
+    from: *const L::Real,
+    place: impl Fn(usize) -> usize + Copy,
+) -> [L; C] {
+    let mut components = [L::splat(level, L::Real::default()); C];
+    let mut first = 0;
+    loop {
+        // SAFETY: promised.
+        let quad = unsafe { L::load_quads(level, from.add(first), place) };
+        for (component, loaded) in components.iter_mut().skip(first).zip(quad) {
+            *component = loaded;
+        }
+        if first + 4 >= C {
+            return components;
+        }
+        first = (first + 4).min(C - 4);
+    }
+}
+
+/// Some frames, and `last` in the places that are left.
+#[cold]
+#[inline(never)]
+fn repeat(frames: &[u32], last: u32) -> [u32; MAX_LANES] {
+    let mut padded = [last; MAX_LANES];
+    for (slot, &frame) in padded.iter_mut().zip(frames) {
+        *slot = frame;
+    }
+    padded
+}
 
 /// How many numbers `lanes` records of `count` reach over, `stride` apart.
 #[inline(always)]

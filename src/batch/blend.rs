@@ -1,7 +1,18 @@
 //! Linear blending.
 
-use super::DualQuat;
+use super::{DualQuat, Quat};
 use dq8_simd::Lanes;
+
+impl<L: Lanes> Quat<L> {
+    /// (1−t)a ± tb exactly normalized, by the shorter way; `t` may differ from lane to lane.
+    #[inline(always)]
+    #[must_use]
+    pub fn nlerp(self, other: Self, t: L) -> Self {
+        let away = other.dot(self).lt(t.constant(0.0));
+        let start = self.scale(t.constant(1.0) - t);
+        other.scale_onto(L::select(away, -t, t), start).normalize()
+    }
+}
 
 impl<L: Lanes> DualQuat<L> {
     /// (1−t)a ± tb exactly normalized, by the shorter way; `t` may differ from lane to lane.

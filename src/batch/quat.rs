@@ -165,7 +165,7 @@ impl<L: Lanes> Quat<L> {
 
     /// r v r* − v + onto: v + 2 r × (r × v + w v) with another first summand.
     #[inline(always)]
-    pub(super) fn rotate_onto(self, v: [L; 3], onto: [L; 3]) -> [L; 3] {
+    pub(crate) fn rotate_onto(self, v: [L; 3], onto: [L; 3]) -> [L; 3] {
         let r = self.xyz();
         let inner = vector::cross_onto(r, v, vector::scale(v, self.w()));
         vector::scale_onto(vector::cross(r, inner), self.w().constant(2.0), onto)

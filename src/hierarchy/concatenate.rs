@@ -5,9 +5,9 @@ use super::palette::Epilogue;
 use super::run::Run;
 use super::slot::JointSlot;
 use crate::dispatch::Kernel;
-use crate::storage::{Element, Layout, Tile};
+use crate::storage::{Element, Layout, Register, Tile};
 use core::sync::atomic::{Ordering, compiler_fence};
-use dq8_simd::Level;
+use dq8_simd::{Lanes, Level};
 
 /// Whether instructions that wait do not keep others from running. Microcontrollers execute one after the
 /// other, and have little room for code.
@@ -78,7 +78,12 @@ fn forward<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level, const K: usize
                 level.prefetch(soon);
             }
             for register in 0..E::Layout::registers::<V>() {
-                let slot = JointSlot::in_block(joint, *instance * run.parents.len(), register);
+                let slot = JointSlot::in_block(
+                    joint,
+                    *instance * run.parents.len(),
+                    register,
+                    *instance * E::Layout::THINGS + register * Register::<E, V, 8>::LANES,
+                );
                 let parent = Tile::at(parent as usize, register);
                 if let Some(parent) = motions(level, models, parent) {
                     let Some(model) = locals.onto(level, parent, models, slot) else { return };

@@ -228,6 +228,52 @@ impl<'a, E: Element<8>> Job<'a, E> {
         Ok(())
     }
 
+    /// [`locals_to_palette`](Self::locals_to_palette) for callers who need no models: these go through
+    /// `scratch`, which holds some whole instances, again and again. 16 instances serve plain motions and
+    /// two blocks serve blocks best: as few as fill the lanes, so that they stay in the first cache.
+    ///
+    /// # Errors
+    /// If lengths do not fit, or `scratch` holds no instance; `palette` is untouched.
+    ///
+    /// ```
+    /// use dq8::{DualQuat, Hierarchy, Poses};
+    /// let parents = [Hierarchy::ROOT, 0];
+    /// let leg = Hierarchy::new(&parents)?;
+    /// let down = DualQuat::from_translation([0.0_f32, -1.0, 0.0]);
+    /// // 100 instances; 16 at a time go through the scratch.
+    /// let (locals, inverse_binds) = (vec![down; 2 * 100], [DualQuat::IDENTITY; 2]);
+    /// let mut scratch = [DualQuat::IDENTITY; 2 * 16];
+    /// let mut palette = vec![[[0.0; 4]; 3]; 2 * 100];
+    /// leg.job().palette(Poses(&locals), &mut scratch, &inverse_binds, &mut palette)?;
+    /// assert_eq!(palette[199][1][3], -2.0);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    pub fn palette<L: Locals<E>, M, const C: usize>(
+        &self,
+        locals: L,
+        scratch: &mut [E],
+        inverse_binds: &[DualQuat<Number<E, 8>>],
+        palette: &mut [M],
+    ) -> Result<(), ShapeError>
+    where
+        M: PaletteEntry<C, Layout = E::Layout>,
+    {
+        self.check_locals(&locals, palette.len())?;
+        let joints = self.run.parents.len();
+        same_length("inverse_binds", inverse_binds.len(), joints)?;
+        if whole_instances("scratch", joints, scratch.len())? == 0 && !palette.is_empty() {
+            same_length("scratch", scratch.len(), joints)?;
+        }
+        let mut done = 0;
+        for entries in palette.chunks_mut(scratch.len().max(1)) {
+            let (job, locals) = self.part(locals, done..done + entries.len());
+            let models = scratch.get_mut(..entries.len()).unwrap_or_default();
+            job.forward(locals, models, Palette { inverse_binds, order: self.order, entries });
+            done += models.len();
+        }
+        Ok(())
+    }
+
     #[inline]
     pub(super) fn forward<L: Locals<E>, X: Epilogue<E>>(
         &self,
@@ -287,6 +333,15 @@ impl<'a, E: Element<8>> Job<'a, E> {
     #[inline]
     fn backward(&self, models: Source<'_, E>, locals: &mut [E]) {
         self.backend.unwrap_or_default().run(Backward { run: &self.run, models, locals });
+    }
+
+    /// The same job, with its locals, for some of the models: whole instances.
+    pub(super) fn part<L: Locals<E>>(&self, locals: L, models: Range<usize>) -> (Self, L) {
+        let joints = self.run.parents.len().max(1);
+        let instances = models.start / joints..models.end / joints;
+        let mut job = self.clone();
+        job.run.root = self.run.root.part(instances.clone());
+        (job, locals.part(joints, instances))
     }
 
     pub(super) fn check_locals<L: Locals<E>>(

@@ -10,8 +10,8 @@ use dq8_simd::Level;
 /// The motions of one register of instances.
 pub(super) type Motions<E, V> = batch::DualQuat<Register<E, V, 8>>;
 
-/// Locals of whole instances, `[instance][joint]`: [`Poses`], [`RotationsTranslations`] or
-/// [`Rotations`]. Sealed.
+/// Locals of whole instances, `[instance][joint]`: [`Poses`], [`RotationsTranslations`],
+/// [`Rotations`], [`Sampled`](super::Sampled) or [`Layered`](super::Layered). Sealed.
 pub trait Locals<E: Element<8>>: Copy + sealed::Sealed {
     /// Their name in errors, and how many there are for so many models.
     ///
@@ -39,9 +39,9 @@ pub trait Locals<E: Element<8>>: Copy + sealed::Sealed {
     fn motions(&self) -> Option<Source<'_, E>> {
         None
     }
-    /// The locals of some of the models.
+    /// The locals of some of the instances (blocks).
     #[must_use]
-    fn part(self, models: Range<usize>) -> Self;
+    fn part(self, joints: usize, instances: Range<usize>) -> Self;
 }
 
 /// Any motions.
@@ -63,8 +63,8 @@ impl<E: Element<8>> Locals<E> for Poses<'_, E> {
     fn motions(&self) -> Option<Source<'_, E>> {
         Some(Source::Slice(self.0))
     }
-    fn part(self, models: Range<usize>) -> Self {
-        Self(self.0.get(models).unwrap_or_default())
+    fn part(self, joints: usize, instances: Range<usize>) -> Self {
+        Self(part_of(self.0, joints, instances))
     }
 }
 
@@ -84,7 +84,7 @@ impl<E: Element<8>> Locals<E> for InPlace {
     fn motions(&self) -> Option<Source<'_, E>> {
         Some(Source::Output)
     }
-    fn part(self, _: Range<usize>) -> Self {
+    fn part(self, _: usize, _: Range<usize>) -> Self {
         self
     }
 }
@@ -116,8 +116,8 @@ impl<E: Element<8>, T: Element<7, Layout = E::Layout>> Locals<E> for RotationsTr
         let [x, y, z, w, t @ ..] = T::load(level, self.0, slot.tile(), &storage::identity())?;
         Some(parent.mul_rotation_translation(batch::Quat::from_xyzw(x, y, z, w), t))
     }
-    fn part(self, models: Range<usize>) -> Self {
-        Self(self.0.get(models).unwrap_or_default())
+    fn part(self, joints: usize, instances: Range<usize>) -> Self {
+        Self(part_of(self.0, joints, instances))
     }
 }
 
@@ -155,8 +155,8 @@ impl<E: Element<8>, Q: Element<4, Layout = E::Layout>> Locals<E> for Rotations<'
         let offset = slot.of_joint(level, self.offsets)?;
         Some(parent.mul_rotation_translation(batch::Quat::from_array(rotation), offset))
     }
-    fn part(self, models: Range<usize>) -> Self {
-        Self { rotations: self.rotations.get(models).unwrap_or_default(), ..self }
+    fn part(self, joints: usize, instances: Range<usize>) -> Self {
+        Self { rotations: part_of(self.rotations, joints, instances), ..self }
     }
 }
 
@@ -170,7 +170,13 @@ pub(super) fn motions<E: Element<8>, V: Level>(
     Some(batch::DualQuat::from_array(E::load(level, slice, tile, &storage::identity())?))
 }
 
-mod sealed {
+/// What belongs to some instances, of a slice that holds `count` things for each; as many as there are.
+pub(super) fn part_of<T>(slice: &[T], count: usize, instances: Range<usize>) -> &[T] {
+    let place = |instance: usize| instance.saturating_mul(count).min(slice.len());
+    slice.get(place(instances.start)..place(instances.end)).unwrap_or_default()
+}
+
+pub(super) mod sealed {
     use super::{Element, InPlace, Poses, Rotations, RotationsTranslations};
     pub trait Sealed {}
     impl Sealed for InPlace {}

@@ -6,6 +6,7 @@
 //! | [`Skeleton`] | one that owns its parents, of any order and type, and takes a plan where that is faster (feature `alloc`) |
 //! | [`Job`] | a run over it: with a root transform, on some of the joints, with a palette, backwards |
 //! | [`Poses`], [`RotationsTranslations`], [`Rotations`] | forms of [locals](Locals) |
+//! | [`Clip`], [`Sampled`], [`Layered`] | locals that are sampled, blended and masked on their way into registers |
 //! | [`HierarchyPlan`], [`Strategy`] | one instance: an order found once (feature `alloc`) |
 //! | [`Renormalize`] | when a run normalizes what it has multiplied |
 //! | [`Crowd`] | owned blocks for any number of instances (feature `alloc`) |
@@ -24,6 +25,7 @@ mod concatenate;
 #[cfg(feature = "alloc")]
 mod crowd;
 mod job;
+mod layers;
 mod locals;
 mod palette;
 #[cfg(feature = "rayon")]
@@ -36,6 +38,7 @@ mod planned;
 mod product;
 mod renormalize;
 mod run;
+mod sampled;
 #[cfg(feature = "alloc")]
 mod schedule;
 #[cfg(feature = "alloc")]
@@ -47,11 +50,13 @@ mod velocity;
 #[cfg(feature = "alloc")]
 pub use crowd::Crowd;
 pub use job::Job;
+pub use layers::{Layered, PoseSource};
 pub use locals::{Locals, Poses, Rotations, RotationsTranslations};
 pub use parents::Hierarchy;
 #[cfg(feature = "alloc")]
 pub use plan::{HierarchyPlan, Strategy};
 pub use renormalize::Renormalize;
+pub use sampled::{Clip, Sampled};
 #[cfg(feature = "alloc")]
 pub use skeleton::{ParentIndex, Skeleton};
 pub use slot::JointSlot;

@@ -60,8 +60,8 @@ impl<'a, E: Element<8> + Send + Sync> Job<'a, E> {
         self.check_locals(&locals, models.len())?;
         let task = self.task();
         models.par_chunks_mut(task).enumerate().for_each(|(i, models)| {
-            let part = i * task..i * task + models.len();
-            self.part(part.clone()).forward(locals.part(part), models, NoEpilogue);
+            let (job, locals) = self.part(locals, i * task..i * task + models.len());
+            job.forward(locals, models, NoEpilogue);
         });
         Ok(())
     }
@@ -88,23 +88,14 @@ impl<'a, E: Element<8> + Send + Sync> Job<'a, E> {
         let task = self.task();
         let tasks = models.par_chunks_mut(task).zip(palette.par_chunks_mut(task)).enumerate();
         tasks.try_for_each(|(i, (models, palette))| {
-            let part = i * task..i * task + models.len();
-            let job = self.part(part.clone());
-            job.locals_to_palette(locals.part(part), models, inverse_binds, palette)
+            let (job, locals) = self.part(locals, i * task..i * task + models.len());
+            job.locals_to_palette(locals, models, inverse_binds, palette)
         })
     }
 
     /// How many elements a task has: whole instances.
     fn task(&self) -> usize {
         GRAIN.next_multiple_of(self.run.parents.len().max(1))
-    }
-
-    /// The same job for some of the models.
-    fn part(&self, models: core::ops::Range<usize>) -> Self {
-        let joints = self.run.parents.len().max(1);
-        let mut job = self.clone();
-        job.run.root = self.run.root.part(models.start / joints..models.end / joints);
-        job
     }
 }
 

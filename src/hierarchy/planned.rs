@@ -70,7 +70,7 @@ impl<E: Element<8>, L: Locals<E>> Kernel for Begin<'_, '_, E, L> {
         // What lies there already stays.
         if !matches!(locals.motions(), Some(Source::Output)) {
             for start in (0..joints).step_by(E::Layout::records::<V>()) {
-                let slot = JointSlot::of_joints(start, 0, joints);
+                let slot = JointSlot::of_joints(start, 0, joints, joints);
                 let Some(lanes) = locals.load(level, models, slot) else { return };
                 E::store(lanes.to_array(), models, slot.own_tile());
             }
@@ -101,7 +101,7 @@ impl<E: Element<8>, X: Epilogue<E>> Kernel for End<'_, E, X> {
     fn run<V: Level>(self, level: V) {
         let Self { models, epilogue } = self;
         for start in (0..models.len()).step_by(E::Layout::records::<V>()) {
-            let slot = JointSlot::of_joints(start, 0, models.len());
+            let slot = JointSlot::of_joints(start, 0, models.len(), models.len());
             let Some(lanes) = motions(level, models, slot.own_tile()) else { return };
             epilogue.run(level, slot, lanes);
         }

@@ -50,7 +50,6 @@ impl<E: Element<8>> Root<'_, E> {
     }
 
     /// The roots of some of the instances (blocks).
-    #[cfg(feature = "rayon")]
     pub(super) fn part(&self, instances: Range<usize>) -> Self {
         match *self {
             Self::Each(roots) => Self::Each(roots.get(instances).unwrap_or_default()),

@@ -1,6 +1,6 @@
 use crate::real::Scalar;
 use crate::storage::{Tile, aos, identity};
-use dq8_simd::Lanes;
+use dq8_simd::{Lanes, Records};
 
 /// What the lanes of a kernel over hierarchies hold: one joint of several instances, or several joints
 /// of one instance.
@@ -11,6 +11,8 @@ pub struct JointSlot {
     /// Where the joints of the instance (of the block, of the first lane) begin among all elements.
     first: usize,
     register: usize,
+    /// The instance of the first lane.
+    instance: usize,
     /// From one lane to the next.
     stride: Option<usize>,
     /// Whether lanes are joints; then, where the joints end that are computed.
@@ -18,22 +20,43 @@ pub struct JointSlot {
 }
 
 impl JointSlot {
-    /// A joint of the instances in one register of a block; `first` is the block of joint 0.
+    /// A joint of the instances in one register of a block; `first` is the block of joint 0, `instance`
+    /// the first in the register.
     #[inline(always)]
-    pub(super) fn in_block(joint: usize, first: usize, register: usize) -> Self {
-        Self { joint, first, register, stride: None, end: None }
+    pub(super) fn in_block(joint: usize, first: usize, register: usize, instance: usize) -> Self {
+        Self { joint, first, register, instance, stride: None, end: None }
     }
 
     /// A joint of as many instances, `joints` apart, as there are lanes.
     #[inline(always)]
-    pub(super) fn of_instances(joint: usize, first: usize, joints: usize) -> Self {
-        Self { joint, first, register: 0, stride: Some(joints), end: None }
+    pub(super) fn of_instances(joint: usize, instance: usize, joints: usize) -> Self {
+        let first = instance * joints;
+        Self { joint, first, register: 0, instance, stride: Some(joints), end: None }
     }
 
     /// As many joints of one instance as there are lanes, up to the joint `end`.
     #[inline(always)]
-    pub(super) fn of_joints(joint: usize, first: usize, end: usize) -> Self {
-        Self { joint, first, register: 0, stride: None, end: Some(end) }
+    pub(super) fn of_joints(joint: usize, instance: usize, joints: usize, end: usize) -> Self {
+        let first = instance * joints;
+        Self { joint, first, register: 0, instance, stride: None, end: Some(end) }
+    }
+
+    /// The joint of the first lane.
+    #[inline(always)]
+    pub(super) fn joint(self) -> usize {
+        self.joint
+    }
+
+    /// The instance of the first lane.
+    #[inline(always)]
+    pub(super) fn instance(self) -> usize {
+        self.instance
+    }
+
+    /// Whether lanes are joints of one instance.
+    #[inline(always)]
+    pub(super) fn is_of_joints(self) -> bool {
+        self.end.is_some()
     }
 
     /// Where it lies among all elements.
@@ -64,10 +87,27 @@ impl JointSlot {
         level: L::Level,
         records: &[[L::Real; C]],
     ) -> Option<[L; C]> {
-        if self.end.is_some() {
+        if self.is_of_joints() {
             aos::load(level, records, Tile::at(self.joint, 0), &identity())
         } else {
             Some(aos::splat(level, *records.get(self.joint)?))
         }
+    }
+
+    /// A number of each instance; that of the last one in lanes without an instance.
+    #[inline(always)]
+    pub(super) fn of_instance<L: Lanes<Real: Scalar>>(
+        self,
+        level: L::Level,
+        numbers: &[L::Real],
+    ) -> Option<L> {
+        let last = *numbers.last()?;
+        // A register of a block may lie beyond the last instance.
+        let numbers = numbers.get(self.instance..).unwrap_or_default();
+        if self.end.is_some() {
+            return Some(L::splat(level, *numbers.first()?));
+        }
+        let [numbers] = L::load_records(level, bytemuck::must_cast_slice(numbers), [last]);
+        Some(numbers)
     }
 }

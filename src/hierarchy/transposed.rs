@@ -60,24 +60,25 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Instances<'_, '_, E
         let Self { run, locals, models, epilogue } = self;
         let joints = run.parents.len();
         let group = E::Layout::records::<V>().saturating_mul(joints);
-        let mut done = 0;
+        let (mut done, mut instance) = (0, 0);
         // Models as registers hold them; the last one is for parents that are not among them.
         let mut recent = [Motions::<E, V>::identity(level).to_array(); RECENT + 1];
         if group > 0 {
             for models in models.chunks_exact_mut(group) {
                 if E::Layout::records::<V>() > 1 {
-                    together(level, run, locals, models, epilogue, done, &mut recent);
+                    together(level, run, locals, models, epilogue, instance, &mut recent);
                 } else {
-                    alone(level, run, locals, models, epilogue, done);
+                    alone(level, run, locals, models, epilogue, instance);
                 }
                 done += group;
+                instance += E::Layout::records::<V>();
             }
         }
         done
     }
 }
 
-/// One group; `first` is its first element among all.
+/// One group; `instance` is its first one.
 ///
 /// All models go through memory that the first cache holds, not from register to register: where two ways
 /// lead to a value (a parent that is recent or not, a joint that is a root or not), the compiler would
@@ -89,25 +90,25 @@ fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     locals: L,
     models: &mut [E],
     epilogue: &mut X,
-    first: usize,
+    instance: usize,
     recent: &mut [[Register<E, V, 8>; 8]; RECENT + 1],
 ) {
     let joints = run.parents.len();
     for joint in run.joints.clone() {
         let Some(&parent) = run.parents.get(joint) else { return };
-        let (slot, parent) = (JointSlot::of_instances(joint, first, joints), parent as usize);
+        let (slot, parent) = (JointSlot::of_instances(joint, instance, joints), parent as usize);
         if parent < joint {
             let mut from = parent % RECENT;
             if joint - parent >= RECENT || parent < run.joints.start {
                 from = RECENT;
-                far(level, models, JointSlot::of_instances(parent, first, joints), recent);
+                far(level, models, JointSlot::of_instances(parent, instance, joints), recent);
             }
             let Some(local) = locals.load(level, models, slot) else { return };
             let model = product_in_lanes(recent[from], local.to_array());
             recent[joint % RECENT] = model;
             E::store(model, models, slot.own_tile());
         } else {
-            root(level, run, locals, models, slot, first, &mut recent[joint % RECENT]);
+            root(level, run, locals, models, slot, &mut recent[joint % RECENT]);
         }
         if run.renormalize.applies_to(joint) {
             normalize_lanes::<E, V>(level, models, slot, &mut recent[joint % RECENT]);
@@ -146,15 +147,13 @@ fn root<E: Element<8>, L: Locals<E>, V: Level>(
     locals: L,
     models: &mut [E],
     slot: JointSlot,
-    first: usize,
     to: &mut [Register<E, V, 8>; 8],
 ) {
     level.run(
         #[inline(always)]
         || {
-            let instance = first.checked_div(run.parents.len()).unwrap_or(0);
             let Some(local) = locals.load(level, models, slot) else { return };
-            *to = match run.root.load(level, instance, 0) {
+            *to = match run.root.load(level, slot.instance(), 0) {
                 Some(root) => product_in_lanes(root.to_array(), local.to_array()),
                 None => local.to_array(),
             };
@@ -189,16 +188,16 @@ fn alone<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     locals: L,
     models: &mut [E],
     epilogue: &mut X,
-    first: usize,
+    instance: usize,
 ) {
     let joints = run.parents.len();
     for joint in run.joints.clone() {
         let Some(&parent) = run.parents.get(joint) else { return };
-        let slot = JointSlot::of_instances(joint, first, joints);
+        let slot = JointSlot::of_instances(joint, instance, joints);
         // ROOT is beyond the last joint: there is no such model.
         let parent = match models.get(parent as usize) {
             Some(parent) => motions(level, core::slice::from_ref(parent), Tile::at(0, 0)),
-            None => run.root.load(level, first.checked_div(joints).unwrap_or(0), 0),
+            None => run.root.load(level, instance, 0),
         };
         let model = match parent {
             Some(parent) => locals.onto(level, parent, models, slot),
@@ -250,13 +249,14 @@ fn walk<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     epilogue: &mut X,
     instance: usize,
 ) {
-    let first = instance * run.parents.len();
+    let joints = run.parents.len();
+    let first = instance * joints;
     let lanes = E::Layout::records::<V>();
     let root = run.root_of(instance);
     let in_memory = locals.motions();
     let mut made = [identity(); MAX_LANES];
     for start in run.joints.clone().step_by(lanes) {
-        let slot = JointSlot::of_joints(start, first, run.joints.end);
+        let slot = JointSlot::of_joints(start, instance, joints, run.joints.end);
         if in_memory.is_none() {
             let Some(locals) = locals.load(level, models, slot) else { return };
             locals.store_records(&mut made);

@@ -1,6 +1,6 @@
-use super::sweep::{SliceKernel, motions, sweep};
-use crate::batch;
+use super::sweep::{SliceKernel, sweep};
 use crate::dispatch::Backend;
+use crate::law::{Law, Nlerp, Sclerp};
 use crate::shape::{ShapeError, same_length};
 use crate::storage::{self, Element, Number, Register, Tile};
 use dq8_simd::{Lanes, Level};
@@ -83,9 +83,9 @@ impl Backend {
 }
 
 #[inline]
-fn interpolate<E: Element<8>, I: Interpolate, T: Parameter<E>>(
+fn interpolate<E: Element<8>, W: Law<8>, T: Parameter<E>>(
     backend: Backend,
-    law: I,
+    law: W,
     a: &[E],
     b: &[E],
     t: T,
@@ -95,42 +95,6 @@ fn interpolate<E: Element<8>, I: Interpolate, T: Parameter<E>>(
     same_length("between", between.len(), a.len())?;
     sweep(backend, between, Interpolation { law, a, b, t });
     Ok(())
-}
-
-/// From one motion to another.
-trait Interpolate {
-    fn at<L: Lanes>(
-        &self,
-        a: batch::DualQuat<L>,
-        b: batch::DualQuat<L>,
-        t: L,
-    ) -> batch::DualQuat<L>;
-}
-
-struct Nlerp;
-impl Interpolate for Nlerp {
-    #[inline(always)]
-    fn at<L: Lanes>(
-        &self,
-        a: batch::DualQuat<L>,
-        b: batch::DualQuat<L>,
-        t: L,
-    ) -> batch::DualQuat<L> {
-        a.nlerp(b, t)
-    }
-}
-
-struct Sclerp;
-impl Interpolate for Sclerp {
-    #[inline(always)]
-    fn at<L: Lanes>(
-        &self,
-        a: batch::DualQuat<L>,
-        b: batch::DualQuat<L>,
-        t: L,
-    ) -> batch::DualQuat<L> {
-        a.sclerp(b, t)
-    }
 }
 
 /// The parameter t: the same for all, or one for each.
@@ -155,19 +119,18 @@ impl<E: Element<8>, T: Element<1, Layout = E::Layout>> Parameter<E> for Many<'_,
     }
 }
 
-struct Interpolation<'s, E, I, T> {
-    law: I,
+struct Interpolation<'s, E, W, T> {
+    law: W,
     a: &'s [E],
     b: &'s [E],
     t: T,
 }
 
-impl<E: Element<8>, I: Interpolate, T: Parameter<E>> SliceKernel<E, 8>
-    for Interpolation<'_, E, I, T>
-{
+impl<E: Element<8>, W: Law<8>, T: Parameter<E>> SliceKernel<E, 8> for Interpolation<'_, E, W, T> {
     #[inline(always)]
     fn compute<V: Level>(&self, level: V, _: &[E], tile: Tile) -> Option<[Register<E, V, 8>; 8]> {
-        let (a, b) = (motions(level, self.a, tile)?, motions(level, self.b, tile)?);
-        Some(self.law.at(a, b, self.t.load(level, tile)?).to_array())
+        let a = E::load(level, self.a, tile, &storage::identity())?;
+        let b = E::load(level, self.b, tile, &storage::identity())?;
+        Some(self.law.between(a, b, self.t.load(level, tile)?))
     }
 }

@@ -5,10 +5,16 @@
 //! | [`mul`](Backend::mul), [`mul_in_place`](Backend::mul_in_place) | aᵢbᵢ |
 //! | [`mul_left_in_place`](Backend::mul_left_in_place) | a bᵢ |
 //! | [`normalize`](Backend::normalize), [`inverse`](Backend::inverse), and in place | exactly, one by one |
+//! | [`conjugate`](Backend::conjugate), and in place | the inverse of unit motions |
 //! | [`nlerp`](Backend::nlerp), [`sclerp`](Backend::sclerp), with one t or one each | between aᵢ and bᵢ |
 //! | [`resample`](Backend::resample), [`dib_windows`](Backend::dib_windows) | a trajectory at other times, and smoothed |
 //! | [`transform_points`](Backend::transform_points), [`transform_vectors`](Backend::transform_vectors), and in place | by one motion |
 //! | [`transform_points_each`](Backend::transform_points_each), [`transform_vectors_each`](Backend::transform_vectors_each) | by one motion each |
+//! | [`transform_lines_each`](Backend::transform_lines_each), [`transform_planes_each`](Backend::transform_planes_each), [`transform_twists_each`](Backend::transform_twists_each) | by one motion each |
+//! | [`dlb`](Backend::dlb) | linear blends of several motions, by a weight each |
+//! | [`log`](Backend::log), [`exp`](Backend::exp), [`pow_each`](Backend::pow_each) | screws and their powers |
+//! | [`integrate_body`](Backend::integrate_body) | one step along twists |
+//! | [`angles`](Backend::angles), [`distances`](Backend::distances) | between aᵢ and bᵢ |
 //! | [`matrices`](Backend::matrices) | 3×4 and 4×4 matrices, by rows or by columns |
 //!
 //! Each takes plain slices (`[DualQuat<f32>]`, `[[f32; 3]]`, …) or slices of blocks; see
@@ -26,12 +32,16 @@
 //! # Ok::<(), dq8::ShapeError>(())
 //! ```
 
+mod blend;
 mod interpolate;
 mod matrix;
+mod metric;
 mod product;
+mod screw;
 mod sweep;
 mod trajectory;
 mod transform;
+mod transform_each;
 mod unit;
 
 pub use trajectory::TrajectoryError;

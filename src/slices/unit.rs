@@ -58,6 +58,27 @@ impl Backend {
     pub fn inverse_in_place<E: Element<8>>(self, motions: &mut [E]) {
         sweep(self, motions, Unary { from: Source::Output, operation: Inverse });
     }
+
+    /// `conjugates[i]` = σᵢ* = p* + εq*, the inverse of unit motions: no division.
+    ///
+    /// # Errors
+    /// If the slices differ in length; `conjugates` is untouched.
+    #[inline]
+    pub fn conjugate<E: Element<8>>(
+        self,
+        motions: &[E],
+        conjugates: &mut [E],
+    ) -> Result<(), ShapeError> {
+        same_length("conjugates", conjugates.len(), motions.len())?;
+        sweep(self, conjugates, Unary { from: Source::Slice(motions), operation: Conjugate });
+        Ok(())
+    }
+
+    /// [`conjugate`](Self::conjugate) over the motions themselves.
+    #[inline]
+    pub fn conjugate_in_place<E: Element<8>>(self, motions: &mut [E]) {
+        sweep(self, motions, Unary { from: Source::Output, operation: Conjugate });
+    }
 }
 
 /// A function of one motion.
@@ -78,6 +99,14 @@ impl UnaryOperation for Inverse {
     #[inline(always)]
     fn of<L: Lanes>(&self, motion: batch::DualQuat<L>) -> batch::DualQuat<L> {
         motion.inverse()
+    }
+}
+
+struct Conjugate;
+impl UnaryOperation for Conjugate {
+    #[inline(always)]
+    fn of<L: Lanes>(&self, motion: batch::DualQuat<L>) -> batch::DualQuat<L> {
+        motion.conjugate()
     }
 }
 

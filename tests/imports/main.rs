@@ -37,6 +37,10 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ),
     ("ik", &["error", "shape", "real", "geometry", "dq8_simd", "scalar", "batch", "dispatch"]),
     (
+        "mechanism",
+        &["shape", "real", "geometry", "dq8_simd", "scalar", "batch", "dispatch", "storage"],
+    ),
+    (
         "hierarchy",
         &[
             "error",

@@ -9,8 +9,9 @@
 
 use core::arch::x86_64::*;
 
-// All functions of this file: the CPU must have the instructions of the register's type, and
-// `LANES` records of four numbers (three for triples), `stride` numbers apart, must lie at `at`.
+// All functions of this file: the CPU must have the instructions of the register's type. `LANES` records
+// of four numbers (three for triples) must lie `stride` numbers apart from `at` on; or, on the way in,
+// each `place(lane)` numbers after `at`.
 
 /// The transpose of the 4 × 4 numbers in each 128-bit group.
 macro_rules! transpose_singles {
@@ -44,14 +45,17 @@ macro_rules! single_quads {
         split |$whole:ident| $split:expr;
     ) => {
         #[inline(always)]
-        pub(super) unsafe fn $load(at: *const f32, stride: usize) -> [$register; 4] {
+        pub(super) unsafe fn $load(
+            at: *const f32,
+            place: impl Fn(usize) -> usize,
+        ) -> [$register; 4] {
             // SAFETY: the caller's promise, above.
             unsafe {
                 let mut rows = [core::mem::zeroed::<$register>(); 4];
                 for ($i, row) in rows.iter_mut().enumerate() {
                     macro_rules! $get {
                         ($record:expr) => {
-                            _mm_loadu_ps(at.add($record * stride))
+                            _mm_loadu_ps(at.add(place($record)))
                         };
                     }
                     *row = $join;
@@ -161,14 +165,14 @@ unsafe fn store_triple(record: __m256d, at: *mut f64) {
 }
 
 #[inline(always)]
-pub(super) unsafe fn f64x4_load(at: *const f64, stride: usize) -> [__m256d; 4] {
+pub(super) unsafe fn f64x4_load(at: *const f64, place: impl Fn(usize) -> usize) -> [__m256d; 4] {
     // SAFETY: the caller's promise, above.
     unsafe {
         transpose_f64x4([
-            _mm256_loadu_pd(at),
-            _mm256_loadu_pd(at.add(stride)),
-            _mm256_loadu_pd(at.add(2 * stride)),
-            _mm256_loadu_pd(at.add(3 * stride)),
+            _mm256_loadu_pd(at.add(place(0))),
+            _mm256_loadu_pd(at.add(place(1))),
+            _mm256_loadu_pd(at.add(place(2))),
+            _mm256_loadu_pd(at.add(place(3))),
         ])
     }
 }
@@ -192,13 +196,13 @@ pub(super) unsafe fn f64x4_store_triples([x, y, z]: [__m256d; 3], at: *mut f64) 
 }
 
 #[inline(always)]
-pub(super) unsafe fn f64x8_load(at: *const f64, stride: usize) -> [__m512d; 4] {
+pub(super) unsafe fn f64x8_load(at: *const f64, place: impl Fn(usize) -> usize) -> [__m512d; 4] {
     // SAFETY: the caller's promise, above.
     unsafe {
         let mut rows = [_mm512_setzero_pd(); 4];
         for (i, row) in rows.iter_mut().enumerate() {
-            let lower = _mm512_castpd256_pd512(_mm256_loadu_pd(at.add(i * stride)));
-            *row = _mm512_insertf64x4::<1>(lower, _mm256_loadu_pd(at.add((i + 4) * stride)));
+            let lower = _mm512_castpd256_pd512(_mm256_loadu_pd(at.add(place(i))));
+            *row = _mm512_insertf64x4::<1>(lower, _mm256_loadu_pd(at.add(place(i + 4))));
         }
         transpose_f64x8(rows)
     }
@@ -225,10 +229,10 @@ pub(super) unsafe fn f64x8_store_triples([x, y, z]: [__m512d; 3], at: *mut f64) 
 }
 
 #[inline(always)]
-pub(super) unsafe fn f64x2_load(at: *const f64, stride: usize) -> [__m128d; 4] {
+pub(super) unsafe fn f64x2_load(at: *const f64, place: impl Fn(usize) -> usize) -> [__m128d; 4] {
     // SAFETY: the caller's promise, above.
     unsafe {
-        let (a, b) = (at, at.add(stride));
+        let (a, b) = (at.add(place(0)), at.add(place(1)));
         let (xy_a, zw_a) = (_mm_loadu_pd(a), _mm_loadu_pd(a.add(2)));
         let (xy_b, zw_b) = (_mm_loadu_pd(b), _mm_loadu_pd(b.add(2)));
         [

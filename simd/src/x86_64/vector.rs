@@ -61,9 +61,13 @@ macro_rules! vector {
                 unsafe { $stream(at.cast(), self.0) }
             }
             #[inline(always)]
-            unsafe fn load_quads(level: $level, from: *const $real, stride: usize) -> [Self; 4] {
+            unsafe fn load_quads(
+                level: $level,
+                from: *const $real,
+                place: impl Fn(usize) -> usize,
+            ) -> [Self; 4] {
                 // SAFETY: `level` proves the instructions; the rest is promised.
-                let [x, y, z, w] = unsafe { $load_quads(from, stride) };
+                let [x, y, z, w] = unsafe { $load_quads(from, place) };
                 [Self(x, level), Self(y, level), Self(z, level), Self(w, level)]
             }
             #[inline(always)]

@@ -1,0 +1,226 @@
+//! What a crowd needs for a frame: two clips sampled at each character's own times, blended by its own weight,
+//! to model space, and the palette of 3×4 matrices.
+
+use crate::contest::Contest;
+use crate::memory::{Element, Product, Representation, Rows3x4, double};
+use crate::scene::{Scene, Shape};
+use crate::walk;
+use dq8::hierarchy::{Clip, Layered, Sampled};
+use dq8::storage::MatrixBlock;
+use dq8::{Backend, Block, DualQuat, Hierarchy, Nlerp, Separate};
+use dq8_contract::random::Random;
+use glam::{Affine3A, Quat, Vec3A};
+
+/// Frames of a clip: two seconds at 30 a second.
+const FRAMES: usize = 60;
+/// Characters that differ.
+const DIFFERENT: usize = 64;
+/// So many models of characters go through memory at a time.
+const SCRATCH: usize = 16;
+
+type Motion = DualQuat<f32>;
+/// `[x, y, z, w, tx, ty, tz]`
+type Key = [f32; 7];
+
+/// Where the characters are in the two clips, and how much they have of the second.
+struct Crowd {
+    parents: Vec<u32>,
+    motions: [Vec<Motion>; 2],
+    keys: [Vec<Key>; 2],
+    frames: [Vec<u32>; 2],
+    t: [Vec<f32>; 2],
+    weights: Vec<f32>,
+    binds: Vec<Motion>,
+}
+
+impl Crowd {
+    fn new(instances: usize) -> Self {
+        let scene = Scene::new(Shape::Crowd { instances: DIFFERENT });
+        let joints = scene.parents.len();
+        let mut random = Random(4);
+        // The poses of the scene's instances are frames here.
+        let poses = scene.locals.different();
+        let motions = [0, 4].map(|first| poses[first * joints..][..FRAMES * joints].to_vec());
+        let mut again = |below: f64| -> Vec<f64> {
+            let once: Vec<_> = (0..DIFFERENT).map(|_| random.between(0.0, below)).collect();
+            once.into_iter().cycle().take(instances).collect()
+        };
+        let mut frames = || again((FRAMES - 1) as f64).iter().map(|at| *at as u32).collect();
+        let frames = [frames(), frames()];
+        let mut parameters = || again(1.0).iter().map(|t| *t as f32).collect();
+        Self {
+            keys: motions.each_ref().map(|motions| motions.iter().map(key).collect()),
+            frames,
+            t: [parameters(), parameters()],
+            weights: parameters(),
+            binds: poses[..joints].iter().map(|pose| pose.conjugate()).collect(),
+            motions,
+            parents: scene.parents,
+        }
+    }
+
+    /// The palette by `f64`, from what lies between two motions.
+    fn expected(
+        &self,
+        between: impl Fn(DualQuat<f64>, DualQuat<f64>, f64) -> DualQuat<f64>,
+    ) -> Vec<Vec<f64>> {
+        let joints = self.parents.len();
+        let hierarchy = Hierarchy::new(&self.parents).expect("parents come first");
+        let of_one = |instance: usize| {
+            let sampled = |clip: usize, joint: usize| {
+                let at = self.frames[clip][instance] as usize * joints + joint;
+                let [a, b] = [at, at + joints].map(|at| double(self.motions[clip][at]));
+                between(a, b, self.t[clip][instance].into())
+            };
+            let weight = f64::from(self.weights[instance]);
+            let local = |joint| between(sampled(0, joint), sampled(1, joint), weight);
+            let mut models: Vec<_> =
+                (0..joints).map(|joint| Rows3x4(local(joint).to_matrix3x4())).collect();
+            walk::local_to_model_in_place(&hierarchy, &mut models);
+            let binds = self.binds.iter().map(Rows3x4::<f64>::from_motion);
+            let entries = models.iter().zip(binds).map(|(model, bind)| model.product(&bind));
+            entries.map(|entry| entry.numbers(0)).collect::<Vec<_>>()
+        };
+        (0..self.weights.len().min(DIFFERENT)).flat_map(of_one).collect()
+    }
+}
+
+fn key(motion: &Motion) -> Key {
+    let ([x, y, z, w], [tx, ty, tz]) = (motion.rotation().to_array(), motion.translation());
+    [x, y, z, w, tx, ty, tz]
+}
+
+/// Rotations and translations apart, as engines have them.
+fn apart(a: DualQuat<f64>, b: DualQuat<f64>, t: f64) -> DualQuat<f64> {
+    let [from, to] = [a, b].map(|pose| DualQuat::from_rotation(pose.rotation()));
+    let turn = from.nlerp(to, t).rotation();
+    let (from, to) = (a.translation(), b.translation());
+    let shift = std::array::from_fn(|i| (1.0 - t) * from[i] + t * to[i]);
+    DualQuat::from_rotation_translation(turn, shift)
+}
+
+pub(crate) fn with_contest<R>(instances: usize, run: impl FnOnce(&Contest<'_>) -> R) -> R {
+    let crowd = Crowd::new(instances);
+    let joints = crowd.parents.len();
+    let title = format!(
+        "{instances} characters of {joints} joints: two clips sampled, blended, to model space, 3×4 matrices"
+    );
+    let mut contest = Contest {
+        transforms: instances * joints,
+        tolerance: 6e-5,
+        expected: crowd.expected(apart),
+        ..Contest::new("J6", format!("{joints}x{instances} animated"), title)
+    };
+    for backend in Backend::available() {
+        plain(&mut contest, &crowd, backend);
+        motions(&mut contest, &crowd, backend);
+        contest.last_should(crowd.expected(DualQuat::nlerp));
+        blocks::<8>(&mut contest, &crowd, backend);
+        blocks::<16>(&mut contest, &crowd, backend);
+    }
+    glam(&mut contest, &crowd);
+    run(&contest)
+}
+
+/// Both clips of the crowd, sampled and blended.
+macro_rules! locals {
+    ($crowd:ident, $law:expr, $keys:ident) => {{
+        let [a, b] = [0, 1].map(|i| {
+            let clip = Clip::new($crowd.parents.len(), &$crowd.$keys[i]).expect("whole frames");
+            Sampled::new($law, clip, &$crowd.frames[i], &$crowd.t[i]).expect("frames of the clip")
+        });
+        Layered::blend($law, a, b, &$crowd.weights)
+    }};
+}
+
+fn plain<'a>(contest: &mut Contest<'a>, crowd: &'a Crowd, backend: Backend) {
+    let joints = crowd.parents.len();
+    let memory = move || ((), vec![[[0.0_f32; 4]; 3]; crowd.weights.len() * joints]);
+    let pass = move |(): &(), palette: &mut [[[f32; 4]; 3]]| {
+        let hierarchy = Hierarchy::new(&crowd.parents).expect("parents come first");
+        let mut scratch = vec![Motion::IDENTITY; SCRATCH * joints];
+        let locals = locals!(crowd, Separate, keys);
+        let job = hierarchy.job().backend(backend);
+        job.palette(locals, &mut scratch, &crowd.binds, palette).expect("they fit");
+    };
+    let name = format!("dq8 rotations and translations, AoS {backend}");
+    contest.add(name, Some(backend), memory, pass, numbers);
+}
+
+fn motions<'a>(contest: &mut Contest<'a>, crowd: &'a Crowd, backend: Backend) {
+    let joints = crowd.parents.len();
+    let memory = move || ((), vec![[[0.0_f32; 4]; 3]; crowd.weights.len() * joints]);
+    let pass = move |(): &(), palette: &mut [[[f32; 4]; 3]]| {
+        let hierarchy = Hierarchy::new(&crowd.parents).expect("parents come first");
+        let mut scratch = vec![Motion::IDENTITY; SCRATCH * joints];
+        let locals = locals!(crowd, Nlerp, motions);
+        let job = hierarchy.job().backend(backend);
+        job.palette(locals, &mut scratch, &crowd.binds, palette).expect("they fit");
+    };
+    contest.add(format!("dq8 motions, AoS {backend}"), Some(backend), memory, pass, numbers);
+}
+
+fn numbers(palette: &[[[f32; 4]; 3]], index: usize) -> Vec<f64> {
+    palette[index].as_flattened().iter().map(|number| f64::from(*number)).collect()
+}
+
+fn blocks<'a, const N: usize>(contest: &mut Contest<'a>, crowd: &'a Crowd, backend: Backend)
+where
+    [f32; N]: dq8::simd::Row<Real = f32>,
+{
+    let joints = crowd.parents.len();
+    let blocks = crowd.weights.len() / N * joints;
+    let memory = move || ((), vec![MatrixBlock::<f32, N>::splat([0.0; 12]); blocks]);
+    let pass = move |(): &(), palette: &mut [MatrixBlock<f32, N>]| {
+        let hierarchy = Hierarchy::new(&crowd.parents).expect("parents come first");
+        let mut scratch = vec![Block::<f32, N>::splat([0.0; 8]); SCRATCH / N * joints];
+        let locals = locals!(crowd, Separate, keys);
+        let job = hierarchy.job().backend(backend);
+        job.palette(locals, &mut scratch, &crowd.binds, palette).expect("they fit");
+    };
+    let numbers = move |palette: &[MatrixBlock<f32, N>], index: usize| {
+        let (instance, joint) = (index / joints, index % joints);
+        palette[instance / N * joints + joint].numbers(instance % N)
+    };
+    let name = format!("dq8 rotations and translations, {N} lanes {backend}");
+    contest.add(name, Some(backend), memory, pass, numbers);
+}
+
+/// What users of glam write, with the law of engines.
+fn glam<'a>(contest: &mut Contest<'a>, crowd: &'a Crowd) {
+    let joints = crowd.parents.len();
+    let memory = move || {
+        let apart =
+            |&[x, y, z, w, tx, ty, tz]: &Key| (Quat::from_xyzw(x, y, z, w), Vec3A::new(tx, ty, tz));
+        let clips = crowd.keys.each_ref().map(|keys| keys.iter().map(apart).collect::<Vec<_>>());
+        let binds: Vec<_> = crowd.binds.iter().map(Affine3A::from_motion).collect();
+        let models = vec![Affine3A::IDENTITY; joints];
+        ((clips, binds, models), vec![Affine3A::IDENTITY; crowd.weights.len() * joints])
+    };
+    type Clips = [Vec<(Quat, Vec3A)>; 2];
+    let between = |a: (Quat, Vec3A), b: (Quat, Vec3A), t| (a.0.lerp(b.0, t), a.1.lerp(b.1, t));
+    let pass = move |(clips, binds, models): &(Clips, Vec<Affine3A>, Vec<Affine3A>),
+                     palette: &mut [Affine3A]| {
+        let mut models = models.clone();
+        for (instance, entries) in palette.chunks_exact_mut(joints).enumerate() {
+            let frames = [0, 1].map(|clip| {
+                &clips[clip][crowd.frames[clip][instance] as usize * joints..][..2 * joints]
+            });
+            for joint in 0..joints {
+                let [a, b] = [0, 1].map(|clip| {
+                    let (from, to) = (frames[clip][joint], frames[clip][joint + joints]);
+                    between(from, to, crowd.t[clip][instance])
+                });
+                let (turn, shift) = between(a, b, crowd.weights[instance]);
+                let local = Affine3A::from_rotation_translation(turn, shift.into());
+                models[joint] = match crowd.parents[joint] {
+                    Hierarchy::ROOT => local,
+                    parent => models[parent as usize] * local,
+                };
+                entries[joint] = models[joint] * binds[joint];
+            }
+        }
+    };
+    let numbers = |palette: &[Affine3A], index: usize| palette[index].numbers(0);
+    contest.add("glam Quat, Vec3A, Affine3A", None, memory, pass, numbers);
+}

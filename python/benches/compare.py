@@ -1,0 +1,247 @@
+"""dq8 and its peers, side by side in one run: a table, the ratios, and a plot.
+
+    python benches/compare.py [--quick] [--plot FILE.svg] [--check]
+
+Contenders of a job take turns, and each turn is repeated at once, so that everyone finds the caches as it
+left them; what counts is the quickest of all. One thread. `--check` fails if dq8 is not the quickest of a job.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import timeit
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+import numpy as np
+import pytransform3d.trajectories as p3t
+import scipy
+from scipy.spatial.transform import RigidTransform as Theirs
+from scipy.spatial.transform import Rotation
+
+import dq8
+
+FIRST = [3, 0, 1, 2, 7, 4, 5, 6]
+
+
+@dataclass
+class Job:
+    """What is computed, of how many, by whom; and how many times as fast as a peer dq8 is meant to be."""
+
+    name: str
+    count: int
+    contenders: dict[str, Callable[[], object]]
+    goals: dict[str, float] = field(default_factory=dict)
+    best: dict[str, float] = field(default_factory=dict)
+
+    def run(self, rounds: int) -> None:
+        self.best = dict.fromkeys(self.contenders, float("inf"))
+        for _ in range(rounds):
+            for name, contender in self.contenders.items():
+                # Short ones are repeated, so that the clock does not count.
+                number = max(1, 2000 // self.count)
+                seconds = min(timeit.repeat(contender, number=number, repeat=3)) / number
+                self.best[name] = min(self.best[name], seconds / self.count * 1e9)
+
+
+def of_arrays(count: int) -> list[Job]:
+    rng = np.random.default_rng(0)
+    x, y = (
+        Theirs.from_components(rng.normal(size=(count, 3)), Rotation.random(count, rng=rng)) for _ in range(2)
+    )
+    a, b = x.as_dual_quat(), y.as_dual_quat()
+    a32, b32 = a.astype(np.float32), b.astype(np.float32)
+    b_near = b * np.sign(np.sum(a[:, :4] * b[:, :4], axis=-1, keepdims=True))
+    a_first, b_first, t = a[:, FIRST].copy(), b_near[:, FIRST].copy(), np.linspace(0, 1, count)
+    matrices, others = x.as_matrix(), y.as_matrix()
+    points = rng.normal(size=(count, 3))
+    own_x, own_y = dq8.RigidTransform.from_dual_quat(a), dq8.RigidTransform.from_dual_quat(b)
+    out, matrix_out = np.empty_like(a), np.empty_like(matrices)
+    columns = points[:, :, None]
+    return [
+        Job(
+            "product",
+            count,
+            {
+                "dq8": lambda: dq8.mul(a, b, out=out),
+                "dq8 float32": lambda: dq8.mul(a32, b32),
+                "dq8 RigidTransform": lambda: own_x * own_y,
+                "NumPy 4×4 matmul": lambda: np.matmul(matrices, others, out=matrix_out),
+                "NumPy a + b": lambda: np.add(a, b, out=out),
+                "SciPy": lambda: x * y,
+                "pytransform3d": lambda: p3t.batch_concatenate_dual_quaternions(a_first, b_first),
+            },
+            {"SciPy": 40, "NumPy 4×4 matmul": 10},
+        ),
+        Job(
+            "ScLERP",
+            count,
+            {
+                "dq8": lambda: dq8.sclerp(a, b, t, out=out),
+                "dq8 float32": lambda: dq8.sclerp(a32, b32, 0.5),
+                "pytransform3d": lambda: p3t.dual_quaternions_sclerp(a_first, b_first, t),
+            },
+            {"pytransform3d": 100},
+        ),
+        Job(
+            "logarithm",
+            count,
+            {
+                "dq8": lambda: dq8.to_twist(a),
+                "dq8 float32": lambda: dq8.to_twist(a32),
+                "dq8 RigidTransform": own_x.as_exp_coords,
+                "SciPy": x.as_exp_coords,
+                "pytransform3d": lambda: p3t.exponential_coordinates_from_transforms(matrices),
+            },
+            {"SciPy": 30},
+        ),
+        Job(
+            "inverse",
+            count,
+            {"dq8": lambda: dq8.conjugate(a, out=out), "dq8 RigidTransform": own_x.inv, "SciPy": x.inv},
+        ),
+        Job(
+            "a point by each",
+            count,
+            {
+                "dq8": lambda: dq8.transform_points(a, points),
+                "dq8 RigidTransform": lambda: own_x.apply(points),
+                "SciPy": lambda: x.apply(points),
+                "NumPy 3×3 matmul + t": lambda: (matrices[:, :3, :3] @ columns)[..., 0] + matrices[:, :3, 3],
+            },
+        ),
+    ]
+
+
+def of_an_arm(configurations: int) -> list[Job]:
+    """Poses of the links of a 7-axis arm (DH-like offsets, hinges about z) from its angles."""
+    rng = np.random.default_rng(1)
+    joints = 7
+    offsets = Theirs.from_components(rng.normal(size=(joints, 3)), Rotation.random(joints, rng=rng))
+    motions = offsets.as_dual_quat()
+    axes = np.tile([0.0, 0, 1, 0, 0, 0], (joints, 1))
+    angles = rng.uniform(-3, 3, size=(configurations, joints))
+    arm = dq8.Hierarchy([-1, *range(joints - 1)])
+    poses = np.empty((configurations, joints, 8))
+
+    def own() -> np.ndarray:
+        dq8.integrate_body(motions, axes, angles, out=poses)
+        return arm.local_to_model(poses, out=poses)
+
+    contenders: dict[str, Callable[[], object]] = {"dq8": own}
+    try:
+        import pinocchio as pin
+    except ImportError:
+        print("pinocchio is not installed (pip install pin): the arm runs without it", file=sys.stderr)
+        return [Job("arm of 7 joints, per configuration", configurations, contenders)]
+    model = pin.Model()
+    link = 0
+    for j, matrix in enumerate(offsets.as_matrix()):
+        link = model.addJoint(link, pin.JointModelRZ(), pin.SE3(matrix), f"joint {j}")
+    data = model.createData()
+    # Both must compute the same.
+    matrices = dq8.to_matrix(own())
+    for i in range(5):
+        pin.forwardKinematics(model, data, angles[i])
+        np.testing.assert_allclose(np.array(data.oMi[joints]), matrices[i, -1], rtol=0, atol=1e-12)
+
+    def theirs() -> None:
+        forward = pin.forwardKinematics
+        for q in angles:
+            forward(model, data, q)
+
+    contenders["pinocchio, in a loop"] = theirs
+    return [Job("arm of 7 joints, per configuration", configurations, contenders, {"pinocchio, in a loop": 20})]
+
+
+def of_single_calls() -> list[Job]:
+    rng = np.random.default_rng(2)
+    made = [Theirs.from_components(rng.normal(size=3), Rotation.random(rng=rng)) for _ in range(2)]
+    calls = {
+        "x * y": lambda x, y, r, p: x * y,
+        "x ** 0.5": lambda x, y, r, p: x**0.5,
+        "x.inv()": lambda x, y, r, p: x.inv(),
+        "x.apply(p)": lambda x, y, r, p: x.apply(p),
+        "x.as_matrix()": lambda x, y, r, p: x.as_matrix(),
+        "x.as_dual_quat()": lambda x, y, r, p: x.as_dual_quat(),
+        "x.as_exp_coords()": lambda x, y, r, p: x.as_exp_coords(),
+        "x.translation": lambda x, y, r, p: x.translation,
+        "x.rotation": lambda x, y, r, p: x.rotation,
+        "from_translation": lambda x, y, r, p: type(x).from_translation(p),
+        "from_rotation": lambda x, y, r, p: type(x).from_rotation(r),
+        "from_components": lambda x, y, r, p: type(x).from_components(p, r),
+        "from_matrix": lambda x, y, r, p, m=made[0].as_matrix(): type(x).from_matrix(m),
+        "from_dual_quat": lambda x, y, r, p, d=made[0].as_dual_quat(): type(x).from_dual_quat(d),
+        "from_exp_coords": lambda x, y, r, p, e=made[0].as_exp_coords(): type(x).from_exp_coords(e),
+        "identity": lambda x, y, r, p: type(x).identity(),
+        "concatenate": lambda x, y, r, p: type(x).concatenate([x, y]),
+        "mean": lambda x, y, r, p: x.mean(),
+    }
+    rotation, point = made[0].rotation, rng.normal(size=3)
+    jobs = []
+    for name, call in calls.items():
+        contenders = {}
+        for who, pair in (("dq8", [dq8.RigidTransform.from_matrix(m.as_matrix()) for m in made]), ("SciPy", made)):
+            contenders[who] = lambda call=call, pair=pair: call(*pair, rotation, point)
+        jobs.append(Job(f"single {name}", 1, contenders, {"SciPy": 1}))
+    return jobs
+
+
+def table(jobs: list[Job]) -> str:
+    lines = ["| job | contender | ns | times dq8's | goal |", "|---|---|---|---|---|"]
+    for job in jobs:
+        own = job.best["dq8"]
+        for name, ns in job.best.items():
+            goal = f"≥ {job.goals[name]:g}" if name in job.goals else ""
+            ratio = "" if name == "dq8" else f"{ns / own:.1f}" if ns / own < 10 else f"{ns / own:.0f}"
+            lines.append(f"| {job.name} | {name} | {ns:,.1f} | {ratio} | {goal} |")
+    return "\n".join(lines)
+
+
+def plot(jobs: list[Job], path: str) -> None:
+    import matplotlib
+
+    matplotlib.use("agg")
+    import matplotlib.pyplot as plt
+
+    jobs = [job for job in jobs if not job.name.startswith("single")]
+    bars = [(job.name, name, ns) for job in jobs for name, ns in job.best.items()]
+    figure, axes = plt.subplots(figsize=(8, 0.28 * len(bars) + 1), layout="constrained")
+    colors = ["#c33" if name.startswith("dq8") else "#999" for _, name, _ in bars]
+    places = np.arange(len(bars))[::-1]
+    axes.barh(places, [ns for *_, ns in bars], color=colors)
+    axes.set_yticks(places, [f"{job}: {name}" for job, name, _ in bars], fontsize=8)
+    axes.set_xscale("log")
+    axes.set_xlabel("nanoseconds per element, float64 unless it says otherwise, one thread")
+    figure.savefig(path)
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--quick", action="store_true", help="few elements, few rounds")
+    parser.add_argument("--plot", metavar="FILE", help="where to write the plot")
+    parser.add_argument("--check", action="store_true", help="fail if a goal is missed by more than half")
+    options = parser.parse_args()
+    count, configurations, rounds = (10_000, 1_000, 2) if options.quick else (100_000, 10_000, 8)
+    dq8.set_num_threads(1)
+    print(f"dq8 {dq8.__version__} ({dq8.backend()}), NumPy {np.__version__}, SciPy {scipy.__version__}, {count} elements\n")
+    jobs = [*of_arrays(count), *of_an_arm(configurations), *of_single_calls()]
+    for job in jobs:
+        job.run(rounds)
+    print(table(jobs))
+    if options.plot:
+        plot(jobs, options.plot)
+    missed = [
+        f"{job.name}: {job.best[peer] / job.best['dq8']:.1f} times as fast as {peer}, goal {goal:g}"
+        for job in jobs
+        for peer, goal in job.goals.items()
+        if job.best[peer] / job.best["dq8"] < (goal / 2 if options.check else goal)
+    ]
+    for line in missed:
+        print("missed:", line)
+    return 1 if options.check and missed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,118 @@
+"""Rigid motions as dual quaternions, for NumPy arrays on SIMD lanes.
+
+A motion is eight numbers, ``[px, py, pz, pw, qx, qy, qz, qw]``: the dual quaternion p + εq with p the
+rotation and q = ½tp, t the translation. This is the layout of SciPy's
+``RigidTransform.as_dual_quat(scalar_first=False)``.
+
+Functions take arrays ``(..., 8)``, broadcast leading dimensions, and compute in float32 if all arrays are
+float32, otherwise in float64. Arrays that lie in memory one element after the other are read as they are;
+others are copied first. ``out=`` writes into an array that is there.
+
+`RigidTransform` wraps such an array in the methods of ``scipy.spatial.transform.RigidTransform``.
+
+Angles are radians, lengths the unit of the caller, ``a b`` lets b act first, matrices are for column vectors.
+"""
+
+import os as _os
+
+from ._core import (
+    Hierarchy,
+    adjoint,
+    angle_to,
+    backend,
+    coadjoint,
+    compose,
+    conjugate,
+    distance_to,
+    distance_weighted,
+    dlb,
+    exp,
+    from_matrix,
+    from_rotation_translation,
+    from_screw,
+    from_translation,
+    from_twist,
+    get_num_threads,
+    integrate_body,
+    integrate_spatial,
+    inverse,
+    log,
+    mean,
+    mul,
+    nlerp,
+    normalize,
+    point_error,
+    pow,
+    sclerp,
+    set_num_threads,
+    to_matrix,
+    to_screw,
+    to_twist,
+    transform_lines,
+    transform_planes,
+    transform_points,
+    transform_vectors,
+    translation,
+)
+from ._core import forget_threads as _forget_threads
+from ._rigid_transform import RigidTransform, identity
+
+__version__ = "0.1.0"
+
+__all__ = [
+    "Hierarchy",
+    "RigidTransform",
+    "adjoint",
+    "angle_to",
+    "backend",
+    "coadjoint",
+    "compose",
+    "conjugate",
+    "distance_to",
+    "distance_weighted",
+    "dlb",
+    "exp",
+    "from_matrix",
+    "from_rotation_translation",
+    "from_screw",
+    "from_translation",
+    "from_twist",
+    "get_num_threads",
+    "identity",
+    "integrate_body",
+    "integrate_spatial",
+    "inverse",
+    "log",
+    "mean",
+    "mul",
+    "nlerp",
+    "normalize",
+    "point_error",
+    "pow",
+    "sclerp",
+    "set_num_threads",
+    "to_matrix",
+    "to_screw",
+    "to_twist",
+    "transform_lines",
+    "transform_planes",
+    "transform_points",
+    "transform_vectors",
+    "translation",
+]
+
+if hasattr(_os, "register_at_fork"):
+    _os.register_at_fork(after_in_child=_forget_threads)
+
+
+def _threads_of_environment() -> None:
+    name = "DQ8_NUM_THREADS"
+    value = _os.environ.get(name)
+    if value is None:
+        return
+    if not value.isdecimal() or int(value) < 1:
+        raise ValueError(f"Expected the environment variable {name} to be a whole number of at least 1, got {value!r}.")
+    set_num_threads(int(value))
+
+
+_threads_of_environment()

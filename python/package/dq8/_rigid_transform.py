@@ -1,0 +1,411 @@
+"""`RigidTransform`: SciPy's class of that name, on dual quaternions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from . import _core
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, DTypeLike, NDArray
+    from scipy.spatial.transform import Rotation
+
+# How far RRᵀ may be from 1 in a matrix whose R is taken as it is: some units of the last place, which
+# rounding to the type leaves. Beyond, the nearest rotation is sought.
+_ORTHOGONAL = {np.dtype(np.float64): 1e-12, np.dtype(np.float32): 2e-6}
+
+_SCALAR_FIRST = [3, 0, 1, 2, 7, 4, 5, 6]
+_SCALAR_LAST = [1, 2, 3, 0, 5, 6, 7, 4]
+
+
+def identity(shape: int | tuple[int, ...] = (), dtype: DTypeLike = np.float64) -> NDArray[Any]:
+    """The motions that move nothing.
+
+    Parameters
+    ----------
+    shape : int or tuple of ints, optional
+        Leading dimensions.
+    dtype : optional
+        float64 or float32.
+
+    Returns
+    -------
+    ndarray, shape (*shape, 8)
+    """
+    leading = (shape,) if isinstance(shape, int) else tuple(shape)
+    motions = np.zeros((*leading, 8), dtype)
+    motions[..., 3] = 1
+    return motions
+
+
+def _floats(name: str, value: ArrayLike, core: tuple[int, ...]) -> NDArray[Any]:
+    """`value` as an array of float32 or float64 whose last dimensions are `core`."""
+    array = np.asarray(value)
+    if array.shape[-len(core) :] != core:
+        dimensions = ", ".join(map(str, core))
+        raise ValueError(f"Expected `{name}` to have shape (..., {dimensions}), got {array.shape}.")
+    if array.dtype == np.float16:
+        return array.astype(np.float32)
+    if array.dtype.kind in "iub":
+        return array.astype(np.float64)
+    if array.dtype not in _ORTHOGONAL:
+        raise TypeError(f"Expected `{name}` to hold real numbers of at most 64 bits, got dtype {array.dtype}.")
+    return array
+
+
+def _rotation_type() -> type[Rotation]:
+    # Imported when it is needed: importing SciPy takes longer than importing this package.
+    from scipy.spatial.transform import Rotation
+
+    made: type[Rotation] = Rotation
+    return made
+
+
+def _unrigid_made_rigid(matrices: NDArray[Any]) -> NDArray[Any]:
+    """`matrices` with the nearest rotation in the place of each R that is none.
+
+    Raises ValueError where there is none: a last row that is not 0 0 0 1, a reflection, or no volume.
+    """
+    rigidity = _core.rigidity(matrices)
+    if (rigidity[..., 2] != 0).any():
+        index = tuple(int(i) for i in np.argwhere(rigidity[..., 2] != 0)[0])
+        raise ValueError(
+            f"Expected last row of transformation matrix {index} to be exactly [0, 0, 0, 1], got {matrices[index][3]}"
+        )
+    if (rigidity[..., 1] <= 0).any():
+        index = tuple(int(i) for i in np.argwhere(rigidity[..., 1] <= 0)[0])
+        raise ValueError(
+            "Non-positive determinant (left-handed or null coordinate frame) in rotation matrix "
+            f"{index}: {matrices[index][:3, :3]}."
+        )
+    skew = ~(rigidity[..., 0] <= _ORTHOGONAL[matrices.dtype])
+    if not skew.any():
+        return matrices
+    matrices = matrices.copy()
+    u, _, vt = np.linalg.svd(matrices[skew][..., :3, :3])
+    matrices[skew, :3, :3] = u @ vt
+    return matrices
+
+
+class RigidTransform:
+    """Rigid motions: a rotation, then a translation.
+
+    The methods of ``scipy.spatial.transform.RigidTransform``, on an array ``(..., 8)`` of unit dual
+    quaternions. What differs:
+
+    - float32 stays float32: a transform has the precision of what it is made of (`dtype`, `astype`).
+    - Transforms are dual quaternions and not matrices, so they are always rigid. ``copy=False`` does not
+      share memory with a matrix, and ``normalize=False`` takes rows of a matrix that is not rigid for
+      those of the rotation which their quaternion gives.
+    - Any number of leading dimensions, and exponents of `**` that broadcast.
+    - `apply` and `as_dual_quat` write to ``out=``, `motions` is the array itself.
+
+    Parameters
+    ----------
+    matrix : array_like, shape (..., 4, 4)
+        Matrices ``[R t; 0 1]`` for column vectors; lengths in the unit of the caller.
+    normalize : bool, optional
+        Whether to check that the matrix is rigid, and to make R the nearest rotation.
+    copy : bool, optional
+        Without effect.
+
+    Examples
+    --------
+    >>> from dq8 import RigidTransform as Tf
+    >>> step = Tf.from_translation([1, 0, 0])
+    >>> (step * step).translation
+    array([2., 0., 0.])
+    """
+
+    __slots__ = ("_motions",)
+
+    def __init__(self, matrix: ArrayLike, normalize: bool = True, copy: bool = True) -> None:
+        matrices = _floats("matrix", matrix, (4, 4))
+        if normalize:
+            matrices = _unrigid_made_rigid(matrices)
+        self._motions = _core.from_matrix(matrices)
+
+    @staticmethod
+    def _of(motions: NDArray[Any]) -> RigidTransform:
+        """Of unit dual quaternions that nobody else writes."""
+        transform = RigidTransform.__new__(RigidTransform)
+        transform._motions = motions
+        return transform
+
+    @staticmethod
+    def from_matrix(matrix: ArrayLike) -> RigidTransform:
+        """From matrices ``[R t; 0 1]``, shape (..., 4, 4).
+
+        R becomes the nearest rotation where it is none by more than rounding. ValueError where the last row
+        is not 0 0 0 1 or the determinant of R is not positive.
+        """
+        return RigidTransform(matrix)
+
+    @staticmethod
+    def from_rotation(rotation: Rotation) -> RigidTransform:
+        """From a SciPy rotation of any shape, without translation."""
+        if not isinstance(rotation, _rotation_type()):
+            raise TypeError(f"Expected `rotation` to be a `Rotation` instance, got {type(rotation)}.")
+        return RigidTransform._of(_core.from_rotation_translation(rotation.as_quat(), np.zeros(3)))
+
+    @staticmethod
+    def from_translation(translation: ArrayLike) -> RigidTransform:
+        """From translations, shape (..., 3), in lengths, without rotation."""
+        return RigidTransform._of(_core.from_translation(translation))
+
+    @staticmethod
+    def from_components(translation: ArrayLike, rotation: Rotation) -> RigidTransform:
+        """Rotate, then translate: translations, shape (..., 3), and a SciPy rotation; they broadcast."""
+        if not isinstance(rotation, _rotation_type()):
+            raise TypeError(f"Expected `rotation` to be a `Rotation` instance, got {type(rotation)}.")
+        return RigidTransform._of(_core.from_rotation_translation(rotation.as_quat(), translation))
+
+    @staticmethod
+    def from_exp_coords(exp_coords: ArrayLike) -> RigidTransform:
+        """From exponential coordinates, shape (..., 6): rotation vector in radians, then velocity.
+
+        ``exp(½ξ)`` of the twist ξ = ω + εv.
+        """
+        return RigidTransform._of(_core.from_twist(_floats("exp_coords", exp_coords, (6,))))
+
+    @staticmethod
+    def from_dual_quat(dual_quat: ArrayLike, *, scalar_first: bool = False) -> RigidTransform:
+        """From dual quaternions, shape (..., 8), real part then dual part; they are normalized.
+
+        The scalar is the last of each four, or the first. A real part of zero is taken for 1.
+        """
+        if scalar_first:
+            dual_quat = _floats("dual_quat", dual_quat, (8,))[..., _SCALAR_LAST]
+        return RigidTransform._of(_core.unit_or_identity(dual_quat))
+
+    @staticmethod
+    def identity(
+        num: int | None = None, *, shape: int | tuple[int, ...] | None = None
+    ) -> RigidTransform:
+        """`num` transforms that move nothing, or of a `shape`, or a single one."""
+        if num is not None and shape is not None:
+            raise ValueError("Only one of `num` and `shape` can be specified.")
+        if num is not None:
+            shape = (num,)
+        elif shape is None:
+            shape = ()
+        elif not isinstance(shape, (int, tuple)):
+            raise ValueError("`shape` must be an int or a tuple of ints or None.")
+        return RigidTransform._of(identity(shape))
+
+    @staticmethod
+    def concatenate(transforms: RigidTransform | Iterable[RigidTransform]) -> RigidTransform:
+        """One after the other along the first dimension; single ones count as one."""
+        if isinstance(transforms, RigidTransform):
+            return RigidTransform._of(transforms._motions.copy())
+        transforms = list(transforms)
+        if not all(isinstance(transform, RigidTransform) for transform in transforms):
+            raise TypeError("input must contain RigidTransform objects only")
+        return RigidTransform._of(
+            np.concatenate([np.atleast_2d(transform._motions) for transform in transforms])
+        )
+
+    @property
+    def motions(self) -> NDArray[Any]:
+        """The unit dual quaternions themselves, shape (..., 8): what is written here changes the transform."""
+        return self._motions
+
+    @property
+    def dtype(self) -> np.dtype[Any]:
+        """float64 or float32."""
+        return self._motions.dtype
+
+    def astype(self, dtype: DTypeLike) -> RigidTransform:
+        """The same transforms in float64 or float32."""
+        if np.dtype(dtype) not in _ORTHOGONAL:
+            raise TypeError(f"Expected `dtype` to be float64 or float32, got {np.dtype(dtype)}.")
+        return RigidTransform._of(_core.normalize(self._motions.astype(dtype)))
+
+    def as_matrix(self) -> NDArray[Any]:
+        """Matrices ``[R t; 0 1]``, shape (..., 4, 4)."""
+        return _core.to_matrix(self._motions)
+
+    def as_components(self) -> tuple[NDArray[Any], Rotation]:
+        """Translations, shape (..., 3), and a SciPy rotation."""
+        return self.translation, self.rotation
+
+    def as_exp_coords(self) -> NDArray[Any]:
+        """Exponential coordinates, shape (..., 6): rotation vector of at most π radians, then velocity.
+
+        ``2 log σ``, half the dual angle times the dual axis, twice.
+        """
+        return _core.to_twist(self._motions)
+
+    def as_dual_quat(
+        self, *, scalar_first: bool = False, out: NDArray[Any] | None = None
+    ) -> NDArray[Any]:
+        """Unit dual quaternions, shape (..., 8), real part then dual part, scalar last or first."""
+        motions = self._motions[..., _SCALAR_FIRST] if scalar_first else self._motions
+        if out is None:
+            return motions if scalar_first else motions.copy()
+        np.copyto(out, motions, casting="same_kind")
+        return out
+
+    @property
+    def rotation(self) -> Rotation:
+        """The rotations, as SciPy has them."""
+        return _rotation_type().from_quat(self._motions[..., :4])
+
+    @property
+    def translation(self) -> NDArray[Any]:
+        """The translations ``2qp*``, shape (..., 3)."""
+        return _core.translation(self._motions)
+
+    @property
+    def single(self) -> bool:
+        """Whether this is one transform, and not an array of them."""
+        return self._motions.ndim == 1
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """The leading dimensions; () of a single transform."""
+        return self._motions.shape[:-1]
+
+    def inv(self) -> RigidTransform:
+        """The inverses ``σ*``."""
+        return RigidTransform._of(_core.conjugate(self._motions))
+
+    def apply(
+        self, vector: ArrayLike, inverse: bool = False, *, out: NDArray[Any] | None = None
+    ) -> NDArray[Any]:
+        """Points moved: ``Rv + t``, or by the inverses.
+
+        Parameters
+        ----------
+        vector : array_like, shape (..., 3)
+            Points, in the precision of the transform; leading dimensions broadcast.
+        inverse : bool, optional
+            Whether to move them back.
+        out : ndarray, optional
+            Where to write the result.
+
+        Returns
+        -------
+        ndarray, shape (..., 3)
+        """
+        points = np.asarray(vector, self._motions.dtype)
+        if points.shape[-1:] != (3,):
+            raise ValueError(f"Expected vector to have shape (..., 3), got {points.shape}.")
+        motions = _core.conjugate(self._motions) if inverse else self._motions
+        return _core.transform_points(motions, points, out=out)
+
+    def mean(
+        self, weights: ArrayLike | None = None, axis: int | tuple[int, ...] | None = None
+    ) -> RigidTransform:
+        """The chordal mean of the rotations with the mean of the translations, over all or some axes.
+
+        `dq8.mean` is another one, which does not depend on the frame.
+
+        Parameters
+        ----------
+        weights : array_like, the shape of the transforms, optional
+            Not negative; equal ones by default.
+        axis : int or tuple of ints, optional
+            Over which dimensions; all by default.
+
+        References
+        ----------
+        R. Hartley et al., "Rotation Averaging", IJCV 103 (2013); F. L. Markley et al., "Averaging
+        Quaternions", J. Guidance, Control, and Dynamics 30 (2007).
+        """
+        shape = self.shape
+        motions = self._motions[np.newaxis] if self.single else self._motions
+        rank = motions.ndim - 1
+        if motions.shape[0] == 0:
+            raise ValueError("Mean of an empty rotation set is undefined.")
+        axes = tuple(range(rank)) if axis is None else (axis,) if isinstance(axis, int) else axis
+        if not isinstance(axes, tuple):
+            raise ValueError("`axis` must be None, int, or tuple of ints.")
+        if any(not -rank <= a < rank for a in axes):
+            raise ValueError(f"axis {axes} is out of bounds for transform with shape {shape}.")
+        over = tuple(sorted({a % rank for a in axes}))
+        kept = tuple(a for a in range(rank) if a not in over)
+
+        if weights is None:
+            w = np.ones(motions.shape[:-1])
+        else:
+            w = np.asarray(weights, np.float64)
+            if (w < 0).any():
+                raise ValueError("`weights` must be non-negative.")
+            if w.shape != shape:
+                raise ValueError(
+                    f"Expected `weights` to match transform shape, got shape {w.shape} for {shape} transformations."
+                )
+            w = w.reshape(motions.shape[:-1])
+        leading = tuple(motions.shape[a] for a in kept)
+        w = w.transpose(*kept, *over).reshape(*leading, -1)
+        w = w / w.sum(axis=-1, keepdims=True)
+        ordered = motions.transpose(*kept, *over, rank).reshape(*leading, -1, 8)
+        rotations = ordered[..., :4].astype(np.float64, copy=False)
+        # The largest eigenvector of Σ w r rᵀ.
+        squares = np.swapaxes(rotations * w[..., np.newaxis], -1, -2) @ rotations
+        rotation = np.linalg.eigh(squares)[1][..., -1]
+        translation = (w[..., np.newaxis, :] @ _core.translation(ordered))[..., 0, :]
+        made = _core.from_rotation_translation(rotation, translation)
+        return RigidTransform._of(made.astype(self.dtype, copy=False))
+
+    def __mul__(self, other: RigidTransform) -> RigidTransform:
+        """Composition: `other` acts first. Leading dimensions broadcast; the result is normalized."""
+        if not isinstance(other, RigidTransform):
+            return NotImplemented
+        try:
+            return RigidTransform._of(_core.compose(self._motions, other._motions))
+        except ValueError:
+            raise ValueError(
+                f"Cannot broadcast {self.shape} transforms in first to {other.shape} transforms in second object."
+            ) from None
+
+    def __pow__(self, n: ArrayLike) -> RigidTransform:
+        """The part `n` of each screw motion, ``exp(n log σ)``; of an array, each its own."""
+        exponent = n if isinstance(n, (int, float)) else np.asarray(n, self.dtype)
+        if not isinstance(exponent, (int, float)) and exponent.shape == (1,):
+            exponent = exponent[0]
+        return RigidTransform._of(_core.pow(self._motions, exponent))
+
+    def __len__(self) -> int:
+        if self.single:
+            raise TypeError("Single transform has no len")
+        return len(self._motions)
+
+    def __getitem__(self, indexer: Any) -> RigidTransform:
+        if self.single:
+            raise TypeError("Single transform is not subscriptable.")
+        picked = self._motions[_before_components(indexer)]
+        return RigidTransform._of(picked if picked.base is None else picked.copy())
+
+    def __setitem__(self, indexer: Any, value: RigidTransform) -> None:
+        if self.single:
+            raise TypeError("Single transform is not subscriptable.")
+        if not isinstance(value, RigidTransform):
+            raise TypeError("value must be a RigidTransform object")
+        self._motions[_before_components(indexer)] = value._motions
+
+    def __iter__(self) -> Iterator[RigidTransform]:
+        if self.single:
+            raise TypeError("Single transform is not iterable.")
+        return (RigidTransform._of(motions.copy()) for motions in self._motions)
+
+    def __repr__(self) -> str:
+        first, *others = repr(self.as_matrix()).splitlines()
+        return "RigidTransform.from_matrix(" + "\n".join([first, *(" " * 27 + line for line in others)]) + ")"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return RigidTransform._of, (self._motions,)
+
+
+def _before_components(indexer: Any) -> Any:
+    """An index into motions that does not reach into their eight numbers."""
+    if not isinstance(indexer, tuple):
+        return indexer
+    # `in` would compare arrays.
+    if any(part is Ellipsis for part in indexer):
+        return (*indexer, slice(None))
+    return (*indexer, Ellipsis, slice(None))

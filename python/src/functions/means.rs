@@ -1,0 +1,236 @@
+//! Blends of any number of motions: lanes are blends, whose influences lie apart in memory.
+
+use super::core_shape::{EIGHT, NUMBER};
+use crate::argument::{Argument, Input, Number, Output, is_single, tuple};
+use crate::call::Answer;
+use crate::threads::Threads;
+use dq8::simd::Records;
+use dq8::{Backend, Kernel, Lanes, Level, batch, storage};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+/// Which mean.
+#[derive(Clone, Copy)]
+enum Mean {
+    Linear,
+    Intrinsic { tolerance: f64, max_iterations: u32 },
+}
+
+/// Dual quaternion linear blending: ``normalize(Σ ±wᵢσᵢ)``, each sign turned toward the first.
+///
+/// Parameters
+/// ----------
+/// motions : array_like, shape (..., n, 8)
+///     Unit dual quaternions, n > 0 influences of each result.
+/// weights : array_like, shape (..., n) or (n,), optional
+///     Their weights, the same for all results or their own; equal ones by default.
+/// out : ndarray, optional
+///     Where to write the result.
+///
+/// Returns
+/// -------
+/// ndarray, shape (..., 8)
+///
+/// References
+/// ----------
+/// L. Kavan, S. Collins, J. Žára, C. O'Sullivan, "Skinning with Dual Quaternions", I3D 2007.
+#[pyfunction]
+#[pyo3(signature = (motions, weights=None, /, *, out=None))]
+pub(crate) fn dlb<'py>(
+    motions: &Bound<'py, PyAny>,
+    weights: Option<&Bound<'py, PyAny>>,
+    out: Option<&Bound<'py, PyAny>>,
+) -> Answer<'py> {
+    mean_of(Mean::Linear, motions, weights, out)
+}
+
+/// Intrinsic means: the b with ``Σ wᵢ log(b*σᵢ) = 0``, found by iteration from the linear blend.
+///
+/// The mean of moved motions is the moved mean, from the left and from the right. (`RigidTransform.mean`
+/// is SciPy's: the mean of the rotations and that of the translations.)
+///
+/// Parameters
+/// ----------
+/// motions : array_like, shape (..., n, 8)
+///     Unit dual quaternions, n > 0 influences of each result.
+/// weights : array_like, shape (..., n) or (n,), optional
+///     Their weights, the same for all results or their own; equal ones by default.
+/// tolerance : float, optional
+///     The largest step that counts as none: radians, and lengths relative to the longest dual part.
+///     By default 1e-14, of float32 1e-6.
+/// max_iterations : int, optional
+///     The most steps.
+/// out : ndarray, optional
+///     Where to write the result.
+///
+/// Returns
+/// -------
+/// ndarray, shape (..., 8)
+///
+/// References
+/// ----------
+/// L. Kavan, S. Collins, C. O'Sullivan, J. Žára, "Dual Quaternions for Rigid Transformation Blending",
+/// Trinity College Dublin, 2006, algorithm 3 (DIB).
+#[pyfunction]
+#[pyo3(signature = (motions, weights=None, /, *, tolerance=None, max_iterations=32, out=None))]
+pub(crate) fn mean<'py>(
+    motions: &Bound<'py, PyAny>,
+    weights: Option<&Bound<'py, PyAny>>,
+    tolerance: Option<f64>,
+    max_iterations: u32,
+    out: Option<&Bound<'py, PyAny>>,
+) -> Answer<'py> {
+    let tolerance = tolerance.unwrap_or(f64::NAN);
+    mean_of(Mean::Intrinsic { tolerance, max_iterations }, motions, weights, out)
+}
+
+fn mean_of<'py>(
+    mean: Mean,
+    motions: &Bound<'py, PyAny>,
+    weights: Option<&Bound<'py, PyAny>>,
+    out: Option<&Bound<'py, PyAny>>,
+) -> Answer<'py> {
+    let motions = Argument { name: "motions", core: EIGHT, value: motions };
+    let weights = weights.map(|value| Argument { name: "weights", core: NUMBER, value });
+    if is_single(&[Some(motions), weights])? {
+        typed::<f32>(mean, motions, weights, out)
+    } else {
+        typed::<f64>(mean, motions, weights, out)
+    }
+}
+
+fn typed<'py, R: Number>(
+    mean: Mean,
+    motions: Argument<'_, 'py>,
+    weights: Option<Argument<'_, 'py>>,
+    out: Option<&Bound<'py, PyAny>>,
+) -> Answer<'py> {
+    let motions = Input::<R>::of(motions)?;
+    let full = motions.full_leading().to_vec();
+    let Some((&count, leading)) = full.split_last().filter(|(count, _)| **count > 0) else {
+        return Err(PyValueError::new_err(format!(
+            "Expected `motions` to have shape (..., n, 8) with n > 0, got {}.",
+            tuple(&motions.shape())
+        )));
+    };
+    let motions = motions.filled(&full)?;
+    let weights = weights.map(Input::<R>::of).transpose()?;
+    let own = match &weights {
+        None => false,
+        Some(weights) if weights.full_leading() == [count] => false,
+        Some(weights) if weights.full_leading() == full => true,
+        Some(weights) => {
+            return Err(PyValueError::new_err(format!(
+                "Expected `weights` to have shape {} or {}, got {}.",
+                tuple(&[count]),
+                tuple(&full),
+                tuple(&weights.shape())
+            )));
+        }
+    };
+    let weights = weights
+        .map(|weights| {
+            let shape = weights.full_leading().to_vec();
+            weights.filled(&shape)
+        })
+        .transpose()?;
+    let output = Output::<R>::new(motions.py(), out, leading, EIGHT)?;
+    let motions = motions.apart_from(&output)?;
+    let weights = weights.map(|weights| weights.apart_from(&output)).transpose()?;
+
+    let influences = Influences {
+        count,
+        motions: motions.records(),
+        weights: weights.as_ref().map(|weights| weights.records()),
+        own,
+    };
+    let mut memory = output.borrow()?;
+    let to = memory.as_slice_mut().map(|numbers| numbers.as_chunks_mut::<8>().0);
+    let to = to.map_err(|error| PyValueError::new_err(error.to_string()))?;
+    motions.py().detach(|| {
+        let threads = Threads::for_elements(influences.motions.len());
+        threads.split(to, |first, to| {
+            Backend::best().run(Blend { mean, influences: influences.from(first), to });
+            true
+        })
+    });
+    drop(memory);
+    output.finish()
+}
+
+/// What is blended: `count` motions for each result.
+#[derive(Clone, Copy)]
+struct Influences<'s, R> {
+    count: usize,
+    motions: &'s [[R; 8]],
+    weights: Option<&'s [[R; 1]]>,
+    /// Whether each result has its own weights.
+    own: bool,
+}
+
+impl<R> Influences<'_, R> {
+    /// Those of the results from `first` on.
+    fn from(self, first: usize) -> Self {
+        let motions = self.motions.get(first * self.count..).unwrap_or_default();
+        let weights = self.weights.map(|weights| {
+            if self.own { weights.get(first * self.count..).unwrap_or_default() } else { weights }
+        });
+        Self { motions, weights, ..self }
+    }
+}
+
+struct Blend<'s, R> {
+    mean: Mean,
+    influences: Influences<'s, R>,
+    to: &'s mut [[R; 8]],
+}
+
+impl<R: Number> Kernel for Blend<'_, R> {
+    type Output = ();
+    const WIDE: bool = false;
+
+    #[inline(always)]
+    fn run<V: Level>(self, level: V) {
+        let Self { mean, influences, to } = self;
+        let Influences { count, motions, weights, own } = influences;
+        let one = R::Lanes::<V>::splat(level, R::ONE);
+        let mut blended = vec![(batch::DualQuat::<R::Lanes<V>>::identity(level), one); count];
+        let mut first = 0;
+        while let Some(rest) = to.get_mut(first..).filter(|rest| !rest.is_empty()) {
+            for (i, (motion, weight)) in blended.iter_mut().enumerate() {
+                let Some(from) = motions.get(first * count + i..) else { return };
+                *motion = batch::DualQuat::from_array(R::Lanes::<V>::load_strided(
+                    level,
+                    from,
+                    Some(count),
+                    &storage::identity(),
+                ));
+                if let Some(weights) = weights {
+                    let at = if own { first * count + i } else { i };
+                    let Some(from) = weights.get(at..) else { return };
+                    *weight = if own {
+                        let [weight] =
+                            R::Lanes::<V>::load_strided(level, from, Some(count), &[R::ONE]);
+                        weight
+                    } else {
+                        let Some(&[weight]) = from.first() else { return };
+                        R::Lanes::<V>::splat(level, weight)
+                    };
+                }
+            }
+            let result = match mean {
+                Mean::Linear => batch::DualQuat::dlb(&blended),
+                Mean::Intrinsic { tolerance, max_iterations } => {
+                    let usual = if R::SINGLE { 1e-6 } else { 1e-14 };
+                    let tolerance =
+                        one.constant(if tolerance.is_nan() { usual } else { tolerance });
+                    batch::DualQuat::dib(&blended, tolerance, max_iterations)
+                        .map(|mean| mean.motion)
+                }
+            };
+            let Some(result) = result else { return };
+            result.store_records(rest);
+            first += R::Lanes::<V>::LANES;
+        }
+    }
+}

@@ -1,0 +1,41 @@
+//! The functions on arrays, and the laws they compute.
+
+pub(crate) mod actions;
+pub(crate) mod algebra;
+pub(crate) mod between;
+pub(crate) mod conversions;
+pub(crate) mod distances;
+pub(crate) mod means;
+pub(crate) mod screws;
+
+use dq8::{Lanes, batch};
+
+/// The last dimensions of one element.
+pub(crate) mod core_shape {
+    pub(crate) const NUMBER: &[usize] = &[];
+    pub(crate) const VECTOR: &[usize] = &[3];
+    /// A quaternion, or a plane: normal and offset.
+    pub(crate) const FOUR: &[usize] = &[4];
+    /// A twist, a wrench, or a line: direction and moment.
+    pub(crate) const SIX: &[usize] = &[6];
+    /// A motion, or a screw: axis, angle and slide.
+    pub(crate) const EIGHT: &[usize] = &[8];
+    pub(crate) const MATRIX: &[usize] = &[4, 4];
+}
+
+#[inline(always)]
+fn motion<L: Lanes>(components: [L; 8]) -> batch::DualQuat<L> {
+    batch::DualQuat::from_array(components)
+}
+
+/// Two vectors as one element.
+#[inline(always)]
+fn joined<L: Lanes>([a, b, c]: [L; 3], [d, e, f]: [L; 3]) -> [L; 6] {
+    [a, b, c, d, e, f]
+}
+
+/// One element as two vectors.
+#[inline(always)]
+fn halves<L: Lanes>([a, b, c, d, e, f]: [L; 6]) -> ([L; 3], [L; 3]) {
+    ([a, b, c], [d, e, f])
+}

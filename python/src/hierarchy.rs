@@ -1,0 +1,225 @@
+//! Joint hierarchies.
+
+use crate::argument::{Argument, Input, Number, Output, is_single, tuple};
+use crate::call::Answer;
+use crate::functions::core_shape::EIGHT;
+use crate::threads::Threads;
+use dq8::{DualQuat, ShapeError};
+use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::types::PyList;
+
+/// A joint hierarchy: the parent of every joint.
+///
+/// Parameters
+/// ----------
+/// parents : sequence of int, length n
+///     ``parents[j]`` is the parent of joint j, or −1 for a root. Parents come before their children.
+///
+/// Examples
+/// --------
+/// >>> import dq8, numpy as np
+/// >>> leg = dq8.Hierarchy([-1, 0, 1])
+/// >>> down = dq8.from_translation([0.0, -1.0, 0.0])
+/// >>> dq8.translation(leg.local_to_model(np.tile(down, (3, 1))))[:, 1]
+/// array([-1., -2., -3.])
+#[pyclass(frozen, module = "dq8")]
+#[derive(Debug)]
+pub(crate) struct Hierarchy {
+    parents: Vec<u32>,
+}
+
+#[pymethods]
+impl Hierarchy {
+    #[new]
+    #[pyo3(signature = (parents, /))]
+    fn new(parents: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let given: Vec<i64> = parents.extract().map_err(|_| {
+            PyTypeError::new_err("Expected `parents` to be a sequence of integers, −1 for a root.")
+        })?;
+        let parents = given.iter().map(|&parent| match parent {
+            -1 => Ok(dq8::Hierarchy::ROOT),
+            _ => u32::try_from(parent)
+                .ok()
+                .filter(|&parent| parent != dq8::Hierarchy::ROOT)
+                .ok_or(parent),
+        });
+        let parents: Vec<u32> = parents.collect::<Result<_, _>>().map_err(|parent| {
+            PyValueError::new_err(format!("`parents`: {parent} is neither a joint nor −1."))
+        })?;
+        dq8::Hierarchy::new(&parents)
+            .map_err(|error| PyValueError::new_err(format!("`parents`: {error}")))?;
+        Ok(Self { parents })
+    }
+
+    /// The parent of every joint, −1 for a root.
+    #[getter]
+    fn parents<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
+        PyList::new(
+            py,
+            self.parents
+                .iter()
+                .map(|&parent| if parent == dq8::Hierarchy::ROOT { -1 } else { i64::from(parent) }),
+        )
+    }
+
+    /// How many joints there are.
+    fn __len__(&self) -> usize {
+        self.parents.len()
+    }
+
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        Ok(format!("Hierarchy({})", self.parents(py)?.repr()?))
+    }
+
+    fn __reduce__<'py>(
+        slf: &Bound<'py, Self>,
+    ) -> PyResult<(Bound<'py, PyAny>, (Bound<'py, PyList>,))> {
+        Ok((slf.get_type().into_any(), (slf.get().parents(slf.py())?,)))
+    }
+
+    /// Forward kinematics: ``model(j) = model(parent(j)) · local(j)``.
+    ///
+    /// Parameters
+    /// ----------
+    /// locals : array_like, shape (..., joints, 8)
+    ///     Unit dual quaternions: the pose of each joint in its parent.
+    /// root : array_like, shape (8,), optional
+    ///     What the roots stand on, the same for all instances.
+    /// out : ndarray, optional
+    ///     Where to write the result; `locals` itself halves the memory that is touched.
+    ///
+    /// Returns
+    /// -------
+    /// ndarray, shape (..., joints, 8)
+    ///     The pose of each joint in model space.
+    #[pyo3(signature = (locals, /, *, root=None, out=None))]
+    fn local_to_model<'py>(
+        &self,
+        locals: &Bound<'py, PyAny>,
+        root: Option<&Bound<'py, PyAny>>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> Answer<'py> {
+        self.run(Direction::ToModel, "locals", locals, root, out)
+    }
+
+    /// Local poses from model ones: ``local(j) = model(parent(j))* · model(j)``.
+    ///
+    /// Parameters
+    /// ----------
+    /// models : array_like, shape (..., joints, 8)
+    ///     Unit dual quaternions: the pose of each joint in model space.
+    /// root : array_like, shape (8,), optional
+    ///     What the roots stand on, the same for all instances.
+    /// out : ndarray, optional
+    ///     Where to write the result; may be `models`.
+    ///
+    /// Returns
+    /// -------
+    /// ndarray, shape (..., joints, 8)
+    ///     The pose of each joint in its parent.
+    #[pyo3(signature = (models, /, *, root=None, out=None))]
+    fn model_to_local<'py>(
+        &self,
+        models: &Bound<'py, PyAny>,
+        root: Option<&Bound<'py, PyAny>>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> Answer<'py> {
+        self.run(Direction::ToLocal, "models", models, root, out)
+    }
+}
+
+#[derive(Clone, Copy)]
+enum Direction {
+    ToModel,
+    ToLocal,
+}
+
+impl Hierarchy {
+    fn run<'py>(
+        &self,
+        direction: Direction,
+        name: &'static str,
+        poses: &Bound<'py, PyAny>,
+        root: Option<&Bound<'py, PyAny>>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> Answer<'py> {
+        let poses = Argument { name, core: EIGHT, value: poses };
+        let root = root.map(|value| Argument { name: "root", core: EIGHT, value });
+        if is_single(&[Some(poses), root])? {
+            self.typed::<f32>(direction, poses, root, out)
+        } else {
+            self.typed::<f64>(direction, poses, root, out)
+        }
+    }
+
+    fn typed<'py, R: Number>(
+        &self,
+        direction: Direction,
+        poses: Argument<'_, 'py>,
+        root: Option<Argument<'_, 'py>>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> Answer<'py> {
+        let (name, py) = (poses.name, poses.value.py());
+        let poses = Input::<R>::of(poses)?;
+        let full = poses.full_leading().to_vec();
+        if full.last() != Some(&self.parents.len()) {
+            return Err(PyValueError::new_err(format!(
+                "Expected `{name}` to have shape (..., {}, 8), got {}.",
+                self.parents.len(),
+                tuple(&poses.shape())
+            )));
+        }
+        let poses = poses.filled(&full)?;
+        let root = root.map(Input::<R>::of).transpose()?;
+        let root = match &root {
+            None => None,
+            Some(root) => match root.records::<8>() {
+                [one] if root.full_leading().is_empty() => Some(DualQuat::from_array(*one)),
+                _ => {
+                    return Err(PyValueError::new_err(format!(
+                        "Expected `root` to have shape (8,), got {}.",
+                        tuple(&root.shape())
+                    )));
+                }
+            },
+        };
+        let output = Output::<R>::new(py, out, &full, EIGHT)?;
+        let poses = if poses.is(&output) {
+            // What is read must not be borrowed while it is written.
+            drop(poses);
+            None
+        } else {
+            Some(poses.apart_from(&output)?)
+        };
+
+        let hierarchy = dq8::Hierarchy::new(&self.parents)
+            .map_err(|error| PyValueError::new_err(error.to_string()))?;
+        let mut job = hierarchy.job::<[R; 8]>();
+        if let Some(root) = root {
+            job = job.root(root);
+        }
+        let mut memory = output.borrow()?;
+        let to = memory.as_slice_mut().map(|numbers| numbers.as_chunks_mut::<8>().0);
+        let to = to.map_err(|error| PyValueError::new_err(error.to_string()))?;
+        let from = poses.as_ref().map(|poses| poses.records::<8>());
+        let done: Result<(), ShapeError> = py.detach(|| {
+            let threads = Threads::for_elements(to.len());
+            match (direction, from) {
+                (Direction::ToModel, Some(from)) if threads.many() => {
+                    threads.install(|| job.par_local_to_model(from, to))
+                }
+                (Direction::ToModel, None) if threads.many() => {
+                    threads.install(|| job.par_local_to_model_in_place(to))
+                }
+                (Direction::ToModel, Some(from)) => job.local_to_model(from, to),
+                (Direction::ToModel, None) => job.local_to_model_in_place(to),
+                (Direction::ToLocal, Some(from)) => job.model_to_local(from, to),
+                (Direction::ToLocal, None) => job.model_to_local_in_place(to),
+            }
+        });
+        done.map_err(|error| PyValueError::new_err(error.to_string()))?;
+        drop(memory);
+        output.finish()
+    }
+}

@@ -1,0 +1,57 @@
+//! The kernels of dq8 on NumPy arrays: the module `dq8._core`. What users import is in `package/dq8`.
+//!
+//! A call ([`call`]) finds its precision, takes its arguments as memory ([`argument`]), finds runs of
+//! elements that lie one after the other ([`broadcast`]), and computes each of them ([`sweep`]) with the
+//! best instructions. What is computed for one element is a [`law::Law`], written on lanes.
+
+mod argument;
+mod broadcast;
+mod call;
+mod functions;
+mod hierarchy;
+mod law;
+mod sweep;
+mod threads;
+
+use dq8::Backend;
+use pyo3::prelude::*;
+
+/// The instructions that compute, found at run time: ``"portable"``, ``"AVX2"`` or ``"AVX-512"``.
+#[pyfunction]
+fn backend() -> String {
+    Backend::best().to_string()
+}
+
+/// dq8 on NumPy arrays.
+#[pymodule]
+mod _core {
+    #[pymodule_export]
+    use super::backend;
+    #[pymodule_export]
+    use super::functions::actions::{
+        adjoint, coadjoint, transform_lines, transform_planes, transform_points, transform_vectors,
+    };
+    #[pymodule_export]
+    use super::functions::algebra::{
+        compose, conjugate, inverse, mul, normalize, unit_or_identity,
+    };
+    #[pymodule_export]
+    use super::functions::between::{nlerp, sclerp};
+    #[pymodule_export]
+    use super::functions::conversions::{
+        from_matrix, from_rotation_translation, from_translation, rigidity, to_matrix, translation,
+    };
+    #[pymodule_export]
+    use super::functions::distances::{angle_to, distance_to, distance_weighted, point_error};
+    #[pymodule_export]
+    use super::functions::means::{dlb, mean};
+    #[pymodule_export]
+    use super::functions::screws::{
+        exp, from_screw, from_twist, integrate_body, integrate_spatial, log, pow, to_screw,
+        to_twist,
+    };
+    #[pymodule_export]
+    use super::hierarchy::Hierarchy;
+    #[pymodule_export]
+    use super::threads::{forget_threads, get_num_threads, set_num_threads};
+}

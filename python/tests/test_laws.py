@@ -1,0 +1,94 @@
+"""Laws of motions on arrays of any shape and size, by hypothesis."""
+
+import numpy as np
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as hnp
+
+import dq8
+
+# Coordinates of twists: turns up to beyond π, tiny ones and none, and lengths of the same order.
+COORDINATES = st.one_of(st.floats(-2, 2), st.floats(-1e-9, 1e-9), st.just(0.0))
+SHAPES = hnp.array_shapes(min_dims=0, max_dims=3, min_side=0, max_side=9)
+
+
+@st.composite
+def motions(draw, count):
+    """`count` arrays of motions whose leading dimensions broadcast."""
+    shapes = draw(hnp.mutually_broadcastable_shapes(num_shapes=count, max_dims=3, max_side=9)).input_shapes
+    return [dq8.from_twist(draw(hnp.arrays(np.float64, (*shape, 6), elements=COORDINATES))) for shape in shapes]
+
+
+def close(actual, expected):
+    np.testing.assert_allclose(actual, expected, rtol=0, atol=2e-13)
+
+
+@settings(deadline=None)
+@given(motions(3))
+def test_products_are_associative(abc):
+    a, b, c = abc
+    close(dq8.mul(dq8.mul(a, b), c), dq8.mul(a, dq8.mul(b, c)))
+
+
+@settings(deadline=None)
+@given(motions(2))
+def test_a_product_acts_as_its_factors_in_turn(ab):
+    a, b = ab
+    point = np.array([1.0, -2.0, 3.0])
+    close(dq8.transform_points(dq8.mul(a, b), point), dq8.transform_points(a, dq8.transform_points(b, point)))
+
+
+@settings(deadline=None)
+@given(motions(1))
+def test_a_motion_and_its_conjugate_are_nothing(one):
+    (a,) = one
+    close(dq8.mul(a, dq8.conjugate(a)), np.broadcast_to(dq8.identity(), a.shape))
+
+
+@settings(deadline=None)
+@given(motions(1))
+def test_the_exponential_of_the_logarithm_is_the_motion(one):
+    (a,) = one
+    close(dq8.to_matrix(dq8.exp(dq8.log(a))), dq8.to_matrix(a))
+    close(dq8.to_matrix(dq8.from_matrix(dq8.to_matrix(a))), dq8.to_matrix(a))
+    if not near_no_turn(a):
+        close(dq8.to_matrix(dq8.from_screw(dq8.to_screw(a))), dq8.to_matrix(a))
+
+
+def near_no_turn(a):
+    """Whether some turn is so small that the moment of the axis, which is divided by it, is huge."""
+    return (np.linalg.norm(a[..., :3], axis=-1) < 1e-3).any()
+
+
+@settings(deadline=None)
+@given(motions(1), st.floats(-2, 2), st.floats(-2, 2))
+def test_powers_add_their_exponents(one, s, t):
+    (a,) = one
+    close(dq8.to_matrix(dq8.mul(dq8.pow(a, s), dq8.pow(a, t))), dq8.to_matrix(dq8.pow(a, s + t)))
+
+
+@settings(deadline=None)
+@given(motions(3), st.floats(0, 1))
+def test_interpolation_does_not_depend_on_the_frame(abc, t):
+    a, b, c = abc
+    # Where the turn between a and b is π, there are two ways.
+    if (dq8.angle_to(a, b) > 3.1).any():
+        return
+    close(
+        dq8.to_matrix(dq8.sclerp(dq8.mul(c, a), dq8.mul(c, b), t)),
+        dq8.to_matrix(dq8.mul(c, dq8.sclerp(a, b, t))),
+    )
+
+
+@settings(deadline=None)
+@given(SHAPES, st.sampled_from([np.float32, np.float64]))
+def test_shapes_and_dtypes_are_kept(shape, dtype):
+    a = dq8.identity(shape, dtype)
+    for result, core in [
+        (dq8.mul(a, a), (8,)),
+        (dq8.log(a), (6,)),
+        (dq8.to_matrix(a), (4, 4)),
+        (dq8.translation(a), (3,)),
+    ]:
+        assert result.shape == shape + core
+        assert result.dtype == dtype

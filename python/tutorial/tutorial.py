@@ -1,0 +1,133 @@
+# %% [markdown]
+# # dq8 for NumPy
+#
+# Run it as a script, `python tutorial/tutorial.py DIRECTORY`, which writes the plots; or cell by cell in an
+# editor that knows `# %%`.
+
+# %%
+import sys
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("agg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+import dq8
+
+directory = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
+
+# %% [markdown]
+# ## A motion is eight numbers
+#
+# `[px, py, pz, pw, qx, qy, qz, qw]`: p is the rotation, a quaternion, and q = ½tp holds the translation t.
+# Arrays of motions have the shape `(..., 8)`.
+
+# %%
+quarter_turn = np.array([0, 0, np.sqrt(0.5), np.sqrt(0.5)])
+a = dq8.from_rotation_translation(quarter_turn, [2.0, 0.0, 0.0])
+print(a)
+print(dq8.transform_points(a, [1.0, 0.0, 0.0]))  # turned to (0, 1, 0), then moved
+assert np.allclose(dq8.transform_points(a, [1.0, 0.0, 0.0]), [2, 1, 0])
+
+# %% [markdown]
+# `mul(a, b)` lets `b` act first. Leading dimensions broadcast: one motion times a thousand, or a column of
+# motions times a row.
+
+# %%
+steps = dq8.from_translation(np.linspace(0, 1, 1000)[:, None] * [1.0, 0.0, 0.0])
+assert dq8.mul(a, steps).shape == (1000, 8)
+assert dq8.mul(steps[:3, None], steps[:5]).shape == (3, 5, 8)
+
+# %% [markdown]
+# ## Between two poses
+#
+# `sclerp` moves along one screw at constant speed; `nlerp` is nearly the same path, and quicker. The usual
+# way, slerp of the rotations and straight lines for the translations, is neither: it depends on the frame.
+
+# %%
+b = dq8.from_twist([0.0, 0.0, 2.5, 0.0, 0.0, 1.5])
+start, end = dq8.from_translation([1.0, 0, 0]), dq8.mul(b, dq8.from_translation([1.0, 0, 0]))
+t = np.linspace(0, 1, 50)
+screw = dq8.translation(dq8.sclerp(start, end, t))
+linear = dq8.translation(dq8.nlerp(start, end, t))
+straight = (1 - t)[:, None] * screw[0] + t[:, None] * screw[-1]
+
+figure = plt.figure(figsize=(5, 4), layout="constrained")
+axes = figure.add_subplot(projection="3d")
+for path, name in [(screw, "sclerp"), (linear, "nlerp"), (straight, "slerp and lerp")]:
+    axes.plot(*path.T, label=name)
+axes.legend()
+figure.savefig(directory / "between.png")
+# The screw keeps its distance from the axis.
+assert np.allclose(np.linalg.norm(screw[:, :2], axis=1), 1)
+
+# %% [markdown]
+# ## An arm
+#
+# A `Hierarchy` has the parent of every joint. The pose of a link in its parent is an offset, then a turn
+# about the hinge: `integrate_body(offset, twist, angle)`. Ten thousand configurations are one call.
+
+# %%
+arm = dq8.Hierarchy([-1, 0, 1, 2])
+offsets = dq8.from_translation([[0.0, 0, 0], [1, 0, 0], [0.8, 0, 0], [0.5, 0, 0]])
+hinge = [0.0, 0, 1, 0, 0, 0]
+rng = np.random.default_rng(0)
+angles = rng.uniform([-1.5, -2.5, -2.5, 0], [1.5, 2.5, 2.5, 0.001], size=(10_000, 4))
+poses = arm.local_to_model(dq8.integrate_body(offsets, hinge, angles))
+hands = dq8.translation(poses[:, -1])
+
+figure, axes = plt.subplots(figsize=(5, 4), layout="constrained")
+axes.plot(hands[:, 0], hands[:, 1], ",", alpha=0.4)
+for links in dq8.translation(poses[:5]):
+    axes.plot(links[:, 0], links[:, 1], "o-")
+axes.set_aspect("equal")
+axes.set_title("where the hand can be")
+figure.savefig(directory / "arm.png")
+assert np.linalg.norm(hands, axis=1).max() <= 2.3 + 1e-12
+
+# %% [markdown]
+# ## A mean that does not depend on the frame
+#
+# `mean` is intrinsic: the mean of moved poses is the moved mean. `dlb` is the normalized sum, close to it.
+
+# %%
+truth = dq8.from_twist([0.3, -0.2, 0.5, 1.0, 2.0, 3.0])
+noisy = dq8.integrate_body(truth, rng.normal(scale=0.05, size=(200, 6)), 1.0)
+estimate = dq8.mean(noisy)
+print("angle off:", dq8.angle_to(truth, estimate), "distance off:", dq8.distance_to(truth, estimate))
+assert dq8.distance_weighted(truth, estimate, 1.0) < 0.05
+moved = dq8.mean(dq8.mul(a, noisy))
+assert np.allclose(dq8.to_matrix(moved), dq8.to_matrix(dq8.mul(a, estimate)))
+
+# %% [markdown]
+# ## Memory and precision
+#
+# float32 stays float32. `out=` writes where it is told; arguments may be read-only or strided.
+
+# %%
+single = noisy.astype(np.float32)
+assert dq8.mul(single, single).dtype == np.float32
+out = np.empty_like(noisy)
+dq8.conjugate(noisy, out=out)
+every_other = dq8.log(noisy[::2])
+assert every_other.shape == (100, 6)
+
+# %% [markdown]
+# ## SciPy's names
+#
+# `dq8.RigidTransform` has the methods of `scipy.spatial.transform.RigidTransform`, on the same eight numbers.
+
+# %%
+try:
+    from scipy.spatial.transform import Rotation
+except ImportError:
+    print("SciPy is not installed")
+else:
+    turn = Rotation.from_euler("z", 90, degrees=True)
+    transform = dq8.RigidTransform.from_components([2.0, 0.0, 0.0], turn)
+    print((transform**0.5).apply([1.0, 0.0, 0.0]))
+    assert np.allclose(transform.as_dual_quat(), a)
+    assert np.allclose((transform**0.5 * transform**0.5).as_matrix(), transform.as_matrix())
+plt.close("all")

@@ -1,0 +1,187 @@
+//! [`PoseSource`]: poses that are made on their way into a register, one layer from another.
+
+use super::locals::sealed::Sealed;
+use super::locals::{Locals, Motions, Poses, RotationsTranslations, part_of};
+use super::slot::JointSlot;
+use crate::law::Law;
+use crate::real::Scalar;
+use crate::shape::{ShapeError, same_length};
+use crate::storage::{self, Element, Layout, Number};
+use core::ops::Range;
+use dq8_simd::Level;
+
+/// Poses of whole instances, `C` numbers each, that come into registers of the layout `M`: stored ones
+/// ([`Poses`], [`RotationsTranslations`]), those of a clip ([`Sampled`](super::Sampled)), or [`Layered`] ones. Sealed.
+pub trait PoseSource<M: Layout, const C: usize>: Copy + Sealed {
+    /// Their name in errors, and how many elements of the layout they fill, for so many joints.
+    ///
+    /// # Errors
+    /// If they do not fit a skeleton of so many joints, or each other.
+    fn shape(&self, joints: usize) -> Result<(&'static str, usize), ShapeError>;
+    /// The poses of a slot.
+    fn pose<V: Level>(self, level: V, slot: JointSlot) -> Option<[M::Register<V>; C]>;
+    /// The poses of some of the instances (blocks).
+    #[must_use]
+    fn some(self, joints: usize, instances: Range<usize>) -> Self;
+}
+
+impl<E: Element<8>> PoseSource<E::Layout, 8> for Poses<'_, E> {
+    fn shape(&self, _: usize) -> Result<(&'static str, usize), ShapeError> {
+        Ok(("poses", self.0.len()))
+    }
+    #[inline(always)]
+    fn pose<V: Level>(
+        self,
+        level: V,
+        slot: JointSlot,
+    ) -> Option<[<E::Layout as Layout>::Register<V>; 8]> {
+        E::load(level, self.0, slot.tile(), &storage::identity())
+    }
+    fn some(self, joints: usize, instances: Range<usize>) -> Self {
+        Self(part_of(self.0, joints, instances))
+    }
+}
+
+impl<E: Element<7>> PoseSource<E::Layout, 7> for RotationsTranslations<'_, E> {
+    fn shape(&self, _: usize) -> Result<(&'static str, usize), ShapeError> {
+        Ok(("poses", self.0.len()))
+    }
+    #[inline(always)]
+    fn pose<V: Level>(
+        self,
+        level: V,
+        slot: JointSlot,
+    ) -> Option<[<E::Layout as Layout>::Register<V>; 7]> {
+        E::load(level, self.0, slot.tile(), &storage::identity())
+    }
+    fn some(self, joints: usize, instances: Range<usize>) -> Self {
+        Self(part_of(self.0, joints, instances))
+    }
+}
+
+/// A layer over other poses, by a weight for each instance and, where it is masked, for each joint.
+///
+/// ```
+/// use dq8::hierarchy::Layered;
+/// use dq8::{DualQuat, Hierarchy, Nlerp, Poses};
+/// let parents = [Hierarchy::ROOT, 0];
+/// let arm = Hierarchy::new(&parents)?;
+/// let at = |x| DualQuat::from_translation([x, 0.0_f32, 0.0]);
+/// let (rest, reach) = ([at(1.0), at(1.0)], [at(5.0), at(3.0)]);
+/// // Half of the way to `reach`, but for joint 0, which the mask leaves alone.
+/// let layer = Layered::blend(Nlerp, Poses(&rest), Poses(&reach), &[0.5]).mask(&[0.0, 1.0]);
+/// let mut models = rest;
+/// arm.job().locals_to_model(layer, &mut models)?;
+/// assert_eq!(models[1].translation(), [3.0, 0.0, 0.0]);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Layered<'w, W, A, B, R, const C: usize, const ADDS: bool> {
+    law: W,
+    base: A,
+    layer: B,
+    weights: &'w [R],
+    mask: Option<&'w [R]>,
+}
+
+impl<'w, W: Law<C>, A, B, R: Scalar, const C: usize> Layered<'w, W, A, B, R, C, false> {
+    /// From `base` (weight 0) to `layer` (weight 1). One weight for each instance.
+    #[must_use]
+    pub fn blend(law: W, base: A, layer: B, weights: &'w [R]) -> Self {
+        Self { law, base, layer, weights, mask: None }
+    }
+}
+
+impl<'w, W: Law<C>, A, B, R: Scalar, const C: usize> Layered<'w, W, A, B, R, C, true> {
+    /// `base`, and `layer` as a difference that is added to it, as much of it as the weight says; the
+    /// [`Law`] says how. One weight for each instance.
+    #[must_use]
+    pub fn add(law: W, base: A, layer: B, weights: &'w [R]) -> Self {
+        Self { law, base, layer, weights, mask: None }
+    }
+}
+
+impl<'w, W, A, B, R, const C: usize, const ADDS: bool> Layered<'w, W, A, B, R, C, ADDS> {
+    /// A factor of the weight for each joint.
+    #[must_use]
+    pub fn mask(self, mask: &'w [R]) -> Self {
+        Self { mask: Some(mask), ..self }
+    }
+}
+
+impl<M, W, A, B, const C: usize, const ADDS: bool> PoseSource<M, C>
+    for Layered<'_, W, A, B, M::Real, C, ADDS>
+where
+    M: Layout,
+    W: Law<C>,
+    A: PoseSource<M, C>,
+    B: PoseSource<M, C>,
+{
+    fn shape(&self, joints: usize) -> Result<(&'static str, usize), ShapeError> {
+        let (what, length) = self.base.shape(joints)?;
+        same_length("layer", self.layer.shape(joints)?.1, length)?;
+        if let Some(mask) = self.mask {
+            same_length("mask", mask.len(), joints)?;
+        }
+        // Blocks may have lanes without an instance.
+        let blocks = length.checked_div(joints).unwrap_or(0);
+        if self.weights.len().div_ceil(M::THINGS) != blocks {
+            same_length("weights", self.weights.len(), blocks.saturating_mul(M::THINGS))?;
+        }
+        Ok((what, length))
+    }
+    #[inline(always)]
+    fn pose<V: Level>(self, level: V, slot: JointSlot) -> Option<[M::Register<V>; C]> {
+        let mut weight: M::Register<V> = slot.of_instance(level, self.weights)?;
+        if let Some(mask) = self.mask {
+            let [factor] = slot.of_joint(level, bytemuck::must_cast_slice(mask))?;
+            weight = weight * factor;
+        }
+        let (base, layer) = (self.base.pose(level, slot)?, self.layer.pose(level, slot)?);
+        Some(if ADDS {
+            self.law.add(base, layer, weight)
+        } else {
+            self.law.between(base, layer, weight)
+        })
+    }
+    fn some(self, joints: usize, instances: Range<usize>) -> Self {
+        Self {
+            base: self.base.some(joints, instances.clone()),
+            layer: self.layer.some(joints, instances.clone()),
+            weights: part_of(self.weights, M::THINGS, instances),
+            ..self
+        }
+    }
+}
+
+impl<E, W, A, B, const C: usize, const ADDS: bool> Locals<E>
+    for Layered<'_, W, A, B, Number<E, 8>, C, ADDS>
+where
+    E: Element<8>,
+    W: Law<C>,
+    A: PoseSource<E::Layout, C>,
+    B: PoseSource<E::Layout, C>,
+{
+    fn shape(&self, joints: usize, _: usize) -> Result<(&'static str, usize), ShapeError> {
+        PoseSource::<E::Layout, C>::shape(self, joints)
+    }
+    #[inline(always)]
+    fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Motions<E, V>> {
+        Some(self.law.motion(PoseSource::<E::Layout, C>::pose(self, level, slot)?))
+    }
+    #[inline(always)]
+    fn onto<V: Level>(
+        self,
+        level: V,
+        parent: Motions<E, V>,
+        _: &[E],
+        slot: JointSlot,
+    ) -> Option<Motions<E, V>> {
+        Some(self.law.onto(parent, PoseSource::<E::Layout, C>::pose(self, level, slot)?))
+    }
+    fn part(self, joints: usize, instances: Range<usize>) -> Self {
+        PoseSource::<E::Layout, C>::some(self, joints, instances)
+    }
+}
+
+impl<W, A, B, R, const C: usize, const ADDS: bool> Sealed for Layered<'_, W, A, B, R, C, ADDS> {}

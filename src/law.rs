@@ -1,0 +1,110 @@
+//! [`Law`]: how a pose lies between two others, and what a difference adds to a pose.
+
+use crate::batch::{DualQuat, Quat, vector};
+use dq8_simd::Lanes;
+
+/// How poses of `C` numbers are interpolated: [`Nlerp`] or [`Sclerp`] for motions, [`Separate`] for
+/// rotations and translations. Sealed.
+pub trait Law<const C: usize>: Copy + core::fmt::Debug + sealed::Sealed {
+    /// From `a` (t = 0) to `b` (t = 1).
+    #[must_use]
+    fn between<L: Lanes>(self, a: [L; C], b: [L; C], t: L) -> [L; C];
+    /// `base`, changed by `weight` times the difference `delta`.
+    #[must_use]
+    fn add<L: Lanes>(self, base: [L; C], delta: [L; C], weight: L) -> [L; C];
+    /// The pose as a motion.
+    #[must_use]
+    fn motion<L: Lanes>(self, pose: [L; C]) -> DualQuat<L>;
+    /// parent · pose
+    #[must_use]
+    #[inline(always)]
+    fn onto<L: Lanes>(self, parent: DualQuat<L>, pose: [L; C]) -> DualQuat<L> {
+        parent * self.motion(pose)
+    }
+}
+
+/// normalize((1−t)a ± tb), by the shorter way; differences: base · nlerp(1, delta, weight). See
+/// [`DualQuat::nlerp`](crate::DualQuat::nlerp).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Nlerp;
+
+/// a(a*b)ᵗ, by the shorter way; differences: base · delta to the power of weight. See
+/// [`DualQuat::sclerp`](crate::DualQuat::sclerp).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Sclerp;
+
+/// The law of animation engines, rotations and translations apart: rotations normalize((1−t)a ± tb) by the
+/// shorter way, translations (1−t)a + tb. A joint goes straight from one place to the other, however it
+/// turns.
+///
+/// Differences stand to the left, as in ozz-animation and Unreal: rotation nlerp(1, delta, weight) · base,
+/// translation base + weight · delta.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Separate;
+
+impl Law<8> for Nlerp {
+    #[inline(always)]
+    fn between<L: Lanes>(self, a: [L; 8], b: [L; 8], t: L) -> [L; 8] {
+        DualQuat::from_array(a).nlerp(DualQuat::from_array(b), t).to_array()
+    }
+    #[inline(always)]
+    fn add<L: Lanes>(self, base: [L; 8], delta: [L; 8], weight: L) -> [L; 8] {
+        let still = DualQuat::identity(weight.level());
+        let step = still.nlerp(DualQuat::from_array(delta), weight);
+        (DualQuat::from_array(base) * step).to_array()
+    }
+    #[inline(always)]
+    fn motion<L: Lanes>(self, pose: [L; 8]) -> DualQuat<L> {
+        DualQuat::from_array(pose)
+    }
+}
+
+impl Law<8> for Sclerp {
+    #[inline(always)]
+    fn between<L: Lanes>(self, a: [L; 8], b: [L; 8], t: L) -> [L; 8] {
+        DualQuat::from_array(a).sclerp(DualQuat::from_array(b), t).to_array()
+    }
+    #[inline(always)]
+    fn add<L: Lanes>(self, base: [L; 8], delta: [L; 8], weight: L) -> [L; 8] {
+        (DualQuat::from_array(base) * DualQuat::from_array(delta).pow(weight)).to_array()
+    }
+    #[inline(always)]
+    fn motion<L: Lanes>(self, pose: [L; 8]) -> DualQuat<L> {
+        DualQuat::from_array(pose)
+    }
+}
+
+impl Law<7> for Separate {
+    #[inline(always)]
+    fn between<L: Lanes>(self, a: [L; 7], b: [L; 7], t: L) -> [L; 7] {
+        let ([ax, ay, az, aw, from @ ..], [bx, by, bz, bw, to @ ..]) = (a, b);
+        let turn = Quat::from_xyzw(ax, ay, az, aw).nlerp(Quat::from_xyzw(bx, by, bz, bw), t);
+        let [x, y, z, w] = turn.to_array();
+        let from = vector::scale(from, t.constant(1.0) - t);
+        let [tx, ty, tz] = vector::scale_onto(to, t, from);
+        [x, y, z, w, tx, ty, tz]
+    }
+    #[inline(always)]
+    fn add<L: Lanes>(self, base: [L; 7], delta: [L; 7], weight: L) -> [L; 7] {
+        let ([x, y, z, w, from @ ..], [dx, dy, dz, dw, step @ ..]) = (base, delta);
+        let turn = Quat::identity(weight.level()).nlerp(Quat::from_xyzw(dx, dy, dz, dw), weight);
+        let [x, y, z, w] = (turn * Quat::from_xyzw(x, y, z, w)).to_array();
+        let [tx, ty, tz] = vector::scale_onto(step, weight, from);
+        [x, y, z, w, tx, ty, tz]
+    }
+    #[inline(always)]
+    fn motion<L: Lanes>(self, [x, y, z, w, t @ ..]: [L; 7]) -> DualQuat<L> {
+        DualQuat::from_rotation_translation(Quat::from_xyzw(x, y, z, w), t)
+    }
+    #[inline(always)]
+    fn onto<L: Lanes>(self, parent: DualQuat<L>, [x, y, z, w, t @ ..]: [L; 7]) -> DualQuat<L> {
+        parent.mul_rotation_translation(Quat::from_xyzw(x, y, z, w), t)
+    }
+}
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for super::Nlerp {}
+    impl Sealed for super::Sclerp {}
+    impl Sealed for super::Separate {}
+}

@@ -1,0 +1,26 @@
+use crate::storage::{Layout, Tile};
+use dq8_simd::{Lanes, Level};
+
+/// The configurations that the lanes of a kernel hold.
+#[derive(Clone, Copy, Debug)]
+#[doc(hidden)]
+pub struct Group {
+    /// The block, or the configuration in the first lane.
+    pub(super) first: usize,
+    pub(super) register: usize,
+}
+
+impl Group {
+    /// Number `index` of the `count` things that each configuration has.
+    #[inline(always)]
+    pub(super) fn tile<Y: Layout, V: Level>(self, index: usize, count: usize) -> Tile {
+        let stride = if Y::transposes::<V>() { Some(count) } else { None };
+        Tile { element: self.first * count + index, register: self.register, stride }
+    }
+
+    /// The configuration in the first lane.
+    #[inline(always)]
+    pub(super) fn configuration<Y: Layout, V: Level>(self) -> usize {
+        self.first * Y::THINGS + self.register * Y::Register::<V>::LANES
+    }
+}

@@ -1,0 +1,44 @@
+use super::error::MechanismError;
+use super::joint::Joint;
+use super::step::Step;
+use super::tree::Mechanism;
+use crate::real::Real;
+use alloc::vec;
+use alloc::vec::Vec;
+
+/// A [`Mechanism`] with memory of its own.
+///
+/// ```
+/// use dq8::mechanism::{Joint, OwnedMechanism};
+/// use dq8::DualQuat;
+/// let up = DualQuat::from_translation([0.0_f32, 0.0, 1.0]);
+/// let joints = [None, Some(0), Some(1)].map(|parent| Joint::revolute(parent, up, [1.0, 0.0, 0.0]));
+/// let arm = OwnedMechanism::new(&joints)?;
+/// let tool = arm.view().link_pose(&[0.0; 3], 2)?;
+/// assert_eq!(tool.translation(), [0.0, 0.0, 3.0]);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct OwnedMechanism<R> {
+    steps: Vec<Step<R>>,
+    values: usize,
+    rates: usize,
+}
+
+impl<R: Real> OwnedMechanism<R> {
+    /// See [`Mechanism::new`].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn new(joints: &[Joint<R>]) -> Result<Self, MechanismError> {
+        let mut steps = vec![Step::default(); joints.len()];
+        let Mechanism { values, rates, .. } = Mechanism::new(joints, &mut steps)?;
+        Ok(Self { steps, values, rates })
+    }
+
+    /// What everything else is asked of.
+    #[must_use]
+    pub fn view(&self) -> Mechanism<'_, R> {
+        Mechanism { steps: &self.steps, values: self.values, rates: self.rates }
+    }
+}

@@ -1,0 +1,108 @@
+//! Many configurations on all cores (feature `rayon`): whole groups of lanes to each task.
+
+use super::frame::JacobianFrame;
+use super::tree::Mechanism;
+use super::values::JointValues;
+use crate::dispatch::Backend;
+use crate::shape::{ShapeError, joints_within, same_length, whole_instances};
+use crate::storage::{Element, Number};
+use rayon::prelude::*;
+
+/// How many elements a task has, about: some microseconds of work, where starting a task takes a fraction
+/// of one.
+const GRAIN: usize = 2048;
+
+/// How many configurations, or blocks of them, a task has: a multiple of the most lanes.
+fn grain(links: usize) -> usize {
+    GRAIN.div_ceil(links.max(1)).next_multiple_of(dq8_simd::MAX_LANES)
+}
+
+impl Backend {
+    /// [`link_poses`](Self::link_poses) on all threads of rayon's current pool. Every bit of the result is
+    /// the same.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn par_link_poses<T, E>(
+        self,
+        mechanism: Mechanism<'_, Number<E, 8>>,
+        values: &[T],
+        poses: &mut [E],
+    ) -> Result<(), ShapeError>
+    where
+        T: JointValues<E::Layout> + Sync,
+        E: Element<8> + Send,
+    {
+        let (links, count) = (mechanism.links(), mechanism.values);
+        let elements = whole_instances("poses", links, poses.len())?;
+        T::check("values", values.len(), count, elements)?;
+        let task = grain(links);
+        poses.par_chunks_mut((task * links).max(1)).enumerate().try_for_each(|(i, poses)| {
+            self.link_poses(mechanism, T::part(values, count, i * task, task), poses)
+        })
+    }
+
+    /// [`chosen_link_poses`](Self::chosen_link_poses) on all threads of rayon's current pool. Every bit of
+    /// the result is the same.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn par_chosen_link_poses<T, E>(
+        self,
+        mechanism: Mechanism<'_, Number<E, 8>>,
+        chosen: &[usize],
+        values: &[T],
+        poses: &mut [E],
+    ) -> Result<(), ShapeError>
+    where
+        T: JointValues<E::Layout> + Sync,
+        E: Element<8> + Send,
+    {
+        for &link in chosen {
+            joints_within(&(link..link.saturating_add(1)), mechanism.links())?;
+        }
+        let (links, count) = (chosen.len(), mechanism.values);
+        let elements = whole_instances("poses", links, poses.len())?;
+        T::check("values", values.len(), count, elements)?;
+        let task = grain(mechanism.links());
+        poses.par_chunks_mut((task * links).max(1)).enumerate().try_for_each(|(i, poses)| {
+            self.chosen_link_poses(mechanism, chosen, T::part(values, count, i * task, task), poses)
+        })
+    }
+
+    /// [`link_jacobians`](Self::link_jacobians) on all threads of rayon's current pool. Every bit of the
+    /// result is the same.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn par_link_jacobians<F, T, E, C>(
+        self,
+        frame: F,
+        mechanism: Mechanism<'_, Number<E, 8>>,
+        link: usize,
+        values: &[T],
+        poses: &mut [E],
+        columns: &mut [C],
+    ) -> Result<(), ShapeError>
+    where
+        F: JacobianFrame + Sync,
+        T: JointValues<E::Layout> + Sync,
+        E: Element<8> + Send,
+        C: Element<6, Layout = E::Layout> + Send,
+    {
+        joints_within(&(link..link.saturating_add(1)), mechanism.links())?;
+        let (count, rates) = (mechanism.values, mechanism.rates);
+        T::check("values", values.len(), count, poses.len())?;
+        same_length("columns", columns.len(), poses.len() * rates)?;
+        let task = grain(mechanism.links());
+        if rates == 0 {
+            return self.link_jacobians(frame, mechanism, link, values, poses, columns);
+        }
+        let columns = columns.par_chunks_mut(task * rates);
+        let tasks = poses.par_chunks_mut(task).zip(columns).enumerate();
+        tasks.try_for_each(|(i, (poses, columns))| {
+            let values = T::part(values, count, i * task, task);
+            self.link_jacobians(frame, mechanism, link, values, poses, columns)
+        })
+    }
+}

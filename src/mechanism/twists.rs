@@ -1,0 +1,63 @@
+//! How joints move links, on lanes.
+
+use super::joint::JointKind;
+use super::placed::Placed;
+use super::step::Step;
+use super::walk::Joined;
+use crate::batch::vector;
+use crate::geometry::Twist;
+use crate::real::Scalar;
+use dq8_simd::Lanes;
+
+impl<L: Lanes<Real: Scalar>> Joined<L> {
+    /// The spatial twist of the link for a rate of one of its joint: column `index` of those that the joint
+    /// adds to a Jacobian.
+    #[inline(always)]
+    pub(super) fn screw(&self, step: &Step<L::Real>, index: usize) -> Twist<L> {
+        let level = self.pose.half[0].level();
+        let before = self.before;
+        let screw = match step.kind {
+            JointKind::Prismatic { .. } => slide(before.direction(step)),
+            JointKind::Screw { pitch, .. } => {
+                let hinge = hinge(before.direction(step), before);
+                let pitch = L::splat(level, pitch);
+                Twist { linear: vector::scale_onto(hinge.angular, pitch, hinge.linear), ..hinge }
+            }
+            JointKind::Planar { .. } => match step.plane.get(index) {
+                Some(&direction) => slide(before.rotated(vector::splat(level, direction))),
+                None => hinge(before.direction(step), self.pose),
+            },
+            JointKind::Floating => {
+                let mut axis = [L::splat(level, L::Real::default()); 3];
+                axis[index % 3] = axis[0].constant(1.0);
+                let axis = self.pose.rotated(axis);
+                if index < 3 { hinge(axis, self.pose) } else { slide(axis) }
+            }
+            JointKind::Revolute { .. } | JointKind::Fixed => hinge(before.direction(step), before),
+        };
+        // Others go as their values do.
+        if step.mimics { screw.scale(L::splat(level, step.multiplier)) } else { screw }
+    }
+}
+
+/// Turning about a line through the origin of a frame.
+#[inline(always)]
+fn hinge<L: Lanes>(axis: [L; 3], frame: Placed<L>) -> Twist<L> {
+    let moment = vector::cross(frame.half, axis);
+    Twist { angular: axis, linear: vector::add(moment, moment) }
+}
+
+#[inline(always)]
+fn slide<L: Lanes>(direction: [L; 3]) -> Twist<L> {
+    Twist { angular: [direction[0].constant(0.0); 3], linear: direction }
+}
+
+/// ad_a b, how fast b changes that is carried along by the twist a (Lynch & Park, *Modern Robotics*, 2017,
+/// definition 8.4).
+#[inline(always)]
+pub(super) fn bracket<L: Lanes>(a: Twist<L>, b: Twist<L>) -> Twist<L> {
+    Twist {
+        angular: vector::cross(a.angular, b.angular),
+        linear: vector::cross_onto(a.angular, b.linear, vector::cross(a.linear, b.angular)),
+    }
+}

@@ -1,0 +1,208 @@
+//! The values of joints, from memory to lanes.
+
+use super::group::Group;
+use crate::batch::even::{cos_sin, farthest};
+use crate::real::Scalar;
+use crate::shape::{ShapeError, same_length, whole_instances};
+use crate::storage::{AoSoA, Element, Layout, Tile, aos};
+use core::fmt::Debug;
+use dq8_simd::{Block, Lanes, Level, Records, Row};
+
+/// Joint values, or rates, for poses in the layout `Y`: plain numbers `[configuration][value]` for any, or
+/// [`NumberBlock`](crate::storage::NumberBlock)s `[configuration block][value]` for blocks of as many
+/// lanes. Sealed.
+///
+/// Where plain values meet poses in blocks, the last block may have lanes without a configuration. The
+/// poses there are those of values that are all zero.
+pub trait JointValues<Y: Layout>: Copy + Debug + sealed::Sealed {
+    #[doc(hidden)]
+    fn check(
+        what: &'static str,
+        length: usize,
+        count: usize,
+        elements: usize,
+    ) -> Result<(), ShapeError>;
+    /// Those of `elements` configurations or blocks of them, from `first` on, or of as many as there are.
+    #[doc(hidden)]
+    #[cfg(feature = "rayon")]
+    fn part(slice: &[Self], count: usize, first: usize, elements: usize) -> &[Self];
+    /// Four numbers from `first` on, or fewer where a configuration has no more than that.
+    #[doc(hidden)]
+    fn load<V: Level>(
+        level: V,
+        slice: &[Self],
+        count: usize,
+        group: Group,
+        first: usize,
+    ) -> [Y::Register<V>; 4];
+}
+
+impl<A: Row<Real: Scalar>> JointValues<AoSoA<A>> for Block<A, 1> {
+    #[inline]
+    fn check(
+        what: &'static str,
+        length: usize,
+        count: usize,
+        elements: usize,
+    ) -> Result<(), ShapeError> {
+        same_length(what, length, elements * count)
+    }
+
+    #[cfg(feature = "rayon")]
+    fn part(slice: &[Self], count: usize, first: usize, elements: usize) -> &[Self] {
+        let rest = slice.get(first * count..).unwrap_or_default();
+        rest.get(..elements * count).unwrap_or(rest)
+    }
+
+    #[inline(always)]
+    fn load<V: Level>(
+        level: V,
+        slice: &[Self],
+        count: usize,
+        group: Group,
+        first: usize,
+    ) -> [<AoSoA<A> as Layout>::Register<V>; 4] {
+        let mut quad = [Lanes::splat(level, A::Real::default()); 4];
+        for (number, index) in quad.iter_mut().zip(first..count) {
+            let tile = group.tile::<AoSoA<A>, V>(index, count);
+            if let Some([loaded]) = Element::load(level, slice, tile, &[A::Real::default()]) {
+                *number = loaded;
+            }
+        }
+        quad
+    }
+}
+
+/// Two numbers, each in any layout: an `impl` for every `Scalar` would overlap with that for blocks.
+macro_rules! plain {
+    ($($real:ident)*) => {$(
+        impl<Y: Layout<Real = $real>> JointValues<Y> for $real {
+            #[inline]
+            fn check(
+                what: &'static str,
+                length: usize,
+                count: usize,
+                elements: usize,
+            ) -> Result<(), ShapeError> {
+                let configurations = whole_instances(what, count, length)?;
+                if count > 0 && configurations.div_ceil(Y::THINGS) == elements {
+                    return Ok(());
+                }
+                same_length(what, length, elements * Y::THINGS * count)
+            }
+
+            #[cfg(feature = "rayon")]
+            fn part(slice: &[Self], count: usize, first: usize, elements: usize) -> &[Self] {
+                let rest = slice.get(first * Y::THINGS * count..).unwrap_or_default();
+                rest.get(..elements * Y::THINGS * count).unwrap_or(rest)
+            }
+
+            #[inline(always)]
+            fn load<V: Level>(
+                level: V,
+                slice: &[Self],
+                count: usize,
+                group: Group,
+                first: usize,
+            ) -> [Y::Register<V>; 4] {
+                let start = group.configuration::<Y, V>() * count + first;
+                let rows = slice.get(start..).unwrap_or_default();
+                // Where a configuration has fewer than four, those of the next one are read, and not used.
+                if let Some(quad) = Y::Register::<V>::load_rows(level, rows, count) {
+                    return quad;
+                }
+                let mut quad = [Y::Register::<V>::splat(level, 0.0); 4];
+                for (number, index) in quad.iter_mut().zip(0..count - first) {
+                    let tile = Tile { element: index, register: 0, stride: Some(count) };
+                    let rows: &[[$real; 1]] = bytemuck::must_cast_slice(rows);
+                    if let Some([loaded]) = aos::load(level, rows, tile, &[0.0]) {
+                        *number = loaded;
+                    }
+                }
+                quad
+            }
+        }
+    )*};
+}
+plain! { f32 f64 }
+
+/// No four are at hand: farther from any number than four.
+const NOWHERE: usize = usize::MAX / 2;
+
+/// Those of a group, four at a time, kept until others are asked for: plain ones are transposed, and four
+/// cosines do not wait for each other.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Numbers<'s, Y: Layout, T, V: Level> {
+    slice: &'s [T],
+    /// How many a configuration has.
+    count: usize,
+    group: Group,
+    /// The first of the four at hand.
+    first: usize,
+    quad: [Y::Register<V>; 4],
+    /// Cosine and sine of half of each, if one has been asked for.
+    turns: [[Y::Register<V>; 2]; 4],
+    turned: bool,
+}
+
+impl<'s, Y: Layout, T: JointValues<Y>, V: Level> Numbers<'s, Y, T, V> {
+    #[inline(always)]
+    pub(super) fn new(level: V, slice: &'s [T], count: usize) -> Self {
+        let zero = Y::Register::<V>::splat(level, Y::Real::default());
+        let group = Group { first: 0, register: 0 };
+        let (quad, turns) = ([zero; 4], [[zero; 2]; 4]);
+        Self { slice, count, group, first: NOWHERE, quad, turns, turned: false }
+    }
+
+    /// From here on those of another group.
+    #[inline(always)]
+    pub(super) fn turn_to(&mut self, group: Group) {
+        (self.group, self.first) = (group, NOWHERE);
+    }
+
+    /// Number `index` of each configuration.
+    #[inline(always)]
+    pub(super) fn get(&mut self, level: V, index: usize) -> Y::Register<V> {
+        let offset = self.find(level, index);
+        self.quad[offset]
+    }
+
+    /// Cosine and sine of half the number `index`.
+    #[inline(always)]
+    pub(super) fn half_turn(&mut self, level: V, index: usize) -> [Y::Register<V>; 2] {
+        let offset = self.find(level, index);
+        if !self.turned {
+            for (turn, &number) in self.turns.iter_mut().zip(&self.quad) {
+                *turn = half_turn(number * number.constant(0.5));
+            }
+            self.turned = true;
+        }
+        self.turns[offset]
+    }
+
+    /// Which of the four at hand it is.
+    #[inline(always)]
+    fn find(&mut self, level: V, index: usize) -> usize {
+        if index.wrapping_sub(self.first) >= 4 {
+            self.first = (index & !3).min(self.count.max(4) - 4);
+            self.quad = T::load(level, self.slice, self.count, self.group, self.first);
+            self.turned = false;
+        }
+        index.wrapping_sub(self.first) & 3
+    }
+}
+
+/// Cosine and sine; NaN beyond what the lanes can tell.
+#[inline(always)]
+pub(super) fn half_turn<L: Lanes>(half: L) -> [L; 2] {
+    let near = half.abs().le(half.constant(farthest::<L>()));
+    let (cos, sin) = cos_sin(L::select(near, half, half.constant(f64::NAN)));
+    [cos, sin]
+}
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for f32 {}
+    impl Sealed for f64 {}
+    impl<A> Sealed for dq8_simd::Block<A, 1> {}
+}

@@ -1,0 +1,261 @@
+//! Velocities and accelerations of links for many configurations.
+
+use super::group::Group;
+use super::joint::JointKind;
+use super::step::Step;
+use super::tree::Mechanism;
+use super::twists::bracket;
+use super::values::{JointValues, Numbers};
+use super::walk::{Joined, Task, Walk};
+use crate::dispatch::Backend;
+use crate::geometry::Twist;
+use crate::shape::{ShapeError, same_length, whole_instances};
+use crate::storage::{Element, Layout, Number, aos};
+use dq8_simd::Level;
+
+impl Backend {
+    /// Poses and spatial twists of all links for many configurations, in one pass: what
+    /// [`Mechanism::link_velocities`] gives for one.
+    ///
+    /// `rates` is `[configuration][rate]` in the layout of the values, `poses` and `twists` are
+    /// `[configuration][link]`.
+    ///
+    /// # Errors
+    /// If the slices hold different numbers of configurations; nothing is written.
+    ///
+    /// ```
+    /// use dq8::mechanism::{Joint, OwnedMechanism};
+    /// use dq8::{Backend, DualQuat};
+    /// let wheel = Joint::revolute(None, DualQuat::IDENTITY, [0.0_f32, 0.0, 1.0]);
+    /// let wheel = OwnedMechanism::new(&[wheel])?;
+    /// let (mut poses, mut twists) = ([DualQuat::IDENTITY; 3], [[0.0; 6]; 3]);
+    /// let (values, rates) = ([0.0, 1.0, 2.0], [3.0, 4.0, 5.0]);
+    /// Backend::best().link_velocities(wheel.view(), &values, &rates, &mut poses, &mut twists)?;
+    /// assert_eq!(twists[2], [0.0, 0.0, 5.0, 0.0, 0.0, 0.0]);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    pub fn link_velocities<T, E, C>(
+        self,
+        mechanism: Mechanism<'_, Number<E, 8>>,
+        values: &[T],
+        rates: &[T],
+        poses: &mut [E],
+        twists: &mut [C],
+    ) -> Result<(), ShapeError>
+    where
+        T: JointValues<E::Layout>,
+        E: Element<8>,
+        C: Element<6, Layout = E::Layout>,
+    {
+        let elements = whole_instances("poses", mechanism.links(), poses.len())?;
+        T::check("values", values.len(), mechanism.values, elements)?;
+        T::check("rates", rates.len(), mechanism.rates, elements)?;
+        same_length("twists", twists.len(), poses.len())?;
+        let moving = Moving { poses, twists, links: mechanism.links() };
+        let task = Velocities { moving, rates, count: mechanism.rates };
+        self.run(Walk::<E::Layout, _, _> { mechanism, values, elements, task });
+        Ok(())
+    }
+
+    /// The same, and spatial accelerations, the derivatives of the spatial twists: acceleration(j) =
+    /// acceleration(parent(j)) + Ad(pose(j)) Sⱼ second_rates(j) + ad(twist) Ad(pose(j)) Sⱼ rates(j)
+    /// (Featherstone, *Rigid Body Dynamics Algorithms*, 2008, eq. 2.47). The point of a link that is at x
+    /// is accelerated by a + α × x + ω × (v + ω × x), for the twist (ω, v) and the acceleration (α, a).
+    ///
+    /// # Errors
+    /// If the slices hold different numbers of configurations; nothing is written.
+    ///
+    /// ```
+    /// use dq8::mechanism::{Joint, OwnedMechanism};
+    /// use dq8::{Backend, DualQuat};
+    /// let out = DualQuat::from_translation([1.0_f64, 0.0, 0.0]);
+    /// let arm = OwnedMechanism::new(&[
+    ///     Joint::revolute(None, DualQuat::IDENTITY, [0.0, 0.0, 1.0]),
+    ///     Joint::prismatic(Some(0), out, [1.0, 0.0, 0.0]),
+    /// ])?;
+    /// let mut poses = [DualQuat::IDENTITY; 2];
+    /// let (mut twists, mut accelerations) = ([[0.0; 6]; 2], [[0.0; 6]; 2]);
+    /// let (rates, second) = ([3.0, 0.5], [0.0, 0.0]);
+    /// Backend::best().link_accelerations(
+    ///     arm.view(), &[0.0, 0.0], &rates, &second, &mut poses, &mut twists, &mut accelerations,
+    /// )?;
+    /// // The slide is turned by 3 a second: twice Coriolis is what a point on it feels, and this is once.
+    /// assert_eq!(accelerations[1], [0.0, 0.0, 0.0, 0.0, 1.5, 0.0]);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[allow(clippy::too_many_arguments, reason = "three slices go in and three come out")]
+    pub fn link_accelerations<T, E, C>(
+        self,
+        mechanism: Mechanism<'_, Number<E, 8>>,
+        values: &[T],
+        rates: &[T],
+        second_rates: &[T],
+        poses: &mut [E],
+        twists: &mut [C],
+        accelerations: &mut [C],
+    ) -> Result<(), ShapeError>
+    where
+        T: JointValues<E::Layout>,
+        E: Element<8>,
+        C: Element<6, Layout = E::Layout>,
+    {
+        let elements = whole_instances("poses", mechanism.links(), poses.len())?;
+        T::check("values", values.len(), mechanism.values, elements)?;
+        T::check("rates", rates.len(), mechanism.rates, elements)?;
+        T::check("second_rates", second_rates.len(), mechanism.rates, elements)?;
+        same_length("twists", twists.len(), poses.len())?;
+        same_length("accelerations", accelerations.len(), poses.len())?;
+        let moving = Moving { poses, twists, links: mechanism.links() };
+        let count = mechanism.rates;
+        let task = Accelerations { moving, rates, second_rates, count, accelerations };
+        self.run(Walk::<E::Layout, _, _> { mechanism, values, elements, task });
+        Ok(())
+    }
+}
+
+/// What is written of every link.
+struct Moving<'s, E, C> {
+    poses: &'s mut [E],
+    twists: &'s mut [C],
+    links: usize,
+}
+
+impl<E: Element<8>, C: Element<6, Layout = E::Layout>> Moving<'_, E, C> {
+    #[inline(always)]
+    fn store<V: Level>(
+        &mut self,
+        group: Group,
+        step: &Step<Number<E, 8>>,
+        joined: &Joined<<E::Layout as Layout>::Register<V>>,
+        twist: Twist<<E::Layout as Layout>::Register<V>>,
+    ) {
+        let tile = group.tile::<E::Layout, V>(step.link as usize, self.links);
+        E::store(joined.pose.to_motion(), self.poses, tile);
+        C::store(twist.to_array(), self.twists, tile);
+    }
+}
+
+struct Velocities<'s, T, E, C> {
+    moving: Moving<'s, E, C>,
+    rates: &'s [T],
+    count: usize,
+}
+
+impl<'s, T, E, C> Task<E::Layout> for Velocities<'s, T, E, C>
+where
+    T: JointValues<E::Layout>,
+    E: Element<8>,
+    C: Element<6, Layout = E::Layout>,
+{
+    type State<V: Level> = Numbers<'s, E::Layout, T, V>;
+    type Carried<V: Level> = Twist<<E::Layout as Layout>::Register<V>>;
+
+    #[inline(always)]
+    fn start<V: Level>(&self, level: V) -> Self::State<V> {
+        Numbers::new(level, self.rates, self.count)
+    }
+    #[inline(always)]
+    fn base<V: Level>(level: V) -> Self::Carried<V> {
+        Twist::from_array(aos::splat(level, [Number::<E, 8>::default(); 6]))
+    }
+    #[inline(always)]
+    fn begin<V: Level>(
+        &mut self,
+        _: V,
+        group: Group,
+        _: &[Step<Number<E, 8>>],
+        state: &mut Self::State<V>,
+    ) {
+        state.turn_to(group);
+    }
+    #[inline(always)]
+    fn link<V: Level>(
+        &mut self,
+        level: V,
+        group: Group,
+        step: &Step<Number<E, 8>>,
+        joined: &Joined<<E::Layout as Layout>::Register<V>>,
+        parent: &Self::Carried<V>,
+        state: &mut Self::State<V>,
+    ) -> Self::Carried<V> {
+        let mut twist = *parent;
+        for index in 0..step.kind.rates() {
+            let rate = state.get(level, step.rate as usize + index);
+            twist = twist + joined.screw(step, index).scale(rate);
+        }
+        self.moving.store::<V>(group, step, joined, twist);
+        twist
+    }
+}
+
+struct Accelerations<'s, T, E, C> {
+    moving: Moving<'s, E, C>,
+    rates: &'s [T],
+    second_rates: &'s [T],
+    count: usize,
+    accelerations: &'s mut [C],
+}
+
+impl<'s, T, E, C> Task<E::Layout> for Accelerations<'s, T, E, C>
+where
+    T: JointValues<E::Layout>,
+    E: Element<8>,
+    C: Element<6, Layout = E::Layout>,
+{
+    type State<V: Level> = [Numbers<'s, E::Layout, T, V>; 2];
+    /// Twist and acceleration.
+    type Carried<V: Level> = [Twist<<E::Layout as Layout>::Register<V>>; 2];
+
+    #[inline(always)]
+    fn start<V: Level>(&self, level: V) -> Self::State<V> {
+        [
+            Numbers::new(level, self.rates, self.count),
+            Numbers::new(level, self.second_rates, self.count),
+        ]
+    }
+    #[inline(always)]
+    fn base<V: Level>(level: V) -> Self::Carried<V> {
+        [Twist::from_array(aos::splat(level, [Number::<E, 8>::default(); 6])); 2]
+    }
+    #[inline(always)]
+    fn begin<V: Level>(
+        &mut self,
+        _: V,
+        group: Group,
+        _: &[Step<Number<E, 8>>],
+        [rates, second_rates]: &mut Self::State<V>,
+    ) {
+        rates.turn_to(group);
+        second_rates.turn_to(group);
+    }
+    #[inline(always)]
+    fn link<V: Level>(
+        &mut self,
+        level: V,
+        group: Group,
+        step: &Step<Number<E, 8>>,
+        joined: &Joined<<E::Layout as Layout>::Register<V>>,
+        parent: &Self::Carried<V>,
+        [rates, second_rates]: &mut Self::State<V>,
+    ) -> Self::Carried<V> {
+        let [mut twist, mut acceleration] = *parent;
+        // The twist that carries the next screw along: the turn of a planar joint comes after its slides,
+        // while the twist of a floating one is given in its own frame at once.
+        let mut carrying = twist;
+        for index in 0..step.kind.rates() {
+            let which = step.rate as usize + index;
+            let screw = joined.screw(step, index);
+            let own = screw.scale(rates.get(level, which));
+            acceleration =
+                acceleration + screw.scale(second_rates.get(level, which)) + bracket(carrying, own);
+            twist = twist + own;
+            if matches!(step.kind, JointKind::Planar { .. }) {
+                carrying = twist;
+            }
+        }
+        self.moving.store::<V>(group, step, joined, twist);
+        let tile = group.tile::<E::Layout, V>(step.link as usize, self.moving.links);
+        C::store(acceleration.to_array(), self.accelerations, tile);
+        [twist, acceleration]
+    }
+}

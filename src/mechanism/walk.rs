@@ -1,0 +1,171 @@
+//! The one loop of all kernels over mechanisms: lanes are configurations, and every link is computed once,
+//! right after what carries it.
+
+use super::group::Group;
+use super::joint::JointKind;
+use super::placed::Placed;
+use super::step::Step;
+use super::tree::Mechanism;
+use super::values::{JointValues, Numbers, half_turn};
+use crate::batch::{Quat, vector};
+use crate::dispatch::Kernel;
+use crate::storage::Layout;
+use dq8_simd::{Lanes, Level};
+
+/// As many poses wait for children at most: log₂ of the number of joints, and one
+/// ([`Mechanism::new`] puts them in such an order).
+const SLOTS: usize = 32;
+
+/// What is done with each link.
+pub(super) trait Task<Y: Layout> {
+    /// What it keeps in registers' form.
+    type State<V: Level>;
+    /// What children need of a link in addition to its pose.
+    type Carried<V: Level>: Copy;
+    /// Before everything.
+    fn start<V: Level>(&self, level: V) -> Self::State<V>;
+    /// What the base carries.
+    fn base<V: Level>(level: V) -> Self::Carried<V>;
+    /// Before the links of a group.
+    #[inline(always)]
+    fn begin<V: Level>(&mut self, _: V, _: Group, _: &[Step<Y::Real>], _: &mut Self::State<V>) {}
+    /// Whether neither the link of this step nor what it carries is wanted.
+    #[inline(always)]
+    fn skips(&self, _: &[Step<Y::Real>], _: usize) -> bool {
+        false
+    }
+    /// Takes a link.
+    fn link<V: Level>(
+        &mut self,
+        level: V,
+        group: Group,
+        step: &Step<Y::Real>,
+        joined: &Joined<Y::Register<V>>,
+        parent: &Self::Carried<V>,
+        state: &mut Self::State<V>,
+    ) -> Self::Carried<V>;
+    /// After the links of a group.
+    #[inline(always)]
+    fn end<V: Level>(&mut self, _: V, _: Group, _: &[Step<Y::Real>], _: &mut Self::State<V>) {}
+}
+
+/// A link and its joint, one configuration per lane.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Joined<L> {
+    /// The frame of the joint.
+    pub(super) before: Placed<L>,
+    /// The link.
+    pub(super) pose: Placed<L>,
+}
+
+pub(super) struct Walk<'r, Y: Layout, T, K> {
+    pub(super) mechanism: Mechanism<'r, Y::Real>,
+    pub(super) values: &'r [T],
+    /// How many configurations, or blocks of them, there are.
+    pub(super) elements: usize,
+    pub(super) task: K,
+}
+
+impl<Y: Layout, T: JointValues<Y>, K: Task<Y>> Kernel for Walk<'_, Y, T, K> {
+    type Output = ();
+    const WIDE: bool = Y::WIDE;
+
+    #[inline(always)]
+    fn run<V: Level>(self, level: V) {
+        let Self { mechanism, values, elements, mut task } = self;
+        let mut numbers = Numbers::<Y, T, V>::new(level, values, mechanism.values);
+        let mut poses = [Placed::<Y::Register<V>>::identity(level); SLOTS];
+        let mut carried = [K::base(level); SLOTS];
+        let mut state = task.start(level);
+        for first in (0..elements).step_by(Y::records::<V>()) {
+            for register in 0..Y::registers::<V>() {
+                let group = Group { first, register };
+                numbers.turn_to(group);
+                task.begin(level, group, mechanism.steps, &mut state);
+                let mut position = 0;
+                while let Some(step) = mechanism.steps.get(position) {
+                    if task.skips(mechanism.steps, position) {
+                        position += step.size as usize;
+                        continue;
+                    }
+                    position += 1;
+                    let (from, to) = (step.parent_slot as usize, step.slot as usize);
+                    let (from, to) = (from % SLOTS, to % SLOTS);
+                    let is_root = step.parent == super::step::NONE;
+                    let before = if is_root {
+                        let rotation = vector::splat(level, step.rotation);
+                        Placed { rotation, half: vector::splat(level, step.half_offset) }
+                    } else {
+                        poses[from].place(step)
+                    };
+                    let pose = moved::<Y, T, V>(level, before, step, &mut numbers);
+                    let joined = Joined { before, pose };
+                    let parent = if is_root { K::base(level) } else { carried[from] };
+                    poses[to] = pose;
+                    carried[to] = task.link(level, group, step, &joined, &parent, &mut state);
+                }
+                task.end(level, group, mechanism.steps, &mut state);
+            }
+        }
+    }
+}
+
+/// From the frame of the joint to that of the link.
+#[inline(always)]
+fn moved<Y: Layout, T: JointValues<Y>, V: Level>(
+    level: V,
+    before: Placed<Y::Register<V>>,
+    step: &Step<Y::Real>,
+    numbers: &mut Numbers<'_, Y, T, V>,
+) -> Placed<Y::Register<V>> {
+    let value = step.value as usize;
+    match step.kind {
+        JointKind::Fixed => before,
+        JointKind::Revolute { .. } => {
+            let [cos, sin] = if step.mimics {
+                half_turn(affine(level, numbers.get(level, value), step))
+            } else {
+                let [cos, sin] = numbers.half_turn(level, value);
+                [cos, sin * Y::Register::<V>::splat(level, step.sign)]
+            };
+            Placed { rotation: before.turn(step, cos, sin), half: before.half }
+        }
+        JointKind::Prismatic { .. } => {
+            let half = affine(level, numbers.get(level, value), step);
+            Placed { rotation: before.rotation, half: before.slide(step, half) }
+        }
+        JointKind::Screw { pitch, .. } => {
+            let half = affine(level, numbers.get(level, value), step);
+            let [cos, sin] = half_turn(half);
+            let slide = half * Y::Register::<V>::splat(level, pitch);
+            Placed { rotation: before.turn(step, cos, sin), half: before.slide(step, slide) }
+        }
+        JointKind::Planar { .. } => {
+            let one_half = Y::Register::<V>::splat(level, crate::Real::HALF);
+            let x = numbers.get(level, value) * one_half;
+            let y = numbers.get(level, value + 1) * one_half;
+            let [cos, sin] = half_turn(affine(level, numbers.get(level, value + 2), step));
+            let [first, second] = step.plane;
+            let along = vector::scale(vector::splat(level, first), x);
+            let slide = vector::scale_onto(vector::splat(level, second), y, along);
+            Placed { rotation: before.turn(step, cos, sin), half: before.moved(slide) }
+        }
+        JointKind::Floating => {
+            let mut all = [Y::Register::<V>::splat(level, Default::default()); 7];
+            for (index, number) in all.iter_mut().enumerate() {
+                *number = numbers.get(level, value + index);
+            }
+            let [x, y, z, w, tx, ty, tz] = all;
+            let turn = Quat::from_xyzw(x, y, z, w).normalize();
+            let half = vector::scale([tx, ty, tz], x.constant(0.5));
+            let rotation = (Quat::from_array(before.rotation) * turn).to_array();
+            Placed { rotation, half: before.moved(half) }
+        }
+    }
+}
+
+/// Half the value of a joint, counted where its axis is positive.
+#[inline(always)]
+fn affine<L: Lanes>(level: L::Level, value: L, step: &Step<L::Real>) -> L {
+    value.mul_add(L::splat(level, step.half_multiplier), L::splat(level, step.half_bias))
+}

@@ -1,0 +1,395 @@
+//! Locals that are sampled from clips, blended and masked on their way into registers.
+
+use crate::memory::{Memory, lay, read, round};
+use crate::records::assert_same_bits;
+use crate::scene::{SMALL, Scene, motions, step, walk};
+use dq8::hierarchy::{Clip, Layered, PoseSource, Sampled};
+use dq8::law::Law;
+use dq8::simd::Float;
+use dq8::storage::{AoSoA, Aos};
+use dq8::{
+    Backend, DualQuat, Hierarchy, Nlerp, Poses, Quat, Real, RotationsTranslations, Sclerp,
+    Separate, ShapeError,
+};
+use dq8_contract::bound::{unit_roundoff, within};
+use dq8_contract::random::Random;
+
+const JOINTS: usize = SMALL.len();
+const FRAMES: usize = 5;
+
+/// A law in words of the scalar reference.
+trait Reference<const C: usize>: Law<C> {
+    const LAW: Self;
+    type Stored<'a, L: Memory>: PoseSource<L, C>
+    where
+        L::Record<C>: 'a;
+    fn stored<L: Memory>(poses: &[L::Record<C>]) -> Self::Stored<'_, L>;
+    fn key(random: &mut Random) -> [f64; C];
+    fn between_by_the_book(a: [f64; C], b: [f64; C], t: f64) -> [f64; C];
+    fn add_by_the_book(base: [f64; C], delta: [f64; C], weight: f64) -> [f64; C];
+    fn as_motion(pose: [f64; C]) -> [f64; 8];
+}
+
+impl Reference<8> for Nlerp {
+    const LAW: Self = Self;
+    type Stored<'a, L: Memory>
+        = Poses<'a, L::Record<8>>
+    where
+        L::Record<8>: 'a;
+    fn stored<L: Memory>(poses: &[L::Record<8>]) -> Self::Stored<'_, L> {
+        Poses(poses)
+    }
+    fn key(random: &mut Random) -> [f64; 8] {
+        motions(random, 1)[0]
+    }
+    fn between_by_the_book(a: [f64; 8], b: [f64; 8], t: f64) -> [f64; 8] {
+        DualQuat::from_array(a).nlerp(DualQuat::from_array(b), t).to_array()
+    }
+    fn add_by_the_book(base: [f64; 8], delta: [f64; 8], weight: f64) -> [f64; 8] {
+        let step = DualQuat::IDENTITY.nlerp(DualQuat::from_array(delta), weight);
+        (DualQuat::from_array(base) * step).to_array()
+    }
+    fn as_motion(pose: [f64; 8]) -> [f64; 8] {
+        pose
+    }
+}
+
+impl Reference<8> for Sclerp {
+    const LAW: Self = Self;
+    type Stored<'a, L: Memory>
+        = Poses<'a, L::Record<8>>
+    where
+        L::Record<8>: 'a;
+    fn stored<L: Memory>(poses: &[L::Record<8>]) -> Self::Stored<'_, L> {
+        Poses(poses)
+    }
+    fn key(random: &mut Random) -> [f64; 8] {
+        motions(random, 1)[0]
+    }
+    fn between_by_the_book(a: [f64; 8], b: [f64; 8], t: f64) -> [f64; 8] {
+        DualQuat::from_array(a).sclerp(DualQuat::from_array(b), t).to_array()
+    }
+    fn add_by_the_book(base: [f64; 8], delta: [f64; 8], weight: f64) -> [f64; 8] {
+        (DualQuat::from_array(base) * DualQuat::from_array(delta).pow(weight)).to_array()
+    }
+    fn as_motion(pose: [f64; 8]) -> [f64; 8] {
+        pose
+    }
+}
+
+fn turn_and_shift([x, y, z, w, t @ ..]: [f64; 7]) -> (Quat<f64>, [f64; 3]) {
+    (Quat::from_xyzw(x, y, z, w), t)
+}
+
+fn seven(turn: Quat<f64>, [tx, ty, tz]: [f64; 3]) -> [f64; 7] {
+    let [x, y, z, w] = turn.to_array();
+    [x, y, z, w, tx, ty, tz]
+}
+
+/// By the shorter way.
+fn turned(a: Quat<f64>, b: Quat<f64>, t: f64) -> Quat<f64> {
+    let sign = if a.dot(b) < 0.0 { -1.0 } else { 1.0 };
+    let (a, b) = (a.to_array(), b.to_array());
+    Quat::from_array(std::array::from_fn(|i| (1.0 - t) * a[i] + sign * t * b[i])).normalize()
+}
+
+impl Reference<7> for Separate {
+    const LAW: Self = Self;
+    type Stored<'a, L: Memory>
+        = RotationsTranslations<'a, L::Record<7>>
+    where
+        L::Record<7>: 'a;
+    fn stored<L: Memory>(poses: &[L::Record<7>]) -> Self::Stored<'_, L> {
+        RotationsTranslations(poses)
+    }
+    fn key(random: &mut Random) -> [f64; 7] {
+        let step = step(random);
+        seven(Quat::from_axis_angle(step.axis, step.angle), step.shift)
+    }
+    fn between_by_the_book(a: [f64; 7], b: [f64; 7], t: f64) -> [f64; 7] {
+        let ((p, from), (q, to)) = (turn_and_shift(a), turn_and_shift(b));
+        seven(turned(p, q, t), std::array::from_fn(|i| (1.0 - t) * from[i] + t * to[i]))
+    }
+    fn add_by_the_book(base: [f64; 7], delta: [f64; 7], weight: f64) -> [f64; 7] {
+        let ((p, from), (q, step)) = (turn_and_shift(base), turn_and_shift(delta));
+        let turn = turned(Quat::IDENTITY, q, weight) * p;
+        seven(turn, std::array::from_fn(|i| from[i] + weight * step[i]))
+    }
+    fn as_motion(pose: [f64; 7]) -> [f64; 8] {
+        let (turn, shift) = turn_and_shift(pose);
+        DualQuat::from_rotation_translation(turn, shift).to_array()
+    }
+}
+
+/// Two clips, where each of so many instances is in them, and how they are layered.
+struct Animation<const C: usize> {
+    instances: usize,
+    keys: [Vec<[f64; C]>; 2],
+    frames: [Vec<u32>; 2],
+    t: [Vec<f64>; 2],
+    weights: Vec<f64>,
+    mask: Vec<f64>,
+}
+
+/// Numbers in [0, 1] that `f32` holds exactly.
+fn eighths(random: &mut Random, count: usize) -> Vec<f64> {
+    (0..count).map(|_| (random.between(0.0, 9.0)).floor().min(8.0) / 8.0).collect()
+}
+
+impl<const C: usize> Animation<C> {
+    /// The keys are rounded to what the layout holds.
+    fn new<W: Reference<C>, R: Float + Real>(instances: usize) -> Self {
+        let mut random = Random(instances as u64 + 1);
+        let mut many = || -> Vec<[f64; C]> {
+            let key = |_| round::<R, C>(W::key(&mut random)).map(Into::into);
+            (0..JOINTS * FRAMES).map(key).collect()
+        };
+        let keys = [many(), many()];
+        let mut frames = || -> Vec<u32> {
+            let frame = |_| random.between(0.0, (FRAMES - 1) as f64) as u32;
+            (0..instances).map(frame).collect()
+        };
+        let frames = [frames(), frames()];
+        let t = [eighths(&mut random, instances), eighths(&mut random, instances)];
+        let weights = eighths(&mut random, instances);
+        Self { instances, keys, frames, t, weights, mask: eighths(&mut random, JOINTS) }
+    }
+
+    /// What the keys of a clip come to, `[instance][joint]`.
+    fn sampled<W: Reference<C>>(&self, clip: usize) -> Vec<[f64; C]> {
+        let at = |index: usize| {
+            let (instance, joint) = (index / JOINTS, index % JOINTS);
+            let key = self.frames[clip][instance] as usize * JOINTS + joint;
+            let (a, b) = (self.keys[clip][key], self.keys[clip][key + JOINTS]);
+            W::between_by_the_book(a, b, self.t[clip][instance])
+        };
+        (0..self.instances * JOINTS).map(at).collect()
+    }
+
+    /// What `combine` makes of each pose, of two layers and the weight.
+    fn layered(
+        &self,
+        [base, layer]: [&[[f64; C]]; 2],
+        combine: impl Fn([f64; C], [f64; C], f64) -> [f64; C],
+    ) -> Vec<[f64; C]> {
+        let pair = base.iter().zip(layer).enumerate();
+        pair.map(|(i, (a, b))| combine(*a, *b, self.weights[i / JOINTS] * self.mask[i % JOINTS]))
+            .collect()
+    }
+}
+
+/// The models of both layers, sampled, blended and added, against the scalar reference.
+fn check<L: Memory, W: Reference<C>, const C: usize>(backend: Backend, instances: usize) {
+    let animation = Animation::<C>::new::<W, L::Real>(instances);
+    let hierarchy = Hierarchy::new(&SMALL).expect("parents come first");
+    let keys = animation
+        .keys
+        .each_ref()
+        .map(|keys| -> Vec<[L::Real; C]> { keys.iter().map(|key| round(*key)).collect() });
+    let number = |number: &f64| round::<L::Real, 1>([*number])[0];
+    let t = animation.t.each_ref().map(|t| -> Vec<_> { t.iter().map(number).collect() });
+    let weights: Vec<_> = animation.weights.iter().map(number).collect();
+    let mask: Vec<_> = animation.mask.iter().map(number).collect();
+    let [one, other] = [0, 1].map(|i| {
+        let clip = Clip::new(JOINTS, &keys[i]).expect("whole frames");
+        Sampled::new(W::LAW, clip, &animation.frames[i], &t[i]).expect("frames of the clip")
+    });
+    let [first, second] = [0, 1].map(|i| animation.sampled::<W>(i));
+    let stored = lay::<L, C>(JOINTS, &first);
+    let job = hierarchy.job().backend(backend);
+    let elements = stored.len();
+    let blank = || vec![L::filled::<8>(L::Real::ZERO); elements];
+    let holds = |what: &str, models: &[L::Record<8>], locals: &[[f64; C]]| {
+        let why = "three joints deep; each an interpolation, a layer, a product";
+        let allowed = within(24.0, why).units * unit_roundoff(L::Real::SINGLE) * 12.0;
+        let got = read::<L, 8>(JOINTS, models);
+        let locals: Vec<_> = locals.iter().map(|pose| W::as_motion(*pose)).collect();
+        for (instance, wanted) in locals.chunks(JOINTS).enumerate() {
+            for (joint, wanted) in walk(&SMALL, wanted).into_iter().enumerate() {
+                let got = got[instance * JOINTS + joint];
+                let dot: f64 = got.iter().zip(wanted).take(4).map(|(a, b)| a * b).sum();
+                for (a, b) in got.iter().zip(wanted) {
+                    assert!(
+                        (a - b * dot.signum()).abs() <= allowed,
+                        "{} {backend} {what}, {instances} instances: {instance} {joint}: {got:?} {wanted:?}",
+                        L::name()
+                    );
+                }
+            }
+        }
+    };
+
+    let mut models = blank();
+    job.locals_to_model(one, &mut models).expect("they fit");
+    holds("sampled", &models, &first);
+
+    let mut models = blank();
+    let both = Layered::blend(W::LAW, one, other, &weights).mask(&mask);
+    job.locals_to_model(both, &mut models).expect("they fit");
+    holds("blended", &models, &animation.layered([&first, &second], W::between_by_the_book));
+
+    // A stored base, and the layer of a clip added to it.
+    let mut models = blank();
+    let sum = Layered::add(W::LAW, W::stored::<L>(&stored), other, &weights).mask(&mask);
+    job.locals_to_model(sum, &mut models).expect("they fit");
+    holds("added", &models, &animation.layered([&first, &second], W::add_by_the_book));
+}
+
+/// On every backend, for no instance, one, some that fill no lanes, and more than fill two groups.
+fn check_all<L: Memory>() {
+    for backend in Backend::available() {
+        for instances in [0, 1, 3, 16, 35] {
+            check::<L, Nlerp, 8>(backend, instances);
+            check::<L, Sclerp, 8>(backend, instances);
+            check::<L, Separate, 7>(backend, instances);
+        }
+    }
+}
+
+#[test]
+fn plain_singles_are_sampled_and_layered_as_the_scalar_reference_does() {
+    check_all::<Aos<f32>>();
+}
+
+#[test]
+fn plain_doubles_are_sampled_and_layered_as_the_scalar_reference_does() {
+    check_all::<Aos<f64>>();
+}
+
+#[test]
+fn blocks_are_sampled_and_layered_as_the_scalar_reference_does() {
+    check_all::<AoSoA<[f32; 8]>>();
+    check_all::<AoSoA<[f32; 16]>>();
+    check_all::<AoSoA<[f64; 4]>>();
+}
+
+/// As many instances at a time as the scratch holds; the last time fewer.
+#[test]
+fn a_palette_through_scratch_has_the_bits_of_one_with_all_models() {
+    let hierarchy = Hierarchy::new(&SMALL).expect("parents come first");
+    let scene = Scene::new(&SMALL, 33, 3);
+    let single = |motions: Vec<[f64; 8]>| -> Vec<DualQuat<f32>> {
+        motions.into_iter().map(|motion| DualQuat::from_array(round(motion))).collect()
+    };
+    let (poses, roots) = (single(scene.poses(33)), single(scene.roots()));
+    let binds = single(scene.binds());
+    let job = hierarchy.job().roots(&roots);
+    let (mut models, mut wanted) = (poses.clone(), vec![[[0.0_f32; 4]; 3]; poses.len()]);
+    job.locals_to_palette(Poses(&poses), &mut models, &binds, &mut wanted).expect("they fit");
+    for instances in [1, 2, 16, 33, 40] {
+        let mut scratch = vec![DualQuat::IDENTITY; instances * JOINTS];
+        let mut palette = vec![[[0.0_f32; 4]; 3]; poses.len()];
+        job.palette(Poses(&poses), &mut scratch, &binds, &mut palette).expect("they fit");
+        for (entry, wanted) in palette.iter().zip(&wanted) {
+            assert_same_bits(
+                &[entry.as_flattened().try_into().map(|e: [f32; 12]| e.map(f64::from)).unwrap()],
+                &[wanted.as_flattened().try_into().map(|e: [f32; 12]| e.map(f64::from)).unwrap()],
+                "through scratch",
+            );
+        }
+    }
+    // Blocks of eight, two at a time.
+    let crowd = dq8::Crowd::<f32, 8>::from_slice(JOINTS, &poses).expect("whole instances");
+    let starts = dq8::Crowd::<f32, 8>::from_slice(1, &roots).expect("whole instances");
+    let job = hierarchy.job().roots(starts.blocks());
+    let mut models = crowd.clone();
+    let mut wanted = dq8::Crowd::<f32, 8, 12>::new(JOINTS, 33);
+    let given = Poses(crowd.blocks());
+    job.locals_to_palette(given, models.blocks_mut(), &binds, wanted.blocks_mut()).expect("fit");
+    let mut palette = dq8::Crowd::<f32, 8, 12>::new(JOINTS, 33);
+    let mut scratch = models.blocks()[..2 * JOINTS].to_vec();
+    job.palette(given, &mut scratch, &binds, palette.blocks_mut()).expect("they fit");
+    assert_eq!(palette, wanted);
+}
+
+/// Instances after those of the first part have places, weights and poses of their own.
+#[test]
+fn a_sampled_palette_through_scratch_is_that_of_every_instance() {
+    let hierarchy = Hierarchy::new(&SMALL).expect("parents come first");
+    let animation = Animation::<7>::new::<Separate, f32>(35);
+    let keys = animation
+        .keys
+        .each_ref()
+        .map(|keys| -> Vec<[f32; 7]> { keys.iter().map(|key| round(*key)).collect() });
+    let single = |numbers: &[f64]| numbers.iter().map(|n| *n as f32).collect::<Vec<_>>();
+    let t = animation.t.each_ref().map(|t| single(t));
+    let weights = single(&animation.weights);
+    let [a, b] = [0, 1].map(|i| {
+        let clip = Clip::new(JOINTS, &keys[i]).expect("whole frames");
+        Sampled::new(Separate, clip, &animation.frames[i], &t[i]).expect("frames of the clip")
+    });
+    let locals = Layered::blend(Separate, a, b, &weights);
+    let binds = [DualQuat::IDENTITY; JOINTS];
+    let mut models = [DualQuat::<f32>::IDENTITY; 35 * JOINTS];
+    hierarchy.job().locals_to_model(locals, &mut models).expect("they fit");
+    let mut scratch = [DualQuat::IDENTITY; 16 * JOINTS];
+    let mut palette = [DualQuat::IDENTITY; 35 * JOINTS];
+    hierarchy.job().palette(locals, &mut scratch, &binds, &mut palette).expect("they fit");
+    assert_eq!(palette, models);
+}
+
+#[test]
+fn what_does_not_fit_is_named_and_nothing_is_written() {
+    let hierarchy = Hierarchy::new(&SMALL).expect("parents come first");
+    let keys = [[0.0_f32; 8]; JOINTS * FRAMES];
+    assert_eq!(
+        Clip::new(JOINTS, &keys[1..]).unwrap_err(),
+        ShapeError::NotWhole { what: "keys", length: JOINTS * FRAMES - 1, joints: JOINTS }
+    );
+    let clip = Clip::new(JOINTS, &keys).expect("whole frames");
+    let last = FRAMES as u32 - 1;
+    assert_eq!(
+        Sampled::new(Nlerp, clip, &[0, last], &[0.0; 2]).unwrap_err(),
+        ShapeError::NoFrame { instance: 1, frame: FRAMES - 1, frames: FRAMES },
+        "no frame follows the last"
+    );
+    assert!(Sampled::new(Nlerp, clip, &[u32::MAX], &[0.0]).is_err());
+    let length = |what, length, expected| Err(ShapeError::Length { what, length, expected });
+    assert_eq!(Sampled::new(Nlerp, clip, &[0, 1], &[0.0]).map(|_| ()), length("t", 1, 2));
+
+    let before = [DualQuat::<f32>::IDENTITY.scale(3.0); 2 * JOINTS];
+    let mut models = before;
+    let sampled = Sampled::new(Nlerp, clip, &[0, 1], &[0.0, 0.5]).expect("it fits");
+    let refused = |answer: Result<(), ShapeError>, wanted: Result<(), ShapeError>| {
+        assert_eq!(answer, wanted);
+    };
+    let job = hierarchy.job();
+    refused(job.locals_to_model(sampled, &mut models[1..]), length("models", 13, 14));
+    let layer = |weights| Layered::blend(Nlerp, sampled, sampled, weights);
+    refused(job.locals_to_model(layer(&[0.5]), &mut models), length("weights", 1, 2));
+    let masked = layer(&[0.5; 2]).mask(&[1.0; 3]);
+    refused(job.locals_to_model(masked, &mut models), length("mask", 3, JOINTS));
+    let short = Sampled::new(Nlerp, clip, &[0], &[0.0]).expect("it fits");
+    let uneven = Layered::blend(Nlerp, sampled, short, &[0.5; 2]);
+    refused(job.locals_to_model(uneven, &mut models), length("layer", 7, 14));
+    let one = [Hierarchy::ROOT];
+    let one = Hierarchy::new(&one).expect("a hierarchy");
+    refused(
+        one.job().locals_to_model(sampled, &mut models[..2]),
+        length("joints of the clip", JOINTS, 1),
+    );
+    let binds = [DualQuat::IDENTITY; JOINTS];
+    let mut palette = before;
+    refused(job.palette(sampled, &mut [], &binds, &mut palette), length("scratch", 0, JOINTS));
+    assert_eq!((models, palette), (before, before));
+}
+
+/// σ and −σ are the same key.
+#[test]
+fn the_sign_of_a_key_changes_no_pose() {
+    let clip = |sign: f64| {
+        let mut random = Random(3);
+        let keys: Vec<_> = (0..JOINTS * 2).map(|_| motions(&mut random, 1)[0]).collect();
+        let sign = |i: usize| if i >= JOINTS { sign } else { 1.0 };
+        keys.iter().enumerate().map(|(i, key)| key.map(|c| c * sign(i))).collect::<Vec<_>>()
+    };
+    let hierarchy = Hierarchy::new(&SMALL).expect("parents come first");
+    let models = |keys: &[[f64; 8]]| {
+        let clip = Clip::new(JOINTS, keys).expect("whole frames");
+        let mut models = [DualQuat::<f64>::IDENTITY; 9 * JOINTS];
+        let sampled = Sampled::new(Nlerp, clip, &[0; 9], &[0.25; 9]).expect("it fits");
+        hierarchy.job().locals_to_model(sampled, &mut models).expect("it fits");
+        models
+    };
+    assert_eq!(models(&clip(1.0)), models(&clip(-1.0)));
+}

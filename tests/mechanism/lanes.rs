@@ -1,0 +1,262 @@
+//! Many configurations on the lanes of every backend, held to one configuration at a time.
+
+use crate::random::{Numbers, mechanism, tree, values};
+use dq8::mechanism::{Body, JacobianFrame, Joint, OwnedMechanism, World, WorldAligned};
+use dq8::storage::NumberBlock;
+use dq8::{Backend, Block, DualQuat, Twist};
+
+/// Poses of `configurations` by the book.
+fn wanted(
+    owned: &OwnedMechanism<f64>,
+    values: &[f64],
+    configurations: usize,
+) -> Vec<DualQuat<f64>> {
+    let robot = owned.view();
+    let mut poses = vec![DualQuat::IDENTITY; configurations * robot.links()];
+    for configuration in 0..configurations {
+        let values = &values[configuration * robot.values()..][..robot.values()];
+        let poses = &mut poses[configuration * robot.links()..][..robot.links()];
+        robot.link_poses(values, poses).unwrap();
+    }
+    poses
+}
+
+fn close(a: DualQuat<f64>, b: DualQuat<f64>, bound: f64, what: &str) {
+    // The sign too: neighbours may be blended.
+    let scale = 1.0 + b.dual().norm();
+    assert!(a.abs_diff_eq(b, bound * scale), "{what}: {a:?} {b:?}");
+}
+
+#[test]
+fn lanes_agree_with_one_configuration_for_every_backend_and_layout() {
+    let mut numbers = Numbers::new(5);
+    for count in (1..30).chain([64]) {
+        let joints = tree(&mut numbers, count);
+        let configurations = [1, 2, 3, 4, 7, 8, 9, 16, 33][count % 9];
+        let values: Vec<f64> =
+            (0..configurations).flat_map(|_| values(&mut numbers, &joints)).collect();
+        let owned = mechanism::<f64>(&joints);
+        let single = mechanism::<f32>(&joints);
+        let (robot, narrow) = (owned.view(), single.view());
+        let wanted = wanted(&owned, &values, configurations);
+        let floats: Vec<f32> = values.iter().map(|&value| value as f32).collect();
+        for backend in Backend::available() {
+            let what = format!("{backend}, {count} joints, {configurations} configurations");
+            let mut poses = vec![DualQuat::IDENTITY; wanted.len()];
+            backend.link_poses(robot, &values, &mut poses).unwrap();
+            for (&pose, &wanted) in poses.iter().zip(&wanted) {
+                close(pose, wanted, 1e-13, &what);
+            }
+            let mut floating = vec![DualQuat::<f32>::IDENTITY; wanted.len()];
+            backend.link_poses(narrow, &floats, &mut floating).unwrap();
+            for (pose, &wanted) in floating.iter().zip(&wanted) {
+                close(DualQuat::from_array(pose.to_array().map(f64::from)), wanted, 4e-5, &what);
+            }
+            // Plain values, poses in blocks that are not full.
+            let blocks = configurations.div_ceil(8);
+            let mut packed = vec![Block::<f64, 8>::splat([0.0; 8]); blocks * count];
+            if !values.is_empty() {
+                backend.link_poses(robot, &values, &mut packed).unwrap();
+                in_blocks(&packed, &poses, count, &what);
+            }
+            // Both in blocks.
+            let mut inputs = vec![NumberBlock::<f64, 8>::splat([0.0]); blocks * robot.values()];
+            for (index, &value) in values.iter().enumerate() {
+                let (configuration, value_index) = (index / robot.values(), index % robot.values());
+                let block = &mut inputs[configuration / 8 * robot.values() + value_index];
+                block.set(configuration % 8, [value]).unwrap();
+            }
+            packed.fill(Block::splat([0.0; 8]));
+            backend.link_poses(robot, &inputs, &mut packed).unwrap();
+            in_blocks(&packed, &poses, count, &what);
+            // Some of them, one twice.
+            let links = [count - 1, count / 2, count - 1];
+            let mut chosen = vec![DualQuat::IDENTITY; 3 * configurations];
+            backend.chosen_link_poses(robot, &links, &values, &mut chosen).unwrap();
+            for (index, pose) in chosen.into_iter().enumerate() {
+                let all = &poses[index / 3 * count..];
+                assert_eq!(pose, all[links[index % 3]], "{what}, chosen");
+            }
+        }
+    }
+}
+
+/// Blocks hold what plain poses hold, to rounding: they may be of other lanes.
+fn in_blocks(blocks: &[Block<f64, 8>], plain: &[DualQuat<f64>], links: usize, what: &str) {
+    for (index, &pose) in plain.iter().enumerate() {
+        let (configuration, link) = (index / links, index % links);
+        let block = blocks[configuration / 8 * links + link];
+        let motion = DualQuat::from_array(block.get(configuration % 8).unwrap());
+        close(motion, pose, 1e-13, &format!("{what}, blocks"));
+    }
+}
+
+#[test]
+fn nothing_is_computed_of_nothing() {
+    let owned = OwnedMechanism::<f64>::new(&[]).unwrap();
+    let no_poses: &mut [DualQuat<f64>] = &mut [];
+    let no_values: &[f64] = &[];
+    for backend in Backend::available() {
+        backend.link_poses(owned.view(), no_values, no_poses).unwrap();
+        let hinge = [Joint::revolute(None, DualQuat::IDENTITY, [0.0, 0.0, 1.0])];
+        let hinge = OwnedMechanism::new(&hinge).unwrap();
+        backend.link_poses(hinge.view(), no_values, no_poses).unwrap();
+        backend.chosen_link_poses(hinge.view(), &[0], no_values, no_poses).unwrap();
+        // No values, but links.
+        let up = DualQuat::from_translation([0.0, 0.0, 2.0]);
+        let post = OwnedMechanism::new(&[Joint::fixed(None, up)]).unwrap();
+        let mut poses = [DualQuat::IDENTITY; 5];
+        backend.link_poses(post.view(), no_values, &mut poses).unwrap();
+        assert_eq!(poses, [up; 5], "{backend}");
+    }
+}
+
+#[test]
+fn an_angle_that_is_no_number_spoils_its_own_configuration_alone() {
+    let turn = |parent| Joint::revolute(parent, DualQuat::IDENTITY, [0.0_f32, 1.0, 0.0]);
+    let owned = OwnedMechanism::new(&[turn(None), turn(Some(0))]).unwrap();
+    for bad in [f32::NAN, f32::INFINITY, 1e9] {
+        for backend in Backend::available() {
+            let mut values = [0.5_f32; 2 * 19];
+            values[2 * 7 + 1] = bad;
+            let mut poses = [DualQuat::IDENTITY; 2 * 19];
+            backend.link_poses(owned.view(), &values, &mut poses).unwrap();
+            for (index, pose) in poses.iter().enumerate() {
+                let spoilt = pose.to_array().iter().any(|number| number.is_nan());
+                assert_eq!(spoilt, index == 2 * 7 + 1, "{backend}, {bad}, {index}");
+            }
+        }
+    }
+}
+
+/// An `f32` angle of 10⁴ radians is known to 5·10⁻⁴, but what is given is taken as exact.
+#[test]
+fn angles_many_turns_away_are_as_exact_as_near_ones() {
+    let hinge = [Joint::revolute(None, DualQuat::IDENTITY, [0.0_f64, 0.0, 1.0])];
+    let (owned, single) = (mechanism::<f64>(&hinge), mechanism::<f32>(&hinge));
+    let mut numbers = Numbers::new(6);
+    let angles: Vec<f32> = (0..10_000).map(|_| (1e4 * numbers.next()) as f32).collect();
+    let exact: Vec<f64> = angles.iter().map(|&angle| f64::from(angle)).collect();
+    let wanted = wanted(&owned, &exact, exact.len());
+    for backend in Backend::available() {
+        let mut poses = vec![DualQuat::IDENTITY; angles.len()];
+        backend.link_poses(single.view(), &angles, &mut poses).unwrap();
+        for (pose, wanted) in poses.iter().zip(&wanted) {
+            // Units of 2⁻²⁴: what is left of the angle, up to π/2, is rounded twice, the quotient
+            // of sine and angle once, and the product with the angle once.
+            let error = (0..8).map(|i| f64::from(pose.to_array()[i]) - wanted.to_array()[i]);
+            let error = error.map(f64::abs).fold(0.0, f64::max);
+            assert!(error < 2.4e-7, "{backend}: {error}");
+        }
+    }
+}
+
+const NOTHING: Twist<f64> = Twist { angular: [0.0; 3], linear: [0.0; 3] };
+
+fn close_twists(found: &[[f64; 6]], wanted: &[Twist<f64>], what: &str) {
+    assert_eq!(found.len(), wanted.len());
+    for (found, wanted) in found.iter().zip(wanted) {
+        for (found, wanted) in found.iter().zip(wanted.to_array()) {
+            let error = (found - wanted).abs() / (1.0 + wanted.abs());
+            assert!(error < 1e-12, "{what}: {found} for {wanted}");
+        }
+    }
+}
+
+fn jacobians_agree<F: JacobianFrame>(frame: F) {
+    let mut numbers = Numbers::new(8);
+    for count in 1..25 {
+        let joints = tree(&mut numbers, count);
+        let configurations = [1, 3, 4, 9, 16, 21][count % 6];
+        let values: Vec<f64> =
+            (0..configurations).flat_map(|_| values(&mut numbers, &joints)).collect();
+        let owned = mechanism::<f64>(&joints);
+        let (robot, link) = (owned.view(), numbers.below(count));
+        if robot.values() == 0 {
+            continue;
+        }
+        let mut wanted = vec![NOTHING; configurations * robot.rates()];
+        let tools: Vec<_> = values
+            .chunks_exact(robot.values())
+            .zip(wanted.chunks_exact_mut(robot.rates()))
+            .map(|(values, columns)| robot.link_jacobian(frame, values, link, columns).unwrap())
+            .collect();
+        for backend in Backend::available() {
+            let what = format!("{backend}, {frame:?}, {count} joints, link {link}");
+            let mut poses = vec![DualQuat::IDENTITY; configurations];
+            let mut columns = vec![[f64::NAN; 6]; wanted.len()];
+            backend.link_jacobians(frame, robot, link, &values, &mut poses, &mut columns).unwrap();
+            close_twists(&columns, &wanted, &what);
+            for (&pose, &tool) in poses.iter().zip(&tools) {
+                close(pose, tool, 1e-13, &what);
+            }
+        }
+    }
+}
+
+#[test]
+fn jacobians_on_lanes_are_those_of_one_configuration_in_every_frame() {
+    jacobians_agree(World);
+    jacobians_agree(Body);
+    jacobians_agree(WorldAligned);
+}
+
+#[test]
+fn velocities_and_accelerations_on_lanes_are_those_of_one_configuration() {
+    let mut numbers = Numbers::new(9);
+    for count in 1..25 {
+        let joints = tree(&mut numbers, count);
+        let configurations = [1, 3, 4, 9, 16, 21][count % 6];
+        let values: Vec<f64> =
+            (0..configurations).flat_map(|_| values(&mut numbers, &joints)).collect();
+        let owned = mechanism::<f64>(&joints);
+        let robot = owned.view();
+        if robot.values() == 0 {
+            continue;
+        }
+        let mut random = |_| numbers.next();
+        let rates: Vec<f64> = (0..configurations * robot.rates()).map(&mut random).collect();
+        let second: Vec<f64> = (0..configurations * robot.rates()).map(&mut random).collect();
+        let links = configurations * count;
+        let mut wanted_poses = vec![DualQuat::IDENTITY; links];
+        let (mut wanted, mut wanted_second) = (vec![NOTHING; links], vec![NOTHING; links]);
+        for configuration in 0..configurations {
+            let of = |all: usize| configuration * all..(configuration + 1) * all;
+            robot
+                .link_accelerations(
+                    &values[of(robot.values())],
+                    &rates[of(robot.rates())],
+                    &second[of(robot.rates())],
+                    &mut wanted_poses[of(count)],
+                    &mut wanted[of(count)],
+                    &mut wanted_second[of(count)],
+                )
+                .unwrap();
+        }
+        for backend in Backend::available() {
+            let what = format!("{backend}, {count} joints");
+            let mut poses = vec![DualQuat::IDENTITY; links];
+            let (mut twists, mut accelerations) =
+                (vec![[f64::NAN; 6]; links], vec![[f64::NAN; 6]; links]);
+            backend
+                .link_accelerations(
+                    robot,
+                    &values,
+                    &rates,
+                    &second,
+                    &mut poses,
+                    &mut twists,
+                    &mut accelerations,
+                )
+                .unwrap();
+            close_twists(&twists, &wanted, &what);
+            close_twists(&accelerations, &wanted_second, &what);
+            for (&pose, &wanted) in poses.iter().zip(&wanted_poses) {
+                close(pose, wanted, 1e-13, &what);
+            }
+            let mut alone = vec![[f64::NAN; 6]; links];
+            backend.link_velocities(robot, &values, &rates, &mut poses, &mut alone).unwrap();
+            assert_eq!(alone, twists, "{what}");
+        }
+    }
+}

@@ -1,0 +1,9 @@
+//! Mechanisms: one configuration against matrices, lanes against one configuration, Jacobians against
+//! differentiation, and what cannot be one.
+
+mod errors;
+mod lanes;
+#[cfg(feature = "rayon")]
+mod parallel;
+mod random;
+mod single;

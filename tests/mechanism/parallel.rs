@@ -1,0 +1,43 @@
+//! All cores give what one gives.
+
+use crate::random::{Numbers, mechanism, tree, values};
+use dq8::mechanism::Body;
+use dq8::{Backend, Block, DualQuat};
+
+#[test]
+fn all_cores_give_every_bit_of_what_one_gives() {
+    let mut numbers = Numbers::new(10);
+    for count in [1, 7, 30] {
+        let joints = tree(&mut numbers, count);
+        let configurations = 5000;
+        let values: Vec<f64> =
+            (0..configurations).flat_map(|_| values(&mut numbers, &joints)).collect();
+        let owned = mechanism::<f64>(&joints);
+        let robot = owned.view();
+        assert!(robot.values() > 0);
+        let backend = Backend::best();
+        let mut poses = [(); 2].map(|()| vec![DualQuat::IDENTITY; configurations * count]);
+        let [one, all] = &mut poses;
+        backend.link_poses(robot, &values, one).unwrap();
+        backend.par_link_poses(robot, &values, all).unwrap();
+        assert!(one == all, "{count}");
+        let empty = Block::<f64, 8>::splat([0.0; 8]);
+        let mut blocks = [(); 2].map(|()| vec![empty; configurations / 8 * count]);
+        let [one, all] = &mut blocks;
+        backend.link_poses(robot, &values, one).unwrap();
+        backend.par_link_poses(robot, &values, all).unwrap();
+        assert!(one == all, "{count}, blocks");
+        let links = [count - 1, 0];
+        let mut poses = [(); 2].map(|()| vec![DualQuat::IDENTITY; configurations * 2]);
+        let [one, all] = &mut poses;
+        backend.chosen_link_poses(robot, &links, &values, one).unwrap();
+        backend.par_chosen_link_poses(robot, &links, &values, all).unwrap();
+        assert!(one == all, "{count}, chosen");
+        let mut tools = [(); 2].map(|()| vec![DualQuat::IDENTITY; configurations]);
+        let mut columns = [(); 2].map(|()| vec![[0.0; 6]; configurations * robot.rates()]);
+        let ([one, all], [columns, all_columns]) = (&mut tools, &mut columns);
+        backend.link_jacobians(Body, robot, count - 1, &values, one, columns).unwrap();
+        backend.par_link_jacobians(Body, robot, count - 1, &values, all, all_columns).unwrap();
+        assert!(one == all && columns == all_columns, "{count}, Jacobians");
+    }
+}

@@ -1,0 +1,99 @@
+//! Files that are no robots: errors name the element.
+
+use dq8_urdf::{Robot, UrdfError};
+
+/// The message for these elements.
+fn message(elements: &str) -> String {
+    let text = format!(
+        r#"<robot name="r"><link name="a"/><link name="b"/><link name="c"/>{elements}</robot>"#
+    );
+    Robot::from_urdf(&text).unwrap_err().to_string()
+}
+
+fn joint(name: &str, kind: &str, parent: &str, child: &str, rest: &str) -> String {
+    format!(
+        r#"<joint name="{name}" type="{kind}"><parent link="{parent}"/><child link="{child}"/>{rest}</joint>"#
+    )
+}
+
+#[test]
+fn joints_name_links_that_are_there() {
+    let text = joint("j", "fixed", "a", "nowhere", "");
+    assert_eq!(message(&text), r#"<joint name="j">: there is no child link "nowhere""#);
+    let text = joint("j", "fixed", "nowhere", "b", "");
+    assert_eq!(message(&text), r#"<joint name="j">: there is no parent link "nowhere""#);
+}
+
+#[test]
+fn links_make_one_tree() {
+    assert_eq!(message(""), r#"more than one <link> is a root: ["a", "b", "c"]"#);
+    let two = joint("j", "fixed", "a", "b", "") + &joint("k", "fixed", "c", "b", "");
+    assert_eq!(message(&two), r#"<joint name="k">: its child link "b" has a parent already"#);
+    let circle = joint("j", "fixed", "b", "c", "") + &joint("k", "fixed", "c", "b", "");
+    assert!(message(&circle).contains("hangs on itself"), "{}", message(&circle));
+    let twice = joint("j", "fixed", "a", "b", "") + &joint("j", "fixed", "b", "c", "");
+    assert_eq!(message(&twice), r#"two <joint> have the name "j""#);
+    assert_eq!(message(r#"<link name="a"/>"#), r#"two <link> have the name "a""#);
+}
+
+#[test]
+fn what_cannot_be_expressed_is_an_error() {
+    let chain = joint("k", "fixed", "b", "c", "");
+    let ball = joint("j", "spherical", "a", "b", "") + &chain;
+    assert_eq!(message(&ball), r#"cannot be expressed: <joint name="j" type="spherical">"#);
+    let turned =
+        joint("j", "fixed", "a", "b", r#"<origin xyz="0 0 0" quat_xyzw="0 0 0 1"/>"#) + &chain;
+    assert!(message(&turned).contains("quat_xyzw"));
+    let noted = joint("j", "fixed", "a", "b", "<!-- quat_xyzw -->") + &chain;
+    let noted = format!(
+        r#"<robot name="r"><link name="a"/><link name="b"/><link name="c"/>{noted}</robot>"#
+    );
+    assert!(Robot::from_urdf(&noted).is_ok());
+    assert!(message(r#"<xacro:include filename="x"/>"#).contains("xacro"));
+    let strange = joint("j", "spiral", "a", "b", "") + &chain;
+    assert!(message(&strange).starts_with("not a URDF file"), "{}", message(&strange));
+}
+
+#[test]
+fn axes_have_a_direction_and_limits_an_order() {
+    let chain = joint("k", "fixed", "b", "c", "");
+    let nowhere = joint("j", "revolute", "a", "b", r#"<axis xyz="0 0 0"/>"#) + &chain;
+    assert_eq!(message(&nowhere), r#"<joint name="j">: the axis [0.0, 0.0, 0.0] has no direction"#);
+    let limits = r#"<limit lower="2" upper="1" effort="1" velocity="1"/>"#;
+    let disordered = joint("j", "revolute", "a", "b", limits) + &chain;
+    assert!(message(&disordered).starts_with(r#"<joint name="j">: "#), "{}", message(&disordered));
+}
+
+#[test]
+fn mimics_end_at_a_joint_of_one_value() {
+    let mimic = |joint: &str| format!(r#"<mimic joint="{joint}" multiplier="2" offset="1"/>"#);
+    let circle = joint("j", "revolute", "a", "b", &mimic("k"))
+        + &joint("k", "revolute", "b", "c", &mimic("j"));
+    assert!(message(&circle).contains("cannot mimic"));
+    let none =
+        joint("j", "revolute", "a", "b", &mimic("nobody")) + &joint("k", "fixed", "b", "c", "");
+    assert_eq!(message(&none), r#"<joint name="j">: there is no mimic joint "nobody""#);
+    let fixed = joint("j", "revolute", "a", "b", &mimic("k")) + &joint("k", "fixed", "b", "c", "");
+    assert!(message(&fixed).starts_with(r#"<joint name="j">: "#), "{}", message(&fixed));
+}
+
+#[test]
+fn mimics_of_mimics_are_resolved() {
+    let text = format!(
+        r#"<robot name="r"><link name="a"/><link name="b"/><link name="c"/><link name="d"/>{}{}{}</robot>"#,
+        joint("x", "prismatic", "a", "b", r#"<mimic joint="y" multiplier="2" offset="1"/>"#),
+        joint("y", "prismatic", "a", "c", r#"<mimic joint="z" multiplier="3" offset="0.5"/>"#),
+        joint("z", "prismatic", "a", "d", ""),
+    );
+    let robot = Robot::from_urdf(&text).unwrap();
+    assert_eq!(robot.value_names(), ["z"]);
+    let b = robot.mechanism().link_pose(&[0.25], robot.link("b").unwrap()).unwrap();
+    // 2 (3 · 0.25 + 0.5) + 1, along x, which is the axis where none is given.
+    assert_eq!(b.translation(), [3.5, 0.0, 0.0]);
+}
+
+#[test]
+fn a_file_that_is_not_there_is_named() {
+    let error = Robot::from_file("no/such.urdf").unwrap_err();
+    assert!(matches!(&error, UrdfError::Read { path, .. } if path == "no/such.urdf"));
+}
