@@ -194,7 +194,8 @@ fn parents_are_refused_by_what_is_wrong_with_them_whoever_asks() {
         HierarchyError::ParentOutOfRange { joint: 1, parent: 9, joints: 2 },
     );
     let own = HierarchyError::ParentNotBefore { joint: 0, parent: 0 };
-    let table: [(&[u32], Result<(), HierarchyError>, Result<(), HierarchyError>); 6] = [
+    type Answer = Result<(), HierarchyError>;
+    let table: [(&[u32], Answer, Answer); 6] = [
         (&[], Ok(()), Ok(())),
         (&[root, 0], Ok(()), Ok(())),
         (&[1, root], Err(before), Ok(())),
