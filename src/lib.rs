@@ -43,6 +43,7 @@
 //! | [`Backend`], [`slices`] | kernels over slices of motions and points |
 //! | [`storage`] | how slices lie in memory: one thing after the other, or in [blocks](Block) of lanes |
 //! | [`Kernel`], [`Element`] | kernels of your own, for any layout and any instructions |
+//! | [`interop`] | glam, nalgebra, serde and others, each behind a feature |
 //! | [`Lanes`], [`Level`], [`simd`] | vectors of numbers, and the proof that the CPU has them |
 //!
 //! # Features
@@ -50,9 +51,10 @@
 //! | feature | default | what it does |
 //! |---|---|---|
 //! | `std` | yes | square roots and trigonometry of the standard library; implies `alloc` |
-//! | `alloc` | | `Crowd`, owned blocks for any number of instances, and `HierarchyPlan` |
+//! | `alloc` | | `Crowd`, owned blocks for any number of instances, `Skeleton` and `HierarchyPlan` |
 //! | `libm` | | square roots and trigonometry without std |
 //! | `rayon` | | crowds and chains over all cores: the `par_` methods of [`Job`] and [`Backend`] |
+//! | `serde`, `rkyv_08`, `mint_05`, `glam_034`, `nalgebra_035`, `approx_05`, `rand_010`, `arbitrary`, `proptest`, `defmt` | | types of other crates: see [`interop`] |
 //!
 //! Without `std` only `core` is linked (and `alloc` if asked for). No operation on borrowed memory
 //! allocates.

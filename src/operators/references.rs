@@ -1,9 +1,10 @@
-//! Operators of references: `&a * &b`, `a * &b`, `&a * b`, `a *= &b`, `-&a`.
+//! Operators of references: `&a * &b`, `a * &b`, `&a * b`, `a *= &b`, `-&a`. Not of `Dual`, a number like others: where
+//! `x * Real::HALF` is written, a second product would leave the type of the factor open.
 
 use crate::geometry::{DualVector, Twist};
 use crate::real::Real;
 use crate::representation::{Affine, RotationTranslation};
-use crate::scalar::{Dual, DualQuat, Quat};
+use crate::scalar::{DualQuat, Quat};
 use core::ops::{Add, AddAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 macro_rules! references {
@@ -40,7 +41,6 @@ macro_rules! references {
 references! {
     Quat: Add add AddAssign add_assign, Sub sub SubAssign sub_assign, Mul mul MulAssign mul_assign;
     DualQuat: Add add AddAssign add_assign, Sub sub SubAssign sub_assign, Mul mul MulAssign mul_assign;
-    Dual: Add add AddAssign add_assign, Sub sub SubAssign sub_assign, Mul mul MulAssign mul_assign;
     Twist: Add add AddAssign add_assign, Sub sub SubAssign sub_assign;
     DualVector: Add add AddAssign add_assign, Sub sub SubAssign sub_assign;
     RotationTranslation: Mul mul MulAssign mul_assign;
@@ -58,4 +58,4 @@ macro_rules! negative {
         }
     )*};
 }
-negative! { Quat DualQuat Dual Twist DualVector }
+negative! { Quat DualQuat Twist DualVector }

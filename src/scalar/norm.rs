@@ -98,7 +98,11 @@ impl<R: Real> DualQuat<R> {
     fn unit_of_any_size(self) -> Result<Self, R> {
         let norm = self.real().norm();
         let p = self.real().unit()?;
-        let q = Quat::from_array(vector::over_norm(self.dual().to_array(), norm));
+        let (q, length) = match vector::stretch(norm) {
+            Some(stretch) => (self.dual().scale(stretch), self.real().scale(stretch).norm()),
+            None => (self.dual(), norm),
+        };
+        let q = Quat::from_array(vector::over_norm(q.to_array(), length));
         let unit = Self::new(p, q - p.scale(p.dot(q)));
         if unit.to_array().iter().all(|c| c.is_finite()) { Ok(unit) } else { Err(norm) }
     }

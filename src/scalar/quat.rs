@@ -216,7 +216,11 @@ impl<R: Real> Quat<R> {
         if norm == R::ZERO || !norm.is_finite() {
             return Err(norm);
         }
-        Ok(Self(vector::over_norm(self.0, norm)))
+        let Some(stretch) = vector::stretch(norm) else {
+            return Ok(Self(vector::over_norm(self.0, norm)));
+        };
+        let stretched = self.scale(stretch);
+        Ok(Self(vector::over_norm(stretched.0, stretched.norm())))
     }
 
     /// r v r*, the vector `v` turned by this unit quaternion:

@@ -25,14 +25,18 @@ pub(crate) fn norm<R: Real, const N: usize>(components: [R; N]) -> R {
     largest * sum.sqrt()
 }
 
-/// The unit vector along `components` of the length `norm`, not zero. Subnormal numbers have few digits,
-/// and their length no more: they are stretched, and measured again.
-pub(crate) fn direction<R: Real, const N: usize>(components: [R; N], norm: R) -> [R; N] {
+/// The factor by which components of the length `norm` are stretched before they are measured again:
+/// subnormal numbers have few digits, and their length no more. `None` where that is not needed.
+#[inline]
+pub(crate) fn stretch<R: Real>(norm: R) -> Option<R> {
     // 2¹⁰⁰: a power of two rounds nothing.
     let stretch = R::from(1.267_650_6e30);
-    if norm * stretch >= R::ONE {
-        return components.map(|c| c / norm);
-    }
+    (norm * stretch < R::ONE).then_some(stretch)
+}
+
+/// The unit vector along `components` of the length `norm`, not zero.
+pub(crate) fn direction<R: Real, const N: usize>(components: [R; N], norm: R) -> [R; N] {
+    let Some(stretch) = stretch(norm) else { return components.map(|c| c / norm) };
     let stretched = components.map(|c| c * stretch);
     let norm = self::norm(stretched);
     stretched.map(|c| c / norm)

@@ -1,0 +1,333 @@
+//! Random calls of public functions with anything: no panic, refusals that write nothing, and answers that
+//! two ways of computing agree on. `DQ8_FUZZ_SECONDS` says how long (a second by default), `DQ8_FUZZ_SEED`
+//! from where; a failure names the seed of its round.
+
+use dq8::storage::{self, Block};
+use dq8::{
+    Affine, Backend, DualQuat, Hierarchy, Line, Polar, Poses, Quat, RotationsTranslations,
+    Skeleton, Twist,
+};
+use std::cell::Cell;
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+/// SplitMix64 (Steele, Lea and Flood 2014), and how many functions were called.
+struct Fuzz {
+    state: u64,
+    calls: Cell<u64>,
+}
+
+impl Fuzz {
+    fn bits(&mut self) -> u64 {
+        self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut bits = self.state;
+        bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        bits ^ (bits >> 31)
+    }
+    fn below(&mut self, end: usize) -> usize {
+        (self.bits() % end.max(1) as u64) as usize
+    }
+    fn called(&self, times: u64) {
+        self.calls.set(self.calls.get() + times);
+    }
+    fn signed(&mut self) -> f32 {
+        (self.bits() >> 40) as f32 / (1 << 23) as f32 - 1.0
+    }
+    /// Any bits, numbers at the edges, and ordinary ones.
+    fn number(&mut self) -> f32 {
+        const EDGES: [f32; 12] = [
+            0.0,
+            -0.0,
+            1.0,
+            -1.0,
+            f32::INFINITY,
+            f32::NEG_INFINITY,
+            f32::NAN,
+            f32::MAX,
+            f32::MIN,
+            f32::MIN_POSITIVE,
+            1e-45,
+            f32::EPSILON,
+        ];
+        match self.below(4) {
+            0 => f32::from_bits(self.bits() as u32),
+            1 => EDGES[self.below(EDGES.len())],
+            _ => 4.0 * self.signed(),
+        }
+    }
+    fn numbers<const N: usize>(&mut self) -> [f32; N] {
+        [(); N].map(|()| self.number())
+    }
+    /// A rigid motion.
+    fn motion(&mut self) -> DualQuat<f32> {
+        loop {
+            let turn = Quat::from_array([(); 4].map(|()| self.signed()));
+            if turn.norm() > 0.1 {
+                let translation = [(); 3].map(|()| 3.0 * self.signed());
+                return DualQuat::from_rotation_translation(turn.normalize(), translation);
+            }
+        }
+    }
+    fn any(&mut self) -> DualQuat<f32> {
+        if self.below(2) == 0 { self.motion() } else { DualQuat::from_array(self.numbers()) }
+    }
+}
+
+/// Single operations on anything.
+fn operations(fuzz: &mut Fuzz) {
+    let (a, b, t, v) = (fuzz.any(), fuzz.any(), fuzz.number(), fuzz.numbers::<3>());
+    let _ = black_box((
+        a * b,
+        a + b,
+        a - b,
+        a * t,
+        a.conjugate(),
+        a.conjugate_both(),
+        a.canonical(),
+        a.dot(b),
+    ));
+    let _ = black_box((
+        a.transform_point(v),
+        a.transform_vector(v),
+        a.to_matrix4(),
+        a.to_cols_array_2d(),
+    ));
+    let _ = black_box((
+        a.nlerp(b, t),
+        a.sclerp(b, t),
+        a.sclerp_long(b, t),
+        a.slerp_lerp(b, t),
+        a.squad(b, a, b, t),
+    ));
+    let _ = black_box((
+        a.log(),
+        a.pow(t),
+        a.sqrt(),
+        a.to_screw(),
+        DualQuat::from_screw(a.to_screw()),
+        DualQuat::exp(b.log()),
+    ));
+    let _ = black_box((
+        a.angle_to(b),
+        a.distance_to(b),
+        a.point_error(b, v),
+        a.shell_error(b, t),
+        a.distance_weighted(b, t),
+    ));
+    let twist = Twist::from_array(fuzz.numbers());
+    let _ = black_box((
+        a.integrate_body(twist, t),
+        a.adjoint(twist),
+        DualQuat::from_twist(twist),
+        a.twist_to(b),
+    ));
+    let _ = black_box((
+        DualQuat::left_jacobian_inverse(twist, a.to_twist()),
+        DualQuat::right_jacobian(twist, twist),
+    ));
+    let line = Line { direction: v, moment: fuzz.numbers() };
+    let _ = black_box((a.transform_line(line), line.try_normalize(), line.dual_angle(line)));
+    let influences = [(a, t), (b, fuzz.number()), (fuzz.any(), 0.5)];
+    let _ = black_box((
+        DualQuat::dlb(&influences),
+        DualQuat::dlb_running(&influences),
+        DualQuat::dib(&influences, 1e-5, 8),
+    ));
+    let (p, q) = (a.real(), b.real());
+    let _ = black_box((
+        p * q,
+        p.slerp(q, t),
+        p.nlerp(q, t),
+        p.to_axis_angle(),
+        p.to_scaled_axis(),
+        p.angle_to(q),
+    ));
+    let _ = black_box((
+        Quat::from_axis_angle(v, t),
+        Quat::from_scaled_axis(v),
+        Quat::from_rotation_arc(v, line.moment),
+    ));
+    fuzz.called(45);
+    if let Ok(unit) = a.try_normalize() {
+        // What is left of q has the rounding of what was taken away from it.
+        let (a, unit) = (a.cast::<f64>(), unit.cast::<f64>());
+        let size = (a.dual().norm() / a.real().norm()).max(1.0);
+        let along = unit.real().dot(unit.dual()).abs();
+        assert!(
+            unit.real().is_unit(1e-5) && along <= 1e-5 * size,
+            "{a:?} is normalized to {unit:?}"
+        );
+    }
+    if let Ok(inverse) = a.try_inverse() {
+        assert!(inverse.is_finite(), "{a:?} has the inverse {inverse:?}");
+    }
+    if let Ok(turn) = Quat::look_to(v, line.moment) {
+        assert!(turn.is_unit(1e-5), "{v:?} {line:?} {turn:?}");
+    }
+    assert_eq!(a.is_finite(), a.to_array().iter().all(|c| c.is_finite()));
+    if a.is_finite() {
+        assert_eq!(a.to_string().parse(), Ok(a));
+    }
+    fuzz.called(5);
+}
+
+/// Matrices of anything, and of motions.
+fn matrices(fuzz: &mut Fuzz) {
+    let mut rows = fuzz.motion().to_matrix3x4();
+    for _ in 0..fuzz.below(4) {
+        let (row, column) = (fuzz.below(3), fuzz.below(4));
+        rows[row][column] = fuzz.number();
+    }
+    let tolerance = fuzz.number();
+    if let Ok(motion) = DualQuat::try_from_matrix3x4(rows, tolerance) {
+        assert!(
+            motion.is_finite() && motion.rotation().is_unit(1e-5),
+            "{rows:?} {tolerance} {motion:?}"
+        );
+    }
+    let map = Affine::from_matrix3x4(rows);
+    if let Ok((motion, stretch)) = map.try_decompose() {
+        assert!(motion.is_finite() && motion.rotation().is_unit(1e-5), "{rows:?} {motion:?}");
+        assert!(stretch.as_flattened().iter().all(|c| c.is_finite()), "{rows:?} {stretch:?}");
+    }
+    if let Ok(polar) = Polar::try_from_matrix3(map.linear) {
+        assert!(polar.rotation.is_unit(1e-5), "{rows:?} {polar:?}");
+    }
+    let _ = black_box(dq8::gram_schmidt(map.linear));
+    fuzz.called(5);
+}
+
+/// A parent array that may be wrong; what it gives is what a plain loop gives.
+fn hierarchies(fuzz: &mut Fuzz) {
+    let joints = fuzz.below(40);
+    let mut parents: Vec<u32> = (0..joints)
+        .map(|joint| if fuzz.below(5) == 0 { u32::MAX } else { fuzz.below(joint.max(1)) as u32 })
+        .collect();
+    if let Some(first) = parents.first_mut() {
+        *first = u32::MAX;
+    }
+    if joints > 0 && fuzz.below(4) == 0 {
+        parents[fuzz.below(joints)] =
+            [fuzz.below(joints + 2) as u32, fuzz.bits() as u32][fuzz.below(2)];
+    }
+    let _ = black_box(Skeleton::sorted(&parents));
+    fuzz.called(2);
+    let Ok(hierarchy) = Hierarchy::new(&parents) else {
+        assert!(Skeleton::new(&parents).is_err());
+        return;
+    };
+    let skeleton = Skeleton::new(&parents).expect("the hierarchy has been checked");
+    let instances = [1, 1, 2, 9][fuzz.below(4)];
+    let count = joints * instances + [0, 0, 0, 1][fuzz.below(4)];
+    let locals: Vec<_> = (0..count).map(|_| fuzz.motion()).collect();
+    let length = count + [0, 0, 0, 0, 1][fuzz.below(5)];
+    let backends: Vec<_> = Backend::available().collect();
+    let backend = backends[fuzz.below(backends.len())];
+    let root = fuzz.motion();
+    let untouched = DualQuat::from_array([7.0; 8]);
+    let seven: Vec<[f32; 7]> =
+        locals.iter().map(|&l| dq8::RotationTranslation::from(l).to_array()).collect();
+    let mut all = [vec![untouched; length], vec![untouched; length], vec![untouched; length]];
+    let [first, second, third] = &mut all;
+    let fits = [
+        hierarchy.job().backend(backend).root(root).local_to_model(&locals, first).is_ok(),
+        skeleton.job().backend(backend).root(root).locals_to_model(Poses(&locals), second).is_ok(),
+        skeleton.job().root(root).locals_to_model(RotationsTranslations(&seven), third).is_ok(),
+    ];
+    fuzz.called(4);
+    let whole = count.is_multiple_of(joints);
+    assert_eq!(
+        fits,
+        [whole && length == count; 3],
+        "{joints} joints, {count} locals, {length} models"
+    );
+    if !fits[0] {
+        assert!(all.iter().flatten().all(|model| *model == untouched));
+        return;
+    }
+    let mut wanted = locals.clone();
+    for instance in wanted.chunks_mut(joints.max(1)) {
+        for joint in 0..instance.len() {
+            let above = instance.get(parents[joint] as usize).copied().unwrap_or(root);
+            instance[joint] = above * instance[joint];
+        }
+    }
+    for models in all {
+        for (model, wanted) in models.into_iter().zip(&wanted) {
+            let scale = wanted.dual().norm().max(1.0);
+            assert!(model.abs_diff_eq(*wanted, 2e-4 * scale), "{parents:?}: {model} {wanted}");
+        }
+    }
+}
+
+/// Slices and blocks of any length, aligned to nothing.
+fn slices(fuzz: &mut Fuzz) {
+    let (count, skip) = (fuzz.below(40), fuzz.below(3));
+    let a: Vec<_> = (0..count + skip).map(|_| fuzz.any()).collect();
+    let b: Vec<_> = (0..count + skip).map(|_| fuzz.any()).collect();
+    let (a, b) = (&a[skip..], &b[skip..]);
+    let t = fuzz.number();
+    let mut out = vec![DualQuat::IDENTITY; count + skip];
+    let out = &mut out[skip..];
+    for backend in Backend::available() {
+        backend.mul(a, b, out).expect("lengths fit");
+        for ((&a, &b), &product) in a.iter().zip(b).zip(out.iter()) {
+            let scale = (a.real().norm() + a.dual().norm()) * (b.real().norm() + b.dual().norm());
+            if scale < 1e30 && scale > 1e-30 {
+                assert!(
+                    product.abs_diff_eq(a * b, 1e-5 * scale),
+                    "{backend}: {a:?} {b:?} {product:?}"
+                );
+            }
+        }
+        backend.sclerp(a, b, t, out).expect("lengths fit");
+        backend.nlerp(a, b, t, out).expect("lengths fit");
+        backend.inverse(a, out).expect("lengths fit");
+        backend.normalize(a, out).expect("lengths fit");
+        for (&a, &unit) in a.iter().zip(out.iter()) {
+            assert_eq!(a.try_normalize().is_ok(), unit.is_finite(), "{backend}: {a:?} {unit:?}");
+        }
+        fuzz.called(5);
+    }
+    let joints = 1 + fuzz.below(5);
+    let blocks = (count / joints).div_ceil(8) * joints;
+    let mut packed = vec![Block::<f32, 8>::splat([3.0; 8]); blocks];
+    let mut back = vec![DualQuat::ZERO; count];
+    let fits = count.is_multiple_of(joints);
+    assert_eq!(storage::pack(joints, a, &mut packed).is_ok(), fits);
+    assert_eq!(storage::unpack(joints, &packed, &mut back).is_ok(), fits);
+    let bits = |motion: &DualQuat<f32>| motion.to_array().map(f32::to_bits);
+    assert!(!fits || back.iter().map(bits).eq(a.iter().map(bits)));
+    let times: Vec<_> = (0..count).map(|i| i as f32).collect();
+    let at: Vec<_> = (0..count).map(|_| fuzz.number()).collect();
+    let sampled = Backend::best().resample(&times, a, &at, out).is_ok();
+    assert_eq!(sampled, count > 0 && !at.iter().any(|t| t.is_nan()));
+    fuzz.called(3);
+}
+
+#[test]
+fn anything_may_be_given_to_public_functions() {
+    let number = |name: &str| std::env::var(name).ok().and_then(|text| text.parse::<u64>().ok());
+    let seconds = Duration::from_secs(number("DQ8_FUZZ_SECONDS").unwrap_or(1));
+    let (seed, start) = (number("DQ8_FUZZ_SEED").unwrap_or(1), Instant::now());
+    let (mut calls, mut round) = (0_u64, seed);
+    while start.elapsed() < seconds {
+        let mut fuzz =
+            Fuzz { state: round.wrapping_mul(0x2545_f491_4f6c_dd1d), calls: Cell::new(0) };
+        let result = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| {
+            for _ in 0..50 {
+                for _ in 0..20 {
+                    operations(&mut fuzz);
+                    matrices(&mut fuzz);
+                }
+                hierarchies(&mut fuzz);
+                slices(&mut fuzz);
+            }
+        }));
+        assert!(result.is_ok(), "DQ8_FUZZ_SEED={round} fails");
+        calls += fuzz.calls.get();
+        round += 1;
+    }
+    println!("{calls} calls in {} s, seeds {seed} to {}", start.elapsed().as_secs(), round - 1);
+}
