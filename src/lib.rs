@@ -61,8 +61,9 @@
 //!
 //! # Not here
 //!
-//! Scale and shear on lanes and in hierarchies: they are not rigid motions, and dual quaternions cannot
-//! hold them ([`Affine`] has the reason). A skeleton that needs them keeps them next to the motion.
+//! Scale and shear in hierarchies: they are not rigid motions, and dual quaternions cannot hold them
+//! ([`Affine`] has the reason). A skeleton that needs them keeps them next to the motion; [`skinning`] takes
+//! them from there.
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]
