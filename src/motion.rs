@@ -85,7 +85,7 @@ motion! {
     /// | dib({(a, 1−t), (b, t)}) = ±sclerp(a, b, t); dib, dlb and sclerp of cσᵢ and σᵢc are those of σᵢ times c | unit |
     /// | distance_weighted, angle_to and distance_to keep the triangle inequality and do not see the sign of σ | unit |
     /// | point_error(a, b, v) ≤ shell_error(a, b, r) for \|v\| ≤ r | unit |
-    /// | from_screw(to_screw(σ)) = ±σ | unit |
+    /// | from_screw(to_screw(σ)) = ±σ | unit; the moment fits, which grows like \|t\| over the angle |
     /// | spatial_twist(derivative_spatial(σ, ξ)) = ξ = adjoint(σ, body_twist(derivative_spatial(σ, ξ))) | unit |
     /// | velocity(derivative_from_velocity(σ, ω, ṫ)) = (ω, ṫ) | unit |
     /// | integrate_body(a, twist_to(a, b), 1) = ±b | unit |
@@ -215,7 +215,8 @@ motion! {
 
         /// (θ̂/2)(l + εm)
         fn log(self) -> DualVector<Self::Real>;
-        /// cos ĥ + sin ĥ (l + εm)
+        /// cos ĥ + sin ĥ (l + εm). On lanes, and for `f32` and `f64`, NaN beyond a half angle of 2¹⁶ rad
+        /// (`f32`) or 2⁴⁵ rad (`f64`), as are the powers and interpolations that go so far.
         fn exp(log: DualVector<Self::Real>) -> Self;
         /// σᵗ
         #[must_use]

@@ -38,6 +38,9 @@ fn axioms(on: On, poses: [[f64; 8]; 3], common: [f64; 8]) {
         // The products of the two orders differ in signs only, but not in the order of their sums.
         assert!((ab[i] - ba[i]).abs() <= slack, "{on:?}, {what}: {} and {}", ab[i], ba[i]);
     }
+    for ((what, plain), (_, flipped)) in distances(on, a, b).into_iter().zip(distances(on, a, -b)) {
+        assert_eq!(plain.lanes(), flipped.lanes(), "{on:?}, {what}: the sign of σ matters");
+    }
     for (what, none) in distances(on, a, -a) {
         let none = none.first();
         assert!(none <= slack, "{on:?}, {what}: a pose is {none} from itself");

@@ -104,7 +104,8 @@ impl<R: Real> DualQuat<R> {
     /// The exponential of a + εb: with h = |a|, l = a/h and d/2 = b·l, the screw
     /// cos ĥ + sin ĥ (l + εm), ĥ = h + εd/2 (Jia eq. 43). For a = 0 it is 1 + εb, the translation
     /// by 2b. |a| is half the angle in radians, and the error grows with it as that of its rounding
-    /// does; floats whose |a|² is infinite (beyond 10¹⁹ in `f32`) give NaN.
+    /// does. NaN in every component beyond 2¹⁶ rad in `f32` and 2⁴⁵ rad in `f64`, where a float is known to
+    /// no more than 2⁻⁸ rad; powers and interpolations that go so far are NaN too.
     ///
     /// ```
     /// use dq8::{DualQuat, DualVector};
