@@ -32,6 +32,13 @@ pub enum ShapeError {
         /// How many joints there are.
         joints: usize,
     },
+    /// A joint of a range, whose parent is not in it: models that go through scratch are not kept for it.
+    NoParent {
+        /// The joint.
+        joint: usize,
+        /// Its parent.
+        parent: usize,
+    },
     /// A pose that a crowd does not have.
     NoPose {
         /// The instance asked for.
@@ -68,6 +75,10 @@ impl fmt::Display for ShapeError {
                 f,
                 "joints {}..{} are not a range of a hierarchy of {joints} joints",
                 range.start, range.end
+            ),
+            Self::NoParent { joint, parent } => write!(
+                f,
+                "the parent of joint {joint}, joint {parent}, is not among those that are computed"
             ),
             Self::NoPose { instance, joint, instances, joints } => write!(
                 f,

@@ -117,3 +117,13 @@ fn means_of_windows_are_means_of_their_poses() {
     assert_eq!(best.dib_windows(&poses, &[1.0; 3], 1e-12, 0, &mut means), Ok(0));
     assert_eq!(best.dib_windows(&poses, &weights, 1e-12, 64, &mut []), Ok(0));
 }
+
+/// The difference of two times may overflow where both are finite.
+#[test]
+fn samples_between_the_farthest_times_are_found() {
+    let poses = [0.0_f32, 2.0].map(|x| DualQuat::from_translation([x, 0.0, 0.0]));
+    let mut samples = [DualQuat::IDENTITY; 3];
+    let (times, at) = ([-f32::MAX, f32::MAX], [-f32::MAX / 2.0, 0.0, f32::MAX / 2.0]);
+    Backend::best().resample(&times, &poses, &at, &mut samples).unwrap();
+    assert_eq!(samples.map(|pose| pose.translation()[0]), [0.5, 1.0, 1.5]);
+}

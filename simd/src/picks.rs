@@ -145,7 +145,8 @@ impl<'a, R, const C: usize> Picked<'a, R, C> {
     #[inline(always)]
     #[must_use]
     pub fn quads<L: Lanes<Real = R>>(&self, level: L::Level, which: usize, from: usize) -> [L; 4] {
-        assert!(from + 4 <= C && which < GROUP);
+        // `C` is at least four; `from + 4` may wrap.
+        assert!(from <= C - 4 && which < GROUP, "no such components");
         let first = self.table.as_flattened().as_ptr();
         // SAFETY: each offset is that of a record of the table, as in `record`, of which four numbers begin at
         // `from`; there are as many as any register has lanes.

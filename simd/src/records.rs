@@ -126,7 +126,8 @@ pub trait Records: Lanes {
         from: &[[Self::Real; C]],
         first: usize,
     ) -> Option<[Self; 4]> {
-        if from.len() < Self::LANES || first + 4 > C {
+        // Not `first + 4`, which may wrap.
+        if from.len() < Self::LANES || C < 4 || first > C - 4 {
             return None;
         }
         // SAFETY: there is a record for each lane, and four of its numbers begin at `first`.

@@ -1,5 +1,6 @@
 //! Every operation of every lane type against plain arithmetic, lane by lane.
 
+use dq8_simd::picks::{CheckedIndices, Picks};
 use dq8_simd::{Block, Float, Lanes, Level, Mask, PackedDualQuat, Portable, Records, Row};
 use dq8_simd::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
 
@@ -331,4 +332,23 @@ fn a_block_holds_what_was_set_in_rows_of_one_component() {
     blocks::<[f64; 4]>();
     blocks::<[f64; 8]>();
     assert_eq!(std::mem::size_of::<Block<[f32; 8], 8>>(), 256);
+}
+
+/// Sums of such places wrap in a release build, and bounds that are checked with them hold for anything.
+#[test]
+fn components_beyond_every_record_are_refused_and_not_read() {
+    let table = [[1.0_f32; 8]; 4];
+    for first in [5, 8, usize::MAX - 3, usize::MAX] {
+        assert!(f32x4::load_four(Portable, &table, first).is_none(), "{first}");
+    }
+    assert!(f32x4::load_four(Portable, &table, 4).is_some());
+    assert!(f32x4::load_four(Portable, &[[1.0_f32; 3]; 4], 0).is_none());
+}
+
+#[test]
+#[should_panic(expected = "no such components")]
+fn picked_components_beyond_every_record_are_refused_and_not_read() {
+    let checked = CheckedIndices::new(&[0_u8; 4], 1).unwrap();
+    let picks = Picks::<u8, 8>::new(checked);
+    let _: [f32x4; 4] = picks.of(&[[1.0_f32; 8]]).unwrap().quads(Portable, 0, usize::MAX - 3);
 }

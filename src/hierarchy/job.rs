@@ -233,7 +233,8 @@ impl<'a, E: Element<8>> Job<'a, E> {
     /// two blocks serve blocks best: as few as fill the lanes, so that they stay in the first cache.
     ///
     /// # Errors
-    /// If lengths do not fit, or `scratch` holds no instance; `palette` is untouched.
+    /// If lengths or the range do not fit, `scratch` holds no instance, or the parent of a joint of the range is
+    /// not in it, so that nothing holds its model; `palette` is untouched.
     ///
     /// ```
     /// use dq8::{DualQuat, Hierarchy, Poses};
@@ -263,6 +264,12 @@ impl<'a, E: Element<8>> Job<'a, E> {
         same_length("inverse_binds", inverse_binds.len(), joints)?;
         if whole_instances("scratch", joints, scratch.len())? == 0 && !palette.is_empty() {
             same_length("scratch", scratch.len(), joints)?;
+        }
+        for joint in self.run.joints.clone() {
+            let parent = self.run.parents.get(joint).map_or(joint, |&parent| parent as usize);
+            if parent < self.run.joints.start {
+                return Err(ShapeError::NoParent { joint, parent });
+            }
         }
         let mut done = 0;
         for entries in palette.chunks_mut(scratch.len().max(1)) {

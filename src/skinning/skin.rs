@@ -223,10 +223,10 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         group: usize,
         to: &mut Influences<'a, R, J>,
     ) {
-        // Positions that no joint has are the first record.
+        // Influences that are not there are the first one with weight 0: another joint's NaN must not get in.
         let position = |vertex, influence| {
             let there = influence < self.influences;
-            if there { vertex * self.influences + influence } else { usize::MAX }
+            vertex * self.influences + if there { influence } else { 0 }
         };
         for lane in 0..lanes {
             let vertex = first + lane;

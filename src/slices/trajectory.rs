@@ -49,7 +49,11 @@ impl fmt::Display for TrajectoryError {
     }
 }
 
-impl core::error::Error for TrajectoryError {}
+impl core::error::Error for TrajectoryError {
+    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
+        if let Self::Shape(error) = self { Some(error) } else { None }
+    }
+}
 
 impl From<ShapeError> for TrajectoryError {
     fn from(error: ShapeError) -> Self {
@@ -104,7 +108,7 @@ impl Backend {
                 let (start, end) = (after.saturating_sub(1), after.min(times.len() - 1));
                 (*from, *to) = (poses[start], poses[end]);
                 let (start, end) = (times[start], times[end]);
-                *share = if start < end { (time - start) / (end - start) } else { R::ZERO };
+                *share = if start < end { share_of(time, start, end) } else { R::ZERO };
             }
             let n = at.len();
             self.sclerp_each(&from[..n], &to[..n], &share[..n], samples)?;
@@ -155,6 +159,16 @@ fn first_after<R: Scalar>(times: &[R], time: R, near: usize) -> usize {
         }
     }
     times.partition_point(|&t| t <= time)
+}
+
+/// How far `time` is from `start` to `end`, 0 to 1.
+fn share_of<R: Scalar>(time: R, start: R, end: R) -> R {
+    let length = end - start;
+    if length.is_finite() {
+        return (time - start) / length;
+    }
+    // Half of so long a time is not.
+    (time * R::HALF - start * R::HALF) / (end * R::HALF - start * R::HALF)
 }
 
 struct Windows<'s, R, const W: usize> {

@@ -371,6 +371,13 @@ fn what_does_not_fit_is_named_and_nothing_is_written() {
     let binds = [DualQuat::IDENTITY; JOINTS];
     let mut palette = before;
     refused(job.palette(sampled, &mut [], &binds, &mut palette), length("scratch", 0, JOINTS));
+    // The model of joint 0 is in no scratch: that of instance 1 least of all.
+    let mut scratch = [DualQuat::IDENTITY; JOINTS];
+    let tail = hierarchy.job().joints(1..JOINTS);
+    refused(
+        tail.palette(sampled, &mut scratch, &binds, &mut palette),
+        Err(ShapeError::NoParent { joint: 1, parent: 0 }),
+    );
     assert_eq!((models, palette), (before, before));
 }
 

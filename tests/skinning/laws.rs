@@ -180,3 +180,24 @@ fn nothing_flips_when_joints_turn_through_a_full_turn() {
         }
     }
 }
+
+/// Lanes hold four influences of a vertex, or a multiple of that: those that it does not have are no joint.
+#[test]
+fn a_joint_moves_no_vertex_that_does_not_name_it() {
+    for influences in [1, 2, 3, 5, 9] {
+        let mut scene = Scene::<f32>::new(37, influences);
+        for joint in scene.joints.iter_mut().filter(|joint| **joint == 0) {
+            *joint = 1;
+        }
+        let skin = scene.skin();
+        for backend in Backend::available() {
+            let posed = |scene: &Scene<f32>| {
+                let blended = linear(backend, &skin, &scene.matrices(), &scene.positions);
+                (dual(backend, &skin, &scene.motions, &scene.positions), blended)
+            };
+            let mut broken = Scene::<f32>::new(37, influences);
+            broken.motions[0] = DualQuat::from_array([f32::NAN; 8]);
+            assert_eq!(posed(&broken), posed(&scene), "{influences} {backend}");
+        }
+    }
+}
