@@ -1,6 +1,6 @@
 //! Mechanisms: poses of links and Jacobians.
 
-use crate::sample::{motions, numbers, same, vector, wave};
+use crate::sample::{motions, same, vector, wave};
 use dq8::mechanism::{Body, JacobianFrame, Joint, JointKind, OwnedMechanism, World, WorldAligned};
 use dq8::storage::Block;
 use dq8::{Backend, DualQuat, Real, Twist};
