@@ -1,6 +1,6 @@
 /*
  * A robot arm through the C functions of dq8: where its hand is, one arm and many at a time, points in
- * the hand, skinning, and what happens when a call is wrong. C99 and C++11; no heap, so that it runs
+ * the hand, skinning, a crane, and what happens when a call is wrong. C99 and C++11; no heap, so that it runs
  * on a microcontroller too. Prints what it finds, and returns 0 if all of it is as it must be.
  */
 #include "dq8.h"
@@ -161,6 +161,56 @@ static void skin(void) {
     check(near_point(points + 4 * 3, -1.0f, -3.0f, 0.0f), "the last point");
 }
 
+/*
+ * A crane as joints: a mast that turns about z, an arm that slides along x, and a hook on it. Made once,
+ * in memory of the program; then poses and Jacobian are a call each, from the joints' values.
+ */
+static void crane(void) {
+    static const dq8_joint_f32 joints[3] = {
+        {-1, DQ8_JOINT_KIND_REVOLUTE, {0, 0, 0, 1, 0, 0, 0, 0}, {0, 0, 1}, 0, 0, 0, 0, 0},
+        /* At (0, 0, 2). */
+        {0, DQ8_JOINT_KIND_PRISMATIC, {0, 0, 0, 1, 0, 0, 1, 0}, {1, 0, 0}, 0, 0, 0, 0, 0},
+        {1, DQ8_JOINT_KIND_FIXED, {0, 0, 0, 1, 0, 0, -0.5f, 0}, {0, 0, 0}, 0, 0, 0, 0, 0},
+    };
+    static dq8_step_f32 steps[3];
+    dq8_mechanism_f32 mechanism;
+    const float values[2] = {1.57079633f, 3.0f}, origin[3] = {0.0f, 0.0f, 0.0f};
+    float poses[3 * MOTION], pose[MOTION], columns[2 * 6], hook[3], many[4], crowded[2 * 3 * MOTION];
+    dq8_joint_f32 bent[3];
+    size_t bad = 99;
+
+    works(dq8_mechanism_make_f32(joints, 3, steps, &mechanism, &bad), "crane");
+    check(mechanism.links == 3 && mechanism.values == 2 && mechanism.rates == 2, "its shape");
+    works(dq8_mechanism_link_poses_f32(&mechanism, values, 2, poses, 3), "poses of links");
+    works(dq8_motion_point_f32(poses + 2 * MOTION, origin, hook), "point");
+    check(near_point(hook, 0.0f, 3.0f, 1.0f), "the hook of a crane turned by a quarter");
+    works(dq8_mechanism_link_pose_f32(&mechanism, values, 2, 2, pose), "pose of the hook");
+    works(dq8_motion_point_f32(pose, origin, hook), "point");
+    check(near_point(hook, 0.0f, 3.0f, 1.0f), "the hook alone");
+
+    works(dq8_mechanism_link_jacobian_f32(&mechanism, DQ8_FRAME_WORLD_ALIGNED, values, 2, 2, columns, 2,
+                                          NULL), "Jacobian");
+    check(near_point(columns, 0.0f, 0.0f, 1.0f), "the mast turns the hook about z");
+    check(near_point(columns + 3, -3.0f, 0.0f, 0.0f), "and moves it across");
+    check(near_point(columns + 6, 0.0f, 0.0f, 0.0f), "the slide turns nothing");
+    check(near_point(columns + 9, 0.0f, 1.0f, 0.0f), "and moves the hook outward");
+
+    memcpy(many, values, sizeof values);
+    many[2] = 0.0f;
+    many[3] = 1.0f;
+    works(dq8_link_poses_f32(&mechanism, many, 4, crowded, 6), "poses of two configurations");
+    works(dq8_motion_point_f32(crowded + 5 * MOTION, origin, hook), "point");
+    check(near_point(hook, 1.0f, 0.0f, 1.0f), "the hook of the second crane");
+
+    memcpy(bent, joints, sizeof bent);
+    bent[1].axis[0] = 2.0f;
+    ends(dq8_mechanism_make_f32(bent, 3, steps, &mechanism, &bad), DQ8_STATUS_AXIS, "axis");
+    check(bad == 1, "the joint whose axis is too long");
+    memset(&mechanism, 0, sizeof mechanism);
+    ends(dq8_mechanism_link_poses_f32(&mechanism, values, 2, poses, 3), DQ8_STATUS_NO_MECHANISM,
+         "no crane");
+}
+
 /* Each mistake has its number, and nothing is written. */
 static void mistakes(void) {
     static float buffer[4 * MOTION * LANES + 15];
@@ -199,6 +249,7 @@ int main(void) {
     crowd();
     works(dq8_backend_limit(DQ8_BACKEND_ANY), "no limit");
     skin();
+    crane();
     mistakes();
     if (failures != 0) {
         printf("%d failures\n", failures);

@@ -5,15 +5,17 @@
  * A motion is eight numbers, px py pz pw qx qy qz qw: p + eq rotates by p, then translates by t,
  * where q = tp/2. In a product a * b it is b that acts first. Angles are radians, lengths your unit.
  *
- * Names.    dq8_motion_NAME: one motion. dq8_NAME: arrays of `count` things, plain. dq8_blocks_NAME:
- *           the same on blocks, the fastest way. Each for float (_f32) and for double (_f64).
+ * Names.    dq8_motion_NAME: one motion. dq8_mechanism_NAME: one configuration of a mechanism.
+ *           dq8_NAME: arrays of `count` things, plain. dq8_blocks_NAME: the same on blocks, the fastest
+ *           way. Each for float (_f32) and for double (_f64).
  * Blocks.   A block has `lanes` things, component after component: with 8 lanes, the eight px, then
  *           the eight py, and so on. Its size is rounded up to whole 64 bytes (dq8_block_size).
  *           float has blocks of 8 and 16 lanes, double of 4 and 8.
  * Errors.   Every call returns a dq8_status. Whatever it is but DQ8_STATUS_OK, nothing was written,
- *           except the index for which dq8_check_parents has an argument.
+ *           except the index `bad_joint`, and the steps that were to be a mechanism.
  * Memory.   All of it is yours: the library allocates nothing, frees nothing, and keeps no pointer
- *           after it returns. A pointer may be null where the length of its array is 0.
+ *           after it returns; a dq8_mechanism keeps one to its steps. A pointer may be null where the
+ *           length of its array is 0.
  * Align.    That of the number type; blocks start at multiples of 64 bytes.
  * Aliasing. Inputs may overlap each other. An output overlaps nothing, unless a function says that it
  *           may be one of the inputs: then exactly that array. Functions on one motion read all before
@@ -71,7 +73,7 @@ enum dq8_status
    */
   DQ8_STATUS_LANES = 6,
   /**
-   * The motion is not unit.
+   * The motion, or the placement of a joint, is not unit.
    */
   DQ8_STATUS_NOT_UNIT = 7,
   /**
@@ -91,7 +93,7 @@ enum dq8_status
    */
   DQ8_STATUS_MIRRORS = 11,
   /**
-   * The translation of the matrix is not finite.
+   * The translation of the matrix, or a number of a joint, is not finite.
    */
   DQ8_STATUS_NOT_FINITE = 12,
   /**
@@ -115,9 +117,25 @@ enum dq8_status
    */
   DQ8_STATUS_TOO_MANY_JOINTS = 17,
   /**
-   * A number stands for no backend, or for no order of matrices.
+   * A number stands for nothing: no backend, no order of matrices, no kind of joint, no frame.
    */
   DQ8_STATUS_UNKNOWN_VALUE = 18,
+  /**
+   * An axis or normal is not of length 1.
+   */
+  DQ8_STATUS_AXIS = 19,
+  /**
+   * A joint cannot mimic that one: there is none, it mimics too, or one of the two has not one value.
+   */
+  DQ8_STATUS_MIMIC = 20,
+  /**
+   * There is no such link.
+   */
+  DQ8_STATUS_NO_LINK = 21,
+  /**
+   * The mechanism has not been made.
+   */
+  DQ8_STATUS_NO_MECHANISM = 22,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -184,6 +202,240 @@ typedef enum dq8_matrix_order dq8_matrix_order;
 typedef int32_t dq8_matrix_order;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
+
+/**
+ * How a joint moves, in its own frame.
+ */
+enum dq8_joint_kind
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : int32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+  /**
+   * Not at all. No value.
+   */
+  DQ8_JOINT_KIND_FIXED = 0,
+  /**
+   * Turns about `axis`. One value, radians.
+   */
+  DQ8_JOINT_KIND_REVOLUTE = 1,
+  /**
+   * Slides along `axis`. One value, a length.
+   */
+  DQ8_JOINT_KIND_PRISMATIC = 2,
+  /**
+   * Turns about `axis` and slides along it, `pitch` for each radian. One value, radians.
+   */
+  DQ8_JOINT_KIND_SCREW = 3,
+  /**
+   * Slides in the plane across `axis`, then turns about it. Three values: x, y and the angle. The
+   * axes of x and y are those of the joint's frame after the shortest rotation that takes z to `axis`.
+   */
+  DQ8_JOINT_KIND_PLANAR = 4,
+  /**
+   * Moves freely. Seven values: a quaternion x y z w of any length but zero, and a translation. Six
+   * rates: the body twist, angular first.
+   */
+  DQ8_JOINT_KIND_FLOATING = 5,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum dq8_joint_kind dq8_joint_kind;
+#else
+typedef int32_t dq8_joint_kind;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * In which axes, and about which point, the columns of a Jacobian are.
+ */
+enum dq8_frame
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : int32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+  /**
+   * The axes of the base, about its origin: spatial twists.
+   */
+  DQ8_FRAME_WORLD = 0,
+  /**
+   * The axes of the link, about its origin: body twists.
+   */
+  DQ8_FRAME_BODY = 1,
+  /**
+   * The axes of the base, about the origin of the link.
+   */
+  DQ8_FRAME_WORLD_ALIGNED = 2,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum dq8_frame dq8_frame;
+#else
+typedef int32_t dq8_frame;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * Memory for a joint of a mechanism; what is in it is the library's business.
+ */
+typedef struct dq8_step_f32 {
+  /**
+   * Not for you.
+   */
+  float opaque[80];
+} dq8_step_f32;
+
+/**
+ * A mechanism that has been made. It may be copied and moved; its steps must stay where they are.
+ */
+typedef struct dq8_mechanism_f32 {
+  /**
+   * How many links it has: one for each joint.
+   */
+  size_t links;
+  /**
+   * How many values a configuration has: those of joint 0, then those of joint 1, and so on.
+   */
+  size_t values;
+  /**
+   * How many rates, and columns of a Jacobian: as many as values, but six for a floating joint.
+   */
+  size_t rates;
+  /**
+   * Null in a mechanism that has not been made, if it was zeroed.
+   */
+  const struct dq8_step_f32 *steps;
+  /**
+   * Not for you.
+   */
+  const struct dq8_step_f32 *opaque[4];
+} dq8_mechanism_f32;
+
+/**
+ * Memory for a joint of a mechanism; what is in it is the library's business.
+ */
+typedef struct dq8_step_f64 {
+  /**
+   * Not for you.
+   */
+  double opaque[80];
+} dq8_step_f64;
+
+/**
+ * A mechanism that has been made. It may be copied and moved; its steps must stay where they are.
+ */
+typedef struct dq8_mechanism_f64 {
+  /**
+   * How many links it has: one for each joint.
+   */
+  size_t links;
+  /**
+   * How many values a configuration has: those of joint 0, then those of joint 1, and so on.
+   */
+  size_t values;
+  /**
+   * How many rates, and columns of a Jacobian: as many as values, but six for a floating joint.
+   */
+  size_t rates;
+  /**
+   * Null in a mechanism that has not been made, if it was zeroed.
+   */
+  const struct dq8_step_f64 *steps;
+  /**
+   * Not for you.
+   */
+  const struct dq8_step_f64 *opaque[4];
+} dq8_mechanism_f64;
+
+/**
+ * How a link is joined to the one that carries it. Link j is what joint j carries.
+ *
+ * Fields that its kind does not name are not read; all may be 0.
+ */
+typedef struct dq8_joint_f32 {
+  /**
+   * The joint of the link that carries this one, which comes before it, or -1 for the base.
+   */
+  int32_t parent;
+  /**
+   * One of enum dq8_joint_kind.
+   */
+  int32_t kind;
+  /**
+   * The pose of the link in that of its parent where the joint is at zero: a motion, unit to 0.001.
+   */
+  float placement[8];
+  /**
+   * The axis or, of a planar joint, the normal; of length 1 to 0.001.
+   */
+  float axis[3];
+  /**
+   * Of a screw, length for each radian: the lead of a thread over 2 pi.
+   */
+  float pitch;
+  /**
+   * 1 if the joint has no value of its own but `multiplier` times that of joint `leader`, plus
+   * `offset`; else 0. Both must be of one value, and the leader have its own.
+   */
+  int32_t mimics;
+  /**
+   * The joint whose value it takes.
+   */
+  int32_t leader;
+  /**
+   * What that value is multiplied by.
+   */
+  float multiplier;
+  /**
+   * What is added.
+   */
+  float offset;
+} dq8_joint_f32;
+
+/**
+ * How a link is joined to the one that carries it. Link j is what joint j carries.
+ *
+ * Fields that its kind does not name are not read; all may be 0.
+ */
+typedef struct dq8_joint_f64 {
+  /**
+   * The joint of the link that carries this one, which comes before it, or -1 for the base.
+   */
+  int32_t parent;
+  /**
+   * One of enum dq8_joint_kind.
+   */
+  int32_t kind;
+  /**
+   * The pose of the link in that of its parent where the joint is at zero: a motion, unit to 0.001.
+   */
+  double placement[8];
+  /**
+   * The axis or, of a planar joint, the normal; of length 1 to 0.001.
+   */
+  double axis[3];
+  /**
+   * Of a screw, length for each radian: the lead of a thread over 2 pi.
+   */
+  double pitch;
+  /**
+   * 1 if the joint has no value of its own but `multiplier` times that of joint `leader`, plus
+   * `offset`; else 0. Both must be of one value, and the leader have its own.
+   */
+  int32_t mimics;
+  /**
+   * The joint whose value it takes.
+   */
+  int32_t leader;
+  /**
+   * What that value is multiplied by.
+   */
+  double multiplier;
+  /**
+   * What is added.
+   */
+  double offset;
+} dq8_joint_f64;
 
 #ifdef __cplusplus
 extern "C" {
@@ -509,6 +761,154 @@ dq8_status dq8_blocks_palette_matrices_f64(size_t lanes,
                                            double *models,
                                            double *palette,
                                            size_t count);
+
+/**
+ * Forward kinematics of many configurations: `poses` is `[configuration][link]`, `count` of
+ * them, and `values` `[configuration][value]`, `value_count` plain numbers, for blocks too.
+ * Lanes without a configuration get the poses of values that are all zero.
+ */
+dq8_status dq8_link_poses_f32(const struct dq8_mechanism_f32 *mechanism,
+                              const float *values,
+                              size_t value_count,
+                              float *poses,
+                              size_t count);
+
+/**
+ * dq8_link_poses_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_link_poses_f32(size_t lanes,
+                                     const struct dq8_mechanism_f32 *mechanism,
+                                     const float *values,
+                                     size_t value_count,
+                                     float *poses,
+                                     size_t count);
+
+/**
+ * Forward kinematics of many configurations: `poses` is `[configuration][link]`, `count` of
+ * them, and `values` `[configuration][value]`, `value_count` plain numbers, for blocks too.
+ * Lanes without a configuration get the poses of values that are all zero.
+ */
+dq8_status dq8_link_poses_f64(const struct dq8_mechanism_f64 *mechanism,
+                              const double *values,
+                              size_t value_count,
+                              double *poses,
+                              size_t count);
+
+/**
+ * dq8_link_poses_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_link_poses_f64(size_t lanes,
+                                     const struct dq8_mechanism_f64 *mechanism,
+                                     const double *values,
+                                     size_t value_count,
+                                     double *poses,
+                                     size_t count);
+
+/**
+ * Checks `count` joints and makes a mechanism of them, once; its functions then only compute.
+ * `steps`, as many as joints, is memory that the mechanism keeps using: nothing else may write
+ * it. `joints` are not needed any more.
+ *
+ * DQ8_STATUS_PARENT_NOT_BEFORE, _PARENT_OUT_OF_RANGE, _NOT_UNIT (the placement), _NOT_FINITE,
+ * _AXIS, _MIMIC or _UNKNOWN_VALUE (the kind, or `mimics`); `bad_joint`, which may be null, is
+ * set to that joint. `steps` may have been written, the mechanism not.
+ */
+dq8_status dq8_mechanism_make_f32(const struct dq8_joint_f32 *joints,
+                                  size_t count,
+                                  struct dq8_step_f32 *steps,
+                                  struct dq8_mechanism_f32 *mechanism,
+                                  size_t *bad_joint);
+
+/**
+ * Forward kinematics of one configuration: the poses of all links in the frame of the base,
+ * `poses[j] = poses[parent] * placement[j] * motion of joint j`. `value_count` and `link_count`
+ * are those of the mechanism, or it is DQ8_STATUS_LENGTH.
+ */
+dq8_status dq8_mechanism_link_poses_f32(const struct dq8_mechanism_f32 *mechanism,
+                                        const float *values,
+                                        size_t value_count,
+                                        float *poses,
+                                        size_t link_count);
+
+/**
+ * The pose of one link: nothing but what carries it is computed. DQ8_STATUS_NO_LINK if there is
+ * no such link.
+ */
+dq8_status dq8_mechanism_link_pose_f32(const struct dq8_mechanism_f32 *mechanism,
+                                       const float *values,
+                                       size_t value_count,
+                                       size_t link,
+                                       float *pose);
+
+/**
+ * The geometric Jacobian of a link: for each rate of the mechanism a column of six numbers,
+ * angular velocity x y z, then linear velocity x y z, in `frame`, one of enum dq8_frame.
+ * Columns of joints that do not carry the link are zero.
+ *
+ * `column_count` is the mechanism's number of rates. `pose`, the pose of the link, may be null.
+ * DQ8_STATUS_NO_LINK if there is no such link.
+ */
+dq8_status dq8_mechanism_link_jacobian_f32(const struct dq8_mechanism_f32 *mechanism,
+                                           int32_t frame,
+                                           const float *values,
+                                           size_t value_count,
+                                           size_t link,
+                                           float *columns,
+                                           size_t column_count,
+                                           float *pose);
+
+/**
+ * Checks `count` joints and makes a mechanism of them, once; its functions then only compute.
+ * `steps`, as many as joints, is memory that the mechanism keeps using: nothing else may write
+ * it. `joints` are not needed any more.
+ *
+ * DQ8_STATUS_PARENT_NOT_BEFORE, _PARENT_OUT_OF_RANGE, _NOT_UNIT (the placement), _NOT_FINITE,
+ * _AXIS, _MIMIC or _UNKNOWN_VALUE (the kind, or `mimics`); `bad_joint`, which may be null, is
+ * set to that joint. `steps` may have been written, the mechanism not.
+ */
+dq8_status dq8_mechanism_make_f64(const struct dq8_joint_f64 *joints,
+                                  size_t count,
+                                  struct dq8_step_f64 *steps,
+                                  struct dq8_mechanism_f64 *mechanism,
+                                  size_t *bad_joint);
+
+/**
+ * Forward kinematics of one configuration: the poses of all links in the frame of the base,
+ * `poses[j] = poses[parent] * placement[j] * motion of joint j`. `value_count` and `link_count`
+ * are those of the mechanism, or it is DQ8_STATUS_LENGTH.
+ */
+dq8_status dq8_mechanism_link_poses_f64(const struct dq8_mechanism_f64 *mechanism,
+                                        const double *values,
+                                        size_t value_count,
+                                        double *poses,
+                                        size_t link_count);
+
+/**
+ * The pose of one link: nothing but what carries it is computed. DQ8_STATUS_NO_LINK if there is
+ * no such link.
+ */
+dq8_status dq8_mechanism_link_pose_f64(const struct dq8_mechanism_f64 *mechanism,
+                                       const double *values,
+                                       size_t value_count,
+                                       size_t link,
+                                       double *pose);
+
+/**
+ * The geometric Jacobian of a link: for each rate of the mechanism a column of six numbers,
+ * angular velocity x y z, then linear velocity x y z, in `frame`, one of enum dq8_frame.
+ * Columns of joints that do not carry the link are zero.
+ *
+ * `column_count` is the mechanism's number of rates. `pose`, the pose of the link, may be null.
+ * DQ8_STATUS_NO_LINK if there is no such link.
+ */
+dq8_status dq8_mechanism_link_jacobian_f64(const struct dq8_mechanism_f64 *mechanism,
+                                           int32_t frame,
+                                           const double *values,
+                                           size_t value_count,
+                                           size_t link,
+                                           double *columns,
+                                           size_t column_count,
+                                           double *pose);
 
 /**
  * The motion that moves nothing.

@@ -274,7 +274,7 @@ pub unsafe extern "C" fn dq8_check_parents(
 /// As for [`Input::slice`] and [`Output::write`].
 unsafe fn check_parents(start: *const i32, joints: usize, bad_joint: *mut usize) -> Done {
     let parents = parents(start, joints)?;
-    let bad_joint = if bad_joint.is_null() { None } else { Some(Output::new(bad_joint, 1)?) };
+    let bad_joint = Output::unless_null(bad_joint)?;
     if let Some(bad_joint) = &bad_joint {
         bad_joint.apart_from(&parents)?;
     }

@@ -7,9 +7,11 @@
 //! | [`motion`], [`screw`] | operations on one motion: the scalar reference |
 //! | [`slices`] | kernels over arrays of motions and points, plain or in blocks |
 //! | [`hierarchy`] | joint hierarchies and skinning palettes, plain or in blocks |
+//! | [`joint`], [`mechanism`] | one configuration of a mechanism: poses of links, Jacobians |
+//! | [`links`] | poses of links for many configurations, plain or in blocks |
 //! | [`packing`] | between plain arrays and blocks |
 //!
-//! Each but the first two has its functions twice: in `single` for `f32`, in `double` for `f64`. The
+//! Each but the first two and `joint` has its functions twice: in `single` for `f32`, in `double` for `f64`. The
 //! symbol of `slices::single::mul` is `dq8_mul_f32`.
 //!
 //! Nothing here computes: pointers are checked and become slices, and errors become numbers. No
@@ -21,6 +23,9 @@
 mod export;
 pub mod backend;
 pub mod hierarchy;
+pub mod joint;
+pub mod links;
+pub mod mechanism;
 mod memory;
 pub mod motion;
 pub mod packing;

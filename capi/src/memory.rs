@@ -74,6 +74,11 @@ impl<T: Copy> Output<T> {
         Ok(Self { start, count, span: Span::of(start, count)? })
     }
 
+    /// One element, or none where C passes null for what it does not want.
+    pub(crate) fn unless_null<R>(start: *mut R) -> Result<Option<Self>, Status> {
+        if start.is_null() { Ok(None) } else { Self::new(start, 1).map(Some) }
+    }
+
     pub(crate) fn apart_from<U>(&self, input: &Input<U>) -> Done {
         self.span.apart_from(input.span)
     }

@@ -24,7 +24,7 @@ pub enum Status {
     Length = 5,
     /// There are no blocks of so many lanes: float has 8 and 16, double 4 and 8.
     Lanes = 6,
-    /// The motion is not unit.
+    /// The motion, or the placement of a joint, is not unit.
     NotUnit = 7,
     /// There is no unit motion: the real part is zero, or a number is not finite.
     NotNormalizable = 8,
@@ -34,7 +34,7 @@ pub enum Status {
     NotOrthonormal = 10,
     /// The matrix mirrors.
     Mirrors = 11,
-    /// The translation of the matrix is not finite.
+    /// The translation of the matrix, or a number of a joint, is not finite.
     NotFinite = 12,
     /// The last row of the 4x4 matrix is not 0 0 0 1.
     NotAffine = 13,
@@ -46,12 +46,20 @@ pub enum Status {
     ParentOutOfRange = 16,
     /// There are more joints than 32 bits can number.
     TooManyJoints = 17,
-    /// A number stands for no backend, or for no order of matrices.
+    /// A number stands for nothing: no backend, no order of matrices, no kind of joint, no frame.
     UnknownValue = 18,
+    /// An axis or normal is not of length 1.
+    Axis = 19,
+    /// A joint cannot mimic that one: there is none, it mimics too, or one of the two has not one value.
+    Mimic = 20,
+    /// There is no such link.
+    NoLink = 21,
+    /// The mechanism has not been made.
+    NoMechanism = 22,
 }
 
 impl Status {
-    const ALL: [Self; 19] = [
+    const ALL: [Self; 23] = [
         Self::Ok,
         Self::NullPointer,
         Self::Misaligned,
@@ -71,6 +79,10 @@ impl Status {
         Self::ParentOutOfRange,
         Self::TooManyJoints,
         Self::UnknownValue,
+        Self::Axis,
+        Self::Mimic,
+        Self::NoLink,
+        Self::NoMechanism,
     ];
 
     pub(crate) fn of(done: Done) -> Self {
@@ -86,20 +98,24 @@ impl Status {
             Self::TooLarge => c"an array would be larger than memory",
             Self::Length => c"lengths do not fit each other",
             Self::Lanes => c"there are no blocks of so many lanes",
-            Self::NotUnit => c"the motion is not unit",
+            Self::NotUnit => c"a motion is not unit",
             Self::NotNormalizable => {
                 c"there is no unit motion: the real part is zero or a number not finite"
             }
             Self::NoInverse => c"there is no inverse: the real part is zero or a number not finite",
             Self::NotOrthonormal => c"the matrix is no rotation: it scales or shears",
             Self::Mirrors => c"the matrix is no rotation: it mirrors",
-            Self::NotFinite => c"the translation is not finite",
+            Self::NotFinite => c"a number that must be finite is not",
             Self::NotAffine => c"the last row of the matrix is not 0 0 0 1",
             Self::NoInfluences => c"there is nothing to blend",
             Self::ParentNotBefore => c"a parent does not come before its child",
             Self::ParentOutOfRange => c"a parent is no joint",
             Self::TooManyJoints => c"there are more joints than 32 bits can number",
-            Self::UnknownValue => c"a number stands for no backend and no order of matrices",
+            Self::UnknownValue => c"a number stands for none of what it chooses from",
+            Self::Axis => c"an axis is not of length 1",
+            Self::Mimic => c"a joint cannot mimic the one that it should",
+            Self::NoLink => c"there is no such link",
+            Self::NoMechanism => c"the mechanism has not been made",
         }
     }
 }

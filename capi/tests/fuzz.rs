@@ -10,10 +10,14 @@
 use dq8::simd::Block;
 use dq8_capi::Status;
 use dq8_capi::hierarchy::{self, single as h};
+use dq8_capi::joint::Joint;
+use dq8_capi::links::single as k;
+use dq8_capi::mechanism::{Mechanism, Step, single as c};
 use dq8_capi::motion::single as m;
 use dq8_capi::packing::single as p;
 use dq8_capi::screw::single as s;
 use dq8_capi::slices::single as l;
+use std::mem::MaybeUninit;
 use std::time::{Duration, Instant};
 
 /// SplitMix64 (Steele, Lea and Flood 2014).
@@ -245,6 +249,72 @@ fn hierarchies(fuzz: &mut Fuzz) {
     }
 }
 
+/// Mechanisms of joints any of which may be wrong, with values that may be anything.
+fn mechanisms(fuzz: &mut Fuzz) {
+    let count = fuzz.below(12);
+    let joints: Box<[Joint<f32>]> = (0..count)
+        .map(|index| {
+            let mut placement = [0.0, 0.0, 0.0, 1.0, fuzz.number(), fuzz.number(), 0.5, 0.0];
+            let mut axis = [0.0; 3];
+            axis[fuzz.below(3)] = 1.0;
+            let wrong = fuzz.below(100);
+            if wrong == 0 {
+                placement[fuzz.below(8)] = fuzz.number();
+            }
+            if wrong == 1 {
+                axis[fuzz.below(3)] = fuzz.number();
+            }
+            let parent = fuzz.below(index + 1) as i32 - 1;
+            Joint {
+                parent: if wrong == 2 { fuzz.bits() as i32 } else { parent },
+                kind: if wrong == 3 { fuzz.bits() as i32 } else { fuzz.below(6) as i32 },
+                placement,
+                axis,
+                pitch: 0.1,
+                mimics: i32::from(fuzz.below(20) == 0),
+                leader: fuzz.below(count) as i32 - i32::from(wrong == 4),
+                multiplier: 2.0,
+                offset: 0.1,
+            }
+        })
+        .collect();
+    let mut steps = Box::<[Step<f32>]>::new_uninit_slice(count);
+    let mut made = MaybeUninit::<Mechanism<f32>>::zeroed();
+    let (room, of, mut bad) = (steps.as_mut_ptr().cast(), made.as_mut_ptr(), usize::MAX);
+    // SAFETY: every array has the length that its function says.
+    unsafe {
+        let status = c::make(joints.as_ptr(), count, room, of, &mut bad);
+        if status != Status::Ok {
+            assert!(bad < count, "{status:?}");
+            assert_eq!(made.assume_init_ref().links, 0);
+            return;
+        }
+        let (values, rates) = (made.assume_init_ref().values, made.assume_init_ref().rates);
+        let numbers = fuzz.numbers(values);
+        let (mut poses, mut one) = (fuzz.numbers(8 * count), fuzz.numbers(8));
+        let mut columns = fuzz.numbers(6 * rates);
+        let (n, to, pose) = (numbers.as_ptr(), poses.as_mut_ptr(), one.as_mut_ptr());
+        assert_eq!(c::link_poses(of, n, values, to, count), Status::Ok);
+        assert!(count == 0 || c::link_poses(of, n, values, to, count - 1) == Status::Length);
+        let (link, frame, columns) = (fuzz.below(14), fuzz.below(4) as i32, columns.as_mut_ptr());
+        let there = if link < count { Status::Ok } else { Status::NoLink };
+        assert_eq!(c::link_pose(of, n, values, link, pose), there);
+        let wanted = if link < count && frame == 3 { Status::UnknownValue } else { there };
+        let status = c::link_jacobian(of, frame, n, values, link, columns, rates, pose);
+        assert_eq!(status, wanted);
+        let configurations = fuzz.below(20);
+        if values > 0 {
+            let many = fuzz.numbers(configurations * values);
+            let mut poses = fuzz.numbers(8 * count * configurations);
+            let (from, to, all) = (many.as_ptr(), poses.as_mut_ptr(), count * configurations);
+            assert_eq!(k::link_poses(of, from, many.len(), to, all), Status::Ok);
+            let mut blocks = fuzz.blocks::<8, 8>(blocks_of(8, configurations) * count);
+            let (to, all) = (blocks.as_mut_ptr().cast(), blocks.len());
+            assert_eq!(k::blocks_link_poses(8, of, from, many.len(), to, all), Status::Ok);
+        }
+    }
+}
+
 fn blocks_of(lanes: usize, instances: usize) -> usize {
     instances.div_ceil(lanes)
 }
@@ -263,7 +333,8 @@ fn the_c_functions_stay_within_their_arrays() {
                 motions(&mut fuzz);
             }
             hierarchies(&mut fuzz);
-            calls += 10 * (1 + 19) + 14;
+            mechanisms(&mut fuzz);
+            calls += 10 * (1 + 19) + 14 + 7;
         }
     }
     println!("{calls} calls in {} s", start.elapsed().as_secs());

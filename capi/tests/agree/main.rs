@@ -2,6 +2,7 @@
 //! kernel, the right order of arguments, the right parts of memory.
 
 mod hierarchies;
+mod mechanisms;
 mod motions;
 mod sample;
 mod slices;

@@ -1,0 +1,45 @@
+//! Poses of links for many configurations of a mechanism.
+
+use crate::mechanism::{Made, Mechanism};
+use crate::memory::{Input, Output};
+use crate::status::{Done, Status};
+use dq8::Backend;
+use dq8::mechanism::JointValues;
+use dq8::storage::{AoSoA, Aos, Layout};
+
+/// # Safety
+/// As for [`Made::new`], [`Input::slice`] and [`Output::slice`].
+unsafe fn link_poses<L: Layout>(
+    mechanism: *const Mechanism<L::Real>,
+    values: *const L::Real,
+    value_count: usize,
+    poses: *mut L::Real,
+    count: usize,
+) -> Done
+where
+    L::Real: JointValues<L>,
+{
+    // SAFETY: promised.
+    let made = unsafe { Made::new(mechanism)? };
+    let values = Input::<L::Real>::new(values, value_count)?;
+    let poses = Output::<L::Record<8>>::new(poses, count)?;
+    poses.apart_from(&values)?;
+    made.apart_from(&poses)?;
+    // SAFETY: promised, and apart.
+    unsafe { Ok(Backend::best().link_poses(made.known, values.slice(), poses.slice())?) }
+}
+
+macro_rules! functions {
+    ($R:ident $lanes:tt) => {
+        export! { $R $lanes
+            /// Forward kinematics of many configurations: `poses` is `[configuration][link]`, `count` of
+            /// them, and `values` `[configuration][value]`, `value_count` plain numbers, for blocks too.
+            /// Lanes without a configuration get the poses of values that are all zero.
+            link_poses, blocks_link_poses(
+                mechanism: *const Mechanism<$R>, values: *const $R, value_count: usize,
+                poses: *mut $R,
+            )
+        }
+    };
+}
+for_both_numbers!(functions);

@@ -1,0 +1,336 @@
+//! Mechanisms: a tree of joints, made once in memory of the caller; then poses of links and Jacobians.
+
+use crate::joint::{Fault, Joint, fault};
+use crate::memory::{Input, Output};
+use crate::status::{Done, Status};
+use core::mem::MaybeUninit;
+use core::ptr::{self, NonNull};
+use core::slice;
+use dq8::mechanism::{self, Body, World, WorldAligned};
+use dq8::{DualQuat, Real, Twist};
+
+/// In which axes, and about which point, the columns of a Jacobian are.
+#[repr(i32)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Frame {
+    /// The axes of the base, about its origin: spatial twists.
+    World = 0,
+    /// The axes of the link, about its origin: body twists.
+    Body = 1,
+    /// The axes of the base, about the origin of the link.
+    WorldAligned = 2,
+}
+
+/// Memory for a joint of a mechanism; what is in it is the library's business.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct Step<R> {
+    /// Not for you.
+    opaque: [R; 80],
+}
+
+/// A mechanism that has been made. It may be copied and moved; its steps must stay where they are.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct Mechanism<R> {
+    /// How many links it has: one for each joint.
+    pub links: usize,
+    /// How many values a configuration has: those of joint 0, then those of joint 1, and so on.
+    pub values: usize,
+    /// How many rates, and columns of a Jacobian: as many as values, but six for a floating joint.
+    pub rates: usize,
+    /// Null in a mechanism that has not been made, if it was zeroed.
+    steps: *const Step<R>,
+    /// Not for you.
+    opaque: [*const Step<R>; 4],
+}
+
+type Known<R> = mechanism::Mechanism<'static, R>;
+
+/// Whether what the library keeps fits the memory that C has for it: steps, behind them the joints while
+/// they are checked, and what it takes to align each of the two.
+macro_rules! fits {
+    ($($R:ident)*) => {$(const _: () = {
+        let joints = size_of::<mechanism::Joint<$R>>() + align_of::<mechanism::Joint<$R>>();
+        let steps = size_of::<mechanism::Step<$R>>() + align_of::<mechanism::Step<$R>>();
+        assert!(steps + joints <= size_of::<Step<$R>>());
+        assert!(size_of::<Known<$R>>() <= 4 * size_of::<*const ()>());
+        assert!(align_of::<Known<$R>>() <= align_of::<*const ()>());
+    };)*};
+}
+fits! { f32 f64 }
+
+/// A place in `room` for `count` things, and what is behind them.
+///
+/// # Safety
+/// There is memory behind `room` for so many and what aligns them.
+unsafe fn place<T>(room: *mut u8, count: usize) -> (*mut T, *mut u8) {
+    let start = room.addr().next_multiple_of(align_of::<T>()) - room.addr();
+    // SAFETY: promised.
+    let first = unsafe { room.add(start) }.cast::<T>();
+    // SAFETY: promised.
+    (first, unsafe { first.add(count) }.cast())
+}
+
+/// # Safety
+/// `room` holds a [`Step`] for each joint, which nothing else reads or writes while `'a` lasts.
+unsafe fn known<'a, R: Real>(
+    joints: &[Joint<R>],
+    room: *mut Step<R>,
+) -> Result<mechanism::Mechanism<'a, R>, Fault> {
+    let count = joints.len();
+    // SAFETY: both fit, by `fits`.
+    let (steps, rest) = unsafe { place::<mechanism::Step<R>>(room.cast(), count) };
+    // SAFETY: as above.
+    let (known, _) = unsafe { place::<mechanism::Joint<R>>(rest, count) };
+    for (index, given) in joints.iter().enumerate() {
+        let converted = given.known(count).map_err(|status| (status, Some(index)))?;
+        // SAFETY: in that memory, which is aligned now.
+        unsafe {
+            known.add(index).write(converted);
+            steps.add(index).write(mechanism::Step::default());
+        }
+    }
+    // SAFETY: all of them have been written, and the two lie apart.
+    let (known, steps) =
+        unsafe { (slice::from_raw_parts(known, count), slice::from_raw_parts_mut(steps, count)) };
+    mechanism::Mechanism::new(known, steps).map_err(|error| fault(&error))
+}
+
+/// # Safety
+/// As for [`Input::slice`], [`Output::slice`] and [`Output::write`].
+unsafe fn make<R: Real>(
+    joints: *const Joint<R>,
+    count: usize,
+    steps: *mut Step<R>,
+    mechanism: *mut Mechanism<R>,
+    bad_joint: *mut usize,
+) -> Done {
+    let joints = Input::<Joint<R>>::new(joints, count)?;
+    let steps = Output::<MaybeUninit<Step<R>>>::new(steps, count)?;
+    let made = Output::<Mechanism<R>>::new(mechanism, 1)?;
+    let bad_joint = Output::<usize>::unless_null(bad_joint)?;
+    steps.apart_from(&joints)?;
+    made.apart_from(&joints)?;
+    made.apart_from_output(&steps)?;
+    if let Some(bad_joint) = &bad_joint {
+        bad_joint.apart_from(&joints)?;
+        bad_joint.apart_from_output(&steps)?;
+        bad_joint.apart_from_output(&made)?;
+    }
+    // SAFETY: promised, and apart.
+    let (joints, room) = unsafe { (joints.slice(), steps.slice()) };
+    let room = if count == 0 { NonNull::dangling().as_ptr() } else { room.as_mut_ptr().cast() };
+    // SAFETY: promised; what is made lives as long as C keeps its steps.
+    let known: Known<R> = match unsafe { known(joints, room) } {
+        Ok(known) => known,
+        Err((status, joint)) => {
+            if let (Some(bad_joint), Some(joint)) = (bad_joint, joint) {
+                // SAFETY: promised, and apart.
+                unsafe { bad_joint.write(joint) };
+            }
+            return Err(status);
+        }
+    };
+    let (links, values, rates) = (known.links(), known.values(), known.rates());
+    // SAFETY: promised, and apart; a mechanism of the library fits, by `fits`.
+    unsafe {
+        made.write(Mechanism { links, values, rates, steps: room, opaque: [ptr::null(); 4] });
+        ptr::addr_of_mut!((*mechanism).opaque).cast::<Known<R>>().write(known);
+    }
+    Ok(())
+}
+
+/// A mechanism as C hands it over: nothing that is written may overlap it or its steps.
+pub(crate) struct Made<R: 'static> {
+    pub(crate) known: Known<R>,
+    given: Input<Mechanism<R>>,
+    steps: Input<Step<R>>,
+}
+
+impl<R: Real> Made<R> {
+    /// # Safety
+    /// The mechanism is zero, or has been made, and its steps are there.
+    pub(crate) unsafe fn new(mechanism: *const Mechanism<R>) -> Result<Self, Status> {
+        let given = Input::new(mechanism, 1)?;
+        // SAFETY: neither null nor misaligned, by `Input::new`; the rest is promised.
+        let steps = unsafe { ptr::addr_of!((*mechanism).steps).read() };
+        if steps.is_null() {
+            return Err(Status::NoMechanism);
+        }
+        // SAFETY: it has been made, so this was written.
+        let known = unsafe { ptr::addr_of!((*mechanism).opaque).cast::<Known<R>>().read() };
+        let steps = Input::new(steps, known.links())?;
+        Ok(Self { known, given, steps })
+    }
+
+    pub(crate) fn apart_from<T: Copy>(&self, output: &Output<T>) -> Done {
+        output.apart_from(&self.given)?;
+        output.apart_from(&self.steps)
+    }
+}
+
+/// # Safety
+/// As for [`Made::new`], [`Input::slice`] and [`Output::slice`].
+unsafe fn link_poses<R: Real>(
+    mechanism: *const Mechanism<R>,
+    values: *const R,
+    value_count: usize,
+    poses: *mut R,
+    link_count: usize,
+) -> Done {
+    // SAFETY: promised.
+    let made = unsafe { Made::new(mechanism)? };
+    let values = Input::<R>::new(values, value_count)?;
+    let poses = Output::<DualQuat<R>>::new(poses, link_count)?;
+    poses.apart_from(&values)?;
+    made.apart_from(&poses)?;
+    // SAFETY: promised, and apart.
+    unsafe { Ok(made.known.link_poses(values.slice(), poses.slice())?) }
+}
+
+/// # Safety
+/// As for [`Made::new`] and [`Input::slice`], and for [`Output::write`].
+unsafe fn link_pose<R: Real>(
+    mechanism: *const Mechanism<R>,
+    values: *const R,
+    value_count: usize,
+    link: usize,
+    pose: *mut R,
+) -> Done {
+    // SAFETY: promised.
+    let made = unsafe { Made::new(mechanism)? };
+    let values = Input::<R>::new(values, value_count)?;
+    let pose = Output::<DualQuat<R>>::new(pose, 1)?;
+    pose.apart_from(&values)?;
+    made.apart_from(&pose)?;
+    if link >= made.known.links() {
+        return Err(Status::NoLink);
+    }
+    // SAFETY: promised, and apart.
+    unsafe { pose.write(made.known.link_pose(values.slice(), link)?) };
+    Ok(())
+}
+
+/// What [`link_jacobian`] computes, and where from.
+struct Asked<R> {
+    mechanism: *const Mechanism<R>,
+    frame: i32,
+    values: *const R,
+    value_count: usize,
+    link: usize,
+}
+
+/// # Safety
+/// As for [`Made::new`], [`Input::slice`], [`Output::slice`] and [`Output::write`].
+unsafe fn link_jacobian<R: Real>(
+    asked: Asked<R>,
+    columns: *mut R,
+    column_count: usize,
+    pose: *mut R,
+) -> Done {
+    // SAFETY: promised.
+    let made = unsafe { Made::new(asked.mechanism)? };
+    let values = Input::<R>::new(asked.values, asked.value_count)?;
+    let columns = Output::<Twist<R>>::new(columns, column_count)?;
+    let pose = Output::<DualQuat<R>>::unless_null(pose)?;
+    columns.apart_from(&values)?;
+    made.apart_from(&columns)?;
+    if let Some(pose) = &pose {
+        pose.apart_from(&values)?;
+        pose.apart_from_output(&columns)?;
+        made.apart_from(pose)?;
+    }
+    let (known, link) = (made.known, asked.link);
+    if link >= known.links() {
+        return Err(Status::NoLink);
+    }
+    // SAFETY: promised, and apart.
+    let (values, columns) = unsafe { (values.slice(), columns.slice()) };
+    let reached = match asked.frame {
+        frame if frame == Frame::World as i32 => known.link_jacobian(World, values, link, columns),
+        frame if frame == Frame::Body as i32 => known.link_jacobian(Body, values, link, columns),
+        frame if frame == Frame::WorldAligned as i32 => {
+            known.link_jacobian(WorldAligned, values, link, columns)
+        }
+        _ => return Err(Status::UnknownValue),
+    }?;
+    if let Some(pose) = pose {
+        // SAFETY: promised, and apart.
+        unsafe { pose.write(reached) };
+    }
+    Ok(())
+}
+
+/// A function on one configuration of a mechanism, whose body is what it returns inside.
+macro_rules! export_mechanism {
+    (
+        $R:ident
+        $(#[doc = $about:literal])*
+        $name:ident($($argument:ident: $type:ty),* $(,)?) = $body:expr
+    ) => {
+        $(#[doc = $about])*
+        ///
+        /// # Safety
+        /// Arrays have the lengths named, and mechanisms are zero or have been made.
+        #[unsafe(export_name = concat!("dq8_mechanism_", stringify!($name), "_", stringify!($R)))]
+        pub unsafe extern "C" fn $name($($argument: $type),*) -> Status {
+            // SAFETY: promised.
+            Status::of(unsafe { $body })
+        }
+    };
+}
+
+macro_rules! functions {
+    ($R:ident $lanes:tt) => {
+        export_mechanism! { $R
+            /// Checks `count` joints and makes a mechanism of them, once; its functions then only compute.
+            /// `steps`, as many as joints, is memory that the mechanism keeps using: nothing else may write
+            /// it. `joints` are not needed any more.
+            ///
+            /// DQ8_STATUS_PARENT_NOT_BEFORE, _PARENT_OUT_OF_RANGE, _NOT_UNIT (the placement), _NOT_FINITE,
+            /// _AXIS, _MIMIC or _UNKNOWN_VALUE (the kind, or `mimics`); `bad_joint`, which may be null, is
+            /// set to that joint. `steps` may have been written, the mechanism not.
+            make(
+                joints: *const Joint<$R>, count: usize, steps: *mut Step<$R>,
+                mechanism: *mut Mechanism<$R>, bad_joint: *mut usize,
+            ) = super::make(joints, count, steps, mechanism, bad_joint)
+        }
+        export_mechanism! { $R
+            /// Forward kinematics of one configuration: the poses of all links in the frame of the base,
+            /// `poses[j] = poses[parent] * placement[j] * motion of joint j`. `value_count` and `link_count`
+            /// are those of the mechanism, or it is DQ8_STATUS_LENGTH.
+            link_poses(
+                mechanism: *const Mechanism<$R>, values: *const $R, value_count: usize,
+                poses: *mut $R, link_count: usize,
+            ) = super::link_poses(mechanism, values, value_count, poses, link_count)
+        }
+        export_mechanism! { $R
+            /// The pose of one link: nothing but what carries it is computed. DQ8_STATUS_NO_LINK if there is
+            /// no such link.
+            link_pose(
+                mechanism: *const Mechanism<$R>, values: *const $R, value_count: usize,
+                link: usize, pose: *mut $R,
+            ) = super::link_pose(mechanism, values, value_count, link, pose)
+        }
+        export_mechanism! { $R
+            /// The geometric Jacobian of a link: for each rate of the mechanism a column of six numbers,
+            /// angular velocity x y z, then linear velocity x y z, in `frame`, one of enum dq8_frame.
+            /// Columns of joints that do not carry the link are zero.
+            ///
+            /// `column_count` is the mechanism's number of rates. `pose`, the pose of the link, may be null.
+            /// DQ8_STATUS_NO_LINK if there is no such link.
+            link_jacobian(
+                mechanism: *const Mechanism<$R>, frame: i32, values: *const $R,
+                value_count: usize, link: usize, columns: *mut $R, column_count: usize,
+                pose: *mut $R,
+            ) = super::link_jacobian(
+                Asked { mechanism, frame, values, value_count, link },
+                columns,
+                column_count,
+                pose,
+            )
+        }
+    };
+}
+for_both_numbers!(functions);

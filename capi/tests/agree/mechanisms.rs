@@ -1,0 +1,182 @@
+//! Mechanisms: poses of links and Jacobians.
+
+use crate::sample::{motions, same, vector, wave};
+use dq8::mechanism::{Body, JacobianFrame, Joint, JointKind, OwnedMechanism, World, WorldAligned};
+use dq8::storage::Block;
+use dq8::{Backend, DualQuat, Real, Twist};
+use dq8_capi::joint::{self, JointKind as Kind};
+use dq8_capi::mechanism::{Frame, Mechanism, Step};
+use dq8_capi::{Status, links, mechanism};
+use std::mem::MaybeUninit;
+use std::ptr;
+
+const LINKS: usize = 8;
+const VALUES: usize = 14;
+const RATES: usize = 13;
+/// More configurations than lanes, and an odd number.
+const CONFIGURATIONS: usize = 19;
+
+fn unit<R: Real>(i: usize) -> [R; 3] {
+    let [x, y, z] = vector::<R>(i, 7.0);
+    let over = R::ONE / (x * x + y * y + z * z).sqrt();
+    [x * over, y * over, z * over]
+}
+
+/// A joint of every kind and one that mimics, in branches.
+fn joints<R: Real>() -> [Joint<R>; LINKS] {
+    let placements = motions::<R>(8.0);
+    let joint = |i: usize, parent, kind| Joint::new(parent, placements[i], kind);
+    let pitch = R::from_f64(0.3);
+    [
+        joint(0, None, JointKind::Floating),
+        joint(1, Some(0), JointKind::Revolute { axis: unit(1) }),
+        joint(2, Some(1), JointKind::Prismatic { axis: unit(2) }),
+        joint(3, Some(0), JointKind::Screw { axis: unit(3), pitch }),
+        joint(4, Some(3), JointKind::Planar { normal: unit(4) }),
+        joint(5, Some(2), JointKind::Fixed),
+        joint(6, Some(4), JointKind::Revolute { axis: unit(6) }).mimicking(
+            1,
+            R::from_f64(-2.0),
+            R::from_f64(0.1),
+        ),
+        joint(7, None, JointKind::Revolute { axis: unit(7) }),
+    ]
+}
+
+/// The same as C has it; numbers that the kind does not name are 0.
+fn described<R: Real>(joint: &Joint<R>) -> joint::Joint<R> {
+    let none = [R::ZERO; 3];
+    let (kind, axis, pitch) = match joint.kind {
+        JointKind::Fixed => (Kind::Fixed, none, R::ZERO),
+        JointKind::Revolute { axis } => (Kind::Revolute, axis, R::ZERO),
+        JointKind::Prismatic { axis } => (Kind::Prismatic, axis, R::ZERO),
+        JointKind::Screw { axis, pitch } => (Kind::Screw, axis, pitch),
+        JointKind::Planar { normal } => (Kind::Planar, normal, R::ZERO),
+        JointKind::Floating => (Kind::Floating, none, R::ZERO),
+        _ => unreachable!("there are no others here"),
+    };
+    let mimic = joint.mimic;
+    joint::Joint {
+        parent: joint.parent.map_or(-1, |parent| parent as i32),
+        kind: kind as i32,
+        placement: joint.placement.to_array(),
+        axis,
+        pitch,
+        mimics: i32::from(mimic.is_some()),
+        leader: mimic.map_or(0, |mimic| mimic.joint as i32),
+        multiplier: mimic.map_or(R::ZERO, |mimic| mimic.multiplier),
+        offset: mimic.map_or(R::ZERO, |mimic| mimic.offset),
+    }
+}
+
+macro_rules! agree {
+    ($test:ident, $R:ident, $of:ident, $lanes:literal) => {
+        mod $test {
+            use super::*;
+
+            type Motion = DualQuat<$R>;
+
+            #[test]
+            fn mechanisms() {
+                use mechanism::$of as m;
+                let joints = joints::<$R>();
+                let wanted = OwnedMechanism::new(&joints).unwrap();
+                let wanted = wanted.view();
+                let described = joints.each_ref().map(described);
+                // As C has it: not initialized.
+                let mut steps = [const { MaybeUninit::<Step<$R>>::uninit() }; LINKS];
+                let mut made = MaybeUninit::<Mechanism<$R>>::uninit();
+                let values: Vec<$R> = (0..CONFIGURATIONS * VALUES).map(|i| wave(i, 0.2)).collect();
+                let (pv, of) = (values.as_ptr(), made.as_mut_ptr());
+                let (none, nowhere) = (ptr::null_mut(), ptr::null_mut());
+                // SAFETY: arrays have the lengths that are said.
+                unsafe {
+                    let room = steps.as_mut_ptr().cast();
+                    let status = m::make(described.as_ptr(), LINKS, room, of, nowhere);
+                    assert_eq!(status, Status::Ok);
+                    let shape = made.assume_init_ref();
+                    assert_eq!((shape.links, shape.values, shape.rates), (LINKS, VALUES, RATES));
+                    same(
+                        "poses",
+                        &[Motion::ZERO; LINKS],
+                        |o| m::link_poses(of, pv, VALUES, o, LINKS),
+                        |o| wanted.link_poses(&values[..VALUES], o).unwrap(),
+                    );
+                    for link in 0..LINKS {
+                        same(
+                            "pose",
+                            &[Motion::ZERO],
+                            |o| m::link_pose(of, pv, VALUES, link, o),
+                            |o| o[0] = wanted.link_pose(&values[..VALUES], link).unwrap(),
+                        );
+                    }
+                    let mut reached = Motion::ZERO;
+                    let nothing = [Twist::from_array([9.0; 6]); RATES];
+                    let mut jacobian = |frame: Frame, rust: &dyn Fn(&mut [Twist<$R>]) -> Motion| {
+                        let pose = ptr::from_mut(&mut reached);
+                        let mut other = Motion::ZERO;
+                        same(
+                            "Jacobian",
+                            &nothing,
+                            |o| {
+                                m::link_jacobian(
+                                    of,
+                                    frame as i32,
+                                    pv,
+                                    VALUES,
+                                    6,
+                                    o,
+                                    RATES,
+                                    pose.cast(),
+                                )
+                            },
+                            |o| other = rust(o),
+                        );
+                        assert_eq!(reached, other);
+                    };
+                    fn of_six<R: Real>(
+                        mechanism: dq8::mechanism::Mechanism<'_, R>,
+                        frame: impl JacobianFrame,
+                        values: &[R],
+                    ) -> impl Fn(&mut [Twist<R>]) -> DualQuat<R> {
+                        move |o| mechanism.link_jacobian(frame, values, 6, o).unwrap()
+                    }
+                    jacobian(Frame::World, &of_six(wanted, World, &values[..VALUES]));
+                    jacobian(Frame::Body, &of_six(wanted, Body, &values[..VALUES]));
+                    jacobian(Frame::WorldAligned, &of_six(wanted, WorldAligned, &values[..VALUES]));
+                    same(
+                        "Jacobian without a pose",
+                        &nothing,
+                        |o| m::link_jacobian(of, 0, pv, VALUES, 6, o, RATES, none),
+                        |o| {
+                            let _ = wanted.link_jacobian(World, &values[..VALUES], 6, o).unwrap();
+                        },
+                    );
+
+                    // A mechanism may be moved; its steps stay.
+                    let moved = made.assume_init();
+                    let (of, all) = (&raw const moved, values.len());
+                    same(
+                        "poses of many",
+                        &[Motion::ZERO; CONFIGURATIONS * LINKS],
+                        |o| links::$of::link_poses(of, pv, all, o, CONFIGURATIONS * LINKS),
+                        |o| Backend::best().link_poses(wanted, &values, o).unwrap(),
+                    );
+                    // Whole blocks: a lane without a configuration has NaN where joints float.
+                    const BLOCKS: usize = 16 / $lanes * LINKS;
+                    let values = &values[..16 * VALUES];
+                    same(
+                        "poses of many in blocks",
+                        &[Block::<$R, $lanes>::splat([9.0; 8]); BLOCKS],
+                        |o| links::$of::blocks_link_poses($lanes, of, pv, 16 * VALUES, o, BLOCKS),
+                        |o| Backend::best().link_poses(wanted, values, o).unwrap(),
+                    );
+                }
+            }
+        }
+    };
+}
+agree!(single_eight, f32, single, 8);
+agree!(single_sixteen, f32, single, 16);
+agree!(double_four, f64, double, 4);
+agree!(double_eight, f64, double, 8);
