@@ -122,37 +122,59 @@ def of_an_arm(configurations: int) -> list[Job]:
     motions = offsets.as_dual_quat()
     axes = np.tile([0.0, 0, 1, 0, 0, 0], (joints, 1))
     angles = rng.uniform(-3, 3, size=(configurations, joints))
-    arm = dq8.Hierarchy([-1, *range(joints - 1)])
+    parents = [-1, *range(joints - 1)]
+    arm, chain = dq8.Mechanism(parents, "revolute", [0, 0, 1], motions), dq8.Hierarchy(parents)
+    angles32, tool = angles.astype(np.float32), joints - 1
     poses = np.empty((configurations, joints, 8))
+    columns = np.empty((configurations, joints, 6)).swapaxes(-1, -2)
 
-    def own() -> np.ndarray:
+    def by_hierarchy() -> np.ndarray:
         dq8.integrate_body(motions, axes, angles, out=poses)
-        return arm.local_to_model(poses, out=poses)
+        return chain.local_to_model(poses, out=poses)
 
-    contenders: dict[str, Callable[[], object]] = {"dq8": own}
+    forward: dict[str, Callable[[], object]] = {
+        "dq8": lambda: arm.poses(angles, out=poses),
+        "dq8 float32": lambda: arm.poses(angles32),
+        "dq8, the last link alone": lambda: arm.poses(angles, tool),
+        "dq8 Hierarchy": by_hierarchy,
+    }
+    jacobian: dict[str, Callable[[], object]] = {
+        "dq8": lambda: arm.jacobian(angles, tool, out=columns),
+        "dq8 float32": lambda: arm.jacobian(angles32, tool),
+    }
+    jobs = [
+        Job("arm of 7 joints, per configuration", configurations, forward),
+        Job("its Jacobian, per configuration", configurations, jacobian),
+    ]
     try:
         import pinocchio as pin
     except ImportError:
         print("pinocchio is not installed (pip install pin): the arm runs without it", file=sys.stderr)
-        return [Job("arm of 7 joints, per configuration", configurations, contenders)]
+        return jobs
     model = pin.Model()
     link = 0
     for j, matrix in enumerate(offsets.as_matrix()):
         link = model.addJoint(link, pin.JointModelRZ(), pin.SE3(matrix), f"joint {j}")
     data = model.createData()
-    # Both must compute the same.
-    matrices = dq8.to_matrix(own())
+    # All must compute the same.
+    ways = [dq8.to_matrix(way) for way in (arm.poses(angles), by_hierarchy())]
+    jacobians = arm.jacobian(angles, tool)
     for i in range(5):
-        pin.forwardKinematics(model, data, angles[i])
-        np.testing.assert_allclose(np.array(data.oMi[joints]), matrices[i, -1], rtol=0, atol=1e-12)
+        pin.computeJointJacobians(model, data, angles[i])
+        for matrices in ways:
+            np.testing.assert_allclose(np.array(data.oMi[joints]), matrices[i, -1], rtol=0, atol=1e-12)
+        # Linear first, there.
+        np.testing.assert_allclose(data.J[[3, 4, 5, 0, 1, 2]], jacobians[i], rtol=0, atol=1e-12)
 
-    def theirs() -> None:
-        forward = pin.forwardKinematics
+    def one_by_one(function: Callable[[object, object, np.ndarray], object]) -> None:
         for q in angles:
-            forward(model, data, q)
+            function(model, data, q)
 
-    contenders["pinocchio, in a loop"] = theirs
-    return [Job("arm of 7 joints, per configuration", configurations, contenders, {"pinocchio, in a loop": 20})]
+    loop = "pinocchio, in a loop"
+    forward[loop] = lambda: one_by_one(pin.forwardKinematics)
+    jacobian[loop] = lambda: one_by_one(pin.computeJointJacobians)
+    jobs[0].goals[loop] = 20
+    return jobs
 
 
 def of_single_calls() -> list[Job]:

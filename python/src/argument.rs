@@ -2,6 +2,8 @@
 
 use crate::output::Output;
 use dq8::Scalar;
+use dq8::mechanism::JointValues;
+use dq8::storage::Aos;
 use numpy::prelude::*;
 use numpy::{Element, PyArrayDyn, PyReadonlyArrayDyn, PyUntypedArray};
 use pyo3::exceptions::{PyTypeError, PyValueError};
@@ -10,7 +12,7 @@ use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyFloat, PyInt, PyTuple};
 
 /// A number that NumPy has too.
-pub(crate) trait Number: Scalar + Element {}
+pub(crate) trait Number: Scalar + Element + JointValues<Aos<Self>> {}
 impl Number for f32 {}
 impl Number for f64 {}
 

@@ -35,19 +35,7 @@ impl Hierarchy {
     #[new]
     #[pyo3(signature = (parents, /))]
     fn new(parents: &Bound<'_, PyAny>) -> PyResult<Self> {
-        let given: Vec<i64> = parents.extract().map_err(|_| {
-            PyTypeError::new_err("Expected `parents` to be a sequence of integers, −1 for a root.")
-        })?;
-        let parents = given.iter().map(|&parent| match parent {
-            -1 => Ok(dq8::Hierarchy::ROOT),
-            _ => u32::try_from(parent)
-                .ok()
-                .filter(|&parent| parent != dq8::Hierarchy::ROOT)
-                .ok_or(parent),
-        });
-        let parents: Vec<u32> = parents.collect::<Result<_, _>>().map_err(|parent| {
-            PyValueError::new_err(format!("`parents`: {parent} is neither a joint nor −1."))
-        })?;
+        let parents = parents_of(parents)?;
         dq8::Hierarchy::new(&parents)
             .map_err(|error| PyValueError::new_err(format!("`parents`: {error}")))?;
         Ok(Self { parents })
@@ -128,6 +116,23 @@ impl Hierarchy {
     ) -> Answer<'py> {
         self.run(Direction::ToLocal, "models", models, root, out)
     }
+}
+
+/// Parents as numbers of joints, −1 for a root.
+pub(crate) fn parents_of(parents: &Bound<'_, PyAny>) -> PyResult<Vec<u32>> {
+    let given: Vec<i64> = parents.extract().map_err(|_| {
+        PyTypeError::new_err("Expected `parents` to be a sequence of integers, −1 for a root.")
+    })?;
+    let parents = given.iter().map(|&parent| match parent {
+        -1 => Ok(dq8::Hierarchy::ROOT),
+        _ => u32::try_from(parent)
+            .ok()
+            .filter(|&parent| parent != dq8::Hierarchy::ROOT)
+            .ok_or(parent),
+    });
+    parents.collect::<Result<_, _>>().map_err(|parent| {
+        PyValueError::new_err(format!("`parents`: {parent} is neither a joint nor −1."))
+    })
 }
 
 #[derive(Clone, Copy)]

@@ -9,9 +9,12 @@ mod argument;
 mod blend;
 mod broadcast;
 mod call;
+mod configurations;
 mod functions;
 mod hierarchy;
+mod joints;
 mod law;
+mod mechanism;
 mod output;
 mod sweep;
 mod threads;
@@ -55,6 +58,8 @@ mod _core {
     };
     #[pymodule_export]
     use super::hierarchy::Hierarchy;
+    #[pymodule_export]
+    use super::mechanism::Mechanism;
     #[pymodule_export]
     use super::threads::{forget_threads, get_num_threads, set_num_threads};
 }

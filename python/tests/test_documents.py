@@ -66,11 +66,12 @@ def test_the_types_have_every_function_with_its_parameters():
         arguments = node.args
         own = [a.arg for a in arguments.posonlyargs + arguments.args + arguments.kwonlyargs]
         assert own == list(inspect.signature(function).parameters), name
-    assert list(declared) == ["Hierarchy"]
-    methods = {node.name for node in declared["Hierarchy"].body if isinstance(node, ast.FunctionDef)}
-    for name in vars(dq8.Hierarchy):
-        if not name.startswith("__"):
-            assert name in methods
+    assert list(declared) == ["Hierarchy", "Mechanism"]
+    for name, node in declared.items():
+        methods = {node.name for node in node.body if isinstance(node, ast.FunctionDef)}
+        for method in vars(getattr(dq8, name)):
+            if not method.startswith("__"):
+                assert method in methods, method
 
 
 def test_the_package_is_typed():

@@ -8,6 +8,8 @@ Functions take arrays ``(..., 8)``, broadcast leading dimensions, and compute in
 float32, otherwise in float64. Arrays that lie in memory one element after the other are read as they are;
 others are copied first. ``out=`` writes into an array that is there.
 
+`Mechanism` is a robot: joint values ``(..., values)`` to poses of links and Jacobians.
+
 `RigidTransform` wraps such an array in the methods of ``scipy.spatial.transform.RigidTransform``.
 
 Angles are radians, lengths the unit of the caller, ``a b`` lets b act first, matrices are for column vectors.
@@ -17,6 +19,7 @@ import os as _os
 
 from ._core import (
     Hierarchy,
+    Mechanism,
     adjoint,
     angle_to,
     backend,
@@ -61,6 +64,7 @@ __version__ = "0.1.0"
 
 __all__ = [
     "Hierarchy",
+    "Mechanism",
     "RigidTransform",
     "adjoint",
     "angle_to",

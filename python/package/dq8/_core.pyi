@@ -1,7 +1,8 @@
 """The compiled part: shapes, units and formulas are in the docstrings."""
 
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Iterable, Sequence
+from os import PathLike
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -67,4 +68,41 @@ class Hierarchy:
     ) -> _Floats: ...
     def model_to_local(
         self, models: ArrayLike, /, *, root: ArrayLike | None = None, out: _Floats | None = None
+    ) -> _Floats: ...
+
+class Mechanism:
+    def __new__(
+        cls,
+        parents: Sequence[int] | NDArray[np.integer[Any]],
+        kinds: str | Sequence[str],
+        axes: ArrayLike,
+        placements: ArrayLike,
+        /,
+        limits: ArrayLike | None = None,
+        links: Sequence[str] | None = None,
+    ) -> Mechanism: ...
+    @classmethod
+    def from_urdf(cls, source: str | PathLike[str], /) -> Mechanism: ...
+    @property
+    def links(self) -> list[str]: ...
+    @property
+    def joints(self) -> list[str | None]: ...
+    @property
+    def values(self) -> list[str]: ...
+    @property
+    def rates(self) -> list[str]: ...
+    @property
+    def limits(self) -> NDArray[np.float64]: ...
+    def __len__(self) -> int: ...
+    def poses(
+        self, values: ArrayLike, /, links: str | int | Iterable[str | int] | None = None, *, out: _Floats | None = None
+    ) -> _Floats: ...
+    def jacobian(
+        self,
+        values: ArrayLike,
+        /,
+        link: str | int,
+        frame: Literal["world", "body", "aligned"] = "world",
+        *,
+        out: _Floats | None = None,
     ) -> _Floats: ...

@@ -1,0 +1,146 @@
+//! The joints of a mechanism from arrays, and their names.
+
+use crate::argument::{Argument, Input, tuple};
+use crate::functions::core_shape::EIGHT;
+use dq8::DualQuat;
+use dq8::mechanism::{Joint, JointKind, OwnedMechanism};
+use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::prelude::*;
+
+const THREE: &[usize] = &[3];
+const TWO: &[usize] = &[2];
+
+/// What the arrays say of each joint, before it is checked.
+pub(crate) struct Arrays<'a, 'py> {
+    pub(crate) parents: &'a [u32],
+    pub(crate) kinds: &'a Bound<'py, PyAny>,
+    pub(crate) axes: &'a Bound<'py, PyAny>,
+    pub(crate) placements: &'a Bound<'py, PyAny>,
+    pub(crate) limits: Option<&'a Bound<'py, PyAny>>,
+}
+
+impl Arrays<'_, '_> {
+    /// The joints.
+    pub(crate) fn joints(&self) -> PyResult<Vec<Joint<f64>>> {
+        let count = self.parents.len();
+        let kinds = kinds(self.kinds, count)?;
+        let axes = rows::<3>("axes", THREE, self.axes, count)?;
+        let placements = rows::<8>("placements", EIGHT, self.placements, count)?;
+        let limits = match self.limits {
+            Some(limits) => rows::<2>("limits", TWO, limits, count)?,
+            None => vec![NO_LIMITS; count],
+        };
+        let mut joints = Vec::with_capacity(count);
+        for (index, &parent) in self.parents.iter().enumerate() {
+            let parent = (parent != dq8::Hierarchy::ROOT).then_some(parent as usize);
+            let kind = kind(&kinds[index], axes[index]).ok_or_else(|| {
+                PyValueError::new_err(format!(
+                    "Expected `kinds` to be of \"fixed\", \"revolute\", \"prismatic\", \"planar\" and \
+                     \"floating\", got {:?}.",
+                    kinds[index]
+                ))
+            })?;
+            let joint = Joint::new(parent, DualQuat::from_array(placements[index]), kind);
+            let none = limits[index] == NO_LIMITS;
+            joints.push(if none { joint } else { joint.with_limits(limits[index]) });
+        }
+        Ok(joints)
+    }
+}
+
+/// Where a joint without limits may go.
+pub(crate) const NO_LIMITS: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
+
+/// One kind for all joints, or one for each.
+fn kinds(given: &Bound<'_, PyAny>, count: usize) -> PyResult<Vec<String>> {
+    if let Ok(kind) = given.extract::<String>() {
+        return Ok(vec![kind; count]);
+    }
+    let kinds: Vec<String> = given.extract().map_err(|_| {
+        PyTypeError::new_err("Expected `kinds` to be a string, or a sequence of strings.")
+    })?;
+    if kinds.len() == count {
+        return Ok(kinds);
+    }
+    let message = format!("Expected `kinds` to have {count} elements, got {}.", kinds.len());
+    Err(PyValueError::new_err(message))
+}
+
+/// An array with one row for each joint, or one row for all.
+fn rows<const C: usize>(
+    name: &'static str,
+    core: &'static [usize],
+    value: &Bound<'_, PyAny>,
+    count: usize,
+) -> PyResult<Vec<[f64; C]>> {
+    let input = Input::<f64>::of(Argument { name, core, value })?;
+    match *input.full_leading() {
+        [] | [1] => Ok(input.records::<C>().repeat(count)),
+        [own] if own == count => Ok(input.filled(&[count])?.records::<C>().to_vec()),
+        _ => Err(PyValueError::new_err(format!(
+            "Expected `{name}` to have shape ({count}, {C}) or ({C},), got {}.",
+            tuple(&input.shape())
+        ))),
+    }
+}
+
+fn kind(name: &str, axis: [f64; 3]) -> Option<JointKind<f64>> {
+    Some(match name {
+        "fixed" => JointKind::Fixed,
+        "revolute" => JointKind::Revolute { axis },
+        "prismatic" => JointKind::Prismatic { axis },
+        "planar" => JointKind::Planar { normal: axis },
+        "floating" => JointKind::Floating,
+        _ => return None,
+    })
+}
+
+/// The kind of a joint as text, and its axis.
+pub(crate) fn name_and_axis(kind: JointKind<f64>) -> (&'static str, [f64; 3]) {
+    match kind {
+        JointKind::Revolute { axis } => ("revolute", axis),
+        JointKind::Prismatic { axis } => ("prismatic", axis),
+        JointKind::Planar { normal } => ("planar", normal),
+        JointKind::Floating => ("floating", [0.0; 3]),
+        _ => ("fixed", [0.0; 3]),
+    }
+}
+
+/// Names of all values and of all rates: those of the joints, with endings where a joint has several.
+pub(crate) fn values_and_rates(
+    joints: &[Joint<f64>],
+    names: &[Option<String>],
+) -> [Vec<String>; 2] {
+    let mut all = [Vec::new(), Vec::new()];
+    for (joint, name) in joints.iter().zip(names) {
+        let (Some(name), None) = (name, joint.mimic) else { continue };
+        let endings: [&[&str]; 2] = match joint.kind {
+            JointKind::Fixed => [&[], &[]],
+            JointKind::Planar { .. } => [&[".x", ".y", ".angle"]; 2],
+            JointKind::Floating => [
+                &[".qx", ".qy", ".qz", ".qw", ".x", ".y", ".z"],
+                &[".wx", ".wy", ".wz", ".vx", ".vy", ".vz"],
+            ],
+            _ => [&[""]; 2],
+        };
+        for (all, endings) in all.iter_mut().zip(endings) {
+            all.extend(endings.iter().map(|ending| format!("{name}{ending}")));
+        }
+    }
+    all
+}
+
+/// Least and largest of all values.
+pub(crate) fn limits(joints: &[Joint<f64>], mechanism: &OwnedMechanism<f64>) -> Vec<[f64; 2]> {
+    let view = mechanism.view();
+    let mut all = vec![NO_LIMITS; view.values()];
+    for (index, joint) in joints.iter().enumerate() {
+        // Of a joint that mimics, these are the values of another one.
+        if let (Some(limits), None, Some(range)) =
+            (joint.limits, joint.mimic, view.values_of(index))
+        {
+            all[range].fill(limits);
+        }
+    }
+    all
+}

@@ -1,0 +1,338 @@
+//! Mechanisms: from the values of joints to the poses of links.
+
+use crate::argument::{Argument, is_single};
+use crate::call::Answer;
+use crate::configurations::{Chosen, Frame, jacobian, poses};
+use crate::hierarchy::parents_of;
+use crate::joints::{Arrays, NO_LIMITS, limits, name_and_axis, values_and_rates};
+use dq8::mechanism::{Joint, MechanismError, OwnedMechanism};
+use dq8_urdf::Robot;
+use numpy::PyArray1;
+use numpy::prelude::*;
+use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyTuple, PyType};
+
+/// A tree of joints: a robot, from a URDF file or from arrays.
+///
+/// Link j is what joint j carries. A configuration is one array: the values of joint 0, then those of joint
+/// 1, and so on, as `values` names them. Angles are radians. Fixed joints have no value, revolute and
+/// prismatic ones have one, planar ones x, y and the angle, floating ones the rotation (qx, qy, qz, qw), of
+/// any length but zero, and the translation.
+///
+/// Parameters
+/// ----------
+/// parents : sequence of int, length n
+///     ``parents[j]`` is the link that carries link j, or −1 for the base. Parents come before their children.
+/// kinds : str or sequence of str, length n
+///     ``"fixed"``, ``"revolute"``, ``"prismatic"``, ``"planar"`` or ``"floating"``, for all or for each.
+/// axes : array_like, shape (n, 3) or (3,)
+///     Unit axes in the frames of the joints; normals of planar ones. Others do not read them.
+/// placements : array_like, shape (n, 8) or (8,)
+///     Unit dual quaternions: the pose of each link in its parent where the joint is at zero.
+/// limits : array_like, shape (n, 2) or (2,), optional
+///     The least and the largest value of each joint, ``[-inf, inf]`` for none. Nothing holds a joint to them.
+/// links : sequence of str, length n, optional
+///     Names of the links, and of their joints. By default their numbers.
+///
+/// Examples
+/// --------
+/// >>> import dq8, numpy as np
+/// >>> meter = dq8.from_translation([1.0, 0.0, 0.0])
+/// >>> arm = dq8.Mechanism([-1, 0, 1], ["revolute", "revolute", "fixed"], [0, 0, 1], meter)
+/// >>> tools = arm.poses([[0.0, 0.0], [0.0, np.pi / 2]], 2)
+/// >>> dq8.translation(tools).round(9) + 0.0
+/// array([[3., 0., 0.],
+///        [2., 1., 0.]])
+#[pyclass(frozen, module = "dq8")]
+#[derive(Debug)]
+pub(crate) struct Mechanism {
+    links: Vec<String>,
+    /// The root of a URDF file hangs on no joint.
+    joint_names: Vec<Option<String>>,
+    joints: Vec<Joint<f64>>,
+    double: OwnedMechanism<f64>,
+    /// Lengths may be beyond `f32`.
+    single: Result<OwnedMechanism<f32>, MechanismError>,
+    /// The text of the file.
+    urdf: Option<String>,
+}
+
+#[pymethods]
+impl Mechanism {
+    #[new]
+    #[pyo3(signature = (parents, kinds, axes, placements, /, limits=None, links=None))]
+    fn new(
+        parents: &Bound<'_, PyAny>,
+        kinds: &Bound<'_, PyAny>,
+        axes: &Bound<'_, PyAny>,
+        placements: &Bound<'_, PyAny>,
+        limits: Option<&Bound<'_, PyAny>>,
+        links: Option<Vec<String>>,
+    ) -> PyResult<Self> {
+        let parents = parents_of(parents)?;
+        let count = parents.len();
+        if count == 0 {
+            return Err(PyValueError::new_err("Expected `parents` to have an element at least."));
+        }
+        let links = links.unwrap_or_else(|| (0..count).map(|link| link.to_string()).collect());
+        if links.len() != count {
+            let message = format!("Expected `links` to have {count} names, got {}.", links.len());
+            return Err(PyValueError::new_err(message));
+        }
+        if let Some(twice) = links.iter().enumerate().find(|(i, name)| links[..*i].contains(name)) {
+            let message = format!("`links`: two have the name {:?}.", twice.1);
+            return Err(PyValueError::new_err(message));
+        }
+        let joints = Arrays { parents: &parents, kinds, axes, placements, limits }.joints()?;
+        let double = OwnedMechanism::new(&joints).map_err(value_error)?;
+        let single = OwnedMechanism::new(&joints.iter().map(Joint::cast).collect::<Vec<_>>());
+        let joint_names = links.iter().cloned().map(Some).collect();
+        Ok(Self { links, joint_names, joints, double, single, urdf: None })
+    }
+
+    /// A robot from a URDF file.
+    ///
+    /// Link 0 is the root, which has no joint and stands at the base; the others follow in the order of the
+    /// file as far as parents come first. Joints that mimic have no value of their own. What says where
+    /// links are and cannot be expressed is an error, never left out.
+    ///
+    /// Parameters
+    /// ----------
+    /// source : str or os.PathLike
+    ///     The file; or its text, if the first thing in it is ``<``.
+    ///
+    /// Returns
+    /// -------
+    /// Mechanism
+    #[classmethod]
+    #[pyo3(signature = (source, /))]
+    fn from_urdf(of: &Bound<'_, PyType>, source: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let text = match source.extract::<String>() {
+            Ok(text) if text.trim_start().starts_with('<') => text,
+            _ => read(of.py(), source)?,
+        };
+        let robot = Robot::from_urdf(&text).map_err(value_error)?;
+        let joints = robot.joints().to_vec();
+        Ok(Self {
+            links: robot.link_names().to_vec(),
+            joint_names: robot.joint_names().to_vec(),
+            double: OwnedMechanism::new(&joints).map_err(value_error)?,
+            single: robot.cast(),
+            joints,
+            urdf: Some(text),
+        })
+    }
+
+    /// The names of the links.
+    #[getter]
+    fn links(&self) -> Vec<String> {
+        self.links.clone()
+    }
+
+    /// The names of the joints: ``joints[j]`` carries ``links[j]``. The root of a URDF file has None.
+    #[getter]
+    fn joints(&self) -> Vec<Option<String>> {
+        self.joint_names.clone()
+    }
+
+    /// A name for each value of a configuration: that of the joint, with ``.x``, ``.y``, ``.angle`` for
+    /// planar joints and ``.qx``, ``.qy``, ``.qz``, ``.qw``, ``.x``, ``.y``, ``.z`` for floating ones.
+    #[getter]
+    fn values(&self) -> Vec<String> {
+        let [values, _] = values_and_rates(&self.joints, &self.joint_names);
+        values
+    }
+
+    /// A name for each rate, and column of a Jacobian: that of the value, but for floating joints ``.wx``,
+    /// ``.wy``, ``.wz``, ``.vx``, ``.vy``, ``.vz``, the body twist in the frame of the link.
+    #[getter]
+    fn rates(&self) -> Vec<String> {
+        let [_, rates] = values_and_rates(&self.joints, &self.joint_names);
+        rates
+    }
+
+    /// The least and the largest of each value, shape (values, 2); ``[-inf, inf]`` for none.
+    #[getter]
+    fn limits<'py>(&self, py: Python<'py>) -> Answer<'py> {
+        let limits = limits(&self.joints, &self.double);
+        let numbers = PyArray1::from_slice(py, limits.as_flattened());
+        Ok(numbers.reshape([limits.len(), 2])?.into_any())
+    }
+
+    /// How many links there are.
+    fn __len__(&self) -> usize {
+        self.links.len()
+    }
+
+    fn __repr__(&self) -> String {
+        let (links, values) = (self.links.len(), self.double.view().values());
+        format!("<dq8.Mechanism of {links} links, {values} values>")
+    }
+
+    fn __reduce__<'py>(
+        slf: &Bound<'py, Self>,
+    ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
+        let (py, own) = (slf.py(), slf.get());
+        if let Some(urdf) = &own.urdf {
+            return Ok((slf.get_type().getattr("from_urdf")?, PyTuple::new(py, [urdf])?));
+        }
+        let parents = own.joints.iter().map(|joint| joint.parent.map_or(-1, |it| it as i64));
+        let (kinds, axes): (Vec<_>, Vec<_>) =
+            own.joints.iter().map(|joint| name_and_axis(joint.kind)).unzip();
+        let placements = own.joints.iter().map(|joint| joint.placement.to_array());
+        let limits = own.joints.iter().map(|joint| joint.limits.unwrap_or(NO_LIMITS));
+        let arguments = (
+            parents.collect::<Vec<_>>(),
+            kinds,
+            axes,
+            placements.collect::<Vec<_>>(),
+            limits.collect::<Vec<_>>(),
+            own.links.clone(),
+        );
+        Ok((slf.get_type().into_any(), arguments.into_pyobject(py)?))
+    }
+
+    /// The poses of links, in the frame of the base.
+    ///
+    /// Parameters
+    /// ----------
+    /// values : array_like, shape (..., values)
+    ///     Configurations. Angles beyond 2¹⁷ radians (float32) or 2⁴⁶ (float64) give NaN.
+    /// links : str, int, or sequence of these, optional
+    ///     Which links. What carries none of them is not computed.
+    /// out : ndarray, optional
+    ///     Where to write the result.
+    ///
+    /// Returns
+    /// -------
+    /// ndarray, shape (..., links, 8), or (..., 8) for one link that is no sequence
+    ///     Unit dual quaternions.
+    #[pyo3(signature = (values, /, links=None, *, out=None))]
+    fn poses<'py>(
+        &self,
+        values: &Bound<'py, PyAny>,
+        links: Option<&Bound<'py, PyAny>>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> Answer<'py> {
+        let chosen = links.map(|links| self.chosen(links)).transpose()?;
+        let values = Argument { name: "values", core: &[], value: values };
+        if is_single(&[Some(values)])? {
+            poses(self.single()?, values, chosen, out)
+        } else {
+            poses(&self.double, values, chosen, out)
+        }
+    }
+
+    /// The Jacobian of a link: twist = J · rates.
+    ///
+    /// Parameters
+    /// ----------
+    /// values : array_like, shape (..., values)
+    ///     Configurations.
+    /// link : str or int
+    ///     Which link.
+    /// frame : {'world', 'body', 'aligned'}
+    ///     ``'world'``: the axes of the base, about its origin, the spatial twist (Lynch & Park, *Modern
+    ///     Robotics*, 2017, eq. 5.11). ``'body'``: the axes of the link, about its origin (eq. 5.18).
+    ///     ``'aligned'``: the axes of the base, about the origin of the link.
+    /// out : ndarray, optional
+    ///     Where to write the result. ``np.empty((..., rates, 6)).swapaxes(-1, -2)`` is written without a
+    ///     copy, and this is how new ones lie in memory.
+    ///
+    /// Returns
+    /// -------
+    /// ndarray, shape (..., 6, rates)
+    ///     Rows are ``[ωx, ωy, ωz, vx, vy, vz]``, angular first. Columns of joints that do not carry the
+    ///     link are zero.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import dq8
+    /// >>> meter = dq8.from_translation([1.0, 0.0, 0.0])
+    /// >>> arm = dq8.Mechanism([-1, 0], ["revolute", "fixed"], [0, 0, 1], meter)
+    /// >>> arm.jacobian([0.0], 1, 'aligned')[:, 0]
+    /// array([0., 0., 1., 0., 1., 0.])
+    #[pyo3(signature = (values, /, link, frame="world", *, out=None))]
+    fn jacobian<'py>(
+        &self,
+        values: &Bound<'py, PyAny>,
+        link: &Bound<'py, PyAny>,
+        frame: &str,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> Answer<'py> {
+        let frame = match frame {
+            "world" => Frame::World,
+            "body" => Frame::Body,
+            "aligned" => Frame::Aligned,
+            _ => {
+                return Err(PyValueError::new_err(format!(
+                    "Expected `frame` to be 'world', 'body' or 'aligned', got '{frame}'."
+                )));
+            }
+        };
+        let link = self.link("link", link)?;
+        let values = Argument { name: "values", core: &[], value: values };
+        if is_single(&[Some(values)])? {
+            jacobian(self.single()?, values, link, frame, out)
+        } else {
+            jacobian(&self.double, values, link, frame, out)
+        }
+    }
+}
+
+impl Mechanism {
+    fn single(&self) -> PyResult<&OwnedMechanism<f32>> {
+        self.single.as_ref().map_err(|error| {
+            PyValueError::new_err(format!("`values` are float32, for which {error}"))
+        })
+    }
+
+    fn chosen(&self, links: &Bound<'_, PyAny>) -> PyResult<Chosen> {
+        if is_link(links) {
+            return Ok(Chosen { links: vec![self.link("links", links)?], one: true });
+        }
+        let links = links.try_iter().map_err(|_| not_a_link("links", links))?;
+        let links = links.map(|link| self.link("links", &link?)).collect::<PyResult<_>>()?;
+        Ok(Chosen { links, one: false })
+    }
+
+    /// The number of a link, from its name or number; from the end where it is negative.
+    fn link(&self, argument: &str, link: &Bound<'_, PyAny>) -> PyResult<usize> {
+        if let Ok(name) = link.extract::<String>() {
+            return self.links.iter().position(|other| *other == name).ok_or_else(|| {
+                PyValueError::new_err(format!("`{argument}`: there is no link {name:?}."))
+            });
+        }
+        let index: i64 = link.extract().map_err(|_| not_a_link(argument, link))?;
+        let count = self.links.len();
+        let from_start = if index < 0 { index + count as i64 } else { index };
+        usize::try_from(from_start).ok().filter(|&link| link < count).ok_or_else(|| {
+            let message = format!("`{argument}`: there is no link {index} among {count}.");
+            PyValueError::new_err(message)
+        })
+    }
+}
+
+fn is_link(given: &Bound<'_, PyAny>) -> bool {
+    given.extract::<String>().is_ok() || given.extract::<i64>().is_ok()
+}
+
+fn not_a_link(argument: &str, given: &Bound<'_, PyAny>) -> PyErr {
+    let kind = given.get_type();
+    PyTypeError::new_err(format!(
+        "Expected `{argument}` to name links or their numbers, got {kind}."
+    ))
+}
+
+/// The text of a file.
+fn read(py: Python<'_>, path: &Bound<'_, PyAny>) -> PyResult<String> {
+    let path = py.import("pathlib")?.call_method1("Path", (path,))?;
+    let options = PyDict::new(py);
+    options.set_item("encoding", "utf-8-sig")?;
+    path.call_method("read_text", (), Some(&options))?.extract()
+}
+
+fn value_error(error: impl ToString) -> PyErr {
+    PyValueError::new_err(error.to_string())
+}
