@@ -5,6 +5,7 @@
 //! | [`lanes`] | [`Lanes`] and [`Mask`], what a kernel may ask of a vector of numbers; [`Float`], the number in a lane; [`Level`], the proof that the CPU can compute with it |
 //! | [`records`] | [`Records`]: transposes between vectors and records of numbers |
 //! | [`gather`] | [`Gather`]: records of a table, each lane from a row of its own |
+//! | [`picks`] | `CheckedIndices` and `Picks`: records of a table by indices that are checked once |
 //! | [`mod@portable`] | [`Portable`]: the lanes of the crate `wide`, with the instructions of the build target |
 //! | [`one`] | plain `f32` and `f64` as vectors of one lane |
 //! | [`square_root`] | the square root of one number, which `core` does not have |

@@ -32,8 +32,8 @@ impl Split {
 /// [`Linear`](super::Linear). `order` is that of the matrices given.
 ///
 /// # Errors
-/// If the slices differ in length, an element is not finite, or a last row is not 0 0 0 1. `palette` is then
-/// untouched.
+/// If the slices differ in length, an element of a matrix or of a product is not finite, or a last row is not
+/// 0 0 0 1. `palette` is then untouched.
 ///
 /// ```
 /// use dq8::MatrixOrder;
@@ -54,7 +54,12 @@ pub fn matrix_palette<R: Real>(
     same_length("inverse_binds", inverse_binds.len(), models.len())?;
     same_length("palette", palette.len(), models.len())?;
     let product = |joint: usize| -> Result<Affine<R>, SkinningError> {
-        Ok(affine(models[joint], order, joint)? * affine(inverse_binds[joint], order, joint)?)
+        let product =
+            affine(models[joint], order, joint)? * affine(inverse_binds[joint], order, joint)?;
+        match product.to_matrix3x4().into_iter().flatten().find(|value| !value.is_finite()) {
+            Some(value) => Err(SkinningError::NotFinite { joint, value: value.into() }),
+            None => Ok(product),
+        }
     };
     for joint in 0..models.len() {
         product(joint)?;

@@ -65,3 +65,15 @@ fn what_is_taken_apart_is_the_matrix_together_again() {
     let split = split_palette(&matrices[..2], &mut motions[..2], &mut stretches[..2]).unwrap();
     assert!(split.joint == 1 && (split.stretch - 1.0).abs() < 1e-14, "{split:?}");
 }
+
+#[test]
+fn a_product_that_overflows_is_refused() {
+    let mut large = [[0.0_f32; 4]; 4];
+    for i in 0..4 {
+        large[i][i] = if i < 3 { f32::MAX } else { 1.0 };
+    }
+    let mut palette = [[[7.0; 4]; 3]];
+    let error = matrix_palette(&[large], &[large], MatrixOrder::Rows, &mut palette);
+    assert_eq!(error, Err(SkinningError::NotFinite { joint: 0, value: f64::INFINITY }));
+    assert_eq!(palette, [[[7.0; 4]; 3]]);
+}

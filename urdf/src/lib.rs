@@ -38,7 +38,8 @@
 //!
 //! Link 0 of the mechanism is the root of the file, at the base; the others follow in the order of the file
 //! as far as parents come first. Masses, shapes and speeds have no place in a mechanism. What says where
-//! links are and cannot be expressed is an [error](UrdfError), never left out.
+//! links are and cannot be expressed is an [error](UrdfError), never left out. Elements and attributes that the
+//! format does not know, a misspelt one too, are not seen.
 #![forbid(unsafe_code)]
 
 mod error;

@@ -144,12 +144,28 @@ impl Robot {
     }
 }
 
+/// So many elements may stand inside each other; those of a robot need five.
+const DEEPEST: usize = 256;
+
 /// What the reader of URDF leaves out although it says where links are: attributes of later versions, and
 /// macros that nobody has expanded.
 fn refuse_unknown(text: &str) -> Result<(), UrdfError> {
-    let mut rest = text;
+    let (mut rest, mut depth) = (text, 0_usize);
     loop {
         let (before, comment) = rest.split_once("<!--").unwrap_or((rest, ""));
+        // The parser calls itself for each element inside another.
+        for tag in before.split('<').skip(1) {
+            match tag.chars().next() {
+                Some('/') => depth = depth.saturating_sub(1),
+                Some('!' | '?') | None => {}
+                Some(_) if tag.trim_end().ends_with("/>") => {}
+                Some(_) => depth += 1,
+            }
+            if depth > DEEPEST {
+                let what = format!("elements in each other, more than {DEEPEST} deep");
+                return Err(UrdfError::NotExpressed { what });
+            }
+        }
         for (unknown, what) in [
             ("quat_xyzw", "the attribute quat_xyzw of <origin>: write rpy"),
             ("<xacro:", "an element of xacro: expand the file first"),

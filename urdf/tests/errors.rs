@@ -97,3 +97,11 @@ fn a_file_that_is_not_there_is_named() {
     let error = Robot::from_file("no/such.urdf").unwrap_err();
     assert!(matches!(&error, UrdfError::Read { path, .. } if path == "no/such.urdf"));
 }
+
+/// The parser calls itself for each: it would run out of stack.
+#[test]
+fn elements_too_deep_in_each_other_are_refused() {
+    let text = format!("<robot name='r'>{}{}</robot>", "<x>".repeat(20_000), "</x>".repeat(20_000));
+    let error = Robot::from_urdf(&text).unwrap_err();
+    assert!(error.to_string().contains("256 deep"), "{error}");
+}
