@@ -35,9 +35,9 @@ impl<'c, K> Clip<'c, K> {
         self.frames
     }
 
-    /// The frame before the place `at`, in frames from the first, and how far it is to the next one, 0 to
-    /// 1. What lies outside the clip is its first or last frame; NaN stays NaN. A clip of one frame has no next one
-    /// ([`Sampled::new`] refuses it): give the frame twice.
+    /// The frame before the place `at`, in frames from the first, and how far it is to the next one, from 0
+    /// to 1 inclusive. What lies outside the clip is its first or last frame; NaN stays NaN. A clip of one
+    /// frame has no next one ([`Sampled::new`] refuses it): give the frame twice.
     ///
     /// ```
     /// use dq8::hierarchy::Clip;
