@@ -39,7 +39,9 @@ impl<L: Lanes> DualQuat<L> {
     #[inline(always)]
     #[must_use]
     pub fn point_error(self, other: Self, point: [L; 3]) -> L {
-        between(self.transform_point(point), other.transform_point(point))
+        // v itself is the same on both sides: it need not be added, nor rounded.
+        let two = point[0].constant(2.0);
+        between(self.displacement(point, two), other.displacement(point, two))
     }
 
     /// d + 2 r sin(θ/2), which bounds [`point_error`](Self::point_error) within the radius. The

@@ -73,18 +73,12 @@ impl<L: Lanes> DualQuat<L> {
     /// t + 2·half: the factor 2 is shared with a caller that adds something to the translation. It is
     /// 2/|p|² if σ is not unit.
     #[inline(always)]
-    fn translation_onto_half(self, half: [L; 3], two: L) -> [L; 3] {
+    pub(super) fn translation_onto_half(self, half: [L; 3], two: L) -> [L; 3] {
         let (p, q) = (self.real(), self.dual());
         // The vector part of qp*: w_p q − w_q p + p × q
         let onto = vector::scale_onto(q.xyz(), p.w(), half);
         let onto = vector::scale_onto(p.xyz(), -q.w(), onto);
         let sum = vector::cross_onto(p.xyz(), q.xyz(), onto);
         vector::scale(sum, two)
-    }
-
-    /// v + t + 2·half, for [`transform_point`](Self::transform_point).
-    #[inline(always)]
-    pub(super) fn moved_by_half(self, v: [L; 3], half: [L; 3], two: L) -> [L; 3] {
-        vector::add(v, self.translation_onto_half(half, two))
     }
 }

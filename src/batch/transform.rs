@@ -15,10 +15,16 @@ impl<L: Lanes> DualQuat<L> {
     /// The same for σ of any norm; `two` is 2/|p|². What q has along p moves nothing.
     #[inline(always)]
     pub(crate) fn transform_point_scaled(self, point: [L; 3], two: L) -> [L; 3] {
+        vector::add(point, self.displacement(point, two))
+    }
+
+    /// Rv + t − v, how far a point is moved.
+    #[inline(always)]
+    pub(super) fn displacement(self, point: [L; 3], two: L) -> [L; 3] {
         let (r, w) = (self.real().xyz(), self.real().w());
         // Rv = v + 2 r × (r × v + w v), and t = 2(…): both in one sum.
         let inner = vector::cross_onto(r, point, vector::scale(point, w));
-        self.moved_by_half(point, vector::cross(r, inner), two)
+        self.translation_onto_half(vector::cross(r, inner), two)
     }
 
     /// Rv; σ must be unit.

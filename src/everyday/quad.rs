@@ -45,8 +45,9 @@ pub(crate) fn point<F: Number>(motion: [F; 8], [x, y, z]: [F; 3]) -> Option<[F; 
 /// v + 2p × (p × v + wv)
 #[inline(always)]
 pub(crate) fn rotate<F: Number>(rotation: [F; 4], [x, y, z]: [F; 3]) -> Option<[F; 3]> {
-    // Two registers take as long as four numbers: of these, one in four is of no use here.
-    if F::REGISTERS != 1 {
+    // Two registers take as long as four numbers: of these, one in four is of no use here. And what lines are
+    // measured against is `f64`.
+    if !multiplies_in_a_register::<F>() {
         return None;
     }
     let p: F::Four = load(rotation);

@@ -219,7 +219,7 @@ operations! {
     distance_weighted(unit a, unit b, real s) -> length, scale::apart, [double(Clusters, Kept, &[
         within(9.0, "an angle, a distance and a root")])];
     point_error(unit a, unit b, vector v) -> length, scale::points_apart, [double(Clusters, Kept, &[
-        within(7.5, "two points of 14 u each at worst, but over |t| + |v|; 7.1 u where lanes fuse")])];
+        within(7.0, "two points of 14 u each at worst, but over |t| + |v|")])];
     shell_error(unit a, unit b, real radius) -> length, scale::points_apart, [double(Clusters, Kept, &[
         within(6.0, "as point_error")])];
     needs_renormalization(any a, real tolerance) -> mask, scale::one, [agrees(0.0, "a truth value")];

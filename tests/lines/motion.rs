@@ -60,7 +60,7 @@ fn motions_keep_the_dual_angle_and_move_the_perpendicular_in_f32() {
 
 #[test]
 fn motions_keep_the_dual_angle_and_move_the_perpendicular_in_f64() {
-    motions_keep_the_dual_angle_and_move_the_perpendicular::<f64>([6.0, 10.0, 12.0]);
+    motions_keep_the_dual_angle_and_move_the_perpendicular::<f64>([6.0, 10.0, 10.0]);
 }
 
 /// Skew, parallel, antiparallel: the screw about the common perpendicular by the dual angle.
