@@ -18,6 +18,10 @@ pub trait PoseSource<M: Layout, const C: usize>: Copy + Sealed {
     /// # Errors
     /// If they do not fit a skeleton of so many joints, or each other.
     fn shape(&self, joints: usize) -> Result<(&'static str, usize), ShapeError>;
+    /// How many instances there are, where that is known: blocks may have lanes without one.
+    fn instances(&self) -> Option<usize> {
+        None
+    }
     /// The poses of a slot.
     fn pose<V: Level>(self, level: V, slot: JointSlot) -> Option<[M::Register<V>; C]>;
     /// The poses of some of the instances (blocks).
@@ -128,7 +132,13 @@ where
         if self.weights.len().div_ceil(M::THINGS) != blocks {
             same_length("weights", self.weights.len(), blocks.saturating_mul(M::THINGS))?;
         }
+        for instances in [self.base.instances(), self.layer.instances()].into_iter().flatten() {
+            same_length("weights", self.weights.len(), instances)?;
+        }
         Ok((what, length))
+    }
+    fn instances(&self) -> Option<usize> {
+        Some(self.weights.len())
     }
     #[inline(always)]
     fn pose<V: Level>(self, level: V, slot: JointSlot) -> Option<[M::Register<V>; C]> {

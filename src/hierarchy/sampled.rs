@@ -123,6 +123,9 @@ where
         same_length("joints of the clip", self.clip.joints, joints)?;
         Ok(("frames", joints.saturating_mul(self.t.len().div_ceil(M::THINGS))))
     }
+    fn instances(&self) -> Option<usize> {
+        Some(self.t.len())
+    }
     #[inline(always)]
     fn pose<V: Level>(self, level: V, slot: JointSlot) -> Option<[M::Register<V>; C]> {
         let keys = K::plain(self.clip.keys)?;

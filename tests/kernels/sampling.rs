@@ -1,125 +1,18 @@
 //! Locals that are sampled from clips, blended and masked on their way into registers.
 
+use crate::laws::Reference;
 use crate::memory::{Memory, lay, read, round};
 use crate::records::assert_same_bits;
-use crate::scene::{SMALL, Scene, motions, step, walk};
-use dq8::hierarchy::{Clip, Layered, PoseSource, Sampled};
-use dq8::law::Law;
+use crate::scene::{SMALL, Scene, motions, walk};
+use dq8::hierarchy::{Clip, Layered, Sampled};
 use dq8::simd::Float;
 use dq8::storage::{AoSoA, Aos};
-use dq8::{
-    Backend, DualQuat, Hierarchy, Nlerp, Poses, Quat, Real, RotationsTranslations, Sclerp,
-    Separate, ShapeError,
-};
+use dq8::{Backend, DualQuat, Hierarchy, Nlerp, Poses, Real, Sclerp, Separate, ShapeError};
 use dq8_contract::bound::{unit_roundoff, within};
 use dq8_contract::random::Random;
 
 const JOINTS: usize = SMALL.len();
 const FRAMES: usize = 5;
-
-/// A law in words of the scalar reference.
-trait Reference<const C: usize>: Law<C> {
-    const LAW: Self;
-    type Stored<'a, L: Memory>: PoseSource<L, C>
-    where
-        L::Record<C>: 'a;
-    fn stored<L: Memory>(poses: &[L::Record<C>]) -> Self::Stored<'_, L>;
-    fn key(random: &mut Random) -> [f64; C];
-    fn between_by_the_book(a: [f64; C], b: [f64; C], t: f64) -> [f64; C];
-    fn add_by_the_book(base: [f64; C], delta: [f64; C], weight: f64) -> [f64; C];
-    fn as_motion(pose: [f64; C]) -> [f64; 8];
-}
-
-impl Reference<8> for Nlerp {
-    const LAW: Self = Self;
-    type Stored<'a, L: Memory>
-        = Poses<'a, L::Record<8>>
-    where
-        L::Record<8>: 'a;
-    fn stored<L: Memory>(poses: &[L::Record<8>]) -> Self::Stored<'_, L> {
-        Poses(poses)
-    }
-    fn key(random: &mut Random) -> [f64; 8] {
-        motions(random, 1)[0]
-    }
-    fn between_by_the_book(a: [f64; 8], b: [f64; 8], t: f64) -> [f64; 8] {
-        DualQuat::from_array(a).nlerp(DualQuat::from_array(b), t).to_array()
-    }
-    fn add_by_the_book(base: [f64; 8], delta: [f64; 8], weight: f64) -> [f64; 8] {
-        let step = DualQuat::IDENTITY.nlerp(DualQuat::from_array(delta), weight);
-        (DualQuat::from_array(base) * step).to_array()
-    }
-    fn as_motion(pose: [f64; 8]) -> [f64; 8] {
-        pose
-    }
-}
-
-impl Reference<8> for Sclerp {
-    const LAW: Self = Self;
-    type Stored<'a, L: Memory>
-        = Poses<'a, L::Record<8>>
-    where
-        L::Record<8>: 'a;
-    fn stored<L: Memory>(poses: &[L::Record<8>]) -> Self::Stored<'_, L> {
-        Poses(poses)
-    }
-    fn key(random: &mut Random) -> [f64; 8] {
-        motions(random, 1)[0]
-    }
-    fn between_by_the_book(a: [f64; 8], b: [f64; 8], t: f64) -> [f64; 8] {
-        DualQuat::from_array(a).sclerp(DualQuat::from_array(b), t).to_array()
-    }
-    fn add_by_the_book(base: [f64; 8], delta: [f64; 8], weight: f64) -> [f64; 8] {
-        (DualQuat::from_array(base) * DualQuat::from_array(delta).pow(weight)).to_array()
-    }
-    fn as_motion(pose: [f64; 8]) -> [f64; 8] {
-        pose
-    }
-}
-
-fn turn_and_shift([x, y, z, w, t @ ..]: [f64; 7]) -> (Quat<f64>, [f64; 3]) {
-    (Quat::from_xyzw(x, y, z, w), t)
-}
-
-fn seven(turn: Quat<f64>, [tx, ty, tz]: [f64; 3]) -> [f64; 7] {
-    let [x, y, z, w] = turn.to_array();
-    [x, y, z, w, tx, ty, tz]
-}
-
-/// By the shorter way.
-fn turned(a: Quat<f64>, b: Quat<f64>, t: f64) -> Quat<f64> {
-    let sign = if a.dot(b) < 0.0 { -1.0 } else { 1.0 };
-    let (a, b) = (a.to_array(), b.to_array());
-    Quat::from_array(std::array::from_fn(|i| (1.0 - t) * a[i] + sign * t * b[i])).normalize()
-}
-
-impl Reference<7> for Separate {
-    const LAW: Self = Self;
-    type Stored<'a, L: Memory>
-        = RotationsTranslations<'a, L::Record<7>>
-    where
-        L::Record<7>: 'a;
-    fn stored<L: Memory>(poses: &[L::Record<7>]) -> Self::Stored<'_, L> {
-        RotationsTranslations(poses)
-    }
-    fn key(random: &mut Random) -> [f64; 7] {
-        let step = step(random);
-        seven(Quat::from_axis_angle(step.axis, step.angle), step.shift)
-    }
-    fn between_by_the_book(a: [f64; 7], b: [f64; 7], t: f64) -> [f64; 7] {
-        let ((p, from), (q, to)) = (turn_and_shift(a), turn_and_shift(b));
-        seven(turned(p, q, t), std::array::from_fn(|i| (1.0 - t) * from[i] + t * to[i]))
-    }
-    fn add_by_the_book(base: [f64; 7], delta: [f64; 7], weight: f64) -> [f64; 7] {
-        let ((p, from), (q, step)) = (turn_and_shift(base), turn_and_shift(delta));
-        let turn = turned(Quat::IDENTITY, q, weight) * p;
-        seven(turn, std::array::from_fn(|i| from[i] + weight * step[i]))
-    }
-    fn as_motion(pose: [f64; 7]) -> [f64; 8] {
-        let (turn, shift) = turn_and_shift(pose);
-        DualQuat::from_rotation_translation(turn, shift).to_array()
-    }
-}
 
 /// Two clips, where each of so many instances is in them, and how they are layered.
 struct Animation<const C: usize> {
@@ -379,6 +272,24 @@ fn what_does_not_fit_is_named_and_nothing_is_written() {
         Err(ShapeError::NoParent { joint: 1, parent: 0 }),
     );
     assert_eq!((models, palette), (before, before));
+}
+
+/// Nine instances and ten weights fill as many blocks of eight.
+#[test]
+fn weights_of_other_instances_are_refused_though_they_fill_as_many_blocks() {
+    let hierarchy = Hierarchy::new(&SMALL).expect("parents come first");
+    let keys = [[0.0_f32; 8]; JOINTS * FRAMES];
+    let clip = Clip::new(JOINTS, &keys).expect("whole frames");
+    let sampled = Sampled::new(Nlerp, clip, &[0; 9], &[0.5; 9]).expect("it fits");
+    let mut models = dq8::Crowd::<f32, 8>::new(JOINTS, 9);
+    let before = models.clone();
+    let refused = Err(ShapeError::Length { what: "weights", length: 10, expected: 9 });
+    let stored = Poses(before.blocks());
+    let layer = Layered::blend(Nlerp, stored, sampled, &[0.5; 10]);
+    assert_eq!(hierarchy.job().locals_to_model(layer, models.blocks_mut()), refused);
+    let layer = Layered::add(Nlerp, sampled, stored, &[0.5; 10]);
+    assert_eq!(hierarchy.job().locals_to_model(layer, models.blocks_mut()), refused);
+    assert_eq!(models, before);
 }
 
 /// σ and −σ are the same key.

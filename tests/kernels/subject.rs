@@ -1,7 +1,8 @@
 //! [`Subject`]: the kernels over one layout, as functions of `f64` records.
 
+use crate::inputs::Inputs;
 use crate::memory::{Memory, lay, read, round};
-use crate::slices::{Inputs, Operation};
+use crate::slices::Operation;
 use core::marker::PhantomData;
 use core::ops::Range;
 use dq8::simd::Float;
