@@ -16,6 +16,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("shape", &[]),
     ("sine", &[]),
     ("geometry", &[]),
+    ("guide", &[]),
     ("motion", &["geometry"]),
     ("batch", &["error", "geometry", "motion", "dq8_simd"]),
     ("everyday", &["geometry", "batch", "dq8_simd"]),
