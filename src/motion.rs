@@ -101,10 +101,10 @@ motion! {
     /// sums, conjugates, `norm`, `normalize`, `inverse`, `nlerp` and `dlb` take any σ with p ≠ 0.
     ///
     /// No build checks it, debug builds included: a kernel never panics, and a test per motion would cost more than most
-    /// operations. A σ of norm 1 + δ gives results that are off by about 2δ, relatively; nothing else happens, and how they
+    /// operations. A σ of norm 1 + δ gives results that are off by up to about 2δ, relatively; nothing else happens, and how they
     /// are off far from 1 may differ between implementations. What comes from outside is checked where it comes in:
     /// `is_unit(tolerance)` and `is_normalized` test, `normalize` repairs, `try_from_matrix3x4` and its kin refuse, and
-    /// `ik`, `mechanism` and `skinning` return typed errors.
+    /// `ik` and `mechanism` refuse joints and targets that are not unit.
     ///
     /// Constructors and interpolations return unit motions. Each product adds about a rounding to the norm
     /// (`needs_renormalization`).
