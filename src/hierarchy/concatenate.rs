@@ -84,6 +84,9 @@ fn forward<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level, const K: usize
                     register,
                     *instance * E::Layout::THINGS + register * Register::<E, V, 8>::LANES,
                 );
+                // One comparison, the bounds check of this load, also tells roots from children. The root's
+                // model goes to memory, like that of a child: a value that two paths could have left in
+                // registers would be moved there on both.
                 let parent = Tile::at(parent as usize, register);
                 if let Some(parent) = motions(level, models, parent) {
                     let Some(model) = locals.onto(level, parent, models, slot) else { return };
@@ -91,10 +94,12 @@ fn forward<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level, const K: usize
                 } else {
                     root(level, run, *instance, locals, models, slot);
                 }
+                // The turn of this register ends: nothing of the next one may be begun before its store.
                 compiler_fence(Ordering::SeqCst);
                 if !renormalize && !X::ACTIVE {
                     continue;
                 }
+                // Read back, for the reason above; it is in the first cache.
                 let Some(mut model) = motions(level, models, slot.own_tile()) else { return };
                 if renormalize {
                     model = model.normalize();

@@ -98,6 +98,9 @@ fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
         let Some(&parent) = run.parents.get(joint) else { return };
         let (slot, parent) = (JointSlot::of_instances(joint, instance, joints), parent as usize);
         if parent < joint {
+            // The ring: the model of joint j is at j % RECENT until joint j + RECENT takes its place. A parent that
+            // is gone, or lies before the range and never was there, is loaded into the slot behind the ring. So the
+            // product has one source, memory at an index, whatever happened before it.
             let mut from = parent % RECENT;
             if joint - parent >= RECENT || parent < run.joints.start {
                 from = RECENT;
@@ -253,6 +256,9 @@ fn walk<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     let first = instance * joints;
     let lanes = E::Layout::records::<V>();
     let root = run.root_of(instance);
+    // Three stages over as many joints as there are lanes: make their locals, a joint per lane; multiply them onto
+    // their parents one after the other, each product using all lanes for its eight numbers; then the epilogue, a
+    // joint per lane again. Motions that lie in memory skip the first stage and are multiplied from where they are.
     let in_memory = locals.motions();
     let mut made = [identity(); MAX_LANES];
     for start in run.joints.clone().step_by(lanes) {

@@ -109,7 +109,8 @@ impl<R: Scalar, const N: usize> Kernel for Targets<'_, R, N> {
     #[inline(always)]
     fn run<V: Level>(self, level: V) {
         let lanes = R::Lanes::<V>::LANES;
-        // Lanes without a target have nothing to do.
+        // Lanes without a target have nothing to do: a target of NaN is invalid from the start, so it never runs, and the
+        // others do not wait for it.
         let nowhere = [R::NAN; 8];
         let records: &[[R; 8]] = bytemuck::must_cast_slice(self.targets);
         for ((targets, values), reports) in records
