@@ -46,7 +46,7 @@
 //! | [`interop`] | glam, nalgebra, serde and others, each behind a feature |
 //! | [`Lanes`], [`Level`], [`simd`] | vectors of numbers, and the proof that the CPU has them |
 //!
-//! The [guide](crate::guide) has pages: [choosing a layout](crate::guide::layout), [writing your own
+//! The [guide] has pages: [choosing a layout](crate::guide::layout), [writing your own
 //! kernel](crate::guide::kernel), [accuracy](crate::guide::accuracy), [firmware](crate::guide::firmware), and
 //! [coming from another library](crate::guide::migration).
 //!

@@ -17,9 +17,9 @@ const OVERLAPS: bool =
 /// Bytes of the first cache, or less, that instances side by side may fill.
 const CACHE: usize = 32 << 10;
 
-/// So many joints ahead the next ones are fetched. Crowds of 64 joints in place by 1024 take a tenth less
-/// time for it with AVX2 and a twentieth less with AVX-512; one block of 16, which never leaves the first
-/// cache, a twentieth more. Farther ahead is not faster, and from 8 on slower.
+/// How many joints ahead the loop prefetches. It saves 1024 skeletons of 64 joints in place a tenth of the time with
+/// AVX2 and a twentieth with AVX-512, and costs one block of 16, which never leaves the first cache, a twentieth.
+/// Farther ahead is not faster, and from 8 joints on it is slower.
 const AHEAD: usize = 2;
 
 /// Parents first. Three things keep this loop at the speed of its multiplications:
@@ -113,8 +113,7 @@ fn forward<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level, const K: usize
     }
 }
 
-/// The model of a joint without a parent. Not inlined: its registers would be missing where the work
-/// is.
+/// The model of a joint without a parent. Inlined, it would take registers from the children.
 #[cold]
 #[inline(never)]
 fn root<E: Element<8>, L: Locals<E>, V: Level>(

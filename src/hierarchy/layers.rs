@@ -1,4 +1,4 @@
-//! [`PoseSource`]: poses that are made on their way into a register, one layer from another.
+//! [`PoseSource`]: poses that are computed as they are loaded. Sources nest: a layer loads from other sources.
 
 use super::locals::sealed::Sealed;
 use super::locals::{Locals, Motions, Poses, RotationsTranslations, part_of};

@@ -2,7 +2,7 @@
 //!
 //! As many instances as there are lanes are computed together; what is left over, and single instances,
 //! one by one. Both do the same operations in the same order: the model of an instance is the same to the
-//! last bit, however many others stand around it.
+//! last bit, however many others are in the call.
 
 use super::locals::{Locals, Motions, motions};
 use super::palette::Epilogue;
@@ -182,8 +182,8 @@ fn normalize_lanes<E: Element<8>, V: Level>(
     );
 }
 
-/// One instance, one number to a register: memory is as near as anything else. And there is no other
-/// loop to agree with, so that rotations can be multiplied on as they are.
+/// One instance where a register holds one number. Models go through memory, since eight numbers would not stay in
+/// registers anyway. No other loop has to give the same bits here, so rotations are multiplied on as they are.
 #[inline(always)]
 fn alone<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     level: V,
