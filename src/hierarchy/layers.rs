@@ -65,6 +65,8 @@ impl<E: Element<7>> PoseSource<E::Layout, 7> for RotationsTranslations<'_, E> {
 
 /// A layer over other poses, by a weight for each instance and, where it is masked, for each joint.
 ///
+/// Debug builds need about 1.5 MiB of stack per layer: [the table](crate::guide::firmware#stack).
+///
 /// ```
 /// use dq8::hierarchy::Layered;
 /// use dq8::{DualQuat, Hierarchy, Nlerp, Poses};
