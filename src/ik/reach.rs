@@ -59,7 +59,7 @@ where
 
 impl Backend {
     /// [`Arm::reach`] for every target, as many at a time as there are lanes; `values[i]` and
-    /// `reports[i]` belong to `targets[i]`.
+    /// `reports[i]` belong to `targets[i]`. Debug builds need a deep stack: [the table](crate::guide::firmware#stack).
     ///
     /// # Errors
     /// If the slices differ in length; nothing is touched.
