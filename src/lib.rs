@@ -46,6 +46,10 @@
 //! | [`interop`] | glam, nalgebra, serde and others, each behind a feature |
 //! | [`Lanes`], [`Level`], [`simd`] | vectors of numbers, and the proof that the CPU has them |
 //!
+//! The [guide] has pages: [choosing a layout](crate::guide::layout), [writing your own
+//! kernel](crate::guide::kernel), [accuracy](crate::guide::accuracy), [firmware](crate::guide::firmware), and
+//! [coming from another library](crate::guide::migration).
+//!
 //! # Features
 //!
 //! | feature | default | what it does |
@@ -83,6 +87,9 @@ mod dispatch;
 mod error;
 mod everyday;
 mod geometry;
+// Pages, and no code: nothing that a build needs.
+#[cfg(any(doc, doctest))]
+pub mod guide;
 pub mod hierarchy;
 pub mod ik;
 mod incidence;
@@ -103,6 +110,11 @@ pub mod skinning;
 pub mod slices;
 pub mod storage;
 mod text;
+
+/// The front page is tested like the documentation.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
 
 /// The lanes' own crate: numbers, vectors and instruction sets, for kernels of your own.
 pub use dq8_simd as simd;

@@ -27,6 +27,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("operators", &["real", "geometry", "scalar", "representation"]),
     ("convert", &["real", "geometry", "scalar", "representation"]),
     ("text", &["real", "geometry", "scalar", "representation"]),
+    ("guide", &[]),
     ("interop", &["error", "real", "geometry", "scalar", "representation"]),
     ("dispatch", &["dq8_simd"]),
     ("storage", &["shape", "real", "geometry", "dq8_simd", "scalar", "dispatch"]),
