@@ -84,7 +84,6 @@ pub mod batch;
 mod convert;
 mod differentiate;
 mod dispatch;
-mod error;
 mod everyday;
 mod geometry;
 // Pages, and no code: nothing that a build needs.
@@ -124,20 +123,20 @@ pub use dispatch::{Backend, Kernel};
 pub use dq8_simd::{
     Float, Lanes, Level, Mask, Portable, f32x4, f32x8, f32x16, f64x2, f64x4, f64x8,
 };
-pub use error::{
-    HierarchyError, IncidenceError, InverseError, MatrixError, NormalizeError, OrthonormalError,
-};
 pub use geometry::{DualVector, Line, Mean, Plane, Screw, Twist, Wrench};
+pub use hierarchy::HierarchyError;
 #[cfg(feature = "alloc")]
 #[doc(inline)]
 pub use hierarchy::{Crowd, HierarchyPlan, Skeleton, Strategy};
 #[doc(inline)]
 pub use hierarchy::{Hierarchy, Job, Poses, Renormalize, Rotations, RotationsTranslations};
 pub use incidence::CommonPerpendicular;
+pub use incidence::IncidenceError;
 pub use law::{Nlerp, Sclerp, Separate};
 pub use motion::Motion;
 pub use palette_entry::{MatrixOrder, PaletteEntry};
 pub use real::{Real, Scalar};
+pub use representation::OrthonormalError;
 #[doc(inline)]
 pub use representation::{
     Affine, EulerAngles, EulerAxes, EulerFrame, EulerOrder, EulerSolution, Polar,
@@ -145,6 +144,7 @@ pub use representation::{
 };
 #[doc(inline)]
 pub use scalar::{Dual, DualQuat, Quat};
+pub use scalar::{InverseError, MatrixError, NormalizeError};
 pub use shape::ShapeError;
 #[doc(inline)]
 pub use storage::{Block, Element, PointBlock};

@@ -1,5 +1,5 @@
+use super::error::HierarchyError;
 use super::{Hierarchy, HierarchyPlan, Job};
-use crate::error::HierarchyError;
 use crate::shape::ShapeError;
 use crate::storage::Element;
 use alloc::boxed::Box;

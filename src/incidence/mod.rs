@@ -7,13 +7,14 @@
 //! rounding of unit vectors alone makes such a sine, and an answer divided by it would be noise.
 
 mod crossing;
+mod error;
 mod line;
 mod perpendicular;
 mod plane;
 
+pub use error::IncidenceError;
 pub use perpendicular::CommonPerpendicular;
 
-use crate::error::IncidenceError;
 use crate::real::Real;
 use crate::scalar::vector;
 

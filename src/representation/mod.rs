@@ -37,6 +37,7 @@
 mod affine;
 mod axis_angle;
 mod directions;
+mod error;
 mod euler_angles;
 mod euler_order;
 mod gram_schmidt;
@@ -45,6 +46,7 @@ mod rotation_translation;
 mod symmetric;
 
 pub use affine::Affine;
+pub use error::OrthonormalError;
 pub use euler_angles::{EulerAngles, EulerSolution};
 pub use euler_order::{EulerAxes, EulerFrame, EulerOrder};
 pub use gram_schmidt::gram_schmidt;

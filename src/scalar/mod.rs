@@ -8,6 +8,7 @@ mod blend;
 mod derivative;
 mod dual;
 mod dual_quat;
+mod error;
 mod jacobian;
 mod matrix;
 mod mean;
@@ -24,4 +25,5 @@ pub(crate) mod vector;
 
 pub use dual::Dual;
 pub use dual_quat::DualQuat;
+pub use error::{InverseError, MatrixError, NormalizeError};
 pub use quat::Quat;

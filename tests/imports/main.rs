@@ -12,23 +12,22 @@ use std::collections::BTreeSet;
 /// `scalar` and `batch` never see each other: the twins would share their bugs. What floats have of
 /// `everyday` comes to `scalar` through `Real` alone, so that there are numbers without it to test with.
 const MAY_IMPORT: &[(&str, &[&str])] = &[
-    ("error", &[]),
     ("shape", &[]),
     ("sine", &[]),
     ("geometry", &[]),
     ("motion", &["geometry"]),
-    ("batch", &["error", "geometry", "motion", "dq8_simd"]),
+    ("batch", &["geometry", "motion", "dq8_simd"]),
     ("everyday", &["geometry", "batch", "dq8_simd"]),
     ("real", &["geometry", "everyday", "dq8_simd", "sine"]),
-    ("scalar", &["error", "real", "geometry", "motion"]),
+    ("scalar", &["real", "geometry", "motion"]),
     ("differentiate", &["real", "scalar"]),
-    ("incidence", &["error", "real", "geometry", "scalar"]),
-    ("representation", &["error", "real", "geometry", "scalar"]),
+    ("incidence", &["real", "geometry", "scalar"]),
+    ("representation", &["real", "geometry", "scalar"]),
     ("operators", &["real", "geometry", "scalar", "representation"]),
     ("convert", &["real", "geometry", "scalar", "representation"]),
     ("text", &["real", "geometry", "scalar", "representation"]),
     ("guide", &[]),
-    ("interop", &["error", "real", "geometry", "scalar", "representation"]),
+    ("interop", &["real", "geometry", "scalar", "representation"]),
     ("dispatch", &["dq8_simd"]),
     ("storage", &["shape", "real", "geometry", "dq8_simd", "scalar", "dispatch"]),
     ("palette_entry", &["dq8_simd", "batch", "storage"]),
@@ -51,7 +50,6 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     (
         "skinning",
         &[
-            "error",
             "shape",
             "real",
             "dq8_simd",
@@ -63,7 +61,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
             "palette_entry",
         ],
     ),
-    ("ik", &["error", "shape", "real", "geometry", "dq8_simd", "scalar", "batch", "dispatch"]),
+    ("ik", &["shape", "real", "geometry", "dq8_simd", "scalar", "batch", "dispatch"]),
     (
         "mechanism",
         &["shape", "real", "geometry", "dq8_simd", "scalar", "batch", "dispatch", "storage"],
@@ -71,7 +69,6 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     (
         "hierarchy",
         &[
-            "error",
             "shape",
             "real",
             "geometry",
@@ -159,7 +156,9 @@ fn the_tables_keep_the_twins_apart_and_have_no_circle() {
 fn every_file_of_scalar_has_a_twin_in_batch_and_the_other_way_round() {
     let files = |folder: &str| -> BTreeSet<String> {
         let names = sources(folder).into_iter().map(|source| source.path);
-        names.map(|path| path.rsplit(['/', '\\']).next().unwrap().to_owned()).collect()
+        let names = names.map(|path| path.rsplit(['/', '\\']).next().unwrap().to_owned());
+        // Lanes answer with masks.
+        names.filter(|name| name != "error.rs").collect()
     };
     let (scalar, batch) = (files("src/scalar"), files("src/batch"));
     let alone: Vec<_> = scalar.difference(&batch).collect();
