@@ -24,8 +24,8 @@ impl<'a, A, B, R: Scalar> Mixed<'a, A, B, R> {
     /// If a share is not.
     pub fn new(a: A, b: B, shares: &'a [R]) -> Result<Self, SkinningError> {
         let outside = |&share: &R| !(R::ZERO <= share && share <= R::ONE);
-        match shares.iter().position(outside) {
-            Some(vertex) => Err(SkinningError::Share { vertex, value: shares[vertex].into() }),
+        match shares.iter().enumerate().find(|(_, share)| outside(share)) {
+            Some((vertex, &share)) => Err(SkinningError::Share { vertex, value: share.into() }),
             None => Ok(Self { a, b, shares }),
         }
     }

@@ -84,7 +84,7 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         }
         let joints = CheckedIndices::new(joints, palette).map_err(|index| {
             let (vertex, influence) = (index / influences, index % influences);
-            let joint = joints[index].into();
+            let joint = joints.get(index).map_or(0, |&joint| joint.into());
             SkinningError::JointOutOfRange { vertex, influence, joint, joints: palette }
         })?;
         let skin = Self { influences, joints, weights, implied };
