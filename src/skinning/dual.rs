@@ -47,8 +47,8 @@ pub struct DualSum<L> {
 impl<R: Scalar> Blender<R> for Dual<'_, R> {
     type Sum<L: Lanes<Real = R>> = DualSum<L>;
     type Map<L: Lanes<Real = R>> = ScaledMotion<L>;
-    const MOTIONS: bool = true;
-    const MATRICES: bool = false;
+
+    const WIDE: bool = true;
 
     fn check(&self, joints: usize, _: usize) -> Result<(), ShapeError> {
         same_length("motions", self.palette.len(), joints)
@@ -60,8 +60,11 @@ impl<R: Scalar> Blender<R> for Dual<'_, R> {
         influences: &mut Influences<'_, R, J>,
     ) -> Option<DualSum<L>> {
         let motions: &[[R; 8]] = bytemuck::must_cast_slice(self.palette);
-        let picked = settled(&influences.motions).of(motions)?;
-        let weights: [L; GROUP] = L::load_four(level, &settled(&influences.weights).0, 0)?;
+        let rows = influences.rows();
+        let picked = settled(&rows).of(motions)?;
+        let weights = influences.weights_in_place.unwrap_or(&influences.weights.0);
+        let weights = settled(weights);
+        let weights: [L; GROUP] = L::load_four(level, weights, 0)?;
         let mut real = [weights; GROUP];
         let mut influence = 0;
         while influence < GROUP {
@@ -80,7 +83,7 @@ impl<R: Scalar> Blender<R> for Dual<'_, R> {
             influence += 1;
         }
         if let Some(pivots) = &influences.pivots {
-            pivot = pivots.of(motions)?.quads(level, 0, 0);
+            pivot = pivots.rows().of(motions)?.quads(level, 0, 0);
         }
         let signed = toward(real, pivot, weights);
         let zero = total.constant(0.0);

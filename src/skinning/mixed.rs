@@ -71,8 +71,8 @@ impl<A: SurfaceMap<L>, B: SurfaceMap<L>, L: Lanes> SurfaceMap<L> for MixedMap<A,
 impl<R: Scalar, A: Blender<R>, B: Blender<R>> Blender<R> for Mixed<'_, A, B, R> {
     type Sum<L: Lanes<Real = R>> = (A::Sum<L>, B::Sum<L>);
     type Map<L: Lanes<Real = R>> = MixedMap<A::Map<L>, B::Map<L>, L>;
-    const MOTIONS: bool = A::MOTIONS || B::MOTIONS;
-    const MATRICES: bool = A::MATRICES || B::MATRICES;
+
+    const WIDE: bool = A::WIDE || B::WIDE;
 
     fn check(&self, joints: usize, vertices: usize) -> Result<(), ShapeError> {
         self.a.check(joints, vertices)?;
