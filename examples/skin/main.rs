@@ -77,7 +77,7 @@ fn run(args: &Args) -> Result<String, Error> {
             let to = directory.join(format!("pose-{index:03}.obj"));
             error::write(&to, &obj::text(time, &meshes, &posed))?;
         }
-        panels.push(drawing::Panel::of(format!("{time} s"), &meshes, &posed));
+        panels.push(drawing::Panel::of(format!("{time:.3} s"), &meshes, &posed));
     }
     if let Some(to) = &args.svg {
         error::write(to, &drawing::svg(&panels))?;
