@@ -114,7 +114,8 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
     /// How many vertices there are.
     #[must_use]
     pub fn vertices(&self) -> usize {
-        self.joints.indices().len() / self.influences
+        // Never zero, which a compiler that reads it from memory does not know.
+        self.joints.indices().len().checked_div(self.influences).unwrap_or(0)
     }
 
     /// How many influences every vertex has.
