@@ -6,6 +6,8 @@
 mod agree;
 #[path = "skinning/errors.rs"]
 mod errors;
+#[path = "skinning/interleaved.rs"]
+mod interleaved;
 #[path = "skinning/laws.rs"]
 mod laws;
 #[path = "skinning/palettes.rs"]

@@ -6,15 +6,17 @@
  * where q = tp/2. In a product a * b it is b that acts first. Angles are radians, lengths your unit.
  *
  * Names.    dq8_motion_NAME: one motion. dq8_mechanism_NAME: one configuration of a mechanism.
+ *           dq8_skin_NAME: a mesh.
  *           dq8_NAME: arrays of `count` things, plain. dq8_blocks_NAME: the same on blocks, the fastest
  *           way. Each for float (_f32) and for double (_f64).
  * Blocks.   A block has `lanes` things, component after component: with 8 lanes, the eight px, then
  *           the eight py, and so on. Its size is rounded up to whole 64 bytes (dq8_block_size).
  *           float has blocks of 8 and 16 lanes, double of 4 and 8.
  * Errors.   Every call returns a dq8_status. Whatever it is but DQ8_STATUS_OK, nothing was written,
- *           except the index `bad_joint`, and the steps that were to be a mechanism.
+ *           except the index `bad_joint` or `bad_vertex`, and the steps that were to be a mechanism.
  * Memory.   All of it is yours: the library allocates nothing, frees nothing, and keeps no pointer
- *           after it returns; a dq8_mechanism keeps one to its steps. A pointer may be null where the
+ *           after it returns; a dq8_mechanism keeps one to its steps, a dq8_skin two to its joints and
+ *           weights. A pointer may be null where the
  *           length of its array is 0.
  * Align.    That of the number type; blocks start at multiples of 64 bytes.
  * Aliasing. Inputs may overlap each other. An output overlaps nothing, unless a function says that it
@@ -136,6 +138,22 @@ enum dq8_status
    * The mechanism has not been made.
    */
   DQ8_STATUS_NO_MECHANISM = 22,
+  /**
+   * A vertex follows a joint that the palette does not have.
+   */
+  DQ8_STATUS_JOINT_OUT_OF_RANGE = 23,
+  /**
+   * A weight is negative or not finite.
+   */
+  DQ8_STATUS_WEIGHT = 24,
+  /**
+   * The weights of a vertex, which should sum to one, do not sum to about one.
+   */
+  DQ8_STATUS_WEIGHT_SUM = 25,
+  /**
+   * The skin has not been made.
+   */
+  DQ8_STATUS_NO_SKIN = 26,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -436,6 +454,62 @@ typedef struct dq8_joint_f64 {
    */
   double offset;
 } dq8_joint_f64;
+
+/**
+ * Which joints move the vertices of a mesh, and how much. It may be copied and moved; the joints and weights
+ * that it was made of must stay where they are, as they are.
+ */
+typedef struct dq8_skin_f32 {
+  /**
+   * How many vertices it has.
+   */
+  size_t vertices;
+  /**
+   * How many influences every vertex has. 0 in a skin that has not been made, if it was zeroed.
+   */
+  size_t influences;
+  /**
+   * How many joints its palettes have.
+   */
+  size_t joints;
+  /**
+   * What it was made of.
+   */
+  const uint16_t *joint_indices;
+  const float *weights;
+  /**
+   * Not for you.
+   */
+  const float *opaque[8];
+} dq8_skin_f32;
+
+/**
+ * Which joints move the vertices of a mesh, and how much. It may be copied and moved; the joints and weights
+ * that it was made of must stay where they are, as they are.
+ */
+typedef struct dq8_skin_f64 {
+  /**
+   * How many vertices it has.
+   */
+  size_t vertices;
+  /**
+   * How many influences every vertex has. 0 in a skin that has not been made, if it was zeroed.
+   */
+  size_t influences;
+  /**
+   * How many joints its palettes have.
+   */
+  size_t joints;
+  /**
+   * What it was made of.
+   */
+  const uint16_t *joint_indices;
+  const double *weights;
+  /**
+   * Not for you.
+   */
+  const double *opaque[8];
+} dq8_skin_f64;
 
 #ifdef __cplusplus
 extern "C" {
@@ -1227,6 +1301,184 @@ dq8_status dq8_motion_to_screw_f64(const double *motion, double *screw);
  * angle, slide.
  */
 dq8_status dq8_motion_from_screw_f64(const double *numbers, double *out);
+
+/**
+ * Checks which joints move each vertex and how much, once; the functions that pose the mesh then
+ * only compute. `joint_indices` and `weights` hold `influences` numbers of the first vertex, then
+ * those of the next; influences that a vertex does not have are any joint with weight 0. The skin
+ * keeps using both: they must stay where they are, as they are.
+ *
+ * DQ8_STATUS_JOINT_OUT_OF_RANGE, _WEIGHT or _WEIGHT_SUM; `bad_vertex`, which may be null, is set to
+ * that vertex. DQ8_STATUS_NO_INFLUENCES if `influences` is 0. The skin has then not been written.
+ */
+dq8_status dq8_skin_make_f32(size_t joint_count,
+                             size_t influences,
+                             const uint16_t *joint_indices,
+                             const float *weights,
+                             size_t vertices,
+                             struct dq8_skin_f32 *skin,
+                             size_t *bad_vertex);
+
+/**
+ * Poses a mesh by linear blends: each vertex by the weighted sum of `matrices`, the palette, twelve
+ * numbers a joint, row after row. Weights must sum to 1.
+ *
+ * `positions`, and `normals` and `tangents` if not null, hold three numbers a vertex; what becomes of
+ * them goes to `posed_positions`, `posed_normals` and `posed_tangents`, which must overlap nothing.
+ * `joint_count` and `vertices` are those of the skin, or it is DQ8_STATUS_LENGTH.
+ */
+dq8_status dq8_skin_linear_f32(const struct dq8_skin_f32 *skin,
+                               const float *matrices,
+                               size_t joint_count,
+                               const float *positions,
+                               const float *normals,
+                               const float *tangents,
+                               float *posed_positions,
+                               float *posed_normals,
+                               float *posed_tangents,
+                               size_t vertices);
+
+/**
+ * As dq8_skin_linear by dual quaternion blends: each vertex by the weighted sum of `motions`, the
+ * palette, normalized, each with the sign that turns it toward that of the greatest weight. Twists
+ * keep their volume.
+ */
+dq8_status dq8_skin_dual_f32(const struct dq8_skin_f32 *skin,
+                             const float *motions,
+                             size_t joint_count,
+                             const float *positions,
+                             const float *normals,
+                             const float *tangents,
+                             float *posed_positions,
+                             float *posed_normals,
+                             float *posed_tangents,
+                             size_t vertices);
+
+/**
+ * As dq8_skin_dual where joints scale or shear: before the motions come the weighted sums of
+ * `stretches`, matrices of twelve numbers a joint. dq8_skin_split makes both.
+ */
+dq8_status dq8_skin_stretched_f32(const struct dq8_skin_f32 *skin,
+                                  const float *motions,
+                                  const float *stretches,
+                                  size_t joint_count,
+                                  const float *positions,
+                                  const float *normals,
+                                  const float *tangents,
+                                  float *posed_positions,
+                                  float *posed_normals,
+                                  float *posed_tangents,
+                                  size_t vertices);
+
+/**
+ * A palette of matrices, `matrices[j] = models[j] * inverse_binds[j]`: from 4x4 matrices in `order`, one
+ * of enum dq8_matrix_order, to twelve numbers a joint, row after row.
+ *
+ * DQ8_STATUS_NOT_FINITE or _NOT_AFFINE if a matrix is.
+ */
+dq8_status dq8_skin_products_f32(const float *models,
+                                 const float *inverse_binds,
+                                 int32_t order,
+                                 float *matrices,
+                                 size_t joint_count);
+
+/**
+ * Takes the matrices of a palette apart into stretches and, after them, unit motions: what
+ * dq8_skin_stretched takes. DQ8_STATUS_NOT_FINITE if a number is not finite.
+ */
+dq8_status dq8_skin_split_f32(const float *matrices,
+                              float *motions,
+                              float *stretches,
+                              size_t joint_count);
+
+/**
+ * Checks which joints move each vertex and how much, once; the functions that pose the mesh then
+ * only compute. `joint_indices` and `weights` hold `influences` numbers of the first vertex, then
+ * those of the next; influences that a vertex does not have are any joint with weight 0. The skin
+ * keeps using both: they must stay where they are, as they are.
+ *
+ * DQ8_STATUS_JOINT_OUT_OF_RANGE, _WEIGHT or _WEIGHT_SUM; `bad_vertex`, which may be null, is set to
+ * that vertex. DQ8_STATUS_NO_INFLUENCES if `influences` is 0. The skin has then not been written.
+ */
+dq8_status dq8_skin_make_f64(size_t joint_count,
+                             size_t influences,
+                             const uint16_t *joint_indices,
+                             const double *weights,
+                             size_t vertices,
+                             struct dq8_skin_f64 *skin,
+                             size_t *bad_vertex);
+
+/**
+ * Poses a mesh by linear blends: each vertex by the weighted sum of `matrices`, the palette, twelve
+ * numbers a joint, row after row. Weights must sum to 1.
+ *
+ * `positions`, and `normals` and `tangents` if not null, hold three numbers a vertex; what becomes of
+ * them goes to `posed_positions`, `posed_normals` and `posed_tangents`, which must overlap nothing.
+ * `joint_count` and `vertices` are those of the skin, or it is DQ8_STATUS_LENGTH.
+ */
+dq8_status dq8_skin_linear_f64(const struct dq8_skin_f64 *skin,
+                               const double *matrices,
+                               size_t joint_count,
+                               const double *positions,
+                               const double *normals,
+                               const double *tangents,
+                               double *posed_positions,
+                               double *posed_normals,
+                               double *posed_tangents,
+                               size_t vertices);
+
+/**
+ * As dq8_skin_linear by dual quaternion blends: each vertex by the weighted sum of `motions`, the
+ * palette, normalized, each with the sign that turns it toward that of the greatest weight. Twists
+ * keep their volume.
+ */
+dq8_status dq8_skin_dual_f64(const struct dq8_skin_f64 *skin,
+                             const double *motions,
+                             size_t joint_count,
+                             const double *positions,
+                             const double *normals,
+                             const double *tangents,
+                             double *posed_positions,
+                             double *posed_normals,
+                             double *posed_tangents,
+                             size_t vertices);
+
+/**
+ * As dq8_skin_dual where joints scale or shear: before the motions come the weighted sums of
+ * `stretches`, matrices of twelve numbers a joint. dq8_skin_split makes both.
+ */
+dq8_status dq8_skin_stretched_f64(const struct dq8_skin_f64 *skin,
+                                  const double *motions,
+                                  const double *stretches,
+                                  size_t joint_count,
+                                  const double *positions,
+                                  const double *normals,
+                                  const double *tangents,
+                                  double *posed_positions,
+                                  double *posed_normals,
+                                  double *posed_tangents,
+                                  size_t vertices);
+
+/**
+ * A palette of matrices, `matrices[j] = models[j] * inverse_binds[j]`: from 4x4 matrices in `order`, one
+ * of enum dq8_matrix_order, to twelve numbers a joint, row after row.
+ *
+ * DQ8_STATUS_NOT_FINITE or _NOT_AFFINE if a matrix is.
+ */
+dq8_status dq8_skin_products_f64(const double *models,
+                                 const double *inverse_binds,
+                                 int32_t order,
+                                 double *matrices,
+                                 size_t joint_count);
+
+/**
+ * Takes the matrices of a palette apart into stretches and, after them, unit motions: what
+ * dq8_skin_stretched takes. DQ8_STATUS_NOT_FINITE if a number is not finite.
+ */
+dq8_status dq8_skin_split_f64(const double *matrices,
+                              double *motions,
+                              double *stretches,
+                              size_t joint_count);
 
 /**
  * `out[i] = a[i] * b[i]`: b acts first. `out` may be `a`.

@@ -9,6 +9,7 @@
 //! | [`hierarchy`] | joint hierarchies and skinning palettes, plain or in blocks |
 //! | [`joint`], [`mechanism`] | one configuration of a mechanism: poses of links, Jacobians |
 //! | [`links`] | poses of links for many configurations, plain or in blocks |
+//! | [`skinning`] | meshes that follow joints: skins, palettes, plain |
 //! | [`packing`] | between plain arrays and blocks |
 //!
 //! Each but the first two and `joint` has its functions twice: in `single` for `f32`, in `double` for `f64`. The
@@ -30,6 +31,7 @@ mod memory;
 pub mod motion;
 pub mod packing;
 pub mod screw;
+pub mod skinning;
 pub mod slices;
 pub mod status;
 

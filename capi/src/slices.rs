@@ -15,6 +15,17 @@ pub enum Order {
     Columns = 1,
 }
 
+impl Order {
+    /// What a number from C stands for.
+    pub(crate) fn known(order: i32) -> Result<MatrixOrder, Status> {
+        match order {
+            rows if rows == Self::Rows as i32 => Ok(MatrixOrder::Rows),
+            columns if columns == Self::Columns as i32 => Ok(MatrixOrder::Columns),
+            _ => Err(Status::UnknownValue),
+        }
+    }
+}
+
 /// # Safety
 /// As for [`from_to`], `b` as [`Input::slice`].
 unsafe fn mul<L: Layout>(
@@ -206,11 +217,7 @@ unsafe fn matrices<L: Layout, M: Copy>(
     count: usize,
     run: impl FnOnce(&[L::Record<8>], MatrixOrder, &mut [M]) -> Result<(), ShapeError>,
 ) -> Done {
-    let order = match order {
-        rows if rows == Order::Rows as i32 => MatrixOrder::Rows,
-        columns if columns == Order::Columns as i32 => MatrixOrder::Columns,
-        _ => return Err(Status::UnknownValue),
-    };
+    let order = Order::known(order)?;
     let (motions, out) =
         (Input::<L::Record<8>>::new(motions, count)?, Output::<M>::new(out, count)?);
     out.apart_from(&motions)?;

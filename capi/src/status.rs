@@ -56,10 +56,18 @@ pub enum Status {
     NoLink = 21,
     /// The mechanism has not been made.
     NoMechanism = 22,
+    /// A vertex follows a joint that the palette does not have.
+    JointOutOfRange = 23,
+    /// A weight is negative or not finite.
+    Weight = 24,
+    /// The weights of a vertex, which should sum to one, do not sum to about one.
+    WeightSum = 25,
+    /// The skin has not been made.
+    NoSkin = 26,
 }
 
 impl Status {
-    const ALL: [Self; 23] = [
+    const ALL: [Self; 27] = [
         Self::Ok,
         Self::NullPointer,
         Self::Misaligned,
@@ -83,6 +91,10 @@ impl Status {
         Self::Mimic,
         Self::NoLink,
         Self::NoMechanism,
+        Self::JointOutOfRange,
+        Self::Weight,
+        Self::WeightSum,
+        Self::NoSkin,
     ];
 
     pub(crate) fn of(done: Done) -> Self {
@@ -116,6 +128,10 @@ impl Status {
             Self::Mimic => c"a joint cannot mimic the one that it should",
             Self::NoLink => c"there is no such link",
             Self::NoMechanism => c"the mechanism has not been made",
+            Self::JointOutOfRange => c"a vertex follows a joint that there is not",
+            Self::Weight => c"a weight is negative or not finite",
+            Self::WeightSum => c"the weights of a vertex do not sum to one",
+            Self::NoSkin => c"the skin has not been made",
         }
     }
 }

@@ -1,7 +1,9 @@
 use crate::accessor::read;
+use crate::bones::{Bones, IDENTITY, affine};
 use crate::error::Error;
 use crate::mesh::Mesh;
 use crate::pose::{Animation, Local};
+use crate::uri;
 use dq8::Affine;
 use gltf::accessor::Dimensions;
 use gltf::buffer::Source;
@@ -26,17 +28,22 @@ impl File {
     }
 
     pub(crate) fn parse(path: &Path, bytes: &[u8]) -> Result<Self, Error> {
+        let fail = |error: gltf::Error| Error(error.to_string());
         let gltf::Gltf { document, mut blob } =
-            gltf::Gltf::from_slice(bytes).map_err(|error| Error(error.to_string()))?;
+            gltf::Gltf::from_slice_without_validation(bytes).map_err(fail)?;
+        let mut json = document.into_json();
+        // The crate gltf does not know that numbers of all types are read here.
+        json.extensions_required.retain(|name| name != "KHR_mesh_quantization");
+        let document = gltf::Document::from_json(json).map_err(fail)?;
         let mut buffers = Vec::new();
         for buffer in document.buffers() {
             let place = |what: String| Error(format!("buffer {}: {what}", buffer.index()));
             let bytes = match buffer.source() {
                 Source::Bin => blob.take().ok_or_else(|| place("the file has no bytes".into()))?,
-                Source::Uri(uri) => match uri.strip_prefix("data:") {
-                    Some(data) => base64(data).ok_or_else(|| place("bad base64".into()))?,
+                Source::Uri(uri) => match uri::data(uri) {
+                    Some(data) => data.map_err(|what| place(what.into()))?,
                     None => {
-                        let from = path.with_file_name(uri);
+                        let from = uri::file(uri, path).map_err(|what| place(what.into()))?;
                         std::fs::read(&from)
                             .map_err(|error| place(format!("{}: {error}", from.display())))?
                     }
@@ -107,28 +114,20 @@ impl File {
         Ok(worlds)
     }
 
-    /// The meshes that have a skin, in the order of nodes and primitives.
-    pub(crate) fn skinned_meshes(&self) -> Result<Vec<Mesh>, Error> {
+    /// The meshes of the scene, in the order of nodes and primitives. One without a skin follows its node.
+    pub(crate) fn meshes(&self) -> Result<Vec<Mesh>, Error> {
         let mut meshes = Vec::new();
-        for node in self.document.nodes() {
-            let (Some(mesh), Some(skin)) = (node.mesh(), node.skin()) else { continue };
-            let joints: Vec<_> = skin.joints().map(|joint| joint.index()).collect();
-            let at = |Error(what)| Error::at(&self.path, format!("skin {}: {what}", skin.index()));
-            let inverse_binds = match skin.inverse_bind_matrices() {
-                Some(accessor) => {
-                    read::<16>(&self.buffers, &accessor, Dimensions::Mat4).map_err(at)?
-                }
-                None => {
-                    let identity = |i: usize| if i.is_multiple_of(5) { 1.0 } else { 0.0 };
-                    vec![core::array::from_fn(identity); joints.len()]
-                }
+        let seen = self.seen();
+        for node in self.document.nodes().filter(|node| seen[node.index()]) {
+            let Some(mesh) = node.mesh() else { continue };
+            let bones = match node.skin() {
+                Some(skin) => self.bones(&skin).map_err(|Error(what)| {
+                    Error::at(&self.path, format!("skin {}: {what}", skin.index()))
+                })?,
+                None => Bones::node(node.index()),
             };
-            if inverse_binds.len() < joints.len() {
-                let (have, need) = (inverse_binds.len(), joints.len());
-                return Err(at(Error(format!("{have} inverse binds for {need} joints"))));
-            }
             for primitive in mesh.primitives() {
-                let read = Mesh::read(&self.buffers, &primitive, &joints, &inverse_binds);
+                let read = Mesh::read(&self.buffers, &primitive, &bones, node.skin().is_some());
                 let place = format!("mesh {}, primitive {}", mesh.index(), primitive.index());
                 meshes.push(
                     read.map_err(|Error(what)| Error::at(&self.path, format!("{place}: {what}")))?,
@@ -136,9 +135,44 @@ impl File {
             }
         }
         if meshes.is_empty() {
-            return Err(Error::at(&self.path, "no mesh has a skin"));
+            return Err(Error::at(&self.path, "its scene has no mesh"));
         }
         Ok(meshes)
+    }
+
+    fn bones(&self, skin: &gltf::Skin<'_>) -> Result<Bones, Error> {
+        let nodes: Vec<_> = skin.joints().map(|joint| joint.index()).collect();
+        let Some(accessor) = skin.inverse_bind_matrices() else {
+            return Ok(Bones { inverse_binds: vec![IDENTITY; nodes.len()], nodes });
+        };
+        let read = read::<16>(&self.buffers, &accessor, Dimensions::Mat4)?;
+        if read.len() < nodes.len() {
+            let (have, need) = (read.len(), nodes.len());
+            return Err(Error(format!("{have} inverse binds for {need} joints")));
+        }
+        let mut inverse_binds = Vec::new();
+        for (joint, matrix) in read[..nodes.len()].iter().enumerate() {
+            let columns = core::array::from_fn(|c| core::array::from_fn(|r| matrix[4 * c + r]));
+            let place = |Error(what)| Error(format!("inverse bind {joint}: {what}"));
+            inverse_binds.push(affine(columns).map_err(place)?);
+        }
+        Ok(Bones { nodes, inverse_binds })
+    }
+
+    /// For each node whether it is in the scene: the default one, or else the first; all nodes without scenes.
+    fn seen(&self) -> Vec<bool> {
+        let Some(scene) = self.document.default_scene().or_else(|| self.document.scenes().next())
+        else {
+            return vec![true; self.nodes.len()];
+        };
+        let mut seen = vec![false; self.nodes.len()];
+        for node in scene.nodes() {
+            seen[node.index()] = true;
+        }
+        for &(node, parent) in &self.order {
+            seen[node] |= parent.is_some_and(|parent| seen[parent]);
+        }
+        seen
     }
 }
 
@@ -171,26 +205,4 @@ fn order(document: &gltf::Document) -> Result<Vec<(usize, Option<usize>)>, Error
         Some(node) => Err(Error(format!("node {node} is an ancestor of itself, or below one"))),
         None => Ok(order),
     }
-}
-
-/// What comes after `;base64,` in a data URI.
-fn base64(data: &str) -> Option<Vec<u8>> {
-    let (_, text) = data.split_once(";base64,")?;
-    let (mut bytes, mut bits, mut held) = (Vec::new(), 0_u32, 0);
-    for letter in text.trim_end_matches('=').bytes() {
-        let value = match letter {
-            b'A'..=b'Z' => letter - b'A',
-            b'a'..=b'z' => letter - b'a' + 26,
-            b'0'..=b'9' => letter - b'0' + 52,
-            b'+' => 62,
-            b'/' => 63,
-            _ => return None,
-        };
-        (bits, held) = ((bits << 6 | u32::from(value)) & 0xff_ffff, held + 6);
-        if held >= 8 {
-            held -= 8;
-            bytes.push((bits >> held) as u8);
-        }
-    }
-    Some(bytes)
 }

@@ -5,13 +5,15 @@
 //! skin FILE.glb [--animation NAME] [--method lbs|dlb|mix=X] [--times T0,T1,…] [--obj DIR] [--svg OUT]
 //! ```
 //!
-//! FILE is a binary or textual glTF file with a skin. Its skinned meshes are posed in world space, at each time in
-//! seconds (by default four of the animation), in the order of nodes, primitives and vertices of the file.
+//! FILE is a binary or textual glTF file. The meshes of its scene are posed in world space, at each time in seconds (by
+//! default four of the animation), in the order of nodes, primitives and vertices of the file. A mesh with a skin
+//! follows its joints and not its own node (glTF 2.0, §3.7.3.3); one without follows its node.
 //! X is the share of `dlb`, the default method, in [0, 1].
 #![allow(clippy::print_stdout, reason = "a program")]
 
 mod accessor;
 mod args;
+mod bones;
 mod drawing;
 mod error;
 mod file;
@@ -22,6 +24,7 @@ mod sampler;
 #[cfg(test)]
 mod tests;
 mod tube;
+mod uri;
 
 use args::Args;
 use error::Error;
@@ -61,20 +64,20 @@ fn run(args: &Args) -> Result<String, Error> {
         std::fs::create_dir_all(directory).map_err(|error| Error::at(directory, error))?;
     }
     let mut report = String::new();
-    let (mut panels, skinned) = (Vec::new(), file.skinned_meshes()?);
+    let (mut panels, meshes) = (Vec::new(), file.meshes()?);
     for (index, &time) in times.iter().enumerate() {
         let worlds = file.worlds(&animation, time)?;
         let mut posed = Vec::new();
-        for mesh in &skinned {
+        for mesh in &meshes {
             posed.push(mesh.pose(&worlds, args.method)?);
         }
         let vertices: usize = posed.iter().map(Vec::len).sum();
         report += &format!("{time:8.3} s: {vertices} vertices, {}\n", mesh::bounds(&posed));
         if let Some(directory) = &args.obj {
             let to = directory.join(format!("pose-{index:03}.obj"));
-            error::write(&to, &obj::text(time, &skinned, &posed))?;
+            error::write(&to, &obj::text(time, &meshes, &posed))?;
         }
-        panels.push(drawing::Panel::of(format!("{time} s"), &skinned, &posed));
+        panels.push(drawing::Panel::of(format!("{time:.3} s"), &meshes, &posed));
     }
     if let Some(to) = &args.svg {
         error::write(to, &drawing::svg(&panels))?;

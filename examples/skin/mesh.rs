@@ -1,5 +1,6 @@
 use crate::accessor::read;
 use crate::args::Method;
+use crate::bones::Bones;
 use crate::error::Error;
 use dq8::skinning::{
     Linear, Mixed, Skin, SkinningError, Stretched, Surface, SurfaceMut, matrix_palette,
@@ -7,16 +8,14 @@ use dq8::skinning::{
 };
 use dq8::{Affine, Backend, DualQuat, MatrixOrder};
 use gltf::Semantic;
-use gltf::accessor::Dimensions;
+use gltf::accessor::{DataType, Dimensions};
 use gltf::mesh::Mode;
 
-/// A primitive with its skin.
+/// A primitive with its skin, or with its node as the only joint.
 #[derive(Debug)]
 pub(crate) struct Mesh {
     place: String,
-    /// Nodes.
-    joints: Vec<usize>,
-    inverse_binds: Vec<[[f64; 4]; 4]>,
+    bones: Bones,
     influences: usize,
     influence_joints: Vec<u16>,
     weights: Vec<f64>,
@@ -28,33 +27,15 @@ impl Mesh {
     pub(crate) fn read(
         buffers: &[Vec<u8>],
         primitive: &gltf::Primitive<'_>,
-        joints: &[usize],
-        inverse_binds: &[[f64; 16]],
+        bones: &Bones,
+        skinned: bool,
     ) -> Result<Self, Error> {
-        let get = |semantic: &Semantic| {
-            primitive.get(semantic).ok_or_else(|| Error(format!("no {semantic:?}")))
+        let positions = read(buffers, &get(primitive, &Semantic::Positions)?, Dimensions::Vec3)?;
+        let (influences, influence_joints, weights) = if skinned {
+            influences(buffers, primitive, positions.len())?
+        } else {
+            (1, vec![0; positions.len()], vec![1.0; positions.len()])
         };
-        let positions = read(buffers, &get(&Semantic::Positions)?, Dimensions::Vec3)?;
-        let sets = (0..).take_while(|&set| primitive.get(&Semantic::Joints(set)).is_some()).count();
-        let sets = u32::try_from(sets.max(1)).unwrap_or(1);
-        let influences = 4 * sets as usize;
-        let mut influence_joints = vec![0; influences * positions.len()];
-        let mut weights = vec![0.0; influences * positions.len()];
-        for set in 0..sets {
-            let of = read::<4>(buffers, &get(&Semantic::Joints(set))?, Dimensions::Vec4)?;
-            let by = read::<4>(buffers, &get(&Semantic::Weights(set))?, Dimensions::Vec4)?;
-            for (what, length) in [("JOINTS", of.len()), ("WEIGHTS", by.len())] {
-                if length != positions.len() {
-                    let need = positions.len();
-                    return Err(Error(format!("{length} {what}_{set} for {need} vertices")));
-                }
-            }
-            for (vertex, (of, by)) in of.into_iter().zip(by).enumerate() {
-                let at = vertex * influences + 4 * set as usize;
-                influence_joints[at..at + 4].copy_from_slice(&of.map(|joint| joint as u16));
-                weights[at..at + 4].copy_from_slice(&by);
-            }
-        }
         let indices = match primitive.indices() {
             Some(accessor) => read::<1>(buffers, &accessor, Dimensions::Scalar)?
                 .into_iter()
@@ -65,12 +46,9 @@ impl Mesh {
         if let Some(&index) = indices.iter().find(|&&index| index >= positions.len()) {
             return Err(Error(format!("index {index} of {} vertices", positions.len())));
         }
-        let columns =
-            |m: &[f64; 16]| core::array::from_fn(|c| core::array::from_fn(|r| m[4 * c + r]));
         let mesh = Self {
             place: format!("primitive {}", primitive.index()),
-            joints: joints.to_vec(),
-            inverse_binds: inverse_binds[..joints.len()].iter().map(columns).collect(),
+            bones: bones.clone(),
             influences,
             influence_joints,
             weights,
@@ -82,7 +60,7 @@ impl Mesh {
     }
 
     fn skin(&self) -> Result<Skin<'_, u16, f64>, SkinningError> {
-        Skin::new(self.joints.len(), self.influences, &self.influence_joints, &self.weights)
+        Skin::new(self.bones.nodes.len(), self.influences, &self.influence_joints, &self.weights)
     }
 
     /// The vertices in the world.
@@ -106,9 +84,9 @@ impl Mesh {
                 [rows[0][column], rows[1][column], rows[2][column], last]
             })
         };
-        let models: Vec<[[f64; 4]; 4]> = self.joints.iter().map(model).collect();
+        let models: Vec<[[f64; 4]; 4]> = self.bones.nodes.iter().map(model).collect();
         let mut palette = vec![[[0.0; 4]; 3]; models.len()];
-        matrix_palette(&models, &self.inverse_binds, MatrixOrder::Columns, &mut palette)?;
+        matrix_palette(&models, &self.bones.inverse_binds, MatrixOrder::Columns, &mut palette)?;
         let mut motions = vec![DualQuat::IDENTITY; models.len()];
         let mut stretches = palette.clone();
         split_palette(&palette, &mut motions, &mut stretches)?;
@@ -126,6 +104,45 @@ impl Mesh {
         }?;
         Ok(posed)
     }
+}
+
+fn get<'a>(
+    primitive: &gltf::Primitive<'a>,
+    semantic: &Semantic,
+) -> Result<gltf::Accessor<'a>, Error> {
+    primitive.get(semantic).ok_or_else(|| Error(format!("no {semantic:?}")))
+}
+
+/// How many influences a vertex has, of all their sets, the joints and the weights.
+fn influences(
+    buffers: &[Vec<u8>],
+    primitive: &gltf::Primitive<'_>,
+    vertices: usize,
+) -> Result<(usize, Vec<u16>, Vec<f64>), Error> {
+    let sets = (0..).take_while(|&set| primitive.get(&Semantic::Joints(set)).is_some()).count();
+    let sets = u32::try_from(sets.max(1)).unwrap_or(1);
+    let influences = 4 * sets as usize;
+    let mut joints = vec![0; influences * vertices];
+    let mut weights = vec![0.0; influences * vertices];
+    for set in 0..sets {
+        let joint = get(primitive, &Semantic::Joints(set))?;
+        if !matches!(joint.data_type(), DataType::U8 | DataType::U16) {
+            return Err(Error(format!("JOINTS_{set} of type {:?}", joint.data_type())));
+        }
+        let of = read::<4>(buffers, &joint, Dimensions::Vec4)?;
+        let by = read::<4>(buffers, &get(primitive, &Semantic::Weights(set))?, Dimensions::Vec4)?;
+        for (what, length) in [("JOINTS", of.len()), ("WEIGHTS", by.len())] {
+            if length != vertices {
+                return Err(Error(format!("{length} {what}_{set} for {vertices} vertices")));
+            }
+        }
+        for (vertex, (of, by)) in of.into_iter().zip(by).enumerate() {
+            let at = vertex * influences + 4 * set as usize;
+            joints[at..at + 4].copy_from_slice(&of.map(|joint| joint as u16));
+            weights[at..at + 4].copy_from_slice(&by);
+        }
+    }
+    Ok((influences, joints, weights))
 }
 
 fn triangles(mode: Mode, indices: &[usize]) -> Vec<[usize; 3]> {

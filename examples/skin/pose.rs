@@ -1,3 +1,4 @@
+use crate::bones::affine;
 use crate::error::Error;
 use crate::sampler::{Sampler, lerp, slerp};
 use dq8::{Affine, DualQuat, Quat};
@@ -82,11 +83,9 @@ impl Local {
         let place = |what: &str| Error(format!("node {}: {what}", node.index()));
         let local = match node.transform() {
             gltf::scene::Transform::Matrix { matrix } => {
-                // Columns.
-                let row = |row: usize| [0, 1, 2, 3].map(|column| f64::from(matrix[column][row]));
-                if row(3) != [0.0, 0.0, 0.0, 1.0] {
-                    return Err(place("the last row of its matrix is not 0 0 0 1"));
-                }
+                let columns = affine(matrix.map(|column| column.map(f64::from)))
+                    .map_err(|Error(what)| place(&format!("its matrix has {what}")))?;
+                let row = |row: usize| columns.map(|column| column[row]);
                 Self::Matrix(Affine::from_matrix3x4([row(0), row(1), row(2)]))
             }
             gltf::scene::Transform::Decomposed { translation, rotation, scale } => Self::Parts {

@@ -1,7 +1,7 @@
 use crate::args::Method;
 use crate::error::{Error, guarded};
 use crate::file::File;
-use crate::{obj, tube};
+use crate::{obj, tube, uri};
 use std::path::Path;
 
 /// A strip of two vertices per joint, built by hand: joint 1 lies one up from joint 0, and turns by 90° about z
@@ -84,7 +84,7 @@ fn posed(bytes: &[u8], time: f64, method: Method) -> Result<Vec<[f64; 3]>, Error
     let file = File::parse(Path::new("strip.glb"), bytes)?;
     let animation = file.animation(Some("turn"))?;
     let worlds = file.worlds(&animation, time)?;
-    let meshes = file.skinned_meshes()?;
+    let meshes = file.meshes()?;
     assert_eq!(meshes.len(), 1);
     let posed = meshes[0].pose(&worlds, method)?;
     let text = obj::text(time, &meshes, std::slice::from_ref(&posed));
@@ -116,6 +116,46 @@ fn a_strip_is_posed_as_by_hand() {
 }
 
 #[test]
+fn a_skinned_mesh_ignores_its_own_node_and_another_follows_it() {
+    let rest = posed(&glb(str::to_owned), 0.5, Method::Dual).unwrap();
+    let moved = r#""mesh":0,"translation":[0,7,0]"#;
+    let skinned = glb(|json| json.replace(r#""mesh":0"#, moved));
+    assert_eq!(posed(&skinned, 0.5, Method::Dual).unwrap(), rest);
+    let alone = glb(|json| json.replace(r#""mesh":0,"skin":0"#, moved));
+    let wanted = [[0.0, 7.0, 0.0], [0.0, 8.0, 0.0], [1.0, 9.0, 0.0]];
+    for method in [Method::Linear, Method::Dual, Method::Mix(0.5)] {
+        assert!(close(&posed(&alone, 0.5, method).unwrap(), &wanted));
+    }
+}
+
+#[test]
+fn rounding_in_last_rows_and_quantized_numbers_are_no_reason_to_refuse() {
+    let rest = posed(&glb(str::to_owned), 0.5, Method::Dual).unwrap();
+    let required = r#""extensionsRequired":["KHR_mesh_quantization"],"scene":0"#;
+    let quantized = glb(|json| json.replace(r#""scene":0"#, required));
+    assert_eq!(posed(&quantized, 0.5, Method::Dual).unwrap(), rest);
+    let matrix = "1,0,0,0,0,1,0,0,0,0,1,0,0,0,5,0.999999";
+    let node = format!(r#""matrix":[{matrix}]"#);
+    let rounded = glb(|json| json.replace(r#""translation":[0,0,5]"#, &node));
+    assert!(close(&posed(&rounded, 0.5, Method::Dual).unwrap(), &rest));
+}
+
+#[test]
+fn uris_hold_bytes_or_name_files_with_percent_signs() {
+    let of = Path::new("some/strip.gltf");
+    assert_eq!(uri::file("a%20b%c3%BC.bin", of).unwrap(), Path::new("some/a bü.bin"));
+    for broken in ["a%2", "a%", "%zz", "%ff", "https://a/b.bin"] {
+        assert!(uri::file(broken, of).is_err(), "{broken}");
+    }
+    for text in
+        ["data:application/octet-stream;base64,AAH/", "data:;base64,AAH/", "data:,%00%01%fF"]
+    {
+        assert_eq!(uri::data(text).unwrap().unwrap(), [0, 1, 255]);
+    }
+    assert!(uri::data("data:;base64,%").unwrap().is_err() && uri::data("a.bin").is_none());
+}
+
+#[test]
 fn bad_files_get_an_error_with_its_place() {
     for (from, to, wanted) in [
         (r#""children":[1]"#, r#""children":[0]"#, "node 0"),
@@ -123,7 +163,8 @@ fn bad_files_get_an_error_with_its_place() {
         (r#""bufferView":0,"count":3"#, r#""bufferView":0,"count":4"#, "accessor 0"),
         (r#""JOINTS_0":6,"#, "", "Joints"),
         (r#""skin":0"#, r#""skin":7"#, "skin"),
-        (r#""skin":0"#, r#""name":"s""#, "no mesh has a skin"),
+        (r#""nodes":[0,2]}]"#, r#""nodes":[0]}]"#, "no mesh"),
+        (r#""componentType":5121"#, r#""componentType":5120"#, "JOINTS_0 of type I8"),
         (r#""turn""#, r#""other""#, "other"),
         (
             r#""interpolation":"CUBICSPLINE""#,
@@ -154,7 +195,7 @@ fn bad_files_get_an_error_with_its_place() {
             let Ok(file) = file else { continue };
             let Ok(animation) = file.animation(None) else { continue };
             let Ok(worlds) = file.worlds(&animation, 0.3) else { continue };
-            for mesh in file.skinned_meshes().unwrap_or_default() {
+            for mesh in file.meshes().unwrap_or_default() {
                 let _ = mesh.pose(&worlds, Method::Mix(0.5));
             }
         }

@@ -260,6 +260,8 @@ pub trait Float:
     type Lanes<V: Level>: Lanes<Real = Self, Level = V>;
     /// The lanes that hold one record of eight of this number.
     type Packed<V: Level>: PackedDualQuat<Real = Self, Level = V, Array = [Self; 8]>;
+    /// The lanes that hold half a record of eight.
+    type Half<V: Level>: Lanes<Real = Self, Level = V, Array = [Self; 4]>;
     /// The nearest number of this type.
     fn from_f64(value: f64) -> Self;
 }
@@ -268,6 +270,7 @@ impl Float for f32 {
     const SINGLE: bool = true;
     type Lanes<V: Level> = V::Single;
     type Packed<V: Level> = V::F32x8;
+    type Half<V: Level> = V::F32x4;
     #[inline(always)]
     #[allow(clippy::cast_possible_truncation, reason = "rounding is the purpose")]
     fn from_f64(value: f64) -> Self {
@@ -279,6 +282,7 @@ impl Float for f64 {
     const SINGLE: bool = false;
     type Lanes<V: Level> = V::Double;
     type Packed<V: Level> = V::F64x8;
+    type Half<V: Level> = V::F64x4;
     #[inline(always)]
     fn from_f64(value: f64) -> Self {
         value
@@ -332,16 +336,6 @@ pub(crate) mod sealed {
 /// Products of such vectors serve where there is only one thing to compute at a time: a child waits
 /// for its parent. Two rearrangements are all that they need in addition to [`Lanes`].
 pub trait PackedDualQuat: Lanes {
-    /// The lower four lanes and the upper four, in two places. What is read again in halves must be written in
-    /// halves: CPUs forward a part of a store to a load late, or not at all.
-    #[inline(always)]
-    fn store_halves(self, lower: &mut [Self::Real; 4], upper: &mut [Self::Real; 4]) {
-        let array = self.to_array();
-        for (slot, &number) in lower.iter_mut().chain(upper).zip(array.as_ref()) {
-            *slot = number;
-        }
-    }
-
     /// What the components x, y, z and w of another quaternion multiply, in both halves: with these
     /// four columns, p·b = c₀b_x + c₁b_y + c₂b_z + c₃b_w.
     ///

@@ -1,5 +1,5 @@
-//! [`CheckedIndices`], checked once; [`Picks`]: which records of a table each lane takes by them; [`Picked`]:
-//! with that table.
+//! [`CheckedIndices`], checked once; [`PickRows`]: which records of a table each lane takes by them, in place or from
+//! [`Picks`]; [`Picked`]: with that table.
 
 use crate::lanes::{Lanes, MAX_LANES};
 use core::fmt::Debug;
@@ -8,7 +8,10 @@ use core::fmt::Debug;
 pub const GROUP: usize = 4;
 
 /// How an index lies in memory: `u8`, `u16` or `u32`. Sealed.
-pub trait Index: Copy + Debug + Into<u32> + Send + Sync + sealed::Sealed + 'static {}
+pub trait Index:
+    Copy + Debug + Default + Into<u32> + Send + Sync + sealed::Sealed + 'static
+{
+}
 impl Index for u8 {}
 impl Index for u16 {}
 impl Index for u32 {}
@@ -54,87 +57,86 @@ impl<'a, J: Index> CheckedIndices<'a, J> {
     pub fn bound(self) -> usize {
         self.bound
     }
+
+    /// The indices of as many lanes as any vector has, in place: four for each, from index `4 · first` on. `None` if
+    /// there are not as many.
+    #[inline(always)]
+    #[must_use]
+    pub fn in_place(self, first: usize) -> Option<PickRows<'a, J>> {
+        let rows = self.indices.as_chunks::<GROUP>().0.get(first..)?;
+        Some(PickRows { rows: rows.first_chunk()?, bound: self.bound })
+    }
 }
 
-/// Which records of `C` numbers each lane takes from a table, four of them.
-///
-/// Aligned like all that is written and read in pieces: what crosses a cache line takes a detour.
+/// Indices for each lane in memory of their own: for lanes whose indices do not lie in order.
 #[derive(Clone, Debug)]
-#[repr(align(64))]
-pub struct Picks<'a, J, const C: usize> {
-    /// Where the records begin, counted in numbers: indices times `C`.
-    offsets: [[u32; GROUP]; MAX_LANES],
+pub struct Picks<'a, J> {
+    rows: [[J; GROUP]; MAX_LANES],
     checked: CheckedIndices<'a, J>,
 }
 
-impl<'a, J: Index, const C: usize> Picks<'a, J, C> {
+impl<'a, J: Index> Picks<'a, J> {
     /// The first record for all lanes.
     #[inline(always)]
     #[must_use]
     pub fn new(checked: CheckedIndices<'a, J>) -> Self {
-        const { assert!(4 <= C && C <= 16) };
-        Self { offsets: [[0; GROUP]; MAX_LANES], checked }
-    }
-
-    /// The first `lanes` lanes take four indices each, in order, from index `4 · first` on. If there are not as
-    /// many, nothing changes.
-    #[inline(always)]
-    pub fn set_rows(&mut self, first: usize, lanes: usize) {
-        let rows = self.checked.indices.as_chunks::<GROUP>().0.get(first..);
-        let Some(rows) = rows.and_then(|rows| rows.get(..lanes)) else { return };
-        let lanes = lanes.min(MAX_LANES);
-        let mut lane = 0;
-        while lane < lanes {
-            let [a, b, c, d] = rows[lane];
-            let mut row = [a.into(), b.into(), c.into(), d.into()];
-            let mut which = 0;
-            while which < GROUP {
-                row[which] *= C as u32;
-                which += 1;
-            }
-            self.offsets[lane] = row;
-            lane += 1;
-        }
+        Self { rows: [[J::default(); GROUP]; MAX_LANES], checked }
     }
 
     /// A lane takes the index at `position` as one of its own; the first record if there is no such index.
     #[inline(always)]
     pub fn set(&mut self, lane: usize, which: usize, position: usize) {
-        if let Some(offset) = self.offsets.get_mut(lane).and_then(|row| row.get_mut(which)) {
-            let index = self.checked.indices.get(position);
-            *offset = index.map_or(0, |&index| index.into() * C as u32);
+        if let Some(slot) = self.rows.get_mut(lane).and_then(|row| row.get_mut(which)) {
+            *slot = self.checked.indices.get(position).copied().unwrap_or_default();
         }
     }
 
+    /// The indices.
+    #[inline(always)]
+    #[must_use]
+    pub fn rows(&self) -> PickRows<'_, J> {
+        PickRows { rows: &self.rows, bound: self.checked.bound }
+    }
+}
+
+/// Four indices for each lane, none of them beyond a bound, if that is not zero.
+#[derive(Clone, Copy, Debug)]
+pub struct PickRows<'a, J> {
+    rows: &'a [[J; GROUP]; MAX_LANES],
+    bound: usize,
+}
+
+impl<'a, J: Index> PickRows<'a, J> {
     /// In `table`, if it has all those records.
     #[inline(always)]
     #[must_use]
-    pub fn of<'t, R>(&'t self, table: &'t [[R; C]]) -> Option<Picked<'t, R, C>> {
-        let fits = !table.is_empty() && self.checked.bound <= table.len();
-        fits.then_some(Picked { offsets: &self.offsets, table })
+    pub fn of<'t, R, const C: usize>(self, table: &'t [[R; C]]) -> Option<Picked<'a, 't, J, R, C>> {
+        let fits = !table.is_empty() && self.bound <= table.len();
+        fits.then_some(Picked { rows: self.rows, table })
     }
 }
 
 /// Records of a table, four for each lane, with all indices checked.
+///
+/// Indices are read where they lie, number by number, by the instructions that find addresses: offsets that a vector
+/// multiplied and stored before took a third longer.
 #[derive(Clone, Copy, Debug)]
-pub struct Picked<'a, R, const C: usize> {
-    offsets: &'a [[u32; GROUP]; MAX_LANES],
-    table: &'a [[R; C]],
+pub struct Picked<'p, 't, J, R, const C: usize> {
+    rows: &'p [[J; GROUP]; MAX_LANES],
+    table: &'t [[R; C]],
 }
 
-impl<'a, R, const C: usize> Picked<'a, R, C> {
+impl<'t, J: Index, R, const C: usize> Picked<'_, 't, J, R, C> {
     /// One of the records of a lane.
     ///
     /// # Panics
     /// If there is no such lane, or `which` is not below four.
     #[inline(always)]
     #[must_use]
-    pub fn record(&self, lane: usize, which: usize) -> &'a [R; C] {
-        let offset = self.offsets[lane][which] as usize;
-        let first = self.table.as_flattened().as_ptr();
-        // SAFETY: a record of the table. Offsets are 0 or `C` times a checked index, below a bound that the table has
-        // and that is small enough for `u32`.
-        unsafe { &*first.add(offset).cast() }
+    pub fn record(&self, lane: usize, which: usize) -> &'t [R; C] {
+        let index = self.rows[lane][which].into() as usize;
+        // SAFETY: a checked index is below a bound that the table has; others are 0, and the table has a record.
+        unsafe { self.table.get_unchecked(index) }
     }
 
     /// Transposes on the way in: component `c` of record `which` of lane `i` becomes lane `i` of vector `c`,
@@ -145,17 +147,18 @@ impl<'a, R, const C: usize> Picked<'a, R, C> {
     #[inline(always)]
     #[must_use]
     pub fn quads<L: Lanes<Real = R>>(&self, level: L::Level, which: usize, from: usize) -> [L; 4] {
-        // `C` is at least four; `from + 4` may wrap.
+        const { assert!(4 <= C) };
+        // `from + 4` may wrap.
         assert!(from <= C - 4 && which < GROUP, "no such components");
         let first = self.table.as_flattened().as_ptr();
-        // SAFETY: each offset is that of a record of the table, as in `record`, of which four numbers begin at
+        // SAFETY: each index is that of a record of the table, as in `record`, of which four numbers begin at
         // `from`; there are as many as any register has lanes.
         unsafe {
             L::load_quads(
                 level,
                 first.add(from),
                 #[inline(always)]
-                |lane| self.offsets[lane][which] as usize,
+                |lane| self.rows[lane][which].into() as usize * C,
             )
         }
     }

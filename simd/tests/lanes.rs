@@ -349,6 +349,7 @@ fn components_beyond_every_record_are_refused_and_not_read() {
 #[should_panic(expected = "no such components")]
 fn picked_components_beyond_every_record_are_refused_and_not_read() {
     let checked = CheckedIndices::new(&[0_u8; 4], 1).unwrap();
-    let picks = Picks::<u8, 8>::new(checked);
-    let _: [f32x4; 4] = picks.of(&[[1.0_f32; 8]]).unwrap().quads(Portable, 0, usize::MAX - 3);
+    let picks = Picks::new(checked);
+    let _: [f32x4; 4] =
+        picks.rows().of(&[[1.0_f32; 8]]).unwrap().quads(Portable, 0, usize::MAX - 3);
 }

@@ -53,10 +53,12 @@ struct Turn<R> {
 
 impl<R: Real> Turn<R> {
     fn columns_of(&self, matrix: &mut [[R; 4]; 4]) {
+        // Below four in any case; so no code for indices beyond is left where this is not inlined.
+        let (p, q) = (self.p & 3, self.q & 3);
         for row in matrix {
-            let (x, y) = (row[self.p], row[self.q]);
-            row[self.p] = self.cosine * x - self.sine * y;
-            row[self.q] = self.sine * x + self.cosine * y;
+            let (x, y) = (row[p], row[q]);
+            row[p] = self.cosine * x - self.sine * y;
+            row[q] = self.sine * x + self.cosine * y;
         }
     }
 }

@@ -12,10 +12,8 @@ pub trait Blender<R: Scalar>: Copy {
     /// What the sum does.
     type Map<L: Lanes<Real = R>>: SurfaceMap<L>;
 
-    /// Whether it has a palette of motions.
-    const MOTIONS: bool;
-    /// Whether it has a palette of matrices.
-    const MATRICES: bool;
+    /// Whether it gains from AVX-512.
+    const WIDE: bool;
 
     /// Whether palettes have `joints` entries, and what is per vertex fits `vertices`.
     ///

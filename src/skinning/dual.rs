@@ -47,8 +47,8 @@ pub struct DualSum<L> {
 impl<R: Scalar> Blender<R> for Dual<'_, R> {
     type Sum<L: Lanes<Real = R>> = DualSum<L>;
     type Map<L: Lanes<Real = R>> = ScaledMotion<L>;
-    const MOTIONS: bool = true;
-    const MATRICES: bool = false;
+
+    const WIDE: bool = true;
 
     fn check(&self, joints: usize, _: usize) -> Result<(), ShapeError> {
         same_length("motions", self.palette.len(), joints)
@@ -60,18 +60,17 @@ impl<R: Scalar> Blender<R> for Dual<'_, R> {
         influences: &mut Influences<'_, R, J>,
     ) -> Option<DualSum<L>> {
         let motions: &[[R; 8]] = bytemuck::must_cast_slice(self.palette);
-        // Four influences at a time. The real parts are needed twice, for the signs and for the sum, and fill sixteen
-        // registers; the dual parts are loaded after the signs are known, and go straight into the sum.
-        let picked = settled(&influences.motions).of(motions)?;
-        let weights: [L; GROUP] = L::load_four(level, &settled(&influences.weights).0, 0)?;
+        let rows = influences.rows();
+        let picked = settled(&rows).of(motions)?;
+        let weights = influences.weights_in_place.unwrap_or(&influences.weights.0);
+        let weights = settled(weights);
+        let weights: [L; GROUP] = L::load_four(level, weights, 0)?;
         let mut real = [weights; GROUP];
         let mut influence = 0;
         while influence < GROUP {
             real[influence] = picked.quads(level, influence, 0);
             influence += 1;
         }
-        // The pivot: the real part of the joint of greatest weight. With more than four influences it may be in another
-        // group; `pivots` then names it for every vertex.
         let mut pivot = real[0];
         let (mut greatest, mut total) = (weights[0], weights[0]);
         influence = 1;
@@ -84,7 +83,7 @@ impl<R: Scalar> Blender<R> for Dual<'_, R> {
             influence += 1;
         }
         if let Some(pivots) = &influences.pivots {
-            pivot = pivots.of(motions)?.quads(level, 0, 0);
+            pivot = pivots.rows().of(motions)?.quads(level, 0, 0);
         }
         let signed = toward(real, pivot, weights);
         let zero = total.constant(0.0);
@@ -146,8 +145,7 @@ fn toward<L: Lanes>(real: [[L; 4]; GROUP], pivot: [L; 4], weights: [L; GROUP]) -
         influence += 1;
     }
     let zero = product.constant(0.0);
-    // The rare case costs one comparison: a product of all dots is zero where one of them is (or where it underflows,
-    // which costs time and changes nothing).
+    // Some are at right angles, or nearly.
     if product.eq(zero).any() {
         let side_of_pivot = zero.constant(1.0).copysign(leading(pivot.to_array()));
         influence = 0;

@@ -50,6 +50,13 @@ pub enum SkinningError {
         /// The share.
         value: f64,
     },
+    /// Three numbers from `first` on do not lie in a vertex of `stride` numbers, or lie in another field.
+    Field {
+        /// Where the field begins.
+        first: usize,
+        /// How many numbers a vertex has.
+        stride: usize,
+    },
     /// An element of a joint's matrix is not finite.
     NotFinite {
         /// The joint.
@@ -90,6 +97,11 @@ impl fmt::Display for SkinningError {
             Self::Share { vertex, value } => {
                 write!(f, "vertex {vertex}: the share is {value}, which must be from 0 to 1")
             }
+            Self::Field { first, stride } => write!(
+                f,
+                "a field of three numbers from {first} on does not lie in a vertex of {stride} numbers, or lies in \
+                 another field"
+            ),
             Self::NotFinite { joint, value } => {
                 write!(f, "joint {joint}: an element of its matrix is {value}")
             }

@@ -1,7 +1,7 @@
 use crate::real::Scalar;
 use core::hint::black_box;
 use dq8_simd::MAX_LANES;
-use dq8_simd::picks::{CheckedIndices, Index, Picks};
+use dq8_simd::picks::{CheckedIndices, Index, PickRows, Picks};
 
 /// How many influences of a vertex are read at a time.
 pub(super) const GROUP: usize = dq8_simd::picks::GROUP;
@@ -10,17 +10,16 @@ pub(super) const GROUP: usize = dq8_simd::picks::GROUP;
 /// weights in memory; and where matrices are summed. Influences that are not there have weight 0.
 #[derive(Debug)]
 pub struct Influences<'a, R, J> {
-    /// For each lane the joints, as entries of a palette of motions and of one of matrices.
-    pub(super) motions: Picks<'a, J, 8>,
-    pub(super) matrices: Picks<'a, J, 12>,
-    /// For each lane the weights.
+    /// For each lane the joints, in the memory of the skin, and here where they do not lie there in order.
+    pub(super) in_place: Option<PickRows<'a, J>>,
+    pub(super) joints: Picks<'a, J>,
+    /// For each lane the weights, in the same way.
+    pub(super) weights_in_place: Option<&'a [[R; GROUP]; MAX_LANES]>,
     pub(super) weights: Aligned<[[R; GROUP]; MAX_LANES]>,
     /// For each lane, first, the joint of greatest weight, if these are not all.
-    pub(super) pivots: Option<Picks<'a, J, 8>>,
-    /// For each row of a matrix and each lane the weighted sum.
-    pub(super) rows: Aligned<[[[R; 4]; MAX_LANES]; 3]>,
-    /// What nobody reads.
-    pub(super) again: Aligned<[R; 4]>,
+    pub(super) pivots: Option<Picks<'a, J>>,
+    /// For each lane the twelve numbers of the weighted sum of matrices, in a cache line.
+    pub(super) sums: Aligned<[[R; 16]; MAX_LANES]>,
 }
 
 /// At the beginning of a cache line: what is written across two is read again later.
@@ -32,13 +31,22 @@ impl<'a, R: Scalar, J: Index> Influences<'a, R, J> {
     #[inline(always)]
     pub(super) fn new(joints: CheckedIndices<'a, J>) -> Self {
         Self {
-            motions: Picks::new(joints),
-            matrices: Picks::new(joints),
+            in_place: None,
+            weights_in_place: None,
+            joints: Picks::new(joints),
             weights: Aligned([[R::ZERO; GROUP]; MAX_LANES]),
             pivots: None,
-            rows: Aligned([[[R::ZERO; 4]; MAX_LANES]; 3]),
-            again: Aligned([R::ZERO; 4]),
+            sums: Aligned([[R::ZERO; 16]; MAX_LANES]),
         }
+    }
+
+    /// For each lane the joints.
+    #[inline(always)]
+    pub(super) fn rows(&self) -> PickRows<'_, J> {
+        self.in_place.unwrap_or_else(
+            #[inline(always)]
+            || self.joints.rows(),
+        )
     }
 }
 

@@ -4,7 +4,7 @@ use super::linear_map::LinearMap;
 use crate::real::Scalar;
 use crate::shape::{ShapeError, same_length};
 use dq8_simd::picks::Index;
-use dq8_simd::{Float, Lanes, PackedDualQuat, Records};
+use dq8_simd::{Float, Lanes, Records};
 
 /// Linear blend skinning (Magnenat-Thalmann et al. 1988): v ↦ Σ wᵢMᵢv. Needs weights that sum to one.
 /// Cheapest, and right for any matrix, but the sum of two rotations is not a rotation: elbows and twisted wrists
@@ -28,25 +28,19 @@ impl<'a, R: Scalar> Linear<'a, R> {
     }
 }
 
-/// A register that holds eight numbers of a matrix.
-type Eight<L> = <<L as Lanes>::Real as Float>::Packed<<L as Lanes>::Level>;
+/// Registers that hold two rows of a matrix, and one.
+type Two<L> = <<L as Lanes>::Real as Float>::Packed<<L as Lanes>::Level>;
+type Third<L> = <<L as Lanes>::Real as Float>::Half<<L as Lanes>::Level>;
 
-/// Of a matrix of twelve numbers the first eight and the last eight: the four in the middle twice.
-#[inline(always)]
-fn halves<T>(matrix: &[T; 12]) -> Option<(&[T; 8], &[T; 8])> {
-    Some((matrix.first_chunk()?, matrix.last_chunk()?))
-}
-
-/// The halves of a matrix times a weight.
+/// A matrix times a weight.
 #[inline(always)]
 fn scaled<L: Lanes>(
     level: L::Level,
     matrix: &[L::Real; 12],
     weight: L::Real,
-) -> Option<[Eight<L>; 2]> {
-    let (head, tail) = halves(matrix)?;
-    let weight = Eight::<L>::splat(level, weight);
-    Some([Eight::<L>::load(level, head) * weight, Eight::<L>::load(level, tail) * weight])
+) -> Option<(Two<L>, Third<L>)> {
+    let two = Two::<L>::load(level, matrix.first_chunk()?) * Two::<L>::splat(level, weight);
+    Some((two, Third::<L>::load(level, matrix.last_chunk()?) * Third::<L>::splat(level, weight)))
 }
 
 /// And added to a sum.
@@ -55,19 +49,19 @@ fn add_scaled<L: Lanes>(
     level: L::Level,
     matrix: &[L::Real; 12],
     weight: L::Real,
-    [low, high]: [Eight<L>; 2],
-) -> Option<[Eight<L>; 2]> {
-    let (head, tail) = halves(matrix)?;
-    let weight = Eight::<L>::splat(level, weight);
-    let low = Eight::<L>::load(level, head).mul_add(weight, low);
-    Some([low, Eight::<L>::load(level, tail).mul_add(weight, high)])
+    (two, third): (Two<L>, Third<L>),
+) -> Option<(Two<L>, Third<L>)> {
+    let of = (Two::<L>::load(level, matrix.first_chunk()?), Two::<L>::splat(level, weight));
+    let last = (Third::<L>::load(level, matrix.last_chunk()?), Third::<L>::splat(level, weight));
+    Some((of.0.mul_add(of.1, two), last.0.mul_add(last.1, third)))
 }
 
 impl<R: Scalar> Blender<R> for Linear<'_, R> {
     type Sum<L: Lanes<Real = R>> = [[L; 4]; 3];
     type Map<L: Lanes<Real = R>> = LinearMap<L>;
-    const MOTIONS: bool = false;
-    const MATRICES: bool = true;
+
+    // Sums of matrices are made in half as wide registers; transposing them is slower there.
+    const WIDE: bool = false;
 
     fn check(&self, joints: usize, _: usize) -> Result<(), ShapeError> {
         same_length("palette", self.palette.len(), joints)
@@ -80,9 +74,15 @@ impl<R: Scalar> Blender<R> for Linear<'_, R> {
         level: L::Level,
         influences: &mut Influences<'_, R, J>,
     ) -> Option<[[L; 4]; 3]> {
-        let weights = &settled(&influences.weights).0;
-        let matrices = settled(&influences.matrices);
-        let picked = matrices.of(bytemuck::must_cast_slice(self.palette))?;
+        let Influences { in_place, joints, weights_in_place, weights, sums, .. } = influences;
+        let weights = weights_in_place.unwrap_or(&weights.0);
+        // Registers of four would be loaded with four weights and shuffled four times.
+        let weights = if L::LANES > 4 { weights } else { settled(weights) };
+        let rows = in_place.unwrap_or_else(
+            #[inline(always)]
+            || joints.rows(),
+        );
+        let picked = rows.of(bytemuck::must_cast_slice(self.palette))?;
         let mut lane = 0;
         while lane < L::LANES {
             let weights = weights[lane];
@@ -93,15 +93,17 @@ impl<R: Scalar> Blender<R> for Linear<'_, R> {
                 sum = add_scaled::<L>(level, matrix, weights[influence], sum)?;
                 influence += 1;
             }
-            let [low, high] = sum;
-            let [x, y, z] = &mut influences.rows.0;
-            low.store_halves(&mut x[lane], &mut y[lane]);
-            // The lower half is the second row again.
-            high.store_halves(&mut influences.again.0, &mut z[lane]);
+            let (two, rest) = sums.0[lane].split_first_chunk_mut()?;
+            sum.0.store(two);
+            sum.1.store(rest.first_chunk_mut()?);
             lane += 1;
         }
-        let [x, y, z] = &settled(&influences.rows).0;
-        Some([L::load_four(level, x, 0)?, L::load_four(level, y, 0)?, L::load_four(level, z, 0)?])
+        let sums = &settled(&*sums).0;
+        Some([
+            L::load_four(level, sums, 0)?,
+            L::load_four(level, sums, 4)?,
+            L::load_four(level, sums, 8)?,
+        ])
     }
     #[inline(always)]
     fn join<L: Lanes<Real = R>>(&self, a: [[L; 4]; 3], b: [[L; 4]; 3]) -> [[L; 4]; 3] {

@@ -24,8 +24,8 @@ impl<'a, A, B, R: Scalar> Mixed<'a, A, B, R> {
     /// If a share is not.
     pub fn new(a: A, b: B, shares: &'a [R]) -> Result<Self, SkinningError> {
         let outside = |&share: &R| !(R::ZERO <= share && share <= R::ONE);
-        match shares.iter().position(outside) {
-            Some(vertex) => Err(SkinningError::Share { vertex, value: shares[vertex].into() }),
+        match shares.iter().enumerate().find(|(_, share)| outside(share)) {
+            Some((vertex, &share)) => Err(SkinningError::Share { vertex, value: share.into() }),
             None => Ok(Self { a, b, shares }),
         }
     }
@@ -71,8 +71,8 @@ impl<A: SurfaceMap<L>, B: SurfaceMap<L>, L: Lanes> SurfaceMap<L> for MixedMap<A,
 impl<R: Scalar, A: Blender<R>, B: Blender<R>> Blender<R> for Mixed<'_, A, B, R> {
     type Sum<L: Lanes<Real = R>> = (A::Sum<L>, B::Sum<L>);
     type Map<L: Lanes<Real = R>> = MixedMap<A::Map<L>, B::Map<L>, L>;
-    const MOTIONS: bool = A::MOTIONS || B::MOTIONS;
-    const MATRICES: bool = A::MATRICES || B::MATRICES;
+
+    const WIDE: bool = A::WIDE || B::WIDE;
 
     fn check(&self, joints: usize, vertices: usize) -> Result<(), ShapeError> {
         self.a.check(joints, vertices)?;

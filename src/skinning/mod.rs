@@ -10,6 +10,8 @@
 //! | [`Stretched`] | stretches and motions | the same for joints that scale and shear: UsdSkel's `dualQuaternion` |
 //! | [`Mixed`] | those of two | a mix by a number per vertex |
 //!
+//! [`Backend::skin_interleaved`] does so in vertex buffers, whose vertices are records of several fields.
+//!
 //! Palettes of motions or 3×4 matrices come from [`Job::locals_to_palette`](crate::Job::locals_to_palette) as
 //! well; [`matrix_palette`] makes one of the matrices of an engine or a file, and [`split_palette`] takes it
 //! apart into motions and stretches. [`linear_blend`] and [`dual_blend`] are the reference, for one vertex.
@@ -31,11 +33,13 @@
 //! ```
 //!
 //! [`Backend::skin`]: crate::Backend::skin
+//! [`Backend::skin_interleaved`]: crate::Backend::skin_interleaved
 
 mod blender;
 mod dual;
 mod error;
 mod influences;
+mod interleaved;
 mod linear;
 mod linear_map;
 mod mixed;
@@ -51,6 +55,7 @@ mod weight;
 
 pub use dual::Dual;
 pub use error::SkinningError;
+pub use interleaved::VertexFields;
 pub use linear::Linear;
 pub use mixed::Mixed;
 pub use palette::{Split, matrix_palette, split_palette};

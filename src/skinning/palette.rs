@@ -53,19 +53,20 @@ pub fn matrix_palette<R: Real>(
 ) -> Result<(), SkinningError> {
     same_length("inverse_binds", inverse_binds.len(), models.len())?;
     same_length("palette", palette.len(), models.len())?;
-    let product = |joint: usize| -> Result<Affine<R>, SkinningError> {
-        let product =
-            affine(models[joint], order, joint)? * affine(inverse_binds[joint], order, joint)?;
-        match product.to_matrix3x4().into_iter().flatten().find(|value| !value.is_finite()) {
-            Some(value) => Err(SkinningError::NotFinite { joint, value: value.into() }),
-            None => Ok(product),
-        }
-    };
-    for joint in 0..models.len() {
-        product(joint)?;
+    let joints = || models.iter().zip(inverse_binds).enumerate();
+    let product =
+        |joint, model: [[R; 4]; 4], bind: [[R; 4]; 4]| -> Result<Affine<R>, SkinningError> {
+            let product = affine(model, order, joint)? * affine(bind, order, joint)?;
+            match product.to_matrix3x4().into_iter().flatten().find(|value| !value.is_finite()) {
+                Some(value) => Err(SkinningError::NotFinite { joint, value: value.into() }),
+                None => Ok(product),
+            }
+        };
+    for (joint, (&model, &bind)) in joints() {
+        product(joint, model, bind)?;
     }
-    for (joint, entry) in palette.iter_mut().enumerate() {
-        *entry = product(joint)?.to_matrix3x4();
+    for ((joint, (&model, &bind)), entry) in joints().zip(palette) {
+        *entry = product(joint, model, bind)?.to_matrix3x4();
     }
     Ok(())
 }
@@ -85,8 +86,10 @@ fn affine<R: Real>(
     }
     let [x, y, z, last] = rows;
     let identity = [R::ZERO, R::ZERO, R::ZERO, R::ONE];
-    if let Some(column) = (0..4).find(|&column| last[column] != identity[column]) {
-        return Err(SkinningError::NotAffine { joint, column, value: last[column].into() });
+    for (column, (value, wanted)) in last.into_iter().zip(identity).enumerate() {
+        if value != wanted {
+            return Err(SkinningError::NotAffine { joint, column, value: value.into() });
+        }
     }
     Ok(Affine::from_matrix3x4([x, y, z]))
 }

@@ -2,13 +2,14 @@
 
 use super::SkinningError;
 use super::blender::Blender;
-use super::run::{Run, check};
+use super::run::{Run, Separate, check};
 use super::skin::Skin;
 use super::surface::{Surface, SurfaceMut};
 use super::weight::Weight;
 use crate::dispatch::Backend;
 use crate::storage::{Element, Layout, Number};
 use alloc::vec::Vec;
+use core::marker::PhantomData;
 use dq8_simd::picks::Index;
 use rayon::prelude::*;
 
@@ -37,7 +38,8 @@ impl Backend {
         let size = GRAIN / P::Layout::THINGS;
         let tasks: Vec<_> = rest.chunks(size).zip(posed.chunks(size)).enumerate().collect();
         tasks.into_par_iter().for_each(|(task, (rest, posed))| {
-            self.run(Run { skin, blend, first: task * GRAIN, rest, posed });
+            let mesh = Separate { rest, posed };
+            self.run(Run { skin, blend, first: task * GRAIN, mesh, layout: PhantomData });
         });
         Ok(())
     }

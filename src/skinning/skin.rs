@@ -1,5 +1,4 @@
 use super::SkinningError;
-use super::blender::Blender;
 use super::influences::{GROUP, Influences};
 use super::weight::Weight;
 use crate::real::{Real, Scalar};
@@ -84,7 +83,7 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         }
         let joints = CheckedIndices::new(joints, palette).map_err(|index| {
             let (vertex, influence) = (index / influences, index % influences);
-            let joint = joints[index].into();
+            let joint = joints.get(index).map_or(0, |&joint| joint.into());
             SkinningError::JointOutOfRange { vertex, influence, joint, joints: palette }
         })?;
         let skin = Self { influences, joints, weights, implied };
@@ -115,7 +114,8 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
     /// How many vertices there are.
     #[must_use]
     pub fn vertices(&self) -> usize {
-        self.joints.indices().len() / self.influences
+        // Never zero, which a compiler that reads it from memory does not know.
+        self.joints.indices().len().checked_div(self.influences).unwrap_or(0)
     }
 
     /// How many influences every vertex has.
@@ -182,9 +182,9 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         Influences::new(self.joints)
     }
 
-    /// A group of influences of the vertices from `first` on, one for each lane, for the palettes that `B` has.
+    /// A group of influences of the vertices from `first` on, one for each lane.
     #[inline(always)]
-    pub(super) fn read<B: Blender<R>, R: Scalar>(
+    pub(super) fn read<R: Scalar>(
         &self,
         first: usize,
         lanes: usize,
@@ -195,18 +195,18 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         if self.influences == GROUP
             && !self.implied
             && let Some(weights) = weights.and_then(|weights| weights.get(..lanes))
+            && let in_place @ Some(_) = self.joints.in_place(first)
         {
-            if B::MOTIONS {
-                to.motions.set_rows(first, lanes);
-            }
-            if B::MATRICES {
-                to.matrices.set_rows(first, lanes);
-            }
-            let mut lane = 0;
-            while lane < lanes {
-                let [a, b, c, d] = weights[lane];
-                to.weights.0[lane] = [a.value(), b.value(), c.value(), d.value()];
-                lane += 1;
+            to.in_place = in_place;
+            let numbers = W::as_numbers(self.weights).map(|numbers| numbers.as_chunks::<GROUP>().0);
+            to.weights_in_place = numbers.and_then(|rows| rows.get(first..)?.first_chunk());
+            if to.weights_in_place.is_none() {
+                let mut lane = 0;
+                while lane < lanes {
+                    let [a, b, c, d] = weights[lane];
+                    to.weights.0[lane] = [a.value(), b.value(), c.value(), d.value()];
+                    lane += 1;
+                }
             }
             return;
         }
@@ -223,6 +223,7 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         group: usize,
         to: &mut Influences<'a, R, J>,
     ) {
+        (to.in_place, to.weights_in_place) = (None, None);
         // Influences that are not there are the first one with weight 0: another joint's NaN must not get in.
         let position = |vertex, influence| {
             let there = influence < self.influences;
@@ -233,8 +234,7 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
             for slot in 0..GROUP {
                 let influence = group * GROUP + slot;
                 let none = if influence == 0 { R::ONE } else { R::ZERO };
-                to.motions.set(lane, slot, position(vertex, influence));
-                to.matrices.set(lane, slot, position(vertex, influence));
+                to.joints.set(lane, slot, position(vertex, influence));
                 let there = self.influence(vertex, influence);
                 to.weights.0[lane][slot] = there.map_or(none, |(_, weight)| weight);
             }

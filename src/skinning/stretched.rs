@@ -50,8 +50,8 @@ impl<L: Lanes> SurfaceMap<L> for StretchedMap<L> {
 impl<R: Scalar> Blender<R> for Stretched<'_, R> {
     type Sum<L: Lanes<Real = R>> = ([[L; 4]; 3], DualSum<L>);
     type Map<L: Lanes<Real = R>> = StretchedMap<L>;
-    const MOTIONS: bool = true;
-    const MATRICES: bool = true;
+
+    const WIDE: bool = true;
 
     fn check(&self, joints: usize, _: usize) -> Result<(), ShapeError> {
         same_length("motions", self.rigid.joints(), joints)?;

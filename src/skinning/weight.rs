@@ -1,4 +1,4 @@
-use crate::real::Real;
+use crate::real::{Real, Scalar};
 use core::fmt::Debug;
 
 /// How a weight lies in memory: `f32` and `f64` as they are, `u8` and `u16` normalized, so that the largest
@@ -12,6 +12,15 @@ pub trait Weight: Copy + Debug + Send + Sync + 'static {
     /// The weight as a number.
     #[must_use]
     fn value<R: Real>(self) -> R;
+
+    /// The same memory, if weights lie there as the numbers that kernels compute with.
+    #[doc(hidden)]
+    #[inline(always)]
+    #[must_use]
+    fn as_numbers<R: Scalar>(weights: &[Self]) -> Option<&[R]> {
+        let _ = weights;
+        None
+    }
 }
 
 impl Weight for f32 {
@@ -19,12 +28,20 @@ impl Weight for f32 {
     fn value<R: Real>(self) -> R {
         R::from(self)
     }
+    #[inline(always)]
+    fn as_numbers<R: Scalar>(weights: &[Self]) -> Option<&[R]> {
+        if R::SINGLE { bytemuck::try_cast_slice(weights).ok() } else { None }
+    }
 }
 
 impl Weight for f64 {
     #[inline(always)]
     fn value<R: Real>(self) -> R {
         R::from_f64(self)
+    }
+    #[inline(always)]
+    fn as_numbers<R: Scalar>(weights: &[Self]) -> Option<&[R]> {
+        if R::SINGLE { None } else { bytemuck::try_cast_slice(weights).ok() }
     }
 }
 

@@ -67,7 +67,7 @@ fn picked_columns(v: __m256) -> [__m256; 4] {
 
 /// A register that holds all eight.
 macro_rules! packed {
-    ($($name:ty, |$v:ident| $columns:expr, $raised:expr, |$lower:ident, $upper:ident| $halves:expr;)*) => {$(
+    ($($name:ty, |$v:ident| $columns:expr, $raised:expr;)*) => {$(
         impl PackedDualQuat for $name {
             #[inline(always)]
             fn columns(self) -> [Self; 4] {
@@ -82,37 +82,19 @@ macro_rules! packed {
                 // SAFETY: `self` proves the instructions.
                 Self(unsafe { $raised }, self.level())
             }
-            #[inline(always)]
-            fn store_halves(self, lower: &mut [Self::Real; 4], upper: &mut [Self::Real; 4]) {
-                let ($v, $lower, $upper) = (self.0, lower.as_mut_ptr(), upper.as_mut_ptr());
-                // SAFETY: `self` proves the instructions; the pointers are those of whole arrays.
-                unsafe { $halves }
-            }
         }
     )*};
 }
 packed! {
     avx2::F32x8,
         |v| columns!(v, const { signs_f32::<8>() }, _mm256_permute_ps, _mm256_xor_ps, _mm256_loadu_ps),
-        _mm256_permute2f128_ps::<0x08>(v, v),
-        |lower, upper| {
-            _mm_storeu_ps(lower, _mm256_castps256_ps128(v));
-            _mm_storeu_ps(upper, _mm256_extractf128_ps::<1>(v));
-        };
+        _mm256_permute2f128_ps::<0x08>(v, v);
     avx512::F32x8,
         |v| picked_columns(v),
-        _mm256_permute2f128_ps::<0x08>(v, v),
-        |lower, upper| {
-            _mm_storeu_ps(lower, _mm256_castps256_ps128(v));
-            _mm_storeu_ps(upper, _mm256_extractf128_ps::<1>(v));
-        };
+        _mm256_permute2f128_ps::<0x08>(v, v);
     avx512::F64x8,
         |v| columns!(v, const { signs_f64::<8>() }, _mm512_permutex_pd, _mm512_xor_pd, _mm512_loadu_pd),
-        _mm512_maskz_shuffle_f64x2::<0b01_00_01_00>(0xf0, v, v),
-        |lower, upper| {
-            _mm256_storeu_pd(lower, _mm512_castpd512_pd256(v));
-            _mm256_storeu_pd(upper, _mm512_extractf64x4_pd::<1>(v));
-        };
+        _mm512_maskz_shuffle_f64x2::<0b01_00_01_00>(0xf0, v, v);
 }
 
 impl PackedDualQuat for Pair<avx2::F64x4> {
@@ -139,10 +121,5 @@ impl PackedDualQuat for Pair<avx2::F64x4> {
     #[inline(always)]
     fn raised(self) -> Self {
         Self(self.0.constant(0.0), self.0)
-    }
-    #[inline(always)]
-    fn store_halves(self, lower: &mut [f64; 4], upper: &mut [f64; 4]) {
-        self.0.store(lower);
-        self.1.store(upper);
     }
 }

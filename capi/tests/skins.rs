@@ -1,0 +1,311 @@
+//! Skins: what the C functions make is what the Rust ones make, number for number; what is wrong has an error of its
+//! own, and nothing is written. Arrays have just the length that is said, so that the address sanitizer sees
+//! a number read or written beyond (how to run it: `fuzz.rs`).
+
+use dq8::skinning::{
+    self, Dual, Linear, Stretched, Surface, SurfaceMut, matrix_palette, split_palette,
+};
+use dq8::{Backend, DualQuat, MatrixOrder, Quat};
+use dq8_capi::Status;
+use dq8_capi::skinning::{Skin, single as c};
+use std::mem::MaybeUninit;
+use std::ptr;
+
+const JOINTS: usize = 5;
+
+/// A mesh of `vertices`, all of it on the heap.
+struct Mesh {
+    influences: usize,
+    joints: Box<[u16]>,
+    weights: Box<[f32]>,
+    /// Positions, normals, tangents.
+    rest: [Box<[[f32; 3]]>; 3],
+    models: Box<[[[f32; 4]; 4]]>,
+    matrices: Box<[[[f32; 4]; 3]]>,
+    motions: Box<[DualQuat<f32>]>,
+    stretches: Box<[[[f32; 4]; 3]]>,
+}
+
+fn wave(i: usize, seed: f32) -> f32 {
+    (i as f32 * 1.7 + seed).sin()
+}
+
+impl Mesh {
+    fn new(vertices: usize, influences: usize) -> Self {
+        let count = vertices * influences;
+        let vectors = |seed: f32| {
+            (0..vertices).map(|i| [0.0, 1.0, 2.0].map(|more| wave(i, seed + more))).collect()
+        };
+        let model = |i: usize| {
+            let turn = Quat::from_array([0.1, 0.9, 2.0, 3.3].map(|more| wave(i, more)));
+            let at = [wave(i, 7.0), wave(i, 8.0), 2.0];
+            let [mut x, y, z] =
+                DualQuat::from_rotation_translation(turn.normalize(), at).to_matrix3x4();
+            x[0] *= 1.5;
+            [x, y, z, [0.0, 0.0, 0.0, 1.0]]
+        };
+        let models: Box<[_]> = (0..JOINTS).map(model).collect();
+        let mut matrices = vec![[[0.0; 4]; 3]; JOINTS].into_boxed_slice();
+        let mut motions = vec![DualQuat::IDENTITY; JOINTS].into_boxed_slice();
+        let mut stretches = matrices.clone();
+        matrix_palette(&models, &models, MatrixOrder::Rows, &mut matrices).unwrap();
+        split_palette(&matrices, &mut motions, &mut stretches).unwrap();
+        Self {
+            influences,
+            joints: (0..count).map(|i| (i * 7 % JOINTS) as u16).collect(),
+            weights: (0..count).map(|i| (1.0 + wave(i, 0.5)) / influences as f32).collect(),
+            rest: [vectors(1.0), vectors(2.0), vectors(3.0)],
+            models,
+            matrices,
+            motions,
+            stretches,
+        }
+    }
+
+    fn vertices(&self) -> usize {
+        self.rest[0].len()
+    }
+
+    fn make(&self, bad: &mut usize) -> (Status, Skin<f32>) {
+        let mut made = MaybeUninit::<Skin<f32>>::zeroed();
+        let (of, by) = (self.joints.as_ptr(), self.weights.as_ptr());
+        // SAFETY: arrays have the length that is said; a skin is numbers and pointers.
+        unsafe {
+            let room = made.as_mut_ptr();
+            let status = c::make(JOINTS, self.influences, of, by, self.vertices(), room, bad);
+            (status, made.assume_init())
+        }
+    }
+
+    /// What Rust makes of positions, normals and tangents.
+    fn wanted(&self, how: How, all: bool) -> [Vec<[f32; 3]>; 3] {
+        let skin =
+            skinning::Skin::new(JOINTS, self.influences, &self.joints, &self.weights).unwrap();
+        let [positions, normals, tangents] = &self.rest;
+        let mut posed = [(); 3].map(|()| vec![[9.0; 3]; self.vertices()]);
+        let [p, n, t] = &mut posed;
+        let (mut from, mut to) = (Surface::positions(positions), SurfaceMut::positions(p));
+        if all {
+            from = from.normals(normals).tangents(tangents);
+            to = to.normals(n).tangents(t);
+        }
+        let best = Backend::best();
+        match how {
+            How::Linear => best.skin(&skin, Linear::new(&self.matrices), from, to),
+            How::Dual => best.skin(&skin, Dual::new(&self.motions), from, to),
+            How::Stretched => {
+                best.skin(&skin, Stretched::new(&self.motions, &self.stretches), from, to)
+            }
+        }
+        .unwrap();
+        posed
+    }
+
+    /// The pointers of a call: skin, matrices, motions, three of the mesh at rest.
+    fn pointers(&self, skin: &Skin<f32>) -> Pointers {
+        let [positions, normals, tangents] = self.rest.each_ref().map(|one| one.as_ptr().cast());
+        Pointers {
+            skin: ptr::from_ref(skin),
+            matrices: self.matrices.as_ptr().cast(),
+            motions: self.motions.as_ptr().cast(),
+            stretches: self.stretches.as_ptr().cast(),
+            rest: [positions, normals, tangents],
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug)]
+enum How {
+    Linear,
+    Dual,
+    Stretched,
+}
+
+const ALL: [How; 3] = [How::Linear, How::Dual, How::Stretched];
+
+#[derive(Clone, Copy)]
+struct Pointers {
+    skin: *const Skin<f32>,
+    matrices: *const f32,
+    motions: *const f32,
+    stretches: *const f32,
+    rest: [*const f32; 3],
+}
+
+/// # Safety
+/// As for the C functions.
+unsafe fn pose(
+    how: How,
+    joints: usize,
+    of: Pointers,
+    to: [*mut f32; 3],
+    vertices: usize,
+) -> Status {
+    let Pointers { skin, matrices, motions, stretches, rest: [p, n, t] } = of;
+    let [to_p, to_n, to_t] = to;
+    // SAFETY: promised.
+    unsafe {
+        match how {
+            How::Linear => c::linear(skin, matrices, joints, p, n, t, to_p, to_n, to_t, vertices),
+            How::Dual => c::dual(skin, motions, joints, p, n, t, to_p, to_n, to_t, vertices),
+            How::Stretched => {
+                c::stretched(skin, motions, stretches, joints, p, n, t, to_p, to_n, to_t, vertices)
+            }
+        }
+    }
+}
+
+#[test]
+fn every_function_gives_what_the_rust_one_gives() {
+    for (vertices, influences) in [(1, 4), (17, 4), (40, 1), (33, 3), (16, 8), (21, 9)] {
+        let mesh = Mesh::new(vertices, influences);
+        let (status, skin) = mesh.make(&mut 0);
+        assert_eq!(status, Status::Ok);
+        assert_eq!((skin.vertices, skin.influences, skin.joints), (vertices, influences, JOINTS));
+        // It may be moved.
+        let moved = Box::new(skin);
+        for how in ALL {
+            for all in [false, true] {
+                let mut got = [(); 3].map(|()| vec![[9.0; 3]; vertices].into_boxed_slice());
+                let mut to = got.each_mut().map(|one| one.as_mut_ptr().cast());
+                let mut of = mesh.pointers(&moved);
+                if !all {
+                    (of.rest[1], of.rest[2], to[1], to[2]) =
+                        (ptr::null(), ptr::null(), ptr::null_mut(), ptr::null_mut());
+                }
+                // SAFETY: arrays have the length that is said.
+                assert_eq!(unsafe { pose(how, JOINTS, of, to, vertices) }, Status::Ok);
+                let wanted = mesh.wanted(how, all);
+                assert_eq!(got.map(Vec::from), wanted, "{vertices} {influences} {how:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn palettes_are_those_of_rust() {
+    let mesh = Mesh::new(1, 1);
+    let models = mesh.models.as_ptr().cast();
+    let mut matrices = vec![[[9.0; 4]; 3]; JOINTS].into_boxed_slice();
+    let mut motions = vec![DualQuat::ZERO; JOINTS].into_boxed_slice();
+    let mut stretches = matrices.clone();
+    let [a, b, d] = [
+        matrices.as_mut_ptr().cast::<f32>(),
+        motions.as_mut_ptr().cast(),
+        stretches.as_mut_ptr().cast(),
+    ];
+    // SAFETY: arrays have the length that is said.
+    unsafe {
+        assert_eq!(c::products(models, models, 2, a, JOINTS), Status::UnknownValue);
+        // Rows given as columns have the translation in the last row.
+        assert_eq!(c::products(models, models, 1, a, JOINTS), Status::NotAffine);
+        assert_eq!(c::products(models, models, 0, models.cast_mut(), JOINTS), Status::Overlap);
+        assert_eq!(c::products(ptr::null(), models, 0, a, JOINTS), Status::NullPointer);
+        assert_eq!(matrices[0][0], [9.0; 4]);
+        assert_eq!(c::products(models, models, 0, a, JOINTS), Status::Ok);
+        assert_eq!(matrices, mesh.matrices);
+        assert_eq!(c::split(a, b, b, JOINTS), Status::Overlap);
+        assert_eq!(c::split(a, a, d, JOINTS), Status::Overlap);
+        assert_eq!(c::split(a, b, d, JOINTS), Status::Ok);
+        assert_eq!((&motions, &stretches), (&mesh.motions, &mesh.stretches));
+        a.write(f32::NAN);
+        assert_eq!(c::split(a, b, d, JOINTS), Status::NotFinite);
+    }
+}
+
+#[test]
+fn a_skin_that_is_wrong_names_its_vertex() {
+    let wrong = |change: fn(&mut Mesh)| {
+        let mut mesh = Mesh::new(6, 4);
+        change(&mut mesh);
+        let mut bad = usize::MAX;
+        let (status, made) = mesh.make(&mut bad);
+        assert_eq!(made.influences, if status == Status::Ok { 4 } else { 0 }, "{status:?}");
+        (status, (bad != usize::MAX).then_some(bad))
+    };
+    assert_eq!(wrong(|_| ()), (Status::Ok, None));
+    assert_eq!(wrong(|m| m.joints[9] = 5), (Status::JointOutOfRange, Some(2)));
+    assert_eq!(wrong(|m| m.weights[13] = -0.1), (Status::Weight, Some(3)));
+    assert_eq!(wrong(|m| m.weights[13] = f32::NAN), (Status::Weight, Some(3)));
+    assert_eq!(wrong(|m| m.weights[20..].fill(0.0)), (Status::WeightSum, Some(5)));
+    assert_eq!(wrong(|m| m.influences = 0), (Status::NoInfluences, None));
+}
+
+#[test]
+fn pointers_that_are_wrong_are_refused_and_nothing_is_written() {
+    let mesh = Mesh::new(19, 4);
+    let (_, skin) = mesh.make(&mut 0);
+    let good = mesh.pointers(&skin);
+    let mut posed = [(); 3].map(|()| vec![[9.0_f32; 3]; 19].into_boxed_slice());
+    let to: [*mut f32; 3] = posed.each_mut().map(|one| one.as_mut_ptr().cast());
+    // SAFETY: a skin is numbers and pointers.
+    let unmade: Skin<f32> = unsafe { MaybeUninit::zeroed().assume_init() };
+    let null = ptr::null::<f32>();
+    for how in ALL {
+        let refused = |of: Pointers, to, joints, vertices, wanted| {
+            // SAFETY: arrays have the length that is said, or pointers are wrong in ways that are seen.
+            assert_eq!(unsafe { pose(how, joints, of, to, vertices) }, wanted, "{how:?}");
+        };
+        refused(Pointers { skin: null.cast(), ..good }, to, JOINTS, 19, Status::NullPointer);
+        refused(Pointers { skin: &raw const unmade, ..good }, to, JOINTS, 19, Status::NoSkin);
+        refused(good, to, JOINTS - 1, 19, Status::Length);
+        refused(good, to, JOINTS, 18, Status::Length);
+        let none = Pointers { matrices: null, motions: null, ..good };
+        refused(none, to, JOINTS, 19, Status::Length);
+        let odd = |start: *const f32| start.wrapping_byte_add(2);
+        let off = Pointers { matrices: odd(good.matrices), motions: odd(good.motions), ..good };
+        refused(off, to, JOINTS, 19, Status::Misaligned);
+        for kind in 0..3 {
+            let mut of = good;
+            of.rest[kind] = null;
+            refused(of, to, JOINTS, 19, Status::NullPointer);
+            of.rest[kind] = odd(good.rest[kind]);
+            refused(of, to, JOINTS, 19, Status::Misaligned);
+            let mut nowhere = to;
+            nowhere[kind] = ptr::null_mut();
+            refused(good, nowhere, JOINTS, 19, Status::NullPointer);
+            let inputs = [
+                good.skin.cast::<f32>(),
+                mesh.joints.as_ptr().cast(),
+                mesh.weights.as_ptr(),
+                good.rest[0],
+                good.rest[1],
+                good.rest[2],
+                to[(kind + 1) % 3],
+            ];
+            for input in inputs {
+                let mut over = to;
+                over[kind] = input.cast_mut();
+                refused(good, over, JOINTS, 19, Status::Overlap);
+            }
+        }
+    }
+    let mut over = to;
+    over[1] = good.matrices.cast_mut();
+    // SAFETY: as above.
+    assert_eq!(unsafe { pose(How::Linear, JOINTS, good, over, 19) }, Status::Overlap);
+    over[1] = good.motions.cast_mut();
+    // SAFETY: as above.
+    assert_eq!(unsafe { pose(How::Dual, JOINTS, good, over, 19) }, Status::Overlap);
+    assert!(posed.iter().flatten().flatten().all(|&number| number == 9.0));
+}
+
+#[test]
+fn in_double_precision_too() {
+    use dq8_capi::skinning::double as d;
+    let (joints, weights) = ([0_u16, 1, 0, 1], [1.0_f64, 0.0, 0.25, 0.75]);
+    let motions = [DualQuat::IDENTITY, DualQuat::from_translation([0.0_f64, 0.0, 4.0])];
+    let (rest, mut posed) = ([[1.0_f64, 2.0, 3.0]; 2], [[0.0_f64; 3]; 2]);
+    let mut made = MaybeUninit::<Skin<f64>>::zeroed();
+    let (none, nowhere) = (ptr::null(), ptr::null_mut());
+    // SAFETY: arrays have the length that is said.
+    unsafe {
+        let (of, by, room) = (joints.as_ptr(), weights.as_ptr(), made.as_mut_ptr());
+        assert_eq!(d::make(2, 2, of, by, 2, room, ptr::null_mut()), Status::Ok);
+        let (by, from, to) =
+            (motions.as_ptr().cast(), rest.as_ptr().cast(), posed.as_mut_ptr().cast());
+        let status = d::dual(room, by, 2, from, none, none, to, nowhere, nowhere, 2);
+        assert_eq!(status, Status::Ok);
+    }
+    assert_eq!(posed, [[1.0, 2.0, 3.0], [1.0, 2.0, 6.0]]);
+}
