@@ -1,7 +1,7 @@
 //! Norm, normalization and inverses.
 
 use super::{Dual, DualQuat, Quat, vector};
-use dq8_simd::{Float, Lanes};
+use dq8_simd::Lanes;
 
 impl<L: Lanes> DualQuat<L> {
     /// √(σσ*) = |p| + ε (p·q)/|p|; the dual part is NaN where p = 0.
@@ -58,8 +58,7 @@ impl<L: Lanes> DualQuat<L> {
     #[inline(always)]
     #[must_use]
     pub fn is_normalized(self) -> L::Mask {
-        let epsilon = if L::Real::SINGLE { f64::from(f32::EPSILON) } else { f64::EPSILON };
-        self.is_unit(self.real().w().constant(32.0 * epsilon))
+        self.is_unit(self.real().w().constant(32.0 * vector::epsilon::<L>()))
     }
 
     /// σ⁻¹ of any σ with p ≠ 0. Where [`inverse_checked`](Self::inverse_checked) fails, some
@@ -89,14 +88,8 @@ impl<L: Lanes> DualQuat<L> {
     #[inline(always)]
     fn checked(self) -> (Self, L::Mask) {
         let components = self.to_array();
-        let zero = components[0].constant(0.0);
-        // 0·c is 0 for finite c and NaN otherwise.
-        let mut sum = zero;
-        for component in components {
-            sum = component.mul_add(zero, sum);
-        }
-        let finite = sum.eq(zero);
-        let nan = [zero.constant(f64::NAN); 8];
+        let finite = vector::are_finite(components);
+        let nan = [components[0].constant(f64::NAN); 8];
         (Self::from_array(vector::select(finite, components, nan)), !finite)
     }
 }

@@ -38,15 +38,14 @@ mod affine;
 mod axis_angle;
 mod directions;
 mod euler_angles;
-mod euler_order;
 mod gram_schmidt;
 mod polar;
 mod rotation_translation;
 mod symmetric;
 
+#[doc(inline)]
+pub use crate::geometry::{EulerAngles, EulerAxes, EulerFrame, EulerOrder, EulerSolution};
 pub use affine::Affine;
-pub use euler_angles::{EulerAngles, EulerSolution};
-pub use euler_order::{EulerAxes, EulerFrame, EulerOrder};
 pub use gram_schmidt::gram_schmidt;
 pub use polar::Polar;
 pub use rotation_translation::RotationTranslation;

@@ -61,6 +61,37 @@ impl<R: Real> Dual<R> {
         Ok(Self::ONE / self)
     }
 
+    /// 1 / (a + εb) without a check: infinite or NaN for a = 0, as of floats.
+    #[inline]
+    #[must_use]
+    pub fn recip(self) -> Self {
+        Self::ONE / self
+    }
+
+    /// aⁿ + ε b n aⁿ⁻¹ for whole n, by squaring. The zeroth power is 1, of 0 too.
+    ///
+    /// ```
+    /// use dq8::Dual;
+    /// assert_eq!(Dual::new(2.0_f32, 1.0).powi(3), Dual::new(8.0, 12.0));
+    /// assert_eq!(Dual::new(2.0_f32, 1.0).powi(-1), Dual::new(0.5, -0.25));
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn powi(self, n: i32) -> Self {
+        let (mut power, mut square, mut left) = (Self::ONE, self, n.unsigned_abs());
+        while left > 0 {
+            if left % 2 == 1 {
+                power = power * square;
+            }
+            left /= 2;
+            // One more might overflow, and ∞·0 would be NaN.
+            if left > 0 {
+                square = square * square;
+            }
+        }
+        if n < 0 { power.recip() } else { power }
+    }
+
     /// f(a + εb) = f(a) + ε b f′(a), given f(a) and f′(a) (Jia eq. 10).
     ///
     /// ```
