@@ -29,9 +29,9 @@ macro_rules! on_every_lane_type {
         on_every_lane_type! { @each $check ($($given),*)
             f32 f64 dq8::f32x4 dq8::f32x8 dq8::f32x16 dq8::f64x2 dq8::f64x4 dq8::f64x8 }
     };
-    (@each $check:ident $given:tt $($type:ty)*) => {
+    (@each $check:ident $given:tt $($type:ty)*) => {{
         $(on_every_lane_type! { @one $check $type, $given })*
-    };
+    }};
     (@one $check:ident $type:ty, ($($given:expr),*)) => { $check::<$type>($($given),*) };
 }
 pub(crate) use on_every_lane_type;

@@ -1,5 +1,3 @@
-use super::exponential::{exp, ln};
-use super::trigonometry::{acos, asin, atan, atan2, cathetus, sin_cos};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use dq8_simd::Lanes;
 
@@ -48,81 +46,6 @@ impl<L: Lanes> Dual<L> {
     pub fn recip(self) -> Self {
         let recip = self.real.constant(1.0) / self.real;
         self.apply(recip, -(recip * recip))
-    }
-
-    /// sin a + ε b cos a, radians; NaN beyond 2¹⁶ rad (`f32`) or 2⁴⁵ rad (`f64`).
-    #[inline(always)]
-    #[must_use]
-    pub fn sin(self) -> Self {
-        let (sin, cos) = sin_cos(self.real);
-        self.apply(sin, cos)
-    }
-
-    /// cos a − ε b sin a, radians; NaN beyond 2¹⁶ rad (`f32`) or 2⁴⁵ rad (`f64`).
-    #[inline(always)]
-    #[must_use]
-    pub fn cos(self) -> Self {
-        let (sin, cos) = sin_cos(self.real);
-        self.apply(cos, -sin)
-    }
-
-    /// tan a + ε b/cos²a, radians; NaN beyond 2¹⁶ rad (`f32`) or 2⁴⁵ rad (`f64`).
-    #[inline(always)]
-    #[must_use]
-    pub fn tan(self) -> Self {
-        let (sin, cos) = sin_cos(self.real);
-        let tan = sin / cos;
-        self.apply(tan, tan.mul_add(tan, tan.constant(1.0)))
-    }
-
-    /// arcsin a + ε b/√(1 − a²), radians, |a| ≤ 1, else NaN; the derivative is infinite at ±1.
-    #[inline(always)]
-    #[must_use]
-    pub fn asin(self) -> Self {
-        self.apply(asin(self.real), self.real.constant(1.0) / cathetus(self.real))
-    }
-
-    /// arccos a − ε b/√(1 − a²), radians, |a| ≤ 1, else NaN; the derivative is infinite at ±1.
-    #[inline(always)]
-    #[must_use]
-    pub fn acos(self) -> Self {
-        self.apply(acos(self.real), self.real.constant(-1.0) / cathetus(self.real))
-    }
-
-    /// arctan a + ε b/(1 + a²), radians.
-    #[inline(always)]
-    #[must_use]
-    pub fn atan(self) -> Self {
-        let one = self.real.constant(1.0);
-        self.apply(atan(self.real), one / self.real.mul_add(self.real, one))
-    }
-
-    /// The angle of the point (`x`, `self`), radians, with the derivative (x dy − y dx)/(x² + y²), by
-    /// ratios to the larger of the two: squares might vanish.
-    #[inline(always)]
-    #[must_use]
-    pub fn atan2(self, x: Self) -> Self {
-        let (up, along) = (self.real.abs(), x.real.abs());
-        let largest = L::select(along.lt(up), up, along);
-        let (sin, cos) = (self.real / largest, x.real / largest);
-        let turned = sin.neg_mul_add(x.dual, cos * self.dual);
-        let squared = sin.mul_add(sin, cos * cos);
-        Self::new(atan2(self.real, x.real), turned / squared / largest)
-    }
-
-    /// eᵃ + ε b eᵃ
-    #[inline(always)]
-    #[must_use]
-    pub fn exp(self) -> Self {
-        let exp = exp(self.real);
-        self.apply(exp, exp)
-    }
-
-    /// ln a + ε b/a; NaN for a < 0.
-    #[inline(always)]
-    #[must_use]
-    pub fn ln(self) -> Self {
-        self.apply(ln(self.real), self.real.constant(1.0) / self.real)
     }
 
     /// aⁿ + ε b n aⁿ⁻¹ for whole n, the same in every lane, by squaring.

@@ -3,10 +3,28 @@
 //! Lanes have no integers. So powers of two are put together from 2, 4, 16, 256 …, one comparison each, and
 //! taken apart in the same way: all of that is exact.
 
+use super::Dual;
 use super::even::round;
 use super::length::power_of_two;
 use core::f64::consts::{LOG2_E, SQRT_2};
 use dq8_simd::{Float, Lanes};
+
+impl<L: Lanes> Dual<L> {
+    /// eᵃ + ε b eᵃ
+    #[inline(always)]
+    #[must_use]
+    pub fn exp(self) -> Self {
+        let exp = exp(self.real);
+        self.apply(exp, exp)
+    }
+
+    /// ln a + ε b/a; NaN for a < 0.
+    #[inline(always)]
+    #[must_use]
+    pub fn ln(self) -> Self {
+        self.apply(ln(self.real), self.real.constant(1.0) / self.real)
+    }
+}
 
 /// The exponents that are tried, the largest first: together they reach over all numbers.
 #[inline(always)]
@@ -41,7 +59,7 @@ fn two_to_the<L: Lanes>(k: L) -> L {
 
 /// eˣ = 2ᵏeʳ with |r| ≤ ½ ln 2, eʳ by its power series.
 #[inline(always)]
-pub(super) fn exp<L: Lanes>(x: L) -> L {
+fn exp<L: Lanes>(x: L) -> L {
     // Beyond these it is infinite or zero.
     let (end, terms) = if L::Real::SINGLE { (105.0, 8) } else { (746.0, 14) };
     let end = x.constant(end);
@@ -67,7 +85,7 @@ pub(super) fn exp<L: Lanes>(x: L) -> L {
 /// ln x = k ln 2 + 2 artanh((m − 1)/(m + 1)) of x = 2ᵏm, m in [1/√2, √2], by its power series; −∞ at 0, NaN
 /// below.
 #[inline(always)]
-pub(super) fn ln<L: Lanes>(x: L) -> L {
+fn ln<L: Lanes>(x: L) -> L {
     let (zero, one) = (x.constant(0.0), x.constant(1.0));
     let (mut m, mut k) = (x, zero);
     for &exponent in exponents::<L>() {

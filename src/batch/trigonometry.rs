@@ -8,10 +8,72 @@ use super::even::{arc_over_chord, cos_sinc, farthest, round};
 use core::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
 use dq8_simd::{Float, Lanes};
 
+impl<L: Lanes> Dual<L> {
+    /// sin a + ε b cos a, radians; NaN beyond 2¹⁶ rad (`f32`) or 2⁴⁵ rad (`f64`).
+    #[inline(always)]
+    #[must_use]
+    pub fn sin(self) -> Self {
+        let (sin, cos) = sin_cos(self.real);
+        self.apply(sin, cos)
+    }
+
+    /// cos a − ε b sin a, radians; NaN beyond 2¹⁶ rad (`f32`) or 2⁴⁵ rad (`f64`).
+    #[inline(always)]
+    #[must_use]
+    pub fn cos(self) -> Self {
+        let (sin, cos) = sin_cos(self.real);
+        self.apply(cos, -sin)
+    }
+
+    /// tan a + ε b/cos²a, radians; NaN beyond 2¹⁶ rad (`f32`) or 2⁴⁵ rad (`f64`).
+    #[inline(always)]
+    #[must_use]
+    pub fn tan(self) -> Self {
+        let (sin, cos) = sin_cos(self.real);
+        let tan = sin / cos;
+        self.apply(tan, tan.mul_add(tan, tan.constant(1.0)))
+    }
+
+    /// arcsin a + ε b/√(1 − a²), radians, |a| ≤ 1, else NaN; the derivative is infinite at ±1.
+    #[inline(always)]
+    #[must_use]
+    pub fn asin(self) -> Self {
+        self.apply(asin(self.real), self.real.constant(1.0) / cathetus(self.real))
+    }
+
+    /// arccos a − ε b/√(1 − a²), radians, |a| ≤ 1, else NaN; the derivative is infinite at ±1.
+    #[inline(always)]
+    #[must_use]
+    pub fn acos(self) -> Self {
+        self.apply(acos(self.real), self.real.constant(-1.0) / cathetus(self.real))
+    }
+
+    /// arctan a + ε b/(1 + a²), radians.
+    #[inline(always)]
+    #[must_use]
+    pub fn atan(self) -> Self {
+        let one = self.real.constant(1.0);
+        self.apply(atan(self.real), one / self.real.mul_add(self.real, one))
+    }
+
+    /// The angle of the point (`x`, `self`), radians, with the derivative (x dy − y dx)/(x² + y²), by
+    /// ratios to the larger of the two: squares might vanish.
+    #[inline(always)]
+    #[must_use]
+    pub fn atan2(self, x: Self) -> Self {
+        let (up, along) = (self.real.abs(), x.real.abs());
+        let largest = L::select(along.lt(up), up, along);
+        let (sin, cos) = (self.real / largest, x.real / largest);
+        let turned = sin.neg_mul_add(x.dual, cos * self.dual);
+        let squared = sin.mul_add(sin, cos * cos);
+        Self::new(atan2(self.real, x.real), turned / squared / largest)
+    }
+}
+
 /// sin x and cos x, radians; NaN beyond [`farthest`]. Both keep their relative precision where they vanish:
 /// the turns taken off are quarters, so that the one which vanishes is always a sine.
 #[inline(always)]
-pub(super) fn sin_cos<L: Lanes>(x: L) -> (L, L) {
+fn sin_cos<L: Lanes>(x: L) -> (L, L) {
     let near = x.abs().le(x.constant(farthest::<L>()));
     let x = L::select(near, x, x.constant(f64::NAN));
     let quarters = round(x * x.constant(FRAC_2_PI));
@@ -54,14 +116,14 @@ fn small_arc<L: Lanes>(sine: L) -> L {
 
 /// √(1 − x²), without the rounding of a square near 1; NaN for |x| > 1.
 #[inline(always)]
-pub(super) fn cathetus<L: Lanes>(x: L) -> L {
+fn cathetus<L: Lanes>(x: L) -> L {
     let one = x.constant(1.0);
     ((one - x) * (one + x)).sqrt()
 }
 
 /// arcsin x, radians; NaN for |x| > 1.
 #[inline(always)]
-pub(super) fn asin<L: Lanes>(x: L) -> L {
+fn asin<L: Lanes>(x: L) -> L {
     let (sine, cosine) = (x.abs(), cathetus(x));
     let is_small = sine.le(cosine);
     let arc = small_arc(L::select(is_small, sine, cosine));
@@ -70,7 +132,7 @@ pub(super) fn asin<L: Lanes>(x: L) -> L {
 
 /// arccos x, radians, in [0, π]; NaN for |x| > 1.
 #[inline(always)]
-pub(super) fn acos<L: Lanes>(x: L) -> L {
+fn acos<L: Lanes>(x: L) -> L {
     let (cosine, sine) = (x.abs(), cathetus(x));
     let is_across = cosine.le(sine);
     let arc = small_arc(L::select(is_across, cosine, sine));
@@ -82,7 +144,7 @@ pub(super) fn acos<L: Lanes>(x: L) -> L {
 
 /// arctan x, radians.
 #[inline(always)]
-pub(super) fn atan<L: Lanes>(x: L) -> L {
+fn atan<L: Lanes>(x: L) -> L {
     atan2(x, x.constant(1.0))
 }
 

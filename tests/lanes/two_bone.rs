@@ -86,9 +86,9 @@ fn limbs_agree<L: Portably>(ledger: &Ledger) {
 fn limbs_of_two_bones_on_lanes_are_those_of_the_scalar_reference() {
     #[rustfmt::skip]
     let bounds = [
-        line("bend", &[], 9.0, "an arctangent by a polynomial"),
-        line("missed", &[], 9.0, "a difference of lengths"),
-        line("rotation", &[], 30.0, "a rotation from a matrix, and a product"),
+        line("bend", &[], 6.5, "an arctangent by a polynomial"),
+        line("missed", &[], 0.5, "a difference of lengths"),
+        line("rotation", &[], 4.5, "a rotation from a matrix, and a product"),
     ];
     Ledger::keep("two bones", &bounds, |ledger| on_every_lane_type!(limbs_agree, ledger));
 }

@@ -25,7 +25,8 @@ impl<L: Lanes> Quat<L> {
         let still = sine.value().eq(zero);
         let axis = vector::select(still, [one, zero, zero], sine.divide_all(short.xyz()));
         let turn = short.half_angle_over_sine() * sine.value();
-        (axis, L::select(still, zero, turn + turn))
+        // Zero, but for a w that is no number.
+        (axis, L::select(still, zero * short.w(), turn + turn))
     }
 
     /// The turn by |v| radians about the direction of v. NaN where |v| is beyond 2¹⁷ (`f32`) or 2⁴⁶
