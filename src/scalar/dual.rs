@@ -61,6 +61,13 @@ impl<R: Real> Dual<R> {
         Ok(Self::ONE / self)
     }
 
+    /// s(a + εb) for a real number s.
+    #[inline]
+    #[must_use]
+    pub fn scale(self, factor: R) -> Self {
+        Self::new(self.real * factor, self.dual * factor)
+    }
+
     /// 1 / (a + εb) without a check: infinite or NaN for a = 0, as of floats.
     #[inline]
     #[must_use]
@@ -156,6 +163,17 @@ impl<R: Real> Dual<R> {
     #[must_use]
     pub fn atan(self) -> Self {
         self.apply(self.real.atan(), R::ONE / (R::ONE + self.real * self.real))
+    }
+
+    /// The angle of the point (`x`, `self`), radians in [−π, π], with the derivative
+    /// (x dy − y dx)/(x² + y²), by ratios to the larger of the two: squares might vanish.
+    #[inline]
+    #[must_use]
+    pub fn atan2(self, x: Self) -> Self {
+        let largest = self.real.abs().max_or_nan(x.real.abs());
+        let (sin, cos) = (self.real / largest, x.real / largest);
+        let turned = (cos * self.dual - sin * x.dual) / (sin * sin + cos * cos);
+        Self::new(self.real.atan2(x.real), turned / largest)
     }
 
     /// eᵃ + ε b eᵃ

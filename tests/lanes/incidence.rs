@@ -205,14 +205,14 @@ fn lines_planes_and_points_on_lanes_are_those_of_the_scalar_reference() {
     #[rustfmt::skip]
     let bounds = [
         line(NAMES[0], &[], 2.5, "two lengths and a cross product"),
-        line(NAMES[1], &[], 22.0, "the offsets over the sine of the planes, no less than 1/20"),
+        line(NAMES[1], &[], 36.0, "the offsets over the sine of the planes, no less than 1/20"),
         line(NAMES[2], &[], 5.0, "a length and a difference"),
         line(NAMES[3], &[], 0.0, "a truth value"),
         line(NAMES[4], &[], 5.0, "a cross product and a length"),
-        line(NAMES[5], &[], 37.0, "the distance over the sine, no less than 1/20"),
+        line(NAMES[5], &[], 60.0, "the distance over the sine, no less than 1/20"),
         line(NAMES[6], &[], 0.0, "zero, or whole numbers"),
-        line(NAMES[7], &[], 7.0, "feet, whose difference is projected"),
-        line(NAMES[8], &[], 7.0, "as the dual angle"),
+        line(NAMES[7], &[], 8.0, "feet, whose difference is projected"),
+        line(NAMES[8], &[], 8.0, "as the dual angle"),
         line(NAMES[9], &[], 82.0, "feet over the square of the sine, no less than 1/400"),
         line(NAMES[10], &[], 41.0, "as the common perpendicular"),
         line(NAMES[11], &[], 3.0, "a normal over the sine of the points"),

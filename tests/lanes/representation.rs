@@ -346,7 +346,7 @@ fn matrices_are_repaired_and_refused_on_lanes_as_by_the_scalar_reference() {
         line("gram_schmidt", &[], 6.5, "a rounding over the sines of the columns"),
         line("polar rotation", &[], 15.0, "Jacobi's turns, another order of summands"),
         line("polar stretch", &[], 14.0, "a product with the rotation"),
-        line("from_matrix3", &[], 2.0, "another length divides"),
+        line("from_matrix3", &[], 3.9, "another length divides"),
     ];
     Ledger::keep("matrices", &bounds, |ledger| {
         on_every_lane_type!(repaired_matrices_agree, ledger)
@@ -503,10 +503,10 @@ fn poses_affine_maps_and_jacobians_on_lanes_are_those_of_the_scalar_reference() 
     let bounds = [
         line("RotationTranslation::from", &[], 0.8, "fused products"),
         line("RotationTranslation::mul", &[], 1.2, "fused products"),
-        line("RotationTranslation::inverse", &[], 0.8, "fused products"),
-        line("RotationTranslation::apply", &[], 2.6, "fused products"),
+        line("RotationTranslation::inverse", &[], 1.2, "fused products"),
+        line("RotationTranslation::apply", &[], 3.2, "fused products"),
         line("DualQuat::from", &[], 0.4, "fused products"),
-        line("Affine", &[], 0.2, "sums of products in another order"),
+        line("Affine", &[], 0.35, "sums of products in another order"),
         line("Jacobian", &[], 0.8, "polynomials for series"),
     ];
     Ledger::keep("poses and maps", &bounds, |ledger| {
