@@ -122,6 +122,7 @@ REASONS = {
          "`f64` geometry (`tests/representations/`, `tests/lines/`, `tests/ik/two_bone.rs`)",
     "s": "no vectors; functions of the standard library, laws and differences (`tests/algebra/`, `tests/lanes/dual.rs`, "
          "`tests/differentiate.rs`)",
+    "t": "one text for numbers and for lanes, without a trait: there is nothing to compare",
 }
 PARTS = {"new", "from_array", "to_array", "from_xyzw", "from_parts", "real", "dual", "dual_scalar", "dual_vector",
          "from_dual_parts", "x", "y", "z", "w", "xyz"}
@@ -205,7 +206,7 @@ def main():
         if kind in traits and in_trait in traits[kind]:
             yield "yes" if in_trait == name else f"`{in_trait}`"
         elif kind not in traits:
-            yield reason(key, "e", "the trait")
+            yield reason(key, "t" if both else "e", "the trait")
         elif name in NO_LANES:
             yield reason(key, NO_LANES[name], "the trait")
         elif name in PARTS:
