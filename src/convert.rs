@@ -1,5 +1,5 @@
-//! `From` and `Into`: arrays, and the parts of a motion. Only where the order of the numbers is the one
-//! of memory; a matrix says rows or columns, so it has functions with names.
+//! `From` and `Into` for arrays and for the parts of a motion, where the order of the numbers is that of memory.
+//! Matrices have named functions instead, because a conversion could not say rows or columns.
 
 use crate::geometry::{Twist, Wrench};
 use crate::real::Real;

@@ -1,4 +1,4 @@
-//! Dual numbers as [`Real`] numbers: whatever is written for these differentiates itself.
+//! Dual numbers as [`Real`] numbers: code that is written for [`Real`] computes its own derivative.
 
 use crate::real::Real;
 use crate::scalar::Dual;

@@ -47,6 +47,10 @@
 //! | [`interop`] | glam, nalgebra, serde and others, each behind a feature |
 //! | [`Lanes`], [`Level`], [`simd`] | vectors of numbers, and the proof that the CPU has them |
 //!
+//! The [guide] has pages: [choosing a layout](crate::guide::layout), [writing your own
+//! kernel](crate::guide::kernel), [accuracy](crate::guide::accuracy), [firmware](crate::guide::firmware), and
+//! [coming from another library](crate::guide::migration).
+//!
 //! # Features
 //!
 //! | feature | default | what it does |
@@ -82,9 +86,11 @@ mod convert;
 mod differentiate;
 mod dispatch;
 mod dual_number;
-mod error;
 mod everyday;
 mod geometry;
+// Pages, and no code: nothing that a build needs.
+#[cfg(any(doc, doctest))]
+pub mod guide;
 pub mod hierarchy;
 pub mod ik;
 mod incidence;
@@ -108,6 +114,11 @@ pub mod slices;
 pub mod storage;
 mod text;
 
+/// The front page is tested like the documentation.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
+
 /// The lanes' own crate: numbers, vectors and instruction sets, for kernels of your own.
 pub use dq8_simd as simd;
 
@@ -117,21 +128,21 @@ pub use dq8_simd::{
     Float, Lanes, Level, Mask, Portable, f32x4, f32x8, f32x16, f64x2, f64x4, f64x8,
 };
 pub use dual_number::DualNumber;
-pub use error::{
-    HierarchyError, IncidenceError, InverseError, MatrixError, NormalizeError, OrthonormalError,
-};
 pub use geometry::{DualVector, Line, Mean, Plane, Screw, Twist, Wrench};
+pub use hierarchy::HierarchyError;
 #[cfg(feature = "alloc")]
 #[doc(inline)]
 pub use hierarchy::{Crowd, HierarchyPlan, Skeleton, Strategy};
 #[doc(inline)]
 pub use hierarchy::{Hierarchy, Job, Poses, Renormalize, Rotations, RotationsTranslations};
 pub use incidence::CommonPerpendicular;
+pub use incidence::IncidenceError;
 pub use law::{Nlerp, Sclerp, Separate};
 pub use motion::Motion;
 pub use palette_entry::{MatrixOrder, PaletteEntry};
 pub use quaternion::Quaternion;
 pub use real::{Real, Scalar};
+pub use representation::OrthonormalError;
 #[doc(inline)]
 pub use representation::{
     Affine, EulerAngles, EulerAxes, EulerFrame, EulerOrder, EulerSolution, Polar,
@@ -139,6 +150,7 @@ pub use representation::{
 };
 #[doc(inline)]
 pub use scalar::{Dual, DualQuat, Quat};
+pub use scalar::{InverseError, MatrixError, NormalizeError};
 pub use shape::ShapeError;
 #[doc(inline)]
 pub use storage::{Block, Element, PointBlock};

@@ -48,9 +48,24 @@ shared_trait! {
     /// | adjoint(ab) = adjoint(a) adjoint(b), the same for coadjoint; the power of a wrench on a twist is kept | unit |
     /// | left_jacobian(x) = adjoint(from_twist(x)) right_jacobian(x) = left_jacobian_inverse(x)⁻¹ | \|ω\| < 2π |
     ///
-    /// The documentation of each operation, with formula and source, stands on the scalar type; users
-    /// need not import this trait, because both types have every operation as a method of their own.
-    /// No other type can implement it.
+    /// # Where unit length is a precondition
+    ///
+    /// What the laws above promise for *unit* σ needs |p| = 1 and p·q = 0 within rounding: rotation and translation,
+    /// matrices, screws, `log`, `pow`, `sclerp`, points, directions, lines, planes, twists, distances, and `conjugate` as
+    /// an inverse. `from_axis_angle` needs a unit axis, and `from_rotation` and its kin need a unit rotation. Products,
+    /// sums, conjugates, `norm`, `normalize`, `inverse`, `nlerp` and `dlb` take any σ with p ≠ 0.
+    ///
+    /// No build checks it, debug builds included: a kernel never panics, and a test per motion would cost more than most
+    /// operations. A σ of norm 1 + δ gives results that are off by up to about 2δ, relatively; nothing else happens, and how they
+    /// are off far from 1 may differ between implementations. What comes from outside is checked where it comes in:
+    /// `is_unit(tolerance)` and `is_normalized` test, `normalize` repairs, `try_from_matrix3x4` and its kin refuse, and
+    /// `ik` and `mechanism` refuse joints and targets that are not unit.
+    ///
+    /// Constructors and interpolations return unit motions. Each product adds about a rounding to the norm
+    /// (`needs_renormalization`).
+    ///
+    /// The documentation of each operation, with formula and source, stands on the scalar type. Users need not import this
+    /// trait, because both types have every operation as a method of their own. No other type can implement it.
     trait Motion: Copy, Debug, Add<Output = Self>, Sub<Output = Self>, Mul<Output = Self>, Neg<Output = Self>;
 
     delegate by delegate_motion;

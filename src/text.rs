@@ -12,7 +12,7 @@ use core::str::FromStr;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ParseError {
-    /// What stands at this place of the list is no number.
+    /// The entry at this place of the list is not a number.
     NotANumber {
         /// Its place among the numbers, from 0 on.
         index: usize,

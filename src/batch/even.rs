@@ -108,7 +108,8 @@ pub(crate) fn cos_sin<L: Lanes>(x: L) -> (L, L) {
     let square = rest * rest;
     let (cos, _) = polynomial(&coefficients::COS_F32, &coefficients::COS_F64, square);
     let (sinc, _) = polynomial(&coefficients::SINC_F32, &coefficients::SINC_F64, square);
-    // (−1)ᵏ: k/2 is a whole number or half way between two.
+    // (−1)ᵏ: k/2 is a whole number or half way between two, so `odd` is 0 or ½, and 1 − 4·odd is the sign. Lanes
+    // have no parity of their own, and integers would need another type of vector.
     let half_turns = turns * x.constant(0.5);
     let odd = (half_turns - round(half_turns)).abs();
     let sign = odd.neg_mul_add(x.constant(4.0), x.constant(1.0));
@@ -131,7 +132,8 @@ pub(crate) fn half_turns<L: Lanes>(x: L) -> (L, L) {
     (turns, rest)
 }
 
-/// The nearest whole number: adding 1.5·2²³ (2⁵²) leaves no bits for a fraction.
+/// The nearest whole number: adding 1.5·2²³ (2⁵²) leaves no bits for a fraction, and taking it off again is exact. The
+/// factor 1.5 keeps negative numbers within the same binade. Right for |x| below 2²² (2⁵¹).
 #[inline(always)]
 pub(super) fn round<L: Lanes>(x: L) -> L {
     let shift = x.constant(if L::Real::SINGLE { 12_582_912.0 } else { 6_755_399_441_055_744.0 });
@@ -155,6 +157,10 @@ fn value_and_slope<L: Lanes, C: Copy + Into<f64>>(coefficients: &[C], x: L) -> (
 /// Even and odd powers from the third term on are summed in a Horner chain each: one chain of all powers
 /// would wait twice as long for its own results. The first two terms, by far the largest, come last and
 /// one after the other, as in Horner's scheme, so that nearly all rounding is that of the result.
+///
+/// For six terms: (((c₃ + c₅x²)x + (c₂ + c₄x²))x + c₁)x + c₀. A chain begins with one of the last two
+/// coefficients and takes every second one below it; which of the two ends with c₂ depends on whether the number of
+/// terms is even. The derivative has the coefficients (k + 1)cₖ₊₁, computed at compile time after unrolling.
 #[inline(always)]
 fn two_chains<L: Lanes, C: Copy + Into<f64>>(
     coefficients: &[C],

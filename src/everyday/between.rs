@@ -1,5 +1,5 @@
-//! Interpolation on a screw: slerp about the middle of the way, as `batch/screw.rs` has it, with a
-//! quaternion a register and polynomials side by side in its lanes.
+//! Interpolation on a screw: slerp about the middle of the way, as `batch/screw.rs` has it, with one
+//! quaternion per register, and several polynomials in the lanes of one register.
 
 use super::quad::{dots, halves, join, load, sum, toward};
 use super::{Four, Number, one_lane};

@@ -1,10 +1,9 @@
 //! The quicker forms that `f32` and `f64` have of what the scalar reference computes.
 //!
 //! The reference serves every [`Real`](crate::Real) number, in the order of the papers. Most callers
-//! hold floats, and want them fast: [`Real`](crate::Real) hands the functions below to the reference,
-//! which asks for them first (`quick_product` and the like). Nobody else calls them, and no number
-//! but these two has any: a wrapper of a float runs through the reference alone, and so the tests
-//! compare the two.
+//! hold floats and want speed, so [`Real`](crate::Real) offers the functions below (`quick_product` and
+//! the like), and the reference asks for them first. Nothing else calls them, and only these two numbers
+//! have them: a wrapper of a float takes the reference's own path, and the tests compare the two.
 //!
 //! - `quad`: one quaternion in the four lanes of a register, or of two.
 //! - `between`: interpolation on a screw, in such registers.

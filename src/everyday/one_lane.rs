@@ -1,5 +1,5 @@
-//! Operations of [`batch`] at one lane: screw motions, which ask no library for a sine or an arccosine and
-//! are nowhere singular (see `batch/even.rs`), and what has a better form where four numbers are a register.
+//! Operations of [`batch`] at one lane. Screw motions gain because they call no library for a sine or an arccosine and
+//! have no singularity (see `batch/even.rs`). Some others run here only on targets without registers of four numbers.
 
 use super::Number;
 use crate::batch;

@@ -173,7 +173,7 @@ fn unit_of<V: Four>(p: V, q: V) -> Option<[V::Number; 8]> {
 /// −1 where `a` and `b` point apart, else 1.
 #[inline(always)]
 pub(super) fn toward<V: Four>(a: V, b: V) -> V {
-    // A zero of either sign is no way apart.
+    // Zeros of either sign are at no distance.
     let dot = sum(a * b) + V::Number::default();
     load([dot.constant(1.0).copysign(dot); 4])
 }
@@ -209,7 +209,7 @@ fn half_translation<V: Four>(p: V, q: V) -> V {
     translation_along(p, q) + cross(p, q)
 }
 
-/// w_p q − w_q p, what of half the translation is no cross product.
+/// w_p q − w_q p: the part of half the translation that is not a cross product.
 #[inline(always)]
 fn translation_along<V: Four>(p: V, q: V) -> V {
     pick(q, [3; 4]).neg_mul_add(p, pick(p, [3; 4]) * q)

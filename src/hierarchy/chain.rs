@@ -112,7 +112,9 @@ trait Segments {
 fn scan<S: Segments>(mut segments: S) -> Packed<S> {
     let (level, steps) = (segments.level(), segments.steps());
     let (parts, lanes) = (segments.parts(), S::Lanes::LANES);
-    // Lanes or parts that there are not stay at the identity.
+    // First pass, on all lanes: the product of each segment.
+    //
+    // Lanes or parts that there are not stay at the identity, which changes no product.
     let mut totals = [identity(); MAX_SEGMENTS];
     for (part, totals) in totals.chunks_exact_mut(lanes).take(parts).enumerate() {
         let mut total = batch::DualQuat::identity(level);
@@ -129,13 +131,16 @@ fn scan<S: Segments>(mut segments: S) -> Packed<S> {
         }
         total.store_records(totals);
     }
-    // What comes before each of them.
+    // Second pass, an exclusive scan of at most sixteen totals, one motion in a register: `totals[i]` becomes what
+    // comes before segment i, and `before` ends as the product of everything.
     let mut before = Packed::<S>::load(level, &identity());
     for total in totals.iter_mut().take(parts * lanes) {
         let after = packed_product(before, total);
         before.store(total);
         before = after;
     }
+    // Third pass, on all lanes: each segment once more, from what comes before it. The links are read a second time
+    // instead of keeping the partial products of the first pass, which would be a store and a load for each.
     for (part, starts) in totals.chunks_exact(lanes).take(parts).enumerate() {
         let mut model = batch::DualQuat::load_records(level, starts);
         for step in 0..steps {

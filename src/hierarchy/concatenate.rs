@@ -17,9 +17,9 @@ const OVERLAPS: bool =
 /// Bytes of the first cache, or less, that instances side by side may fill.
 const CACHE: usize = 32 << 10;
 
-/// So many joints ahead the next ones are fetched. Crowds of 64 joints in place by 1024 take a tenth less
-/// time for it with AVX2 and a twentieth less with AVX-512; one block of 16, which never leaves the first
-/// cache, a twentieth more. Farther ahead is not faster, and from 8 on slower.
+/// How many joints ahead the loop prefetches. It saves 1024 skeletons of 64 joints in place a tenth of the time with
+/// AVX2 and a twentieth with AVX-512, and costs one block of 16, which never leaves the first cache, a twentieth.
+/// Farther ahead is not faster, and from 8 joints on it is slower.
 const AHEAD: usize = 2;
 
 /// Parents first. Three things keep this loop at the speed of its multiplications:
@@ -84,6 +84,9 @@ fn forward<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level, const K: usize
                     register,
                     *instance * E::Layout::THINGS + register * Register::<E, V, 8>::LANES,
                 );
+                // One comparison, the bounds check of this load, also tells roots from children. The root's
+                // model goes to memory, like that of a child: a value that two paths could have left in
+                // registers would be moved there on both.
                 let parent = Tile::at(parent as usize, register);
                 if let Some(parent) = motions(level, models, parent) {
                     let Some(model) = locals.onto(level, parent, models, slot) else { return };
@@ -91,10 +94,12 @@ fn forward<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level, const K: usize
                 } else {
                     root(level, run, *instance, locals, models, slot);
                 }
+                // The turn of this register ends: nothing of the next one may be begun before its store.
                 compiler_fence(Ordering::SeqCst);
                 if !renormalize && !X::ACTIVE {
                     continue;
                 }
+                // Read back, for the reason above; it is in the first cache.
                 let Some(mut model) = motions(level, models, slot.own_tile()) else { return };
                 if renormalize {
                     model = model.normalize();
@@ -108,8 +113,7 @@ fn forward<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level, const K: usize
     }
 }
 
-/// The model of a joint without a parent. Not inlined: its registers would be missing where the work
-/// is.
+/// The model of a joint without a parent. Inlined, it would take registers from the children.
 #[cold]
 #[inline(never)]
 fn root<E: Element<8>, L: Locals<E>, V: Level>(

@@ -1,4 +1,4 @@
-//! [`PoseSource`]: poses that are made on their way into a register, one layer from another.
+//! [`PoseSource`]: poses that are computed as they are loaded. Sources nest: a layer loads from other sources.
 
 use super::locals::sealed::Sealed;
 use super::locals::{Locals, Motions, Poses, RotationsTranslations, part_of};
@@ -64,6 +64,8 @@ impl<E: Element<7>> PoseSource<E::Layout, 7> for RotationsTranslations<'_, E> {
 }
 
 /// A layer over other poses, by a weight for each instance and, where it is masked, for each joint.
+///
+/// Debug builds need about 1.5 MiB of stack per layer: [the table](crate::guide::firmware#stack).
 ///
 /// ```
 /// use dq8::hierarchy::Layered;

@@ -13,10 +13,10 @@ pub(super) type Motions<E, V> = batch::DualQuat<Register<E, V, 8>>;
 /// Locals of whole instances, `[instance][joint]`: [`Poses`], [`RotationsTranslations`],
 /// [`Rotations`], [`Sampled`](super::Sampled) or [`Layered`](super::Layered). Sealed.
 pub trait Locals<E: Element<8>>: Copy + sealed::Sealed {
-    /// Their name in errors, and how many there are for so many models.
+    /// Their name in errors, and how many locals there are for this number of models.
     ///
     /// # Errors
-    /// If what is the same for all instances is not there for all joints.
+    /// If what is the same for all instances, such as the offsets, is not as long as there are joints.
     fn shape(&self, joints: usize, models: usize) -> Result<(&'static str, usize), ShapeError>;
 
     /// The locals of a slot; `models` are those of its instances, as far as they are known.

@@ -24,6 +24,7 @@ mod chain;
 mod concatenate;
 #[cfg(feature = "alloc")]
 mod crowd;
+mod error;
 mod job;
 mod layers;
 mod locals;
@@ -49,6 +50,7 @@ mod velocity;
 
 #[cfg(feature = "alloc")]
 pub use crowd::Crowd;
+pub use error::HierarchyError;
 pub use job::Job;
 pub use layers::{Layered, PoseSource};
 pub use locals::{Locals, Poses, Rotations, RotationsTranslations};

@@ -1,4 +1,4 @@
-//! [`Epilogue`]: what is computed from a model, for example a palette, while it is at hand.
+//! [`Epilogue`]: what is computed from a model, for example a palette, while it is in registers.
 
 use super::locals::Motions;
 use super::slot::JointSlot;

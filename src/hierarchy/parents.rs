@@ -1,4 +1,4 @@
-use crate::error::HierarchyError;
+use super::error::HierarchyError;
 
 /// A joint hierarchy: the parent of every joint, checked once, so that no run has to.
 ///

@@ -15,9 +15,9 @@ const MIN_CHAIN: usize = 24;
 
 /// How to compute one instance of a hierarchy, found once.
 ///
-/// [`Hierarchy`] takes its lanes from many instances. Where there is one, joints wait for their
-/// parents, and what counts is how many wait at a time; that depends on the parents alone. A plan
-/// is made of them once and serves any number of poses: it computes
+/// [`Hierarchy`] fills its lanes with many instances. In a single instance joints wait for their parents, so the order
+/// decides how much of the time something can be computed, and the best order depends on the parents alone. A plan
+/// finds it once, and serves any number of poses. It computes
 ///
 /// model(j) = model(parent(j)) · local(j)
 ///
@@ -25,8 +25,7 @@ const MIN_CHAIN: usize = 24;
 /// their order are the same for a tree, so results differ by rounding only; of a long chain see
 /// [`Backend::chain_products`].
 ///
-/// Several instances one after the other are computed one after the other: for crowds, [`Block`] is
-/// the faster way. Motions that begin at a multiple of 32 bytes (`f32`) do not cross cache lines and take
+/// Several instances are computed one after the other: for crowds, [`Block`] is faster. Motions that begin at a multiple of 32 bytes (`f32`) do not cross cache lines and take
 /// about 5 % less time than others.
 ///
 /// [`Block`]: crate::storage::Block

@@ -1,5 +1,5 @@
-//! The product of two motions where there is nothing else to compute meanwhile: one register holds a whole
-//! motion. And the same product in lanes, to the last bit.
+//! The product of two motions for loops over a single instance: one register holds a whole motion. And the same
+//! product in lanes, equal to the last bit.
 
 use dq8_simd::{Lanes, Level, PackedDualQuat};
 

@@ -27,9 +27,23 @@ pub(super) struct Schedule {
 impl Schedule {
     /// Of the joints whose parent is done, the one with the longest way down comes first: it decides
     /// how long the whole takes. The others fill the time in which it waits for its parent.
+    ///
+    /// This is list scheduling by the critical path, for one unit that begins a product per time step and returns
+    /// it [`BETWEEN`] steps later:
+    ///
+    /// ```text
+    /// able = roots
+    /// at each time step:
+    ///     able += those of `soon` whose time has come
+    ///     begin the joint of `able` with the greatest height (the first, among equals)
+    ///     soon += its children, BETWEEN steps from now
+    /// ```
+    ///
+    /// Times only rise, so `soon` is a queue and needs no sorting; a step with nothing to begin is skipped.
     pub(super) fn new(hierarchy: &Hierarchy<'_>) -> Self {
         let parents = hierarchy.parents();
-        // The longest way from a joint down, and its children, the last one first.
+        // The longest way from a joint down, and its children, the last one first. Parents come before their
+        // children, so one sweep from the last joint finds all heights.
         let mut heights = vec![0_u32; parents.len()];
         let mut children = vec![Vec::new(); parents.len()];
         let mut able = BinaryHeap::new();

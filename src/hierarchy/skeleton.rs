@@ -1,5 +1,5 @@
+use super::error::HierarchyError;
 use super::{Hierarchy, HierarchyPlan, Job};
-use crate::error::HierarchyError;
 use crate::shape::ShapeError;
 use crate::storage::Element;
 use alloc::boxed::Box;
@@ -191,8 +191,7 @@ impl From<Hierarchy<'_>> for Skeleton {
 /// A number that names a parent, or says that there is none: −1, the largest number of its type, or
 /// `None`. Sealed.
 pub trait ParentIndex: Copy + sealed::Sealed {
-    /// The parent, [`Hierarchy::ROOT`] where there is none, and something beyond every joint where it is
-    /// no joint.
+    /// The parent, [`Hierarchy::ROOT`] where there is none, or a number beyond every joint if this does not name one.
     fn number(self) -> u32;
 }
 
@@ -200,7 +199,7 @@ mod sealed {
     pub trait Sealed {}
 }
 
-/// What is no number of a joint either.
+/// Not the number of a joint either.
 const BEYOND: u32 = u32::MAX - 1;
 
 macro_rules! parent_indices {

@@ -2,7 +2,7 @@
 //!
 //! As many instances as there are lanes are computed together; what is left over, and single instances,
 //! one by one. Both do the same operations in the same order: the model of an instance is the same to the
-//! last bit, however many others stand around it.
+//! last bit, however many others are in the call.
 
 use super::locals::{Locals, Motions, motions};
 use super::palette::Epilogue;
@@ -98,6 +98,9 @@ fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
         let Some(&parent) = run.parents.get(joint) else { return };
         let (slot, parent) = (JointSlot::of_instances(joint, instance, joints), parent as usize);
         if parent < joint {
+            // The ring: the model of joint j is at j % RECENT until joint j + RECENT takes its place. A parent that
+            // is gone, or lies before the range and never was there, is loaded into the slot behind the ring. So the
+            // product has one source, memory at an index, whatever happened before it.
             let mut from = parent % RECENT;
             if joint - parent >= RECENT || parent < run.joints.start {
                 from = RECENT;
@@ -179,8 +182,8 @@ fn normalize_lanes<E: Element<8>, V: Level>(
     );
 }
 
-/// One instance, one number to a register: memory is as near as anything else. And there is no other
-/// loop to agree with, so that rotations can be multiplied on as they are.
+/// One instance where a register holds one number. Models go through memory, since eight numbers would not stay in
+/// registers anyway. No other loop has to give the same bits here, so rotations are multiplied on as they are.
 #[inline(always)]
 fn alone<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     level: V,
@@ -253,6 +256,9 @@ fn walk<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     let first = instance * joints;
     let lanes = E::Layout::records::<V>();
     let root = run.root_of(instance);
+    // Three stages over as many joints as there are lanes: make their locals, a joint per lane; multiply them onto
+    // their parents one after the other, each product using all lanes for its eight numbers; then the epilogue, a
+    // joint per lane again. Motions that lie in memory skip the first stage and are multiplied from where they are.
     let in_memory = locals.motions();
     let mut made = [identity(); MAX_LANES];
     for start in run.joints.clone().step_by(lanes) {

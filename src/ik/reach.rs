@@ -59,7 +59,7 @@ where
 
 impl Backend {
     /// [`Arm::reach`] for every target, as many at a time as there are lanes; `values[i]` and
-    /// `reports[i]` belong to `targets[i]`.
+    /// `reports[i]` belong to `targets[i]`. Debug builds need a deep stack: [the table](crate::guide::firmware#stack).
     ///
     /// # Errors
     /// If the slices differ in length; nothing is touched.
@@ -109,7 +109,8 @@ impl<R: Scalar, const N: usize> Kernel for Targets<'_, R, N> {
     #[inline(always)]
     fn run<V: Level>(self, level: V) {
         let lanes = R::Lanes::<V>::LANES;
-        // Lanes without a target have nothing to do.
+        // Lanes without a target have nothing to do: a target of NaN is invalid from the start, so it never runs, and the
+        // others do not wait for it.
         let nowhere = [R::NAN; 8];
         let records: &[[R; 8]] = bytemuck::must_cast_slice(self.targets);
         for ((targets, values), reports) in records

@@ -1,7 +1,7 @@
 //! Lines and planes.
 
+use super::error::IncidenceError;
 use super::{finite, parallel_sine};
-use crate::error::IncidenceError;
 use crate::geometry::{Line, Plane};
 use crate::real::Real;
 use crate::scalar::vector;

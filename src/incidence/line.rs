@@ -1,7 +1,7 @@
 //! Lines from points and planes, and points near them.
 
+use super::error::IncidenceError;
 use super::{finite, parallel_sine, unit};
-use crate::error::IncidenceError;
 use crate::geometry::{Line, Plane};
 use crate::real::Real;
 use crate::scalar::vector;

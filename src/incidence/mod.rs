@@ -9,13 +9,14 @@
 //! The same on lanes, `…_checked` with masks for errors, is in `batch/incidence`.
 
 mod crossing;
+mod error;
 mod line;
 mod perpendicular;
 mod plane;
 
+pub use error::IncidenceError;
 pub use perpendicular::CommonPerpendicular;
 
-use crate::error::IncidenceError;
 use crate::real::Real;
 use crate::scalar::vector;
 

@@ -1,7 +1,7 @@
 //! Two lines: their dual angle, common perpendicular and intersection.
 
+use super::error::IncidenceError;
 use super::{finite, parallel_sine, size, unit};
-use crate::error::IncidenceError;
 use crate::geometry::Line;
 use crate::real::Real;
 use crate::scalar::{Dual, vector};

@@ -1,7 +1,7 @@
 //! Planes from points and lines.
 
+use super::error::IncidenceError;
 use super::{finite, parallel_sine, size, unit};
-use crate::error::IncidenceError;
 use crate::geometry::{Line, Plane};
 use crate::real::Real;
 use crate::scalar::vector;

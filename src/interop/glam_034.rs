@@ -10,8 +10,8 @@
 //! # Ok::<(), dq8::MatrixError>(())
 //! ```
 
-use crate::error::MatrixError;
 use crate::real::Real;
+use crate::scalar::MatrixError;
 use crate::scalar::{DualQuat, Quat};
 
 /// One line for each precision: glam's types have nothing in common that a generic could name.

@@ -9,8 +9,8 @@
 //! assert!((Isometry3::from(motion).to_homogeneous() - isometry.to_homogeneous()).norm() < 1e-15);
 //! ```
 
-use crate::error::MatrixError;
 use crate::real::Real;
+use crate::scalar::MatrixError;
 use crate::scalar::{DualQuat, Quat};
 use bytemuck::Pod;
 use nalgebra::{

@@ -14,6 +14,7 @@ impl Group {
     /// Number `index` of the `count` things that each configuration has.
     #[inline(always)]
     pub(super) fn tile<Y: Layout, V: Level>(self, index: usize, count: usize) -> Tile {
+        // Plain: the same thing of the next configuration lies `count` records on. Blocks hold one of each per lane.
         let stride = if Y::transposes::<V>() { Some(count) } else { None };
         Tile { element: self.first * count + index, register: self.register, stride }
     }

@@ -74,6 +74,9 @@ impl<Y: Layout, T: JointValues<Y>, K: Task<Y>> Kernel for Walk<'_, Y, T, K> {
     fn run<V: Level>(self, level: V) {
         let Self { mechanism, values, elements, mut task } = self;
         let mut numbers = Numbers::<Y, T, V>::new(level, values, mechanism.values);
+        // Depth first with a stack that is laid out beforehand: each step names the slot of its parent and the slot that
+        // it fills, and takes over its parent's slot as the last child. So nothing is pushed or popped, and the slots
+        // stay in the first cache.
         let mut poses = [Placed::<Y::Register<V>>::identity(level); SLOTS];
         let mut carried = [K::base(level); SLOTS];
         let mut state = task.start(level);
@@ -84,12 +87,14 @@ impl<Y: Layout, T: JointValues<Y>, K: Task<Y>> Kernel for Walk<'_, Y, T, K> {
                 task.begin(level, group, mechanism.steps, &mut state);
                 let mut position = 0;
                 while let Some(step) = mechanism.steps.get(position) {
+                    // The links of a subtree follow each other: one that nobody wants is one jump.
                     if task.skips(mechanism.steps, position) {
                         position += step.size as usize;
                         continue;
                     }
                     position += 1;
                     let (from, to) = (step.parent_slot as usize, step.slot as usize);
+                    // They are smaller than SLOTS; the remainder, a mask, tells the compiler, and no check is left.
                     let (from, to) = (from % SLOTS, to % SLOTS);
                     let is_root = step.parent == super::step::NONE;
                     let before = if is_root {

@@ -1,5 +1,5 @@
-//! Operators of references: `&a * &b`, `a * &b`, `&a * b`, `a *= &b`, `-&a`. Not of `Dual`, a number like others: where
-//! `x * Real::HALF` is written, a second product would leave the type of the factor open.
+//! Operators of references: `&a * &b`, `a * &b`, `&a * b`, `a *= &b`, `-&a`. `Dual` has none:
+//! with a second product, the type of the factor in `x * Real::HALF` would be ambiguous.
 
 use crate::geometry::{DualVector, Twist};
 use crate::real::Real;

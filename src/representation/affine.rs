@@ -1,5 +1,5 @@
 use super::Polar;
-use crate::error::OrthonormalError;
+use super::error::OrthonormalError;
 use crate::geometry::Plane;
 use crate::real::Real;
 use crate::scalar::{DualQuat, vector};

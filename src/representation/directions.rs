@@ -1,7 +1,7 @@
 //! Rotations about the coordinate axes, and rotations and poses that are told by directions.
 
+use super::error::OrthonormalError;
 use super::gram_schmidt::gram_schmidt;
-use crate::error::OrthonormalError;
 use crate::real::Real;
 use crate::scalar::{DualQuat, Quat, vector};
 

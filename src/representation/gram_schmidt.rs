@@ -1,4 +1,4 @@
-use crate::error::OrthonormalError;
+use super::error::OrthonormalError;
 use crate::real::Real;
 use crate::scalar::vector;
 

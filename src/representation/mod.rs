@@ -40,6 +40,7 @@
 mod affine;
 mod axis_angle;
 mod directions;
+mod error;
 mod euler_angles;
 mod gram_schmidt;
 mod polar;
@@ -49,6 +50,7 @@ mod symmetric;
 #[doc(inline)]
 pub use crate::geometry::{EulerAngles, EulerAxes, EulerFrame, EulerOrder, EulerSolution};
 pub use affine::Affine;
+pub use error::OrthonormalError;
 pub use gram_schmidt::gram_schmidt;
 pub use polar::Polar;
 pub use rotation_translation::RotationTranslation;

@@ -1,6 +1,6 @@
+use super::error::OrthonormalError;
 use super::gram_schmidt::all_finite;
 use super::symmetric;
-use crate::error::OrthonormalError;
 use crate::real::Real;
 use crate::scalar::{Quat, vector};
 

@@ -1,4 +1,4 @@
-use crate::error::InverseError;
+use super::error::InverseError;
 use crate::real::Real;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 

@@ -1,7 +1,7 @@
 //! 3×3, 3×4 and 4×4 matrices, rows, acting on column vectors.
 
+use super::error::MatrixError;
 use super::{DualQuat, Quat, vector};
-use crate::error::MatrixError;
 use crate::real::Real;
 
 impl<R: Real> Quat<R> {

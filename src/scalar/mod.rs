@@ -9,6 +9,7 @@ mod derivative;
 mod dual;
 mod dual_number;
 mod dual_quat;
+mod error;
 mod jacobian;
 mod matrix;
 mod mean;
@@ -26,4 +27,5 @@ pub(crate) mod vector;
 
 pub use dual::Dual;
 pub use dual_quat::DualQuat;
+pub use error::{InverseError, MatrixError, NormalizeError};
 pub use quat::Quat;

@@ -1,7 +1,7 @@
 //! Norm, normalization and inverses.
 
+use super::error::{InverseError, NormalizeError};
 use super::{Dual, DualQuat, Quat, vector};
-use crate::error::{InverseError, NormalizeError};
 use crate::real::Real;
 
 impl<R: Real> Quat<R> {

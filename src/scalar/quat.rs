@@ -1,5 +1,5 @@
+use super::error::NormalizeError;
 use super::vector;
-use crate::error::NormalizeError;
 use crate::real::Real;
 use bytemuck::{Pod, Zeroable};
 use core::ops::{Add, Mul, Neg, Sub};

@@ -60,6 +60,8 @@ impl<R: Scalar> Blender<R> for Dual<'_, R> {
         influences: &mut Influences<'_, R, J>,
     ) -> Option<DualSum<L>> {
         let motions: &[[R; 8]] = bytemuck::must_cast_slice(self.palette);
+        // Four influences at a time. The real parts are needed twice, for the signs and for the sum, and fill sixteen
+        // registers; the dual parts are loaded after the signs are known, and go straight into the sum.
         let picked = settled(&influences.motions).of(motions)?;
         let weights: [L; GROUP] = L::load_four(level, &settled(&influences.weights).0, 0)?;
         let mut real = [weights; GROUP];
@@ -68,6 +70,8 @@ impl<R: Scalar> Blender<R> for Dual<'_, R> {
             real[influence] = picked.quads(level, influence, 0);
             influence += 1;
         }
+        // The pivot: the real part of the joint of greatest weight. With more than four influences it may be in another
+        // group; `pivots` then names it for every vertex.
         let mut pivot = real[0];
         let (mut greatest, mut total) = (weights[0], weights[0]);
         influence = 1;
@@ -142,7 +146,8 @@ fn toward<L: Lanes>(real: [[L; 4]; GROUP], pivot: [L; 4], weights: [L; GROUP]) -
         influence += 1;
     }
     let zero = product.constant(0.0);
-    // Some are at right angles, or nearly.
+    // The rare case costs one comparison: a product of all dots is zero where one of them is (or where it underflows,
+    // which costs time and changes nothing).
     if product.eq(zero).any() {
         let side_of_pivot = zero.constant(1.0).copysign(leading(pivot.to_array()));
         influence = 0;

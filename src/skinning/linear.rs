@@ -7,7 +7,7 @@ use dq8_simd::picks::Index;
 use dq8_simd::{Float, Lanes, PackedDualQuat, Records};
 
 /// Linear blend skinning (Magnenat-Thalmann et al. 1988): v ↦ Σ wᵢMᵢv. Needs weights that sum to one.
-/// Cheapest, and right for any matrix, but the sum of two rotations is no rotation: elbows and twisted wrists
+/// Cheapest, and right for any matrix, but the sum of two rotations is not a rotation: elbows and twisted wrists
 /// collapse.
 ///
 /// Normals become cof(Σ wᵢMᵢ)n, normalized; tangents (Σ wᵢMᵢ)t, normalized; zero where that is zero.

@@ -10,11 +10,10 @@ use crate::storage::{Element, Tile, tiles};
 use core::fmt;
 use dq8_simd::{Lanes, Level};
 
-/// So many samples are looked up before they are computed: their poses and parameters stay in the first
-/// cache, and no memory is allocated.
+/// How many samples are looked up before they are computed: few enough to stay in the first cache, on the stack.
 const CHUNK: usize = 64;
 
-/// Times and poses that are no trajectory.
+/// Times and poses that do not make a trajectory.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum TrajectoryError {

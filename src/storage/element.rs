@@ -14,8 +14,7 @@ use dq8_simd::{Lanes, Level};
 pub trait Layout: Copy + Debug + sealed::Sealed {
     /// The number in a register.
     type Real: Scalar;
-    /// What a slice is made of where nothing says more than the number of components: `[R; C]`, or a
-    /// block.
+    /// What a slice is made of if only the number of components is known: `[R; C]`, or a block.
     type Record<const C: usize>: Element<C, Layout = Self>;
     /// One register of `V`.
     type Register<V: Level>: Lanes<Real = Self::Real, Level = V>;

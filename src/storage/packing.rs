@@ -10,10 +10,10 @@ use dq8_simd::{Lanes, Level, Row};
 type BlockOf<R, const N: usize, const C: usize> = dq8_simd::Block<[R; N], C>;
 
 /// Writes `things`, `[instance][joint]`, into `blocks`, `[instance block][joint]`. Lanes of the last
-/// blocks that have no instance hold the [`identity`]: a number that computing cannot slow down.
+/// blocks that have no instance hold the [`identity`], with which arithmetic is never slow.
 ///
-/// For everything that blocks hold: motions, rotations, points, twists, matrices, numbers. What is not
-/// of a skeleton has one joint.
+/// For everything that blocks hold: motions, rotations, points, twists, matrices, numbers. Things
+/// that do not belong to a skeleton have one joint.
 ///
 /// # Errors
 /// If `things` holds no whole number of instances, or `blocks` is not just large enough for them;

@@ -99,7 +99,7 @@ fn apart(a: DualQuat<f64>, b: DualQuat<f64>, t: f64) -> DualQuat<f64> {
     DualQuat::from_rotation_translation(turn, shift)
 }
 
-pub(crate) fn with_contest<R>(instances: usize, run: impl FnOnce(&Contest<'_>) -> R) -> R {
+pub(crate) fn with_contest(instances: usize, run: &mut dyn FnMut(&Contest<'_>)) {
     let crowd = Crowd::new(instances);
     let joints = crowd.parents.len();
     let title = format!(
@@ -119,7 +119,7 @@ pub(crate) fn with_contest<R>(instances: usize, run: impl FnOnce(&Contest<'_>) -
         blocks::<16>(&mut contest, &crowd, backend);
     }
     glam(&mut contest, &crowd);
-    run(&contest)
+    run(&contest);
 }
 
 /// Both clips of the crowd, sampled and blended.

@@ -26,7 +26,7 @@ pub enum Way {
 
 type Motion = DualQuat<f32>;
 
-pub(crate) fn with_contest<R>(shape: Shape, way: Way, run: impl FnOnce(&Contest<'_>) -> R) -> R {
+pub(crate) fn with_contest(shape: Shape, way: Way, run: &mut dyn FnMut(&Contest<'_>)) {
     let scene = Scene::new(shape);
     let hierarchy = Hierarchy::new(&scene.parents).expect("parents come first");
     let joints = hierarchy.joints();
@@ -90,7 +90,7 @@ pub(crate) fn with_contest<R>(shape: Shape, way: Way, run: impl FnOnce(&Contest<
         contest.limits.push(limit);
         contest.limited = Some(limited);
     }
-    run(&contest)
+    run(&contest);
 }
 
 struct Field<'a, 'c> {

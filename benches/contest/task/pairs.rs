@@ -52,12 +52,12 @@ struct Pairs {
     b: Many<Motion>,
 }
 
-pub(super) fn with_contest<R>(
+pub(super) fn with_contest(
     operation: Operation,
     level: Level,
     caches: &Caches,
-    run: impl FnOnce(&Contest<'_>) -> R,
-) -> R {
+    run: &mut dyn FnMut(&Contest<'_>),
+) {
     // Two motions in, one out; glam has 64 bytes a motion.
     let footprint = Footprint { own: 3 * size_of::<Motion>(), most: 3 * size_of::<Mat4>() };
     let pairs = Pairs::new(operation, caches.transforms(level, footprint));
@@ -87,7 +87,7 @@ pub(super) fn with_contest<R>(
         Operation::Log => log(&pairs, &mut contest),
         Operation::Pow => pow(&pairs, &mut contest),
     }
-    run(&contest)
+    run(&contest);
 }
 
 /// `own!(pairs, contest, |backend, a, b, output| call)`: this crate's kernel on every layout, with

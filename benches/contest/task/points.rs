@@ -26,12 +26,12 @@ struct Scene {
     points: Many<Point>,
 }
 
-pub(super) fn with_contest<R>(
+pub(super) fn with_contest(
     motions: Motions,
     level: Level,
     caches: &Caches,
-    run: impl FnOnce(&Contest<'_>) -> R,
-) -> R {
+    run: &mut dyn FnMut(&Contest<'_>),
+) {
     let points = Footprint { own: 2 * size_of::<Point>(), most: 2 * size_of::<Vec3A>() };
     let (name, title, footprint) = match motions {
         Motions::One => ("one", "points by one motion", points),
@@ -66,7 +66,7 @@ pub(super) fn with_contest<R>(
     });
     field.each("ultraviolet Isometry3x8", |m: &Isometry3x8, p: &Vec3x8| *m * *p);
     field.each("ultraviolet Mat4x8", |m: &Mat4x8, p: &Vec3x8| m.transform_point3(*p));
-    run(&contest)
+    run(&contest);
 }
 
 impl Scene {

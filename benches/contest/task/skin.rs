@@ -63,7 +63,7 @@ impl Scene {
     }
 }
 
-pub(super) fn with_contest<R>(run: impl FnOnce(&Contest<'_>) -> R) -> R {
+pub(super) fn with_contest(run: &mut dyn FnMut(&Contest<'_>)) {
     let scene = Scene::new();
     let skin = scene.skin();
     let dual = scene.expected(true);
@@ -105,7 +105,7 @@ pub(super) fn with_contest<R>(run: impl FnOnce(&Contest<'_>) -> R) -> R {
     glam(&mut contest, &scene);
     nalgebra(&mut contest, &scene);
     contest.last_should(dual);
-    run(&contest)
+    run(&contest);
 }
 
 /// Matrices are summed, or moved points: whichever is faster here.

@@ -1,0 +1,5 @@
+//! Everyone who is timed, held to what is computed.
+
+mod caches;
+mod contenders;
+mod memory;

@@ -1,0 +1,16 @@
+//! The guide: pages for questions that no single item answers. There is no code here.
+
+#[doc = include_str!("layout.md")]
+pub mod layout {}
+
+#[doc = include_str!("kernel.md")]
+pub mod kernel {}
+
+#[doc = include_str!("accuracy.md")]
+pub mod accuracy {}
+
+#[doc = include_str!("firmware.md")]
+pub mod firmware {}
+
+#[doc = include_str!("migration.md")]
+pub mod migration {}

@@ -1,0 +1,59 @@
+//! [`HierarchyError`]: parents that are not a hierarchy.
+
+use core::fmt;
+
+/// A parent array that is not a hierarchy.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum HierarchyError {
+    /// A joint's parent does not come before it: a forward reference, or a cycle.
+    ParentNotBefore {
+        /// The joint.
+        joint: usize,
+        /// Its parent.
+        parent: u32,
+    },
+    /// A joint's parent is not a joint at all.
+    ParentOutOfRange {
+        /// The joint.
+        joint: usize,
+        /// Its parent.
+        parent: u32,
+        /// How many joints there are.
+        joints: usize,
+    },
+    /// A joint is its own ancestor.
+    Cycle {
+        /// The joint.
+        joint: usize,
+    },
+    /// More joints than a `u32` can number.
+    TooManyJoints {
+        /// How many joints there are.
+        joints: usize,
+    },
+}
+
+impl fmt::Display for HierarchyError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::ParentNotBefore { joint, parent } if *joint == *parent as usize => {
+                write!(f, "joint {joint} is its own parent")
+            }
+            Self::ParentNotBefore { joint, parent } => write!(
+                f,
+                "joint {joint} has parent {parent}, which must come before it (sort parents first; \
+                 a cycle cannot be sorted)"
+            ),
+            Self::ParentOutOfRange { joint, parent, joints } => {
+                write!(f, "joint {joint} has parent {parent}, but there are only {joints} joints")
+            }
+            Self::Cycle { joint } => write!(f, "joint {joint} is its own ancestor"),
+            Self::TooManyJoints { joints } => {
+                write!(f, "{joints} joints are more than a u32 can number")
+            }
+        }
+    }
+}
+
+impl core::error::Error for HierarchyError {}

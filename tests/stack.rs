@@ -1,0 +1,179 @@
+//! How deep the stack of a debug build gets: without optimisation each value of a kernel, which is inlined whole, has a
+//! place of its own. `dq8::guide::firmware` states the bound that is tested here; an overflow ends the test program.
+#![cfg(not(target_family = "wasm"))]
+
+use dq8::{Backend, DualQuat, Quat, Real};
+use std::thread;
+
+/// Runs it with each of the machine's backends, on a thread with so many KiB of stack and no more. A thread of Rust has
+/// 2048, unless told otherwise.
+fn within(kib: usize, kernel: fn(Backend)) {
+    for backend in Backend::available() {
+        let thread = thread::Builder::new().stack_size(kib << 10);
+        thread.spawn(move || kernel(backend)).expect("a thread").join().expect("no panic");
+    }
+}
+
+/// Turned and moved.
+fn pose<R: Real>() -> DualQuat<R> {
+    let turn = Quat::from_axis_angle([0.6, 0.0, 0.8], 0.5_f64);
+    DualQuat::from_rotation_translation(turn, [0.1, 0.2, 0.3]).cast()
+}
+
+/// The deepest kernels of each room, in plain slices and in the widest blocks.
+macro_rules! kernels {
+    ($($real:ident, $lanes:literal;)*) => {$(mod $real {
+        use super::{pose, within};
+        use dq8::hierarchy::{Clip, Layered, Locals, Sampled};
+        use dq8::ik::{self, Arm, Options, Report};
+        use dq8::mechanism::{Joint, OwnedMechanism, WorldAligned};
+        use dq8::skinning::{Dual, Linear, Mixed, Skin, Surface, SurfaceMut};
+        use dq8::{Backend, Block, Crowd, DualQuat, Hierarchy, Rotations, Sclerp, Twist};
+
+        const INSTANCES: usize = 37;
+        const PARENTS: [u32; 3] = [Hierarchy::ROOT, 0, 1];
+
+        /// Forward to a palette of matrices, and back, in both layouts.
+        fn run<L>(backend: Backend, locals: L)
+        where
+            L: Locals<DualQuat<$real>> + Locals<Block<$real, $lanes>> + Copy,
+        {
+            let rig = Hierarchy::new(&PARENTS).unwrap();
+            let (job, binds) = (rig.job().backend(backend), [pose(); 3]);
+            let mut models = vec![pose(); 3 * INSTANCES];
+            let mut palette = vec![[[0.0; 4]; 3]; 3 * INSTANCES];
+            job.locals_to_palette(locals, &mut models, &binds, &mut palette).unwrap();
+            job.model_to_local_in_place(&mut models).unwrap();
+            let mut models = Crowd::<$real, $lanes>::new(3, INSTANCES);
+            let mut palette = Crowd::<$real, $lanes, 12>::new(3, INSTANCES);
+            let (job, models) = (rig.job().backend(backend), models.blocks_mut());
+            job.locals_to_palette(locals, models, &binds, palette.blocks_mut()).unwrap();
+            job.model_to_local_in_place(models).unwrap();
+        }
+
+        const FRAMES: [u32; INSTANCES] = [1; INSTANCES];
+        const T: [$real; INSTANCES] = [0.25; INSTANCES];
+        const KEYS: [[$real; 8]; 3 * 4] = [[0.0, 0.0, 0.0, 1.0, 0.5, 0.0, 0.0, 0.0]; 3 * 4];
+
+        #[test]
+        fn hierarchies_that_sample_a_clip_need_two_mebibytes() {
+            within(2048, |backend| {
+                let clip = Clip::new(3, &KEYS).unwrap();
+                run(backend, Sampled::new(Sclerp, clip, &FRAMES, &T).unwrap());
+            });
+        }
+
+        #[test]
+        fn each_layer_along_screws_needs_a_mebibyte_and_a_half_more() {
+            within(2048 + 1536, |backend| {
+                let clip = Clip::new(3, &KEYS).unwrap();
+                let walk = Sampled::new(Sclerp, clip, &FRAMES, &T).unwrap();
+                run(backend, Layered::blend(Sclerp, walk, walk, &T));
+            });
+            within(2048 + 2 * 1536, |backend| {
+                let clip = Clip::new(3, &KEYS).unwrap();
+                let walk = Sampled::new(Sclerp, clip, &FRAMES, &T).unwrap();
+                run(backend, Layered::add(Sclerp, Layered::blend(Sclerp, walk, walk, &T), walk, &T));
+            });
+        }
+
+        #[test]
+        fn hierarchies_velocities_and_chains_need_one_mebibyte() {
+            within(1024, |backend| {
+                let rig = Hierarchy::new(&PARENTS).unwrap();
+                let (turns, offsets) = ([pose::<$real>().rotation(); 3 * INSTANCES], [[0.0; 3]; 3]);
+                let turned = Crowd::<$real, $lanes, 4>::from_slice(3, &turns).unwrap();
+                let (mut models, mut crowd) = (vec![pose(); 3 * INSTANCES], Crowd::<$real, $lanes>::new(3, INSTANCES));
+                let job = rig.job().backend(backend);
+                let (mut palette, binds) = (vec![[[0.0; 4]; 3]; 3 * INSTANCES], [pose(); 3]);
+                let locals = Rotations { rotations: &turns, offsets: &offsets };
+                job.locals_to_palette(locals, &mut models, &binds, &mut palette).unwrap();
+                let locals = Rotations { rotations: turned.blocks(), offsets: &offsets };
+                let mut palette = Crowd::<$real, $lanes, 12>::new(3, INSTANCES);
+                let job = rig.job().backend(backend);
+                job.locals_to_palette(locals, crowd.blocks_mut(), &binds, palette.blocks_mut()).unwrap();
+                job.model_to_local_in_place(crowd.blocks_mut()).unwrap();
+                let poses = vec![pose::<$real>(); 3 * INSTANCES];
+                let mut twists = vec![Twist::default(); 3 * INSTANCES];
+                let crowd = Crowd::<$real, $lanes>::from_slice(3, &poses).unwrap();
+                let rates = twists.clone();
+                rig.job().backend(backend).velocities(&poses, &rates, &mut twists).unwrap();
+                let mut products = crowd.clone();
+                backend.chain_products(crowd.blocks(), products.blocks_mut()).unwrap();
+                backend.chain_products_in_place(&mut poses.clone());
+            });
+        }
+
+        #[test]
+        fn meshes_by_a_mix_of_blends_need_one_mebibyte() {
+            within(1024, |backend| {
+                let skin = Skin::new(2, 4, &[0_u16; 4 * INSTANCES], &[0.25 as $real; 4 * INSTANCES]).unwrap();
+                let motions = [pose::<$real>(); 2];
+                let matrices = motions.map(DualQuat::to_matrix3x4);
+                let mixed = Mixed::new(Linear::new(&matrices), Dual::new(&motions), &[0.5; INSTANCES]).unwrap();
+                let rest = [[1.0; 3]; INSTANCES];
+                let [mut positions, mut normals, mut tangents] = [rest; 3];
+                let from = Surface::positions(&rest).normals(&rest).tangents(&rest);
+                let to = SurfaceMut::positions(&mut positions).normals(&mut normals).tangents(&mut tangents);
+                backend.skin(&skin, mixed, from, to).unwrap();
+            });
+        }
+
+        #[test]
+        fn mechanisms_need_one_mebibyte() {
+            within(1024, |backend| {
+                let joint = |i: usize| Joint::revolute(i.checked_sub(1), pose::<$real>(), [0.6, 0.0, 0.8]);
+                let arm = OwnedMechanism::new(&core::array::from_fn::<_, 7, _>(joint)).unwrap();
+                let values = [0.1; 7 * INSTANCES];
+                let mut poses = vec![DualQuat::IDENTITY; 7 * INSTANCES];
+                let mut twists = vec![Twist::default(); 7 * INSTANCES];
+                let mut changes = twists.clone();
+                let tools = &mut poses[..INSTANCES];
+                backend.link_jacobians(WorldAligned, arm.view(), 6, &values, tools, &mut twists).unwrap();
+                backend.link_poses(arm.view(), &values, &mut poses).unwrap();
+                backend
+                    .link_accelerations(arm.view(), &values, &values, &values, &mut poses, &mut twists, &mut changes)
+                    .unwrap();
+            });
+        }
+
+        #[test]
+        fn an_arm_of_seven_joints_that_reaches_needs_three_mebibytes() {
+            within(3072, |backend| {
+                let axis = |i: usize| {
+                    let along = 0.1 * i as $real;
+                    ik::Joint::revolute(if i % 2 == 0 { [0.0, 0.0, 1.0] } else { [0.0, 1.0, 0.0] }, [along, 0.0, along])
+                };
+                let arm = Arm::new(core::array::from_fn::<_, 7, _>(axis), pose()).unwrap();
+                let targets = vec![arm.forward(&[0.3; 7]); INSTANCES];
+                let (mut values, mut reports) = (vec![[0.0; 7]; INSTANCES], vec![Report::default(); INSTANCES]);
+                let options = Options { max_iterations: 5, ..Options::default() };
+                backend.reach(&arm, &targets, &mut values, &mut reports, &options).unwrap();
+            });
+        }
+
+        #[test]
+        fn slices_need_one_mebibyte() {
+            within(1024, |backend| {
+                let (poses, t) = (vec![pose::<$real>(); INSTANCES], vec![[0.5]; INSTANCES]);
+                let mut out = poses.clone();
+                let mut twists = vec![Twist::default(); INSTANCES];
+                backend.sclerp_each(&poses, &poses, &t, &mut out).unwrap();
+                backend.pow_each(&poses, &t, &mut out).unwrap();
+                backend.log(&poses, &mut twists).unwrap();
+                backend.exp(&twists, &mut out).unwrap();
+                backend.integrate_body(&poses, &twists, 0.5, &mut out).unwrap();
+                backend.dlb([(&poses[..], &t[..]); 4], &mut out).unwrap();
+                backend.dib_windows(&poses, &[1.0; 5], 1e-6, 4, &mut out[..INSTANCES - 4]).unwrap();
+                let times: [$real; INSTANCES] = core::array::from_fn(|i| i as $real);
+                backend.resample(&times, &poses, &times, &mut out).unwrap();
+                let crowd = Crowd::<$real, $lanes>::from_slice(1, &poses).unwrap();
+                backend.sclerp(crowd.blocks(), crowd.blocks(), 0.5, crowd.clone().blocks_mut()).unwrap();
+            });
+        }
+    })*};
+}
+kernels! {
+    f32, 16;
+    f64, 8;
+}
