@@ -66,12 +66,8 @@ impl<R: Real> Real for Dual<R> {
     fn atan(self) -> Self {
         Self::atan(self)
     }
-    /// (x dy − y dx)/(x² + y²), by ratios to the larger of the two: squares might vanish.
     fn atan2(self, x: Self) -> Self {
-        let largest = self.real.abs().max_or_nan(x.real.abs());
-        let (sin, cos) = (self.real / largest, x.real / largest);
-        let turned = (cos * self.dual - sin * x.dual) / (sin * sin + cos * cos);
-        Self::new(self.real.atan2(x.real), turned / largest)
+        Self::atan2(self, x)
     }
     fn exp(self) -> Self {
         Self::exp(self)

@@ -27,6 +27,7 @@
 //! | item | what it is |
 //! |---|---|
 //! | [`Motion`] | **the conventions, stated once**, and the laws; the trait of both implementations |
+//! | [`Quaternion`], [`DualNumber`] | the same for what motions are made of |
 //! | [`DualQuat`], [`Quat`], [`Dual`] | the scalar reference, with formula, source and example at every operation |
 //! | [`batch`] | the same names on lanes |
 //! | [`Real`] | what the reference computes with: floats, dual numbers (which differentiate it), your own |
@@ -84,6 +85,7 @@ pub mod batch;
 mod convert;
 mod differentiate;
 mod dispatch;
+mod dual_number;
 mod everyday;
 mod geometry;
 // Pages, and no code: nothing that a build needs.
@@ -98,11 +100,13 @@ pub mod mechanism;
 mod motion;
 mod operators;
 mod palette_entry;
+mod quaternion;
 mod real;
 pub mod representation;
 pub mod scalar;
 // Tested where there is something to test it against.
 mod shape;
+mod shared_trait;
 #[cfg(any(all(not(feature = "std"), feature = "libm"), test))]
 mod sine;
 pub mod skinning;
@@ -123,6 +127,7 @@ pub use dispatch::{Backend, Kernel};
 pub use dq8_simd::{
     Float, Lanes, Level, Mask, Portable, f32x4, f32x8, f32x16, f64x2, f64x4, f64x8,
 };
+pub use dual_number::DualNumber;
 pub use geometry::{DualVector, Line, Mean, Plane, Screw, Twist, Wrench};
 pub use hierarchy::HierarchyError;
 #[cfg(feature = "alloc")]
@@ -135,6 +140,7 @@ pub use incidence::IncidenceError;
 pub use law::{Nlerp, Sclerp, Separate};
 pub use motion::Motion;
 pub use palette_entry::{MatrixOrder, PaletteEntry};
+pub use quaternion::Quaternion;
 pub use real::{Real, Scalar};
 pub use representation::OrthonormalError;
 #[doc(inline)]

@@ -1,58 +1,13 @@
 //! [`Motion`]: the contract that the scalar reference and the lanes share.
 
+use crate::dual_number::DualNumber;
 use crate::geometry::{DualVector, Line, Mean, Plane, Screw, Twist, Wrench};
+use crate::quaternion::Quaternion;
+use crate::shared_trait::shared_trait;
 use core::fmt::Debug;
 use core::ops::{Add, Mul, Neg, Sub};
 
-/// Writes the trait, and the macro `delegate_to_inherent` for the types that have every method of the
-/// list as an inherent one: there `Self::name` finds that one first.
-macro_rules! motion {
-    (
-        $(#[$about:meta])*
-        trait $Motion:ident: $($bound:path),*;
-        types { $($types:tt)* }
-        by_hand { $(
-            $(#[$own:meta])*
-            fn $of_each:ident($($given:ident $(: $kind:ty)?),*) -> $outcome:ty;
-        )* }
-        inherent { $(
-            $(#[$method:meta])*
-            fn $name:ident($($argument:ident $(: $type:ty)?),* $(,)?) -> $result:ty;
-        )* }
-    ) => {
-        $(#[$about])*
-        pub trait $Motion: sealed::Sealed $(+ $bound)* {
-            $($types)*
-
-            /// The names of all methods, in this order.
-            const METHODS: &'static [&'static str] =
-                &[$(stringify!($of_each),)* $(stringify!($name)),*];
-
-            $(
-                $(#[$own])*
-                fn $of_each($($given $(: $kind)?),*) -> $outcome;
-            )*
-            $(
-                $(#[$method])*
-                fn $name($($argument $(: $type)?),*) -> $result;
-            )*
-        }
-
-        /// The methods of the list for an `impl Motion`, where the types of `geometry` must be
-        /// imported.
-        macro_rules! delegate_to_inherent {
-            () => { $(
-                #[inline(always)]
-                fn $name($($argument $(: $type)?),*) -> $result {
-                    Self::$name($($argument),*)
-                }
-            )* };
-        }
-        pub(crate) use delegate_to_inherent;
-    };
-}
-
-motion! {
+shared_trait! {
     /// Dual quaternions σ = p + εq, one ([`DualQuat`](crate::DualQuat)) or many at a time
     /// ([`batch::DualQuat`](crate::batch::DualQuat)).
     ///
@@ -113,6 +68,8 @@ motion! {
     /// trait, because both types have every operation as a method of their own. No other type can implement it.
     trait Motion: Copy, Debug, Add<Output = Self>, Sub<Output = Self>, Mul<Output = Self>, Neg<Output = Self>;
 
+    delegate by delegate_motion;
+
     types {
         /// What it takes to make a constant: nothing, `()`, or the proof that the CPU has the lanes.
         type Level: Copy;
@@ -126,9 +83,9 @@ motion! {
         /// A truth value, or one per lane.
         type Mask: Copy + Debug;
         /// A dual number, or one per lane.
-        type Dual: Copy + Debug;
+        type Dual: DualNumber<Real = Self::Real>;
         /// A quaternion, or one per lane.
-        type Quat: Copy + Debug;
+        type Quat: Quaternion<Level = Self::Level, Real = Self::Real, Mask = Self::Mask>;
     }
 
     by_hand {
@@ -306,9 +263,4 @@ motion! {
         fn right_jacobian_inverse(at: Twist<Self::Real>, along: Twist<Self::Real>)
         -> Twist<Self::Real>;
     }
-}
-
-pub(crate) mod sealed {
-    /// So that a new operation breaks no other crate.
-    pub trait Sealed {}
 }

@@ -47,6 +47,44 @@ impl<L: Lanes> Dual<L> {
         let recip = self.real.constant(1.0) / self.real;
         self.apply(recip, -(recip * recip))
     }
+
+    /// [`recip`](Self::recip), and the lanes without one: a is zero or not finite. Those are NaN.
+    ///
+    /// ```
+    /// use dq8::{Mask, batch::Dual, f32x4};
+    /// let x = Dual::new(f32x4::new([4.0, 0.0, f32::INFINITY, -2.0]), f32x4::splat(2.0));
+    /// let (inverse, failed) = x.inverse_checked();
+    /// assert_eq!(failed.to_bitmask(), 0b0110);
+    /// assert_eq!((inverse * x).real.to_array()[3], 1.0);
+    /// ```
+    #[inline(always)]
+    #[must_use]
+    pub fn inverse_checked(self) -> (Self, L::Mask) {
+        let (zero, nan) = (self.real.constant(0.0), self.real.constant(f64::NAN));
+        let failed = self.real.eq(zero) | !super::vector::is_finite(self.real);
+        let recip = self.recip();
+        let (real, dual) = (L::select(failed, nan, recip.real), L::select(failed, nan, recip.dual));
+        (Self::new(real, dual), failed)
+    }
+
+    /// aⁿ + ε b n aⁿ⁻¹ for whole n, the same in every lane, by squaring.
+    #[inline(always)]
+    #[must_use]
+    pub fn powi(self, n: i32) -> Self {
+        let one = Self::new(self.real.constant(1.0), self.real.constant(0.0));
+        let (mut power, mut square, mut left) = (one, self, n.unsigned_abs());
+        while left > 0 {
+            if left % 2 == 1 {
+                power = power * square;
+            }
+            left /= 2;
+            // One more might overflow, and ∞·0 would be NaN.
+            if left > 0 {
+                square = square * square;
+            }
+        }
+        if n < 0 { power.recip() } else { power }
+    }
 }
 
 impl<L: Lanes> Add for Dual<L> {

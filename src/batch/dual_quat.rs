@@ -174,6 +174,13 @@ impl<L: Lanes> DualQuat<L> {
         close
     }
 
+    /// Every component is neither infinite nor NaN.
+    #[inline(always)]
+    #[must_use]
+    pub fn is_finite(self) -> L::Mask {
+        super::vector::are_finite(self.to_array())
+    }
+
     /// Of σ and −σ the one with p_w ≥ 0; a zero of either sign counts as positive.
     #[inline(always)]
     #[must_use]

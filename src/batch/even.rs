@@ -122,9 +122,9 @@ pub(crate) fn half_turns<L: Lanes>(x: L) -> (L, L) {
     let turns = round(x * x.constant(core::f64::consts::FRAC_1_PI));
     // π in three parts whose products with a small integer are exact (Cody and Waite 1980).
     let [high, middle, low] = if L::Real::SINGLE {
-        [3.140_625, 9.670_257_568_359_375e-4, 6.277_114_152_908_325e-7]
+        [3.140_625, 9.670_257_568_359_375e-4, 6.278_329_573_009_626e-7]
     } else {
-        [3.141_592_502_593_994, 1.509_957_883_171_927_3e-7, 1.078_060_570_811_623_8e-14]
+        [3.141_592_502_593_994, 1.509_957_883_171_927_3e-7, 1.078_064_491_805_982_8e-14]
     };
     let rest = turns.neg_mul_add(x.constant(high), x);
     let rest = turns.neg_mul_add(x.constant(middle), rest);
@@ -135,7 +135,7 @@ pub(crate) fn half_turns<L: Lanes>(x: L) -> (L, L) {
 /// The nearest whole number: adding 1.5·2²³ (2⁵²) leaves no bits for a fraction, and taking it off again is exact. The
 /// factor 1.5 keeps negative numbers within the same binade. Right for |x| below 2²² (2⁵¹).
 #[inline(always)]
-fn round<L: Lanes>(x: L) -> L {
+pub(super) fn round<L: Lanes>(x: L) -> L {
     let shift = x.constant(if L::Real::SINGLE { 12_582_912.0 } else { 6_755_399_441_055_744.0 });
     (x + shift) - shift
 }

@@ -45,6 +45,42 @@ impl<L: Lanes> DualQuat<L> {
     pub fn right_jacobian_inverse(at: Twist<L>, along: Twist<L>) -> Twist<L> {
         Self::left_jacobian_inverse(-at, along)
     }
+
+    /// J_l(x) as 6×6 matrices, rows, of columns `[ωx, ωy, ωz, vx, vy, vz]`.
+    #[inline(always)]
+    #[must_use]
+    pub fn left_jacobian_matrix(at: Twist<L>) -> [[L; 6]; 6] {
+        let mut rows = [at.to_array(); 6];
+        for column in 0..6 {
+            let image = Self::left_jacobian(at, unit_twist(at, column)).to_array();
+            for (row, value) in rows.iter_mut().zip(image) {
+                row[column] = value;
+            }
+        }
+        rows
+    }
+
+    /// J_l⁻¹(x) as 6×6 matrices, in the order of [`left_jacobian_matrix`](Self::left_jacobian_matrix).
+    #[inline(always)]
+    #[must_use]
+    pub fn left_jacobian_inverse_matrix(at: Twist<L>) -> [[L; 6]; 6] {
+        let mut rows = [at.to_array(); 6];
+        for column in 0..6 {
+            let image = Self::left_jacobian_inverse(at, unit_twist(at, column)).to_array();
+            for (row, value) in rows.iter_mut().zip(image) {
+                row[column] = value;
+            }
+        }
+        rows
+    }
+}
+
+/// 1 in one component and 0 in the others.
+#[inline(always)]
+fn unit_twist<L: Lanes>(like: Twist<L>, component: usize) -> Twist<L> {
+    let mut unit = [like.angular[0].constant(0.0); 6];
+    unit[component] = unit[component].constant(1.0);
+    Twist::from_array(unit)
 }
 
 /// x·x

@@ -85,6 +85,6 @@ fn sum_of_squares<L: Lanes, const N: usize>(vector: [L; N], one: L) -> L {
 }
 
 /// 2ⁿ, written as the bits of a float: `core` has no `powi`.
-const fn power_of_two(exponent: i64) -> f64 {
+pub(super) const fn power_of_two(exponent: i64) -> f64 {
     f64::from_bits(((1023 + exponent) << 52).cast_unsigned())
 }

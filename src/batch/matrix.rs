@@ -40,6 +40,27 @@ impl<L: Lanes> Quat<L> {
         let turned_over = rotation.w().lt(one.constant(0.0));
         rotation.scale(L::select(turned_over, -one, one))
     }
+
+    /// [`from_matrix3`](Self::from_matrix3), and the lanes whose matrix is no rotation: it differs from one by
+    /// more than `tolerance` in a product of its rows (it scales, shears or mirrors), or an element is not
+    /// finite. Those are NaN.
+    #[inline(always)]
+    #[must_use]
+    pub fn from_matrix3_checked(rows: [[L; 3]; 3], tolerance: L) -> (Self, L::Mask) {
+        let [a, b, c] = rows;
+        let (zero, one) = (tolerance.constant(0.0), tolerance.constant(1.0));
+        let determinant = vector::dot(a, vector::cross(b, c));
+        let failed = !(is_close(vector::dot(a, a) - one, tolerance)
+            & is_close(vector::dot(b, b) - one, tolerance)
+            & is_close(vector::dot(c, c) - one, tolerance)
+            & is_close(vector::dot(a, b), tolerance)
+            & is_close(vector::dot(a, c), tolerance)
+            & is_close(vector::dot(b, c), tolerance))
+            | determinant.lt(zero);
+        let nan = [one.constant(f64::NAN); 4];
+        let rotation = vector::select(failed, nan, Self::from_matrix3(rows).to_array());
+        (Self::from_array(rotation), failed)
+    }
 }
 
 impl<L: Lanes> DualQuat<L> {
@@ -68,4 +89,47 @@ impl<L: Lanes> DualQuat<L> {
         let rotation = Quat::from_matrix3(rows.map(|[x, y, z, _]| [x, y, z]));
         Self::from_rotation_translation(rotation, rows.map(|[.., t]| t))
     }
+
+    /// [`from_matrix3x4`](Self::from_matrix3x4), and the lanes whose matrix is no rigid motion: as
+    /// [`Quat::from_matrix3_checked`], or the translation is not finite. Those are NaN.
+    ///
+    /// ```
+    /// use dq8::{Mask, batch::DualQuat, f32x4};
+    /// let [zero, one] = [0.0, 1.0].map(f32x4::splat);
+    /// let scale = f32x4::new([1.0, 1.0001, 2.0, -1.0]);
+    /// let rows = [[one, zero, zero, one], [zero, one, zero, one], [zero, zero, scale, one]];
+    /// let (motion, failed) = DualQuat::from_matrix3x4_checked(rows, f32x4::splat(1e-3));
+    /// assert_eq!(failed.to_bitmask(), 0b1100);
+    /// assert_eq!(motion.translation()[0].to_array()[..2], [1.0; 2]);
+    /// ```
+    #[inline(always)]
+    #[must_use]
+    pub fn from_matrix3x4_checked(rows: [[L; 4]; 3], tolerance: L) -> (Self, L::Mask) {
+        let [[a, b, c, x], [d, e, f, y], [g, h, i, z]] = rows;
+        let (rotation, failed) =
+            Quat::from_matrix3_checked([[a, b, c], [d, e, f], [g, h, i]], tolerance);
+        let failed = failed | !vector::are_finite([x, y, z]);
+        let motion = Self::from_rotation_translation(rotation, [x, y, z]).to_array();
+        let nan = [tolerance.constant(f64::NAN); 8];
+        (Self::from_array(vector::select(failed, nan, motion)), failed)
+    }
+
+    /// As [`from_matrix3x4_checked`](Self::from_matrix3x4_checked), and the last row must be 0 0 0 1.
+    #[inline(always)]
+    #[must_use]
+    pub fn from_matrix4_checked(rows: [[L; 4]; 4], tolerance: L) -> (Self, L::Mask) {
+        let [a, b, c, [x, y, z, w]] = rows;
+        let (zero, one) = (tolerance.constant(0.0), tolerance.constant(1.0));
+        let affine = x.eq(zero) & y.eq(zero) & z.eq(zero) & w.eq(one);
+        let (motion, failed) = Self::from_matrix3x4_checked([a, b, c], tolerance);
+        let failed = failed | !affine;
+        let nan = [one.constant(f64::NAN); 8];
+        (Self::from_array(vector::select(failed, nan, motion.to_array())), failed)
+    }
+}
+
+/// Whether a difference is within a tolerance. An infinite one forgives all but what is not finite.
+#[inline(always)]
+fn is_close<L: Lanes>(difference: L, tolerance: L) -> L::Mask {
+    vector::is_finite(difference) & difference.abs().le(tolerance)
 }

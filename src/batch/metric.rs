@@ -1,22 +1,30 @@
 //! How far two motions are apart.
 
-use super::DualQuat;
 use super::length::Length;
 use super::screw::HalfAngle;
+use super::{DualQuat, Quat};
 use dq8_simd::Lanes;
+
+impl<L: Lanes> Quat<L> {
+    /// The angle of a*b, radians in [0, π].
+    #[inline(always)]
+    #[must_use]
+    pub fn angle_to(self, other: Self) -> L {
+        let between = DualQuat::from_rotation(self.conjugate() * other).canonical();
+        let (one, pi) = (self.w().constant(1.0), self.w().constant(core::f64::consts::PI));
+        let sine = Length::of(between.real().xyz(), one).value();
+        // θ = 2 sin Θ · Θ/sin Θ, and rounding may carry it beyond π.
+        let angle = (sine + sine) * HalfAngle::of(between).over_sine().real;
+        L::select(pi.lt(angle), pi, angle)
+    }
+}
 
 impl<L: Lanes> DualQuat<L> {
     /// The angle of p_a*p_b, radians in [0, π].
     #[inline(always)]
     #[must_use]
     pub fn angle_to(self, other: Self) -> L {
-        let between = Self::from_rotation(self.real().conjugate() * other.real()).canonical();
-        let (one, pi) =
-            (self.real().w().constant(1.0), self.real().w().constant(core::f64::consts::PI));
-        let sine = Length::of(between.real().xyz(), one).value();
-        // θ = 2 sin Θ · Θ/sin Θ, and rounding may carry it beyond π.
-        let angle = (sine + sine) * HalfAngle::of(between).over_sine().real;
-        L::select(pi.lt(angle), pi, angle)
+        self.real().angle_to(other.real())
     }
 
     /// |t_a − t_b|

@@ -1,6 +1,7 @@
 use super::{Dual, DualQuat, Quat};
 use crate::geometry::{DualVector, Line, Mean, Plane, Screw, Twist, Wrench};
-use crate::motion::{Motion, delegate_to_inherent, sealed::Sealed};
+use crate::motion::{Motion, delegate_motion};
+use crate::shared_trait::sealed::Sealed;
 use dq8_simd::Lanes;
 
 impl<L: Lanes> Sealed for DualQuat<L> {}
@@ -24,5 +25,5 @@ impl<L: Lanes> Motion for DualQuat<L> {
     fn inverse_checked(self) -> (Self, L::Mask) {
         self.inverse_checked()
     }
-    delegate_to_inherent!();
+    delegate_motion!();
 }

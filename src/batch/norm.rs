@@ -1,7 +1,44 @@
 //! Norm, normalization and inverses.
 
 use super::{Dual, DualQuat, Quat, vector};
-use dq8_simd::{Float, Lanes};
+use dq8_simd::Lanes;
+
+impl<L: Lanes> Quat<L> {
+    /// q*/|q|²; NaN or infinite in lanes that are zero or not finite.
+    #[inline(always)]
+    #[must_use]
+    pub fn inverse(self) -> Self {
+        let length = self.length();
+        Self::from_array(length.divide_all(length.divide_all(self.conjugate().to_array())))
+    }
+
+    /// q/|q|, and the lanes that have none: q zero, or a component of q or its length not finite. Those are
+    /// NaN.
+    #[inline(always)]
+    #[must_use]
+    pub fn normalize_checked(self) -> (Self, L::Mask) {
+        let length = self.length();
+        let (value, unit) = (length.value(), length.divide_all(self.to_array()));
+        let zero = value.constant(0.0);
+        let failed = !(zero.lt(value) & vector::is_finite(value));
+        let nan = [zero.constant(f64::NAN); 4];
+        (Self::from_array(vector::select(failed, nan, unit)), failed)
+    }
+
+    /// ||q| − 1| ≤ tolerance
+    #[inline(always)]
+    #[must_use]
+    pub fn is_unit(self, tolerance: L) -> L::Mask {
+        (self.norm() - tolerance.constant(1.0)).abs().le(tolerance)
+    }
+
+    /// [`is_unit`](Self::is_unit) within 32 units of the last place.
+    #[inline(always)]
+    #[must_use]
+    pub fn is_normalized(self) -> L::Mask {
+        self.is_unit(self.w().constant(32.0 * vector::epsilon::<L>()))
+    }
+}
 
 impl<L: Lanes> DualQuat<L> {
     /// √(σσ*) = |p| + ε (p·q)/|p|; the dual part is NaN where p = 0.
@@ -58,8 +95,7 @@ impl<L: Lanes> DualQuat<L> {
     #[inline(always)]
     #[must_use]
     pub fn is_normalized(self) -> L::Mask {
-        let epsilon = if L::Real::SINGLE { f64::from(f32::EPSILON) } else { f64::EPSILON };
-        self.is_unit(self.real().w().constant(32.0 * epsilon))
+        self.is_unit(self.real().w().constant(32.0 * vector::epsilon::<L>()))
     }
 
     /// σ⁻¹ of any σ with p ≠ 0. Where [`inverse_checked`](Self::inverse_checked) fails, some
@@ -89,14 +125,8 @@ impl<L: Lanes> DualQuat<L> {
     #[inline(always)]
     fn checked(self) -> (Self, L::Mask) {
         let components = self.to_array();
-        let zero = components[0].constant(0.0);
-        // 0·c is 0 for finite c and NaN otherwise.
-        let mut sum = zero;
-        for component in components {
-            sum = component.mul_add(zero, sum);
-        }
-        let finite = sum.eq(zero);
-        let nan = [zero.constant(f64::NAN); 8];
+        let finite = vector::are_finite(components);
+        let nan = [components[0].constant(f64::NAN); 8];
         (Self::from_array(vector::select(finite, components, nan)), !finite)
     }
 }

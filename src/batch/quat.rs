@@ -109,6 +109,24 @@ impl<L: Lanes> Quat<L> {
         self.length().value()
     }
 
+    /// Every component differs by at most `tolerance`.
+    #[inline(always)]
+    #[must_use]
+    pub fn abs_diff_eq(self, other: Self, tolerance: L) -> L::Mask {
+        let [x, y, z, w] = (self - other).0;
+        x.abs().le(tolerance)
+            & y.abs().le(tolerance)
+            & z.abs().le(tolerance)
+            & w.abs().le(tolerance)
+    }
+
+    /// Every component is neither infinite nor NaN.
+    #[inline(always)]
+    #[must_use]
+    pub fn is_finite(self) -> L::Mask {
+        vector::are_finite(self.0)
+    }
+
     /// q / |q|; some component is NaN in lanes that are zero or not finite.
     #[inline(always)]
     #[must_use]

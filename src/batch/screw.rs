@@ -7,7 +7,7 @@
 
 use super::even::{arc_over_chord, cos_sinc};
 use super::length::Length;
-use super::{Dual, DualQuat, vector};
+use super::{Dual, DualQuat, Quat, vector};
 use crate::geometry::{DualVector, Line, Screw};
 use dq8_simd::Lanes;
 
@@ -142,6 +142,14 @@ impl<L: Lanes> DualQuat<L> {
         let at_middle = way.back.normalize().scale_dual(cos);
         let long = way.sum.scale_dual_onto(along, at_middle);
         Self::from_array(vector::select(apart, long.to_array(), short.to_array()))
+    }
+}
+
+impl<L: Lanes> Quat<L> {
+    /// Θ/sin Θ of half the angle of unit quaternions with w ≥ 0: 1 for no turn.
+    #[inline(always)]
+    pub(super) fn half_angle_over_sine(self) -> L {
+        HalfAngle::of(DualQuat::from_rotation(self)).over_sine().real
     }
 }
 

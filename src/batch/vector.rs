@@ -1,10 +1,16 @@
 //! Vectors of lanes as plain arrays, most of them of three.
 
-use dq8_simd::Lanes;
+use super::length::Length;
+use dq8_simd::{Float, Lanes};
 
 #[inline(always)]
 pub(crate) fn add<L: Lanes>(a: [L; 3], b: [L; 3]) -> [L; 3] {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+}
+
+#[inline(always)]
+pub(crate) fn sub<L: Lanes>(a: [L; 3], b: [L; 3]) -> [L; 3] {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
 #[inline(always)]
@@ -66,4 +72,39 @@ pub(crate) fn splat<L: Lanes, const N: usize>(level: L::Level, numbers: [L::Real
 pub(crate) fn is_finite<L: Lanes>(number: L) -> L::Mask {
     let zero = number.constant(0.0);
     (number * zero).eq(zero)
+}
+
+/// Where all numbers are.
+#[inline(always)]
+pub(crate) fn are_finite<L: Lanes, const N: usize>(numbers: [L; N]) -> L::Mask {
+    let zero = numbers[0].constant(0.0);
+    // 0·c is 0 for finite c and NaN otherwise.
+    let mut sum = zero;
+    for number in numbers {
+        sum = number.mul_add(zero, sum);
+    }
+    sum.eq(zero)
+}
+
+/// The distance from 1 to the next larger number.
+#[inline(always)]
+pub(crate) fn epsilon<L: Lanes>() -> f64 {
+    if L::Real::SINGLE { f64::from(f32::EPSILON) } else { f64::EPSILON }
+}
+
+/// What of `vector` is across the unit vector `along`.
+#[inline(always)]
+pub(crate) fn across<L: Lanes>(along: [L; 3], vector: [L; 3]) -> [L; 3] {
+    scale_onto(along, -dot(along, vector), vector)
+}
+
+/// The unit vector across the unit vector `along` that is next to the axis most across it.
+#[inline(always)]
+pub(crate) fn any_across<L: Lanes>(along: [L; 3]) -> [L; 3] {
+    let [x, y, z] = [along[0].abs(), along[1].abs(), along[2].abs()];
+    let (zero, one) = (x.constant(0.0), x.constant(1.0));
+    let is_x = x.le(y) & x.le(z);
+    let y_or_z = select(z.lt(y), [zero, zero, one], [zero, one, zero]);
+    let across = across(along, select(is_x, [one, zero, zero], y_or_z));
+    Length::of(across, one).divide_all(across)
 }

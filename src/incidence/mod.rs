@@ -5,6 +5,8 @@
 //!
 //! Two directions whose sine is at most [`parallel_sine`] are parallel, and so are treated: the
 //! rounding of unit vectors alone makes such a sine, and an answer divided by it would be noise.
+//!
+//! The same on lanes, `…_checked` with masks for errors, is in `batch/incidence`.
 
 mod crossing;
 mod error;

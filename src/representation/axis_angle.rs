@@ -21,7 +21,8 @@ impl<R: Real> Quat<R> {
         let short = if self.w() < R::ZERO { -self } else { self };
         let sine = vector::norm(short.xyz());
         if sine == R::ZERO {
-            return ([R::ONE, R::ZERO, R::ZERO], R::ZERO);
+            // Zero, but for a w that is no number.
+            return ([R::ONE, R::ZERO, R::ZERO], R::ZERO * short.w());
         }
         (vector::direction(short.xyz(), sine), R::TWO * sine.atan2(short.w()))
     }

@@ -61,6 +61,44 @@ impl<R: Real> Dual<R> {
         Ok(Self::ONE / self)
     }
 
+    /// s(a + εb) for a real number s.
+    #[inline]
+    #[must_use]
+    pub fn scale(self, factor: R) -> Self {
+        Self::new(self.real * factor, self.dual * factor)
+    }
+
+    /// 1 / (a + εb) without a check: infinite or NaN for a = 0, as of floats.
+    #[inline]
+    #[must_use]
+    pub fn recip(self) -> Self {
+        Self::ONE / self
+    }
+
+    /// aⁿ + ε b n aⁿ⁻¹ for whole n, by squaring. The zeroth power is 1, of 0 too.
+    ///
+    /// ```
+    /// use dq8::Dual;
+    /// assert_eq!(Dual::new(2.0_f32, 1.0).powi(3), Dual::new(8.0, 12.0));
+    /// assert_eq!(Dual::new(2.0_f32, 1.0).powi(-1), Dual::new(0.5, -0.25));
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn powi(self, n: i32) -> Self {
+        let (mut power, mut square, mut left) = (Self::ONE, self, n.unsigned_abs());
+        while left > 0 {
+            if left % 2 == 1 {
+                power = power * square;
+            }
+            left /= 2;
+            // One more might overflow, and ∞·0 would be NaN.
+            if left > 0 {
+                square = square * square;
+            }
+        }
+        if n < 0 { power.recip() } else { power }
+    }
+
     /// f(a + εb) = f(a) + ε b f′(a), given f(a) and f′(a) (Jia eq. 10).
     ///
     /// ```
@@ -125,6 +163,17 @@ impl<R: Real> Dual<R> {
     #[must_use]
     pub fn atan(self) -> Self {
         self.apply(self.real.atan(), R::ONE / (R::ONE + self.real * self.real))
+    }
+
+    /// The angle of the point (`x`, `self`), radians in [−π, π], with the derivative
+    /// (x dy − y dx)/(x² + y²), by ratios to the larger of the two: squares might vanish.
+    #[inline]
+    #[must_use]
+    pub fn atan2(self, x: Self) -> Self {
+        let largest = self.real.abs().max_or_nan(x.real.abs());
+        let (sin, cos) = (self.real / largest, x.real / largest);
+        let turned = (cos * self.dual - sin * x.dual) / (sin * sin + cos * cos);
+        Self::new(self.real.atan2(x.real), turned / largest)
     }
 
     /// eᵃ + ε b eᵃ

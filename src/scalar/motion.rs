@@ -1,7 +1,8 @@
 use super::{Dual, DualQuat, Quat};
 use crate::geometry::{DualVector, Line, Mean, Plane, Screw, Twist, Wrench};
-use crate::motion::{Motion, delegate_to_inherent, sealed::Sealed};
+use crate::motion::{Motion, delegate_motion};
 use crate::real::Real;
+use crate::shared_trait::sealed::Sealed;
 
 impl<R: Real> Sealed for DualQuat<R> {}
 
@@ -24,5 +25,5 @@ impl<R: Real> Motion for DualQuat<R> {
     fn inverse_checked(self) -> (Self, bool) {
         self.try_inverse().map_or((Self::nan(), true), |inverse| (inverse, false))
     }
-    delegate_to_inherent!();
+    delegate_motion!();
 }

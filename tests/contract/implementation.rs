@@ -119,6 +119,12 @@ pub fn scalar_f64() -> On {
     &textbook_f64::IMPLEMENTATION
 }
 
+/// For what is not in the table of operations: quaternions and dual numbers by themselves. It is compiled for every
+/// implementation again.
+pub trait Visitor {
+    fn visit<M: Sample>(&mut self, name: &'static str);
+}
+
 /// A module each, so that each is compiled by itself, and again only when it has changed.
 macro_rules! implementations {
     ($($(#[$only:meta])* $module:ident $name:literal = $type:ty, where $there:expr;)*) => {
@@ -131,6 +137,16 @@ macro_rules! implementations {
                     Implementation::of::<$type>($name);
             }
         )*
+
+        /// Visits those that this machine can run, each by its type.
+        pub fn visit_implementations(visitor: &mut impl Visitor) {
+            $(
+                $(#[$only])*
+                if $there {
+                    visitor.visit::<$type>($name);
+                }
+            )*
+        }
 
         /// Those that this machine can run.
         pub fn implementations() -> Vec<On> {

@@ -15,11 +15,14 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("shape", &[]),
     ("sine", &[]),
     ("geometry", &[]),
-    ("motion", &["geometry"]),
-    ("batch", &["geometry", "motion", "dq8_simd"]),
+    ("shared_trait", &[]),
+    ("quaternion", &["shared_trait"]),
+    ("dual_number", &["shared_trait"]),
+    ("motion", &["geometry", "shared_trait", "quaternion", "dual_number"]),
+    ("batch", &["geometry", "shared_trait", "quaternion", "dual_number", "motion", "dq8_simd"]),
     ("everyday", &["geometry", "batch", "dq8_simd"]),
     ("real", &["geometry", "everyday", "dq8_simd", "sine"]),
-    ("scalar", &["real", "geometry", "motion"]),
+    ("scalar", &["real", "geometry", "shared_trait", "quaternion", "dual_number", "motion"]),
     ("differentiate", &["real", "scalar"]),
     ("incidence", &["real", "geometry", "scalar"]),
     ("representation", &["real", "geometry", "scalar"]),
@@ -100,9 +103,24 @@ const SIMD_MAY_IMPORT: &[(&str, &[&str])] = &[
     ("x86_64", &["lanes", "pair", "detect"]),
 ];
 
-/// Files of `batch` without a twin in `scalar`: the scalar reference has these from the standard
-/// library (`even`: sine and arcsine) or as a plain function (`length`: `vector::norm`).
-const BATCH_ONLY: &[&str] = &["even.rs", "even_coefficients.rs", "length.rs"];
+/// The folders whose files have a twin of the same name in a folder of `batch`.
+const TWINS: &[(&str, &str)] = &[
+    ("src/scalar", "src/batch"),
+    ("src/incidence", "src/batch/incidence"),
+    ("src/representation", "src/batch/representation"),
+];
+
+/// Files of `batch` without a twin: the reference has these from the standard library (`even`,
+/// `trigonometry`, `exponential`) or as a plain function (`length`: `vector::norm`), and that of `two_bone` is
+/// in `ik`.
+const BATCH_ONLY: &[&str] = &[
+    "even.rs",
+    "even_coefficients.rs",
+    "exponential.rs",
+    "length.rs",
+    "trigonometry.rs",
+    "two_bone.rs",
+];
 
 const MAX_LINES: usize = 400;
 
@@ -153,17 +171,21 @@ fn the_tables_keep_the_twins_apart_and_have_no_circle() {
 }
 
 #[test]
-fn every_file_of_scalar_has_a_twin_in_batch_and_the_other_way_round() {
+fn every_file_of_the_reference_has_a_twin_in_batch_and_the_other_way_round() {
     let files = |folder: &str| -> BTreeSet<String> {
-        let names = sources(folder).into_iter().map(|source| source.path);
-        let names = names.map(|path| path.rsplit(['/', '\\']).next().unwrap().to_owned());
+        let entries = std::fs::read_dir(format!("{}/{folder}", env!("CARGO_MANIFEST_DIR")));
+        let names = entries.unwrap().map(|entry| entry.unwrap().file_name());
+        let names = names.map(|name| name.into_string().unwrap());
         // Lanes answer with masks.
-        names.filter(|name| name != "error.rs").collect()
+        names.filter(|name| name.ends_with(".rs") && name != "error.rs").collect()
     };
-    let (scalar, batch) = (files("src/scalar"), files("src/batch"));
-    let alone: Vec<_> = scalar.difference(&batch).collect();
-    assert!(alone.is_empty(), "only in scalar: {alone:?}");
-    let alone: Vec<_> = batch.difference(&scalar).collect();
+    let mut alone = Vec::new();
+    for (reference, lanes) in TWINS {
+        let (reference, lanes) = (files(reference), files(lanes));
+        let without: Vec<_> = reference.difference(&lanes).collect();
+        assert!(without.is_empty(), "without a twin on lanes: {without:?}");
+        alone.extend(lanes.difference(&reference).cloned());
+    }
     assert_eq!(alone, BATCH_ONLY, "only in batch");
 }
 

@@ -1,0 +1,303 @@
+#!/usr/bin/env python3
+"""The table of operations, read from the sources -> docs/operations.md.
+
+    python3 scripts/operations_table.py            # writes the file
+    python3 scripts/operations_table.py --check    # exit 1 if it differs from what the sources say
+
+An operation is a public function of the scalar reference. The script looks for the same on lanes, in the traits, in the
+kernels over slices, in the C header and in the vectors. Where it finds none there must be a reason below, or it
+fails; so it does for a reason, a kernel or a C function that belongs to no operation any more.
+"""
+
+import json
+import re
+import sys
+from collections import Counter
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+OUT = ROOT / "docs/operations.md"
+OPERATORS = {"Add": "+", "Sub": "−", "Mul": "×", "Div": "÷", "Neg": "neg"}
+TRAITS = {"DualQuat": "motion", "Quat": "quaternion", "Dual": "dual_number"}
+# The order of the tables, with what they are called.
+TYPES = {
+    "DualQuat": "Motions: `DualQuat`",
+    "Quat": "Quaternions: `Quat`",
+    "Dual": "Dual numbers: `Dual`",
+    "DualVector": "Dual vectors: `DualVector`",
+    "Line": "Lines: `Line`",
+    "Plane": "Planes: `Plane`",
+    "Screw": "Screws: `Screw`",
+    "Twist": "Twists: `Twist`",
+    "Wrench": "Wrenches: `Wrench`",
+    "RotationTranslation": "Rotations with translations: `RotationTranslation`",
+    "EulerAngles": "Euler angles: `EulerAngles`",
+    "Polar": "Polar decomposition: `Polar`",
+    "Affine": "Affine maps: `Affine`",
+    "TwoBone": "Limbs of two bones: `TwoBone`",
+    "": "Functions",
+}
+
+# Lanes have another name where the shared type has one already, or where `try_` becomes `_checked`.
+ON_LANES = {
+    ("EulerAngles", "to_quat"): ("Quat", "from_euler"),
+    ("Line", "is_line"): ("Line", "is_line_mask"),
+    ("Dual", "inverse"): ("Dual", "inverse_checked"),
+}
+IN_TRAIT = {("DualQuat", "try_normalize"): "normalize_checked", ("DualQuat", "try_inverse"): "inverse_checked",
+            ("Quat", "try_normalize"): "normalize_checked"}
+# Kernels over slices, methods of `Backend`, by the operation that they are of.
+KERNELS = {
+    ("DualQuat", "×"): ["mul", "mul_in_place", "mul_left_in_place"],
+    ("DualQuat", "normalize"): ["normalize", "normalize_in_place"],
+    ("DualQuat", "inverse"): ["inverse", "inverse_in_place"],
+    ("DualQuat", "conjugate"): ["conjugate", "conjugate_in_place"],
+    ("DualQuat", "nlerp"): ["nlerp", "nlerp_each"],
+    ("DualQuat", "sclerp"): ["sclerp", "sclerp_each", "resample"],
+    ("DualQuat", "dlb"): ["dlb"],
+    ("DualQuat", "dib"): ["dib_windows"],
+    ("DualQuat", "log"): ["log"],
+    ("DualQuat", "exp"): ["exp"],
+    ("DualQuat", "pow"): ["pow_each"],
+    ("DualQuat", "integrate_body"): ["integrate_body"],
+    ("DualQuat", "angle_to"): ["angles"],
+    ("DualQuat", "distance_to"): ["distances"],
+    ("DualQuat", "to_matrix3x4"): ["matrices"],
+    ("DualQuat", "to_matrix4"): ["matrices"],
+    ("DualQuat", "transform_point"): ["transform_points", "transform_points_in_place", "transform_points_each"],
+    ("DualQuat", "transform_vector"): ["transform_vectors", "transform_vectors_in_place", "transform_vectors_each"],
+    ("DualQuat", "transform_line"): ["transform_lines_each"],
+    ("DualQuat", "transform_plane"): ["transform_planes_each"],
+    ("DualQuat", "adjoint"): ["transform_twists_each"],
+}
+# C functions of one motion, `dq8_motion_…`, by the operation that they are.
+IN_C = {
+    ("DualQuat", "×"): "mul",
+    ("DualQuat", "normalize"): "normalize",
+    ("DualQuat", "inverse"): "inverse",
+    ("DualQuat", "conjugate"): "conjugate",
+    ("DualQuat", "is_unit"): "check_unit",
+    ("DualQuat", "from_rotation_translation"): "from_rotation_translation",
+    ("DualQuat", "rotation"): "to_rotation_translation",
+    ("DualQuat", "translation"): "to_rotation_translation",
+    ("DualQuat", "to_matrix3x4"): "to_matrix_3x4",
+    ("DualQuat", "to_matrix4"): "to_matrix_4x4",
+    ("DualQuat", "try_from_matrix3x4"): "from_matrix_3x4",
+    ("DualQuat", "try_from_matrix4"): "from_matrix_4x4",
+    ("DualQuat", "from_screw"): "from_screw",
+    ("DualQuat", "to_screw"): "to_screw",
+    ("DualQuat", "log"): "log",
+    ("DualQuat", "exp"): "exp",
+    ("DualQuat", "pow"): "pow",
+    ("DualQuat", "nlerp"): "nlerp",
+    ("DualQuat", "sclerp"): "sclerp",
+    ("DualQuat", "dlb"): "blend",
+    ("DualQuat", "transform_point"): "point",
+    ("DualQuat", "transform_vector"): "vector",
+}
+NO_OPERATION_IN_C = {"identity"}
+# Names in the files of vectors that are not those of the functions.
+IN_VECTORS = {
+    "conj_dual": "conjugate_dual", "conj_quat": "conjugate", "conj_both": "conjugate_both", "point": "transform_point",
+    "vector": "transform_vector", "matrix": "to_matrix3x4", "line": "transform_line", "screw": "to_screw",
+    "add": "+", "sub": "−", "mul": "×",
+}
+
+REASONS = {
+    "a": "another order of the same numbers: lanes hold components, and their order is that of the memory they are "
+         "loaded from",
+    "b": "changes the type of the number, which lanes do when they load",
+    "c": "goes along a sequence in memory, each element by the one before",
+    "d": "a part, or a name for numbers; there is nothing to compute",
+    "e": "no trait over these types: what they have in common is compared in `tests/lanes/`",
+    "f": "returns an error in the reference and a mask on lanes; the trait has the form without",
+    "g": "a column or a row of `left_jacobian` for each unit twist; the trait has that",
+    "h": "by the parts: the other operations of the trait are made of it",
+    "k": "no kernel of its own: `Kernel` and `Backend::run` run the form on lanes over any slices",
+    "m": "not in the C interface, which has what firmware and engines call on motions in memory",
+    "p": "signs, sums or copies: exact, or one rounding; the laws hold them",
+    "q": "no vectors of 60 digits; every implementation is compared with the scalar path in `f64`, and that with laws "
+         "and other libraries (`tests/agree.rs`, `tests/laws.rs`, `tests/metric.rs`, `tests/differential/`)",
+    "r": "no vectors; laws on every implementation (`tests/algebra/`), or a second opinion by nalgebra, glam or plain "
+         "`f64` geometry (`tests/representations/`, `tests/lines/`, `tests/ik/two_bone.rs`)",
+    "s": "no vectors; functions of the standard library, laws and differences (`tests/algebra/`, `tests/lanes/dual.rs`, "
+         "`tests/differentiate.rs`)",
+    "t": "one text for numbers and for lanes, without a trait: there is nothing to compare",
+}
+PARTS = {"new", "from_array", "to_array", "from_xyzw", "from_parts", "real", "dual", "dual_scalar", "dual_vector",
+         "from_dual_parts", "x", "y", "z", "w", "xyz"}
+ORDERS = {"from_wxyz", "to_wxyz", "to_cols_array_2d", "to_rows_array_2d", "try_from_cols_array_2d",
+          "try_from_rows_array_2d"}
+NO_LANES = {**dict.fromkeys(ORDERS, "a"), "cast": "b", "make_continuous": "c"}
+EXACT = PARTS | ORDERS | {"cast", "make_continuous", "abs_diff_eq", "is_finite", "neg", "apply", "scale", "from_rotation",
+                          "from_translation", "rotation", "conjugate", "is_unit", "is_normalized",
+                          "needs_renormalization"}
+
+
+def functions(*folders):
+    """(type, function) -> file, of all public inherent functions, and of operators."""
+    found = {}
+    for folder in folders:
+        path = ROOT / folder
+        for file in [path] if path.is_file() else sorted(path.rglob("*.rs")):
+            owner, bare = None, None
+            for text in file.read_text(encoding="utf-8").splitlines():
+                if block := re.match(r"impl(?:<.*?>)? (?:(\w+)(?:<.*?>)? for )?(\w+)(?:<.*>)?", text):
+                    trait, kind = block.groups()
+                    owner = kind if trait is None else None
+                    if trait in OPERATORS and kind in TYPES:
+                        found.setdefault((kind, OPERATORS[trait]), file)
+                elif text == "}":
+                    owner = None
+                if owner in TYPES and (name := re.match(r"    pub (?:const )?fn (\w+)", text)):
+                    found.setdefault((owner, name[1]), file)
+                if bare := re.match(r"pub fn (\w+)", text):
+                    found.setdefault(("", bare[1]), file)
+    return found
+
+
+def methods_of_traits():
+    found = {}
+    for kind, file in TRAITS.items():
+        text = (ROOT / f"src/{file}.rs").read_text(encoding="utf-8")
+        names = set(re.findall(r"^        fn (\w+)\(", text, re.M))
+        operators = {sign for name, sign in OPERATORS.items() if f"{name}<Output = Self>" in text}
+        found[kind] = names | operators
+    return found
+
+
+def vectors():
+    counts = Counter()
+    for file in (ROOT / "tests/vectors").glob("*.jsonl"):
+        for line in file.read_text(encoding="utf-8").splitlines():
+            op = json.loads(line)["op"]
+            counts[IN_VECTORS.get(op, op)] += 1
+    return counts
+
+
+def main():
+    reference = functions("src/scalar", "src/representation", "src/incidence", "src/ik/two_bone.rs")
+    shared = functions("src/geometry")
+    lanes = functions("src/batch")
+    traits = methods_of_traits()
+    kernels = {name for text in (ROOT / "src/slices").glob("*.rs")
+               for name in re.findall(r"^    pub fn (\w+)", text.read_text(encoding="utf-8"), re.M)}
+    header = (ROOT / "capi/include/dq8.h").read_text(encoding="utf-8")
+    of_c = set(re.findall(r"\bdq8_motion_(\w+)_f32\(", header))
+    known = vectors()
+    wrong = []
+
+    def cells(kind, name):
+        key = (kind, name)
+        both = key in shared and key not in reference
+        yield "yes"
+        # Lanes
+        other = ON_LANES.get(key)
+        candidates = [other] if other else [(kind, name), (kind, name.removeprefix("try_") + "_checked")]
+        twin = next((candidate for candidate in candidates if candidate and candidate in lanes), None)
+        if both:
+            yield "the same text"
+        elif twin is None:
+            yield reason(key, NO_LANES.get(name), "lanes")
+        else:
+            yield "yes" if twin[1] == name else f"`{twin[1] if twin[0] == kind else '::'.join(twin)}`"
+        # Trait
+        in_trait = IN_TRAIT.get(key, name)
+        if kind in traits and in_trait in traits[kind]:
+            yield "yes" if in_trait == name else f"`{in_trait}`"
+        elif kind not in traits:
+            yield reason(key, "t" if both else "e", "the trait")
+        elif name in NO_LANES:
+            yield reason(key, NO_LANES[name], "the trait")
+        elif name in PARTS:
+            yield reason(key, "d", "the trait")
+        elif name.startswith(("try_", "look_")) or key == ("Dual", "inverse"):
+            yield reason(key, "f", "the trait")
+        elif name.endswith("jacobian_matrix") or name.endswith("jacobian_inverse_matrix"):
+            yield reason(key, "g", "the trait")
+        elif name in ("is_finite", "is_normalized", "to_euler"):
+            yield reason(key, "h" if name != "to_euler" else "e", "the trait")
+        else:
+            yield reason(key, None, "the trait")
+        # Kernels over slices
+        of_slices = KERNELS.get(key, [])
+        wrong.extend(f"{kind}::{name}: no kernel {k}" for k in of_slices if k not in kernels)
+        yield ", ".join(f"`{k}`" for k in of_slices) or (
+            reason(key, "d" if name in PARTS else NO_LANES.get(name, "k"), "slices"))
+        # C
+        c = IN_C.get(key)
+        if c and c not in of_c:
+            wrong.append(f"{kind}::{name}: no C function dq8_motion_{c}")
+        yield f"`{c}`" if c else reason(key, "d" if name in PARTS else "m", "C")
+        # Known answers
+        if kind == "DualQuat" and known[name]:
+            yield str(known[name])
+        elif name in EXACT:
+            yield reason(key, "p", "known answers")
+        elif kind == "DualQuat" and name not in ("look_at", "try_from_matrix3x4", "try_from_matrix4"):
+            yield reason(key, "q", "known answers")
+        else:
+            yield reason(key, "s" if kind == "Dual" else "r", "known answers")
+
+    used = set()
+
+    def reason(key, letter, column):
+        if letter is None:
+            wrong.append(f"{'::'.join(key)}: nothing in {column}, and no reason why")
+            return ""
+        used.add(letter)
+        return f"({letter})"
+
+    lines = [
+        "# Operations",
+        "",
+        "Every public operation of the scalar reference, and where it is: on lanes, in the trait that both share (`Motion`, "
+        "`Quaternion`, `DualNumber`), as a kernel over slices (methods of `Backend`), in C (`dq8_motion_…` for one motion; those over slices have the names of the "
+        "kernels), and how many "
+        "answers of 60 digits it is held to. A name in a cell is the name there. On lanes, errors are masks: what is `try_…` "
+        "in the reference, or returns an error, ends in `_checked` there.",
+        "",
+        "Written by `scripts/operations_table.py` from the sources; `.ci/run` fails where the two differ. Jobs over memory "
+        "(hierarchies, mechanisms, skins, arms, trajectories) are not operations, and not here.",
+        "",
+        "| | reason why there is none |",
+        "|---|---|",
+    ]
+    body = []
+    total = Counter()
+    every = reference | {key: file for key, file in shared.items() if key not in reference}
+    for kind, title in TYPES.items():
+        rows = sorted(key for key in every if key[0] == kind)
+        if not rows:
+            wrong.append(f"no operation of {kind}")
+            continue
+        body += ["", f"## {title}", "", "| operation | scalar | lanes | trait | slices | C | answers |",
+                 "|---|---|---|---|---|---|---|"]
+        for key in rows:
+            row = list(cells(*key))
+            total["operations"] += 1
+            total["lanes"] += not row[1].startswith("(")
+            total["trait"] += not row[2].startswith("(")
+            where = f"../{every[key].relative_to(ROOT).as_posix()}"
+            body.append(f"| [`{key[1]}`]({where}) | " + " | ".join(row) + " |")
+    mapped = {name for names in KERNELS.values() for name in names}
+    wrong += [f"Backend::{name} belongs to no operation" for name in sorted(kernels - mapped)]
+    wrong += [f"dq8_motion_{name} belongs to no operation"
+              for name in sorted(of_c - set(IN_C.values()) - NO_OPERATION_IN_C)]
+    wrong += [f"vectors of {name} belong to no operation" for name in known if ("DualQuat", name) not in every]
+    wrong += [f"the reason ({letter}) is not used" for letter in sorted(set(REASONS) - used)]
+    wrong += [f"{'::'.join(key)} in a list of this script is no operation"
+              for key in [*ON_LANES, *IN_TRAIT, *KERNELS, *IN_C] if key not in every]
+    if wrong:
+        sys.exit("\n".join(dict.fromkeys(wrong)))
+    lines += [f"| ({letter}) | {text} |" for letter, text in REASONS.items()]
+    lines += ["", f"{total['operations']} operations; {total['lanes']} are on lanes, {total['trait']} in a trait."]
+    text = "\n".join(lines + body) + "\n"
+    if "--check" not in sys.argv:
+        OUT.write_text(text, encoding="utf-8")
+    elif not OUT.exists() or OUT.read_text(encoding="utf-8") != text:
+        sys.exit("docs/operations.md is not what the sources say: run scripts/operations_table.py")
+    print(f"{total['operations']} operations, {total['lanes']} on lanes, {total['trait']} in a trait")
+
+
+main()

@@ -1,0 +1,22 @@
+use super::Quat;
+use crate::quaternion::{Quaternion, delegate_quaternion};
+use crate::shared_trait::sealed::Sealed;
+use dq8_simd::Lanes;
+
+impl<L: Lanes> Sealed for Quat<L> {}
+
+impl<L: Lanes> Quaternion for Quat<L> {
+    type Level = L::Level;
+    type Real = L;
+    type Mask = L::Mask;
+
+    #[inline(always)]
+    fn identity(level: L::Level) -> Self {
+        Self::identity(level)
+    }
+    #[inline(always)]
+    fn normalize_checked(self) -> (Self, L::Mask) {
+        self.normalize_checked()
+    }
+    delegate_quaternion!();
+}

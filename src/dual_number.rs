@@ -1,0 +1,88 @@
+//! [`DualNumber`]: what the dual numbers of the scalar reference and of the lanes share.
+
+use crate::shared_trait::shared_trait;
+use core::fmt::Debug;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+shared_trait! {
+    /// Dual numbers a + εb, ε² = 0, one ([`Dual`](crate::Dual)) or many at a time
+    /// ([`batch::Dual`](crate::batch::Dual)).
+    ///
+    /// # Laws
+    ///
+    /// They hold up to rounding for finite values; `tests/algebra/dual_number.rs` has the bounds:
+    ///
+    /// | law | for |
+    /// |---|---|
+    /// | x + y = y + x, xy = yx, (xy)z = x(yz), x(y + z) = xy + xz | all |
+    /// | ε² = 0, f(x) = f(a) + εb f′(a) | all |
+    /// | x · 1/x = 1, x/y = x · 1/y | a ≠ 0 |
+    /// | (√x)² = x, exp(ln x) = x, xᵐxⁿ = xᵐ⁺ⁿ | a > 0 |
+    /// | sin² + cos² = 1, tan = sin/cos, exp(x + y) = exp x exp y | all |
+    /// | sin(arcsin x) = x, cos(arccos x) = x, tan(arctan x) = x | in their domains |
+    /// | atan2(r sin x, r cos x) = x | r > 0, \|a\| < π |
+    ///
+    /// The documentation of each operation, with formula and source, stands on the scalar type. No other type
+    /// can implement the trait.
+    trait DualNumber: Copy, Debug, Add<Output = Self>, Sub<Output = Self>, Mul<Output = Self>, Div<Output = Self>,
+        Neg<Output = Self>;
+
+    delegate by delegate_dual_number;
+
+    types {
+        /// A real number, or one per lane.
+        type Real: Copy + Debug;
+    }
+
+    by_hand {
+        /// a and b.
+        fn parts(self) -> [Self::Real; 2];
+    }
+
+    inherent {
+        /// a + εb
+        fn new(real: Self::Real, dual: Self::Real) -> Self;
+        /// f(a) + εb f′(a), given f(a) and f′(a).
+        #[must_use]
+        fn apply(self, value: Self::Real, derivative: Self::Real) -> Self;
+        /// s(a + εb)
+        #[must_use]
+        fn scale(self, factor: Self::Real) -> Self;
+        /// 1/(a + εb), infinite or NaN for a = 0.
+        #[must_use]
+        fn recip(self) -> Self;
+        /// (a + εb)ⁿ
+        #[must_use]
+        fn powi(self, n: i32) -> Self;
+        /// √a + εb/(2√a)
+        #[must_use]
+        fn sqrt(self) -> Self;
+        /// sin a + εb cos a. On lanes NaN beyond 2¹⁶ rad (`f32`) or 2⁴⁵ rad (`f64`), as cosine and tangent.
+        #[must_use]
+        fn sin(self) -> Self;
+        /// cos a − εb sin a
+        #[must_use]
+        fn cos(self) -> Self;
+        /// tan a + εb/cos²a
+        #[must_use]
+        fn tan(self) -> Self;
+        /// arcsin a + εb/√(1 − a²)
+        #[must_use]
+        fn asin(self) -> Self;
+        /// arccos a − εb/√(1 − a²)
+        #[must_use]
+        fn acos(self) -> Self;
+        /// arctan a + εb/(1 + a²)
+        #[must_use]
+        fn atan(self) -> Self;
+        /// The angle of the point (`x`, `self`).
+        #[must_use]
+        fn atan2(self, x: Self) -> Self;
+        /// eᵃ + εb eᵃ
+        #[must_use]
+        fn exp(self) -> Self;
+        /// ln a + εb/a
+        #[must_use]
+        fn ln(self) -> Self;
+    }
+}

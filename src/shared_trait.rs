@@ -1,0 +1,57 @@
+//! How a trait of both implementations is written: one list of methods makes the trait, and the delegation to
+//! the inherent methods of each type.
+
+/// Writes the trait, and the macro `$delegate` for the types that have every method of the list as an
+/// inherent one: there `Self::name` finds that one first.
+macro_rules! shared_trait {
+    (
+        $(#[$about:meta])*
+        trait $Trait:ident: $($bound:path),*;
+        delegate by $delegate:ident;
+        types { $($types:tt)* }
+        by_hand { $(
+            $(#[$own:meta])*
+            fn $of_each:ident($($given:ident $(: $kind:ty)?),*) -> $outcome:ty;
+        )* }
+        inherent { $(
+            $(#[$method:meta])*
+            fn $name:ident($($argument:ident $(: $type:ty)?),* $(,)?) -> $result:ty;
+        )* }
+    ) => {
+        $(#[$about])*
+        pub trait $Trait: crate::shared_trait::sealed::Sealed $(+ $bound)* {
+            $($types)*
+
+            /// The names of all methods, in this order.
+            const METHODS: &'static [&'static str] =
+                &[$(stringify!($of_each),)* $(stringify!($name)),*];
+
+            $(
+                $(#[$own])*
+                fn $of_each($($given $(: $kind)?),*) -> $outcome;
+            )*
+            $(
+                $(#[$method])*
+                fn $name($($argument $(: $type)?),*) -> $result;
+            )*
+        }
+
+        /// The methods of the list for an `impl` of the trait, where the types of `geometry` that it names
+        /// must be imported.
+        macro_rules! $delegate {
+            () => { $(
+                #[inline(always)]
+                fn $name($($argument $(: $type)?),*) -> $result {
+                    Self::$name($($argument),*)
+                }
+            )* };
+        }
+        pub(crate) use $delegate;
+    };
+}
+pub(crate) use shared_trait;
+
+pub(crate) mod sealed {
+    /// So that a new operation breaks no other crate.
+    pub trait Sealed {}
+}

@@ -1,0 +1,96 @@
+//! What lanes have beside [`Motion`](dq8::Motion), against the scalar reference of the same precision or in
+//! `f64`, lane by lane: functions of dual numbers, incidences, other representations.
+
+#[path = "lanes/dual.rs"]
+mod dual;
+#[path = "lanes/incidence.rs"]
+mod incidence;
+#[path = "lanes/representation.rs"]
+mod representation;
+#[path = "lanes/two_bone.rs"]
+mod two_bone;
+
+use dq8::{Float, Lanes, Mask, Portable, Real, batch};
+use dq8_contract::bound::distance;
+use dq8_contract::ledger::Ledger;
+use dq8_contract::sample::Sample;
+
+/// The number in a lane, as the scalar reference and as lanes see it.
+trait Number: Float + Real {}
+impl<R: Float + Real> Number for R {}
+
+/// Lanes that any machine has.
+trait Portably: Lanes<Level = Portable, Real: Number> {}
+impl<L: Lanes<Level = Portable, Real: Number>> Portably for L {}
+
+/// Runs `check` with each lane type there is.
+macro_rules! on_every_lane_type {
+    ($check:ident $(, $given:expr)*) => {
+        on_every_lane_type! { @each $check ($($given),*)
+            f32 f64 dq8::f32x4 dq8::f32x8 dq8::f32x16 dq8::f64x2 dq8::f64x4 dq8::f64x8 }
+    };
+    (@each $check:ident $given:tt $($type:ty)*) => {{
+        $(on_every_lane_type! { @one $check $type, $given })*
+    }};
+    (@one $check:ident $type:ty, ($($given:expr),*)) => { $check::<$type>($($given),*) };
+}
+pub(crate) use on_every_lane_type;
+
+/// Lane `i` from number `i`, rounded; the lanes beyond repeat the first.
+fn lanes<L: Portably>(numbers: &[f64]) -> L {
+    let all: Vec<_> = (0..L::LANES).map(|i| *numbers.get(i).unwrap_or(&numbers[0])).collect();
+    <batch::DualQuat<L> as Sample>::real(&all)
+}
+
+/// Lane `i` from `C` numbers of case `i`.
+fn columns<L: Portably, T, const C: usize>(cases: &[T], pick: impl Fn(&T) -> [f64; C]) -> [L; C] {
+    std::array::from_fn(|c| lanes(&cases.iter().map(|case| pick(case)[c]).collect::<Vec<_>>()))
+}
+
+/// The number in one lane.
+fn lane<L: Portably>(all: L, index: usize) -> f64 {
+    all.to_array().as_ref()[index].into()
+}
+
+/// The numbers in one lane.
+fn row<L: Portably, const C: usize>(all: [L; C], index: usize) -> [f64; C] {
+    all.map(|number| lane(number, index))
+}
+
+/// Whether a mask holds for one lane.
+fn holds<M: Mask>(mask: M, index: usize) -> bool {
+    mask.to_bitmask() >> index & 1 == 1
+}
+
+/// What `R` makes of numbers.
+fn rounded<R: Real, const C: usize>(numbers: [f64; C]) -> [R; C] {
+    numbers.map(R::from_f64)
+}
+
+/// Numbers as `f64`, exact.
+fn exact<R: Real, const C: usize>(numbers: [R; C]) -> [f64; C] {
+    numbers.map(Into::into)
+}
+
+/// The roundoff of the lanes.
+fn roundoff<L: Portably>() -> f64 {
+    <L::Real as Real>::EPSILON.into() / 2.0
+}
+
+/// Writes down how far numbers are from those wanted, in units of u · scale.
+fn measure<L: Portably, const C: usize>(
+    ledger: &Ledger,
+    (op, kind): (&str, &str),
+    got: [f64; C],
+    wanted: [f64; C],
+    scale: f64,
+    case: &dyn std::fmt::Debug,
+) {
+    for (got, wanted) in got.into_iter().zip(wanted) {
+        let units = distance(got, wanted, scale, L::Real::SINGLE);
+        ledger.measure(op, kind, units, || {
+            let lanes = std::any::type_name::<L>();
+            format!("{lanes}: {got:e} where {wanted:e} is right, for {case:?}")
+        });
+    }
+}
