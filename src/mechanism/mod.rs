@@ -33,6 +33,7 @@ mod owned;
 mod parallel;
 mod placed;
 mod poses;
+mod reach;
 mod single;
 mod step;
 mod tree;
@@ -46,6 +47,7 @@ pub use frame::{Body, JacobianFrame, World, WorldAligned};
 pub use joint::{Joint, JointKind, Mimic};
 #[cfg(feature = "alloc")]
 pub use owned::OwnedMechanism;
+pub use reach::{Freedom, Goal, Reach, ReachError};
 pub use step::Step;
 pub use tree::Mechanism;
 pub use values::JointValues;

@@ -65,7 +65,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("ik", &["error", "shape", "real", "geometry", "dq8_simd", "scalar", "batch", "dispatch"]),
     (
         "mechanism",
-        &["shape", "real", "geometry", "dq8_simd", "scalar", "batch", "dispatch", "storage"],
+        &["shape", "real", "geometry", "dq8_simd", "scalar", "batch", "dispatch", "storage", "ik"],
     ),
     (
         "hierarchy",
