@@ -56,10 +56,14 @@ pub enum Status {
     NoLink = 21,
     /// The mechanism has not been made.
     NoMechanism = 22,
+    /// A weight of a goal is negative or not finite, or all are zero, or there is no goal.
+    Weight = 23,
+    /// Limits of a joint are not in order, or leave no value together with those of what mimics it.
+    Limits = 24,
 }
 
 impl Status {
-    const ALL: [Self; 23] = [
+    const ALL: [Self; 25] = [
         Self::Ok,
         Self::NullPointer,
         Self::Misaligned,
@@ -83,6 +87,8 @@ impl Status {
         Self::Mimic,
         Self::NoLink,
         Self::NoMechanism,
+        Self::Weight,
+        Self::Limits,
     ];
 
     pub(crate) fn of(done: Done) -> Self {
@@ -116,6 +122,8 @@ impl Status {
             Self::Mimic => c"a joint cannot mimic the one that it should",
             Self::NoLink => c"there is no such link",
             Self::NoMechanism => c"the mechanism has not been made",
+            Self::Weight => c"a goal has no weight, or one that is negative or not finite",
+            Self::Limits => c"the limits of a joint leave no value",
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::freedom::Kind;
 use super::lane::Lane;
 use super::scratch::GOAL;
-use super::search::Search;
+use super::search::{Search, with_lane};
 use crate::ik::{Outcome, Report};
 use crate::real::{Real, Scalar};
 use dq8_simd::Lanes;
@@ -40,14 +40,22 @@ impl<L: Lanes<Real: Scalar>> Search<'_, L> {
             }
         }
         let (goals, mut beyond) = (reach.goals.len(), false);
+        let targets = self.work.targets.get(configuration * goals..)?.get(..goals)?;
         for index in 0..goals {
-            let target = *self.work.targets.get(configuration * goals + index)?;
+            let target = *targets.get(index)?;
             let tolerance = self.work.options.linear_tolerance;
             let (target, is_beyond) = reach.clamped(index, target, tolerance)?;
             beyond |= is_beyond;
             for (row, number) in target.to_array().into_iter().enumerate() {
                 scratch.goals.set_number(index * GOAL + row, lane, number);
             }
+        }
+        if self.work.options.length_per_radian.is_none() {
+            let length = reach.typical_length_to(targets, values) * L::Real::from(0.125);
+            let scales = &mut self.model.scales;
+            scales.length = with_lane(scales.length, lane, length);
+            scales.radians_per_length =
+                with_lane(scales.radians_per_length, lane, L::Real::ONE / length);
         }
         for (row, &value) in values.iter().enumerate() {
             scratch.values.set_number(row, lane, value);

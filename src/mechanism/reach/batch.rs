@@ -2,14 +2,13 @@
 
 use super::model::Model;
 use super::problem::Reach;
-use super::scratch::numbers;
 use super::search::{Search, Work};
 use crate::dispatch::{Backend, Kernel};
 use crate::ik::{Options, Outcome, Report};
 use crate::real::Scalar;
 use crate::scalar::DualQuat;
 use crate::shape::{ShapeError, same_length};
-use dq8_simd::{Lanes, Level, MAX_LANES, Portable};
+use dq8_simd::{Lanes, Level, Portable};
 
 impl<R> Reach<'_, R>
 where
@@ -42,7 +41,7 @@ where
     ) -> Result<Report<R, Outcome>, ShapeError> {
         let mut reports = [Report::default()];
         let work = Work { targets, values, reports: &mut reports, options };
-        work.check(self, scratch.len(), 1)?;
+        work.check(self, scratch.len(), self.scratch_len())?;
         if let Some(model) = Model::<R>::new(Portable, self, options, scratch) {
             Search::new(model, work).run();
         }
@@ -95,19 +94,18 @@ impl Backend {
         options: &Options<R>,
     ) -> Result<(), ShapeError> {
         let work = Work { targets, values, reports, options };
-        work.check(reach, scratch.len(), MAX_LANES)?;
+        work.check(reach, scratch.len(), reach.batch_scratch_len())?;
         self.run(Targets { reach, work, scratch });
         Ok(())
     }
 }
 
 impl<R: Copy> Work<'_, R> {
-    fn check(&self, reach: &Reach<'_, R>, room: usize, lanes: usize) -> Result<(), ShapeError> {
+    fn check(&self, reach: &Reach<'_, R>, room: usize, expected: usize) -> Result<(), ShapeError> {
         let configurations = self.reports.len();
         let (goals, values) = (reach.goals.len(), reach.mechanism.values);
         same_length("targets", self.targets.len(), configurations * goals)?;
         same_length("values", self.values.len(), configurations * values)?;
-        let expected = numbers(reach, lanes);
         if room < expected {
             return Err(ShapeError::Length { what: "scratch", length: room, expected });
         }

@@ -1,5 +1,6 @@
 //! How far links get.
 
+use super::freedom::Freedom;
 use super::problem::Reach;
 use crate::ik::{Range, UNIT};
 use crate::mechanism::joint::JointKind;
@@ -66,6 +67,31 @@ impl<R: Real> Reach<'_, R> {
             longest = if length > longest { length } else { longest };
         }
         if longest > R::ZERO && longest.is_finite() { longest } else { R::ONE }
+    }
+
+    /// The typical length, or where something floats or slides without end, a longer way that it has to go.
+    pub(super) fn typical_length_to(&self, targets: &[DualQuat<R>], values: &[R]) -> R {
+        let mut longest = self.size;
+        if self.is_endless {
+            for target in targets {
+                longest = longest.max_or_nan(vector::norm(target.translation()));
+            }
+            for freedom in self.freedoms.iter().filter(|freedom| freedom.is_slide()) {
+                for &value in freedom.lengths(values) {
+                    longest = longest.max_or_nan(value.abs());
+                }
+            }
+        }
+        longest
+    }
+
+    /// Whether some slide has no end.
+    pub(super) fn has_endless_slides(&self) -> bool {
+        let is_endless = |freedom: &Freedom<R>| {
+            let Range { low, high, .. } = freedom.range;
+            freedom.is_slide() && !(low.is_finite() && high.is_finite())
+        };
+        self.freedoms.iter().any(is_endless)
     }
 
     /// The target of a goal, exactly unit; one beyond the bound is drawn to its edge, because from beyond it

@@ -81,9 +81,16 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
             }
             let linear = vector::scale(linear, scales.radians_per_length);
             let columns = &mut self.scratch.columns;
-            row = weigh(goal, angular, linear, row, #[inline(always)] |row, component| {
-                columns.set(row, columns.get(level, row) + component);
-            });
+            row = weigh(
+                goal,
+                angular,
+                linear,
+                row,
+                #[inline(always)]
+                |row, component| {
+                    columns.set(row, columns.get(level, row) + component);
+                },
+            );
         }
     }
 }

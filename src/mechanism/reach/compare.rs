@@ -21,7 +21,8 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
             let target = self.target(index, lane);
             let pose = self.pose(index);
             let end = vector::add(pose.half, pose.half);
-            let mut way = vector::add(target.translation(), vector::scale(end, zero.constant(-1.0)));
+            let mut way =
+                vector::add(target.translation(), vector::scale(end, zero.constant(-1.0)));
             let (mut angular, mut linear) = ([zero; 3], way);
             if goal.asks_rotation() {
                 let pose = DualQuat::from_array(pose.to_motion());
@@ -45,10 +46,17 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
             apart.angular = larger(apart.angular, turn);
             apart.linear = larger(apart.linear, distance);
             let linear = vector::scale(linear, scales.radians_per_length);
-            row = weigh(goal, angular, linear, row, #[inline(always)] |row, component| {
-                apart.square = component.mul_add(component, apart.square);
-                self.scratch.error.set(row, component);
-            });
+            row = weigh(
+                goal,
+                angular,
+                linear,
+                row,
+                #[inline(always)]
+                |row, component| {
+                    apart.square = component.mul_add(component, apart.square);
+                    self.scratch.error.set(row, component);
+                },
+            );
         }
         apart
     }
@@ -70,7 +78,8 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     pub(super) fn pose(&self, goal: usize) -> Placed<L> {
         let first = goal * GOAL + TARGET;
         let goals = &self.scratch.goals;
-        let (rotation, half) = (goals.record(self.level, first), goals.record(self.level, first + 4));
+        let (rotation, half) =
+            (goals.record(self.level, first), goals.record(self.level, first + 4));
         Placed { rotation, half }
     }
 }

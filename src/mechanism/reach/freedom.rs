@@ -47,6 +47,13 @@ impl<R: Real> Freedom<R> {
         matches!(self.kind, Kind::Slide | Kind::FloatingSlide(_))
     }
 
+    /// The lengths among its values.
+    pub(super) fn lengths<'v>(&self, values: &'v [R]) -> &'v [R] {
+        let first = self.value as usize;
+        let (first, count) = if self.kind == Kind::Slide { (first, 1) } else { (first + 4, 3) };
+        values.get(first..first + count).unwrap_or_default()
+    }
+
     /// Rate number `index` of a joint.
     fn of(step: &Step<R>, index: usize) -> Result<Self, ReachError> {
         let whole = [-R::ONE / R::ZERO, R::ONE / R::ZERO];

@@ -7,6 +7,7 @@ use crate::real::Real;
 /// vector, radians, and the way from the link's origin to the target's. A weight of zero leaves its
 /// component free: a drill may turn about its own axis, a cup on a table slide along it.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct Goal<R> {
     /// The link.
     pub link: usize,

@@ -3,6 +3,7 @@
 //! *Progress* is a fall of the squared error to a part of what it was within a few steps: those near a
 //! solution converge quadratically, so a search that falls slowly is on its way to a local minimum. A lane
 //! without progress begins again, if it may, and ends if not; one that limits leave no *hope* does not wait.
+//! In the last quarter of the iterations it goes back to the nearest pose that it found, and stays there.
 
 use crate::ik::{Options, Outcome};
 use crate::real::Real;
@@ -14,6 +15,12 @@ const LAST_PROGRESS: f32 = 0.999;
 /// ... in this many steps.
 const PATIENCE: u32 = 2;
 const LAST_PATIENCE: u32 = 6;
+/// So many steps may lead past the targets on the way to a posture.
+const POSTURE_PATIENCE: u32 = 20;
+/// This part of the iterations is for the nearest pose that was found, where none has arrived until then.
+const LAST: u32 = 4;
+/// How much more a step is damped than one that led away.
+const MORE_CAUTION: f32 = 8.0;
 /// Below this squared error (radians²) a limit in the way is not a reason to give up at once.
 const NEAR: f32 = 1e-4;
 
@@ -45,11 +52,16 @@ pub(super) struct Lane<R> {
     is_invalid: bool,
     converged: bool,
     ever_stuck: bool,
+    /// Whether it went back to the nearest that it had been, to stay.
+    settles: bool,
     /// The squared error after the last step, the one that progress is measured from, and the steps without
     /// progress since.
     square: R,
     mark: R,
     idle_steps: u32,
+    /// By how much more than usual steps are damped: where there is no other beginning and a step led away,
+    /// the next are shorter (Marquardt 1963).
+    pub(super) caution: R,
 }
 
 /// What a lane does.
@@ -57,6 +69,8 @@ pub(super) struct Lane<R> {
 pub(super) enum Next {
     Step,
     BeginAgain,
+    /// To the nearest so far.
+    GoBack,
     End,
 }
 
@@ -78,9 +92,11 @@ impl<R: Real> Lane<R> {
         is_invalid: false,
         converged: false,
         ever_stuck: false,
+        settles: false,
         square: R::ZERO,
         mark: R::ZERO,
         idle_steps: 0,
+        caution: R::ONE,
     };
 
     pub(super) fn new(configuration: usize, out_of_reach: bool) -> Self {
@@ -112,21 +128,27 @@ impl<R: Real> Lane<R> {
             self.is_invalid = true;
             return (false, Next::End);
         }
-        let has_just_arrived = arrived && !self.converged;
-        self.converged |= arrived;
-        let tolerance = options.angular_tolerance;
-        if arrived && !(has_posture && seen.wish > tolerance * tolerance) {
+        if arrived && !has_posture {
+            self.converged = true;
             return (is_best, Next::End);
         }
-        let may_restart = options.restarts && !self.out_of_reach && !self.converged;
+        if arrived || self.converged {
+            return (is_best, self.toward_posture(&seen, arrived, options));
+        }
+        let may_restart = options.restarts && !self.out_of_reach && !self.settles;
         let hopeless = may_restart && !self.begins && self.is_hopeless(&seen);
-        let falling = if self.converged { seen.wish } else { seen.square };
         let needed = R::from(if may_restart { PROGRESS } else { LAST_PROGRESS });
-        if self.begins || has_just_arrived || falling < self.mark * needed {
-            (self.mark, self.idle_steps) = (falling, 0);
+        if self.begins || seen.square < self.mark * needed {
+            (self.mark, self.idle_steps) = (seen.square, 0);
         } else {
             self.idle_steps += 1;
         }
+        self.caution = if may_restart || self.begins || seen.square <= self.square {
+            let less = self.caution * R::HALF;
+            if less > R::ONE { less } else { R::ONE }
+        } else {
+            self.caution * R::from(MORE_CAUTION)
+        };
         let patience = if may_restart { PATIENCE } else { LAST_PATIENCE };
         let stuck = self.idle_steps >= patience || hopeless;
         self.ever_stuck |= stuck;
@@ -135,12 +157,38 @@ impl<R: Real> Lane<R> {
             return (is_best, Next::End);
         }
         self.iterations += 1;
+        if stuck && self.iterations > options.max_iterations - options.max_iterations / LAST {
+            (self.settles, self.begins) = (true, true);
+            return (is_best, Next::GoBack);
+        }
         if stuck {
             self.restarts += 1;
             self.begins = true;
             return (is_best, Next::BeginAgain);
         }
         (is_best, Next::Step)
+    }
+
+    /// The targets are reached, or have been: on to the posture, until poses that reach them come no nearer
+    /// to it. Between them are some that do not, because the way there is bent.
+    fn toward_posture(&mut self, seen: &Seen<R>, arrived: bool, options: &Options<R>) -> Next {
+        let is_nearer = !self.converged || seen.wish < self.mark * R::from(LAST_PROGRESS);
+        let tolerance = options.angular_tolerance;
+        let is_there = arrived && (!is_nearer || seen.wish <= tolerance * tolerance);
+        if arrived {
+            (self.mark, self.idle_steps) = (seen.wish, 0);
+        }
+        self.idle_steps += 1;
+        (self.is_fresh, self.begins, self.converged) = (false, false, true);
+        (self.square, self.caution) = (seen.square, R::ONE);
+        if is_there
+            || self.idle_steps > POSTURE_PATIENCE
+            || self.iterations >= options.max_iterations
+        {
+            return Next::End;
+        }
+        self.iterations += 1;
+        Next::Step
     }
 
     /// Whether a limit cut the last step so short that even its own linear model left most of the error.

@@ -5,6 +5,9 @@ use crate::ik::epsilon;
 use crate::real::Scalar;
 use dq8_simd::Lanes;
 
+/// A λ² that is none, but not zero.
+const FLOOR: f64 = 1e-30;
+
 impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     /// y with (JJᵀ + λ²1) y = `left`, so that Jᵀy is the x that makes |Jx − left|² + λ²|x|² least (Nakamura &
     /// Hanafusa 1986; Wampler 1986; Buss 2004, eq. 11); held columns are zero.
@@ -33,7 +36,9 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
                 }
             }
         }
-        let least = trace.mul_add(damping.constant(0.25 * epsilon::<L>()), damping);
+        // Where nothing moves anything, nothing is asked of it.
+        let floor = damping + damping.constant(FLOOR);
+        let least = trace.mul_add(damping.constant(0.25 * epsilon::<L>()), floor);
         let (reciprocals, y) = (&mut scratch.reciprocals, &mut scratch.solution);
         for i in 0..rows {
             let of_i = i * (i + 1) / 2;

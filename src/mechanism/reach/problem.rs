@@ -1,7 +1,7 @@
 use super::error::ReachError;
 use super::freedom::{Freedom, freedoms};
 use super::goal::Goal;
-use super::scratch::numbers;
+use super::scratch::{Counts, padded};
 use crate::mechanism::poses::carries;
 use crate::mechanism::step::Step;
 use crate::mechanism::tree::Mechanism;
@@ -56,6 +56,8 @@ pub struct Reach<'a, R> {
     pub(super) twists: usize,
     /// A length that is typical for the mechanism.
     pub(super) size: R,
+    /// Whether something slides without end.
+    pub(super) is_endless: bool,
 }
 
 impl<'a, R: Real> Reach<'a, R> {
@@ -92,9 +94,11 @@ impl<'a, R: Real> Reach<'a, R> {
         }
         let freedoms = of_rates.get(..count).unwrap_or_default();
         let size = R::ONE;
+        let (posture, is_endless) = (None, false);
         let reach =
-            Self { mechanism, goals, freedoms, of_rates, posture: None, rows, twists, size };
-        Ok(Self { size: reach.typical_length(), ..reach })
+            Self { mechanism, goals, freedoms, of_rates, posture, rows, twists, size, is_endless };
+        let is_endless = reach.has_endless_slides();
+        Ok(Self { size: reach.typical_length(), is_endless, ..reach })
     }
 
     /// With a preferred configuration: where the goals leave freedom, the joints that move them go toward
@@ -134,14 +138,26 @@ impl<'a, R: Copy> Reach<'a, R> {
     /// How many numbers [`solve`](Self::solve) needs to compute in.
     #[must_use]
     pub fn scratch_len(&self) -> usize {
-        numbers(self, 1)
+        padded::<R>(Counts::of(self).numbers())
+    }
+
+    /// The most that [`scratch_len`](Self::scratch_len) can be for a mechanism and so many goals, before
+    /// they are known.
+    #[must_use]
+    pub fn scratch_bound(mechanism: Mechanism<'_, R>, goals: usize) -> usize {
+        let mut twists = 0;
+        for step in mechanism.steps {
+            twists += step.kind.rates();
+        }
+        let (values, freedoms, rows) = (mechanism.values, mechanism.rates, 6 * goals);
+        padded::<R>(Counts { values, twists, goals, freedoms, rows }.numbers())
     }
 
     /// How many numbers [`Backend::reach_links`](crate::Backend::reach_links) needs to compute in, with
     /// any instructions.
     #[must_use]
     pub fn batch_scratch_len(&self) -> usize {
-        numbers(self, MAX_LANES)
+        padded::<R>(Counts::of(self).numbers() * MAX_LANES)
     }
 
     /// The freedom of a rate among those that move a goal.

@@ -38,6 +38,15 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
         }
     }
 
+    /// Puts a lane where it was nearest.
+    #[inline(always)]
+    pub(super) fn go_back(&mut self, lane: usize) {
+        let scratch = &mut self.scratch;
+        for value in 0..self.reach.mechanism.values {
+            scratch.values.set_number(value, lane, scratch.best.number(value, lane));
+        }
+    }
+
     /// Candidates from number `first` on, one in each lane, for a lane.
     #[inline(always)]
     fn draw(&mut self, lane: usize, first: u64) {

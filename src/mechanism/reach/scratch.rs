@@ -114,16 +114,36 @@ pub(super) const MOVED: usize = 6;
 /// Registers that straddle lines of the cache take twice as long.
 const LINE: usize = 64;
 
-/// How many rows there are.
-pub(super) fn rows<R: Copy>(reach: &Reach<'_, R>) -> usize {
-    let (values, freedoms, rows) = (reach.mechanism.values, reach.freedoms.len(), reach.rows);
-    let joints = 4 * values + 6 * reach.twists + GOAL * reach.goals.len();
-    joints + freedoms * (rows + 4) + 4 * rows + triangle(rows)
+/// How many of everything there are.
+pub(super) struct Counts {
+    pub(super) values: usize,
+    pub(super) twists: usize,
+    pub(super) goals: usize,
+    pub(super) freedoms: usize,
+    pub(super) rows: usize,
 }
 
-/// How many numbers a search with so many lanes needs.
-pub(super) fn numbers<R: Copy>(reach: &Reach<'_, R>, lanes: usize) -> usize {
-    rows(reach) * lanes + LINE / size_of::<R>()
+impl Counts {
+    pub(super) fn of<R: Copy>(reach: &Reach<'_, R>) -> Self {
+        Self {
+            values: reach.mechanism.values,
+            twists: reach.twists,
+            goals: reach.goals.len(),
+            freedoms: reach.freedoms.len(),
+            rows: reach.rows,
+        }
+    }
+
+    /// How many numbers a lane needs.
+    pub(super) fn numbers(&self) -> usize {
+        let joints = 4 * self.values + 6 * self.twists + GOAL * self.goals;
+        joints + self.freedoms * (self.rows + 4) + 4 * self.rows + triangle(self.rows)
+    }
+}
+
+/// With what aligns it to lines of the cache.
+pub(super) fn padded<R>(numbers: usize) -> usize {
+    numbers + LINE / size_of::<R>()
 }
 
 fn triangle(rows: usize) -> usize {
@@ -134,21 +154,22 @@ impl<'s, L: Lanes<Real: Scalar>> Scratch<'s, L> {
     /// `None` if there is too little room.
     pub(super) fn new(reach: &Reach<'_, L::Real>, room: &'s mut [L::Real]) -> Option<Self> {
         let first = room.as_ptr().align_offset(LINE);
-        let room = room.get_mut(first..first.checked_add(rows(reach) * L::LANES)?)?;
+        let counts = Counts::of(reach);
+        let room = room.get_mut(first..first.checked_add(counts.numbers() * L::LANES)?)?;
         let mut rest: &'s mut [L::Array] = bytemuck::try_cast_slice_mut(room).ok()?;
         let mut take = |rows: usize| {
             let (first, others) = core::mem::take(&mut rest).split_at_mut_checked(rows)?;
             rest = others;
             Some(Rows(first))
         };
-        let (values, freedoms, rows) = (reach.mechanism.values, reach.freedoms.len(), reach.rows);
+        let Counts { values, twists, goals, freedoms, rows } = counts;
         Some(Self {
             values: take(values)?,
             start: take(values)?,
             best: take(values)?,
             candidate: take(values)?,
-            twists: take(6 * reach.twists)?,
-            goals: take(GOAL * reach.goals.len())?,
+            twists: take(6 * twists)?,
+            goals: take(GOAL * goals)?,
             columns: take(freedoms * rows)?,
             changes: take(freedoms)?,
             radians: take(freedoms)?,

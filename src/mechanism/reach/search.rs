@@ -38,21 +38,26 @@ impl<'s, L: Lanes<Real: Scalar>> Search<'s, L> {
         for lane in 0..L::LANES {
             self.refill(lane);
         }
-        let (mut left, mut running) = (zero, zero);
+        let (mut left, mut running, mut caution) = (zero, zero, zero);
         while self.is_working() {
             self.enter();
             self.model.place(Of::Values);
             let apart = self.model.compare(None);
             let wish = self.model.wish();
             let next = self.judge(apart, wish, left);
-            for (lane, next) in next.iter().enumerate().take(L::LANES) {
+            for (index, (lane, next)) in self.lanes.iter().zip(&next).enumerate().take(L::LANES) {
                 let one = f32::from(u8::from(*next == Next::Step));
-                running = with_lane(running, lane, one.into());
+                running = with_lane(running, index, one.into());
+                caution = with_lane(caution, index, lane.caution);
             }
-            left = self.model.step(apart, zero.lt(running));
+            left = self.model.step(apart, caution, zero.lt(running));
             for (lane, next) in next.iter().enumerate().take(L::LANES) {
-                if let (Next::BeginAgain, Some(of_lane)) = (next, self.lanes.get(lane)) {
-                    self.model.begin_again(lane, of_lane.restarts - 1);
+                match (next, self.lanes.get(lane)) {
+                    (Next::BeginAgain, Some(of_lane)) => {
+                        self.model.begin_again(lane, of_lane.restarts - 1);
+                    }
+                    (Next::GoBack, _) => self.model.go_back(lane),
+                    _ => {}
                 }
             }
         }
@@ -131,7 +136,7 @@ fn number<L: Lanes<Real: Real>>(array: &L::Array, lane: usize) -> L::Real {
 }
 
 #[inline(always)]
-fn with_lane<L: Lanes>(lanes: L, lane: usize, number: L::Real) -> L {
+pub(super) fn with_lane<L: Lanes>(lanes: L, lane: usize, number: L::Real) -> L {
     let mut array = lanes.to_array();
     if let Some(slot) = array.as_mut().get_mut(lane) {
         *slot = number;

@@ -15,11 +15,11 @@ use crate::real::Scalar;
 use dq8_simd::{Lanes, Mask};
 
 impl<L: Lanes<Real: Scalar>> Model<'_, L> {
-    /// Moves the lanes that run. Where a limit cut the step short: the square of the errors that it would
+    /// Moves the lanes that run, damped `caution` times as much as usual. Where a limit cut the step short: the square of the errors that it would
     /// leave by its own linear model; elsewhere zero.
     #[inline(always)]
-    pub(super) fn step(&mut self, apart: Apart<L>, running: L::Mask) -> L {
-        let damping = apart.square.constant(DAMPING);
+    pub(super) fn step(&mut self, apart: Apart<L>, caution: L, running: L::Mask) -> L {
+        let damping = caution * caution.constant(DAMPING);
         let damping = apart.square.mul_add(damping, self.scales.least_damping);
         self.linearize(false);
         let mut limited = self.limited_step(damping, running);
@@ -81,7 +81,9 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
                 radians = L::load(level, component).mul_add(y, radians);
             }
             scratch.radians.set(index, radians);
-            let length = radians.abs();
+            // Slides are straight: they may go as far as they like.
+            let bends = self.reach.freedoms.get(index).is_some_and(|freedom| !freedom.is_slide());
+            let length = if bends { radians.abs() } else { zero };
             most = L::select(most.lt(length), length, most);
         }
         self.scales.longest / most

@@ -18,11 +18,13 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
         let Some(posture) = reach.posture else { return zero };
         for (index, freedom) in reach.freedoms.iter().enumerate() {
             let mut way = zero;
-            if let (true, Some(&value)) = (freedom.is_single(), posture.get(freedom.value as usize)) {
+            if let (true, Some(&value)) = (freedom.is_single(), posture.get(freedom.value as usize))
+            {
                 let here = self.scratch.values.get(level, freedom.value as usize);
                 way = L::splat(level, value) - here;
                 if freedom.range.wraps {
-                    let (half, turn) = (L::splat(level, L::Real::PI), zero.constant(core::f64::consts::TAU));
+                    let (half, turn) =
+                        (L::splat(level, L::Real::PI), zero.constant(core::f64::consts::TAU));
                     way = L::select(half.lt(way), way - turn, way);
                     way = L::select(way.lt(-half), way + turn, way);
                 }
