@@ -3,7 +3,7 @@
 //! *Progress* is a fall of the squared error to a part of what it was within a few steps: those near a
 //! solution converge quadratically, so a search that falls slowly is on its way to a local minimum. A lane
 //! without progress begins again, if it may, and ends if not; one that limits leave no *hope* does not wait.
-//! In the last quarter of the iterations it goes back to the nearest pose that it found, and stays there.
+//! In the last twelfth of the iterations it goes back to the nearest pose that it found, and stays there.
 
 use crate::ik::{Options, Outcome};
 use crate::real::Real;
@@ -18,7 +18,7 @@ const LAST_PATIENCE: u32 = 6;
 /// So many steps may lead past the targets on the way to a posture.
 const POSTURE_PATIENCE: u32 = 20;
 /// This part of the iterations is for the nearest pose that was found, where none has arrived until then.
-const LAST: u32 = 4;
+const LAST: u32 = 12;
 /// How much more a step is damped than one that led away.
 const MORE_CAUTION: f32 = 8.0;
 /// Below this squared error (radians²) a limit in the way is not a reason to give up at once.

@@ -41,7 +41,8 @@ fn within_the_length_of_the_arm_what_no_way_leads_to_is_stalled() {
         let report =
             solve(arm.view(), &[Goal::position(2)], &[at(0.2, 0.0, 0.0)], &mut values, &options);
         assert_eq!(report.outcome, Outcome::Stalled, "{report:?}");
-        assert!((report.linear_error - 0.4).abs() < 1e-3, "{report:?}");
+        let near = if restarts { 0.02 } else { 1e-3 };
+        assert!((report.linear_error - 0.4).abs() < near, "{report:?}");
     }
 }
 
