@@ -20,11 +20,13 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
         let scratch = &mut self.scratch;
         let (columns, a) = (&scratch.columns, &mut scratch.triangle);
         let zero = damping.constant(0.0);
+        // Made once: it divides.
+        let runs = columns.runs(rows);
         let (mut trace, mut at) = (zero, 0);
         for i in 0..rows {
             for j in 0..=i {
                 let mut sum = zero;
-                for column in columns.runs(rows) {
+                for column in runs.clone() {
                     if let (Some(x), Some(y)) = (column.get(i), column.get(j)) {
                         sum = L::load(level, x).mul_add(L::load(level, y), sum);
                     }

@@ -1,12 +1,10 @@
 use super::error::ReachError;
 use super::freedom::{Freedom, freedoms};
 use super::goal::Goal;
-use super::scratch::{Counts, padded};
 use crate::mechanism::poses::carries;
 use crate::mechanism::step::Step;
 use crate::mechanism::tree::Mechanism;
 use crate::real::Real;
-use dq8_simd::MAX_LANES;
 
 /// An inverse kinematics problem: a mechanism, and what is asked of its links; checked once. Targets and
 /// starts come with each call ([`solve`](Self::solve) for one configuration,
@@ -133,31 +131,6 @@ impl<'a, R: Copy> Reach<'a, R> {
     #[must_use]
     pub fn goals(&self) -> &'a [Goal<R>] {
         self.goals
-    }
-
-    /// How many numbers [`solve`](Self::solve) needs to compute in.
-    #[must_use]
-    pub fn scratch_len(&self) -> usize {
-        padded::<R>(Counts::of(self).numbers())
-    }
-
-    /// The most that [`scratch_len`](Self::scratch_len) can be for a mechanism and so many goals, before
-    /// they are known.
-    #[must_use]
-    pub fn scratch_bound(mechanism: Mechanism<'_, R>, goals: usize) -> usize {
-        let mut twists = 0;
-        for step in mechanism.steps {
-            twists += step.kind.rates();
-        }
-        let (values, freedoms, rows) = (mechanism.values, mechanism.rates, 6 * goals);
-        padded::<R>(Counts { values, twists, goals, freedoms, rows }.numbers())
-    }
-
-    /// How many numbers [`Backend::reach_links`](crate::Backend::reach_links) needs to compute in, with
-    /// any instructions.
-    #[must_use]
-    pub fn batch_scratch_len(&self) -> usize {
-        padded::<R>(Counts::of(self).numbers() * MAX_LANES)
     }
 
     /// The freedom of a rate among those that move a goal.

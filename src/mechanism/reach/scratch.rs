@@ -1,8 +1,9 @@
 //! Numbers of all lanes, in memory of the caller.
 
 use super::problem::Reach;
+use crate::mechanism::tree::Mechanism;
 use crate::real::Scalar;
-use dq8_simd::Lanes;
+use dq8_simd::{Lanes, MAX_LANES};
 
 /// Registers in memory.
 #[derive(Debug)]
@@ -114,17 +115,44 @@ pub(super) const MOVED: usize = 6;
 /// Registers that straddle lines of the cache take twice as long.
 const LINE: usize = 64;
 
+impl<R: Copy> Reach<'_, R> {
+    /// How many numbers [`solve`](Self::solve) needs to compute in.
+    #[must_use]
+    pub fn scratch_len(&self) -> usize {
+        padded::<R>(Counts::of(self).numbers())
+    }
+
+    /// The most that [`scratch_len`](Self::scratch_len) can be for a mechanism and so many goals, before
+    /// they are known.
+    #[must_use]
+    pub fn scratch_bound(mechanism: Mechanism<'_, R>, goals: usize) -> usize {
+        let mut twists = 0;
+        for step in mechanism.steps {
+            twists += step.kind.rates();
+        }
+        let (values, freedoms, rows) = (mechanism.values, mechanism.rates, 6 * goals);
+        padded::<R>(Counts { values, twists, goals, freedoms, rows }.numbers())
+    }
+
+    /// How many numbers [`Backend::reach_links`](crate::Backend::reach_links) needs to compute in, with
+    /// any instructions.
+    #[must_use]
+    pub fn batch_scratch_len(&self) -> usize {
+        padded::<R>(Counts::of(self).numbers() * MAX_LANES)
+    }
+}
+
 /// How many of everything there are.
-pub(super) struct Counts {
-    pub(super) values: usize,
-    pub(super) twists: usize,
-    pub(super) goals: usize,
-    pub(super) freedoms: usize,
-    pub(super) rows: usize,
+struct Counts {
+    values: usize,
+    twists: usize,
+    goals: usize,
+    freedoms: usize,
+    rows: usize,
 }
 
 impl Counts {
-    pub(super) fn of<R: Copy>(reach: &Reach<'_, R>) -> Self {
+    fn of<R: Copy>(reach: &Reach<'_, R>) -> Self {
         Self {
             values: reach.mechanism.values,
             twists: reach.twists,
@@ -135,14 +163,14 @@ impl Counts {
     }
 
     /// How many numbers a lane needs.
-    pub(super) fn numbers(&self) -> usize {
+    fn numbers(&self) -> usize {
         let joints = 4 * self.values + 6 * self.twists + GOAL * self.goals;
         joints + self.freedoms * (self.rows + 4) + 4 * self.rows + triangle(self.rows)
     }
 }
 
 /// With what aligns it to lines of the cache.
-pub(super) fn padded<R>(numbers: usize) -> usize {
+fn padded<R>(numbers: usize) -> usize {
     numbers + LINE / size_of::<R>()
 }
 
