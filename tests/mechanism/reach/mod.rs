@@ -87,13 +87,16 @@ pub(crate) fn solve(
     reach.solve(targets, values, &mut scratch, options).expect("lengths fit")
 }
 
-/// The same on all backends at once, and each must say the same. Values of the portable one.
+/// What a backend returns: values and reports.
+pub(crate) type Solved<R> = (Backend, Vec<R>, Vec<Report<R, Outcome>>);
+
+/// The same on all backends.
 pub(crate) fn solve_everywhere<R>(
     reach: &Reach<'_, R>,
     targets: &[DualQuat<R>],
     starts: &[R],
     options: &Options<R>,
-) -> Vec<(Backend, Vec<R>, Vec<Report<R, Outcome>>)>
+) -> Vec<Solved<R>>
 where
     R: Real + dq8::Float,
 {

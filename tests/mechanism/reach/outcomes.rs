@@ -182,7 +182,8 @@ fn half_a_turn_away_there_is_a_way() {
     let arm = mechanism::<f64>(&seven());
     let goal = [0.5, -0.6, 0.7, -1.4, 0.3, 1.8, -0.4];
     let pose = arm.view().link_pose(&goal, 7).expect("a link");
-    let target = pose * DualQuat::from_rotation(Quat::from_axis_angle(super::Z, 3.141_592_6));
+    let target =
+        pose * DualQuat::from_rotation(Quat::from_axis_angle(super::Z, core::f64::consts::PI));
     let mut values = goal;
     let report = solve(arm.view(), &[Goal::pose(7)], &[target], &mut values, &Options::default());
     assert_eq!(report.outcome, Outcome::Converged, "{report:?}");
