@@ -167,10 +167,10 @@ static void skin(void) {
  */
 static void crane(void) {
     static const dq8_joint_f32 joints[3] = {
-        {-1, DQ8_JOINT_KIND_REVOLUTE, {0, 0, 0, 1, 0, 0, 0, 0}, {0, 0, 1}, 0, 0, 0, 0, 0},
+        {-1, DQ8_JOINT_KIND_REVOLUTE, {0, 0, 0, 1, 0, 0, 0, 0}, {0, 0, 1}, 0, 0, 0, 0, 0, 0, {0, 0}},
         /* At (0, 0, 2). */
-        {0, DQ8_JOINT_KIND_PRISMATIC, {0, 0, 0, 1, 0, 0, 1, 0}, {1, 0, 0}, 0, 0, 0, 0, 0},
-        {1, DQ8_JOINT_KIND_FIXED, {0, 0, 0, 1, 0, 0, -0.5f, 0}, {0, 0, 0}, 0, 0, 0, 0, 0},
+        {0, DQ8_JOINT_KIND_PRISMATIC, {0, 0, 0, 1, 0, 0, 1, 0}, {1, 0, 0}, 0, 0, 0, 0, 0, 1, {0, 4}},
+        {1, DQ8_JOINT_KIND_FIXED, {0, 0, 0, 1, 0, 0, -0.5f, 0}, {0, 0, 0}, 0, 0, 0, 0, 0, 0, {0, 0}},
     };
     static dq8_step_f32 steps[3];
     dq8_mechanism_f32 mechanism;
@@ -194,6 +194,26 @@ static void crane(void) {
     check(near_point(columns + 3, -3.0f, 0.0f, 0.0f), "and moves it across");
     check(near_point(columns + 6, 0.0f, 0.0f, 0.0f), "the slide turns nothing");
     check(near_point(columns + 9, 0.0f, 1.0f, 0.0f), "and moves the hook outward");
+
+    /* And back: how far the crane turns and reaches out for a place of the hook; the rotation is free. */
+    {
+        static float scratch[400];
+        const dq8_goal_f32 goal = {2, {0, 0, 0}, {1, 1, 1}};
+        /* The hook at (2, 0, 1). */
+        const float target[MOTION] = {0, 0, 0, 1, 1, 0, 0.5f, 0};
+        float solved[2] = {1.0f, 1.0f};
+        dq8_reach_report_f32 report;
+        size_t needed = 0;
+
+        works(dq8_mechanism_reach_scratch_f32(&mechanism, 1, &needed), "scratch");
+        check(needed <= 400, "the scratch is enough");
+        works(dq8_mechanism_reach_f32(&mechanism, &goal, target, 1, NULL, NULL, solved, 2, scratch, 400,
+                                      &report), "reach");
+        check(report.outcome == DQ8_OUTCOME_CONVERGED, "the hook is there");
+        works(dq8_mechanism_link_pose_f32(&mechanism, solved, 2, 2, pose), "pose of the hook");
+        works(dq8_motion_point_f32(pose, origin, hook), "point");
+        check(near_point(hook, 2.0f, 0.0f, 1.0f), "and not elsewhere");
+    }
 
     memcpy(many, values, sizeof values);
     many[2] = 0.0f;

@@ -143,7 +143,7 @@ enum dq8_status
    */
   DQ8_STATUS_JOINT_OUT_OF_RANGE = 23,
   /**
-   * A weight is negative or not finite.
+   * A weight is negative or not finite; or a goal has none, or there is no goal.
    */
   DQ8_STATUS_WEIGHT = 24,
   /**
@@ -154,6 +154,10 @@ enum dq8_status
    * The skin has not been made.
    */
   DQ8_STATUS_NO_SKIN = 26,
+  /**
+   * Limits of a joint are not in order, or leave no value together with those of what mimics it.
+   */
+  DQ8_STATUS_LIMITS = 27,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -294,6 +298,47 @@ typedef int32_t dq8_frame;
 #endif // __cplusplus
 
 /**
+ * How a search ended.
+ */
+enum dq8_outcome
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : int32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+  /**
+   * Both errors are within the tolerances.
+   */
+  DQ8_OUTCOME_CONVERGED = 0,
+  /**
+   * A target is farther away than the mechanism is long.
+   */
+  DQ8_OUTCOME_OUT_OF_REACH = 1,
+  /**
+   * No way led nearer, and a limit stands in the way.
+   */
+  DQ8_OUTCOME_AT_LIMITS = 2,
+  /**
+   * No way led nearer.
+   */
+  DQ8_OUTCOME_STALLED = 3,
+  /**
+   * The iterations ran out while the links still came nearer: more would help.
+   */
+  DQ8_OUTCOME_UNFINISHED = 4,
+  /**
+   * A target is not unit to 0.001, or a number is not finite: the values are untouched.
+   */
+  DQ8_OUTCOME_INVALID = 5,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum dq8_outcome dq8_outcome;
+#else
+typedef int32_t dq8_outcome;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
  * Memory for a joint of a mechanism; what is in it is the library's business.
  */
 typedef struct dq8_step_f32 {
@@ -408,6 +453,15 @@ typedef struct dq8_joint_f32 {
    * What is added.
    */
   float offset;
+  /**
+   * 1 if the joint, which must be of one value, has limits; else 0. Inverse kinematics keeps to them,
+   * nothing else does.
+   */
+  int32_t limited;
+  /**
+   * The least and the largest value; infinite where there is no end.
+   */
+  float limits[2];
 } dq8_joint_f32;
 
 /**
@@ -453,7 +507,176 @@ typedef struct dq8_joint_f64 {
    * What is added.
    */
   double offset;
+  /**
+   * 1 if the joint, which must be of one value, has limits; else 0. Inverse kinematics keeps to them,
+   * nothing else does.
+   */
+  int32_t limited;
+  /**
+   * The least and the largest value; infinite where there is no end.
+   */
+  double limits[2];
 } dq8_joint_f64;
+
+/**
+ * When a search ends, and how it weighs. dq8_reach_options fills in what serves most.
+ */
+typedef struct dq8_reach_options_f32 {
+  /**
+   * The turn that may be left, radians.
+   */
+  float angular_tolerance;
+  /**
+   * The distance that may be left.
+   */
+  float linear_tolerance;
+  /**
+   * Steps and restarts together.
+   */
+  uint32_t max_iterations;
+  /**
+   * 1 to begin again from another configuration where the search got stuck; 0 to converge from the
+   * given start only, to follow a target that moves.
+   */
+  uint32_t restarts;
+  /**
+   * How long a distance weighs as much as a radian; 0 for an eighth of the mechanism's length.
+   */
+  float length_per_radian;
+  /**
+   * The most that a hinge turns in one step, radians.
+   */
+  float max_step;
+  /**
+   * Damping at the target itself, radians; 0 reaches it fastest.
+   */
+  float damping;
+} dq8_reach_options_f32;
+
+/**
+ * What is asked of a link: components of its error in the axes of its target, and how much each weighs
+ * where not all can vanish. A weight of 0 leaves its component free.
+ */
+typedef struct dq8_goal_f32 {
+  /**
+   * The link.
+   */
+  size_t link;
+  /**
+   * Weights of the rotation about the target's x, y and z; not negative.
+   */
+  float angular[3];
+  /**
+   * Weights of the way along the target's x, y and z; not negative.
+   */
+  float linear[3];
+} dq8_goal_f32;
+
+/**
+ * The result of a search, judged by the values that are returned.
+ */
+typedef struct dq8_reach_report_f32 {
+  /**
+   * One of enum dq8_outcome.
+   */
+  int32_t outcome;
+  /**
+   * Steps and restarts together.
+   */
+  uint32_t iterations;
+  /**
+   * How many of them were restarts.
+   */
+  uint32_t restarts;
+  /**
+   * The largest turn that is left of what is asked for, radians.
+   */
+  float angular_error;
+  /**
+   * The largest distance.
+   */
+  float linear_error;
+} dq8_reach_report_f32;
+
+/**
+ * When a search ends, and how it weighs. dq8_reach_options fills in what serves most.
+ */
+typedef struct dq8_reach_options_f64 {
+  /**
+   * The turn that may be left, radians.
+   */
+  double angular_tolerance;
+  /**
+   * The distance that may be left.
+   */
+  double linear_tolerance;
+  /**
+   * Steps and restarts together.
+   */
+  uint32_t max_iterations;
+  /**
+   * 1 to begin again from another configuration where the search got stuck; 0 to converge from the
+   * given start only, to follow a target that moves.
+   */
+  uint32_t restarts;
+  /**
+   * How long a distance weighs as much as a radian; 0 for an eighth of the mechanism's length.
+   */
+  double length_per_radian;
+  /**
+   * The most that a hinge turns in one step, radians.
+   */
+  double max_step;
+  /**
+   * Damping at the target itself, radians; 0 reaches it fastest.
+   */
+  double damping;
+} dq8_reach_options_f64;
+
+/**
+ * What is asked of a link: components of its error in the axes of its target, and how much each weighs
+ * where not all can vanish. A weight of 0 leaves its component free.
+ */
+typedef struct dq8_goal_f64 {
+  /**
+   * The link.
+   */
+  size_t link;
+  /**
+   * Weights of the rotation about the target's x, y and z; not negative.
+   */
+  double angular[3];
+  /**
+   * Weights of the way along the target's x, y and z; not negative.
+   */
+  double linear[3];
+} dq8_goal_f64;
+
+/**
+ * The result of a search, judged by the values that are returned.
+ */
+typedef struct dq8_reach_report_f64 {
+  /**
+   * One of enum dq8_outcome.
+   */
+  int32_t outcome;
+  /**
+   * Steps and restarts together.
+   */
+  uint32_t iterations;
+  /**
+   * How many of them were restarts.
+   */
+  uint32_t restarts;
+  /**
+   * The largest turn that is left of what is asked for, radians.
+   */
+  double angular_error;
+  /**
+   * The largest distance.
+   */
+  double linear_error;
+} dq8_reach_report_f64;
 
 /**
  * Which joints move the vertices of a mesh, and how much. It may be copied and moved; the joints and weights
@@ -884,7 +1107,7 @@ dq8_status dq8_blocks_link_poses_f64(size_t lanes,
  * it. `joints` are not needed any more.
  *
  * DQ8_STATUS_PARENT_NOT_BEFORE, _PARENT_OUT_OF_RANGE, _NOT_UNIT (the placement), _NOT_FINITE,
- * _AXIS, _MIMIC or _UNKNOWN_VALUE (the kind, or `mimics`); `bad_joint`, which may be null, is
+ * _AXIS, _MIMIC, _LIMITS or _UNKNOWN_VALUE (the kind, `mimics` or `limited`); `bad_joint`, which may be null, is
  * set to that joint. `steps` may have been written, the mechanism not.
  */
 dq8_status dq8_mechanism_make_f32(const struct dq8_joint_f32 *joints,
@@ -937,7 +1160,7 @@ dq8_status dq8_mechanism_link_jacobian_f32(const struct dq8_mechanism_f32 *mecha
  * it. `joints` are not needed any more.
  *
  * DQ8_STATUS_PARENT_NOT_BEFORE, _PARENT_OUT_OF_RANGE, _NOT_UNIT (the placement), _NOT_FINITE,
- * _AXIS, _MIMIC or _UNKNOWN_VALUE (the kind, or `mimics`); `bad_joint`, which may be null, is
+ * _AXIS, _MIMIC, _LIMITS or _UNKNOWN_VALUE (the kind, `mimics` or `limited`); `bad_joint`, which may be null, is
  * set to that joint. `steps` may have been written, the mechanism not.
  */
 dq8_status dq8_mechanism_make_f64(const struct dq8_joint_f64 *joints,
@@ -1203,6 +1426,82 @@ dq8_status dq8_unpack_f64(size_t lanes,
  */
 size_t dq8_block_size_f64(size_t lanes,
                           size_t components);
+
+/**
+ * Fills in the options that serve most: 1e-5 rad, 1e-5 lengths, 100 iterations, restarts.
+ */
+dq8_status dq8_mechanism_reach_options_f32(struct dq8_reach_options_f32 *options);
+
+/**
+ * How many numbers `scratch` of dq8_mechanism_reach must have for so many goals, for one
+ * mechanism always the same. DQ8_STATUS_TOO_LARGE for more than 1024 goals.
+ */
+dq8_status dq8_mechanism_reach_scratch_f32(const struct dq8_mechanism_f32 *mechanism,
+                                           size_t goal_count,
+                                           size_t *scratch_count);
+
+/**
+ * Inverse kinematics of one configuration: moves `values` until the link of each goal is at
+ * its target, a motion for each goal; within the limits of the joints. From a start nearby it
+ * converges in a few steps.
+ *
+ * `posture`, as many values, or null: a configuration that is preferred where the goals leave
+ * freedom. `options` null: those of dq8_mechanism_reach_options. `scratch` may hold anything.
+ * DQ8_STATUS_OK says that there is a report, not that the targets are reached: see `outcome`.
+ *
+ * DQ8_STATUS_NO_LINK, _WEIGHT (one is negative or not finite, or a goal has none, or there is
+ * no goal), _LIMITS, _NOT_FINITE (the posture) or _UNKNOWN_VALUE (`restarts`); then `scratch`
+ * may have been written, the values and the report not.
+ */
+dq8_status dq8_mechanism_reach_f32(const struct dq8_mechanism_f32 *mechanism,
+                                   const struct dq8_goal_f32 *goals,
+                                   const float *targets,
+                                   size_t goal_count,
+                                   const float *posture,
+                                   const struct dq8_reach_options_f32 *options,
+                                   float *values,
+                                   size_t value_count,
+                                   float *scratch,
+                                   size_t scratch_count,
+                                   struct dq8_reach_report_f32 *report);
+
+/**
+ * Fills in the options that serve most: 1e-5 rad, 1e-5 lengths, 100 iterations, restarts.
+ */
+dq8_status dq8_mechanism_reach_options_f64(struct dq8_reach_options_f64 *options);
+
+/**
+ * How many numbers `scratch` of dq8_mechanism_reach must have for so many goals, for one
+ * mechanism always the same. DQ8_STATUS_TOO_LARGE for more than 1024 goals.
+ */
+dq8_status dq8_mechanism_reach_scratch_f64(const struct dq8_mechanism_f64 *mechanism,
+                                           size_t goal_count,
+                                           size_t *scratch_count);
+
+/**
+ * Inverse kinematics of one configuration: moves `values` until the link of each goal is at
+ * its target, a motion for each goal; within the limits of the joints. From a start nearby it
+ * converges in a few steps.
+ *
+ * `posture`, as many values, or null: a configuration that is preferred where the goals leave
+ * freedom. `options` null: those of dq8_mechanism_reach_options. `scratch` may hold anything.
+ * DQ8_STATUS_OK says that there is a report, not that the targets are reached: see `outcome`.
+ *
+ * DQ8_STATUS_NO_LINK, _WEIGHT (one is negative or not finite, or a goal has none, or there is
+ * no goal), _LIMITS, _NOT_FINITE (the posture) or _UNKNOWN_VALUE (`restarts`); then `scratch`
+ * may have been written, the values and the report not.
+ */
+dq8_status dq8_mechanism_reach_f64(const struct dq8_mechanism_f64 *mechanism,
+                                   const struct dq8_goal_f64 *goals,
+                                   const double *targets,
+                                   size_t goal_count,
+                                   const double *posture,
+                                   const struct dq8_reach_options_f64 *options,
+                                   double *values,
+                                   size_t value_count,
+                                   double *scratch,
+                                   size_t scratch_count,
+                                   struct dq8_reach_report_f64 *report);
 
 /**
  * From `a` to `b` by the shorter way, `t` of it: linear and normalized.

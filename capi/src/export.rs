@@ -76,3 +76,22 @@ macro_rules! export_one {
         }
     };
 }
+
+/// A function on one configuration of a mechanism, whose body is what it returns inside.
+macro_rules! export_mechanism {
+    (
+        $R:ident
+        $(#[doc = $about:literal])*
+        $name:ident($($argument:ident: $type:ty),* $(,)?) = $body:expr
+    ) => {
+        $(#[doc = $about])*
+        ///
+        /// # Safety
+        /// Arrays have the lengths named, and mechanisms are zero or have been made.
+        #[unsafe(export_name = concat!("dq8_mechanism_", stringify!($name), "_", stringify!($R)))]
+        pub unsafe extern "C" fn $name($($argument: $type),*) -> Status {
+            // SAFETY: promised.
+            Status::of(unsafe { $body })
+        }
+    };
+}

@@ -49,6 +49,11 @@ pub struct Joint<R> {
     pub multiplier: R,
     /// What is added.
     pub offset: R,
+    /// 1 if the joint, which must be of one value, has limits; else 0. Inverse kinematics keeps to them,
+    /// nothing else does.
+    pub limited: i32,
+    /// The least and the largest value; infinite where there is no end.
+    pub limits: [R; 2],
 }
 
 impl<R: Real> Joint<R> {
@@ -77,7 +82,12 @@ impl<R: Real> Joint<R> {
             JointKind::Planar => mechanism::JointKind::Planar { normal: axis },
             JointKind::Floating => mechanism::JointKind::Floating,
         };
-        let known = mechanism::Joint::new(parent, DualQuat::from_array(self.placement), kind);
+        let mut known = mechanism::Joint::new(parent, DualQuat::from_array(self.placement), kind);
+        known.limits = match self.limited {
+            0 => None,
+            1 => Some(self.limits),
+            _ => return Err(Status::UnknownValue),
+        };
         match self.mimics {
             0 => Ok(known),
             1 => {
@@ -101,7 +111,8 @@ pub(crate) fn fault(error: &MechanismError) -> Fault {
         MechanismError::Axis { joint, .. } => (Status::Axis, joint),
         MechanismError::Mimic { joint, .. } => (Status::Mimic, joint),
         MechanismError::Steps { .. } => return (Status::TooManyJoints, None),
-        // What only a newer dq8 knows; C has no limits.
+        MechanismError::Limits { joint, .. } => (Status::Limits, joint),
+        // What only a newer dq8 knows.
         _ => return (Status::UnknownValue, None),
     };
     (status, Some(joint))

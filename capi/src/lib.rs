@@ -8,6 +8,7 @@
 //! | [`slices`] | kernels over arrays of motions and points, plain or in blocks |
 //! | [`hierarchy`] | joint hierarchies and skinning palettes, plain or in blocks |
 //! | [`joint`], [`mechanism`] | one configuration of a mechanism: poses of links, Jacobians |
+//! | [`reach`] | inverse kinematics of one configuration |
 //! | [`links`] | poses of links for many configurations, plain or in blocks |
 //! | [`skinning`] | meshes that follow joints: skins, palettes, plain |
 //! | [`packing`] | between plain arrays and blocks |
@@ -30,6 +31,7 @@ pub mod mechanism;
 mod memory;
 pub mod motion;
 pub mod packing;
+pub mod reach;
 pub mod screw;
 pub mod skinning;
 pub mod slices;

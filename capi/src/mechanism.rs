@@ -262,25 +262,6 @@ unsafe fn link_jacobian<R: Real>(
     Ok(())
 }
 
-/// A function on one configuration of a mechanism, whose body is what it returns inside.
-macro_rules! export_mechanism {
-    (
-        $R:ident
-        $(#[doc = $about:literal])*
-        $name:ident($($argument:ident: $type:ty),* $(,)?) = $body:expr
-    ) => {
-        $(#[doc = $about])*
-        ///
-        /// # Safety
-        /// Arrays have the lengths named, and mechanisms are zero or have been made.
-        #[unsafe(export_name = concat!("dq8_mechanism_", stringify!($name), "_", stringify!($R)))]
-        pub unsafe extern "C" fn $name($($argument: $type),*) -> Status {
-            // SAFETY: promised.
-            Status::of(unsafe { $body })
-        }
-    };
-}
-
 macro_rules! functions {
     ($R:ident $lanes:tt) => {
         export_mechanism! { $R
@@ -289,7 +270,7 @@ macro_rules! functions {
             /// it. `joints` are not needed any more.
             ///
             /// DQ8_STATUS_PARENT_NOT_BEFORE, _PARENT_OUT_OF_RANGE, _NOT_UNIT (the placement), _NOT_FINITE,
-            /// _AXIS, _MIMIC or _UNKNOWN_VALUE (the kind, or `mimics`); `bad_joint`, which may be null, is
+            /// _AXIS, _MIMIC, _LIMITS or _UNKNOWN_VALUE (the kind, `mimics` or `limited`); `bad_joint`, which may be null, is
             /// set to that joint. `steps` may have been written, the mechanism not.
             make(
                 joints: *const Joint<$R>, count: usize, steps: *mut Step<$R>,

@@ -58,16 +58,18 @@ pub enum Status {
     NoMechanism = 22,
     /// A vertex follows a joint that the palette does not have.
     JointOutOfRange = 23,
-    /// A weight is negative or not finite.
+    /// A weight is negative or not finite; or a goal has none, or there is no goal.
     Weight = 24,
     /// The weights of a vertex, which should sum to one, do not sum to about one.
     WeightSum = 25,
     /// The skin has not been made.
     NoSkin = 26,
+    /// Limits of a joint are not in order, or leave no value together with those of what mimics it.
+    Limits = 27,
 }
 
 impl Status {
-    const ALL: [Self; 27] = [
+    const ALL: [Self; 28] = [
         Self::Ok,
         Self::NullPointer,
         Self::Misaligned,
@@ -95,6 +97,7 @@ impl Status {
         Self::Weight,
         Self::WeightSum,
         Self::NoSkin,
+        Self::Limits,
     ];
 
     pub(crate) fn of(done: Done) -> Self {
@@ -129,9 +132,10 @@ impl Status {
             Self::NoLink => c"there is no such link",
             Self::NoMechanism => c"the mechanism has not been made",
             Self::JointOutOfRange => c"a vertex follows a joint that there is not",
-            Self::Weight => c"a weight is negative or not finite",
+            Self::Weight => c"a weight is negative or not finite, or there is none",
             Self::WeightSum => c"the weights of a vertex do not sum to one",
             Self::NoSkin => c"the skin has not been made",
+            Self::Limits => c"the limits of a joint leave no value",
         }
     }
 }

@@ -275,6 +275,8 @@ fn mechanisms(fuzz: &mut Fuzz) {
                 leader: fuzz.below(count) as i32 - i32::from(wrong == 4),
                 multiplier: 2.0,
                 offset: 0.1,
+                limited: 0,
+                limits: [0.0; 2],
             }
         })
         .collect();

@@ -25,6 +25,8 @@ fn joints() -> [Joint<f32>; LINKS] {
         leader: 0,
         multiplier: 0.0,
         offset: 0.0,
+        limited: 0,
+        limits: [0.0; 2],
     };
     let [hinge, slide, last] = [
         joint(-1, JointKind::Revolute),

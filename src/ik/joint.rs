@@ -92,7 +92,7 @@ impl<R: Real> Joint<R> {
 
 /// How far the length of an axis, and the norms of targets and of the pose at zero, may be from 1:
 /// numbers typed with four decimals are nearer.
-pub(super) const UNIT: f32 = 1e-3;
+pub(crate) const UNIT: f32 = 1e-3;
 
 /// The pose of the end of a chain of joints, one product after the other.
 pub(super) fn chain<R: Real, const N: usize>(

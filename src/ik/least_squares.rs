@@ -63,6 +63,6 @@ pub(super) fn damped<L: Lanes, const N: usize>(
 
 /// The distance from 1 to the next larger number.
 #[inline(always)]
-pub(super) fn epsilon<L: Lanes>() -> f64 {
+pub(crate) fn epsilon<L: Lanes>() -> f64 {
     if L::Real::SINGLE { f64::from(f32::EPSILON) } else { f64::EPSILON }
 }

@@ -11,35 +11,46 @@ use dq8_simd::Lanes;
 /// in single precision is still finer than the tolerance of 10⁻⁵ that is the default.
 const ENDLESS_TURNS: f32 = 16.0;
 
-/// The values that a search gives a joint: always finite.
+/// The values that a search gives a joint.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Range<R> {
-    pub(super) low: R,
-    pub(super) high: R,
+pub(crate) struct Range<R> {
+    pub(crate) low: R,
+    pub(crate) high: R,
     /// Whether the ends stop nothing, because a turn less is the same pose and within them.
-    pub(super) wraps: bool,
+    pub(crate) wraps: bool,
 }
 
 impl<R: Real> Range<R> {
     /// Zero alone.
-    pub(super) const NONE: Self = Self { low: R::ZERO, high: R::ZERO, wraps: false };
+    pub(crate) const NONE: Self = Self { low: R::ZERO, high: R::ZERO, wraps: false };
 
-    /// The limits, and of an endless hinge the turn within them that is nearest to zero.
+    /// Those of a joint of an arm, both ends finite.
     pub(super) fn of(joint: &Joint<R>, pitch: R, index: usize) -> Result<Self, ArmError> {
         let [low, high] = joint.limits;
+        let is_hinge = !joint.is_slide() && pitch == R::ZERO;
+        Self::within(joint.limits, is_hinge, !joint.is_slide())
+            .filter(|range| range.low.is_finite() && range.high.is_finite())
+            .ok_or(ArmError::Limits { joint: index, low: low.into(), high: high.into() })
+    }
+
+    /// The limits, and of an endless hinge the turn within them that is nearest to zero. `None` if they
+    /// are not in order, or angles that a float does not tell.
+    pub(crate) fn within([low, high]: [R; 2], is_hinge: bool, is_angle: bool) -> Option<Self> {
         let turn = R::TWO * R::PI;
-        let wraps = !joint.is_slide() && pitch == R::ZERO && high - low >= turn;
+        let wraps = is_hinge && high - low >= turn;
         let is_endless = wraps && high - low > R::from(ENDLESS_TURNS) * turn;
-        let range = if is_endless { turn_nearest_to_zero(low, high) } else { [low, high] };
+        let ends = if is_endless { turn_nearest_to_zero(low, high) } else { [low, high] };
         // Beyond 2¹⁷ radians (`f32`; `f64`: 2⁴⁶) lanes know no sine.
-        let is_angle = |value: R| value.abs() * R::from(64.0) * R::EPSILON <= R::ONE;
-        let fits = |value: R| value.is_finite() && (joint.is_slide() || is_angle(value));
+        let is_near = |value: R| value.abs() * R::from(64.0) * R::EPSILON <= R::ONE;
+        let fits = |value: R| !is_angle || !value.is_finite() || is_near(value);
         // NaN is not in order.
-        if !(low <= high && range.into_iter().all(fits)) {
-            return Err(ArmError::Limits { joint: index, low: low.into(), high: high.into() });
+        let is_range = low <= high && (low.is_finite() || low < R::ZERO);
+        let is_range = is_range && (high.is_finite() || high > R::ZERO);
+        if !(is_range && ends.into_iter().all(fits)) {
+            return None;
         }
-        let [low, high] = range;
-        Ok(Self { low, high, wraps })
+        let [low, high] = ends;
+        Some(Self { low, high, wraps })
     }
 }
 
@@ -64,7 +75,7 @@ impl<R: Scalar> Range<R> {
 
     /// The same pose within the range where a joint wraps, the nearest value elsewhere.
     #[inline(always)]
-    pub(super) fn enter<L: Lanes<Real = R>>(&self, value: L) -> L {
+    pub(crate) fn enter<L: Lanes<Real = R>>(&self, value: L) -> L {
         let [low, high] = self.ends(value.level());
         let outside = value.lt(low) | high.lt(value);
         let entered = if self.wraps {
@@ -80,7 +91,7 @@ impl<R: Scalar> Range<R> {
 
     /// Where a step to `value` leads: a joint that wraps goes on a turn less.
     #[inline(always)]
-    pub(super) fn go_on<L: Lanes<Real = R>>(&self, value: L) -> L {
+    pub(crate) fn go_on<L: Lanes<Real = R>>(&self, value: L) -> L {
         if !self.wraps {
             return self.clamp(value);
         }
@@ -92,7 +103,7 @@ impl<R: Scalar> Range<R> {
 
     /// The nearest value within the range.
     #[inline(always)]
-    pub(super) fn clamp<L: Lanes<Real = R>>(&self, value: L) -> L {
+    pub(crate) fn clamp<L: Lanes<Real = R>>(&self, value: L) -> L {
         let [low, high] = self.ends(value.level());
         let value = L::select(value.lt(low), low, value);
         L::select(high.lt(value), high, value)

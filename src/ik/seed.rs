@@ -23,7 +23,12 @@ pub(super) fn seeds<R: Real, const N: usize>(
     ranges: &[Range<R>; N],
     home: DualQuat<R>,
 ) -> [Seed<R, N>; SEEDS] {
-    let steps = recurrence::<N>();
+    let ratio = 1.0 / ratio(N);
+    let mut power = 1.0;
+    let steps = [(); N].map(|()| {
+        power *= ratio;
+        power
+    });
     let mut shares = [0.5; N];
     let mut seeds = [Seed { values: [R::ZERO; N], pose: home }; SEEDS];
     for seed in &mut seeds {
@@ -41,15 +46,11 @@ pub(super) fn seeds<R: Real, const N: usize>(
     seeds
 }
 
-/// g⁻¹, g⁻², …
-fn recurrence<const N: usize>() -> [f64; N] {
+/// g, the positive root of gᴺ⁺¹ = g + 1.
+pub(crate) fn ratio(joints: usize) -> f64 {
     let mut ratio = 1.5_f64;
     for _ in 0..64 {
-        ratio = Real::exp(Real::ln(1.0 + ratio) / (N as f64 + 1.0));
+        ratio = Real::exp(Real::ln(1.0 + ratio) / (joints as f64 + 1.0));
     }
-    let mut power = 1.0;
-    [(); N].map(|()| {
-        power /= ratio;
-        power
-    })
+    ratio
 }

@@ -22,7 +22,7 @@ use dq8_simd::{Lanes, Mask};
 /// damps far from the target, where the columns promise too much, and in front of a target out of
 /// reach, where nothing limits what they promise, but not at the end. His μ is ½; with second-order
 /// steps anything from 0.01 to 0.05 is as good, and better than ½.
-const DAMPING: f64 = 0.02;
+pub(crate) const DAMPING: f64 = 0.02;
 
 /// What keeps a step short.
 #[derive(Clone, Copy)]

@@ -7,6 +7,7 @@
 //! | [`OwnedMechanism`] | the same with memory of its own (feature `alloc`) |
 //! | [`World`], [`Body`], [`WorldAligned`] | the frame of a Jacobian |
 //! | [`JointValues`] | how values of many configurations lie in memory |
+//! | [`Reach`], [`Goal`], [`Freedom`] | inverse kinematics: which values bring links to their targets |
 //!
 //! Everything is there twice: for one configuration and any [`Real`](crate::Real), by the book, as a method
 //! of [`Mechanism`]; and for many on lanes, as a method of [`Backend`](crate::Backend).
@@ -16,6 +17,7 @@
 //! | [`Mechanism::link_poses`] | [`Backend::link_poses`](crate::Backend::link_poses) |
 //! | [`Mechanism::link_pose`] | [`Backend::chosen_link_poses`](crate::Backend::chosen_link_poses) |
 //! | [`Mechanism::link_jacobian`] | [`Backend::link_jacobians`](crate::Backend::link_jacobians) |
+//! | [`Reach::solve`] | [`Backend::reach_links`](crate::Backend::reach_links) |
 //! | [`Mechanism::link_velocities`] | [`Backend::link_velocities`](crate::Backend::link_velocities) |
 //! | [`Mechanism::link_accelerations`] | [`Backend::link_accelerations`](crate::Backend::link_accelerations) |
 //!
@@ -33,6 +35,7 @@ mod owned;
 mod parallel;
 mod placed;
 mod poses;
+mod reach;
 mod single;
 mod step;
 mod tree;
@@ -46,6 +49,7 @@ pub use frame::{Body, JacobianFrame, World, WorldAligned};
 pub use joint::{Joint, JointKind, Mimic};
 #[cfg(feature = "alloc")]
 pub use owned::OwnedMechanism;
+pub use reach::{Freedom, Goal, Reach, ReachError};
 pub use step::Step;
 pub use tree::Mechanism;
 pub use values::JointValues;

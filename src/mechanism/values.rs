@@ -126,6 +126,14 @@ macro_rules! plain {
 }
 plain! { f32 f64 }
 
+/// The values of one configuration in each lane.
+pub(super) trait JointNumbers<L: Lanes> {
+    /// Number `index` of each.
+    fn get(&mut self, level: L::Level, index: usize) -> L;
+    /// Cosine and sine of half of it.
+    fn half_turn(&mut self, level: L::Level, index: usize) -> [L; 2];
+}
+
 /// No four are at hand: farther from any number than four.
 const NOWHERE: usize = usize::MAX / 2;
 
@@ -160,26 +168,6 @@ impl<'s, Y: Layout, T: JointValues<Y>, V: Level> Numbers<'s, Y, T, V> {
         (self.group, self.first) = (group, NOWHERE);
     }
 
-    /// Number `index` of each configuration.
-    #[inline(always)]
-    pub(super) fn get(&mut self, level: V, index: usize) -> Y::Register<V> {
-        let offset = self.find(level, index);
-        self.quad[offset]
-    }
-
-    /// Cosine and sine of half the number `index`.
-    #[inline(always)]
-    pub(super) fn half_turn(&mut self, level: V, index: usize) -> [Y::Register<V>; 2] {
-        let offset = self.find(level, index);
-        if !self.turned {
-            for (turn, &number) in self.turns.iter_mut().zip(&self.quad) {
-                *turn = half_turn(number * number.constant(0.5));
-            }
-            self.turned = true;
-        }
-        self.turns[offset]
-    }
-
     /// Which of the four at hand it is.
     #[inline(always)]
     fn find(&mut self, level: V, index: usize) -> usize {
@@ -189,6 +177,26 @@ impl<'s, Y: Layout, T: JointValues<Y>, V: Level> Numbers<'s, Y, T, V> {
             self.turned = false;
         }
         index.wrapping_sub(self.first) & 3
+    }
+}
+
+impl<Y: Layout, T: JointValues<Y>, V: Level> JointNumbers<Y::Register<V>> for Numbers<'_, Y, T, V> {
+    #[inline(always)]
+    fn get(&mut self, level: V, index: usize) -> Y::Register<V> {
+        let offset = self.find(level, index);
+        self.quad[offset]
+    }
+
+    #[inline(always)]
+    fn half_turn(&mut self, level: V, index: usize) -> [Y::Register<V>; 2] {
+        let offset = self.find(level, index);
+        if !self.turned {
+            for (turn, &number) in self.turns.iter_mut().zip(&self.quad) {
+                *turn = half_turn(number * number.constant(0.5));
+            }
+            self.turned = true;
+        }
+        self.turns[offset]
     }
 }
 

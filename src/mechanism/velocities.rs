@@ -5,7 +5,7 @@ use super::joint::JointKind;
 use super::step::Step;
 use super::tree::Mechanism;
 use super::twists::bracket;
-use super::values::{JointValues, Numbers};
+use super::values::{JointNumbers, JointValues, Numbers};
 use super::walk::{Joined, Task, Walk};
 use crate::dispatch::Backend;
 use crate::geometry::Twist;

@@ -6,15 +6,16 @@ use super::joint::JointKind;
 use super::placed::Placed;
 use super::step::Step;
 use super::tree::Mechanism;
-use super::values::{JointValues, Numbers, half_turn};
+use super::values::{JointNumbers, JointValues, Numbers, half_turn};
 use crate::batch::{Quat, vector};
 use crate::dispatch::Kernel;
+use crate::real::Scalar;
 use crate::storage::Layout;
 use dq8_simd::{Lanes, Level};
 
 /// As many poses wait for children at most: log₂ of the number of joints, and one
 /// ([`Mechanism::new`] puts them in such an order).
-const SLOTS: usize = 32;
+pub(super) const SLOTS: usize = 32;
 
 /// What is done with each link.
 pub(super) trait Task<Y: Layout> {
@@ -103,7 +104,7 @@ impl<Y: Layout, T: JointValues<Y>, K: Task<Y>> Kernel for Walk<'_, Y, T, K> {
                     } else {
                         poses[from].place(step)
                     };
-                    let pose = moved::<Y, T, V>(level, before, step, &mut numbers);
+                    let pose = moved(level, before, step, &mut numbers);
                     let joined = Joined { before, pose };
                     let parent = if is_root { K::base(level) } else { carried[from] };
                     poses[to] = pose;
@@ -117,12 +118,12 @@ impl<Y: Layout, T: JointValues<Y>, K: Task<Y>> Kernel for Walk<'_, Y, T, K> {
 
 /// From the frame of the joint to that of the link.
 #[inline(always)]
-fn moved<Y: Layout, T: JointValues<Y>, V: Level>(
-    level: V,
-    before: Placed<Y::Register<V>>,
-    step: &Step<Y::Real>,
-    numbers: &mut Numbers<'_, Y, T, V>,
-) -> Placed<Y::Register<V>> {
+pub(super) fn moved<L: Lanes<Real: Scalar>, N: JointNumbers<L>>(
+    level: L::Level,
+    before: Placed<L>,
+    step: &Step<L::Real>,
+    numbers: &mut N,
+) -> Placed<L> {
     let value = step.value as usize;
     match step.kind {
         JointKind::Fixed => before,
@@ -131,7 +132,7 @@ fn moved<Y: Layout, T: JointValues<Y>, V: Level>(
                 half_turn(affine(level, numbers.get(level, value), step))
             } else {
                 let [cos, sin] = numbers.half_turn(level, value);
-                [cos, sin * Y::Register::<V>::splat(level, step.sign)]
+                [cos, sin * L::splat(level, step.sign)]
             };
             Placed { rotation: before.turn(step, cos, sin), half: before.half }
         }
@@ -142,11 +143,11 @@ fn moved<Y: Layout, T: JointValues<Y>, V: Level>(
         JointKind::Screw { pitch, .. } => {
             let half = affine(level, numbers.get(level, value), step);
             let [cos, sin] = half_turn(half);
-            let slide = half * Y::Register::<V>::splat(level, pitch);
+            let slide = half * L::splat(level, pitch);
             Placed { rotation: before.turn(step, cos, sin), half: before.slide(step, slide) }
         }
         JointKind::Planar { .. } => {
-            let one_half = Y::Register::<V>::splat(level, crate::Real::HALF);
+            let one_half = L::splat(level, crate::real::Real::HALF);
             let x = numbers.get(level, value) * one_half;
             let y = numbers.get(level, value + 1) * one_half;
             let [cos, sin] = half_turn(affine(level, numbers.get(level, value + 2), step));
@@ -156,7 +157,7 @@ fn moved<Y: Layout, T: JointValues<Y>, V: Level>(
             Placed { rotation: before.turn(step, cos, sin), half: before.moved(slide) }
         }
         JointKind::Floating => {
-            let mut all = [Y::Register::<V>::splat(level, Default::default()); 7];
+            let mut all = [L::splat(level, Default::default()); 7];
             for (index, number) in all.iter_mut().enumerate() {
                 *number = numbers.get(level, value + index);
             }

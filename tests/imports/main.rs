@@ -67,7 +67,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("ik", &["shape", "real", "geometry", "dq8_simd", "scalar", "batch", "dispatch"]),
     (
         "mechanism",
-        &["shape", "real", "geometry", "dq8_simd", "scalar", "batch", "dispatch", "storage"],
+        &["shape", "real", "geometry", "dq8_simd", "scalar", "batch", "dispatch", "storage", "ik"],
     ),
     (
         "hierarchy",

@@ -6,4 +6,5 @@ mod lanes;
 #[cfg(feature = "rayon")]
 mod parallel;
 mod random;
+mod reach;
 mod single;

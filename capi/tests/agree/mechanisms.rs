@@ -66,6 +66,8 @@ fn described<R: Real>(joint: &Joint<R>) -> joint::Joint<R> {
         leader: mimic.map_or(0, |mimic| mimic.joint as i32),
         multiplier: mimic.map_or(R::ZERO, |mimic| mimic.multiplier),
         offset: mimic.map_or(R::ZERO, |mimic| mimic.offset),
+        limited: i32::from(joint.limits.is_some()),
+        limits: joint.limits.unwrap_or_default(),
     }
 }
 

@@ -1,0 +1,339 @@
+//! Inverse kinematics of one configuration of a mechanism, in memory of the caller.
+
+use crate::mechanism::{Made, Mechanism};
+use crate::memory::{Input, Output, read};
+use crate::status::{Done, Status};
+use core::mem::MaybeUninit;
+use core::slice;
+use dq8::ik;
+use dq8::mechanism::{self, Freedom, Reach, ReachError};
+use dq8::{DualQuat, Lanes, Portable, Real, Scalar};
+
+/// What is asked of a link: components of its error in the axes of its target, and how much each weighs
+/// where not all can vanish. A weight of 0 leaves its component free.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Goal<R> {
+    /// The link.
+    pub link: usize,
+    /// Weights of the rotation about the target's x, y and z; not negative.
+    pub angular: [R; 3],
+    /// Weights of the way along the target's x, y and z; not negative.
+    pub linear: [R; 3],
+}
+
+/// When a search ends, and how it weighs. dq8_reach_options fills in what serves most.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ReachOptions<R> {
+    /// The turn that may be left, radians.
+    pub angular_tolerance: R,
+    /// The distance that may be left.
+    pub linear_tolerance: R,
+    /// Steps and restarts together.
+    pub max_iterations: u32,
+    /// 1 to begin again from another configuration where the search got stuck; 0 to converge from the
+    /// given start only, to follow a target that moves.
+    pub restarts: u32,
+    /// How long a distance weighs as much as a radian; 0 for an eighth of the mechanism's length.
+    pub length_per_radian: R,
+    /// The most that a hinge turns in one step, radians.
+    pub max_step: R,
+    /// Damping at the target itself, radians; 0 reaches it fastest.
+    pub damping: R,
+}
+
+/// How a search ended.
+#[repr(i32)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// Both errors are within the tolerances.
+    Converged = 0,
+    /// A target is farther away than the mechanism is long.
+    OutOfReach = 1,
+    /// No way led nearer, and a limit stands in the way.
+    AtLimits = 2,
+    /// No way led nearer.
+    Stalled = 3,
+    /// The iterations ran out while the links still came nearer: more would help.
+    Unfinished = 4,
+    /// A target is not unit to 0.001, or a number is not finite: the values are untouched.
+    Invalid = 5,
+}
+
+/// The result of a search, judged by the values that are returned.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ReachReport<R> {
+    /// One of enum dq8_outcome.
+    pub outcome: i32,
+    /// Steps and restarts together.
+    pub iterations: u32,
+    /// How many of them were restarts.
+    pub restarts: u32,
+    /// The largest turn that is left of what is asked for, radians.
+    pub angular_error: R,
+    /// The largest distance.
+    pub linear_error: R,
+}
+
+/// The library's goals are those of C, to the byte.
+macro_rules! same {
+    ($($R:ident)*) => {$(const _: () = {
+        assert!(size_of::<Goal<$R>>() == size_of::<mechanism::Goal<$R>>());
+        assert!(align_of::<Goal<$R>>() == align_of::<mechanism::Goal<$R>>());
+        assert!(size_of::<usize>() + 6 * size_of::<$R>() <= size_of::<Goal<$R>>());
+    };)*};
+}
+same! { f32 f64 }
+
+/// How many numbers as large as `R` freedoms take, with what aligns them.
+fn room_for_freedoms<R: Real>(rates: usize) -> usize {
+    (rates * size_of::<Freedom<R>>() + align_of::<Freedom<R>>()).div_ceil(size_of::<R>())
+}
+
+/// How many numbers a search computes in.
+fn room<R: Real>(known: mechanism::Mechanism<'_, R>, goals: usize) -> usize {
+    Reach::scratch_bound(known, goals) + room_for_freedoms::<R>(known.rates())
+}
+
+/// # Safety
+/// As for [`Made::new`] and [`Output::write`].
+unsafe fn reach_scratch<R: Real>(
+    mechanism: *const Mechanism<R>,
+    goal_count: usize,
+    scratch_count: *mut usize,
+) -> Done {
+    // SAFETY: promised.
+    let made = unsafe { Made::new(mechanism)? };
+    let to = Output::<usize>::new(scratch_count, 1)?;
+    made.apart_from(&to)?;
+    if goal_count > GOALS {
+        return Err(Status::TooLarge);
+    }
+    // SAFETY: promised, and apart.
+    unsafe { to.write(room(made.known, goal_count)) };
+    Ok(())
+}
+
+/// More goals than this would need more scratch than a number can count.
+const GOALS: usize = 1 << 10;
+
+impl<R: Real> ReachOptions<R> {
+    fn known(self) -> Result<ik::Options<R>, Status> {
+        let length = self.length_per_radian;
+        let restarts = match self.restarts {
+            0 => false,
+            1 => true,
+            _ => return Err(Status::UnknownValue),
+        };
+        Ok(ik::Options {
+            angular_tolerance: self.angular_tolerance,
+            linear_tolerance: self.linear_tolerance,
+            max_iterations: self.max_iterations,
+            length_per_radian: (length > R::ZERO).then_some(length),
+            max_step: self.max_step,
+            damping: self.damping,
+            restarts,
+        })
+    }
+}
+
+/// # Safety
+/// As for [`Output::write`].
+unsafe fn reach_options<R: Real>(options: *mut ReachOptions<R>) -> Done {
+    let to = Output::<ReachOptions<R>>::new(options, 1)?;
+    let known = ik::Options::<R>::default();
+    let default = ReachOptions {
+        angular_tolerance: known.angular_tolerance,
+        linear_tolerance: known.linear_tolerance,
+        max_iterations: known.max_iterations,
+        restarts: u32::from(known.restarts),
+        length_per_radian: R::ZERO,
+        max_step: known.max_step,
+        damping: known.damping,
+    };
+    // SAFETY: promised.
+    unsafe { to.write(default) };
+    Ok(())
+}
+
+/// What [`reach`] seeks, and where from.
+struct Asked<R> {
+    mechanism: *const Mechanism<R>,
+    goals: *const Goal<R>,
+    targets: *const R,
+    goal_count: usize,
+    posture: *const R,
+    options: *const ReachOptions<R>,
+}
+
+/// # Safety
+/// As for [`Made::new`], [`Input::slice`], [`Output::slice`] and [`Output::write`].
+unsafe fn reach<R>(
+    asked: Asked<R>,
+    values: *mut R,
+    value_count: usize,
+    scratch: *mut R,
+    scratch_count: usize,
+    report: *mut ReachReport<R>,
+) -> Done
+where
+    R: Scalar + Lanes<Real = R, Level = Portable, Mask = bool>,
+{
+    // SAFETY: promised.
+    let made = unsafe { Made::new(asked.mechanism)? };
+    let goals = Input::<mechanism::Goal<R>>::new(asked.goals, asked.goal_count)?;
+    let targets = Input::<DualQuat<R>>::new(asked.targets, asked.goal_count)?;
+    let posture_count = if asked.posture.is_null() { 0 } else { value_count };
+    let posture = Input::<R>::new(asked.posture, posture_count)?;
+    let values = Output::<R>::new(values, value_count)?;
+    let scratch = Output::<MaybeUninit<R>>::new(scratch, scratch_count)?;
+    let result = Output::<ReachReport<R>>::new(report, 1)?;
+    values.apart_from_output(&scratch)?;
+    values.apart_from_output(&result)?;
+    scratch.apart_from_output(&result)?;
+    made.apart_from(&values)?;
+    made.apart_from(&scratch)?;
+    made.apart_from(&result)?;
+    values.apart_from(&goals)?;
+    values.apart_from(&targets)?;
+    values.apart_from(&posture)?;
+    scratch.apart_from(&goals)?;
+    scratch.apart_from(&targets)?;
+    scratch.apart_from(&posture)?;
+    result.apart_from(&goals)?;
+    result.apart_from(&targets)?;
+    result.apart_from(&posture)?;
+    let options = if asked.options.is_null() {
+        ik::Options::default()
+    } else {
+        // SAFETY: promised; read before anything is written.
+        unsafe { read::<ReachOptions<R>, _>(asked.options)? }.known()?
+    };
+    let known = made.known;
+    if asked.goal_count > GOALS || value_count != known.values() {
+        return Err(Status::Length);
+    }
+    if scratch_count < room(known, asked.goal_count) {
+        return Err(Status::Length);
+    }
+    // SAFETY: promised, and apart.
+    let (goals, targets, posture) = unsafe { (goals.slice(), targets.slice(), posture.slice()) };
+    // SAFETY: promised, and apart.
+    let (values, scratch) = unsafe { (values.slice(), scratch.slice()) };
+    let (first, rest) = scratch.split_at_mut(room_for_freedoms::<R>(known.rates()));
+    // SAFETY: as large, and apart from the rest.
+    let freedoms = unsafe { freedoms(first, known.rates()) };
+    let numbers = zeroed(rest);
+    let mut reach = Reach::new(known, goals, freedoms).map_err(|error| status(&error))?;
+    if !asked.posture.is_null() {
+        reach = reach.with_posture(posture).map_err(|error| status(&error))?;
+    }
+    let solved = reach.solve(targets, values, numbers, &options)?;
+    // SAFETY: promised, and apart.
+    unsafe { result.write(ReachReport::of(&solved)) };
+    Ok(())
+}
+
+/// Freedoms at the beginning of `room`.
+///
+/// # Safety
+/// `room` is as large as [`room_for_freedoms`] says, and nothing else uses it while `'a` lasts.
+unsafe fn freedoms<'a, R: Real>(room: &mut [MaybeUninit<R>], count: usize) -> &'a mut [Freedom<R>] {
+    let start = room.as_mut_ptr().cast::<u8>();
+    let shift = start.addr().next_multiple_of(align_of::<Freedom<R>>()) - start.addr();
+    let first = start.wrapping_add(shift).cast::<Freedom<R>>();
+    if count == 0 {
+        return &mut [];
+    }
+    for index in 0..count {
+        // SAFETY: there is room for so many, which is aligned now.
+        unsafe { first.add(index).write(Freedom::default()) };
+    }
+    // SAFETY: all of them have been written.
+    unsafe { slice::from_raw_parts_mut(first, count) }
+}
+
+/// Numbers that may be read.
+fn zeroed<R: Real>(room: &mut [MaybeUninit<R>]) -> &mut [R] {
+    for number in room.iter_mut() {
+        number.write(R::ZERO);
+    }
+    // SAFETY: all of them have been written.
+    unsafe { slice::from_raw_parts_mut(room.as_mut_ptr().cast(), room.len()) }
+}
+
+fn status(error: &ReachError) -> Status {
+    match error {
+        ReachError::Link { .. } => Status::NoLink,
+        ReachError::NoGoals | ReachError::Weight { .. } | ReachError::NoWeight { .. } => {
+            Status::Weight
+        }
+        ReachError::Limits { .. } => Status::Limits,
+        ReachError::Posture { .. } => Status::NotFinite,
+        ReachError::Freedoms { .. } | ReachError::PostureLength { .. } => Status::Length,
+        // What only a newer dq8 knows.
+        _ => Status::UnknownValue,
+    }
+}
+
+impl<R: Real> ReachReport<R> {
+    fn of(report: &ik::Report<R, ik::Outcome>) -> Self {
+        let outcome = match report.outcome {
+            ik::Outcome::Converged => Outcome::Converged,
+            ik::Outcome::OutOfReach => Outcome::OutOfReach,
+            ik::Outcome::AtLimits => Outcome::AtLimits,
+            ik::Outcome::Stalled => Outcome::Stalled,
+            ik::Outcome::Unfinished => Outcome::Unfinished,
+            ik::Outcome::Invalid => Outcome::Invalid,
+        };
+        let [iterations, restarts] =
+            [report.iterations, report.restarts].map(|count| Into::<f64>::into(count) as u32);
+        let (angular_error, linear_error) = (report.angular_error, report.linear_error);
+        Self { outcome: outcome as i32, iterations, restarts, angular_error, linear_error }
+    }
+}
+
+macro_rules! functions {
+    ($R:ident $lanes:tt) => {
+        export_mechanism! { $R
+            /// Fills in the options that serve most: 1e-5 rad, 1e-5 lengths, 100 iterations, restarts.
+            reach_options(options: *mut ReachOptions<$R>) = super::reach_options(options)
+        }
+        export_mechanism! { $R
+            /// How many numbers `scratch` of dq8_mechanism_reach must have for so many goals, for one
+            /// mechanism always the same. DQ8_STATUS_TOO_LARGE for more than 1024 goals.
+            reach_scratch(
+                mechanism: *const Mechanism<$R>, goal_count: usize, scratch_count: *mut usize,
+            ) = super::reach_scratch(mechanism, goal_count, scratch_count)
+        }
+        export_mechanism! { $R
+            /// Inverse kinematics of one configuration: moves `values` until the link of each goal is at
+            /// its target, a motion for each goal; within the limits of the joints. From a start nearby it
+            /// converges in a few steps.
+            ///
+            /// `posture`, as many values, or null: a configuration that is preferred where the goals leave
+            /// freedom. `options` null: those of dq8_mechanism_reach_options. `scratch` may hold anything.
+            /// DQ8_STATUS_OK says that there is a report, not that the targets are reached: see `outcome`.
+            ///
+            /// DQ8_STATUS_NO_LINK, _WEIGHT (one is negative or not finite, or a goal has none, or there is
+            /// no goal), _LIMITS, _NOT_FINITE (the posture) or _UNKNOWN_VALUE (`restarts`); then `scratch`
+            /// may have been written, the values and the report not.
+            reach(
+                mechanism: *const Mechanism<$R>, goals: *const Goal<$R>, targets: *const $R,
+                goal_count: usize, posture: *const $R, options: *const ReachOptions<$R>,
+                values: *mut $R, value_count: usize, scratch: *mut $R, scratch_count: usize,
+                report: *mut ReachReport<$R>,
+            ) = super::reach(
+                Asked { mechanism, goals, targets, goal_count, posture, options },
+                values,
+                value_count,
+                scratch,
+                scratch_count,
+                report,
+            )
+        }
+    };
+}
+for_both_numbers!(functions);

@@ -1,0 +1,122 @@
+//! Configurations into lanes, and back.
+
+use super::freedom::Kind;
+use super::lane::Lane;
+use super::scratch::GOAL;
+use super::search::{Search, with_lane};
+use crate::ik::{Outcome, Report};
+use crate::real::{Real, Scalar};
+use dq8_simd::Lanes;
+
+impl<L: Lanes<Real: Scalar>> Search<'_, L> {
+    /// Gives a lane the next configuration that can be sought; it is idle if there is none.
+    #[inline(always)]
+    pub(super) fn refill(&mut self, lane: usize) {
+        let mut next = Lane::IDLE;
+        while next.configuration.is_none() && self.next < self.work.reports.len() {
+            match self.load(lane, self.next) {
+                Some(out_of_reach) => next = Lane::new(self.next, out_of_reach),
+                None => self.report(self.next, &Lane::IDLE, Outcome::Invalid),
+            }
+            self.next += 1;
+        }
+        if let Some(slot) = self.lanes.get_mut(lane) {
+            *slot = next;
+        }
+    }
+
+    /// Puts the targets and the start of a configuration into a lane, and says whether a target is beyond
+    /// the length of what carries the link. `None` if they are not what a search can begin with.
+    #[inline(always)]
+    fn load(&mut self, lane: usize, configuration: usize) -> Option<bool> {
+        let (reach, scratch) = (self.model.reach, &mut self.model.scratch);
+        let count = reach.mechanism.values;
+        let values = self.work.values.get(configuration * count..)?.get(..count)?;
+        for freedom in reach.freedoms {
+            let size = if freedom.is_single() { 1 } else { 7 };
+            let own = values.get(freedom.value as usize..)?.get(..size)?;
+            if !own.iter().all(|value| value.is_finite()) {
+                return None;
+            }
+        }
+        let (goals, mut beyond) = (reach.goals.len(), false);
+        let targets = self.work.targets.get(configuration * goals..)?.get(..goals)?;
+        for index in 0..goals {
+            let target = *targets.get(index)?;
+            let tolerance = self.work.options.linear_tolerance;
+            let (target, is_beyond) = reach.clamped(index, target, tolerance)?;
+            beyond |= is_beyond;
+            for (row, number) in target.to_array().into_iter().enumerate() {
+                scratch.goals.set_number(index * GOAL + row, lane, number);
+            }
+        }
+        if self.work.options.length_per_radian.is_none() {
+            let length = reach.typical_length_to(targets, values) * L::Real::from(0.125);
+            let scales = &mut self.model.scales;
+            scales.length = with_lane(scales.length, lane, length);
+            scales.radians_per_length =
+                with_lane(scales.radians_per_length, lane, L::Real::ONE / length);
+        }
+        for (row, &value) in values.iter().enumerate() {
+            scratch.values.set_number(row, lane, value);
+            scratch.start.set_number(row, lane, value);
+        }
+        Some(beyond)
+    }
+
+    /// Writes what a lane has found.
+    #[inline(always)]
+    pub(super) fn finish(&mut self, index: usize) {
+        let Some(&lane) = self.lanes.get(index) else { return };
+        let Some(configuration) = lane.configuration else { return };
+        let outcome = lane.outcome(self.is_at_limits(index));
+        if outcome != Outcome::Invalid {
+            let count = self.model.reach.mechanism.values;
+            let values = self.work.values.get_mut(configuration * count..).unwrap_or_default();
+            for (row, value) in values.iter_mut().enumerate().take(count) {
+                *value = self.model.scratch.best.number(row, index);
+            }
+        }
+        self.report(configuration, &lane, outcome);
+    }
+
+    #[inline(always)]
+    fn report(&mut self, configuration: usize, lane: &Lane<L::Real>, outcome: Outcome) {
+        let reach = self.model.reach;
+        let mut report = Report {
+            iterations: L::Real::from_f64(lane.iterations.into()),
+            restarts: L::Real::from_f64(lane.restarts.into()),
+            angular_error: lane.best.angular,
+            linear_error: lane.best.linear,
+            outcome,
+        };
+        if outcome == Outcome::Invalid {
+            (report.angular_error, report.linear_error) = (L::Real::NAN, L::Real::NAN);
+        }
+        if lane.out_of_reach {
+            let (goals, count) = (reach.goals.len(), reach.mechanism.values);
+            let values = self.work.values.get(configuration * count..).unwrap_or_default();
+            let targets = self.work.targets.get(configuration * goals..).unwrap_or_default();
+            if let Some(distance) = reach.distance(targets, values.get(..count).unwrap_or_default())
+            {
+                report.linear_error = distance;
+            }
+        }
+        if let Some(slot) = self.work.reports.get_mut(configuration) {
+            *slot = report;
+        }
+    }
+
+    /// Whether the best values of a lane have a joint at a limit that stops it.
+    #[inline(always)]
+    fn is_at_limits(&self, lane: usize) -> bool {
+        let mut is_at_limits = false;
+        for freedom in self.model.reach.freedoms {
+            if matches!(freedom.kind, Kind::Turn | Kind::Slide) && !freedom.range.wraps {
+                let value = self.model.scratch.best.number(freedom.value as usize, lane);
+                is_at_limits |= value <= freedom.range.low || freedom.range.high <= value;
+            }
+        }
+        is_at_limits
+    }
+}

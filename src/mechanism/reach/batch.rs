@@ -1,0 +1,132 @@
+//! One configuration, and many.
+
+use super::model::Model;
+use super::problem::Reach;
+use super::search::{Search, Work};
+use crate::dispatch::{Backend, Kernel};
+use crate::ik::{Options, Outcome, Report};
+use crate::real::Scalar;
+use crate::scalar::DualQuat;
+use crate::shape::{ShapeError, same_length};
+use dq8_simd::{Lanes, Level, Portable};
+
+impl<R> Reach<'_, R>
+where
+    R: Scalar + Lanes<Real = R, Level = Portable, Mask = bool>,
+{
+    /// Moves one configuration from `values` until each goal is at its target: `targets[i]` belongs to
+    /// `goals[i]`. Without allocation; `scratch` has [`scratch_len`](Self::scratch_len) numbers or more, and
+    /// may hold anything.
+    ///
+    /// Targets are normalized; farther than 10⁻³ from unit they are [`Outcome::Invalid`], and so are numbers
+    /// that are not finite: `values` is untouched then. Each iteration is a damped step of second order
+    /// within the limits, as for an [`Arm`](crate::ik::Arm). Where two steps in a row do not lead much nearer,
+    /// or limits leave no way nearer, the search begins again from another configuration
+    /// ([`Options::restarts`]), the nearest to the targets of some that are spread evenly within the limits;
+    /// each restart draws others. What is reported is the error at the values that are returned; of several
+    /// goals the largest, of components that are asked for.
+    ///
+    /// A good start is kept to: to follow a target that moves, start from the last values, and set
+    /// `restarts` to false.
+    ///
+    /// # Errors
+    /// If there are not as many targets as goals and values as the mechanism has, or too little scratch;
+    /// `values` is untouched.
+    pub fn solve(
+        &self,
+        targets: &[DualQuat<R>],
+        values: &mut [R],
+        scratch: &mut [R],
+        options: &Options<R>,
+    ) -> Result<Report<R, Outcome>, ShapeError> {
+        let mut reports = [Report::default()];
+        let work = Work { targets, values, reports: &mut reports, options };
+        work.check(self, scratch.len(), self.scratch_len())?;
+        if let Some(model) = Model::<R>::new(Portable, self, options, scratch) {
+            Search::new(model, work).run();
+        }
+        let [report] = reports;
+        Ok(report)
+    }
+}
+
+impl Backend {
+    /// [`Reach::solve`] for many configurations, as many at a time as there are lanes; a lane that is done
+    /// takes the next one, and what becomes of a configuration does not depend on the others.
+    ///
+    /// `targets` is `[configuration][goal]`, `values` `[configuration][value]`, and there is a report for each
+    /// configuration. `scratch` has [`batch_scratch_len`](Reach::batch_scratch_len) numbers or more.
+    ///
+    /// # Errors
+    /// If the slices hold different numbers of configurations, or there is too little scratch; nothing is
+    /// written.
+    ///
+    /// ```
+    /// use dq8::ik::{Options, Outcome, Report};
+    /// use dq8::mechanism::{Freedom, Goal, Joint, OwnedMechanism, Reach};
+    /// use dq8::{Backend, DualQuat};
+    /// let out = DualQuat::from_translation([1.0_f32, 0.0, 0.0]);
+    /// let joints = [(None, DualQuat::IDENTITY), (Some(0), out), (Some(1), out)]
+    ///     .map(|(on, at)| Joint::revolute(on, at, [0.0, 0.0, 1.0]));
+    /// let arm = OwnedMechanism::new(&joints)?;
+    /// // Two angles for the position of the last link; its own angle is free, and goes to zero.
+    /// let (goals, mut freedoms) = ([Goal::position(2)], [Freedom::default(); 3]);
+    /// let reach = Reach::new(arm.view(), &goals, &mut freedoms)?;
+    /// let targets: Vec<_> =
+    ///     (0..100).map(|i| DualQuat::from_translation([1.5, 0.01 * i as f32, 0.0])).collect();
+    /// let mut values = vec![0.3; 300];
+    /// let mut reports = vec![Report::default(); 100];
+    /// let mut scratch = vec![0.0; reach.batch_scratch_len()];
+    /// let options = Options::default();
+    /// Backend::best().reach_links(
+    ///     &reach, &targets, &mut values, &mut reports, &mut scratch, &options,
+    /// )?;
+    /// assert!(reports.iter().all(|report| report.outcome == Outcome::Converged));
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    pub fn reach_links<R: Scalar>(
+        self,
+        reach: &Reach<'_, R>,
+        targets: &[DualQuat<R>],
+        values: &mut [R],
+        reports: &mut [Report<R, Outcome>],
+        scratch: &mut [R],
+        options: &Options<R>,
+    ) -> Result<(), ShapeError> {
+        let work = Work { targets, values, reports, options };
+        work.check(reach, scratch.len(), reach.batch_scratch_len())?;
+        self.run(Targets { reach, work, scratch });
+        Ok(())
+    }
+}
+
+impl<R: Copy> Work<'_, R> {
+    fn check(&self, reach: &Reach<'_, R>, room: usize, expected: usize) -> Result<(), ShapeError> {
+        let configurations = self.reports.len();
+        let (goals, values) = (reach.goals.len(), reach.mechanism.values);
+        same_length("targets", self.targets.len(), configurations * goals)?;
+        same_length("values", self.values.len(), configurations * values)?;
+        if room < expected {
+            return Err(ShapeError::Length { what: "scratch", length: room, expected });
+        }
+        Ok(())
+    }
+}
+
+struct Targets<'s, R> {
+    reach: &'s Reach<'s, R>,
+    work: Work<'s, R>,
+    scratch: &'s mut [R],
+}
+
+impl<R: Scalar> Kernel for Targets<'_, R> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<V: Level>(self, level: V) {
+        let Self { reach, work, scratch } = self;
+        if let Some(model) = Model::<R::Lanes<V>>::new(level, reach, work.options, scratch) {
+            Search::new(model, work).run();
+        }
+    }
+}

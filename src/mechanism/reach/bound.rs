@@ -1,0 +1,143 @@
+//! How far links get.
+
+use super::freedom::Freedom;
+use super::problem::Reach;
+use crate::ik::{Range, UNIT};
+use crate::mechanism::joint::JointKind;
+use crate::mechanism::step::Step;
+use crate::real::Real;
+use crate::scalar::{DualQuat, vector};
+
+impl<R: Real> Reach<'_, R> {
+    /// A point that no joint moves, and a distance from it that the link of goal number `goal` never
+    /// exceeds: the sum of the offsets between joints, and of what slides add. Farther targets are out of
+    /// reach; nearer ones may be. `None` if there is no such distance (something floats, or slides without
+    /// end), no joint carries the link, or there is no such goal.
+    #[must_use]
+    pub fn reach_bound(&self, goal: usize) -> Option<([R; 3], R)> {
+        let mut link = self.goals.get(goal)?.link;
+        let (mut length, mut base) = (R::ZERO, None);
+        while let Some(step) = self.mechanism.step(link) {
+            if step.kind.values() > 0 {
+                length += self.slide(step);
+                base = Some((link, length));
+            }
+            length += vector::norm(step.placement.translation());
+            link = step.parent as usize;
+        }
+        let (mut link, length) = base.filter(|(_, length)| length.is_finite())?;
+        let mut centre = [R::ZERO; 3];
+        while let Some(step) = self.mechanism.step(link) {
+            centre = step.placement.transform_point(centre);
+            link = step.parent as usize;
+        }
+        Some((centre, length))
+    }
+
+    /// How far a joint slides; infinite if there is no end.
+    fn slide(&self, step: &Step<R>) -> R {
+        let infinite = R::ONE / R::ZERO;
+        let freedom = self.freedoms.get(self.column(step.rate as usize));
+        let range = freedom.map_or(Range::NONE, |freedom| freedom.range);
+        let [low, high] = [range.low, range.high].map(|end| {
+            let value = end * step.multiplier + step.offset;
+            value.abs()
+        });
+        match step.kind {
+            JointKind::Prismatic { .. } => low.max_or_nan(high),
+            JointKind::Screw { pitch, .. } if pitch != R::ZERO => {
+                low.max_or_nan(high) * pitch.abs()
+            }
+            JointKind::Planar { .. } | JointKind::Floating => infinite,
+            _ => R::ZERO,
+        }
+    }
+
+    /// The longest way to a goal, without what slides without end; 1 if there is none.
+    pub(super) fn typical_length(&self) -> R {
+        let mut longest = R::ZERO;
+        for goal in self.goals {
+            let (mut length, mut link) = (R::ZERO, goal.link);
+            while let Some(step) = self.mechanism.step(link) {
+                let slide = self.slide(step);
+                length += if slide.is_finite() { slide } else { R::ZERO };
+                length += vector::norm(step.placement.translation());
+                link = step.parent as usize;
+            }
+            longest = if length > longest { length } else { longest };
+        }
+        if longest > R::ZERO && longest.is_finite() { longest } else { R::ONE }
+    }
+
+    /// The typical length, or where something floats or slides without end, a longer way that it has to go.
+    pub(super) fn typical_length_to(&self, targets: &[DualQuat<R>], values: &[R]) -> R {
+        let mut longest = self.size;
+        if self.is_endless {
+            for target in targets {
+                longest = longest.max_or_nan(vector::norm(target.translation()));
+            }
+            for freedom in self.freedoms.iter().filter(|freedom| freedom.is_slide()) {
+                for &value in freedom.lengths(values) {
+                    longest = longest.max_or_nan(value.abs());
+                }
+            }
+        }
+        longest
+    }
+
+    /// Whether some slide has no end.
+    pub(super) fn has_endless_slides(&self) -> bool {
+        let is_endless = |freedom: &Freedom<R>| {
+            let Range { low, high, .. } = freedom.range;
+            freedom.is_slide() && !(low.is_finite() && high.is_finite())
+        };
+        self.freedoms.iter().any(is_endless)
+    }
+
+    /// The target of a goal, exactly unit; one beyond the bound is drawn to its edge, because from beyond it
+    /// would pull the harder the farther it is. Whether it was. `None` if it is not a target.
+    pub(super) fn clamped(
+        &self,
+        goal: usize,
+        target: DualQuat<R>,
+        tolerance: R,
+    ) -> Option<(DualQuat<R>, bool)> {
+        if !(target.is_unit(R::from(UNIT)) && target.to_array().into_iter().all(Real::is_finite)) {
+            return None;
+        }
+        let target = target.normalize();
+        let asked = self.goals.get(goal)?.linear.into_iter().all(|weight| weight > R::ZERO);
+        let Some((centre, length)) = self.reach_bound(goal).filter(|_| asked) else {
+            return Some((target, false));
+        };
+        let way = vector::sub(target.translation(), centre);
+        let far = vector::norm(way);
+        if !far.is_finite() {
+            return None;
+        }
+        // Both have been rounded.
+        let rounding = R::ONE + R::from(64.0) * R::EPSILON;
+        if far <= length * rounding + tolerance {
+            return Some((target, false));
+        }
+        let edge = vector::add(centre, vector::scale(way, length / far));
+        Some((DualQuat::from_rotation_translation(target.rotation(), edge), true))
+    }
+
+    /// The largest distance between a link and its target, of what is asked for.
+    pub(super) fn distance(&self, targets: &[DualQuat<R>], values: &[R]) -> Option<R> {
+        let mut largest = R::ZERO;
+        for (goal, target) in self.goals.iter().zip(targets) {
+            let pose = self.mechanism.link_pose(values, goal.link).ok()?;
+            let target = target.normalize();
+            let way = vector::sub(target.translation(), pose.translation());
+            let mut way = target.rotation().conjugate().rotate(way);
+            for (component, weight) in way.iter_mut().zip(goal.linear) {
+                *component = if weight > R::ZERO { *component } else { R::ZERO };
+            }
+            let distance = vector::norm(way);
+            largest = if distance > largest { distance } else { largest };
+        }
+        Some(largest)
+    }
+}

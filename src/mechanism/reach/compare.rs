@@ -1,0 +1,124 @@
+//! What separates links from their targets.
+
+use super::goal::Goal;
+use super::model::{Apart, Model};
+use super::scratch::{GOAL, POSE, TARGET};
+use crate::batch::{DualQuat, vector};
+use crate::mechanism::placed::Placed;
+use crate::real::{Real, Scalar};
+use dq8_simd::Lanes;
+
+impl<L: Lanes<Real: Scalar>> Model<'_, L> {
+    /// The errors of the poses that have been computed last: from the targets of their lanes, or all from
+    /// those of one lane.
+    #[inline(always)]
+    pub(super) fn compare(&mut self, lane: Option<usize>) -> Apart<L> {
+        let (level, scales) = (self.level, self.scales);
+        let zero = L::splat(level, L::Real::default());
+        let mut apart = Apart { square: zero, angular: zero, linear: zero };
+        let mut row = 0;
+        for (index, goal) in self.reach.goals.iter().enumerate() {
+            let target = self.target(index, lane);
+            let pose = self.pose(index);
+            let end = vector::add(pose.half, pose.half);
+            let mut way =
+                vector::add(target.translation(), vector::scale(end, zero.constant(-1.0)));
+            let (mut angular, mut linear) = ([zero; 3], way);
+            if goal.asks_rotation() {
+                let pose = DualQuat::from_array(pose.to_motion());
+                let twist = (target * pose.conjugate()).to_twist();
+                angular = twist.angular;
+                if goal.is_pose() {
+                    linear = vector::cross_onto(angular, end, twist.linear);
+                }
+                if goal.asks_part_of_rotation() && lane.is_none() {
+                    self.scratch.goals.set_record(index * GOAL + TARGET + POSE, angular);
+                }
+            }
+            if !goal.is_even() {
+                let to_target = target.real().conjugate();
+                angular = to_target.rotate(angular);
+                linear = to_target.rotate(linear);
+                way = to_target.rotate(way);
+            }
+            let turn = asked(angular, goal.angular);
+            let distance = asked(way, goal.linear);
+            apart.angular = larger(apart.angular, turn);
+            apart.linear = larger(apart.linear, distance);
+            let linear = vector::scale(linear, scales.radians_per_length);
+            row = weigh(
+                goal,
+                angular,
+                linear,
+                row,
+                #[inline(always)]
+                |row, component| {
+                    apart.square = component.mul_add(component, apart.square);
+                    self.scratch.error.set(row, component);
+                },
+            );
+        }
+        apart
+    }
+
+    #[inline(always)]
+    pub(super) fn target(&self, goal: usize, lane: Option<usize>) -> DualQuat<L> {
+        let first = goal * GOAL;
+        let Some(lane) = lane else {
+            return DualQuat::from_array(self.scratch.goals.record(self.level, first));
+        };
+        let mut target = [L::Real::default(); TARGET];
+        for (index, number) in target.iter_mut().enumerate() {
+            *number = self.scratch.goals.number(first + index, lane);
+        }
+        DualQuat::splat(self.level, target)
+    }
+
+    #[inline(always)]
+    pub(super) fn pose(&self, goal: usize) -> Placed<L> {
+        let first = goal * GOAL + TARGET;
+        let goals = &self.scratch.goals;
+        let (rotation, half) =
+            (goals.record(self.level, first), goals.record(self.level, first + 4));
+        Placed { rotation, half }
+    }
+}
+
+/// Hands on the weighted components that a goal asks for, and says how many rows there are now.
+#[inline(always)]
+pub(super) fn weigh<L: Lanes<Real: Scalar>>(
+    goal: &Goal<L::Real>,
+    angular: [L; 3],
+    linear: [L; 3],
+    first: usize,
+    mut take: impl FnMut(usize, L),
+) -> usize {
+    let mut row = first;
+    for (components, weights) in [(angular, goal.angular), (linear, goal.linear)] {
+        for (component, weight) in components.into_iter().zip(weights) {
+            if weight > L::Real::ZERO {
+                take(row, component * L::splat(component.level(), weight));
+                row += 1;
+            }
+        }
+    }
+    row
+}
+
+/// The length of the components that are asked for.
+#[inline(always)]
+fn asked<L: Lanes<Real: Scalar>>(components: [L; 3], weights: [L::Real; 3]) -> L {
+    let mut square = components[0].constant(0.0);
+    for (component, weight) in components.into_iter().zip(weights) {
+        if weight > L::Real::ZERO {
+            square = component.mul_add(component, square);
+        }
+    }
+    square.sqrt()
+}
+
+/// NaN where `b` is.
+#[inline(always)]
+fn larger<L: Lanes>(a: L, b: L) -> L {
+    L::select(b.le(a), a, b)
+}

@@ -1,0 +1,96 @@
+use core::fmt;
+
+/// What cannot be asked of a mechanism.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum ReachError {
+    /// There is no goal.
+    NoGoals,
+    /// A goal for a link that there is not.
+    Link {
+        /// The goal.
+        goal: usize,
+        /// The link that it names.
+        link: usize,
+        /// How many links there are.
+        links: usize,
+    },
+    /// A weight that is negative or not finite.
+    Weight {
+        /// The goal.
+        goal: usize,
+        /// The component: 0 to 2 of the rotation, 3 to 5 of the position.
+        component: usize,
+        /// The weight.
+        value: f64,
+    },
+    /// All weights of a goal are zero.
+    NoWeight {
+        /// The goal.
+        goal: usize,
+    },
+    /// Too little room for the freedoms.
+    Freedoms {
+        /// How many there is room for.
+        freedoms: usize,
+        /// How many rates the mechanism has.
+        rates: usize,
+    },
+    /// No value is within the limits of a joint and those of the joints that mimic it, or the limits are
+    /// angles beyond what a float tells (2¹⁷ radians for `f32`, 2⁴⁶ for `f64`).
+    Limits {
+        /// The joint.
+        joint: usize,
+        /// The lower limit.
+        low: f64,
+        /// The upper limit.
+        high: f64,
+    },
+    /// A posture of another length than a configuration.
+    PostureLength {
+        /// How many values it has.
+        length: usize,
+        /// How many a configuration has.
+        expected: usize,
+    },
+    /// A value of a posture that is not finite.
+    Posture {
+        /// The value.
+        index: usize,
+        /// What it is.
+        value: f64,
+    },
+}
+
+impl fmt::Display for ReachError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoGoals => write!(f, "there is no goal"),
+            Self::Link { goal, link, links } => {
+                write!(f, "goal {goal} is for link {link}, and there are {links} links")
+            }
+            Self::Weight { goal, component, value } => write!(
+                f,
+                "component {component} of goal {goal} cannot weigh {value}: weights are finite and not \
+                 negative"
+            ),
+            Self::NoWeight { goal } => write!(f, "all weights of goal {goal} are zero"),
+            Self::Freedoms { freedoms, rates } => {
+                write!(f, "there is room for {freedoms} freedoms where {rates} rates need one each")
+            }
+            Self::Limits { joint, low, high } => write!(
+                f,
+                "joint {joint} cannot move between {low} and {high}: limits, also of what mimics it, must \
+                 leave a value, and be angles that a float tells apart"
+            ),
+            Self::PostureLength { length, expected } => {
+                write!(f, "the posture has {length} values where {expected} are needed")
+            }
+            Self::Posture { index, value } => {
+                write!(f, "value {index} of the posture is not finite: {value}")
+            }
+        }
+    }
+}
+
+impl core::error::Error for ReachError {}

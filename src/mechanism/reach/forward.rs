@@ -1,0 +1,83 @@
+//! Where links are, and the screws of the joints that move them.
+
+use super::model::Model;
+use super::scratch::{GOAL, Rows, TARGET};
+use crate::batch::vector;
+use crate::mechanism::placed::Placed;
+use crate::mechanism::step::NONE;
+use crate::mechanism::values::{JointNumbers, half_turn};
+use crate::mechanism::walk::{Joined, moved};
+use crate::real::Scalar;
+use dq8_simd::Lanes;
+
+/// Of which values.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Of {
+    /// Of where the lanes are: screws too.
+    Values,
+    /// Of where they might begin again.
+    Candidates,
+}
+
+struct Numbers<'r, 's, L: Lanes>(&'r Rows<'s, L>);
+
+impl<L: Lanes> JointNumbers<L> for Numbers<'_, '_, L> {
+    #[inline(always)]
+    fn get(&mut self, level: L::Level, index: usize) -> L {
+        self.0.get(level, index)
+    }
+    #[inline(always)]
+    fn half_turn(&mut self, level: L::Level, index: usize) -> [L; 2] {
+        let value = self.0.get(level, index);
+        half_turn(value * value.constant(0.5))
+    }
+}
+
+impl<L: Lanes<Real: Scalar>> Model<'_, L> {
+    /// The poses of the links with goals, from the base up; links that carry none are left out.
+    #[inline(always)]
+    pub(super) fn place(&mut self, of: Of) {
+        let (level, reach) = (self.level, self.reach);
+        let scratch = &mut self.scratch;
+        let values = match of {
+            Of::Values => &scratch.values,
+            Of::Candidates => &scratch.candidate,
+        };
+        let mut numbers = Numbers(values);
+        let (mut position, mut twist) = (0, 0);
+        while let Some(step) = reach.mechanism.steps.get(position) {
+            if !reach.moves_goal(position) {
+                position += step.size as usize;
+                continue;
+            }
+            position += 1;
+            let before = if step.parent == NONE {
+                let rotation = vector::splat(level, step.rotation);
+                Placed { rotation, half: vector::splat(level, step.half_offset) }
+            } else {
+                match self.poses.get(step.parent_slot as usize) {
+                    Some(parent) => parent.place(step),
+                    None => return,
+                }
+            };
+            let pose = moved(level, before, step, &mut numbers);
+            if let Some(slot) = self.poses.get_mut(step.slot as usize) {
+                *slot = pose;
+            }
+            if of == Of::Values {
+                let joined = Joined { before, pose };
+                for index in 0..step.kind.rates() {
+                    scratch.twists.set_record(twist, joined.screw(step, index).to_array());
+                    twist += 6;
+                }
+            }
+            for (index, goal) in reach.goals.iter().enumerate() {
+                if goal.link == step.link as usize {
+                    let at = index * GOAL + TARGET;
+                    scratch.goals.set_record(at, pose.rotation);
+                    scratch.goals.set_record(at + 4, pose.half);
+                }
+            }
+        }
+    }
+}

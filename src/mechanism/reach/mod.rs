@@ -1,0 +1,35 @@
+//! Inverse kinematics of mechanisms: which values bring links where they should be.
+//!
+//! | file | what |
+//! |---|---|
+//! | `goal.rs`, `freedom.rs`, `problem.rs` | what is asked, checked once, in memory of the caller |
+//! | `bound.rs` | how far a link gets |
+//! | `batch.rs` | one configuration, and many |
+//! | `search.rs`, `lane.rs`, `assign.rs` | the loop, what a lane does next, what it is given and gives back |
+//! | `model.rs` with `forward.rs`, `compare.rs`, `columns.rs`, `step.rs`, `restart.rs` | what is computed of it, on lanes |
+//! | `normal.rs` | damped least squares of any size |
+//! | `scratch.rs` | numbers of all lanes in memory of the caller |
+
+mod assign;
+mod batch;
+mod bound;
+mod columns;
+mod compare;
+mod error;
+mod forward;
+mod freedom;
+mod goal;
+mod lane;
+mod model;
+mod normal;
+mod problem;
+mod restart;
+mod scratch;
+mod search;
+mod step;
+mod wish;
+
+pub use error::ReachError;
+pub use freedom::Freedom;
+pub use goal::Goal;
+pub use problem::Reach;

@@ -1,0 +1,65 @@
+//! What is computed of a mechanism on lanes, each with a configuration and targets of its own.
+
+use super::problem::Reach;
+use super::scratch::Scratch;
+use crate::ik::Options;
+use crate::mechanism::placed::Placed;
+use crate::mechanism::walk::SLOTS;
+use crate::real::Scalar;
+use dq8_simd::Lanes;
+
+pub(super) struct Model<'s, L: Lanes> {
+    pub(super) level: L::Level,
+    pub(super) reach: &'s Reach<'s, L::Real>,
+    pub(super) scales: Scales<L>,
+    pub(super) scratch: Scratch<'s, L>,
+    /// Poses that wait for children.
+    pub(super) poses: [Placed<L>; SLOTS],
+}
+
+/// What makes lengths and radians comparable, and what keeps a step short.
+#[derive(Clone, Copy)]
+pub(super) struct Scales<L> {
+    /// The length that weighs as much as a radian.
+    pub(super) length: L,
+    pub(super) radians_per_length: L,
+    /// The most that a hinge turns.
+    pub(super) longest: L,
+    /// λ² where the target is.
+    pub(super) least_damping: L,
+}
+
+/// How far the lanes are from their targets.
+#[derive(Clone, Copy)]
+pub(super) struct Apart<L> {
+    /// The weighted sum of squares of all errors, in radians².
+    pub(super) square: L,
+    /// The largest turn and the largest distance among the goals, of what is asked for.
+    pub(super) angular: L,
+    pub(super) linear: L,
+}
+
+impl<'s, L: Lanes<Real: Scalar>> Model<'s, L> {
+    #[inline(always)]
+    pub(super) fn new(
+        level: L::Level,
+        reach: &'s Reach<'s, L::Real>,
+        options: &Options<L::Real>,
+        room: &'s mut [L::Real],
+    ) -> Option<Self> {
+        let scratch = Scratch::new(reach, room)?;
+        let one = L::splat(level, crate::real::Real::ONE);
+        let length = match options.length_per_radian {
+            Some(length) => L::splat(level, length),
+            None => L::splat(level, reach.size) * one.constant(0.125),
+        };
+        let damping = L::splat(level, options.damping);
+        let scales = Scales {
+            length,
+            radians_per_length: one / length,
+            longest: L::splat(level, options.max_step),
+            least_damping: damping * damping,
+        };
+        Some(Self { level, reach, scales, scratch, poses: [Placed::identity(level); SLOTS] })
+    }
+}

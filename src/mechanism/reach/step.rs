@@ -1,0 +1,211 @@
+//! One step toward the targets, within the limits of the joints.
+//!
+//! As for arms: damped least squares for all freedoms at once; where that takes one beyond a limit, it goes to
+//! the limit and is *held* there, what its way contributes is taken off the errors, its column leaves the
+//! system, and the others are solved again for the rest (Baerlocher & Boulic 2004).
+//!
+//! A posture adds what the goals leave free: with the way z to the posture, the change is z + J⁺(e − Jz).
+
+use super::freedom::{Freedom, Kind};
+use super::model::{Apart, Model};
+use crate::batch::{Quat, vector};
+use crate::ik::DAMPING;
+use crate::mechanism::values::half_turn;
+use crate::real::Scalar;
+use dq8_simd::{Lanes, Mask};
+
+impl<L: Lanes<Real: Scalar>> Model<'_, L> {
+    /// Moves the lanes that run, damped `caution` times as much as usual. Where a limit cut the step short: the square of the errors that it would
+    /// leave by its own linear model; elsewhere zero.
+    #[inline(always)]
+    pub(super) fn step(&mut self, apart: Apart<L>, caution: L, running: L::Mask) -> L {
+        let damping = caution * caution.constant(DAMPING);
+        let damping = apart.square.mul_add(damping, self.scales.least_damping);
+        self.linearize(false);
+        let mut limited = self.limited_step(damping, running);
+        if self.reach.bends() {
+            self.linearize(true);
+            limited = self.limited_step(damping, running);
+        }
+        let left = self.left_after();
+        self.advance(running);
+        L::select(limited, left, damping.constant(0.0))
+    }
+
+    /// Changes that no limit forbids, and where a limit stopped one.
+    #[inline(always)]
+    fn limited_step(&mut self, damping: L, running: L::Mask) -> L::Mask {
+        let zero = damping.constant(0.0);
+        self.scratch.held.fill(zero);
+        self.scratch.changes.fill(zero);
+        for row in 0..self.reach.rows {
+            self.scratch.left.set(row, self.scratch.error.get(self.level, row));
+        }
+        // Nowhere yet.
+        let mut limited = zero.lt(zero);
+        for _ in 0..=self.reach.freedoms.len() {
+            let shrink = self.solve(damping);
+            let stopped = self.take(shrink) & running;
+            limited = limited | stopped;
+            if !stopped.any() {
+                break;
+            }
+        }
+        limited
+    }
+
+    /// What the free ones should change, in radians, and the factor that makes the longest of it no longer
+    /// than allowed.
+    #[inline(always)]
+    fn solve(&mut self, damping: L) -> L {
+        let (level, rows, zero) = (self.level, self.reach.rows, damping.constant(0.0));
+        let wishes = self.reach.posture.is_some();
+        if wishes {
+            self.take_off_wishes(zero.constant(1.0));
+        }
+        self.solve_normal(damping);
+        if wishes {
+            self.take_off_wishes(zero.constant(-1.0));
+        }
+        let scratch = &mut self.scratch;
+        let mut most = self.scales.longest;
+        for (index, column) in scratch.columns.runs(rows).enumerate() {
+            let mut radians = if wishes {
+                let is_held = scratch.held.get(level, index).eq(zero.constant(1.0));
+                L::select(is_held, zero, scratch.wishes.get(level, index))
+            } else {
+                zero
+            };
+            for (row, component) in column.iter().enumerate() {
+                let y = scratch.solution.get(level, row);
+                radians = L::load(level, component).mul_add(y, radians);
+            }
+            scratch.radians.set(index, radians);
+            // Slides are straight: they may go as far as they like.
+            let bends = self.reach.freedoms.get(index).is_some_and(|freedom| !freedom.is_slide());
+            let length = if bends { radians.abs() } else { zero };
+            most = L::select(most.lt(length), length, most);
+        }
+        self.scales.longest / most
+    }
+
+    /// Takes what the way to the posture contributes off the errors, or, `times` −1, puts it back.
+    #[inline(always)]
+    fn take_off_wishes(&mut self, times: L) {
+        let (level, scratch) = (self.level, &mut self.scratch);
+        for (index, column) in scratch.columns.runs(self.reach.rows).enumerate() {
+            let wish = scratch.wishes.get(level, index) * times;
+            for (row, component) in column.iter().enumerate() {
+                let left = scratch.left.get(level, row);
+                scratch.left.set(row, L::load(level, component).neg_mul_add(wish, left));
+            }
+        }
+    }
+
+    /// Changes the free ones. Those that a limit stops go as far as it and are held from now on; says where
+    /// there was one.
+    #[inline(always)]
+    fn take(&mut self, shrink: L) -> L::Mask {
+        let (level, rows, zero) = (self.level, self.reach.rows, shrink.constant(0.0));
+        let one = zero.constant(1.0);
+        let mut stopped = one.lt(zero);
+        for (index, freedom) in self.reach.freedoms.iter().enumerate() {
+            let unit = if freedom.is_slide() { self.scales.length } else { one };
+            let scratch = &mut self.scratch;
+            let is_held = scratch.held.get(level, index).eq(one);
+            let change = scratch.radians.get(level, index) * shrink * unit;
+            let change = L::select(is_held, scratch.changes.get(level, index), change);
+            scratch.changes.set(index, change);
+            if freedom.range.wraps || !freedom.is_single() {
+                continue;
+            }
+            let value = scratch.values.get(level, freedom.value as usize);
+            let next = value + change;
+            let inside = freedom.range.clamp(next);
+            let stops = !is_held & !next.eq(inside);
+            if !stops.any() {
+                continue;
+            }
+            stopped = stopped | stops;
+            scratch.changes.set(index, L::select(stops, inside - value, change));
+            let taken = L::select(stops, (inside - value) / unit, zero);
+            scratch.held.set(index, L::select(stops, one, scratch.held.get(level, index)));
+            for row in 0..rows {
+                let at = index * rows + row;
+                let component = scratch.columns.get(level, at);
+                let left = scratch.left.get(level, row);
+                scratch.left.set(row, component.neg_mul_add(taken, left));
+                scratch.columns.set(at, L::select(stops, zero, component));
+            }
+        }
+        stopped
+    }
+
+    /// The square of the errors that the changes would leave if everything moved on as it begins to.
+    #[inline(always)]
+    fn left_after(&mut self) -> L {
+        let (level, rows) = (self.level, self.reach.rows);
+        let mut square = self.scales.length.constant(0.0);
+        for row in 0..rows {
+            let mut left = self.scratch.left.get(level, row);
+            for (index, freedom) in self.reach.freedoms.iter().enumerate() {
+                // Zero where it is held, whose part has been taken off.
+                let component = self.scratch.columns.get(level, index * rows + row);
+                let change = self.scratch.changes.get(level, index);
+                let unit = self.scales.radians_per_length;
+                let radians = if freedom.is_slide() { change * unit } else { change };
+                left = component.neg_mul_add(radians, left);
+            }
+            square = left.mul_add(left, square);
+        }
+        square
+    }
+
+    /// The values moved, each within its limits. What is not finite moves nothing.
+    #[inline(always)]
+    fn advance(&mut self, running: L::Mask) {
+        let (level, values) = (self.level, &mut self.scratch.values);
+        for (index, freedom) in self.reach.freedoms.iter().enumerate() {
+            let change = self.scratch.changes.get(level, index);
+            let runs = running & vector::is_finite(change);
+            let first = freedom.value as usize;
+            match freedom.kind {
+                Kind::Turn | Kind::Slide => {
+                    let value = values.get(level, first);
+                    let next = freedom.range.go_on(value + change);
+                    values.set(first, L::select(runs, next, value));
+                }
+                Kind::FloatingTurn(axis) => {
+                    let old: [L; 4] = values.record(level, first);
+                    let half = change * change.constant(0.5);
+                    let [cos, sin] = half_turn(half);
+                    let mut turn = [change.constant(0.0); 3];
+                    if let Some(slot) = turn.get_mut(axis as usize) {
+                        *slot = sin;
+                    }
+                    let turned = Quat::from_array(old) * Quat::from_parts(turn, cos);
+                    let next = turned.normalize().to_array();
+                    values.set_record(first, vector::select(runs, next, old));
+                }
+                Kind::FloatingSlide(axis) => {
+                    let turn = Quat::from_array(values.record(level, first)).normalize();
+                    let mut way = [change.constant(0.0); 3];
+                    if let Some(slot) = way.get_mut(axis as usize) {
+                        *slot = change;
+                    }
+                    let old: [L; 3] = values.record(level, first + 4);
+                    let next = vector::add(old, turn.rotate(way));
+                    values.set_record(first + 4, vector::select(runs, next, old));
+                }
+            }
+        }
+    }
+}
+
+impl<R> Freedom<R> {
+    /// Whether its value is one number.
+    #[inline(always)]
+    pub(super) fn is_single(&self) -> bool {
+        matches!(self.kind, Kind::Turn | Kind::Slide)
+    }
+}

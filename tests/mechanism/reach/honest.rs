@@ -1,0 +1,127 @@
+//! Lanes against one configuration, and against each other.
+
+use super::super::random::Numbers;
+use super::{apart, draw, mechanism, seven, solve_everywhere};
+use dq8::ik::{Options, Outcome, Report};
+use dq8::mechanism::{Freedom, Goal, Reach};
+use dq8::{Backend, DualQuat, Real};
+
+struct Random<R> {
+    targets: Vec<DualQuat<R>>,
+    starts: Vec<R>,
+}
+
+/// Some of the targets are out of reach.
+fn random<R: Real>(reach: &Reach<'_, R>, count: usize) -> Random<R> {
+    let joints = seven();
+    let mut numbers = Numbers::new(21);
+    let (mut targets, mut starts) = (Vec::new(), Vec::new());
+    for index in 0..count {
+        let goal: Vec<R> = draw(&mut numbers, &joints).into_iter().map(R::from_f64).collect();
+        let mut target = reach.mechanism().link_pose(&goal, 7).expect("a link");
+        if index % 9 == 4 {
+            target = DualQuat::from_translation([R::from(0.4), R::ZERO, R::ZERO]) * target;
+        }
+        targets.push(target);
+        starts.extend(draw(&mut numbers, &joints).into_iter().map(R::from_f64));
+    }
+    Random { targets, starts }
+}
+
+/// Rounding may send a search from a restart another way: then both must be right for themselves.
+#[test]
+fn every_backend_says_what_one_configuration_says() {
+    let arm = mechanism::<f64>(&seven());
+    let goals = [Goal::pose(7)];
+    let mut freedoms = [Freedom::default(); 7];
+    let reach = Reach::new(arm.view(), &goals, &mut freedoms).expect("a problem");
+    let Random { targets, starts } = random(&reach, 203);
+    let mut scratch = vec![0.0; reach.scratch_len()];
+    for (backend, values, reports) in
+        solve_everywhere(&reach, &targets, &starts, &Options::default())
+    {
+        let mut same = 0;
+        for (index, (report, target)) in reports.iter().zip(&targets).enumerate() {
+            let mut own = starts[7 * index..][..7].to_vec();
+            let alone = reach
+                .solve(&[*target], &mut own, &mut scratch, &Options::default())
+                .expect("lengths fit");
+            let lanes = &values[7 * index..][..7];
+            same += usize::from(
+                report.outcome == alone.outcome
+                    && report.iterations == alone.iterations
+                    && own.iter().zip(lanes).all(|(a, b)| (a - b).abs() < 1e-6),
+            );
+            for (values, report) in [(own.as_slice(), alone), (lanes, *report)] {
+                let pose = arm.view().link_pose(values, 7).expect("a link");
+                let [turn, distance] = apart(pose, *target);
+                assert!(
+                    (report.angular_error - turn).abs() < 1e-12
+                        || report.outcome == Outcome::OutOfReach
+                );
+                assert!((report.linear_error - distance).abs() < 1e-12, "{report:?} {distance}");
+            }
+        }
+        assert!(same >= 195, "{backend}: {same} of 203");
+    }
+}
+
+#[test]
+fn what_becomes_of_a_configuration_depends_on_no_other() {
+    let arm = mechanism::<f32>(&seven());
+    let goals = [Goal::pose(7)];
+    let mut freedoms = [Freedom::default(); 7];
+    let reach = Reach::new(arm.view(), &goals, &mut freedoms).expect("a problem");
+    let Random { mut targets, mut starts } = random(&reach, 101);
+    let there = solve_everywhere(&reach, &targets, &starts, &Options::default());
+    targets.reverse();
+    starts = starts.rchunks(7).flatten().copied().collect();
+    let back = solve_everywhere(&reach, &targets, &starts, &Options::default());
+    for ((backend, values, reports), (_, reversed, last)) in there.iter().zip(&back) {
+        for (own, other) in values.chunks(7).zip(reversed.rchunks(7)) {
+            assert_eq!(own, other, "{backend}");
+        }
+        for (own, other) in reports.iter().zip(last.iter().rev()) {
+            assert_eq!(own, other, "{backend}");
+        }
+    }
+}
+
+#[test]
+fn any_number_of_configurations_fits_none_too() {
+    let arm = mechanism::<f64>(&seven());
+    let goals = [Goal::pose(7)];
+    let mut freedoms = [Freedom::default(); 7];
+    let reach = Reach::new(arm.view(), &goals, &mut freedoms).expect("a problem");
+    for count in [0, 1, 2, 3, 9, 17] {
+        let Random { targets, starts } = random(&reach, count);
+        for (backend, values, reports) in
+            solve_everywhere(&reach, &targets, &starts, &Options::default())
+        {
+            assert_eq!((values.len(), reports.len()), (7 * count, count));
+            for (index, report) in reports.iter().enumerate() {
+                assert_ne!(report.outcome, Outcome::Invalid, "{backend}: {index}");
+            }
+        }
+    }
+}
+
+#[test]
+fn tighter_tolerances_are_met_in_double_precision() {
+    let arm = mechanism::<f64>(&seven());
+    let goals = [Goal::pose(7)];
+    let mut freedoms = [Freedom::default(); 7];
+    let reach = Reach::new(arm.view(), &goals, &mut freedoms).expect("a problem");
+    let target = arm.view().link_pose(&[0.5, -0.6, 0.7, -1.4, 0.3, 1.8, -0.4], 7).expect("a link");
+    let options =
+        Options { angular_tolerance: 1e-12, linear_tolerance: 1e-12, ..Options::default() };
+    let mut values = vec![0.0, 0.2, 0.0, -1.0, 0.0, 1.2, 0.0];
+    let mut reports = [Report::default()];
+    let mut scratch = vec![0.0; reach.batch_scratch_len()];
+    Backend::best()
+        .reach_links(&reach, &[target], &mut values, &mut reports, &mut scratch, &options)
+        .expect("lengths fit");
+    assert_eq!(reports[0].outcome, Outcome::Converged, "{:?}", reports[0]);
+    let [turn, distance] = apart(arm.view().link_pose(&values, 7).expect("a link"), target);
+    assert!(turn < 2e-12 && distance < 2e-12, "{turn} {distance}");
+}

@@ -1,0 +1,190 @@
+//! What a report says where there is no solution, or not yet.
+
+use super::{apart, at, mechanism, planar, seven, solve, turned};
+use dq8::ik::{Options, Outcome};
+use dq8::mechanism::{Freedom, Goal, Joint, Reach};
+use dq8::{DualQuat, Quat};
+
+#[test]
+fn beyond_the_length_of_the_arm_is_out_of_reach_and_the_arm_points_there() {
+    let arm = mechanism::<f64>(&planar(&[1.0, 1.0]));
+    let mut values = [0.4, 0.9];
+    let goals = [Goal::position(2)];
+    let report = solve(arm.view(), &goals, &[at(0.0, 5.0, 0.0)], &mut values, &Options::default());
+    assert_eq!(report.outcome, Outcome::OutOfReach);
+    assert!((report.linear_error - 3.0).abs() < 1e-3, "{report:?}");
+    let [x, y, _] = arm.view().link_pose(&values, 2).expect("a link").translation();
+    assert!(x.abs() < 0.1 && y > 1.99, "{x} {y}");
+}
+
+#[test]
+fn the_bound_of_the_reach_is_the_sum_of_the_offsets() {
+    let joints = seven();
+    let arm = mechanism::<f64>(&joints);
+    let goals = [Goal::pose(7)];
+    let mut freedoms = [Freedom::default(); 7];
+    let reach = Reach::new(arm.view(), &goals, &mut freedoms).expect("a problem");
+    let (centre, length) = reach.reach_bound(0).expect("a bound");
+    assert!(centre.iter().zip([0.0, 0.0, 0.34]).all(|(a, b)| (a - b).abs() < 1e-12));
+    let offsets = 0.32 + 0.08 + 0.08_f64.hypot(0.39) + 0.09 + 0.11;
+    assert!((length - offsets).abs() < 1e-12, "{length}");
+    assert_eq!(reach.reach_bound(1), None);
+}
+
+/// Two links of lengths 1 and 0.4 leave a hole about the base.
+#[test]
+fn within_the_length_of_the_arm_what_no_way_leads_to_is_stalled() {
+    let arm = mechanism::<f64>(&planar(&[1.0, 0.4]));
+    for restarts in [false, true] {
+        let mut values = [0.3, 0.8];
+        let options = Options { restarts, ..Options::default() };
+        let report =
+            solve(arm.view(), &[Goal::position(2)], &[at(0.2, 0.0, 0.0)], &mut values, &options);
+        assert_eq!(report.outcome, Outcome::Stalled, "{report:?}");
+        let near = if restarts { 0.02 } else { 1e-3 };
+        assert!((report.linear_error - 0.4).abs() < near, "{report:?}");
+    }
+}
+
+#[test]
+fn what_limits_forbid_is_at_limits() {
+    let mut joints = planar(&[1.0, 1.0]);
+    joints[0] = joints[0].with_limits([-0.5, 0.5]);
+    joints[1] = joints[1].with_limits([0.0, 1.0]);
+    let arm = mechanism::<f64>(&joints);
+    let mut values = [0.0, 0.5];
+    let goals = [Goal::position(2)];
+    let report = solve(arm.view(), &goals, &[at(-1.0, 1.0, 0.0)], &mut values, &Options::default());
+    assert_eq!(report.outcome, Outcome::AtLimits);
+    assert!((values[0] - 0.5).abs() < 1e-12 && (values[1] - 1.0).abs() < 1e-12, "{values:?}");
+}
+
+#[test]
+fn too_few_iterations_are_unfinished_and_more_of_them_converge() {
+    let arm = mechanism::<f64>(&seven());
+    let goal = [0.5, -0.6, 0.7, -1.4, 0.3, 1.8, -0.4];
+    let target = arm.view().link_pose(&goal, 7).expect("a link");
+    let start = [0.0, 0.2, 0.0, -1.0, 0.0, 1.2, 0.0];
+    let mut values = start;
+    let options = Options { max_iterations: 2, ..Options::default() };
+    let report = solve(arm.view(), &[Goal::pose(7)], &[target], &mut values, &options);
+    assert_eq!((report.outcome, report.iterations), (Outcome::Unfinished, 2.0));
+    let report = solve(arm.view(), &[Goal::pose(7)], &[target], &mut values, &Options::default());
+    assert_eq!(report.outcome, Outcome::Converged);
+}
+
+#[test]
+fn a_start_at_the_target_takes_no_iteration_and_keeps_its_bits() {
+    let arm = mechanism::<f64>(&seven());
+    let goal = [0.5, -0.6, 0.7, -1.4, 0.3, 1.8, -0.4];
+    let target = arm.view().link_pose(&goal, 7).expect("a link");
+    let mut values = goal;
+    let report = solve(arm.view(), &[Goal::pose(7)], &[target], &mut values, &Options::default());
+    assert_eq!((report.outcome, report.iterations, values), (Outcome::Converged, 0.0, goal));
+}
+
+#[test]
+fn a_target_that_moves_is_followed_in_two_iterations_without_restarts() {
+    let arm = mechanism::<f64>(&seven());
+    let mut values = [0.5, -0.6, 0.7, -1.4, 0.3, 1.8, -0.4];
+    let options = Options { restarts: false, ..Options::default() };
+    let home = arm.view().link_pose(&values, 7).expect("a link");
+    for step in 1..=40 {
+        let angle = 0.01 * f64::from(step);
+        let target = turned([0.0, 0.0, 1.0], angle, [0.0; 3]) * home;
+        let before = values;
+        let report = solve(arm.view(), &[Goal::pose(7)], &[target], &mut values, &options);
+        assert_eq!(report.outcome, Outcome::Converged);
+        assert!(report.iterations <= 2.0 && report.restarts == 0.0, "{report:?}");
+        for (value, before) in values.iter().zip(before) {
+            assert!((value - before).abs() < 0.1, "{value} {before}");
+        }
+    }
+}
+
+#[test]
+fn targets_a_little_off_unit_are_those_that_are_unit() {
+    let arm = mechanism::<f64>(&seven());
+    let goal = [0.5, -0.6, 0.7, -1.4, 0.3, 1.8, -0.4];
+    let unit = arm.view().link_pose(&goal, 7).expect("a link");
+    let off = DualQuat::from_array(unit.to_array().map(|number| number * (1.0 + 5e-4)));
+    let start = [0.0, 0.2, 0.0, -1.0, 0.0, 1.2, 0.0];
+    for target in [unit, off] {
+        let mut values = start;
+        let report =
+            solve(arm.view(), &[Goal::pose(7)], &[target], &mut values, &Options::default());
+        assert_eq!(report.outcome, Outcome::Converged);
+        let [turn, distance] = apart(arm.view().link_pose(&values, 7).expect("a link"), unit);
+        assert!(turn < 1.01e-5 && distance < 1.01e-5, "{turn} {distance}");
+    }
+}
+
+/// A slide with one end, and a hinge with one end: it counts as endless.
+#[test]
+fn limits_may_be_open_at_one_end() {
+    let open = f64::INFINITY;
+    let joints = [
+        Joint::prismatic(None, DualQuat::IDENTITY, [1.0, 0.0, 0.0]).with_limits([0.0, open]),
+        Joint::revolute(Some(0), DualQuat::IDENTITY, super::Z).with_limits([-open, 1.0]),
+        Joint::prismatic(Some(1), DualQuat::IDENTITY, [0.0, 1.0, 0.0]).with_limits([-open, 0.0]),
+    ];
+    let machine = mechanism::<f64>(&joints);
+    let goals = [Goal::pose(2)];
+    let target = machine.view().link_pose(&[3.0, -0.5, -2.0], 2).expect("a link");
+    let mut values = [2.5, -0.3, -1.5];
+    let report = solve(machine.view(), &goals, &[target], &mut values, &Options::default());
+    assert_eq!(report.outcome, Outcome::Converged, "{report:?}");
+    assert!((values[0] - 3.0).abs() < 1e-3 && (values[2] + 2.0).abs() < 1e-3, "{values:?}");
+    assert!((values[1] + 0.5).abs() < 1e-3, "{values:?}");
+    // Behind both ends.
+    let behind = machine.view().link_pose(&[-3.0, 0.0, 2.0], 2).expect("a link");
+    let goals = [Goal::pose(2).with_angular([50.0; 3])];
+    let options = Options { restarts: false, ..Options::default() };
+    let report = solve(machine.view(), &goals, &[behind], &mut values, &options);
+    assert_eq!(report.outcome, Outcome::AtLimits, "{report:?}");
+    assert!(values[0] == 0.0 && values[2] == 0.0, "{values:?}");
+}
+
+#[test]
+fn endless_hinges_come_back_within_half_a_turn() {
+    let arm = mechanism::<f64>(&planar(&[1.0, 1.0, 0.5]));
+    let target = turned(super::Z, 1.0, [1.2, 0.8, 0.0]);
+    let mut values = [60.0, -75.0, 1000.0];
+    let report = solve(arm.view(), &[Goal::pose(3)], &[target], &mut values, &Options::default());
+    assert_eq!(report.outcome, Outcome::Converged);
+    assert!(values.iter().all(|value| value.abs() <= core::f64::consts::PI), "{values:?}");
+}
+
+/// The second finger has the narrower limits.
+#[test]
+fn limits_of_joints_that_mimic_hold_for_the_joint_that_they_follow() {
+    let joints = [
+        Joint::prismatic(None, DualQuat::IDENTITY, [0.0, 1.0, 0.0]).with_limits([0.0, 0.04]),
+        Joint::prismatic(None, DualQuat::IDENTITY, [0.0, -1.0, 0.0])
+            .with_limits([-0.01, 0.05])
+            .mimicking(0, 2.0, -0.01),
+    ];
+    let fingers = mechanism::<f64>(&joints);
+    let mut values = [0.0];
+    let goals = [Goal::position(1)];
+    let far = at(0.0, -0.2, 0.0);
+    let report = solve(fingers.view(), &goals, &[far], &mut values, &Options::default());
+    assert_eq!(report.outcome, Outcome::OutOfReach, "{report:?}");
+    assert!((values[0] - 0.03).abs() < 1e-12, "{values:?}");
+    let near = at(0.0, -0.03, 0.0);
+    let report = solve(fingers.view(), &goals, &[near], &mut values, &Options::default());
+    assert_eq!(report.outcome, Outcome::Converged, "{report:?}");
+    assert!((values[0] - 0.02).abs() < 1e-5, "{values:?}");
+}
+
+#[test]
+fn half_a_turn_away_there_is_a_way() {
+    let arm = mechanism::<f64>(&seven());
+    let goal = [0.5, -0.6, 0.7, -1.4, 0.3, 1.8, -0.4];
+    let pose = arm.view().link_pose(&goal, 7).expect("a link");
+    let target =
+        pose * DualQuat::from_rotation(Quat::from_axis_angle(super::Z, core::f64::consts::PI));
+    let mut values = goal;
+    let report = solve(arm.view(), &[Goal::pose(7)], &[target], &mut values, &Options::default());
+    assert_eq!(report.outcome, Outcome::Converged, "{report:?}");
+}
