@@ -3,8 +3,8 @@
 from mpmath import mp, mpf
 
 from .inputs import (
-    ALGEBRA, BETWEEN, COUNT, NEAR_PI, UNIT, angles, any_motions, axis, clusters, parameter, poses, reach, rng, sign, single,
-    singles, uniform, vector,
+    ALGEBRA, BETWEEN, NEAR_PI, UNIT, angles, any_motions, axis, clusters, parameter, poses, reach, rng, sign, single,
+    singles, vector,
 )
 from .matrices import (
     along, block, dot_real, homogeneous, log, move, numbers, of_numbers, sclerp, star, toward, translation, turn, unit,

@@ -293,19 +293,23 @@ operations! {
             within(12.0, "normalized first; two turns and a product of the translation")])];
     left_jacobian(twist x, twist y) -> twist, scale::jacobian, [
         double(Twists, Kept, &[within(2.5, "two dual cross products, coefficients of a few u")]),
-        digits("left_jacobian", &["angular:3 linear:3", "along_angular:3 along_linear:3"], of_digits::jacobian, &[
+        digits("left_jacobian",
+            &["angular:3 linear:3", "along_angular:3 along_linear:3"], of_digits::jacobian, &[
             within(1.5, "two dual cross products, coefficients of a few u")])];
     right_jacobian(twist x, twist y) -> twist, scale::jacobian, [
         double(Twists, Kept, &[within(3.0, "as the left one")]),
-        digits("right_jacobian", &["angular:3 linear:3", "along_angular:3 along_linear:3"], of_digits::jacobian, &[
+        digits("right_jacobian",
+            &["angular:3 linear:3", "along_angular:3 along_linear:3"], of_digits::jacobian, &[
             within(1.5, "as the left one")])];
     left_jacobian_inverse(twist x, twist y) -> twist, scale::jacobian_inverse, [
         double(Turns, Kept, &[within(4.0, "grows towards |ω| = 2π, which the scale takes out")]),
-        digits("left_jacobian_inverse", &["angular:3 linear:3", "along_angular:3 along_linear:3"], of_digits::jacobian_inverse, &[
+        digits("left_jacobian_inverse",
+            &["angular:3 linear:3", "along_angular:3 along_linear:3"], of_digits::jacobian_inverse, &[
             within(2.0, "grows towards |ω| = 2π, which the scale takes out")])];
     right_jacobian_inverse(twist x, twist y) -> twist, scale::jacobian_inverse, [
         double(Turns, Kept, &[within(3.5, "as the left one")]),
-        digits("right_jacobian_inverse", &["angular:3 linear:3", "along_angular:3 along_linear:3"], of_digits::jacobian_inverse, &[
+        digits("right_jacobian_inverse",
+            &["angular:3 linear:3", "along_angular:3 along_linear:3"], of_digits::jacobian_inverse, &[
             within(2.5, "as the left one")])];
 }
 
