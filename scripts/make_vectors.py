@@ -19,6 +19,7 @@ stand; all others of the inputs normalized exactly, but for `derivative`, which 
 """
 
 import json
+import multiprocessing
 import sys
 from pathlib import Path
 
@@ -38,16 +39,18 @@ def text(value):
     return value if isinstance(value, float) else mp.nstr(mp.chop(mpf(value), tol=mpf(10) ** -62), 20)
 
 
-def lines():
-    for op, rows in OPERATIONS.items():
-        rng.seed(op)  # so that its rows do not depend on those before it
-        for kind, inputs, out in rows():
-            numbers_of_row = {name: text(value) for name, value in {**inputs, "out": out}.items()}
-            yield json.dumps({"op": op, "kind": kind, **numbers_of_row}, separators=(",", ":")) + "\n"
+def lines(op):
+    rng.seed(op)  # so that its rows do not depend on those before it
+    made = []
+    for kind, inputs, out in OPERATIONS[op]():
+        numbers_of_row = {name: text(value) for name, value in {**inputs, "out": out}.items()}
+        made.append(json.dumps({"op": op, "kind": kind, **numbers_of_row}, separators=(",", ":")) + "\n")
+    return "".join(made)
 
 
 if __name__ == "__main__":
-    made = "".join(lines())
+    with multiprocessing.Pool() as pool:
+        made = "".join(pool.map(lines, OPERATIONS, chunksize=1))
     if "--check" in sys.argv[1:]:
         sys.exit(0 if OUT.read_text("utf-8") == made else f"{OUT} is not what {Path(__file__).name} derives")
     OUT.write_text(made, "utf-8")
