@@ -216,52 +216,101 @@ operations! {
 
     // Distances.
     angle_to(unit a, unit b) -> angle, scale::apart, [double(Clusters, Kept, &[
-        within(2.5, "a product of rotations, whose vector part cancels; twice an arctangent of it")])];
+        within(2.5, "a product of rotations, whose vector part cancels; twice an arctangent of it")]),
+        digits("angle_to", &["a", "b"], of_digits::angle, &[
+            within(8.5, "both ends normalized; a product and twice an arctangent, relative to small turns")])];
     distance_to(unit a, unit b) -> length, scale::apart, [double(Clusters, Kept, &[
-        within(7.5, "two translations of 8 products each")])];
+        within(7.5, "two translations of 8 products each")]),
+        digits("distance_to", &["a", "b"], of_digits::plain, &[
+            within(7.5, "both ends normalized; two translations")])];
     distance_weighted(unit a, unit b, real s) -> length, scale::apart, [double(Clusters, Kept, &[
-        within(9.0, "an angle, a distance and a root")])];
+        within(9.0, "an angle, a distance and a root")]),
+        digits("distance_weighted", &["a", "b", "length_per_radian"], of_digits::weighted, &[
+            within(6.5, "an angle, a distance and a root")])];
     point_error(unit a, unit b, vector v) -> length, scale::points_apart, [double(Clusters, Kept, &[
-        within(7.0, "two points of 14 u each at worst, but over |t| + |v|")])];
+        within(7.0, "two points of 14 u each at worst, but over |t| + |v|")]),
+        digits("point_error", &["a", "b", "v"], of_digits::plain, &[
+            within(9.0, "both ends normalized; two points")])];
     shell_error(unit a, unit b, real radius) -> length, scale::points_apart, [double(Clusters, Kept, &[
-        within(6.0, "as point_error")])];
+        within(6.0, "as point_error")]),
+        digits("shell_error", &["a", "b", "radius"], of_digits::shell, &[
+            within(7.5, "an angle, its sine, and a distance")])];
     needs_renormalization(any a, real tolerance) -> mask, scale::one, [agrees(0.0, "a truth value")];
 
     // Velocities.
     derivative_spatial(unit a, twist x) -> motion, scale::derivative, [
-        double(Twists, Kept, &[within(5.0, "sums of 3 and 7 products")])];
+        double(Twists, Kept, &[within(5.0, "sums of 3 and 7 products")]),
+        digits("derivative_spatial", &["a", "angular:3 linear:3"], of_digits::derivative, &[
+            within(2.0, "normalized first; sums of 3 and 7 products")])];
     derivative_body(unit a, twist x) -> motion, scale::derivative, [
-        double(Twists, Kept, &[within(3.0, "sums of 3 and 7 products")])];
+        double(Twists, Kept, &[within(3.0, "sums of 3 and 7 products")]),
+        digits("derivative_body", &["a", "angular:3 linear:3"], of_digits::derivative, &[
+            within(1.5, "normalized first; sums of 3 and 7 products")])];
     spatial_twist(unit a, any derivative) -> twist, scale::twist_of_derivative, [
-        double(Twists, Kept, &[within(4.5, "sums of 4 and 8 products")])];
+        double(Twists, Kept, &[within(4.5, "sums of 4 and 8 products")]),
+        digits("spatial_twist", &["a", "derivative"], of_digits::twist_of_derivative, &[
+            within(3.0, "normalized first; sums of 4 and 8 products")])];
     body_twist(unit a, any derivative) -> twist, scale::twist_of_derivative, [
-        double(Twists, Kept, &[within(4.5, "sums of 4 and 8 products")])];
+        double(Twists, Kept, &[within(4.5, "sums of 4 and 8 products")]),
+        digits("body_twist", &["a", "derivative"], of_digits::twist_of_derivative, &[
+            within(4.0, "normalized first; sums of 4 and 8 products")])];
     derivative_from_velocity(unit a, angular w x, linear v x) -> motion, scale::derivative, [
-        double(Twists, Kept, &[within(5.0, "a translation and two products")])];
+        double(Twists, Kept, &[within(5.0, "a translation and two products")]),
+        digits("derivative_from_velocity", &["a", "angular", "linear"], of_digits::derivative, &[
+            within(3.5, "normalized first; a translation and two products")])];
     velocity(unit a, any derivative) -> velocity, scale::velocity, [
-        double(Twists, Kept, &[within(5.5, "lanes go through the spatial twist")])];
+        double(Twists, Kept, &[within(5.5, "lanes go through the spatial twist")]),
+        digits("velocity", &["a", "derivative"], of_digits::twist_of_derivative, &[
+            within(5.0, "normalized first; lanes go through the spatial twist")])];
     from_twist(twist x) -> motion, scale::from_twist, [
-        double(Twists, Kept, &[within(2.0, "exp of the half")])];
+        double(Twists, Kept, &[within(2.0, "exp of the half")]),
+        digits("from_twist", &["angular:3 linear:3"], of_digits::from_twist, &[
+            within(1.0, "exp of the half")])];
     to_twist(unit a) -> twist, scale::to_twist, [
-        double(Twists, Kept, &[within(18.0, "twice a log; turns are up to π, so 1 ulp of one is 4 u")])];
+        double(Twists, Kept, &[within(18.0, "twice a log; turns are up to π, so 1 ulp of one is 4 u")]),
+        digits("to_twist", &["a"], of_digits::plain, &[
+            on(SMALL, 2.5, "no cancellation: the vector part keeps its relative precision"),
+            within(14.0, "normalized first; twice a log, up to π")])];
     twist_to(unit a, unit b) -> twist, scale::apart, [
-        double(Clusters, Kept, &[within(13.0, "a product, and twice a log, over π and the lengths")])];
+        double(Clusters, Kept, &[within(13.0, "a product, and twice a log, over π and the lengths")]),
+        digits("twist_to", &["a", "b"], of_digits::plain, &[
+            within(9.0, "both ends normalized; a product, and twice a log")])];
     integrate_spatial(unit a, twist x, real dt) -> motion, scale::integrate, [
-        double(Twists, Kept, &[within(3.5, "exp and a product")])];
+        double(Twists, Kept, &[within(3.5, "exp and a product")]),
+        digits("integrate_spatial", &["a", "angular:3 linear:3", "dt"], of_digits::integrate, &[
+            within(4.0, "normalized first; exp and a product")])];
     integrate_body(unit a, twist x, real dt) -> motion, scale::integrate, [
-        double(Twists, Kept, &[within(3.0, "exp and a product")])];
+        double(Twists, Kept, &[within(3.0, "exp and a product")]),
+        digits("integrate_body", &["a", "angular:3 linear:3", "dt"], of_digits::integrate, &[
+            within(3.0, "normalized first; exp and a product")])];
     adjoint(unit a, twist x) -> twist, scale::adjoint, [
-        double(Twists, Kept, &[within(8.5, "two turns and a product of the translation")])];
+        double(Twists, Kept, &[within(8.5, "two turns and a product of the translation")]),
+        digits("adjoint", &["a", "angular:3 linear:3"], of_digits::derivative, &[
+            within(9.0, "normalized first; two turns and a product of the translation")])];
     coadjoint(unit a, wrench wrench) -> wrench, scale::coadjoint, [
-        double(Twists, Kept, &[within(6.5, "two turns and a product of the translation")])];
+        double(Twists, Kept, &[within(6.5, "two turns and a product of the translation")]),
+        digits("coadjoint", &["a", "force:3 torque:3"], of_digits::coadjoint, &[
+            within(12.0, "normalized first; two turns and a product of the translation")])];
     left_jacobian(twist x, twist y) -> twist, scale::jacobian, [
-        double(Twists, Kept, &[within(2.5, "two dual cross products, coefficients of a few u")])];
+        double(Twists, Kept, &[within(2.5, "two dual cross products, coefficients of a few u")]),
+        digits("left_jacobian",
+            &["angular:3 linear:3", "along_angular:3 along_linear:3"], of_digits::jacobian, &[
+            within(1.5, "two dual cross products, coefficients of a few u")])];
     right_jacobian(twist x, twist y) -> twist, scale::jacobian, [
-        double(Twists, Kept, &[within(3.0, "as the left one")])];
+        double(Twists, Kept, &[within(3.0, "as the left one")]),
+        digits("right_jacobian",
+            &["angular:3 linear:3", "along_angular:3 along_linear:3"], of_digits::jacobian, &[
+            within(1.5, "as the left one")])];
     left_jacobian_inverse(twist x, twist y) -> twist, scale::jacobian_inverse, [
-        double(Turns, Kept, &[within(4.0, "grows towards |ω| = 2π, which the scale takes out")])];
+        double(Turns, Kept, &[within(4.0, "grows towards |ω| = 2π, which the scale takes out")]),
+        digits("left_jacobian_inverse",
+            &["angular:3 linear:3", "along_angular:3 along_linear:3"], of_digits::jacobian_inverse, &[
+            within(2.0, "grows towards |ω| = 2π, which the scale takes out")])];
     right_jacobian_inverse(twist x, twist y) -> twist, scale::jacobian_inverse, [
-        double(Turns, Kept, &[within(3.5, "as the left one")])];
+        double(Turns, Kept, &[within(3.5, "as the left one")]),
+        digits("right_jacobian_inverse",
+            &["angular:3 linear:3", "along_angular:3 along_linear:3"], of_digits::jacobian_inverse, &[
+            within(2.5, "as the left one")])];
 }
 
 /// The operation of that name.

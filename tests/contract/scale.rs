@@ -256,7 +256,7 @@ pub fn grows(angle: f64) -> f64 {
 
 /// Scales of the reference vectors: from max(1, |t|) to what errors are measured against.
 pub mod of_digits {
-    use super::{Vector, length};
+    use super::{Vector, grows, length};
     use crate::vectors::translation;
 
     /// A motion may be farther away than what it was made of.
@@ -314,5 +314,57 @@ pub mod of_digits {
 
     pub fn plane(vector: &Vector, far: f64) -> f64 {
         (far * (1.0 + vector.norm("n"))).max(vector.norm("offset"))
+    }
+
+    /// An angle is as small as the turns that it is between, and keeps its relative precision.
+    pub fn angle(vector: &Vector, _: f64) -> f64 {
+        let turns = length(&vector.input("a")[1..4]) + length(&vector.input("b")[1..4]);
+        // Below the normal numbers the last place no longer shrinks.
+        turns.max(f32::MIN_POSITIVE.into())
+    }
+
+    /// A radian is worth a length.
+    pub fn weighted(vector: &Vector, far: f64) -> f64 {
+        far + std::f64::consts::PI * vector.norm("length_per_radian")
+    }
+
+    pub fn shell(vector: &Vector, far: f64) -> f64 {
+        far + vector.norm("radius")
+    }
+
+    /// Of a twist or velocity at a pose, which may be carried elsewhere.
+    pub fn derivative(vector: &Vector, far: f64) -> f64 {
+        far * vector.norm("angular") + vector.norm("linear")
+    }
+
+    pub fn twist_of_derivative(vector: &Vector, far: f64) -> f64 {
+        let rate = vector.input("derivative");
+        2.0 * (far * length(&rate[..4]) + length(&rate[4..]))
+    }
+
+    /// An angle is known to its last place, and so is its sine only to that of the angle.
+    pub fn from_twist(vector: &Vector, _: f64) -> f64 {
+        (1.0 + vector.norm("angular")) * vector.norm("linear").max(1.0)
+    }
+
+    pub fn integrate(vector: &Vector, far: f64) -> f64 {
+        let dt = vector.norm("dt");
+        (1.0 + dt * vector.norm("angular")) * (far + dt * vector.norm("linear"))
+    }
+
+    pub fn coadjoint(vector: &Vector, far: f64) -> f64 {
+        far * vector.norm("force") + vector.norm("torque")
+    }
+
+    pub fn jacobian(vector: &Vector, _: f64) -> f64 {
+        let along = vector.norm("along_angular");
+        let once = vector.norm("along_linear") + vector.norm("linear") * along;
+        (1.0 + vector.norm("angular")) * along.max(once)
+    }
+
+    pub fn jacobian_inverse(vector: &Vector, _: f64) -> f64 {
+        let (along, grows) = (vector.norm("along_angular"), grows(vector.norm("angular")));
+        let once = vector.norm("along_linear") + grows * vector.norm("linear") * along;
+        grows.powi(2) * along.max(once)
     }
 }
