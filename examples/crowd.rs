@@ -5,7 +5,7 @@
 //! ```
 
 use dq8::hierarchy::{Clip, Sampled};
-use dq8::{DualQuat, MatrixOrder, Quat, Separate, Skeleton};
+use dq8::{DualQuat, Quat, Skeleton, hierarchy::MatrixOrder, law::Separate};
 use std::error::Error;
 
 const CHARACTERS: usize = 1000;

@@ -10,7 +10,7 @@
 //! the worst error of those that were reached, found by nalgebra.
 
 use dq8::ik::{Arm, ArmError, Joint, Options, Outcome, Report, TwoBone};
-use dq8::{Backend, DualQuat, Float, Hierarchy, Quat, Real};
+use dq8::{Backend, DualQuat, Hierarchy, Quat, Real, simd::Float};
 use dq8_contract::arms::{Plan, Random, exact, gantry, puma, rounded, ur5};
 use std::error::Error;
 use std::time::Instant;

@@ -5,7 +5,7 @@
 //! ```
 
 use dq8::skinning::{Dual, Linear, Skin, Surface, SurfaceMut};
-use dq8::{Backend, DualQuat, Poses, Quat, Skeleton};
+use dq8::{Backend, DualQuat, Quat, Skeleton, hierarchy::Poses};
 use std::error::Error;
 
 /// Rings of eight vertices along x from −1 to 1, of radius 0.2.

@@ -31,13 +31,13 @@
 //! | [`DualQuat`], [`Quat`], [`Dual`] | the scalar reference, with formula, source and example at every operation |
 //! | [`batch`] | the same names on lanes |
 //! | [`Real`] | what the reference computes with: floats, dual numbers (which differentiate it), your own |
-//! | [`EulerAngles`], [`RotationTranslation`], [`Polar`], [`Affine`] | [other representations](representation) and matrices |
-//! | [`Line`], [`Plane`], [`Screw`], [`DualVector`] | what motions act on and are described by |
-//! | [`Line::from_points`], [`Line::dual_angle`], [`CommonPerpendicular`], [`Plane::from_points`] | lines, planes and points together, with typed errors where they are parallel or one |
-//! | [`Twist`], [`Wrench`] | velocities and forces: derivatives, adjoints and Jacobians of motions and joints |
+//! | [`representation`] | Euler angles, rotation and translation, polar decomposition, affine maps |
+//! | [`Line`], [`Plane`], [`geometry`] | what motions act on and are described by: screws, dual vectors |
+//! | [`incidence`] | lines, planes and points together, with typed errors where they are parallel or one |
+//! | [`Twist`], [`geometry::Wrench`] | velocities and forces: derivatives, adjoints and Jacobians of motions and joints |
 //! | [`Hierarchy`], [`Job`], [`Crowd`] | joint hierarchies, one instance or many |
 //! | [`Skeleton`] | a hierarchy that owns its parents, of any order and type |
-//! | [`HierarchyPlan`], [`Backend::chain_products`] | one instance: a skeleton or a long chain |
+//! | [`hierarchy::HierarchyPlan`], [`Backend::chain_products`] | one instance: a skeleton or a long chain |
 //! | [`ik`] | inverse kinematics: two bones, and arms of any number of joints |
 //! | [`mechanism`] | robots: from joint values to poses of links, Jacobians and velocities, one or many configurations |
 //! | [`skinning`] | meshes that follow joints: linear and dual quaternion blends |
@@ -50,6 +50,8 @@
 //! The [guide] has pages: [choosing a layout](crate::guide::layout), [writing your own
 //! kernel](crate::guide::kernel), [accuracy](crate::guide::accuracy), [firmware](crate::guide::firmware), and
 //! [coming from another library](crate::guide::migration).
+//!
+//! What most programs need is at the root; everything else is in its module alone.
 //!
 //! # Features
 //!
@@ -67,7 +69,7 @@
 //! # Not here
 //!
 //! Scale and shear in hierarchies: they are not rigid motions, and dual quaternions cannot hold them
-//! ([`Affine`] has the reason). A skeleton that needs them keeps them next to the motion; [`skinning`] takes
+//! ([`Affine`](representation::Affine) has the reason). A skeleton that needs them keeps them next to the motion; [`skinning`] takes
 //! them from there.
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
@@ -87,13 +89,13 @@ mod differentiate;
 mod dispatch;
 mod dual_number;
 mod everyday;
-mod geometry;
+pub mod geometry;
 // Pages, and no code: nothing that a build needs.
 #[cfg(any(doc, doctest))]
 pub mod guide;
 pub mod hierarchy;
 pub mod ik;
-mod incidence;
+pub mod incidence;
 pub mod interop;
 pub mod law;
 pub mod mechanism;
@@ -112,7 +114,7 @@ mod sine;
 pub mod skinning;
 pub mod slices;
 pub mod storage;
-mod text;
+pub mod text;
 
 /// The front page is tested like the documentation.
 #[cfg(doctest)]
@@ -124,34 +126,20 @@ pub use dq8_simd as simd;
 
 pub use dispatch::{Backend, Kernel};
 #[doc(inline)]
-pub use dq8_simd::{
-    Float, Lanes, Level, Mask, Portable, f32x4, f32x8, f32x16, f64x2, f64x4, f64x8,
-};
+pub use dq8_simd::{Lanes, Level};
 pub use dual_number::DualNumber;
-pub use geometry::{DualVector, Line, Mean, Plane, Screw, Twist, Wrench};
-pub use hierarchy::HierarchyError;
+#[doc(inline)]
+pub use geometry::{Line, Plane, Twist};
 #[cfg(feature = "alloc")]
 #[doc(inline)]
-pub use hierarchy::{Crowd, HierarchyPlan, Skeleton, Strategy};
+pub use hierarchy::{Crowd, Skeleton};
 #[doc(inline)]
-pub use hierarchy::{Hierarchy, Job, Poses, Renormalize, Rotations, RotationsTranslations};
-pub use incidence::CommonPerpendicular;
-pub use incidence::IncidenceError;
-pub use law::{Nlerp, Sclerp, Separate};
+pub use hierarchy::{Hierarchy, Job};
 pub use motion::Motion;
-pub use palette_entry::{MatrixOrder, PaletteEntry};
 pub use quaternion::Quaternion;
 pub use real::{Real, Scalar};
-pub use representation::OrthonormalError;
-#[doc(inline)]
-pub use representation::{
-    Affine, EulerAngles, EulerAxes, EulerFrame, EulerOrder, EulerSolution, Polar,
-    RotationTranslation, gram_schmidt,
-};
 #[doc(inline)]
 pub use scalar::{Dual, DualQuat, Quat};
-pub use scalar::{InverseError, MatrixError, NormalizeError};
 pub use shape::ShapeError;
 #[doc(inline)]
-pub use storage::{Block, Element, PointBlock};
-pub use text::ParseError;
+pub use storage::{Block, Element};

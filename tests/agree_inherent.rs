@@ -1,7 +1,10 @@
 //! What the lane types have beside the contract, against the scalar reference of the same precision:
 //! records and blocks in memory, quaternions, dual numbers.
 
-use dq8::{Float, Lanes, Mask, Portable, Real, batch, scalar};
+use dq8::{
+    Lanes, Real, batch, scalar,
+    simd::{Float, Mask, Portable},
+};
 use dq8_contract::bound::distance;
 use dq8_contract::case::Case;
 use dq8_contract::inputs;
@@ -17,7 +20,7 @@ impl<R: Float + Real> Number for R {}
 macro_rules! for_every_lane_type {
     (|$name:ident, $L:ident| $body:expr) => {
         for_every_lane_type! { @each $name, $L, $body;
-            f32 f64 dq8::f32x4 dq8::f32x8 dq8::f32x16 dq8::f64x2 dq8::f64x4 dq8::f64x8 }
+            f32 f64 dq8::simd::f32x4 dq8::simd::f32x8 dq8::simd::f32x16 dq8::simd::f64x2 dq8::simd::f64x4 dq8::simd::f64x8 }
     };
     (@each $name:ident, $L:ident, $body:expr; $($type:ty)*) => {$({
         type $L = $type;

@@ -1,6 +1,6 @@
 //! Dual numbers as `Real`: what is written for every `R: Real` differentiates itself.
 
-use dq8::{Dual, DualQuat, Line, Quat, Real, Screw, Twist};
+use dq8::{Dual, DualQuat, Line, Quat, Real, Twist, geometry::Screw};
 
 type Hyper = Dual<Dual<f64>>;
 

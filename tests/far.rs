@@ -3,8 +3,10 @@
 
 use dq8::storage::{Aos, Element};
 use dq8::{
-    Backend, DualQuat, DualVector, Float, Lanes, MatrixError, Portable, Quat, Real, Scalar, Twist,
-    batch, f32x4, f32x8, f64x2, f64x4,
+    Backend, DualQuat, Lanes, Quat, Real, Scalar, Twist, batch,
+    geometry::DualVector,
+    scalar::MatrixError,
+    simd::{Float, Portable, f32x4, f32x8, f64x2, f64x4},
 };
 use dq8_contract::textbook::Textbook;
 

@@ -1,6 +1,8 @@
 //! The table of faults: what is given, to which function, and what it promises to answer.
 
-use dq8::{Backend, DualQuat, Hierarchy, HierarchyError, MatrixError, Quat, Skeleton};
+use dq8::{
+    Backend, DualQuat, Hierarchy, Quat, Skeleton, hierarchy::HierarchyError, scalar::MatrixError,
+};
 
 /// What somebody may give who has made a mistake.
 #[derive(Clone, Copy, Debug)]

@@ -4,8 +4,9 @@
 
 use dq8::storage::{self, Block};
 use dq8::{
-    Affine, Backend, DualQuat, Hierarchy, Line, Polar, Poses, Quat, RotationsTranslations,
-    Skeleton, Twist,
+    Backend, DualQuat, Hierarchy, Line, Quat, Skeleton, Twist,
+    hierarchy::{Poses, RotationsTranslations},
+    representation::{Affine, Polar},
 };
 use std::cell::Cell;
 use std::hint::black_box;
@@ -194,7 +195,7 @@ fn matrices(fuzz: &mut Fuzz) {
     if let Ok(polar) = Polar::try_from_matrix3(map.linear) {
         assert!(polar.rotation.is_unit(1e-5), "{rows:?} {polar:?}");
     }
-    let _ = black_box(dq8::gram_schmidt(map.linear));
+    let _ = black_box(dq8::representation::gram_schmidt(map.linear));
     fuzz.called(5);
 }
 
@@ -226,8 +227,10 @@ fn hierarchies(fuzz: &mut Fuzz) {
     let backend = backends[fuzz.below(backends.len())];
     let root = fuzz.motion();
     let untouched = DualQuat::from_array([7.0; 8]);
-    let seven: Vec<[f32; 7]> =
-        locals.iter().map(|&l| dq8::RotationTranslation::from(l).to_array()).collect();
+    let seven: Vec<[f32; 7]> = locals
+        .iter()
+        .map(|&l| dq8::representation::RotationTranslation::from(l).to_array())
+        .collect();
     let mut all = [vec![untouched; length], vec![untouched; length], vec![untouched; length]];
     let [first, second, third] = &mut all;
     let fits = [

@@ -4,8 +4,9 @@
 #![allow(clippy::op_ref, reason = "operators of references are what is tried")]
 
 use dq8::{
-    Affine, Backend, Crowd, Dual, DualQuat, DualVector, Hierarchy, Line, Plane, Quat,
-    RotationTranslation, Twist, Wrench,
+    Backend, Crowd, Dual, DualQuat, Hierarchy, Line, Plane, Quat, Twist,
+    geometry::{DualVector, Wrench},
+    representation::{Affine, RotationTranslation},
 };
 use std::f64::consts::{FRAC_PI_2, PI};
 

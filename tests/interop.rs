@@ -1,7 +1,7 @@
 //! What other crates own comes in and goes out with the same meaning: each by what it does to a point.
 #![allow(dead_code, unused_imports, reason = "each feature has its own tests")]
 
-use dq8::{DualQuat, MatrixError, Quat, RotationTranslation, Twist};
+use dq8::{DualQuat, Quat, Twist, representation::RotationTranslation, scalar::MatrixError};
 
 const POINT: [f64; 3] = [0.3, -7.0, 2.0];
 
@@ -151,10 +151,10 @@ fn serde_writes_arrays_and_names_and_reads_them_back() {
     there_and_back(&motion().to_screw(), "");
     there_and_back(&motion().to_screw().axis, "");
     there_and_back(&RotationTranslation::from(motion()), "");
-    there_and_back(&dq8::Affine::from_motion(motion()), "");
+    there_and_back(&dq8::representation::Affine::from_motion(motion()), "");
     let twist = Twist { angular: [1.0, 2.0, 3.0], linear: [4.0, 5.0, 6.0] };
     there_and_back(&twist, r#"{"angular":[1.0,2.0,3.0],"linear":[4.0,5.0,6.0]}"#);
-    there_and_back(&dq8::Wrench { force: [1.0; 3], torque: [2.0; 3] }, "");
+    there_and_back(&dq8::geometry::Wrench { force: [1.0; 3], torque: [2.0; 3] }, "");
     there_and_back(&dq8::Plane { normal: [1.0, 0.0, 0.0], offset: 2.0 }, "");
     assert!(serde_json::from_str::<Quat<f32>>("[1, 2, 3]").is_err());
 }

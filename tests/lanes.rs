@@ -10,7 +10,10 @@ mod representation;
 #[path = "lanes/two_bone.rs"]
 mod two_bone;
 
-use dq8::{Float, Lanes, Mask, Portable, Real, batch};
+use dq8::{
+    Lanes, Real, batch,
+    simd::{Float, Mask, Portable},
+};
 use dq8_contract::bound::distance;
 use dq8_contract::ledger::Ledger;
 use dq8_contract::sample::Sample;
@@ -27,7 +30,7 @@ impl<L: Lanes<Level = Portable, Real: Number>> Portably for L {}
 macro_rules! on_every_lane_type {
     ($check:ident $(, $given:expr)*) => {
         on_every_lane_type! { @each $check ($($given),*)
-            f32 f64 dq8::f32x4 dq8::f32x8 dq8::f32x16 dq8::f64x2 dq8::f64x4 dq8::f64x8 }
+            f32 f64 dq8::simd::f32x4 dq8::simd::f32x8 dq8::simd::f32x16 dq8::simd::f64x2 dq8::simd::f64x4 dq8::simd::f64x8 }
     };
     (@each $check:ident $given:tt $($type:ty)*) => {{
         $(on_every_lane_type! { @one $check $type, $given })*

@@ -2,7 +2,10 @@
 //!
 //! A peer that becomes better makes the first half of a test fail: then the claim is to be dropped.
 
-use dq8::{DualQuat, Lanes, Portable, batch, f32x8};
+use dq8::{
+    DualQuat, Lanes, batch,
+    simd::{Portable, f32x8},
+};
 use dq8_contract::bound::unit_roundoff;
 use dq8_contract::ledger::{Ledger, line};
 use nalgebra::{Quaternion, Translation3, UnitDualQuaternion, UnitQuaternion};

@@ -3,8 +3,10 @@
 
 use dq8::hierarchy::Locals;
 use dq8::{
-    Backend, DualQuat, Hierarchy, HierarchyError, Job, MatrixOrder, Poses, Quat, Renormalize,
-    Rotations, RotationsTranslations, Skeleton,
+    Backend, DualQuat, Hierarchy, Job, Quat, Skeleton,
+    hierarchy::{
+        HierarchyError, MatrixOrder, Poses, Renormalize, Rotations, RotationsTranslations,
+    },
 };
 
 /// A biped's parents, a chain that is long enough for segments, many roots, and the smallest.
@@ -46,7 +48,7 @@ fn options<'a>(
 
 fn agrees<L: Locals<DualQuat<f32>>>(skeleton: &Skeleton, locals: L, before: &[DualQuat<f32>]) {
     let hierarchy = skeleton.hierarchy();
-    let chain = skeleton.plan().strategy() == dq8::Strategy::Chain;
+    let chain = skeleton.plan().strategy() == dq8::hierarchy::Strategy::Chain;
     let root = DualQuat::from_rotation_translation(turn(77), [4.0, 5.0, 6.0]);
     let roots: Vec<_> = (skeleton.joints() > 0).then_some(root).into_iter().collect();
     let binds: Vec<_> =

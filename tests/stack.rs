@@ -28,7 +28,7 @@ macro_rules! kernels {
         use dq8::ik::{self, Arm, Options, Report};
         use dq8::mechanism::{Joint, OwnedMechanism, WorldAligned};
         use dq8::skinning::{Dual, Linear, Mixed, Skin, Surface, SurfaceMut};
-        use dq8::{Backend, Block, Crowd, DualQuat, Hierarchy, Rotations, Sclerp, Twist};
+        use dq8::{Backend, Block, Crowd, DualQuat, Hierarchy, Twist, hierarchy::Rotations, law::Sclerp};
 
         const INSTANCES: usize = 37;
         const PARENTS: [u32; 3] = [Hierarchy::ROOT, 0, 1];

@@ -4,7 +4,7 @@
 //! large ones. The default samples. In a release build, a stride of 31 takes half a minute and a stride
 //! of 1, every float there is, a quarter of an hour.
 
-use dq8::{DualQuat, DualVector};
+use dq8::{DualQuat, geometry::DualVector};
 use dq8_contract::bound::unit_roundoff;
 use dq8_contract::ledger::{Ledger, line};
 use dq8_contract::sample::Sample;
@@ -16,9 +16,9 @@ macro_rules! on_every_f32_implementation {
     ($sweep:ident, $ledger:ident) => {{
         $sweep::<DualQuat<f32>>($ledger);
         $sweep::<dq8::batch::DualQuat<f32>>($ledger);
-        $sweep::<dq8::batch::DualQuat<dq8::f32x4>>($ledger);
-        $sweep::<dq8::batch::DualQuat<dq8::f32x8>>($ledger);
-        $sweep::<dq8::batch::DualQuat<dq8::f32x16>>($ledger);
+        $sweep::<dq8::batch::DualQuat<dq8::simd::f32x4>>($ledger);
+        $sweep::<dq8::batch::DualQuat<dq8::simd::f32x8>>($ledger);
+        $sweep::<dq8::batch::DualQuat<dq8::simd::f32x16>>($ledger);
     }};
 }
 

@@ -1,6 +1,10 @@
 //! Mistakes that are easy to make have an answer that says so, or none at all to make.
 
-use dq8::{Affine, DualQuat, MatrixError, Quat, RotationTranslation, Twist};
+use dq8::{
+    DualQuat, Quat, Twist,
+    representation::{Affine, RotationTranslation},
+    scalar::MatrixError,
+};
 
 const TOLERANCE: f64 = 1e-9;
 

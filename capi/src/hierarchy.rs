@@ -4,7 +4,8 @@ use crate::memory::{Input, Output, from_to, read};
 use crate::status::{Done, Status};
 use dq8::storage::{AoSoA, Aos, Layout};
 use dq8::{
-    DualQuat, Hierarchy, HierarchyError, Job, PaletteEntry, Poses, Rotations, RotationsTranslations,
+    DualQuat, Hierarchy, Job,
+    hierarchy::{HierarchyError, PaletteEntry, Poses, Rotations, RotationsTranslations},
 };
 
 /// Parents as C has them. It marks roots by -1: in the same four bytes, [`Hierarchy::ROOT`].

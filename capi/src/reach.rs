@@ -7,7 +7,7 @@ use core::mem::MaybeUninit;
 use core::slice;
 use dq8::ik;
 use dq8::mechanism::{self, Freedom, Reach, ReachError};
-use dq8::{DualQuat, Lanes, Portable, Real, Scalar};
+use dq8::{DualQuat, Lanes, Real, Scalar, simd::Portable};
 
 /// What is asked of a link: components of its error in the axes of its target, and how much each weighs
 /// where not all can vanish. A weight of 0 leaves its component free.

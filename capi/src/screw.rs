@@ -3,7 +3,10 @@
 
 use crate::memory::{Input, Output, one, two};
 use crate::status::{Done, Status};
-use dq8::{DualQuat, DualVector, Line, Real, Screw};
+use dq8::{
+    DualQuat, Line, Real,
+    geometry::{DualVector, Screw},
+};
 
 fn finite<R: Real>(motion: DualQuat<R>) -> Result<DualQuat<R>, Status> {
     let finite = motion.to_array().into_iter().all(Real::is_finite);

@@ -3,7 +3,7 @@
 use crate::memory::{Input, Output, from_to, read, two_to};
 use crate::status::{Done, Status};
 use dq8::storage::{AoSoA, Aos, Layout};
-use dq8::{Backend, DualQuat, MatrixOrder, ShapeError};
+use dq8::{Backend, DualQuat, ShapeError, hierarchy::MatrixOrder};
 
 /// In which order the numbers of a matrix lie in memory.
 #[repr(i32)]

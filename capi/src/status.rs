@@ -1,7 +1,11 @@
 //! [`Status`]: what became of a call.
 
 use core::ffi::{CStr, c_char};
-use dq8::{HierarchyError, InverseError, MatrixError, NormalizeError, ShapeError};
+use dq8::{
+    ShapeError,
+    hierarchy::HierarchyError,
+    scalar::{InverseError, MatrixError, NormalizeError},
+};
 
 /// What a function does inside: its error is the status.
 pub(crate) type Done = Result<(), Status>;

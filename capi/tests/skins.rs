@@ -5,7 +5,7 @@
 use dq8::skinning::{
     self, Dual, Linear, Stretched, Surface, SurfaceMut, matrix_palette, split_palette,
 };
-use dq8::{Backend, DualQuat, MatrixOrder, Quat};
+use dq8::{Backend, DualQuat, Quat, hierarchy::MatrixOrder};
 use dq8_capi::Status;
 use dq8_capi::skinning::{Skin, single as c};
 use std::mem::MaybeUninit;

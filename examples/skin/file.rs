@@ -4,7 +4,7 @@ use crate::error::Error;
 use crate::mesh::Mesh;
 use crate::pose::{Animation, Local};
 use crate::uri;
-use dq8::Affine;
+use dq8::representation::Affine;
 use gltf::accessor::Dimensions;
 use gltf::buffer::Source;
 use gltf::json::validation::Checked;

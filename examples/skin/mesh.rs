@@ -6,7 +6,7 @@ use dq8::skinning::{
     Linear, Mixed, Skin, SkinningError, Stretched, Surface, SurfaceMut, matrix_palette,
     split_palette,
 };
-use dq8::{Affine, Backend, DualQuat, MatrixOrder};
+use dq8::{Backend, DualQuat, hierarchy::MatrixOrder, representation::Affine};
 use gltf::Semantic;
 use gltf::accessor::{DataType, Dimensions};
 use gltf::mesh::Mode;

@@ -1,7 +1,7 @@
 use crate::bones::affine;
 use crate::error::Error;
 use crate::sampler::{Sampler, lerp, slerp};
-use dq8::{Affine, DualQuat, Quat};
+use dq8::{DualQuat, Quat, representation::Affine};
 use gltf::accessor::Dimensions;
 use gltf::animation::Property;
 

@@ -1,6 +1,6 @@
 //! A serial arm: a product of exponentials of joint screws.
 
-use dq8::{DualQuat, Line, Quat, Real, Screw, Twist};
+use dq8::{DualQuat, Line, Quat, Real, Twist, geometry::Screw};
 
 /// A joint with one degree of freedom, as it lies when the arm is at rest.
 #[derive(Clone, Copy, Debug, PartialEq)]

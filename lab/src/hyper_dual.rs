@@ -4,7 +4,7 @@ mod arithmetic;
 mod functions;
 mod real;
 
-use dq8::{InverseError, Real};
+use dq8::{Real, scalar::InverseError};
 
 /// A hyper-dual number a + bε₁ + cε₂ + dε₁ε₂ with ε₁² = ε₂² = 0, ε₁ε₂ = ε₂ε₁ ≠ 0 (Fike & Alonso
 /// 2011; Arends, chapter 5, §1).
@@ -68,7 +68,7 @@ impl<R: Real> HyperDual<R> {
     /// let x = HyperDual::new(2.0, 1.0, 3.0, 5.0);
     /// assert_eq!(x.inverse()? * x, HyperDual::ONE);
     /// assert!(HyperDual::<f64>::EPSILON_1.inverse().is_err());
-    /// # Ok::<(), dq8::InverseError>(())
+    /// # Ok::<(), dq8::scalar::InverseError>(())
     /// ```
     pub fn inverse(self) -> Result<Self, InverseError> {
         if self.real == R::ZERO || !self.real.is_finite() {

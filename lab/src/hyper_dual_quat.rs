@@ -2,7 +2,7 @@
 
 use crate::HyperDual;
 use core::ops::{Add, Mul, Neg, Sub};
-use dq8::{DualQuat, InverseError, Quat, Real};
+use dq8::{DualQuat, Quat, Real, scalar::InverseError};
 
 /// A hyper-dual quaternion a + bε₁ + cε₂ + dε₁ε₂ of four quaternions (Arends, chapter 5, §2).
 ///

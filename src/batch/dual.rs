@@ -51,7 +51,7 @@ impl<L: Lanes> Dual<L> {
     /// [`recip`](Self::recip), and the lanes without one: a is zero or not finite. Those are NaN.
     ///
     /// ```
-    /// use dq8::{Mask, batch::Dual, f32x4};
+    /// use dq8::{batch::Dual, simd::{Mask, f32x4}};
     /// let x = Dual::new(f32x4::new([4.0, 0.0, f32::INFINITY, -2.0]), f32x4::splat(2.0));
     /// let (inverse, failed) = x.inverse_checked();
     /// assert_eq!(failed.to_bitmask(), 0b0110);

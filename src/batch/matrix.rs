@@ -94,7 +94,7 @@ impl<L: Lanes> DualQuat<L> {
     /// [`Quat::from_matrix3_checked`], or the translation is not finite. Those are NaN.
     ///
     /// ```
-    /// use dq8::{Mask, batch::DualQuat, f32x4};
+    /// use dq8::{batch::DualQuat, simd::{Mask, f32x4}};
     /// let [zero, one] = [0.0, 1.0].map(f32x4::splat);
     /// let scale = f32x4::new([1.0, 1.0001, 2.0, -1.0]);
     /// let rows = [[one, zero, zero, one], [zero, one, zero, one], [zero, zero, scale, one]];

@@ -7,7 +7,7 @@
 //!
 //! ```
 //! use dq8::batch::{DualQuat, Quat};
-//! use dq8::{Portable, f32x8};
+//! use dq8::{simd::{Portable, f32x8}};
 //! // Eight robots, each turned by its own angle about z and moved by its own x.
 //! let angle = f32x8::new([0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7]);
 //! let (zero, one) = (f32x8::splat(0.0), f32x8::splat(1.0));

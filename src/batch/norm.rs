@@ -65,7 +65,7 @@ impl<L: Lanes> DualQuat<L> {
     /// result not finite. In those, every component is NaN.
     ///
     /// ```
-    /// use dq8::{Mask, Portable, batch::DualQuat, f32x4};
+    /// use dq8::{batch::DualQuat, simd::{Mask, Portable, f32x4}};
     /// let poses = [[0.0, 0.0, 0.0, 2.0, 6.0, 0.0, 0.0, 4.0], [0.0; 8]];
     /// let (unit, failed) = DualQuat::<f32x4>::load_records(Portable, &poses).normalize_checked();
     /// assert_eq!(failed.to_bitmask(), 0b0010);

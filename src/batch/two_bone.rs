@@ -29,7 +29,7 @@ impl<L: Lanes> TwoBone<L> {
     /// length is negative, or a number or the sum of all sides is not finite. Those are NaN.
     ///
     /// ```
-    /// use dq8::{Mask, batch::TwoBone, f32x4};
+    /// use dq8::{batch::TwoBone, simd::{Mask, f32x4}};
     /// let at = |x, y, z| [x, y, z].map(f32x4::splat);
     /// // One leg and four steps of a stair; the last is out of reach.
     /// let steps = [f32x4::splat(0.0), f32x4::new([0.0, 0.1, 0.2, 3.0]), f32x4::splat(0.2)];

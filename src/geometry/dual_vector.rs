@@ -10,7 +10,7 @@ use core::ops::{Add, Mul, Neg, Sub};
 /// those of vectors, over dual numbers, and keep their laws.
 ///
 /// ```
-/// use dq8::{DualVector, Line};
+/// use dq8::{Line, geometry::DualVector};
 /// // The x axis, and the parallel of the y axis that crosses z at 3.
 /// let a = Line::from_point_direction([0.0_f32; 3], [1.0, 0.0, 0.0]);
 /// let b = Line::from_point_direction([0.0, 0.0, 3.0], [0.0, 1.0, 0.0]);

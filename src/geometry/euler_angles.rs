@@ -1,4 +1,4 @@
-use super::EulerOrder;
+use super::euler_order::EulerOrder;
 
 /// Three turns about coordinate axes, one after the other (Kenwright §3.3; Arends ch. 2 §2).
 ///
@@ -8,7 +8,7 @@ use super::EulerOrder;
 ///
 /// ```
 /// use core::f64::consts::FRAC_PI_2;
-/// use dq8::{EulerAngles, EulerAxes, EulerFrame, EulerOrder};
+/// use dq8::{representation::{EulerAngles, EulerAxes, EulerFrame, EulerOrder}};
 /// let order = EulerOrder { axes: EulerAxes::XYZ, frame: EulerFrame::Extrinsic };
 /// let turns = EulerAngles { angles: [FRAC_PI_2, 0.0, FRAC_PI_2], order };
 /// // y to z about x, and z stays about z.

@@ -5,7 +5,7 @@
 /// each may turn about axes that move along or that stay.
 ///
 /// ```
-/// use dq8::{EulerAxes, EulerFrame, EulerOrder};
+/// use dq8::{representation::{EulerAxes, EulerFrame, EulerOrder}};
 /// // Yaw, pitch and roll of an aircraft.
 /// let aircraft = EulerOrder { axes: EulerAxes::ZYX, frame: EulerFrame::Intrinsic };
 /// assert!(EulerOrder::ALL.contains(&aircraft));

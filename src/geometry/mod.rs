@@ -2,8 +2,8 @@
 //! and for many (`T` a vector of lanes). Points and directions are plain `[T; 3]`.
 
 mod dual_vector;
-mod euler_angles;
-mod euler_order;
+pub(crate) mod euler_angles;
+pub(crate) mod euler_order;
 mod line;
 mod mean;
 mod plane;
@@ -13,8 +13,6 @@ pub(crate) mod vector;
 mod wrench;
 
 pub use dual_vector::DualVector;
-pub use euler_angles::{EulerAngles, EulerSolution};
-pub use euler_order::{EulerAxes, EulerFrame, EulerOrder};
 pub use line::Line;
 pub use mean::Mean;
 pub use plane::Plane;

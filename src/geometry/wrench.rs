@@ -21,7 +21,7 @@ impl<T: Copy + Add<Output = T> + Mul<Output = T>> Wrench<T> {
     /// every frame, as long as both are in the same one.
     ///
     /// ```
-    /// use dq8::{Twist, Wrench};
+    /// use dq8::{Twist, geometry::Wrench};
     /// let wrench = Wrench { force: [0.0, 0.0, 9.0], torque: [2.0_f64, 0.0, 0.0] };
     /// let twist = Twist { angular: [3.0, 0.0, 0.0], linear: [0.0, 0.0, 1.0] };
     /// assert_eq!(wrench.power(twist), 15.0);

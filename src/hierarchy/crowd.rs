@@ -11,7 +11,7 @@ use dq8_simd::{Block, Row};
 /// 12 for matrices (see [`storage`](crate::storage)).
 ///
 /// ```
-/// use dq8::{Crowd, DualQuat, Hierarchy, Quat, Rotations};
+/// use dq8::{Crowd, DualQuat, Hierarchy, Quat, hierarchy::Rotations};
 /// let parents = [Hierarchy::ROOT, 0];
 /// let skeleton = Hierarchy::new(&parents)?;
 /// let step = DualQuat::from_translation([0.0_f32, 1.0, 0.0]);

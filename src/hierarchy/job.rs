@@ -163,7 +163,7 @@ impl<'a, E: Element<8>> Job<'a, E> {
     /// If lengths or the range do not fit; `models` is untouched.
     ///
     /// ```
-    /// use dq8::{DualQuat, Hierarchy, Quat, Rotations};
+    /// use dq8::{DualQuat, Hierarchy, Quat, hierarchy::Rotations};
     /// let parents = [Hierarchy::ROOT, 0];
     /// let arm = Hierarchy::new(&parents)?;
     /// let half_turn = Quat::from_xyzw(0.0_f32, 0.0, 1.0, 0.0);
@@ -193,7 +193,7 @@ impl<'a, E: Element<8>> Job<'a, E> {
     /// If lengths or the range do not fit; `models` and `palette` are untouched.
     ///
     /// ```
-    /// use dq8::{DualQuat, Hierarchy, Poses};
+    /// use dq8::{DualQuat, Hierarchy, hierarchy::Poses};
     /// let parents = [Hierarchy::ROOT, 0];
     /// let leg = Hierarchy::new(&parents)?;
     /// let rest = [0.0_f32, -1.0].map(|y| DualQuat::from_translation([0.0, y, 0.0]));
@@ -237,7 +237,7 @@ impl<'a, E: Element<8>> Job<'a, E> {
     /// not in it, so that nothing holds its model; `palette` is untouched.
     ///
     /// ```
-    /// use dq8::{DualQuat, Hierarchy, Poses};
+    /// use dq8::{DualQuat, Hierarchy, hierarchy::Poses};
     /// let parents = [Hierarchy::ROOT, 0];
     /// let leg = Hierarchy::new(&parents)?;
     /// let down = DualQuat::from_translation([0.0_f32, -1.0, 0.0]);

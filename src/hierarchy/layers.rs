@@ -69,7 +69,7 @@ impl<E: Element<7>> PoseSource<E::Layout, 7> for RotationsTranslations<'_, E> {
 ///
 /// ```
 /// use dq8::hierarchy::Layered;
-/// use dq8::{DualQuat, Hierarchy, Nlerp, Poses};
+/// use dq8::{DualQuat, Hierarchy, hierarchy::Poses, law::Nlerp};
 /// let parents = [Hierarchy::ROOT, 0];
 /// let arm = Hierarchy::new(&parents)?;
 /// let at = |x| DualQuat::from_translation([x, 0.0_f32, 0.0]);

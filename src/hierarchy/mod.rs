@@ -48,6 +48,7 @@ mod slot;
 mod transposed;
 mod velocity;
 
+pub use crate::palette_entry::{MatrixOrder, PaletteEntry};
 #[cfg(feature = "alloc")]
 pub use crowd::Crowd;
 pub use error::HierarchyError;

@@ -33,7 +33,7 @@ impl<'a> Hierarchy<'a> {
     /// than a `u32` can number.
     ///
     /// ```
-    /// use dq8::{Hierarchy, HierarchyError};
+    /// use dq8::{Hierarchy, hierarchy::HierarchyError};
     /// assert_eq!(
     ///     Hierarchy::new(&[Hierarchy::ROOT, 2, 1]),
     ///     Err(HierarchyError::ParentNotBefore { joint: 1, parent: 2 })

@@ -31,7 +31,7 @@ const MIN_CHAIN: usize = 24;
 /// [`Block`]: crate::storage::Block
 ///
 /// ```
-/// use dq8::{DualQuat, Hierarchy, HierarchyPlan};
+/// use dq8::{DualQuat, Hierarchy, hierarchy::HierarchyPlan};
 /// let parents = [Hierarchy::ROOT, 0, 1, 0];
 /// let plan = HierarchyPlan::new(&Hierarchy::new(&parents)?);
 /// let locals = [DualQuat::from_translation([0.0_f32, 2.0, 0.0]); 4];

@@ -65,7 +65,7 @@ impl<'c, K> Clip<'c, K> {
 ///
 /// ```
 /// use dq8::hierarchy::{Clip, Sampled};
-/// use dq8::{DualQuat, Hierarchy, Nlerp};
+/// use dq8::{DualQuat, Hierarchy, law::Nlerp};
 /// let parents = [Hierarchy::ROOT, 0];
 /// let arm = Hierarchy::new(&parents)?;
 /// // Three frames of two joints.

@@ -16,7 +16,7 @@ use alloc::vec::Vec;
 /// URDF and FBX list them in any order, [`sorted`](Self::sorted) finds one with parents first.
 ///
 /// ```
-/// use dq8::{DualQuat, Rotations, Quat, Skeleton};
+/// use dq8::{DualQuat, Quat, Skeleton, hierarchy::Rotations};
 ///
 /// struct Rig {
 ///     skeleton: Skeleton,
@@ -57,7 +57,7 @@ impl Skeleton {
     /// let parents = [None, Some(0_usize), Some(1)];
     /// assert_eq!(Skeleton::new(&parents)?.parents(), [u32::MAX, 0, 1]);
     /// assert!(Skeleton::new(&[1, -1]).is_err());
-    /// # Ok::<(), dq8::HierarchyError>(())
+    /// # Ok::<(), dq8::hierarchy::HierarchyError>(())
     /// ```
     pub fn new<P: ParentIndex>(parents: &[P]) -> Result<Self, HierarchyError> {
         let parents: Box<[u32]> = parents.iter().map(|parent| parent.number()).collect();
@@ -76,7 +76,7 @@ impl Skeleton {
     /// If the memory cannot be allocated, as for any `Vec`.
     ///
     /// ```
-    /// use dq8::{HierarchyError, Skeleton};
+    /// use dq8::{Skeleton, hierarchy::HierarchyError};
     /// let (skeleton, order) = Skeleton::sorted(&[Some(2_u32), Some(0), None])?;
     /// assert_eq!((skeleton.parents(), order), (&[u32::MAX, 0, 1][..], vec![2, 0, 1]));
     /// assert_eq!(Skeleton::sorted(&[1, 0]).unwrap_err(), HierarchyError::Cycle { joint: 0 });

@@ -28,7 +28,7 @@ impl<R: Real> Line<R> {
     /// let ray = Line::from_points([0.0, 0.0, 6.0], [1.0, 0.0, 5.0])?;
     /// let [x, y, z] = ray.intersection_with_plane(floor)?;
     /// assert!((x - 4.0).abs() + y.abs() + (z - 2.0).abs() < 1e-14);
-    /// # Ok::<(), dq8::IncidenceError>(())
+    /// # Ok::<(), dq8::incidence::IncidenceError>(())
     /// ```
     pub fn intersection_with_plane(self, plane: Plane<R>) -> Result<[R; 3], IncidenceError> {
         match self.crossing(plane)? {

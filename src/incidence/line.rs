@@ -17,7 +17,7 @@ impl<R: Real> Line<R> {
     /// let line = Line::from_points([1.0, 2.0, 0.0], [1.0_f32, 2.0, 7.0])?;
     /// assert_eq!((line.direction, line.moment), ([0.0, 0.0, 1.0], [2.0, -1.0, 0.0]));
     /// assert!(Line::from_points([1.0_f32; 3], [1.0; 3]).is_err());
-    /// # Ok::<(), dq8::IncidenceError>(())
+    /// # Ok::<(), dq8::incidence::IncidenceError>(())
     /// ```
     pub fn from_points(start: [R; 3], end: [R; 3]) -> Result<Self, IncidenceError> {
         let way = vector::sub(end, start);
@@ -39,7 +39,7 @@ impl<R: Real> Line<R> {
     /// let wall = Plane { normal: [0.0, 1.0, 0.0], offset: 3.0 };
     /// let edge = Line::from_planes(wall, floor)?;
     /// assert_eq!((edge.direction, edge.closest_point_to_origin()), ([1.0, 0.0, 0.0], [0.0, 3.0, 2.0]));
-    /// # Ok::<(), dq8::IncidenceError>(())
+    /// # Ok::<(), dq8::incidence::IncidenceError>(())
     /// ```
     pub fn from_planes(first: Plane<R>, second: Plane<R>) -> Result<Self, IncidenceError> {
         let (a, b) = (first.try_normalize()?, second.try_normalize()?);
@@ -65,7 +65,7 @@ impl<R: Real> Line<R> {
     /// let screw = Line { direction: [2.0_f32, 0.0, 0.0], moment: [6.0, 0.0, 8.0] };
     /// let axis = screw.try_normalize()?;
     /// assert_eq!(axis, Line { direction: [1.0, 0.0, 0.0], moment: [0.0, 0.0, 4.0] });
-    /// # Ok::<(), dq8::IncidenceError>(())
+    /// # Ok::<(), dq8::incidence::IncidenceError>(())
     /// ```
     pub fn try_normalize(self) -> Result<Self, IncidenceError> {
         let (direction, length) = unit(self.direction, "the direction of a line")?;
@@ -91,7 +91,7 @@ impl<R: Real> Line<R> {
     /// use dq8::Line;
     /// let line = Line::from_point_direction([0.0, 0.0, 2.0], [5.0_f32, 0.0, 0.0]);
     /// assert_eq!(line.distance_to_point([7.0, 3.0, 6.0])?, 5.0);
-    /// # Ok::<(), dq8::IncidenceError>(())
+    /// # Ok::<(), dq8::incidence::IncidenceError>(())
     /// ```
     pub fn distance_to_point(self, point: [R; 3]) -> Result<R, IncidenceError> {
         let line = self.try_normalize()?;

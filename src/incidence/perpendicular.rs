@@ -29,7 +29,7 @@ impl<R: Real> Line<R> {
     /// negative if that points back. The order of the two does not matter, the sense of each does.
     ///
     /// cos θ̂ = cos θ − ε d sin θ is the inner product of the unit lines, and sin θ̂ times the common
-    /// perpendicular their cross product ([`DualVector`](crate::DualVector)). Those lose small
+    /// perpendicular their cross product ([`DualVector`](crate::geometry::DualVector)). Those lose small
     /// angles and the distance of parallel lines; here θ is an arctangent, accurate to a few
     /// roundings for every angle, and d is right for parallel lines. d is never negative for them.
     ///
@@ -44,7 +44,7 @@ impl<R: Real> Line<R> {
     /// let x_axis = Line::from_point_direction([0.0; 3], [1.0_f64, 0.0, 0.0]);
     /// let above = Line::from_point_direction([7.0, 0.0, 3.0], [0.0, 1.0, 0.0]);
     /// assert_eq!(x_axis.dual_angle(above)?, Dual::new(core::f64::consts::FRAC_PI_2, 3.0));
-    /// # Ok::<(), dq8::IncidenceError>(())
+    /// # Ok::<(), dq8::incidence::IncidenceError>(())
     /// ```
     pub fn dual_angle(self, other: Self) -> Result<Dual<R>, IncidenceError> {
         Ok(self.common_perpendicular(other)?.angle)
@@ -79,7 +79,7 @@ impl<R: Real> Line<R> {
     /// let above = Line::from_point_direction([7.0, -4.0, 3.0], [0.0, 1.0, 0.0]);
     /// let perpendicular = x_axis.common_perpendicular(above)?;
     /// assert_eq!(perpendicular.feet, [[7.0, 0.0, 0.0], [7.0, 0.0, 3.0]]);
-    /// # Ok::<(), dq8::IncidenceError>(())
+    /// # Ok::<(), dq8::incidence::IncidenceError>(())
     /// ```
     pub fn common_perpendicular(
         self,
@@ -109,13 +109,13 @@ impl<R: Real> Line<R> {
     /// [`dual_angle`](Self::dual_angle).
     ///
     /// ```
-    /// use dq8::{IncidenceError, Line};
+    /// use dq8::{Line, incidence::IncidenceError};
     /// let x_axis = Line::from_point_direction([0.0; 3], [1.0_f64, 0.0, 0.0]);
     /// let through = Line::from_points([2.0, 1.0, 0.0], [2.0, 3.0, 0.0])?;
     /// assert_eq!(x_axis.intersection(through, 1e-12)?, [2.0, 0.0, 0.0]);
     /// let same = x_axis.intersection(x_axis, 1e-12);
     /// assert_eq!(same, Err(IncidenceError::ParallelLines { distance: 0.0 }));
-    /// # Ok::<(), dq8::IncidenceError>(())
+    /// # Ok::<(), dq8::incidence::IncidenceError>(())
     /// ```
     pub fn intersection(self, other: Self, tolerance: R) -> Result<[R; 3], IncidenceError> {
         let CommonPerpendicular { feet: [first, second], angle, parallel, .. } =

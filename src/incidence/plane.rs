@@ -17,7 +17,7 @@ impl<R: Real> Plane<R> {
     /// use dq8::Plane;
     /// let plane = Plane::from_points([0.0, 0.0, 2.0], [1.0_f32, 0.0, 2.0], [0.0, 5.0, 2.0])?;
     /// assert_eq!(plane, Plane { normal: [0.0, 0.0, 1.0], offset: 2.0 });
-    /// # Ok::<(), dq8::IncidenceError>(())
+    /// # Ok::<(), dq8::incidence::IncidenceError>(())
     /// ```
     pub fn from_points(a: [R; 3], b: [R; 3], c: [R; 3]) -> Result<Self, IncidenceError> {
         let (to_b, _) = unit(vector::sub(b, a), "the way from the first point to the second")?;
@@ -41,7 +41,7 @@ impl<R: Real> Plane<R> {
     /// let x_axis = Line::from_point_direction([0.0; 3], [1.0_f32, 0.0, 0.0]);
     /// let plane = Plane::from_line_point(x_axis, [3.0, 2.0, 0.0])?;
     /// assert_eq!(plane, Plane { normal: [0.0, 0.0, 1.0], offset: 0.0 });
-    /// # Ok::<(), dq8::IncidenceError>(())
+    /// # Ok::<(), dq8::incidence::IncidenceError>(())
     /// ```
     pub fn from_line_point(line: Line<R>, point: [R; 3]) -> Result<Self, IncidenceError> {
         let line = line.try_normalize()?;

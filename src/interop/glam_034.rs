@@ -7,7 +7,7 @@
 //! assert!(motion.abs_diff_eq(DualQuat::from((Quat::from_rotation_x(0.5), [1.0, 2.0, 3.0])), 1e-6));
 //! assert!(map.abs_diff_eq(motion.into(), 1e-6));
 //! assert_eq!(glam::Quat::from(Quat::IDENTITY), glam::Quat::IDENTITY);
-//! # Ok::<(), dq8::MatrixError>(())
+//! # Ok::<(), dq8::scalar::MatrixError>(())
 //! ```
 
 use crate::real::Real;

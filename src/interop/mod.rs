@@ -21,7 +21,7 @@
 //! [`DualQuat`]: crate::DualQuat
 //! [`DualQuat::try_from_cols_array_2d`]: crate::DualQuat::try_from_cols_array_2d
 //! [`Twist`]: crate::Twist
-//! [`RotationTranslation`]: crate::RotationTranslation
+//! [`RotationTranslation`]: crate::representation::RotationTranslation
 
 #[cfg(feature = "approx_05")]
 mod approx_05;

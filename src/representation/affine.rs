@@ -21,12 +21,12 @@ use core::ops::Mul;
 /// So scale is carried along with the motion: [`try_decompose`](Self::try_decompose) takes them apart.
 ///
 /// ```
-/// use dq8::{Affine, DualQuat};
+/// use dq8::{DualQuat, representation::Affine};
 /// let moved = DualQuat::from_translation([0.0, 0.0, 5.0_f64]);
 /// let thin = Affine::scale([1.0, 2.0, 0.5]);
 /// let (motion, stretch) = (Affine::from_motion(moved) * thin).try_decompose()?;
 /// assert_eq!((motion, stretch), (moved, thin.linear));
-/// # Ok::<(), dq8::OrthonormalError>(())
+/// # Ok::<(), dq8::representation::OrthonormalError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -93,7 +93,7 @@ impl<R: Real> Affine<R> {
     /// (ch. 2 §7.3) has n = (0, 0, 1) and s = (a, b, 0). Volumes are kept if s is orthogonal to n.
     ///
     /// ```
-    /// use dq8::Affine;
+    /// use dq8::representation::Affine;
     /// let italic = Affine::shear([0.25_f32, 0.0, 0.0], [0.0, 1.0, 0.0]);
     /// assert_eq!(italic.transform_point([1.0, 4.0, 0.0]), [2.0, 4.0, 0.0]);
     /// ```
@@ -109,7 +109,7 @@ impl<R: Real> Affine<R> {
     /// For pure quaternions that is nvn + 2dn (Arends ch. 5 §6.2, p′ = qpq, which has d = 0).
     ///
     /// ```
-    /// use dq8::{Affine, Plane};
+    /// use dq8::{Plane, representation::Affine};
     /// let floor = Plane { normal: [0.0_f32, 0.0, 1.0], offset: 3.0 };
     /// assert_eq!(Affine::reflection(floor).transform_point([1.0, 2.0, 4.0]), [1.0, 2.0, 2.0]);
     /// ```

@@ -71,7 +71,7 @@ impl<R: Real> Quat<R> {
     /// let turn = Quat::look_to([3.0_f64, 0.0, 0.0], [0.0, 1.0, 0.0])?;
     /// let [x, y, z] = turn.rotate([0.0, 0.0, 1.0]);
     /// assert!((x - 1.0).abs() < 1e-15 && y.abs() + z.abs() < 1e-15);
-    /// # Ok::<(), dq8::OrthonormalError>(())
+    /// # Ok::<(), dq8::representation::OrthonormalError>(())
     /// ```
     pub fn look_to(forward: [R; 3], up: [R; 3]) -> Result<Self, OrthonormalError> {
         for (column, direction) in [forward, up].into_iter().enumerate() {
@@ -114,7 +114,7 @@ impl<R: Real> DualQuat<R> {
     /// let camera = DualQuat::look_at([0.0_f64, 0.0, 5.0], [0.0; 3], [0.0, 1.0, 0.0])?;
     /// let [_, _, depth] = camera.conjugate().transform_point([0.0; 3]);
     /// assert!((depth - 5.0).abs() < 1e-15);
-    /// # Ok::<(), dq8::OrthonormalError>(())
+    /// # Ok::<(), dq8::representation::OrthonormalError>(())
     /// ```
     pub fn look_at(eye: [R; 3], target: [R; 3], up: [R; 3]) -> Result<Self, OrthonormalError> {
         let rotation = Quat::look_to(vector::sub(target, eye), up)?;

@@ -1,6 +1,7 @@
 //! Three turns about coordinate axes, one after the other.
 
-use crate::geometry::{EulerAngles, EulerFrame, EulerOrder, EulerSolution};
+use crate::geometry::euler_angles::{EulerAngles, EulerSolution};
+use crate::geometry::euler_order::{EulerFrame, EulerOrder};
 use crate::real::Real;
 use crate::scalar::{Quat, vector};
 
@@ -45,7 +46,7 @@ impl<R: Real> Quat<R> {
     ///
     /// ```
     /// use core::f32::consts::FRAC_PI_2;
-    /// use dq8::{EulerAngles, EulerAxes, EulerFrame, EulerOrder};
+    /// use dq8::{representation::{EulerAngles, EulerAxes, EulerFrame, EulerOrder}};
     /// let order = EulerOrder { axes: EulerAxes::ZYX, frame: EulerFrame::Intrinsic };
     /// // The nose straight up: yaw and roll are one turn.
     /// let up = EulerAngles { angles: [0.75, FRAC_PI_2, 0.5], order };

@@ -7,7 +7,7 @@ use crate::scalar::vector;
 /// §3.5.2 names it against drift). Rows in, rows out.
 ///
 /// Cheap, and not fair: the first axis keeps its direction and the errors go to the others, so another
-/// order of axes gives another rotation. [`Polar`](crate::Polar) gives the nearest one. The first two
+/// order of axes gives another rotation. [`Polar`](crate::representation::Polar) gives the nearest one. The first two
 /// columns are projected twice, because one projection of a thin wedge leaves a right angle only to
 /// rounding over the sine of the wedge.
 ///
@@ -18,8 +18,8 @@ use crate::scalar::vector;
 /// ```
 /// let drifted = [[2.0_f64, 0.5, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 3.0]];
 /// let identity = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-/// assert_eq!(dq8::gram_schmidt(drifted)?, identity);
-/// # Ok::<(), dq8::OrthonormalError>(())
+/// assert_eq!(dq8::representation::gram_schmidt(drifted)?, identity);
+/// # Ok::<(), dq8::representation::OrthonormalError>(())
 /// ```
 pub fn gram_schmidt<R: Real>(rows: [[R; 3]; 3]) -> Result<[[R; 3]; 3], OrthonormalError> {
     all_finite(rows)?;

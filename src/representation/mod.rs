@@ -48,7 +48,9 @@ mod rotation_translation;
 mod symmetric;
 
 #[doc(inline)]
-pub use crate::geometry::{EulerAngles, EulerAxes, EulerFrame, EulerOrder, EulerSolution};
+pub use crate::geometry::euler_angles::{EulerAngles, EulerSolution};
+#[doc(inline)]
+pub use crate::geometry::euler_order::{EulerAxes, EulerFrame, EulerOrder};
 pub use affine::Affine;
 pub use error::OrthonormalError;
 pub use gram_schmidt::gram_schmidt;

@@ -9,13 +9,13 @@ use crate::scalar::{Quat, vector};
 /// the elements (Fan & Hoffman 1955), whatever the order of the axes.
 ///
 /// ```
-/// use dq8::{Polar, Quat};
+/// use dq8::{Quat, representation::Polar};
 /// let stretched = [[0.0_f64, -3.0, 0.0], [2.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
 /// let Polar { rotation, stretch, mirrors } = Polar::try_from_matrix3(stretched)?;
 /// let quarter = Quat::from_axis_angle([0.0, 0.0, 1.0], core::f64::consts::FRAC_PI_2);
 /// assert!((rotation - quarter).norm() < 1e-15 && !mirrors);
 /// assert!((stretch[0][0] - 2.0).abs() + (stretch[1][1] - 3.0).abs() < 1e-14);
-/// # Ok::<(), dq8::OrthonormalError>(())
+/// # Ok::<(), dq8::representation::OrthonormalError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Polar<R> {

@@ -9,7 +9,7 @@ use core::ops::Mul;
 /// [`RotationsTranslations`](crate::hierarchy::RotationsTranslations) takes.
 ///
 /// ```
-/// use dq8::{DualQuat, Quat, RotationTranslation};
+/// use dq8::{DualQuat, Quat, representation::RotationTranslation};
 /// let quarter = Quat::from_axis_angle([0.0, 0.0, 1.0], core::f64::consts::FRAC_PI_2);
 /// let pose = RotationTranslation { rotation: quarter, translation: [1.0, 2.0, 3.0] };
 /// let same = DualQuat::from(pose);

@@ -32,7 +32,7 @@ impl<R: Real> DualQuat<R> {
     /// This is (Ad_σ⁻¹)ᵀ, a left action: coadjoint of ab is that of b, then that of a.
     ///
     /// ```
-    /// use dq8::{DualQuat, Wrench};
+    /// use dq8::{DualQuat, geometry::Wrench};
     /// let pose = DualQuat::from_translation([2.0_f32, 0.0, 0.0]);
     /// let weight = Wrench { force: [0.0, 0.0, -9.0], torque: [0.0; 3] };
     /// assert_eq!(pose.coadjoint(weight).torque, [0.0, 18.0, 0.0]);

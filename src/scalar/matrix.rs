@@ -25,7 +25,7 @@ impl<R: Real> Quat<R> {
     }
 
     /// The unit quaternion of a matrix that is known to be a rotation, w ≥ 0; garbage in, garbage
-    /// out: [`try_from_matrix3`](Self::try_from_matrix3) checks, and [`Polar`](crate::Polar) finds
+    /// out: [`try_from_matrix3`](Self::try_from_matrix3) checks, and [`Polar`](crate::representation::Polar) finds
     /// the nearest rotation to any matrix.
     ///
     /// The largest of the four components is found first and divides the others (Shepperd 1978), so
@@ -146,7 +146,7 @@ impl<R: Real> DualQuat<R> {
     /// rows (it scales, shears or mirrors), or an element is not finite.
     ///
     /// ```
-    /// use dq8::{DualQuat, MatrixError};
+    /// use dq8::{DualQuat, scalar::MatrixError};
     /// let doubled = [[2.0_f32, 0.0, 0.0, 0.0], [0.0, 2.0, 0.0, 0.0], [0.0, 0.0, 2.0, 0.0]];
     /// assert_eq!(
     ///     DualQuat::try_from_matrix3x4(doubled, 1e-4),
@@ -210,7 +210,7 @@ impl<R: Real> DualQuat<R> {
     /// let moved = DualQuat::try_from_cols_array_2d(columns, 1e-6)?;
     /// assert_eq!(moved.translation(), [5.0, 6.0, 7.0]);
     /// assert_eq!(moved.to_cols_array_2d(), columns);
-    /// # Ok::<(), dq8::MatrixError>(())
+    /// # Ok::<(), dq8::scalar::MatrixError>(())
     /// ```
     #[inline]
     pub fn try_from_cols_array_2d(cols: [[R; 4]; 4], tolerance: R) -> Result<Self, MatrixError> {

@@ -75,7 +75,7 @@ impl<R: Real> DualQuat<R> {
     /// let unit = sigma.try_normalize()?;
     /// assert_eq!(unit.to_wxyz(), [1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 2.5]);
     /// assert!(DualQuat::<f32>::ZERO.try_normalize().is_err());
-    /// # Ok::<(), dq8::NormalizeError>(())
+    /// # Ok::<(), dq8::scalar::NormalizeError>(())
     /// ```
     #[inline]
     pub fn try_normalize(self) -> Result<Self, NormalizeError> {
@@ -148,7 +148,7 @@ impl<R: Real> DualQuat<R> {
     /// use dq8::DualQuat;
     /// let sigma = DualQuat::from_wxyz([2.0_f32, 0.0, 0.0, 0.0, 4.0, 0.0, 8.0, 0.0]);
     /// assert_eq!(sigma * sigma.try_inverse()?, DualQuat::IDENTITY);
-    /// # Ok::<(), dq8::InverseError>(())
+    /// # Ok::<(), dq8::scalar::InverseError>(())
     /// ```
     #[inline]
     pub fn try_inverse(self) -> Result<Self, InverseError> {

@@ -108,7 +108,7 @@ impl<R: Real> DualQuat<R> {
     /// no more than 2⁻⁸ rad; powers and interpolations that go so far are NaN too.
     ///
     /// ```
-    /// use dq8::{DualQuat, DualVector};
+    /// use dq8::{DualQuat, geometry::DualVector};
     /// let half_turn = DualVector { real: [0.0, 0.0, core::f64::consts::FRAC_PI_2], dual: [0.0; 3] };
     /// let [x, y, _] = DualQuat::exp(half_turn).transform_point([1.0, 0.0, 0.0]);
     /// assert!((x + 1.0).abs() < 1e-15 && y.abs() < 1e-15);

@@ -36,7 +36,7 @@ impl Split {
 /// 0 0 0 1. `palette` is then untouched.
 ///
 /// ```
-/// use dq8::MatrixOrder;
+/// use dq8::hierarchy::MatrixOrder;
 /// use dq8::skinning::matrix_palette;
 /// // Columns, as in glTF: the translation comes last.
 /// let model = [[1.0_f32, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [5.0, 0.0, 0.0, 1.0]];

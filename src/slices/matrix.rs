@@ -13,7 +13,7 @@ impl Backend {
     /// If the slices differ in length; `matrices` is untouched.
     ///
     /// ```
-    /// use dq8::{Backend, DualQuat, MatrixOrder};
+    /// use dq8::{Backend, DualQuat, hierarchy::MatrixOrder};
     /// let motions = [DualQuat::from_translation([7.0_f32, 8.0, 9.0]); 3];
     /// let mut rows = [[[0.0; 4]; 3]; 3];
     /// Backend::best().matrices(&motions, MatrixOrder::Rows, &mut rows)?;

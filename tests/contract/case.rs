@@ -3,7 +3,10 @@
 
 use crate::implementation::On;
 use crate::lanes::{Motions, Reals};
-use dq8::{DualVector, Line, Plane, Screw, Twist, Wrench};
+use dq8::{
+    Line, Plane, Twist,
+    geometry::{DualVector, Screw, Wrench},
+};
 
 macro_rules! deck {
     ($($(#[$about:meta])* $field:ident: $numbers:ty = $lanes:ty;)*) => {

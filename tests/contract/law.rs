@@ -5,7 +5,7 @@ use crate::case::{Arguments, Case, length};
 use crate::implementation::implementations;
 use crate::lanes::{Motions, Reals};
 use crate::scale::{grows, norms};
-use dq8::{Twist, Wrench};
+use dq8::{Twist, geometry::Wrench};
 
 /// Numbers that a law says are equal.
 #[derive(Clone, Debug, Default)]

@@ -21,7 +21,10 @@ use crate::operation::{Answer, Argument, Call, Domain, Held, Inputs, Operation, 
 use crate::sample::Sample;
 use crate::scale::{self, of_digits};
 use crate::vectors::Vector;
-use dq8::{DualVector, Line, Mean, Plane, Screw, Twist, Wrench};
+use dq8::{
+    Line, Plane, Twist,
+    geometry::{DualVector, Mean, Screw, Wrench},
+};
 
 /// Small or no rotation: what peers lose.
 const SMALL: &[&str] = &["near0", "close", "translation"];

@@ -2,7 +2,10 @@
 //! serves them all.
 
 use crate::lanes::{MAX_LANES, Row};
-use dq8::{DualQuat, Float, Lanes, Mask, Motion, Portable, Quat, Real, batch, scalar};
+use dq8::{
+    DualQuat, Lanes, Motion, Quat, Real, batch, scalar,
+    simd::{Float, Mask, Portable},
+};
 
 pub use dq8::Level;
 #[cfg(target_arch = "x86_64")]

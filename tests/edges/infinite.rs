@@ -1,6 +1,9 @@
 //! Infinities in one component and finite numbers in all others.
 
-use dq8::{DualVector, Line, Screw};
+use dq8::{
+    Line,
+    geometry::{DualVector, Screw},
+};
 use dq8_contract::implementation::{On, implementations};
 use dq8_contract::inputs::turn_and_move;
 use dq8_contract::lanes::{Motions, Reals};

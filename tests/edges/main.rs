@@ -3,7 +3,11 @@
 
 mod infinite;
 
-use dq8::{DualQuat, DualVector, InverseError, MatrixError, NormalizeError, Quat};
+use dq8::{
+    DualQuat, Quat,
+    geometry::DualVector,
+    scalar::{InverseError, MatrixError, NormalizeError},
+};
 use dq8_contract::bound::{Bound, within};
 use dq8_contract::case::{Case, NUMBERS};
 use dq8_contract::implementation::{On, implementations};

@@ -2,7 +2,7 @@
 
 use super::arms::{Plan, Random, gantry, puma, rounded, ur5};
 use dq8::ik::{Arm, ArmError, Joint};
-use dq8::{Dual, DualQuat, Hierarchy, Portable, Quat, Twist};
+use dq8::{Dual, DualQuat, Hierarchy, Quat, Twist, simd::Portable};
 
 fn poses_are_those_of_nalgebra<const N: usize>(plan: &Plan<N>) {
     let (arm, single) = (plan.arm::<f64>(), plan.arm::<f32>());

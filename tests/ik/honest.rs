@@ -3,7 +3,7 @@
 
 use super::arms::{Axis, Plan, Random, direction, exact, rounded, six_of_any_kind};
 use dq8::ik::{Arm, Joint, Options, Outcome, Report};
-use dq8::{Backend, DualQuat, Float, Quat, Real};
+use dq8::{Backend, DualQuat, Quat, Real, simd::Float};
 use nalgebra::Isometry3;
 use std::f64::consts::TAU;
 

@@ -3,7 +3,10 @@
 use super::arms::{Plan, Random, puma, rounded, ur5};
 use dq8::ik::{Arm, Options, Outcome, Report};
 use dq8::simd::Records;
-use dq8::{Backend, DualQuat, Float, Lanes, Portable, Real, ShapeError, batch, f32x8, f64x8};
+use dq8::{
+    Backend, DualQuat, Lanes, Real, ShapeError, batch,
+    simd::{Float, Portable, f32x8, f64x8},
+};
 
 /// Targets, and values to start from.
 fn drawn<R: Real + Float>(plan: &Plan<6>, count: usize) -> (Vec<DualQuat<R>>, Vec<[R; 6]>) {

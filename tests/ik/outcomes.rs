@@ -2,7 +2,10 @@
 
 use super::arms::{Random, gantry, puma, rounded, ur5};
 use dq8::ik::{Arm, Joint, Options, Outcome, Report};
-use dq8::{Backend, DualQuat, Float, Lanes, Portable, Quat, Real};
+use dq8::{
+    Backend, DualQuat, Lanes, Quat, Real,
+    simd::{Float, Portable},
+};
 
 fn turned(angle: f64, translation: [f64; 3]) -> DualQuat<f64> {
     let turn = Quat::from_axis_angle([0.6, 0.0, 0.8], angle);

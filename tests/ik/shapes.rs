@@ -2,7 +2,7 @@
 
 use super::arms::{Random, direction, rounded};
 use dq8::ik::{Arm, Joint, Options, Outcome, Report};
-use dq8::{Backend, DualQuat, Float, Real};
+use dq8::{Backend, DualQuat, Real, simd::Float};
 
 /// A planar arm of unit links, in this unit of length.
 fn planar<R: Real, const N: usize>(length: f64) -> Arm<R, N> {

@@ -2,7 +2,7 @@
 
 use super::arms::{Plan, Random, exact, gantry, puma, rounded, seven, ur5};
 use dq8::ik::{Options, Outcome, Report};
-use dq8::{Backend, DualQuat, Float, Real};
+use dq8::{Backend, DualQuat, Real, simd::Float};
 
 /// What came of random targets from random starts.
 struct Rate {

@@ -4,7 +4,10 @@ use crate::errors::names;
 use crate::packing::{Packing, packings, things};
 use dq8::simd::{Portable, Row};
 use dq8::storage::Block;
-use dq8::{Crowd, DualQuat, Hierarchy, Quat, Rotations, RotationsTranslations, Scalar, ShapeError};
+use dq8::{
+    Crowd, DualQuat, Hierarchy, Quat, Scalar, ShapeError,
+    hierarchy::{Rotations, RotationsTranslations},
+};
 
 fn for_every_packing(mut check: impl FnMut(&dyn Packing)) {
     for packing in packings() {

@@ -4,7 +4,7 @@ use crate::subject::{Root, Run, Task, for_every_subject};
 use core::error::Error;
 use core::ops::Range;
 use dq8::storage::Block;
-use dq8::{DualQuat, Hierarchy, HierarchyError, ShapeError};
+use dq8::{DualQuat, Hierarchy, ShapeError, hierarchy::HierarchyError};
 use proptest::prelude::*;
 
 const ROOT: u32 = Hierarchy::ROOT;

@@ -5,7 +5,7 @@ use crate::scene::{MAX_INSTANCES, On, Scene, Wanted, chain, rounded, scene};
 use crate::subject::{Given, Root, Subject, Task, for_every_subject};
 use core::num::NonZeroU32;
 use core::ops::Range;
-use dq8::{Backend, DualQuat, Hierarchy, Renormalize};
+use dq8::{Backend, DualQuat, Hierarchy, hierarchy::Renormalize};
 use proptest::prelude::*;
 
 proptest! {

@@ -6,7 +6,10 @@
 use crate::records::equal;
 use crate::scene::{Forms, MAX_INSTANCES, On, Scene, tree};
 use crate::subject::{Given, Subject, Task, for_every_subject};
-use dq8::{Hierarchy, MatrixOrder, Renormalize};
+use dq8::{
+    Hierarchy,
+    hierarchy::{MatrixOrder, Renormalize},
+};
 use dq8_contract::random::Random;
 
 /// Fewer than lanes, as many, and some more; the last is what the others are held against. Instances of

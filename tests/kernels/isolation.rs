@@ -3,7 +3,7 @@
 use crate::records::{is_finite, same_bits};
 use crate::scene::{Forms, MAX_INSTANCES, On, Scene, chain, motions};
 use crate::subject::{Given, Subject, Task, for_every_subject};
-use dq8::{Backend, Renormalize};
+use dq8::{Backend, hierarchy::Renormalize};
 use dq8_contract::random::Random;
 
 const POISONS: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
@@ -256,7 +256,7 @@ fn a_plan_keeps_it_to_the_descendants_too() {
         [PARENTS.to_vec(), chain(66)].iter().flat_map(|p| Backend::available().map(move |b| (p, b)))
     {
         let hierarchy = dq8::Hierarchy::new(parents).expect("parents come first");
-        let plan = dq8::HierarchyPlan::new(&hierarchy).backend(backend);
+        let plan = dq8::hierarchy::HierarchyPlan::new(&hierarchy).backend(backend);
         let run = |locals: &[[f64; 8]]| {
             let mut poses: Vec<_> =
                 locals.iter().map(|local| dq8::DualQuat::from_array(*local)).collect();

@@ -4,7 +4,11 @@ use crate::memory::Memory;
 use crate::scene::{motions, step};
 use dq8::hierarchy::PoseSource;
 use dq8::law::Law;
-use dq8::{DualQuat, Nlerp, Poses, Quat, RotationsTranslations, Sclerp, Separate};
+use dq8::{
+    DualQuat, Quat,
+    hierarchy::{Poses, RotationsTranslations},
+    law::{Nlerp, Sclerp, Separate},
+};
 use dq8_contract::random::Random;
 
 /// A law, and what it is to give.

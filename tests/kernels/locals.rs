@@ -5,7 +5,10 @@ use crate::records::same_bits;
 use crate::scene::{Forms, On, Scene, walk};
 use crate::subject::{Given, Subject, Task, for_every_subject};
 use dq8::storage::{Block, RotationBlock};
-use dq8::{DualQuat, Hierarchy, MatrixOrder, Poses, Quat, Rotations, ShapeError};
+use dq8::{
+    DualQuat, Hierarchy, Quat, ShapeError,
+    hierarchy::{MatrixOrder, Poses, Rotations},
+};
 
 /// Eleven joints in two trees.
 const PARENTS: [u32; 11] = [Hierarchy::ROOT, 0, 1, 1, 3, 0, Hierarchy::ROOT, 6, 7, 8, 7];

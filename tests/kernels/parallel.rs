@@ -2,8 +2,8 @@
 
 use crate::scene::{Scene, motions, step};
 use dq8::{
-    Backend, Block, Crowd, DualQuat, Hierarchy, MatrixOrder, Poses, Quat, Renormalize, Rotations,
-    RotationsTranslations, ShapeError,
+    Backend, Block, Crowd, DualQuat, Hierarchy, Quat, ShapeError,
+    hierarchy::{MatrixOrder, Poses, Renormalize, Rotations, RotationsTranslations},
 };
 use dq8_contract::random::Random;
 

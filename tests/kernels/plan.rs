@@ -4,7 +4,10 @@ use crate::chain::assert_close;
 use crate::memory::round;
 use crate::records::assert_same_bits;
 use crate::scene::{BIPED, ROOT, chain, motions, rounded, tree, walk};
-use dq8::{Backend, DualQuat, Hierarchy, HierarchyPlan, Scalar, ShapeError, Strategy};
+use dq8::{
+    Backend, DualQuat, Hierarchy, Scalar, ShapeError,
+    hierarchy::{HierarchyPlan, Strategy},
+};
 use dq8_contract::random::Random;
 
 /// Trees, forests and chains of many sizes.

@@ -7,7 +7,11 @@ use crate::scene::{SMALL, Scene, motions, walk};
 use dq8::hierarchy::{Clip, Layered, Sampled};
 use dq8::simd::Float;
 use dq8::storage::{AoSoA, Aos};
-use dq8::{Backend, DualQuat, Hierarchy, Nlerp, Poses, Real, Sclerp, Separate, ShapeError};
+use dq8::{
+    Backend, DualQuat, Hierarchy, Real, ShapeError,
+    hierarchy::Poses,
+    law::{Nlerp, Sclerp, Separate},
+};
 use dq8_contract::bound::{unit_roundoff, within};
 use dq8_contract::random::Random;
 

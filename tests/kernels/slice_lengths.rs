@@ -1,6 +1,6 @@
 //! Slices of different lengths.
 
-use dq8::{Backend, DualQuat, MatrixOrder, ShapeError};
+use dq8::{Backend, DualQuat, ShapeError, hierarchy::MatrixOrder};
 
 #[test]
 fn slices_of_different_lengths_are_refused_and_the_output_is_untouched() {

@@ -9,7 +9,7 @@ use crate::scene::{motions, rounded};
 use crate::subject::Subject;
 use crate::subject::for_every_subject;
 use dq8::storage::Block;
-use dq8::{Backend, DualQuat, DualVector, Line, MatrixOrder, Plane, Twist};
+use dq8::{Backend, DualQuat, Line, Plane, Twist, geometry::DualVector, hierarchy::MatrixOrder};
 use dq8_contract::random::Random;
 
 /// What is computed of [`Inputs`].

@@ -8,8 +8,8 @@ use core::ops::Range;
 use dq8::simd::Float;
 use dq8::storage::{AoSoA, Aos};
 use dq8::{
-    Backend, DualQuat, Hierarchy, Job, MatrixOrder, Poses, Renormalize, Rotations,
-    RotationsTranslations, ShapeError, Twist,
+    Backend, DualQuat, Hierarchy, Job, ShapeError, Twist,
+    hierarchy::{MatrixOrder, Poses, Renormalize, Rotations, RotationsTranslations},
 };
 
 /// What a job is told.

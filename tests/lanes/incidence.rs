@@ -1,7 +1,7 @@
 //! Lines, planes and points: the same answers, and a mask where the scalar reference has an error.
 
 use super::{Portably, columns, exact, holds, measure, on_every_lane_type, rounded, row};
-use dq8::{IncidenceError, Line, Plane, Real};
+use dq8::{Line, Plane, Real, incidence::IncidenceError};
 use dq8_contract::inputs::for_all;
 use dq8_contract::ledger::{Ledger, line};
 use proptest::prelude::*;
@@ -252,7 +252,7 @@ fn hard_cases(single: bool) -> Vec<Case> {
 }
 
 fn failures_agree<L: Portably>() {
-    let single = <L::Real as dq8::Float>::SINGLE;
+    let single = <L::Real as dq8::simd::Float>::SINGLE;
     for chunk in hard_cases(single).chunks(L::LANES) {
         for (case, answers) in chunk.iter().zip(on_lanes::<L>(chunk)) {
             for ((name, got), wanted) in NAMES.iter().zip(answers).zip(scalar::<L::Real>(case)) {

@@ -5,8 +5,10 @@ use super::{
     Portably, columns, exact, holds, lane, lanes, measure, on_every_lane_type, rounded, row,
 };
 use dq8::{
-    Affine, DualQuat, EulerAngles, EulerOrder, EulerSolution, Plane, Polar, Quat, Real,
-    RotationTranslation, Twist, batch, gram_schmidt,
+    DualQuat, Plane, Quat, Real, Twist, batch,
+    representation::{
+        Affine, EulerAngles, EulerOrder, EulerSolution, Polar, RotationTranslation, gram_schmidt,
+    },
 };
 use dq8_contract::inputs;
 use dq8_contract::ledger::{Ledger, line};
@@ -415,7 +417,7 @@ fn poses_and_maps_agree<L: Portably>(ledger: &Ledger) {
         let (v, w) = (columns::<L, _, 3>(chunk, |case| case.v), columns(chunk, |case| case.w));
         let (pose, other) =
             (batch::RotationTranslation::from(a), batch::RotationTranslation::from(b));
-        let identity = batch::RotationTranslation::identity(dq8::Portable);
+        let identity = batch::RotationTranslation::identity(dq8::simd::Portable);
         let (product, inverse) = (pose * other * identity, pose.inverse());
         let same = batch::RotationTranslation::from_array(pose.to_array());
         let back = batch::DualQuat::from(same);
@@ -424,7 +426,7 @@ fn poses_and_maps_agree<L: Portably>(ledger: &Ledger) {
             * batch::Affine::scale(w)
             * batch::Affine::shear(v, w)
             * batch::Affine::reflection(plane)
-            * batch::Affine::identity(dq8::Portable);
+            * batch::Affine::identity(dq8::simd::Portable);
         let map = batch::Affine::from_matrix3x4(map.to_matrix3x4());
         let twist = Twist { angular: v, linear: w };
         let jacobian = batch::DualQuat::left_jacobian_matrix(twist);

@@ -1,6 +1,9 @@
 //! What determines no line, plane or point; numbers that are not finite, very small or very large.
 
-use dq8::{CommonPerpendicular, Dual, IncidenceError, Line, Plane, Real};
+use dq8::{
+    Dual, Line, Plane, Real,
+    incidence::{CommonPerpendicular, IncidenceError},
+};
 use std::fmt::Debug;
 
 /// The error's name, without its values.

@@ -4,7 +4,10 @@ use super::worst::Worst;
 use super::{
     add, cross, direction, dot, exact, length, point, rounded, roundoff, scale, sub, unit,
 };
-use dq8::{DualQuat, DualVector, Line, Plane, Real, Screw};
+use dq8::{
+    DualQuat, Line, Plane, Real,
+    geometry::{DualVector, Screw},
+};
 use dq8_contract::inputs::{for_all, unit_motion};
 use proptest::prelude::*;
 

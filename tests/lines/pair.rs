@@ -5,7 +5,11 @@ use super::{
     Ray, add, angle, as_stored, cross, direction, dot, exact, length, point, rounded, roundoff,
     scale, sub, unit,
 };
-use dq8::{CommonPerpendicular, Dual, DualVector, IncidenceError, Line, Real};
+use dq8::{
+    Dual, Line, Real,
+    geometry::DualVector,
+    incidence::{CommonPerpendicular, IncidenceError},
+};
 use dq8_contract::inputs::for_all;
 use proptest::prelude::*;
 use std::f64::consts::PI;

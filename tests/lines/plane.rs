@@ -4,7 +4,7 @@ use super::worst::Worst;
 use super::{
     add, cross, direction, dot, exact, length, point, rounded, roundoff, scale, sub, unit,
 };
-use dq8::{DualVector, IncidenceError, Line, Plane, Real};
+use dq8::{Line, Plane, Real, geometry::DualVector, incidence::IncidenceError};
 use dq8_contract::inputs::for_all;
 use nalgebra::{Matrix3, Vector3};
 

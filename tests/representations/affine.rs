@@ -1,7 +1,10 @@
 //! What matrices hold and dual quaternions cannot.
 
 use super::{between, exact_rows, for_random_motions, opinion};
-use dq8::{Affine, DualQuat, OrthonormalError, Plane, Quat};
+use dq8::{
+    DualQuat, Plane, Quat,
+    representation::{Affine, OrthonormalError},
+};
 use nalgebra::{Matrix3, Vector3};
 
 const POINTS: [[f64; 3]; 4] =

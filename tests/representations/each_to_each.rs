@@ -2,7 +2,11 @@
 
 use super::{Worst, between, exact, for_random_motions, opinion, round};
 use core::f64::consts::{FRAC_PI_2, PI};
-use dq8::{DualQuat, EulerAngles, EulerOrder, MatrixError, Quat, Real, RotationTranslation};
+use dq8::{
+    DualQuat, Quat, Real,
+    representation::{EulerAngles, EulerOrder, RotationTranslation},
+    scalar::MatrixError,
+};
 use dq8_contract::inputs::edge_motions;
 use nalgebra::{Isometry3, Point3, Quaternion, Translation3, UnitQuaternion};
 

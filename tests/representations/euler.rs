@@ -2,7 +2,10 @@
 
 use super::{Worst, between, exact, for_random_motions, opinion, round};
 use core::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
-use dq8::{EulerAngles, EulerAxes, EulerFrame, EulerOrder, Quat, Real};
+use dq8::{
+    Quat, Real,
+    representation::{EulerAngles, EulerAxes, EulerFrame, EulerOrder},
+};
 use glam::EulerRot;
 use nalgebra::{UnitQuaternion, Vector3};
 

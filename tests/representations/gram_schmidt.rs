@@ -1,7 +1,10 @@
 //! Ortho-normalization one axis after the other.
 
 use super::{Worst, exact_rows, round_rows};
-use dq8::{OrthonormalError, Real, gram_schmidt};
+use dq8::{
+    Real,
+    representation::{OrthonormalError, gram_schmidt},
+};
 use dq8_contract::inputs::for_all;
 use nalgebra::{Matrix3, Vector3};
 use proptest::prelude::*;

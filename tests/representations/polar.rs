@@ -2,7 +2,10 @@
 
 use super::gram_schmidt::matrices;
 use super::{Worst, between, exact_rows, for_random_motions, opinion, round_rows};
-use dq8::{OrthonormalError, Polar, Quat, Real, gram_schmidt};
+use dq8::{
+    Quat, Real,
+    representation::{OrthonormalError, Polar, gram_schmidt},
+};
 use dq8_contract::inputs::for_all;
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 

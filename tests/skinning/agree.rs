@@ -4,7 +4,7 @@ use super::scene::{JOINTS, Scene, distance, dual, linear};
 use dq8::skinning::{
     Dual, Linear, Mixed, Skin, Stretched, Surface, SurfaceMut, Weight, dual_blend, linear_blend,
 };
-use dq8::{Affine, Backend, Element, PointBlock, Scalar};
+use dq8::{Backend, Element, Scalar, representation::Affine, storage::PointBlock};
 
 /// One vertex, as the papers have it: positions, then normals and tangents of length 1.
 fn expected<R: Scalar + Weight>(scene: &Scene<R>, vertex: usize, blend: &str) -> [[R; 3]; 3] {

@@ -1,6 +1,6 @@
 use super::scene::{JOINTS, Scene, distance, dual, linear, motion, vector};
 use dq8::skinning::{Skin, Stretched, Surface, SurfaceMut, Weight, dual_blend, split_palette};
-use dq8::{Affine, Backend, DualQuat, Quat, Scalar};
+use dq8::{Backend, DualQuat, Quat, Scalar, representation::Affine};
 use dq8_contract::random::Random;
 
 /// A vertex and its neighbors, with the same influences: 40 ε for some twenty roundings of numbers up to 3.

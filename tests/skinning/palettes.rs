@@ -2,7 +2,7 @@
 
 use super::scene::motion;
 use dq8::skinning::{SkinningError, matrix_palette, split_palette};
-use dq8::{Affine, DualQuat, MatrixOrder};
+use dq8::{DualQuat, hierarchy::MatrixOrder, representation::Affine};
 use dq8_contract::random::Random;
 
 #[test]

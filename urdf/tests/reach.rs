@@ -2,7 +2,7 @@
 
 use dq8::ik::{Options, Outcome, Report};
 use dq8::mechanism::{Freedom, Goal, Reach};
-use dq8::{Backend, Float, Real};
+use dq8::{Backend, Real, simd::Float};
 use dq8_urdf::Robot;
 
 const ARM: &str = include_str!("../robots/arm7.urdf");

@@ -3,8 +3,13 @@
 use super::{Element, Packed, Representation, Rows, flat};
 use dq8::simd::Row;
 use dq8::storage::{self, Layout};
-use dq8::{Block, DualQuat, DualVector, Lanes, PointBlock, Portable, Quat};
-use dq8::{batch, f32x8, f32x16};
+use dq8::{
+    Block, DualQuat, Lanes, Quat, geometry::DualVector, simd::Portable, storage::PointBlock,
+};
+use dq8::{
+    batch,
+    simd::{f32x8, f32x16},
+};
 
 /// Motions as dq8's kernels take them: one after the other, or in blocks.
 pub trait Own: storage::Element<8, Layout: Layout<Real = f32>> + Packed<DualQuat<f32>> {

@@ -7,7 +7,10 @@ use crate::scene::{Scene, Shape};
 use crate::walk;
 use dq8::hierarchy::{Clip, Layered, Sampled};
 use dq8::storage::MatrixBlock;
-use dq8::{Backend, Block, DualQuat, Hierarchy, Nlerp, Separate};
+use dq8::{
+    Backend, Block, DualQuat, Hierarchy,
+    law::{Nlerp, Separate},
+};
 use dq8_contract::random::Random;
 use glam::{Affine3A, Quat, Vec3A};
 

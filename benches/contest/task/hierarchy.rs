@@ -5,7 +5,10 @@ use crate::limit::{Limit, Limited};
 use crate::memory::{Own, Packed, Product, QuatVec3A};
 use crate::scene::{Scene, Shape};
 use crate::walk;
-use dq8::{Backend, Block, DualQuat, Hierarchy, HierarchyPlan, Strategy};
+use dq8::{
+    Backend, Block, DualQuat, Hierarchy,
+    hierarchy::{HierarchyPlan, Strategy},
+};
 use glam::{Affine3A, Mat4};
 use nalgebra::{Isometry3, UnitDualQuaternion};
 use simba::simd::WideF32x8;
@@ -180,7 +183,7 @@ impl<'a> Field<'a, '_> {
             };
             let pass = move |(rotations, roots): &(Vec<P::Rotation>, Vec<P>), models: &mut [P]| {
                 let job = hierarchy.job().backend(backend).roots(roots);
-                let locals = dq8::Rotations { rotations, offsets: &scene.bones };
+                let locals = dq8::hierarchy::Rotations { rotations, offsets: &scene.bones };
                 job.locals_to_model(locals, models).expect("whole instances");
             };
             let name = format!("dq8 rotations, {layout} {backend}");

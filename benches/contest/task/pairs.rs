@@ -4,7 +4,10 @@ use crate::caches::{Caches, Footprint, Level};
 use crate::contest::Contest;
 use crate::limit::{Limit, Limited};
 use crate::memory::{Element, Many, Own, Packed, Product, QuatVec3A, Rows3x4, double, single};
-use dq8::{Backend, Block, DualQuat, Lanes, Portable, Quat, ShapeError, batch, f32x8, f32x16};
+use dq8::{
+    Backend, Block, DualQuat, Lanes, Quat, ShapeError, batch,
+    simd::{Portable, f32x8, f32x16},
+};
 use dq8_contract::random::Random;
 use glam::{Affine3A, Mat4};
 use nalgebra::{DualQuaternion, Isometry3, UnitDualQuaternion};

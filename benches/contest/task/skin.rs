@@ -5,7 +5,7 @@
 use crate::contest::Contest;
 use crate::memory::{double, single};
 use dq8::skinning::{Dual, Linear, Skin, Surface, SurfaceMut, dual_blend, linear_blend};
-use dq8::{Affine, Backend, DualQuat, Quat};
+use dq8::{Backend, DualQuat, Quat, representation::Affine};
 use dq8_contract::random::Random;
 use glam::{Affine3A, Mat3A, Vec3A};
 use nalgebra::{DualQuaternion, Point3, Quaternion, UnitDualQuaternion};

@@ -2,7 +2,10 @@
 
 use crate::sample::{COUNT, JOINTS, PARENTS, block, motions, numbers, rotation, same, vector};
 use dq8::storage::{Block, RotationBlock, pack};
-use dq8::{DualQuat, Hierarchy, Poses, Rotations, RotationsTranslations};
+use dq8::{
+    DualQuat, Hierarchy,
+    hierarchy::{Poses, Rotations, RotationsTranslations},
+};
 use dq8_capi::{hierarchy, packing};
 use std::ptr;
 

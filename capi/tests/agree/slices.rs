@@ -4,7 +4,7 @@ use crate::sample::{COUNT, block, motions, numbers, same, vector, wave};
 use dq8::storage::{
     Block, MatrixBlock, NumberBlock, PointBlock, RotationBlock, RotationTranslationBlock,
 };
-use dq8::{Backend, DualQuat, MatrixOrder};
+use dq8::{Backend, DualQuat, hierarchy::MatrixOrder};
 use dq8_capi::{packing, slices};
 
 macro_rules! agree {

@@ -2,7 +2,7 @@
 
 use crate::{add, assert_close, assert_far, dot, motions, point, pure, quat};
 use core::f64::consts::{FRAC_PI_2, SQRT_2};
-use dq8::{DualQuat, DualVector, MatrixError, Quat};
+use dq8::{DualQuat, Quat, geometry::DualVector, scalar::MatrixError};
 
 type Matrix = [[f64; 4]; 4];
 

@@ -2,7 +2,11 @@
 
 use crate::{assert_close, assert_far, length};
 use dq8::batch;
-use dq8::{Dual, DualQuat, Mask, NormalizeError, Portable, Quat, f32x4};
+use dq8::{
+    Dual, DualQuat, Quat,
+    scalar::NormalizeError,
+    simd::{Mask, Portable, f32x4},
+};
 
 /// The article prints eight digits after the point.
 const PRINTED: f64 = 1e-8;

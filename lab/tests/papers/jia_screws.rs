@@ -2,7 +2,7 @@
 
 use crate::{add, assert_close, assert_far, cross, dot, length, motions, pure, third_turn};
 use core::f64::consts::PI;
-use dq8::{Dual, DualQuat, Line, Quat, Screw};
+use dq8::{Dual, DualQuat, Line, Quat, geometry::Screw};
 
 fn line_through(p: [f64; 3], direction: [f64; 3]) -> Line<f64> {
     Line { direction, moment: cross(p, direction) }

@@ -5,7 +5,7 @@ use super::{halves, joined, motion};
 use crate::argument::Argument;
 use crate::call::{Answer, call};
 use crate::law::Law;
-use dq8::{Backend, DualQuat, Lanes, Line, Plane, Scalar, Twist, Wrench};
+use dq8::{Backend, DualQuat, Lanes, Line, Plane, Scalar, Twist, geometry::Wrench};
 use pyo3::prelude::*;
 
 #[derive(Clone, Copy)]

@@ -10,7 +10,7 @@ impl<L: Lanes> Line<L> {
     /// their distance or the moment is not finite. Those are NaN.
     ///
     /// ```
-    /// use dq8::{Line, Mask, f32x4};
+    /// use dq8::{Line, simd::{Mask, f32x4}};
     /// let (zero, z) = (f32x4::splat(0.0), f32x4::new([7.0, 1.0, 0.0, -2.0]));
     /// let (line, failed) = Line::from_points_checked([zero; 3], [zero, zero, z]);
     /// assert_eq!(line.direction[2].to_array()[3], -1.0);

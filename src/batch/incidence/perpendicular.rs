@@ -6,7 +6,7 @@ use crate::batch::{Dual, vector};
 use crate::geometry::Line;
 use dq8_simd::Lanes;
 
-/// How two lines lie to each other: [`CommonPerpendicular`](crate::CommonPerpendicular) on lanes.
+/// How two lines lie to each other: [`CommonPerpendicular`](crate::incidence::CommonPerpendicular) on lanes.
 #[derive(Clone, Copy, Debug)]
 pub struct CommonPerpendicular<L: Lanes> {
     /// The line that crosses both at right angles, unit, with the sense of l₁ × l₂.
@@ -43,7 +43,7 @@ impl<L: Lanes> Line<L> {
     /// one, as [`dual_angle_checked`](Self::dual_angle_checked).
     ///
     /// ```
-    /// use dq8::{Line, Mask, f64x2};
+    /// use dq8::{Line, simd::{Mask, f64x2}};
     /// let at = |x, y, z| [x, y, z].map(f64x2::splat);
     /// let x_axis = Line::from_point_direction(at(0.0, 0.0, 0.0), at(1.0, 0.0, 0.0));
     /// // One line above across it, one along it.

@@ -4,7 +4,7 @@ use crate::geometry::Plane;
 use core::ops::Mul;
 use dq8_simd::Lanes;
 
-/// Linear maps and translations, v ↦ Lv + t: [`Affine`](crate::Affine) on lanes.
+/// Linear maps and translations, v ↦ Lv + t: [`Affine`](crate::representation::Affine) on lanes.
 #[derive(Clone, Copy, Debug)]
 pub struct Affine<L> {
     /// L, rows.

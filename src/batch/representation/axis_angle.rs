@@ -9,7 +9,7 @@ impl<L: Lanes> Quat<L> {
     /// w ≥ 0. No turn has the axis (1, 0, 0).
     ///
     /// ```
-    /// use dq8::{batch::Quat, f32x4};
+    /// use dq8::{batch::Quat, simd::f32x4};
     /// let [zero, one] = [0.0, 1.0].map(f32x4::splat);
     /// let angles = f32x4::new([0.0, 1e-30, 1.0, 3.0]);
     /// let (axis, angle) = Quat::from_axis_angle([zero, one, zero], angles).to_axis_angle();

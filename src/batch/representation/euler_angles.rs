@@ -3,7 +3,8 @@
 use crate::batch::length::Length;
 use crate::batch::trigonometry::atan2;
 use crate::batch::{Quat, vector};
-use crate::geometry::{EulerAngles, EulerFrame, EulerOrder, EulerSolution};
+use crate::geometry::euler_angles::{EulerAngles, EulerSolution};
+use crate::geometry::euler_order::{EulerFrame, EulerOrder};
 use core::f64::consts::{FRAC_PI_2, PI};
 use dq8_simd::Lanes;
 
@@ -12,7 +13,7 @@ impl<L: Lanes> Quat<L> {
     /// where an angle is beyond 2¹⁷ (`f32`) or 2⁴⁶ (`f64`) radians.
     ///
     /// ```
-    /// use dq8::{EulerAngles, EulerAxes, EulerFrame, EulerOrder, Mask, batch::Quat, f32x4};
+    /// use dq8::{batch::Quat, representation::{EulerAngles, EulerAxes, EulerFrame, EulerOrder}, simd::{Mask, f32x4}};
     /// let order = EulerOrder { axes: EulerAxes::ZYX, frame: EulerFrame::Intrinsic };
     /// let pitch = f32x4::new([0.0, 0.5, 1.0, core::f32::consts::FRAC_PI_2]);
     /// let angles = [f32x4::splat(0.75), pitch, f32x4::splat(0.5)];

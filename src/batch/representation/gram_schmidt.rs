@@ -3,13 +3,13 @@ use crate::batch::length::Length;
 use crate::batch::vector;
 use dq8_simd::Lanes;
 
-/// [`gram_schmidt`](crate::gram_schmidt) on lanes: rotation matrices with the first column in the direction of
+/// [`gram_schmidt`](crate::representation::gram_schmidt) on lanes: rotation matrices with the first column in the direction of
 /// the matrix's first and the second in the plane of its first two; and the lanes without one. There an
 /// element is not finite, a column is within rounding of the span of those before it, or the matrix mirrors,
 /// and all elements are NaN.
 ///
 /// ```
-/// use dq8::{Mask, batch::gram_schmidt_checked, f32x4};
+/// use dq8::{batch::gram_schmidt_checked, simd::{Mask, f32x4}};
 /// let [zero, one] = [0.0, 1.0].map(f32x4::splat);
 /// let height = f32x4::new([3.0, 0.5, 0.0, -1.0]);
 /// let (turn, failed) = gram_schmidt_checked([[one, one, zero], [zero, one, zero], [zero, zero, height]]);

@@ -3,7 +3,7 @@ use super::{all_finite, quat_without, without};
 use crate::batch::Quat;
 use dq8_simd::Lanes;
 
-/// The polar decomposition of 3×3 matrices, A = R S: [`Polar`](crate::Polar) on lanes.
+/// The polar decomposition of 3×3 matrices, A = R S: [`Polar`](crate::representation::Polar) on lanes.
 #[derive(Clone, Copy, Debug)]
 pub struct Polar<L: Lanes> {
     /// R, unit, w ≥ 0.
@@ -21,7 +21,7 @@ impl<L: Lanes> Polar<L> {
     /// into a line or a point within rounding. Those are NaN.
     ///
     /// ```
-    /// use dq8::{Mask, batch::Polar, f64x2};
+    /// use dq8::{batch::Polar, simd::{Mask, f64x2}};
     /// let [zero, one] = [0.0, 1.0].map(f64x2::splat);
     /// let other = f64x2::new([2.0, 0.0]);
     /// let rows = [[zero, -other, zero], [one, zero, zero], [zero, zero, other]];

@@ -3,7 +3,7 @@ use core::ops::Mul;
 use dq8_simd::Lanes;
 
 /// Rotations and translations side by side, v ↦ r v r* + t:
-/// [`RotationTranslation`](crate::RotationTranslation) on lanes.
+/// [`RotationTranslation`](crate::representation::RotationTranslation) on lanes.
 #[derive(Clone, Copy, Debug)]
 pub struct RotationTranslation<L> {
     /// r, unit.

@@ -52,7 +52,7 @@ where
 
 impl Backend {
     /// [`Reach::solve`] for many configurations, as many at a time as there are lanes; a lane that is done
-    /// takes the next one, and what becomes of a configuration does not depend on the others.
+    /// takes the next one. The result of a configuration does not depend on the others.
     ///
     /// `targets` is `[configuration][goal]`, `values` `[configuration][value]`, and there is a report for each
     /// configuration. `scratch` has [`batch_scratch_len`](Reach::batch_scratch_len) numbers or more.
@@ -104,8 +104,8 @@ impl<R: Copy> Work<'_, R> {
     fn check(&self, reach: &Reach<'_, R>, room: usize, expected: usize) -> Result<(), ShapeError> {
         let configurations = self.reports.len();
         let (goals, values) = (reach.goals.len(), reach.mechanism.values);
-        same_length("targets", self.targets.len(), configurations * goals)?;
-        same_length("values", self.values.len(), configurations * values)?;
+        same_length("targets", self.targets.len(), configurations.saturating_mul(goals))?;
+        same_length("values", self.values.len(), configurations.saturating_mul(values))?;
         if room < expected {
             return Err(ShapeError::Length { what: "scratch", length: room, expected });
         }

@@ -1,7 +1,7 @@
 //! Calls the hot kernels, so that their machine code is in this program.
 
 use dq8::simd::Row;
-use dq8::{Backend, Block, DualQuat, Hierarchy, HierarchyPlan, PointBlock};
+use dq8::{Backend, Block, DualQuat, Hierarchy, hierarchy::HierarchyPlan, storage::PointBlock};
 use std::hint::black_box;
 
 fn main() {

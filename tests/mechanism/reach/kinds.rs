@@ -4,7 +4,7 @@ use super::super::random::{Numbers, tree, values};
 use super::{apart, draw, mechanism, seven, solve_everywhere};
 use dq8::ik::{Options, Outcome};
 use dq8::mechanism::{Freedom, Goal, Joint, JointKind, Reach};
-use dq8::{DualQuat, Float, Real};
+use dq8::{DualQuat, Real, simd::Float};
 
 /// How many of random targets from random starts are reached, and in how many iterations; what is called
 /// reached must be so by the book.

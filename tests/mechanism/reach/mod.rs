@@ -98,7 +98,7 @@ pub(crate) fn solve_everywhere<R>(
     options: &Options<R>,
 ) -> Vec<Solved<R>>
 where
-    R: Real + dq8::Float,
+    R: Real + dq8::simd::Float,
 {
     let configurations = targets.len() / reach.goals().len();
     let mut scratch = vec![R::NAN; reach.batch_scratch_len()];

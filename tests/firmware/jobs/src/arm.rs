@@ -5,7 +5,7 @@ use crate::answers::{ARM_ANGLES, ARM_AXES, ARM_OFFSETS, ARM_TIP, ARM_TOOL};
 use crate::error::error;
 use crate::table::Table;
 use core::hint::black_box;
-use dq8::{DualQuat, Hierarchy, Quat, Rotations};
+use dq8::{DualQuat, Hierarchy, Quat, hierarchy::Rotations};
 
 /// Six turns, rounded, and as many products.
 const BOUND: f32 = 4.0;

@@ -5,7 +5,7 @@ use crate::answers::{BIPED_MODELS, BIPED_OFFSETS, BIPED_PARENTS, BIPED_ROTATIONS
 use crate::error::{max_or_nan, motion_error};
 use crate::table::Table;
 use core::hint::black_box;
-use dq8::{Block, DualQuat, Hierarchy, Quat, Rotations};
+use dq8::{Block, DualQuat, Hierarchy, Quat, hierarchy::Rotations};
 
 const JOINTS: usize = BIPED_PARENTS.len();
 /// Six products one after the other, each of which may lose a unit.

@@ -1,9 +1,6 @@
 //! Everything else that firmware may want.
 
-use dq8::{
-    Backend, Block, DualQuat, DualVector, Hierarchy, Line, Plane, Poses, Quat, Rotations, Screw,
-    Twist, Wrench,
-};
+use dq8::{Backend, Block, DualQuat, Hierarchy, Line, Plane, Quat, Twist, geometry::{DualVector, Screw, Wrench}, hierarchy::{Poses, Rotations}};
 
 type Motion = DualQuat<f32>;
 
