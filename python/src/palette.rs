@@ -3,9 +3,10 @@
 use crate::argument::{Input, Number, tuple};
 use crate::skin::{Method, named};
 use crate::threads::Threads;
+use dq8::hierarchy::MatrixOrder;
 use dq8::skinning::{Dual, Linear, Skin, SkinningError, Stretched, Surface, SurfaceMut};
 use dq8::skinning::{matrix_palette, split_palette};
-use dq8::{Backend, DualQuat, MatrixOrder};
+use dq8::{Backend, DualQuat};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 

@@ -30,7 +30,7 @@ def test_the_tutorial_runs_and_plots(tmp_path):
     command = [sys.executable, PROJECT / "tutorial" / "tutorial.py", tmp_path]
     done = subprocess.run(command, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
-    for name in ("between.png", "arm.png"):
+    for name in ("between.png", "arm.png", "skin.png"):
         assert (tmp_path / name).read_bytes().startswith(b"\x89PNG")
 
 
