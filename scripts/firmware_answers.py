@@ -89,6 +89,16 @@ def translation(s):
     return [2 * c for c in mul(s[4:], [p[0], -p[1], -p[2], -p[3]])][1:]
 
 
+def rotate(p, v):
+    """p v p*"""
+    return mul(mul(p, [mpf(0), *v]), [p[0], -p[1], -p[2], -p[3]])[1:]
+
+
+def cross(a, b):
+    (x, y, z), (e, f, g) = a, b
+    return [y*g - z*f, z*e - x*g, x*f - y*e]  # fmt: skip
+
+
 def xyzw(quats):
     """Memory order of one or more quaternions that are w first."""
     out = []
@@ -149,8 +159,11 @@ def arm(out):
     offsets = [[single(c) for c in o] for o in ARM_OFFSETS]
     tool = [single(c) for c in ARM_TOOL]
     model = [mpf(1)] + [mpf(0)] * 7
+    hinges = []
     for axis, offset, angle in zip(ARM_AXES, offsets, angles):
         model = dual_mul(model, rigid(turn(axis, angle), offset))
+        # A hinge does not move its own axis.
+        hinges.append((rotate(model[:4], axis), translation(model)))
     tip = translation(dual_mul(model, rigid([mpf(1), mpf(0), mpf(0), mpf(0)], tool)))
     out += [
         "/// The six joints of the arm: the axis of each, its place in its parent, and how far it is turned.",
@@ -160,6 +173,10 @@ def arm(out):
         "/// The tip of the tool in the last joint, and where it is.",
         f"pub const ARM_TOOL: [f32; 3] = {array(tool)};",
         f"pub const ARM_TIP: [f32; 3] = {array(tip)};",
+        "/// How the tip moves with each angle: angular velocity, and linear velocity, in axes of the base.",
+        "pub const ARM_JACOBIAN: [[f32; 6]; 6] = [",
+        *(f"    {array(axis + cross(axis, [t - o for t, o in zip(tip, origin)]))}," for axis, origin in hinges),
+        "];",
     ]  # fmt: skip
 
 

@@ -1,11 +1,14 @@
-//! Where the tool of a six-axis arm is, from the angles of its joints.
+//! Where the tool of a six-axis arm is and how it moves, from the angles of its joints: by a hierarchy, and by a
+//! mechanism.
 
 use crate::Board;
-use crate::answers::{ARM_ANGLES, ARM_AXES, ARM_OFFSETS, ARM_TIP, ARM_TOOL};
-use crate::error::error;
+use crate::answers::{ARM_ANGLES, ARM_AXES, ARM_JACOBIAN, ARM_OFFSETS, ARM_TIP, ARM_TOOL};
+use crate::error::{error, max_or_nan};
 use crate::table::Table;
 use core::hint::black_box;
-use dq8::{DualQuat, Hierarchy, Quat, hierarchy::Rotations};
+use dq8::hierarchy::Rotations;
+use dq8::mechanism::{Joint, Mechanism, Step, WorldAligned};
+use dq8::{DualQuat, Hierarchy, Quat, Twist};
 
 /// Six turns, rounded, and as many products.
 const BOUND: f32 = 4.0;
@@ -14,6 +17,44 @@ pub(crate) fn run<B: Board>(table: &mut Table<'_, B>) {
     let mut tip = [f32::NAN; 3];
     let instructions = table.count(|| tip = tool(black_box(&ARM_ANGLES)).unwrap_or(tip));
     table.line("6-axis arm, from angles to the tool", instructions, error(&tip, &ARM_TIP), BOUND);
+    mechanism(table);
+}
+
+/// The tool is a link, behind six hinges.
+const TOOL: usize = 6;
+
+fn mechanism<B: Board>(table: &mut Table<'_, B>) {
+    let mut joints = [Joint::fixed(Some(TOOL - 1), DualQuat::from_translation(ARM_TOOL)); TOOL + 1];
+    for (link, (joint, (&axis, &offset))) in
+        joints.iter_mut().zip(ARM_AXES.iter().zip(&ARM_OFFSETS)).enumerate()
+    {
+        *joint = Joint::revolute(link.checked_sub(1), DualQuat::from_translation(offset), axis);
+    }
+    let mut steps = [Step::default(); TOOL + 1];
+    // A mechanism that is refused leaves the answers as they are: not right.
+    let arm = Mechanism::new(&joints, &mut steps);
+    let mut pose = DualQuat::IDENTITY;
+    let mut columns = [Twist::from_array([f32::NAN; 6]); TOOL];
+
+    let instructions = table.count(|| {
+        if let Ok(arm) = &arm {
+            pose = arm.link_pose(black_box(&ARM_ANGLES), TOOL).unwrap_or(pose);
+        }
+    });
+    let tip = pose.translation();
+    table.line("mechanism of 6 axes, its tool", instructions, error(&tip, &ARM_TIP), BOUND);
+
+    let instructions = table.count(|| {
+        if let Ok(arm) = &arm {
+            let angles = black_box(&ARM_ANGLES);
+            pose = arm.link_jacobian(WorldAligned, angles, TOOL, &mut columns).unwrap_or(pose);
+        }
+    });
+    let mut worst = error(&pose.translation(), &ARM_TIP);
+    for (column, expected) in columns.iter().zip(&ARM_JACOBIAN) {
+        worst = max_or_nan(error(&column.to_array(), expected), worst);
+    }
+    table.line("tool and Jacobian", instructions, worst, BOUND);
 }
 
 #[inline(never)]
