@@ -72,7 +72,6 @@ pub(crate) enum Method {
 /// >>> dq8.skin([[1.0, 0, 0]], [[0, 1]], [[0.5, 0.5]], palette, method='lbs').round(6)
 /// array([[0.5, 0.5, 0. ]])
 #[pyfunction]
-#[expect(clippy::too_many_arguments, reason = "keywords of Python")]
 #[pyo3(signature = (points, joints, weights, palette, /, *, method="dlb", normals=None, out=None))]
 pub(crate) fn skin<'py>(
     points: &Bound<'py, PyAny>,
