@@ -72,12 +72,12 @@ pub(crate) fn reach<'py, R: Number>(
 
     let py = targets.py();
     let each_goal: &[usize] = if search.chosen.one { &[] } else { &[goal_count] };
-    let targets = targets.filled(&[&shape[..], each_goal].concat())?;
-    let targets: Vec<_> = targets.records().iter().map(|&it| DualQuat::from_array(it)).collect();
+    let given = targets.filled(&[&shape[..], each_goal].concat())?;
+    let targets: Vec<_> = given.records().iter().map(|&it| DualQuat::from_array(it)).collect();
     let values = values.filled(&[&shape[..], &[value_count]].concat())?;
-    // Copied: `out` may be the same memory.
+    // Both are copied: `out` may be the same memory.
     let start = values.records::<1>().as_flattened().to_vec();
-    drop(values);
+    drop((given, values));
     let output = Output::<R>::new(py, out, &shape, &[value_count])?;
     let mut reports = vec![Report::default(); shape.iter().product()];
     let mut memory = output.borrow()?;
@@ -89,7 +89,7 @@ pub(crate) fn reach<'py, R: Number>(
     Ok((output.finish()?, ReachReport::new(py, &reports, &shape)?))
 }
 
-/// All configurations, `[configuration][value]`, by all threads: what becomes of one does not depend on others.
+/// All configurations, `[configuration][value]`, by all threads. The result of one does not depend on others.
 fn solve<R: Number>(
     problem: &Reach<'_, R>,
     targets: &[DualQuat<R>],
