@@ -3,6 +3,7 @@
 use crate::output::Output;
 use dq8::Scalar;
 use dq8::mechanism::JointValues;
+use dq8::skinning::Weight;
 use dq8::storage::Aos;
 use numpy::prelude::*;
 use numpy::{Element, PyArrayDyn, PyReadonlyArrayDyn, PyUntypedArray};
@@ -12,7 +13,7 @@ use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyFloat, PyInt, PyTuple};
 
 /// A number that NumPy has too.
-pub(crate) trait Number: Scalar + Element + JointValues<Aos<Self>> {}
+pub(crate) trait Number: Scalar + Element + JointValues<Aos<Self>> + Weight {}
 impl Number for f32 {}
 impl Number for f64 {}
 
@@ -256,6 +257,12 @@ fn extent<R: Number>(array: &Bound<'_, PyArrayDyn<R>>) -> (usize, usize) {
         }
     }
     (low, high)
+}
+
+/// An argument of another shape than expected.
+pub(crate) fn misshapen(name: &str, expected: &str, given: &[usize]) -> PyErr {
+    let given = tuple(given);
+    PyValueError::new_err(format!("Expected `{name}` to have shape {expected}, got {given}."))
 }
 
 /// As NumPy prints shapes.

@@ -4,7 +4,9 @@
 use crate::argument::Number;
 use crate::law::load;
 use dq8::simd::Records;
-use dq8::{Backend, DualQuat, Kernel, Lanes, Level, Real, Twist, batch, storage, geometry::DualVector};
+use dq8::{
+    Backend, DualQuat, Kernel, Lanes, Level, Real, Twist, batch, geometry::DualVector, storage,
+};
 
 /// From so many influences on, lanes are influences: a blend is then some registers of them, and what is
 /// left empty at the end does not count.

@@ -1,6 +1,9 @@
 //! NumPy's broadcasting of leading dimensions, without copies of what is the same for many.
 
+use crate::argument::tuple;
 use crate::sweep::Which;
+use pyo3::PyErr;
+use pyo3::exceptions::PyValueError;
 
 /// The leading dimensions of the result, as runs of elements that lie one after the other.
 #[derive(Debug)]
@@ -98,4 +101,14 @@ pub(crate) fn cycles(argument: &[usize], shape: &[usize]) -> bool {
     let own =
         argument.iter().position(|&size| size != 1).map_or(&[][..], |first| &argument[first..]);
     shape.ends_with(own)
+}
+
+/// Leading dimensions that do not fit each other, with the names of their arguments.
+pub(crate) fn misfit<'a>(arguments: impl Iterator<Item = (&'a str, &'a [usize])>) -> PyErr {
+    let given: Vec<_> =
+        arguments.map(|(name, shape)| format!("`{name}` {}", tuple(shape))).collect();
+    PyValueError::new_err(format!(
+        "operands could not be broadcast together: leading dimensions {}",
+        given.join(", ")
+    ))
 }

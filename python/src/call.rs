@@ -1,7 +1,7 @@
 //! From a Python call to a sweep: precision, shapes, memory, and the interpreter lock.
 
-use crate::argument::{Argument, Input, Number, is_single, tuple};
-use crate::broadcast::{Broadcast, cycles};
+use crate::argument::{Argument, Input, Number, is_single};
+use crate::broadcast::{Broadcast, cycles, misfit};
 use crate::law::{Each, Law, Operand};
 use crate::output::Output;
 use crate::sweep::{Arguments, sweep};
@@ -116,17 +116,8 @@ fn broadcast<R: Number>(
     let shapes =
         [0, 1, 2].map(|i| inputs[i].as_ref().map_or(&[][..], |input| input.full_leading()));
     Broadcast::of(shapes, once).ok_or_else(|| {
-        let given: Vec<_> = arguments
-            .iter()
-            .zip(shapes)
-            .filter_map(|(argument, shape)| {
-                Some(format!("`{}` {}", (*argument)?.name, tuple(shape)))
-            })
-            .collect();
-        PyValueError::new_err(format!(
-            "operands could not be broadcast together: leading dimensions {}",
-            given.join(", ")
-        ))
+        let named = arguments.iter().zip(shapes);
+        misfit(named.filter_map(|(argument, shape)| Some(((*argument)?.name, shape))))
     })
 }
 

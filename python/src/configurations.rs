@@ -3,6 +3,7 @@
 use crate::argument::{Argument, Input, Number, tuple};
 use crate::call::Answer;
 use crate::functions::core_shape::EIGHT;
+use crate::links::Chosen;
 use crate::output::Output;
 use crate::threads::Threads;
 use dq8::mechanism::{Body, JacobianFrame, Mechanism, OwnedMechanism, World, WorldAligned};
@@ -11,14 +12,6 @@ use numpy::PyUntypedArray;
 use numpy::prelude::*;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-
-/// Links that were asked for.
-#[derive(Debug)]
-pub(crate) struct Chosen {
-    pub(crate) links: Vec<usize>,
-    /// Whether it was one, and no sequence.
-    pub(crate) one: bool,
-}
 
 /// In which axes, and about which point, a Jacobian is.
 #[derive(Clone, Copy, Debug)]

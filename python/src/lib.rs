@@ -14,8 +14,13 @@ mod functions;
 mod hierarchy;
 mod joints;
 mod law;
+mod links;
 mod mechanism;
 mod output;
+mod palette;
+mod reach;
+mod reach_report;
+mod skin;
 mod sweep;
 mod threads;
 
@@ -60,6 +65,10 @@ mod _core {
     use super::hierarchy::Hierarchy;
     #[pymodule_export]
     use super::mechanism::Mechanism;
+    #[pymodule_export]
+    use super::reach_report::ReachReport;
+    #[pymodule_export]
+    use super::skin::skin;
     #[pymodule_export]
     use super::threads::{forget_threads, get_num_threads, set_num_threads};
 }

@@ -2,14 +2,19 @@
 
 use crate::argument::{Argument, is_single};
 use crate::call::Answer;
-use crate::configurations::{Chosen, Frame, jacobian, poses};
+use crate::configurations::{Frame, jacobian, poses};
+use crate::functions::core_shape::{EIGHT, SIX};
 use crate::hierarchy::parents_of;
 use crate::joints::{Arrays, NO_LIMITS, limits, name_and_axis, values_and_rates};
+use crate::links::{Chosen, link_of};
+use crate::reach::{Search, reach};
+use crate::reach_report::ReachReport;
+use dq8::ik::Options;
 use dq8::mechanism::{Joint, MechanismError, OwnedMechanism};
 use dq8_urdf::Robot;
 use numpy::PyArray1;
 use numpy::prelude::*;
-use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple, PyType};
 
@@ -215,7 +220,7 @@ impl Mechanism {
         links: Option<&Bound<'py, PyAny>>,
         out: Option<&Bound<'py, PyAny>>,
     ) -> Answer<'py> {
-        let chosen = links.map(|links| self.chosen(links)).transpose()?;
+        let chosen = links.map(|links| Chosen::of(&self.links, links)).transpose()?;
         let values = Argument { name: "values", core: &[], value: values };
         if is_single(&[Some(values)])? {
             poses(self.single()?, values, chosen, out)
@@ -271,12 +276,109 @@ impl Mechanism {
                 )));
             }
         };
-        let link = self.link("link", link)?;
+        let link = link_of(&self.links, "link", link)?;
         let values = Argument { name: "values", core: &[], value: values };
         if is_single(&[Some(values)])? {
             jacobian(self.single()?, values, link, frame, out)
         } else {
             jacobian(&self.double, values, link, frame, out)
+        }
+    }
+
+    /// Inverse kinematics: values that bring links to targets, for each pair of a target and a start.
+    ///
+    /// Damped least squares on the screws of the joints, within their limits, on SIMD lanes. Where limits or
+    /// local minima stop it, a search begins again from other values, spread evenly within the limits. The
+    /// values returned are the best found, also where a target is not reached; where numbers are not finite
+    /// or a target is not unit, they are the start. ``reach(poses(values, links), start, links)`` is
+    /// the inverse of `poses`. With threads, large calls are computed by all of them.
+    ///
+    /// Parameters
+    /// ----------
+    /// targets : array_like, shape (..., 8), or (..., links, 8) for a sequence of links
+    ///     Unit dual quaternions: the poses that links should have, in the frame of the base.
+    /// values : array_like, shape (..., values)
+    ///     Configurations to start from. Leading dimensions broadcast with those of `targets`.
+    /// links : str, int, or sequence of these
+    ///     Which links.
+    /// weights : array_like, shape (6,), or (links, 6) for a sequence of links, optional
+    ///     How much the components of the error weigh where not all vanish: rotation, then position, in the
+    ///     axes of the target. Zero leaves one free: ``[0, 0, 0, 1, 1, 1]`` asks for the position alone. By
+    ///     default all are 1.
+    /// posture : array_like, shape (values,), optional
+    ///     A configuration to be near to, where the targets leave freedom.
+    /// angular_tolerance, linear_tolerance : float
+    ///     The errors that may be left: radians, and the unit of the robot.
+    /// max_iterations : int
+    ///     The most steps and restarts together.
+    /// length_per_radian : float, optional
+    ///     The distance that weighs as much as a radian; by default an eighth of the robot's reach.
+    /// max_step : float
+    ///     The most that a joint turns in one step, radians.
+    /// damping : float
+    ///     λ of the least squares at the target, radians; more than 0 for machines that follow a target.
+    /// restarts : bool
+    ///     False keeps to the start: to follow a target that moves.
+    /// out : ndarray, optional
+    ///     Where to write the values; may be `values`.
+    ///
+    /// Returns
+    /// -------
+    /// values : ndarray, shape (..., values)
+    /// report : ReachReport
+    ///     What was reached: arrays of shape (...).
+    ///
+    /// Examples
+    /// --------
+    /// >>> import dq8
+    /// >>> meter = dq8.from_translation([1.0, 0.0, 0.0])
+    /// >>> arm = dq8.Mechanism([-1, 0, 1], ["revolute", "revolute", "fixed"], [0, 0, 1], meter)
+    /// >>> target = dq8.from_translation([2.0, 1.0, 0.0])
+    /// >>> values, report = arm.reach(target, [0.1, 0.2], 2, weights=[0, 0, 0, 1, 1, 1])
+    /// >>> bool(report.converged), dq8.translation(arm.poses(values, 2)).round(4) + 0.0
+    /// (True, array([2., 1., 0.]))
+    #[expect(clippy::too_many_arguments, reason = "keywords of Python")]
+    #[pyo3(signature = (
+        targets, values, /, links, *, weights=None, posture=None, angular_tolerance=1e-5,
+        linear_tolerance=1e-5, max_iterations=100, length_per_radian=None, max_step=1.5, damping=0.0,
+        restarts=true, out=None
+    ))]
+    fn reach<'py>(
+        &self,
+        targets: &Bound<'py, PyAny>,
+        values: &Bound<'py, PyAny>,
+        links: &Bound<'py, PyAny>,
+        weights: Option<&Bound<'py, PyAny>>,
+        posture: Option<&Bound<'py, PyAny>>,
+        angular_tolerance: f64,
+        linear_tolerance: f64,
+        max_iterations: u32,
+        length_per_radian: Option<f64>,
+        max_step: f64,
+        damping: f64,
+        restarts: bool,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<(Bound<'py, PyAny>, ReachReport)> {
+        let search = Search {
+            targets: Argument { name: "targets", core: EIGHT, value: targets },
+            values: Argument { name: "values", core: &[], value: values },
+            chosen: Chosen::of(&self.links, links)?,
+            weights: weights.map(|value| Argument { name: "weights", core: SIX, value }),
+            posture: posture.map(|value| Argument { name: "posture", core: &[], value }),
+            options: Options {
+                angular_tolerance,
+                linear_tolerance,
+                max_iterations,
+                length_per_radian,
+                max_step,
+                damping,
+                restarts,
+            },
+        };
+        if is_single(&[Some(search.targets), Some(search.values)])? {
+            reach(self.single()?, search, out)
+        } else {
+            reach(&self.double, search, out)
         }
     }
 }
@@ -287,42 +389,6 @@ impl Mechanism {
             PyValueError::new_err(format!("`values` are float32, for which {error}"))
         })
     }
-
-    fn chosen(&self, links: &Bound<'_, PyAny>) -> PyResult<Chosen> {
-        if is_link(links) {
-            return Ok(Chosen { links: vec![self.link("links", links)?], one: true });
-        }
-        let links = links.try_iter().map_err(|_| not_a_link("links", links))?;
-        let links = links.map(|link| self.link("links", &link?)).collect::<PyResult<_>>()?;
-        Ok(Chosen { links, one: false })
-    }
-
-    /// The number of a link, from its name or number; from the end where it is negative.
-    fn link(&self, argument: &str, link: &Bound<'_, PyAny>) -> PyResult<usize> {
-        if let Ok(name) = link.extract::<String>() {
-            return self.links.iter().position(|other| *other == name).ok_or_else(|| {
-                PyValueError::new_err(format!("`{argument}`: there is no link {name:?}."))
-            });
-        }
-        let index: i64 = link.extract().map_err(|_| not_a_link(argument, link))?;
-        let count = self.links.len();
-        let from_start = if index < 0 { index + count as i64 } else { index };
-        usize::try_from(from_start).ok().filter(|&link| link < count).ok_or_else(|| {
-            let message = format!("`{argument}`: there is no link {index} among {count}.");
-            PyValueError::new_err(message)
-        })
-    }
-}
-
-fn is_link(given: &Bound<'_, PyAny>) -> bool {
-    given.extract::<String>().is_ok() || given.extract::<i64>().is_ok()
-}
-
-fn not_a_link(argument: &str, given: &Bound<'_, PyAny>) -> PyErr {
-    let kind = given.get_type();
-    PyTypeError::new_err(format!(
-        "Expected `{argument}` to name links or their numbers, got {kind}."
-    ))
 }
 
 /// The text of a file.

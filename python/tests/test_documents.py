@@ -30,7 +30,7 @@ def test_the_tutorial_runs_and_plots(tmp_path):
     command = [sys.executable, PROJECT / "tutorial" / "tutorial.py", tmp_path]
     done = subprocess.run(command, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
-    for name in ("between.png", "arm.png"):
+    for name in ("between.png", "arm.png", "skin.png"):
         assert (tmp_path / name).read_bytes().startswith(b"\x89PNG")
 
 
@@ -66,7 +66,7 @@ def test_the_types_have_every_function_with_its_parameters():
         arguments = node.args
         own = [a.arg for a in arguments.posonlyargs + arguments.args + arguments.kwonlyargs]
         assert own == list(inspect.signature(function).parameters), name
-    assert list(declared) == ["Hierarchy", "Mechanism"]
+    assert list(declared) == ["Hierarchy", "Mechanism", "ReachReport"]
     for name, node in declared.items():
         methods = {node.name for node in node.body if isinstance(node, ast.FunctionDef)}
         for method in vars(getattr(dq8, name)):

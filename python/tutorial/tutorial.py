@@ -88,6 +88,47 @@ figure.savefig(directory / "arm.png")
 assert np.linalg.norm(hands, axis=1).max() <= 2.3 + 1e-12
 
 # %% [markdown]
+# ## Back from poses to angles
+#
+# A `Mechanism` knows its joints as well: `reach` finds the angles that bring a link to a pose. Here the same arm,
+# with limits, and all ten thousand poses of its hand at once, from one start.
+
+# %%
+limits = [[-1.5, 1.5], [-2.5, 2.5], [-2.5, 2.5], [-np.inf, np.inf]]
+kinds = ["revolute", "revolute", "revolute", "fixed"]
+robot = dq8.Mechanism([-1, 0, 1, 2], kinds, [0, 0, 1], offsets, limits)
+targets = robot.poses(angles[:, :3], 3)
+found, report = robot.reach(targets, [0.1, 0.2, 0.3], 3)
+print(f"{report.converged.mean():.1%} reached, in {report.iterations.mean():.1f} steps")
+reached = report.converged
+assert reached.mean() > 0.9
+assert dq8.distance_to(robot.poses(found, 3), targets)[reached].max() < 1.1e-5
+
+# %% [markdown]
+# ## A mesh that follows joints
+#
+# A tube, twisted by half a turn at its end. Sums of matrices (`"lbs"`) collapse in the middle; dual quaternions
+# (`"dlb"`) keep the radius.
+
+# %%
+height, around = np.meshgrid(np.linspace(0, 1, 41), np.linspace(0, 2 * np.pi, 25), indexing="ij")
+tube = np.stack([0.3 * np.cos(around), 0.3 * np.sin(around), height], axis=-1).reshape(-1, 3)
+joints = np.tile([0, 1], (len(tube), 1))
+weights = np.stack([1 - tube[:, 2], tube[:, 2]], axis=-1)
+twists = dq8.from_twist(np.linspace(0, 0.95 * np.pi, 20)[:, None] * [0, 0, 1.0, 0, 0, 0])
+palettes = np.stack([np.broadcast_to(dq8.identity(), twists.shape), twists], axis=1)  # (20, 2, 8)
+frames = {method: dq8.skin(tube, joints, weights, palettes, method=method) for method in ("lbs", "dlb")}
+
+figure = plt.figure(figsize=(6, 4), layout="constrained")
+for place, (method, frame) in enumerate(frames.items()):
+    axes = figure.add_subplot(1, 2, place + 1, projection="3d")
+    axes.plot_wireframe(*frame[-1].reshape(41, 25, 3).transpose(2, 0, 1), linewidth=0.4)
+    axes.set_title(method)
+figure.savefig(directory / "skin.png")
+radius = {method: np.linalg.norm(frame[-1, :, :2], axis=-1) for method, frame in frames.items()}
+assert np.allclose(radius["dlb"], 0.3) and radius["lbs"].min() < 0.05
+
+# %% [markdown]
 # ## A mean that does not depend on the frame
 #
 # `mean` is intrinsic: the mean of moved poses is the moved mean. `dlb` is the normalized sum, close to it.

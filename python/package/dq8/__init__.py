@@ -8,7 +8,8 @@ Functions take arrays ``(..., 8)``, broadcast leading dimensions, and compute in
 float32, otherwise in float64. Arrays that lie in memory one element after the other are read as they are;
 others are copied first. ``out=`` writes into an array that is there.
 
-`Mechanism` is a robot: joint values ``(..., values)`` to poses of links and Jacobians.
+`Mechanism` is a robot: joint values ``(..., values)`` to poses of links and Jacobians, and back from poses
+(`Mechanism.reach`). `skin` lets a mesh follow joints.
 
 `RigidTransform` wraps such an array in the methods of ``scipy.spatial.transform.RigidTransform``.
 
@@ -20,6 +21,7 @@ import os as _os
 from ._core import (
     Hierarchy,
     Mechanism,
+    ReachReport,
     adjoint,
     angle_to,
     backend,
@@ -48,6 +50,7 @@ from ._core import (
     pow,
     sclerp,
     set_num_threads,
+    skin,
     to_matrix,
     to_screw,
     to_twist,
@@ -58,6 +61,7 @@ from ._core import (
     translation,
 )
 from ._core import forget_threads as _forget_threads
+from ._outcome import Outcome
 from ._rigid_transform import RigidTransform, identity
 
 __version__ = "0.1.0"
@@ -65,6 +69,8 @@ __version__ = "0.1.0"
 __all__ = [
     "Hierarchy",
     "Mechanism",
+    "Outcome",
+    "ReachReport",
     "RigidTransform",
     "adjoint",
     "angle_to",
@@ -95,6 +101,7 @@ __all__ = [
     "pow",
     "sclerp",
     "set_num_threads",
+    "skin",
     "to_matrix",
     "to_screw",
     "to_twist",

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 from os import PathLike
-from typing import Any, Literal
+from typing import Any, Literal, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -53,6 +53,30 @@ def mean(
     max_iterations: int = 32,
     out: _Floats | None = None,
 ) -> _Floats: ...
+@overload
+def skin(
+    points: ArrayLike,
+    joints: ArrayLike,
+    weights: ArrayLike,
+    palette: ArrayLike,
+    /,
+    *,
+    method: Literal["dlb", "lbs"] = "dlb",
+    normals: None = None,
+    out: _Floats | None = None,
+) -> _Floats: ...
+@overload
+def skin(
+    points: ArrayLike,
+    joints: ArrayLike,
+    weights: ArrayLike,
+    palette: ArrayLike,
+    /,
+    *,
+    method: Literal["dlb", "lbs"] = "dlb",
+    normals: ArrayLike,
+    out: tuple[_Floats, _Floats] | None = None,
+) -> tuple[_Floats, _Floats]: ...
 def backend() -> str: ...
 def set_num_threads(count: int, /) -> None: ...
 def get_num_threads() -> int: ...
@@ -106,3 +130,35 @@ class Mechanism:
         *,
         out: _Floats | None = None,
     ) -> _Floats: ...
+    def reach(
+        self,
+        targets: ArrayLike,
+        values: ArrayLike,
+        /,
+        links: str | int | Iterable[str | int],
+        *,
+        weights: ArrayLike | None = None,
+        posture: ArrayLike | None = None,
+        angular_tolerance: float = 1e-5,
+        linear_tolerance: float = 1e-5,
+        max_iterations: int = 100,
+        length_per_radian: float | None = None,
+        max_step: float = 1.5,
+        damping: float = 0.0,
+        restarts: bool = True,
+        out: _Floats | None = None,
+    ) -> tuple[_Floats, ReachReport]: ...
+
+class ReachReport:
+    @property
+    def converged(self) -> NDArray[np.bool] | np.bool: ...
+    @property
+    def outcome(self) -> NDArray[np.uint8] | np.uint8: ...
+    @property
+    def iterations(self) -> NDArray[np.uint32] | np.uint32: ...
+    @property
+    def restarts(self) -> NDArray[np.uint32] | np.uint32: ...
+    @property
+    def angular_error(self) -> _Floats | np.float32 | np.float64: ...
+    @property
+    def linear_error(self) -> _Floats | np.float32 | np.float64: ...

@@ -5,7 +5,10 @@ use super::{halves, joined, motion};
 use crate::argument::Argument;
 use crate::call::{Answer, call};
 use crate::law::Law;
-use dq8::{Lanes, Line, Twist, batch, geometry::{DualVector, Screw}};
+use dq8::{
+    Lanes, Line, Twist, batch,
+    geometry::{DualVector, Screw},
+};
 use pyo3::prelude::*;
 
 #[derive(Clone, Copy)]

@@ -1,0 +1,51 @@
+//! Links that a caller names.
+
+use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::prelude::*;
+
+/// Links that were asked for.
+#[derive(Debug)]
+pub(crate) struct Chosen {
+    pub(crate) links: Vec<usize>,
+    /// Whether it was one, and no sequence.
+    pub(crate) one: bool,
+}
+
+impl Chosen {
+    /// The argument `links`, where links have these names.
+    pub(crate) fn of(names: &[String], links: &Bound<'_, PyAny>) -> PyResult<Self> {
+        if links.extract::<String>().is_ok() || links.extract::<i64>().is_ok() {
+            return Ok(Self { links: vec![link_of(names, "links", links)?], one: true });
+        }
+        let links = links.try_iter().map_err(|_| not_a_link("links", links))?;
+        let links = links.map(|link| link_of(names, "links", &link?)).collect::<PyResult<_>>()?;
+        Ok(Self { links, one: false })
+    }
+}
+
+/// The number of a link, from its name or number; from the end where it is negative.
+pub(crate) fn link_of(
+    names: &[String],
+    argument: &str,
+    link: &Bound<'_, PyAny>,
+) -> PyResult<usize> {
+    if let Ok(name) = link.extract::<String>() {
+        return names.iter().position(|other| *other == name).ok_or_else(|| {
+            PyValueError::new_err(format!("`{argument}`: there is no link {name:?}."))
+        });
+    }
+    let index: i64 = link.extract().map_err(|_| not_a_link(argument, link))?;
+    let count = names.len();
+    let from_start = if index < 0 { index + count as i64 } else { index };
+    usize::try_from(from_start).ok().filter(|&link| link < count).ok_or_else(|| {
+        let message = format!("`{argument}`: there is no link {index} among {count}.");
+        PyValueError::new_err(message)
+    })
+}
+
+fn not_a_link(argument: &str, given: &Bound<'_, PyAny>) -> PyErr {
+    let kind = given.get_type();
+    PyTypeError::new_err(format!(
+        "Expected `{argument}` to name links or their numbers, got {kind}."
+    ))
+}

@@ -1,0 +1,134 @@
+//! Skinning palettes, from arrays of motions or matrices.
+
+use crate::argument::{Input, Number, tuple};
+use crate::skin::{Method, named};
+use crate::threads::Threads;
+use dq8::hierarchy::MatrixOrder;
+use dq8::skinning::{Dual, Linear, Skin, SkinningError, Stretched, Surface, SurfaceMut};
+use dq8::skinning::{matrix_palette, split_palette};
+use dq8::{Backend, DualQuat};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+type Matrix3x4<R> = [[R; 4]; 3];
+type Matrix4x4<R> = [[R; 4]; 4];
+
+/// What joints move vertices by, `[pose][joint]`.
+#[derive(Debug)]
+pub(crate) enum Entries<R> {
+    Motions(Vec<DualQuat<R>>),
+    Matrices(Vec<Matrix3x4<R>>),
+    Split { motions: Vec<DualQuat<R>>, stretches: Vec<Matrix3x4<R>> },
+}
+
+/// A palette for each pose.
+#[derive(Debug)]
+pub(crate) struct Palette<R> {
+    /// The dimensions before those of one palette.
+    pub(crate) poses: Vec<usize>,
+    pub(crate) joints: usize,
+    entries: Entries<R>,
+}
+
+impl<R: Number> Palette<R> {
+    /// From `(..., joints, 8)`, `(..., joints, 3, 4)` or `(..., joints, 4, 4)`, as a method needs it.
+    pub(crate) fn new(given: Input<'_, R>, method: Method) -> PyResult<Self> {
+        let full = given.full_leading().to_vec();
+        let (poses, joints, rows) = match full[..] {
+            [ref poses @ .., joints, 8] => (poses.to_vec(), joints, None),
+            [ref poses @ .., joints, rows @ (3 | 4), 4] => (poses.to_vec(), joints, Some(rows)),
+            _ => {
+                return Err(PyValueError::new_err(format!(
+                    "Expected `palette` to have shape (..., joints, 8), (..., joints, 3, 4) or \
+                     (..., joints, 4, 4), got {}.",
+                    tuple(&full)
+                )));
+            }
+        };
+        let given = given.filled(&full)?;
+        let numbers = given.records::<1>().as_flattened();
+        let done = given.py().detach(|| match (rows, method) {
+            (None, Method::Dual) => Ok(Entries::Motions(motions(numbers))),
+            (None, Method::Linear) => {
+                let matrices = motions(numbers).into_iter().map(DualQuat::to_matrix3x4);
+                Ok(Entries::Matrices(matrices.collect()))
+            }
+            (Some(rows), Method::Linear) => Ok(Entries::Matrices(matrices(numbers, rows)?)),
+            (Some(rows), Method::Dual) => {
+                let matrices = matrices(numbers, rows)?;
+                let mut motions = vec![DualQuat::IDENTITY; matrices.len()];
+                let mut stretches = matrices.clone();
+                split_palette(&matrices, &mut motions, &mut stretches)?;
+                Ok(Entries::Split { motions, stretches })
+            }
+        });
+        let entries = done.map_err(|error| of_one_pose(error, joints))?;
+        Ok(Self { poses, joints, entries })
+    }
+
+    /// A mesh in one of the poses.
+    pub(crate) fn pose(
+        &self,
+        threads: &Threads,
+        skin: &Skin<'_, u32, R>,
+        pose: usize,
+        rest: Surface<'_, [R; 3]>,
+        posed: SurfaceMut<'_, [R; 3]>,
+    ) -> Result<(), SkinningError> {
+        let backend = Backend::best();
+        let of = pose * self.joints..(pose + 1) * self.joints;
+        macro_rules! by {
+            ($blend:expr) => {
+                if threads.many() {
+                    backend.par_skin(skin, $blend, rest, posed)
+                } else {
+                    backend.skin(skin, $blend, rest, posed)
+                }
+            };
+        }
+        match &self.entries {
+            Entries::Motions(motions) => by!(Dual::new(&motions[of])),
+            Entries::Matrices(matrices) => by!(Linear::new(&matrices[of])),
+            Entries::Split { motions, stretches } => {
+                by!(Stretched::new(&motions[of.clone()], &stretches[of]))
+            }
+        }
+    }
+}
+
+fn motions<R: Number>(numbers: &[R]) -> Vec<DualQuat<R>> {
+    numbers.as_chunks().0.iter().map(|&motion| DualQuat::from_array(motion)).collect()
+}
+
+/// Affine matrices of finite numbers, from those of 3 or 4 rows.
+fn matrices<R: Number>(numbers: &[R], rows: usize) -> Result<Vec<Matrix3x4<R>>, SkinningError> {
+    let (zero, one) = (R::ZERO, R::ONE);
+    let last = [zero, zero, zero, one];
+    let identity =
+        [[one, zero, zero, zero], [zero, one, zero, zero], [zero, zero, one, zero], last];
+    let lines = numbers.as_chunks::<4>().0;
+    let given: Vec<Matrix4x4<R>> = lines
+        .chunks_exact(rows)
+        .map(|matrix| [matrix[0], matrix[1], matrix[2], *matrix.get(3).unwrap_or(&last)])
+        .collect();
+    let mut to = vec![[[zero; 4]; 3]; given.len()];
+    matrix_palette(&given, &vec![identity; given.len()], MatrixOrder::Rows, &mut to)?;
+    Ok(to)
+}
+
+/// An error about a joint of all palettes, as one about a joint of its pose.
+fn of_one_pose(error: SkinningError, joints: usize) -> PyErr {
+    let split = |at: usize| (at / joints.max(1), at % joints.max(1));
+    let (pose, error) = match error {
+        SkinningError::NotFinite { joint, value } => {
+            let (pose, joint) = split(joint);
+            (pose, SkinningError::NotFinite { joint, value })
+        }
+        SkinningError::NotAffine { joint, column, value } => {
+            let (pose, joint) = split(joint);
+            (pose, SkinningError::NotAffine { joint, column, value })
+        }
+        error => return named(error),
+    };
+    PyValueError::new_err(format!("`palette`: pose {pose}: {error}."))
+}

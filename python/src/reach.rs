@@ -1,0 +1,166 @@
+//! Inverse kinematics of many configurations, from arrays to arrays.
+
+use crate::argument::{Argument, Input, Number, misshapen};
+use crate::broadcast::{Broadcast, misfit};
+use crate::links::Chosen;
+use crate::output::Output;
+use crate::reach_report::ReachReport;
+use crate::threads::Threads;
+use dq8::ik::{Options, Outcome, Report};
+use dq8::mechanism::{Freedom, Goal, OwnedMechanism, Reach, ReachError};
+use dq8::{Backend, DualQuat, Real, ShapeError};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use rayon::prelude::*;
+
+/// What a call asks for.
+pub(crate) struct Search<'a, 'py> {
+    pub(crate) targets: Argument<'a, 'py>,
+    pub(crate) values: Argument<'a, 'py>,
+    pub(crate) chosen: Chosen,
+    pub(crate) weights: Option<Argument<'a, 'py>>,
+    pub(crate) posture: Option<Argument<'a, 'py>>,
+    pub(crate) options: Options<f64>,
+}
+
+/// How many configurations a task has: some milliseconds of work, and lanes that seldom wait for the last.
+const GRAIN: usize = 256;
+
+/// How much work a configuration is, in poses of all its links.
+const STEPS: usize = 8;
+
+/// Values that bring links to their targets, and what was reached.
+pub(crate) fn reach<'py, R: Number>(
+    mechanism: &OwnedMechanism<R>,
+    search: Search<'_, 'py>,
+    out: Option<&Bound<'py, PyAny>>,
+) -> PyResult<(Bound<'py, PyAny>, ReachReport)> {
+    let view = mechanism.view();
+    let (goal_count, value_count) = (search.chosen.links.len(), view.values());
+    let targets = Input::<R>::of(search.targets)?;
+    let full = targets.full_leading().to_vec();
+    let of_targets = match full.split_last() {
+        _ if search.chosen.one => &full[..],
+        Some((&count, leading)) if count == goal_count => leading,
+        _ => {
+            return Err(misshapen("targets", &format!("(..., {goal_count}, 8)"), &targets.shape()));
+        }
+    };
+    let values = Input::<R>::of(search.values)?;
+    let full = values.full_leading().to_vec();
+    let Some((_, of_values)) = full.split_last().filter(|&(&count, _)| count == value_count) else {
+        return Err(misshapen("values", &format!("(..., {value_count})"), &values.shape()));
+    };
+    let leading = [of_targets, of_values, &[]];
+    let Some(Broadcast { shape, .. }) = Broadcast::of(leading, leading) else {
+        return Err(misfit([("targets", of_targets), ("values", of_values)].into_iter()));
+    };
+
+    let goals = goals::<R>(&search.chosen, search.weights)?;
+    let posture = search.posture.map(Input::<R>::of).transpose()?;
+    let posture = posture.as_ref().map(|posture| match posture.full_leading() {
+        [count] if *count == value_count => Ok(posture.records::<1>().as_flattened()),
+        _ => Err(misshapen("posture", &format!("({value_count},)"), &posture.shape())),
+    });
+    let posture = posture.transpose()?;
+    let options = options::<R>(&search.options)?;
+    let mut freedoms = vec![Freedom::default(); view.rates()];
+    let mut problem = Reach::new(view, &goals, &mut freedoms).map_err(named)?;
+    if let Some(posture) = posture {
+        problem = problem.with_posture(posture).map_err(named)?;
+    }
+
+    let py = targets.py();
+    let each_goal: &[usize] = if search.chosen.one { &[] } else { &[goal_count] };
+    let given = targets.filled(&[&shape[..], each_goal].concat())?;
+    let targets: Vec<_> = given.records().iter().map(|&it| DualQuat::from_array(it)).collect();
+    let values = values.filled(&[&shape[..], &[value_count]].concat())?;
+    // Both are copied: `out` may be the same memory.
+    let start = values.records::<1>().as_flattened().to_vec();
+    drop((given, values));
+    let output = Output::<R>::new(py, out, &shape, &[value_count])?;
+    let mut reports = vec![Report::default(); shape.iter().product()];
+    let mut memory = output.borrow()?;
+    let to = memory.as_slice_mut().map_err(|error| PyValueError::new_err(error.to_string()))?;
+    to.copy_from_slice(&start);
+    let solved = py.detach(|| solve(&problem, &targets, to, &mut reports, &options));
+    solved.map_err(|error| PyValueError::new_err(error.to_string()))?;
+    drop(memory);
+    Ok((output.finish()?, ReachReport::new(py, &reports, &shape)?))
+}
+
+/// All configurations, `[configuration][value]`, by all threads. The result of one does not depend on others.
+fn solve<R: Number>(
+    problem: &Reach<'_, R>,
+    targets: &[DualQuat<R>],
+    values: &mut [R],
+    reports: &mut [Report<R, Outcome>],
+    options: &Options<R>,
+) -> Result<(), ShapeError> {
+    let (view, backend) = (problem.mechanism(), Backend::best());
+    let run = |targets: &[DualQuat<R>], values: &mut [R], reports: &mut [Report<R, Outcome>]| {
+        let mut scratch = vec![R::ZERO; problem.batch_scratch_len()];
+        backend.reach_links(problem, targets, values, reports, &mut scratch, options)
+    };
+    let threads = Threads::for_elements(reports.len() * view.links() * STEPS);
+    // A mechanism without values has nothing to be split.
+    if !threads.many() || view.values() == 0 {
+        return run(targets, values, reports);
+    }
+    threads.install(|| {
+        let pieces = targets.par_chunks(GRAIN * problem.goals().len());
+        let pieces = pieces.zip(values.par_chunks_mut(GRAIN * view.values()));
+        let pieces = pieces.zip(reports.par_chunks_mut(GRAIN));
+        pieces.try_for_each(|((targets, values), reports)| run(targets, values, reports))
+    })
+}
+
+/// A goal for each link.
+fn goals<R: Number>(chosen: &Chosen, weights: Option<Argument<'_, '_>>) -> PyResult<Vec<Goal<R>>> {
+    let goals = chosen.links.iter().map(|&link| Goal::pose(link));
+    let Some(weights) = weights else { return Ok(goals.collect()) };
+    let weights = Input::<R>::of(weights)?;
+    let count = chosen.links.len();
+    if !matches!(weights.full_leading(), []) && (chosen.one || weights.full_leading() != [count]) {
+        let others = if chosen.one { String::new() } else { format!(" or ({count}, 6)") };
+        return Err(misshapen("weights", &format!("(6,){others}"), &weights.shape()));
+    }
+    let all = [count];
+    let weights = weights.filled(if chosen.one { &[] } else { &all })?;
+    let weighted = goals
+        .zip(weights.records::<6>())
+        .map(|(goal, &[a, b, c, x, y, z])| goal.with_angular([a, b, c]).with_linear([x, y, z]));
+    Ok(weighted.collect())
+}
+
+/// Options in the precision of the call.
+fn options<R: Number>(options: &Options<f64>) -> PyResult<Options<R>> {
+    let number = |name: &str, value: f64| {
+        if value >= 0.0 {
+            return Ok(<R as Real>::from_f64(value));
+        }
+        Err(PyValueError::new_err(format!("Expected `{name}` to be at least 0, got {value}.")))
+    };
+    let length_per_radian =
+        options.length_per_radian.map(|length| number("length_per_radian", length));
+    Ok(Options {
+        angular_tolerance: number("angular_tolerance", options.angular_tolerance)?,
+        linear_tolerance: number("linear_tolerance", options.linear_tolerance)?,
+        max_iterations: options.max_iterations,
+        length_per_radian: length_per_radian.transpose()?,
+        max_step: number("max_step", options.max_step)?,
+        damping: number("damping", options.damping)?,
+        restarts: options.restarts,
+    })
+}
+
+/// With the name of the argument that it is about.
+fn named(error: ReachError) -> PyErr {
+    let argument = match error {
+        ReachError::NoGoals | ReachError::Link { .. } => "`links`: ",
+        ReachError::Weight { .. } | ReachError::NoWeight { .. } => "`weights`: ",
+        ReachError::PostureLength { .. } | ReachError::Posture { .. } => "`posture`: ",
+        _ => "",
+    };
+    PyValueError::new_err(format!("{argument}{error}."))
+}

@@ -1,0 +1,93 @@
+//! What searches of inverse kinematics reached.
+
+use crate::argument::Number;
+use crate::call::Answer;
+use dq8::ik::{Outcome, Report};
+use numpy::PyArray1;
+use pyo3::prelude::*;
+use pyo3::types::PyTuple;
+
+/// What `Mechanism.reach` reached: arrays of one shape, that of the targets and starts.
+#[pyclass(frozen, module = "dq8")]
+#[derive(Debug)]
+pub(crate) struct ReachReport {
+    /// Whether the errors are within the tolerances; bool.
+    #[pyo3(get)]
+    converged: Py<PyAny>,
+    /// How searches ended, as numbers of `Outcome`; uint8.
+    #[pyo3(get)]
+    outcome: Py<PyAny>,
+    /// Steps and restarts together; uint32.
+    #[pyo3(get)]
+    iterations: Py<PyAny>,
+    /// How many of them were restarts; uint32.
+    #[pyo3(get)]
+    restarts: Py<PyAny>,
+    /// The rotation that is left, radians; of several links the largest. NaN where the input is invalid.
+    #[pyo3(get)]
+    angular_error: Py<PyAny>,
+    /// The distance that is left; of several links the largest. NaN where the input is invalid.
+    #[pyo3(get)]
+    linear_error: Py<PyAny>,
+}
+
+#[pymethods]
+impl ReachReport {
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        let converged = self.converged.bind(py);
+        let (reached, all) = (converged.call_method0("sum")?, converged.getattr("size")?);
+        Ok(format!("<dq8.ReachReport: {reached} of {all} converged>"))
+    }
+}
+
+impl ReachReport {
+    /// Arrays of this shape.
+    pub(crate) fn new<R: Number>(
+        py: Python<'_>,
+        reports: &[Report<R, Outcome>],
+        shape: &[usize],
+    ) -> PyResult<Self> {
+        let count = |of: fn(&Report<R, Outcome>) -> R| {
+            move |report: &Report<R, Outcome>| -> u32 {
+                let count: f64 = of(report).into();
+                count as u32
+            }
+        };
+        Ok(Self {
+            converged: array(py, reports, shape, |it| it.outcome == Outcome::Converged)?,
+            outcome: array(py, reports, shape, |it| number(it.outcome))?,
+            iterations: array(py, reports, shape, count(|it| it.iterations))?,
+            restarts: array(py, reports, shape, count(|it| it.restarts))?,
+            angular_error: array(py, reports, shape, |it| it.angular_error)?,
+            linear_error: array(py, reports, shape, |it| it.linear_error)?,
+        })
+    }
+}
+
+/// One thing of each report; a scalar where there are no dimensions.
+fn array<R: Number, T: numpy::Element>(
+    py: Python<'_>,
+    reports: &[Report<R, Outcome>],
+    shape: &[usize],
+    of: impl Fn(&Report<R, Outcome>) -> T,
+) -> PyResult<Py<PyAny>> {
+    let flat = PyArray1::from_iter(py, reports.iter().map(of));
+    let array: Answer<'_> = if shape.is_empty() {
+        flat.get_item(0)
+    } else {
+        flat.call_method1("reshape", (PyTuple::new(py, shape)?,))
+    };
+    Ok(array?.unbind())
+}
+
+/// The numbers of the class `Outcome`, and of C's `dq8_outcome`.
+fn number(outcome: Outcome) -> u8 {
+    match outcome {
+        Outcome::Converged => 0,
+        Outcome::OutOfReach => 1,
+        Outcome::AtLimits => 2,
+        Outcome::Stalled => 3,
+        Outcome::Unfinished => 4,
+        Outcome::Invalid => 5,
+    }
+}
