@@ -222,7 +222,10 @@ where
     let (goals, targets, posture) = unsafe { (goals.slice(), targets.slice(), posture.slice()) };
     // SAFETY: promised, and apart.
     let (values, scratch) = unsafe { (values.slice(), scratch.slice()) };
-    let (first, rest) = scratch.split_at_mut(room_for_freedoms::<R>(known.rates()));
+    // There is room for more: so it was checked. The compiler does not know that.
+    let (first, rest) = scratch
+        .split_at_mut_checked(room_for_freedoms::<R>(known.rates()))
+        .ok_or(Status::Length)?;
     // SAFETY: as large, and apart from the rest.
     let freedoms = unsafe { freedoms(first, known.rates()) };
     let numbers = zeroed(rest);
