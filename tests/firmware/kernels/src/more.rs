@@ -1,6 +1,10 @@
 //! Everything else that firmware may want.
 
-use dq8::{Backend, Block, DualQuat, Hierarchy, Line, Plane, Quat, Twist, geometry::{DualVector, Screw, Wrench}, hierarchy::{Poses, Rotations}};
+use dq8::{
+    Backend, Block, DualQuat, Hierarchy, Line, Plane, Quat, Twist,
+    geometry::{DualVector, Screw, Wrench},
+    hierarchy::{Poses, Rotations},
+};
 
 type Motion = DualQuat<f32>;
 
@@ -90,7 +94,11 @@ fn more_point_error(a: &Motion, b: &Motion, point: &[f32; 3]) -> f32 {
 }
 
 #[unsafe(no_mangle)]
-fn more_rotations(parents: &[u32], locals: Rotations<'_, Quat<f32>>, models: &mut [Motion]) -> bool {
+fn more_rotations(
+    parents: &[u32],
+    locals: Rotations<'_, Quat<f32>>,
+    models: &mut [Motion],
+) -> bool {
     Hierarchy::new(parents).is_ok_and(|h| h.job().locals_to_model(locals, models).is_ok())
 }
 #[unsafe(no_mangle)]
