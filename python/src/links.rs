@@ -1,4 +1,4 @@
-//! Links that a caller names.
+//! Links and their names.
 
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
@@ -21,6 +21,20 @@ impl Chosen {
         let links = links.map(|link| link_of(names, "links", &link?)).collect::<PyResult<_>>()?;
         Ok(Self { links, one: false })
     }
+}
+
+/// The names of so many links, each its own; numbers if none are given.
+pub(crate) fn names(given: Option<Vec<String>>, count: usize) -> PyResult<Vec<String>> {
+    let names = given.unwrap_or_else(|| (0..count).map(|link| link.to_string()).collect());
+    if names.len() != count {
+        let message = format!("Expected `links` to have {count} names, got {}.", names.len());
+        return Err(PyValueError::new_err(message));
+    }
+    if let Some(twice) = names.iter().enumerate().find(|(i, name)| names[..*i].contains(name)) {
+        let message = format!("`links`: two have the name {:?}.", twice.1);
+        return Err(PyValueError::new_err(message));
+    }
+    Ok(names)
 }
 
 /// The number of a link, from its name or number; from the end where it is negative.

@@ -6,7 +6,7 @@ use crate::configurations::{Frame, jacobian, poses};
 use crate::functions::core_shape::{EIGHT, SIX};
 use crate::hierarchy::parents_of;
 use crate::joints::{Arrays, NO_LIMITS, limits, name_and_axis, values_and_rates};
-use crate::links::{Chosen, link_of};
+use crate::links::{Chosen, link_of, names};
 use crate::reach::{Search, reach};
 use crate::reach_report::ReachReport;
 use dq8::ik::Options;
@@ -36,7 +36,8 @@ use pyo3::types::{PyDict, PyTuple, PyType};
 /// placements : array_like, shape (n, 8) or (8,)
 ///     Unit dual quaternions: the pose of each link in its parent where the joint is at zero.
 /// limits : array_like, shape (n, 2) or (2,), optional
-///     The least and the largest value of each joint, ``[-inf, inf]`` for none. Nothing holds a joint to them.
+///     The least and the largest value of each joint, ``[-inf, inf]`` for none. ``reach`` keeps to
+///     them; poses are computed of any values.
 /// links : sequence of str, length n, optional
 ///     Names of the links, and of their joints. By default their numbers.
 ///
@@ -80,15 +81,7 @@ impl Mechanism {
         if count == 0 {
             return Err(PyValueError::new_err("Expected `parents` to have an element at least."));
         }
-        let links = links.unwrap_or_else(|| (0..count).map(|link| link.to_string()).collect());
-        if links.len() != count {
-            let message = format!("Expected `links` to have {count} names, got {}.", links.len());
-            return Err(PyValueError::new_err(message));
-        }
-        if let Some(twice) = links.iter().enumerate().find(|(i, name)| links[..*i].contains(name)) {
-            let message = format!("`links`: two have the name {:?}.", twice.1);
-            return Err(PyValueError::new_err(message));
-        }
+        let links = names(links, count)?;
         let joints = Arrays { parents: &parents, kinds, axes, placements, limits }.joints()?;
         let double = OwnedMechanism::new(&joints).map_err(value_error)?;
         let single = OwnedMechanism::new(&joints.iter().map(Joint::cast).collect::<Vec<_>>());

@@ -1,17 +1,11 @@
 //! Dual vectors, lines and planes. The second opinion is vector geometry in plain `f64`: closest
 //! points by solving for them, angles by Kahan's formula, planes by solving for their normals.
 
-#[path = "lines/algebra.rs"]
 mod algebra;
-#[path = "lines/edge.rs"]
 mod edge;
-#[path = "lines/motion.rs"]
 mod motion;
-#[path = "lines/pair.rs"]
 mod pair;
-#[path = "lines/plane.rs"]
 mod plane;
-#[path = "lines/worst.rs"]
 mod worst;
 
 use dq8::Real;

@@ -1,9 +1,7 @@
 //! The laws in the documentation of [`Quaternion`](dq8::Quaternion) and [`DualNumber`](dq8::DualNumber), on every
 //! implementation: scalar, and all lanes that there are.
 
-#[path = "algebra/dual_number.rs"]
 mod dual_number;
-#[path = "algebra/quaternion.rs"]
 mod quaternion;
 
 use dq8_contract::bound::distance;

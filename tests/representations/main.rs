@@ -1,16 +1,10 @@
 //! Representations of rotations and motions: each into each, and what nalgebra and glam say.
 
-#[path = "representations/affine.rs"]
 mod affine;
-#[path = "representations/axis_angle.rs"]
 mod axis_angle;
-#[path = "representations/each_to_each.rs"]
 mod each_to_each;
-#[path = "representations/euler.rs"]
 mod euler;
-#[path = "representations/gram_schmidt.rs"]
 mod gram_schmidt;
-#[path = "representations/polar.rs"]
 mod polar;
 
 use dq8::{DualQuat, Quat, Real};

@@ -1,13 +1,13 @@
-//! What lanes have beside [`Motion`](dq8::Motion), against the scalar reference of the same precision or in
+//! What lanes have in addition to [`Motion`](dq8::Motion), against the scalar reference of the same precision or in
 //! `f64`, lane by lane: functions of dual numbers, incidences, other representations.
 
-#[path = "lanes/dual.rs"]
 mod dual;
-#[path = "lanes/incidence.rs"]
+mod euler_angles;
 mod incidence;
-#[path = "lanes/representation.rs"]
-mod representation;
-#[path = "lanes/two_bone.rs"]
+mod maps;
+mod matrices;
+mod rotations;
+mod scene;
 mod two_bone;
 
 use dq8::{

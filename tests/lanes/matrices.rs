@@ -1,0 +1,181 @@
+//! Matrices that are motions, nearly, or not at all: the same answers, and a mask where the scalar reference has an
+//! error.
+
+use super::scene::{cases, motion, quat};
+use super::{Portably, columns, exact, holds, lanes, measure, on_every_lane_type, rounded, row};
+use dq8::representation::{Polar, gram_schmidt};
+use dq8::{DualQuat, Quat, Real, batch};
+use dq8_contract::ledger::{Ledger, line};
+
+type Rows = [[f64; 3]; 3];
+
+fn flat<R: Real>(rows: [[R; 3]; 3]) -> [f64; 9] {
+    let [[a, b, c], [d, e, f], [g, h, i]] = rows;
+    exact([a, b, c, d, e, f, g, h, i])
+}
+
+fn flat_row<L: Portably>([a, b, c]: [[L; 3]; 3], index: usize) -> [f64; 9] {
+    row([a[0], a[1], a[2], b[0], b[1], b[2], c[0], c[1], c[2]], index)
+}
+
+/// Matrices of every kind: rotations, stretched ones, mirrors, flat ones and worse.
+fn matrices() -> Vec<Rows> {
+    let mut matrices: Vec<Rows> = Vec::new();
+    for (i, case) in cases().into_iter().enumerate().step_by(3) {
+        let turn = quat::<f64>(case.a).to_matrix3();
+        let [x, y, z] = case.v;
+        let stretch =
+            [1.5 + x / 2.0, 1.5 + y / 2.0, (1.5 + z / 2.0) * if i % 2 == 0 { 1.0 } else { -1.0 }];
+        let mixed = quat::<f64>(case.b).to_matrix3();
+        let scaled =
+            mixed.map(|row| [row[0] * stretch[0], row[1] * stretch[1], row[2] * stretch[2]]);
+        matrices.push(turn);
+        matrices.push(
+            turn.map(|row| std::array::from_fn(|j| (0..3).map(|k| row[k] * scaled[k][j]).sum())),
+        );
+    }
+    matrices
+}
+
+/// Without an answer, or with one out of the ordinary.
+fn hard_matrices() -> Vec<Rows> {
+    let (o, i, n) = (0.0, f64::INFINITY, f64::NAN);
+    let one = [[1.0, o, o], [o, 1.0, o], [o, o, 1.0]];
+    let scaled = |s: f64| one.map(|row| row.map(|c| c * s));
+    vec![
+        one,
+        scaled(-1.0),
+        scaled(0.0),
+        scaled(1e-30),
+        scaled(1e37),
+        scaled(3.0),
+        [[1.0, o, o], [o, 1.0, o], [o, o, -1.0]],
+        [[1.0, o, o], [o, 1.0, o], [o, o, o]],
+        [[1.0, o, o], [o, o, o], [o, o, o]],
+        [[1.0, 2.0, o], [2.0, 4.0, o], [o, o, 1.0]],
+        [[1.0, 1.0, 1.0], [1.0, 1.0, 1.0], [1.0, 1.0, 1.0]],
+        [[i, o, o], [o, 1.0, o], [o, o, 1.0]],
+        [[1.0, o, o], [o, n, o], [o, o, 1.0]],
+        [[3e38, 3e38, o], [3e38, -3e38, o], [o, o, 3e38]],
+    ]
+}
+
+fn columns_of_rows<L: Portably>(cases: &[Rows]) -> [[L; 3]; 3] {
+    let all = columns::<L, _, 9>(cases, |rows| flat(*rows));
+    [[all[0], all[1], all[2]], [all[3], all[4], all[5]], [all[6], all[7], all[8]]]
+}
+
+fn repaired_matrices_agree<L: Portably>(ledger: &Ledger) {
+    let all = [matrices(), hard_matrices()].concat();
+    for chunk in all.chunks(L::LANES) {
+        let rows = columns_of_rows::<L>(chunk);
+        let (by_columns, crooked) = batch::gram_schmidt_checked(rows);
+        let (polar, ambiguous) = batch::Polar::from_matrix3_checked(rows);
+        let translation = [lanes::<L>(&[1.0]), lanes(&[-2.0]), lanes(&[3.0])];
+        let affine = batch::Affine { linear: rows, translation };
+        let (motion, stretch, failed) = affine.decompose_checked();
+        let (rotation, no_rotation) = batch::Quat::from_matrix3_checked(rows, lanes(&[1e-3]));
+        for (index, case) in chunk.iter().enumerate() {
+            let rows = case.map(rounded::<L::Real, 3>);
+            let largest = case.as_flattened().iter().fold(0.0_f64, |most, c| most.max(c.abs()));
+            let wanted = gram_schmidt(rows);
+            assert_eq!(holds(crooked, index), wanted.is_err(), "Gram–Schmidt of {case:?}");
+            let (got, nan) = (flat_row(by_columns, index), [f64::NAN; 9]);
+            measure::<L, 9>(ledger, ("gram_schmidt", ""), got, wanted.map_or(nan, flat), 1.0, case);
+
+            let wanted = Polar::try_from_matrix3(rows);
+            assert_eq!(holds(ambiguous, index), wanted.is_err(), "polar decomposition of {case:?}");
+            assert_eq!(holds(failed, index), wanted.is_err());
+            let got = flat_row(polar.rotation.to_matrix3(), index);
+            let turned = wanted.map_or(nan, |polar| flat(polar.rotation.to_matrix3()));
+            measure::<L, 9>(ledger, ("polar rotation", ""), got, turned, 1.0, case);
+            let got = flat_row(polar.stretch, index);
+            let stretched = wanted.map_or(nan, |polar| flat(polar.stretch));
+            measure::<L, 9>(ledger, ("polar stretch", ""), got, stretched, largest, case);
+            assert_eq!(flat_row(stretch, index).map(f64::to_bits), got.map(f64::to_bits));
+            if let Ok(wanted) = wanted {
+                assert_eq!(holds(polar.mirrors, index), wanted.mirrors, "{case:?}");
+                assert_eq!(
+                    row(motion.rotation().to_array(), index),
+                    row(polar.rotation.to_array(), index)
+                );
+            }
+
+            let wanted = Quat::try_from_matrix3(rows, <L::Real as Real>::from_f64(1e-3));
+            assert_eq!(holds(no_rotation, index), wanted.is_err(), "rotation of {case:?}");
+            let wanted = wanted.map_or([f64::NAN; 9], |turn| flat(turn.to_matrix3()));
+            let got = flat_row(rotation.to_matrix3(), index);
+            measure::<L, 9>(ledger, ("from_matrix3", ""), got, wanted, 1.0, case);
+        }
+    }
+}
+
+#[test]
+fn matrices_are_repaired_and_refused_on_lanes_as_by_the_scalar_reference() {
+    #[rustfmt::skip]
+    let bounds = [
+        line("gram_schmidt", &[], 6.5, "a rounding over the sines of the columns"),
+        line("polar rotation", &[], 15.0, "Jacobi's turns, another order of summands"),
+        line("polar stretch", &[], 14.0, "a product with the rotation"),
+        line("from_matrix3", &[], 3.9, "another length divides"),
+    ];
+    Ledger::keep("matrices", &bounds, |ledger| {
+        on_every_lane_type!(repaired_matrices_agree, ledger)
+    });
+}
+
+fn checked_matrices<L: Portably>() {
+    let good = motion::<L::Real>(cases()[50].a).to_matrix4();
+    let number = |value: f64| <L::Real as Real>::from_f64(value);
+    let with = |r: usize, c: usize, value: f64| {
+        let mut rows = good;
+        rows[r][c] = number(value);
+        rows
+    };
+    let matrices = [
+        good,
+        with(0, 0, 3.0),
+        with(1, 3, f64::NAN),
+        with(2, 3, f64::INFINITY),
+        with(3, 0, 1e-9),
+        with(3, 3, 0.0),
+        with(3, 3, 2.0),
+        with(2, 2, f64::NAN),
+        good.map(|row| row.map(|c| -c)),
+        good.map(|[x, y, z, w]| [y, x, z, w]),
+    ];
+    for tolerance in [1e-3, f64::INFINITY] {
+        let tolerance = number(tolerance);
+        for rows in matrices {
+            let on_lanes = rows.map(|row| row.map(|c| lanes::<L>(&[c.into()])));
+            let tolerances = lanes::<L>(&[tolerance.into()]);
+            let (four, failed_four) = batch::DualQuat::from_matrix4_checked(on_lanes, tolerances);
+            let [a, b, c, _] = on_lanes;
+            let (three, failed_three) =
+                batch::DualQuat::from_matrix3x4_checked([a, b, c], tolerances);
+            let [a, b, c, _] = rows;
+            let by_four = DualQuat::try_from_matrix4(rows, tolerance);
+            let by_three = DualQuat::try_from_matrix3x4([a, b, c], tolerance);
+            for (got, failed, wanted) in
+                [(four, failed_four, by_four), (three, failed_three, by_three)]
+            {
+                let got = row(got.to_array(), 0);
+                assert_eq!(holds(failed, 0), wanted.is_err(), "{rows:?}");
+                match wanted {
+                    Err(_) => assert!(got.iter().all(|c| c.is_nan()), "{rows:?}"),
+                    Ok(wanted) => {
+                        let off =
+                            got.iter().zip(exact(wanted.to_array())).map(|(a, b)| (a - b).abs());
+                        let worst = off.fold(0.0, f64::max);
+                        assert!(worst < 64.0 * super::roundoff::<L>(), "{rows:?}: {worst:e}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_matrix_that_is_no_motion_is_a_lane_of_nan_and_a_mask() {
+    on_every_lane_type!(checked_matrices);
+}
