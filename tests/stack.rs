@@ -1,5 +1,5 @@
-//! How deep the stack of a debug build gets: without optimisation each value of a kernel, which is inlined whole, has a
-//! place of its own. `dq8::guide::firmware` states the bound that is tested here; an overflow ends the test program.
+//! How deep the stack of a debug build gets: without optimisation each value of a kernel, and of what it inlines, has a
+//! place of its own. `dq8::guide::firmware` states the bounds that are tested here; an overflow ends the test program.
 #![cfg(not(target_family = "wasm"))]
 
 use dq8::{Backend, DualQuat, Quat, Real};
@@ -26,7 +26,7 @@ macro_rules! kernels {
         use super::{pose, within};
         use dq8::hierarchy::{Clip, Layered, Locals, Sampled};
         use dq8::ik::{self, Arm, Options, Report};
-        use dq8::mechanism::{Joint, OwnedMechanism, WorldAligned};
+        use dq8::mechanism::{Freedom, Goal, Joint, OwnedMechanism, Reach, WorldAligned};
         use dq8::skinning::{Dual, Linear, Mixed, Skin, Surface, SurfaceMut};
         use dq8::{Backend, Block, Crowd, DualQuat, Hierarchy, Twist, hierarchy::Rotations, law::Sclerp};
 
@@ -56,21 +56,21 @@ macro_rules! kernels {
         const KEYS: [[$real; 8]; 3 * 4] = [[0.0, 0.0, 0.0, 1.0, 0.5, 0.0, 0.0, 0.0]; 3 * 4];
 
         #[test]
-        fn hierarchies_that_sample_a_clip_need_two_mebibytes() {
-            within(2048, |backend| {
+        fn hierarchies_that_sample_a_clip_need_half_a_mebibyte() {
+            within(512, |backend| {
                 let clip = Clip::new(3, &KEYS).unwrap();
                 run(backend, Sampled::new(Sclerp, clip, &FRAMES, &T).unwrap());
             });
         }
 
         #[test]
-        fn each_layer_along_screws_needs_a_mebibyte_and_a_half_more() {
-            within(2048 + 1536, |backend| {
+        fn each_layer_along_screws_needs_a_quarter_of_a_mebibyte_more() {
+            within(512 + 256, |backend| {
                 let clip = Clip::new(3, &KEYS).unwrap();
                 let walk = Sampled::new(Sclerp, clip, &FRAMES, &T).unwrap();
                 run(backend, Layered::blend(Sclerp, walk, walk, &T));
             });
-            within(2048 + 2 * 1536, |backend| {
+            within(512 + 2 * 256, |backend| {
                 let clip = Clip::new(3, &KEYS).unwrap();
                 let walk = Sampled::new(Sclerp, clip, &FRAMES, &T).unwrap();
                 run(backend, Layered::add(Sclerp, Layered::blend(Sclerp, walk, walk, &T), walk, &T));
@@ -138,8 +138,8 @@ macro_rules! kernels {
         }
 
         #[test]
-        fn an_arm_of_seven_joints_that_reaches_needs_three_mebibytes() {
-            within(3072, |backend| {
+        fn an_arm_of_seven_joints_that_reaches_needs_one_mebibyte() {
+            within(1024, |backend| {
                 let axis = |i: usize| {
                     let along = 0.1 * i as $real;
                     ik::Joint::revolute(if i % 2 == 0 { [0.0, 0.0, 1.0] } else { [0.0, 1.0, 0.0] }, [along, 0.0, along])
@@ -149,6 +149,22 @@ macro_rules! kernels {
                 let (mut values, mut reports) = (vec![[0.0; 7]; INSTANCES], vec![Report::default(); INSTANCES]);
                 let options = Options { max_iterations: 5, ..Options::default() };
                 backend.reach(&arm, &targets, &mut values, &mut reports, &options).unwrap();
+            });
+        }
+
+        #[test]
+        fn a_mechanism_of_seven_joints_that_reaches_needs_two_mebibytes() {
+            within(2048, |backend| {
+                let joint = |i: usize| Joint::revolute(i.checked_sub(1), pose::<$real>(), [0.6, 0.0, 0.8]);
+                let arm = OwnedMechanism::new(&core::array::from_fn::<_, 7, _>(joint)).unwrap();
+                let (goals, mut freedoms) = ([Goal::pose(6)], [Freedom::default(); 7]);
+                let posture = [0.1; 7];
+                let reach = Reach::new(arm.view(), &goals, &mut freedoms).unwrap().with_posture(&posture).unwrap();
+                let (targets, mut values) = (vec![pose(); INSTANCES], vec![0.3; 7 * INSTANCES]);
+                let mut reports = vec![Report::default(); INSTANCES];
+                let mut scratch = vec![0.0; reach.batch_scratch_len()];
+                let options = Options { max_iterations: 5, ..Options::default() };
+                backend.reach_links(&reach, &targets, &mut values, &mut reports, &mut scratch, &options).unwrap();
             });
         }
 

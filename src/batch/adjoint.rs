@@ -6,7 +6,7 @@ use dq8_simd::Lanes;
 
 impl<L: Lanes> DualQuat<L> {
     /// ω′ = Rω, v′ = Rv + t × ω′; σ must be unit.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn adjoint(self, twist: Twist<L>) -> Twist<L> {
         let angular = self.real().rotate(twist.angular);
@@ -15,7 +15,7 @@ impl<L: Lanes> DualQuat<L> {
     }
 
     /// f′ = Rf, τ′ = Rτ + t × f′; σ must be unit.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn coadjoint(self, wrench: Wrench<L>) -> Wrench<L> {
         let force = self.real().rotate(wrench.force);

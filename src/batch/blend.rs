@@ -5,7 +5,7 @@ use dq8_simd::Lanes;
 
 impl<L: Lanes> Quat<L> {
     /// (1−t)a ± tb exactly normalized, by the shorter way; `t` may differ from lane to lane.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn nlerp(self, other: Self, t: L) -> Self {
         let away = other.dot(self).lt(t.constant(0.0));
@@ -16,7 +16,7 @@ impl<L: Lanes> Quat<L> {
 
 impl<L: Lanes> DualQuat<L> {
     /// (1−t)a ± tb exactly normalized, by the shorter way; `t` may differ from lane to lane.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn nlerp(self, other: Self, t: L) -> Self {
         let weight = other.weight_toward(self, t);
@@ -26,7 +26,7 @@ impl<L: Lanes> DualQuat<L> {
 
     /// Σ ±wᵢσᵢ exactly normalized, each sign turned toward the first motion; `None` without
     /// influences.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn dlb(influences: &[(Self, L)]) -> Option<Self> {
         let (&(first, weight), others) = influences.split_first()?;
@@ -39,7 +39,7 @@ impl<L: Lanes> DualQuat<L> {
 
     /// Σ ±wᵢσᵢ exactly normalized, each sign turned toward the sum so far; `None` without
     /// influences.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn dlb_running(influences: &[(Self, L)]) -> Option<Self> {
         let (&(first, weight), others) = influences.split_first()?;
@@ -51,7 +51,7 @@ impl<L: Lanes> DualQuat<L> {
     }
 
     /// sσ + onto
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn scale_onto(self, factor: L, onto: Self) -> Self {
         Self::new(
             self.real().scale_onto(factor, onto.real()),
@@ -60,7 +60,7 @@ impl<L: Lanes> DualQuat<L> {
     }
 
     /// `weight`, negated where σ points away from `pivot`.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn weight_toward(self, pivot: Self, weight: L) -> L {
         let away = self.real().dot(pivot.real()).lt(weight.constant(0.0));
         L::select(away, -weight, weight)

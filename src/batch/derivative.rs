@@ -6,7 +6,7 @@ use dq8_simd::Lanes;
 
 impl<L: Lanes> DualQuat<L> {
     /// ½ξσ, ξ = ω + εv the spatial twist.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn derivative_spatial(self, twist: Twist<L>) -> Self {
         let half = half(twist);
@@ -15,7 +15,7 @@ impl<L: Lanes> DualQuat<L> {
     }
 
     /// ½σξ, ξ = ω + εv the body twist.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn derivative_body(self, twist: Twist<L>) -> Self {
         let half = half(twist);
@@ -24,7 +24,7 @@ impl<L: Lanes> DualQuat<L> {
     }
 
     /// 2σ̇σ* of unit σ
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn spatial_twist(self, derivative: Self) -> Twist<L> {
         let two = self.real().w().constant(2.0);
@@ -39,7 +39,7 @@ impl<L: Lanes> DualQuat<L> {
     }
 
     /// 2σ*σ̇ of unit σ
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn body_twist(self, derivative: Self) -> Twist<L> {
         let two = self.real().w().constant(2.0);
@@ -55,7 +55,7 @@ impl<L: Lanes> DualQuat<L> {
 
     /// ½ωr + ½ε(ṫr + ½tωr), `angular` ω in fixed axes and `linear` ṫ; σ must be unit. Here as ½ξσ with
     /// the spatial twist ξ = ω + ε(ṫ + t × ω).
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn derivative_from_velocity(self, angular: [L; 3], linear: [L; 3]) -> Self {
         let at_origin = vector::cross_onto(self.translation(), angular, linear);
@@ -63,7 +63,7 @@ impl<L: Lanes> DualQuat<L> {
     }
 
     /// (ω, ṫ) of unit σ, both in fixed axes: ṫ = v + ω × t of the spatial twist.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn velocity(self, derivative: Self) -> ([L; 3], [L; 3]) {
         let twist = self.spatial_twist(derivative);
@@ -73,14 +73,14 @@ impl<L: Lanes> DualQuat<L> {
 
     /// exp(½ξ), the motion that a constant twist makes in unit time. NaN where |ω| is beyond 2¹⁷ radians
     /// (`f32`; `f64`: 2⁴⁶), and so for the integrals.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn from_twist(twist: Twist<L>) -> Self {
         Self::exp(half(twist))
     }
 
     /// 2 log σ, the constant twist that makes the motion in unit time.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn to_twist(self) -> Twist<L> {
         let log = self.log();
@@ -89,21 +89,21 @@ impl<L: Lanes> DualQuat<L> {
     }
 
     /// 2 log(a*b), the constant body twist that takes a to b in unit time by the shorter way.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn twist_to(self, other: Self) -> Twist<L> {
         (self.conjugate() * other).to_twist()
     }
 
     /// exp(½ξ dt) σ, ξ a constant spatial twist; `dt` may differ from lane to lane.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn integrate_spatial(self, twist: Twist<L>, dt: L) -> Self {
         Self::from_twist(twist.scale(dt)) * self
     }
 
     /// σ exp(½ξ dt), ξ a constant body twist; `dt` may differ from lane to lane.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn integrate_body(self, twist: Twist<L>, dt: L) -> Self {
         self * Self::from_twist(twist.scale(dt))
@@ -111,28 +111,28 @@ impl<L: Lanes> DualQuat<L> {
 }
 
 /// ½ω + ½εv
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn half<L: Lanes>(twist: Twist<L>) -> DualVector<L> {
     let half = twist.angular[0].constant(0.5);
     DualVector { real: vector::scale(twist.angular, half), dual: vector::scale(twist.linear, half) }
 }
 
 /// vq for a pure quaternion v: (w v + v × r, −v·r)
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn times_left<L: Lanes>(v: [L; 3], q: Quat<L>) -> Quat<L> {
     let xyz = vector::cross_onto(v, q.xyz(), vector::scale(v, q.w()));
     Quat::from_parts(xyz, -vector::dot(v, q.xyz()))
 }
 
 /// qv for a pure quaternion v: (w v + r × v, −r·v)
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn times_right<L: Lanes>(q: Quat<L>, v: [L; 3]) -> Quat<L> {
     let xyz = vector::cross_onto(q.xyz(), v, vector::scale(v, q.w()));
     Quat::from_parts(xyz, -vector::dot(q.xyz(), v))
 }
 
 /// The vector part of ab*, w_b a − w_a b − a × b, plus `onto`.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn before_conjugate<L: Lanes>(a: Quat<L>, b: Quat<L>, onto: [L; 3]) -> [L; 3] {
     let onto = vector::scale_onto(a.xyz(), b.w(), onto);
     let onto = vector::scale_onto(b.xyz(), -a.w(), onto);
@@ -140,7 +140,7 @@ fn before_conjugate<L: Lanes>(a: Quat<L>, b: Quat<L>, onto: [L; 3]) -> [L; 3] {
 }
 
 /// The vector part of a*b, w_a b − w_b a − a × b, plus `onto`.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn after_conjugate<L: Lanes>(a: Quat<L>, b: Quat<L>, onto: [L; 3]) -> [L; 3] {
     let onto = vector::scale_onto(b.xyz(), a.w(), onto);
     let onto = vector::scale_onto(a.xyz(), -b.w(), onto);

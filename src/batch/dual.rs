@@ -12,28 +12,28 @@ pub struct Dual<L> {
 
 impl<L: Lanes> Dual<L> {
     /// a + εb
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn new(real: L, dual: L) -> Self {
         Self { real, dual }
     }
 
     /// f(a + εb) = f(a) + ε b f′(a), given f(a) and f′(a) (Jia eq. 10).
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn apply(self, value: L, derivative: L) -> Self {
         Self::new(value, self.dual * derivative)
     }
 
     /// s(a + εb) for a real number s.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn scale(self, factor: L) -> Self {
         Self::new(self.real * factor, self.dual * factor)
     }
 
     /// √(a + εb) = √a + ε b/(2√a)
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn sqrt(self) -> Self {
         let root = self.real.sqrt();
@@ -41,7 +41,7 @@ impl<L: Lanes> Dual<L> {
     }
 
     /// 1 / (a + εb) = a⁻¹ − ε b a⁻² (Jia eq. 7)
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn recip(self) -> Self {
         let recip = self.real.constant(1.0) / self.real;
@@ -57,7 +57,7 @@ impl<L: Lanes> Dual<L> {
     /// assert_eq!(failed.to_bitmask(), 0b0110);
     /// assert_eq!((inverse * x).real.to_array()[3], 1.0);
     /// ```
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn inverse_checked(self) -> (Self, L::Mask) {
         let (zero, nan) = (self.real.constant(0.0), self.real.constant(f64::NAN));
@@ -68,7 +68,7 @@ impl<L: Lanes> Dual<L> {
     }
 
     /// aⁿ + ε b n aⁿ⁻¹ for whole n, the same in every lane, by squaring.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn powi(self, n: i32) -> Self {
         let one = Self::new(self.real.constant(1.0), self.real.constant(0.0));
@@ -89,7 +89,7 @@ impl<L: Lanes> Dual<L> {
 
 impl<L: Lanes> Add for Dual<L> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn add(self, other: Self) -> Self {
         Self::new(self.real + other.real, self.dual + other.dual)
     }
@@ -97,7 +97,7 @@ impl<L: Lanes> Add for Dual<L> {
 
 impl<L: Lanes> Sub for Dual<L> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn sub(self, other: Self) -> Self {
         Self::new(self.real - other.real, self.dual - other.dual)
     }
@@ -106,7 +106,7 @@ impl<L: Lanes> Sub for Dual<L> {
 /// ac + ε(ad + bc)
 impl<L: Lanes> Mul for Dual<L> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn mul(self, other: Self) -> Self {
         Self::new(self.real * other.real, self.real.mul_add(other.dual, self.dual * other.real))
     }
@@ -115,7 +115,7 @@ impl<L: Lanes> Mul for Dual<L> {
 /// a/c + ε(bc − ad)/c²
 impl<L: Lanes> Div for Dual<L> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn div(self, other: Self) -> Self {
         let quotient = self.real / other.real;
         Self::new(quotient, quotient.neg_mul_add(other.dual, self.dual) / other.real)
@@ -124,7 +124,7 @@ impl<L: Lanes> Div for Dual<L> {
 
 impl<L: Lanes> Neg for Dual<L> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn neg(self) -> Self {
         Self::new(-self.real, -self.dual)
     }

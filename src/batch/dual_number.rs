@@ -8,7 +8,7 @@ impl<L: Lanes> Sealed for Dual<L> {}
 impl<L: Lanes> DualNumber for Dual<L> {
     type Real = L;
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn parts(self) -> [L; 2] {
         [self.real, self.dual]
     }

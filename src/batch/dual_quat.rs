@@ -15,14 +15,14 @@ pub struct DualQuat<L> {
 
 impl<L: Lanes> DualQuat<L> {
     /// p + εq
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn new(real: Quat<L>, dual: Quat<L>) -> Self {
         Self { real, dual }
     }
 
     /// The identity in every lane.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn identity(level: L::Level) -> Self {
         let one = Quat::<L>::identity(level);
@@ -31,21 +31,21 @@ impl<L: Lanes> DualQuat<L> {
     }
 
     /// The same `[px, py, pz, pw, qx, qy, qz, qw]` in every lane.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn splat(level: L::Level, components: [L::Real; 8]) -> Self {
         Self::from_array(vector::splat(level, components))
     }
 
     /// From the lanes of `[px, py, pz, pw, qx, qy, qz, qw]`.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn from_array([px, py, pz, pw, qx, qy, qz, qw]: [L; 8]) -> Self {
         Self::new(Quat::from_xyzw(px, py, pz, pw), Quat::from_xyzw(qx, qy, qz, qw))
     }
 
     /// From a dual number and a dual vector (Jia eq. 15).
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn from_dual_parts(scalar: Dual<L>, vector: DualVector<L>) -> Self {
         Self::new(
@@ -56,7 +56,7 @@ impl<L: Lanes> DualQuat<L> {
 
     /// Lane `i` from record `i`, `[px, py, pz, pw, qx, qy, qz, qw]`: plain dual quaternions in
     /// memory, transposed on the way in. Lanes without a record hold the identity.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn load_records(level: L::Level, records: &[[L::Real; 8]]) -> Self {
         let (zero, one) = (L::Real::default(), L::Real::from(1.0));
@@ -65,13 +65,13 @@ impl<L: Lanes> DualQuat<L> {
     }
 
     /// Record `i` from lane `i`; records beyond the last lane are left as they were.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn store_records(self, records: &mut [[L::Real; 8]]) {
         L::store_records(self.to_array(), records);
     }
 
     /// The lanes of `[px, py, pz, pw, qx, qy, qz, qw]`.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn to_array(self) -> [L; 8] {
         let [px, py, pz, pw] = self.real.to_array();
@@ -80,49 +80,49 @@ impl<L: Lanes> DualQuat<L> {
     }
 
     /// p, the real part.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn real(self) -> Quat<L> {
         self.real
     }
 
     /// q, the dual part.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn dual(self) -> Quat<L> {
         self.dual
     }
 
     /// p_w + εq_w
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn dual_scalar(self) -> Dual<L> {
         Dual::new(self.real.w(), self.dual.w())
     }
 
     /// The three dual components in addition to [`dual_scalar`](Self::dual_scalar).
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn dual_vector(self) -> DualVector<L> {
         DualVector { real: self.real.xyz(), dual: self.dual.xyz() }
     }
 
     /// σ• = p − εq
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn conjugate_dual(self) -> Self {
         Self::new(self.real, -self.dual)
     }
 
     /// σ* = p* + εq*, the inverse of a unit σ
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn conjugate(self) -> Self {
         Self::new(self.real.conjugate(), self.dual.conjugate())
     }
 
     /// σ⋄ = p* − εq*
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn conjugate_both(self) -> Self {
         let [x, y, z, w] = self.dual.to_array();
@@ -130,14 +130,14 @@ impl<L: Lanes> DualQuat<L> {
     }
 
     /// sσ for a real number s a lane
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn scale(self, factor: L) -> Self {
         Self::new(self.real.scale(factor), self.dual.scale(factor))
     }
 
     /// (a + εb)σ for one dual number per lane
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn scale_dual(self, factor: Dual<L>) -> Self {
         let dual = self.real.scale_onto(factor.dual, self.dual.scale(factor.real));
@@ -145,7 +145,7 @@ impl<L: Lanes> DualQuat<L> {
     }
 
     /// (a + εb)σ + onto
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn scale_dual_onto(self, factor: Dual<L>, onto: Self) -> Self {
         let turned = self.dual.scale_onto(factor.real, onto.dual);
         Self::new(
@@ -155,7 +155,7 @@ impl<L: Lanes> DualQuat<L> {
     }
 
     /// ⟨a, b⟩ = p_a·p_b + ε(p_a·q_b + q_a·p_b)
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn dot(self, other: Self) -> Dual<L> {
         let across = self.real.dot(other.dual) + self.dual.dot(other.real);
@@ -163,7 +163,7 @@ impl<L: Lanes> DualQuat<L> {
     }
 
     /// Whether every component of the two differs by at most `tolerance`; false for NaN.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn abs_diff_eq(self, other: Self, tolerance: L) -> L::Mask {
         let (a, b) = (self.to_array(), other.to_array());
@@ -175,21 +175,21 @@ impl<L: Lanes> DualQuat<L> {
     }
 
     /// Every component is neither infinite nor NaN.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn is_finite(self) -> L::Mask {
         super::vector::are_finite(self.to_array())
     }
 
     /// Of σ and −σ the one with p_w ≥ 0; a zero of either sign counts as positive.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn canonical(self) -> Self {
         let w = self.real.w();
         self.negate_where(w.lt(w.constant(0.0)))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn negate_where(self, mask: L::Mask) -> Self {
         let one = self.real.w().constant(1.0);
         self.scale(L::select(mask, -one, one))
@@ -199,7 +199,7 @@ impl<L: Lanes> DualQuat<L> {
 /// Blocks of memory: the whole of a [`Block`] at once.
 impl<L: Lanes> DualQuat<L> {
     /// The dual quaternions of a block.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn load<A, V>(level: V, block: &Block<A, 8>) -> Self
     where
@@ -210,7 +210,7 @@ impl<L: Lanes> DualQuat<L> {
     }
 
     /// Into a block.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn store<A, V>(self, block: &mut Block<A, 8>)
     where
         A: Row<Lanes<V> = L>,
@@ -222,7 +222,7 @@ impl<L: Lanes> DualQuat<L> {
 
 impl<L: Lanes> Add for DualQuat<L> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn add(self, other: Self) -> Self {
         Self::new(self.real + other.real, self.dual + other.dual)
     }
@@ -230,7 +230,7 @@ impl<L: Lanes> Add for DualQuat<L> {
 
 impl<L: Lanes> Sub for DualQuat<L> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn sub(self, other: Self) -> Self {
         Self::new(self.real - other.real, self.dual - other.dual)
     }
@@ -239,7 +239,7 @@ impl<L: Lanes> Sub for DualQuat<L> {
 /// p₁p₂ + ε(p₁q₂ + q₁p₂): 48 multiplications, 40 of them fused with the additions.
 impl<L: Lanes> Mul for DualQuat<L> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn mul(self, other: Self) -> Self {
         let dual = self.dual.mul_onto(other.real, self.real * other.dual);
         Self::new(self.real * other.real, dual)
@@ -248,7 +248,7 @@ impl<L: Lanes> Mul for DualQuat<L> {
 
 impl<L: Lanes> Neg for DualQuat<L> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn neg(self) -> Self {
         Self::new(-self.real, -self.dual)
     }

@@ -16,7 +16,7 @@ const ORDINARY: f64 = 2.5;
 
 /// An arc of up to a quarter of the unit circle over its chord, from the squared chord c:
 /// arcsin(√c/2)/(√c/2) for c in [0, 2].
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn arc_over_chord<L: Lanes>(c: Dual<L>) -> Dual<L> {
     let (value, derivative) = polynomial(&coefficients::ARC_F32, &coefficients::ARC_F64, c.real);
     c.apply(value, derivative)
@@ -26,7 +26,7 @@ pub(super) fn arc_over_chord<L: Lanes>(c: Dual<L>) -> Dual<L> {
 ///
 /// The derivatives are −½ sin(√v)/√v and (cos √v − sin(√v)/√v)/(2v); the second cancels for small v
 /// and comes from the polynomial there.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn cos_sinc<L: Lanes>(v: Dual<L>) -> (Dual<L>, Dual<L>) {
     let minus_half = v.real.constant(-0.5);
     let (cos, _) = polynomial(&coefficients::COS_F32, &coefficients::COS_F64, v.real);
@@ -44,7 +44,7 @@ pub(super) fn cos_sinc<L: Lanes>(v: Dual<L>) -> (Dual<L>, Dual<L>) {
 
 /// (1 − cos √u)/u and (√u − sin √u)/√u³ for any u ≥ 0: the integrals of sin and of 1 − cos in the
 /// left Jacobian of SE(3).
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn exponential_integrals<L: Lanes>(u: Dual<L>) -> (Dual<L>, Dual<L>) {
     let one = u.real.constant(1.0);
     let (cos, sinc) = cos_sinc(u.scale(one.constant(0.25)));
@@ -60,7 +60,7 @@ pub(super) fn exponential_integrals<L: Lanes>(u: Dual<L>) -> (Dual<L>, Dual<L>) 
 }
 
 /// (1 − (√u/2) cot(√u/2))/u for any u ≥ 0 but (2π)², (4π)², …, where it is infinite.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn half_cotangent<L: Lanes>(u: Dual<L>) -> Dual<L> {
     let one = u.real.constant(1.0);
     let (value, slope) = polynomial(&coefficients::INVERSE_F32, &coefficients::INVERSE_F64, u.real);
@@ -74,7 +74,7 @@ pub(super) fn half_cotangent<L: Lanes>(u: Dual<L>) -> Dual<L> {
     select(ordinary, near, far)
 }
 
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn select<L: Lanes>(mask: L::Mask, yes: Dual<L>, no: Dual<L>) -> Dual<L> {
     Dual::new(L::select(mask, yes.real, no.real), L::select(mask, yes.dual, no.dual))
 }
@@ -91,7 +91,7 @@ pub(crate) fn farthest<L: Lanes>() -> f64 {
 /// cos √v, sin(√v)/√v and the derivative of the latter, for v > (π/2)²; NaN beyond [`farthest`].
 ///
 /// Errors grow with √v as those of √v itself do: a float of size y is only known to y/2²⁴ (2⁵³).
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn far_cos_sinc<L: Lanes>(v: L) -> (L, L, L) {
     let root = v.sqrt();
     let is_near = root.le(v.constant(farthest::<L>()));
@@ -102,7 +102,7 @@ fn far_cos_sinc<L: Lanes>(v: L) -> (L, L, L) {
 }
 
 /// cos x and sin x for |x| up to [`farthest`]; beyond it they are anything.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn cos_sin<L: Lanes>(x: L) -> (L, L) {
     let (turns, rest) = half_turns(x);
     let square = rest * rest;
@@ -117,7 +117,7 @@ pub(crate) fn cos_sin<L: Lanes>(x: L) -> (L, L) {
 }
 
 /// The whole number k and the rest r of x = kπ + r, |r| ≤ π/2 but for rounding.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn half_turns<L: Lanes>(x: L) -> (L, L) {
     let turns = round(x * x.constant(core::f64::consts::FRAC_1_PI));
     // π in three parts whose products with a small integer are exact (Cody and Waite 1980).
@@ -134,19 +134,19 @@ pub(crate) fn half_turns<L: Lanes>(x: L) -> (L, L) {
 
 /// The nearest whole number: adding 1.5·2²³ (2⁵²) leaves no bits for a fraction, and taking it off again is exact. The
 /// factor 1.5 keeps negative numbers within the same binade. Right for |x| below 2²² (2⁵¹).
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn round<L: Lanes>(x: L) -> L {
     let shift = x.constant(if L::Real::SINGLE { 12_582_912.0 } else { 6_755_399_441_055_744.0 });
     (x + shift) - shift
 }
 
 /// A polynomial, lowest coefficient first, and its derivative, in the precision of the lanes.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn polynomial<L: Lanes>(single: &[f32], double: &[f64], x: L) -> (L, L) {
     if L::Real::SINGLE { value_and_slope(single, x) } else { value_and_slope(double, x) }
 }
 
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn value_and_slope<L: Lanes, C: Copy + Into<f64>>(coefficients: &[C], x: L) -> (L, L) {
     let square = x * x;
     (two_chains(coefficients, 0, x, square), two_chains(coefficients, 1, x, square))
@@ -161,7 +161,7 @@ fn value_and_slope<L: Lanes, C: Copy + Into<f64>>(coefficients: &[C], x: L) -> (
 /// For six terms: (((c₃ + c₅x²)x + (c₂ + c₄x²))x + c₁)x + c₀. A chain begins with one of the last two
 /// coefficients and takes every second one below it; which of the two ends with c₂ depends on whether the number of
 /// terms is even. The derivative has the coefficients (k + 1)cₖ₊₁, computed at compile time after unrolling.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn two_chains<L: Lanes, C: Copy + Into<f64>>(
     coefficients: &[C],
     order: usize,

@@ -11,7 +11,7 @@ use dq8_simd::{Float, Lanes};
 
 impl<L: Lanes> Dual<L> {
     /// eᵃ + ε b eᵃ
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn exp(self) -> Self {
         let exp = exp(self.real);
@@ -19,7 +19,7 @@ impl<L: Lanes> Dual<L> {
     }
 
     /// ln a + ε b/a; NaN for a < 0.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn ln(self) -> Self {
         self.apply(ln(self.real), self.real.constant(1.0) / self.real)
@@ -27,14 +27,14 @@ impl<L: Lanes> Dual<L> {
 }
 
 /// The exponents that are tried, the largest first: together they reach over all numbers.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn exponents<L: Lanes>() -> &'static [i64] {
     const ALL: [i64; 10] = [512, 256, 128, 64, 32, 16, 8, 4, 2, 1];
     if L::Real::SINGLE { ALL.split_at(3).1 } else { &ALL }
 }
 
 /// ln 2 in two parts, the first of so few bits that its products with exponents are exact.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn ln_2<L: Lanes>() -> [f64; 2] {
     if L::Real::SINGLE {
         [0.693_359_375, -2.121_944_400_546_905_8e-4]
@@ -44,7 +44,7 @@ fn ln_2<L: Lanes>() -> [f64; 2] {
 }
 
 /// 2ᵏ for whole k, |k| < 128 (`f32`) or 1024 (`f64`).
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn two_to_the<L: Lanes>(k: L) -> L {
     let one = k.constant(1.0);
     let (mut power, mut left) = (one, k.abs());
@@ -58,7 +58,7 @@ fn two_to_the<L: Lanes>(k: L) -> L {
 }
 
 /// eˣ = 2ᵏeʳ with |r| ≤ ½ ln 2, eʳ by its power series.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn exp<L: Lanes>(x: L) -> L {
     // Beyond these it is infinite or zero.
     let (end, terms) = if L::Real::SINGLE { (105.0, 8) } else { (746.0, 14) };
@@ -84,7 +84,7 @@ fn exp<L: Lanes>(x: L) -> L {
 
 /// ln x = k ln 2 + 2 artanh((m − 1)/(m + 1)) of x = 2ᵏm, m in [1/√2, √2], by its power series; −∞ at 0, NaN
 /// below.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn ln<L: Lanes>(x: L) -> L {
     let (zero, one) = (x.constant(0.0), x.constant(1.0));
     let (mut m, mut k) = (x, zero);

@@ -14,7 +14,7 @@ use dq8_simd::Lanes;
 
 impl<L: Lanes> DualQuat<L> {
     /// exp(½(x + δy)) ≈ exp(½δ J_l(x) y) exp(½x) with x = `at`, y = `along`.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn left_jacobian(at: Twist<L>, along: Twist<L>) -> Twist<L> {
         let (first, second) = exponential_integrals(square(at));
@@ -23,14 +23,14 @@ impl<L: Lanes> DualQuat<L> {
     }
 
     /// exp(½(x + δy)) ≈ exp(½x) exp(½δ J_r(x) y)
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn right_jacobian(at: Twist<L>, along: Twist<L>) -> Twist<L> {
         Self::left_jacobian(-at, along)
     }
 
     /// 2 log(exp(½δy) exp(½x)) ≈ x + δ J_l⁻¹(x) y; infinite at |ω| = 2π.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn left_jacobian_inverse(at: Twist<L>, along: Twist<L>) -> Twist<L> {
         let u = square(at);
@@ -40,14 +40,14 @@ impl<L: Lanes> DualQuat<L> {
     }
 
     /// 2 log(exp(½x) exp(½δy)) ≈ x + δ J_r⁻¹(x) y; infinite at |ω| = 2π.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn right_jacobian_inverse(at: Twist<L>, along: Twist<L>) -> Twist<L> {
         Self::left_jacobian_inverse(-at, along)
     }
 
     /// J_l(x) as 6×6 matrices, rows, of columns `[ωx, ωy, ωz, vx, vy, vz]`.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn left_jacobian_matrix(at: Twist<L>) -> [[L; 6]; 6] {
         let mut rows = [at.to_array(); 6];
@@ -61,7 +61,7 @@ impl<L: Lanes> DualQuat<L> {
     }
 
     /// J_l⁻¹(x) as 6×6 matrices, in the order of [`left_jacobian_matrix`](Self::left_jacobian_matrix).
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn left_jacobian_inverse_matrix(at: Twist<L>) -> [[L; 6]; 6] {
         let mut rows = [at.to_array(); 6];
@@ -76,7 +76,7 @@ impl<L: Lanes> DualQuat<L> {
 }
 
 /// 1 in one component and 0 in the others.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn unit_twist<L: Lanes>(like: Twist<L>, component: usize) -> Twist<L> {
     let mut unit = [like.angular[0].constant(0.0); 6];
     unit[component] = unit[component].constant(1.0);
@@ -84,14 +84,14 @@ fn unit_twist<L: Lanes>(like: Twist<L>, component: usize) -> Twist<L> {
 }
 
 /// x·x
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn square<L: Lanes>(x: Twist<L>) -> Dual<L> {
     let across = vector::dot(x.angular, x.linear);
     Dual::new(vector::dot(x.angular, x.angular), across + across)
 }
 
 /// x × y, the Lie bracket [x, y].
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn lie_bracket<L: Lanes>(x: Twist<L>, y: Twist<L>) -> Twist<L> {
     let moved = vector::cross(x.linear, y.angular);
     Twist {
@@ -101,7 +101,7 @@ pub(crate) fn lie_bracket<L: Lanes>(x: Twist<L>, y: Twist<L>) -> Twist<L> {
 }
 
 /// (a + εb)x + y
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn times_onto<L: Lanes>(factor: Dual<L>, x: Twist<L>, y: Twist<L>) -> Twist<L> {
     let linear = vector::scale_onto(x.angular, factor.dual, y.linear);
     Twist {

@@ -17,7 +17,7 @@ pub(super) struct Length<L> {
 }
 
 impl<L: Lanes> Length<L> {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn of<const N: usize>(vector: [L; N], one: L) -> Self {
         let squared = sum_of_squares(vector, one);
         // Stretched, the squares of all numbers there are fit, and so do the quotients on the way.
@@ -47,7 +47,7 @@ impl<L: Lanes> Length<L> {
     }
 
     /// The length itself.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn value(self) -> L {
         match self.stretched {
             None => self.root,
@@ -56,7 +56,7 @@ impl<L: Lanes> Length<L> {
     }
 
     /// `component` divided by the length.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn divide(self, component: L) -> L {
         match self.stretched {
             None => component * self.first,
@@ -65,7 +65,7 @@ impl<L: Lanes> Length<L> {
     }
 
     /// Every component divided by the length.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn divide_all<const N: usize>(self, vector: [L; N]) -> [L; N] {
         let mut quotients = vector;
         for component in &mut quotients {
@@ -75,7 +75,7 @@ impl<L: Lanes> Length<L> {
     }
 }
 
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn sum_of_squares<L: Lanes, const N: usize>(vector: [L; N], one: L) -> L {
     let mut sum = one.constant(0.0);
     for component in vector {

@@ -5,7 +5,7 @@ use dq8_simd::Lanes;
 
 impl<L: Lanes> Quat<L> {
     /// The rows of the rotation matrices of unit quaternions.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn to_matrix3(self) -> [[L; 3]; 3] {
         let [x, y, z, w] = self.to_array();
@@ -21,7 +21,7 @@ impl<L: Lanes> Quat<L> {
 
     /// The unit quaternions of rotation matrices, w ≥ 0 (Shepperd 1978): all four forms, one of which
     /// divides by the largest component.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn from_matrix3(rows: [[L; 3]; 3]) -> Self {
         let [[m00, m01, m02], [m10, m11, m12], [m20, m21, m22]] = rows;
@@ -44,7 +44,7 @@ impl<L: Lanes> Quat<L> {
     /// [`from_matrix3`](Self::from_matrix3), and the lanes whose matrix is no rotation: it differs from one by
     /// more than `tolerance` in a product of its rows (it scales, shears or mirrors), or an element is not
     /// finite. Those are NaN.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn from_matrix3_checked(rows: [[L; 3]; 3], tolerance: L) -> (Self, L::Mask) {
         let [a, b, c] = rows;
@@ -65,7 +65,7 @@ impl<L: Lanes> Quat<L> {
 
 impl<L: Lanes> DualQuat<L> {
     /// The rows of [R | t] of unit σ.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn to_matrix3x4(self) -> [[L; 4]; 3] {
         let [[a, b, c], [d, e, f], [g, h, i]] = self.real().to_matrix3();
@@ -74,7 +74,7 @@ impl<L: Lanes> DualQuat<L> {
     }
 
     /// [`to_matrix3x4`](Self::to_matrix3x4) with the row 0 0 0 1 below.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn to_matrix4(self) -> [[L; 4]; 4] {
         let [a, b, c] = self.to_matrix3x4();
@@ -83,7 +83,7 @@ impl<L: Lanes> DualQuat<L> {
     }
 
     /// The motions of rigid matrices, p_w ≥ 0.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn from_matrix3x4(rows: [[L; 4]; 3]) -> Self {
         let rotation = Quat::from_matrix3(rows.map(|[x, y, z, _]| [x, y, z]));
@@ -102,7 +102,7 @@ impl<L: Lanes> DualQuat<L> {
     /// assert_eq!(failed.to_bitmask(), 0b1100);
     /// assert_eq!(motion.translation()[0].to_array()[..2], [1.0; 2]);
     /// ```
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn from_matrix3x4_checked(rows: [[L; 4]; 3], tolerance: L) -> (Self, L::Mask) {
         let [[a, b, c, x], [d, e, f, y], [g, h, i, z]] = rows;
@@ -115,7 +115,7 @@ impl<L: Lanes> DualQuat<L> {
     }
 
     /// As [`from_matrix3x4_checked`](Self::from_matrix3x4_checked), and the last row must be 0 0 0 1.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn from_matrix4_checked(rows: [[L; 4]; 4], tolerance: L) -> (Self, L::Mask) {
         let [a, b, c, [x, y, z, w]] = rows;
@@ -129,7 +129,7 @@ impl<L: Lanes> DualQuat<L> {
 }
 
 /// Whether a difference is within a tolerance. An infinite one forgives all but what is not finite.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn is_close<L: Lanes>(difference: L, tolerance: L) -> L::Mask {
     vector::is_finite(difference) & difference.abs().le(tolerance)
 }

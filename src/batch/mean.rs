@@ -11,7 +11,7 @@ impl<L: Lanes> DualQuat<L> {
     ///
     /// A lane that has arrived is left as it is while its neighbours go on, and counts its own
     /// iterations: neither its mean nor its count depends on them.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn dib(
         influences: &[(Self, L)],
@@ -47,7 +47,7 @@ impl<L: Lanes> DualQuat<L> {
     }
 
     /// Σ wᵢ log(σ*σᵢ) / Σ wᵢ
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn mean_log(self, influences: &[(Self, L)], total: L) -> DualVector<L> {
         let zero = total.constant(0.0);
         let mut mean = DualVector { real: [zero; 3], dual: [zero; 3] };

@@ -7,7 +7,7 @@ use dq8_simd::Lanes;
 
 impl<L: Lanes> Quat<L> {
     /// The angle of a*b, radians in [0, π].
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn angle_to(self, other: Self) -> L {
         let between = DualQuat::from_rotation(self.conjugate() * other).canonical();
@@ -21,14 +21,14 @@ impl<L: Lanes> Quat<L> {
 
 impl<L: Lanes> DualQuat<L> {
     /// The angle of p_a*p_b, radians in [0, π].
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn angle_to(self, other: Self) -> L {
         self.real().angle_to(other.real())
     }
 
     /// |t_a − t_b|
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn distance_to(self, other: Self) -> L {
         between(self.translation(), other.translation())
@@ -36,7 +36,7 @@ impl<L: Lanes> DualQuat<L> {
 
     /// √((λθ)² + d²), θ from [`angle_to`](Self::angle_to) and d from
     /// [`distance_to`](Self::distance_to); λ may differ from lane to lane.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn distance_weighted(self, other: Self, length_per_radian: L) -> L {
         let legs = [length_per_radian * self.angle_to(other), self.distance_to(other)];
@@ -44,7 +44,7 @@ impl<L: Lanes> DualQuat<L> {
     }
 
     /// |a v − b v|
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn point_error(self, other: Self, point: [L; 3]) -> L {
         // v itself is the same on both sides: it need not be added, nor rounded.
@@ -54,7 +54,7 @@ impl<L: Lanes> DualQuat<L> {
 
     /// d + 2 r sin(θ/2), which bounds [`point_error`](Self::point_error) within the radius. The
     /// sine is the length of the vector part of p_a*p_b.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn shell_error(self, other: Self, radius: L) -> L {
         let turn = (self.real().conjugate() * other.real()).xyz();
@@ -63,7 +63,7 @@ impl<L: Lanes> DualQuat<L> {
     }
 
     /// Not [`is_unit`](Self::is_unit).
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn needs_renormalization(self, tolerance: L) -> L::Mask {
         !self.is_unit(tolerance)
@@ -71,7 +71,7 @@ impl<L: Lanes> DualQuat<L> {
 }
 
 /// |a − b|
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn between<L: Lanes>(a: [L; 3], b: [L; 3]) -> L {
     Length::of([a[0] - b[0], a[1] - b[1], a[2] - b[2]], a[0].constant(1.0)).value()
 }

@@ -13,15 +13,15 @@ impl<L: Lanes> Motion for DualQuat<L> {
     type Dual = Dual<L>;
     type Quat = Quat<L>;
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn identity(level: L::Level) -> Self {
         Self::identity(level)
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn normalize_checked(self) -> (Self, L::Mask) {
         self.normalize_checked()
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn inverse_checked(self) -> (Self, L::Mask) {
         self.inverse_checked()
     }

@@ -5,7 +5,7 @@ use dq8_simd::Lanes;
 
 impl<L: Lanes> Quat<L> {
     /// q*/|q|²; NaN or infinite in lanes that are zero or not finite.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn inverse(self) -> Self {
         let length = self.length();
@@ -14,7 +14,7 @@ impl<L: Lanes> Quat<L> {
 
     /// q/|q|, and the lanes that have none: q zero, or a component of q or its length not finite. Those are
     /// NaN.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn normalize_checked(self) -> (Self, L::Mask) {
         let length = self.length();
@@ -26,14 +26,14 @@ impl<L: Lanes> Quat<L> {
     }
 
     /// ||q| − 1| ≤ tolerance
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn is_unit(self, tolerance: L) -> L::Mask {
         (self.norm() - tolerance.constant(1.0)).abs().le(tolerance)
     }
 
     /// [`is_unit`](Self::is_unit) within 32 units of the last place.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn is_normalized(self) -> L::Mask {
         self.is_unit(self.w().constant(32.0 * vector::epsilon::<L>()))
@@ -42,7 +42,7 @@ impl<L: Lanes> Quat<L> {
 
 impl<L: Lanes> DualQuat<L> {
     /// √(σσ*) = |p| + ε (p·q)/|p|; the dual part is NaN where p = 0.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn norm(self) -> Dual<L> {
         let length = self.real().length();
@@ -52,7 +52,7 @@ impl<L: Lanes> DualQuat<L> {
 
     /// Exact normalization: the real part to unit length and the dual part orthogonal to it. Where
     /// [`normalize_checked`](Self::normalize_checked) fails, some component is NaN.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn normalize(self) -> Self {
         let length = self.real().length();
@@ -73,14 +73,14 @@ impl<L: Lanes> DualQuat<L> {
     /// unit.store_records(&mut back);
     /// assert_eq!(back, [[0.0, 0.0, 0.0, 1.0, 3.0, 0.0, 0.0, 0.0]]);
     /// ```
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn normalize_checked(self) -> (Self, L::Mask) {
         self.normalize().checked()
     }
 
     /// ||p| − 1| ≤ tolerance and |p·q| ≤ tolerance·max(1, |q|) < ∞
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn is_unit(self, tolerance: L) -> L::Mask {
         let one = tolerance.constant(1.0);
@@ -92,7 +92,7 @@ impl<L: Lanes> DualQuat<L> {
     }
 
     /// [`is_unit`](Self::is_unit) within 32 units of the last place.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn is_normalized(self) -> L::Mask {
         self.is_unit(self.real().w().constant(32.0 * vector::epsilon::<L>()))
@@ -100,7 +100,7 @@ impl<L: Lanes> DualQuat<L> {
 
     /// σ⁻¹ of any σ with p ≠ 0. Where [`inverse_checked`](Self::inverse_checked) fails, some
     /// component is NaN or infinite.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn inverse(self) -> Self {
         let length = self.real().length();
@@ -115,14 +115,14 @@ impl<L: Lanes> DualQuat<L> {
 
     /// σ⁻¹ = p⁻¹ − ε p⁻¹qp⁻¹, and the lanes that have none: p zero, or a component of σ or of the
     /// result not finite. In those, every component is NaN.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn inverse_checked(self) -> (Self, L::Mask) {
         self.inverse().checked()
     }
 
     /// Fills every lane that has a component which is not finite with NaN; and the mask of those lanes.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn checked(self) -> (Self, L::Mask) {
         let components = self.to_array();
         let finite = vector::are_finite(components);

@@ -10,7 +10,7 @@ pub struct Quat<L>([L; 4]);
 
 impl<L: Lanes> Quat<L> {
     /// 1 in every lane.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn identity(level: L::Level) -> Self {
         let zero = L::splat(level, L::Real::from(0.0));
@@ -18,28 +18,28 @@ impl<L: Lanes> Quat<L> {
     }
 
     /// From components in the order of memory.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn from_xyzw(x: L, y: L, z: L, w: L) -> Self {
         Self([x, y, z, w])
     }
 
     /// From `[x, y, z, w]`.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn from_array(xyzw: [L; 4]) -> Self {
         Self(xyzw)
     }
 
     /// From the vector part and the scalar part.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn from_parts([x, y, z]: [L; 3], w: L) -> Self {
         Self([x, y, z, w])
     }
 
     /// cos(θ/2) + n sin(θ/2); `axis` must have length 1, `angle` is in radians.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn from_axis_angle(axis: [L; 3], angle: L) -> Self {
         let half = angle * angle.constant(0.5);
@@ -48,45 +48,45 @@ impl<L: Lanes> Quat<L> {
     }
 
     /// `[x, y, z, w]`
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn to_array(self) -> [L; 4] {
         self.0
     }
 
     /// The component of i.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn x(self) -> L {
         self.0[0]
     }
     /// The component of j.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn y(self) -> L {
         self.0[1]
     }
     /// The component of k.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn z(self) -> L {
         self.0[2]
     }
     /// The scalar part.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn w(self) -> L {
         self.0[3]
     }
     /// The vector part.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn xyz(self) -> [L; 3] {
         [self.0[0], self.0[1], self.0[2]]
     }
 
     /// w − xi − yj − zk
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn conjugate(self) -> Self {
         let [x, y, z, w] = self.0;
@@ -94,7 +94,7 @@ impl<L: Lanes> Quat<L> {
     }
 
     /// The scalar product of the two as 4-vectors.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn dot(self, other: Self) -> L {
         let [ax, ay, az, aw] = self.0;
@@ -103,14 +103,14 @@ impl<L: Lanes> Quat<L> {
     }
 
     /// |q| = √(q q*)
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn norm(self) -> L {
         self.length().value()
     }
 
     /// Every component differs by at most `tolerance`.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn abs_diff_eq(self, other: Self, tolerance: L) -> L::Mask {
         let [x, y, z, w] = (self - other).0;
@@ -121,26 +121,26 @@ impl<L: Lanes> Quat<L> {
     }
 
     /// Every component is neither infinite nor NaN.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn is_finite(self) -> L::Mask {
         vector::are_finite(self.0)
     }
 
     /// q / |q|; some component is NaN in lanes that are zero or not finite.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn normalize(self) -> Self {
         Self(self.length().divide_all(self.0))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn length(self) -> Length<L> {
         Length::of(self.0, self.w().constant(1.0))
     }
 
     /// q times a real number.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn scale(self, factor: L) -> Self {
         let [x, y, z, w] = self.0;
@@ -148,7 +148,7 @@ impl<L: Lanes> Quat<L> {
     }
 
     /// q·s + onto
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn scale_onto(self, factor: L, onto: Self) -> Self {
         let [x, y, z, w] = self.0;
         let [ox, oy, oz, ow] = onto.0;
@@ -161,7 +161,7 @@ impl<L: Lanes> Quat<L> {
     }
 
     /// pq + onto
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn mul_onto(self, other: Self, onto: Self) -> Self {
         let [ax, ay, az, aw] = self.0;
         let [bx, by, bz, bw] = other.0;
@@ -175,26 +175,26 @@ impl<L: Lanes> Quat<L> {
     }
 
     /// r v r*, the vector `v` turned by these unit quaternions.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn rotate(self, v: [L; 3]) -> [L; 3] {
         self.rotate_onto(v, v)
     }
 
     /// The same for q of any norm; `two` is 2/|q|².
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn rotate_scaled(self, v: [L; 3], two: L) -> [L; 3] {
         self.twice_across(v, v, two)
     }
 
     /// r v r* − v + onto: v + 2 r × (r × v + w v) with another first summand.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn rotate_onto(self, v: [L; 3], onto: [L; 3]) -> [L; 3] {
         self.twice_across(v, onto, self.w().constant(2.0))
     }
 
     /// two·r × (r × v + w v) + onto
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn twice_across(self, v: [L; 3], onto: [L; 3], two: L) -> [L; 3] {
         let r = self.xyz();
         let inner = vector::cross_onto(r, v, vector::scale(v, self.w()));
@@ -204,7 +204,7 @@ impl<L: Lanes> Quat<L> {
 
 impl<L: Lanes> Add for Quat<L> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn add(self, other: Self) -> Self {
         let [ax, ay, az, aw] = self.0;
         let [bx, by, bz, bw] = other.0;
@@ -214,7 +214,7 @@ impl<L: Lanes> Add for Quat<L> {
 
 impl<L: Lanes> Sub for Quat<L> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn sub(self, other: Self) -> Self {
         let [ax, ay, az, aw] = self.0;
         let [bx, by, bz, bw] = other.0;
@@ -225,7 +225,7 @@ impl<L: Lanes> Sub for Quat<L> {
 /// Hamilton's product: 16 multiplications, 12 of them fused.
 impl<L: Lanes> Mul for Quat<L> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn mul(self, other: Self) -> Self {
         let [ax, ay, az, aw] = self.0;
         let [bx, by, bz, bw] = other.0;
@@ -240,7 +240,7 @@ impl<L: Lanes> Mul for Quat<L> {
 
 impl<L: Lanes> Neg for Quat<L> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn neg(self) -> Self {
         let [x, y, z, w] = self.0;
         Self([-x, -y, -z, -w])

@@ -10,11 +10,11 @@ impl<L: Lanes> Quaternion for Quat<L> {
     type Real = L;
     type Mask = L::Mask;
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn identity(level: L::Level) -> Self {
         Self::identity(level)
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn normalize_checked(self) -> (Self, L::Mask) {
         self.normalize_checked()
     }

@@ -5,14 +5,14 @@ use dq8_simd::Lanes;
 
 impl<L: Lanes> DualQuat<L> {
     /// r + ε0; `rotation` must be unit.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn from_rotation(rotation: Quat<L>) -> Self {
         Self::new(rotation, Quat::from_array([rotation.w().constant(0.0); 4]))
     }
 
     /// 1 + ½εt
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn from_translation(translation: [L; 3]) -> Self {
         let zero = translation[0].constant(0.0);
@@ -21,7 +21,7 @@ impl<L: Lanes> DualQuat<L> {
     }
 
     /// Rotate, then translate: r + ½εtr; `rotation` must be unit.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn from_rotation_translation(rotation: Quat<L>, translation: [L; 3]) -> Self {
         let half = vector::scale(translation, rotation.w().constant(0.5));
@@ -32,7 +32,7 @@ impl<L: Lanes> DualQuat<L> {
     }
 
     /// Translate, then rotate: r + ½εrt; `rotation` must be unit.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn from_translation_rotation(translation: [L; 3], rotation: Quat<L>) -> Self {
         let half = vector::scale(translation, rotation.w().constant(0.5));
@@ -43,7 +43,7 @@ impl<L: Lanes> DualQuat<L> {
 
     /// σ(r + ½εtr) = (p + ε(q + ½pt))r, in 47 operations. Joining r and t first takes 15, and a product 48
     /// more.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn mul_rotation_translation(self, rotation: Quat<L>, translation: [L; 3]) -> Self {
         let half = vector::scale(translation, rotation.w().constant(0.5));
@@ -56,14 +56,14 @@ impl<L: Lanes> DualQuat<L> {
     }
 
     /// r = p of unit σ
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn rotation(self) -> Quat<L> {
         self.real()
     }
 
     /// t = 2qp* of unit σ
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn translation(self) -> [L; 3] {
         let zero = self.real().w().constant(0.0);
@@ -72,7 +72,7 @@ impl<L: Lanes> DualQuat<L> {
 
     /// t + 2·half: the factor 2 is shared with a caller that adds something to the translation. It is
     /// 2/|p|² if σ is not unit.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn translation_onto_half(self, half: [L; 3], two: L) -> [L; 3] {
         let (p, q) = (self.real(), self.dual());
         // The vector part of qp*: w_p q − w_q p + p × q

@@ -15,7 +15,7 @@ impl<L: Lanes> DualQuat<L> {
     /// The screw of unit σ, angle in [0, π]. A pure translation has angle 0, its own direction as
     /// axis and moment 0; the identity has the axis (1, 0, 0). The moment is not finite where |t| over the
     /// angle overflows.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn to_screw(self) -> Screw<L> {
         let sigma = self.canonical();
@@ -51,7 +51,7 @@ impl<L: Lanes> DualQuat<L> {
     /// NaN where half the angle is beyond 2¹⁶ = 65,536 radians (`f32`; `f64`: 2⁴⁵), as it is for
     /// [`exp`](Self::exp), [`pow`](Self::pow), [`sclerp`](Self::sclerp) and what is built on them: such
     /// a number is known to no more than a 256th of a radian.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn from_screw(screw: Screw<L>) -> Self {
         let half = screw.angle.constant(0.5);
@@ -62,7 +62,7 @@ impl<L: Lanes> DualQuat<L> {
     }
 
     /// (θ̂/2)(l + εm) of the one of ±σ with p_w ≥ 0: the vector part of σ times Θ/sin Θ.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn log(self) -> DualVector<L> {
         let sigma = self.canonical();
@@ -71,7 +71,7 @@ impl<L: Lanes> DualQuat<L> {
 
     /// cos ĥ + sin ĥ (l + εm) of a + εb, with ĥ² = a·a + 2ε a·b. NaN where |a| is beyond 2¹⁶ (`f32`) or
     /// 2⁴⁵ (`f64`).
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn exp(log: DualVector<L>) -> Self {
         let across = vector::dot(log.real, log.dual);
@@ -82,7 +82,7 @@ impl<L: Lanes> DualQuat<L> {
 
     /// σᵗ of the one of ±σ with p_w ≥ 0; `t` may differ from lane to lane. NaN where t times half the
     /// angle is beyond 2¹⁶ (`f32`) or 2⁴⁵ (`f64`), or t beyond 10¹⁹ or 10¹⁵⁴, where its square is.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn pow(self, t: L) -> Self {
         let sigma = self.canonical();
@@ -93,7 +93,7 @@ impl<L: Lanes> DualQuat<L> {
     }
 
     /// √σ of the one of ±σ with p_w ≥ 0: cos(Θ/2) and the vector part over 2 cos(Θ/2).
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn sqrt(self) -> Self {
         let sigma = self.canonical();
@@ -113,7 +113,7 @@ impl<L: Lanes> DualQuat<L> {
     /// ```
     ///
     /// The difference b − a is exact for poses that almost agree, where their cosine has lost it.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn sclerp(self, other: Self, t: L) -> Self {
         let apart = self.real().dot(other.real()).lt(t.constant(0.0));
@@ -122,7 +122,7 @@ impl<L: Lanes> DualQuat<L> {
 
     /// As [`sclerp`](Self::sclerp), but from `self` to `other` and not to −`other`. The way from σ
     /// to −σ has no axis: NaN.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn sclerp_long(self, other: Self, t: L) -> Self {
         let zero = t.constant(0.0);
@@ -147,7 +147,7 @@ impl<L: Lanes> DualQuat<L> {
 
 impl<L: Lanes> Quat<L> {
     /// Θ/sin Θ of half the angle of unit quaternions with w ≥ 0: 1 for no turn.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn half_angle_over_sine(self) -> L {
         HalfAngle::of(DualQuat::from_rotation(self)).over_sine().real
     }
@@ -166,7 +166,7 @@ pub(super) struct HalfAngle<L> {
 impl<L: Lanes> HalfAngle<L> {
     /// From cos²(Θ/2) = (1 + w)/2 and C = sin²Θ/cos²(Θ/2). Not from 1 − w, which is all rounding
     /// for small angles, where the vector part still has its full relative precision.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn of(sigma: DualQuat<L>) -> Self {
         let w = sigma.dual_scalar();
         let half = w.real.constant(0.5);
@@ -185,13 +185,13 @@ impl<L: Lanes> HalfAngle<L> {
     }
 
     /// Θ/sin Θ = K/cos(Θ/2)
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn over_sine(&self) -> Dual<L> {
         self.arc_over_chord / self.half_cosine
     }
 
     /// Θ² = CK²
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn square(&self) -> Dual<L> {
         self.chord_squared * self.arc_over_chord * self.arc_over_chord
     }
@@ -214,7 +214,7 @@ struct Way<L> {
 
 impl<L: Lanes> Way<L> {
     /// To −b in the lanes where `apart` holds.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn between(a: DualQuat<L>, b: DualQuat<L>, apart: L::Mask) -> Self {
         let one = a.real().w().constant(1.0);
         let sign = L::select(apart, -one, one);
@@ -230,7 +230,7 @@ impl<L: Lanes> Way<L> {
     }
 
     /// cos(τΘ/2)/cos(Θ/2) m + τ K sinc(τΘ/2) h, τ = 2t − 1
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn at(&self, t: L) -> DualQuat<L> {
         // −τK/2: of −2h, and (τΘ/2)² is its square times C.
         let weight = self.arc_over_chord.scale(t.constant(0.5) - t);
@@ -241,7 +241,7 @@ impl<L: Lanes> Way<L> {
 }
 
 /// (s + εu)(a + εb)
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn times_dual<L: Lanes>(v: DualVector<L>, factor: Dual<L>) -> DualVector<L> {
     DualVector {
         real: vector::scale(v.real, factor.real),

@@ -8,7 +8,7 @@ impl<L: Lanes> Quat<L> {
     /// differ from lane to lane.
     ///
     /// The screw motion of pure rotations: the dual part that it computes is discarded.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn slerp(self, other: Self, t: L) -> Self {
         DualQuat::from_rotation(self).sclerp(DualQuat::from_rotation(other), t).real()
@@ -17,7 +17,7 @@ impl<L: Lanes> Quat<L> {
 
 impl<L: Lanes> DualQuat<L> {
     /// Rotation by SLERP, translation by LERP; `t` may differ from lane to lane.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn slerp_lerp(self, other: Self, t: L) -> Self {
         let rotation = self.rotation().slerp(other.rotation(), t);

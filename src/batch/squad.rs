@@ -7,7 +7,7 @@ use dq8_simd::Lanes;
 impl<L: Lanes> DualQuat<L> {
     /// sclerp(sclerp(σ₀, σ₁, t), sclerp(s₀, s₁, t), 2t(1−t)) from `self` to `end`; `t` may differ
     /// from lane to lane.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn squad(self, control_start: Self, control_end: Self, end: Self, t: L) -> Self {
         let along_keys = self.sclerp(end, t);
@@ -16,7 +16,7 @@ impl<L: Lanes> DualQuat<L> {
     }
 
     /// σ exp(−(log(σ*σ₊) + log(σ*σ₋))/4)
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn squad_control(previous: Self, current: Self, next: Self) -> Self {
         let inverse = current.conjugate();

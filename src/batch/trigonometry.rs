@@ -10,7 +10,7 @@ use dq8_simd::{Float, Lanes};
 
 impl<L: Lanes> Dual<L> {
     /// sin a + ε b cos a, radians; NaN beyond 2¹⁶ rad (`f32`) or 2⁴⁵ rad (`f64`).
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn sin(self) -> Self {
         let (sin, cos) = sin_cos(self.real);
@@ -18,7 +18,7 @@ impl<L: Lanes> Dual<L> {
     }
 
     /// cos a − ε b sin a, radians; NaN beyond 2¹⁶ rad (`f32`) or 2⁴⁵ rad (`f64`).
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn cos(self) -> Self {
         let (sin, cos) = sin_cos(self.real);
@@ -26,7 +26,7 @@ impl<L: Lanes> Dual<L> {
     }
 
     /// tan a + ε b/cos²a, radians; NaN beyond 2¹⁶ rad (`f32`) or 2⁴⁵ rad (`f64`).
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn tan(self) -> Self {
         let (sin, cos) = sin_cos(self.real);
@@ -35,21 +35,21 @@ impl<L: Lanes> Dual<L> {
     }
 
     /// arcsin a + ε b/√(1 − a²), radians, |a| ≤ 1, else NaN; the derivative is infinite at ±1.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn asin(self) -> Self {
         self.apply(asin(self.real), self.real.constant(1.0) / cathetus(self.real))
     }
 
     /// arccos a − ε b/√(1 − a²), radians, |a| ≤ 1, else NaN; the derivative is infinite at ±1.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn acos(self) -> Self {
         self.apply(acos(self.real), self.real.constant(-1.0) / cathetus(self.real))
     }
 
     /// arctan a + ε b/(1 + a²), radians.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn atan(self) -> Self {
         let one = self.real.constant(1.0);
@@ -58,7 +58,7 @@ impl<L: Lanes> Dual<L> {
 
     /// The angle of the point (`x`, `self`), radians, with the derivative (x dy − y dx)/(x² + y²), by
     /// ratios to the larger of the two: squares might vanish.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn atan2(self, x: Self) -> Self {
         let (up, along) = (self.real.abs(), x.real.abs());
@@ -72,7 +72,7 @@ impl<L: Lanes> Dual<L> {
 
 /// sin x and cos x, radians; NaN beyond [`farthest`]. Both keep their relative precision where they vanish:
 /// the turns taken off are quarters, so that the one which vanishes is always a sine.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn sin_cos<L: Lanes>(x: L) -> (L, L) {
     let near = x.abs().le(x.constant(farthest::<L>()));
     let x = L::select(near, x, x.constant(f64::NAN));
@@ -93,7 +93,7 @@ fn sin_cos<L: Lanes>(x: L) -> (L, L) {
 
 /// x − kπ/2, with π/2 in parts whose products with k are exact (Cody and Waite 1980): eight bits each in `f32`,
 /// where k is up to 2¹⁶.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn without_quarters<L: Lanes>(x: L, k: L) -> L {
     let single =
         [1.570_312_5, 4.825_592_041_015_625e-4, 1.266_598_701_477_050_8e-6, 9.920_935_8e-10];
@@ -108,21 +108,21 @@ fn without_quarters<L: Lanes>(x: L, k: L) -> L {
 }
 
 /// arcsin of a number in [0, 1/√2].
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn small_arc<L: Lanes>(sine: L) -> L {
     let chord_squared = sine * sine * sine.constant(4.0);
     sine * arc_over_chord(Dual::new(chord_squared, sine.constant(0.0))).real
 }
 
 /// √(1 − x²), without the rounding of a square near 1; NaN for |x| > 1.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn cathetus<L: Lanes>(x: L) -> L {
     let one = x.constant(1.0);
     ((one - x) * (one + x)).sqrt()
 }
 
 /// arcsin x, radians; NaN for |x| > 1.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn asin<L: Lanes>(x: L) -> L {
     let (sine, cosine) = (x.abs(), cathetus(x));
     let is_small = sine.le(cosine);
@@ -131,7 +131,7 @@ fn asin<L: Lanes>(x: L) -> L {
 }
 
 /// arccos x, radians, in [0, π]; NaN for |x| > 1.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn acos<L: Lanes>(x: L) -> L {
     let (cosine, sine) = (x.abs(), cathetus(x));
     let is_across = cosine.le(sine);
@@ -143,14 +143,14 @@ fn acos<L: Lanes>(x: L) -> L {
 }
 
 /// arctan x, radians.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn atan<L: Lanes>(x: L) -> L {
     atan2(x, x.constant(1.0))
 }
 
 /// The angle of the point (`x`, `y`), radians in [−π, π], signs of zeros and infinite coordinates as in IEEE
 /// 754.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn atan2<L: Lanes>(y: L, x: L) -> L {
     let (up, along) = (y.abs(), x.abs());
     let (zero, one) = (x.constant(0.0), x.constant(1.0));

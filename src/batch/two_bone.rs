@@ -38,7 +38,7 @@ impl<L: Lanes> TwoBone<L> {
     /// assert_eq!((failed.any(), leg.stretched.to_bitmask()), (false, 0b1000));
     /// assert!(leg.missed.to_array()[..3].iter().all(|&missed| missed == 0.0));
     /// ```
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn reach_checked(
         root: [L; 3],
@@ -89,13 +89,13 @@ impl<L: Lanes> TwoBone<L> {
 }
 
 /// 2 arctan √(ab/(cd)); rounding may have left a factor a little below zero.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn twice_arctangent<L: Lanes>(over: [L; 2], under: [L; 2]) -> L {
     let half = atan2(root_of_product(over), root_of_product(under));
     half + half
 }
 
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn root_of_product<L: Lanes>([a, b]: [L; 2]) -> L {
     let zero = a.constant(0.0);
     let (a, b) = (L::select(zero.lt(a), a, zero), L::select(zero.lt(b), b, zero));
@@ -104,7 +104,7 @@ fn root_of_product<L: Lanes>([a, b]: [L; 2]) -> L {
 
 /// The direction to the target, and the one across it that the knee goes to. A target at the root
 /// leaves the knee on the way to it: behind it if the bone at the root is the shorter.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn plane<L: Lanes>(way: [L; 3], pole: [L; 3], shorter: L::Mask) -> ([L; 3], [L; 3]) {
     let (zero, one) = (way[0].constant(0.0), way[0].constant(1.0));
     let (ahead, has_way) = direction(way);
@@ -123,7 +123,7 @@ fn plane<L: Lanes>(way: [L; 3], pole: [L; 3], shorter: L::Mask) -> ([L; 3], [L; 
 }
 
 /// Vectors with length 1, and where there are any: not for zero.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn direction<L: Lanes>(vector: [L; 3]) -> ([L; 3], L::Mask) {
     let one = vector[0].constant(1.0);
     let length = Length::of(vector, one);
@@ -131,7 +131,7 @@ fn direction<L: Lanes>(vector: [L; 3]) -> ([L; 3], L::Mask) {
 }
 
 /// The rotation that takes x to `along` and −y to `side`.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn frame<L: Lanes>(along: [L; 3], side: [L; 3]) -> Quat<L> {
     let y = [-side[0], -side[1], -side[2]];
     let z = vector::cross(along, y);

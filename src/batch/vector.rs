@@ -3,33 +3,33 @@
 use super::length::Length;
 use dq8_simd::{Float, Lanes};
 
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn add<L: Lanes>(a: [L; 3], b: [L; 3]) -> [L; 3] {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn sub<L: Lanes>(a: [L; 3], b: [L; 3]) -> [L; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn scale<L: Lanes>(a: [L; 3], s: L) -> [L; 3] {
     [a[0] * s, a[1] * s, a[2] * s]
 }
 
 /// a·s + b
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn scale_onto<L: Lanes>(a: [L; 3], s: L, b: [L; 3]) -> [L; 3] {
     [a[0].mul_add(s, b[0]), a[1].mul_add(s, b[1]), a[2].mul_add(s, b[2])]
 }
 
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn dot<L: Lanes>(a: [L; 3], b: [L; 3]) -> L {
     a[2].mul_add(b[2], a[1].mul_add(b[1], a[0] * b[0]))
 }
 
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn cross<L: Lanes>(a: [L; 3], b: [L; 3]) -> [L; 3] {
     [
         a[2].neg_mul_add(b[1], a[1] * b[2]),
@@ -39,7 +39,7 @@ pub(crate) fn cross<L: Lanes>(a: [L; 3], b: [L; 3]) -> [L; 3] {
 }
 
 /// a × b + c
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn cross_onto<L: Lanes>(a: [L; 3], b: [L; 3], c: [L; 3]) -> [L; 3] {
     [
         a[2].neg_mul_add(b[1], a[1].mul_add(b[2], c[0])),
@@ -48,7 +48,7 @@ pub(crate) fn cross_onto<L: Lanes>(a: [L; 3], b: [L; 3], c: [L; 3]) -> [L; 3] {
     ]
 }
 
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn select<L: Lanes, const N: usize>(mask: L::Mask, yes: [L; N], no: [L; N]) -> [L; N] {
     let mut picked = no;
     for (slot, value) in picked.iter_mut().zip(yes) {
@@ -58,7 +58,7 @@ pub(crate) fn select<L: Lanes, const N: usize>(mask: L::Mask, yes: [L; N], no: [
 }
 
 /// The same numbers in every lane.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn splat<L: Lanes, const N: usize>(level: L::Level, numbers: [L::Real; N]) -> [L; N] {
     let mut lanes = [L::splat(level, L::Real::default()); N];
     for (lane, number) in lanes.iter_mut().zip(numbers) {
@@ -68,14 +68,14 @@ pub(crate) fn splat<L: Lanes, const N: usize>(level: L::Level, numbers: [L::Real
 }
 
 /// Where a number is neither infinite nor NaN.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn is_finite<L: Lanes>(number: L) -> L::Mask {
     let zero = number.constant(0.0);
     (number * zero).eq(zero)
 }
 
 /// Where all numbers are.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn are_finite<L: Lanes, const N: usize>(numbers: [L; N]) -> L::Mask {
     let zero = numbers[0].constant(0.0);
     // 0·c is 0 for finite c and NaN otherwise.
@@ -87,19 +87,19 @@ pub(crate) fn are_finite<L: Lanes, const N: usize>(numbers: [L; N]) -> L::Mask {
 }
 
 /// The distance from 1 to the next larger number.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn epsilon<L: Lanes>() -> f64 {
     if L::Real::SINGLE { f64::from(f32::EPSILON) } else { f64::EPSILON }
 }
 
 /// What of `vector` is across the unit vector `along`.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn across<L: Lanes>(along: [L; 3], vector: [L; 3]) -> [L; 3] {
     scale_onto(along, -dot(along, vector), vector)
 }
 
 /// The unit vector across the unit vector `along` that is next to the axis most across it.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn any_across<L: Lanes>(along: [L; 3]) -> [L; 3] {
     let [x, y, z] = [along[0].abs(), along[1].abs(), along[2].abs()];
     let (zero, one) = (x.constant(0.0), x.constant(1.0));

@@ -25,7 +25,7 @@ impl<R: Scalar> Layout for Aos<R> {
 }
 
 /// The records of a tile in any lanes.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn load<L: Lanes, const C: usize>(
     level: L::Level,
     from: &[[L::Real; C]],
@@ -37,7 +37,7 @@ pub(crate) fn load<L: Lanes, const C: usize>(
 }
 
 /// The records of a tile from any lanes.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn store<L: Lanes, const C: usize>(
     components: [L; C],
     to: &mut [[L::Real; C]],
@@ -54,7 +54,7 @@ macro_rules! casts {
         impl<$($any: Scalar,)? $(const $size: usize)?> Element<$components> for $thing {
             type Layout = Aos<$real>;
 
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             fn load<V: Level>(
                 level: V,
                 from: &[Self],
@@ -63,7 +63,7 @@ macro_rules! casts {
             ) -> Option<[<$real as Float>::Lanes<V>; $components]> {
                 load(level, bytemuck::must_cast_slice(from), tile, padding)
             }
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             fn store<V: Level>(
                 components: [<$real as Float>::Lanes<V>; $components],
                 to: &mut [Self],
@@ -71,21 +71,21 @@ macro_rules! casts {
             ) {
                 store(components, bytemuck::must_cast_slice_mut(to), tile);
             }
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             fn get(slice: &[Self], index: usize) -> Option<[$real; $components]> {
                 Some(bytemuck::must_cast(*slice.get(index)?))
             }
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             fn set(slice: &mut [Self], index: usize, thing: [$real; $components]) {
                 if let Some(slot) = slice.get_mut(index) {
                     *slot = bytemuck::must_cast(thing);
                 }
             }
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             fn plain(slice: &[Self]) -> Option<&[[$real; $components]]> {
                 Some(bytemuck::must_cast_slice(slice))
             }
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             fn plain_mut(slice: &mut [Self]) -> Option<&mut [[$real; $components]]> {
                 Some(bytemuck::must_cast_slice_mut(slice))
             }
@@ -106,7 +106,7 @@ casts! {
 impl<R: Scalar> Element<6> for Twist<R> {
     type Layout = Aos<R>;
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn load<V: Level>(
         level: V,
         from: &[Self],
@@ -125,7 +125,7 @@ impl<R: Scalar> Element<6> for Twist<R> {
         }
         Some(R::Lanes::<V>::load_records(level, &records, *padding))
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn store<V: Level>(components: [Register<Self, V, 6>; 6], to: &mut [Self], tile: Tile) {
         if R::Lanes::<V>::LANES == 1 {
             let mut record = [[R::ZERO; 6]];
@@ -140,11 +140,11 @@ impl<R: Scalar> Element<6> for Twist<R> {
             *twist = Self::from_array(record);
         }
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn get(slice: &[Self], index: usize) -> Option<[R; 6]> {
         slice.get(index).map(|twist| twist.to_array())
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn set(slice: &mut [Self], index: usize, thing: [R; 6]) {
         if let Some(slot) = slice.get_mut(index) {
             *slot = Self::from_array(thing);
@@ -160,7 +160,7 @@ impl<R> sealed::Sealed for DualQuat<R> {}
 impl<T, const N: usize> sealed::Sealed for [T; N] {}
 
 /// The same record in every lane.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn splat<L: Lanes, const C: usize>(level: L::Level, record: [L::Real; C]) -> [L; C] {
     let mut lanes = [L::splat(level, L::Real::default()); C];
     for (lane, number) in lanes.iter_mut().zip(record) {

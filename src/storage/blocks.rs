@@ -41,7 +41,7 @@ impl<A, const C: usize> sealed::Sealed for dq8_simd::Block<A, C> {}
 impl<A: Row<Real: Scalar>, const C: usize> Element<C> for dq8_simd::Block<A, C> {
     type Layout = AoSoA<A>;
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn load<V: Level>(
         level: V,
         from: &[Self],
@@ -50,7 +50,7 @@ impl<A: Row<Real: Scalar>, const C: usize> Element<C> for dq8_simd::Block<A, C> 
     ) -> Option<[Native<A, V>; C]> {
         Some(from.get(tile.element)?.load_part(level, tile.register))
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn store<V: Level>(components: [Native<A, V>; C], to: &mut [Self], tile: Tile) {
         if let Some(block) = to.get_mut(tile.element) {
             block.store_part::<V>(components, tile.register);
@@ -67,7 +67,7 @@ impl<A: Row<Real: Scalar>, const C: usize> Element<C> for dq8_simd::Block<A, C> 
             let _ = block.set(index % A::LANES, thing);
         }
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn stream<V: Level>(
         level: V,
         to: &mut [Self],
@@ -76,7 +76,7 @@ impl<A: Row<Real: Scalar>, const C: usize> Element<C> for dq8_simd::Block<A, C> 
         Self::stream(
             level,
             to,
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             |element, register| each(Tile::at(element, register)),
         );
     }

@@ -27,19 +27,19 @@ pub trait Layout: Copy + Debug + sealed::Sealed {
 
     /// How many registers it takes to read one component of a record.
     #[must_use]
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn registers<V: Level>() -> usize {
         (Self::THINGS / Self::Register::<V>::LANES).max(1)
     }
     /// How many records a register reads.
     #[must_use]
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn records<V: Level>() -> usize {
         (Self::Register::<V>::LANES / Self::THINGS).max(1)
     }
     /// Whether a register reads one thing from each of several records.
     #[must_use]
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn transposes<V: Level>() -> bool {
         Self::THINGS == 1 && Self::Register::<V>::LANES > 1
     }
@@ -71,7 +71,7 @@ pub trait Element<const C: usize>: Copy + Debug + sealed::Sealed {
 
     /// [`store`](Self::store)s what `each` makes of every tile, past the caches where the layout
     /// [can](Layout::STREAMS). The first `None` ends.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn stream<V: Level>(
         level: V,
         to: &mut [Self],
@@ -87,14 +87,14 @@ pub trait Element<const C: usize>: Copy + Debug + sealed::Sealed {
     /// The same numbers as arrays, if they lie one after the other: for one thing this is faster than
     /// lanes. `None` for blocks.
     #[must_use]
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn plain(slice: &[Self]) -> Option<&[[Number<Self, C>; C]]> {
         let _ = slice;
         None
     }
     /// [`plain`](Self::plain), to be written.
     #[must_use]
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn plain_mut(slice: &mut [Self]) -> Option<&mut [[Number<Self, C>; C]]> {
         let _ = slice;
         None
@@ -107,7 +107,7 @@ pub type Number<E, const C: usize> = <<E as Element<C>>::Layout as Layout>::Real
 pub type Register<E, V, const C: usize> = <<E as Element<C>>::Layout as Layout>::Register<V>;
 
 /// The tiles of a slice of `length` elements, in order: each is a register for each component.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub fn tiles<E: Element<C>, V: Level, const C: usize>(length: usize) -> impl Iterator<Item = Tile> {
     Tiles {
         next: Tile::at(0, 0),
@@ -127,7 +127,7 @@ struct Tiles {
 impl Iterator for Tiles {
     type Item = Tile;
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn next(&mut self) -> Option<Tile> {
         let tile = self.next;
         if tile.element >= self.length {

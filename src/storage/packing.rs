@@ -161,7 +161,7 @@ where
     // Transposes: see `Aos`.
     const WIDE: bool = false;
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
         let Self { stride, things, blocks } = self;
         let padding = identity();
@@ -171,7 +171,7 @@ where
                     let element = (group * N + lane) * stride + joint;
                     let tile = Tile { element, register: 0, stride: Some(stride) };
                     let components = E::load(level, things, tile, &padding).unwrap_or_else(
-                        #[inline(always)]
+                        #[cfg_attr(not(opt_level_0), inline(always))]
                         || aos::splat(level, padding),
                     );
                     for (row, component) in block.0.iter_mut().zip(components) {
@@ -201,7 +201,7 @@ where
     type Output = ();
     const WIDE: bool = false;
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
         let Self { stride, blocks, things } = self;
         for (group, blocks) in blocks.chunks(stride.max(1)).enumerate() {

@@ -3,7 +3,7 @@ use core::marker::PhantomData;
 
 /// What fills lanes without a thing: the motion, rotation or matrix that changes nothing, and zero for
 /// vectors and numbers. Computing with it is never slow, as it is with garbage.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 #[must_use]
 pub fn identity<R: Scalar, const C: usize>() -> [R; C] {
     Identity::<R, C>::RECORD

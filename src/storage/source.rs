@@ -7,7 +7,7 @@ pub enum Source<'s, E> {
 
 impl<'s, E> Source<'s, E> {
     /// The slice to read, of a kernel that writes `output`.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn or<'o>(self, output: &'o [E]) -> &'o [E]
     where
         's: 'o,
@@ -18,7 +18,7 @@ impl<'s, E> Source<'s, E> {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn is_output(&self) -> bool {
         matches!(self, Self::Output)
     }

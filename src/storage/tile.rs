@@ -10,7 +10,7 @@ pub struct Tile {
 
 impl Tile {
     /// The lanes of one register of the block `element`, or as many records as it reads from there on.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn at(element: usize, register: usize) -> Self {
         Self { element, register, stride: None }
     }

@@ -19,7 +19,7 @@ impl<L: Lanes> Line<L> {
     /// [`intersection_with_plane`](Self::intersection_with_plane) on lanes, and the lanes without one: the line
     /// is parallel to the plane or lies in it, the direction or the normal is zero, or a number is not finite.
     /// Those are NaN.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn intersection_with_plane_checked(self, plane: Plane<L>) -> ([L; 3], L::Mask) {
         let Crossing { point, parallel, failed, .. } = Crossing::of(self, plane);
@@ -29,7 +29,7 @@ impl<L: Lanes> Line<L> {
 
     /// [`distance_to_plane`](Self::distance_to_plane) on lanes, 0 unless they are parallel, and the lanes
     /// without one: the direction or the normal is zero, or a number is not finite. Those are NaN.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn distance_to_plane_checked(self, plane: Plane<L>) -> (L, L::Mask) {
         let Crossing { distance, parallel, failed, .. } = Crossing::of(self, plane);
@@ -40,7 +40,7 @@ impl<L: Lanes> Line<L> {
 }
 
 impl<L: Lanes> Crossing<L> {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn of(line: Line<L>, plane: Plane<L>) -> Self {
         let ((line, no_line), (plane, no_plane)) =
             (line.normalize_checked(), plane.normalize_checked());

@@ -16,7 +16,7 @@ impl<L: Lanes> Line<L> {
     /// assert_eq!(line.direction[2].to_array()[3], -1.0);
     /// assert_eq!(failed.to_bitmask(), 0b0100);
     /// ```
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn from_points_checked(start: [L; 3], end: [L; 3]) -> (Self, L::Mask) {
         let (direction, _, failed) = unit(vector::sub(end, start));
@@ -25,7 +25,7 @@ impl<L: Lanes> Line<L> {
 
     /// [`from_planes`](Self::from_planes) on lanes, l = n₁ × n₂ and m = d₂n₁ − d₁n₂, and the lanes without a
     /// line: the planes are parallel, a normal is zero, or a number is not finite. Those are NaN.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn from_planes_checked(first: Plane<L>, second: Plane<L>) -> (Self, L::Mask) {
         let ((a, no_first), (b, no_second)) =
@@ -40,7 +40,7 @@ impl<L: Lanes> Line<L> {
 
     /// [`try_normalize`](Self::try_normalize) on lanes, (l + εm)/√(l̂·l̂), and the lanes without a line: l is
     /// zero, or a number or the result is not finite. Those are NaN.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn normalize_checked(self) -> (Self, L::Mask) {
         let (direction, length, failed) = unit(self.direction);
@@ -48,7 +48,7 @@ impl<L: Lanes> Line<L> {
     }
 
     /// [`is_line`](Self::is_line) on lanes: l ≠ 0 and |l·m| ≤ tolerance·|l|·max(|l|, |m|).
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn is_line_mask(self, tolerance: L) -> L::Mask {
         let (direction, length, failed) = unit(self.direction);
@@ -60,7 +60,7 @@ impl<L: Lanes> Line<L> {
 
     /// [`distance_to_point`](Self::distance_to_point) on lanes, |x × l − m| over |l|, and the lanes without
     /// one: l is zero, or a number is not finite. Those are NaN.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn distance_to_point_checked(self, point: [L; 3]) -> (L, L::Mask) {
         let (line, failed) = self.normalize_checked();
@@ -71,7 +71,7 @@ impl<L: Lanes> Line<L> {
     }
 
     /// The unit line without the part of m along l, which may be one of rounding.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn without_pitch(self, failed: L::Mask) -> (Self, L::Mask) {
         let Self { direction, moment } = self;
         let moment = vector::across(direction, moment);
@@ -80,7 +80,7 @@ impl<L: Lanes> Line<L> {
     }
 
     /// The line, but where there is none.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn unless(self, failed: L::Mask) -> (Self, L::Mask) {
         let Self { direction, moment } = self;
         let direction = without(failed, direction);

@@ -17,14 +17,14 @@ use super::vector;
 use dq8_simd::Lanes;
 
 /// Eight units of roundoff: two of each direction, doubled.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn parallel_sine<L: Lanes>(one: L) -> L {
     one.constant(4.0 * vector::epsilon::<L>())
 }
 
 /// The vector with length 1, the length that it had, and where it has no direction: it is zero, or its
 /// length not finite.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn unit<L: Lanes>(of: [L; 3]) -> ([L; 3], Length<L>, L::Mask) {
     let length = Length::of(of, of[0].constant(1.0));
     let value = length.value();
@@ -33,20 +33,20 @@ fn unit<L: Lanes>(of: [L; 3]) -> ([L; 3], Length<L>, L::Mask) {
 }
 
 /// The length of a vector.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn norm<L: Lanes>(of: [L; 3]) -> L {
     Length::of(of, of[0].constant(1.0)).value()
 }
 
 /// The larger of two lengths: what the rounding of a distance is relative to.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn size<L: Lanes>(a: [L; 3], b: [L; 3]) -> L {
     let (a, b) = (norm(a), norm(b));
     L::select(b.lt(a), a, b)
 }
 
 /// NaN where the mask holds.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn without<L: Lanes, const N: usize>(failed: L::Mask, numbers: [L; N]) -> [L; N] {
     let nan = numbers[0].constant(f64::NAN);
     vector::select(failed, [nan; N], numbers)

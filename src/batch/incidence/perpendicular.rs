@@ -23,7 +23,7 @@ pub struct CommonPerpendicular<L: Lanes> {
 impl<L: Lanes> Line<L> {
     /// [`dual_angle`](Self::dual_angle) on lanes, θ + εd, and the lanes without one: a direction is zero, or a
     /// number or the result is not finite. Those are NaN.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn dual_angle_checked(self, other: Self) -> (Dual<L>, L::Mask) {
         let (CommonPerpendicular { angle, .. }, failed) = self.common_perpendicular_checked(other);
@@ -32,7 +32,7 @@ impl<L: Lanes> Line<L> {
 
     /// [`distance_to_line`](Self::distance_to_line) on lanes, and the lanes without one, as
     /// [`dual_angle_checked`](Self::dual_angle_checked).
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn distance_to_line_checked(self, other: Self) -> (L, L::Mask) {
         let (angle, failed) = self.dual_angle_checked(other);
@@ -53,7 +53,7 @@ impl<L: Lanes> Line<L> {
     /// assert_eq!((failed.any(), found.parallel.to_bitmask()), (false, 0b10));
     /// assert_eq!(found.angle.dual.to_array(), [3.0, 5.0]);
     /// ```
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn common_perpendicular_checked(self, other: Self) -> (CommonPerpendicular<L>, L::Mask) {
         let ((a, no_first), (b, no_second)) = (self.normalize_checked(), other.normalize_checked());
@@ -82,7 +82,7 @@ impl<L: Lanes> Line<L> {
     /// [`intersection`](Self::intersection) on lanes, the middle of a common perpendicular not longer than
     /// `tolerance`, and the lanes without one: the lines are skew or parallel, or as
     /// [`dual_angle_checked`](Self::dual_angle_checked). Those are NaN.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn intersection_checked(self, other: Self, tolerance: L) -> ([L; 3], L::Mask) {
         let (found, failed) = self.common_perpendicular_checked(other);
@@ -99,7 +99,7 @@ impl<L: Lanes> Line<L> {
 type Perpendicular<L> = ([L; 3], [[L; 3]; 2], L);
 
 /// The one between unit lines, given l₁ × l₂.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn between_skew<L: Lanes>(a: Line<L>, b: Line<L>, normal: [L; 3]) -> Perpendicular<L> {
     let (n, sine, _) = unit(normal);
     // From the way between two points: the other formula, −(l₁·m₂ + m₁·l₂)/sin θ, would multiply the
@@ -115,7 +115,7 @@ fn between_skew<L: Lanes>(a: Line<L>, b: Line<L>, normal: [L; 3]) -> Perpendicul
 }
 
 /// Of all between parallel unit lines, the one in the plane through the origin.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn between_parallel<L: Lanes>(a: Line<L>, b: Line<L>) -> Perpendicular<L> {
     let feet = [foot(a), foot(b)];
     let across = vector::across(a.direction, vector::sub(feet[1], feet[0]));
@@ -127,7 +127,7 @@ fn between_parallel<L: Lanes>(a: Line<L>, b: Line<L>) -> Perpendicular<L> {
 }
 
 /// l × m, the point of a unit line nearest to the origin.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn foot<L: Lanes>(line: Line<L>) -> [L; 3] {
     vector::cross(line.direction, line.moment)
 }

@@ -8,7 +8,7 @@ use dq8_simd::Lanes;
 impl<L: Lanes> Plane<L> {
     /// [`from_points`](Self::from_points) on lanes, normal along (b − a) × (c − a), and the lanes without a
     /// plane: the points lie on one line, or a distance of two is not finite. Those are NaN.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn from_points_checked(a: [L; 3], b: [L; 3], c: [L; 3]) -> (Self, L::Mask) {
         let (to_b, _, no_b) = unit(vector::sub(b, a));
@@ -21,7 +21,7 @@ impl<L: Lanes> Plane<L> {
 
     /// [`from_line_point`](Self::from_line_point) on lanes, normal along m − x × l, and the lanes without a
     /// plane: the point is on the line within rounding, l is zero, or a number is not finite. Those are NaN.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn from_line_point_checked(line: Line<L>, point: [L; 3]) -> (Self, L::Mask) {
         let (line, no_line) = line.normalize_checked();
@@ -34,7 +34,7 @@ impl<L: Lanes> Plane<L> {
 
     /// [`try_normalize`](Self::try_normalize) on lanes, n and d over |n|, and the lanes without a plane: n is
     /// zero, or a number or the result is not finite. Those are NaN.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn normalize_checked(self) -> (Self, L::Mask) {
         let (normal, length, failed) = unit(self.normal);
@@ -42,13 +42,13 @@ impl<L: Lanes> Plane<L> {
     }
 
     /// n·x = n·p
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn through(point: [L; 3], normal: [L; 3]) -> Self {
         Self { normal, offset: vector::dot(normal, point) }
     }
 
     /// The plane, but where there is none or its offset is not finite.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn unless(self, failed: L::Mask) -> (Self, L::Mask) {
         let failed = failed | !vector::is_finite(self.offset);
         let [offset] = without(failed, [self.offset]);

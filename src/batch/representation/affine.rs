@@ -15,28 +15,28 @@ pub struct Affine<L> {
 
 impl<L: Lanes> Affine<L> {
     /// The map that leaves every point where it is, in every lane.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn identity(level: L::Level) -> Self {
         Self::uniform_scale(L::splat(level, L::Real::from(1.0)))
     }
 
     /// Rigid motions; σ must be unit.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn from_motion(motion: DualQuat<L>) -> Self {
         Self { linear: motion.rotation().to_matrix3(), translation: motion.translation() }
     }
 
     /// From the rows of [L | t].
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn from_matrix3x4([[a, b, c, x], [d, e, f, y], [g, h, i, z]]: [[L; 4]; 3]) -> Self {
         Self { linear: [[a, b, c], [d, e, f], [g, h, i]], translation: [x, y, z] }
     }
 
     /// The rows of [L | t].
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn to_matrix3x4(self) -> [[L; 4]; 3] {
         let ([[a, b, c], [d, e, f], [g, h, i]], [x, y, z]) = (self.linear, self.translation);
@@ -44,14 +44,14 @@ impl<L: Lanes> Affine<L> {
     }
 
     /// v ↦ βv
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn uniform_scale(factor: L) -> Self {
         Self::scale([factor; 3])
     }
 
     /// v ↦ (β_x x, β_y y, β_z z)
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn scale([x, y, z]: [L; 3]) -> Self {
         let zero = x.constant(0.0);
@@ -60,7 +60,7 @@ impl<L: Lanes> Affine<L> {
     }
 
     /// v ↦ v + (n·v)s
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn shear(slide: [L; 3], normal: [L; 3]) -> Self {
         let mut shear = Self::uniform_scale(slide[0].constant(1.0));
@@ -71,7 +71,7 @@ impl<L: Lanes> Affine<L> {
     }
 
     /// v ↦ v − 2(n·v − d)n, the mirror images in planes n·v = d, whose normals must have length 1.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn reflection(plane: Plane<L>) -> Self {
         let twice = vector::scale(plane.normal, plane.offset.constant(2.0));
@@ -80,14 +80,14 @@ impl<L: Lanes> Affine<L> {
     }
 
     /// The points Lv + t.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn transform_point(self, point: [L; 3]) -> [L; 3] {
         vector::add(self.transform_vector(point), self.translation)
     }
 
     /// The directions Lv. Normals of surfaces do not move so, unless L is a rotation.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn transform_vector(self, vector: [L; 3]) -> [L; 3] {
         let [a, b, c] = self.linear;
@@ -96,7 +96,7 @@ impl<L: Lanes> Affine<L> {
 
     /// σ and S with Lv + t = σ applied to Sv, by the polar decomposition of L, and the lanes without them: an
     /// element is not finite, or L squeezes space into a line or a point. Those are NaN.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn decompose_checked(self) -> (DualQuat<L>, [[L; 3]; 3], L::Mask) {
         let (Polar { rotation, stretch, .. }, failed) = Polar::from_matrix3_checked(self.linear);
@@ -111,7 +111,7 @@ impl<L: Lanes> Affine<L> {
 /// `other`, then `self`.
 impl<L: Lanes> Mul for Affine<L> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn mul(self, other: Self) -> Self {
         let [a, b, c] = other.linear;
         let x = self.transform_vector([a[0], b[0], c[0]]);

@@ -16,7 +16,7 @@ impl<L: Lanes> Quat<L> {
     /// assert_eq!(axis[0].to_array(), [1.0, 0.0, 0.0, 0.0]);
     /// assert!((angle - angles).to_array().iter().all(|off| off.abs() < 1e-6));
     /// ```
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn to_axis_angle(self) -> ([L; 3], L) {
         let (zero, one) = (self.w().constant(0.0), self.w().constant(1.0));
@@ -31,7 +31,7 @@ impl<L: Lanes> Quat<L> {
 
     /// The turn by |v| radians about the direction of v. NaN where |v| is beyond 2¹⁷ (`f32`) or 2⁴⁶
     /// (`f64`) radians.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn from_scaled_axis(v: [L; 3]) -> Self {
         let zero = v[0].constant(0.0);
@@ -41,7 +41,7 @@ impl<L: Lanes> Quat<L> {
     }
 
     /// The axis of unit quaternions times the angle, of length [0, π]; zero for no turn.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn to_scaled_axis(self) -> [L; 3] {
         let one = self.w().constant(1.0);

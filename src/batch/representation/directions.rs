@@ -8,7 +8,7 @@ use dq8_simd::Lanes;
 
 impl<L: Lanes> Quat<L> {
     /// The turns by `angle` radians about the x axis.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn from_rotation_x(angle: L) -> Self {
         let (zero, one) = (angle.constant(0.0), angle.constant(1.0));
@@ -16,7 +16,7 @@ impl<L: Lanes> Quat<L> {
     }
 
     /// The turns by `angle` radians about the y axis.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn from_rotation_y(angle: L) -> Self {
         let (zero, one) = (angle.constant(0.0), angle.constant(1.0));
@@ -24,7 +24,7 @@ impl<L: Lanes> Quat<L> {
     }
 
     /// The turns by `angle` radians about the z axis.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn from_rotation_z(angle: L) -> Self {
         let (zero, one) = (angle.constant(0.0), angle.constant(1.0));
@@ -33,7 +33,7 @@ impl<L: Lanes> Quat<L> {
 
     /// The least turns that take the direction of `from` to that of `to`, vectors of any length; about the axis
     /// most across `from` where they are opposite, NaN for a zero vector.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn from_rotation_arc(from: [L; 3], to: [L; 3]) -> Self {
         let one = from[0].constant(1.0);
@@ -51,7 +51,7 @@ impl<L: Lanes> Quat<L> {
     /// The rotations that take the z axis to the direction `forward` and the y axis as near to `up` as that
     /// allows, and the lanes without one: a vector is zero, not finite, or one is along the other. Those are
     /// NaN.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn look_to_checked(forward: [L; 3], up: [L; 3]) -> (Self, L::Mask) {
         let one = forward[0].constant(1.0);
@@ -69,7 +69,7 @@ impl<L: Lanes> DualQuat<L> {
     /// The poses at `eye` whose z axis points to `target`, and their y axis as near to `up` as that allows, and
     /// the lanes without one: `target` is `eye`, `up` is zero or along the way from one to the other, or a
     /// number is not finite. Those are NaN.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn look_at_checked(eye: [L; 3], target: [L; 3], up: [L; 3]) -> (Self, L::Mask) {
         let (rotation, failed) = Quat::look_to_checked(vector::sub(target, eye), up);

@@ -22,7 +22,7 @@ impl<L: Lanes> Quat<L> {
     /// assert_eq!(solution.gimbal_lock.to_bitmask(), 0b1000);
     /// assert!((solution.angles.angles[0].to_array()[3] - 0.25).abs() < 1e-6);
     /// ```
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn from_euler(euler: EulerAngles<L>) -> Self {
         let [first, second, third] = euler.order.axes.indices();
@@ -36,7 +36,7 @@ impl<L: Lanes> Quat<L> {
 
     /// The Euler angles of these unit quaternions, as the reference has them: straight from the quaternion,
     /// with gimbal lock as a mask (Bernardes & Viollet 2022).
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn to_euler(self, order: EulerOrder) -> EulerSolution<L, L::Mask> {
         let [first, j, last] = order.axes.indices();
@@ -92,13 +92,13 @@ impl<L: Lanes> Quat<L> {
 }
 
 /// The angle of a point. A zero of either sign is a positive one here: which it is may depend on the sign of q.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn argument<L: Lanes>(sine: L, cosine: L) -> L {
     atan2(sine + sine.constant(0.0), cosine)
 }
 
 /// The turn about a coordinate axis.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn about<L: Lanes>(axis: usize, angle: L) -> Quat<L> {
     match axis {
         0 => Quat::from_rotation_x(angle),

@@ -16,7 +16,7 @@ use dq8_simd::Lanes;
 /// assert_eq!(failed.to_bitmask(), 0b1100);
 /// assert_eq!(turn[0][1].to_array()[..2], [0.0, 0.0]);
 /// ```
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 #[must_use]
 pub fn gram_schmidt_checked<L: Lanes>(rows: [[L; 3]; 3]) -> ([[L; 3]; 3], L::Mask) {
     let one = rows[0][0].constant(1.0);

@@ -21,7 +21,7 @@ use super::{Quat, vector};
 use dq8_simd::Lanes;
 
 /// A 3×3 matrix, NaN where the mask holds.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn without<L: Lanes>(failed: L::Mask, mut rows: [[L; 3]; 3]) -> [[L; 3]; 3] {
     let nan = rows[0][0].constant(f64::NAN);
     for row in &mut rows {
@@ -31,14 +31,14 @@ fn without<L: Lanes>(failed: L::Mask, mut rows: [[L; 3]; 3]) -> [[L; 3]; 3] {
 }
 
 /// A quaternion, NaN where the mask holds.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn quat_without<L: Lanes>(failed: L::Mask, quat: Quat<L>) -> Quat<L> {
     let nan = quat.w().constant(f64::NAN);
     Quat::from_array(vector::select(failed, [nan; 4], quat.to_array()))
 }
 
 /// Where all elements of a matrix are finite.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn all_finite<L: Lanes>([a, b, c]: [[L; 3]; 3]) -> L::Mask {
     vector::are_finite(a) & vector::are_finite(b) & vector::are_finite(c)
 }

@@ -29,7 +29,7 @@ impl<L: Lanes> Polar<L> {
     /// assert_eq!(failed.to_bitmask(), 0b10);
     /// assert!((polar.stretch[1][1].to_array()[0] - 2.0).abs() < 1e-15);
     /// ```
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn from_matrix3_checked(rows: [[L; 3]; 3]) -> (Self, L::Mask) {
         let (zero, one) = (rows[0][0].constant(0.0), rows[0][0].constant(1.0));
@@ -87,7 +87,7 @@ impl<L: Lanes> Polar<L> {
 }
 
 /// K with q·Kq = Σ aᵢⱼ rᵢⱼ, the sum over the elements of A and of the rotation matrix of a unit q.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn horn<L: Lanes>([[a, b, c], [d, e, f], [g, h, i]]: [[L; 3]; 3]) -> [[L; 4]; 4] {
     [
         [a - e - i, b + d, c + g, h - f],
@@ -98,7 +98,7 @@ fn horn<L: Lanes>([[a, b, c], [d, e, f], [g, h, i]]: [[L; 3]; 3]) -> [[L; 4]; 4]
 }
 
 /// The symmetric part of RᵀA; the other part is rounding. Summed up `scale` times as large.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn stretch<L: Lanes>(rotation: Quat<L>, rows: [[L; 3]; 3], scale: L) -> [[L; 3]; 3] {
     let axes = rotation.to_matrix3();
     let mut stretch = rows;

@@ -14,7 +14,7 @@ pub struct RotationTranslation<L> {
 
 impl<L: Lanes> RotationTranslation<L> {
     /// 1 and 0 in every lane.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn identity(level: L::Level) -> Self {
         let rotation = Quat::identity(level);
@@ -22,14 +22,14 @@ impl<L: Lanes> RotationTranslation<L> {
     }
 
     /// From `[x, y, z, w, tx, ty, tz]`.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn from_array([x, y, z, w, tx, ty, tz]: [L; 7]) -> Self {
         Self { rotation: Quat::from_xyzw(x, y, z, w), translation: [tx, ty, tz] }
     }
 
     /// `[x, y, z, w, tx, ty, tz]`
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn to_array(self) -> [L; 7] {
         let ([x, y, z, w], [tx, ty, tz]) = (self.rotation.to_array(), self.translation);
@@ -37,7 +37,7 @@ impl<L: Lanes> RotationTranslation<L> {
     }
 
     /// The inverse motions, r* and −r*tr.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn inverse(self) -> Self {
         let rotation = self.rotation.conjugate();
@@ -46,14 +46,14 @@ impl<L: Lanes> RotationTranslation<L> {
     }
 
     /// The points rvr* + t.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn transform_point(self, point: [L; 3]) -> [L; 3] {
         vector::add(self.rotation.rotate(point), self.translation)
     }
 
     /// The directions rvr*.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn transform_vector(self, vector: [L; 3]) -> [L; 3] {
         self.rotation.rotate(vector)
@@ -63,7 +63,7 @@ impl<L: Lanes> RotationTranslation<L> {
 /// `other`, then `self`: r_a r_b and r_a t_b r_a* + t_a.
 impl<L: Lanes> Mul for RotationTranslation<L> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn mul(self, other: Self) -> Self {
         Self {
             rotation: self.rotation * other.rotation,
@@ -74,7 +74,7 @@ impl<L: Lanes> Mul for RotationTranslation<L> {
 
 /// r + ½εtr
 impl<L: Lanes> From<RotationTranslation<L>> for DualQuat<L> {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn from(pose: RotationTranslation<L>) -> Self {
         Self::from_rotation_translation(pose.rotation, pose.translation)
     }
@@ -82,7 +82,7 @@ impl<L: Lanes> From<RotationTranslation<L>> for DualQuat<L> {
 
 /// r = p, t = 2qp* of unit σ.
 impl<L: Lanes> From<DualQuat<L>> for RotationTranslation<L> {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn from(motion: DualQuat<L>) -> Self {
         Self { rotation: motion.rotation(), translation: motion.translation() }
     }

@@ -9,7 +9,7 @@ const MAX_SWEEPS: usize = 10;
 /// The eigenvalues of symmetric 4×4 matrices with elements around 1, in no order, and the unit
 /// eigenvectors, one a column: cyclic Jacobi, until the last lane has settled. A lane that has turns no
 /// more, so its numbers do not depend on the others.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn eigen<L: Lanes>(mut matrix: [[L; 4]; 4]) -> ([L; 4], [[L; 4]; 4]) {
     let (zero, one) = (matrix[0][0].constant(0.0), matrix[0][0].constant(1.0));
     let epsilon = super::vector::epsilon::<L>();
@@ -58,7 +58,7 @@ struct Turn<L> {
 }
 
 impl<L: Lanes> Turn<L> {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn columns_of(&self, matrix: &mut [[L; 4]; 4]) {
         for row in matrix {
             let (x, y) = (row[self.p], row[self.q]);
@@ -68,7 +68,7 @@ impl<L: Lanes> Turn<L> {
     }
 }
 
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn transpose<L: Lanes>(matrix: [[L; 4]; 4]) -> [[L; 4]; 4] {
     let mut turned = matrix;
     for (row, elements) in matrix.into_iter().enumerate() {
