@@ -41,6 +41,21 @@ impl<R: Real> Default for Options<R> {
     }
 }
 
+impl<R: Real> Options<R> {
+    /// Whether a search can be made with them.
+    #[inline(always)]
+    pub(crate) fn is_valid(&self) -> bool {
+        let lengths = self.length_per_radian.unwrap_or(R::ONE);
+        self.angular_tolerance >= R::ZERO
+            && self.linear_tolerance >= R::ZERO
+            && self.max_step > R::ZERO
+            && self.damping >= R::ZERO
+            && self.damping.is_finite()
+            && lengths > R::ZERO
+            && lengths.is_finite()
+    }
+}
+
 /// The result of a search: for one target, `Report<R, Outcome>`, or for one per lane,
 /// `Report<L, Outcomes<L::Mask>>`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -41,21 +41,26 @@ impl<R: Real> Default for Freedom<R> {
 }
 
 impl<R: Real> Freedom<R> {
+    /// Whether its value is one number.
+    #[inline(always)]
+    pub(super) fn is_single(&self) -> bool {
+        matches!(self.kind, Kind::Turn | Kind::Slide)
+    }
+
     /// Whether a change is a length.
     #[inline(always)]
     pub(super) fn is_slide(&self) -> bool {
         matches!(self.kind, Kind::Slide | Kind::FloatingSlide(_))
     }
 
-    /// The lengths among its values.
-    pub(super) fn lengths<'v>(&self, values: &'v [R]) -> &'v [R] {
-        let first = self.value as usize;
-        let (first, count) = if self.kind == Kind::Slide { (first, 1) } else { (first + 4, 3) };
-        values.get(first..first + count).unwrap_or_default()
+    /// Whether its range has two ends, and values between them can be told apart.
+    pub(super) fn has_ends(&self) -> bool {
+        let Range { low, high, .. } = self.range;
+        (high - low).is_finite()
     }
 
-    /// Rate number `index` of a joint.
-    fn of(step: &Step<R>, index: usize) -> Result<Self, ReachError> {
+    /// Rate number `index` of a joint; `may_wrap` if a turn less is the same pose of what mimics it too.
+    fn of(step: &Step<R>, index: usize, may_wrap: bool) -> Result<Self, ReachError> {
         let whole = [-R::ONE / R::ZERO, R::ONE / R::ZERO];
         let (kind, is_hinge, value) = match step.kind {
             JointKind::Prismatic { .. } => (Kind::Slide, false, 0),
@@ -66,7 +71,7 @@ impl<R: Real> Freedom<R> {
             _ => (Kind::Turn, true, index),
         };
         let limits = step.limits.unwrap_or(whole);
-        let range = Range::within(limits, is_hinge, kind == Kind::Turn)
+        let range = Range::within(limits, is_hinge && may_wrap, kind == Kind::Turn)
             .ok_or_else(|| limits_error(step, limits))?;
         let value = step.value.saturating_add(value as u32);
         Ok(Self { kind, range, value, share: 0.0, column: NONE })
@@ -79,23 +84,29 @@ pub(super) fn freedoms<R: Real>(
     freedoms: &mut [Freedom<R>],
     carries: impl Fn(usize) -> bool,
 ) -> Result<usize, ReachError> {
-    for step in steps.iter().filter(|step| !step.mimics) {
-        for index in 0..step.kind.rates() {
-            if let Some(slot) = freedoms.get_mut(step.rate as usize + index) {
-                *slot = Freedom::of(step, index)?;
-            }
-        }
-    }
+    freedoms.fill(Freedom::default());
     for (position, step) in steps.iter().enumerate() {
-        let Some(slot) = freedoms.get_mut(step.rate as usize) else { continue };
-        if step.mimics {
-            slot.range = narrowed(slot.range, step)?;
-        }
         if carries(position) {
             let rates = step.rate as usize..step.rate as usize + step.kind.rates();
             for slot in freedoms.get_mut(rates).unwrap_or_default() {
                 slot.column = 0;
             }
+        }
+    }
+    // The limits of joints that move no goal are not looked at.
+    for step in steps.iter().filter(|step| !step.mimics) {
+        for index in 0..step.kind.rates() {
+            let rate = step.rate as usize + index;
+            if let Some(slot) = freedoms.get_mut(rate).filter(|slot| slot.column != NONE) {
+                let freedom = Freedom::of(step, index, may_wrap(steps, rate))?;
+                *slot = Freedom { column: 0, ..freedom };
+            }
+        }
+    }
+    for step in steps.iter().filter(|step| step.mimics) {
+        let slot = freedoms.get_mut(step.rate as usize);
+        if let Some(slot) = slot.filter(|slot| slot.column != NONE) {
+            slot.range = narrowed(slot.range, step)?;
         }
     }
     let mut count = 0;
@@ -118,18 +129,29 @@ pub(super) fn freedoms<R: Real>(
 
 /// Values of low discrepancy, as for arms (Roberts 2018), where ranges have two ends.
 fn spread<R: Real>(freedoms: &mut [Freedom<R>]) {
-    let has_ends = |freedom: &Freedom<R>| {
-        let Range { low, high, .. } = freedom.range;
-        low.is_finite() && high.is_finite()
-    };
-    let factor = 1.0 / ratio(freedoms.iter().filter(|freedom| has_ends(freedom)).count());
+    let factor = 1.0 / ratio(freedoms.iter().filter(|freedom| freedom.has_ends()).count());
     let mut power = 1.0;
     for freedom in freedoms {
-        if has_ends(freedom) {
+        if freedom.has_ends() {
             power *= factor;
             freedom.share = power;
         }
     }
+}
+
+/// Whether all that mimic a rate are where they were when it is a turn less: hinges that turn whole times as
+/// much.
+fn may_wrap<R: Real>(steps: &[Step<R>], rate: usize) -> bool {
+    let mut may_wrap = true;
+    for step in steps.iter().filter(|step| step.mimics && step.rate as usize == rate) {
+        let is_hinge = match step.kind {
+            JointKind::Screw { pitch, .. } => pitch == R::ZERO,
+            kind => matches!(kind, JointKind::Revolute { .. }),
+        };
+        let times: f64 = step.multiplier.into();
+        may_wrap &= is_hinge && times == f64::from(times as i32);
+    }
+    may_wrap
 }
 
 /// What the limits of a joint that mimics leave of the range of the other.

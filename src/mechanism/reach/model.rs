@@ -48,15 +48,12 @@ impl<'s, L: Lanes<Real: Scalar>> Model<'s, L> {
         room: &'s mut [L::Real],
     ) -> Option<Self> {
         let scratch = Scratch::new(reach, room)?;
+        // Each lane has its own with what it is given.
         let one = L::splat(level, crate::real::Real::ONE);
-        let length = match options.length_per_radian {
-            Some(length) => L::splat(level, length),
-            None => L::splat(level, reach.size) * one.constant(0.125),
-        };
         let damping = L::splat(level, options.damping);
         let scales = Scales {
-            length,
-            radians_per_length: one / length,
+            length: one,
+            radians_per_length: one,
             longest: L::splat(level, options.max_step),
             least_damping: damping * damping,
         };

@@ -6,7 +6,7 @@
 //!
 //! A posture adds what the goals leave free: with the way z to the posture, the change is z + J⁺(e − Jz).
 
-use super::freedom::{Freedom, Kind};
+use super::freedom::Kind;
 use super::model::{Apart, Model};
 use crate::batch::{Quat, vector};
 use crate::ik::DAMPING;
@@ -199,13 +199,5 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
                 }
             }
         }
-    }
-}
-
-impl<R> Freedom<R> {
-    /// Whether its value is one number.
-    #[inline(always)]
-    pub(super) fn is_single(&self) -> bool {
-        matches!(self.kind, Kind::Turn | Kind::Slide)
     }
 }
