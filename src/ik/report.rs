@@ -42,17 +42,24 @@ impl<R: Real> Default for Options<R> {
 }
 
 impl<R: Real> Options<R> {
+    /// The most that a hinge turns in one step: no more than a turn, which is where every hinge has been.
+    #[inline(always)]
+    pub(crate) fn longest_step(&self) -> R {
+        let turn = R::TWO * R::PI;
+        if self.max_step < turn { self.max_step } else { turn }
+    }
+
     /// Whether a search can be made with them.
     #[inline(always)]
     pub(crate) fn is_valid(&self) -> bool {
-        let lengths = self.length_per_radian.unwrap_or(R::ONE);
+        let length = self.length_per_radian.unwrap_or(R::ONE);
         self.angular_tolerance >= R::ZERO
             && self.linear_tolerance >= R::ZERO
             && self.max_step > R::ZERO
             && self.damping >= R::ZERO
             && self.damping.is_finite()
-            && lengths > R::ZERO
-            && lengths.is_finite()
+            && length > R::ZERO
+            && length.is_finite()
     }
 }
 

@@ -59,10 +59,10 @@ impl<R: Real> Freedom<R> {
         (high - low).is_finite()
     }
 
-    /// Rate number `index` of a joint; `may_wrap` if a turn less is the same pose of what mimics it too.
-    fn of(step: &Step<R>, index: usize, may_wrap: bool) -> Result<Self, ReachError> {
+    /// Rate number `index` of a joint, with the limits of the joint.
+    fn of(step: &Step<R>, index: usize) -> Self {
         let whole = [-R::ONE / R::ZERO, R::ONE / R::ZERO];
-        let (kind, is_hinge, value) = match step.kind {
+        let (kind, wraps, value) = match step.kind {
             JointKind::Prismatic { .. } => (Kind::Slide, false, 0),
             JointKind::Planar { .. } if index < 2 => (Kind::Slide, false, index),
             JointKind::Floating if index < 3 => (Kind::FloatingTurn(index as u8), false, 0),
@@ -70,11 +70,9 @@ impl<R: Real> Freedom<R> {
             JointKind::Screw { pitch, .. } => (Kind::Turn, pitch == R::ZERO, 0),
             _ => (Kind::Turn, true, index),
         };
-        let limits = step.limits.unwrap_or(whole);
-        let range = Range::within(limits, is_hinge && may_wrap, kind == Kind::Turn)
-            .ok_or_else(|| limits_error(step, limits))?;
+        let [low, high] = step.limits.unwrap_or(whole);
         let value = step.value.saturating_add(value as u32);
-        Ok(Self { kind, range, value, share: 0.0, column: NONE })
+        Self { kind, range: Range { low, high, wraps }, value, share: 0.0, column: NONE }
     }
 }
 
@@ -84,7 +82,14 @@ pub(super) fn freedoms<R: Real>(
     freedoms: &mut [Freedom<R>],
     carries: impl Fn(usize) -> bool,
 ) -> Result<usize, ReachError> {
-    freedoms.fill(Freedom::default());
+    let leaders = || steps.iter().filter(|step| !step.mimics);
+    for step in leaders() {
+        for index in 0..step.kind.rates() {
+            if let Some(slot) = freedoms.get_mut(step.rate as usize + index) {
+                *slot = Freedom::of(step, index);
+            }
+        }
+    }
     for (position, step) in steps.iter().enumerate() {
         if carries(position) {
             let rates = step.rate as usize..step.rate as usize + step.kind.rates();
@@ -93,20 +98,19 @@ pub(super) fn freedoms<R: Real>(
             }
         }
     }
-    // The limits of joints that move no goal are not looked at.
-    for step in steps.iter().filter(|step| !step.mimics) {
-        for index in 0..step.kind.rates() {
-            let rate = step.rate as usize + index;
-            if let Some(slot) = freedoms.get_mut(rate).filter(|slot| slot.column != NONE) {
-                let freedom = Freedom::of(step, index, may_wrap(steps, rate))?;
-                *slot = Freedom { column: 0, ..freedom };
-            }
+    // The limits of joints that move no goal do not matter.
+    for step in steps.iter().filter(|step| step.mimics) {
+        if let Some(slot) = moving(freedoms, step.rate as usize) {
+            slot.range = narrowed(slot.range, step)?;
         }
     }
-    for step in steps.iter().filter(|step| step.mimics) {
-        let slot = freedoms.get_mut(step.rate as usize);
-        if let Some(slot) = slot.filter(|slot| slot.column != NONE) {
-            slot.range = narrowed(slot.range, step)?;
+    for step in leaders() {
+        for index in 0..step.kind.rates() {
+            if let Some(slot) = moving(freedoms, step.rate as usize + index) {
+                let Range { low, high, wraps } = slot.range;
+                slot.range = Range::within([low, high], wraps, slot.kind == Kind::Turn)
+                    .ok_or_else(|| limits_error(step, [low, high]))?;
+            }
         }
     }
     let mut count = 0;
@@ -139,30 +143,27 @@ fn spread<R: Real>(freedoms: &mut [Freedom<R>]) {
     }
 }
 
-/// Whether all that mimic a rate are where they were when it is a turn less: hinges that turn whole times as
-/// much.
-fn may_wrap<R: Real>(steps: &[Step<R>], rate: usize) -> bool {
-    let mut may_wrap = true;
-    for step in steps.iter().filter(|step| step.mimics && step.rate as usize == rate) {
-        let is_hinge = match step.kind {
-            JointKind::Screw { pitch, .. } => pitch == R::ZERO,
-            kind => matches!(kind, JointKind::Revolute { .. }),
-        };
-        let times: f64 = step.multiplier.into();
-        may_wrap &= is_hinge && times == f64::from(times as i32);
-    }
-    may_wrap
+/// The freedom of a rate that moves a goal.
+fn moving<R>(freedoms: &mut [Freedom<R>], rate: usize) -> Option<&mut Freedom<R>> {
+    freedoms.get_mut(rate).filter(|freedom| freedom.column != NONE)
 }
 
-/// What the limits of a joint that mimics leave of the range of the other.
+/// What the limits of a joint that mimics leave of the limits of the other. A turn less of that one must be the
+/// same pose of this one too: it is a hinge that turns a whole number of times as much.
 fn narrowed<R: Real>(range: Range<R>, step: &Step<R>) -> Result<Range<R>, ReachError> {
+    let is_hinge = match step.kind {
+        JointKind::Screw { pitch, .. } => pitch == R::ZERO,
+        kind => matches!(kind, JointKind::Revolute { .. }),
+    };
+    let times: f64 = step.multiplier.into();
+    let wraps = range.wraps && is_hinge && times == f64::from(times as i32);
+    let range = Range { wraps, ..range };
     let Some(limits) = step.limits.filter(|_| step.multiplier != R::ZERO) else { return Ok(range) };
     let [a, b] = limits.map(|limit| (limit - step.offset) / step.multiplier);
     let [low, high] = if a <= b { [a, b] } else { [b, a] };
     let low = if low > range.low { low } else { range.low };
     let high = if high < range.high { high } else { range.high };
-    let wraps = range.wraps && low == range.low && high == range.high;
-    if low <= high { Ok(Range { low, high, wraps }) } else { Err(limits_error(step, limits)) }
+    if low <= high { Ok(Range { low, high, ..range }) } else { Err(limits_error(step, limits)) }
 }
 
 fn limits_error<R: Real>(step: &Step<R>, [low, high]: [R; 2]) -> ReachError {

@@ -39,6 +39,16 @@ pub(super) struct Apart<L> {
     pub(super) linear: L,
 }
 
+/// What a step did.
+#[derive(Clone, Copy)]
+pub(super) struct Stepped<L> {
+    /// Where a limit cut it short, the square of the errors that it would leave by its own linear model;
+    /// elsewhere zero.
+    pub(super) left: L,
+    /// The square of all changes, in radians.
+    pub(super) moved: L,
+}
+
 impl<'s, L: Lanes<Real: Scalar>> Model<'s, L> {
     #[inline(always)]
     pub(super) fn new(
@@ -54,7 +64,7 @@ impl<'s, L: Lanes<Real: Scalar>> Model<'s, L> {
         let scales = Scales {
             length: one,
             radians_per_length: one,
-            longest: L::splat(level, options.max_step),
+            longest: L::splat(level, options.longest_step()),
             least_damping: damping * damping,
         };
         Some(Self { level, reach, scales, scratch, poses: [Placed::identity(level); SLOTS] })
