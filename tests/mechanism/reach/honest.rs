@@ -121,7 +121,7 @@ fn nor_does_it_where_targets_are_near_and_far() {
     let reach = Reach::new(machine.view(), &goals, &mut freedoms).expect("a problem");
     let mut numbers = Numbers::new(33);
     let (mut targets, mut starts) = (Vec::new(), Vec::new());
-    for index in 0..67 {
+    for index in 0..41 {
         let mut values = draw(&mut numbers, &joints);
         values[0] *= f64::from(1 << (index % 8));
         let aside = if index % 2 == 0 { 0.0 } else { 1.5 };
