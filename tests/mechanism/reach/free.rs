@@ -26,15 +26,17 @@ fn reached(
     let reach = Reach::new(arm, &goals, &mut freedoms).expect("a problem");
     let mut pairs = Vec::new();
     for (_, values, reports) in solve_everywhere(&reach, &targets, &starts, &Options::default()) {
-        let mut converged = 0;
+        let (mut converged, mut iterations) = (0, 0.0);
         for (index, report) in reports.iter().enumerate() {
             if report.outcome == Outcome::Converged {
                 let pose = arm.link_pose(&values[7 * index..][..7], 7).expect("a link");
                 pairs.push([pose, targets[index]]);
                 converged += 1;
+                iterations += report.iterations;
             }
         }
         assert!(converged >= 198, "{converged} of 200");
+        assert!(iterations < 12.0 * f64::from(converged), "{iterations} for {converged}");
     }
     pairs
 }

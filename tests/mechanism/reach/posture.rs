@@ -4,7 +4,7 @@ use super::super::random::Numbers;
 use super::{apart, at, draw, mechanism, planar, seven, solve_everywhere};
 use dq8::DualQuat;
 use dq8::ik::{Options, Outcome};
-use dq8::mechanism::{Freedom, Goal, Mechanism, Reach, World};
+use dq8::mechanism::{Freedom, Goal, Joint, Mechanism, Reach, World};
 
 /// How long the part of the way to the posture is that the goal allows: next to nothing where no pose that
 /// reaches the target is nearer.
@@ -54,7 +54,7 @@ fn a_posture_moves_the_elbow_and_not_the_tool() {
     }
 }
 
-/// From random starts a posture costs no target, and brings values nearer to it.
+/// A search that has not arrived knows nothing of a posture: none costs a target, and values come nearer to it.
 #[test]
 fn with_a_posture_as_many_targets_are_reached() {
     let joints = seven();
@@ -76,12 +76,13 @@ fn with_a_posture_as_many_targets_are_reached() {
     };
     let plain = solve_everywhere(&reach, &targets, &starts, &Options::default());
     let reach = reach.with_posture(&posture).expect("a posture");
-    for ((_, with, reports), (_, without, _)) in
+    for ((backend, with, reports), (_, without, expected)) in
         solve_everywhere(&reach, &targets, &starts, &Options::default()).iter().zip(&plain)
     {
-        let converged =
-            reports.iter().filter(|report| report.outcome == Outcome::Converged).count();
-        assert!(converged >= 297, "{converged}");
+        for (index, (report, expected)) in reports.iter().zip(expected).enumerate() {
+            assert_eq!(report.outcome, expected.outcome, "{backend}: {index}");
+            assert_eq!(report.restarts, expected.restarts, "{backend}: {index}");
+        }
         assert!(far(with) < 0.9 * far(without), "{} {}", far(with), far(without));
     }
 }
@@ -135,22 +136,18 @@ fn the_posture_of_an_endless_hinge_is_taken_the_shorter_way() {
         {
             assert_eq!(report.outcome, Outcome::Converged);
             assert!((values[0] - 3.0).abs() < 1e-3, "{backend}: {turns} {values:?}");
-            assert!(report.iterations < 10.0, "{backend}: {turns} {report:?}");
+            assert!(report.iterations < 4.0, "{backend}: {turns} {report:?}");
         }
     }
 }
 
 /// Beyond a limit the posture is at the limit, and no number is too large for one.
 #[test]
-fn a_posture_far_away_costs_no_target() {
+fn a_posture_beyond_the_limits_is_the_one_at_the_limits() {
     let joints = seven();
     let arm = mechanism::<f32>(&joints);
     let arm = arm.view();
     let goals = [Goal::pose(7)];
-    let mut freedoms = [Freedom::default(); 7];
-    let reach = Reach::new(arm, &goals, &mut freedoms).expect("a problem");
-    let posture = [9.0, f32::MAX, 9.0, f32::MIN, 9.0, 9.0, f32::MAX];
-    let reach = reach.with_posture(&posture).expect("a posture");
     let mut numbers = Numbers::new(13);
     let (mut targets, mut starts) = (Vec::new(), Vec::new());
     let mut cast = || -> Vec<f32> {
@@ -160,9 +157,40 @@ fn a_posture_far_away_costs_no_target() {
         targets.push(arm.link_pose(&cast(), 7).expect("a link"));
         starts.extend(cast());
     }
-    for (backend, _, reports) in solve_everywhere(&reach, &targets, &starts, &Options::default()) {
+    let far = [9.0, f32::MAX, 9.0, f32::MIN, 9.0, 9.0, f32::MAX];
+    let near = [2.8, 1.7, 2.8, -3.0, 2.8, 3.7, 2.8];
+    let [far, near] = [far, near].map(|posture| {
+        let mut freedoms = [Freedom::default(); 7];
+        let reach = Reach::new(arm, &goals, &mut freedoms).expect("a problem");
+        let reach = reach.with_posture(&posture).expect("a posture");
+        solve_everywhere(&reach, &targets, &starts, &Options::default())
+    });
+    for ((backend, values, reports), (_, expected, _)) in far.iter().zip(&near) {
         let converged =
             reports.iter().filter(|report| report.outcome == Outcome::Converged).count();
         assert!(converged >= 59, "{backend}: {converged}");
+        assert_eq!(values, expected, "{backend}");
+    }
+}
+
+/// Where a slide has no end, the way to a posture may be no number: the other joints have theirs.
+#[test]
+fn a_posture_too_far_for_a_float_is_left_out() {
+    let joints = [
+        Joint::prismatic(None, DualQuat::IDENTITY, [1.0, 0.0, 0.0]),
+        Joint::revolute(Some(0), DualQuat::IDENTITY, super::Z),
+    ];
+    let machine = mechanism::<f32>(&joints);
+    let goals = [Goal::position(1)];
+    let mut freedoms = [Freedom::default(); 2];
+    let reach = Reach::new(machine.view(), &goals, &mut freedoms).expect("a problem");
+    let reach = reach.with_posture(&[f32::MAX, 0.5]).expect("a posture");
+    let target = DualQuat::from_translation([1.0, 0.0, 0.0]);
+    for (backend, values, reports) in
+        solve_everywhere(&reach, &[target], &[0.0, 0.0], &Options::default())
+    {
+        assert_eq!(reports[0].outcome, Outcome::Converged, "{backend}");
+        assert!((values[0] - 1.0).abs() < 1e-4, "{backend}: {values:?}");
+        assert!((values[1] - 0.5).abs() < 1e-3, "{backend}: {values:?}");
     }
 }
