@@ -155,7 +155,8 @@ enum dq8_status
    */
   DQ8_STATUS_NO_SKIN = 26,
   /**
-   * Limits of a joint are not in order, or leave no value together with those of what mimics it.
+   * Limits of a joint are not in order, or leave no value together with those of what mimics it, or are
+   * angles that a float does not tell apart.
    */
   DQ8_STATUS_LIMITS = 27,
 };
@@ -326,7 +327,8 @@ enum dq8_outcome
    */
   DQ8_OUTCOME_UNFINISHED = 4,
   /**
-   * A target is not unit to 0.001, or a number is not finite: the values are untouched.
+   * A target is not unit to 0.001, a number is not finite, or an option is negative or no number, or
+   * max_step is 0: the values are untouched.
    */
   DQ8_OUTCOME_INVALID = 5,
 };
@@ -540,11 +542,12 @@ typedef struct dq8_reach_options_f32 {
    */
   uint32_t restarts;
   /**
-   * How long a distance weighs as much as a radian; 0 for an eighth of the mechanism's length.
+   * How long a distance weighs as much as a radian; 0 for an eighth of the mechanism's length, or where
+   * something floats or slides without end, of the longer way that it has to go.
    */
   float length_per_radian;
   /**
-   * The most that a hinge turns in one step, radians.
+   * The most that a hinge turns in one step, radians; more than a turn is as much as one.
    */
   float max_step;
   /**
@@ -620,11 +623,12 @@ typedef struct dq8_reach_options_f64 {
    */
   uint32_t restarts;
   /**
-   * How long a distance weighs as much as a radian; 0 for an eighth of the mechanism's length.
+   * How long a distance weighs as much as a radian; 0 for an eighth of the mechanism's length, or where
+   * something floats or slides without end, of the longer way that it has to go.
    */
   double length_per_radian;
   /**
-   * The most that a hinge turns in one step, radians.
+   * The most that a hinge turns in one step, radians; more than a turn is as much as one.
    */
   double max_step;
   /**

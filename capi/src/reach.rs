@@ -3,7 +3,7 @@
 use crate::mechanism::{Made, Mechanism};
 use crate::memory::{Input, Output, read};
 use crate::status::{Done, Status};
-use core::mem::MaybeUninit;
+use core::mem::{MaybeUninit, offset_of};
 use core::slice;
 use dq8::ik;
 use dq8::mechanism::{self, Freedom, Reach, ReachError};
@@ -35,9 +35,10 @@ pub struct ReachOptions<R> {
     /// 1 to begin again from another configuration where the search got stuck; 0 to converge from the
     /// given start only, to follow a target that moves.
     pub restarts: u32,
-    /// How long a distance weighs as much as a radian; 0 for an eighth of the mechanism's length.
+    /// How long a distance weighs as much as a radian; 0 for an eighth of the mechanism's length, or where
+    /// something floats or slides without end, of the longer way that it has to go.
     pub length_per_radian: R,
-    /// The most that a hinge turns in one step, radians.
+    /// The most that a hinge turns in one step, radians; more than a turn is as much as one.
     pub max_step: R,
     /// Damping at the target itself, radians; 0 reaches it fastest.
     pub damping: R,
@@ -57,7 +58,8 @@ pub enum Outcome {
     Stalled = 3,
     /// The iterations ran out while the links still came nearer: more would help.
     Unfinished = 4,
-    /// A target is not unit to 0.001, or a number is not finite: the values are untouched.
+    /// A target is not unit to 0.001, a number is not finite, or an option is negative or no number, or
+    /// max_step is 0: the values are untouched.
     Invalid = 5,
 }
 
@@ -77,15 +79,24 @@ pub struct ReachReport<R> {
     pub linear_error: R,
 }
 
-/// The library's goals are those of C, to the byte.
+/// The library's goals are those of C, to the byte, and outcomes have the same numbers.
 macro_rules! same {
     ($($R:ident)*) => {$(const _: () = {
         assert!(size_of::<Goal<$R>>() == size_of::<mechanism::Goal<$R>>());
         assert!(align_of::<Goal<$R>>() == align_of::<mechanism::Goal<$R>>());
-        assert!(size_of::<usize>() + 6 * size_of::<$R>() <= size_of::<Goal<$R>>());
+        assert!(offset_of!(Goal<$R>, link) == offset_of!(mechanism::Goal<$R>, link));
+        assert!(offset_of!(Goal<$R>, angular) == offset_of!(mechanism::Goal<$R>, angular));
+        assert!(offset_of!(Goal<$R>, linear) == offset_of!(mechanism::Goal<$R>, linear));
     };)*};
 }
 same! { f32 f64 }
+
+macro_rules! same_outcomes {
+    ($($outcome:ident)*) => {$(
+        const _: () = assert!(Outcome::$outcome as i32 == ik::Outcome::$outcome as i32);
+    )*};
+}
+same_outcomes! { Converged OutOfReach AtLimits Stalled Unfinished Invalid }
 
 /// How many numbers as large as `R` freedoms take, with what aligns them.
 fn room_for_freedoms<R: Real>(rates: usize) -> usize {
@@ -116,7 +127,7 @@ unsafe fn reach_scratch<R: Real>(
     Ok(())
 }
 
-/// More goals than this would need more scratch than a number can count.
+/// More goals than any mechanism has a use for; with more, lengths might be too large to count.
 const GOALS: usize = 1 << 10;
 
 impl<R: Real> ReachOptions<R> {
@@ -131,7 +142,7 @@ impl<R: Real> ReachOptions<R> {
             angular_tolerance: self.angular_tolerance,
             linear_tolerance: self.linear_tolerance,
             max_iterations: self.max_iterations,
-            length_per_radian: (length > R::ZERO).then_some(length),
+            length_per_radian: (length != R::ZERO).then_some(length),
             max_step: self.max_step,
             damping: self.damping,
             restarts,
@@ -228,8 +239,9 @@ where
         .ok_or(Status::Length)?;
     // SAFETY: as large, and apart from the rest.
     let freedoms = unsafe { freedoms(first, known.rates()) };
-    let numbers = zeroed(rest);
     let mut reach = Reach::new(known, goals, freedoms).map_err(|error| status(&error))?;
+    // As much as these goals need, which is no more than was asked for.
+    let numbers = zeroed(rest.get_mut(..reach.scratch_len()).ok_or(Status::Length)?);
     if !asked.posture.is_null() {
         reach = reach.with_posture(posture).map_err(|error| status(&error))?;
     }
@@ -283,18 +295,10 @@ fn status(error: &ReachError) -> Status {
 
 impl<R: Real> ReachReport<R> {
     fn of(report: &ik::Report<R, ik::Outcome>) -> Self {
-        let outcome = match report.outcome {
-            ik::Outcome::Converged => Outcome::Converged,
-            ik::Outcome::OutOfReach => Outcome::OutOfReach,
-            ik::Outcome::AtLimits => Outcome::AtLimits,
-            ik::Outcome::Stalled => Outcome::Stalled,
-            ik::Outcome::Unfinished => Outcome::Unfinished,
-            ik::Outcome::Invalid => Outcome::Invalid,
-        };
         let [iterations, restarts] =
             [report.iterations, report.restarts].map(|count| Into::<f64>::into(count) as u32);
         let (angular_error, linear_error) = (report.angular_error, report.linear_error);
-        Self { outcome: outcome as i32, iterations, restarts, angular_error, linear_error }
+        Self { outcome: report.outcome as i32, iterations, restarts, angular_error, linear_error }
     }
 }
 

@@ -68,7 +68,8 @@ pub enum Status {
     WeightSum = 25,
     /// The skin has not been made.
     NoSkin = 26,
-    /// Limits of a joint are not in order, or leave no value together with those of what mimics it.
+    /// Limits of a joint are not in order, or leave no value together with those of what mimics it, or are
+    /// angles that a float does not tell apart.
     Limits = 27,
 }
 

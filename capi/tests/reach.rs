@@ -130,6 +130,14 @@ fn options_and_limits_are_read() {
     options.restarts = 2;
     assert_eq!(unfinished.reach(ptr::null(), &options), Status::UnknownValue);
 
+    for bad in [f64::NAN, -1.0] {
+        options = ReachOptions { restarts: 1, length_per_radian: bad, ..options };
+        let mut refused = arm();
+        assert_eq!(refused.reach(ptr::null(), &options), Status::Ok);
+        assert_eq!(refused.report.outcome, Outcome::Invalid as i32, "{bad}");
+        assert_eq!(refused.values, [0.1, 0.2, 0.3]);
+    }
+
     let mut bent = arm();
     bent.goals[0] = Goal { link: 1, angular: [0.0; 3], linear: [1.0; 3] };
     bent.target = [0.0, 0.0, 0.0, 1.0, -0.25, 0.0, 0.0, 0.0];

@@ -305,9 +305,10 @@ impl Mechanism {
     /// max_iterations : int
     ///     The most steps and restarts together.
     /// length_per_radian : float, optional
-    ///     The distance that weighs as much as a radian; by default an eighth of the robot's reach.
+    ///     The distance that weighs as much as a radian, more than 0; by default an eighth of the robot's reach, or
+    ///     where something floats or slides without end, of the longer way that it has to go.
     /// max_step : float
-    ///     The most that a joint turns in one step, radians.
+    ///     The most that a joint turns in one step, radians, more than 0.
     /// damping : float
     ///     λ of the least squares at the target, radians; more than 0 for machines that follow a target.
     /// restarts : bool

@@ -141,14 +141,20 @@ fn options<R: Number>(options: &Options<f64>) -> PyResult<Options<R>> {
         }
         Err(PyValueError::new_err(format!("Expected `{name}` to be at least 0, got {value}.")))
     };
+    let positive = |name: &str, value: f64| {
+        if value > 0.0 {
+            return number(name, value);
+        }
+        Err(PyValueError::new_err(format!("Expected `{name}` to be more than 0, got {value}.")))
+    };
     let length_per_radian =
-        options.length_per_radian.map(|length| number("length_per_radian", length));
+        options.length_per_radian.map(|length| positive("length_per_radian", length));
     Ok(Options {
         angular_tolerance: number("angular_tolerance", options.angular_tolerance)?,
         linear_tolerance: number("linear_tolerance", options.linear_tolerance)?,
         max_iterations: options.max_iterations,
         length_per_radian: length_per_radian.transpose()?,
-        max_step: number("max_step", options.max_step)?,
+        max_step: positive("max_step", options.max_step)?,
         damping: number("damping", options.damping)?,
         restarts: options.restarts,
     })

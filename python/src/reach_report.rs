@@ -55,7 +55,7 @@ impl ReachReport {
         };
         Ok(Self {
             converged: array(py, reports, shape, |it| it.outcome == Outcome::Converged)?,
-            outcome: array(py, reports, shape, |it| number(it.outcome))?,
+            outcome: array(py, reports, shape, |it| it.outcome as u8)?,
             iterations: array(py, reports, shape, count(|it| it.iterations))?,
             restarts: array(py, reports, shape, count(|it| it.restarts))?,
             angular_error: array(py, reports, shape, |it| it.angular_error)?,
@@ -78,16 +78,4 @@ fn array<R: Number, T: numpy::Element>(
         flat.call_method1("reshape", (PyTuple::new(py, shape)?,))
     };
     Ok(array?.unbind())
-}
-
-/// The numbers of the class `Outcome`, and of C's `dq8_outcome`.
-fn number(outcome: Outcome) -> u8 {
-    match outcome {
-        Outcome::Converged => 0,
-        Outcome::OutOfReach => 1,
-        Outcome::AtLimits => 2,
-        Outcome::Stalled => 3,
-        Outcome::Unfinished => 4,
-        Outcome::Invalid => 5,
-    }
 }

@@ -45,7 +45,7 @@ impl<R: Scalar, const N: usize> Arm<R, N> {
             target,
             weights: Weights { length, radians_per_length: zero.constant(1.0) / length },
             step_limits: StepLimits {
-                longest: L::splat(level, options.max_step),
+                longest: L::splat(level, options.longest_step()),
                 least_damping: damping * damping,
             },
             angular_tolerance: L::splat(level, options.angular_tolerance),

@@ -51,6 +51,7 @@ pub(crate) use joint::UNIT;
 pub(crate) use least_squares::epsilon;
 pub(crate) use limits::Range;
 pub use report::{Options, Outcome, Outcomes, Report};
+pub(crate) use search::{LAST_PROGRESS, NEAR, PROGRESS};
 pub(crate) use seed::ratio;
 pub(crate) use step::DAMPING;
 pub use two_bone::{Span, TwoBone};

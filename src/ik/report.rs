@@ -9,13 +9,16 @@ pub struct Options<R> {
     /// The distance that may be left, in the unit of the arm.
     pub linear_tolerance: R,
     /// Steps and restarts together. Most targets take six or seven; the default of 100 is for the few
-    /// in a hundred that begin again, and costs time only where a target cannot be reached.
+    /// in a hundred that begin again, and costs time only where a target cannot be reached, or a
+    /// posture is far.
     pub max_iterations: u32,
-    /// How long a distance weighs as much as a radian; `None` is an eighth of the arm's length
-    /// ([`Arm::reach_bound`](super::Arm::reach_bound)). It decides what is nearest where the target
-    /// cannot be reached, and how fast it is reached where it can.
+    /// How long a distance weighs as much as a radian, more than zero; `None` is an eighth of the arm's
+    /// length ([`Arm::reach_bound`](super::Arm::reach_bound)), of a mechanism an eighth of its longest way to
+    /// a goal, or, where something floats or slides without end, of the longer way that it has to go. It
+    /// decides what is nearest where the target cannot be reached, and how fast it is reached where it can.
     pub length_per_radian: Option<R>,
-    /// The most that a hinge turns in one step, radians; a slide moves as many lengths per radian.
+    /// The most that a hinge turns in one step, radians, more than zero; more than a turn is as much as a
+    /// turn. A slide of an arm moves as many lengths per radian, one of a mechanism as far as it likes.
     pub max_step: R,
     /// λ of the damped least squares at the target itself, radians. Zero, the default, reaches it
     /// fastest; with λ no step is longer than |e|/(2λ) for an error |e|, also in front of a singular
@@ -41,6 +44,28 @@ impl<R: Real> Default for Options<R> {
     }
 }
 
+impl<R: Real> Options<R> {
+    /// The most that a hinge turns in one step: no more than a turn, which is where every hinge has been.
+    #[inline(always)]
+    pub(crate) fn longest_step(&self) -> R {
+        let turn = R::TWO * R::PI;
+        if self.max_step < turn { self.max_step } else { turn }
+    }
+
+    /// Whether a search can be made with them.
+    #[inline(always)]
+    pub(crate) fn is_valid(&self) -> bool {
+        let length = self.length_per_radian.unwrap_or(R::ONE);
+        self.angular_tolerance >= R::ZERO
+            && self.linear_tolerance >= R::ZERO
+            && self.max_step > R::ZERO
+            && self.damping >= R::ZERO
+            && self.damping.is_finite()
+            && length > R::ZERO
+            && length.is_finite()
+    }
+}
+
 /// The result of a search: for one target, `Report<R, Outcome>`, or for one per lane,
 /// `Report<L, Outcomes<L::Mask>>`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -58,26 +83,26 @@ pub struct Report<T, O> {
 }
 
 /// How a search ended. The joint values are the best that were found, within the limits, but for
-/// [`Invalid`](Self::Invalid).
+/// [`Invalid`](Self::Invalid). C and Python have the same numbers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Outcome {
     /// Both errors are within the tolerances.
-    Converged,
-    /// The target is farther away than the arm is long: nothing can reach it. The end points as near
-    /// to it as was found.
-    OutOfReach,
+    Converged = 0,
+    /// A target is farther away than what carries the link is long: nothing can reach it. The end points
+    /// as near to it as was found.
+    OutOfReach = 1,
     /// No way led nearer, and a limit stands in the way: the best values have a joint at its limit.
     /// There may be a solution elsewhere.
-    AtLimits,
+    AtLimits = 2,
     /// No way led nearer: a local minimum, or a pose out of reach within the arm's length.
-    Stalled,
+    Stalled = 3,
     /// The iterations ran out while the end still came nearer.
-    Unfinished,
+    Unfinished = 4,
     /// The target is farther than 10⁻³ from a unit motion (the norm of its real part, or its dual part
-    /// along it), or a number is not finite, or a distance overflows. The joint values are untouched,
-    /// the errors NaN.
+    /// along it), or a number is not finite, or a distance overflows; or an option is negative or NaN, or a
+    /// step or length per radian zero. The joint values are untouched, the errors NaN.
     #[default]
-    Invalid,
+    Invalid = 5,
 }
 
 /// [`Outcome`] of each lane; the first that holds, from above.

@@ -33,15 +33,15 @@ use crate::real::Scalar;
 use dq8_simd::{Lanes, Mask};
 
 /// The squared error must fall to this part of itself ...
-const PROGRESS: f64 = 0.4;
+pub(crate) const PROGRESS: f64 = 0.4;
 /// ... or, where there is no other beginning, to this part ...
-const LAST_PROGRESS: f64 = 0.999;
+pub(crate) const LAST_PROGRESS: f64 = 0.999;
 /// ... in this many steps. Patience costs iterations that a restart could use: with 3, fewer of the
 /// random targets in the tests are reached. Without restarts, patience costs nothing.
 const PATIENCE: f64 = 2.0;
 const LAST_PATIENCE: f64 = 6.0;
 /// Below this squared error (radians²) a limit in the way is not a reason to give up at once.
-const NEAR: f64 = 1e-4;
+pub(crate) const NEAR: f64 = 1e-4;
 
 /// A search in each lane.
 struct Search<'a, R: Scalar, L: Lanes<Real = R>, const N: usize> {
@@ -94,6 +94,7 @@ impl<R: Scalar, const N: usize> Arm<R, N> {
         let zero = target.real().w().constant(0.0);
         let started = *values;
         let (target, valid) = self.validated(target, &started);
+        let valid = if options.is_valid() { valid } else { zero.lt(zero) };
         let mut start = started;
         for (value, range) in start.iter_mut().zip(&self.ranges) {
             *value = range.enter(L::select(valid, *value, zero));

@@ -4,7 +4,7 @@
 use super::group::Group;
 use super::joint::JointKind;
 use super::placed::Placed;
-use super::step::Step;
+use super::step::{NONE, Step};
 use super::tree::Mechanism;
 use super::values::{JointNumbers, JointValues, Numbers, half_turn};
 use crate::batch::{Quat, vector};
@@ -94,16 +94,9 @@ impl<Y: Layout, T: JointValues<Y>, K: Task<Y>> Kernel for Walk<'_, Y, T, K> {
                         continue;
                     }
                     position += 1;
-                    let (from, to) = (step.parent_slot as usize, step.slot as usize);
-                    // They are smaller than SLOTS; the remainder, a mask, tells the compiler, and no check is left.
-                    let (from, to) = (from % SLOTS, to % SLOTS);
-                    let is_root = step.parent == super::step::NONE;
-                    let before = if is_root {
-                        let rotation = vector::splat(level, step.rotation);
-                        Placed { rotation, half: vector::splat(level, step.half_offset) }
-                    } else {
-                        poses[from].place(step)
-                    };
+                    let (from, to) = slots(step);
+                    let is_root = step.parent == NONE;
+                    let before = frame(level, &poses, step);
                     let pose = moved(level, before, step, &mut numbers);
                     let joined = Joined { before, pose };
                     let parent = if is_root { K::base(level) } else { carried[from] };
@@ -114,6 +107,28 @@ impl<Y: Layout, T: JointValues<Y>, K: Task<Y>> Kernel for Walk<'_, Y, T, K> {
             }
         }
     }
+}
+
+/// Where the poses of a parent and of the link of a step are. They are smaller than [`SLOTS`]; the remainder, a mask,
+/// tells the compiler, and no check is left.
+#[inline(always)]
+pub(super) fn slots<R>(step: &Step<R>) -> (usize, usize) {
+    (step.parent_slot as usize % SLOTS, step.slot as usize % SLOTS)
+}
+
+/// The frame of the joint.
+#[inline(always)]
+pub(super) fn frame<L: Lanes<Real: Scalar>>(
+    level: L::Level,
+    poses: &[Placed<L>; SLOTS],
+    step: &Step<L::Real>,
+) -> Placed<L> {
+    if step.parent == NONE {
+        let rotation = vector::splat(level, step.rotation);
+        return Placed { rotation, half: vector::splat(level, step.half_offset) };
+    }
+    let (from, _) = slots(step);
+    poses[from].place(step)
 }
 
 /// From the frame of the joint to that of the link.

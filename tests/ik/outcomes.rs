@@ -249,16 +249,30 @@ where
             Options::default(),
             Options { length_per_radian: Some(tiny), ..Options::default() },
             Options { length_per_radian: Some(big), ..Options::default() },
-            Options { length_per_radian: Some(R::ZERO), ..Options::default() },
-            Options { length_per_radian: Some(nan), ..Options::default() },
-            Options { max_step: nan, ..Options::default() },
-            Options { max_step: R::ZERO, ..Options::default() },
-            Options { angular_tolerance: nan, linear_tolerance: inf, ..Options::default() },
+            Options { max_step: inf, ..Options::default() },
+            Options { angular_tolerance: R::ZERO, linear_tolerance: inf, ..Options::default() },
         ] {
             let mut values = start;
             arm.reach(target, &mut values, &options);
             assert!(values.iter().all(|value| value.is_finite()), "{values:?} {options:?}");
         }
+    }
+    for options in [
+        Options { length_per_radian: Some(R::ZERO), ..Options::default() },
+        Options { length_per_radian: Some(nan), ..Options::default() },
+        Options { max_step: nan, ..Options::default() },
+        Options { max_step: R::ZERO, ..Options::default() },
+        Options { angular_tolerance: nan, linear_tolerance: inf, ..Options::default() },
+    ] {
+        let mut values = start;
+        let report = arm.reach(target, &mut values, &options);
+        assert_eq!((report.outcome, values), (Outcome::Invalid, start), "{options:?}");
+    }
+    for max_step in [R::from(100.0), inf] {
+        let mut values = start;
+        let options = Options { max_step, ..Options::default() };
+        let report = arm.reach(target, &mut values, &options);
+        assert_eq!(report.outcome, Outcome::Converged, "{report:?}");
     }
 }
 

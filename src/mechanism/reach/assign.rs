@@ -1,6 +1,5 @@
 //! Configurations into lanes, and back.
 
-use super::freedom::Kind;
 use super::lane::Lane;
 use super::scratch::GOAL;
 use super::search::{Search, with_lane};
@@ -29,6 +28,9 @@ impl<L: Lanes<Real: Scalar>> Search<'_, L> {
     /// the length of what carries the link. `None` if they are not what a search can begin with.
     #[inline(always)]
     fn load(&mut self, lane: usize, configuration: usize) -> Option<bool> {
+        if !self.work.options.is_valid() {
+            return None;
+        }
         let (reach, scratch) = (self.model.reach, &mut self.model.scratch);
         let count = reach.mechanism.values;
         let values = self.work.values.get(configuration * count..)?.get(..count)?;
@@ -50,13 +52,12 @@ impl<L: Lanes<Real: Scalar>> Search<'_, L> {
                 scratch.goals.set_number(index * GOAL + row, lane, number);
             }
         }
-        if self.work.options.length_per_radian.is_none() {
-            let length = reach.typical_length_to(targets, values) * L::Real::from(0.125);
-            let scales = &mut self.model.scales;
-            scales.length = with_lane(scales.length, lane, length);
-            scales.radians_per_length =
-                with_lane(scales.radians_per_length, lane, L::Real::ONE / length);
-        }
+        let eighth = || reach.typical_length_to(targets, values) * L::Real::from(0.125);
+        let length = self.work.options.length_per_radian.unwrap_or_else(eighth);
+        let scales = &mut self.model.scales;
+        scales.length = with_lane(scales.length, lane, length);
+        scales.radians_per_length =
+            with_lane(scales.radians_per_length, lane, L::Real::ONE / length);
         for (row, &value) in values.iter().enumerate() {
             scratch.values.set_number(row, lane, value);
             scratch.start.set_number(row, lane, value);
@@ -112,7 +113,7 @@ impl<L: Lanes<Real: Scalar>> Search<'_, L> {
     fn is_at_limits(&self, lane: usize) -> bool {
         let mut is_at_limits = false;
         for freedom in self.model.reach.freedoms {
-            if matches!(freedom.kind, Kind::Turn | Kind::Slide) && !freedom.range.wraps {
+            if freedom.is_single() && !freedom.range.wraps {
                 let value = self.model.scratch.best.number(freedom.value as usize, lane);
                 is_at_limits |= value <= freedom.range.low || freedom.range.high <= value;
             }

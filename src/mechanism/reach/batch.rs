@@ -19,8 +19,9 @@ where
     /// may hold anything.
     ///
     /// Targets are normalized; farther than 10⁻³ from unit they are [`Outcome::Invalid`], and so are numbers
-    /// that are not finite: `values` is untouched then. Each iteration is a damped step of second order
-    /// within the limits, as for an [`Arm`](crate::ik::Arm). Where two steps in a row do not lead much nearer,
+    /// that are not finite, but for values of joints that move no goal, and options that are none: `values` is
+    /// untouched then. Each iteration is a damped step within the limits, of second order where a goal asks
+    /// for the whole pose, as for an [`Arm`](crate::ik::Arm). Where two steps in a row do not lead much nearer,
     /// or limits leave no way nearer, the search begins again from another configuration
     /// ([`Options::restarts`]), the nearest to the targets of some that are spread evenly within the limits;
     /// each restart draws others. What is reported is the error at the values that are returned; of several

@@ -1,6 +1,5 @@
 //! How far links get.
 
-use super::freedom::Freedom;
 use super::problem::Reach;
 use crate::ik::{Range, UNIT};
 use crate::mechanism::joint::JointKind;
@@ -37,17 +36,17 @@ impl<R: Real> Reach<'_, R> {
     /// How far a joint slides; infinite if there is no end.
     fn slide(&self, step: &Step<R>) -> R {
         let infinite = R::ONE / R::ZERO;
-        let freedom = self.freedoms.get(self.column(step.rate as usize));
-        let range = freedom.map_or(Range::NONE, |freedom| freedom.range);
-        let [low, high] = [range.low, range.high].map(|end| {
+        let freedom = self.freedoms.get(self.column(step.rate as usize)).copied();
+        let freedom = freedom.unwrap_or_default();
+        let Range { low, high, .. } = freedom.range;
+        let [low, high] = [low, high].map(|end| {
             let value = end * step.multiplier + step.offset;
             value.abs()
         });
+        let most = if freedom.has_ends() { low.max_or_nan(high) } else { infinite };
         match step.kind {
-            JointKind::Prismatic { .. } => low.max_or_nan(high),
-            JointKind::Screw { pitch, .. } if pitch != R::ZERO => {
-                low.max_or_nan(high) * pitch.abs()
-            }
+            JointKind::Prismatic { .. } => most,
+            JointKind::Screw { pitch, .. } if pitch != R::ZERO => most * pitch.abs(),
             JointKind::Planar { .. } | JointKind::Floating => infinite,
             _ => R::ZERO,
         }
@@ -76,22 +75,22 @@ impl<R: Real> Reach<'_, R> {
             for target in targets {
                 longest = longest.max_or_nan(vector::norm(target.translation()));
             }
-            for freedom in self.freedoms.iter().filter(|freedom| freedom.is_slide()) {
-                for &value in freedom.lengths(values) {
-                    longest = longest.max_or_nan(value.abs());
+            for (position, step) in self.mechanism.steps.iter().enumerate() {
+                if self.moves_goal(position) {
+                    longest = longest.max_or_nan(slid(step, values));
                 }
             }
         }
         longest
     }
 
-    /// Whether some slide has no end.
+    /// Whether something that moves a goal floats or slides without end, a thread too.
     pub(super) fn has_endless_slides(&self) -> bool {
-        let is_endless = |freedom: &Freedom<R>| {
-            let Range { low, high, .. } = freedom.range;
-            freedom.is_slide() && !(low.is_finite() && high.is_finite())
-        };
-        self.freedoms.iter().any(is_endless)
+        let mut has = false;
+        for (position, step) in self.mechanism.steps.iter().enumerate() {
+            has |= self.moves_goal(position) && !self.slide(step).is_finite();
+        }
+        has
     }
 
     /// The target of a goal, exactly unit; one beyond the bound is drawn to its edge, because from beyond it
@@ -140,4 +139,22 @@ impl<R: Real> Reach<'_, R> {
         }
         Some(largest)
     }
+}
+
+/// The longest way along one direction that a joint has slid.
+fn slid<R: Real>(step: &Step<R>, values: &[R]) -> R {
+    let (lengths, factor) = match step.kind {
+        JointKind::Prismatic { .. } => (0..1, R::ONE),
+        JointKind::Screw { pitch, .. } => (0..1, pitch),
+        JointKind::Planar { .. } => (0..2, R::ONE),
+        JointKind::Floating => (4..7, R::ONE),
+        JointKind::Fixed | JointKind::Revolute { .. } => return R::ZERO,
+    };
+    let mut longest = R::ZERO;
+    for index in lengths {
+        let value = values.get(step.value as usize + index).copied().unwrap_or_default();
+        let length = (value * step.multiplier + step.offset) * factor;
+        longest = longest.max_or_nan(length.abs());
+    }
+    longest
 }

@@ -13,8 +13,9 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     /// those of one lane.
     #[inline(always)]
     pub(super) fn compare(&mut self, lane: Option<usize>) -> Apart<L> {
-        let (level, scales) = (self.level, self.scales);
+        let level = self.level;
         let zero = L::splat(level, L::Real::default());
+        let radians_per_length = self.radians_per_length(lane);
         let mut apart = Apart { square: zero, angular: zero, linear: zero };
         let mut row = 0;
         for (index, goal) in self.reach.goals.iter().enumerate() {
@@ -45,7 +46,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
             let distance = asked(way, goal.linear);
             apart.angular = larger(apart.angular, turn);
             apart.linear = larger(apart.linear, distance);
-            let linear = vector::scale(linear, scales.radians_per_length);
+            let linear = vector::scale(linear, radians_per_length);
             row = weigh(
                 goal,
                 angular,
@@ -59,6 +60,14 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
             );
         }
         apart
+    }
+
+    #[inline(always)]
+    fn radians_per_length(&self, lane: Option<usize>) -> L {
+        let all = self.scales.radians_per_length;
+        let Some(lane) = lane else { return all };
+        let array = all.to_array();
+        array.as_ref().get(lane).map_or(all, |&of_lane| L::splat(self.level, of_lane))
     }
 
     #[inline(always)]

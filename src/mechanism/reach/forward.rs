@@ -2,11 +2,8 @@
 
 use super::model::Model;
 use super::scratch::{GOAL, Rows, TARGET};
-use crate::batch::vector;
-use crate::mechanism::placed::Placed;
-use crate::mechanism::step::NONE;
 use crate::mechanism::values::{JointNumbers, half_turn};
-use crate::mechanism::walk::{Joined, moved};
+use crate::mechanism::walk::{Joined, frame, moved, slots};
 use crate::real::Scalar;
 use dq8_simd::Lanes;
 
@@ -51,19 +48,10 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
                 continue;
             }
             position += 1;
-            let before = if step.parent == NONE {
-                let rotation = vector::splat(level, step.rotation);
-                Placed { rotation, half: vector::splat(level, step.half_offset) }
-            } else {
-                match self.poses.get(step.parent_slot as usize) {
-                    Some(parent) => parent.place(step),
-                    None => return,
-                }
-            };
+            let before = frame(level, &self.poses, step);
             let pose = moved(level, before, step, &mut numbers);
-            if let Some(slot) = self.poses.get_mut(step.slot as usize) {
-                *slot = pose;
-            }
+            let (_, to) = slots(step);
+            self.poses[to] = pose;
             if of == Of::Values {
                 let joined = Joined { before, pose };
                 for index in 0..step.kind.rates() {

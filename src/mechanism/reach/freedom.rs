@@ -41,23 +41,28 @@ impl<R: Real> Default for Freedom<R> {
 }
 
 impl<R: Real> Freedom<R> {
+    /// Whether its value is one number.
+    #[inline(always)]
+    pub(super) fn is_single(&self) -> bool {
+        matches!(self.kind, Kind::Turn | Kind::Slide)
+    }
+
     /// Whether a change is a length.
     #[inline(always)]
     pub(super) fn is_slide(&self) -> bool {
         matches!(self.kind, Kind::Slide | Kind::FloatingSlide(_))
     }
 
-    /// The lengths among its values.
-    pub(super) fn lengths<'v>(&self, values: &'v [R]) -> &'v [R] {
-        let first = self.value as usize;
-        let (first, count) = if self.kind == Kind::Slide { (first, 1) } else { (first + 4, 3) };
-        values.get(first..first + count).unwrap_or_default()
+    /// Whether its range has two ends, and values between them can be told apart.
+    pub(super) fn has_ends(&self) -> bool {
+        let Range { low, high, .. } = self.range;
+        (high - low).is_finite()
     }
 
-    /// Rate number `index` of a joint.
-    fn of(step: &Step<R>, index: usize) -> Result<Self, ReachError> {
+    /// Rate number `index` of a joint, with the limits of the joint.
+    fn of(step: &Step<R>, index: usize) -> Self {
         let whole = [-R::ONE / R::ZERO, R::ONE / R::ZERO];
-        let (kind, is_hinge, value) = match step.kind {
+        let (kind, wraps, value) = match step.kind {
             JointKind::Prismatic { .. } => (Kind::Slide, false, 0),
             JointKind::Planar { .. } if index < 2 => (Kind::Slide, false, index),
             JointKind::Floating if index < 3 => (Kind::FloatingTurn(index as u8), false, 0),
@@ -65,11 +70,9 @@ impl<R: Real> Freedom<R> {
             JointKind::Screw { pitch, .. } => (Kind::Turn, pitch == R::ZERO, 0),
             _ => (Kind::Turn, true, index),
         };
-        let limits = step.limits.unwrap_or(whole);
-        let range = Range::within(limits, is_hinge, kind == Kind::Turn)
-            .ok_or_else(|| limits_error(step, limits))?;
+        let [low, high] = step.limits.unwrap_or(whole);
         let value = step.value.saturating_add(value as u32);
-        Ok(Self { kind, range, value, share: 0.0, column: NONE })
+        Self { kind, range: Range { low, high, wraps }, value, share: 0.0, column: NONE }
     }
 }
 
@@ -79,22 +82,34 @@ pub(super) fn freedoms<R: Real>(
     freedoms: &mut [Freedom<R>],
     carries: impl Fn(usize) -> bool,
 ) -> Result<usize, ReachError> {
-    for step in steps.iter().filter(|step| !step.mimics) {
+    let leaders = || steps.iter().filter(|step| !step.mimics);
+    for step in leaders() {
         for index in 0..step.kind.rates() {
             if let Some(slot) = freedoms.get_mut(step.rate as usize + index) {
-                *slot = Freedom::of(step, index)?;
+                *slot = Freedom::of(step, index);
             }
         }
     }
     for (position, step) in steps.iter().enumerate() {
-        let Some(slot) = freedoms.get_mut(step.rate as usize) else { continue };
-        if step.mimics {
-            slot.range = narrowed(slot.range, step)?;
-        }
         if carries(position) {
             let rates = step.rate as usize..step.rate as usize + step.kind.rates();
             for slot in freedoms.get_mut(rates).unwrap_or_default() {
                 slot.column = 0;
+            }
+        }
+    }
+    // The limits of joints that move no goal do not matter.
+    for step in steps.iter().filter(|step| step.mimics) {
+        if let Some(slot) = moving(freedoms, step.rate as usize) {
+            slot.range = narrowed(slot.range, step)?;
+        }
+    }
+    for step in leaders() {
+        for index in 0..step.kind.rates() {
+            if let Some(slot) = moving(freedoms, step.rate as usize + index) {
+                let Range { low, high, wraps } = slot.range;
+                slot.range = Range::within([low, high], wraps, slot.kind == Kind::Turn)
+                    .ok_or_else(|| limits_error(step, [low, high]))?;
             }
         }
     }
@@ -118,29 +133,37 @@ pub(super) fn freedoms<R: Real>(
 
 /// Values of low discrepancy, as for arms (Roberts 2018), where ranges have two ends.
 fn spread<R: Real>(freedoms: &mut [Freedom<R>]) {
-    let has_ends = |freedom: &Freedom<R>| {
-        let Range { low, high, .. } = freedom.range;
-        low.is_finite() && high.is_finite()
-    };
-    let factor = 1.0 / ratio(freedoms.iter().filter(|freedom| has_ends(freedom)).count());
+    let factor = 1.0 / ratio(freedoms.iter().filter(|freedom| freedom.has_ends()).count());
     let mut power = 1.0;
     for freedom in freedoms {
-        if has_ends(freedom) {
+        if freedom.has_ends() {
             power *= factor;
             freedom.share = power;
         }
     }
 }
 
-/// What the limits of a joint that mimics leave of the range of the other.
+/// The freedom of a rate that moves a goal.
+fn moving<R>(freedoms: &mut [Freedom<R>], rate: usize) -> Option<&mut Freedom<R>> {
+    freedoms.get_mut(rate).filter(|freedom| freedom.column != NONE)
+}
+
+/// What the limits of a joint that mimics leave of the limits of the other. A turn less of that one must be the
+/// same pose of this one too: it is a hinge that turns a whole number of times as much.
 fn narrowed<R: Real>(range: Range<R>, step: &Step<R>) -> Result<Range<R>, ReachError> {
+    let is_hinge = match step.kind {
+        JointKind::Screw { pitch, .. } => pitch == R::ZERO,
+        kind => matches!(kind, JointKind::Revolute { .. }),
+    };
+    let times: f64 = step.multiplier.into();
+    let wraps = range.wraps && is_hinge && times == f64::from(times as i32);
+    let range = Range { wraps, ..range };
     let Some(limits) = step.limits.filter(|_| step.multiplier != R::ZERO) else { return Ok(range) };
     let [a, b] = limits.map(|limit| (limit - step.offset) / step.multiplier);
     let [low, high] = if a <= b { [a, b] } else { [b, a] };
     let low = if low > range.low { low } else { range.low };
     let high = if high < range.high { high } else { range.high };
-    let wraps = range.wraps && low == range.low && high == range.high;
-    if low <= high { Ok(Range { low, high, wraps }) } else { Err(limits_error(step, limits)) }
+    if low <= high { Ok(Range { low, high, ..range }) } else { Err(limits_error(step, limits)) }
 }
 
 fn limits_error<R: Real>(step: &Step<R>, [low, high]: [R; 2]) -> ReachError {

@@ -5,18 +5,16 @@
 //! without progress begins again, if it may, and ends if not; one that limits leave no *hope* does not wait.
 //! In the last twelfth of the iterations it goes back to the nearest pose that it found, and stays there.
 
-use crate::ik::{Options, Outcome};
+use crate::ik::{LAST_PROGRESS, NEAR, Options, Outcome, PROGRESS};
 use crate::real::Real;
 
-/// The squared error must fall to this part of itself ...
-const PROGRESS: f32 = 0.4;
-/// ... or, where there is no other beginning, to this part ...
-const LAST_PROGRESS: f32 = 0.999;
-/// ... in this many steps.
+/// Progress must be made in this many steps, fewer where there is another beginning.
 const PATIENCE: u32 = 2;
 const LAST_PATIENCE: u32 = 6;
 /// So many steps may lead past the targets on the way to a posture.
-const POSTURE_PATIENCE: u32 = 20;
+const POSTURE_PATIENCE: u32 = 60;
+/// A way of less than this, radians, is not worth another step to a posture.
+const POSTURE_STEP: f32 = 1e-4;
 /// This part of the iterations is for the nearest pose that was found, where none has arrived until then.
 const LAST: u32 = 12;
 /// How much more a step is damped than one that led away.
@@ -25,8 +23,6 @@ const MORE_CAUTION: f32 = 8.0;
 /// error is the last. Of 10,000 random targets of an arm of seven axes it is 9,997 that are reached; with the
 /// part that is progress 9,993.
 const HOPE: f32 = 0.2;
-/// Below this squared error (radians²) a limit in the way is not a reason to give up at once.
-const NEAR: f32 = 1e-4;
 
 /// What is known of a lane after a step.
 #[derive(Clone, Copy, Debug)]
@@ -39,6 +35,8 @@ pub(super) struct Seen<R> {
     pub(super) wish: R,
     /// What the last step would leave of the squared error, if a limit cut it short; zero if none did.
     pub(super) left: R,
+    /// The square of all that the last step changed, in radians.
+    pub(super) moved: R,
 }
 
 /// A search for one configuration.
@@ -54,7 +52,7 @@ pub(super) struct Lane<R> {
     pub(super) is_fresh: bool,
     begins: bool,
     is_invalid: bool,
-    converged: bool,
+    pub(super) converged: bool,
     ever_stuck: bool,
     /// Whether it went back to the nearest that it had been, to stay.
     settles: bool,
@@ -66,6 +64,8 @@ pub(super) struct Lane<R> {
     /// By how much more than usual steps are damped: where there is no other beginning and a step led away,
     /// the next are shorter (Marquardt 1963).
     pub(super) caution: R,
+    /// What it does next.
+    pub(super) next: Next,
 }
 
 /// What a lane does.
@@ -90,6 +90,7 @@ impl<R: Real> Lane<R> {
             linear: R::NAN,
             wish: R::ZERO,
             left: R::ZERO,
+            moved: R::ZERO,
         },
         is_fresh: false,
         begins: false,
@@ -101,6 +102,7 @@ impl<R: Real> Lane<R> {
         mark: R::ZERO,
         idle_steps: 0,
         caution: R::ONE,
+        next: Next::End,
     };
 
     pub(super) fn new(configuration: usize, out_of_reach: bool) -> Self {
@@ -141,7 +143,7 @@ impl<R: Real> Lane<R> {
         }
         let may_restart = options.restarts && !self.out_of_reach && !self.settles;
         let hopeless = may_restart && !self.begins && self.is_hopeless(&seen);
-        let needed = R::from(if may_restart { PROGRESS } else { LAST_PROGRESS });
+        let needed = R::from_f64(if may_restart { PROGRESS } else { LAST_PROGRESS });
         if self.begins || seen.square < self.mark * needed {
             (self.mark, self.idle_steps) = (seen.square, 0);
         } else {
@@ -174,9 +176,10 @@ impl<R: Real> Lane<R> {
     }
 
     /// The targets are reached, or have been: on to the posture, until poses that reach them come no nearer
-    /// to it. Between them are some that do not, because the way there is bent.
+    /// to it, or next to nothing moves. Between them are some that do not, because the way there is bent.
     fn toward_posture(&mut self, seen: &Seen<R>, arrived: bool, options: &Options<R>) -> Next {
-        let is_nearer = !self.converged || seen.wish < self.mark * R::from(LAST_PROGRESS);
+        let least = R::from(POSTURE_STEP);
+        let is_nearer = !self.converged || (seen.wish < self.mark && seen.moved > least * least);
         let tolerance = options.angular_tolerance;
         let is_there = arrived && (!is_nearer || seen.wish <= tolerance * tolerance);
         if arrived {
@@ -197,7 +200,7 @@ impl<R: Real> Lane<R> {
 
     /// Whether a limit cut the last step so short that even its own linear model left most of the error.
     fn is_hopeless(&self, seen: &Seen<R>) -> bool {
-        seen.left > self.square * R::from(HOPE) && self.square > R::from(NEAR)
+        seen.left > self.square * R::from(HOPE) && self.square > R::from_f64(NEAR)
     }
 
     pub(super) fn outcome(&self, is_at_limits: bool) -> Outcome {

@@ -2,11 +2,11 @@
 //!
 //! | file | what |
 //! |---|---|
-//! | `goal.rs`, `freedom.rs`, `problem.rs` | what is asked, checked once, in memory of the caller |
+//! | `goal.rs`, `freedom.rs`, `problem.rs`, `error.rs` | what is asked, checked once, in memory of the caller |
 //! | `bound.rs` | how far a link gets |
 //! | `batch.rs` | one configuration, and many |
 //! | `search.rs`, `lane.rs`, `assign.rs` | the loop, what a lane does next, what it is given and gives back |
-//! | `model.rs` with `forward.rs`, `compare.rs`, `columns.rs`, `step.rs`, `restart.rs` | what is computed of it, on lanes |
+//! | `model.rs` with `forward.rs`, `compare.rs`, `columns.rs`, `wish.rs`, `step.rs`, `restart.rs` | what is computed of it, on lanes |
 //! | `normal.rs` | damped least squares of any size |
 //! | `scratch.rs` | numbers of all lanes in memory of the caller |
 

@@ -39,6 +39,16 @@ pub(super) struct Apart<L> {
     pub(super) linear: L,
 }
 
+/// What a step did.
+#[derive(Clone, Copy)]
+pub(super) struct Stepped<L> {
+    /// Where a limit cut it short, the square of the errors that it would leave by its own linear model;
+    /// elsewhere zero.
+    pub(super) left: L,
+    /// The square of all changes, in radians.
+    pub(super) moved: L,
+}
+
 impl<'s, L: Lanes<Real: Scalar>> Model<'s, L> {
     #[inline(always)]
     pub(super) fn new(
@@ -48,16 +58,13 @@ impl<'s, L: Lanes<Real: Scalar>> Model<'s, L> {
         room: &'s mut [L::Real],
     ) -> Option<Self> {
         let scratch = Scratch::new(reach, room)?;
+        // Each lane has its own with what it is given.
         let one = L::splat(level, crate::real::Real::ONE);
-        let length = match options.length_per_radian {
-            Some(length) => L::splat(level, length),
-            None => L::splat(level, reach.size) * one.constant(0.125),
-        };
         let damping = L::splat(level, options.damping);
         let scales = Scales {
-            length,
-            radians_per_length: one / length,
-            longest: L::splat(level, options.max_step),
+            length: one,
+            radians_per_length: one,
+            longest: L::splat(level, options.longest_step()),
             least_damping: damping * damping,
         };
         Some(Self { level, reach, scales, scratch, poses: [Placed::identity(level); SLOTS] })

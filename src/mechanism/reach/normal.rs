@@ -9,8 +9,8 @@ use dq8_simd::Lanes;
 const FLOOR: f64 = 1e-30;
 
 impl<L: Lanes<Real: Scalar>> Model<'_, L> {
-    /// y with (JJᵀ + λ²1) y = `left`, so that Jᵀy is the x that makes |Jx − left|² + λ²|x|² least (Nakamura &
-    /// Hanafusa 1986; Wampler 1986; Buss 2004, eq. 11); held columns are zero.
+    /// y with (JJᵀ + λ²1) y = e, so that Jᵀy is the x that makes |Jx − e|² + λ²|x|² least (Nakamura & Hanafusa
+    /// 1986; Wampler 1986; Buss 2004, eq. 11); held columns are zero. y takes the place of e in `solution`.
     ///
     /// By Cholesky's factorisation in place, as for arms: to λ² is added what rounding makes of JJᵀ, and
     /// each pivot is at least λ².
@@ -45,7 +45,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
         for i in 0..rows {
             let of_i = i * (i + 1) / 2;
             let mut pivot = a.get(level, of_i + i) + least;
-            let mut solved = scratch.left.get(level, i);
+            let mut solved = y.get(level, i);
             for j in 0..i {
                 let of_j = j * (j + 1) / 2;
                 let mut sum = a.get(level, of_i + j);

@@ -63,8 +63,9 @@ impl<'a, R: Real> Reach<'a, R> {
     ///
     /// # Errors
     /// If there is no goal, or one for a link that there is not, or with weights that are negative, not
-    /// finite or all zero; if there are fewer freedoms than rates; if the limits of a joint and of what
-    /// mimics it leave no value. `freedoms` may have been written.
+    /// finite or all zero; if there are fewer freedoms than rates; if the limits of a joint that moves a goal
+    /// and of what mimics it leave no value, or are angles that a float does not tell apart. `freedoms` may
+    /// have been written.
     pub fn new(
         mechanism: Mechanism<'a, R>,
         goals: &'a [Goal<R>],
@@ -99,10 +100,11 @@ impl<'a, R: Real> Reach<'a, R> {
         Ok(Self { size: reach.typical_length(), is_endless, ..reach })
     }
 
-    /// With a preferred configuration: where the goals leave freedom, the joints that move them go toward
-    /// these values, and a search that has reached its targets goes on until the posture comes no nearer,
-    /// or the iterations are used up. Weighs nothing against the goals (the null space of their Jacobian;
-    /// Liégeois 1977). Of planar and other joints alike; floating joints have no preference.
+    /// With a preferred configuration: a search that has reached its targets goes on toward these values as far
+    /// as the goals leave freedom, until the posture comes no nearer, next to nothing moves (10⁻⁴ rad), or the
+    /// iterations are used up. Weighs nothing against the goals (the null space of their Jacobian; Liégeois
+    /// 1977). Beyond a limit, the limit is preferred. Of planar and other joints alike; floating joints have
+    /// no preference.
     ///
     /// # Errors
     /// If there are not as many values as a configuration has, or one is not finite.

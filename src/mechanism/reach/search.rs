@@ -2,11 +2,11 @@
 
 use super::forward::Of;
 use super::lane::{Lane, Next, Seen};
-use super::model::{Apart, Model};
+use super::model::{Apart, Model, Stepped};
 use crate::ik::{Options, Outcome, Report};
 use crate::real::{Real, Scalar};
 use crate::scalar::DualQuat;
-use dq8_simd::{Lanes, MAX_LANES};
+use dq8_simd::{Lanes, MAX_LANES, Mask};
 
 /// What is to be solved, and where the results go; lengths have been checked.
 pub(super) struct Work<'s, R> {
@@ -38,26 +38,31 @@ impl<'s, L: Lanes<Real: Scalar>> Search<'s, L> {
         for lane in 0..L::LANES {
             self.refill(lane);
         }
-        let (mut left, mut running, mut caution) = (zero, zero, zero);
+        let mut last = Stepped { left: zero, moved: zero };
         while self.is_working() {
             self.enter();
             self.model.place(Of::Values);
             let apart = self.model.compare(None);
             let wish = self.model.wish();
-            let next = self.judge(apart, wish, left);
-            for (index, (lane, next)) in self.lanes.iter().zip(&next).enumerate().take(L::LANES) {
-                let one = f32::from(u8::from(*next == Next::Step));
-                running = with_lane(running, index, one.into());
-                caution = with_lane(caution, index, lane.caution);
-            }
-            left = self.model.step(apart, caution, zero.lt(running));
-            for (lane, next) in next.iter().enumerate().take(L::LANES) {
-                match (next, self.lanes.get(lane)) {
-                    (Next::BeginAgain, Some(of_lane)) => {
-                        self.model.begin_again(lane, of_lane.restarts - 1);
-                    }
-                    (Next::GoBack, _) => self.model.go_back(lane),
-                    _ => {}
+            self.judge(apart, wish, last);
+            let caution = self.each(
+                #[inline(always)]
+                |lane| lane.caution,
+            );
+            let running = self.each(
+                #[inline(always)]
+                |lane| one_if(lane.next == Next::Step),
+            );
+            let arrived = self.each(
+                #[inline(always)]
+                |lane| one_if(lane.converged),
+            );
+            last = self.model.step(apart, caution, zero.lt(running), zero.lt(arrived));
+            for (index, lane) in self.lanes.iter().enumerate().take(L::LANES) {
+                match lane.next {
+                    Next::BeginAgain => self.model.begin_again(index, lane.restarts - 1),
+                    Next::GoBack => self.model.go_back(index),
+                    Next::Step | Next::End => {}
                 }
             }
         }
@@ -76,58 +81,74 @@ impl<'s, L: Lanes<Real: Scalar>> Search<'s, L> {
     #[inline(always)]
     fn enter(&mut self) {
         let zero = L::splat(self.model.level, L::Real::ZERO);
-        let (mut fresh, mut any) = (zero, false);
-        for (index, lane) in self.lanes.iter().enumerate().take(L::LANES) {
-            any |= lane.is_fresh;
-            fresh = with_lane(fresh, index, f32::from(u8::from(lane.is_fresh)).into());
-        }
-        if !any {
+        let fresh = self.each(
+            #[inline(always)]
+            |lane| one_if(lane.is_fresh),
+        );
+        let fresh = zero.lt(fresh);
+        if !fresh.any() {
             return;
         }
-        let values = &mut self.model.scratch.values;
+        let scratch = &mut self.model.scratch;
         for freedom in self.model.reach.freedoms.iter().filter(|freedom| freedom.is_single()) {
             let row = freedom.value as usize;
-            let value = values.get(self.model.level, row);
+            let value = scratch.values.get(self.model.level, row);
+            let start = scratch.start.get(self.model.level, row);
             let entered = freedom.range.enter(value);
-            values.set(row, L::select(zero.lt(fresh), entered, value));
+            scratch.values.set(row, L::select(fresh, entered, value));
+            scratch.start.set(row, L::select(fresh, entered, start));
         }
+    }
+
+    /// A number of each lane.
+    #[inline(always)]
+    fn each(&self, of: impl Fn(&Lane<L::Real>) -> L::Real) -> L {
+        let mut array = L::splat(self.model.level, L::Real::ZERO).to_array();
+        for (slot, lane) in array.as_mut().iter_mut().zip(&self.lanes) {
+            *slot = of(lane);
+        }
+        L::load(self.model.level, &array)
     }
 
     /// What each lane does next. Those that are done have been written, and took another configuration.
     #[inline(always)]
-    fn judge(&mut self, apart: Apart<L>, wish: L, left: L) -> [Next; MAX_LANES] {
+    fn judge(&mut self, apart: Apart<L>, wish: L, last: Stepped<L>) {
         let Apart { square, angular, linear } = apart;
         let [square, angular, linear] = [square.to_array(), angular.to_array(), linear.to_array()];
-        let [wish, left] = [wish.to_array(), left.to_array()];
-        let mut all = [Next::End; MAX_LANES];
-        for (index, next) in all.iter_mut().enumerate().take(L::LANES) {
+        let [wish, left, moved] = [wish.to_array(), last.left.to_array(), last.moved.to_array()];
+        for index in 0..L::LANES {
             let seen = Seen {
                 square: number::<L>(&square, index),
                 angular: number::<L>(&angular, index),
                 linear: number::<L>(&linear, index),
                 wish: number::<L>(&wish, index),
                 left: number::<L>(&left, index),
+                moved: number::<L>(&moved, index),
             };
             let Some(lane) = self.lanes.get_mut(index) else { break };
             if lane.configuration.is_none() {
                 continue;
             }
             let has_posture = self.model.reach.posture.is_some();
-            let (is_best, decided) = lane.judge(seen, self.work.options, has_posture);
-            *next = decided;
+            let (is_best, next) = lane.judge(seen, self.work.options, has_posture);
+            lane.next = next;
             if is_best {
                 let scratch = &mut self.model.scratch;
                 for value in 0..self.model.reach.mechanism.values {
                     scratch.best.set_number(value, index, scratch.values.number(value, index));
                 }
             }
-            if decided == Next::End {
+            if next == Next::End {
                 self.finish(index);
                 self.refill(index);
             }
         }
-        all
     }
+}
+
+#[inline(always)]
+fn one_if<R: Real>(holds: bool) -> R {
+    if holds { R::ONE } else { R::ZERO }
 }
 
 #[inline(always)]

@@ -6,8 +6,8 @@
 //!
 //! A posture adds what the goals leave free: with the way z to the posture, the change is z + J⁺(e − Jz).
 
-use super::freedom::{Freedom, Kind};
-use super::model::{Apart, Model};
+use super::freedom::Kind;
+use super::model::{Apart, Model, Stepped};
 use crate::batch::{Quat, vector};
 use crate::ik::DAMPING;
 use crate::mechanism::values::half_turn;
@@ -15,21 +15,29 @@ use crate::real::Scalar;
 use dq8_simd::{Lanes, Mask};
 
 impl<L: Lanes<Real: Scalar>> Model<'_, L> {
-    /// Moves the lanes that run, damped `caution` times as much as usual. Where a limit cut the step short: the square of the errors that it would
-    /// leave by its own linear model; elsewhere zero.
+    /// Moves the lanes that run, damped `caution` times as much as usual; those that have arrived, toward the
+    /// posture too.
     #[inline(always)]
-    pub(super) fn step(&mut self, apart: Apart<L>, caution: L, running: L::Mask) -> L {
+    pub(super) fn step(
+        &mut self,
+        apart: Apart<L>,
+        caution: L,
+        running: L::Mask,
+        arrived: L::Mask,
+    ) -> Stepped<L> {
         let damping = caution * caution.constant(DAMPING);
         let damping = apart.square.mul_add(damping, self.scales.least_damping);
+        self.keep_wishes(arrived);
         self.linearize(false);
         let mut limited = self.limited_step(damping, running);
         if self.reach.bends() {
             self.linearize(true);
             limited = self.limited_step(damping, running);
         }
-        let left = self.left_after();
+        let left = L::select(limited, self.left_after(), damping.constant(0.0));
+        let moved = self.moved();
         self.advance(running);
-        L::select(limited, left, damping.constant(0.0))
+        Stepped { left, moved }
     }
 
     /// Changes that no limit forbids, and where a limit stopped one.
@@ -60,13 +68,8 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     fn solve(&mut self, damping: L) -> L {
         let (level, rows, zero) = (self.level, self.reach.rows, damping.constant(0.0));
         let wishes = self.reach.posture.is_some();
-        if wishes {
-            self.take_off_wishes(zero.constant(1.0));
-        }
+        self.ask();
         self.solve_normal(damping);
-        if wishes {
-            self.take_off_wishes(zero.constant(-1.0));
-        }
         let scratch = &mut self.scratch;
         let mut most = self.scales.longest;
         for (index, column) in scratch.columns.runs(rows).enumerate() {
@@ -89,15 +92,22 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
         self.scales.longest / most
     }
 
-    /// Takes what the way to the posture contributes off the errors, or, `times` −1, puts it back.
+    /// Puts what the free ones should make up for where the solution will be: the errors that are left, without
+    /// what the way to the posture contributes.
     #[inline(always)]
-    fn take_off_wishes(&mut self, times: L) {
-        let (level, scratch) = (self.level, &mut self.scratch);
-        for (index, column) in scratch.columns.runs(self.reach.rows).enumerate() {
-            let wish = scratch.wishes.get(level, index) * times;
+    fn ask(&mut self) {
+        let (level, rows, scratch) = (self.level, self.reach.rows, &mut self.scratch);
+        for row in 0..rows {
+            scratch.solution.set(row, scratch.left.get(level, row));
+        }
+        if self.reach.posture.is_none() {
+            return;
+        }
+        for (index, column) in scratch.columns.runs(rows).enumerate() {
+            let wish = scratch.wishes.get(level, index);
             for (row, component) in column.iter().enumerate() {
-                let left = scratch.left.get(level, row);
-                scratch.left.set(row, L::load(level, component).neg_mul_add(wish, left));
+                let asked = scratch.solution.get(level, row);
+                scratch.solution.set(row, L::load(level, component).neg_mul_add(wish, asked));
             }
         }
     }
@@ -161,6 +171,19 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
         square
     }
 
+    /// The square of all changes, in radians.
+    #[inline(always)]
+    fn moved(&self) -> L {
+        let mut square = self.scales.length.constant(0.0);
+        for (index, freedom) in self.reach.freedoms.iter().enumerate() {
+            let change = self.scratch.changes.get(self.level, index);
+            let unit = self.scales.radians_per_length;
+            let radians = if freedom.is_slide() { change * unit } else { change };
+            square = radians.mul_add(radians, square);
+        }
+        square
+    }
+
     /// The values moved, each within its limits. What is not finite moves nothing.
     #[inline(always)]
     fn advance(&mut self, running: L::Mask) {
@@ -199,13 +222,5 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
                 }
             }
         }
-    }
-}
-
-impl<R> Freedom<R> {
-    /// Whether its value is one number.
-    #[inline(always)]
-    pub(super) fn is_single(&self) -> bool {
-        matches!(self.kind, Kind::Turn | Kind::Slide)
     }
 }

@@ -3,8 +3,8 @@
 use super::super::random::Numbers;
 use super::{apart, draw, mechanism, seven, solve_everywhere};
 use dq8::ik::{Options, Outcome, Report};
-use dq8::mechanism::{Freedom, Goal, Reach};
-use dq8::{Backend, DualQuat, Real};
+use dq8::mechanism::{Freedom, Goal, Joint, Reach};
+use dq8::{Backend, DualQuat, Real, simd::Float};
 
 struct Random<R> {
     targets: Vec<DualQuat<R>>,
@@ -66,19 +66,18 @@ fn every_backend_says_what_one_configuration_says() {
     }
 }
 
-#[test]
-fn what_becomes_of_a_configuration_depends_on_no_other() {
-    let arm = mechanism::<f32>(&seven());
-    let goals = [Goal::pose(7)];
-    let mut freedoms = [Freedom::default(); 7];
-    let reach = Reach::new(arm.view(), &goals, &mut freedoms).expect("a problem");
-    let Random { mut targets, mut starts } = random(&reach, 101);
-    let there = solve_everywhere(&reach, &targets, &starts, &Options::default());
+/// Solves in this order and in the other: to the bit the same.
+fn assert_order_does_not_matter<R: Real + Float>(
+    reach: &Reach<'_, R>,
+    Random { mut targets, mut starts }: Random<R>,
+) {
+    let count = starts.len() / targets.len();
+    let there = solve_everywhere(reach, &targets, &starts, &Options::default());
     targets.reverse();
-    starts = starts.rchunks(7).flatten().copied().collect();
-    let back = solve_everywhere(&reach, &targets, &starts, &Options::default());
+    starts = starts.rchunks(count).flatten().copied().collect();
+    let back = solve_everywhere(reach, &targets, &starts, &Options::default());
     for ((backend, values, reports), (_, reversed, last)) in there.iter().zip(&back) {
-        for (own, other) in values.chunks(7).zip(reversed.rchunks(7)) {
+        for (own, other) in values.chunks(count).zip(reversed.rchunks(count)) {
             assert_eq!(own, other, "{backend}");
         }
         for (own, other) in reports.iter().zip(last.iter().rev()) {
@@ -88,7 +87,53 @@ fn what_becomes_of_a_configuration_depends_on_no_other() {
 }
 
 #[test]
-fn any_number_of_configurations_fits_none_too() {
+fn a_result_does_not_depend_on_other_configurations() {
+    let arm = mechanism::<f32>(&seven());
+    let goals = [Goal::pose(7)];
+    let mut freedoms = [Freedom::default(); 7];
+    let reach = Reach::new(arm.view(), &goals, &mut freedoms).expect("a problem");
+    assert_order_does_not_matter(&reach, random(&reach, 101));
+}
+
+/// Where other lanes are stopped by limits, all are solved once more.
+#[test]
+fn nor_does_it_with_a_posture() {
+    let arm = mechanism::<f32>(&seven());
+    let goals = [Goal::pose(7)];
+    let mut freedoms = [Freedom::default(); 7];
+    let reach = Reach::new(arm.view(), &goals, &mut freedoms).expect("a problem");
+    let posture = [0.1, 0.3, -0.2, -1.5, 0.4, 1.8, 0.3];
+    let reach = reach.with_posture(&posture).expect("a posture");
+    assert_order_does_not_matter(&reach, random(&reach, 101));
+}
+
+/// On a slide without end lengths weigh by how far a target is, in each lane otherwise.
+#[test]
+fn nor_does_it_where_targets_are_near_and_far() {
+    let mut joints = vec![Joint::prismatic(None, DualQuat::IDENTITY, [0.0, 1.0, 0.0])];
+    for mut joint in seven() {
+        joint.parent = Some(joint.parent.map_or(0, |parent| parent + 1));
+        joints.push(joint);
+    }
+    let machine = mechanism::<f64>(&joints);
+    let goals = [Goal::pose(8)];
+    let mut freedoms = [Freedom::default(); 8];
+    let reach = Reach::new(machine.view(), &goals, &mut freedoms).expect("a problem");
+    let mut numbers = Numbers::new(33);
+    let (mut targets, mut starts) = (Vec::new(), Vec::new());
+    for index in 0..41 {
+        let mut values = draw(&mut numbers, &joints);
+        values[0] *= f64::from(1 << (index % 8));
+        let aside = if index % 2 == 0 { 0.0 } else { 1.5 };
+        let aside = DualQuat::from_translation([aside, 0.0, 0.0]);
+        targets.push(aside * reach.mechanism().link_pose(&values, 8).expect("a link"));
+        starts.extend(draw(&mut numbers, &joints));
+    }
+    assert_order_does_not_matter(&reach, Random { targets, starts });
+}
+
+#[test]
+fn any_number_of_configurations_is_solved() {
     let arm = mechanism::<f64>(&seven());
     let goals = [Goal::pose(7)];
     let mut freedoms = [Freedom::default(); 7];

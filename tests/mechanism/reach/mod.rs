@@ -4,7 +4,9 @@
 mod free;
 mod honest;
 mod kinds;
+mod limits;
 mod outcomes;
+mod posture;
 mod refused;
 
 use super::random::Numbers;

@@ -2,7 +2,7 @@
 
 use super::{apart, at, mechanism, planar, seven, solve, turned};
 use dq8::ik::{Options, Outcome};
-use dq8::mechanism::{Freedom, Goal, Joint, Reach};
+use dq8::mechanism::{Freedom, Goal, Reach};
 use dq8::{DualQuat, Quat};
 
 #[test]
@@ -117,64 +117,6 @@ fn targets_a_little_off_unit_are_those_that_are_unit() {
         let [turn, distance] = apart(arm.view().link_pose(&values, 7).expect("a link"), unit);
         assert!(turn < 1.01e-5 && distance < 1.01e-5, "{turn} {distance}");
     }
-}
-
-/// A slide with one end, and a hinge with one end: it counts as endless.
-#[test]
-fn limits_may_be_open_at_one_end() {
-    let open = f64::INFINITY;
-    let joints = [
-        Joint::prismatic(None, DualQuat::IDENTITY, [1.0, 0.0, 0.0]).with_limits([0.0, open]),
-        Joint::revolute(Some(0), DualQuat::IDENTITY, super::Z).with_limits([-open, 1.0]),
-        Joint::prismatic(Some(1), DualQuat::IDENTITY, [0.0, 1.0, 0.0]).with_limits([-open, 0.0]),
-    ];
-    let machine = mechanism::<f64>(&joints);
-    let goals = [Goal::pose(2)];
-    let target = machine.view().link_pose(&[3.0, -0.5, -2.0], 2).expect("a link");
-    let mut values = [2.5, -0.3, -1.5];
-    let report = solve(machine.view(), &goals, &[target], &mut values, &Options::default());
-    assert_eq!(report.outcome, Outcome::Converged, "{report:?}");
-    assert!((values[0] - 3.0).abs() < 1e-3 && (values[2] + 2.0).abs() < 1e-3, "{values:?}");
-    assert!((values[1] + 0.5).abs() < 1e-3, "{values:?}");
-    // Behind both ends.
-    let behind = machine.view().link_pose(&[-3.0, 0.0, 2.0], 2).expect("a link");
-    let goals = [Goal::pose(2).with_angular([50.0; 3])];
-    let options = Options { restarts: false, ..Options::default() };
-    let report = solve(machine.view(), &goals, &[behind], &mut values, &options);
-    assert_eq!(report.outcome, Outcome::AtLimits, "{report:?}");
-    assert!(values[0] == 0.0 && values[2] == 0.0, "{values:?}");
-}
-
-#[test]
-fn endless_hinges_come_back_within_half_a_turn() {
-    let arm = mechanism::<f64>(&planar(&[1.0, 1.0, 0.5]));
-    let target = turned(super::Z, 1.0, [1.2, 0.8, 0.0]);
-    let mut values = [60.0, -75.0, 1000.0];
-    let report = solve(arm.view(), &[Goal::pose(3)], &[target], &mut values, &Options::default());
-    assert_eq!(report.outcome, Outcome::Converged);
-    assert!(values.iter().all(|value| value.abs() <= core::f64::consts::PI), "{values:?}");
-}
-
-/// The second finger has the narrower limits.
-#[test]
-fn limits_of_joints_that_mimic_hold_for_the_joint_that_they_follow() {
-    let joints = [
-        Joint::prismatic(None, DualQuat::IDENTITY, [0.0, 1.0, 0.0]).with_limits([0.0, 0.04]),
-        Joint::prismatic(None, DualQuat::IDENTITY, [0.0, -1.0, 0.0])
-            .with_limits([-0.01, 0.05])
-            .mimicking(0, 2.0, -0.01),
-    ];
-    let fingers = mechanism::<f64>(&joints);
-    let mut values = [0.0];
-    let goals = [Goal::position(1)];
-    let far = at(0.0, -0.2, 0.0);
-    let report = solve(fingers.view(), &goals, &[far], &mut values, &Options::default());
-    assert_eq!(report.outcome, Outcome::OutOfReach, "{report:?}");
-    assert!((values[0] - 0.03).abs() < 1e-12, "{values:?}");
-    let near = at(0.0, -0.03, 0.0);
-    let report = solve(fingers.view(), &goals, &[near], &mut values, &Options::default());
-    assert_eq!(report.outcome, Outcome::Converged, "{report:?}");
-    assert!((values[0] - 0.02).abs() < 1e-5, "{values:?}");
 }
 
 #[test]

@@ -1,12 +1,12 @@
 //! What cannot be asked, and that nothing is touched then.
 
-use super::{at, mechanism, planar, seven};
+use super::{at, mechanism, planar, seven, solve};
 use dq8::ik::{Options, Outcome, Report};
 use dq8::mechanism::{Freedom, Goal, Joint, Reach, ReachError};
 use dq8::{Backend, DualQuat, ShapeError};
 
 #[test]
-fn problems_that_are_none_are_errors_that_name_what_is_wrong() {
+fn errors_name_what_is_wrong() {
     let arm = mechanism::<f64>(&planar(&[1.0, 1.0]));
     let ask = |goals: &[Goal<f64>], room: usize| {
         let mut freedoms = vec![Freedom::default(); room];
@@ -144,6 +144,54 @@ fn what_is_not_a_target_or_not_a_start_is_invalid_and_its_values_are_untouched()
                     assert_eq!(report.outcome, Outcome::OutOfReach, "{backend}: {index}");
                 }
             }
+        }
+    }
+}
+
+#[test]
+fn options_that_are_none_are_invalid_and_values_are_untouched() {
+    let arm = mechanism::<f64>(&seven());
+    let target = arm.view().link_pose(&[0.5, -0.6, 0.7, -1.4, 0.3, 1.8, -0.4], 7).expect("a link");
+    let start = [0.0, 0.2, 0.0, -1.0, 0.0, 1.2, 9.0];
+    let good = Options::default();
+    let mut options = Vec::new();
+    for bad in [f64::NAN, -1.0, 0.0] {
+        options.push(Options { max_step: bad, ..good });
+        options.push(Options { length_per_radian: Some(bad), ..good });
+    }
+    for bad in [f64::NAN, -1.0] {
+        options.push(Options { damping: bad, ..good });
+        options.push(Options { linear_tolerance: bad, ..good });
+        options.push(Options { angular_tolerance: bad, ..good });
+    }
+    options.push(Options { length_per_radian: Some(f64::INFINITY), ..good });
+    options.push(Options { damping: f64::INFINITY, ..good });
+    for options in options {
+        let mut values = start;
+        let report = solve(arm.view(), &[Goal::pose(7)], &[target], &mut values, &options);
+        assert_eq!(report.outcome, Outcome::Invalid, "{options:?}");
+        assert!(report.angular_error.is_nan() && report.linear_error.is_nan());
+        assert_eq!(values, start, "{options:?}");
+    }
+}
+
+#[test]
+fn steps_may_be_as_long_as_they_like() {
+    let arm = mechanism::<f64>(&seven());
+    let target = arm.view().link_pose(&[0.5, -0.6, 0.7, -1.4, 0.3, 1.8, -0.4], 7).expect("a link");
+    let posture = [0.0; 7];
+    let goals = [Goal::pose(7)];
+    for max_step in [10.0, f64::MAX, f64::INFINITY] {
+        let mut freedoms = [Freedom::default(); 7];
+        let reach = Reach::new(arm.view(), &goals, &mut freedoms).expect("a problem");
+        let with_posture = reach.with_posture(&posture).expect("a posture");
+        for reach in [reach, with_posture] {
+            let mut values = [0.0, 0.2, 0.0, -1.0, 0.0, 1.2, 0.0];
+            let options = Options { max_step, ..Options::default() };
+            let mut scratch = vec![f64::NAN; reach.scratch_len()];
+            let report =
+                reach.solve(&[target], &mut values, &mut scratch, &options).expect("lengths fit");
+            assert_eq!(report.outcome, Outcome::Converged, "{max_step}: {report:?}");
         }
     }
 }
