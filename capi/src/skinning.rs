@@ -43,7 +43,6 @@ fits! { f32 f64 }
 fn fault(error: &SkinningError) -> (Status, Option<usize>) {
     match *error {
         SkinningError::NoInfluences => (Status::NoInfluences, None),
-        SkinningError::TooManyJoints { .. } => (Status::TooManyJoints, None),
         SkinningError::JointOutOfRange { vertex, .. } => (Status::JointOutOfRange, Some(vertex)),
         SkinningError::Weight { vertex, .. } => (Status::Weight, Some(vertex)),
         SkinningError::Total { vertex, .. } => (Status::WeightSum, Some(vertex)),

@@ -258,7 +258,6 @@ pub(crate) fn named(error: SkinningError) -> PyErr {
     let argument = match error {
         SkinningError::NoInfluences | SkinningError::JointOutOfRange { .. } => "`joints`: ",
         SkinningError::Weight { .. } | SkinningError::Total { .. } => "`weights`: ",
-        SkinningError::TooManyJoints { .. } => "`palette`: ",
         _ => "",
     };
     PyValueError::new_err(format!("{argument}{error}."))
