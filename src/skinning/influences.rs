@@ -9,7 +9,7 @@ pub(super) const GROUP: usize = dq8_simd::picks::GROUP;
 /// Four influences of the vertices of one register, as kernels read them, whatever the types of joints and
 /// weights in memory. Influences that are not there have weight 0.
 #[derive(Debug)]
-pub struct Influences<'a, R, J> {
+pub(super) struct Influences<'a, R, J> {
     /// For each lane the joints, in the memory of the skin, and here where they do not lie there in order.
     pub(super) in_place: Option<PickRows<'a, J>>,
     pub(super) joints: Picks<'a, J>,

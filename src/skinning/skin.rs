@@ -10,8 +10,8 @@ use dq8_simd::picks::{CheckedIndices, Index, Picks};
 /// Which joints move a vertex, and how much: checked once, to be posed any number of times.
 ///
 /// `joints` holds the influences of one vertex after those of another, the same number for each; `weights`
-/// in the same order. Influences that a vertex does not have are any joint with weight 0. Joints are `u8`,
-/// `u16` or `u32`; weights see [`Weight`].
+/// in the same order. Fill unused influences with any joint and weight 0. Joints are `u8`, `u16` or `u32`;
+/// weights see [`Weight`].
 ///
 /// ```
 /// use dq8::skinning::{Skin, SkinningError};
@@ -235,7 +235,8 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
                 let none = if influence == 0 { R::ONE } else { R::ZERO };
                 to.joints.set(lane, slot, position(vertex, influence));
                 let there = vertex < vertices && influence < self.influences;
-                to.weights.0[lane][slot] = if there { self.weight(vertex, influence) } else { none };
+                to.weights.0[lane][slot] =
+                    if there { self.weight(vertex, influence) } else { none };
             }
         }
         if group == 0 && self.groups() > 1 {
