@@ -39,7 +39,8 @@
 #define DQ8_VERSION_PATCH 0
 
 /**
- * What became of a call. Whatever it is but DQ8_STATUS_OK, nothing has been written.
+ * What became of a call. Unless it is DQ8_STATUS_OK, nothing has been written, except the index `bad_joint` or
+ * `bad_vertex`, and the steps that were to be a mechanism.
  */
 enum dq8_status
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
@@ -147,7 +148,7 @@ enum dq8_status
    */
   DQ8_STATUS_WEIGHT = 24,
   /**
-   * The weights of a vertex, which should sum to one, do not sum to about one.
+   * The weights of a vertex, which should sum to one, sum to less than 1/1024 or more than 1024.
    */
   DQ8_STATUS_WEIGHT_SUM = 25,
   /**
@@ -1432,6 +1433,48 @@ size_t dq8_block_size_f64(size_t lanes,
                           size_t components);
 
 /**
+ * A palette of matrices, `matrices[j] = models[j] * inverse_binds[j]`: from 4x4 matrices in `order`, one
+ * of enum dq8_matrix_order, to twelve numbers per joint, row after row.
+ *
+ * DQ8_STATUS_NOT_FINITE or _NOT_AFFINE if a matrix is.
+ */
+dq8_status dq8_skin_products_f32(const float *models,
+                                 const float *inverse_binds,
+                                 int32_t order,
+                                 float *matrices,
+                                 size_t joint_count);
+
+/**
+ * Takes the matrices of a palette apart into stretches and, after them, unit motions: what
+ * dq8_skin_stretched takes. DQ8_STATUS_NOT_FINITE if a number is not finite.
+ */
+dq8_status dq8_skin_split_f32(const float *matrices,
+                              float *motions,
+                              float *stretches,
+                              size_t joint_count);
+
+/**
+ * A palette of matrices, `matrices[j] = models[j] * inverse_binds[j]`: from 4x4 matrices in `order`, one
+ * of enum dq8_matrix_order, to twelve numbers per joint, row after row.
+ *
+ * DQ8_STATUS_NOT_FINITE or _NOT_AFFINE if a matrix is.
+ */
+dq8_status dq8_skin_products_f64(const double *models,
+                                 const double *inverse_binds,
+                                 int32_t order,
+                                 double *matrices,
+                                 size_t joint_count);
+
+/**
+ * Takes the matrices of a palette apart into stretches and, after them, unit motions: what
+ * dq8_skin_stretched takes. DQ8_STATUS_NOT_FINITE if a number is not finite.
+ */
+dq8_status dq8_skin_split_f64(const double *matrices,
+                              double *motions,
+                              double *stretches,
+                              size_t joint_count);
+
+/**
  * Fills in the options that serve most: 1e-5 rad, 1e-5 lengths, 100 iterations, restarts.
  */
 dq8_status dq8_mechanism_reach_options_f32(struct dq8_reach_options_f32 *options);
@@ -1608,8 +1651,8 @@ dq8_status dq8_motion_from_screw_f64(const double *numbers, double *out);
 /**
  * Checks which joints move each vertex and how much, once; the functions that pose the mesh then
  * only compute. `joint_indices` and `weights` hold `influences` numbers of the first vertex, then
- * those of the next; influences that a vertex does not have are any joint with weight 0. The skin
- * keeps using both: they must stay where they are, as they are.
+ * those of the next; fill unused influences with any joint and weight 0. The skin keeps using
+ * both: they must stay where they are, as they are.
  *
  * DQ8_STATUS_JOINT_OUT_OF_RANGE, _WEIGHT or _WEIGHT_SUM; `bad_vertex`, which may be null, is set to
  * that vertex. DQ8_STATUS_NO_INFLUENCES if `influences` is 0. The skin has then not been written.
@@ -1624,10 +1667,10 @@ dq8_status dq8_skin_make_f32(size_t joint_count,
 
 /**
  * Poses a mesh by linear blends: each vertex by the weighted sum of `matrices`, the palette, twelve
- * numbers a joint, row after row. Weights must sum to 1.
+ * numbers per joint, row after row. Weights must sum to 1.
  *
- * `positions`, and `normals` and `tangents` if not null, hold three numbers a vertex; what becomes of
- * them goes to `posed_positions`, `posed_normals` and `posed_tangents`, which must overlap nothing.
+ * `positions`, and `normals` and `tangents` if not null, hold three numbers per vertex; what becomes
+ * of them goes to `posed_positions`, `posed_normals` and `posed_tangents`, which must overlap nothing.
  * `joint_count` and `vertices` are those of the skin, or it is DQ8_STATUS_LENGTH.
  */
 dq8_status dq8_skin_linear_f32(const struct dq8_skin_f32 *skin,
@@ -1659,7 +1702,7 @@ dq8_status dq8_skin_dual_f32(const struct dq8_skin_f32 *skin,
 
 /**
  * As dq8_skin_dual where joints scale or shear: before the motions come the weighted sums of
- * `stretches`, matrices of twelve numbers a joint. dq8_skin_split makes both.
+ * `stretches`, matrices of twelve numbers per joint. dq8_skin_split makes both.
  */
 dq8_status dq8_skin_stretched_f32(const struct dq8_skin_f32 *skin,
                                   const float *motions,
@@ -1674,31 +1717,10 @@ dq8_status dq8_skin_stretched_f32(const struct dq8_skin_f32 *skin,
                                   size_t vertices);
 
 /**
- * A palette of matrices, `matrices[j] = models[j] * inverse_binds[j]`: from 4x4 matrices in `order`, one
- * of enum dq8_matrix_order, to twelve numbers a joint, row after row.
- *
- * DQ8_STATUS_NOT_FINITE or _NOT_AFFINE if a matrix is.
- */
-dq8_status dq8_skin_products_f32(const float *models,
-                                 const float *inverse_binds,
-                                 int32_t order,
-                                 float *matrices,
-                                 size_t joint_count);
-
-/**
- * Takes the matrices of a palette apart into stretches and, after them, unit motions: what
- * dq8_skin_stretched takes. DQ8_STATUS_NOT_FINITE if a number is not finite.
- */
-dq8_status dq8_skin_split_f32(const float *matrices,
-                              float *motions,
-                              float *stretches,
-                              size_t joint_count);
-
-/**
  * Checks which joints move each vertex and how much, once; the functions that pose the mesh then
  * only compute. `joint_indices` and `weights` hold `influences` numbers of the first vertex, then
- * those of the next; influences that a vertex does not have are any joint with weight 0. The skin
- * keeps using both: they must stay where they are, as they are.
+ * those of the next; fill unused influences with any joint and weight 0. The skin keeps using
+ * both: they must stay where they are, as they are.
  *
  * DQ8_STATUS_JOINT_OUT_OF_RANGE, _WEIGHT or _WEIGHT_SUM; `bad_vertex`, which may be null, is set to
  * that vertex. DQ8_STATUS_NO_INFLUENCES if `influences` is 0. The skin has then not been written.
@@ -1713,10 +1735,10 @@ dq8_status dq8_skin_make_f64(size_t joint_count,
 
 /**
  * Poses a mesh by linear blends: each vertex by the weighted sum of `matrices`, the palette, twelve
- * numbers a joint, row after row. Weights must sum to 1.
+ * numbers per joint, row after row. Weights must sum to 1.
  *
- * `positions`, and `normals` and `tangents` if not null, hold three numbers a vertex; what becomes of
- * them goes to `posed_positions`, `posed_normals` and `posed_tangents`, which must overlap nothing.
+ * `positions`, and `normals` and `tangents` if not null, hold three numbers per vertex; what becomes
+ * of them goes to `posed_positions`, `posed_normals` and `posed_tangents`, which must overlap nothing.
  * `joint_count` and `vertices` are those of the skin, or it is DQ8_STATUS_LENGTH.
  */
 dq8_status dq8_skin_linear_f64(const struct dq8_skin_f64 *skin,
@@ -1748,7 +1770,7 @@ dq8_status dq8_skin_dual_f64(const struct dq8_skin_f64 *skin,
 
 /**
  * As dq8_skin_dual where joints scale or shear: before the motions come the weighted sums of
- * `stretches`, matrices of twelve numbers a joint. dq8_skin_split makes both.
+ * `stretches`, matrices of twelve numbers per joint. dq8_skin_split makes both.
  */
 dq8_status dq8_skin_stretched_f64(const struct dq8_skin_f64 *skin,
                                   const double *motions,
@@ -1761,27 +1783,6 @@ dq8_status dq8_skin_stretched_f64(const struct dq8_skin_f64 *skin,
                                   double *posed_normals,
                                   double *posed_tangents,
                                   size_t vertices);
-
-/**
- * A palette of matrices, `matrices[j] = models[j] * inverse_binds[j]`: from 4x4 matrices in `order`, one
- * of enum dq8_matrix_order, to twelve numbers a joint, row after row.
- *
- * DQ8_STATUS_NOT_FINITE or _NOT_AFFINE if a matrix is.
- */
-dq8_status dq8_skin_products_f64(const double *models,
-                                 const double *inverse_binds,
-                                 int32_t order,
-                                 double *matrices,
-                                 size_t joint_count);
-
-/**
- * Takes the matrices of a palette apart into stretches and, after them, unit motions: what
- * dq8_skin_stretched takes. DQ8_STATUS_NOT_FINITE if a number is not finite.
- */
-dq8_status dq8_skin_split_f64(const double *matrices,
-                              double *motions,
-                              double *stretches,
-                              size_t joint_count);
 
 /**
  * `out[i] = a[i] * b[i]`: b acts first. `out` may be `a`.

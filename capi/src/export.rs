@@ -95,3 +95,24 @@ macro_rules! export_mechanism {
         }
     };
 }
+
+/// A function on a skin, whose body is what it returns inside.
+macro_rules! export_skin {
+    (
+        $R:ident
+        $(#[doc = $about:literal])*
+        $name:ident($($argument:ident: $type:ty),* $(,)?) = $body:expr
+    ) => {
+        $(#[doc = $about])*
+        ///
+        /// # Safety
+        /// Arrays have the lengths named, and skins are zero or have been made.
+        #[unsafe(export_name = concat!("dq8_skin_", stringify!($name), "_", stringify!($R)))]
+        #[expect(clippy::allow_attributes, reason = "not every function has so many")]
+        #[allow(clippy::too_many_arguments, reason = "one per line of the C function")]
+        pub unsafe extern "C" fn $name($($argument: $type),*) -> Status {
+            // SAFETY: promised.
+            Status::of(unsafe { $body })
+        }
+    };
+}

@@ -158,7 +158,7 @@ impl<L: Layout> Skin<L> {
 
 /// # Safety
 /// As for [`Skin::palette`].
-#[expect(clippy::too_many_arguments, reason = "one a line of the C function")]
+#[expect(clippy::too_many_arguments, reason = "one per line of the C function")]
 unsafe fn palette<L: Layout>(
     parents: *const i32,
     joints: usize,
@@ -176,7 +176,7 @@ unsafe fn palette<L: Layout>(
 
 /// # Safety
 /// As for [`Skin::palette`].
-#[expect(clippy::too_many_arguments, reason = "one a line of the C function")]
+#[expect(clippy::too_many_arguments, reason = "one per line of the C function")]
 unsafe fn palette_matrices<L: Layout>(
     parents: *const i32,
     joints: usize,

@@ -10,7 +10,8 @@
 //! | [`joint`], [`mechanism`] | one configuration of a mechanism: poses of links, Jacobians |
 //! | [`reach`] | inverse kinematics of one configuration |
 //! | [`links`] | poses of links for many configurations, plain or in blocks |
-//! | [`skinning`] | meshes that follow joints: skins, palettes, plain |
+//! | [`skinning`] | meshes that follow joints, plain |
+//! | [`palette`] | skinning palettes from matrices, plain |
 //! | [`packing`] | between plain arrays and blocks |
 //!
 //! Each but the first two and `joint` has its functions twice: in `single` for `f32`, in `double` for `f64`. The
@@ -31,6 +32,7 @@ pub mod mechanism;
 mod memory;
 pub mod motion;
 pub mod packing;
+pub mod palette;
 pub mod reach;
 pub mod screw;
 pub mod skinning;

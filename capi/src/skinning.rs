@@ -1,14 +1,11 @@
-//! Meshes that follow joints: a skin checked once, posed by linear or dual quaternion blends; palettes.
+//! Meshes that follow joints: a skin checked once, posed by linear or dual quaternion blends.
 
 use crate::memory::{Input, Output};
-use crate::slices::Order;
 use crate::status::{Done, Status};
+use core::mem::MaybeUninit;
 use core::ptr;
-use dq8::skinning::{
-    self, Dual, Linear, SkinningError, Stretched, Surface, SurfaceMut, matrix_palette,
-    split_palette,
-};
-use dq8::{Backend, DualQuat, Real, Scalar};
+use dq8::skinning::{self, Dual, Linear, SkinningError, Stretched, Surface, SurfaceMut};
+use dq8::{Backend, DualQuat, Scalar};
 
 /// Which joints move the vertices of a mesh, and how much. It may be copied and moved; the joints and weights
 /// that it was made of must stay where they are, as they are.
@@ -25,7 +22,8 @@ pub struct Skin<R> {
     joint_indices: *const u16,
     weights: *const R,
     /// Not for you.
-    opaque: [*const R; 8],
+    // A `Known<R>`, some of whose bytes are padding and so nothing at all.
+    opaque: [MaybeUninit<*const R>; 8],
 }
 
 type Known<R> = skinning::Skin<'static, u16, R>;
@@ -39,19 +37,13 @@ macro_rules! fits {
 }
 fits! { f32 f64 }
 
-/// The status of an error, and the vertex that it names.
-fn fault(error: &SkinningError) -> (Status, Option<usize>) {
+/// The vertex that an error of a skin names.
+fn vertex_of(error: &SkinningError) -> Option<usize> {
     match *error {
-        SkinningError::NoInfluences => (Status::NoInfluences, None),
-        SkinningError::TooManyJoints { .. } => (Status::TooManyJoints, None),
-        SkinningError::JointOutOfRange { vertex, .. } => (Status::JointOutOfRange, Some(vertex)),
-        SkinningError::Weight { vertex, .. } => (Status::Weight, Some(vertex)),
-        SkinningError::Total { vertex, .. } => (Status::WeightSum, Some(vertex)),
-        SkinningError::NotFinite { joint, .. } => (Status::NotFinite, Some(joint)),
-        SkinningError::NotAffine { joint, .. } => (Status::NotAffine, Some(joint)),
-        SkinningError::Shape(_) => (Status::Length, None),
-        // What only a newer dq8 knows.
-        _ => (Status::UnknownValue, None),
+        SkinningError::JointOutOfRange { vertex, .. }
+        | SkinningError::Weight { vertex, .. }
+        | SkinningError::Total { vertex, .. } => Some(vertex),
+        _ => None,
     }
 }
 
@@ -88,16 +80,15 @@ impl<R: Scalar + skinning::Weight> Given<R> {
         let known: Known<R> = match skinning::Skin::new(self.joints, self.influences, of, by) {
             Ok(known) => known,
             Err(error) => {
-                let (status, vertex) = fault(&error);
-                if let (Some(bad_vertex), Some(vertex)) = (bad_vertex, vertex) {
+                if let (Some(bad_vertex), Some(vertex)) = (bad_vertex, vertex_of(&error)) {
                     // SAFETY: promised, and apart.
                     unsafe { bad_vertex.write(vertex) };
                 }
-                return Err(status);
+                return Err(error.into());
             }
         };
         let Self { joints, influences, joint_indices, weights, vertices } = self;
-        let opaque = [ptr::null(); 8];
+        let opaque = [const { MaybeUninit::uninit() }; 8];
         // SAFETY: promised, and apart; a skin of the library fits, by `fits`.
         unsafe {
             made.write(Skin { vertices, influences, joints, joint_indices, weights, opaque });
@@ -114,15 +105,30 @@ struct Mesh<R> {
     vertices: usize,
 }
 
-/// What poses a mesh.
+/// Vectors at rest and posed.
+type Field<R> = (Input<[R; 3]>, Output<[R; 3]>);
+
+/// What poses a mesh: of these what it needs.
 struct Palette<R> {
-    motions: *const R,
-    /// Null for what has none.
-    matrices: *const R,
+    motions: Option<*const R>,
+    matrices: Option<*const R>,
     joints: usize,
 }
 
 impl<R: Scalar + skinning::Weight> Mesh<R> {
+    fn field(&self, kind: usize) -> Result<Field<R>, Status> {
+        let from = Input::new(self.rest[kind], self.vertices)?;
+        Ok((from, Output::new(self.posed[kind], self.vertices)?))
+    }
+
+    /// None where C passes null for both.
+    fn optional(&self, kind: usize) -> Result<Option<Field<R>>, Status> {
+        if self.rest[kind].is_null() && self.posed[kind].is_null() {
+            return Ok(None);
+        }
+        self.field(kind).map(Some)
+    }
+
     /// Poses it, if nothing that is written lies in anything that is read, or twice.
     ///
     /// # Safety
@@ -142,62 +148,56 @@ impl<R: Scalar + skinning::Weight> Mesh<R> {
     ) -> Done {
         let given = Input::<Skin<R>>::new(skin, 1)?;
         // SAFETY: neither null nor misaligned, by `Input::new`; the rest is promised.
-        let Skin { vertices, influences, joints, joint_indices, weights, opaque } =
+        let Skin { vertices, influences, joints, joint_indices, weights, .. } =
             unsafe { skin.read() };
         if influences == 0 {
             return Err(Status::NoSkin);
         }
         let made = Given { joints, influences, joint_indices, weights, vertices };
         let (joint_indices, weights) = made.inputs()?;
-        // SAFETY: it has been made, so this was written.
-        let known = unsafe { ptr::addr_of!(opaque).cast::<Known<R>>().read() };
-        let count = |start: *const R| if start.is_null() { 0 } else { palette.joints };
-        let motions = Input::<DualQuat<R>>::new(palette.motions, count(palette.motions))?;
-        let matrices = Input::<[[R; 4]; 3]>::new(palette.matrices, count(palette.matrices))?;
-        let mut rest = [const { None }; 3];
-        let mut posed = [const { None }; 3];
-        for kind in 0..3 {
-            let (from, to) = (self.rest[kind], self.posed[kind]);
-            // Only positions must be there.
-            if kind == 0 || !(from.is_null() && to.is_null()) {
-                rest[kind] = Some(Input::<[R; 3]>::new(from, self.vertices)?);
-                posed[kind] = Some(Output::<[R; 3]>::new(to, self.vertices)?);
-            }
-        }
-        for (kind, to) in posed.iter().enumerate() {
-            let Some(to) = to else { continue };
+        let motions = palette.motions.map(|of| Input::<DualQuat<R>>::new(of, palette.joints));
+        let motions = motions.transpose()?;
+        let matrices = palette.matrices.map(|of| Input::<[[R; 4]; 3]>::new(of, palette.joints));
+        let matrices = matrices.transpose()?;
+        // Only positions must be there.
+        let positions = self.field(0)?;
+        let (normals, tangents) = (self.optional(1)?, self.optional(2)?);
+        let fields = [Some(&positions), normals.as_ref(), tangents.as_ref()];
+        for (kind, field) in fields.iter().enumerate() {
+            let Some((_, to)) = field else { continue };
             to.apart_from(&given)?;
             to.apart_from(&joint_indices)?;
             to.apart_from(&weights)?;
-            to.apart_from(&motions)?;
-            to.apart_from(&matrices)?;
-            for from in rest.iter().flatten() {
+            if let Some(motions) = &motions {
+                to.apart_from(motions)?;
+            }
+            if let Some(matrices) = &matrices {
+                to.apart_from(matrices)?;
+            }
+            for (from, _) in fields.iter().flatten() {
                 to.apart_from(from)?;
             }
-            for other in posed.iter().skip(kind + 1).flatten() {
+            for (_, other) in fields.iter().skip(kind + 1).flatten() {
                 to.apart_from_output(other)?;
             }
         }
-        let ([positions, normals, tangents], [to_positions, to_normals, to_tangents]) =
-            (rest, posed);
-        let (Some(positions), Some(to_positions)) = (positions, to_positions) else {
-            return Err(Status::NullPointer);
-        };
-        // SAFETY: promised, and all that is written is apart.
-        let (motions, matrices, rest, posed) = unsafe {
+        // SAFETY: it has been made, so this was written; the rest is promised, and all that is written is apart.
+        unsafe {
+            let known = ptr::addr_of!((*skin).opaque).cast::<Known<R>>().read();
             let rest = Surface {
-                positions: positions.slice(),
-                normals: normals.map(|input| input.slice()),
-                tangents: tangents.map(|input| input.slice()),
+                positions: positions.0.slice(),
+                normals: normals.as_ref().map(|(from, _)| from.slice()),
+                tangents: tangents.as_ref().map(|(from, _)| from.slice()),
             };
             let posed = SurfaceMut {
-                positions: to_positions.slice(),
-                normals: to_normals.map(|output| output.slice()),
-                tangents: to_tangents.map(|output| output.slice()),
+                positions: positions.1.slice(),
+                normals: normals.as_ref().map(|(_, to)| to.slice()),
+                tangents: tangents.as_ref().map(|(_, to)| to.slice()),
             };
-            (motions.slice(), matrices.slice(), rest, posed)
-        };
-        blend(&known, motions, matrices, rest, posed).map_err(|error| fault(&error).0)
+            let motions = motions.map_or(&[][..], |motions| motions.slice());
+            let matrices = matrices.map_or(&[][..], |matrices| matrices.slice());
+            Ok(blend(&known, motions, matrices, rest, posed)?)
+        }
     }
 }
 
@@ -209,7 +209,7 @@ unsafe fn linear<R: Scalar + skinning::Weight>(
     joints: usize,
     mesh: Mesh<R>,
 ) -> Done {
-    let palette = Palette { motions: ptr::null(), matrices, joints };
+    let palette = Palette { motions: None, matrices: Some(matrices), joints };
     // SAFETY: promised.
     unsafe {
         mesh.pose(skin, palette, |skin, _, matrices, rest, posed| {
@@ -226,7 +226,7 @@ unsafe fn dual<R: Scalar + skinning::Weight>(
     joints: usize,
     mesh: Mesh<R>,
 ) -> Done {
-    let palette = Palette { motions, matrices: ptr::null(), joints };
+    let palette = Palette { motions: Some(motions), matrices: None, joints };
     // SAFETY: promised.
     unsafe {
         mesh.pose(skin, palette, |skin, motions, _, rest, posed| {
@@ -244,7 +244,7 @@ unsafe fn stretched<R: Scalar + skinning::Weight>(
     joints: usize,
     mesh: Mesh<R>,
 ) -> Done {
-    let palette = Palette { motions, matrices: stretches, joints };
+    let palette = Palette { motions: Some(motions), matrices: Some(stretches), joints };
     // SAFETY: promised.
     unsafe {
         mesh.pose(skin, palette, |skin, motions, stretches, rest, posed| {
@@ -253,64 +253,21 @@ unsafe fn stretched<R: Scalar + skinning::Weight>(
     }
 }
 
-/// # Safety
-/// As for [`Input::slice`] and [`Output::slice`].
-unsafe fn products<R: Real>(
-    models: *const R,
-    inverse_binds: *const R,
-    order: i32,
-    matrices: *mut R,
-    joints: usize,
-) -> Done {
-    let order = Order::known(order)?;
-    let models = Input::<[[R; 4]; 4]>::new(models, joints)?;
-    let inverse_binds = Input::<[[R; 4]; 4]>::new(inverse_binds, joints)?;
-    let matrices = Output::<[[R; 4]; 3]>::new(matrices, joints)?;
-    matrices.apart_from(&models)?;
-    matrices.apart_from(&inverse_binds)?;
-    // SAFETY: promised, and apart.
-    unsafe {
-        matrix_palette(models.slice(), inverse_binds.slice(), order, matrices.slice())
-            .map_err(|error| fault(&error).0)
-    }
-}
-
-/// # Safety
-/// As for [`Input::slice`] and [`Output::slice`].
-unsafe fn split<R: Real>(
-    matrices: *const R,
-    motions: *mut R,
-    stretches: *mut R,
-    joints: usize,
-) -> Done {
-    let matrices = Input::<[[R; 4]; 3]>::new(matrices, joints)?;
-    let motions = Output::<DualQuat<R>>::new(motions, joints)?;
-    let stretches = Output::<[[R; 4]; 3]>::new(stretches, joints)?;
-    motions.apart_from(&matrices)?;
-    stretches.apart_from(&matrices)?;
-    stretches.apart_from_output(&motions)?;
-    // SAFETY: promised, and apart.
-    let split = unsafe { split_palette(matrices.slice(), motions.slice(), stretches.slice()) };
-    split.map(|_| ()).map_err(|error| fault(&error).0)
-}
-
-/// A function on a skin, whose body is what it returns inside.
-macro_rules! export_skin {
-    (
-        $R:ident
-        $(#[doc = $about:literal])*
-        $name:ident($($argument:ident: $type:ty),* $(,)?) = $body:expr
-    ) => {
-        $(#[doc = $about])*
-        ///
-        /// # Safety
-        /// Arrays have the lengths named, and skins are zero or have been made.
-        #[unsafe(export_name = concat!("dq8_skin_", stringify!($name), "_", stringify!($R)))]
-        #[expect(clippy::allow_attributes, reason = "not every function has so many")]
-        #[allow(clippy::too_many_arguments, reason = "one a line of the C function")]
-        pub unsafe extern "C" fn $name($($argument: $type),*) -> Status {
-            // SAFETY: promised.
-            Status::of(unsafe { $body })
+/// A function that poses a mesh with these palettes, and the generic one of that name in the file.
+macro_rules! export_pose {
+    ($R:ident $(#[doc = $about:literal])* $name:ident($($palette:ident),*)) => {
+        export_skin! { $R
+            $(#[doc = $about])*
+            $name(
+                skin: *const Skin<$R>, $($palette: *const $R,)* joint_count: usize,
+                positions: *const $R, normals: *const $R, tangents: *const $R,
+                posed_positions: *mut $R, posed_normals: *mut $R, posed_tangents: *mut $R,
+                vertices: usize,
+            ) = {
+                let rest = [positions, normals, tangents];
+                let posed = [posed_positions, posed_normals, posed_tangents];
+                super::$name(skin, $($palette,)* joint_count, Mesh { rest, posed, vertices })
+            }
         }
     };
 }
@@ -320,8 +277,8 @@ macro_rules! functions {
         export_skin! { $R
             /// Checks which joints move each vertex and how much, once; the functions that pose the mesh then
             /// only compute. `joint_indices` and `weights` hold `influences` numbers of the first vertex, then
-            /// those of the next; influences that a vertex does not have are any joint with weight 0. The skin
-            /// keeps using both: they must stay where they are, as they are.
+            /// those of the next; fill unused influences with any joint and weight 0. The skin keeps using
+            /// both: they must stay where they are, as they are.
             ///
             /// DQ8_STATUS_JOINT_OUT_OF_RANGE, _WEIGHT or _WEIGHT_SUM; `bad_vertex`, which may be null, is set to
             /// that vertex. DQ8_STATUS_NO_INFLUENCES if `influences` is 0. The skin has then not been written.
@@ -331,69 +288,25 @@ macro_rules! functions {
             ) = Given { joints: joint_count, influences, joint_indices, weights, vertices }
                 .make(skin, bad_vertex)
         }
-        export_skin! { $R
+        export_pose! { $R
             /// Poses a mesh by linear blends: each vertex by the weighted sum of `matrices`, the palette, twelve
-            /// numbers a joint, row after row. Weights must sum to 1.
+            /// numbers per joint, row after row. Weights must sum to 1.
             ///
-            /// `positions`, and `normals` and `tangents` if not null, hold three numbers a vertex; what becomes of
-            /// them goes to `posed_positions`, `posed_normals` and `posed_tangents`, which must overlap nothing.
+            /// `positions`, and `normals` and `tangents` if not null, hold three numbers per vertex; what becomes
+            /// of them goes to `posed_positions`, `posed_normals` and `posed_tangents`, which must overlap nothing.
             /// `joint_count` and `vertices` are those of the skin, or it is DQ8_STATUS_LENGTH.
-            linear(
-                skin: *const Skin<$R>, matrices: *const $R, joint_count: usize,
-                positions: *const $R, normals: *const $R, tangents: *const $R,
-                posed_positions: *mut $R, posed_normals: *mut $R, posed_tangents: *mut $R,
-                vertices: usize,
-            ) = {
-                let rest = [positions, normals, tangents];
-                let posed = [posed_positions, posed_normals, posed_tangents];
-                super::linear(skin, matrices, joint_count, Mesh { rest, posed, vertices })
-            }
+            linear(matrices)
         }
-        export_skin! { $R
+        export_pose! { $R
             /// As dq8_skin_linear by dual quaternion blends: each vertex by the weighted sum of `motions`, the
             /// palette, normalized, each with the sign that turns it toward that of the greatest weight. Twists
             /// keep their volume.
-            dual(
-                skin: *const Skin<$R>, motions: *const $R, joint_count: usize,
-                positions: *const $R, normals: *const $R, tangents: *const $R,
-                posed_positions: *mut $R, posed_normals: *mut $R, posed_tangents: *mut $R,
-                vertices: usize,
-            ) = {
-                let rest = [positions, normals, tangents];
-                let posed = [posed_positions, posed_normals, posed_tangents];
-                super::dual(skin, motions, joint_count, Mesh { rest, posed, vertices })
-            }
+            dual(motions)
         }
-        export_skin! { $R
+        export_pose! { $R
             /// As dq8_skin_dual where joints scale or shear: before the motions come the weighted sums of
-            /// `stretches`, matrices of twelve numbers a joint. dq8_skin_split makes both.
-            stretched(
-                skin: *const Skin<$R>, motions: *const $R, stretches: *const $R, joint_count: usize,
-                positions: *const $R, normals: *const $R, tangents: *const $R,
-                posed_positions: *mut $R, posed_normals: *mut $R, posed_tangents: *mut $R,
-                vertices: usize,
-            ) = {
-                let rest = [positions, normals, tangents];
-                let posed = [posed_positions, posed_normals, posed_tangents];
-                super::stretched(skin, motions, stretches, joint_count, Mesh { rest, posed, vertices })
-            }
-        }
-        export_skin! { $R
-            /// A palette of matrices, `matrices[j] = models[j] * inverse_binds[j]`: from 4x4 matrices in `order`, one
-            /// of enum dq8_matrix_order, to twelve numbers a joint, row after row.
-            ///
-            /// DQ8_STATUS_NOT_FINITE or _NOT_AFFINE if a matrix is.
-            products(
-                models: *const $R, inverse_binds: *const $R, order: i32, matrices: *mut $R,
-                joint_count: usize,
-            ) = super::products(models, inverse_binds, order, matrices, joint_count)
-        }
-        export_skin! { $R
-            /// Takes the matrices of a palette apart into stretches and, after them, unit motions: what
-            /// dq8_skin_stretched takes. DQ8_STATUS_NOT_FINITE if a number is not finite.
-            split(
-                matrices: *const $R, motions: *mut $R, stretches: *mut $R, joint_count: usize,
-            ) = super::split(matrices, motions, stretches, joint_count)
+            /// `stretches`, matrices of twelve numbers per joint. dq8_skin_split makes both.
+            stretched(motions, stretches)
         }
     };
 }

@@ -5,12 +5,14 @@ use dq8::{
     ShapeError,
     hierarchy::HierarchyError,
     scalar::{InverseError, MatrixError, NormalizeError},
+    skinning::SkinningError,
 };
 
 /// What a function does inside: its error is the status.
 pub(crate) type Done = Result<(), Status>;
 
-/// What became of a call. Whatever it is but DQ8_STATUS_OK, nothing has been written.
+/// What became of a call. Unless it is DQ8_STATUS_OK, nothing has been written, except the index `bad_joint` or
+/// `bad_vertex`, and the steps that were to be a mechanism.
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
@@ -64,7 +66,7 @@ pub enum Status {
     JointOutOfRange = 23,
     /// A weight is negative or not finite; or a goal has none, or there is no goal.
     Weight = 24,
-    /// The weights of a vertex, which should sum to one, do not sum to about one.
+    /// The weights of a vertex, which should sum to one, sum to less than 1/1024 or more than 1024.
     WeightSum = 25,
     /// The skin has not been made.
     NoSkin = 26,
@@ -138,7 +140,7 @@ impl Status {
             Self::NoMechanism => c"the mechanism has not been made",
             Self::JointOutOfRange => c"a vertex follows a joint that there is not",
             Self::Weight => c"a weight is negative or not finite, or there is none",
-            Self::WeightSum => c"the weights of a vertex do not sum to one",
+            Self::WeightSum => c"the weights of a vertex sum to less than 1/1024 or more than 1024",
             Self::NoSkin => c"the skin has not been made",
             Self::Limits => c"the limits of a joint leave no value",
         }
@@ -171,6 +173,22 @@ impl From<MatrixError> for Status {
             MatrixError::NotFinite { .. } => Self::NotFinite,
             MatrixError::NotAffine { .. } => Self::NotAffine,
             // What only a newer dq8 knows.
+            _ => Self::UnknownValue,
+        }
+    }
+}
+
+impl From<SkinningError> for Status {
+    fn from(error: SkinningError) -> Self {
+        match error {
+            SkinningError::NoInfluences => Self::NoInfluences,
+            SkinningError::JointOutOfRange { .. } => Self::JointOutOfRange,
+            SkinningError::Weight { .. } => Self::Weight,
+            SkinningError::Total { .. } => Self::WeightSum,
+            SkinningError::NotFinite { .. } => Self::NotFinite,
+            SkinningError::NotAffine { .. } => Self::NotAffine,
+            SkinningError::Shape(_) => Self::Length,
+            // Shares and fields, which no function takes, and what only a newer dq8 knows.
             _ => Self::UnknownValue,
         }
     }

@@ -7,6 +7,7 @@ use dq8::skinning::{
 };
 use dq8::{Backend, DualQuat, Quat, hierarchy::MatrixOrder};
 use dq8_capi::Status;
+use dq8_capi::palette::single as p;
 use dq8_capi::skinning::{Skin, single as c};
 use std::mem::MaybeUninit;
 use std::ptr;
@@ -123,6 +124,17 @@ enum How {
 
 const ALL: [How; 3] = [How::Linear, How::Dual, How::Stretched];
 
+impl How {
+    /// What it poses by.
+    fn palettes(self) -> &'static [fn(&mut Pointers) -> &mut *const f32] {
+        match self {
+            Self::Linear => &[|of| &mut of.matrices],
+            Self::Dual => &[|of| &mut of.motions],
+            Self::Stretched => &[|of| &mut of.motions, |of| &mut of.stretches],
+        }
+    }
+}
+
 #[derive(Clone, Copy)]
 struct Pointers {
     skin: *const Skin<f32>,
@@ -185,31 +197,49 @@ fn every_function_gives_what_the_rust_one_gives() {
 #[test]
 fn palettes_are_those_of_rust() {
     let mesh = Mesh::new(1, 1);
-    let models = mesh.models.as_ptr().cast();
+    let (models, mut binds) = (mesh.models.as_ptr().cast(), mesh.models.clone());
+    binds.reverse();
+    let binds_start = binds.as_ptr().cast();
     let mut matrices = vec![[[9.0; 4]; 3]; JOINTS].into_boxed_slice();
     let mut motions = vec![DualQuat::ZERO; JOINTS].into_boxed_slice();
     let mut stretches = matrices.clone();
+    let mut wanted = matrices.clone();
+    matrix_palette(&mesh.models, &binds, MatrixOrder::Rows, &mut wanted).unwrap();
     let [a, b, d] = [
         matrices.as_mut_ptr().cast::<f32>(),
         motions.as_mut_ptr().cast(),
         stretches.as_mut_ptr().cast(),
     ];
+    let (null, nowhere) = (ptr::null(), ptr::null_mut());
     // SAFETY: arrays have the length that is said.
     unsafe {
-        assert_eq!(c::products(models, models, 2, a, JOINTS), Status::UnknownValue);
+        let products = |of, by, order, to| p::products(of, by, order, to, JOINTS);
+        assert_eq!(products(models, binds_start, 2, a), Status::UnknownValue);
         // Rows given as columns have the translation in the last row.
-        assert_eq!(c::products(models, models, 1, a, JOINTS), Status::NotAffine);
-        assert_eq!(c::products(models, models, 0, models.cast_mut(), JOINTS), Status::Overlap);
-        assert_eq!(c::products(ptr::null(), models, 0, a, JOINTS), Status::NullPointer);
-        assert_eq!(matrices[0][0], [9.0; 4]);
-        assert_eq!(c::products(models, models, 0, a, JOINTS), Status::Ok);
-        assert_eq!(matrices, mesh.matrices);
-        assert_eq!(c::split(a, b, b, JOINTS), Status::Overlap);
-        assert_eq!(c::split(a, a, d, JOINTS), Status::Overlap);
-        assert_eq!(c::split(a, b, d, JOINTS), Status::Ok);
+        assert_eq!(products(models, binds_start, 1, a), Status::NotAffine);
+        for input in [models, binds_start] {
+            assert_eq!(products(models, binds_start, 0, input.cast_mut()), Status::Overlap);
+        }
+        assert_eq!(products(null, binds_start, 0, a), Status::NullPointer);
+        assert_eq!(products(models, null, 0, a), Status::NullPointer);
+        assert_eq!(products(models, binds_start, 0, nowhere), Status::NullPointer);
+        assert!(matrices.as_flattened().iter().all(|row| *row == [9.0; 4]));
+        assert_eq!(products(models, binds_start, 0, a), Status::Ok);
+        assert_eq!(matrices, wanted);
+        assert_eq!(products(models, models, 0, a), Status::Ok);
+        let split = |of, motions, stretches| p::split(of, motions, stretches, JOINTS);
+        for (of, motions, stretches) in [(a, b, b), (a, a, d), (a, b, a)] {
+            assert_eq!(split(of, motions, stretches), Status::Overlap);
+        }
+        for (of, motions, stretches) in [(nowhere, b, d), (a, nowhere, d), (a, b, nowhere)] {
+            assert_eq!(split(of, motions, stretches), Status::NullPointer);
+        }
+        assert!(motions.iter().all(|&motion| motion == DualQuat::ZERO));
+        assert!(stretches.as_flattened().iter().all(|row| *row == [9.0; 4]));
+        assert_eq!(split(a, b, d), Status::Ok);
         assert_eq!((&motions, &stretches), (&mesh.motions, &mesh.stretches));
         a.write(f32::NAN);
-        assert_eq!(c::split(a, b, d, JOINTS), Status::NotFinite);
+        assert_eq!(split(a, b, d), Status::NotFinite);
     }
 }
 
@@ -232,6 +262,37 @@ fn a_skin_that_is_wrong_names_its_vertex() {
 }
 
 #[test]
+fn a_skin_is_made_apart_from_what_it_is_made_of() {
+    // Joints that are all the first one, in memory that an index or a skin may lie in.
+    // Two weights of a quarter in each number.
+    let (mut joints, mut weights) = ([0_usize; 16], [f64::from_bits(0x3e80_0000_3e80_0000); 16]);
+    let mut made = MaybeUninit::<Skin<f32>>::zeroed();
+    let (of, by) = (joints.as_mut_ptr(), weights.as_mut_ptr());
+    let (skin, mut bad) = (made.as_mut_ptr(), 7_usize);
+    let make = |of: *mut usize, by: *mut f64, skin, bad| {
+        // SAFETY: arrays have the length that is said, or pointers are wrong in ways that are seen.
+        unsafe { c::make(JOINTS, 4, of.cast(), by.cast(), 6, skin, bad) }
+    };
+    let index = &raw mut bad;
+    for (skin, bad) in [
+        (of.cast(), index),
+        (by.cast(), index),
+        (skin, of),
+        (skin, by.cast()),
+        (skin, skin.cast::<usize>()),
+    ] {
+        assert_eq!(make(of, by, skin, bad), Status::Overlap);
+    }
+    assert_eq!(make(ptr::null_mut(), by, skin, index), Status::NullPointer);
+    assert_eq!(make(of, ptr::null_mut(), skin, index), Status::NullPointer);
+    assert_eq!(make(of, by, ptr::null_mut(), index), Status::NullPointer);
+    // SAFETY: a skin is numbers and pointers.
+    assert_eq!(unsafe { made.assume_init() }.influences, 0);
+    assert_eq!(make(of, by, skin, ptr::null_mut()), Status::Ok);
+    assert_eq!((joints, bad), ([0; 16], 7));
+}
+
+#[test]
 fn pointers_that_are_wrong_are_refused_and_nothing_is_written() {
     let mesh = Mesh::new(19, 4);
     let (_, skin) = mesh.make(&mut 0);
@@ -250,11 +311,19 @@ fn pointers_that_are_wrong_are_refused_and_nothing_is_written() {
         refused(Pointers { skin: &raw const unmade, ..good }, to, JOINTS, 19, Status::NoSkin);
         refused(good, to, JOINTS - 1, 19, Status::Length);
         refused(good, to, JOINTS, 18, Status::Length);
-        let none = Pointers { matrices: null, motions: null, ..good };
-        refused(none, to, JOINTS, 19, Status::Length);
         let odd = |start: *const f32| start.wrapping_byte_add(2);
-        let off = Pointers { matrices: odd(good.matrices), motions: odd(good.motions), ..good };
-        refused(off, to, JOINTS, 19, Status::Misaligned);
+        for palette in how.palettes() {
+            let mut of = good;
+            *palette(&mut of) = null;
+            refused(of, to, JOINTS, 19, Status::NullPointer);
+            *palette(&mut of) = odd(*palette(&mut { good }));
+            refused(of, to, JOINTS, 19, Status::Misaligned);
+            for kind in 0..3 {
+                let mut over = to;
+                over[kind] = palette(&mut { good }).cast_mut();
+                refused(good, over, JOINTS, 19, Status::Overlap);
+            }
+        }
         for kind in 0..3 {
             let mut of = good;
             of.rest[kind] = null;
@@ -280,13 +349,6 @@ fn pointers_that_are_wrong_are_refused_and_nothing_is_written() {
             }
         }
     }
-    let mut over = to;
-    over[1] = good.matrices.cast_mut();
-    // SAFETY: as above.
-    assert_eq!(unsafe { pose(How::Linear, JOINTS, good, over, 19) }, Status::Overlap);
-    over[1] = good.motions.cast_mut();
-    // SAFETY: as above.
-    assert_eq!(unsafe { pose(How::Dual, JOINTS, good, over, 19) }, Status::Overlap);
     assert!(posed.iter().flatten().flatten().all(|&number| number == 9.0));
 }
 

@@ -92,7 +92,7 @@ fn element<const N: usize>(bytes: &[u8], data: DataType, normalized: bool) -> [f
 }
 
 /// Integers are divided by the largest where they are normalized (glTF 2.0, §3.11).
-fn number(bytes: &[u8], data: DataType, normalized: bool) -> f64 {
+pub(crate) fn number(bytes: &[u8], data: DataType, normalized: bool) -> f64 {
     let byte = |i: usize| bytes.get(i).copied().unwrap_or(0);
     let (two, four) = ([byte(0), byte(1)], [byte(0), byte(1), byte(2), byte(3)]);
     let (value, largest) = match data {

@@ -1,7 +1,7 @@
 //! A mesh follows its joints: linear blending, dual quaternion blending, and a mix of both.
 //!
 //! ```text
-//! skin [--svg OUT]                     an own tube, bent and twisted: one SVG, volume and length
+//! skin [--svg OUT]                     the built-in tube, bent and twisted: one SVG, volume and length
 //! skin FILE.glb [--animation NAME] [--method lbs|dlb|mix=X] [--times T0,T1,…] [--obj DIR] [--svg OUT]
 //! ```
 //!

@@ -162,7 +162,7 @@ fn triangles(mode: Mode, indices: &[usize]) -> Vec<[usize; 3]> {
     }
 }
 
-/// From where to where the vertices reach.
+/// The bounding box.
 pub(crate) fn bounds(posed: &[Vec<[f64; 3]>]) -> String {
     let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
     for point in posed.iter().flatten() {

@@ -1,7 +1,10 @@
+use crate::accessor::number;
 use crate::args::Method;
+use crate::bones::{IDENTITY, affine};
 use crate::error::{Error, guarded};
 use crate::file::File;
 use crate::{obj, tube, uri};
+use gltf::accessor::DataType;
 use std::path::Path;
 
 /// A strip of two vertices per joint, built by hand: joint 1 lies one up from joint 0, and turns by 90° about z
@@ -152,7 +155,108 @@ fn uris_hold_bytes_or_name_files_with_percent_signs() {
     {
         assert_eq!(uri::data(text).unwrap().unwrap(), [0, 1, 255]);
     }
-    assert!(uri::data("data:;base64,%").unwrap().is_err() && uri::data("a.bin").is_none());
+    // Each length modulo three, and the two letters that are neither letters nor digits (RFC 4648, §10 and §4).
+    for (text, bytes) in [
+        ("", ""),
+        ("Zg==", "f"),
+        ("Zm8=", "fo"),
+        ("Zm9v", "foo"),
+        ("Zm9vYg==", "foob"),
+        ("Zm9vYmE=", "fooba"),
+        ("Zm9vYmFy", "foobar"),
+        ("Pj4/Pz8+fn4=", ">>???>~~"),
+        ("MDEyMzQ1Njc4OWF6QVo", "0123456789azAZ"),
+    ] {
+        let read = uri::data(&format!("data:;base64,{text}")).unwrap();
+        assert_eq!(read.unwrap(), bytes.as_bytes(), "{text}");
+    }
+    assert_eq!(uri::data("data:;base64,+/+/").unwrap().unwrap(), [0xfb, 0xff, 0xbf]);
+    for broken in ["data:;base64,%", "data:;base64,A-_A", "data:", "data:;base64", "data:,%0"] {
+        assert!(uri::data(broken).unwrap().is_err(), "{broken}");
+    }
+    assert!(uri::data("a.bin").is_none());
+}
+
+#[test]
+fn last_rows_that_are_not_0_0_0_1_are_refused() {
+    for (column, number) in
+        [(0, f64::NAN), (3, f64::NAN), (1, f64::INFINITY), (2, 2e-5), (3, 0.0), (3, 1.0 + 2e-5)]
+    {
+        let mut columns = IDENTITY;
+        columns[column][3] = number;
+        assert!(affine(columns).is_err(), "{number} in column {column}");
+        columns[column][3] = IDENTITY[column][3] - 5e-6;
+        assert_eq!(affine(columns).unwrap(), IDENTITY);
+    }
+}
+
+#[test]
+fn meshes_of_the_scene_are_posed_and_no_others() {
+    let count = |change: &dyn Fn(&str) -> String| {
+        let meshes = File::parse(Path::new("strip.glb"), &glb(change)).unwrap().meshes();
+        meshes.map_or(0, |meshes| meshes.len())
+    };
+    let scenes = r#""scene":0,"scenes":[{"nodes":[0,2]}]"#;
+    for (to, wanted) in [
+        (scenes, 1),
+        (r#""scenes":[{"nodes":[2]},{"nodes":[0]}]"#, 1),
+        (r#""scenes":[{"nodes":[0]},{"nodes":[2]}]"#, 0),
+        (r#""scene":1,"scenes":[{"nodes":[0]},{"nodes":[2]}]"#, 1),
+        (r#""scene":0,"scenes":[{"nodes":[0]},{"nodes":[2]}]"#, 0),
+        // Without scenes all nodes are to be seen.
+        (r#""scenes":[]"#, 1),
+    ] {
+        assert_eq!(count(&|json| json.replace(scenes, to)), wanted, "{to}");
+    }
+    // A mesh below a node of the scene, two levels down.
+    let below = |json: &str| {
+        json.replace(r#""nodes":[0,2]}"#, r#""nodes":[0]}"#)
+            .replace(r#"{"translation":[0,1,0]}"#, r#"{"translation":[0,1,0],"children":[2]}"#)
+    };
+    assert_eq!(count(&below), 1);
+}
+
+#[test]
+fn integers_are_read_as_they_are_and_normalized_by_the_largest() {
+    let bytes = [0x81_u8, 0x80, 0x7f, 0x40];
+    let two = |low: usize| [bytes[low], bytes[low + 1]];
+    for (data, wanted, normalized) in [
+        (DataType::I8, -127.0, -1.0),
+        (DataType::U8, 129.0, 129.0 / 255.0),
+        (DataType::I16, f64::from(i16::from_le_bytes(two(0))), -32639.0 / 32767.0),
+        (DataType::U16, f64::from(u16::from_le_bytes(two(0))), 32897.0 / 65535.0),
+    ] {
+        assert_eq!(number(&bytes, data, false), wanted, "{data:?}");
+        assert_eq!(number(&bytes, data, true), normalized, "{data:?}");
+    }
+    // The least integers are −1 too, and the greatest 1 (glTF 2.0, §3.11).
+    assert_eq!(number(&bytes[1..], DataType::I8, true), -1.0);
+    assert_eq!(number(&bytes[2..], DataType::I8, true), 1.0);
+    assert_eq!(number(&i16::MIN.to_le_bytes(), DataType::I16, true), -1.0);
+    assert_eq!(number(&i16::MAX.to_le_bytes(), DataType::I16, true), 1.0);
+}
+
+#[test]
+fn positions_of_signed_integers_pose_as_numbers() {
+    let required = r#""extensionsRequired":["KHR_mesh_quantization"],"scene":0"#;
+    let floats = r#""bufferView":0,"count":3,"type":"VEC3","componentType":5126"#;
+    // (0, 0, 0), (0, 1, 0) and (−1, −2, 0), each with a number of padding.
+    let numbers = [0, 0, 0, 0, 0, 1, 0, 0, -1, -2, 0, 0_i16];
+    for (kind, width) in [(5120, 1), (5122, 2)] {
+        let bytes = numbers.iter().flat_map(|number| number.to_le_bytes().into_iter().take(width));
+        let text: String = bytes.map(|byte| format!("%{byte:02x}")).collect();
+        let (length, stride) = (12 * width, 4 * width);
+        let buffer = format!(r#",{{"uri":"data:,{text}","byteLength":{length}}}],"bufferViews":"#);
+        let view =
+            format!(r#",{{"buffer":1,"byteLength":{length},"byteStride":{stride}}}],"accessors":"#);
+        let small = format!(r#""bufferView":7,"count":3,"type":"VEC3","componentType":{kind}"#);
+        let bytes = glb(|json| {
+            let json = json.replace(r#""scene":0"#, required).replace(floats, &small);
+            json.replace(r#"],"bufferViews":"#, &buffer).replace(r#"],"accessors":"#, &view)
+        });
+        let got = posed(&bytes, 0.0, Method::Dual).unwrap();
+        assert!(close(&got, &[[0.0, 0.0, 5.0], [0.0, 1.0, 5.0], [-1.0, -2.0, 5.0]]), "{got:?}");
+    }
 }
 
 #[test]

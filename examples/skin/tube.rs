@@ -1,4 +1,4 @@
-//! An own tube of two joints, twisted and bent, by three methods.
+//! The built-in tube of two joints, twisted and bent, by three methods.
 
 use crate::drawing::{Panel, svg};
 use crate::error::Error;

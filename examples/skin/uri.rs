@@ -4,7 +4,9 @@ use std::path::{Path, PathBuf};
 
 /// The bytes of a data URI; `None` if `uri` is none, an error if it is a broken one.
 pub(crate) fn data(uri: &str) -> Option<Result<Vec<u8>, &'static str>> {
-    let (kind, data) = uri.strip_prefix("data:")?.split_once(',').unwrap_or_default();
+    let Some((kind, data)) = uri.strip_prefix("data:")?.split_once(',') else {
+        return Some(Err("a data URI without data"));
+    };
     Some(if kind.ends_with(";base64") {
         base64(data).ok_or("bad base64")
     } else {

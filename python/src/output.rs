@@ -71,6 +71,16 @@ impl<'py, R: Number> Output<'py, R> {
         &self.array
     }
 
+    /// An error if the caller gave memory for this that another output has too.
+    pub(crate) fn check_apart(&self, other: &Self) -> PyResult<()> {
+        let (Some(given), Some(other)) = (&self.given, &other.given) else { return Ok(()) };
+        let numpy = given.py().import("numpy")?;
+        if numpy.call_method1("shares_memory", (given, other))?.is_truthy()? {
+            return Err(PyValueError::new_err("Expected the arrays of `out` not to overlap."));
+        }
+        Ok(())
+    }
+
     /// The memory to be written.
     pub(crate) fn borrow(&self) -> PyResult<PyReadwriteArrayDyn<'py, R>> {
         self.array.try_readwrite().map_err(|error| PyValueError::new_err(format!("`out`: {error}")))

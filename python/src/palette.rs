@@ -3,15 +3,14 @@
 use crate::argument::{Input, Number, tuple};
 use crate::skin::{Method, named};
 use crate::threads::Threads;
-use dq8::hierarchy::MatrixOrder;
-use dq8::skinning::{Dual, Linear, Skin, SkinningError, Stretched, Surface, SurfaceMut};
-use dq8::skinning::{matrix_palette, split_palette};
+use dq8::skinning::{
+    Dual, Linear, Skin, SkinningError, Stretched, Surface, SurfaceMut, split_palette,
+};
 use dq8::{Backend, DualQuat};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 type Matrix3x4<R> = [[R; 4]; 3];
-type Matrix4x4<R> = [[R; 4]; 4];
 
 /// What joints move vertices by, `[pose][joint]`.
 #[derive(Debug)]
@@ -102,18 +101,20 @@ fn motions<R: Number>(numbers: &[R]) -> Vec<DualQuat<R>> {
 
 /// Affine matrices of finite numbers, from those of 3 or 4 rows.
 fn matrices<R: Number>(numbers: &[R], rows: usize) -> Result<Vec<Matrix3x4<R>>, SkinningError> {
-    let (zero, one) = (R::ZERO, R::ONE);
-    let last = [zero, zero, zero, one];
-    let identity =
-        [[one, zero, zero, zero], [zero, one, zero, zero], [zero, zero, one, zero], last];
     let lines = numbers.as_chunks::<4>().0;
-    let given: Vec<Matrix4x4<R>> = lines
-        .chunks_exact(rows)
-        .map(|matrix| [matrix[0], matrix[1], matrix[2], *matrix.get(3).unwrap_or(&last)])
-        .collect();
-    let mut to = vec![[[zero; 4]; 3]; given.len()];
-    matrix_palette(&given, &vec![identity; given.len()], MatrixOrder::Rows, &mut to)?;
-    Ok(to)
+    let matrix = |(joint, matrix): (usize, &[[R; 4]])| {
+        if let Some(&value) = matrix.as_flattened().iter().find(|value| !value.is_finite()) {
+            return Err(SkinningError::NotFinite { joint, value: value.into() });
+        }
+        let last = matrix.get(3).into_iter().flatten().zip([R::ZERO, R::ZERO, R::ZERO, R::ONE]);
+        for (column, (&value, wanted)) in last.enumerate() {
+            if value != wanted {
+                return Err(SkinningError::NotAffine { joint, column, value: value.into() });
+            }
+        }
+        Ok([matrix[0], matrix[1], matrix[2]])
+    };
+    lines.chunks_exact(rows).enumerate().map(matrix).collect()
 }
 
 /// An error about a joint of all palettes, as one about a joint of its pose.

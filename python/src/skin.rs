@@ -47,7 +47,7 @@ pub(crate) enum Method {
 /// normals : array_like, shape (vertices, 3), optional
 ///     Unit normals at rest.
 /// out : ndarray, or a tuple of two where there are normals, optional
-///     Where to write the result. Untouched where the arguments are wrong.
+///     Where to write the result: arrays that do not overlap each other. Untouched where the arguments are wrong.
 ///
 /// Returns
 /// -------
@@ -143,6 +143,9 @@ fn typed<'py, R: Number>(call: Call<'_, 'py>, out: Option<&Bound<'py, PyAny>>) -
         .as_ref()
         .map(|_| Output::<R>::new(py, out_normals.as_ref(), &leading, VECTOR))
         .transpose()?;
+    if let Some(to_normals) = &to_normals {
+        to_points.check_apart(to_normals)?;
+    }
     let ready = |input: Input<'py, R>| -> PyResult<Input<'py, R>> {
         let full = input.full_leading().to_vec();
         let input = input.filled(&full)?.apart_from(&to_points)?;
@@ -258,7 +261,6 @@ pub(crate) fn named(error: SkinningError) -> PyErr {
     let argument = match error {
         SkinningError::NoInfluences | SkinningError::JointOutOfRange { .. } => "`joints`: ",
         SkinningError::Weight { .. } | SkinningError::Total { .. } => "`weights`: ",
-        SkinningError::TooManyJoints { .. } => "`palette`: ",
         _ => "",
     };
     PyValueError::new_err(format!("{argument}{error}."))

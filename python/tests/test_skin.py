@@ -294,8 +294,34 @@ def at(array: np.ndarray, index, value) -> np.ndarray:
 )
 def test_errors_name_the_argument_and_leave_out_untouched(arguments, options, error, message):
     poses = np.shape(arguments[3])[:-3] if np.shape(arguments[3])[-1] == 4 else ()
-    out = np.full((*poses, 5, 3), 7.0)
-    both = (out, out.copy()) if "normals" in options else out
-    with pytest.raises(error, match=message):
-        dq8.skin(*arguments, **{"out": both, **options})
+    outs = tuple(np.full((*poses, 5, 3), 7.0) for _ in range(2))
+    alone, both = {"out": outs[0], **options}, {"out": outs, "normals": POINTS, **options}
+    for given in [alone] if "out" in options else [both] if "normals" in options else [alone, both]:
+        with pytest.raises(error, match=message):
+            dq8.skin(*arguments, **given)
+    assert all((out == 7.0).all() for out in outs)
+
+
+def test_a_second_out_that_does_not_fit_leaves_the_first_untouched():
+    out = np.full((5, 3), 7.0)
+    with pytest.raises(ValueError, match=r"Expected `out` to have shape \(5, 3\).*\(5, 4\)"):
+        dq8.skin(POINTS, INDICES, WEIGHTS, PALETTE, normals=POINTS, out=(out, np.ones((5, 4))))
     assert (out == 7.0).all()
+
+
+@pytest.mark.parametrize("base", [np.full((2, 5, 3), 7.0), np.full((2, 5, 3, 2), 7.0)[..., 0]])
+def test_outs_that_overlap_each_other_are_refused_and_untouched(base):
+    flat = base.reshape(-1, 3) if base.flags.c_contiguous else base[0]
+    for points, normals in ((base[0], base[0]), (flat[:5], base[0]), (base[0], base[0][::-1])):
+        with pytest.raises(ValueError, match="Expected the arrays of `out` not to overlap"):
+            dq8.skin(POINTS, INDICES, WEIGHTS, PALETTE, normals=POINTS, out=(points, normals))
+        assert (base == 7.0).all()
+
+
+def test_outs_may_lie_between_each_other(mesh, random_motions):
+    points, joints, weights, normals = mesh
+    motions = random_motions(JOINTS)
+    expected = dq8.skin(points, joints, weights, motions, normals=normals)
+    buffer = np.full((VERTICES, 7), 7.0)
+    dq8.skin(points, joints, weights, motions, normals=normals, out=(buffer[:, :3], buffer[:, 3:6]))
+    np.testing.assert_array_equal(buffer, np.hstack([*expected, np.full((VERTICES, 1), 7.0)]))

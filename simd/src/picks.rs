@@ -31,15 +31,11 @@ pub struct CheckedIndices<'a, J> {
 }
 
 impl<'a, J: Index> CheckedIndices<'a, J> {
-    /// A table must not have more records: what is counted in numbers is a `u32`.
-    pub const MOST: usize = (u32::MAX / 16) as usize;
-
     /// For tables of `bound` records.
     ///
     /// # Errors
-    /// The position of the first index that is not below `bound`, or [`MOST`](Self::MOST).
+    /// The position of the first index that is not below `bound`.
     pub fn new(indices: &'a [J], bound: usize) -> Result<Self, usize> {
-        let bound = bound.min(Self::MOST);
         let beyond = |&index: &J| index.into() as usize >= bound;
         indices.iter().position(beyond).map_or(Ok(Self { indices, bound }), Err)
     }

@@ -1,4 +1,4 @@
-use super::influences::Influences;
+use super::influences::Scratch;
 use crate::real::Scalar;
 use crate::shape::ShapeError;
 use dq8_simd::Lanes;
@@ -24,7 +24,7 @@ pub trait Blender<R: Scalar>: Copy {
     fn sum<L: Lanes<Real = R>, J: Index>(
         &self,
         level: L::Level,
-        influences: &mut Influences<'_, R, J>,
+        scratch: &mut Scratch<'_, R, J>,
     ) -> Option<Self::Sum<L>>;
     /// The sum of two groups.
     fn join<L: Lanes<Real = R>>(&self, a: Self::Sum<L>, b: Self::Sum<L>) -> Self::Sum<L>;

@@ -1,5 +1,5 @@
 use super::blender::{Blender, SurfaceMap};
-use super::influences::{GROUP, Influences, settled};
+use super::influences::{GROUP, Scratch};
 use crate::batch::{self, vector};
 use crate::real::Scalar;
 use crate::scalar::DualQuat;
@@ -57,14 +57,12 @@ impl<R: Scalar> Blender<R> for Dual<'_, R> {
     fn sum<L: Lanes<Real = R>, J: Index>(
         &self,
         level: L::Level,
-        influences: &mut Influences<'_, R, J>,
+        scratch: &mut Scratch<'_, R, J>,
     ) -> Option<DualSum<L>> {
         let motions: &[[R; 8]] = bytemuck::must_cast_slice(self.palette);
-        let rows = influences.rows();
-        let picked = settled(&rows).of(motions)?;
-        let weights = influences.weights_in_place.unwrap_or(&influences.weights.0);
-        let weights = settled(weights);
-        let weights: [L; GROUP] = L::load_four(level, weights, 0)?;
+        let influences = &scratch.influences;
+        let picked = influences.rows().of(motions)?;
+        let weights: [L; GROUP] = L::load_four(level, influences.weights(), 0)?;
         let mut real = [weights; GROUP];
         let mut influence = 0;
         while influence < GROUP {

@@ -9,11 +9,6 @@ pub enum SkinningError {
     Shape(ShapeError),
     /// A vertex must have at least one influence.
     NoInfluences,
-    /// More joints than a palette can have.
-    TooManyJoints {
-        /// How many joints there are.
-        joints: usize,
-    },
     /// There is no such joint.
     JointOutOfRange {
         /// The vertex.
@@ -52,6 +47,8 @@ pub enum SkinningError {
     },
     /// Three numbers from `first` on do not lie in a vertex of `stride` numbers, or lie in another field.
     Field {
+        /// The buffer, `rest` or `posed`.
+        what: &'static str,
         /// Where the field begins.
         first: usize,
         /// How many numbers a vertex has.
@@ -80,9 +77,6 @@ impl fmt::Display for SkinningError {
         match self {
             Self::Shape(error) => error.fmt(f),
             Self::NoInfluences => f.write_str("a vertex must have at least one influence"),
-            Self::TooManyJoints { joints } => {
-                write!(f, "{joints} joints are more than a palette can have")
-            }
             Self::JointOutOfRange { vertex, influence, joint, joints } => write!(
                 f,
                 "vertex {vertex}: influence {influence} is joint {joint}, but there are only \
@@ -97,9 +91,9 @@ impl fmt::Display for SkinningError {
             Self::Share { vertex, value } => {
                 write!(f, "vertex {vertex}: the share is {value}, which must be from 0 to 1")
             }
-            Self::Field { first, stride } => write!(
+            Self::Field { what, first, stride } => write!(
                 f,
-                "a field of three numbers from {first} on does not lie in a vertex of {stride} numbers, or lies in \
+                "{what}: three numbers from {first} on do not lie in a vertex of {stride} numbers, or lie in \
                  another field"
             ),
             Self::NotFinite { joint, value } => {

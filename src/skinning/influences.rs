@@ -7,9 +7,9 @@ use dq8_simd::picks::{CheckedIndices, Index, PickRows, Picks};
 pub(super) const GROUP: usize = dq8_simd::picks::GROUP;
 
 /// Four influences of the vertices of one register, as kernels read them, whatever the types of joints and
-/// weights in memory; and where matrices are summed. Influences that are not there have weight 0.
+/// weights in memory. Influences that are not there have weight 0.
 #[derive(Debug)]
-pub struct Influences<'a, R, J> {
+pub(super) struct Influences<'a, R, J> {
     /// For each lane the joints, in the memory of the skin, and here where they do not lie there in order.
     pub(super) in_place: Option<PickRows<'a, J>>,
     pub(super) joints: Picks<'a, J>,
@@ -18,7 +18,13 @@ pub struct Influences<'a, R, J> {
     pub(super) weights: Aligned<[[R; GROUP]; MAX_LANES]>,
     /// For each lane, first, the joint of greatest weight, if these are not all.
     pub(super) pivots: Option<Picks<'a, J>>,
-    /// For each lane the twelve numbers of the weighted sum of matrices, in a cache line.
+}
+
+/// Memory that kernels use for one register of vertices after another.
+#[derive(Debug)]
+pub struct Scratch<'a, R, J> {
+    pub(super) influences: Influences<'a, R, J>,
+    /// For each lane the twelve numbers of the weighted sum of matrices; in `f32` in one cache line.
     pub(super) sums: Aligned<[[R; 16]; MAX_LANES]>,
 }
 
@@ -36,17 +42,29 @@ impl<'a, R: Scalar, J: Index> Influences<'a, R, J> {
             joints: Picks::new(joints),
             weights: Aligned([[R::ZERO; GROUP]; MAX_LANES]),
             pivots: None,
-            sums: Aligned([[R::ZERO; 16]; MAX_LANES]),
         }
     }
 
-    /// For each lane the joints.
+    /// For each lane the joints: in one of two places, a choice that must not be made again for each index.
     #[inline(always)]
     pub(super) fn rows(&self) -> PickRows<'_, J> {
-        self.in_place.unwrap_or_else(
+        *settled(&self.in_place.unwrap_or_else(
             #[inline(always)]
             || self.joints.rows(),
-        )
+        ))
+    }
+
+    /// For each lane the weights, in the same way.
+    #[inline(always)]
+    pub(super) fn weights(&self) -> &[[R; GROUP]; MAX_LANES] {
+        settled(self.weights_in_place.unwrap_or(&self.weights.0))
+    }
+}
+
+impl<'a, R: Scalar, J: Index> Scratch<'a, R, J> {
+    #[inline(always)]
+    pub(super) fn new(joints: CheckedIndices<'a, J>) -> Self {
+        Self { influences: Influences::new(joints), sums: Aligned([[R::ZERO; 16]; MAX_LANES]) }
     }
 }
 

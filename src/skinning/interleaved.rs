@@ -2,7 +2,8 @@
 
 use super::SkinningError;
 use super::blender::Blender;
-use super::run::{Field, Mesh, Run, Vectors};
+use super::mesh::{Field, Mesh, Vectors};
+use super::run::Run;
 use super::skin::Skin;
 use super::weight::Weight;
 use crate::dispatch::Backend;
@@ -63,7 +64,7 @@ impl VertexFields {
             // Not `first + 3`, which may wrap.
             let outside = self.stride < 3 || first > self.stride - 3;
             if outside || before.any(|other| first.abs_diff(other) < 3) {
-                return Err(SkinningError::Field { first, stride: self.stride });
+                return Err(SkinningError::Field { what, first, stride: self.stride });
             }
         }
         Ok(same_length(what, numbers, vertices.saturating_mul(self.stride))?)
@@ -93,7 +94,8 @@ impl<R: Scalar> Mesh<[R; 3]> for Interleaved<'_, R> {
             return Some([x, y, z]);
         }
         let mut records = [[R::ZERO; 3]; MAX_LANES];
-        for (record, vertex) in records.iter_mut().zip(from.chunks(stride.max(1))) {
+        let lanes = records.iter_mut().take(<R as Float>::Lanes::<V>::LANES);
+        for (record, vertex) in lanes.zip(from.chunks(stride.max(1))) {
             *record = *vertex.first_chunk().unwrap_or(record);
         }
         Some(Records::load_records(level, &records, [R::ZERO; 3]))
@@ -117,7 +119,7 @@ impl<R: Scalar> Mesh<[R; 3]> for Interleaved<'_, R> {
 impl Backend {
     /// [`skin`](Self::skin) of vertices that are records of several fields, such as the vertex buffer of a GPU:
     /// `rest` and `posed` hold the numbers of one vertex after those of another, and the two [`VertexFields`] say
-    /// where its position is, and its normal and tangent. What else there is in `posed` stays as it was.
+    /// where its position is, and its normal and tangent. Everything else in `posed` is left alone.
     ///
     /// A slice of a user's own vertices is one of numbers by `bytemuck::cast_slice`, whatever fields of other types
     /// of the same size it has.

@@ -1,5 +1,5 @@
 use super::blender::Blender;
-use super::influences::{GROUP, Influences, settled};
+use super::influences::{GROUP, Scratch, settled};
 use super::linear_map::LinearMap;
 use crate::real::Scalar;
 use crate::shape::{ShapeError, same_length};
@@ -72,17 +72,11 @@ impl<R: Scalar> Blender<R> for Linear<'_, R> {
     fn sum<L: Lanes<Real = R>, J: Index>(
         &self,
         level: L::Level,
-        influences: &mut Influences<'_, R, J>,
+        scratch: &mut Scratch<'_, R, J>,
     ) -> Option<[[L; 4]; 3]> {
-        let Influences { in_place, joints, weights_in_place, weights, sums, .. } = influences;
-        let weights = weights_in_place.unwrap_or(&weights.0);
-        // Registers of four would be loaded with four weights and shuffled four times.
-        let weights = if L::LANES > 4 { weights } else { settled(weights) };
-        let rows = in_place.unwrap_or_else(
-            #[inline(always)]
-            || joints.rows(),
-        );
-        let picked = rows.of(bytemuck::must_cast_slice(self.palette))?;
+        let Scratch { influences, sums } = scratch;
+        let picked = influences.rows().of(bytemuck::must_cast_slice(self.palette))?;
+        let weights = influences.weights();
         let mut lane = 0;
         while lane < L::LANES {
             let weights = weights[lane];

@@ -1,6 +1,6 @@
 use super::SkinningError;
 use super::blender::{Blender, SurfaceMap};
-use super::influences::Influences;
+use super::influences::Scratch;
 use super::linear_map::unit;
 use crate::real::Scalar;
 use crate::shape::{ShapeError, same_length};
@@ -83,9 +83,9 @@ impl<R: Scalar, A: Blender<R>, B: Blender<R>> Blender<R> for Mixed<'_, A, B, R> 
     fn sum<L: Lanes<Real = R>, J: Index>(
         &self,
         level: L::Level,
-        influences: &mut Influences<'_, R, J>,
+        scratch: &mut Scratch<'_, R, J>,
     ) -> Option<Self::Sum<L>> {
-        Some((self.a.sum(level, influences)?, self.b.sum(level, influences)?))
+        Some((self.a.sum(level, scratch)?, self.b.sum(level, scratch)?))
     }
     #[inline(always)]
     fn join<L: Lanes<Real = R>>(&self, x: Self::Sum<L>, y: Self::Sum<L>) -> Self::Sum<L> {

@@ -42,6 +42,7 @@ mod influences;
 mod interleaved;
 mod linear;
 mod linear_map;
+mod mesh;
 mod mixed;
 mod palette;
 #[cfg(feature = "rayon")]

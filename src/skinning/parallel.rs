@@ -2,7 +2,8 @@
 
 use super::SkinningError;
 use super::blender::Blender;
-use super::run::{Run, Separate, check};
+use super::mesh::Separate;
+use super::run::{Run, check};
 use super::skin::Skin;
 use super::surface::{Surface, SurfaceMut};
 use super::weight::Weight;

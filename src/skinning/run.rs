@@ -1,10 +1,11 @@
 use super::SkinningError;
 use super::blender::{Blender, SurfaceMap};
+use super::mesh::{Field, Mesh, Separate};
 use super::skin::Skin;
 use super::surface::{Surface, SurfaceMut};
 use super::weight::Weight;
 use crate::dispatch::{Backend, Kernel};
-use crate::storage::{self, Element, Layout, Number, Register, Tile};
+use crate::storage::{self, Element, Layout, Number, Register};
 use core::marker::PhantomData;
 use dq8_simd::picks::Index;
 use dq8_simd::{Lanes, Level};
@@ -73,60 +74,6 @@ where
     Ok(())
 }
 
-/// A mesh at rest and posed, in memory whose tiles are those of `P`.
-pub(super) trait Mesh<P: Element<3>> {
-    /// How many elements it has.
-    fn elements(&self) -> usize;
-    /// The vectors of a tile at rest; zero in lanes beyond the end. `None` if there are none.
-    fn load<V: Level>(&self, level: V, field: Field, tile: Tile) -> Option<Vectors<P, V>>;
-    /// The posed vectors of a tile.
-    fn store<V: Level>(&mut self, vectors: Vectors<P, V>, field: Field, tile: Tile);
-}
-
-/// A register for each component of a vector.
-pub(super) type Vectors<P, V> = [Register<P, V, 3>; 3];
-
-/// What there is for each vertex.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Field {
-    Position,
-    Normal,
-    Tangent,
-}
-
-/// A slice for each field.
-pub(super) struct Separate<'s, P> {
-    pub(super) rest: Surface<'s, P>,
-    pub(super) posed: SurfaceMut<'s, P>,
-}
-
-impl<P: Element<3>> Mesh<P> for Separate<'_, P> {
-    #[inline(always)]
-    fn elements(&self) -> usize {
-        self.posed.positions.len()
-    }
-    #[inline(always)]
-    fn load<V: Level>(&self, level: V, field: Field, tile: Tile) -> Option<Vectors<P, V>> {
-        let from = match field {
-            Field::Position => self.rest.positions,
-            Field::Normal => self.rest.normals?,
-            Field::Tangent => self.rest.tangents?,
-        };
-        P::load(level, from, tile, &storage::identity())
-    }
-    #[inline(always)]
-    fn store<V: Level>(&mut self, vectors: Vectors<P, V>, field: Field, tile: Tile) {
-        let to = match field {
-            Field::Position => Some(&mut *self.posed.positions),
-            Field::Normal => self.posed.normals.as_deref_mut(),
-            Field::Tangent => self.posed.tangents.as_deref_mut(),
-        };
-        if let Some(to) = to {
-            P::store(vectors, to, tile);
-        }
-    }
-}
-
 /// Lanes are vertices.
 pub(super) struct Run<'s, 'a, J, W, B, P, M> {
     pub(super) skin: &'s Skin<'a, J, W>,
@@ -152,16 +99,16 @@ where
     fn run<V: Level>(self, level: V) {
         let Self { skin, blend, first, mut mesh, .. } = self;
         let lanes = Register::<P, V, 3>::LANES;
-        let mut influences = skin.scratch();
+        let mut scratch = skin.scratch();
         for tile in storage::tiles::<P, V, 3>(mesh.elements()) {
             let vertex = first + tile.element * P::Layout::THINGS + tile.register * lanes;
-            skin.read(vertex, lanes, 0, &mut influences);
-            let Some(mut sum) = blend.sum::<Register<P, V, 3>, _>(level, &mut influences) else {
+            skin.read(vertex, lanes, 0, &mut scratch.influences);
+            let Some(mut sum) = blend.sum::<Register<P, V, 3>, _>(level, &mut scratch) else {
                 return;
             };
             for group in 1..skin.groups() {
-                skin.read(vertex, lanes, group, &mut influences);
-                let Some(more) = blend.sum(level, &mut influences) else { return };
+                skin.read(vertex, lanes, group, &mut scratch.influences);
+                let Some(more) = blend.sum(level, &mut scratch) else { return };
                 sum = blend.join(sum, more);
             }
             let map = blend.map(level, sum, vertex);

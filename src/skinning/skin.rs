@@ -1,5 +1,5 @@
 use super::SkinningError;
-use super::influences::{GROUP, Influences};
+use super::influences::{GROUP, Influences, Scratch};
 use super::weight::Weight;
 use crate::real::{Real, Scalar};
 use crate::shape::{same_length, whole_instances};
@@ -10,8 +10,8 @@ use dq8_simd::picks::{CheckedIndices, Index, Picks};
 /// Which joints move a vertex, and how much: checked once, to be posed any number of times.
 ///
 /// `joints` holds the influences of one vertex after those of another, the same number for each; `weights`
-/// in the same order. Influences that a vertex does not have are any joint with weight 0. Joints are `u8`,
-/// `u16` or `u32`; weights see [`Weight`].
+/// in the same order. Fill unused influences with any joint and weight 0. Joints are `u8`, `u16` or `u32`;
+/// weights see [`Weight`].
 ///
 /// ```
 /// use dq8::skinning::{Skin, SkinningError};
@@ -78,9 +78,6 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
             return Err(SkinningError::NoInfluences);
         }
         whole_instances("joints", influences, joints.len())?;
-        if palette > CheckedIndices::<J>::MOST {
-            return Err(SkinningError::TooManyJoints { joints: palette });
-        }
         let joints = CheckedIndices::new(joints, palette).map_err(|index| {
             let (vertex, influence) = (index / influences, index % influences);
             let joint = joints.get(index).map_or(0, |&joint| joint.into());
@@ -176,10 +173,10 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         self.influences.div_ceil(GROUP)
     }
 
-    /// Where kernels read influences.
+    /// Where kernels keep what they read.
     #[inline(always)]
-    pub(super) fn scratch<R: Scalar>(&self) -> Influences<'a, R, J> {
-        Influences::new(self.joints)
+    pub(super) fn scratch<R: Scalar>(&self) -> Scratch<'a, R, J> {
+        Scratch::new(self.joints)
     }
 
     /// A group of influences of the vertices from `first` on, one for each lane.
@@ -229,21 +226,24 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
             let there = influence < self.influences;
             vertex * self.influences + if there { influence } else { 0 }
         };
+        // Not asked for at every influence, which would divide each time.
+        let vertices = self.vertices();
         for lane in 0..lanes {
             let vertex = first + lane;
             for slot in 0..GROUP {
                 let influence = group * GROUP + slot;
                 let none = if influence == 0 { R::ONE } else { R::ZERO };
                 to.joints.set(lane, slot, position(vertex, influence));
-                let there = self.influence(vertex, influence);
-                to.weights.0[lane][slot] = there.map_or(none, |(_, weight)| weight);
+                let there = vertex < vertices && influence < self.influences;
+                to.weights.0[lane][slot] =
+                    if there { self.weight(vertex, influence) } else { none };
             }
         }
         if group == 0 && self.groups() > 1 {
             let pivots = to.pivots.get_or_insert_with(|| Picks::new(self.joints));
             for lane in 0..lanes {
                 let vertex = first + lane;
-                let pivot = if vertex < self.vertices() { self.pivot::<R>(vertex) } else { 0 };
+                let pivot = if vertex < vertices { self.pivot::<R>(vertex) } else { 0 };
                 pivots.set(lane, 0, position(vertex, pivot));
             }
         }

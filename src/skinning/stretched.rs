@@ -1,6 +1,6 @@
 use super::blender::{Blender, SurfaceMap};
 use super::dual::{Dual, DualSum, ScaledMotion};
-use super::influences::Influences;
+use super::influences::Scratch;
 use super::linear::Linear;
 use super::linear_map::LinearMap;
 use crate::real::Scalar;
@@ -61,9 +61,9 @@ impl<R: Scalar> Blender<R> for Stretched<'_, R> {
     fn sum<L: Lanes<Real = R>, J: Index>(
         &self,
         level: L::Level,
-        influences: &mut Influences<'_, R, J>,
+        scratch: &mut Scratch<'_, R, J>,
     ) -> Option<Self::Sum<L>> {
-        Some((self.stretch.sum(level, influences)?, self.rigid.sum(level, influences)?))
+        Some((self.stretch.sum(level, scratch)?, self.rigid.sum(level, scratch)?))
     }
     #[inline(always)]
     fn join<L: Lanes<Real = R>>(&self, a: Self::Sum<L>, b: Self::Sum<L>) -> Self::Sum<L> {

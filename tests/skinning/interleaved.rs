@@ -96,9 +96,9 @@ fn fields_that_do_not_fit_are_named_and_nothing_is_written() {
         (VertexFields { stride: 2, ..good }, 0),
         (VertexFields { stride: 0, ..good }, 0),
     ] {
-        let error = Err(SkinningError::Field { first, stride: bad.stride });
-        assert_eq!(run(bad, good, &rest, 60), error);
-        assert_eq!(run(good, bad, &rest, 60), error);
+        let error = |what| Err(SkinningError::Field { what, first, stride: bad.stride });
+        assert_eq!(run(bad, good, &rest, 60), error("rest"));
+        assert_eq!(run(good, bad, &rest, 60), error("posed"));
     }
     let shape = |result| assert!(matches!(result, Err(SkinningError::Shape(_))), "{result:?}");
     shape(run(good, good, &rest[1..], 60));

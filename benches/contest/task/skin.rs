@@ -1,6 +1,6 @@
 //! A mesh with four influences per vertex, positions, in plain slices.
 //!
-//! ozz-animation, whose loop many engines have, is C++: the same loop written here once more would not be that peer.
+//! ozz-animation is C++; a copy of its loop in Rust would not be that peer.
 
 use crate::contest::Contest;
 use crate::memory::{double, single};

@@ -1,0 +1,68 @@
+//! Palettes of meshes that follow joints, from the matrices of an engine. Those of hierarchies are in `hierarchy`.
+
+use crate::memory::{Input, Output};
+use crate::slices::Order;
+use crate::status::{Done, Status};
+use dq8::skinning::{matrix_palette, split_palette};
+use dq8::{DualQuat, Real};
+
+/// # Safety
+/// As for [`Input::slice`] and [`Output::slice`].
+unsafe fn products<R: Real>(
+    models: *const R,
+    inverse_binds: *const R,
+    order: i32,
+    matrices: *mut R,
+    joints: usize,
+) -> Done {
+    let order = Order::known(order)?;
+    let models = Input::<[[R; 4]; 4]>::new(models, joints)?;
+    let inverse_binds = Input::<[[R; 4]; 4]>::new(inverse_binds, joints)?;
+    let matrices = Output::<[[R; 4]; 3]>::new(matrices, joints)?;
+    matrices.apart_from(&models)?;
+    matrices.apart_from(&inverse_binds)?;
+    // SAFETY: promised, and apart.
+    Ok(unsafe { matrix_palette(models.slice(), inverse_binds.slice(), order, matrices.slice()) }?)
+}
+
+/// # Safety
+/// As for [`Input::slice`] and [`Output::slice`].
+unsafe fn split<R: Real>(
+    matrices: *const R,
+    motions: *mut R,
+    stretches: *mut R,
+    joints: usize,
+) -> Done {
+    let matrices = Input::<[[R; 4]; 3]>::new(matrices, joints)?;
+    let motions = Output::<DualQuat<R>>::new(motions, joints)?;
+    let stretches = Output::<[[R; 4]; 3]>::new(stretches, joints)?;
+    motions.apart_from(&matrices)?;
+    stretches.apart_from(&matrices)?;
+    stretches.apart_from_output(&motions)?;
+    // SAFETY: promised, and apart.
+    unsafe { split_palette(matrices.slice(), motions.slice(), stretches.slice()) }?;
+    Ok(())
+}
+
+macro_rules! functions {
+    ($R:ident $lanes:tt) => {
+        export_skin! { $R
+            /// A palette of matrices, `matrices[j] = models[j] * inverse_binds[j]`: from 4x4 matrices in `order`, one
+            /// of enum dq8_matrix_order, to twelve numbers per joint, row after row.
+            ///
+            /// DQ8_STATUS_NOT_FINITE or _NOT_AFFINE if a matrix is.
+            products(
+                models: *const $R, inverse_binds: *const $R, order: i32, matrices: *mut $R,
+                joint_count: usize,
+            ) = super::products(models, inverse_binds, order, matrices, joint_count)
+        }
+        export_skin! { $R
+            /// Takes the matrices of a palette apart into stretches and, after them, unit motions: what
+            /// dq8_skin_stretched takes. DQ8_STATUS_NOT_FINITE if a number is not finite.
+            split(
+                matrices: *const $R, motions: *mut $R, stretches: *mut $R, joint_count: usize,
+            ) = super::split(matrices, motions, stretches, joint_count)
+        }
+    };
+}
+for_both_numbers!(functions);

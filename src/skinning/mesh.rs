@@ -1,0 +1,57 @@
+use super::surface::{Surface, SurfaceMut};
+use crate::storage::{self, Element, Register, Tile};
+use dq8_simd::Level;
+
+/// A mesh at rest and posed, in memory whose tiles are those of `P`.
+pub(super) trait Mesh<P: Element<3>> {
+    /// How many elements it has.
+    fn elements(&self) -> usize;
+    /// The vectors of a tile at rest; zero in lanes beyond the end. `None` if there are none.
+    fn load<V: Level>(&self, level: V, field: Field, tile: Tile) -> Option<Vectors<P, V>>;
+    /// The posed vectors of a tile.
+    fn store<V: Level>(&mut self, vectors: Vectors<P, V>, field: Field, tile: Tile);
+}
+
+/// A register for each component of a vector.
+pub(super) type Vectors<P, V> = [Register<P, V, 3>; 3];
+
+/// What there is for each vertex.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Field {
+    Position,
+    Normal,
+    Tangent,
+}
+
+/// A slice for each field.
+pub(super) struct Separate<'s, P> {
+    pub(super) rest: Surface<'s, P>,
+    pub(super) posed: SurfaceMut<'s, P>,
+}
+
+impl<P: Element<3>> Mesh<P> for Separate<'_, P> {
+    #[inline(always)]
+    fn elements(&self) -> usize {
+        self.posed.positions.len()
+    }
+    #[inline(always)]
+    fn load<V: Level>(&self, level: V, field: Field, tile: Tile) -> Option<Vectors<P, V>> {
+        let from = match field {
+            Field::Position => self.rest.positions,
+            Field::Normal => self.rest.normals?,
+            Field::Tangent => self.rest.tangents?,
+        };
+        P::load(level, from, tile, &storage::identity())
+    }
+    #[inline(always)]
+    fn store<V: Level>(&mut self, vectors: Vectors<P, V>, field: Field, tile: Tile) {
+        let to = match field {
+            Field::Position => Some(&mut *self.posed.positions),
+            Field::Normal => self.posed.normals.as_deref_mut(),
+            Field::Tangent => self.posed.tangents.as_deref_mut(),
+        };
+        if let Some(to) = to {
+            P::store(vectors, to, tile);
+        }
+    }
+}
