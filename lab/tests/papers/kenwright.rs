@@ -88,7 +88,8 @@ fn section_7_1_rotation_then_translation_is_the_product_of_both() {
     // §8: Q_d = ½ (0, t) r, and t = 2 Q_d Q_r* back.
     assert_close(s.dual().to_array(), (pure(t).scale(0.5) * r).to_array(), 1e-15);
     assert_close((s.dual().scale(2.0) * r.conjugate()).xyz(), t, 1e-15);
-    // The unit condition, q_r* q_d + q_d* q_r = 0.
+    // The unit conditions, ‖q‖ = 1 and q_r* q_d + q_d* q_r = 0.
+    assert_close([s.norm().real, s.norm().dual], [1.0, 0.0], 1e-15);
     let zero = s.real().conjugate() * s.dual() + s.dual().conjugate() * s.real();
     assert_close(zero.to_array(), [0.0; 4], 1e-15);
 }
