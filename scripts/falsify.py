@@ -26,7 +26,6 @@ ROOT = Path(__file__).resolve().parent.parent
 COPY = ROOT / "target" / "falsify"
 TABLE = ROOT / "lab" / "mutations.toml"
 SWITCH = """
-extern crate std;
 /// Whether this change is switched on; only in copies made by scripts/falsify.py.
 #[doc(hidden)]
 #[allow(missing_docs, clippy::all)]
@@ -127,25 +126,30 @@ def write(place, data):
 
 def apply(mutations, alone=None):
     """The tree with all switched changes, or with a single one of those that are none."""
-    texts = {}
-    read = lambda name: texts.setdefault(name, (ROOT / name).read_text())
-    for number, mutation in enumerate(mutations):
+    changes = {}
+    # The one that is alone comes last, and replaces what overlaps it.
+    for number, mutation in sorted(enumerate(mutations), key=lambda pair: pair[0] == alone):
         name = mutation["file"]
-        if mutation.get("alone"):
-            if number == alone:
-                texts[name] = read(name).replace(mutation["old"], mutation["new"])
+        spans = changes.setdefault(name, [])
+        if mutation.get("alone") and number != alone:
             continue
-        crate = "crate" if name.startswith("src/") else "dq8"
-        changed = f"(if {crate}::mutant({number}) {{ {mutation['new']} }} else {{ {mutation['old']} }})"
-        text = read(name)
-        if text.count(mutation["old"]) != 1:
+        changed = mutation["new"]
+        if not mutation.get("alone"):
+            crate = "crate" if name.startswith("src/") else "dq8"
+            changed = f"(if {crate}::mutant({number}) {{ {changed} }} else {{ {mutation['old']} }})"
+        start = (ROOT / name).read_text().index(mutation["old"])
+        end = start + len(mutation["old"])
+        others = [span for span in spans if span[0] < end and start < span[1]]
+        if others and number != alone:
             raise SystemExit(f"{name}: changes overlap: {mutation['old']}")
-        texts[name] = text.replace(mutation["old"], changed)
-    texts["src/lib.rs"] = read("src/lib.rs") + SWITCH
-    for mutation in mutations:
-        read(mutation["file"])
-    for name, text in texts.items():
-        write(COPY / name, text.encode())
+        spans[:] = [span for span in spans if span not in others]
+        spans.append((start, end, changed))
+    changes.setdefault("src/lib.rs", [])
+    for name, spans in changes.items():
+        text = (ROOT / name).read_text()
+        for start, end, changed in sorted(spans, reverse=True):
+            text = text[:start] + changed + text[end:]
+        write(COPY / name, (text + SWITCH if name == "src/lib.rs" else text).encode())
 
 
 def build(package, arguments):

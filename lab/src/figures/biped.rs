@@ -91,26 +91,30 @@ fn poses(joints: &[Joint]) -> Vec<DualQuat<f64>> {
     models
 }
 
+/// Where a point of space is on the canvas.
+type Projection = dyn Fn([f64; 3]) -> [f64; 2];
+
 /// The drawing from the front and from the side, and the table of limits.
 ///
 /// # Errors
 /// If a joint of the biped has no limit.
 pub(super) fn figure() -> Result<String, Box<dyn Error>> {
+    /// For a metre.
+    const PIXELS: f64 = 250.0;
     let joints = biped::clip().joints;
     let models = poses(&joints);
     let mut canvas =
         Canvas::new([820.0, 570.0], "The biped in its stance: 16 links, 36 degrees of freedom");
-    let pixels = 250.0;
     // Who looks from the front has the left of the body to the right.
-    let front = |p: [f64; 3]| [250.0 + pixels * p[0], 285.0 - pixels * p[1]];
-    let side = |p: [f64; 3]| [640.0 + pixels * p[2], 285.0 - pixels * p[1]];
-    let views: [(&dyn Fn([f64; 3]) -> [f64; 2], Axis, &str); 2] =
+    let front = |p: [f64; 3]| [250.0 + PIXELS * p[0], 285.0 - PIXELS * p[1]];
+    let side = |p: [f64; 3]| [640.0 + PIXELS * p[2], 285.0 - PIXELS * p[1]];
+    let views: [(&Projection, Axis, &str); 2] =
         [(&front, Axis::Z, "from the front: leaning"), (&side, Axis::X, "from its left: bending")];
     for (place, axis, caption) in views {
         let ground = models.iter().map(|model| model.translation()[1]).fold(0.0, f64::min);
         let [left, y] = place([-0.45, ground, -0.45]);
-        canvas.path([[left, y], [left + 0.9 * pixels, y]], colour::FRAME, 1.0);
-        canvas.text([left + 0.45 * pixels, y + 26.0], Side::Middle, 14.0, colour::INK, caption);
+        canvas.path([[left, y], [left + 0.9 * PIXELS, y]], colour::FRAME, 1.0);
+        canvas.text([left + 0.45 * PIXELS, y + 26.0], Side::Middle, 14.0, colour::INK, caption);
         for (index, joint) in joints.iter().enumerate() {
             // From the side the right limbs are behind the left ones.
             let hidden = axis == Axis::X && joint.name.starts_with("Right");
@@ -147,7 +151,7 @@ pub(super) fn figure() -> Result<String, Box<dyn Error>> {
 /// What a link sweeps between its limits, about an axis that points at the eye.
 fn sector(
     canvas: &mut Canvas,
-    place: &dyn Fn([f64; 3]) -> [f64; 2],
+    place: &Projection,
     joints: &[Joint],
     models: &[DualQuat<f64>],
     index: usize,
@@ -177,12 +181,7 @@ fn sector(
 }
 
 /// Names and degrees of freedom beside the front view: of the left ones, and of those in the middle.
-fn names(
-    canvas: &mut Canvas,
-    place: &dyn Fn([f64; 3]) -> [f64; 2],
-    joints: &[Joint],
-    models: &[DualQuat<f64>],
-) {
+fn names(canvas: &mut Canvas, place: &Projection, joints: &[Joint], models: &[DualQuat<f64>]) {
     // The lowest name so far, on the left and on the right.
     let mut lowest = [f64::NEG_INFINITY; 2];
     let mut named: Vec<_> = joints.iter().zip(models).collect();

@@ -207,7 +207,7 @@ fn the_chain_follows_targets_of_every_speed() {
     for order in ORDERS {
         for round in lab::drift::ROUNDS {
             let (_, missed) = follow(FRAMES, round, order);
-            assert!(FRAMES > 2 * ARRIVAL);
+            const { assert!(FRAMES > 2 * ARRIVAL) };
             assert!(missed.position < 3e-3, "{order:?}, {round}: {missed:?}");
             assert!(missed.angle < 1e-3, "{order:?}, {round}: {missed:?}");
         }
