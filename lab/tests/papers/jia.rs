@@ -88,6 +88,7 @@ fn eqs_8_9_and_15_the_product_is_that_of_quaternions_of_dual_numbers() {
 fn section_4_numbers_vectors_and_quaternions_are_special_dual_quaternions() {
     let number = |d: Dual<f64>| DualQuat::IDENTITY.scale_dual(d);
     let (a, b) = (Dual::new(2.0, 3.0), Dual::new(4.0, -5.0));
+    assert_eq!(number(a), DualQuat::from_wxyz([2.0, 0.0, 0.0, 0.0, 3.0, 0.0, 0.0, 0.0]));
     assert_eq!(number(a) * number(b), number(a * b));
     assert_eq!(number(a) + number(b), number(a + b));
     let (p, q) = (quat(1.0, 2.0, 3.0, 4.0), quat(5.0, 6.0, 7.0, 8.0));
