@@ -84,14 +84,16 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
         .map(str::to_owned)
         .to_vec(),
         found: found(&state_step, &step_state, &rows),
-        verdict: "That matrices skew and scale is true; dual quaternions that nobody normalizes do no less, \
-                  here rather more, so the drift itself is not less. That making matrices orthonormal moves \
-                  the error elsewhere is not confirmed: the end effector comes closer to where it should be, \
-                  and the jumps are of the size of rounding. Kept in order, all representations point the \
-                  links equally well, and Gram–Schmidt costs about as much as normalizing a dual quaternion \
-                  (see the operation counts). What is true of dual quaternions is that normalizing mends \
-                  the translation too: where steps carry the links, these keep their length, and the links \
-                  of orthonormal matrices do not. Kenwright's Normalize keeps nothing normalized."
+        verdict: "That matrices skew and scale is true. Dual quaternions that nobody normalizes scale and lose the \
+                  end no less, here rather more; they skew where they are taken for unit, and not by the matrix \
+                  of Kenwright's listing. That joints jump where matrices are made orthonormal is not \
+                  confirmed, in no frame, whether states or levels are repaired, and whether or not the solver \
+                  sees the drift: jumps are of the size of rounding. That the end is off the ideal one is \
+                  true, by rounding: about twice as far as with normalized dual quaternions, and nearer than \
+                  without repair. Gram–Schmidt costs about as much as normalizing a dual quaternion \
+                  (see the operation counts). Where steps carry the links, normalizing mends the translation \
+                  too: these keep their length, and the links of orthonormal matrices do not: errors of \
+                  another form, as he says. Kenwright's Normalize keeps nothing normalized."
             .to_owned(),
         body,
     })
