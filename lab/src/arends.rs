@@ -3,6 +3,14 @@
 use crate::HyperDualQuat;
 use dq8::{DualQuat, Quat, Real};
 
+/// Degrees that `animate` of the appendix adds to `rotate_angle` in every frame, by which three of his four
+/// vectors turn.
+pub const ANGLE_STEP: f64 = 1.0;
+/// What it adds to `t` of the fourth, the vector of SLERP.
+pub const SLERP_STEP: f64 = 0.0175;
+/// `q_rotate_angle`, the arc of that SLERP, degrees.
+pub const SLERP_ARC: f64 = 90.0;
+
 /// `SLERP` of the appendix, which is told the `angle` instead of finding it: radians between `begin`
 /// and `end`.
 ///

@@ -24,8 +24,10 @@ pub struct Counts {
     pub square_roots: u32,
     /// Sines, cosines, tangents and their inverses.
     pub trigonometric: u32,
-    /// eˣ and ln x
+    /// eˣ
     pub exponentials: u32,
+    /// ln x
+    pub logarithms: u32,
     /// Comparisons, absolute values and tests for infinity.
     pub comparisons: u32,
 }
@@ -43,6 +45,7 @@ impl Counts {
         square_roots: 0,
         trigonometric: 0,
         exponentials: 0,
+        logarithms: 0,
         comparisons: 0,
     };
 
@@ -173,11 +176,6 @@ impl Counted {
         count(|counts| &mut counts.trigonometric);
         Self(function(self.0))
     }
-
-    fn exponential(self, function: impl FnOnce(f64) -> f64) -> Self {
-        count(|counts| &mut counts.exponentials);
-        Self(function(self.0))
-    }
 }
 
 impl Real for Counted {
@@ -226,9 +224,11 @@ impl Real for Counted {
         self.trigonometric(|y| y.atan2(x.0))
     }
     fn exp(self) -> Self {
-        self.exponential(f64::exp)
+        count(|counts| &mut counts.exponentials);
+        Self(self.0.exp())
     }
     fn ln(self) -> Self {
-        self.exponential(f64::ln)
+        count(|counts| &mut counts.logarithms);
+        Self(self.0.ln())
     }
 }

@@ -3,15 +3,20 @@
 
 mod chain;
 mod experiment;
+mod ideal;
 mod representation;
 mod target;
 
 pub use chain::{Chain, LINKS, Order, Steps};
-pub use experiment::{METHODS, Measure, Method, ROUNDS, Sample, finals, trace};
-pub use representation::{Homogeneous, Representation, RotationTranslation, kenwright_normalize};
-pub use target::follow;
+pub use experiment::{Findings, METHODS, Measure, Method, ROUNDS, Sample, findings, trace};
+pub use ideal::{Deviation, Frames, Loop, Repair, against_ideal};
+pub use representation::{
+    Homogeneous, Listing, Representation, RotationTranslation, kenwright_normalize,
+};
+pub use target::{ARRIVAL, Miss, follow};
 
 use crate::report::{Chart, Section, Series, Table, paragraph, scientific};
+use dq8::DualQuat;
 use std::error::Error;
 
 const FRAMES: usize = 20_000;
@@ -25,22 +30,32 @@ const EVERY: usize = 100;
 /// # Errors
 /// If a chart cannot be drawn.
 pub fn section() -> Result<Section, Box<dyn Error>> {
-    let (state_step, missed) = finals(FRAMES, Order::StateStep);
-    let (step_state, _) = finals(FRAMES, Order::StepState);
+    let Findings { last: state_step, worst, missed } = findings(FRAMES, Order::StateStep);
+    let Findings { last: step_state, .. } = findings(FRAMES, Order::StepState);
     let mut body = charts()?;
     body += &paragraph(&format!(
         "Skew and scale are the largest elements of AᵀA − 1, off the diagonal and on it, over the \
          frames of all links as they act on points; norm is |det A − 1|, ||p| − 1|, and for dual \
          quaternions the larger of this and |p·q|; the end is compared with where the same steps lead in \
          double precision. A jump is what upkeep moves the end by in one frame. A quaternion turns points by \
-         v + 2r × (r × v + wv), as everyone computes it; this takes |p| = 1 for granted, and skews where \
-         that is not so. By pvp* it would only scale, by |p|². The curves are those of a target that goes \
+         v + 2r × (r × v + wv), as dq8 computes it; this takes |p| = 1 for granted, and skews where \
+         that is not so. The matrix of Kenwright's listing, w² + x² − y² − z² and so on, only scales, by |p|²: \
+         in the row \"Kenwright's matrix\" the same numbers are read by it. The curves are those of a target that goes \
          round in {DRAWN} frames, with steps that carry the links."
     ));
     let each = "the joint turns about itself: state · step";
     body += &table(&format!("After {FRAMES} frames, {each}"), &state_step);
     let each = "the step carries the link: step · state";
     body += &table(&format!("After {FRAMES} frames, {each}"), &step_state);
+    body += &table("The worst of all frames and speeds, state · step", &worst);
+    let rows = ideal_rows();
+    body += &paragraph(
+        "Against the ideal chain, as he compares: it takes the same steps exactly. In the open loop the \
+         solver looks at the ideal chain, in the closed loop at the drifted one, whose end it then brings to \
+         the target all the same. States are repaired between frames, levels while they are concatenated. A \
+         jump is how far a joint moves against the ideal one from one frame to the next.",
+    );
+    body += &ideal_table(&rows);
     Ok(Section {
         title: "Drift: a chain that follows a target".to_owned(),
         tried: format!(
@@ -48,12 +63,14 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
              frames. Damped least squares in double precision find the small turn of each joint; this is \
              rounded to single precision and multiplied onto the state of the joint, again and again, in \
              each representation by its own arithmetic. Tables hold root mean squares over targets of \
-             {} speeds (a round in {} to {} frames); the exact chain misses its target by at most {} \
-             links.",
+             {} speeds (a round in {} to {} frames). From frame {ARRIVAL} on, the exact chain misses its target \
+             by at most {} links and {} rad. Then the solver looks at the drifting chain itself, and each \
+             level of the concatenation is repaired.",
             ROUNDS.len(),
             ROUNDS[0],
             ROUNDS[ROUNDS.len() - 1],
-            scientific(missed),
+            scientific(missed.position),
+            scientific(missed.angle),
         ),
         claimed: [
             "Kenwright §10.1: concatenated matrices show skewing and scaling.",
@@ -66,15 +83,17 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
         ]
         .map(str::to_owned)
         .to_vec(),
-        found: found(&state_step, &step_state),
-        verdict: "That matrices skew and scale is true; dual quaternions that nobody normalizes do no less, \
-                  here rather more, so the drift itself is not less. That making matrices orthonormal moves \
-                  the error elsewhere is not confirmed: the end effector comes closer to where it should be, \
-                  and the jumps are of the size of rounding. Kept in order, all representations point the \
-                  links equally well, and Gram–Schmidt costs about as much as normalizing a dual quaternion \
-                  (see the operation counts). What is true of dual quaternions is that normalizing mends \
-                  the translation too: where steps carry the links, these keep their length, and the links \
-                  of orthonormal matrices do not. Kenwright's Normalize keeps nothing normalized."
+        found: found(&state_step, &step_state, &rows),
+        verdict: "That matrices skew and scale is true. Dual quaternions that nobody normalizes scale and lose the \
+                  end no less, here rather more; they skew where they are taken for unit, and not by the matrix \
+                  of Kenwright's listing. That joints jump where matrices are made orthonormal is not \
+                  confirmed, in no frame, whether states or levels are repaired, and whether or not the solver \
+                  sees the drift: jumps are of the size of rounding. That the end is off the ideal one is \
+                  true, by rounding: about twice as far as with normalized dual quaternions, and nearer than \
+                  without repair. Gram–Schmidt costs about as much as normalizing a dual quaternion \
+                  (see the operation counts). Where steps carry the links, normalizing mends the translation \
+                  too: these keep their length, and the links of orthonormal matrices do not: errors of \
+                  another form, as he says. Kenwright's Normalize keeps nothing normalized."
             .to_owned(),
         body,
     })
@@ -115,21 +134,71 @@ fn table(caption: &str, samples: &[Sample]) -> String {
     table.to_html()
 }
 
+/// A row of the comparison with the ideal chain.
+type IdealRow = (&'static str, Repair, Loop, Deviation);
+
+/// The frames of one round of the target that the chain is compared on.
+const COMPARED: [usize; 2] = [FRAMES, DRAWN];
+
+fn ideal_rows() -> Vec<IdealRow> {
+    let mut rows = Vec::new();
+    for closed in [Loop::Open, Loop::Closed] {
+        for repair in Repair::ALL {
+            let order = Order::StepState;
+            let upkeep = (repair, Homogeneous::<f32>::gram_schmidt as fn(_) -> _);
+            rows.push(("matrix", repair, closed, against_ideal(COMPARED, order, upkeep, closed)));
+            let upkeep = (repair, DualQuat::<f32>::normalize as fn(_) -> _);
+            let deviation = against_ideal(COMPARED, order, upkeep, closed);
+            rows.push(("dual quaternion", repair, closed, deviation));
+        }
+    }
+    rows
+}
+
+fn ideal_table(rows: &[IdealRow]) -> String {
+    let caption = format!("Against the ideal chain: the worst of {FRAMES} frames, step · state");
+    let mut table = Table::new(
+        &caption,
+        &[
+            "representation",
+            "solver looks at",
+            "repaired",
+            "skew",
+            "scale",
+            "end, links",
+            "end, rad",
+            "link length",
+            "jump, links",
+            "misses target, links",
+        ],
+    );
+    for (name, repair, closed, deviation) in rows {
+        let looked_at = if *closed == Loop::Open { "ideal chain" } else { "chain itself" };
+        let Deviation { skew, stretch, position, angle, link, jump, missed, .. } = *deviation;
+        let numbers = [skew, stretch, position, angle, link, jump, missed.position].map(scientific);
+        let names = [*name, looked_at, repair.name()].map(str::to_owned);
+        table.row(names.into_iter().chain(numbers));
+    }
+    table.to_html()
+}
+
 fn found(
     state_step: &[Sample; METHODS.len()],
     step_state: &[Sample; METHODS.len()],
+    ideal: &[IdealRow],
 ) -> Vec<String> {
-    let [matrix, orthonormal, dual, normalized, kenwright, _, pair] = state_step;
+    let [matrix, orthonormal, dual, listing, normalized, kenwright, _, pair] = state_step;
     let skew = |sample: &Sample| scientific(sample.error(Measure::Skew));
     let position = |sample: &Sample| scientific(sample.error(Measure::Position));
     let link = |sample: &Sample| scientific(sample.error(Measure::Link));
-    let [_, links_orthonormal, _, links_normalized, ..] = step_state;
-    vec![
+    let [_, links_orthonormal, _, _, links_normalized, ..] = step_state;
+    let mut lines = vec![
         format!(
-            "Left alone, matrices come to a skew of {}, dual quaternions of {}; the end is off by {} and \
-             {} links.",
+            "Left alone, matrices come to a skew of {}, dual quaternions of {} by the formula for unit \
+             quaternions and of {} by the matrix of Kenwright's listing; the end is off by {} and {} links.",
             skew(matrix),
             skew(dual),
+            skew(listing),
             position(matrix),
             position(dual)
         ),
@@ -155,5 +224,22 @@ fn found(
             link(links_normalized),
         ),
         format!("With Kenwright's Normalize the skew is {}.", skew(kenwright)),
-    ]
+    ];
+    for repaired in [Repair::Levels, Repair::Both] {
+        let of = |name: &str, closed: Loop| {
+            let row = ideal.iter().find(|row| (row.0, row.1, row.2) == (name, repaired, closed));
+            row.map_or((f64::NAN, f64::NAN), |row| (row.3.position, row.3.jump))
+        };
+        let [matrix, dual] = ["matrix", "dual quaternion"].map(|name| of(name, Loop::Closed));
+        lines.push(format!(
+            "Closed loop, repaired: {}. Ends are {} (matrices) and {} links (dual quaternions) from those of \
+             the ideal chain; no joint jumps by more than {} and {}.",
+            repaired.name(),
+            scientific(matrix.0),
+            scientific(dual.0),
+            scientific(matrix.1),
+            scientific(dual.1),
+        ));
+    }
+    lines
 }

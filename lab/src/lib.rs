@@ -9,6 +9,7 @@ mod arm;
 mod counted;
 pub mod differentiation;
 pub mod drift;
+pub mod figures;
 pub mod forward_kinematics;
 pub mod hessian;
 mod hyper_dual;
@@ -22,6 +23,7 @@ pub mod matrix;
 pub mod operations;
 pub mod products;
 pub mod report;
+pub mod speed;
 
 pub use arm::{Arm, Joint};
 pub use counted::{Counted, Counts};

@@ -11,8 +11,10 @@ type Experiment = fn() -> Result<Section, Box<dyn Error>>;
 /// In the order of the page.
 const SECTIONS: &[Experiment] = &[
     lab::drift::section,
+    lab::figures::section,
     lab::products::section,
     lab::operations::section,
+    lab::speed::section,
     lab::interpolation::section,
     lab::keyframing::section,
     lab::hyper_dual_claims::section,

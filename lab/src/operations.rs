@@ -25,7 +25,7 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
     let mut body = paragraph(
         "Every operation that is written counts, those with 0, 1, 2 or ½ too. Sums and differences are \
          additions. Negations are apart: they are mostly free, and Arends counts them as \
-         multiplications. Trig is sines, cosines and arctangents; exp is exponentials and logarithms; \
+         multiplications. Trig is sines, cosines and arctangents; \
          tests are comparisons, absolute values and the question whether a number is finite. Blank is none. \
          Kenwright's ten percent (§11) is a time, not a count: the example compare measures times.",
     );
@@ -103,6 +103,7 @@ fn table(list: &[Operation]) -> String {
             "sqrt",
             "trig",
             "exp",
+            "ln",
             "tests",
             "source",
             "printed",
@@ -118,6 +119,7 @@ fn table(list: &[Operation]) -> String {
             counts.square_roots,
             counts.trigonometric,
             counts.exponentials,
+            counts.logarithms,
             counts.comparisons,
         ];
         // Zeros would hide the others.

@@ -9,7 +9,7 @@ use super::Line;
 pub struct Screw<T> {
     /// The screw axis l + εm, |l| = 1.
     pub axis: Line<T>,
-    /// θ, radians, in [0, π].
+    /// θ, radians: in [0, π] where dq8 found it, any where it is given.
     pub angle: T,
     /// d, the translation along the axis, in the user's unit of length.
     pub slide: T,

@@ -14,9 +14,14 @@ use core::ops::Mul;
 /// |p|², and the only term with v is pvp*: |p|² times a rotation. As a point, real part 1, it is that
 /// rotation and a translation, so *every* σ with p ≠ 0 keeps distances and handedness. A dual
 /// part that is not divided scales uniformly, by the factor of Arends ch. 5 §6.1, but with a real part
-/// other than 1 it is not a point any more. Scale that differs between directions and shear would have to
-/// act on single components, and products of quaternions mix all four (Arends ch. 5 §6.1 and §6.3). A
-/// reflection needs another product, nvn ([`reflection`](Self::reflection)).
+/// other than 1 it is not a point any more. Nor does any other single product avb of quaternions: |avb| =
+/// |a||v||b| lengthens all vectors alike, so it neither scales directions differently nor shears. A reflection is
+/// one with another sign, nvn ([`reflection`](Self::reflection)).
+///
+/// *Sums* of products do all of it, as sums avb are all linear maps of the quaternions. Arends' own eq. 8,
+/// ½(v ∓ eve⁻¹) for what is across and along e, scales along e with a factor on the second part, and
+/// v + (a/2)(v + jvj⁻¹)k shears, though his ch. 5 §6.1 and §6.3 say that quaternions cannot. But a sum is no
+/// longer a product of motions: it composes by nothing simpler than matrices.
 ///
 /// So scale is carried along with the motion: [`try_decompose`](Self::try_decompose) takes them apart.
 ///

@@ -29,7 +29,8 @@ impl<R: Real> DualQuat<R> {
     /// a twist is the same in both frames. Takes a wrench in the body's frame to the fixed frame.
     /// σ must be unit.
     ///
-    /// This is (Ad_σ⁻¹)ᵀ, a left action: coadjoint of ab is that of b, then that of a.
+    /// This is (Ad_σ⁻¹)ᵀ, a left action: coadjoint of ab is that of b, then that of a (Murray, Li and Sastry 1994,
+    /// §2.5).
     ///
     /// ```
     /// use dq8::{DualQuat, geometry::Wrench};

@@ -71,7 +71,8 @@ impl<R: Real> DualQuat<R> {
     /// that do not cluster about the first, or where the first one's weight may be zero. Where the
     /// two are exactly at right angles (half a turn apart) the sign is kept. The result depends on
     /// the order of the influences where they span more than half a turn. The weights need not sum
-    /// to one, but no sum on the way should be negative: it would point away from its motions.
+    /// to one, but no sum on the way should be negative: it would point away from its motions. Tarini's slide 127
+    /// turns signs for two; for more, this is one way to go on.
     ///
     /// `None` without influences; every component is NaN if the sum cannot be normalized.
     ///

@@ -6,7 +6,8 @@ use crate::real::Real;
 
 impl<R: Real> DualQuat<R> {
     /// σ̇ = ½ξσ for the *spatial* twist ξ = ω + εv: fixed axes, v = ṫ − ω × t is the velocity of the
-    /// point of the body that is at the fixed origin (Jia §9). ω is in radians per unit of
+    /// point of the body that is at the fixed origin. Jia has no twist: put into his eq. 45, which is
+    /// [`derivative_from_velocity`](Self::derivative_from_velocity), this v makes the product. ω is in radians per unit of
     /// time, v in lengths per unit of time. Linear in both, so σ need not be unit.
     ///
     /// ```
@@ -41,7 +42,7 @@ impl<R: Real> DualQuat<R> {
 
     /// The spatial twist 2σ̇σ* of a unit σ that changes by σ̇ per unit of time; undoes
     /// [`derivative_spatial`](Self::derivative_spatial), whose formula times 2σ* it is. Scalar parts,
-    /// zero where σ̇ keeps σ unit, are dropped.
+    /// zero where σ̇ keeps σ unit, are dropped. Jia's eq. 45 solved for the twist.
     #[inline]
     #[must_use]
     pub fn spatial_twist(self, derivative: Self) -> Twist<R> {
@@ -81,7 +82,7 @@ impl<R: Real> DualQuat<R> {
     /// of the body's own origin, both in fixed axes; undoes
     /// [`derivative_from_velocity`](Self::derivative_from_velocity).
     ///
-    /// ω = 2ṙr*, and by the product rule on t = 2qp*, ṫ = 2(q̇p* + qṗ*).
+    /// ω = 2ṙr* (Jia §9), and by the product rule on t = 2qp* (his eq. 24), ṫ = 2(q̇p* + qṗ*).
     #[inline]
     #[must_use]
     pub fn velocity(self, derivative: Self) -> ([R; 3], [R; 3]) {
@@ -142,7 +143,7 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// Where a body at σ is after `dt` of a constant *spatial* twist: exp(½ξ dt) σ, exact for any
-    /// step, `dt` of either sign. Over many steps the norm drifts by rounding alone; [`normalize`](Self::normalize) now
+    /// step, `dt` of either sign (the solution of σ̇ = ½ξσ; Brockett 1984). Over many steps the norm drifts by rounding alone; [`normalize`](Self::normalize) now
     /// and then.
     ///
     /// ```

@@ -112,7 +112,8 @@ impl<R: Real> Dual<R> {
         Self::new(value, self.dual * derivative)
     }
 
-    /// √(a + εb) = √a + ε b/(2√a); NaN for a < 0, no dual part for a = 0.
+    /// √(a + εb) = √a + ε b/(2√a), by Jia's eq. 10; Fabisch ("Inverse Square Root of a Dual Number") has its
+    /// reciprocal. NaN for a < 0. For a = 0 there is no dual part: it is infinite, or NaN where b = 0 too.
     #[inline]
     #[must_use]
     pub fn sqrt(self) -> Self {

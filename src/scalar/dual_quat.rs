@@ -179,8 +179,8 @@ impl<R: Real> DualQuat<R> {
         )
     }
 
-    /// The dual number ⟨a, b⟩ = p_a·p_b + ε(p_a·q_b + q_a·p_b), the dual part of whose real part is
-    /// Kenwright's `Dot`. For unit motions it is the cosine of half their dual angle.
+    /// The dual number ⟨a, b⟩ = p_a·p_b + ε(p_a·q_b + q_a·p_b), the dual scalar of ab*
+    /// ([`dual_scalar`](Self::dual_scalar)). Its real part p_a·p_b is Kenwright's `Dot` (§13.1). For unit motions it is the cosine of half their dual angle.
     #[inline]
     #[must_use]
     pub fn dot(self, other: Self) -> Dual<R> {

@@ -5,7 +5,8 @@ use core::fmt;
 /// A dual quaternion that cannot be normalized: its real part is zero or some component is not finite
 /// (or the quotient would not be).
 ///
-/// Fabisch (*Normalizing Dual Quaternions*, "Edge Case") leaves this case open.
+/// Fabisch (*Normalizing Dual Quaternions*, "Edge Case") omits it, and says that the solution "would be to
+/// set p = 1 and proceed", which makes a motion of what is none.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NormalizeError {
     /// The norm of the real part.

@@ -57,7 +57,7 @@ impl<R: Real> DualQuat<R> {
 
     /// The inverse of the left Jacobian at the twist x, applied to y: how the twist x of a motion
     /// changes when the motion changes by the *spatial* twist y,
-    /// 2 log(exp(½δy) exp(½x)) ≈ x + δ J_l⁻¹(x) y.
+    /// 2 log(exp(½δy) exp(½x)) ≈ x + δ J_l⁻¹(x) y (Barfoot 2017, §7.1.5; not in the sources of dq8).
     ///
     /// For |ω| < 2π; C is **infinite at |ω| = 2π** and every multiple of it, and errors grow like
     /// 1/(2π − |ω|) near it. A twist from [`to_twist`](Self::to_twist) has |ω| ≤ π.

@@ -91,7 +91,8 @@ impl<R: Real> DualQuat<R> {
 
     /// How far apart the two can carry any point within `radius` of the body's origin:
     /// d + 2 r sin(θ/2), an upper bound of [`point_error`](Self::point_error). What compressors of
-    /// animation measure with a shell of points about each bone, without choosing any.
+    /// animation measure with a shell of points about each bone, without choosing any. In none of the sources of
+    /// dq8.
     ///
     /// By the triangle inequality |av − bv| ≤ |t_a − t_b| + |(R_a − R_b)v|, and a turn by θ moves a
     /// point at most by the chord 2|v| sin(θ/2). The bound is reached where the translation between

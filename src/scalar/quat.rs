@@ -223,8 +223,9 @@ impl<R: Real> Quat<R> {
         Ok(Self(vector::over_norm(stretched.0, stretched.norm())))
     }
 
-    /// r v r*, the vector `v` turned by this unit quaternion:
-    /// v + 2 r × (r × v + w v) with r the vector part, the two products written out.
+    /// r v r*, the vector `v` turned by this unit quaternion (Arends ch. 3 eqs. 8–10, Jia §2):
+    /// v + 2 u × (u × v + w v) with r = w + u, the two products written out with |r| = 1 put in. Where that is not
+    /// so, r v r* scales by |r|², and this form skews as well.
     #[inline]
     #[must_use]
     pub fn rotate(self, v: [R; 3]) -> [R; 3] {

@@ -42,7 +42,8 @@ impl<R: Real> DualQuat<R> {
         Screw { axis, angle: R::TWO * half_angle, slide }
     }
 
-    /// σ = cos(θ̂/2) + sin(θ̂/2)(l + εm), θ̂ = θ + εd (Jia eq. 43). The axis must have length 1, and
+    /// σ = cos(θ̂/2) + sin(θ̂/2)(l + εm), θ̂ = θ + εd (Jia eq. 43; eq. 42 is the same in real numbers, as it is
+    /// computed here). The axis must have length 1, and
     /// its moment be orthogonal to it; the angle is any, in radians, the slide a length.
     #[inline]
     #[must_use]
@@ -200,7 +201,8 @@ impl<R: Real> DualQuat<R> {
 
     /// As [`sclerp`](Self::sclerp), but from `self` to `other` and not to −`other`: the longer way
     /// where the two point apart: a exp(t log(a*b)), the logarithm not turned over. Both must be
-    /// unit. The way from σ to −σ itself has no axis: every component is NaN.
+    /// unit. The way from σ to −σ itself has no axis: every component is NaN. This is Jia's eq. 46 as it is written;
+    /// he leaves the sign of b open.
     #[inline]
     #[must_use]
     pub fn sclerp_long(self, other: Self, t: R) -> Self {

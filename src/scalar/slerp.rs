@@ -8,7 +8,8 @@ impl<R: Real> Quat<R> {
     /// ±`other` about one axis at constant speed. `t` = 0 gives `self`, 1 gives ±`other`; values
     /// outside [0, 1] go on turning.
     ///
-    /// sin((1−t)Θ)/sin Θ a ± sin(tΘ)/sin Θ b (Shoemake 1985). The angle is
+    /// sin((1−t)Θ)/sin Θ a ± sin(tΘ)/sin Θ b (Shoemake 1985; Arends ch. 3 §3, whose angle is given and whose
+    /// sines vanish in his ch. 6). The angle is
     /// Θ = 2 atan2(|b − a|, |b + a|) (Kahan 2006), not the arccosine of a·b, which has lost a small
     /// one. No singularity: quaternions by the shorter way are at most 90° apart, and close ones
     /// have both sines in proportion to their arguments.
@@ -43,7 +44,7 @@ impl<R: Real> Quat<R> {
 
 impl<R: Real> DualQuat<R> {
     /// Rotation by [`slerp`](Quat::slerp) and translation by LERP, each for itself: what engines
-    /// without dual quaternions do, here to compare with. `t` = 0 gives `self`, 1 gives ±`other`.
+    /// without dual quaternions do (quaternion and vector, Kenwright §3), here to compare with. `t` = 0 gives `self`, 1 gives ±`other`.
     ///
     /// The origin of the body moves on a straight line at constant speed and the body turns about
     /// it, so this is not a screw motion, and it depends on which point of the body is the origin: for

@@ -15,7 +15,7 @@ impl<R: Real> DualQuat<R> {
         vector::add(self.real().rotate(point), self.translation())
     }
 
-    /// The direction Rv: directions turn and do not translate (Tarini, slide 121). σ must be unit.
+    /// The direction Rv: directions do not translate (Tarini, slide 121) and turn (slide 122). σ must be unit.
     #[inline]
     #[must_use]
     pub fn transform_vector(self, vector: [R; 3]) -> [R; 3] {
@@ -39,7 +39,8 @@ impl<R: Real> DualQuat<R> {
         Line { direction, moment: vector::add(turned, shift) }
     }
 
-    /// The plane n′ = Rn, d′ = d + n′·t. σ must be unit.
+    /// The plane n′ = Rn, d′ = d + n′·t: of n·x = d, with x = R⁻¹(x′ − t). σ must be unit. None of the sources
+    /// of dq8 moves planes.
     ///
     /// ```
     /// use dq8::{DualQuat, Plane};

@@ -28,6 +28,16 @@ impl Order {
         }
     }
 
+    /// The end effector on the frame of the last joint.
+    pub(super) fn end(self, last: Matrix<f64, 3, 4>) -> Matrix<f64, 3, 4> {
+        let mut end = last;
+        let tip = matrix::affine_apply(last, self.tip());
+        for (row, t) in end.iter_mut().zip(tip) {
+            row[3] = t;
+        }
+        end
+    }
+
     /// How far the joint is from its parent: the first has none to be away from.
     fn offset(self, joint: usize) -> f32 {
         if self == Self::StateStep && joint == 0 { 0.0 } else { 1.0 }
@@ -78,9 +88,15 @@ impl<S: Representation> Chain<S> {
     /// The joints from the root, in model space.
     #[must_use]
     pub fn models(&self) -> [S; LINKS] {
+        self.levels(|model| model)
+    }
+
+    /// The joints from the root, in model space, each put in order before the next is multiplied onto it.
+    #[must_use]
+    pub fn levels(&self, upkeep: impl Fn(S) -> S) -> [S; LINKS] {
         let mut model = S::identity();
         self.joints.each_ref().map(|joint| {
-            model = model.times(*joint);
+            model = upkeep(model.times(*joint));
             model
         })
     }
@@ -89,12 +105,7 @@ impl<S: Representation> Chain<S> {
     #[must_use]
     pub fn end(&self) -> Matrix<f64, 3, 4> {
         let [.., last] = self.models();
-        let mut end = last.to_matrix();
-        let tip = matrix::affine_apply(end, self.order.tip());
-        for (row, t) in end.iter_mut().zip(tip) {
-            row[3] = t;
-        }
-        end
+        self.order.end(last.to_matrix())
     }
 
     /// The largest error of the length of a link, relative.

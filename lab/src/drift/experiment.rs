@@ -1,8 +1,8 @@
 use super::chain::{Chain, Order, Steps};
 use super::representation::{
-    Homogeneous, Representation, RotationTranslation, kenwright_normalize,
+    Homogeneous, Listing, Representation, RotationTranslation, kenwright_normalize,
 };
-use super::target::follow;
+use super::target::{Miss, follow};
 use crate::matrix::{self, Matrix};
 use core::convert::identity;
 use dq8::DualQuat;
@@ -79,7 +79,7 @@ pub struct Method {
 }
 
 /// All that are compared.
-pub const METHODS: [Method; 7] = [
+pub const METHODS: [Method; 8] = [
     Method {
         name: "matrix",
         trace: |steps, order, every| trace(steps, order, every, identity::<Homogeneous<f32>>),
@@ -91,6 +91,10 @@ pub const METHODS: [Method; 7] = [
     Method {
         name: "dual quaternion",
         trace: |steps, order, every| trace(steps, order, every, identity::<DualQuat<f32>>),
+    },
+    Method {
+        name: "dual quaternion, Kenwright's matrix",
+        trace: |steps, order, every| trace(steps, order, every, |state: Listing<f32>| state),
     },
     Method {
         name: "dual quaternion, normalized",
@@ -168,24 +172,44 @@ fn distance(a: Matrix<f64, 3, 4>, b: Matrix<f64, 3, 4>) -> f64 {
 /// How fast the targets are: frames for one round. What one of them does is chance.
 pub const ROUNDS: [usize; 5] = [200, 500, 1000, 3000, 7000];
 
-/// What each of [`METHODS`] has come to in the last of `frames` frames, root mean squares over targets
-/// of all speeds; and the worst that the exact chain misses its target by, in links.
+/// What becomes of each of [`METHODS`], and of the exact chain.
+#[derive(Clone, Copy, Debug)]
+pub struct Findings {
+    /// In the last frame, root mean squares over targets of all speeds.
+    pub last: [Sample; METHODS.len()],
+    /// The worst of all frames and speeds.
+    pub worst: [Sample; METHODS.len()],
+    /// The worst by which the exact chain misses its target once it has arrived.
+    pub missed: Miss,
+}
+
+/// Follows targets of all speeds for so many frames.
 ///
 /// # Panics
 /// For no frames.
 #[must_use]
-pub fn finals(frames: usize, order: Order) -> ([Sample; METHODS.len()], f64) {
+pub fn findings(frames: usize, order: Order) -> Findings {
     let runs = ROUNDS.map(|round| follow(frames, round, order));
-    let samples = METHODS.map(|method| {
+    let (mut last, mut worst) = (Vec::new(), Vec::new());
+    for method in METHODS {
         let mut squares = [0.0; Measure::ALL.len()];
+        let mut peaks = [0.0_f64; Measure::ALL.len()];
         for (steps, _) in &runs {
-            let traced = (method.trace)(steps, order, frames);
-            let last = traced.last().expect("at least one frame");
-            for (sum, error) in squares.iter_mut().zip(last.errors) {
+            let traced = (method.trace)(steps, order, 1);
+            let end = traced.last().expect("at least one frame");
+            for (sum, error) in squares.iter_mut().zip(end.errors) {
                 *sum += error * error / ROUNDS.len() as f64;
             }
+            for sample in &traced {
+                for (peak, error) in peaks.iter_mut().zip(sample.errors) {
+                    *peak = peak.max(error);
+                }
+            }
         }
-        Sample { frame: frames, errors: squares.map(f64::sqrt) }
-    });
-    (samples, runs.iter().map(|(_, missed)| *missed).fold(0.0, f64::max))
+        last.push(Sample { frame: frames, errors: squares.map(f64::sqrt) });
+        worst.push(Sample { frame: frames, errors: peaks });
+    }
+    let missed = runs.iter().fold(Miss::default(), |worst, (_, missed)| worst.max(*missed));
+    let all = |samples: Vec<Sample>| core::array::from_fn(|method| samples[method]);
+    Findings { last: all(last), worst: all(worst), missed }
 }

@@ -91,6 +91,40 @@ fn wide<R: Real>(motion: DualQuat<R>) -> DualQuat<f64> {
     DualQuat::from_array(motion.to_array().map(Into::into))
 }
 
+/// A dual quaternion that is read by the matrix of Kenwright §13.1, w² + x² − y² − z² and so on, without his
+/// `Normalize` before it. Where |p| is not 1 it scales by |p|² and does not skew.
+#[derive(Clone, Copy, Debug)]
+pub struct Listing<R>(pub DualQuat<R>);
+
+impl<R: Real> Representation for Listing<R> {
+    type Real = R;
+    fn identity() -> Self {
+        Self(DualQuat::IDENTITY)
+    }
+    fn shift(translation: [R; 3]) -> Self {
+        Self(DualQuat::from_translation(translation))
+    }
+    fn turn(axis: [R; 3], angle: R) -> Self {
+        Self(DualQuat::from_rotation(Quat::from_axis_angle(axis, angle)))
+    }
+    fn times(self, other: Self) -> Self {
+        Self(self.0 * other.0)
+    }
+    fn to_matrix(self) -> Matrix<f64, 3, 4> {
+        let motion = wide(self.0);
+        let [w, x, y, z] = motion.real().to_wxyz();
+        let [tx, ty, tz] = motion.translation();
+        [
+            [w * w + x * x - y * y - z * z, 2.0 * (x * y - w * z), 2.0 * (x * z + w * y), tx],
+            [2.0 * (x * y + w * z), w * w + y * y - x * x - z * z, 2.0 * (y * z - w * x), ty],
+            [2.0 * (x * z - w * y), 2.0 * (y * z + w * x), w * w + z * z - x * x - y * y, tz],
+        ]
+    }
+    fn norm_error(self) -> f64 {
+        self.0.norm_error()
+    }
+}
+
 /// `Normalize` of Kenwright §13.1, which divides by the square of the norm and leaves p·q alone.
 #[must_use]
 pub fn kenwright_normalize<R: Real>(motion: DualQuat<R>) -> DualQuat<R> {

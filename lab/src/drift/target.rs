@@ -1,6 +1,7 @@
 //! The steps that make a chain follow a target.
 
 use super::chain::{Chain, LINKS, Order, Steps};
+use crate::matrix::Matrix;
 use dq8::{DualQuat, Quat};
 use nalgebra::{Matrix6, SMatrix, Vector3, Vector6};
 
@@ -19,54 +20,85 @@ fn target(frame: usize, round: usize) -> DualQuat<f64> {
     DualQuat::from_rotation_translation(tilt * roll, position)
 }
 
+/// By how much the end of a chain is not where its target is.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Miss {
+    /// Links.
+    pub position: f64,
+    /// Radians.
+    pub angle: f64,
+}
+
+impl Miss {
+    /// Of the end, the rows of `[A | t]`, from the target in this frame.
+    pub(super) fn of(end: Matrix<f64, 3, 4>, frame: usize, round: usize) -> Self {
+        let (end, target) = (DualQuat::from_matrix3x4(end), target(frame, round));
+        Self { position: end.distance_to(target), angle: end.angle_to(target) }
+    }
+
+    /// The larger of each.
+    #[must_use]
+    pub fn max(self, other: Self) -> Self {
+        Self { position: self.position.max(other.position), angle: self.angle.max(other.angle) }
+    }
+}
+
+/// Frames in which the end comes from the start to the target; after them it follows.
+pub const ARRIVAL: usize = 400;
+
 /// The turns of the joints in every frame that make the chain follow a target which goes round in
-/// `round` frames; and how far the end of the chain is from it in the last frame, in links.
+/// `round` frames; and by how much the end of the chain misses it at worst, in any frame after
+/// [`ARRIVAL`].
 ///
 /// By damped least squares on the geometric Jacobian (Wampler 1986), in double precision; the steps
 /// are then rounded to single precision, exactly the same for every representation.
 #[must_use]
-pub fn follow(frames: usize, round: usize, order: Order) -> (Vec<Steps>, f64) {
+pub fn follow(frames: usize, round: usize, order: Order) -> (Vec<Steps>, Miss) {
     let mut chain = Chain::<DualQuat<f64>>::bent(order);
     let mut steps = Vec::with_capacity(frames);
+    let mut missed = Miss::default();
     for frame in 0..frames {
-        let step = towards(&chain, target(frame, round));
+        let step = towards(&chain.models().map(DualQuat::to_matrix3x4), order, frame, round);
         chain.advance(&step);
         chain.keep(DualQuat::normalize);
+        if frame >= ARRIVAL {
+            missed = missed.max(Miss::of(chain.end(), frame, round));
+        }
         steps.push(step);
     }
-    let missed =
-        frames.checked_sub(1).map_or(0.0, |last| end(&chain).distance_to(target(last, round)));
     (steps, missed)
 }
 
-/// The end effector.
-fn end(chain: &Chain<DualQuat<f64>>) -> DualQuat<f64> {
-    let [.., last] = chain.models();
-    last * DualQuat::from_translation(chain.order.tip())
-}
-
-/// One step of all joints together towards the target.
-fn towards(chain: &Chain<DualQuat<f64>>, target: DualQuat<f64>) -> Steps {
-    let models = chain.models();
-    let end = end(chain);
-    let reached = Vector3::from(end.translation());
+/// One step of all joints together, whose frames in model space are the rows of `[A | t]`, towards where
+/// the target is in a frame.
+pub(super) fn towards(
+    models: &[Matrix<f64, 3, 4>; LINKS],
+    order: Order,
+    frame: usize,
+    round: usize,
+) -> Steps {
+    const STILL: Matrix<f64, 3, 4> =
+        [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
+    let target = target(frame, round);
+    let column = |rows: Matrix<f64, 3, 4>, j: usize| Vector3::from(rows.map(|row| row[j]));
+    let end = order.end(models[LINKS - 1]);
+    let reached = column(end, 3);
     let mut jacobian = SMatrix::<f64, 6, { 3 * LINKS }>::zeros();
     for joint in 0..LINKS {
-        let frame = match (chain.order, joint.checked_sub(1)) {
+        let frame = match (order, joint.checked_sub(1)) {
             (Order::StateStep, _) => models[joint],
             (Order::StepState, Some(parent)) => models[parent],
-            (Order::StepState, None) => DualQuat::IDENTITY,
+            (Order::StepState, None) => STILL,
         };
-        let arm = reached - Vector3::from(frame.translation());
+        let arm = reached - column(frame, 3);
         for axis in 0..3 {
-            let mut unit = [0.0; 3];
-            unit[axis] = 1.0;
-            let direction = Vector3::from(frame.transform_vector(unit));
+            let direction = column(frame, axis);
             let mut column = jacobian.fixed_view_mut::<6, 1>(0, 3 * joint + axis);
             column.fixed_rows_mut::<3>(0).copy_from(&direction);
             column.fixed_rows_mut::<3>(3).copy_from(&direction.cross(&arm));
         }
     }
+    let end = DualQuat::from_matrix3x4(end);
     let turn = DualQuat::from_rotation(target.rotation() * end.rotation().conjugate());
     let turn = turn.log().real.map(|half| 2.0 * half);
     let reach = Vector3::from(target.translation()) - reached;

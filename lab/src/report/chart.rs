@@ -11,7 +11,7 @@ pub struct Series {
     pub points: Vec<(f64, f64)>,
 }
 
-/// A line chart. Lines that coincide have the same colour, and a name each.
+/// A line chart. Every line has a colour of its own; one that would hide an earlier line is drawn in dashes over it.
 #[derive(Clone, Debug)]
 pub struct Chart {
     /// Above the chart.
@@ -72,10 +72,20 @@ impl Chart {
             }
             let pixel = (y.1 - y.0) / f64::from(HEIGHT);
             for (number, (line, points)) in self.series.iter().zip(&lines).enumerate() {
-                // Curves that would hide each other share a colour.
-                let first = lines.iter().position(|other| coincide(other, points, pixel));
-                let colour = Palette99::pick(first.unwrap_or(number)).to_rgba();
-                axes.draw_series(LineSeries::new(points.clone(), colour.stroke_width(2)))?;
+                let (r, g, b) = COLOURS[number % COLOURS.len()];
+                let colour = RGBColor(r, g, b);
+                let hides = lines[..number].iter().any(|other| coincide(other, points, pixel));
+                if hides {
+                    let style = colour.stroke_width(3);
+                    axes.draw_series(DashedLineSeries::new(
+                        points.clone(),
+                        9,
+                        9 + 4 * number as u32,
+                        style,
+                    ))?;
+                } else {
+                    axes.draw_series(LineSeries::new(points.clone(), colour.stroke_width(2)))?;
+                }
                 // Beside the axes: curves are everywhere in them.
                 let (left, height) = ((WIDTH - LEGEND) as i32 + 8, 56 + 20 * number as i32);
                 let key = vec![(left, height), (left + 20, height)];
@@ -99,6 +109,19 @@ fn plain(tick: f64) -> String {
     ((tick * 1e6).round() / 1e6).to_string()
 }
 
+/// As many as a chart has lines at most, none like another (after Okabe and Ito 2008, with three more).
+const COLOURS: [(u8, u8, u8); 10] = [
+    (0, 114, 178),
+    (213, 94, 0),
+    (0, 158, 115),
+    (204, 121, 167),
+    (86, 180, 233),
+    (230, 159, 0),
+    (34, 34, 34),
+    (128, 0, 32),
+    (102, 51, 153),
+    (128, 128, 0),
+];
 const WIDTH: u32 = 1000;
 const HEIGHT: u32 = 400;
 /// Pixels at the right for the names of the lines.

@@ -50,8 +50,10 @@ fn every_section_is_there_and_opens_with_its_claims() {
     let (page, _) = run();
     let titles = [
         "Drift",
+        "Figures",
         "Long products",
         "Operation counts",
+        "Times of products",
         "Interpolations",
         "Keyframes",
         "Hyper-dual",
@@ -178,4 +180,24 @@ fn numbers_are_written_for_people() {
     {
         assert_eq!(decimal(value), text);
     }
+}
+
+/// No two lines of a chart may be taken for each other.
+#[test]
+fn every_line_of_a_chart_has_a_colour_of_its_own() {
+    let line = |number: usize, y: f64| Series {
+        name: format!("line {number}"),
+        points: vec![(0.0, y), (1.0, 2.0 * y)],
+    };
+    // The last two lie on the first.
+    let heights = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 1.0, 1.0];
+    let series = heights.into_iter().enumerate().map(|(number, y)| line(number, y)).collect();
+    let svg = Chart { series, ..chart(&[]) }.to_svg().expect("there are points");
+    let colours: std::collections::BTreeSet<_> = svg
+        .split("stroke=\"")
+        .skip(1)
+        .filter_map(|rest| rest.split_once('"').map(|(colour, _)| colour))
+        .collect();
+    // And that of the axes.
+    assert!(colours.len() > heights.len(), "{colours:?}");
 }

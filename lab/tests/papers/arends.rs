@@ -1,6 +1,6 @@
 //! B. Arends, thesis (Dutch): rotations, SLERP, reflections, keyframing after Alexa.
 
-use crate::{add, assert_close, assert_far, dot, motions, point, pure, quat};
+use crate::{add, assert_close, assert_far, cross, dot, motions, point, pure, quat};
 use core::f64::consts::{FRAC_PI_2, SQRT_2};
 use dq8::{DualQuat, Quat, geometry::DualVector, scalar::MatrixError};
 
@@ -21,6 +21,11 @@ fn chapter_3_eqs_8_to_10_the_parts_of_a_vector_along_and_across_an_axis() {
     let turned = (q * pure(v) * q.conjugate()).xyz();
     assert_close(turned, q.rotate(v), 1e-15);
     assert_close([dot(turned, e)], [dot(v, e)], 1e-15);
+    // By θ and not by half or minus that: cosine and sine of the parts across.
+    let turned = add(turned, along.map(|c| -c));
+    let size = dot(across, across);
+    assert_close([dot(turned, across) / size], [1.1_f64.cos()], 1e-15);
+    assert_close([dot(e, cross(across, turned)) / size], [1.1_f64.sin()], 1e-15);
 }
 
 /// (1,0,0,0) + ε(0, x, y, z) under q_t, step by step as the thesis has it. The daggers' bars are lost

@@ -171,3 +171,24 @@ fn every_test_that_is_named_exists() {
     }
     assert!(missing.is_empty(), "{}", missing.join("\n"));
 }
+
+/// A claim that is checked has a row: no test of a paper stands for none.
+#[test]
+fn every_test_of_a_paper_is_named_by_a_row() {
+    let named: BTreeSet<String> = rows()
+        .iter()
+        .flat_map(|row| quoted(&row.place).map(str::to_owned).collect::<Vec<_>>())
+        .collect();
+    let folder = root().join("lab/tests/papers");
+    let mut orphans = Vec::new();
+    for entry in std::fs::read_dir(&folder).expect("the folder of this file").flatten() {
+        let name = entry.file_name().to_string_lossy().into_owned();
+        if name == "claims.rs" || name == "main.rs" {
+            continue;
+        }
+        let tests = tests_of(&entry.path()).unwrap_or_default();
+        let places = tests.into_iter().map(|test| format!("lab/tests/papers/{name}::{test}"));
+        orphans.extend(places.filter(|place| !named.contains(place)));
+    }
+    assert!(orphans.is_empty(), "{}", orphans.join("\n"));
+}

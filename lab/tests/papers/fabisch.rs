@@ -105,6 +105,7 @@ fn geometrical_interpretation_step_two_removes_a_projection_and_keeps_the_transl
     assert_close([sigma().normalize().dual().dot(p)], [0.0], 1e-15);
     let twice = [q, q - removed].map(|q| (q * p.conjugate()).scale(2.0));
     assert_close(twice[0].xyz(), twice[1].xyz(), 1e-15);
+    assert_close(twice[0].xyz(), sigma().normalize().transform_point([0.0; 3]), 1e-14);
     assert_close([twice[0].w(), twice[1].w()], [2.0 * p.dot(q), 0.0], 1e-15);
 }
 

@@ -14,6 +14,7 @@ fn eq_2_the_product_of_quaternions_in_parts() {
     assert_eq!(p * q, quat(-60.0, 12.0, 30.0, 24.0));
     assert_eq!((p * q).conjugate(), q.conjugate() * p.conjugate());
     assert_eq!(p * p.conjugate(), quat(30.0, 0.0, 0.0, 0.0));
+    assert_eq!(p.conjugate() * p, quat(30.0, 0.0, 0.0, 0.0));
 }
 
 #[test]
@@ -59,6 +60,8 @@ fn eqs_5_to_7_dual_numbers_form_a_ring_without_inverses_of_epsilon() {
     assert_eq!(a * b, Dual::new(8.0, 2.0));
     assert_eq!(b.inverse(), Ok(Dual::new(0.25, 5.0 / 16.0)));
     assert_eq!(Dual::<f64>::EPSILON * Dual::EPSILON, Dual::ZERO);
+    assert_ne!(Dual::<f64>::EPSILON, Dual::ZERO);
+    assert_eq!(Dual::EPSILON * a, Dual::new(0.0, 2.0));
     assert_eq!(Dual::new(0.0, 3.0).inverse().unwrap_err().real_norm, 0.0);
 }
 
@@ -85,6 +88,7 @@ fn eqs_8_9_and_15_the_product_is_that_of_quaternions_of_dual_numbers() {
 fn section_4_numbers_vectors_and_quaternions_are_special_dual_quaternions() {
     let number = |d: Dual<f64>| DualQuat::IDENTITY.scale_dual(d);
     let (a, b) = (Dual::new(2.0, 3.0), Dual::new(4.0, -5.0));
+    assert_eq!(number(a), DualQuat::from_wxyz([2.0, 0.0, 0.0, 0.0, 3.0, 0.0, 0.0, 0.0]));
     assert_eq!(number(a) * number(b), number(a * b));
     assert_eq!(number(a) + number(b), number(a + b));
     let (p, q) = (quat(1.0, 2.0, 3.0, 4.0), quat(5.0, 6.0, 7.0, 8.0));

@@ -1,6 +1,6 @@
 //! B. Kenwright, *A Beginners Guide to Dual-Quaternions*: dual numbers, the class of its appendix.
 
-use crate::{assert_close, assert_far, motions, point, pure, quat, whole_numbers};
+use crate::{assert_close, assert_far, motions, point, pure, quat, third_turn, whole_numbers};
 use dq8::{Dual, DualQuat, Quat};
 
 #[test]
@@ -88,7 +88,13 @@ fn section_7_1_rotation_then_translation_is_the_product_of_both() {
     // §8: Q_d = ½ (0, t) r, and t = 2 Q_d Q_r* back.
     assert_close(s.dual().to_array(), (pure(t).scale(0.5) * r).to_array(), 1e-15);
     assert_close((s.dual().scale(2.0) * r.conjugate()).xyz(), t, 1e-15);
-    // The unit condition, q_r* q_d + q_d* q_r = 0.
+    // And of parts that are known.
+    let (turn, shift) = (third_turn(), [4.0, -2.0, 6.0]);
+    let known = DualQuat::from_rotation_translation(turn, shift);
+    assert_eq!(known.dual(), pure([2.0, -1.0, 3.0]) * turn);
+    assert_eq!(known.transform_point([1.0, 0.0, 0.0]), [4.0, -1.0, 6.0]);
+    // The unit conditions, ‖q‖ = 1 and q_r* q_d + q_d* q_r = 0.
+    assert_close([s.norm().real, s.norm().dual], [1.0, 0.0], 1e-15);
     let zero = s.real().conjugate() * s.dual() + s.dual().conjugate() * s.real();
     assert_close(zero.to_array(), [0.0; 4], 1e-15);
 }

@@ -2,6 +2,7 @@
 
 use crate::{assert_close, assert_far, motions};
 use core::f64::consts::{PI, TAU};
+use dq8::representation::{EulerAxes, EulerFrame, EulerOrder};
 use dq8::{Dual, DualQuat, Quat, Twist};
 use nalgebra::SMatrix;
 
@@ -102,6 +103,42 @@ fn sections_3_3_3_and_8_dual_quaternions_have_no_gimbal_lock() {
     }
 }
 
+/// "Ill-conditioned": near gimbal lock a turn by 10⁻⁹ changes the outer angles by as much over the distance
+/// from it, and the middle one by no more than itself.
+#[test]
+fn section_3_3_3_near_gimbal_lock_the_outer_angles_lose_digits() {
+    let order = EulerOrder { axes: EulerAxes::XYZ, frame: EulerFrame::Extrinsic };
+    let nudge = Quat::from_axis_angle(X, 1e-9);
+    for off in [1.0, 1e-2, 1e-4, 1e-6] {
+        let rotation = euler([0.3, PI / 2.0 - off, -0.4]);
+        let [before, after] =
+            [rotation, nudge * rotation].map(|rotation| rotation.to_euler(order).angles.angles);
+        let moved = |i: usize| (after[i] - before[i]).abs() * 1e9;
+        let outer = moved(0).max(moved(2));
+        assert!((0.1 / off..2.0 / off).contains(&outer), "{off}: {outer}");
+        assert!(moved(1) < 1.1, "{off}: {}", moved(1));
+    }
+}
+
+/// "Small errors creep in": combined through quaternions a thousand times in single precision, the angle
+/// is off by many times what one conversion loses.
+#[test]
+fn section_3_4_2_errors_of_the_angle_accumulate() {
+    let (axis, step) = ([0.48_f32, 0.6, 0.64], 1e-3_f32);
+    let turn = Quat::from_axis_angle(axis, step);
+    let (mut axis, mut angle) = (axis, step);
+    let mut errors = Vec::new();
+    for n in 2..=1000 {
+        (axis, angle) = (Quat::from_axis_angle(axis, angle) * turn).to_axis_angle();
+        let exact = f64::from(n) * f64::from(step);
+        errors.push((f64::from(angle) - exact).abs() / exact);
+    }
+    let epsilon = f64::from(f32::EPSILON);
+    assert!(errors[0] < 2.0 * epsilon, "once: {:e}", errors[0]);
+    let worst = errors.iter().fold(0.0, |worst: f64, error| worst.max(*error));
+    assert!(worst > 5.0 * epsilon, "{:e} at worst", worst);
+}
+
 #[test]
 fn section_3_4_2_axis_and_angle_are_many_for_one_rotation() {
     let axis = [0.6, 0.0, 0.8];
@@ -145,6 +182,24 @@ fn section_4_erratum_eight_numbers_are_not_the_fewest() {
     assert_eq!(size_of::<DualQuat<f32>>() / float, 8);
     assert_eq!(size_of::<[[f32; 4]; 3]>() / float, 12);
     assert_eq!(size_of::<(Quat<f32>, [f32; 3])>() / float, 7);
+    // Arends' conclusion, for rotations alone: 4 floats against 16.
+    assert_eq!(size_of::<Quat<f32>>() / float, 4);
+    assert_eq!(size_of::<[[f32; 4]; 4]>() / float, 16);
+}
+
+/// "The limit of the difference quotient is a dual number too": (f(x + h) − f(x))/h of a dual x.
+#[test]
+fn section_5_2_the_derivative_of_a_dual_function_is_the_limit_and_a_dual_number() {
+    let f = |x: Dual<f64>| x * x * x;
+    let x = Dual::new(0.7, 2.0);
+    let derivative = Dual::new(3.0, 0.0) * x * x;
+    for h in [1e-3, 1e-5] {
+        let step = Dual::new(h, 0.0);
+        let quotient = (f(x + step) - f(x)) / step;
+        let off = quotient - derivative;
+        assert!(off.real.abs().max(off.dual.abs()) < 7.0 * h, "{h}: {off:?}");
+    }
+    assert_close([derivative.real, derivative.dual], [3.0 * 0.49, 6.0 * 0.7 * 2.0], 1e-14);
 }
 
 #[test]

@@ -5,11 +5,13 @@
 mod arends;
 mod arends_matrices;
 mod arends_quaternions;
+mod arends_scaling;
 mod claims;
 mod fabisch;
 mod jia;
 mod jia_screws;
 mod kenwright;
+mod kenwright_class;
 mod kenwright_representations;
 mod tarini;
 

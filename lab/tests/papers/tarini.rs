@@ -3,6 +3,7 @@
 use crate::whole_numbers;
 use crate::{add, assert_close, assert_far, cross, dot, motions, point, pure, quat, third_turn};
 use dq8::{DualQuat, Quat};
+use nalgebra::SMatrix;
 
 const AXIS: [f64; 3] = [2.0 / 7.0, 6.0 / 7.0, -3.0 / 7.0];
 const ANGLE: f64 = 1.3;
@@ -88,6 +89,28 @@ fn slides_117_and_118_points_translate_and_rotate() {
     assert_eq!(rotation.transform_point(v), [-1.0, 3.0, 1.0]);
 }
 
+/// Unit and orthogonal are the motions: r + ½εtr of whichever r and t is, and from what is it comes back.
+#[test]
+fn slide_112_unit_and_orthogonal_are_the_roto_translations_and_no_others() {
+    for s in motions() {
+        assert_unit_and_orthogonal(s);
+        let again = DualQuat::from_rotation_translation(s.rotation(), s.translation());
+        assert_close(again.to_array(), s.to_array(), 1e-15);
+    }
+    // Without either condition the parts do not make it again, and points are not where parts put them.
+    let [s, _] = motions();
+    let long = s.scale(1.5);
+    let slanted = DualQuat::new(s.real(), s.dual() + s.real().scale(0.5));
+    for other in [long, slanted] {
+        let again = DualQuat::from_rotation_translation(other.rotation(), other.translation());
+        assert_far(again.to_array(), other.to_array());
+        assert_far([other.real().norm(), other.real().dot(other.dual())], [1.0, 0.0]);
+    }
+    let v = [3.0, 1.0, -1.0];
+    let real = (long * point(v) * long.conjugate_both()).real();
+    assert_close([real.w()], [2.25], 1e-15);
+}
+
 #[test]
 fn slides_119_and_120_a_roto_translation_is_unit_and_orthogonal() {
     let (sin, cos) = (ANGLE / 2.0).sin_cos();
@@ -151,6 +174,28 @@ fn slide_124_opposite_dual_quaternions_are_the_same_motion() {
     for identity in [DualQuat::IDENTITY, -DualQuat::IDENTITY] {
         assert_eq!(identity.transform_point(v), v);
         assert_eq!(identity.transform_vector(v), v);
+    }
+}
+
+/// What moves nothing commutes with i, j and k, and only real numbers do: so σ⁻¹τ is ±1, and τ = ±σ.
+#[test]
+fn slide_124_there_is_no_third_dual_quaternion_of_a_motion() {
+    let units = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(pure);
+    // pv − vp = 0 for v = i, j, k: twelve equations for the four components of p.
+    let commutes = SMatrix::<f64, 12, 4>::from_fn(|row, component| {
+        let p = Quat::from_array(core::array::from_fn(|i| f64::from(u8::from(i == component))));
+        let v = units[row / 4];
+        (p * v - v * p).to_array()[row % 4]
+    });
+    assert_eq!(commutes.rank(1e-12), 3);
+    assert_eq!(commutes.column(3).amax(), 0.0, "the real component is free");
+    // And 2qp* = 0 with p = ±1 has no q but 0.
+    for p in [Quat::IDENTITY, -Quat::IDENTITY] {
+        let translation = SMatrix::<f64, 4, 4>::from_fn(|row, component| {
+            let q = Quat::from_array(core::array::from_fn(|i| f64::from(u8::from(i == component))));
+            (q.scale(2.0) * p.conjugate()).to_array()[row]
+        });
+        assert_eq!(translation.rank(1e-12), 4);
     }
 }
 
