@@ -3,6 +3,7 @@ use super::concatenate::Forward;
 use super::locals::{InPlace, Locals, Poses};
 use super::palette::{Epilogue, NoEpilogue, Palette};
 use super::run::{Root, Run};
+use super::unkept::Unkept;
 use super::{Hierarchy, Renormalize, transposed};
 #[cfg(feature = "alloc")]
 use super::{HierarchyPlan, planned};
@@ -272,7 +273,15 @@ impl<'a, E: Element<8>> Job<'a, E> {
             }
         }
         let mut done = 0;
-        for entries in palette.chunks_mut(scratch.len().max(1)) {
+        if transposed::MANY && E::Layout::THINGS == 1 {
+            let instances = palette.len() / joints.max(1);
+            let mut epilogue = Palette { inverse_binds, order: self.order, entries: palette };
+            let (run, epilogue) = (&self.run, &mut epilogue);
+            let kernel = Unkept { run, locals, instances, scratch, epilogue };
+            done = joints * self.backend.unwrap_or_default().run(kernel);
+        }
+        let rest = palette.get_mut(done..).unwrap_or_default();
+        for entries in rest.chunks_mut(scratch.len().max(1)) {
             let (job, locals) = self.part(locals, done..done + entries.len());
             let models = scratch.get_mut(..entries.len()).unwrap_or_default();
             job.forward(locals, models, Palette { inverse_binds, order: self.order, entries });

@@ -5,7 +5,7 @@ use super::slot::JointSlot;
 use crate::batch;
 use crate::palette_entry::{MatrixOrder, PaletteEntry};
 use crate::scalar::DualQuat;
-use crate::storage::{Element, Number};
+use crate::storage::{Element, Layout, Number};
 use dq8_simd::Level;
 
 /// What is computed from a model once it is known, as in the epilogue of a matrix product.
@@ -42,6 +42,7 @@ where
         let Some(bind) = slot.of_joint(level, bytemuck::must_cast_slice(self.inverse_binds)) else {
             return;
         };
+        slot.prefetch(level, self.entries, E::Layout::records::<V>());
         let entry = M::of(model * batch::DualQuat::from_array(bind), self.order);
         M::store(entry, slot.within(self.entries), slot.tile());
     }

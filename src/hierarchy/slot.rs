@@ -1,6 +1,9 @@
 use crate::real::Scalar;
 use crate::storage::{Tile, aos, identity};
-use dq8_simd::{Lanes, Records};
+use dq8_simd::{Lanes, Level, Records};
+
+/// How many joints ahead memory is asked for. TODO
+const AHEAD: usize = 2;
 
 /// What the lanes of a kernel over hierarchies hold: one joint of several instances, or several joints
 /// of one instance.
@@ -77,6 +80,19 @@ impl JointSlot {
         match self.end {
             Some(end) => to.get_mut(..self.first + end).unwrap_or_default(),
             None => to,
+        }
+    }
+
+    /// Asks for where the joint after the next lies in `memory`, which will be written soon, if lanes are instances
+    /// that lie apart. So many places at once the CPU does not foresee, and to write to a line is to read it first.
+    #[inline(always)]
+    pub(super) fn prefetch<E, V: Level>(self, level: V, memory: &[E], lanes: usize) {
+        let Some(stride) = self.stride else { return };
+        let soon = memory.get(self.first + self.joint + AHEAD..).unwrap_or_default();
+        for lane in 0..lanes {
+            if let Some(place) = soon.get(lane * stride) {
+                level.prefetch(place);
+            }
         }
     }
 

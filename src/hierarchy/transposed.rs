@@ -21,7 +21,7 @@ const RECENT: usize = 16;
 
 /// Whether many instances in plain slices are worth a loop of their own. Firmware has few, and counts the
 /// bytes of code and stack.
-const MANY: bool = cfg!(not(target_os = "none"));
+pub(super) const MANY: bool = cfg!(not(target_os = "none"));
 
 /// Writes the models of all instances.
 #[inline]
