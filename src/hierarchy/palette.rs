@@ -43,7 +43,15 @@ where
             return;
         };
         slot.prefetch(level, self.entries, E::Layout::records::<V>());
-        let entry = M::of(model * batch::DualQuat::from_array(bind), self.order);
-        M::store(entry, slot.within(self.entries), slot.tile());
+        let (entry, entries) = (model * batch::DualQuat::from_array(bind), &mut *self.entries);
+        // Not one store of either order: where the two ways join, the compiler would move twelve registers.
+        match self.order {
+            MatrixOrder::Rows => {
+                M::store(M::of(entry, MatrixOrder::Rows), slot.within(entries), slot.tile());
+            }
+            MatrixOrder::Columns => {
+                M::store(M::of(entry, MatrixOrder::Columns), slot.within(entries), slot.tile());
+            }
+        }
     }
 }

@@ -87,12 +87,10 @@ impl JointSlot {
     /// that lie apart. So many places at once the CPU does not foresee, and to write to a line is to read it first.
     #[inline(always)]
     pub(super) fn prefetch<E, V: Level>(self, level: V, memory: &[E], lanes: usize) {
-        let Some(stride) = self.stride else { return };
-        let soon = memory.get(self.first + self.joint + AHEAD..).unwrap_or_default();
-        for lane in 0..lanes {
-            if let Some(place) = soon.get(lane * stride) {
-                level.prefetch(place);
-            }
+        if let Some(stride) = self.stride
+            && let Some(soon) = memory.get(self.first + self.joint + AHEAD..)
+        {
+            level.prefetch_every(soon, stride, lanes);
         }
     }
 

@@ -71,9 +71,11 @@ fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     instance: usize,
     models: &mut [Rows<E, V>],
 ) {
+    // In registers: what is stored might be what `run` refers to, for all that the compiler knows.
+    let parents = run.parents;
     for joint in run.joints.clone() {
-        let Some(&parent) = run.parents.get(joint) else { return };
-        let slot = JointSlot::of_instances(joint, instance, run.parents.len());
+        let Some(&parent) = parents.get(joint) else { return };
+        let slot = JointSlot::of_instances(joint, instance, parents.len());
         // ROOT is beyond the last joint: there is no such model.
         if let Some(parent) = models.get(parent as usize) {
             let Some(local) = locals.load(level, &[], slot) else { return };
