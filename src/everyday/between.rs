@@ -24,8 +24,7 @@ pub(crate) fn sclerp<F: Number>(a: [F; 8], b: [F; 8], t: F) -> Option<[F; 8]> {
     let [chord, across, ..] = dots(back, back, back_dual).to_array();
     let weights = Weights::of(chord, across, t)?;
     let (middle, along) = (load([weights.middle; 4]), load([weights.along; 4]));
-    let (middle_dual, along_dual) =
-        (load([weights.middle_dual; 4]), load([weights.along_dual; 4]));
+    let (middle_dual, along_dual) = (load([weights.middle_dual; 4]), load([weights.along_dual; 4]));
     let ahead_dual = ahead_dual.mul_add(middle, ahead * middle_dual);
     let back_dual = back_dual.mul_add(along, back * along_dual);
     Some(join(ahead.mul_add(middle, back * along), ahead_dual + back_dual))

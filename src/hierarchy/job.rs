@@ -231,7 +231,8 @@ impl<'a, E: Element<8>> Job<'a, E> {
 
     /// [`locals_to_palette`](Self::locals_to_palette) for callers who need no models: these go through
     /// `scratch`, which holds some whole instances, again and again. 16 instances serve plain motions and
-    /// two blocks serve blocks best: as few as fill the lanes, so that they stay in the first cache.
+    /// two blocks serve blocks best: as few as fill the lanes, so that they stay in the first cache. What is in it
+    /// afterwards has no meaning: with plain motions, models stay there in the order of registers.
     ///
     /// # Errors
     /// If lengths or the range do not fit, `scratch` holds no instance, or the parent of a joint of the range is
