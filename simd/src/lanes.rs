@@ -229,6 +229,13 @@ pub trait Level: Copy + Debug + Send + Sync + 'static {
         let _ = value;
     }
 
+    /// Asks for where `count` values begin, `stride` apart, of which the first is the first of `memory`; for
+    /// lanes that lie apart. Those beyond its end are asked for too, which harms nobody and saves the question.
+    #[inline(always)]
+    fn prefetch_every<T>(self, memory: &[T], stride: usize, count: usize) {
+        let _ = (memory, stride, count);
+    }
+
     /// `value`, whose address is in a register of its own. For values of which single numbers are
     /// multiplied into every lane: AVX-512 loads, multiplies and adds in one step from such an address,
     /// and in two from a sum of registers, which a compiler would take to save an instruction.

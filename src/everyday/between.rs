@@ -1,7 +1,7 @@
 //! Interpolation on a screw: slerp about the middle of the way, as `batch/screw.rs` has it, with one
 //! quaternion per register, and several polynomials in the lanes of one register.
 
-use super::quad::{dots, halves, join, load, sum, toward};
+use super::quad::{dots, halves, join, load, sum, turn_toward};
 use super::{Four, Number, one_lane};
 use crate::batch::even_coefficients as coefficients;
 use dq8_simd::Lanes;
@@ -17,15 +17,14 @@ pub(crate) fn sclerp<F: Number>(a: [F; 8], b: [F; 8], t: F) -> Option<[F; 8]> {
         return one_lane::sclerp(a, b, t);
     }
     let ([p, q], [r, s]) = (halves(a), halves(b));
-    let sign = toward(p, r);
-    let (ahead, ahead_dual) = (r.mul_add(sign, p), s.mul_add(sign, q));
-    let (back, back_dual) = (r.neg_mul_add(sign, p), s.neg_mul_add(sign, q));
-    let [chord, across] = dots(back, back, back_dual);
-    let weights = Weights::of(chord, t)?;
+    let turn = turn_toward(p, r);
+    let (r, s) = (r ^ turn, s ^ turn);
+    let (ahead, ahead_dual) = (p + r, q + s);
+    let (back, back_dual) = (p - r, q - s);
+    let [chord, across, ..] = dots(back, back, back_dual).to_array();
+    let weights = Weights::of(chord, across, t)?;
     let (middle, along) = (load([weights.middle; 4]), load([weights.along; 4]));
-    let chord_dual = across + across;
-    let middle_dual = load([chord_dual * weights.middle_slope; 4]);
-    let along_dual = load([chord_dual * weights.along_slope; 4]);
+    let (middle_dual, along_dual) = (load([weights.middle_dual; 4]), load([weights.along_dual; 4]));
     let ahead_dual = ahead_dual.mul_add(middle, ahead * middle_dual);
     let back_dual = back_dual.mul_add(along, back * along_dual);
     Some(join(ahead.mul_add(middle, back * along), ahead_dual + back_dual))
@@ -38,41 +37,46 @@ pub(crate) fn slerp<F: Number>(a: [F; 4], b: [F; 4], t: F) -> Option<[F; 4]> {
         return one_lane::slerp(a, b, t);
     }
     let (a, b): (F::Four, F::Four) = (load(a), load(b));
-    let sign = toward(a, b);
-    let (ahead, back) = (b.mul_add(sign, a), b.neg_mul_add(sign, a));
-    let weights = Weights::of(sum(back * back), t)?;
+    let b = b ^ turn_toward(a, b);
+    let (ahead, back) = (a + b, a - b);
+    let weights = Weights::of(sum(back * back), F::default(), t)?;
     Some(ahead.mul_add(load([weights.middle; 4]), back * load([weights.along; 4])).to_array())
 }
 
-/// What 2m = a ± b and −2h = a ∓ b are multiplied by; their derivatives by the squared chord C of Θ are
-/// what its dual part is multiplied by.
+/// Dual numbers that 2m = a ± b and −2h = a ∓ b are multiplied by.
 struct Weights<F> {
     middle: F,
-    middle_slope: F,
+    middle_dual: F,
     along: F,
-    along_slope: F,
+    along_dual: F,
 }
 
 impl<F: Number> Weights<F> {
-    /// cos √v/√(4 − C) and w sin(√v)/√v, of w = (½ − t)K(C) and v = Cw² = (τΘ/2)².
+    /// cos √v/√(4 − C) and w sin(√v)/√v, of w = (½ − t)K(C) and v = Cw² = (τΘ/2)², where C is the squared chord
+    /// of Θ, `chord` + 2ε`across`. What the polynomials wait for comes first, and what need not wait for them is
+    /// multiplied before: the two are the longest way through an interpolation.
     #[inline(always)]
-    fn of(chord: F, t: F) -> Option<Self> {
+    fn of(chord: F, across: F, t: F) -> Option<Self> {
         let (half, one) = (t.constant(0.5), t.constant(1.0));
         let back = half - t;
-        let secant = one / Lanes::sqrt(one.constant(4.0) - chord);
+        let chord_back = chord * (back * back);
         let [arc, _, slope, _] = polynomial::<F::Four>(F::ARC, chord).to_array();
-        let (w, w_slope) = (back * arc, back * slope);
-        let v = chord * w * w;
+        let v = chord_back * (arc * arc);
         if !v.le(t.constant(ORDINARY)) {
             return None;
         }
+        let secant = one / Lanes::sqrt(one.constant(4.0) - chord);
+        let (w, w_slope) = (back * arc, back * slope);
         let v_slope = w * (w + chord * (w_slope + w_slope));
+        let (secant_dual, w_dual) = (across * secant, (across + across) * w_slope);
+        let (falling, rising) = (secant_dual * (secant * secant), secant_dual * v_slope);
+        let bending = (across + across) * (w * v_slope);
         let [cos, sinc, sinc_slope, _] = polynomial::<F::Four>(F::WAVES, v).to_array();
         Some(Self {
             middle: cos * secant,
-            middle_slope: half * secant * (cos * (secant * secant) - sinc * v_slope),
+            middle_dual: cos * falling - sinc * rising,
             along: w * sinc,
-            along_slope: w_slope * sinc + w * (sinc_slope * v_slope),
+            along_dual: w_dual * sinc + bending * sinc_slope,
         })
     }
 }

@@ -15,6 +15,7 @@ mod one_lane;
 mod quad;
 
 pub(crate) use between::{sclerp, slerp};
+use core::ops::BitXor;
 use dq8_simd::{Float, Lanes, Portable, f32x4, f64x4};
 pub(crate) use one_lane::{exp, log, pow, sqrt};
 pub(crate) use quad::{
@@ -32,6 +33,8 @@ pub(crate) trait Number:
     const REGISTERS: usize = 4 / <Self::Four as Lanes>::Native::LANES;
     /// The largest power of two that is no larger than this positive normal number.
     fn power_of_two(self) -> Self;
+    /// Whether this lies between two positive numbers: one comparison, of bits.
+    fn is_between(self, least: Self, most: Self) -> bool;
 }
 
 impl Number for f32 {
@@ -39,6 +42,11 @@ impl Number for f32 {
     #[inline(always)]
     fn power_of_two(self) -> Self {
         Self::from_bits(self.to_bits() & 0x7f80_0000)
+    }
+    #[inline(always)]
+    fn is_between(self, least: Self, most: Self) -> bool {
+        let (least, most) = (least.to_bits(), most.to_bits());
+        self.to_bits().wrapping_sub(least) < most.wrapping_sub(least)
     }
 }
 
@@ -48,11 +56,17 @@ impl Number for f64 {
     fn power_of_two(self) -> Self {
         Self::from_bits(self.to_bits() & 0x7ff0_0000_0000_0000)
     }
+    #[inline(always)]
+    fn is_between(self, least: Self, most: Self) -> bool {
+        let (least, most) = (least.to_bits(), most.to_bits());
+        self.to_bits().wrapping_sub(least) < most.wrapping_sub(least)
+    }
 }
 
 /// Four lanes.
 pub(crate) trait Four:
     Lanes<Real = <Self as Four>::Number, Level = Portable, Array = [<Self as Four>::Number; 4]>
+    + BitXor<Output = Self>
 {
     /// The number in each.
     type Number: Number<Four = Self>;

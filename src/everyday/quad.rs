@@ -33,9 +33,9 @@ pub(crate) fn quaternion_product<F: Number>(a: [F; 4], b: [F; 4]) -> Option<[F; 
 /// v + 2(p × (p × v + wv + q) + w_p q − w_q p): the translation 2(w_p q − w_q p + p × q) shares a
 /// cross product with the rotation.
 #[inline(always)]
-pub(crate) fn point<F: Number>(motion: [F; 8], [x, y, z]: [F; 3]) -> Option<[F; 3]> {
+pub(crate) fn point<F: Number>(motion: [F; 8], point: [F; 3]) -> Option<[F; 3]> {
     let [p, q] = halves(motion);
-    let v = load([x, y, z, F::default()]);
+    let v = load_three(point);
     let inner = pick(p, [3; 4]).mul_add(v, q) + cross(p, v);
     let half = cross(p, inner) + translation_along(p, q);
     let [x, y, z, _] = (half + half + v).to_array();
@@ -44,14 +44,14 @@ pub(crate) fn point<F: Number>(motion: [F; 8], [x, y, z]: [F; 3]) -> Option<[F; 
 
 /// v + 2p × (p × v + wv)
 #[inline(always)]
-pub(crate) fn rotate<F: Number>(rotation: [F; 4], [x, y, z]: [F; 3]) -> Option<[F; 3]> {
+pub(crate) fn rotate<F: Number>(rotation: [F; 4], vector: [F; 3]) -> Option<[F; 3]> {
     // Two registers take as long as four numbers: of these, one in four is of no use here. And what lines are
     // measured against is `f64`.
     if !multiplies_in_a_register::<F>() {
         return None;
     }
     let p: F::Four = load(rotation);
-    let v = load([x, y, z, F::default()]);
+    let v = load_three(vector);
     let half = cross(p, pick(p, [3; 4]).mul_add(v, cross(p, v)));
     let [x, y, z, _] = (half + half + v).to_array();
     Some([x, y, z])
@@ -138,9 +138,12 @@ pub(crate) fn lerp<F: Number>(a: [F; 8], b: [F; 8], t: F) -> Option<[F; 8]> {
         return None;
     }
     let ([p, q], [r, s]) = (halves(a), halves(b));
-    let weight = toward(p, r) * load([t; 4]);
-    let rest = load([t.constant(1.0) - t; 4]);
-    Some(join(r.mul_add(weight, p * rest), s.mul_add(weight, q * rest)))
+    let turn = turn_toward(p, r);
+    let t: F::Four = load([t; 4]);
+    let rest = t.constant(1.0) - t;
+    // Signs are the last to be known: products need not wait for them.
+    let (r, s) = ((r * t) ^ turn, (s * t) ^ turn);
+    Some(join(p.mul_add(rest, r), q.mul_add(rest, s)))
 }
 
 /// p*/|p|² + ε(q/|p|² − 2(p·q)p/|p|⁴)*, for p*qp* = 2(p·q)p* − |p|²q*; as [`unit`].
@@ -151,9 +154,8 @@ pub(crate) fn inverse<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
     }
     let [p, q] = halves(motion);
     let [squared, along] = moderate(p, q)?;
-    let recip = squared.constant(1.0) / squared;
-    let twice = load([(along + along) * recip; 4]);
-    let over_squared = load([recip; 4]);
+    let over_squared = squared.constant(1.0) / squared;
+    let twice = (along + along) * over_squared;
     let [px, py, pz, pw] = (p * over_squared).to_array();
     let [qx, qy, qz, qw] = (p.neg_mul_add(twice, q) * over_squared).to_array();
     Some([-px, -py, -pz, pw, -qx, -qy, -qz, qw])
@@ -164,38 +166,38 @@ fn unit_of<V: Four>(p: V, q: V) -> Option<[V::Number; 8]> {
     let [squared, along] = moderate(p, q)?;
     // Not the root over the square, which need not wait but rounds once more: a chain of products by one
     // axis stays at the norm 1 this way.
-    let over_norm = squared.constant(1.0) / Lanes::sqrt(squared);
-    let along = load([along * (over_norm * over_norm); 4]);
-    let over_norm = load([over_norm; 4]);
-    Some(join(p * over_norm, p.neg_mul_add(along, q) * over_norm))
+    let over_norm = squared.constant(1.0) / squared.sqrt();
+    // A division of its own: what is taken from q is known before the root is.
+    Some(join(p * over_norm, p.neg_mul_add(along / squared, q) * over_norm))
 }
 
-/// −1 where `a` and `b` point apart, else 1.
+/// A sign bit in all lanes where `a` and `b` point apart, else none: what turns `b` toward `a`.
 #[inline(always)]
-pub(super) fn toward<V: Four>(a: V, b: V) -> V {
-    // Zeros of either sign are at no distance.
-    let dot = sum(a * b) + V::Number::default();
-    load([dot.constant(1.0).copysign(dot); 4])
+pub(super) fn turn_toward<V: Four>(a: V, b: V) -> V {
+    let pairs = a * b;
+    let pairs = pairs + pick(pairs, [2, 3, 0, 1]);
+    let dot = pairs + pick(pairs, [1, 0, 3, 2]);
+    // Not the sign of the dot product: zeros of either sign are at no distance.
+    V::select(dot.lt(dot.constant(0.0)), dot.constant(-0.0), dot.constant(0.0))
 }
 
-/// |p|² and p·q, unless squares or quotients might overflow or vanish.
+/// |p|² and p·q in all lanes, unless squares or quotients might overflow or vanish.
 #[inline(always)]
-fn moderate<V: Four>(p: V, q: V) -> Option<[V::Number; 2]> {
-    let [squared, along] = dots(p, p, q);
+fn moderate<V: Four>(p: V, q: V) -> Option<[V; 2]> {
+    let sums = dots(p, p, q);
+    let [squared, ..] = sums.to_array();
     // Beside the smallest number there is, which p·q is rounded to, p and q are then large enough.
-    let (least, most) = (squared.constant(1e-6), squared.constant(1e6));
-    let fits = q.abs().lt(q.constant(1e12)).to_bitmask() == 0b1111;
-    let moderate = fits & least.lt(squared) & squared.lt(most);
-    moderate.then_some([squared, along])
+    let fits = squared.is_between(squared.constant(1e-6), squared.constant(1e6))
+        && q.abs().lt(q.constant(1e12)).to_bitmask() == 0b1111;
+    fits.then(|| [pick(sums, [0; 4]), pick(sums, [1; 4])])
 }
 
-/// a·b and a·c
+/// a·b and a·c, and once more.
 #[inline(always)]
-pub(super) fn dots<V: Four>(a: V, b: V, c: V) -> [V::Number; 2] {
+pub(super) fn dots<V: Four>(a: V, b: V, c: V) -> V {
     let ([b0, b1, b2, b3], [c0, c1, c2, c3]) = ((a * b).to_array(), (a * c).to_array());
     let sums: V = load::<V>([b0, c0, b1, c1]) + load([b2, c2, b3, c3]);
-    let [first, second, ..] = (sums + pick(sums, [2, 3, 2, 3])).to_array();
-    [first, second]
+    sums + pick(sums, [2, 3, 0, 1])
 }
 
 #[inline(always)]
@@ -263,6 +265,15 @@ pub(super) fn join<V: Four>(p: V, q: V) -> [V::Number; 8] {
 #[inline(always)]
 pub(super) fn load<V: Four>(numbers: [V::Number; 4]) -> V {
     V::load(Portable, &numbers)
+}
+
+/// Three numbers, and a zero. The copy stays in registers; of the numbers by name, the compiler makes each order
+/// that [`pick`] asks for anew, with twice as many shuffles.
+#[inline(always)]
+fn load_three<V: Four>(numbers: [V::Number; 3]) -> V {
+    let mut four = [V::Number::default(); 4];
+    four[..3].copy_from_slice(&numbers);
+    load(four)
 }
 
 /// The numbers in another order.

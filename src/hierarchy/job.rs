@@ -3,6 +3,7 @@ use super::concatenate::Forward;
 use super::locals::{InPlace, Locals, Poses};
 use super::palette::{Epilogue, NoEpilogue, Palette};
 use super::run::{Root, Run};
+use super::unkept::Unkept;
 use super::{Hierarchy, Renormalize, transposed};
 #[cfg(feature = "alloc")]
 use super::{HierarchyPlan, planned};
@@ -230,7 +231,8 @@ impl<'a, E: Element<8>> Job<'a, E> {
 
     /// [`locals_to_palette`](Self::locals_to_palette) for callers who need no models: these go through
     /// `scratch`, which holds some whole instances, again and again. 16 instances serve plain motions and
-    /// two blocks serve blocks best: as few as fill the lanes, so that they stay in the first cache.
+    /// two blocks serve blocks best: as few as fill the lanes, so that they stay in the first cache. What is in it
+    /// afterwards has no meaning: with plain motions, models stay there in the order of registers.
     ///
     /// # Errors
     /// If lengths or the range do not fit, `scratch` holds no instance, or the parent of a joint of the range is
@@ -272,7 +274,15 @@ impl<'a, E: Element<8>> Job<'a, E> {
             }
         }
         let mut done = 0;
-        for entries in palette.chunks_mut(scratch.len().max(1)) {
+        if transposed::MANY && E::Layout::THINGS == 1 {
+            let instances = palette.len() / joints.max(1);
+            let mut epilogue = Palette { inverse_binds, order: self.order, entries: palette };
+            let (run, epilogue) = (&self.run, &mut epilogue);
+            let kernel = Unkept { run, locals, instances, scratch, epilogue };
+            done = joints * self.backend.unwrap_or_default().run(kernel);
+        }
+        let rest = palette.get_mut(done..).unwrap_or_default();
+        for entries in rest.chunks_mut(scratch.len().max(1)) {
             let (job, locals) = self.part(locals, done..done + entries.len());
             let models = scratch.get_mut(..entries.len()).unwrap_or_default();
             job.forward(locals, models, Palette { inverse_binds, order: self.order, entries });

@@ -46,6 +46,7 @@ mod schedule;
 mod skeleton;
 mod slot;
 mod transposed;
+mod unkept;
 mod velocity;
 
 pub use crate::palette_entry::{MatrixOrder, PaletteEntry};

@@ -5,7 +5,7 @@ use super::slot::JointSlot;
 use crate::batch;
 use crate::palette_entry::{MatrixOrder, PaletteEntry};
 use crate::scalar::DualQuat;
-use crate::storage::{Element, Number};
+use crate::storage::{Element, Layout, Number};
 use dq8_simd::Level;
 
 /// What is computed from a model once it is known, as in the epilogue of a matrix product.
@@ -42,7 +42,16 @@ where
         let Some(bind) = slot.of_joint(level, bytemuck::must_cast_slice(self.inverse_binds)) else {
             return;
         };
-        let entry = M::of(model * batch::DualQuat::from_array(bind), self.order);
-        M::store(entry, slot.within(self.entries), slot.tile());
+        slot.prefetch(level, self.entries, E::Layout::records::<V>());
+        let (entry, entries) = (model * batch::DualQuat::from_array(bind), &mut *self.entries);
+        // Not one store of either order: where the two ways join, the compiler would move twelve registers.
+        match self.order {
+            MatrixOrder::Rows => {
+                M::store(M::of(entry, MatrixOrder::Rows), slot.within(entries), slot.tile());
+            }
+            MatrixOrder::Columns => {
+                M::store(M::of(entry, MatrixOrder::Columns), slot.within(entries), slot.tile());
+            }
+        }
     }
 }

@@ -1,6 +1,10 @@
 use crate::real::Scalar;
 use crate::storage::{Tile, aos, identity};
-use dq8_simd::{Lanes, Records};
+use dq8_simd::{Lanes, Level, Records};
+
+/// How many joints ahead memory is asked for that will be written. For 1,000 skeletons whose palettes exceed the second
+/// cache it saves a seventh of the time, in that cache next to nothing; 4 is as good.
+const AHEAD: usize = 2;
 
 /// What the lanes of a kernel over hierarchies hold: one joint of several instances, or several joints
 /// of one instance.
@@ -78,6 +82,24 @@ impl JointSlot {
             Some(end) => to.get_mut(..self.first + end).unwrap_or_default(),
             None => to,
         }
+    }
+
+    /// Asks for where a later joint lies among all elements of `memory`, which will be written soon, if lanes are
+    /// instances that lie apart. So many places at once the CPU does not foresee, and it reads a line before it writes
+    /// a part of it.
+    #[inline(always)]
+    pub(super) fn prefetch<E, V: Level>(self, level: V, memory: &[E], lanes: usize) {
+        if let Some(stride) = self.stride
+            && let Some(soon) = memory.get(self.first + self.joint + AHEAD..)
+        {
+            level.prefetch_every(soon, stride, lanes);
+        }
+    }
+
+    /// The same among the elements of its own instances.
+    #[inline(always)]
+    pub(super) fn prefetch_own<E, V: Level>(self, level: V, memory: &[E], lanes: usize) {
+        Self { first: 0, ..self }.prefetch(level, memory, lanes);
     }
 
     /// What is the same for all instances, a record for each joint.

@@ -1,5 +1,5 @@
 use super::frame::align_frame;
-use super::prefetch::prefetch;
+use super::prefetch::{prefetch, prefetch_every};
 use super::quads::*;
 use super::vector::vector;
 use crate::lanes::Level;
@@ -40,6 +40,10 @@ impl Level for Avx2 {
     #[inline(always)]
     fn prefetch<T>(self, value: &T) {
         prefetch(value);
+    }
+    #[inline(always)]
+    fn prefetch_every<T>(self, memory: &[T], stride: usize, count: usize) {
+        prefetch_every(memory, stride, count);
     }
 
     #[inline(always)]

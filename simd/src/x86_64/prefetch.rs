@@ -12,3 +12,13 @@ pub(super) fn prefetch<T>(value: &T) {
         unsafe { _mm_prefetch::<_MM_HINT_T0>(start.add(offset)) };
     }
 }
+
+/// See [`Level::prefetch_every`](crate::Level::prefetch_every).
+#[inline(always)]
+pub(super) fn prefetch_every<T>(memory: &[T], stride: usize, count: usize) {
+    for index in 0..count {
+        let place = memory.as_ptr().wrapping_add(index.wrapping_mul(stride));
+        // SAFETY: SSE is part of every x86-64 CPU; of no address does this read anything, nor fail.
+        unsafe { _mm_prefetch::<_MM_HINT_T0>(place.cast()) };
+    }
+}

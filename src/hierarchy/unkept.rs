@@ -1,0 +1,146 @@
+//! Palettes of plain instances whose models nobody asks for: the models stay in the caller's scratch as registers
+//! hold them. To transpose and store them would be two fifths of what a palette shuffles and stores, and all parents
+//! are where they were put, so nothing is loaded again.
+
+use super::locals::{Locals, Motions};
+use super::palette::Epilogue;
+use super::product::product_in_lanes;
+use super::run::Run;
+use super::slot::JointSlot;
+use crate::batch;
+use crate::dispatch::Kernel;
+use crate::storage::{Element, Layout, Number, Register};
+use dq8_simd::{Lanes, Level};
+
+/// The models of one joint, a row of memory for each register.
+type Rows<E, V> = [<Register<E, V, 8> as Lanes>::Array; 8];
+
+/// Bytes of a cache line, or more than a register has: rows that begin at a multiple of it lie in one line each.
+const LINE: usize = 64;
+
+/// Lanes are instances, strided in memory. Gives back how many instances are done: whole groups, none if the
+/// scratch does not hold one.
+pub(super) struct Unkept<'r, 's, E: Element<8>, L, X> {
+    pub(super) run: &'r Run<'r, E>,
+    pub(super) locals: L,
+    pub(super) instances: usize,
+    pub(super) scratch: &'s mut [E],
+    pub(super) epilogue: &'s mut X,
+}
+
+impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Unkept<'_, '_, E, L, X> {
+    type Output = usize;
+    const WIDE: bool = E::Layout::WIDE;
+
+    #[inline(always)]
+    fn run<V: Level>(self, level: V) -> usize {
+        let Self { run, locals, instances, scratch, epilogue } = self;
+        let lanes = E::Layout::records::<V>();
+        let rows = E::plain_mut(scratch).and_then(|plain| rows::<E, V>(plain, run.parents.len()));
+        let (Some(rows), 2..) = (rows, lanes) else { return 0 };
+        let mut done = 0;
+        while instances - done >= lanes {
+            together(level, run, locals, epilogue, done, rows);
+            done += lanes;
+        }
+        done
+    }
+}
+
+/// Rows for each joint, if `scratch` holds as many instances as there are lanes; at a cache line if it holds more.
+#[inline(always)]
+fn rows<E: Element<8>, V: Level>(
+    scratch: &mut [[Number<E, 8>; 8]],
+    joints: usize,
+) -> Option<&mut [Rows<E, V>]> {
+    let numbers = scratch.as_flattened_mut();
+    let needed = joints.checked_mul(8 * Register::<E, V, 8>::LANES)?;
+    let spare = numbers.len().checked_sub(needed)?;
+    let aligned = numbers.as_ptr().align_offset(LINE);
+    let start = if aligned <= spare { aligned } else { 0 };
+    bytemuck::try_cast_slice_mut(numbers.get_mut(start..start + needed)?).ok()
+}
+
+/// One group; `instance` is its first one. All models go through memory, as in [`super::transposed`].
+#[inline(always)]
+fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
+    level: V,
+    run: &Run<'_, E>,
+    locals: L,
+    epilogue: &mut X,
+    instance: usize,
+    models: &mut [Rows<E, V>],
+) {
+    // In registers: what is stored might be what `run` refers to, for all that the compiler knows.
+    let parents = run.parents;
+    for joint in run.joints.clone() {
+        let Some(&parent) = parents.get(joint) else { return };
+        let slot = JointSlot::of_instances(joint, instance, parents.len());
+        // ROOT is beyond the last joint: there is no such model.
+        if let Some(parent) = models.get(parent as usize) {
+            let Some(local) = locals.load(level, &[], slot) else { return };
+            let model = product_in_lanes(load::<E, V>(level, parent), local.to_array());
+            let Some(place) = models.get_mut(joint) else { return };
+            store::<E, V>(model, place);
+        } else {
+            let Some(place) = models.get_mut(joint) else { return };
+            root(level, run, locals, slot, place);
+        }
+        let Some(place) = models.get_mut(joint) else { return };
+        if run.renormalize.applies_to(joint) {
+            normalize::<E, V>(level, place);
+        }
+        epilogue.run(level, slot, batch::DualQuat::from_array(load::<E, V>(level, place)));
+    }
+}
+
+/// The models of a joint without a parent.
+#[cold]
+#[inline(never)]
+fn root<E: Element<8>, L: Locals<E>, V: Level>(
+    level: V,
+    run: &Run<'_, E>,
+    locals: L,
+    slot: JointSlot,
+    to: &mut Rows<E, V>,
+) {
+    level.run(
+        #[inline(always)]
+        || {
+            let Some(local) = locals.load(level, &[], slot) else { return };
+            let model = match run.root.load(level, slot.instance(), 0) {
+                Some(root) => product_in_lanes(root.to_array(), local.to_array()),
+                None => local.to_array(),
+            };
+            store::<E, V>(model, to);
+        },
+    );
+}
+
+#[cold]
+#[inline(never)]
+fn normalize<E: Element<8>, V: Level>(level: V, model: &mut Rows<E, V>) {
+    level.run(
+        #[inline(always)]
+        || {
+            let unit = Motions::<E, V>::from_array(load::<E, V>(level, model)).normalize();
+            store::<E, V>(unit.to_array(), model);
+        },
+    );
+}
+
+#[inline(always)]
+fn load<E: Element<8>, V: Level>(level: V, from: &Rows<E, V>) -> [Register<E, V, 8>; 8] {
+    let mut registers = Motions::<E, V>::identity(level).to_array();
+    for (register, row) in registers.iter_mut().zip(from) {
+        *register = Lanes::load(level, row);
+    }
+    registers
+}
+
+#[inline(always)]
+fn store<E: Element<8>, V: Level>(model: [Register<E, V, 8>; 8], to: &mut Rows<E, V>) {
+    for (register, row) in model.into_iter().zip(to) {
+        register.store(row);
+    }
+}
