@@ -116,17 +116,16 @@ struct Palette<R> {
 }
 
 impl<R: Scalar + skinning::Weight> Mesh<R> {
-    fn field(&self, kind: usize) -> Result<Field<R>, Status> {
-        let from = Input::new(self.rest[kind], self.vertices)?;
-        Ok((from, Output::new(self.posed[kind], self.vertices)?))
+    fn field(&self, from: *const R, to: *mut R) -> Result<Field<R>, Status> {
+        Ok((Input::new(from, self.vertices)?, Output::new(to, self.vertices)?))
     }
 
     /// None where C passes null for both.
-    fn optional(&self, kind: usize) -> Result<Option<Field<R>>, Status> {
-        if self.rest[kind].is_null() && self.posed[kind].is_null() {
+    fn optional(&self, from: *const R, to: *mut R) -> Result<Option<Field<R>>, Status> {
+        if from.is_null() && to.is_null() {
             return Ok(None);
         }
-        self.field(kind).map(Some)
+        self.field(from, to).map(Some)
     }
 
     /// Poses it, if nothing that is written lies in anything that is read, or twice.
@@ -160,8 +159,11 @@ impl<R: Scalar + skinning::Weight> Mesh<R> {
         let matrices = palette.matrices.map(|of| Input::<[[R; 4]; 3]>::new(of, palette.joints));
         let matrices = matrices.transpose()?;
         // Only positions must be there.
-        let positions = self.field(0)?;
-        let (normals, tangents) = (self.optional(1)?, self.optional(2)?);
+        let ([from, from_normals, from_tangents], [to, to_normals, to_tangents]) =
+            (self.rest, self.posed);
+        let positions = self.field(from, to)?;
+        let normals = self.optional(from_normals, to_normals)?;
+        let tangents = self.optional(from_tangents, to_tangents)?;
         let fields = [Some(&positions), normals.as_ref(), tangents.as_ref()];
         for (kind, field) in fields.iter().enumerate() {
             let Some((_, to)) = field else { continue };

@@ -37,7 +37,7 @@ pub(crate) enum Method {
 /// joints : array_like of int, shape (vertices, influences)
 ///     Which joints move a vertex.
 /// weights : array_like, shape (vertices, influences)
-///     How much each does: not negative, 0 for an influence that is not there. Those of a vertex sum to
+///     How much each does, not negative; fill unused influences with any joint and weight 0. Those of a vertex sum to
 ///     one; ``'dlb'`` divides by the sum, ``'lbs'`` does not.
 /// palette : array_like, shape (..., joints, 8), (..., joints, 3, 4) or (..., joints, 4, 4)
 ///     What takes each joint from the mesh at rest to the posed mesh, pose · inverse(bind pose): unit dual

@@ -77,6 +77,13 @@ fn a_run_that_does_not_fit_writes_nothing() {
         assert!(matches!(complaint, Err(SkinningError::Shape(_))), "{i}: {complaint:?}");
     }
     assert_eq!((posed, normals), (untouched, untouched));
+    // A skin may be of more joints than any palette has, and than 32 bits can number sixteen times.
+    let joints = [u32::MAX - 1];
+    let skin = Skin::new(usize::MAX, 1, &joints, &weights[..1]).unwrap();
+    let to = SurfaceMut::positions(&mut posed[..1]);
+    let error = best.skin(&skin, Dual::new(&motions), Surface::positions(&rest[..1]), to);
+    assert!(matches!(error, Err(SkinningError::Shape(_))), "{error:?}");
+    assert_eq!(posed, untouched);
     let shares = [0.5_f32, 1.5, 0.0];
     let error = Mixed::new(Linear::new(&matrices), Dual::new(&motions), &shares).unwrap_err();
     assert_eq!(error, SkinningError::Share { vertex: 1, value: 1.5 });
