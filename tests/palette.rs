@@ -2,7 +2,7 @@
 
 use core::num::NonZeroU32;
 use dq8::hierarchy::{MatrixOrder, Poses, Renormalize, Rotations};
-use dq8::{Backend, DualQuat, Hierarchy, Quat, Scalar};
+use dq8::{Backend, DualQuat, Hierarchy, Quat, Real, Scalar};
 use dq8_contract::random::Random;
 
 /// Two trees; a parent lies as far back as a joint can.
@@ -33,7 +33,7 @@ const JOINTS: usize = PARENTS.len();
 const INSTANCES: usize = 2 * 16 + 3;
 
 fn motions<R: Scalar>(random: &mut Random, count: usize) -> Vec<DualQuat<R>> {
-    let mut number = || R::from_f64(random.between(-1.0, 1.0));
+    let mut number = || <R as Real>::from_f64(random.between(-1.0, 1.0));
     let mut motion = || {
         let turn = Quat::from_scaled_axis([number(), number(), number()]);
         DualQuat::from_rotation_translation(turn, [number(), number(), number()])
@@ -56,7 +56,7 @@ fn holds_to_the_last_bit<R: Scalar>() {
     let rotations = Rotations { rotations: &rotations, offsets: &offsets };
     let second = Renormalize::Every(NonZeroU32::new(2).expect("not zero"));
     let mut models = poses.clone();
-    let empty = [[R::ZERO; 4]; 3];
+    let empty = [[<R as Real>::ZERO; 4]; 3];
     for backend in Backend::available() {
         let job = hierarchy.job().backend(backend);
         let jobs = [
