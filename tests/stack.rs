@@ -153,8 +153,8 @@ macro_rules! kernels {
         }
 
         #[test]
-        fn a_mechanism_of_seven_joints_that_reaches_needs_two_mebibytes() {
-            within(2048, |backend| {
+        fn a_mechanism_of_seven_joints_that_reaches_needs_one_mebibyte() {
+            within(1024, |backend| {
                 let joint = |i: usize| Joint::revolute(i.checked_sub(1), pose::<$real>(), [0.6, 0.0, 0.8]);
                 let arm = OwnedMechanism::new(&core::array::from_fn::<_, 7, _>(joint)).unwrap();
                 let (goals, mut freedoms) = ([Goal::pose(6)], [Freedom::default(); 7]);

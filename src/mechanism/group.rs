@@ -12,7 +12,7 @@ pub struct Group {
 
 impl Group {
     /// Number `index` of the `count` things that each configuration has.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn tile<Y: Layout, V: Level>(self, index: usize, count: usize) -> Tile {
         // Plain: the same thing of the next configuration lies `count` records on. Blocks hold one of each per lane.
         let stride = if Y::transposes::<V>() { Some(count) } else { None };
@@ -20,7 +20,7 @@ impl Group {
     }
 
     /// The configuration in the first lane.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn configuration<Y: Layout, V: Level>(self) -> usize {
         self.first * Y::THINGS + self.register * Y::Register::<V>::LANES
     }

@@ -94,14 +94,14 @@ where
     type State<V: Level> = [<E::Layout as Layout>::Register<V>; 8];
     type Carried<V: Level> = ();
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn start<V: Level>(&self, level: V) -> Self::State<V> {
         aos::splat(level, identity())
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn base<V: Level>(_: V) {}
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn begin<V: Level>(
         &mut self,
         level: V,
@@ -120,12 +120,12 @@ where
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn skips(&self, steps: &[Step<Number<E, 8>>], position: usize) -> bool {
         !carries(steps, position, &[self.link])
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn link<V: Level>(
         &mut self,
         level: V,
@@ -151,7 +151,7 @@ where
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn end<V: Level>(
         &mut self,
         level: V,

@@ -15,14 +15,14 @@ pub(super) struct Placed<L> {
 }
 
 impl<L: Lanes<Real: Scalar>> Placed<L> {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn identity(level: L::Level) -> Self {
         let zero = L::splat(level, L::Real::default());
         Self { rotation: [zero, zero, zero, zero.constant(1.0)], half: [zero; 3] }
     }
 
     /// The components of the motion r + ε ½t r: 12 multiplications.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn to_motion(self) -> [L; 8] {
         let ([x, y, z, w], [hx, hy, hz]) = (self.rotation, self.half);
         [
@@ -38,7 +38,7 @@ impl<L: Lanes<Real: Scalar>> Placed<L> {
     }
 
     /// This pose times the placement of a joint.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn place(self, step: &Step<L::Real>) -> Self {
         let level = self.half[0].level();
         let half = self.shifted(step.shifted, step.half_offset);
@@ -57,7 +57,7 @@ impl<L: Lanes<Real: Scalar>> Placed<L> {
     }
 
     /// Half the translation after a constant one in the frame of this pose, of which half is given.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn shifted(self, along: Alignment, half: [L::Real; 3]) -> [L; 3] {
         let level = self.half[0].level();
         let [x, y, z] = half;
@@ -71,7 +71,7 @@ impl<L: Lanes<Real: Scalar>> Placed<L> {
     }
 
     /// Half the translation, moved along an axis of the frame: h + d R e_K.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn along<const K: usize>(self, distance: L) -> [L; 3] {
         let (own, next, last) = (K, (K + 1) % 3, (K + 2) % 3);
         let (r, mut half) = (self.rotation, self.half);
@@ -85,19 +85,19 @@ impl<L: Lanes<Real: Scalar>> Placed<L> {
     }
 
     /// h + R v
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn moved(self, vector: [L; 3]) -> [L; 3] {
         Quat::from_array(self.rotation).rotate_onto(vector, vector::add(vector, self.half))
     }
 
     /// R v
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn rotated(self, vector: [L; 3]) -> [L; 3] {
         Quat::from_array(self.rotation).rotate(vector)
     }
 
     /// R n for the axis of a joint: a column of the rotation, where it is an axis of the frame.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn direction(self, step: &Step<L::Real>) -> [L; 3] {
         let level = self.half[0].level();
         let at_origin = Self { half: [L::splat(level, L::Real::default()); 3], ..self };
@@ -112,7 +112,7 @@ impl<L: Lanes<Real: Scalar>> Placed<L> {
 
     /// Half the translation, moved along the axis of a joint by half a distance; `half` counts where that
     /// axis is positive.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn slide(self, step: &Step<L::Real>, half: L) -> [L; 3] {
         let level = half.level();
         match step.aligned {
@@ -125,7 +125,7 @@ impl<L: Lanes<Real: Scalar>> Placed<L> {
     }
 
     /// The rotation, turned about the axis of a joint: r (c + n s).
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn turn(self, step: &Step<L::Real>, cos: L, sin: L) -> [L; 4] {
         let level = cos.level();
         match step.aligned {
@@ -143,7 +143,7 @@ impl<L: Lanes<Real: Scalar>> Placed<L> {
 }
 
 /// r (c + s e_K): two components instead of four, 8 multiplications.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn about<L: Lanes, const K: usize>(r: [L; 4], cos: L, sin: L) -> [L; 4] {
     let (own, next, last) = (K, (K + 1) % 3, (K + 2) % 3);
     let mut turned = r;

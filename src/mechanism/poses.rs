@@ -101,11 +101,11 @@ impl<E: Element<8>> Task<E::Layout> for All<'_, E> {
     type State<V: Level> = ();
     type Carried<V: Level> = ();
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn start<V: Level>(&self, _: V) {}
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn base<V: Level>(_: V) {}
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn link<V: Level>(
         &mut self,
         level: V,
@@ -139,15 +139,15 @@ impl<E: Element<8>> Task<E::Layout> for Chosen<'_, E> {
     type State<V: Level> = ();
     type Carried<V: Level> = ();
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn start<V: Level>(&self, _: V) {}
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn base<V: Level>(_: V) {}
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn skips(&self, steps: &[Step<Number<E, 8>>], position: usize) -> bool {
         !carries(steps, position, self.links)
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn link<V: Level>(
         &mut self,
         _: V,
@@ -167,7 +167,7 @@ impl<E: Element<8>> Task<E::Layout> for Chosen<'_, E> {
 }
 
 /// Whether the link of a step, or one that it carries, is among `links`.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn carries<R>(steps: &[Step<R>], position: usize, links: &[usize]) -> bool {
     let Some(step) = steps.get(position) else { return false };
     for &link in links {

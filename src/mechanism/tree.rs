@@ -88,7 +88,7 @@ impl<R: Copy> Mechanism<'_, R> {
     }
 
     /// The step of a link.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn step(&self, link: usize) -> Option<&Step<R>> {
         let position = self.steps.get(link)?.position;
         self.steps.get(position as usize)

@@ -12,7 +12,7 @@ use dq8_simd::Lanes;
 impl<L: Lanes<Real: Scalar>> Joined<L> {
     /// The spatial twist of the link for a rate of one of its joint: column `index` of those that the joint
     /// adds to a Jacobian.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn screw(&self, step: &Step<L::Real>, index: usize) -> Twist<L> {
         let level = self.pose.half[0].level();
         let before = self.before;
@@ -41,20 +41,20 @@ impl<L: Lanes<Real: Scalar>> Joined<L> {
 }
 
 /// Turning about a line through the origin of a frame.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn hinge<L: Lanes>(axis: [L; 3], frame: Placed<L>) -> Twist<L> {
     let moment = vector::cross(frame.half, axis);
     Twist { angular: axis, linear: vector::add(moment, moment) }
 }
 
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn slide<L: Lanes>(direction: [L; 3]) -> Twist<L> {
     Twist { angular: [direction[0].constant(0.0); 3], linear: direction }
 }
 
 /// ad_a b, how fast b changes that is carried along by the twist a (Lynch & Park, *Modern Robotics*, 2017,
 /// definition 8.4).
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn bracket<L: Lanes>(a: Twist<L>, b: Twist<L>) -> Twist<L> {
     Twist {
         angular: vector::cross(a.angular, b.angular),

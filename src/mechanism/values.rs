@@ -54,7 +54,7 @@ impl<A: Row<Real: Scalar>> JointValues<AoSoA<A>> for Block<A, 1> {
         rest.get(..elements * count).unwrap_or(rest)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn load<V: Level>(
         level: V,
         slice: &[Self],
@@ -97,7 +97,7 @@ macro_rules! plain {
                 rest.get(..elements * Y::THINGS * count).unwrap_or(rest)
             }
 
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             fn load<V: Level>(
                 level: V,
                 slice: &[Self],
@@ -154,7 +154,7 @@ pub(super) struct Numbers<'s, Y: Layout, T, V: Level> {
 }
 
 impl<'s, Y: Layout, T: JointValues<Y>, V: Level> Numbers<'s, Y, T, V> {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn new(level: V, slice: &'s [T], count: usize) -> Self {
         let zero = Y::Register::<V>::splat(level, Y::Real::default());
         let group = Group { first: 0, register: 0 };
@@ -163,13 +163,13 @@ impl<'s, Y: Layout, T: JointValues<Y>, V: Level> Numbers<'s, Y, T, V> {
     }
 
     /// From here on those of another group.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn turn_to(&mut self, group: Group) {
         (self.group, self.first) = (group, NOWHERE);
     }
 
     /// Which of the four at hand it is.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn find(&mut self, level: V, index: usize) -> usize {
         if index.wrapping_sub(self.first) >= 4 {
             self.first = (index & !3).min(self.count.max(4) - 4);
@@ -181,13 +181,13 @@ impl<'s, Y: Layout, T: JointValues<Y>, V: Level> Numbers<'s, Y, T, V> {
 }
 
 impl<Y: Layout, T: JointValues<Y>, V: Level> JointNumbers<Y::Register<V>> for Numbers<'_, Y, T, V> {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn get(&mut self, level: V, index: usize) -> Y::Register<V> {
         let offset = self.find(level, index);
         self.quad[offset]
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn half_turn(&mut self, level: V, index: usize) -> [Y::Register<V>; 2] {
         let offset = self.find(level, index);
         if !self.turned {
@@ -201,7 +201,7 @@ impl<Y: Layout, T: JointValues<Y>, V: Level> JointNumbers<Y::Register<V>> for Nu
 }
 
 /// Cosine and sine; NaN beyond what the lanes can tell.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn half_turn<L: Lanes>(half: L) -> [L; 2] {
     let near = half.abs().le(half.constant(farthest::<L>()));
     let (cos, sin) = cos_sin(L::select(near, half, half.constant(f64::NAN)));

@@ -121,7 +121,7 @@ struct Moving<'s, E, C> {
 }
 
 impl<E: Element<8>, C: Element<6, Layout = E::Layout>> Moving<'_, E, C> {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn store<V: Level>(
         &mut self,
         group: Group,
@@ -150,15 +150,15 @@ where
     type State<V: Level> = Numbers<'s, E::Layout, T, V>;
     type Carried<V: Level> = Twist<<E::Layout as Layout>::Register<V>>;
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn start<V: Level>(&self, level: V) -> Self::State<V> {
         Numbers::new(level, self.rates, self.count)
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn base<V: Level>(level: V) -> Self::Carried<V> {
         Twist::from_array(aos::splat(level, [Number::<E, 8>::default(); 6]))
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn begin<V: Level>(
         &mut self,
         _: V,
@@ -168,7 +168,7 @@ where
     ) {
         state.turn_to(group);
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn link<V: Level>(
         &mut self,
         level: V,
@@ -206,18 +206,18 @@ where
     /// Twist and acceleration.
     type Carried<V: Level> = [Twist<<E::Layout as Layout>::Register<V>>; 2];
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn start<V: Level>(&self, level: V) -> Self::State<V> {
         [
             Numbers::new(level, self.rates, self.count),
             Numbers::new(level, self.second_rates, self.count),
         ]
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn base<V: Level>(level: V) -> Self::Carried<V> {
         [Twist::from_array(aos::splat(level, [Number::<E, 8>::default(); 6])); 2]
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn begin<V: Level>(
         &mut self,
         _: V,
@@ -228,7 +228,7 @@ where
         rates.turn_to(group);
         second_rates.turn_to(group);
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn link<V: Level>(
         &mut self,
         level: V,

@@ -28,10 +28,10 @@ pub(super) trait Task<Y: Layout> {
     /// What the base carries.
     fn base<V: Level>(level: V) -> Self::Carried<V>;
     /// Before the links of a group.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn begin<V: Level>(&mut self, _: V, _: Group, _: &[Step<Y::Real>], _: &mut Self::State<V>) {}
     /// Whether neither the link of this step nor what it carries is wanted.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn skips(&self, _: &[Step<Y::Real>], _: usize) -> bool {
         false
     }
@@ -46,7 +46,7 @@ pub(super) trait Task<Y: Layout> {
         state: &mut Self::State<V>,
     ) -> Self::Carried<V>;
     /// After the links of a group.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn end<V: Level>(&mut self, _: V, _: Group, _: &[Step<Y::Real>], _: &mut Self::State<V>) {}
 }
 
@@ -71,7 +71,7 @@ impl<Y: Layout, T: JointValues<Y>, K: Task<Y>> Kernel for Walk<'_, Y, T, K> {
     type Output = ();
     const WIDE: bool = Y::WIDE;
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
         let Self { mechanism, values, elements, mut task } = self;
         let mut numbers = Numbers::<Y, T, V>::new(level, values, mechanism.values);
@@ -111,13 +111,13 @@ impl<Y: Layout, T: JointValues<Y>, K: Task<Y>> Kernel for Walk<'_, Y, T, K> {
 
 /// Where the poses of a parent and of the link of a step are. They are smaller than [`SLOTS`]; the remainder, a mask,
 /// tells the compiler, and no check is left.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn slots<R>(step: &Step<R>) -> (usize, usize) {
     (step.parent_slot as usize % SLOTS, step.slot as usize % SLOTS)
 }
 
 /// The frame of the joint.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn frame<L: Lanes<Real: Scalar>>(
     level: L::Level,
     poses: &[Placed<L>; SLOTS],
@@ -132,7 +132,7 @@ pub(super) fn frame<L: Lanes<Real: Scalar>>(
 }
 
 /// From the frame of the joint to that of the link.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn moved<L: Lanes<Real: Scalar>, N: JointNumbers<L>>(
     level: L::Level,
     before: Placed<L>,
@@ -186,7 +186,7 @@ pub(super) fn moved<L: Lanes<Real: Scalar>, N: JointNumbers<L>>(
 }
 
 /// Half the value of a joint, counted where its axis is positive.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn affine<L: Lanes>(level: L::Level, value: L, step: &Step<L::Real>) -> L {
     value.mul_add(L::splat(level, step.half_multiplier), L::splat(level, step.half_bias))
 }

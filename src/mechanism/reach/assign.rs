@@ -9,7 +9,7 @@ use dq8_simd::Lanes;
 
 impl<L: Lanes<Real: Scalar>> Search<'_, L> {
     /// Gives a lane the next configuration that can be sought; it is idle if there is none.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn refill(&mut self, lane: usize) {
         let mut next = Lane::IDLE;
         while next.configuration.is_none() && self.next < self.work.reports.len() {
@@ -26,7 +26,7 @@ impl<L: Lanes<Real: Scalar>> Search<'_, L> {
 
     /// Puts the targets and the start of a configuration into a lane, and says whether a target is beyond
     /// the length of what carries the link. `None` if they are not what a search can begin with.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn load(&mut self, lane: usize, configuration: usize) -> Option<bool> {
         if !self.work.options.is_valid() {
             return None;
@@ -66,7 +66,7 @@ impl<L: Lanes<Real: Scalar>> Search<'_, L> {
     }
 
     /// Writes what a lane has found.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn finish(&mut self, index: usize) {
         let Some(&lane) = self.lanes.get(index) else { return };
         let Some(configuration) = lane.configuration else { return };
@@ -81,7 +81,7 @@ impl<L: Lanes<Real: Scalar>> Search<'_, L> {
         self.report(configuration, &lane, outcome);
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn report(&mut self, configuration: usize, lane: &Lane<L::Real>, outcome: Outcome) {
         let reach = self.model.reach;
         let mut report = Report {
@@ -109,7 +109,7 @@ impl<L: Lanes<Real: Scalar>> Search<'_, L> {
     }
 
     /// Whether the best values of a lane have a joint at a limit that stops it.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn is_at_limits(&self, lane: usize) -> bool {
         let mut is_at_limits = false;
         for freedom in self.model.reach.freedoms {

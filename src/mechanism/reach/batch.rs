@@ -123,7 +123,7 @@ struct Targets<'s, R> {
 impl<R: Scalar> Kernel for Targets<'_, R> {
     type Output = ();
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
         let Self { reach, work, scratch } = self;
         if let Some(model) = Model::<R::Lanes<V>>::new(level, reach, work.options, scratch) {

@@ -17,7 +17,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     /// ```
     ///
     /// over the joints that carry it (Halley's method: Lloyd, Irani & Ahmadi 2022).
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn linearize(&mut self, bent: bool) {
         let (level, reach) = (self.level, self.reach);
         let zero = L::splat(level, L::Real::default());
@@ -41,7 +41,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     }
 
     /// Adds what a screw does to all goals that its step carries.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn add(&mut self, position: usize, column: usize, twist: Twist<L>, bent: bool) {
         let (level, reach, scales) = (self.level, self.reach, self.scales);
         let Some(freedom) = reach.freedoms.get(column) else { return };
@@ -86,7 +86,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
                 angular,
                 linear,
                 row,
-                #[inline(always)]
+                #[cfg_attr(not(opt_level_0), inline(always))]
                 |row, component| {
                     columns.set(row, columns.get(level, row) + component);
                 },

@@ -11,7 +11,7 @@ use dq8_simd::Lanes;
 impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     /// The errors of the poses that have been computed last: from the targets of their lanes, or all from
     /// those of one lane.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn compare(&mut self, lane: Option<usize>) -> Apart<L> {
         let level = self.level;
         let zero = L::splat(level, L::Real::default());
@@ -52,7 +52,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
                 angular,
                 linear,
                 row,
-                #[inline(always)]
+                #[cfg_attr(not(opt_level_0), inline(always))]
                 |row, component| {
                     apart.square = component.mul_add(component, apart.square);
                     self.scratch.error.set(row, component);
@@ -62,7 +62,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
         apart
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn radians_per_length(&self, lane: Option<usize>) -> L {
         let all = self.scales.radians_per_length;
         let Some(lane) = lane else { return all };
@@ -70,7 +70,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
         array.as_ref().get(lane).map_or(all, |&of_lane| L::splat(self.level, of_lane))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn target(&self, goal: usize, lane: Option<usize>) -> DualQuat<L> {
         let first = goal * GOAL;
         let Some(lane) = lane else {
@@ -83,7 +83,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
         DualQuat::splat(self.level, target)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn pose(&self, goal: usize) -> Placed<L> {
         let first = goal * GOAL + TARGET;
         let goals = &self.scratch.goals;
@@ -94,7 +94,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
 }
 
 /// Hands on the weighted components that a goal asks for, and says how many rows there are now.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn weigh<L: Lanes<Real: Scalar>>(
     goal: &Goal<L::Real>,
     angular: [L; 3],
@@ -115,7 +115,7 @@ pub(super) fn weigh<L: Lanes<Real: Scalar>>(
 }
 
 /// The length of the components that are asked for.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn asked<L: Lanes<Real: Scalar>>(components: [L; 3], weights: [L::Real; 3]) -> L {
     let mut square = components[0].constant(0.0);
     for (component, weight) in components.into_iter().zip(weights) {
@@ -127,7 +127,7 @@ fn asked<L: Lanes<Real: Scalar>>(components: [L; 3], weights: [L::Real; 3]) -> L
 }
 
 /// NaN where `b` is.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn larger<L: Lanes>(a: L, b: L) -> L {
     L::select(b.le(a), a, b)
 }

@@ -19,11 +19,11 @@ pub(super) enum Of {
 struct Numbers<'r, 's, L: Lanes>(&'r Rows<'s, L>);
 
 impl<L: Lanes> JointNumbers<L> for Numbers<'_, '_, L> {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn get(&mut self, level: L::Level, index: usize) -> L {
         self.0.get(level, index)
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn half_turn(&mut self, level: L::Level, index: usize) -> [L; 2] {
         let value = self.0.get(level, index);
         half_turn(value * value.constant(0.5))
@@ -32,7 +32,7 @@ impl<L: Lanes> JointNumbers<L> for Numbers<'_, '_, L> {
 
 impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     /// The poses of the links with goals, from the base up; links that carry none are left out.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn place(&mut self, of: Of) {
         let (level, reach) = (self.level, self.reach);
         let scratch = &mut self.scratch;

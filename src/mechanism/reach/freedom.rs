@@ -42,13 +42,13 @@ impl<R: Real> Default for Freedom<R> {
 
 impl<R: Real> Freedom<R> {
     /// Whether its value is one number.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn is_single(&self) -> bool {
         matches!(self.kind, Kind::Turn | Kind::Slide)
     }
 
     /// Whether a change is a length.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn is_slide(&self) -> bool {
         matches!(self.kind, Kind::Slide | Kind::FloatingSlide(_))
     }

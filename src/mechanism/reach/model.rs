@@ -50,7 +50,7 @@ pub(super) struct Stepped<L> {
 }
 
 impl<'s, L: Lanes<Real: Scalar>> Model<'s, L> {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn new(
         level: L::Level,
         reach: &'s Reach<'s, L::Real>,

@@ -14,7 +14,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     ///
     /// By Cholesky's factorisation in place, as for arms: to λ² is added what rounding makes of JJᵀ, and
     /// each pivot is at least λ².
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn solve_normal(&mut self, damping: L) {
         let (level, rows) = (self.level, self.reach.rows);
         let scratch = &mut self.scratch;

@@ -136,13 +136,13 @@ impl<'a, R: Copy> Reach<'a, R> {
     }
 
     /// The freedom of a rate among those that move a goal.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn column(&self, rate: usize) -> usize {
         self.of_rates.get(rate).map_or(usize::MAX, |freedom| freedom.column as usize)
     }
 
     /// Whether second order is worth a second look at the columns.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn bends(&self) -> bool
     where
         R: Real,
@@ -155,19 +155,19 @@ impl<'a, R: Copy> Reach<'a, R> {
     }
 
     /// Whether the link of the step at a position, or one that it carries, has a goal.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn moves_goal(&self, position: usize) -> bool {
         moves_any(self.mechanism.steps, position, self.goals)
     }
 
     /// The same for one of the goals.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn moves(&self, position: usize, goal: &Goal<R>) -> bool {
         carries(self.mechanism.steps, position, &[goal.link])
     }
 }
 
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn moves_any<R>(steps: &[Step<R>], position: usize, goals: &[Goal<R>]) -> bool {
     for goal in goals {
         if carries(steps, position, &[goal.link]) {

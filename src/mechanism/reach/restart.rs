@@ -16,7 +16,7 @@ const CANDIDATES: usize = 4 * MAX_LANES;
 impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     /// Puts a lane at the nearest of the candidates of its restart number `restart`. What has been computed of
     /// the poses of other lanes is lost.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn begin_again(&mut self, lane: usize, restart: u32) {
         let mut nearest = None;
         for first in (0..CANDIDATES).step_by(L::LANES) {
@@ -39,7 +39,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     }
 
     /// Puts a lane where it was nearest.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn go_back(&mut self, lane: usize) {
         let scratch = &mut self.scratch;
         for value in 0..self.reach.mechanism.values {
@@ -48,7 +48,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     }
 
     /// Candidates from number `first` on, one in each lane, for a lane.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn draw(&mut self, lane: usize, first: u64) {
         let scratch = &mut self.scratch;
         for value in 0..self.reach.mechanism.values {

@@ -10,7 +10,7 @@ use dq8_simd::{Lanes, MAX_LANES};
 pub(super) struct Rows<'s, L: Lanes>(&'s mut [L::Array]);
 
 impl<L: Lanes> Rows<'_, L> {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn get(&self, level: L::Level, row: usize) -> L {
         match self.0.get(row) {
             Some(array) => L::load(level, array),
@@ -18,7 +18,7 @@ impl<L: Lanes> Rows<'_, L> {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn set(&mut self, row: usize, lanes: L) {
         if let Some(array) = self.0.get_mut(row) {
             lanes.store(array);
@@ -26,7 +26,7 @@ impl<L: Lanes> Rows<'_, L> {
     }
 
     /// `C` of them from `first` on.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn record<const C: usize>(&self, level: L::Level, first: usize) -> [L; C] {
         let mut record = [L::splat(level, L::Real::default()); C];
         if let Some(rows) = self.0.get(first..first + C) {
@@ -37,7 +37,7 @@ impl<L: Lanes> Rows<'_, L> {
         record
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn set_record<const C: usize>(&mut self, first: usize, record: [L; C]) {
         if let Some(rows) = self.0.get_mut(first..first + C) {
             for (lanes, array) in record.into_iter().zip(rows) {
@@ -46,7 +46,7 @@ impl<L: Lanes> Rows<'_, L> {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn fill(&mut self, lanes: L) {
         for array in self.0.iter_mut() {
             lanes.store(array);
@@ -54,19 +54,19 @@ impl<L: Lanes> Rows<'_, L> {
     }
 
     /// The rows in runs of `size`.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn runs(&self, size: usize) -> core::slice::ChunksExact<'_, L::Array> {
         self.0.chunks_exact(size.max(1))
     }
 
     /// One lane.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn number(&self, row: usize, lane: usize) -> L::Real {
         let array = self.0.get(row).map(AsRef::as_ref);
         array.and_then(|array| array.get(lane)).copied().unwrap_or_default()
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn set_number(&mut self, row: usize, lane: usize, number: L::Real) {
         let array = self.0.get_mut(row).map(AsMut::as_mut);
         if let Some(slot) = array.and_then(|array| array.get_mut(lane)) {

@@ -25,12 +25,12 @@ pub(super) struct Search<'s, L: Lanes> {
 }
 
 impl<'s, L: Lanes<Real: Scalar>> Search<'s, L> {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn new(model: Model<'s, L>, work: Work<'s, L::Real>) -> Self {
         Self { model, work, lanes: [Lane::IDLE; MAX_LANES], next: 0 }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn run(mut self) {
         let zero = L::splat(self.model.level, L::Real::ZERO);
         self.model.scratch.values.fill(zero);
@@ -46,15 +46,15 @@ impl<'s, L: Lanes<Real: Scalar>> Search<'s, L> {
             let wish = self.model.wish();
             self.judge(apart, wish, last);
             let caution = self.each(
-                #[inline(always)]
+                #[cfg_attr(not(opt_level_0), inline(always))]
                 |lane| lane.caution,
             );
             let running = self.each(
-                #[inline(always)]
+                #[cfg_attr(not(opt_level_0), inline(always))]
                 |lane| one_if(lane.next == Next::Step),
             );
             let arrived = self.each(
-                #[inline(always)]
+                #[cfg_attr(not(opt_level_0), inline(always))]
                 |lane| one_if(lane.converged),
             );
             last = self.model.step(apart, caution, zero.lt(running), zero.lt(arrived));
@@ -68,7 +68,7 @@ impl<'s, L: Lanes<Real: Scalar>> Search<'s, L> {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn is_working(&self) -> bool {
         let mut working = false;
         for lane in &self.lanes {
@@ -78,11 +78,11 @@ impl<'s, L: Lanes<Real: Scalar>> Search<'s, L> {
     }
 
     /// Takes fresh lanes into their limits.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn enter(&mut self) {
         let zero = L::splat(self.model.level, L::Real::ZERO);
         let fresh = self.each(
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             |lane| one_if(lane.is_fresh),
         );
         let fresh = zero.lt(fresh);
@@ -101,7 +101,7 @@ impl<'s, L: Lanes<Real: Scalar>> Search<'s, L> {
     }
 
     /// A number of each lane.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn each(&self, of: impl Fn(&Lane<L::Real>) -> L::Real) -> L {
         let mut array = L::splat(self.model.level, L::Real::ZERO).to_array();
         for (slot, lane) in array.as_mut().iter_mut().zip(&self.lanes) {
@@ -111,7 +111,7 @@ impl<'s, L: Lanes<Real: Scalar>> Search<'s, L> {
     }
 
     /// What each lane does next. Those that are done have been written, and took another configuration.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn judge(&mut self, apart: Apart<L>, wish: L, last: Stepped<L>) {
         let Apart { square, angular, linear } = apart;
         let [square, angular, linear] = [square.to_array(), angular.to_array(), linear.to_array()];
@@ -146,17 +146,17 @@ impl<'s, L: Lanes<Real: Scalar>> Search<'s, L> {
     }
 }
 
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn one_if<R: Real>(holds: bool) -> R {
     if holds { R::ONE } else { R::ZERO }
 }
 
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn number<L: Lanes<Real: Real>>(array: &L::Array, lane: usize) -> L::Real {
     array.as_ref().get(lane).copied().unwrap_or(L::Real::NAN)
 }
 
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn with_lane<L: Lanes>(lanes: L, lane: usize, number: L::Real) -> L {
     let mut array = lanes.to_array();
     if let Some(slot) = array.as_mut().get_mut(lane) {

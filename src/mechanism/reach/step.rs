@@ -17,7 +17,7 @@ use dq8_simd::{Lanes, Mask};
 impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     /// Moves the lanes that run, damped `caution` times as much as usual; those that have arrived, toward the
     /// posture too.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn step(
         &mut self,
         apart: Apart<L>,
@@ -41,7 +41,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     }
 
     /// Changes that no limit forbids, and where a limit stopped one.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn limited_step(&mut self, damping: L, running: L::Mask) -> L::Mask {
         let zero = damping.constant(0.0);
         self.scratch.held.fill(zero);
@@ -64,7 +64,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
 
     /// What the free ones should change, in radians, and the factor that makes the longest of it no longer
     /// than allowed.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn solve(&mut self, damping: L) -> L {
         let (level, rows, zero) = (self.level, self.reach.rows, damping.constant(0.0));
         let wishes = self.reach.posture.is_some();
@@ -94,7 +94,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
 
     /// Puts what the free ones should make up for where the solution will be: the errors that are left, without
     /// what the way to the posture contributes.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn ask(&mut self) {
         let (level, rows, scratch) = (self.level, self.reach.rows, &mut self.scratch);
         for row in 0..rows {
@@ -114,7 +114,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
 
     /// Changes the free ones. Those that a limit stops go as far as it and are held from now on; says where
     /// there was one.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn take(&mut self, shrink: L) -> L::Mask {
         let (level, rows, zero) = (self.level, self.reach.rows, shrink.constant(0.0));
         let one = zero.constant(1.0);
@@ -152,7 +152,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     }
 
     /// The square of the errors that the changes would leave if everything moved on as it begins to.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn left_after(&mut self) -> L {
         let (level, rows) = (self.level, self.reach.rows);
         let mut square = self.scales.length.constant(0.0);
@@ -172,7 +172,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     }
 
     /// The square of all changes, in radians.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn moved(&self) -> L {
         let mut square = self.scales.length.constant(0.0);
         for (index, freedom) in self.reach.freedoms.iter().enumerate() {
@@ -185,7 +185,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     }
 
     /// The values moved, each within its limits. What is not finite moves nothing.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn advance(&mut self, running: L::Mask) {
         let (level, values) = (self.level, &mut self.scratch.values);
         for (index, freedom) in self.reach.freedoms.iter().enumerate() {

@@ -14,7 +14,7 @@ const SHORTER: f64 = 0.5;
 impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     /// The way of each freedom to the posture, or to the limit before it, in radians; the shorter one for hinges
     /// that turn endlessly; no longer than a part of a step may be. The square of all of it.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn wish(&mut self) -> L {
         let (level, reach, scales) = (self.level, self.reach, self.scales);
         let zero = L::splat(level, L::Real::ZERO);
@@ -48,7 +48,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     }
 
     /// Lanes that have not arrived forget the posture: it would draw them off.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn keep_wishes(&mut self, arrived: L::Mask) {
         let wishes = if self.reach.posture.is_some() { self.reach.freedoms.len() } else { 0 };
         for index in 0..wishes {
