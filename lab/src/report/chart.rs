@@ -63,8 +63,10 @@ impl Chart {
             mesh.x_label_formatter(&|x| plain(*x)).y_label_formatter(&|y| plain(*y));
             mesh.bold_line_style(BLACK.mix(0.12)).label_style(("sans-serif", 13));
             if self.logarithmic {
-                // Ticks at whole exponents, of which there is one more than there are decades.
-                mesh.y_labels((y.1 - y.0) as usize + 1)
+                // Ticks at whole exponents, of which there is one more than there are decades; at every other one
+                // of many.
+                let decades = (y.1 - y.0) as usize;
+                mesh.y_labels(decades / (1 + decades / 17) + 1)
                     .y_label_formatter(&|exponent| power_of_ten(exponent.round() as i32))
                     .draw()?;
             } else {
