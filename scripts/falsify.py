@@ -3,7 +3,7 @@
 
 lab/mutations.toml has changes of one constant, sign or factor that falsify claims, each with the tests that must
 fail of it. In a copy of the tree (target/falsify) all of them are built at once, each behind a switch, so that one
-build of a test binary serves all: `if dq8::mutant(17) { changed } else { as it is }`. What is no expression (a constant)
+build of a test binary serves all: `if dq8::mutant() == 17 { changed } else { as it is }`. What is no expression (a constant)
 is built alone. Then each test runs without a change, where it must pass, and with each of its own, where it must not.
 
   scripts/falsify.py             everything
@@ -17,24 +17,15 @@ is built alone. Then each test runs without a change, where it must pass, and wi
 import json
 import os
 import re
-import shutil
 import subprocess
 import sys
 import tomllib
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
+from switched import ROOT, SWITCH, copy, write
+
 COPY = ROOT / "target" / "falsify"
 TABLE = ROOT / "lab" / "mutations.toml"
-SWITCH = """
-/// Whether this change is switched on; only in copies made by scripts/falsify.py.
-#[doc(hidden)]
-#[allow(missing_docs, clippy::all)]
-pub fn mutant(number: usize) -> bool {
-    static ON: std::sync::OnceLock<usize> = std::sync::OnceLock::new();
-    *ON.get_or_init(|| std::env::var("DQ8_MUTANT").map_or(usize::MAX, |n| n.parse().unwrap())) == number
-}
-"""
 
 
 def table():
@@ -102,29 +93,6 @@ def module_of(binary, path):
     return found
 
 
-def copy():
-    files = subprocess.run(["git", "ls-files", "-co", "--exclude-standard"], cwd=ROOT, capture_output=True, text=True, check=True)
-    wanted = set()
-    for name in files.stdout.splitlines():
-        source, place = ROOT / name, COPY / name
-        if not source.is_file():
-            continue
-        wanted.add(name)
-        write(place, source.read_bytes())
-        shutil.copymode(source, place)
-    for place in COPY.rglob("*.rs"):
-        name = str(place.relative_to(COPY))
-        if not name.startswith("target/") and name not in wanted:
-            place.unlink()
-
-
-def write(place, data):
-    """Only what differs, so that Cargo builds only what differs."""
-    if not place.exists() or place.read_bytes() != data:
-        place.parent.mkdir(parents=True, exist_ok=True)
-        place.write_bytes(data)
-
-
 def apply(mutations, alone=None):
     """The tree with all switched changes, or with a single one of those that are none."""
     changes = {}
@@ -137,7 +105,7 @@ def apply(mutations, alone=None):
         changed = mutation["new"]
         if not mutation.get("alone"):
             crate = "crate" if name.startswith("src/") else "dq8"
-            changed = f"(if {crate}::mutant({number}) {{ {changed} }} else {{ {mutation['old']} }})"
+            changed = f"(if {crate}::mutant() == {number} {{ {changed} }} else {{ {mutation['old']} }})"
         start = (ROOT / name).read_text().index(mutation["old"])
         end = start + len(mutation["old"])
         others = [span for span in spans if span[0] < end and start < span[1]]
@@ -170,7 +138,7 @@ def build(package, arguments):
 
 def passes(binary, package, names, number=None):
     environment = os.environ | ({} if number is None else {"DQ8_MUTANT": str(number)})
-    environment |= {"RUST_BACKTRACE": "0", "RUST_MIN_STACK": "16777216", "PROPTEST_FAILURE_PERSISTENCE": "off"}
+    environment |= {"RUST_BACKTRACE": "0", "PROPTEST_FAILURE_PERSISTENCE": "off"}
     cwd = COPY / "lab" if package == "lab" else COPY
     try:
         run = subprocess.run([binary, "--exact", *names], cwd=cwd, env=environment, capture_output=True, timeout=300)
@@ -196,7 +164,7 @@ def main():
         return 0
     os.environ.setdefault("CARGO_PROFILE_DEV_DEBUG", "0")
     os.environ.setdefault("CARGO_INCREMENTAL", "1")
-    copy()
+    copy(COPY)
     apply(mutations)
     survivors, ran, known = [], 0, {}
     chosen = lambda mutation, test: all(word in test + " " + mutation["file"] for word in words)

@@ -19,19 +19,11 @@ import subprocess
 import sys
 import time
 from concurrent.futures import ThreadPoolExecutor
-from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
+from switched import ROOT, copy, write
+
 COPY = ROOT / "target" / "mutants"
 STATE = COPY / "state.json"
-SWITCH = """
-#[doc(hidden)]
-#[allow(missing_docs, clippy::all)]
-pub fn mutant() -> usize {
-    static ON: std::sync::OnceLock<usize> = std::sync::OnceLock::new();
-    *ON.get_or_init(|| std::env::var("DQ8_MUTANT").map_or(usize::MAX, |n| n.parse().unwrap()))
-}
-"""
 # What is replaced, and by what.
 CHANGES = [
     (r" \+ ", " - "), (r" - ", " + "), (r" \* ", " + "), (r" / ", " * "), (r" \+= ", " -= "), (r" -= ", " += "),
@@ -97,7 +89,7 @@ def find(files, most):
     return found
 
 
-def write(changes):
+def place_changes(changes):
     """Writes the files, and says in which lines each change is: {file: [(first, last, ids)]}."""
     lines = {}
     for file, of_file in itertools.groupby(changes, lambda change: change["file"]):
@@ -114,25 +106,17 @@ def write(changes):
             out += "_ => {" + text[begin:end] + "}\n}"
             spans.append((first, out.count("\n") + 1, [change["id"] for change in group]))
             position = end
-        place = COPY / file
-        place.write_text(out + text[position:])
+        write(COPY / file, (out + text[position:]).encode())
         lines[file] = spans
     return lines
 
 
 def build(files, most):
-    listed = subprocess.run(["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=True).stdout.splitlines()
-    for name in listed:
-        place = COPY / name
-        place.parent.mkdir(parents=True, exist_ok=True)
-        data = (ROOT / name).read_bytes()
-        if not place.exists() or place.read_bytes() != data:
-            place.write_bytes(data)
-    (COPY / "src/lib.rs").write_text((ROOT / "src/lib.rs").read_text() + SWITCH)
+    copy(COPY)
     changes = find(files, most)
     print(f"{len(changes)} changes")
     while True:
-        lines = write(changes)
+        lines = place_changes(changes)
         check = subprocess.run(["cargo", "check", "-p", "dq8", "--lib", "--message-format", "json"],
                                cwd=COPY, capture_output=True, text=True, env=ENVIRONMENT)
         if check.returncode == 0:
@@ -147,7 +131,7 @@ def build(files, most):
         changes = [change for change in changes if change["id"] not in wrong]
         # What had no change left is written as it is.
         for file in files:
-            (COPY / file).write_bytes((ROOT / file).read_bytes())
+            write(COPY / file, (ROOT / file).read_bytes())
     STATE.write_text(json.dumps(changes, indent=0))
     print(f"{len(changes)} of them compile")
 
