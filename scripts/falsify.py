@@ -150,6 +150,8 @@ def passes(binary, package, names, number=None):
 
 def main():
     words = [word for word in sys.argv[1:] if not word.startswith("--")]
+    if set(sys.argv[1:]) - {*words, "--check", "--rows", "--switched"}:
+        raise SystemExit(__doc__)
     mutations, without = table()
     if "--rows" in sys.argv:
         for line, row, verdict, _ in uncovered(mutations):
