@@ -87,7 +87,7 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
         verdict: "That matrices skew and scale is true. Dual quaternions that nobody normalizes scale and lose the \
                   end no less, here rather more; they skew where they are taken for unit, and not by the matrix \
                   of Kenwright's listing. That joints jump where matrices are made orthonormal is not \
-                  confirmed, in no frame, whether states or levels are repaired, and whether or not the solver \
+                  confirmed in any frame, whether states or levels are repaired, and whether or not the solver \
                   sees the drift: jumps are of the size of rounding. That the end is off the ideal one is \
                   true, by rounding: about twice as far as with normalized dual quaternions, and nearer than \
                   without repair. Gram–Schmidt costs about as much as normalizing a dual quaternion \

@@ -34,14 +34,14 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
     );
     body += &stance;
     body += &paragraph(
-        "Jia's figures 1 and 2. A line has the direction l and the moment m = p × l, the same for every of its \
+        "Jia's figures 1 and 2. A line has the direction l and the moment m = p × l, the same for each of its \
          points p; l × m is its point nearest to the origin. Every motion is a screw about such a line.",
     );
     body += &lines::plucker();
     body += &lines::screw();
     body += &paragraph(
-        "Arends' four vectors (appendix A, animate). In his program the one of SLERP is told 1.575° a frame and \
-         the others 1°. In the left half all are as he has them, in the right half all are told 1°. Marks are the \
+        "Arends' four vectors (appendix A, animate). In his program the vector of SLERP turns by 1.575° per frame \
+         and the others by 1°. In the left half all are as he has them, in the right half all are told 1°. Marks are the \
          tips in every tenth frame; browsers move the vectors.",
     );
     body += &vectors::windows();

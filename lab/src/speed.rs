@@ -13,7 +13,7 @@ const PRODUCTS: usize = 256;
 /// Runs of all operands; the quickest counts.
 const RUNS: usize = if cfg!(debug_assertions) { 40 } else { 4000 };
 
-/// Nanoseconds a product, the quickest of all runs over all operands.
+/// Nanoseconds per product, the quickest of all runs over all operands.
 fn time<A: Copy, B: Copy, C: Copy>(
     a: &[A],
     b: &[B],
@@ -79,7 +79,7 @@ fn hyper([a, b, c, d]: [Quat<f32>; 4], [e, f, g, h]: [Quat<f32>; 4]) -> [Quat<f3
     ]
 }
 
-/// What is timed, and nanoseconds a product.
+/// What is timed, and nanoseconds per product.
 pub type Timed = (&'static str, f64);
 
 /// Times all products.
@@ -154,7 +154,7 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
     let dual = of(DUAL);
     let mut table = Table::new(
         "Products in single precision, operands in the first cache",
-        &["product", "ns", "over dual quaternion, plain"],
+        &["product", "ns", "relative to dual quaternion, plain"],
     );
     for (name, time) in &times {
         table.row([(*name).to_owned(), format!("{time:.2}"), format!("{:.2}", time / dual)]);
@@ -208,6 +208,6 @@ pub fn section() -> Result<Section, Box<dyn Error>> {
                   why there is dq8. A zero costs a processor as much as another number: hyper-dual quaternions \
                   are slower, by what their nine products take, and a screen does not show it."
             .to_owned(),
-        body: paragraph("Nanoseconds a product; one thread.") + &table.to_html(),
+        body: paragraph("Nanoseconds per product; one thread.") + &table.to_html(),
     })
 }

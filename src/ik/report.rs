@@ -99,8 +99,8 @@ pub enum Outcome {
     /// The iterations ran out while the end still came nearer.
     Unfinished = 4,
     /// The target is farther than 10⁻³ from a unit motion (the norm of its real part, or its dual part
-    /// along it), or a number is not finite, or a distance overflows; or an option is negative or NaN, or a
-    /// step or length per radian zero. The joint values are untouched, the errors NaN.
+    /// along it), or a number is not finite, or a distance overflows; or an option is negative or NaN, a
+    /// damping or length per radian infinite, or a step or length per radian zero. The joint values are untouched, the errors NaN.
     #[default]
     Invalid = 5,
 }
