@@ -86,8 +86,9 @@ def module_of(binary, path):
     """The test as the binary calls it: modules in macros and `main` have names of their own."""
     names = subprocess.run([binary, "--list"], capture_output=True, text=True, check=True).stdout
     names = [line.removesuffix(": test") for line in names.splitlines() if line.endswith(": test")]
-    name = path.rpartition("::")[2]
-    found = [full for full in names if full == path] or [full for full in names if full.rpartition("::")[2] == name]
+    *modules, name = path.split("::")
+    found = [full for full in names if full == path]
+    found = found or [full for full in names if full.endswith(f"::{name}") and {*modules} <= {*full.split("::")}]
     if not found:
         raise SystemExit(f"{binary} has no test {path}")
     return found
@@ -168,41 +169,31 @@ def main():
     os.environ.setdefault("CARGO_INCREMENTAL", "1")
     copy(COPY)
     apply(mutations)
-    survivors, ran, known = [], 0, {}
-    chosen = lambda mutation, test: all(word in test + " " + mutation["file"] for word in words)
+    survivors, binaries = [], {}
+    is_chosen = lambda mutation, test: all(word in test + " " + mutation["file"] for word in words)
+    tries = [(number, mutation, test) for number, mutation in enumerate(mutations) for test in mutation["tests"]
+             if is_chosen(mutation, test) and not (mutation.get("alone") and "--switched" in sys.argv)]
 
-    def look(number, mutation):
-        nonlocal ran
-        for test in mutation["tests"]:
-            if not chosen(mutation, test):
-                continue
-            package, arguments, path = target(test)
-            alone = mutation.get("alone")
-            if alone:
-                binary = build(package, arguments)
-            elif (package, arguments) not in known:
-                binary = known[package, arguments] = build(package, arguments)
-            else:
-                binary = known[package, arguments]
-            names = module_of(binary, path)
-            if not alone and ("pass", test) not in known:
-                known["pass", test] = True
-                if not passes(binary, package, names):
-                    raise SystemExit(f"fails without any change: {test}")
-            ran += 1
-            if passes(binary, package, names, None if alone else number):
-                survivors.append(f"survives in {test}\n    {mutation['file']}: {mutation['old']}  ->  {mutation['new']}")
-                print(survivors[-1], flush=True)
+    def program(test, again=False):
+        package, arguments, path = target(test)
+        if again or (package, arguments) not in binaries:
+            binaries[package, arguments] = build(package, arguments)
+        binary = binaries[package, arguments]
+        return binary, package, module_of(binary, path)
 
-    for number, mutation in enumerate(mutations):
-        if not mutation.get("alone"):
-            look(number, mutation)
-    for number, mutation in enumerate(mutations):
-        if "--switched" not in sys.argv and mutation.get("alone") and any(chosen(mutation, test) for test in mutation["tests"]):
+    for test in sorted({test for _, _, test in tries}):
+        if not passes(*program(test)):
+            raise SystemExit(f"fails without any change: {test}")
+    # Those with a build of their own come last.
+    for number, mutation, test in sorted(tries, key=lambda one: bool(one[1].get("alone"))):
+        alone = bool(mutation.get("alone"))
+        if alone:
             apply(mutations, number)
-            look(number, mutation)
-    print(f"{ran} tries, {len(survivors)} survive")
-    return 1 if survivors or not ran else 0
+        if passes(*program(test, alone), None if alone else number):
+            survivors.append(test)
+            print(f"survives in {test}\n    {mutation['file']}: {mutation['old']}  ->  {mutation['new']}", flush=True)
+    print(f"{len(tries)} tries, {len(survivors)} survive")
+    return 1 if survivors or not tries else 0
 
 
 if __name__ == "__main__":

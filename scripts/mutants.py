@@ -164,7 +164,8 @@ def run(seconds, tests):
                 failed = subprocess.run([programs[name]], cwd=COPY, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                                         env=environment, timeout=60 + 12 * took[name]).returncode
             except subprocess.TimeoutExpired:
-                failed = True
+                change["result"] = "timeout"
+                return
             if failed:
                 seen[change["file"], name] = seen.get((change["file"], name), 0) + 1
                 change["result"] = name
@@ -189,10 +190,11 @@ def describe(change):
 
 def report():
     tried = [change for change in json.loads(STATE.read_text()) if "result" in change]
-    survivors = [change for change in tried if change["result"] == "survived"]
-    for change in survivors:
-        print(describe(change))
-    print(f"{len(tried)} changes tried, {len(survivors)} survived")
+    for result in ("survived", "timeout"):
+        for change in (change for change in tried if change["result"] == result):
+            print(f"{result}: {describe(change)}")
+    count = lambda result: sum(change["result"] == result for change in tried)
+    print(f"{len(tried)} changes tried, {count('survived')} survived, {count('timeout')} took too long to say")
 
 
 if __name__ == "__main__":

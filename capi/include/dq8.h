@@ -40,7 +40,7 @@
 
 /**
  * What became of a call. Unless it is DQ8_STATUS_OK, nothing has been written, except the index `bad_joint` or
- * `bad_vertex`, and the steps that were to be a mechanism.
+ * `bad_vertex`, the steps that were to be a mechanism, and scratch.
  */
 enum dq8_status
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L

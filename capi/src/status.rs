@@ -12,7 +12,7 @@ use dq8::{
 pub(crate) type Done = Result<(), Status>;
 
 /// What became of a call. Unless it is DQ8_STATUS_OK, nothing has been written, except the index `bad_joint` or
-/// `bad_vertex`, and the steps that were to be a mechanism.
+/// `bad_vertex`, the steps that were to be a mechanism, and scratch.
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {

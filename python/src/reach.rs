@@ -135,27 +135,27 @@ fn goals<R: Number>(chosen: &Chosen, weights: Option<Argument<'_, '_>>) -> PyRes
 
 /// Options in the precision of the call.
 fn options<R: Number>(options: &Options<f64>) -> PyResult<Options<R>> {
-    let number = |name: &str, value: f64| {
-        if value >= 0.0 {
-            return Ok(<R as Real>::from_f64(value));
+    // As the call will see it: what is tiny may be zero there, and what is huge infinite.
+    let number = |name: &str, what: &str, value: f64, fits: fn(f64) -> bool| {
+        let converted = <R as Real>::from_f64(value);
+        if fits(converted.into()) {
+            return Ok(converted);
         }
-        Err(PyValueError::new_err(format!("Expected `{name}` to be at least 0, got {value}.")))
+        Err(PyValueError::new_err(format!("Expected `{name}` to be {what}, got {value}.")))
     };
-    let positive = |name: &str, value: f64| {
-        if value > 0.0 {
-            return number(name, value);
-        }
-        Err(PyValueError::new_err(format!("Expected `{name}` to be more than 0, got {value}.")))
-    };
-    let length_per_radian =
-        options.length_per_radian.map(|length| positive("length_per_radian", length));
+    let tolerance = |name, value| number(name, "at least 0", value, |value| value >= 0.0);
+    let length_per_radian = options.length_per_radian.map(|length| {
+        let fits = |length: f64| length > 0.0 && length.is_finite();
+        number("length_per_radian", "finite and more than 0", length, fits)
+    });
+    let damping = |damping: f64| damping >= 0.0 && damping.is_finite();
     Ok(Options {
-        angular_tolerance: number("angular_tolerance", options.angular_tolerance)?,
-        linear_tolerance: number("linear_tolerance", options.linear_tolerance)?,
+        angular_tolerance: tolerance("angular_tolerance", options.angular_tolerance)?,
+        linear_tolerance: tolerance("linear_tolerance", options.linear_tolerance)?,
         max_iterations: options.max_iterations,
         length_per_radian: length_per_radian.transpose()?,
-        max_step: positive("max_step", options.max_step)?,
-        damping: number("damping", options.damping)?,
+        max_step: number("max_step", "more than 0", options.max_step, |step| step > 0.0)?,
+        damping: number("damping", "finite and at least 0", options.damping, damping)?,
         restarts: options.restarts,
     })
 }

@@ -3,7 +3,7 @@ use super::representation::{
     Homogeneous, Listing, Representation, RotationTranslation, kenwright_normalize,
 };
 use super::target::{Miss, follow};
-use crate::matrix::{self, Matrix};
+use crate::matrix::{self, Matrix, distance};
 use core::convert::identity;
 use dq8::DualQuat;
 
@@ -163,10 +163,6 @@ fn errors<S: Representation>(
         chain.link_error(),
         distance(before_upkeep, end),
     ]
-}
-
-fn distance(a: Matrix<f64, 3, 4>, b: Matrix<f64, 3, 4>) -> f64 {
-    (0..3).map(|i| (a[i][3] - b[i][3]).powi(2)).sum::<f64>().sqrt()
 }
 
 /// How fast the targets are: frames for one round. What one of them does is chance.

@@ -4,7 +4,7 @@
 use super::chain::{Chain, LINKS, Order};
 use super::representation::Representation;
 use super::target::{ARRIVAL, Miss, towards};
-use crate::matrix::{self, Matrix};
+use crate::matrix::{self, Matrix, length};
 use dq8::DualQuat;
 
 /// Where a chain is put in order in every frame.
@@ -143,8 +143,4 @@ pub fn against_ideal<S: Representation>(
 /// From the ideal place of each joint and of the end to the actual one.
 fn offsets(actual: &Frames, ideal: &Frames) -> [[f64; 3]; LINKS + 1] {
     core::array::from_fn(|joint| core::array::from_fn(|i| actual[joint][i][3] - ideal[joint][i][3]))
-}
-
-fn length([x, y, z]: [f64; 3]) -> f64 {
-    x.hypot(y).hypot(z)
 }

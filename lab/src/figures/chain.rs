@@ -2,7 +2,7 @@
 
 use super::canvas::{Canvas, Side, View, colour};
 use crate::drift::{Frames, Homogeneous, LINKS, Loop, Order, Repair, against_ideal};
-use crate::matrix::{Matrix, affine_apply};
+use crate::matrix::{Matrix, affine_apply, distance};
 use crate::report::scientific;
 
 /// By how much deviations are drawn too large.
@@ -116,8 +116,4 @@ fn links(canvas: &mut Canvas, view: View, frames: &Frames, stroke: &str) {
     for joint in &joints {
         canvas.dot(view.of(*joint), 3.0, stroke);
     }
-}
-
-fn distance(a: Matrix<f64, 3, 4>, b: Matrix<f64, 3, 4>) -> f64 {
-    (0..3).map(|i| (a[i][3] - b[i][3]).powi(2)).sum::<f64>().sqrt()
 }

@@ -1,6 +1,7 @@
 //! Jia's figures 1 and 2: a line in Plücker coordinates, and a screw.
 
 use super::canvas::{Canvas, Side, View, colour};
+use crate::matrix::length;
 use core::f64::consts::TAU;
 use dq8::geometry::Screw;
 use dq8::{DualQuat, Line};
@@ -76,10 +77,6 @@ pub(super) fn plucker() -> String {
         ],
     );
     canvas.to_svg()
-}
-
-fn length([x, y, z]: [f64; 3]) -> f64 {
-    x.hypot(y).hypot(z)
 }
 
 /// A letter that is not its own mirror image, in its own axes.

@@ -54,6 +54,9 @@ impl<L: Lanes<Real: Scalar>> Search<'_, L> {
         }
         let eighth = || reach.typical_length_to(targets, values) * L::Real::from(0.125);
         let length = self.work.options.length_per_radian.unwrap_or_else(eighth);
+        if !length.is_finite() {
+            return None;
+        }
         let scales = &mut self.model.scales;
         scales.length = with_lane(scales.length, lane, length);
         scales.radians_per_length =

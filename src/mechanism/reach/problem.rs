@@ -54,7 +54,7 @@ pub struct Reach<'a, R> {
     pub(super) twists: usize,
     /// A length that is typical for the mechanism.
     pub(super) size: R,
-    /// Whether something slides without end.
+    /// Whether something that moves a goal floats or slides without end, a thread too.
     pub(super) is_endless: bool,
 }
 
@@ -101,8 +101,8 @@ impl<'a, R: Real> Reach<'a, R> {
     }
 
     /// With a preferred configuration: a search that has reached its targets goes on toward these values as far
-    /// as the goals leave freedom, until the posture comes no nearer, next to nothing moves (10⁻⁴ rad), or the
-    /// iterations are used up. Weighs nothing against the goals (the null space of their Jacobian; Liégeois
+    /// as the goals leave freedom, until it is there to within the angular tolerance, comes no nearer in 60
+    /// iterations, next to nothing moves (10⁻⁴ rad; so `max_step` should be more), or the iterations are used up. Weighs nothing against the goals (the null space of their Jacobian; Liégeois
     /// 1977). Beyond a limit, the limit is preferred. Of planar and other joints alike; floating joints have
     /// no preference.
     ///

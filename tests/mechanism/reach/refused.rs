@@ -2,7 +2,7 @@
 
 use super::{at, mechanism, planar, seven, solve};
 use dq8::ik::{Options, Outcome, Report};
-use dq8::mechanism::{Freedom, Goal, Joint, Reach, ReachError};
+use dq8::mechanism::{Freedom, Goal, Joint, JointKind, Reach, ReachError};
 use dq8::{Backend, DualQuat, ShapeError};
 
 #[test]
@@ -172,6 +172,19 @@ fn options_that_are_none_are_invalid_and_values_are_untouched() {
         assert_eq!(report.outcome, Outcome::Invalid, "{options:?}");
         assert!(report.angular_error.is_nan() && report.linear_error.is_nan());
         assert_eq!(values, start, "{options:?}");
+    }
+}
+
+#[test]
+fn distances_that_overflow_are_invalid_and_values_are_untouched() {
+    let base = mechanism::<f64>(&[Joint::new(None, DualQuat::IDENTITY, JointKind::Floating)]);
+    let start = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
+    for far in [[1.5e308, 1.5e308, 0.0], [0.0, -1.7e308, 1e308]] {
+        let (goals, mut values) = ([Goal::position(0)], start);
+        let target = DualQuat::from_translation(far);
+        let report = solve(base.view(), &goals, &[target], &mut values, &Options::default());
+        assert_eq!(report.outcome, Outcome::Invalid, "{far:?}: {report:?}");
+        assert_eq!(values, start);
     }
 }
 
