@@ -2,7 +2,7 @@
 """Known answers for the operations that reference.jsonl leaves out -> tests/vectors/more.jsonl.
 
     pip install mpmath                       # the only dependency; Python 3.11
-    python3 scripts/make_vectors.py          # writes the file (a minute)
+    python3 scripts/make_vectors.py          # writes the file (two minutes of one core)
     python3 scripts/make_vectors.py --check  # derives it again, exit 1 if the committed file differs
 
 The truth shares definitions with the crate, not methods. A quaternion is the 2×2 matrix w − i(xX + yY + zZ) with
