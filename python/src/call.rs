@@ -102,7 +102,7 @@ fn operand<'s, R: Number, const C: usize>(
 ) -> Each<'s, R, C> {
     let records = input.as_ref().map_or(&[][..], |input| input.records());
     if cycling.is_none_or(|count| records.len() <= 1 || records.len() == count) {
-        return Each { records, period: usize::MAX, first: 0 };
+        return Each::of(records);
     }
     cycle.extend(records.iter().cycle().take(records.len() + MAX_LANES));
     Each { records: cycle, period: records.len(), first: 0 }

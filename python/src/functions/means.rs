@@ -133,6 +133,7 @@ fn typed<'py, R: Number>(
 
     let influences = Influences {
         count,
+        apart: count,
         motions: motions.records(),
         weights: weights.as_ref().map(|weights| weights.records()),
         own,
