@@ -169,7 +169,7 @@ fn typed<'py, R: Number, F: OfMany<N>, const N: usize>(
     let to = memory.as_slice_mut().map(|numbers| numbers.as_chunks_mut::<8>().0);
     let to = to.map_err(|error| PyValueError::new_err(error.to_string()))?;
     py.detach(|| {
-        Threads::for_elements(to.len()).split(to, |first, to| {
+        Threads::for_elements(to.len()).split(to, &|first, to| {
             let motions = motions.map(|motion| motion.from(first));
             Backend::best().run(OfEach { law, motions, t: t.from(first), to });
             true

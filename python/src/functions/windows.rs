@@ -99,7 +99,7 @@ fn typed<'py, R: Number>(
         let threads = Threads::for_elements(to.len());
         // Windows do not reach from one row into the next.
         for (row, to) in to.chunks_mut(windows.max(1)).enumerate() {
-            threads.split(to, |first, to| {
+            threads.split(to, &|first, to| {
                 influences.from(row * length + first).blend(mean, to);
                 true
             });
