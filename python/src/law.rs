@@ -9,7 +9,7 @@ pub(crate) trait Law<const A: usize, const B: usize, const C: usize, const D: us
     Copy + Send + Sync
 {
     /// Whether it computes so much per number that AVX-512 is faster, although the transposes in and out
-    /// are slower there, and that one kernel is as fast as one for each combination of operands.
+    /// are slower there, and that two or three kernels are as fast as one for each combination of operands.
     const WIDE: bool = false;
 
     /// On lanes.

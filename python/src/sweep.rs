@@ -40,12 +40,34 @@ pub(crate) fn sweep<R, F, const A: usize, const B: usize, const C: usize, const 
     }
     // The constants keep the compiler from kernels that nothing calls, half of all.
     if const { F::WIDE } {
-        let (a, b) = (OneOrEach::of(a, each[0]), OneOrEach::of(b, each[1]));
-        chunks(threads, law, a, b, OneOrEach::of(c, each[2]), to);
+        wide(threads, law, Arguments { a, b, c }, each, to);
     } else if const { A > 0 } && each[0] {
         with_a(threads, law, a, b, c, each, to);
     } else {
         with_a(threads, law, One(a.one()), b, c, each, to);
+    }
+}
+
+/// [`sweep`], of a law that computes so much that a look at where an argument lies does not count. But what is
+/// computed of the first argument, or of the first two, is computed once if they are one for all.
+fn wide<R, F, const A: usize, const B: usize, const C: usize, const D: usize>(
+    threads: &Threads,
+    law: F,
+    arguments: Arguments<'_, R, A, B, C>,
+    each: Which,
+    to: &mut [[R; D]],
+) where
+    R: Scalar + Send + Sync,
+    F: Law<A, B, C, D>,
+{
+    let Arguments { a, b, c } = arguments;
+    let last = OneOrEach::of(c, each[2]);
+    if each[0] {
+        chunks(threads, law, a, OneOrEach::of(b, each[1]), last, to);
+    } else if const { C > 0 } && !each[1] {
+        chunks(threads, law, One(a.one()), One(b.one()), last, to);
+    } else {
+        chunks(threads, law, One(a.one()), OneOrEach::of(b, each[1]), last, to);
     }
 }
 
