@@ -11,24 +11,33 @@ python3 -c 'import sys; sys.exit(sys.version_info < (3, 11))' ||
   { echo 'missing: Python 3.11 or later, which SciPy 1.17 needs' >&2; exit 1; }
 python3 -c 'import venv, ensurepip' 2>/dev/null || { echo 'missing: venv (Debian package python3-venv)' >&2; exit 1; }
 
-echo 'format, lints'
-cargo fmt --check
-cargo clippy --all-targets -- -D warnings
-
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
-echo 'wheel'
-python3 -m venv "$out/build"
-"$out/build/bin/pip" install --quiet 'maturin>=1.9,<2'
-"$out/build/bin/maturin" build --release --locked --quiet --interpreter "$out/build/bin/python" --out "$out/wheels"
+step() { printf '%s (%ss)\n' "$*" "$SECONDS"; }
 
-echo 'tests, in a fresh environment'
-python3 -m venv "$out/user"
-"$out/user/bin/pip" install --quiet "$out"/wheels/dq8-*.whl
+step 'format, lints'
+cargo fmt --check
+# In release, as the wheel is: what macros and build scripts need is then compiled once for both.
+cargo clippy --release --all-targets -- -D warnings
+
+step 'wheel'
+# Where it stays: PyO3 is compiled again for an interpreter with another path.
+build=$PWD/target/maturin
+"$build/bin/python" -c '' 2>/dev/null || python3 -m venv --clear "$build"
+# Modules are compiled when they are imported; most never are.
+pip() { "$build/bin/python" -m pip "$@" --quiet --disable-pip-version-check --no-compile --prefer-binary; }
+pip install 'maturin>=1.9,<2'
+"$build/bin/maturin" build --release --locked --quiet --interpreter "$build/bin/python" --out "$out/wheels"
+
+step 'tests, in a fresh environment'
+python3 -m venv --without-pip "$out/user"
+user() { pip --python "$out/user/bin/python" install "$@"; }
+user "$out"/wheels/dq8-*.whl
 # What it needs of itself is NumPy alone.
 (cd "$out" && user/bin/python -c 'import dq8; dq8.mul(dq8.identity(3), dq8.identity())')
-"$out/user/bin/pip" install --quiet -r tests/requirements.txt
+user -r tests/requirements.txt
 "$out/user/bin/python" -m pytest -q -p no:cacheprovider
 
-echo 'types'
+step 'types'
 "$out/user/bin/mypy" --strict --disable-error-code import-untyped --cache-dir "$out/mypy" --no-error-summary -p dq8
+step 'done'

@@ -2,6 +2,10 @@
 # Installs from Debian what is missing: install_missing.sh PATH=PACKAGE…, a path that must exist and the package that has it.
 set -euo pipefail
 
+# One at a time: what runs beside this may want packages too.
+exec 9<"$0"
+flock 9
+
 packages=()
 for need; do
   [ -e "${need%%=*}" ] || packages+=("${need##*=}")

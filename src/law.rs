@@ -17,7 +17,7 @@ pub trait Law<const C: usize>: Copy + core::fmt::Debug + sealed::Sealed {
     fn motion<L: Lanes>(self, pose: [L; C]) -> DualQuat<L>;
     /// parent · pose
     #[must_use]
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn onto<L: Lanes>(self, parent: DualQuat<L>, pose: [L; C]) -> DualQuat<L> {
         parent * self.motion(pose)
     }
@@ -43,39 +43,39 @@ pub struct Sclerp;
 pub struct Separate;
 
 impl Law<8> for Nlerp {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn between<L: Lanes>(self, a: [L; 8], b: [L; 8], t: L) -> [L; 8] {
         DualQuat::from_array(a).nlerp(DualQuat::from_array(b), t).to_array()
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn add<L: Lanes>(self, base: [L; 8], delta: [L; 8], weight: L) -> [L; 8] {
         let still = DualQuat::identity(weight.level());
         let step = still.nlerp(DualQuat::from_array(delta), weight);
         (DualQuat::from_array(base) * step).to_array()
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn motion<L: Lanes>(self, pose: [L; 8]) -> DualQuat<L> {
         DualQuat::from_array(pose)
     }
 }
 
 impl Law<8> for Sclerp {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn between<L: Lanes>(self, a: [L; 8], b: [L; 8], t: L) -> [L; 8] {
         DualQuat::from_array(a).sclerp(DualQuat::from_array(b), t).to_array()
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn add<L: Lanes>(self, base: [L; 8], delta: [L; 8], weight: L) -> [L; 8] {
         (DualQuat::from_array(base) * DualQuat::from_array(delta).pow(weight)).to_array()
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn motion<L: Lanes>(self, pose: [L; 8]) -> DualQuat<L> {
         DualQuat::from_array(pose)
     }
 }
 
 impl Law<7> for Separate {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn between<L: Lanes>(self, a: [L; 7], b: [L; 7], t: L) -> [L; 7] {
         let ([ax, ay, az, aw, from @ ..], [bx, by, bz, bw, to @ ..]) = (a, b);
         let turn = Quat::from_xyzw(ax, ay, az, aw).nlerp(Quat::from_xyzw(bx, by, bz, bw), t);
@@ -84,7 +84,7 @@ impl Law<7> for Separate {
         let [tx, ty, tz] = vector::scale_onto(to, t, from);
         [x, y, z, w, tx, ty, tz]
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn add<L: Lanes>(self, base: [L; 7], delta: [L; 7], weight: L) -> [L; 7] {
         let ([x, y, z, w, from @ ..], [dx, dy, dz, dw, step @ ..]) = (base, delta);
         let turn = Quat::identity(weight.level()).nlerp(Quat::from_xyzw(dx, dy, dz, dw), weight);
@@ -92,11 +92,11 @@ impl Law<7> for Separate {
         let [tx, ty, tz] = vector::scale_onto(step, weight, from);
         [x, y, z, w, tx, ty, tz]
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn motion<L: Lanes>(self, [x, y, z, w, t @ ..]: [L; 7]) -> DualQuat<L> {
         DualQuat::from_rotation_translation(Quat::from_xyzw(x, y, z, w), t)
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn onto<L: Lanes>(self, parent: DualQuat<L>, [x, y, z, w, t @ ..]: [L; 7]) -> DualQuat<L> {
         parent.mul_rotation_translation(Quat::from_xyzw(x, y, z, w), t)
     }

@@ -109,6 +109,11 @@ impl<'py, R: Number> Input<'py, R> {
         &self.full_leading
     }
 
+    /// Whether there is one element for all.
+    pub(crate) fn is_one(&self) -> bool {
+        self.leading.iter().all(|&size| size == 1)
+    }
+
     /// Whether this is the very memory of a result.
     pub(crate) fn is(&self, out: &Output<'py, R>) -> bool {
         self.array.is(out.memory())

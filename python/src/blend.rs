@@ -30,10 +30,11 @@ impl Mean {
     }
 }
 
-/// What is blended: `count` motions for each result.
+/// What is blended: `count` motions for each result; those of one begin `apart` motions after those of the one before.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Influences<'s, R> {
     pub(crate) count: usize,
+    pub(crate) apart: usize,
     pub(crate) motions: &'s [[R; 8]],
     pub(crate) weights: Option<&'s [[R; 1]]>,
     /// Whether each result has its own weights.
@@ -57,7 +58,7 @@ impl<R: Number> Influences<'_, R> {
 
     /// Those of the results from `first` on.
     pub(crate) fn from(self, first: usize) -> Self {
-        let motions = self.motions.get(first * self.count..).unwrap_or_default();
+        let motions = self.motions.get(first * self.apart..).unwrap_or_default();
         let weights = self.weights.map(|weights| {
             if self.own { weights.get(first * self.count..).unwrap_or_default() } else { weights }
         });
@@ -78,17 +79,17 @@ impl<R: Number> Kernel for Blend<'_, R> {
     #[inline(always)]
     fn run<V: Level>(self, level: V) {
         let Self { mean, influences, to } = self;
-        let Influences { count, motions, weights, own } = influences;
+        let Influences { count, apart, motions, weights, own } = influences;
         let one = R::Lanes::<V>::splat(level, R::ONE);
         let mut blended = vec![(batch::DualQuat::<R::Lanes<V>>::identity(level), one); count];
         let mut first = 0;
         while let Some(rest) = to.get_mut(first..).filter(|rest| !rest.is_empty()) {
             for (i, (motion, weight)) in blended.iter_mut().enumerate() {
-                let Some(from) = motions.get(first * count + i..) else { return };
+                let Some(from) = motions.get(first * apart + i..) else { return };
                 *motion = batch::DualQuat::from_array(R::Lanes::<V>::load_strided(
                     level,
                     from,
-                    Some(count),
+                    Some(apart),
                     &storage::identity(),
                 ));
                 if let Some(weights) = weights {

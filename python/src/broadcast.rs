@@ -30,19 +30,7 @@ impl Broadcast {
     /// Of arguments with these leading dimensions; `None` if they do not fit each other. `once` are the same
     /// dimensions, with a 1 for each along which memory has one element, repeated without a stride.
     pub(crate) fn of(arguments: [&[usize]; 3], once: [&[usize]; 3]) -> Option<Self> {
-        let rank = arguments.iter().map(|shape| shape.len()).max().unwrap_or(0);
-        let mut shape = vec![1; rank];
-        for argument in arguments {
-            for (size, &own) in shape.iter_mut().rev().zip(argument.iter().rev()) {
-                match (*size, own) {
-                    (_, 1) => {}
-                    (1, own) => *size = own,
-                    (size, own) if size == own => {}
-                    _ => return None,
-                }
-            }
-        }
-
+        let shape = common(arguments.into_iter())?;
         let (mut run, mut each) = (1, [true; 3]);
         let mut outer = Vec::new();
         // How many elements each argument has in the dimensions behind the present one.
@@ -93,6 +81,25 @@ impl Broadcast {
         }
         begin
     }
+}
+
+/// The leading dimensions that all of these broadcast to; `None` if they do not fit each other.
+pub(crate) fn common<'a>(arguments: impl Iterator<Item = &'a [usize]>) -> Option<Vec<usize>> {
+    let mut shape = Vec::new();
+    for argument in arguments {
+        if shape.len() < argument.len() {
+            shape.splice(0..0, vec![1; argument.len() - shape.len()]);
+        }
+        for (size, &own) in shape.iter_mut().rev().zip(argument.iter().rev()) {
+            match (*size, own) {
+                (_, 1) => {}
+                (1, own) => *size = own,
+                (size, own) if size == own => {}
+                _ => return None,
+            }
+        }
+    }
+    Some(shape)
 }
 
 /// Whether an argument with these leading dimensions is the same elements over and over in `shape`, to

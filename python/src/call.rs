@@ -9,7 +9,6 @@ use crate::threads::{GRAIN, Threads};
 use dq8::simd::MAX_LANES;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use rayon::prelude::*;
 
 /// What a Python function returns.
 pub(crate) type Answer<'py> = PyResult<Bound<'py, PyAny>>;
@@ -49,6 +48,42 @@ where
     R: Number,
     F: Law<A, B, C, D>,
 {
+    let Ready { inputs, broadcast, output, cycling } = ready::<R>(py, arguments, core, out)?;
+    let [a, b, c] = &inputs;
+    let (mut cycle_a, mut cycle_b, mut cycle_c) = (Vec::new(), Vec::new(), Vec::new());
+    let arguments = Arguments {
+        a: operand(a, cycling, &mut cycle_a),
+        b: operand(b, cycling, &mut cycle_b),
+        c: operand(c, cycling, &mut cycle_c),
+    };
+    let mut memory = output.borrow()?;
+    // It is contiguous.
+    let to = memory.as_slice_mut().map(|numbers| numbers.as_chunks_mut::<D>().0);
+    let to = to.map_err(|error| PyValueError::new_err(error.to_string()))?;
+    if to.len() < RELEASE {
+        runs(law, arguments, &broadcast, to);
+    } else {
+        py.detach(|| runs(law, arguments, &broadcast, to));
+    }
+    drop(memory);
+    output.finish()
+}
+
+/// What a call needs that does not depend on its law.
+struct Ready<'py, R: Number> {
+    inputs: [Option<Input<'py, R>>; 3],
+    broadcast: Broadcast,
+    output: Output<'py, R>,
+    /// How many elements there are if arguments are read over and over.
+    cycling: Option<usize>,
+}
+
+fn ready<'py, R: Number>(
+    py: Python<'py>,
+    arguments: [Option<Argument<'_, 'py>>; 3],
+    core: &[usize],
+    out: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Ready<'py, R>> {
     let names = arguments;
     let mut inputs = [None, None, None];
     for (input, argument) in inputs.iter_mut().zip(arguments) {
@@ -71,26 +106,8 @@ where
         }
         broadcast = Broadcast::flat(broadcast.shape, each);
     }
-
-    let [a, b, c] = &inputs;
-    let (mut cycle_a, mut cycle_b, mut cycle_c) = (Vec::new(), Vec::new(), Vec::new());
     let cycling = short.then_some(broadcast.run);
-    let arguments = Arguments {
-        a: operand(a, cycling, &mut cycle_a),
-        b: operand(b, cycling, &mut cycle_b),
-        c: operand(c, cycling, &mut cycle_c),
-    };
-    let mut memory = output.borrow()?;
-    // It is contiguous.
-    let to = memory.as_slice_mut().map(|numbers| numbers.as_chunks_mut::<D>().0);
-    let to = to.map_err(|error| PyValueError::new_err(error.to_string()))?;
-    if to.len() < RELEASE {
-        runs(law, arguments, &broadcast, to);
-    } else {
-        py.detach(|| runs(law, arguments, &broadcast, to));
-    }
-    drop(memory);
-    output.finish()
+    Ok(Ready { inputs, broadcast, output, cycling })
 }
 
 /// The elements of an argument. If there must be `cycling` of them and there are fewer, then those over and
@@ -102,7 +119,7 @@ fn operand<'s, R: Number, const C: usize>(
 ) -> Each<'s, R, C> {
     let records = input.as_ref().map_or(&[][..], |input| input.records());
     if cycling.is_none_or(|count| records.len() <= 1 || records.len() == count) {
-        return Each { records, period: usize::MAX, first: 0 };
+        return Each::of(records);
     }
     cycle.extend(records.iter().cycle().take(records.len() + MAX_LANES));
     Each { records: cycle, period: records.len(), first: 0 }
@@ -144,8 +161,7 @@ fn runs<R, F, const A: usize, const B: usize, const C: usize, const D: usize>(
     // Long runs are split, short ones are handed out whole.
     if threads.many() && broadcast.run < 2 * GRAIN {
         let alone = Threads::for_elements(0);
-        let pieces = to.par_chunks_mut(broadcast.run).enumerate();
-        threads.install(|| pieces.for_each(|(index, to)| run(&alone, index, to)));
+        threads.chunks(broadcast.run, to, &|index, to| run(&alone, index, to));
     } else {
         for (index, to) in to.chunks_mut(broadcast.run).enumerate() {
             run(&threads, index, to);

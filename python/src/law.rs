@@ -9,7 +9,7 @@ pub(crate) trait Law<const A: usize, const B: usize, const C: usize, const D: us
     Copy + Send + Sync
 {
     /// Whether it computes so much per number that AVX-512 is faster, although the transposes in and out
-    /// are slower there.
+    /// are slower there, and that two or three kernels are as fast as one for each combination of operands.
     const WIDE: bool = false;
 
     /// On lanes.
@@ -70,6 +70,18 @@ pub(crate) struct Each<'s, R, const C: usize> {
     pub(crate) first: usize,
 }
 
+impl<'s, R: Scalar, const C: usize> Each<'s, R, C> {
+    /// So many, once.
+    pub(crate) fn of(records: &'s [[R; C]]) -> Self {
+        Self { records, period: usize::MAX, first: 0 }
+    }
+
+    /// The first one; of what is not there, zeros.
+    pub(crate) fn one(self) -> [R; C] {
+        self.records.get(self.first).copied().unwrap_or([R::ZERO; C])
+    }
+}
+
 impl<R: Scalar, const C: usize> Operand<R, C> for Each<'_, R, C> {
     #[inline(always)]
     fn load<V: Level>(self, level: V, first: usize) -> Option<[R::Lanes<V>; C]> {
@@ -83,6 +95,33 @@ impl<R: Scalar, const C: usize> Operand<R, C> for Each<'_, R, C> {
     #[inline(always)]
     fn from(self, first: usize) -> Self {
         Self { first: self.first + first, ..self }
+    }
+}
+
+/// One for all elements or one for each: told while it runs, so that there is one kernel for both. For what
+/// computes so much that this does not count.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct OneOrEach<'s, R, const C: usize> {
+    one: [R; C],
+    each: Each<'s, R, C>,
+    is_each: bool,
+}
+
+impl<'s, R: Scalar, const C: usize> OneOrEach<'s, R, C> {
+    /// The first of `each`, or all of them; of what is not there, zeros.
+    pub(crate) fn of(each: Each<'s, R, C>, is_each: bool) -> Self {
+        Self { one: each.one(), each, is_each: C > 0 && is_each }
+    }
+}
+
+impl<R: Scalar, const C: usize> Operand<R, C> for OneOrEach<'_, R, C> {
+    #[inline(always)]
+    fn load<V: Level>(self, level: V, first: usize) -> Option<[R::Lanes<V>; C]> {
+        if self.is_each { self.each.load(level, first) } else { One(self.one).load(level, first) }
+    }
+    #[inline(always)]
+    fn from(self, first: usize) -> Self {
+        Self { each: self.each.from(first), ..self }
     }
 }
 

@@ -62,6 +62,12 @@ mod _core {
         to_twist,
     };
     #[pymodule_export]
+    use super::functions::squad::{squad, squad_control};
+    #[pymodule_export]
+    use super::functions::trajectory::resample;
+    #[pymodule_export]
+    use super::functions::windows::dib_windows;
+    #[pymodule_export]
     use super::hierarchy::Hierarchy;
     #[pymodule_export]
     use super::mechanism::Mechanism;

@@ -1,6 +1,6 @@
 //! The loop of all functions on arrays.
 
-use crate::law::{Each, Law, One, Operand, store};
+use crate::law::{Each, Law, One, OneOrEach, Operand, store};
 use crate::threads::Threads;
 use dq8::{Backend, Kernel, Lanes, Level, Scalar};
 
@@ -27,32 +27,90 @@ pub(crate) fn sweep<R, F, const A: usize, const B: usize, const C: usize, const 
     F: Law<A, B, C, D>,
 {
     let Arguments { a, b, c } = arguments;
-    // What is not there has no first element either; its one element has no numbers.
-    let one = (
-        One(a.records.get(a.first).copied().unwrap_or([R::ZERO; A])),
-        One(b.records.get(b.first).copied().unwrap_or([R::ZERO; B])),
-        One(c.records.get(c.first).copied().unwrap_or([R::ZERO; C])),
-    );
-    let each_one = [A > 0 && each[0], B > 0 && each[1], C > 0 && each[2]];
-    match each_one {
-        [true, true, true] => chunks(threads, law, a, b, c, to),
-        [true, true, false] => chunks(threads, law, a, b, one.2, to),
-        [true, false, true] => chunks(threads, law, a, one.1, c, to),
-        [true, false, false] => chunks(threads, law, a, one.1, one.2, to),
-        [false, true, true] => chunks(threads, law, one.0, b, c, to),
-        [false, true, false] => {
-            let backend = Backend::best();
-            if !threads.split(to, |first, to| {
-                let records = b.records.get(b.first + first..).unwrap_or_default();
-                let records = records.get(..to.len()).unwrap_or_default();
-                law.of_one(backend, &one.0.0, records, to)
-            }) {
-                chunks(threads, law, one.0, b, one.2, to);
-            }
+    if !(A > 0 && each[0]) && B > 0 && each[1] && !(C > 0 && each[2]) {
+        let one = a.one();
+        let done = threads.split(to, &|first, to| {
+            let records = b.records.get(b.first + first..).unwrap_or_default();
+            let records = records.get(..to.len()).unwrap_or_default();
+            law.of_one(Backend::best(), &one, records, to)
+        });
+        if done {
+            return;
         }
-        [false, false, true] => chunks(threads, law, one.0, one.1, c, to),
-        // One result, over and over: arrays without strides.
-        [false, false, false] => chunks(threads, law, one.0, one.1, one.2, to),
+    }
+    // The constants keep the compiler from kernels that nothing calls, half of all.
+    if const { F::WIDE } {
+        wide(threads, law, Arguments { a, b, c }, each, to);
+    } else if const { A > 0 } && each[0] {
+        with_a(threads, law, a, b, c, each, to);
+    } else {
+        with_a(threads, law, One(a.one()), b, c, each, to);
+    }
+}
+
+/// [`sweep`], of a law that computes so much that a look at where an argument lies does not count. But what is
+/// computed of the first argument, or of the first two, is computed once if they are one for all.
+fn wide<R, F, const A: usize, const B: usize, const C: usize, const D: usize>(
+    threads: &Threads,
+    law: F,
+    arguments: Arguments<'_, R, A, B, C>,
+    each: Which,
+    to: &mut [[R; D]],
+) where
+    R: Scalar + Send + Sync,
+    F: Law<A, B, C, D>,
+{
+    let Arguments { a, b, c } = arguments;
+    let last = OneOrEach::of(c, each[2]);
+    if each[0] {
+        chunks(threads, law, a, OneOrEach::of(b, each[1]), last, to);
+    } else if const { C > 0 } && !each[1] {
+        chunks(threads, law, One(a.one()), One(b.one()), last, to);
+    } else {
+        chunks(threads, law, One(a.one()), OneOrEach::of(b, each[1]), last, to);
+    }
+}
+
+/// [`sweep`], of an operand and what is left.
+fn with_a<R, F, X, const A: usize, const B: usize, const C: usize, const D: usize>(
+    threads: &Threads,
+    law: F,
+    a: X,
+    b: Each<'_, R, B>,
+    c: Each<'_, R, C>,
+    each: Which,
+    to: &mut [[R; D]],
+) where
+    R: Scalar + Send + Sync,
+    F: Law<A, B, C, D>,
+    X: Operand<R, A>,
+{
+    if const { B > 0 } && each[1] {
+        with_b(threads, law, a, b, c, each, to);
+    } else {
+        with_b(threads, law, a, One(b.one()), c, each, to);
+    }
+}
+
+/// [`sweep`], of two operands and what is left.
+fn with_b<R, F, X, Y, const A: usize, const B: usize, const C: usize, const D: usize>(
+    threads: &Threads,
+    law: F,
+    a: X,
+    b: Y,
+    c: Each<'_, R, C>,
+    each: Which,
+    to: &mut [[R; D]],
+) where
+    R: Scalar + Send + Sync,
+    F: Law<A, B, C, D>,
+    X: Operand<R, A>,
+    Y: Operand<R, B>,
+{
+    if const { C > 0 } && each[2] {
+        chunks(threads, law, a, b, c, to);
+    } else {
+        chunks(threads, law, a, b, One(c.one()), to);
     }
 }
 
@@ -72,7 +130,7 @@ fn chunks<R, F, X, Y, Z, const A: usize, const B: usize, const C: usize, const D
     Z: Operand<R, C>,
 {
     let backend = Backend::best();
-    threads.split(to, |first, to| {
+    threads.split(to, &|first, to| {
         backend.run(Sweep { law, a: a.from(first), b: b.from(first), c: c.from(first), to });
         true
     });

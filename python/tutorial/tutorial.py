@@ -64,6 +64,30 @@ figure.savefig(directory / "between.png")
 assert np.allclose(np.linalg.norm(screw[:, :2], axis=1), 1)
 
 # %% [markdown]
+# ## Through many poses
+#
+# `resample` follows screws from pose to pose, at any times. Its velocity jumps at every key; `squad` goes through the
+# same keys without a jump, drawn by `squad_control`. `dib_windows` smooths what was measured.
+
+# %%
+keys = dq8.from_rotation_translation([0.0, 0, 0, 1], [[0.0, 0, 0], [1, 1, 0], [2, 0, 0], [3, 1, 0]])
+times = np.array([0.0, 1.0, 2.0, 3.0])
+straight = dq8.translation(dq8.resample(times, keys, np.linspace(0, 3, 31)))
+assert np.allclose(straight[15], [1.5, 0.5, 0])
+
+before, after = np.concatenate([keys[:1], keys[:-1]]), np.concatenate([keys[1:], keys[-1:]])
+controls = dq8.squad_control(before, keys, after)
+between = np.linspace(0, 1, 11)[:, None]  # of each piece: (11, pieces, 8)
+smooth = dq8.squad(keys[:-1], controls[:-1], controls[1:], keys[1:], between)
+assert smooth.shape == (11, 3, 8) and np.allclose(smooth[0], keys[:-1])
+
+noise = np.random.default_rng(1).normal(scale=0.02, size=(50, 6))
+shaken = dq8.integrate_body(dq8.sclerp(start, end, t), noise, 1.0)
+calm = dq8.dib_windows(shaken, [1, 2, 3, 2, 1])
+steps = [dq8.distance_to(path[1:], path[:-1]).std() for path in (shaken, calm)]
+assert calm.shape == (46, 8) and steps[1] < 0.5 * steps[0]
+
+# %% [markdown]
 # ## An arm
 #
 # A `Hierarchy` has the parent of every joint. The pose of a link in its parent is an offset, then a turn

@@ -86,7 +86,7 @@ impl<A: Row, const C: usize> Block<A, C> {
     }
 
     /// All lanes of every component.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn load<V: Level>(&self, level: V) -> [A::Lanes<V>; C] {
         // No closure: one inside an inlined kernel is compiled without the kernel's instructions.
         let mut components = [A::Lanes::<V>::splat(level, A::Real::default()); C];
@@ -97,14 +97,14 @@ impl<A: Row, const C: usize> Block<A, C> {
     }
 
     /// How many [`Native`]s a row has.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn parts<V: Level>() -> usize {
         A::LANES / Native::<A, V>::LANES
     }
 
     /// One part of every component; zero beyond the last part.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn load_part<V: Level>(&self, level: V, part: usize) -> [Native<A, V>; C] {
         let mut components = [Native::<A, V>::splat(level, A::Real::default()); C];
         for (component, row) in components.iter_mut().zip(&self.0) {
@@ -118,7 +118,7 @@ impl<A: Row, const C: usize> Block<A, C> {
     }
 
     /// One part of every component; nothing beyond the last part.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn store_part<V: Level>(&mut self, components: [Native<A, V>; C], part: usize) {
         for (row, component) in self.0.iter_mut().zip(components) {
             let parts: &mut [<Native<A, V> as Lanes>::Array] =
@@ -131,7 +131,7 @@ impl<A: Row, const C: usize> Block<A, C> {
 
     /// Fills `to` past the caches: `each` computes one part of a block, and its first `None` ends the
     /// loop. Faster where the caches could not hold `to` anyway, slower where they could.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn stream<V: Level>(
         level: V,
         to: &mut [Self],
@@ -140,7 +140,7 @@ impl<A: Row, const C: usize> Block<A, C> {
         /// Fences also if `each` panics.
         struct Fence<V: Level>(V);
         impl<V: Level> Drop for Fence<V> {
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             fn drop(&mut self) {
                 self.0.fence();
             }
@@ -162,7 +162,7 @@ impl<A: Row, const C: usize> Block<A, C> {
     }
 
     /// All lanes of every component.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn store<V: Level>(&mut self, components: [A::Lanes<V>; C]) {
         for (row, component) in self.0.iter_mut().zip(components) {
             component.store(row);

@@ -9,7 +9,7 @@ use bytemuck::Zeroable;
 pub trait Records: Lanes {
     /// Transposes on the way in: record `i` of `from` becomes lane `i` of `C` vectors.
     /// Lanes without a record take `padding`.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn load_records<const C: usize>(
         level: Self::Level,
         from: &[[Self::Real; C]],
@@ -20,7 +20,7 @@ pub trait Records: Lanes {
     /// Transposes on the way in of four numbers from each of `LANES` rows that begin `apart` numbers from
     /// each other, the first of them at the beginning of `from`; for rows whose length is known at run
     /// time. `None` if `from` ends before the last of these numbers.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn load_rows(level: Self::Level, from: &[Self::Real], apart: usize) -> Option<[Self; 4]> {
         if from.len() < reach(Self::LANES, apart, 4) {
             return None;
@@ -31,20 +31,20 @@ pub trait Records: Lanes {
             Self::load_quads(
                 level,
                 from.as_ptr(),
-                #[inline(always)]
+                #[cfg_attr(not(opt_level_0), inline(always))]
                 |lane| lane * apart,
             )
         })
     }
     /// Transposes on the way out: lane `i` of `C` vectors becomes record `i` of `to`.
     /// Records beyond `LANES` are left as they were.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn store_records<const C: usize>(components: [Self; C], to: &mut [[Self::Real; C]]) {
         Self::store_strided(components, to, None);
     }
     /// [`load_records`](Self::load_records) of every `stride`-th record; `None` is 1, which the compiler
     /// can see.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn load_strided<const C: usize>(
         level: Self::Level,
         from: &[[Self::Real; C]],
@@ -81,7 +81,7 @@ pub trait Records: Lanes {
             load_all(
                 level,
                 flat.as_ptr(),
-                #[inline(always)]
+                #[cfg_attr(not(opt_level_0), inline(always))]
                 |lane| lane * apart,
             )
         }
@@ -89,7 +89,7 @@ pub trait Records: Lanes {
     /// Lane `i` of `C` vectors is the record `column` of row `frames[first + i]`, as [`Gather`] has them;
     /// lanes beyond the last frame read its row too. `None` if there is no frame, or if a row or the
     /// column does not exist. `C` must be at least four.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn load_gathered<const C: usize>(
         level: Self::Level,
         from: &[[Self::Real; C]],
@@ -113,14 +113,14 @@ pub trait Records: Lanes {
             load_all(
                 level,
                 from.as_flattened().as_ptr(),
-                #[inline(always)]
+                #[cfg_attr(not(opt_level_0), inline(always))]
                 |lane| (*frames.get_unchecked(lane) as usize * gather.pitch + column) * C,
             )
         })
     }
     /// Four components of the first records, from component `first` on. `None` if there are not as many
     /// records as lanes, or no such components.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn load_four<const C: usize>(
         level: Self::Level,
         from: &[[Self::Real; C]],
@@ -135,13 +135,13 @@ pub trait Records: Lanes {
             Self::load_quads(
                 level,
                 from.as_flattened().as_ptr().add(first),
-                #[inline(always)]
+                #[cfg_attr(not(opt_level_0), inline(always))]
                 |lane| lane * C,
             )
         })
     }
     /// [`store_records`](Self::store_records) to every `stride`-th record; `None` is 1.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn store_strided<const C: usize>(
         components: [Self; C],
         to: &mut [[Self::Real; C]],
@@ -191,7 +191,7 @@ impl<L: Lanes> Records for L {}
 /// # Safety
 /// Of the `C` numbers, or of the four if `C` is three, that begin `place(lane)` numbers after `from`, all
 /// may be read, for each lane.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 unsafe fn load_all<L: Lanes, const C: usize>(
     level: L::Level,
     from: *const L::Real,
@@ -224,7 +224,7 @@ fn repeat(frames: &[u32], last: u32) -> [u32; MAX_LANES] {
 }
 
 /// How many numbers `lanes` records of `count` reach over, `stride` apart.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn reach(lanes: usize, stride: usize, count: usize) -> usize {
     stride.saturating_mul(lanes - 1).saturating_add(count)
 }

@@ -30,7 +30,7 @@ pub struct DualVector<T> {
 
 impl<T: Copy> DualVector<T> {
     /// s(a + εb) for a real number s.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn scale(self, factor: T) -> Self
     where
@@ -40,7 +40,7 @@ impl<T: Copy> DualVector<T> {
     }
 
     /// (s + εu)(a + εb) = sa + ε(sb + ua) for a dual number, given as `[s, u]` (Jia §3).
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn scale_dual(self, [real, dual]: [T; 2]) -> Self
     where
@@ -55,7 +55,7 @@ impl<T: Copy> DualVector<T> {
 
     /// The inner product (a + εb)·(c + εd) = a·c + ε(a·d + b·c), a dual number, as `[real, dual]`
     /// (Jia eq. 8). For unit lines it is cos θ̂ = cos θ − ε d sin θ of their dual angle θ̂ = θ + εd.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn dot(self, other: Self) -> [T; 2]
     where
@@ -67,7 +67,7 @@ impl<T: Copy> DualVector<T> {
 
     /// The cross product (a + εb) × (c + εd) = a × c + ε(a × d + b × c) (Jia eq. 9). For unit lines
     /// it is sin θ̂ times their common perpendicular.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn cross(self, other: Self) -> Self
     where
@@ -81,7 +81,7 @@ impl<T: Copy> DualVector<T> {
 
 impl<T: Copy + Add<Output = T>> Add for DualVector<T> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn add(self, other: Self) -> Self {
         Self { real: vector::add(self.real, other.real), dual: vector::add(self.dual, other.dual) }
     }
@@ -89,7 +89,7 @@ impl<T: Copy + Add<Output = T>> Add for DualVector<T> {
 
 impl<T: Copy + Sub<Output = T>> Sub for DualVector<T> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn sub(self, other: Self) -> Self {
         Self { real: vector::sub(self.real, other.real), dual: vector::sub(self.dual, other.dual) }
     }
@@ -97,7 +97,7 @@ impl<T: Copy + Sub<Output = T>> Sub for DualVector<T> {
 
 impl<T: Copy + Neg<Output = T>> Neg for DualVector<T> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn neg(self) -> Self {
         let ([a, b, c], [d, e, f]) = (self.real, self.dual);
         Self { real: [-a, -b, -c], dual: [-d, -e, -f] }
@@ -106,7 +106,7 @@ impl<T: Copy + Neg<Output = T>> Neg for DualVector<T> {
 
 /// l + εm
 impl<T> From<Line<T>> for DualVector<T> {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn from(line: Line<T>) -> Self {
         Self { real: line.direction, dual: line.moment }
     }
@@ -115,7 +115,7 @@ impl<T> From<Line<T>> for DualVector<T> {
 /// The line l + εm, if l·m = 0. Other dual vectors are screws: l·m/l·l is the pitch, and
 /// [`Line::try_normalize`] gives the axis.
 impl<T> From<DualVector<T>> for Line<T> {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn from(vector: DualVector<T>) -> Self {
         Self { direction: vector.real, moment: vector.dual }
     }

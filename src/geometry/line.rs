@@ -29,14 +29,14 @@ impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> Line<T> {
     /// let line = Line::from_point_direction([0.0, 0.0, 2.0], [1.0_f32, 0.0, 0.0]);
     /// assert_eq!(line.moment, [0.0, 2.0, 0.0]);
     /// ```
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn from_point_direction(point: [T; 3], direction: [T; 3]) -> Self {
         Self { direction, moment: vector::cross(point, direction) }
     }
 
     /// l × m, the point nearest to the origin (Jia §8.1). l must have length 1.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn closest_point_to_origin(self) -> [T; 3] {
         vector::cross(self.direction, self.moment)
@@ -49,7 +49,7 @@ impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> Line<T> {
     /// let line = Line::from_point_direction([0.0, 0.0, 2.0], [1.0_f32, 0.0, 0.0]);
     /// assert_eq!(line.closest_point([3.0, 4.0, 5.0]), [3.0, 0.0, 2.0]);
     /// ```
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn closest_point(self, point: [T; 3]) -> [T; 3] {
         let along = vector::scale(self.direction, vector::dot(self.direction, point));
@@ -58,7 +58,7 @@ impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> Line<T> {
 
     /// l₁·m₂ + m₁·l₂, the dual part of the inner product: zero if and only if the lines lie in one
     /// plane, so that they meet or are parallel. For unit lines it is −d sin θ.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn reciprocal_product(self, other: Self) -> T {
         vector::dot(self.direction, other.moment) + vector::dot(self.moment, other.direction)

@@ -14,7 +14,7 @@ pub struct Plane<T> {
 impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> Plane<T> {
     /// n·x = n·p. The normal is taken as it is; a zero one makes no plane, which
     /// [`try_normalize`](Plane::try_normalize) reports.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn from_point_normal(point: [T; 3], normal: [T; 3]) -> Self {
         Self { normal, offset: vector::dot(normal, point) }
@@ -28,7 +28,7 @@ impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> Plane<T> {
     /// let table = Plane::from_point_normal([5.0_f32, 5.0, 2.0], [0.0, 0.0, 1.0]);
     /// assert_eq!(table.signed_distance([1.0, 1.0, 0.0]), -2.0);
     /// ```
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn signed_distance(self, point: [T; 3]) -> T {
         vector::dot(self.normal, point) - self.offset

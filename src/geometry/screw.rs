@@ -18,7 +18,7 @@ pub struct Screw<T> {
 impl<T: Copy + core::ops::Div<Output = T>> Screw<T> {
     /// The pitch d / θ, length per radian (Jia §8.2); infinite for a pure translation, NaN for the
     /// identity.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn pitch(&self) -> T {
         self.slide / self.angle

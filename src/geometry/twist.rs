@@ -36,14 +36,14 @@ pub struct Twist<T> {
 
 impl<T: Copy> Twist<T> {
     /// From `[ωx, ωy, ωz, vx, vy, vz]`.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub const fn from_array([wx, wy, wz, vx, vy, vz]: [T; 6]) -> Self {
         Self { angular: [wx, wy, wz], linear: [vx, vy, vz] }
     }
 
     /// `[ωx, ωy, ωz, vx, vy, vz]`
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub const fn to_array(self) -> [T; 6] {
         let ([wx, wy, wz], [vx, vy, vz]) = (self.angular, self.linear);
@@ -51,7 +51,7 @@ impl<T: Copy> Twist<T> {
     }
 
     /// The twist times a number: a joint's screw times its rate.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn scale(self, factor: T) -> Self
     where
@@ -63,7 +63,7 @@ impl<T: Copy> Twist<T> {
     }
 
     /// v + ω × x, the velocity of the point of the body that is at x, in the frame of the twist.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn velocity_at(self, [x, y, z]: [T; 3]) -> [T; 3]
     where
@@ -76,7 +76,7 @@ impl<T: Copy> Twist<T> {
 
 impl<T: Copy + Add<Output = T>> Add for Twist<T> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn add(self, other: Self) -> Self {
         let [a, b, c, d, e, f] = self.to_array();
         let [g, h, i, j, k, l] = other.to_array();
@@ -86,7 +86,7 @@ impl<T: Copy + Add<Output = T>> Add for Twist<T> {
 
 impl<T: Copy + Sub<Output = T>> Sub for Twist<T> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn sub(self, other: Self) -> Self {
         let [a, b, c, d, e, f] = self.to_array();
         let [g, h, i, j, k, l] = other.to_array();
@@ -96,7 +96,7 @@ impl<T: Copy + Sub<Output = T>> Sub for Twist<T> {
 
 impl<T: Copy + Neg<Output = T>> Neg for Twist<T> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn neg(self) -> Self {
         let [a, b, c, d, e, f] = self.to_array();
         Self::from_array([-a, -b, -c, -d, -e, -f])

@@ -26,7 +26,7 @@ impl<T: Copy + Add<Output = T> + Mul<Output = T>> Wrench<T> {
     /// let twist = Twist { angular: [3.0, 0.0, 0.0], linear: [0.0, 0.0, 1.0] };
     /// assert_eq!(wrench.power(twist), 15.0);
     /// ```
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn power(self, twist: Twist<T>) -> T {
         let ([fx, fy, fz], [vx, vy, vz]) = (self.force, twist.linear);

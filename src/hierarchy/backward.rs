@@ -18,7 +18,7 @@ impl<E: Element<8>> Kernel for Backward<'_, '_, E> {
     type Output = ();
     const WIDE: bool = E::Layout::WIDE;
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
         let Self { run, models, locals } = self;
         let joints = run.parents.len().max(1);
@@ -40,7 +40,7 @@ impl<E: Element<8>> Kernel for Backward<'_, '_, E> {
 }
 
 /// Lanes are instances, or there is one.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn block<E: Element<8>, V: Level>(
     level: V,
     run: &Run<'_, E>,
@@ -69,7 +69,7 @@ fn block<E: Element<8>, V: Level>(
 }
 
 /// Lanes are joints of one instance, their parents gathered one by one.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn plain<E: Element<8>, V: Level>(
     level: V,
     run: &Run<'_, E>,

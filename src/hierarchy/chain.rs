@@ -69,7 +69,7 @@ struct Scan<'s, E> {
 impl<E: Element<8>> Kernel for Scan<'_, E> {
     type Output = ();
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
         let Self { links, products } = self;
         if E::Layout::THINGS > 1 {
@@ -108,7 +108,7 @@ trait Segments {
 }
 
 /// The product of all links, after every product has been written.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn scan<S: Segments>(mut segments: S) -> Packed<S> {
     let (level, steps) = (segments.level(), segments.steps());
     let (parts, lanes) = (segments.parts(), S::Lanes::LANES);
@@ -166,23 +166,23 @@ struct InBlocks<'s, V, E> {
 
 impl<E: Element<8>, V: Level> Segments for InBlocks<'_, V, E> {
     type Lanes = Register<E, V, 8>;
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn level(&self) -> V {
         self.level
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn parts(&self) -> usize {
         E::Layout::registers::<V>()
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn steps(&self) -> usize {
         self.products.len()
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn load(&self, part: usize, step: usize) -> Option<batch::DualQuat<Self::Lanes>> {
         motions(self.level, self.links.or(self.products), Tile::at(step, part))
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn store(&mut self, product: batch::DualQuat<Self::Lanes>, part: usize, step: usize) {
         E::store(product.to_array(), self.products, Tile::at(step, part));
     }
@@ -201,25 +201,25 @@ struct Strided<'s, V, R> {
 
 impl<R: Scalar, V: Level> Segments for Strided<'_, V, R> {
     type Lanes = R::Packed<V>;
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn level(&self) -> V {
         self.level
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn parts(&self) -> usize {
         1
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn steps(&self) -> usize {
         self.steps
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn load(&self, _: usize, step: usize) -> Option<batch::DualQuat<Self::Lanes>> {
         let tile = Tile { element: step, register: 0, stride: Some(self.steps) };
         let links = aos::load(self.level, self.links.or(self.products), tile, &identity())?;
         Some(batch::DualQuat::from_array(links))
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn store(&mut self, product: batch::DualQuat<Self::Lanes>, _: usize, step: usize) {
         let tile = Tile { element: step, register: 0, stride: Some(self.steps) };
         aos::store(product.to_array(), self.products, tile);

@@ -40,7 +40,7 @@ pub(super) struct Forward<'r, 's, E: Element<8>, L, X> {
 impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Forward<'_, '_, E, L, X> {
     type Output = ();
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
         let Self { run, locals, models, mut epilogue } = self;
         let joints = run.parents.len();
@@ -61,7 +61,7 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Forward<'_, '_, E, 
     }
 }
 
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn forward<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level, const K: usize>(
     level: V,
     run: &Run<'_, E>,
@@ -125,7 +125,7 @@ fn root<E: Element<8>, L: Locals<E>, V: Level>(
     slot: JointSlot,
 ) {
     level.run(
-        #[inline(always)]
+        #[cfg_attr(not(opt_level_0), inline(always))]
         || {
             let Some(local) = locals.load(level, models, slot) else { return };
             let model = match run.root.load(level, instance, slot.own_tile().register) {
@@ -137,7 +137,7 @@ fn root<E: Element<8>, L: Locals<E>, V: Level>(
     );
 }
 
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn store<E: Element<8>, V: Level>(model: Motions<E, V>, models: &mut [E], slot: JointSlot) {
     E::store(model.to_array(), models, slot.own_tile());
 }

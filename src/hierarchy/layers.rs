@@ -33,7 +33,7 @@ impl<E: Element<8>> PoseSource<E::Layout, 8> for Poses<'_, E> {
     fn shape(&self, _: usize) -> Result<(&'static str, usize), ShapeError> {
         Ok(("poses", self.0.len()))
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn pose<V: Level>(
         self,
         level: V,
@@ -50,7 +50,7 @@ impl<E: Element<7>> PoseSource<E::Layout, 7> for RotationsTranslations<'_, E> {
     fn shape(&self, _: usize) -> Result<(&'static str, usize), ShapeError> {
         Ok(("poses", self.0.len()))
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn pose<V: Level>(
         self,
         level: V,
@@ -142,7 +142,7 @@ where
     fn instances(&self) -> Option<usize> {
         Some(self.weights.len())
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn pose<V: Level>(self, level: V, slot: JointSlot) -> Option<[M::Register<V>; C]> {
         let mut weight: M::Register<V> = slot.of_instance(level, self.weights)?;
         if let Some(mask) = self.mask {
@@ -177,11 +177,11 @@ where
     fn shape(&self, joints: usize, _: usize) -> Result<(&'static str, usize), ShapeError> {
         PoseSource::<E::Layout, C>::shape(self, joints)
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Motions<E, V>> {
         Some(self.law.motion(PoseSource::<E::Layout, C>::pose(self, level, slot)?))
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn onto<V: Level>(
         self,
         level: V,

@@ -23,7 +23,7 @@ pub trait Locals<E: Element<8>>: Copy + sealed::Sealed {
     fn load<V: Level>(self, level: V, models: &[E], slot: JointSlot) -> Option<Motions<E, V>>;
 
     /// parent · local
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn onto<V: Level>(
         self,
         level: V,
@@ -35,7 +35,7 @@ pub trait Locals<E: Element<8>>: Copy + sealed::Sealed {
     }
 
     /// Where they lie, if they are motions in memory, to be read number by number.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn motions(&self) -> Option<Source<'_, E>> {
         None
     }
@@ -55,11 +55,11 @@ impl<E: Element<8>> Locals<E> for Poses<'_, E> {
     fn shape(&self, _: usize, _: usize) -> Result<(&'static str, usize), ShapeError> {
         Ok(("locals", self.0.len()))
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Motions<E, V>> {
         motions(level, self.0, slot.tile())
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn motions(&self) -> Option<Source<'_, E>> {
         Some(Source::Slice(self.0))
     }
@@ -76,11 +76,11 @@ impl<E: Element<8>> Locals<E> for InPlace {
     fn shape(&self, _: usize, models: usize) -> Result<(&'static str, usize), ShapeError> {
         Ok(("poses", models))
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn load<V: Level>(self, level: V, models: &[E], slot: JointSlot) -> Option<Motions<E, V>> {
         motions(level, models, slot.own_tile())
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn motions(&self) -> Option<Source<'_, E>> {
         Some(Source::Output)
     }
@@ -100,12 +100,12 @@ impl<E: Element<8>, T: Element<7, Layout = E::Layout>> Locals<E> for RotationsTr
     fn shape(&self, _: usize, _: usize) -> Result<(&'static str, usize), ShapeError> {
         Ok(("locals", self.0.len()))
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Motions<E, V>> {
         let [x, y, z, w, t @ ..] = T::load(level, self.0, slot.tile(), &storage::identity())?;
         Some(Motions::<E, V>::from_rotation_translation(batch::Quat::from_xyzw(x, y, z, w), t))
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn onto<V: Level>(
         self,
         level: V,
@@ -136,14 +136,14 @@ impl<E: Element<8>, Q: Element<4, Layout = E::Layout>> Locals<E> for Rotations<'
         same_length("offsets", self.offsets.len(), joints)?;
         Ok(("rotations", self.rotations.len()))
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Motions<E, V>> {
         let rotation = Q::load(level, self.rotations, slot.tile(), &storage::identity())?;
         let offset = slot.of_joint(level, self.offsets)?;
         let rotation = batch::Quat::from_array(rotation);
         Some(Motions::<E, V>::from_rotation_translation(rotation, offset))
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn onto<V: Level>(
         self,
         level: V,
@@ -161,7 +161,7 @@ impl<E: Element<8>, Q: Element<4, Layout = E::Layout>> Locals<E> for Rotations<'
 }
 
 /// The motions of a tile; the identity in lanes beyond the end of `slice`.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn motions<E: Element<8>, V: Level>(
     level: V,
     slice: &[E],

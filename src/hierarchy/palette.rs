@@ -20,7 +20,7 @@ pub(super) struct NoEpilogue;
 
 impl<E: Element<8>> Epilogue<E> for NoEpilogue {
     const ACTIVE: bool = false;
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(&mut self, _: V, _: JointSlot, _: Motions<E, V>) {}
 }
 
@@ -37,7 +37,7 @@ where
     M: PaletteEntry<C, Layout = E::Layout>,
 {
     const ACTIVE: bool = true;
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(&mut self, level: V, slot: JointSlot, model: Motions<E, V>) {
         let Some(bind) = slot.of_joint(level, bytemuck::must_cast_slice(self.inverse_binds)) else {
             return;

@@ -181,7 +181,7 @@ struct Walk<'p, 's, R> {
 impl<R: Scalar> Kernel for Walk<'_, '_, R> {
     type Output = ();
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
         let Self { schedule, locals, models } = self;
         let joints = schedule.steps.bound();
@@ -206,7 +206,7 @@ impl<R: Scalar> Kernel for Walk<'_, '_, R> {
                     schedule.steps.run(
                         of_instance,
                         instance,
-                        #[inline(always)]
+                        #[cfg_attr(not(opt_level_0), inline(always))]
                         |parent, local| step(level, parent, local),
                     );
                     locals = rest;
@@ -215,7 +215,7 @@ impl<R: Scalar> Kernel for Walk<'_, '_, R> {
                 None => {
                     schedule.steps.run_in_place(
                         instance,
-                        #[inline(always)]
+                        #[cfg_attr(not(opt_level_0), inline(always))]
                         |parent, local| step(level, parent, local),
                     );
                 }
@@ -225,7 +225,7 @@ impl<R: Scalar> Kernel for Walk<'_, '_, R> {
     }
 }
 
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn step<R: Scalar, V: Level>(level: V, parent: &[R; 8], local: &[R; 8]) -> [R; 8] {
     let mut model = [R::ZERO; 8];
     packed_product(R::Packed::<V>::load(level, parent), local).store(&mut model);

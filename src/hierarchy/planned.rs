@@ -63,7 +63,7 @@ impl<E: Element<8>, L: Locals<E>> Kernel for Begin<'_, '_, E, L> {
     type Output = ();
     const WIDE: bool = E::Layout::WIDE;
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
         let Self { run, locals, models, root } = self;
         let joints = run.parents.len();
@@ -97,7 +97,7 @@ impl<E: Element<8>, X: Epilogue<E>> Kernel for End<'_, E, X> {
     type Output = ();
     const WIDE: bool = E::Layout::WIDE;
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
         let Self { models, epilogue } = self;
         for start in (0..models.len()).step_by(E::Layout::records::<V>()) {

@@ -11,7 +11,7 @@ use dq8_simd::{Lanes, Level, PackedDualQuat};
 /// Three other ways were measured and are slower on a skeleton of 64 joints: signs by alternating
 /// multiply-adds, which are three instructions less (by a sixth), the left factor number by number (by
 /// a sixth), and joints of one level in the lanes, gathered and scattered (by a twentieth).
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn packed_product<L: PackedDualQuat>(left: L, right: &[L::Real; 8]) -> L {
     let level = left.level();
     let [x, y, z, w] = left.columns();
@@ -28,7 +28,7 @@ pub(super) fn packed_product<L: PackedDualQuat>(left: L, right: &[L::Real; 8]) -
 /// [`packed_product`] of a motion in each lane: the same sums in the same order, so that the result of an
 /// instance does not depend on how many others are computed with it. (The product of
 /// [`batch::DualQuat`](crate::batch::DualQuat) adds the halves of the dual part as it goes, and saves four additions.)
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn product_in_lanes<L: Lanes>(left: [L; 8], right: [L; 8]) -> [L; 8] {
     let [px, py, pz, pw, qx, qy, qz, qw] = left;
     let [rx, ry, rz, rw, sx, sy, sz, sw] = right;
@@ -41,7 +41,7 @@ pub(super) fn product_in_lanes<L: Lanes>(left: [L; 8], right: [L; 8]) -> [L; 8] 
 }
 
 /// pq, by the columns of p: w first, then x, y and z.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn hamilton<L: Lanes>([px, py, pz, pw]: [L; 4], [x, y, z, w]: [L; 4]) -> [L; 4] {
     [
         py.mul_add(z, pz.neg_mul_add(y, pw.mul_add(x, px * w))),

@@ -23,7 +23,7 @@ pub enum Renormalize {
 
 impl Renormalize {
     /// Whether the model of this joint is normalized.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn applies_to(self, joint: usize) -> bool {
         match self {
             Self::Never => false,

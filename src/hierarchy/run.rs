@@ -31,7 +31,7 @@ pub(super) enum Root<'a, E: Element<8>> {
 impl<E: Element<8>> Root<'_, E> {
     /// What the root of `instance` (block) stands on; of so many instances as there are lanes where
     /// records are single things.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn load<V: Level>(
         &self,
         level: V,
@@ -60,7 +60,7 @@ impl<E: Element<8>> Root<'_, E> {
 
 impl<E: Element<8>> Run<'_, E> {
     /// What the root of one instance stands on, where records are single things.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn root_of(&self, instance: usize) -> Option<[Number<E, 8>; 8]> {
         match self.root {
             Root::None => None,

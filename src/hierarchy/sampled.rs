@@ -126,7 +126,7 @@ where
     fn instances(&self) -> Option<usize> {
         Some(self.t.len())
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn pose<V: Level>(self, level: V, slot: JointSlot) -> Option<[M::Register<V>; C]> {
         let keys = K::plain(self.clip.keys)?;
         let t = slot.of_instance(level, self.t)?;
@@ -163,11 +163,11 @@ where
     fn shape(&self, joints: usize, _: usize) -> Result<(&'static str, usize), ShapeError> {
         PoseSource::<E::Layout, C>::shape(self, joints)
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Motions<E, V>> {
         Some(self.law.motion(PoseSource::<E::Layout, C>::pose(self, level, slot)?))
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn onto<V: Level>(
         self,
         level: V,

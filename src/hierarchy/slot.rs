@@ -26,57 +26,57 @@ pub struct JointSlot {
 impl JointSlot {
     /// A joint of the instances in one register of a block; `first` is the block of joint 0, `instance`
     /// the first in the register.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn in_block(joint: usize, first: usize, register: usize, instance: usize) -> Self {
         Self { joint, first, register, instance, stride: None, end: None }
     }
 
     /// A joint of as many instances, `joints` apart, as there are lanes.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn of_instances(joint: usize, instance: usize, joints: usize) -> Self {
         let first = instance * joints;
         Self { joint, first, register: 0, instance, stride: Some(joints), end: None }
     }
 
     /// As many joints of one instance as there are lanes, up to the joint `end`.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn of_joints(joint: usize, instance: usize, joints: usize, end: usize) -> Self {
         let first = instance * joints;
         Self { joint, first, register: 0, instance, stride: None, end: Some(end) }
     }
 
     /// The joint of the first lane.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn joint(self) -> usize {
         self.joint
     }
 
     /// The instance of the first lane.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn instance(self) -> usize {
         self.instance
     }
 
     /// Whether lanes are joints of one instance.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn is_of_joints(self) -> bool {
         self.end.is_some()
     }
 
     /// Where it lies among all elements.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn tile(self) -> Tile {
         Tile { element: self.first + self.joint, register: self.register, stride: self.stride }
     }
 
     /// Where it lies among the elements of its own instances.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn own_tile(self) -> Tile {
         Tile { element: self.joint, register: self.register, stride: self.stride }
     }
 
     /// What lies in `to` up to where this slot may be written.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn within<E>(self, to: &mut [E]) -> &mut [E] {
         match self.end {
             Some(end) => to.get_mut(..self.first + end).unwrap_or_default(),
@@ -87,7 +87,7 @@ impl JointSlot {
     /// Asks for where a later joint lies among all elements of `memory`, which will be written soon, if lanes are
     /// instances that lie apart. So many places at once the CPU does not foresee, and it reads a line before it writes
     /// a part of it.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn prefetch<E, V: Level>(self, level: V, memory: &[E], lanes: usize) {
         if let Some(stride) = self.stride
             && let Some(soon) = memory.get(self.first + self.joint + AHEAD..)
@@ -97,13 +97,13 @@ impl JointSlot {
     }
 
     /// The same among the elements of its own instances.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn prefetch_own<E, V: Level>(self, level: V, memory: &[E], lanes: usize) {
         Self { first: 0, ..self }.prefetch(level, memory, lanes);
     }
 
     /// What is the same for all instances, a record for each joint.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn of_joint<L: Lanes<Real: Scalar>, const C: usize>(
         self,
         level: L::Level,
@@ -117,7 +117,7 @@ impl JointSlot {
     }
 
     /// A number of each instance; that of the last one in lanes without an instance.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn of_instance<L: Lanes<Real: Scalar>>(
         self,
         level: L::Level,

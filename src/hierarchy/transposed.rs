@@ -60,7 +60,7 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Instances<'_, '_, E
     type Output = usize;
     const WIDE: bool = E::Layout::WIDE;
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) -> usize {
         let Self { run, locals, models, epilogue } = self;
         let joints = run.parents.len();
@@ -100,7 +100,7 @@ struct Group {
 /// All models go through memory that the first cache holds, not from register to register: where two ways
 /// lead to a value (a parent that is recent or not, a joint that is a root or not), the compiler would
 /// move eight registers.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     level: V,
     run: &Run<'_, E>,
@@ -153,7 +153,7 @@ fn far<E: Element<8>, V: Level>(
     recent: &mut [[Register<E, V, 8>; 8]; RECENT + 1],
 ) {
     level.run(
-        #[inline(always)]
+        #[cfg_attr(not(opt_level_0), inline(always))]
         || {
             if let Some(far) = motions(level, models, slot.own_tile()) {
                 recent[RECENT] = far.to_array();
@@ -174,7 +174,7 @@ fn root<E: Element<8>, L: Locals<E>, V: Level>(
     to: &mut [Register<E, V, 8>; 8],
 ) {
     level.run(
-        #[inline(always)]
+        #[cfg_attr(not(opt_level_0), inline(always))]
         || {
             let Some(local) = locals.load(level, models, slot) else { return };
             *to = match run.root.load(level, slot.instance(), 0) {
@@ -195,7 +195,7 @@ fn normalize_lanes<E: Element<8>, V: Level>(
     model: &mut [Register<E, V, 8>; 8],
 ) {
     level.run(
-        #[inline(always)]
+        #[cfg_attr(not(opt_level_0), inline(always))]
         || {
             *model = Motions::<E, V>::from_array(*model).normalize().to_array();
             E::store(*model, models, slot.own_tile());
@@ -205,7 +205,7 @@ fn normalize_lanes<E: Element<8>, V: Level>(
 
 /// One instance where a register holds one number. Models go through memory, since eight numbers would not stay in
 /// registers anyway. No other loop has to give the same bits here, so rotations are multiplied on as they are.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn alone<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     level: V,
     run: &Run<'_, E>,
@@ -251,7 +251,7 @@ struct Walk<'r, 's, E: Element<8>, L, X> {
 impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Walk<'_, '_, E, L, X> {
     type Output = ();
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
         let Self { run, locals, models, epilogue, done } = self;
         let joints = run.parents.len().max(1);
@@ -264,7 +264,7 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Walk<'_, '_, E, L, 
 
 /// Each joint is multiplied onto its parent. Locals that are not motions in memory are made before, for
 /// as many joints as there are lanes; the epilogue comes after, in lanes again.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn walk<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     level: V,
     run: &Run<'_, E>,
@@ -314,7 +314,7 @@ fn walk<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     }
 }
 
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn product<R: Scalar, V: Level>(level: V, parent: &[R; 8], local: &[R; 8]) -> [R; 8] {
     let mut model = [R::ZERO; 8];
     packed_product(R::Packed::<V>::load(level, parent), local).store(&mut model);
@@ -326,7 +326,7 @@ fn product<R: Scalar, V: Level>(level: V, parent: &[R; 8], local: &[R; 8]) -> [R
 #[inline(never)]
 fn normalize<R: Scalar, V: Level>(level: V, model: &mut [R; 8]) {
     level.run(
-        #[inline(always)]
+        #[cfg_attr(not(opt_level_0), inline(always))]
         || {
             let records = core::slice::from_mut(model);
             let lanes = batch::DualQuat::<R::Lanes<V>>::load_records(level, records);

@@ -32,7 +32,7 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Unkept<'_, '_, E, L
     type Output = usize;
     const WIDE: bool = E::Layout::WIDE;
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) -> usize {
         let Self { run, locals, instances, scratch, epilogue } = self;
         let lanes = E::Layout::records::<V>();
@@ -48,7 +48,7 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Unkept<'_, '_, E, L
 }
 
 /// Rows for each joint, if `scratch` holds as many instances as there are lanes; at a cache line if it holds more.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn rows<E: Element<8>, V: Level>(
     scratch: &mut [[Number<E, 8>; 8]],
     joints: usize,
@@ -62,7 +62,7 @@ fn rows<E: Element<8>, V: Level>(
 }
 
 /// One group; `instance` is its first one. All models go through memory, as in [`super::transposed`].
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     level: V,
     run: &Run<'_, E>,
@@ -105,7 +105,7 @@ fn root<E: Element<8>, L: Locals<E>, V: Level>(
     to: &mut Rows<E, V>,
 ) {
     level.run(
-        #[inline(always)]
+        #[cfg_attr(not(opt_level_0), inline(always))]
         || {
             let Some(local) = locals.load(level, &[], slot) else { return };
             let model = match run.root.load(level, slot.instance(), 0) {
@@ -121,7 +121,7 @@ fn root<E: Element<8>, L: Locals<E>, V: Level>(
 #[inline(never)]
 fn normalize<E: Element<8>, V: Level>(level: V, model: &mut Rows<E, V>) {
     level.run(
-        #[inline(always)]
+        #[cfg_attr(not(opt_level_0), inline(always))]
         || {
             let unit = Motions::<E, V>::from_array(load::<E, V>(level, model)).normalize();
             store::<E, V>(unit.to_array(), model);
@@ -129,7 +129,7 @@ fn normalize<E: Element<8>, V: Level>(level: V, model: &mut Rows<E, V>) {
     );
 }
 
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn load<E: Element<8>, V: Level>(level: V, from: &Rows<E, V>) -> [Register<E, V, 8>; 8] {
     let mut registers = Motions::<E, V>::identity(level).to_array();
     for (register, row) in registers.iter_mut().zip(from) {
@@ -138,7 +138,7 @@ fn load<E: Element<8>, V: Level>(level: V, from: &Rows<E, V>) -> [Register<E, V,
     registers
 }
 
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn store<E: Element<8>, V: Level>(model: [Register<E, V, 8>; 8], to: &mut Rows<E, V>) {
     for (register, row) in model.into_iter().zip(to) {
         register.store(row);

@@ -117,7 +117,7 @@ impl<E: Element<8>, T: Element<6, Layout = E::Layout>> Kernel for Velocities<'_,
     type Output = ();
     const WIDE: bool = E::Layout::WIDE;
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
         let Self { run, models, rates, twists } = self;
         let joints = run.parents.len().max(1);
@@ -161,7 +161,7 @@ impl<E: Element<8>, T: Element<6, Layout = E::Layout>> Kernel for Velocities<'_,
 }
 
 /// Ad_model rate
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn own_twists<E: Element<8>, T: Element<6, Layout = E::Layout>, V: Level>(
     level: V,
     models: &[E],
@@ -185,7 +185,7 @@ impl<E: Element<8>, T: Element<6, Layout = E::Layout>> Kernel for Columns<'_, '_
     type Output = ();
     const WIDE: bool = E::Layout::WIDE;
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
         let Self { run, models, axes, effector, columns } = self;
         let joints = run.parents.len().max(1);
@@ -207,7 +207,7 @@ impl<E: Element<8>, T: Element<6, Layout = E::Layout>> Kernel for Columns<'_, '_
 }
 
 /// Lanes are instances, or there is one.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn ancestors<E: Element<8>, T: Element<6, Layout = E::Layout>, V: Level>(
     level: V,
     run: &Run<'_, E>,
@@ -232,7 +232,7 @@ fn ancestors<E: Element<8>, T: Element<6, Layout = E::Layout>, V: Level>(
 }
 
 /// Lanes are the effector and its ancestors, gathered on the walk to the root.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn ancestors_together<E: Element<8>, T: Element<6, Layout = E::Layout>, V: Level>(
     level: V,
     run: &Run<'_, E>,

@@ -53,7 +53,7 @@ impl<R: Scalar> Blender<R> for DualBlend<'_, R> {
     fn check(&self, joints: usize, _: usize) -> Result<(), ShapeError> {
         same_length("motions", self.palette.len(), joints)
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn sum<L: Lanes<Real = R>, J: Index>(
         &self,
         level: L::Level,
@@ -109,7 +109,7 @@ impl<R: Scalar> Blender<R> for DualBlend<'_, R> {
         }
         Some(sum)
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn join<L: Lanes<Real = R>>(&self, a: DualSum<L>, b: DualSum<L>) -> DualSum<L> {
         let mut sum = a.sum;
         for (number, other) in sum.iter_mut().zip(b.sum) {
@@ -118,7 +118,7 @@ impl<R: Scalar> Blender<R> for DualBlend<'_, R> {
         let greatest = L::select(a.greatest.lt(b.greatest), b.greatest, a.greatest);
         DualSum { sum, total: a.total + b.total, greatest }
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn map<L: Lanes<Real = R>>(&self, _: L::Level, sum: DualSum<L>, _: usize) -> ScaledMotion<L> {
         let motion = batch::DualQuat::from_array(sum.sum);
         let (one, two) = (sum.total.constant(1.0), sum.total.constant(2.0));
@@ -130,7 +130,7 @@ impl<R: Scalar> Blender<R> for DualBlend<'_, R> {
 }
 
 /// The weights with the signs that turn each p to the side of `pivot`.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn toward<L: Lanes>(real: [[L; 4]; GROUP], pivot: [L; 4], weights: [L; GROUP]) -> [L; GROUP] {
     let pivot = batch::Quat::from_array(pivot);
     let (mut dots, mut signed) = (weights, weights);
@@ -159,7 +159,7 @@ fn toward<L: Lanes>(real: [[L; 4]; GROUP], pivot: [L; 4], weights: [L; GROUP]) -
 }
 
 /// The first component that is not zero.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn leading<L: Lanes>([x, y, z, w]: [L; 4]) -> L {
     let mut first = z;
     for component in [y, x, w] {
@@ -176,15 +176,15 @@ pub struct ScaledMotion<L> {
 }
 
 impl<L: Lanes> SurfaceMap<L> for ScaledMotion<L> {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn point(&self, point: [L; 3]) -> [L; 3] {
         self.motion.transform_point_scaled(point, self.two)
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn normal(&self, normal: [L; 3]) -> [L; 3] {
         self.motion.real().rotate_scaled(normal, self.two)
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn tangent(&self, tangent: [L; 3]) -> [L; 3] {
         self.motion.real().rotate_scaled(tangent, self.two)
     }

@@ -34,7 +34,7 @@ pub struct Scratch<'a, R, J> {
 pub(super) struct Aligned<T>(pub(super) T);
 
 impl<'a, R: Scalar, J: Index> Influences<'a, R, J> {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn new(joints: CheckedIndices<'a, J>) -> Self {
         Self {
             in_place: None,
@@ -46,23 +46,23 @@ impl<'a, R: Scalar, J: Index> Influences<'a, R, J> {
     }
 
     /// For each lane the joints: in one of two places, a choice that must not be made again for each index.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn rows(&self) -> PickRows<'_, J> {
         *settled(&self.in_place.unwrap_or_else(
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             || self.joints.rows(),
         ))
     }
 
     /// For each lane the weights, in the same way.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn weights(&self) -> &[[R; GROUP]; MAX_LANES] {
         settled(self.weights_in_place.unwrap_or(&self.weights.0))
     }
 }
 
 impl<'a, R: Scalar, J: Index> Scratch<'a, R, J> {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn new(joints: CheckedIndices<'a, J>) -> Self {
         Self { influences: Influences::new(joints), sums: Aligned([[R::ZERO; 16]; MAX_LANES]) }
     }
@@ -71,7 +71,7 @@ impl<'a, R: Scalar, J: Index> Scratch<'a, R, J> {
 /// What has been written is in memory, to be read in other pieces. Otherwise the compiler takes vectors apart
 /// number by number, to put them together again without memory; or it reads more at once than was written at
 /// once, which CPUs do not forward from stores to loads. Either doubles the time.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn settled<T>(written: &T) -> &T {
     black_box(written)
 }

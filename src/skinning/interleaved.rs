@@ -80,11 +80,11 @@ struct Interleaved<'s, R> {
 }
 
 impl<R: Scalar> Mesh<[R; 3]> for Interleaved<'_, R> {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn elements(&self) -> usize {
         self.posed.len() / self.to.stride.max(1)
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn load<V: Level>(&self, level: V, field: Field, tile: Tile) -> Option<Vectors<[R; 3], V>> {
         let stride = self.from.stride;
         let from = self.rest.get(tile.element * stride + self.from.at(field)?..)?;
@@ -100,7 +100,7 @@ impl<R: Scalar> Mesh<[R; 3]> for Interleaved<'_, R> {
         }
         Some(Records::load_records(level, &records, [R::ZERO; 3]))
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn store<V: Level>(&mut self, vectors: Vectors<[R; 3], V>, field: Field, tile: Tile) {
         let stride = self.to.stride;
         let Some(at) = self.to.at(field) else { return };

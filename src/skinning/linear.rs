@@ -33,7 +33,7 @@ type Two<L> = <<L as Lanes>::Real as Float>::Packed<<L as Lanes>::Level>;
 type Third<L> = <<L as Lanes>::Real as Float>::Half<<L as Lanes>::Level>;
 
 /// A matrix times a weight.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn scaled<L: Lanes>(
     level: L::Level,
     matrix: &[L::Real; 12],
@@ -44,7 +44,7 @@ fn scaled<L: Lanes>(
 }
 
 /// And added to a sum.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn add_scaled<L: Lanes>(
     level: L::Level,
     matrix: &[L::Real; 12],
@@ -68,7 +68,7 @@ impl<R: Scalar> Blender<R> for Linear<'_, R> {
     }
     /// First in memory, one vertex after the other: fewer instructions than lanes of vertices, which
     /// would transpose every matrix. Here it is the sums only.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn sum<L: Lanes<Real = R>, J: Index>(
         &self,
         level: L::Level,
@@ -99,7 +99,7 @@ impl<R: Scalar> Blender<R> for Linear<'_, R> {
             L::load_four(level, sums, 8)?,
         ])
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn join<L: Lanes<Real = R>>(&self, a: [[L; 4]; 3], b: [[L; 4]; 3]) -> [[L; 4]; 3] {
         let mut sum = a;
         for (row, other) in sum.iter_mut().zip(b) {
@@ -109,7 +109,7 @@ impl<R: Scalar> Blender<R> for Linear<'_, R> {
         }
         sum
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn map<L: Lanes<Real = R>>(&self, _: L::Level, sum: [[L; 4]; 3], _: usize) -> LinearMap<L> {
         LinearMap(sum)
     }

@@ -7,7 +7,7 @@ use dq8_simd::{Float, Lanes};
 pub struct LinearMap<L>(pub(super) [[L; 4]; 3]);
 
 impl<L: Lanes> SurfaceMap<L> for LinearMap<L> {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn point(&self, [x, y, z]: [L; 3]) -> [L; 3] {
         let mut moved = [x; 3];
         for (moved, [a, b, c, t]) in moved.iter_mut().zip(self.0) {
@@ -15,18 +15,18 @@ impl<L: Lanes> SurfaceMap<L> for LinearMap<L> {
         }
         moved
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn normal(&self, normal: [L; 3]) -> [L; 3] {
         unit(cofactors(self.linear(), normal))
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn tangent(&self, tangent: [L; 3]) -> [L; 3] {
         unit(turned(self.linear(), tangent))
     }
 }
 
 impl<L: Lanes> LinearMap<L> {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn linear(&self) -> [[L; 3]; 3] {
         let [[a, b, c, _], [d, e, f, _], [g, h, i, _]] = self.0;
         [[a, b, c], [d, e, f], [g, h, i]]
@@ -34,20 +34,20 @@ impl<L: Lanes> LinearMap<L> {
 }
 
 /// Lv
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn turned<L: Lanes>(rows: [[L; 3]; 3], v: [L; 3]) -> [L; 3] {
     let [x, y, z] = rows;
     [vector::dot(x, v), vector::dot(y, v), vector::dot(z, v)]
 }
 
 /// cof(L) n: how a surface with normal n lies after L. That is det(L) L⁻ᵀn, which exists for every L.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn cofactors<L: Lanes>([x, y, z]: [[L; 3]; 3], normal: [L; 3]) -> [L; 3] {
     turned([vector::cross(y, z), vector::cross(z, x), vector::cross(x, y)], normal)
 }
 
 /// v/|v|, or zero where v has no direction.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn unit<L: Lanes>(v: [L; 3]) -> [L; 3] {
     let square = vector::dot(v, v);
     let (zero, one) = (square.constant(0.0), square.constant(1.0));

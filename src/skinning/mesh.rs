@@ -30,11 +30,11 @@ pub(super) struct Separate<'s, P> {
 }
 
 impl<P: Element<3>> Mesh<P> for Separate<'_, P> {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn elements(&self) -> usize {
         self.posed.positions.len()
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn load<V: Level>(&self, level: V, field: Field, tile: Tile) -> Option<Vectors<P, V>> {
         let from = match field {
             Field::Position => self.rest.positions,
@@ -43,7 +43,7 @@ impl<P: Element<3>> Mesh<P> for Separate<'_, P> {
         };
         P::load(level, from, tile, &storage::identity())
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn store<V: Level>(&mut self, vectors: Vectors<P, V>, field: Field, tile: Tile) {
         let to = match field {
             Field::Position => Some(&mut *self.posed.positions),

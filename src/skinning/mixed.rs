@@ -40,7 +40,7 @@ pub struct MixedMap<A, B, L> {
 }
 
 impl<A, B, L: Lanes> MixedMap<A, B, L> {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn mix(&self, a: [L; 3], b: [L; 3]) -> [L; 3] {
         let mut mixed = a;
         let mut component = 0;
@@ -54,15 +54,15 @@ impl<A, B, L: Lanes> MixedMap<A, B, L> {
 }
 
 impl<A: SurfaceMap<L>, B: SurfaceMap<L>, L: Lanes> SurfaceMap<L> for MixedMap<A, B, L> {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn point(&self, point: [L; 3]) -> [L; 3] {
         self.mix(self.a.point(point), self.b.point(point))
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn normal(&self, normal: [L; 3]) -> [L; 3] {
         unit(self.mix(self.a.normal(normal), self.b.normal(normal)))
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn tangent(&self, tangent: [L; 3]) -> [L; 3] {
         unit(self.mix(self.a.tangent(tangent), self.b.tangent(tangent)))
     }
@@ -79,7 +79,7 @@ impl<R: Scalar, A: Blender<R>, B: Blender<R>> Blender<R> for Mixed<'_, A, B, R> 
         self.b.check(joints, vertices)?;
         same_length("shares", self.shares.len(), vertices)
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn sum<L: Lanes<Real = R>, J: Index>(
         &self,
         level: L::Level,
@@ -87,11 +87,11 @@ impl<R: Scalar, A: Blender<R>, B: Blender<R>> Blender<R> for Mixed<'_, A, B, R> 
     ) -> Option<Self::Sum<L>> {
         Some((self.a.sum(level, scratch)?, self.b.sum(level, scratch)?))
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn join<L: Lanes<Real = R>>(&self, x: Self::Sum<L>, y: Self::Sum<L>) -> Self::Sum<L> {
         (self.a.join(x.0, y.0), self.b.join(x.1, y.1))
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn map<L: Lanes<Real = R>>(
         &self,
         level: L::Level,

@@ -95,7 +95,7 @@ where
     type Output = ();
     const WIDE: bool = B::WIDE;
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
         let Self { skin, blend, first, mut mesh, .. } = self;
         let lanes = Register::<P, V, 3>::LANES;

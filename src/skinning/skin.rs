@@ -168,19 +168,19 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
     }
 
     /// How many groups of influences there are.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn groups(&self) -> usize {
         self.influences.div_ceil(GROUP)
     }
 
     /// Where kernels keep what they read.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn scratch<R: Scalar>(&self) -> Scratch<'a, R, J> {
         Scratch::new(self.joints)
     }
 
     /// A group of influences of the vertices from `first` on, one for each lane.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn read<R: Scalar>(
         &self,
         first: usize,

@@ -33,15 +33,15 @@ impl<'a, R: Scalar> Stretched<'a, R> {
 pub struct StretchedMap<L>(LinearMap<L>, ScaledMotion<L>);
 
 impl<L: Lanes> SurfaceMap<L> for StretchedMap<L> {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn point(&self, point: [L; 3]) -> [L; 3] {
         self.1.point(self.0.point(point))
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn normal(&self, normal: [L; 3]) -> [L; 3] {
         self.1.normal(self.0.normal(normal))
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn tangent(&self, tangent: [L; 3]) -> [L; 3] {
         self.1.tangent(self.0.tangent(tangent))
     }
@@ -57,7 +57,7 @@ impl<R: Scalar> Blender<R> for Stretched<'_, R> {
         same_length("motions", self.rigid.joints(), joints)?;
         same_length("stretches", self.stretch.joints(), joints)
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn sum<L: Lanes<Real = R>, J: Index>(
         &self,
         level: L::Level,
@@ -65,11 +65,11 @@ impl<R: Scalar> Blender<R> for Stretched<'_, R> {
     ) -> Option<Self::Sum<L>> {
         Some((self.stretch.sum(level, scratch)?, self.rigid.sum(level, scratch)?))
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn join<L: Lanes<Real = R>>(&self, a: Self::Sum<L>, b: Self::Sum<L>) -> Self::Sum<L> {
         (self.stretch.join(a.0, b.0), self.rigid.join(a.1, b.1))
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn map<L: Lanes<Real = R>>(
         &self,
         level: L::Level,

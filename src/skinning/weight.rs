@@ -15,7 +15,7 @@ pub trait Weight: Copy + Debug + Send + Sync + 'static {
 
     /// The same memory, if weights lie there as the numbers that kernels compute with.
     #[doc(hidden)]
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     fn as_numbers<R: Scalar>(weights: &[Self]) -> Option<&[R]> {
         let _ = weights;
@@ -24,22 +24,22 @@ pub trait Weight: Copy + Debug + Send + Sync + 'static {
 }
 
 impl Weight for f32 {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn value<R: Real>(self) -> R {
         R::from(self)
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn as_numbers<R: Scalar>(weights: &[Self]) -> Option<&[R]> {
         if R::SINGLE { bytemuck::try_cast_slice(weights).ok() } else { None }
     }
 }
 
 impl Weight for f64 {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn value<R: Real>(self) -> R {
         R::from_f64(self)
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn as_numbers<R: Scalar>(weights: &[Self]) -> Option<&[R]> {
         if R::SINGLE { None } else { bytemuck::try_cast_slice(weights).ok() }
     }
@@ -47,14 +47,14 @@ impl Weight for f64 {
 
 // Divided, not multiplied by a reciprocal: 255 · (1/255) need not be 1.
 impl Weight for u8 {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn value<R: Real>(self) -> R {
         R::from(f32::from(self)) / R::from(255.0)
     }
 }
 
 impl Weight for u16 {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn value<R: Real>(self) -> R {
         R::from(f32::from(self)) / R::from(65535.0)
     }

@@ -45,7 +45,7 @@ where
     E: Element<8>,
     T: Element<1, Layout = E::Layout>,
 {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn compute<V: Level>(&self, level: V, _: &[E], tile: Tile) -> Option<[Register<E, V, 8>; 8]> {
         let zero = Register::<E, V, 8>::splat(level, Default::default());
         let mut influences = [(batch::DualQuat::identity(level), zero); K];

@@ -104,7 +104,7 @@ trait Parameter<E: Element<8>> {
 
 struct One<R>(R);
 impl<E: Element<8>> Parameter<E> for One<Number<E, 8>> {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn load<V: Level>(&self, level: V, _: Tile) -> Option<Register<E, V, 8>> {
         Some(Lanes::splat(level, self.0))
     }
@@ -112,7 +112,7 @@ impl<E: Element<8>> Parameter<E> for One<Number<E, 8>> {
 
 struct Many<'s, T>(&'s [T]);
 impl<E: Element<8>, T: Element<1, Layout = E::Layout>> Parameter<E> for Many<'_, T> {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn load<V: Level>(&self, level: V, tile: Tile) -> Option<Register<E, V, 8>> {
         let [t] = T::load(level, self.0, tile, &storage::identity())?;
         Some(t)
@@ -127,7 +127,7 @@ struct Interpolation<'s, E, W, T> {
 }
 
 impl<E: Element<8>, W: Law<8>, T: Parameter<E>> SliceKernel<E, 8> for Interpolation<'_, E, W, T> {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn compute<V: Level>(&self, level: V, _: &[E], tile: Tile) -> Option<[Register<E, V, 8>; 8]> {
         let a = E::load(level, self.a, tile, &storage::identity())?;
         let b = E::load(level, self.b, tile, &storage::identity())?;

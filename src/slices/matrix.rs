@@ -50,7 +50,7 @@ where
     E: Element<8>,
     M: PaletteEntry<C, Layout = E::Layout>,
 {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn compute<V: Level>(&self, level: V, _: &[M], tile: Tile) -> Option<[Register<M, V, C>; C]> {
         Some(M::of(motions(level, self.motions, tile)?, self.order))
     }

@@ -59,7 +59,7 @@ trait Measure {
 
 struct Angle;
 impl Measure for Angle {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn of<L: Lanes>(&self, a: batch::DualQuat<L>, b: batch::DualQuat<L>) -> L {
         a.angle_to(b)
     }
@@ -67,7 +67,7 @@ impl Measure for Angle {
 
 struct Distance;
 impl Measure for Distance {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn of<L: Lanes>(&self, a: batch::DualQuat<L>, b: batch::DualQuat<L>) -> L {
         a.distance_to(b)
     }
@@ -85,7 +85,7 @@ where
     T: Element<1, Layout = E::Layout>,
     M: Measure,
 {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn compute<V: Level>(&self, level: V, _: &[T], tile: Tile) -> Option<[Register<T, V, 1>; 1]> {
         Some([self.measure.of(motions(level, self.a, tile)?, motions(level, self.b, tile)?)])
     }

@@ -65,7 +65,7 @@ impl<E: Element<8>> SliceKernel<E, 8> for ProductByOne<Number<E, 8>> {
     fn reads_output(&self) -> bool {
         true
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn compute<V: Level>(
         &self,
         level: V,
@@ -86,7 +86,7 @@ impl<E: Element<8>> SliceKernel<E, 8> for Product<'_, E> {
     fn reads_output(&self) -> bool {
         self.a.is_output()
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn compute<V: Level>(
         &self,
         level: V,

@@ -102,7 +102,7 @@ struct Log<'s, M> {
 }
 
 impl<M: Element<8>, P: Element<6, Layout = M::Layout>> SliceKernel<P, 6> for Log<'_, M> {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn compute<V: Level>(&self, level: V, _: &[P], tile: Tile) -> Option<[Register<P, V, 6>; 6]> {
         let log = motions(level, self.motions, tile)?.log();
         let ([a, b, c], [d, e, f]) = (log.real, log.dual);
@@ -115,7 +115,7 @@ struct Exp<'s, P> {
 }
 
 impl<P: Element<6>, M: Element<8, Layout = P::Layout>> SliceKernel<M, 8> for Exp<'_, P> {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn compute<V: Level>(&self, level: V, _: &[M], tile: Tile) -> Option<[Register<M, V, 8>; 8]> {
         let [a, b, c, d, e, f] = P::load(level, self.logs, tile, &storage::identity())?;
         let log = DualVector { real: [a, b, c], dual: [d, e, f] };
@@ -129,7 +129,7 @@ struct Power<'s, E, T> {
 }
 
 impl<E: Element<8>, T: Element<1, Layout = E::Layout>> SliceKernel<E, 8> for Power<'_, E, T> {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn compute<V: Level>(&self, level: V, _: &[E], tile: Tile) -> Option<[Register<E, V, 8>; 8]> {
         let [t] = T::load(level, self.t, tile, &storage::identity())?;
         Some(motions(level, self.motions, tile)?.pow(t).to_array())
@@ -143,7 +143,7 @@ struct Integrate<'s, E: Element<8>, P> {
 }
 
 impl<E: Element<8>, P: Element<6, Layout = E::Layout>> SliceKernel<E, 8> for Integrate<'_, E, P> {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn compute<V: Level>(&self, level: V, _: &[E], tile: Tile) -> Option<[Register<E, V, 8>; 8]> {
         let twist = P::load(level, self.twists, tile, &storage::identity())?;
         let dt = Register::<E, V, 8>::splat(level, self.dt);

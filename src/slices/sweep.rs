@@ -55,7 +55,7 @@ impl<Q: Element<D>, K: SliceKernel<Q, D>, const D: usize> Kernel for Sweep<'_, Q
     type Output = ();
     const WIDE: bool = Q::Layout::WIDE;
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
         let Self { output, kernel } = self;
         let (records, registers) = (Q::Layout::records::<V>(), Q::Layout::registers::<V>());
@@ -82,20 +82,20 @@ impl<Q: Element<D>, K: SliceKernel<Q, D>, const D: usize> Kernel for Stream<'_, 
     type Output = ();
     const WIDE: bool = Q::Layout::WIDE;
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
         let Self { output, kernel } = self;
         Q::stream(
             level,
             output,
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             |tile| kernel.compute(level, &[], tile),
         );
     }
 }
 
 /// The motions of a tile; the identity in lanes beyond the end of `slice`.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn motions<E: Element<8>, V: Level>(
     level: V,
     slice: &[E],

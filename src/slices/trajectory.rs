@@ -182,7 +182,7 @@ impl<R: Scalar, const W: usize> Kernel for Windows<'_, R, W> {
     type Output = usize;
     const WIDE: bool = false;
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) -> usize {
         let Self { poses, weights, tolerance, max_iterations, means } = self;
         let tolerance = R::Lanes::<V>::splat(level, tolerance);

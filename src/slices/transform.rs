@@ -81,7 +81,7 @@ impl<P: Element<3>> SliceKernel<P, 3> for ByOne<'_, P> {
     fn reads_output(&self) -> bool {
         self.from.is_output()
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn compute<V: Level>(
         &self,
         level: V,
@@ -93,7 +93,7 @@ impl<P: Element<3>> SliceKernel<P, 3> for ByOne<'_, P> {
         for (moved, row) in moved.iter_mut().zip(self.rows) {
             // The compiler keeps the twelve lanes in registers from one turn of the loop to the next.
             let [a, b, c, t] = row.map(
-                #[inline(always)]
+                #[cfg_attr(not(opt_level_0), inline(always))]
                 |number| Register::<P, V, 3>::splat(level, number),
             );
             *moved = z.mul_add(c, y.mul_add(b, x.mul_add(a, t)));

@@ -122,7 +122,7 @@ trait Action<const C: usize> {
 
 struct OnPoint;
 impl Action<3> for OnPoint {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn act<L: Lanes>(&self, motion: batch::DualQuat<L>, point: [L; 3]) -> [L; 3] {
         motion.transform_point(point)
     }
@@ -130,7 +130,7 @@ impl Action<3> for OnPoint {
 
 struct OnVector;
 impl Action<3> for OnVector {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn act<L: Lanes>(&self, motion: batch::DualQuat<L>, vector: [L; 3]) -> [L; 3] {
         motion.transform_vector(vector)
     }
@@ -138,7 +138,7 @@ impl Action<3> for OnVector {
 
 struct OnLine;
 impl Action<6> for OnLine {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn act<L: Lanes>(&self, motion: batch::DualQuat<L>, [a, b, c, d, e, f]: [L; 6]) -> [L; 6] {
         let line = motion.transform_line(Line { direction: [a, b, c], moment: [d, e, f] });
         let ([a, b, c], [d, e, f]) = (line.direction, line.moment);
@@ -148,7 +148,7 @@ impl Action<6> for OnLine {
 
 struct OnPlane;
 impl Action<4> for OnPlane {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn act<L: Lanes>(&self, motion: batch::DualQuat<L>, [a, b, c, offset]: [L; 4]) -> [L; 4] {
         let plane = motion.transform_plane(Plane { normal: [a, b, c], offset });
         let [a, b, c] = plane.normal;
@@ -158,7 +158,7 @@ impl Action<4> for OnPlane {
 
 struct OnTwist;
 impl Action<6> for OnTwist {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn act<L: Lanes>(&self, motion: batch::DualQuat<L>, twist: [L; 6]) -> [L; 6] {
         motion.adjoint(Twist::from_array(twist)).to_array()
     }
@@ -176,7 +176,7 @@ where
     P: Element<C, Layout = M::Layout>,
     A: Action<C>,
 {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn compute<V: Level>(&self, level: V, _: &[P], tile: Tile) -> Option<[Register<P, V, C>; C]> {
         let thing = P::load(level, self.from, tile, &storage::identity())?;
         Some(self.action.act(motions(level, self.motions, tile)?, thing))

@@ -88,7 +88,7 @@ trait UnaryOperation {
 
 struct Normalize;
 impl UnaryOperation for Normalize {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn of<L: Lanes>(&self, motion: batch::DualQuat<L>) -> batch::DualQuat<L> {
         motion.normalize()
     }
@@ -96,7 +96,7 @@ impl UnaryOperation for Normalize {
 
 struct Inverse;
 impl UnaryOperation for Inverse {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn of<L: Lanes>(&self, motion: batch::DualQuat<L>) -> batch::DualQuat<L> {
         motion.inverse()
     }
@@ -104,7 +104,7 @@ impl UnaryOperation for Inverse {
 
 struct Conjugate;
 impl UnaryOperation for Conjugate {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn of<L: Lanes>(&self, motion: batch::DualQuat<L>) -> batch::DualQuat<L> {
         motion.conjugate()
     }
@@ -119,7 +119,7 @@ impl<E: Element<8>, F: UnaryOperation> SliceKernel<E, 8> for Unary<'_, E, F> {
     fn reads_output(&self) -> bool {
         self.from.is_output()
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn compute<V: Level>(
         &self,
         level: V,

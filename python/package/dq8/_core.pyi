@@ -18,6 +18,20 @@ def normalize(motions: ArrayLike, /, *, out: _Floats | None = None) -> _Floats: 
 def unit_or_identity(motions: ArrayLike, /, *, out: _Floats | None = None) -> _Floats: ...
 def nlerp(a: ArrayLike, b: ArrayLike, t: ArrayLike, /, *, out: _Floats | None = None) -> _Floats: ...
 def sclerp(a: ArrayLike, b: ArrayLike, t: ArrayLike, /, *, out: _Floats | None = None) -> _Floats: ...
+def squad(
+    start: ArrayLike,
+    control_start: ArrayLike,
+    control_end: ArrayLike,
+    end: ArrayLike,
+    t: ArrayLike,
+    /,
+    *,
+    out: _Floats | None = None,
+) -> _Floats: ...
+def squad_control(
+    previous: ArrayLike, current: ArrayLike, next: ArrayLike, /, *, out: _Floats | None = None
+) -> _Floats: ...
+def resample(times: ArrayLike, poses: ArrayLike, at: ArrayLike, /, *, out: _Floats | None = None) -> _Floats: ...
 def log(motions: ArrayLike, /, *, out: _Floats | None = None) -> _Floats: ...
 def exp(logs: ArrayLike, /, *, out: _Floats | None = None) -> _Floats: ...
 def to_twist(motions: ArrayLike, /, *, out: _Floats | None = None) -> _Floats: ...
@@ -47,6 +61,15 @@ def dlb(motions: ArrayLike, weights: ArrayLike | None = None, /, *, out: _Floats
 def mean(
     motions: ArrayLike,
     weights: ArrayLike | None = None,
+    /,
+    *,
+    tolerance: float | None = None,
+    max_iterations: int = 32,
+    out: _Floats | None = None,
+) -> _Floats: ...
+def dib_windows(
+    motions: ArrayLike,
+    weights: ArrayLike,
     /,
     *,
     tolerance: float | None = None,

@@ -133,6 +133,7 @@ fn typed<'py, R: Number>(
 
     let influences = Influences {
         count,
+        apart: count,
         motions: motions.records(),
         weights: weights.as_ref().map(|weights| weights.records()),
         own,
@@ -142,7 +143,7 @@ fn typed<'py, R: Number>(
     let to = to.map_err(|error| PyValueError::new_err(error.to_string()))?;
     motions.py().detach(|| {
         let threads = Threads::for_elements(influences.motions.len());
-        threads.split(to, |first, to| {
+        threads.split(to, &|first, to| {
             influences.from(first).blend(mean, to);
             true
         })

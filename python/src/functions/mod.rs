@@ -7,6 +7,9 @@ pub(crate) mod conversions;
 pub(crate) mod distances;
 pub(crate) mod means;
 pub(crate) mod screws;
+pub(crate) mod squad;
+pub(crate) mod trajectory;
+pub(crate) mod windows;
 
 use dq8::{Lanes, batch};
 

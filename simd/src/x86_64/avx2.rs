@@ -31,22 +31,22 @@ impl Level for Avx2 {
     type Single = F32x8;
     type Double = F64x4;
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn fence(self) {
         // SAFETY: `self` proves more than the SSE that this is a part of.
         unsafe { _mm_sfence() };
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn prefetch<T>(self, value: &T) {
         prefetch(value);
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn prefetch_every<T>(self, memory: &[T], stride: usize, count: usize) {
         prefetch_every(memory, stride, count);
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<R>(self, kernel: impl FnOnce() -> R) -> R {
         #[inline]
         #[target_feature(enable = "avx2,fma")]
@@ -124,15 +124,15 @@ macro_rules! mask {
 
         impl Mask for $name {
             const LANES: u32 = $lanes;
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             fn any(self) -> bool {
                 self.to_bitmask() != 0
             }
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             fn all(self) -> bool {
                 self.to_bitmask() == (1 << $lanes) - 1
             }
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             fn to_bitmask(self) -> u32 {
                 // SAFETY: `self` proves the instructions.
                 unsafe { $bits(self.0) }.cast_unsigned()
@@ -140,7 +140,7 @@ macro_rules! mask {
         }
         impl BitAnd for $name {
             type Output = Self;
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             fn bitand(self, other: Self) -> Self {
                 // SAFETY: `self` proves the instructions.
                 Self(unsafe { $and(self.0, other.0) }, self.1)
@@ -148,7 +148,7 @@ macro_rules! mask {
         }
         impl BitOr for $name {
             type Output = Self;
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             fn bitor(self, other: Self) -> Self {
                 // SAFETY: `self` proves the instructions.
                 Self(unsafe { $or(self.0, other.0) }, self.1)
@@ -156,7 +156,7 @@ macro_rules! mask {
         }
         impl Not for $name {
             type Output = Self;
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             fn not(self) -> Self {
                 // SAFETY: `self` proves the instructions.
                 Self(unsafe { $xor(self.0, $ones) }, self.1)

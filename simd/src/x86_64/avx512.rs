@@ -32,22 +32,22 @@ impl Level for Avx512 {
     type Single = F32x16;
     type Double = F64x8;
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn fence(self) {
         // SAFETY: `self` proves more than the SSE that this is a part of.
         unsafe { _mm_sfence() };
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn prefetch<T>(self, value: &T) {
         prefetch(value);
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn prefetch_every<T>(self, memory: &[T], stride: usize, count: usize) {
         prefetch_every(memory, stride, count);
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     #[expect(clippy::pointers_in_nomem_asm_block, reason = "the pointer is not followed")]
     fn locate<T>(self, value: &T) -> &T {
         let mut address = core::ptr::from_ref(value);
@@ -58,7 +58,7 @@ impl Level for Avx512 {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<R>(self, kernel: impl FnOnce() -> R) -> R {
         #[inline]
         #[target_feature(enable = "avx2,fma,avx512f,avx512vl,avx512dq")]
@@ -81,15 +81,15 @@ impl<const LANES: u32> Bits<LANES> {
 
 impl<const LANES: u32> Mask for Bits<LANES> {
     const LANES: u32 = LANES;
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn any(self) -> bool {
         self.0 != 0
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn all(self) -> bool {
         self.0 == Self::ALL
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn to_bitmask(self) -> u32 {
         self.0
     }
@@ -97,7 +97,7 @@ impl<const LANES: u32> Mask for Bits<LANES> {
 
 impl<const LANES: u32> BitAnd for Bits<LANES> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn bitand(self, other: Self) -> Self {
         Self(self.0 & other.0)
     }
@@ -105,7 +105,7 @@ impl<const LANES: u32> BitAnd for Bits<LANES> {
 
 impl<const LANES: u32> BitOr for Bits<LANES> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn bitor(self, other: Self) -> Self {
         Self(self.0 | other.0)
     }
@@ -113,7 +113,7 @@ impl<const LANES: u32> BitOr for Bits<LANES> {
 
 impl<const LANES: u32> Not for Bits<LANES> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn not(self) -> Self {
         Self(!self.0 & Self::ALL)
     }

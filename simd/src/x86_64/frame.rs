@@ -5,7 +5,7 @@ use core::hint::black_box;
 /// Left to itself, the compiler spills to wherever the stack happens to be. A slot that lies across two
 /// cache lines, or two pages, makes kernels that spill in their loops 2 to 4 times slower, at random
 /// from run to run.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn align_frame() {
     #[repr(align(64))]
     struct CacheLine(#[allow(dead_code, reason = "only its place matters")] u8);

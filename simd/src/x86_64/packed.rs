@@ -69,14 +69,14 @@ fn picked_columns(v: __m256) -> [__m256; 4] {
 macro_rules! packed {
     ($($name:ty, |$v:ident| $columns:expr, $raised:expr;)*) => {$(
         impl PackedDualQuat for $name {
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             fn columns(self) -> [Self; 4] {
                 let (level, $v) = (self.level(), self.0);
                 // SAFETY: `self` proves the instructions; the pointers are those of whole arrays.
                 let [x, y, z, w] = unsafe { $columns };
                 [Self(x, level), Self(y, level), Self(z, level), Self(w, level)]
             }
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             fn raised(self) -> Self {
                 let $v = self.0;
                 // SAFETY: `self` proves the instructions.
@@ -98,7 +98,7 @@ packed! {
 }
 
 impl PackedDualQuat for Pair<avx2::F64x4> {
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn columns(self) -> [Self; 4] {
         let level = self.level();
         let Self(lower, upper) = self;
@@ -118,7 +118,7 @@ impl PackedDualQuat for Pair<avx2::F64x4> {
             Self(avx2::F64x4(aw, level), avx2::F64x4(bw, level)),
         ]
     }
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn raised(self) -> Self {
         Self(self.0.constant(0.0), self.0)
     }

@@ -4,7 +4,7 @@ use core::arch::x86_64::*;
 const LINE: usize = 64;
 
 /// See [`Level::prefetch`](crate::Level::prefetch).
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn prefetch<T>(value: &T) {
     let start = core::ptr::from_ref(value).cast::<i8>();
     for offset in (0..size_of::<T>()).step_by(LINE) {
@@ -14,7 +14,7 @@ pub(super) fn prefetch<T>(value: &T) {
 }
 
 /// See [`Level::prefetch_every`](crate::Level::prefetch_every).
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn prefetch_every<T>(memory: &[T], stride: usize, count: usize) {
     for index in 0..count {
         let place = memory.as_ptr().wrapping_add(index.wrapping_mul(stride));

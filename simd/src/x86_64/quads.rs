@@ -16,7 +16,7 @@ use core::arch::x86_64::*;
 /// The transpose of the 4 × 4 numbers in each 128-bit group.
 macro_rules! transpose_singles {
     ($name:ident, $register:ident, $low:ident, $high:ident, $shuffle:ident) => {
-        #[inline(always)]
+        #[cfg_attr(not(opt_level_0), inline(always))]
         unsafe fn $name([a, b, c, d]: [$register; 4]) -> [$register; 4] {
             // SAFETY: the caller's CPU has the instructions.
             unsafe {
@@ -44,7 +44,7 @@ macro_rules! single_quads {
         join |$get:ident, $i:ident| $join:expr;
         split |$whole:ident| $split:expr;
     ) => {
-        #[inline(always)]
+        #[cfg_attr(not(opt_level_0), inline(always))]
         pub(super) unsafe fn $load(
             at: *const f32,
             place: impl Fn(usize) -> usize,
@@ -63,7 +63,7 @@ macro_rules! single_quads {
                 $transpose(rows)
             }
         }
-        #[inline(always)]
+        #[cfg_attr(not(opt_level_0), inline(always))]
         pub(super) unsafe fn $store(components: [$register; 4], at: *mut f32, stride: usize) {
             // SAFETY: the caller's promise, above.
             unsafe {
@@ -74,7 +74,7 @@ macro_rules! single_quads {
                 }
             }
         }
-        #[inline(always)]
+        #[cfg_attr(not(opt_level_0), inline(always))]
         pub(super) unsafe fn $triples([x, y, z]: [$register; 3], at: *mut f32) {
             // SAFETY: the caller's promise, above. A store of four numbers overwrites the first of
             // the next record, which is written later; the last record stores three.
@@ -121,7 +121,7 @@ single_quads! {
 }
 
 /// The transpose of 4 × 4 numbers.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 unsafe fn transpose_f64x4([a, b, c, d]: [__m256d; 4]) -> [__m256d; 4] {
     // SAFETY: the caller's CPU has the instructions.
     unsafe {
@@ -137,7 +137,7 @@ unsafe fn transpose_f64x4([a, b, c, d]: [__m256d; 4]) -> [__m256d; 4] {
 }
 
 /// The transpose of the 4 × 4 numbers in each half.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 unsafe fn transpose_f64x8([a, b, c, d]: [__m512d; 4]) -> [__m512d; 4] {
     // SAFETY: the caller's CPU has the instructions.
     unsafe {
@@ -155,7 +155,7 @@ unsafe fn transpose_f64x8([a, b, c, d]: [__m512d; 4]) -> [__m512d; 4] {
 }
 
 /// Three numbers of a record of four.
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 unsafe fn store_triple(record: __m256d, at: *mut f64) {
     // SAFETY: the caller's promise, above.
     unsafe {
@@ -164,7 +164,7 @@ unsafe fn store_triple(record: __m256d, at: *mut f64) {
     }
 }
 
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) unsafe fn f64x4_load(at: *const f64, place: impl Fn(usize) -> usize) -> [__m256d; 4] {
     // SAFETY: the caller's promise, above.
     unsafe {
@@ -176,7 +176,7 @@ pub(super) unsafe fn f64x4_load(at: *const f64, place: impl Fn(usize) -> usize) 
         ])
     }
 }
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) unsafe fn f64x4_store(components: [__m256d; 4], at: *mut f64, stride: usize) {
     // SAFETY: the caller's promise, above.
     unsafe {
@@ -185,7 +185,7 @@ pub(super) unsafe fn f64x4_store(components: [__m256d; 4], at: *mut f64, stride:
         }
     }
 }
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) unsafe fn f64x4_store_triples([x, y, z]: [__m256d; 3], at: *mut f64) {
     // SAFETY: the caller's promise, above.
     unsafe {
@@ -195,7 +195,7 @@ pub(super) unsafe fn f64x4_store_triples([x, y, z]: [__m256d; 3], at: *mut f64) 
     }
 }
 
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) unsafe fn f64x8_load(at: *const f64, place: impl Fn(usize) -> usize) -> [__m512d; 4] {
     // SAFETY: the caller's promise, above.
     unsafe {
@@ -207,7 +207,7 @@ pub(super) unsafe fn f64x8_load(at: *const f64, place: impl Fn(usize) -> usize) 
         transpose_f64x8(rows)
     }
 }
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) unsafe fn f64x8_store(components: [__m512d; 4], at: *mut f64, stride: usize) {
     // SAFETY: the caller's promise, above.
     unsafe {
@@ -217,7 +217,7 @@ pub(super) unsafe fn f64x8_store(components: [__m512d; 4], at: *mut f64, stride:
         }
     }
 }
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) unsafe fn f64x8_store_triples([x, y, z]: [__m512d; 3], at: *mut f64) {
     // SAFETY: the caller's promise, above.
     unsafe {
@@ -228,7 +228,7 @@ pub(super) unsafe fn f64x8_store_triples([x, y, z]: [__m512d; 3], at: *mut f64) 
     }
 }
 
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) unsafe fn f64x2_load(at: *const f64, place: impl Fn(usize) -> usize) -> [__m128d; 4] {
     // SAFETY: the caller's promise, above.
     unsafe {
@@ -243,7 +243,7 @@ pub(super) unsafe fn f64x2_load(at: *const f64, place: impl Fn(usize) -> usize) 
         ]
     }
 }
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) unsafe fn f64x2_store([x, y, z, w]: [__m128d; 4], at: *mut f64, stride: usize) {
     // SAFETY: the caller's promise, above.
     unsafe {
@@ -253,7 +253,7 @@ pub(super) unsafe fn f64x2_store([x, y, z, w]: [__m128d; 4], at: *mut f64, strid
         _mm_storeu_pd(at.add(stride + 2), _mm_unpackhi_pd(z, w));
     }
 }
-#[inline(always)]
+#[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) unsafe fn f64x2_store_triples([x, y, z]: [__m128d; 3], at: *mut f64) {
     // SAFETY: the caller's promise, above.
     unsafe {

@@ -32,26 +32,26 @@ macro_rules! vector {
             type Array = [$real; $lanes];
             const LANES: usize = $lanes;
 
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             fn level(self) -> $level {
                 self.1
             }
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             fn splat(level: $level, value: $real) -> Self {
                 // SAFETY: `level` proves the instructions.
                 Self(unsafe { $splat(value) }, level)
             }
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             fn load(level: $level, from: &[$real; $lanes]) -> Self {
                 // SAFETY: `level` proves the instructions; the pointer is that of a whole array.
                 Self(unsafe { $load(from.as_ptr()) }, level)
             }
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             fn store(self, to: &mut [$real; $lanes]) {
                 // SAFETY: `self` proves the instructions; the pointer is that of a whole array.
                 unsafe { $store(to.as_mut_ptr(), self.0) }
             }
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             unsafe fn stream(self, to: &mut [$real; $lanes]) {
                 let at = to.as_mut_ptr();
                 if at.addr() % size_of::<$register>() != 0 {
@@ -61,7 +61,7 @@ macro_rules! vector {
                 // aligned; the caller fences.
                 unsafe { $stream(at.cast(), self.0) }
             }
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             unsafe fn load_quads(
                 level: $level,
                 from: *const $real,
@@ -71,37 +71,37 @@ macro_rules! vector {
                 let [x, y, z, w] = unsafe { $load_quads(from, place) };
                 [Self(x, level), Self(y, level), Self(z, level), Self(w, level)]
             }
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             unsafe fn store_quads([x, y, z, w]: [Self; 4], to: *mut $real, stride: usize) {
                 // SAFETY: the lanes prove the instructions; the rest is promised.
                 unsafe { $store_quads([x.0, y.0, z.0, w.0], to, stride) }
             }
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             unsafe fn store_triples([x, y, z]: [Self; 3], to: *mut $real) {
                 // SAFETY: the lanes prove the instructions; the rest is promised.
                 unsafe { $store_triples([x.0, y.0, z.0], to) }
             }
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             fn mul_add(self, factor: Self, addend: Self) -> Self {
                 // SAFETY: `self` proves the instructions.
                 Self(unsafe { $mul_add(self.0, factor.0, addend.0) }, self.1)
             }
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             fn neg_mul_add(self, factor: Self, addend: Self) -> Self {
                 // SAFETY: `self` proves the instructions.
                 Self(unsafe { $neg_mul_add(self.0, factor.0, addend.0) }, self.1)
             }
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             fn sqrt(self) -> Self {
                 // SAFETY: `self` proves the instructions.
                 Self(unsafe { $sqrt(self.0) }, self.1)
             }
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             fn abs(self) -> Self {
                 // SAFETY: `self` proves the instructions.
                 Self(unsafe { $and_not($splat(-0.0), self.0) }, self.1)
             }
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             fn copysign(self, sign: Self) -> Self {
                 // SAFETY: `self` proves the instructions.
                 let joined = unsafe {
@@ -110,25 +110,25 @@ macro_rules! vector {
                 };
                 Self(joined, self.1)
             }
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             fn lt(self, other: Self) -> $mask {
                 let ($la, $lb) = (self, other);
                 // SAFETY: `self` proves the instructions.
                 unsafe { $less }
             }
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             fn le(self, other: Self) -> $mask {
                 let ($ea, $eb) = (self, other);
                 // SAFETY: `self` proves the instructions.
                 unsafe { $less_equal }
             }
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             fn eq(self, other: Self) -> $mask {
                 let ($qa, $qb) = (self, other);
                 // SAFETY: `self` proves the instructions.
                 unsafe { $equal }
             }
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             fn select($m: $mask, $yes: Self, $no: Self) -> Self {
                 // SAFETY: the lanes prove the instructions.
                 Self(unsafe { $select }, $yes.1)
@@ -142,7 +142,7 @@ macro_rules! vector {
 
         impl core::ops::Neg for $name {
             type Output = Self;
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             fn neg(self) -> Self {
                 // SAFETY: `self` proves the instructions.
                 Self(unsafe { $xor(self.0, $splat(-0.0)) }, self.1)
@@ -156,7 +156,7 @@ macro_rules! operator {
     ($name:ident, $trait:ident, $method:ident, $instruction:ident) => {
         impl core::ops::$trait for $name {
             type Output = Self;
-            #[inline(always)]
+            #[cfg_attr(not(opt_level_0), inline(always))]
             fn $method(self, other: Self) -> Self {
                 // SAFETY: `self` proves the instructions.
                 Self(unsafe { $instruction(self.0, other.0) }, self.1)

@@ -1,0 +1,101 @@
+//! Poses at times.
+
+use super::core_shape::{EIGHT, NUMBER};
+use crate::argument::{Argument, Input, Number, is_single, misshapen};
+use crate::call::Answer;
+use crate::output::Output;
+use dq8::slices::TrajectoryError;
+use dq8::{Backend, DualQuat};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+/// The poses at other times of the trajectory through `poses` at `times`.
+///
+/// Screw motion between neighbours, ``sclerp(poses[k], poses[k + 1], t)`` by the shorter way with
+/// ``t = (at − times[k])/(times[k + 1] − times[k])``; before the first and after the last pose, that pose.
+/// One thread computes.
+///
+/// Parameters
+/// ----------
+/// times : array_like, shape (n,)
+///     Finite times that rise, n > 0.
+/// poses : array_like, shape (n, 8)
+///     Unit dual quaternions at these times.
+/// at : array_like, shape (...)
+///     When to sample, in any order; rising times are found fastest.
+/// out : ndarray, optional
+///     Where to write the result.
+///
+/// Returns
+/// -------
+/// ndarray, shape (..., 8)
+///
+/// Examples
+/// --------
+/// >>> import dq8, numpy as np
+/// >>> poses = dq8.from_translation(np.array([0.0, 2, 8])[:, None] * [1.0, 0, 0])
+/// >>> dq8.translation(dq8.resample([0.0, 1, 3], poses, [0.5, 2, 9]))[:, 0]
+/// array([1., 5., 8.])
+#[pyfunction]
+#[pyo3(signature = (times, poses, at, /, *, out=None))]
+pub(crate) fn resample<'py>(
+    times: &Bound<'py, PyAny>,
+    poses: &Bound<'py, PyAny>,
+    at: &Bound<'py, PyAny>,
+    out: Option<&Bound<'py, PyAny>>,
+) -> Answer<'py> {
+    let arguments = [
+        Argument { name: "times", core: NUMBER, value: times },
+        Argument { name: "poses", core: EIGHT, value: poses },
+        Argument { name: "at", core: NUMBER, value: at },
+    ];
+    if is_single(&arguments.map(Some))? {
+        typed::<f32>(arguments, out)
+    } else {
+        typed::<f64>(arguments, out)
+    }
+}
+
+fn typed<'py, R: Number>(
+    [times, poses, at]: [Argument<'_, 'py>; 3],
+    out: Option<&Bound<'py, PyAny>>,
+) -> Answer<'py> {
+    let times = Input::<R>::of(times)?;
+    let &[count] = times.full_leading() else {
+        return Err(misshapen("times", "(n,)", &times.shape()));
+    };
+    let poses = Input::<R>::of(poses)?;
+    if poses.full_leading() != [count] {
+        return Err(misshapen("poses", &format!("({count}, 8)"), &poses.shape()));
+    }
+    let at = Input::<R>::of(at)?;
+    let leading = at.full_leading().to_vec();
+    let output = Output::<R>::new(at.py(), out, &leading, EIGHT)?;
+    let times = times.filled(&[count])?.apart_from(&output)?;
+    let poses = poses.filled(&[count])?.apart_from(&output)?;
+    let at = at.filled(&leading)?.apart_from(&output)?;
+
+    let (instants, samples) = (times.records::<1>(), at.records::<1>());
+    let poses: &[DualQuat<R>] = bytemuck::must_cast_slice(poses.records::<8>());
+    let mut memory = output.borrow()?;
+    let to = memory.as_slice_mut().map(|numbers| numbers.as_chunks_mut::<8>().0);
+    let to = to.map_err(|error| PyValueError::new_err(error.to_string()))?;
+    let done = at.py().detach(|| {
+        let to = bytemuck::must_cast_slice_mut(to);
+        Backend::best().resample(instants.as_flattened(), poses, samples.as_flattened(), to)
+    });
+    done.map_err(named)?;
+    drop(memory);
+    output.finish()
+}
+
+/// With the name of the argument that it is about.
+fn named(error: TrajectoryError) -> PyErr {
+    let argument = match error {
+        TrajectoryError::Empty => "`poses`: ",
+        TrajectoryError::NotRising { .. } => "`times`: ",
+        TrajectoryError::NotATime { .. } => "`at`: ",
+        _ => "",
+    };
+    PyValueError::new_err(format!("{argument}{error}."))
+}
