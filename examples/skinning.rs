@@ -4,7 +4,7 @@
 //! cargo run --release --example skinning
 //! ```
 
-use dq8::skinning::{Dual, Linear, Skin, Surface, SurfaceMut};
+use dq8::skinning::{DualBlend, Linear, Skin, Surface, SurfaceMut};
 use dq8::{Backend, DualQuat, Quat, Skeleton, hierarchy::Poses};
 use std::error::Error;
 
@@ -36,7 +36,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (backend, surface) = (Backend::best(), Surface::positions(&rest));
     let (mut linear, mut dual) = (rest.clone(), rest.clone());
     backend.skin(&skin, Linear::new(&matrices), surface, SurfaceMut::positions(&mut linear))?;
-    backend.skin(&skin, Dual::new(&motions), surface, SurfaceMut::positions(&mut dual))?;
+    backend.skin(&skin, DualBlend::new(&motions), surface, SurfaceMut::positions(&mut dual))?;
     let radius = |p: [f32; 3]| p[1].hypot(p[2]);
     let [thin, full] = [radius(linear[10 * 8]), radius(dual[10 * 8])];
     println!("radius at the elbow, 0.2 at rest: {thin:.3} linear, {full:.3} dual quaternions");

@@ -2,7 +2,7 @@
 """Known answers for the operations that reference.jsonl leaves out -> tests/vectors/more.jsonl.
 
     pip install mpmath                       # the only dependency; Python 3.11
-    python3 scripts/make_vectors.py          # writes the file (a minute)
+    python3 scripts/make_vectors.py          # writes the file (two minutes of one core)
     python3 scripts/make_vectors.py --check  # derives it again, exit 1 if the committed file differs
 
 The truth shares definitions with the crate, not methods. A quaternion is the 2×2 matrix w − i(xX + yY + zZ) with
@@ -12,8 +12,8 @@ they are to 4×4 real matrices, [ω× v; 0 0], and every derivative is held to t
 
 One JSON object a line: op, kind, inputs by name, and the answer as text with 20 digits. σ is [pw,px,py,pz, qw,qx,qy,qz].
 Inputs are exactly binary32 numbers, so that f32 and f64 start from the same. Only `rows` of from_matrix3x4, the axis
-`l`, `m` of from_screw and the `derivative` of velocity are text with 20 digits, which each type rounds: rigid ones are no
-binary32 numbers.
+`l`, `m` of from_screw, the `derivative` of velocity and the motions `s` of dib are text with 20 digits, which each type
+rounds: rigid ones are no binary32 numbers.
 The answers of add, sub, scale, scale_dual, dot, canonical and mul_rotation_translation are those of the inputs as they
 stand; all others of the inputs normalized exactly, but for `derivative`, which is taken as it stands.
 """
@@ -25,11 +25,11 @@ from pathlib import Path
 
 from mpmath import mp, mpf
 
-from vectors import distances, motions, velocities
+from vectors import blends, distances, motions, velocities
 from vectors.inputs import rng
 
 OUT = Path(__file__).resolve().parent.parent / "tests/vectors/more.jsonl"
-OPERATIONS = {**motions.OPERATIONS, **distances.OPERATIONS, **velocities.OPERATIONS}
+OPERATIONS = {**motions.OPERATIONS, **distances.OPERATIONS, **velocities.OPERATIONS, **blends.OPERATIONS}
 
 
 def text(value):

@@ -63,6 +63,10 @@
 //! | `rayon` | | crowds and chains over all cores: the `par_` methods of [`Job`] and [`Backend`] |
 //! | `serde`, `rkyv_08`, `mint_05`, `glam_034`, `nalgebra_035`, `approx_05`, `rand_010`, `arbitrary`, `proptest`, `defmt` | | types of other crates: see [`interop`] |
 //!
+//! Unit length is a precondition that nothing checks by default. `RUSTFLAGS="--cfg dq8_debug_assert_unit"` makes debug
+//! builds panic where [`DualQuat`] and [`Quat`] are plainly not unit, as [`Motion`](crate::Motion#where-unit-length-is-a-precondition)
+//! says. It is a flag of the whole build and not a feature: a feature that one dependency enables would let all others panic.
+//!
 //! Without `std` only `core` is linked (and `alloc` if asked for). No operation on borrowed memory
 //! allocates.
 //!
@@ -100,6 +104,8 @@ pub mod interop;
 pub mod law;
 pub mod mechanism;
 mod motion;
+#[cfg(dq8_debug_assert_unit)]
+mod must_be_unit;
 mod operators;
 mod palette_entry;
 mod quaternion;

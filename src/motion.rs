@@ -55,8 +55,10 @@ shared_trait! {
     /// an inverse. `from_axis_angle` needs a unit axis, and `from_rotation` and its kin need a unit rotation. Products,
     /// sums, conjugates, `norm`, `normalize`, `inverse`, `nlerp` and `dlb` take any σ with p ≠ 0.
     ///
-    /// No build checks it, debug builds included: a kernel never panics, and a test per motion would cost more than most
-    /// operations. A σ of norm 1 + δ gives results that are off by up to about 2δ, relatively; nothing else happens, and how they
+    /// No build checks it unless it is asked to: a kernel never panics, and a test per motion would cost more than most
+    /// operations. Debug builds with `RUSTFLAGS="--cfg dq8_debug_assert_unit"` do for one motion at a time: methods of
+    /// [`DualQuat`](crate::DualQuat) and [`Quat`](crate::Quat) that need unit input panic at the caller's line where
+    /// ||p|² − 1| > 0.1 or |p·q| > 0.1 max(1, |q|). A σ of norm 1 + δ gives results that are off by up to about 2δ, relatively; nothing else happens, and how they
     /// are off far from 1 may differ between implementations. What comes from outside is checked where it comes in:
     /// `is_unit(tolerance)` and `is_normalized` test, `normalize` repairs, `try_from_matrix3x4` and its kin refuse, and
     /// `ik` and `mechanism` refuse joints and targets that are not unit.

@@ -27,7 +27,7 @@ macro_rules! kernels {
         use dq8::hierarchy::{Clip, Layered, Locals, Sampled};
         use dq8::ik::{self, Arm, Options, Report};
         use dq8::mechanism::{Freedom, Goal, Joint, OwnedMechanism, Reach, WorldAligned};
-        use dq8::skinning::{Dual, Linear, Mixed, Skin, Surface, SurfaceMut};
+        use dq8::skinning::{DualBlend, Linear, Mixed, Skin, Surface, SurfaceMut};
         use dq8::{Backend, Block, Crowd, DualQuat, Hierarchy, Twist, hierarchy::Rotations, law::Sclerp};
 
         const INSTANCES: usize = 37;
@@ -110,7 +110,7 @@ macro_rules! kernels {
                 let skin = Skin::new(2, 4, &[0_u16; 4 * INSTANCES], &[0.25 as $real; 4 * INSTANCES]).unwrap();
                 let motions = [pose::<$real>(); 2];
                 let matrices = motions.map(DualQuat::to_matrix3x4);
-                let mixed = Mixed::new(Linear::new(&matrices), Dual::new(&motions), &[0.5; INSTANCES]).unwrap();
+                let mixed = Mixed::new(Linear::new(&matrices), DualBlend::new(&motions), &[0.5; INSTANCES]).unwrap();
                 let rest = [[1.0; 3]; INSTANCES];
                 let [mut positions, mut normals, mut tangents] = [rest; 3];
                 let from = Surface::positions(&rest).normals(&rest).tangents(&rest);

@@ -4,7 +4,7 @@ use crate::memory::{Input, Output};
 use crate::status::{Done, Status};
 use core::mem::MaybeUninit;
 use core::ptr;
-use dq8::skinning::{self, Dual, Linear, SkinningError, Stretched, Surface, SurfaceMut};
+use dq8::skinning::{self, DualBlend, Linear, SkinningError, Stretched, Surface, SurfaceMut};
 use dq8::{Backend, DualQuat, Scalar};
 
 /// Which joints move the vertices of a mesh, and how much. It may be copied and moved; the joints and weights
@@ -232,7 +232,7 @@ unsafe fn dual<R: Scalar + skinning::Weight>(
     // SAFETY: promised.
     unsafe {
         mesh.pose(skin, palette, |skin, motions, _, rest, posed| {
-            Backend::best().skin(skin, Dual::new(motions), rest, posed)
+            Backend::best().skin(skin, DualBlend::new(motions), rest, posed)
         })
     }
 }

@@ -3,7 +3,7 @@
 //! a number read or written beyond (how to run it: `fuzz.rs`).
 
 use dq8::skinning::{
-    self, Dual, Linear, Stretched, Surface, SurfaceMut, matrix_palette, split_palette,
+    self, DualBlend, Linear, Stretched, Surface, SurfaceMut, matrix_palette, split_palette,
 };
 use dq8::{Backend, DualQuat, Quat, hierarchy::MatrixOrder};
 use dq8_capi::Status;
@@ -93,7 +93,7 @@ impl Mesh {
         let best = Backend::best();
         match how {
             How::Linear => best.skin(&skin, Linear::new(&self.matrices), from, to),
-            How::Dual => best.skin(&skin, Dual::new(&self.motions), from, to),
+            How::Dual => best.skin(&skin, DualBlend::new(&self.motions), from, to),
             How::Stretched => {
                 best.skin(&skin, Stretched::new(&self.motions, &self.stretches), from, to)
             }

@@ -2,7 +2,7 @@
 
 use crate::drawing::{Panel, svg};
 use crate::error::Error;
-use dq8::skinning::{Dual, Linear, Mixed, Skin, SkinningError, Surface, SurfaceMut};
+use dq8::skinning::{DualBlend, Linear, Mixed, Skin, SkinningError, Surface, SurfaceMut};
 use dq8::{Backend, DualQuat, Quat};
 
 const RINGS: usize = 49;
@@ -40,7 +40,7 @@ impl Tube {
         let motions = [DualQuat::IDENTITY, DualQuat::from_rotation(turn)];
         let matrices = motions.map(|motion| motion.to_matrix3x4());
         let shares = vec![share; self.points.len()];
-        let mix = Mixed::new(Linear::new(&matrices), Dual::new(&motions), &shares)?;
+        let mix = Mixed::new(Linear::new(&matrices), DualBlend::new(&motions), &shares)?;
         let mut posed = self.points.clone();
         let to = SurfaceMut::positions(&mut posed);
         Backend::best().skin(&skin, mix, Surface::positions(&self.points), to)?;

@@ -4,7 +4,7 @@ use crate::argument::{Input, Number, tuple};
 use crate::skin::{Method, named};
 use crate::threads::Threads;
 use dq8::skinning::{
-    Dual, Linear, Skin, SkinningError, Stretched, Surface, SurfaceMut, split_palette,
+    DualBlend, Linear, Skin, SkinningError, Stretched, Surface, SurfaceMut, split_palette,
 };
 use dq8::{Backend, DualQuat};
 use pyo3::exceptions::PyValueError;
@@ -86,7 +86,7 @@ impl<R: Number> Palette<R> {
             };
         }
         match &self.entries {
-            Entries::Motions(motions) => by!(Dual::new(&motions[of])),
+            Entries::Motions(motions) => by!(DualBlend::new(&motions[of])),
             Entries::Matrices(matrices) => by!(Linear::new(&matrices[of])),
             Entries::Split { motions, stretches } => {
                 by!(Stretched::new(&motions[of.clone()], &stretches[of]))

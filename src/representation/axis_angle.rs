@@ -17,7 +17,10 @@ impl<R: Real> Quat<R> {
     /// assert_eq!((axis, angle), ([0.0, 0.6, 0.8], 1e-30));
     /// ```
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_axis_angle(self) -> ([R; 3], R) {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::rotations("Quat::to_axis_angle", [self]);
         let short = if self.w() < R::ZERO { -self } else { self };
         let sine = vector::norm(short.xyz());
         if sine == R::ZERO {
@@ -54,7 +57,10 @@ impl<R: Real> Quat<R> {
     /// assert_eq!(half_turn.to_scaled_axis(), [0.0, core::f64::consts::PI, 0.0]);
     /// ```
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_scaled_axis(self) -> [R; 3] {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::rotations("Quat::to_scaled_axis", [self]);
         let short = if self.w() < R::ZERO { -self } else { self };
         let squared = vector::dot(short.xyz(), short.xyz());
         // θ/sin(θ/2) is 2/cos(θ/2) to the last place, and its derivative finite.

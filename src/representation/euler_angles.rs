@@ -56,7 +56,10 @@ impl<R: Real> Quat<R> {
     /// assert!((yaw - 0.25).abs() < 1e-6 && (pitch - FRAC_PI_2).abs() < 1e-6 && roll == 0.0);
     /// ```
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_euler(self, order: EulerOrder) -> EulerSolution<R> {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::rotations("Quat::to_euler", [self]);
         let [first, j, last] = order.axes.indices();
         // Intrinsic turns are extrinsic ones in the opposite order.
         let (i, reversed) = match order.frame {

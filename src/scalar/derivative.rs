@@ -45,7 +45,10 @@ impl<R: Real> DualQuat<R> {
     /// zero where σ̇ keeps σ unit, are dropped. Jia's eq. 45 solved for the twist.
     #[inline]
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn spatial_twist(self, derivative: Self) -> Twist<R> {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::motions("DualQuat::spatial_twist", [self]);
         of_pure((derivative * self.conjugate()).scale(R::TWO))
     }
 
@@ -53,7 +56,10 @@ impl<R: Real> DualQuat<R> {
     /// [`derivative_body`](Self::derivative_body), as [`spatial_twist`](Self::spatial_twist) does.
     #[inline]
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn body_twist(self, derivative: Self) -> Twist<R> {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::motions("DualQuat::body_twist", [self]);
         of_pure((self.conjugate() * derivative).scale(R::TWO))
     }
 
@@ -70,7 +76,10 @@ impl<R: Real> DualQuat<R> {
     /// ```
     #[inline]
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn derivative_from_velocity(self, angular: [R; 3], linear: [R; 3]) -> Self {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::motions("DualQuat::derivative_from_velocity", [self]);
         let r = self.rotation();
         let t = Quat::from_parts(self.translation(), R::ZERO);
         let rotating = (Quat::from_parts(angular, R::ZERO) * r).scale(R::HALF);
@@ -85,7 +94,10 @@ impl<R: Real> DualQuat<R> {
     /// ω = 2ṙr* (Jia §9), and by the product rule on t = 2qp* (his eq. 24), ṫ = 2(q̇p* + qṗ*).
     #[inline]
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn velocity(self, derivative: Self) -> ([R; 3], [R; 3]) {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::motions("DualQuat::velocity", [self]);
         let back = self.real().conjugate();
         let angular = (derivative.real() * back).scale(R::TWO);
         let moving = derivative.dual() * back + self.dual() * derivative.real().conjugate();
@@ -117,7 +129,10 @@ impl<R: Real> DualQuat<R> {
     /// ```
     #[inline]
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_twist(self) -> Twist<R> {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::motions("DualQuat::to_twist", [self]);
         let log = self.log();
         Twist { angular: vector::scale(log.real, R::TWO), linear: vector::scale(log.dual, R::TWO) }
     }
@@ -138,7 +153,10 @@ impl<R: Real> DualQuat<R> {
     /// assert!((x - 2.0).abs() < 1e-15 && y.abs() < 1e-15);
     /// ```
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn twist_to(self, other: Self) -> Twist<R> {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::motions("DualQuat::twist_to", [self, other]);
         (self.conjugate() * other).to_twist()
     }
 

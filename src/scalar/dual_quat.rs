@@ -7,7 +7,8 @@ use core::ops::{Add, Mul, Neg, Sub};
 /// A dual quaternion σ = p + εq, in memory `[px, py, pz, pw, qx, qy, qz, qw]`.
 ///
 /// A *unit* σ (|p| = 1, p·q = 0) is a rigid motion: turn by p, then translate by t = 2qp*.
-/// Conventions and laws are those of [`Motion`](crate::Motion).
+/// Conventions and laws are those of [`Motion`](crate::Motion). What is not unit is not found out, but for debug builds
+/// with `--cfg dq8_debug_assert_unit`, [which panic](crate::Motion#where-unit-length-is-a-precondition).
 ///
 /// ```
 /// use dq8::{DualQuat, Quat};

@@ -14,7 +14,10 @@ impl<R: Real> Quat<R> {
     /// ```
     #[inline]
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_matrix3(self) -> [[R; 3]; 3] {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::rotations("Quat::to_matrix3", [self]);
         let [x, y, z, w] = self.to_array();
         let (one, two) = (R::ONE, R::TWO);
         [
@@ -86,7 +89,10 @@ impl<R: Real> Quat<R> {
     /// the other is the inverse rotation.
     #[inline]
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_cols_array_2d(self) -> [[R; 3]; 3] {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::rotations("Quat::to_cols_array_2d", [self]);
         transpose(self.to_matrix3())
     }
 
@@ -111,7 +117,10 @@ impl<R: Real> DualQuat<R> {
     /// ```
     #[inline]
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_matrix3x4(self) -> [[R; 4]; 3] {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::motions("DualQuat::to_matrix3x4", [self]);
         if let Some(rows) = R::quick_matrix3x4(self.to_array()) {
             return rows;
         }
@@ -124,7 +133,10 @@ impl<R: Real> DualQuat<R> {
     /// OpenGL and glTF want [`to_cols_array_2d`](Self::to_cols_array_2d).
     #[inline]
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_matrix4(self) -> [[R; 4]; 4] {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::motions("DualQuat::to_matrix4", [self]);
         let [a, b, c] = self.to_matrix3x4();
         [a, b, c, [R::ZERO, R::ZERO, R::ZERO, R::ONE]]
     }
@@ -220,14 +232,20 @@ impl<R: Real> DualQuat<R> {
     /// The 4×4 matrix as [`to_matrix4`](Self::to_matrix4), with the order in its name: `[row][column]`.
     #[inline]
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_rows_array_2d(self) -> [[R; 4]; 4] {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::motions("DualQuat::to_rows_array_2d", [self]);
         self.to_matrix4()
     }
 
     /// The columns of the 4×4 matrix, `[column][row]`, as in glam, nalgebra, OpenGL and glTF.
     #[inline]
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_cols_array_2d(self) -> [[R; 4]; 4] {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::motions("DualQuat::to_cols_array_2d", [self]);
         transpose(self.to_matrix4())
     }
 }

@@ -36,11 +36,16 @@ impl<R: Real> DualQuat<R> {
     /// ```
     #[inline]
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn dib(
         influences: &[(Self, R)],
         tolerance: R,
         max_iterations: u32,
     ) -> Option<Mean<Self, R, bool>> {
+        #[cfg(dq8_debug_assert_unit)]
+        for &(pose, _) in influences {
+            crate::must_be_unit::motions("DualQuat::dib", [pose]);
+        }
         let mut motion = Self::dlb(influences)?;
         let (mut total, mut longest) = (R::ZERO, R::ZERO);
         for &(pose, weight) in influences {

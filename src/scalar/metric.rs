@@ -8,7 +8,10 @@ impl<R: Real> Quat<R> {
     /// quaternions of either sign. As [`DualQuat::angle_to`], which says how.
     #[inline]
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn angle_to(self, other: Self) -> R {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::rotations("Quat::angle_to", [self, other]);
         let between = self.conjugate() * other;
         if !between.norm().is_finite() {
             return R::NAN;
@@ -36,7 +39,10 @@ impl<R: Real> DualQuat<R> {
     /// ```
     #[inline]
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn angle_to(self, other: Self) -> R {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::motions("DualQuat::angle_to", [self, other]);
         self.real().angle_to(other.real())
     }
 
@@ -50,7 +56,10 @@ impl<R: Real> DualQuat<R> {
     /// ```
     #[inline]
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn distance_to(self, other: Self) -> R {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::motions("DualQuat::distance_to", [self, other]);
         vector::norm(vector::sub(self.translation(), other.translation()))
     }
 
@@ -72,7 +81,10 @@ impl<R: Real> DualQuat<R> {
     /// ```
     #[inline]
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn distance_weighted(self, other: Self, length_per_radian: R) -> R {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::motions("DualQuat::distance_weighted", [self, other]);
         vector::norm([length_per_radian * self.angle_to(other), self.distance_to(other)])
     }
 
@@ -85,7 +97,10 @@ impl<R: Real> DualQuat<R> {
     /// ```
     #[inline]
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn point_error(self, other: Self, point: [R; 3]) -> R {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::motions("DualQuat::point_error", [self, other]);
         vector::norm(vector::sub(self.transform_point(point), other.transform_point(point)))
     }
 
@@ -105,7 +120,10 @@ impl<R: Real> DualQuat<R> {
     /// ```
     #[inline]
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn shell_error(self, other: Self, radius: R) -> R {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::motions("DualQuat::shell_error", [self, other]);
         let chord = R::TWO * (self.angle_to(other) * R::HALF).sin();
         self.distance_to(other) + radius * chord
     }

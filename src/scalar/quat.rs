@@ -6,7 +6,8 @@ use core::ops::{Add, Mul, Neg, Sub};
 
 /// A quaternion w + xi + yj + zk (Hamilton 1844), in memory `[x, y, z, w]`.
 ///
-/// A unit quaternion cos(θ/2) + n sin(θ/2) turns by θ about the unit axis n.
+/// A unit quaternion cos(θ/2) + n sin(θ/2) turns by θ about the unit axis n. What is not unit is not found out, but for
+/// debug builds with `--cfg dq8_debug_assert_unit`, [which panic](crate::Motion#where-unit-length-is-a-precondition).
 ///
 /// ```
 /// use dq8::Quat;
@@ -67,7 +68,10 @@ impl<R: Real> Quat<R> {
     /// cos(θ/2) + n sin(θ/2) (Jia eq. 3).
     #[inline]
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn from_axis_angle(axis: [R; 3], angle: R) -> Self {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::axis("Quat::from_axis_angle", axis);
         let half = angle * R::HALF;
         Self::from_parts(vector::scale(axis, half.sin()), half.cos())
     }
@@ -228,7 +232,10 @@ impl<R: Real> Quat<R> {
     /// so, r v r* scales by |r|², and this form skews as well.
     #[inline]
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn rotate(self, v: [R; 3]) -> [R; 3] {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::rotations("Quat::rotate", [self]);
         if let Some(turned) = R::quick_rotate(self.0, v) {
             return turned;
         }

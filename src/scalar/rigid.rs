@@ -30,7 +30,10 @@ impl<R: Real> DualQuat<R> {
     /// ```
     #[inline]
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn from_rotation_translation(rotation: Quat<R>, translation: [R; 3]) -> Self {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::rotations("DualQuat::from_rotation_translation", [rotation]);
         let half = vector::scale(translation, R::HALF);
         Self::new(rotation, Quat::from_parts(half, R::ZERO) * rotation)
     }
@@ -39,7 +42,10 @@ impl<R: Real> DualQuat<R> {
     /// "translo-rotation"). `rotation` must be unit.
     #[inline]
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn from_translation_rotation(translation: [R; 3], rotation: Quat<R>) -> Self {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::rotations("DualQuat::from_translation_rotation", [rotation]);
         let half = vector::scale(translation, R::HALF);
         Self::new(rotation, rotation * Quat::from_parts(half, R::ZERO))
     }
@@ -59,21 +65,30 @@ impl<R: Real> DualQuat<R> {
     /// ```
     #[inline]
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn mul_rotation_translation(self, rotation: Quat<R>, translation: [R; 3]) -> Self {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::rotations("DualQuat::mul_rotation_translation", [rotation]);
         self * Self::from_rotation_translation(rotation, translation)
     }
 
     /// The rotation r = p of a unit σ (Jia eq. 23).
     #[inline]
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn rotation(self) -> Quat<R> {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::motions("DualQuat::rotation", [self]);
         self.real()
     }
 
     /// The translation t = 2qp* of a unit σ (Jia eq. 24).
     #[inline]
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn translation(self) -> [R; 3] {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::motions("DualQuat::translation", [self]);
         if let Some(translation) = R::quick_translation(self.to_array()) {
             return translation;
         }

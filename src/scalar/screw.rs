@@ -20,7 +20,10 @@ impl<R: Real> DualQuat<R> {
     /// ```
     #[inline]
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_screw(self) -> Screw<R> {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::motions("DualQuat::to_screw", [self]);
         let sigma = self.canonical();
         let t = sigma.translation();
         let sine = vector::norm(sigma.real().xyz());
@@ -47,7 +50,10 @@ impl<R: Real> DualQuat<R> {
     /// its moment be orthogonal to it; the angle is any, in radians, the slide a length.
     #[inline]
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn from_screw(screw: Screw<R>) -> Self {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::axis("DualQuat::from_screw", screw.axis.direction);
         let (sin, cos) = ((screw.angle * R::HALF).sin(), (screw.angle * R::HALF).cos());
         let half_slide = screw.slide * R::HALF;
         let l = screw.axis.direction;
@@ -72,7 +78,10 @@ impl<R: Real> DualQuat<R> {
     /// ```
     #[inline]
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn log(self) -> DualVector<R> {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::motions("DualQuat::log", [self]);
         if let Some(log) = R::quick_log(self.to_array()) {
             return log;
         }
@@ -146,7 +155,10 @@ impl<R: Real> DualQuat<R> {
     /// ```
     #[inline]
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn pow(self, t: R) -> Self {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::motions("DualQuat::pow", [self]);
         if let Some(power) = R::quick_pow(self.to_array(), t) {
             return Self::from_array(power);
         }
@@ -163,7 +175,10 @@ impl<R: Real> DualQuat<R> {
     /// ±σ, the one with p_w ≥ 0, so at most a quarter of a turn. σ must be unit.
     #[inline]
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn sqrt(self) -> Self {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::motions("DualQuat::sqrt", [self]);
         if let Some(root) = R::quick_sqrt(self.to_array()) {
             return Self::from_array(root);
         }
@@ -187,7 +202,10 @@ impl<R: Real> DualQuat<R> {
     /// ```
     #[inline]
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn sclerp(self, other: Self, t: R) -> Self {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::motions("DualQuat::sclerp", [self, other]);
         if let Some(between) = R::quick_sclerp(self.to_array(), other.to_array(), t) {
             return Self::from_array(between);
         }
@@ -205,7 +223,10 @@ impl<R: Real> DualQuat<R> {
     /// he leaves the sign of b open.
     #[inline]
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn sclerp_long(self, other: Self, t: R) -> Self {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::motions("DualQuat::sclerp_long", [self, other]);
         let log = (self.conjugate() * other).log_without_flip();
         self * Self::exp(log.scale(t))
     }

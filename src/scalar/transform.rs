@@ -8,7 +8,10 @@ impl<R: Real> DualQuat<R> {
     /// The point Rv + t, which is σ(1 + εv)σ⋄ (Jia eq. 25). σ must be unit.
     #[inline]
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn transform_point(self, point: [R; 3]) -> [R; 3] {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::motions("DualQuat::transform_point", [self]);
         if let Some(moved) = R::quick_point(self.to_array(), point) {
             return moved;
         }
@@ -18,7 +21,10 @@ impl<R: Real> DualQuat<R> {
     /// The direction Rv: directions do not translate (Tarini, slide 121) and turn (slide 122). σ must be unit.
     #[inline]
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn transform_vector(self, vector: [R; 3]) -> [R; 3] {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::motions("DualQuat::transform_vector", [self]);
         self.real().rotate(vector)
     }
 
@@ -32,7 +38,10 @@ impl<R: Real> DualQuat<R> {
     /// ```
     #[inline]
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn transform_line(self, line: Line<R>) -> Line<R> {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::motions("DualQuat::transform_line", [self]);
         let direction = self.real().rotate(line.direction);
         let turned = self.real().rotate(line.moment);
         let shift = vector::cross(self.translation(), direction);
@@ -50,7 +59,10 @@ impl<R: Real> DualQuat<R> {
     /// ```
     #[inline]
     #[must_use]
+    #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn transform_plane(self, plane: Plane<R>) -> Plane<R> {
+        #[cfg(dq8_debug_assert_unit)]
+        crate::must_be_unit::motions("DualQuat::transform_plane", [self]);
         let normal = self.real().rotate(plane.normal);
         let offset = plane.offset + vector::dot(normal, self.translation());
         Plane { normal, offset }

@@ -129,7 +129,7 @@ impl Backend {
     /// buffers, the palette and the skin do not fit each other; `posed` is untouched.
     ///
     /// ```
-    /// use dq8::skinning::{Dual, Skin, VertexFields};
+    /// use dq8::skinning::{DualBlend, Skin, VertexFields};
     /// use dq8::{Backend, DualQuat};
     /// let skin = Skin::new(2, 1, &[0_u8, 1], &[1.0_f32, 1.0])?;
     /// let palette = [DualQuat::IDENTITY, DualQuat::from_translation([0.0_f32, 0.0, 4.0])];
@@ -137,7 +137,7 @@ impl Backend {
     /// let rest = [1.0, 2.0, 3.0, 0.5, 0.5, 1.0, 2.0, 3.0, 0.1, 0.9];
     /// let (fields, mut posed) = (VertexFields::positions(5), rest);
     /// let best = Backend::best();
-    /// best.skin_interleaved(&skin, Dual::new(&palette), (&rest, fields), (&mut posed, fields))?;
+    /// best.skin_interleaved(&skin, DualBlend::new(&palette), (&rest, fields), (&mut posed, fields))?;
     /// assert_eq!(posed, [1.0, 2.0, 3.0, 0.5, 0.5, 1.0, 2.0, 7.0, 0.1, 0.9]);
     /// # Ok::<(), dq8::skinning::SkinningError>(())
     /// ```

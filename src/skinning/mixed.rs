@@ -8,7 +8,7 @@ use dq8_simd::Lanes;
 use dq8_simd::picks::Index;
 
 /// Two blends mixed by a number per vertex: v ↦ (1 − s) A(v) + s B(v). With [`Linear`](super::Linear) and
-/// [`Dual`](super::Dual) that is the usual weighted blend of the two, against the bulge of the second at bent
+/// [`DualBlend`](super::DualBlend) that is the usual weighted blend of the two, against the bulge of the second at bent
 /// joints. Normals and tangents are mixed in the same way and normalized.
 #[derive(Clone, Copy, Debug)]
 pub struct Mixed<'a, A, B, R> {

@@ -6,7 +6,7 @@
 //! | blend | palette | what it does |
 //! |---|---|---|
 //! | [`Linear`] | 3×4 matrices | Σ wᵢMᵢv: for any matrix; collapses where joints twist |
-//! | [`Dual`] | motions | Σ ±wᵢσᵢ, normalized: keeps volume; bulges where joints bend |
+//! | [`DualBlend`] | motions | Σ ±wᵢσᵢ, normalized: keeps volume; bulges where joints bend |
 //! | [`Stretched`] | stretches and motions | the same for joints that scale and shear: UsdSkel's `dualQuaternion` |
 //! | [`Mixed`] | those of two | a mix by a number per vertex |
 //!
@@ -19,7 +19,7 @@
 //! Nothing allocates, and nothing panics: [`SkinningError`] says what is wrong, before anything is written.
 //!
 //! ```
-//! use dq8::skinning::{Dual, Skin, Surface, SurfaceMut};
+//! use dq8::skinning::{DualBlend, Skin, Surface, SurfaceMut};
 //! use dq8::{Backend, DualQuat, Quat};
 //! // Halfway between a joint at rest and one that is twisted by a third of a turn.
 //! let skin = Skin::new(2, 2, &[0_u16, 1], &[0.5_f32, 0.5])?;
@@ -27,7 +27,7 @@
 //! let palette = [DualQuat::IDENTITY, DualQuat::from_rotation(twist)];
 //! let mut posed = [[0.0; 3]];
 //! let rest = Surface::positions(&[[1.0, 0.0, 0.0]]);
-//! Backend::best().skin(&skin, Dual::new(&palette), rest, SurfaceMut::positions(&mut posed))?;
+//! Backend::best().skin(&skin, DualBlend::new(&palette), rest, SurfaceMut::positions(&mut posed))?;
 //! assert!((posed[0][0] - 0.5).abs() < 1e-6 && (posed[0][1] - 0.75_f32.sqrt()).abs() < 1e-6);
 //! # Ok::<(), dq8::skinning::SkinningError>(())
 //! ```
@@ -36,7 +36,7 @@
 //! [`Backend::skin_interleaved`]: crate::Backend::skin_interleaved
 
 mod blender;
-mod dual;
+mod dual_blend;
 mod error;
 mod influences;
 mod interleaved;
@@ -54,7 +54,7 @@ mod surface;
 mod vertex;
 mod weight;
 
-pub use dual::Dual;
+pub use dual_blend::DualBlend;
 pub use error::SkinningError;
 pub use interleaved::VertexFields;
 pub use linear::Linear;

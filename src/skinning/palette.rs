@@ -9,7 +9,7 @@ use crate::shape::same_length;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Split {
     /// The largest difference of an element of a stretch from the identity: nothing but rounding if all
-    /// joints are rigid, and [`Dual`](super::Dual) is enough.
+    /// joints are rigid, and [`DualBlend`](super::DualBlend) is enough.
     pub stretch: f64,
     /// The joint that has it.
     pub joint: usize,
@@ -96,7 +96,7 @@ fn affine<R: Real>(
 
 /// Takes each joint's matrix apart into a stretch and, after it, a motion (polar decomposition; see
 /// [`Affine::try_decompose`]): a palette for [`Stretched`](super::Stretched), or, where all are rigid, for
-/// [`Dual`](super::Dual).
+/// [`DualBlend`](super::DualBlend).
 ///
 /// # Errors
 /// If the slices differ in length or an element is not finite; `motions` and `stretches` are then untouched.

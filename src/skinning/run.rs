@@ -11,7 +11,7 @@ use dq8_simd::picks::Index;
 use dq8_simd::{Lanes, Level};
 
 impl Backend {
-    /// Poses a mesh: each vertex moves by the blend of the motions of its joints, [`Linear`], [`Dual`],
+    /// Poses a mesh: each vertex moves by the blend of the motions of its joints, [`Linear`], [`DualBlend`],
     /// [`Stretched`] or a mix of those ([`Mixed`]). Positions, and normals and tangents where `rest` has
     /// them, in plain slices or blocks; see [`skinning`](crate::skinning).
     ///
@@ -19,19 +19,19 @@ impl Backend {
     /// If the slices, the palette and the skin do not fit each other; `posed` is untouched.
     ///
     /// ```
-    /// use dq8::skinning::{Dual, Skin, Surface, SurfaceMut};
+    /// use dq8::skinning::{DualBlend, Skin, Surface, SurfaceMut};
     /// use dq8::{Backend, DualQuat};
     /// let skin = Skin::new(2, 2, &[0_u8, 1, 0, 1], &[1.0_f32, 0.0, 0.25, 0.75])?;
     /// let palette = [DualQuat::IDENTITY, DualQuat::from_translation([0.0_f32, 0.0, 4.0])];
     /// let (rest, mut posed) = ([[1.0, 2.0, 3.0]; 2], [[0.0; 3]; 2]);
     /// let (from, to) = (Surface::positions(&rest), SurfaceMut::positions(&mut posed));
-    /// Backend::best().skin(&skin, Dual::new(&palette), from, to)?;
+    /// Backend::best().skin(&skin, DualBlend::new(&palette), from, to)?;
     /// assert_eq!(posed, [[1.0, 2.0, 3.0], [1.0, 2.0, 6.0]]);
     /// # Ok::<(), dq8::skinning::SkinningError>(())
     /// ```
     ///
     /// [`Linear`]: crate::skinning::Linear
-    /// [`Dual`]: crate::skinning::Dual
+    /// [`DualBlend`]: crate::skinning::DualBlend
     /// [`Stretched`]: crate::skinning::Stretched
     /// [`Mixed`]: crate::skinning::Mixed
     #[inline]

@@ -1,5 +1,5 @@
 use super::blender::{Blender, SurfaceMap};
-use super::dual::{Dual, DualSum, ScaledMotion};
+use super::dual_blend::{DualBlend, DualSum, ScaledMotion};
 use super::influences::Scratch;
 use super::linear::Linear;
 use super::linear_map::LinearMap;
@@ -10,21 +10,21 @@ use dq8_simd::Lanes;
 use dq8_simd::picks::Index;
 
 /// Dual quaternion skinning of joints that scale and shear: v ↦ σ applied to Sv, S = Σ wᵢSᵢ, σ as of
-/// [`Dual`]. What a joint's matrix has beyond a motion comes first, blended linearly (UsdSkel's
+/// [`DualBlend`]. What a joint's matrix has beyond a motion comes first, blended linearly (UsdSkel's
 /// `dualQuaternion`); [`split_palette`](super::split_palette) takes matrices apart.
 ///
 /// Normals become σ applied to cof(S)n, normalized; tangents σ applied to St, normalized.
 #[derive(Clone, Copy, Debug)]
 pub struct Stretched<'a, R> {
     stretch: Linear<'a, R>,
-    rigid: Dual<'a, R>,
+    rigid: DualBlend<'a, R>,
 }
 
 impl<'a, R: Scalar> Stretched<'a, R> {
     /// Each joint's motion, unit, and before it its stretch: the rows of a 3×4 matrix without translation.
     #[must_use]
     pub fn new(motions: &'a [DualQuat<R>], stretches: &'a [[[R; 4]; 3]]) -> Self {
-        Self { stretch: Linear::new(stretches), rigid: Dual::new(motions) }
+        Self { stretch: Linear::new(stretches), rigid: DualBlend::new(motions) }
     }
 }
 

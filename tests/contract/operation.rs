@@ -57,7 +57,7 @@ pub enum Held {
     Digits {
         /// What the file calls it.
         name: &'static str,
-        /// The fields of each argument, with lengths where there are several.
+        /// The fields of each argument, with lengths where there are several; none for what is the same in every case.
         fields: &'static [&'static str],
         sign: Sign,
         /// From max(1, |t|), |t| the largest translation, vector or moment among the inputs, to what

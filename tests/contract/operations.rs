@@ -166,10 +166,13 @@ operations! {
         agrees(12.5, "a fused sum, then as normalize"),
         digits_of_either_sign("dlb", &["s w"], &[within(4.0, "up to 4 poses normalized, summed, normalized")])];
     dlb_running(influences weights a b c d) -> blend, scale::poses, [
-        double(Clusters, Either, &[within(4.5, "four poses summed and normalized")])];
+        double(Clusters, Either, &[within(4.5, "four poses summed and normalized")]),
+        digits_of_either_sign("dlb_running", &["s w"], &[within(3.0, "as dlb, of four at most")])];
     dib(influences weights a b c d, settled tolerance, at_most iterations) -> mean, scale::poses, [
         double(Clusters, Either, &[
-            within(13.0, "steps within 16 u are none; then a product and a mean of logs")])];
+            within(13.0, "steps within 16 u are none; then a product and a mean of logs")]),
+        digits_of_either_sign("dib", &["s w", "", ""], &[
+            within(8.0, "the poses are rounded on the way in and normalized; then as above")])];
     slerp_lerp(unit a, unit b, real t) -> motion, scale::poses, [
         double(Clusters, Either, &[within(6.0, "two sines over a third, and two translations")]),
         digits("slerp_lerp", &["a", "b", "t"], of_digits::plain, &[

@@ -2,8 +2,8 @@
 //! operations of `reference.jsonl` have its names; those of `more.jsonl`, which
 //! `scripts/make_vectors.py` writes, have the names of the methods.
 
-use crate::bound::{Bound, find};
-use crate::case::length;
+use crate::bound::{Bound, Kind, find};
+use crate::case::{Case, NUMBERS, length};
 use crate::implementation::On;
 use crate::operation::{Held, Operation, Sign, rows};
 use crate::operations::OPERATIONS;
@@ -65,12 +65,13 @@ impl Vector {
         // Lanes without a vector repeat the first one.
         let lane = |i: usize| *vectors.get(i).unwrap_or(&self);
         let given = operation.arguments.iter().enumerate().map(|(index, argument)| {
-            let lanes = (0..on.lanes).map(|i| lane(i).argument(index)).collect::<Vec<_>>();
+            let lanes = (0..on.lanes).map(|i| lane(i).argument(index, on)).collect::<Vec<_>>();
             let lanes = lanes.iter().map(|numbers| &numbers[..]);
             on.in_domain(argument.domain, rows(on, lanes))
         });
         let answer = on.call(operation.index, &given.collect::<Vec<_>>());
-        let columns: Vec<_> = answer.numbers.into_iter().map(|(_, row)| row).collect();
+        let numbers = answer.numbers.into_iter().filter(|(kind, _)| *kind != Kind::Count);
+        let columns: Vec<_> = numbers.map(|(_, row)| row).collect();
         let order = if columns.len() == 8 && operation.name != "to_screw" {
             vec![3, 0, 1, 2, 7, 4, 5, 6]
         } else {
@@ -80,8 +81,12 @@ impl Vector {
         (0..vectors.len()).map(of_lane).collect()
     }
 
-    /// Argument `index`, w behind x, y and z.
-    fn argument(&self, index: usize) -> Vec<f64> {
+    /// Argument `index`, w behind x, y and z; one without a field is that of every case.
+    fn argument(&self, index: usize, on: On) -> Vec<f64> {
+        if self.of.fields[index].is_empty() {
+            let pick = self.of.operation.arguments[index].pick;
+            return pick(&Case::of_numbers(&[0.0; NUMBERS]), on);
+        }
         let fields: Vec<_> = self.of.fields(index).map(|(name, _)| self.input(name)).collect();
         let xyzw = |quat: &[f64]| [quat[1], quat[2], quat[3], quat[0]];
         match self.of.operation.arguments[index].numbers {
@@ -161,7 +166,7 @@ impl Known {
     /// The fields of argument `index` with their lengths, 0 for those that repeat.
     fn fields(&self, index: usize) -> impl Iterator<Item = (&'static str, usize)> {
         let numbers = self.operation.arguments[index].numbers;
-        let all = self.fields[index].split(' ');
+        let all = self.fields[index].split_whitespace();
         let repeats = all.clone().count() > 1;
         all.map(move |field| match field.split_once(':') {
             Some((name, length)) => (name, length.parse().expect("a length")),
@@ -204,7 +209,8 @@ fn parse_row(row: usize, line: &str) -> Result<Vector, String> {
     let out = numbers("out", 0)?;
     let vector = Vector { row, op, kind, inputs, of, out };
     let (motions, weights) = (vector.input("s").len(), vector.input("w").len());
-    if motions != 8 * weights || (vector.op == "dlb" && weights == 0) {
+    let influences = of.fields.contains(&"s w");
+    if influences && (motions != 8 * weights || weights == 0) {
         return Err(format!("{motions} numbers in \"s\" for {weights} weights"));
     }
     let (answered, held) =

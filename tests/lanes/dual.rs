@@ -1,6 +1,6 @@
 //! Functions of dual numbers: value and derivative.
 
-use super::{Portably, lane, lanes, measure, on_every_lane_type};
+use super::{Provable, lane, lanes, measure, on_every_lane_type};
 use dq8::{Real, batch, scalar};
 use dq8_contract::ledger::{Ledger, Line, line};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -28,7 +28,7 @@ type Function<N> = fn(N) -> N;
 type Functions<L> = Vec<(&'static str, Function<Double>, Function<batch::Dual<L>>, Vec<f64>)>;
 
 /// Every function by its name, of scalars in `f64` and of lanes, with the places to try it at.
-fn functions<L: Portably>() -> Functions<L> {
+fn functions<L: Provable>() -> Functions<L> {
     use batch::Dual;
     let angles = places(-4.0, 4.0);
     let sines = places(-1.0, 1.0);
@@ -55,11 +55,11 @@ fn places(from: f64, to: f64) -> Vec<f64> {
 }
 
 /// What lanes of this number make of it.
-fn as_stored<L: Portably>(number: f64) -> f64 {
+fn as_stored<L: Provable>(number: f64) -> f64 {
     <L::Real as Real>::from_f64(number).into()
 }
 
-fn functions_agree<L: Portably>(ledger: &Ledger) {
+fn functions_agree<L: Provable>(ledger: &Ledger) {
     for (name, by_the_book, on_lanes, places) in functions::<L>() {
         for chunk in places.chunks(L::LANES) {
             let slopes: Vec<_> = (0..chunk.len()).map(|i| 1.5 - i as f64 / 4.0).collect();
@@ -115,7 +115,7 @@ fn functions_of_dual_numbers_on_lanes_are_those_of_the_scalar_ones() {
 }
 
 /// Values at the edges, the same as the scalar functions of the same precision give.
-fn edges_agree<L: Portably>() {
+fn edges_agree<L: Provable>() {
     let tiny = if <L::Real as Real>::EPSILON.into() > 1e-10 { 1e-40 } else { 1e-310 };
     let edges = [
         0.0,
@@ -167,7 +167,7 @@ fn functions_of_dual_numbers_have_the_values_of_the_scalar_ones_at_the_edges() {
     on_every_lane_type!(edges_agree);
 }
 
-fn exponentials_keep_their_range<L: Portably>() {
+fn exponentials_keep_their_range<L: Provable>() {
     let single = <L::Real as Real>::EPSILON.into() > 1e-10;
     let (smallest, largest) = if single { (-103.0, 88.7) } else { (-745.0, 709.7) };
     for i in 0..=1000 {
@@ -189,7 +189,7 @@ fn exponentials_and_logarithms_reach_over_all_numbers() {
     on_every_lane_type!(exponentials_keep_their_range);
 }
 
-fn far_angles<L: Portably>() {
+fn far_angles<L: Provable>() {
     let single = <L::Real as Real>::EPSILON.into() > 1e-10;
     for i in 1..=4000 {
         let x = as_stored::<L>(f64::from(i) * 16.377);
@@ -209,7 +209,7 @@ fn sines_of_far_angles_are_as_good_as_near_ones_and_nan_beyond_the_range() {
 }
 
 /// a⁰ = 1, also of 0; powers of 0 have no NaN for a derivative.
-fn powers_of_zero<L: Portably>() {
+fn powers_of_zero<L: Provable>() {
     let zero = batch::Dual::new(lanes::<L>(&[0.0]), lanes(&[1.0]));
     for (n, wanted) in [(0, [1.0, 0.0]), (1, [0.0, 1.0]), (2, [0.0, 0.0]), (7, [0.0, 0.0])] {
         let found = zero.powi(n);

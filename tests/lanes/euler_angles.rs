@@ -1,6 +1,8 @@
 //! Euler angles, and gimbal lock as a mask.
 
-use super::{Portably, columns, exact, holds, measure, on_every_lane_type, rounded, row};
+use super::{
+    Provable, columns, exact, holds, measure, on_every_lane_type, on_every_level, rounded, row,
+};
 use dq8::representation::{EulerAngles, EulerOrder, EulerSolution};
 use dq8::{Quat, batch};
 use dq8_contract::ledger::{Ledger, line};
@@ -20,7 +22,7 @@ fn euler_cases(order: EulerOrder) -> Vec<[f64; 3]> {
     cases
 }
 
-fn euler_angles_agree<L: Portably>(ledger: &Ledger) {
+fn euler_angles_agree<L: Provable>(ledger: &Ledger) {
     for order in EulerOrder::ALL {
         for chunk in euler_cases(order).chunks(L::LANES) {
             let angles = columns::<L, _, 3>(chunk, |angles| *angles);
@@ -57,7 +59,7 @@ fn euler_angles_of_all_orders_and_their_locks_are_those_of_the_scalar_reference(
         line("from_euler", &[], 3.5, "three turns by polynomials, and two products"),
         line("to_euler", &[], 13.0, "arctangents of products, another order of summands"),
     ];
-    Ledger::keep("Euler angles", &bounds, |ledger| on_every_lane_type!(euler_angles_agree, ledger));
+    Ledger::keep("Euler angles", &bounds, |ledger| on_every_level!(euler_angles_agree, ledger));
 }
 
 #[test]

@@ -1,6 +1,8 @@
 //! Lines, planes and points: the same answers, and a mask where the scalar reference has an error.
 
-use super::{Portably, columns, exact, holds, measure, on_every_lane_type, rounded, row};
+use super::{
+    Provable, columns, exact, holds, measure, on_every_lane_type, on_every_level, rounded, row,
+};
 use dq8::{Line, Plane, Real, incidence::IncidenceError};
 use dq8_contract::inputs::for_all;
 use dq8_contract::ledger::{Ledger, line};
@@ -90,7 +92,7 @@ fn scalar<R: Real>(case: &Case) -> [Answer; 14] {
 }
 
 /// What lanes say of as many as there are lanes.
-fn on_lanes<L: Portably>(cases: &[Case]) -> Vec<[Answer; 14]> {
+fn on_lanes<L: Provable>(cases: &[Case]) -> Vec<[Answer; 14]> {
     let p = columns::<L, _, 3>(cases, |case| case.p);
     let u = columns::<L, _, 3>(cases, |case| case.u);
     let q = columns::<L, _, 3>(cases, |case| case.q);
@@ -188,7 +190,7 @@ fn cases() -> Vec<Case> {
     cases
 }
 
-fn incidences_agree<L: Portably>(ledger: &Ledger) {
+fn incidences_agree<L: Provable>(ledger: &Ledger) {
     for chunk in cases().chunks(L::LANES) {
         for (case, answers) in chunk.iter().zip(on_lanes::<L>(chunk)) {
             let size = 1.0 + length(case.p) + length(case.q) + length(case.v);
@@ -220,7 +222,7 @@ fn lines_planes_and_points_on_lanes_are_those_of_the_scalar_reference() {
         line(NAMES[13], &[], 2.5, "a length and two quotients"),
     ];
     Ledger::keep("incidences", &bounds, |ledger| {
-        on_every_lane_type!(incidences_agree, ledger);
+        on_every_level!(incidences_agree, ledger);
     });
 }
 
@@ -251,7 +253,7 @@ fn hard_cases(single: bool) -> Vec<Case> {
     cases
 }
 
-fn failures_agree<L: Portably>() {
+fn failures_agree<L: Provable>() {
     let single = <L::Real as dq8::simd::Float>::SINGLE;
     for chunk in hard_cases(single).chunks(L::LANES) {
         for (case, answers) in chunk.iter().zip(on_lanes::<L>(chunk)) {
@@ -267,5 +269,5 @@ fn failures_agree<L: Portably>() {
 
 #[test]
 fn lanes_fail_where_the_scalar_reference_has_an_error_and_are_finite_elsewhere() {
-    on_every_lane_type!(failures_agree);
+    on_every_level!(failures_agree);
 }

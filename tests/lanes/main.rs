@@ -12,21 +12,21 @@ mod two_bone;
 
 use dq8::{
     Lanes, Real, batch,
-    simd::{Float, Mask, Portable},
+    simd::{Float, Mask},
 };
 use dq8_contract::bound::distance;
 use dq8_contract::ledger::Ledger;
-use dq8_contract::sample::Sample;
+use dq8_contract::sample::{Proof, Sample};
 
 /// The number in a lane, as the scalar reference and as lanes see it.
 trait Number: Float + Real {}
 impl<R: Float + Real> Number for R {}
 
-/// Lanes that any machine has.
-trait Portably: Lanes<Level = Portable, Real: Number> {}
-impl<L: Lanes<Level = Portable, Real: Number>> Portably for L {}
+/// Lanes of a level that tests can have.
+trait Provable: Lanes<Level: Proof, Real: Number> {}
+impl<L: Lanes<Level: Proof, Real: Number>> Provable for L {}
 
-/// Runs `check` with each lane type there is.
+/// Runs `check` with each lane type that any machine has.
 macro_rules! on_every_lane_type {
     ($check:ident $(, $given:expr)*) => {
         on_every_lane_type! { @each $check ($($given),*)
@@ -39,24 +39,44 @@ macro_rules! on_every_lane_type {
 }
 pub(crate) use on_every_lane_type;
 
+/// Runs `check` with these and with those of every level that this machine has.
+macro_rules! on_every_level {
+    ($check:ident $(, $given:expr)*) => {{
+        on_every_lane_type!($check $(, $given)*);
+        #[cfg(target_arch = "x86_64")]
+        {
+            use dq8_contract::sample::{Avx2, Avx512, Level, Proof};
+            if Avx2::is_there() {
+                $check::<<Avx2 as Level>::F32x8>($($given),*);
+                $check::<<Avx2 as Level>::F64x4>($($given),*);
+            }
+            if Avx512::is_there() {
+                $check::<<Avx512 as Level>::F32x16>($($given),*);
+                $check::<<Avx512 as Level>::F64x8>($($given),*);
+            }
+        }
+    }};
+}
+pub(crate) use on_every_level;
+
 /// Lane `i` from number `i`, rounded; the lanes beyond repeat the first.
-fn lanes<L: Portably>(numbers: &[f64]) -> L {
+fn lanes<L: Provable>(numbers: &[f64]) -> L {
     let all: Vec<_> = (0..L::LANES).map(|i| *numbers.get(i).unwrap_or(&numbers[0])).collect();
     <batch::DualQuat<L> as Sample>::real(&all)
 }
 
 /// Lane `i` from `C` numbers of case `i`.
-fn columns<L: Portably, T, const C: usize>(cases: &[T], pick: impl Fn(&T) -> [f64; C]) -> [L; C] {
+fn columns<L: Provable, T, const C: usize>(cases: &[T], pick: impl Fn(&T) -> [f64; C]) -> [L; C] {
     std::array::from_fn(|c| lanes(&cases.iter().map(|case| pick(case)[c]).collect::<Vec<_>>()))
 }
 
 /// The number in one lane.
-fn lane<L: Portably>(all: L, index: usize) -> f64 {
+fn lane<L: Provable>(all: L, index: usize) -> f64 {
     all.to_array().as_ref()[index].into()
 }
 
 /// The numbers in one lane.
-fn row<L: Portably, const C: usize>(all: [L; C], index: usize) -> [f64; C] {
+fn row<L: Provable, const C: usize>(all: [L; C], index: usize) -> [f64; C] {
     all.map(|number| lane(number, index))
 }
 
@@ -76,12 +96,12 @@ fn exact<R: Real, const C: usize>(numbers: [R; C]) -> [f64; C] {
 }
 
 /// The roundoff of the lanes.
-fn roundoff<L: Portably>() -> f64 {
+fn roundoff<L: Provable>() -> f64 {
     <L::Real as Real>::EPSILON.into() / 2.0
 }
 
 /// Writes down how far numbers are from those wanted, in units of u · scale.
-fn measure<L: Portably, const C: usize>(
+fn measure<L: Provable, const C: usize>(
     ledger: &Ledger,
     (op, kind): (&str, &str),
     got: [f64; C],

@@ -1,18 +1,19 @@
 //! Poses, affine maps, and Jacobians as matrices.
 
 use super::scene::{cases, motion, motions};
-use super::{Portably, columns, exact, measure, on_every_lane_type, rounded, row};
+use super::{Provable, columns, exact, measure, on_every_lane_type, rounded, row};
 use dq8::representation::{Affine, RotationTranslation};
 use dq8::{DualQuat, Plane, Twist, batch};
 use dq8_contract::ledger::{Ledger, line};
+use dq8_contract::sample::Proof;
 
-fn poses_and_maps_agree<L: Portably>(ledger: &Ledger) {
+fn poses_and_maps_agree<L: Provable>(ledger: &Ledger) {
     for chunk in cases().chunks(L::LANES) {
         let (a, b) = (motions::<L>(chunk, |case| case.a), motions(chunk, |case| case.b));
         let (v, w) = (columns::<L, _, 3>(chunk, |case| case.v), columns(chunk, |case| case.w));
         let (pose, other) =
             (batch::RotationTranslation::from(a), batch::RotationTranslation::from(b));
-        let identity = batch::RotationTranslation::identity(dq8::simd::Portable);
+        let identity = batch::RotationTranslation::identity(<L::Level as Proof>::proof());
         let (product, inverse) = (pose * other * identity, pose.inverse());
         let same = batch::RotationTranslation::from_array(pose.to_array());
         let back = batch::DualQuat::from(same);
@@ -21,7 +22,7 @@ fn poses_and_maps_agree<L: Portably>(ledger: &Ledger) {
             * batch::Affine::scale(w)
             * batch::Affine::shear(v, w)
             * batch::Affine::reflection(plane)
-            * batch::Affine::identity(dq8::simd::Portable);
+            * batch::Affine::identity(<L::Level as Proof>::proof());
         let map = batch::Affine::from_matrix3x4(map.to_matrix3x4());
         let twist = Twist { angular: v, linear: w };
         let jacobian = batch::DualQuat::left_jacobian_matrix(twist);

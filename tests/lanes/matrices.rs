@@ -2,7 +2,10 @@
 //! error.
 
 use super::scene::{cases, motion, quat};
-use super::{Portably, columns, exact, holds, lanes, measure, on_every_lane_type, rounded, row};
+use super::{
+    Provable, columns, exact, holds, lanes, measure, on_every_lane_type, on_every_level, rounded,
+    row,
+};
 use dq8::representation::{Polar, gram_schmidt};
 use dq8::{DualQuat, Quat, Real, batch};
 use dq8_contract::ledger::{Ledger, line};
@@ -14,7 +17,7 @@ fn flat<R: Real>(rows: [[R; 3]; 3]) -> [f64; 9] {
     exact([a, b, c, d, e, f, g, h, i])
 }
 
-fn flat_row<L: Portably>([a, b, c]: [[L; 3]; 3], index: usize) -> [f64; 9] {
+fn flat_row<L: Provable>([a, b, c]: [[L; 3]; 3], index: usize) -> [f64; 9] {
     row([a[0], a[1], a[2], b[0], b[1], b[2], c[0], c[1], c[2]], index)
 }
 
@@ -60,12 +63,12 @@ fn hard_matrices() -> Vec<Rows> {
     ]
 }
 
-fn columns_of_rows<L: Portably>(cases: &[Rows]) -> [[L; 3]; 3] {
+fn columns_of_rows<L: Provable>(cases: &[Rows]) -> [[L; 3]; 3] {
     let all = columns::<L, _, 9>(cases, |rows| flat(*rows));
     [[all[0], all[1], all[2]], [all[3], all[4], all[5]], [all[6], all[7], all[8]]]
 }
 
-fn repaired_matrices_agree<L: Portably>(ledger: &Ledger) {
+fn repaired_matrices_agree<L: Provable>(ledger: &Ledger) {
     let all = [matrices(), hard_matrices()].concat();
     for chunk in all.chunks(L::LANES) {
         let rows = columns_of_rows::<L>(chunk);
@@ -119,12 +122,10 @@ fn matrices_are_repaired_and_refused_on_lanes_as_by_the_scalar_reference() {
         line("polar stretch", &[], 14.0, "a product with the rotation"),
         line("from_matrix3", &[], 3.9, "another length divides"),
     ];
-    Ledger::keep("matrices", &bounds, |ledger| {
-        on_every_lane_type!(repaired_matrices_agree, ledger)
-    });
+    Ledger::keep("matrices", &bounds, |ledger| on_every_level!(repaired_matrices_agree, ledger));
 }
 
-fn checked_matrices<L: Portably>() {
+fn checked_matrices<L: Provable>() {
     let good = motion::<L::Real>(cases()[50].a).to_matrix4();
     let number = |value: f64| <L::Real as Real>::from_f64(value);
     let with = |r: usize, c: usize, value: f64| {

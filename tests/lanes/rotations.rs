@@ -2,12 +2,12 @@
 
 use super::scene::{cases, quat, quats};
 use super::{
-    Portably, columns, exact, holds, lane, lanes, measure, on_every_lane_type, rounded, row,
+    Provable, columns, exact, holds, lane, lanes, measure, on_every_lane_type, rounded, row,
 };
 use dq8::{Quat, batch};
 use dq8_contract::ledger::{Ledger, line};
 
-fn rotations_agree<L: Portably>(ledger: &Ledger) {
+fn rotations_agree<L: Provable>(ledger: &Ledger) {
     for chunk in cases().chunks(L::LANES) {
         let q = quats::<L>(chunk, |case| case.a);
         let (v, w) = (columns::<L, _, 3>(chunk, |case| case.v), columns(chunk, |case| case.w));
@@ -72,7 +72,7 @@ fn axes_angles_and_directions_on_lanes_are_those_of_the_scalar_reference() {
     Ledger::keep("rotations", &bounds, |ledger| on_every_lane_type!(rotations_agree, ledger));
 }
 
-fn axes_at_the_edges<L: Portably>() {
+fn axes_at_the_edges<L: Provable>() {
     let nan = f64::NAN;
     // No turn, of both signs, half a turn with w of either sign, and what is no rotation.
     for q in [

@@ -1,6 +1,6 @@
 //! Motions and vectors for everything here: [`Case`].
 
-use super::{Portably, columns, exact, rounded};
+use super::{Provable, columns, exact, rounded};
 use dq8::{DualQuat, Quat, Real, batch};
 use dq8_contract::inputs;
 
@@ -32,7 +32,7 @@ pub(super) fn quat<R: Real>([x, y, z, w, ..]: [f64; 8]) -> Quat<R> {
     Quat::from_array(rounded([x, y, z, w])).normalize()
 }
 
-pub(super) fn quats<L: Portably>(
+pub(super) fn quats<L: Provable>(
     cases: &[Case],
     pick: impl Fn(&Case) -> [f64; 8],
 ) -> batch::Quat<L> {
@@ -43,7 +43,7 @@ pub(super) fn motion<R: Real>(components: [f64; 8]) -> DualQuat<R> {
     DualQuat::from_array(rounded(components)).normalize()
 }
 
-pub(super) fn motions<L: Portably>(
+pub(super) fn motions<L: Provable>(
     cases: &[Case],
     pick: impl Fn(&Case) -> [f64; 8],
 ) -> batch::DualQuat<L> {

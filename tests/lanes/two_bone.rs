@@ -1,6 +1,9 @@
 //! Limbs of two bones: the same pose, and masks for what the scalar reference tells by its span or an error.
 
-use super::{Portably, columns, exact, holds, lane, measure, on_every_lane_type, rounded, row};
+use super::{
+    Provable, columns, exact, holds, lane, measure, on_every_lane_type, on_every_level, rounded,
+    row,
+};
 use dq8::batch;
 use dq8::ik::{Span, TwoBone};
 use dq8_contract::ledger::{Ledger, line};
@@ -46,7 +49,7 @@ fn cases() -> Vec<Case> {
     cases
 }
 
-fn limbs_agree<L: Portably>(ledger: &Ledger) {
+fn limbs_agree<L: Provable>(ledger: &Ledger) {
     for chunk in cases().chunks(L::LANES) {
         let root = columns::<L, _, 3>(chunk, |case| case.root);
         let lengths = columns::<L, _, 2>(chunk, |case| case.lengths);
@@ -90,5 +93,5 @@ fn limbs_of_two_bones_on_lanes_are_those_of_the_scalar_reference() {
         line("missed", &[], 0.5, "a difference of lengths"),
         line("rotation", &[], 4.5, "a rotation from a matrix, and a product"),
     ];
-    Ledger::keep("two bones", &bounds, |ledger| on_every_lane_type!(limbs_agree, ledger));
+    Ledger::keep("two bones", &bounds, |ledger| on_every_level!(limbs_agree, ledger));
 }

@@ -2,7 +2,8 @@
 
 use super::scene::{JOINTS, Scene, distance, dual, linear};
 use dq8::skinning::{
-    Dual, Linear, Mixed, Skin, Stretched, Surface, SurfaceMut, Weight, dual_blend, linear_blend,
+    DualBlend, Linear, Mixed, Skin, Stretched, Surface, SurfaceMut, Weight, dual_blend,
+    linear_blend,
 };
 use dq8::{Backend, Element, Scalar, representation::Affine, storage::PointBlock};
 
@@ -73,7 +74,7 @@ where
     let posed = SurfaceMut::positions(&mut a).normals(&mut b).tangents(&mut c);
     let matrices = scene.matrices();
     let shares: Vec<R> = (0..scene.positions.len()).map(share).collect();
-    let (linear, dual) = (Linear::new(&matrices), Dual::new(&scene.motions));
+    let (linear, dual) = (Linear::new(&matrices), DualBlend::new(&scene.motions));
     match blend {
         "linear" => backend.skin(&skin, linear, rest, posed),
         "dual" => backend.skin(&skin, dual, rest, posed),
@@ -156,7 +157,7 @@ fn joints_and_weights_of_every_type_mean_the_same() {
     let singles: Vec<f32> = of8.iter().map(|&w| f32::from(w) / 255.0).collect();
     let run = |posed: &mut [[f32; 3]], which: usize| {
         let (from, to) = (Surface::positions(&scene.positions), SurfaceMut::positions(posed));
-        let (best, dual) = (Backend::best(), Dual::new(&scene.motions));
+        let (best, dual) = (Backend::best(), DualBlend::new(&scene.motions));
         match which {
             0 => best.skin(&Skin::new(JOINTS, 4, &bytes, of8).unwrap(), dual, from, to),
             1 => best.skin(&Skin::new(JOINTS, 4, &words, &of16).unwrap(), dual, from, to),
@@ -209,7 +210,7 @@ fn all_cores_give_every_bit_that_one_gives() {
     let mut posed = [vec![[0.0; 3]; 10_000], vec![[0.0; 3]; 10_000]];
     let mut normals = posed.clone();
     let rest = Surface::positions(&scene.positions).normals(&scene.normals);
-    let blend = Dual::new(&scene.motions);
+    let blend = DualBlend::new(&scene.motions);
     let [a, b] = &mut posed;
     let [c, d] = &mut normals;
     let best = Backend::best();

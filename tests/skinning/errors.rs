@@ -1,6 +1,6 @@
 //! What is wrong is said by the vertex, and nothing is written.
 
-use dq8::skinning::{Dual, Linear, Mixed, Skin, SkinningError, Surface, SurfaceMut};
+use dq8::skinning::{DualBlend, Linear, Mixed, Skin, SkinningError, Surface, SurfaceMut};
 use dq8::{Backend, DualQuat};
 
 #[test]
@@ -50,25 +50,31 @@ fn a_run_that_does_not_fit_writes_nothing() {
     let from = Surface::positions(&rest);
     let complaints = [
         // A palette of three for a skin of two.
-        best.skin(&skin, Dual::new(&motions), from, SurfaceMut::positions(&mut posed)),
+        best.skin(&skin, DualBlend::new(&motions), from, SurfaceMut::positions(&mut posed)),
         best.skin(&skin, Linear::new(&matrices), from, SurfaceMut::positions(&mut posed)),
-        best.skin(&skin, Dual::new(&motions[..1]), from, SurfaceMut::positions(&mut posed)),
-        best.skin(&skin, Dual::new(&motions[..2]), from, SurfaceMut::positions(&mut posed[..2])),
+        best.skin(&skin, DualBlend::new(&motions[..1]), from, SurfaceMut::positions(&mut posed)),
         best.skin(
             &skin,
-            Dual::new(&motions[..2]),
+            DualBlend::new(&motions[..2]),
+            from,
+            SurfaceMut::positions(&mut posed[..2]),
+        ),
+        best.skin(
+            &skin,
+            DualBlend::new(&motions[..2]),
             Surface::positions(&rest[..2]),
             SurfaceMut::positions(&mut posed[..2]),
         ),
         best.skin(
             &skin,
-            Dual::new(&motions[..2]),
+            DualBlend::new(&motions[..2]),
             from,
             SurfaceMut::positions(&mut posed).normals(&mut normals),
         ),
         best.skin(
             &skin,
-            Mixed::new(Linear::new(&matrices[..2]), Dual::new(&motions[..2]), &[0.5; 2]).unwrap(),
+            Mixed::new(Linear::new(&matrices[..2]), DualBlend::new(&motions[..2]), &[0.5; 2])
+                .unwrap(),
             from,
             SurfaceMut::positions(&mut posed),
         ),
@@ -81,10 +87,10 @@ fn a_run_that_does_not_fit_writes_nothing() {
     let joints = [u32::MAX - 1];
     let skin = Skin::new(usize::MAX, 1, &joints, &weights[..1]).unwrap();
     let to = SurfaceMut::positions(&mut posed[..1]);
-    let error = best.skin(&skin, Dual::new(&motions), Surface::positions(&rest[..1]), to);
+    let error = best.skin(&skin, DualBlend::new(&motions), Surface::positions(&rest[..1]), to);
     assert!(matches!(error, Err(SkinningError::Shape(_))), "{error:?}");
     assert_eq!(posed, untouched);
     let shares = [0.5_f32, 1.5, 0.0];
-    let error = Mixed::new(Linear::new(&matrices), Dual::new(&motions), &shares).unwrap_err();
+    let error = Mixed::new(Linear::new(&matrices), DualBlend::new(&motions), &shares).unwrap_err();
     assert_eq!(error, SkinningError::Share { vertex: 1, value: 1.5 });
 }

@@ -2,7 +2,7 @@
 
 use crate::scene::{Scene, from};
 use dq8::skinning::{
-    Dual, Linear, Mixed, SkinningError, Stretched, Surface, SurfaceMut, VertexFields, Weight,
+    DualBlend, Linear, Mixed, SkinningError, Stretched, Surface, SurfaceMut, VertexFields, Weight,
 };
 use dq8::{Backend, Scalar};
 
@@ -23,7 +23,7 @@ fn agrees<R: Scalar + Weight>(vertices: usize, influences: usize) {
     let scene = Scene::<R>::new(vertices, influences);
     let (skin, matrices) = (scene.skin(), scene.matrices());
     let shares: Vec<R> = scene.positions.iter().map(|p| p[0] * p[0]).collect();
-    let (linear, dual) = (Linear::new(&matrices), Dual::new(&scene.motions));
+    let (linear, dual) = (Linear::new(&matrices), DualBlend::new(&scene.motions));
     let stretched = Stretched::new(&scene.motions, &scene.stretches);
     let mixed = Mixed::new(linear, dual, &shares).unwrap();
     // The last field at the very end, one number less than four behind it; and nothing but a position.
@@ -77,7 +77,7 @@ fn vertices_with_fields_move_as_vertices_apart() {
 #[test]
 fn fields_that_do_not_fit_are_named_and_nothing_is_written() {
     let scene = Scene::<f32>::new(6, 4);
-    let (skin, dual) = (scene.skin(), Dual::new(&scene.motions));
+    let (skin, dual) = (scene.skin(), DualBlend::new(&scene.motions));
     let good = VertexFields { stride: 10, position: 0, normal: Some(3), tangent: Some(7) };
     let rest = buffer(good, 0.0, &scene);
     let run = |from: VertexFields, to: VertexFields, rest: &[f32], numbers: usize| {

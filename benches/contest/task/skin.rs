@@ -4,7 +4,7 @@
 
 use crate::contest::Contest;
 use crate::memory::{double, single};
-use dq8::skinning::{Dual, Linear, Skin, Surface, SurfaceMut, dual_blend, linear_blend};
+use dq8::skinning::{DualBlend, Linear, Skin, Surface, SurfaceMut, dual_blend, linear_blend};
 use dq8::{Backend, DualQuat, Quat, representation::Affine};
 use dq8_contract::random::Random;
 use glam::{Affine3A, Mat3A, Vec3A};
@@ -88,7 +88,7 @@ pub(super) fn with_contest(run: &mut dyn FnMut(&Contest<'_>)) {
         contest.add(format!("dq8 LBS {backend}"), Some(backend), memory, linear, numbers);
         let blend = move |points: &Vec<[f32; 3]>, posed: &mut [[f32; 3]]| {
             let (from, to) = (Surface::positions(points), SurfaceMut::positions(posed));
-            backend.skin(skin, Dual::new(motions), from, to).expect("slices of one length");
+            backend.skin(skin, DualBlend::new(motions), from, to).expect("slices of one length");
         };
         contest.add(format!("dq8 DLB {backend}"), Some(backend), memory, blend, numbers);
         contest.last_should(dual.clone());
@@ -98,7 +98,7 @@ pub(super) fn with_contest(run: &mut dyn FnMut(&Contest<'_>)) {
             let mut turned = turned.borrow_mut();
             let from = Surface::positions(points).normals(points);
             let to = SurfaceMut::positions(posed).normals(&mut turned);
-            backend.skin(skin, Dual::new(motions), from, to).expect("slices of one length");
+            backend.skin(skin, DualBlend::new(motions), from, to).expect("slices of one length");
         };
         let name = format!("dq8 DLB and normals {backend}");
         contest.add(name, Some(backend), memory, normals, numbers);

@@ -19,11 +19,11 @@ use dq8_simd::{Lanes, Mask, Records};
 /// A vertex of a single influence of weight 1 moves by that motion to the last bit. Normals and tangents
 /// turn with σ.
 #[derive(Clone, Copy, Debug)]
-pub struct Dual<'a, R> {
+pub struct DualBlend<'a, R> {
     palette: &'a [DualQuat<R>],
 }
 
-impl<'a, R: Scalar> Dual<'a, R> {
+impl<'a, R: Scalar> DualBlend<'a, R> {
     /// Each joint's motion, from the mesh at rest to the posed mesh; unit.
     #[must_use]
     pub fn new(palette: &'a [DualQuat<R>]) -> Self {
@@ -44,7 +44,7 @@ pub struct DualSum<L> {
     greatest: L,
 }
 
-impl<R: Scalar> Blender<R> for Dual<'_, R> {
+impl<R: Scalar> Blender<R> for DualBlend<'_, R> {
     type Sum<L: Lanes<Real = R>> = DualSum<L>;
     type Map<L: Lanes<Real = R>> = ScaledMotion<L>;
 
