@@ -104,7 +104,6 @@ pub mod interop;
 pub mod law;
 pub mod mechanism;
 mod motion;
-#[cfg(dq8_debug_assert_unit)]
 mod must_be_unit;
 mod operators;
 mod palette_entry;

@@ -1,31 +1,40 @@
 //! The precondition "must be unit", judged where it is plainly broken: what operations of `scalar::Quat` and
-//! `scalar::DualQuat` call first in debug builds with `--cfg dq8_debug_assert_unit`. Other builds have neither the calls nor
-//! this module. A number that is not finite passes, because it shows by itself.
+//! `scalar::DualQuat` call first. Debug builds with `--cfg dq8_debug_assert_unit` judge; in all others these functions do
+//! nothing. A number that is not finite passes, because it shows by itself.
 
 use crate::real::Real;
 
 /// How far |p|², and p·q relative to max(1, |q|), may be off. Drift does not come near it, a forgotten normalization does.
 const PLAINLY: f64 = 0.1;
+const JUDGES: bool = cfg!(all(dq8_debug_assert_unit, debug_assertions));
 
 /// Of dual quaternions p + εq: |p| = 1 and p·q = 0.
 #[track_caller]
+#[inline(always)]
 pub(crate) fn motions<R: Real, const N: usize>(operation: &str, motions: [impl AsRef<[R; 8]>; N]) {
+    if !JUDGES {
+        return;
+    }
     for motion in &motions {
         let [px, py, pz, pw, qx, qy, qz, qw] = motion.as_ref().map(R::into);
         let (p, q) = ([px, py, pz, pw], [qx, qy, qz, qw]);
         length(operation, "motion", p);
         let along = dot(p, q);
-        let off = along.is_finite() && along.abs() > PLAINLY * dot(q, q).max(1.0).sqrt();
-        debug_assert!(!off, "{operation} takes a unit motion, but here p·q is {along} and not 0");
+        let off = along.is_finite() && along * along > PLAINLY * PLAINLY * dot(q, q).max(1.0);
+        assert!(!off, "{operation} takes a unit motion, but here p·q is {along} and not 0");
     }
 }
 
 /// Of quaternions: |q| = 1.
 #[track_caller]
+#[inline(always)]
 pub(crate) fn rotations<R: Real, const N: usize>(
     operation: &str,
     rotations: [impl AsRef<[R; 4]>; N],
 ) {
+    if !JUDGES {
+        return;
+    }
     for rotation in &rotations {
         length(operation, "quaternion", rotation.as_ref().map(R::into));
     }
@@ -33,15 +42,18 @@ pub(crate) fn rotations<R: Real, const N: usize>(
 
 /// Of an axis: |l| = 1.
 #[track_caller]
+#[inline(always)]
 pub(crate) fn axis<R: Real>(operation: &str, axis: [R; 3]) {
-    length(operation, "axis", axis.map(R::into));
+    if JUDGES {
+        length(operation, "axis", axis.map(R::into));
+    }
 }
 
 #[track_caller]
 fn length<const N: usize>(operation: &str, what: &str, components: [f64; N]) {
     let squared = dot(components, components);
     let off = components.iter().all(|c| c.is_finite()) && (squared - 1.0).abs() > PLAINLY;
-    debug_assert!(!off, "{operation} takes a unit {what}, but here the norm is {}", squared.sqrt());
+    assert!(!off, "{operation} takes a unit {what}, but here the squared norm is {squared}");
 }
 
 fn dot<const N: usize>(a: [f64; N], b: [f64; N]) -> f64 {

@@ -19,7 +19,6 @@ impl<R: Real> Quat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_axis_angle(self) -> ([R; 3], R) {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::rotations("Quat::to_axis_angle", [self]);
         let short = if self.w() < R::ZERO { -self } else { self };
         let sine = vector::norm(short.xyz());
@@ -59,7 +58,6 @@ impl<R: Real> Quat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_scaled_axis(self) -> [R; 3] {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::rotations("Quat::to_scaled_axis", [self]);
         let short = if self.w() < R::ZERO { -self } else { self };
         let squared = vector::dot(short.xyz(), short.xyz());

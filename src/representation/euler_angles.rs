@@ -58,7 +58,6 @@ impl<R: Real> Quat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_euler(self, order: EulerOrder) -> EulerSolution<R> {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::rotations("Quat::to_euler", [self]);
         let [first, j, last] = order.axes.indices();
         // Intrinsic turns are extrinsic ones in the opposite order.

@@ -20,7 +20,6 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn adjoint(self, twist: Twist<R>) -> Twist<R> {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::motions("DualQuat::adjoint", [self]);
         let angular = self.real().rotate(twist.angular);
         let turned = self.real().rotate(twist.linear);
@@ -45,7 +44,6 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn coadjoint(self, wrench: Wrench<R>) -> Wrench<R> {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::motions("DualQuat::coadjoint", [self]);
         let force = self.real().rotate(wrench.force);
         let turned = self.real().rotate(wrench.torque);

@@ -47,7 +47,6 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn spatial_twist(self, derivative: Self) -> Twist<R> {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::motions("DualQuat::spatial_twist", [self]);
         of_pure((derivative * self.conjugate()).scale(R::TWO))
     }
@@ -58,7 +57,6 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn body_twist(self, derivative: Self) -> Twist<R> {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::motions("DualQuat::body_twist", [self]);
         of_pure((self.conjugate() * derivative).scale(R::TWO))
     }
@@ -78,7 +76,6 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn derivative_from_velocity(self, angular: [R; 3], linear: [R; 3]) -> Self {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::motions("DualQuat::derivative_from_velocity", [self]);
         let r = self.rotation();
         let t = Quat::from_parts(self.translation(), R::ZERO);
@@ -96,7 +93,6 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn velocity(self, derivative: Self) -> ([R; 3], [R; 3]) {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::motions("DualQuat::velocity", [self]);
         let back = self.real().conjugate();
         let angular = (derivative.real() * back).scale(R::TWO);
@@ -131,7 +127,6 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_twist(self) -> Twist<R> {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::motions("DualQuat::to_twist", [self]);
         let log = self.log();
         Twist { angular: vector::scale(log.real, R::TWO), linear: vector::scale(log.dual, R::TWO) }
@@ -155,7 +150,6 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn twist_to(self, other: Self) -> Twist<R> {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::motions("DualQuat::twist_to", [self, other]);
         (self.conjugate() * other).to_twist()
     }

@@ -16,7 +16,6 @@ impl<R: Real> Quat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_matrix3(self) -> [[R; 3]; 3] {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::rotations("Quat::to_matrix3", [self]);
         let [x, y, z, w] = self.to_array();
         let (one, two) = (R::ONE, R::TWO);
@@ -91,7 +90,6 @@ impl<R: Real> Quat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_cols_array_2d(self) -> [[R; 3]; 3] {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::rotations("Quat::to_cols_array_2d", [self]);
         transpose(self.to_matrix3())
     }
@@ -119,7 +117,6 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_matrix3x4(self) -> [[R; 4]; 3] {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::motions("DualQuat::to_matrix3x4", [self]);
         if let Some(rows) = R::quick_matrix3x4(self.to_array()) {
             return rows;
@@ -135,7 +132,6 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_matrix4(self) -> [[R; 4]; 4] {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::motions("DualQuat::to_matrix4", [self]);
         let [a, b, c] = self.to_matrix3x4();
         [a, b, c, [R::ZERO, R::ZERO, R::ZERO, R::ONE]]
@@ -234,7 +230,6 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_rows_array_2d(self) -> [[R; 4]; 4] {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::motions("DualQuat::to_rows_array_2d", [self]);
         self.to_matrix4()
     }
@@ -244,7 +239,6 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_cols_array_2d(self) -> [[R; 4]; 4] {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::motions("DualQuat::to_cols_array_2d", [self]);
         transpose(self.to_matrix4())
     }

@@ -42,7 +42,6 @@ impl<R: Real> DualQuat<R> {
         tolerance: R,
         max_iterations: u32,
     ) -> Option<Mean<Self, R, bool>> {
-        #[cfg(dq8_debug_assert_unit)]
         for &(pose, _) in influences {
             crate::must_be_unit::motions("DualQuat::dib", [pose]);
         }

@@ -10,7 +10,6 @@ impl<R: Real> Quat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn angle_to(self, other: Self) -> R {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::rotations("Quat::angle_to", [self, other]);
         let between = self.conjugate() * other;
         if !between.norm().is_finite() {
@@ -41,7 +40,6 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn angle_to(self, other: Self) -> R {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::motions("DualQuat::angle_to", [self, other]);
         self.real().angle_to(other.real())
     }
@@ -58,7 +56,6 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn distance_to(self, other: Self) -> R {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::motions("DualQuat::distance_to", [self, other]);
         vector::norm(vector::sub(self.translation(), other.translation()))
     }
@@ -83,7 +80,6 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn distance_weighted(self, other: Self, length_per_radian: R) -> R {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::motions("DualQuat::distance_weighted", [self, other]);
         vector::norm([length_per_radian * self.angle_to(other), self.distance_to(other)])
     }
@@ -99,7 +95,6 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn point_error(self, other: Self, point: [R; 3]) -> R {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::motions("DualQuat::point_error", [self, other]);
         vector::norm(vector::sub(self.transform_point(point), other.transform_point(point)))
     }
@@ -122,7 +117,6 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn shell_error(self, other: Self, radius: R) -> R {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::motions("DualQuat::shell_error", [self, other]);
         let chord = R::TWO * (self.angle_to(other) * R::HALF).sin();
         self.distance_to(other) + radius * chord

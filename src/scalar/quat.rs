@@ -70,7 +70,6 @@ impl<R: Real> Quat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn from_axis_angle(axis: [R; 3], angle: R) -> Self {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::axis("Quat::from_axis_angle", axis);
         let half = angle * R::HALF;
         Self::from_parts(vector::scale(axis, half.sin()), half.cos())
@@ -234,7 +233,6 @@ impl<R: Real> Quat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn rotate(self, v: [R; 3]) -> [R; 3] {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::rotations("Quat::rotate", [self]);
         if let Some(turned) = R::quick_rotate(self.0, v) {
             return turned;

@@ -32,7 +32,6 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn from_rotation_translation(rotation: Quat<R>, translation: [R; 3]) -> Self {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::rotations("DualQuat::from_rotation_translation", [rotation]);
         let half = vector::scale(translation, R::HALF);
         Self::new(rotation, Quat::from_parts(half, R::ZERO) * rotation)
@@ -44,7 +43,6 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn from_translation_rotation(translation: [R; 3], rotation: Quat<R>) -> Self {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::rotations("DualQuat::from_translation_rotation", [rotation]);
         let half = vector::scale(translation, R::HALF);
         Self::new(rotation, rotation * Quat::from_parts(half, R::ZERO))
@@ -67,7 +65,6 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn mul_rotation_translation(self, rotation: Quat<R>, translation: [R; 3]) -> Self {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::rotations("DualQuat::mul_rotation_translation", [rotation]);
         self * Self::from_rotation_translation(rotation, translation)
     }
@@ -77,7 +74,6 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn rotation(self) -> Quat<R> {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::motions("DualQuat::rotation", [self]);
         self.real()
     }
@@ -87,7 +83,6 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn translation(self) -> [R; 3] {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::motions("DualQuat::translation", [self]);
         if let Some(translation) = R::quick_translation(self.to_array()) {
             return translation;

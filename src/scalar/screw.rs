@@ -22,7 +22,6 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_screw(self) -> Screw<R> {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::motions("DualQuat::to_screw", [self]);
         let sigma = self.canonical();
         let t = sigma.translation();
@@ -52,7 +51,6 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn from_screw(screw: Screw<R>) -> Self {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::axis("DualQuat::from_screw", screw.axis.direction);
         let (sin, cos) = ((screw.angle * R::HALF).sin(), (screw.angle * R::HALF).cos());
         let half_slide = screw.slide * R::HALF;
@@ -80,7 +78,6 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn log(self) -> DualVector<R> {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::motions("DualQuat::log", [self]);
         if let Some(log) = R::quick_log(self.to_array()) {
             return log;
@@ -157,7 +154,6 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn pow(self, t: R) -> Self {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::motions("DualQuat::pow", [self]);
         if let Some(power) = R::quick_pow(self.to_array(), t) {
             return Self::from_array(power);
@@ -177,7 +173,6 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn sqrt(self) -> Self {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::motions("DualQuat::sqrt", [self]);
         if let Some(root) = R::quick_sqrt(self.to_array()) {
             return Self::from_array(root);
@@ -204,7 +199,6 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn sclerp(self, other: Self, t: R) -> Self {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::motions("DualQuat::sclerp", [self, other]);
         if let Some(between) = R::quick_sclerp(self.to_array(), other.to_array(), t) {
             return Self::from_array(between);
@@ -225,7 +219,6 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn sclerp_long(self, other: Self, t: R) -> Self {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::motions("DualQuat::sclerp_long", [self, other]);
         let log = (self.conjugate() * other).log_without_flip();
         self * Self::exp(log.scale(t))

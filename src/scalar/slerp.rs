@@ -23,7 +23,6 @@ impl<R: Real> Quat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn slerp(self, other: Self, t: R) -> Self {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::rotations("Quat::slerp", [self, other]);
         if let Some(turned) = R::quick_slerp(self.to_array(), other.to_array(), t) {
             return Self::from_array(turned);
@@ -72,7 +71,6 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn slerp_lerp(self, other: Self, t: R) -> Self {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::motions("DualQuat::slerp_lerp", [self, other]);
         let rotation = self.rotation().slerp(other.rotation(), t);
         let start = vector::scale(self.translation(), R::ONE - t);

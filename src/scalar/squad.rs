@@ -30,7 +30,6 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn squad(self, control_start: Self, control_end: Self, end: Self, t: R) -> Self {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::motions("DualQuat::squad", [self, control_start, control_end, end]);
         let along_keys = self.sclerp(end, t);
         let along_controls = control_start.sclerp(control_end, t);
@@ -57,7 +56,6 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn squad_control(previous: Self, current: Self, next: Self) -> Self {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::motions("DualQuat::squad_control", [previous, current, next]);
         let inverse = current.conjugate();
         let (ahead, back) = ((inverse * next).log(), (inverse * previous).log());

@@ -10,7 +10,6 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn transform_point(self, point: [R; 3]) -> [R; 3] {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::motions("DualQuat::transform_point", [self]);
         if let Some(moved) = R::quick_point(self.to_array(), point) {
             return moved;
@@ -23,7 +22,6 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn transform_vector(self, vector: [R; 3]) -> [R; 3] {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::motions("DualQuat::transform_vector", [self]);
         self.real().rotate(vector)
     }
@@ -40,7 +38,6 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn transform_line(self, line: Line<R>) -> Line<R> {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::motions("DualQuat::transform_line", [self]);
         let direction = self.real().rotate(line.direction);
         let turned = self.real().rotate(line.moment);
@@ -61,7 +58,6 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn transform_plane(self, plane: Plane<R>) -> Plane<R> {
-        #[cfg(dq8_debug_assert_unit)]
         crate::must_be_unit::motions("DualQuat::transform_plane", [self]);
         let normal = self.real().rotate(plane.normal);
         let offset = plane.offset + vector::dot(normal, self.translation());

@@ -195,9 +195,9 @@ macro_rules! for_all_numbers {
 #[test]
 fn a_norm_that_is_plainly_off_is_told_of_at_the_line_of_the_caller() {
     fn law<R: Real>() {
-        all_complain(Given::<R>::times(2.0), "the norm is 2");
-        all_complain(Given::<R>::times(0.0), "the norm is 0");
-        all_complain(Given::<R>::times(1.0625), "the norm is 1.0625");
+        all_complain(Given::<R>::times(2.0), "the squared norm is 4");
+        all_complain(Given::<R>::times(0.0), "the squared norm is 0");
+        all_complain(Given::<R>::times(1.0625), "the squared norm is 1.12890625");
         all_complain(Given::<R>::times(1e30), "");
     }
     for_all_numbers!(law);
