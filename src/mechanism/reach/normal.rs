@@ -1,9 +1,14 @@
 //! Damped least squares of a size that is known at run time.
 
 use super::model::Model;
-use crate::ik::epsilon;
 use crate::real::Scalar;
-use dq8_simd::Lanes;
+use dq8_simd::{Float, Lanes};
+
+/// The distance from 1 to the next larger number.
+#[cfg_attr(not(opt_level_0), inline(always))]
+fn epsilon<L: Lanes>() -> f64 {
+    if L::Real::SINGLE { f64::from(f32::EPSILON) } else { f64::EPSILON }
+}
 
 /// A λ² that is none, but not zero.
 const FLOOR: f64 = 1e-30;
