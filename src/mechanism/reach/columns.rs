@@ -34,7 +34,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
 
     /// The square of the errors that the changes would leave if everything moved on as it begins to.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn left_after(&mut self) -> L {
+    pub(super) fn left_straight(&mut self) -> L {
         let level = self.level;
         self.each_screw(
             #[cfg_attr(not(opt_level_0), inline(always))]

@@ -7,7 +7,7 @@ use dq8_simd::{Lanes, MAX_LANES};
 
 /// Registers in memory.
 #[derive(Debug)]
-pub(super) struct Rows<'s, L: Lanes>(&'s mut [L::Array]);
+pub(super) struct Rows<'s, L: Lanes>(pub(super) &'s mut [L::Array]);
 
 impl<L: Lanes> Rows<'_, L> {
     #[cfg_attr(not(opt_level_0), inline(always))]

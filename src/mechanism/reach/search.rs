@@ -58,7 +58,11 @@ impl<'s, L: Lanes<Real: Scalar>> Search<'s, L> {
                 #[cfg_attr(not(opt_level_0), inline(always))]
                 |lane| one_if(lane.converged),
             );
-            last = self.model.step(apart, caution, zero.lt(running), zero.lt(arrived));
+            let running = zero.lt(running);
+            // Those that have begun, or begin again, stay where they are.
+            if running.any() {
+                last = self.model.step(apart, caution, running, zero.lt(arrived));
+            }
             self.turn();
         }
     }

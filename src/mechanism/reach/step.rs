@@ -45,7 +45,13 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
             limited = self.limited_step(damping, running);
         }
         let zero = damping.constant(0.0);
-        let left = if limited.any() { L::select(limited, self.left_after(), zero) } else { zero };
+        let left = if !limited.any() {
+            zero
+        } else if self.reach.manner.hopes_straight {
+            L::select(limited, self.left_straight(), zero)
+        } else {
+            L::select(limited, self.left_after(), zero)
+        };
         let moved = if self.reach.posture.is_some() { self.moved() } else { zero };
         self.advance(running);
         Stepped { left, moved }
@@ -160,6 +166,27 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
             }
         }
         stopped
+    }
+
+    /// The square of the errors that the changes would leave if everything moved along the columns of the last
+    /// step.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn left_after(&mut self) -> L {
+        let (level, rows) = (self.level, self.reach.rows);
+        let mut square = self.scales.length.constant(0.0);
+        for row in 0..rows {
+            let mut left = self.scratch.left.get(level, row);
+            for (index, freedom) in self.reach.freedoms.iter().enumerate() {
+                // Zero where it is held, whose part has been taken off.
+                let component = self.scratch.columns.get(level, index * rows + row);
+                let change = self.scratch.changes.get(level, index);
+                let unit = self.scales.radians_per_length;
+                let radians = if freedom.is_slide() { change * unit } else { change };
+                left = component.neg_mul_add(radians, left);
+            }
+            square = left.mul_add(left, square);
+        }
+        square
     }
 
     /// The square of all changes, in radians.
