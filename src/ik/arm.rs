@@ -46,23 +46,26 @@ impl<R: Real, const N: usize> Arm<R, N> {
         }
         // What is unit to rounding stays as it is, to the bit.
         let home = if home.is_normalized() { home } else { home.normalize() };
-        let (at, last, bound) = frames(&joints, &pitches, home.translation());
+        let (at, centre, length) = frames(&joints, &pitches, home.translation());
         let to = DualQuat::from_translation;
         let mut links = [mechanism::Joint::fixed(None, DualQuat::IDENTITY); N];
-        for (index, link) in links.iter_mut().enumerate() {
-            let parent = index.checked_sub(1);
-            let before = parent.map_or([R::ZERO; 3], |parent| at[parent]);
-            let placement = to(vector::sub(at[index], before));
-            let kind = joints[index].kind(pitches[index]);
-            *link =
-                mechanism::Joint::new(parent, placement, kind).with_limits(joints[index].limits);
+        let (mut parent, mut before) = (None, [R::ZERO; 3]);
+        for ((link, joint), (&at, &pitch)) in
+            links.iter_mut().zip(&joints).zip(at.iter().zip(&pitches))
+        {
+            let placement = to(vector::sub(at, before));
+            *link = mechanism::Joint::new(parent, placement, joint.kind(pitch))
+                .with_limits(joint.limits);
+            (parent, before) = (Some(parent.map_or(0, |parent| parent + 1)), at);
         }
-        let last = if N == 0 { [R::ZERO; 3] } else { last };
-        let tool = to(vector::sub([R::ZERO; 3], last)) * home;
-        let chain = Chain::new(&links, tool, bound).map_err(|error| match error {
-            ChainError::Limits(index) => joints[index].limits_error(index),
-            ChainError::Joint(index) => joints[index].screw_error(index),
-            ChainError::Tool => ArmError::Home { norm: home.real().norm().into() },
+        let tool = to(vector::sub([R::ZERO; 3], before)) * home;
+        let chain = Chain::new(&links, tool, (centre, length)).map_err(|error| {
+            let named = match error {
+                ChainError::Limits(index) => joints.get(index).map(|j| j.limits_error(index)),
+                ChainError::Joint(index) => joints.get(index).map(|j| j.screw_error(index)),
+                ChainError::Tool => None,
+            };
+            named.unwrap_or(ArmError::Home { norm: home.real().norm().into() })
         })?;
         Ok(Self { joints, home, chain })
     }
@@ -88,7 +91,7 @@ impl<R: Real, const N: usize> Arm<R, N> {
     }
 }
 
-/// Where the joints are in a mechanism, and where the last of them is; and [`Arm::reach_bound`].
+/// Where the joints are in a mechanism; and [`Arm::reach_bound`].
 ///
 /// The frame of a hinge is at the point of its axis that is nearest to the frame before, that of a slide where
 /// the frame before is. A point on the axis of a hinge belongs to the links on both sides of it, so the way to a
@@ -97,7 +100,7 @@ fn frames<R: Real, const N: usize>(
     joints: &[Joint<R>; N],
     pitches: &[R; N],
     end: [R; 3],
-) -> ([[R; 3]; N], [R; 3], ([R; 3], R)) {
+) -> ([[R; 3]; N], [R; 3], R) {
     let nearest_to = |joint: &Joint<R>, point| {
         let Twist { angular: axis, linear } = joint.screw;
         let along = vector::scale(axis, vector::dot(axis, point));
@@ -119,5 +122,5 @@ fn frames<R: Real, const N: usize>(
         }
         *at = last;
     }
-    (at, last, (first, length + vector::norm(vector::sub(end, last))))
+    (at, first, length + vector::norm(vector::sub(end, last)))
 }

@@ -67,8 +67,8 @@ impl<R: Real, const N: usize> Chain<R, N> {
                 MechanismError::Axis { joint, .. } | MechanismError::NotFinite { joint, .. } => {
                     ChainError::Joint(joint)
                 }
-                // Joints of a chain have parents, values and no mimic.
-                _ => ChainError::Joint(N),
+                // Joints of a chain have parents and no mimic.
+                _ => ChainError::Tool,
             });
         }
         let mut own = [Freedom::default(); N];
