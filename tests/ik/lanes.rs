@@ -4,7 +4,7 @@ use super::arms::{Plan, Random, puma, rounded, ur5};
 use dq8::ik::{Arm, Options, Outcome, Report};
 use dq8::{
     Backend, DualQuat, Lanes, Real, ShapeError,
-    simd::{Float, Portable},
+    simd::{Float, Portable, f64x8},
 };
 
 /// Targets, and values to start from.
@@ -22,6 +22,13 @@ fn drawn<R: Real + Float>(plan: &Plan<6>, count: usize) -> (Vec<DualQuat<R>>, Ve
             (target, rounded(plan.draw(&mut random)))
         })
         .unzip()
+}
+
+/// Whether the portable lanes round a multiply-add once, as the instructions of the build target may.
+fn portable_lanes_fuse() -> bool {
+    let x = <f64x8 as Lanes>::splat(Portable, 1.1);
+    let rest = Lanes::to_array(Lanes::mul_add(x, x, -(x * x)));
+    rest.as_ref().iter().any(|&rest| rest != 0.0)
 }
 
 /// Lanes that round a multiply-add once come to other last bits than plain numbers that round twice, and near
@@ -60,7 +67,9 @@ where
                 other_way += u32::from(!same_way);
             }
             assert!(differ <= 2, "{backend}: {differ} of 64");
-            assert!(other_way <= 6, "{backend}: {other_way} of 64");
+            let rounds_alike = backend == Backend::PORTABLE && !portable_lanes_fuse();
+            let most = if rounds_alike { 0 } else { 6 };
+            assert!(other_way <= most, "{backend}: {other_way} of 64");
         }
     }
 }

@@ -84,8 +84,16 @@ impl<R: Real, const N: usize> Chain<R, N> {
         let (_, length) = bound;
         let size = if length * R::from(0.125) > R::ZERO { length } else { R::from(8.0) };
         let goal = [Goal::pose(N.saturating_sub(1))];
-        let (values, poses) = ([[R::ZERO; N]; KEPT], Poses::NONE);
-        let mut chain = Self { steps, freedoms: own, tool, goal, bound, size, values, poses };
+        let mut chain = Self {
+            steps,
+            freedoms: own,
+            tool,
+            goal,
+            bound,
+            size,
+            values: [[R::ZERO; N]; KEPT],
+            poses: Poses::NONE,
+        };
         for index in 0..KEPT {
             let values = own.map(|freedom| freedom.beginning(index as u64 + 1));
             if let Some(pose) = chain.view().pose(N.saturating_sub(1), &values) {
