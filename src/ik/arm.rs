@@ -1,7 +1,8 @@
 use super::error::ArmError;
-use super::joint::{Joint, UNIT, chain};
-use super::limits::Range;
-use super::seed::{SEEDS, Seed, seeds};
+use super::joint::{Joint, chain};
+use crate::geometry::Twist;
+use crate::mechanism::reach::{Chain, ChainError};
+use crate::mechanism::{self, UNIT};
 use crate::real::Real;
 use crate::scalar::{DualQuat, vector};
 
@@ -9,18 +10,13 @@ use crate::scalar::{DualQuat, vector};
 /// Robotics*, 2017, eq. 4.14).
 ///
 /// An arm holds 128 of its own poses, spread evenly over its joints, from which
-/// [`reach`](Self::reach) begins again where it got stuck: `128(N + 8)` numbers.
+/// [`reach`](Self::reach) begins again where it got stuck: `128(N + 7)` numbers.
 #[derive(Clone, Debug)]
 pub struct Arm<R, const N: usize> {
-    pub(super) joints: [Joint<R>; N],
-    /// The way of each joint along its axis for a radian.
-    pub(super) pitches: [R; N],
-    pub(super) ranges: [Range<R>; N],
-    pub(super) home: DualQuat<R>,
-    /// A point that no joint moves sideways, and how far the end can be from it.
-    pub(super) centre: [R; 3],
-    pub(super) length: R,
-    pub(super) seeds: [Seed<R, N>; SEEDS],
+    joints: [Joint<R>; N],
+    home: DualQuat<R>,
+    /// The same as a mechanism.
+    pub(super) chain: Chain<R, N>,
 }
 
 impl<R: Real, const N: usize> Arm<R, N> {
@@ -41,20 +37,37 @@ impl<R: Real, const N: usize> Arm<R, N> {
     /// assert_eq!(error, ArmError::Screw { joint: 0, angular: 2.0, linear: 0.0 });
     /// ```
     pub fn new(joints: [Joint<R>; N], home: DualQuat<R>) -> Result<Self, ArmError> {
-        let (mut joints, mut pitches, mut ranges) = (joints, [R::ZERO; N], [Range::NONE; N]);
+        let (mut joints, mut pitches) = (joints, [R::ZERO; N]);
         for index in 0..N {
-            let (joint, pitch) = joints[index].checked(index)?;
-            ranges[index] = Range::of(&joint, pitch, index)?;
-            (joints[index], pitches[index]) = (joint, pitch);
+            (joints[index], pitches[index]) = joints[index].checked(index)?;
         }
         if !home.is_unit(R::from(UNIT)) {
             return Err(ArmError::Home { norm: home.real().norm().into() });
         }
         // What is unit to rounding stays as it is, to the bit.
         let home = if home.is_normalized() { home } else { home.normalize() };
-        let (centre, length) = span(&joints, &pitches, &ranges, home.translation());
-        let seeds = seeds(&joints, &ranges, home);
-        Ok(Self { joints, pitches, ranges, home, centre, length, seeds })
+        let (at, centre, length) = frames(&joints, &pitches, home.translation());
+        let to = DualQuat::from_translation;
+        let mut links = [mechanism::Joint::fixed(None, DualQuat::IDENTITY); N];
+        let (mut parent, mut before) = (None, [R::ZERO; 3]);
+        for ((link, joint), (&at, &pitch)) in
+            links.iter_mut().zip(&joints).zip(at.iter().zip(&pitches))
+        {
+            let placement = to(vector::sub(at, before));
+            *link = mechanism::Joint::new(parent, placement, joint.kind(pitch))
+                .with_limits(joint.limits);
+            (parent, before) = (Some(parent.map_or(0, |parent| parent + 1)), at);
+        }
+        let tool = to(vector::sub([R::ZERO; 3], before)) * home;
+        let chain = Chain::new(&links, tool, (centre, length)).map_err(|error| {
+            let named = match error {
+                ChainError::Limits(index) => joints.get(index).map(|j| j.limits_error(index)),
+                ChainError::Joint(index) => joints.get(index).map(|j| j.screw_error(index)),
+                ChainError::Tool => None,
+            };
+            named.unwrap_or(ArmError::Home { norm: home.real().norm().into() })
+        })?;
+        Ok(Self { joints, home, chain })
     }
 
     /// The joints, the one at the base first, with unit screws.
@@ -74,35 +87,40 @@ impl<R: Real, const N: usize> Arm<R, N> {
     /// ones may be.
     #[must_use]
     pub fn reach_bound(&self) -> ([R; 3], R) {
-        (self.centre, self.length)
+        self.chain.bound()
     }
 }
 
-/// [`Arm::reach_bound`]. A point on the axis of a hinge belongs to the links on both sides of it, so
-/// the way to a point on the next axis is as long in every pose.
-fn span<R: Real, const N: usize>(
+/// Where the joints are in a mechanism; and [`Arm::reach_bound`].
+///
+/// The frame of a hinge is at the point of its axis that is nearest to the frame before, that of a slide where
+/// the frame before is. A point on the axis of a hinge belongs to the links on both sides of it, so the way to a
+/// point on the next axis is as long in every pose.
+fn frames<R: Real, const N: usize>(
     joints: &[Joint<R>; N],
     pitches: &[R; N],
-    ranges: &[Range<R>; N],
     end: [R; 3],
-) -> ([R; 3], R) {
-    let mut length = R::ZERO;
-    let mut way: Option<([R; 3], [R; 3])> = None;
-    for ((joint, pitch), range) in joints.iter().zip(pitches).zip(ranges) {
-        let most = range.low.abs().max_or_nan(range.high.abs());
+) -> ([[R; 3]; N], [R; 3], R) {
+    let nearest_to = |joint: &Joint<R>, point| {
+        let Twist { angular: axis, linear } = joint.screw;
+        let along = vector::scale(axis, vector::dot(axis, point));
+        vector::add(vector::cross(axis, linear), along)
+    };
+    let first = joints.iter().find(|joint| !joint.is_slide());
+    let first = first.map_or(end, |joint| nearest_to(joint, [R::ZERO; 3]));
+    let (mut at, mut length, mut last) = ([first; N], R::ZERO, first);
+    for ((at, joint), &pitch) in at.iter_mut().zip(joints).zip(pitches) {
+        let most = joint.limits[0].abs().max_or_nan(joint.limits[1].abs());
         if joint.is_slide() {
             length += most;
-            continue;
+        } else {
+            // Limits of hinges may be infinite.
+            length += if pitch == R::ZERO { R::ZERO } else { pitch.abs() * most };
+            let next = nearest_to(joint, last);
+            length += vector::norm(vector::sub(next, last));
+            last = next;
         }
-        length += pitch.abs() * most;
-        let axis = joint.screw.angular;
-        let nearest_origin = vector::cross(axis, joint.screw.linear);
-        let (first, last) = way.unwrap_or((nearest_origin, nearest_origin));
-        let along = vector::scale(axis, vector::dot(axis, last));
-        let next = vector::add(nearest_origin, along);
-        length += vector::norm(vector::sub(next, last));
-        way = Some((if way.is_some() { first } else { next }, next));
+        *at = last;
     }
-    let (first, last) = way.unwrap_or((end, end));
-    (first, length + vector::norm(vector::sub(end, last)))
+    (at, first, length + vector::norm(vector::sub(end, last)))
 }

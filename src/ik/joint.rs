@@ -1,5 +1,6 @@
 use super::error::ArmError;
 use crate::geometry::{Line, Screw, Twist};
+use crate::mechanism::{JointKind, UNIT};
 use crate::real::Real;
 use crate::scalar::{DualQuat, vector};
 
@@ -77,8 +78,7 @@ impl<R: Real> Joint<R> {
         let unit = if self.is_slide() { lengths[1] } else { lengths[0] };
         let is_unit = (unit - R::ONE).abs() <= R::from(UNIT);
         if !is_unit || !lengths[1].is_finite() {
-            let [angular, linear] = lengths.map(Into::into);
-            return Err(ArmError::Screw { joint: index, angular, linear });
+            return Err(self.screw_error(index));
         }
         let angular = vector::over_norm(angular, unit);
         let linear = vector::over_norm(linear, unit);
@@ -88,11 +88,30 @@ impl<R: Real> Joint<R> {
             if is_hinge { (vector::across(angular, linear), R::ZERO) } else { (linear, along) };
         Ok((Self { screw: Twist { angular, linear }, ..self }, pitch))
     }
-}
 
-/// How far the length of an axis, and the norms of targets and of the pose at zero, may be from 1:
-/// numbers typed with four decimals are nearer.
-pub(crate) const UNIT: f32 = 1e-3;
+    pub(super) fn screw_error(&self, index: usize) -> ArmError {
+        let Twist { angular, linear } = self.screw;
+        let [angular, linear] = [angular, linear].map(|part| vector::norm(part).into());
+        ArmError::Screw { joint: index, angular, linear }
+    }
+
+    pub(super) fn limits_error(&self, index: usize) -> ArmError {
+        let [low, high] = self.limits.map(Into::into);
+        ArmError::Limits { joint: index, low, high }
+    }
+
+    /// What it is in a mechanism, in a frame on its axis that is parallel to the base at zero.
+    pub(super) fn kind(&self, pitch: R) -> JointKind<R> {
+        let Twist { angular: axis, linear } = self.screw;
+        if self.is_slide() {
+            JointKind::Prismatic { axis: linear }
+        } else if pitch == R::ZERO {
+            JointKind::Revolute { axis }
+        } else {
+            JointKind::Screw { axis, pitch }
+        }
+    }
+}
 
 /// The pose of the end of a chain of joints, one product after the other.
 pub(super) fn chain<R: Real, const N: usize>(

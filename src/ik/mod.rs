@@ -7,9 +7,9 @@
 //!
 //! An [`Arm`] is a product of exponentials (Brockett 1984): the screws of its [`Joint`]s and the pose
 //! of the end where all joints are zero, so that no frames have to be laid into the links. It is
-//! solved for one target ([`Arm::reach`]), for as many as there are lanes ([`Arm::reach_lanes`]) or
-//! for a slice of targets with the best instructions of the CPU ([`Backend::reach`]), by the same
-//! code. The result is a [`Report`].
+//! solved for one target ([`Arm::reach`]) or for a slice of targets with the best instructions of the CPU
+//! ([`Backend::reach`]), by the same code: that of [`mechanism::Reach`](crate::mechanism::Reach), which an
+//! arm lays its own frames for. The result is a [`Report`].
 //!
 //! ```
 //! use dq8::ik::{Arm, Joint, Options, Outcome};
@@ -29,29 +29,15 @@
 
 mod arm;
 mod error;
-mod goal;
 mod jacobian;
 mod joint;
-mod least_squares;
-mod limits;
 mod reach;
-mod report;
-mod residual;
-mod search;
-mod seed;
-mod step;
 mod two_bone;
 
 #[cfg(doc)]
 use crate::Backend;
+pub use crate::mechanism::reach::{Options, Outcome, Report};
 pub use arm::Arm;
 pub use error::{ArmError, LimbError};
 pub use joint::Joint;
-pub(crate) use joint::UNIT;
-pub(crate) use least_squares::epsilon;
-pub(crate) use limits::Range;
-pub use report::{Options, Outcome, Outcomes, Report};
-pub(crate) use search::{LAST_PROGRESS, NEAR, PROGRESS};
-pub(crate) use seed::ratio;
-pub(crate) use step::DAMPING;
 pub use two_bone::{Span, TwoBone};

@@ -1,12 +1,11 @@
 //! One target, and slices of them.
 
 use super::{Arm, Options, Outcome, Report};
-use crate::batch;
-use crate::dispatch::{Backend, Kernel};
+use crate::dispatch::Backend;
 use crate::real::Scalar;
 use crate::scalar::DualQuat;
-use crate::shape::{ShapeError, same_length};
-use dq8_simd::{Lanes, Level, Portable, Records};
+use crate::shape::ShapeError;
+use dq8_simd::{Lanes, Portable};
 
 impl<R, const N: usize> Arm<R, N>
 where
@@ -45,15 +44,7 @@ where
         values: &mut [R; N],
         options: &Options<R>,
     ) -> Report<R, Outcome> {
-        let target = batch::DualQuat::from_array(target.to_array());
-        let report = self.reach_lanes(target, values, options);
-        Report {
-            iterations: report.iterations,
-            restarts: report.restarts,
-            angular_error: report.angular_error,
-            linear_error: report.linear_error,
-            outcome: report.outcome.lane(0),
-        }
+        self.chain.solve(target, values, options)
     }
 }
 
@@ -88,42 +79,6 @@ impl Backend {
         reports: &mut [Report<R, Outcome>],
         options: &Options<R>,
     ) -> Result<(), ShapeError> {
-        same_length("values", values.len(), targets.len())?;
-        same_length("reports", reports.len(), targets.len())?;
-        self.run(Targets { arm, targets, values, reports, options });
-        Ok(())
-    }
-}
-
-struct Targets<'s, R, const N: usize> {
-    arm: &'s Arm<R, N>,
-    targets: &'s [DualQuat<R>],
-    values: &'s mut [[R; N]],
-    reports: &'s mut [Report<R, Outcome>],
-    options: &'s Options<R>,
-}
-
-impl<R: Scalar, const N: usize> Kernel for Targets<'_, R, N> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<V: Level>(self, level: V) {
-        let lanes = R::Lanes::<V>::LANES;
-        // Lanes without a target have nothing to do: a target of NaN is invalid from the start, so it never runs, and the
-        // others do not wait for it.
-        let nowhere = [R::NAN; 8];
-        let records: &[[R; 8]] = bytemuck::must_cast_slice(self.targets);
-        for ((targets, values), reports) in records
-            .chunks(lanes)
-            .zip(self.values.chunks_mut(lanes))
-            .zip(self.reports.chunks_mut(lanes))
-        {
-            let target = R::Lanes::<V>::load_records(level, targets, nowhere);
-            let mut joints = R::Lanes::<V>::load_records(level, values, [R::ZERO; N]);
-            let target = batch::DualQuat::from_array(target);
-            let report = self.arm.reach_lanes(target, &mut joints, self.options);
-            R::Lanes::<V>::store_records(joints, values);
-            report.store(reports);
-        }
+        arm.chain.reach(self, targets, values, reports, options)
     }
 }

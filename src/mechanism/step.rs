@@ -3,8 +3,8 @@ use super::joint::{Joint, JointKind};
 use crate::real::Real;
 use crate::scalar::{DualQuat, Quat, vector};
 
-/// How far axes and placements may be from unit: numbers that people type with four decimals are nearer.
-const UNIT: f32 = 1e-3;
+/// How far axes, placements and targets may be from unit: numbers that people type with four decimals are nearer.
+pub(crate) const UNIT: f32 = 1e-3;
 
 /// No such link, value or rate.
 pub(super) const NONE: u32 = u32::MAX;

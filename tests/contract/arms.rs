@@ -2,6 +2,7 @@
 
 pub use crate::random::Random;
 use dq8::ik::{Arm, Joint};
+use dq8::mechanism::{self, JointKind};
 use dq8::{DualQuat, Quat, Real};
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 use std::f64::consts::PI;
@@ -125,6 +126,29 @@ impl<const N: usize> Plan<N> {
         let turn = Quat::from_axis_angle(real(axis), R::from_f64(angle));
         Arm::new(joints, DualQuat::from_rotation_translation(turn, real(translation)))
             .expect("the plan is an arm")
+    }
+
+    /// The same arm as joints of a mechanism, each in a frame on its axis; the end is the last link.
+    pub fn links(&self) -> Vec<mechanism::Joint<f64>> {
+        let (mut links, mut last) = (Vec::new(), [0.0; 3]);
+        let offset = |from: [f64; 3], to: [f64; 3]| {
+            DualQuat::from_translation(core::array::from_fn(|i| to[i] - from[i]))
+        };
+        for Axis { direction: axis, through, limits, pitch } in self.axes {
+            let kind = match pitch {
+                None => JointKind::Prismatic { axis },
+                Some(0.0) => JointKind::Revolute { axis },
+                Some(pitch) => JointKind::Screw { axis, pitch },
+            };
+            let parent = links.len().checked_sub(1);
+            let link = mechanism::Joint::new(parent, offset(last, through), kind);
+            links.push(link.with_limits(limits));
+            last = through;
+        }
+        let (axis, angle, translation) = self.home;
+        let turn = DualQuat::from_rotation(Quat::from_axis_angle(axis, angle));
+        links.push(mechanism::Joint::fixed(N.checked_sub(1), offset(last, translation) * turn));
+        links
     }
 
     /// Where the end is, by nalgebra.

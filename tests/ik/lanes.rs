@@ -2,10 +2,9 @@
 
 use super::arms::{Plan, Random, puma, rounded, ur5};
 use dq8::ik::{Arm, Options, Outcome, Report};
-use dq8::simd::Records;
 use dq8::{
-    Backend, DualQuat, Lanes, Real, ShapeError, batch,
-    simd::{Float, Portable, f32x8, f64x8},
+    Backend, DualQuat, Lanes, Real, ShapeError,
+    simd::{Float, Portable, f64x8},
 };
 
 /// Targets, and values to start from.
@@ -25,68 +24,54 @@ fn drawn<R: Real + Float>(plan: &Plan<6>, count: usize) -> (Vec<DualQuat<R>>, Ve
         .unzip()
 }
 
-/// Whether these lanes round a multiply-add once. Plain numbers round twice, and near singular poses the
-/// last bit becomes another way to the target.
-fn fuses<L: Lanes<Level = Portable>>() -> bool {
-    let x = L::splat(Portable, <L::Real as Float>::from_f64(1.1));
-    let rest = x.mul_add(x, -(x * x)).to_array();
-    rest.as_ref().iter().any(|&rest| rest != L::Real::default())
+/// Whether the portable lanes round a multiply-add once, as the instructions of the build target may.
+fn portable_lanes_fuse() -> bool {
+    let x = <f64x8 as Lanes>::splat(Portable, 1.1);
+    let rest = Lanes::to_array(Lanes::mul_add(x, x, -(x * x)));
+    rest.as_ref().iter().any(|&rest| rest != 0.0)
 }
 
-fn eight_are_as_one<L: Lanes<Level = Portable, Real: Real>>()
+/// Lanes that round a multiply-add once come to other last bits than plain numbers that round twice, and near
+/// singular poses the last bit becomes another way to the target: all but a few searches are the same, and what
+/// is called reached is.
+fn many_are_as_one<R>()
 where
-    L::Real: Lanes<Real = L::Real, Level = Portable, Mask = bool>,
+    R: Real + Float + Lanes<Real = R, Level = Portable, Mask = bool>,
 {
+    let options = Options::default();
     for plan in [ur5(), puma()] {
-        let arm = plan.arm::<L::Real>();
-        let (targets, starts) = drawn::<L::Real>(&plan, 64);
-        let options = Options::default();
-        let mut differ = 0;
-        for (targets, starts) in targets.chunks(8).zip(starts.chunks(8)) {
-            let records: Vec<_> = targets.iter().map(|target| target.to_array()).collect();
-            let target = batch::DualQuat::<L>::load_records(Portable, &records);
-            let mut values = L::load_records(Portable, starts, [L::Real::ZERO; 6]);
-            let mut reports = [Report::default(); 8];
-            arm.reach_lanes(target, &mut values, &options).store(&mut reports);
-            let mut together = [[L::Real::ZERO; 6]; 8];
-            L::store_records(values, &mut together);
-
-            for lane in 0..8 {
-                let mut alone = starts[lane];
-                let mut report = arm.reach(targets[lane], &mut alone, &options);
-                let in_lane = reports[lane];
-                if fuses::<L>() {
-                    differ += u32::from(in_lane.outcome != report.outcome);
-                    if in_lane.outcome == Outcome::Converged {
-                        assert_reached(&arm, targets[lane], &together[lane]);
+        let arm = plan.arm::<R>();
+        let (targets, starts) = drawn::<R>(&plan, 64);
+        for backend in Backend::available() {
+            let (mut values, mut reports) = (starts.clone(), vec![Report::default(); 64]);
+            backend
+                .reach(&arm, &targets, &mut values, &mut reports, &options)
+                .expect("lengths fit");
+            let (mut differ, mut other_way) = (0, 0);
+            for (index, (together, in_lane)) in values.iter().zip(&reports).enumerate() {
+                let mut alone = starts[index];
+                let report = arm.reach(targets[index], &mut alone, &options);
+                differ += u32::from(in_lane.outcome != report.outcome);
+                for (values, report) in [(&alone, &report), (together, in_lane)] {
+                    if report.outcome == Outcome::Converged {
+                        assert_reached(&arm, targets[index], values);
                     }
-                    (alone, report) = in_every_lane::<L>(&arm, targets[lane], starts[lane]);
                 }
-                assert_eq!(in_lane.outcome, report.outcome, "lane {lane}");
-                assert_eq!(in_lane.iterations, report.iterations, "lane {lane}");
-                assert_eq!(in_lane.restarts, report.restarts, "lane {lane}");
-                let tolerance = if L::Real::SINGLE { 2e-4 } else { 1e-12 };
-                for (alone, together) in alone.into_iter().zip(together[lane]) {
-                    let apart: f64 = (alone - together).into();
-                    assert!(apart.abs() < tolerance, "lane {lane}: {apart:e}");
-                }
+                let tolerance = if size_of::<R>() == 4 { 2e-4 } else { 1e-12 };
+                let same_way = (in_lane.iterations, in_lane.restarts)
+                    == (report.iterations, report.restarts)
+                    && alone.iter().zip(together).all(|(&alone, &together)| {
+                        Into::<f64>::into(alone - together).abs() < tolerance
+                            || alone.is_nan() && together.is_nan()
+                    });
+                other_way += u32::from(!same_way);
             }
+            assert!(differ <= 2, "{backend}: {differ} of 64");
+            let rounds_alike = backend == Backend::PORTABLE && !portable_lanes_fuse();
+            let most = if rounds_alike { 0 } else { 6 };
+            assert!(other_way <= most, "{backend}: {other_way} of 64");
         }
-        assert!(differ <= 2, "{differ} of 64");
     }
-}
-
-/// One target in all lanes: alone, and rounded as among others.
-fn in_every_lane<L: Lanes<Level = Portable, Real: Real>>(
-    arm: &Arm<L::Real, 6>,
-    target: DualQuat<L::Real>,
-    start: [L::Real; 6],
-) -> ([L::Real; 6], Report<L::Real, Outcome>) {
-    let target = batch::DualQuat::<L>::splat(Portable, target.to_array());
-    let mut values = start.map(|value| L::splat(Portable, value));
-    let mut reports = [Report::default(); 8];
-    arm.reach_lanes(target, &mut values, &Options::default()).store(&mut reports);
-    (values.map(|value| value.to_array().as_ref()[0]), reports[0])
 }
 
 fn assert_reached<R: Real + Float>(arm: &Arm<R, 6>, target: DualQuat<R>, values: &[R; 6]) {
@@ -96,9 +81,9 @@ fn assert_reached<R: Real + Float>(arm: &Arm<R, 6>, target: DualQuat<R>, values:
 }
 
 #[test]
-fn eight_targets_at_once_are_reached_as_one_at_a_time() {
-    eight_are_as_one::<f64x8>();
-    eight_are_as_one::<f32x8>();
+fn targets_on_lanes_are_reached_as_one_at_a_time() {
+    many_are_as_one::<f64>();
+    many_are_as_one::<f32>();
 }
 
 /// The best backend's lanes in another order, and another number of them.

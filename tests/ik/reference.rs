@@ -5,6 +5,7 @@
 
 use super::arms::{Plan, Random, gantry, puma, seven, ur5};
 use dq8::ik::{Arm, Options, Outcome};
+use dq8::mechanism::{Freedom, Goal, OwnedMechanism, Reach};
 use dq8::{DualQuat, Twist};
 use nalgebra::{DMatrix, DVector, Matrix6, Vector6};
 use std::f64::consts::{PI, TAU};
@@ -256,5 +257,54 @@ fn a_search_written_plainly_takes_the_same_steps_to_the_same_values() {
         searches_agree(&puma(), &options);
         searches_agree(&gantry(), &options);
         searches_agree(&seven(), &options);
+    }
+}
+
+/// A mechanism begins again elsewhere and sooner before limits; until then it takes the same steps.
+fn a_mechanism_agrees<const N: usize>(plan: &Plan<N>, options: &Options<f64>) {
+    let (arm, mut random) = (plan.arm::<f64>(), Random(22));
+    let mechanism = OwnedMechanism::new(&plan.links()).expect("a mechanism");
+    let (goals, mut freedoms) = ([Goal::pose(N)], [Freedom::default(); N]);
+    let problem = Reach::new(mechanism.view(), &goals, &mut freedoms).expect("a problem");
+    let mut scratch = vec![0.0; problem.scratch_len()];
+    let (_, reach) = arm.reach_bound();
+    let length = options.length_per_radian.unwrap_or(reach / 8.0);
+    let options = Options { length_per_radian: Some(length), ..*options };
+    let (mut compared, mut sooner, mut differ) = (0, 0, 0);
+    for _ in 0..90 {
+        let (target, start) = (arm.forward(&plan.draw(&mut random)), plan.draw(&mut random));
+        let plain = Search { arm: &arm, target, options, length }.run(start);
+        if plain.outcome != Outcome::Converged || plain.restarts > 0 {
+            continue;
+        }
+        compared += 1;
+        let mut values = start;
+        let report =
+            problem.solve(&[target], &mut values, &mut scratch, &options).expect("lengths fit");
+        if report.restarts > 0.0 {
+            sooner += 1;
+            continue;
+        }
+        let same_way = (report.outcome, report.iterations)
+            == (Outcome::Converged, f64::from(plain.iterations));
+        let near = values.iter().zip(plain.values).all(|(a, b)| {
+            let apart = (a - b).abs();
+            apart < 1e-5 || (apart - 2.0 * PI).abs() < 1e-5
+        });
+        differ += usize::from(!(same_way && near));
+    }
+    assert!(compared >= 20, "{compared} to compare");
+    assert!(sooner <= compared / 8, "{sooner} of {compared} begin again");
+    assert!(differ <= 1, "{differ} of {compared} differ");
+}
+
+#[test]
+fn a_mechanism_takes_the_same_steps_until_it_begins_again() {
+    let options = Options { max_iterations: 40, ..Options::default() };
+    let weighed = Options { damping: 0.01, length_per_radian: Some(0.2), ..options };
+    for options in [options, weighed] {
+        a_mechanism_agrees(&ur5(), &options);
+        a_mechanism_agrees(&puma(), &options);
+        a_mechanism_agrees(&seven(), &options);
     }
 }

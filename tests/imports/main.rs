@@ -76,11 +76,11 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
             "palette_entry",
         ],
     ),
-    ("ik", &["shape", "real", "geometry", "dq8_simd", "scalar", "batch", "dispatch"]),
     (
         "mechanism",
-        &["shape", "real", "geometry", "dq8_simd", "scalar", "batch", "dispatch", "storage", "ik"],
+        &["shape", "real", "geometry", "dq8_simd", "scalar", "batch", "dispatch", "storage"],
     ),
+    ("ik", &["shape", "real", "geometry", "dq8_simd", "scalar", "batch", "dispatch", "mechanism"]),
     (
         "hierarchy",
         &[

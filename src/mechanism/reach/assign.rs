@@ -1,9 +1,9 @@
 //! Configurations into lanes, and back.
 
 use super::lane::Lane;
+use super::report::{Outcome, Report};
 use super::scratch::GOAL;
 use super::search::{Search, with_lane};
-use crate::ik::{Outcome, Report};
 use crate::real::{Real, Scalar};
 use dq8_simd::Lanes;
 
@@ -73,7 +73,8 @@ impl<L: Lanes<Real: Scalar>> Search<'_, L> {
     pub(super) fn finish(&mut self, index: usize) {
         let Some(&lane) = self.lanes.get(index) else { return };
         let Some(configuration) = lane.configuration else { return };
-        let outcome = lane.outcome(self.is_at_limits(index));
+        let reach = self.model.reach;
+        let outcome = lane.outcome(self.is_at_limits(index), &reach.manner);
         if outcome != Outcome::Invalid {
             let count = self.model.reach.mechanism.values;
             let values = self.work.values.get_mut(configuration * count..).unwrap_or_default();

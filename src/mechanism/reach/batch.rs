@@ -2,13 +2,14 @@
 
 use super::model::Model;
 use super::problem::Reach;
+use super::report::{Options, Outcome, Report};
+use super::scratch::Room;
 use super::search::{Search, Work};
 use crate::dispatch::{Backend, Kernel};
-use crate::ik::{Options, Outcome, Report};
 use crate::real::Scalar;
 use crate::scalar::DualQuat;
 use crate::shape::{ShapeError, same_length};
-use dq8_simd::{Lanes, Level, Portable};
+use dq8_simd::{Lanes, Level, MAX_LANES, Portable};
 
 impl<R> Reach<'_, R>
 where
@@ -43,11 +44,16 @@ where
         let mut reports = [Report::default()];
         let work = Work { targets, values, reports: &mut reports, options };
         work.check(self, scratch.len(), self.scratch_len())?;
-        if let Some(model) = Model::<R>::new(Portable, self, options, scratch) {
-            Search::new(model, work).run();
-        }
+        self.solve_one(work, Room::of(self, 1, scratch));
         let [report] = reports;
         Ok(report)
+    }
+
+    /// [`solve`](Self::solve) of what has been checked.
+    pub(super) fn solve_one(&self, work: Work<'_, R>, room: Room<'_, R>) {
+        if let Some(model) = Model::<R>::new(Portable, self, work.options, room) {
+            Search::new(model, work).run();
+        }
     }
 }
 
@@ -96,7 +102,8 @@ impl Backend {
     ) -> Result<(), ShapeError> {
         let work = Work { targets, values, reports, options };
         work.check(reach, scratch.len(), reach.batch_scratch_len())?;
-        self.run(Targets { reach, work, scratch });
+        let room = Room::of(reach, MAX_LANES, scratch);
+        self.run(Targets { reach, work, room });
         Ok(())
     }
 }
@@ -114,10 +121,11 @@ impl<R: Copy> Work<'_, R> {
     }
 }
 
-struct Targets<'s, R> {
-    reach: &'s Reach<'s, R>,
-    work: Work<'s, R>,
-    scratch: &'s mut [R],
+/// Many configurations; lengths have been checked.
+pub(super) struct Targets<'s, R> {
+    pub(super) reach: &'s Reach<'s, R>,
+    pub(super) work: Work<'s, R>,
+    pub(super) room: Room<'s, R>,
 }
 
 impl<R: Scalar> Kernel for Targets<'_, R> {
@@ -125,8 +133,8 @@ impl<R: Scalar> Kernel for Targets<'_, R> {
 
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
-        let Self { reach, work, scratch } = self;
-        if let Some(model) = Model::<R::Lanes<V>>::new(level, reach, work.options, scratch) {
+        let Self { reach, work, room } = self;
+        if let Some(model) = Model::<R::Lanes<V>>::new(level, reach, work.options, room) {
             Search::new(model, work).run();
         }
     }

@@ -1,9 +1,9 @@
 //! How far links get.
 
 use super::problem::Reach;
-use crate::ik::{Range, UNIT};
+use super::range::Range;
 use crate::mechanism::joint::JointKind;
-use crate::mechanism::step::Step;
+use crate::mechanism::step::{Step, UNIT};
 use crate::real::Real;
 use crate::scalar::{DualQuat, vector};
 
@@ -106,7 +106,8 @@ impl<R: Real> Reach<'_, R> {
         }
         let target = target.normalize();
         let asked = self.goals.get(goal)?.linear.into_iter().all(|weight| weight > R::ZERO);
-        let Some((centre, length)) = self.reach_bound(goal).filter(|_| asked) else {
+        let bound = if goal == 0 { self.bound } else { self.reach_bound(goal) };
+        let Some((centre, length)) = bound.filter(|_| asked) else {
             return Some((target, false));
         };
         let way = vector::sub(target.translation(), centre);
@@ -127,7 +128,7 @@ impl<R: Real> Reach<'_, R> {
     pub(super) fn distance(&self, targets: &[DualQuat<R>], values: &[R]) -> Option<R> {
         let mut largest = R::ZERO;
         for (goal, target) in self.goals.iter().zip(targets) {
-            let pose = self.mechanism.link_pose(values, goal.link).ok()?;
+            let pose = self.pose(goal.link, values)?;
             let target = target.normalize();
             let way = vector::sub(target.translation(), pose.translation());
             let mut way = target.rotation().conjugate().rotate(way);
@@ -138,6 +139,19 @@ impl<R: Real> Reach<'_, R> {
             largest = if distance > largest { distance } else { largest };
         }
         Some(largest)
+    }
+}
+
+impl<R: Real> Reach<'_, R> {
+    /// Where what comes to the targets is.
+    pub(super) fn pose(&self, link: usize, values: &[R]) -> Option<DualQuat<R>> {
+        let is_joined = link < self.mechanism.links();
+        let pose = if is_joined {
+            self.mechanism.link_pose(values, link).ok()?
+        } else {
+            DualQuat::IDENTITY
+        };
+        Some(self.tool.map_or(pose, |tool| pose * tool.placement))
     }
 }
 

@@ -1,7 +1,9 @@
 //! Where links are, and the screws of the joints that move them.
 
 use super::model::Model;
+use super::problem::Reach;
 use super::scratch::{GOAL, Rows, TARGET};
+use crate::mechanism::placed::Placed;
 use crate::mechanism::values::{JointNumbers, half_turn};
 use crate::mechanism::walk::{Joined, frame, moved, slots};
 use crate::real::Scalar;
@@ -31,6 +33,17 @@ impl<L: Lanes> JointNumbers<L> for Numbers<'_, '_, L> {
 }
 
 impl<L: Lanes<Real: Scalar>> Model<'_, L> {
+    /// The poses of goals that no joint carries: those for a link that there is not.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn place_fixed(&mut self) {
+        for (index, goal) in self.reach.goals.iter().enumerate() {
+            if goal.link >= self.reach.mechanism.links() {
+                let pose = with_tool(self.reach, Placed::identity(self.level));
+                put(&mut self.scratch.goals, index, pose);
+            }
+        }
+    }
+
     /// The poses of the links with goals, from the base up; links that carry none are left out.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn place(&mut self, of: Of) {
@@ -61,11 +74,25 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
             }
             for (index, goal) in reach.goals.iter().enumerate() {
                 if goal.link == step.link as usize {
-                    let at = index * GOAL + TARGET;
-                    scratch.goals.set_record(at, pose.rotation);
-                    scratch.goals.set_record(at + 4, pose.half);
+                    put(&mut scratch.goals, index, with_tool(reach, pose));
                 }
             }
         }
     }
+}
+
+/// The pose of what comes to the target.
+#[cfg_attr(not(opt_level_0), inline(always))]
+fn with_tool<L: Lanes<Real: Scalar>>(reach: &Reach<'_, L::Real>, link: Placed<L>) -> Placed<L> {
+    match reach.tool {
+        Some(tool) => link.place(tool),
+        None => link,
+    }
+}
+
+#[cfg_attr(not(opt_level_0), inline(always))]
+pub(super) fn put<L: Lanes<Real: Scalar>>(goals: &mut Rows<'_, L>, goal: usize, pose: Placed<L>) {
+    let at = goal * GOAL + TARGET;
+    goals.set_record(at, pose.rotation);
+    goals.set_record(at + 4, pose.half);
 }

@@ -1,7 +1,7 @@
 //! What a search may change: the rates of joints that move a goal.
 
 use super::error::ReachError;
-use crate::ik::{Range, ratio};
+use super::range::Range;
 use crate::mechanism::joint::JointKind;
 use crate::mechanism::step::{NONE, Step};
 use crate::real::Real;
@@ -57,6 +57,13 @@ impl<R: Real> Freedom<R> {
     pub(super) fn has_ends(&self) -> bool {
         let Range { low, high, .. } = self.range;
         (high - low).is_finite()
+    }
+
+    /// Its value in beginning number `number` of those that are spread evenly.
+    pub(super) fn beginning(&self, number: u64) -> R {
+        let share = 0.5 + number as f64 * self.share;
+        let share = R::from_f64(share - share as u64 as f64);
+        self.range.low + (self.range.high - self.range.low) * share
     }
 
     /// Rate number `index` of a joint, with the limits of the joint.
@@ -131,9 +138,15 @@ pub(super) fn freedoms<R: Real>(
     Ok(count)
 }
 
-/// Values of low discrepancy, as for arms (Roberts 2018), where ranges have two ends.
+/// Values of low discrepancy, where ranges have two ends: the additive recurrence ½ + kα modulo 1 with
+/// αⱼ = g⁻ʲ, g the positive root of gᴺ⁺¹ = g + 1 for N of them, which generalises the golden ratio (Roberts 2018).
 fn spread<R: Real>(freedoms: &mut [Freedom<R>]) {
-    let factor = 1.0 / ratio(freedoms.iter().filter(|freedom| freedom.has_ends()).count());
+    let count = freedoms.iter().filter(|freedom| freedom.has_ends()).count();
+    let mut ratio = 1.5_f64;
+    for _ in 0..64 {
+        ratio = Real::exp(Real::ln(1.0 + ratio) / (count as f64 + 1.0));
+    }
+    let factor = 1.0 / ratio;
     let mut power = 1.0;
     for freedom in freedoms {
         if freedom.has_ends() {

@@ -3,26 +3,29 @@
 //! *Progress* is a fall of the squared error to a part of what it was within a few steps: those near a
 //! solution converge quadratically, so a search that falls slowly is on its way to a local minimum. A lane
 //! without progress begins again, if it may, and ends if not; one that limits leave no *hope* does not wait.
-//! In the last twelfth of the iterations it goes back to the nearest pose that it found, and stays there.
+//! What has a [`Manner`] that settles goes back to the nearest pose that it found in the last twelfth of the
+//! iterations, and stays there.
 
-use crate::ik::{LAST_PROGRESS, NEAR, Options, Outcome, PROGRESS};
+use super::manner::{Manner, PROGRESS};
+use super::report::{Options, Outcome};
 use crate::real::Real;
 
-/// Progress must be made in this many steps, fewer where there is another beginning.
+/// The squared error must fall to a part of itself, where there is no other beginning to this part ...
+const LAST_PROGRESS: f64 = 0.999;
+/// ... in this many steps. Patience costs iterations that a restart could use: with 3, fewer of the
+/// random targets in the tests are reached. Without restarts, patience costs nothing.
 const PATIENCE: u32 = 2;
 const LAST_PATIENCE: u32 = 6;
+/// Below this squared error (radians²) a limit in the way is not a reason to give up at once.
+const NEAR: f64 = 1e-4;
 /// So many steps may lead past the targets on the way to a posture.
 const POSTURE_PATIENCE: u32 = 60;
 /// A way of less than this, radians, is not worth another step to a posture.
 const POSTURE_STEP: f32 = 1e-4;
-/// This part of the iterations is for the nearest pose that was found, where none has arrived until then.
+/// This part of the iterations is the last.
 const LAST: u32 = 12;
 /// How much more a step is damped than one that led away.
 const MORE_CAUTION: f32 = 8.0;
-/// A step that limits cut so short that even its own linear model leaves more than this part of the squared
-/// error is the last. Of 10,000 random targets of an arm of seven axes it is 9,997 that are reached; with the
-/// part that is progress 9,993.
-const HOPE: f32 = 0.2;
 
 /// What is known of a lane after a step.
 #[derive(Clone, Copy, Debug)]
@@ -46,6 +49,8 @@ pub(super) struct Lane<R> {
     pub(super) configuration: Option<usize>,
     pub(super) iterations: u32,
     pub(super) restarts: u32,
+    /// The squared error of the kept pose that it began again from last.
+    pub(super) beginning: Option<R>,
     pub(super) out_of_reach: bool,
     pub(super) best: Seen<R>,
     /// Whether nothing has been seen of it yet, and whether it has just begun again.
@@ -83,6 +88,7 @@ impl<R: Real> Lane<R> {
         configuration: None,
         iterations: 0,
         restarts: 0,
+        beginning: None,
         out_of_reach: false,
         best: Seen {
             square: R::NAN,
@@ -115,6 +121,7 @@ impl<R: Real> Lane<R> {
         &mut self,
         seen: Seen<R>,
         options: &Options<R>,
+        manner: &Manner,
         has_posture: bool,
     ) -> (bool, Next) {
         let arrived = seen.angular <= options.angular_tolerance
@@ -142,14 +149,15 @@ impl<R: Real> Lane<R> {
             return (is_best, self.toward_posture(&seen, arrived, options));
         }
         let may_restart = options.restarts && !self.out_of_reach && !self.settles;
-        let hopeless = may_restart && !self.begins && self.is_hopeless(&seen);
+        let hopeless = may_restart && !self.begins && self.is_hopeless(&seen, manner);
         let needed = R::from_f64(if may_restart { PROGRESS } else { LAST_PROGRESS });
         if self.begins || seen.square < self.mark * needed {
             (self.mark, self.idle_steps) = (seen.square, 0);
         } else {
             self.idle_steps += 1;
         }
-        self.caution = if may_restart || self.begins || seen.square <= self.square {
+        let is_bold = may_restart || self.begins || !manner.is_cautious;
+        self.caution = if is_bold || seen.square <= self.square {
             let less = self.caution * R::HALF;
             if less > R::ONE { less } else { R::ONE }
         } else {
@@ -163,12 +171,13 @@ impl<R: Real> Lane<R> {
             return (is_best, Next::End);
         }
         self.iterations += 1;
-        if stuck && self.iterations > options.max_iterations - options.max_iterations / LAST {
+        let is_last = manner.settles
+            && self.iterations > options.max_iterations - options.max_iterations / LAST;
+        if stuck && is_last {
             (self.settles, self.begins) = (true, true);
             return (is_best, Next::GoBack);
         }
         if stuck {
-            self.restarts += 1;
             self.begins = true;
             return (is_best, Next::BeginAgain);
         }
@@ -199,12 +208,13 @@ impl<R: Real> Lane<R> {
     }
 
     /// Whether a limit cut the last step so short that even its own linear model left most of the error.
-    fn is_hopeless(&self, seen: &Seen<R>) -> bool {
-        seen.left > self.square * R::from(HOPE) && self.square > R::from_f64(NEAR)
+    fn is_hopeless(&self, seen: &Seen<R>, manner: &Manner) -> bool {
+        seen.left > self.square * R::from_f64(manner.hope) && self.square > R::from_f64(NEAR)
     }
 
-    pub(super) fn outcome(&self, is_at_limits: bool) -> Outcome {
-        let still_nearer = self.idle_steps == 0 && self.square <= self.best.square;
+    pub(super) fn outcome(&self, is_at_limits: bool, manner: &Manner) -> Outcome {
+        let still_nearer =
+            manner.settles && self.idle_steps == 0 && self.square <= self.best.square;
         match self {
             Self { is_invalid: true, .. } => Outcome::Invalid,
             Self { converged: true, .. } => Outcome::Converged,

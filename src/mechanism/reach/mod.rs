@@ -4,15 +4,19 @@
 //! |---|---|
 //! | `goal.rs`, `freedom.rs`, `problem.rs`, `error.rs` | what is asked, checked once, in memory of the caller |
 //! | `bound.rs` | how far a link gets |
+//! | `chain.rs` | the chain that an `ik::Arm` is; `manner.rs` what its searches do otherwise |
 //! | `batch.rs` | one configuration, and many |
 //! | `search.rs`, `lane.rs`, `assign.rs` | the loop, what a lane does next, what it is given and gives back |
 //! | `model.rs` with `forward.rs`, `compare.rs`, `columns.rs`, `wish.rs`, `step.rs`, `restart.rs` | what is computed of it, on lanes |
+//! | `range.rs`, `report.rs` | values within limits; what a search is told, and what it tells |
 //! | `normal.rs` | damped least squares of any size |
 //! | `scratch.rs` | numbers of all lanes in memory of the caller |
 
 mod assign;
 mod batch;
+mod beginnings;
 mod bound;
+mod chain;
 mod columns;
 mod compare;
 mod error;
@@ -20,16 +24,21 @@ mod forward;
 mod freedom;
 mod goal;
 mod lane;
+mod manner;
 mod model;
 mod normal;
 mod problem;
+mod range;
+mod report;
 mod restart;
 mod scratch;
 mod search;
 mod step;
 mod wish;
 
+pub(crate) use chain::{Chain, ChainError};
 pub use error::ReachError;
 pub use freedom::Freedom;
 pub use goal::Goal;
 pub use problem::Reach;
+pub use report::{Options, Outcome, Report};

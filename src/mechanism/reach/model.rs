@@ -1,8 +1,8 @@
 //! What is computed of a mechanism on lanes, each with a configuration and targets of its own.
 
 use super::problem::Reach;
-use super::scratch::Scratch;
-use crate::ik::Options;
+use super::report::Options;
+use super::scratch::{Room, Scratch};
 use crate::mechanism::placed::Placed;
 use crate::mechanism::walk::SLOTS;
 use crate::real::Scalar;
@@ -55,7 +55,7 @@ impl<'s, L: Lanes<Real: Scalar>> Model<'s, L> {
         level: L::Level,
         reach: &'s Reach<'s, L::Real>,
         options: &Options<L::Real>,
-        room: &'s mut [L::Real],
+        room: Room<'s, L::Real>,
     ) -> Option<Self> {
         let scratch = Scratch::new(reach, room)?;
         // Each lane has its own with what it is given.

@@ -1,73 +1,114 @@
 //! Damped least squares of a size that is known at run time.
 
 use super::model::Model;
-use crate::ik::epsilon;
+use super::scratch::{Rows, Scratch};
 use crate::real::Scalar;
-use dq8_simd::Lanes;
+use dq8_simd::{Float, Lanes};
+
+/// The distance from 1 to the next larger number.
+#[cfg_attr(not(opt_level_0), inline(always))]
+fn epsilon<L: Lanes>() -> f64 {
+    if L::Real::SINGLE { f64::from(f32::EPSILON) } else { f64::EPSILON }
+}
 
 /// A λ² that is none, but not zero.
 const FLOOR: f64 = 1e-30;
 
+/// Those of a pose, for which the compiler lays all of it out.
+const POSE: usize = 6;
+
 impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     /// y with (JJᵀ + λ²1) y = e, so that Jᵀy is the x that makes |Jx − e|² + λ²|x|² least (Nakamura & Hanafusa
     /// 1986; Wampler 1986; Buss 2004, eq. 11); held columns are zero. y takes the place of e in `solution`.
-    ///
-    /// By Cholesky's factorisation in place, as for arms: to λ² is added what rounding makes of JJᵀ, and
-    /// each pivot is at least λ².
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn solve_normal(&mut self, damping: L) {
-        let (level, rows) = (self.level, self.reach.rows);
-        let scratch = &mut self.scratch;
-        let (columns, a) = (&scratch.columns, &mut scratch.triangle);
-        let zero = damping.constant(0.0);
-        // Made once: it divides.
-        let runs = columns.runs(rows);
-        let (mut trace, mut at) = (zero, 0);
+        let (level, rows, scratch) = (self.level, self.reach.rows, &mut self.scratch);
+        let none = damping.constant(0.0).to_array();
+        if rows == POSE {
+            let (mut a, mut b, mut c) = ([none; POSE * (POSE + 1) / 2], [none; POSE], [none; POSE]);
+            let (mut triangle, mut reciprocals, mut y) = (Rows(&mut a), Rows(&mut b), Rows(&mut c));
+            for row in 0..POSE {
+                y.set(row, scratch.solution.get(level, row));
+            }
+            multiply(&scratch.columns, &mut triangle, level, POSE);
+            solve(&mut triangle, &mut reciprocals, &mut y, damping, POSE);
+            for row in 0..POSE {
+                scratch.solution.set(row, y.get(level, row));
+            }
+        } else {
+            let Scratch { columns, triangle, reciprocals, solution, .. } = scratch;
+            multiply(columns, triangle, level, rows);
+            solve(triangle, reciprocals, solution, damping, rows);
+        }
+    }
+}
+
+/// JJᵀ
+#[cfg_attr(not(opt_level_0), inline(always))]
+fn multiply<L: Lanes<Real: Scalar>>(
+    columns: &Rows<'_, L>,
+    a: &mut Rows<'_, L>,
+    level: L::Level,
+    rows: usize,
+) {
+    a.fill(L::splat(level, L::Real::default()));
+    for column in columns.runs(rows) {
+        let mut at = 0;
         for i in 0..rows {
             for j in 0..=i {
-                let mut sum = zero;
-                for column in runs.clone() {
-                    if let (Some(x), Some(y)) = (column.get(i), column.get(j)) {
-                        sum = L::load(level, x).mul_add(L::load(level, y), sum);
-                    }
+                if let (Some(x), Some(y)) = (column.get(i), column.get(j)) {
+                    let (x, y) = (L::load(level, x), L::load(level, y));
+                    a.set(at, x.mul_add(y, a.get(level, at)));
                 }
-                a.set(at, sum);
                 at += 1;
-                if i == j {
-                    trace = trace + sum;
-                }
             }
         }
-        // Where nothing moves anything, nothing is asked of it.
-        let floor = damping + damping.constant(FLOOR);
-        let least = trace.mul_add(damping.constant(0.25 * epsilon::<L>()), floor);
-        let (reciprocals, y) = (&mut scratch.reciprocals, &mut scratch.solution);
-        for i in 0..rows {
-            let of_i = i * (i + 1) / 2;
-            let mut pivot = a.get(level, of_i + i) + least;
-            let mut solved = y.get(level, i);
-            for j in 0..i {
-                let of_j = j * (j + 1) / 2;
-                let mut sum = a.get(level, of_i + j);
-                for k in 0..j {
-                    sum = a.get(level, of_i + k).neg_mul_add(a.get(level, of_j + k), sum);
-                }
-                let factor = sum * reciprocals.get(level, j);
-                a.set(of_i + j, factor);
-                pivot = factor.neg_mul_add(factor, pivot);
-                solved = factor.neg_mul_add(y.get(level, j), solved);
+    }
+}
+
+/// By Cholesky's factorisation in place: to λ² is added what rounding makes of JJᵀ, so that a singular J is not a
+/// special case; and each pivot is at least λ², as it would be without rounding.
+#[cfg_attr(not(opt_level_0), inline(always))]
+fn solve<L: Lanes<Real: Scalar>>(
+    a: &mut Rows<'_, L>,
+    reciprocals: &mut Rows<'_, L>,
+    y: &mut Rows<'_, L>,
+    damping: L,
+    rows: usize,
+) {
+    let level = damping.level();
+    let mut trace = damping.constant(0.0);
+    for i in 0..rows {
+        trace = trace + a.get(level, i * (i + 1) / 2 + i);
+    }
+    // Where nothing moves anything, nothing is asked of it.
+    let floor = damping + damping.constant(FLOOR);
+    let least = trace.mul_add(damping.constant(0.25 * epsilon::<L>()), floor);
+    for i in 0..rows {
+        let of_i = i * (i + 1) / 2;
+        let mut pivot = a.get(level, of_i + i) + least;
+        let mut solved = y.get(level, i);
+        for j in 0..i {
+            let of_j = j * (j + 1) / 2;
+            let mut sum = a.get(level, of_i + j);
+            for k in 0..j {
+                sum = a.get(level, of_i + k).neg_mul_add(a.get(level, of_j + k), sum);
             }
-            let pivot = L::select(pivot.lt(least), least, pivot);
-            let reciprocal = zero.constant(1.0) / pivot.sqrt();
-            reciprocals.set(i, reciprocal);
-            y.set(i, solved * reciprocal);
+            let factor = sum * reciprocals.get(level, j);
+            a.set(of_i + j, factor);
+            pivot = factor.neg_mul_add(factor, pivot);
+            solved = factor.neg_mul_add(y.get(level, j), solved);
         }
-        for i in (0..rows).rev() {
-            let mut solved = y.get(level, i);
-            for k in i + 1..rows {
-                solved = a.get(level, k * (k + 1) / 2 + i).neg_mul_add(y.get(level, k), solved);
-            }
-            y.set(i, solved * reciprocals.get(level, i));
+        let pivot = L::select(pivot.lt(least), least, pivot);
+        let reciprocal = damping.constant(1.0) / pivot.sqrt();
+        reciprocals.set(i, reciprocal);
+        y.set(i, solved * reciprocal);
+    }
+    for i in (0..rows).rev() {
+        let mut solved = y.get(level, i);
+        for k in i + 1..rows {
+            solved = a.get(level, k * (k + 1) / 2 + i).neg_mul_add(y.get(level, k), solved);
         }
+        y.set(i, solved * reciprocals.get(level, i));
     }
 }

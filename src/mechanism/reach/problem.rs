@@ -1,6 +1,8 @@
+use super::beginnings::Beginnings;
 use super::error::ReachError;
 use super::freedom::{Freedom, freedoms};
 use super::goal::Goal;
+use super::manner::Manner;
 use crate::mechanism::poses::carries;
 use crate::mechanism::step::Step;
 use crate::mechanism::tree::Mechanism;
@@ -56,6 +58,14 @@ pub struct Reach<'a, R> {
     pub(super) size: R,
     /// Whether something that moves a goal floats or slides without end, a thread too.
     pub(super) is_endless: bool,
+    /// How far the link of the first goal gets, and from where.
+    pub(super) bound: Option<([R; 3], R)>,
+    /// What is fixed to the links with goals: what comes to the targets. A goal for a link that there is not is
+    /// for one that is fixed to the base.
+    pub(super) tool: Option<&'a Step<R>>,
+    /// Poses to begin again from; without, some are computed for each restart.
+    pub(super) kept: Option<Beginnings<'a, R>>,
+    pub(super) manner: Manner,
 }
 
 impl<'a, R: Real> Reach<'a, R> {
@@ -92,12 +102,23 @@ impl<'a, R: Real> Reach<'a, R> {
             twists += if moves(position) { step.kind.rates() } else { 0 };
         }
         let freedoms = of_rates.get(..count).unwrap_or_default();
-        let size = R::ONE;
-        let (posture, is_endless) = (None, false);
-        let reach =
-            Self { mechanism, goals, freedoms, of_rates, posture, rows, twists, size, is_endless };
-        let is_endless = reach.has_endless_slides();
-        Ok(Self { size: reach.typical_length(), is_endless, ..reach })
+        let reach = Self {
+            mechanism,
+            goals,
+            freedoms,
+            of_rates,
+            posture: None,
+            rows,
+            twists,
+            size: R::ONE,
+            is_endless: false,
+            bound: None,
+            tool: None,
+            kept: None,
+            manner: Manner::MECHANISM,
+        };
+        let (size, is_endless) = (reach.typical_length(), reach.has_endless_slides());
+        Ok(Self { size, is_endless, bound: reach.reach_bound(0), ..reach })
     }
 
     /// With a preferred configuration: a search that has reached its targets goes on toward these values as far

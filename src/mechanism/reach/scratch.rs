@@ -7,7 +7,7 @@ use dq8_simd::{Lanes, MAX_LANES};
 
 /// Registers in memory.
 #[derive(Debug)]
-pub(super) struct Rows<'s, L: Lanes>(&'s mut [L::Array]);
+pub(super) struct Rows<'s, L: Lanes>(pub(super) &'s mut [L::Array]);
 
 impl<L: Lanes> Rows<'_, L> {
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -162,10 +162,15 @@ impl Counts {
         }
     }
 
-    /// How many numbers a lane needs.
+    /// How many numbers a lane needs of what grows with joints, and of what does not.
+    const fn parts(&self) -> [usize; 2] {
+        let joints = 4 * self.values + 6 * self.twists + self.freedoms * (self.rows + 4);
+        [joints, GOAL * self.goals + 4 * self.rows + triangle(self.rows)]
+    }
+
     fn numbers(&self) -> usize {
-        let joints = 4 * self.values + 6 * self.twists + GOAL * self.goals;
-        joints + self.freedoms * (self.rows + 4) + 4 * self.rows + triangle(self.rows)
+        let [joints, goals] = self.parts();
+        joints + goals
     }
 }
 
@@ -174,40 +179,68 @@ fn padded<R>(numbers: usize) -> usize {
     numbers + LINE / size_of::<R>()
 }
 
-fn triangle(rows: usize) -> usize {
+const fn triangle(rows: usize) -> usize {
     rows * (rows + 1) / 2
 }
 
+/// Numbers to compute in: for what grows with joints, and for what does not. Both begin with a line of the cache.
+#[derive(Debug)]
+pub(super) struct Room<'s, R>(pub(super) [&'s mut [R]; 2]);
+
+impl<'s, R: Scalar> Room<'s, R> {
+    /// Parts of memory that begins anywhere; empty where there is too little for so many lanes.
+    pub(super) fn of(reach: &Reach<'_, R>, lanes: usize, memory: &'s mut [R]) -> Self {
+        let first = memory.as_ptr().align_offset(LINE);
+        let [joints, _] = Counts::of(reach).parts();
+        let aligned = memory.get_mut(first..).unwrap_or_default();
+        Self(aligned.split_at_mut_checked(joints * lanes).map_or([&mut [], &mut []], Into::into))
+    }
+}
+
+/// How many numbers a lane needs for each joint of a chain with one goal for a pose, and for the goal.
+pub(super) const OF_A_JOINT: usize =
+    Counts { values: 1, twists: 1, goals: 0, freedoms: 1, rows: 6 }.parts()[0];
+pub(super) const OF_A_POSE: usize =
+    Counts { values: 0, twists: 0, goals: 1, freedoms: 0, rows: 6 }.parts()[1];
+
 impl<'s, L: Lanes<Real: Scalar>> Scratch<'s, L> {
     /// `None` if there is too little room.
-    pub(super) fn new(reach: &Reach<'_, L::Real>, room: &'s mut [L::Real]) -> Option<Self> {
-        let first = room.as_ptr().align_offset(LINE);
+    pub(super) fn new(reach: &Reach<'_, L::Real>, room: Room<'s, L::Real>) -> Option<Self> {
         let counts = Counts::of(reach);
-        let room = room.get_mut(first..first.checked_add(counts.numbers() * L::LANES)?)?;
-        let mut rest: &'s mut [L::Array] = bytemuck::try_cast_slice_mut(room).ok()?;
-        let mut take = |rows: usize| {
-            let (first, others) = core::mem::take(&mut rest).split_at_mut_checked(rows)?;
-            rest = others;
-            Some(Rows(first))
-        };
+        let ([joints, rest], Room([of_joints, of_goals])) = (counts.parts(), room);
+        let mut joints = arrays::<L>(of_joints, joints)?;
+        let mut goals_and_rows = arrays::<L>(of_goals, rest)?;
         let Counts { values, twists, goals, freedoms, rows } = counts;
         Some(Self {
-            values: take(values)?,
-            start: take(values)?,
-            best: take(values)?,
-            candidate: take(values)?,
-            twists: take(6 * twists)?,
-            goals: take(GOAL * goals)?,
-            columns: take(freedoms * rows)?,
-            changes: take(freedoms)?,
-            radians: take(freedoms)?,
-            wishes: take(freedoms)?,
-            held: take(freedoms)?,
-            error: take(rows)?,
-            left: take(rows)?,
-            triangle: take(triangle(rows))?,
-            reciprocals: take(rows)?,
-            solution: take(rows)?,
+            values: take(&mut joints, values)?,
+            start: take(&mut joints, values)?,
+            best: take(&mut joints, values)?,
+            candidate: take(&mut joints, values)?,
+            twists: take(&mut joints, 6 * twists)?,
+            goals: take(&mut goals_and_rows, GOAL * goals)?,
+            columns: take(&mut joints, freedoms * rows)?,
+            changes: take(&mut joints, freedoms)?,
+            radians: take(&mut joints, freedoms)?,
+            wishes: take(&mut joints, freedoms)?,
+            held: take(&mut joints, freedoms)?,
+            error: take(&mut goals_and_rows, rows)?,
+            left: take(&mut goals_and_rows, rows)?,
+            triangle: take(&mut goals_and_rows, triangle(rows))?,
+            reciprocals: take(&mut goals_and_rows, rows)?,
+            solution: take(&mut goals_and_rows, rows)?,
         })
     }
+}
+
+/// Memory for so many registers.
+fn arrays<L: Lanes>(memory: &mut [L::Real], registers: usize) -> Option<&mut [L::Array]> {
+    let memory = memory.get_mut(..registers.checked_mul(L::LANES)?)?;
+    bytemuck::try_cast_slice_mut(memory).ok()
+}
+
+/// The first registers of the rest.
+fn take<'s, L: Lanes>(rest: &mut &'s mut [L::Array], rows: usize) -> Option<Rows<'s, L>> {
+    let (first, others) = core::mem::take(rest).split_at_mut_checked(rows)?;
+    *rest = others;
+    Some(Rows(first))
 }

@@ -3,7 +3,7 @@
 use super::forward::Of;
 use super::lane::{Lane, Next, Seen};
 use super::model::{Apart, Model, Stepped};
-use crate::ik::{Options, Outcome, Report};
+use super::report::{Options, Outcome, Report};
 use crate::real::{Real, Scalar};
 use crate::scalar::DualQuat;
 use dq8_simd::{Lanes, MAX_LANES, Mask};
@@ -35,6 +35,7 @@ impl<'s, L: Lanes<Real: Scalar>> Search<'s, L> {
         let zero = L::splat(self.model.level, L::Real::ZERO);
         self.model.scratch.values.fill(zero);
         self.model.scratch.goals.fill(zero);
+        self.model.place_fixed();
         for lane in 0..L::LANES {
             self.refill(lane);
         }
@@ -57,13 +58,29 @@ impl<'s, L: Lanes<Real: Scalar>> Search<'s, L> {
                 #[cfg_attr(not(opt_level_0), inline(always))]
                 |lane| one_if(lane.converged),
             );
-            last = self.model.step(apart, caution, zero.lt(running), zero.lt(arrived));
-            for (index, lane) in self.lanes.iter().enumerate().take(L::LANES) {
-                match lane.next {
-                    Next::BeginAgain => self.model.begin_again(index, lane.restarts - 1),
-                    Next::GoBack => self.model.go_back(index),
-                    Next::Step | Next::End => {}
+            let running = zero.lt(running);
+            // Those that have begun, or begin again, stay where they are.
+            if running.any() {
+                last = self.model.step(apart, caution, running, zero.lt(arrived));
+            }
+            self.turn();
+        }
+    }
+
+    /// Puts lanes where they do not step to. Those that have nowhere to go to end.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn turn(&mut self) {
+        for index in 0..L::LANES {
+            let Some(lane) = self.lanes.get_mut(index) else { break };
+            match lane.next {
+                Next::BeginAgain => {
+                    if !self.model.begin_again(index, lane) {
+                        self.finish(index);
+                        self.refill(index);
+                    }
                 }
+                Next::GoBack => self.model.go_back(index),
+                Next::Step | Next::End => {}
             }
         }
     }
@@ -130,7 +147,8 @@ impl<'s, L: Lanes<Real: Scalar>> Search<'s, L> {
                 continue;
             }
             let has_posture = self.model.reach.posture.is_some();
-            let (is_best, next) = lane.judge(seen, self.work.options, has_posture);
+            let (is_best, next) =
+                lane.judge(seen, self.work.options, &self.model.reach.manner, has_posture);
             lane.next = next;
             if is_best {
                 let scratch = &mut self.model.scratch;

@@ -1,7 +1,5 @@
 //! Joint values within the limits of their joints.
 
-use super::error::ArmError;
-use super::joint::Joint;
 use crate::batch::even::half_turns;
 use crate::batch::vector;
 use crate::real::{Real, Scalar};
@@ -24,15 +22,6 @@ impl<R: Real> Range<R> {
     /// Zero alone.
     pub(crate) const NONE: Self = Self { low: R::ZERO, high: R::ZERO, wraps: false };
 
-    /// Those of a joint of an arm, both ends finite.
-    pub(super) fn of(joint: &Joint<R>, pitch: R, index: usize) -> Result<Self, ArmError> {
-        let [low, high] = joint.limits;
-        let is_hinge = !joint.is_slide() && pitch == R::ZERO;
-        Self::within(joint.limits, is_hinge, !joint.is_slide())
-            .filter(|range| range.low.is_finite() && range.high.is_finite())
-            .ok_or(ArmError::Limits { joint: index, low: low.into(), high: high.into() })
-    }
-
     /// The limits, and of an endless hinge the turn within them that is nearest to zero. `None` if they
     /// are not in order, or angles that a float does not tell.
     pub(crate) fn within([low, high]: [R; 2], is_hinge: bool, is_angle: bool) -> Option<Self> {
@@ -54,6 +43,13 @@ impl<R: Real> Range<R> {
     }
 }
 
+impl<R: Real> Range<R> {
+    /// Whether both ends are numbers.
+    pub(super) fn is_finite(&self) -> bool {
+        self.low.is_finite() && self.high.is_finite()
+    }
+}
+
 fn turn_nearest_to_zero<R: Real>(low: R, high: R) -> [R; 2] {
     let centre = if low > -R::PI {
         low + R::PI
@@ -68,13 +64,13 @@ fn turn_nearest_to_zero<R: Real>(low: R, high: R) -> [R; 2] {
 }
 
 impl<R: Scalar> Range<R> {
-    #[inline(always)]
-    pub(super) fn ends<L: Lanes<Real = R>>(&self, level: L::Level) -> [L; 2] {
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn ends<L: Lanes<Real = R>>(&self, level: L::Level) -> [L; 2] {
         vector::splat(level, [self.low, self.high])
     }
 
     /// The same pose within the range where a joint wraps, the nearest value elsewhere.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn enter<L: Lanes<Real = R>>(&self, value: L) -> L {
         let [low, high] = self.ends(value.level());
         let outside = value.lt(low) | high.lt(value);
@@ -90,7 +86,7 @@ impl<R: Scalar> Range<R> {
     }
 
     /// Where a step to `value` leads: a joint that wraps goes on a turn less.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn go_on<L: Lanes<Real = R>>(&self, value: L) -> L {
         if !self.wraps {
             return self.clamp(value);
@@ -102,7 +98,7 @@ impl<R: Scalar> Range<R> {
     }
 
     /// The nearest value within the range.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn clamp<L: Lanes<Real = R>>(&self, value: L) -> L {
         let [low, high] = self.ends(value.level());
         let value = L::select(value.lt(low), low, value);

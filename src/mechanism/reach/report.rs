@@ -1,5 +1,4 @@
 use crate::real::Real;
-use dq8_simd::{Lanes, Mask};
 
 /// When a search ends, and how it weighs.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,7 +12,7 @@ pub struct Options<R> {
     /// posture is far.
     pub max_iterations: u32,
     /// How long a distance weighs as much as a radian, more than zero; `None` is an eighth of the arm's
-    /// length ([`Arm::reach_bound`](super::Arm::reach_bound)), of a mechanism an eighth of its longest way to
+    /// length ([`Arm::reach_bound`](crate::ik::Arm::reach_bound)), of a mechanism an eighth of its longest way to
     /// a goal, or, where something floats or slides without end, of the longer way that it has to go. It
     /// decides what is nearest where the target cannot be reached, and how fast it is reached where it can.
     pub length_per_radian: Option<R>,
@@ -46,14 +45,14 @@ impl<R: Real> Default for Options<R> {
 
 impl<R: Real> Options<R> {
     /// The most that a hinge turns in one step: no more than a turn, which is where every hinge has been.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn longest_step(&self) -> R {
         let turn = R::TWO * R::PI;
         if self.max_step < turn { self.max_step } else { turn }
     }
 
     /// Whether a search can be made with them.
-    #[inline(always)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn is_valid(&self) -> bool {
         let length = self.length_per_radian.unwrap_or(R::ONE);
         self.angular_tolerance >= R::ZERO
@@ -66,8 +65,7 @@ impl<R: Real> Options<R> {
     }
 }
 
-/// The result of a search: for one target, `Report<R, Outcome>`, or for one per lane,
-/// `Report<L, Outcomes<L::Mask>>`.
+/// The result of a search.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Report<T, O> {
     /// Steps and restarts together; zero where the start was good enough.
@@ -103,54 +101,4 @@ pub enum Outcome {
     /// damping or length per radian infinite, or a step or length per radian zero. The joint values are untouched, the errors NaN.
     #[default]
     Invalid = 5,
-}
-
-/// [`Outcome`] of each lane; the first that holds, from above.
-#[derive(Clone, Copy, Debug)]
-pub struct Outcomes<M> {
-    /// See [`Outcome::Invalid`].
-    pub invalid: M,
-    /// See [`Outcome::Converged`].
-    pub converged: M,
-    /// See [`Outcome::OutOfReach`].
-    pub out_of_reach: M,
-    /// See [`Outcome::AtLimits`].
-    pub at_limits: M,
-    /// See [`Outcome::Stalled`].
-    pub stalled: M,
-}
-
-impl<M: Mask> Outcomes<M> {
-    /// The outcome of a lane; lanes that do not exist are [`Outcome::Unfinished`].
-    #[must_use]
-    pub fn lane(&self, lane: usize) -> Outcome {
-        let holds = |mask: M| mask.to_bitmask() >> lane.min(31) & 1 == 1;
-        [
-            (self.invalid, Outcome::Invalid),
-            (self.converged, Outcome::Converged),
-            (self.out_of_reach, Outcome::OutOfReach),
-            (self.at_limits, Outcome::AtLimits),
-            (self.stalled, Outcome::Stalled),
-        ]
-        .into_iter()
-        .find_map(|(mask, outcome)| holds(mask).then_some(outcome))
-        .unwrap_or(Outcome::Unfinished)
-    }
-}
-
-impl<L: Lanes> Report<L, Outcomes<L::Mask>> {
-    /// Writes the reports of the first lanes into `to`, at most as many as there are lanes.
-    pub fn store(&self, to: &mut [Report<L::Real, Outcome>]) {
-        let [iterations, restarts, angular, linear] =
-            [self.iterations, self.restarts, self.angular_error, self.linear_error]
-                .map(Lanes::to_array);
-        let numbers = iterations.as_ref().iter().zip(restarts.as_ref());
-        let errors = angular.as_ref().iter().zip(linear.as_ref());
-        for (lane, (report, ((&iterations, &restarts), (&angular_error, &linear_error)))) in
-            to.iter_mut().zip(numbers.zip(errors)).enumerate()
-        {
-            let outcome = self.outcome.lane(lane);
-            *report = Report { iterations, restarts, angular_error, linear_error, outcome };
-        }
-    }
 }
