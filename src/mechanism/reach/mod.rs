@@ -5,6 +5,7 @@
 //! | `goal.rs`, `freedom.rs`, `problem.rs`, `error.rs` | what is asked, checked once, in memory of the caller |
 //! | `bound.rs` | how far a link gets |
 //! | `batch.rs` | one configuration, and many |
+//! | `parallel.rs` | on all cores |
 //! | `search.rs`, `lane.rs`, `assign.rs` | the loop, what a lane does next, what it is given and gives back |
 //! | `model.rs` with `forward.rs`, `compare.rs`, `columns.rs`, `wish.rs`, `step.rs`, `restart.rs` | what is computed of it, on lanes |
 //! | `normal.rs` | damped least squares of any size |
@@ -22,6 +23,8 @@ mod goal;
 mod lane;
 mod model;
 mod normal;
+#[cfg(feature = "rayon")]
+mod parallel;
 mod problem;
 mod restart;
 mod scratch;
