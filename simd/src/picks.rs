@@ -28,7 +28,6 @@ mod sealed {
 #[derive(Clone, Copy, Debug)]
 pub struct CheckedIndices<'a, J> {
     indices: &'a [J],
-    rows: usize,
     columns: usize,
     stride: usize,
     bound: usize,
@@ -47,36 +46,39 @@ impl<'a, J: Index> CheckedIndices<'a, J> {
         bound: usize,
     ) -> Result<Self, (usize, usize)> {
         let beyond = |&index: &J| index.into() as usize >= bound;
-        let mut rows = 0;
-        if 0 < columns && columns <= stride {
-            for row in indices.chunks(stride.max(1)) {
-                let Some(row) = row.get(..columns) else { break };
-                if let Some(column) = row.iter().position(beyond) {
-                    return Err((rows, column));
-                }
-                rows += 1;
+        let indices = if 0 < columns && columns <= stride { indices } else { &[] };
+        for (index, row) in indices.chunks(stride.max(1)).enumerate() {
+            let Some(row) = row.get(..columns) else { break };
+            if let Some(column) = row.iter().position(beyond) {
+                return Err((index, column));
             }
         }
-        Ok(Self { indices, rows, columns, stride, bound })
+        Ok(Self { indices, columns, stride, bound })
     }
 
-    /// How many rows there are.
+    /// How many rows there are. Divides.
     #[inline(always)]
     #[must_use]
     pub fn rows(self) -> usize {
-        self.rows
+        let more = self.indices.len().checked_sub(self.columns);
+        more.and_then(|more| more.checked_div(self.stride))
+            .map_or(0, |more| if self.indices.is_empty() { 0 } else { more + 1 })
+    }
+
+    /// How many indices a row has.
+    #[inline(always)]
+    #[must_use]
+    pub fn columns(self) -> usize {
+        self.columns
     }
 
     /// A row. Empty if there is no such row.
     #[inline(always)]
     #[must_use]
     pub fn row(self, row: usize) -> &'a [J] {
-        // Nothing else has been checked, and the product of no other row is known not to wrap.
-        if row >= self.rows {
-            return &[];
-        }
-        let from = self.indices.get(row * self.stride..).unwrap_or_default();
-        from.get(..self.columns).unwrap_or_default()
+        // Whole rows have been checked, and nothing else; a product that wraps is the beginning of none.
+        let from = row.checked_mul(self.stride).and_then(|from| self.indices.get(from..));
+        from.and_then(|from| from.get(..self.columns)).unwrap_or_default()
     }
 
     /// How many records the table must have.
@@ -115,18 +117,18 @@ impl<'a, J: Index> Picks<'a, J> {
     }
 
     /// The first lanes take the four indices of a row each, from row `first` on. False if there are not as many rows, or
-    /// fewer columns; lanes are as they were then.
+    /// rows of another number; lanes may have been written then.
     #[inline(always)]
     pub fn set_rows(&mut self, lanes: usize, first: usize) -> bool {
-        let CheckedIndices { indices, rows, columns, stride, .. } = self.checked;
-        if columns < GROUP || first > rows || lanes > rows - first {
+        let CheckedIndices { indices, columns, stride, .. } = self.checked;
+        let Some(from) = first.checked_mul(stride).filter(|_| columns == GROUP) else {
             return false;
-        }
-        // The last row may be the last of the slice, so what follows is asked for where it is needed.
-        let mut rest = indices.get(first * stride..).unwrap_or_default();
+        };
+        let mut rest = indices.get(from..).unwrap_or_default();
         for slots in self.rows.iter_mut().take(lanes) {
-            let Some(own) = rest.first_chunk() else { break };
+            let Some(own) = rest.first_chunk() else { return false };
             *slots = *own;
+            // The last row may end the slice.
             rest = rest.get(stride..).unwrap_or_default();
         }
         true
@@ -136,15 +138,12 @@ impl<'a, J: Index> Picks<'a, J> {
     /// the first record if there is no such row.
     #[inline(always)]
     pub fn set_row(&mut self, lane: usize, row: usize, from: usize) {
-        let CheckedIndices { indices, rows, columns, stride, .. } = self.checked;
-        let Some(slots) = self.rows.get_mut(lane) else { return };
-        *slots = [J::default(); GROUP];
-        if row < rows {
-            let (start, given) = (row * stride, columns.saturating_sub(from));
+        let (row, given) = (self.checked.row(row), self.checked.columns.saturating_sub(from));
+        if let Some(slots) = self.rows.get_mut(lane) {
             // A loop of a length that is known: one over those that are there takes twice as long.
             for (which, slot) in slots.iter_mut().enumerate() {
                 let column = if which < given { from + which } else { 0 };
-                *slot = indices.get(start + column).copied().unwrap_or_default();
+                *slot = row.get(column).copied().unwrap_or_default();
             }
         }
     }

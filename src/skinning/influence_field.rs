@@ -86,6 +86,6 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         let (joints, vertices) = at.check("joints", influences, joints)?;
         let (weights, weighted) = of.check("weights", influences, weights)?;
         same_length("weighted vertices", weighted, vertices)?;
-        Self::checked(joint_count, influences, (joints, at.stride), (weights, of.stride), false)
+        Self::checked(joint_count, influences, (joints, at.stride), (weights, of.stride))
     }
 }

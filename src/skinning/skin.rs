@@ -23,13 +23,11 @@ use dq8_simd::picks::{CheckedIndices, Index, Picks};
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Skin<'a, J, W> {
-    influences: usize,
     joints: CheckedIndices<'a, J>,
     /// From those of the first vertex on.
     weights: &'a [W],
-    /// How many weights are from a vertex to the next.
+    /// How many weights are from a vertex to the next: fewer than influences where the last one is implied.
     stride: usize,
-    implied: bool,
 }
 
 impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
@@ -82,13 +80,7 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
             return Err(SkinningError::NoInfluences);
         }
         whole_instances("joints", influences, joints.len())?;
-        Self::checked(
-            palette,
-            influences,
-            (joints, influences),
-            (weights, given),
-            given < influences,
-        )
+        Self::checked(palette, influences, (joints, influences), (weights, given))
     }
 
     /// Joints and weights, each with what is from a vertex to the next.
@@ -97,7 +89,6 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         influences: usize,
         (joints, joint_stride): (&'a [J], usize),
         (weights, stride): (&'a [W], usize),
-        implied: bool,
     ) -> Result<Self, SkinningError> {
         let found = CheckedIndices::new(joints, influences, joint_stride, palette);
         let joints = found.map_err(|(vertex, influence)| {
@@ -105,7 +96,7 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
             let joint = joint.map_or(0, |&joint| joint.into());
             SkinningError::JointOutOfRange { vertex, influence, joint, joints: palette }
         })?;
-        let skin = Self { influences, joints, weights, stride, implied };
+        let skin = Self { joints, weights, stride };
         for vertex in 0..skin.vertices() {
             skin.check_weights(vertex)?;
         }
@@ -122,7 +113,7 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
             total += value;
         }
         // Seven weights rounded to eight bits exceed one by at most 7 · ½/255.
-        let right = if self.implied {
+        let right = if self.implied() {
             total <= 1.0 + 1.0 / 64.0
         } else {
             Self::WEIGHT_RANGE.contains(&total)
@@ -139,7 +130,12 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
     /// How many influences every vertex has.
     #[must_use]
     pub fn influences(&self) -> usize {
-        self.influences
+        self.joints.columns()
+    }
+
+    /// Whether the last weight of a vertex is what the others leave of one.
+    fn implied(&self) -> bool {
+        self.stride < self.influences()
     }
 
     /// How many joints the palette has.
@@ -158,7 +154,7 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
     /// Which influence of a vertex has the greatest weight: the first of those.
     fn pivot<R: Real>(&self, vertex: usize) -> usize {
         let (mut pivot, mut greatest) = (0, self.weight::<R>(vertex, 0));
-        for influence in 1..self.influences {
+        for influence in 1..self.influences() {
             let weight = self.weight(vertex, influence);
             if weight > greatest {
                 (pivot, greatest) = (influence, weight);
@@ -169,7 +165,7 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
 
     /// How many weights of a vertex are given.
     fn given(&self) -> usize {
-        self.influences - usize::from(self.implied)
+        self.stride.min(self.influences())
     }
 
     fn given_weight<R: Real>(&self, vertex: usize, influence: usize) -> R {
@@ -188,7 +184,7 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
     /// How many groups of influences there are.
     #[inline(always)]
     pub(super) fn groups(&self) -> usize {
-        self.influences.div_ceil(GROUP)
+        self.influences().div_ceil(GROUP)
     }
 
     /// Where kernels keep what they read.
@@ -225,7 +221,7 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
             }
             return;
         }
-        if !(self.influences == GROUP && !self.implied && self.read_rows(first, lanes, to)) {
+        if !(self.influences() == GROUP && !self.implied() && self.read_rows(first, lanes, to)) {
             self.read_each(first, lanes, group, to);
         }
     }
@@ -291,8 +287,8 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
             let own = if which < given { self.weights.get(start + which) } else { None };
             *weight = own.map_or(R::ZERO, |own| own.value());
         }
-        let last = self.influences - 1;
-        if self.implied
+        let last = self.influences() - 1;
+        if self.implied()
             && let Some(weight) = weights.get_mut(last.wrapping_sub(from))
         {
             *weight = self.weight(vertex, last);
