@@ -135,9 +135,9 @@ impl<'a, J: Index> Picks<'a, J> {
     }
 
     /// A lane takes the indices of a row from column `from` on; for those that are not there the first of the row, and
-    /// the first record if there is no such row.
+    /// the first record, and false, if there is no such row.
     #[inline(always)]
-    pub fn set_row(&mut self, lane: usize, row: usize, from: usize) {
+    pub fn set_row(&mut self, lane: usize, row: usize, from: usize) -> bool {
         let (row, given) = (self.checked.row(row), self.checked.columns.saturating_sub(from));
         if let Some(slots) = self.rows.get_mut(lane) {
             // A loop of a length that is known: one over those that are there takes twice as long.
@@ -146,6 +146,7 @@ impl<'a, J: Index> Picks<'a, J> {
                 *slot = row.get(column).copied().unwrap_or_default();
             }
         }
+        !row.is_empty()
     }
 
     /// A lane takes an index as its first; the first record if there is no such index.

@@ -261,15 +261,16 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         (to.in_place, to.weights_in_place) = (None, None);
         // A vertex that is not there is moved by its first influence alone.
         let none = [if group == 0 { R::ONE } else { R::ZERO }, R::ZERO, R::ZERO, R::ZERO];
-        let (vertices, from) = (self.vertices(), group * GROUP);
+        let from = group * GROUP;
         for (lane, weights) in to.weights.0.iter_mut().enumerate().take(lanes) {
             let vertex = first + lane;
             // Influences that are not there are the first one with weight 0: another joint's NaN must not get in.
-            to.joints.set_row(lane, vertex, from);
-            *weights = if vertex < vertices { self.weights_from(vertex, from) } else { none };
+            let there = to.joints.set_row(lane, vertex, from);
+            *weights = if there { self.weights_from(vertex, from) } else { none };
         }
         if group == 0 && self.groups() > 1 {
             let pivots = to.pivots.get_or_insert_with(|| Picks::new(self.joints));
+            let vertices = self.vertices();
             for lane in 0..lanes {
                 let vertex = first + lane;
                 let pivot = if vertex < vertices { self.pivot::<R>(vertex) } else { 0 };
