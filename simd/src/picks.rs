@@ -23,28 +23,62 @@ mod sealed {
     impl Sealed for u32 {}
 }
 
-/// Indices of records of a table, none of them beyond a bound.
+/// Indices of records of a table, none of them beyond a bound: rows of some columns, a row every so many indices.
+/// What lies between rows is something else, and never read.
 #[derive(Clone, Copy, Debug)]
 pub struct CheckedIndices<'a, J> {
     indices: &'a [J],
+    columns: usize,
+    stride: usize,
     bound: usize,
 }
 
 impl<'a, J: Index> CheckedIndices<'a, J> {
-    /// For tables of `bound` records.
+    /// For tables of `bound` records. There are as many rows as `indices` has whole; none if a row has no columns, or
+    /// more than there are indices from a row to the next.
     ///
     /// # Errors
-    /// The position of the first index that is not below `bound`.
-    pub fn new(indices: &'a [J], bound: usize) -> Result<Self, usize> {
+    /// The row and the column of the first index that is not below `bound`.
+    pub fn new(
+        indices: &'a [J],
+        columns: usize,
+        stride: usize,
+        bound: usize,
+    ) -> Result<Self, (usize, usize)> {
         let beyond = |&index: &J| index.into() as usize >= bound;
-        indices.iter().position(beyond).map_or(Ok(Self { indices, bound }), Err)
+        let indices = if 0 < columns && columns <= stride { indices } else { &[] };
+        for (index, row) in indices.chunks(stride.max(1)).enumerate() {
+            let Some(row) = row.get(..columns) else { break };
+            if let Some(column) = row.iter().position(beyond) {
+                return Err((index, column));
+            }
+        }
+        Ok(Self { indices, columns, stride, bound })
     }
 
-    /// The indices.
+    /// How many rows there are. Divides.
     #[inline(always)]
     #[must_use]
-    pub fn indices(self) -> &'a [J] {
-        self.indices
+    pub fn rows(self) -> usize {
+        let more = self.indices.len().checked_sub(self.columns);
+        more.and_then(|more| more.checked_div(self.stride))
+            .map_or(0, |more| if self.indices.is_empty() { 0 } else { more + 1 })
+    }
+
+    /// How many indices a row has.
+    #[inline(always)]
+    #[must_use]
+    pub fn columns(self) -> usize {
+        self.columns
+    }
+
+    /// A row. Empty if there is no such row.
+    #[inline(always)]
+    #[must_use]
+    pub fn row(self, row: usize) -> &'a [J] {
+        // Whole rows have been checked, and nothing else; a product that wraps is the beginning of none.
+        let from = row.checked_mul(self.stride).and_then(|from| self.indices.get(from..));
+        from.and_then(|from| from.get(..self.columns)).unwrap_or_default()
     }
 
     /// How many records the table must have.
@@ -54,11 +88,14 @@ impl<'a, J: Index> CheckedIndices<'a, J> {
         self.bound
     }
 
-    /// The indices of as many lanes as any vector has, in place: four for each, from index `4 · first` on. `None` if
-    /// there are not as many.
+    /// The indices of as many lanes as any vector has, in place: a row for each from row `first` on. `None` if there are
+    /// not as many, or rows have not four columns, or something lies between them.
     #[inline(always)]
     #[must_use]
     pub fn in_place(self, first: usize) -> Option<PickRows<'a, J>> {
+        if self.columns != GROUP || self.stride != GROUP {
+            return None;
+        }
         let rows = self.indices.as_chunks::<GROUP>().0.get(first..)?;
         Some(PickRows { rows: rows.first_chunk()?, bound: self.bound })
     }
@@ -79,11 +116,44 @@ impl<'a, J: Index> Picks<'a, J> {
         Self { rows: [[J::default(); GROUP]; MAX_LANES], checked }
     }
 
-    /// A lane takes the index at `position` as one of its own; the first record if there is no such index.
+    /// The first lanes take the four indices of a row each, from row `first` on. False if there are not as many rows, or
+    /// rows of another number; lanes may have been written then.
     #[inline(always)]
-    pub fn set(&mut self, lane: usize, which: usize, position: usize) {
-        if let Some(slot) = self.rows.get_mut(lane).and_then(|row| row.get_mut(which)) {
-            *slot = self.checked.indices.get(position).copied().unwrap_or_default();
+    pub fn set_rows(&mut self, lanes: usize, first: usize) -> bool {
+        let CheckedIndices { indices, columns, stride, .. } = self.checked;
+        let Some(from) = first.checked_mul(stride).filter(|_| columns == GROUP) else {
+            return false;
+        };
+        let mut rest = indices.get(from..).unwrap_or_default();
+        for slots in self.rows.iter_mut().take(lanes) {
+            let Some(own) = rest.first_chunk() else { return false };
+            *slots = *own;
+            // The last row may end the slice.
+            rest = rest.get(stride..).unwrap_or_default();
+        }
+        true
+    }
+
+    /// A lane takes the indices of a row from column `from` on; for those that are not there the first of the row, and
+    /// the first record, and false, if there is no such row.
+    #[inline(always)]
+    pub fn set_row(&mut self, lane: usize, row: usize, from: usize) -> bool {
+        let (row, given) = (self.checked.row(row), self.checked.columns.saturating_sub(from));
+        if let Some(slots) = self.rows.get_mut(lane) {
+            // A loop of a length that is known: one over those that are there takes twice as long.
+            for (which, slot) in slots.iter_mut().enumerate() {
+                let column = if which < given { from + which } else { 0 };
+                *slot = row.get(column).copied().unwrap_or_default();
+            }
+        }
+        !row.is_empty()
+    }
+
+    /// A lane takes an index as its first; the first record if there is no such index.
+    #[inline(always)]
+    pub fn set_first(&mut self, lane: usize, row: usize, column: usize) {
+        if let Some([slot, ..]) = self.rows.get_mut(lane) {
+            *slot = self.checked.row(row).get(column).copied().unwrap_or_default();
         }
     }
 

@@ -54,6 +54,17 @@ pub enum SkinningError {
         /// How many numbers a vertex has.
         stride: usize,
     },
+    /// The influences of a vertex do not lie in it: so many elements from `first` on, where a vertex has `stride`.
+    InfluenceField {
+        /// What they are, `joints` or `weights`.
+        what: &'static str,
+        /// Where they begin.
+        first: usize,
+        /// How many elements a vertex has.
+        stride: usize,
+        /// How many influences it should have.
+        influences: usize,
+    },
     /// An element of a joint's matrix is not finite.
     NotFinite {
         /// The joint.
@@ -95,6 +106,10 @@ impl fmt::Display for SkinningError {
                 f,
                 "{what}: three numbers from {first} on do not lie in a vertex of {stride} numbers, or lie in \
                  another field"
+            ),
+            Self::InfluenceField { what, first, stride, influences } => write!(
+                f,
+                "{what}: {influences} elements from {first} on do not lie in a vertex of {stride} elements"
             ),
             Self::NotFinite { joint, value } => {
                 write!(f, "joint {joint}: an element of its matrix is {value}")

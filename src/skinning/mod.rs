@@ -10,7 +10,8 @@
 //! | [`Stretched`] | stretches and motions | the same for joints that scale and shear: UsdSkel's `dualQuaternion` |
 //! | [`Mixed`] | those of two | a mix by a number per vertex |
 //!
-//! [`Backend::skin_interleaved`] does so in vertex buffers, whose vertices are records of several fields.
+//! [`Backend::skin_interleaved`] does so in vertex buffers, whose vertices are records of several fields;
+//! [`Skin::interleaved`] reads joints and weights there too.
 //!
 //! Palettes of motions or 3×4 matrices come from [`Job::locals_to_palette`](crate::Job::locals_to_palette) as
 //! well; [`matrix_palette`] makes one of the matrices of an engine or a file, and [`split_palette`] takes it
@@ -38,6 +39,7 @@
 mod blender;
 mod dual_blend;
 mod error;
+mod influence_field;
 mod influences;
 mod interleaved;
 mod linear;
@@ -56,6 +58,7 @@ mod weight;
 
 pub use dual_blend::DualBlend;
 pub use error::SkinningError;
+pub use influence_field::InfluenceField;
 pub use interleaved::VertexFields;
 pub use linear::Linear;
 pub use mixed::Mixed;

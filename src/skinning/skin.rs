@@ -23,10 +23,11 @@ use dq8_simd::picks::{CheckedIndices, Index, Picks};
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Skin<'a, J, W> {
-    influences: usize,
     joints: CheckedIndices<'a, J>,
+    /// From those of the first vertex on.
     weights: &'a [W],
-    implied: bool,
+    /// How many weights are from a vertex to the next: fewer than influences where the last one is implied.
+    stride: usize,
 }
 
 impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
@@ -46,7 +47,7 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         weights: &'a [W],
     ) -> Result<Self, SkinningError> {
         same_length("weights", weights.len(), joints.len())?;
-        Self::checked(joint_count, influences, joints, weights, false)
+        Self::packed(joint_count, influences, joints, weights, influences)
     }
 
     /// As [`new`](Self::new), with one weight less for every vertex: the last is what the others leave
@@ -60,30 +61,42 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         joints: &'a [J],
         weights: &'a [W],
     ) -> Result<Self, SkinningError> {
-        if influences == 0 {
+        let Some(given) = influences.checked_sub(1) else {
             return Err(SkinningError::NoInfluences);
-        }
-        same_length("weights", weights.len(), joints.len() / influences * (influences - 1))?;
-        Self::checked(joint_count, influences, joints, weights, true)
+        };
+        same_length("weights", weights.len(), joints.len() / influences * given)?;
+        Self::packed(joint_count, influences, joints, weights, given)
     }
 
-    fn checked(
+    /// Joints without anything between them, and `given` weights for each vertex.
+    fn packed(
         palette: usize,
         influences: usize,
         joints: &'a [J],
         weights: &'a [W],
-        implied: bool,
+        given: usize,
     ) -> Result<Self, SkinningError> {
         if influences == 0 {
             return Err(SkinningError::NoInfluences);
         }
         whole_instances("joints", influences, joints.len())?;
-        let joints = CheckedIndices::new(joints, palette).map_err(|index| {
-            let (vertex, influence) = (index / influences, index % influences);
-            let joint = joints.get(index).map_or(0, |&joint| joint.into());
+        Self::checked(palette, influences, (joints, influences), (weights, given))
+    }
+
+    /// Joints and weights, each with what is from a vertex to the next.
+    pub(super) fn checked(
+        palette: usize,
+        influences: usize,
+        (joints, joint_stride): (&'a [J], usize),
+        (weights, stride): (&'a [W], usize),
+    ) -> Result<Self, SkinningError> {
+        let found = CheckedIndices::new(joints, influences, joint_stride, palette);
+        let joints = found.map_err(|(vertex, influence)| {
+            let joint = joints.get(vertex * joint_stride + influence);
+            let joint = joint.map_or(0, |&joint| joint.into());
             SkinningError::JointOutOfRange { vertex, influence, joint, joints: palette }
         })?;
-        let skin = Self { influences, joints, weights, implied };
+        let skin = Self { joints, weights, stride };
         for vertex in 0..skin.vertices() {
             skin.check_weights(vertex)?;
         }
@@ -100,7 +113,7 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
             total += value;
         }
         // Seven weights rounded to eight bits exceed one by at most 7 · ½/255.
-        let right = if self.implied {
+        let right = if self.implied() {
             total <= 1.0 + 1.0 / 64.0
         } else {
             Self::WEIGHT_RANGE.contains(&total)
@@ -111,14 +124,18 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
     /// How many vertices there are.
     #[must_use]
     pub fn vertices(&self) -> usize {
-        // Never zero, which a compiler that reads it from memory does not know.
-        self.joints.indices().len().checked_div(self.influences).unwrap_or(0)
+        self.joints.rows()
     }
 
     /// How many influences every vertex has.
     #[must_use]
     pub fn influences(&self) -> usize {
-        self.influences
+        self.joints.columns()
+    }
+
+    /// Whether the last weight of a vertex is what the others leave of one.
+    fn implied(&self) -> bool {
+        self.stride < self.influences()
     }
 
     /// How many joints the palette has.
@@ -130,17 +147,14 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
     /// An influence of a vertex, its joint and its weight. `None` if there is none.
     #[must_use]
     pub fn influence<R: Real>(&self, vertex: usize, influence: usize) -> Option<(u32, R)> {
-        if influence >= self.influences || vertex >= self.vertices() {
-            return None;
-        }
-        let joint = self.joints.indices().get(vertex * self.influences + influence)?;
-        Some(((*joint).into(), self.weight(vertex, influence)))
+        let joint = *self.joints.row(vertex).get(influence)?;
+        Some((joint.into(), self.weight(vertex, influence)))
     }
 
     /// Which influence of a vertex has the greatest weight: the first of those.
     fn pivot<R: Real>(&self, vertex: usize) -> usize {
         let (mut pivot, mut greatest) = (0, self.weight::<R>(vertex, 0));
-        for influence in 1..self.influences {
+        for influence in 1..self.influences() {
             let weight = self.weight(vertex, influence);
             if weight > greatest {
                 (pivot, greatest) = (influence, weight);
@@ -151,11 +165,11 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
 
     /// How many weights of a vertex are given.
     fn given(&self) -> usize {
-        self.influences - usize::from(self.implied)
+        self.stride.min(self.influences())
     }
 
     fn given_weight<R: Real>(&self, vertex: usize, influence: usize) -> R {
-        self.weights.get(vertex * self.given() + influence).map_or(R::ZERO, |w| w.value())
+        self.weights.get(vertex * self.stride + influence).map_or(R::ZERO, |w| w.value())
     }
 
     fn weight<R: Real>(&self, vertex: usize, influence: usize) -> R {
@@ -170,7 +184,7 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
     /// How many groups of influences there are.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn groups(&self) -> usize {
-        self.influences.div_ceil(GROUP)
+        self.influences().div_ceil(GROUP)
     }
 
     /// Where kernels keep what they read.
@@ -189,8 +203,8 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         to: &mut Influences<'a, R, J>,
     ) {
         let weights = self.weights.as_chunks::<GROUP>().0.get(first..);
-        if self.influences == GROUP
-            && !self.implied
+        // An implied weight makes the stride shorter.
+        if self.stride == GROUP
             && let Some(weights) = weights.and_then(|weights| weights.get(..lanes))
             && let in_place @ Some(_) = self.joints.in_place(first)
         {
@@ -207,7 +221,31 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
             }
             return;
         }
-        self.read_each(first, lanes, group, to);
+        if !(self.influences() == GROUP && !self.implied() && self.read_rows(first, lanes, to)) {
+            self.read_each(first, lanes, group, to);
+        }
+    }
+
+    /// [`read`](Self::read) where something lies between the four influences of vertices. False if there are not as
+    /// many vertices.
+    #[inline(never)]
+    fn read_rows<R: Scalar>(
+        &self,
+        first: usize,
+        lanes: usize,
+        to: &mut Influences<'a, R, J>,
+    ) -> bool {
+        if !to.joints.set_rows(lanes, first) {
+            return false;
+        }
+        (to.in_place, to.weights_in_place) = (None, None);
+        let mut rest = self.weights.get(first * self.stride..).unwrap_or_default();
+        for weights in to.weights.0.iter_mut().take(lanes) {
+            let Some([a, b, c, d]) = rest.first_chunk() else { break };
+            *weights = [a.value(), b.value(), c.value(), d.value()];
+            rest = rest.get(self.stride..).unwrap_or_default();
+        }
+        true
     }
 
     /// [`read`](Self::read) for any number of influences, and where the vertices end: what lies beyond is
@@ -221,31 +259,41 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         to: &mut Influences<'a, R, J>,
     ) {
         (to.in_place, to.weights_in_place) = (None, None);
-        // Influences that are not there are the first one with weight 0: another joint's NaN must not get in.
-        let position = |vertex, influence| {
-            let there = influence < self.influences;
-            vertex * self.influences + if there { influence } else { 0 }
-        };
-        // Not asked for at every influence, which would divide each time.
-        let vertices = self.vertices();
-        for lane in 0..lanes {
+        // A vertex that is not there is moved by its first influence alone.
+        let none = [if group == 0 { R::ONE } else { R::ZERO }, R::ZERO, R::ZERO, R::ZERO];
+        let from = group * GROUP;
+        for (lane, weights) in to.weights.0.iter_mut().enumerate().take(lanes) {
             let vertex = first + lane;
-            for slot in 0..GROUP {
-                let influence = group * GROUP + slot;
-                let none = if influence == 0 { R::ONE } else { R::ZERO };
-                to.joints.set(lane, slot, position(vertex, influence));
-                let there = vertex < vertices && influence < self.influences;
-                to.weights.0[lane][slot] =
-                    if there { self.weight(vertex, influence) } else { none };
-            }
+            // Influences that are not there are the first one with weight 0: another joint's NaN must not get in.
+            let there = to.joints.set_row(lane, vertex, from);
+            *weights = if there { self.weights_from(vertex, from) } else { none };
         }
         if group == 0 && self.groups() > 1 {
             let pivots = to.pivots.get_or_insert_with(|| Picks::new(self.joints));
+            let vertices = self.vertices();
             for lane in 0..lanes {
                 let vertex = first + lane;
                 let pivot = if vertex < vertices { self.pivot::<R>(vertex) } else { 0 };
-                pivots.set(lane, 0, position(vertex, pivot));
+                pivots.set_first(lane, vertex, pivot);
             }
         }
+    }
+
+    /// Four weights of a vertex, zero where there are none.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn weights_from<R: Scalar>(&self, vertex: usize, from: usize) -> [R; GROUP] {
+        let (start, given) = (vertex * self.stride + from, self.given().saturating_sub(from));
+        let mut weights = [R::ZERO; GROUP];
+        for (which, weight) in weights.iter_mut().enumerate() {
+            let own = if which < given { self.weights.get(start + which) } else { None };
+            *weight = own.map_or(R::ZERO, |own| own.value());
+        }
+        let last = self.influences() - 1;
+        if self.implied()
+            && let Some(weight) = weights.get_mut(last.wrapping_sub(from))
+        {
+            *weight = self.weight(vertex, last);
+        }
+        weights
     }
 }

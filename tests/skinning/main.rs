@@ -4,6 +4,7 @@
 
 mod agree;
 mod errors;
+mod influences;
 mod interleaved;
 mod laws;
 mod palettes;

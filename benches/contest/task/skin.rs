@@ -1,13 +1,14 @@
 //! A mesh with four influences per vertex, positions, in plain slices.
 //!
-//! ozz-animation is C++; a copy of its loop in Rust would not be that peer.
+//! ozz-animation is C++. What is here is its layout and its order of computing, in the lanes of the build target, which is
+//! not its code.
 
 use crate::contest::Contest;
 use crate::memory::{double, single};
 use dq8::skinning::{DualBlend, Linear, Skin, Surface, SurfaceMut, dual_blend, linear_blend};
 use dq8::{Backend, DualQuat, Quat, representation::Affine};
 use dq8_contract::random::Random;
-use glam::{Affine3A, Mat3A, Vec3A};
+use glam::{Affine3A, Mat3A, Mat4, Vec3A};
 use nalgebra::{DualQuaternion, Point3, Quaternion, UnitDualQuaternion};
 use std::cell::RefCell;
 
@@ -105,6 +106,7 @@ pub(super) fn with_contest(run: &mut dyn FnMut(&Contest<'_>)) {
         contest.last_should(dual.clone());
     }
     glam(&mut contest, &scene);
+    ozz_layout(&mut contest, &scene);
     nalgebra(&mut contest, &scene);
     contest.last_should(dual);
     run(&contest);
@@ -151,6 +153,34 @@ fn glam<'a>(contest: &mut Contest<'a>, scene: &'a Scene) {
         }
     };
     contest.add("glam Affine3A LBS, sum of points", None, memory, points, numbers);
+}
+
+/// Points of three numbers, joints of 16 bits, one weight less than joints, matrices of four columns of four numbers; for
+/// one vertex after the other the matrices are summed, and the point is a sum of columns.
+fn ozz_layout<'a>(contest: &mut Contest<'a>, scene: &'a Scene) {
+    /// The palette, weights, points.
+    type Given = (Vec<Mat4>, Vec<[f32; 3]>, Vec<[f32; 3]>);
+    let matrix = |motion: &DualQuat<f32>| {
+        let rotation = glam::Quat::from_array(motion.rotation().to_array());
+        Mat4::from_rotation_translation(rotation, motion.translation().into())
+    };
+    let memory = move || {
+        let palette: Vec<_> = scene.motions.iter().map(matrix).collect();
+        let weights: Vec<_> = scene.weights.iter().map(|&[a, b, c, _]| [a, b, c]).collect();
+        ((palette, weights, scene.points.clone()), scene.points.clone())
+    };
+    let joints = &scene.joints;
+    let pass = move |(palette, weights, points): &Given, posed: &mut [[f32; 3]]| {
+        let vertices = posed.iter_mut().zip(joints).zip(weights).zip(points);
+        for (((posed, joints), &[a, b, c]), &[x, y, z]) in vertices {
+            let [i, j, k, l] = joints.map(|joint| palette[usize::from(joint)]);
+            let sum = i * a + j * b + k * c + l * (1.0 - (a + b + c));
+            let point = sum.x_axis * x + sum.y_axis * y + sum.z_axis * z + sum.w_axis;
+            *posed = point.truncate().to_array();
+        }
+    };
+    let numbers = |posed: &[[f32; 3]], index: usize| posed[index].map(f64::from).to_vec();
+    contest.add("ozz's layout, 4×4 matrices LBS", None, memory, pass, numbers);
 }
 
 /// With the signs that nalgebra does not choose by itself.

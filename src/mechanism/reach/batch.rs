@@ -109,7 +109,12 @@ impl Backend {
 }
 
 impl<R: Copy> Work<'_, R> {
-    fn check(&self, reach: &Reach<'_, R>, room: usize, expected: usize) -> Result<(), ShapeError> {
+    pub(super) fn check(
+        &self,
+        reach: &Reach<'_, R>,
+        room: usize,
+        expected: usize,
+    ) -> Result<(), ShapeError> {
         let configurations = self.reports.len();
         let (goals, values) = (reach.goals.len(), reach.mechanism.values);
         same_length("targets", self.targets.len(), configurations.saturating_mul(goals))?;

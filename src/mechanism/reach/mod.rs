@@ -6,6 +6,7 @@
 //! | `bound.rs` | how far a link gets |
 //! | `chain.rs` | the chain that an `ik::Arm` is; `manner.rs` what its searches do otherwise |
 //! | `batch.rs` | one configuration, and many |
+//! | `parallel.rs` | on all cores |
 //! | `search.rs`, `lane.rs`, `assign.rs` | the loop, what a lane does next, what it is given and gives back |
 //! | `model.rs` with `forward.rs`, `compare.rs`, `columns.rs`, `wish.rs`, `step.rs`, `restart.rs` | what is computed of it, on lanes |
 //! | `range.rs`, `report.rs` | values within limits; what a search is told, and what it tells |
@@ -27,6 +28,8 @@ mod lane;
 mod manner;
 mod model;
 mod normal;
+#[cfg(feature = "rayon")]
+mod parallel;
 mod problem;
 mod range;
 mod report;

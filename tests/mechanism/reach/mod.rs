@@ -6,6 +6,8 @@ mod honest;
 mod kinds;
 mod limits;
 mod outcomes;
+#[cfg(feature = "rayon")]
+mod parallel;
 mod posture;
 mod refused;
 

@@ -2,17 +2,21 @@
 //!
 //! ```text
 //! cargo run --release --example robot -- FILE.urdf [--random N | --configurations IN.csv] [--poses OUT.csv] [--svg OUT]
+//!     [--reach X,Y,Z[,QX,QY,QZ,QW] [--link NAME]]
 //! ```
 //!
 //! Without configurations, all joints are at zero, or as near as their limits allow. The heading of IN is
 //! the names of the joints, in any order. OUT has a row for each configuration and, for every link,
 //! `NAME.x,NAME.y,NAME.z,NAME.qx,NAME.qy,NAME.qz,NAME.qw`. The picture is where the tool can be: the link
-//! with the most joints between it and the base.
+//! with the most joints between it and the base. `--reach` asks for joint values that bring the tool, or the link
+//! of that name, to a point or a pose, and starts from the first configuration.
 
 mod arguments;
 mod configurations;
 mod picture;
+mod reach;
 mod table;
+mod tool;
 
 use arguments::{Arguments, Configurations};
 use dq8::{Backend, DualQuat};
@@ -69,6 +73,14 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         "\n{configurations} configurations, {:.0} per second on one thread ({backend}, f64)",
         configurations as f64 / seconds
     );
+    if let Some(target) = arguments.reach {
+        let link = match &arguments.link {
+            Some(name) => robot.link(name).ok_or(format!("the robot has no link {name:?}"))?,
+            None => tool::tool(&robot),
+        };
+        let start = values.get(..count).ok_or("no configuration to start from")?;
+        print!("\n{}", reach::reach(&robot, link, target, start)?);
+    }
     if let Some(path) = &arguments.poses {
         table::write(&robot, &poses, path)?;
         println!("poses: {}", path.display());

@@ -2,6 +2,7 @@
 //! above, and the robot in front of it.
 
 use crate::configurations;
+use crate::tool::tool;
 use dq8::{Backend, DualQuat};
 use dq8_urdf::Robot;
 use std::error::Error;
@@ -22,7 +23,7 @@ const VIEWS: [(&str, [usize; 2], [&str; 2]); 2] =
 
 pub(crate) fn write(robot: &Robot, backend: Backend, path: &Path) -> Result<(), Box<dyn Error>> {
     let mechanism = robot.mechanism();
-    let tool = farthest(robot);
+    let tool = tool(robot);
     let values = configurations::random(robot, CONFIGURATIONS);
     let mut tools = vec![DualQuat::IDENTITY; if values.is_empty() { 1 } else { CONFIGURATIONS }];
     backend.chosen_link_poses(mechanism, &[tool], &values, &mut tools)?;
@@ -34,17 +35,6 @@ pub(crate) fn write(robot: &Robot, backend: Backend, path: &Path) -> Result<(), 
     std::fs::write(path, svg)
         .map_err(|error| format!("cannot write {}: {error}", path.display()))?;
     Ok(())
-}
-
-/// The link with the most moving joints between it and the base; of several the last.
-fn farthest(robot: &Robot) -> usize {
-    let mut depths: Vec<usize> = Vec::new();
-    for joint in robot.joints() {
-        let moves = usize::from(joint.kind.values() > 0);
-        depths.push(joint.parent.map_or(0, |parent| depths[parent]) + moves);
-    }
-    let deepest = depths.iter().enumerate().max_by_key(|(link, depth)| (**depth, *link));
-    deepest.map_or(0, |(link, _)| link)
 }
 
 /// The cube around all points: its centre and half its side.

@@ -1,0 +1,84 @@
+//! What dq8 does, in both precisions.
+
+use crate::job::Job;
+use dq8::mechanism::{Mechanism, World};
+use dq8::storage::NumberBlock;
+use dq8::{Backend, Block, DualQuat};
+use std::hint::black_box;
+
+/// The jobs of one robot in one precision, blocks as wide as a register of AVX2.
+macro_rules! precision {
+    ($name:ident, $real:ident, $lanes:literal) => {
+        pub fn $name<'a>(
+            backend: Backend,
+            robot: Mechanism<'a, $real>,
+            values: &'a [$real],
+        ) -> Vec<Job<'a>> {
+            type Motion = DualQuat<$real>;
+            type Motions = Block<$real, $lanes>;
+            let (links, tool) = (robot.links(), robot.links() - 1);
+            let configurations = values.len() / links;
+            let blocks = configurations / $lanes;
+            let plain = || vec![Motion::IDENTITY; configurations * links];
+            let in_blocks = || vec![Motions::splat(Motion::IDENTITY.to_array()); blocks * links];
+            let columns = || vec![[0.0 as $real; 6]; configurations * links];
+            let of_tools = || vec![Motion::IDENTITY; configurations];
+            let mut packed = vec![NumberBlock::<$real, $lanes>::splat([0.0]); blocks * links];
+            for (configuration, values) in values.chunks_exact(links).enumerate() {
+                for (value, &number) in values.iter().enumerate() {
+                    let block = &mut packed[configuration / $lanes * links + value];
+                    block.set(configuration % $lanes, [number]).expect("a lane");
+                }
+            }
+
+            let mut jobs = Vec::new();
+            let mut poses = plain();
+            jobs.push(Job::new("all poses, plain", move || {
+                backend.link_poses(robot, black_box(values), &mut poses).expect("shape");
+            }));
+            let mut poses = in_blocks();
+            jobs.push(Job::new("all poses, blocks", move || {
+                backend.link_poses(robot, black_box(&packed), &mut poses).expect("shape");
+            }));
+            let mut poses = in_blocks();
+            jobs.push(Job::new("all poses, plain to blocks", move || {
+                backend.link_poses(robot, black_box(values), &mut poses).expect("shape");
+            }));
+            let mut tools = of_tools();
+            jobs.push(Job::new("tool, plain", move || {
+                backend
+                    .chosen_link_poses(robot, &[tool], black_box(values), &mut tools)
+                    .expect("shape");
+            }));
+            let (mut tools, mut jacobians) = (of_tools(), columns());
+            jobs.push(Job::new("tool and Jacobian, plain", move || {
+                let values = black_box(values);
+                backend
+                    .link_jacobians(World, robot, tool, values, &mut tools, &mut jacobians)
+                    .expect("shape");
+            }));
+            let (mut poses, mut twists) = (plain(), columns());
+            jobs.push(Job::new("velocities, plain", move || {
+                backend
+                    .link_velocities(robot, black_box(values), values, &mut poses, &mut twists)
+                    .expect("shape");
+            }));
+            let mut poses = plain();
+            jobs.push(Job::new("all poses, one by one", move || {
+                let poses = poses.chunks_exact_mut(links);
+                for (values, poses) in black_box(values).chunks_exact(links).zip(poses) {
+                    robot.link_poses(values, poses).expect("shape");
+                }
+            }));
+            let mut tools = of_tools();
+            jobs.push(Job::new("tool, one by one", move || {
+                for (values, pose) in black_box(values).chunks_exact(links).zip(&mut tools) {
+                    *pose = robot.link_pose(values, tool).expect("shape");
+                }
+            }));
+            jobs
+        }
+    };
+}
+precision! { singles, f32, 8 }
+precision! { doubles, f64, 4 }
