@@ -7,6 +7,7 @@ use crate::geometry::DualVector;
 use crate::sine;
 use core::fmt::{Debug, Display};
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use dq8_simd::{Lanes, Portable};
 
 /// A number that the scalar reference computes with: `f32`, `f64`, or one of your own.
 ///
@@ -187,6 +188,20 @@ pub trait Real:
     fn quick_sqrt(_motion: [Self; 8]) -> Option<[Self; 8]> {
         None
     }
+    #[doc(hidden)]
+    #[inline(always)]
+    fn in_one_lane<K: OneLane<Self>>(_kernel: K) -> Option<K::Output> {
+        None
+    }
+}
+
+/// What numbers that are lanes compute in another way than by the book. Not part of the interface.
+#[doc(hidden)]
+pub trait OneLane<R> {
+    type Output;
+    fn compute(self) -> Self::Output
+    where
+        R: Scalar + Lanes<Real = R, Level = Portable, Mask = bool>;
 }
 
 /// The standard library's functions are inherent and `libm`'s are free, so neither can be reached
@@ -289,6 +304,10 @@ macro_rules! real {
             #[inline(always)]
             fn quick_sqrt(motion: [Self; 8]) -> Option<[Self; 8]> {
                 everyday::sqrt(motion)
+            }
+            #[inline(always)]
+            fn in_one_lane<K: OneLane<Self>>(kernel: K) -> Option<K::Output> {
+                Some(kernel.compute())
             }
             $(
                 #[cfg(feature = "std")]

@@ -30,6 +30,7 @@ mod group;
 mod jacobians;
 mod joint;
 #[cfg(feature = "alloc")]
+mod one_lane;
 mod owned;
 #[cfg(feature = "rayon")]
 mod parallel;

@@ -21,6 +21,13 @@ impl<L: Lanes<Real: Scalar>> Placed<L> {
         Self { rotation: [zero, zero, zero, zero.constant(1.0)], half: [zero; 3] }
     }
 
+    /// The placement of a joint on the base.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn root(level: L::Level, step: &Step<L::Real>) -> Self {
+        let rotation = vector::splat(level, step.rotation);
+        Self { rotation, half: vector::splat(level, step.half_offset) }
+    }
+
     /// The components of the motion r + ε ½t r: 12 multiplications.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn to_motion(self) -> [L; 8] {

@@ -3,6 +3,7 @@
 
 use super::frame::{Frame, JacobianFrame};
 use super::joint::JointKind;
+use super::one_lane::{LinkPose, LinkPoses};
 use super::step::{NONE, Step};
 use super::tree::Mechanism;
 use crate::geometry::Twist;
@@ -19,6 +20,10 @@ impl<R: Real> Mechanism<'_, R> {
     pub fn link_poses(&self, values: &[R], poses: &mut [DualQuat<R>]) -> Result<(), ShapeError> {
         same_length("values", values.len(), self.values)?;
         same_length("poses", poses.len(), self.links())?;
+        let quick = LinkPoses { mechanism: *self, values, poses };
+        if let Some(Some(())) = R::in_one_lane(quick) {
+            return Ok(());
+        }
         for step in self.steps {
             let local = step.placement * step.motion(values);
             let pose = match poses.get(step.parent as usize) {
@@ -38,6 +43,10 @@ impl<R: Real> Mechanism<'_, R> {
     /// If there are not as many values as the mechanism has, or there is no such link.
     pub fn link_pose(&self, values: &[R], link: usize) -> Result<DualQuat<R>, ShapeError> {
         self.check(values, link)?;
+        let quick = LinkPose { mechanism: *self, values, link, columns: None };
+        if let Some(Some(pose)) = R::in_one_lane(quick) {
+            return Ok(pose);
+        }
         let mut pose = DualQuat::IDENTITY;
         let mut link = link;
         while let Some(step) = self.step(link) {
@@ -83,6 +92,12 @@ impl<R: Real> Mechanism<'_, R> {
     ) -> Result<DualQuat<R>, ShapeError> {
         self.check(values, link)?;
         same_length("columns", columns.len(), self.rates)?;
+        columns.fill(Twist::from_array([R::ZERO; 6]));
+        let wanted = Some((F::FRAME, &mut *columns));
+        let quick = LinkPose { mechanism: *self, values, link, columns: wanted };
+        if let Some(Some(pose)) = R::in_one_lane(quick) {
+            return Ok(pose);
+        }
         columns.fill(Twist::from_array([R::ZERO; 6]));
         // The pose of the link in the frame of the joint, from the link up.
         let mut tail = DualQuat::IDENTITY;

@@ -126,8 +126,7 @@ pub(super) fn frame<L: Lanes<Real: Scalar>>(
     step: &Step<L::Real>,
 ) -> Placed<L> {
     if step.parent == NONE {
-        let rotation = vector::splat(level, step.rotation);
-        return Placed { rotation, half: vector::splat(level, step.half_offset) };
+        return Placed::root(level, step);
     }
     let (from, _) = slots(step);
     poses[from].place(step)

@@ -1,5 +1,6 @@
 //! One configuration.
 
+use crate::book::Book;
 use crate::random::{Numbers, mechanism, tree, values};
 use dq8::mechanism::{Body, Joint, JointKind, Mechanism, OwnedMechanism, World, WorldAligned};
 use dq8::{Dual, DualQuat, Quat, Twist};
@@ -72,6 +73,56 @@ fn poses_of_links_are_products_of_matrices() {
             let alone = owned.view().link_pose(&values, link).unwrap();
             assert!(alone.distance_to(poses[link]) < 1e-12, "link {link} of {count} alone");
         }
+    }
+}
+
+/// All but a sign, which the book has too.
+fn is_as_by_the_book(found: DualQuat<f64>, wanted: DualQuat<f64>) {
+    let bound = 1e-13 * (1.0 + wanted.dual().norm());
+    assert!(found.abs_diff_eq(wanted, bound), "{found:?}, {wanted:?}");
+}
+
+#[test]
+fn floats_compute_what_the_book_does() {
+    let mut numbers = Numbers::new(10);
+    for count in 1..40 {
+        let joints = tree(&mut numbers, count);
+        let values = values(&mut numbers, &joints);
+        let (owned, book, link) = (mechanism::<f64>(&joints), Book::new(&joints), count / 2);
+        let mut poses = [vec![DualQuat::IDENTITY; count], vec![DualQuat::IDENTITY; count]];
+        owned.view().link_poses(&values, &mut poses[0]).unwrap();
+        book.link_poses(&values, &mut poses[1]);
+        for (&found, &wanted) in poses[0].iter().zip(&poses[1]) {
+            is_as_by_the_book(found, wanted);
+        }
+        let mut columns = [(); 2].map(|()| vec![Twist::from_array([0.0; 6]); owned.view().rates()]);
+        let found = owned.view().link_jacobian(Body, &values, link, &mut columns[0]).unwrap();
+        is_as_by_the_book(found, book.link_jacobian(Body, &values, link, &mut columns[1]));
+        for (found, wanted) in columns[0].iter().zip(&columns[1]) {
+            let error = (*found - *wanted).to_array().map(f64::abs);
+            assert!(error.into_iter().all(|error| error < 1e-12), "{found:?}, {wanted:?}");
+        }
+    }
+}
+
+/// Lanes have no answer there.
+#[test]
+fn angles_too_far_for_lanes_are_taken_by_the_book() {
+    let up = [0.0, 0.0, 1.0];
+    let out = DualQuat::from_translation([1.0, 0.0, 0.0]);
+    let joints = [Joint::revolute(None, out, up), Joint::revolute(Some(0), out, up)];
+    let (owned, book) = (mechanism::<f64>(&joints), Book::new(&joints));
+    for values in [[1e300, 0.5], [0.5, -1e300]] {
+        let (mut poses, mut wanted) = ([DualQuat::IDENTITY; 2], [DualQuat::IDENTITY; 2]);
+        owned.view().link_poses(&values, &mut poses).unwrap();
+        book.link_poses(&values, &mut wanted);
+        assert!(poses.iter().all(|pose| pose.is_normalized()));
+        assert_eq!(poses, wanted);
+        assert_eq!(owned.view().link_pose(&values, 1).unwrap(), wanted[1]);
+        let mut columns = [[Twist::from_array([0.0; 6]); 2]; 2];
+        owned.view().link_jacobian(World, &values, 1, &mut columns[0]).unwrap();
+        book.link_jacobian(World, &values, 1, &mut columns[1]);
+        assert_eq!(columns[0], columns[1]);
     }
 }
 

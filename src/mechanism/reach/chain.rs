@@ -18,7 +18,7 @@ use crate::mechanism::joint::Joint;
 use crate::mechanism::placed::Placed;
 use crate::mechanism::step::Step;
 use crate::mechanism::tree::Mechanism;
-use crate::mechanism::values::{JointNumbers, half_turn};
+use crate::mechanism::values::Configuration;
 use crate::mechanism::walk::{Joined, moved};
 use crate::real::{Real, Scalar};
 use crate::scalar::DualQuat;
@@ -140,7 +140,7 @@ impl<R: Scalar, const N: usize> Chain<R, N> {
         values: &[L; N],
     ) -> (batch::DualQuat<L>, [Twist<L>; N]) {
         let mut screws = [Twist::from_array([L::splat(level, R::ZERO); 6]); N];
-        let (mut link, mut numbers) = (Placed::identity(level), Values(values));
+        let (mut link, mut numbers) = (Placed::identity(level), Configuration(values));
         for (step, screw) in self.steps.iter().zip(&mut screws) {
             let before = link.place(step);
             link = moved(level, before, step, &mut numbers);
@@ -197,23 +197,4 @@ where
 struct Memory<R, const N: usize, const OF_JOINTS: usize, const OF_REST: usize> {
     joints: [[R; OF_JOINTS]; N],
     rest: [R; OF_REST],
-}
-
-/// The values of one configuration in each lane.
-struct Values<'v, L>(&'v [L]);
-
-impl<L: Lanes> JointNumbers<L> for Values<'_, L> {
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn get(&mut self, level: L::Level, index: usize) -> L {
-        match self.0.get(index) {
-            Some(&value) => value,
-            None => L::splat(level, L::Real::default()),
-        }
-    }
-
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn half_turn(&mut self, level: L::Level, index: usize) -> [L; 2] {
-        let value = self.get(level, index);
-        half_turn(value * value.constant(0.5))
-    }
 }

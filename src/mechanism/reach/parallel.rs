@@ -1,9 +1,9 @@
 //! Many configurations on all cores (feature `rayon`).
 
 use super::problem::Reach;
+use super::report::{Options, Outcome, Report};
 use super::search::Work;
 use crate::dispatch::Backend;
-use crate::ik::{Options, Outcome, Report};
 use crate::real::Scalar;
 use crate::scalar::DualQuat;
 use crate::shape::ShapeError;

@@ -1,0 +1,120 @@
+//! One configuration in one lane: what `f32` and `f64` compute instead of the products of the book. Axes of the frame
+//! and half angles cost a fraction of that.
+
+use super::frame::Frame;
+use super::placed::Placed;
+use super::poses::carries;
+use super::step::{NONE, Step};
+use super::tree::Mechanism;
+use super::values::Configuration;
+use super::walk::{Joined, moved};
+use crate::geometry::Twist;
+use crate::real::{OneLane, Real, Scalar};
+use crate::scalar::{DualQuat, vector};
+use dq8_simd::{Lanes, Portable};
+
+/// [`Mechanism::link_poses`]; `None` if an angle is too far for the lanes, and where anything is NaN.
+pub(super) struct LinkPoses<'s, R> {
+    pub(super) mechanism: Mechanism<'s, R>,
+    pub(super) values: &'s [R],
+    pub(super) poses: &'s mut [DualQuat<R>],
+}
+
+impl<R: Real> OneLane<R> for LinkPoses<'_, R> {
+    type Output = Option<()>;
+
+    #[inline]
+    fn compute(self) -> Option<()>
+    where
+        R: Scalar + Lanes<Real = R, Level = Portable, Mask = bool>,
+    {
+        let mut last = (NONE, Placed::identity(Portable));
+        for step in self.mechanism.steps {
+            // The children of a link but the first come after what the others carry.
+            let parent = if step.parent == NONE {
+                None
+            } else if step.parent == last.0 {
+                Some(last.1)
+            } else {
+                self.poses.get(step.parent as usize).map(placed)
+            };
+            let Joined { pose, .. } = joined(step, parent, self.values)?;
+            *self.poses.get_mut(step.link as usize)? = DualQuat::from_array(pose.to_motion());
+            last = (step.link, pose);
+        }
+        Some(())
+    }
+}
+
+/// [`Mechanism::link_pose`], and with columns to write [`Mechanism::link_jacobian`]; `None` as above.
+pub(super) struct LinkPose<'s, R> {
+    pub(super) mechanism: Mechanism<'s, R>,
+    pub(super) values: &'s [R],
+    pub(super) link: usize,
+    pub(super) columns: Option<(Frame, &'s mut [Twist<R>])>,
+}
+
+impl<R: Real> OneLane<R> for LinkPose<'_, R> {
+    type Output = Option<DualQuat<R>>;
+
+    #[inline]
+    fn compute(mut self) -> Option<DualQuat<R>>
+    where
+        R: Scalar + Lanes<Real = R, Level = Portable, Mask = bool>,
+    {
+        let steps = self.mechanism.steps;
+        let (mut last, mut position) = (None, 0);
+        while let Some(step) = steps.get(position) {
+            if !carries(steps, position, &[self.link]) {
+                position += step.size as usize;
+                continue;
+            }
+            let joined = joined(step, last, self.values)?;
+            if let Some((_, columns)) = &mut self.columns {
+                for index in 0..step.kind.rates() {
+                    // What others mimic is moved by all of them.
+                    let column = columns.get_mut(step.rate as usize + index)?;
+                    *column = *column + joined.screw(step, index);
+                }
+            }
+            last = Some(joined.pose);
+            if step.link as usize == self.link {
+                break;
+            }
+            position += 1;
+        }
+        let pose = DualQuat::from_array(last?.to_motion());
+        let Some((frame, columns)) = self.columns else { return Some(pose) };
+        let (back, origin) = (pose.conjugate(), pose.translation());
+        for column in columns {
+            match frame {
+                Frame::World => break,
+                Frame::Body => *column = back.adjoint(*column),
+                Frame::WorldAligned => column.linear = column.velocity_at(origin),
+            }
+        }
+        Some(pose)
+    }
+}
+
+/// A joint on the pose of its parent; `None` if that is NaN.
+#[inline(always)]
+fn joined<R>(step: &Step<R>, parent: Option<Placed<R>>, values: &[R]) -> Option<Joined<R>>
+where
+    R: Scalar + Lanes<Real = R, Level = Portable, Mask = bool>,
+{
+    let before = match parent {
+        Some(parent) => parent.place(step),
+        None => Placed::root(Portable, step),
+    };
+    let pose = moved(Portable, before, step, &mut Configuration(values));
+    // NaN is in no order, not even with itself.
+    let [_, _, _, w] = pose.rotation;
+    w.partial_cmp(&w)?;
+    Some(Joined { before, pose })
+}
+
+fn placed<R: Real>(pose: &DualQuat<R>) -> Placed<R> {
+    let half = vector::scale(pose.translation(), R::HALF);
+    Placed { rotation: pose.rotation().to_array(), half }
+}
