@@ -29,8 +29,8 @@ mod frame;
 mod group;
 mod jacobians;
 mod joint;
-#[cfg(feature = "alloc")]
 mod one_lane;
+#[cfg(feature = "alloc")]
 mod owned;
 #[cfg(feature = "rayon")]
 mod parallel;
