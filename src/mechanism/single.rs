@@ -1,5 +1,5 @@
 //! One configuration, by the book, for any number: what the lanes are held to, and what a motor controller
-//! calls.
+//! calls. Floats take the short cut of `one_lane` first, which the tests hold to the book.
 
 use super::frame::{Frame, JacobianFrame};
 use super::joint::JointKind;
