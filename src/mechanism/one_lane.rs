@@ -63,6 +63,9 @@ impl<R: Real> OneLane<R> for LinkPose<'_, R> {
         R: Scalar + Lanes<Real = R, Level = Portable, Mask = bool>,
     {
         let steps = self.mechanism.steps;
+        if let Some((_, columns)) = &mut self.columns {
+            columns.fill(Twist::from_array([R::ZERO; 6]));
+        }
         let (mut last, mut position) = (None, 0);
         while let Some(step) = steps.get(position) {
             if !carries(steps, position, &[self.link]) {

@@ -176,6 +176,11 @@ fn joints_that_make_no_arm_are_named() {
     assert_eq!(with(good.with_limits([-inf, inf])), Ok(()));
     assert_eq!(with(good.with_limits([0.5, 0.5])), Ok(()));
 
+    // Axes so far apart that a float has no number for the way between them.
+    let [left, right] = [-3e38, 3e38].map(|x| Joint::revolute([0.0_f32, 0.0, 1.0], [x, 0.0, 0.0]));
+    let apart = Arm::new([left, right], DualQuat::IDENTITY).map(|_| ());
+    assert!(matches!(apart, Err(ArmError::Screw { joint: 1, .. })), "{apart:?}");
+
     // Angles that a float does not tell, unless the hinge is endless.
     let far = Joint::revolute([0.0_f32, 0.0, 1.0], [0.0; 3]).with_limits([1e7, 1e7 + 20.0]);
     let refused = Arm::new([far], DualQuat::IDENTITY).map(|_| ());

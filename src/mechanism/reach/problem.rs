@@ -123,9 +123,9 @@ impl<'a, R: Real> Reach<'a, R> {
 
     /// With a preferred configuration: a search that has reached its targets goes on toward these values as far
     /// as the goals leave freedom, until it is there to within the angular tolerance, comes no nearer in 60
-    /// iterations, next to nothing moves (10⁻⁴ rad; so `max_step` should be more), or the iterations are used up. Weighs nothing against the goals (the null space of their Jacobian; Liégeois
-    /// 1977). Beyond a limit, the limit is preferred. Of planar and other joints alike; floating joints have
-    /// no preference.
+    /// iterations, next to nothing moves (10⁻⁴ rad; so `max_step` should be more), or the iterations are used
+    /// up. Weighs nothing against the goals (the null space of their Jacobian; Liégeois 1977). Beyond a limit,
+    /// the limit is preferred. Of planar and other joints alike; floating joints have no preference.
     ///
     /// # Errors
     /// If there are not as many values as a configuration has, or one is not finite.
