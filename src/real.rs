@@ -1,13 +1,11 @@
 //! [`Real`]: what the scalar reference computes with; `f32` and `f64`, with square root and
 //! trigonometry from `std` or `libm`.
 
-use crate::everyday;
-use crate::geometry::DualVector;
+use crate::everyday::Quick;
 #[cfg(all(not(feature = "std"), feature = "libm"))]
 use crate::sine;
 use core::fmt::{Debug, Display};
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
-use dq8_simd::{Lanes, Portable};
 
 /// A number that the scalar reference computes with: `f32`, `f64`, or one of your own.
 ///
@@ -104,104 +102,13 @@ pub trait Real:
     #[must_use]
     fn ln(self) -> Self;
 
-    // What the operations of dual quaternions ask for before they compute by the book: the module
-    // `everyday`. Not part of the interface.
+    /// What operations ask for before they compute by the book: the module `everyday`. Not part of the
+    /// interface.
     #[doc(hidden)]
     #[inline(always)]
-    fn quick_product(_a: [Self; 8], _b: [Self; 8]) -> Option<[Self; 8]> {
+    fn quick<Q: Quick<Self>>(_operation: Q) -> Option<Q::Output> {
         None
     }
-    #[doc(hidden)]
-    #[inline(always)]
-    fn quick_point(_motion: [Self; 8], _point: [Self; 3]) -> Option<[Self; 3]> {
-        None
-    }
-    #[doc(hidden)]
-    #[inline(always)]
-    fn quick_matrix3x4(_motion: [Self; 8]) -> Option<[[Self; 4]; 3]> {
-        None
-    }
-    /// All NaN: it has none.
-    #[doc(hidden)]
-    #[inline(always)]
-    fn quick_unit(_motion: [Self; 8]) -> Option<[Self; 8]> {
-        None
-    }
-    /// All NaN: it has none.
-    #[doc(hidden)]
-    #[inline(always)]
-    fn quick_inverse(_motion: [Self; 8]) -> Option<[Self; 8]> {
-        None
-    }
-    #[doc(hidden)]
-    #[inline(always)]
-    fn quick_rotate(_rotation: [Self; 4], _vector: [Self; 3]) -> Option<[Self; 3]> {
-        None
-    }
-    #[doc(hidden)]
-    #[inline(always)]
-    fn quick_quaternion_product(_a: [Self; 4], _b: [Self; 4]) -> Option<[Self; 4]> {
-        None
-    }
-    #[doc(hidden)]
-    #[inline(always)]
-    fn quick_quaternion_unit(_quaternion: [Self; 4]) -> Option<[Self; 4]> {
-        None
-    }
-    #[doc(hidden)]
-    #[inline(always)]
-    fn quick_translation(_motion: [Self; 8]) -> Option<[Self; 3]> {
-        None
-    }
-    #[doc(hidden)]
-    #[inline(always)]
-    fn quick_lerp(_a: [Self; 8], _b: [Self; 8], _t: Self) -> Option<[Self; 8]> {
-        None
-    }
-    #[doc(hidden)]
-    #[inline(always)]
-    fn quick_slerp(_a: [Self; 4], _b: [Self; 4], _t: Self) -> Option<[Self; 4]> {
-        None
-    }
-    #[doc(hidden)]
-    #[inline(always)]
-    fn quick_sclerp(_a: [Self; 8], _b: [Self; 8], _t: Self) -> Option<[Self; 8]> {
-        None
-    }
-    #[doc(hidden)]
-    #[inline(always)]
-    fn quick_log(_motion: [Self; 8]) -> Option<DualVector<Self>> {
-        None
-    }
-    #[doc(hidden)]
-    #[inline(always)]
-    fn quick_exp(_log: DualVector<Self>) -> Option<[Self; 8]> {
-        None
-    }
-    #[doc(hidden)]
-    #[inline(always)]
-    fn quick_pow(_motion: [Self; 8], _t: Self) -> Option<[Self; 8]> {
-        None
-    }
-    #[doc(hidden)]
-    #[inline(always)]
-    fn quick_sqrt(_motion: [Self; 8]) -> Option<[Self; 8]> {
-        None
-    }
-    #[doc(hidden)]
-    #[inline(always)]
-    fn in_one_lane<K: OneLane<Self>>(_kernel: K) -> Option<K::Output> {
-        None
-    }
-}
-
-/// What numbers that are lanes compute in another way than by the book. Not part of the interface.
-#[doc(hidden)]
-pub trait OneLane<R> {
-    type Output;
-    fn compute(self) -> Self::Output
-    where
-        R: Scalar + Lanes<Real = R, Level = Portable, Mask = bool>;
 }
 
 /// The standard library's functions are inherent and `libm`'s are free, so neither can be reached
@@ -242,72 +149,8 @@ macro_rules! real {
                 dq8_simd::square_root::$real(self)
             }
             #[inline(always)]
-            fn quick_product(a: [Self; 8], b: [Self; 8]) -> Option<[Self; 8]> {
-                everyday::product(a, b)
-            }
-            #[inline(always)]
-            fn quick_point(motion: [Self; 8], point: [Self; 3]) -> Option<[Self; 3]> {
-                everyday::point(motion, point)
-            }
-            #[inline(always)]
-            fn quick_matrix3x4(motion: [Self; 8]) -> Option<[[Self; 4]; 3]> {
-                everyday::matrix3x4(motion)
-            }
-            #[inline(always)]
-            fn quick_unit(motion: [Self; 8]) -> Option<[Self; 8]> {
-                everyday::unit(motion)
-            }
-            #[inline(always)]
-            fn quick_inverse(motion: [Self; 8]) -> Option<[Self; 8]> {
-                everyday::inverse(motion)
-            }
-            #[inline(always)]
-            fn quick_rotate(rotation: [Self; 4], vector: [Self; 3]) -> Option<[Self; 3]> {
-                everyday::rotate(rotation, vector)
-            }
-            #[inline(always)]
-            fn quick_quaternion_product(a: [Self; 4], b: [Self; 4]) -> Option<[Self; 4]> {
-                everyday::quaternion_product(a, b)
-            }
-            #[inline(always)]
-            fn quick_quaternion_unit(quaternion: [Self; 4]) -> Option<[Self; 4]> {
-                everyday::quaternion_unit(quaternion)
-            }
-            #[inline(always)]
-            fn quick_translation(motion: [Self; 8]) -> Option<[Self; 3]> {
-                everyday::translation(motion)
-            }
-            #[inline(always)]
-            fn quick_lerp(a: [Self; 8], b: [Self; 8], t: Self) -> Option<[Self; 8]> {
-                everyday::lerp(a, b, t)
-            }
-            #[inline(always)]
-            fn quick_slerp(a: [Self; 4], b: [Self; 4], t: Self) -> Option<[Self; 4]> {
-                everyday::slerp(a, b, t)
-            }
-            #[inline(always)]
-            fn quick_sclerp(a: [Self; 8], b: [Self; 8], t: Self) -> Option<[Self; 8]> {
-                everyday::sclerp(a, b, t)
-            }
-            #[inline(always)]
-            fn quick_log(motion: [Self; 8]) -> Option<DualVector<Self>> {
-                everyday::log(motion)
-            }
-            #[inline(always)]
-            fn quick_exp(log: DualVector<Self>) -> Option<[Self; 8]> {
-                everyday::exp(log)
-            }
-            #[inline(always)]
-            fn quick_pow(motion: [Self; 8], t: Self) -> Option<[Self; 8]> {
-                everyday::pow(motion, t)
-            }
-            #[inline(always)]
-            fn quick_sqrt(motion: [Self; 8]) -> Option<[Self; 8]> {
-                everyday::sqrt(motion)
-            }
-            #[inline(always)]
-            fn in_one_lane<K: OneLane<Self>>(kernel: K) -> Option<K::Output> {
-                Some(kernel.compute())
+            fn quick<Q: Quick<Self>>(operation: Q) -> Option<Q::Output> {
+                operation.compute()
             }
             $(
                 #[cfg(feature = "std")]

@@ -12,7 +12,7 @@ const ORDINARY: f64 = 2.5;
 /// cos(τΘ/2)/cos(Θ/2) m + sin(τΘ/2)/sin(Θ/2) h, τ = 2t − 1, of m = (a ± b)/2 and h = (±b − a)/2; nothing
 /// far outside [0, 1].
 #[inline]
-pub(crate) fn sclerp<F: Number>(a: [F; 8], b: [F; 8], t: F) -> Option<[F; 8]> {
+pub(super) fn sclerp<F: Number>(a: [F; 8], b: [F; 8], t: F) -> Option<[F; 8]> {
     if F::REGISTERS == 4 {
         return one_lane::sclerp(a, b, t);
     }
@@ -32,7 +32,7 @@ pub(crate) fn sclerp<F: Number>(a: [F; 8], b: [F; 8], t: F) -> Option<[F; 8]> {
 
 /// As [`sclerp`], of rotations.
 #[inline]
-pub(crate) fn slerp<F: Number>(a: [F; 4], b: [F; 4], t: F) -> Option<[F; 4]> {
+pub(super) fn slerp<F: Number>(a: [F; 4], b: [F; 4], t: F) -> Option<[F; 4]> {
     if F::REGISTERS == 4 {
         return one_lane::slerp(a, b, t);
     }
@@ -97,7 +97,7 @@ fn polynomial<V: Four>(rows: &[[V::Number; 4]], x: V::Number) -> V {
 }
 
 /// The polynomials of `batch/even_coefficients.rs` side by side.
-pub(crate) trait Even: Sized + 'static {
+pub trait Even: Sized + 'static {
     /// arcsin(√c/2)/(√c/2), again, and its derivative.
     const ARC: &'static [[Self; 4]];
     /// cos √v, sin(√v)/√v and the derivative of the latter.

@@ -1,9 +1,9 @@
 //! The quicker forms that `f32` and `f64` have of what the scalar reference computes.
 //!
-//! The reference serves every [`Real`](crate::Real) number, in the order of the papers. Most callers
-//! hold floats and want speed, so [`Real`](crate::Real) offers the functions below (`quick_product` and
-//! the like), and the reference asks for them first. Nothing else calls them, and only these two numbers
-//! have them: a wrapper of a float takes the reference's own path, and the tests compare the two.
+//! The reference serves every [`Real`](crate::Real) number, in the order of the papers. Most callers hold
+//! floats and want speed, so the reference first asks for the operations below:
+//! `R::quick(everyday::Product(a, b))`. Only these two numbers answer: a wrapper of a float takes the
+//! reference's own path, and the tests compare the two.
 //!
 //! - `quad`: one quaternion in the four lanes of a register, or of two.
 //! - `between`: interpolation on a screw, in such registers.
@@ -14,17 +14,62 @@ mod between;
 mod one_lane;
 mod quad;
 
-pub(crate) use between::{sclerp, slerp};
+use crate::geometry::DualVector;
 use core::ops::BitXor;
 use dq8_simd::{Float, Lanes, Portable, f32x4, f64x4};
-pub(crate) use one_lane::{exp, log, pow, sqrt};
-pub(crate) use quad::{
-    inverse, lerp, matrix3x4, point, product, quaternion_product, quaternion_unit, rotate,
-    translation, unit,
-};
+
+/// An operation that `f32` and `f64` compute in another way than by the book. `None` where they too go by
+/// the book: on this target, or for this input.
+pub trait Quick<R> {
+    /// The result.
+    type Output;
+    /// Computes it.
+    fn compute(self) -> Option<Self::Output>
+    where
+        R: Number;
+}
+
+/// The operations by name. Where a number is any `Real`, a function over [`Number`] cannot be named, but what it
+/// is to be called with can.
+macro_rules! operations {
+    ($($name:ident($($argument:ident: $of:ty),*) -> $output:ty = $home:ident::$function:ident;)*) => {$(
+        #[derive(Debug)]
+        pub(crate) struct $name<R>($(pub(crate) $of),*);
+
+        impl<R> Quick<R> for $name<R> {
+            type Output = $output;
+            #[inline(always)]
+            fn compute(self) -> Option<$output>
+            where
+                R: Number,
+            {
+                let Self($($argument),*) = self;
+                $home::$function($($argument),*)
+            }
+        }
+    )*};
+}
+operations! {
+    Product(a: [R; 8], b: [R; 8]) -> [R; 8] = quad::product;
+    Unit(motion: [R; 8]) -> [R; 8] = quad::unit;
+    Inverse(motion: [R; 8]) -> [R; 8] = quad::inverse;
+    Lerp(a: [R; 8], b: [R; 8], t: R) -> [R; 8] = quad::lerp;
+    Sclerp(a: [R; 8], b: [R; 8], t: R) -> [R; 8] = between::sclerp;
+    Log(motion: [R; 8]) -> DualVector<R> = one_lane::log;
+    Exp(log: DualVector<R>) -> [R; 8] = one_lane::exp;
+    Pow(motion: [R; 8], t: R) -> [R; 8] = one_lane::pow;
+    Sqrt(motion: [R; 8]) -> [R; 8] = one_lane::sqrt;
+    Point(motion: [R; 8], point: [R; 3]) -> [R; 3] = quad::point;
+    Translation(motion: [R; 8]) -> [R; 3] = quad::translation;
+    Matrix3x4(motion: [R; 8]) -> [[R; 4]; 3] = quad::matrix3x4;
+    QuaternionProduct(a: [R; 4], b: [R; 4]) -> [R; 4] = quad::quaternion_product;
+    QuaternionUnit(quaternion: [R; 4]) -> [R; 4] = quad::quaternion_unit;
+    Slerp(a: [R; 4], b: [R; 4], t: R) -> [R; 4] = between::slerp;
+    Rotate(rotation: [R; 4], vector: [R; 3]) -> [R; 3] = quad::rotate;
+}
 
 /// `f32` or `f64`: a number, and one lane.
-pub(crate) trait Number:
+pub trait Number:
     Float + between::Even + Lanes<Real = Self, Level = Portable, Mask = bool>
 {
     /// The lanes that hold a quaternion.
@@ -64,7 +109,7 @@ impl Number for f64 {
 }
 
 /// Four lanes.
-pub(crate) trait Four:
+pub trait Four:
     Lanes<Real = <Self as Four>::Number, Level = Portable, Array = [<Self as Four>::Number; 4]>
     + BitXor<Output = Self>
 {

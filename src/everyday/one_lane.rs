@@ -8,19 +8,19 @@ use dq8_simd::Lanes;
 
 /// (θ̂/2)(l + εm)
 #[inline]
-pub(crate) fn log<F: Number>(motion: [F; 8]) -> Option<DualVector<F>> {
+pub(super) fn log<F: Number>(motion: [F; 8]) -> Option<DualVector<F>> {
     Some(batch::DualQuat::<F>::from_array(motion).log())
 }
 
 /// cos ĥ + sin ĥ (l + εm)
 #[inline]
-pub(crate) fn exp<F: Number>(log: DualVector<F>) -> Option<[F; 8]> {
+pub(super) fn exp<F: Number>(log: DualVector<F>) -> Option<[F; 8]> {
     Some(batch::DualQuat::<F>::exp(log).to_array())
 }
 
 /// σᵗ, of t whose square is a number.
 #[inline]
-pub(crate) fn pow<F: Number>(motion: [F; 8], t: F) -> Option<[F; 8]> {
+pub(super) fn pow<F: Number>(motion: [F; 8], t: F) -> Option<[F; 8]> {
     if !(t * t).lt(F::from_f64(f64::INFINITY)) {
         return None;
     }
@@ -29,27 +29,27 @@ pub(crate) fn pow<F: Number>(motion: [F; 8], t: F) -> Option<[F; 8]> {
 
 /// σ^½ of the one of ±σ with p_w ≥ 0
 #[inline]
-pub(crate) fn sqrt<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
+pub(super) fn sqrt<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
     Some(batch::DualQuat::<F>::from_array(motion).sqrt().to_array())
 }
 
 /// a(a*b)ᵗ by the shorter way
 #[inline]
-pub(crate) fn sclerp<F: Number>(a: [F; 8], b: [F; 8], t: F) -> Option<[F; 8]> {
+pub(super) fn sclerp<F: Number>(a: [F; 8], b: [F; 8], t: F) -> Option<[F; 8]> {
     let (a, b) = (batch::DualQuat::<F>::from_array(a), batch::DualQuat::from_array(b));
     Some(a.sclerp(b, t).to_array())
 }
 
 /// Turns from a to ±b, by the shorter way.
 #[inline]
-pub(crate) fn slerp<F: Number>(a: [F; 4], b: [F; 4], t: F) -> Option<[F; 4]> {
+pub(super) fn slerp<F: Number>(a: [F; 4], b: [F; 4], t: F) -> Option<[F; 4]> {
     let (a, b) = (batch::Quat::<F>::from_array(a), batch::Quat::from_array(b));
     Some(a.slerp(b, t).to_array())
 }
 
 /// Exact normalization, or all NaN.
 #[inline]
-pub(crate) fn unit<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
+pub(super) fn unit<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
     let unit = batch::DualQuat::<F>::from_array(motion).normalize();
     // A p that is zero or not finite leaves no number in q. Zero times what is not finite is NaN.
     let [x, y, z, w] = unit.dual().to_array();
@@ -60,6 +60,6 @@ pub(crate) fn unit<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
 
 /// σ⁻¹, or all NaN.
 #[inline]
-pub(crate) fn inverse<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
+pub(super) fn inverse<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
     Some(batch::DualQuat::<F>::from_array(motion).inverse_checked().0.to_array())
 }

@@ -11,7 +11,7 @@ const fn multiplies_in_a_register<F: Number>() -> bool {
 
 /// p₁p₂ + ε(p₁q₂ + q₁p₂)
 #[inline(always)]
-pub(crate) fn product<F: Number>(a: [F; 8], b: [F; 8]) -> Option<[F; 8]> {
+pub(super) fn product<F: Number>(a: [F; 8], b: [F; 8]) -> Option<[F; 8]> {
     if !multiplies_in_a_register::<F>() {
         return None;
     }
@@ -22,7 +22,7 @@ pub(crate) fn product<F: Number>(a: [F; 8], b: [F; 8]) -> Option<[F; 8]> {
 
 /// pq, rounded as the parts of [`product`] are: laws between the two lose nothing.
 #[inline(always)]
-pub(crate) fn quaternion_product<F: Number>(a: [F; 4], b: [F; 4]) -> Option<[F; 4]> {
+pub(super) fn quaternion_product<F: Number>(a: [F; 4], b: [F; 4]) -> Option<[F; 4]> {
     if !multiplies_in_a_register::<F>() {
         return None;
     }
@@ -33,7 +33,7 @@ pub(crate) fn quaternion_product<F: Number>(a: [F; 4], b: [F; 4]) -> Option<[F; 
 /// v + 2(p × (p × v + wv + q) + w_p q − w_q p): the translation 2(w_p q − w_q p + p × q) shares a
 /// cross product with the rotation.
 #[inline(always)]
-pub(crate) fn point<F: Number>(motion: [F; 8], point: [F; 3]) -> Option<[F; 3]> {
+pub(super) fn point<F: Number>(motion: [F; 8], point: [F; 3]) -> Option<[F; 3]> {
     let [p, q] = halves(motion);
     let v = load_three(point);
     let inner = pick(p, [3; 4]).mul_add(v, q) + cross(p, v);
@@ -44,7 +44,7 @@ pub(crate) fn point<F: Number>(motion: [F; 8], point: [F; 3]) -> Option<[F; 3]> 
 
 /// v + 2p × (p × v + wv)
 #[inline(always)]
-pub(crate) fn rotate<F: Number>(rotation: [F; 4], vector: [F; 3]) -> Option<[F; 3]> {
+pub(super) fn rotate<F: Number>(rotation: [F; 4], vector: [F; 3]) -> Option<[F; 3]> {
     // Two registers take as long as four numbers: of these, one in four is of no use here. And what lines are
     // measured against is `f64`.
     if !multiplies_in_a_register::<F>() {
@@ -59,7 +59,7 @@ pub(crate) fn rotate<F: Number>(rotation: [F; 4], vector: [F; 3]) -> Option<[F; 
 
 /// t = 2qp*, the one that is in the matrix too.
 #[inline(always)]
-pub(crate) fn translation<F: Number>(motion: [F; 8]) -> Option<[F; 3]> {
+pub(super) fn translation<F: Number>(motion: [F; 8]) -> Option<[F; 3]> {
     if F::REGISTERS == 4 {
         return None;
     }
@@ -72,7 +72,7 @@ pub(crate) fn translation<F: Number>(motion: [F; 8]) -> Option<[F; 3]> {
 /// The rows of [R | t]: 1 − 2(y² + z²) and so on in one register, 2(xy − wz), 2(yz − wx), 2(zx − wy) in
 /// another and their partners in a third.
 #[inline(always)]
-pub(crate) fn matrix3x4<F: Number>(motion: [F; 8]) -> Option<[[F; 4]; 3]> {
+pub(super) fn matrix3x4<F: Number>(motion: [F; 8]) -> Option<[[F; 4]; 3]> {
     if F::REGISTERS == 4 {
         return None;
     }
@@ -93,7 +93,7 @@ pub(crate) fn matrix3x4<F: Number>(motion: [F; 8]) -> Option<[[F; 4]; 3]> {
 /// Exact normalization, unless |p| or |q| is so large or so small that a square or a quotient on the way
 /// has no normal number.
 #[inline(always)]
-pub(crate) fn unit<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
+pub(super) fn unit<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
     if F::REGISTERS == 4 {
         return one_lane::unit(motion);
     }
@@ -108,7 +108,7 @@ pub(crate) fn unit<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
 
 /// q / |q|, unless |q| is so large or so small that its square might overflow or vanish.
 #[inline(always)]
-pub(crate) fn quaternion_unit<F: Number>(quaternion: [F; 4]) -> Option<[F; 4]> {
+pub(super) fn quaternion_unit<F: Number>(quaternion: [F; 4]) -> Option<[F; 4]> {
     if F::REGISTERS == 4 {
         return None;
     }
@@ -133,7 +133,7 @@ fn unit_of_stretched<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
 
 /// (1−t)a ± tb, by the shorter way
 #[inline(always)]
-pub(crate) fn lerp<F: Number>(a: [F; 8], b: [F; 8], t: F) -> Option<[F; 8]> {
+pub(super) fn lerp<F: Number>(a: [F; 8], b: [F; 8], t: F) -> Option<[F; 8]> {
     if F::REGISTERS == 4 {
         return None;
     }
@@ -148,7 +148,7 @@ pub(crate) fn lerp<F: Number>(a: [F; 8], b: [F; 8], t: F) -> Option<[F; 8]> {
 
 /// p*/|p|² + ε(q/|p|² − 2(p·q)p/|p|⁴)*, for p*qp* = 2(p·q)p* − |p|²q*; as [`unit`].
 #[inline(always)]
-pub(crate) fn inverse<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
+pub(super) fn inverse<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
     if F::REGISTERS == 4 {
         return one_lane::inverse(motion);
     }

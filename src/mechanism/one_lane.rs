@@ -8,10 +8,11 @@ use super::step::{NONE, Step};
 use super::tree::Mechanism;
 use super::values::Configuration;
 use super::walk::{Joined, moved};
+use crate::everyday::{Number, Quick};
 use crate::geometry::Twist;
-use crate::real::{OneLane, Real, Scalar};
+use crate::real::Real;
 use crate::scalar::{DualQuat, vector};
-use dq8_simd::{Lanes, Portable};
+use dq8_simd::Portable;
 
 /// [`Mechanism::link_poses`]; `None` if an angle is too far for the lanes, and where anything is NaN.
 pub(super) struct LinkPoses<'s, R> {
@@ -20,13 +21,13 @@ pub(super) struct LinkPoses<'s, R> {
     pub(super) poses: &'s mut [DualQuat<R>],
 }
 
-impl<R: Real> OneLane<R> for LinkPoses<'_, R> {
-    type Output = Option<()>;
+impl<R: Real> Quick<R> for LinkPoses<'_, R> {
+    type Output = ();
 
     #[inline]
     fn compute(self) -> Option<()>
     where
-        R: Scalar + Lanes<Real = R, Level = Portable, Mask = bool>,
+        R: Number,
     {
         let mut last = (NONE, Placed::identity(Portable));
         for step in self.mechanism.steps {
@@ -54,13 +55,13 @@ pub(super) struct LinkPose<'s, R> {
     pub(super) columns: Option<(Frame, &'s mut [Twist<R>])>,
 }
 
-impl<R: Real> OneLane<R> for LinkPose<'_, R> {
-    type Output = Option<DualQuat<R>>;
+impl<R: Real> Quick<R> for LinkPose<'_, R> {
+    type Output = DualQuat<R>;
 
     #[inline]
     fn compute(mut self) -> Option<DualQuat<R>>
     where
-        R: Scalar + Lanes<Real = R, Level = Portable, Mask = bool>,
+        R: Number,
     {
         let steps = self.mechanism.steps;
         if let Some((_, columns)) = &mut self.columns {
@@ -104,7 +105,7 @@ impl<R: Real> OneLane<R> for LinkPose<'_, R> {
 #[inline(always)]
 fn joined<R>(step: &Step<R>, parent: Option<Placed<R>>, values: &[R]) -> Option<Joined<R>>
 where
-    R: Scalar + Lanes<Real = R, Level = Portable, Mask = bool>,
+    R: Real + Number,
 {
     let before = match parent {
         Some(parent) => parent.place(step),

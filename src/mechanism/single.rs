@@ -21,7 +21,7 @@ impl<R: Real> Mechanism<'_, R> {
         same_length("values", values.len(), self.values)?;
         same_length("poses", poses.len(), self.links())?;
         let quick = LinkPoses { mechanism: *self, values, poses };
-        if R::in_one_lane(quick).flatten().is_some() {
+        if R::quick(quick).is_some() {
             return Ok(());
         }
         for step in self.steps {
@@ -44,7 +44,7 @@ impl<R: Real> Mechanism<'_, R> {
     pub fn link_pose(&self, values: &[R], link: usize) -> Result<DualQuat<R>, ShapeError> {
         self.check(values, link)?;
         let quick = LinkPose { mechanism: *self, values, link, columns: None };
-        if let Some(pose) = R::in_one_lane(quick).flatten() {
+        if let Some(pose) = R::quick(quick) {
             return Ok(pose);
         }
         let mut pose = DualQuat::IDENTITY;
@@ -94,7 +94,7 @@ impl<R: Real> Mechanism<'_, R> {
         same_length("columns", columns.len(), self.rates)?;
         let wanted = Some((F::FRAME, &mut *columns));
         let quick = LinkPose { mechanism: *self, values, link, columns: wanted };
-        if let Some(pose) = R::in_one_lane(quick).flatten() {
+        if let Some(pose) = R::quick(quick) {
             return Ok(pose);
         }
         columns.fill(Twist::from_array([R::ZERO; 6]));

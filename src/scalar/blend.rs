@@ -1,6 +1,7 @@
 //! Linear blending.
 
 use super::{DualQuat, Quat};
+use crate::everyday;
 use crate::real::Real;
 
 impl<R: Real> Quat<R> {
@@ -32,7 +33,7 @@ impl<R: Real> DualQuat<R> {
     #[inline]
     #[must_use]
     pub fn nlerp(self, other: Self, t: R) -> Self {
-        if let Some(sum) = R::quick_lerp(self.to_array(), other.to_array(), t) {
+        if let Some(sum) = R::quick(everyday::Lerp(self.to_array(), other.to_array(), t)) {
             return Self::from_array(sum).normalize();
         }
         let near = other.toward(self);

@@ -1,4 +1,5 @@
 use super::{Dual, Quat};
+use crate::everyday;
 use crate::geometry::DualVector;
 use crate::real::Real;
 use bytemuck::{Pod, Zeroable};
@@ -268,7 +269,7 @@ impl<R: Real> Mul for DualQuat<R> {
     type Output = Self;
     #[inline]
     fn mul(self, other: Self) -> Self {
-        if let Some(product) = R::quick_product(self.0, other.0) {
+        if let Some(product) = R::quick(everyday::Product(self.0, other.0)) {
             return Self(product);
         }
         Self::new(

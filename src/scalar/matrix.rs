@@ -2,6 +2,7 @@
 
 use super::error::MatrixError;
 use super::{DualQuat, Quat, vector};
+use crate::everyday;
 use crate::real::Real;
 
 impl<R: Real> Quat<R> {
@@ -118,7 +119,7 @@ impl<R: Real> DualQuat<R> {
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_matrix3x4(self) -> [[R; 4]; 3] {
         crate::must_be_unit::motions("DualQuat::to_matrix3x4", [self]);
-        if let Some(rows) = R::quick_matrix3x4(self.to_array()) {
+        if let Some(rows) = R::quick(everyday::Matrix3x4(self.to_array())) {
             return rows;
         }
         let [[a, b, c], [d, e, f], [g, h, i]] = self.real().to_matrix3();

@@ -2,6 +2,7 @@
 
 use super::error::{InverseError, NormalizeError};
 use super::{Dual, DualQuat, Quat, vector};
+use crate::everyday;
 use crate::real::Real;
 
 impl<R: Real> Quat<R> {
@@ -57,7 +58,7 @@ impl<R: Real> DualQuat<R> {
     #[inline]
     #[must_use]
     pub fn normalize(self) -> Self {
-        if let Some(unit) = R::quick_unit(self.to_array()) {
+        if let Some(unit) = R::quick(everyday::Unit(self.to_array())) {
             return Self::from_array(unit);
         }
         self.apart().unit_of_any_size().unwrap_or(Self::nan()).apart()
@@ -86,7 +87,7 @@ impl<R: Real> DualQuat<R> {
     /// without double precision a library call even where nobody asks.
     #[inline]
     fn unit(self) -> Result<Self, R> {
-        if let Some(unit) = R::quick_unit(self.to_array()) {
+        if let Some(unit) = R::quick(everyday::Unit(self.to_array())) {
             let failed = unit[0].is_nan();
             return if failed { Err(self.real().norm()) } else { Ok(Self::from_array(unit)) };
         }
@@ -133,7 +134,7 @@ impl<R: Real> DualQuat<R> {
     #[inline]
     #[must_use]
     pub fn inverse(self) -> Self {
-        if let Some(inverse) = R::quick_inverse(self.to_array()) {
+        if let Some(inverse) = R::quick(everyday::Inverse(self.to_array())) {
             return Self::from_array(inverse);
         }
         self.apart().reciprocal_of_any_size().unwrap_or(Self::nan()).apart()
@@ -158,7 +159,7 @@ impl<R: Real> DualQuat<R> {
     /// The same, or the norm of the real part: see `unit`.
     #[inline]
     fn reciprocal(self) -> Result<Self, R> {
-        if let Some(inverse) = R::quick_inverse(self.to_array()) {
+        if let Some(inverse) = R::quick(everyday::Inverse(self.to_array())) {
             let failed = inverse[0].is_nan();
             return if failed { Err(self.real().norm()) } else { Ok(Self::from_array(inverse)) };
         }

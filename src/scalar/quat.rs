@@ -1,5 +1,6 @@
 use super::error::NormalizeError;
 use super::vector;
+use crate::everyday;
 use crate::real::Real;
 use bytemuck::{Pod, Zeroable};
 use core::ops::{Add, Mul, Neg, Sub};
@@ -207,7 +208,7 @@ impl<R: Real> Quat<R> {
     /// The same, or |q|.
     #[inline]
     pub(super) fn unit(self) -> Result<Self, R> {
-        if let Some(unit) = R::quick_quaternion_unit(self.0) {
+        if let Some(unit) = R::quick(everyday::QuaternionUnit(self.0)) {
             return Ok(Self(unit));
         }
         self.apart().unit_of_any_size()
@@ -234,7 +235,7 @@ impl<R: Real> Quat<R> {
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn rotate(self, v: [R; 3]) -> [R; 3] {
         crate::must_be_unit::rotations("Quat::rotate", [self]);
-        if let Some(turned) = R::quick_rotate(self.0, v) {
+        if let Some(turned) = R::quick(everyday::Rotate(self.0, v)) {
             return turned;
         }
         let r = self.xyz();
@@ -281,7 +282,7 @@ impl<R: Real> Mul for Quat<R> {
     type Output = Self;
     #[inline]
     fn mul(self, other: Self) -> Self {
-        if let Some(product) = R::quick_quaternion_product(self.0, other.0) {
+        if let Some(product) = R::quick(everyday::QuaternionProduct(self.0, other.0)) {
             return Self(product);
         }
         let [ax, ay, az, aw] = self.0;

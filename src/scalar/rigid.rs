@@ -1,6 +1,7 @@
 //! Rotation and translation, in and out.
 
 use super::{DualQuat, Quat, vector};
+use crate::everyday;
 use crate::real::Real;
 
 impl<R: Real> DualQuat<R> {
@@ -84,7 +85,7 @@ impl<R: Real> DualQuat<R> {
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn translation(self) -> [R; 3] {
         crate::must_be_unit::motions("DualQuat::translation", [self]);
-        if let Some(translation) = R::quick_translation(self.to_array()) {
+        if let Some(translation) = R::quick(everyday::Translation(self.to_array())) {
             return translation;
         }
         (self.dual() * self.real().conjugate()).scale(R::TWO).xyz()

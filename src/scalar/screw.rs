@@ -1,6 +1,7 @@
 //! Screws: parameters, logarithm, exponential, powers and screw interpolation.
 
 use super::{DualQuat, Quat, vector};
+use crate::everyday;
 use crate::geometry::{DualVector, Line, Screw};
 use crate::real::Real;
 
@@ -79,7 +80,7 @@ impl<R: Real> DualQuat<R> {
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn log(self) -> DualVector<R> {
         crate::must_be_unit::motions("DualQuat::log", [self]);
-        if let Some(log) = R::quick_log(self.to_array()) {
+        if let Some(log) = R::quick(everyday::Log(self.to_array())) {
             return log;
         }
         self.canonical().log_without_flip()
@@ -123,7 +124,7 @@ impl<R: Real> DualQuat<R> {
     #[inline]
     #[must_use]
     pub fn exp(log: DualVector<R>) -> Self {
-        if let Some(exp) = R::quick_exp(log) {
+        if let Some(exp) = R::quick(everyday::Exp(log)) {
             return Self::from_array(exp);
         }
         let h = vector::norm(log.real);
@@ -155,7 +156,7 @@ impl<R: Real> DualQuat<R> {
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn pow(self, t: R) -> Self {
         crate::must_be_unit::motions("DualQuat::pow", [self]);
-        if let Some(power) = R::quick_pow(self.to_array(), t) {
+        if let Some(power) = R::quick(everyday::Pow(self.to_array(), t)) {
             return Self::from_array(power);
         }
         self.apart().pow_by_the_book(t).apart()
@@ -174,7 +175,7 @@ impl<R: Real> DualQuat<R> {
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn sqrt(self) -> Self {
         crate::must_be_unit::motions("DualQuat::sqrt", [self]);
-        if let Some(root) = R::quick_sqrt(self.to_array()) {
+        if let Some(root) = R::quick(everyday::Sqrt(self.to_array())) {
             return Self::from_array(root);
         }
         self.pow(R::HALF)
@@ -200,7 +201,7 @@ impl<R: Real> DualQuat<R> {
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn sclerp(self, other: Self, t: R) -> Self {
         crate::must_be_unit::motions("DualQuat::sclerp", [self, other]);
-        if let Some(between) = R::quick_sclerp(self.to_array(), other.to_array(), t) {
+        if let Some(between) = R::quick(everyday::Sclerp(self.to_array(), other.to_array(), t)) {
             return Self::from_array(between);
         }
         self.apart().sclerp_by_the_book(other.apart(), t).apart()

@@ -1,6 +1,7 @@
 //! Spherical linear interpolation of rotations, and rotation and translation interpolated apart.
 
 use super::{DualQuat, Quat, vector};
+use crate::everyday;
 use crate::real::Real;
 
 impl<R: Real> Quat<R> {
@@ -24,7 +25,7 @@ impl<R: Real> Quat<R> {
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn slerp(self, other: Self, t: R) -> Self {
         crate::must_be_unit::rotations("Quat::slerp", [self, other]);
-        if let Some(turned) = R::quick_slerp(self.to_array(), other.to_array(), t) {
+        if let Some(turned) = R::quick(everyday::Slerp(self.to_array(), other.to_array(), t)) {
             return Self::from_array(turned);
         }
         self.apart().slerp_by_the_book(other.apart(), t).apart()

@@ -1,6 +1,7 @@
 //! What a unit dual quaternion does to points, directions, lines and planes.
 
 use super::{DualQuat, vector};
+use crate::everyday;
 use crate::geometry::{Line, Plane};
 use crate::real::Real;
 
@@ -11,7 +12,7 @@ impl<R: Real> DualQuat<R> {
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn transform_point(self, point: [R; 3]) -> [R; 3] {
         crate::must_be_unit::motions("DualQuat::transform_point", [self]);
-        if let Some(moved) = R::quick_point(self.to_array(), point) {
+        if let Some(moved) = R::quick(everyday::Point(self.to_array(), point)) {
             return moved;
         }
         vector::add(self.real().rotate(point), self.translation())
