@@ -160,6 +160,10 @@ enum dq8_status
    * angles that a float does not tell apart.
    */
   DQ8_STATUS_LIMITS = 27,
+  /**
+   * A field lies beyond its vertex, or in another field.
+   */
+  DQ8_STATUS_FIELD = 28,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -704,12 +708,52 @@ typedef struct dq8_skin_f32 {
    * What it was made of.
    */
   const uint16_t *joint_indices;
+  size_t joint_stride;
   const float *weights;
+  size_t weight_stride;
   /**
    * Not for you.
    */
   const float *opaque[8];
 } dq8_skin_f32;
+
+/**
+ * Where the joints of a vertex lie in an array that holds one vertex after the other, or its weights; counted in
+ * elements of their own type.
+ */
+typedef struct dq8_influence_field {
+  /**
+   * From a vertex to the next.
+   */
+  size_t stride;
+  /**
+   * Where in a vertex the field begins.
+   */
+  size_t first;
+} dq8_influence_field;
+
+/**
+ * Where the fields of a vertex lie in a buffer that holds one vertex after the other, all counted in numbers.
+ * A field is three numbers.
+ */
+typedef struct dq8_vertex_fields {
+  /**
+   * From a vertex to the next.
+   */
+  size_t stride;
+  /**
+   * Where in a vertex its position begins.
+   */
+  int32_t position;
+  /**
+   * Where its normal begins; -1 if none is posed.
+   */
+  int32_t normal;
+  /**
+   * Where its tangent begins, without the sign of the bitangent; -1 if none is posed.
+   */
+  int32_t tangent;
+} dq8_vertex_fields;
 
 /**
  * Which joints move the vertices of a mesh, and how much. It may be copied and moved; the joints and weights
@@ -732,7 +776,9 @@ typedef struct dq8_skin_f64 {
    * What it was made of.
    */
   const uint16_t *joint_indices;
+  size_t joint_stride;
   const double *weights;
+  size_t weight_stride;
   /**
    * Not for you.
    */
@@ -1666,6 +1712,38 @@ dq8_status dq8_skin_make_f32(size_t joint_count,
                              size_t *bad_vertex);
 
 /**
+ * As dq8_skin_make, of joints and weights that lie between other fields, such as in a vertex buffer:
+ * `joint_indices` and `weights` hold `stride` elements per vertex, of which `influences` from `first`
+ * on are the field; they may be the same memory. A stride or an offset in bytes, divided by the size
+ * of an element, is one in elements. DQ8_STATUS_FIELD if the field lies beyond its vertex.
+ */
+dq8_status dq8_skin_make_interleaved_f32(size_t joint_count,
+                                         size_t influences,
+                                         const uint16_t *joint_indices,
+                                         struct dq8_influence_field at,
+                                         const float *weights,
+                                         struct dq8_influence_field of,
+                                         size_t vertices,
+                                         struct dq8_skin_f32 *skin,
+                                         size_t *bad_vertex);
+
+/**
+ * As without _interleaved, of vertices that are records of several fields, such as the vertex
+ * buffer of a GPU: `rest` and `posed` hold `stride` numbers per vertex, and the two `dq8_vertex_fields`
+ * say where its position is, and its normal and tangent. Both buffers have the same fields, or it is
+ * DQ8_STATUS_LENGTH; DQ8_STATUS_FIELD if a field lies beyond its vertex or in another one. Everything
+ * else in `posed` is left alone.
+ */
+dq8_status dq8_skin_linear_interleaved_f32(const struct dq8_skin_f32 *skin,
+                                           const float *matrices,
+                                           size_t joint_count,
+                                           const float *rest,
+                                           struct dq8_vertex_fields from,
+                                           float *posed,
+                                           struct dq8_vertex_fields to,
+                                           size_t vertices);
+
+/**
  * Poses a mesh by linear blends: each vertex by the weighted sum of `matrices`, the palette, twelve
  * numbers per joint, row after row. Weights must sum to 1.
  *
@@ -1685,6 +1763,22 @@ dq8_status dq8_skin_linear_f32(const struct dq8_skin_f32 *skin,
                                size_t vertices);
 
 /**
+ * As without _interleaved, of vertices that are records of several fields, such as the vertex
+ * buffer of a GPU: `rest` and `posed` hold `stride` numbers per vertex, and the two `dq8_vertex_fields`
+ * say where its position is, and its normal and tangent. Both buffers have the same fields, or it is
+ * DQ8_STATUS_LENGTH; DQ8_STATUS_FIELD if a field lies beyond its vertex or in another one. Everything
+ * else in `posed` is left alone.
+ */
+dq8_status dq8_skin_dual_interleaved_f32(const struct dq8_skin_f32 *skin,
+                                         const float *motions,
+                                         size_t joint_count,
+                                         const float *rest,
+                                         struct dq8_vertex_fields from,
+                                         float *posed,
+                                         struct dq8_vertex_fields to,
+                                         size_t vertices);
+
+/**
  * As dq8_skin_linear by dual quaternion blends: each vertex by the weighted sum of `motions`, the
  * palette, normalized, each with the sign that turns it toward that of the greatest weight. Twists
  * keep their volume.
@@ -1699,6 +1793,23 @@ dq8_status dq8_skin_dual_f32(const struct dq8_skin_f32 *skin,
                              float *posed_normals,
                              float *posed_tangents,
                              size_t vertices);
+
+/**
+ * As without _interleaved, of vertices that are records of several fields, such as the vertex
+ * buffer of a GPU: `rest` and `posed` hold `stride` numbers per vertex, and the two `dq8_vertex_fields`
+ * say where its position is, and its normal and tangent. Both buffers have the same fields, or it is
+ * DQ8_STATUS_LENGTH; DQ8_STATUS_FIELD if a field lies beyond its vertex or in another one. Everything
+ * else in `posed` is left alone.
+ */
+dq8_status dq8_skin_stretched_interleaved_f32(const struct dq8_skin_f32 *skin,
+                                              const float *motions,
+                                              const float *stretches,
+                                              size_t joint_count,
+                                              const float *rest,
+                                              struct dq8_vertex_fields from,
+                                              float *posed,
+                                              struct dq8_vertex_fields to,
+                                              size_t vertices);
 
 /**
  * As dq8_skin_dual where joints scale or shear: before the motions come the weighted sums of
@@ -1734,6 +1845,38 @@ dq8_status dq8_skin_make_f64(size_t joint_count,
                              size_t *bad_vertex);
 
 /**
+ * As dq8_skin_make, of joints and weights that lie between other fields, such as in a vertex buffer:
+ * `joint_indices` and `weights` hold `stride` elements per vertex, of which `influences` from `first`
+ * on are the field; they may be the same memory. A stride or an offset in bytes, divided by the size
+ * of an element, is one in elements. DQ8_STATUS_FIELD if the field lies beyond its vertex.
+ */
+dq8_status dq8_skin_make_interleaved_f64(size_t joint_count,
+                                         size_t influences,
+                                         const uint16_t *joint_indices,
+                                         struct dq8_influence_field at,
+                                         const double *weights,
+                                         struct dq8_influence_field of,
+                                         size_t vertices,
+                                         struct dq8_skin_f64 *skin,
+                                         size_t *bad_vertex);
+
+/**
+ * As without _interleaved, of vertices that are records of several fields, such as the vertex
+ * buffer of a GPU: `rest` and `posed` hold `stride` numbers per vertex, and the two `dq8_vertex_fields`
+ * say where its position is, and its normal and tangent. Both buffers have the same fields, or it is
+ * DQ8_STATUS_LENGTH; DQ8_STATUS_FIELD if a field lies beyond its vertex or in another one. Everything
+ * else in `posed` is left alone.
+ */
+dq8_status dq8_skin_linear_interleaved_f64(const struct dq8_skin_f64 *skin,
+                                           const double *matrices,
+                                           size_t joint_count,
+                                           const double *rest,
+                                           struct dq8_vertex_fields from,
+                                           double *posed,
+                                           struct dq8_vertex_fields to,
+                                           size_t vertices);
+
+/**
  * Poses a mesh by linear blends: each vertex by the weighted sum of `matrices`, the palette, twelve
  * numbers per joint, row after row. Weights must sum to 1.
  *
@@ -1753,6 +1896,22 @@ dq8_status dq8_skin_linear_f64(const struct dq8_skin_f64 *skin,
                                size_t vertices);
 
 /**
+ * As without _interleaved, of vertices that are records of several fields, such as the vertex
+ * buffer of a GPU: `rest` and `posed` hold `stride` numbers per vertex, and the two `dq8_vertex_fields`
+ * say where its position is, and its normal and tangent. Both buffers have the same fields, or it is
+ * DQ8_STATUS_LENGTH; DQ8_STATUS_FIELD if a field lies beyond its vertex or in another one. Everything
+ * else in `posed` is left alone.
+ */
+dq8_status dq8_skin_dual_interleaved_f64(const struct dq8_skin_f64 *skin,
+                                         const double *motions,
+                                         size_t joint_count,
+                                         const double *rest,
+                                         struct dq8_vertex_fields from,
+                                         double *posed,
+                                         struct dq8_vertex_fields to,
+                                         size_t vertices);
+
+/**
  * As dq8_skin_linear by dual quaternion blends: each vertex by the weighted sum of `motions`, the
  * palette, normalized, each with the sign that turns it toward that of the greatest weight. Twists
  * keep their volume.
@@ -1767,6 +1926,23 @@ dq8_status dq8_skin_dual_f64(const struct dq8_skin_f64 *skin,
                              double *posed_normals,
                              double *posed_tangents,
                              size_t vertices);
+
+/**
+ * As without _interleaved, of vertices that are records of several fields, such as the vertex
+ * buffer of a GPU: `rest` and `posed` hold `stride` numbers per vertex, and the two `dq8_vertex_fields`
+ * say where its position is, and its normal and tangent. Both buffers have the same fields, or it is
+ * DQ8_STATUS_LENGTH; DQ8_STATUS_FIELD if a field lies beyond its vertex or in another one. Everything
+ * else in `posed` is left alone.
+ */
+dq8_status dq8_skin_stretched_interleaved_f64(const struct dq8_skin_f64 *skin,
+                                              const double *motions,
+                                              const double *stretches,
+                                              size_t joint_count,
+                                              const double *rest,
+                                              struct dq8_vertex_fields from,
+                                              double *posed,
+                                              struct dq8_vertex_fields to,
+                                              size_t vertices);
 
 /**
  * As dq8_skin_dual where joints scale or shear: before the motions come the weighted sums of

@@ -1,11 +1,23 @@
 //! Meshes that follow joints: a skin checked once, posed by linear or dual quaternion blends.
 
 use crate::memory::{Input, Output};
+use crate::mesh::{Arrays, Mesh, Records, VertexFields};
 use crate::status::{Done, Status};
 use core::mem::MaybeUninit;
 use core::ptr;
-use dq8::skinning::{self, DualBlend, Linear, SkinningError, Stretched, Surface, SurfaceMut};
-use dq8::{Backend, DualQuat, Scalar};
+use dq8::skinning::{self, DualBlend, Linear, SkinningError, Stretched};
+use dq8::{DualQuat, Scalar};
+
+/// Where the joints of a vertex lie in an array that holds one vertex after the other, or its weights; counted in
+/// elements of their own type.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct InfluenceField {
+    /// From a vertex to the next.
+    pub stride: usize,
+    /// Where in a vertex the field begins.
+    pub first: usize,
+}
 
 /// Which joints move the vertices of a mesh, and how much. It may be copied and moved; the joints and weights
 /// that it was made of must stay where they are, as they are.
@@ -20,7 +32,9 @@ pub struct Skin<R> {
     pub joints: usize,
     /// What it was made of.
     joint_indices: *const u16,
+    joint_stride: usize,
     weights: *const R,
+    weight_stride: usize,
     /// Not for you.
     // A `Known<R>`, some of whose bytes are padding and so nothing at all.
     opaque: [MaybeUninit<*const R>; 8],
@@ -52,20 +66,38 @@ struct Given<R> {
     joints: usize,
     influences: usize,
     joint_indices: *const u16,
+    at: InfluenceField,
     weights: *const R,
+    of: InfluenceField,
     vertices: usize,
 }
 
-impl<R: Scalar + skinning::Weight> Given<R> {
-    fn inputs(&self) -> Result<(Input<u16>, Input<R>), Status> {
-        let count = self.vertices.checked_mul(self.influences).ok_or(Status::TooLarge)?;
-        Ok((Input::new(self.joint_indices, count)?, Input::new(self.weights, count)?))
-    }
+/// What a skin is made of.
+fn inputs<R: Copy>(
+    vertices: usize,
+    (joint_indices, joint_stride): (*const u16, usize),
+    (weights, weight_stride): (*const R, usize),
+) -> Result<(Input<u16>, Input<R>), Status> {
+    let joints = vertices.checked_mul(joint_stride).ok_or(Status::TooLarge)?;
+    let weight_count = vertices.checked_mul(weight_stride).ok_or(Status::TooLarge)?;
+    Ok((Input::new(joint_indices, joints)?, Input::new(weights, weight_count)?))
+}
 
+impl<R: Scalar + skinning::Weight> Given<R> {
     /// # Safety
     /// As for [`Input::slice`] and [`Output::write`]; joints and weights stay as they are.
     unsafe fn make(self, skin: *mut Skin<R>, bad_vertex: *mut usize) -> Done {
-        let (joint_indices, weights) = self.inputs()?;
+        let Self {
+            joints,
+            influences,
+            joint_indices: at_joints,
+            at,
+            weights: at_weights,
+            of,
+            vertices,
+        } = self;
+        let (joint_indices, weights) =
+            inputs(vertices, (at_joints, at.stride), (at_weights, of.stride))?;
         let made = Output::<Skin<R>>::new(skin, 1)?;
         let bad_vertex = Output::<usize>::unless_null(bad_vertex)?;
         made.apart_from(&joint_indices)?;
@@ -76,129 +108,94 @@ impl<R: Scalar + skinning::Weight> Given<R> {
             bad_vertex.apart_from_output(&made)?;
         }
         // SAFETY: promised; what is made lives as long as C keeps them.
-        let (of, by) = unsafe { (joint_indices.slice(), weights.slice()) };
-        let known: Known<R> = match skinning::Skin::new(self.joints, self.influences, of, by) {
-            Ok(known) => known,
-            Err(error) => {
-                if let (Some(bad_vertex), Some(vertex)) = (bad_vertex, vertex_of(&error)) {
-                    // SAFETY: promised, and apart.
-                    unsafe { bad_vertex.write(vertex) };
+        let (joint_indices, weights) = unsafe { (joint_indices.slice(), weights.slice()) };
+        let field = |InfluenceField { stride, first }| skinning::InfluenceField { stride, first };
+        let (joints_at, weights_at) = ((joint_indices, field(at)), (weights, field(of)));
+        let known: Known<R> =
+            match skinning::Skin::interleaved(joints, influences, joints_at, weights_at) {
+                Ok(known) => known,
+                Err(error) => {
+                    if let (Some(bad_vertex), Some(vertex)) = (bad_vertex, vertex_of(&error)) {
+                        // SAFETY: promised, and apart.
+                        unsafe { bad_vertex.write(vertex) };
+                    }
+                    return Err(error.into());
                 }
-                return Err(error.into());
-            }
-        };
-        let Self { joints, influences, joint_indices, weights, vertices } = self;
+            };
         let opaque = [const { MaybeUninit::uninit() }; 8];
         // SAFETY: promised, and apart; a skin of the library fits, by `fits`.
         unsafe {
-            made.write(Skin { vertices, influences, joints, joint_indices, weights, opaque });
+            made.write(Skin {
+                vertices,
+                influences,
+                joints,
+                joint_indices: at_joints,
+                joint_stride: at.stride,
+                weights: at_weights,
+                weight_stride: of.stride,
+                opaque,
+            });
             ptr::addr_of_mut!((*skin).opaque).cast::<Known<R>>().write(known);
         }
         Ok(())
     }
 }
 
-/// A mesh at rest and where it goes when posed, as C has it: positions, normals, tangents.
-struct Mesh<R> {
-    rest: [*const R; 3],
-    posed: [*mut R; 3],
-    vertices: usize,
+/// What poses a mesh, found where C says it is: a skin, and of the palettes what the blend needs.
+pub(crate) struct Posing<R> {
+    skin: *const Skin<R>,
+    given: Input<Skin<R>>,
+    joint_indices: Input<u16>,
+    weights: Input<R>,
+    motions: Input<DualQuat<R>>,
+    matrices: Input<[[R; 4]; 3]>,
 }
 
-/// Vectors at rest and posed.
-type Field<R> = (Input<[R; 3]>, Output<[R; 3]>);
-
-/// What poses a mesh: of these what it needs.
-struct Palette<R> {
-    motions: Option<*const R>,
-    matrices: Option<*const R>,
-    joints: usize,
-}
-
-impl<R: Scalar + skinning::Weight> Mesh<R> {
-    fn field(&self, from: *const R, to: *mut R) -> Result<Field<R>, Status> {
-        Ok((Input::new(from, self.vertices)?, Output::new(to, self.vertices)?))
-    }
-
-    /// None where C passes null for both.
-    fn optional(&self, from: *const R, to: *mut R) -> Result<Option<Field<R>>, Status> {
-        if from.is_null() && to.is_null() {
-            return Ok(None);
-        }
-        self.field(from, to).map(Some)
-    }
-
-    /// Poses it, if nothing that is written lies in anything that is read, or twice.
-    ///
+impl<R: Scalar + skinning::Weight> Posing<R> {
     /// # Safety
-    /// The skin is zero, or has been made, and what it was made of is as it was. The rest as for
-    /// [`Input::slice`] and [`Output::slice`].
-    unsafe fn pose(
-        self,
+    /// The skin is zero, or has been made, and what it was made of is as it was.
+    unsafe fn new(
         skin: *const Skin<R>,
-        palette: Palette<R>,
-        blend: impl FnOnce(
-            &Known<R>,
-            &[DualQuat<R>],
-            &[[[R; 4]; 3]],
-            Surface<'_, [R; 3]>,
-            SurfaceMut<'_, [R; 3]>,
-        ) -> Result<(), SkinningError>,
-    ) -> Done {
+        motions: Option<*const R>,
+        matrices: Option<*const R>,
+        joints: usize,
+    ) -> Result<Self, Status> {
         let given = Input::<Skin<R>>::new(skin, 1)?;
         // SAFETY: neither null nor misaligned, by `Input::new`; the rest is promised.
-        let Skin { vertices, influences, joints, joint_indices, weights, .. } =
-            unsafe { skin.read() };
+        let Skin {
+            vertices, influences, joint_indices, joint_stride, weights, weight_stride, ..
+        } = unsafe { skin.read() };
         if influences == 0 {
             return Err(Status::NoSkin);
         }
-        let made = Given { joints, influences, joint_indices, weights, vertices };
-        let (joint_indices, weights) = made.inputs()?;
-        let motions = palette.motions.map(|of| Input::<DualQuat<R>>::new(of, palette.joints));
-        let motions = motions.transpose()?;
-        let matrices = palette.matrices.map(|of| Input::<[[R; 4]; 3]>::new(of, palette.joints));
-        let matrices = matrices.transpose()?;
-        // Only positions must be there.
-        let ([from, from_normals, from_tangents], [to, to_normals, to_tangents]) =
-            (self.rest, self.posed);
-        let positions = self.field(from, to)?;
-        let normals = self.optional(from_normals, to_normals)?;
-        let tangents = self.optional(from_tangents, to_tangents)?;
-        let fields = [Some(&positions), normals.as_ref(), tangents.as_ref()];
-        for (kind, field) in fields.iter().enumerate() {
-            let Some((_, to)) = field else { continue };
-            to.apart_from(&given)?;
-            to.apart_from(&joint_indices)?;
-            to.apart_from(&weights)?;
-            if let Some(motions) = &motions {
-                to.apart_from(motions)?;
-            }
-            if let Some(matrices) = &matrices {
-                to.apart_from(matrices)?;
-            }
-            for (from, _) in fields.iter().flatten() {
-                to.apart_from(from)?;
-            }
-            for (_, other) in fields.iter().skip(kind + 1).flatten() {
-                to.apart_from_output(other)?;
-            }
-        }
-        // SAFETY: it has been made, so this was written; the rest is promised, and all that is written is apart.
+        let (joint_indices, weights) =
+            inputs(vertices, (joint_indices, joint_stride), (weights, weight_stride))?;
+        let palette = |of: Option<*const R>| of.map_or((ptr::null(), 0), |of| (of, joints));
+        let ((motions, count), (matrices, matrix_count)) = (palette(motions), palette(matrices));
+        let (motions, matrices) =
+            (Input::new(motions, count)?, Input::new(matrices, matrix_count)?);
+        Ok(Self { skin, given, joint_indices, weights, motions, matrices })
+    }
+
+    /// Whether nothing of it lies in what is written.
+    pub(crate) fn apart_from<T: Copy>(&self, to: &Output<T>) -> Done {
+        to.apart_from(&self.given)?;
+        to.apart_from(&self.joint_indices)?;
+        to.apart_from(&self.weights)?;
+        to.apart_from(&self.motions)?;
+        to.apart_from(&self.matrices)
+    }
+
+    /// The skin, motions and matrices.
+    ///
+    /// # Safety
+    /// As for [`new`](Self::new) and [`Input::slice`].
+    #[expect(clippy::type_complexity, reason = "three things")]
+    pub(crate) unsafe fn borrow<'p>(&self) -> (Known<R>, &'p [DualQuat<R>], &'p [[[R; 4]; 3]]) {
+        // SAFETY: it has been made, so this was written; the rest is promised.
         unsafe {
-            let known = ptr::addr_of!((*skin).opaque).cast::<Known<R>>().read();
-            let rest = Surface {
-                positions: positions.0.slice(),
-                normals: normals.as_ref().map(|(from, _)| from.slice()),
-                tangents: tangents.as_ref().map(|(from, _)| from.slice()),
-            };
-            let posed = SurfaceMut {
-                positions: positions.1.slice(),
-                normals: normals.as_ref().map(|(_, to)| to.slice()),
-                tangents: tangents.as_ref().map(|(_, to)| to.slice()),
-            };
-            let motions = motions.map_or(&[][..], |motions| motions.slice());
-            let matrices = matrices.map_or(&[][..], |matrices| matrices.slice());
-            Ok(blend(&known, motions, matrices, rest, posed)?)
+            let known = ptr::addr_of!((*self.skin).opaque).cast::<Known<R>>().read();
+            (known, self.motions.slice(), self.matrices.slice())
         }
     }
 }
@@ -209,14 +206,12 @@ unsafe fn linear<R: Scalar + skinning::Weight>(
     skin: *const Skin<R>,
     matrices: *const R,
     joints: usize,
-    mesh: Mesh<R>,
+    mesh: impl Mesh<R>,
 ) -> Done {
-    let palette = Palette { motions: None, matrices: Some(matrices), joints };
     // SAFETY: promised.
     unsafe {
-        mesh.pose(skin, palette, |skin, _, matrices, rest, posed| {
-            Backend::best().skin(skin, Linear::new(matrices), rest, posed)
-        })
+        let by = Posing::new(skin, None, Some(matrices), joints)?;
+        mesh.pose(&by, |_, matrices| Linear::new(matrices))
     }
 }
 
@@ -226,14 +221,12 @@ unsafe fn dual<R: Scalar + skinning::Weight>(
     skin: *const Skin<R>,
     motions: *const R,
     joints: usize,
-    mesh: Mesh<R>,
+    mesh: impl Mesh<R>,
 ) -> Done {
-    let palette = Palette { motions: Some(motions), matrices: None, joints };
     // SAFETY: promised.
     unsafe {
-        mesh.pose(skin, palette, |skin, motions, _, rest, posed| {
-            Backend::best().skin(skin, DualBlend::new(motions), rest, posed)
-        })
+        let by = Posing::new(skin, Some(motions), None, joints)?;
+        mesh.pose(&by, |motions, _| DualBlend::new(motions))
     }
 }
 
@@ -244,20 +237,30 @@ unsafe fn stretched<R: Scalar + skinning::Weight>(
     motions: *const R,
     stretches: *const R,
     joints: usize,
-    mesh: Mesh<R>,
+    mesh: impl Mesh<R>,
 ) -> Done {
-    let palette = Palette { motions: Some(motions), matrices: Some(stretches), joints };
     // SAFETY: promised.
     unsafe {
-        mesh.pose(skin, palette, |skin, motions, stretches, rest, posed| {
-            Backend::best().skin(skin, Stretched::new(motions, stretches), rest, posed)
-        })
+        let by = Posing::new(skin, Some(motions), Some(stretches), joints)?;
+        mesh.pose(&by, |motions, stretches| Stretched::new(motions, stretches))
     }
 }
 
-/// A function that poses a mesh with these palettes, and the generic one of that name in the file.
+/// Functions that pose a mesh with these palettes, and the generic one of the first name in the file.
 macro_rules! export_pose {
-    ($R:ident $(#[doc = $about:literal])* $name:ident($($palette:ident),*)) => {
+    ($R:ident $(#[doc = $about:literal])* $name:ident, $interleaved:ident($($palette:ident),*)) => {
+        export_skin! { $R
+            /// As without _interleaved, of vertices that are records of several fields, such as the vertex
+            /// buffer of a GPU: `rest` and `posed` hold `stride` numbers per vertex, and the two `dq8_vertex_fields`
+            /// say where its position is, and its normal and tangent. Both buffers have the same fields, or it is
+            /// DQ8_STATUS_LENGTH; DQ8_STATUS_FIELD if a field lies beyond its vertex or in another one. Everything
+            /// else in `posed` is left alone.
+            $interleaved(
+                skin: *const Skin<$R>, $($palette: *const $R,)* joint_count: usize,
+                rest: *const $R, from: VertexFields, posed: *mut $R, to: VertexFields,
+                vertices: usize,
+            ) = super::$name(skin, $($palette,)* joint_count, Records { rest, from, posed, to, vertices })
+        }
         export_skin! { $R
             $(#[doc = $about])*
             $name(
@@ -268,7 +271,7 @@ macro_rules! export_pose {
             ) = {
                 let rest = [positions, normals, tangents];
                 let posed = [posed_positions, posed_normals, posed_tangents];
-                super::$name(skin, $($palette,)* joint_count, Mesh { rest, posed, vertices })
+                super::$name(skin, $($palette,)* joint_count, Arrays { rest, posed, vertices })
             }
         }
     };
@@ -287,7 +290,23 @@ macro_rules! functions {
             make(
                 joint_count: usize, influences: usize, joint_indices: *const u16,
                 weights: *const $R, vertices: usize, skin: *mut Skin<$R>, bad_vertex: *mut usize,
-            ) = Given { joints: joint_count, influences, joint_indices, weights, vertices }
+            ) = {
+                let packed = InfluenceField { stride: influences, first: 0 };
+                let (at, of) = (packed, packed);
+                Given { joints: joint_count, influences, joint_indices, at, weights, of, vertices }
+                    .make(skin, bad_vertex)
+            }
+        }
+        export_skin! { $R
+            /// As dq8_skin_make, of joints and weights that lie between other fields, such as in a vertex buffer:
+            /// `joint_indices` and `weights` hold `stride` elements per vertex, of which `influences` from `first`
+            /// on are the field; they may be the same memory. A stride or an offset in bytes, divided by the size
+            /// of an element, is one in elements. DQ8_STATUS_FIELD if the field lies beyond its vertex.
+            make_interleaved(
+                joint_count: usize, influences: usize, joint_indices: *const u16, at: InfluenceField,
+                weights: *const $R, of: InfluenceField, vertices: usize, skin: *mut Skin<$R>,
+                bad_vertex: *mut usize,
+            ) = Given { joints: joint_count, influences, joint_indices, at, weights, of, vertices }
                 .make(skin, bad_vertex)
         }
         export_pose! { $R
@@ -297,18 +316,18 @@ macro_rules! functions {
             /// `positions`, and `normals` and `tangents` if not null, hold three numbers per vertex; what becomes
             /// of them goes to `posed_positions`, `posed_normals` and `posed_tangents`, which must overlap nothing.
             /// `joint_count` and `vertices` are those of the skin, or it is DQ8_STATUS_LENGTH.
-            linear(matrices)
+            linear, linear_interleaved(matrices)
         }
         export_pose! { $R
             /// As dq8_skin_linear by dual quaternion blends: each vertex by the weighted sum of `motions`, the
             /// palette, normalized, each with the sign that turns it toward that of the greatest weight. Twists
             /// keep their volume.
-            dual(motions)
+            dual, dual_interleaved(motions)
         }
         export_pose! { $R
             /// As dq8_skin_dual where joints scale or shear: before the motions come the weighted sums of
             /// `stretches`, matrices of twelve numbers per joint. dq8_skin_split makes both.
-            stretched(motions, stretches)
+            stretched, stretched_interleaved(motions, stretches)
         }
     };
 }

@@ -73,10 +73,12 @@ pub enum Status {
     /// Limits of a joint are not in order, or leave no value together with those of what mimics it, or are
     /// angles that a float does not tell apart.
     Limits = 27,
+    /// A field lies beyond its vertex, or in another field.
+    Field = 28,
 }
 
 impl Status {
-    const ALL: [Self; 28] = [
+    const ALL: [Self; 29] = [
         Self::Ok,
         Self::NullPointer,
         Self::Misaligned,
@@ -105,6 +107,7 @@ impl Status {
         Self::WeightSum,
         Self::NoSkin,
         Self::Limits,
+        Self::Field,
     ];
 
     pub(crate) fn of(done: Done) -> Self {
@@ -143,6 +146,7 @@ impl Status {
             Self::WeightSum => c"the weights of a vertex sum to less than 1/1024 or more than 1024",
             Self::NoSkin => c"the skin has not been made",
             Self::Limits => c"the limits of a joint leave no value",
+            Self::Field => c"a field lies beyond its vertex, or in another field",
         }
     }
 }
@@ -187,8 +191,9 @@ impl From<SkinningError> for Status {
             SkinningError::Total { .. } => Self::WeightSum,
             SkinningError::NotFinite { .. } => Self::NotFinite,
             SkinningError::NotAffine { .. } => Self::NotAffine,
+            SkinningError::Field { .. } | SkinningError::InfluenceField { .. } => Self::Field,
             SkinningError::Shape(_) => Self::Length,
-            // Shares and fields, which no function takes, and what only a newer dq8 knows.
+            // Shares, which no function takes, and what only a newer dq8 knows.
             _ => Self::UnknownValue,
         }
     }

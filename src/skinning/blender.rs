@@ -5,7 +5,7 @@ use dq8_simd::Lanes;
 use dq8_simd::picks::Index;
 
 /// A way to blend the motions of joints, on lanes that are vertices: a sum over groups of influences, and
-/// what the sum does to a surface.
+/// what the sum does to a surface. Sealed: only this crate can name what its methods take.
 pub trait Blender<R: Scalar>: Copy {
     /// What is summed.
     type Sum<L: Lanes<Real = R>>;

@@ -56,6 +56,7 @@ mod surface;
 mod vertex;
 mod weight;
 
+pub use blender::Blender;
 pub use dual_blend::DualBlend;
 pub use error::SkinningError;
 pub use influence_field::InfluenceField;
