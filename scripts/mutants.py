@@ -174,8 +174,7 @@ def run(seconds, tests):
             return
         worth = lambda name: (seen.get((change["file"], name), 0) + 0.3) / (took[name] + 0.05)
         for name in sorted(parts, key=lambda name: (name.endswith("slow"), -worth(name))):
-            environment = {**os.environ, "DQ8_MUTANT": str(change["id"]), "PROPTEST_CASES": "64",
-                           "PROPTEST_MAX_SHRINK_ITERS": "0", "RUST_BACKTRACE": "0"}
+            environment = {**os.environ, "DQ8_MUTANT": str(change["id"]), "PROPTEST_MAX_SHRINK_ITERS": "0", "RUST_BACKTRACE": "0"}
             try:
                 failed = subprocess.run(parts[name], cwd=COPY, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                                         env=environment, timeout=60 + 12 * took[name]).returncode

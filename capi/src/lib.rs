@@ -10,11 +10,11 @@
 //! | [`joint`], [`mechanism`] | one configuration of a mechanism: poses of links, Jacobians |
 //! | [`reach`] | inverse kinematics of one configuration |
 //! | [`links`] | poses of links for many configurations, plain or in blocks |
-//! | [`skinning`], [`mesh`] | meshes that follow joints, plain, or vertices of several fields |
+//! | [`skin`], [`mesh`], [`skinning`] | meshes that follow joints, plain, or vertices of several fields |
 //! | [`palette`] | skinning palettes from matrices, plain |
 //! | [`packing`] | between plain arrays and blocks |
 //!
-//! Each but the first two, `joint` and `mesh` has its functions twice: in `single` for `f32`, in `double` for `f64`. The
+//! Each but the first two, `joint`, `skin` and `mesh` has its functions twice: in `single` for `f32`, in `double` for `f64`. The
 //! symbol of `slices::single::mul` is `dq8_mul_f32`.
 //!
 //! Nothing here computes: pointers are checked and become slices, and errors become numbers. No
@@ -36,6 +36,7 @@ pub mod packing;
 pub mod palette;
 pub mod reach;
 pub mod screw;
+pub mod skin;
 pub mod skinning;
 pub mod slices;
 pub mod status;

@@ -1,7 +1,7 @@
 //! Meshes in C's memory: arrays of vectors, or vertices that are records of several fields.
 
 use crate::memory::{Input, Output};
-use crate::skinning::Posing;
+use crate::skin::Posing;
 use crate::status::{Done, Status};
 use dq8::skinning::{self, Blender, Surface, SurfaceMut, Weight};
 use dq8::{Backend, DualQuat, Scalar};

@@ -4,7 +4,8 @@
 use dq8::DualQuat;
 use dq8_capi::Status;
 use dq8_capi::mesh::VertexFields;
-use dq8_capi::skinning::{InfluenceField, Skin, single as c};
+use dq8_capi::skin::{InfluenceField, Skin};
+use dq8_capi::skinning::single as c;
 use std::mem::MaybeUninit;
 use std::ptr;
 

@@ -8,7 +8,8 @@ use dq8::skinning::{
 use dq8::{Backend, DualQuat, Quat, hierarchy::MatrixOrder};
 use dq8_capi::Status;
 use dq8_capi::palette::single as p;
-use dq8_capi::skinning::{Skin, single as c};
+use dq8_capi::skin::Skin;
+use dq8_capi::skinning::single as c;
 use std::mem::MaybeUninit;
 use std::ptr;
 

@@ -1,0 +1,200 @@
+//! A skin as C keeps it, and what it is made of.
+
+use crate::memory::{Input, Output};
+use crate::status::{Done, Status};
+use core::mem::MaybeUninit;
+use core::ptr;
+use dq8::skinning::{self, SkinningError};
+use dq8::{DualQuat, Scalar};
+
+/// Where the joints of a vertex lie in an array that holds one vertex after the other, or its weights; counted in
+/// elements of their own type.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct InfluenceField {
+    /// From a vertex to the next.
+    pub stride: usize,
+    /// Where in a vertex the field begins.
+    pub first: usize,
+}
+
+/// Which joints move the vertices of a mesh, and how much. It may be copied and moved; the joints and weights
+/// that it was made of must stay where they are, as they are.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct Skin<R> {
+    /// How many vertices it has.
+    pub vertices: usize,
+    /// How many influences every vertex has. 0 in a skin that has not been made, if it was zeroed.
+    pub influences: usize,
+    /// How many joints its palettes have.
+    pub joints: usize,
+    /// What it was made of.
+    joint_indices: *const u16,
+    joint_stride: usize,
+    weights: *const R,
+    weight_stride: usize,
+    /// Not for you.
+    // A `Known<R>`, some of whose bytes are padding and so nothing at all.
+    opaque: [MaybeUninit<*const R>; 8],
+}
+
+pub(crate) type Known<R> = skinning::Skin<'static, u16, R>;
+
+/// Whether what the library keeps fits the memory that C has for it.
+macro_rules! fits {
+    ($($R:ident)*) => {$(const _: () = {
+        assert!(size_of::<Known<$R>>() <= 8 * size_of::<*const ()>());
+        assert!(align_of::<Known<$R>>() <= align_of::<*const ()>());
+    };)*};
+}
+fits! { f32 f64 }
+
+/// The vertex that an error of a skin names.
+fn vertex_of(error: &SkinningError) -> Option<usize> {
+    match *error {
+        SkinningError::JointOutOfRange { vertex, .. }
+        | SkinningError::Weight { vertex, .. }
+        | SkinningError::Total { vertex, .. } => Some(vertex),
+        _ => None,
+    }
+}
+
+/// What a skin is made of, as C has it.
+pub(crate) struct Given<R> {
+    pub(crate) joints: usize,
+    pub(crate) influences: usize,
+    pub(crate) joint_indices: *const u16,
+    pub(crate) at: InfluenceField,
+    pub(crate) weights: *const R,
+    pub(crate) of: InfluenceField,
+    pub(crate) vertices: usize,
+}
+
+/// What a skin is made of.
+fn inputs<R: Copy>(
+    vertices: usize,
+    (joint_indices, joint_stride): (*const u16, usize),
+    (weights, weight_stride): (*const R, usize),
+) -> Result<(Input<u16>, Input<R>), Status> {
+    let joints = vertices.checked_mul(joint_stride).ok_or(Status::TooLarge)?;
+    let weight_count = vertices.checked_mul(weight_stride).ok_or(Status::TooLarge)?;
+    Ok((Input::new(joint_indices, joints)?, Input::new(weights, weight_count)?))
+}
+
+impl<R: Scalar + skinning::Weight> Given<R> {
+    /// # Safety
+    /// As for [`Input::slice`] and [`Output::write`]; joints and weights stay as they are.
+    pub(crate) unsafe fn make(self, skin: *mut Skin<R>, bad_vertex: *mut usize) -> Done {
+        let Self {
+            joints,
+            influences,
+            joint_indices: at_joints,
+            at,
+            weights: at_weights,
+            of,
+            vertices,
+        } = self;
+        let (joint_indices, weights) =
+            inputs(vertices, (at_joints, at.stride), (at_weights, of.stride))?;
+        let made = Output::<Skin<R>>::new(skin, 1)?;
+        let bad_vertex = Output::<usize>::unless_null(bad_vertex)?;
+        made.apart_from(&joint_indices)?;
+        made.apart_from(&weights)?;
+        if let Some(bad_vertex) = &bad_vertex {
+            bad_vertex.apart_from(&joint_indices)?;
+            bad_vertex.apart_from(&weights)?;
+            bad_vertex.apart_from_output(&made)?;
+        }
+        // SAFETY: promised; what is made lives as long as C keeps them.
+        let (joint_indices, weights) = unsafe { (joint_indices.slice(), weights.slice()) };
+        let field = |InfluenceField { stride, first }| skinning::InfluenceField { stride, first };
+        let (joints_at, weights_at) = ((joint_indices, field(at)), (weights, field(of)));
+        let known: Known<R> =
+            match skinning::Skin::interleaved(joints, influences, joints_at, weights_at) {
+                Ok(known) => known,
+                Err(error) => {
+                    if let (Some(bad_vertex), Some(vertex)) = (bad_vertex, vertex_of(&error)) {
+                        // SAFETY: promised, and apart.
+                        unsafe { bad_vertex.write(vertex) };
+                    }
+                    return Err(error.into());
+                }
+            };
+        let opaque = [const { MaybeUninit::uninit() }; 8];
+        // SAFETY: promised, and apart; a skin of the library fits, by `fits`.
+        unsafe {
+            made.write(Skin {
+                vertices,
+                influences,
+                joints,
+                joint_indices: at_joints,
+                joint_stride: at.stride,
+                weights: at_weights,
+                weight_stride: of.stride,
+                opaque,
+            });
+            ptr::addr_of_mut!((*skin).opaque).cast::<Known<R>>().write(known);
+        }
+        Ok(())
+    }
+}
+
+/// What poses a mesh, found where C says it is: a skin, and of the palettes what the blend needs.
+pub(crate) struct Posing<R> {
+    skin: *const Skin<R>,
+    given: Input<Skin<R>>,
+    joint_indices: Input<u16>,
+    weights: Input<R>,
+    motions: Input<DualQuat<R>>,
+    matrices: Input<[[R; 4]; 3]>,
+}
+
+impl<R: Scalar + skinning::Weight> Posing<R> {
+    /// # Safety
+    /// The skin is zero, or has been made, and what it was made of is as it was.
+    pub(crate) unsafe fn new(
+        skin: *const Skin<R>,
+        motions: Option<*const R>,
+        matrices: Option<*const R>,
+        joints: usize,
+    ) -> Result<Self, Status> {
+        let given = Input::<Skin<R>>::new(skin, 1)?;
+        // SAFETY: neither null nor misaligned, by `Input::new`; the rest is promised.
+        let Skin {
+            vertices, influences, joint_indices, joint_stride, weights, weight_stride, ..
+        } = unsafe { skin.read() };
+        if influences == 0 {
+            return Err(Status::NoSkin);
+        }
+        let (joint_indices, weights) =
+            inputs(vertices, (joint_indices, joint_stride), (weights, weight_stride))?;
+        let palette = |of: Option<*const R>| of.map_or((ptr::null(), 0), |of| (of, joints));
+        let ((motions, count), (matrices, matrix_count)) = (palette(motions), palette(matrices));
+        let (motions, matrices) =
+            (Input::new(motions, count)?, Input::new(matrices, matrix_count)?);
+        Ok(Self { skin, given, joint_indices, weights, motions, matrices })
+    }
+
+    /// Whether nothing of it lies in what is written.
+    pub(crate) fn apart_from<T: Copy>(&self, to: &Output<T>) -> Done {
+        to.apart_from(&self.given)?;
+        to.apart_from(&self.joint_indices)?;
+        to.apart_from(&self.weights)?;
+        to.apart_from(&self.motions)?;
+        to.apart_from(&self.matrices)
+    }
+
+    /// The skin, motions and matrices.
+    ///
+    /// # Safety
+    /// As for [`new`](Self::new) and [`Input::slice`].
+    #[expect(clippy::type_complexity, reason = "three things")]
+    pub(crate) unsafe fn borrow<'p>(&self) -> (Known<R>, &'p [DualQuat<R>], &'p [[[R; 4]; 3]]) {
+        // SAFETY: it has been made, so this was written; the rest is promised.
+        unsafe {
+            let known = ptr::addr_of!((*self.skin).opaque).cast::<Known<R>>().read();
+            (known, self.motions.slice(), self.matrices.slice())
+        }
+    }
+}
