@@ -315,3 +315,17 @@ fn the_sign_of_a_key_changes_no_pose() {
     };
     assert_eq!(models(&clip(1.0)), models(&clip(-1.0)));
 }
+
+#[test]
+fn a_place_lies_between_two_frames_and_beyond_the_clip_at_its_ends() {
+    let keys = [[0.0_f64; 8]; 2 * FRAMES];
+    let clip = Clip::new(2, &keys).unwrap();
+    let before = [f64::NEG_INFINITY, -3.0, 0.0].map(|at| (at, (0, 0.0)));
+    let beyond = [4.0, 9.0, 1e300, f64::INFINITY].map(|at| (at, (3, 1.0)));
+    let between = [(0.5, (0, 0.5)), (1.25, (1, 0.25)), (3.0, (3, 0.0)), (3.75, (3, 0.75))];
+    for (at, wanted) in before.into_iter().chain(beyond).chain(between) {
+        assert_eq!(clip.place(at), wanted, "{at}");
+    }
+    let (frame, t) = clip.place(f64::NAN);
+    assert!(frame == 0 && t.is_nan());
+}

@@ -242,3 +242,23 @@ fn derivatives_are_limits_of_differences() {
         }
     }
 }
+
+fn what_has_no_inverse_is_told<L: Provable>() {
+    for real in [0.0, -0.0, f64::INFINITY, f64::NEG_INFINITY, f64::NAN, 1.0, -4.0] {
+        let (inverse, failed) =
+            batch::Dual::new(lanes::<L>(&[real]), lanes(&[2.0])).inverse_checked();
+        let none = real == 0.0 || !real.is_finite();
+        assert_eq!(super::holds(failed, 0), none, "{real}");
+        let wanted = if none { [f64::NAN; 2] } else { [1.0 / real, -2.0 / (real * real)] };
+        for (found, wanted) in
+            [lane(inverse.real, 0), lane(inverse.dual, 0)].into_iter().zip(wanted)
+        {
+            assert!(found == wanted || found.is_nan() && wanted.is_nan(), "{real}: {found}");
+        }
+    }
+}
+
+#[test]
+fn dual_numbers_without_an_inverse_have_a_mask_and_nan() {
+    on_every_lane_type!(what_has_no_inverse_is_told);
+}
