@@ -65,9 +65,9 @@ pub(crate) struct Given<R> {
     pub(crate) joints: usize,
     pub(crate) influences: usize,
     pub(crate) joint_indices: *const u16,
-    pub(crate) at: InfluenceField,
+    pub(crate) joint_field: InfluenceField,
     pub(crate) weights: *const R,
-    pub(crate) of: InfluenceField,
+    pub(crate) weight_field: InfluenceField,
     pub(crate) vertices: usize,
 }
 
@@ -89,14 +89,15 @@ impl<R: Scalar + skinning::Weight> Given<R> {
         let Self {
             joints,
             influences,
-            joint_indices: at_joints,
-            at,
-            weights: at_weights,
-            of,
+            joint_indices: joints_start,
+            joint_field,
+            weights: weights_start,
+            weight_field,
             vertices,
         } = self;
+        let (joint_stride, weight_stride) = (joint_field.stride, weight_field.stride);
         let (joint_indices, weights) =
-            inputs(vertices, (at_joints, at.stride), (at_weights, of.stride))?;
+            inputs(vertices, (joints_start, joint_stride), (weights_start, weight_stride))?;
         let made = Output::<Skin<R>>::new(skin, 1)?;
         let bad_vertex = Output::<usize>::unless_null(bad_vertex)?;
         made.apart_from(&joint_indices)?;
@@ -109,18 +110,17 @@ impl<R: Scalar + skinning::Weight> Given<R> {
         // SAFETY: promised; what is made lives as long as C keeps them.
         let (joint_indices, weights) = unsafe { (joint_indices.slice(), weights.slice()) };
         let field = |InfluenceField { stride, first }| skinning::InfluenceField { stride, first };
-        let (joints_at, weights_at) = ((joint_indices, field(at)), (weights, field(of)));
-        let known: Known<R> =
-            match skinning::Skin::interleaved(joints, influences, joints_at, weights_at) {
-                Ok(known) => known,
-                Err(error) => {
-                    if let (Some(bad_vertex), Some(vertex)) = (bad_vertex, vertex_of(&error)) {
-                        // SAFETY: promised, and apart.
-                        unsafe { bad_vertex.write(vertex) };
-                    }
-                    return Err(error.into());
+        let (by, how_much) = ((joint_indices, field(joint_field)), (weights, field(weight_field)));
+        let known: Known<R> = match skinning::Skin::interleaved(joints, influences, by, how_much) {
+            Ok(known) => known,
+            Err(error) => {
+                if let (Some(bad_vertex), Some(vertex)) = (bad_vertex, vertex_of(&error)) {
+                    // SAFETY: promised, and apart.
+                    unsafe { bad_vertex.write(vertex) };
                 }
-            };
+                return Err(error.into());
+            }
+        };
         let opaque = [const { MaybeUninit::uninit() }; 8];
         // SAFETY: promised, and apart; a skin of the library fits, by `fits`.
         unsafe {
@@ -128,10 +128,10 @@ impl<R: Scalar + skinning::Weight> Given<R> {
                 vertices,
                 influences,
                 joints,
-                joint_indices: at_joints,
-                joint_stride: at.stride,
-                weights: at_weights,
-                weight_stride: of.stride,
+                joint_indices: joints_start,
+                joint_stride,
+                weights: weights_start,
+                weight_stride,
                 opaque,
             });
             ptr::addr_of_mut!((*skin).opaque).cast::<Known<R>>().write(known);

@@ -98,8 +98,9 @@ macro_rules! functions {
                 weights: *const $R, vertices: usize, skin: *mut Skin<$R>, bad_vertex: *mut usize,
             ) = {
                 let packed = InfluenceField { stride: influences, first: 0 };
-                let (at, of) = (packed, packed);
-                Given { joints: joint_count, influences, joint_indices, at, weights, of, vertices }
+                let (joint_field, weight_field) = (packed, packed);
+                let joints = joint_count;
+                Given { joints, influences, joint_indices, joint_field, weights, weight_field, vertices }
                     .make(skin, bad_vertex)
             }
         }
@@ -109,11 +110,15 @@ macro_rules! functions {
             /// on are the field; they may be the same memory. A stride or an offset in bytes, divided by the size
             /// of an element, is one in elements. DQ8_STATUS_FIELD if the field lies beyond its vertex.
             make_interleaved(
-                joint_count: usize, influences: usize, joint_indices: *const u16, at: InfluenceField,
-                weights: *const $R, of: InfluenceField, vertices: usize, skin: *mut Skin<$R>,
-                bad_vertex: *mut usize,
-            ) = Given { joints: joint_count, influences, joint_indices, at, weights, of, vertices }
-                .make(skin, bad_vertex)
+                joint_count: usize, influences: usize,
+                joint_indices: *const u16, joint_field: InfluenceField,
+                weights: *const $R, weight_field: InfluenceField,
+                vertices: usize, skin: *mut Skin<$R>, bad_vertex: *mut usize,
+            ) = {
+                let joints = joint_count;
+                Given { joints, influences, joint_indices, joint_field, weights, weight_field, vertices }
+                    .make(skin, bad_vertex)
+            }
         }
         export_pose! { $R
             /// Poses a mesh by linear blends: each vertex by the weighted sum of `matrices`, the palette, twelve
