@@ -184,7 +184,7 @@ fn any_number(single: bool) -> impl Strategy<Value = f64> {
     prop_oneof![4 => -2.0..2.0_f64, 1 => bits, 1 => prop::sample::select(special.to_vec())]
 }
 
-/// What operations with a mask take: to draw all numbers of a case would take ten times as long.
+/// What operations with a mask take: to draw all numbers of a case takes several times as long.
 fn any_case(single: bool) -> impl Strategy<Value = Case> {
     let motion = || prop::array::uniform8(any_number(single));
     // None that a number of a motion is too: where a norm is as large as the tolerance, either is right.
