@@ -9,7 +9,7 @@ use dq8::{
 };
 
 /// Parents as C has them. It marks roots by -1: in the same four bytes, [`Hierarchy::ROOT`].
-fn parents(start: *const i32, joints: usize) -> Result<Input<u32>, Status> {
+pub(crate) fn parents(start: *const i32, joints: usize) -> Result<Input<u32>, Status> {
     Input::new(start, joints)
 }
 
@@ -17,7 +17,7 @@ fn parents(start: *const i32, joints: usize) -> Result<Input<u32>, Status> {
 ///
 /// # Safety
 /// As for [`Input::slice`] and [`read`].
-unsafe fn job<'a, L: Layout>(
+pub(crate) unsafe fn job<'a, L: Layout>(
     parents: &Input<u32>,
     root: *const L::Real,
 ) -> Result<Job<'a, L::Record<8>>, Status> {

@@ -4,9 +4,10 @@
 //! |---|---|
 //! | [`status`] | [`Status`], what every call returns, and its text |
 //! | [`backend`] | which instructions compute |
-//! | [`motion`], [`screw`] | operations on one motion: the scalar reference |
-//! | [`slices`] | kernels over arrays of motions and points, plain or in blocks |
-//! | [`hierarchy`] | joint hierarchies and skinning palettes, plain or in blocks |
+//! | [`motion`], [`screw`], [`geometry`] | operations on one motion: the scalar reference |
+//! | [`slices`], [`lines`], [`twists`], [`metric`] | kernels over arrays of motions, points, lines, planes, twists, plain or in blocks |
+//! | [`hierarchy`], [`velocity`] | joint hierarchies, skinning palettes, twists and Jacobians, plain or in blocks |
+//! | [`chain`] | long chains, plain or in blocks |
 //! | [`joint`], [`mechanism`] | one configuration of a mechanism: poses of links, Jacobians |
 //! | [`reach`] | inverse kinematics of one configuration |
 //! | [`links`] | poses of links for many configurations, plain or in blocks |
@@ -25,12 +26,16 @@
 #[macro_use]
 mod export;
 pub mod backend;
+pub mod chain;
+pub mod geometry;
 pub mod hierarchy;
 pub mod joint;
+pub mod lines;
 pub mod links;
 pub mod mechanism;
 mod memory;
 pub mod mesh;
+pub mod metric;
 pub mod motion;
 pub mod packing;
 pub mod palette;
@@ -40,6 +45,8 @@ pub mod skin;
 pub mod skinning;
 pub mod slices;
 pub mod status;
+pub mod twists;
+pub mod velocity;
 
 pub use backend::InstructionSet;
 pub use slices::Order;

@@ -139,6 +139,22 @@ pub(crate) unsafe fn from_to<T: Copy, R>(
     Ok(apart(unsafe { from.slice() }, unsafe { to.slice() })?)
 }
 
+/// What an array of `count` elements makes in another, apart from it.
+///
+/// # Safety
+/// As for [`Input::slice`] and [`Output::slice`].
+pub(crate) unsafe fn one_to<A: Copy, B: Copy, R>(
+    from: *const R,
+    to: *mut R,
+    count: usize,
+    run: impl FnOnce(&[A], &mut [B]) -> Result<(), ShapeError>,
+) -> Done {
+    let (from, to) = (Input::<A>::new(from, count)?, Output::<B>::new(to, count)?);
+    to.apart_from(&from)?;
+    // SAFETY: promised, and apart.
+    Ok(run(unsafe { from.slice() }, unsafe { to.slice() })?)
+}
+
 /// What two arrays of `count` elements make of each other in a third, apart from both.
 ///
 /// # Safety

@@ -1,19 +1,19 @@
-//! Between plain arrays of poses and blocks, and how large blocks are.
+//! Between plain arrays of poses, or of the links of a chain, and blocks, and how large blocks are.
 
 use crate::memory::{Input, Output};
 use crate::status::{Done, Status};
 use dq8::simd::Row;
 use dq8::storage::{self, Block};
-use dq8::{DualQuat, Scalar};
+use dq8::{DualQuat, Scalar, ShapeError};
 
 /// # Safety
 /// As for [`Input::slice`] and [`Output::slice`].
-unsafe fn pack<R: Scalar, const N: usize>(
-    joints: usize,
+unsafe fn to_blocks<R: Scalar, const N: usize>(
     poses: *const R,
     pose_count: usize,
     blocks: *mut R,
     block_count: usize,
+    run: impl FnOnce(&[DualQuat<R>], &mut [Block<R, N>]) -> Result<(), ShapeError>,
 ) -> Done
 where
     [R; N]: Row<Real = R>,
@@ -22,17 +22,17 @@ where
     let blocks = Output::<Block<R, N>>::new(blocks, block_count)?;
     blocks.apart_from(&poses)?;
     // SAFETY: promised, and apart.
-    unsafe { Ok(storage::pack(joints, poses.slice(), blocks.slice())?) }
+    unsafe { Ok(run(poses.slice(), blocks.slice())?) }
 }
 
 /// # Safety
 /// As for [`Input::slice`] and [`Output::slice`].
-unsafe fn unpack<R: Scalar, const N: usize>(
-    joints: usize,
+unsafe fn from_blocks<R: Scalar, const N: usize>(
     blocks: *const R,
     block_count: usize,
     poses: *mut R,
     pose_count: usize,
+    run: impl FnOnce(&[Block<R, N>], &mut [DualQuat<R>]) -> Result<(), ShapeError>,
 ) -> Done
 where
     [R; N]: Row<Real = R>,
@@ -41,63 +41,64 @@ where
     let poses = Output::<DualQuat<R>>::new(poses, pose_count)?;
     poses.apart_from(&blocks)?;
     // SAFETY: promised, and apart.
-    unsafe { Ok(storage::unpack(joints, blocks.slice(), poses.slice())?) }
+    unsafe { Ok(run(blocks.slice(), poses.slice())?) }
 }
 
-macro_rules! functions {
-    ($R:ident [$few:literal $many:literal]) => {
-        /// Writes `poses`, `[instance][joint]`, into blocks of `lanes` instances, `[instance block][joint]`;
-        /// lanes without an instance get the identity. `block_count` is `joints` times the number of
-        /// instances over `lanes`, rounded up; DQ8_STATUS_LENGTH if it is not.
+/// A function between plain arrays and blocks of either number of lanes.
+macro_rules! export_packing {
+    (
+        $R:ident [$few:literal $many:literal]
+        $(#[doc = $about:literal])*
+        $name:ident($($argument:ident: $type:ty),* $(,)?) = $way:ident($($array:ident),*) by $run:expr
+    ) => {
+        $(#[doc = $about])*
         ///
         /// # Safety
         /// Arrays have the lengths named.
-        #[unsafe(export_name = concat!("dq8_pack_", stringify!($R)))]
-        pub unsafe extern "C" fn pack(
-            lanes: usize,
-            joints: usize,
-            poses: *const $R,
-            pose_count: usize,
-            blocks: *mut $R,
-            block_count: usize,
-        ) -> Status {
+        #[unsafe(export_name = concat!("dq8_", stringify!($name), "_", stringify!($R)))]
+        pub unsafe extern "C" fn $name(lanes: usize, $($argument: $type),*) -> Status {
             Status::of(match lanes {
                 // SAFETY: promised.
-                $few => unsafe {
-                    super::pack::<$R, $few>(joints, poses, pose_count, blocks, block_count)
-                },
+                $few => unsafe { $way::<$R, $few>($($array,)* $run) },
                 // SAFETY: promised.
-                $many => unsafe {
-                    super::pack::<$R, $many>(joints, poses, pose_count, blocks, block_count)
-                },
+                $many => unsafe { $way::<$R, $many>($($array,)* $run) },
                 _ => Err(Status::Lanes),
             })
         }
+    };
+}
 
-        /// Writes blocks into `poses`, the other way round; lanes beyond the last instance are dropped.
-        ///
-        /// # Safety
-        /// Arrays have the lengths named.
-        #[unsafe(export_name = concat!("dq8_unpack_", stringify!($R)))]
-        pub unsafe extern "C" fn unpack(
-            lanes: usize,
-            joints: usize,
-            blocks: *const $R,
-            block_count: usize,
-            poses: *mut $R,
-            pose_count: usize,
-        ) -> Status {
-            Status::of(match lanes {
-                // SAFETY: promised.
-                $few => unsafe {
-                    super::unpack::<$R, $few>(joints, blocks, block_count, poses, pose_count)
-                },
-                // SAFETY: promised.
-                $many => unsafe {
-                    super::unpack::<$R, $many>(joints, blocks, block_count, poses, pose_count)
-                },
-                _ => Err(Status::Lanes),
-            })
+macro_rules! functions {
+    ($R:ident $lanes:tt) => {
+        export_packing! { $R $lanes
+            /// Writes `poses`, `[instance][joint]`, into blocks of `lanes` instances, `[instance block][joint]`;
+            /// lanes without an instance get the identity. `block_count` is `joints` times the number of
+            /// instances over `lanes`, rounded up; DQ8_STATUS_LENGTH if it is not.
+            pack(
+                joints: usize,
+                poses: *const $R, pose_count: usize, blocks: *mut $R, block_count: usize,
+            ) = to_blocks(poses, pose_count, blocks, block_count) by |poses, blocks| storage::pack(joints, poses, blocks)
+        }
+        export_packing! { $R $lanes
+            /// Writes blocks into `poses`, the other way round; lanes beyond the last instance are dropped.
+            unpack(
+                joints: usize,
+                blocks: *const $R, block_count: usize, poses: *mut $R, pose_count: usize,
+            ) = from_blocks(blocks, block_count, poses, pose_count) by |blocks, poses| storage::unpack(joints, blocks, poses)
+        }
+        export_packing! { $R $lanes
+            /// Writes a chain into blocks, a segment of `block_count` links in each lane: link i is in lane
+            /// `i / block_count` of block `i % block_count`. Lanes beyond the last link get the identity.
+            /// `block_count` is `link_count` over `lanes`, rounded up; DQ8_STATUS_LENGTH if it is not.
+            pack_chain(
+                links: *const $R, link_count: usize, blocks: *mut $R, block_count: usize,
+            ) = to_blocks(links, link_count, blocks, block_count) by storage::pack_chain
+        }
+        export_packing! { $R $lanes
+            /// Writes blocks of a chain into `links`, the other way round.
+            unpack_chain(
+                blocks: *const $R, block_count: usize, links: *mut $R, link_count: usize,
+            ) = from_blocks(blocks, block_count, links, link_count) by storage::unpack_chain
         }
 
         /// How many numbers one block takes that has `components` (8 in motions, 3 in points, 4 in rotations,

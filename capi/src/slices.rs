@@ -1,9 +1,9 @@
 //! Kernels over arrays of motions and points, plain or in blocks.
 
-use crate::memory::{Input, Output, from_to, read, two_to};
+use crate::memory::{Input, Output, from_to, one_to, read, two_to};
 use crate::status::{Done, Status};
 use dq8::storage::{AoSoA, Aos, Layout};
-use dq8::{Backend, DualQuat, ShapeError, hierarchy::MatrixOrder};
+use dq8::{Backend, DualQuat, hierarchy::MatrixOrder};
 
 /// In which order the numbers of a matrix lie in memory.
 #[repr(i32)]
@@ -66,6 +66,18 @@ unsafe fn inverse<L: Layout>(motions: *const L::Real, out: *mut L::Real, count: 
     };
     // SAFETY: promised.
     unsafe { from_to(motions, out, count, |from, to| best.inverse(from, to), in_place) }
+}
+
+/// # Safety
+/// As for [`from_to`].
+unsafe fn conjugate<L: Layout>(motions: *const L::Real, out: *mut L::Real, count: usize) -> Done {
+    let best = Backend::best();
+    let in_place = |all: &mut [L::Record<8>]| {
+        best.conjugate_in_place(all);
+        Ok(())
+    };
+    // SAFETY: promised.
+    unsafe { from_to(motions, out, count, |from, to| best.conjugate(from, to), in_place) }
 }
 
 /// # Safety
@@ -209,48 +221,33 @@ unsafe fn vectors_each<L: Layout>(
 }
 
 /// # Safety
-/// As for [`Input::slice`] and [`Output::slice`].
-unsafe fn matrices<L: Layout, M: Copy>(
-    motions: *const L::Real,
-    order: i32,
-    out: *mut L::Real,
-    count: usize,
-    run: impl FnOnce(&[L::Record<8>], MatrixOrder, &mut [M]) -> Result<(), ShapeError>,
-) -> Done {
-    let order = Order::known(order)?;
-    let (motions, out) =
-        (Input::<L::Record<8>>::new(motions, count)?, Output::<M>::new(out, count)?);
-    out.apart_from(&motions)?;
-    // SAFETY: promised, and apart.
-    Ok(run(unsafe { motions.slice() }, order, unsafe { out.slice() })?)
-}
-
-/// # Safety
-/// As for [`matrices`].
+/// As for [`one_to`].
 unsafe fn matrices_3x4<L: Layout>(
     motions: *const L::Real,
     order: i32,
     out: *mut L::Real,
     count: usize,
 ) -> Done {
+    let order = Order::known(order)?;
     let run =
-        |from: &[_], order, to: &mut [L::Record<12>]| Backend::best().matrices(from, order, to);
+        |from: &[L::Record<8>], to: &mut [L::Record<12>]| Backend::best().matrices(from, order, to);
     // SAFETY: promised.
-    unsafe { matrices::<L, _>(motions, order, out, count, run) }
+    unsafe { one_to(motions, out, count, run) }
 }
 
 /// # Safety
-/// As for [`matrices`].
+/// As for [`one_to`].
 unsafe fn matrices_4x4<L: Layout>(
     motions: *const L::Real,
     order: i32,
     out: *mut L::Real,
     count: usize,
 ) -> Done {
+    let order = Order::known(order)?;
     let run =
-        |from: &[_], order, to: &mut [L::Record<16>]| Backend::best().matrices(from, order, to);
+        |from: &[L::Record<8>], to: &mut [L::Record<16>]| Backend::best().matrices(from, order, to);
     // SAFETY: promised.
-    unsafe { matrices::<L, _>(motions, order, out, count, run) }
+    unsafe { one_to(motions, out, count, run) }
 }
 
 macro_rules! functions {
@@ -268,6 +265,10 @@ macro_rules! functions {
             /// The inverses of `motions`, unit or not; NaN or infinite where there is none;
             /// dq8_motion_inverse tells so. `out` may be `motions`.
             inverse, blocks_inverse(motions: *const $R, out: *mut $R)
+        }
+        export! { $R $lanes
+            /// The inverses of unit `motions`, which cost nothing but signs. `out` may be `motions`.
+            conjugate, blocks_conjugate(motions: *const $R, out: *mut $R)
         }
         export! { $R $lanes
             /// From `a[i]` to `b[i]` by the shorter way, `t` of it: linear and normalized.
