@@ -1,11 +1,14 @@
 //! Every function gives, number for number, what the Rust one gives that it stands for: the right
 //! kernel, the right order of arguments, the right parts of memory.
 
+mod chains;
+mod geometry;
 mod hierarchies;
 mod mechanisms;
 mod motions;
 mod sample;
 mod slices;
+mod velocities;
 
 use dq8::Backend;
 use dq8_capi::Status::Ok as Done;

@@ -1,0 +1,106 @@
+//! Lines, planes, twists, metrics, velocities and chains.
+
+use crate::refuse::{Aliasing, Memory, now};
+use dq8_capi::Status;
+use dq8_capi::{chain, geometry, lines, metric, packing, slices, twists, velocity};
+use std::ptr;
+
+macro_rules! all {
+    ($test:ident, $R:ident, $of:ident, $lanes:literal) => {
+        #[test]
+        fn $test() {
+            use Aliasing::{Apart, Free, InPlace};
+            use chain::$of as c;
+            use geometry::$of as g;
+            use lines::$of as l;
+            use metric::$of as d;
+            use packing::$of as p;
+            use twists::$of as t;
+            use velocity::$of as v;
+            let parents = [-1, 0].as_ptr();
+            // SAFETY: all arrays are as long as their buffers, whose length is enough for 17 plain
+            // things and for three blocks.
+            unsafe {
+                refuses!($R, "line", Free, 3, |[a, b, o]| g::line(a, b, o));
+                refuses!($R, "plane", Free, 3, |[a, b, o]| g::plane(a, b, o));
+                refuses!($R, "twist", Free, 3, |[a, b, o]| g::twist(a, b, o));
+                refuses!($R, "to_twist", Free, 2, |[a, o]| g::to_twist(a, o));
+                refuses!($R, "integrate", Free, 3, |[a, b, o]| g::integrate_body(a, b, 0.5, o));
+                refuses!($R, "angle_to", Free, 3, |[a, b, o]| g::angle_to(a, b, o));
+                refuses!($R, "distance_to", Free, 3, |[a, b, o]| g::distance_to(a, b, o));
+
+                refuses!($R, "conjugate", InPlace(0), 2, |[a, o]| slices::$of::conjugate(a, o, 17));
+                refuses!($R, "lines_each", Apart, 3, |[a, b, o]| l::lines_each(a, b, o, 17));
+                refuses!($R, "planes_each", Apart, 3, |[a, b, o]| l::planes_each(a, b, o, 17));
+                refuses!($R, "twists_each", Apart, 3, |[a, b, o]| t::twists_each(a, b, o, 17));
+                refuses!($R, "blocks_twists_each", Apart, 3, |[a, b, o]| {
+                    t::blocks_twists_each($lanes, a, b, o, 3)
+                });
+                refuses!($R, "integrate_body", Apart, 3, |[a, b, o]| {
+                    t::integrate_body(a, b, 0.5, o, 17)
+                });
+                refuses!($R, "log", Apart, 2, |[a, o]| t::log(a, o, 17));
+                refuses!($R, "blocks_log", Apart, 2, |[a, o]| t::blocks_log($lanes, a, o, 3));
+                refuses!($R, "exp", Apart, 2, |[a, o]| t::exp(a, o, 17));
+                refuses!($R, "pow_each", Apart, 3, |[a, b, o]| t::pow_each(a, b, o, 17));
+                refuses!($R, "angles", Apart, 3, |[a, b, o]| d::angles(a, b, o, 17));
+                refuses!($R, "distances", Apart, 3, |[a, b, o]| d::distances(a, b, o, 17));
+
+                refuses!($R, "velocities", Apart, 3, |[a, b, o]| {
+                    v::velocities(parents, 2, a, b, o, 16)
+                });
+                refuses!($R, "blocks_velocities", Apart, 3, |[a, b, o]| {
+                    v::blocks_velocities($lanes, parents, 2, a, b, o, 2)
+                });
+                refuses!($R, "jacobian", Apart, 3, |[a, b, o]| {
+                    v::jacobian(parents, 2, a, b, 1, o, 16)
+                });
+                refuses!($R, "chain_products", InPlace(0), 2, |[a, o]| c::chain_products(a, o, 17));
+                refuses!($R, "blocks_chain_products", InPlace(0), 2, |[a, o]| {
+                    c::blocks_chain_products($lanes, a, o, 3)
+                });
+                refuses!($R, "pack_chain", Apart, 2, |[a, o]| {
+                    p::pack_chain($lanes, a, 2 * $lanes + 1, o, 3)
+                });
+                refuses!($R, "unpack_chain", Apart, 2, |[a, o]| {
+                    p::unpack_chain($lanes, a, 3, o, 2 * $lanes + 1)
+                });
+            }
+        }
+    };
+}
+all!(every_pointer_single, f32, single, 8);
+all!(every_pointer_double, f64, double, 4);
+
+#[test]
+fn what_else_is_wrong() {
+    use chain::single as c;
+    use packing::single as p;
+    use velocity::single as v;
+    let mut from = Memory([0.0_f32; 768]);
+    let mut to = from.clone();
+    let (a, o) = (from.0.as_mut_ptr(), to.0.as_mut_ptr());
+    let parents = [-1, 0].as_ptr();
+    // SAFETY: what is dereferenced is as long as it is said to be.
+    let results = unsafe {
+        [
+            (v::velocities(parents, 2, a, a, o, 3), Status::Length),
+            (v::velocities([-1, 1].as_ptr(), 2, a, a, o, 2), Status::ParentNotBefore),
+            (v::velocities(o.cast(), 2, a, a, o, 2), Status::Overlap),
+            (v::velocities(ptr::null(), 2, a, a, o, 2), Status::NullPointer),
+            (v::jacobian(parents, 2, a, a, 2, o, 2), Status::NoLink),
+            (v::jacobian(parents, 2, a, a, usize::MAX, o, 2), Status::NoLink),
+            (v::jacobian(parents, 2, a, a, 1, o, 3), Status::Length),
+            (v::jacobian(o.cast(), 2, a, a, 1, o, 2), Status::Overlap),
+            (v::blocks_jacobian(5, parents, 2, a, a, 1, o, 2), Status::Lanes),
+            (c::blocks_chain_products(4, a, o, 1), Status::Lanes),
+            (p::pack_chain(8, a, 17, o, 2), Status::Length),
+            (p::unpack_chain(8, a, 4, o, 17), Status::Length),
+            (p::pack_chain(2, a, 17, o, 3), Status::Lanes),
+        ]
+    };
+    for (at, (got, wanted)) in results.into_iter().enumerate() {
+        assert_eq!(got, wanted, "case {at}");
+    }
+    assert_eq!(to.0, from.0);
+}
