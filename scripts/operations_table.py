@@ -94,6 +94,13 @@ IN_C = {
     ("DualQuat", "dlb"): "blend",
     ("DualQuat", "transform_point"): "point",
     ("DualQuat", "transform_vector"): "vector",
+    ("DualQuat", "transform_line"): "line",
+    ("DualQuat", "transform_plane"): "plane",
+    ("DualQuat", "adjoint"): "twist",
+    ("DualQuat", "to_twist"): "to_twist",
+    ("DualQuat", "integrate_body"): "integrate_body",
+    ("DualQuat", "angle_to"): "angle_to",
+    ("DualQuat", "distance_to"): "distance_to",
 }
 NO_OPERATION_IN_C = {"identity"}
 # Names in the files of vectors that are not those of the functions.
@@ -253,7 +260,7 @@ def main():
         "",
         "Every public operation of the scalar reference, and where it is: on lanes, in the trait that both share (`Motion`, "
         "`Quaternion`, `DualNumber`), as a kernel over slices (methods of `Backend`), in C (`dq8_motion_…` for one motion; those over slices have the names of the "
-        "kernels), and how many "
+        "kernels, without `transform_`), and how many "
         "answers of 60 digits it is held to. A name in a cell is the name there. On lanes, errors are masks: what is `try_…` "
         "in the reference, or returns an error, ends in `_checked` there.",
         "",

@@ -1,25 +1,41 @@
 //! [`CheckedSchedule`]: results that need earlier results, in an order whose indices have been checked.
 
+#[cfg(feature = "alloc")]
 use alloc::boxed::Box;
 
 /// Pairs `[to, from]`: element `to` is computed from element `from`. All indices lie below a bound. This
 /// is checked once and not in the loop, where a step takes seven cycles and a check would add half a
-/// cycle.
-#[derive(Clone, Debug)]
-pub struct CheckedSchedule {
+/// cycle. `S` is where the pairs are: a slice, or a box, which is borrowed to run.
+#[derive(Clone, Copy, Debug)]
+pub struct CheckedSchedule<S> {
     /// Invariant: no number in it reaches `bound`.
-    pairs: Box<[[u32; 2]]>,
+    pairs: S,
     bound: usize,
 }
 
-impl CheckedSchedule {
+impl<S: AsRef<[[u32; 2]]>> CheckedSchedule<S> {
     /// These pairs in this order, over slices of `bound` elements; `None` if an index is beyond.
     #[must_use]
-    pub fn new(pairs: Box<[[u32; 2]]>, bound: usize) -> Option<Self> {
-        let within = pairs.as_flattened().iter().all(|&index| (index as usize) < bound);
+    pub fn new(pairs: S, bound: usize) -> Option<Self> {
+        // The largest of all, not all below: without an early end the loop is one on lanes.
+        let largest = pairs.as_ref().as_flattened().iter().fold(0, |most, &index| index.max(most));
+        let within = pairs.as_ref().is_empty() || (largest as usize) < bound;
         within.then_some(Self { pairs, bound })
     }
+}
 
+#[cfg(feature = "alloc")]
+impl CheckedSchedule<Box<[[u32; 2]]>> {
+    /// The same schedule, not checked again.
+    #[inline(always)]
+    #[must_use]
+    pub fn borrowed(&self) -> CheckedSchedule<&[[u32; 2]]> {
+        CheckedSchedule { pairs: &self.pairs, bound: self.bound }
+    }
+}
+
+// Of slices alone: what else is `AsRef` might give other pairs than those that were checked.
+impl CheckedSchedule<&[[u32; 2]]> {
     /// How many elements the slices must have.
     #[inline(always)]
     #[must_use]
@@ -39,7 +55,7 @@ impl CheckedSchedule {
         if inputs.len() != self.bound || outputs.len() != self.bound {
             return None;
         }
-        for &[to, from] in &self.pairs {
+        for &[to, from] in self.pairs {
             // SAFETY: the lengths are the bound, and all indices are below it.
             unsafe {
                 let output =
@@ -61,7 +77,7 @@ impl CheckedSchedule {
         if elements.len() != self.bound {
             return None;
         }
-        for &[to, from] in &self.pairs {
+        for &[to, from] in self.pairs {
             // SAFETY: the length is the bound, and all indices are below it.
             unsafe {
                 let element = step(
@@ -78,19 +94,22 @@ impl CheckedSchedule {
 #[cfg(test)]
 mod tests {
     use super::CheckedSchedule;
-    use alloc::boxed::Box;
+
+    fn schedule(pairs: &[[u32; 2]], bound: usize) -> Option<CheckedSchedule<&[[u32; 2]]>> {
+        CheckedSchedule::new(pairs, bound)
+    }
 
     #[test]
     fn an_index_at_the_bound_is_refused_on_either_side() {
-        assert!(CheckedSchedule::new(Box::new([[2, 1], [1, 0]]), 3).is_some());
-        assert!(CheckedSchedule::new(Box::new([[2, 1], [3, 0]]), 3).is_none());
-        assert!(CheckedSchedule::new(Box::new([[2, 1], [1, 3]]), 3).is_none());
-        assert!(CheckedSchedule::new(Box::new([]), 0).is_some());
+        assert!(schedule(&[[2, 1], [1, 0]], 3).is_some());
+        assert!(schedule(&[[2, 1], [3, 0]], 3).is_none());
+        assert!(schedule(&[[2, 1], [1, 3]], 3).is_none());
+        assert!(schedule(&[], 0).is_some());
     }
 
     #[test]
     fn later_pairs_see_what_earlier_ones_wrote() {
-        let steps = CheckedSchedule::new(Box::new([[2, 0], [1, 2]]), 3).unwrap();
+        let steps = schedule(&[[2, 0], [1, 2]], 3).unwrap();
         let mut elements = [1, 10, 100];
         assert!(steps.run(&[3, 20, 200], &mut elements, |from, to| from + to).is_some());
         assert_eq!(elements, [1, 221, 201]);
@@ -100,7 +119,7 @@ mod tests {
 
     #[test]
     fn a_slice_of_another_length_is_left_alone() {
-        let steps = CheckedSchedule::new(Box::new([[1, 0]]), 2).unwrap();
+        let steps = schedule(&[[1, 0]], 2).unwrap();
         let (mut short, mut long) = ([1; 1], [1; 3]);
         assert!(steps.run_in_place(&mut short, |_, _| 2).is_none());
         assert!(steps.run(&[1; 2], &mut long, |_, _| 2).is_none());

@@ -9,7 +9,7 @@
 //! | [`mod@portable`] | [`Portable`]: the lanes of the crate `wide`, with the instructions of the build target |
 //! | [`one`] | plain `f32` and `f64` as vectors of one lane |
 //! | [`square_root`] | the square root of one number, which `core` does not have |
-//! | `checked_schedule` | `CheckedSchedule`: results that need earlier results (feature `alloc`) |
+//! | [`checked_schedule`] | [`CheckedSchedule`]: results that need earlier results |
 //! | [`block`] | [`Block`]: structure-of-arrays memory, a row of numbers for each component |
 //!
 //! Kernels are written once, generic over [`Lanes`], and marked `#[inline(always)]`: a kernel that
@@ -32,7 +32,6 @@
 extern crate alloc;
 
 pub mod block;
-#[cfg(feature = "alloc")]
 pub mod checked_schedule;
 #[cfg(target_arch = "x86_64")]
 mod detect;
@@ -49,7 +48,6 @@ pub mod square_root;
 pub mod x86_64;
 
 pub use block::{Block, Native, Row};
-#[cfg(feature = "alloc")]
 pub use checked_schedule::CheckedSchedule;
 pub use gather::Gather;
 pub use lanes::{Float, Lanes, Level, MAX_LANES, Mask, PackedDualQuat};

@@ -303,7 +303,7 @@ impl<'a, E: Element<8>> Job<'a, E> {
         if let Some(plan) = self.plan
             && planned::applies(run, models.len())
         {
-            return planned::forward(backend, plan, run, locals, models, &mut epilogue);
+            return planned::forward(backend, plan.borrowed(), run, locals, models, &mut epilogue);
         }
         if E::Layout::THINGS > 1 {
             backend.run(Forward { run, locals, models, epilogue });

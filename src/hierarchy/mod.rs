@@ -8,6 +8,7 @@
 //! | [`Poses`], [`RotationsTranslations`], [`Rotations`] | forms of [locals](Locals) |
 //! | [`Clip`], [`Sampled`], [`Layered`] | locals that are sampled, blended and masked on their way into registers |
 //! | [`HierarchyPlan`], [`Strategy`] | one instance: an order found once (feature `alloc`) |
+//! | [`BorrowedPlan`], [`PlanScratch`] | the same in memory of the caller's |
 //! | [`Renormalize`] | when a run normalizes what it has multiplied |
 //! | [`Crowd`] | owned blocks for any number of instances (feature `alloc`) |
 //!
@@ -20,6 +21,7 @@
 //! way. See [`storage`](crate::storage).
 
 mod backward;
+mod borrowed_plan;
 mod chain;
 mod concatenate;
 #[cfg(feature = "alloc")]
@@ -40,7 +42,6 @@ mod product;
 mod renormalize;
 mod run;
 mod sampled;
-#[cfg(feature = "alloc")]
 mod schedule;
 #[cfg(feature = "alloc")]
 mod skeleton;
@@ -50,6 +51,7 @@ mod unkept;
 mod velocity;
 
 pub use crate::palette_entry::{MatrixOrder, PaletteEntry};
+pub use borrowed_plan::BorrowedPlan;
 #[cfg(feature = "alloc")]
 pub use crowd::Crowd;
 pub use error::HierarchyError;
@@ -61,6 +63,7 @@ pub use parents::Hierarchy;
 pub use plan::{HierarchyPlan, Strategy};
 pub use renormalize::Renormalize;
 pub use sampled::{Clip, Sampled};
+pub use schedule::PlanScratch;
 #[cfg(feature = "alloc")]
 pub use skeleton::{ParentIndex, Skeleton};
 pub use slot::JointSlot;

@@ -1,17 +1,16 @@
+//! [`HierarchyPlan`]: how to compute one instance, found once and owned.
+
 use super::Hierarchy;
-use super::product::packed_product;
-use super::schedule::Schedule;
-use crate::dispatch::{Backend, Kernel};
+use super::borrowed_plan::{BorrowedPlan, Order, is_chain, is_long_chain, split_roots};
+use super::schedule::{PlanScratch, schedule};
+use crate::dispatch::Backend;
 use crate::real::Scalar;
 use crate::scalar::DualQuat;
-use crate::shape::{ShapeError, same_length, whole_instances};
-use crate::storage::Source;
-use dq8_simd::{Lanes, Level};
-
-/// From this many joints on, a chain is cut into segments: `cargo bench --bench hierarchy --
-/// one-instance/chain` shows both strategies around it. (Nanoseconds per joint, AVX-512, of 16, 24 and 32
-/// joints: ordered 4.9, 5.6, 6.0; in segments 6.7, 5.3, 4.7. Without AVX2 segments never win.)
-const MIN_CHAIN: usize = 24;
+use crate::shape::ShapeError;
+use alloc::boxed::Box;
+use alloc::vec;
+use alloc::vec::Vec;
+use dq8_simd::CheckedSchedule;
 
 /// How to compute one instance of a hierarchy, found once.
 ///
@@ -43,8 +42,10 @@ const MIN_CHAIN: usize = 24;
 #[derive(Clone, Debug)]
 pub struct HierarchyPlan {
     joints: usize,
-    /// `None` for a chain in segments.
-    schedule: Option<Schedule>,
+    /// Joints without a parent, which come first.
+    roots: Box<[[u32; 2]]>,
+    /// The others, each with its parent. `None` for a chain in segments.
+    others: Option<CheckedSchedule<Box<[[u32; 2]]>>>,
     backend: Option<Backend>,
 }
 
@@ -67,25 +68,40 @@ impl HierarchyPlan {
     /// If the memory cannot be allocated, as for any `Vec`.
     #[must_use]
     pub fn new(hierarchy: &Hierarchy<'_>) -> Self {
-        let long = hierarchy.joints() >= MIN_CHAIN && Backend::best() != Backend::PORTABLE;
-        let chain = if long { Self::with_strategy(hierarchy, Strategy::Chain) } else { None };
-        chain.unwrap_or_else(|| Self {
-            joints: hierarchy.joints(),
-            schedule: Some(Schedule::new(hierarchy)),
-            backend: None,
-        })
+        let order = order(hierarchy);
+        if is_long_chain(&order) { Self::in_segments(hierarchy) } else { Self::ordered(&order) }
     }
 
     /// The plan with this strategy: to measure it. `None` if the strategy needs a chain and the
     /// hierarchy is not one.
     #[must_use]
     pub fn with_strategy(hierarchy: &Hierarchy<'_>, strategy: Strategy) -> Option<Self> {
-        let schedule = match strategy {
-            Strategy::Ordered => Some(Schedule::new(hierarchy)),
-            Strategy::Chain if is_chain(hierarchy) => None,
-            Strategy::Chain => return None,
-        };
-        Some(Self { joints: hierarchy.joints(), schedule, backend: None })
+        let order = order(hierarchy);
+        match strategy {
+            Strategy::Ordered => Some(Self::ordered(&order)),
+            Strategy::Chain => is_chain(&order).then(|| Self::in_segments(hierarchy)),
+        }
+    }
+
+    fn ordered(order: &[[u32; 2]]) -> Self {
+        let (roots, others) = split_roots(order);
+        let others = CheckedSchedule::new(others.into(), order.len());
+        let others = others.expect("a hierarchy's parents are among its joints");
+        Self { joints: order.len(), roots: roots.into(), others: Some(others), backend: None }
+    }
+
+    fn in_segments(hierarchy: &Hierarchy<'_>) -> Self {
+        Self { joints: hierarchy.joints(), roots: Box::default(), others: None, backend: None }
+    }
+
+    /// The same plan, borrowed.
+    #[inline]
+    #[must_use]
+    pub fn borrowed(&self) -> BorrowedPlan<'_> {
+        let others = self.others.as_ref();
+        let order = others.map(|others| Order { roots: &self.roots, others: others.borrowed() });
+        let plan = BorrowedPlan::of(self.joints, order);
+        self.backend.map_or(plan, |backend| plan.backend(backend))
     }
 
     /// How many joints there are.
@@ -97,7 +113,7 @@ impl HierarchyPlan {
     /// How lanes are used.
     #[must_use]
     pub const fn strategy(&self) -> Strategy {
-        match self.schedule {
+        match self.others {
             Some(_) => Strategy::Ordered,
             None => Strategy::Chain,
         }
@@ -121,10 +137,7 @@ impl HierarchyPlan {
         locals: &[DualQuat<R>],
         models: &mut [DualQuat<R>],
     ) -> Result<(), ShapeError> {
-        whole_instances("locals", self.joints, locals.len())?;
-        same_length("models", models.len(), locals.len())?;
-        self.run(self.backend.unwrap_or_default(), Source::Slice(locals), models);
-        Ok(())
+        self.borrowed().local_to_model(locals, models)
     }
 
     /// [`local_to_model`](Self::local_to_model) over the locals themselves.
@@ -136,98 +149,14 @@ impl HierarchyPlan {
         &self,
         poses: &mut [DualQuat<R>],
     ) -> Result<(), ShapeError> {
-        whole_instances("poses", self.joints, poses.len())?;
-        self.run(self.backend.unwrap_or_default(), Source::Output, poses);
-        Ok(())
-    }
-
-    /// Lengths have been checked.
-    #[inline]
-    pub(super) fn run<R: Scalar>(
-        &self,
-        backend: Backend,
-        locals: Source<'_, DualQuat<R>>,
-        models: &mut [DualQuat<R>],
-    ) {
-        if let Some(schedule) = &self.schedule {
-            return backend.run(Walk { schedule, locals, models });
-        }
-        // A chain of no joints has no instances either.
-        let joints = self.joints.max(1);
-        for (instance, models) in models.chunks_exact_mut(joints).enumerate() {
-            let locals = match locals {
-                Source::Slice(all) => {
-                    let locals = all.get(instance * joints..).and_then(|rest| rest.get(..joints));
-                    Source::Slice(locals.unwrap_or_default())
-                }
-                Source::Output => Source::Output,
-            };
-            backend.scan(locals, models);
-        }
+        self.borrowed().local_to_model_in_place(poses)
     }
 }
 
-/// Whether every joint hangs from the one before it. The mark of the root is what comes before 0.
-fn is_chain(hierarchy: &Hierarchy<'_>) -> bool {
-    (0_u32..).zip(hierarchy.parents()).all(|(joint, &parent)| parent == joint.wrapping_sub(1))
-}
-
-struct Walk<'p, 's, R> {
-    schedule: &'p Schedule,
-    locals: Source<'s, DualQuat<R>>,
-    models: &'s mut [DualQuat<R>],
-}
-
-impl<R: Scalar> Kernel for Walk<'_, '_, R> {
-    type Output = ();
-
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn run<V: Level>(self, level: V) {
-        let Self { schedule, locals, models } = self;
-        let joints = schedule.steps.bound();
-        let mut models: &mut [[R; 8]] = bytemuck::must_cast_slice_mut(models);
-        let mut locals: &[[R; 8]] = match locals {
-            Source::Slice(locals) => bytemuck::must_cast_slice(locals),
-            Source::Output => &[],
-        };
-        // An instance of no joints would come again for ever.
-        while joints > 0
-            && let Some((instance, others)) = models.split_at_mut_checked(joints)
-        {
-            match locals.split_at_checked(joints) {
-                Some((of_instance, rest)) => {
-                    for &root in &schedule.roots {
-                        if let (Some(local), Some(model)) =
-                            (of_instance.get(root), instance.get_mut(root))
-                        {
-                            *model = *local;
-                        }
-                    }
-                    schedule.steps.run(
-                        of_instance,
-                        instance,
-                        #[cfg_attr(not(opt_level_0), inline(always))]
-                        |parent, local| step(level, parent, local),
-                    );
-                    locals = rest;
-                }
-                // A root stays as it is.
-                None => {
-                    schedule.steps.run_in_place(
-                        instance,
-                        #[cfg_attr(not(opt_level_0), inline(always))]
-                        |parent, local| step(level, parent, local),
-                    );
-                }
-            }
-            models = others;
-        }
-    }
-}
-
-#[cfg_attr(not(opt_level_0), inline(always))]
-fn step<R: Scalar, V: Level>(level: V, parent: &[R; 8], local: &[R; 8]) -> [R; 8] {
-    let mut model = [R::ZERO; 8];
-    packed_product(R::Packed::<V>::load(level, parent), local).store(&mut model);
-    model
+/// The joints in the order of computing, each with its parent.
+fn order(hierarchy: &Hierarchy<'_>) -> Vec<[u32; 2]> {
+    let mut order = vec![[0; 2]; hierarchy.joints()];
+    let mut scratch = vec![PlanScratch::default(); hierarchy.joints()];
+    schedule(hierarchy, &mut order, &mut scratch);
+    order
 }

@@ -1,6 +1,6 @@
 //! One instance in the order of a plan, with every form of locals, a root and a palette.
 
-use super::HierarchyPlan;
+use super::BorrowedPlan;
 use super::locals::{Locals, motions};
 use super::palette::Epilogue;
 use super::product::packed_product;
@@ -24,7 +24,7 @@ pub(super) fn applies<E: Element<8>>(run: &Run<'_, E>, models: usize) -> bool {
 /// joint is multiplied onto its parent by the product of all other runs, so a tree has the same bits.
 pub(super) fn forward<E: Element<8>, L: Locals<E>, X: Epilogue<E>>(
     backend: Backend,
-    plan: &HierarchyPlan,
+    plan: BorrowedPlan<'_>,
     run: &Run<'_, E>,
     locals: L,
     models: &mut [E],

@@ -1,0 +1,143 @@
+//! Plans in memory of the caller's: the order is that of list scheduling, the models are those of the owned plan, and
+//! what is no order is refused.
+
+use dq8::hierarchy::{BorrowedPlan, HierarchyPlan, PlanScratch};
+use dq8::{DualQuat, Hierarchy, ShapeError};
+use dq8_contract::random::Random;
+
+/// How many other joints are begun before a joint whose parent is being computed.
+const BETWEEN: usize = 4;
+
+/// A tree, a chain, a bush, a forest.
+fn all_parents() -> Vec<Vec<u32>> {
+    let mut random = Random(11);
+    let mut below = |end: usize| (random.between(0.0, end as f64) as usize).min(end - 1);
+    let mut all = vec![vec![], vec![Hierarchy::ROOT], vec![Hierarchy::ROOT; 9]];
+    all.extend([2, 23, 24, 70].map(|joints| (0..joints).map(|j: u32| j.wrapping_sub(1)).collect()));
+    for joints in [3, 17, 64, 200] {
+        for reach in [1, 2, 7, 1000] {
+            let mut parent = |joint: usize| match joint {
+                0 => Hierarchy::ROOT,
+                _ if below(20) == 0 => Hierarchy::ROOT,
+                _ => (joint - 1 - below(joint.min(reach))) as u32,
+            };
+            all.push((0..joints).map(&mut parent).collect());
+        }
+    }
+    all
+}
+
+fn motions(count: usize) -> Vec<DualQuat<f32>> {
+    let one = |i: usize| {
+        let s = i as f32;
+        DualQuat::from_array([s.sin(), 0.3, s.cos(), 0.9, 0.1 * s, 1.0, -0.5, 0.2]).normalize()
+    };
+    (0..count).map(one).collect()
+}
+
+/// Time step by time step, with a look at all joints in each: those whose parent has been begun long enough, and of them
+/// the one with the longest way down, the first among equals.
+fn list_scheduling(parents: &[u32]) -> Vec<[u32; 2]> {
+    let mut heights = vec![0; parents.len()];
+    for (joint, &parent) in parents.iter().enumerate().rev() {
+        if parent != Hierarchy::ROOT {
+            heights[parent as usize] = heights[parent as usize].max(heights[joint] + 1);
+        }
+    }
+    let mut begun: Vec<Option<usize>> = vec![None; parents.len()];
+    let mut order = Vec::new();
+    for time in 0.. {
+        if order.len() == parents.len() {
+            break;
+        }
+        let is_able = |joint: &usize| {
+            let after = |parent: usize| begun[parent].is_some_and(|at| at + BETWEEN <= time);
+            begun[*joint].is_none()
+                && (parents[*joint] == Hierarchy::ROOT || after(parents[*joint] as usize))
+        };
+        let able = (0..parents.len()).filter(is_able);
+        if let Some(joint) = able.max_by_key(|&joint| (heights[joint], std::cmp::Reverse(joint))) {
+            begun[joint] = Some(time);
+            order.push([joint as u32, parents[joint]]);
+        }
+    }
+    // Those without a parent come first.
+    order.sort_by_key(|pair| pair[1] != Hierarchy::ROOT);
+    order
+}
+
+#[test]
+fn the_order_is_that_of_list_scheduling_by_the_longest_way_down() {
+    for parents in all_parents() {
+        let hierarchy = Hierarchy::new(&parents).unwrap();
+        let mut order = vec![[7; 2]; parents.len()];
+        let mut scratch = vec![PlanScratch::default(); parents.len()];
+        let plan = BorrowedPlan::new(&hierarchy, &mut order, &mut scratch).unwrap();
+        assert_eq!(plan.joints(), parents.len());
+        assert_eq!(order, list_scheduling(&parents), "{parents:?}");
+        // What has been in the scratch does not matter.
+        let mut again = vec![[9; 2]; parents.len()];
+        BorrowedPlan::new(&hierarchy, &mut again, &mut scratch).unwrap();
+        assert_eq!(again, order);
+    }
+}
+
+#[test]
+fn models_are_those_of_the_owned_plan_to_the_last_bit() {
+    for parents in all_parents() {
+        let hierarchy = Hierarchy::new(&parents).unwrap();
+        let owned = HierarchyPlan::new(&hierarchy);
+        let mut order = vec![[0; 2]; parents.len()];
+        let mut scratch = vec![PlanScratch::default(); parents.len()];
+        BorrowedPlan::new(&hierarchy, &mut order, &mut scratch).unwrap();
+        let plan = BorrowedPlan::of_order(&order).unwrap();
+        for instances in 0..3 {
+            let locals = motions(instances * parents.len());
+            let mut models =
+                [vec![DualQuat::ZERO; locals.len()], vec![DualQuat::ZERO; locals.len()]];
+            owned.local_to_model(&locals, &mut models[0]).unwrap();
+            plan.local_to_model(&locals, &mut models[1]).unwrap();
+            assert_eq!(models[0], models[1], "{parents:?}");
+            models[1].copy_from_slice(&locals);
+            plan.local_to_model_in_place(&mut models[1]).unwrap();
+            assert_eq!(models[0], models[1], "{parents:?}, in place");
+        }
+    }
+}
+
+#[test]
+fn memory_of_another_length_is_refused_and_left_alone() {
+    let parents = [Hierarchy::ROOT, 0, 0];
+    let hierarchy = Hierarchy::new(&parents).unwrap();
+    for (order, scratch) in [(2, 3), (4, 3), (3, 2), (3, 4)] {
+        let (mut order, mut scratch) = (vec![[7; 2]; order], vec![PlanScratch::default(); scratch]);
+        let plan = BorrowedPlan::new(&hierarchy, &mut order, &mut scratch);
+        assert!(matches!(plan, Err(ShapeError::Length { .. })), "{plan:?}");
+        assert!(order.iter().all(|pair| *pair == [7; 2]));
+    }
+}
+
+#[test]
+fn an_order_of_joints_that_there_are_not_is_refused() {
+    let root = Hierarchy::ROOT;
+    assert!(BorrowedPlan::of_order(&[[0, root], [2, 0], [1, 2]]).is_some());
+    assert!(BorrowedPlan::of_order(&[[0, root], [3, 0], [1, 2]]).is_none());
+    assert!(BorrowedPlan::of_order(&[[0, root], [2, 3], [1, 2]]).is_none());
+    // A root behind the others is not one.
+    assert!(BorrowedPlan::of_order(&[[0, root], [1, 0], [2, root]]).is_none());
+    // Of roots too, though nothing is computed of them.
+    assert!(BorrowedPlan::of_order(&[[0, root], [9, root], [1, 0]]).is_none());
+}
+
+#[test]
+fn poses_of_another_length_are_refused_and_left_alone() {
+    let parents = [Hierarchy::ROOT, 0, 0];
+    let (mut order, mut scratch) = ([[0; 2]; 3], [PlanScratch::default(); 3]);
+    let plan =
+        BorrowedPlan::new(&Hierarchy::new(&parents).unwrap(), &mut order, &mut scratch).unwrap();
+    let (locals, mut models) = (motions(4), motions(4));
+    assert!(plan.local_to_model(&locals, &mut models).is_err());
+    assert!(plan.local_to_model(&locals[..3], &mut models).is_err());
+    assert!(plan.local_to_model_in_place(&mut models).is_err());
+    assert_eq!(models, locals);
+}
