@@ -6,7 +6,7 @@
  * where q = tp/2. In a product a * b it is b that acts first. Angles are radians, lengths your unit.
  *
  * Names.    dq8_motion_NAME: one motion. dq8_mechanism_NAME: one configuration of a mechanism.
- *           dq8_skin_NAME: a mesh.
+ *           dq8_skin_NAME: a mesh. dq8_plan_NAME: one instance of a hierarchy, in the best order.
  *           dq8_NAME: arrays of `count` things, plain. dq8_blocks_NAME: the same on blocks, the fastest
  *           way. Each for float (_f32) and for double (_f64).
  * Blocks.   A block has `lanes` things, component after component: with 8 lanes, the eight px, then
@@ -164,6 +164,10 @@ enum dq8_status
    * A field lies beyond its vertex, or in another field.
    */
   DQ8_STATUS_FIELD = 28,
+  /**
+   * The order of a plan names a joint that there is not: it has not been made.
+   */
+  DQ8_STATUS_NO_PLAN = 29,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -803,6 +807,128 @@ const char *dq8_backend_name(void);
 dq8_status dq8_backend_limit(int32_t most);
 
 /**
+ * `out[i] = links[0] * links[1] * ... * links[i]`: the model poses of a chain, fast where it has
+ * dozens of links. Blocks hold one chain, a segment in each lane, as dq8_pack_chain writes
+ * them. `out` may be `links`.
+ */
+dq8_status dq8_chain_products_f32(const float *links, float *out, size_t count);
+
+/**
+ * dq8_chain_products_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_chain_products_f32(size_t lanes,
+                                         const float *links,
+                                         float *out,
+                                         size_t count);
+
+/**
+ * `out[i] = links[0] * links[1] * ... * links[i]`: the model poses of a chain, fast where it has
+ * dozens of links. Blocks hold one chain, a segment in each lane, as dq8_pack_chain writes
+ * them. `out` may be `links`.
+ */
+dq8_status dq8_chain_products_f64(const double *links, double *out, size_t count);
+
+/**
+ * dq8_chain_products_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_chain_products_f64(size_t lanes,
+                                         const double *links,
+                                         double *out,
+                                         size_t count);
+
+/**
+ * A line moved by a unit motion. It is six numbers: its direction, and its moment p x direction of any
+ * point p on it (Plücker coordinates).
+ */
+dq8_status dq8_motion_line_f32(const float *motion,
+                               const float *line,
+                               float *out);
+
+/**
+ * A plane moved by a unit motion. It is four numbers: its unit normal n, and n . p of any point p on it.
+ */
+dq8_status dq8_motion_plane_f32(const float *motion,
+                                const float *plane,
+                                float *out);
+
+/**
+ * A twist, six numbers, angular part first, by the adjoint of a unit motion: a body twist becomes the
+ * spatial one.
+ */
+dq8_status dq8_motion_twist_f32(const float *motion,
+                                const float *twist,
+                                float *out);
+
+/**
+ * The twist, six numbers, angular part first, that leads to a unit motion in one second.
+ */
+dq8_status dq8_motion_to_twist_f32(const float *motion, float *twist);
+
+/**
+ * Where a unit motion is after `dt` seconds of a body twist, six numbers, angular part first.
+ */
+dq8_status dq8_motion_integrate_body_f32(const float *motion,
+                                         const float *twist,
+                                         float dt,
+                                         float *out);
+
+/**
+ * The angle between two unit motions, one number, radians in 0 to pi.
+ */
+dq8_status dq8_motion_angle_to_f32(const float *a, const float *b, float *angle);
+
+/**
+ * The distance between the translations of two unit motions, one number.
+ */
+dq8_status dq8_motion_distance_to_f32(const float *a, const float *b, float *distance);
+
+/**
+ * A line moved by a unit motion. It is six numbers: its direction, and its moment p x direction of any
+ * point p on it (Plücker coordinates).
+ */
+dq8_status dq8_motion_line_f64(const double *motion,
+                               const double *line,
+                               double *out);
+
+/**
+ * A plane moved by a unit motion. It is four numbers: its unit normal n, and n . p of any point p on it.
+ */
+dq8_status dq8_motion_plane_f64(const double *motion,
+                                const double *plane,
+                                double *out);
+
+/**
+ * A twist, six numbers, angular part first, by the adjoint of a unit motion: a body twist becomes the
+ * spatial one.
+ */
+dq8_status dq8_motion_twist_f64(const double *motion,
+                                const double *twist,
+                                double *out);
+
+/**
+ * The twist, six numbers, angular part first, that leads to a unit motion in one second.
+ */
+dq8_status dq8_motion_to_twist_f64(const double *motion, double *twist);
+
+/**
+ * Where a unit motion is after `dt` seconds of a body twist, six numbers, angular part first.
+ */
+dq8_status dq8_motion_integrate_body_f64(const double *motion,
+                                         const double *twist,
+                                         double dt,
+                                         double *out);
+
+/**
+ * The angle between two unit motions, one number, radians in 0 to pi.
+ */
+dq8_status dq8_motion_angle_to_f64(const double *a, const double *b, double *angle);
+
+/**
+ * The distance between the translations of two unit motions, one number.
+ */
+dq8_status dq8_motion_distance_to_f64(const double *a, const double *b, double *distance);
+
+/**
  * Whether `parents` is a hierarchy: `parents[j]` is the parent of joint j and comes before it, or is
  * -1. Every function that takes parents checks them too, in a pass that costs little beside its
  * work; this one also says where the fault is.
@@ -1111,6 +1237,75 @@ dq8_status dq8_blocks_palette_matrices_f64(size_t lanes,
                                            size_t count);
 
 /**
+ * `lines[i]` moved by the unit `motions[i]`. A line is six numbers: its direction, and its moment
+ * p x direction of any point p on it (Plücker coordinates).
+ */
+dq8_status dq8_lines_each_f32(const float *motions, const float *lines, float *out, size_t count);
+
+/**
+ * dq8_lines_each_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_lines_each_f32(size_t lanes,
+                                     const float *motions,
+                                     const float *lines,
+                                     float *out,
+                                     size_t count);
+
+/**
+ * `planes[i]` moved by the unit `motions[i]`. A plane is four numbers: its unit normal n, and n . p of
+ * any point p on it.
+ */
+dq8_status dq8_planes_each_f32(const float *motions,
+                               const float *planes,
+                               float *out,
+                               size_t count);
+
+/**
+ * dq8_planes_each_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_planes_each_f32(size_t lanes,
+                                      const float *motions,
+                                      const float *planes,
+                                      float *out,
+                                      size_t count);
+
+/**
+ * `lines[i]` moved by the unit `motions[i]`. A line is six numbers: its direction, and its moment
+ * p x direction of any point p on it (Plücker coordinates).
+ */
+dq8_status dq8_lines_each_f64(const double *motions,
+                              const double *lines,
+                              double *out,
+                              size_t count);
+
+/**
+ * dq8_lines_each_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_lines_each_f64(size_t lanes,
+                                     const double *motions,
+                                     const double *lines,
+                                     double *out,
+                                     size_t count);
+
+/**
+ * `planes[i]` moved by the unit `motions[i]`. A plane is four numbers: its unit normal n, and n . p of
+ * any point p on it.
+ */
+dq8_status dq8_planes_each_f64(const double *motions,
+                               const double *planes,
+                               double *out,
+                               size_t count);
+
+/**
+ * dq8_planes_each_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_planes_each_f64(size_t lanes,
+                                      const double *motions,
+                                      const double *planes,
+                                      double *out,
+                                      size_t count);
+
+/**
  * Forward kinematics of many configurations: `poses` is `[configuration][link]`, `count` of
  * them, and `values` `[configuration][value]`, `value_count` plain numbers, for blocks too.
  * Lanes without a configuration get the poses of values that are all zero.
@@ -1257,6 +1452,62 @@ dq8_status dq8_mechanism_link_jacobian_f64(const struct dq8_mechanism_f64 *mecha
                                            double *columns,
                                            size_t column_count,
                                            double *pose);
+
+/**
+ * The angles between unit `a[i]` and unit `b[i]`, radians in 0 to pi, one number each.
+ */
+dq8_status dq8_angles_f32(const float *a, const float *b, float *out, size_t count);
+
+/**
+ * dq8_angles_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_angles_f32(size_t lanes,
+                                 const float *a,
+                                 const float *b,
+                                 float *out,
+                                 size_t count);
+
+/**
+ * The distances between the translations of unit `a[i]` and unit `b[i]`, one number each.
+ */
+dq8_status dq8_distances_f32(const float *a, const float *b, float *out, size_t count);
+
+/**
+ * dq8_distances_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_distances_f32(size_t lanes,
+                                    const float *a,
+                                    const float *b,
+                                    float *out,
+                                    size_t count);
+
+/**
+ * The angles between unit `a[i]` and unit `b[i]`, radians in 0 to pi, one number each.
+ */
+dq8_status dq8_angles_f64(const double *a, const double *b, double *out, size_t count);
+
+/**
+ * dq8_angles_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_angles_f64(size_t lanes,
+                                 const double *a,
+                                 const double *b,
+                                 double *out,
+                                 size_t count);
+
+/**
+ * The distances between the translations of unit `a[i]` and unit `b[i]`, one number each.
+ */
+dq8_status dq8_distances_f64(const double *a, const double *b, double *out, size_t count);
+
+/**
+ * dq8_distances_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_distances_f64(size_t lanes,
+                                    const double *a,
+                                    const double *b,
+                                    double *out,
+                                    size_t count);
 
 /**
  * The motion that moves nothing.
@@ -1441,6 +1692,26 @@ dq8_status dq8_unpack_f32(size_t lanes,
                           size_t pose_count);
 
 /**
+ * Writes a chain into blocks, a segment of `block_count` links in each lane: link i is in lane
+ * `i / block_count` of block `i % block_count`. Lanes beyond the last link get the identity.
+ * `block_count` is `link_count` over `lanes`, rounded up; DQ8_STATUS_LENGTH if it is not.
+ */
+dq8_status dq8_pack_chain_f32(size_t lanes,
+                              const float *links,
+                              size_t link_count,
+                              float *blocks,
+                              size_t block_count);
+
+/**
+ * Writes blocks of a chain into `links`, the other way round.
+ */
+dq8_status dq8_unpack_chain_f32(size_t lanes,
+                                const float *blocks,
+                                size_t block_count,
+                                float *links,
+                                size_t link_count);
+
+/**
  * How many numbers one block takes that has `components` (8 in motions, 3 in points, 4 in rotations,
  * 7 in rotations with translations, 12 or 16 in matrices) of each of `lanes` things: their
  * product, rounded up to whole 64 bytes.
@@ -1469,6 +1740,26 @@ dq8_status dq8_unpack_f64(size_t lanes,
                           size_t block_count,
                           double *poses,
                           size_t pose_count);
+
+/**
+ * Writes a chain into blocks, a segment of `block_count` links in each lane: link i is in lane
+ * `i / block_count` of block `i % block_count`. Lanes beyond the last link get the identity.
+ * `block_count` is `link_count` over `lanes`, rounded up; DQ8_STATUS_LENGTH if it is not.
+ */
+dq8_status dq8_pack_chain_f64(size_t lanes,
+                              const double *links,
+                              size_t link_count,
+                              double *blocks,
+                              size_t block_count);
+
+/**
+ * Writes blocks of a chain into `links`, the other way round.
+ */
+dq8_status dq8_unpack_chain_f64(size_t lanes,
+                                const double *blocks,
+                                size_t block_count,
+                                double *links,
+                                size_t link_count);
 
 /**
  * How many numbers one block takes that has `components` (8 in motions, 3 in points, 4 in rotations,
@@ -1519,6 +1810,45 @@ dq8_status dq8_skin_split_f64(const double *matrices,
                               double *motions,
                               double *stretches,
                               size_t joint_count);
+
+/**
+ * Finds the order in which dq8_plan_local_to_model computes the joints of one instance: those that others wait for come
+ * early, and between a joint and its parent there are others.
+ *
+ * `order` has two numbers per joint, and must stay as it is while it is used; `scratch` six, which are
+ * not needed afterwards. A bad parent is told as by dq8_check_parents, and `bad_joint` set to it, which may be null.
+ */
+dq8_status dq8_plan_make(const int32_t *parents,
+                         size_t joints,
+                         uint32_t *order,
+                         uint32_t *scratch,
+                         size_t *bad_joint);
+
+/**
+ * As dq8_local_to_model, joint by joint in the `order` that dq8_plan_make found, with the eight numbers of a
+ * motion in one register: the fastest way for one instance. Several are computed one after the other.
+ * `models` may be `locals`.
+ *
+ * DQ8_STATUS_NO_PLAN if a number in `order` is no joint.
+ */
+dq8_status dq8_plan_local_to_model_f32(const uint32_t *order,
+                                       size_t joints,
+                                       const float *locals,
+                                       float *models,
+                                       size_t count);
+
+/**
+ * As dq8_local_to_model, joint by joint in the `order` that dq8_plan_make found, with the eight numbers of a
+ * motion in one register: the fastest way for one instance. Several are computed one after the other.
+ * `models` may be `locals`.
+ *
+ * DQ8_STATUS_NO_PLAN if a number in `order` is no joint.
+ */
+dq8_status dq8_plan_local_to_model_f64(const uint32_t *order,
+                                       size_t joints,
+                                       const double *locals,
+                                       double *models,
+                                       size_t count);
 
 /**
  * Fills in the options that serve most: 1e-5 rad, 1e-5 lengths, 100 iterations, restarts.
@@ -1997,6 +2327,16 @@ dq8_status dq8_inverse_f32(const float *motions, float *out, size_t count);
 dq8_status dq8_blocks_inverse_f32(size_t lanes, const float *motions, float *out, size_t count);
 
 /**
+ * The inverses of unit `motions`, which cost nothing but signs. `out` may be `motions`.
+ */
+dq8_status dq8_conjugate_f32(const float *motions, float *out, size_t count);
+
+/**
+ * dq8_conjugate_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_conjugate_f32(size_t lanes, const float *motions, float *out, size_t count);
+
+/**
  * From `a[i]` to `b[i]` by the shorter way, `t` of it: linear and normalized.
  */
 dq8_status dq8_nlerp_f32(const float *a, const float *b, float t, float *out, size_t count);
@@ -2192,6 +2532,16 @@ dq8_status dq8_inverse_f64(const double *motions, double *out, size_t count);
 dq8_status dq8_blocks_inverse_f64(size_t lanes, const double *motions, double *out, size_t count);
 
 /**
+ * The inverses of unit `motions`, which cost nothing but signs. `out` may be `motions`.
+ */
+dq8_status dq8_conjugate_f64(const double *motions, double *out, size_t count);
+
+/**
+ * dq8_conjugate_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_conjugate_f64(size_t lanes, const double *motions, double *out, size_t count);
+
+/**
  * From `a[i]` to `b[i]` by the shorter way, `t` of it: linear and normalized.
  */
 dq8_status dq8_nlerp_f64(const double *a, const double *b, double t, double *out, size_t count);
@@ -2358,6 +2708,260 @@ dq8_status dq8_blocks_matrices_4x4_f64(size_t lanes,
  * status has a text too, which says so.
  */
 const char *dq8_status_text(int32_t status);
+
+/**
+ * `twists[i]`, six numbers, angular part first, by the adjoint of the unit `motions[i]`: a body twist
+ * becomes the spatial one.
+ */
+dq8_status dq8_twists_each_f32(const float *motions,
+                               const float *twists,
+                               float *out,
+                               size_t count);
+
+/**
+ * dq8_twists_each_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_twists_each_f32(size_t lanes,
+                                      const float *motions,
+                                      const float *twists,
+                                      float *out,
+                                      size_t count);
+
+/**
+ * Where the unit `motions[i]` are after `dt` seconds of the body twists `twists[i]`, six numbers each,
+ * angular part first.
+ */
+dq8_status dq8_integrate_body_f32(const float *motions,
+                                  const float *twists,
+                                  float dt,
+                                  float *out,
+                                  size_t count);
+
+/**
+ * dq8_integrate_body_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_integrate_body_f32(size_t lanes,
+                                         const float *motions,
+                                         const float *twists,
+                                         float dt,
+                                         float *out,
+                                         size_t count);
+
+/**
+ * The logarithms of unit `motions`, six numbers each: half the angle times the axis, and its
+ * moment. Twice that is the twist that leads there in one second.
+ */
+dq8_status dq8_log_f32(const float *motions, float *logs, size_t count);
+
+/**
+ * dq8_log_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_log_f32(size_t lanes, const float *motions, float *logs, size_t count);
+
+/**
+ * The motions of `logs`, six numbers each.
+ */
+dq8_status dq8_exp_f32(const float *logs, float *out, size_t count);
+
+/**
+ * dq8_exp_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_exp_f32(size_t lanes, const float *logs, float *out, size_t count);
+
+/**
+ * The unit `motions[i]` to the power `t[i]`: the same screw axis, t times the angle and the slide.
+ */
+dq8_status dq8_pow_each_f32(const float *motions, const float *t, float *out, size_t count);
+
+/**
+ * dq8_pow_each_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_pow_each_f32(size_t lanes,
+                                   const float *motions,
+                                   const float *t,
+                                   float *out,
+                                   size_t count);
+
+/**
+ * `twists[i]`, six numbers, angular part first, by the adjoint of the unit `motions[i]`: a body twist
+ * becomes the spatial one.
+ */
+dq8_status dq8_twists_each_f64(const double *motions,
+                               const double *twists,
+                               double *out,
+                               size_t count);
+
+/**
+ * dq8_twists_each_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_twists_each_f64(size_t lanes,
+                                      const double *motions,
+                                      const double *twists,
+                                      double *out,
+                                      size_t count);
+
+/**
+ * Where the unit `motions[i]` are after `dt` seconds of the body twists `twists[i]`, six numbers each,
+ * angular part first.
+ */
+dq8_status dq8_integrate_body_f64(const double *motions,
+                                  const double *twists,
+                                  double dt,
+                                  double *out,
+                                  size_t count);
+
+/**
+ * dq8_integrate_body_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_integrate_body_f64(size_t lanes,
+                                         const double *motions,
+                                         const double *twists,
+                                         double dt,
+                                         double *out,
+                                         size_t count);
+
+/**
+ * The logarithms of unit `motions`, six numbers each: half the angle times the axis, and its
+ * moment. Twice that is the twist that leads there in one second.
+ */
+dq8_status dq8_log_f64(const double *motions, double *logs, size_t count);
+
+/**
+ * dq8_log_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_log_f64(size_t lanes, const double *motions, double *logs, size_t count);
+
+/**
+ * The motions of `logs`, six numbers each.
+ */
+dq8_status dq8_exp_f64(const double *logs, double *out, size_t count);
+
+/**
+ * dq8_exp_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_exp_f64(size_t lanes, const double *logs, double *out, size_t count);
+
+/**
+ * The unit `motions[i]` to the power `t[i]`: the same screw axis, t times the angle and the slide.
+ */
+dq8_status dq8_pow_each_f64(const double *motions, const double *t, double *out, size_t count);
+
+/**
+ * dq8_pow_each_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_pow_each_f64(size_t lanes,
+                                   const double *motions,
+                                   const double *t,
+                                   double *out,
+                                   size_t count);
+
+/**
+ * Spatial twists of all joints, six numbers each, angular part first, from unit model poses and
+ * `rates`, the body twist of each joint relative to its parent (of a hinge: its axis times its rate,
+ * and zeros): `twists[j] = twists[parents[j]] + Ad(models[j]) rates[j]`.
+ *
+ * `models`, `rates` and `twists` hold one element per joint, or several instances one after the
+ * other. Twists are in the frame that the models are in, about its origin.
+ */
+dq8_status dq8_velocities_f32(const int32_t *parents,
+                              size_t joints,
+                              const float *models,
+                              const float *rates,
+                              float *twists,
+                              size_t count);
+
+/**
+ * dq8_velocities_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_velocities_f32(size_t lanes,
+                                     const int32_t *parents,
+                                     size_t joints,
+                                     const float *models,
+                                     const float *rates,
+                                     float *twists,
+                                     size_t count);
+
+/**
+ * The spatial Jacobian of joint `effector`: column j, six numbers, is the twist per rate of joint j,
+ * `Ad(models[j]) axes[j]`, for the effector and what it hangs from, and zero for all others.
+ *
+ * `axes` holds `joints` plain twists, the same for all instances: the body twist of each joint for a
+ * rate of 1. `models` and `columns` hold one element per joint, or several instances one after
+ * the other. DQ8_STATUS_NO_LINK if there is no such joint.
+ */
+dq8_status dq8_jacobian_f32(const int32_t *parents,
+                            size_t joints,
+                            const float *models,
+                            const float *axes,
+                            size_t effector,
+                            float *columns,
+                            size_t count);
+
+/**
+ * dq8_jacobian_f32 on blocks of 8 or 16 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_jacobian_f32(size_t lanes,
+                                   const int32_t *parents,
+                                   size_t joints,
+                                   const float *models,
+                                   const float *axes,
+                                   size_t effector,
+                                   float *columns,
+                                   size_t count);
+
+/**
+ * Spatial twists of all joints, six numbers each, angular part first, from unit model poses and
+ * `rates`, the body twist of each joint relative to its parent (of a hinge: its axis times its rate,
+ * and zeros): `twists[j] = twists[parents[j]] + Ad(models[j]) rates[j]`.
+ *
+ * `models`, `rates` and `twists` hold one element per joint, or several instances one after the
+ * other. Twists are in the frame that the models are in, about its origin.
+ */
+dq8_status dq8_velocities_f64(const int32_t *parents,
+                              size_t joints,
+                              const double *models,
+                              const double *rates,
+                              double *twists,
+                              size_t count);
+
+/**
+ * dq8_velocities_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_velocities_f64(size_t lanes,
+                                     const int32_t *parents,
+                                     size_t joints,
+                                     const double *models,
+                                     const double *rates,
+                                     double *twists,
+                                     size_t count);
+
+/**
+ * The spatial Jacobian of joint `effector`: column j, six numbers, is the twist per rate of joint j,
+ * `Ad(models[j]) axes[j]`, for the effector and what it hangs from, and zero for all others.
+ *
+ * `axes` holds `joints` plain twists, the same for all instances: the body twist of each joint for a
+ * rate of 1. `models` and `columns` hold one element per joint, or several instances one after
+ * the other. DQ8_STATUS_NO_LINK if there is no such joint.
+ */
+dq8_status dq8_jacobian_f64(const int32_t *parents,
+                            size_t joints,
+                            const double *models,
+                            const double *axes,
+                            size_t effector,
+                            double *columns,
+                            size_t count);
+
+/**
+ * dq8_jacobian_f64 on blocks of 4 or 8 `lanes`; `count` is a number of blocks.
+ */
+dq8_status dq8_blocks_jacobian_f64(size_t lanes,
+                                   const int32_t *parents,
+                                   size_t joints,
+                                   const double *models,
+                                   const double *axes,
+                                   size_t effector,
+                                   double *columns,
+                                   size_t count);
 
 #ifdef __cplusplus
 }  // extern "C"

@@ -272,23 +272,36 @@ pub unsafe extern "C" fn dq8_check_parents(
 }
 
 /// # Safety
-/// As for [`Input::slice`] and [`Output::write`].
+/// As for [`checked`].
 unsafe fn check_parents(start: *const i32, joints: usize, bad_joint: *mut usize) -> Done {
-    let parents = parents(start, joints)?;
-    let bad_joint = Output::unless_null(bad_joint)?;
-    if let Some(bad_joint) = &bad_joint {
-        bad_joint.apart_from(&parents)?;
+    let (parents, bad_joint) = (parents(start, joints)?, Output::unless_null(bad_joint)?);
+    // SAFETY: promised.
+    unsafe { checked(&parents, bad_joint.as_ref()).map(|_| ()) }
+}
+
+/// The hierarchy of these parents; if they are none, the joint that is wrong is written to `bad_joint`.
+///
+/// # Safety
+/// As for [`Input::slice`] and [`Output::write`].
+pub(crate) unsafe fn checked<'a>(
+    parents: &Input<u32>,
+    bad_joint: Option<&Output<usize>>,
+) -> Result<Hierarchy<'a>, Status> {
+    if let Some(bad_joint) = bad_joint {
+        bad_joint.apart_from(parents)?;
     }
     // SAFETY: promised.
-    let Err(error) = Hierarchy::new(unsafe { parents.slice() }) else { return Ok(()) };
+    let hierarchy = Hierarchy::new(unsafe { parents.slice() });
     if let (
         Some(bad_joint),
-        HierarchyError::ParentNotBefore { joint, .. }
-        | HierarchyError::ParentOutOfRange { joint, .. },
-    ) = (bad_joint, &error)
+        Err(
+            HierarchyError::ParentNotBefore { joint, .. }
+            | HierarchyError::ParentOutOfRange { joint, .. },
+        ),
+    ) = (bad_joint, &hierarchy)
     {
         // SAFETY: promised, and apart.
         unsafe { bad_joint.write(*joint) };
     }
-    Err(error.into())
+    Ok(hierarchy?)
 }

@@ -8,6 +8,7 @@
 //! | [`slices`], [`lines`], [`twists`], [`metric`] | kernels over arrays of motions, points, lines, planes, twists, plain or in blocks |
 //! | [`hierarchy`], [`velocity`] | joint hierarchies, skinning palettes, twists and Jacobians, plain or in blocks |
 //! | [`chain`] | long chains, plain or in blocks |
+//! | [`plan`] | one instance in the order that is fastest, plain |
 //! | [`joint`], [`mechanism`] | one configuration of a mechanism: poses of links, Jacobians |
 //! | [`reach`] | inverse kinematics of one configuration |
 //! | [`links`] | poses of links for many configurations, plain or in blocks |
@@ -39,6 +40,7 @@ pub mod metric;
 pub mod motion;
 pub mod packing;
 pub mod palette;
+pub mod plan;
 pub mod reach;
 pub mod screw;
 pub mod skin;

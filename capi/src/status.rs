@@ -75,10 +75,12 @@ pub enum Status {
     Limits = 27,
     /// A field lies beyond its vertex, or in another field.
     Field = 28,
+    /// The order of a plan names a joint that there is not: it has not been made.
+    NoPlan = 29,
 }
 
 impl Status {
-    const ALL: [Self; 29] = [
+    const ALL: [Self; 30] = [
         Self::Ok,
         Self::NullPointer,
         Self::Misaligned,
@@ -108,6 +110,7 @@ impl Status {
         Self::NoSkin,
         Self::Limits,
         Self::Field,
+        Self::NoPlan,
     ];
 
     pub(crate) fn of(done: Done) -> Self {
@@ -147,6 +150,7 @@ impl Status {
             Self::NoSkin => c"the skin has not been made",
             Self::Limits => c"the limits of a joint leave no value",
             Self::Field => c"a field lies beyond its vertex, or in another field",
+            Self::NoPlan => c"the order of the plan has not been made",
         }
     }
 }

@@ -25,6 +25,10 @@ fn parents_come_before_their_joints() {
 fn axes_and_placements_are_unit_and_finite() {
     let bent = Joint::revolute(None, DualQuat::IDENTITY, [0.0, 3.0, 4.0]);
     assert_eq!(error(&[hinge(None), bent]), MechanismError::Axis { joint: 1, length: 5.0 });
+    for length in [0.0, 0.5] {
+        let short = Joint::revolute(None, DualQuat::IDENTITY, [0.0, length, 0.0]);
+        assert_eq!(error(&[short]), MechanismError::Axis { joint: 0, length });
+    }
     let nan = Joint::prismatic(None, DualQuat::IDENTITY, [f64::NAN, 0.0, 0.0]);
     assert!(matches!(error(&[nan]), MechanismError::Axis { joint: 0, length } if length.is_nan()));
     let large = Joint::fixed(None, DualQuat::IDENTITY.scale(1.5));

@@ -1,0 +1,98 @@
+//! Plans: the order in which one instance of a hierarchy is computed fastest, found once.
+
+use crate::hierarchy::checked;
+use crate::memory::{Input, Output, from_to};
+use crate::status::{Done, Status};
+use dq8::hierarchy::{BorrowedPlan, PlanScratch};
+use dq8::{DualQuat, Scalar};
+
+/// Finds the order in which dq8_plan_local_to_model computes the joints of one instance: those that others wait for come
+/// early, and between a joint and its parent there are others.
+///
+/// `order` has two numbers per joint, and must stay as it is while it is used; `scratch` six, which are
+/// not needed afterwards. A bad parent is told as by dq8_check_parents, and `bad_joint` set to it, which may be null.
+///
+/// # Safety
+/// Arrays have the lengths named.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn dq8_plan_make(
+    parents: *const i32,
+    joints: usize,
+    order: *mut u32,
+    scratch: *mut u32,
+    bad_joint: *mut usize,
+) -> Status {
+    // SAFETY: promised.
+    Status::of(unsafe { make(parents, joints, order, scratch, bad_joint) })
+}
+
+/// # Safety
+/// As for [`checked`] and [`Output::slice`].
+unsafe fn make(
+    parents: *const i32,
+    joints: usize,
+    order: *mut u32,
+    scratch: *mut u32,
+    bad_joint: *mut usize,
+) -> Done {
+    let parents = crate::hierarchy::parents(parents, joints)?;
+    let order = Output::<[u32; 2]>::new(order, joints)?;
+    let scratch = Output::<PlanScratch>::new(scratch, joints)?;
+    let bad_joint = Output::unless_null(bad_joint)?;
+    order.apart_from(&parents)?;
+    scratch.apart_from(&parents)?;
+    scratch.apart_from_output(&order)?;
+    if let Some(bad_joint) = &bad_joint {
+        bad_joint.apart_from_output(&order)?;
+        bad_joint.apart_from_output(&scratch)?;
+    }
+    // SAFETY: promised, and apart.
+    unsafe {
+        let hierarchy = checked(&parents, bad_joint.as_ref())?;
+        BorrowedPlan::new(&hierarchy, order.slice(), scratch.slice())?;
+    }
+    Ok(())
+}
+
+/// # Safety
+/// As for [`from_to`], and [`Input::slice`] of `order`.
+unsafe fn local_to_model<R: Scalar>(
+    order: *const u32,
+    joints: usize,
+    locals: *const R,
+    models: *mut R,
+    count: usize,
+) -> Done {
+    let order = Input::<[u32; 2]>::new(order, joints)?;
+    Output::<DualQuat<R>>::new(models, count)?.apart_from(&order)?;
+    // SAFETY: promised, and apart from what is written.
+    let plan = BorrowedPlan::of_order(unsafe { order.slice() }).ok_or(Status::NoPlan)?;
+    let apart = |from: &[DualQuat<R>], to: &mut [_]| plan.local_to_model(from, to);
+    // SAFETY: promised.
+    unsafe { from_to(locals, models, count, apart, |all| plan.local_to_model_in_place(all)) }
+}
+
+macro_rules! functions {
+    ($R:ident $lanes:tt) => {
+        /// As dq8_local_to_model, joint by joint in the `order` that dq8_plan_make found, with the eight numbers of a
+        /// motion in one register: the fastest way for one instance. Several are computed one after the other.
+        /// `models` may be `locals`.
+        ///
+        /// DQ8_STATUS_NO_PLAN if a number in `order` is no joint.
+        ///
+        /// # Safety
+        /// Arrays have the lengths named.
+        #[unsafe(export_name = concat!("dq8_plan_local_to_model_", stringify!($R)))]
+        pub unsafe extern "C" fn local_to_model(
+            order: *const u32,
+            joints: usize,
+            locals: *const $R,
+            models: *mut $R,
+            count: usize,
+        ) -> Status {
+            // SAFETY: promised.
+            Status::of(unsafe { super::local_to_model(order, joints, locals, models, count) })
+        }
+    };
+}
+for_both_numbers!(functions);
