@@ -2,9 +2,9 @@
 """Whether the tests notice small wrong changes: an operator, a sign, a comparison, a constant, an index.
 
 In a copy of the tree (target/mutants) a few changes per function are built at once, each behind a switch: a function
-becomes `match crate::mutant() { 17 => { changed } … _ => { as it is } }`. Changes that do not compile are dropped. Then
-the test binaries run for each change, those first that see most per second, until one fails; tests of more than half a
-second only where all others pass.
+becomes `match crate::mutant_in(17) { 17 => { changed } … _ => { as it is } }`. Changes that do not compile are dropped.
+Every test then runs once with nothing changed, and says which of these functions it calls. For each change those tests run
+that call its function, first those that see most per second, until one fails.
 
   scripts/mutants.py build [--most N] FILE…      N changes per function (4), chosen by a fixed seed
   scripts/mutants.py run SECONDS [TEST…]         every change without a result; TEST: binaries of dq8, without any: all
@@ -18,11 +18,28 @@ import random
 import re
 import subprocess
 import sys
+import tempfile
 import time
 from concurrent.futures import ThreadPoolExecutor
 
-from switched import ROOT, copy, write
+from switched import ROOT, SWITCH, copy, write
 
+# Which functions have been called goes to the file DQ8_CALLED, if there is one.
+CALLED = """
+/// What `mutant` says, called by the function whose first change has this number.
+#[doc(hidden)]
+#[allow(missing_docs, clippy::all)]
+pub fn mutant_in(first: usize) -> usize {
+    use std::{fs::File, io::Write, sync::OnceLock, sync::atomic::{AtomicBool, Ordering}};
+    static SEEN: [AtomicBool; 1 << 14] = [const { AtomicBool::new(false) }; 1 << 14];
+    static FILE: OnceLock<Option<File>> = OnceLock::new();
+    let file = FILE.get_or_init(|| Some(File::create(std::env::var_os("DQ8_CALLED")?).unwrap()));
+    if let Some(mut file) = file.as_ref() && !SEEN[first].swap(true, Ordering::Relaxed) {
+        writeln!(file, "{first}").unwrap();
+    }
+    mutant()
+}
+"""
 COPY = ROOT / "target" / "mutants"
 STATE = COPY / "state.json"
 # What is replaced, and by what.
@@ -83,9 +100,10 @@ def find(files, most):
             sites = [(m.start() + begin, m.end() + begin, new)
                      for pattern, new in CHANGES for m in re.finditer(pattern, code[begin:end])]
             generator.shuffle(sites)
+            first = len(found)
             for a, b, new in sorted(sites[:most]):
                 line = text.count("\n", 0, a) + 1
-                found.append({"id": len(found), "file": file, "line": line, "function": function, "body": [begin, end],
+                found.append({"id": len(found), "first": first, "file": file, "line": line, "function": function, "body": [begin, end],
                               "at": [a, b], "new": new, "text": text.splitlines()[line - 1].strip()})
     return found
 
@@ -97,7 +115,7 @@ def place_changes(changes):
         text, out, position, spans = (ROOT / file).read_text(), "", 0, []
         for (begin, end), group in itertools.groupby(of_file, lambda change: change["body"]):
             group = list(group)
-            out += text[position:begin] + " match crate::mutant() {\n"
+            out += text[position:begin] + f" match crate::mutant_in({group[0]['first']}) {{\n"
             for change in group:
                 a, b = change["at"]
                 first = out.count("\n") + 1
@@ -114,6 +132,7 @@ def place_changes(changes):
 
 def build(files, most):
     copy(COPY)
+    write(COPY / "src/lib.rs", (ROOT / "src/lib.rs").read_bytes() + (SWITCH + CALLED).encode())
     changes = find(files, most)
     print(f"{len(changes)} changes")
     while True:
@@ -145,48 +164,52 @@ def binaries(tests):
     return {m["target"]["name"]: m["executable"] for m in messages if m.get("executable") and m["target"]["kind"] == ["test"]}
 
 
-def slow_tests(program):
-    """Those that take more than half a second where nothing is changed, which must not fail."""
-    command = [program, "-Zunstable-options", "--report-time"]
-    said = subprocess.run(command, cwd=COPY, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
-                          env={**os.environ, "RUSTC_BOOTSTRAP": "1"})
-    if said.returncode:
-        raise SystemExit(f"{program} fails without a change")
-    times = re.findall(r"^test (\S+) .*<([\d.]+)s>", said.stdout, re.M)
-    return [name for name, seconds in times if float(seconds) > 0.5]
+def tests_of(program):
+    return re.findall(r"^(.+): test$", subprocess.run([program, "--list"], stdout=subprocess.PIPE, text=True).stdout, re.M)
 
 
-def run(seconds, tests):
-    changes, parts, took = json.loads(STATE.read_text()), {}, {}
-    for name, program in binaries(tests).items():
-        slow = slow_tests(program)
-        parts[name] = [program, "--exact", *(word for test in slow for word in ("--skip", test))]
-        if slow:
-            parts[f"{name}, slow"] = [program, "--exact", *slow]
-    for name, command in parts.items():
+def calls(test):
+    """The functions that a test calls, by their first change, and how long it takes; it must pass."""
+    name, program, case = test
+    with tempfile.NamedTemporaryFile("r") as file:
         begin = time.time()
-        subprocess.run(command, cwd=COPY, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=True)
-        took[name] = time.time() - begin
+        if fails(test, {"DQ8_CALLED": file.name}, 600):
+            raise SystemExit(f"{name} {case} fails without a change")
+        return set(map(int, file.read().split())), time.time() - begin
+
+
+def fails(test, variables, seconds):
+    _, program, case = test
+    return subprocess.run([program, "--exact", case], cwd=COPY, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                          env={**os.environ, **variables, "RUST_BACKTRACE": "0"}, timeout=seconds).returncode
+
+
+def run(seconds, names):
+    changes = json.loads(STATE.read_text())
+    tests = [(name, program, case) for name, program in binaries(names).items() for case in tests_of(program)]
     seen, deadline = {}, time.time() + seconds
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        called = dict(zip(tests, pool.map(calls, tests)))
+    print(f"{len(tests)} tests, {sum(took for _, took in called.values()):.0f} s", flush=True)
 
     def try_one(change):
         if "result" in change or time.time() > deadline:
             return
-        worth = lambda name: (seen.get((change["file"], name), 0) + 0.3) / (took[name] + 0.05)
-        for name in sorted(parts, key=lambda name: (name.endswith("slow"), -worth(name))):
-            environment = {**os.environ, "DQ8_MUTANT": str(change["id"]), "PROPTEST_MAX_SHRINK_ITERS": "0", "RUST_BACKTRACE": "0"}
+        able = [test for test in tests if change["first"] in called[test][0]]
+        worth = lambda test: (seen.get((change["file"], test), 0) + 0.3) / (called[test][1] + 0.05)
+        for test in sorted(able, key=worth, reverse=True):
+            variables = {"DQ8_MUTANT": str(change["id"]), "PROPTEST_MAX_SHRINK_ITERS": "0"}
             try:
-                failed = subprocess.run(parts[name], cwd=COPY, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                                        env=environment, timeout=60 + 12 * took[name]).returncode
+                failed = fails(test, variables, 20 + 12 * called[test][1])
             except subprocess.TimeoutExpired:
                 change["result"] = "timeout"
                 return
             if failed:
-                seen[change["file"], name] = seen.get((change["file"], name), 0) + 1
-                change["result"] = name
+                seen[change["file"], test] = seen.get((change["file"], test), 0) + 1
+                change["result"] = f"{test[0]} {test[2]}"
                 return
-        change["result"] = "survived"
-        print(describe(change), flush=True)
+        change["result"] = "survived" if able else "not called"
+        print(change["result"], describe(change), flush=True)
 
     order = random.Random(5).sample(changes, len(changes))
     with ThreadPoolExecutor(os.cpu_count()) as pool:
@@ -205,11 +228,12 @@ def describe(change):
 
 def report():
     tried = [change for change in json.loads(STATE.read_text()) if "result" in change]
-    for result in ("survived", "timeout"):
+    for result in ("survived", "not called", "timeout"):
         for change in (change for change in tried if change["result"] == result):
             print(f"{result}: {describe(change)}")
     count = lambda result: sum(change["result"] == result for change in tried)
-    print(f"{len(tried)} changes tried, {count('survived')} survived, {count('timeout')} took too long to say")
+    print(f"{len(tried)} changes tried, {count('survived')} survived, {count('not called')} are called by no test, "
+          f"{count('timeout')} took too long to say")
 
 
 if __name__ == "__main__":

@@ -10,6 +10,7 @@ mod outcomes;
 mod parallel;
 mod posture;
 mod refused;
+mod units;
 
 use super::random::Numbers;
 use dq8::ik::{Options, Outcome, Report};
