@@ -5,6 +5,7 @@ use dq8::simd;
 use dq8::storage::Block;
 use dq8::{Backend, DualQuat, Line, Plane, Twist};
 use dq8_capi::{geometry, lines, metric, slices, twists};
+use std::slice::from_ref;
 
 macro_rules! agree {
     ($test:ident, $R:ident, $of:ident, $lanes:literal) => {
@@ -27,7 +28,8 @@ macro_rules! agree {
             #[test]
             fn one() {
                 let (a, b) = (motions::<$R>(0.0)[1], motions::<$R>(1.0)[2]);
-                let (pa, pb, six, four) = (numbers(&[a]), numbers(&[b]), six(3), four(4));
+                let (pa, pb, six, four) =
+                    (numbers(from_ref(&a)), numbers(from_ref(&b)), six(3), four(4));
                 let [x, y, z, u, v, w] = six;
                 let twist = Twist::from_array(six);
                 let line = a.transform_line(Line { direction: [x, y, z], moment: [u, v, w] });

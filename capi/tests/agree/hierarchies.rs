@@ -8,6 +8,7 @@ use dq8::{
 };
 use dq8_capi::{hierarchy, packing};
 use std::ptr;
+use std::slice::from_ref;
 
 macro_rules! agree {
     ($test:ident, $R:ident, $of:ident, $lanes:literal) => {
@@ -31,7 +32,8 @@ macro_rules! agree {
                         [x, y, z, w, a, b, c]
                     })
                     .collect();
-                let (p, on, free, n) = (PARENTS.as_ptr(), numbers(&[root]), ptr::null(), COUNT);
+                let (p, on, free, n) =
+                    (PARENTS.as_ptr(), numbers(from_ref(&root)), ptr::null(), COUNT);
                 let (pl, pb, po) = (numbers(&locals), numbers(binds), numbers(&offsets));
                 let job = || skeleton.job::<Motion>().root(root);
                 let none = [Motion::ZERO; COUNT];

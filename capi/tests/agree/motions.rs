@@ -4,6 +4,7 @@ use crate::sample::{COUNT, motions, numbers, rotation, same, vector, wave};
 use dq8::DualQuat;
 use dq8_capi::Status::Ok as Done;
 use dq8_capi::{motion, screw};
+use std::slice::from_ref;
 
 macro_rules! agree {
     ($test:ident, $R:ident, $of:ident) => {
@@ -19,7 +20,7 @@ macro_rules! agree {
                 let v = vector(3, 4.0);
                 let turn = rotation(5, 6.0);
                 let (pa, pb, pv, none) =
-                    (numbers(&[a]), numbers(&[b]), numbers(&v), [Motion::ZERO]);
+                    (numbers(from_ref(&a)), numbers(from_ref(&b)), numbers(&v), [Motion::ZERO]);
                 let (scaled, log, screw) = (a.scale(3.0), a.log(), a.to_screw());
                 let (three, four) = (a.to_matrix3x4(), a.to_matrix4());
                 let axis = screw.axis;
