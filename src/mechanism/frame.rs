@@ -1,7 +1,8 @@
 use core::fmt::Debug;
 
 /// In which axes, and about which point, the columns of a Jacobian are: [`World`], [`Body`] or
-/// [`WorldAligned`]. Columns are [`Twist`](crate::Twist)s, angular first. Sealed.
+/// [`WorldAligned`]. The type of a column says which part comes first: `[R; 6]` and [`Twist`](crate::Twist) have the
+/// angular part first, [`LinearFirst`](crate::storage::LinearFirst) the linear one. Sealed.
 pub trait JacobianFrame: Copy + Debug + sealed::Sealed {
     #[doc(hidden)]
     const FRAME: Frame;

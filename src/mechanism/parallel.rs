@@ -105,4 +105,76 @@ impl Backend {
             self.link_jacobians(frame, mechanism, link, values, poses, columns)
         })
     }
+    /// [`link_velocities`](Self::link_velocities) on all threads of rayon's current pool. Every bit of the
+    /// result is the same.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn par_link_velocities<T, E, C>(
+        self,
+        mechanism: Mechanism<'_, Number<E, 8>>,
+        values: &[T],
+        rates: &[T],
+        poses: &mut [E],
+        twists: &mut [C],
+    ) -> Result<(), ShapeError>
+    where
+        T: JointValues<E::Layout> + Sync,
+        E: Element<8> + Send,
+        C: Element<6, Layout = E::Layout> + Send,
+    {
+        let (links, count) = (mechanism.links(), [mechanism.values, mechanism.rates]);
+        let elements = whole_instances("poses", links, poses.len())?;
+        T::check("values", values.len(), count[0], elements)?;
+        T::check("rates", rates.len(), count[1], elements)?;
+        same_length("twists", twists.len(), poses.len())?;
+        let task = grain(links);
+        let length = (task * links).max(1);
+        let tasks = poses.par_chunks_mut(length).zip(twists.par_chunks_mut(length)).enumerate();
+        tasks.try_for_each(|(i, (poses, twists))| {
+            let values = T::part(values, count[0], i * task, task);
+            let rates = T::part(rates, count[1], i * task, task);
+            self.link_velocities(mechanism, values, rates, poses, twists)
+        })
+    }
+
+    /// [`link_accelerations`](Self::link_accelerations) on all threads of rayon's current pool. Every bit of
+    /// the result is the same.
+    ///
+    /// # Errors
+    /// As there.
+    #[allow(clippy::too_many_arguments, reason = "three slices go in and three come out")]
+    pub fn par_link_accelerations<T, E, C>(
+        self,
+        mechanism: Mechanism<'_, Number<E, 8>>,
+        values: &[T],
+        rates: &[T],
+        second_rates: &[T],
+        poses: &mut [E],
+        twists: &mut [C],
+        accelerations: &mut [C],
+    ) -> Result<(), ShapeError>
+    where
+        T: JointValues<E::Layout> + Sync,
+        E: Element<8> + Send,
+        C: Element<6, Layout = E::Layout> + Send,
+    {
+        let (links, count) = (mechanism.links(), [mechanism.values, mechanism.rates]);
+        let elements = whole_instances("poses", links, poses.len())?;
+        T::check("values", values.len(), count[0], elements)?;
+        T::check("rates", rates.len(), count[1], elements)?;
+        T::check("second_rates", second_rates.len(), count[1], elements)?;
+        same_length("twists", twists.len(), poses.len())?;
+        same_length("accelerations", accelerations.len(), poses.len())?;
+        let task = grain(links);
+        let length = (task * links).max(1);
+        let (poses, twists) = (poses.par_chunks_mut(length), twists.par_chunks_mut(length));
+        let tasks = poses.zip(twists).zip(accelerations.par_chunks_mut(length)).enumerate();
+        tasks.try_for_each(|(i, ((poses, twists), accelerations))| {
+            let values = T::part(values, count[0], i * task, task);
+            let [rates, second] =
+                [rates, second_rates].map(|rates| T::part(rates, count[1], i * task, task));
+            self.link_accelerations(mechanism, values, rates, second, poses, twists, accelerations)
+        })
+    }
 }

@@ -72,11 +72,27 @@ impl VertexFields {
 }
 
 /// Two buffers of vertices.
-struct Interleaved<'s, R> {
-    rest: &'s [R],
-    from: VertexFields,
-    posed: &'s mut [R],
-    to: VertexFields,
+pub(super) struct Interleaved<'s, R> {
+    pub(super) rest: &'s [R],
+    pub(super) from: VertexFields,
+    pub(super) posed: &'s mut [R],
+    pub(super) to: VertexFields,
+}
+
+/// Whether everything fits.
+pub(super) fn check<J: Index, W: Weight, B: Blender<R>, R: Scalar>(
+    skin: &Skin<'_, J, W>,
+    blend: &B,
+    Interleaved { rest, from, posed, to }: &Interleaved<'_, R>,
+) -> Result<(), SkinningError> {
+    let vertices = skin.vertices();
+    blend.check(skin.joint_count(), vertices)?;
+    from.check("rest", rest.len(), vertices)?;
+    to.check("posed", posed.len(), vertices)?;
+    let count = |field: Option<usize>| field.map_or(0, |_| vertices);
+    same_length("posed normals", count(to.normal), count(from.normal))?;
+    same_length("posed tangents", count(to.tangent), count(from.tangent))?;
+    Ok(())
 }
 
 impl<R: Scalar> Mesh<[R; 3]> for Interleaved<'_, R> {
@@ -148,21 +164,8 @@ impl Backend {
         (rest, from): (&[R], VertexFields),
         (posed, to): (&mut [R], VertexFields),
     ) -> Result<(), SkinningError> {
-        let vertices = skin.vertices();
-        blend.check(skin.joint_count(), vertices)?;
-        from.check("rest", rest.len(), vertices)?;
-        to.check("posed", posed.len(), vertices)?;
-        same_length(
-            "posed normals",
-            to.normal.map_or(0, |_| vertices),
-            from.normal.map_or(0, |_| vertices),
-        )?;
-        same_length(
-            "posed tangents",
-            to.tangent.map_or(0, |_| vertices),
-            from.tangent.map_or(0, |_| vertices),
-        )?;
         let mesh = Interleaved { rest, from, posed, to };
+        check(skin, &blend, &mesh)?;
         self.run(Run { skin, blend, first: 0, mesh, layout: PhantomData::<[R; 3]> });
         Ok(())
     }

@@ -2,12 +2,14 @@
 
 use super::SkinningError;
 use super::blender::Blender;
+use super::interleaved::{self, Interleaved, VertexFields};
 use super::mesh::Separate;
 use super::run::{Run, check};
 use super::skin::Skin;
 use super::surface::{Surface, SurfaceMut};
 use super::weight::Weight;
 use crate::dispatch::Backend;
+use crate::real::Scalar;
 use crate::storage::{Element, Layout, Number};
 use alloc::vec::Vec;
 use core::marker::PhantomData;
@@ -41,6 +43,34 @@ impl Backend {
         tasks.into_par_iter().for_each(|(task, (rest, posed))| {
             let mesh = Separate { rest, posed };
             self.run(Run { skin, blend, first: task * GRAIN, mesh, layout: PhantomData });
+        });
+        Ok(())
+    }
+    /// [`skin_interleaved`](Self::skin_interleaved) on all threads of rayon's current pool. Every bit of the result is
+    /// the same.
+    ///
+    /// # Errors
+    /// As there; `posed` is untouched.
+    pub fn par_skin_interleaved<J, W, B, R>(
+        self,
+        skin: &Skin<'_, J, W>,
+        blend: B,
+        (rest, from): (&[R], VertexFields),
+        (posed, to): (&mut [R], VertexFields),
+    ) -> Result<(), SkinningError>
+    where
+        J: Index,
+        W: Weight,
+        B: Blender<R> + Send + Sync,
+        R: Scalar,
+    {
+        interleaved::check(skin, &blend, &Interleaved { rest, from, posed, to })?;
+        let rest = rest.par_chunks(GRAIN * from.stride);
+        let tasks = rest.zip(posed.par_chunks_mut(GRAIN * to.stride)).enumerate();
+        tasks.for_each(|(task, (rest, posed))| {
+            let mesh = Interleaved { rest, from, posed, to };
+            let first = task * GRAIN;
+            self.run(Run { skin, blend, first, mesh, layout: PhantomData::<[R; 3]> });
         });
         Ok(())
     }

@@ -12,6 +12,7 @@
 //! | 3 | a point or a vector | `[R; 3]` | [`PointBlock`] |
 //! | 4 | a rotation, `[x, y, z, w]` | [`Quat<R>`](crate::Quat) | [`RotationBlock`] |
 //! | 6 | a twist, `[ωx, ωy, ωz, vx, vy, vz]` | [`Twist<R>`](crate::Twist) | [`TwistBlock`] |
+//! | 6 | a twist, `[vx, vy, vz, ωx, ωy, ωz]` | [`LinearFirst<R>`](LinearFirst) | |
 //! | 7 | rotation and translation, `[x, y, z, w, tx, ty, tz]` | `[R; 7]` | [`RotationTranslationBlock`] |
 //! | 8 | a motion, `[px, py, pz, pw, qx, qy, qz, qw]` | [`DualQuat<R>`](crate::DualQuat) | [`Block`] |
 //! | 12 | a 3×4 matrix | `[[R; 4]; 3]` | [`MatrixBlock`] |
@@ -41,6 +42,7 @@
 pub(crate) mod aos;
 mod blocks;
 mod element;
+mod linear_first;
 mod packing;
 mod padding;
 mod source;
@@ -52,6 +54,7 @@ pub use blocks::{
     TwistBlock,
 };
 pub use element::{Element, Layout, Number, Register, tiles};
+pub use linear_first::LinearFirst;
 #[cfg(feature = "alloc")]
 pub(crate) use packing::{blocks_for, pack_lanes, unpack_lanes};
 pub use packing::{pack, pack_chain, unpack, unpack_chain};

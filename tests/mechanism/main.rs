@@ -9,3 +9,4 @@ mod parallel;
 mod random;
 mod reach;
 mod single;
+mod twists;

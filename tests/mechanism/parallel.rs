@@ -39,5 +39,26 @@ fn all_cores_give_every_bit_of_what_one_gives() {
         backend.link_jacobians(Body, robot, count - 1, &values, one, columns).unwrap();
         backend.par_link_jacobians(Body, robot, count - 1, &values, all, all_columns).unwrap();
         assert!(one == all && columns == all_columns, "{count}, Jacobians");
+        let rates = vec![0.5; configurations * robot.rates()];
+        let second: Vec<f64> =
+            rates.iter().zip(&values).map(|(rate, value)| rate * value).collect();
+        let mut poses = [(); 2].map(|()| vec![DualQuat::IDENTITY; configurations * count]);
+        let mut twists = [(); 4].map(|()| vec![[0.0; 6]; configurations * count]);
+        let ([one, all], [a, b, c, d]) = (&mut poses, &mut twists);
+        backend.link_velocities(robot, &values, &rates, one, a).unwrap();
+        backend.par_link_velocities(robot, &values, &rates, all, b).unwrap();
+        assert!(one == all && a == b, "{count}, velocities");
+        let second = [&second[..], &rates].concat();
+        let second = &second[..rates.len()];
+        backend.link_accelerations(robot, &values, &rates, second, one, a, c).unwrap();
+        all.fill(DualQuat::IDENTITY);
+        backend.par_link_accelerations(robot, &values, &rates, second, all, b, d).unwrap();
+        assert!(one == all && a == b && c == d, "{count}, accelerations");
+        for (fewer, rates) in [(count, &rates[..]), (0, &rates[1..])] {
+            let (all, b) = (&mut all[fewer..], &mut b[fewer..]);
+            b.fill([7.0; 6]);
+            assert!(backend.par_link_velocities(robot, &values, rates, all, b).is_err());
+            assert!(b.iter().all(|twist| *twist == [7.0; 6]), "{count}, refused");
+        }
     }
 }

@@ -106,3 +106,28 @@ fn fields_that_do_not_fit_are_named_and_nothing_is_written() {
     shape(run(good, VertexFields { normal: None, ..good }, &rest, 60));
     shape(run(VertexFields { tangent: None, ..good }, good, &rest, 60));
 }
+
+#[cfg(feature = "rayon")]
+#[test]
+fn all_cores_give_every_bit_that_one_gives_to_vertices_with_fields() {
+    let vertices = 10_001;
+    let scene = Scene::<f32>::new(vertices, 3);
+    let fields = VertexFields { stride: 7, position: 4, normal: Some(0), tangent: None };
+    let rest = buffer(fields, 5.0, &scene);
+    let posed_fields = VertexFields { stride: 8, position: 1, normal: Some(5), tangent: None };
+    let shares: Vec<f32> = scene.positions.iter().map(|p| p[0] * p[0]).collect();
+    let matrices = scene.matrices();
+    // Its shares belong to vertices, so a task must know which are its own.
+    let blend =
+        Mixed::new(Linear::new(&matrices), DualBlend::new(&scene.motions), &shares).unwrap();
+    let mut posed = [(); 2].map(|()| vec![9.0_f32; 8 * vertices]);
+    let [one, all] = &mut posed;
+    let (skin, best) = (scene.skin(), Backend::best());
+    best.skin_interleaved(&skin, blend, (&rest, fields), (one, posed_fields)).unwrap();
+    best.par_skin_interleaved(&skin, blend, (&rest, fields), (all, posed_fields)).unwrap();
+    assert!(one == all);
+    let before = all.clone();
+    let few = &mut all[8..];
+    assert!(best.par_skin_interleaved(&skin, blend, (&rest, fields), (few, posed_fields)).is_err());
+    assert!(posed[1] == before);
+}

@@ -1,0 +1,75 @@
+//! [`LinearFirst`]: a twist whose linear part comes first in memory.
+
+use super::aos::{self, Aos};
+use super::element::{Element, Register, sealed};
+use super::tile::Tile;
+use crate::geometry::Twist;
+use crate::real::Scalar;
+use bytemuck::{Pod, Zeroable};
+use dq8_simd::{Float, Level};
+
+/// A twist in memory as `[vx, vy, vz, ωx, ωy, ωz]`, the order of pinocchio and of many controllers; `[R; 6]`,
+/// [`Twist`] and [`TwistBlock`](super::TwistBlock)s have the angular part first. It may be any element of six
+/// numbers: a column of a Jacobian, a velocity, an acceleration.
+///
+/// ```
+/// use dq8::mechanism::{Joint, OwnedMechanism, World};
+/// use dq8::{Backend, DualQuat, storage::LinearFirst};
+/// let out = DualQuat::from_translation([2.0_f64, 0.0, 0.0]);
+/// let wheel = OwnedMechanism::new(&[Joint::revolute(None, out, [0.0, 0.0, 1.0])])?;
+/// let (mut poses, mut columns) = ([DualQuat::IDENTITY], [LinearFirst([0.0; 6])]);
+/// Backend::best().link_jacobians(World, wheel.view(), 0, &[0.0], &mut poses, &mut columns)?;
+/// assert_eq!(columns[0], LinearFirst([0.0, -2.0, 0.0, 0.0, 0.0, 1.0]));
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(transparent)]
+pub struct LinearFirst<R>(pub [R; 6]);
+
+/// The two halves, the other first.
+#[cfg_attr(not(opt_level_0), inline(always))]
+const fn other<T: Copy>([a, b, c, d, e, f]: [T; 6]) -> [T; 6] {
+    [d, e, f, a, b, c]
+}
+
+impl<R: Copy> From<Twist<R>> for LinearFirst<R> {
+    fn from(twist: Twist<R>) -> Self {
+        Self(other(twist.to_array()))
+    }
+}
+
+impl<R: Copy> From<LinearFirst<R>> for Twist<R> {
+    fn from(LinearFirst(numbers): LinearFirst<R>) -> Self {
+        Self::from_array(other(numbers))
+    }
+}
+
+impl<R> sealed::Sealed for LinearFirst<R> {}
+impl<R: Scalar> Element<6> for LinearFirst<R> {
+    type Layout = Aos<R>;
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn load<V: Level>(
+        level: V,
+        from: &[Self],
+        tile: Tile,
+        padding: &[R; 6],
+    ) -> Option<[Register<Self, V, 6>; 6]> {
+        let numbers = aos::load(level, bytemuck::must_cast_slice(from), tile, &other(*padding))?;
+        Some(other(numbers))
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn store<V: Level>(components: [<R as Float>::Lanes<V>; 6], to: &mut [Self], tile: Tile) {
+        aos::store(other(components), bytemuck::must_cast_slice_mut(to), tile);
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn get(slice: &[Self], index: usize) -> Option<[R; 6]> {
+        slice.get(index).map(|twist| other(twist.0))
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn set(slice: &mut [Self], index: usize, thing: [R; 6]) {
+        if let Some(slot) = slice.get_mut(index) {
+            *slot = Self(other(thing));
+        }
+    }
+}
