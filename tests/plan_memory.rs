@@ -127,6 +127,7 @@ fn an_order_of_joints_that_there_are_not_is_refused() {
     assert!(BorrowedPlan::of_order(&[[0, root], [1, 0], [2, root]]).is_none());
     // Of roots too, though nothing is computed of them.
     assert!(BorrowedPlan::of_order(&[[0, root], [9, root], [1, 0]]).is_none());
+    assert!(BorrowedPlan::of_order(&[[0, root], [3, root], [1, 0]]).is_none());
 }
 
 #[test]

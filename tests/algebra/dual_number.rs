@@ -1,7 +1,7 @@
 //! Dual numbers and their functions.
 
 use super::{Sides, chunks, column, see};
-use dq8::DualNumber;
+use dq8::{Dual, DualNumber};
 use dq8_contract::case::Case;
 use dq8_contract::implementation::{Visitor, visit_implementations};
 use dq8_contract::ledger::{Ledger, Line, line};
@@ -94,4 +94,13 @@ fn hold<M: Sample>(ledger: &Ledger, on: &str, cases: &[Case]) {
 #[test]
 fn dual_numbers_of_every_implementation_keep_the_laws() {
     Ledger::keep("dual numbers", LAWS, |ledger| visit_implementations(&mut Laws(ledger)));
+}
+
+#[test]
+fn what_has_no_inverse_is_an_error() {
+    for real in [0.0_f64, -0.0, f64::INFINITY, f64::NEG_INFINITY, f64::NAN] {
+        let error = Dual::new(real, 1.0).inverse().unwrap_err();
+        assert!(error.real_norm == real.abs() || real.is_nan() && error.real_norm.is_nan());
+    }
+    assert_eq!(Dual::new(-4.0, 2.0).inverse(), Ok(Dual::new(-0.25, -0.125)));
 }

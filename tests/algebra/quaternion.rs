@@ -1,7 +1,7 @@
 //! Quaternions, unit and of any length.
 
 use super::{Sides, chunks, column, see};
-use dq8::Quaternion;
+use dq8::{DualQuat, Quat, Quaternion};
 use dq8_contract::case::Case;
 use dq8_contract::implementation::{Visitor, visit_implementations};
 use dq8_contract::ledger::{Ledger, Line, line};
@@ -188,4 +188,34 @@ impl Visitor for NoLength {
 #[test]
 fn what_has_no_length_has_no_unit_on_any_implementation() {
     visit_implementations(&mut NoLength);
+}
+
+#[test]
+fn differences_count_in_both_directions() {
+    let [one, two] = [1.0_f32, 2.0].map(|w| Quat::from_xyzw(0.0, 0.0, 0.0, w));
+    assert!(one.abs_diff_eq(two, 1.0) && two.abs_diff_eq(one, 1.0));
+    assert!(!one.abs_diff_eq(two, 0.9) && !two.abs_diff_eq(one, 0.9));
+    let [near, far] = [1.0_f32, 2.0].map(|x| DualQuat::from_translation([x, 0.0, 0.0]));
+    assert!(near.abs_diff_eq(far, 0.5) && far.abs_diff_eq(near, 0.5));
+    assert!(!near.abs_diff_eq(far, 0.4) && !far.abs_diff_eq(near, 0.4));
+}
+
+/// ||p| − 1| ≤ tolerance and |p·q| ≤ tolerance·max(1, |q|).
+#[test]
+fn unit_is_judged_by_the_larger_of_one_and_the_dual_part() {
+    let motion = |w, x, along| DualQuat::from_array([0.0_f32, 0.0, 0.0, w, x, 0.0, 0.0, along]);
+    for (w, x, along, is_unit) in [
+        (1.0, 0.0, 1e-3, true),
+        (1.0, 0.0, -1e-3, true),
+        (1.0, 0.0, 3e-3, false),
+        (1.0, 0.0, -3e-3, false),
+        (1.0, 100.0, 0.1, true),
+        (1.0, 100.0, 0.3, false),
+        (1.001, 0.0, 0.0, true),
+        (0.999, 0.0, 0.0, true),
+        (1.003, 0.0, 0.0, false),
+        (0.997, 0.0, 0.0, false),
+    ] {
+        assert_eq!(motion(w, x, along).is_unit(2e-3), is_unit, "{w} {x} {along}");
+    }
 }

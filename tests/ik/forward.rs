@@ -142,6 +142,10 @@ fn a_screw_reaches_as_far_as_its_pitch_takes_it() {
     let arm = Arm::new([joint], DualQuat::IDENTITY).unwrap();
     assert_eq!(arm.reach_bound(), ([0.0; 3], 4.0));
     assert_eq!(arm.forward(&[8.0]).translation(), [0.0, 0.0, 4.0]);
+    let left_handed = Joint { screw: Twist { linear: [0.0, 0.0, -0.5], ..screw }, ..joint };
+    let arm = Arm::new([left_handed], DualQuat::IDENTITY).unwrap();
+    assert_eq!(arm.reach_bound(), ([0.0; 3], 4.0));
+    assert_eq!(arm.forward(&[8.0]).translation(), [0.0, 0.0, -4.0]);
     let endless = Joint { limits: [0.0, f64::INFINITY], ..joint };
     let error = Arm::new([endless], DualQuat::IDENTITY).unwrap_err();
     assert_eq!(error, ArmError::Limits { joint: 0, low: 0.0, high: f64::INFINITY });

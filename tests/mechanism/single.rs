@@ -304,3 +304,21 @@ fn an_arm_is_where_inverse_kinematics_has_it() {
         assert!(pose.distance_to(arm.forward(&angles)) < 1e-14);
     }
 }
+
+#[test]
+fn the_axes_of_a_plane_are_those_of_the_frame_turned_the_shortest_way() {
+    let [x, y, z] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0_f64]];
+    let minus = |axis: [f64; 3]| axis.map(|c| 0.0 - c);
+    // The normal, and where x and y go: half a turn about x for −z.
+    for (normal, to_x, to_y) in
+        [(z, x, y), (minus(z), x, minus(y)), (x, minus(z), y), (y, x, minus(z))]
+    {
+        let kind = JointKind::Planar { normal };
+        let owned = mechanism::<f64>(&[Joint::new(None, DualQuat::IDENTITY, kind)]);
+        for (values, wanted) in [([1.0, 0.0, 0.0], to_x), ([0.0, 1.0, 0.0], to_y)] {
+            let found = owned.view().link_pose(&values, 0).unwrap().translation();
+            let off = (0..3).map(|i| (found[i] - wanted[i]).abs()).fold(0.0, f64::max);
+            assert!(off < 1e-15, "{normal:?}: {found:?} for {wanted:?}");
+        }
+    }
+}

@@ -36,6 +36,12 @@ fn crane() -> Vec<Joint<f64>> {
     kinds.into_iter().zip(placements).enumerate().map(joint).collect()
 }
 
+/// The same, sliding as far as it likes.
+fn endless() -> Vec<Joint<f64>> {
+    let slide = |joint| if is_slide(&joint) { Joint { limits: None, ..joint } } else { joint };
+    crane().into_iter().map(slide).collect()
+}
+
 /// A motion with its lengths in a unit that is 1/`scale` as long.
 fn motion(pose: DualQuat<f64>, scale: f64) -> DualQuat<f64> {
     let [a, b, c, d, e, f, g, h] = pose.to_array();
@@ -66,18 +72,19 @@ fn rescaled(joints: &[Joint<f64>], scale: f64) -> OwnedMechanism<f64> {
 /// to the same values, or something in it is measured against a length of its own.
 #[test]
 fn a_search_takes_the_same_steps_whatever_the_unit_of_length_is() {
-    let scenes: [(Vec<Joint<f64>>, Option<f64>); 4] = [
+    let scenes: [(Vec<Joint<f64>>, Option<f64>); 5] = [
         (seven(), None),
         (planar(&[0.5, 0.4, 0.3]), None),
         (crane(), None),
         (crane(), Some(0.125)),
+        (endless(), None),
     ];
     for (joints, length_per_radian) in scenes {
         let mut numbers = Numbers::new(5);
         let link = joints.len() - 1;
         let goals = [Goal::pose(link)];
         let own = mechanism::<f64>(&joints);
-        let count = 10;
+        let count = 6;
         let starts: Vec<_> = (0..count).flat_map(|_| draw(&mut numbers, &joints)).collect();
         let targets: Vec<_> = (0..count)
             .map(|_| own.view().link_pose(&draw(&mut numbers, &joints), link).expect("a link"))
