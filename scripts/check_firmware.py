@@ -21,7 +21,8 @@ FIRMWARE = Path(__file__).resolve().parent.parent / "tests/firmware"
 SIZES, KERNELS = FIRMWARE / "sizes.txt", FIRMWARE / "kernels/src"
 GROWTH = 1.05
 # Which functions, by the beginning of their names: see tests/firmware/kernels.
-GROUPS = {"forward": ("forward_",), "core": ("forward_", "core_"), "all": ("forward_", "core_", "more_")}
+GROUPS = {"forward": ("forward_",), "core": ("forward_", "core_"), "all": ("forward_", "core_", "more_"),
+          "robot": ("robot_",)}
 EMULATION = {
     "thumbv7em-none-eabihf": "armelf",
     "aarch64-unknown-none": "aarch64elf",

@@ -28,7 +28,7 @@
 //! |---|---|
 //! | [`Motion`] | **the conventions, stated once**, and the laws; the trait of both implementations |
 //! | [`Quaternion`], [`DualNumber`] | the same for what motions are made of |
-//! | [`DualQuat`], [`Quat`], [`Dual`] | the scalar reference, with formula, source and example at every operation |
+//! | [`DualQuat`], [`Quat`], [`Dual`] | the scalar reference, in textbook form |
 //! | [`batch`] | the same names on lanes |
 //! | [`Real`] | what the reference computes with: floats, dual numbers (which differentiate it), your own |
 //! | [`representation`] | Euler angles, rotation and translation, polar decomposition, affine maps |
@@ -37,7 +37,7 @@
 //! | [`Twist`], [`geometry::Wrench`] | velocities and forces: derivatives, adjoints and Jacobians of motions and joints |
 //! | [`Hierarchy`], [`Job`], [`Crowd`] | joint hierarchies, one instance or many |
 //! | [`Skeleton`] | a hierarchy that owns its parents, of any order and type |
-//! | [`hierarchy::HierarchyPlan`], [`Backend::chain_products`] | one instance: a skeleton or a long chain |
+//! | [`hierarchy::HierarchyPlan`], [`hierarchy::BorrowedPlan`], [`Backend::chain_products`] | one instance: a skeleton or a long chain |
 //! | [`ik`] | inverse kinematics: two bones, and arms of any number of joints |
 //! | [`mechanism`] | robots: from joint values to poses of links, Jacobians and velocities, one or many configurations |
 //! | [`skinning`] | meshes that follow joints: linear and dual quaternion blends |

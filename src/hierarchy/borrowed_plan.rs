@@ -15,6 +15,9 @@ use dq8_simd::{CheckedSchedule, Lanes, Level};
 /// joints: ordered 4.9, 5.6, 6.0; in segments 6.7, 5.3, 4.7. Without AVX2 segments never win.)
 const MIN_CHAIN: usize = 24;
 
+/// Whether chains are cut into segments at all: without AVX2 that never wins, and firmware counts the bytes.
+pub(super) const SEGMENTS: bool = cfg!(target_arch = "x86_64");
+
 /// The order in which to compute one instance of a hierarchy, in memory of the caller's: what
 /// `HierarchyPlan` is, without the feature `alloc`.
 ///
@@ -133,9 +136,20 @@ impl<'a> BorrowedPlan<'a> {
         locals: Source<'_, DualQuat<R>>,
         models: &mut [DualQuat<R>],
     ) {
-        if let Some(order) = self.order {
-            return backend.run(Walk { order, locals, models });
+        match self.order {
+            Some(order) => backend.run(Walk { order, locals, models }),
+            None if SEGMENTS => self.scan(backend, locals, models),
+            None => {}
         }
+    }
+
+    /// A chain in segments, instance by instance.
+    fn scan<R: Scalar>(
+        &self,
+        backend: Backend,
+        locals: Source<'_, DualQuat<R>>,
+        models: &mut [DualQuat<R>],
+    ) {
         // A chain of no joints has no instances either.
         let joints = self.joints.max(1);
         for (instance, models) in models.chunks_exact_mut(joints).enumerate() {
@@ -159,7 +173,7 @@ pub(super) fn split_roots(order: &[[u32; 2]]) -> (&[[u32; 2]], &[[u32; 2]]) {
 
 /// Whether every joint hangs from the one before it, and the chain is so long that segments are faster.
 pub(super) fn is_long_chain(order: &[[u32; 2]]) -> bool {
-    order.len() >= MIN_CHAIN && is_chain(order) && Backend::best() != Backend::PORTABLE
+    SEGMENTS && order.len() >= MIN_CHAIN && is_chain(order) && Backend::best() != Backend::PORTABLE
 }
 
 /// Whether every joint hangs from the one before it. The mark of the root is what comes before 0.

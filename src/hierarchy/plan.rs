@@ -1,7 +1,7 @@
 //! [`HierarchyPlan`]: how to compute one instance, found once and owned.
 
 use super::Hierarchy;
-use super::borrowed_plan::{BorrowedPlan, Order, is_chain, is_long_chain, split_roots};
+use super::borrowed_plan::{BorrowedPlan, Order, SEGMENTS, is_chain, is_long_chain, split_roots};
 use super::schedule::{PlanScratch, schedule};
 use crate::dispatch::Backend;
 use crate::real::Scalar;
@@ -73,13 +73,13 @@ impl HierarchyPlan {
     }
 
     /// The plan with this strategy: to measure it. `None` if the strategy needs a chain and the
-    /// hierarchy is not one.
+    /// hierarchy is not one, or the target never has lanes for its segments.
     #[must_use]
     pub fn with_strategy(hierarchy: &Hierarchy<'_>, strategy: Strategy) -> Option<Self> {
         let order = order(hierarchy);
         match strategy {
             Strategy::Ordered => Some(Self::ordered(&order)),
-            Strategy::Chain => is_chain(&order).then(|| Self::in_segments(hierarchy)),
+            Strategy::Chain => (SEGMENTS && is_chain(&order)).then(|| Self::in_segments(hierarchy)),
         }
     }
 

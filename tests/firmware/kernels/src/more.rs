@@ -3,7 +3,7 @@
 use dq8::{
     Backend, Block, DualQuat, Hierarchy, Line, Plane, Quat, Twist,
     geometry::{DualVector, Screw, Wrench},
-    hierarchy::{Poses, Rotations},
+    hierarchy::{BorrowedPlan, PlanScratch, Poses, Rotations},
 };
 
 type Motion = DualQuat<f32>;
@@ -141,4 +141,17 @@ fn more_points_each(motions: &[Motion], points: &[[f32; 3]], moved: &mut [[f32; 
 #[unsafe(no_mangle)]
 fn more_screws(a: &[Motion], b: &[Motion], t: &[f32], between: &mut [Motion]) -> bool {
     Backend::best().sclerp_each(a, b, t, between).is_ok()
+}
+
+#[unsafe(no_mangle)]
+fn more_plan(
+    parents: &[u32],
+    order: &mut [[u32; 2]],
+    scratch: &mut [PlanScratch],
+    poses: &mut [Motion],
+) -> bool {
+    Hierarchy::new(parents).is_ok_and(|h| {
+        BorrowedPlan::new(&h, order, scratch)
+            .is_ok_and(|plan| plan.local_to_model_in_place(poses).is_ok())
+    })
 }
