@@ -18,6 +18,7 @@ pub enum MatrixOrder {
 /// 0 0 0 1 (16); one thing or a block of them, as the models are. Sealed, like [`Element`].
 pub trait PaletteEntry<const C: usize>: Element<C> {
     /// The numbers of a unit motion in this form.
+    #[doc(hidden)]
     #[must_use]
     fn of<L: Lanes>(motion: batch::DualQuat<L>, order: MatrixOrder) -> [L; C];
 }

@@ -17,14 +17,18 @@ pub trait PoseSource<M: Layout, const C: usize>: Copy + Sealed {
     ///
     /// # Errors
     /// If they do not fit a skeleton of so many joints, or each other.
+    #[doc(hidden)]
     fn shape(&self, joints: usize) -> Result<(&'static str, usize), ShapeError>;
     /// How many instances there are, where that is known: blocks may have lanes without one.
+    #[doc(hidden)]
     fn instances(&self) -> Option<usize> {
         None
     }
     /// The poses of a slot.
+    #[doc(hidden)]
     fn pose<V: Level>(self, level: V, slot: JointSlot) -> Option<[M::Register<V>; C]>;
     /// The poses of some of the instances (blocks).
+    #[doc(hidden)]
     #[must_use]
     fn some(self, joints: usize, instances: Range<usize>) -> Self;
 }

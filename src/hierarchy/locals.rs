@@ -17,12 +17,15 @@ pub trait Locals<E: Element<8>>: Copy + sealed::Sealed {
     ///
     /// # Errors
     /// If what is the same for all instances, such as the offsets, is not as long as there are joints.
+    #[doc(hidden)]
     fn shape(&self, joints: usize, models: usize) -> Result<(&'static str, usize), ShapeError>;
 
     /// The locals of a slot; `models` are those of its instances, as far as they are known.
+    #[doc(hidden)]
     fn load<V: Level>(self, level: V, models: &[E], slot: JointSlot) -> Option<Motions<E, V>>;
 
     /// parent · local
+    #[doc(hidden)]
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn onto<V: Level>(
         self,
@@ -35,11 +38,13 @@ pub trait Locals<E: Element<8>>: Copy + sealed::Sealed {
     }
 
     /// Where they lie, if they are motions in memory, to be read number by number.
+    #[doc(hidden)]
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn motions(&self) -> Option<Source<'_, E>> {
         None
     }
     /// The locals of some of the instances (blocks).
+    #[doc(hidden)]
     #[must_use]
     fn part(self, joints: usize, instances: Range<usize>) -> Self;
 }

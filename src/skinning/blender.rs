@@ -8,27 +8,34 @@ use dq8_simd::picks::Index;
 /// what the sum does to a surface. Sealed: only this crate can name what its methods take.
 pub trait Blender<R: Scalar>: Copy {
     /// What is summed.
+    #[doc(hidden)]
     type Sum<L: Lanes<Real = R>>;
     /// What the sum does.
+    #[doc(hidden)]
     type Map<L: Lanes<Real = R>>: SurfaceMap<L>;
 
     /// Whether it gains from AVX-512.
+    #[doc(hidden)]
     const WIDE: bool;
 
     /// Whether palettes have `joints` entries, and what is per vertex fits `vertices`.
     ///
     /// # Errors
     /// If not.
+    #[doc(hidden)]
     fn check(&self, joints: usize, vertices: usize) -> Result<(), ShapeError>;
     /// The sum of a group of influences. `None` where an index is out of range, which has been checked.
+    #[doc(hidden)]
     fn sum<L: Lanes<Real = R>, J: Index>(
         &self,
         level: L::Level,
         scratch: &mut Scratch<'_, R, J>,
     ) -> Option<Self::Sum<L>>;
     /// The sum of two groups.
+    #[doc(hidden)]
     fn join<L: Lanes<Real = R>>(&self, a: Self::Sum<L>, b: Self::Sum<L>) -> Self::Sum<L>;
     /// The map of the vertices from `first` on.
+    #[doc(hidden)]
     fn map<L: Lanes<Real = R>>(
         &self,
         level: L::Level,
