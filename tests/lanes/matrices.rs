@@ -180,3 +180,22 @@ fn checked_matrices<L: Provable>() {
 fn a_matrix_that_is_no_motion_is_a_lane_of_nan_and_a_mask() {
     on_every_lane_type!(checked_matrices);
 }
+
+/// A matrix that squeezes space onto a line is one column times one row, and rounding leaves a little more.
+fn squeezed<L: Provable>() {
+    for i in 0..100 {
+        let at = |k: f64| (f64::from(i) + 1.0) * k;
+        let (column, row_of) = ([at(1.1), at(1.7), at(2.3)], [at(0.7), at(2.9), at(3.7)]);
+        let rows = column.map(|a| row_of.map(|b| L::Real::from_f64(a.sin() * b.cos())));
+        let (_, ambiguous) = batch::Polar::from_matrix3_checked(
+            rows.map(|row| row.map(|c| lanes::<L>(&[c.into()]))),
+        );
+        assert!(holds(ambiguous, 0), "{rows:?}");
+        assert!(Polar::try_from_matrix3(rows).is_err(), "{rows:?}");
+    }
+}
+
+#[test]
+fn a_matrix_that_squeezes_space_onto_a_line_has_no_polar_decomposition() {
+    on_every_lane_type!(squeezed);
+}
