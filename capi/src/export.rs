@@ -116,3 +116,25 @@ macro_rules! export_skin {
         }
     };
 }
+
+/// The generic function, plain or in blocks, that a kernel over slices is in C: two arrays, of so many numbers per element,
+/// make a third one.
+macro_rules! from_two {
+    ($name:ident: $a:literal, $b:literal -> $c:literal by $kernel:ident $(, $number:ident)?) => {
+        /// # Safety
+        /// As for [`two_to`](crate::memory::two_to).
+        unsafe fn $name<L: Layout>(
+            a: *const L::Real,
+            b: *const L::Real,
+            $($number: L::Real,)?
+            out: *mut L::Real,
+            count: usize,
+        ) -> Done {
+            let run = |a: &[L::Record<$a>], b: &[L::Record<$b>], to: &mut [L::Record<$c>]| {
+                dq8::Backend::best().$kernel(a, b, $($number,)? to)
+            };
+            // SAFETY: promised.
+            unsafe { crate::memory::two_to(a, b, out, count, run) }
+        }
+    };
+}

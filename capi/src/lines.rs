@@ -1,39 +1,10 @@
 //! Lines and planes, each moved by its own motion, plain or in blocks.
 
-use crate::memory::two_to;
 use crate::status::{Done, Status};
-use dq8::Backend;
 use dq8::storage::{AoSoA, Aos, Layout};
 
-/// # Safety
-/// As for [`two_to`].
-unsafe fn lines_each<L: Layout>(
-    motions: *const L::Real,
-    lines: *const L::Real,
-    out: *mut L::Real,
-    count: usize,
-) -> Done {
-    let run = |motions: &[L::Record<8>], from: &[L::Record<6>], to: &mut [_]| {
-        Backend::best().transform_lines_each(motions, from, to)
-    };
-    // SAFETY: promised.
-    unsafe { two_to(motions, lines, out, count, run) }
-}
-
-/// # Safety
-/// As for [`two_to`].
-unsafe fn planes_each<L: Layout>(
-    motions: *const L::Real,
-    planes: *const L::Real,
-    out: *mut L::Real,
-    count: usize,
-) -> Done {
-    let run = |motions: &[L::Record<8>], from: &[L::Record<4>], to: &mut [_]| {
-        Backend::best().transform_planes_each(motions, from, to)
-    };
-    // SAFETY: promised.
-    unsafe { two_to(motions, planes, out, count, run) }
-}
+from_two! { lines_each: 8, 6 -> 6 by transform_lines_each }
+from_two! { planes_each: 8, 4 -> 4 by transform_planes_each }
 
 macro_rules! functions {
     ($R:ident $lanes:tt) => {

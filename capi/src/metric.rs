@@ -1,39 +1,10 @@
 //! How far motions are from each other, in arrays, plain or in blocks.
 
-use crate::memory::two_to;
 use crate::status::{Done, Status};
-use dq8::Backend;
 use dq8::storage::{AoSoA, Aos, Layout};
 
-/// # Safety
-/// As for [`two_to`].
-unsafe fn angles<L: Layout>(
-    a: *const L::Real,
-    b: *const L::Real,
-    out: *mut L::Real,
-    count: usize,
-) -> Done {
-    let run = |a: &[L::Record<8>], b: &[L::Record<8>], to: &mut [L::Record<1>]| {
-        Backend::best().angles(a, b, to)
-    };
-    // SAFETY: promised.
-    unsafe { two_to(a, b, out, count, run) }
-}
-
-/// # Safety
-/// As for [`two_to`].
-unsafe fn distances<L: Layout>(
-    a: *const L::Real,
-    b: *const L::Real,
-    out: *mut L::Real,
-    count: usize,
-) -> Done {
-    let run = |a: &[L::Record<8>], b: &[L::Record<8>], to: &mut [L::Record<1>]| {
-        Backend::best().distances(a, b, to)
-    };
-    // SAFETY: promised.
-    unsafe { two_to(a, b, out, count, run) }
-}
+from_two! { angles: 8, 8 -> 1 by angles }
+from_two! { distances: 8, 8 -> 1 by distances }
 
 macro_rules! functions {
     ($R:ident $lanes:tt) => {

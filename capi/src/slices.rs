@@ -80,20 +80,7 @@ unsafe fn conjugate<L: Layout>(motions: *const L::Real, out: *mut L::Real, count
     unsafe { from_to(motions, out, count, |from, to| best.conjugate(from, to), in_place) }
 }
 
-/// # Safety
-/// As for [`two_to`].
-unsafe fn nlerp<L: Layout>(
-    a: *const L::Real,
-    b: *const L::Real,
-    t: L::Real,
-    out: *mut L::Real,
-    count: usize,
-) -> Done {
-    let run =
-        |a: &[L::Record<8>], b: &[L::Record<8>], to: &mut [_]| Backend::best().nlerp(a, b, t, to);
-    // SAFETY: promised.
-    unsafe { two_to(a, b, out, count, run) }
-}
+from_two! { nlerp: 8, 8 -> 8 by nlerp, t }
 
 /// # Safety
 /// As for [`two_to`], `t` as `a`.
@@ -115,20 +102,7 @@ unsafe fn nlerp_each<L: Layout>(
     unsafe { two_to(a, b, out, count, run) }
 }
 
-/// # Safety
-/// As for [`two_to`].
-unsafe fn sclerp<L: Layout>(
-    a: *const L::Real,
-    b: *const L::Real,
-    t: L::Real,
-    out: *mut L::Real,
-    count: usize,
-) -> Done {
-    let run =
-        |a: &[L::Record<8>], b: &[L::Record<8>], to: &mut [_]| Backend::best().sclerp(a, b, t, to);
-    // SAFETY: promised.
-    unsafe { two_to(a, b, out, count, run) }
-}
+from_two! { sclerp: 8, 8 -> 8 by sclerp, t }
 
 /// # Safety
 /// As for [`two_to`], `t` as `a`.
@@ -190,35 +164,8 @@ unsafe fn vectors<L: Layout>(
     unsafe { from_to(vectors, out, count, apart, in_place) }
 }
 
-/// # Safety
-/// As for [`two_to`].
-unsafe fn points_each<L: Layout>(
-    motions: *const L::Real,
-    points: *const L::Real,
-    out: *mut L::Real,
-    count: usize,
-) -> Done {
-    let run = |motions: &[L::Record<8>], from: &[L::Record<3>], to: &mut [_]| {
-        Backend::best().transform_points_each(motions, from, to)
-    };
-    // SAFETY: promised.
-    unsafe { two_to(motions, points, out, count, run) }
-}
-
-/// # Safety
-/// As for [`two_to`].
-unsafe fn vectors_each<L: Layout>(
-    motions: *const L::Real,
-    vectors: *const L::Real,
-    out: *mut L::Real,
-    count: usize,
-) -> Done {
-    let run = |motions: &[L::Record<8>], from: &[L::Record<3>], to: &mut [_]| {
-        Backend::best().transform_vectors_each(motions, from, to)
-    };
-    // SAFETY: promised.
-    unsafe { two_to(motions, vectors, out, count, run) }
-}
+from_two! { points_each: 8, 3 -> 3 by transform_points_each }
+from_two! { vectors_each: 8, 3 -> 3 by transform_vectors_each }
 
 /// # Safety
 /// As for [`one_to`].

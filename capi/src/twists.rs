@@ -1,40 +1,12 @@
 //! Twists, logarithms and powers of motions in arrays, plain or in blocks.
 
-use crate::memory::{one_to, two_to};
+use crate::memory::one_to;
 use crate::status::{Done, Status};
 use dq8::Backend;
 use dq8::storage::{AoSoA, Aos, Layout};
 
-/// # Safety
-/// As for [`two_to`].
-unsafe fn twists_each<L: Layout>(
-    motions: *const L::Real,
-    twists: *const L::Real,
-    out: *mut L::Real,
-    count: usize,
-) -> Done {
-    let run = |motions: &[L::Record<8>], from: &[L::Record<6>], to: &mut [_]| {
-        Backend::best().transform_twists_each(motions, from, to)
-    };
-    // SAFETY: promised.
-    unsafe { two_to(motions, twists, out, count, run) }
-}
-
-/// # Safety
-/// As for [`two_to`].
-unsafe fn integrate_body<L: Layout>(
-    motions: *const L::Real,
-    twists: *const L::Real,
-    dt: L::Real,
-    out: *mut L::Real,
-    count: usize,
-) -> Done {
-    let run = |motions: &[L::Record<8>], twists: &[L::Record<6>], to: &mut [_]| {
-        Backend::best().integrate_body(motions, twists, dt, to)
-    };
-    // SAFETY: promised.
-    unsafe { two_to(motions, twists, out, count, run) }
-}
+from_two! { twists_each: 8, 6 -> 6 by transform_twists_each }
+from_two! { integrate_body: 8, 6 -> 8 by integrate_body, dt }
 
 /// # Safety
 /// As for [`one_to`].
@@ -52,20 +24,7 @@ unsafe fn exp<L: Layout>(logs: *const L::Real, out: *mut L::Real, count: usize) 
     unsafe { one_to(logs, out, count, run) }
 }
 
-/// # Safety
-/// As for [`two_to`].
-unsafe fn pow_each<L: Layout>(
-    motions: *const L::Real,
-    t: *const L::Real,
-    out: *mut L::Real,
-    count: usize,
-) -> Done {
-    let run = |motions: &[L::Record<8>], t: &[L::Record<1>], to: &mut [_]| {
-        Backend::best().pow_each(motions, t, to)
-    };
-    // SAFETY: promised.
-    unsafe { two_to(motions, t, out, count, run) }
-}
+from_two! { pow_each: 8, 1 -> 8 by pow_each }
 
 macro_rules! functions {
     ($R:ident $lanes:tt) => {
