@@ -67,3 +67,42 @@ fn euler_angles_of_what_is_no_number_are_none_on_lanes() {
     let nan = batch::Quat::from_array([f64::NAN, 0.0, 0.0, 1.0]).to_euler(EulerOrder::ALL[0]);
     assert!(nan.angles.angles.iter().all(|angle| angle.is_nan()) && !nan.gimbal_lock);
 }
+
+/// Zeros have signs, and the arctangent of a negative one may be −π instead of π.
+fn signs_do_not_matter<L: Provable>() {
+    let turns = [0.0, 1.0, -1.0];
+    let units = (0..4).flat_map(|at| turns[1..].iter().map(move |&sign| (at, sign)));
+    let halves = units.map(|(at, sign)| std::array::from_fn(|i| if i == at { sign } else { 0.0 }));
+    let quarters = (0..3).flat_map(|at| {
+        turns[1..].iter().map(move |&sign| {
+            let side = std::f64::consts::FRAC_1_SQRT_2;
+            std::array::from_fn(|i| {
+                if i == at {
+                    sign * side
+                } else if i == 3 {
+                    side
+                } else {
+                    0.0
+                }
+            })
+        })
+    });
+    let quats: Vec<[f64; 4]> = halves.chain(quarters).collect();
+    for order in EulerOrder::ALL {
+        for quat in &quats {
+            let quat = quat.map(|c| columns::<L, _, 1>(&[c], |&c| [c])[0]);
+            let [one, other] = [quat, quat.map(|c| -c)]
+                .map(|quat| row(batch::Quat::from_array(quat).to_euler(order).angles.angles, 0));
+            assert_eq!(
+                one.map(f64::to_bits),
+                other.map(f64::to_bits),
+                "{order:?} {one:?} {other:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_quaternion_and_its_negative_have_the_same_euler_angles() {
+    on_every_lane_type!(signs_do_not_matter);
+}

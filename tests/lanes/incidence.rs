@@ -185,7 +185,9 @@ fn cases() -> Vec<Case> {
     for (u, v) in
         [(x, y), (x, nearly_y), (x, x), (x, [-2.0, 0.0, 0.0]), (x, none), (none, y), (none, none)]
     {
-        for (p, q) in [(p, q), (p, p), (p, [5.0, -1.0, 2.0]), (none, none), (none, x)] {
+        // Far from the origin and near each other, among them.
+        let near = ([0.0, 10.0, 0.0], [0.0, 10.5, 0.0]);
+        for (p, q) in [(p, q), (p, p), (p, [5.0, -1.0, 2.0]), (none, none), (none, x), near] {
             for tolerance in [0.0, 1e-3, 100.0] {
                 cases.push(Case { p, u, q, v, tolerance });
             }
