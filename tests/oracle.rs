@@ -7,10 +7,11 @@ use dq8_contract::ledger::{Ledger, Line};
 use dq8_contract::vectors::{self, Vector, known};
 
 /// Each file and its rows.
-fn files() -> [(&'static str, Vec<Vector>); 2] {
+fn files() -> [(&'static str, Vec<Vector>); 3] {
     [
         ("reference.jsonl", include_str!("vectors/reference.jsonl")),
         ("more.jsonl", include_str!("vectors/more.jsonl")),
+        ("geometry.jsonl", include_str!("vectors/geometry.jsonl")),
     ]
     .map(|(file, text)| (file, vectors::parse(text).expect("the vectors can be read")))
 }
