@@ -5,7 +5,8 @@
     python3 scripts/make_vectors.py          # writes the files (two minutes of one core)
     python3 scripts/make_vectors.py --check  # derives them again, exit 1 if a committed file differs
 
-more.jsonl is of motions; geometry.jsonl is of everything else: lines, planes, rotations in other forms, maps.
+more.jsonl is of motions; geometry.jsonl is of everything else: lines, planes, quaternions and other
+forms of rotations, maps, dual numbers, twists.
 
 The truth shares definitions with the crate, not methods. A quaternion is the 2×2 matrix w − i(xX + yY + zZ) with
 Pauli's X, Y, Z, and σ = p + εq is the 4×4 matrix [p q; 0 p]. Products, inverses, square roots, logarithms and exponentials are those of
@@ -16,7 +17,8 @@ One JSON object a line: op, kind, inputs by name, and the answer as text with 20
 Inputs are exactly binary32 numbers, so that f32 and f64 start from the same. Only `rows` of rigid matrices, the axis
 `l`, `m` of from_screw, the `derivative` of velocity and the motions `s` of dib are text with 20 digits, which each type
 rounds: rigid ones are no binary32 numbers. A quaternion is [w,x,y,z], a pose that and a translation, a line [l,m], a plane [n,d];
-`order` is a place in EulerOrder::ALL.
+a dual
+number [a,b]; `order` is a place in EulerOrder::ALL.
 In more.jsonl the answers of add, sub, scale, scale_dual, dot, canonical and mul_rotation_translation are those of the inputs as they
 stand; all others of the inputs normalized exactly, but for `derivative`, which is taken as it stands. In
 geometry.jsonl quaternions, motions and poses are normalized exactly where the operation wants unit ones; lines and planes are
@@ -30,13 +32,16 @@ from pathlib import Path
 
 from mpmath import mp, mpf
 
-from vectors import blends, distances, incidence, maps, motions, rotations, velocities
+from vectors import blends, distances, duals, incidence, maps, motions, quaternions, rotations, screws, velocities
 from vectors.inputs import rng
 
 FOLDER = Path(__file__).resolve().parent.parent / "tests/vectors"
 FILES = {
     "more.jsonl": {**motions.OPERATIONS, **distances.OPERATIONS, **velocities.OPERATIONS, **blends.OPERATIONS},
-    "geometry.jsonl": {**incidence.OPERATIONS, **rotations.OPERATIONS, **maps.OPERATIONS},
+    "geometry.jsonl": {
+        **incidence.OPERATIONS, **rotations.OPERATIONS, **maps.OPERATIONS, **quaternions.OPERATIONS, **duals.OPERATIONS,
+        **screws.OPERATIONS,
+    },
 }
 OPERATIONS = {op: rows for operations in FILES.values() for op, rows in operations.items()}
 

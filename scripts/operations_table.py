@@ -119,10 +119,6 @@ REASONS = {
     "p": "signs, sums or copies: exact, or one rounding; the laws hold them",
     "q": "no vectors of 60 digits; every implementation is compared with the scalar path in `f64`, and that with laws "
          "and other libraries (`tests/agree.rs`, `tests/laws.rs`, `tests/metric.rs`, `tests/differential/`)",
-    "r": "no vectors; laws on every implementation (`tests/algebra/`), or a second opinion by nalgebra, glam or plain "
-         "`f64` geometry (`tests/representations/`, `tests/lines/`, `tests/ik/two_bone.rs`)",
-    "s": "no vectors; functions of the standard library, laws and differences (`tests/algebra/`, `tests/lanes/dual.rs`, "
-         "`tests/differentiate.rs`)",
     "t": "one text for numbers and for lanes, without a trait: there is nothing to compare",
 }
 PARTS = {"new", "from_array", "to_array", "from_xyzw", "from_parts", "real", "dual", "dual_scalar", "dual_vector",
@@ -237,10 +233,8 @@ def main():
             yield str(known[key])
         elif name in EXACT:
             yield reason(key, "p", "known answers")
-        elif kind == "DualQuat" and name != "look_at":
-            yield reason(key, "q", "known answers")
         else:
-            yield reason(key, "s" if kind == "Dual" else "r", "known answers")
+            yield reason(key, "q" if kind == "DualQuat" else None, "known answers")
 
     used = set()
 

@@ -65,6 +65,14 @@ fn a_row_that_cannot_be_read_is_named() {
             r#"{"op":"dlb","kind":"plain","s":[[1,0,0,0,0,0,0,0]],"w":[],"out":[1,0,0,0,0,0,0,0]}"#,
             "weights",
         ),
+        (
+            r#"{"op":"Line::from_points","kind":"plain","p":[1,2],"q":[0,0,0],"out":[0,0,0,0,0,0]}"#,
+            "\"p\" holds 2 numbers, not 3",
+        ),
+        (
+            r#"{"op":"Quat::to_euler","kind":"plain","a":[1,0,0,0],"order":24,"out":[0,0,0,1]}"#,
+            "no order 24",
+        ),
     ];
     assert_eq!(vectors::parse(good).expect("it is good").len(), 1);
     for (bad, reason) in cases {

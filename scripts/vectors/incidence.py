@@ -10,7 +10,7 @@ from .space import (
     add, beside, cross, direction, dot, exact, length, line, plane, pluecker, rounded, scale, solve, sub, unit, whole,
 )
 
-ROWS = 6
+ROWS = 5
 FAR = (1e3, 1e4, 1e6)
 CLOSE = [10.0**-e for e in (1, 2, 3, 4, 5)]
 

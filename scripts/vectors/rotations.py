@@ -59,7 +59,7 @@ def to_quat():
                 tiny = NEAR_0[(5 * order + i) % 12]
                 size = {"plain": 3, "near0": tiny, "turns": 100}[kind]
                 angles = [single(size * rng.uniform(-1, 1)) for _ in range(3)]
-                yield kind, {"angles": angles, "order": order}, numbers(product(order, angles))
+                yield kind, {"angles": angles, "order": float(order)}, numbers(product(order, angles))
 
 
 def first_of(r, first, second, third):
@@ -136,7 +136,7 @@ def to_euler():
             assert off < mpf(10) ** (-18 if locked else -60), (kind, order, a, off)
             if max(abs(angles[0]), abs(angles[2])) > mp.pi - mpf("1e-3"):
                 continue  # π or −π would be a matter of rounding
-            yield kind, {"a": a, "order": order}, [*angles, mpf(locked)]
+            yield kind, {"a": a, "order": float(order)}, [*angles, mpf(locked)]
 
 
 OPERATIONS = {"EulerAngles::to_quat": to_quat, "Quat::to_euler": to_euler}

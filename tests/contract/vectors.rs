@@ -61,11 +61,11 @@ impl Vector {
         find(self.known.bounds, &self.kind)
     }
 
-    /// What vectors that are computed together have in common: how many influences there are, and which order of
-    /// Euler angles.
-    pub fn shape(&self) -> (usize, usize) {
-        let order = self.input("order").first().map_or(0, |&order| order as usize);
-        (self.input("w").len(), order)
+    /// What vectors that are computed together have in common: how many influences there are, and what is one
+    /// number for all lanes, an order of Euler angles or an exponent.
+    pub fn shape(&self) -> (usize, i32) {
+        let of_all = [self.input("order"), self.input("n")].concat();
+        (self.input("w").len(), of_all.first().map_or(0, |&number| number as i32))
     }
 
     /// The answers of `on` to vectors of one operation and shape, at most as many as it has lanes.
@@ -209,7 +209,7 @@ impl Known {
     fn fields(&self) -> Vec<(&'static str, usize)> {
         match self.of {
             Of::Motions(of) => (0..of.fields.len()).flat_map(|index| of.fields(index)).collect(),
-            Of::Geometry(place) => place.operation().fields.to_vec(),
+            Of::Geometry(place) => place.fields().collect(),
         }
     }
 }
@@ -262,6 +262,9 @@ fn parse_row(row: usize, line: &str) -> Result<Vector, String> {
         .collect::<Result<Vec<_>, String>>()?;
     let out = numbers("out", 0)?;
     let vector = Vector { row, op, kind, inputs, known, out };
+    if let Some(order) = vector.input("order").iter().find(|order| !(0.0..24.0).contains(*order)) {
+        return Err(format!("there is no order {order} of Euler angles"));
+    }
     let (motions, weights) = (vector.input("s").len(), vector.input("w").len());
     if influences && (motions != 8 * weights || weights == 0) {
         return Err(format!("{motions} numbers in \"s\" for {weights} weights"));

@@ -12,7 +12,7 @@ macro_rules! geometry {
         pub(super) const OPERATIONS: &[$crate::geometry::Operation] =
             &[$($crate::geometry::Operation {
                 name: $name,
-                fields: &[$((stringify!($field), length!($shape))),*],
+                fields: &[$((stringify!($field), stringify!($shape))),*],
                 scales: $scales,
                 bounds: &[$($bound),*],
             }),*];
@@ -22,8 +22,8 @@ macro_rules! geometry {
         impl<R: dq8::Real> Scalar<R> {
             pub(super) const CALLS: &'static [$crate::geometry::Call] = &[$(|given| {
                 type M<R> = dq8::DualQuat<R>;
-                let mut rows = given.iter();
-                $(let $field = take!(M<R>, $shape rows);)*
+                let mut next = $crate::geometry::entry::numbers_of::<M<R>>(given);
+                $(let $field = take!(M<R>, $shape next);)*
                 scalar_answer!(M<R>, $result, $how $scalar)
             }),*];
         }
@@ -33,101 +33,50 @@ macro_rules! geometry {
         impl<L: dq8::Lanes<Level: $crate::sample::Proof>> OnLanes<L> {
             pub(super) const CALLS: &'static [$crate::geometry::Call] = &[$(|given| {
                 type M<L> = dq8::batch::DualQuat<L>;
-                let mut rows = given.iter();
-                $(let $field = take!(M<L>, $shape rows);)*
+                let mut next = $crate::geometry::entry::numbers_of::<M<L>>(given);
+                $(let $field = take!(M<L>, $shape next);)*
                 lanes_answer!(M<L>, $result, $how last!($scalar $(, $lanes)?))
             }),*];
         }
     };
 }
 
-/// How many numbers a shape has.
-macro_rules! length {
-    (number) => {
-        1
-    };
-    (order) => {
-        1
-    };
-    (dual) => {
-        2
-    };
-    (point) => {
-        3
-    };
-    (quat) => {
-        4
-    };
-    (unit_quat) => {
-        4
-    };
-    (plane) => {
-        4
-    };
-    (line) => {
-        6
-    };
-    (dual_vector) => {
-        6
-    };
-    (twist) => {
-        6
-    };
-    (wrench) => {
-        6
-    };
-    (unit_pose) => {
-        7
-    };
-    (unit_motion) => {
-        8
-    };
-    (screw) => {
-        8
-    };
-    (matrix3) => {
-        9
-    };
-    (matrix3x4) => {
-        12
-    };
-    (matrix4) => {
-        16
-    };
-}
-
-/// An argument of `M` from the next rows.
+/// An argument of `M` from the next numbers.
 macro_rules! take {
-    ($M:ty, order $rows:ident) => { $crate::geometry::entry::order($rows.next()) };
-    ($M:ty, quat $rows:ident) => {{
-        let [w, x, y, z] = take!($M, numbers $rows);
+    ($M:ty, order $next:ident) => { $crate::geometry::entry::order::<$M>($next()) };
+    ($M:ty, integer $next:ident) => { $crate::geometry::entry::integer::<$M>($next()) };
+    ($M:ty, quat $next:ident) => {{
+        let [w, x, y, z] = take!($M, numbers $next);
         <$M as $crate::sample::Sample>::quat([x, y, z, w])
     }};
-    ($M:ty, unit_quat $rows:ident) => { take!($M, quat $rows).normalize() };
-    ($M:ty, unit_pose $rows:ident) => {{
-        let rotation = take!($M, unit_quat $rows);
-        (rotation, take!($M, numbers $rows))
+    ($M:ty, unit_quat $next:ident) => { take!($M, quat $next).normalize() };
+    ($M:ty, unit_pose $next:ident) => {{
+        let rotation = take!($M, unit_quat $next);
+        (rotation, take!($M, numbers $next))
     }};
-    ($M:ty, unit_motion $rows:ident) => {{
-        let [pw, px, py, pz, qw, qx, qy, qz] = take!($M, numbers $rows);
+    ($M:ty, unit_motion $next:ident) => {{
+        let [pw, px, py, pz, qw, qx, qy, qz] = take!($M, numbers $next);
         <$M as $crate::sample::Sample>::motion([px, py, pz, pw, qx, qy, qz, qw]).normalize()
     }};
-    ($M:ty, dual $rows:ident) => {{
-        let [real, dual] = take!($M, numbers $rows);
+    ($M:ty, dual $next:ident) => {{
+        let [real, dual] = take!($M, numbers $next);
         <$M as $crate::sample::Sample>::dual_number(real, dual)
     }};
-    ($M:ty, point $rows:ident) => { take!($M, as [_; 3], $rows) };
-    ($M:ty, line $rows:ident) => { take!($M, as dq8::Line<_>, $rows) };
-    ($M:ty, plane $rows:ident) => { take!($M, as dq8::Plane<_>, $rows) };
-    ($M:ty, matrix3 $rows:ident) => { take!($M, as [[_; 3]; 3], $rows) };
-    ($M:ty, matrix3x4 $rows:ident) => { take!($M, as [[_; 4]; 3], $rows) };
-    ($M:ty, matrix4 $rows:ident) => { take!($M, as [[_; 4]; 4], $rows) };
+    ($M:ty, point $next:ident) => { take!($M, as [_; 3], $next) };
+    ($M:ty, line $next:ident) => { take!($M, as dq8::Line<_>, $next) };
+    ($M:ty, plane $next:ident) => { take!($M, as dq8::Plane<_>, $next) };
+    ($M:ty, two $next:ident) => { take!($M, as [_; 2], $next) };
+    ($M:ty, dual_vector $next:ident) => { take!($M, as dq8::geometry::DualVector<_>, $next) };
+    ($M:ty, twist $next:ident) => { take!($M, as dq8::Twist<_>, $next) };
+    ($M:ty, wrench $next:ident) => { take!($M, as dq8::geometry::Wrench<_>, $next) };
+    ($M:ty, screw $next:ident) => { take!($M, as dq8::geometry::Screw<_>, $next) };
+    ($M:ty, matrix3 $next:ident) => { take!($M, as [[_; 3]; 3], $next) };
+    ($M:ty, matrix3x4 $next:ident) => { take!($M, as [[_; 4]; 3], $next) };
+    ($M:ty, matrix4 $next:ident) => { take!($M, as [[_; 4]; 4], $next) };
     // Numbers, or an array whose length is seen where it is used.
-    ($M:ty, $shape:ident $rows:ident) => { take!($M, as _, $rows) };
-    ($M:ty, as $type:ty, $rows:ident) => {
-        <$type as $crate::case::Flat<_>>::take(&mut || {
-            $crate::geometry::entry::next::<$M>(&mut $rows)
-        })
+    ($M:ty, $shape:ident $next:ident) => { take!($M, as _, $next) };
+    ($M:ty, as $type:ty, $next:ident) => {
+        <$type as $crate::case::Flat<_>>::take(&mut $next)
     };
 }
 
@@ -138,6 +87,15 @@ macro_rules! numbers {
     ($M:ty, point $value:expr) => { $value.to_vec() };
     ($M:ty, dual $value:expr) => {{ let dual = $value; vec![dual.real, dual.dual] }};
     ($M:ty, quat $value:expr) => {{ let [x, y, z, w] = $value.to_array(); vec![w, x, y, z] }};
+    ($M:ty, axis_angle $value:expr) => {{
+        let (axis, angle) = $value;
+        [&axis[..], &[angle]].concat()
+    }};
+    ($M:ty, limb $value:expr) => {{
+        let limb = $value;
+        let last = vec![limb.bend, limb.missed];
+        [numbers!($M, quat limb.upper), numbers!($M, quat limb.lower), last].concat()
+    }};
     ($M:ty, motion $value:expr) => {{
         let [x, y, z, w, dx, dy, dz, dw] = $value.to_array();
         vec![w, x, y, z, dw, dx, dy, dz]
@@ -209,13 +167,38 @@ macro_rules! last {
     };
 }
 
-pub(super) fn next<'r, M: Sample>(rows: &mut impl Iterator<Item = &'r Row>) -> M::Real {
-    M::load(rows.next().expect("as many rows as numbers"))
+/// How many numbers a shape has.
+pub(super) fn length(shape: &str) -> usize {
+    match shape {
+        "number" | "order" | "integer" => 1,
+        "dual" | "two" => 2,
+        "point" => 3,
+        "quat" | "unit_quat" | "plane" => 4,
+        "line" | "dual_vector" | "twist" | "wrench" => 6,
+        "unit_pose" => 7,
+        "unit_motion" | "screw" => 8,
+        "matrix3" => 9,
+        "matrix3x4" => 12,
+        "matrix4" => 16,
+        _ => panic!("no shape {shape}"),
+    }
+}
+
+/// The next number at each call: one type for all operations of `M`, so that what takes arguments from it is
+/// compiled once.
+pub(super) fn numbers_of<M: Sample>(rows: &[Row]) -> impl FnMut() -> M::Real {
+    let mut rows = rows.iter();
+    move || M::load(rows.next().expect("as many rows as numbers"))
+}
+
+/// One integer for all lanes.
+pub(super) fn integer<M: Sample>(number: M::Real) -> i32 {
+    M::store(number)[0] as i32
 }
 
 /// One order for all lanes: its place among all.
-pub(super) fn order(row: Option<&Row>) -> EulerOrder {
-    EulerOrder::ALL[row.expect("as many rows as numbers")[0] as usize]
+pub(super) fn order<M: Sample>(number: M::Real) -> EulerOrder {
+    EulerOrder::ALL[integer::<M>(number) as usize]
 }
 
 /// 1 where a mask holds, and 0 elsewhere.

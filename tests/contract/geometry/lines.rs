@@ -13,8 +13,7 @@ geometry! {
         within(3.0, "a difference over its length; a cross product, and the part of it along the line")],
         tried Line::from_points(p, q), Line::from_points_checked(p, q);
     "Line::try_normalize"(a: line) -> line, |v| [each(3, 1.0), each(3, far(v, "a"))].concat(), [
-        on(&["pitch"], 5.0, "the part of the moment along the line is most of it"),
-        within(2.2, "a length, a reciprocal and a product")],
+        within(2.8, "a length, a reciprocal and a product; the part of the moment along the line")],
         tried a.try_normalize(), a.normalize_checked();
     "Line::is_line"(a: line, tolerance: number) -> flag, |_| each(1, 1.0), [
         within(0.0, "a truth value")],
@@ -23,30 +22,30 @@ geometry! {
         within(1.6, "a cross product")],
         plain a.closest_point_to_origin();
     "Line::closest_point"(a: line, p: point) -> point, closest_point, [
-        within(2.5, "a cross product, and twice a product with the direction")],
+        within(1.2, "a cross product, and twice a product with the direction")],
         plain a.closest_point(p);
     "Line::distance_to_point"(a: line, p: point) -> number, |v| each(1, far(v, "a") + v.norm("p")), [
-        on(&["near"], 0.9, "what is left of the difference, whose terms are as long as the scale"),
+        on(&["near"], 0.6, "of the scale: what is left of a difference of terms as long as it"),
         within(4.9, "a line made unit, a cross product, a difference and a length")],
         tried a.distance_to_point(p), a.distance_to_point_checked(p);
     "Line::reciprocal_product"(a: line, b: line) -> number, reciprocal_product, [
-        within(1.2, "a sum of 6 products")],
+        within(2.1, "a sum of 6 products")],
         plain a.reciprocal_product(b);
     "Plane::from_point_normal"(p: point, n: point) -> plane,
         |v| [each(3, v.norm("n")), each(1, v.norm("n") * v.norm("p"))].concat(), [
         within(1.4, "a sum of 3 products")],
         plain Plane::from_point_normal(p, n);
     "Plane::from_points"(p: point, q: point, r: point) -> plane, plane_from_points, [
-        within(3.0, "two directions, their cross product, its length; a sum of 3 products")],
+        within(2.0, "two directions, their cross product, its length; a sum of 3 products")],
         tried Plane::from_points(p, q, r), Plane::from_points_checked(p, q, r);
     "Plane::from_line_point"(a: line, p: point) -> plane, plane_from_line_point, [
-        on(&["near"], 0.8, "of the scale, which is over the distance"),
-        within(3.1, "a line made unit, a difference over its length, a sum of 3 products")],
+        on(&["near"], 0.6, "of the scale, which is over the distance"),
+        within(2.5, "a line made unit, a difference over its length, a sum of 3 products")],
         tried Plane::from_line_point(a, p), Plane::from_line_point_checked(a, p);
     "Plane::try_normalize"(a: plane) -> plane, |v| [each(3, 1.0), each(1, offset(v, "a"))].concat(), [
         within(3.0, "a length, a reciprocal and a product")],
         tried a.try_normalize(), a.normalize_checked();
     "Plane::signed_distance"(a: plane, p: point) -> number, signed_distance, [
-        within(1.1, "a sum of 4 terms")],
+        within(1.0, "a sum of 4 terms")],
         plain a.signed_distance(p);
 }

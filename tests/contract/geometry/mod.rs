@@ -1,5 +1,5 @@
-//! The tables of what is no operation of motions: lines, planes, rotations in other forms, maps. They
-//! are held to answers of 60 digits (`vectors/geometry.jsonl`) and to nothing else here.
+//! The tables of what is no operation of motions: lines, planes, quaternions and other forms of rotations,
+//! maps, dual numbers. They are held to answers of 60 digits (`vectors/geometry.jsonl`) and to nothing else here.
 //!
 //! ```text
 //! "name in the file"(field: its shape, …) -> shape of the answer, scales of its errors, [bounds],
@@ -12,12 +12,15 @@
 
 #[macro_use]
 mod entry;
+mod duals;
 mod incidence;
 mod lines;
 mod maps;
 mod matrices;
+mod quaternions;
 mod rotations;
 mod scale;
+mod screws;
 
 use crate::bound::Bound;
 use crate::implementation::On;
@@ -34,8 +37,8 @@ pub type Call = fn(&[Row]) -> Vec<Row>;
 #[derive(Debug)]
 pub struct Operation {
     pub name: &'static str,
-    /// Fields with their lengths.
-    pub(crate) fields: &'static [(&'static str, usize)],
+    /// Fields with their shapes.
+    fields: &'static [(&'static str, &'static str)],
     /// What the error of each number of the answer is measured against.
     scales: fn(&Vector) -> Vec<f64>,
     pub(crate) bounds: &'static [Bound],
@@ -68,7 +71,7 @@ macro_rules! tables {
     };
 }
 
-tables! { lines incidence rotations matrices maps }
+tables! { lines incidence rotations matrices maps quaternions duals screws }
 
 /// Every operation and its place.
 pub fn operations() -> impl Iterator<Item = (Place, &'static Operation)> {
@@ -79,15 +82,20 @@ pub fn operations() -> impl Iterator<Item = (Place, &'static Operation)> {
 }
 
 impl Place {
-    pub(crate) fn operation(self) -> &'static Operation {
+    fn operation(self) -> &'static Operation {
         &TABLES[self.table][self.index]
+    }
+
+    /// Fields with their lengths.
+    pub(crate) fn fields(self) -> impl Iterator<Item = (&'static str, usize)> {
+        self.operation().fields.iter().map(|&(field, shape)| (field, entry::length(shape)))
     }
 
     /// The answers of `on` to vectors of this operation, at most as many as it has lanes; NaN where there is none.
     pub(crate) fn answers(self, on: On, vectors: &[&Vector]) -> Vec<Vec<f64>> {
         let mut given = Vec::new();
-        for (field, length) in self.operation().fields {
-            for number in 0..*length {
+        for (field, length) in self.fields() {
+            for number in 0..length {
                 let mut row = [0.0; MAX_LANES];
                 for (lane, slot) in row.iter_mut().enumerate().take(on.lanes) {
                     // Lanes without a vector repeat the first one.

@@ -1,10 +1,13 @@
 //! What the errors of answers are measured against: a scale for each number of an answer, from the inputs of the
 //! vector, so that a bound says how much worse than its own roundings a method is.
 
+pub(super) mod duals;
 pub(super) mod lines;
 pub(super) mod maps;
 pub(super) mod matrices;
+pub(super) mod quaternions;
 pub(super) mod rotations;
+pub(super) mod screws;
 
 use crate::case::length;
 use crate::vectors::Vector;
