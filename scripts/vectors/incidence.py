@@ -5,19 +5,10 @@ The truth solves for points: linear equations for where things meet, projections
 
 from mpmath import mp, mpf
 
-from .inputs import rng, single, vector
+from .inputs import CLOSE, FEW, each, rng, single, size, vector
 from .space import (
     add, beside, cross, direction, dot, exact, length, line, plane, pluecker, rounded, scale, solve, sub, unit, whole,
 )
-
-ROWS = 5
-FAR = (1e3, 1e4, 1e6)
-CLOSE = [10.0**-e for e in (1, 2, 3, 4, 5)]
-
-
-def size(kind, i):
-    """Lengths of a kind."""
-    return {"far": FAR[i % 3], "tiny": 10.0 ** -(12 + 3 * i), "huge": 10.0 ** (6 + i)}.get(kind, 10.0 ** (i % 3 - 1))
 
 
 def lines(kind, i):
@@ -39,11 +30,6 @@ def points(kind, i, count):
     return [first, *others]
 
 
-def each(*kinds):
-    """Kinds with the places among them."""
-    return [(kind, i) for kind in kinds for i in range(ROWS)]
-
-
 def from_point_direction():
     for kind, i in each("plain", "far"):
         p, l = vector(size(kind, i)), direction()
@@ -63,7 +49,7 @@ def normalize_line():
 
 
 def is_line():
-    for i in range(ROWS):
+    for i in range(FEW):
         a = lines("plain", i) if i % 2 else direction() + vector(10)
         l, m = exact(a[:3]), exact(a[3:])
         pitch = abs(dot(l, m)) / (length(l) * max(length(l), length(m)))

@@ -5,28 +5,11 @@ The polar decomposition is that of the singular values, and poses are 4×4 real 
 
 from mpmath import mp, mpf
 
-from .inputs import NEAR_0, axis, poses, rng, single, singles, vector
+from .inputs import CLOSE, FEW, axis, each, near_0, poses, rng, single, singles, size, vector
 from .matrices import homogeneous, pauli
 from .matrices import unit as unit_motion
 from .rotations import matrix, numbers, of_numbers, turn
-from .space import add, beside, cross, direction, dot, exact, rounded, scale, sub, unit
-
-ROWS = 5
-FAR = (1e3, 1e4, 1e6)
-CLOSE = [10.0**-e for e in (1, 2, 3, 4, 5)]
-
-
-def each(*kinds):
-    return [(kind, i) for kind in kinds for i in range(ROWS)]
-
-
-def size(kind, i):
-    return FAR[i % 3] if kind == "far" else 10.0 ** (i % 3 - 1)
-
-
-def near_0(i):
-    return NEAR_0[11 * i // (ROWS - 1)]
-
+from .space import add, beside, cross, direction, dot, exact, rounded, scale, unit
 
 def any_turn():
     return turn(axis(), mpf(rng.uniform(-3, 3)))
@@ -225,7 +208,7 @@ def rigid_of(numbers_of_pose):
 def of_poses(count, answer):
     def rows():
         for kind, i in each("plain", "near0", "far"):
-            given = [pose(kind, i + k) if i + k < ROWS else pose(kind, 0) for k in range(count)]
+            given = [pose(kind, i + k) if i + k < FEW else pose(kind, 0) for k in range(count)]
             yield kind, dict(zip("ab", given)), answer(*given)
 
     return rows

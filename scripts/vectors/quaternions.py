@@ -2,18 +2,11 @@
 
 from mpmath import mp, mpf
 
-from .inputs import axis, parameter, rng, sign, single, vector
-from .maps import CLOSE, flat, near_0, quat_of, rigid
+from .inputs import CLOSE, FEW, axis, each, near_0, parameter, rng, sign, single, vector
+from .maps import flat, quat_of, rigid
 from .matrices import pauli
 from .rotations import matrix, numbers, of_numbers, turn
 from .space import add, beside, cross, direction, exact, length, rounded, scale, sub, unit
-
-ROWS = 5
-
-
-def each(*kinds):
-    return [(kind, i) for kind in kinds for i in range(ROWS)]
-
 
 def raw(q):
     return pauli(mpf(q[0]), exact(q[1:]))
@@ -37,7 +30,7 @@ def unit_quat(kind, i):
 def pair(kind, i):
     a = unit_quat("near0" if kind == "near0" else "plain", i)
     if kind == "near0":
-        return a, unit_quat(kind, (i + 1) % ROWS)
+        return a, unit_quat(kind, (i + 1) % FEW)
     by = {"close": CLOSE[i], "nearpi": mp.pi - CLOSE[i]}.get(kind) or mpf(rng.uniform(0.1, 2.9))
     return a, rounded(numbers(sign() * raw(a) * turn(axis(), by)))
 

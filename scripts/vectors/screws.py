@@ -2,18 +2,11 @@
 
 from mpmath import mp, mpf
 
-from .inputs import rng, single, vector
+from .inputs import each, rng, single, vector
 from .maps import quat_of
 from .matrices import pauli
 from .rotations import numbers, turn
 from .space import add, cross, direction, dot, exact, length, rounded, scale, sub, unit
-
-ROWS = 5
-
-
-def each(*kinds):
-    return [(kind, i) for kind in kinds for i in range(ROWS)]
-
 
 def dual_vector(kind, i):
     return vector(10.0 ** (i % 3 - 1)) + vector({"far": 1e4}.get(kind, 1))
