@@ -107,8 +107,9 @@ NO_OPERATION_IN_C = {"identity"}
 IN_VECTORS = {
     "conj_dual": "conjugate_dual", "conj_quat": "conjugate", "conj_both": "conjugate_both", "point": "transform_point",
     "vector": "transform_vector", "matrix": "to_matrix3x4", "line": "transform_line", "screw": "to_screw",
-    "add": "+", "sub": "−", "mul": "×",
+    "add": "+", "sub": "−", "mul": "×", "div": "÷",
 }
+FUNCTIONS_IN_VECTORS = {"gram_schmidt"}
 
 REASONS = {
     "a": "another order of the same numbers: lanes hold components, and their order is that of the memory they are "
@@ -125,10 +126,6 @@ REASONS = {
     "p": "signs, sums or copies: exact, or one rounding; the laws hold them",
     "q": "no vectors of 60 digits; every implementation is compared with the scalar path in `f64`, and that with laws "
          "and other libraries (`tests/agree.rs`, `tests/laws.rs`, `tests/metric.rs`, `tests/differential/`)",
-    "r": "no vectors; laws on every implementation (`tests/algebra/`), or a second opinion by nalgebra, glam or plain "
-         "`f64` geometry (`tests/representations/`, `tests/lines/`, `tests/ik/two_bone.rs`)",
-    "s": "no vectors; functions of the standard library, laws and differences (`tests/algebra/`, `tests/lanes/dual.rs`, "
-         "`tests/differentiate.rs`)",
     "t": "one text for numbers and for lanes, without a trait: there is nothing to compare",
 }
 PARTS = {"new", "from_array", "to_array", "from_xyzw", "from_parts", "real", "dual", "dual_scalar", "dual_vector",
@@ -138,7 +135,7 @@ ORDERS = {"from_wxyz", "to_wxyz", "to_cols_array_2d", "to_rows_array_2d", "try_f
 NO_LANES = {**dict.fromkeys(ORDERS, "a"), "cast": "b", "make_continuous": "c"}
 EXACT = PARTS | ORDERS | {"cast", "make_continuous", "abs_diff_eq", "is_finite", "neg", "apply", "scale", "from_rotation",
                           "from_translation", "rotation", "conjugate", "is_unit", "is_normalized",
-                          "needs_renormalization"}
+                          "needs_renormalization", "+", "−", "uniform_scale", "from_matrix3x4", "to_matrix3x4"}
 
 
 def functions(*folders):
@@ -174,11 +171,13 @@ def methods_of_traits():
 
 
 def vectors():
+    """(type, function) -> how many; names without a type are of motions."""
     counts = Counter()
     for file in (ROOT / "tests/vectors").glob("*.jsonl"):
         for line in file.read_text(encoding="utf-8").splitlines():
-            op = json.loads(line)["op"]
-            counts[IN_VECTORS.get(op, op)] += 1
+            *kind, name = json.loads(line)["op"].split("::")
+            owner = kind[0] if kind else "" if name in FUNCTIONS_IN_VECTORS else "DualQuat"
+            counts[owner, IN_VECTORS.get(name, name)] += 1
     return counts
 
 
@@ -237,14 +236,12 @@ def main():
             wrong.append(f"{kind}::{name}: no C function dq8_motion_{c}")
         yield f"`{c}`" if c else reason(key, "d" if name in PARTS else "m", "C")
         # Known answers
-        if kind == "DualQuat" and known[name]:
-            yield str(known[name])
+        if known[key]:
+            yield str(known[key])
         elif name in EXACT:
             yield reason(key, "p", "known answers")
-        elif kind == "DualQuat" and name not in ("look_at", "try_from_matrix3x4", "try_from_matrix4"):
-            yield reason(key, "q", "known answers")
         else:
-            yield reason(key, "s" if kind == "Dual" else "r", "known answers")
+            yield reason(key, "q" if kind == "DualQuat" else None, "known answers")
 
     used = set()
 
@@ -291,7 +288,7 @@ def main():
     wrong += [f"Backend::{name} belongs to no operation" for name in sorted(kernels - mapped)]
     wrong += [f"dq8_motion_{name} belongs to no operation"
               for name in sorted(of_c - set(IN_C.values()) - NO_OPERATION_IN_C)]
-    wrong += [f"vectors of {name} belong to no operation" for name in known if ("DualQuat", name) not in every]
+    wrong += [f"vectors of {'::'.join(key)} belong to no operation" for key in known if key not in every]
     wrong += [f"the reason ({letter}) is not used" for letter in sorted(set(REASONS) - used)]
     wrong += [f"{'::'.join(key)} in a list of this script is no operation"
               for key in [*ON_LANES, *IN_TRAIT, *KERNELS, *IN_C] if key not in every]

@@ -7,10 +7,11 @@ use dq8_contract::ledger::{Ledger, Line};
 use dq8_contract::vectors::{self, Vector, known};
 
 /// Each file and its rows.
-fn files() -> [(&'static str, Vec<Vector>); 2] {
+fn files() -> [(&'static str, Vec<Vector>); 3] {
     [
         ("reference.jsonl", include_str!("vectors/reference.jsonl")),
         ("more.jsonl", include_str!("vectors/more.jsonl")),
+        ("geometry.jsonl", include_str!("vectors/geometry.jsonl")),
     ]
     .map(|(file, text)| (file, vectors::parse(text).expect("the vectors can be read")))
 }
@@ -63,6 +64,14 @@ fn a_row_that_cannot_be_read_is_named() {
         (
             r#"{"op":"dlb","kind":"plain","s":[[1,0,0,0,0,0,0,0]],"w":[],"out":[1,0,0,0,0,0,0,0]}"#,
             "weights",
+        ),
+        (
+            r#"{"op":"Line::from_points","kind":"plain","p":[1,2],"q":[0,0,0],"out":[0,0,0,0,0,0]}"#,
+            "\"p\" holds 2 numbers, not 3",
+        ),
+        (
+            r#"{"op":"Quat::to_euler","kind":"plain","a":[1,0,0,0],"order":24,"out":[0,0,0,1]}"#,
+            "no order 24",
         ),
     ];
     assert_eq!(vectors::parse(good).expect("it is good").len(), 1);

@@ -10,7 +10,10 @@ from .matrices import move, numbers, turn
 
 NEAR_0 = [mpf(10) ** -e for e in (1, 2, 3, 4, 6, 8, 12, 16, 20, 26, 32, 38)]
 NEAR_PI = [mp.pi - mpf(10) ** -e for e in range(1, 10)]
+CLOSE = [10.0**-e for e in (1, 2, 3, 4, 5)]
+FAR = (1e3, 1e4, 1e6)
 COUNT = 10  # rows of a kind that has no list of its own
+FEW = 5  # the same in geometry.jsonl
 UNIT = ("plain", "near0", "nearpi", "far", "translation")
 BETWEEN = (*UNIT, "close")
 ALGEBRA = ("general", "far")
@@ -101,6 +104,21 @@ def shared(draw):
         return drawn
 
     return once
+
+
+def each(*kinds):
+    """Kinds with the places among them."""
+    return [(kind, i) for kind in kinds for i in range(FEW)]
+
+
+def near_0(i):
+    """A few of them, the largest and the smallest among them."""
+    return NEAR_0[(len(NEAR_0) - 1) * i // (FEW - 1)]
+
+
+def size(kind, i):
+    """Lengths of a kind, where there are few."""
+    return {"far": FAR[i % 3], "tiny": 10.0 ** -(12 + 3 * i), "huge": 10.0 ** (6 + i)}.get(kind, 10.0 ** (i % 3 - 1))
 
 
 def parameter():

@@ -45,7 +45,8 @@ impl<L: Lanes> Dual<L> {
     #[must_use]
     pub fn recip(self) -> Self {
         let recip = self.real.constant(1.0) / self.real;
-        self.apply(recip, -(recip * recip))
+        // One after the other: the square may overflow, or vanish, where the product with b does not.
+        Self::new(recip, -(self.dual * recip) * recip)
     }
 
     /// [`recip`](Self::recip), and the lanes without one: a is zero or not finite. Those are NaN.

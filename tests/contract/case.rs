@@ -157,14 +157,20 @@ impl<T: Copy, const N: usize> Flat<T> for [T; N] {
     }
 }
 
-impl<T: Copy, const N: usize> Flat<T> for [[T; 4]; N] {
-    fn put(&self, flat: &mut Vec<T>) {
-        flat.extend_from_slice(self.as_flattened());
-    }
-    fn take(next: &mut impl FnMut() -> T) -> Self {
-        std::array::from_fn(|_| Flat::take(next))
-    }
+macro_rules! flat_rows {
+    ($($columns:literal)*) => {$(
+        impl<T: Copy, const N: usize> Flat<T> for [[T; $columns]; N] {
+            fn put(&self, flat: &mut Vec<T>) {
+                flat.extend_from_slice(self.as_flattened());
+            }
+            fn take(next: &mut impl FnMut() -> T) -> Self {
+                std::array::from_fn(|_| Flat::take(next))
+            }
+        }
+    )*};
 }
+
+flat_rows! { 3 4 }
 
 macro_rules! flat {
     ($($type:ident { $($field:ident),* })*) => {$(

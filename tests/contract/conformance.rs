@@ -32,10 +32,10 @@ impl Worst {
 /// # Errors
 /// If the table has no line for an operation; the message names the row.
 pub fn worst_errors(on: On, vectors: &[Vector]) -> Result<Vec<Worst>, String> {
-    // Vectors that are computed together must be of one shape: influences differ in number.
-    let mut groups: BTreeMap<(&str, &str, usize), Vec<&Vector>> = BTreeMap::new();
+    // Vectors that are computed together must be of one shape.
+    let mut groups: BTreeMap<_, Vec<&Vector>> = BTreeMap::new();
     for vector in vectors {
-        let key = (vector.op.as_str(), vector.kind.as_str(), vector.input("w").len());
+        let key = (vector.op.as_str(), vector.kind.as_str(), vector.shape());
         groups.entry(key).or_default().push(vector);
     }
     let mut worst: BTreeMap<(&str, &str), Worst> = BTreeMap::new();

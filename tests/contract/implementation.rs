@@ -2,6 +2,7 @@
 //! Here, and nowhere else, every operation is compiled for every one of them.
 
 use crate::bound::unit_roundoff;
+use crate::geometry::{self, Geometry};
 use crate::lanes::{MAX_LANES, Motions, Reals, Row};
 use crate::operation::{Answer, Call, Domain};
 use crate::operations::Calls;
@@ -20,6 +21,7 @@ pub struct Implementation {
     /// Whether the numbers are `f32`.
     pub single: bool,
     calls: &'static [Call],
+    pub(crate) geometry: &'static [&'static [geometry::Call]],
 }
 
 /// Which implementation.
@@ -32,9 +34,10 @@ impl fmt::Debug for Implementation {
 }
 
 impl Implementation {
-    const fn of<M: Sample>(name: &'static str) -> Self {
+    const fn of<M: Geometry>(name: &'static str) -> Self {
         assert!(M::LANES <= MAX_LANES, "rows are too short");
-        Self { name, lanes: M::LANES, single: M::SINGLE, calls: Calls::<M>::TABLE }
+        let calls = Calls::<M>::TABLE;
+        Self { name, lanes: M::LANES, single: M::SINGLE, calls, geometry: M::GEOMETRY }
     }
 
     pub(crate) fn call(&self, operation: usize, given: &[Vec<Row>]) -> Answer {
@@ -119,8 +122,7 @@ pub fn scalar_f64() -> On {
     &textbook_f64::IMPLEMENTATION
 }
 
-/// For what is not in the table of operations: quaternions and dual numbers by themselves. It is compiled for every
-/// implementation again.
+/// For what needs the type itself: laws of quaternions and dual numbers. It is compiled for every implementation again.
 pub trait Visitor {
     fn visit<M: Sample>(&mut self, name: &'static str);
 }

@@ -8,6 +8,7 @@ pub mod bound;
 pub mod case;
 pub mod conformance;
 mod entry;
+pub mod geometry;
 pub mod implementation;
 pub mod inputs;
 mod kinds;

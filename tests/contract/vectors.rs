@@ -1,9 +1,11 @@
 //! Reference vectors: JSON lines, known answers that were computed with 60 digits or more. The
 //! operations of `reference.jsonl` have its names; those of `more.jsonl`, which
-//! `scripts/make_vectors.py` writes, have the names of the methods.
+//! `scripts/make_vectors.py` writes, have the names of the methods, and those of its
+//! `geometry.jsonl`, which are of the tables in [`geometry`], the names of types before them.
 
 use crate::bound::{Bound, Kind, find};
 use crate::case::{Case, NUMBERS, length};
+use crate::geometry;
 use crate::implementation::On;
 use crate::operation::{Held, Operation, Sign, rows};
 use crate::operations::OPERATIONS;
@@ -19,7 +21,7 @@ pub struct Vector {
     pub kind: String,
     /// The inputs by name, flattened, w first as in the file.
     inputs: Vec<(String, Vec<f64>)>,
-    of: Known,
+    known: Known,
     /// The answer, flattened.
     pub out: Vec<f64>,
 }
@@ -56,16 +58,30 @@ impl Vector {
 
     /// The bound of its kind.
     pub fn bound(&self) -> Option<&'static Bound> {
-        find(self.of.bounds, &self.kind)
+        find(self.known.bounds, &self.kind)
+    }
+
+    /// What vectors that are computed together have in common: how many influences there are, and what is one
+    /// number for all lanes, an order of Euler angles or an exponent.
+    pub fn shape(&self) -> (usize, i32) {
+        let of_all = [self.input("order"), self.input("n")].concat();
+        (self.input("w").len(), of_all.first().map_or(0, |&number| number as i32))
     }
 
     /// The answers of `on` to vectors of one operation and shape, at most as many as it has lanes.
     pub fn answers(&self, on: On, vectors: &[&Self]) -> Vec<Vec<f64>> {
-        let operation = self.of.operation;
+        match self.known.of {
+            Of::Motions(of) => self.answers_of_motions(of, on, vectors),
+            Of::Geometry(place) => place.answers(on, vectors),
+        }
+    }
+
+    fn answers_of_motions(&self, of: OfMotions, on: On, vectors: &[&Self]) -> Vec<Vec<f64>> {
+        let operation = of.operation;
         // Lanes without a vector repeat the first one.
         let lane = |i: usize| *vectors.get(i).unwrap_or(&self);
         let given = operation.arguments.iter().enumerate().map(|(index, argument)| {
-            let lanes = (0..on.lanes).map(|i| lane(i).argument(index, on)).collect::<Vec<_>>();
+            let lanes = (0..on.lanes).map(|i| lane(i).argument(of, index, on)).collect::<Vec<_>>();
             let lanes = lanes.iter().map(|numbers| &numbers[..]);
             on.in_domain(argument.domain, rows(on, lanes))
         });
@@ -82,14 +98,14 @@ impl Vector {
     }
 
     /// Argument `index`, w behind x, y and z; one without a field is that of every case.
-    fn argument(&self, index: usize, on: On) -> Vec<f64> {
-        if self.of.fields[index].is_empty() {
-            let pick = self.of.operation.arguments[index].pick;
+    fn argument(&self, of: OfMotions, index: usize, on: On) -> Vec<f64> {
+        if of.fields[index].is_empty() {
+            let pick = of.operation.arguments[index].pick;
             return pick(&Case::of_numbers(&[0.0; NUMBERS]), on);
         }
-        let fields: Vec<_> = self.of.fields(index).map(|(name, _)| self.input(name)).collect();
+        let fields: Vec<_> = of.fields(index).map(|(name, _)| self.input(name)).collect();
         let xyzw = |quat: &[f64]| [quat[1], quat[2], quat[3], quat[0]];
-        match self.of.operation.arguments[index].numbers {
+        match of.operation.arguments[index].numbers {
             9 => {
                 let pairs = fields[0].chunks_exact(8).zip(fields[1]);
                 pairs.flat_map(|(s, &w)| [&xyzw(s)[..], &xyzw(&s[4..]), &[w]].concat()).collect()
@@ -103,17 +119,24 @@ impl Vector {
     /// The largest error of `answer` over its components, relative to the scale of the operation. NaN
     /// counts as infinite.
     pub fn error(&self, answer: &[f64]) -> f64 {
+        match self.known.of {
+            Of::Motions(of) => self.error_of_motions(of, answer),
+            Of::Geometry(place) => place.error(self, answer),
+        }
+    }
+
+    fn error_of_motions(&self, of: OfMotions, answer: &[f64]) -> f64 {
         let distance = |sign: f64| {
             let pairs = answer.iter().zip(&self.out);
             pairs.map(|(a, b)| (sign * a - b).abs()).fold(0.0, |worst: f64, error| {
                 if error.is_nan() { f64::INFINITY } else { worst.max(error) }
             })
         };
-        let absolute = match self.of.sign {
+        let absolute = match of.sign {
             Sign::Kept => distance(1.0),
             Sign::Either => distance(1.0).min(distance(-1.0)),
         };
-        absolute / (self.of.scale)(self, self.far())
+        absolute / (of.scale)(self, self.far())
     }
 
     /// max(1, |t|), |t| the largest translation, vector or moment among the inputs.
@@ -142,27 +165,56 @@ pub fn translation(sigma: &[f64]) -> f64 {
 /// An operation that a file has answers for.
 #[derive(Clone, Copy, Debug)]
 pub struct Known {
-    pub operation: &'static Operation,
     pub name: &'static str,
+    pub bounds: &'static [Bound],
+    of: Of,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Of {
+    Motions(OfMotions),
+    Geometry(geometry::Place),
+}
+
+/// One of the table of [`OPERATIONS`].
+#[derive(Clone, Copy, Debug)]
+struct OfMotions {
+    operation: &'static Operation,
     fields: &'static [&'static str],
     sign: Sign,
     scale: fn(&Vector, f64) -> f64,
-    pub bounds: &'static [Bound],
 }
 
 /// All of them.
 pub fn known() -> impl Iterator<Item = Known> {
-    OPERATIONS.iter().flat_map(|operation| {
+    let of_motions = OPERATIONS.iter().flat_map(|operation| {
         operation.bounds.iter().filter_map(move |held| match *held {
             Held::Digits { name, fields, sign, scale, bounds } => {
-                Some(Known { operation, name, fields, sign, scale, bounds })
+                let of = Of::Motions(OfMotions { operation, fields, sign, scale });
+                Some(Known { name, bounds, of })
             }
             _ => None,
         })
-    })
+    });
+    let of_geometry = geometry::operations().map(|(place, operation)| Known {
+        name: operation.name,
+        bounds: operation.bounds,
+        of: Of::Geometry(place),
+    });
+    of_motions.chain(of_geometry)
 }
 
 impl Known {
+    /// All fields with their lengths, 0 for those that repeat.
+    fn fields(&self) -> Vec<(&'static str, usize)> {
+        match self.of {
+            Of::Motions(of) => (0..of.fields.len()).flat_map(|index| of.fields(index)).collect(),
+            Of::Geometry(place) => place.fields().collect(),
+        }
+    }
+}
+
+impl OfMotions {
     /// The fields of argument `index` with their lengths, 0 for those that repeat.
     fn fields(&self, index: usize) -> impl Iterator<Item = (&'static str, usize)> {
         let numbers = self.operation.arguments[index].numbers;
@@ -191,8 +243,8 @@ fn parse_row(row: usize, line: &str) -> Result<Vector, String> {
         field.map(str::to_owned).ok_or_else(|| format!("no text field \"{name}\""))
     };
     let (op, kind) = (text("op")?, text("kind")?);
-    let of = known().find(|known| known.name == op);
-    let of = of.ok_or_else(|| format!("unknown operation \"{op}\""))?;
+    let known = known().find(|known| known.name == op);
+    let known = known.ok_or_else(|| format!("unknown operation \"{op}\""))?;
     let numbers = |name: &str, length: usize| -> Result<Vec<f64>, String> {
         let field = value.get(name).ok_or_else(|| format!("{op} needs the field \"{name}\""))?;
         let mut flat = Vec::new();
@@ -202,14 +254,18 @@ fn parse_row(row: usize, line: &str) -> Result<Vector, String> {
         }
         Ok(flat)
     };
-    let fields = (0..of.fields.len()).flat_map(|index| of.fields(index));
+    let fields = known.fields();
+    let influences = fields.ends_with(&[("s", 0), ("w", 0)]);
     let inputs = fields
+        .into_iter()
         .map(|(name, length)| Ok((name.to_owned(), numbers(name, length)?)))
         .collect::<Result<Vec<_>, String>>()?;
     let out = numbers("out", 0)?;
-    let vector = Vector { row, op, kind, inputs, of, out };
+    let vector = Vector { row, op, kind, inputs, known, out };
+    if let Some(order) = vector.input("order").iter().find(|order| !(0.0..24.0).contains(*order)) {
+        return Err(format!("there is no order {order} of Euler angles"));
+    }
     let (motions, weights) = (vector.input("s").len(), vector.input("w").len());
-    let influences = of.fields.contains(&"s w");
     if influences && (motions != 8 * weights || weights == 0) {
         return Err(format!("{motions} numbers in \"s\" for {weights} weights"));
     }
