@@ -163,7 +163,35 @@ def canonical():
             yield kind, {"a": a}, [mpf(c) if a[0] >= 0 else -mpf(c) for c in a]
 
 
+def small(*answer_of):
+    """Rows of an operation of reference.jsonl, in its form, for all of NEAR_0: there near0 begins at 1e-4."""
+
+    def rows():
+        for [a, b] in clusters("near0", 2):
+            inputs = {"a": singles(w_positive(a)), "b": singles(b), "t": parameter(), "v": vector(3)}
+            names, answer = answer_of
+            inputs = {name: inputs[name] for name in names}
+            yield "near0", inputs, answer(unit(inputs["a"]), *(inputs[name] for name in names[1:]))
+
+    return rows
+
+
+def log_of(a):
+    _, *real, _, x, y, z = numbers(log(a))
+    return [real, [x, y, z]]
+
+
+def at(a, v):
+    moved = mp.matrix(homogeneous(a)) * mp.matrix([*map(mpf, v), 1])
+    return list(moved)[:3]
+
+
 OPERATIONS = {
+    "log": small("a", log_of),
+    "pow": small("at", lambda a, t: numbers(along(mp.eye(4), a, mpf(t)))),
+    "sclerp": small("abt", lambda a, b, t: numbers(sclerp(a, unit(b), mpf(t)))),
+    "matrix": small("a", lambda a: homogeneous(a)[:3]),
+    "point": small("av", at),
     "from_screw": from_screw,
     "from_matrix3x4": from_matrix3x4,
     "to_matrix4": to_matrix4,

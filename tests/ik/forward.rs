@@ -146,6 +146,10 @@ fn a_screw_reaches_as_far_as_its_pitch_takes_it() {
     let arm = Arm::new([left_handed], DualQuat::IDENTITY).unwrap();
     assert_eq!(arm.reach_bound(), ([0.0; 3], 4.0));
     assert_eq!(arm.forward(&[8.0]).translation(), [0.0, 0.0, -4.0]);
+    for limits in [[-8.0, 1.0], [-1.0, 8.0]] {
+        let arm = Arm::new([Joint { limits, ..joint }], DualQuat::IDENTITY).unwrap();
+        assert_eq!(arm.reach_bound(), ([0.0; 3], 4.0));
+    }
     let endless = Joint { limits: [0.0, f64::INFINITY], ..joint };
     let error = Arm::new([endless], DualQuat::IDENTITY).unwrap_err();
     assert_eq!(error, ArmError::Limits { joint: 0, low: 0.0, high: f64::INFINITY });
