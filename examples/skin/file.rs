@@ -3,7 +3,7 @@ use crate::bones::{Bones, IDENTITY, affine};
 use crate::error::Error;
 use crate::mesh::Mesh;
 use crate::pose::{Animation, Local};
-use crate::uri;
+use crate::{refused, uri};
 use dq8::representation::Affine;
 use gltf::accessor::Dimensions;
 use gltf::buffer::Source;
@@ -32,8 +32,10 @@ impl File {
         let gltf::Gltf { document, mut blob } =
             gltf::Gltf::from_slice_without_validation(bytes).map_err(fail)?;
         let mut json = document.into_json();
-        // The crate gltf does not know that numbers of all types are read here.
-        json.extensions_required.retain(|name| name != "KHR_mesh_quantization");
+        refused::check(&json)?;
+        // The crate gltf does not know that numbers of all types are read here, nor what has just been looked for.
+        json.extensions_required
+            .retain(|name| name != "KHR_mesh_quantization" && !refused::NAMES.contains(&&**name));
         let document = gltf::Document::from_json(json).map_err(fail)?;
         let mut buffers = Vec::new();
         for buffer in document.buffers() {

@@ -8,7 +8,8 @@
 //! FILE is a binary or textual glTF file. The meshes of its scene are posed in world space, at each time in seconds (by
 //! default four of the animation), in the order of nodes, primitives and vertices of the file. A mesh with a skin
 //! follows its joints and not its own node (glTF 2.0, §3.7.3.3); one without follows its node.
-//! X is the share of `dlb`, the default method, in [0, 1].
+//! X is the share of `dlb`, the default method, in [0, 1]. What else would put vertices somewhere is an error that names the
+//! mesh: morph targets, compressed meshes, instances.
 #![allow(clippy::print_stdout, reason = "a program")]
 
 mod accessor;
@@ -20,6 +21,7 @@ mod file;
 mod mesh;
 mod obj;
 mod pose;
+mod refused;
 mod sampler;
 #[cfg(test)]
 mod tests;

@@ -260,6 +260,54 @@ fn positions_of_signed_integers_pose_as_numbers() {
 }
 
 #[test]
+fn what_would_be_posed_wrongly_is_refused_by_mesh_and_primitive() {
+    let error = |changes: &[(&str, &str)]| {
+        let change = |json: &str| {
+            changes.iter().fold(json.to_owned(), |json, (from, to)| {
+                assert!(json.contains(from), "{from}");
+                json.replacen(from, to, 1)
+            })
+        };
+        posed(&glb(change), 0.5, Method::Dual).map_err(|error| error.to_string())
+    };
+    let required = |name: &str| format!(r#""extensionsRequired":["{name}"],"scene":0"#);
+    let end = r#""WEIGHTS_0":1}}]"#;
+    let with = |more: &str| format!(r#""WEIGHTS_0":1}},{more}}}]"#);
+
+    let morphs = error(&[(end, &with(r#""targets":[{"NORMAL":0},{"POSITION":0}]"#))]);
+    assert_eq!(morphs.unwrap_err(), "mesh 0, primitive 0: morph targets are not done here");
+    // Normals are not posed at all.
+    assert!(error(&[(end, &with(r#""targets":[{"NORMAL":0}]"#))]).is_ok());
+
+    let draco =
+        with(r#""extensions":{"KHR_draco_mesh_compression":{"bufferView":0,"attributes":{}}}"#);
+    let unread = (r#""bufferView":0,"count":3"#, r#""count":3"#);
+    let scene = required("KHR_draco_mesh_compression");
+    for required in [scene.as_str(), r#""scene":0"#] {
+        let refused = error(&[(r#""scene":0"#, required), (end, &draco), unread]).unwrap_err();
+        assert!(refused.starts_with("mesh 0, primitive 0: KHR_draco"), "{refused}");
+    }
+    // The plain numbers are there too.
+    assert!(error(&[(end, &draco)]).is_ok());
+
+    for name in ["EXT_meshopt_compression", "KHR_meshopt_compression"] {
+        let view = r#"{"buffer":0,"byteOffset":0,"#;
+        let packed = format!(r#"{view}"extensions":{{"{name}":{{"buffer":0}}}},"#);
+        let packed = (view, packed.as_str());
+        let refused = error(&[(r#""scene":0"#, &required(name)), packed]).unwrap_err();
+        assert!(refused.starts_with(&format!("mesh 0, primitive 0: {name}")), "{refused}");
+        assert!(error(&[packed]).is_ok());
+    }
+
+    let node = (r#""mesh":0"#, r#""mesh":0,"extensions":{"EXT_mesh_gpu_instancing":{}}"#);
+    let refused = error(&[node]).unwrap_err();
+    assert!(refused.starts_with("node 2, mesh 0: EXT_mesh_gpu"), "{refused}");
+    // Another extension that a file cannot do without is refused by name.
+    let refused = error(&[(r#""scene":0"#, &required("KHR_other"))]).unwrap_err();
+    assert!(refused.contains("KHR_other") || refused.contains("extensionsRequired"), "{refused}");
+}
+
+#[test]
 fn bad_files_get_an_error_with_its_place() {
     for (from, to, wanted) in [
         (r#""children":[1]"#, r#""children":[0]"#, "node 0"),

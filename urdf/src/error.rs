@@ -13,13 +13,55 @@ pub enum UrdfError {
         /// Why.
         source: std::io::Error,
     },
-    /// The text is not URDF.
+    /// The text is not XML.
     Parse {
+        /// The line, counted from one.
+        line: u32,
         /// What the reader of XML says.
         message: String,
     },
-    /// Something that says where links are and that is not understood.
+    /// An element, an attribute or text that the format does not have there.
+    Unexpected {
+        /// The line on which the element begins.
+        line: u32,
+        /// The element, or the one that holds the attribute or text.
+        element: String,
+        /// What is wrong with it.
+        what: String,
+    },
+    /// An element or attribute that the format asks for.
+    Missing {
+        /// The line on which the element begins.
+        line: u32,
+        /// The element that should hold it.
+        element: String,
+        /// What is missing.
+        what: String,
+    },
+    /// An attribute that is not so many numbers.
+    Numbers {
+        /// The line on which the element begins.
+        line: u32,
+        /// The element.
+        element: String,
+        /// The attribute.
+        attribute: &'static str,
+        /// How many numbers it should hold.
+        wanted: usize,
+        /// What it holds.
+        text: String,
+    },
+    /// A revolute or prismatic joint without `<limit>`.
+    NoLimit {
+        /// The line on which the joint begins.
+        line: u32,
+        /// The joint.
+        joint: String,
+    },
+    /// Something that says where links are and that a mechanism cannot express.
     NotExpressed {
+        /// The line on which the element begins.
+        line: u32,
         /// The element or attribute.
         what: String,
     },
@@ -83,8 +125,24 @@ impl fmt::Display for UrdfError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Read { path, source } => write!(f, "cannot read {path}: {source}"),
-            Self::Parse { message } => write!(f, "not a URDF file: {message}"),
-            Self::NotExpressed { what } => write!(f, "cannot be expressed: {what}"),
+            Self::Parse { line, message } => write!(f, "not a URDF file: line {line}: {message}"),
+            Self::Unexpected { line, element, what } => {
+                write!(f, "not a URDF file: line {line}: {element}: {what}")
+            }
+            Self::Missing { line, element, what } => {
+                write!(f, "not a URDF file: line {line}: {element}: {what} is missing")
+            }
+            Self::Numbers { line, element, attribute, wanted, text } => write!(
+                f,
+                "not a URDF file: line {line}: {element}: {attribute}={text:?} where {wanted} numbers must be"
+            ),
+            Self::NoLimit { line, joint } => write!(
+                f,
+                "not a URDF file: line {line}: <joint name={joint:?}>: a revolute or prismatic joint must have a <limit>"
+            ),
+            Self::NotExpressed { line, what } => {
+                write!(f, "cannot be expressed: line {line}: {what}")
+            }
             Self::Twice { element, name } => write!(f, "two <{element}> have the name {name:?}"),
             Self::Unknown { joint, element, name } => {
                 write!(f, "<joint name={joint:?}>: there is no {element} {name:?}")

@@ -37,12 +37,31 @@
 //! ```
 //!
 //! Link 0 of the mechanism is the root of the file, at the base; the others follow in the order of the file
-//! as far as parents come first. Masses, shapes and speeds have no place in a mechanism. What says where
-//! links are and cannot be expressed is an [error](UrdfError), never left out. Elements and attributes that the
-//! format does not know, a misspelt one too, are not seen.
+//! as far as parents come first.
+//!
+//! # What is read
+//! In `<joint>`: its name and type, `<parent>`, `<child>`, `<origin>` (`xyz`, `rpy`), `<axis>`, `<limit>` (`lower`,
+//! `upper`) and `<mimic>`. What says where links are and cannot be expressed is an [error](UrdfError), never left out, and so
+//! are elements, attributes and text in a joint that the format does not have there: a misspelt limit would be none. Errors
+//! name the line and the element.
+//!
+//! Limits are those of the [specification](https://wiki.ros.org/urdf/XML/joint). A revolute or prismatic joint must have a
+//! `<limit>`; one without is an error. `lower` and `upper` are zero where they are not written, so a joint with neither
+//! cannot move. (Since version 1.2 of the format, in `<robot version="1.2">`, what is not written has no bound.) Two zeros
+//! lock a joint too. Joints of other types have no limits, whatever `<limit>` says.
+//!
+//! # What is ignored
+//! `<visual>`, `<collision>`, `<contact>`, `<inertial>`, `<material>`, `<dynamics>`, `<calibration>`, `<transmission>`,
+//! `<sensor>`, `<gazebo>`, `<ros2_control>`, `<mujoco>` and what is in them: they say how a robot looks, weighs, is driven or
+//! simulated, not where its links are. `effort`, `velocity` and other rates of `<limit>` for the same reason. So are the soft
+//! limits of `<safety_controller>`: a controller begins to brake there, but joints may be beyond them, as far as
+//! `<limit>` says. Attributes of `<robot>` and `<link>` other than names and versions, and attributes with a prefix, say nothing
+//! about places either.
 #![forbid(unsafe_code)]
 
+mod element;
 mod error;
+mod file;
 mod joint;
 mod robot;
 mod tree;

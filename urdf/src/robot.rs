@@ -1,4 +1,5 @@
 use crate::error::UrdfError;
+use crate::file::File;
 use crate::joint::{joint, mimic};
 use crate::tree::{Node, nodes};
 use dq8::mechanism::{Joint, JointKind, Mechanism, MechanismError, OwnedMechanism};
@@ -23,10 +24,7 @@ impl Robot {
     /// # Errors
     /// If it is not URDF, links and joints are not one tree, or something is not understood.
     pub fn from_urdf(text: &str) -> Result<Self, UrdfError> {
-        refuse_unknown(text)?;
-        let robot = urdf_rs::read_from_string(text)
-            .map_err(|error| UrdfError::Parse { message: error.to_string() })?;
-        Self::from_elements(&robot)
+        Self::from_elements(File::read(text)?)
     }
 
     /// From a file.
@@ -40,14 +38,14 @@ impl Robot {
         Self::from_urdf(&text)
     }
 
-    fn from_elements(robot: &urdf_rs::Robot) -> Result<Self, UrdfError> {
+    fn from_elements(robot: File) -> Result<Self, UrdfError> {
         let mut names = HashSet::new();
         for joint in &robot.joints {
             if !names.insert(joint.name.as_str()) {
                 return Err(UrdfError::Twice { element: "joint", name: joint.name.clone() });
             }
         }
-        let nodes = nodes(robot)?;
+        let nodes = nodes(&robot)?;
         let links: HashMap<_, _> =
             nodes.iter().enumerate().map(|(index, node)| (node.link, index)).collect();
         let by_name: HashMap<_, _> =
@@ -58,7 +56,7 @@ impl Robot {
                 joints.push(Joint::fixed(None, DualQuat::IDENTITY));
                 continue;
             };
-            let parent = links.get(from.parent.link.as_str()).copied().unwrap_or_default();
+            let parent = links.get(from.parent.as_str()).copied().unwrap_or_default();
             let mut joint = joint(from, parent)?;
             joint.mimic = mimic(from, &by_name, &links)?;
             joints.push(joint);
@@ -141,43 +139,6 @@ impl Robot {
             }
         }
         limits
-    }
-}
-
-/// So many elements may stand inside each other; those of a robot need five.
-const DEEPEST: usize = 256;
-
-/// What the reader of URDF leaves out although it says where links are: attributes of later versions, and
-/// macros that nobody has expanded.
-fn refuse_unknown(text: &str) -> Result<(), UrdfError> {
-    let (mut rest, mut depth) = (text, 0_usize);
-    loop {
-        let (before, comment) = rest.split_once("<!--").unwrap_or((rest, ""));
-        // The parser calls itself for each element inside another.
-        for tag in before.split('<').skip(1) {
-            match tag.chars().next() {
-                Some('/') => depth = depth.saturating_sub(1),
-                Some('!' | '?') | None => {}
-                Some(_) if tag.trim_end().ends_with("/>") => {}
-                Some(_) => depth += 1,
-            }
-            if depth > DEEPEST {
-                let what = format!("elements in each other, more than {DEEPEST} deep");
-                return Err(UrdfError::NotExpressed { what });
-            }
-        }
-        for (unknown, what) in [
-            ("quat_xyzw", "the attribute quat_xyzw of <origin>: write rpy"),
-            ("<xacro:", "an element of xacro: expand the file first"),
-        ] {
-            if before.contains(unknown) {
-                return Err(UrdfError::NotExpressed { what: what.to_owned() });
-            }
-        }
-        match comment.split_once("-->") {
-            Some((_, after)) => rest = after,
-            None => return Ok(()),
-        }
     }
 }
 

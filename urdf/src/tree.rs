@@ -1,21 +1,22 @@
 //! Which link hangs on which.
 
 use crate::error::UrdfError;
+use crate::file::{File, JointElement};
 use std::collections::HashMap;
 
 /// A link, and the joint that carries it unless it is the root.
 #[derive(Clone, Copy)]
 pub(crate) struct Node<'u> {
     pub(crate) link: &'u str,
-    pub(crate) joint: Option<&'u urdf_rs::Joint>,
+    pub(crate) joint: Option<&'u JointElement>,
 }
 
 /// The links of a file, parents first, and otherwise in its order.
-pub(crate) fn nodes(robot: &urdf_rs::Robot) -> Result<Vec<Node<'_>>, UrdfError> {
-    let mut carried: HashMap<&str, Option<&urdf_rs::Joint>> = HashMap::new();
+pub(crate) fn nodes(robot: &File) -> Result<Vec<Node<'_>>, UrdfError> {
+    let mut carried: HashMap<&str, Option<&JointElement>> = HashMap::new();
     for link in &robot.links {
-        if carried.insert(&link.name, None).is_some() {
-            return Err(UrdfError::Twice { element: "link", name: link.name.clone() });
+        if carried.insert(link, None).is_some() {
+            return Err(UrdfError::Twice { element: "link", name: link.clone() });
         }
     }
     for joint in &robot.joints {
@@ -24,14 +25,14 @@ pub(crate) fn nodes(robot: &urdf_rs::Robot) -> Result<Vec<Node<'_>>, UrdfError> 
             element,
             name: name.to_owned(),
         };
-        if !carried.contains_key(joint.parent.link.as_str()) {
-            return Err(unknown("parent link", &joint.parent.link));
+        if !carried.contains_key(joint.parent.as_str()) {
+            return Err(unknown("parent link", &joint.parent));
         }
-        let Some(slot) = carried.get_mut(joint.child.link.as_str()) else {
-            return Err(unknown("child link", &joint.child.link));
+        let Some(slot) = carried.get_mut(joint.child.as_str()) else {
+            return Err(unknown("child link", &joint.child));
         };
         if slot.replace(joint).is_some() {
-            let (link, joint) = (joint.child.link.clone(), joint.name.clone());
+            let (link, joint) = (joint.child.clone(), joint.name.clone());
             return Err(UrdfError::TwoParents { link, joint });
         }
     }
@@ -40,14 +41,14 @@ pub(crate) fn nodes(robot: &urdf_rs::Robot) -> Result<Vec<Node<'_>>, UrdfError> 
     for link in &robot.links {
         // Up to what is there already, then down again.
         let mut way = Vec::new();
-        let mut next = Some(link.name.as_str());
+        let mut next = Some(link.as_str());
         while let Some(link) = next.filter(|link| !done.contains_key(link)) {
             if way.len() > robot.links.len() {
                 return Err(UrdfError::Circle { link: link.to_owned() });
             }
             let joint = carried.get(link).copied().flatten();
             way.push(Node { link, joint });
-            next = joint.map(|joint| joint.parent.link.as_str());
+            next = joint.map(|joint| joint.parent.as_str());
         }
         for node in way.into_iter().rev() {
             done.insert(node.link, true);

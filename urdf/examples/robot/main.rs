@@ -5,7 +5,8 @@
 //!     [--reach X,Y,Z[,QX,QY,QZ,QW] [--link NAME]]
 //! ```
 //!
-//! Without configurations, all joints are at zero, or as near as their limits allow. The heading of IN is
+//! Without configurations, all joints are at zero, or as near as their limits allow. The poses of the first one are printed:
+//! the position of each link and its rotation, a unit quaternion with its real part last. The heading of IN is
 //! the names of the joints, in any order. OUT has a row for each configuration and, for every link,
 //! `NAME.x,NAME.y,NAME.z,NAME.qx,NAME.qy,NAME.qz,NAME.qw`. The picture is where the tool can be: the link
 //! with the most joints between it and the base. `--reach` asks for joint values that bring the tool, or the link
@@ -63,11 +64,7 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         seconds = seconds.min(start.elapsed().as_secs_f64());
     }
     if let Some(first) = poses.get(..links) {
-        println!("\nthe first configuration:\n{:>24} {:>9} {:>9} {:>9}", "link", "x", "y", "z");
-        for (name, pose) in robot.link_names().iter().zip(first) {
-            let [x, y, z] = pose.translation();
-            println!("{name:>24} {x:9.4} {y:9.4} {z:9.4}");
-        }
+        print!("\nthe first configuration:\n{}", table::text(&robot, first));
     }
     println!(
         "\n{configurations} configurations, {:.0} per second on one thread ({backend}, f64)",

@@ -74,6 +74,25 @@ pub(crate) fn write(
     Ok(())
 }
 
+/// The poses of one configuration, for people: positions, and rotations as unit quaternions, four decimals each.
+pub(crate) fn text(robot: &Robot, poses: &[DualQuat<f64>]) -> String {
+    let names = robot.link_names();
+    let width = names.iter().map(|name| name.chars().count()).max().unwrap_or(0).max(4);
+    let mut text = format!("{:>width$}", "link");
+    for heading in ["x", "y", "z", "qx", "qy", "qz", "qw"] {
+        text += &format!(" {heading:>9}");
+    }
+    for (name, pose) in names.iter().zip(poses) {
+        text += &format!("\n{name:>width$}");
+        for number in pose.translation().into_iter().chain(pose.rotation().to_array()) {
+            // Adding zero leaves no minus in front of zeros.
+            let rounded = (number * 1e4).round() / 1e4 + 0.0;
+            text += &format!(" {rounded:9.4}");
+        }
+    }
+    text + "\n"
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -87,6 +106,32 @@ mod tests {
         let text =
             "flange_roll,waist,elbow,shoulder_pitch,forearm_roll,wrist_bend\n6,1,3,2,4,5\n\n";
         assert_eq!(values(&arm(), text), Ok(vec![1.0, 2.0, 3.0, 4.0, 5.0, 6.0]));
+    }
+
+    #[test]
+    fn poses_are_printed_with_their_rotations_in_columns() {
+        let robot = arm();
+        let mechanism = robot.mechanism();
+        let mut poses = vec![DualQuat::IDENTITY; mechanism.links()];
+        mechanism.link_poses(&[0.3, -0.4, 0.9, 0.2, 0.5, -0.1], &mut poses).unwrap();
+        let text = text(&robot, &poses);
+        let rows: Vec<Vec<&str>> =
+            text.lines().map(|line| line.split_whitespace().collect()).collect();
+        assert_eq!(rows[0], ["link", "x", "y", "z", "qx", "qy", "qz", "qw"]);
+        assert_eq!(rows[1][1..], ["0.0000"; 6].into_iter().chain(["1.0000"]).collect::<Vec<_>>());
+        assert_eq!(rows.len(), 1 + poses.len());
+        for (row, (name, pose)) in rows[1..].iter().zip(robot.link_names().iter().zip(&poses)) {
+            assert_eq!(row[0], name);
+            let wanted = pose.translation().into_iter().chain(pose.rotation().to_array());
+            for (cell, wanted) in row[1..].iter().zip(wanted) {
+                assert!((cell.parse::<f64>().unwrap() - wanted).abs() <= 0.5001e-4, "{text}");
+            }
+        }
+        let width = text.lines().next().unwrap().len();
+        assert!(
+            text.lines().all(|line| line.len() == width) && !text.contains("-0.0000"),
+            "{text}"
+        );
     }
 
     #[test]
