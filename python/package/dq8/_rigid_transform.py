@@ -56,6 +56,18 @@ def _floats(name: str, value: ArrayLike, core: tuple[int, ...]) -> NDArray[Any]:
     return array
 
 
+def _check_out(out: NDArray[Any], result: NDArray[Any]) -> None:
+    """What the compiled functions say where `out` cannot hold the result."""
+    if not isinstance(out, np.ndarray):
+        raise TypeError(f"Expected `out` to be an array, got {type(out).__name__}.")
+    if out.dtype != result.dtype:
+        raise TypeError(f"Expected `out` to have dtype {result.dtype}, the dtype of the result, got {out.dtype}.")
+    if out.shape != result.shape:
+        raise ValueError(f"Expected `out` to have shape {result.shape}, that of the result, got {out.shape}.")
+    if not out.flags.writeable:
+        raise ValueError("Expected `out` to be writeable, got a read-only array.")
+
+
 def _rotation_type() -> type[Rotation]:
     # Imported when it is needed: importing SciPy takes longer than importing this package.
     from scipy.spatial.transform import Rotation
@@ -101,7 +113,8 @@ class RigidTransform:
       share memory with a matrix, and ``normalize=False`` takes rows of a matrix that is not rigid for
       those of the rotation which their quaternion gives.
     - Any number of leading dimensions, and exponents of `**` that broadcast.
-    - `apply` and `as_dual_quat` write to ``out=``, `motions` is the array itself.
+    - What returns an array writes to ``out=``: `apply`, `as_matrix`, `as_exp_coords`, `as_dual_quat`. `motions` is the
+      array itself.
 
     Parameters
     ----------
@@ -224,29 +237,33 @@ class RigidTransform:
             raise TypeError(f"Expected `dtype` to be float64 or float32, got {np.dtype(dtype)}.")
         return RigidTransform._of(_core.normalize(self._motions.astype(dtype)))
 
-    def as_matrix(self) -> NDArray[Any]:
-        """Matrices ``[R t; 0 1]``, shape (..., 4, 4)."""
-        return _core.to_matrix(self._motions)
+    def as_matrix(self, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
+        """Matrices ``[R t; 0 1]``, shape (..., 4, 4); written to `out`, if given."""
+        return _core.to_matrix(self._motions, out=out)
 
     def as_components(self) -> tuple[NDArray[Any], Rotation]:
         """Translations, shape (..., 3), and a SciPy rotation."""
         return self.translation, self.rotation
 
-    def as_exp_coords(self) -> NDArray[Any]:
+    def as_exp_coords(self, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
         """Exponential coordinates, shape (..., 6): rotation vector of at most π radians, then velocity.
 
-        ``2 log σ``, half the dual angle times the dual axis, twice.
+        ``2 log σ``, half the dual angle times the dual axis, twice; written to `out`, if given.
         """
-        return _core.to_twist(self._motions)
+        return _core.to_twist(self._motions, out=out)
 
     def as_dual_quat(
         self, *, scalar_first: bool = False, out: NDArray[Any] | None = None
     ) -> NDArray[Any]:
-        """Unit dual quaternions, shape (..., 8), real part then dual part, scalar last or first."""
+        """Unit dual quaternions, shape (..., 8), real part then dual part, scalar last or first.
+
+        Written to `out`, if given.
+        """
         motions = self._motions[..., _SCALAR_FIRST] if scalar_first else self._motions
         if out is None:
             return motions if scalar_first else motions.copy()
-        np.copyto(out, motions, casting="same_kind")
+        _check_out(out, motions)
+        np.copyto(out, motions)
         return out
 
     @property
