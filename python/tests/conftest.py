@@ -39,12 +39,12 @@ def longest(array) -> float:
 def close():
     """Whether arrays differ by at most 1e-14·max(1, |t|), the promise for float64, |t| the longest of what was given.
 
-    `times` so much where a test says why.
+    By `bound` in the place of 1e-14 where a test says why.
     """
 
-    def check(actual, expected, *given, times: float = 1) -> None:
+    def check(actual, expected, *given, bound: float = 1e-14) -> None:
         size = max([1.0, *map(longest, given)])
-        np.testing.assert_allclose(actual, expected, rtol=0, atol=times * 1e-14 * size)
+        np.testing.assert_allclose(actual, expected, rtol=0, atol=bound * size)
 
     return check
 
