@@ -65,7 +65,7 @@ impl Method {
 /// shares : array_like, shape (vertices,), where the method is ``'mix'``
 ///     The share s of ``'dlb'``, in [0, 1].
 /// normals, tangents : array_like, shape (vertices, 3), optional
-///     Unit normals and unit tangents at rest; tangents without the sign of the bitangent, which does not change.
+///     Unit normals and unit tangents at rest; tangents without the sign of the bitangent.
 /// out : ndarray, or a tuple of those where there are normals or tangents, optional
 ///     Where to write the result: arrays that do not overlap each other. Untouched where the arguments are wrong.
 ///
