@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The Python package as its users have it: a wheel, built by maturin in an environment of its own, installed
-# into a fresh one, tested there. A missing tool is a failure that says so.
+# The Python package as its users have it: a wheel, built by pip as `pip install ./python` builds it, installed
+# into a fresh environment, tested there. A missing tool is a failure that says so.
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -22,16 +22,16 @@ cargo clippy --release --all-targets -- -D warnings
 
 step 'wheel'
 # Where it stays: PyO3 is compiled again for an interpreter with another path.
-build=$PWD/target/maturin
+build=$PWD/target/builder
 "$build/bin/python" -c '' 2>/dev/null || python3 -m venv --clear "$build"
-# Modules are compiled when they are imported; most never are.
-pip() { "$build/bin/python" -m pip "$@" --quiet --disable-pip-version-check --no-compile --prefer-binary; }
-pip install 'maturin>=1.9,<2'
-"$build/bin/maturin" build --release --locked --quiet --interpreter "$build/bin/python" --out "$out/wheels"
+pip() { "$build/bin/python" -m pip "$@" --quiet --disable-pip-version-check --prefer-binary; }
+# maturin, as `pyproject.toml` asks for it, comes into an environment that lives as long as the build.
+MATURIN_PEP517_ARGS=--locked pip wheel --no-deps --wheel-dir "$out/wheels" .
 
 step 'tests, in a fresh environment'
 python3 -m venv --without-pip "$out/user"
-user() { pip --python "$out/user/bin/python" install "$@"; }
+# Modules are compiled when they are imported; most never are.
+user() { pip --python "$out/user/bin/python" install --no-compile "$@"; }
 user "$out"/wheels/dq8-*.whl
 # What it needs of itself is NumPy alone.
 (cd "$out" && user/bin/python -c 'import dq8; dq8.mul(dq8.identity(3), dq8.identity())')

@@ -281,3 +281,11 @@ fn pattern(core: &[usize]) -> String {
     let sizes: String = core.iter().map(|size| format!(", {size}")).collect();
     format!("(...{sizes})")
 }
+
+/// The line of docstrings that says the dtype of results, where [`is_single`] decides it of all arguments.
+macro_rules! common_dtype {
+    () => {
+        "    float32 if all arrays are float32 or float16, otherwise float64."
+    };
+}
+pub(crate) use common_dtype;

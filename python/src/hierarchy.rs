@@ -1,6 +1,6 @@
 //! Joint hierarchies.
 
-use crate::argument::{Argument, Input, Number, is_single, tuple};
+use crate::argument::{Argument, Input, Number, common_dtype, is_single, tuple};
 use crate::call::Answer;
 use crate::functions::core_shape::EIGHT;
 use crate::output::Output;
@@ -81,6 +81,7 @@ impl Hierarchy {
     /// Returns
     /// -------
     /// ndarray, shape (..., joints, 8)
+    #[doc = common_dtype!()]
     ///     The pose of each joint in model space.
     #[pyo3(signature = (locals, /, *, root=None, out=None))]
     fn local_to_model<'py>(
@@ -106,6 +107,7 @@ impl Hierarchy {
     /// Returns
     /// -------
     /// ndarray, shape (..., joints, 8)
+    #[doc = common_dtype!()]
     ///     The pose of each joint in its parent.
     #[pyo3(signature = (models, /, *, root=None, out=None))]
     fn model_to_local<'py>(

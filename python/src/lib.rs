@@ -23,6 +23,7 @@ mod reach_report;
 mod skin;
 mod sweep;
 mod threads;
+mod urdf;
 
 use dq8::Backend;
 use pyo3::prelude::*;

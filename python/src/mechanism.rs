@@ -1,6 +1,6 @@
 //! Mechanisms: from the values of joints to the poses of links.
 
-use crate::argument::{Argument, is_single};
+use crate::argument::{Argument, common_dtype, is_single};
 use crate::call::Answer;
 use crate::configurations::{Frame, jacobian, poses};
 use crate::functions::core_shape::{EIGHT, SIX};
@@ -9,6 +9,7 @@ use crate::joints::{Arrays, NO_LIMITS, limits, name_and_axis, values_and_rates};
 use crate::links::{Chosen, link_of, names};
 use crate::reach::{Search, reach};
 use crate::reach_report::ReachReport;
+use crate::urdf::text_of;
 use dq8::ik::Options;
 use dq8::mechanism::{Joint, MechanismError, OwnedMechanism};
 use dq8_urdf::Robot;
@@ -16,7 +17,7 @@ use numpy::PyArray1;
 use numpy::prelude::*;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyTuple, PyType};
+use pyo3::types::{PyTuple, PyType};
 
 /// A tree of joints: a robot, from a URDF file or from arrays.
 ///
@@ -105,11 +106,8 @@ impl Mechanism {
     /// Mechanism
     #[classmethod]
     #[pyo3(signature = (source, /))]
-    fn from_urdf(of: &Bound<'_, PyType>, source: &Bound<'_, PyAny>) -> PyResult<Self> {
-        let text = match source.extract::<String>() {
-            Ok(text) if text.trim_start().starts_with('<') => text,
-            _ => read(of.py(), source)?,
-        };
+    fn from_urdf(_: &Bound<'_, PyType>, source: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let text = text_of(source)?;
         let robot = Robot::from_urdf(&text).map_err(value_error)?;
         let joints = robot.joints().to_vec();
         Ok(Self {
@@ -150,7 +148,7 @@ impl Mechanism {
         rates
     }
 
-    /// The least and the largest of each value, shape (values, 2); ``[-inf, inf]`` for none.
+    /// The least and the largest of each value, radians and lengths: float64, shape (values, 2), infinite for none.
     #[getter]
     fn limits<'py>(&self, py: Python<'py>) -> Answer<'py> {
         let limits = limits(&self.joints, &self.double);
@@ -191,12 +189,15 @@ impl Mechanism {
         Ok((slf.get_type().into_any(), arguments.into_pyobject(py)?))
     }
 
-    /// The poses of links, in the frame of the base.
+    /// The poses of links, in the frame of the base: ``pose(j) = pose(parent(j)) · placement(j) · motion(j)``.
+    ///
+    /// The motion of a joint is ``exp(½ξq)`` of its axis ξ and its value q, if it has one; that of planar and floating
+    /// ones is the translation and the rotation that their values are.
     ///
     /// Parameters
     /// ----------
     /// values : array_like, shape (..., values)
-    ///     Configurations. Angles beyond 2¹⁷ radians (float32) or 2⁴⁶ (float64) give NaN.
+    ///     Configurations: radians and lengths. Angles beyond 2¹⁷ radians (float32) or 2⁴⁶ (float64) give NaN.
     /// links : str, int, or sequence of these, optional
     ///     Which links. What carries none of them is not computed.
     /// out : ndarray, optional
@@ -205,6 +206,7 @@ impl Mechanism {
     /// Returns
     /// -------
     /// ndarray, shape (..., links, 8), or (..., 8) for one link that is no sequence
+    #[doc = common_dtype!()]
     ///     Unit dual quaternions.
     #[pyo3(signature = (values, /, links=None, *, out=None))]
     fn poses<'py>(
@@ -222,12 +224,12 @@ impl Mechanism {
         }
     }
 
-    /// The Jacobian of a link: twist = J · rates.
+    /// The Jacobian of a link: ``twist = J · rates``.
     ///
     /// Parameters
     /// ----------
     /// values : array_like, shape (..., values)
-    ///     Configurations.
+    ///     Configurations: radians and lengths.
     /// link : str or int
     ///     Which link.
     /// frame : {'world', 'body', 'aligned'}
@@ -241,6 +243,7 @@ impl Mechanism {
     /// Returns
     /// -------
     /// ndarray, shape (..., 6, rates)
+    #[doc = common_dtype!()]
     ///     Rows are ``[ωx, ωy, ωz, vx, vy, vz]``, angular first. Columns of joints that do not carry the
     ///     link are zero.
     ///
@@ -280,7 +283,8 @@ impl Mechanism {
 
     /// Inverse kinematics: values that bring links to targets, for each pair of a target and a start.
     ///
-    /// Damped least squares on the screws of the joints, within their limits, on SIMD lanes. Where limits or
+    /// Damped least squares, steps δ that make ``|Jδ − e|² + λ²|δ|²`` least of the errors e, rotations
+    /// and positions, and the Jacobian J, within the limits of the joints, on SIMD lanes. Where limits or
     /// local minima stop it, a search begins again from other values, spread evenly within the limits. The
     /// values returned are the best found, also where a target is not reached; where numbers are not finite
     /// or a target is not unit, they are the start. ``reach(poses(values, links), start, links)`` is
@@ -319,6 +323,7 @@ impl Mechanism {
     /// Returns
     /// -------
     /// values : ndarray, shape (..., values)
+    ///     float32 if `targets` and `values` are, otherwise float64.
     /// report : ReachReport
     ///     What was reached: arrays of shape (...).
     ///
@@ -383,14 +388,6 @@ impl Mechanism {
             PyValueError::new_err(format!("`values` are float32, for which {error}"))
         })
     }
-}
-
-/// The text of a file.
-fn read(py: Python<'_>, path: &Bound<'_, PyAny>) -> PyResult<String> {
-    let path = py.import("pathlib")?.call_method1("Path", (path,))?;
-    let options = PyDict::new(py);
-    options.set_item("encoding", "utf-8-sig")?;
-    path.call_method("read_text", (), Some(&options))?.extract()
 }
 
 fn value_error(error: impl ToString) -> PyErr {

@@ -4,21 +4,13 @@ use crate::argument::{Input, Number, tuple};
 use crate::skin::{Method, named};
 use crate::threads::Threads;
 use dq8::skinning::{
-    DualBlend, Linear, Skin, SkinningError, Stretched, Surface, SurfaceMut, split_palette,
+    DualBlend, Linear, Mixed, Skin, SkinningError, Stretched, Surface, SurfaceMut, split_palette,
 };
 use dq8::{Backend, DualQuat};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 type Matrix3x4<R> = [[R; 4]; 3];
-
-/// What joints move vertices by, `[pose][joint]`.
-#[derive(Debug)]
-pub(crate) enum Entries<R> {
-    Motions(Vec<DualQuat<R>>),
-    Matrices(Vec<Matrix3x4<R>>),
-    Split { motions: Vec<DualQuat<R>>, stretches: Vec<Matrix3x4<R>> },
-}
 
 /// A palette for each pose.
 #[derive(Debug)]
@@ -27,6 +19,21 @@ pub(crate) struct Palette<R> {
     pub(crate) poses: Vec<usize>,
     pub(crate) joints: usize,
     entries: Entries<R>,
+}
+
+/// What joints move vertices by, `[pose][joint]`.
+#[derive(Debug)]
+enum Entries<R> {
+    Linear(Vec<Matrix3x4<R>>),
+    Dual(Dual<R>),
+    Mixed(Vec<Matrix3x4<R>>, Dual<R>),
+}
+
+/// Motions, of matrices with what is left of them.
+#[derive(Debug)]
+enum Dual<R> {
+    Rigid(Vec<DualQuat<R>>),
+    Stretched { motions: Vec<DualQuat<R>>, stretches: Vec<Matrix3x4<R>> },
 }
 
 impl<R: Number> Palette<R> {
@@ -46,30 +53,33 @@ impl<R: Number> Palette<R> {
         };
         let given = given.filled(&full)?;
         let numbers = given.records::<1>().as_flattened();
-        let done = given.py().detach(|| match (rows, method) {
-            (None, Method::Dual) => Ok(Entries::Motions(motions(numbers))),
-            (None, Method::Linear) => {
-                let matrices = motions(numbers).into_iter().map(DualQuat::to_matrix3x4);
-                Ok(Entries::Matrices(matrices.collect()))
-            }
-            (Some(rows), Method::Linear) => Ok(Entries::Matrices(matrices(numbers, rows)?)),
-            (Some(rows), Method::Dual) => {
-                let matrices = matrices(numbers, rows)?;
-                let mut motions = vec![DualQuat::IDENTITY; matrices.len()];
-                let mut stretches = matrices.clone();
-                split_palette(&matrices, &mut motions, &mut stretches)?;
-                Ok(Entries::Split { motions, stretches })
-            }
+        let done = given.py().detach(|| {
+            Ok(match (rows, method) {
+                (None, Method::Dual) => Entries::Dual(Dual::Rigid(motions(numbers))),
+                (None, Method::Linear) => Entries::Linear(matrices_of(&motions(numbers))),
+                (None, Method::Mixed) => {
+                    let motions = motions(numbers);
+                    Entries::Mixed(matrices_of(&motions), Dual::Rigid(motions))
+                }
+                (Some(rows), Method::Linear) => Entries::Linear(matrices(numbers, rows)?),
+                (Some(rows), Method::Dual) => Entries::Dual(split(&matrices(numbers, rows)?)?),
+                (Some(rows), Method::Mixed) => {
+                    let matrices = matrices(numbers, rows)?;
+                    let dual = split(&matrices)?;
+                    Entries::Mixed(matrices, dual)
+                }
+            })
         });
         let entries = done.map_err(|error| of_one_pose(error, joints))?;
         Ok(Self { poses, joints, entries })
     }
 
-    /// A mesh in one of the poses.
+    /// A mesh in one of the poses; where both blends are mixed, by `shares`.
     pub(crate) fn pose(
         &self,
         threads: &Threads,
         skin: &Skin<'_, u32, R>,
+        shares: &[R],
         pose: usize,
         rest: Surface<'_, [R; 3]>,
         posed: SurfaceMut<'_, [R; 3]>,
@@ -77,19 +87,32 @@ impl<R: Number> Palette<R> {
         let backend = Backend::best();
         let of = pose * self.joints..(pose + 1) * self.joints;
         macro_rules! by {
-            ($blend:expr) => {
+            ($blend:expr) => {{
+                let blend = $blend;
                 if threads.many() {
-                    backend.par_skin(skin, $blend, rest, posed)
+                    backend.par_skin(skin, blend, rest, posed)
                 } else {
-                    backend.skin(skin, $blend, rest, posed)
+                    backend.skin(skin, blend, rest, posed)
                 }
-            };
+            }};
         }
         match &self.entries {
-            Entries::Motions(motions) => by!(DualBlend::new(&motions[of])),
-            Entries::Matrices(matrices) => by!(Linear::new(&matrices[of])),
-            Entries::Split { motions, stretches } => {
+            Entries::Linear(matrices) => by!(Linear::new(&matrices[of])),
+            Entries::Dual(Dual::Rigid(motions)) => by!(DualBlend::new(&motions[of])),
+            Entries::Dual(Dual::Stretched { motions, stretches }) => {
                 by!(Stretched::new(&motions[of.clone()], &stretches[of]))
+            }
+            Entries::Mixed(matrices, dual) => {
+                let linear = Linear::new(&matrices[of.clone()]);
+                match dual {
+                    Dual::Rigid(motions) => {
+                        by!(Mixed::new(linear, DualBlend::new(&motions[of]), shares)?)
+                    }
+                    Dual::Stretched { motions, stretches } => {
+                        let dual = Stretched::new(&motions[of.clone()], &stretches[of]);
+                        by!(Mixed::new(linear, dual, shares)?)
+                    }
+                }
             }
         }
     }
@@ -97,6 +120,18 @@ impl<R: Number> Palette<R> {
 
 fn motions<R: Number>(numbers: &[R]) -> Vec<DualQuat<R>> {
     numbers.as_chunks().0.iter().map(|&motion| DualQuat::from_array(motion)).collect()
+}
+
+fn matrices_of<R: Number>(motions: &[DualQuat<R>]) -> Vec<Matrix3x4<R>> {
+    motions.iter().map(|motion| motion.to_matrix3x4()).collect()
+}
+
+/// Matrices, taken apart.
+fn split<R: Number>(matrices: &[Matrix3x4<R>]) -> Result<Dual<R>, SkinningError> {
+    let mut motions = vec![DualQuat::IDENTITY; matrices.len()];
+    let mut stretches = matrices.to_vec();
+    split_palette(matrices, &mut motions, &mut stretches)?;
+    Ok(Dual::Stretched { motions, stretches })
 }
 
 /// Affine matrices of finite numbers, from those of 3 or 4 rows.

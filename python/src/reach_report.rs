@@ -23,10 +23,12 @@ pub(crate) struct ReachReport {
     /// How many of them were restarts; uint32.
     #[pyo3(get)]
     restarts: Py<PyAny>,
-    /// The rotation that is left, radians; of several links the largest. NaN where the input is invalid.
+    /// The rotation that is left, radians; of several links the largest. NaN where the input is invalid. The dtype is
+    /// that of the values, float32 or float64.
     #[pyo3(get)]
     angular_error: Py<PyAny>,
-    /// The distance that is left; of several links the largest. NaN where the input is invalid.
+    /// The distance that is left, a length; of several links the largest. NaN where the input is invalid. The dtype is
+    /// that of the values, float32 or float64.
     #[pyo3(get)]
     linear_error: Py<PyAny>,
 }

@@ -2,7 +2,7 @@
 
 use crate::argument::{Argument, Input, Number, is_single, misshapen, tuple};
 use crate::call::Answer;
-use crate::functions::core_shape::VECTOR;
+use crate::functions::core_shape::{NUMBER, VECTOR};
 use crate::output::Output;
 use crate::palette::Palette;
 use crate::threads::Threads;
@@ -19,6 +19,20 @@ use rayon::prelude::*;
 pub(crate) enum Method {
     Dual,
     Linear,
+    Mixed,
+}
+
+impl Method {
+    fn of(name: &str) -> PyResult<Self> {
+        match name {
+            "dlb" => Ok(Self::Dual),
+            "lbs" => Ok(Self::Linear),
+            "mix" => Ok(Self::Mixed),
+            _ => Err(PyValueError::new_err(format!(
+                "Expected `method` to be 'dlb', 'lbs' or 'mix', got '{name}'."
+            ))),
+        }
+    }
 }
 
 /// Skinning: the vertices of a mesh follow joints, in one pose or in many.
@@ -26,9 +40,13 @@ pub(crate) enum Method {
 /// ``'dlb'``, dual quaternion linear blending: the point v goes to ``b·v``, b = ``normalize(Σ ±wᵢσᵢ)``, each
 /// sign turned toward the joint of greatest weight. Keeps the volume of twisted limbs. Matrices are taken
 /// apart into a motion and a stretch before it, Mᵢ = σᵢSᵢ: v goes to ``b·(Σ wᵢSᵢ v)``, as UsdSkel's
-/// ``dualQuaternion`` does; so joints may scale and shear. Normals turn by cof(Σ wᵢSᵢ), then by b.
+/// ``dualQuaternion`` does; so joints may scale and shear. Normals turn by ``cof(Σ wᵢSᵢ)``, tangents by ``Σ wᵢSᵢ``,
+/// then both by b.
 ///
-/// ``'lbs'``, linear blend skinning: v goes to ``Σ wᵢMᵢv``, normals to ``cof(Σ wᵢMᵢ)n``.
+/// ``'lbs'``, linear blend skinning: v goes to ``Σ wᵢMᵢv``, normals to ``cof(Σ wᵢMᵢ)n``, tangents to ``Σ wᵢMᵢt``.
+///
+/// ``'mix'``, both by a number s for each vertex: ``(1 − s) lbs + s dlb`` of points, normals and tangents. Against
+/// the bulge of ``'dlb'`` at bent joints.
 ///
 /// Parameters
 /// ----------
@@ -42,17 +60,20 @@ pub(crate) enum Method {
 /// palette : array_like, shape (..., joints, 8), (..., joints, 3, 4) or (..., joints, 4, 4)
 ///     What takes each joint from the mesh at rest to the posed mesh, pose · inverse(bind pose): unit dual
 ///     quaternions, or matrices for column vectors, whose last row is 0 0 0 1. Leading dimensions are poses.
-/// method : {'dlb', 'lbs'}
+/// method : {'dlb', 'lbs', 'mix'}
 ///     The blend.
-/// normals : array_like, shape (vertices, 3), optional
-///     Unit normals at rest.
-/// out : ndarray, or a tuple of two where there are normals, optional
+/// shares : array_like, shape (vertices,), where the method is ``'mix'``
+///     The share s of ``'dlb'``, in [0, 1].
+/// normals, tangents : array_like, shape (vertices, 3), optional
+///     Unit normals and unit tangents at rest; tangents without the sign of the bitangent.
+/// out : ndarray, or a tuple of those where there are normals or tangents, optional
 ///     Where to write the result: arrays that do not overlap each other. Untouched where the arguments are wrong.
 ///
 /// Returns
 /// -------
-/// ndarray, shape (..., vertices, 3), or a tuple of two where there are normals
-///     The posed points, and unit normals. float32 if all arrays but `joints` are, otherwise float64.
+/// ndarray, shape (..., vertices, 3), or a tuple of those where there are normals or tangents
+///     The posed points, then unit normals, then unit tangents, of what there is. float32 if all arrays but `joints`
+///     are, otherwise float64.
 ///
 /// References
 /// ----------
@@ -71,34 +92,44 @@ pub(crate) enum Method {
 /// array([[0.707107, 0.707107, 0.      ]])
 /// >>> dq8.skin([[1.0, 0, 0]], [[0, 1]], [[0.5, 0.5]], palette, method='lbs').round(6)
 /// array([[0.5, 0.5, 0. ]])
+#[expect(clippy::too_many_arguments, reason = "keywords of Python")]
 #[pyfunction]
-#[pyo3(signature = (points, joints, weights, palette, /, *, method="dlb", normals=None, out=None))]
+#[pyo3(signature = (
+    points, joints, weights, palette, /, *, method="dlb", shares=None, normals=None, tangents=None, out=None
+))]
 pub(crate) fn skin<'py>(
     points: &Bound<'py, PyAny>,
     joints: &Bound<'py, PyAny>,
     weights: &Bound<'py, PyAny>,
     palette: &Bound<'py, PyAny>,
     method: &str,
+    shares: Option<&Bound<'py, PyAny>>,
     normals: Option<&Bound<'py, PyAny>>,
+    tangents: Option<&Bound<'py, PyAny>>,
     out: Option<&Bound<'py, PyAny>>,
 ) -> Answer<'py> {
-    let method = match method {
-        "dlb" => Method::Dual,
-        "lbs" => Method::Linear,
-        _ => {
-            let message = format!("Expected `method` to be 'dlb' or 'lbs', got '{method}'.");
-            return Err(PyValueError::new_err(message));
-        }
-    };
+    let method = Method::of(method)?;
+    if (method == Method::Mixed) != shares.is_some() {
+        return Err(PyTypeError::new_err(
+            "Expected `shares` where `method` is 'mix', and nowhere else.",
+        ));
+    }
     let call = Call {
         points: Argument { name: "points", core: VECTOR, value: points },
         joints,
-        weights: Argument { name: "weights", core: &[], value: weights },
-        palette: Argument { name: "palette", core: &[], value: palette },
-        normals: normals.map(|value| Argument { name: "normals", core: VECTOR, value }),
+        weights: Argument { name: "weights", core: NUMBER, value: weights },
+        palette: Argument { name: "palette", core: NUMBER, value: palette },
         method,
+        shares: shares.map(|value| Argument { name: "shares", core: NUMBER, value }),
+        directions: [
+            normals.map(|value| Argument { name: "normals", core: VECTOR, value }),
+            tangents.map(|value| Argument { name: "tangents", core: VECTOR, value }),
+        ],
     };
-    if is_single(&[Some(call.points), Some(call.weights), Some(call.palette), call.normals])? {
+    let [normals, tangents] = call.directions;
+    let points = Some(call.points);
+    if is_single(&[points, Some(call.weights), Some(call.palette), call.shares, normals, tangents])?
+    {
         typed::<f32>(call, out)
     } else {
         typed::<f64>(call, out)
@@ -110,8 +141,10 @@ struct Call<'a, 'py> {
     joints: &'a Bound<'py, PyAny>,
     weights: Argument<'a, 'py>,
     palette: Argument<'a, 'py>,
-    normals: Option<Argument<'a, 'py>>,
     method: Method,
+    shares: Option<Argument<'a, 'py>>,
+    /// Normals and tangents.
+    directions: [Option<Argument<'a, 'py>>; 2],
 }
 
 fn typed<'py, R: Number>(call: Call<'_, 'py>, out: Option<&Bound<'py, PyAny>>) -> Answer<'py> {
@@ -128,56 +161,73 @@ fn typed<'py, R: Number>(call: Call<'_, 'py>, out: Option<&Bound<'py, PyAny>>) -
     if weights.full_leading() != shape {
         return Err(misshapen("weights", &tuple(&shape), &weights.shape()));
     }
-    let normals = call.normals.map(Input::<R>::of).transpose()?;
-    if let Some(normals) = &normals
-        && normals.full_leading() != [vertices]
-    {
-        return Err(misshapen("normals", &tuple(&[vertices, 3]), &normals.shape()));
-    }
+    // One for each vertex.
+    let of_vertices = |argument: Argument<'_, 'py>| -> PyResult<Input<'py, R>> {
+        let input = Input::<R>::of(argument)?;
+        if input.full_leading() != [vertices] {
+            let expected = [&[vertices], argument.core].concat();
+            return Err(misshapen(argument.name, &tuple(&expected), &input.shape()));
+        }
+        Ok(input)
+    };
+    let shares = call.shares.map(of_vertices).transpose()?;
+    let [normals, tangents] = call.directions;
+    let [normals, tangents] =
+        [normals.map(of_vertices).transpose()?, tangents.map(of_vertices).transpose()?];
     let palette = Palette::new(Input::<R>::of(call.palette)?, call.method)?;
 
     let leading = [&palette.poses[..], &[vertices]].concat();
-    let [out_points, out_normals] = outputs(out, normals.is_some())?;
-    let to_points = Output::<R>::new(py, out_points.as_ref(), &leading, VECTOR)?;
-    let to_normals = normals
-        .as_ref()
-        .map(|_| Output::<R>::new(py, out_normals.as_ref(), &leading, VECTOR))
-        .transpose()?;
-    if let Some(to_normals) = &to_normals {
-        to_points.check_apart(to_normals)?;
+    let there = [true, normals.is_some(), tangents.is_some()];
+    let mut outputs = Vec::with_capacity(there.len());
+    for out in outs(out, there)? {
+        let output = Output::<R>::new(py, out.as_ref(), &leading, VECTOR)?;
+        outputs.iter().try_for_each(|other| output.check_apart(other))?;
+        outputs.push(output);
     }
     let ready = |input: Input<'py, R>| -> PyResult<Input<'py, R>> {
         let full = input.full_leading().to_vec();
-        let input = input.filled(&full)?.apart_from(&to_points)?;
-        to_normals.iter().try_fold(input, Input::apart_from)
+        outputs.iter().try_fold(input.filled(&full)?, Input::apart_from)
     };
     let (points, weights) = (ready(points)?, ready(weights)?);
-    let normals = normals.map(ready).transpose()?;
+    let shares = shares.map(ready).transpose()?;
+    let [normals, tangents] = [normals.map(ready).transpose()?, tangents.map(ready).transpose()?];
 
     let rest = Surface {
         positions: points.records(),
         normals: normals.as_ref().map(|normals| normals.records()),
-        tangents: None,
+        tangents: tangents.as_ref().map(|tangents| tangents.records()),
     };
     let weights = weights.records::<1>().as_flattened();
     let skin = py.detach(|| Skin::new(palette.joints, shape[1], &joints, weights));
     let skin = skin.map_err(named)?;
-    let mut points_memory = to_points.borrow()?;
-    let mut normals_memory = to_normals.as_ref().map(Output::borrow).transpose()?;
-    let failed = |error: numpy::AsSliceError| PyValueError::new_err(error.to_string());
-    let to_positions = points_memory.as_slice_mut().map_err(failed)?.as_chunks_mut::<3>().0;
-    let to_directions = match &mut normals_memory {
-        Some(memory) => Some(memory.as_slice_mut().map_err(failed)?.as_chunks_mut::<3>().0),
-        None => None,
+    let shares = shares.as_ref().map_or(&[][..], |shares| shares.records::<1>().as_flattened());
+
+    let mut memory = outputs.iter().map(Output::borrow).collect::<PyResult<Vec<_>>>()?;
+    let mut slices = Vec::with_capacity(memory.len());
+    for memory in &mut memory {
+        let numbers = memory.as_slice_mut();
+        let numbers = numbers.map_err(|error| PyValueError::new_err(error.to_string()))?;
+        slices.push(numbers.as_chunks_mut::<3>().0);
+    }
+    let mut slices = slices.into_iter();
+    let mut next = |there: bool| if there { slices.next() } else { None };
+    let posed = SurfaceMut {
+        positions: next(true).unwrap_or_default(),
+        normals: next(there[1]),
+        tangents: next(there[2]),
     };
-    let done = py.detach(|| poses(&palette, &skin, rest, to_positions, to_directions));
+    let done = py.detach(|| poses(&palette, &skin, shares, rest, posed));
     done.map_err(named)?;
-    drop(points_memory);
-    drop(normals_memory);
-    let points = to_points.finish()?;
-    match to_normals {
-        None => Ok(points),
-        Some(normals) => Ok(PyTuple::new(py, [points, normals.finish()?])?.into_any()),
+    drop(memory);
+    let mut results = Vec::with_capacity(outputs.len());
+    for output in outputs {
+        results.push(output.finish()?);
+    }
+    match results.pop() {
+        Some(points) if results.is_empty() => Ok(points),
+        last => {
+            Ok(PyTuple::new(py, results.into_iter().chain(last).collect::<Vec<_>>())?.into_any())
+        }
     }
 }
 
@@ -185,30 +235,29 @@ fn typed<'py, R: Number>(call: Call<'_, 'py>, out: Option<&Bound<'py, PyAny>>) -
 fn poses<R: Number>(
     palette: &Palette<R>,
     skin: &Skin<'_, u32, R>,
+    shares: &[R],
     rest: Surface<'_, [R; 3]>,
-    points: &mut [[R; 3]],
-    normals: Option<&mut [[R; 3]]>,
+    posed: SurfaceMut<'_, [R; 3]>,
 ) -> Result<(), SkinningError> {
     let vertices = skin.vertices();
     if vertices == 0 {
         return Ok(());
     }
-    let threads = Threads::for_elements(points.len());
-    let mut normals = normals.map(|normals| normals.chunks_exact_mut(vertices));
-    let posed = points.chunks_exact_mut(vertices).map(|positions| SurfaceMut {
+    let threads = Threads::for_elements(posed.positions.len());
+    let mut normals = posed.normals.map(|normals| normals.chunks_exact_mut(vertices));
+    let mut tangents = posed.tangents.map(|tangents| tangents.chunks_exact_mut(vertices));
+    let posed = posed.positions.chunks_exact_mut(vertices).map(|positions| SurfaceMut {
         positions,
         normals: normals.as_mut().and_then(Iterator::next),
-        tangents: None,
+        tangents: tangents.as_mut().and_then(Iterator::next),
     });
+    let one = |(pose, posed)| palette.pose(&threads, skin, shares, pose, rest, posed);
     let mut posed = posed.enumerate();
     if threads.many() {
         let posed: Vec<_> = posed.collect();
-        let posed = posed.into_par_iter();
-        threads.install(|| {
-            posed.try_for_each(|(pose, posed)| palette.pose(&threads, skin, pose, rest, posed))
-        })
+        threads.install(|| posed.into_par_iter().try_for_each(one))
     } else {
-        posed.try_for_each(|(pose, posed)| palette.pose(&threads, skin, pose, rest, posed))
+        posed.try_for_each(one)
     }
 }
 
@@ -236,23 +285,28 @@ fn joints_of(joints: &Bound<'_, PyAny>) -> PyResult<(Vec<u32>, Vec<usize>)> {
     Ok((joints, shape))
 }
 
-/// Where to write points and normals.
-fn outputs<'py>(
+/// Where to write what there is of points, normals and tangents.
+fn outs<'py>(
     out: Option<&Bound<'py, PyAny>>,
-    normals: bool,
-) -> PyResult<[Option<Bound<'py, PyAny>>; 2]> {
-    match out {
-        None => Ok([None, None]),
-        Some(out) if !normals => Ok([Some(out.clone()), None]),
-        Some(out) => match out.extract() {
-            Ok((points, normals)) if out.is_instance_of::<PyTuple>() => {
-                Ok([Some(points), Some(normals)])
-            }
-            _ => Err(PyTypeError::new_err(format!(
-                "Expected `out` to be a tuple of two arrays where there are `normals`, got {}.",
-                out.get_type().name()?
-            ))),
-        },
+    there: [bool; 3],
+) -> PyResult<Vec<Option<Bound<'py, PyAny>>>> {
+    let names = ["points", "normals", "tangents"].into_iter().zip(there);
+    let names: Vec<_> = names.filter_map(|(name, there)| there.then_some(name)).collect();
+    let Some(out) = out else { return Ok(vec![None; names.len()]) };
+    if names.len() == 1 {
+        return Ok(vec![Some(out.clone())]);
+    }
+    match out.cast::<PyTuple>() {
+        Ok(arrays) if arrays.len() == names.len() => Ok(arrays.iter().map(Some).collect()),
+        given => {
+            let given = match given {
+                Ok(arrays) => format!("a tuple of {}", arrays.len()),
+                Err(_) => out.get_type().name()?.to_string(),
+            };
+            let names = names.join(", ");
+            let message = format!("Expected `out` to be a tuple of arrays ({names}), got {given}.");
+            Err(PyTypeError::new_err(message))
+        }
     }
 }
 
@@ -261,6 +315,7 @@ pub(crate) fn named(error: SkinningError) -> PyErr {
     let argument = match error {
         SkinningError::NoInfluences | SkinningError::JointOutOfRange { .. } => "`joints`: ",
         SkinningError::Weight { .. } | SkinningError::Total { .. } => "`weights`: ",
+        SkinningError::Share { .. } => "`shares`: ",
         _ => "",
     };
     PyValueError::new_err(format!("{argument}{error}."))

@@ -25,12 +25,26 @@ def random_motions(rng):
     return make
 
 
+def longest(array) -> float:
+    """The longest translation of motions or matrices, the longest of other vectors."""
+    array = np.asarray(array)
+    if array.shape[-1:] == (8,):
+        array = 2 * array[..., 4:]
+    elif array.shape[-2:] == (4, 4):
+        array = array[..., :3, 3]
+    return np.linalg.norm(array, axis=-1).max(initial=0)
+
+
 @pytest.fixture
 def close():
-    """Whether arrays differ by at most 1e-14·max(1, |t|), the promise for float64."""
+    """Whether arrays differ by at most 1e-14·max(1, |t|), the promise for float64, |t| the longest of what was given.
 
-    def check(actual, expected, size: float = 1.0) -> None:
-        np.testing.assert_allclose(actual, expected, rtol=0, atol=1e-14 * max(1.0, size))
+    By `bound` in the place of 1e-14 where a test says why.
+    """
+
+    def check(actual, expected, *given, bound: float = 1e-14) -> None:
+        size = max([1.0, *map(longest, given)])
+        np.testing.assert_allclose(actual, expected, rtol=0, atol=bound * size)
 
     return check
 

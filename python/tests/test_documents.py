@@ -2,14 +2,17 @@
 
 import ast
 import doctest
+import functools
 import importlib.resources
 import inspect
+import re
 import subprocess
 import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
+from calls import CALLS
 
 import dq8
 from dq8 import _core
@@ -48,15 +51,63 @@ def test_examples_in_docstrings_are_true():
     assert ran >= 8
 
 
-@pytest.mark.parametrize(("name", "function"), functions())
-def test_docstrings_say_shape_and_what_is_returned(name, function):
-    doc = function.__doc__
-    parameters = inspect.signature(function).parameters
-    if "out" in parameters:
-        assert "shape (" in doc
-        assert "Returns" in doc
-        for parameter in parameters:
-            assert parameter in doc.split("Parameters")[1], parameter
+# Something is computed, ``a b`` is a formula and ``'dlb'`` or ``[x, y]`` is none; matrices are written as they are.
+FORMULA = re.compile(r"``[^`']*(?:[=·*/√Σ²ᵗ±−+|(σ]|R t;)[^`']*``")
+UNITS = re.compile(r"radian|length|pure number|dual quaternion", re.IGNORECASE)
+
+
+@pytest.mark.parametrize("name", CALLS)
+def test_docstrings_of_what_computes_say_formula_shapes_units_and_dtype(name):
+    thing = functools.reduce(getattr, name.split("."), dq8 if hasattr(dq8, name.split(".")[0]) else _core)
+    doc = inspect.getdoc(thing)
+    assert FORMULA.search(doc.split("Parameters")[0]), "formula"
+    assert "shape (" in doc
+    assert UNITS.search(doc), "units"
+    if name.startswith("RigidTransform."):
+        assert "of `dtype`" in doc.lower()
+        return
+    parameters, returned = doc.split("Returns\n-------\n")
+    assert re.search(r"float32 if (all arrays|`targets`)[^.]*, otherwise float64\.", " ".join(returned.split())), "dtype"
+    for parameter in inspect.signature(thing).parameters:
+        assert parameter == "self" or re.search(rf"\b{parameter}\b.* : ", parameters), parameter
+
+
+# What is there already, in another form.
+GIVEN = {"as_components", "astype", "concatenate", "dtype", "identity", "motions", "shape", "single"}
+
+
+def transform_members():
+    return [name for name in vars(dq8.RigidTransform) if not name.startswith("_")] + ["__mul__", "__pow__"]
+
+
+@pytest.mark.parametrize("name", transform_members())
+def test_docstrings_of_transforms_say_formula_shapes_and_dtype(name):
+    member = inspect.getattr_static(dq8.RigidTransform, name)
+    function = getattr(member, "fget", None) or getattr(member, "__func__", None) or member
+    doc, types = inspect.getdoc(function), function.__annotations__
+    assert (name in GIVEN) != bool(FORMULA.search(doc) or re.search("``[rp]``", doc)), "formula"
+    if types["return"].startswith("NDArray"):
+        assert "shape (" in doc and "of `dtype`" in doc.lower()
+    if name.startswith("from_"):
+        assert any(given in doc for given in ("shape (", "any shape"))
+    if "Rotation" in str(types) and "RigidTransform" not in types["return"]:
+        assert "float64" in doc
+
+
+@pytest.mark.parametrize("owner", [dq8.ReachReport, dq8.Mechanism])
+def test_docstrings_of_properties_say_the_dtype_of_arrays(owner):
+    declared = {node.name: node for node in stubs()[owner.__name__].body if isinstance(node, ast.FunctionDef)}
+    for name, member in vars(owner).items():
+        if inspect.isgetsetdescriptor(member):
+            types = ast.unparse(declared[name].returns)
+            dtypes = {"NDArray[np.bool]": "bool", "NDArray[np.uint8]": "uint8", "NDArray[np.uint32]": "uint32"}
+            expected = next((dtype for array, dtype in dtypes.items() if array in types), "float64")
+            assert ("list" in types) or expected in member.__doc__, name
+
+
+def test_the_package_says_what_all_functions_have_in_common():
+    for said in ("64 bits", "float32 if all of them are", "Angles are radians", "lengths the unit of the caller", "q is a length"):
+        assert said in " ".join(dq8.__doc__.split())
 
 
 def test_the_types_have_every_function_with_its_parameters():

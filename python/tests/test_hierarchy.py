@@ -25,13 +25,13 @@ def test_models_are_products_down_the_hierarchy(random_motions, close, leading):
     models = dq8.Hierarchy(PARENTS).local_to_model(locals_)
     assert models.shape == locals_.shape
     for own, expected in zip(models.reshape(-1, 7, 8), locals_.reshape(-1, 7, 8)):
-        close(dq8.to_matrix(own), loop(PARENTS, expected), 20)
+        close(dq8.to_matrix(own), loop(PARENTS, expected), expected, own)
 
 
 def test_a_root_moves_all_joints(random_motions, close):
     hierarchy, locals_, root = dq8.Hierarchy(PARENTS), random_motions(9, 7), random_motions()
     moved = hierarchy.local_to_model(locals_, root=root)
-    close(dq8.to_matrix(moved), dq8.to_matrix(dq8.mul(root, hierarchy.local_to_model(locals_))), 20)
+    close(dq8.to_matrix(moved), dq8.to_matrix(dq8.mul(root, hierarchy.local_to_model(locals_))), root, locals_, moved)
 
 
 @pytest.mark.parametrize("with_root", [False, True])
@@ -39,7 +39,7 @@ def test_model_to_local_undoes_local_to_model(random_motions, close, with_root):
     hierarchy, locals_ = dq8.Hierarchy(PARENTS), random_motions(9, 7)
     root = random_motions() if with_root else None
     models = hierarchy.local_to_model(locals_, root=root)
-    close(hierarchy.model_to_local(models, root=root), locals_, 20)
+    close(hierarchy.model_to_local(models, root=root), locals_, locals_, models)
 
 
 def test_hierarchies_run_in_place(random_motions):
@@ -77,4 +77,4 @@ def test_an_arm_of_screws_is_that_of_pytransform3d(rng, close):
         expected = np.eye(4)
         for axis, angle in zip(axes, theta):
             expected = expected @ p3d.transform_from_exponential_coordinates(axis * angle)
-        close(own, expected, 100)
+        close(own, expected, axes * theta[:, None], expected)

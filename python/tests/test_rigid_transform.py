@@ -53,7 +53,10 @@ def test_out_is_written(random_motions, rng):
     np.testing.assert_array_equal(points, expected)
     motions = np.empty((5, 8))
     assert transform.as_dual_quat(scalar_first=True, out=motions) is motions
-    np.testing.assert_array_equal(motions, transform.as_dual_quat(scalar_first=True))
+    np.testing.assert_array_equal(motions, transform.motions[:, [3, 0, 1, 2, 7, 4, 5, 6]])
+    # Even over the transform itself.
+    transform.as_dual_quat(scalar_first=True, out=transform.motions)
+    np.testing.assert_array_equal(transform.motions, motions)
 
 
 def test_indices_do_not_reach_into_the_eight_numbers():

@@ -4,16 +4,19 @@ A motion is eight numbers, ``[px, py, pz, pw, qx, qy, qz, qw]``: the dual quater
 rotation and q = ½tp, t the translation. This is the layout of SciPy's
 ``RigidTransform.as_dual_quat(scalar_first=False)``.
 
-Functions take arrays ``(..., 8)``, broadcast leading dimensions, and compute in float32 if all arrays are
-float32, otherwise in float64. Arrays that lie in memory one element after the other are read as they are;
-others are copied first. ``out=`` writes into an array that is there.
+Functions take arrays ``(..., 8)`` and broadcast leading dimensions. Arguments are arrays of real numbers of at most
+64 bits, or what NumPy makes such arrays of; a call computes in float32 if all of them are float32 or float16, otherwise
+in float64. Python's own numbers, as the exponent of `pow`, do not count. Arrays that lie in memory one element after the
+other are read as they are; others are copied first. ``out=`` writes into an array of the result's shape and dtype; where
+it does not fit, or an argument is wrong, nothing is written.
 
 `Mechanism` is a robot: joint values ``(..., values)`` to poses of links and Jacobians, and back from poses
 (`Mechanism.reach`). `skin` lets a mesh follow joints.
 
 `RigidTransform` wraps such an array in the methods of ``scipy.spatial.transform.RigidTransform``.
 
-Angles are radians, lengths the unit of the caller, ``a b`` lets b act first, matrices are for column vectors.
+Angles are radians, lengths the unit of the caller; in a dual quaternion p has no unit and q is a length. ``a b`` lets b
+act first, matrices are for column vectors.
 """
 
 import os as _os

@@ -84,8 +84,10 @@ def skin(
     palette: ArrayLike,
     /,
     *,
-    method: Literal["dlb", "lbs"] = "dlb",
+    method: Literal["dlb", "lbs", "mix"] = "dlb",
+    shares: ArrayLike | None = None,
     normals: None = None,
+    tangents: None = None,
     out: _Floats | None = None,
 ) -> _Floats: ...
 @overload
@@ -96,10 +98,40 @@ def skin(
     palette: ArrayLike,
     /,
     *,
-    method: Literal["dlb", "lbs"] = "dlb",
+    method: Literal["dlb", "lbs", "mix"] = "dlb",
+    shares: ArrayLike | None = None,
     normals: ArrayLike,
+    tangents: None = None,
     out: tuple[_Floats, _Floats] | None = None,
 ) -> tuple[_Floats, _Floats]: ...
+@overload
+def skin(
+    points: ArrayLike,
+    joints: ArrayLike,
+    weights: ArrayLike,
+    palette: ArrayLike,
+    /,
+    *,
+    method: Literal["dlb", "lbs", "mix"] = "dlb",
+    shares: ArrayLike | None = None,
+    normals: None = None,
+    tangents: ArrayLike,
+    out: tuple[_Floats, _Floats] | None = None,
+) -> tuple[_Floats, _Floats]: ...
+@overload
+def skin(
+    points: ArrayLike,
+    joints: ArrayLike,
+    weights: ArrayLike,
+    palette: ArrayLike,
+    /,
+    *,
+    method: Literal["dlb", "lbs", "mix"] = "dlb",
+    shares: ArrayLike | None = None,
+    normals: ArrayLike,
+    tangents: ArrayLike,
+    out: tuple[_Floats, _Floats, _Floats] | None = None,
+) -> tuple[_Floats, _Floats, _Floats]: ...
 def backend() -> str: ...
 def set_num_threads(count: int, /) -> None: ...
 def get_num_threads() -> int: ...

@@ -29,11 +29,12 @@ def identity(shape: int | tuple[int, ...] = (), dtype: DTypeLike = np.float64) -
     shape : int or tuple of ints, optional
         Leading dimensions.
     dtype : optional
-        float64 or float32.
+        float64, the default, or float32.
 
     Returns
     -------
     ndarray, shape (*shape, 8)
+        ``1 + 0ε``, of the dtype given.
     """
     leading = (shape,) if isinstance(shape, int) else tuple(shape)
     motions = np.zeros((*leading, 8), dtype)
@@ -54,6 +55,18 @@ def _floats(name: str, value: ArrayLike, core: tuple[int, ...]) -> NDArray[Any]:
     if array.dtype not in _ORTHOGONAL:
         raise TypeError(f"Expected `{name}` to hold real numbers of at most 64 bits, got dtype {array.dtype}.")
     return array
+
+
+def _check_out(out: NDArray[Any], result: NDArray[Any]) -> None:
+    """What the compiled functions say where `out` cannot hold the result."""
+    if not isinstance(out, np.ndarray):
+        raise TypeError(f"Expected `out` to be an array, got {type(out).__name__}.")
+    if out.dtype != result.dtype:
+        raise TypeError(f"Expected `out` to have dtype {result.dtype}, the dtype of the result, got {out.dtype}.")
+    if out.shape != result.shape:
+        raise ValueError(f"Expected `out` to have shape {result.shape}, that of the result, got {out.shape}.")
+    if not out.flags.writeable:
+        raise ValueError("Expected `out` to be writeable, got a read-only array.")
 
 
 def _rotation_type() -> type[Rotation]:
@@ -96,12 +109,14 @@ class RigidTransform:
     The methods of ``scipy.spatial.transform.RigidTransform``, on an array ``(..., 8)`` of unit dual
     quaternions. What differs:
 
-    - float32 stays float32: a transform has the precision of what it is made of (`dtype`, `astype`).
+    - float32 stays float32: a transform has the precision of the arrays it is made of (`dtype`, `astype`), and so have
+      the arrays that it returns.
     - Transforms are dual quaternions and not matrices, so they are always rigid. ``copy=False`` does not
       share memory with a matrix, and ``normalize=False`` takes rows of a matrix that is not rigid for
       those of the rotation which their quaternion gives.
     - Any number of leading dimensions, and exponents of `**` that broadcast.
-    - `apply` and `as_dual_quat` write to ``out=``, `motions` is the array itself.
+    - What returns an array writes to ``out=``: `apply`, `as_matrix`, `as_exp_coords`, `as_dual_quat`. `motions` is the
+      array itself.
 
     Parameters
     ----------
@@ -137,7 +152,7 @@ class RigidTransform:
 
     @staticmethod
     def from_matrix(matrix: ArrayLike) -> RigidTransform:
-        """From matrices ``[R t; 0 1]``, shape (..., 4, 4).
+        """From matrices ``[R t; 0 1]``, shape (..., 4, 4), t in lengths.
 
         R becomes the nearest rotation where it is none by more than rounding. ValueError where the last row
         is not 0 0 0 1 or the determinant of R is not positive.
@@ -146,26 +161,29 @@ class RigidTransform:
 
     @staticmethod
     def from_rotation(rotation: Rotation) -> RigidTransform:
-        """From a SciPy rotation of any shape, without translation."""
+        """From a SciPy rotation r of any shape, in float64, without translation: ``r + 0ε``."""
         if not isinstance(rotation, _rotation_type()):
             raise TypeError(f"Expected `rotation` to be a `Rotation` instance, got {type(rotation)}.")
         return RigidTransform._of(_core.from_rotation_translation(rotation.as_quat(), np.zeros(3)))
 
     @staticmethod
     def from_translation(translation: ArrayLike) -> RigidTransform:
-        """From translations, shape (..., 3), in lengths, without rotation."""
+        """From translations t, shape (..., 3), in lengths, without rotation: ``1 + ½εt``."""
         return RigidTransform._of(_core.from_translation(translation))
 
     @staticmethod
     def from_components(translation: ArrayLike, rotation: Rotation) -> RigidTransform:
-        """Rotate, then translate: translations, shape (..., 3), and a SciPy rotation; they broadcast."""
+        """Rotate, then translate, ``r + ½εtr``: translations t, shape (..., 3), in lengths, and a SciPy rotation r.
+
+        They broadcast; SciPy's rotations are float64, and so is the result.
+        """
         if not isinstance(rotation, _rotation_type()):
             raise TypeError(f"Expected `rotation` to be a `Rotation` instance, got {type(rotation)}.")
         return RigidTransform._of(_core.from_rotation_translation(rotation.as_quat(), translation))
 
     @staticmethod
     def from_exp_coords(exp_coords: ArrayLike) -> RigidTransform:
-        """From exponential coordinates, shape (..., 6): rotation vector in radians, then velocity.
+        """From exponential coordinates, shape (..., 6): rotation vector in radians, then velocity in lengths.
 
         ``exp(½ξ)`` of the twist ξ = ω + εv.
         """
@@ -173,7 +191,7 @@ class RigidTransform:
 
     @staticmethod
     def from_dual_quat(dual_quat: ArrayLike, *, scalar_first: bool = False) -> RigidTransform:
-        """From dual quaternions, shape (..., 8), real part then dual part; they are normalized.
+        """From dual quaternions σ, shape (..., 8), real part then dual part, made unit: ``σ/√(σσ*)``.
 
         The scalar is the last of each four, or the first. A real part of zero is taken for 1.
         """
@@ -185,7 +203,7 @@ class RigidTransform:
     def identity(
         num: int | None = None, *, shape: int | tuple[int, ...] | None = None
     ) -> RigidTransform:
-        """`num` transforms that move nothing, or of a `shape`, or a single one."""
+        """`num` transforms that move nothing, or of a `shape`, or a single one; float64."""
         if num is not None and shape is not None:
             raise ValueError("Only one of `num` and `shape` can be specified.")
         if num is not None:
@@ -210,7 +228,7 @@ class RigidTransform:
 
     @property
     def motions(self) -> NDArray[Any]:
-        """The unit dual quaternions themselves, shape (..., 8): what is written here changes the transform."""
+        """The unit dual quaternions themselves, shape (..., 8), of `dtype`: what is written here changes the transform."""
         return self._motions
 
     @property
@@ -224,39 +242,43 @@ class RigidTransform:
             raise TypeError(f"Expected `dtype` to be float64 or float32, got {np.dtype(dtype)}.")
         return RigidTransform._of(_core.normalize(self._motions.astype(dtype)))
 
-    def as_matrix(self) -> NDArray[Any]:
-        """Matrices ``[R t; 0 1]``, shape (..., 4, 4)."""
-        return _core.to_matrix(self._motions)
+    def as_matrix(self, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
+        """Matrices ``[R t; 0 1]``, shape (..., 4, 4), of `dtype`, t in lengths; written to `out`, if given."""
+        return _core.to_matrix(self._motions, out=out)
 
     def as_components(self) -> tuple[NDArray[Any], Rotation]:
-        """Translations, shape (..., 3), and a SciPy rotation."""
+        """Translations, shape (..., 3), of `dtype`, in lengths, and a SciPy rotation, which is float64."""
         return self.translation, self.rotation
 
-    def as_exp_coords(self) -> NDArray[Any]:
-        """Exponential coordinates, shape (..., 6): rotation vector of at most π radians, then velocity.
+    def as_exp_coords(self, *, out: NDArray[Any] | None = None) -> NDArray[Any]:
+        """Exponential coordinates, shape (..., 6), of `dtype`: rotation vector of at most π radians, then velocity.
 
-        ``2 log σ``, half the dual angle times the dual axis, twice.
+        ``2 log σ``, the dual angle times the dual axis; the velocity in lengths. Written to `out`, if given.
         """
-        return _core.to_twist(self._motions)
+        return _core.to_twist(self._motions, out=out)
 
     def as_dual_quat(
         self, *, scalar_first: bool = False, out: NDArray[Any] | None = None
     ) -> NDArray[Any]:
-        """Unit dual quaternions, shape (..., 8), real part then dual part, scalar last or first."""
+        """Unit dual quaternions ``p + εq``, shape (..., 8), of `dtype`: p, then q, scalars last or first.
+
+        q is a length. Written to `out`, if given.
+        """
         motions = self._motions[..., _SCALAR_FIRST] if scalar_first else self._motions
         if out is None:
             return motions if scalar_first else motions.copy()
-        np.copyto(out, motions, casting="same_kind")
+        _check_out(out, motions)
+        np.copyto(out, motions)
         return out
 
     @property
     def rotation(self) -> Rotation:
-        """The rotations, as SciPy has them."""
+        """The rotations ``p``, as SciPy has them: float64."""
         return _rotation_type().from_quat(self._motions[..., :4])
 
     @property
     def translation(self) -> NDArray[Any]:
-        """The translations ``2qp*``, shape (..., 3)."""
+        """The translations ``2qp*``, shape (..., 3), of `dtype`, in lengths."""
         return _core.translation(self._motions)
 
     @property
@@ -281,7 +303,7 @@ class RigidTransform:
         Parameters
         ----------
         vector : array_like, shape (..., 3)
-            Points, in the precision of the transform; leading dimensions broadcast.
+            Points, lengths, converted to `dtype`; leading dimensions broadcast.
         inverse : bool, optional
             Whether to move them back.
         out : ndarray, optional
@@ -290,6 +312,7 @@ class RigidTransform:
         Returns
         -------
         ndarray, shape (..., 3)
+            Of `dtype`.
         """
         points = np.asarray(vector, self._motions.dtype)
         if points.shape[-1:] != (3,):
@@ -301,6 +324,8 @@ class RigidTransform:
         self, weights: ArrayLike | None = None, axis: int | tuple[int, ...] | None = None
     ) -> RigidTransform:
         """The chordal mean of the rotations with the mean of the translations, over all or some axes.
+
+        ``r + ½εtr`` with ``t = Σ wᵢtᵢ/Σ wᵢ`` and the unit r for which ``Σ wᵢ(r·rᵢ)²`` is greatest.
 
         `dq8.mean` is another one, which does not depend on the frame.
 
@@ -353,7 +378,7 @@ class RigidTransform:
         return RigidTransform._of(made.astype(self.dtype, copy=False))
 
     def __mul__(self, other: RigidTransform) -> RigidTransform:
-        """Composition: `other` acts first. Leading dimensions broadcast; the result is normalized."""
+        """Composition ``στ``: `other` τ acts first. Leading dimensions broadcast; the result is normalized."""
         if not isinstance(other, RigidTransform):
             return NotImplemented
         try:

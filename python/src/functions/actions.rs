@@ -2,7 +2,7 @@
 
 use super::core_shape::{EIGHT, FOUR, SIX, VECTOR};
 use super::{halves, joined, motion};
-use crate::argument::Argument;
+use crate::argument::{Argument, common_dtype};
 use crate::call::{Answer, call};
 use crate::law::Law;
 use dq8::{Backend, DualQuat, Lanes, Line, Plane, Scalar, Twist, geometry::Wrench};
@@ -33,13 +33,14 @@ impl Law<8, 3, 0, 3> for Point {
 /// motions : array_like, shape (..., 8)
 ///     Unit dual quaternions.
 /// points : array_like, shape (..., 3)
-///     Points; leading dimensions broadcast. One motion of many points is a matrix once.
+///     Points, lengths; leading dimensions broadcast. One motion of many points is a matrix once.
 /// out : ndarray, optional
 ///     Where to write the result.
 ///
 /// Returns
 /// -------
 /// ndarray, shape (..., 3)
+#[doc = common_dtype!()]
 #[pyfunction]
 #[pyo3(signature = (motions, points, /, *, out=None))]
 pub(crate) fn transform_points<'py>(
@@ -74,20 +75,21 @@ impl Law<8, 3, 0, 3> for Vector {
     }
 }
 
-/// Directions and differences turned by unit dual quaternions: ``Rv``.
+/// Directions and differences turned by unit dual quaternions: ``v′ = Rv``.
 ///
 /// Parameters
 /// ----------
 /// motions : array_like, shape (..., 8)
 ///     Unit dual quaternions.
 /// vectors : array_like, shape (..., 3)
-///     Vectors; leading dimensions broadcast.
+///     Vectors of any unit; leading dimensions broadcast.
 /// out : ndarray, optional
 ///     Where to write the result.
 ///
 /// Returns
 /// -------
 /// ndarray, shape (..., 3)
+#[doc = common_dtype!()]
 #[pyfunction]
 #[pyo3(signature = (motions, vectors, /, *, out=None))]
 pub(crate) fn transform_vectors<'py>(
@@ -110,7 +112,7 @@ impl Law<8, 6, 0, 6> for OfLine {
     }
 }
 
-/// Lines moved by unit dual quaternions: ``l′ = Rl, m′ = Rm + t × l′``.
+/// Lines moved by unit dual quaternions: ``l′ = Rl, m′ = Rm + t × l′``, lengths in m alone.
 ///
 /// Parameters
 /// ----------
@@ -125,6 +127,7 @@ impl Law<8, 6, 0, 6> for OfLine {
 /// Returns
 /// -------
 /// ndarray, shape (..., 6)
+#[doc = common_dtype!()]
 #[pyfunction]
 #[pyo3(signature = (motions, lines, /, *, out=None))]
 pub(crate) fn transform_lines<'py>(
@@ -153,13 +156,14 @@ impl Law<8, 4, 0, 4> for OfPlane {
 /// motions : array_like, shape (..., 8)
 ///     Unit dual quaternions.
 /// planes : array_like, shape (..., 4)
-///     ``[nx, ny, nz, d]`` of the plane ``n·x = d``; leading dimensions broadcast.
+///     ``[nx, ny, nz, d]`` of the plane ``n·x = d``, d a length where n has none; leading dimensions broadcast.
 /// out : ndarray, optional
 ///     Where to write the result.
 ///
 /// Returns
 /// -------
 /// ndarray, shape (..., 4)
+#[doc = common_dtype!()]
 #[pyfunction]
 #[pyo3(signature = (motions, planes, /, *, out=None))]
 pub(crate) fn transform_planes<'py>(
@@ -201,6 +205,7 @@ impl Law<8, 6, 0, 6> for Adjoint {
 /// Returns
 /// -------
 /// ndarray, shape (..., 6)
+#[doc = common_dtype!()]
 #[pyfunction]
 #[pyo3(signature = (motions, twists, /, *, out=None))]
 pub(crate) fn adjoint<'py>(
@@ -229,13 +234,14 @@ impl Law<8, 6, 0, 6> for Coadjoint {
 /// motions : array_like, shape (..., 8)
 ///     Unit dual quaternions.
 /// wrenches : array_like, shape (..., 6)
-///     ``[f, τ]``: force, and torque about the frame's origin; leading dimensions broadcast.
+///     ``[f, τ]``: force, and torque about the frame's origin, in forces times lengths; leading dimensions broadcast.
 /// out : ndarray, optional
 ///     Where to write the result.
 ///
 /// Returns
 /// -------
 /// ndarray, shape (..., 6)
+#[doc = common_dtype!()]
 #[pyfunction]
 #[pyo3(signature = (motions, wrenches, /, *, out=None))]
 pub(crate) fn coadjoint<'py>(

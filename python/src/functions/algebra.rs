@@ -2,7 +2,7 @@
 
 use super::core_shape::EIGHT;
 use super::motion;
-use crate::argument::Argument;
+use crate::argument::{Argument, common_dtype};
 use crate::call::{Answer, call};
 use crate::law::Law;
 use dq8::Lanes;
@@ -31,7 +31,7 @@ impl Law<8, 8, 0, 8> for Mul {
 /// Returns
 /// -------
 /// ndarray, shape (..., 8)
-///     float32 if all arrays are float32, otherwise float64.
+#[doc = common_dtype!()]
 ///
 /// Examples
 /// --------
@@ -73,6 +73,7 @@ impl Law<8, 8, 0, 8> for Compose {
 /// Returns
 /// -------
 /// ndarray, shape (..., 8)
+#[doc = common_dtype!()]
 #[pyfunction]
 #[pyo3(signature = (a, b, /, *, out=None))]
 pub(crate) fn compose<'py>(
@@ -107,6 +108,7 @@ impl Law<8, 0, 0, 8> for Inverse {
 /// Returns
 /// -------
 /// ndarray, shape (..., 8)
+#[doc = common_dtype!()]
 ///     Some component is NaN or infinite where there is no inverse.
 #[pyfunction]
 #[pyo3(signature = (motions, /, *, out=None))]
@@ -138,6 +140,7 @@ impl Law<8, 0, 0, 8> for Conjugate {
 /// Returns
 /// -------
 /// ndarray, shape (..., 8)
+#[doc = common_dtype!()]
 #[pyfunction]
 #[pyo3(signature = (motions, /, *, out=None))]
 pub(crate) fn conjugate<'py>(
@@ -174,6 +177,7 @@ impl Law<8, 0, 0, 8> for Normalize {
 /// Returns
 /// -------
 /// ndarray, shape (..., 8)
+#[doc = common_dtype!()]
 ///     Some component is NaN where p = 0 or a component is not finite.
 #[pyfunction]
 #[pyo3(signature = (motions, /, *, out=None))]
@@ -204,7 +208,7 @@ impl Law<8, 0, 0, 8> for UnitOrIdentity {
     }
 }
 
-/// `normalize`, with p = 1 where p = 0: what SciPy takes dual quaternions for.
+/// `normalize`, ``σ/√(σσ*)``, with p = 1 where p = 0: what SciPy takes dual quaternions for.
 ///
 /// Parameters
 /// ----------
@@ -216,6 +220,7 @@ impl Law<8, 0, 0, 8> for UnitOrIdentity {
 /// Returns
 /// -------
 /// ndarray, shape (..., 8)
+#[doc = common_dtype!()]
 #[pyfunction]
 #[pyo3(signature = (motions, /, *, out=None))]
 pub(crate) fn unit_or_identity<'py>(

@@ -2,7 +2,7 @@
 
 use super::core_shape::{EIGHT, NUMBER};
 use super::motion;
-use crate::argument::Argument;
+use crate::argument::{Argument, common_dtype};
 use crate::call::{Answer, call};
 use crate::law::Law;
 use dq8::Lanes;
@@ -33,6 +33,7 @@ impl Law<8, 8, 1, 8> for Nlerp {
 /// Returns
 /// -------
 /// ndarray, shape (..., 8)
+#[doc = common_dtype!()]
 #[pyfunction]
 #[pyo3(signature = (a, b, t, /, *, out=None))]
 pub(crate) fn nlerp<'py>(
@@ -69,6 +70,7 @@ impl Law<8, 8, 1, 8> for Sclerp {
 /// Returns
 /// -------
 /// ndarray, shape (..., 8)
+#[doc = common_dtype!()]
 ///
 /// References
 /// ----------

@@ -2,7 +2,7 @@
 
 use super::core_shape::{EIGHT, FOUR, MATRIX, VECTOR};
 use super::motion;
-use crate::argument::Argument;
+use crate::argument::{Argument, common_dtype};
 use crate::call::{Answer, call};
 use crate::law::Law;
 use dq8::{Lanes, batch};
@@ -29,6 +29,7 @@ impl Law<3, 0, 0, 8> for FromTranslation {
 /// Returns
 /// -------
 /// ndarray, shape (..., 8)
+#[doc = common_dtype!()]
 #[pyfunction]
 #[pyo3(signature = (translations, /, *, out=None))]
 pub(crate) fn from_translation<'py>(
@@ -62,6 +63,7 @@ impl Law<4, 3, 0, 8> for FromRotationTranslation {
 /// Returns
 /// -------
 /// ndarray, shape (..., 8)
+#[doc = common_dtype!()]
 #[pyfunction]
 #[pyo3(signature = (rotations, translations, /, *, out=None))]
 pub(crate) fn from_rotation_translation<'py>(
@@ -86,7 +88,7 @@ impl Law<8, 0, 0, 3> for Translation {
     }
 }
 
-/// Translations ``t = 2qp*`` of unit dual quaternions.
+/// Translations ``t = 2qp*`` of unit dual quaternions, lengths.
 ///
 /// Parameters
 /// ----------
@@ -98,6 +100,7 @@ impl Law<8, 0, 0, 3> for Translation {
 /// Returns
 /// -------
 /// ndarray, shape (..., 3)
+#[doc = common_dtype!()]
 #[pyfunction]
 #[pyo3(signature = (motions, /, *, out=None))]
 pub(crate) fn translation<'py>(
@@ -123,7 +126,7 @@ impl Law<8, 0, 0, 16> for ToMatrix {
     }
 }
 
-/// Matrices ``[R t; 0 1]`` of unit dual quaternions, for column vectors.
+/// Matrices ``[R t; 0 1]`` of unit dual quaternions, for column vectors, t in lengths.
 ///
 /// Parameters
 /// ----------
@@ -135,6 +138,7 @@ impl Law<8, 0, 0, 16> for ToMatrix {
 /// Returns
 /// -------
 /// ndarray, shape (..., 4, 4)
+#[doc = common_dtype!()]
 #[pyfunction]
 #[pyo3(signature = (motions, /, *, out=None))]
 pub(crate) fn to_matrix<'py>(
@@ -160,7 +164,7 @@ impl Law<16, 0, 0, 8> for FromMatrix {
     }
 }
 
-/// Unit dual quaternions of rigid matrices ``[R t; 0 1]``, with p_w ≥ 0.
+/// Unit dual quaternions of rigid matrices ``[R t; 0 1]``, with p_w ≥ 0: ``r + ½εtr`` with r the quaternion of R.
 ///
 /// R must be a rotation; it is not made one here (`RigidTransform.from_matrix` does that), and the last
 /// row is not read.
@@ -168,13 +172,14 @@ impl Law<16, 0, 0, 8> for FromMatrix {
 /// Parameters
 /// ----------
 /// matrices : array_like, shape (..., 4, 4)
-///     Rigid matrices for column vectors.
+///     Rigid matrices for column vectors, t in lengths.
 /// out : ndarray, optional
 ///     Where to write the result.
 ///
 /// Returns
 /// -------
 /// ndarray, shape (..., 8)
+#[doc = common_dtype!()]
 ///
 /// References
 /// ----------
@@ -232,13 +237,14 @@ fn larger<L: Lanes>(a: L, b: L) -> L {
 /// Parameters
 /// ----------
 /// matrices : array_like, shape (..., 4, 4)
-///     Matrices.
+///     Matrices, of which pure numbers are read.
 /// out : ndarray, optional
 ///     Where to write the result.
 ///
 /// Returns
 /// -------
 /// ndarray, shape (..., 3)
+#[doc = common_dtype!()]
 #[pyfunction]
 #[pyo3(signature = (matrices, /, *, out=None))]
 pub(crate) fn rigidity<'py>(

@@ -2,7 +2,7 @@
 
 use super::core_shape::{EIGHT, NUMBER, VECTOR};
 use super::motion;
-use crate::argument::Argument;
+use crate::argument::{Argument, common_dtype};
 use crate::call::{Answer, call};
 use crate::law::Law;
 use dq8::Lanes;
@@ -17,7 +17,7 @@ impl Law<8, 8, 0, 1> for Angle {
     }
 }
 
-/// The angle of the rotation from `a` to `b`, radians in [0, π].
+/// The angle of the rotation from `a` to `b`, radians in [0, π]: ``2 atan2(|v|, |w|)`` of ``v + w = p_a* p_b``.
 ///
 /// Parameters
 /// ----------
@@ -29,6 +29,7 @@ impl Law<8, 8, 0, 1> for Angle {
 /// Returns
 /// -------
 /// ndarray, shape (...)
+#[doc = common_dtype!()]
 #[pyfunction]
 #[pyo3(signature = (a, b, /, *, out=None))]
 pub(crate) fn angle_to<'py>(
@@ -48,7 +49,7 @@ impl Law<8, 8, 0, 1> for Distance {
     }
 }
 
-/// The distance of the translations, ``|t_a − t_b|``.
+/// The distance of the translations, ``|t_a − t_b|``, a length.
 ///
 /// Parameters
 /// ----------
@@ -60,6 +61,7 @@ impl Law<8, 8, 0, 1> for Distance {
 /// Returns
 /// -------
 /// ndarray, shape (...)
+#[doc = common_dtype!()]
 #[pyfunction]
 #[pyo3(signature = (a, b, /, *, out=None))]
 pub(crate) fn distance_to<'py>(
@@ -79,7 +81,7 @@ impl Law<8, 8, 1, 1> for Weighted {
     }
 }
 
-/// A distance of motions, ``√((λθ)² + d²)``, of `angle_to` θ and `distance_to` d.
+/// A distance of motions, ``√((λθ)² + d²)``, of `angle_to` θ and `distance_to` d; a length.
 ///
 /// Parameters
 /// ----------
@@ -93,6 +95,7 @@ impl Law<8, 8, 1, 1> for Weighted {
 /// Returns
 /// -------
 /// ndarray, shape (...)
+#[doc = common_dtype!()]
 #[pyfunction]
 #[pyo3(signature = (a, b, length_per_radian, /, *, out=None))]
 pub(crate) fn distance_weighted<'py>(
@@ -114,7 +117,7 @@ impl Law<8, 8, 3, 1> for PointError {
     }
 }
 
-/// How far apart `a` and `b` move a point: ``|av − bv|``.
+/// How far apart `a` and `b` move a point: ``|av − bv|``, a length.
 ///
 /// Parameters
 /// ----------
@@ -128,6 +131,7 @@ impl Law<8, 8, 3, 1> for PointError {
 /// Returns
 /// -------
 /// ndarray, shape (...)
+#[doc = common_dtype!()]
 #[pyfunction]
 #[pyo3(signature = (a, b, points, /, *, out=None))]
 pub(crate) fn point_error<'py>(

@@ -1,7 +1,7 @@
 //! Blends of any number of motions.
 
 use super::core_shape::{EIGHT, NUMBER};
-use crate::argument::{Argument, Input, Number, is_single, tuple};
+use crate::argument::{Argument, Input, Number, common_dtype, is_single, tuple};
 use crate::blend::{Influences, Mean};
 use crate::call::Answer;
 use crate::output::Output;
@@ -23,6 +23,7 @@ use pyo3::prelude::*;
 /// Returns
 /// -------
 /// ndarray, shape (..., 8)
+#[doc = common_dtype!()]
 ///
 /// References
 /// ----------
@@ -59,6 +60,7 @@ pub(crate) fn dlb<'py>(
 /// Returns
 /// -------
 /// ndarray, shape (..., 8)
+#[doc = common_dtype!()]
 ///
 /// References
 /// ----------

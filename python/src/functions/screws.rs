@@ -2,7 +2,7 @@
 
 use super::core_shape::{EIGHT, NUMBER, SIX};
 use super::{halves, joined, motion};
-use crate::argument::Argument;
+use crate::argument::{Argument, common_dtype};
 use crate::call::{Answer, call};
 use crate::law::Law;
 use dq8::{
@@ -37,6 +37,7 @@ impl Law<8, 0, 0, 6> for Log {
 /// Returns
 /// -------
 /// ndarray, shape (..., 6)
+#[doc = common_dtype!()]
 ///     Real part (half the rotation vector, radians) and dual part (lengths).
 #[pyfunction]
 #[pyo3(signature = (motions, /, *, out=None))]
@@ -69,6 +70,7 @@ impl Law<6, 0, 0, 8> for Exp {
 /// Returns
 /// -------
 /// ndarray, shape (..., 8)
+#[doc = common_dtype!()]
 ///     NaN where the real part is beyond 2⁴⁵ radians (float32: 2¹⁶).
 #[pyfunction]
 #[pyo3(signature = (logs, /, *, out=None))]
@@ -100,6 +102,7 @@ impl Law<8, 0, 0, 6> for ToTwist {
 /// Returns
 /// -------
 /// ndarray, shape (..., 6)
+#[doc = common_dtype!()]
 ///     ``[ωx, ωy, ωz, vx, vy, vz]``: the rotation vector in radians, of at most π, and the velocity of
 ///     the point at the origin, in lengths.
 #[pyfunction]
@@ -132,6 +135,7 @@ impl Law<6, 0, 0, 8> for FromTwist {
 /// Returns
 /// -------
 /// ndarray, shape (..., 8)
+#[doc = common_dtype!()]
 ///     NaN where ω is beyond 2⁴⁶ radians (float32: 2¹⁷).
 #[pyfunction]
 #[pyo3(signature = (twists, /, *, out=None))]
@@ -167,6 +171,7 @@ impl Law<8, 1, 0, 8> for Pow {
 /// Returns
 /// -------
 /// ndarray, shape (..., 8)
+#[doc = common_dtype!()]
 #[pyfunction]
 #[pyo3(signature = (motions, t, /, *, out=None))]
 pub(crate) fn pow<'py>(
@@ -189,7 +194,9 @@ impl Law<8, 0, 0, 8> for ToScrew {
     }
 }
 
-/// Screws: the axis that each motion turns about and slides along.
+/// Screws: the axis l + εm that each motion turns about by θ and slides along by d.
+///
+/// ``±σ = cos(θ̂/2) + sin(θ̂/2)(l + εm)`` with ``θ̂ = θ + εd``
 ///
 /// Parameters
 /// ----------
@@ -201,6 +208,7 @@ impl Law<8, 0, 0, 8> for ToScrew {
 /// Returns
 /// -------
 /// ndarray, shape (..., 8)
+#[doc = common_dtype!()]
 ///     ``[lx, ly, lz, mx, my, mz, θ, d]``: direction of length one and moment of the axis (Plücker), the
 ///     angle in [0, π] radians, the length of the slide. A pure translation has angle and moment 0 and
 ///     its own direction; the identity has the direction (1, 0, 0).
@@ -228,18 +236,19 @@ impl Law<8, 0, 0, 8> for FromScrew {
     }
 }
 
-/// Motions from screws: ``cos(θ̂/2) + sin(θ̂/2)(l + εm)`` with ``θ̂ = θ + εd``.
+/// Motions from screws: ``σ = cos(θ̂/2) + sin(θ̂/2)(l + εm)`` with ``θ̂ = θ + εd``.
 ///
 /// Parameters
 /// ----------
 /// screws : array_like, shape (..., 8)
-///     ``[lx, ly, lz, mx, my, mz, θ, d]`` as `to_screw` returns them; l has length one.
+///     ``[lx, ly, lz, mx, my, mz, θ, d]`` as `to_screw` returns them: radians and lengths; l has length one.
 /// out : ndarray, optional
 ///     Where to write the result.
 ///
 /// Returns
 /// -------
 /// ndarray, shape (..., 8)
+#[doc = common_dtype!()]
 #[pyfunction]
 #[pyo3(signature = (screws, /, *, out=None))]
 pub(crate) fn from_screw<'py>(
@@ -260,7 +269,7 @@ impl Law<8, 6, 1, 8> for IntegrateBody {
     }
 }
 
-/// Where constant body twists take motions in the time `dt`: ``σ exp(½ξ dt)``.
+/// Where constant body twists ξ take motions in the time `dt`: ``σ exp(½ξ dt)``.
 ///
 /// With the screw axis of a joint as twist and its angle as time, this is the pose of a link in its parent:
 /// ``integrate_body(offset, [axis, 0], angle)`` of a hinge.
@@ -279,6 +288,7 @@ impl Law<8, 6, 1, 8> for IntegrateBody {
 /// Returns
 /// -------
 /// ndarray, shape (..., 8)
+#[doc = common_dtype!()]
 #[pyfunction]
 #[pyo3(signature = (motions, twists, dt, /, *, out=None))]
 pub(crate) fn integrate_body<'py>(
@@ -301,7 +311,7 @@ impl Law<8, 6, 1, 8> for IntegrateSpatial {
     }
 }
 
-/// Where constant spatial twists take motions in the time `dt`: ``exp(½ξ dt) σ``.
+/// Where constant spatial twists ξ take motions in the time `dt`: ``exp(½ξ dt) σ``.
 ///
 /// Parameters
 /// ----------
@@ -317,6 +327,7 @@ impl Law<8, 6, 1, 8> for IntegrateSpatial {
 /// Returns
 /// -------
 /// ndarray, shape (..., 8)
+#[doc = common_dtype!()]
 #[pyfunction]
 #[pyo3(signature = (motions, twists, dt, /, *, out=None))]
 pub(crate) fn integrate_spatial<'py>(

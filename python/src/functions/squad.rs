@@ -2,7 +2,7 @@
 
 use super::core_shape::{EIGHT, NUMBER};
 use super::motion;
-use crate::argument::{Argument, Input, Number, is_single};
+use crate::argument::{Argument, Input, Number, common_dtype, is_single};
 use crate::broadcast::{common, misfit};
 use crate::call::Answer;
 use crate::law::{Each, OneOrEach, Operand, store};
@@ -49,6 +49,7 @@ impl OfMany<4> for Squad {
 /// Returns
 /// -------
 /// ndarray, shape (..., 8)
+#[doc = common_dtype!()]
 ///
 /// References
 /// ----------
@@ -106,6 +107,7 @@ impl OfMany<3> for Control {
 /// Returns
 /// -------
 /// ndarray, shape (..., 8)
+#[doc = common_dtype!()]
 ///
 /// References
 /// ----------

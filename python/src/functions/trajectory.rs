@@ -1,7 +1,7 @@
 //! Poses at times.
 
 use super::core_shape::{EIGHT, NUMBER};
-use crate::argument::{Argument, Input, Number, is_single, misshapen};
+use crate::argument::{Argument, Input, Number, common_dtype, is_single, misshapen};
 use crate::call::Answer;
 use crate::output::Output;
 use dq8::slices::TrajectoryError;
@@ -29,6 +29,7 @@ use pyo3::prelude::*;
 /// Returns
 /// -------
 /// ndarray, shape (..., 8)
+#[doc = common_dtype!()]
 ///
 /// Examples
 /// --------

@@ -1,7 +1,7 @@
 //! Means along a trajectory.
 
 use super::core_shape::{EIGHT, NUMBER};
-use crate::argument::{Argument, Input, Number, is_single, misshapen};
+use crate::argument::{Argument, Input, Number, common_dtype, is_single, misshapen};
 use crate::blend::{Influences, Mean};
 use crate::call::Answer;
 use crate::output::Output;
@@ -31,6 +31,7 @@ use pyo3::prelude::*;
 /// Returns
 /// -------
 /// ndarray, shape (..., n + 1 - w, 8)
+#[doc = common_dtype!()]
 ///     One for each whole window; none where n < w.
 ///
 /// References
