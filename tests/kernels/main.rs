@@ -4,6 +4,7 @@
 //! layout behind a plain interface. So every kernel is compiled once for each layout, here.
 
 mod backends;
+mod beyond_caches;
 mod chain;
 mod crowd;
 mod elements;

@@ -8,9 +8,7 @@ use crate::scene::{motions, rounded};
 #[cfg(doc)]
 use crate::subject::Subject;
 use crate::subject::for_every_subject;
-use dq8::storage::Block;
 use dq8::{Backend, DualQuat, Line, Plane, Twist, geometry::DualVector, hierarchy::MatrixOrder};
-use dq8_contract::random::Random;
 
 /// What is computed of [`Inputs`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -328,28 +326,4 @@ fn what_is_no_motion_is_seen_in_its_own_place_only() {
             assert_eq!(unit.iter().any(|c| c.is_nan()), i == 7, "{backend}: {i}");
         }
     });
-}
-
-/// Large outputs are written past the caches, unless they are read as well, and are the same.
-#[test]
-fn outputs_larger_than_caches_are_computed_as_small_ones() {
-    let mut random = Random(3);
-    let few: [Block<f32, 16>; 3] = std::array::from_fn(|_| {
-        lay::<dq8::storage::AoSoA<[f32; 16]>, 8>(1, &motions(&mut random, 16))[0]
-    });
-    let length = (64 << 20) / size_of_val(&few[0]) + 1;
-    let many: Vec<_> = few.into_iter().cycle().take(length).collect();
-    let as_few = |all: &[_], few: [_; 3]| all.iter().enumerate().all(|(i, a)| *a == few[i % 3]);
-    for backend in Backend::available() {
-        let (mut units, mut all) = (few, many.clone());
-        backend.normalize(&few, &mut units).expect("they fit");
-        backend.normalize(&many, &mut all).expect("they fit");
-        assert!(as_few(&all, units), "{backend}");
-
-        let mut squares = units;
-        backend.mul_in_place(&mut squares, &units).expect("they fit");
-        let factors = all.clone();
-        backend.mul_in_place(&mut all, &factors).expect("they fit");
-        assert!(as_few(&all, squares), "{backend}, in place");
-    }
 }
