@@ -35,7 +35,7 @@ def longest(array) -> float:
     return np.linalg.norm(array, axis=-1).max(initial=0)
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")
 def close():
     """Whether arrays differ by at most 1e-14·max(1, |t|), the promise for float64, |t| the longest of what was given.
 
