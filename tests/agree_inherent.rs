@@ -9,18 +9,28 @@ use dq8_contract::bound::distance;
 use dq8_contract::case::Case;
 use dq8_contract::inputs;
 use dq8_contract::ledger::{Line, line};
-use dq8_contract::sample::Sample;
+use dq8_contract::sample::{Proof, Sample};
 use dq8_simd::{Block, Row};
 
 /// The number in a lane, as the scalar reference and as lanes see it.
 trait Number: Float + Real {}
 impl<R: Float + Real> Number for R {}
 
-/// Runs `$body` with `$L` as each lane type there is.
+/// Runs `$body` with `$L` as each lane type that this machine can run.
 macro_rules! for_every_lane_type {
     (|$name:ident, $L:ident| $body:expr) => {
         for_every_lane_type! { @each $name, $L, $body;
             f32 f64 dq8::simd::f32x4 dq8::simd::f32x8 dq8::simd::f32x16 dq8::simd::f64x2 dq8::simd::f64x4 dq8::simd::f64x8 }
+        #[cfg(target_arch = "x86_64")]
+        {
+            use dq8_contract::sample::{Avx2, Avx512, Level};
+            if Avx2::is_there() {
+                for_every_lane_type! { @each $name, $L, $body; <Avx2 as Level>::F32x8 <Avx2 as Level>::F64x4 }
+            }
+            if Avx512::is_there() {
+                for_every_lane_type! { @each $name, $L, $body; <Avx512 as Level>::F32x16 <Avx512 as Level>::F64x8 }
+            }
+        }
     };
     (@each $name:ident, $L:ident, $body:expr; $($type:ty)*) => {$({
         type $L = $type;
@@ -33,18 +43,18 @@ fn round<R: Number>(numbers: [f64; 8]) -> [R; 8] {
     numbers.map(<R as Real>::from_f64)
 }
 
-fn lanes<L: Lanes<Level = Portable>>(numbers: &[f64]) -> L {
+fn lanes<L: Lanes<Level: Proof>>(numbers: &[f64]) -> L {
     <batch::DualQuat<L> as Sample>::real(numbers)
 }
 
 #[test]
 fn records_fill_the_first_lanes_and_the_others_hold_the_identity() {
-    fn check<L: Lanes<Level = Portable, Real: Number>>(name: &str) {
+    fn check<L: Lanes<Level: Proof, Real: Number>>(name: &str) {
         let motions: Vec<_> = inputs::edge_motions().into_iter().map(round::<L::Real>).collect();
         let identity = scalar::DualQuat::<L::Real>::IDENTITY.to_array();
         for length in 0..=2 * L::LANES + 1 {
             let records = &motions[40..40 + length];
-            let loaded = batch::DualQuat::<L>::load_records(Portable, records).to_array();
+            let loaded = batch::DualQuat::<L>::load_records(L::Level::proof(), records).to_array();
             let rows = loaded.map(Lanes::to_array);
             for lane in 0..L::LANES {
                 let held: [L::Real; 8] = std::array::from_fn(|c| rows[c].as_ref()[lane]);
@@ -58,12 +68,12 @@ fn records_fill_the_first_lanes_and_the_others_hold_the_identity() {
 
 #[test]
 fn records_beyond_the_lanes_are_left_alone() {
-    fn check<L: Lanes<Level = Portable, Real: Number>>(name: &str) {
+    fn check<L: Lanes<Level: Proof, Real: Number>>(name: &str) {
         let motions: Vec<_> = inputs::edge_motions().into_iter().map(round::<L::Real>).collect();
         let untouched = round::<L::Real>([9.0; 8]);
         for length in 0..=2 * L::LANES + 1 {
             let mut records = vec![untouched; length];
-            batch::DualQuat::<L>::load_records(Portable, &motions[40..])
+            batch::DualQuat::<L>::load_records(L::Level::proof(), &motions[40..])
                 .store_records(&mut records);
             for (i, record) in records.iter().enumerate() {
                 let wanted = if i < L::LANES { motions[40 + i] } else { untouched };
@@ -77,20 +87,21 @@ fn records_beyond_the_lanes_are_left_alone() {
 /// A slice of any length, a chunk of lanes at a time, the last one partial.
 #[test]
 fn a_slice_gives_the_same_bits_whatever_its_length() {
-    fn step<L: Lanes<Level = Portable>>(motion: batch::DualQuat<L>, t: L) -> batch::DualQuat<L> {
+    fn step<L: Lanes<Level: Proof>>(motion: batch::DualQuat<L>, t: L) -> batch::DualQuat<L> {
         (motion.normalize() * motion).pow(t)
     }
-    fn check<L: Lanes<Level = Portable, Real: Number>>(name: &str) {
+    fn check<L: Lanes<Level: Proof, Real: Number>>(name: &str) {
         let motions: Vec<_> = inputs::edge_motions().into_iter().map(round::<L::Real>).collect();
-        let t = <L as Lanes>::splat(Portable, <L::Real as From<f32>>::from(0.75));
+        let t = <L as Lanes>::splat(L::Level::proof(), <L::Real as From<f32>>::from(0.75));
         for length in 0..=2 * L::LANES + 1 {
             let mut records = motions[60..60 + length].to_vec();
             for chunk in records.chunks_mut(L::LANES) {
-                step(batch::DualQuat::<L>::load_records(Portable, chunk), t).store_records(chunk);
+                step(batch::DualQuat::<L>::load_records(L::Level::proof(), chunk), t)
+                    .store_records(chunk);
             }
             for (i, record) in records.iter().enumerate() {
                 let mut alone = [round::<L::Real>([9.0; 8])];
-                let splat = batch::DualQuat::<L>::splat(Portable, motions[60 + i]);
+                let splat = batch::DualQuat::<L>::splat(L::Level::proof(), motions[60 + i]);
                 step(splat, t).store_records(&mut alone);
                 assert_eq!(*record, alone[0], "{name}: record {i} of {length}");
             }
@@ -101,14 +112,14 @@ fn a_slice_gives_the_same_bits_whatever_its_length() {
 
 #[test]
 fn a_block_gives_back_what_was_stored() {
-    fn check<A: Row<Real: Number>>() {
+    fn check<A: Row<Real: Number>, V: Proof>() {
         let motions = inputs::edge_motions();
         let mut block = Block::<A, 8>::splat(round([9.0; 8]));
         for lane in 0..A::LANES {
             assert!(block.set(lane, round(motions[40 + lane])).is_ok());
         }
-        let level = Portable;
-        let loaded = batch::DualQuat::<A::Lanes<Portable>>::load(level, &block);
+        let level = V::proof();
+        let loaded = batch::DualQuat::<A::Lanes<V>>::load(level, &block);
         let mut copy = Block::<A, 8>::splat(round([0.0; 8]));
         (-loaded).store(&mut copy);
         for lane in 0..A::LANES {
@@ -116,17 +127,27 @@ fn a_block_gives_back_what_was_stored() {
             assert_eq!(copy.get(lane), Some(round(negated)), "lane {lane} of {}", A::LANES);
         }
     }
-    check::<[f32; 4]>();
-    check::<[f32; 8]>();
-    check::<[f32; 16]>();
-    check::<[f64; 2]>();
-    check::<[f64; 4]>();
-    check::<[f64; 8]>();
+    fn every_length<V: Proof>() {
+        if V::is_there() {
+            check::<[f32; 4], V>();
+            check::<[f32; 8], V>();
+            check::<[f32; 16], V>();
+            check::<[f64; 2], V>();
+            check::<[f64; 4], V>();
+            check::<[f64; 8], V>();
+        }
+    }
+    every_length::<Portable>();
+    #[cfg(target_arch = "x86_64")]
+    {
+        every_length::<dq8_contract::sample::Avx2>();
+        every_length::<dq8_contract::sample::Avx512>();
+    }
 }
 
 #[test]
 fn is_normalized_says_what_scalar_says() {
-    fn check<L: Lanes<Level = Portable, Real: Number>>(name: &str) {
+    fn check<L: Lanes<Level: Proof, Real: Number>>(name: &str) {
         let unit = inputs::edge_motions()[60];
         let epsilon: f64 = <L::Real as Real>::EPSILON.into();
         // 32 units of the last place are allowed; rounding blurs that by two or so.
@@ -134,7 +155,7 @@ fn is_normalized_says_what_scalar_says() {
             let motion = round::<L::Real>(unit.map(|c| c * (1.0 + off * epsilon)));
             let scalar = scalar::DualQuat::from_array(motion).is_normalized();
             assert_eq!(scalar, off.abs() < 32.0, "scalar, {off} units off");
-            let mask = batch::DualQuat::<L>::splat(Portable, motion).is_normalized();
+            let mask = batch::DualQuat::<L>::splat(L::Level::proof(), motion).is_normalized();
             assert_eq!((mask.all(), mask.any()), (scalar, scalar), "{name}, {off} units off");
         }
     }
@@ -231,7 +252,7 @@ fn on_scalar<R: Number>(case: &Case) -> Answers<R> {
     [quats, dual_operations!(x, y, recip)].concat()
 }
 
-fn on_lanes<L: Lanes<Level = Portable>>(cases: &[Case]) -> Answers<L> {
+fn on_lanes<L: Lanes<Level: Proof>>(cases: &[Case]) -> Answers<L> {
     use batch::{Dual, Quat};
     let column = |pick: &dyn Fn(&Case) -> f64| {
         lanes::<L>(&(0..L::LANES).map(|i| pick(&cases[i % cases.len()])).collect::<Vec<_>>())
@@ -247,7 +268,7 @@ fn on_lanes<L: Lanes<Level = Portable>>(cases: &[Case]) -> Answers<L> {
 
 #[test]
 fn quaternions_and_dual_numbers_agree() {
-    fn check<L: Lanes<Level = Portable, Real: Number>>(name: &str) {
+    fn check<L: Lanes<Level: Proof, Real: Number>>(name: &str) {
         for chunk in inputs::unit_cases().chunks(L::LANES) {
             let answers = on_lanes::<L>(chunk);
             for (lane, case) in chunk.iter().enumerate() {

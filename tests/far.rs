@@ -6,8 +6,9 @@ use dq8::{
     Backend, DualQuat, Lanes, Quat, Real, Scalar, Twist, batch,
     geometry::DualVector,
     scalar::MatrixError,
-    simd::{Float, Portable, f32x4, f32x8, f64x2, f64x4},
+    simd::{Float, f32x4, f32x8, f32x16, f64x2, f64x4, f64x8},
 };
+use dq8_contract::sample::{Level, Proof};
 use dq8_contract::textbook::Textbook;
 
 /// The largest half angle that lanes know: 2¹⁶ and 2⁴⁵.
@@ -50,9 +51,10 @@ where
     DualQuat::from_array(pose.to_array().map(|lanes| lanes.to_array().as_ref()[0]))
 }
 
-fn every_far_turn_is_unit_or_nan<L: Lanes<Level = Portable, Real: Real>>() {
+fn every_far_turn_is_unit_or_nan<L: Lanes<Level: Proof, Real: Real>>() {
+    let level = L::Level::proof();
     let real = <L::Real as Real>::from_f64;
-    let lanes = |x: f64| L::splat(Portable, real(x));
+    let lanes = |x: f64| L::splat(level, real(x));
     let axis = [0.36, 0.48, 0.8];
     let moment = [0.3, -0.5, 0.1];
     let by_half = |half: f64| {
@@ -93,7 +95,7 @@ fn every_far_turn_is_unit_or_nan<L: Lanes<Level = Portable, Real: Real>>() {
         assert_unit_or_nan("exp of one", half, DualQuat::exp(log));
         // Half the angle of `radian` is 1.
         assert_unit_or_nan("pow", half, first(radian.pow(lanes(half))));
-        let identity = batch::DualQuat::identity(Portable);
+        let identity = batch::DualQuat::identity(level);
         assert_unit_or_nan("sclerp", half, first(identity.sclerp(radian, lanes(half))));
         assert_unit_or_nan("sclerp_long", half, first(identity.sclerp_long(radian, lanes(half))));
         let twist = by_half(1.0);
@@ -114,6 +116,20 @@ fn lanes_turn_as_far_as_numbers_are_known_and_no_farther() {
     every_far_turn_is_unit_or_nan::<f64x4>();
     every_far_turn_is_unit_or_nan::<f64x2>();
     every_far_turn_is_unit_or_nan::<f64>();
+    every_far_turn_is_unit_or_nan::<f32x16>();
+    every_far_turn_is_unit_or_nan::<f64x8>();
+    #[cfg(target_arch = "x86_64")]
+    {
+        use dq8_contract::sample::{Avx2, Avx512};
+        if Avx2::is_there() {
+            every_far_turn_is_unit_or_nan::<<Avx2 as Level>::F32x8>();
+            every_far_turn_is_unit_or_nan::<<Avx2 as Level>::F64x4>();
+        }
+        if Avx512::is_there() {
+            every_far_turn_is_unit_or_nan::<<Avx512 as Level>::F32x16>();
+            every_far_turn_is_unit_or_nan::<<Avx512 as Level>::F64x8>();
+        }
+    }
 }
 
 /// The slice kernel, whose lanes are those of the CPU.

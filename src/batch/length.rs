@@ -10,9 +10,9 @@ use dq8_simd::{Float, Lanes, Mask};
 pub(super) struct Length<L> {
     /// The length of the stretched vector.
     root: L,
-    /// Its reciprocal, or the stretch where that makes vectors smaller.
+    /// Its reciprocal; where any lane is stretched, times a power of two.
     first: L,
-    /// The other of the two, and the stretch, where any lane is stretched.
+    /// What is left to multiply by, and the stretch, where any lane is stretched.
     stretched: Option<(L, L)>,
 }
 
@@ -21,28 +21,25 @@ impl<L: Lanes> Length<L> {
     pub(super) fn of<const N: usize>(vector: [L; N], one: L) -> Self {
         let squared = sum_of_squares(vector, one);
         // Stretched, the squares of all numbers there are fit, and so do the quotients on the way.
-        let (limit, up, down) = if L::Real::SINGLE {
-            (power_of_two(80), power_of_two(88), power_of_two(-66))
-        } else {
-            (power_of_two(800), power_of_two(564), power_of_two(-514))
-        };
+        let (half, up, down) = if L::Real::SINGLE { (40, 88, -66) } else { (400, 564, -514) };
+        let limit = power_of_two(2 * half);
         let small = squared.lt(one.constant(1.0 / limit));
         let fits = squared.le(one.constant(limit));
         if (fits & !small).all() {
             let root = squared.sqrt();
             return Self { root, first: one / root, stretched: None };
         }
-        let stretch = L::select(small, one.constant(up), L::select(fits, one, one.constant(down)));
+        let stretch = power_by_size(small, fits, one, up, down);
         let mut stretched = vector;
         for component in &mut stretched {
             *component = *component * stretch;
         }
         let root = sum_of_squares(stretched, one).sqrt();
-        let recip = one / root;
-        // Large numbers are made smaller first, small ones larger last: nothing on the way is beyond
-        // both ends of the quotient.
-        let first = L::select(fits, recip, stretch);
-        let second = L::select(fits, stretch, recip);
+        // The stretch times the reciprocal in two factors: short vectors are divided by two that are no less than
+        // 1, long ones by two that are no greater, so nothing on the way is beyond both ends of the quotient.
+        let balance = power_by_size(small, fits, one, up - half, down + half);
+        let first = one / root * balance;
+        let second = power_by_size(small, fits, one, half, -half);
         Self { root, first, stretched: Some((second, stretch)) }
     }
 
@@ -73,6 +70,13 @@ impl<L: Lanes> Length<L> {
         }
         quotients
     }
+}
+
+/// 2 to one power where a vector is `small`, to another where its squares do not fit, and 1 elsewhere.
+#[cfg_attr(not(opt_level_0), inline(always))]
+fn power_by_size<L: Lanes>(small: L::Mask, fits: L::Mask, one: L, short: i64, long: i64) -> L {
+    let long = L::select(fits, one, one.constant(power_of_two(long)));
+    L::select(small, one.constant(power_of_two(short)), long)
 }
 
 #[cfg_attr(not(opt_level_0), inline(always))]

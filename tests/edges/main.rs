@@ -3,6 +3,7 @@
 
 mod beyond;
 mod infinite;
+mod parts;
 
 use dq8::{
     DualQuat, Quat,

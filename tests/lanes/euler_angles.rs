@@ -1,8 +1,6 @@
 //! Euler angles, and gimbal lock as a mask.
 
-use super::{
-    Provable, columns, exact, holds, measure, on_every_lane_type, on_every_level, rounded, row,
-};
+use super::{Provable, columns, exact, holds, measure, on_every_level, rounded, row};
 use dq8::representation::{EulerAngles, EulerOrder, EulerSolution};
 use dq8::{Quat, batch};
 use dq8_contract::ledger::{Ledger, line};

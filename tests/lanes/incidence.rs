@@ -1,8 +1,6 @@
 //! Lines, planes and points: the same answers, and a mask where the scalar reference has an error.
 
-use super::{
-    Provable, columns, exact, holds, measure, on_every_lane_type, on_every_level, rounded, row,
-};
+use super::{Provable, columns, exact, holds, measure, on_every_level, rounded, row};
 use dq8::{Line, Plane, Real, incidence::IncidenceError};
 use dq8_contract::inputs::for_all;
 use dq8_contract::ledger::{Ledger, line};

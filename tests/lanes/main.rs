@@ -26,33 +26,24 @@ impl<R: Float + Real> Number for R {}
 trait Provable: Lanes<Level: Proof, Real: Number> {}
 impl<L: Lanes<Level: Proof, Real: Number>> Provable for L {}
 
-/// Runs `check` with each lane type that any machine has.
-macro_rules! on_every_lane_type {
-    ($check:ident $(, $given:expr)*) => {
-        on_every_lane_type! { @each $check ($($given),*)
-            f32 f64 dq8::simd::f32x4 dq8::simd::f32x8 dq8::simd::f32x16 dq8::simd::f64x2 dq8::simd::f64x4 dq8::simd::f64x8 }
-    };
-    (@each $check:ident $given:tt $($type:ty)*) => {{
-        $(on_every_lane_type! { @one $check $type, $given })*
+/// Runs `check` with each lane type that this machine can run: those of any machine, and those of every level it has.
+macro_rules! on_every_level {
+    (@each $check:ident $given:tt $($type:ty),*) => {{
+        $(on_every_level! { @one $check $type, $given })*
     }};
     (@one $check:ident $type:ty, ($($given:expr),*)) => { $check::<$type>($($given),*) };
-}
-pub(crate) use on_every_lane_type;
-
-/// Runs `check` with these and with those of every level that this machine has.
-macro_rules! on_every_level {
     ($check:ident $(, $given:expr)*) => {{
-        on_every_lane_type!($check $(, $given)*);
+        use dq8::simd;
+        on_every_level! { @each $check ($($given),*) f32, f64, simd::f32x4, simd::f32x8, simd::f32x16,
+            simd::f64x2, simd::f64x4, simd::f64x8 }
         #[cfg(target_arch = "x86_64")]
         {
             use dq8_contract::sample::{Avx2, Avx512, Level, Proof};
             if Avx2::is_there() {
-                $check::<<Avx2 as Level>::F32x8>($($given),*);
-                $check::<<Avx2 as Level>::F64x4>($($given),*);
+                on_every_level! { @each $check ($($given),*) <Avx2 as Level>::F32x8, <Avx2 as Level>::F64x4 }
             }
             if Avx512::is_there() {
-                $check::<<Avx512 as Level>::F32x16>($($given),*);
-                $check::<<Avx512 as Level>::F64x8>($($given),*);
+                on_every_level! { @each $check ($($given),*) <Avx512 as Level>::F32x16, <Avx512 as Level>::F64x8 }
             }
         }
     }};

@@ -1,7 +1,7 @@
 //! Poses, affine maps, and Jacobians as matrices.
 
 use super::scene::{cases, motion, motions};
-use super::{Provable, columns, exact, measure, on_every_lane_type, rounded, row};
+use super::{Provable, columns, exact, measure, on_every_level, rounded, row};
 use dq8::representation::{Affine, RotationTranslation};
 use dq8::{DualQuat, Plane, Twist, batch};
 use dq8_contract::ledger::{Ledger, line};
@@ -83,9 +83,7 @@ fn poses_affine_maps_and_jacobians_on_lanes_are_those_of_the_scalar_reference() 
         line("Affine", &[], 0.35, "sums of products in another order"),
         line("Jacobian", &[], 0.8, "polynomials for series"),
     ];
-    Ledger::keep("poses and maps", &bounds, |ledger| {
-        on_every_lane_type!(poses_and_maps_agree, ledger)
-    });
+    Ledger::keep("poses and maps", &bounds, |ledger| on_every_level!(poses_and_maps_agree, ledger));
 }
 
 #[test]

@@ -2,10 +2,7 @@
 //! error.
 
 use super::scene::{cases, motion, quat};
-use super::{
-    Provable, columns, exact, holds, lanes, measure, on_every_lane_type, on_every_level, rounded,
-    row,
-};
+use super::{Provable, columns, exact, holds, lanes, measure, on_every_level, rounded, row};
 use dq8::representation::{Polar, gram_schmidt};
 use dq8::{DualQuat, Quat, Real, batch};
 use dq8_contract::ledger::{Ledger, line};
@@ -178,7 +175,7 @@ fn checked_matrices<L: Provable>() {
 
 #[test]
 fn a_matrix_that_is_no_motion_is_a_lane_of_nan_and_a_mask() {
-    on_every_lane_type!(checked_matrices);
+    on_every_level!(checked_matrices);
 }
 
 /// A matrix that squeezes space onto a line is one column times one row, and rounding leaves a little more.

@@ -1,9 +1,6 @@
 //! Limbs of two bones: the same pose, and masks for what the scalar reference tells by its span or an error.
 
-use super::{
-    Provable, columns, exact, holds, lane, measure, on_every_lane_type, on_every_level, rounded,
-    row,
-};
+use super::{Provable, columns, exact, holds, lane, measure, on_every_level, rounded, row};
 use dq8::batch;
 use dq8::ik::{Span, TwoBone};
 use dq8_contract::ledger::{Ledger, line};

@@ -1,0 +1,232 @@
+//! [`judge`]: what an answer is held to: the bound of its operation where its input is what the operation is for,
+//! and elsewhere what is promised for any input.
+
+use crate::draw::Draw;
+use dq8_contract::bound::{Kind, Scale, distance};
+use dq8_contract::case::{Case, length};
+use dq8_contract::implementation::On;
+use dq8_contract::operation::{Held, Operation, Sign};
+use std::f64::consts::PI;
+
+/// What one lane answers: numbers and truth values.
+pub(crate) type Lane = (Vec<(Kind, f64)>, Vec<bool>);
+
+/// One case, as numbers of one precision.
+pub(crate) struct Question {
+    pub(crate) draw: Draw,
+    pub(crate) case: Case,
+    /// Whether every number that the operation is given is finite.
+    pub(crate) finite: bool,
+    /// What the scalar path answers in `f64`.
+    pub(crate) truth: Lane,
+    /// And with tolerances a little smaller and larger.
+    pub(crate) masks_about: [Vec<bool>; 2],
+}
+
+/// Interpolations and constructors, whose answers are unit, or NaN.
+const UNIT: [&str; 19] = [
+    "dib",
+    "dlb",
+    "dlb_running",
+    "exp",
+    "from_matrix3x4",
+    "from_twist",
+    "integrate_body",
+    "integrate_spatial",
+    "nlerp",
+    "normalize",
+    "normalize_checked",
+    "pow",
+    "sclerp",
+    "sclerp_long",
+    "slerp_lerp",
+    "sqrt",
+    "squad",
+    "squad_control",
+    "from_screw",
+];
+
+/// What is wrong with an answer, and by how much, in units of what is allowed.
+pub(crate) fn judge(
+    operation: &Operation,
+    on: On,
+    question: &Question,
+    got: &Lane,
+) -> Option<(f64, &'static str)> {
+    let (case, (truth, _)) = (&question.case, &question.truth);
+    let [less, more] = &question.masks_about;
+    let scale = scale(operation, case);
+    // How many steps a mean takes is a matter of rounding; what has no room in the type fails.
+    let said = operation.name != "dib" && !(scale.length > 0.25 * largest(on));
+    if said && less == more && got.1 != *less && !is_at_the_end(on, case) {
+        return Some((f64::INFINITY, "another truth value"));
+    }
+    let any = |numbers: &[(Kind, f64)]| numbers.iter().any(|(_, number)| !number.is_finite());
+    if !question.finite {
+        let lost = any(truth) && !any(&got.0);
+        return lost.then_some((f64::INFINITY, "finite, of what is not"));
+    }
+    // What is documented to have no answer.
+    let none = match operation.name {
+        "normalize" | "normalize_checked" | "inverse" | "inverse_checked" => {
+            case.a[..4].iter().all(|c| *c == 0.0)
+        }
+        "exp" | "from_twist" | "integrate_spatial" | "integrate_body" => {
+            on.name.starts_with("lanes") && half_angle(operation.name, case) > 1.001 * limit(on)
+        }
+        _ => false,
+    };
+    if none {
+        return (!any(&got.0)).then_some((f64::INFINITY, "an answer where there is none"));
+    }
+    let allowed = allowed(operation, case);
+    // Where nothing is left of what the answer is made of, it is a motion, and no more than that.
+    let left = scale.plain * allowed * on.roundoff() < 0.1 || question.draw == Draw::General;
+    if left && is_held(operation, on, question) {
+        let error = error(operation, on, &scale, truth, &got.0) / allowed;
+        return (error > 1.0).then_some((error, "beyond its bound"));
+    }
+    let normalizes = matches!(operation.name, "normalize" | "normalize_checked" | "nlerp" | "dlb");
+    if UNIT.contains(&operation.name)
+        && (normalizes || question.draw.is_unit())
+        && (operation.name != "squad" || has_room("squad", on, case))
+    {
+        let p: Vec<_> = got.0[..4].iter().map(|(_, number)| *number).collect();
+        let off = (length(&p) - 1.0).abs() / on.roundoff() / scale.plain.max(1.0) / allowed;
+        return (off > 1.0 && !any(&got.0)).then_some((off, "neither unit nor NaN"));
+    }
+    None
+}
+
+/// |p| itself may be no number though p is one: scalar has nothing to divide by then.
+fn is_at_the_end(on: On, case: &Case) -> bool {
+    case.a[..4].iter().any(|c| c.abs() > 0.5 * largest(on))
+}
+
+fn largest(on: On) -> f64 {
+    if on.single { f32::MAX.into() } else { f64::MAX }
+}
+
+/// In units of u · scale. Bounds are one and a half times the worst of 10⁵ answers; so many more reach farther.
+/// Where lanes are held to the scalar reference of the same precision, that has its own error.
+fn allowed(operation: &Operation, case: &Case) -> f64 {
+    let of = |held: &Held| match held {
+        Held::Scalar(bound) => bound.units,
+        Held::Double { bounds, .. } => bounds.iter().map(|bound| bound.units).fold(0.0, f64::max),
+        Held::Digits { bounds, .. } => bounds.iter().map(|bound| bound.units).fold(0.0, f64::max),
+    };
+    // That bound is for parameters from 0 to 1.
+    let beyond = if operation.name == "slerp_lerp" { (1.0 + case.t.abs()).powi(2) } else { 1.0 };
+    // A number below the normal ones is rounded, though it be only halved.
+    (2.0 * beyond * operation.bounds.iter().map(of).sum::<f64>()).max(1.0)
+}
+
+/// What the error is measured against.
+fn scale(operation: &Operation, case: &Case) -> Scale {
+    let scale = (operation.scale)(case);
+    match operation.name {
+        "distance_weighted" => Scale { length: scale.length + PI * case.s.abs(), ..scale },
+        "shell_error" => Scale { length: scale.length + case.radius.abs(), ..scale },
+        // |p|² may be no number.
+        "inverse" | "inverse_checked" => {
+            let [p, q] = [&case.a[..4], &case.a[4..]].map(length);
+            Scale::new(1.0 / p, q / p / p)
+        }
+        _ => scale,
+    }
+}
+
+/// Whether what is multiplied on the way is among the normal numbers, or nothing: below them digits are lost, beyond
+/// them everything.
+fn has_room(name: &str, on: On, case: &Case) -> bool {
+    let least = if on.single { 2.0_f64.powi(-100) } else { 2.0_f64.powi(-960) };
+    let fits = |number: f64| number == 0.0 || (least..1.0 / least).contains(&number.abs());
+    let [p, q] = [&case.a[..4], &case.a[4..]].map(length);
+    match name {
+        "squad" => case.t.abs() <= 2.0,
+        // They fail as a whole where a component of the answer is none.
+        "normalize" | "normalize_checked" => q / p < largest(on) / 64.0,
+        "inverse" | "inverse_checked" => (q / p / p).max(1.0 / p) < largest(on) / 64.0,
+        "dlb" | "dlb_running" | "dib" => case.weights.iter().all(|weight| *weight > least),
+        "from_screw" => fits(case.screw[6]),
+        "to_screw" => fits(length(&case.a[..3])) && fits(q),
+        "mul_rotation_translation" => {
+            let ([r, v], p) = ([length(&case.b[..4]), length(&case.v)], p.max(q));
+            [p, q, v, r, p * v, r * v, p * r, p * v * r].into_iter().all(fits)
+        }
+        _ => true,
+    }
+}
+
+/// Whether its bound holds for such a case.
+fn is_held(operation: &Operation, on: On, question: &Question) -> bool {
+    let (name, case) = (operation.name, &question.case);
+    let of_a_cluster = ["dib", "dlb_running", "squad", "squad_control"].contains(&name);
+    let whole_turn = name.ends_with("jacobian_inverse") && case.angle() > 6.25;
+    let in_domain =
+        question.draw.is_unit() || question.draw == Draw::General && operation.is_algebra();
+    in_domain
+        && !whole_turn
+        && (!of_a_cluster || question.draw == Draw::Close)
+        && !is_a_tie(on, name, case)
+        && has_room(name, on, case)
+        && half_angle(name, case) < 0.999 * limit(on)
+}
+
+/// The largest half angle that is known: 2¹⁶ and 2⁴⁵.
+fn limit(on: On) -> f64 {
+    2.0_f64.powi(if on.single { 16 } else { 45 })
+}
+
+/// How far the operation turns.
+fn half_angle(name: &str, case: &Case) -> f64 {
+    match name {
+        "pow" | "sclerp" | "sclerp_long" | "slerp_lerp" => 3.2 * case.t.abs(),
+        "exp" => length(&case.v),
+        "from_screw" => 0.5 * case.screw[6].abs(),
+        "from_twist" => 0.5 * case.angle(),
+        "integrate_spatial" | "integrate_body" => 0.5 * case.angle() * case.dt.abs(),
+        _ if name.contains("jacobian") => 0.5 * case.angle(),
+        _ => 0.0,
+    }
+}
+
+/// Where both ways between two motions are equally long up to rounding, either is right.
+fn is_a_tie(on: On, name: &str, case: &Case) -> bool {
+    let apart = |other: &[f64; 8]| {
+        let dot: f64 = case.a.iter().zip(other).take(4).map(|(a, b)| a * b).sum();
+        dot.abs() < 16.0 * on.roundoff()
+    };
+    match name {
+        "nlerp" | "sclerp" | "sclerp_long" | "slerp_lerp" | "twist_to" => apart(&case.b),
+        "dlb" => apart(&case.b) || apart(&case.c),
+        _ => false,
+    }
+}
+
+/// The largest error over what it is measured against; no number that the type has no room for is asked of it.
+fn error(
+    operation: &Operation,
+    on: On,
+    scale: &Scale,
+    truth: &[(Kind, f64)],
+    got: &[(Kind, f64)],
+) -> f64 {
+    let with_sign = |sign: f64| {
+        let pairs = got.iter().zip(truth).filter(|((kind, _), (_, truth))| {
+            *kind != Kind::Count && truth.is_finite() && scale.of(*kind) <= largest(on) / 64.0
+        });
+        pairs.fold(0.0, |worst: f64, (&(kind, got), &(_, truth))| {
+            worst.max(distance(sign * got, truth, scale.of(kind), on.single))
+        })
+    };
+    match operation.double() {
+        Some((_, Sign::Either, _)) => with_sign(1.0).min(with_sign(-1.0)),
+        _ => with_sign(1.0),
+    }
+}
+
+/// How large the dual quaternions are that truth values are about.
+pub(crate) fn size(case: &Case) -> f64 {
+    [case.a, case.b].as_flattened().iter().fold(case.tolerance.abs(), |size, c| size.max(c.abs()))
+}
