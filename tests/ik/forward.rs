@@ -1,7 +1,7 @@
 //! Poses and Jacobians of arms against nalgebra, automatic differentiation and hierarchies.
 
 use super::arms::{Plan, Random, gantry, puma, rounded, ur5};
-use dq8::ik::{Arm, ArmError, Joint};
+use dq8::ik::{Arm, ArmError, Joint, Options, Outcome};
 use dq8::{Dual, DualQuat, Hierarchy, Quat, Twist, simd::Portable};
 
 fn poses_are_those_of_nalgebra<const N: usize>(plan: &Plan<N>) {
@@ -153,6 +153,18 @@ fn a_screw_reaches_as_far_as_its_pitch_takes_it() {
     let endless = Joint { limits: [0.0, f64::INFINITY], ..joint };
     let error = Arm::new([endless], DualQuat::IDENTITY).unwrap_err();
     assert_eq!(error, ArmError::Limits { joint: 0, low: 0.0, high: f64::INFINITY });
+}
+
+#[test]
+fn a_thread_is_searched_as_the_thread_that_it_is_whatever_its_pitch() {
+    for pitch in [1.0, -1.0, 0.5] {
+        let screw = Twist { angular: [0.0, 0.0, 1.0], linear: [0.0, 0.0, pitch] };
+        let arm = Arm::new([Joint { screw, limits: [-2.0, 2.0] }], DualQuat::IDENTITY).unwrap();
+        let mut values = [0.1];
+        let report = arm.reach(arm.forward(&[1.25]), &mut values, &Options::default());
+        assert_eq!(report.outcome, Outcome::Converged, "{pitch}");
+        assert!((values[0] - 1.25).abs() < 1e-4, "{pitch}: {values:?}");
+    }
 }
 
 #[test]
