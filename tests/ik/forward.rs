@@ -160,7 +160,7 @@ fn a_thread_is_searched_as_the_thread_that_it_is_whatever_its_pitch() {
     for pitch in [1.0, -1.0, 0.5] {
         let screw = Twist { angular: [0.0, 0.0, 1.0], linear: [0.0, 0.0, pitch] };
         let arm = Arm::new([Joint { screw, limits: [-2.0, 2.0] }], DualQuat::IDENTITY).unwrap();
-        let mut values = [0.1];
+        let mut values = [0.1_f64];
         let report = arm.reach(arm.forward(&[1.25]), &mut values, &Options::default());
         assert_eq!(report.outcome, Outcome::Converged, "{pitch}");
         assert!((values[0] - 1.25).abs() < 1e-4, "{pitch}: {values:?}");
