@@ -46,7 +46,8 @@ impl<R: Real> DualQuat<R> {
     ///
     /// The weights need not sum to one, because the sum is normalized: all of them times any number
     /// but zero give the same motion. A negative weight moves the blend away from its motion. Where
-    /// weights sum to zero the result is of no use, and often NaN.
+    /// weights sum to zero the result is of no use, and often NaN. Weights that are so small that a product with a
+    /// component is below the normal numbers lose digits, as such numbers do.
     ///
     /// `None` without influences; every component is NaN if the sum cannot be normalized: its real
     /// part is zero, as when the weights cancel, or a component is not finite.

@@ -13,7 +13,8 @@ impl<R: Real> DualQuat<R> {
     /// the step x = a + εb turns by no more than `tolerance`, 2|a| ≤ `tolerance` radians, and moves
     /// by no more than `tolerance` times the longest translation, |b| ≤ `tolerance`·max |qᵢ|
     /// (|tᵢ| = 2|qᵢ|). The two are compared apart, and neither depends on the unit of length. A
-    /// tolerance of a few [`EPSILON`](Real::EPSILON) is as small as rounding allows.
+    /// tolerance of a few [`EPSILON`](Real::EPSILON) is as small as rounding allows. Where the longest translation
+    /// times it is below the smallest number, no step but zero is short enough, and `converged` may be false.
     ///
     /// Each step multiplies the error by a factor that shrinks with the square of the spread:
     /// influences within 40° of a common pose take at most 3 steps to 10⁻⁶ and 8 to 2·10⁻¹⁵. The

@@ -15,7 +15,8 @@ impl<R: Real> DualQuat<R> {
     /// angle is continuous across evenly timed keys. Signs do not matter: each of the three goes
     /// the shorter way, so consecutive keys should be less than half a turn apart.
     ///
-    /// All must be unit.
+    /// All must be unit. `t` is meant for [0, 1]: beyond, the last of the three goes on by 2t(1−t), and what its
+    /// ends lack of unit length grows with t³.
     ///
     /// ```
     /// use dq8::DualQuat;
