@@ -20,19 +20,20 @@ impl<R: Float + Real> Number for R {}
 macro_rules! for_every_lane_type {
     (|$name:ident, $L:ident| $body:expr) => {
         for_every_lane_type! { @each $name, $L, $body;
-            f32 f64 dq8::simd::f32x4 dq8::simd::f32x8 dq8::simd::f32x16 dq8::simd::f64x2 dq8::simd::f64x4 dq8::simd::f64x8 }
+            f32, f64, dq8::simd::f32x4, dq8::simd::f32x8, dq8::simd::f32x16, dq8::simd::f64x2, dq8::simd::f64x4,
+            dq8::simd::f64x8 }
         #[cfg(target_arch = "x86_64")]
         {
             use dq8_contract::sample::{Avx2, Avx512, Level};
             if Avx2::is_there() {
-                for_every_lane_type! { @each $name, $L, $body; <Avx2 as Level>::F32x8 <Avx2 as Level>::F64x4 }
+                for_every_lane_type! { @each $name, $L, $body; <Avx2 as Level>::F32x8, <Avx2 as Level>::F64x4 }
             }
             if Avx512::is_there() {
-                for_every_lane_type! { @each $name, $L, $body; <Avx512 as Level>::F32x16 <Avx512 as Level>::F64x8 }
+                for_every_lane_type! { @each $name, $L, $body; <Avx512 as Level>::F32x16, <Avx512 as Level>::F64x8 }
             }
         }
     };
-    (@each $name:ident, $L:ident, $body:expr; $($type:ty)*) => {$({
+    (@each $name:ident, $L:ident, $body:expr; $($type:ty),*) => {$({
         type $L = $type;
         let $name = stringify!($type);
         $body

@@ -63,7 +63,8 @@ pub(crate) fn judge(
     }
     let any = |numbers: &[(Kind, f64)]| numbers.iter().any(|(_, number)| !number.is_finite());
     if !question.finite {
-        let lost = any(truth) && !any(&got.0);
+        // An infinity may be a sum of finite numbers that overflowed.
+        let lost = truth.iter().any(|(_, number)| number.is_nan()) && !any(&got.0);
         return lost.then_some((f64::INFINITY, "finite, of what is not"));
     }
     // What is documented to have no answer.
@@ -127,6 +128,17 @@ fn scale(operation: &Operation, case: &Case) -> Scale {
     match operation.name {
         "distance_weighted" => Scale { length: scale.length + PI * case.s.abs(), ..scale },
         "shell_error" => Scale { length: scale.length + case.radius.abs(), ..scale },
+        // An angle is known to its last place.
+        "from_screw" => {
+            let turns = 1.0 + 0.5 * case.screw[6].abs();
+            let [plain, turn] = [scale.plain, scale.turn.max(turns - 1.0)].map(|size| size * turns);
+            Scale {
+                plain,
+                turn,
+                length: turns * (scale.length + length(&case.screw[3..6])),
+                ..scale
+            }
+        }
         // |p|² may be no number.
         "inverse" | "inverse_checked" => {
             let [p, q] = [&case.a[..4], &case.a[4..]].map(length);

@@ -3,9 +3,10 @@
 use crate::only;
 use dq8_contract::implementation::{On, implementations};
 
-/// 1.5·2ⁿ
+/// 1.5·2ⁿ, in two steps: `powi` goes by way of 2⁻ⁿ, which may be no number.
 fn number(exponent: i32) -> f64 {
-    1.5 * 2.0_f64.powi(exponent)
+    let half = exponent / 2;
+    1.5 * 2.0_f64.powi(half) * 2.0_f64.powi(exponent - half)
 }
 
 /// Near the smallest numbers, and where the real part is large: nothing on the way may vanish.

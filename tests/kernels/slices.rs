@@ -4,7 +4,7 @@
 use crate::inputs::{BETWEEN, HEAVIER, Inputs, LONG};
 use crate::memory::{Memory, lay, read, round};
 use crate::records::{equal, is_finite, same_bits};
-use crate::scene::{motions, rounded};
+use crate::scene::rounded;
 #[cfg(doc)]
 use crate::subject::Subject;
 use crate::subject::for_every_subject;
