@@ -173,6 +173,30 @@ fn operations(fuzz: &mut Fuzz) {
     fuzz.called(5);
 }
 
+/// Text of a motion with a few characters changed: refused, or numbers that are written and read again as they are.
+fn texts(fuzz: &mut Fuzz) {
+    let mut text: Vec<char> = fuzz.any().to_string().chars().collect();
+    for _ in 0..fuzz.below(4) {
+        let any: Vec<char> = "0123456789+-.eEinfNa,;[]() \t\n\u{a0}\u{2212}x".chars().collect();
+        let (at, letter) = (fuzz.below(text.len()), any[fuzz.below(any.len())]);
+        match fuzz.below(3) {
+            0 => text[at] = letter,
+            1 => text.insert(at, letter),
+            _ => text.truncate(at.max(1)),
+        }
+    }
+    let text = String::from_iter(text);
+    if let Ok(motion) = text.parse::<DualQuat<f32>>() {
+        let again: DualQuat<f32> = motion.to_string().parse().unwrap();
+        let bits = |motion: DualQuat<f32>| {
+            motion.to_array().map(|c| if c.is_nan() { u32::MAX } else { c.to_bits() })
+        };
+        assert_eq!(bits(again), bits(motion), "{text:?}");
+    }
+    let _ = (text.parse::<Quat<f64>>(), text.parse::<Twist<f32>>());
+    fuzz.called(3);
+}
+
 /// Matrices of anything, and of motions.
 fn matrices(fuzz: &mut Fuzz) {
     let mut rows = fuzz.motion().to_matrix3x4();
@@ -323,6 +347,7 @@ fn anything_may_be_given_to_public_functions() {
                 for _ in 0..20 {
                     operations(&mut fuzz);
                     matrices(&mut fuzz);
+                    texts(&mut fuzz);
                 }
                 hierarchies(&mut fuzz);
                 slices(&mut fuzz);
