@@ -102,5 +102,5 @@ fn signs_do_not_matter<L: Provable>() {
 
 #[test]
 fn a_quaternion_and_its_negative_have_the_same_euler_angles() {
-    on_every_lane_type!(signs_do_not_matter);
+    on_every_level!(signs_do_not_matter);
 }

@@ -194,7 +194,7 @@ fn squeezed<L: Provable>() {
 
 #[test]
 fn a_matrix_that_squeezes_space_onto_a_line_has_no_polar_decomposition() {
-    on_every_lane_type!(squeezed);
+    on_every_level!(squeezed);
 }
 
 /// 32 units of the last place, on either side of 1.
@@ -211,5 +211,5 @@ fn normalized<L: Provable>() {
 
 #[test]
 fn normalized_is_within_32_units_of_the_last_place() {
-    on_every_lane_type!(normalized);
+    on_every_level!(normalized);
 }
