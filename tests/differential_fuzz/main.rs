@@ -69,10 +69,12 @@ fn answers(operation: &Operation, on: On, questions: &[Question]) -> Vec<Lane> {
     chunks.collect()
 }
 
-/// Those whose answers have the same bits: the instructions decide, not how many lanes there are.
+/// Those whose answers have the same bits: the instructions decide, not how many lanes there are. A build for a CPU that
+/// fuses has them fused in vectors, and not in a single number.
 fn family(on: On) -> Option<&'static str> {
     let lanes = on.name.strip_prefix("lanes ")?;
-    Some(if lanes.starts_with("AVX") { "fused" } else { "portable" })
+    let fused = cfg!(target_feature = "fma") && !lanes.ends_with("x1");
+    Some(if lanes.starts_with("AVX") || fused { "fused" } else { "portable" })
 }
 
 /// NaN has many bit patterns, which mean the same.
