@@ -16,9 +16,8 @@ they are to 4×4 real matrices, [ω× v; 0 0], and every derivative is held to t
 One JSON object a line: op, kind, inputs by name, and the answer as text with 20 digits. σ is [pw,px,py,pz, qw,qx,qy,qz].
 Inputs are exactly binary32 numbers, so that f32 and f64 start from the same. Only `rows` of rigid matrices, the axis
 `l`, `m` of from_screw, the `derivative` of velocity and the motions `s` of dib are text with 20 digits, which each type
-rounds: rigid ones are no binary32 numbers. A quaternion is [w,x,y,z], a pose that and a translation, a line [l,m], a plane [n,d];
-a dual
-number [a,b]; `order` is a place in EulerOrder::ALL.
+rounds: rigid ones are no binary32 numbers. A quaternion is [w,x,y,z], a pose that and a translation, a line [l,m], a plane
+[n,d], a dual number [a,b]; `order` is a place in EulerOrder::ALL.
 In more.jsonl the answers of add, sub, scale, scale_dual, dot, canonical and mul_rotation_translation are those of the inputs as they
 stand; all others of the inputs normalized exactly, but for `derivative`, which is taken as it stands. In
 geometry.jsonl quaternions, motions and poses are normalized exactly where the operation wants unit ones; lines and planes are

@@ -163,13 +163,12 @@ def canonical():
             yield kind, {"a": a}, [mpf(c) if a[0] >= 0 else -mpf(c) for c in a]
 
 
-def small(*answer_of):
-    """Rows of an operation of reference.jsonl, in its form, for all of NEAR_0: there near0 begins at 1e-4."""
+def small(names, answer):
+    """Rows of an operation of reference.jsonl, in its form, for all of NEAR_0: there no angle of near0 exceeds 1e-4."""
 
     def rows():
         for [a, b] in clusters("near0", 2):
             inputs = {"a": singles(w_positive(a)), "b": singles(b), "t": parameter(), "v": vector(3)}
-            names, answer = answer_of
             inputs = {name: inputs[name] for name in names}
             yield "near0", inputs, answer(unit(inputs["a"]), *(inputs[name] for name in names[1:]))
 

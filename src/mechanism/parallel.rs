@@ -105,6 +105,7 @@ impl Backend {
             self.link_jacobians(frame, mechanism, link, values, poses, columns)
         })
     }
+
     /// [`link_velocities`](Self::link_velocities) on all threads of rayon's current pool. Every bit of the
     /// result is the same.
     ///

@@ -12,7 +12,8 @@ impl<R: Real> DualQuat<R> {
     /// infinite there); the identity has the axis (1, 0, 0).
     ///
     /// The moment is as long as t over the angle: where a turn is so small that this overflows, or one over the
-    /// angle does (below 6·10⁻³⁹ in `f32`, whatever t is), it is not finite, and [`from_screw`](Self::from_screw) has no way back. The logarithm has no such end.
+    /// angle does (below 6·10⁻³⁹ in `f32`, whatever t is), it is not finite, and [`from_screw`](Self::from_screw) has no
+    /// way back. The logarithm has no such end.
     ///
     /// ```
     /// use dq8::DualQuat;

@@ -46,6 +46,7 @@ impl Backend {
         });
         Ok(())
     }
+
     /// [`skin_interleaved`](Self::skin_interleaved) on all threads of rayon's current pool. Every bit of the result is
     /// the same.
     ///

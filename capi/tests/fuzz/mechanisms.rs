@@ -116,33 +116,12 @@ unsafe fn searches(fuzz: &mut Fuzz, of: *const Mechanism<f32>, values: usize, li
         let mut scratch = fuzz.numbers(needed);
         let room = scratch.as_mut_ptr();
         let (options, report) = (ptr::from_ref(options), report.as_mut_ptr());
-        let few = r::reach(
-            of,
-            goals.as_ptr(),
-            wanted,
-            goals.len(),
-            posture,
-            options,
-            to,
-            values,
-            room,
-            needed / 2,
-            report,
-        );
-        assert!(few != Status::Ok, "half of the memory");
-        r::reach(
-            of,
-            goals.as_ptr(),
-            wanted,
-            goals.len(),
-            posture,
-            options,
-            to,
-            values,
-            room,
-            needed,
-            report,
-        )
+        let search = |room_for| {
+            let (goal, goals) = (goals.as_ptr(), goals.len());
+            r::reach(of, goal, wanted, goals, posture, options, to, values, room, room_for, report)
+        };
+        assert!(search(needed / 2) != Status::Ok, "half of the memory");
+        search(needed)
     };
     let refused = [Status::NoLink, Status::Weight, Status::NotFinite, Status::NullPointer];
     assert!(status == Status::Ok || refused.contains(&status), "{status:?}");
