@@ -107,6 +107,7 @@ mod motion;
 mod must_be_unit;
 mod operators;
 mod palette_entry;
+mod plain;
 mod quaternion;
 mod real;
 pub mod representation;

@@ -5,8 +5,9 @@
 
 use dq8::{
     Backend, Crowd, Dual, DualQuat, Hierarchy, Line, Plane, Quat, Twist,
-    geometry::{DualVector, Wrench},
+    geometry::{DualVector, Screw, Wrench},
     representation::{Affine, RotationTranslation},
+    storage::LinearFirst,
 };
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -261,6 +262,31 @@ fn points_lines_planes_crowds_and_hierarchies_are_where_they_are_looked_for() {
     assert_eq!(bytemuck::cast_slice::<_, f32>(&blocks), [1.0; 2 * 12 * 8]);
     let floats: &[f32] = bytemuck_free(&poses);
     assert_eq!(floats.len(), 16);
+}
+
+#[test]
+fn structs_of_numbers_are_plain_data_in_the_order_of_their_fields() {
+    fn numbers<T: bytemuck::Pod, const C: usize>() -> T {
+        let counted: [f32; C] = std::array::from_fn(|i| i as f32);
+        let plain: T = bytemuck::cast(counted);
+        assert_eq!(
+            bytemuck::cast_slice::<T, f32>(&[plain, plain]),
+            [counted, counted].as_flattened()
+        );
+        plain
+    }
+    assert_eq!(numbers::<Dual<f32>, 2>(), Dual::new(0.0, 1.0));
+    assert_eq!(numbers::<Quat<f32>, 4>().to_array(), [0.0, 1.0, 2.0, 3.0]);
+    assert_eq!(numbers::<Plane<f32>, 4>().offset, 3.0);
+    assert_eq!(numbers::<Line<f32>, 6>().moment, [3.0, 4.0, 5.0]);
+    assert_eq!(numbers::<Twist<f32>, 6>().linear, [3.0, 4.0, 5.0]);
+    assert_eq!(numbers::<Wrench<f32>, 6>().torque, [3.0, 4.0, 5.0]);
+    assert_eq!(numbers::<DualVector<f32>, 6>().dual, [3.0, 4.0, 5.0]);
+    assert_eq!(numbers::<RotationTranslation<f32>, 7>().translation, [4.0, 5.0, 6.0]);
+    assert_eq!(numbers::<DualQuat<f32>, 8>().to_array()[7], 7.0);
+    assert_eq!(numbers::<Screw<f32>, 8>().slide, 7.0);
+    assert_eq!(numbers::<Affine<f32>, 12>().translation, [9.0, 10.0, 11.0]);
+    assert_eq!(numbers::<LinearFirst<f32>, 6>().0[5], 5.0);
 }
 
 /// A motion is plain data: `as_ref` needs no crate for casts.

@@ -10,6 +10,7 @@
 //! | [`one`] | plain `f32` and `f64` as vectors of one lane |
 //! | [`square_root`] | the square root of one number, which `core` does not have |
 //! | [`checked_schedule`] | [`CheckedSchedule`]: results that need earlier results |
+//! | [`mod@plain`] | [`plain!`]: structs that are numbers and nothing else are `bytemuck::Pod` |
 //! | [`block`] | [`Block`]: structure-of-arrays memory, a row of numbers for each component |
 //!
 //! Kernels are written once, generic over [`Lanes`], and marked `#[inline(always)]`: a kernel that
@@ -41,6 +42,7 @@ pub mod one;
 #[cfg(target_arch = "x86_64")]
 pub mod pair;
 pub mod picks;
+pub mod plain;
 pub mod portable;
 pub mod records;
 pub mod square_root;

@@ -21,12 +21,15 @@ use core::ops::{Add, Mul, Neg, Sub};
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[repr(C)]
 pub struct DualVector<T> {
     /// a
     pub real: [T; 3],
     /// b
     pub dual: [T; 3],
 }
+
+crate::plain::plain!(DualVector { real, dual });
 
 impl<T: Copy> DualVector<T> {
     /// s(a + εb) for a real number s.

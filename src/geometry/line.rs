@@ -13,12 +13,15 @@ use core::ops::{Add, Mul, Sub};
 /// [`common_perpendicular`](Line::common_perpendicular) and others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[repr(C)]
 pub struct Line<T> {
     /// l, the direction.
     pub direction: [T; 3],
     /// m = x × l for any point x of the line, the moment about the origin.
     pub moment: [T; 3],
 }
+
+crate::plain::plain!(Line { direction, moment });
 
 impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> Line<T> {
     /// l + ε(p × l) (Jia §8.1). The direction is taken as it is; a zero one makes no line, which

@@ -6,6 +6,7 @@ use super::Line;
 /// (Jia, *Dual Quaternions*, eq. 43).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[repr(C)]
 pub struct Screw<T> {
     /// The screw axis l + εm, |l| = 1.
     pub axis: Line<T>,
@@ -14,6 +15,8 @@ pub struct Screw<T> {
     /// d, the translation along the axis, in the user's unit of length.
     pub slide: T,
 }
+
+crate::plain::plain!(Screw { axis, angle, slide });
 
 impl<T: Copy + core::ops::Div<Output = T>> Screw<T> {
     /// The pitch d / θ, length per radian (Jia §8.2); infinite for a pure translation, NaN for the

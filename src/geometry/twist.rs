@@ -34,6 +34,8 @@ pub struct Twist<T> {
     pub linear: [T; 3],
 }
 
+crate::plain::plain!(Twist { angular, linear });
+
 impl<T: Copy> Twist<T> {
     /// From `[ωx, ωy, ωz, vx, vy, vz]`.
     #[cfg_attr(not(opt_level_0), inline(always))]

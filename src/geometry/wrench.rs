@@ -16,6 +16,8 @@ pub struct Wrench<T> {
     pub torque: [T; 3],
 }
 
+crate::plain::plain!(Wrench { force, torque });
+
 impl<T: Copy + Add<Output = T> + Mul<Output = T>> Wrench<T> {
     /// f·v + τ·ω, the power of this wrench on a body that moves with `twist`: the same number in
     /// every frame, as long as both are in the same one.

@@ -35,12 +35,15 @@ use core::ops::Mul;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[repr(C)]
 pub struct Affine<R> {
     /// L, rows.
     pub linear: [[R; 3]; 3],
     /// t
     pub translation: [R; 3],
 }
+
+crate::plain::plain!(Affine { linear, translation });
 
 /// The identity.
 impl<R: Real> Default for Affine<R> {

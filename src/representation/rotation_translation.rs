@@ -5,8 +5,7 @@ use core::ops::Mul;
 /// A rotation and a translation side by side, v ↦ r v r* + t (Kenwright §3): what files and
 /// physics engines hold, a number less than a [`DualQuat`], and the same motion.
 ///
-/// [`to_array`](Self::to_array) is what
-/// [`RotationsTranslations`](crate::hierarchy::RotationsTranslations) takes.
+/// Slices of it are what [`RotationsTranslations`](crate::hierarchy::RotationsTranslations) takes.
 ///
 /// ```
 /// use dq8::{DualQuat, Quat, representation::RotationTranslation};
@@ -26,6 +25,8 @@ pub struct RotationTranslation<R> {
     /// t
     pub translation: [R; 3],
 }
+
+crate::plain::plain!(RotationTranslation { rotation, translation });
 
 /// The identity.
 impl<R: Real> Default for RotationTranslation<R> {

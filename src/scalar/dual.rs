@@ -27,6 +27,8 @@ pub struct Dual<R> {
     pub dual: R,
 }
 
+crate::plain::plain!(Dual { real, dual });
+
 impl<R: Real> Dual<R> {
     /// 0 + ε0
     pub const ZERO: Self = Self::new(R::ZERO, R::ZERO);

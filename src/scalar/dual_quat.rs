@@ -2,7 +2,6 @@ use super::{Dual, Quat};
 use crate::everyday;
 use crate::geometry::DualVector;
 use crate::real::Real;
-use bytemuck::{Pod, Zeroable};
 use core::ops::{Add, Mul, Neg, Sub};
 
 /// A dual quaternion σ = p + εq, in memory `[px, py, pz, pw, qx, qy, qz, qw]`.
@@ -18,12 +17,14 @@ use core::ops::{Add, Mul, Neg, Sub};
 /// let motion = DualQuat::from_rotation_translation(r, [0.0, 0.0, 5.0]);
 /// assert_eq!(motion.transform_point([2.0, 0.0, 0.0]), [0.0, 2.0, 5.0]);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "rkyv_08", derive(rkyv::Archive, rkyv::Serialize, rkyv::Deserialize))]
 #[cfg_attr(feature = "serde", serde(transparent))]
 #[repr(transparent)]
 pub struct DualQuat<R>([R; 8]);
+
+crate::plain::plain!(DualQuat { 0 });
 
 /// The identity motion.
 impl<R: Real> Default for DualQuat<R> {

@@ -2,7 +2,6 @@ use super::error::NormalizeError;
 use super::vector;
 use crate::everyday;
 use crate::real::Real;
-use bytemuck::{Pod, Zeroable};
 use core::ops::{Add, Mul, Neg, Sub};
 
 /// A quaternion w + xi + yj + zk (Hamilton 1844), in memory `[x, y, z, w]`.
@@ -16,12 +15,14 @@ use core::ops::{Add, Mul, Neg, Sub};
 /// let [x, y, z] = quarter.rotate([1.0, 0.0, 0.0]);
 /// assert!((x.abs() + (y - 1.0).abs() + z.abs()) < 1e-15);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "rkyv_08", derive(rkyv::Archive, rkyv::Serialize, rkyv::Deserialize))]
 #[cfg_attr(feature = "serde", serde(transparent))]
 #[repr(transparent)]
 pub struct Quat<R>([R; 4]);
+
+crate::plain::plain!(Quat { 0 });
 
 /// The identity, not zero, which would make a rest pose of defaults vanish without an error.
 impl<R: Real> Default for Quat<R> {

@@ -1,10 +1,11 @@
-use super::element::{Element, Layout, Number, Register, sealed};
+use super::element::{Element, Layout, sealed};
 use super::tile::Tile;
-use crate::geometry::Twist;
+use crate::geometry::{Line, Plane, Twist};
 use crate::real::Scalar;
+use crate::representation::RotationTranslation;
 use crate::scalar::{DualQuat, Quat};
 use core::marker::PhantomData;
-use dq8_simd::{Float, Lanes, Level, MAX_LANES, Records};
+use dq8_simd::{Float, Lanes, Level, Records};
 
 /// Array of structures: one thing after the other. They are transposed in registers on the way in, and
 /// back on the way out.
@@ -97,65 +98,22 @@ casts! {
     f32: 1 of f32;
     f64: 1 of f64;
     Quat<R>: 4 of R, any R;
+    Plane<R>: 4 of R, any R;
+    Line<R>: 6 of R, any R;
+    Twist<R>: 6 of R, any R;
+    RotationTranslation<R>: 7 of R, any R;
     DualQuat<R>: 8 of R, any R;
     [[R; 4]; 3]: 12 of R, any R;
     [[R; 4]; 4]: 16 of R, any R;
 }
 
-/// A twist has names for its two halves, and no cast to an array that is safe for any number.
-impl<R: Scalar> Element<6> for Twist<R> {
-    type Layout = Aos<R>;
-
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn load<V: Level>(
-        level: V,
-        from: &[Self],
-        tile: Tile,
-        padding: &[R; 6],
-    ) -> Option<[Register<Self, V, 6>; 6]> {
-        if R::Lanes::<V>::LANES == 1 {
-            let twist = from.get(tile.element..)?.first();
-            let twist = twist.map_or(*padding, |twist| twist.to_array());
-            return Some(R::Lanes::<V>::load_records(level, &[twist], *padding));
-        }
-        let twists = from.get(tile.element..)?.iter().step_by(tile.stride.unwrap_or(1).max(1));
-        let mut records = [*padding; MAX_LANES];
-        for (record, twist) in records.iter_mut().zip(twists).take(R::Lanes::<V>::LANES) {
-            *record = twist.to_array();
-        }
-        Some(R::Lanes::<V>::load_records(level, &records, *padding))
-    }
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn store<V: Level>(components: [Register<Self, V, 6>; 6], to: &mut [Self], tile: Tile) {
-        if R::Lanes::<V>::LANES == 1 {
-            let mut record = [[R::ZERO; 6]];
-            R::Lanes::<V>::store_records(components, &mut record);
-            return Self::set(to, tile.element, record[0]);
-        }
-        let mut records = [[Number::<Self, 6>::ZERO; 6]; MAX_LANES];
-        R::Lanes::<V>::store_records(components, &mut records);
-        let twists = to.get_mut(tile.element..).unwrap_or_default();
-        let twists = twists.iter_mut().step_by(tile.stride.unwrap_or(1).max(1));
-        for (twist, record) in twists.zip(records).take(R::Lanes::<V>::LANES) {
-            *twist = Self::from_array(record);
-        }
-    }
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn get(slice: &[Self], index: usize) -> Option<[R; 6]> {
-        slice.get(index).map(|twist| twist.to_array())
-    }
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn set(slice: &mut [Self], index: usize, thing: [R; 6]) {
-        if let Some(slot) = slice.get_mut(index) {
-            *slot = Self::from_array(thing);
-        }
-    }
-}
-
 impl sealed::Sealed for f32 {}
 impl sealed::Sealed for f64 {}
 impl<R> sealed::Sealed for Quat<R> {}
+impl<R> sealed::Sealed for Plane<R> {}
+impl<R> sealed::Sealed for Line<R> {}
 impl<R> sealed::Sealed for Twist<R> {}
+impl<R> sealed::Sealed for RotationTranslation<R> {}
 impl<R> sealed::Sealed for DualQuat<R> {}
 impl<T, const N: usize> sealed::Sealed for [T; N] {}
 

@@ -5,7 +5,6 @@ use super::element::{Element, Register, sealed};
 use super::tile::Tile;
 use crate::geometry::Twist;
 use crate::real::Scalar;
-use bytemuck::{Pod, Zeroable};
 use dq8_simd::{Float, Level};
 
 /// A twist in memory as `[vx, vy, vz, ωx, ωy, ωz]`, the order of pinocchio and of many controllers; `[R; 6]`,
@@ -22,9 +21,11 @@ use dq8_simd::{Float, Level};
 /// assert_eq!(columns[0], LinearFirst([0.0, -2.0, 0.0, 0.0, 0.0, 1.0]));
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(transparent)]
 pub struct LinearFirst<R>(pub [R; 6]);
+
+crate::plain::plain!(LinearFirst { 0 });
 
 /// The two halves, the other first.
 #[cfg_attr(not(opt_level_0), inline(always))]

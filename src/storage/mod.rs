@@ -11,9 +11,11 @@
 //! | 1 | a number | `R` | [`NumberBlock`] |
 //! | 3 | a point or a vector | `[R; 3]` | [`PointBlock`] |
 //! | 4 | a rotation, `[x, y, z, w]` | [`Quat<R>`](crate::Quat) | [`RotationBlock`] |
+//! | 4 | a plane, `[nx, ny, nz, d]` | [`Plane<R>`](crate::Plane) | `Block` of 4 rows |
+//! | 6 | a line, `[lx, ly, lz, mx, my, mz]` | [`Line<R>`](crate::Line) | `Block` of 6 rows |
 //! | 6 | a twist, `[ωx, ωy, ωz, vx, vy, vz]` | [`Twist<R>`](crate::Twist) | [`TwistBlock`] |
 //! | 6 | a twist, `[vx, vy, vz, ωx, ωy, ωz]` | [`LinearFirst<R>`](LinearFirst) | |
-//! | 7 | rotation and translation, `[x, y, z, w, tx, ty, tz]` | `[R; 7]` | [`RotationTranslationBlock`] |
+//! | 7 | rotation and translation, `[x, y, z, w, tx, ty, tz]` | [`RotationTranslation<R>`](crate::representation::RotationTranslation) | [`RotationTranslationBlock`] |
 //! | 8 | a motion, `[px, py, pz, pw, qx, qy, qz, qw]` | [`DualQuat<R>`](crate::DualQuat) | [`Block`] |
 //! | 12 | a 3×4 matrix | `[[R; 4]; 3]` | [`MatrixBlock`] |
 //! | 16 | a 4×4 matrix | `[[R; 4]; 4]` | `Block` of 16 rows |

@@ -15,7 +15,8 @@ use std::collections::BTreeSet;
 const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("shape", &[]),
     ("sine", &[]),
-    ("geometry", &[]),
+    ("plain", &["dq8_simd"]),
+    ("geometry", &["plain"]),
     ("shared_trait", &[]),
     ("quaternion", &["shared_trait"]),
     ("dual_number", &["shared_trait"]),
@@ -27,6 +28,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     (
         "scalar",
         &[
+            "plain",
             "real",
             "geometry",
             "shared_trait",
@@ -39,14 +41,17 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ),
     ("differentiate", &["real", "scalar"]),
     ("incidence", &["real", "geometry", "scalar"]),
-    ("representation", &["real", "geometry", "scalar", "must_be_unit"]),
+    ("representation", &["real", "geometry", "plain", "scalar", "must_be_unit"]),
     ("operators", &["real", "geometry", "scalar", "representation"]),
     ("convert", &["real", "geometry", "scalar", "representation"]),
     ("text", &["real", "geometry", "scalar", "representation"]),
     ("guide", &[]),
     ("interop", &["real", "geometry", "scalar", "representation"]),
     ("dispatch", &["dq8_simd"]),
-    ("storage", &["shape", "real", "geometry", "dq8_simd", "scalar", "dispatch"]),
+    (
+        "storage",
+        &["shape", "plain", "real", "geometry", "dq8_simd", "scalar", "representation", "dispatch"],
+    ),
     ("palette_entry", &["dq8_simd", "batch", "storage"]),
     ("law", &["dq8_simd", "batch"]),
     (
@@ -111,6 +116,7 @@ const SIMD_MAY_IMPORT: &[(&str, &[&str])] = &[
     ("records", &["gather", "lanes"]),
     ("block", &["lanes"]),
     ("picks", &["lanes"]),
+    ("plain", &[]),
     ("square_root", &[]),
     ("checked_schedule", &[]),
     ("portable", &["lanes"]),

@@ -1,8 +1,9 @@
 //! What elements of slices promise: types with names are the numbers that they are made of.
 
 use crate::memory::round;
+use dq8::representation::RotationTranslation;
 use dq8::storage::{Aos, Element, NumberBlock, PointBlock, TwistBlock, tiles};
-use dq8::{Backend, DualQuat, Kernel, Level, Quat, Twist};
+use dq8::{Backend, DualQuat, Kernel, Level, Line, Plane, Quat, Twist};
 
 /// Copies by tiles.
 struct Copies<'s, E, const C: usize>(&'s [E], &'s mut [E]);
@@ -57,7 +58,10 @@ fn things_with_names_are_their_numbers() {
     is_its_numbers::<f32, 1>(0.0);
     is_its_numbers::<[f32; 3], 3>([0.0; 3]);
     is_its_numbers::<Quat<f32>, 4>(Quat::IDENTITY);
+    is_its_numbers::<Plane<f32>, 4>(Plane { normal: [0.0; 3], offset: 0.0 });
+    is_its_numbers::<Line<f32>, 6>(Line { direction: [0.0; 3], moment: [0.0; 3] });
     is_its_numbers::<Twist<f32>, 6>(Twist::from_array([0.0; 6]));
+    is_its_numbers::<RotationTranslation<f32>, 7>(RotationTranslation::IDENTITY);
     is_its_numbers::<DualQuat<f32>, 8>(DualQuat::IDENTITY);
     is_its_numbers::<[[f32; 4]; 3], 12>([[0.0; 4]; 3]);
     is_its_numbers::<[[f32; 4]; 4], 16>([[0.0; 4]; 4]);
