@@ -97,7 +97,8 @@ impl<E: Element<8>> Locals<E> for InPlace {
 /// Rotations and translations, r + ½εtr: an eighth less memory than motions, and no more operations.
 #[derive(Clone, Copy, Debug)]
 pub struct RotationsTranslations<'s, T>(
-    /// One for each joint: `[x, y, z, w, tx, ty, tz]`, or blocks of seven rows.
+    /// One for each joint: [`RotationTranslation`](crate::representation::RotationTranslation), `[x, y, z, w, tx, ty, tz]`, or
+    /// blocks of seven rows.
     pub &'s [T],
 );
 
