@@ -73,10 +73,10 @@ pub(crate) fn hierarchies(fuzz: &mut Fuzz) {
             assert!(matches!(status, Status::Ok | Status::NoPlan), "{status:?}");
         }
         let links = blocks_of(8, count);
-        let mut chain = fuzz.blocks::<8, 8>(links);
-        let chain = chain.as_mut_ptr().cast();
+        let (mut chain, mut longer) = (fuzz.blocks::<8, 8>(links), fuzz.blocks::<8, 8>(links + 1));
+        let (chain, longer) = (chain.as_mut_ptr().cast(), longer.as_mut_ptr().cast());
         assert_eq!(p::pack_chain(8, locals, count, chain, links), Status::Ok);
-        assert!(p::pack_chain(8, locals, count, chain, links + 1) == Status::Length);
+        assert_eq!(p::pack_chain(8, locals, count, longer, links + 1), Status::Length);
         assert_eq!(chain::single::blocks_chain_products(8, chain, chain, links), Status::Ok);
         assert_eq!(p::unpack_chain(8, chain, links, out, count), Status::Ok);
         let pack = |lanes, blocks, count| {
