@@ -86,13 +86,20 @@ impl File {
                 all.find(is).ok_or_else(none)?
             }
         };
-        // The crate gltf does not.
+        // The crate gltf does not check these.
         let json = &self.document.as_json().animations[found.index()];
-        let unknown =
-            |c: &gltf::json::animation::Channel| matches!(c.target.path, Checked::Invalid);
-        if let Some(channel) = json.channels.iter().position(unknown) {
+        for (channel, gltf::json::animation::Channel { target, .. }) in
+            json.channels.iter().enumerate()
+        {
+            let what = match target.path {
+                Checked::Invalid => "its path is unknown".into(),
+                _ if target.node.value() >= self.nodes.len() => {
+                    format!("there is no node {}", target.node.value())
+                }
+                _ => continue,
+            };
             let place = format!("animation {}, channel {channel}", found.index());
-            return Err(Error::at(&self.path, format!("{place}: its path is unknown")));
+            return Err(Error::at(&self.path, format!("{place}: {what}")));
         }
         Animation::read(&self.buffers, &found).map_err(|error| Error::at(&self.path, error))
     }

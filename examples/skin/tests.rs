@@ -326,6 +326,11 @@ fn bad_files_get_an_error_with_its_place() {
         (r#""input":3,"output":4"#, r#""input":0,"output":4"#, "accessor 0"),
         (r#""byteOffset":36"#, r#""byteOffset":36000"#, "view"),
         (r#""path":"scale""#, r#""path":"size""#, "channel 1: its path"),
+        (
+            r#""node":1,"path":"scale""#,
+            r#""node":3,"path":"scale""#,
+            "channel 1: there is no node 3",
+        ),
         (r#""asset""#, r#""asset"#, "line"),
     ] {
         let bytes = glb(|json| json.replacen(from, to, 1));
@@ -341,17 +346,60 @@ fn bad_files_get_an_error_with_its_place() {
         for flip in [0x01, 0x80, 0xff] {
             let mut bytes = bytes.clone();
             bytes[at] ^= flip;
-            let path = Path::new("strip.glb");
-            // An error for a panic of the crate gltf, but none of a panic in here.
-            let file = guarded(path, || File::parse(path, &bytes));
-            let Ok(file) = file else { continue };
-            let Ok(animation) = file.animation(None) else { continue };
-            let Ok(worlds) = file.worlds(&animation, 0.3) else { continue };
-            for mesh in file.meshes().unwrap_or_default() {
-                let _ = mesh.pose(&worlds, Method::Mix(0.5));
-            }
+            let _ = tried(&bytes);
         }
     }
+}
+
+/// How many meshes were posed. A panic of the crate gltf is an error, but none of a panic in here.
+fn tried(bytes: &[u8]) -> Result<usize, Error> {
+    let path = Path::new("strip.glb");
+    let file = guarded(path, || File::parse(path, bytes))?;
+    let worlds = file.worlds(&file.animation(None)?, 0.3)?;
+    let meshes = file.meshes()?;
+    for mesh in &meshes {
+        mesh.pose(&worlds, Method::Mix(0.5))?;
+    }
+    Ok(meshes.len())
+}
+
+/// Lengths, offsets, counts, types and indices that are not what the rest of the file says.
+#[test]
+fn files_with_other_numbers_are_errors_or_poses() {
+    let mut state = 1_u64;
+    let mut below = |end: usize| {
+        state =
+            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) as usize % end
+    };
+    let number = |json: &str, nth: usize| {
+        let starts = json.match_indices(|c: char| c.is_ascii_digit()).map(|(at, _)| at);
+        let at = starts.cycle().nth(nth).unwrap();
+        (at, at + json[at..].find(|c: char| !c.is_ascii_digit()).unwrap())
+    };
+    let mut posed = 0;
+    for _ in 0..5_000 {
+        let others: Vec<_> =
+            (0..1 + below(3)).map(|_| (below(300), below(9), below(200))).collect();
+        let bytes = glb(|json| {
+            let mut json = json.to_owned();
+            for &(nth, kind, other) in &others {
+                let (at, end) = number(&json, nth);
+                let other = match kind {
+                    0 => (u64::MAX - other as u64).to_string(),
+                    1 => (u32::MAX as usize - other).to_string(),
+                    2 => format!("-{other}"),
+                    3 => (5120 + other % 7).to_string(),
+                    4 => format!("{other}.5"),
+                    _ => (other % 10).to_string(),
+                };
+                json.replace_range(at..end, &other);
+            }
+            json
+        });
+        posed += tried(&bytes).unwrap_or(0);
+    }
+    assert!(posed > 0, "nothing but errors");
 }
 
 #[test]
