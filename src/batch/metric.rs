@@ -48,8 +48,8 @@ impl<L: Lanes> DualQuat<L> {
     #[must_use]
     pub fn point_error(self, other: Self, point: [L; 3]) -> L {
         // v itself is the same on both sides: it need not be added, nor rounded.
-        let two = point[0].constant(2.0);
-        between(self.displacement(point, two), other.displacement(point, two))
+        let half = between(self.half_displacement(point), other.half_displacement(point));
+        half + half
     }
 
     /// d + 2 r sin(θ/2), which bounds [`point_error`](Self::point_error) within the radius. The

@@ -66,19 +66,15 @@ impl<L: Lanes> DualQuat<L> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn translation(self) -> [L; 3] {
-        let zero = self.real().w().constant(0.0);
-        self.translation_onto_half([zero; 3], zero.constant(2.0))
+        let half = self.half_translation();
+        vector::add(half, half)
     }
 
-    /// t + 2·half: the factor 2 is shared with a caller that adds something to the translation. It is
-    /// 2/|p|² if σ is not unit.
+    /// The vector part of qp*: w_p q − w_q p + p × q
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn translation_onto_half(self, half: [L; 3], two: L) -> [L; 3] {
+    pub(super) fn half_translation(self) -> [L; 3] {
         let (p, q) = (self.real(), self.dual());
-        // The vector part of qp*: w_p q − w_q p + p × q
-        let onto = vector::scale_onto(q.xyz(), p.w(), half);
-        let onto = vector::scale_onto(p.xyz(), -q.w(), onto);
-        let sum = vector::cross_onto(p.xyz(), q.xyz(), onto);
-        vector::scale(sum, two)
+        let onto = vector::scale_onto(p.xyz(), -q.w(), vector::scale(q.xyz(), p.w()));
+        vector::cross_onto(p.xyz(), q.xyz(), onto)
     }
 }

@@ -1,6 +1,6 @@
 //! What unit dual quaternions do to points, directions, lines and planes.
 
-use super::{DualQuat, vector};
+use super::{DualQuat, Quat, vector};
 use crate::geometry::{Line, Plane};
 use dq8_simd::Lanes;
 
@@ -15,16 +15,17 @@ impl<L: Lanes> DualQuat<L> {
     /// The same for σ of any norm; `two` is 2/|p|². What q has along p moves nothing.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn transform_point_scaled(self, point: [L; 3], two: L) -> [L; 3] {
-        vector::add(point, self.displacement(point, two))
+        vector::scale_onto(self.half_displacement(point), two, point)
     }
 
-    /// Rv + t − v, how far a point is moved.
+    /// (Rv + t − v)/2, half of how far a point is moved.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn displacement(self, point: [L; 3], two: L) -> [L; 3] {
-        let (r, w) = (self.real().xyz(), self.real().w());
-        // Rv = v + 2 r × (r × v + w v), and t = 2(…): both in one sum.
-        let inner = vector::cross_onto(r, point, vector::scale(point, w));
-        self.translation_onto_half(vector::cross(r, inner), two)
+    pub(super) fn half_displacement(self, point: [L; 3]) -> [L; 3] {
+        let (p, q) = (self.real(), self.dual());
+        // With r the vector part of p, Rv − v = 2(w_p(r × v) + r × (r × v)) and t = 2(w_p q + r × q − w_q r): the one
+        // with r × v in the place of q, and without a scalar part, is the other.
+        let q = Quat::from_parts(vector::cross_onto(p.xyz(), point, q.xyz()), q.w());
+        Self::new(p, q).half_translation()
     }
 
     /// Rv; σ must be unit.

@@ -30,14 +30,13 @@ pub(super) fn quaternion_product<F: Number>(a: [F; 4], b: [F; 4]) -> Option<[F; 
     Some(sum_of_products(each(a), turned(b)).to_array())
 }
 
-/// v + 2(p × (p × v + wv + q) + w_p q − w_q p): the translation 2(w_p q − w_q p + p × q) shares a
-/// cross product with the rotation.
+/// v + 2(w_p s + p × s − w_q p) with s = q + p × v, the translation with s in the place of q: the rotation is
+/// v + 2(w_p(p × v) + p × (p × v)).
 #[inline(always)]
 pub(super) fn point<F: Number>(motion: [F; 8], point: [F; 3]) -> Option<[F; 3]> {
     let [p, q] = halves(motion);
     let v = load_three(point);
-    let inner = pick(p, [3; 4]).mul_add(v, q) + cross(p, v);
-    let half = cross(p, inner) + translation_along(p, q);
+    let half = half_translation(p, q + cross(p, v), q);
     let [x, y, z, _] = (half + half + v).to_array();
     Some([x, y, z])
 }
@@ -64,7 +63,7 @@ pub(super) fn translation<F: Number>(motion: [F; 8]) -> Option<[F; 3]> {
         return None;
     }
     let [p, q] = halves(motion);
-    let half = half_translation(p, q);
+    let half = half_translation(p, q, q);
     let [x, y, z, _] = (half + half).to_array();
     Some([x, y, z])
 }
@@ -77,7 +76,7 @@ pub(super) fn matrix3x4<F: Number>(motion: [F; 8]) -> Option<[[F; 4]; 3]> {
         return None;
     }
     let [p, q] = halves(motion);
-    let half = half_translation(p, q);
+    let half = half_translation(p, q, q);
     let twice = p + p;
     let squares = p * twice;
     let diagonal = p.constant(1.0) - (pick(squares, [1, 0, 0, 3]) + pick(squares, [2, 2, 1, 3]));
@@ -206,15 +205,10 @@ pub(super) fn sum<V: Four>(numbers: V) -> V::Number {
     even + odd
 }
 
+/// w_p v − w_q p + p × v, and a number of no use.
 #[inline(always)]
-fn half_translation<V: Four>(p: V, q: V) -> V {
-    translation_along(p, q) + cross(p, q)
-}
-
-/// w_p q − w_q p: the part of half the translation that is not a cross product.
-#[inline(always)]
-fn translation_along<V: Four>(p: V, q: V) -> V {
-    pick(q, [3; 4]).neg_mul_add(p, pick(p, [3; 4]) * q)
+fn half_translation<V: Four>(p: V, v: V, q: V) -> V {
+    pick(q, [3; 4]).neg_mul_add(p, pick(p, [3; 4]) * v) + cross(p, v)
 }
 
 /// a × b, and a number of no use.

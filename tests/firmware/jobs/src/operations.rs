@@ -30,10 +30,11 @@ fn products<B: Board>(table: &mut Table<'_, B>) {
     let worst = |computed: &Motions| worst(computed, MUL.map(|(.., answer)| answer));
     let mut computed = [DualQuat::ZERO; ROWS];
 
-    let cost = each(table, |i| computed[i] = black_box(a[i]) * black_box(b[i]));
+    let (a, b) = black_box((&a, &b));
+    let cost = each(table, |i| computed[i] = a[i] * b[i]);
     table.line("product", cost, worst(&computed), PRODUCT);
     let cost = on_slices(table, |best| {
-        best.mul(black_box(&a), black_box(&b), black_box(&mut computed)).is_ok()
+        best.mul(black_box(a), black_box(b), black_box(&mut computed)).is_ok()
     });
     table.line("product, slices", cost, worst(&computed), PRODUCT);
 }
@@ -43,10 +44,11 @@ fn units<B: Board>(table: &mut Table<'_, B>) {
     let worst = |computed: &Motions| worst(computed, NORMALIZE.map(|(.., answer)| answer));
     let mut computed = [DualQuat::ZERO; ROWS];
 
-    let cost = each(table, |i| computed[i] = black_box(a[i]).normalize());
+    let a = black_box(&a);
+    let cost = each(table, |i| computed[i] = a[i].normalize());
     table.line("normalize", cost, worst(&computed), UNIT);
     let cost =
-        on_slices(table, |best| best.normalize(black_box(&a), black_box(&mut computed)).is_ok());
+        on_slices(table, |best| best.normalize(black_box(a), black_box(&mut computed)).is_ok());
     table.line("normalize, slices", cost, worst(&computed), UNIT);
 }
 
@@ -60,10 +62,11 @@ fn points<B: Board>(table: &mut Table<'_, B>) {
     };
     let mut computed = [[0.0; 3]; ROWS];
 
-    let cost = each(table, |i| computed[i] = black_box(a[i]).transform_point(black_box(v[i])));
+    let (a, v) = black_box((&a, &v));
+    let cost = each(table, |i| computed[i] = a[i].transform_point(v[i]));
     table.line("point", cost, worst(&computed), MOVED);
     let cost = on_slices(table, |best| {
-        best.transform_points_each(black_box(&a), black_box(&v), black_box(&mut computed)).is_ok()
+        best.transform_points_each(black_box(a), black_box(v), black_box(&mut computed)).is_ok()
     });
     table.line("point, slices", cost, worst(&computed), MOVED);
 }
@@ -75,12 +78,11 @@ fn screws<B: Board>(table: &mut Table<'_, B>) {
     let worst = |computed: &Motions| worst(computed, SCLERP.map(|(.., answer)| answer));
     let mut computed = [DualQuat::ZERO; ROWS];
 
-    let cost =
-        each(table, |i| computed[i] = black_box(a[i]).sclerp(black_box(b[i]), black_box(t[i])));
+    let (a, b, t) = black_box((&a, &b, &t));
+    let cost = each(table, |i| computed[i] = a[i].sclerp(b[i], t[i]));
     table.line("ScLERP", cost, worst(&computed), SCREW);
     let cost = on_slices(table, |best| {
-        best.sclerp_each(black_box(&a), black_box(&b), black_box(&t), black_box(&mut computed))
-            .is_ok()
+        best.sclerp_each(black_box(a), black_box(b), black_box(t), black_box(&mut computed)).is_ok()
     });
     table.line("ScLERP, slices", cost, worst(&computed), SCREW);
 }
