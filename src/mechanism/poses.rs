@@ -86,8 +86,20 @@ impl Backend {
         }
         let elements = whole_instances("poses", links.len(), poses.len())?;
         T::check("values", values.len(), mechanism.values, elements)?;
-        let task = Chosen { poses, links };
+        let task = Chosen { poses: &mut *poses, links };
         self.run(Walk::<E::Layout, _, _> { mechanism, values, elements, task });
+        for (again, link) in links.iter().enumerate() {
+            let first = links.iter().position(|other| other == link).unwrap_or(again);
+            if first == again {
+                continue;
+            }
+            for of_one in poses.chunks_exact_mut(links.len()) {
+                let pose = of_one.get(first).copied();
+                if let (Some(pose), Some(slot)) = (pose, of_one.get_mut(again)) {
+                    *slot = pose;
+                }
+            }
+        }
         Ok(())
     }
 }
@@ -157,11 +169,15 @@ impl<E: Element<8>> Task<E::Layout> for Chosen<'_, E> {
         (): &(),
         (): &mut (),
     ) {
-        for (index, &link) in self.links.iter().enumerate() {
-            if link == step.link as usize {
-                let tile = group.tile::<E::Layout, V>(index, self.links.len());
-                E::store(joined.pose.to_motion(), self.poses, tile);
-            }
+        // The first place only, of a link that is asked for more than once: a loop around the registers of a pose would keep
+        // them in memory, which takes half as long again.
+        let link = step.link as usize;
+        if let Some(index) = self.links.iter().position(
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            |&chosen| chosen == link,
+        ) {
+            let tile = group.tile::<E::Layout, V>(index, self.links.len());
+            E::store(joined.pose.to_motion(), self.poses, tile);
         }
     }
 }
