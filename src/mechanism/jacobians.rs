@@ -21,7 +21,7 @@ impl Backend {
     ///
     /// `poses` holds one pose of the link for each configuration, `columns` is `[configuration][rate]`,
     /// columns of joints that do not carry the link are zero. Columns are `[R; 6]`, `[ωx, ωy, ωz, vx, vy,
-    /// vz]`, or [`LinearFirst`](crate::storage::LinearFirst), the other way round, or [`Twist`]s (slower), or blocks.
+    /// vz]`, or [`LinearFirst`](crate::storage::LinearFirst), the other way round, or [`Twist`]s, or blocks.
     /// [`World`](crate::mechanism::World) is the cheapest frame.
     ///
     /// # Errors

@@ -5,13 +5,20 @@ use std::time::Instant;
 /// One pass over all configurations.
 pub struct Job<'a> {
     name: &'static str,
+    /// How many configurations a pass is over, if not over all.
+    configurations: Option<usize>,
     pass: Box<dyn FnMut() + 'a>,
     least: f64,
 }
 
 impl<'a> Job<'a> {
     pub fn new(name: &'static str, pass: impl FnMut() + 'a) -> Self {
-        Self { name, pass: Box::new(pass), least: f64::INFINITY }
+        Self { name, configurations: None, pass: Box::new(pass), least: f64::INFINITY }
+    }
+
+    /// What takes so long that some of the configurations must do.
+    pub fn over(configurations: usize, name: &'static str, pass: impl FnMut() + 'a) -> Self {
+        Self { configurations: Some(configurations), ..Self::new(name, pass) }
     }
 }
 
@@ -21,6 +28,7 @@ pub fn least(mut jobs: Vec<Job>, configurations: usize, rounds: usize) -> Vec<(&
         for job in &mut jobs {
             let start = Instant::now();
             (job.pass)();
+            let configurations = job.configurations.unwrap_or(configurations);
             let time = start.elapsed().as_secs_f64() * 1e9 / configurations as f64;
             job.least = job.least.min(time);
         }

@@ -1,10 +1,14 @@
 //! What dq8 does, in both precisions.
 
 use crate::job::Job;
-use dq8::mechanism::{Mechanism, World};
+use dq8::ik::{Options, Outcome, Report};
+use dq8::mechanism::{Freedom, Goal, Mechanism, Reach, World};
 use dq8::storage::NumberBlock;
 use dq8::{Backend, Block, DualQuat};
 use std::hint::black_box;
+
+/// Poses to be reached, from the values of other configurations; 998 of 1000 must be.
+const TARGETS: usize = 1000;
 
 /// The jobs of one robot in one precision, blocks as wide as a register of AVX2.
 macro_rules! precision {
@@ -74,6 +78,32 @@ macro_rules! precision {
             jobs.push(Job::new("tool, one by one", move || {
                 for (values, pose) in black_box(values).chunks_exact(links).zip(&mut tools) {
                     *pose = robot.link_pose(values, tool).expect("shape");
+                }
+            }));
+            jobs.push(Job::over(TARGETS, "tool to a random pose, plain", {
+                let mut targets = of_tools();
+                backend.chosen_link_poses(robot, &[tool], values, &mut targets).expect("shape");
+                let starts = &values[values.len() - TARGETS * links..];
+                move || {
+                    let (goals, mut freedoms) =
+                        ([Goal::pose(tool)], vec![Freedom::default(); links]);
+                    let reach = Reach::new(robot, &goals, &mut freedoms).expect("a goal");
+                    let mut scratch = vec![0.0; reach.batch_scratch_len()];
+                    let (mut found, targets) = (starts.to_vec(), &targets[..TARGETS]);
+                    let mut reports = vec![Report::default(); TARGETS];
+                    let options = Options::default();
+                    backend
+                        .reach_links(
+                            &reach,
+                            targets,
+                            &mut found,
+                            &mut reports,
+                            &mut scratch,
+                            &options,
+                        )
+                        .expect("shape");
+                    let reached = |report: &&Report<_, _>| report.outcome == Outcome::Converged;
+                    assert!(reports.iter().filter(reached).count() * 1000 >= 998 * TARGETS);
                 }
             }));
             jobs
