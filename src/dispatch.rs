@@ -44,6 +44,9 @@ pub trait Kernel {
     type Output;
     /// Whether it gains from AVX-512. If not, it is not compiled for it, and runs with AVX2 there.
     const WIDE: bool = true;
+    /// Whether most of it are shuffles, as in transposes of plain arrays. Then it runs with AVX-512 only where the CPU
+    /// shuffles 512 bits as quickly as 256: AMD's do, Intel's do not.
+    const SHUFFLES: bool = false;
     /// Computes with the lanes of `level`. Must be `#[inline(always)]`.
     fn run<V: Level>(self, level: V) -> Self::Output;
 }
@@ -141,10 +144,11 @@ impl Backend {
                 || kernel.run(Portable),
             ),
             #[cfg(target_arch = "x86_64")]
-            Proof::Avx512(level, _) if K::WIDE => level.run(
-                #[inline(always)]
-                || kernel.run(level),
-            ),
+            Proof::Avx512(level, _) if K::WIDE && (!K::SHUFFLES || level.shuffles_wide()) => level
+                .run(
+                    #[inline(always)]
+                    || kernel.run(level),
+                ),
             #[cfg(target_arch = "x86_64")]
             Proof::Avx2(level) | Proof::Avx512(_, level) => level.run(
                 #[inline(always)]

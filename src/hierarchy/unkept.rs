@@ -30,7 +30,8 @@ pub(super) struct Unkept<'r, 's, E: Element<8>, L, X> {
 
 impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Unkept<'_, '_, E, L, X> {
     type Output = usize;
-    const WIDE: bool = E::Layout::WIDE;
+    // A quarter less time where 512 bits are shuffled as quickly as 256.
+    const SHUFFLES: bool = !E::Layout::WIDE;
 
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) -> usize {

@@ -147,6 +147,7 @@ where
     E: Element<8>,
     C: Element<6, Layout = E::Layout>,
 {
+    const WIDE: bool = false;
     type State<V: Level> = Numbers<'s, E::Layout, T, V>;
     type Carried<V: Level> = Twist<<E::Layout as Layout>::Register<V>>;
 
@@ -202,6 +203,7 @@ where
     E: Element<8>,
     C: Element<6, Layout = E::Layout>,
 {
+    const WIDE: bool = false;
     type State<V: Level> = [Numbers<'s, E::Layout, T, V>; 2];
     /// Twist and acceleration.
     type Carried<V: Level> = [Twist<<E::Layout as Layout>::Register<V>>; 2];

@@ -19,6 +19,9 @@ pub(super) const SLOTS: usize = 32;
 
 /// What is done with each link.
 pub(super) trait Task<Y: Layout> {
+    /// Whether sixteen lanes of plain `f32` gain, where the CPU shuffles them as quickly as eight. Not where they are so
+    /// much memory that the first cache does not hold it.
+    const WIDE: bool = true;
     /// What it keeps in registers' form.
     type State<V: Level>;
     /// What children need of a link in addition to its pose.
@@ -70,8 +73,9 @@ pub(super) struct Walk<'r, Y: Layout, T, K> {
 impl<Y: Layout, T: JointValues<Y>, K: Task<Y>> Kernel for Walk<'_, Y, T, K> {
     type Output = ();
     // Plain poses are transposed, but a link of f64 is so much to compute that eight lanes still gain a third: 36 ns
-    // instead of 53 for the seven links of an arm. Of f32 they gain nothing.
-    const WIDE: bool = Y::WIDE || !<Y::Real as Float>::SINGLE;
+    // instead of 53 for the seven links of an arm. Of f32 they gain as much where shuffles are quick, else nothing.
+    const WIDE: bool = Y::WIDE || !<Y::Real as Float>::SINGLE || K::WIDE;
+    const SHUFFLES: bool = !Y::WIDE && <Y::Real as Float>::SINGLE;
 
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {

@@ -14,9 +14,9 @@ pub trait Blender<R: Scalar>: Copy {
     #[doc(hidden)]
     type Map<L: Lanes<Real = R>>: SurfaceMap<L>;
 
-    /// Whether it gains from AVX-512.
+    /// Whether most of it are shuffles, see [`Kernel::SHUFFLES`](crate::Kernel::SHUFFLES).
     #[doc(hidden)]
-    const WIDE: bool;
+    const SHUFFLES: bool;
 
     /// Whether palettes have `joints` entries, and what is per vertex fits `vertices`.
     ///

@@ -48,7 +48,7 @@ impl<R: Scalar> Blender<R> for DualBlend<'_, R> {
     type Sum<L: Lanes<Real = R>> = DualSum<L>;
     type Map<L: Lanes<Real = R>> = ScaledMotion<L>;
 
-    const WIDE: bool = true;
+    const SHUFFLES: bool = false;
 
     fn check(&self, joints: usize, _: usize) -> Result<(), ShapeError> {
         same_length("motions", self.palette.len(), joints)

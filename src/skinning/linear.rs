@@ -60,8 +60,8 @@ impl<R: Scalar> Blender<R> for Linear<'_, R> {
     type Sum<L: Lanes<Real = R>> = [[L; 4]; 3];
     type Map<L: Lanes<Real = R>> = LinearMap<L>;
 
-    // Sums of matrices are made in half as wide registers; transposing them is slower there.
-    const WIDE: bool = false;
+    // Sums of matrices are made in half as wide registers, and transposed.
+    const SHUFFLES: bool = true;
 
     fn check(&self, joints: usize, _: usize) -> Result<(), ShapeError> {
         same_length("palette", self.palette.len(), joints)

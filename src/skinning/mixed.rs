@@ -72,7 +72,7 @@ impl<R: Scalar, A: Blender<R>, B: Blender<R>> Blender<R> for Mixed<'_, A, B, R> 
     type Sum<L: Lanes<Real = R>> = (A::Sum<L>, B::Sum<L>);
     type Map<L: Lanes<Real = R>> = MixedMap<A::Map<L>, B::Map<L>, L>;
 
-    const WIDE: bool = A::WIDE || B::WIDE;
+    const SHUFFLES: bool = A::SHUFFLES && B::SHUFFLES;
 
     fn check(&self, joints: usize, vertices: usize) -> Result<(), ShapeError> {
         self.a.check(joints, vertices)?;

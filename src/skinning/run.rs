@@ -93,7 +93,7 @@ where
     M: Mesh<P>,
 {
     type Output = ();
-    const WIDE: bool = B::WIDE;
+    const SHUFFLES: bool = B::SHUFFLES;
 
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {

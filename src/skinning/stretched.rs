@@ -51,7 +51,7 @@ impl<R: Scalar> Blender<R> for Stretched<'_, R> {
     type Sum<L: Lanes<Real = R>> = ([[L; 4]; 3], DualSum<L>);
     type Map<L: Lanes<Real = R>> = StretchedMap<L>;
 
-    const WIDE: bool = true;
+    const SHUFFLES: bool = false;
 
     fn check(&self, joints: usize, _: usize) -> Result<(), ShapeError> {
         same_length("motions", self.rigid.joints(), joints)?;
