@@ -129,7 +129,7 @@ macro_rules! kernels {
                 let mut twists = vec![Twist::default(); 7 * INSTANCES];
                 let mut changes = twists.clone();
                 let tools = &mut poses[..INSTANCES];
-                backend.link_jacobians(WorldAligned, arm.view(), 6, &values, tools, &mut twists).unwrap();
+                backend.link_jacobians(WorldAligned, arm.view(), &[6], &values, tools, &mut twists).unwrap();
                 backend.link_poses(arm.view(), &values, &mut poses).unwrap();
                 backend
                     .link_accelerations(arm.view(), &values, &values, &values, &mut poses, &mut twists, &mut changes)

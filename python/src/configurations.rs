@@ -156,10 +156,10 @@ impl<R: Number> Jacobians<'_, R> {
         let backend = Backend::best();
         if threads.many() {
             threads.install(|| {
-                backend.par_link_jacobians(frame, view, link, numbers, &mut poses, columns)
+                backend.par_link_jacobians(frame, view, &[link], numbers, &mut poses, columns)
             })
         } else {
-            backend.link_jacobians(frame, view, link, numbers, &mut poses, columns)
+            backend.link_jacobians(frame, view, &[link], numbers, &mut poses, columns)
         }
     }
 }

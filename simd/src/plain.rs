@@ -1,4 +1,4 @@
-//! [`plain!`](crate::plain): the promise that a struct is numbers and nothing else.
+//! [`plain!`](crate::plain!): the promise that a struct is numbers and nothing else.
 
 /// What is numbers `T` and nothing else, one after the other: no padding, and any bits are valid where any
 /// bits of `T` are.

@@ -1,8 +1,8 @@
-//! Jacobians of a link for many configurations.
+//! Jacobians of links for many configurations.
 
 use super::frame::{Frame, JacobianFrame};
 use super::group::Group;
-use super::poses::carries;
+use super::poses::{carries, first_carried, place_of, repeat};
 use super::step::Step;
 use super::tree::Mechanism;
 use super::values::JointValues;
@@ -10,16 +10,16 @@ use super::walk::{Joined, Task, Walk};
 use crate::batch::DualQuat;
 use crate::dispatch::Backend;
 use crate::geometry::Twist;
-use crate::shape::{ShapeError, joints_within, same_length};
-use crate::storage::{Element, Layout, Number, aos, identity};
+use crate::shape::{ShapeError, joints_within, same_length, whole_instances};
+use crate::storage::{Element, Layout, Number, Tile, aos, identity};
 use core::marker::PhantomData;
 use dq8_simd::Level;
 
 impl Backend {
-    /// The geometric Jacobian of one link, and its pose, for many configurations in one pass: what
-    /// [`Mechanism::link_jacobian`] gives for one.
+    /// The geometric Jacobians of some links, and their poses, for many configurations in one pass: what
+    /// [`Mechanism::link_jacobian`] gives for one link of one.
     ///
-    /// `poses` holds one pose of the link for each configuration, `columns` is `[configuration][rate]`,
+    /// `poses` is `[configuration][link]`, in the order of `links`, and `columns` is `[configuration][link][rate]`;
     /// columns of joints that do not carry the link are zero. Columns are `[R; 6]`, `[ωx, ωy, ωz, vx, vy,
     /// vz]`, or [`LinearFirst`](crate::storage::LinearFirst), the other way round, or [`Twist`]s, or blocks.
     /// [`World`](crate::mechanism::World) is the cheapest frame.
@@ -40,7 +40,7 @@ impl Backend {
     /// let (mut tools, mut columns) = ([DualQuat::IDENTITY; 2], [[0.0; 6]; 4]);
     /// let values = [0.0, 0.0, 0.0, 1.0];
     /// let backend = Backend::best();
-    /// backend.link_jacobians(WorldAligned, crane.view(), 1, &values, &mut tools, &mut columns)?;
+    /// backend.link_jacobians(WorldAligned, crane.view(), &[1], &values, &mut tools, &mut columns)?;
     /// assert_eq!(columns[2], [0.0, 0.0, 1.0, 0.0, 3.0, 0.0]);
     /// assert_eq!(columns[3], [0.0, 0.0, 0.0, 1.0, 0.0, 0.0]);
     /// # Ok::<(), Box<dyn core::error::Error>>(())
@@ -49,7 +49,7 @@ impl Backend {
         self,
         _: F,
         mechanism: Mechanism<'_, Number<E, 8>>,
-        link: usize,
+        links: &[usize],
         values: &[T],
         poses: &mut [E],
         columns: &mut [C],
@@ -60,45 +60,62 @@ impl Backend {
         E: Element<8>,
         C: Element<6, Layout = E::Layout>,
     {
-        joints_within(&(link..link.saturating_add(1)), mechanism.links())?;
-        let elements = poses.len();
+        for &link in links {
+            joints_within(&(link..link.saturating_add(1)), mechanism.links())?;
+        }
+        let elements = whole_instances("poses", links.len(), poses.len())?;
         T::check("values", values.len(), mechanism.values, elements)?;
-        same_length("columns", columns.len(), elements * mechanism.rates)?;
+        same_length("columns", columns.len(), poses.len() * mechanism.rates)?;
         let mut sums = false;
         for step in mechanism.steps {
             sums |= step.mimics;
         }
-        let (rates, frame) = (mechanism.rates, PhantomData::<F>);
-        let task = Jacobians { poses, columns, link, rates, sums, frame };
+        let (steps, rates) = (mechanism.steps, mechanism.rates);
+        let frame = PhantomData::<F>;
+        let task = Jacobians { poses: &mut *poses, columns, steps, links, rates, sums, frame };
         self.run(Walk::<E::Layout, _, _> { mechanism, values, elements, task });
+        repeat(links, poses);
         Ok(())
     }
 }
 
-struct Jacobians<'s, F, E, C> {
+struct Jacobians<'s, F, E: Element<8>, C> {
     poses: &'s mut [E],
     columns: &'s mut [C],
-    link: usize,
+    steps: &'s [Step<Number<E, 8>>],
+    links: &'s [usize],
     rates: usize,
     /// Whether some columns are sums: of a joint and those that mimic it.
     sums: bool,
     frame: PhantomData<F>,
 }
 
+impl<F, E: Element<8>, C> Jacobians<'_, F, E, C> {
+    /// Where a column of link number `index` is.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn place<V: Level>(&self, group: Group, index: usize, rate: usize) -> Tile {
+        group.tile::<E::Layout, V>(index * self.rates + rate, self.links.len() * self.rates)
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn carries(&self, position: usize, link: usize) -> bool {
+        carries(self.steps, position, &[link])
+    }
+}
+
+/// Columns are those of the world at first, in the place of the first link that the joint carries. The other links
+/// have the same ones, and take them from there, in their own frames.
 impl<F, E, C> Task<E::Layout> for Jacobians<'_, F, E, C>
 where
     F: JacobianFrame,
     E: Element<8>,
     C: Element<6, Layout = E::Layout>,
 {
-    /// The pose of the link.
-    type State<V: Level> = [<E::Layout as Layout>::Register<V>; 8];
+    type State<V: Level> = ();
     type Carried<V: Level> = ();
 
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn start<V: Level>(&self, level: V) -> Self::State<V> {
-        aos::splat(level, identity())
-    }
+    fn start<V: Level>(&self, _: V) {}
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn base<V: Level>(_: V) {}
 
@@ -108,14 +125,16 @@ where
         level: V,
         group: Group,
         steps: &[Step<Number<E, 8>>],
-        _: &mut Self::State<V>,
+        (): &mut (),
     ) {
         let zero = aos::splat(level, [Number::<E, 8>::default(); 6]);
         for (position, step) in steps.iter().enumerate() {
-            if !step.mimics && (self.sums || !carries(steps, position, &[self.link])) {
-                for index in 0..step.kind.rates() {
-                    let tile = group.tile::<E::Layout, V>(step.rate as usize + index, self.rates);
-                    C::store(zero, self.columns, tile);
+            for (index, &link) in self.links.iter().enumerate() {
+                if !step.mimics && (self.sums || !self.carries(position, link)) {
+                    for rate in 0..step.kind.rates() {
+                        let tile = self.place::<V>(group, index, step.rate as usize + rate);
+                        C::store(zero, self.columns, tile);
+                    }
                 }
             }
         }
@@ -123,7 +142,7 @@ where
 
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn skips(&self, steps: &[Step<Number<E, 8>>], position: usize) -> bool {
-        !carries(steps, position, &[self.link])
+        !carries(steps, position, self.links)
     }
 
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -134,51 +153,76 @@ where
         step: &Step<Number<E, 8>>,
         joined: &Joined<<E::Layout as Layout>::Register<V>>,
         (): &(),
-        state: &mut Self::State<V>,
+        (): &mut (),
     ) {
-        for index in 0..step.kind.rates() {
-            let tile = group.tile::<E::Layout, V>(step.rate as usize + index, self.rates);
-            let mut column = joined.screw(step, index);
-            if self.sums
-                && let Some(others) = C::load(level, self.columns, tile, &identity())
-            {
-                column = column + Twist::from_array(others);
+        let link = step.link as usize;
+        let Some(position) = self.steps.get(link).map(|step| step.position as usize) else {
+            return;
+        };
+        for rate in 0..step.kind.rates() {
+            let column = joined.screw(step, rate);
+            let rate = step.rate as usize + rate;
+            if !self.sums {
+                // Not a loop over all links that it carries, around the registers of a column.
+                let first = first_carried(self.steps, position, self.links).unwrap_or(0);
+                C::store(column.to_array(), self.columns, self.place::<V>(group, first, rate));
+                continue;
             }
-            C::store(column.to_array(), self.columns, tile);
+            for (index, &link) in self.links.iter().enumerate() {
+                let tile = self.place::<V>(group, index, rate);
+                if self.carries(position, link)
+                    && let Some(others) = C::load(level, self.columns, tile, &identity())
+                {
+                    let sum = column + Twist::from_array(others);
+                    C::store(sum.to_array(), self.columns, tile);
+                }
+            }
         }
-        if step.link as usize == self.link {
-            *state = joined.pose.to_motion();
-            E::store(*state, self.poses, group.tile::<E::Layout, V>(0, 1));
+        if let Some(index) = place_of(self.links, link) {
+            let tile = group.tile::<E::Layout, V>(index, self.links.len());
+            E::store(joined.pose.to_motion(), self.poses, tile);
         }
     }
 
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn end<V: Level>(
-        &mut self,
-        level: V,
-        group: Group,
-        steps: &[Step<Number<E, 8>>],
-        state: &mut Self::State<V>,
-    ) {
-        if F::FRAME == Frame::World {
+    fn end<V: Level>(&mut self, level: V, group: Group, steps: &[Step<Number<E, 8>>], (): &mut ()) {
+        if F::FRAME == Frame::World && (self.sums || self.links.len() == 1) {
             return;
         }
-        let pose = DualQuat::from_array(*state);
-        let (back, origin) = (pose.conjugate(), pose.translation());
-        for (position, step) in steps.iter().enumerate() {
-            if step.mimics || !(self.sums || carries(steps, position, &[self.link])) {
-                continue;
-            }
-            for index in 0..step.kind.rates() {
-                let tile = group.tile::<E::Layout, V>(step.rate as usize + index, self.rates);
-                let Some(column) = C::load(level, self.columns, tile, &identity()) else { return };
-                let column = Twist::from_array(column);
-                let column = if F::FRAME == Frame::Body {
-                    back.adjoint(column)
+        // From the last link on: the first one changes the columns that the others take.
+        for (index, &link) in self.links.iter().enumerate().rev() {
+            let tile = place_of(self.links, link).unwrap_or(index);
+            let tile = group.tile::<E::Layout, V>(tile, self.links.len());
+            let Some(pose) = E::load(level, self.poses, tile, &identity()) else { return };
+            let pose = DualQuat::from_array(pose);
+            let (back, origin) = (pose.conjugate(), pose.translation());
+            for (position, step) in steps.iter().enumerate() {
+                let sums = self.sums.then_some(index);
+                let first = if self.carries(position, link) {
+                    sums.or(first_carried(self.steps, position, self.links))
                 } else {
-                    Twist { linear: column.velocity_at(origin), ..column }
+                    sums
                 };
-                C::store(column.to_array(), self.columns, tile);
+                let Some(first) = first else { continue };
+                if step.mimics || (F::FRAME == Frame::World && first == index) {
+                    continue;
+                }
+                for rate in 0..step.kind.rates() {
+                    let rate = step.rate as usize + rate;
+                    let tile = self.place::<V>(group, first, rate);
+                    let Some(column) = C::load(level, self.columns, tile, &identity()) else {
+                        return;
+                    };
+                    let column = Twist::from_array(column);
+                    let column = match F::FRAME {
+                        Frame::World => column,
+                        Frame::Body => back.adjoint(column),
+                        Frame::WorldAligned => {
+                            Twist { linear: column.velocity_at(origin), ..column }
+                        }
+                    };
+                    C::store(column.to_array(), self.columns, self.place::<V>(group, index, rate));
+                }
             }
         }
     }

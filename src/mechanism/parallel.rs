@@ -79,7 +79,7 @@ impl Backend {
         self,
         frame: F,
         mechanism: Mechanism<'_, Number<E, 8>>,
-        link: usize,
+        links: &[usize],
         values: &[T],
         poses: &mut [E],
         columns: &mut [C],
@@ -90,19 +90,22 @@ impl Backend {
         E: Element<8> + Send,
         C: Element<6, Layout = E::Layout> + Send,
     {
-        joints_within(&(link..link.saturating_add(1)), mechanism.links())?;
+        for &link in links {
+            joints_within(&(link..link.saturating_add(1)), mechanism.links())?;
+        }
         let (count, rates) = (mechanism.values, mechanism.rates);
-        T::check("values", values.len(), count, poses.len())?;
+        let elements = whole_instances("poses", links.len(), poses.len())?;
+        T::check("values", values.len(), count, elements)?;
         same_length("columns", columns.len(), poses.len() * rates)?;
         let task = grain(mechanism.links());
-        if rates == 0 {
-            return self.link_jacobians(frame, mechanism, link, values, poses, columns);
+        if rates == 0 || links.is_empty() {
+            return self.link_jacobians(frame, mechanism, links, values, poses, columns);
         }
-        let columns = columns.par_chunks_mut(task * rates);
-        let tasks = poses.par_chunks_mut(task).zip(columns).enumerate();
+        let columns = columns.par_chunks_mut(task * links.len() * rates);
+        let tasks = poses.par_chunks_mut(task * links.len()).zip(columns).enumerate();
         tasks.try_for_each(|(i, (poses, columns))| {
             let values = T::part(values, count, i * task, task);
-            self.link_jacobians(frame, mechanism, link, values, poses, columns)
+            self.link_jacobians(frame, mechanism, links, values, poses, columns)
         })
     }
 

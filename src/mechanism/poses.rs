@@ -88,20 +88,34 @@ impl Backend {
         T::check("values", values.len(), mechanism.values, elements)?;
         let task = Chosen { poses: &mut *poses, links };
         self.run(Walk::<E::Layout, _, _> { mechanism, values, elements, task });
-        for (again, link) in links.iter().enumerate() {
-            let first = links.iter().position(|other| other == link).unwrap_or(again);
-            if first == again {
-                continue;
-            }
-            for of_one in poses.chunks_exact_mut(links.len()) {
-                let pose = of_one.get(first).copied();
-                if let (Some(pose), Some(slot)) = (pose, of_one.get_mut(again)) {
-                    *slot = pose;
-                }
-            }
-        }
+        repeat(links, poses);
         Ok(())
     }
+}
+
+/// Where a link is asked for more than once, its pose to the other places.
+pub(super) fn repeat<E: Copy>(links: &[usize], poses: &mut [E]) {
+    for (again, &link) in links.iter().enumerate() {
+        let Some(first) = place_of(links, link) else { continue };
+        if first == again {
+            continue;
+        }
+        for of_one in poses.chunks_exact_mut(links.len()) {
+            let pose = of_one.get(first).copied();
+            if let (Some(pose), Some(slot)) = (pose, of_one.get_mut(again)) {
+                *slot = pose;
+            }
+        }
+    }
+}
+
+/// The first place of a link.
+#[cfg_attr(not(opt_level_0), inline(always))]
+pub(super) fn place_of(links: &[usize], link: usize) -> Option<usize> {
+    links.iter().position(
+        #[cfg_attr(not(opt_level_0), inline(always))]
+        |&other| other == link,
+    )
 }
 
 struct All<'s, E> {
@@ -171,11 +185,7 @@ impl<E: Element<8>> Task<E::Layout> for Chosen<'_, E> {
     ) {
         // The first place only, of a link that is asked for more than once: a loop around the registers of a pose would keep
         // them in memory, which takes half as long again.
-        let link = step.link as usize;
-        if let Some(index) = self.links.iter().position(
-            #[cfg_attr(not(opt_level_0), inline(always))]
-            |&chosen| chosen == link,
-        ) {
+        if let Some(index) = place_of(self.links, step.link as usize) {
             let tile = group.tile::<E::Layout, V>(index, self.links.len());
             E::store(joined.pose.to_motion(), self.poses, tile);
         }
@@ -185,12 +195,21 @@ impl<E: Element<8>> Task<E::Layout> for Chosen<'_, E> {
 /// Whether the link of a step, or one that it carries, is among `links`.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn carries<R>(steps: &[Step<R>], position: usize, links: &[usize]) -> bool {
-    let Some(step) = steps.get(position) else { return false };
-    for &link in links {
-        let Some(of_link) = steps.get(link) else { return false };
-        if (of_link.position as usize).wrapping_sub(position) < step.size as usize {
-            return true;
+    first_carried(steps, position, links).is_some()
+}
+
+/// The first place in `links` of one that is the link of a step, or that this carries.
+#[cfg_attr(not(opt_level_0), inline(always))]
+pub(super) fn first_carried<R>(
+    steps: &[Step<R>],
+    position: usize,
+    links: &[usize],
+) -> Option<usize> {
+    let step = steps.get(position)?;
+    for (index, &link) in links.iter().enumerate() {
+        if (steps.get(link)?.position as usize).wrapping_sub(position) < step.size as usize {
+            return Some(index);
         }
     }
-    false
+    None
 }

@@ -183,10 +183,28 @@ fn jacobians_agree<F: JacobianFrame>(frame: F) {
             let what = format!("{backend}, {frame:?}, {count} joints, link {link}");
             let mut poses = vec![DualQuat::IDENTITY; configurations];
             let mut columns = vec![[f64::NAN; 6]; wanted.len()];
-            backend.link_jacobians(frame, robot, link, &values, &mut poses, &mut columns).unwrap();
+            backend
+                .link_jacobians(frame, robot, &[link], &values, &mut poses, &mut columns)
+                .unwrap();
             close_twists(&columns, &wanted, &what);
             for (&pose, &tool) in poses.iter().zip(&tools) {
                 close(pose, tool, 1e-13, &what);
+            }
+            // Several links at once, one of them twice: to the last bit what each has alone.
+            let links = [link, count - 1, numbers.below(count), link];
+            let mut several = vec![DualQuat::IDENTITY; 4 * configurations];
+            let mut all_columns = vec![[f64::NAN; 6]; 4 * wanted.len()];
+            backend
+                .link_jacobians(frame, robot, &links, &values, &mut several, &mut all_columns)
+                .unwrap();
+            for (index, link) in links.into_iter().enumerate() {
+                backend
+                    .link_jacobians(frame, robot, &[link], &values, &mut poses, &mut columns)
+                    .unwrap();
+                let of_link = several.iter().skip(index).step_by(4);
+                assert!(of_link.eq(&poses), "{what}, number {index} of {links:?}");
+                let of_link = all_columns.chunks_exact(robot.rates()).skip(index).step_by(4);
+                assert!(of_link.flatten().eq(&columns), "{what}, number {index} of {links:?}");
             }
         }
     }

@@ -33,11 +33,11 @@ fn all_cores_give_every_bit_of_what_one_gives() {
         backend.chosen_link_poses(robot, &links, &values, one).unwrap();
         backend.par_chosen_link_poses(robot, &links, &values, all).unwrap();
         assert!(one == all, "{count}, chosen");
-        let mut tools = [(); 2].map(|()| vec![DualQuat::IDENTITY; configurations]);
-        let mut columns = [(); 2].map(|()| vec![[0.0; 6]; configurations * robot.rates()]);
+        let mut tools = [(); 2].map(|()| vec![DualQuat::IDENTITY; 2 * configurations]);
+        let mut columns = [(); 2].map(|()| vec![[0.0; 6]; 2 * configurations * robot.rates()]);
         let ([one, all], [columns, all_columns]) = (&mut tools, &mut columns);
-        backend.link_jacobians(Body, robot, count - 1, &values, one, columns).unwrap();
-        backend.par_link_jacobians(Body, robot, count - 1, &values, all, all_columns).unwrap();
+        backend.link_jacobians(Body, robot, &links, &values, one, columns).unwrap();
+        backend.par_link_jacobians(Body, robot, &links, &values, all, all_columns).unwrap();
         assert!(one == all && columns == all_columns, "{count}, Jacobians");
         let rates = vec![0.5; configurations * robot.rates()];
         let second: Vec<f64> =

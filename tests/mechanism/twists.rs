@@ -34,7 +34,7 @@ where
         ($($frame:expr)*) => {$(
             let mut pose_of = vec![pose; elements];
             let mut columns = vec![twist; elements * robot.rates()];
-            backend.link_jacobians($frame, robot, last, values, &mut pose_of, &mut columns).unwrap();
+            backend.link_jacobians($frame, robot, &[last], values, &mut pose_of, &mut columns).unwrap();
             poses.push(pose_of);
             twists.push(columns);
         )*};

@@ -58,7 +58,7 @@ macro_rules! precision {
             jobs.push(Job::new("tool and Jacobian, plain", move || {
                 let values = black_box(values);
                 backend
-                    .link_jacobians(World, robot, tool, values, &mut tools, &mut jacobians)
+                    .link_jacobians(World, robot, &[tool], values, &mut tools, &mut jacobians)
                     .expect("shape");
             }));
             let (mut poses, mut twists) = (plain(), columns());
