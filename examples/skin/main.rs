@@ -15,6 +15,8 @@
 mod accessor;
 mod args;
 mod bones;
+#[cfg(test)]
+mod broken;
 mod drawing;
 mod error;
 mod file;

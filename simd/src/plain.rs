@@ -16,7 +16,7 @@ unsafe impl<T, const N: usize> Numbers<T> for [T; N] {}
 unsafe impl<T, const N: usize, const M: usize> Numbers<T> for [[T; N]; M] {}
 
 /// Implements `bytemuck::Pod` for structs that are generic over their number, which bytemuck derives for
-/// structs of one field only. The struct is named with all of its fields, which are numbers, arrays of numbers, or
+/// structs of one field only. The struct is `#[repr(C)]`, and named with all of its fields, which are numbers, arrays of numbers, or
 /// plain themselves; anything else does not compile.
 ///
 /// ```
@@ -67,11 +67,11 @@ macro_rules! plain {
             // An alignment of its own would be padding.
             assert!(align_of::<$name<u8>>() == 1);
             const fn numbers<T, F: $crate::plain::Numbers<T>>(_: &F) {}
-            #[allow(dead_code)]
             const fn only_numbers<T>(plain: &$name<T>) {
                 let $name { $($field: _),+ } = plain;
                 $(numbers::<T, _>(&plain.$field);)+
             }
+            let _ = only_numbers::<u8>;
         };
         // SAFETY: `only_numbers` compiles, so every field is `T`s and nothing else. All fields then have one alignment, and
         // no padding lies between or behind them.
