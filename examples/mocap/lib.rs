@@ -5,7 +5,7 @@
 //! by lanes; `table`, `csv` and `svg` show the result. [`command`] and [`output`] serve the example
 //! `compare` as well, and the biped serves tests.
 
-#![allow(missing_docs, reason = "parts of a program, not published")]
+#![allow(missing_docs, reason = "parts of a program")]
 
 mod args;
 pub mod biped;

@@ -1,7 +1,7 @@
 //! The accuracy contract: the [table](operations) of operations with the errors allowed, every
 //! [implementation] of [`dq8::Motion`], and reference vectors. Shared by the tests and by the example `conform`.
 
-#![allow(missing_docs, reason = "support for tests, not published")]
+#![allow(missing_docs, reason = "made for the tests of dq8, which read it")]
 
 pub mod arms;
 pub mod bound;

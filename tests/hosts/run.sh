@@ -11,7 +11,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 
 # Programs have tests too, of which some look for files by other paths than those of the build; papers are in lab.
-hosts=() packages=(dq8 dq8-simd) programs=(mocap dq8-contest dq8-compare) papers=(--package=lab --test papers)
+hosts=() packages=(dq8 dq8-simd) programs=(dq8-mocap dq8-contest dq8-compare) papers=(--package=lab --test papers)
 for argument; do
   case $argument in
     --quick) packages=(dq8-simd) programs=() papers=() ;;
