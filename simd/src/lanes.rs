@@ -135,6 +135,24 @@ pub trait Lanes:
         unsafe { store_rows(components, to, 3) };
     }
 
+    /// In each group of four lanes, lane `i` is the sum of the group's numbers of vector `i`, as (0 + 2) + (1 + 3):
+    /// four dot products whose products are there. For vectors of four lanes or a multiple of that.
+    #[inline(always)]
+    #[must_use]
+    fn sum_quads(vectors: [Self; 4]) -> Self {
+        let mut sums = Self::Array::zeroed();
+        for (which, vector) in vectors.into_iter().enumerate() {
+            let numbers = vector.to_array();
+            let groups = sums.as_mut().chunks_exact_mut(4).zip(numbers.as_ref().chunks_exact(4));
+            for (sums, numbers) in groups {
+                if let &[a, b, c, d] = numbers {
+                    sums[which] = (a + c) + (b + d);
+                }
+            }
+        }
+        Self::load(vectors[0].level(), &sums)
+    }
+
     /// `self · factor + addend`, rounded once where the hardware fuses.
     #[must_use]
     fn mul_add(self, factor: Self, addend: Self) -> Self;
@@ -259,6 +277,7 @@ pub trait Float:
     + From<f32>
     + Into<f64>
     + core::ops::Neg<Output = Self>
+    + core::ops::Add<Output = Self>
     + sealed::Sealed
 {
     /// Whether this is `f32`.
@@ -343,6 +362,16 @@ pub(crate) mod sealed {
 /// Products of such vectors serve where there is only one thing to compute at a time: a child waits
 /// for its parent. Two rearrangements are all that they need in addition to [`Lanes`].
 pub trait PackedDualQuat: Lanes {
+    /// Four numbers in both halves.
+    #[inline(always)]
+    fn load_twice(level: Self::Level, from: &[Self::Real; 4]) -> Self {
+        let mut twice = Self::Array::zeroed();
+        for half in twice.as_mut().chunks_exact_mut(4) {
+            half.copy_from_slice(from);
+        }
+        Self::load(level, &twice)
+    }
+
     /// What the components x, y, z and w of another quaternion multiply, in both halves: with these
     /// four columns, p·b = c₀b_x + c₁b_y + c₂b_z + c₃b_w.
     ///

@@ -96,6 +96,10 @@ where
         }
     }
     #[inline(always)]
+    fn sum_quads([a, b, c, d]: [Self; 4]) -> Self {
+        Self(L::sum_quads([a.0, b.0, c.0, d.0]), L::sum_quads([a.1, b.1, c.1, d.1]))
+    }
+    #[inline(always)]
     fn mul_add(self, factor: Self, addend: Self) -> Self {
         Self(self.0.mul_add(factor.0, addend.0), self.1.mul_add(factor.1, addend.1))
     }

@@ -11,9 +11,26 @@ pub const GROUP: usize = 4;
 pub trait Index:
     Copy + Debug + Default + Into<u32> + Send + Sync + sealed::Sealed + 'static
 {
+    /// Four indices. Overridden where one load of all four is quicker than four.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn numbers(row: [Self; GROUP]) -> [usize; GROUP] {
+        row.map(
+            #[inline(always)]
+            |index| index.into() as usize,
+        )
+    }
 }
 impl Index for u8 {}
-impl Index for u16 {}
+impl Index for u16 {
+    #[inline(always)]
+    fn numbers(row: [Self; GROUP]) -> [usize; GROUP] {
+        let word: u64 = bytemuck::must_cast(row);
+        let numbers = [word as u16, (word >> 16) as u16, (word >> 32) as u16, (word >> 48) as u16];
+        let [a, b, c, d] = numbers.map(usize::from);
+        if cfg!(target_endian = "little") { [a, b, c, d] } else { [d, c, b, a] }
+    }
+}
 impl Index for u32 {}
 
 mod sealed {
@@ -99,6 +116,67 @@ impl<'a, J: Index> CheckedIndices<'a, J> {
         let rows = self.indices.as_chunks::<GROUP>().0.get(first..)?;
         Some(PickRows { rows: rows.first_chunk()?, bound: self.bound })
     }
+
+    /// Some rows of four indices, from row `first` on, in `table`. `None` if there are not as many, rows have not four
+    /// columns, something lies between them, or the table is too short.
+    #[inline(always)]
+    #[must_use]
+    pub fn all_in_place<'t, R, const C: usize>(
+        self,
+        first: usize,
+        count: usize,
+        table: &'t [[R; C]],
+    ) -> Option<PickedInPlace<'a, 't, J, R, C>> {
+        if self.columns != GROUP || self.stride != GROUP || table.len() < self.bound {
+            return None;
+        }
+        let rows = self.indices.as_chunks::<GROUP>().0.get(first..)?.get(..count)?;
+        Some(PickedInPlace { rows, table })
+    }
+}
+
+/// Rows of four indices in place, one after the other, none of them beyond a bound, with a table that has all those
+/// records.
+#[derive(Clone, Copy, Debug)]
+pub struct PickedInPlace<'a, 't, J, R, const C: usize> {
+    rows: &'a [[J; GROUP]],
+    table: &'t [[R; C]],
+}
+
+impl<'t, J: Index, R, const C: usize> PickedInPlace<'_, 't, J, R, C> {
+    /// How many rows there are.
+    #[inline(always)]
+    #[must_use]
+    pub fn rows(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// The records of a row. `None` if there is no such row.
+    #[inline(always)]
+    #[must_use]
+    pub fn records(&self, row: usize) -> Option<[&'t [R; C]; GROUP]> {
+        let &row = self.rows.get(row)?;
+        // SAFETY: these indices have been checked, and the table has as many records.
+        Some(unsafe { records(row, self.table) })
+    }
+}
+
+/// The records of four indices.
+///
+/// # Safety
+/// The table has them.
+#[inline(always)]
+unsafe fn records<J: Index, R, const C: usize>(
+    row: [J; GROUP],
+    table: &[[R; C]],
+) -> [&[R; C]; GROUP] {
+    J::numbers(row).map(
+        #[inline(always)]
+        |index| {
+            // SAFETY: promised.
+            unsafe { table.get_unchecked(index) }
+        },
+    )
 }
 
 /// Indices for each lane in memory of their own: for lanes whose indices do not lie in order.
@@ -193,16 +271,15 @@ pub struct Picked<'p, 't, J, R, const C: usize> {
 }
 
 impl<'t, J: Index, R, const C: usize> Picked<'_, 't, J, R, C> {
-    /// One of the records of a lane.
+    /// The records of a lane.
     ///
     /// # Panics
-    /// If there is no such lane, or `which` is not below four.
+    /// If there is no such lane.
     #[inline(always)]
     #[must_use]
-    pub fn record(&self, lane: usize, which: usize) -> &'t [R; C] {
-        let index = self.rows[lane][which].into() as usize;
+    pub fn records(&self, lane: usize) -> [&'t [R; C]; GROUP] {
         // SAFETY: a checked index is below a bound that the table has; others are 0, and the table has a record.
-        unsafe { self.table.get_unchecked(index) }
+        unsafe { records(self.rows[lane], self.table) }
     }
 
     /// Transposes on the way in: component `c` of record `which` of lane `i` becomes lane `i` of vector `c`,

@@ -105,6 +105,11 @@ macro_rules! wide_lanes {
                         unsafe { *to.add(i * stride).cast::<[$real; $lanes]>() = row.to_array() };
                     }
                 }
+                #[inline(always)]
+                fn sum_quads(vectors: [Self; 4]) -> Self {
+                    let [a, b, c, d] = Self::$transpose(vectors);
+                    (a + c) + (b + d)
+                }
             )?
             #[inline(always)]
             fn mul_add(self, factor: Self, addend: Self) -> Self {

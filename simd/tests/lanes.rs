@@ -1,6 +1,6 @@
 //! Every operation of every lane type against plain arithmetic, lane by lane.
 
-use dq8_simd::picks::{CheckedIndices, Picks};
+use dq8_simd::picks::{CheckedIndices, Index, Picks};
 use dq8_simd::{Block, Float, Lanes, Level, Mask, PackedDualQuat, Portable, Records, Row};
 use dq8_simd::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
 
@@ -198,6 +198,36 @@ fn packed<L: PackedDualQuat>(level: L::Level) {
     same("columns, z", &numbers(z), &[2.0, -1.0, 4.0, -3.0, 6.0, -5.0, 8.0, -7.0]);
     same("columns, w", &numbers(w), &numbers(motion));
     same("raised", &numbers(motion.raised()), &[0.0, 0.0, 0.0, 0.0, 1.0, 2.0, 3.0, 4.0]);
+    // Wherever they lie: these begin one number after each other.
+    let row = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0].map(L::Real::from_f64);
+    for (first, four) in row.windows(4).enumerate() {
+        let four = four.first_chunk().expect("a window of four");
+        let half = [1.0, 2.0, 3.0, 4.0].map(|number| number + first as f64);
+        same("twice", &numbers(L::load_twice(level, four)), [half, half].as_flattened());
+    }
+}
+
+/// The order of the additions shows where numbers differ in size.
+fn sums<L: Lanes>(level: L::Level) {
+    if L::LANES % 4 != 0 {
+        return;
+    }
+    let numbers_of = |vector: usize| {
+        let number = |lane: usize| {
+            let sizes = [1e7, 1.0, -1e7, 0.25 + vector as f64, 3.0, 3e7, 0.125, -3e7];
+            L::Real::from_f64(sizes[(lane + 3 * vector) % 8])
+        };
+        (0..L::LANES).map(number).collect::<Vec<_>>()
+    };
+    let vectors = [0, 1, 2, 3].map(numbers_of);
+    let wanted: Vec<f64> = (0..L::LANES)
+        .map(|lane| {
+            let group = &vectors[lane % 4][lane / 4 * 4..][..4];
+            ((group[0] + group[2]) + (group[1] + group[3])).into()
+        })
+        .collect();
+    let loaded = vectors.map(|vector| L::load_partial(level, &vector, L::Real::default()));
+    same("sums", &numbers(L::sum_quads(loaded)), &wanted);
 }
 
 fn check<L: Lanes>(level: L::Level) {
@@ -205,6 +235,7 @@ fn check<L: Lanes>(level: L::Level) {
     fused_or_not::<L>(level);
     comparisons::<L>(level);
     memory::<L>(level);
+    sums::<L>(level);
     records::<L, 3>(level);
     records::<L, 7>(level);
     records::<L, 8>(level);
@@ -372,7 +403,7 @@ fn only_indices_that_were_checked_are_read() {
     picks.set_first(1, 2, 2);
     let table = [[0.0_f32], [1.0], [2.0]];
     let picked = picks.rows().of(&table).unwrap();
-    let of = |lane| [0, 1, 2, 3].map(|which| picked.record(lane, which)[0]);
+    let of = |lane| [0, 1, 2, 3].map(|which| picked.records(lane)[which][0]);
     assert_eq!(of(0), [1.0, 2.0, 1.0, 1.0]);
     assert_eq!(of(1), [0.0, 2.0, 2.0, 2.0]);
     assert_eq!((of(2), of(3)), ([0.0; 4], [1.0; 4]));
@@ -382,7 +413,31 @@ fn only_indices_that_were_checked_are_read() {
         let checked = CheckedIndices::new(&many, columns, 4, 3).unwrap();
         assert_eq!(checked.in_place(0).is_some(), in_place);
         assert!(checked.in_place(1).is_none());
+        assert_eq!(checked.all_in_place(1, 15, &table).is_some(), in_place);
+        for (first, count) in [(0, 17), (1, 16), (16, 1), (17, 0), (1, usize::MAX)] {
+            assert!(checked.all_in_place(first, count, &table).is_none());
+        }
+        assert!(checked.all_in_place(0, 1, &table[..2]).is_none(), "record 2 is not there");
     }
+}
+
+/// Of indices of any width, in the order of memory.
+fn four_in_place<J: Index>(indices: [J; 12]) {
+    let table = [0.0_f32, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0].map(|number| [number]);
+    let checked = CheckedIndices::new(&indices, 4, 4, 8).unwrap();
+    let picked = checked.all_in_place(1, 2, &table).unwrap();
+    let of = |row| picked.records(row).map(|records| records.map(|&[number]| number));
+    assert_eq!(of(0), Some([7.0, 0.0, 1.0, 5.0]));
+    assert_eq!(of(1), Some([3.0, 3.0, 6.0, 2.0]));
+    assert_eq!(of(2), None);
+}
+
+#[test]
+fn rows_of_four_indices_name_their_records_in_order() {
+    let indices = [4_u8, 4, 4, 4, 7, 0, 1, 5, 3, 3, 6, 2];
+    four_in_place(indices);
+    four_in_place(indices.map(u16::from));
+    four_in_place(indices.map(u32::from));
 }
 
 #[test]

@@ -1,8 +1,10 @@
 use super::influences::Scratch;
+use super::skin::Skin;
+use super::weight::Weight;
 use crate::real::Scalar;
 use crate::shape::ShapeError;
-use dq8_simd::Lanes;
 use dq8_simd::picks::Index;
+use dq8_simd::{Lanes, Level};
 
 /// A way to blend the motions of joints, on lanes that are vertices: a sum over groups of influences, and
 /// what the sum does to a surface. Sealed: only this crate can name what its methods take.
@@ -31,6 +33,21 @@ pub trait Blender<R: Scalar>: Copy {
         level: L::Level,
         scratch: &mut Scratch<'_, R, J>,
     ) -> Option<Self::Sum<L>>;
+    /// Poses plain points where that is quicker than on lanes, from vertex `first` on, and says how many; `rest` has as
+    /// many as `posed`. `None` if no.
+    #[doc(hidden)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn points<V: Level, J: Index, W: Weight>(
+        &self,
+        level: V,
+        skin: &Skin<'_, J, W>,
+        first: usize,
+        rest: &[[R; 3]],
+        posed: &mut [[R; 3]],
+    ) -> Option<usize> {
+        let _ = (level, skin, first, rest, posed);
+        None
+    }
     /// The sum of two groups.
     #[doc(hidden)]
     fn join<L: Lanes<Real = R>>(&self, a: Self::Sum<L>, b: Self::Sum<L>) -> Self::Sum<L>;

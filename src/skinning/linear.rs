@@ -1,10 +1,12 @@
 use super::blender::Blender;
 use super::influences::{GROUP, Scratch, settled};
 use super::linear_map::LinearMap;
+use super::skin::Skin;
+use super::weight::Weight;
 use crate::real::Scalar;
 use crate::shape::{ShapeError, same_length};
 use dq8_simd::picks::Index;
-use dq8_simd::{Float, Lanes, Records};
+use dq8_simd::{Float, Lanes, Level, PackedDualQuat, Records};
 
 /// Linear blend skinning (Magnenat-Thalmann et al. 1988): v ↦ Σ wᵢMᵢv. Needs weights that sum to one.
 /// Cheapest, and right for any matrix, but the sum of two rotations is not a rotation: elbows and twisted wrists
@@ -28,32 +30,30 @@ impl<'a, R: Scalar> Linear<'a, R> {
     }
 }
 
-/// Registers that hold two rows of a matrix, and one.
-type Two<L> = <<L as Lanes>::Real as Float>::Packed<<L as Lanes>::Level>;
-type Third<L> = <<L as Lanes>::Real as Float>::Half<<L as Lanes>::Level>;
+/// A register of two rows of a matrix, and one of the third.
+type Rows<R, V> = (<R as Float>::Packed<V>, <R as Float>::Half<V>);
 
-/// A matrix times a weight.
+/// The weighted sum of four matrices.
 #[cfg_attr(not(opt_level_0), inline(always))]
-fn scaled<L: Lanes>(
-    level: L::Level,
-    matrix: &[L::Real; 12],
-    weight: L::Real,
-) -> Option<(Two<L>, Third<L>)> {
-    let two = Two::<L>::load(level, matrix.first_chunk()?) * Two::<L>::splat(level, weight);
-    Some((two, Third::<L>::load(level, matrix.last_chunk()?) * Third::<L>::splat(level, weight)))
-}
-
-/// And added to a sum.
-#[cfg_attr(not(opt_level_0), inline(always))]
-fn add_scaled<L: Lanes>(
-    level: L::Level,
-    matrix: &[L::Real; 12],
-    weight: L::Real,
-    (two, third): (Two<L>, Third<L>),
-) -> Option<(Two<L>, Third<L>)> {
-    let of = (Two::<L>::load(level, matrix.first_chunk()?), Two::<L>::splat(level, weight));
-    let last = (Third::<L>::load(level, matrix.last_chunk()?), Third::<L>::splat(level, weight));
-    Some((of.0.mul_add(of.1, two), last.0.mul_add(last.1, third)))
+fn blended<R: Scalar, V: Level>(
+    level: V,
+    matrices: [&[R; 12]; GROUP],
+    weights: [R; GROUP],
+) -> Option<Rows<R, V>> {
+    let mut sum: Option<Rows<R, V>> = None;
+    let mut influence = 0;
+    while influence < GROUP {
+        let (matrix, weight) = (matrices[influence], weights[influence]);
+        let two = R::Packed::load(level, matrix.first_chunk()?);
+        let third = R::Half::load(level, matrix.last_chunk()?);
+        let (by_two, by_third) = (R::Packed::splat(level, weight), R::Half::splat(level, weight));
+        sum = Some(match sum {
+            None => (two * by_two, third * by_third),
+            Some(sum) => (two.mul_add(by_two, sum.0), third.mul_add(by_third, sum.1)),
+        });
+        influence += 1;
+    }
+    sum
 }
 
 impl<R: Scalar> Blender<R> for Linear<'_, R> {
@@ -79,14 +79,7 @@ impl<R: Scalar> Blender<R> for Linear<'_, R> {
         let weights = influences.weights();
         let mut lane = 0;
         while lane < L::LANES {
-            let weights = weights[lane];
-            let mut sum = scaled::<L>(level, picked.record(lane, 0), weights[0])?;
-            let mut influence = 1;
-            while influence < GROUP {
-                let matrix = picked.record(lane, influence);
-                sum = add_scaled::<L>(level, matrix, weights[influence], sum)?;
-                influence += 1;
-            }
+            let sum = blended::<R, L::Level>(level, picked.records(lane), weights[lane])?;
             let (two, rest) = sums.0[lane].split_first_chunk_mut()?;
             sum.0.store(two);
             sum.1.store(rest.first_chunk_mut()?);
@@ -98,6 +91,50 @@ impl<R: Scalar> Blender<R> for Linear<'_, R> {
             L::load_four(level, sums, 4)?,
             L::load_four(level, sums, 8)?,
         ])
+    }
+    /// Four points at a time, each times the rows of its sum of matrices; then the products are added, and half of the
+    /// numbers are gone at each step of the transpose. On lanes all twelve of a sum would be transposed.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn points<V: Level, J: Index, W: Weight>(
+        &self,
+        level: V,
+        skin: &Skin<'_, J, W>,
+        first: usize,
+        rest: &[[R; 3]],
+        posed: &mut [[R; 3]],
+    ) -> Option<usize> {
+        if R::Lanes::<V>::LANES < 4 {
+            return None;
+        }
+        // A point is read with the number after it, which the last one does not have.
+        let count = posed.len().checked_sub(1)? & !3;
+        let (rest, posed) = (rest.as_flattened().get(..3 * count + 1)?, posed.get_mut(..count)?);
+        let palette: &[[R; 12]] = bytemuck::must_cast_slice(self.palette);
+        let (picked, weights) = skin.in_place(first, count, palette)?;
+        let one = [R::ZERO, R::ZERO, R::ZERO, R::ONE];
+        let one: Rows<R, V> = (R::Packed::load_twice(level, &one), R::Half::load(level, &one));
+        let fourth = (one.0.constant(0.0).lt(one.0), one.1.constant(0.0).lt(one.1));
+        let mut four = 0;
+        while four < count {
+            let (mut two, mut third) = ([one.0; 4], [one.1; 4]);
+            let mut which = 0;
+            while which < 4 {
+                let vertex = four + which;
+                let sum = blended::<R, V>(level, picked.records(vertex)?, *weights.get(vertex)?)?;
+                let point = rest.get(3 * vertex..)?.first_chunk()?;
+                let twice = R::Packed::select(fourth.0, one.0, R::Packed::load_twice(level, point));
+                let once = R::Half::select(fourth.1, one.1, R::Half::load(level, point));
+                (two[which], third[which]) = (sum.0 * twice, sum.1 * once);
+                which += 1;
+            }
+            let xy = R::Packed::sum_quads(two).to_array();
+            let [x, y]: &[[R; 4]; 2] = bytemuck::cast_ref(&xy);
+            let (x, y) = (R::Half::load(level, x), R::Half::load(level, y));
+            let z = R::Half::sum_quads(third);
+            Records::store_records([x, y, z], posed.get_mut(four..four + 4)?);
+            four += 4;
+        }
+        Some(count)
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn join<L: Lanes<Real = R>>(&self, a: [[L; 4]; 3], b: [[L; 4]; 3]) -> [[L; 4]; 3] {

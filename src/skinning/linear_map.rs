@@ -11,7 +11,8 @@ impl<L: Lanes> SurfaceMap<L> for LinearMap<L> {
     fn point(&self, [x, y, z]: [L; 3]) -> [L; 3] {
         let mut moved = [x; 3];
         for (moved, [a, b, c, t]) in moved.iter_mut().zip(self.0) {
-            *moved = z.mul_add(c, y.mul_add(b, x.mul_add(a, t)));
+            // As Linear::points does, to the last bit.
+            *moved = (x * a + z * c) + (y * b + t);
         }
         moved
     }

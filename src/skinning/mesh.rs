@@ -1,5 +1,5 @@
 use super::surface::{Surface, SurfaceMut};
-use crate::storage::{self, Element, Register, Tile};
+use crate::storage::{self, Element, Number, Register, Tile};
 use dq8_simd::Level;
 
 /// A mesh at rest and posed, in memory whose tiles are those of `P`.
@@ -8,10 +8,16 @@ pub(super) trait Mesh<P: Element<3>> {
     fn elements(&self) -> usize;
     /// The vectors of a tile at rest; zero in lanes beyond the end. `None` if there are none.
     fn load<V: Level>(&self, level: V, field: Field, tile: Tile) -> Option<Vectors<P, V>>;
+    /// Positions at rest and posed, if they are plain, and there is nothing else to pose.
+    fn points(&mut self) -> Option<PlainPoints<'_, Number<P, 3>>> {
+        None
+    }
     /// The posed vectors of a tile.
     fn store<V: Level>(&mut self, vectors: Vectors<P, V>, field: Field, tile: Tile);
 }
 
+/// Points at rest, and posed.
+pub(super) type PlainPoints<'m, R> = (&'m [[R; 3]], &'m mut [[R; 3]]);
 /// A register for each component of a vector.
 pub(super) type Vectors<P, V> = [Register<P, V, 3>; 3];
 
@@ -42,6 +48,13 @@ impl<P: Element<3>> Mesh<P> for Separate<'_, P> {
             Field::Tangent => self.rest.tangents?,
         };
         P::load(level, from, tile, &storage::identity())
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn points(&mut self) -> Option<PlainPoints<'_, Number<P, 3>>> {
+        if self.rest.normals.is_some() || self.rest.tangents.is_some() {
+            return None;
+        }
+        Some((P::plain(self.rest.positions)?, P::plain_mut(self.posed.positions)?))
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn store<V: Level>(&mut self, vectors: Vectors<P, V>, field: Field, tile: Tile) {

@@ -99,8 +99,12 @@ where
     fn run<V: Level>(self, level: V) {
         let Self { skin, blend, first, mut mesh, .. } = self;
         let lanes = Register::<P, V, 3>::LANES;
+        let mut done = 0;
+        if let Some((rest, posed)) = mesh.points() {
+            done = blend.points(level, skin, first, rest, posed).unwrap_or(0);
+        }
         let mut scratch = skin.scratch();
-        for tile in storage::tiles::<P, V, 3>(mesh.elements()) {
+        for tile in storage::tiles::<P, V, 3>(mesh.elements()).skip(done / lanes) {
             let vertex = first + tile.element * P::Layout::THINGS + tile.register * lanes;
             skin.read(vertex, lanes, 0, &mut scratch.influences);
             let Some(mut sum) = blend.sum::<Register<P, V, 3>, _>(level, &mut scratch) else {

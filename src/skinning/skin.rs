@@ -5,7 +5,7 @@ use crate::real::{Real, Scalar};
 use crate::shape::{same_length, whole_instances};
 use core::fmt::Debug;
 use core::ops::RangeInclusive;
-use dq8_simd::picks::{CheckedIndices, Index, Picks};
+use dq8_simd::picks::{CheckedIndices, Index, PickedInPlace, Picks};
 
 /// Which joints move a vertex, and how much: checked once, to be posed any number of times.
 ///
@@ -191,6 +191,22 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn scratch<R: Scalar>(&self) -> Scratch<'a, R, J> {
         Scratch::new(self.joints)
+    }
+
+    /// The influences of `count` vertices from `first` on where they lie: the records of `table` that joints are, and
+    /// weights. `None` if they are not four, or not in memory as kernels compute with them.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn in_place<'t, R: Scalar, const C: usize>(
+        &self,
+        first: usize,
+        count: usize,
+        table: &'t [[R; C]],
+    ) -> Option<(PickedInPlace<'a, 't, J, R, C>, &'a [[R; GROUP]])> {
+        if self.stride != GROUP {
+            return None;
+        }
+        let weights = W::as_numbers(self.weights)?.as_chunks().0.get(first..)?.get(..count)?;
+        Some((self.joints.all_in_place(first, count, table)?, weights))
     }
 
     /// A group of influences of the vertices from `first` on, one for each lane.

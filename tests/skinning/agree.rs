@@ -1,6 +1,7 @@
 //! Every backend, layout and type against the reference, one vertex at a time.
 
 use super::scene::{JOINTS, Scene, distance, dual, linear};
+use dq8::simd::picks::Index;
 use dq8::skinning::{
     DualBlend, Linear, Mixed, Skin, Stretched, Surface, SurfaceMut, Weight, dual_blend,
     linear_blend,
@@ -142,6 +143,42 @@ fn blocks_give_what_plain_slices_give() {
             }
         }
     }
+}
+
+/// Positions alone are posed in another way, which reads the first number of the next point.
+fn alone<R: Scalar + Weight, J: Index>(joint: impl Fn(u16) -> J) {
+    for vertices in (0..22).chain([32, 33, 64, 65]) {
+        let mut scene = Scene::<R>::new(vertices, 4);
+        if let Some(point) = scene.positions.get_mut(6) {
+            *point = [R::from(f32::NAN); 3];
+        }
+        let joints: Vec<J> = scene.joints.iter().map(|&j| joint(j)).collect();
+        let skin = Skin::new(JOINTS, 4, &joints, &scene.weights).unwrap();
+        let matrices = scene.matrices();
+        for backend in Backend::available() {
+            let [mut alone, mut together, mut normals] = [(); 3].map(|()| scene.positions.clone());
+            let rest = Surface::positions(&scene.positions);
+            let posed = SurfaceMut::positions(&mut alone);
+            backend.skin(&skin, Linear::new(&matrices), rest, posed).unwrap();
+            let posed = SurfaceMut::positions(&mut together).normals(&mut normals);
+            let rest = rest.normals(&scene.normals);
+            backend.skin(&skin, Linear::new(&matrices), rest, posed).unwrap();
+            for (vertex, (a, b)) in alone.iter().zip(&together).enumerate() {
+                let bits = |p: [R; 3]| p.map(|c| Into::<f64>::into(c).to_bits());
+                let same =
+                    if vertex == 6 { a.iter().all(|c| c.is_nan()) } else { bits(*a) == bits(*b) };
+                assert!(same, "{vertex} of {vertices}, {backend}: {a:?} {b:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn positions_alone_have_every_bit_that_they_have_with_normals() {
+    alone::<f32, u8>(|joint| joint as u8);
+    alone::<f32, u16>(|joint| joint);
+    alone::<f64, u16>(|joint| joint);
+    alone::<f64, u32>(u32::from);
 }
 
 /// The same skin in other types is the same skin: every bit of the result.

@@ -65,7 +65,7 @@ vector! {
     add _mm_add_ps; sub _mm_sub_ps; mul _mm_mul_ps; div _mm_div_ps; sqrt _mm_sqrt_ps;
     mul_add _mm_fmadd_ps; neg_mul_add _mm_fnmadd_ps;
     splat _mm_set1_ps; load _mm_loadu_ps; store _mm_storeu_ps; stream _mm_stream_ps;
-    quads f32x4_load f32x4_store f32x4_store_triples;
+    quads f32x4_load f32x4_store f32x4_store_triples f32x4_sum;
     and _mm_and_ps; and_not _mm_andnot_ps; or _mm_or_ps; xor _mm_xor_ps;
     less |a, b| M32x4(_mm_cmplt_ps(a.0, b.0), a.1);
     less_equal |a, b| M32x4(_mm_cmple_ps(a.0, b.0), a.1);
@@ -79,7 +79,7 @@ vector! {
     add _mm256_add_ps; sub _mm256_sub_ps; mul _mm256_mul_ps; div _mm256_div_ps; sqrt _mm256_sqrt_ps;
     mul_add _mm256_fmadd_ps; neg_mul_add _mm256_fnmadd_ps;
     splat _mm256_set1_ps; load _mm256_loadu_ps; store _mm256_storeu_ps; stream _mm256_stream_ps;
-    quads f32x8_load f32x8_store f32x8_store_triples;
+    quads f32x8_load f32x8_store f32x8_store_triples f32x8_sum;
     and _mm256_and_ps; and_not _mm256_andnot_ps; or _mm256_or_ps; xor _mm256_xor_ps;
     less |a, b| M32x8(_mm256_cmp_ps::<_CMP_LT_OQ>(a.0, b.0), a.1);
     less_equal |a, b| M32x8(_mm256_cmp_ps::<_CMP_LE_OQ>(a.0, b.0), a.1);
@@ -107,7 +107,7 @@ vector! {
     add _mm256_add_pd; sub _mm256_sub_pd; mul _mm256_mul_pd; div _mm256_div_pd; sqrt _mm256_sqrt_pd;
     mul_add _mm256_fmadd_pd; neg_mul_add _mm256_fnmadd_pd;
     splat _mm256_set1_pd; load _mm256_loadu_pd; store _mm256_storeu_pd; stream _mm256_stream_pd;
-    quads f64x4_load f64x4_store f64x4_store_triples;
+    quads f64x4_load f64x4_store f64x4_store_triples f64x4_sum;
     and _mm256_and_pd; and_not _mm256_andnot_pd; or _mm256_or_pd; xor _mm256_xor_pd;
     less |a, b| M64x4(_mm256_cmp_pd::<_CMP_LT_OQ>(a.0, b.0), a.1);
     less_equal |a, b| M64x4(_mm256_cmp_pd::<_CMP_LE_OQ>(a.0, b.0), a.1);

@@ -137,7 +137,7 @@ vector! {
     add _mm_add_ps; sub _mm_sub_ps; mul _mm_mul_ps; div _mm_div_ps; sqrt _mm_sqrt_ps;
     mul_add _mm_fmadd_ps; neg_mul_add _mm_fnmadd_ps;
     splat _mm_set1_ps; load _mm_loadu_ps; store _mm_storeu_ps; stream _mm_stream_ps;
-    quads f32x4_load f32x4_store f32x4_store_triples;
+    quads f32x4_load f32x4_store f32x4_store_triples f32x4_sum;
     and _mm_and_ps; and_not _mm_andnot_ps; or _mm_or_ps; xor _mm_xor_ps;
     less |a, b| Bits(u32::from(_mm_cmp_ps_mask::<_CMP_LT_OQ>(a.0, b.0)));
     less_equal |a, b| Bits(u32::from(_mm_cmp_ps_mask::<_CMP_LE_OQ>(a.0, b.0)));
@@ -151,7 +151,7 @@ vector! {
     add _mm256_add_ps; sub _mm256_sub_ps; mul _mm256_mul_ps; div _mm256_div_ps; sqrt _mm256_sqrt_ps;
     mul_add _mm256_fmadd_ps; neg_mul_add _mm256_fnmadd_ps;
     splat _mm256_set1_ps; load _mm256_loadu_ps; store _mm256_storeu_ps; stream _mm256_stream_ps;
-    quads f32x8_load f32x8_store f32x8_store_triples;
+    quads f32x8_load f32x8_store f32x8_store_triples f32x8_sum;
     and _mm256_and_ps; and_not _mm256_andnot_ps; or _mm256_or_ps; xor _mm256_xor_ps;
     less |a, b| Bits(u32::from(_mm256_cmp_ps_mask::<_CMP_LT_OQ>(a.0, b.0)));
     less_equal |a, b| Bits(u32::from(_mm256_cmp_ps_mask::<_CMP_LE_OQ>(a.0, b.0)));
@@ -165,7 +165,7 @@ vector! {
     add _mm512_add_ps; sub _mm512_sub_ps; mul _mm512_mul_ps; div _mm512_div_ps; sqrt _mm512_sqrt_ps;
     mul_add _mm512_fmadd_ps; neg_mul_add _mm512_fnmadd_ps;
     splat _mm512_set1_ps; load _mm512_loadu_ps; store _mm512_storeu_ps; stream _mm512_stream_ps;
-    quads f32x16_load f32x16_store f32x16_store_triples;
+    quads f32x16_load f32x16_store f32x16_store_triples f32x16_sum;
     and _mm512_and_ps; and_not _mm512_andnot_ps; or _mm512_or_ps; xor _mm512_xor_ps;
     less |a, b| Bits(u32::from(_mm512_cmp_ps_mask::<_CMP_LT_OQ>(a.0, b.0)));
     less_equal |a, b| Bits(u32::from(_mm512_cmp_ps_mask::<_CMP_LE_OQ>(a.0, b.0)));
@@ -193,7 +193,7 @@ vector! {
     add _mm256_add_pd; sub _mm256_sub_pd; mul _mm256_mul_pd; div _mm256_div_pd; sqrt _mm256_sqrt_pd;
     mul_add _mm256_fmadd_pd; neg_mul_add _mm256_fnmadd_pd;
     splat _mm256_set1_pd; load _mm256_loadu_pd; store _mm256_storeu_pd; stream _mm256_stream_pd;
-    quads f64x4_load f64x4_store f64x4_store_triples;
+    quads f64x4_load f64x4_store f64x4_store_triples f64x4_sum;
     and _mm256_and_pd; and_not _mm256_andnot_pd; or _mm256_or_pd; xor _mm256_xor_pd;
     less |a, b| Bits(u32::from(_mm256_cmp_pd_mask::<_CMP_LT_OQ>(a.0, b.0)));
     less_equal |a, b| Bits(u32::from(_mm256_cmp_pd_mask::<_CMP_LE_OQ>(a.0, b.0)));
@@ -207,7 +207,7 @@ vector! {
     add _mm512_add_pd; sub _mm512_sub_pd; mul _mm512_mul_pd; div _mm512_div_pd; sqrt _mm512_sqrt_pd;
     mul_add _mm512_fmadd_pd; neg_mul_add _mm512_fnmadd_pd;
     splat _mm512_set1_pd; load _mm512_loadu_pd; store _mm512_storeu_pd; stream _mm512_stream_pd;
-    quads f64x8_load f64x8_store f64x8_store_triples;
+    quads f64x8_load f64x8_store f64x8_store_triples f64x8_sum;
     and _mm512_and_pd; and_not _mm512_andnot_pd; or _mm512_or_pd; xor _mm512_xor_pd;
     less |a, b| Bits(u32::from(_mm512_cmp_pd_mask::<_CMP_LT_OQ>(a.0, b.0)));
     less_equal |a, b| Bits(u32::from(_mm512_cmp_pd_mask::<_CMP_LE_OQ>(a.0, b.0)));

@@ -67,8 +67,14 @@ fn picked_columns(v: __m256) -> [__m256; 4] {
 
 /// A register that holds all eight.
 macro_rules! packed {
-    ($($name:ty, |$v:ident| $columns:expr, $raised:expr;)*) => {$(
+    ($($name:ty, |$v:ident| $columns:expr, $raised:expr, |$from:ident| $twice:expr;)*) => {$(
         impl PackedDualQuat for $name {
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            fn load_twice(level: Self::Level, from: &[Self::Real; 4]) -> Self {
+                let $from = from.as_ptr();
+                // SAFETY: `level` proves the instructions; the pointer is that of four numbers.
+                Self(unsafe { $twice }, level)
+            }
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn columns(self) -> [Self; 4] {
                 let (level, $v) = (self.level(), self.0);
@@ -88,16 +94,24 @@ macro_rules! packed {
 packed! {
     avx2::F32x8,
         |v| columns!(v, const { signs_f32::<8>() }, _mm256_permute_ps, _mm256_xor_ps, _mm256_loadu_ps),
-        _mm256_permute2f128_ps::<0x08>(v, v);
+        _mm256_permute2f128_ps::<0x08>(v, v),
+        |from| _mm256_set_m128(_mm_loadu_ps(from), _mm_loadu_ps(from));
     avx512::F32x8,
         |v| picked_columns(v),
-        _mm256_permute2f128_ps::<0x08>(v, v);
+        _mm256_permute2f128_ps::<0x08>(v, v),
+        |from| _mm256_set_m128(_mm_loadu_ps(from), _mm_loadu_ps(from));
     avx512::F64x8,
         |v| columns!(v, const { signs_f64::<8>() }, _mm512_permutex_pd, _mm512_xor_pd, _mm512_loadu_pd),
-        _mm512_maskz_shuffle_f64x2::<0b01_00_01_00>(0xf0, v, v);
+        _mm512_maskz_shuffle_f64x2::<0b01_00_01_00>(0xf0, v, v),
+        |from| _mm512_broadcast_f64x4(_mm256_loadu_pd(from));
 }
 
 impl PackedDualQuat for Pair<avx2::F64x4> {
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn load_twice(level: Self::Level, from: &[f64; 4]) -> Self {
+        let half = avx2::F64x4::load(level, from);
+        Self(half, half)
+    }
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn columns(self) -> [Self; 4] {
         let level = self.level();

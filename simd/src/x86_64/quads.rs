@@ -36,11 +36,29 @@ transpose_singles! { transpose_f32x4, __m128, _mm_unpacklo_ps, _mm_unpackhi_ps, 
 transpose_singles! { transpose_f32x8, __m256, _mm256_unpacklo_ps, _mm256_unpackhi_ps, _mm256_shuffle_ps }
 transpose_singles! { transpose_f32x16, __m512, _mm512_unpacklo_ps, _mm512_unpackhi_ps, _mm512_shuffle_ps }
 
+/// In each 128-bit group the sums of the group's numbers of four registers.
+macro_rules! sum_singles {
+    ($name:ident, $register:ident, $low:ident, $high:ident, $shuffle:ident, $add:ident) => {
+        #[cfg_attr(not(opt_level_0), inline(always))]
+        pub(super) unsafe fn $name([a, b, c, d]: [$register; 4]) -> $register {
+            // SAFETY: the caller's CPU has the instructions.
+            unsafe {
+                let ab = $add($low(a, b), $high(a, b)); // a₀+a₂ b₀+b₂ a₁+a₃ b₁+b₃
+                let cd = $add($low(c, d), $high(c, d));
+                $add($shuffle::<0b01_00_01_00>(ab, cd), $shuffle::<0b11_10_11_10>(ab, cd))
+            }
+        }
+    };
+}
+sum_singles! { f32x4_sum, __m128, _mm_unpacklo_ps, _mm_unpackhi_ps, _mm_shuffle_ps, _mm_add_ps }
+sum_singles! { f32x8_sum, __m256, _mm256_unpacklo_ps, _mm256_unpackhi_ps, _mm256_shuffle_ps, _mm256_add_ps }
+sum_singles! { f32x16_sum, __m512, _mm512_unpacklo_ps, _mm512_unpackhi_ps, _mm512_shuffle_ps, _mm512_add_ps }
+
 /// Four records in each of four registers and back: a register type, how records join in it, and how
 /// it falls apart into the places of its groups.
 macro_rules! single_quads {
     (
-        $load:ident, $store:ident, $triples:ident, $register:ident, $lanes:literal, $transpose:ident;
+        $load:ident, $store:ident, $triples:ident, $register:ident, $transpose:ident, $shuffle:ident;
         join |$get:ident, $i:ident| $join:expr;
         split |$whole:ident| $split:expr;
     ) => {
@@ -76,19 +94,19 @@ macro_rules! single_quads {
         }
         #[cfg_attr(not(opt_level_0), inline(always))]
         pub(super) unsafe fn $triples([x, y, z]: [$register; 3], at: *mut f32) {
-            // SAFETY: the caller's promise, above. A store of four numbers overwrites the first of
-            // the next record, which is written later; the last record stores three.
+            // SAFETY: the caller's promise, above.
             unsafe {
-                let rows = $transpose([x, y, z, z]);
-                for group in 0..$lanes / 4 {
-                    for (i, $whole) in rows.into_iter().enumerate() {
-                        let (record, number) = ($split[group], 4 * group + i);
-                        if number + 1 < $lanes {
-                            _mm_storeu_ps(at.add(3 * number), record);
-                        } else {
-                            _mm_storel_pd(at.add(3 * number).cast(), _mm_castps_pd(record));
-                            _mm_store_ss(at.add(3 * number + 2), _mm_movehl_ps(record, record));
-                        }
+                let xy = $shuffle::<0b10_00_10_00>(x, y); // x₀ x₂ y₀ y₂
+                let yz = $shuffle::<0b11_01_11_01>(y, z); // y₁ y₃ z₁ z₃
+                let zx = $shuffle::<0b11_01_10_00>(z, x); // z₀ z₂ x₁ x₃
+                let rows = [
+                    $shuffle::<0b10_00_10_00>(xy, zx), // x₀ y₀ z₀ x₁
+                    $shuffle::<0b11_01_10_00>(yz, xy), // y₁ z₁ x₂ y₂
+                    $shuffle::<0b11_01_11_01>(zx, yz), // z₂ x₃ y₃ z₃
+                ];
+                for (i, $whole) in rows.into_iter().enumerate() {
+                    for (group, numbers) in $split.into_iter().enumerate() {
+                        _mm_storeu_ps(at.add(4 * (3 * group + i)), numbers);
                     }
                 }
             }
@@ -97,17 +115,17 @@ macro_rules! single_quads {
 }
 
 single_quads! {
-    f32x4_load, f32x4_store, f32x4_store_triples, __m128, 4, transpose_f32x4;
+    f32x4_load, f32x4_store, f32x4_store_triples, __m128, transpose_f32x4, _mm_shuffle_ps;
     join |get, i| get!(i);
     split |whole| [whole];
 }
 single_quads! {
-    f32x8_load, f32x8_store, f32x8_store_triples, __m256, 8, transpose_f32x8;
+    f32x8_load, f32x8_store, f32x8_store_triples, __m256, transpose_f32x8, _mm256_shuffle_ps;
     join |get, i| _mm256_insertf128_ps::<1>(_mm256_castps128_ps256(get!(i)), get!(i + 4));
     split |whole| [_mm256_castps256_ps128(whole), _mm256_extractf128_ps::<1>(whole)];
 }
 single_quads! {
-    f32x16_load, f32x16_store, f32x16_store_triples, __m512, 16, transpose_f32x16;
+    f32x16_load, f32x16_store, f32x16_store_triples, __m512, transpose_f32x16, _mm512_shuffle_ps;
     join |get, i| {
         let two = _mm512_insertf32x4::<1>(_mm512_castps128_ps512(get!(i)), get!(i + 4));
         _mm512_insertf32x4::<3>(_mm512_insertf32x4::<2>(two, get!(i + 8)), get!(i + 12))
@@ -151,6 +169,33 @@ unsafe fn transpose_f64x8([a, b, c, d]: [__m512d; 4]) -> [__m512d; 4] {
             _mm512_permutex2var_pd(ab, second, cd),
             _mm512_permutex2var_pd(ab_odd, second, cd_odd),
         ]
+    }
+}
+
+/// The sums of the numbers of four registers.
+#[cfg_attr(not(opt_level_0), inline(always))]
+pub(super) unsafe fn f64x4_sum([a, b, c, d]: [__m256d; 4]) -> __m256d {
+    // SAFETY: the caller's CPU has the instructions.
+    unsafe {
+        let [ac, bd] = [[a, c], [b, d]].map(
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            |[a, c]| {
+                let (low, high) =
+                    (_mm256_permute2f128_pd::<0x20>(a, c), _mm256_permute2f128_pd::<0x31>(a, c));
+                _mm256_add_pd(low, high) // a₀+a₂ a₁+a₃ c₀+c₂ c₁+c₃
+            },
+        );
+        _mm256_add_pd(_mm256_unpacklo_pd(ac, bd), _mm256_unpackhi_pd(ac, bd))
+    }
+}
+
+/// In each half the sums of the half's numbers of four registers.
+#[cfg_attr(not(opt_level_0), inline(always))]
+pub(super) unsafe fn f64x8_sum([a, b, c, d]: [__m512d; 4]) -> __m512d {
+    // SAFETY: the caller's CPU has the instructions.
+    unsafe {
+        let [a, b, c, d] = transpose_f64x8([a, b, c, d]);
+        _mm512_add_pd(_mm512_add_pd(a, c), _mm512_add_pd(b, d))
     }
 }
 

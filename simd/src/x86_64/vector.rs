@@ -12,7 +12,7 @@ macro_rules! vector {
         add $add:ident; sub $sub:ident; mul $mul:ident; div $div:ident; sqrt $sqrt:ident;
         mul_add $mul_add:ident; neg_mul_add $neg_mul_add:ident;
         splat $splat:ident; load $load:ident; store $store:ident; stream $stream:ident;
-        quads $load_quads:ident $store_quads:ident $store_triples:ident;
+        quads $load_quads:ident $store_quads:ident $store_triples:ident $($sum_quads:ident)?;
         and $and:ident; and_not $and_not:ident; or $or:ident; xor $xor:ident;
         less |$la:ident, $lb:ident| $less:expr;
         less_equal |$ea:ident, $eb:ident| $less_equal:expr;
@@ -81,6 +81,13 @@ macro_rules! vector {
                 // SAFETY: the lanes prove the instructions; the rest is promised.
                 unsafe { $store_triples([x.0, y.0, z.0], to) }
             }
+            $(
+                #[cfg_attr(not(opt_level_0), inline(always))]
+                fn sum_quads([a, b, c, d]: [Self; 4]) -> Self {
+                    // SAFETY: the lanes prove the instructions.
+                    Self(unsafe { $sum_quads([a.0, b.0, c.0, d.0]) }, a.1)
+                }
+            )?
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn mul_add(self, factor: Self, addend: Self) -> Self {
                 // SAFETY: `self` proves the instructions.
