@@ -168,6 +168,10 @@ enum dq8_status
    * The order of a plan names a joint that there is not: it has not been made.
    */
   DQ8_STATUS_NO_PLAN = 29,
+  /**
+   * A share of a mix is not in [0, 1].
+   */
+  DQ8_STATUS_SHARE = 30,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -2158,6 +2162,42 @@ dq8_status dq8_skin_stretched_f32(const struct dq8_skin_f32 *skin,
                                   size_t vertices);
 
 /**
+ * As without _interleaved, of vertices that are records of several fields, such as the vertex
+ * buffer of a GPU: `rest` and `posed` hold `stride` numbers per vertex, and the two `dq8_vertex_fields`
+ * say where its position is, and its normal and tangent. Both buffers have the same fields, or it is
+ * DQ8_STATUS_LENGTH; DQ8_STATUS_FIELD if a field lies beyond its vertex or in another one. Everything
+ * else in `posed` is left alone.
+ */
+dq8_status dq8_skin_mixed_interleaved_f32(const struct dq8_skin_f32 *skin,
+                                          const float *matrices,
+                                          const float *motions,
+                                          const float *shares,
+                                          size_t joint_count,
+                                          const float *rest,
+                                          struct dq8_vertex_fields from,
+                                          float *posed,
+                                          struct dq8_vertex_fields to,
+                                          size_t vertices);
+
+/**
+ * As dq8_skin_linear and dq8_skin_dual, mixed by a number per vertex against the bulge of the second at
+ * bent joints: (1 − s) times the first and s times the second, s from `shares`. DQ8_STATUS_SHARE if one
+ * is not in [0, 1].
+ */
+dq8_status dq8_skin_mixed_f32(const struct dq8_skin_f32 *skin,
+                              const float *matrices,
+                              const float *motions,
+                              const float *shares,
+                              size_t joint_count,
+                              const float *positions,
+                              const float *normals,
+                              const float *tangents,
+                              float *posed_positions,
+                              float *posed_normals,
+                              float *posed_tangents,
+                              size_t vertices);
+
+/**
  * Checks which joints move each vertex and how much, once; the functions that pose the mesh then
  * only compute. `joint_indices` and `weights` hold `influences` numbers of the first vertex, then
  * those of the next; fill unused influences with any joint and weight 0. The skin keeps using
@@ -2289,6 +2329,42 @@ dq8_status dq8_skin_stretched_f64(const struct dq8_skin_f64 *skin,
                                   double *posed_normals,
                                   double *posed_tangents,
                                   size_t vertices);
+
+/**
+ * As without _interleaved, of vertices that are records of several fields, such as the vertex
+ * buffer of a GPU: `rest` and `posed` hold `stride` numbers per vertex, and the two `dq8_vertex_fields`
+ * say where its position is, and its normal and tangent. Both buffers have the same fields, or it is
+ * DQ8_STATUS_LENGTH; DQ8_STATUS_FIELD if a field lies beyond its vertex or in another one. Everything
+ * else in `posed` is left alone.
+ */
+dq8_status dq8_skin_mixed_interleaved_f64(const struct dq8_skin_f64 *skin,
+                                          const double *matrices,
+                                          const double *motions,
+                                          const double *shares,
+                                          size_t joint_count,
+                                          const double *rest,
+                                          struct dq8_vertex_fields from,
+                                          double *posed,
+                                          struct dq8_vertex_fields to,
+                                          size_t vertices);
+
+/**
+ * As dq8_skin_linear and dq8_skin_dual, mixed by a number per vertex against the bulge of the second at
+ * bent joints: (1 − s) times the first and s times the second, s from `shares`. DQ8_STATUS_SHARE if one
+ * is not in [0, 1].
+ */
+dq8_status dq8_skin_mixed_f64(const struct dq8_skin_f64 *skin,
+                              const double *matrices,
+                              const double *motions,
+                              const double *shares,
+                              size_t joint_count,
+                              const double *positions,
+                              const double *normals,
+                              const double *tangents,
+                              double *posed_positions,
+                              double *posed_normals,
+                              double *posed_tangents,
+                              size_t vertices);
 
 /**
  * `out[i] = a[i] * b[i]`: b acts first. `out` may be `a`.

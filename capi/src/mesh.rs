@@ -1,10 +1,10 @@
 //! Meshes in C's memory: arrays of vectors, or vertices that are records of several fields.
 
 use crate::memory::{Input, Output};
-use crate::skin::Posing;
+use crate::skin::{Palettes, Posing};
 use crate::status::{Done, Status};
-use dq8::skinning::{self, Blender, Surface, SurfaceMut, Weight};
-use dq8::{Backend, DualQuat, Scalar};
+use dq8::skinning::{self, Blender, SkinningError, Surface, SurfaceMut, Weight};
+use dq8::{Backend, Scalar};
 
 /// A mesh at rest and where it goes when posed.
 pub(crate) trait Mesh<R: Scalar + Weight> {
@@ -15,7 +15,7 @@ pub(crate) trait Mesh<R: Scalar + Weight> {
     unsafe fn pose<'p, B: Blender<R>>(
         self,
         by: &Posing<R>,
-        blend: impl FnOnce(&'p [DualQuat<R>], &'p [[[R; 4]; 3]]) -> B,
+        blend: impl FnOnce(Palettes<'p, R>) -> Result<B, SkinningError>,
     ) -> Done;
 }
 
@@ -47,7 +47,7 @@ impl<R: Scalar + Weight> Mesh<R> for Arrays<R> {
     unsafe fn pose<'p, B: Blender<R>>(
         self,
         by: &Posing<R>,
-        blend: impl FnOnce(&'p [DualQuat<R>], &'p [[[R; 4]; 3]]) -> B,
+        blend: impl FnOnce(Palettes<'p, R>) -> Result<B, SkinningError>,
     ) -> Done {
         // Only positions must be there.
         let ([from, from_normals, from_tangents], [to, to_normals, to_tangents]) =
@@ -68,7 +68,7 @@ impl<R: Scalar + Weight> Mesh<R> for Arrays<R> {
         }
         // SAFETY: promised, and all that is written is apart.
         unsafe {
-            let (skin, motions, matrices) = by.borrow();
+            let (skin, palettes) = by.borrow();
             let rest = Surface {
                 positions: positions.0.slice(),
                 normals: normals.as_ref().map(|(from, _)| from.slice()),
@@ -79,7 +79,7 @@ impl<R: Scalar + Weight> Mesh<R> for Arrays<R> {
                 normals: normals.as_ref().map(|(_, to)| to.slice()),
                 tangents: tangents.as_ref().map(|(_, to)| to.slice()),
             };
-            Ok(Backend::best().skin(&skin, blend(motions, matrices), rest, posed)?)
+            Ok(Backend::best().skin(&skin, blend(palettes)?, rest, posed)?)
         }
     }
 }
@@ -122,7 +122,7 @@ impl<R: Scalar + Weight> Mesh<R> for Records<R> {
     unsafe fn pose<'p, B: Blender<R>>(
         self,
         by: &Posing<R>,
-        blend: impl FnOnce(&'p [DualQuat<R>], &'p [[[R; 4]; 3]]) -> B,
+        blend: impl FnOnce(Palettes<'p, R>) -> Result<B, SkinningError>,
     ) -> Done {
         let (from, to) = (self.from.known()?, self.to.known()?);
         let numbers = |stride| self.vertices.checked_mul(stride).ok_or(Status::TooLarge);
@@ -132,9 +132,9 @@ impl<R: Scalar + Weight> Mesh<R> for Records<R> {
         posed.apart_from(&rest)?;
         // SAFETY: promised, and what is written is apart.
         unsafe {
-            let (skin, motions, matrices) = by.borrow();
+            let (skin, palettes) = by.borrow();
             let (rest, posed) = ((rest.slice(), from), (posed.slice(), to));
-            Ok(Backend::best().skin_interleaved(&skin, blend(motions, matrices), rest, posed)?)
+            Ok(Backend::best().skin_interleaved(&skin, blend(palettes)?, rest, posed)?)
         }
     }
 }

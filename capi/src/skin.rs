@@ -140,7 +140,7 @@ impl<R: Scalar + skinning::Weight> Given<R> {
     }
 }
 
-/// What poses a mesh, found where C says it is: a skin, and of the palettes what the blend needs.
+/// What poses a mesh, found where C says it is: a skin, and what its blend needs.
 pub(crate) struct Posing<R> {
     skin: *const Skin<R>,
     given: Input<Skin<R>>,
@@ -148,6 +148,28 @@ pub(crate) struct Posing<R> {
     weights: Input<R>,
     motions: Input<DualQuat<R>>,
     matrices: Input<[[R; 4]; 3]>,
+    shares: Input<R>,
+}
+
+/// What the blends of a mesh need, where C says it is; `None` if this one does not need it.
+pub(crate) struct By<R> {
+    /// Eight numbers per joint.
+    pub(crate) motions: Option<*const R>,
+    /// Twelve numbers per joint.
+    pub(crate) matrices: Option<*const R>,
+    /// A number per vertex.
+    pub(crate) shares: Option<*const R>,
+}
+
+impl<R> By<R> {
+    pub(crate) const NOTHING: Self = Self { motions: None, matrices: None, shares: None };
+}
+
+/// [`By`], found; empty if not needed.
+pub(crate) struct Palettes<'p, R> {
+    pub(crate) motions: &'p [DualQuat<R>],
+    pub(crate) matrices: &'p [[[R; 4]; 3]],
+    pub(crate) shares: &'p [R],
 }
 
 impl<R: Scalar + skinning::Weight> Posing<R> {
@@ -155,9 +177,8 @@ impl<R: Scalar + skinning::Weight> Posing<R> {
     /// The skin is zero, or has been made, and what it was made of is as it was.
     pub(crate) unsafe fn new(
         skin: *const Skin<R>,
-        motions: Option<*const R>,
-        matrices: Option<*const R>,
         joints: usize,
+        By { motions, matrices, shares }: By<R>,
     ) -> Result<Self, Status> {
         let given = Input::<Skin<R>>::new(skin, 1)?;
         // SAFETY: neither null nor misaligned, by `Input::new`; the rest is promised.
@@ -169,11 +190,19 @@ impl<R: Scalar + skinning::Weight> Posing<R> {
         }
         let (joint_indices, weights) =
             inputs(vertices, (joint_indices, joint_stride), (weights, weight_stride))?;
-        let palette = |of: Option<*const R>| of.map_or((ptr::null(), 0), |of| (of, joints));
-        let ((motions, count), (matrices, matrix_count)) = (palette(motions), palette(matrices));
-        let (motions, matrices) =
-            (Input::new(motions, count)?, Input::new(matrices, matrix_count)?);
-        Ok(Self { skin, given, joint_indices, weights, motions, matrices })
+        let some = |of: Option<*const R>, count| of.map_or((ptr::null(), 0), |of| (of, count));
+        let (motions, motion_count) = some(motions, joints);
+        let (matrices, matrix_count) = some(matrices, joints);
+        let (shares, share_count) = some(shares, vertices);
+        Ok(Self {
+            skin,
+            given,
+            joint_indices,
+            weights,
+            motions: Input::new(motions, motion_count)?,
+            matrices: Input::new(matrices, matrix_count)?,
+            shares: Input::new(shares, share_count)?,
+        })
     }
 
     /// Whether nothing of it lies in what is written.
@@ -182,19 +211,20 @@ impl<R: Scalar + skinning::Weight> Posing<R> {
         to.apart_from(&self.joint_indices)?;
         to.apart_from(&self.weights)?;
         to.apart_from(&self.motions)?;
-        to.apart_from(&self.matrices)
+        to.apart_from(&self.matrices)?;
+        to.apart_from(&self.shares)
     }
 
-    /// The skin, motions and matrices.
+    /// The skin and its palettes.
     ///
     /// # Safety
     /// As for [`new`](Self::new) and [`Input::slice`].
-    #[expect(clippy::type_complexity, reason = "three things")]
-    pub(crate) unsafe fn borrow<'p>(&self) -> (Known<R>, &'p [DualQuat<R>], &'p [[[R; 4]; 3]]) {
+    pub(crate) unsafe fn borrow<'p>(&self) -> (Known<R>, Palettes<'p, R>) {
         // SAFETY: it has been made, so this was written; the rest is promised.
         unsafe {
             let known = ptr::addr_of!((*self.skin).opaque).cast::<Known<R>>().read();
-            (known, self.motions.slice(), self.matrices.slice())
+            let (motions, matrices) = (self.motions.slice(), self.matrices.slice());
+            (known, Palettes { motions, matrices, shares: self.shares.slice() })
         }
     }
 }

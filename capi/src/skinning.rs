@@ -1,10 +1,10 @@
 //! Meshes that follow joints: a skin checked once, posed by linear or dual quaternion blends.
 
 use crate::mesh::{Arrays, Mesh, Records, VertexFields};
-use crate::skin::{Given, InfluenceField, Posing, Skin};
+use crate::skin::{By, Given, InfluenceField, Posing, Skin};
 use crate::status::{Done, Status};
 use dq8::Scalar;
-use dq8::skinning::{self, DualBlend, Linear, Stretched};
+use dq8::skinning::{self, DualBlend, Linear, Mixed, Stretched};
 
 /// # Safety
 /// As for [`Mesh::pose`].
@@ -16,8 +16,8 @@ unsafe fn linear<R: Scalar + skinning::Weight>(
 ) -> Done {
     // SAFETY: promised.
     unsafe {
-        let by = Posing::new(skin, None, Some(matrices), joints)?;
-        mesh.pose(&by, |_, matrices| Linear::new(matrices))
+        let by = Posing::new(skin, joints, By { matrices: Some(matrices), ..By::NOTHING })?;
+        mesh.pose(&by, |by| Ok(Linear::new(by.matrices)))
     }
 }
 
@@ -31,8 +31,8 @@ unsafe fn dual<R: Scalar + skinning::Weight>(
 ) -> Done {
     // SAFETY: promised.
     unsafe {
-        let by = Posing::new(skin, Some(motions), None, joints)?;
-        mesh.pose(&by, |motions, _| DualBlend::new(motions))
+        let by = Posing::new(skin, joints, By { motions: Some(motions), ..By::NOTHING })?;
+        mesh.pose(&by, |by| Ok(DualBlend::new(by.motions)))
     }
 }
 
@@ -47,8 +47,29 @@ unsafe fn stretched<R: Scalar + skinning::Weight>(
 ) -> Done {
     // SAFETY: promised.
     unsafe {
-        let by = Posing::new(skin, Some(motions), Some(stretches), joints)?;
-        mesh.pose(&by, |motions, stretches| Stretched::new(motions, stretches))
+        let palettes = By { motions: Some(motions), matrices: Some(stretches), ..By::NOTHING };
+        let by = Posing::new(skin, joints, palettes)?;
+        mesh.pose(&by, |by| Ok(Stretched::new(by.motions, by.matrices)))
+    }
+}
+
+/// # Safety
+/// As for [`Mesh::pose`].
+unsafe fn mixed<R: Scalar + skinning::Weight>(
+    skin: *const Skin<R>,
+    matrices: *const R,
+    motions: *const R,
+    shares: *const R,
+    joints: usize,
+    mesh: impl Mesh<R>,
+) -> Done {
+    // SAFETY: promised.
+    unsafe {
+        let by = By { motions: Some(motions), matrices: Some(matrices), shares: Some(shares) };
+        let by = Posing::new(skin, joints, by)?;
+        mesh.pose(&by, |by| {
+            Mixed::new(Linear::new(by.matrices), DualBlend::new(by.motions), by.shares)
+        })
     }
 }
 
@@ -139,6 +160,12 @@ macro_rules! functions {
             /// As dq8_skin_dual where joints scale or shear: before the motions come the weighted sums of
             /// `stretches`, matrices of twelve numbers per joint. dq8_skin_split makes both.
             stretched, stretched_interleaved(motions, stretches)
+        }
+        export_pose! { $R
+            /// As dq8_skin_linear and dq8_skin_dual, mixed by a number per vertex against the bulge of the second at
+            /// bent joints: (1 − s) times the first and s times the second, s from `shares`. DQ8_STATUS_SHARE if one
+            /// is not in [0, 1].
+            mixed, mixed_interleaved(matrices, motions, shares)
         }
     };
 }

@@ -77,10 +77,12 @@ pub enum Status {
     Field = 28,
     /// The order of a plan names a joint that there is not: it has not been made.
     NoPlan = 29,
+    /// A share of a mix is not in [0, 1].
+    Share = 30,
 }
 
 impl Status {
-    const ALL: [Self; 30] = [
+    const ALL: [Self; 31] = [
         Self::Ok,
         Self::NullPointer,
         Self::Misaligned,
@@ -111,6 +113,7 @@ impl Status {
         Self::Limits,
         Self::Field,
         Self::NoPlan,
+        Self::Share,
     ];
 
     pub(crate) fn of(done: Done) -> Self {
@@ -151,6 +154,7 @@ impl Status {
             Self::Limits => c"the limits of a joint leave no value",
             Self::Field => c"a field lies beyond its vertex, or in another field",
             Self::NoPlan => c"the order of the plan has not been made",
+            Self::Share => c"a share of a mix is not in [0, 1]",
         }
     }
 }
@@ -197,7 +201,8 @@ impl From<SkinningError> for Status {
             SkinningError::NotAffine { .. } => Self::NotAffine,
             SkinningError::Field { .. } | SkinningError::InfluenceField { .. } => Self::Field,
             SkinningError::Shape(_) => Self::Length,
-            // Shares, which no function takes, and what only a newer dq8 knows.
+            SkinningError::Share { .. } => Self::Share,
+            // What only a newer dq8 knows.
             _ => Self::UnknownValue,
         }
     }

@@ -109,6 +109,20 @@ impl Scene {
                 How::Stretched => c::stretched(
                     skin, motions, matrices, JOINTS, p, n, t, to_p, to_n, to_t, VERTICES,
                 ),
+                How::Mixed => c::mixed(
+                    skin,
+                    matrices,
+                    motions,
+                    SHARES.as_ptr(),
+                    JOINTS,
+                    p,
+                    n,
+                    t,
+                    to_p,
+                    to_n,
+                    to_t,
+                    VERTICES,
+                ),
             }
         };
         assert_eq!(status, Status::Ok);
@@ -138,6 +152,12 @@ impl Scene {
                 How::Stretched => c::stretched_interleaved(
                     skin, motions, matrices, JOINTS, rest, from, posed, to, vertices,
                 ),
+                How::Mixed => {
+                    let shares = SHARES.as_ptr();
+                    c::mixed_interleaved(
+                        skin, matrices, motions, shares, JOINTS, rest, from, posed, to, vertices,
+                    )
+                }
             }
         }
     }
@@ -148,9 +168,11 @@ enum How {
     Linear,
     Dual,
     Stretched,
+    Mixed,
 }
 
-const HOW: [How; 3] = [How::Linear, How::Dual, How::Stretched];
+const HOW: [How; 4] = [How::Linear, How::Dual, How::Stretched, How::Mixed];
+const SHARES: [f32; VERTICES] = [0.25; VERTICES];
 
 #[test]
 fn vertices_of_several_fields_are_posed_as_arrays_are_and_nothing_else_is_written() {

@@ -3,7 +3,7 @@
 //! a number read or written beyond (how to run it: `fuzz.rs`).
 
 use dq8::skinning::{
-    self, DualBlend, Linear, Stretched, Surface, SurfaceMut, matrix_palette, split_palette,
+    self, DualBlend, Linear, Mixed, Stretched, Surface, SurfaceMut, matrix_palette, split_palette,
 };
 use dq8::{Backend, DualQuat, Quat, hierarchy::MatrixOrder};
 use dq8_capi::Status;
@@ -26,6 +26,8 @@ struct Mesh {
     matrices: Box<[[[f32; 4]; 3]]>,
     motions: Box<[DualQuat<f32>]>,
     stretches: Box<[[[f32; 4]; 3]]>,
+    /// A number per vertex.
+    shares: Box<[f32]>,
 }
 
 fn wave(i: usize, seed: f32) -> f32 {
@@ -61,6 +63,7 @@ impl Mesh {
             matrices,
             motions,
             stretches,
+            shares: (0..vertices).map(|i| wave(i, 0.2).abs()).collect(),
         }
     }
 
@@ -98,6 +101,10 @@ impl Mesh {
             How::Stretched => {
                 best.skin(&skin, Stretched::new(&self.motions, &self.stretches), from, to)
             }
+            How::Mixed => {
+                let (linear, dual) = (Linear::new(&self.matrices), DualBlend::new(&self.motions));
+                best.skin(&skin, Mixed::new(linear, dual, &self.shares).unwrap(), from, to)
+            }
         }
         .unwrap();
         posed
@@ -111,6 +118,7 @@ impl Mesh {
             matrices: self.matrices.as_ptr().cast(),
             motions: self.motions.as_ptr().cast(),
             stretches: self.stretches.as_ptr().cast(),
+            shares: self.shares.as_ptr(),
             rest: [positions, normals, tangents],
         }
     }
@@ -121,9 +129,10 @@ enum How {
     Linear,
     Dual,
     Stretched,
+    Mixed,
 }
 
-const ALL: [How; 3] = [How::Linear, How::Dual, How::Stretched];
+const ALL: [How; 4] = [How::Linear, How::Dual, How::Stretched, How::Mixed];
 
 impl How {
     /// What it poses by.
@@ -132,6 +141,7 @@ impl How {
             Self::Linear => &[|of| &mut of.matrices],
             Self::Dual => &[|of| &mut of.motions],
             Self::Stretched => &[|of| &mut of.motions, |of| &mut of.stretches],
+            Self::Mixed => &[|of| &mut of.matrices, |of| &mut of.motions, |of| &mut of.shares],
         }
     }
 }
@@ -142,6 +152,7 @@ struct Pointers {
     matrices: *const f32,
     motions: *const f32,
     stretches: *const f32,
+    shares: *const f32,
     rest: [*const f32; 3],
 }
 
@@ -154,7 +165,7 @@ unsafe fn pose(
     to: [*mut f32; 3],
     vertices: usize,
 ) -> Status {
-    let Pointers { skin, matrices, motions, stretches, rest: [p, n, t] } = of;
+    let Pointers { skin, matrices, motions, stretches, shares, rest: [p, n, t] } = of;
     let [to_p, to_n, to_t] = to;
     // SAFETY: promised.
     unsafe {
@@ -164,6 +175,9 @@ unsafe fn pose(
             How::Stretched => {
                 c::stretched(skin, motions, stretches, joints, p, n, t, to_p, to_n, to_t, vertices)
             }
+            How::Mixed => c::mixed(
+                skin, matrices, motions, shares, joints, p, n, t, to_p, to_n, to_t, vertices,
+            ),
         }
     }
 }
@@ -351,6 +365,21 @@ fn pointers_that_are_wrong_are_refused_and_nothing_is_written() {
         }
     }
     assert!(posed.iter().flatten().flatten().all(|&number| number == 9.0));
+}
+
+#[test]
+fn a_share_that_is_none_is_refused_and_nothing_is_written() {
+    for wrong in [-0.1, 1.1, f32::NAN, f32::INFINITY] {
+        let mut mesh = Mesh::new(19, 4);
+        mesh.shares[18] = wrong;
+        let (_, skin) = mesh.make(&mut 0);
+        let mut posed = [(); 3].map(|()| vec![[9.0_f32; 3]; 19].into_boxed_slice());
+        let to = posed.each_mut().map(|one| one.as_mut_ptr().cast());
+        // SAFETY: arrays have the length that is said.
+        let status = unsafe { pose(How::Mixed, JOINTS, mesh.pointers(&skin), to, 19) };
+        assert_eq!(status, Status::Share, "{wrong}");
+        assert!(posed.iter().flatten().flatten().all(|&number| number == 9.0));
+    }
 }
 
 #[test]

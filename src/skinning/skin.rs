@@ -30,6 +30,9 @@ pub struct Skin<'a, J, W> {
     stride: usize,
 }
 
+/// Four influences of some vertices: the records that their joints are, and weights.
+type InPlace<'a, 't, J, R, const C: usize> = (PickedInPlace<'a, 't, J, R, C>, &'a [[R; GROUP]]);
+
 impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
     /// Between these the weights of a vertex must sum. They should sum to one; dual quaternion blends
     /// divide by the sum in any case, linear blends do not.
@@ -193,15 +196,15 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         Scratch::new(self.joints)
     }
 
-    /// The influences of `count` vertices from `first` on where they lie: the records of `table` that joints are, and
-    /// weights. `None` if they are not four, or not in memory as kernels compute with them.
+    /// The influences of `count` vertices from `first` on where they lie, joints as records of `table`. `None` if they
+    /// are not four, or not in memory as kernels compute with them.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn in_place<'t, R: Scalar, const C: usize>(
         &self,
         first: usize,
         count: usize,
         table: &'t [[R; C]],
-    ) -> Option<(PickedInPlace<'a, 't, J, R, C>, &'a [[R; GROUP]])> {
+    ) -> Option<InPlace<'a, 't, J, R, C>> {
         if self.stride != GROUP {
             return None;
         }

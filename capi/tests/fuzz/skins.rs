@@ -77,7 +77,8 @@ fn poses(
     let (models, binds) = (fuzz.numbers(16 * joints), fuzz.numbers(16 * joints));
     let (mut matrices, mut motions) = (fuzz.numbers(12 * joints), fuzz.numbers(8 * joints));
     let mut stretches = fuzz.numbers(12 * joints);
-    let (from, to) = (rest.as_ptr(), posed.as_mut_ptr());
+    let shares: Box<[f32]> = (0..vertices).map(|_| fuzz.below(100) as f32 / 99.0).collect();
+    let (from, to, h) = (rest.as_ptr(), posed.as_mut_ptr(), shares.as_ptr());
     let (m, d, s) = (matrices.as_mut_ptr(), motions.as_mut_ptr(), stretches.as_mut_ptr());
     // SAFETY: arrays are as long as is said.
     unsafe {
@@ -96,6 +97,10 @@ fn poses(
             (
                 c::stretched_interleaved(skin, d, s, joints, from, fields, to, wanted, vertices),
                 c::stretched_interleaved(skin, d, s, joints, from, fields, to, bad, 0),
+            ),
+            (
+                c::mixed_interleaved(skin, m, d, h, joints, from, fields, to, wanted, vertices),
+                c::mixed_interleaved(skin, m, d, h, joints - 1, from, fields, to, wanted, vertices),
             ),
         ] {
             assert_eq!(status, there);
