@@ -15,10 +15,8 @@ pub trait Index:
     #[doc(hidden)]
     #[inline(always)]
     fn numbers(row: [Self; GROUP]) -> [usize; GROUP] {
-        row.map(
-            #[inline(always)]
-            |index| index.into() as usize,
-        )
+        let [a, b, c, d] = row;
+        [a.into() as usize, b.into() as usize, c.into() as usize, d.into() as usize]
     }
 }
 impl Index for u8 {}
@@ -26,8 +24,8 @@ impl Index for u16 {
     #[inline(always)]
     fn numbers(row: [Self; GROUP]) -> [usize; GROUP] {
         let word: u64 = bytemuck::must_cast(row);
-        let numbers = [word as u16, (word >> 16) as u16, (word >> 32) as u16, (word >> 48) as u16];
-        let [a, b, c, d] = numbers.map(usize::from);
+        let (a, b) = (usize::from(word as u16), usize::from((word >> 16) as u16));
+        let (c, d) = (usize::from((word >> 32) as u16), usize::from((word >> 48) as u16));
         if cfg!(target_endian = "little") { [a, b, c, d] } else { [d, c, b, a] }
     }
 }
@@ -170,13 +168,16 @@ unsafe fn records<J: Index, R, const C: usize>(
     row: [J; GROUP],
     table: &[[R; C]],
 ) -> [&[R; C]; GROUP] {
-    J::numbers(row).map(
-        #[inline(always)]
-        |index| {
-            // SAFETY: promised.
-            unsafe { table.get_unchecked(index) }
-        },
-    )
+    let [a, b, c, d] = J::numbers(row);
+    // SAFETY: promised.
+    unsafe {
+        [
+            table.get_unchecked(a),
+            table.get_unchecked(b),
+            table.get_unchecked(c),
+            table.get_unchecked(d),
+        ]
+    }
 }
 
 /// Indices for each lane in memory of their own: for lanes whose indices do not lie in order.
