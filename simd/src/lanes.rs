@@ -2,6 +2,7 @@
 //! [`PackedDualQuat`]. They name each other: a number has vectors, a vector belongs to an instruction set,
 //! and an instruction set has vectors of each number.
 
+use crate::sealed::Sealed;
 use bytemuck::{Pod, Zeroable};
 use core::fmt::Debug;
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
@@ -20,7 +21,7 @@ pub const MAX_LANES: usize = 16;
 ///
 /// Sealed: [`Records`](crate::Records) takes the word of an implementation for how much it reads and writes.
 pub trait Lanes:
-    sealed::Sealed
+    Sealed
     + Copy
     + Debug
     + Add<Output = Self>
@@ -278,7 +279,7 @@ pub trait Float:
     + Into<f64>
     + core::ops::Neg<Output = Self>
     + core::ops::Add<Output = Self>
-    + sealed::Sealed
+    + Sealed
 {
     /// Whether this is `f32`.
     const SINGLE: bool;
@@ -313,48 +314,6 @@ impl Float for f64 {
     fn from_f64(value: f64) -> Self {
         value
     }
-}
-
-pub(crate) mod sealed {
-    /// Of safe code with lanes of its own, whose `LANES` is not the length of `Array`, four records would be
-    /// written where there are two:
-    ///
-    /// ```compile_fail
-    /// use core::ops::{Add, Div, Mul, Neg, Sub};
-    /// use dq8_simd::{Lanes, Portable, Records};
-    /// #[derive(Clone, Copy, Debug)]
-    /// struct Two(f32);
-    /// macro_rules! operators { ($($name:ident $method:ident)*) => {$(
-    ///     impl $name for Two { type Output = Self; fn $method(self, _: Self) -> Self { self } }
-    /// )*} }
-    /// operators! { Add add Sub sub Mul mul Div div }
-    /// impl Neg for Two { type Output = Self; fn neg(self) -> Self { self } }
-    /// impl Lanes for Two {
-    ///     type Real = f32;
-    ///     type Mask = bool;
-    ///     type Level = Portable;
-    ///     type Native = Self;
-    ///     type Array = [f32; 4];
-    ///     const LANES: usize = 2;
-    ///     fn level(self) -> Portable { Portable }
-    ///     fn splat(_: Portable, value: f32) -> Self { Self(value) }
-    ///     fn load(_: Portable, from: &[f32; 4]) -> Self { Self(from[0]) }
-    ///     fn store(self, to: &mut [f32; 4]) { *to = [self.0; 4] }
-    ///     fn mul_add(self, _: Self, _: Self) -> Self { self }
-    ///     fn neg_mul_add(self, _: Self, _: Self) -> Self { self }
-    ///     fn sqrt(self) -> Self { self }
-    ///     fn abs(self) -> Self { self }
-    ///     fn copysign(self, _: Self) -> Self { self }
-    ///     fn lt(self, _: Self) -> bool { true }
-    ///     fn le(self, _: Self) -> bool { true }
-    ///     fn eq(self, _: Self) -> bool { true }
-    ///     fn select(_: bool, yes: Self, _: Self) -> Self { yes }
-    /// }
-    /// Two::store_records([Two(7.0); 4], &mut [[0.0; 4]; 2]);
-    /// ```
-    pub trait Sealed {}
-    impl Sealed for f32 {}
-    impl Sealed for f64 {}
 }
 
 /// Eight lanes `[px, py, pz, pw, qx, qy, qz, qw]`: one dual quaternion p + εq, as it lies in memory.

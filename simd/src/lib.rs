@@ -45,6 +45,7 @@ pub mod picks;
 pub mod plain;
 pub mod portable;
 pub mod records;
+mod sealed;
 pub mod square_root;
 #[cfg(target_arch = "x86_64")]
 pub mod x86_64;

@@ -27,7 +27,7 @@ impl Doubled for [f64; 4] {
     type Real = f64;
 }
 
-impl<L: Lanes> crate::lanes::sealed::Sealed for Pair<L> {}
+impl<L: Lanes> crate::sealed::Sealed for Pair<L> {}
 impl<L> Lanes for Pair<L>
 where
     L: Lanes<Array: Doubled<Real = L::Real>>,

@@ -59,7 +59,7 @@ pub struct WideMask<V>(V);
 /// `wide` offers these operations as inherent methods only, so no generic `impl` can reach them.
 macro_rules! wide_lanes {
     ($($vector:ident: [$real:ty; $lanes:literal], $part:ty $(, $transpose:ident)?;)*) => {$(
-        impl crate::lanes::sealed::Sealed for $vector {}
+        impl crate::sealed::Sealed for $vector {}
         impl Lanes for $vector {
             type Real = $real;
             type Mask = WideMask<$vector>;

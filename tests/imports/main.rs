@@ -111,7 +111,8 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
 
 /// The same for `dq8-simd`.
 const SIMD_MAY_IMPORT: &[(&str, &[&str])] = &[
-    ("lanes", &[]),
+    ("sealed", &[]),
+    ("lanes", &["sealed"]),
     ("gather", &[]),
     ("records", &["gather", "lanes"]),
     ("block", &["lanes"]),
@@ -119,11 +120,11 @@ const SIMD_MAY_IMPORT: &[(&str, &[&str])] = &[
     ("plain", &[]),
     ("square_root", &[]),
     ("checked_schedule", &[]),
-    ("portable", &["lanes"]),
+    ("portable", &["lanes", "sealed"]),
     ("one", &["lanes", "portable", "square_root"]),
-    ("pair", &["lanes"]),
+    ("pair", &["lanes", "sealed"]),
     ("detect", &[]),
-    ("x86_64", &["lanes", "pair", "detect"]),
+    ("x86_64", &["lanes", "pair", "sealed", "detect"]),
 ];
 
 /// The folders whose files have a twin of the same name in a folder of `batch`.

@@ -23,7 +23,7 @@ macro_rules! vector {
         #[derive(Clone, Copy, Debug)]
         pub struct $name(pub(super) $register, pub(super) $level);
 
-        impl crate::lanes::sealed::Sealed for $name {}
+        impl crate::sealed::Sealed for $name {}
         impl Lanes for $name {
             type Real = $real;
             type Mask = $mask;
