@@ -8,6 +8,9 @@ use dq8::{Backend, Scalar};
 
 /// A mesh at rest and where it goes when posed.
 pub(crate) trait Mesh<R: Scalar + Weight> {
+    /// How many vertices C says it has.
+    fn vertices(&self) -> usize;
+
     /// Poses it, if nothing that is written lies in anything that is read, or twice.
     ///
     /// # Safety
@@ -44,6 +47,10 @@ impl<R: Copy> Arrays<R> {
 }
 
 impl<R: Scalar + Weight> Mesh<R> for Arrays<R> {
+    fn vertices(&self) -> usize {
+        self.vertices
+    }
+
     unsafe fn pose<'p, B: Blender<R>>(
         self,
         by: &Posing<R>,
@@ -119,6 +126,10 @@ pub(crate) struct Records<R> {
 }
 
 impl<R: Scalar + Weight> Mesh<R> for Records<R> {
+    fn vertices(&self) -> usize {
+        self.vertices
+    }
+
     unsafe fn pose<'p, B: Blender<R>>(
         self,
         by: &Posing<R>,

@@ -157,8 +157,8 @@ pub(crate) struct By<R> {
     pub(crate) motions: Option<*const R>,
     /// Twelve numbers per joint.
     pub(crate) matrices: Option<*const R>,
-    /// A number per vertex.
-    pub(crate) shares: Option<*const R>,
+    /// A number for each of so many vertices of the mesh, which may not be those of the skin.
+    pub(crate) shares: Option<(*const R, usize)>,
 }
 
 impl<R> By<R> {
@@ -190,10 +190,10 @@ impl<R: Scalar + skinning::Weight> Posing<R> {
         }
         let (joint_indices, weights) =
             inputs(vertices, (joint_indices, joint_stride), (weights, weight_stride))?;
-        let some = |of: Option<*const R>, count| of.map_or((ptr::null(), 0), |of| (of, count));
-        let (motions, motion_count) = some(motions, joints);
-        let (matrices, matrix_count) = some(matrices, joints);
-        let (shares, share_count) = some(shares, vertices);
+        let palette = |of: Option<*const R>| of.map_or((ptr::null(), 0), |of| (of, joints));
+        let ((motions, motion_count), (matrices, matrix_count)) =
+            (palette(motions), palette(matrices));
+        let (shares, share_count) = shares.unwrap_or((ptr::null(), 0));
         Ok(Self {
             skin,
             given,

@@ -65,7 +65,8 @@ unsafe fn mixed<R: Scalar + skinning::Weight>(
 ) -> Done {
     // SAFETY: promised.
     unsafe {
-        let by = By { motions: Some(motions), matrices: Some(matrices), shares: Some(shares) };
+        let shares = Some((shares, mesh.vertices()));
+        let by = By { motions: Some(motions), matrices: Some(matrices), shares };
         let by = Posing::new(skin, joints, by)?;
         mesh.pose(&by, |by| {
             Mixed::new(Linear::new(by.matrices), DualBlend::new(by.motions), by.shares)

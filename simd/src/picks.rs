@@ -1,5 +1,5 @@
 //! [`CheckedIndices`], checked once; [`PickRows`]: which records of a table each lane takes by them, in place or from
-//! [`Picks`]; [`Picked`]: with that table.
+//! [`Picks`]; [`Picked`]: with that table; [`PickedInPlace`]: any number of rows in place, with their table.
 
 use crate::lanes::{Lanes, MAX_LANES};
 use core::fmt::Debug;
@@ -142,13 +142,6 @@ pub struct PickedInPlace<'a, 't, J, R, const C: usize> {
 }
 
 impl<'t, J: Index, R, const C: usize> PickedInPlace<'_, 't, J, R, C> {
-    /// How many rows there are.
-    #[inline(always)]
-    #[must_use]
-    pub fn rows(&self) -> usize {
-        self.rows.len()
-    }
-
     /// The records of a row. `None` if there is no such row.
     #[inline(always)]
     #[must_use]
@@ -263,7 +256,7 @@ impl<'a, J: Index> PickRows<'a, J> {
 
 /// Records of a table, four for each lane, with all indices checked.
 ///
-/// Indices are read where they lie, number by number, by the instructions that find addresses: offsets that a vector
+/// Indices are read where they lie, number by number or four at a time, and make addresses at once: offsets that a vector
 /// multiplied and stored before took a third longer.
 #[derive(Clone, Copy, Debug)]
 pub struct Picked<'p, 't, J, R, const C: usize> {
@@ -295,7 +288,7 @@ impl<'t, J: Index, R, const C: usize> Picked<'_, 't, J, R, C> {
         // `from + 4` may wrap.
         assert!(from <= C - 4 && which < GROUP, "no such components");
         let first = self.table.as_flattened().as_ptr();
-        // SAFETY: each index is that of a record of the table, as in `record`, of which four numbers begin at
+        // SAFETY: each index is that of a record of the table, as in `records`, of which four numbers begin at
         // `from`; there are as many as any register has lanes.
         unsafe {
             L::load_quads(

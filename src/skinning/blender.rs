@@ -33,8 +33,8 @@ pub trait Blender<R: Scalar>: Copy {
         level: L::Level,
         scratch: &mut Scratch<'_, R, J>,
     ) -> Option<Self::Sum<L>>;
-    /// Poses plain points where that is quicker than on lanes, from vertex `first` on, and says how many; `rest` has as
-    /// many as `posed`. `None` if no.
+    /// Poses plain points, where that is quicker than on lanes, and says how many; `None` if none. `rest` and `posed` begin
+    /// with vertex `first`, and have the same length.
     #[doc(hidden)]
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn points<V: Level, J: Index, W: Weight>(

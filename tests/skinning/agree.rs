@@ -254,4 +254,11 @@ fn all_cores_give_every_bit_that_one_gives() {
     best.skin(&scene.skin(), blend, rest, SurfaceMut::positions(a).normals(c)).unwrap();
     best.par_skin(&scene.skin(), blend, rest, SurfaceMut::positions(b).normals(d)).unwrap();
     assert!(posed[0] == posed[1] && normals[0] == normals[1]);
+
+    // Positions alone by linear blends begin in the middle of the skin.
+    let (matrices, rest) = (scene.matrices(), Surface::positions(&scene.positions));
+    let (blend, [a, b]) = (Linear::new(&matrices), &mut posed);
+    best.skin(&scene.skin(), blend, rest, SurfaceMut::positions(a)).unwrap();
+    best.par_skin(&scene.skin(), blend, rest, SurfaceMut::positions(b)).unwrap();
+    assert_eq!(posed[0], posed[1]);
 }
