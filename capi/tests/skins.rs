@@ -367,16 +367,15 @@ fn pointers_that_are_wrong_are_refused_and_nothing_is_written() {
 fn shares_that_are_none_or_too_few_are_refused_and_nothing_is_written() {
     let mut mesh = Mesh::new(19, 4);
     let (_, skin) = mesh.make(&mut 0);
-    let mut refused = |share, shares, wanted| {
+    let none = [-0.1, 1.1, f32::NAN, f32::INFINITY].map(|share| (share, 19, Status::Share));
+    for (share, shares, wanted) in none.into_iter().chain([(0.5, 18, Status::Length)]) {
         mesh.shares = vec![share; shares].into();
         let mut posed = [[[9.0_f32; 3]; 19]; 3];
         let to = posed.each_mut().map(|one| one.as_mut_ptr().cast());
         // SAFETY: arrays have the length that is said.
         let status = unsafe { pose(How::Mixed, JOINTS, mesh.pointers(&skin), to, shares) };
         assert_eq!((status, posed), (wanted, [[[9.0; 3]; 19]; 3]), "{share} {shares}");
-    };
-    [-0.1, 1.1, f32::NAN, f32::INFINITY].map(|share| refused(share, 19, Status::Share));
-    refused(0.5, 18, Status::Length);
+    }
 }
 
 #[test]
