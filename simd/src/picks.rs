@@ -108,11 +108,7 @@ impl<'a, J: Index> CheckedIndices<'a, J> {
     #[inline(always)]
     #[must_use]
     pub fn in_place(self, first: usize) -> Option<PickRows<'a, J>> {
-        if self.columns != GROUP || self.stride != GROUP {
-            return None;
-        }
-        let rows = self.indices.as_chunks::<GROUP>().0.get(first..)?;
-        Some(PickRows { rows: rows.first_chunk()?, bound: self.bound })
+        Some(PickRows { rows: self.fours(first)?.first_chunk()?, bound: self.bound })
     }
 
     /// Some rows of four indices, from row `first` on, in `table`. `None` if there are not as many, rows have not four
@@ -125,11 +121,15 @@ impl<'a, J: Index> CheckedIndices<'a, J> {
         count: usize,
         table: &'t [[R; C]],
     ) -> Option<PickedInPlace<'a, 't, J, R, C>> {
-        if self.columns != GROUP || self.stride != GROUP || table.len() < self.bound {
-            return None;
-        }
-        let rows = self.indices.as_chunks::<GROUP>().0.get(first..)?.get(..count)?;
-        Some(PickedInPlace { rows, table })
+        let rows = self.fours(first)?.get(..count)?;
+        (self.bound <= table.len()).then_some(PickedInPlace { rows, table })
+    }
+
+    /// The rows from row `first` on, if they have four columns and nothing lies between them.
+    #[inline(always)]
+    fn fours(self, first: usize) -> Option<&'a [[J; GROUP]]> {
+        let packed = self.columns == GROUP && self.stride == GROUP;
+        if packed { self.indices.as_chunks().0.get(first..) } else { None }
     }
 }
 

@@ -103,6 +103,7 @@ impl<R: Scalar> Blender<R> for Linear<'_, R> {
         rest: &[[R; 3]],
         posed: &mut [[R; 3]],
     ) -> Option<usize> {
+        // Where a vector of four numbers is several registers, lanes of vertices are quicker.
         if R::Lanes::<V>::LANES < 4 {
             return None;
         }

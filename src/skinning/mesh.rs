@@ -9,6 +9,7 @@ pub(super) trait Mesh<P: Element<3>> {
     /// The vectors of a tile at rest; zero in lanes beyond the end. `None` if there are none.
     fn load<V: Level>(&self, level: V, field: Field, tile: Tile) -> Option<Vectors<P, V>>;
     /// Positions at rest and posed, if they are plain, and there is nothing else to pose.
+    #[cfg_attr(not(opt_level_0), inline(always))]
     fn points(&mut self) -> Option<PlainPoints<'_, Number<P, 3>>> {
         None
     }

@@ -104,6 +104,7 @@ where
             done = blend.points(level, skin, first, rest, posed).unwrap_or(0);
         }
         let mut scratch = skin.scratch();
+        // Points that share a tile with what is left are posed again, to the same bits.
         for tile in storage::tiles::<P, V, 3>(mesh.elements()).skip(done / lanes) {
             let vertex = first + tile.element * P::Layout::THINGS + tile.register * lanes;
             skin.read(vertex, lanes, 0, &mut scratch.influences);
