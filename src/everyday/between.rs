@@ -1,7 +1,7 @@
 //! Interpolation on a screw: slerp about the middle of the way, as `batch/screw.rs` has it, with one
 //! quaternion per register, and several polynomials in the lanes of one register.
 
-use super::quad::{dots, halves, join, load, sum, turn_toward};
+use super::quad::{dots, halves, join, load, sum, sums, turn_toward};
 use super::{Four, Number, one_lane};
 use crate::batch::even_coefficients as coefficients;
 use dq8_simd::Lanes;
@@ -60,7 +60,7 @@ impl<F: Number> Weights<F> {
         let (half, one) = (t.constant(0.5), t.constant(1.0));
         let back = half - t;
         let chord_back = chord * (back * back);
-        let [arc, _, slope, _] = polynomial::<F::Four>(F::ARC, chord).to_array();
+        let [arc, slope, ..] = long_polynomials::<F::Four>(F::ARC, chord).to_array();
         let v = chord_back * (arc * arc);
         if !v.le(t.constant(ORDINARY)) {
             return None;
@@ -71,7 +71,7 @@ impl<F: Number> Weights<F> {
         let (secant_dual, w_dual) = (across * secant, (across + across) * w_slope);
         let (falling, rising) = (secant_dual * (secant * secant), secant_dual * v_slope);
         let bending = (across + across) * (w * v_slope);
-        let [cos, sinc, sinc_slope, _] = polynomial::<F::Four>(F::WAVES, v).to_array();
+        let [cos, sinc, sinc_slope, _] = horner::<F::Four>(F::WAVES, load([v; 4])).to_array();
         Some(Self {
             middle: cos * secant,
             middle_dual: cos * falling - sinc * rising,
@@ -81,25 +81,31 @@ impl<F: Number> Weights<F> {
     }
 }
 
-/// A polynomial a lane, lowest coefficients first: the chains of `batch/even.rs`.
+/// Two polynomials, a row for each power of x⁴: fewer steps wait for each other, but more are taken, which pays where
+/// terms are many.
 #[inline(always)]
-fn polynomial<V: Four>(rows: &[[V::Number; 4]], x: V::Number) -> V {
-    let (x, square): (V, V) = (load([x; 4]), load([x * x; 4]));
-    let row = |power: usize| load::<V>(rows[power]);
+fn long_polynomials<V: Four>([a, b]: [&[[V::Number; 4]]; 2], x: V::Number) -> V {
+    let square = x * x;
+    let powers: V = load([x.constant(1.0), x, square, square * x]);
+    let fourth: V = load([square * square; 4]);
+    sums(horner(a, fourth) * powers, horner(b, fourth) * powers)
+}
+
+/// A polynomial per lane, lowest coefficients first.
+#[inline(always)]
+fn horner<V: Four>(rows: &[[V::Number; 4]], x: V) -> V {
     let last = rows.len() - 1;
-    let mut chains = [row(last - 1), row(last)];
-    for power in (2..last - 1).rev() {
-        let chain = &mut chains[(last + 1 - power) % 2];
-        *chain = chain.mul_add(square, row(power));
+    let mut sum = load(rows[last]);
+    for power in (0..last).rev() {
+        sum = V::mul_add(sum, x, load(rows[power]));
     }
-    let [second, third] = if last % 2 == 1 { chains } else { [chains[1], chains[0]] };
-    third.mul_add(x, second).mul_add(x, row(1)).mul_add(x, row(0))
+    sum
 }
 
 /// The polynomials of `batch/even_coefficients.rs` side by side.
 pub trait Even: Sized + 'static {
-    /// arcsin(√c/2)/(√c/2), again, and its derivative.
-    const ARC: &'static [[Self; 4]];
+    /// arcsin(√c/2)/(√c/2) and its derivative, four powers per row.
+    const ARC: [&'static [[Self; 4]]; 2];
     /// cos √v, sin(√v)/√v and the derivative of the latter.
     const WAVES: &'static [[Self; 4]];
 }
@@ -108,24 +114,41 @@ pub trait Even: Sized + 'static {
 macro_rules! even {
     ($real:ty, $arc:ident, $cos:ident, $sinc:ident) => {
         const _: () = {
+            const fn slope<const N: usize>(of: [$real; N]) -> [$real; N] {
+                let mut slope = [0.0; N];
+                let mut power = 1;
+                while power < N {
+                    slope[power - 1] = power as $real * of[power];
+                    power += 1;
+                }
+                slope
+            }
             /// `first` and `second`, and the derivative of the latter.
             const fn beside<const N: usize>(
                 first: [$real; N],
                 second: [$real; N],
             ) -> [[$real; 4]; N] {
-                let mut rows = [[0.0; 4]; N];
+                let (third, mut rows) = (slope(second), [[0.0; 4]; N]);
                 let mut power = 0;
                 while power < N {
-                    rows[power] = [first[power], second[power], 0.0, 0.0];
-                    if power > 0 {
-                        rows[power - 1][2] = power as $real * second[power];
-                    }
+                    rows[power] = [first[power], second[power], third[power], 0.0];
+                    power += 1;
+                }
+                rows
+            }
+            const QUARTER: usize = coefficients::$arc.len().div_ceil(4);
+            const fn by_fours<const N: usize>(of: [$real; N]) -> [[$real; 4]; QUARTER] {
+                let mut rows = [[0.0; 4]; QUARTER];
+                let mut power = 0;
+                while power < N {
+                    rows[power / 4][power % 4] = of[power];
                     power += 1;
                 }
                 rows
             }
             impl Even for $real {
-                const ARC: &'static [[Self; 4]] = &beside(coefficients::$arc, coefficients::$arc);
+                const ARC: [&'static [[Self; 4]]; 2] =
+                    [&by_fours(coefficients::$arc), &by_fours(slope(coefficients::$arc))];
                 const WAVES: &'static [[Self; 4]] =
                     &beside(coefficients::$cos, coefficients::$sinc);
             }

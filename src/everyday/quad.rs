@@ -36,8 +36,9 @@ pub(super) fn quaternion_product<F: Number>(a: [F; 4], b: [F; 4]) -> Option<[F; 
 pub(super) fn point<F: Number>(motion: [F; 8], point: [F; 3]) -> Option<[F; 3]> {
     let [p, q] = halves(motion);
     let v = load_three(point);
-    let half = half_translation(p, q + cross(p, v), q);
-    let [x, y, z, _] = (half + half + v).to_array();
+    let (s, twice) = (q + cross(p, v), p + p);
+    // v before the cross product, which is the last to be known.
+    let [x, y, z, _] = (along(twice, s, q) + v + cross(twice, s)).to_array();
     Some([x, y, z])
 }
 
@@ -51,8 +52,8 @@ pub(super) fn rotate<F: Number>(rotation: [F; 4], vector: [F; 3]) -> Option<[F; 
     }
     let p: F::Four = load(rotation);
     let v = load_three(vector);
-    let half = cross(p, pick(p, [3; 4]).mul_add(v, cross(p, v)));
-    let [x, y, z, _] = (half + half + v).to_array();
+    let turned = cross(p + p, pick(p, [3; 4]).mul_add(v, cross(p, v)));
+    let [x, y, z, _] = (turned + v).to_array();
     Some([x, y, z])
 }
 
@@ -63,8 +64,7 @@ pub(super) fn translation<F: Number>(motion: [F; 8]) -> Option<[F; 3]> {
         return None;
     }
     let [p, q] = halves(motion);
-    let half = half_translation(p, q, q);
-    let [x, y, z, _] = (half + half).to_array();
+    let [x, y, z, _] = translation_of(p + p, q).to_array();
     Some([x, y, z])
 }
 
@@ -76,7 +76,6 @@ pub(super) fn matrix3x4<F: Number>(motion: [F; 8]) -> Option<[[F; 4]; 3]> {
         return None;
     }
     let [p, q] = halves(motion);
-    let half = half_translation(p, q, q);
     let twice = p + p;
     let squares = p * twice;
     let diagonal = p.constant(1.0) - (pick(squares, [1, 0, 0, 3]) + pick(squares, [2, 2, 1, 3]));
@@ -85,7 +84,7 @@ pub(super) fn matrix3x4<F: Number>(motion: [F; 8]) -> Option<[[F; 4]; 3]> {
     let [xx, yy, zz, _] = diagonal.to_array();
     let [xy, yz, zx, _] = (across - turning).to_array();
     let [yx, zy, xz, _] = (across + turning).to_array();
-    let [x, y, z, _] = (half + half).to_array();
+    let [x, y, z, _] = translation_of(twice, q).to_array();
     Some([[xx, xy, xz, x], [yx, yy, yz, y], [zx, zy, zz, z]])
 }
 
@@ -194,8 +193,14 @@ fn moderate<V: Four>(p: V, q: V) -> Option<[V; 2]> {
 /// a·b and a·c, and once more.
 #[inline(always)]
 pub(super) fn dots<V: Four>(a: V, b: V, c: V) -> V {
-    let ([b0, b1, b2, b3], [c0, c1, c2, c3]) = ((a * b).to_array(), (a * c).to_array());
-    let sums: V = load::<V>([b0, c0, b1, c1]) + load([b2, c2, b3, c3]);
+    sums(a * b, a * c)
+}
+
+/// The sum of each one's numbers, and once more.
+#[inline(always)]
+pub(super) fn sums<V: Four>(a: V, b: V) -> V {
+    let ([a0, a1, a2, a3], [b0, b1, b2, b3]) = (a.to_array(), b.to_array());
+    let sums: V = load::<V>([a0, b0, a1, b1]) + load([a2, b2, a3, b3]);
     sums + pick(sums, [2, 3, 0, 1])
 }
 
@@ -205,10 +210,16 @@ pub(super) fn sum<V: Four>(numbers: V) -> V::Number {
     even + odd
 }
 
-/// w_p v − w_q p + p × v, and a number of no use.
+/// 2(w_p q − w_q p + p × q), and a number of no use.
 #[inline(always)]
-fn half_translation<V: Four>(p: V, v: V, q: V) -> V {
-    pick(q, [3; 4]).neg_mul_add(p, pick(p, [3; 4]) * v) + cross(p, v)
+fn translation_of<V: Four>(twice: V, q: V) -> V {
+    along(twice, q, q) + cross(twice, q)
+}
+
+/// 2(w_p v − w_q p), and a number of no use.
+#[inline(always)]
+fn along<V: Four>(twice: V, v: V, q: V) -> V {
+    pick(q, [3; 4]).neg_mul_add(twice, pick(twice, [3; 4]) * v)
 }
 
 /// a × b, and a number of no use.

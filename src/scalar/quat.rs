@@ -229,7 +229,7 @@ impl<R: Real> Quat<R> {
     }
 
     /// r v r*, the vector `v` turned by this unit quaternion (Arends ch. 3 eqs. 8–10, Jia §2):
-    /// v + 2 u × (u × v + w v) with r = w + u, the two products written out with |r| = 1 put in. Where that is not
+    /// v + 2u × (u × v + w v) with r = w + u, the two products written out with |r| = 1 put in. Where that is not
     /// so, r v r* scales by |r|², and this form skews as well.
     #[inline]
     #[must_use]
@@ -241,7 +241,7 @@ impl<R: Real> Quat<R> {
         }
         let r = self.xyz();
         let inner = vector::add(vector::cross(r, v), vector::scale(v, self.w()));
-        vector::add(v, vector::scale(vector::cross(r, inner), R::TWO))
+        vector::add(v, vector::cross(vector::scale(r, R::TWO), inner))
     }
 }
 
