@@ -77,6 +77,34 @@ fn what_is_not_finite_is_refused_whole() {
     });
 }
 
+/// Registers sum in the order of the reference.
+#[test]
+fn products_are_those_of_the_reference_to_the_last_bit() {
+    fn compare<F: Real>(a: [f64; 8], b: [f64; 8]) {
+        let floats = |motion: [f64; 8]| DualQuat::from_array(motion.map(F::from_f64));
+        let book =
+            |motion: [f64; 8]| DualQuat::from_array(motion.map(|c| Textbook(F::from_f64(c))));
+        let motion = (floats(a) * floats(b), book(a) * book(b));
+        let rotation = (floats(a).real() * floats(b).real(), book(a).real() * book(b).real());
+        let got = motion.0.to_array().into_iter().chain(rotation.0.to_array());
+        let wanted = motion.1.to_array().into_iter().chain(rotation.1.to_array());
+        for (got, wanted) in got.zip(wanted) {
+            let (got, wanted): (f64, f64) = (got.into(), wanted.into());
+            let same = got.to_bits() == wanted.to_bits() || got.is_nan() && wanted.is_nan();
+            assert!(same, "{got:e}, {wanted:e} of {a:?} and {b:?}");
+        }
+    }
+    let number = prop_oneof![
+        8 => -2.0..2.0_f64,
+        1 => prop::sample::select(vec![0.0, -0.0, 1.0, f64::INFINITY, f64::NAN, 3e38, 1e-40]),
+    ];
+    let motion = || prop::array::uniform8(number.clone());
+    inputs::for_all(1000, &(motion(), motion()), |(a, b)| {
+        compare::<f32>(a, b);
+        compare::<f64>(a, b);
+    });
+}
+
 /// Powers on lanes take the square of t.
 #[test]
 fn powers_take_numbers_whose_square_is_none() {

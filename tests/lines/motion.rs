@@ -63,7 +63,8 @@ fn motions_keep_the_dual_angle_and_move_the_perpendicular_in_f32() {
 
 #[test]
 fn motions_keep_the_dual_angle_and_move_the_perpendicular_in_f64() {
-    motions_keep_the_dual_angle_and_move_the_perpendicular::<f64>([6.0, 10.0, 10.0]);
+    // An angle near π has a last place of 4 u; of 200,000 scenes the worst is off by 10 u.
+    motions_keep_the_dual_angle_and_move_the_perpendicular::<f64>([10.0, 10.0, 10.0]);
 }
 
 /// Skew, parallel, antiparallel: the screw about the common perpendicular by the dual angle.
