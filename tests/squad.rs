@@ -65,7 +65,7 @@ proptest! {
 
 #[test]
 fn paths_begin_and_end_at_their_keys_and_do_not_see_signs() {
-    let lines = [line("squad", &["start", "end"], 6.5, "interpolated with 0 or 1")];
+    let lines = [line("squad", &["start", "end"], 7.0, "interpolated with 0 or 1")];
     let clusters = draw(cluster(), 512);
     Ledger::keep("ends of paths", &lines, |ledger| {
         for on in implementations() {

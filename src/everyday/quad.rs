@@ -10,7 +10,7 @@ pub(super) fn product<F: Number>(a: [F; 8], b: [F; 8]) -> Option<[F; 8]> {
         return None;
     }
     let ([p, q], [r, s]) = (halves(a), halves(b));
-    let (p, q, r, s) = (left(p), left(q), right(r), right(s));
+    let (p, q, r, s) = (each(p), each(q), turned(r), turned(s));
     Some(join(sum_of_products(p, r), sum_of_products(p, s) + sum_of_products(q, r)))
 }
 
@@ -21,7 +21,7 @@ pub(super) fn quaternion_product<F: Number>(a: [F; 4], b: [F; 4]) -> Option<[F; 
         return None;
     }
     let (a, b): (F::Four, F::Four) = (load(a), load(b));
-    Some(sum_of_products(left(a), right(b)).to_array())
+    Some(sum_of_products(each(a), turned(b)).to_array())
 }
 
 /// v + 2(w_p s + p × s − w_q p) with s = q + p × v, the translation with s in the place of q: the rotation is
@@ -222,24 +222,29 @@ fn cross<V: Four>(a: V, b: V) -> V {
     pick(turned, [1, 2, 0, 3])
 }
 
-/// The left factor, a row per term of [`sum_of_products`].
+/// A number in all lanes, for each of the four.
 #[inline(always)]
-fn left<V: Four>(a: V) -> [V; 4] {
-    [pick(a, [3; 4]), pick(a, [0, 1, 2, 0]), pick(a, [1, 2, 0, 1]), pick(a, [2, 0, 1, 2])]
+fn each<V: Four>(a: V) -> [V; 4] {
+    [pick(a, [0; 4]), pick(a, [1; 4]), pick(a, [2; 4]), pick(a, [3; 4])]
 }
 
-/// The right factor, with the signs that the last lane has.
+/// ib, jb, kb and b
 #[inline(always)]
-fn right<V: Four>(b: V) -> [V; 4] {
-    let zero = <V::Number>::default();
-    let sign: V = load([zero, zero, zero, -zero]);
-    [b, pick(b, [3, 3, 3, 0]) ^ sign, pick(b, [2, 0, 1, 1]) ^ sign, pick(b, [1, 2, 0, 2])]
+fn turned<V: Four>(b: V) -> [V; 4] {
+    let one = <V::Number>::from(1.0);
+    [
+        pick(b, [3, 2, 1, 0]) * load([one, -one, one, -one]),
+        pick(b, [2, 3, 0, 1]) * load([one, one, -one, -one]),
+        pick(b, [1, 0, 3, 2]) * load([-one, one, one, -one]),
+        b,
+    ]
 }
 
-/// Hamilton's product as the reference sums it, term after term and not fused: the two are the same to the last bit.
+/// a_x ib + a_y jb + a_z kb + a_w b, in the pairs of the reference and not fused: the two are the same to the last bit.
 #[inline(always)]
-fn sum_of_products<V: Four>([w, a1, a2, a3]: [V; 4], [b, b1, b2, b3]: [V; 4]) -> V {
-    w * b + a1 * b1 + a2 * b2 - a3 * b3
+fn sum_of_products<V: Four>(a: [V; 4], b: [V; 4]) -> V {
+    let ([x, y, z, w], [i, j, k, one]) = (a, b);
+    (w * one + x * i) + (y * j + z * k)
 }
 
 #[inline(always)]

@@ -288,11 +288,12 @@ impl<R: Real> Mul for Quat<R> {
         }
         let [ax, ay, az, aw] = self.0;
         let [bx, by, bz, bw] = other.0;
+        // In these pairs the vector part of σ*σ is zero to the last bit, whatever σ is.
         Self([
-            aw * bx + ax * bw + ay * bz - az * by,
-            aw * by + ay * bw + az * bx - ax * bz,
-            aw * bz + az * bw + ax * by - ay * bx,
-            aw * bw - ax * bx - ay * by - az * bz,
+            (aw * bx + ax * bw) + (ay * bz - az * by),
+            (aw * by - ax * bz) + (ay * bw + az * bx),
+            (aw * bz + ax * by) + (az * bw - ay * bx),
+            (aw * bw - ax * bx) - (ay * by + az * bz),
         ])
     }
 }
