@@ -39,8 +39,9 @@ pub(super) fn point<F: Number>(motion: [F; 8], point: [F; 3]) -> Option<[F; 3]> 
 /// v + 2p × (p × v + wv)
 #[inline(always)]
 pub(super) fn rotate<F: Number>(rotation: [F; 4], vector: [F; 3]) -> Option<[F; 3]> {
-    // Two registers take longer than four numbers: of these, one in four is of no use here.
-    if F::REGISTERS > 1 {
+    // Two registers take longer than four numbers: of these, one in four is of no use here. Where `f64` fills one, with
+    // AVX, it keeps to the reference all the same: its results do not depend on what the build promises.
+    if !F::SINGLE || F::REGISTERS > 1 {
         return None;
     }
     let p: F::Four = load(rotation);
