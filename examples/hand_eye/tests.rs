@@ -57,6 +57,7 @@ fn no_place_of_the_camera_is_special() {
             for solve in SOLVERS {
                 let found = solve(&pairs).unwrap();
                 assert!(camera.angle_to(found) < 1e-14, "{camera:?}: {found:?}");
+                // Translations are rounded in proportion to their length.
                 let far = camera.translation().iter().map(|c| c.abs()).sum::<f64>();
                 assert!(camera.distance_to(found) < 1e-14 * (1.0 + far), "{camera:?}: {found:?}");
             }

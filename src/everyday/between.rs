@@ -137,6 +137,7 @@ macro_rules! even {
                 rows
             }
             const QUARTER: usize = coefficients::$arc.len().div_ceil(4);
+            /// Four powers per row, zeros after the last.
             const fn by_fours<const N: usize>(of: [$real; N]) -> [[$real; 4]; QUARTER] {
                 let mut rows = [[0.0; 4]; QUARTER];
                 let mut power = 0;

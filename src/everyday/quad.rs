@@ -153,11 +153,12 @@ pub(super) fn inverse<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
     Some([-px, -py, -pz, pw, -qx, -qy, -qz, qw])
 }
 
+/// p/|p| + ε(q − (p·q)p/|p|²)/|p|, with |p|·(1/|p|²) for 1/|p|.
 #[inline(always)]
 fn unit_of<V: Four>(p: V, q: V) -> Option<[V::Number; 8]> {
     let [squared, along] = moderate(p, q)?;
-    // The quotient need not wait for the root. Over a chain of products, norms stay within 2.4 units of
-    // roundoff of 1; multiplied by 1/|p| they stay within 2.8.
+    // The quotient need not wait for the root; and what is nearly a unit comes out nearer to one, off by 0.42 units of
+    // roundoff (root mean square, `f32`) instead of 0.77 by one over the root.
     let over_squared = squared.constant(1.0) / squared;
     let over_norm = squared.sqrt() * over_squared;
     Some(join(p * over_norm, p.neg_mul_add(along * over_squared, q) * over_norm))
