@@ -49,3 +49,9 @@ pub fn walk_in_place<M: Copy>(parents: &[u32], poses: &mut [M], product: impl Fn
         }
     }
 }
+
+/// One motion after the other, from `start`: the product of all, the last one first.
+#[must_use]
+pub fn after<R: Real>(start: DualQuat<R>, steps: &[DualQuat<R>]) -> DualQuat<R> {
+    steps.iter().fold(start, |pose, &step| step * pose)
+}

@@ -2,7 +2,7 @@
 //! input of every kind: far, tiny, nearly opposite, of many turns, of any bits. Lanes of one kind of instructions are
 //! held to each other's bits, whatever their width and whatever lies in the other lanes.
 //!
-//! `DQ8_FUZZ_SECONDS` says how long (a second by default), `DQ8_FUZZ_SEED` from where; what is found names the seed of
+//! `DQ8_FUZZ_SECONDS` says how long (a fifth of one by default), `DQ8_FUZZ_SEED` from where; what is found names the seed of
 //! its round. One lane of one operation is one call.
 
 mod draw;
@@ -139,7 +139,8 @@ fn round(single: bool, seed: u64, findings: &mut Findings) {
 
 fn fuzz(single: bool) {
     let number = |name: &str| std::env::var(name).ok().and_then(|text| text.parse::<u64>().ok());
-    let seconds = Duration::from_secs(number("DQ8_FUZZ_SECONDS").unwrap_or(1));
+    let seconds =
+        number("DQ8_FUZZ_SECONDS").map_or(Duration::from_millis(200), Duration::from_secs);
     let (first, start) = (number("DQ8_FUZZ_SEED").unwrap_or(1), Instant::now());
     let (mut seed, mut findings) = (first, Findings::default());
     while start.elapsed() < seconds {

@@ -16,7 +16,6 @@ mod isolation;
 mod kernel;
 mod laws;
 mod locals;
-mod matrix;
 mod memory;
 mod packing;
 #[cfg(feature = "rayon")]

@@ -1,13 +1,17 @@
-//! [`Memory`]: layouts that tests fill and read, one thing after the other, by `Element::get` and `set`.
+//! [`Memory`]: layouts that tests fill and read, number by number.
 
 use dq8::simd::Row;
 use dq8::storage::{AoSoA, Aos, Block, Element, Layout, identity};
 use dq8::{Real, Scalar};
+use dq8_contract::records::Place;
 
-/// A layout that tests can make elements of.
+/// A layout that tests can make elements of, and see the numbers of.
 pub(crate) trait Memory: Layout {
     fn name() -> String;
     fn filled<const C: usize>(number: Self::Real) -> Self::Record<C>;
+    /// All numbers in the order of memory, without the padding that small blocks have.
+    fn numbers<const C: usize>(records: &[Self::Record<C>]) -> Vec<Self::Real>;
+    fn fill<const C: usize>(records: &mut [Self::Record<C>], numbers: &[Self::Real]);
 }
 
 impl<R: Scalar> Memory for Aos<R> {
@@ -17,6 +21,12 @@ impl<R: Scalar> Memory for Aos<R> {
     fn filled<const C: usize>(number: R) -> [R; C] {
         [number; C]
     }
+    fn numbers<const C: usize>(records: &[[R; C]]) -> Vec<R> {
+        records.as_flattened().to_vec()
+    }
+    fn fill<const C: usize>(records: &mut [[R; C]], numbers: &[R]) {
+        records.as_flattened_mut().copy_from_slice(numbers);
+    }
 }
 
 impl<A: Row<Real: Scalar>> Memory for AoSoA<A> {
@@ -25,6 +35,16 @@ impl<A: Row<Real: Scalar>> Memory for AoSoA<A> {
     }
     fn filled<const C: usize>(number: A::Real) -> dq8::simd::Block<A, C> {
         dq8::simd::Block::splat([number; C])
+    }
+    fn numbers<const C: usize>(records: &[dq8::simd::Block<A, C>]) -> Vec<A::Real> {
+        let rows = records.iter().flat_map(|block| &block.0).map(AsRef::as_ref);
+        rows.collect::<Vec<_>>().concat()
+    }
+    fn fill<const C: usize>(records: &mut [dq8::simd::Block<A, C>], numbers: &[A::Real]) {
+        let rows = records.iter_mut().flat_map(|block| &mut block.0);
+        for (row, numbers) in rows.zip(numbers.chunks_exact(A::LANES)) {
+            row.as_mut().copy_from_slice(numbers);
+        }
     }
 }
 
@@ -38,12 +58,10 @@ pub(crate) fn lay<L: Memory, const C: usize>(
     joints: usize,
     records: &[[f64; C]],
 ) -> Vec<L::Record<C>> {
-    let groups = records.len().div_ceil(joints.max(1)).div_ceil(L::THINGS);
-    let mut laid = vec![L::filled::<C>(L::Real::ZERO); groups * joints];
-    for index in 0..groups * joints * L::THINGS {
-        let record = records.get(index).map_or(identity(), |record| round(*record));
-        L::Record::<C>::set(&mut laid, place::<L>(joints, index), record);
-    }
+    let place = Place { joints, components: C, lanes: L::THINGS };
+    let numbers = place.lay(records.as_flattened(), &identity::<_, C>());
+    let mut laid = vec![L::filled::<C>(L::Real::ZERO); numbers.len() / C / L::THINGS];
+    L::fill(&mut laid, &numbers);
     laid
 }
 
@@ -52,19 +70,8 @@ pub(crate) fn read<L: Memory, const C: usize>(
     joints: usize,
     elements: &[L::Record<C>],
 ) -> Vec<[f64; C]> {
-    let things = 0..elements.len() * L::THINGS;
-    things
-        .map(|index| {
-            let record = L::Record::<C>::get(elements, place::<L>(joints, index));
-            record.expect("it is inside").map(Into::into)
-        })
-        .collect()
-}
-
-/// Where thing `[instance][joint]` is among all things: `[instance block][joint][lane]`.
-fn place<L: Layout>(joints: usize, index: usize) -> usize {
-    let (instance, joint) = (index / joints.max(1), index % joints.max(1));
-    (instance / L::THINGS * joints + joint) * L::THINGS + instance % L::THINGS
+    let place = Place { joints, components: C, lanes: L::THINGS };
+    place.read(&L::numbers(elements)).as_chunks().0.to_vec()
 }
 
 /// The layout that all of this stands on, once by hand: five instances of two joints in four lanes.
@@ -96,6 +103,15 @@ fn the_layout_is_instance_block_then_joint_then_component_then_lane() {
         }
     }
     assert_eq!(read::<AoSoA<[f32; 4]>, 8>(2, &blocks)[..10], records);
+    // Thing by thing.
+    let mut set = vec![Block::splat([0.0; 8]); blocks.len()];
+    for (index, record) in records.iter().enumerate() {
+        let (instance, joint) = (index / 2, index % 2);
+        let thing = (instance / 4 * 2 + joint) * 4 + instance % 4;
+        assert_eq!(Element::<8>::get(&blocks, thing), Some(round(*record)));
+        Element::<8>::set(&mut set, thing, round(*record));
+    }
+    assert_eq!(read::<AoSoA<[f32; 4]>, 8>(2, &set)[..10], records);
     // A crowd lays its poses in the same way.
     let poses: Vec<[f32; 8]> = records.iter().map(|record| round(*record)).collect();
     let crowd = dq8::Crowd::<f32, 4>::from_slice(2, &poses).expect("whole instances");

@@ -1,12 +1,12 @@
 //! [`Scene`]: a skeleton with poses of many instances, and what the matrices say they come to.
 
-use crate::matrix::{IDENTITY, Matrix, Step, distance, inverse, product};
 use crate::subject::{Given, Root, Subject, Task};
 use core::fmt;
 use core::ops::Range;
 use dq8::{Backend, DualQuat, Hierarchy, Quat};
 use dq8_contract::bound::{unit_roundoff, within};
 use dq8_contract::kinematics;
+use dq8_contract::matrix::{IDENTITY, Matrix, Step, distance, inverse, product};
 use dq8_contract::random::Random;
 use proptest::prelude::*;
 

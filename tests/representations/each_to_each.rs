@@ -86,11 +86,13 @@ fn all_pairs<R: Real>(motion: DualQuat<f64>, order: EulerOrder, worst: &Worst) {
     let start = DualQuat::<R>::from_array(round(motion.to_array())).normalize();
     let wanted = isometry(DualQuat::from_array(exact(start.to_array())));
     let size = 1.0 + wanted.translation.vector.norm();
+    let points =
+        [[1.0, 0.0, 0.0], [0.0, -0.6, 0.8]].map(|point| (point, wanted * Point3::from(point)));
     for first in Form::all(start, order) {
         for second in Form::all(first.motion(), order) {
             let got = DualQuat::from_array(exact(second.motion().to_array()));
-            for point in [[1.0, 0.0, 0.0], [0.0, -0.6, 0.8]] {
-                let off = Point3::from(got.transform_point(point)) - wanted * Point3::from(point);
+            for (point, wanted) in points {
+                let off = Point3::from(got.transform_point(point)) - wanted;
                 worst.see(off.norm() / size, &(first, second, order));
             }
         }

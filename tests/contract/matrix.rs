@@ -3,29 +3,29 @@
 
 use dq8::{DualQuat, Quat};
 
-pub(crate) type Matrix = [[f64; 4]; 4];
+pub type Matrix = [[f64; 4]; 4];
 
-pub(crate) const IDENTITY: Matrix =
+pub const IDENTITY: Matrix =
     [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
 
 /// A motion as the numbers that both algebras start from: turn by `angle` about the unit `axis`,
 /// then shift.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Step {
-    pub(crate) axis: [f64; 3],
-    pub(crate) angle: f64,
-    pub(crate) shift: [f64; 3],
+pub struct Step {
+    pub axis: [f64; 3],
+    pub angle: f64,
+    pub shift: [f64; 3],
 }
 
 impl Step {
     /// `[px, py, pz, pw, qx, qy, qz, qw]`
-    pub(crate) fn motion(&self) -> [f64; 8] {
+    pub fn motion(&self) -> [f64; 8] {
         let turn = Quat::from_axis_angle(self.axis, self.angle);
         DualQuat::from_rotation_translation(turn, self.shift).to_array()
     }
 
     /// Rodrigues: R = cos θ + sin θ [k]× + (1 − cos θ) k kᵀ.
-    pub(crate) fn matrix(&self) -> Matrix {
+    pub fn matrix(&self) -> Matrix {
         let ([x, y, z], (sin, cos)) = (self.axis, self.angle.sin_cos());
         let cross = [[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]];
         let mut matrix = IDENTITY;
@@ -41,7 +41,7 @@ impl Step {
     }
 }
 
-pub(crate) fn product(a: &Matrix, b: &Matrix) -> Matrix {
+pub fn product(a: &Matrix, b: &Matrix) -> Matrix {
     let mut product = [[0.0; 4]; 4];
     for row in 0..4 {
         for column in 0..4 {
@@ -54,7 +54,7 @@ pub(crate) fn product(a: &Matrix, b: &Matrix) -> Matrix {
 }
 
 /// The inverse of a rigid matrix: Rᵀ and −Rᵀt.
-pub(crate) fn inverse(matrix: &Matrix) -> Matrix {
+pub fn inverse(matrix: &Matrix) -> Matrix {
     let mut inverse = IDENTITY;
     for row in 0..3 {
         for column in 0..3 {
@@ -92,7 +92,7 @@ fn of_motion([x, y, z, w, a, b, c, d]: [f64; 8]) -> Matrix {
 }
 
 /// The largest difference of an element, NaN being infinite.
-pub(crate) fn distance(motion: &[f64; 8], wanted: &Matrix) -> f64 {
+pub fn distance(motion: &[f64; 8], wanted: &Matrix) -> f64 {
     let got = of_motion(*motion);
     let pairs = got.as_flattened().iter().zip(wanted.as_flattened());
     pairs.fold(0.0, |worst: f64, (a, b)| {
