@@ -12,7 +12,7 @@ fn main() {
     println!("cargo:rustc-check-cfg=cfg(opt_level_0)");
     let is_called = match var("OPT_LEVEL").as_deref() {
         Ok("0") => true,
-        Ok("1") => var("DQ8_CALLED_LANES").is_ok(),
+        Ok("1") => var("DQ8_CALLED_LANES").is_ok_and(|called| called == "1"),
         _ => false,
     };
     if is_called {

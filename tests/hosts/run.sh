@@ -38,9 +38,10 @@ for host in "${hosts[@]}"; do
 done
 scripts/install_missing.sh "${needs[@]}"
 
-# Optimised a little, because emulators are slow; without debug information, because there is much to link.
+# Optimised a little, because emulators are slow, and inlined as users have it (simd/build.rs); without debug information,
+# because there is much to link.
 export RUSTC=/usr/bin/rustc RUSTDOC=/usr/bin/rustdoc RUSTC_BOOTSTRAP=1 CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$PWD/target}/hosts
-export CARGO_PROFILE_DEV_OPT_LEVEL=1 CARGO_PROFILE_DEV_DEBUG=0 CARGO_INCREMENTAL=0
+export DQ8_CALLED_LANES=0 CARGO_PROFILE_DEV_OPT_LEVEL=1 CARGO_PROFILE_DEV_DEBUG=0 CARGO_INCREMENTAL=0
 
 # run TARGET LINKER RUNNER OPTION…: tests on one host.
 run() {
