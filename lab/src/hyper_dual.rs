@@ -4,7 +4,7 @@ mod arithmetic;
 mod functions;
 mod real;
 
-use dq8::{Real, scalar::InverseError};
+use dq8::Real;
 
 /// A hyper-dual number a + bε₁ + cε₂ + dε₁ε₂ with ε₁² = ε₂² = 0, ε₁ε₂ = ε₂ε₁ ≠ 0 (Fike & Alonso
 /// 2011; Arends, chapter 5, §1).
@@ -59,22 +59,17 @@ impl<R: Real> HyperDual<R> {
 
     /// 1/a − b/a² ε₁ − c/a² ε₂ + (2bc/a³ − d/a²)ε₁ε₂ (Arends, chapter 5, §1).
     ///
-    /// # Errors
-    /// If a is zero or not finite: what has no real part has no inverse.
+    /// `None` if a is zero or not finite: what has no real part has no inverse.
     ///
     /// ```
     /// use dq8::Real;
     /// use lab::HyperDual;
     /// let x = HyperDual::new(2.0, 1.0, 3.0, 5.0);
-    /// assert_eq!(x.inverse()? * x, HyperDual::ONE);
-    /// assert!(HyperDual::<f64>::EPSILON_1.inverse().is_err());
-    /// # Ok::<(), dq8::scalar::InverseError>(())
+    /// assert_eq!(x.inverse().map(|inverse| inverse * x), Some(HyperDual::ONE));
+    /// assert!(HyperDual::<f64>::EPSILON_1.inverse().is_none());
     /// ```
-    pub fn inverse(self) -> Result<Self, InverseError> {
-        if self.real == R::ZERO || !self.real.is_finite() {
-            return Err(InverseError { real_norm: self.real.abs().into() });
-        }
-        Ok(Self::ONE / self)
+    pub fn inverse(self) -> Option<Self> {
+        (self.real != R::ZERO && self.real.is_finite()).then(|| Self::ONE / self)
     }
 
     /// ε₁ → −ε₁: a − bε₁ + cε₂ − dε₁ε₂

@@ -2,7 +2,7 @@
 
 use crate::HyperDual;
 use core::ops::{Add, Mul, Neg, Sub};
-use dq8::{DualQuat, Quat, Real, scalar::InverseError};
+use dq8::{DualQuat, Quat, Real};
 
 /// A hyper-dual quaternion a + bε₁ + cε₂ + dε₁ε₂ of four quaternions (Arends, chapter 5, §2).
 ///
@@ -112,17 +112,16 @@ impl<R: Real> HyperDualQuat<R> {
     /// a⁻¹ − a⁻¹ba⁻¹ε₁ − a⁻¹ca⁻¹ε₂ + (a⁻¹ba⁻¹ca⁻¹ + a⁻¹ca⁻¹ba⁻¹ − a⁻¹da⁻¹)ε₁ε₂: the inverse of
     /// hyper-dual numbers (Arends, chapter 5, §1) where the order counts.
     ///
-    /// # Errors
-    /// If a is zero or not finite.
-    pub fn inverse(self) -> Result<Self, InverseError> {
+    /// `None` if a is zero or not finite.
+    pub fn inverse(self) -> Option<Self> {
         let norm = self.real.norm();
         if norm == R::ZERO || !norm.is_finite() {
-            return Err(InverseError { real_norm: norm.into() });
+            return None;
         }
         let real = self.real.normalize().conjugate().scale(R::ONE / norm);
         let (first, second) = (real * self.first, real * self.second);
         let mixed = first * second + second * first - real * self.mixed;
-        Ok(Self::new(real, -(first * real), -(second * real), mixed * real))
+        Some(Self::new(real, -(first * real), -(second * real), mixed * real))
     }
 
     /// v′ from x(1 + vε₁ε₂)x† (Arends, chapter 5, §3), for a unit a.

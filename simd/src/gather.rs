@@ -36,20 +36,6 @@ impl<'f> Gather<'f> {
         self.frames
     }
 
-    /// How many records a row has.
-    #[must_use]
-    #[inline(always)]
-    pub fn pitch(self) -> usize {
-        self.pitch
-    }
-
-    /// Where the row of the greatest frame begins, or `usize::MAX` if that is beyond it.
-    #[must_use]
-    #[inline(always)]
-    pub fn greatest(self) -> usize {
-        self.greatest
-    }
-
     /// Some of the frames; none beyond the last.
     #[must_use]
     pub fn part(self, frames: core::ops::Range<usize>) -> Self {

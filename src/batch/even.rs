@@ -173,6 +173,7 @@ fn two_chains<L: Lanes, C: Copy + Into<f64>>(
         let factor: f64 = coefficients[power + order].into();
         if order == 1 { factor * (power + 1) as f64 } else { factor }
     };
+    // Both chains step by x², and neither waits for the other.
     let mut chains = [x.constant(factor(terms - 2)), x.constant(factor(terms - 1))];
     for power in (2..terms - 2).rev() {
         let chain = &mut chains[(terms - power) % 2];

@@ -79,6 +79,7 @@ pub(super) fn schedule(
     let (to_roots, to_others) = order.split_at_mut_checked(roots).unwrap_or_default();
     let (mut to_roots, mut to_others) = (to_roots.iter_mut(), to_others.iter_mut());
     let mut time = 0_u32;
+    // Each joint is pushed once and popped once: as a root above, or when the time of its parent's product has come.
     while search.able > 0 || search.begin < search.end {
         if search.able == 0 {
             // All there is waits for its parent.
@@ -89,6 +90,7 @@ pub(super) fn schedule(
             search.begin += 1;
         }
         let joint = search.pop();
+        // Its children may begin when its product is done.
         let mut child = search.at(joint as usize).first_child;
         while child != NONE {
             let when = time.saturating_add(BETWEEN);

@@ -8,7 +8,7 @@ use super::step::{NONE, Step};
 use super::tree::Mechanism;
 use crate::geometry::Twist;
 use crate::real::Real;
-use crate::scalar::{DualQuat, Quat, vector};
+use crate::scalar::{DualQuat, Quat, lie_bracket, vector};
 use crate::shape::{ShapeError, joints_within, same_length};
 
 impl<R: Real> Mechanism<'_, R> {
@@ -185,7 +185,7 @@ impl<R: Real> Mechanism<'_, R> {
             for (own, &rate) in step.own_twists(values).into_iter().zip(own_rates) {
                 let Some(own) = own else { continue };
                 let moving = pose.adjoint(own).scale(rate);
-                acceleration = acceleration + bracket(carrying, moving);
+                acceleration = acceleration + lie_bracket(carrying, moving);
                 if let JointKind::Planar { .. } = step.kind {
                     carrying = carrying + moving;
                 }
@@ -295,14 +295,5 @@ impl<R: Real> Step<R> {
             }
         }
         sum
-    }
-}
-
-/// ad_a b = (ω_a × ω_b) + ε (v_a × ω_b + ω_a × v_b) (Lynch & Park 2017, definition 8.4).
-fn bracket<R: Real>(a: Twist<R>, b: Twist<R>) -> Twist<R> {
-    let across = vector::cross(a.linear, b.angular);
-    Twist {
-        angular: vector::cross(a.angular, b.angular),
-        linear: vector::add(across, vector::cross(a.angular, b.linear)),
     }
 }

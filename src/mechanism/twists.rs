@@ -51,13 +51,3 @@ fn hinge<L: Lanes>(axis: [L; 3], frame: Placed<L>) -> Twist<L> {
 fn slide<L: Lanes>(direction: [L; 3]) -> Twist<L> {
     Twist { angular: [direction[0].constant(0.0); 3], linear: direction }
 }
-
-/// ad_a b, how fast b changes that is carried along by the twist a (Lynch & Park, *Modern Robotics*, 2017,
-/// definition 8.4).
-#[cfg_attr(not(opt_level_0), inline(always))]
-pub(super) fn bracket<L: Lanes>(a: Twist<L>, b: Twist<L>) -> Twist<L> {
-    Twist {
-        angular: vector::cross(a.angular, b.angular),
-        linear: vector::cross_onto(a.angular, b.linear, vector::cross(a.linear, b.angular)),
-    }
-}

@@ -131,7 +131,11 @@ pub(super) trait JointNumbers<L: Lanes> {
     /// Number `index` of each.
     fn get(&mut self, level: L::Level, index: usize) -> L;
     /// Cosine and sine of half of it.
-    fn half_turn(&mut self, level: L::Level, index: usize) -> [L; 2];
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn half_turn(&mut self, level: L::Level, index: usize) -> [L; 2] {
+        let value = self.get(level, index);
+        half_turn(value * value.constant(0.5))
+    }
 }
 
 /// No four are at hand: farther from any number than four.
@@ -210,12 +214,6 @@ impl<L: Lanes> JointNumbers<L> for Configuration<'_, L> {
             Some(&value) => value,
             None => L::splat(level, L::Real::default()),
         }
-    }
-
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn half_turn(&mut self, level: L::Level, index: usize) -> [L; 2] {
-        let value = self.get(level, index);
-        half_turn(value * value.constant(0.5))
     }
 }
 

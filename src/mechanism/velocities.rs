@@ -4,9 +4,9 @@ use super::group::Group;
 use super::joint::JointKind;
 use super::step::Step;
 use super::tree::Mechanism;
-use super::twists::bracket;
 use super::values::{JointNumbers, JointValues, Numbers};
 use super::walk::{Joined, Task, Walk};
+use crate::batch::lie_bracket;
 use crate::dispatch::Backend;
 use crate::geometry::Twist;
 use crate::shape::{ShapeError, same_length, whole_instances};
@@ -248,8 +248,9 @@ where
             let which = step.rate as usize + index;
             let screw = joined.screw(step, index);
             let own = screw.scale(rates.get(level, which));
-            acceleration =
-                acceleration + screw.scale(second_rates.get(level, which)) + bracket(carrying, own);
+            acceleration = acceleration
+                + screw.scale(second_rates.get(level, which))
+                + lie_bracket(carrying, own);
             twist = twist + own;
             if matches!(step.kind, JointKind::Planar { .. }) {
                 carrying = twist;

@@ -145,9 +145,13 @@ pub(super) fn moved<L: Lanes<Real: Scalar>, N: JointNumbers<L>>(
     numbers: &mut N,
 ) -> Placed<L> {
     let value = step.value as usize;
+    // Translations are halves here, ½t, which is what dual parts are made of; and `turn` and `slide` know the joints whose
+    // axis is one of the frame's own, which take half the operations.
     match step.kind {
         JointKind::Fixed => before,
         JointKind::Revolute { .. } => {
+            // A mimic has a multiplier and an offset; the others share the cosine and sine of the value, which are computed
+            // for four joints at a time.
             let [cos, sin] = if step.mimics {
                 half_turn(affine(level, numbers.get(level, value), step))
             } else {

@@ -42,8 +42,8 @@ impl<R: Real> DualQuat<R> {
             let angle = u.sqrt();
             ((Dual::ONE - angle.cos()) / u, (angle - angle.sin()) / (angle * u))
         };
-        let once = cross(at, along);
-        along + times(first, once) + times(second, cross(at, once))
+        let once = lie_bracket(at, along);
+        along + times(first, once) + times(second, lie_bracket(at, once))
     }
 
     /// The right Jacobian of SE(3) at the twist x, applied to y: how the *body* side of the motion of
@@ -71,8 +71,8 @@ impl<R: Real> DualQuat<R> {
             let half = u.sqrt() * Dual::new(R::HALF, R::ZERO);
             (Dual::ONE - half * half.cos() / half.sin()) / u
         };
-        let once = cross(at, along);
-        along - once.scale(R::HALF) + times(second, cross(at, once))
+        let once = lie_bracket(at, along);
+        along - once.scale(R::HALF) + times(second, lie_bracket(at, once))
     }
 
     /// The inverse of the right Jacobian at the twist x, applied to y: how the twist x of a motion
@@ -166,9 +166,10 @@ fn square<R: Real>(x: Twist<R>) -> Dual<R> {
     Dual::new(vector::dot(x.angular, x.angular), R::TWO * vector::dot(x.angular, x.linear))
 }
 
-/// x × y, the Lie bracket.
+/// x × y, the Lie bracket [x, y]: how fast y changes that is carried along by the twist x (Lynch & Park, *Modern
+/// Robotics*, 2017, definition 8.4).
 #[inline]
-fn cross<R: Real>(x: Twist<R>, y: Twist<R>) -> Twist<R> {
+pub(crate) fn lie_bracket<R: Real>(x: Twist<R>, y: Twist<R>) -> Twist<R> {
     let linear =
         vector::add(vector::cross(x.angular, y.linear), vector::cross(x.linear, y.angular));
     Twist { angular: vector::cross(x.angular, y.angular), linear }

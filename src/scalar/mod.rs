@@ -29,3 +29,5 @@ pub use dual::Dual;
 pub use dual_quat::DualQuat;
 pub use error::{InverseError, MatrixError, NormalizeError};
 pub use quat::Quat;
+
+pub(crate) use jacobian::lie_bracket;

@@ -63,12 +63,14 @@ impl<R: Scalar> Blender<R> for DualBlend<'_, R> {
         let influences = &scratch.influences;
         let picked = influences.rows().of(motions)?;
         let weights: [L; GROUP] = L::load_four(level, influences.weights(), 0)?;
+        // Real parts alone first: signs and the pivot need no more.
         let mut real = [weights; GROUP];
         let mut influence = 0;
         while influence < GROUP {
             real[influence] = picked.quads(level, influence, 0);
             influence += 1;
         }
+        // The pivot is the joint of the greatest weight, the first of several.
         let mut pivot = real[0];
         let (mut greatest, mut total) = (weights[0], weights[0]);
         influence = 1;
@@ -84,6 +86,7 @@ impl<R: Scalar> Blender<R> for DualBlend<'_, R> {
             pivot = pivots.rows().of(motions)?.quads(level, 0, 0);
         }
         let signed = toward(real, pivot, weights);
+        // From here on a weight carries the sign of its motion: the dual parts need nothing else.
         let zero = total.constant(0.0);
         let mut sum = DualSum { sum: [zero; 8], total, greatest };
         influence = 0;

@@ -5,11 +5,7 @@ mod beyond;
 mod infinite;
 mod parts;
 
-use dq8::{
-    DualQuat, Quat,
-    geometry::DualVector,
-    scalar::{InverseError, MatrixError, NormalizeError},
-};
+use dq8::{DualQuat, Quat, geometry::DualVector, scalar::MatrixError};
 use dq8_contract::bound::{Bound, within};
 use dq8_contract::case::{Case, NUMBERS};
 use dq8_contract::implementation::{On, implementations};
@@ -351,10 +347,10 @@ fn zeros_of_either_sign_mean_the_same() {
 fn errors_name_what_is_wrong() {
     let zero = DualQuat::<f32>::ZERO;
     let error = zero.try_normalize().expect_err("zero has no direction");
-    assert_eq!(error, NormalizeError { real_norm: 0.0 });
+    assert_eq!(error.real_norm, 0.0);
     assert_says(&error, "the norm of the real part is 0");
     let error = zero.try_inverse().expect_err("zero has no inverse");
-    assert_eq!(error, InverseError { real_norm: 0.0 });
+    assert_eq!(error.real_norm, 0.0);
     assert_says(&error, "the norm of the real part is 0");
 
     let (x, y, z) = ([1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]);

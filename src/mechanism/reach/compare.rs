@@ -24,6 +24,8 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
             let end = vector::add(pose.half, pose.half);
             let mut way =
                 vector::add(target.translation(), vector::scale(end, zero.constant(-1.0)));
+            // A position is reached along the straight way. A whole pose is reached along the screw: its twist, as the
+            // velocity of the end and not of the origin.
             let (mut angular, mut linear) = ([zero; 3], way);
             if goal.asks_rotation() {
                 let pose = DualQuat::from_array(pose.to_motion());
@@ -36,6 +38,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
                     self.scratch.goals.set_record(index * GOAL + TARGET + POSE, angular);
                 }
             }
+            // Weights that differ from axis to axis are along the axes of the target.
             if !goal.is_even() {
                 let to_target = target.real().conjugate();
                 angular = to_target.rotate(angular);

@@ -4,7 +4,7 @@ use super::model::Model;
 use super::problem::Reach;
 use super::scratch::{GOAL, Rows, TARGET};
 use crate::mechanism::placed::Placed;
-use crate::mechanism::values::{JointNumbers, half_turn};
+use crate::mechanism::values::JointNumbers;
 use crate::mechanism::walk::{Joined, frame, moved, slots};
 use crate::real::Scalar;
 use dq8_simd::Lanes;
@@ -24,11 +24,6 @@ impl<L: Lanes> JointNumbers<L> for Numbers<'_, '_, L> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn get(&mut self, level: L::Level, index: usize) -> L {
         self.0.get(level, index)
-    }
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn half_turn(&mut self, level: L::Level, index: usize) -> [L; 2] {
-        let value = self.0.get(level, index);
-        half_turn(value * value.constant(0.5))
     }
 }
 

@@ -97,6 +97,7 @@ pub(super) fn freedoms<R: Real>(
             }
         }
     }
+    // Only those that carry a goal are columns of the system.
     for (position, step) in steps.iter().enumerate() {
         if carries(position) {
             let rates = step.rate as usize..step.rate as usize + step.kind.rates();
@@ -120,6 +121,8 @@ pub(super) fn freedoms<R: Real>(
             }
         }
     }
+    // The columns move to the front, in order; the slots of their rates say where they have gone. A column is never behind its
+    // rate, so nothing is overwritten before it is read.
     let mut count = 0;
     for rate in 0..freedoms.len() {
         let Some(&freedom) = freedoms.get(rate) else { continue };

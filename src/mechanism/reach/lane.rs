@@ -127,13 +127,7 @@ impl<R: Real> Lane<R> {
         let arrived = seen.angular <= options.angular_tolerance
             && seen.linear <= options.linear_tolerance
             && !self.out_of_reach;
-        // What has arrived is kept even where an earlier pose had the smaller sum of errors: that one had
-        // one of the two beyond its tolerance.
-        let is_best = match (self.is_fresh, self.converged) {
-            (true, _) => true,
-            (_, false) => arrived || seen.square < self.best.square,
-            (_, true) => arrived && seen.wish < self.best.wish,
-        };
+        let is_best = self.is_best(&seen, arrived);
         if is_best {
             self.best = seen;
         }
@@ -145,43 +139,69 @@ impl<R: Real> Lane<R> {
             self.converged = true;
             return (is_best, Next::End);
         }
-        if arrived || self.converged {
-            return (is_best, self.toward_posture(&seen, arrived, options));
+        let next = if arrived || self.converged {
+            self.toward_posture(&seen, arrived, options)
+        } else {
+            self.toward_targets(&seen, options, manner)
+        };
+        (is_best, next)
+    }
+
+    /// What has arrived is kept even where an earlier pose had the smaller sum of errors: that one had one of the two
+    /// beyond its tolerance. Of those that have arrived, the nearest to the posture.
+    fn is_best(&self, seen: &Seen<R>, arrived: bool) -> bool {
+        match (self.is_fresh, self.converged) {
+            (true, _) => true,
+            (_, false) => arrived || seen.square < self.best.square,
+            (_, true) => arrived && seen.wish < self.best.wish,
         }
+    }
+
+    /// Not there yet: a step, unless steps have stopped paying. Then the search begins again if it may, or ends. The last
+    /// part of the iterations is for steps from the nearest pose so far, without another beginning.
+    fn toward_targets(&mut self, seen: &Seen<R>, options: &Options<R>, manner: &Manner) -> Next {
         let may_restart = options.restarts && !self.out_of_reach && !self.settles;
-        let hopeless = may_restart && !self.begins && self.is_hopeless(&seen, manner);
-        let needed = R::from_f64(if may_restart { PROGRESS } else { LAST_PROGRESS });
-        if self.begins || seen.square < self.mark * needed {
+        let is_stuck = self.is_stuck(seen, manner, may_restart);
+        self.ever_stuck |= is_stuck;
+        self.adapt_caution(seen, may_restart || self.begins || !manner.is_cautious);
+        (self.is_fresh, self.begins, self.square) = (false, is_stuck, seen.square);
+        if is_stuck && !may_restart || self.iterations >= options.max_iterations {
+            return Next::End;
+        }
+        self.iterations += 1;
+        if !is_stuck {
+            return Next::Step;
+        }
+        let last = options.max_iterations / LAST;
+        self.settles = manner.settles && self.iterations > options.max_iterations - last;
+        if self.settles { Next::GoBack } else { Next::BeginAgain }
+    }
+
+    /// Whether too many steps in a row have brought too little, or the last one shows that no more will. Where there is
+    /// another beginning, less patience and more progress are asked for: to begin again is cheap.
+    fn is_stuck(&mut self, seen: &Seen<R>, manner: &Manner, may_restart: bool) -> bool {
+        let (needed, patience) = match may_restart {
+            true => (PROGRESS, PATIENCE),
+            false => (LAST_PROGRESS, LAST_PATIENCE),
+        };
+        let is_hopeless = may_restart && !self.begins && self.is_hopeless(seen, manner);
+        // Measured from the last mark, not from the last step: many small gains are progress too.
+        if self.begins || seen.square < self.mark * R::from_f64(needed) {
             (self.mark, self.idle_steps) = (seen.square, 0);
         } else {
             self.idle_steps += 1;
         }
-        let is_bold = may_restart || self.begins || !manner.is_cautious;
+        self.idle_steps >= patience || is_hopeless
+    }
+
+    /// A step that led away makes the next ones shorter; one that did not gives half of that back.
+    fn adapt_caution(&mut self, seen: &Seen<R>, is_bold: bool) {
         self.caution = if is_bold || seen.square <= self.square {
             let less = self.caution * R::HALF;
             if less > R::ONE { less } else { R::ONE }
         } else {
             self.caution * R::from(MORE_CAUTION)
         };
-        let patience = if may_restart { PATIENCE } else { LAST_PATIENCE };
-        let stuck = self.idle_steps >= patience || hopeless;
-        self.ever_stuck |= stuck;
-        (self.is_fresh, self.begins, self.square) = (false, false, seen.square);
-        if stuck && !may_restart || self.iterations >= options.max_iterations {
-            return (is_best, Next::End);
-        }
-        self.iterations += 1;
-        let is_last = manner.settles
-            && self.iterations > options.max_iterations - options.max_iterations / LAST;
-        if stuck && is_last {
-            (self.settles, self.begins) = (true, true);
-            return (is_best, Next::GoBack);
-        }
-        if stuck {
-            self.begins = true;
-            return (is_best, Next::BeginAgain);
-        }
-        (is_best, Next::Step)
     }
 
     /// The targets are reached, or have been: on to the posture, until poses that reach them come no nearer

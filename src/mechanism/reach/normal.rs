@@ -2,14 +2,9 @@
 
 use super::model::Model;
 use super::scratch::{Rows, Scratch};
+use crate::batch::vector::epsilon;
 use crate::real::Scalar;
-use dq8_simd::{Float, Lanes};
-
-/// The distance from 1 to the next larger number.
-#[cfg_attr(not(opt_level_0), inline(always))]
-fn epsilon<L: Lanes>() -> f64 {
-    if L::Real::SINGLE { f64::from(f32::EPSILON) } else { f64::EPSILON }
-}
+use dq8_simd::Lanes;
 
 /// A λ² that is none, but not zero.
 const FLOOR: f64 = 1e-30;
@@ -24,6 +19,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     pub(super) fn solve_normal(&mut self, damping: L) {
         let (level, rows, scratch) = (self.level, self.reach.rows, &mut self.scratch);
         let none = damping.constant(0.0).to_array();
+        // One pose is what most ask for: its triangle has 21 numbers, which stay on the stack, and loops of known length.
         if rows == POSE {
             let (mut a, mut b, mut c) = ([none; POSE * (POSE + 1) / 2], [none; POSE], [none; POSE]);
             let (mut triangle, mut reciprocals, mut y) = (Rows(&mut a), Rows(&mut b), Rows(&mut c));
@@ -84,6 +80,7 @@ fn solve<L: Lanes<Real: Scalar>>(
     // Where nothing moves anything, nothing is asked of it.
     let floor = damping + damping.constant(FLOOR);
     let least = trace.mul_add(damping.constant(0.25 * epsilon::<L>()), floor);
+    // Row by row: A = LLᵀ and Lz = y at once, z in the place of y. Pivots are kept as reciprocals of their roots.
     for i in 0..rows {
         let of_i = i * (i + 1) / 2;
         let mut pivot = a.get(level, of_i + i) + least;
@@ -104,6 +101,7 @@ fn solve<L: Lanes<Real: Scalar>>(
         reciprocals.set(i, reciprocal);
         y.set(i, solved * reciprocal);
     }
+    // Lᵀy = z, from the last row up.
     for i in (0..rows).rev() {
         let mut solved = y.get(level, i);
         for k in i + 1..rows {

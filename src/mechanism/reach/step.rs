@@ -38,6 +38,8 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
         let damping = caution * caution.constant(DAMPING);
         let damping = apart.square.mul_add(damping, self.scales.least_damping);
         self.keep_wishes(arrived);
+        // The first solution says how far everything moves. Where that pays, the step is solved again along columns that
+        // are bent by half of it: a step of second order, Halley's.
         self.linearize(false);
         let mut limited = self.limited_step(damping, running);
         if self.reach.bends() {
@@ -68,6 +70,8 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
         }
         // Nowhere yet.
         let mut limited = zero.lt(zero);
+        // Each round but the last holds one freedom more, in some lane, so there are no more rounds than freedoms and one.
+        // Lanes that no limit stops find the same changes again.
         for _ in 0..=self.reach.freedoms.len() {
             let shrink = self.solve(damping);
             let stopped = self.take(shrink) & running;
@@ -90,6 +94,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
         let scratch = &mut self.scratch;
         let mut most = self.scales.longest;
         for (index, column) in scratch.columns.runs(rows).enumerate() {
+            // z + Jᵀy; a held column is zero, so that only z must be taken out of it.
             let mut radians = if wishes {
                 let is_held = scratch.held.get(level, index).eq(zero.constant(1.0));
                 L::select(is_held, zero, scratch.wishes.get(level, index))
@@ -153,6 +158,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
             if !stops.any() {
                 continue;
             }
+            // It goes to the limit and no farther, what that does is taken off the errors, and its column becomes zero.
             stopped = stopped | stops;
             scratch.changes.set(index, L::select(stops, inside - value, change));
             let taken = L::select(stops, (inside - value) / unit, zero);
@@ -179,10 +185,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
             for (index, freedom) in self.reach.freedoms.iter().enumerate() {
                 // Zero where it is held, whose part has been taken off.
                 let component = self.scratch.columns.get(level, index * rows + row);
-                let change = self.scratch.changes.get(level, index);
-                let unit = self.scales.radians_per_length;
-                let radians = if freedom.is_slide() { change * unit } else { change };
-                left = component.neg_mul_add(radians, left);
+                left = component.neg_mul_add(self.radians(index, freedom), left);
             }
             square = left.mul_add(left, square);
         }
@@ -194,12 +197,17 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     fn moved(&self) -> L {
         let mut square = self.scales.length.constant(0.0);
         for (index, freedom) in self.reach.freedoms.iter().enumerate() {
-            let change = self.scratch.changes.get(self.level, index);
-            let unit = self.scales.radians_per_length;
-            let radians = if freedom.is_slide() { change * unit } else { change };
+            let radians = self.radians(index, freedom);
             square = radians.mul_add(radians, square);
         }
         square
+    }
+
+    /// The change of a value, in radians.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn radians(&self, index: usize, freedom: &Freedom<L::Real>) -> L {
+        let change = self.scratch.changes.get(self.level, index);
+        if freedom.is_slide() { change * self.scales.radians_per_length } else { change }
     }
 
     /// The values moved, each within its limits. What is not finite moves nothing.

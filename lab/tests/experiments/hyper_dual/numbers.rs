@@ -31,16 +31,15 @@ fn section_1_zero_divisors_are_the_numbers_without_real_part() {
     // (2ε₁ + 3ε₂)(2ε₁ − 3ε₂) = 0, and all of them with ε₁ε₂.
     assert_eq!(x * y, Number::ZERO);
     assert_eq!(x * Number::EPSILON_12, Number::ZERO);
-    assert!(x.inverse().is_err() && y.inverse().is_err());
+    assert!(x.inverse().is_none() && y.inverse().is_none());
 }
 
 #[test]
 fn section_1_the_inverse_does_not_exist_without_a_finite_real_part() {
     for real in [0.0, -0.0, f64::INFINITY, f64::NEG_INFINITY, f64::NAN] {
-        let error = HyperDual::new(real, 1.0, 1.0, 1.0).inverse().unwrap_err();
-        assert_eq!(error.real_norm.to_bits(), real.abs().to_bits());
+        assert_eq!(HyperDual::new(real, 1.0, 1.0, 1.0).inverse(), None);
     }
-    assert!(HyperDual::new(5e-324, 0.0, 0.0, 0.0).inverse().is_ok());
+    assert!(HyperDual::new(5e-324, 0.0, 0.0, 0.0).inverse().is_some());
 }
 
 proptest! {
