@@ -39,6 +39,13 @@ pub enum ShapeError {
         /// Its parent.
         parent: usize,
     },
+    /// A link that a mechanism does not have.
+    NoLink {
+        /// The link asked for.
+        link: usize,
+        /// How many links there are.
+        links: usize,
+    },
     /// A pose that a crowd does not have.
     NoPose {
         /// The instance asked for.
@@ -80,6 +87,9 @@ impl fmt::Display for ShapeError {
                 f,
                 "the parent of joint {joint}, joint {parent}, is not among those that are computed"
             ),
+            Self::NoLink { link, links } => {
+                write!(f, "there is no link {link}: the mechanism has {links}, counted from 0")
+            }
             Self::NoPose { instance, joint, instances, joints } => write!(
                 f,
                 "no joint {joint} of instance {instance} among {instances} instances of {joints} joints"

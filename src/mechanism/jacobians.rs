@@ -10,7 +10,7 @@ use super::walk::{Joined, Task, Walk};
 use crate::batch::DualQuat;
 use crate::dispatch::Backend;
 use crate::geometry::Twist;
-use crate::shape::{ShapeError, joints_within, same_length, whole_instances};
+use crate::shape::{ShapeError, same_length};
 use crate::storage::{Element, Layout, Number, Tile, aos, identity};
 use core::marker::PhantomData;
 use dq8_simd::Level;
@@ -60,11 +60,9 @@ impl Backend {
         E: Element<8>,
         C: Element<6, Layout = E::Layout>,
     {
-        for &link in links {
-            joints_within(&(link..link.saturating_add(1)), mechanism.links())?;
-        }
-        let elements = whole_instances("poses", links.len(), poses.len())?;
-        T::check("values", values.len(), mechanism.values, elements)?;
+        mechanism.check_links(links)?;
+        let elements =
+            mechanism.configurations::<E::Layout, T>(values, links.len(), poses.len())?;
         same_length("columns", columns.len(), poses.len() * mechanism.rates)?;
         let mut sums = false;
         for step in mechanism.steps {

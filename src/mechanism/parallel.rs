@@ -4,7 +4,7 @@ use super::frame::JacobianFrame;
 use super::tree::Mechanism;
 use super::values::JointValues;
 use crate::dispatch::Backend;
-use crate::shape::{ShapeError, joints_within, same_length, whole_instances};
+use crate::shape::{ShapeError, same_length};
 use crate::storage::{Element, Number};
 use rayon::prelude::*;
 
@@ -34,8 +34,7 @@ impl Backend {
         E: Element<8> + Send,
     {
         let (links, count) = (mechanism.links(), mechanism.values);
-        let elements = whole_instances("poses", links, poses.len())?;
-        T::check("values", values.len(), count, elements)?;
+        mechanism.configurations::<E::Layout, T>(values, links, poses.len())?;
         let task = grain(links);
         poses.par_chunks_mut((task * links).max(1)).enumerate().try_for_each(|(i, poses)| {
             self.link_poses(mechanism, T::part(values, count, i * task, task), poses)
@@ -58,12 +57,9 @@ impl Backend {
         T: JointValues<E::Layout> + Sync,
         E: Element<8> + Send,
     {
-        for &link in chosen {
-            joints_within(&(link..link.saturating_add(1)), mechanism.links())?;
-        }
+        mechanism.check_links(chosen)?;
         let (links, count) = (chosen.len(), mechanism.values);
-        let elements = whole_instances("poses", links, poses.len())?;
-        T::check("values", values.len(), count, elements)?;
+        mechanism.configurations::<E::Layout, T>(values, links, poses.len())?;
         let task = grain(mechanism.links());
         poses.par_chunks_mut((task * links).max(1)).enumerate().try_for_each(|(i, poses)| {
             self.chosen_link_poses(mechanism, chosen, T::part(values, count, i * task, task), poses)
@@ -90,12 +86,9 @@ impl Backend {
         E: Element<8> + Send,
         C: Element<6, Layout = E::Layout> + Send,
     {
-        for &link in links {
-            joints_within(&(link..link.saturating_add(1)), mechanism.links())?;
-        }
+        mechanism.check_links(links)?;
         let (count, rates) = (mechanism.values, mechanism.rates);
-        let elements = whole_instances("poses", links.len(), poses.len())?;
-        T::check("values", values.len(), count, elements)?;
+        mechanism.configurations::<E::Layout, T>(values, links.len(), poses.len())?;
         same_length("columns", columns.len(), poses.len() * rates)?;
         let task = grain(mechanism.links());
         if rates == 0 || links.is_empty() {
@@ -128,8 +121,7 @@ impl Backend {
         C: Element<6, Layout = E::Layout> + Send,
     {
         let (links, count) = (mechanism.links(), [mechanism.values, mechanism.rates]);
-        let elements = whole_instances("poses", links, poses.len())?;
-        T::check("values", values.len(), count[0], elements)?;
+        let elements = mechanism.configurations::<E::Layout, T>(values, links, poses.len())?;
         T::check("rates", rates.len(), count[1], elements)?;
         same_length("twists", twists.len(), poses.len())?;
         let task = grain(links);
@@ -164,8 +156,7 @@ impl Backend {
         C: Element<6, Layout = E::Layout> + Send,
     {
         let (links, count) = (mechanism.links(), [mechanism.values, mechanism.rates]);
-        let elements = whole_instances("poses", links, poses.len())?;
-        T::check("values", values.len(), count[0], elements)?;
+        let elements = mechanism.configurations::<E::Layout, T>(values, links, poses.len())?;
         T::check("rates", rates.len(), count[1], elements)?;
         T::check("second_rates", second_rates.len(), count[1], elements)?;
         same_length("twists", twists.len(), poses.len())?;

@@ -6,7 +6,7 @@ use super::tree::Mechanism;
 use super::values::JointValues;
 use super::walk::{Joined, Task, Walk};
 use crate::dispatch::Backend;
-use crate::shape::{ShapeError, joints_within, whole_instances};
+use crate::shape::ShapeError;
 use crate::storage::{Element, Layout, Number};
 use dq8_simd::Level;
 
@@ -49,8 +49,8 @@ impl Backend {
         values: &[T],
         poses: &mut [E],
     ) -> Result<(), ShapeError> {
-        let elements = whole_instances("poses", mechanism.links(), poses.len())?;
-        T::check("values", values.len(), mechanism.values, elements)?;
+        let elements =
+            mechanism.configurations::<E::Layout, T>(values, mechanism.links(), poses.len())?;
         let task = All { poses, links: mechanism.links() };
         self.run(Walk::<E::Layout, _, _> { mechanism, values, elements, task });
         Ok(())
@@ -81,11 +81,9 @@ impl Backend {
         values: &[T],
         poses: &mut [E],
     ) -> Result<(), ShapeError> {
-        for &link in links {
-            joints_within(&(link..link.saturating_add(1)), mechanism.links())?;
-        }
-        let elements = whole_instances("poses", links.len(), poses.len())?;
-        T::check("values", values.len(), mechanism.values, elements)?;
+        mechanism.check_links(links)?;
+        let elements =
+            mechanism.configurations::<E::Layout, T>(values, links.len(), poses.len())?;
         let task = Chosen { poses: &mut *poses, links };
         self.run(Walk::<E::Layout, _, _> { mechanism, values, elements, task });
         repeat(links, poses);

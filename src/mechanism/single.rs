@@ -9,7 +9,7 @@ use super::tree::Mechanism;
 use crate::geometry::Twist;
 use crate::real::Real;
 use crate::scalar::{DualQuat, Quat, lie_bracket, vector};
-use crate::shape::{ShapeError, joints_within, same_length};
+use crate::shape::{ShapeError, same_length};
 
 impl<R: Real> Mechanism<'_, R> {
     /// The poses of all links in the frame of the base: pose(j) = pose(parent(j)) · placement(j) ·
@@ -199,7 +199,7 @@ impl<R: Real> Mechanism<'_, R> {
 
     fn check(&self, values: &[R], link: usize) -> Result<(), ShapeError> {
         same_length("values", values.len(), self.values)?;
-        joints_within(&(link..link.saturating_add(1)), self.links())
+        self.check_links(&[link])
     }
 }
 

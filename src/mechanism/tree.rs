@@ -1,7 +1,10 @@
 use super::error::MechanismError;
 use super::joint::Joint;
 use super::step::{NONE, Step};
+use super::values::JointValues;
 use crate::real::Real;
+use crate::shape::{ShapeError, whole_instances};
+use crate::storage::Layout;
 
 /// A tree of joints, checked once, of any number known at run time. It borrows its memory: a [`Step`] for
 /// each joint. [`OwnedMechanism`](super::OwnedMechanism) has its own.
@@ -55,6 +58,27 @@ impl<'a, R: Real> Mechanism<'a, R> {
 }
 
 impl<R: Copy> Mechanism<'_, R> {
+    /// Whether there are these links.
+    pub(super) fn check_links(&self, links: &[usize]) -> Result<(), ShapeError> {
+        match links.iter().find(|&&link| link >= self.links()) {
+            Some(&link) => Err(ShapeError::NoLink { link, links: self.links() }),
+            None => Ok(()),
+        }
+    }
+
+    /// How many configurations, or blocks of them, have as many `poses` if each has those of `links` links, and whether
+    /// there are values for as many.
+    pub(super) fn configurations<Y: Layout, T: JointValues<Y>>(
+        &self,
+        values: &[T],
+        links: usize,
+        poses: usize,
+    ) -> Result<usize, ShapeError> {
+        let elements = whole_instances("poses", links, poses)?;
+        T::check("values", values.len(), self.values, elements)?;
+        Ok(elements)
+    }
+
     /// How many links there are: one for each joint.
     #[must_use]
     pub fn links(&self) -> usize {

@@ -9,7 +9,7 @@ use super::walk::{Joined, Task, Walk};
 use crate::batch::lie_bracket;
 use crate::dispatch::Backend;
 use crate::geometry::Twist;
-use crate::shape::{ShapeError, same_length, whole_instances};
+use crate::shape::{ShapeError, same_length};
 use crate::storage::{Element, Layout, Number, aos};
 use dq8_simd::Level;
 
@@ -47,8 +47,8 @@ impl Backend {
         E: Element<8>,
         C: Element<6, Layout = E::Layout>,
     {
-        let elements = whole_instances("poses", mechanism.links(), poses.len())?;
-        T::check("values", values.len(), mechanism.values, elements)?;
+        let elements =
+            mechanism.configurations::<E::Layout, T>(values, mechanism.links(), poses.len())?;
         T::check("rates", rates.len(), mechanism.rates, elements)?;
         same_length("twists", twists.len(), poses.len())?;
         let moving = Moving { poses, twists, links: mechanism.links() };
@@ -79,7 +79,7 @@ impl Backend {
     /// Backend::best().link_accelerations(
     ///     arm.view(), &[0.0, 0.0], &rates, &second, &mut poses, &mut twists, &mut accelerations,
     /// )?;
-    /// // The slide is turned by 3 a second: twice Coriolis is what a point on it feels, and this is once.
+    /// // The slide moves out at 0.5 on an arm that turns at 3 rad/s: ω × v, half of what Coriolis asks of a point on it.
     /// assert_eq!(accelerations[1], [0.0, 0.0, 0.0, 0.0, 1.5, 0.0]);
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
@@ -99,8 +99,8 @@ impl Backend {
         E: Element<8>,
         C: Element<6, Layout = E::Layout>,
     {
-        let elements = whole_instances("poses", mechanism.links(), poses.len())?;
-        T::check("values", values.len(), mechanism.values, elements)?;
+        let elements =
+            mechanism.configurations::<E::Layout, T>(values, mechanism.links(), poses.len())?;
         T::check("rates", rates.len(), mechanism.rates, elements)?;
         T::check("second_rates", second_rates.len(), mechanism.rates, elements)?;
         same_length("twists", twists.len(), poses.len())?;
