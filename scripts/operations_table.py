@@ -58,6 +58,8 @@ KERNELS = {
     ("DualQuat", "dib"): ["dib_windows"],
     ("DualQuat", "log"): ["log"],
     ("DualQuat", "exp"): ["exp"],
+    ("DualQuat", "to_twist"): ["to_twist"],
+    ("DualQuat", "from_twist"): ["from_twist"],
     ("DualQuat", "pow"): ["pow_each"],
     ("DualQuat", "integrate_body"): ["integrate_body"],
     ("DualQuat", "angle_to"): ["angles"],

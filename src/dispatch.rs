@@ -11,7 +11,7 @@ use dq8_simd::{Level, Portable};
 ///
 /// Whatever `run` calls must be `#[inline(always)]`, closures included: what the compiler keeps out of
 /// line is compiled without the instructions of its level, and there every lane operation becomes a
-/// call, 10 to 50 times slower. [The guide](crate::guide::kernel) lists what that forbids, and how to tell.
+/// call, 10 to 45 times slower. [The guide](crate::guide::kernel) lists what that forbids, and how to tell.
 ///
 /// A kernel of your own, for motions in any layout and of any precision:
 ///

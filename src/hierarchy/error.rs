@@ -45,6 +45,13 @@ impl fmt::Display for HierarchyError {
                 "joint {joint} has parent {parent}, which must come before it (sort parents first; \
                  a cycle cannot be sorted)"
             ),
+            // Negative numbers come as what they are as a `u32`.
+            Self::ParentOutOfRange { joint, parent, joints } if parent.cast_signed() < 0 => write!(
+                f,
+                "joint {joint} has parent {parent} ({} as a signed number), but there are only {joints} \
+                 joints, and −1 is none",
+                parent.cast_signed()
+            ),
             Self::ParentOutOfRange { joint, parent, joints } => {
                 write!(f, "joint {joint} has parent {parent}, but there are only {joints} joints")
             }

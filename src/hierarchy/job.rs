@@ -112,7 +112,8 @@ impl<'a, E: Element<8>> Job<'a, E> {
         self
     }
 
-    /// Sets the order of the numbers in a palette's matrices; rows by default.
+    /// Sets the order of the numbers in a palette's matrices; rows by default, which is what
+    /// [skins](crate::skinning::Linear) read.
     #[must_use]
     pub fn matrix_order(mut self, order: MatrixOrder) -> Self {
         self.order = order;
@@ -188,7 +189,7 @@ impl<'a, E: Element<8>> Job<'a, E> {
     /// [`locals_to_model`](Self::locals_to_model), and in the same pass the skinning palette:
     /// `palette[j]` = model(j) · `inverse_binds[j]`, which takes a vertex of the mesh in its rest pose
     /// to where joint j has moved it. `inverse_binds` holds one per joint, the same for all instances;
-    /// the palette is of motions or of 3×4 matrices.
+    /// the palette is of motions, 3×4 or 4×4 matrices: [`PaletteEntry`].
     ///
     /// # Errors
     /// If lengths or the range do not fit; `models` and `palette` are untouched.

@@ -1,7 +1,7 @@
 //! [`PoseSource`]: poses that are computed as they are loaded. Sources nest: a layer loads from other sources.
 
 use super::locals::sealed::Sealed;
-use super::locals::{Locals, Motions, Poses, RotationsTranslations, part_of};
+use super::locals::{Locals, Motions, Poses, RotationsTranslations, Transforms, part_of};
 use super::slot::JointSlot;
 use crate::law::Law;
 use crate::real::Scalar;
@@ -11,7 +11,7 @@ use core::ops::Range;
 use dq8_simd::Level;
 
 /// Poses of whole instances, `C` numbers each, that come into registers of the layout `M`: stored ones
-/// ([`Poses`], [`RotationsTranslations`]), those of a clip ([`Sampled`](super::Sampled)), or [`Layered`] ones. Sealed.
+/// ([`Poses`], [`RotationsTranslations`], [`Transforms`]), those of a clip ([`Sampled`](super::Sampled)), or [`Layered`] ones. Sealed.
 pub trait PoseSource<M: Layout, const C: usize>: Copy + Sealed {
     /// Their name in errors, and how many elements of the layout they fill, for so many joints.
     ///
@@ -67,9 +67,34 @@ impl<E: Element<7>> PoseSource<E::Layout, 7> for RotationsTranslations<'_, E> {
     }
 }
 
+impl<Q: Element<4>, T: Element<3, Layout = Q::Layout>> PoseSource<Q::Layout, 7>
+    for Transforms<'_, Q, T>
+{
+    fn shape(&self, _: usize) -> Result<(&'static str, usize), ShapeError> {
+        same_length("translations", self.translations.len(), self.rotations.len())?;
+        Ok(("rotations", self.rotations.len()))
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn pose<V: Level>(
+        self,
+        level: V,
+        slot: JointSlot,
+    ) -> Option<[<Q::Layout as Layout>::Register<V>; 7]> {
+        let [x, y, z, w] = Q::load(level, self.rotations, slot.tile(), &storage::identity())?;
+        let [a, b, c] = T::load(level, self.translations, slot.tile(), &storage::identity())?;
+        Some([x, y, z, w, a, b, c])
+    }
+    fn some(self, joints: usize, instances: Range<usize>) -> Self {
+        Self {
+            rotations: part_of(self.rotations, joints, instances.clone()),
+            translations: part_of(self.translations, joints, instances),
+        }
+    }
+}
+
 /// A layer over other poses, by a weight for each instance and, where it is masked, for each joint.
 ///
-/// Debug builds need about 1.5 MiB of stack per layer: [the table](crate::guide::firmware#stack).
+/// In debug builds each layer takes [stack](crate::guide::firmware#stack).
 ///
 /// ```
 /// use dq8::hierarchy::Layered;

@@ -10,8 +10,15 @@ use dq8_simd::Level;
 /// The motions of one register of instances.
 pub(super) type Motions<E, V> = batch::DualQuat<Register<E, V, 8>>;
 
-/// Locals of whole instances, `[instance][joint]`: [`Poses`], [`RotationsTranslations`],
+/// Locals of whole instances, `[instance][joint]`: [`Poses`], [`RotationsTranslations`], [`Transforms`],
 /// [`Rotations`], [`Sampled`](super::Sampled) or [`Layered`](super::Layered). Sealed.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` are no locals for models of `{E}`",
+    note = "see the list of implementors: `Poses(&motions)`, `RotationsTranslations(&seven_numbers)`, \
+            `Transforms {{ rotations, translations }}`, `Rotations {{ rotations, offsets }}`, `Sampled`, `Layered`; all in \
+            the layout of the models",
+    note = "slices of glam's types become those of dq8 by `dq8::interop::glam_034::quats` and `points`"
+)]
 pub trait Locals<E: Element<8>>: Copy + sealed::Sealed {
     /// Their name in errors, and how many locals there are for this number of models.
     ///
@@ -127,6 +134,66 @@ impl<E: Element<8>, T: Element<7, Layout = E::Layout>> Locals<E> for RotationsTr
     }
 }
 
+/// Rotations and translations of each joint in two arrays, as animation tracks have them:
+/// [`RotationsTranslations`] taken apart.
+///
+/// ```
+/// use dq8::{DualQuat, Hierarchy, Quat, hierarchy::Transforms};
+/// let parents = [Hierarchy::ROOT, 0];
+/// let arm = Hierarchy::new(&parents)?;
+/// let half_turn = Quat::from_xyzw(0.0_f32, 0.0, 1.0, 0.0);
+/// let locals =
+///     Transforms { rotations: &[half_turn; 2], translations: &[[0.0; 3], [2.0, 0.0, 0.0]] };
+/// let mut models = [DualQuat::IDENTITY; 2];
+/// arm.job().locals_to_model(locals, &mut models)?;
+/// assert_eq!(models[1].translation(), [-2.0, 0.0, 0.0]);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Transforms<'s, Q, T> {
+    /// One for each joint.
+    pub rotations: &'s [Q],
+    /// One for each joint.
+    pub translations: &'s [T],
+}
+
+impl<E, Q, T> Locals<E> for Transforms<'_, Q, T>
+where
+    E: Element<8>,
+    Q: Element<4, Layout = E::Layout>,
+    T: Element<3, Layout = E::Layout>,
+{
+    fn shape(&self, _: usize, _: usize) -> Result<(&'static str, usize), ShapeError> {
+        same_length("translations", self.translations.len(), self.rotations.len())?;
+        Ok(("rotations", self.rotations.len()))
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Motions<E, V>> {
+        let rotation = Q::load(level, self.rotations, slot.tile(), &storage::identity())?;
+        let translation = T::load(level, self.translations, slot.tile(), &storage::identity())?;
+        let rotation = batch::Quat::from_array(rotation);
+        Some(Motions::<E, V>::from_rotation_translation(rotation, translation))
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn onto<V: Level>(
+        self,
+        level: V,
+        parent: Motions<E, V>,
+        _: &[E],
+        slot: JointSlot,
+    ) -> Option<Motions<E, V>> {
+        let rotation = Q::load(level, self.rotations, slot.tile(), &storage::identity())?;
+        let translation = T::load(level, self.translations, slot.tile(), &storage::identity())?;
+        Some(parent.mul_rotation_translation(batch::Quat::from_array(rotation), translation))
+    }
+    fn part(self, joints: usize, instances: Range<usize>) -> Self {
+        Self {
+            rotations: part_of(self.rotations, joints, instances.clone()),
+            translations: part_of(self.translations, joints, instances),
+        }
+    }
+}
+
 /// Rotations, and the offset of each joint from its parent, the same for all instances: what
 /// animation clips hold, and half the memory of motions.
 #[derive(Clone, Copy, Debug)]
@@ -183,10 +250,11 @@ pub(super) fn part_of<T>(slice: &[T], count: usize, instances: Range<usize>) -> 
 }
 
 pub(super) mod sealed {
-    use super::{Element, InPlace, Poses, Rotations, RotationsTranslations};
+    use super::{Element, InPlace, Poses, Rotations, RotationsTranslations, Transforms};
     pub trait Sealed {}
     impl Sealed for InPlace {}
     impl<E> Sealed for Poses<'_, E> {}
     impl<T> Sealed for RotationsTranslations<'_, T> {}
+    impl<Q, T> Sealed for Transforms<'_, Q, T> {}
     impl<Q: Element<4>> Sealed for Rotations<'_, Q> {}
 }

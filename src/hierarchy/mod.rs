@@ -5,7 +5,7 @@
 //! | [`Hierarchy`] | a parent array, checked once |
 //! | [`Skeleton`] | one that owns its parents, of any order and type, and takes a plan where that is faster (feature `alloc`) |
 //! | [`Job`] | a run over it: with a root transform, on some of the joints, with a palette, backwards |
-//! | [`Poses`], [`RotationsTranslations`], [`Rotations`] | forms of [locals](Locals) |
+//! | [`Poses`], [`RotationsTranslations`], [`Transforms`], [`Rotations`] | forms of [locals](Locals) |
 //! | [`Clip`], [`Sampled`], [`Layered`] | locals that are sampled, blended and masked on their way into registers |
 //! | [`HierarchyPlan`], [`Strategy`] | one instance: an order found once (feature `alloc`) |
 //! | [`BorrowedPlan`], [`PlanScratch`] | the same in memory of the caller's |
@@ -57,7 +57,7 @@ pub use crowd::Crowd;
 pub use error::HierarchyError;
 pub use job::Job;
 pub use layers::{Layered, PoseSource};
-pub use locals::{Locals, Poses, Rotations, RotationsTranslations};
+pub use locals::{Locals, Poses, Rotations, RotationsTranslations, Transforms};
 pub use parents::Hierarchy;
 #[cfg(feature = "alloc")]
 pub use plan::{HierarchyPlan, Strategy};

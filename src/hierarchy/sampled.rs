@@ -12,7 +12,7 @@ use core::ops::Range;
 use dq8_simd::{Gather, Level, Records};
 
 /// Key frames at equal distances in time, `[frame][joint]`: motions, or rotations with translations
-/// `[x, y, z, w, tx, ty, tz]`.
+/// `[x, y, z, w, tx, ty, tz]`. A clip that loops ends with its first frame once more.
 #[derive(Clone, Copy, Debug)]
 pub struct Clip<'c, K> {
     keys: &'c [K],
@@ -62,6 +62,9 @@ impl<'c, K> Clip<'c, K> {
 /// Many instances, each at its own place in the same clip: instance i lies `t[i]` of the way from frame
 /// `frames[i]` to the next one, with all of its joints. [Locals](super::Locals) like any other: the keys go
 /// from the clip into registers, are interpolated there, and multiplied on, all in one pass.
+///
+/// Instances that play different clips share one call if the keys of all clips lie in one array, one clip after the
+/// other: add the number of frames before a clip to the frame that [`Clip::place`] of that clip gives.
 ///
 /// ```
 /// use dq8::hierarchy::{Clip, Sampled};
@@ -120,7 +123,7 @@ where
     K: Element<C, Layout = Aos<M::Real>>,
 {
     fn shape(&self, joints: usize) -> Result<(&'static str, usize), ShapeError> {
-        same_length("joints of the clip", self.clip.joints, joints)?;
+        same_length("each frame of the clip", self.clip.joints, joints)?;
         Ok(("frames", joints.saturating_mul(self.t.len().div_ceil(M::THINGS))))
     }
     fn instances(&self) -> Option<usize> {

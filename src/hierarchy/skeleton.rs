@@ -214,7 +214,8 @@ macro_rules! parent_indices {
         impl ParentIndex for Option<$number> {
             fn number(self) -> u32 {
                 self.map_or(Hierarchy::ROOT, |parent| {
-                    u32::try_from(parent).unwrap_or(BEYOND).min(BEYOND)
+                    let signed = || i32::try_from(parent).map(i32::cast_unsigned);
+                    u32::try_from(parent).or_else(|_| signed()).unwrap_or(BEYOND).min(BEYOND)
                 })
             }
         }

@@ -99,6 +99,34 @@ pub fn dquats(quaternions: &[glam::DQuat]) -> &[Quat<f64>] {
     bytemuck::must_cast_slice(quaternions)
 }
 
+/// glam's quaternions of `f64` as ours, to be written.
+#[must_use]
+pub fn dquats_mut(quaternions: &mut [glam::DQuat]) -> &mut [Quat<f64>] {
+    bytemuck::must_cast_slice_mut(quaternions)
+}
+
+/// glam's matrices as the columns that they are, to be written: a palette by
+/// [`MatrixOrder::Columns`](crate::hierarchy::MatrixOrder).
+///
+/// ```
+/// use dq8::hierarchy::{MatrixOrder, Poses};
+/// use dq8::interop::glam_034::mat4s_mut;
+/// use dq8::{DualQuat, Hierarchy};
+/// let parents = [Hierarchy::ROOT, 0];
+/// let arm = Hierarchy::new(&parents)?;
+/// let locals = [DualQuat::from_translation([1.0_f32, 0.0, 0.0]); 2];
+/// let (mut scratch, mut palette) = ([DualQuat::IDENTITY; 2], [glam::Mat4::ZERO; 2]);
+/// let job = arm.job().matrix_order(MatrixOrder::Columns);
+/// let binds = [DualQuat::IDENTITY; 2];
+/// job.palette(Poses(&locals), &mut scratch, &binds, mat4s_mut(&mut palette))?;
+/// assert_eq!(palette[1], glam::Mat4::from_translation(glam::Vec3::new(2.0, 0.0, 0.0)));
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[must_use]
+pub fn mat4s_mut(matrices: &mut [glam::Mat4]) -> &mut [[[f32; 4]; 4]] {
+    bytemuck::must_cast_slice_mut(matrices)
+}
+
 /// glam's vectors as points, where they lie.
 #[must_use]
 pub fn points(vectors: &[glam::Vec3]) -> &[[f32; 3]] {
@@ -115,4 +143,10 @@ pub fn points_mut(vectors: &mut [glam::Vec3]) -> &mut [[f32; 3]] {
 #[must_use]
 pub fn dpoints(vectors: &[glam::DVec3]) -> &[[f64; 3]] {
     bytemuck::must_cast_slice(vectors)
+}
+
+/// glam's vectors of `f64` as points, to be written.
+#[must_use]
+pub fn dpoints_mut(vectors: &mut [glam::DVec3]) -> &mut [[f64; 3]] {
+    bytemuck::must_cast_slice_mut(vectors)
 }

@@ -8,6 +8,8 @@
 //! | [`World`], [`Body`], [`WorldAligned`] | the frame of a Jacobian |
 //! | [`JointValues`] | how values of many configurations lie in memory |
 //! | [`Reach`], [`Goal`], [`Freedom`] | inverse kinematics: which values bring links to their targets |
+//! | [`OwnedReach`] | the same with memory of its own (feature `alloc`) |
+//! | [`Options`], [`Report`], [`Outcome`] | how it searches, and how a search ended |
 //!
 //! Everything is there twice: for one configuration and any [`Real`](crate::Real), by the book, as a method
 //! of [`Mechanism`]; and for many on lanes, as a method of [`Backend`](crate::Backend).
@@ -50,7 +52,9 @@ pub use frame::{Body, JacobianFrame, World, WorldAligned};
 pub use joint::{Joint, JointKind, Mimic};
 #[cfg(feature = "alloc")]
 pub use owned::OwnedMechanism;
-pub use reach::{Freedom, Goal, Reach, ReachError};
+#[cfg(feature = "alloc")]
+pub use reach::OwnedReach;
+pub use reach::{Freedom, Goal, Options, Outcome, Reach, ReachError, Report};
 pub use step::Step;
 pub(crate) use step::UNIT;
 pub use tree::Mechanism;

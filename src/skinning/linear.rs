@@ -19,7 +19,10 @@ pub struct Linear<'a, R> {
 }
 
 impl<'a, R: Scalar> Linear<'a, R> {
-    /// The rows of each joint's 3×4 matrix, from the mesh at rest to the posed mesh.
+    /// The rows of each joint's 3×4 matrix, from the mesh at rest to the posed mesh: [`MatrixOrder::Rows`], as palettes are
+    /// unless told otherwise.
+    ///
+    /// [`MatrixOrder::Rows`]: crate::hierarchy::MatrixOrder
     #[must_use]
     pub fn new(palette: &'a [[[R; 4]; 3]]) -> Self {
         Self { palette }

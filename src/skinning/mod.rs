@@ -13,7 +13,7 @@
 //! [`Backend::skin_interleaved`] does so in vertex buffers, whose vertices are records of several fields;
 //! [`Skin::interleaved`] reads joints and weights there too.
 //!
-//! Palettes of motions or 3×4 matrices come from [`Job::locals_to_palette`](crate::Job::locals_to_palette) as
+//! Palettes of motions or 3×4 matrices by rows come from [`Job::locals_to_palette`](crate::Job::locals_to_palette) as
 //! well; [`matrix_palette`] makes one of the matrices of an engine or a file, and [`split_palette`] takes it
 //! apart into motions and stretches. [`linear_blend`] and [`dual_blend`] are the reference, for one vertex.
 //!

@@ -12,7 +12,8 @@
 //! | [`transform_points_each`](Backend::transform_points_each), [`transform_vectors_each`](Backend::transform_vectors_each) | by one motion each |
 //! | [`transform_lines_each`](Backend::transform_lines_each), [`transform_planes_each`](Backend::transform_planes_each), [`transform_twists_each`](Backend::transform_twists_each) | by one motion each |
 //! | [`dlb`](Backend::dlb) | linear blends of several motions, by a weight each |
-//! | [`log`](Backend::log), [`exp`](Backend::exp), [`pow_each`](Backend::pow_each) | screws and their powers |
+//! | [`log`](Backend::log), [`exp`](Backend::exp), [`pow_each`](Backend::pow_each) | screws and their powers; a logarithm is *half* a twist |
+//! | [`to_twist`](Backend::to_twist), [`from_twist`](Backend::from_twist) | motions and the twists that lead to them in one second |
 //! | [`integrate_body`](Backend::integrate_body) | one step along twists |
 //! | [`angles`](Backend::angles), [`distances`](Backend::distances) | between aᵢ and bᵢ |
 //! | [`matrices`](Backend::matrices) | 3×4 and 4×4 matrices, by rows or by columns |

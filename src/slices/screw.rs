@@ -50,6 +50,49 @@ impl Backend {
         Ok(())
     }
 
+    /// `twists[i]` = 2 log σᵢ of unit motions: the twist that leads to σᵢ in one second, angular part first; see
+    /// [`DualQuat::to_twist`](crate::DualQuat::to_twist).
+    ///
+    /// # Errors
+    /// If the slices differ in length; `twists` is untouched.
+    ///
+    /// ```
+    /// use dq8::{Backend, DualQuat, Twist};
+    /// let steps = [DualQuat::from_translation([2.0_f32, 4.0, 6.0]); 5];
+    /// let (mut twists, mut back) = ([Twist::from_array([0.0; 6]); 5], [DualQuat::ZERO; 5]);
+    /// Backend::best().to_twist(&steps, &mut twists)?;
+    /// assert_eq!(twists[4].linear, [2.0, 4.0, 6.0]);
+    /// Backend::best().from_twist(&twists, &mut back)?;
+    /// assert_eq!(back, steps);
+    /// # Ok::<(), dq8::ShapeError>(())
+    /// ```
+    #[inline]
+    pub fn to_twist<M: Element<8>, P: Element<6, Layout = M::Layout>>(
+        self,
+        motions: &[M],
+        twists: &mut [P],
+    ) -> Result<(), ShapeError> {
+        same_length("twists", twists.len(), motions.len())?;
+        sweep(self, twists, ToTwist { motions });
+        Ok(())
+    }
+
+    /// `motions[i]` = exp(½ξᵢ): where the twist ξᵢ leads in one second; see
+    /// [`DualQuat::from_twist`](crate::DualQuat::from_twist).
+    ///
+    /// # Errors
+    /// If the slices differ in length; `motions` is untouched.
+    #[inline]
+    pub fn from_twist<P: Element<6>, M: Element<8, Layout = P::Layout>>(
+        self,
+        twists: &[P],
+        motions: &mut [M],
+    ) -> Result<(), ShapeError> {
+        same_length("motions", motions.len(), twists.len())?;
+        sweep(self, motions, FromTwist { twists });
+        Ok(())
+    }
+
     /// `powers[i]` = σᵢᵗ of unit motions, with a t each; see [`DualQuat::pow`](crate::DualQuat::pow).
     ///
     /// # Errors
@@ -120,6 +163,29 @@ impl<P: Element<6>, M: Element<8, Layout = P::Layout>> SliceKernel<M, 8> for Exp
         let [a, b, c, d, e, f] = P::load(level, self.logs, tile, &storage::identity())?;
         let log = DualVector { real: [a, b, c], dual: [d, e, f] };
         Some(batch::DualQuat::exp(log).to_array())
+    }
+}
+
+struct ToTwist<'s, M> {
+    motions: &'s [M],
+}
+
+impl<M: Element<8>, P: Element<6, Layout = M::Layout>> SliceKernel<P, 6> for ToTwist<'_, M> {
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn compute<V: Level>(&self, level: V, _: &[P], tile: Tile) -> Option<[Register<P, V, 6>; 6]> {
+        Some(motions(level, self.motions, tile)?.to_twist().to_array())
+    }
+}
+
+struct FromTwist<'s, P> {
+    twists: &'s [P],
+}
+
+impl<P: Element<6>, M: Element<8, Layout = P::Layout>> SliceKernel<M, 8> for FromTwist<'_, P> {
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn compute<V: Level>(&self, level: V, _: &[M], tile: Tile) -> Option<[Register<M, V, 8>; 8]> {
+        let twist = P::load(level, self.twists, tile, &storage::identity())?;
+        Some(batch::DualQuat::from_twist(Twist::from_array(twist)).to_array())
     }
 }
 

@@ -47,6 +47,13 @@ pub trait Layout: Copy + Debug + sealed::Sealed {
 
 /// An element of a slice: a thing of `C` numbers, or a block of such things. The one bound that code
 /// for any [`Layout`] needs; [the table](super) says what implements it. Sealed.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not known to dq8 as a thing of {C} numbers",
+    label = "not an element of {C} numbers",
+    note = "things of `f32` or `f64`: arrays `[R; {C}]`, dq8's own types, and blocks `dq8::simd::Block<[R; N], {C}>`; \
+            `dq8::storage` has the table",
+    note = "slices of glam's, nalgebra's and mint's types become slices of dq8's by a cast: `dq8::interop`"
+)]
 pub trait Element<const C: usize>: Copy + Debug + sealed::Sealed {
     /// How it lies in memory.
     type Layout: Layout;

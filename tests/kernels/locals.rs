@@ -1,13 +1,15 @@
 //! Locals that are less than a motion, and skinning palettes: in every layout on every backend, what
 //! the products of plain motions are.
 
-use crate::records::same_bits;
+use crate::memory::{Memory, lay, read};
+use crate::records::{assert_same_bits, same_bits};
 use crate::scene::{Forms, On, Scene, walk};
 use crate::subject::{Given, Subject, Task, for_every_subject};
-use dq8::storage::{Block, RotationBlock};
+use dq8::law::Separate;
+use dq8::storage::{AoSoA, Aos, Block, RotationBlock};
 use dq8::{
-    DualQuat, Hierarchy, Quat, ShapeError,
-    hierarchy::{MatrixOrder, Poses, Rotations},
+    Backend, DualQuat, Hierarchy, Quat, Real, ShapeError,
+    hierarchy::{Layered, MatrixOrder, Poses, Rotations, RotationsTranslations, Transforms},
 };
 
 /// Eleven joints in two trees.
@@ -67,6 +69,48 @@ fn every_form_of_locals_gives_the_models_and_palettes_of_plain_motions() {
     }
 }
 
+/// Two arrays instead of one: nothing else differs.
+fn transforms_are_the_same<L: Memory>() {
+    let scene = Scene::new(&PARENTS, 17, 23);
+    let hierarchy = Hierarchy::new(&PARENTS).expect("a hierarchy");
+    let both = scene.rotations_translations(17);
+    let turns: Vec<[f64; 4]> = both.iter().map(|[x, y, z, w, ..]| [*x, *y, *z, *w]).collect();
+    let shifts: Vec<[f64; 3]> = both.iter().map(|[.., a, b, c]| [*a, *b, *c]).collect();
+    for instances in [0, 1, 3, 17] {
+        let some = ..instances * PARENTS.len();
+        let both = lay::<L, 7>(PARENTS.len(), &both[some]);
+        let rotations = &lay::<L, 4>(PARENTS.len(), &turns[some])[..];
+        let translations = &lay::<L, 3>(PARENTS.len(), &shifts[some])[..];
+        let transforms = Transforms { rotations, translations };
+        for backend in Backend::available() {
+            let job = hierarchy.job::<L::Record<8>>().backend(backend);
+            let empty = lay::<L, 8>(PARENTS.len(), &vec![[f64::NAN; 8]; some.end]);
+            let (mut models, mut wanted, mut layered) = (empty.clone(), empty.clone(), empty);
+            job.locals_to_model(transforms, &mut models).expect("they fit");
+            job.locals_to_model(RotationsTranslations(&both), &mut wanted).expect("they fit");
+            let records = |models: &[_]| read::<L, 8>(PARENTS.len(), models);
+            assert_same_bits(&records(&models), &records(&wanted), &format!("{backend}"));
+            // A layer of no weight over them is nothing else either.
+            let weights = vec![L::Real::ZERO; instances];
+            let layer =
+                Layered::blend(Separate, transforms, RotationsTranslations(&both), &weights);
+            job.locals_to_model(layer, &mut layered).expect("they fit");
+            for (got, wanted) in records(&layered).iter().zip(records(&wanted)).take(some.end) {
+                let near = got.iter().zip(wanted).all(|(a, b)| (a - b).abs() < 1e-5);
+                assert!(near, "{got:?} is not {wanted:?}, {backend}");
+            }
+        }
+    }
+}
+
+#[test]
+fn transforms_are_rotations_with_translations_in_two_arrays() {
+    transforms_are_the_same::<Aos<f32>>();
+    transforms_are_the_same::<Aos<f64>>();
+    transforms_are_the_same::<AoSoA<[f32; 8]>>();
+    transforms_are_the_same::<AoSoA<[f64; 2]>>();
+}
+
 /// A palette of joints that are not computed stays as it was.
 #[test]
 fn a_range_of_joints_writes_its_own_entries_only() {
@@ -116,6 +160,8 @@ fn what_does_not_fit_is_refused_and_nothing_is_written() {
         job.locals_to_palette(all, &mut models, &binds, &mut palette[1..]),
         length("palette", 10, 11)
     );
+    let apart = Transforms { rotations: &turns, translations: &offsets[1..] };
+    assert_eq!(job.locals_to_model(apart, &mut models), length("translations", 10, 11));
     assert_eq!((models, palette), ([seven; JOINTS], [seven; JOINTS]));
 }
 

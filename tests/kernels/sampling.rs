@@ -263,7 +263,7 @@ fn what_does_not_fit_is_named_and_nothing_is_written() {
     let one = Hierarchy::new(&one).expect("a hierarchy");
     refused(
         one.job().locals_to_model(sampled, &mut models[..2]),
-        length("joints of the clip", JOINTS, 1),
+        length("each frame of the clip", JOINTS, 1),
     );
     let binds = [DualQuat::IDENTITY; JOINTS];
     let mut palette = before;

@@ -32,6 +32,8 @@ pub(crate) enum Operation {
     Dlb,
     Log,
     Exp,
+    ToTwist,
+    FromTwist,
     PowEach,
     IntegrateBody,
     Angles,
@@ -41,7 +43,7 @@ pub(crate) enum Operation {
 }
 
 impl Operation {
-    pub(crate) const ALL: [Self; 27] = [
+    pub(crate) const ALL: [Self; 29] = [
         Self::Mul,
         Self::MulLeft,
         Self::Normalize,
@@ -61,6 +63,8 @@ impl Operation {
         Self::Dlb,
         Self::Log,
         Self::Exp,
+        Self::ToTwist,
+        Self::FromTwist,
         Self::PowEach,
         Self::IntegrateBody,
         Self::Angles,
@@ -150,6 +154,8 @@ pub(crate) fn compute<L: Memory>(
         }
         Operation::Log => backend.log(&a, &mut moved_twists),
         Operation::Exp => backend.exp(&twists, &mut motions),
+        Operation::ToTwist => backend.to_twist(&a, &mut moved_twists),
+        Operation::FromTwist => backend.from_twist(&twists, &mut motions),
         Operation::PowEach => backend.pow_each(&a, &t, &mut motions),
         Operation::IntegrateBody => {
             backend.integrate_body(&a, &twists, round([BETWEEN])[0], &mut motions)
@@ -173,7 +179,7 @@ pub(crate) fn compute<L: Memory>(
             flat(inputs, &read::<L, 3>(1, &moved))
         }
         Operation::PlanesEach => flat(inputs, &read::<L, 4>(1, &moved_planes)),
-        Operation::LinesEach | Operation::TwistsEach | Operation::Log => {
+        Operation::LinesEach | Operation::TwistsEach | Operation::Log | Operation::ToTwist => {
             flat(inputs, &read::<L, 6>(1, &moved_twists))
         }
         Operation::Angles | Operation::Distances => flat(inputs, &read::<L, 1>(1, &numbers)),
@@ -234,6 +240,10 @@ fn wanted(operation: Operation, inputs: &Inputs, i: usize, between: f64) -> Vec<
         Operation::Exp => {
             let (real, dual) = halves(inputs.twists[i]);
             DualQuat::exp(DualVector { real, dual }).to_array().to_vec()
+        }
+        Operation::ToTwist => a.to_twist().to_array().to_vec(),
+        Operation::FromTwist => {
+            DualQuat::from_twist(Twist::from_array(inputs.twists[i])).to_array().to_vec()
         }
         Operation::PowEach => a.pow(t).to_array().to_vec(),
         Operation::IntegrateBody => {

@@ -99,10 +99,12 @@ fn slices_that_do_not_fit_are_left_as_they_were() {
     assert_eq!(backend.link_poses(robot, &[0.0; 2], &mut poses), length("values", 2, 4));
     let whole = Err(ShapeError::NotWhole { what: "poses", length: 3, joints: 2 });
     assert_eq!(backend.link_poses(robot, &[0.0; 4], &mut poses[..3]), whole);
-    let joints = Err(ShapeError::Joints { range: 2..3, joints: 2 });
-    assert_eq!(backend.chosen_link_poses(robot, &[2], &[0.0; 4], &mut poses[..2]), joints);
+    let no_link = ShapeError::NoLink { link: 2, links: 2 };
+    let chosen = backend.chosen_link_poses(robot, &[2], &[0.0; 4], &mut poses[..2]);
+    assert_eq!(chosen, Err(no_link.clone()));
+    assert_eq!(no_link.to_string(), "there is no link 2: the mechanism has 2, counted from 0");
     let mut columns = [Twist::from_array([0.0; 6]); 2];
-    let no_link = robot.link_jacobian(World, &[0.0; 2], 2, &mut columns).unwrap_err();
-    assert_eq!(no_link, ShapeError::Joints { range: 2..3, joints: 2 });
+    let refused = robot.link_jacobian(World, &[0.0; 2], 2, &mut columns);
+    assert_eq!(refused, Err(no_link));
     assert_eq!(poses, [before; 4]);
 }

@@ -69,8 +69,9 @@ impl Backend {
     /// written.
     ///
     /// ```
-    /// use dq8::ik::{Options, Outcome, Report};
-    /// use dq8::mechanism::{Freedom, Goal, Joint, OwnedMechanism, Reach};
+    /// use dq8::mechanism::{
+    ///     Freedom, Goal, Joint, Options, Outcome, OwnedMechanism, Reach, Report,
+    /// };
     /// use dq8::{Backend, DualQuat};
     /// let out = DualQuat::from_translation([1.0_f32, 0.0, 0.0]);
     /// let joints = [(None, DualQuat::IDENTITY), (Some(0), out), (Some(1), out)]

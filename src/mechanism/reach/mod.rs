@@ -28,6 +28,8 @@ mod lane;
 mod manner;
 mod model;
 mod normal;
+#[cfg(feature = "alloc")]
+mod owned;
 #[cfg(feature = "rayon")]
 mod parallel;
 mod problem;
@@ -43,5 +45,7 @@ pub(crate) use chain::{Chain, ChainError};
 pub use error::ReachError;
 pub use freedom::Freedom;
 pub use goal::Goal;
+#[cfg(feature = "alloc")]
+pub use owned::OwnedReach;
 pub use problem::Reach;
 pub use report::{Options, Outcome, Report};

@@ -13,14 +13,14 @@ use crate::real::Real;
 /// [`Backend::reach_links`](crate::Backend::reach_links) for many).
 ///
 /// It borrows its memory: the goals, and a [`Freedom`] for each rate of the mechanism.
+/// [`OwnedReach`](super::OwnedReach) has its own.
 ///
 /// Joints of every kind move. Hinges without an end, or whose limits span a turn, go on a turn less; what
 /// has an end stops there; joints that mimic follow, within the limits of both. A floating joint turns
 /// about the axes of its link, and then slides. Joints that carry no link with a goal keep their values.
 ///
 /// ```
-/// use dq8::ik::{Options, Outcome};
-/// use dq8::mechanism::{Freedom, Goal, Joint, Mechanism, Reach, Step};
+/// use dq8::mechanism::{Freedom, Goal, Joint, Mechanism, Options, Outcome, Reach, Step};
 /// use dq8::{DualQuat, Quat};
 /// // Two links of length 1 in a plane, and a wrist.
 /// let out = DualQuat::from_translation([1.0_f64, 0.0, 0.0]);

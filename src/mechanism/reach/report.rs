@@ -7,9 +7,10 @@ pub struct Options<R> {
     pub angular_tolerance: R,
     /// The distance that may be left, in the unit of the arm.
     pub linear_tolerance: R,
-    /// Steps and restarts together. Most targets take six or seven; the default of 100 is for the few
+    /// Steps and restarts together. Most targets of an arm take six or seven; the default of 100 is for the few
     /// in a hundred that begin again, and costs time only where a target cannot be reached, or a
-    /// posture is far.
+    /// posture is far. Several goals on one tree may want 1000: a humanoid with four goals reached 93 % of random
+    /// targets that can be reached with 100, and all of 200 with 1000.
     pub max_iterations: u32,
     /// How long a distance weighs as much as a radian, more than zero; `None` is an eighth of the arm's
     /// length ([`Arm::reach_bound`](crate::ik::Arm::reach_bound)), of a mechanism an eighth of its longest way to
@@ -82,6 +83,10 @@ pub struct Report<T, O> {
 
 /// How a search ended. The joint values are the best that were found, within the limits, but for
 /// [`Invalid`](Self::Invalid). C and Python have the same numbers.
+///
+/// A search with [`restarts`](Options::restarts) that does not converge goes on until the iterations run out. Then
+/// [`AtLimits`](Self::AtLimits) and [`Stalled`](Self::Stalled) say what stopped its best try, and more
+/// [iterations](Options::max_iterations) may still find a solution elsewhere.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Outcome {
     /// Both errors are within the tolerances.

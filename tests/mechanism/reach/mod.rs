@@ -6,6 +6,7 @@ mod honest;
 mod kinds;
 mod limits;
 mod outcomes;
+mod owned;
 #[cfg(feature = "rayon")]
 mod parallel;
 mod posture;
