@@ -170,6 +170,8 @@ fn parents_of_every_type_mean_the_same_and_what_is_no_tree_is_refused() {
             HierarchyError::ParentOutOfRange { joint: 0, parent: beyond, joints: 1 }
         );
     }
+    let negative = Skeleton::new(&[-1, -3]).unwrap_err().to_string();
+    assert!(negative.contains("(-3 as a signed number)"), "{negative}");
     assert_eq!(Skeleton::sorted(&[0]).unwrap_err(), HierarchyError::Cycle { joint: 0 });
     assert_eq!(Skeleton::sorted(&[1, 2, 3, 1]).unwrap_err(), HierarchyError::Cycle { joint: 1 });
     assert!(HierarchyError::Cycle { joint: 1 }.to_string().contains("its own ancestor"));
