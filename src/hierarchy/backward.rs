@@ -24,12 +24,7 @@ impl<E: Element<8>> Kernel for Backward<'_, '_, E> {
         let joints = run.parents.len().max(1);
         for (instance, locals) in locals.chunks_exact_mut(joints).enumerate() {
             let first = instance * joints;
-            let models = match models {
-                Source::Slice(all) => {
-                    Source::Slice(all.get(first..first + joints).unwrap_or_default())
-                }
-                Source::Output => Source::Output,
-            };
+            let models = models.part(first..first + joints);
             if E::Layout::transposes::<V>() {
                 plain(level, run, models, locals, instance);
             } else {

@@ -1,14 +1,14 @@
 //! [`BorrowedPlan`]: how to compute one instance, in memory of the caller's.
 
 use super::Hierarchy;
-use super::product::packed_product;
+use super::product::product;
 use super::schedule::{PlanScratch, schedule};
 use crate::dispatch::{Backend, Kernel};
 use crate::real::Scalar;
 use crate::scalar::DualQuat;
 use crate::shape::{ShapeError, same_length, whole_instances};
 use crate::storage::Source;
-use dq8_simd::{CheckedSchedule, Lanes, Level};
+use dq8_simd::{CheckedSchedule, Level};
 
 /// From this many joints on, a chain is cut into segments: `cargo bench --bench hierarchy --
 /// one-instance/chain` shows both strategies around it. (Nanoseconds per joint, AVX-512, of 16, 24 and 32
@@ -153,14 +153,8 @@ impl<'a> BorrowedPlan<'a> {
         // A chain of no joints has no instances either.
         let joints = self.joints.max(1);
         for (instance, models) in models.chunks_exact_mut(joints).enumerate() {
-            let locals = match locals {
-                Source::Slice(all) => {
-                    let locals = all.get(instance * joints..).and_then(|rest| rest.get(..joints));
-                    Source::Slice(locals.unwrap_or_default())
-                }
-                Source::Output => Source::Output,
-            };
-            backend.scan(locals, models);
+            let first = instance * joints;
+            backend.scan(locals.part(first..first + joints), models);
         }
     }
 }
@@ -217,7 +211,7 @@ impl<R: Scalar> Kernel for Walk<'_, '_, R> {
                         of_instance,
                         instance,
                         #[cfg_attr(not(opt_level_0), inline(always))]
-                        |parent, local| step(level, parent, local),
+                        |parent, local| product(level, parent, local),
                     );
                     locals = rest;
                 }
@@ -226,18 +220,11 @@ impl<R: Scalar> Kernel for Walk<'_, '_, R> {
                     order.others.run_in_place(
                         instance,
                         #[cfg_attr(not(opt_level_0), inline(always))]
-                        |parent, local| step(level, parent, local),
+                        |parent, local| product(level, parent, local),
                     );
                 }
             }
             models = others;
         }
     }
-}
-
-#[cfg_attr(not(opt_level_0), inline(always))]
-fn step<R: Scalar, V: Level>(level: V, parent: &[R; 8], local: &[R; 8]) -> [R; 8] {
-    let mut model = [R::ZERO; 8];
-    packed_product(R::Packed::<V>::load(level, parent), local).store(&mut model);
-    model
 }

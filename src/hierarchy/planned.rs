@@ -3,14 +3,14 @@
 use super::BorrowedPlan;
 use super::locals::{Locals, motions};
 use super::palette::Epilogue;
-use super::product::packed_product;
+use super::product::product;
 use super::renormalize::Renormalize;
 use super::run::Run;
 use super::slot::JointSlot;
 use crate::dispatch::{Backend, Kernel};
 use crate::scalar::DualQuat;
 use crate::storage::{Element, Layout, Number, Source};
-use dq8_simd::{Float, Lanes, Level};
+use dq8_simd::Level;
 
 /// Whether the plan knows this run: one whole instance of single things, nothing normalized on the way.
 pub(super) fn applies<E: Element<8>>(run: &Run<'_, E>, models: usize) -> bool {
@@ -78,10 +78,7 @@ impl<E: Element<8>, L: Locals<E>> Kernel for Begin<'_, '_, E, L> {
         let (Some(root), Some(models)) = (root, E::plain_mut(models)) else { return };
         for (model, &parent) in models.iter_mut().zip(run.parents) {
             if parent == super::Hierarchy::ROOT {
-                let mut moved = *model;
-                let packed = <Number<E, 8> as Float>::Packed::<V>::load(level, &root);
-                packed_product(packed, model).store(&mut moved);
-                *model = moved;
+                *model = product(level, &root, model);
             }
         }
     }

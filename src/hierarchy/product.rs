@@ -1,6 +1,7 @@
 //! The product of two motions for loops over a single instance: one register holds a whole motion. And the same
 //! product in lanes, equal to the last bit.
 
+use crate::real::Scalar;
 use dq8_simd::{Lanes, Level, PackedDualQuat};
 
 /// left · right, of which the left factor comes whole and the right one number by number from memory.
@@ -23,6 +24,14 @@ pub(super) fn packed_product<L: PackedDualQuat>(left: L, right: &[L::Real; 8]) -
     let both = y.mul_add(L::splat(level, *py), both);
     let both = z.mul_add(L::splat(level, *pz), both);
     both + dual.raised()
+}
+
+/// [`packed_product`] of a parent and its child in memory.
+#[cfg_attr(not(opt_level_0), inline(always))]
+pub(super) fn product<R: Scalar, V: Level>(level: V, parent: &[R; 8], local: &[R; 8]) -> [R; 8] {
+    let mut model = [R::ZERO; 8];
+    packed_product(R::Packed::<V>::load(level, parent), local).store(&mut model);
+    model
 }
 
 /// [`packed_product`] of a motion in each lane: the same sums in the same order, so that the result of an

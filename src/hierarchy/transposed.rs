@@ -6,7 +6,7 @@
 
 use super::locals::{Locals, Motions, motions};
 use super::palette::Epilogue;
-use super::product::{packed_product, product_in_lanes};
+use super::product::{product, product_in_lanes};
 use super::run::Run;
 use super::slot::JointSlot;
 use crate::batch;
@@ -298,7 +298,7 @@ fn walk<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
             let (Some(local), Some(&parent)) = (local, run.parents.get(joint)) else { return };
             // ROOT is beyond the last joint: there is no such model.
             let model = match (plain.get(parent as usize), &root) {
-                (Some(parent), _) | (None, Some(parent)) => product::<_, V>(level, parent, local),
+                (Some(parent), _) | (None, Some(parent)) => product(level, parent, local),
                 (None, None) => *local,
             };
             let Some(slot) = plain.get_mut(joint) else { return };
@@ -312,13 +312,6 @@ fn walk<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
             epilogue.run(level, slot, models);
         }
     }
-}
-
-#[cfg_attr(not(opt_level_0), inline(always))]
-fn product<R: Scalar, V: Level>(level: V, parent: &[R; 8], local: &[R; 8]) -> [R; 8] {
-    let mut model = [R::ZERO; 8];
-    packed_product(R::Packed::<V>::load(level, parent), local).store(&mut model);
-    model
 }
 
 /// On lanes, so that every bit is that of `normalize_lanes`.

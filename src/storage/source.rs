@@ -1,3 +1,5 @@
+use core::ops::Range;
+
 /// What a kernel reads: a slice of its own, or, in place, what its output still holds.
 #[derive(Clone, Copy, Debug)]
 pub enum Source<'s, E> {
@@ -15,6 +17,15 @@ impl<'s, E> Source<'s, E> {
         match self {
             Self::Slice(slice) => slice,
             Self::Output => output,
+        }
+    }
+
+    /// What is read of these elements; nothing beyond the end of a slice.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(crate) fn part(self, elements: Range<usize>) -> Self {
+        match self {
+            Self::Slice(slice) => Self::Slice(slice.get(elements).unwrap_or_default()),
+            Self::Output => Self::Output,
         }
     }
 
