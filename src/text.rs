@@ -39,17 +39,22 @@ impl fmt::Display for ParseError {
 
 impl core::error::Error for ParseError {}
 
-/// Numbers between commas, white space or both; brackets around them may be left out.
+/// Numbers between single commas, white space or both; brackets around them may be left out.
 fn parse<R: Real + FromStr, const N: usize>(text: &str) -> Result<[R; N], ParseError> {
     let text = text.trim();
     let inner = text.strip_prefix('[').and_then(|text| text.strip_suffix(']')).unwrap_or(text);
-    let words = || {
-        let words = inner.split(|c: char| c == ',' || c.is_whitespace());
-        words.filter(|word| !word.is_empty())
-    };
+    let words = || inner.split(',').flat_map(str::split_whitespace);
     let found = words().count();
     if found != N {
         return Err(ParseError::Count { found, expected: N });
+    }
+    let mut before = 0;
+    for part in inner.split(',') {
+        let count = part.split_whitespace().count();
+        if count == 0 {
+            return Err(ParseError::NotANumber { index: before });
+        }
+        before += count;
     }
     let mut numbers = [R::ZERO; N];
     for (index, (number, word)) in numbers.iter_mut().zip(words()).enumerate() {

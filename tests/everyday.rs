@@ -52,6 +52,34 @@ fn normalization_and_inverse_are_the_same_at_every_size() {
     compare::<f64>(1020);
 }
 
+/// Where p·q is lost below the normal numbers, so is what it would take away from q.
+#[test]
+fn small_dual_parts_keep_their_digits_beside_every_real_part() {
+    let motion: [f64; 8] = [0.1, -0.7, 0.5, 0.5, 0.3, 0.9, -0.4, 0.7];
+    for p in [1.0, 0.6, 0.51, 0.49, 0.05, 1.1e-3] {
+        for q in [1e-36, 1e-38, 1e-40] {
+            // A dual part that is not orthogonal: taking off what lies along p matters.
+            let sized: [f32; 8] = std::array::from_fn(|i| {
+                (if i < 4 { motion[i] * p } else { (motion[i] + motion[i - 4]) * q }) as f32
+            });
+            let wanted = DualQuat::from_array(sized.map(f64::from));
+            let single = DualQuat::from_array(sized);
+            for (got, wanted) in
+                [(single.normalize(), wanted.normalize()), (single.inverse(), wanted.inverse())]
+            {
+                let size = wanted.dual().norm();
+                let pairs = got.dual().to_array().into_iter().zip(wanted.dual().to_array());
+                for (got, wanted) in pairs {
+                    // And below the normal numbers some steps of the smallest number, of what q is over |p|.
+                    let digits = 1e-6 + 32.0 * 1.4e-45 * p / q;
+                    let off = (f64::from(got) - wanted).abs();
+assert!(off <= size * digits, "{got:e}, {wanted:e} of {sized:?}");
+                }
+            }
+        }
+    }
+}
+
 /// A quicker form that takes every number it is given would give half an answer here.
 #[test]
 fn what_is_not_finite_is_refused_whole() {

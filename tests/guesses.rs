@@ -148,6 +148,8 @@ fn text_comes_back_to_the_last_bit() {
     assert_eq!(a().to_twist().to_string().parse(), Ok(a().to_twist()));
     let error = "[1, 2, x, 4]".parse::<Quat<f32>>().unwrap_err();
     assert_eq!(error.to_string(), "element 2 of the list is not a number");
+    let error = "[1,, 2, 3, 4]".parse::<Quat<f32>>().unwrap_err();
+    assert_eq!(error.to_string(), "element 1 of the list is not a number");
     let error = "[1, 2, 3]".parse::<Quat<f32>>().unwrap_err();
     assert_eq!(error.to_string(), "the list has 3 numbers where 4 are needed");
 }

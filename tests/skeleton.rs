@@ -179,3 +179,36 @@ fn parents_of_every_type_mean_the_same_and_what_is_no_tree_is_refused() {
         (0..100_000).map(|joint| if joint == 99_999 { -1 } else { joint + 1 }).collect();
     assert_eq!(Skeleton::sorted(&deep).unwrap().1[0], 99_999);
 }
+
+/// A plan multiplies a chain in segments, in another order: for one instance alone, never for one of several.
+#[test]
+fn instances_of_a_chain_have_the_same_bits_wherever_they_stand() {
+    let chain: Vec<u32> = (0..24).map(|joint: u32| joint.wrapping_sub(1)).collect();
+    let skeleton = Skeleton::new(&chain).unwrap();
+    let pose: Vec<_> =
+        (0..24).map(|j| DualQuat::from_rotation_translation(turn(j), offset(j))).collect();
+    let binds = [DualQuat::IDENTITY; 24];
+    for instances in [2, 17, 83] {
+        let locals = pose.repeat(instances);
+        let is_repeated = |of: &[DualQuat<f32>]| of.chunks(24).all(|one| one == &of[..24]);
+        let mut models = locals.clone();
+        skeleton.job().local_to_model(&locals, &mut models).unwrap();
+        assert!(is_repeated(&models), "{instances} instances");
+        let mut palette = locals.clone();
+        for scratch in [1, 16] {
+            let mut scratch = vec![DualQuat::IDENTITY; scratch * 24];
+            let job = skeleton.job();
+            job.palette(Poses(&locals), &mut scratch, &binds, &mut palette).unwrap();
+            assert!(palette == models, "{instances} instances");
+        }
+        #[cfg(feature = "rayon")]
+        {
+            let (mut all, mut beside) = (locals.clone(), locals.clone());
+            skeleton.job().par_local_to_model(&locals, &mut all).unwrap();
+            assert!(all == models, "{instances} instances on all cores");
+            let job = skeleton.job();
+            job.par_locals_to_palette(Poses(&locals), &mut all, &binds, &mut beside).unwrap();
+            assert!(all == models && beside == models, "{instances} instances on all cores");
+        }
+    }
+}

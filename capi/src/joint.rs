@@ -106,7 +106,9 @@ pub(crate) type Fault = (Status, Option<usize>);
 pub(crate) fn fault(error: &MechanismError) -> Fault {
     let (status, joint) = match *error {
         MechanismError::Parent { joint, .. } => (Status::ParentNotBefore, joint),
-        MechanismError::Placement { joint, .. } => (Status::NotUnit, joint),
+        MechanismError::Placement { joint, .. } | MechanismError::DualPart { joint, .. } => {
+            (Status::NotUnit, joint)
+        }
         MechanismError::NotFinite { joint, .. } => (Status::NotFinite, joint),
         MechanismError::Axis { joint, .. } => (Status::Axis, joint),
         MechanismError::Mimic { joint, .. } => (Status::Mimic, joint),

@@ -179,8 +179,9 @@ pub(super) fn turn_toward<V: Four>(a: V, b: V) -> V {
 fn moderate<V: Four>(p: V, q: V) -> Option<[V; 2]> {
     let sums = dots(p, p, q);
     let [squared, ..] = sums.to_array();
-    // Beside the smallest number there is, which p·q is rounded to, p and q are then large enough.
-    let fits = squared.is_between(squared.constant(1e-6), squared.constant(1e6))
+    // p·q is rounded to steps of the smallest number there is, if to no others. Of a |p| of a half or more that changes q by a
+    // few such steps; of a smaller one by many.
+    let fits = squared.is_between(squared.constant(0.25), squared.constant(1e6))
         && q.abs().lt(q.constant(1e12)).to_bitmask() == 0b1111;
     fits.then(|| [pick(sums, [0; 4]), pick(sums, [1; 4])])
 }

@@ -26,7 +26,7 @@ use dq8_simd::{Block, Row};
 /// assert_eq!(crowd.get(10, 1).unwrap().translation(), [0.0, 2.0, 0.0]);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Crowd<R, const N: usize, const C: usize = 8>
 where
     [R; N]: Row<Real = R>,
@@ -160,5 +160,17 @@ where
         pose: DualQuat<R>,
     ) -> Result<(), ShapeError> {
         self.set_record(instance, joint, pose.to_array())
+    }
+}
+
+/// The same joints and instances with equal numbers, whatever is in the lanes without an instance.
+impl<R: Scalar, const N: usize, const C: usize> PartialEq for Crowd<R, N, C>
+where
+    [R; N]: Row<Real = R>,
+{
+    fn eq(&self, other: &Self) -> bool {
+        let of = |crowd: &Self| (crowd.joints, crowd.instances);
+        let mut places = (0..self.instances).flat_map(|i| (0..self.joints).map(move |j| (i, j)));
+        of(self) == of(other) && places.all(|(i, j)| self.record(i, j) == other.record(i, j))
     }
 }

@@ -274,7 +274,7 @@ impl<'a, E: Element<8>> Job<'a, E> {
                 return Err(ShapeError::NoParent { joint, parent });
             }
         }
-        let mut done = 0;
+        let (all, mut done) = (palette.len(), 0);
         if transposed::MANY && E::Layout::THINGS == 1 {
             let instances = palette.len() / joints.max(1);
             let mut epilogue = Palette { inverse_binds, order: self.order, entries: palette };
@@ -284,7 +284,7 @@ impl<'a, E: Element<8>> Job<'a, E> {
         }
         let rest = palette.get_mut(done..).unwrap_or_default();
         for entries in rest.chunks_mut(scratch.len().max(1)) {
-            let (job, locals) = self.part(locals, done..done + entries.len());
+            let (job, locals) = self.part(locals, done..done + entries.len(), all);
             let models = scratch.get_mut(..entries.len()).unwrap_or_default();
             job.forward(locals, models, Palette { inverse_binds, order: self.order, entries });
             done += models.len();
@@ -353,11 +353,21 @@ impl<'a, E: Element<8>> Job<'a, E> {
         self.backend.unwrap_or_default().run(Backward { run: &self.run, models, locals });
     }
 
-    /// The same job, with its locals, for some of the models: whole instances.
-    pub(super) fn part<L: Locals<E>>(&self, locals: L, models: Range<usize>) -> (Self, L) {
+    /// The same job, with its locals, for some of the models: whole instances. Without the plan, unless these are all:
+    /// a plan is for one instance, and an instance among others must not know which of them share its part.
+    pub(super) fn part<L: Locals<E>>(
+        &self,
+        locals: L,
+        models: Range<usize>,
+        all: usize,
+    ) -> (Self, L) {
         let joints = self.run.parents.len().max(1);
         let instances = models.start / joints..models.end / joints;
         let mut job = self.clone();
+        #[cfg(feature = "alloc")]
+        if models.len() < all {
+            job.plan = None;
+        }
         job.run.root = self.run.root.part(instances.clone());
         (job, locals.part(joints, instances))
     }

@@ -58,9 +58,9 @@ impl<'a, E: Element<8> + Send + Sync> Job<'a, E> {
         models: &mut [E],
     ) -> Result<(), ShapeError> {
         self.check_locals(&locals, models.len())?;
-        let task = self.task();
+        let (task, all) = (self.task(), models.len());
         models.par_chunks_mut(task).enumerate().for_each(|(i, models)| {
-            let (job, locals) = self.part(locals, i * task..i * task + models.len());
+            let (job, locals) = self.part(locals, i * task..i * task + models.len(), all);
             job.forward(locals, models, NoEpilogue);
         });
         Ok(())
@@ -85,10 +85,10 @@ impl<'a, E: Element<8> + Send + Sync> Job<'a, E> {
         self.check_locals(&locals, models.len())?;
         same_length("inverse_binds", inverse_binds.len(), self.run.parents.len())?;
         same_length("palette", palette.len(), models.len())?;
-        let task = self.task();
+        let (task, all) = (self.task(), models.len());
         let tasks = models.par_chunks_mut(task).zip(palette.par_chunks_mut(task)).enumerate();
         tasks.try_for_each(|(i, (models, palette))| {
-            let (job, locals) = self.part(locals, i * task..i * task + models.len());
+            let (job, locals) = self.part(locals, i * task..i * task + models.len(), all);
             job.locals_to_palette(locals, models, inverse_binds, palette)
         })
     }

@@ -1,6 +1,7 @@
 use super::error::LimbError;
 use crate::real::Real;
-use crate::scalar::{DualQuat, Quat, vector};
+use crate::scalar::vector::{self, Length};
+use crate::scalar::{DualQuat, Quat};
 
 /// A limb of two bones with a hinge between them, hip, knee and ankle or shoulder, elbow and wrist,
 /// with its end at a target.
@@ -150,7 +151,7 @@ fn plane<R: Real>(way: [R; 3], pole: [R; 3], shorter: bool) -> ([R; 3], [R; 3]) 
 /// `vector` with length 1, unless it is zero.
 fn direction<R: Real>(vector: [R; 3]) -> Option<[R; 3]> {
     let norm = vector::norm(vector);
-    (norm > R::ZERO).then(|| vector::over_norm(vector, norm))
+    (norm > R::ZERO).then(|| Length::of(vector, norm).divide(vector))
 }
 
 /// The rotation that takes x to `along` and −y to `side`.

@@ -69,7 +69,7 @@ impl<R: Real> Line<R> {
     /// ```
     pub fn try_normalize(self) -> Result<Self, IncidenceError> {
         let (direction, length) = unit(self.direction, "the direction of a line")?;
-        let moment = vector::over_norm(self.moment, length);
+        let moment = length.divide(self.moment);
         Self { direction, moment }.orthogonal()
     }
 
@@ -77,8 +77,8 @@ impl<R: Real> Line<R> {
     /// Plücker condition. False where a component is not finite.
     #[must_use]
     pub fn is_line(self, tolerance: R) -> bool {
-        let Ok((direction, length)) = unit(self.direction, "") else { return false };
-        let size = vector::norm(self.moment).max_or_nan(length);
+        let Ok((direction, _)) = unit(self.direction, "") else { return false };
+        let size = vector::norm(self.moment).max_or_nan(vector::norm(self.direction));
         size.is_finite() && vector::dot(direction, self.moment).abs() <= tolerance * size
     }
 

@@ -18,7 +18,7 @@ pub use error::IncidenceError;
 pub use perpendicular::CommonPerpendicular;
 
 use crate::real::Real;
-use crate::scalar::vector;
+use crate::scalar::vector::{self, Length};
 
 /// Eight units of roundoff: two of each direction, doubled.
 fn parallel_sine<R: Real>() -> R {
@@ -26,12 +26,16 @@ fn parallel_sine<R: Real>() -> R {
 }
 
 /// The vector with length 1, and the length that it had.
-fn unit<R: Real>(vector: [R; 3], what: &'static str) -> Result<([R; 3], R), IncidenceError> {
-    let length = vector::norm(vector);
-    if length > R::ZERO && length.is_finite() {
-        Ok((vector::over_norm(vector, length), length))
+fn unit<R: Real>(
+    vector: [R; 3],
+    what: &'static str,
+) -> Result<([R; 3], Length<R>), IncidenceError> {
+    let norm = vector::norm(vector);
+    if norm > R::ZERO && vector.iter().all(|c| c.is_finite()) {
+        let length = Length::of(vector, norm);
+        Ok((length.divide(vector), length))
     } else {
-        Err(IncidenceError::NoDirection { what, length: length.into() })
+        Err(IncidenceError::NoDirection { what, length: norm.into() })
     }
 }
 

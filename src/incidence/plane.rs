@@ -60,7 +60,7 @@ impl<R: Real> Plane<R> {
     /// If n is zero, or a number or the result is not finite.
     pub fn try_normalize(self) -> Result<Self, IncidenceError> {
         let (normal, length) = unit(self.normal, "the normal of a plane")?;
-        let [offset] = vector::over_norm([self.offset], length);
+        let [offset] = length.divide([self.offset]);
         Self { normal, offset }.checked()
     }
 

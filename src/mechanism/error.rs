@@ -19,6 +19,13 @@ pub enum MechanismError {
         /// The norm of the real part.
         norm: f64,
     },
+    /// A placement whose dual part is not a translation's.
+    DualPart {
+        /// The joint.
+        joint: usize,
+        /// How much of the dual part lies along the real part, where a motion has none.
+        along: f64,
+    },
     /// A number that is infinite or NaN.
     NotFinite {
         /// The joint.
@@ -70,6 +77,11 @@ impl fmt::Display for MechanismError {
             Self::Placement { joint, norm } => write!(
                 f,
                 "the placement of joint {joint} is not unit: the norm of the real part is {norm}"
+            ),
+            Self::DualPart { joint, along } => write!(
+                f,
+                "the placement of joint {joint} is not a motion: {along} of its dual part lies along the \
+                 real part"
             ),
             Self::NotFinite { joint, what, value } => {
                 write!(f, "the {what} of joint {joint} is not finite: {value}")

@@ -167,6 +167,10 @@ impl<R: Real> Step<R> {
         if is_far_from_one(norm) {
             return Err(MechanismError::Placement { joint: index, norm: norm.into() });
         }
+        let (along, size) = (placement.real().dot(placement.dual()), placement.dual().norm());
+        if along.abs() > R::from(UNIT) * size.max_or_nan(R::ONE) {
+            return Err(MechanismError::DualPart { joint: index, along: along.into() });
+        }
         let placement = if placement.is_normalized() { placement } else { placement.normalize() };
         let mut rotation = placement.rotation().to_array();
         let mut translation = placement.translation();

@@ -1,5 +1,5 @@
 use super::error::NormalizeError;
-use super::vector;
+use super::vector::{self, Length};
 use crate::everyday;
 use crate::real::Real;
 use core::ops::{Add, Mul, Neg, Sub};
@@ -218,14 +218,10 @@ impl<R: Real> Quat<R> {
     #[inline(never)]
     fn unit_of_any_size(self) -> Result<Self, R> {
         let norm = self.norm();
-        if norm == R::ZERO || !norm.is_finite() {
+        if norm == R::ZERO || !self.0.iter().all(|c| c.is_finite()) {
             return Err(norm);
         }
-        let Some(stretch) = vector::stretch(norm) else {
-            return Ok(Self(vector::over_norm(self.0, norm)));
-        };
-        let stretched = self.scale(stretch);
-        Ok(Self(vector::over_norm(stretched.0, stretched.norm())))
+        Ok(Self(Length::of(self.0, norm).divide(self.0)))
     }
 
     /// r v r*, the vector `v` turned by this unit quaternion (Arends ch. 3 eqs. 8–10, Jia §2):

@@ -30,8 +30,11 @@ impl<R: Real> DualQuat<R> {
         let sine = vector::norm(sigma.real().xyz());
         if sine == R::ZERO {
             let slide = vector::norm(t);
-            let direction =
-                if slide == R::ZERO { [R::ONE, R::ZERO, R::ZERO] } else { t.map(|c| c / slide) };
+            let direction = if slide == R::ZERO {
+                [R::ONE, R::ZERO, R::ZERO]
+            } else {
+                vector::direction(t, slide)
+            };
             let axis = Line { direction, moment: [R::ZERO; 3] };
             return Screw { axis, angle: R::ZERO, slide };
         }

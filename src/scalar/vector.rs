@@ -26,12 +26,16 @@ pub(crate) fn norm<R: Real, const N: usize>(components: [R; N]) -> R {
 }
 
 /// The factor by which components of the length `norm` are stretched before they are measured again:
-/// subnormal numbers have few digits, and their length no more. `None` where that is not needed.
+/// subnormal numbers have few digits, and their length no more; and numbers have a length that may be none. `None` where
+/// that is not needed.
 #[inline]
 pub(crate) fn stretch<R: Real>(norm: R) -> Option<R> {
     // 2¹⁰⁰: a power of two rounds nothing.
     let stretch = R::from(1.267_650_6e30);
-    (norm * stretch < R::ONE).then_some(stretch)
+    if norm * stretch < R::ONE {
+        return Some(stretch);
+    }
+    (norm == R::ONE / R::ZERO).then_some(R::HALF * R::HALF)
 }
 
 /// The unit vector along `components` of the length `norm`, not zero.
@@ -40,6 +44,32 @@ pub(crate) fn direction<R: Real, const N: usize>(components: [R; N], norm: R) ->
     let stretched = components.map(|c| c * stretch);
     let norm = self::norm(stretched);
     stretched.map(|c| c / norm)
+}
+
+/// The length of components, with every digit that it has: theirs times `stretch`.
+#[derive(Clone, Copy)]
+pub(crate) struct Length<R> {
+    stretch: R,
+    stretched: R,
+}
+
+impl<R: Real> Length<R> {
+    /// Of the components that have the length `norm`.
+    #[inline]
+    pub(crate) fn of<const N: usize>(components: [R; N], norm: R) -> Self {
+        match stretch(norm) {
+            Some(stretch) => {
+                Self { stretch, stretched: self::norm(components.map(|c| c * stretch)) }
+            }
+            None => Self { stretch: R::ONE, stretched: norm },
+        }
+    }
+
+    /// Numbers over the length, by way of its reciprocal: see [`over_norm`].
+    #[inline]
+    pub(crate) fn divide<const N: usize>(self, numbers: [R; N]) -> [R; N] {
+        over_norm(numbers.map(|c| c * self.stretch), self.stretched)
+    }
 }
 
 /// What of `vector` is across the unit vector `along`.

@@ -66,8 +66,8 @@ impl Backend {
         R: Scalar,
     {
         interleaved::check(skin, &blend, &Interleaved { rest, from, posed, to })?;
-        let rest = rest.par_chunks(GRAIN * from.stride);
-        let tasks = rest.zip(posed.par_chunks_mut(GRAIN * to.stride)).enumerate();
+        let [length, posed_length] = [from, to].map(|fields| GRAIN.saturating_mul(fields.stride));
+        let tasks = rest.par_chunks(length).zip(posed.par_chunks_mut(posed_length)).enumerate();
         tasks.for_each(|(task, (rest, posed))| {
             let mesh = Interleaved { rest, from, posed, to };
             let first = task * GRAIN;

@@ -188,3 +188,20 @@ fn a_limb_differentiates_itself() {
     let difference = (bend(0.6 + h) - bend(0.6 - h)) / (2.0 * h);
     assert!((limb.expect("finite").bend.dual - difference).abs() < 1e-9);
 }
+
+/// A length that is no number belongs to a direction all the same.
+#[test]
+fn poles_and_targets_are_directions_whatever_their_length() {
+    for large in [1e30, 3e38] {
+        let reach = |target: [f32; 3], pole: [f32; 3]| {
+            TwoBone::reach([0.0; 3], [1.0; 2], target, pole).expect("finite")
+        };
+        let bent = |pole: f32| reach([1.0, 1.0, 0.0], [pole, -pole, 0.0]);
+        let (got, wanted) = (bent(large), bent(1.0));
+        assert!(got.upper.abs_diff_eq(wanted.upper, 1e-6), "{got:?}, {wanted:?}");
+        assert!(got.lower.abs_diff_eq(wanted.lower, 1e-6), "{got:?}, {wanted:?}");
+        let (far, near) = (reach([large, large, 0.0], [0.0; 3]), reach([9.0, 9.0, 0.0], [0.0; 3]));
+        assert!(far.upper.abs_diff_eq(near.upper, 1e-6), "{far:?}, {near:?}");
+        assert_eq!(far.span, Span::Stretched);
+    }
+}

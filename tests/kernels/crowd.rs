@@ -218,3 +218,19 @@ fn crowds_of_less_than_motions_and_of_matrices_serve_a_job() {
         }
     }
 }
+
+/// Whatever a run leaves in the lanes without an instance.
+#[test]
+fn crowds_are_equal_where_their_instances_are() {
+    let parents = [Hierarchy::ROOT, 0];
+    let hierarchy = Hierarchy::new(&parents).expect("a hierarchy");
+    let step = DualQuat::from_translation([0.0_f32, 1.0, 0.0]);
+    let mut moved = Crowd::<f32, 8>::from_slice(2, &[step; 6]).expect("whole instances");
+    hierarchy.job().root(step).local_to_model_in_place(moved.blocks_mut()).expect("they fit");
+    let mut same = Crowd::<f32, 8>::from_slice(2, &moved.to_vec()).expect("whole instances");
+    assert_ne!(moved.blocks(), same.blocks());
+    assert_eq!(moved, same);
+    same.set(2, 1, step).expect("it is inside");
+    assert_ne!(moved, same);
+    assert_ne!(Crowd::<f32, 8>::new(2, 3), Crowd::new(3, 2));
+}

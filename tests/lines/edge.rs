@@ -144,6 +144,22 @@ fn numbers_of_any_size_have_answers<R: Real>(sizes: [f64; 4]) {
     }
 }
 
+/// The length of subnormal numbers has no more digits than they have.
+#[test]
+fn directions_of_subnormal_numbers_have_length_one() {
+    for size in [1e-45_f32, 1e-44, 1e-42, 1e-39] {
+        let line = Line::from_points([0.0; 3], [size, size, 0.0]).unwrap();
+        let [x, y, z] = line.direction;
+        assert!((x * x + y * y + z * z - 1.0).abs() < 3e-7, "{size}: {line:?}");
+        let axis = Line { direction: [size; 3], moment: [size, -size, 0.0] }.try_normalize();
+        let third = (1.0_f32 / 3.0).sqrt();
+        let off = axis.unwrap().moment.map(|c| (c.abs() - third).abs());
+        assert!(off[0] < 1e-7 && off[1] < 1e-7, "{size}: {axis:?}");
+        let plane = Plane { normal: [size; 3], offset: size }.try_normalize().unwrap();
+        assert!((plane.offset - third).abs() < 1e-7, "{size}: {plane:?}");
+    }
+}
+
 #[test]
 fn numbers_of_any_size_have_answers_in_both() {
     numbers_of_any_size_have_answers::<f32>([1e-42, 1e-30, 1e30, 1e37]);

@@ -126,6 +126,11 @@ fn all_cores_give_every_bit_that_one_gives_to_vertices_with_fields() {
     best.skin_interleaved(&skin, blend, (&rest, fields), (one, posed_fields)).unwrap();
     best.par_skin_interleaved(&skin, blend, (&rest, fields), (all, posed_fields)).unwrap();
     assert!(one == all);
+    // Nothing at all, in vertices of more numbers than there are.
+    let vast = VertexFields::positions(1 << 60);
+    let nobody = dq8::skinning::Skin::new(1, 1, &[0_u16; 0], &[0.0_f32; 0]).unwrap();
+    let rigid = DualBlend::new(&scene.motions[..1]);
+    best.par_skin_interleaved(&nobody, rigid, (&[], vast), (&mut [], vast)).unwrap();
     let before = all.clone();
     let few = &mut all[8..];
     assert!(best.par_skin_interleaved(&skin, blend, (&rest, fields), (few, posed_fields)).is_err());

@@ -147,6 +147,7 @@ fn refused(source: MechanismError, nodes: &[Node<'_>]) -> UrdfError {
     let index = match source {
         MechanismError::Parent { joint, .. }
         | MechanismError::Placement { joint, .. }
+        | MechanismError::DualPart { joint, .. }
         | MechanismError::NotFinite { joint, .. }
         | MechanismError::Axis { joint, .. }
         | MechanismError::Limits { joint, .. }

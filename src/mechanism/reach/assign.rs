@@ -98,7 +98,7 @@ impl<L: Lanes<Real: Scalar>> Search<'_, L> {
         if outcome == Outcome::Invalid {
             (report.angular_error, report.linear_error) = (L::Real::NAN, L::Real::NAN);
         }
-        if lane.out_of_reach {
+        if lane.out_of_reach && outcome != Outcome::Invalid {
             let (goals, count) = (reach.goals.len(), reach.mechanism.values);
             let values = self.work.values.get(configuration * count..).unwrap_or_default();
             let targets = self.work.targets.get(configuration * goals..).unwrap_or_default();

@@ -115,9 +115,9 @@ impl<R: Real> Reach<'_, R> {
         if !far.is_finite() {
             return None;
         }
-        // Both have been rounded.
-        let rounding = R::ONE + R::from(64.0) * R::EPSILON;
-        if far <= length * rounding + tolerance {
+        // All three have been rounded, the places to parts of their distance from the base.
+        let sizes = length + vector::norm(centre) + vector::norm(target.translation());
+        if far <= length + R::from(64.0) * R::EPSILON * sizes + tolerance {
             return Some((target, false));
         }
         let edge = vector::add(centre, vector::scale(way, length / far));

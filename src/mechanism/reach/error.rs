@@ -15,7 +15,7 @@ pub enum ReachError {
         /// How many links there are.
         links: usize,
     },
-    /// A weight that is negative or not finite.
+    /// A weight that is neither zero nor between 10⁻⁶ and 10⁶.
     Weight {
         /// The goal.
         goal: usize,
@@ -71,8 +71,7 @@ impl fmt::Display for ReachError {
             }
             Self::Weight { goal, component, value } => write!(
                 f,
-                "component {component} of goal {goal} cannot weigh {value}: weights are finite and not \
-                 negative"
+                "component {component} of goal {goal} cannot weigh {value}: weights are zero, or from 1e-6 to 1e6"
             ),
             Self::NoWeight { goal } => write!(f, "all weights of goal {goal} are zero"),
             Self::Freedoms { freedoms, rates } => {

@@ -174,7 +174,13 @@ fn narrowed<R: Real>(range: Range<R>, step: &Step<R>) -> Result<Range<R>, ReachE
     let times: f64 = step.multiplier.into();
     let wraps = range.wraps && is_hinge && times == f64::from(times as i32);
     let range = Range { wraps, ..range };
-    let Some(limits) = step.limits.filter(|_| step.multiplier != R::ZERO) else { return Ok(range) };
+    let Some(limits) = step.limits else { return Ok(range) };
+    if step.multiplier == R::ZERO {
+        // It stands where it is, whatever the other does.
+        let [low, high] = limits;
+        let is_within = low <= step.offset && step.offset <= high;
+        return if is_within { Ok(range) } else { Err(limits_error(step, limits)) };
+    }
     let [a, b] = limits.map(|limit| (limit - step.offset) / step.multiplier);
     let [low, high] = if a <= b { [a, b] } else { [b, a] };
     let low = if low > range.low { low } else { range.low };

@@ -11,9 +11,9 @@ use crate::real::Real;
 pub struct Goal<R> {
     /// The link.
     pub link: usize,
-    /// The weights of the rotation about the target's x, y and z; not negative.
+    /// The weights of the rotation about the target's x, y and z: zero, or from 10⁻⁶ to 10⁶.
     pub angular: [R; 3],
-    /// The weights of the way along the target's x, y and z; not negative.
+    /// The weights of the way along the target's x, y and z, likewise.
     pub linear: [R; 3],
 }
 

@@ -72,8 +72,8 @@ impl<'a, R: Real> Reach<'a, R> {
     /// Checks what is asked.
     ///
     /// # Errors
-    /// If there is no goal, or one for a link that there is not, or with weights that are negative, not
-    /// finite or all zero; if there are fewer freedoms than rates; if the limits of a joint that moves a goal
+    /// If there is no goal, or one for a link that there is not, or with weights that are neither zero nor between 10⁻⁶
+    /// and 10⁶, or all zero; if there are fewer freedoms than rates; if the limits of a joint that moves a goal
     /// and of what mimics it leave no value, or are angles that a float does not tell apart. `freedoms` may
     /// have been written.
     pub fn new(
@@ -203,7 +203,9 @@ fn check<R: Real>(goal: &Goal<R>, index: usize, links: usize) -> Result<(), Reac
         return Err(ReachError::Link { goal: index, link: goal.link, links });
     }
     for (component, weight) in goal.angular.into_iter().chain(goal.linear).enumerate() {
-        if !(weight.is_finite() && weight >= R::ZERO) {
+        // Their squares are numbers too.
+        let is_moderate = weight >= R::from(1e-6) && weight <= R::from(1e6);
+        if !(weight == R::ZERO || is_moderate) {
             return Err(ReachError::Weight { goal: index, component, value: weight.into() });
         }
     }

@@ -2,7 +2,7 @@
 
 use super::{apart, at, mechanism, planar, seven, solve, turned};
 use dq8::ik::{Options, Outcome};
-use dq8::mechanism::{Freedom, Goal, Reach};
+use dq8::mechanism::{Freedom, Goal, Joint, Reach};
 use dq8::{DualQuat, Quat};
 
 #[test]
@@ -129,4 +129,30 @@ fn half_a_turn_away_there_is_a_way() {
     let mut values = goal;
     let report = solve(arm.view(), &[Goal::pose(7)], &[target], &mut values, &Options::default());
     assert_eq!(report.outcome, Outcome::Converged, "{report:?}");
+}
+
+/// Three hinges at one point reach nothing but that point, which is rounded as far from the base as it lies.
+#[test]
+fn a_tool_that_cannot_move_away_reaches_where_it_is() {
+    let place =
+        |on: Option<usize>| if on.is_none() { at(60.0, 0.0, 80.0) } else { at(0.0, 0.0, 0.0) };
+    let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let joints: Vec<_> = axes
+        .into_iter()
+        .enumerate()
+        .map(|(i, axis)| Joint::revolute(i.checked_sub(1), place(i.checked_sub(1)), axis))
+        .collect();
+    let wrist = mechanism::<f32>(&joints);
+    let (goals, mut freedoms) = ([Goal::pose(2)], [Freedom::default(); 3]);
+    let reach = Reach::new(wrist.view(), &goals, &mut freedoms).expect("a problem");
+    let mut scratch = vec![0.0; reach.scratch_len()];
+    // Of the bound alone depends what is out of reach.
+    let tight = Options::<f32> { linear_tolerance: 0.0, ..Options::default() };
+    for step in 0..200 {
+        let mut values = [0.01, 0.02, 0.03].map(|rate| rate * step as f32);
+        let target = wrist.view().link_pose(&values, 2).expect("a link");
+        let report = reach.solve(&[target], &mut values, &mut scratch, &tight).expect("they fit");
+        assert_ne!(report.outcome, Outcome::OutOfReach, "{step}");
+        assert!(report.linear_error < 1e-4, "{step}: {report:?}");
+    }
 }

@@ -24,6 +24,11 @@ fn errors_name_what_is_wrong() {
     let error = ask(&[good, endless], 2);
     assert_eq!(error, ReachError::Weight { goal: 1, component: 2, value: f64::INFINITY });
     assert!(error.to_string().contains("component 2 of goal 1"));
+    // Searches add up the squares of what is weighed.
+    for weight in [1e-7, 1e7, 1e-170, 1e160] {
+        let error = ask(&[good.with_angular([1.0, weight, 1.0])], 2);
+        assert_eq!(error, ReachError::Weight { goal: 0, component: 1, value: weight });
+    }
 }
 
 #[test]
@@ -31,7 +36,11 @@ fn limits_that_leave_nothing_are_errors() {
     let finger = Joint::prismatic(None, DualQuat::IDENTITY, super::Z).with_limits([0.0, 0.04]);
     let other = finger.with_limits([1.0, 2.0]).mimicking(0, 1.0, 0.0);
     let far = Joint::revolute(None, DualQuat::IDENTITY, super::Z).with_limits([1e30, 1e30]);
-    for (joints, link, joint) in [(vec![finger, other], 1, 1), (vec![finger, far], 1, 1)] {
+    // It stands at 2, whatever the other does.
+    let stuck = finger.with_limits([-1.0, 1.0]).mimicking(0, 0.0, 2.0);
+    for (joints, link, joint) in
+        [(vec![finger, other], 1, 1), (vec![finger, far], 1, 1), (vec![finger, stuck], 1, 1)]
+    {
         let machine = mechanism::<f64>(&joints);
         let mut freedoms = [Freedom::default(); 2];
         let goals = [Goal::position(link)];
