@@ -26,17 +26,6 @@ pub(crate) struct Argument<'a, 'py> {
     pub(crate) value: &'a Bound<'py, PyAny>,
 }
 
-impl<'a, 'py> Argument<'a, 'py> {
-    /// An argument that is there.
-    pub(crate) fn new(
-        name: &'static str,
-        core: &'static [usize],
-        value: &'a Bound<'py, PyAny>,
-    ) -> Option<Self> {
-        Some(Self { name, core, value })
-    }
-}
-
 /// An argument as memory: one element after the other.
 pub(crate) struct Input<'py, R: Number> {
     array: PyReadonlyArrayDyn<'py, R>,
@@ -159,9 +148,11 @@ impl<'py, R: Number> Input<'py, R> {
 }
 
 /// Whether a call computes in `f32`: if all its arrays are `f32` or narrower. Python's numbers do not count.
-pub(crate) fn is_single(arguments: &[Option<Argument<'_, '_>>]) -> PyResult<bool> {
+pub(crate) fn is_single<'a, 'py: 'a>(
+    arguments: impl IntoIterator<Item = Argument<'a, 'py>>,
+) -> PyResult<bool> {
     let mut single = false;
-    for argument in arguments.iter().flatten() {
+    for argument in arguments {
         let value = argument.value;
         if value.cast_exact::<PyArrayDyn<f64>>().is_ok() {
             return Ok(false);
@@ -169,7 +160,7 @@ pub(crate) fn is_single(arguments: &[Option<Argument<'_, '_>>]) -> PyResult<bool
         if value.cast_exact::<PyArrayDyn<f32>>().is_ok() {
             single = true;
         } else if !is_number(value) {
-            match dtype_of(*argument)? {
+            match dtype_of(argument)? {
                 Precision::Single => single = true,
                 Precision::Double => return Ok(false),
             }

@@ -154,7 +154,7 @@ impl Hierarchy {
     ) -> Answer<'py> {
         let poses = Argument { name, core: EIGHT, value: poses };
         let root = root.map(|value| Argument { name: "root", core: EIGHT, value });
-        if is_single(&[Some(poses), root])? {
+        if is_single([poses].into_iter().chain(root))? {
             self.typed::<f32>(direction, poses, root, out)
         } else {
             self.typed::<f64>(direction, poses, root, out)

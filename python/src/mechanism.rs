@@ -217,7 +217,7 @@ impl Mechanism {
     ) -> Answer<'py> {
         let chosen = links.map(|links| Chosen::of(&self.links, links)).transpose()?;
         let values = Argument { name: "values", core: &[], value: values };
-        if is_single(&[Some(values)])? {
+        if is_single([values])? {
             poses(self.single()?, values, chosen, out)
         } else {
             poses(&self.double, values, chosen, out)
@@ -274,7 +274,7 @@ impl Mechanism {
         };
         let link = link_of(&self.links, "link", link)?;
         let values = Argument { name: "values", core: &[], value: values };
-        if is_single(&[Some(values)])? {
+        if is_single([values])? {
             jacobian(self.single()?, values, link, frame, out)
         } else {
             jacobian(&self.double, values, link, frame, out)
@@ -374,7 +374,7 @@ impl Mechanism {
                 restarts,
             },
         };
-        if is_single(&[Some(search.targets), Some(search.values)])? {
+        if is_single([search.targets, search.values])? {
             reach(self.single()?, search, out)
         } else {
             reach(&self.double, search, out)

@@ -126,10 +126,8 @@ pub(crate) fn skin<'py>(
             tangents.map(|value| Argument { name: "tangents", core: VECTOR, value }),
         ],
     };
-    let [normals, tangents] = call.directions;
-    let points = Some(call.points);
-    if is_single(&[points, Some(call.weights), Some(call.palette), call.shares, normals, tangents])?
-    {
+    let optional = call.shares.into_iter().chain(call.directions.into_iter().flatten());
+    if is_single([call.points, call.weights, call.palette].into_iter().chain(optional))? {
         typed::<f32>(call, out)
     } else {
         typed::<f64>(call, out)

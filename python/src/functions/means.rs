@@ -87,7 +87,7 @@ fn mean_of<'py>(
 ) -> Answer<'py> {
     let motions = Argument { name: "motions", core: EIGHT, value: motions };
     let weights = weights.map(|value| Argument { name: "weights", core: NUMBER, value });
-    if is_single(&[Some(motions), weights])? {
+    if is_single([motions].into_iter().chain(weights))? {
         typed::<f32>(mean, motions, weights, out)
     } else {
         typed::<f64>(mean, motions, weights, out)

@@ -78,7 +78,7 @@ pub(crate) fn squad<'py>(
         Argument { name: "control_end", core: EIGHT, value: control_end },
         Argument { name: "end", core: EIGHT, value: end },
     ];
-    of_many(Squad, motions, Argument::new("t", NUMBER, t), out)
+    of_many(Squad, motions, Some(Argument { name: "t", core: NUMBER, value: t }), out)
 }
 
 #[derive(Clone, Copy)]
@@ -134,8 +134,7 @@ fn of_many<'py, F: OfMany<N>, const N: usize>(
     t: Option<Argument<'_, 'py>>,
     out: Option<&Bound<'py, PyAny>>,
 ) -> Answer<'py> {
-    let all: Vec<_> = motions.iter().map(|&motion| Some(motion)).chain([t]).collect();
-    if is_single(&all)? {
+    if is_single(motions.into_iter().chain(t))? {
         typed::<f32, F, N>(law, motions, t, out)
     } else {
         typed::<f64, F, N>(law, motions, t, out)

@@ -50,11 +50,7 @@ pub(crate) fn resample<'py>(
         Argument { name: "poses", core: EIGHT, value: poses },
         Argument { name: "at", core: NUMBER, value: at },
     ];
-    if is_single(&arguments.map(Some))? {
-        typed::<f32>(arguments, out)
-    } else {
-        typed::<f64>(arguments, out)
-    }
+    if is_single(arguments)? { typed::<f32>(arguments, out) } else { typed::<f64>(arguments, out) }
 }
 
 fn typed<'py, R: Number>(

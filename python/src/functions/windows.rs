@@ -57,7 +57,7 @@ pub(crate) fn dib_windows<'py>(
     let mean = Mean::Intrinsic { tolerance: tolerance.unwrap_or(f64::NAN), max_iterations };
     let motions = Argument { name: "motions", core: EIGHT, value: motions };
     let weights = Argument { name: "weights", core: NUMBER, value: weights };
-    if is_single(&[Some(motions), Some(weights)])? {
+    if is_single([motions, weights])? {
         typed::<f32>(mean, motions, weights, out)
     } else {
         typed::<f64>(mean, motions, weights, out)
