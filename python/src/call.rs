@@ -1,13 +1,13 @@
 //! From a Python call to a sweep: precision, shapes, memory, and the interpreter lock.
 
-use crate::argument::{Argument, Input, Number, is_single};
+use crate::argument::{Argument, Input, is_single};
 use crate::broadcast::{Broadcast, cycles, misfit};
 use crate::law::{Each, Law, Operand};
+use crate::number::Number;
 use crate::output::Output;
 use crate::sweep::{Arguments, sweep};
 use crate::threads::{GRAIN, Threads};
 use dq8::simd::MAX_LANES;
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 /// What a Python function returns.
@@ -56,17 +56,14 @@ where
         b: operand(b, cycling, &mut cycle_b),
         c: operand(c, cycling, &mut cycle_c),
     };
-    let mut memory = output.borrow()?;
-    // It is contiguous.
-    let to = memory.as_slice_mut().map(|numbers| numbers.as_chunks_mut::<D>().0);
-    let to = to.map_err(|error| PyValueError::new_err(error.to_string()))?;
-    if to.len() < RELEASE {
-        runs(law, arguments, &broadcast, to);
-    } else {
-        py.detach(|| runs(law, arguments, &broadcast, to));
-    }
-    drop(memory);
-    output.finish()
+    output.fill_attached(|to| {
+        if to.len() < RELEASE {
+            runs(law, arguments, &broadcast, to);
+        } else {
+            py.detach(|| runs(law, arguments, &broadcast, to));
+        }
+        Ok(())
+    })
 }
 
 /// What a call needs that does not depend on its law.

@@ -3,12 +3,13 @@
 use crate::argument::{Argument, common_dtype, is_single};
 use crate::call::Answer;
 use crate::configurations::{Frame, jacobian, poses};
-use crate::functions::core_shape::{EIGHT, SIX};
+use crate::error::value_error;
 use crate::hierarchy::parents_of;
 use crate::joints::{Arrays, NO_LIMITS, limits, name_and_axis, values_and_rates};
 use crate::links::{Chosen, link_of, names};
 use crate::reach::{Search, reach};
 use crate::reach_report::ReachReport;
+use crate::shape::{EIGHT, SIX};
 use crate::urdf::text_of;
 use dq8::ik::Options;
 use dq8::mechanism::{Joint, MechanismError, OwnedMechanism};
@@ -388,8 +389,4 @@ impl Mechanism {
             PyValueError::new_err(format!("`values` are float32, for which {error}"))
         })
     }
-}
-
-fn value_error(error: impl ToString) -> PyErr {
-    PyValueError::new_err(error.to_string())
 }

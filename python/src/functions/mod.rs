@@ -14,16 +14,6 @@ pub(crate) mod windows;
 
 use dq8::{Lanes, batch};
 
-/// The last dimensions of one element.
-pub(crate) mod core_shape {
-    pub(crate) const NUMBER: &[usize] = &[];
-    pub(crate) const VECTOR: &[usize] = &[3];
-    /// A twist.
-    pub(crate) const SIX: &[usize] = &[6];
-    /// A motion.
-    pub(crate) const EIGHT: &[usize] = &[8];
-}
-
 #[inline(always)]
 fn motion<L: Lanes>(components: [L; 8]) -> batch::DualQuat<L> {
     batch::DualQuat::from_array(components)

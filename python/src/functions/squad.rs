@@ -1,12 +1,13 @@
 //! Smooth motion through key poses.
 
-use super::core_shape::{EIGHT, NUMBER};
 use super::motion;
-use crate::argument::{Argument, Input, Number, common_dtype, is_single};
+use crate::argument::{Argument, Input, common_dtype, is_single};
 use crate::broadcast::{common, misfit};
 use crate::call::Answer;
 use crate::law::{Each, OneOrEach, Operand, store};
+use crate::number::Number;
 use crate::output::Output;
+use crate::shape::{EIGHT, NUMBER};
 use crate::threads::Threads;
 use dq8::{Backend, Kernel, Lanes, Level, batch};
 use pyo3::exceptions::PyValueError;
@@ -166,18 +167,14 @@ fn typed<'py, R: Number, F: OfMany<N>, const N: usize>(
     let (motions, t) = ready.split_at(N);
     let motions = std::array::from_fn(|i| operand(motions.get(i)));
     let t = operand(t.first());
-    let mut memory = output.borrow()?;
-    let to = memory.as_slice_mut().map(|numbers| numbers.as_chunks_mut::<8>().0);
-    let to = to.map_err(|error| PyValueError::new_err(error.to_string()))?;
-    py.detach(|| {
+    output.fill(|to| {
         Threads::for_elements(to.len()).split(to, &|first, to| {
             let motions = motions.map(|motion| motion.from(first));
             Backend::best().run(OfEach { law, motions, t: t.from(first), to });
             true
-        })
-    });
-    drop(memory);
-    output.finish()
+        });
+        Ok(())
+    })
 }
 
 /// The elements of an argument; zeros if there is none.
