@@ -1,25 +1,9 @@
 //! Long chains: the product of all links up to each, plain, or in blocks with a segment in each lane.
 
-use crate::memory::from_to;
 use crate::status::{Done, Status};
-use dq8::Backend;
 use dq8::storage::{AoSoA, Aos, Layout};
 
-/// # Safety
-/// As for [`from_to`].
-unsafe fn chain_products<L: Layout>(
-    links: *const L::Real,
-    out: *mut L::Real,
-    count: usize,
-) -> Done {
-    let best = Backend::best();
-    let in_place = |all: &mut [L::Record<8>]| {
-        best.chain_products_in_place(all);
-        Ok(())
-    };
-    // SAFETY: promised.
-    unsafe { from_to(links, out, count, |from, to| best.chain_products(from, to), in_place) }
-}
+kernel_or_in_place! { chain_products(links: 8) by chain_products, chain_products_in_place }
 
 macro_rules! functions {
     ($R:ident $lanes:tt) => {

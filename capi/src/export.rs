@@ -58,83 +58,23 @@ macro_rules! export {
     };
 }
 
-/// A function on one motion, whose body is what it returns inside.
+/// A function on one thing, `motion`, `mechanism` or `skin`, whose body is what it returns inside.
 macro_rules! export_one {
     (
         $R:ident
         $(#[doc = $about:literal])*
-        $name:ident($($argument:ident: $type:ty),* $(,)?) = $body:expr
+        $thing:ident::$name:ident($($argument:ident: $type:ty),* $(,)?) = $body:expr
     ) => {
         $(#[doc = $about])*
         ///
         /// # Safety
-        /// Pointers are to as many numbers as named.
-        #[unsafe(export_name = concat!("dq8_motion_", stringify!($name), "_", stringify!($R)))]
+        /// Arrays have the lengths named; mechanisms and skins are zero or have been made.
+        #[unsafe(export_name = concat!(
+            "dq8_", stringify!($thing), "_", stringify!($name), "_", stringify!($R)
+        ))]
         pub unsafe extern "C" fn $name($($argument: $type),*) -> Status {
             // SAFETY: promised.
             Status::of(unsafe { $body })
-        }
-    };
-}
-
-/// A function on one configuration of a mechanism, whose body is what it returns inside.
-macro_rules! export_mechanism {
-    (
-        $R:ident
-        $(#[doc = $about:literal])*
-        $name:ident($($argument:ident: $type:ty),* $(,)?) = $body:expr
-    ) => {
-        $(#[doc = $about])*
-        ///
-        /// # Safety
-        /// Arrays have the lengths named, and mechanisms are zero or have been made.
-        #[unsafe(export_name = concat!("dq8_mechanism_", stringify!($name), "_", stringify!($R)))]
-        pub unsafe extern "C" fn $name($($argument: $type),*) -> Status {
-            // SAFETY: promised.
-            Status::of(unsafe { $body })
-        }
-    };
-}
-
-/// A function on a skin, whose body is what it returns inside.
-macro_rules! export_skin {
-    (
-        $R:ident
-        $(#[doc = $about:literal])*
-        $name:ident($($argument:ident: $type:ty),* $(,)?) = $body:expr
-    ) => {
-        $(#[doc = $about])*
-        ///
-        /// # Safety
-        /// Arrays have the lengths named, and skins are zero or have been made.
-        #[unsafe(export_name = concat!("dq8_skin_", stringify!($name), "_", stringify!($R)))]
-        #[expect(clippy::allow_attributes, reason = "not every function has so many")]
-        #[allow(clippy::too_many_arguments, reason = "one per line of the C function")]
-        pub unsafe extern "C" fn $name($($argument: $type),*) -> Status {
-            // SAFETY: promised.
-            Status::of(unsafe { $body })
-        }
-    };
-}
-
-/// The generic function, plain or in blocks, that a kernel over slices is in C: two arrays, of so many numbers per element,
-/// make a third one.
-macro_rules! from_two {
-    ($name:ident: $a:literal, $b:literal -> $c:literal by $kernel:ident $(, $number:ident)?) => {
-        /// # Safety
-        /// As for [`two_to`](crate::memory::two_to).
-        unsafe fn $name<L: Layout>(
-            a: *const L::Real,
-            b: *const L::Real,
-            $($number: L::Real,)?
-            out: *mut L::Real,
-            count: usize,
-        ) -> Done {
-            let run = |a: &[L::Record<$a>], b: &[L::Record<$b>], to: &mut [L::Record<$c>]| {
-                dq8::Backend::best().$kernel(a, b, $($number,)? to)
-            };
-            // SAFETY: promised.
-            unsafe { crate::memory::two_to(a, b, out, count, run) }
         }
     };
 }

@@ -1,6 +1,7 @@
 //! Joint hierarchies: local poses to model space and back, and skinning palettes.
 
 use crate::memory::{Input, Output, from_to, read};
+use crate::span::apart;
 use crate::status::{Done, Status};
 use dq8::storage::{AoSoA, Aos, Layout};
 use dq8::{
@@ -42,12 +43,12 @@ unsafe fn local_to_model<L: Layout>(
     count: usize,
 ) -> Done {
     let parents = self::parents(parents, joints)?;
-    Output::<L::Record<8>>::new(models, count)?.apart_from(&parents)?;
+    apart(&[Output::<L::Record<8>>::new(models, count)?.span], &[parents.span])?;
     // SAFETY: promised, and apart from what is written.
     let job = unsafe { job::<L>(&parents, root)? };
-    let apart = |from: &[_], to: &mut [_]| job.locals_to_model(Poses(from), to);
+    let elsewhere = |from: &[_], to: &mut [_]| job.locals_to_model(Poses(from), to);
     // SAFETY: promised.
-    unsafe { from_to(locals, models, count, apart, |all| job.local_to_model_in_place(all)) }
+    unsafe { from_to(locals, models, count, elsewhere, |all| job.local_to_model_in_place(all)) }
 }
 
 /// # Safety
@@ -61,12 +62,12 @@ unsafe fn model_to_local<L: Layout>(
     count: usize,
 ) -> Done {
     let parents = self::parents(parents, joints)?;
-    Output::<L::Record<8>>::new(locals, count)?.apart_from(&parents)?;
+    apart(&[Output::<L::Record<8>>::new(locals, count)?.span], &[parents.span])?;
     // SAFETY: promised, and apart from what is written.
     let job = unsafe { job::<L>(&parents, root)? };
-    let apart = |from: &[_], to: &mut [_]| job.model_to_local(from, to);
+    let elsewhere = |from: &[_], to: &mut [_]| job.model_to_local(from, to);
     // SAFETY: promised.
-    unsafe { from_to(models, locals, count, apart, |all| job.model_to_local_in_place(all)) }
+    unsafe { from_to(models, locals, count, elsewhere, |all| job.model_to_local_in_place(all)) }
 }
 
 /// # Safety
@@ -84,9 +85,7 @@ unsafe fn rotations_to_model<L: Layout>(
     let rotations = Input::<L::Record<4>>::new(rotations, count)?;
     let offsets = Input::<[L::Real; 3]>::new(offsets, joints)?;
     let models = Output::new(models, count)?;
-    models.apart_from(&parents)?;
-    models.apart_from(&rotations)?;
-    models.apart_from(&offsets)?;
+    apart(&[models.span], &[parents.span, rotations.span, offsets.span])?;
     // SAFETY: promised, and apart.
     unsafe {
         let job = job::<L>(&parents, root)?;
@@ -108,8 +107,7 @@ unsafe fn rotations_translations_to_model<L: Layout>(
     let parents = self::parents(parents, joints)?;
     let locals = Input::<L::Record<7>>::new(locals, count)?;
     let models = Output::new(models, count)?;
-    models.apart_from(&parents)?;
-    models.apart_from(&locals)?;
+    apart(&[models.span], &[parents.span, locals.span])?;
     // SAFETY: promised, and apart.
     unsafe {
         let job = job::<L>(&parents, root)?;
@@ -140,13 +138,7 @@ impl<L: Layout> Skin<L> {
         let binds = Input::<DualQuat<L::Real>>::new(self.inverse_binds, self.joints)?;
         let models = Output::<L::Record<8>>::new(self.models, self.count)?;
         let palette = Output::<M>::new(palette, self.count)?;
-        models.apart_from_output(&palette)?;
-        models.apart_from(&parents)?;
-        models.apart_from(&locals)?;
-        models.apart_from(&binds)?;
-        palette.apart_from(&parents)?;
-        palette.apart_from(&locals)?;
-        palette.apart_from(&binds)?;
+        apart(&[models.span, palette.span], &[parents.span, locals.span, binds.span])?;
         // SAFETY: promised, and apart.
         unsafe {
             let job = job::<L>(&parents, self.root)?;
@@ -272,35 +264,30 @@ pub unsafe extern "C" fn dq8_check_parents(
 }
 
 /// # Safety
-/// As for [`checked`].
+/// As for [`Input::slice`] and [`Output::write`].
 unsafe fn check_parents(start: *const i32, joints: usize, bad_joint: *mut usize) -> Done {
     let (parents, bad_joint) = (parents(start, joints)?, Output::unless_null(bad_joint)?);
-    // SAFETY: promised.
-    unsafe { checked(&parents, bad_joint.as_ref()).map(|_| ()) }
+    apart(&[bad_joint.span], &[parents.span])?;
+    // SAFETY: promised, and apart.
+    unsafe { checked(&parents, &bad_joint).map(|_| ()) }
 }
 
 /// The hierarchy of these parents; if they are none, the joint that is wrong is written to `bad_joint`.
 ///
 /// # Safety
-/// As for [`Input::slice`] and [`Output::write`].
+/// As for [`Input::slice`] and [`Output::write`], and the two are apart.
 pub(crate) unsafe fn checked<'a>(
     parents: &Input<u32>,
-    bad_joint: Option<&Output<usize>>,
+    bad_joint: &Output<usize>,
 ) -> Result<Hierarchy<'a>, Status> {
-    if let Some(bad_joint) = bad_joint {
-        bad_joint.apart_from(parents)?;
-    }
     // SAFETY: promised.
     let hierarchy = Hierarchy::new(unsafe { parents.slice() });
-    if let (
-        Some(bad_joint),
-        Err(
-            HierarchyError::ParentNotBefore { joint, .. }
-            | HierarchyError::ParentOutOfRange { joint, .. },
-        ),
-    ) = (bad_joint, &hierarchy)
+    if let Err(
+        HierarchyError::ParentNotBefore { joint, .. }
+        | HierarchyError::ParentOutOfRange { joint, .. },
+    ) = &hierarchy
     {
-        // SAFETY: promised, and apart.
+        // SAFETY: promised.
         unsafe { bad_joint.write(*joint) };
     }
     Ok(hierarchy?)

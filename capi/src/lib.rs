@@ -26,6 +26,8 @@
 
 #[macro_use]
 mod export;
+#[macro_use]
+mod kernel;
 pub mod backend;
 pub mod chain;
 pub mod geometry;
@@ -46,6 +48,7 @@ pub mod screw;
 pub mod skin;
 pub mod skinning;
 pub mod slices;
+mod span;
 pub mod status;
 pub mod twists;
 pub mod velocity;

@@ -3,8 +3,8 @@
 use crate::status::{Done, Status};
 use dq8::storage::{AoSoA, Aos, Layout};
 
-from_two! { lines_each: 8, 6 -> 6 by transform_lines_each }
-from_two! { planes_each: 8, 4 -> 4 by transform_planes_each }
+kernel! { lines_each(motions: 8, lines: 6) -> 6 by transform_lines_each }
+kernel! { planes_each(motions: 8, planes: 4) -> 4 by transform_planes_each }
 
 macro_rules! functions {
     ($R:ident $lanes:tt) => {

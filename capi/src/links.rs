@@ -2,6 +2,7 @@
 
 use crate::mechanism::{Made, Mechanism};
 use crate::memory::{Input, Output};
+use crate::span::apart;
 use crate::status::{Done, Status};
 use dq8::Backend;
 use dq8::mechanism::JointValues;
@@ -23,8 +24,7 @@ where
     let made = unsafe { Made::new(mechanism)? };
     let values = Input::<L::Real>::new(values, value_count)?;
     let poses = Output::<L::Record<8>>::new(poses, count)?;
-    poses.apart_from(&values)?;
-    made.apart_from(&poses)?;
+    apart(&[poses.span], &[values.span, made.given, made.steps])?;
     // SAFETY: promised, and apart.
     unsafe { Ok(Backend::best().link_poses(made.known, values.slice(), poses.slice())?) }
 }

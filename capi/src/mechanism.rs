@@ -2,6 +2,7 @@
 
 use crate::joint::{Fault, Joint, fault};
 use crate::memory::{Input, Output};
+use crate::span::{Span, apart};
 use crate::status::{Done, Status};
 use core::mem::MaybeUninit;
 use core::ptr::{self, NonNull};
@@ -110,14 +111,7 @@ unsafe fn make<R: Real>(
     let steps = Output::<MaybeUninit<Step<R>>>::new(steps, count)?;
     let made = Output::<Mechanism<R>>::new(mechanism, 1)?;
     let bad_joint = Output::<usize>::unless_null(bad_joint)?;
-    steps.apart_from(&joints)?;
-    made.apart_from(&joints)?;
-    made.apart_from_output(&steps)?;
-    if let Some(bad_joint) = &bad_joint {
-        bad_joint.apart_from(&joints)?;
-        bad_joint.apart_from_output(&steps)?;
-        bad_joint.apart_from_output(&made)?;
-    }
+    apart(&[steps.span, made.span, bad_joint.span], &[joints.span])?;
     // SAFETY: promised, and apart.
     let (joints, room) = unsafe { (joints.slice(), steps.slice()) };
     let room = if count == 0 { NonNull::dangling().as_ptr() } else { room.as_mut_ptr().cast() };
@@ -125,7 +119,7 @@ unsafe fn make<R: Real>(
     let known: Known<R> = match unsafe { known(joints, room) } {
         Ok(known) => known,
         Err((status, joint)) => {
-            if let (Some(bad_joint), Some(joint)) = (bad_joint, joint) {
+            if let Some(joint) = joint {
                 // SAFETY: promised, and apart.
                 unsafe { bad_joint.write(joint) };
             }
@@ -144,29 +138,23 @@ unsafe fn make<R: Real>(
 /// A mechanism as C hands it over: nothing that is written may overlap it or its steps.
 pub(crate) struct Made<R: 'static> {
     pub(crate) known: Known<R>,
-    given: Input<Mechanism<R>>,
-    steps: Input<Step<R>>,
+    pub(crate) given: Span,
+    pub(crate) steps: Span,
 }
 
 impl<R: Real> Made<R> {
     /// # Safety
     /// The mechanism is zero, or has been made, and its steps are there.
     pub(crate) unsafe fn new(mechanism: *const Mechanism<R>) -> Result<Self, Status> {
-        let given = Input::new(mechanism, 1)?;
-        // SAFETY: neither null nor misaligned, by `Input::new`; the rest is promised.
+        let given = Span::of(mechanism, 1)?;
+        // SAFETY: neither null nor misaligned, by `Span::of`; the rest is promised.
         let steps = unsafe { ptr::addr_of!((*mechanism).steps).read() };
         if steps.is_null() {
             return Err(Status::NoMechanism);
         }
         // SAFETY: it has been made, so this was written.
         let known = unsafe { ptr::addr_of!((*mechanism).opaque).cast::<Known<R>>().read() };
-        let steps = Input::new(steps, known.links())?;
-        Ok(Self { known, given, steps })
-    }
-
-    pub(crate) fn apart_from<T: Copy>(&self, output: &Output<T>) -> Done {
-        output.apart_from(&self.given)?;
-        output.apart_from(&self.steps)
+        Ok(Self { known, given, steps: Span::of(steps, known.links())? })
     }
 }
 
@@ -183,8 +171,7 @@ unsafe fn link_poses<R: Real>(
     let made = unsafe { Made::new(mechanism)? };
     let values = Input::<R>::new(values, value_count)?;
     let poses = Output::<DualQuat<R>>::new(poses, link_count)?;
-    poses.apart_from(&values)?;
-    made.apart_from(&poses)?;
+    apart(&[poses.span], &[values.span, made.given, made.steps])?;
     // SAFETY: promised, and apart.
     unsafe { Ok(made.known.link_poses(values.slice(), poses.slice())?) }
 }
@@ -202,8 +189,7 @@ unsafe fn link_pose<R: Real>(
     let made = unsafe { Made::new(mechanism)? };
     let values = Input::<R>::new(values, value_count)?;
     let pose = Output::<DualQuat<R>>::new(pose, 1)?;
-    pose.apart_from(&values)?;
-    made.apart_from(&pose)?;
+    apart(&[pose.span], &[values.span, made.given, made.steps])?;
     if link >= made.known.links() {
         return Err(Status::NoLink);
     }
@@ -234,13 +220,7 @@ unsafe fn link_jacobian<R: Real>(
     let values = Input::<R>::new(asked.values, asked.value_count)?;
     let columns = Output::<Twist<R>>::new(columns, column_count)?;
     let pose = Output::<DualQuat<R>>::unless_null(pose)?;
-    columns.apart_from(&values)?;
-    made.apart_from(&columns)?;
-    if let Some(pose) = &pose {
-        pose.apart_from(&values)?;
-        pose.apart_from_output(&columns)?;
-        made.apart_from(pose)?;
-    }
+    apart(&[columns.span, pose.span], &[values.span, made.given, made.steps])?;
     let (known, link) = (made.known, asked.link);
     if link >= known.links() {
         return Err(Status::NoLink);
@@ -255,16 +235,14 @@ unsafe fn link_jacobian<R: Real>(
         }
         _ => return Err(Status::UnknownValue),
     }?;
-    if let Some(pose) = pose {
-        // SAFETY: promised, and apart.
-        unsafe { pose.write(reached) };
-    }
+    // SAFETY: promised, and apart.
+    unsafe { pose.write(reached) };
     Ok(())
 }
 
 macro_rules! functions {
     ($R:ident $lanes:tt) => {
-        export_mechanism! { $R
+        export_one! { $R
             /// Checks `count` joints and makes a mechanism of them, once; its functions then only compute.
             /// `steps`, as many as joints, is memory that the mechanism keeps using: nothing else may write
             /// it. `joints` are not needed any more.
@@ -272,36 +250,36 @@ macro_rules! functions {
             /// DQ8_STATUS_PARENT_NOT_BEFORE, _PARENT_OUT_OF_RANGE, _NOT_UNIT (the placement), _NOT_FINITE,
             /// _AXIS, _MIMIC, _LIMITS or _UNKNOWN_VALUE (the kind, `mimics` or `limited`); `bad_joint`, which may be null, is
             /// set to that joint. `steps` may have been written, the mechanism not.
-            make(
+            mechanism::make(
                 joints: *const Joint<$R>, count: usize, steps: *mut Step<$R>,
                 mechanism: *mut Mechanism<$R>, bad_joint: *mut usize,
             ) = super::make(joints, count, steps, mechanism, bad_joint)
         }
-        export_mechanism! { $R
+        export_one! { $R
             /// Forward kinematics of one configuration: the poses of all links in the frame of the base,
             /// `poses[j] = poses[parent] * placement[j] * motion of joint j`. `value_count` and `link_count`
             /// are those of the mechanism, or it is DQ8_STATUS_LENGTH.
-            link_poses(
+            mechanism::link_poses(
                 mechanism: *const Mechanism<$R>, values: *const $R, value_count: usize,
                 poses: *mut $R, link_count: usize,
             ) = super::link_poses(mechanism, values, value_count, poses, link_count)
         }
-        export_mechanism! { $R
+        export_one! { $R
             /// The pose of one link: nothing but what carries it is computed. DQ8_STATUS_NO_LINK if there is
             /// no such link.
-            link_pose(
+            mechanism::link_pose(
                 mechanism: *const Mechanism<$R>, values: *const $R, value_count: usize,
                 link: usize, pose: *mut $R,
             ) = super::link_pose(mechanism, values, value_count, link, pose)
         }
-        export_mechanism! { $R
+        export_one! { $R
             /// The geometric Jacobian of a link: for each rate of the mechanism a column of six numbers,
             /// angular velocity x y z, then linear velocity x y z, in `frame`, one of enum dq8_frame.
             /// Columns of joints that do not carry the link are zero.
             ///
             /// `column_count` is the mechanism's number of rates. `pose`, the pose of the link, may be null.
             /// DQ8_STATUS_NO_LINK if there is no such link.
-            link_jacobian(
+            mechanism::link_jacobian(
                 mechanism: *const Mechanism<$R>, frame: i32, values: *const $R,
                 value_count: usize, link: usize, columns: *mut $R, column_count: usize,
                 pose: *mut $R,

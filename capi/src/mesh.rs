@@ -2,6 +2,7 @@
 
 use crate::memory::{Input, Output};
 use crate::skin::{Palettes, Posing};
+use crate::span::{Span, apart};
 use crate::status::{Done, Status};
 use dq8::skinning::{self, Blender, SkinningError, Surface, SurfaceMut, Weight};
 use dq8::{Backend, Scalar};
@@ -63,16 +64,10 @@ impl<R: Scalar + Weight> Mesh<R> for Arrays<R> {
         let normals = self.optional(from_normals, to_normals)?;
         let tangents = self.optional(from_tangents, to_tangents)?;
         let fields = [Some(&positions), normals.as_ref(), tangents.as_ref()];
-        for (kind, field) in fields.iter().enumerate() {
-            let Some((_, to)) = field else { continue };
-            by.apart_from(to)?;
-            for (from, _) in fields.iter().flatten() {
-                to.apart_from(from)?;
-            }
-            for (_, other) in fields.iter().skip(kind + 1).flatten() {
-                to.apart_from_output(other)?;
-            }
-        }
+        let from = fields.map(|field| field.map_or(Span::NOWHERE, |(from, _)| from.span));
+        let to = fields.map(|field| field.map_or(Span::NOWHERE, |(_, to)| to.span));
+        apart(&to, &from)?;
+        apart(&to, &by.spans)?;
         // SAFETY: promised, and all that is written is apart.
         unsafe {
             let (skin, palettes) = by.borrow();
@@ -139,8 +134,8 @@ impl<R: Scalar + Weight> Mesh<R> for Records<R> {
         let numbers = |stride| self.vertices.checked_mul(stride).ok_or(Status::TooLarge);
         let rest = Input::<R>::new(self.rest, numbers(from.stride)?)?;
         let posed = Output::<R>::new(self.posed, numbers(to.stride)?)?;
-        by.apart_from(&posed)?;
-        posed.apart_from(&rest)?;
+        apart(&[posed.span], &[rest.span])?;
+        apart(&[posed.span], &by.spans)?;
         // SAFETY: promised, and what is written is apart.
         unsafe {
             let (skin, palettes) = by.borrow();

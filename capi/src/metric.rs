@@ -3,8 +3,8 @@
 use crate::status::{Done, Status};
 use dq8::storage::{AoSoA, Aos, Layout};
 
-from_two! { angles: 8, 8 -> 1 by angles }
-from_two! { distances: 8, 8 -> 1 by distances }
+kernel! { angles(a: 8, b: 8) -> 1 by angles }
+kernel! { distances(a: 8, b: 8) -> 1 by distances }
 
 macro_rules! functions {
     ($R:ident $lanes:tt) => {

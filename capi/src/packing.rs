@@ -1,6 +1,7 @@
 //! Between plain arrays of poses, or of the links of a chain, and blocks, and how large blocks are.
 
 use crate::memory::{Input, Output};
+use crate::span::apart;
 use crate::status::{Done, Status};
 use dq8::simd::Row;
 use dq8::storage::{self, Block};
@@ -20,7 +21,7 @@ where
 {
     let poses = Input::<DualQuat<R>>::new(poses, pose_count)?;
     let blocks = Output::<Block<R, N>>::new(blocks, block_count)?;
-    blocks.apart_from(&poses)?;
+    apart(&[blocks.span], &[poses.span])?;
     // SAFETY: promised, and apart.
     unsafe { Ok(run(poses.slice(), blocks.slice())?) }
 }
@@ -39,7 +40,7 @@ where
 {
     let blocks = Input::<Block<R, N>>::new(blocks, block_count)?;
     let poses = Output::<DualQuat<R>>::new(poses, pose_count)?;
-    poses.apart_from(&blocks)?;
+    apart(&[poses.span], &[blocks.span])?;
     // SAFETY: promised, and apart.
     unsafe { Ok(run(blocks.slice(), poses.slice())?) }
 }

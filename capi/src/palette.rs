@@ -2,6 +2,7 @@
 
 use crate::memory::{Input, Output};
 use crate::slices::Order;
+use crate::span::apart;
 use crate::status::{Done, Status};
 use dq8::skinning::{matrix_palette, split_palette};
 use dq8::{DualQuat, Real};
@@ -19,8 +20,7 @@ unsafe fn products<R: Real>(
     let models = Input::<[[R; 4]; 4]>::new(models, joints)?;
     let inverse_binds = Input::<[[R; 4]; 4]>::new(inverse_binds, joints)?;
     let matrices = Output::<[[R; 4]; 3]>::new(matrices, joints)?;
-    matrices.apart_from(&models)?;
-    matrices.apart_from(&inverse_binds)?;
+    apart(&[matrices.span], &[models.span, inverse_binds.span])?;
     // SAFETY: promised, and apart.
     Ok(unsafe { matrix_palette(models.slice(), inverse_binds.slice(), order, matrices.slice()) }?)
 }
@@ -36,9 +36,7 @@ unsafe fn split<R: Real>(
     let matrices = Input::<[[R; 4]; 3]>::new(matrices, joints)?;
     let motions = Output::<DualQuat<R>>::new(motions, joints)?;
     let stretches = Output::<[[R; 4]; 3]>::new(stretches, joints)?;
-    motions.apart_from(&matrices)?;
-    stretches.apart_from(&matrices)?;
-    stretches.apart_from_output(&motions)?;
+    apart(&[motions.span, stretches.span], &[matrices.span])?;
     // SAFETY: promised, and apart.
     unsafe { split_palette(matrices.slice(), motions.slice(), stretches.slice()) }?;
     Ok(())
@@ -46,20 +44,20 @@ unsafe fn split<R: Real>(
 
 macro_rules! functions {
     ($R:ident $lanes:tt) => {
-        export_skin! { $R
+        export_one! { $R
             /// A palette of matrices, `matrices[j] = models[j] * inverse_binds[j]`: from 4x4 matrices in `order`, one
             /// of enum dq8_matrix_order, to twelve numbers per joint, row after row.
             ///
             /// DQ8_STATUS_NOT_FINITE or _NOT_AFFINE if a matrix is.
-            products(
+            skin::products(
                 models: *const $R, inverse_binds: *const $R, order: i32, matrices: *mut $R,
                 joint_count: usize,
             ) = super::products(models, inverse_binds, order, matrices, joint_count)
         }
-        export_skin! { $R
+        export_one! { $R
             /// Takes the matrices of a palette apart into stretches and, after them, unit motions: what
             /// dq8_skin_stretched takes. DQ8_STATUS_NOT_FINITE if a number is not finite.
-            split(
+            skin::split(
                 matrices: *const $R, motions: *mut $R, stretches: *mut $R, joint_count: usize,
             ) = super::split(matrices, motions, stretches, joint_count)
         }

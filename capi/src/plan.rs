@@ -2,6 +2,7 @@
 
 use crate::hierarchy::checked;
 use crate::memory::{Input, Output, from_to};
+use crate::span::apart;
 use crate::status::{Done, Status};
 use dq8::hierarchy::{BorrowedPlan, PlanScratch};
 use dq8::{DualQuat, Scalar};
@@ -39,16 +40,10 @@ unsafe fn make(
     let order = Output::<[u32; 2]>::new(order, joints)?;
     let scratch = Output::<PlanScratch>::new(scratch, joints)?;
     let bad_joint = Output::unless_null(bad_joint)?;
-    order.apart_from(&parents)?;
-    scratch.apart_from(&parents)?;
-    scratch.apart_from_output(&order)?;
-    if let Some(bad_joint) = &bad_joint {
-        bad_joint.apart_from_output(&order)?;
-        bad_joint.apart_from_output(&scratch)?;
-    }
+    apart(&[order.span, scratch.span, bad_joint.span], &[parents.span])?;
     // SAFETY: promised, and apart.
     unsafe {
-        let hierarchy = checked(&parents, bad_joint.as_ref())?;
+        let hierarchy = checked(&parents, &bad_joint)?;
         BorrowedPlan::new(&hierarchy, order.slice(), scratch.slice())?;
     }
     Ok(())
@@ -64,12 +59,12 @@ unsafe fn local_to_model<R: Scalar>(
     count: usize,
 ) -> Done {
     let order = Input::<[u32; 2]>::new(order, joints)?;
-    Output::<DualQuat<R>>::new(models, count)?.apart_from(&order)?;
+    apart(&[Output::<DualQuat<R>>::new(models, count)?.span], &[order.span])?;
     // SAFETY: promised, and apart from what is written.
     let plan = BorrowedPlan::of_order(unsafe { order.slice() }).ok_or(Status::NoPlan)?;
-    let apart = |from: &[DualQuat<R>], to: &mut [_]| plan.local_to_model(from, to);
+    let elsewhere = |from: &[DualQuat<R>], to: &mut [_]| plan.local_to_model(from, to);
     // SAFETY: promised.
-    unsafe { from_to(locals, models, count, apart, |all| plan.local_to_model_in_place(all)) }
+    unsafe { from_to(locals, models, count, elsewhere, |all| plan.local_to_model_in_place(all)) }
 }
 
 macro_rules! functions {

@@ -2,6 +2,7 @@
 
 use crate::mechanism::{Made, Mechanism};
 use crate::memory::{Input, Output, read};
+use crate::span::apart;
 use crate::status::{Done, Status};
 use core::mem::{MaybeUninit, offset_of};
 use core::slice;
@@ -118,7 +119,7 @@ unsafe fn reach_scratch<R: Real>(
     // SAFETY: promised.
     let made = unsafe { Made::new(mechanism)? };
     let to = Output::<usize>::new(scratch_count, 1)?;
-    made.apart_from(&to)?;
+    apart(&[to.span], &[made.given, made.steps])?;
     if goal_count > GOALS {
         return Err(Status::TooLarge);
     }
@@ -201,21 +202,8 @@ where
     let values = Output::<R>::new(values, value_count)?;
     let scratch = Output::<MaybeUninit<R>>::new(scratch, scratch_count)?;
     let result = Output::<ReachReport<R>>::new(report, 1)?;
-    values.apart_from_output(&scratch)?;
-    values.apart_from_output(&result)?;
-    scratch.apart_from_output(&result)?;
-    made.apart_from(&values)?;
-    made.apart_from(&scratch)?;
-    made.apart_from(&result)?;
-    values.apart_from(&goals)?;
-    values.apart_from(&targets)?;
-    values.apart_from(&posture)?;
-    scratch.apart_from(&goals)?;
-    scratch.apart_from(&targets)?;
-    scratch.apart_from(&posture)?;
-    result.apart_from(&goals)?;
-    result.apart_from(&targets)?;
-    result.apart_from(&posture)?;
+    let written = [values.span, scratch.span, result.span];
+    apart(&written, &[made.given, made.steps, goals.span, targets.span, posture.span])?;
     let options = if asked.options.is_null() {
         ik::Options::default()
     } else {
@@ -304,18 +292,18 @@ impl<R: Real> ReachReport<R> {
 
 macro_rules! functions {
     ($R:ident $lanes:tt) => {
-        export_mechanism! { $R
+        export_one! { $R
             /// Fills in the options that serve most: 1e-5 rad, 1e-5 lengths, 100 iterations, restarts.
-            reach_options(options: *mut ReachOptions<$R>) = super::reach_options(options)
+            mechanism::reach_options(options: *mut ReachOptions<$R>) = super::reach_options(options)
         }
-        export_mechanism! { $R
+        export_one! { $R
             /// How many numbers `scratch` of dq8_mechanism_reach must have for so many goals, for one
             /// mechanism always the same. DQ8_STATUS_TOO_LARGE for more than 1024 goals.
-            reach_scratch(
+            mechanism::reach_scratch(
                 mechanism: *const Mechanism<$R>, goal_count: usize, scratch_count: *mut usize,
             ) = super::reach_scratch(mechanism, goal_count, scratch_count)
         }
-        export_mechanism! { $R
+        export_one! { $R
             /// Inverse kinematics of one configuration: moves `values` until the link of each goal is at
             /// its target, a motion for each goal; within the limits of the joints. From a start nearby it
             /// converges in a few steps.
@@ -327,7 +315,7 @@ macro_rules! functions {
             /// DQ8_STATUS_NO_LINK, _WEIGHT (one is negative or not finite, or a goal has none, or there is
             /// no goal), _LIMITS, _NOT_FINITE (the posture) or _UNKNOWN_VALUE (`restarts`); then `scratch`
             /// may have been written, the values and the report not.
-            reach(
+            mechanism::reach(
                 mechanism: *const Mechanism<$R>, goals: *const Goal<$R>, targets: *const $R,
                 goal_count: usize, posture: *const $R, options: *const ReachOptions<$R>,
                 values: *mut $R, value_count: usize, scratch: *mut $R, scratch_count: usize,

@@ -50,12 +50,12 @@ macro_rules! functions {
         export_one! { $R
             /// From `a` to `b` by the shorter way, `t` of it: linear and normalized.
             /// DQ8_STATUS_NOT_NORMALIZABLE if the sum is no motion.
-            nlerp(a: *const $R, b: *const $R, t: $R, out: *mut $R) =
+            motion::nlerp(a: *const $R, b: *const $R, t: $R, out: *mut $R) =
                 two(a, b, out, |a: DualQuat<$R>, b: DualQuat<$R>| finite(a.nlerp(b, t)))
         }
         export_one! { $R
             /// From unit `a` to unit `b` by the shorter way, `t` of it, along one screw at constant speed.
-            sclerp(a: *const $R, b: *const $R, t: $R, out: *mut $R) =
+            motion::sclerp(a: *const $R, b: *const $R, t: $R, out: *mut $R) =
                 two(a, b, out, |a: DualQuat<$R>, b: DualQuat<$R>| Ok(a.sclerp(b, t)))
         }
         export_one! { $R
@@ -63,12 +63,12 @@ macro_rules! functions {
             /// turned toward the first, normalized (dual quaternion linear blending).
             ///
             /// DQ8_STATUS_NO_INFLUENCES if `count` is 0, DQ8_STATUS_NOT_NORMALIZABLE if the sum is no motion.
-            blend(motions: *const $R, weights: *const $R, count: usize, out: *mut $R) =
+            motion::blend(motions: *const $R, weights: *const $R, count: usize, out: *mut $R) =
                 super::blend(motions, weights, count, out)
         }
         export_one! { $R
             /// The logarithm of a unit motion, six numbers: half the angle times the axis, and its moment.
-            log(motion: *const $R, log: *mut $R) =
+            motion::log(motion: *const $R, log: *mut $R) =
                 one(motion, log, |motion: DualQuat<$R>| {
                     let log = motion.log();
                     Ok([log.real, log.dual])
@@ -76,26 +76,26 @@ macro_rules! functions {
         }
         export_one! { $R
             /// The motion of a logarithm of six numbers.
-            exp(log: *const $R, out: *mut $R) =
+            motion::exp(log: *const $R, out: *mut $R) =
                 one(log, out, |[real, dual]: [[$R; 3]; 2]| {
                     Ok(DualQuat::exp(DualVector { real, dual }))
                 })
         }
         export_one! { $R
             /// `t` of a unit motion: the same screw axis, t times the angle and the slide.
-            pow(motion: *const $R, t: $R, out: *mut $R) =
+            motion::pow(motion: *const $R, t: $R, out: *mut $R) =
                 one(motion, out, |motion: DualQuat<$R>| Ok(motion.pow(t)))
         }
         export_one! { $R
             /// The screw of a unit motion, eight numbers: direction of the axis, moment of the axis, angle in
             /// 0 to pi, slide along the axis. A translation has angle 0.
-            to_screw(motion: *const $R, screw: *mut $R) =
+            motion::to_screw(motion: *const $R, screw: *mut $R) =
                 one(motion, screw, |motion: DualQuat<$R>| Ok(numbers(motion.to_screw())))
         }
         export_one! { $R
             /// The motion of a screw, eight numbers: direction of length 1, moment at right angles to it,
             /// angle, slide.
-            from_screw(numbers: *const $R, out: *mut $R) =
+            motion::from_screw(numbers: *const $R, out: *mut $R) =
                 one(numbers, out, |numbers: [$R; 8]| Ok(DualQuat::from_screw(screw(numbers))))
         }
     };

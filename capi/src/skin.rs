@@ -1,6 +1,7 @@
 //! A skin as C keeps it, and what it is made of.
 
 use crate::memory::{Input, Output};
+use crate::span::{Span, apart};
 use crate::status::{Done, Status};
 use core::mem::MaybeUninit;
 use core::ptr;
@@ -100,13 +101,7 @@ impl<R: Scalar + skinning::Weight> Given<R> {
             inputs(vertices, (joints_start, joint_stride), (weights_start, weight_stride))?;
         let made = Output::<Skin<R>>::new(skin, 1)?;
         let bad_vertex = Output::<usize>::unless_null(bad_vertex)?;
-        made.apart_from(&joint_indices)?;
-        made.apart_from(&weights)?;
-        if let Some(bad_vertex) = &bad_vertex {
-            bad_vertex.apart_from(&joint_indices)?;
-            bad_vertex.apart_from(&weights)?;
-            bad_vertex.apart_from_output(&made)?;
-        }
+        apart(&[made.span, bad_vertex.span], &[joint_indices.span, weights.span])?;
         // SAFETY: promised; what is made lives as long as C keeps them.
         let (joint_indices, weights) = unsafe { (joint_indices.slice(), weights.slice()) };
         let field = |InfluenceField { stride, first }| skinning::InfluenceField { stride, first };
@@ -114,7 +109,7 @@ impl<R: Scalar + skinning::Weight> Given<R> {
         let known: Known<R> = match skinning::Skin::interleaved(joints, influences, by, how_much) {
             Ok(known) => known,
             Err(error) => {
-                if let (Some(bad_vertex), Some(vertex)) = (bad_vertex, vertex_of(&error)) {
+                if let Some(vertex) = vertex_of(&error) {
                     // SAFETY: promised, and apart.
                     unsafe { bad_vertex.write(vertex) };
                 }
@@ -143,9 +138,8 @@ impl<R: Scalar + skinning::Weight> Given<R> {
 /// What poses a mesh, found where C says it is: a skin, and what its blend needs.
 pub(crate) struct Posing<R> {
     skin: *const Skin<R>,
-    given: Input<Skin<R>>,
-    joint_indices: Input<u16>,
-    weights: Input<R>,
+    /// Nothing that is written may overlap these.
+    pub(crate) spans: [Span; 6],
     motions: Input<DualQuat<R>>,
     matrices: Input<[[R; 4]; 3]>,
     shares: Input<R>,
@@ -180,39 +174,25 @@ impl<R: Scalar + skinning::Weight> Posing<R> {
         joints: usize,
         By { motions, matrices, shares }: By<R>,
     ) -> Result<Self, Status> {
-        let given = Input::<Skin<R>>::new(skin, 1)?;
-        // SAFETY: neither null nor misaligned, by `Input::new`; the rest is promised.
+        let given = Span::of(skin, 1)?;
+        // SAFETY: neither null nor misaligned, by `Span::of`; the rest is promised.
         let Skin {
             vertices, influences, joint_indices, joint_stride, weights, weight_stride, ..
         } = unsafe { skin.read() };
         if influences == 0 {
             return Err(Status::NoSkin);
         }
-        let (joint_indices, weights) =
+        let (indices, by) =
             inputs(vertices, (joint_indices, joint_stride), (weights, weight_stride))?;
         let palette = |of: Option<*const R>| of.map_or((ptr::null(), 0), |of| (of, joints));
         let ((motions, motion_count), (matrices, matrix_count)) =
             (palette(motions), palette(matrices));
         let (shares, share_count) = shares.unwrap_or((ptr::null(), 0));
-        Ok(Self {
-            skin,
-            given,
-            joint_indices,
-            weights,
-            motions: Input::new(motions, motion_count)?,
-            matrices: Input::new(matrices, matrix_count)?,
-            shares: Input::new(shares, share_count)?,
-        })
-    }
-
-    /// Whether nothing of it lies in what is written.
-    pub(crate) fn apart_from<T: Copy>(&self, to: &Output<T>) -> Done {
-        to.apart_from(&self.given)?;
-        to.apart_from(&self.joint_indices)?;
-        to.apart_from(&self.weights)?;
-        to.apart_from(&self.motions)?;
-        to.apart_from(&self.matrices)?;
-        to.apart_from(&self.shares)
+        let motions = Input::<DualQuat<R>>::new(motions, motion_count)?;
+        let matrices = Input::<[[R; 4]; 3]>::new(matrices, matrix_count)?;
+        let shares = Input::<R>::new(shares, share_count)?;
+        let spans = [given, indices.span, by.span, motions.span, matrices.span, shares.span];
+        Ok(Self { skin, spans, motions, matrices, shares })
     }
 
     /// The skin and its palettes.

@@ -77,21 +77,21 @@ unsafe fn mixed<R: Scalar + skinning::Weight>(
 /// Functions that pose a mesh with these palettes, and the generic one of the first name in the file.
 macro_rules! export_pose {
     ($R:ident $(#[doc = $about:literal])* $name:ident, $interleaved:ident($($palette:ident),*)) => {
-        export_skin! { $R
+        export_one! { $R
             /// As without _interleaved, of vertices that are records of several fields, such as the vertex
             /// buffer of a GPU: `rest` and `posed` hold `stride` numbers per vertex, and the two `dq8_vertex_fields`
             /// say where its position is, and its normal and tangent. Both buffers have the same fields, or it is
             /// DQ8_STATUS_LENGTH; DQ8_STATUS_FIELD if a field lies beyond its vertex or in another one. Everything
             /// else in `posed` is left alone.
-            $interleaved(
+            skin::$interleaved(
                 skin: *const Skin<$R>, $($palette: *const $R,)* joint_count: usize,
                 rest: *const $R, from: VertexFields, posed: *mut $R, to: VertexFields,
                 vertices: usize,
             ) = super::$name(skin, $($palette,)* joint_count, Records { rest, from, posed, to, vertices })
         }
-        export_skin! { $R
+        export_one! { $R
             $(#[doc = $about])*
-            $name(
+            skin::$name(
                 skin: *const Skin<$R>, $($palette: *const $R,)* joint_count: usize,
                 positions: *const $R, normals: *const $R, tangents: *const $R,
                 posed_positions: *mut $R, posed_normals: *mut $R, posed_tangents: *mut $R,
@@ -107,7 +107,7 @@ macro_rules! export_pose {
 
 macro_rules! functions {
     ($R:ident $lanes:tt) => {
-        export_skin! { $R
+        export_one! { $R
             /// Checks which joints move each vertex and how much, once; the functions that pose the mesh then
             /// only compute. `joint_indices` and `weights` hold `influences` numbers of the first vertex, then
             /// those of the next; fill unused influences with any joint and weight 0. The skin keeps using
@@ -115,7 +115,7 @@ macro_rules! functions {
             ///
             /// DQ8_STATUS_JOINT_OUT_OF_RANGE, _WEIGHT or _WEIGHT_SUM; `bad_vertex`, which may be null, is set to
             /// that vertex. DQ8_STATUS_NO_INFLUENCES if `influences` is 0. The skin has then not been written.
-            make(
+            skin::make(
                 joint_count: usize, influences: usize, joint_indices: *const u16,
                 weights: *const $R, vertices: usize, skin: *mut Skin<$R>, bad_vertex: *mut usize,
             ) = {
@@ -126,12 +126,12 @@ macro_rules! functions {
                     .make(skin, bad_vertex)
             }
         }
-        export_skin! { $R
+        export_one! { $R
             /// As dq8_skin_make, of joints and weights that lie between other fields, such as in a vertex buffer:
             /// `joint_indices` and `weights` hold `stride` elements per vertex, of which `influences` from `first`
             /// on are the field; they may be the same memory. A stride or an offset in bytes, divided by the size
             /// of an element, is one in elements. DQ8_STATUS_FIELD if the field lies beyond its vertex.
-            make_interleaved(
+            skin::make_interleaved(
                 joint_count: usize, influences: usize,
                 joint_indices: *const u16, joint_field: InfluenceField,
                 weights: *const $R, weight_field: InfluenceField,

@@ -1,9 +1,10 @@
 //! Kernels over arrays of motions and points, plain or in blocks.
 
-use crate::memory::{Input, Output, from_to, one_to, read, two_to};
+use crate::memory::{Input, Output, from_to};
+use crate::span::apart;
 use crate::status::{Done, Status};
 use dq8::storage::{AoSoA, Aos, Layout};
-use dq8::{Backend, DualQuat, hierarchy::MatrixOrder};
+use dq8::{Backend, hierarchy::MatrixOrder};
 
 /// In which order the numbers of a matrix lie in memory.
 #[repr(i32)]
@@ -36,166 +37,31 @@ unsafe fn mul<L: Layout>(
 ) -> Done {
     let best = Backend::best();
     let b = Input::<L::Record<8>>::new(b, count)?;
-    Output::<L::Record<8>>::new(out, count)?.apart_from(&b)?;
+    apart(&[Output::<L::Record<8>>::new(out, count)?.span], &[b.span])?;
     // SAFETY: promised, and apart.
     let b = unsafe { b.slice() };
-    let apart = |a: &[_], to: &mut [_]| best.mul(a, b, to);
+    let elsewhere = |a: &[_], to: &mut [_]| best.mul(a, b, to);
     // SAFETY: promised.
-    unsafe { from_to(a, out, count, apart, |a| best.mul_in_place(a, b)) }
+    unsafe { from_to(a, out, count, elsewhere, |a| best.mul_in_place(a, b)) }
 }
 
-/// # Safety
-/// As for [`from_to`].
-unsafe fn normalize<L: Layout>(motions: *const L::Real, out: *mut L::Real, count: usize) -> Done {
-    let best = Backend::best();
-    let in_place = |all: &mut [L::Record<8>]| {
-        best.normalize_in_place(all);
-        Ok(())
-    };
-    // SAFETY: promised.
-    unsafe { from_to(motions, out, count, |from, to| best.normalize(from, to), in_place) }
+kernel_or_in_place! { normalize(motions: 8) by normalize, normalize_in_place }
+kernel_or_in_place! { inverse(motions: 8) by inverse, inverse_in_place }
+kernel_or_in_place! { conjugate(motions: 8) by conjugate, conjugate_in_place }
+kernel! { nlerp(a: 8, b: 8; t: L::Real) -> 8 by nlerp }
+kernel! { nlerp_each(a: 8, b: 8, t: 1) -> 8 by nlerp_each }
+kernel! { sclerp(a: 8, b: 8; t: L::Real) -> 8 by sclerp }
+kernel! { sclerp_each(a: 8, b: 8, t: 1) -> 8 by sclerp_each }
+kernel_or_in_place! {
+    points(points: 3) of one motion by transform_points, transform_points_in_place
 }
-
-/// # Safety
-/// As for [`from_to`].
-unsafe fn inverse<L: Layout>(motions: *const L::Real, out: *mut L::Real, count: usize) -> Done {
-    let best = Backend::best();
-    let in_place = |all: &mut [L::Record<8>]| {
-        best.inverse_in_place(all);
-        Ok(())
-    };
-    // SAFETY: promised.
-    unsafe { from_to(motions, out, count, |from, to| best.inverse(from, to), in_place) }
+kernel_or_in_place! {
+    vectors(vectors: 3) of one motion by transform_vectors, transform_vectors_in_place
 }
-
-/// # Safety
-/// As for [`from_to`].
-unsafe fn conjugate<L: Layout>(motions: *const L::Real, out: *mut L::Real, count: usize) -> Done {
-    let best = Backend::best();
-    let in_place = |all: &mut [L::Record<8>]| {
-        best.conjugate_in_place(all);
-        Ok(())
-    };
-    // SAFETY: promised.
-    unsafe { from_to(motions, out, count, |from, to| best.conjugate(from, to), in_place) }
-}
-
-from_two! { nlerp: 8, 8 -> 8 by nlerp, t }
-
-/// # Safety
-/// As for [`two_to`], `t` as `a`.
-unsafe fn nlerp_each<L: Layout>(
-    a: *const L::Real,
-    b: *const L::Real,
-    t: *const L::Real,
-    out: *mut L::Real,
-    count: usize,
-) -> Done {
-    let t = Input::<L::Record<1>>::new(t, count)?;
-    Output::<L::Record<8>>::new(out, count)?.apart_from(&t)?;
-    // SAFETY: promised, and apart.
-    let t = unsafe { t.slice() };
-    let run = |a: &[L::Record<8>], b: &[L::Record<8>], to: &mut [_]| {
-        Backend::best().nlerp_each(a, b, t, to)
-    };
-    // SAFETY: promised.
-    unsafe { two_to(a, b, out, count, run) }
-}
-
-from_two! { sclerp: 8, 8 -> 8 by sclerp, t }
-
-/// # Safety
-/// As for [`two_to`], `t` as `a`.
-unsafe fn sclerp_each<L: Layout>(
-    a: *const L::Real,
-    b: *const L::Real,
-    t: *const L::Real,
-    out: *mut L::Real,
-    count: usize,
-) -> Done {
-    let t = Input::<L::Record<1>>::new(t, count)?;
-    Output::<L::Record<8>>::new(out, count)?.apart_from(&t)?;
-    // SAFETY: promised, and apart.
-    let t = unsafe { t.slice() };
-    let run = |a: &[L::Record<8>], b: &[L::Record<8>], to: &mut [_]| {
-        Backend::best().sclerp_each(a, b, t, to)
-    };
-    // SAFETY: promised.
-    unsafe { two_to(a, b, out, count, run) }
-}
-
-/// # Safety
-/// As for [`read`] and [`from_to`].
-unsafe fn points<L: Layout>(
-    motion: *const L::Real,
-    points: *const L::Real,
-    out: *mut L::Real,
-    count: usize,
-) -> Done {
-    let best = Backend::best();
-    // SAFETY: promised.
-    let motion: DualQuat<L::Real> = unsafe { read(motion)? };
-    let in_place = |all: &mut [L::Record<3>]| {
-        best.transform_points_in_place(motion, all);
-        Ok(())
-    };
-    let apart = |from: &[_], to: &mut [_]| best.transform_points(motion, from, to);
-    // SAFETY: promised.
-    unsafe { from_to(points, out, count, apart, in_place) }
-}
-
-/// # Safety
-/// As for [`read`] and [`from_to`].
-unsafe fn vectors<L: Layout>(
-    motion: *const L::Real,
-    vectors: *const L::Real,
-    out: *mut L::Real,
-    count: usize,
-) -> Done {
-    let best = Backend::best();
-    // SAFETY: promised.
-    let motion: DualQuat<L::Real> = unsafe { read(motion)? };
-    let in_place = |all: &mut [L::Record<3>]| {
-        best.transform_vectors_in_place(motion, all);
-        Ok(())
-    };
-    let apart = |from: &[_], to: &mut [_]| best.transform_vectors(motion, from, to);
-    // SAFETY: promised.
-    unsafe { from_to(vectors, out, count, apart, in_place) }
-}
-
-from_two! { points_each: 8, 3 -> 3 by transform_points_each }
-from_two! { vectors_each: 8, 3 -> 3 by transform_vectors_each }
-
-/// # Safety
-/// As for [`one_to`].
-unsafe fn matrices_3x4<L: Layout>(
-    motions: *const L::Real,
-    order: i32,
-    out: *mut L::Real,
-    count: usize,
-) -> Done {
-    let order = Order::known(order)?;
-    let run =
-        |from: &[L::Record<8>], to: &mut [L::Record<12>]| Backend::best().matrices(from, order, to);
-    // SAFETY: promised.
-    unsafe { one_to(motions, out, count, run) }
-}
-
-/// # Safety
-/// As for [`one_to`].
-unsafe fn matrices_4x4<L: Layout>(
-    motions: *const L::Real,
-    order: i32,
-    out: *mut L::Real,
-    count: usize,
-) -> Done {
-    let order = Order::known(order)?;
-    let run =
-        |from: &[L::Record<8>], to: &mut [L::Record<16>]| Backend::best().matrices(from, order, to);
-    // SAFETY: promised.
-    unsafe { one_to(motions, out, count, run) }
-}
+kernel! { points_each(motions: 8, points: 3) -> 3 by transform_points_each }
+kernel! { vectors_each(motions: 8, vectors: 3) -> 3 by transform_vectors_each }
+kernel! { matrices_3x4(motions: 8; order: i32 = Order::known(order)?) -> 12 by matrices }
+kernel! { matrices_4x4(motions: 8; order: i32 = Order::known(order)?) -> 16 by matrices }
 
 macro_rules! functions {
     ($R:ident $lanes:tt) => {

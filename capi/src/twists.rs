@@ -1,30 +1,13 @@
 //! Twists, logarithms and powers of motions in arrays, plain or in blocks.
 
-use crate::memory::one_to;
 use crate::status::{Done, Status};
-use dq8::Backend;
 use dq8::storage::{AoSoA, Aos, Layout};
 
-from_two! { twists_each: 8, 6 -> 6 by transform_twists_each }
-from_two! { integrate_body: 8, 6 -> 8 by integrate_body, dt }
-
-/// # Safety
-/// As for [`one_to`].
-unsafe fn log<L: Layout>(motions: *const L::Real, logs: *mut L::Real, count: usize) -> Done {
-    let run = |from: &[L::Record<8>], to: &mut [L::Record<6>]| Backend::best().log(from, to);
-    // SAFETY: promised.
-    unsafe { one_to(motions, logs, count, run) }
-}
-
-/// # Safety
-/// As for [`one_to`].
-unsafe fn exp<L: Layout>(logs: *const L::Real, out: *mut L::Real, count: usize) -> Done {
-    let run = |from: &[L::Record<6>], to: &mut [L::Record<8>]| Backend::best().exp(from, to);
-    // SAFETY: promised.
-    unsafe { one_to(logs, out, count, run) }
-}
-
-from_two! { pow_each: 8, 1 -> 8 by pow_each }
+kernel! { twists_each(motions: 8, twists: 6) -> 6 by transform_twists_each }
+kernel! { integrate_body(motions: 8, twists: 6; dt: L::Real) -> 8 by integrate_body }
+kernel! { log(motions: 8) -> 6 by log }
+kernel! { exp(logs: 6) -> 8 by exp }
+kernel! { pow_each(motions: 8, t: 1) -> 8 by pow_each }
 
 macro_rules! functions {
     ($R:ident $lanes:tt) => {

@@ -2,6 +2,7 @@
 
 use crate::hierarchy::{job, parents};
 use crate::memory::{Input, Output};
+use crate::span::apart;
 use crate::status::{Done, Status};
 use core::ptr;
 use dq8::Twist;
@@ -21,9 +22,7 @@ unsafe fn velocities<L: Layout>(
     let models = Input::<L::Record<8>>::new(models, count)?;
     let rates = Input::<L::Record<6>>::new(rates, count)?;
     let twists = Output::<L::Record<6>>::new(twists, count)?;
-    twists.apart_from(&parents)?;
-    twists.apart_from(&models)?;
-    twists.apart_from(&rates)?;
+    apart(&[twists.span], &[parents.span, models.span, rates.span])?;
     // SAFETY: promised, and apart.
     unsafe {
         let job = job::<L>(&parents, ptr::null())?;
@@ -46,9 +45,7 @@ unsafe fn jacobian<L: Layout>(
     let models = Input::<L::Record<8>>::new(models, count)?;
     let axes = Input::<Twist<L::Real>>::new(axes, joints)?;
     let columns = Output::<L::Record<6>>::new(columns, count)?;
-    columns.apart_from(&parents)?;
-    columns.apart_from(&models)?;
-    columns.apart_from(&axes)?;
+    apart(&[columns.span], &[parents.span, models.span, axes.span])?;
     if effector >= joints {
         return Err(Status::NoLink);
     }

@@ -1,21 +1,15 @@
 //! Arguments: Python objects as arrays of `f32` or `f64`.
 
+use crate::error::misshapen;
+use crate::number::Number;
 use crate::output::Output;
-use dq8::Scalar;
-use dq8::mechanism::JointValues;
-use dq8::skinning::Weight;
-use dq8::storage::Aos;
+use crate::shape::pattern;
 use numpy::prelude::*;
-use numpy::{Element, PyArrayDyn, PyReadonlyArrayDyn, PyUntypedArray};
+use numpy::{PyArrayDyn, PyReadonlyArrayDyn, PyUntypedArray};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyFloat, PyInt, PyTuple};
-
-/// A number that NumPy has too.
-pub(crate) trait Number: Scalar + Element + JointValues<Aos<Self>> + Weight {}
-impl Number for f32 {}
-impl Number for f64 {}
 
 /// An argument of a call.
 #[derive(Clone, Copy, Debug)]
@@ -24,17 +18,6 @@ pub(crate) struct Argument<'a, 'py> {
     /// The last dimensions, of one element.
     pub(crate) core: &'static [usize],
     pub(crate) value: &'a Bound<'py, PyAny>,
-}
-
-impl<'a, 'py> Argument<'a, 'py> {
-    /// An argument that is there.
-    pub(crate) fn new(
-        name: &'static str,
-        core: &'static [usize],
-        value: &'a Bound<'py, PyAny>,
-    ) -> Option<Self> {
-        Some(Self { name, core, value })
-    }
 }
 
 /// An argument as memory: one element after the other.
@@ -55,12 +38,7 @@ impl<'py, R: Number> Input<'py, R> {
         };
         let shape = array.shape();
         let Some(leading) = shape.strip_suffix(argument.core) else {
-            return Err(PyValueError::new_err(format!(
-                "Expected `{}` to have shape {}, got {}.",
-                argument.name,
-                pattern(argument.core),
-                tuple(shape)
-            )));
+            return Err(misshapen(argument.name, &pattern(argument.core), shape));
         };
         let full_leading = leading.to_vec();
         let mut leading = full_leading.clone();
@@ -159,9 +137,11 @@ impl<'py, R: Number> Input<'py, R> {
 }
 
 /// Whether a call computes in `f32`: if all its arrays are `f32` or narrower. Python's numbers do not count.
-pub(crate) fn is_single(arguments: &[Option<Argument<'_, '_>>]) -> PyResult<bool> {
+pub(crate) fn is_single<'a, 'py: 'a>(
+    arguments: impl IntoIterator<Item = Argument<'a, 'py>>,
+) -> PyResult<bool> {
     let mut single = false;
-    for argument in arguments.iter().flatten() {
+    for argument in arguments {
         let value = argument.value;
         if value.cast_exact::<PyArrayDyn<f64>>().is_ok() {
             return Ok(false);
@@ -169,7 +149,7 @@ pub(crate) fn is_single(arguments: &[Option<Argument<'_, '_>>]) -> PyResult<bool
         if value.cast_exact::<PyArrayDyn<f32>>().is_ok() {
             single = true;
         } else if !is_number(value) {
-            match dtype_of(*argument)? {
+            match dtype_of(argument)? {
                 Precision::Single => single = true,
                 Precision::Double => return Ok(false),
             }
@@ -190,20 +170,9 @@ enum Precision {
 
 static AS_ARRAY: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
 
-/// A function of NumPy, looked up once.
-pub(crate) fn numpy_function<'py>(
-    py: Python<'py>,
-    cell: &'static PyOnceLock<Py<PyAny>>,
-    name: &str,
-) -> PyResult<&'py Bound<'py, PyAny>> {
-    let function =
-        cell.get_or_try_init(py, || Ok::<_, PyErr>(py.import("numpy")?.getattr(name)?.unbind()))?;
-    Ok(function.bind(py))
-}
-
 fn as_array<'py>(argument: Argument<'_, 'py>) -> PyResult<Bound<'py, PyUntypedArray>> {
     let py = argument.value.py();
-    let array = numpy_function(py, &AS_ARRAY, "asarray")?.call1((argument.value,));
+    let array = AS_ARRAY.import(py, "numpy", "asarray")?.call1((argument.value,));
     let array =
         array.map_err(|error| PyValueError::new_err(format!("`{}`: {error}", argument.name)))?;
     Ok(array.cast_into::<PyUntypedArray>()?)
@@ -228,7 +197,7 @@ fn convert<'py, R: Number>(argument: Argument<'_, 'py>) -> PyResult<Bound<'py, P
     }
     let array = as_array(argument)?;
     // Subclasses of arrays lose their class here, other dtypes and byte orders are converted.
-    let typed = numpy_function(py, &AS_ARRAY, "asarray")?.call1((array, numpy::dtype::<R>(py)))?;
+    let typed = AS_ARRAY.import(py, "numpy", "asarray")?.call1((array, numpy::dtype::<R>(py)))?;
     Ok(typed.cast_into::<PyArrayDyn<R>>()?)
 }
 
@@ -262,24 +231,6 @@ fn extent<R: Number>(array: &Bound<'_, PyArrayDyn<R>>) -> (usize, usize) {
         }
     }
     (low, high)
-}
-
-/// An argument of another shape than expected.
-pub(crate) fn misshapen(name: &str, expected: &str, given: &[usize]) -> PyErr {
-    let given = tuple(given);
-    PyValueError::new_err(format!("Expected `{name}` to have shape {expected}, got {given}."))
-}
-
-/// As NumPy prints shapes.
-pub(crate) fn tuple(shape: &[usize]) -> String {
-    let sizes: Vec<_> = shape.iter().map(ToString::to_string).collect();
-    format!("({}{})", sizes.join(", "), if shape.len() == 1 { "," } else { "" })
-}
-
-/// (..., 8)
-fn pattern(core: &[usize]) -> String {
-    let sizes: String = core.iter().map(|size| format!(", {size}")).collect();
-    format!("(...{sizes})")
 }
 
 /// The line of docstrings that says the dtype of results, where [`is_single`] decides it of all arguments.

@@ -1,8 +1,8 @@
 //! Blends: means of `count` motions each. Of few, lanes are blends, whose influences lie apart in memory; of
 //! many, lanes are influences.
 
-use crate::argument::Number;
 use crate::law::load;
+use crate::number::Number;
 use dq8::simd::Records;
 use dq8::{
     Backend, DualQuat, Kernel, Lanes, Level, Real, Twist, batch, geometry::DualVector, storage,

@@ -1,6 +1,6 @@
 //! NumPy's broadcasting of leading dimensions, without copies of what is the same for many.
 
-use crate::argument::tuple;
+use crate::shape::tuple;
 use crate::sweep::Which;
 use pyo3::PyErr;
 use pyo3::exceptions::PyValueError;

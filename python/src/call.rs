@@ -1,13 +1,13 @@
 //! From a Python call to a sweep: precision, shapes, memory, and the interpreter lock.
 
-use crate::argument::{Argument, Input, Number, is_single};
+use crate::argument::{Argument, Input, is_single};
 use crate::broadcast::{Broadcast, cycles, misfit};
 use crate::law::{Each, Law, Operand};
+use crate::number::Number;
 use crate::output::Output;
 use crate::sweep::{Arguments, sweep};
 use crate::threads::{GRAIN, Threads};
 use dq8::simd::MAX_LANES;
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 /// What a Python function returns.
@@ -23,14 +23,14 @@ const SHORT: usize = 32;
 pub(crate) fn call<'py, F, const A: usize, const B: usize, const C: usize, const D: usize>(
     py: Python<'py>,
     law: F,
-    arguments: [Option<Argument<'_, 'py>>; 3],
+    arguments: &[Argument<'_, 'py>],
     core: &[usize],
     out: Option<&Bound<'py, PyAny>>,
 ) -> Answer<'py>
 where
     F: Law<A, B, C, D>,
 {
-    if is_single(&arguments)? {
+    if is_single(arguments.iter().copied())? {
         typed::<f32, F, A, B, C, D>(py, law, arguments, core, out)
     } else {
         typed::<f64, F, A, B, C, D>(py, law, arguments, core, out)
@@ -40,7 +40,7 @@ where
 fn typed<'py, R, F, const A: usize, const B: usize, const C: usize, const D: usize>(
     py: Python<'py>,
     law: F,
-    arguments: [Option<Argument<'_, 'py>>; 3],
+    arguments: &[Argument<'_, 'py>],
     core: &[usize],
     out: Option<&Bound<'py, PyAny>>,
 ) -> Answer<'py>
@@ -56,17 +56,14 @@ where
         b: operand(b, cycling, &mut cycle_b),
         c: operand(c, cycling, &mut cycle_c),
     };
-    let mut memory = output.borrow()?;
-    // It is contiguous.
-    let to = memory.as_slice_mut().map(|numbers| numbers.as_chunks_mut::<D>().0);
-    let to = to.map_err(|error| PyValueError::new_err(error.to_string()))?;
-    if to.len() < RELEASE {
-        runs(law, arguments, &broadcast, to);
-    } else {
-        py.detach(|| runs(law, arguments, &broadcast, to));
-    }
-    drop(memory);
-    output.finish()
+    output.fill_attached(|to| {
+        if to.len() < RELEASE {
+            runs(law, arguments, &broadcast, to);
+        } else {
+            py.detach(|| runs(law, arguments, &broadcast, to));
+        }
+        Ok(())
+    })
 }
 
 /// What a call needs that does not depend on its law.
@@ -80,16 +77,15 @@ struct Ready<'py, R: Number> {
 
 fn ready<'py, R: Number>(
     py: Python<'py>,
-    arguments: [Option<Argument<'_, 'py>>; 3],
+    arguments: &[Argument<'_, 'py>],
     core: &[usize],
     out: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Ready<'py, R>> {
-    let names = arguments;
     let mut inputs = [None, None, None];
-    for (input, argument) in inputs.iter_mut().zip(arguments) {
-        *input = argument.map(Input::<R>::of).transpose()?;
+    for (input, &argument) in inputs.iter_mut().zip(arguments) {
+        *input = Some(Input::<R>::of(argument)?);
     }
-    let mut broadcast = broadcast(&inputs, names)?;
+    let mut broadcast = broadcast(&inputs, arguments)?;
     let output = Output::<R>::new(py, out, &broadcast.shape, core)?;
     for input in &mut inputs {
         *input = input.take().map(|input| input.apart_from(&output)).transpose()?;
@@ -127,14 +123,13 @@ fn operand<'s, R: Number, const C: usize>(
 
 fn broadcast<R: Number>(
     inputs: &[Option<Input<'_, R>>; 3],
-    arguments: [Option<Argument<'_, '_>>; 3],
+    arguments: &[Argument<'_, '_>],
 ) -> PyResult<Broadcast> {
     let once = [0, 1, 2].map(|i| inputs[i].as_ref().map_or(&[][..], |input| input.leading()));
     let shapes =
         [0, 1, 2].map(|i| inputs[i].as_ref().map_or(&[][..], |input| input.full_leading()));
     Broadcast::of(shapes, once).ok_or_else(|| {
-        let named = arguments.iter().zip(shapes);
-        misfit(named.filter_map(|(argument, shape)| Some(((*argument)?.name, shape))))
+        misfit(arguments.iter().zip(shapes).map(|(argument, shape)| (argument.name, shape)))
     })
 }
 

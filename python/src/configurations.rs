@@ -1,16 +1,17 @@
 //! Many configurations of a mechanism, from arrays to arrays.
 
-use crate::argument::{Argument, Input, Number, tuple};
+use crate::argument::{Argument, Input};
 use crate::call::Answer;
-use crate::functions::core_shape::EIGHT;
+use crate::error::{misshapen, value_error};
 use crate::links::Chosen;
+use crate::number::Number;
 use crate::output::Output;
+use crate::shape::{EIGHT, tuple};
 use crate::threads::Threads;
 use dq8::mechanism::{Body, JacobianFrame, Mechanism, OwnedMechanism, World, WorldAligned};
 use dq8::{Backend, ShapeError};
 use numpy::PyUntypedArray;
 use numpy::prelude::*;
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 /// In which axes, and about which point, a Jacobian is.
@@ -30,10 +31,7 @@ fn configurations<'py, R: Number>(
     let full = values.full_leading().to_vec();
     let count = mechanism.view().values();
     let Some((_, leading)) = full.split_last().filter(|&(&last, _)| last == count) else {
-        return Err(PyValueError::new_err(format!(
-            "Expected `values` to have shape (..., {count}), got {}.",
-            tuple(&full)
-        )));
+        return Err(misshapen("values", &format!("(..., {count})"), &full));
     };
     Ok((values.filled(&full)?, leading.to_vec()))
 }
@@ -55,17 +53,11 @@ pub(crate) fn poses<'py, R: Number>(
     }
     let output = Output::<R>::new(py, out, &shape, EIGHT)?;
     let values = values.apart_from(&output)?;
-    let mut memory = output.borrow()?;
-    let to = memory
-        .as_slice_mut()
-        .map_err(|error| PyValueError::new_err(error.to_string()))?
-        .as_chunks_mut::<8>()
-        .0;
     let numbers = values.records::<1>().as_flattened();
     let backend = Backend::best();
-    let done: Result<(), ShapeError> = py.detach(|| {
+    output.fill(|to| {
         let threads = Threads::for_elements(elements);
-        match &chosen {
+        let done = match &chosen {
             _ if to.is_empty() => Ok(()),
             None if threads.many() => threads.install(|| backend.par_link_poses(view, numbers, to)),
             None => backend.link_poses(view, numbers, to),
@@ -73,11 +65,9 @@ pub(crate) fn poses<'py, R: Number>(
                 threads.install(|| backend.par_chosen_link_poses(view, links, numbers, to))
             }
             Some(Chosen { links, .. }) => backend.chosen_link_poses(view, links, numbers, to),
-        }
-    });
-    done.map_err(|error| PyValueError::new_err(error.to_string()))?;
-    drop(memory);
-    output.finish()
+        };
+        done.map_err(value_error)
+    })
 }
 
 /// The Jacobian of a link at each configuration.
@@ -96,27 +86,19 @@ pub(crate) fn jacobian<'py, R: Number>(
     let transposed = out.map(|out| by_columns(out, &shape)).transpose()?;
     let output = Output::<R>::new(py, transposed.as_ref(), &leading, &[view.rates(), 6])?;
     let values = values.apart_from(&output)?;
-    let mut memory = output.borrow()?;
-    let columns = memory
-        .as_slice_mut()
-        .map_err(|error| PyValueError::new_err(error.to_string()))?
-        .as_chunks_mut::<6>()
-        .0;
     let numbers = values.records::<1>().as_flattened();
-    let done: Result<(), ShapeError> = py.detach(|| {
+    let columns = output.fill(|columns| {
         if columns.is_empty() {
             return Ok(());
         }
         let run = Jacobians { view, link, numbers, configurations };
-        match frame {
+        let done = match frame {
             Frame::World => run.write(World, columns),
             Frame::Body => run.write(Body, columns),
             Frame::Aligned => run.write(WorldAligned, columns),
-        }
-    });
-    done.map_err(|error| PyValueError::new_err(error.to_string()))?;
-    drop(memory);
-    let columns = output.finish()?;
+        };
+        done.map_err(value_error)
+    })?;
     match out {
         Some(out) => Ok(out.clone()),
         None => columns.call_method1("swapaxes", (-1, -2)),
@@ -130,11 +112,7 @@ fn by_columns<'py>(out: &Bound<'py, PyAny>, shape: &[usize]) -> Answer<'py> {
     if array.shape() == shape {
         return out.call_method1("swapaxes", (-1, -2));
     }
-    Err(PyValueError::new_err(format!(
-        "Expected `out` to have shape {}, that of the result, got {}.",
-        tuple(shape),
-        tuple(array.shape())
-    )))
+    Err(misshapen("out", &format!("{}, that of the result", tuple(shape)), array.shape()))
 }
 
 /// What Jacobians are computed of.

@@ -1,11 +1,13 @@
 //! Joint hierarchies.
 
-use crate::argument::{Argument, Input, Number, common_dtype, is_single, tuple};
+use crate::argument::{Argument, Input, common_dtype, is_single};
 use crate::call::Answer;
-use crate::functions::core_shape::EIGHT;
+use crate::error::{misshapen, value_error};
+use crate::number::Number;
 use crate::output::Output;
+use crate::shape::EIGHT;
 use crate::threads::Threads;
-use dq8::{DualQuat, ShapeError};
+use dq8::DualQuat;
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyList;
@@ -154,7 +156,7 @@ impl Hierarchy {
     ) -> Answer<'py> {
         let poses = Argument { name, core: EIGHT, value: poses };
         let root = root.map(|value| Argument { name: "root", core: EIGHT, value });
-        if is_single(&[Some(poses), root])? {
+        if is_single([poses].into_iter().chain(root))? {
             self.typed::<f32>(direction, poses, root, out)
         } else {
             self.typed::<f64>(direction, poses, root, out)
@@ -172,11 +174,8 @@ impl Hierarchy {
         let poses = Input::<R>::of(poses)?;
         let full = poses.full_leading().to_vec();
         if full.last() != Some(&self.parents.len()) {
-            return Err(PyValueError::new_err(format!(
-                "Expected `{name}` to have shape (..., {}, 8), got {}.",
-                self.parents.len(),
-                tuple(&poses.shape())
-            )));
+            let expected = format!("(..., {}, 8)", self.parents.len());
+            return Err(misshapen(name, &expected, &poses.shape()));
         }
         let poses = poses.filled(&full)?;
         let root = root.map(Input::<R>::of).transpose()?;
@@ -184,12 +183,7 @@ impl Hierarchy {
             None => None,
             Some(root) => match root.records::<8>() {
                 [one] if root.full_leading().is_empty() => Some(DualQuat::from_array(*one)),
-                _ => {
-                    return Err(PyValueError::new_err(format!(
-                        "Expected `root` to have shape (8,), got {}.",
-                        tuple(&root.shape())
-                    )));
-                }
+                _ => return Err(misshapen("root", "(8,)", &root.shape())),
             },
         };
         let output = Output::<R>::new(py, out, &full, EIGHT)?;
@@ -201,19 +195,15 @@ impl Hierarchy {
             Some(poses.apart_from(&output)?)
         };
 
-        let hierarchy = dq8::Hierarchy::new(&self.parents)
-            .map_err(|error| PyValueError::new_err(error.to_string()))?;
+        let hierarchy = dq8::Hierarchy::new(&self.parents).map_err(value_error)?;
         let mut job = hierarchy.job::<[R; 8]>();
         if let Some(root) = root {
             job = job.root(root);
         }
-        let mut memory = output.borrow()?;
-        let to = memory.as_slice_mut().map(|numbers| numbers.as_chunks_mut::<8>().0);
-        let to = to.map_err(|error| PyValueError::new_err(error.to_string()))?;
         let from = poses.as_ref().map(|poses| poses.records::<8>());
-        let done: Result<(), ShapeError> = py.detach(|| {
+        output.fill(|to| {
             let threads = Threads::for_elements(to.len());
-            match (direction, from) {
+            let done = match (direction, from) {
                 (Direction::ToModel, Some(from)) if threads.many() => {
                     threads.install(|| job.par_local_to_model(from, to))
                 }
@@ -224,10 +214,8 @@ impl Hierarchy {
                 (Direction::ToModel, None) => job.local_to_model_in_place(to),
                 (Direction::ToLocal, Some(from)) => job.model_to_local(from, to),
                 (Direction::ToLocal, None) => job.model_to_local_in_place(to),
-            }
-        });
-        done.map_err(|error| PyValueError::new_err(error.to_string()))?;
-        drop(memory);
-        output.finish()
+            };
+            done.map_err(value_error)
+        })
     }
 }

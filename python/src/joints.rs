@@ -1,7 +1,8 @@
 //! The joints of a mechanism from arrays, and their names.
 
-use crate::argument::{Argument, Input, tuple};
-use crate::functions::core_shape::EIGHT;
+use crate::argument::{Argument, Input};
+use crate::error::misshapen;
+use crate::shape::EIGHT;
 use dq8::DualQuat;
 use dq8::mechanism::{Joint, JointKind, OwnedMechanism};
 use pyo3::exceptions::{PyTypeError, PyValueError};
@@ -77,10 +78,7 @@ fn rows<const C: usize>(
     match *input.full_leading() {
         [] | [1] => Ok(input.records::<C>().repeat(count)),
         [own] if own == count => Ok(input.filled(&[count])?.records::<C>().to_vec()),
-        _ => Err(PyValueError::new_err(format!(
-            "Expected `{name}` to have shape ({count}, {C}) or ({C},), got {}.",
-            tuple(&input.shape())
-        ))),
+        _ => Err(misshapen(name, &format!("({count}, {C}) or ({C},)"), &input.shape())),
     }
 }
 

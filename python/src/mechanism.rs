@@ -3,12 +3,13 @@
 use crate::argument::{Argument, common_dtype, is_single};
 use crate::call::Answer;
 use crate::configurations::{Frame, jacobian, poses};
-use crate::functions::core_shape::{EIGHT, SIX};
+use crate::error::value_error;
 use crate::hierarchy::parents_of;
 use crate::joints::{Arrays, NO_LIMITS, limits, name_and_axis, values_and_rates};
 use crate::links::{Chosen, link_of, names};
 use crate::reach::{Search, reach};
 use crate::reach_report::ReachReport;
+use crate::shape::{EIGHT, SIX};
 use crate::urdf::text_of;
 use dq8::ik::Options;
 use dq8::mechanism::{Joint, MechanismError, OwnedMechanism};
@@ -217,7 +218,7 @@ impl Mechanism {
     ) -> Answer<'py> {
         let chosen = links.map(|links| Chosen::of(&self.links, links)).transpose()?;
         let values = Argument { name: "values", core: &[], value: values };
-        if is_single(&[Some(values)])? {
+        if is_single([values])? {
             poses(self.single()?, values, chosen, out)
         } else {
             poses(&self.double, values, chosen, out)
@@ -274,7 +275,7 @@ impl Mechanism {
         };
         let link = link_of(&self.links, "link", link)?;
         let values = Argument { name: "values", core: &[], value: values };
-        if is_single(&[Some(values)])? {
+        if is_single([values])? {
             jacobian(self.single()?, values, link, frame, out)
         } else {
             jacobian(&self.double, values, link, frame, out)
@@ -374,7 +375,7 @@ impl Mechanism {
                 restarts,
             },
         };
-        if is_single(&[Some(search.targets), Some(search.values)])? {
+        if is_single([search.targets, search.values])? {
             reach(self.single()?, search, out)
         } else {
             reach(&self.double, search, out)
@@ -388,8 +389,4 @@ impl Mechanism {
             PyValueError::new_err(format!("`values` are float32, for which {error}"))
         })
     }
-}
-
-fn value_error(error: impl ToString) -> PyErr {
-    PyValueError::new_err(error.to_string())
 }

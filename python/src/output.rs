@@ -1,6 +1,8 @@
 //! Where results are written: `out`, or new arrays.
 
-use crate::argument::{Number, numpy_function, tuple};
+use crate::error::{misshapen, value_error};
+use crate::number::Number;
+use crate::shape::tuple;
 use numpy::prelude::*;
 use numpy::{PyArrayDyn, PyReadwriteArrayDyn, PyUntypedArray};
 use pyo3::exceptions::{PyTypeError, PyValueError};
@@ -45,11 +47,8 @@ impl<'py, R: Number> Output<'py, R> {
             )));
         };
         if given.shape() != shape {
-            return Err(PyValueError::new_err(format!(
-                "Expected `out` to have shape {}, that of the result, got {}.",
-                tuple(&shape),
-                tuple(given.shape())
-            )));
+            let expected = format!("{}, that of the result", tuple(&shape));
+            return Err(misshapen("out", &expected, given.shape()));
         }
         if !out.getattr("flags")?.getattr("writeable")?.is_truthy()? {
             return Err(PyValueError::new_err(
@@ -86,6 +85,27 @@ impl<'py, R: Number> Output<'py, R> {
         self.array.try_readwrite().map_err(|error| PyValueError::new_err(format!("`out`: {error}")))
     }
 
+    /// What the function returns, after `write` has written all elements. Other threads of Python run meanwhile.
+    pub(crate) fn fill<const C: usize>(
+        self,
+        write: impl FnOnce(&mut [[R; C]]) -> PyResult<()> + Send,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let py = self.array.py();
+        self.fill_attached(|to| py.detach(|| write(to)))
+    }
+
+    /// [`fill`](Self::fill), where `write` decides whether other threads of Python run.
+    pub(crate) fn fill_attached<const C: usize>(
+        self,
+        write: impl FnOnce(&mut [[R; C]]) -> PyResult<()>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let mut memory = self.borrow()?;
+        // It is contiguous.
+        write(memory.as_slice_mut().map_err(value_error)?.as_chunks_mut().0)?;
+        drop(memory);
+        self.finish()
+    }
+
     /// What the function returns: `out`, the new array, or, of no dimensions, a number.
     pub(crate) fn finish(self) -> PyResult<Bound<'py, PyAny>> {
         let Some(given) = self.given else {
@@ -105,6 +125,6 @@ impl<'py, R: Number> Output<'py, R> {
 /// Without zeros in it: all of it is about to be written.
 fn empty<'py, R: Number>(py: Python<'py>, shape: &[usize]) -> PyResult<Bound<'py, PyArrayDyn<R>>> {
     let shape = PyTuple::new(py, shape)?;
-    let array = numpy_function(py, &EMPTY, "empty")?.call1((shape, numpy::dtype::<R>(py)))?;
+    let array = EMPTY.import(py, "numpy", "empty")?.call1((shape, numpy::dtype::<R>(py)))?;
     Ok(array.cast_into::<PyArrayDyn<R>>()?)
 }

@@ -1,7 +1,9 @@
 //! Skinning palettes, from arrays of motions or matrices.
 
-use crate::argument::{Input, Number, tuple};
-use crate::skin::{Method, named};
+use crate::argument::Input;
+use crate::error::misshapen;
+use crate::method::Method;
+use crate::number::Number;
 use crate::threads::Threads;
 use dq8::skinning::{
     DualBlend, Linear, Mixed, Skin, SkinningError, Stretched, Surface, SurfaceMut, split_palette,
@@ -44,11 +46,8 @@ impl<R: Number> Palette<R> {
             [ref poses @ .., joints, 8] => (poses.to_vec(), joints, None),
             [ref poses @ .., joints, rows @ (3 | 4), 4] => (poses.to_vec(), joints, Some(rows)),
             _ => {
-                return Err(PyValueError::new_err(format!(
-                    "Expected `palette` to have shape (..., joints, 8), (..., joints, 3, 4) or \
-                     (..., joints, 4, 4), got {}.",
-                    tuple(&full)
-                )));
+                let expected = "(..., joints, 8), (..., joints, 3, 4) or (..., joints, 4, 4)";
+                return Err(misshapen("palette", expected, &full));
             }
         };
         let given = given.filled(&full)?;
@@ -167,4 +166,15 @@ fn of_one_pose(error: SkinningError, joints: usize) -> PyErr {
         error => return named(error),
     };
     PyValueError::new_err(format!("`palette`: pose {pose}: {error}."))
+}
+
+/// With the name of the argument that it is about.
+pub(crate) fn named(error: SkinningError) -> PyErr {
+    let argument = match error {
+        SkinningError::NoInfluences | SkinningError::JointOutOfRange { .. } => "`joints`: ",
+        SkinningError::Weight { .. } | SkinningError::Total { .. } => "`weights`: ",
+        SkinningError::Share { .. } => "`shares`: ",
+        _ => "",
+    };
+    PyValueError::new_err(format!("{argument}{error}."))
 }

@@ -1,8 +1,10 @@
 //! Inverse kinematics of many configurations, from arrays to arrays.
 
-use crate::argument::{Argument, Input, Number, misshapen};
+use crate::argument::{Argument, Input};
 use crate::broadcast::{Broadcast, misfit};
+use crate::error::{misshapen, value_error};
 use crate::links::Chosen;
+use crate::number::Number;
 use crate::output::Output;
 use crate::reach_report::ReachReport;
 use crate::threads::Threads;
@@ -80,13 +82,12 @@ pub(crate) fn reach<'py, R: Number>(
     drop((given, values));
     let output = Output::<R>::new(py, out, &shape, &[value_count])?;
     let mut reports = vec![Report::default(); shape.iter().product()];
-    let mut memory = output.borrow()?;
-    let to = memory.as_slice_mut().map_err(|error| PyValueError::new_err(error.to_string()))?;
-    to.copy_from_slice(&start);
-    let solved = py.detach(|| solve(&problem, &targets, to, &mut reports, &options));
-    solved.map_err(|error| PyValueError::new_err(error.to_string()))?;
-    drop(memory);
-    Ok((output.finish()?, ReachReport::new(py, &reports, &shape)?))
+    let values = output.fill::<1>(|to| {
+        let to = to.as_flattened_mut();
+        to.copy_from_slice(&start);
+        solve(&problem, &targets, to, &mut reports, &options).map_err(value_error)
+    })?;
+    Ok((values, ReachReport::new(py, &reports, &shape)?))
 }
 
 /// All configurations, `[configuration][value]`, by all threads. The result of one does not depend on others.

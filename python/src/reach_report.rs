@@ -1,7 +1,7 @@
 //! What searches of inverse kinematics reached.
 
-use crate::argument::Number;
 use crate::call::Answer;
+use crate::number::Number;
 use dq8::ik::{Outcome, Report};
 use numpy::PyArray1;
 use pyo3::prelude::*;

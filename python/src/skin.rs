@@ -1,10 +1,13 @@
 //! Skinning: meshes that follow joints.
 
-use crate::argument::{Argument, Input, Number, is_single, misshapen, tuple};
+use crate::argument::{Argument, Input, is_single};
 use crate::call::Answer;
-use crate::functions::core_shape::{NUMBER, VECTOR};
+use crate::error::{misshapen, value_error};
+use crate::method::Method;
+use crate::number::Number;
 use crate::output::Output;
-use crate::palette::Palette;
+use crate::palette::{Palette, named};
+use crate::shape::{NUMBER, VECTOR, tuple};
 use crate::threads::Threads;
 use dq8::skinning::{Skin, SkinningError, Surface, SurfaceMut};
 use numpy::prelude::*;
@@ -13,27 +16,6 @@ use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 use rayon::prelude::*;
-
-/// How the motions of joints are blended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Method {
-    Dual,
-    Linear,
-    Mixed,
-}
-
-impl Method {
-    fn of(name: &str) -> PyResult<Self> {
-        match name {
-            "dlb" => Ok(Self::Dual),
-            "lbs" => Ok(Self::Linear),
-            "mix" => Ok(Self::Mixed),
-            _ => Err(PyValueError::new_err(format!(
-                "Expected `method` to be 'dlb', 'lbs' or 'mix', got '{name}'."
-            ))),
-        }
-    }
-}
 
 /// Skinning: the vertices of a mesh follow joints, in one pose or in many.
 ///
@@ -126,10 +108,8 @@ pub(crate) fn skin<'py>(
             tangents.map(|value| Argument { name: "tangents", core: VECTOR, value }),
         ],
     };
-    let [normals, tangents] = call.directions;
-    let points = Some(call.points);
-    if is_single(&[points, Some(call.weights), Some(call.palette), call.shares, normals, tangents])?
-    {
+    let optional = call.shares.into_iter().chain(call.directions.into_iter().flatten());
+    if is_single([call.points, call.weights, call.palette].into_iter().chain(optional))? {
         typed::<f32>(call, out)
     } else {
         typed::<f64>(call, out)
@@ -206,7 +186,7 @@ fn typed<'py, R: Number>(call: Call<'_, 'py>, out: Option<&Bound<'py, PyAny>>) -
     let mut slices = Vec::with_capacity(memory.len());
     for memory in &mut memory {
         let numbers = memory.as_slice_mut();
-        let numbers = numbers.map_err(|error| PyValueError::new_err(error.to_string()))?;
+        let numbers = numbers.map_err(value_error)?;
         slices.push(numbers.as_chunks_mut::<3>().0);
     }
     let mut slices = slices.into_iter();
@@ -276,7 +256,7 @@ fn joints_of(joints: &Bound<'_, PyAny>) -> PyResult<(Vec<u32>, Vec<usize>)> {
     let wide = numpy.call_method1("ascontiguousarray", (array, "int64"))?;
     let wide = wide.cast_into::<PyArrayDyn<i64>>()?.try_readonly();
     let wide = wide.map_err(|error| PyValueError::new_err(format!("`joints`: {error}")))?;
-    let wide = wide.as_slice().map_err(|error| PyValueError::new_err(error.to_string()))?;
+    let wide = wide.as_slice().map_err(value_error)?;
     let joints: Result<_, i64> =
         wide.iter().map(|&joint| u32::try_from(joint).map_err(|_| joint)).collect();
     let joints = joints.map_err(|joint| {
@@ -308,15 +288,4 @@ fn outs<'py>(
             Err(PyTypeError::new_err(message))
         }
     }
-}
-
-/// With the name of the argument that it is about.
-pub(crate) fn named(error: SkinningError) -> PyErr {
-    let argument = match error {
-        SkinningError::NoInfluences | SkinningError::JointOutOfRange { .. } => "`joints`: ",
-        SkinningError::Weight { .. } | SkinningError::Total { .. } => "`weights`: ",
-        SkinningError::Share { .. } => "`shares`: ",
-        _ => "",
-    };
-    PyValueError::new_err(format!("{argument}{error}."))
 }

@@ -1,6 +1,6 @@
 //! Long chains, plain and in blocks.
 
-use crate::sample::{COUNT, motions, numbers, same};
+use crate::sample::{COUNT, for_all_lanes, motions, numbers, same};
 use dq8::storage::{Block, pack_chain, unpack_chain};
 use dq8::{Backend, DualQuat};
 use dq8_capi::{chain, packing};
@@ -19,47 +19,22 @@ macro_rules! agree {
             pack_chain(&links, &mut packed).unwrap();
             // SAFETY: arrays have LINKS elements or BLOCKS.
             unsafe {
-                same(
-                    "plain",
-                    &none,
-                    |o| c::chain_products(pl, o, LINKS),
-                    |o| best.chain_products(&links, o).unwrap(),
-                );
-                same(
-                    "plain, in place",
-                    &links,
-                    |o| c::chain_products(o, o, LINKS),
-                    |o| best.chain_products_in_place(o),
-                );
-                same(
-                    "pack",
-                    &empty,
-                    |o| p::pack_chain($lanes, pl, LINKS, o, BLOCKS),
-                    |o| pack_chain(&links, o).unwrap(),
-                );
-                same(
-                    "unpack",
-                    &none,
-                    |o| p::unpack_chain($lanes, numbers(&packed), BLOCKS, o, LINKS),
-                    |o| unpack_chain(&packed, o).unwrap(),
-                );
-                same(
-                    "blocks",
-                    &empty,
-                    |o| c::blocks_chain_products($lanes, numbers(&packed), o, BLOCKS),
-                    |o| best.chain_products(&packed, o).unwrap(),
-                );
-                same(
-                    "blocks, in place",
-                    &packed,
-                    |o| c::blocks_chain_products($lanes, o, o, BLOCKS),
-                    |o| best.chain_products_in_place(o),
-                );
+                same! { |o|
+                    "plain": &none, c::chain_products(pl, o, LINKS)
+                        => best.chain_products(&links, o).unwrap();
+                    "plain, in place": &links, c::chain_products(o, o, LINKS)
+                        => best.chain_products_in_place(o);
+                    "pack": &empty, p::pack_chain($lanes, pl, LINKS, o, BLOCKS)
+                        => pack_chain(&links, o).unwrap();
+                    "unpack": &none, p::unpack_chain($lanes, numbers(&packed), BLOCKS, o, LINKS)
+                        => unpack_chain(&packed, o).unwrap();
+                    "blocks": &empty, c::blocks_chain_products($lanes, numbers(&packed), o, BLOCKS)
+                        => best.chain_products(&packed, o).unwrap();
+                    "blocks, in place": &packed, c::blocks_chain_products($lanes, o, o, BLOCKS)
+                        => best.chain_products_in_place(o);
+                }
             }
         }
     };
 }
-agree!(single_eight, f32, single, 8);
-agree!(single_sixteen, f32, single, 16);
-agree!(double_four, f64, double, 4);
-agree!(double_eight, f64, double, 8);
+for_all_lanes!(agree);

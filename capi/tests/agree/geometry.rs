@@ -1,6 +1,6 @@
 //! Lines, planes, twists, logarithms and metrics: of one motion, of arrays, of blocks.
 
-use crate::sample::{COUNT, block, motions, numbers, same, vector, wave};
+use crate::sample::{COUNT, block, for_all_lanes, motions, numbers, same, vector, wave};
 use dq8::simd;
 use dq8::storage::Block;
 use dq8::{Backend, DualQuat, Line, Plane, Twist};
@@ -33,43 +33,24 @@ macro_rules! agree {
                 let [x, y, z, u, v, w] = six;
                 let twist = Twist::from_array(six);
                 let line = a.transform_line(Line { direction: [x, y, z], moment: [u, v, w] });
-                let [nx, ny, nz, offset] = four;
-                let plane = a.transform_plane(Plane { normal: [nx, ny, nz], offset });
+                let ([x, y, z], [u, v, w]) = (line.direction, line.moment);
+                let line = [x, y, z, u, v, w];
+                let [x, y, z, offset] = four;
+                let plane = a.transform_plane(Plane { normal: [x, y, z], offset });
+                let [x, y, z] = plane.normal;
+                let plane = [x, y, z, plane.offset];
                 // SAFETY: each argument has as many numbers as it should.
                 unsafe {
-                    same(
-                        "line",
-                        &[six],
-                        |o| g::line(pa, o, o),
-                        |o| {
-                            let ([x, y, z], [u, v, w]) = (line.direction, line.moment);
-                            o[0] = [x, y, z, u, v, w];
-                        },
-                    );
-                    same(
-                        "plane",
-                        &[four],
-                        |o| g::plane(pa, o, o),
-                        |o| {
-                            let [x, y, z] = plane.normal;
-                            o[0] = [x, y, z, plane.offset];
-                        },
-                    );
-                    same("twist", &[twist], |o| g::twist(pa, o, o), |o| o[0] = a.adjoint(twist));
-                    same("to twist", &[twist], |o| g::to_twist(pa, o), |o| o[0] = a.to_twist());
-                    same(
-                        "integrate",
-                        &[a],
-                        |o| g::integrate_body(o, numbers(&six), 0.3, o),
-                        |o| o[0] = a.integrate_body(twist, 0.3),
-                    );
-                    same("angle", &[9.0], |o| g::angle_to(pa, pb, o), |o| o[0] = a.angle_to(b));
-                    same(
-                        "distance",
-                        &[9.0],
-                        |o| g::distance_to(pa, pb, o),
-                        |o| o[0] = a.distance_to(b),
-                    );
+                    same! { |o|
+                        "line": &[six], g::line(pa, o, o) => o[0] = line;
+                        "plane": &[four], g::plane(pa, o, o) => o[0] = plane;
+                        "twist": &[twist], g::twist(pa, o, o) => o[0] = a.adjoint(twist);
+                        "to twist": &[twist], g::to_twist(pa, o) => o[0] = a.to_twist();
+                        "integrate": &[a], g::integrate_body(o, numbers(&six), 0.3, o)
+                            => o[0] = a.integrate_body(twist, 0.3);
+                        "angle": &[9.0], g::angle_to(pa, pb, o) => o[0] = a.angle_to(b);
+                        "distance": &[9.0], g::distance_to(pa, pb, o) => o[0] = a.distance_to(b);
+                    }
                 }
             }
 
@@ -85,62 +66,28 @@ macro_rules! agree {
                 let nowhere: [$R; N] = [9.0; N];
                 // SAFETY: all arrays have N elements.
                 unsafe {
-                    same(
-                        "conjugate",
-                        &none,
-                        |o| slices::$of::conjugate(pa, o, N),
-                        |o| best.conjugate(&a, o).unwrap(),
-                    );
-                    same(
-                        "conjugate in place",
-                        &a,
-                        |o| slices::$of::conjugate(o, o, N),
-                        |o| best.conjugate_in_place(o),
-                    );
-                    same(
-                        "lines",
-                        &[[9.0; 6]; N],
-                        |o| l::lines_each(pa, ps, o, N),
-                        |o| best.transform_lines_each(&a, &sixes, o).unwrap(),
-                    );
-                    same(
-                        "planes",
-                        &[[9.0; 4]; N],
-                        |o| l::planes_each(pa, pf, o, N),
-                        |o| best.transform_planes_each(&a, &fours, o).unwrap(),
-                    );
-                    same(
-                        "twists",
-                        &[[9.0; 6]; N],
-                        |o| t::twists_each(pa, ps, o, N),
-                        |o| best.transform_twists_each(&a, &sixes, o).unwrap(),
-                    );
-                    same(
-                        "integrate",
-                        &none,
-                        |o| t::integrate_body(pa, ps, 0.3, o, N),
-                        |o| best.integrate_body(&a, &sixes, 0.3, o).unwrap(),
-                    );
-                    same("log", &[[9.0; 6]; N], |o| t::log(pa, o, N), |o| best.log(&a, o).unwrap());
-                    same("exp", &none, |o| t::exp(ps, o, N), |o| best.exp(&sixes, o).unwrap());
-                    same(
-                        "pow",
-                        &none,
-                        |o| t::pow_each(pa, pt, o, N),
-                        |o| best.pow_each(&a, &times, o).unwrap(),
-                    );
-                    same(
-                        "angles",
-                        &nowhere,
-                        |o| m::angles(pa, pb, o, N),
-                        |o| best.angles(&a, &b, o).unwrap(),
-                    );
-                    same(
-                        "distances",
-                        &nowhere,
-                        |o| m::distances(pa, pb, o, N),
-                        |o| best.distances(&a, &b, o).unwrap(),
-                    );
+                    same! { |o|
+                        "conjugate": &none, slices::$of::conjugate(pa, o, N)
+                            => best.conjugate(&a, o).unwrap();
+                        "conjugate in place": &a, slices::$of::conjugate(o, o, N)
+                            => best.conjugate_in_place(o);
+                        "lines": &[[9.0; 6]; N], l::lines_each(pa, ps, o, N)
+                            => best.transform_lines_each(&a, &sixes, o).unwrap();
+                        "planes": &[[9.0; 4]; N], l::planes_each(pa, pf, o, N)
+                            => best.transform_planes_each(&a, &fours, o).unwrap();
+                        "twists": &[[9.0; 6]; N], t::twists_each(pa, ps, o, N)
+                            => best.transform_twists_each(&a, &sixes, o).unwrap();
+                        "integrate": &none, t::integrate_body(pa, ps, 0.3, o, N)
+                            => best.integrate_body(&a, &sixes, 0.3, o).unwrap();
+                        "log": &[[9.0; 6]; N], t::log(pa, o, N) => best.log(&a, o).unwrap();
+                        "exp": &none, t::exp(ps, o, N) => best.exp(&sixes, o).unwrap();
+                        "pow": &none, t::pow_each(pa, pt, o, N)
+                            => best.pow_each(&a, &times, o).unwrap();
+                        "angles": &nowhere, m::angles(pa, pb, o, N)
+                            => best.angles(&a, &b, o).unwrap();
+                        "distances": &nowhere, m::distances(pa, pb, o, N)
+                            => best.distances(&a, &b, o).unwrap();
+                    }
                 }
             }
 
@@ -160,72 +107,30 @@ macro_rules! agree {
                 let (no_four, no_one) = ([Numbers::splat([9.0; 4]); 2], [Numbers::splat([9.0]); 2]);
                 // SAFETY: all arrays have two blocks.
                 unsafe {
-                    same(
-                        "conjugate",
-                        &none,
-                        |o| slices::$of::blocks_conjugate($lanes, pa, o, 2),
-                        |o| best.conjugate(&a, o).unwrap(),
-                    );
-                    same(
-                        "lines",
-                        &no_six,
-                        |o| l::blocks_lines_each($lanes, pa, ps, o, 2),
-                        |o| best.transform_lines_each(&a, &sixes, o).unwrap(),
-                    );
-                    same(
-                        "planes",
-                        &no_four,
-                        |o| l::blocks_planes_each($lanes, pa, pf, o, 2),
-                        |o| best.transform_planes_each(&a, &fours, o).unwrap(),
-                    );
-                    same(
-                        "twists",
-                        &no_six,
-                        |o| t::blocks_twists_each($lanes, pa, ps, o, 2),
-                        |o| best.transform_twists_each(&a, &sixes, o).unwrap(),
-                    );
-                    same(
-                        "integrate",
-                        &none,
-                        |o| t::blocks_integrate_body($lanes, pa, ps, 0.3, o, 2),
-                        |o| best.integrate_body(&a, &sixes, 0.3, o).unwrap(),
-                    );
-                    same(
-                        "log",
-                        &no_six,
-                        |o| t::blocks_log($lanes, pa, o, 2),
-                        |o| best.log(&a, o).unwrap(),
-                    );
-                    same(
-                        "exp",
-                        &none,
-                        |o| t::blocks_exp($lanes, ps, o, 2),
-                        |o| best.exp(&sixes, o).unwrap(),
-                    );
-                    same(
-                        "pow",
-                        &none,
-                        |o| t::blocks_pow_each($lanes, pa, pt, o, 2),
-                        |o| best.pow_each(&a, &times, o).unwrap(),
-                    );
-                    same(
-                        "angles",
-                        &no_one,
-                        |o| m::blocks_angles($lanes, pa, pb, o, 2),
-                        |o| best.angles(&a, &b, o).unwrap(),
-                    );
-                    same(
-                        "distances",
-                        &no_one,
-                        |o| m::blocks_distances($lanes, pa, pb, o, 2),
-                        |o| best.distances(&a, &b, o).unwrap(),
-                    );
+                    same! { |o|
+                        "conjugate": &none, slices::$of::blocks_conjugate($lanes, pa, o, 2)
+                            => best.conjugate(&a, o).unwrap();
+                        "lines": &no_six, l::blocks_lines_each($lanes, pa, ps, o, 2)
+                            => best.transform_lines_each(&a, &sixes, o).unwrap();
+                        "planes": &no_four, l::blocks_planes_each($lanes, pa, pf, o, 2)
+                            => best.transform_planes_each(&a, &fours, o).unwrap();
+                        "twists": &no_six, t::blocks_twists_each($lanes, pa, ps, o, 2)
+                            => best.transform_twists_each(&a, &sixes, o).unwrap();
+                        "integrate": &none, t::blocks_integrate_body($lanes, pa, ps, 0.3, o, 2)
+                            => best.integrate_body(&a, &sixes, 0.3, o).unwrap();
+                        "log": &no_six, t::blocks_log($lanes, pa, o, 2) => best.log(&a, o).unwrap();
+                        "exp": &none, t::blocks_exp($lanes, ps, o, 2)
+                            => best.exp(&sixes, o).unwrap();
+                        "pow": &none, t::blocks_pow_each($lanes, pa, pt, o, 2)
+                            => best.pow_each(&a, &times, o).unwrap();
+                        "angles": &no_one, m::blocks_angles($lanes, pa, pb, o, 2)
+                            => best.angles(&a, &b, o).unwrap();
+                        "distances": &no_one, m::blocks_distances($lanes, pa, pb, o, 2)
+                            => best.distances(&a, &b, o).unwrap();
+                    }
                 }
             }
         }
     };
 }
-agree!(single_eight, f32, single, 8);
-agree!(single_sixteen, f32, single, 16);
-agree!(double_four, f64, double, 4);
-agree!(double_eight, f64, double, 8);
+for_all_lanes!(agree);

@@ -1,7 +1,7 @@
 //! Mechanisms: poses of links and Jacobians.
 
-use crate::sample::{motions, same, vector, wave};
-use dq8::mechanism::{Body, JacobianFrame, Joint, JointKind, OwnedMechanism, World, WorldAligned};
+use crate::sample::{for_all_lanes, motions, same, vector, wave};
+use dq8::mechanism::{Body, Joint, JointKind, OwnedMechanism, World, WorldAligned};
 use dq8::storage::Block;
 use dq8::{Backend, DualQuat, Real, Twist};
 use dq8_capi::joint::{self, JointKind as Kind};
@@ -80,7 +80,7 @@ macro_rules! agree {
 
             #[test]
             fn mechanisms() {
-                use mechanism::$of as m;
+                use {links::$of as l, mechanism::$of as m};
                 let joints = joints::<$R>();
                 let wanted = OwnedMechanism::new(&joints).unwrap();
                 let wanted = wanted.view();
@@ -89,6 +89,7 @@ macro_rules! agree {
                 let mut steps = [const { MaybeUninit::<Step<$R>>::uninit() }; LINKS];
                 let mut made = MaybeUninit::<Mechanism<$R>>::uninit();
                 let values: Vec<$R> = (0..CONFIGURATIONS * VALUES).map(|i| wave(i, 0.2)).collect();
+                let one = &values[..VALUES];
                 let (pv, of) = (values.as_ptr(), made.as_mut_ptr());
                 let (none, nowhere) = (ptr::null_mut(), ptr::null_mut());
                 // SAFETY: arrays have the lengths that are said.
@@ -98,87 +99,58 @@ macro_rules! agree {
                     assert_eq!(status, Status::Ok);
                     let shape = made.assume_init_ref();
                     assert_eq!((shape.links, shape.values, shape.rates), (LINKS, VALUES, RATES));
-                    same(
-                        "poses",
-                        &[Motion::ZERO; LINKS],
-                        |o| m::link_poses(of, pv, VALUES, o, LINKS),
-                        |o| wanted.link_poses(&values[..VALUES], o).unwrap(),
-                    );
+                    same! { |o|
+                        "poses": &[Motion::ZERO; LINKS], m::link_poses(of, pv, VALUES, o, LINKS)
+                            => wanted.link_poses(one, o).unwrap();
+                    }
                     for link in 0..LINKS {
-                        same(
-                            "pose",
-                            &[Motion::ZERO],
-                            |o| m::link_pose(of, pv, VALUES, link, o),
-                            |o| o[0] = wanted.link_pose(&values[..VALUES], link).unwrap(),
-                        );
+                        same! { |o|
+                            "pose": &[Motion::ZERO], m::link_pose(of, pv, VALUES, link, o)
+                                => o[0] = wanted.link_pose(one, link).unwrap();
+                        }
                     }
                     let mut reached = Motion::ZERO;
                     let nothing = [Twist::from_array([9.0; 6]); RATES];
                     let mut jacobian = |frame: Frame, rust: &dyn Fn(&mut [Twist<$R>]) -> Motion| {
                         let pose = ptr::from_mut(&mut reached);
                         let mut other = Motion::ZERO;
-                        same(
-                            "Jacobian",
-                            &nothing,
-                            |o| {
-                                m::link_jacobian(
-                                    of,
-                                    frame as i32,
-                                    pv,
-                                    VALUES,
-                                    6,
-                                    o,
-                                    RATES,
-                                    pose.cast(),
-                                )
-                            },
-                            |o| other = rust(o),
-                        );
+                        same! { |o|
+                            "Jacobian": &nothing,
+                                m::link_jacobian(of, frame as i32, pv, VALUES, 6, o, RATES, pose.cast())
+                                => other = rust(o);
+                        }
                         assert_eq!(reached, other);
                     };
-                    fn of_six<R: Real>(
-                        mechanism: dq8::mechanism::Mechanism<'_, R>,
-                        frame: impl JacobianFrame,
-                        values: &[R],
-                    ) -> impl Fn(&mut [Twist<R>]) -> DualQuat<R> {
-                        move |o| mechanism.link_jacobian(frame, values, 6, o).unwrap()
+                    jacobian(Frame::World, &|o| wanted.link_jacobian(World, one, 6, o).unwrap());
+                    jacobian(Frame::Body, &|o| wanted.link_jacobian(Body, one, 6, o).unwrap());
+                    jacobian(Frame::WorldAligned, &|o| {
+                        wanted.link_jacobian(WorldAligned, one, 6, o).unwrap()
+                    });
+                    same! { |o|
+                        "Jacobian without a pose": &nothing,
+                            m::link_jacobian(of, 0, pv, VALUES, 6, o, RATES, none)
+                            => _ = wanted.link_jacobian(World, one, 6, o).unwrap();
                     }
-                    jacobian(Frame::World, &of_six(wanted, World, &values[..VALUES]));
-                    jacobian(Frame::Body, &of_six(wanted, Body, &values[..VALUES]));
-                    jacobian(Frame::WorldAligned, &of_six(wanted, WorldAligned, &values[..VALUES]));
-                    same(
-                        "Jacobian without a pose",
-                        &nothing,
-                        |o| m::link_jacobian(of, 0, pv, VALUES, 6, o, RATES, none),
-                        |o| {
-                            let _ = wanted.link_jacobian(World, &values[..VALUES], 6, o).unwrap();
-                        },
-                    );
 
                     // A mechanism may be moved; its steps stay.
                     let moved = made.assume_init();
                     let (of, all) = (&raw const moved, values.len());
-                    same(
-                        "poses of many",
-                        &[Motion::ZERO; CONFIGURATIONS * LINKS],
-                        |o| links::$of::link_poses(of, pv, all, o, CONFIGURATIONS * LINKS),
-                        |o| Backend::best().link_poses(wanted, &values, o).unwrap(),
-                    );
+                    const ALL: usize = CONFIGURATIONS * LINKS;
+                    same! { |o|
+                        "poses of many": &[Motion::ZERO; ALL], l::link_poses(of, pv, all, o, ALL)
+                            => Backend::best().link_poses(wanted, &values, o).unwrap();
+                    }
                     // Whole blocks: a lane without a configuration has NaN where joints float.
                     const BLOCKS: usize = 16 / $lanes * LINKS;
                     let values = &values[..16 * VALUES];
-                    same(
-                        "poses of many in blocks",
-                        &[Block::<$R, $lanes>::splat([9.0; 8]); BLOCKS],
-                        |o| links::$of::blocks_link_poses($lanes, of, pv, 16 * VALUES, o, BLOCKS),
-                        |o| Backend::best().link_poses(wanted, values, o).unwrap(),
-                    );
+                    same! { |o|
+                        "poses of many in blocks": &[Block::<$R, $lanes>::splat([9.0; 8]); BLOCKS],
+                            l::blocks_link_poses($lanes, of, pv, 16 * VALUES, o, BLOCKS)
+                            => Backend::best().link_poses(wanted, values, o).unwrap();
+                    }
                 }
             }
         }
     };
 }
-agree!(single_eight, f32, single, 8);
-agree!(single_sixteen, f32, single, 16);
-agree!(double_four, f64, double, 4);
-agree!(double_eight, f64, double, 8);
+for_all_lanes!(agree);

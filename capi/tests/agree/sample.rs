@@ -41,9 +41,20 @@ pub(crate) fn numbers<T, R>(values: &[T]) -> *const R {
     values.as_ptr().cast()
 }
 
+/// The tests of a file for both number types, each with the lanes that its blocks may have.
+macro_rules! for_all_lanes {
+    ($agree:ident) => {
+        $agree!(single_eight, f32, single, 8);
+        $agree!(single_sixteen, f32, single, 16);
+        $agree!(double_four, f64, double, 4);
+        $agree!(double_eight, f64, double, 8);
+    };
+}
+pub(crate) use for_all_lanes;
+
 /// The C function makes of `start` what the Rust one makes of it, and not nothing.
 #[track_caller]
-pub(crate) fn same<T: Clone + PartialEq + Debug, R>(
+pub(crate) fn compare<T: Clone + PartialEq + Debug, R>(
     what: &str,
     start: &[T],
     c: impl FnOnce(*mut R) -> Status,
@@ -55,3 +66,12 @@ pub(crate) fn same<T: Clone + PartialEq + Debug, R>(
     assert_eq!(got, wanted, "{what}");
     assert_ne!(wanted, start, "{what}: nothing happened");
 }
+
+/// [`compare`] for many: of an output `o` that begins as `start`, `name: start, C function => Rust function;`. A macro,
+/// for closures would take six lines for each.
+macro_rules! same {
+    (|$o:ident| $($what:literal: $start:expr, $c:expr => $rust:expr;)+) => {
+        $($crate::sample::compare($what, $start, |$o| $c, |$o| $rust);)+
+    };
+}
+pub(crate) use same;

@@ -1,6 +1,6 @@
 //! Kernels over arrays, plain and in blocks.
 
-use crate::sample::{COUNT, block, motions, numbers, same, vector, wave};
+use crate::sample::{COUNT, block, for_all_lanes, motions, numbers, same, vector, wave};
 use dq8::storage::{
     Block, MatrixBlock, NumberBlock, PointBlock, RotationBlock, RotationTranslationBlock,
 };
@@ -28,109 +28,41 @@ macro_rules! agree {
                 let nowhere = [[9.0; 3]; COUNT];
                 // SAFETY: all arrays have COUNT elements.
                 unsafe {
-                    same("mul", &none, |o| s::mul(pa, pb, o, n), |o| best.mul(&a, &b, o).unwrap());
-                    same(
-                        "mul in place",
-                        &a,
-                        |o| s::mul(o, pb, o, n),
-                        |o| best.mul_in_place(o, &b).unwrap(),
-                    );
-                    same(
-                        "normalize",
-                        &none,
-                        |o| s::normalize(ps, o, n),
-                        |o| best.normalize(&scaled, o).unwrap(),
-                    );
-                    same(
-                        "normalize in place",
-                        &scaled,
-                        |o| s::normalize(o, o, n),
-                        |o| best.normalize_in_place(o),
-                    );
-                    same(
-                        "inverse",
-                        &none,
-                        |o| s::inverse(ps, o, n),
-                        |o| best.inverse(&scaled, o).unwrap(),
-                    );
-                    same(
-                        "inverse in place",
-                        &a,
-                        |o| s::inverse(o, o, n),
-                        |o| best.inverse_in_place(o),
-                    );
-                    same(
-                        "nlerp",
-                        &none,
-                        |o| s::nlerp(pa, pb, 0.3, o, n),
-                        |o| best.nlerp(&a, &b, 0.3, o).unwrap(),
-                    );
-                    same(
-                        "sclerp",
-                        &none,
-                        |o| s::sclerp(pa, pb, 0.3, o, n),
-                        |o| best.sclerp(&a, &b, 0.3, o).unwrap(),
-                    );
-                    same(
-                        "nlerp_each",
-                        &none,
-                        |o| s::nlerp_each(pa, pb, pt, o, n),
-                        |o| best.nlerp_each(&a, &b, &t, o).unwrap(),
-                    );
-                    same(
-                        "sclerp_each",
-                        &none,
-                        |o| s::sclerp_each(pa, pb, pt, o, n),
-                        |o| best.sclerp_each(&a, &b, &t, o).unwrap(),
-                    );
-                    same(
-                        "points",
-                        &nowhere,
-                        |o| s::points(pa, pv, o, n),
-                        |o| best.transform_points(a[0], &points, o).unwrap(),
-                    );
-                    same(
-                        "points in place",
-                        &points,
-                        |o| s::points(pb, o, o, n),
-                        |o| best.transform_points_in_place(b[0], o),
-                    );
-                    same(
-                        "vectors",
-                        &nowhere,
-                        |o| s::vectors(pa, pv, o, n),
-                        |o| best.transform_vectors(a[0], &points, o).unwrap(),
-                    );
-                    same(
-                        "vectors in place",
-                        &points,
-                        |o| s::vectors(pb, o, o, n),
-                        |o| best.transform_vectors_in_place(b[0], o),
-                    );
-                    same(
-                        "points_each",
-                        &nowhere,
-                        |o| s::points_each(pa, pv, o, n),
-                        |o| best.transform_points_each(&a, &points, o).unwrap(),
-                    );
-                    same(
-                        "vectors_each",
-                        &nowhere,
-                        |o| s::vectors_each(pa, pv, o, n),
-                        |o| best.transform_vectors_each(&a, &points, o).unwrap(),
-                    );
-                    same(
-                        "3x4",
-                        &[[[9.0; 4]; 3]; COUNT],
-                        |o| s::matrices_3x4(pa, 0, o, n),
-                        |o| best.matrices(&a, MatrixOrder::Rows, o).unwrap(),
-                    );
-                    same(
-                        "4x4",
-                        &[[[9.0; 4]; 4]; COUNT],
-                        |o| s::matrices_4x4(pa, 1, o, n),
-                        |o| best.matrices(&a, MatrixOrder::Columns, o).unwrap(),
-                    );
+                    same! { |o|
+                        "mul": &none, s::mul(pa, pb, o, n) => best.mul(&a, &b, o).unwrap();
+                        "mul in place": &a, s::mul(o, pb, o, n)
+                            => best.mul_in_place(o, &b).unwrap();
+                        "normalize": &none, s::normalize(ps, o, n)
+                            => best.normalize(&scaled, o).unwrap();
+                        "normalize in place": &scaled, s::normalize(o, o, n)
+                            => best.normalize_in_place(o);
+                        "inverse": &none, s::inverse(ps, o, n) => best.inverse(&scaled, o).unwrap();
+                        "inverse in place": &a, s::inverse(o, o, n) => best.inverse_in_place(o);
+                        "nlerp": &none, s::nlerp(pa, pb, 0.3, o, n)
+                            => best.nlerp(&a, &b, 0.3, o).unwrap();
+                        "sclerp": &none, s::sclerp(pa, pb, 0.3, o, n)
+                            => best.sclerp(&a, &b, 0.3, o).unwrap();
+                        "nlerp_each": &none, s::nlerp_each(pa, pb, pt, o, n)
+                            => best.nlerp_each(&a, &b, &t, o).unwrap();
+                        "sclerp_each": &none, s::sclerp_each(pa, pb, pt, o, n)
+                            => best.sclerp_each(&a, &b, &t, o).unwrap();
+                        "points": &nowhere, s::points(pa, pv, o, n)
+                            => best.transform_points(a[0], &points, o).unwrap();
+                        "points in place": &points, s::points(pb, o, o, n)
+                            => best.transform_points_in_place(b[0], o);
+                        "vectors": &nowhere, s::vectors(pa, pv, o, n)
+                            => best.transform_vectors(a[0], &points, o).unwrap();
+                        "vectors in place": &points, s::vectors(pb, o, o, n)
+                            => best.transform_vectors_in_place(b[0], o);
+                        "points_each": &nowhere, s::points_each(pa, pv, o, n)
+                            => best.transform_points_each(&a, &points, o).unwrap();
+                        "vectors_each": &nowhere, s::vectors_each(pa, pv, o, n)
+                            => best.transform_vectors_each(&a, &points, o).unwrap();
+                        "3x4": &[[[9.0; 4]; 3]; COUNT], s::matrices_3x4(pa, 0, o, n)
+                            => best.matrices(&a, MatrixOrder::Rows, o).unwrap();
+                        "4x4": &[[[9.0; 4]; 4]; COUNT], s::matrices_4x4(pa, 1, o, n)
+                            => best.matrices(&a, MatrixOrder::Columns, o).unwrap();
+                    }
                 }
             }
 
@@ -150,58 +82,28 @@ macro_rules! agree {
                 let (pa, pb, pt, pv) = (numbers(&a), numbers(&b), numbers(&t), numbers(&points));
                 let none = [Block::splat([9.0; 8]); 2];
                 let nowhere = [PointBlock::splat([9.0; 3]); 2];
+                let matrices = [dq8::simd::Block::<[$R; $lanes], 16>::splat([9.0; 16]); 2];
                 let best = Backend::best();
                 // SAFETY: all arrays have two blocks.
                 unsafe {
-                    same(
-                        "mul",
-                        &none,
-                        |o| s::blocks_mul($lanes, pa, pb, o, 2),
-                        |o| best.mul(&a, &b, o).unwrap(),
-                    );
-                    same(
-                        "normalize",
-                        &none,
-                        |o| s::blocks_normalize($lanes, pa, o, 2),
-                        |o| best.normalize(&a, o).unwrap(),
-                    );
-                    same(
-                        "inverse",
-                        &none,
-                        |o| s::blocks_inverse($lanes, pa, o, 2),
-                        |o| best.inverse(&a, o).unwrap(),
-                    );
-                    same(
-                        "nlerp",
-                        &none,
-                        |o| s::blocks_nlerp($lanes, pa, pb, 0.3, o, 2),
-                        |o| best.nlerp(&a, &b, 0.3, o).unwrap(),
-                    );
-                    same(
-                        "sclerp_each",
-                        &none,
-                        |o| s::blocks_sclerp_each($lanes, pa, pb, pt, o, 2),
-                        |o| best.sclerp_each(&a, &b, &t, o).unwrap(),
-                    );
-                    same(
-                        "points",
-                        &nowhere,
-                        |o| s::blocks_points($lanes, numbers(&[by]), pv, o, 2),
-                        |o| best.transform_points(by, &points, o).unwrap(),
-                    );
-                    same(
-                        "vectors_each",
-                        &nowhere,
-                        |o| s::blocks_vectors_each($lanes, pa, pv, o, 2),
-                        |o| best.transform_vectors_each(&a, &points, o).unwrap(),
-                    );
-                    let matrices = [dq8::simd::Block::<[$R; $lanes], 16>::splat([9.0; 16]); 2];
-                    same(
-                        "4x4",
-                        &matrices,
-                        |o| s::blocks_matrices_4x4($lanes, pa, 0, o, 2),
-                        |o| best.matrices(&a, MatrixOrder::Rows, o).unwrap(),
-                    );
+                    same! { |o|
+                        "mul": &none, s::blocks_mul($lanes, pa, pb, o, 2)
+                            => best.mul(&a, &b, o).unwrap();
+                        "normalize": &none, s::blocks_normalize($lanes, pa, o, 2)
+                            => best.normalize(&a, o).unwrap();
+                        "inverse": &none, s::blocks_inverse($lanes, pa, o, 2)
+                            => best.inverse(&a, o).unwrap();
+                        "nlerp": &none, s::blocks_nlerp($lanes, pa, pb, 0.3, o, 2)
+                            => best.nlerp(&a, &b, 0.3, o).unwrap();
+                        "sclerp_each": &none, s::blocks_sclerp_each($lanes, pa, pb, pt, o, 2)
+                            => best.sclerp_each(&a, &b, &t, o).unwrap();
+                        "points": &nowhere, s::blocks_points($lanes, numbers(&[by]), pv, o, 2)
+                            => best.transform_points(by, &points, o).unwrap();
+                        "vectors_each": &nowhere, s::blocks_vectors_each($lanes, pa, pv, o, 2)
+                            => best.transform_vectors_each(&a, &points, o).unwrap();
+                        "4x4": &matrices, s::blocks_matrices_4x4($lanes, pa, 0, o, 2)
+                            => best.matrices(&a, MatrixOrder::Rows, o).unwrap();
+                    }
                 }
                 let size =
                     |components| packing::$of::block_size($lanes, components) * size_of::<$R>();
@@ -215,7 +117,4 @@ macro_rules! agree {
         }
     };
 }
-agree!(single_eight, f32, single, 8);
-agree!(single_sixteen, f32, single, 16);
-agree!(double_four, f64, double, 4);
-agree!(double_eight, f64, double, 8);
+for_all_lanes!(agree);

@@ -1,6 +1,6 @@
 //! Twists and Jacobians of hierarchies.
 
-use crate::sample::{COUNT, JOINTS, PARENTS, block, motions, numbers, same, vector};
+use crate::sample::{COUNT, JOINTS, PARENTS, block, for_all_lanes, motions, numbers, same, vector};
 use dq8::simd;
 use dq8::storage::Block;
 use dq8::{Hierarchy, Twist};
@@ -27,37 +27,23 @@ macro_rules! agree {
                 (numbers(&blocks), numbers(&rates_in), [Twists::splat([9.0; 6]); JOINTS]);
             // SAFETY: arrays have COUNT or JOINTS elements, as they should.
             unsafe {
-                same(
-                    "velocities",
-                    &none,
-                    |o| v::velocities(p, JOINTS, pm, pr, o, COUNT),
-                    |o| job.velocities(&models, &rates, o).unwrap(),
-                );
-                same(
-                    "velocities in blocks",
-                    &empty,
-                    |o| v::blocks_velocities($lanes, p, JOINTS, bm, br, o, JOINTS),
-                    |o| skeleton.job().velocities(&blocks, &rates_in, o).unwrap(),
-                );
+                same! { |o|
+                    "velocities": &none, v::velocities(p, JOINTS, pm, pr, o, COUNT)
+                        => job.velocities(&models, &rates, o).unwrap();
+                    "in blocks": &empty, v::blocks_velocities($lanes, p, JOINTS, bm, br, o, JOINTS)
+                        => skeleton.job().velocities(&blocks, &rates_in, o).unwrap();
+                }
                 for effector in 0..JOINTS {
-                    same(
-                        "jacobian",
-                        &none,
-                        |o| v::jacobian(p, JOINTS, pm, pr, effector, o, COUNT),
-                        |o| job.jacobian(&models, axes, effector, o).unwrap(),
-                    );
-                    same(
-                        "jacobian in blocks",
-                        &empty,
-                        |o| v::blocks_jacobian($lanes, p, JOINTS, bm, pr, effector, o, JOINTS),
-                        |o| skeleton.job().jacobian(&blocks, axes, effector, o).unwrap(),
-                    );
+                    same! { |o|
+                        "jacobian": &none, v::jacobian(p, JOINTS, pm, pr, effector, o, COUNT)
+                            => job.jacobian(&models, axes, effector, o).unwrap();
+                        "jacobian in blocks": &empty,
+                            v::blocks_jacobian($lanes, p, JOINTS, bm, pr, effector, o, JOINTS)
+                            => skeleton.job().jacobian(&blocks, axes, effector, o).unwrap();
+                    }
                 }
             }
         }
     };
 }
-agree!(single_eight, f32, single, 8);
-agree!(single_sixteen, f32, single, 16);
-agree!(double_four, f64, double, 4);
-agree!(double_eight, f64, double, 8);
+for_all_lanes!(agree);

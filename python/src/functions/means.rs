@@ -1,12 +1,13 @@
 //! Blends of any number of motions.
 
-use super::core_shape::{EIGHT, NUMBER};
-use crate::argument::{Argument, Input, Number, common_dtype, is_single, tuple};
+use crate::argument::{Argument, Input, common_dtype, is_single};
 use crate::blend::{Influences, Mean};
 use crate::call::Answer;
+use crate::error::misshapen;
+use crate::number::Number;
 use crate::output::Output;
+use crate::shape::{EIGHT, NUMBER, tuple};
 use crate::threads::Threads;
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 /// Dual quaternion linear blending: ``normalize(Σ ±wᵢσᵢ)``, each sign turned toward the first.
@@ -87,7 +88,7 @@ fn mean_of<'py>(
 ) -> Answer<'py> {
     let motions = Argument { name: "motions", core: EIGHT, value: motions };
     let weights = weights.map(|value| Argument { name: "weights", core: NUMBER, value });
-    if is_single(&[Some(motions), weights])? {
+    if is_single([motions].into_iter().chain(weights))? {
         typed::<f32>(mean, motions, weights, out)
     } else {
         typed::<f64>(mean, motions, weights, out)
@@ -103,10 +104,7 @@ fn typed<'py, R: Number>(
     let motions = Input::<R>::of(motions)?;
     let full = motions.full_leading().to_vec();
     let Some((&count, leading)) = full.split_last().filter(|(count, _)| **count > 0) else {
-        return Err(PyValueError::new_err(format!(
-            "Expected `motions` to have shape (..., n, 8) with n > 0, got {}.",
-            tuple(&motions.shape())
-        )));
+        return Err(misshapen("motions", "(..., n, 8) with n > 0", &motions.shape()));
     };
     let motions = motions.filled(&full)?;
     let weights = weights.map(Input::<R>::of).transpose()?;
@@ -115,12 +113,8 @@ fn typed<'py, R: Number>(
         Some(weights) if weights.full_leading() == [count] => false,
         Some(weights) if weights.full_leading() == full => true,
         Some(weights) => {
-            return Err(PyValueError::new_err(format!(
-                "Expected `weights` to have shape {} or {}, got {}.",
-                tuple(&[count]),
-                tuple(&full),
-                tuple(&weights.shape())
-            )));
+            let expected = format!("{} or {}", tuple(&[count]), tuple(&full));
+            return Err(misshapen("weights", &expected, &weights.shape()));
         }
     };
     let weights = weights
@@ -140,16 +134,12 @@ fn typed<'py, R: Number>(
         weights: weights.as_ref().map(|weights| weights.records()),
         own,
     };
-    let mut memory = output.borrow()?;
-    let to = memory.as_slice_mut().map(|numbers| numbers.as_chunks_mut::<8>().0);
-    let to = to.map_err(|error| PyValueError::new_err(error.to_string()))?;
-    motions.py().detach(|| {
+    output.fill(|to| {
         let threads = Threads::for_elements(influences.motions.len());
         threads.split(to, &|first, to| {
             influences.from(first).blend(mean, to);
             true
-        })
-    });
-    drop(memory);
-    output.finish()
+        });
+        Ok(())
+    })
 }

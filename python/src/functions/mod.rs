@@ -5,6 +5,7 @@ pub(crate) mod algebra;
 pub(crate) mod between;
 pub(crate) mod conversions;
 pub(crate) mod distances;
+mod function;
 pub(crate) mod means;
 pub(crate) mod screws;
 pub(crate) mod squad;
@@ -12,19 +13,6 @@ pub(crate) mod trajectory;
 pub(crate) mod windows;
 
 use dq8::{Lanes, batch};
-
-/// The last dimensions of one element.
-pub(crate) mod core_shape {
-    pub(crate) const NUMBER: &[usize] = &[];
-    pub(crate) const VECTOR: &[usize] = &[3];
-    /// A quaternion, or a plane: normal and offset.
-    pub(crate) const FOUR: &[usize] = &[4];
-    /// A twist, a wrench, or a line: direction and moment.
-    pub(crate) const SIX: &[usize] = &[6];
-    /// A motion, or a screw: axis, angle and slide.
-    pub(crate) const EIGHT: &[usize] = &[8];
-    pub(crate) const MATRIX: &[usize] = &[4, 4];
-}
 
 #[inline(always)]
 fn motion<L: Lanes>(components: [L; 8]) -> batch::DualQuat<L> {

@@ -1,12 +1,13 @@
 //! Smooth motion through key poses.
 
-use super::core_shape::{EIGHT, NUMBER};
 use super::motion;
-use crate::argument::{Argument, Input, Number, common_dtype, is_single};
+use crate::argument::{Argument, Input, common_dtype, is_single};
 use crate::broadcast::{common, misfit};
 use crate::call::Answer;
 use crate::law::{Each, OneOrEach, Operand, store};
+use crate::number::Number;
 use crate::output::Output;
+use crate::shape::{EIGHT, NUMBER};
 use crate::threads::Threads;
 use dq8::{Backend, Kernel, Lanes, Level, batch};
 use pyo3::exceptions::PyValueError;
@@ -78,7 +79,7 @@ pub(crate) fn squad<'py>(
         Argument { name: "control_end", core: EIGHT, value: control_end },
         Argument { name: "end", core: EIGHT, value: end },
     ];
-    of_many(Squad, motions, Argument::new("t", NUMBER, t), out)
+    of_many(Squad, motions, Some(Argument { name: "t", core: NUMBER, value: t }), out)
 }
 
 #[derive(Clone, Copy)]
@@ -134,8 +135,7 @@ fn of_many<'py, F: OfMany<N>, const N: usize>(
     t: Option<Argument<'_, 'py>>,
     out: Option<&Bound<'py, PyAny>>,
 ) -> Answer<'py> {
-    let all: Vec<_> = motions.iter().map(|&motion| Some(motion)).chain([t]).collect();
-    if is_single(&all)? {
+    if is_single(motions.into_iter().chain(t))? {
         typed::<f32, F, N>(law, motions, t, out)
     } else {
         typed::<f64, F, N>(law, motions, t, out)
@@ -167,18 +167,14 @@ fn typed<'py, R: Number, F: OfMany<N>, const N: usize>(
     let (motions, t) = ready.split_at(N);
     let motions = std::array::from_fn(|i| operand(motions.get(i)));
     let t = operand(t.first());
-    let mut memory = output.borrow()?;
-    let to = memory.as_slice_mut().map(|numbers| numbers.as_chunks_mut::<8>().0);
-    let to = to.map_err(|error| PyValueError::new_err(error.to_string()))?;
-    py.detach(|| {
+    output.fill(|to| {
         Threads::for_elements(to.len()).split(to, &|first, to| {
             let motions = motions.map(|motion| motion.from(first));
             Backend::best().run(OfEach { law, motions, t: t.from(first), to });
             true
-        })
-    });
-    drop(memory);
-    output.finish()
+        });
+        Ok(())
+    })
 }
 
 /// The elements of an argument; zeros if there is none.

@@ -1,9 +1,11 @@
 //! Poses at times.
 
-use super::core_shape::{EIGHT, NUMBER};
-use crate::argument::{Argument, Input, Number, common_dtype, is_single, misshapen};
+use crate::argument::{Argument, Input, common_dtype, is_single};
 use crate::call::Answer;
+use crate::error::misshapen;
+use crate::number::Number;
 use crate::output::Output;
+use crate::shape::{EIGHT, NUMBER};
 use dq8::slices::TrajectoryError;
 use dq8::{Backend, DualQuat};
 use pyo3::exceptions::PyValueError;
@@ -50,11 +52,7 @@ pub(crate) fn resample<'py>(
         Argument { name: "poses", core: EIGHT, value: poses },
         Argument { name: "at", core: NUMBER, value: at },
     ];
-    if is_single(&arguments.map(Some))? {
-        typed::<f32>(arguments, out)
-    } else {
-        typed::<f64>(arguments, out)
-    }
+    if is_single(arguments)? { typed::<f32>(arguments, out) } else { typed::<f64>(arguments, out) }
 }
 
 fn typed<'py, R: Number>(
@@ -78,16 +76,11 @@ fn typed<'py, R: Number>(
 
     let (instants, samples) = (times.records::<1>(), at.records::<1>());
     let poses: &[DualQuat<R>] = bytemuck::must_cast_slice(poses.records::<8>());
-    let mut memory = output.borrow()?;
-    let to = memory.as_slice_mut().map(|numbers| numbers.as_chunks_mut::<8>().0);
-    let to = to.map_err(|error| PyValueError::new_err(error.to_string()))?;
-    let done = at.py().detach(|| {
+    output.fill(|to: &mut [[R; 8]]| {
         let to = bytemuck::must_cast_slice_mut(to);
-        Backend::best().resample(instants.as_flattened(), poses, samples.as_flattened(), to)
-    });
-    done.map_err(named)?;
-    drop(memory);
-    output.finish()
+        let (instants, samples) = (instants.as_flattened(), samples.as_flattened());
+        Backend::best().resample(instants, poses, samples, to).map_err(named)
+    })
 }
 
 /// With the name of the argument that it is about.

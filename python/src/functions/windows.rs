@@ -1,12 +1,13 @@
 //! Means along a trajectory.
 
-use super::core_shape::{EIGHT, NUMBER};
-use crate::argument::{Argument, Input, Number, common_dtype, is_single, misshapen};
+use crate::argument::{Argument, Input, common_dtype, is_single};
 use crate::blend::{Influences, Mean};
 use crate::call::Answer;
+use crate::error::misshapen;
+use crate::number::Number;
 use crate::output::Output;
+use crate::shape::{EIGHT, NUMBER};
 use crate::threads::Threads;
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 /// Intrinsic means of whole windows of motions that follow each other: a trajectory, smoothed.
@@ -57,7 +58,7 @@ pub(crate) fn dib_windows<'py>(
     let mean = Mean::Intrinsic { tolerance: tolerance.unwrap_or(f64::NAN), max_iterations };
     let motions = Argument { name: "motions", core: EIGHT, value: motions };
     let weights = Argument { name: "weights", core: NUMBER, value: weights };
-    if is_single(&[Some(motions), Some(weights)])? {
+    if is_single([motions, weights])? {
         typed::<f32>(mean, motions, weights, out)
     } else {
         typed::<f64>(mean, motions, weights, out)
@@ -93,10 +94,7 @@ fn typed<'py, R: Number>(
         weights: Some(weights.records()),
         own: false,
     };
-    let mut memory = output.borrow()?;
-    let to = memory.as_slice_mut().map(|numbers| numbers.as_chunks_mut::<8>().0);
-    let to = to.map_err(|error| PyValueError::new_err(error.to_string()))?;
-    motions.py().detach(|| {
+    output.fill(|to| {
         let threads = Threads::for_elements(to.len());
         // Windows do not reach from one row into the next.
         for (row, to) in to.chunks_mut(windows.max(1)).enumerate() {
@@ -105,7 +103,6 @@ fn typed<'py, R: Number>(
                 true
             });
         }
-    });
-    drop(memory);
-    output.finish()
+        Ok(())
+    })
 }
