@@ -54,8 +54,8 @@ fn rows<R: Real + Float, const N: usize>(
         for ((goal, value), report) in goals.iter().zip(values).zip(reports) {
             if report.outcome == Outcome::Converged {
                 reached += 1.0;
-                iterations += Into::<f64>::into(report.iterations);
-                restarts += Into::<f64>::into(report.restarts);
+                iterations += f64::from(report.iterations);
+                restarts += f64::from(report.restarts);
                 let [turn, distance] = plan.apart(&exact(value), goal);
                 worst = worst.max(turn).max(distance);
             }

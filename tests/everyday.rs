@@ -73,7 +73,7 @@ fn small_dual_parts_keep_their_digits_beside_every_real_part() {
                     // And below the normal numbers some steps of the smallest number, of what q is over |p|.
                     let digits = 1e-6 + 32.0 * 1.4e-45 * p / q;
                     let off = (f64::from(got) - wanted).abs();
-assert!(off <= size * digits, "{got:e}, {wanted:e} of {sized:?}");
+                    assert!(off <= size * digits, "{got:e}, {wanted:e} of {sized:?}");
                 }
             }
         }

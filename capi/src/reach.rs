@@ -282,11 +282,9 @@ fn status(error: &ReachError) -> Status {
 }
 
 impl<R: Real> ReachReport<R> {
-    fn of(report: &ik::Report<R, ik::Outcome>) -> Self {
-        let [iterations, restarts] =
-            [report.iterations, report.restarts].map(|count| Into::<f64>::into(count) as u32);
-        let (angular_error, linear_error) = (report.angular_error, report.linear_error);
-        Self { outcome: report.outcome as i32, iterations, restarts, angular_error, linear_error }
+    fn of(report: &ik::Report<R>) -> Self {
+        let ik::Report { iterations, restarts, angular_error, linear_error, outcome } = *report;
+        Self { outcome: outcome as i32, iterations, restarts, angular_error, linear_error }
     }
 }
 

@@ -8,7 +8,7 @@ use crate::number::Number;
 use crate::output::Output;
 use crate::reach_report::ReachReport;
 use crate::threads::Threads;
-use dq8::ik::{Options, Outcome, Report};
+use dq8::ik::{Options, Report};
 use dq8::mechanism::{Freedom, Goal, OwnedMechanism, Reach, ReachError};
 use dq8::{Backend, DualQuat, Real, ShapeError};
 use pyo3::exceptions::PyValueError;
@@ -95,11 +95,11 @@ fn solve<R: Number>(
     problem: &Reach<'_, R>,
     targets: &[DualQuat<R>],
     values: &mut [R],
-    reports: &mut [Report<R, Outcome>],
+    reports: &mut [Report<R>],
     options: &Options<R>,
 ) -> Result<(), ShapeError> {
     let (view, backend) = (problem.mechanism(), Backend::best());
-    let run = |targets: &[DualQuat<R>], values: &mut [R], reports: &mut [Report<R, Outcome>]| {
+    let run = |targets: &[DualQuat<R>], values: &mut [R], reports: &mut [Report<R>]| {
         let mut scratch = vec![R::ZERO; problem.batch_scratch_len()];
         backend.reach_links(problem, targets, values, reports, &mut scratch, options)
     };

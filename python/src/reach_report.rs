@@ -46,20 +46,14 @@ impl ReachReport {
     /// Arrays of this shape.
     pub(crate) fn new<R: Number>(
         py: Python<'_>,
-        reports: &[Report<R, Outcome>],
+        reports: &[Report<R>],
         shape: &[usize],
     ) -> PyResult<Self> {
-        let count = |of: fn(&Report<R, Outcome>) -> R| {
-            move |report: &Report<R, Outcome>| -> u32 {
-                let count: f64 = of(report).into();
-                count as u32
-            }
-        };
         Ok(Self {
             converged: array(py, reports, shape, |it| it.outcome == Outcome::Converged)?,
             outcome: array(py, reports, shape, |it| it.outcome as u8)?,
-            iterations: array(py, reports, shape, count(|it| it.iterations))?,
-            restarts: array(py, reports, shape, count(|it| it.restarts))?,
+            iterations: array(py, reports, shape, |it| it.iterations)?,
+            restarts: array(py, reports, shape, |it| it.restarts)?,
             angular_error: array(py, reports, shape, |it| it.angular_error)?,
             linear_error: array(py, reports, shape, |it| it.linear_error)?,
         })
@@ -69,9 +63,9 @@ impl ReachReport {
 /// One thing of each report; a scalar where there are no dimensions.
 fn array<R: Number, T: numpy::Element>(
     py: Python<'_>,
-    reports: &[Report<R, Outcome>],
+    reports: &[Report<R>],
     shape: &[usize],
-    of: impl Fn(&Report<R, Outcome>) -> T,
+    of: impl Fn(&Report<R>) -> T,
 ) -> PyResult<Py<PyAny>> {
     let flat = PyArray1::from_iter(py, reports.iter().map(of));
     let array: Answer<'_> = if shape.is_empty() {

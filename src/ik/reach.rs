@@ -1,6 +1,6 @@
 //! One target, and slices of them.
 
-use super::{Arm, Options, Outcome, Report};
+use super::{Arm, Options, Report};
 use crate::dispatch::Backend;
 use crate::real::Scalar;
 use crate::scalar::DualQuat;
@@ -43,7 +43,7 @@ where
         target: DualQuat<R>,
         values: &mut [R; N],
         options: &Options<R>,
-    ) -> Report<R, Outcome> {
+    ) -> Report<R> {
         self.chain.solve(target, values, options)
     }
 }
@@ -76,7 +76,7 @@ impl Backend {
         arm: &Arm<R, N>,
         targets: &[DualQuat<R>],
         values: &mut [[R; N]],
-        reports: &mut [Report<R, Outcome>],
+        reports: &mut [Report<R>],
         options: &Options<R>,
     ) -> Result<(), ShapeError> {
         arm.chain.reach(self, targets, values, reports, options)

@@ -235,7 +235,7 @@ fn searches_agree<const N: usize>(plan: &Plan<N>, options: &Options<f64>) {
         }
         let search = Search { arm: &arm, target, options: *options, length };
         let plain = search.run(start);
-        let same_way = (plain.outcome, f64::from(plain.iterations), f64::from(plain.restarts))
+        let same_way = (plain.outcome, plain.iterations, plain.restarts)
             == (report.outcome, report.iterations, report.restarts);
         let near = values.iter().zip(plain.values).all(|(a, b)| {
             let apart = (a - b).abs();
@@ -281,12 +281,12 @@ fn a_mechanism_agrees<const N: usize>(plan: &Plan<N>, options: &Options<f64>) {
         let mut values = start;
         let report =
             problem.solve(&[target], &mut values, &mut scratch, &options).expect("lengths fit");
-        if report.restarts > 0.0 {
+        if report.restarts > 0 {
             sooner += 1;
             continue;
         }
-        let same_way = (report.outcome, report.iterations)
-            == (Outcome::Converged, f64::from(plain.iterations));
+        let same_way =
+            (report.outcome, report.iterations) == (Outcome::Converged, plain.iterations);
         let near = values.iter().zip(plain.values).all(|(a, b)| {
             let apart = (a - b).abs();
             apart < 1e-5 || (apart - 2.0 * PI).abs() < 1e-5

@@ -34,7 +34,7 @@ fn stretched_is_within_reach<R: Real + Float>() {
             Backend::best()
                 .reach(&arm, &targets, &mut values, &mut reports, &options)
                 .expect("lengths fit");
-            let beyond = |report: &&Report<R, _>| report.outcome == Outcome::OutOfReach;
+            let beyond = |report: &&Report<R>| report.outcome == Outcome::OutOfReach;
             assert_eq!(reports.iter().filter(beyond).count(), 0, "{length}");
             converged = reports.iter().filter(|r| r.outcome == Outcome::Converged).count();
         }

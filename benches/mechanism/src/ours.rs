@@ -102,7 +102,7 @@ macro_rules! precision {
                             &options,
                         )
                         .expect("shape");
-                    let reached = |report: &&Report<_, _>| report.outcome == Outcome::Converged;
+                    let reached = |report: &&Report<_>| report.outcome == Outcome::Converged;
                     assert!(reports.iter().filter(reached).count() * 1000 >= 998 * TARGETS);
                 }
             }));

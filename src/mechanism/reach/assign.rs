@@ -89,8 +89,8 @@ impl<L: Lanes<Real: Scalar>> Search<'_, L> {
     fn report(&mut self, configuration: usize, lane: &Lane<L::Real>, outcome: Outcome) {
         let reach = self.model.reach;
         let mut report = Report {
-            iterations: L::Real::from_f64(lane.iterations.into()),
-            restarts: L::Real::from_f64(lane.restarts.into()),
+            iterations: lane.iterations,
+            restarts: lane.restarts,
             angular_error: lane.best.angular,
             linear_error: lane.best.linear,
             outcome,

@@ -2,7 +2,7 @@
 
 use super::model::Model;
 use super::problem::Reach;
-use super::report::{Options, Outcome, Report};
+use super::report::{Options, Report};
 use super::scratch::Room;
 use super::search::{Search, Work};
 use crate::dispatch::{Backend, Kernel};
@@ -40,7 +40,7 @@ where
         values: &mut [R],
         scratch: &mut [R],
         options: &Options<R>,
-    ) -> Result<Report<R, Outcome>, ShapeError> {
+    ) -> Result<Report<R>, ShapeError> {
         let mut reports = [Report::default()];
         let work = Work { targets, values, reports: &mut reports, options };
         work.check(self, scratch.len(), self.scratch_len())?;
@@ -97,7 +97,7 @@ impl Backend {
         reach: &Reach<'_, R>,
         targets: &[DualQuat<R>],
         values: &mut [R],
-        reports: &mut [Report<R, Outcome>],
+        reports: &mut [Report<R>],
         scratch: &mut [R],
         options: &Options<R>,
     ) -> Result<(), ShapeError> {

@@ -7,7 +7,7 @@ use super::freedom::{Freedom, freedoms};
 use super::goal::Goal;
 use super::manner::Manner;
 use super::problem::Reach;
-use super::report::{Options, Outcome, Report};
+use super::report::{Options, Report};
 use super::scratch::{OF_A_JOINT, OF_A_POSE, Room};
 use super::search::Work;
 use crate::batch;
@@ -155,7 +155,7 @@ impl<R: Scalar, const N: usize> Chain<R, N> {
         backend: Backend,
         targets: &[DualQuat<R>],
         values: &mut [[R; N]],
-        reports: &mut [Report<R, Outcome>],
+        reports: &mut [Report<R>],
         options: &Options<R>,
     ) -> Result<(), ShapeError> {
         same_length("values", values.len(), targets.len())?;
@@ -181,7 +181,7 @@ where
         target: DualQuat<R>,
         values: &mut [R; N],
         options: &Options<R>,
-    ) -> Report<R, Outcome> {
+    ) -> Report<R> {
         let mut room = Memory { joints: [[R::ZERO; OF_A_JOINT]; N], rest: [R::ZERO; OF_A_POSE] };
         let room = Room([room.joints.as_flattened_mut(), &mut room.rest]);
         let mut reports = [Report::default()];

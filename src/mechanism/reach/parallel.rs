@@ -1,7 +1,7 @@
 //! Many configurations on all cores (feature `rayon`).
 
 use super::problem::Reach;
-use super::report::{Options, Outcome, Report};
+use super::report::{Options, Report};
 use super::search::Work;
 use crate::dispatch::Backend;
 use crate::real::Scalar;
@@ -48,7 +48,7 @@ impl Backend {
         reach: &Reach<'_, R>,
         targets: &[DualQuat<R>],
         values: &mut [R],
-        reports: &mut [Report<R, Outcome>],
+        reports: &mut [Report<R>],
         options: &Options<R>,
     ) -> Result<(), ShapeError> {
         let room = reach.batch_scratch_len();

@@ -68,17 +68,17 @@ impl<R: Real> Options<R> {
 
 /// The result of a search.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Report<T, O> {
+pub struct Report<R> {
     /// Steps and restarts together; zero where the start was good enough.
-    pub iterations: T,
+    pub iterations: u32,
     /// How many of them were restarts.
-    pub restarts: T,
+    pub restarts: u32,
     /// The turn that is left, radians.
-    pub angular_error: T,
+    pub angular_error: R,
     /// The distance that is left.
-    pub linear_error: T,
+    pub linear_error: R,
     /// How it ended.
-    pub outcome: O,
+    pub outcome: Outcome,
 }
 
 /// How a search ended. The joint values are the best that were found, within the limits, but for

@@ -3,7 +3,7 @@
 use super::forward::Of;
 use super::lane::{Lane, Next, Seen};
 use super::model::{Apart, Model, Stepped};
-use super::report::{Options, Outcome, Report};
+use super::report::{Options, Report};
 use crate::real::{Real, Scalar};
 use crate::scalar::DualQuat;
 use dq8_simd::{Lanes, MAX_LANES, Mask};
@@ -12,7 +12,7 @@ use dq8_simd::{Lanes, MAX_LANES, Mask};
 pub(super) struct Work<'s, R> {
     pub(super) targets: &'s [DualQuat<R>],
     pub(super) values: &'s mut [R],
-    pub(super) reports: &'s mut [Report<R, Outcome>],
+    pub(super) reports: &'s mut [Report<R>],
     pub(super) options: &'s Options<R>,
 }
 

@@ -32,7 +32,7 @@ fn reached(
                 let pose = arm.link_pose(&values[7 * index..][..7], 7).expect("a link");
                 pairs.push([pose, targets[index]]);
                 converged += 1;
-                iterations += report.iterations;
+                iterations += f64::from(report.iterations);
             }
         }
         assert!(converged >= 198, "{converged} of 200");

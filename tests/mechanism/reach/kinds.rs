@@ -46,7 +46,7 @@ fn rate<R: Real + Float>(joints: &[Joint<f64>], link: usize, count: usize) -> (f
             if report.outcome == Outcome::Converged {
                 assert!(apart.iter().all(|&apart| apart < 1e-5 + rounding), "{apart:?}");
                 reached += 1.0;
-                iterations += Into::<f64>::into(report.iterations);
+                iterations += f64::from(report.iterations);
             }
         }
         worst = (worst.0.min(reached / count as f64), worst.1.max(iterations / reached));

@@ -125,7 +125,7 @@ fn values_are_within_limits_of_one_end_after_restarts_too() {
     let goals = [Goal::position(2)];
     let report = solve(machine.view(), &goals, &[target], &mut values, &Options::default());
     assert_eq!(report.outcome, Outcome::AtLimits, "{report:?} {values:?}");
-    assert!(report.restarts > 0.0 && values[0] >= 0.0, "{report:?} {values:?}");
+    assert!(report.restarts > 0 && values[0] >= 0.0, "{report:?} {values:?}");
 }
 
 /// Their width is no number: there is nothing between that restarts could tell apart.
@@ -148,7 +148,7 @@ fn limits_as_wide_as_numbers_get_are_none() {
     let mut values = [5.0, 2.0, 0.1];
     let report = solve(machine.view(), &goals, &[target], &mut values, &Options::default());
     assert_eq!(report.outcome, Outcome::AtLimits, "{report:?} {values:?}");
-    assert!(report.restarts > 0.0 && values.iter().all(|value| value.is_finite()), "{values:?}");
+    assert!(report.restarts > 0 && values.iter().all(|value| value.is_finite()), "{values:?}");
     assert!((report.linear_error - 0.4).abs() < 0.1, "{report:?} {values:?}");
 }
 

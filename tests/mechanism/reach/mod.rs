@@ -85,7 +85,7 @@ pub(crate) fn solve(
     targets: &[DualQuat<f64>],
     values: &mut [f64],
     options: &Options<f64>,
-) -> Report<f64, Outcome> {
+) -> Report<f64> {
     let mut freedoms = vec![Freedom::default(); mechanism.rates()];
     let reach = Reach::new(mechanism, goals, &mut freedoms).expect("a problem");
     // What is in it must not matter.
@@ -94,7 +94,7 @@ pub(crate) fn solve(
 }
 
 /// What a backend returns: values and reports.
-pub(crate) type Solved<R> = (Backend, Vec<R>, Vec<Report<R, Outcome>>);
+pub(crate) type Solved<R> = (Backend, Vec<R>, Vec<Report<R>>);
 
 /// The same on all backends.
 pub(crate) fn solve_everywhere<R>(

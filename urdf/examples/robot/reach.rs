@@ -1,6 +1,6 @@
 //! Joint values that bring a link to a target.
 
-use dq8::ik::{Options, Outcome, Report};
+use dq8::ik::{Options, Report};
 use dq8::mechanism::{Freedom, Goal, Reach};
 use dq8::{DualQuat, Quat};
 use dq8_urdf::Robot;
@@ -46,7 +46,7 @@ pub(crate) struct Answer<'r> {
     link: usize,
     target: Target,
     values: Vec<f64>,
-    report: Report<f64, Outcome>,
+    report: Report<f64>,
 }
 
 impl fmt::Display for Answer<'_> {
@@ -90,6 +90,7 @@ pub(crate) fn reach<'r>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use dq8::ik::Outcome;
 
     fn arm() -> Robot {
         Robot::from_urdf(include_str!("../../robots/arm6.urdf")).unwrap()
