@@ -20,6 +20,10 @@ fn main() -> ExitCode {
         eprintln!("usage: conform FILE.jsonl");
         return ExitCode::from(2);
     };
+    if path == "-h" || path == "--help" {
+        println!("usage: conform FILE.jsonl");
+        return ExitCode::SUCCESS;
+    }
     let worst = fs::read(&path)
         .map_err(|error| error.to_string())
         .and_then(|bytes| text(&bytes).and_then(conform))

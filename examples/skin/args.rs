@@ -1,6 +1,9 @@
 use crate::error::Error;
 use std::path::PathBuf;
 
+pub(crate) const USAGE: &str = "skin [FILE.glb [--animation NAME] [--method lbs|dlb|mix=X] [--times T0,T1,…] [--obj DIR]] \
+                                [--svg OUT]";
+
 /// How a mesh is posed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Method {
@@ -39,10 +42,7 @@ impl Args {
                 "--obj" => args.obj = Some(value()?.into()),
                 "--svg" => args.svg = Some(value()?.into()),
                 _ if word.starts_with('-') || args.file.is_some() => {
-                    return Err(Error(format!(
-                        "{word} is not expected: skin [FILE.glb [--animation NAME] \
-                         [--method lbs|dlb|mix=X] [--times T0,T1,…] [--obj DIR]] [--svg OUT]"
-                    )));
+                    return Err(Error(format!("{word} is not expected: {USAGE}")));
                 }
                 _ => args.file = Some(word.into()),
             }

@@ -1,7 +1,7 @@
 //! A mesh follows its joints: linear blending, dual quaternion blending, and a mix of both.
 //!
 //! ```text
-//! skin [--svg OUT]                     the built-in tube, bent and twisted: one SVG, volume and length
+//! skin [--svg OUT]                     the built-in tube, bent and twisted: volume and length, one SVG
 //! skin FILE.glb [--animation NAME] [--method lbs|dlb|mix=X] [--times T0,T1,…] [--obj DIR] [--svg OUT]
 //! ```
 //!
@@ -37,6 +37,10 @@ use std::process::ExitCode;
 fn main() -> ExitCode {
     // What panics is reported as an error.
     std::panic::set_hook(Box::new(|_| ()));
+    if std::env::args().skip(1).any(|word| word == "-h" || word == "--help") {
+        println!("{}", args::USAGE);
+        return ExitCode::SUCCESS;
+    }
     let result = Args::parse(std::env::args().skip(1)).and_then(|args| {
         let file = args.file.clone().unwrap_or_default();
         error::guarded(&file, || run(&args))
@@ -57,8 +61,8 @@ fn main() -> ExitCode {
 fn run(args: &Args) -> Result<String, Error> {
     let Some(path) = &args.file else {
         let (report, svg) = tube::report()?;
-        let to = args.svg.clone().unwrap_or_else(|| "skin.svg".into());
-        error::write(&to, &svg)?;
+        let Some(to) = &args.svg else { return Ok(format!("{report}--svg OUT draws it\n")) };
+        error::write(to, &svg)?;
         return Ok(format!("{report}{} written\n", to.display()));
     };
     let file = file::File::open(path)?;
