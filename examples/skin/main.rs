@@ -1,7 +1,7 @@
 //! A mesh follows its joints: linear blending, dual quaternion blending, and a mix of both.
 //!
 //! ```text
-//! skin [--svg OUT]                     the built-in tube, bent and twisted: volume and length, one SVG
+//! skin [--svg OUT]                     the built-in tube, bent and twisted: volume and length, one SVG (skin.svg)
 //! skin FILE.glb [--animation NAME] [--method lbs|dlb|mix=X] [--times T0,T1,…] [--obj DIR] [--svg OUT]
 //! ```
 //!
@@ -61,8 +61,8 @@ fn main() -> ExitCode {
 fn run(args: &Args) -> Result<String, Error> {
     let Some(path) = &args.file else {
         let (report, svg) = tube::report()?;
-        let Some(to) = &args.svg else { return Ok(format!("{report}--svg OUT draws it\n")) };
-        error::write(to, &svg)?;
+        let to = args.svg.clone().unwrap_or_else(|| "skin.svg".into());
+        error::write(&to, &svg)?;
         return Ok(format!("{report}{} written\n", to.display()));
     };
     let file = file::File::open(path)?;
