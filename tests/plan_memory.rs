@@ -11,15 +11,14 @@ const BETWEEN: usize = 4;
 /// A tree, a chain, a bush, a forest.
 fn all_parents() -> Vec<Vec<u32>> {
     let mut random = Random(11);
-    let mut below = |end: usize| (random.between(0.0, end as f64) as usize).min(end - 1);
     let mut all = vec![vec![], vec![Hierarchy::ROOT], vec![Hierarchy::ROOT; 9]];
     all.extend([2, 23, 24, 70].map(|joints| (0..joints).map(|j: u32| j.wrapping_sub(1)).collect()));
     for joints in [3, 17, 64, 200] {
         for reach in [1, 2, 7, 1000] {
             let mut parent = |joint: usize| match joint {
                 0 => Hierarchy::ROOT,
-                _ if below(20) == 0 => Hierarchy::ROOT,
-                _ => (joint - 1 - below(joint.min(reach))) as u32,
+                _ if random.below(20) == 0 => Hierarchy::ROOT,
+                _ => (joint - 1 - random.below(joint.min(reach))) as u32,
             };
             all.push((0..joints).map(&mut parent).collect());
         }

@@ -4,6 +4,7 @@ use crate::args::Method;
 use crate::error::{Error, guarded};
 use crate::file::File;
 use crate::tests::{glb, posed};
+use dq8_contract::random::Random;
 use std::path::Path;
 
 #[test]
@@ -65,12 +66,7 @@ fn tried(bytes: &[u8]) -> Result<usize, Error> {
 /// Lengths, offsets, counts, types and indices that are not what the rest of the file says.
 #[test]
 fn files_with_other_numbers_are_errors_or_poses() {
-    let mut state = 1_u64;
-    let mut below = |end: usize| {
-        state =
-            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 33) as usize % end
-    };
+    let mut random = Random(1);
     let number = |json: &str, nth: usize| {
         let starts = json.match_indices(|c: char| c.is_ascii_digit()).map(|(at, _)| at);
         let at = starts.cycle().nth(nth).unwrap();
@@ -79,10 +75,10 @@ fn files_with_other_numbers_are_errors_or_poses() {
     let mut posed = 0;
     for _ in 0..5_000 {
         let others: Vec<_> =
-            (0..1 + below(3)).map(|_| (below(300), below(9), below(200))).collect();
+            (0..1 + random.below(3)).map(|_| [300, 9, 200].map(|end| random.below(end))).collect();
         let bytes = glb(|json| {
             let mut json = json.to_owned();
-            for &(nth, kind, other) in &others {
+            for &[nth, kind, other] in &others {
                 let (at, end) = number(&json, nth);
                 let other = match kind {
                     0 => (u64::MAX - other as u64).to_string(),

@@ -58,7 +58,7 @@ fn newton(product: DualQuat<f32>) -> DualQuat<f32> {
 
 /// Any turn, and a translation of at most 1.
 fn motion(random: &mut Random) -> DualQuat<f32> {
-    let motion = DualQuat::from_array([(); 8].map(|()| random.signed())).normalize();
+    let motion = DualQuat::from_array(random.vector()).normalize();
     let t = motion.translation();
     let longest = t.iter().fold(1.0_f64, |longest, c| longest.max(c.abs()));
     let short = DualQuat::from_rotation_translation(motion.rotation(), t.map(|c| c / longest));

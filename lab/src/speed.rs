@@ -88,7 +88,7 @@ pub fn times() -> Vec<Timed> {
     let mut random = Random(1);
     let motions: Vec<DualQuat<f32>> = (0..2 * PRODUCTS)
         .map(|_| {
-            let motion = DualQuat::from_array([(); 8].map(|()| random.signed())).normalize();
+            let motion = DualQuat::from_array(random.vector()).normalize();
             DualQuat::from_array(motion.to_array().map(|c| c as f32))
         })
         .collect();

@@ -83,20 +83,9 @@ pub fn six_of_any_kind(random: &mut Random) -> Plan<6> {
     let mut at = [0.0; 3];
     let axes = core::array::from_fn(|_| {
         at = at.map(|c| c + random.between(-0.3, 0.3));
-        hinge(direction(random), at, [-PI, PI])
+        hinge(random.direction(), at, [-PI, PI])
     });
-    Plan { axes, home: (direction(random), random.signed(), at.map(|c| c + 0.1)) }
-}
-
-/// Any direction.
-pub fn direction(random: &mut Random) -> [f64; 3] {
-    loop {
-        let vector: [f64; 3] = core::array::from_fn(|_| random.signed());
-        let length = vector.iter().map(|c| c * c).sum::<f64>().sqrt();
-        if (0.1..1.0).contains(&length) {
-            return vector.map(|c| c / length);
-        }
-    }
+    Plan { axes, home: (random.direction(), random.signed(), at.map(|c| c + 0.1)) }
 }
 
 /// Eight joints: a UR5 on a screw of pitch 0.05 on a slide.

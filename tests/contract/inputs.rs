@@ -220,27 +220,6 @@ pub fn twist_case(random: &mut Random, angle: f64, size: f64) -> Case {
     }
 }
 
-impl Random {
-    pub fn vector(&mut self) -> [f64; 3] {
-        std::array::from_fn(|_| self.signed())
-    }
-
-    pub fn twist(&mut self, size: f64) -> [f64; 6] {
-        std::array::from_fn(|i| self.signed() * if i < 3 { 1.0 } else { size })
-    }
-
-    pub fn axis(&mut self) -> [f64; 3] {
-        let axis = self.vector();
-        axis.map(|c| c / length(&axis))
-    }
-
-    pub fn motion(&mut self, size: f64) -> DualQuat<f64> {
-        let turn = Quat::from_axis_angle(self.axis(), PI * self.signed());
-        let translation = self.vector().map(|c| c * size);
-        DualQuat::from_rotation_translation(turn, translation).normalize()
-    }
-}
-
 /// The unit cases and others that are no motions.
 pub fn general_cases() -> Vec<Case> {
     let mut cases = unit_cases();

@@ -1,5 +1,8 @@
 //! [`Random`]: the same numbers in every run and on every machine.
 
+use dq8::{DualQuat, Quat};
+use std::f64::consts::PI;
+
 /// SplitMix64 (Steele, Lea and Flood 2014).
 #[derive(Clone, Debug)]
 pub struct Random(pub u64);
@@ -21,15 +24,38 @@ impl Random {
         self.between(-1.0, 1.0)
     }
 
+    /// Any of the numbers before `count`.
+    pub fn below(&mut self, count: usize) -> usize {
+        self.between(0.0, count as f64) as usize
+    }
+
+    /// Numbers from −1 to 1.
+    pub fn vector<const N: usize>(&mut self) -> [f64; N] {
+        [(); N].map(|()| self.signed())
+    }
+
     /// A vector of length 1, all directions alike.
-    pub fn direction(&mut self) -> [f64; 3] {
+    pub fn direction<const N: usize>(&mut self) -> [f64; N] {
         loop {
-            let v = [(); 3].map(|()| self.signed());
+            let v = self.vector::<N>();
             let length = v.iter().map(|c| c * c).sum::<f64>().sqrt();
             // Out of the ball: the corners of the cube would be too frequent.
             if (0.1..1.0).contains(&length) {
                 return v.map(|c| c / length);
             }
         }
+    }
+
+    /// Numbers from −1 to 1, the linear ones times `size`.
+    pub fn twist(&mut self, size: f64) -> [f64; 6] {
+        let twist = self.vector::<6>();
+        std::array::from_fn(|i| twist[i] * if i < 3 { 1.0 } else { size })
+    }
+
+    /// Any turn, then a translation of components up to `size`.
+    pub fn motion(&mut self, size: f64) -> DualQuat<f64> {
+        let turn = Quat::from_axis_angle(self.direction(), PI * self.signed());
+        let translation = self.vector().map(|c| c * size);
+        DualQuat::from_rotation_translation(turn, translation).normalize()
     }
 }

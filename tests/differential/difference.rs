@@ -154,7 +154,7 @@ impl Path {
 fn velocities_along_a_known_path() {
     let mut random = Random(5);
     for i in 0..50 {
-        let path = Path { first: random.axis(), second: random.axis() };
+        let path = Path { first: random.direction(), second: random.direction() };
         let s = f64::from(i) / 25.0 - 1.0;
         let (pose, (angular, linear)) = (path.at(s), path.velocity(s));
         let rate = (path.at(s + STEP) - path.at(s - STEP)).scale(0.5 / STEP);

@@ -72,7 +72,7 @@ impl Draw {
                     let turns = one_of(random, &[PI, -PI, 2.0 * PI]);
                     let off =
                         random.signed() * one_of(random, &[0.0, 1.0]) * spread(random, -15, -1);
-                    let axis = random.direction();
+                    let axis: [f64; 3] = random.direction();
                     let away = moved(axis, turns + off, random.vector().map(|c| c * size));
                     signed(random, (DualQuat::from_array(a) * away).to_array())
                 });
@@ -105,7 +105,7 @@ impl Draw {
                 let size = spread(random, least, -3);
                 let poses = [(); 4].map(|()| {
                     let angle = one_of(random, &[0.0, 1.0]) * spread(random, least, -3);
-                    let axis = random.direction();
+                    let axis: [f64; 3] = random.direction();
                     let pose = moved(axis, angle, random.vector().map(|c| c * size));
                     signed(random, pose.to_array())
                 });
@@ -164,15 +164,15 @@ fn numbers(random: &mut Random, poses: [[f64; 8]; 4], turn: f64, size: f64) -> C
         1 => spread(random, -40, 0),
         _ => 6.2 * random.signed(),
     };
-    let axis = random.direction();
+    let axis: [f64; 3] = random.direction();
     let mut twist = |angular: f64| {
-        let linear = random.vector().map(|c| c * size);
+        let linear: [f64; 3] = random.vector().map(|c| c * size);
         let [x, y, z] = random.direction().map(|c| c * angular);
         [x, y, z, linear[0], linear[1], linear[2]]
     };
     let (mut x, y, wrench, rate) = (twist(1.0), twist(turn), twist(turn), twist(turn));
     x[..3].copy_from_slice(&axis.map(|c| c * angle * turn));
-    let t = match random.between(0.0, 8.0) as u32 {
+    let t = match random.below(8) {
         0 => 0.0,
         1 => 1.0,
         2 => 3.0 * random.signed(),
@@ -200,14 +200,14 @@ fn numbers(random: &mut Random, poses: [[f64; 8]; 4], turn: f64, size: f64) -> C
 
 /// A unit motion of any turn, `size` lengths away.
 fn motion(random: &mut Random, size: f64) -> [f64; 8] {
-    let angle = match random.between(0.0, 8.0) as u32 {
+    let angle = match random.below(8) {
         0 => 0.0,
         1 => PI,
         2 => PI - spread(random, -16, 0),
         3 | 4 => spread(random, -46, 0),
         _ => PI * random.signed(),
     };
-    let axis = match random.between(0.0, 6.0) as u32 {
+    let axis = match random.below(6) {
         0 => one_of(random, &[[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0]]),
         _ => random.direction(),
     };
@@ -235,13 +235,13 @@ fn spread(random: &mut Random, least: i32, most: i32) -> f64 {
 }
 
 fn one_of<T: Copy>(random: &mut Random, all: &[T]) -> T {
-    all[(random.between(0.0, 1.0) * all.len() as f64) as usize % all.len()]
+    all[random.below(all.len())]
 }
 
 fn any(random: &mut Random, single: bool) -> f64 {
     let mut word = || random.between(0.0, 4_294_967_296.0) as u64;
     let (low, high) = (word(), word());
-    match random.between(0.0, 3.0) as u32 {
+    match random.below(3) {
         0 if single => f32::from_bits(low as u32).into(),
         0 => f64::from_bits(high << 32 | low),
         1 => one_of(random, &[f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 0.0, -0.0]),

@@ -77,8 +77,8 @@ fn the_jacobian_is_that_of_the_hierarchy() {
     let hierarchy = Hierarchy::new(&parents).expect("parents come first");
     let mut random = Random(3);
     let rest: [DualQuat<f64>; 5] = core::array::from_fn(|_| {
-        let turn = Quat::from_array(core::array::from_fn(|_| random.signed())).normalize();
-        DualQuat::from_rotation_translation(turn, core::array::from_fn(|_| random.signed()))
+        let turn = Quat::from_array(random.vector()).normalize();
+        DualQuat::from_rotation_translation(turn, random.vector())
     });
     let hinge = Twist { angular: [0.6, 0.0, 0.8], linear: [0.0; 3] };
     let slide = Twist { angular: [0.0; 3], linear: [0.0, 0.6, 0.8] };
@@ -93,7 +93,7 @@ fn the_jacobian_is_that_of_the_hierarchy() {
     });
     let arm = Arm::new(joints, at_rest[4]).expect("the chain is an arm");
 
-    let values: [f64; 4] = core::array::from_fn(|_| random.signed());
+    let values: [f64; 4] = random.vector();
     let mut models = rest;
     for (&joint, &value) in chain.iter().zip(&values) {
         models[joint] = rest[joint] * DualQuat::from_twist(axes[joint].scale(value));

@@ -1,7 +1,7 @@
 //! A report means what it says: inputs as people type them, hinges many turns away, arms of any size.
 //! What is called reached is measured by nalgebra in `f64`.
 
-use super::arms::{Axis, Plan, Random, direction, exact, rounded, six_of_any_kind};
+use super::arms::{Axis, Plan, Random, exact, rounded, six_of_any_kind};
 use dq8::ik::{Arm, Joint, Options, Outcome, Report};
 use dq8::{Backend, DualQuat, Quat, Real, simd::Float};
 use dq8_contract::kinematics;
@@ -107,7 +107,7 @@ fn typed_targets_are_reached_as_computed_ones<R: Real + Float>() {
     let mut random = Random(15);
     let there_and_back: Vec<_> = (0..500)
         .flat_map(|_| {
-            let turn = Quat::from_axis_angle(rounded(direction(&mut random)), R::from(0.1));
+            let turn = Quat::from_axis_angle(rounded(random.direction()), R::from(0.1));
             let step = DualQuat::from_rotation_translation(turn, rounded([0.01, 0.02, -0.01]));
             [step, step.conjugate()]
         })
@@ -259,9 +259,9 @@ fn a_start_many_turns_from_the_target_is_at_it() {
 fn a_hinge_far_from_the_origin_is_a_hinge() {
     let (mut random, endless) = (Random(20), [f32::NEG_INFINITY, f32::INFINITY]);
     for round in 0..1000 {
-        let axis = direction(&mut random);
+        let axis = random.direction();
         // Every other near the axis through the origin, but far along it.
-        let along = if round % 2 == 0 { axis } else { direction(&mut random) };
+        let along = if round % 2 == 0 { axis } else { random.direction() };
         let far = along.map(|c| 3000.0 * c + random.signed());
         let (axis, through) = (rounded(axis), rounded(far));
         let joint = Joint::revolute(axis, through).with_limits(endless);

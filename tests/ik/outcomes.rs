@@ -38,9 +38,7 @@ fn a_target_beyond_the_arm_is_out_of_reach_and_the_arm_stretches_toward_it() {
     for (far, rounding) in [(1.001, 1e-12), (2.0, 1e-12), (1e3, 1e-9), (1e100, 1e88)] {
         let mut excess = 0.0;
         for _ in 0..20 {
-            let direction = Quat::from_array(core::array::from_fn(|_| random.signed()))
-                .normalize()
-                .rotate([1.0, 0.0, 0.0]);
+            let direction = Quat::from_array(random.vector()).normalize().rotate([1.0, 0.0, 0.0]);
             let target = turned(random.between(0.0, 1.0), direction.map(|c| c * far * length));
             let mut values = plan.draw(&mut random);
             let report = arm.reach(target, &mut values, &Options::default());

@@ -1,6 +1,6 @@
 //! Arms of any size, stretched, and with fewer ways to move than a pose has.
 
-use super::arms::{Random, direction, rounded};
+use super::arms::{Random, rounded};
 use dq8::ik::{Arm, Joint, Options, Outcome, Report};
 use dq8::{Backend, DualQuat, Real, simd::Float};
 
@@ -54,11 +54,11 @@ fn rank_deficient_arms_converge<R: Real + Float, const N: usize>() {
     let (mut random, mut converged) = (Random(13), 0);
     let once = Options { restarts: false, ..Options::default() };
     for _ in 0..50 {
-        let axis = rounded(direction(&mut random));
+        let axis = rounded(random.direction());
         let joints = core::array::from_fn(|_| {
             Joint::revolute(axis, rounded(core::array::from_fn(|_| 2.0 * random.signed())))
         });
-        let home = DualQuat::from_translation(rounded(core::array::from_fn(|_| random.signed())));
+        let home = DualQuat::from_translation(rounded(random.vector()));
         let arm = Arm::new(joints, home).expect("an arm");
         let (mut targets, mut values) = (Vec::new(), Vec::new());
         for _ in 0..16 {

@@ -30,7 +30,7 @@ struct Animation<const C: usize> {
 
 /// Numbers in [0, 1] that `f32` holds exactly.
 fn eighths(random: &mut Random, count: usize) -> Vec<f64> {
-    (0..count).map(|_| (random.between(0.0, 9.0)).floor().min(8.0) / 8.0).collect()
+    (0..count).map(|_| random.below(9) as f64 / 8.0).collect()
 }
 
 impl<const C: usize> Animation<C> {
@@ -43,7 +43,7 @@ impl<const C: usize> Animation<C> {
         };
         let keys = [many(), many()];
         let mut frames = || -> Vec<u32> {
-            let frame = |_| random.between(0.0, (FRAMES - 1) as f64) as u32;
+            let frame = |_| random.below(FRAMES - 1) as u32;
             (0..instances).map(frame).collect()
         };
         let frames = [frames(), frames()];

@@ -28,7 +28,7 @@ pub(crate) fn chain(joints: u32) -> Vec<u32> {
 
 /// One joint in `roots` is a root, the others hang from one of the last `reach` joints.
 pub(crate) fn tree(random: &mut Random, joints: u32, roots: u32, reach: u32) -> Vec<u32> {
-    let mut below = |end: u32| random.between(0.0, f64::from(end)) as u32;
+    let mut below = |end: u32| random.below(end as usize) as u32;
     let parent = |joint: u32| {
         let first = joint.saturating_sub(reach);
         let root = joint == 0 || below(roots) == 0;

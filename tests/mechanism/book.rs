@@ -1,6 +1,6 @@
 //! One configuration by the book. Floats compute it in one lane instead.
 
-use crate::random::mechanism;
+use crate::tree::mechanism;
 use dq8::mechanism::{JacobianFrame, Joint, Mechanism, OwnedMechanism};
 use dq8::{DualQuat, Twist};
 use dq8_contract::textbook::Textbook;

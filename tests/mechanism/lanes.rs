@@ -1,10 +1,11 @@
 //! Many configurations on the lanes of every backend, held to one configuration at a time.
 
 use crate::book::Book;
-use crate::random::{Numbers, mechanism, tree, values};
+use crate::tree::{mechanism, tree, values};
 use dq8::mechanism::{Body, JacobianFrame, Joint, OwnedMechanism, World, WorldAligned};
 use dq8::storage::NumberBlock;
 use dq8::{Backend, Block, DualQuat, Twist};
+use dq8_contract::random::Random;
 
 /// Poses of `configurations` by the book.
 fn wanted(joints: &[Joint<f64>], values: &[f64], configurations: usize) -> Vec<DualQuat<f64>> {
@@ -26,12 +27,12 @@ fn close(a: DualQuat<f64>, b: DualQuat<f64>, bound: f64, what: &str) {
 
 #[test]
 fn lanes_agree_with_one_configuration_for_every_backend_and_layout() {
-    let mut numbers = Numbers::new(5);
+    let mut random = Random(5);
     for count in (1..30).chain([64]) {
-        let joints = tree(&mut numbers, count);
+        let joints = tree(&mut random, count);
         let configurations = [1, 2, 3, 4, 7, 8, 9, 16, 33][count % 9];
         let values: Vec<f64> =
-            (0..configurations).flat_map(|_| values(&mut numbers, &joints)).collect();
+            (0..configurations).flat_map(|_| values(&mut random, &joints)).collect();
         let owned = mechanism::<f64>(&joints);
         let single = mechanism::<f32>(&joints);
         let (robot, narrow) = (owned.view(), single.view());
@@ -131,8 +132,8 @@ fn an_angle_that_is_no_number_spoils_its_own_configuration_alone() {
 fn angles_many_turns_away_are_as_exact_as_near_ones() {
     let hinge = [Joint::revolute(None, DualQuat::IDENTITY, [0.0_f64, 0.0, 1.0])];
     let single = mechanism::<f32>(&hinge);
-    let mut numbers = Numbers::new(6);
-    let angles: Vec<f32> = (0..10_000).map(|_| (1e4 * numbers.next()) as f32).collect();
+    let mut random = Random(6);
+    let angles: Vec<f32> = (0..10_000).map(|_| (1e4 * random.signed()) as f32).collect();
     let exact: Vec<f64> = angles.iter().map(|&angle| f64::from(angle)).collect();
     let wanted = wanted(&hinge, &exact, exact.len());
     for backend in Backend::available() {
@@ -162,14 +163,14 @@ fn close_twists(found: &[[f64; 6]], wanted: &[Twist<f64>], what: &str) {
 }
 
 fn jacobians_agree<F: JacobianFrame>(frame: F) {
-    let mut numbers = Numbers::new(8);
+    let mut random = Random(8);
     for count in 1..25 {
-        let joints = tree(&mut numbers, count);
+        let joints = tree(&mut random, count);
         let configurations = [1, 3, 4, 9, 16, 21][count % 6];
         let values: Vec<f64> =
-            (0..configurations).flat_map(|_| values(&mut numbers, &joints)).collect();
+            (0..configurations).flat_map(|_| values(&mut random, &joints)).collect();
         let owned = mechanism::<f64>(&joints);
-        let (robot, book, link) = (owned.view(), Book::new(&joints), numbers.below(count));
+        let (robot, book, link) = (owned.view(), Book::new(&joints), random.below(count));
         if robot.values() == 0 {
             continue;
         }
@@ -191,7 +192,7 @@ fn jacobians_agree<F: JacobianFrame>(frame: F) {
                 close(pose, tool, 1e-13, &what);
             }
             // Several links at once, one of them twice: to the last bit what each has alone.
-            let links = [link, count - 1, numbers.below(count), link];
+            let links = [link, count - 1, random.below(count), link];
             let mut several = vec![DualQuat::IDENTITY; 4 * configurations];
             let mut all_columns = vec![[f64::NAN; 6]; 4 * wanted.len()];
             backend
@@ -219,20 +220,20 @@ fn jacobians_on_lanes_are_those_of_one_configuration_in_every_frame() {
 
 #[test]
 fn velocities_and_accelerations_on_lanes_are_those_of_one_configuration() {
-    let mut numbers = Numbers::new(9);
+    let mut random = Random(9);
     for count in 1..25 {
-        let joints = tree(&mut numbers, count);
+        let joints = tree(&mut random, count);
         let configurations = [1, 3, 4, 9, 16, 21][count % 6];
         let values: Vec<f64> =
-            (0..configurations).flat_map(|_| values(&mut numbers, &joints)).collect();
+            (0..configurations).flat_map(|_| values(&mut random, &joints)).collect();
         let owned = mechanism::<f64>(&joints);
         let robot = owned.view();
         if robot.values() == 0 {
             continue;
         }
-        let mut random = |_| numbers.next();
-        let rates: Vec<f64> = (0..configurations * robot.rates()).map(&mut random).collect();
-        let second: Vec<f64> = (0..configurations * robot.rates()).map(&mut random).collect();
+        let mut next = |_| random.signed();
+        let rates: Vec<f64> = (0..configurations * robot.rates()).map(&mut next).collect();
+        let second: Vec<f64> = (0..configurations * robot.rates()).map(&mut next).collect();
         let links = configurations * count;
         let mut wanted_poses = vec![DualQuat::IDENTITY; links];
         let (mut wanted, mut wanted_second) = (vec![NOTHING; links], vec![NOTHING; links]);

@@ -6,7 +6,7 @@ mod errors;
 mod lanes;
 #[cfg(feature = "rayon")]
 mod parallel;
-mod random;
 mod reach;
 mod single;
+mod tree;
 mod twists;

@@ -1,17 +1,18 @@
 //! All cores give what one gives.
 
-use crate::random::{Numbers, mechanism, tree, values};
+use crate::tree::{mechanism, tree, values};
 use dq8::mechanism::Body;
 use dq8::{Backend, Block, DualQuat};
+use dq8_contract::random::Random;
 
 #[test]
 fn all_cores_give_every_bit_of_what_one_gives() {
-    let mut numbers = Numbers::new(10);
+    let mut random = Random(10);
     for count in [1, 7, 30] {
-        let joints = tree(&mut numbers, count);
+        let joints = tree(&mut random, count);
         let configurations = 5000;
         let values: Vec<f64> =
-            (0..configurations).flat_map(|_| values(&mut numbers, &joints)).collect();
+            (0..configurations).flat_map(|_| values(&mut random, &joints)).collect();
         let owned = mechanism::<f64>(&joints);
         let robot = owned.view();
         assert!(robot.values() > 0);

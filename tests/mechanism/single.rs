@@ -1,9 +1,10 @@
 //! One configuration.
 
 use crate::book::Book;
-use crate::random::{Numbers, mechanism, tree, values};
+use crate::tree::{mechanism, tree, values};
 use dq8::mechanism::{Body, Joint, JointKind, Mechanism, OwnedMechanism, World, WorldAligned};
 use dq8::{Dual, DualQuat, Quat, Twist};
+use dq8_contract::random::Random;
 use nalgebra::{Matrix4, Rotation3, Translation3, Unit, UnitQuaternion, Vector3};
 
 fn matrix(motion: DualQuat<f64>) -> Matrix4<f64> {
@@ -60,10 +61,10 @@ fn by_matrices(joints: &[Joint<f64>], values: &[f64]) -> Vec<Matrix4<f64>> {
 
 #[test]
 fn poses_of_links_are_products_of_matrices() {
-    let mut numbers = Numbers::new(1);
+    let mut random = Random(1);
     for count in 0..40 {
-        let joints = tree(&mut numbers, count);
-        let values = values(&mut numbers, &joints);
+        let joints = tree(&mut random, count);
+        let values = values(&mut random, &joints);
         let owned = mechanism::<f64>(&joints);
         let mut poses = vec![DualQuat::IDENTITY; count];
         owned.view().link_poses(&values, &mut poses).unwrap();
@@ -84,10 +85,10 @@ fn is_as_by_the_book(found: DualQuat<f64>, wanted: DualQuat<f64>) {
 
 #[test]
 fn floats_compute_what_the_book_does() {
-    let mut numbers = Numbers::new(10);
+    let mut random = Random(10);
     for count in 1..40 {
-        let joints = tree(&mut numbers, count);
-        let values = values(&mut numbers, &joints);
+        let joints = tree(&mut random, count);
+        let values = values(&mut random, &joints);
         let (owned, book, link) = (mechanism::<f64>(&joints), Book::new(&joints), count / 2);
         let mut poses = [vec![DualQuat::IDENTITY; count], vec![DualQuat::IDENTITY; count]];
         owned.view().link_poses(&values, &mut poses[0]).unwrap();
@@ -129,12 +130,12 @@ fn angles_too_far_for_lanes_are_taken_by_the_book() {
 /// Dual numbers in place of values differentiate the poses; σ̇ σ* is half the spatial twist.
 #[test]
 fn jacobians_are_derivatives_of_poses() {
-    let mut numbers = Numbers::new(2);
+    let mut random = Random(2);
     for count in 1..25 {
-        let joints = tree(&mut numbers, count);
-        let values = values(&mut numbers, &joints);
+        let joints = tree(&mut random, count);
+        let values = values(&mut random, &joints);
         let (owned, dual) = (mechanism::<f64>(&joints), mechanism::<Dual<f64>>(&joints));
-        let link = numbers.below(count);
+        let link = random.below(count);
         let mut columns = vec![Twist::from_array([0.0; 6]); owned.view().rates()];
         let pose = owned.view().link_jacobian(World, &values, link, &mut columns).unwrap();
         for (rate, column) in columns.iter().enumerate() {
@@ -183,13 +184,13 @@ fn derivative(
 
 #[test]
 fn velocities_are_jacobians_times_rates() {
-    let mut numbers = Numbers::new(3);
+    let mut random = Random(3);
     for count in 1..25 {
-        let joints = tree(&mut numbers, count);
-        let values = values(&mut numbers, &joints);
+        let joints = tree(&mut random, count);
+        let values = values(&mut random, &joints);
         let owned = mechanism::<f64>(&joints);
         let robot = owned.view();
-        let rates: Vec<f64> = (0..robot.rates()).map(|_| numbers.next()).collect();
+        let rates: Vec<f64> = (0..robot.rates()).map(|_| random.signed()).collect();
         let zero = Twist::from_array([0.0; 6]);
         let (mut poses, mut twists) = (vec![DualQuat::IDENTITY; count], vec![zero; count]);
         robot.link_velocities(&values, &rates, &mut poses, &mut twists).unwrap();
@@ -206,15 +207,15 @@ fn velocities_are_jacobians_times_rates() {
 /// Twists of dual numbers: values and rates that move differentiate them.
 #[test]
 fn accelerations_are_derivatives_of_twists() {
-    let mut numbers = Numbers::new(7);
+    let mut random = Random(7);
     for count in 1..25 {
-        let joints = tree(&mut numbers, count);
-        let values = values(&mut numbers, &joints);
+        let joints = tree(&mut random, count);
+        let values = values(&mut random, &joints);
         let (owned, dual) = (mechanism::<f64>(&joints), mechanism::<Dual<f64>>(&joints));
         let robot = owned.view();
-        let mut random = |_| numbers.next();
-        let rates: Vec<f64> = (0..robot.rates()).map(&mut random).collect();
-        let second: Vec<f64> = (0..robot.rates()).map(&mut random).collect();
+        let mut next = |_| random.signed();
+        let rates: Vec<f64> = (0..robot.rates()).map(&mut next).collect();
+        let second: Vec<f64> = (0..robot.rates()).map(&mut next).collect();
         let zero = Twist::from_array([0.0; 6]);
         let (mut poses, mut twists) = (vec![DualQuat::IDENTITY; count], vec![zero; count]);
         let mut accelerations = twists.clone();
@@ -297,9 +298,9 @@ fn an_arm_is_where_inverse_kinematics_has_it() {
     }
     joints.push(Joint::fixed(Some(3), DualQuat::from_translation([0.2, 0.0, 0.0])));
     let owned = OwnedMechanism::new(&joints).unwrap();
-    let mut numbers = Numbers::new(4);
+    let mut random = Random(4);
     for _ in 0..100 {
-        let angles: [f64; 4] = core::array::from_fn(|_| 3.0 * numbers.next());
+        let angles: [f64; 4] = random.vector().map(|c| 3.0 * c);
         let pose = owned.view().link_pose(&angles, 4).unwrap();
         assert!(pose.distance_to(arm.forward(&angles)) < 1e-14);
     }

@@ -1,11 +1,12 @@
 //! Jacobians, velocities and accelerations in every layout and precision, held to plain arrays of `f64`, which
 //! `lanes.rs` holds to one configuration at a time.
 
-use crate::random::{Numbers, mechanism, tree, values};
+use crate::tree::{mechanism, tree, values};
 use dq8::mechanism::{Body, JointValues, Mechanism, World, WorldAligned};
 use dq8::simd::Block;
 use dq8::storage::{Element, LinearFirst, Number, NumberBlock, pack, unpack};
 use dq8::{Backend, DualQuat, Scalar, Twist};
+use dq8_contract::random::Random;
 
 /// Slices of poses and slices of twists: of all links, and of the Jacobian of the last one in each frame.
 type Found<E, C> = (Vec<Vec<E>>, Vec<Vec<C>>);
@@ -112,9 +113,9 @@ macro_rules! in_blocks {
 
 #[test]
 fn every_layout_holds_the_same_twists_and_floats_hold_them_rounded() {
-    let mut numbers = Numbers::new(31);
+    let mut random = Random(31);
     for count in [1, 2, 5, 9, 17] {
-        let joints = tree(&mut numbers, count);
+        let joints = tree(&mut random, count);
         let owned = mechanism::<f64>(&joints);
         let narrow = mechanism::<f32>(&joints);
         let robot = owned.view();
@@ -123,9 +124,9 @@ fn every_layout_holds_the_same_twists_and_floats_hold_them_rounded() {
         }
         let configurations = 2 * count + 3;
         let values: Vec<f64> =
-            (0..configurations).flat_map(|_| values(&mut numbers, &joints)).collect();
+            (0..configurations).flat_map(|_| values(&mut random, &joints)).collect();
         let [rates, second] = [(); 2].map(|()| -> Vec<f64> {
-            (0..configurations * robot.rates()).map(|_| numbers.next()).collect()
+            (0..configurations * robot.rates()).map(|_| random.signed()).collect()
         });
         let given = [&values[..], &rates, &second];
         let counts = [robot.values(), robot.rates(), robot.rates()];

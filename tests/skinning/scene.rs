@@ -39,7 +39,7 @@ impl<R: Scalar> Scene<R> {
             let total: f64 = some.iter().sum();
             for weight in some {
                 weights.push(from(weight / total));
-                joints.push(random.between(0.0, JOINTS as f64) as u16);
+                joints.push(random.below(JOINTS) as u16);
             }
         }
         let stretch = |random: &mut Random| {

@@ -11,12 +11,12 @@ const VERTICES: usize = 1000;
 
 /// A unit motion at or next to a half or full turn, about an axis that others share; some are far.
 fn motion(random: &mut Random) -> DualQuat<f32> {
-    let axis = match random.between(0.0, 6.0) as usize {
+    let axis = match random.below(6) {
         3.. => random.direction(),
         own => core::array::from_fn(|i| f64::from(u8::from(i == own))),
     };
-    let near = [0.0, 1e-30, 1e-6, -1e-6][random.between(0.0, 4.0) as usize];
-    let angle = [0.0, PI, TAU, random.between(0.0, TAU)][random.between(0.0, 4.0) as usize] + near;
+    let near = [0.0, 1e-30, 1e-6, -1e-6][random.below(4)];
+    let angle = [0.0, PI, TAU, random.between(0.0, TAU)][random.below(4)] + near;
     let turn = Quat::from_axis_angle(axis.map(|c| c as f32), angle as f32);
     let far = if random.between(0.0, 1.0) < 0.1 { 1e6 } else { 1.0 };
     let slide = random.direction().map(|c| (c * far) as f32);
@@ -47,8 +47,8 @@ fn a_palette_without_a_nan(palette: usize) {
     for vertex in 0..VERTICES {
         let scale = [1.0, 1e-2, 500.0][vertex % 3];
         for influence in 0..4 {
-            joints.push(random.between(0.0, joint_count as f64) as u16);
-            weights.push(match random.between(0.0, 6.0) as u32 {
+            joints.push(random.below(joint_count) as u16);
+            weights.push(match random.below(6) {
                 _ if influence == vertex % 4 => 0.25 * scale as f32,
                 0 => 0.0,
                 1 => 1e-30,

@@ -37,7 +37,7 @@ impl Scene {
             let some = [(); 4].map(|()| random.between(0.01, 1.0));
             let total: f64 = some.iter().sum();
             weights.push(some.map(|weight| (weight / total) as f32));
-            joints.push([(); 4].map(|()| random.between(0.0, JOINTS as f64) as u16));
+            joints.push([(); 4].map(|()| random.below(JOINTS) as u16));
             points.push(random.direction().map(|c| c as f32));
         }
         Self { joints, weights, motions, points }

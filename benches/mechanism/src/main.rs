@@ -13,6 +13,7 @@ mod urdf;
 
 use dq8::mechanism::{Joint, OwnedMechanism};
 use dq8::{Backend, DualQuat};
+use dq8_contract::random::Random;
 use peers::{by_hand, dynibo, k};
 
 const CONFIGURATIONS: usize = 10_000;
@@ -24,21 +25,16 @@ fn backend() -> Backend {
     named.unwrap_or_else(Backend::best)
 }
 
-/// Angles between −3 and 3.
-fn random(count: usize) -> Vec<f64> {
-    let mut seed = 1_u64;
-    let angle = |_| {
-        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-        (seed >> 33) as f64 / f64::from(1_u32 << 31) * 6.0 - 3.0
-    };
-    (0..count).map(angle).collect()
+fn angles(count: usize) -> Vec<f64> {
+    let mut random = Random(1);
+    (0..count).map(|_| random.between(-3.0, 3.0)).collect()
 }
 
 fn contest(name: &str, joints: &[Joint<f64>], rounds: usize) {
     let robot = OwnedMechanism::new(joints).expect("a robot");
     let single_joints: Vec<Joint<f32>> = joints.iter().map(Joint::cast).collect();
     let single_robot = OwnedMechanism::new(&single_joints).expect("a robot");
-    let values = random(CONFIGURATIONS * joints.len());
+    let values = angles(CONFIGURATIONS * joints.len());
     let single_values: Vec<f32> = values.iter().map(|&value| value as f32).collect();
     let mut expected = vec![DualQuat::IDENTITY; values.len()];
     backend().link_poses(robot.view(), &values, &mut expected).expect("shape");

@@ -2,30 +2,15 @@
 //! the repository and for random trees, within 10⁻¹² of the rotation and 10⁻¹² · max(1, |t|) of the translation t.
 
 use dq8::{Backend, DualQuat};
+use dq8_contract::random::Random;
 use dq8_urdf::Robot;
 use std::fmt::Write;
 use std::path::Path;
 
 const BOUND: f64 = 1e-12;
 
-/// The same numbers everywhere (Knuth's MMIX generator, its upper bits).
-struct Random(u64);
-
-impl Random {
-    /// In [−1, 1).
-    fn signed(&mut self) -> f64 {
-        self.0 =
-            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 33) as f64 / f64::from(1_u32 << 30) - 1.0
-    }
-
-    fn below(&mut self, count: usize) -> usize {
-        ((self.signed() + 1.0) / 2.0 * count as f64) as usize
-    }
-
-    fn vector(&mut self, size: f64) -> [f64; 3] {
-        [(); 3].map(|()| size * self.signed())
-    }
+fn vector(random: &mut Random, size: f64) -> [f64; 3] {
+    random.vector().map(|number| size * number)
 }
 
 fn written([x, y, z]: [f64; 3]) -> String {
@@ -46,18 +31,18 @@ fn tree(random: &mut Random, joints: usize) -> String {
         let mut element = format!(
             "<link name=\"l{child}\"/><joint name=\"j{joint}\" type=\"{kind}\"><parent link=\"l{parent}\"/>\
              <child link=\"l{child}\"/><origin xyz={} rpy={}/>",
-            written(random.vector(size)),
-            written(random.vector(3.2)),
+            written(vector(random, size)),
+            written(vector(random, 3.2)),
         );
         if kind != "fixed" {
             // Any length but zero.
-            let mut axis = random.vector(2.0);
+            let mut axis = vector(random, 2.0);
             axis[random.below(3)] += 2.5;
             let _ = write!(element, "<axis xyz={}/>", written(axis));
             let mimics = !movers.is_empty() && random.below(4) == 0;
             if mimics {
                 let other = movers[random.below(movers.len())];
-                let [multiplier, offset, _] = random.vector(2.0);
+                let [multiplier, offset, _] = vector(random, 2.0);
                 let _ = write!(
                     element,
                     "<mimic joint=\"j{other}\" multiplier=\"{multiplier:?}\" offset=\"{offset:?}\"/>"
@@ -89,7 +74,7 @@ fn compare(path: &Path, random: &mut Random, configurations: usize) -> usize {
     for _ in 0..configurations {
         values.extend(limits.iter().map(|limits| {
             let [low, high] = limits.unwrap_or([-3.0, 3.0]);
-            low + (high - low) * (random.signed() + 1.0) / 2.0
+            random.between(low, high)
         }));
     }
     let mut poses = vec![DualQuat::IDENTITY; configurations * links.len()];

@@ -1,25 +1,25 @@
 //! Goals that leave something free, several goals, and weights.
 
-use super::super::random::Numbers;
 use super::{apart, at, draw, mechanism, seven, solve, solve_everywhere, turned};
 use dq8::DualQuat;
 use dq8::ik::{Options, Outcome};
 use dq8::mechanism::{Freedom, Goal, Joint, Reach};
+use dq8_contract::random::Random;
 
 /// Targets of random configurations, and starts; what the goal leaves free is changed in the targets.
 fn reached(
     goal: Goal<f64>,
-    free: impl Fn(&mut Numbers) -> DualQuat<f64>,
+    free: impl Fn(&mut Random) -> DualQuat<f64>,
 ) -> Vec<[DualQuat<f64>; 2]> {
     let joints = seven();
     let arm = mechanism::<f64>(&joints);
     let arm = arm.view();
-    let mut numbers = Numbers::new(5);
+    let mut random = Random(5);
     let (mut targets, mut starts) = (Vec::new(), Vec::new());
     for _ in 0..200 {
-        let pose = arm.link_pose(&draw(&mut numbers, &joints), 7).expect("a link");
-        targets.push(pose * free(&mut numbers));
-        starts.extend(draw(&mut numbers, &joints));
+        let pose = arm.link_pose(&draw(&mut random, &joints), 7).expect("a link");
+        targets.push(pose * free(&mut random));
+        starts.extend(draw(&mut random, &joints));
     }
     let goals = [goal];
     let mut freedoms = [Freedom::default(); 7];
@@ -43,8 +43,8 @@ fn reached(
 
 #[test]
 fn where_only_the_position_is_asked_for_the_rotation_is_free() {
-    let any = |numbers: &mut Numbers| {
-        turned(super::Z, 3.0 * numbers.next(), [0.0; 3]) * turned([0.6, 0.8, 0.0], 2.0, [0.0; 3])
+    let any = |random: &mut Random| {
+        turned(super::Z, 3.0 * random.signed(), [0.0; 3]) * turned([0.6, 0.8, 0.0], 2.0, [0.0; 3])
     };
     for [pose, target] in reached(Goal::position(7), any) {
         assert!(apart(pose, target)[1] < 1.001e-5);
@@ -62,7 +62,7 @@ fn where_only_the_rotation_is_asked_for_the_position_is_free() {
 #[test]
 fn a_turn_about_an_axis_of_the_target_may_be_free() {
     let goal = Goal::pose(7).with_angular([1.0, 1.0, 0.0]);
-    let spin = |numbers: &mut Numbers| turned(super::Z, 3.1 * numbers.next(), [0.0; 3]);
+    let spin = |random: &mut Random| turned(super::Z, 3.1 * random.signed(), [0.0; 3]);
     for [pose, target] in reached(goal, spin) {
         assert!(apart(pose, target)[1] < 1.001e-5);
         let [a, b] = [pose, target].map(|pose| pose.rotation().rotate(super::Z));
@@ -75,7 +75,7 @@ fn a_turn_about_an_axis_of_the_target_may_be_free() {
 #[test]
 fn the_way_along_an_axis_of_the_target_may_be_free() {
     let goal = Goal::pose(7).with_linear([0.0, 1.0, 1.0]);
-    let slide = |numbers: &mut Numbers| at(4.0 * numbers.next(), 0.0, 0.0);
+    let slide = |random: &mut Random| at(4.0 * random.signed(), 0.0, 0.0);
     for [pose, target] in reached(goal, slide) {
         assert!(apart(pose, target)[0] < 1.001e-5);
         let [_, y, z] = (target.conjugate() * pose).translation();
@@ -106,12 +106,12 @@ fn two_hands_come_to_two_targets_at_once() {
     let goals = [Goal::position(4), Goal::position(8)];
     let mut freedoms = [Freedom::default(); 7];
     let reach = Reach::new(body, &goals, &mut freedoms).expect("a problem");
-    let mut numbers = Numbers::new(3);
+    let mut random = Random(3);
     let (mut targets, mut starts) = (Vec::new(), Vec::new());
     for _ in 0..100 {
-        let goal: Vec<f64> = (0..7).map(|_| numbers.next()).collect();
+        let goal: Vec<f64> = (0..7).map(|_| random.signed()).collect();
         targets.extend([4, 8].map(|link| body.link_pose(&goal, link).expect("a link")));
-        starts.extend((0..7).map(|_| numbers.next()));
+        starts.extend((0..7).map(|_| random.signed()));
     }
     for (_, values, reports) in solve_everywhere(&reach, &targets, &starts, &Options::default()) {
         for (index, report) in reports.iter().enumerate() {

@@ -1,31 +1,31 @@
 //! Lanes against one configuration, and against each other.
 
-use super::super::random::Numbers;
 use super::{apart, draw, mechanism, seven, solve_everywhere};
 use dq8::ik::{Options, Outcome, Report};
 use dq8::mechanism::{Freedom, Goal, Joint, Reach};
 use dq8::{Backend, DualQuat, Real, simd::Float};
+use dq8_contract::random::Random;
 
-struct Random<R> {
+struct Searches<R> {
     targets: Vec<DualQuat<R>>,
     starts: Vec<R>,
 }
 
 /// Some of the targets are out of reach.
-fn random<R: Real>(reach: &Reach<'_, R>, count: usize) -> Random<R> {
+fn searches<R: Real>(reach: &Reach<'_, R>, count: usize) -> Searches<R> {
     let joints = seven();
-    let mut numbers = Numbers::new(21);
+    let mut random = Random(21);
     let (mut targets, mut starts) = (Vec::new(), Vec::new());
     for index in 0..count {
-        let goal: Vec<R> = draw(&mut numbers, &joints).into_iter().map(R::from_f64).collect();
+        let goal: Vec<R> = draw(&mut random, &joints).into_iter().map(R::from_f64).collect();
         let mut target = reach.mechanism().link_pose(&goal, 7).expect("a link");
         if index % 9 == 4 {
             target = DualQuat::from_translation([R::from(0.4), R::ZERO, R::ZERO]) * target;
         }
         targets.push(target);
-        starts.extend(draw(&mut numbers, &joints).into_iter().map(R::from_f64));
+        starts.extend(draw(&mut random, &joints).into_iter().map(R::from_f64));
     }
-    Random { targets, starts }
+    Searches { targets, starts }
 }
 
 /// Rounding may send a search from a restart another way: then both must be right for themselves.
@@ -35,7 +35,7 @@ fn every_backend_says_what_one_configuration_says() {
     let goals = [Goal::pose(7)];
     let mut freedoms = [Freedom::default(); 7];
     let reach = Reach::new(arm.view(), &goals, &mut freedoms).expect("a problem");
-    let Random { targets, starts } = random(&reach, 203);
+    let Searches { targets, starts } = searches(&reach, 203);
     let mut scratch = vec![0.0; reach.scratch_len()];
     for (backend, values, reports) in
         solve_everywhere(&reach, &targets, &starts, &Options::default())
@@ -69,7 +69,7 @@ fn every_backend_says_what_one_configuration_says() {
 /// Solves in this order and in the other: to the bit the same.
 fn assert_order_does_not_matter<R: Real + Float>(
     reach: &Reach<'_, R>,
-    Random { mut targets, mut starts }: Random<R>,
+    Searches { mut targets, mut starts }: Searches<R>,
 ) {
     let count = starts.len() / targets.len();
     let there = solve_everywhere(reach, &targets, &starts, &Options::default());
@@ -92,7 +92,7 @@ fn a_result_does_not_depend_on_other_configurations() {
     let goals = [Goal::pose(7)];
     let mut freedoms = [Freedom::default(); 7];
     let reach = Reach::new(arm.view(), &goals, &mut freedoms).expect("a problem");
-    assert_order_does_not_matter(&reach, random(&reach, 101));
+    assert_order_does_not_matter(&reach, searches(&reach, 101));
 }
 
 /// Where other lanes are stopped by limits, all are solved once more.
@@ -104,7 +104,7 @@ fn nor_does_it_with_a_posture() {
     let reach = Reach::new(arm.view(), &goals, &mut freedoms).expect("a problem");
     let posture = [0.1, 0.3, -0.2, -1.5, 0.4, 1.8, 0.3];
     let reach = reach.with_posture(&posture).expect("a posture");
-    assert_order_does_not_matter(&reach, random(&reach, 101));
+    assert_order_does_not_matter(&reach, searches(&reach, 101));
 }
 
 /// On a slide without end lengths weigh by how far a target is, in each lane otherwise.
@@ -119,17 +119,17 @@ fn nor_does_it_where_targets_are_near_and_far() {
     let goals = [Goal::pose(8)];
     let mut freedoms = [Freedom::default(); 8];
     let reach = Reach::new(machine.view(), &goals, &mut freedoms).expect("a problem");
-    let mut numbers = Numbers::new(33);
+    let mut random = Random(33);
     let (mut targets, mut starts) = (Vec::new(), Vec::new());
     for index in 0..41 {
-        let mut values = draw(&mut numbers, &joints);
+        let mut values = draw(&mut random, &joints);
         values[0] *= f64::from(1 << (index % 8));
         let aside = if index % 2 == 0 { 0.0 } else { 1.5 };
         let aside = DualQuat::from_translation([aside, 0.0, 0.0]);
         targets.push(aside * reach.mechanism().link_pose(&values, 8).expect("a link"));
-        starts.extend(draw(&mut numbers, &joints));
+        starts.extend(draw(&mut random, &joints));
     }
-    assert_order_does_not_matter(&reach, Random { targets, starts });
+    assert_order_does_not_matter(&reach, Searches { targets, starts });
 }
 
 #[test]
@@ -139,7 +139,7 @@ fn any_number_of_configurations_is_solved() {
     let mut freedoms = [Freedom::default(); 7];
     let reach = Reach::new(arm.view(), &goals, &mut freedoms).expect("a problem");
     for count in [0, 1, 2, 3, 9, 17] {
-        let Random { targets, starts } = random(&reach, count);
+        let Searches { targets, starts } = searches(&reach, count);
         for (backend, values, reports) in
             solve_everywhere(&reach, &targets, &starts, &Options::default())
         {

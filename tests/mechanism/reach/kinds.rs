@@ -1,23 +1,24 @@
 //! Random targets that can be reached, for joints of every kind.
 
-use super::super::random::{Numbers, tree, values};
+use super::super::tree::{tree, values};
 use super::{apart, draw, mechanism, seven, solve_everywhere};
 use dq8::ik::{Options, Outcome};
 use dq8::mechanism::{Freedom, Goal, Joint, JointKind, Reach};
 use dq8::{DualQuat, Real, simd::Float};
+use dq8_contract::random::Random;
 
 /// How many of random targets from random starts are reached, and in how many iterations; what is called
 /// reached must be so by the book.
 fn rate<R: Real + Float>(joints: &[Joint<f64>], link: usize, count: usize) -> (f64, f64) {
     let mechanism = mechanism::<R>(joints);
     let mechanism = mechanism.view();
-    let mut numbers = Numbers::new(7);
+    let mut random = Random(7);
     let cast = |values: Vec<f64>| values.into_iter().map(<R as Real>::from_f64).collect::<Vec<R>>();
     let (mut targets, mut starts) = (Vec::new(), Vec::new());
     for _ in 0..count {
-        let goal = cast(draw(&mut numbers, joints));
+        let goal = cast(draw(&mut random, joints));
         targets.push(mechanism.link_pose(&goal, link).expect("a link"));
-        starts.extend(cast(draw(&mut numbers, joints)));
+        starts.extend(cast(draw(&mut random, joints)));
     }
     let goals = [Goal::pose(link)];
     let mut freedoms = vec![Freedom::default(); mechanism.rates()];
@@ -89,16 +90,16 @@ fn slides_threads_and_endless_hinges_reach_as_many() {
 /// Planar and floating joints too, and joints that mimic: from nearby, where there is one way.
 #[test]
 fn random_trees_of_joints_of_every_kind_come_back_to_where_they_were() {
-    let mut numbers = Numbers::new(11);
+    let mut random = Random(11);
     let (mut converged, mut all) = (0, 0);
     for _ in 0..120 {
-        let joints = tree(&mut numbers, 9);
+        let joints = tree(&mut random, 9);
         let link = 8;
         let mechanism = mechanism::<f64>(&joints);
         let mechanism = mechanism.view();
-        let goal = values(&mut numbers, &joints);
+        let goal = values(&mut random, &joints);
         let target = mechanism.link_pose(&goal, link).expect("a link");
-        let starts: Vec<f64> = goal.iter().map(|value| value + 0.1 * numbers.next()).collect();
+        let starts: Vec<f64> = goal.iter().map(|value| value + 0.1 * random.signed()).collect();
         let goals = [Goal::pose(link)];
         let mut freedoms = vec![Freedom::default(); mechanism.rates()];
         let reach = Reach::new(mechanism, &goals, &mut freedoms).expect("a problem");

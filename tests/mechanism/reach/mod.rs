@@ -13,10 +13,10 @@ mod posture;
 mod refused;
 mod units;
 
-use super::random::Numbers;
 use dq8::ik::{Options, Outcome, Report};
 use dq8::mechanism::{Freedom, Goal, Joint, Mechanism, OwnedMechanism, Reach};
 use dq8::{Backend, DualQuat, Quat, Real};
+use dq8_contract::random::Random;
 
 pub(crate) const Z: [f64; 3] = [0.0, 0.0, 1.0];
 
@@ -68,12 +68,11 @@ pub(crate) fn seven() -> Vec<Joint<f64>> {
 }
 
 /// Values within the limits; within ±3 where there are none.
-pub(crate) fn draw(numbers: &mut Numbers, joints: &[Joint<f64>]) -> Vec<f64> {
+pub(crate) fn draw(random: &mut Random, joints: &[Joint<f64>]) -> Vec<f64> {
     let mut values = Vec::new();
     for joint in joints.iter().filter(|joint| joint.mimic.is_none()) {
         let [low, high] = joint.limits.unwrap_or([-3.0, 3.0]);
-        let mut between = || low + (high - low) * (numbers.next() + 1.0) / 2.0;
-        values.extend((0..joint.kind.values()).map(|_| between()));
+        values.extend((0..joint.kind.values()).map(|_| random.between(low, high)));
     }
     values
 }
@@ -131,5 +130,5 @@ pub(crate) fn apart<R: Real>(a: DualQuat<R>, b: DualQuat<R>) -> [f64; 2] {
 }
 
 pub(crate) fn mechanism<R: Real>(joints: &[Joint<f64>]) -> OwnedMechanism<R> {
-    super::random::mechanism(joints)
+    super::tree::mechanism(joints)
 }

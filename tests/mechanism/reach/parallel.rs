@@ -9,9 +9,9 @@ fn drawn(
     robot: Mechanism<'_, f64>,
     count: usize,
 ) -> (Vec<DualQuat<f64>>, Vec<f64>) {
-    let mut numbers = Numbers::new(11);
+    let mut random = Random(11);
     let targets = (0..count).flat_map(|index| {
-        let values = draw(&mut numbers, joints);
+        let values = draw(&mut random, joints);
         let hand = match index % 97 {
             5 => at(3.0, 0.0, 0.0),
             6 => at(f64::NAN, 0.0, 0.0),
@@ -20,7 +20,7 @@ fn drawn(
         [hand, robot.link_pose(&values, 3).unwrap()]
     });
     let targets = targets.collect();
-    (targets, (0..count).flat_map(|_| draw(&mut numbers, joints)).collect())
+    (targets, (0..count).flat_map(|_| draw(&mut random, joints)).collect())
 }
 
 fn goals() -> [Goal<f64>; 2] {

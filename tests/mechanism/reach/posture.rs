@@ -1,10 +1,10 @@
 //! What a posture does with the freedom that goals leave.
 
-use super::super::random::Numbers;
 use super::{apart, at, draw, mechanism, planar, seven, solve_everywhere};
 use dq8::DualQuat;
 use dq8::ik::{Options, Outcome};
 use dq8::mechanism::{Freedom, Goal, Joint, Mechanism, Reach, World};
+use dq8_contract::random::Random;
 
 /// How long the part of the way to the posture is that the goal allows: next to nothing where no pose that
 /// reaches the target is nearer.
@@ -61,11 +61,11 @@ fn with_a_posture_as_many_targets_are_reached() {
     let arm = mechanism::<f64>(&joints);
     let arm = arm.view();
     let posture = [0.0, 0.0, 0.0, -1.5, 0.0, 1.8, 0.0];
-    let mut numbers = Numbers::new(9);
+    let mut random = Random(9);
     let (mut targets, mut starts) = (Vec::new(), Vec::new());
     for _ in 0..300 {
-        targets.push(arm.link_pose(&draw(&mut numbers, &joints), 7).expect("a link"));
-        starts.extend(draw(&mut numbers, &joints));
+        targets.push(arm.link_pose(&draw(&mut random, &joints), 7).expect("a link"));
+        starts.extend(draw(&mut random, &joints));
     }
     let goals = [Goal::pose(7)];
     let mut freedoms = [Freedom::default(); 7];
@@ -97,11 +97,11 @@ fn a_planar_arm_goes_as_near_to_the_posture_as_its_point_allows() {
     let mut freedoms = [Freedom::default(); 5];
     let reach = Reach::new(arm, &goals, &mut freedoms).expect("a problem");
     let reach = reach.with_posture(&posture).expect("a posture");
-    let mut numbers = Numbers::new(17);
+    let mut random = Random(17);
     let (mut targets, mut starts) = (Vec::new(), Vec::new());
     for _ in 0..50 {
-        targets.push(at(1.0 + 0.5 * numbers.next(), 0.8 * numbers.next(), 0.0));
-        starts.extend((0..5).map(|_| numbers.next()));
+        targets.push(at(1.0 + 0.5 * random.signed(), 0.8 * random.signed(), 0.0));
+        starts.extend((0..5).map(|_| random.signed()));
     }
     for (backend, values, reports) in
         solve_everywhere(&reach, &targets, &starts, &Options::default())
@@ -148,10 +148,10 @@ fn a_posture_beyond_the_limits_is_the_one_at_the_limits() {
     let arm = mechanism::<f32>(&joints);
     let arm = arm.view();
     let goals = [Goal::pose(7)];
-    let mut numbers = Numbers::new(13);
+    let mut random = Random(13);
     let (mut targets, mut starts) = (Vec::new(), Vec::new());
     let mut cast = || -> Vec<f32> {
-        draw(&mut numbers, &joints).into_iter().map(|value| value as f32).collect()
+        draw(&mut random, &joints).into_iter().map(|value| value as f32).collect()
     };
     for _ in 0..60 {
         targets.push(arm.link_pose(&cast(), 7).expect("a link"));

@@ -1,10 +1,10 @@
 //! The unit of length is the caller's.
 
-use super::super::random::Numbers;
 use super::{at, draw, mechanism, planar, seven, solve_everywhere, turned};
 use dq8::DualQuat;
 use dq8::ik::Options;
 use dq8::mechanism::{Freedom, Goal, Joint, JointKind, OwnedMechanism, Reach};
+use dq8_contract::random::Random;
 
 /// A mast on a rail with a thread, an arm that slides out, and a hand.
 fn crane() -> Vec<Joint<f64>> {
@@ -80,16 +80,16 @@ fn a_search_takes_the_same_steps_whatever_the_unit_of_length_is() {
         (endless(), None),
     ];
     for (joints, length_per_radian) in scenes {
-        let mut numbers = Numbers::new(5);
+        let mut random = Random(5);
         let link = joints.len() - 1;
         let goals = [Goal::pose(link)];
         let own = mechanism::<f64>(&joints);
         let count = 6;
-        let starts: Vec<_> = (0..count).flat_map(|_| draw(&mut numbers, &joints)).collect();
+        let starts: Vec<_> = (0..count).flat_map(|_| draw(&mut random, &joints)).collect();
         let targets: Vec<_> = (0..count)
-            .map(|_| own.view().link_pose(&draw(&mut numbers, &joints), link).expect("a link"))
+            .map(|_| own.view().link_pose(&draw(&mut random, &joints), link).expect("a link"))
             .collect();
-        let postures = [None, Some(draw(&mut numbers, &joints))];
+        let postures = [None, Some(draw(&mut random, &joints))];
         for posture in postures {
             let search = |scale: f64| {
                 let in_unit = |values: &[f64], scale: f64| -> Vec<f64> {
