@@ -96,10 +96,10 @@ impl Ledger {
 
 /// Lines are one and a half times what was measured where they were written; elsewhere there may be
 /// fewer implementations and another library of functions.
-const LOOSE: f64 = 3.0;
+pub(crate) const LOOSE: f64 = 3.0;
 
 /// Whoever asks for fewer inputs meets fewer bad ones.
-fn sampled_as_usual() -> bool {
+pub(crate) fn sampled_as_usual() -> bool {
     ["PROPTEST_CASES", "PROPTEST_RNG_SEED", "DQ8_SWEEP_STRIDE"]
         .iter()
         .all(|name| std::env::var_os(name).is_none())

@@ -26,3 +26,4 @@ pub mod sample;
 pub mod scale;
 pub mod textbook;
 pub mod vectors;
+pub mod worst;

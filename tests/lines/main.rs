@@ -6,7 +6,6 @@ mod edge;
 mod motion;
 mod pair;
 mod plane;
-mod worst;
 
 use dq8::Real;
 use dq8_contract::inputs::vector;

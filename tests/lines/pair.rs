@@ -1,6 +1,5 @@
 //! Two lines: dual angle, common perpendicular, distance, intersection.
 
-use super::worst::Worst;
 use super::{
     Ray, add, angle, as_stored, cross, direction, dot, exact, length, point, rounded, roundoff,
     scale, sub, unit,
@@ -10,7 +9,9 @@ use dq8::{
     geometry::DualVector,
     incidence::{CommonPerpendicular, IncidenceError},
 };
+use dq8_contract::bound::within;
 use dq8_contract::inputs::for_all;
+use dq8_contract::worst::Worst;
 use proptest::prelude::*;
 use std::f64::consts::PI;
 
@@ -30,7 +31,13 @@ fn nearest((p, u): Ray, (q, v): Ray) -> [[f64; 3]; 2] {
 }
 
 fn skew_lines_are_measured_as_vectors_do<R: Real>(allowed: [f64; 4]) {
-    let worst = ["angle", "distance", "feet", "axis"].map(Worst::of);
+    let why = [
+        ("angle", "an arctangent of two lengths, made of directions that were rounded to unit"),
+        ("distance", "places along a unit vector that is a quotient by the sine"),
+        ("feet", "three products, over the square of the sine; in f64 the solution rounds as much"),
+        ("axis", "a cross product of directions that were rounded to unit, over its length"),
+    ];
+    let worst: [_; 4] = std::array::from_fn(|i| Worst::of(why[i].0, within(allowed[i], why[i].1)));
     for_all(512, &(point(), direction(), point(), direction()), |(p, u, q, v)| {
         let (a, b) = (as_stored::<R>((p, u)), as_stored::<R>((q, v)));
         let normal = cross(unit(a.1), unit(b.1));
@@ -43,16 +50,15 @@ fn skew_lines_are_measured_as_vectors_do<R: Real>(allowed: [f64; 4]) {
         assert!(!parallel);
         let size = (length(a.0) + length(b.0) + 1.0) / sine;
         let u = roundoff::<R>();
-        worst[0].see(real.into() - angle(a.1, b.1), u);
+        worst[0].see(real.into() - angle(a.1, b.1), u, &found);
         let far = length(a.0) + length(b.0) + length(exact(feet[0])) + 1.0;
-        worst[1].see(dual.into() - dot(sub(b.0, a.0), normal) / sine, u * far);
-        for (found, wanted) in feet.into_iter().zip(nearest(a, b)) {
-            worst[2].see(length(sub(exact(found), wanted)), u * size / sine);
+        worst[1].see(dual.into() - dot(sub(b.0, a.0), normal) / sine, u * far, &found);
+        for (foot, wanted) in feet.into_iter().zip(nearest(a, b)) {
+            worst[2].see(length(sub(exact(foot), wanted)), u * size / sine, &found);
         }
-        worst[3].see(length(sub(exact(axis.direction), unit(normal))), u / sine);
+        worst[3].see(length(sub(exact(axis.direction), unit(normal))), u / sine, &found);
         assert!(axis.is_line(R::from_f64(8.0 * u)));
     });
-    worst.iter().zip(allowed).for_each(|(worst, allowed)| worst.within(allowed));
 }
 
 #[test]
@@ -76,8 +82,10 @@ fn pair_with(feet: [[f64; 3]; 2], l: [f64; 3], n: [f64; 3], angle: f64) -> [Ray;
 fn small_angles_and_those_near_pi_are_exact<R: Real>(allowed: [f64; 2]) {
     let (l, n) = ([0.48, 0.64, 0.6], [0.8, -0.6, 0.0]);
     let u = roundoff::<R>();
-    let worst = Worst::of("nearly parallel: angle");
-    let distances = Worst::of("nearly parallel: distance");
+    let why = "the chord of directions as they are stored: twice an arctangent of two lengths";
+    let worst = Worst::of("nearly parallel: angle", within(allowed[0], why));
+    let why = "a place along a unit vector that is a quotient by the sine";
+    let distances = Worst::of("nearly parallel: distance", within(allowed[1], why));
     for exponent in 1..=15 {
         let theta = 10.0_f64.powi(-exponent);
         if theta < 16.0 * u {
@@ -89,17 +97,16 @@ fn small_angles_and_those_near_pi_are_exact<R: Real>(allowed: [f64; 2]) {
                 pair_with([foot, add(foot, scale(n, 3.0))], l, n, theta).map(as_stored::<R>);
             let found = line::<R>(a).common_perpendicular(line(b)).unwrap();
             assert!(!found.parallel, "{theta}");
-            worst.see(found.angle.real.into() - angle(a.1, b.1), u);
+            worst.see(found.angle.real.into() - angle(a.1, b.1), u, &theta);
             // Rounding has turned the perpendicular: l × (±l′ − l) keeps what l × l′ rounds away.
             let sense = if theta > 1.0 { -1.0 } else { 1.0 };
             let normal = scale(cross(a.1, sub(scale(b.1, sense), a.1)), sense);
             let feet_off = 3.0 * u / length(normal).powi(2);
             let far = 3.0 + length(foot) + length(exact(found.feet[0])) + feet_off;
-            distances.see(found.angle.dual.into() - dot(sub(b.0, a.0), unit(normal)), u * far);
+            let wanted = dot(sub(b.0, a.0), unit(normal));
+            distances.see(found.angle.dual.into() - wanted, u * far, &theta);
         }
     }
-    worst.within(allowed[0]);
-    distances.within(allowed[1]);
 }
 
 #[test]
@@ -111,22 +118,23 @@ fn small_angles_and_those_near_pi_are_exact_in_both() {
 /// cos θ̂ = a·b and sin θ̂ (axis) = a × b of the unit lines as dual vectors.
 #[test]
 fn inner_and_cross_product_are_cosine_and_sine_of_the_dual_angle() {
-    let [cosine, sine] = ["cosine", "sine"].map(Worst::of);
+    let cosine = "six products, and the cosine of an angle that is rounded itself";
+    let cosine = Worst::of("cosine", within(6.0, cosine));
+    let sine = "three cross products, and the sine of a rounded angle about a rounded axis";
+    let sine = Worst::of("sine", within(10.0, sine));
     for_all(512, &(point(), direction(), point(), direction()), |(p, u, q, v)| {
         let [a, b] = [(p, u), (q, v)].map(|ray| line::<f64>(ray).try_normalize().unwrap());
         let CommonPerpendicular { axis, angle, .. } = a.common_perpendicular(b).unwrap();
         let (a, b) = (DualVector::from(a), DualVector::from(b));
         let scale = roundoff::<f64>() * (length(p) + length(q) + 1.0);
         let ([real, dual], wanted) = (a.dot(b), angle.cos());
-        cosine.see(real - wanted.real, roundoff::<f64>());
-        cosine.see(dual - wanted.dual, scale);
+        cosine.see(real - wanted.real, roundoff::<f64>(), &angle);
+        cosine.see(dual - wanted.dual, scale, &angle);
         let wanted = DualVector::from(axis).scale_dual([angle.sin().real, angle.sin().dual]);
         let off = a.cross(b) - wanted;
-        sine.see(length(off.real), roundoff::<f64>());
-        sine.see(length(off.dual), scale / angle.sin().real);
+        sine.see(length(off.real), roundoff::<f64>(), &angle);
+        sine.see(length(off.dual), scale / angle.sin().real, &angle);
     });
-    cosine.within(6.0);
-    sine.within(10.0);
 }
 
 /// The order of two lines does not matter, the sense of either does.
@@ -145,7 +153,9 @@ fn the_distance_has_the_sign_of_the_twist_between_the_lines() {
 
 #[test]
 fn parallel_and_antiparallel_lines_have_the_perpendicular_through_the_origin() {
-    let worst = Worst::of("parallel");
+    let why =
+        "a length across a direction, and two feet on it: some projections one after the other";
+    let worst = Worst::of("parallel", within(8.0, why));
     for_all(256, &(point(), direction(), point(), any::<bool>()), |(p, u, q, opposite)| {
         // Not twice the same direction but for a factor that rounds.
         let v = scale(u, if opposite { -3.7 } else { 0.3 });
@@ -154,14 +164,14 @@ fn parallel_and_antiparallel_lines_have_the_perpendicular_through_the_origin() {
         let scale = roundoff::<f64>() * (length(p) + length(q) + 1.0);
         assert!(found.parallel);
         assert!((found.angle.real - if opposite { PI } else { 0.0 }).abs() < 1e-15);
-        worst.see(found.angle.dual - length(sub(sub(q, p), along)), scale);
+        worst.see(found.angle.dual - length(sub(sub(q, p), along)), scale, &found);
         for foot in found.feet {
-            worst.see(dot(foot, unit(u)), scale);
+            worst.see(dot(foot, unit(u)), scale, &found);
         }
-        worst.see(length(sub(found.feet[1], found.feet[0])) - found.angle.dual, scale);
+        let apart = length(sub(found.feet[1], found.feet[0]));
+        worst.see(apart - found.angle.dual, scale, &found);
         assert!(dot(found.axis.direction, unit(u)).abs() < 1e-11, "{found:?}");
     });
-    worst.within(8.0);
 }
 
 #[test]
@@ -187,7 +197,8 @@ fn identical_and_opposite_lines_are_no_distance_apart() {
 }
 
 fn lines_through_a_point_meet_in_it<R: Real>(allowed: f64) {
-    let worst = Worst::of("intersection");
+    let why = "the middle of two feet, three products each, over the sine";
+    let worst = Worst::of("intersection", within(allowed, why));
     for_all(256, &(point(), direction(), direction()), |(p, u, v)| {
         let (a, b) = (as_stored::<R>((p, u)), as_stored::<R>((p, v)));
         let sine = length(cross(unit(a.1), unit(b.1)));
@@ -196,9 +207,8 @@ fn lines_through_a_point_meet_in_it<R: Real>(allowed: f64) {
         }
         let size = roundoff::<R>() * (length(p) + 1.0) / sine;
         let near = line::<R>(a).intersection(line(b), R::from_f64(8.0 * size));
-        worst.see(length(sub(exact(near.unwrap()), a.0)), size);
+        worst.see(length(sub(exact(near.unwrap()), a.0)), size, &(a, b));
     });
-    worst.within(allowed);
 }
 
 #[test]

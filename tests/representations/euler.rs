@@ -1,6 +1,6 @@
 //! Euler angles in all 24 orders.
 
-use super::{Worst, between, exact, for_random_motions, opinion, round};
+use super::{between, exact, for_random_motions, opinion, round, roundoff, worst};
 use core::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
 use dq8::{
     Quat, Real,
@@ -94,31 +94,41 @@ fn twelve_orders_of_axes_have_no_equal_neighbours_and_are_all_there_are() {
 
 #[test]
 fn three_turns_are_what_nalgebra_and_glam_make_of_them() {
-    fn check<R: Real>(worst: Worst) {
+    fn check<R: Real>(allowed: f64) {
+        let worst = worst(
+            "three turns",
+            allowed,
+            "three half angles of up to 5, their sines and cosines, and two products",
+        );
         for (order, of_glam) in EulerOrder::ALL.into_iter().zip(OF_GLAM) {
             for angles in [[0.1, 0.2, 0.3], [-3.0, 1.4, 2.0], [6.0, -5.0, 9.0], [0.0, PI, -PI]] {
                 let angles = EulerAngles { angles: round::<R, 3>(angles), order };
                 let [a, b, c] = exact(angles.angles);
                 let known = EulerAngles { angles: [a, b, c], order };
                 let got = opinion(angles.to_quat());
-                worst.see(between(got, product(known)), &known);
+                worst.see(between(got, product(known)), roundoff::<R>(), &known);
                 let glam = glam::DQuat::from_euler(of_glam, a, b, c).to_array();
                 assert!(between(opinion(Quat::from_array(glam)), product(known)) < 1e-14);
             }
         }
     }
-    check::<f32>(Worst::new::<f32>("to_quat, f32", 2.0));
-    check::<f64>(Worst::new::<f64>("to_quat, f64", 4.0));
+    check::<f32>(4.0);
+    check::<f64>(8.0);
 }
 
 /// The angles found make the rotation again, for any rotation, near gimbal lock as elsewhere.
 #[test]
 fn the_angles_of_a_rotation_make_it_again_in_every_order_near_gimbal_lock_too() {
-    fn check<R: Real>(worst: Worst) {
+    fn check<R: Real>(allowed: f64) {
+        let worst = worst(
+            "angles of a rotation",
+            allowed,
+            "sums and differences of two arctangents, each of up to π",
+        );
         let see = |quat: Quat<R>, order: EulerOrder| {
             let solution = quat.to_euler(order);
             let exact = EulerAngles { angles: exact(solution.angles.angles), order };
-            worst.see(between(opinion(quat), product(exact)), &(quat, solution));
+            worst.see(between(opinion(quat), product(exact)), roundoff::<R>(), &(quat, solution));
             let [low, high] = locks(order);
             let [first, middle, last] = exact.angles;
             let rounding: f64 = R::EPSILON.into();
@@ -135,24 +145,29 @@ fn the_angles_of_a_rotation_make_it_again_in_every_order_near_gimbal_lock_too() 
             EulerOrder::ALL.iter().for_each(|order| see(Quat::from_xyzw(x, y, z, w), *order));
         });
     }
-    check::<f32>(Worst::new::<f32>("to_euler, f32", 6.0));
-    check::<f64>(Worst::new::<f64>("to_euler, f64", 6.0));
+    check::<f32>(12.0);
+    check::<f64>(12.0);
 }
 
 /// The arcsine of an element of the matrix has an error of √ε there.
 #[test]
 fn the_middle_angle_is_good_to_a_few_units_near_gimbal_lock() {
-    fn check<R: Real>(worst: Worst) {
+    fn check<R: Real>(allowed: f64) {
+        let worst = worst(
+            "middle angle near gimbal lock",
+            allowed,
+            "the rotation is rounded, and an arctangent and a difference",
+        );
         for order in EulerOrder::ALL {
             for known in near_lock(order) {
                 let found = rounded::<R>(product(known)).to_euler(order);
                 let middle: f64 = found.angles.angles[1].into();
-                worst.see((middle - known.angles[1]).abs(), &known);
+                worst.see(middle - known.angles[1], roundoff::<R>(), &known);
             }
         }
     }
-    check::<f32>(Worst::new::<f32>("middle angle, f32", 4.0));
-    check::<f64>(Worst::new::<f64>("middle angle, f64", 6.0));
+    check::<f32>(8.0);
+    check::<f64>(12.0);
 }
 
 #[test]

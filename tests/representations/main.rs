@@ -8,9 +8,12 @@ mod gram_schmidt;
 mod polar;
 
 use dq8::{DualQuat, Quat, Real};
-use dq8_contract::inputs::{for_all, unit_motion};
+use dq8_contract::{
+    bound::within,
+    inputs::{for_all, unit_motion},
+    worst::Worst,
+};
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion};
-use std::cell::Cell;
 
 /// `check` for 1000 random motions, the same in every run.
 fn for_random_motions(check: impl Fn(DualQuat<f64>)) {
@@ -48,34 +51,12 @@ fn between(a: UnitQuaternion<f64>, b: UnitQuaternion<f64>) -> f64 {
     2.0 * chord.min((a.into_inner() + b.into_inner()).norm())
 }
 
-/// The worst of many errors, in units of the last place of 1.
-struct Worst {
-    what: &'static str,
-    epsilon: f64,
-    bound: f64,
-    seen: Cell<f64>,
+/// The largest error allowed, in units of the roundoff of the type, and why.
+fn worst(name: &'static str, units: f64, reason: &'static str) -> Worst {
+    Worst::of(name, within(units, reason))
 }
 
-impl Worst {
-    fn new<R: Real>(what: &'static str, bound: f64) -> Self {
-        Self { what, epsilon: R::EPSILON.into(), bound, seen: Cell::new(0.0) }
-    }
-
-    /// An error, which must be within the bound; NaN never is.
-    fn see(&self, error: f64, case: &dyn std::fmt::Debug) {
-        let units = error / self.epsilon;
-        assert!(units <= self.bound, "{}: {units:.2} units off for {case:?}", self.what);
-        self.seen.set(self.seen.get().max(units));
-    }
-}
-
-/// A bound that is never neared checks nothing.
-impl Drop for Worst {
-    fn drop(&mut self) {
-        let (seen, bound) = (self.seen.get(), self.bound);
-        println!("{}: {seen:.2} of {bound}", self.what);
-        if !std::thread::panicking() {
-            assert!(4.0 * seen >= bound, "{}: {seen:.2} seen, {bound} allowed", self.what);
-        }
-    }
+/// The unit of `R` that errors are counted in.
+fn roundoff<R: Real>() -> f64 {
+    R::EPSILON.into() / 2.0
 }

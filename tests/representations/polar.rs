@@ -1,7 +1,7 @@
 //! The nearest rotation, and the stretch before it.
 
 use super::gram_schmidt::matrices;
-use super::{Worst, between, exact_rows, for_random_motions, opinion, round_rows};
+use super::{between, exact_rows, for_random_motions, opinion, round_rows, roundoff, worst};
 use dq8::{
     Quat, Real,
     representation::{OrthonormalError, Polar, gram_schmidt},
@@ -19,7 +19,13 @@ fn rotation<R: Real>(matrix: Matrix3<f64>) -> Matrix3<f64> {
 
 #[test]
 fn the_rotation_is_that_of_the_singular_value_decomposition() {
-    fn check<R: Real>(worst: Worst, of_product: Worst) {
+    fn check<R: Real>() {
+        let rotations = worst(
+            "nearest rotation",
+            16.0,
+            "an iteration's last step, of nine elements; relative to how far rounding turns it",
+        );
+        let products = worst("R S", 20.0, "sums of three products with the error of R");
         for_all(1000, &matrices(), |matrix| {
             let matrix = exact_rows(round_rows::<R>(matrix));
             let svd = matrix.svd(true, true);
@@ -29,15 +35,15 @@ fn the_rotation_is_that_of_the_singular_value_decomposition() {
             let mut singular = svd.singular_values;
             singular.as_mut_slice().sort_by(f64::total_cmp);
             let condition = singular[2] / (singular[0] + singular[1]);
-            worst.see((turned - by_svd).amax() / condition, &matrix);
+            rotations.see((turned - by_svd).amax(), roundoff::<R>() * condition, &matrix);
             let stretch = exact_rows(stretch);
-            of_product.see((turned * stretch - matrix).amax(), &matrix);
+            products.see((turned * stretch - matrix).amax(), roundoff::<R>(), &matrix);
             assert!(!mirrors && stretch == stretch.transpose());
             assert!(stretch.symmetric_eigenvalues().min() > 0.0, "{stretch}");
         });
     }
-    check::<f32>(Worst::new::<f32>("polar, f32", 8.0), Worst::new::<f32>("R S, f32", 10.0));
-    check::<f64>(Worst::new::<f64>("polar, f64", 8.0), Worst::new::<f64>("R S, f64", 10.0));
+    check::<f32>();
+    check::<f64>();
 }
 
 /// Neighbours all around, the rotation by Gram–Schmidt, and rotations far away.
@@ -78,7 +84,10 @@ fn the_order_of_axes_changes_the_rotation_of_gram_schmidt_and_not_the_nearest() 
 /// Thin in two directions, where an inverse has lost all digits in f32.
 #[test]
 fn rounding_moves_the_rotation_no_more_than_the_elements_rounding_does() {
-    fn check<R: Real>(worst: Worst, smallest: i32) {
+    fn check<R: Real>(smallest: i32) {
+        let why =
+            "the elements are rounded, and an iteration's last step is; by the two least stretches";
+        let worst = worst("rotation of a thin matrix", 24.0, why);
         for_random_motions(|motion| {
             let turn = opinion(motion.rotation());
             let tilt = UnitQuaternion::from_euler_angles(0.3, -0.8, 1.9).to_rotation_matrix();
@@ -90,13 +99,13 @@ fn rounding_moves_the_rotation_no_more_than_the_elements_rounding_does() {
                     let matrix = turn.to_rotation_matrix() * stretch_matrix;
                     let got = polar::<R>(matrix);
                     let off = between(opinion(got.rotation), turn);
-                    worst.see(off * (stretch[1] + stretch[2]), &(matrix, decade));
+                    worst.see(off, roundoff::<R>() / (stretch[1] + stretch[2]), &(matrix, decade));
                 }
             }
         });
     }
-    check::<f32>(Worst::new::<f32>("thin, f32", 12.0), 4);
-    check::<f64>(Worst::new::<f64>("thin, f64", 12.0), 13);
+    check::<f32>(4);
+    check::<f64>(13);
 }
 
 #[test]
