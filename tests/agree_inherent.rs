@@ -2,7 +2,7 @@
 //! records and blocks in memory, quaternions, dual numbers.
 
 use dq8::{
-    Lanes, Real, batch, scalar,
+    Lanes, Real, Scalar, batch, scalar,
     simd::{Float, Mask, Portable},
 };
 use dq8_contract::bound::distance;
@@ -11,10 +11,6 @@ use dq8_contract::inputs;
 use dq8_contract::ledger::{Line, line};
 use dq8_contract::sample::{Proof, Sample};
 use dq8_simd::{Block, Row};
-
-/// The number in a lane, as the scalar reference and as lanes see it.
-trait Number: Float + Real {}
-impl<R: Float + Real> Number for R {}
 
 /// Runs `$body` with `$L` as each lane type that this machine can run.
 macro_rules! for_every_lane_type {
@@ -40,7 +36,7 @@ macro_rules! for_every_lane_type {
     })*};
 }
 
-fn round<R: Number>(numbers: [f64; 8]) -> [R; 8] {
+fn round<R: Scalar>(numbers: [f64; 8]) -> [R; 8] {
     numbers.map(<R as Real>::from_f64)
 }
 
@@ -50,7 +46,7 @@ fn lanes<L: Lanes<Level: Proof>>(numbers: &[f64]) -> L {
 
 #[test]
 fn records_fill_the_first_lanes_and_the_others_hold_the_identity() {
-    fn check<L: Lanes<Level: Proof, Real: Number>>(name: &str) {
+    fn check<L: Lanes<Level: Proof, Real: Scalar>>(name: &str) {
         let motions: Vec<_> = inputs::edge_motions().into_iter().map(round::<L::Real>).collect();
         let identity = scalar::DualQuat::<L::Real>::IDENTITY.to_array();
         for length in 0..=2 * L::LANES + 1 {
@@ -69,7 +65,7 @@ fn records_fill_the_first_lanes_and_the_others_hold_the_identity() {
 
 #[test]
 fn records_beyond_the_lanes_are_left_alone() {
-    fn check<L: Lanes<Level: Proof, Real: Number>>(name: &str) {
+    fn check<L: Lanes<Level: Proof, Real: Scalar>>(name: &str) {
         let motions: Vec<_> = inputs::edge_motions().into_iter().map(round::<L::Real>).collect();
         let untouched = round::<L::Real>([9.0; 8]);
         for length in 0..=2 * L::LANES + 1 {
@@ -91,7 +87,7 @@ fn a_slice_gives_the_same_bits_whatever_its_length() {
     fn step<L: Lanes<Level: Proof>>(motion: batch::DualQuat<L>, t: L) -> batch::DualQuat<L> {
         (motion.normalize() * motion).pow(t)
     }
-    fn check<L: Lanes<Level: Proof, Real: Number>>(name: &str) {
+    fn check<L: Lanes<Level: Proof, Real: Scalar>>(name: &str) {
         let motions: Vec<_> = inputs::edge_motions().into_iter().map(round::<L::Real>).collect();
         let t = <L as Lanes>::splat(L::Level::proof(), <L::Real as From<f32>>::from(0.75));
         for length in 0..=2 * L::LANES + 1 {
@@ -113,7 +109,7 @@ fn a_slice_gives_the_same_bits_whatever_its_length() {
 
 #[test]
 fn a_block_gives_back_what_was_stored() {
-    fn check<A: Row<Real: Number>, V: Proof>() {
+    fn check<A: Row<Real: Scalar>, V: Proof>() {
         let motions = inputs::edge_motions();
         let mut block = Block::<A, 8>::splat(round([9.0; 8]));
         for lane in 0..A::LANES {
@@ -148,7 +144,7 @@ fn a_block_gives_back_what_was_stored() {
 
 #[test]
 fn is_normalized_says_what_scalar_says() {
-    fn check<L: Lanes<Level: Proof, Real: Number>>(name: &str) {
+    fn check<L: Lanes<Level: Proof, Real: Scalar>>(name: &str) {
         let unit = inputs::edge_motions()[60];
         let epsilon: f64 = <L::Real as Real>::EPSILON.into();
         // 32 units of the last place are allowed; rounding blurs that by two or so.
@@ -241,7 +237,7 @@ macro_rules! dual_operations {
 
 type Answers<N> = Vec<(&'static str, Vec<N>)>;
 
-fn on_scalar<R: Number>(case: &Case) -> Answers<R> {
+fn on_scalar<R: Scalar>(case: &Case) -> Answers<R> {
     use scalar::{Dual, Quat};
     let real = <R as Real>::from_f64;
     let [ax, ay, az, aw, ..] = case.a.map(real);
@@ -269,7 +265,7 @@ fn on_lanes<L: Lanes<Level: Proof>>(cases: &[Case]) -> Answers<L> {
 
 #[test]
 fn quaternions_and_dual_numbers_agree() {
-    fn check<L: Lanes<Level: Proof, Real: Number>>(name: &str) {
+    fn check<L: Lanes<Level: Proof, Real: Scalar>>(name: &str) {
         for chunk in inputs::unit_cases().chunks(L::LANES) {
             let answers = on_lanes::<L>(chunk);
             for (lane, case) in chunk.iter().enumerate() {

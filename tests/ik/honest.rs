@@ -3,7 +3,7 @@
 
 use super::arms::{Axis, Plan, Random, exact, rounded, six_of_any_kind};
 use dq8::ik::{Arm, Joint, Options, Outcome, Report};
-use dq8::{Backend, DualQuat, Quat, Real, simd::Float};
+use dq8::{Backend, DualQuat, Quat, Real, Scalar};
 use dq8_contract::kinematics;
 use nalgebra::Isometry3;
 use std::f64::consts::TAU;
@@ -25,7 +25,7 @@ struct Case<R, const N: usize> {
 }
 
 /// Searches with `arm`; the truth is that of `plan`.
-fn tally<R: Real + Float, const N: usize>(
+fn tally<R: Scalar, const N: usize>(
     arm: &Arm<R, N>,
     plan: &Plan<N>,
     cases: &[Case<R, N>],
@@ -75,7 +75,7 @@ fn pose<R: Real>(there: &Isometry3<f64>) -> DualQuat<R> {
 
 /// 40 arms of six hinges, 16 targets each; `change` is what becomes of a target before the arm sees
 /// it. A target may have lost its unit norm, and is where its normalized form is.
-fn with_targets<R: Real + Float>(change: impl Fn(DualQuat<R>) -> DualQuat<R>) -> Tally {
+fn with_targets<R: Scalar>(change: impl Fn(DualQuat<R>) -> DualQuat<R>) -> Tally {
     let (mut random, mut sum) = (Random(14), Tally::default());
     for _ in 0..40 {
         let plan = six_of_any_kind(&mut random);
@@ -91,7 +91,7 @@ fn with_targets<R: Real + Float>(change: impl Fn(DualQuat<R>) -> DualQuat<R>) ->
     sum
 }
 
-fn typed_targets_are_reached_as_computed_ones<R: Real + Float>() {
+fn typed_targets_are_reached_as_computed_ones<R: Scalar>() {
     let computed = with_targets::<R>(|target| target);
     assert!(computed.converged >= 636, "{} of 640", computed.converged);
     let typed = {
@@ -146,7 +146,7 @@ fn a_target_farther_from_unit_than_a_thousandth_is_invalid() {
 }
 
 /// Arms whose axes are as long as `change` makes them. Nalgebra turns about the same axes at length 1.
-fn with_axes<R: Real + Float>(change: impl Fn([f64; 3]) -> [f64; 3]) -> Tally {
+fn with_axes<R: Scalar>(change: impl Fn([f64; 3]) -> [f64; 3]) -> Tally {
     let (mut random, mut sum) = (Random(17), Tally::default());
     for _ in 0..25 {
         let exact = six_of_any_kind(&mut random);
@@ -164,7 +164,7 @@ fn with_axes<R: Real + Float>(change: impl Fn([f64; 3]) -> [f64; 3]) -> Tally {
     sum
 }
 
-fn axes_nearly_unit_are_unit<R: Real + Float>() {
+fn axes_nearly_unit_are_unit<R: Scalar>() {
     for (what, tally) in [
         ("exact", with_axes::<R>(|axis| axis)),
         ("4 decimals", with_axes::<R>(|axis| axis.map(|c| to_decimals(c, 4)))),
@@ -183,7 +183,7 @@ fn axes_typed_with_four_decimals_are_turned_about_as_unit_ones() {
 }
 
 /// Hinges with these limits, started this many turns away.
-fn turns_away<R: Real + Float>(limits: [f64; 2], turns: f64) -> Tally {
+fn turns_away<R: Scalar>(limits: [f64; 2], turns: f64) -> Tally {
     let (mut random, mut sum) = (Random(18), Tally::default());
     for _ in 0..25 {
         let within = six_of_any_kind(&mut random);
@@ -198,7 +198,7 @@ fn turns_away<R: Real + Float>(limits: [f64; 2], turns: f64) -> Tally {
     sum
 }
 
-fn endless_hinges_are_honest<R: Real + Float>() {
+fn endless_hinges_are_honest<R: Scalar>() {
     let inf = f64::INFINITY;
     for turns in [0.0, -10.0, 100.0, -1e9, 1e30] {
         let tally = turns_away::<R>([-inf, inf], turns);

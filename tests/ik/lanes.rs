@@ -3,12 +3,12 @@
 use super::arms::{Plan, Random, puma, rounded, ur5};
 use dq8::ik::{Arm, Options, Outcome, Report};
 use dq8::{
-    Backend, DualQuat, Lanes, Real, ShapeError,
-    simd::{Float, Portable, f64x8},
+    Backend, DualQuat, Lanes, Real, Scalar, ShapeError,
+    simd::{Portable, f64x8},
 };
 
 /// Targets, and values to start from.
-fn drawn<R: Real + Float>(plan: &Plan<6>, count: usize) -> (Vec<DualQuat<R>>, Vec<[R; 6]>) {
+fn drawn<R: Scalar>(plan: &Plan<6>, count: usize) -> (Vec<DualQuat<R>>, Vec<[R; 6]>) {
     let (arm, mut random) = (plan.arm::<R>(), Random(10));
     (0..count)
         .map(|i| {
@@ -36,7 +36,7 @@ fn portable_lanes_fuse() -> bool {
 /// is called reached is.
 fn many_are_as_one<R>()
 where
-    R: Real + Float + Lanes<Real = R, Level = Portable, Mask = bool>,
+    R: Scalar + Lanes<Real = R, Level = Portable, Mask = bool>,
 {
     let options = Options::default();
     for plan in [ur5(), puma()] {
@@ -74,7 +74,7 @@ where
     }
 }
 
-fn assert_reached<R: Real + Float>(arm: &Arm<R, 6>, target: DualQuat<R>, values: &[R; 6]) {
+fn assert_reached<R: Scalar>(arm: &Arm<R, 6>, target: DualQuat<R>, values: &[R; 6]) {
     let pose = arm.forward(values);
     let most = 1e-5 + 32.0 * Into::<f64>::into(<R as Real>::EPSILON);
     assert!(pose.distance_to(target).into() < most && pose.angle_to(target).into() < most);
@@ -87,7 +87,7 @@ fn targets_on_lanes_are_reached_as_one_at_a_time() {
 }
 
 /// The best backend's lanes in another order, and another number of them.
-fn neighbours_do_not_matter<R: Real + Float>() {
+fn neighbours_do_not_matter<R: Scalar>() {
     let plan = puma();
     let arm = plan.arm::<R>();
     let (targets, starts) = drawn::<R>(&plan, 37);
@@ -124,7 +124,7 @@ fn what_comes_does_not_depend_on_the_neighbours() {
 
 /// Backends round differently, and a search that begins again takes another turn; but what they call
 /// reached is, and each reaches as much.
-fn every_backend_agrees<R: Real + Float>() {
+fn every_backend_agrees<R: Scalar>() {
     let plan = ur5();
     let arm = plan.arm::<R>();
     let (targets, starts) = drawn::<R>(&plan, 151);

@@ -2,10 +2,7 @@
 
 use super::arms::{Random, gantry, puma, rounded, ur5};
 use dq8::ik::{Arm, Joint, Options, Outcome, Report};
-use dq8::{
-    Backend, DualQuat, Lanes, Quat, Real,
-    simd::{Float, Portable},
-};
+use dq8::{Backend, DualQuat, Lanes, Quat, Scalar, simd::Portable};
 
 fn turned(angle: f64, translation: [f64; 3]) -> DualQuat<f64> {
     let turn = Quat::from_axis_angle([0.6, 0.0, 0.8], angle);
@@ -208,7 +205,7 @@ fn damping_keeps_steps_short_in_front_of_singular_poses() {
 /// Every number of a target and of a start, one after the other, not a number, infinite, or too large.
 fn nothing_comes_of_nothing<R>()
 where
-    R: Real + Float + Lanes<Real = R, Level = Portable, Mask = bool>,
+    R: Scalar + Lanes<Real = R, Level = Portable, Mask = bool>,
 {
     let plan = gantry();
     let arm = plan.arm::<R>();

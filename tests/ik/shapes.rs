@@ -2,7 +2,7 @@
 
 use super::arms::{Random, rounded};
 use dq8::ik::{Arm, Joint, Options, Outcome, Report};
-use dq8::{Backend, DualQuat, Real, simd::Float};
+use dq8::{Backend, DualQuat, Real, Scalar};
 
 /// A planar arm of unit links, in this unit of length.
 fn planar<R: Real, const N: usize>(length: f64) -> Arm<R, N> {
@@ -15,7 +15,7 @@ fn planar<R: Real, const N: usize>(length: f64) -> Arm<R, N> {
 }
 
 /// Long arms and tiny ones at full stretch, which rounding puts a little beyond their length.
-fn stretched_is_within_reach<R: Real + Float>() {
+fn stretched_is_within_reach<R: Scalar>() {
     for length in [1e-6, 1e-3, 300.0, 30_000.0, 1e6] {
         let arm = planar::<R, 6>(length);
         let mut random = Random(12);
@@ -50,7 +50,7 @@ fn an_arm_of_any_size_reaches_as_far_as_it_is_long() {
 
 /// Arms that span a plane, or less, have a system of rank three or two, whatever their pose; about axes
 /// in any direction, rounding makes it six with pivots of any sign.
-fn rank_deficient_arms_converge<R: Real + Float, const N: usize>() {
+fn rank_deficient_arms_converge<R: Scalar, const N: usize>() {
     let (mut random, mut converged) = (Random(13), 0);
     let once = Options { restarts: false, ..Options::default() };
     for _ in 0..50 {

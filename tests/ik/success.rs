@@ -2,7 +2,7 @@
 
 use super::arms::{Plan, Random, exact, gantry, puma, rounded, seven, ur5};
 use dq8::ik::{Options, Outcome, Report};
-use dq8::{Backend, DualQuat, Real, simd::Float};
+use dq8::{Backend, DualQuat, Real, Scalar};
 
 /// What came of random targets from random starts.
 struct Rate {
@@ -17,11 +17,7 @@ fn in_fewer_than_30<R: Real>() -> Options<R> {
 
 /// Targets from joint values within the limits, starts within them. What is called reached must be so
 /// for nalgebra, in `f64`.
-fn rate<R: Real + Float, const N: usize>(
-    plan: &Plan<N>,
-    targets: usize,
-    options: &Options<R>,
-) -> Rate {
+fn rate<R: Scalar, const N: usize>(plan: &Plan<N>, targets: usize, options: &Options<R>) -> Rate {
     let arm = plan.arm::<R>();
     let mut random = Random(2026);
     let goals: Vec<[f64; N]> = (0..targets).map(|_| plan.draw(&mut random)).collect();

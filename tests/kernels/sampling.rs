@@ -5,12 +5,12 @@ use crate::memory::{Memory, lay, read, round};
 use crate::records::assert_same_bits;
 use crate::scene::{SMALL, Scene, motions, walk};
 use dq8::hierarchy::{Clip, Layered, Sampled};
-use dq8::simd::Float;
 use dq8::storage::{AoSoA, Aos};
 use dq8::{
-    Backend, DualQuat, Hierarchy, Real, ShapeError,
+    Backend, DualQuat, Hierarchy, Real, Scalar, ShapeError,
     hierarchy::Poses,
     law::{Nlerp, Sclerp, Separate},
+    simd::Float,
 };
 use dq8_contract::bound::{unit_roundoff, within};
 use dq8_contract::random::Random;
@@ -35,7 +35,7 @@ fn eighths(random: &mut Random, count: usize) -> Vec<f64> {
 
 impl<const C: usize> Animation<C> {
     /// The keys are rounded to what the layout holds.
-    fn new<W: Reference<C>, R: Float + Real>(instances: usize) -> Self {
+    fn new<W: Reference<C>, R: Scalar>(instances: usize) -> Self {
         let mut random = Random(instances as u64 + 1);
         let mut many = || -> Vec<[f64; C]> {
             let key = |_| round::<R, C>(W::key(&mut random)).map(Into::into);

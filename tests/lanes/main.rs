@@ -10,21 +10,14 @@ mod rotations;
 mod scene;
 mod two_bone;
 
-use dq8::{
-    Lanes, Real, batch,
-    simd::{Float, Mask},
-};
+use dq8::{Lanes, Real, Scalar, batch, simd::Float, simd::Mask};
 use dq8_contract::bound::distance;
 use dq8_contract::ledger::Ledger;
 use dq8_contract::sample::{Proof, Sample};
 
-/// The number in a lane, as the scalar reference and as lanes see it.
-trait Number: Float + Real {}
-impl<R: Float + Real> Number for R {}
-
 /// Lanes of a level that tests can have.
-trait Provable: Lanes<Level: Proof, Real: Number> {}
-impl<L: Lanes<Level: Proof, Real: Number>> Provable for L {}
+trait Provable: Lanes<Level: Proof, Real: Scalar> {}
+impl<L: Lanes<Level: Proof, Real: Scalar>> Provable for L {}
 
 /// Runs `check` with each lane type that this machine can run: those of any machine, and those of every level it has.
 macro_rules! on_every_level {

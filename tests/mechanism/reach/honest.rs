@@ -3,7 +3,7 @@
 use super::{apart, draw, mechanism, seven, solve_everywhere};
 use dq8::ik::{Options, Outcome, Report};
 use dq8::mechanism::{Freedom, Goal, Joint, Reach};
-use dq8::{Backend, DualQuat, Real, simd::Float};
+use dq8::{Backend, DualQuat, Real, Scalar};
 use dq8_contract::random::Random;
 
 struct Searches<R> {
@@ -67,7 +67,7 @@ fn every_backend_says_what_one_configuration_says() {
 }
 
 /// Solves in this order and in the other: to the bit the same.
-fn assert_order_does_not_matter<R: Real + Float>(
+fn assert_order_does_not_matter<R: Scalar>(
     reach: &Reach<'_, R>,
     Searches { mut targets, mut starts }: Searches<R>,
 ) {

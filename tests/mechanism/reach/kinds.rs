@@ -4,12 +4,12 @@ use super::super::tree::{tree, values};
 use super::{apart, draw, mechanism, seven, solve_everywhere};
 use dq8::ik::{Options, Outcome};
 use dq8::mechanism::{Freedom, Goal, Joint, JointKind, Reach};
-use dq8::{DualQuat, Real, simd::Float};
+use dq8::{DualQuat, Real, Scalar};
 use dq8_contract::random::Random;
 
 /// How many of random targets from random starts are reached, and in how many iterations; what is called
 /// reached must be so by the book.
-fn rate<R: Real + Float>(joints: &[Joint<f64>], link: usize, count: usize) -> (f64, f64) {
+fn rate<R: Scalar>(joints: &[Joint<f64>], link: usize, count: usize) -> (f64, f64) {
     let mechanism = mechanism::<R>(joints);
     let mechanism = mechanism.view();
     let mut random = Random(7);

@@ -13,7 +13,7 @@ mod posture;
 mod refused;
 mod units;
 
-use dq8::ik::{Options, Outcome, Report};
+use dq8::ik::{Options, Report};
 use dq8::mechanism::{Freedom, Goal, Joint, Mechanism, OwnedMechanism, Reach};
 use dq8::{Backend, DualQuat, Quat, Real};
 use dq8_contract::random::Random;
