@@ -1,7 +1,7 @@
 //! Mechanisms: a tree of joints, made once in memory of the caller; then poses of links and Jacobians.
 
 use crate::joint::{Fault, Joint, fault};
-use crate::memory::{Input, Output};
+use crate::memory::{Input, Output, place};
 use crate::span::{Span, apart};
 use crate::status::{Done, Status};
 use core::mem::MaybeUninit;
@@ -60,18 +60,6 @@ macro_rules! fits {
     };)*};
 }
 fits! { f32 f64 }
-
-/// A place in `room` for `count` things, and what is behind them.
-///
-/// # Safety
-/// There is memory behind `room` for so many and what aligns them.
-unsafe fn place<T>(room: *mut u8, count: usize) -> (*mut T, *mut u8) {
-    let start = room.addr().next_multiple_of(align_of::<T>()) - room.addr();
-    // SAFETY: promised.
-    let first = unsafe { room.add(start) }.cast::<T>();
-    // SAFETY: promised.
-    (first, unsafe { first.add(count) }.cast())
-}
 
 /// # Safety
 /// `room` holds a [`Step`] for each joint, which nothing else reads or writes while `'a` lasts.

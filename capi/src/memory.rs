@@ -72,6 +72,18 @@ impl<T: Copy> Output<T> {
     }
 }
 
+/// A place in `room` for `count` things, and what is behind them.
+///
+/// # Safety
+/// There is memory behind `room` for so many and what aligns them.
+pub(crate) unsafe fn place<T>(room: *mut u8, count: usize) -> (*mut T, *mut u8) {
+    let start = room.addr().next_multiple_of(align_of::<T>()) - room.addr();
+    // SAFETY: promised.
+    let first = unsafe { room.add(start) }.cast::<T>();
+    // SAFETY: promised.
+    (first, unsafe { first.add(count) }.cast())
+}
+
 /// Reads one element, before anything is written: it may lie anywhere.
 ///
 /// # Safety

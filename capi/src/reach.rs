@@ -1,7 +1,7 @@
 //! Inverse kinematics of one configuration of a mechanism, in memory of the caller.
 
 use crate::mechanism::{Made, Mechanism};
-use crate::memory::{Input, Output, read};
+use crate::memory::{Input, Output, place, read};
 use crate::span::apart;
 use crate::status::{Done, Status};
 use core::mem::{MaybeUninit, offset_of};
@@ -244,12 +244,8 @@ where
 /// # Safety
 /// `room` is as large as [`room_for_freedoms`] says, and nothing else uses it while `'a` lasts.
 unsafe fn freedoms<'a, R: Real>(room: &mut [MaybeUninit<R>], count: usize) -> &'a mut [Freedom<R>] {
-    let start = room.as_mut_ptr().cast::<u8>();
-    let shift = start.addr().next_multiple_of(align_of::<Freedom<R>>()) - start.addr();
-    let first = start.wrapping_add(shift).cast::<Freedom<R>>();
-    if count == 0 {
-        return &mut [];
-    }
+    // SAFETY: promised.
+    let (first, _) = unsafe { place::<Freedom<R>>(room.as_mut_ptr().cast(), count) };
     for index in 0..count {
         // SAFETY: there is room for so many, which is aligned now.
         unsafe { first.add(index).write(Freedom::default()) };

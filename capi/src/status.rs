@@ -11,151 +11,103 @@ use dq8::{
 /// What a function does inside: its error is the status.
 pub(crate) type Done = Result<(), Status>;
 
-/// What became of a call. Unless it is DQ8_STATUS_OK, nothing has been written, except the index `bad_joint` or
-/// `bad_vertex`, the steps that were to be a mechanism, and scratch.
-#[repr(i32)]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Status {
-    /// It is done.
-    Ok = 0,
-    /// A pointer is null where there is something to read or to write.
-    NullPointer = 1,
-    /// A pointer is not aligned: to its number type, or to 64 bytes for blocks.
-    Misaligned = 2,
-    /// An output overlaps an input, or another output, and is not exactly the array that it may be.
-    Overlap = 3,
-    /// An array would be larger than memory.
-    TooLarge = 4,
-    /// Lengths do not fit each other, such as a count that is no multiple of the joints.
-    Length = 5,
-    /// There are no blocks of so many lanes: float has 8 and 16, double 4 and 8.
-    Lanes = 6,
-    /// The motion, or the placement of a joint, is not unit.
-    NotUnit = 7,
-    /// There is no unit motion: the real part is zero, or a number is not finite.
-    NotNormalizable = 8,
-    /// There is no inverse: the real part is zero, or a number is not finite.
-    NoInverse = 9,
-    /// The matrix scales or shears.
-    NotOrthonormal = 10,
-    /// The matrix mirrors.
-    Mirrors = 11,
-    /// The translation of the matrix, or a number of a joint, is not finite.
-    NotFinite = 12,
-    /// The last row of the 4x4 matrix is not 0 0 0 1.
-    NotAffine = 13,
-    /// There is nothing to blend.
-    NoInfluences = 14,
-    /// A parent does not come before its child: a forward reference, or a cycle.
-    ParentNotBefore = 15,
-    /// A parent is no joint at all, nor -1.
-    ParentOutOfRange = 16,
-    /// There are more joints than 32 bits can number.
-    TooManyJoints = 17,
-    /// A number stands for nothing: no backend, no order of matrices, no kind of joint, no frame.
-    UnknownValue = 18,
-    /// An axis or normal is not of length 1.
-    Axis = 19,
-    /// A joint cannot mimic that one: there is none, it mimics too, or one of the two has not one value.
-    Mimic = 20,
-    /// There is no such link.
-    NoLink = 21,
-    /// The mechanism has not been made.
-    NoMechanism = 22,
-    /// A vertex follows a joint that the palette does not have.
-    JointOutOfRange = 23,
-    /// A weight is negative or not finite; or a goal has none, or there is no goal.
-    Weight = 24,
-    /// The weights of a vertex, which should sum to one, sum to less than 1/1024 or more than 1024.
-    WeightSum = 25,
-    /// The skin has not been made.
-    NoSkin = 26,
-    /// Limits of a joint are not in order, or leave no value together with those of what mimics it, or are
-    /// angles that a float does not tell apart.
-    Limits = 27,
-    /// A field lies beyond its vertex, or in another field.
-    Field = 28,
-    /// The order of a plan names a joint that there is not: it has not been made.
-    NoPlan = 29,
-    /// A share of a mix is not in [0, 1].
-    Share = 30,
+/// The enum, and what each of its numbers means, in English.
+macro_rules! statuses {
+    (
+        $(#[doc = $about:literal])*
+        pub enum Status {
+            $($(#[doc = $doc:literal])* $name:ident = $number:literal: $text:literal,)*
+        }
+    ) => {
+        $(#[doc = $about])*
+        #[repr(i32)]
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum Status {
+            $($(#[doc = $doc])* $name = $number,)*
+        }
+
+        fn text(status: i32) -> &'static CStr {
+            match status {
+                $($number => $text,)*
+                _ => c"no status of dq8",
+            }
+        }
+    };
+}
+
+statuses! {
+    /// What became of a call. Unless it is DQ8_STATUS_OK, nothing has been written, except the index `bad_joint` or
+    /// `bad_vertex`, the steps that were to be a mechanism, and scratch.
+    pub enum Status {
+        /// It is done.
+        Ok = 0: c"done",
+        /// A pointer is null where there is something to read or to write.
+        NullPointer = 1: c"a pointer is null",
+        /// A pointer is not aligned: to its number type, or to 64 bytes for blocks.
+        Misaligned = 2: c"a pointer is not aligned",
+        /// An output overlaps an input, or another output, and is not exactly the array that it may be.
+        Overlap = 3: c"an output overlaps another array",
+        /// An array would be larger than memory.
+        TooLarge = 4: c"an array would be larger than memory",
+        /// Lengths do not fit each other, such as a count that is no multiple of the joints.
+        Length = 5: c"lengths do not fit each other",
+        /// There are no blocks of so many lanes: float has 8 and 16, double 4 and 8.
+        Lanes = 6: c"there are no blocks of so many lanes",
+        /// The motion, or the placement of a joint, is not unit.
+        NotUnit = 7: c"a motion is not unit",
+        /// There is no unit motion: the real part is zero, or a number is not finite.
+        NotNormalizable = 8: c"there is no unit motion: the real part is zero or a number not finite",
+        /// There is no inverse: the real part is zero, or a number is not finite.
+        NoInverse = 9: c"there is no inverse: the real part is zero or a number not finite",
+        /// The matrix scales or shears.
+        NotOrthonormal = 10: c"the matrix is no rotation: it scales or shears",
+        /// The matrix mirrors.
+        Mirrors = 11: c"the matrix is no rotation: it mirrors",
+        /// The translation of the matrix, or a number of a joint, is not finite.
+        NotFinite = 12: c"a number that must be finite is not",
+        /// The last row of the 4x4 matrix is not 0 0 0 1.
+        NotAffine = 13: c"the last row of the matrix is not 0 0 0 1",
+        /// There is nothing to blend.
+        NoInfluences = 14: c"there is nothing to blend",
+        /// A parent does not come before its child: a forward reference, or a cycle.
+        ParentNotBefore = 15: c"a parent does not come before its child",
+        /// A parent is no joint at all, nor -1.
+        ParentOutOfRange = 16: c"a parent is no joint",
+        /// There are more joints than 32 bits can number.
+        TooManyJoints = 17: c"there are more joints than 32 bits can number",
+        /// A number stands for nothing: no backend, no order of matrices, no kind of joint, no frame.
+        UnknownValue = 18: c"a number stands for none of what it chooses from",
+        /// An axis or normal is not of length 1.
+        Axis = 19: c"an axis is not of length 1",
+        /// A joint cannot mimic that one: there is none, it mimics too, or one of the two has not one value.
+        Mimic = 20: c"a joint cannot mimic the one that it should",
+        /// There is no such link.
+        NoLink = 21: c"there is no such link",
+        /// The mechanism has not been made.
+        NoMechanism = 22: c"the mechanism has not been made",
+        /// A vertex follows a joint that the palette does not have.
+        JointOutOfRange = 23: c"a vertex follows a joint that there is not",
+        /// A weight is negative or not finite; or a goal has none, or there is no goal.
+        Weight = 24: c"a weight is negative or not finite, or there is none",
+        /// The weights of a vertex, which should sum to one, sum to less than 1/1024 or more than 1024.
+        WeightSum = 25: c"the weights of a vertex sum to less than 1/1024 or more than 1024",
+        /// The skin has not been made.
+        NoSkin = 26: c"the skin has not been made",
+        /// Limits of a joint are not in order, or leave no value together with those of what mimics it, or are
+        /// angles that a float does not tell apart.
+        Limits = 27: c"the limits of a joint leave no value",
+        /// A field lies beyond its vertex, or in another field.
+        Field = 28: c"a field lies beyond its vertex, or in another field",
+        /// The order of a plan names a joint that there is not: it has not been made.
+        NoPlan = 29: c"the order of the plan has not been made",
+        /// A share of a mix is not in [0, 1].
+        Share = 30: c"a share of a mix is not in [0, 1]",
+    }
 }
 
 impl Status {
-    const ALL: [Self; 31] = [
-        Self::Ok,
-        Self::NullPointer,
-        Self::Misaligned,
-        Self::Overlap,
-        Self::TooLarge,
-        Self::Length,
-        Self::Lanes,
-        Self::NotUnit,
-        Self::NotNormalizable,
-        Self::NoInverse,
-        Self::NotOrthonormal,
-        Self::Mirrors,
-        Self::NotFinite,
-        Self::NotAffine,
-        Self::NoInfluences,
-        Self::ParentNotBefore,
-        Self::ParentOutOfRange,
-        Self::TooManyJoints,
-        Self::UnknownValue,
-        Self::Axis,
-        Self::Mimic,
-        Self::NoLink,
-        Self::NoMechanism,
-        Self::JointOutOfRange,
-        Self::Weight,
-        Self::WeightSum,
-        Self::NoSkin,
-        Self::Limits,
-        Self::Field,
-        Self::NoPlan,
-        Self::Share,
-    ];
-
     pub(crate) fn of(done: Done) -> Self {
         done.err().unwrap_or(Self::Ok)
-    }
-
-    fn text(self) -> &'static CStr {
-        match self {
-            Self::Ok => c"done",
-            Self::NullPointer => c"a pointer is null",
-            Self::Misaligned => c"a pointer is not aligned",
-            Self::Overlap => c"an output overlaps another array",
-            Self::TooLarge => c"an array would be larger than memory",
-            Self::Length => c"lengths do not fit each other",
-            Self::Lanes => c"there are no blocks of so many lanes",
-            Self::NotUnit => c"a motion is not unit",
-            Self::NotNormalizable => {
-                c"there is no unit motion: the real part is zero or a number not finite"
-            }
-            Self::NoInverse => c"there is no inverse: the real part is zero or a number not finite",
-            Self::NotOrthonormal => c"the matrix is no rotation: it scales or shears",
-            Self::Mirrors => c"the matrix is no rotation: it mirrors",
-            Self::NotFinite => c"a number that must be finite is not",
-            Self::NotAffine => c"the last row of the matrix is not 0 0 0 1",
-            Self::NoInfluences => c"there is nothing to blend",
-            Self::ParentNotBefore => c"a parent does not come before its child",
-            Self::ParentOutOfRange => c"a parent is no joint",
-            Self::TooManyJoints => c"there are more joints than 32 bits can number",
-            Self::UnknownValue => c"a number stands for none of what it chooses from",
-            Self::Axis => c"an axis is not of length 1",
-            Self::Mimic => c"a joint cannot mimic the one that it should",
-            Self::NoLink => c"there is no such link",
-            Self::NoMechanism => c"the mechanism has not been made",
-            Self::JointOutOfRange => c"a vertex follows a joint that there is not",
-            Self::Weight => c"a weight is negative or not finite, or there is none",
-            Self::WeightSum => c"the weights of a vertex sum to less than 1/1024 or more than 1024",
-            Self::NoSkin => c"the skin has not been made",
-            Self::Limits => c"the limits of a joint leave no value",
-            Self::Field => c"a field lies beyond its vertex, or in another field",
-            Self::NoPlan => c"the order of the plan has not been made",
-            Self::Share => c"a share of a mix is not in [0, 1]",
-        }
     }
 }
 
@@ -224,6 +176,5 @@ impl From<InverseError> for Status {
 /// status has a text too, which says so.
 #[unsafe(no_mangle)]
 pub extern "C" fn dq8_status_text(status: i32) -> *const c_char {
-    let known = Status::ALL.into_iter().find(|known| *known as i32 == status);
-    known.map_or(c"no status of dq8", Status::text).as_ptr()
+    text(status).as_ptr()
 }

@@ -1,11 +1,15 @@
 //! Skins and meshes in vertices of several fields: what the C functions give is what those on arrays give, and
 //! nothing else is written. Buffers are on the heap, with just the length that is said (`skins.rs` says why).
 
+#[path = "support/pose.rs"]
+mod pose;
+
 use dq8::DualQuat;
 use dq8_capi::Status;
 use dq8_capi::mesh::VertexFields;
 use dq8_capi::skin::{InfluenceField, Skin};
 use dq8_capi::skinning::single as c;
+use pose::{How, Pointers, pose};
 use std::mem::MaybeUninit;
 use std::ptr;
 
@@ -92,38 +96,24 @@ impl Scene {
         let fields: [fn(&Vertex) -> [f32; 3]; 3] = [|v| v.position, |v| v.normal, |v| v.tangent];
         let rest = fields.map(|field| self.vertices.iter().map(field).collect::<Vec<_>>());
         let mut posed = [(); 3].map(|()| vec![[9.0_f32; 3]; VERTICES]);
-        let [p, n, t] = rest.each_ref().map(|field| field.as_ptr().cast());
-        let [to_p, to_n, to_t] = posed.each_mut().map(|field| field.as_mut_ptr().cast());
+        let rest = rest.each_ref().map(|field| field.as_ptr().cast());
+        let to = posed.each_mut().map(|field| field.as_mut_ptr().cast());
         let mut made = MaybeUninit::<Skin<f32>>::zeroed();
-        let (skin, motions, matrices) =
-            (made.as_mut_ptr(), self.motions.as_ptr().cast(), self.matrices.as_ptr().cast());
+        let (skin, matrices) = (made.as_mut_ptr(), self.matrices.as_ptr().cast());
+        let of = Pointers {
+            skin,
+            matrices,
+            motions: self.motions.as_ptr().cast(),
+            stretches: matrices,
+            shares: SHARES.as_ptr(),
+            rest,
+        };
         // SAFETY: arrays have the length that is said.
         let status = unsafe {
-            let (of, by, nowhere) = (joints.as_ptr(), weights.as_ptr(), ptr::null_mut());
-            assert_eq!(c::make(JOINTS, INFLUENCES, of, by, VERTICES, skin, nowhere), Status::Ok);
-            match how {
-                How::Linear => {
-                    c::linear(skin, matrices, JOINTS, p, n, t, to_p, to_n, to_t, VERTICES)
-                }
-                How::Dual => c::dual(skin, motions, JOINTS, p, n, t, to_p, to_n, to_t, VERTICES),
-                How::Stretched => c::stretched(
-                    skin, motions, matrices, JOINTS, p, n, t, to_p, to_n, to_t, VERTICES,
-                ),
-                How::Mixed => c::mixed(
-                    skin,
-                    matrices,
-                    motions,
-                    SHARES.as_ptr(),
-                    JOINTS,
-                    p,
-                    n,
-                    t,
-                    to_p,
-                    to_n,
-                    to_t,
-                    VERTICES,
-                ),
-            }
+            let (of_vertices, by, nowhere) = (joints.as_ptr(), weights.as_ptr(), ptr::null_mut());
+            let status = c::make(JOINTS, INFLUENCES, of_vertices, by, VERTICES, skin, nowhere);
+            assert_eq!(status, Status::Ok);
+            pose(how, JOINTS, of, to, VERTICES)
         };
         assert_eq!(status, Status::Ok);
         posed
@@ -163,15 +153,6 @@ impl Scene {
     }
 }
 
-#[derive(Clone, Copy, Debug)]
-enum How {
-    Linear,
-    Dual,
-    Stretched,
-    Mixed,
-}
-
-const HOW: [How; 4] = [How::Linear, How::Dual, How::Stretched, How::Mixed];
 const SHARES: [f32; VERTICES] = [0.25; VERTICES];
 
 #[test]
@@ -180,7 +161,7 @@ fn vertices_of_several_fields_are_posed_as_arrays_are_and_nothing_else_is_writte
     let (status, skin, bad) = scene.make(JOINTS_AT, WEIGHTS_AT);
     assert_eq!((status, bad), (Status::Ok, usize::MAX));
     assert_eq!((skin.vertices, skin.influences, skin.joints), (VERTICES, INFLUENCES, JOINTS));
-    for how in HOW {
+    for how in How::ALL {
         let [positions, normals, tangents] = scene.wanted(how);
         let blank = Vertex {
             color: 7,
@@ -279,7 +260,7 @@ fn buffers_that_are_wrong_are_refused_and_nothing_is_written() {
     let mut posed = scene.vertices.clone();
     let to: *mut f32 = posed.as_mut_ptr().cast();
     let (from, made) = (scene.numbers(), &raw const skin);
-    for how in HOW {
+    for how in How::ALL {
         let refused = |skin, from, to, vertices, wanted| {
             // SAFETY: buffers have the length that is said, or pointers are wrong in ways that are seen.
             let status = unsafe { scene.pose(how, skin, (from, ALL), (to, ALL), vertices) };

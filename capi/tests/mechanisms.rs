@@ -1,9 +1,16 @@
 //! What is wrong with a mechanism or a call of it: an error of its own, the joint named, nothing written.
 
+#[path = "support/answers.rs"]
+mod answers;
+#[path = "support/joint.rs"]
+mod joint;
+
+use answers::answers;
 use dq8_capi::Status;
 use dq8_capi::joint::{Joint, JointKind};
 use dq8_capi::links::single as l;
 use dq8_capi::mechanism::{Mechanism, Step, single as m};
+use joint::joint;
 use std::mem::MaybeUninit;
 use std::ptr;
 
@@ -15,19 +22,6 @@ struct Aligned<T>(T);
 
 /// A hinge, a slide on it, and a hinge that mimics the slide.
 fn joints() -> [Joint<f32>; LINKS] {
-    let joint = |parent: i32, kind: JointKind| Joint {
-        parent,
-        kind: kind as i32,
-        placement: [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0],
-        axis: [0.0, 0.0, 1.0],
-        pitch: 0.0,
-        mimics: 0,
-        leader: 0,
-        multiplier: 0.0,
-        offset: 0.0,
-        limited: 0,
-        limits: [0.0; 2],
-    };
     let [hinge, slide, last] = [
         joint(-1, JointKind::Revolute),
         joint(0, JointKind::Prismatic),
@@ -65,7 +59,7 @@ fn a_joint_that_is_wrong_is_named() {
     };
     assert_eq!(wrong(|_| ()), (Status::Ok, None));
     let named = |joint| Some(joint);
-    for (at, (got, wanted)) in [
+    answers([
         (wrong(|j| j[1].parent = 1), (Status::ParentNotBefore, named(1))),
         (wrong(|j| j[1].parent = 3), (Status::ParentOutOfRange, named(1))),
         (wrong(|j| j[0].parent = -2), (Status::ParentOutOfRange, named(0))),
@@ -80,12 +74,7 @@ fn a_joint_that_is_wrong_is_named() {
         (wrong(|j| j[2].multiplier = f32::INFINITY), (Status::NotFinite, named(2))),
         (wrong(|j| j[1].kind = 6), (Status::UnknownValue, named(1))),
         (wrong(|j| j[1].mimics = 2), (Status::UnknownValue, named(1))),
-    ]
-    .into_iter()
-    .enumerate()
-    {
-        assert_eq!(got, wanted, "case {at}");
-    }
+    ]);
 }
 
 #[test]
@@ -98,7 +87,7 @@ fn every_pointer_to_make_one_is_checked() {
     let within = from.cast_mut();
     // SAFETY: what is dereferenced is as long as it is said to be; what is not, is refused.
     unsafe {
-        for (at, (got, wanted)) in [
+        answers([
             (m::make(ptr::null(), LINKS, to, of, named), Status::NullPointer),
             (m::make(from, LINKS, ptr::null_mut(), of, named), Status::NullPointer),
             (m::make(from, LINKS, to, ptr::null_mut(), named), Status::NullPointer),
@@ -113,12 +102,7 @@ fn every_pointer_to_make_one_is_checked() {
             (m::make(from, LINKS, to, of, to.cast()), Status::Overlap),
             (m::make(from, LINKS, to, of, of.cast()), Status::Overlap),
             (m::make(from, usize::MAX / 8, to, of, named), Status::TooLarge),
-        ]
-        .into_iter()
-        .enumerate()
-        {
-            assert_eq!(got, wanted, "make, case {at}");
-        }
+        ]);
     }
     assert_eq!((made.links, bad), (0, 0), "something was written");
 }
@@ -150,7 +134,7 @@ fn every_pointer_to_use_one_is_checked() {
         let (s, none) = (to.cast::<f32>(), ptr::null_mut::<f32>());
         let odd = ptr::null::<f32>().wrapping_byte_add(2).cast_mut();
         let lost = ptr::null();
-        for (at, (got, wanted)) in [
+        answers([
             (m::link_poses(lost, v, 2, o, count), Status::NullPointer),
             (m::link_poses(of.wrapping_byte_add(4), v, 2, o, count), Status::Misaligned),
             (m::link_poses(of, none, 2, o, count), Status::NullPointer),
@@ -193,12 +177,7 @@ fn every_pointer_to_use_one_is_checked() {
             (l::link_poses(of, v, 5, o, 2 * count), Status::Length),
             (l::link_poses(of, v, 4, o, 2 * count - 1), Status::Length),
             (l::blocks_link_poses(4, of, v, 4, o, count), Status::Lanes),
-        ]
-        .into_iter()
-        .enumerate()
-        {
-            assert_eq!(got, wanted, "call, case {at}");
-        }
+        ]);
         assert_eq!((out, pose), ([7.0; NUMBERS], [7.0; 8]), "something was written");
         for got in [
             m::link_poses(of, v, 2, o, count),

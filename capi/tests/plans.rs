@@ -1,5 +1,9 @@
 //! Plans: the models are those of the Rust plan, bad memory is refused, and nothing is written then.
 
+#[path = "support/answers.rs"]
+mod answers;
+
+use answers::answers;
 use dq8::{DualQuat, Hierarchy, Real, Scalar, hierarchy::HierarchyPlan};
 use dq8_capi::Status;
 use dq8_capi::plan::{self, dq8_plan_make as make};
@@ -88,9 +92,7 @@ fn an_order_that_was_not_made_is_refused_and_so_are_bad_pointers() {
             (p::local_to_model(ptr::null(), 0, from, to, 0), Status::Ok),
         ]
     };
-    for (at, (got, wanted)) in results.into_iter().enumerate() {
-        assert_eq!(got, wanted, "case {at}");
-    }
+    answers(results);
     assert_eq!(models, locals);
 }
 
@@ -103,7 +105,7 @@ fn bad_parents_and_memory_are_refused_and_the_joint_is_named() {
     let (forward, beyond) = ([-1, 2, 0, 0, 0, 0], [-1, 0, 0, 6, 0, 0]);
     // SAFETY: what is dereferenced is as long as it is said to be.
     unsafe {
-        for (got, wanted) in [
+        answers([
             (make(ptr::null(), JOINTS, order, scratch, none), Status::NullPointer),
             (make(parents, JOINTS, ptr::null_mut(), scratch, none), Status::NullPointer),
             (make(parents, JOINTS, order, ptr::null_mut(), none), Status::NullPointer),
@@ -114,9 +116,7 @@ fn bad_parents_and_memory_are_refused_and_the_joint_is_named() {
             (make(parents, JOINTS, order, scratch, order.cast()), Status::Overlap),
             (make(parents, JOINTS, order, scratch, scratch.cast()), Status::Overlap),
             (make(parents, usize::MAX / 2, order, scratch, none), Status::TooLarge),
-        ] {
-            assert_eq!(got, wanted);
-        }
+        ]);
         let status = make(forward.as_ptr(), JOINTS, order, scratch, &raw mut bad);
         assert_eq!((status, bad), (Status::ParentNotBefore, 1));
         let status = make(beyond.as_ptr(), JOINTS, order, scratch, &raw mut bad);

@@ -1,9 +1,16 @@
 //! Inverse kinematics of one configuration through C: the same as the library's, and what is refused.
 
+#[path = "support/answers.rs"]
+mod answers;
+#[path = "support/joint.rs"]
+mod joint;
+
+use answers::answers;
 use dq8_capi::Status;
 use dq8_capi::joint::{Joint, JointKind};
 use dq8_capi::mechanism::{Mechanism, Step, double as m};
 use dq8_capi::reach::{Goal, Outcome, ReachOptions, ReachReport, double as c};
+use joint::joint;
 use std::mem::MaybeUninit;
 use std::ptr;
 
@@ -12,18 +19,12 @@ const VALUES: usize = 3;
 
 /// Three hinges in a plane, with limits, and a tool.
 fn joints() -> [Joint<f64>; LINKS] {
-    std::array::from_fn(|index| Joint {
-        parent: index as i32 - 1,
-        kind: if index < VALUES { JointKind::Revolute } else { JointKind::Fixed } as i32,
-        placement: [0.0, 0.0, 0.0, 1.0, if index == 0 { 0.0 } else { 0.5 }, 0.0, 0.0, 0.0],
-        axis: [0.0, 0.0, 1.0],
-        pitch: 0.0,
-        mimics: 0,
-        leader: 0,
-        multiplier: 0.0,
-        offset: 0.0,
-        limited: i32::from(index < VALUES),
-        limits: [-2.5, 2.5],
+    std::array::from_fn(|index| {
+        let hinge = index < VALUES;
+        let kind = if hinge { JointKind::Revolute } else { JointKind::Fixed };
+        let mut joint = joint(index as i32 - 1, kind);
+        joint.placement[4] = if index == 0 { 0.0 } else { 0.5 };
+        Joint { limited: i32::from(hinge), limits: [-2.5, 2.5], ..joint }
     })
 }
 
@@ -196,7 +197,7 @@ fn pointers_that_are_null_or_overlap_are_refused() {
         c::reach(of, goals, target, 1, none, ptr::null(), values, VALUES, scratch, count, report)
     };
     let inside = target.cast_mut();
-    for (at, (got, wanted)) in [
+    answers([
         (call(ptr::null(), target, values, scratch, report), Status::NullPointer),
         (call(goals, null, values, scratch, report), Status::NullPointer),
         (call(goals, target, null, scratch, report), Status::NullPointer),
@@ -210,12 +211,7 @@ fn pointers_that_are_null_or_overlap_are_refused() {
         (call(goals, scratch, values, scratch, report), Status::Overlap),
         (call(goals, target, values, scratch, inside.cast()), Status::Overlap),
         (call(goals, target, values, scratch, of.cast_mut().cast()), Status::Overlap),
-    ]
-    .into_iter()
-    .enumerate()
-    {
-        assert_eq!(got, wanted, "case {at}");
-    }
+    ]);
     let mut unmade = MaybeUninit::<Mechanism<f64>>::zeroed();
     let mut needed = 5;
     // SAFETY: as above; the mechanism is zero.

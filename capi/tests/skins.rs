@@ -2,6 +2,9 @@
 //! own, and nothing is written. Arrays have just the length that is said, so that the address sanitizer sees
 //! a number read or written beyond (how to run it: `fuzz.rs`).
 
+#[path = "support/pose.rs"]
+mod pose;
+
 use dq8::skinning::{
     self, DualBlend, Linear, Mixed, Stretched, Surface, SurfaceMut, matrix_palette, split_palette,
 };
@@ -10,6 +13,7 @@ use dq8_capi::Status;
 use dq8_capi::palette::single as p;
 use dq8_capi::skin::Skin;
 use dq8_capi::skinning::single as c;
+use pose::{How, Pointers, pose};
 use std::mem::MaybeUninit;
 use std::ptr;
 
@@ -120,61 +124,13 @@ impl Mesh {
     }
 }
 
-#[derive(Clone, Copy, Debug)]
-enum How {
-    Linear,
-    Dual,
-    Stretched,
-    Mixed,
-}
-
-const ALL: [How; 4] = [How::Linear, How::Dual, How::Stretched, How::Mixed];
-
-impl How {
-    /// What it poses by.
-    fn palettes(self) -> &'static [fn(&mut Pointers) -> &mut *const f32] {
-        match self {
-            Self::Linear => &[|of| &mut of.matrices],
-            Self::Dual => &[|of| &mut of.motions],
-            Self::Stretched => &[|of| &mut of.motions, |of| &mut of.stretches],
-            Self::Mixed => &[|of| &mut of.matrices, |of| &mut of.motions, |of| &mut of.shares],
-        }
-    }
-}
-
-#[derive(Clone, Copy)]
-struct Pointers {
-    skin: *const Skin<f32>,
-    matrices: *const f32,
-    motions: *const f32,
-    stretches: *const f32,
-    shares: *const f32,
-    rest: [*const f32; 3],
-}
-
-/// # Safety
-/// As for the C functions.
-unsafe fn pose(
-    how: How,
-    joints: usize,
-    of: Pointers,
-    to: [*mut f32; 3],
-    vertices: usize,
-) -> Status {
-    let Pointers { skin, matrices, motions, stretches, shares, rest: [p, n, t] } = of;
-    let [to_p, to_n, to_t] = to;
-    // SAFETY: promised.
-    unsafe {
-        match how {
-            How::Linear => c::linear(skin, matrices, joints, p, n, t, to_p, to_n, to_t, vertices),
-            How::Dual => c::dual(skin, motions, joints, p, n, t, to_p, to_n, to_t, vertices),
-            How::Stretched => {
-                c::stretched(skin, motions, stretches, joints, p, n, t, to_p, to_n, to_t, vertices)
-            }
-            How::Mixed => c::mixed(
-                skin, matrices, motions, shares, joints, p, n, t, to_p, to_n, to_t, vertices,
-            ),
-        }
+/// What it poses by.
+fn palettes(how: How) -> &'static [fn(&mut Pointers) -> &mut *const f32] {
+    match how {
+        How::Linear => &[|of| &mut of.matrices],
+        How::Dual => &[|of| &mut of.motions],
+        How::Stretched => &[|of| &mut of.motions, |of| &mut of.stretches],
+        How::Mixed => &[|of| &mut of.matrices, |of| &mut of.motions, |of| &mut of.shares],
     }
 }
 
@@ -187,7 +143,7 @@ fn every_function_gives_what_the_rust_one_gives() {
         assert_eq!((skin.vertices, skin.influences, skin.joints), (vertices, influences, JOINTS));
         // It may be moved.
         let moved = Box::new(skin);
-        for how in ALL {
+        for how in How::ALL {
             for all in [false, true] {
                 let mut got = [(); 3].map(|()| vec![[9.0; 3]; vertices].into_boxed_slice());
                 let mut to = got.each_mut().map(|one| one.as_mut_ptr().cast());
@@ -313,7 +269,7 @@ fn pointers_that_are_wrong_are_refused_and_nothing_is_written() {
     // SAFETY: a skin is numbers and pointers.
     let unmade: Skin<f32> = unsafe { MaybeUninit::zeroed().assume_init() };
     let null = ptr::null::<f32>();
-    for how in ALL {
+    for how in How::ALL {
         let refused = |of: Pointers, to, joints, vertices, wanted| {
             // SAFETY: arrays have the length that is said, or pointers are wrong in ways that are seen.
             assert_eq!(unsafe { pose(how, joints, of, to, vertices) }, wanted, "{how:?}");
@@ -323,7 +279,7 @@ fn pointers_that_are_wrong_are_refused_and_nothing_is_written() {
         refused(good, to, JOINTS - 1, 19, Status::Length);
         refused(good, to, JOINTS, 18, Status::Length);
         let odd = |start: *const f32| start.wrapping_byte_add(2);
-        for palette in how.palettes() {
+        for palette in palettes(how) {
             let mut of = good;
             *palette(&mut of) = null;
             refused(of, to, JOINTS, 19, Status::NullPointer);

@@ -120,6 +120,12 @@ impl<'py, R: Number> Input<'py, R> {
         Ok(Self { array: copy.readonly(), ..self })
     }
 
+    /// With an element in memory for each of its own leading dimensions.
+    pub(crate) fn in_full(self) -> PyResult<Self> {
+        let shape = self.full_leading.clone();
+        self.filled(&shape)
+    }
+
     /// With an element in memory for each of `shape`, to which the leading dimensions broadcast.
     pub(crate) fn filled(self, shape: &[usize]) -> PyResult<Self> {
         if self.leading == shape {

@@ -33,7 +33,7 @@ fn configurations<'py, R: Number>(
     let Some((_, leading)) = full.split_last().filter(|&(&last, _)| last == count) else {
         return Err(misshapen("values", &format!("(..., {count})"), &full));
     };
-    Ok((values.filled(&full)?, leading.to_vec()))
+    Ok((values.in_full()?, leading.to_vec()))
 }
 
 /// The poses of links at each configuration.

@@ -177,7 +177,7 @@ impl Hierarchy {
             let expected = format!("(..., {}, 8)", self.parents.len());
             return Err(misshapen(name, &expected, &poses.shape()));
         }
-        let poses = poses.filled(&full)?;
+        let poses = poses.in_full()?;
         let root = root.map(Input::<R>::of).transpose()?;
         let root = match &root {
             None => None,

@@ -2,14 +2,10 @@
 
 use crate::argument::{Argument, Input};
 use crate::error::misshapen;
-use crate::shape::EIGHT;
 use dq8::DualQuat;
 use dq8::mechanism::{Joint, JointKind, OwnedMechanism};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
-
-const THREE: &[usize] = &[3];
-const TWO: &[usize] = &[2];
 
 /// What the arrays say of each joint, before it is checked.
 pub(crate) struct Arrays<'a, 'py> {
@@ -25,10 +21,10 @@ impl Arrays<'_, '_> {
     pub(crate) fn joints(&self) -> PyResult<Vec<Joint<f64>>> {
         let count = self.parents.len();
         let kinds = kinds(self.kinds, count)?;
-        let axes = rows::<3>("axes", THREE, self.axes, count)?;
-        let placements = rows::<8>("placements", EIGHT, self.placements, count)?;
+        let axes = rows::<3>("axes", self.axes, count)?;
+        let placements = rows::<8>("placements", self.placements, count)?;
         let limits = match self.limits {
-            Some(limits) => rows::<2>("limits", TWO, limits, count)?,
+            Some(limits) => rows::<2>("limits", limits, count)?,
             None => vec![NO_LIMITS; count],
         };
         let mut joints = Vec::with_capacity(count);
@@ -70,11 +66,10 @@ fn kinds(given: &Bound<'_, PyAny>, count: usize) -> PyResult<Vec<String>> {
 /// An array with one row for each joint, or one row for all.
 fn rows<const C: usize>(
     name: &'static str,
-    core: &'static [usize],
     value: &Bound<'_, PyAny>,
     count: usize,
 ) -> PyResult<Vec<[f64; C]>> {
-    let input = Input::<f64>::of(Argument { name, core, value })?;
+    let input = Input::<f64>::of(Argument { name, core: &[C], value })?;
     match *input.full_leading() {
         [] | [1] => Ok(input.records::<C>().repeat(count)),
         [own] if own == count => Ok(input.filled(&[count])?.records::<C>().to_vec()),

@@ -9,7 +9,7 @@ use crate::joints::{Arrays, NO_LIMITS, limits, name_and_axis, values_and_rates};
 use crate::links::{Chosen, link_of, names};
 use crate::reach::{Search, reach};
 use crate::reach_report::ReachReport;
-use crate::shape::{EIGHT, SIX};
+use crate::shape::{EIGHT, NUMBER, SIX};
 use crate::urdf::text_of;
 use dq8::ik::Options;
 use dq8::mechanism::{Joint, MechanismError, OwnedMechanism};
@@ -217,7 +217,7 @@ impl Mechanism {
         out: Option<&Bound<'py, PyAny>>,
     ) -> Answer<'py> {
         let chosen = links.map(|links| Chosen::of(&self.links, links)).transpose()?;
-        let values = Argument { name: "values", core: &[], value: values };
+        let values = Argument { name: "values", core: NUMBER, value: values };
         if is_single([values])? {
             poses(self.single()?, values, chosen, out)
         } else {
@@ -274,7 +274,7 @@ impl Mechanism {
             }
         };
         let link = link_of(&self.links, "link", link)?;
-        let values = Argument { name: "values", core: &[], value: values };
+        let values = Argument { name: "values", core: NUMBER, value: values };
         if is_single([values])? {
             jacobian(self.single()?, values, link, frame, out)
         } else {
@@ -361,10 +361,10 @@ impl Mechanism {
     ) -> PyResult<(Bound<'py, PyAny>, ReachReport)> {
         let search = Search {
             targets: Argument { name: "targets", core: EIGHT, value: targets },
-            values: Argument { name: "values", core: &[], value: values },
+            values: Argument { name: "values", core: NUMBER, value: values },
             chosen: Chosen::of(&self.links, links)?,
             weights: weights.map(|value| Argument { name: "weights", core: SIX, value }),
-            posture: posture.map(|value| Argument { name: "posture", core: &[], value }),
+            posture: posture.map(|value| Argument { name: "posture", core: NUMBER, value }),
             options: Options {
                 angular_tolerance,
                 linear_tolerance,

@@ -50,7 +50,7 @@ impl<R: Number> Palette<R> {
                 return Err(misshapen("palette", expected, &full));
             }
         };
-        let given = given.filled(&full)?;
+        let given = given.in_full()?;
         let numbers = given.records::<1>().as_flattened();
         let done = given.py().detach(|| {
             Ok(match (rows, method) {

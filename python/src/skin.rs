@@ -165,8 +165,7 @@ fn typed<'py, R: Number>(call: Call<'_, 'py>, out: Option<&Bound<'py, PyAny>>) -
         outputs.push(output);
     }
     let ready = |input: Input<'py, R>| -> PyResult<Input<'py, R>> {
-        let full = input.full_leading().to_vec();
-        outputs.iter().try_fold(input.filled(&full)?, Input::apart_from)
+        outputs.iter().try_fold(input.in_full()?, Input::apart_from)
     };
     let (points, weights) = (ready(points)?, ready(weights)?);
     let shares = shares.map(ready).transpose()?;

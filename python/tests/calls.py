@@ -14,9 +14,11 @@ from dq8 import RigidTransform
 COUNT, JOINTS = 21, 5
 
 
-def motions(rng: np.random.Generator, *shape: int) -> np.ndarray:
+def motions(rng: np.random.Generator, *shape: int, size: float = 1.0) -> np.ndarray:
+    """Unit dual quaternions from SciPy, with translations of about `size`."""
     count = int(np.prod(shape))
-    transforms = Theirs.from_components(rng.normal(size=(count, 3)), Rotation.random(count, rng=rng))
+    rotations = Rotation.random(count, rng=rng)
+    transforms = Theirs.from_components(size * rng.normal(size=(count, 3)), rotations)
     return transforms.as_dual_quat().reshape(*shape, 8)
 
 

@@ -1,8 +1,10 @@
 """Random motions, and distances from peers."""
 
+import functools
+
 import numpy as np
 import pytest
-from scipy.spatial.transform import RigidTransform, Rotation
+from calls import motions
 
 import dq8
 
@@ -14,15 +16,8 @@ def rng() -> np.random.Generator:
 
 @pytest.fixture
 def random_motions(rng):
-    """Unit dual quaternions from SciPy, with translations of about `size`."""
-
-    def make(*shape: int, size: float = 1.0) -> np.ndarray:
-        count = int(np.prod(shape))
-        rotations = Rotation.random(count, rng=rng)
-        transforms = RigidTransform.from_components(size * rng.normal(size=(count, 3)), rotations)
-        return transforms.as_dual_quat().reshape(*shape, 8)
-
-    return make
+    """Motions of a shape, with translations of about a `size`."""
+    return functools.partial(motions, rng)
 
 
 def longest(array) -> float:

@@ -2,14 +2,12 @@
 
 import copy
 import pickle
-from pathlib import Path
 
 import numpy as np
 import pytest
+from robots import ROBOTS, random_values
 
 import dq8
-
-ROBOTS = Path(__file__).parents[2] / "urdf" / "robots"
 
 CRANE = """
 <robot name="crane">
@@ -35,11 +33,6 @@ CRANE = """
 @pytest.fixture
 def crane() -> dq8.Mechanism:
     return dq8.Mechanism.from_urdf(CRANE)
-
-
-def random_values(mechanism: dq8.Mechanism, rng, *shape: int) -> np.ndarray:
-    low, high = np.clip(mechanism.limits, -3, 3).T
-    return rng.uniform(low, high, size=(*shape, len(low)))
 
 
 def hook_by_hand(turn: float, travel: float) -> np.ndarray:

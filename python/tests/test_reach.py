@@ -1,13 +1,11 @@
 """Inverse kinematics of mechanisms: forward kinematics, in NumPy, of what comes back."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
+from robots import ROBOTS, random_values
 
 import dq8
 
-ROBOTS = Path(__file__).parents[2] / "urdf" / "robots"
 NONE = [-np.inf, np.inf]
 POSITION = [0, 0, 0, 1, 1, 1]
 
@@ -22,11 +20,6 @@ def planar() -> dq8.Mechanism:
     """Three hinges about z, a meter apart; the last link is where the third hinge is."""
     offsets = dq8.from_translation([[0.0, 0, 0], [1, 0, 0], [1, 0, 0]])
     return dq8.Mechanism([-1, 0, 1], "revolute", [0, 0, 1], offsets)
-
-
-def random_values(mechanism: dq8.Mechanism, rng, *shape: int) -> np.ndarray:
-    low, high = np.clip(mechanism.limits, -3, 3).T
-    return rng.uniform(low, high, size=(*shape, len(low)))
 
 
 def matrices_of_planar(values: np.ndarray) -> np.ndarray:

@@ -4,6 +4,8 @@
 mod chains;
 mod geometry;
 mod hierarchies;
+#[path = "../support/joint.rs"]
+mod joint;
 mod mechanisms;
 mod motions;
 mod sample;

@@ -1,10 +1,11 @@
 //! Mechanisms: poses of links and Jacobians.
 
+use crate::joint::joint as plain;
 use crate::sample::{for_all_lanes, motions, same, vector, wave};
 use dq8::mechanism::{Body, Joint, JointKind, OwnedMechanism, World, WorldAligned};
 use dq8::storage::Block;
 use dq8::{Backend, DualQuat, Real, Twist};
-use dq8_capi::joint::{self, JointKind as Kind};
+use dq8_capi::joint::{Joint as Described, JointKind as Kind};
 use dq8_capi::mechanism::{Frame, Mechanism, Step};
 use dq8_capi::{Status, links, mechanism};
 use std::mem::MaybeUninit;
@@ -44,7 +45,7 @@ fn joints<R: Real>() -> [Joint<R>; LINKS] {
 }
 
 /// The same as C has it; numbers that the kind does not name are 0.
-fn described<R: Real>(joint: &Joint<R>) -> joint::Joint<R> {
+fn described<R: Real>(joint: &Joint<R>) -> Described<R> {
     let none = [R::ZERO; 3];
     let (kind, axis, pitch) = match joint.kind {
         JointKind::Fixed => (Kind::Fixed, none, R::ZERO),
@@ -55,20 +56,12 @@ fn described<R: Real>(joint: &Joint<R>) -> joint::Joint<R> {
         JointKind::Floating => (Kind::Floating, none, R::ZERO),
         _ => unreachable!("there are no others here"),
     };
-    let mimic = joint.mimic;
-    joint::Joint {
-        parent: joint.parent.map_or(-1, |parent| parent as i32),
-        kind: kind as i32,
-        placement: joint.placement.to_array(),
-        axis,
-        pitch,
-        mimics: i32::from(mimic.is_some()),
-        leader: mimic.map_or(0, |mimic| mimic.joint as i32),
-        multiplier: mimic.map_or(R::ZERO, |mimic| mimic.multiplier),
-        offset: mimic.map_or(R::ZERO, |mimic| mimic.offset),
-        limited: i32::from(joint.limits.is_some()),
-        limits: joint.limits.unwrap_or_default(),
-    }
+    let parent = joint.parent.map_or(-1, |parent| parent as i32);
+    let placement = joint.placement.to_array();
+    let described = Described { placement, axis, pitch, ..plain(parent, kind) };
+    let Some(mimic) = joint.mimic else { return described };
+    let (multiplier, offset) = (mimic.multiplier, mimic.offset);
+    Described { mimics: 1, leader: mimic.joint as i32, multiplier, offset, ..described }
 }
 
 macro_rules! agree {

@@ -8,14 +8,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _core
+from ._arrays import ORTHOGONAL, check_out, floats, unrigid_made_rigid
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, DTypeLike, NDArray
     from scipy.spatial.transform import Rotation
-
-# How far RRᵀ may be from 1 in a matrix whose R is taken as it is: some units of the last place, which
-# rounding to the type leaves. Beyond, the nearest rotation is sought.
-_ORTHOGONAL = {np.dtype(np.float64): 1e-12, np.dtype(np.float32): 2e-6}
 
 _SCALAR_FIRST = [3, 0, 1, 2, 7, 4, 5, 6]
 _SCALAR_LAST = [1, 2, 3, 0, 5, 6, 7, 4]
@@ -42,65 +39,12 @@ def identity(shape: int | tuple[int, ...] = (), dtype: DTypeLike = np.float64) -
     return motions
 
 
-def _floats(name: str, value: ArrayLike, core: tuple[int, ...]) -> NDArray[Any]:
-    """`value` as an array of float32 or float64 whose last dimensions are `core`."""
-    array = np.asarray(value)
-    if array.shape[-len(core) :] != core:
-        dimensions = ", ".join(map(str, core))
-        raise ValueError(f"Expected `{name}` to have shape (..., {dimensions}), got {array.shape}.")
-    if array.dtype == np.float16:
-        return array.astype(np.float32)
-    if array.dtype.kind in "iub":
-        return array.astype(np.float64)
-    if array.dtype not in _ORTHOGONAL:
-        raise TypeError(f"Expected `{name}` to hold real numbers of at most 64 bits, got dtype {array.dtype}.")
-    return array
-
-
-def _check_out(out: NDArray[Any], result: NDArray[Any]) -> None:
-    """What the compiled functions say where `out` cannot hold the result."""
-    if not isinstance(out, np.ndarray):
-        raise TypeError(f"Expected `out` to be an array, got {type(out).__name__}.")
-    if out.dtype != result.dtype:
-        raise TypeError(f"Expected `out` to have dtype {result.dtype}, the dtype of the result, got {out.dtype}.")
-    if out.shape != result.shape:
-        raise ValueError(f"Expected `out` to have shape {result.shape}, that of the result, got {out.shape}.")
-    if not out.flags.writeable:
-        raise ValueError("Expected `out` to be writeable, got a read-only array.")
-
-
 def _rotation_type() -> type[Rotation]:
     # Imported when it is needed: importing SciPy takes longer than importing this package.
     from scipy.spatial.transform import Rotation
 
     made: type[Rotation] = Rotation
     return made
-
-
-def _unrigid_made_rigid(matrices: NDArray[Any]) -> NDArray[Any]:
-    """`matrices` with the nearest rotation in the place of each R that is none.
-
-    Raises ValueError where there is none: a last row that is not 0 0 0 1, a reflection, or no volume.
-    """
-    rigidity = _core.rigidity(matrices)
-    if (rigidity[..., 2] != 0).any():
-        index = tuple(int(i) for i in np.argwhere(rigidity[..., 2] != 0)[0])
-        raise ValueError(
-            f"Expected last row of transformation matrix {index} to be exactly [0, 0, 0, 1], got {matrices[index][3]}"
-        )
-    if (rigidity[..., 1] <= 0).any():
-        index = tuple(int(i) for i in np.argwhere(rigidity[..., 1] <= 0)[0])
-        raise ValueError(
-            "Non-positive determinant (left-handed or null coordinate frame) in rotation matrix "
-            f"{index}: {matrices[index][:3, :3]}."
-        )
-    skew = ~(rigidity[..., 0] <= _ORTHOGONAL[matrices.dtype])
-    if not skew.any():
-        return matrices
-    matrices = matrices.copy()
-    u, _, vt = np.linalg.svd(matrices[skew][..., :3, :3])
-    matrices[skew, :3, :3] = u @ vt
-    return matrices
 
 
 class RigidTransform:
@@ -138,9 +82,9 @@ class RigidTransform:
     __slots__ = ("_motions",)
 
     def __init__(self, matrix: ArrayLike, normalize: bool = True, copy: bool = True) -> None:
-        matrices = _floats("matrix", matrix, (4, 4))
+        matrices = floats("matrix", matrix, (4, 4))
         if normalize:
-            matrices = _unrigid_made_rigid(matrices)
+            matrices = unrigid_made_rigid(matrices)
         self._motions = _core.from_matrix(matrices)
 
     @staticmethod
@@ -162,9 +106,7 @@ class RigidTransform:
     @staticmethod
     def from_rotation(rotation: Rotation) -> RigidTransform:
         """From a SciPy rotation r of any shape, in float64, without translation: ``r + 0ε``."""
-        if not isinstance(rotation, _rotation_type()):
-            raise TypeError(f"Expected `rotation` to be a `Rotation` instance, got {type(rotation)}.")
-        return RigidTransform._of(_core.from_rotation_translation(rotation.as_quat(), np.zeros(3)))
+        return RigidTransform.from_components(np.zeros(3), rotation)
 
     @staticmethod
     def from_translation(translation: ArrayLike) -> RigidTransform:
@@ -187,7 +129,7 @@ class RigidTransform:
 
         ``exp(½ξ)`` of the twist ξ = ω + εv.
         """
-        return RigidTransform._of(_core.from_twist(_floats("exp_coords", exp_coords, (6,))))
+        return RigidTransform._of(_core.from_twist(floats("exp_coords", exp_coords, (6,))))
 
     @staticmethod
     def from_dual_quat(dual_quat: ArrayLike, *, scalar_first: bool = False) -> RigidTransform:
@@ -196,7 +138,7 @@ class RigidTransform:
         The scalar is the last of each four, or the first. A real part of zero is taken for 1.
         """
         if scalar_first:
-            dual_quat = _floats("dual_quat", dual_quat, (8,))[..., _SCALAR_LAST]
+            dual_quat = floats("dual_quat", dual_quat, (8,))[..., _SCALAR_LAST]
         return RigidTransform._of(_core.unit_or_identity(dual_quat))
 
     @staticmethod
@@ -238,7 +180,7 @@ class RigidTransform:
 
     def astype(self, dtype: DTypeLike) -> RigidTransform:
         """The same transforms in float64 or float32."""
-        if np.dtype(dtype) not in _ORTHOGONAL:
+        if np.dtype(dtype) not in ORTHOGONAL:
             raise TypeError(f"Expected `dtype` to be float64 or float32, got {np.dtype(dtype)}.")
         return RigidTransform._of(_core.normalize(self._motions.astype(dtype)))
 
@@ -267,7 +209,7 @@ class RigidTransform:
         motions = self._motions[..., _SCALAR_FIRST] if scalar_first else self._motions
         if out is None:
             return motions if scalar_first else motions.copy()
-        _check_out(out, motions)
+        check_out(out, motions)
         np.copyto(out, motions)
         return out
 

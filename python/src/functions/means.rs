@@ -106,7 +106,7 @@ fn typed<'py, R: Number>(
     let Some((&count, leading)) = full.split_last().filter(|(count, _)| **count > 0) else {
         return Err(misshapen("motions", "(..., n, 8) with n > 0", &motions.shape()));
     };
-    let motions = motions.filled(&full)?;
+    let motions = motions.in_full()?;
     let weights = weights.map(Input::<R>::of).transpose()?;
     let own = match &weights {
         None => false,
@@ -117,12 +117,7 @@ fn typed<'py, R: Number>(
             return Err(misshapen("weights", &expected, &weights.shape()));
         }
     };
-    let weights = weights
-        .map(|weights| {
-            let shape = weights.full_leading().to_vec();
-            weights.filled(&shape)
-        })
-        .transpose()?;
+    let weights = weights.map(Input::in_full).transpose()?;
     let output = Output::<R>::new(motions.py(), out, leading, EIGHT)?;
     let motions = motions.apart_from(&output)?;
     let weights = weights.map(|weights| weights.apart_from(&output)).transpose()?;

@@ -70,9 +70,9 @@ fn typed<'py, R: Number>(
     let at = Input::<R>::of(at)?;
     let leading = at.full_leading().to_vec();
     let output = Output::<R>::new(at.py(), out, &leading, EIGHT)?;
-    let times = times.filled(&[count])?.apart_from(&output)?;
-    let poses = poses.filled(&[count])?.apart_from(&output)?;
-    let at = at.filled(&leading)?.apart_from(&output)?;
+    let times = times.in_full()?.apart_from(&output)?;
+    let poses = poses.in_full()?.apart_from(&output)?;
+    let at = at.in_full()?.apart_from(&output)?;
 
     let (instants, samples) = (times.records::<1>(), at.records::<1>());
     let poses: &[DualQuat<R>] = bytemuck::must_cast_slice(poses.records::<8>());

@@ -84,8 +84,8 @@ fn typed<'py, R: Number>(
     let windows = (length + 1).saturating_sub(count);
     let leading = [rows, &[windows]].concat();
     let output = Output::<R>::new(motions.py(), out, &leading, EIGHT)?;
-    let motions = motions.filled(&full)?.apart_from(&output)?;
-    let weights = weights.filled(&[count])?.apart_from(&output)?;
+    let motions = motions.in_full()?.apart_from(&output)?;
+    let weights = weights.in_full()?.apart_from(&output)?;
 
     let influences = Influences {
         count,
