@@ -22,13 +22,13 @@ fn parallel_sine<L: Lanes>(one: L) -> L {
     one.constant(4.0 * vector::epsilon::<L>())
 }
 
-/// The vector with length 1, the length that it had, and where it has no direction: it is zero, or its
-/// length not finite.
+/// The vector with length 1, the length that it had, and where it has no direction: it is zero, or a
+/// component is not finite. The length of finite components may overflow: it still divides them.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn unit<L: Lanes>(of: [L; 3]) -> ([L; 3], Length<L>, L::Mask) {
     let length = Length::of(of, of[0].constant(1.0));
     let value = length.value();
-    let has_direction = value.constant(0.0).lt(value) & vector::is_finite(value);
+    let has_direction = value.constant(0.0).lt(value) & vector::are_finite(of);
     (length.divide_all(of), length, !has_direction)
 }
 
