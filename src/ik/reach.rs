@@ -12,7 +12,7 @@ where
     R: Scalar + Lanes<Real = R, Level = Portable, Mask = bool>,
 {
     /// Moves the joints from `values` until the end is at `target`, which is normalized first; farther
-    /// than 10⁻³ from unit it is [`Outcome::Invalid`].
+    /// than 10⁻³ from unit it is [`Outcome::Invalid`](crate::ik::Outcome::Invalid).
     ///
     /// Each iteration is a damped step of second order (Halley's) along the screws of the joints, with
     /// the error 2 log(target · pose*): λ² is a part of the squared error (Sugihara 2011); a joint that

@@ -24,7 +24,7 @@ impl Step {
         DualQuat::from_rotation_translation(turn, self.shift).to_array()
     }
 
-    /// Rodrigues: R = cos θ + sin θ [k]× + (1 − cos θ) k kᵀ.
+    /// Rodrigues: R = cos θ + sin θ k× + (1 − cos θ) k kᵀ.
     pub fn matrix(&self) -> Matrix {
         let ([x, y, z], (sin, cos)) = (self.axis, self.angle.sin_cos());
         let cross = [[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]];

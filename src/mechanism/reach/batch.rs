@@ -19,9 +19,9 @@ where
     /// `goals[i]`. Without allocation; `scratch` has [`scratch_len`](Self::scratch_len) numbers or more, and
     /// may hold anything.
     ///
-    /// Targets are normalized; farther than 10⁻³ from unit they are [`Outcome::Invalid`], and so are numbers
-    /// that are not finite, but for values of joints that move no goal, and options that are none: `values` is
-    /// untouched then. Each iteration is a damped step within the limits, of second order where a goal asks
+    /// Targets are normalized; farther than 10⁻³ from unit they are
+    /// [`Outcome::Invalid`](crate::ik::Outcome::Invalid), and so are numbers that are not finite, but for values
+    /// of joints that move no goal, and options that are none: `values` is untouched then. Each iteration is a damped step within the limits, of second order where a goal asks
     /// for the whole pose, as for an [`Arm`](crate::ik::Arm). Where two steps in a row do not lead much nearer,
     /// or limits leave no way nearer, the search begins again from another configuration
     /// ([`Options::restarts`]), the nearest to the targets of some that are spread evenly within the limits;
