@@ -1,7 +1,8 @@
+use crate::dispatch::Backend;
 use crate::real::Scalar;
 use crate::scalar::DualQuat;
 use crate::shape::{ShapeError, same_length, whole_instances};
-use crate::storage::{Aos, Element, blocks_for, identity, pack_lanes, unpack_lanes};
+use crate::storage::{Aos, Element, Pack, Unpack, blocks_for, identity};
 use alloc::vec;
 use alloc::vec::Vec;
 use dq8_simd::{Block, Row};
@@ -52,7 +53,8 @@ where
         Self { blocks, joints, instances }
     }
 
-    /// From `[instance][joint]`.
+    /// From `[instance][joint]`, packed with the best instructions; [`Backend::pack`] packs
+    /// [`blocks_mut`](Self::blocks_mut) with others.
     ///
     /// # Errors
     /// If `things` holds no whole number of instances.
@@ -61,7 +63,7 @@ where
         E: Element<C, Layout = Aos<R>>,
     {
         let mut crowd = Self::new(joints, whole_instances("things", joints, things.len())?);
-        pack_lanes(joints, things, &mut crowd.blocks);
+        Backend::best().run(Pack { stride: joints, things, blocks: &mut crowd.blocks });
         Ok(crowd)
     }
 
@@ -74,7 +76,7 @@ where
         E: Element<C, Layout = Aos<R>>,
     {
         same_length("things", things.len(), self.instances * self.joints)?;
-        unpack_lanes(self.joints, &self.blocks, things);
+        self.unpack(things);
         Ok(())
     }
 
@@ -125,6 +127,14 @@ where
         block.set(instance % N, record).map_err(|_| missing)
     }
 
+    /// Into as many things as there are.
+    fn unpack<E>(&self, things: &mut [E])
+    where
+        E: Element<C, Layout = Aos<R>>,
+    {
+        Backend::best().run(Unpack { stride: self.joints, blocks: &self.blocks, things });
+    }
+
     fn index(&self, instance: usize, joint: usize) -> Option<usize> {
         let inside = instance < self.instances && joint < self.joints;
         inside.then(|| instance / N * self.joints + joint)
@@ -139,7 +149,7 @@ where
     #[must_use]
     pub fn to_vec(&self) -> Vec<DualQuat<R>> {
         let mut poses = vec![DualQuat::IDENTITY; self.instances * self.joints];
-        unpack_lanes(self.joints, &self.blocks, &mut poses);
+        self.unpack(&mut poses);
         poses
     }
 

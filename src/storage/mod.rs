@@ -58,7 +58,7 @@ pub use blocks::{
 pub use element::{Element, Layout, Number, Register, tiles};
 pub use linear_first::LinearFirst;
 #[cfg(feature = "alloc")]
-pub(crate) use packing::{blocks_for, pack_lanes, unpack_lanes};
+pub(crate) use packing::{Pack, Unpack, blocks_for};
 pub use packing::{pack, pack_chain, unpack, unpack_chain};
 pub use padding::identity;
 pub(crate) use source::Source;

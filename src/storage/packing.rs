@@ -40,10 +40,7 @@ where
     [R; N]: Row<Real = R>,
     E: Element<C, Layout = super::Aos<R>>,
 {
-    let instances = whole_instances("things", joints, things.len())?;
-    same_length("blocks", blocks.len(), blocks_for::<N>(joints, instances))?;
-    pack_lanes(joints, things, blocks);
-    Ok(())
+    Backend::best().pack(joints, things, blocks)
 }
 
 /// Writes `blocks`, `[instance block][joint]`, into `things`, `[instance][joint]`; the lanes beyond the
@@ -61,10 +58,7 @@ where
     [R; N]: Row<Real = R>,
     E: Element<C, Layout = super::Aos<R>>,
 {
-    let instances = whole_instances("things", joints, things.len())?;
-    same_length("blocks", blocks.len(), blocks_for::<N>(joints, instances))?;
-    unpack_lanes(joints, blocks, things);
-    Ok(())
+    Backend::best().unpack(joints, blocks, things)
 }
 
 /// Writes a chain into blocks, a segment of `blocks.len()` links in each lane: link `i` is at lane
@@ -93,10 +87,7 @@ where
     [R; N]: Row<Real = R>,
     E: Element<C, Layout = super::Aos<R>>,
 {
-    same_length("blocks", blocks.len(), links.len().div_ceil(N))?;
-    // One instance in each lane, of as many joints as a segment has links.
-    pack_lanes(blocks.len(), links, blocks);
-    Ok(())
+    Backend::best().pack_chain(links, blocks)
 }
 
 /// Reads a chain from blocks, see [`pack_chain`].
@@ -111,9 +102,86 @@ where
     [R; N]: Row<Real = R>,
     E: Element<C, Layout = super::Aos<R>>,
 {
-    same_length("blocks", blocks.len(), links.len().div_ceil(N))?;
-    unpack_lanes(blocks.len(), blocks, links);
-    Ok(())
+    Backend::best().unpack_chain(blocks, links)
+}
+
+impl Backend {
+    /// [`pack`] with these instructions.
+    ///
+    /// # Errors
+    /// As [`pack`].
+    pub fn pack<R: Scalar, E, const N: usize, const C: usize>(
+        self,
+        joints: usize,
+        things: &[E],
+        blocks: &mut [BlockOf<R, N, C>],
+    ) -> Result<(), ShapeError>
+    where
+        [R; N]: Row<Real = R>,
+        E: Element<C, Layout = super::Aos<R>>,
+    {
+        let instances = whole_instances("things", joints, things.len())?;
+        same_length("blocks", blocks.len(), blocks_for::<N>(joints, instances))?;
+        self.run(Pack { stride: joints, things, blocks });
+        Ok(())
+    }
+
+    /// [`unpack`] with these instructions.
+    ///
+    /// # Errors
+    /// As [`unpack`].
+    pub fn unpack<R: Scalar, E, const N: usize, const C: usize>(
+        self,
+        joints: usize,
+        blocks: &[BlockOf<R, N, C>],
+        things: &mut [E],
+    ) -> Result<(), ShapeError>
+    where
+        [R; N]: Row<Real = R>,
+        E: Element<C, Layout = super::Aos<R>>,
+    {
+        let instances = whole_instances("things", joints, things.len())?;
+        same_length("blocks", blocks.len(), blocks_for::<N>(joints, instances))?;
+        self.run(Unpack { stride: joints, blocks, things });
+        Ok(())
+    }
+
+    /// [`pack_chain`] with these instructions.
+    ///
+    /// # Errors
+    /// As [`pack_chain`].
+    pub fn pack_chain<R: Scalar, E, const N: usize, const C: usize>(
+        self,
+        links: &[E],
+        blocks: &mut [BlockOf<R, N, C>],
+    ) -> Result<(), ShapeError>
+    where
+        [R; N]: Row<Real = R>,
+        E: Element<C, Layout = super::Aos<R>>,
+    {
+        same_length("blocks", blocks.len(), links.len().div_ceil(N))?;
+        // One instance in each lane, of as many joints as a segment has links.
+        self.run(Pack { stride: blocks.len(), things: links, blocks });
+        Ok(())
+    }
+
+    /// [`unpack_chain`] with these instructions.
+    ///
+    /// # Errors
+    /// As [`unpack_chain`].
+    pub fn unpack_chain<R: Scalar, E, const N: usize, const C: usize>(
+        self,
+        blocks: &[BlockOf<R, N, C>],
+        links: &mut [E],
+    ) -> Result<(), ShapeError>
+    where
+        [R; N]: Row<Real = R>,
+        E: Element<C, Layout = super::Aos<R>>,
+    {
+        same_length("blocks", blocks.len(), links.len().div_ceil(N))?;
+        self.run(Unpack { stride: blocks.len(), blocks, things: links });
+        Ok(())
+    }
 }
 
 /// How many blocks `instances` of `joints` take.
@@ -121,35 +189,12 @@ pub(crate) fn blocks_for<const N: usize>(joints: usize, instances: usize) -> usi
     instances.div_ceil(N).saturating_mul(joints)
 }
 
-/// Thing `lane · stride + joint` goes to `lane` of block `joint`. Lengths have been checked.
-pub(crate) fn pack_lanes<R: Scalar, E, const N: usize, const C: usize>(
-    stride: usize,
-    things: &[E],
-    blocks: &mut [BlockOf<R, N, C>],
-) where
-    [R; N]: Row<Real = R>,
-    E: Element<C, Layout = super::Aos<R>>,
-{
-    Backend::best().run(Pack { stride, things, blocks });
-}
-
-/// [`pack_lanes`], the other way.
-pub(crate) fn unpack_lanes<R: Scalar, E, const N: usize, const C: usize>(
-    stride: usize,
-    blocks: &[BlockOf<R, N, C>],
-    things: &mut [E],
-) where
-    [R; N]: Row<Real = R>,
-    E: Element<C, Layout = super::Aos<R>>,
-{
-    Backend::best().run(Unpack { stride, blocks, things });
-}
-
 /// Thing `lane · stride + joint` of each group of `N · stride` goes to `lane` of its block `joint`.
-struct Pack<'s, E, B> {
-    stride: usize,
-    things: &'s [E],
-    blocks: &'s mut [B],
+/// Lengths have been checked.
+pub(crate) struct Pack<'s, E, B> {
+    pub(crate) stride: usize,
+    pub(crate) things: &'s [E],
+    pub(crate) blocks: &'s mut [B],
 }
 
 impl<R: Scalar, E, const N: usize, const C: usize> Kernel for Pack<'_, E, BlockOf<R, N, C>>
@@ -187,10 +232,10 @@ where
 }
 
 /// [`Pack`], the other way.
-struct Unpack<'s, E, B> {
-    stride: usize,
-    blocks: &'s [B],
-    things: &'s mut [E],
+pub(crate) struct Unpack<'s, E, B> {
+    pub(crate) stride: usize,
+    pub(crate) blocks: &'s [B],
+    pub(crate) things: &'s mut [E],
 }
 
 impl<R: Scalar, E, const N: usize, const C: usize> Kernel for Unpack<'_, E, BlockOf<R, N, C>>

@@ -5,8 +5,8 @@ use crate::memory::round;
 use crate::records::same_bits;
 use core::marker::PhantomData;
 use dq8::simd::{Block, Row};
-use dq8::storage::{Aos, Element, identity, pack, pack_chain, unpack, unpack_chain};
-use dq8::{Crowd, DualQuat, Quat, Scalar, ShapeError, Twist};
+use dq8::storage::{Aos, Element, identity};
+use dq8::{Backend, Crowd, DualQuat, Quat, Scalar, ShapeError, Twist};
 
 /// Things of one kind and blocks of one width, as functions of flat `f64` records.
 pub(crate) trait Packing {
@@ -54,34 +54,39 @@ pub(crate) trait Held {
 /// What no correct result holds: to see what has been written.
 const JUNK: f64 = -7.0;
 
-/// Every kind of thing in blocks of every width.
+/// Every kind of thing in blocks of every width, by every backend.
 pub(crate) fn packings() -> Vec<Box<dyn Packing>> {
     let mut all = Vec::new();
-    fn of_width<R: Scalar + Element<1, Layout = Aos<R>>, const N: usize>(
-        all: &mut Vec<Box<dyn Packing>>,
-    ) where
-        [R; N]: Row<Real = R>,
-    {
-        all.push(Box::new(Of::<R, R, N, 1>::new(R::ZERO)));
-        all.push(Box::new(Of::<[R; 3], R, N, 3>::new([R::ZERO; 3])));
-        all.push(Box::new(Of::<Quat<R>, R, N, 4>::new(Quat::IDENTITY)));
-        all.push(Box::new(Of::<Twist<R>, R, N, 6>::new(Twist::from_array([R::ZERO; 6]))));
-        all.push(Box::new(Of::<[R; 7], R, N, 7>::new([R::ZERO; 7])));
-        all.push(Box::new(Of::<DualQuat<R>, R, N, 8>::new(DualQuat::ZERO)));
-        all.push(Box::new(Of::<[[R; 4]; 3], R, N, 12>::new([[R::ZERO; 4]; 3])));
-        all.push(Box::new(Of::<[[R; 4]; 4], R, N, 16>::new([[R::ZERO; 4]; 4])));
+    for backend in Backend::available() {
+        of_width::<f32, 4>(backend, &mut all);
+        of_width::<f32, 8>(backend, &mut all);
+        of_width::<f32, 16>(backend, &mut all);
+        of_width::<f64, 2>(backend, &mut all);
+        of_width::<f64, 4>(backend, &mut all);
+        of_width::<f64, 8>(backend, &mut all);
     }
-    of_width::<f32, 4>(&mut all);
-    of_width::<f32, 8>(&mut all);
-    of_width::<f32, 16>(&mut all);
-    of_width::<f64, 2>(&mut all);
-    of_width::<f64, 4>(&mut all);
-    of_width::<f64, 8>(&mut all);
     all
+}
+
+fn of_width<R: Scalar + Element<1, Layout = Aos<R>>, const N: usize>(
+    backend: Backend,
+    all: &mut Vec<Box<dyn Packing>>,
+) where
+    [R; N]: Row<Real = R>,
+{
+    all.push(Box::new(Of::<R, R, N, 1>::new(backend, R::ZERO)));
+    all.push(Box::new(Of::<[R; 3], R, N, 3>::new(backend, [R::ZERO; 3])));
+    all.push(Box::new(Of::<Quat<R>, R, N, 4>::new(backend, Quat::IDENTITY)));
+    all.push(Box::new(Of::<Twist<R>, R, N, 6>::new(backend, Twist::from_array([R::ZERO; 6]))));
+    all.push(Box::new(Of::<[R; 7], R, N, 7>::new(backend, [R::ZERO; 7])));
+    all.push(Box::new(Of::<DualQuat<R>, R, N, 8>::new(backend, DualQuat::ZERO)));
+    all.push(Box::new(Of::<[[R; 4]; 3], R, N, 12>::new(backend, [[R::ZERO; 4]; 3])));
+    all.push(Box::new(Of::<[[R; 4]; 4], R, N, 16>::new(backend, [[R::ZERO; 4]; 4])));
 }
 
 /// `E` is `C` numbers `R`, or in blocks of `N`.
 struct Of<E, R, const N: usize, const C: usize> {
+    backend: Backend,
     some: E,
     real: PhantomData<R>,
 }
@@ -91,8 +96,8 @@ where
     E: Element<C, Layout = Aos<R>> + 'static,
     [R; N]: Row<Real = R>,
 {
-    fn new(some: E) -> Self {
-        Self { some, real: PhantomData }
+    fn new(backend: Backend, some: E) -> Self {
+        Self { backend, some, real: PhantomData }
     }
 
     fn things(&self, records: &[Vec<f64>]) -> Vec<E> {
@@ -149,8 +154,8 @@ where
         let mut blocks = vec![Block::<[R; N], C>::splat(components(&[JUNK; C])); blocks];
         let things = self.things(things);
         let result = match way {
-            Way::Instances(joints) => pack(joints, &things, &mut blocks),
-            Way::Chain => pack_chain(&things, &mut blocks),
+            Way::Instances(joints) => self.backend.pack(joints, &things, &mut blocks),
+            Way::Chain => self.backend.pack_chain(&things, &mut blocks),
         };
         Self::answer(result, lanes_of(&blocks))
     }
@@ -161,18 +166,18 @@ where
         }
         let mut things = self.junk(count);
         let result = match way {
-            Way::Instances(joints) => unpack(joints, &blocks, &mut things),
-            Way::Chain => unpack_chain(&blocks, &mut things),
+            Way::Instances(joints) => self.backend.unpack(joints, &blocks, &mut things),
+            Way::Chain => self.backend.unpack_chain(&blocks, &mut things),
         };
         Self::answer(result, Self::flat(&things))
     }
     fn crowd(&self, joints: usize, things: &[Vec<f64>]) -> Result<Box<dyn Held>, ShapeError> {
         let crowd = Crowd::<R, N, C>::from_slice(joints, &self.things(things))?;
-        Ok(Box::new(Crowded { crowd, of: Self::new(self.some) }))
+        Ok(Box::new(Crowded { crowd, of: Self::new(self.backend, self.some) }))
     }
     fn new_crowd(&self, joints: usize, instances: usize) -> Box<dyn Held> {
         let crowd = Crowd::<R, N, C>::new(joints, instances);
-        Box::new(Crowded { crowd, of: Self::new(self.some) })
+        Box::new(Crowded { crowd, of: Self::new(self.backend, self.some) })
     }
 }
 
