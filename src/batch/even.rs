@@ -31,6 +31,8 @@ pub(super) fn cos_sinc<L: Lanes>(v: Dual<L>) -> (Dual<L>, Dual<L>) {
     let minus_half = v.real.constant(-0.5);
     let (cos, _) = polynomial(&coefficients::COS_F32, &coefficients::COS_F64, v.real);
     let (sinc, slope) = polynomial(&coefficients::SINC_F32, &coefficients::SINC_F64, v.real);
+    // Half angles up to a quarter turn, which is what the shorter way and the logarithm give. One branch per register:
+    // only registers with an angle beyond it pay for the reduction.
     let ordinary = v.real.le(v.real.constant(ORDINARY));
     if ordinary.all() {
         return (v.apply(cos, minus_half * sinc), v.apply(sinc, slope));
@@ -47,6 +49,7 @@ pub(super) fn cos_sinc<L: Lanes>(v: Dual<L>) -> (Dual<L>, Dual<L>) {
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn exponential_integrals<L: Lanes>(u: Dual<L>) -> (Dual<L>, Dual<L>) {
     let one = u.real.constant(1.0);
+    // 1 − cos x = 2 sin²(x/2): of half the angle, where nothing cancels.
     let (cos, sinc) = cos_sinc(u.scale(one.constant(0.25)));
     let first = sinc.scale(one.constant(0.5)) * sinc;
     let (value, slope) = polynomial(&coefficients::LEFT_F32, &coefficients::LEFT_F64, u.real);
@@ -55,6 +58,7 @@ pub(super) fn exponential_integrals<L: Lanes>(u: Dual<L>) -> (Dual<L>, Dual<L>) 
     if ordinary.all() {
         return (first, second);
     }
+    // sin x / x = cos(x/2) · sin(x/2)/(x/2). Far from zero the difference has all its digits.
     let far = (Dual::new(one, one.constant(0.0)) - cos * sinc) / u;
     (first, select(ordinary, second, far))
 }
@@ -95,6 +99,7 @@ pub(crate) fn farthest<L: Lanes>() -> f64 {
 fn far_cos_sinc<L: Lanes>(v: L) -> (L, L, L) {
     let root = v.sqrt();
     let is_near = root.le(v.constant(farthest::<L>()));
+    // NaN before the reduction: what it leaves of a larger number looks like an angle.
     let root = L::select(is_near, root, v.constant(f64::NAN));
     let (cos, sin) = cos_sin(root);
     let sinc = sin / root;

@@ -74,6 +74,7 @@ impl<'a> BorrowedPlan<'a> {
         if is_long_chain(order) {
             return Some(Self::of(order.len(), None));
         }
+        // Checked once, here, so that the loop over the others has no bounds to check.
         let (roots, others) = split_roots(order);
         let others = CheckedSchedule::new(others, order.len())?;
         roots.iter().all(|[root, _]| (*root as usize) < order.len()).then_some(())?;

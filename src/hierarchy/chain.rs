@@ -72,6 +72,7 @@ impl<E: Element<8>> Kernel for Scan<'_, E> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
         let Self { links, products } = self;
+        // A chain in blocks was cut when it was packed: its last segment is filled up with identities.
         if E::Layout::THINGS > 1 {
             scan(InBlocks { level, links, products });
             return;
@@ -80,6 +81,7 @@ impl<E: Element<8>> Kernel for Scan<'_, E> {
             Source::Slice(links) => E::plain(links).map(Source::Slice),
             Source::Output => Some(Source::Output),
         };
+        // In place, the third pass reads a link just before it writes the product there, and the first has read all.
         if let (Some(links), Some(products)) = (links, E::plain_mut(products)) {
             let steps = products.len() / PLAIN_SEGMENTS;
             let mut before = scan(Strided { level, steps, links, products: &mut *products });
@@ -215,6 +217,7 @@ impl<R: Scalar, V: Level> Segments for Strided<'_, V, R> {
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load(&self, _: usize, step: usize) -> Option<batch::DualQuat<Self::Lanes>> {
+        // Link `step` of each segment: as far apart as a segment is long.
         let tile = Tile { element: step, register: 0, stride: Some(self.steps) };
         let links = aos::load(self.level, self.links.or(self.products), tile, &identity())?;
         Some(batch::DualQuat::from_array(links))

@@ -31,6 +31,8 @@ pub(super) fn forward<E: Element<8>, L: Locals<E>, X: Epilogue<E>>(
     epilogue: &mut X,
 ) {
     let root = run.root_of(0);
+    // Motions that lie in memory are read where they are. All else, and roots that stand on something, is written to the
+    // models first and multiplied in place: the plan knows one form only.
     let from = match locals.motions() {
         Some(Source::Slice(locals)) if root.is_none() => E::plain(locals),
         _ => {
@@ -75,6 +77,7 @@ impl<E: Element<8>, L: Locals<E>> Kernel for Begin<'_, '_, E, L> {
                 E::store(lanes.to_array(), models, slot.own_tile());
             }
         }
+        // Then a root is the root transform times its local, and the plan needs none.
         let (Some(root), Some(models)) = (root, E::plain_mut(models)) else { return };
         for (model, &parent) in models.iter_mut().zip(run.parents) {
             if parent == super::Hierarchy::ROOT {
@@ -96,6 +99,7 @@ impl<E: Element<8>, X: Epilogue<E>> Kernel for End<'_, E, X> {
 
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
+        // After all models, in their own order: the plan's order is not one that lanes could take together.
         let Self { models, epilogue } = self;
         for start in (0..models.len()).step_by(E::Layout::records::<V>()) {
             let slot = JointSlot::of_joints(start, 0, models.len(), models.len());

@@ -65,6 +65,8 @@ pub(super) fn schedule(
     let mut roots = 0;
     // Parents come before their children, so one sweep from the last joint finds all heights.
     for (joint, &parent) in hierarchy.parents().iter().enumerate().rev() {
+        // Each goes to the front of its parent's list, so going backwards leaves the children in their order. A root's
+        // parent is no place in memory, and `change` does nothing there.
         let (of, above) = (search.at(joint), search.at(parent as usize));
         search.change(joint, |of| of.next_sibling = above.first_child);
         search.change(parent as usize, |above| {
@@ -99,6 +101,7 @@ pub(super) fn schedule(
             child = search.at(child as usize).next_sibling;
         }
         let parent = hierarchy.parents().get(joint as usize).copied().unwrap_or(NONE);
+        // Roots have no product and are copied before everything else, whatever their turn was.
         let place = if parent == NONE { to_roots.next() } else { to_others.next() };
         if let Some(place) = place {
             *place = [joint, parent];
@@ -141,6 +144,7 @@ impl Search<'_> {
     }
 
     fn push(&mut self, joint: u32) {
+        // At the end of the heap, then up past every joint that begins later.
         let mut at = self.able;
         self.change(at, |last| last.able = joint);
         self.able += 1;
@@ -151,6 +155,7 @@ impl Search<'_> {
     }
 
     fn pop(&mut self) -> u32 {
+        // The last joint takes the place of the first, then sinks below every one that begins sooner.
         let top = self.at(0).able;
         self.able = self.able.saturating_sub(1);
         self.swap(0, self.able);

@@ -155,6 +155,7 @@ fn far<E: Element<8>, V: Level>(
     level.run(
         #[cfg_attr(not(opt_level_0), inline(always))]
         || {
+            // From memory, where it was stored as it was in the ring: the same bits.
             if let Some(far) = motions(level, models, slot.own_tile()) {
                 recent[RECENT] = far.to_array();
             }
@@ -219,6 +220,7 @@ fn alone<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
         let Some(&parent) = run.parents.get(joint) else { return };
         let slot = JointSlot::of_instances(joint, instance, joints);
         // ROOT is beyond the last joint: there is no such model.
+        // A parent comes before its joint: its model is there already, in place too.
         let parent = match models.get(parent as usize) {
             Some(parent) => motions(level, core::slice::from_ref(parent), Tile::at(0, 0)),
             None => run.root.load(level, instance, 0),

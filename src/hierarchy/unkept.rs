@@ -38,6 +38,7 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Unkept<'_, '_, E, L
         let Self { run, locals, instances, scratch, epilogue } = self;
         let lanes = E::Layout::records::<V>();
         let rows = E::plain_mut(scratch).and_then(|plain| rows::<E, V>(plain, run.parents.len()));
+        // A register of one number has nothing to transpose, and gains nothing.
         let (Some(rows), 2..) = (rows, lanes) else { return 0 };
         let mut done = 0;
         while instances - done >= lanes {
@@ -57,6 +58,8 @@ fn rows<E: Element<8>, V: Level>(
     let numbers = scratch.as_flattened_mut();
     let needed = joints.checked_mul(8 * Register::<E, V, 8>::LANES)?;
     let spare = numbers.len().checked_sub(needed)?;
+    // A row across two lines costs two accesses. The callers' memory is aligned to a number, so the start is moved,
+    // where there is room for that; the results are the same.
     let aligned = numbers.as_ptr().align_offset(LINE);
     let start = if aligned <= spare { aligned } else { 0 };
     bytemuck::try_cast_slice_mut(numbers.get_mut(start..start + needed)?).ok()
@@ -87,6 +90,7 @@ fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
             let Some(place) = models.get_mut(joint) else { return };
             root(level, run, locals, slot, place);
         }
+        // Loaded again, as above: whether it was normalized or not, the epilogue has one source. It is in the first cache.
         let Some(place) = models.get_mut(joint) else { return };
         if run.renormalize.applies_to(joint) {
             normalize::<E, V>(level, place);

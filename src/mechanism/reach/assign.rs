@@ -11,6 +11,7 @@ impl<L: Lanes<Real: Scalar>> Search<'_, L> {
     /// Gives a lane the next configuration that can be sought; it is idle if there is none.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn refill(&mut self, lane: usize) {
+        // Configurations that cannot be sought are reported on the way and take no place in a lane.
         let mut next = Lane::IDLE;
         while next.configuration.is_none() && self.next < self.work.reports.len() {
             match self.load(lane, self.next) {
@@ -34,6 +35,7 @@ impl<L: Lanes<Real: Scalar>> Search<'_, L> {
         let (reach, scratch) = (self.model.reach, &mut self.model.scratch);
         let count = reach.mechanism.values;
         let values = self.work.values.get(configuration * count..)?.get(..count)?;
+        // Only what moves a goal is looked at: a neighbour of the arm may hold anything.
         for freedom in reach.freedoms {
             let size = if freedom.is_single() { 1 } else { 7 };
             let own = values.get(freedom.value as usize..)?.get(..size)?;
@@ -52,6 +54,7 @@ impl<L: Lanes<Real: Scalar>> Search<'_, L> {
                 scratch.goals.set_number(index * GOAL + row, lane, number);
             }
         }
+        // Unless the caller says otherwise, an eighth of the longest way to a goal weighs as much as a radian.
         let eighth = || reach.typical_length_to(targets, values) * L::Real::from(0.125);
         let length = self.work.options.length_per_radian.unwrap_or_else(eighth);
         if !length.is_finite() {
@@ -75,6 +78,7 @@ impl<L: Lanes<Real: Scalar>> Search<'_, L> {
         let Some(configuration) = lane.configuration else { return };
         let reach = self.model.reach;
         let outcome = lane.outcome(self.is_at_limits(index), &reach.manner);
+        // Only now: until a search ends, the caller's values are its start.
         if outcome != Outcome::Invalid {
             let count = self.model.reach.mechanism.values;
             let values = self.work.values.get_mut(configuration * count..).unwrap_or_default();
@@ -98,6 +102,7 @@ impl<L: Lanes<Real: Scalar>> Search<'_, L> {
         if outcome == Outcome::Invalid {
             (report.angular_error, report.linear_error) = (L::Real::NAN, L::Real::NAN);
         }
+        // The search was for the nearest point within the bound. Told is the distance from the target that was asked for.
         if lane.out_of_reach && outcome != Outcome::Invalid {
             let (goals, count) = (reach.goals.len(), reach.mechanism.values);
             let values = self.work.values.get(configuration * count..).unwrap_or_default();

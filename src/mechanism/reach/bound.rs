@@ -15,6 +15,8 @@ impl<R: Real> Reach<'_, R> {
     #[must_use]
     pub fn reach_bound(&self, goal: usize) -> Option<([R; 3], R)> {
         let mut link = self.goals.get(goal)?.link;
+        // From the link to the base. What lies below the lowest joint that moves is rigid: it places the centre, and adds
+        // nothing to the distance, so the base is kept at the last joint with a value.
         let (mut length, mut base) = (R::ZERO, None);
         while let Some(step) = self.mechanism.step(link) {
             if step.kind.values() > 0 {
@@ -39,6 +41,7 @@ impl<R: Real> Reach<'_, R> {
         let freedom = self.freedoms.get(self.column(step.rate as usize)).copied();
         let freedom = freedom.unwrap_or_default();
         let Range { low, high, .. } = freedom.range;
+        // Where this joint mimics another, the limits are the other's.
         let [low, high] = [low, high].map(|end| {
             let value = end * step.multiplier + step.offset;
             value.abs()
@@ -105,6 +108,7 @@ impl<R: Real> Reach<'_, R> {
             return None;
         }
         let target = target.normalize();
+        // With a free axis, the nearest point to aim at may lie anywhere along it.
         let asked = self.goals.get(goal)?.linear.into_iter().all(|weight| weight > R::ZERO);
         let bound = if goal == 0 { self.bound } else { self.reach_bound(goal) };
         let Some((centre, length)) = bound.filter(|_| asked) else {

@@ -94,6 +94,7 @@ impl<R: Real, const N: usize> Chain<R, N> {
             values: [[R::ZERO; N]; KEPT],
             poses: Poses::NONE,
         };
+        // Once, when the arm is made: a restart then costs 128 comparisons of poses and no forward kinematics.
         for index in 0..KEPT {
             let values = own.map(|freedom| freedom.beginning(index as u64 + 1));
             if let Some(pose) = chain.view().pose(N.saturating_sub(1), &values) {
@@ -182,6 +183,7 @@ where
         values: &mut [R; N],
         options: &Options<R>,
     ) -> Report<R> {
+        // One lane, a sixteenth of the memory: firmware has little stack.
         let mut room = Memory { joints: [[R::ZERO; OF_A_JOINT]; N], rest: [R::ZERO; OF_A_POSE] };
         let room = Room([room.joints.as_flattened_mut(), &mut room.rest]);
         let mut reports = [Report::default()];

@@ -78,6 +78,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
         }
         let (mut position, mut screw) = (0, 0);
         while let Some(step) = reach.mechanism.steps.get(position) {
+            // A branch without a goal is skipped whole; so its screws have no place in memory.
             if !reach.moves_goal(position) {
                 position += step.size as usize;
                 continue;
@@ -114,10 +115,13 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
                 continue;
             }
             let mut twist = twist;
+            // Joints are visited from the base up, so what has moved so far is the sum in the brackets above. It is kept
+            // per goal, because each goal has joints of its own.
             if bent && goal.is_pose() {
                 let moved = self.move_on(index, column, twist);
                 twist = twist + lie_bracket(moved, twist).scale(one.constant(0.5));
             }
+            // In radians, as all changes are.
             if freedom.is_slide() {
                 twist = twist.scale(self.scales.length);
             }
@@ -130,6 +134,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
                 row,
                 #[cfg_attr(not(opt_level_0), inline(always))]
                 |row, component| {
+                    // A sum: a joint that mimics another shares its column.
                     columns.set(row, columns.get(level, row) + component);
                 },
             );
@@ -142,6 +147,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
         let (level, first) = (self.level, index * GOAL + TARGET);
         let half: [L; 3] = self.scratch.goals.record(level, first + 4);
         let end = vector::add(half, half);
+        // A spatial twist has the velocity of the point at the origin; ω × end makes it that of the link.
         let mut angular = twist.angular;
         let mut linear = vector::cross_onto(angular, end, twist.linear);
         if goal.asks_part_of_rotation() {

@@ -21,6 +21,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
         for (index, goal) in self.reach.goals.iter().enumerate() {
             let target = self.target(index, lane);
             let pose = self.pose(index);
+            // Translations are kept halved, as dual quaternions take them.
             let end = vector::add(pose.half, pose.half);
             let mut way =
                 vector::add(target.translation(), vector::scale(end, zero.constant(-1.0)));
@@ -45,6 +46,8 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
                 linear = to_target.rotate(linear);
                 way = to_target.rotate(way);
             }
+            // Tolerances are for turns and distances as they are; the square that a step makes smaller is weighted, and
+            // all in radians.
             let turn = asked(angular, goal.angular);
             let distance = asked(way, goal.linear);
             apart.angular = larger(apart.angular, turn);

@@ -127,10 +127,12 @@ impl<R: Real> Lane<R> {
         let arrived = seen.angular <= options.angular_tolerance
             && seen.linear <= options.linear_tolerance
             && !self.out_of_reach;
+        // Judged before anything ends: what is reported is the best, whichever pose is the last.
         let is_best = self.is_best(&seen, arrived);
         if is_best {
             self.best = seen;
         }
+        // Finite values can have a pose that overflows. Later poses are judged by comparisons, which NaN never wins.
         if self.is_fresh && !seen.square.is_finite() {
             self.is_invalid = true;
             return (false, Next::End);
@@ -168,6 +170,7 @@ impl<R: Real> Lane<R> {
         if is_stuck && !may_restart || self.iterations >= options.max_iterations {
             return Next::End;
         }
+        // Another beginning counts as an iteration too, so every search ends.
         self.iterations += 1;
         if !is_stuck {
             return Next::Step;
@@ -211,6 +214,7 @@ impl<R: Real> Lane<R> {
         let is_nearer = !self.converged || (seen.wish < self.mark && seen.moved > least * least);
         let tolerance = options.angular_tolerance;
         let is_there = arrived && (!is_nearer || seen.wish <= tolerance * tolerance);
+        // Only poses that reach the targets count as progress; on the others the error is what the posture costs.
         if arrived {
             (self.mark, self.idle_steps) = (seen.wish, 0);
         }
@@ -233,8 +237,10 @@ impl<R: Real> Lane<R> {
     }
 
     pub(super) fn outcome(&self, is_at_limits: bool, manner: &Manner) -> Outcome {
+        // The last step was the best of all: with more iterations it would go on.
         let still_nearer =
             manner.settles && self.idle_steps == 0 && self.square <= self.best.square;
+        // In falling order of how much they say: a target out of reach also stalls, and may press joints to their limits.
         match self {
             Self { is_invalid: true, .. } => Outcome::Invalid,
             Self { converged: true, .. } => Outcome::Converged,

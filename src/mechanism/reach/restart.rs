@@ -40,6 +40,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
         search: &mut Lane<L::Real>,
         kept: &Beginnings<'_, L::Real>,
     ) -> bool {
+        // Kept poses take the place of computed ones, a lane each, and are compared with the target of one lane.
         let zero = L::splat(self.level, L::Real::ZERO);
         let (mut nearest, mut picked) = (None, 0);
         for first in (0..KEPT).step_by(L::LANES) {
@@ -56,6 +57,8 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
             put(&mut self.scratch.goals, 0, pose);
             let squares = self.compare(Some(lane)).square.to_array();
             for (index, &square) in squares.as_ref().iter().enumerate() {
+                // Those up to the last one have been taken: the order is by distance. Of two at the same distance one is
+                // passed over.
                 let is_next = search.beginning.is_none_or(|last| last < square);
                 if is_next && square < nearest.unwrap_or(L::Real::ONE / L::Real::ZERO) {
                     (nearest, picked) = (Some(square), first + index);
@@ -79,6 +82,8 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     fn take_candidate(&mut self, lane: usize, restart: u32) -> bool {
         let mut nearest = None;
         for first in (0..CANDIDATES).step_by(L::LANES) {
+            // Numbers that no other restart has. They depend on the restart alone, neither on the lane nor on how many
+            // lanes there are, so that results do not either.
             self.draw(lane, u64::from(restart) * CANDIDATES as u64 + first as u64);
             self.place(Of::Candidates);
             let squares = self.compare(Some(lane)).square.to_array();
@@ -88,6 +93,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
                     (nearest, picked) = (Some(square), Some(index));
                 }
             }
+            // At once: the next ones overwrite these.
             if let Some(picked) = picked {
                 let scratch = &mut self.scratch;
                 for value in 0..self.reach.mechanism.values {
@@ -116,6 +122,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
             scratch.candidate.set(value, start);
         }
         for freedom in self.reach.freedoms {
+            // What has no ends has no share of the sequence.
             if freedom.share > 0.0 {
                 for index in 0..L::LANES {
                     let value = freedom.beginning(first + index as u64 + 1);

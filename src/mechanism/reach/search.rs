@@ -33,6 +33,8 @@ impl<'s, L: Lanes<Real: Scalar>> Search<'s, L> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn run(mut self) {
         let zero = L::splat(self.model.level, L::Real::ZERO);
+        // Idle lanes compute along with the others, and the scratch may hold anything: from zeros, what they compute is the
+        // same in every call.
         self.model.scratch.values.fill(zero);
         self.model.scratch.goals.fill(zero);
         self.model.place_fixed();
@@ -40,12 +42,15 @@ impl<'s, L: Lanes<Real: Scalar>> Search<'s, L> {
             self.refill(lane);
         }
         let mut last = Stepped { left: zero, moved: zero };
+        // Each round: errors of all lanes, a decision per lane, one step of those that go on. Lanes of different age are
+        // in the same round, so none waits for the slowest of a group: the round costs the same, whoever takes part.
         while self.is_working() {
             self.enter();
             self.model.place(Of::Values);
             let apart = self.model.compare(None);
             let wish = self.model.wish();
             self.judge(apart, wish, last);
+            // The decisions become vectors again: numbers and masks for the arithmetic of the step.
             let caution = self.each(
                 #[cfg_attr(not(opt_level_0), inline(always))]
                 |lane| lane.caution,
@@ -74,6 +79,7 @@ impl<'s, L: Lanes<Real: Scalar>> Search<'s, L> {
             let Some(lane) = self.lanes.get_mut(index) else { break };
             match lane.next {
                 Next::BeginAgain => {
+                    // An arm has a fixed number of beginnings: one that has used them up reports the best so far.
                     if !self.model.begin_again(index, lane) {
                         self.finish(index);
                         self.refill(index);
@@ -106,6 +112,7 @@ impl<'s, L: Lanes<Real: Scalar>> Search<'s, L> {
         if !fresh.any() {
             return;
         }
+        // The start as well: what has no ends begins again from there.
         let scratch = &mut self.model.scratch;
         for freedom in self.model.reach.freedoms.iter().filter(|freedom| freedom.is_single()) {
             let row = freedom.value as usize;
@@ -130,6 +137,7 @@ impl<'s, L: Lanes<Real: Scalar>> Search<'s, L> {
     /// What each lane does next. Those that are done have been written, and took another configuration.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn judge(&mut self, apart: Apart<L>, wish: L, last: Stepped<L>) {
+        // Out of registers once per round: the decisions below are branches, and differ from lane to lane.
         let Apart { square, angular, linear } = apart;
         let [square, angular, linear] = [square.to_array(), angular.to_array(), linear.to_array()];
         let [wish, left, moved] = [wish.to_array(), last.left.to_array(), last.moved.to_array()];
@@ -150,12 +158,14 @@ impl<'s, L: Lanes<Real: Scalar>> Search<'s, L> {
             let (is_best, next) =
                 lane.judge(seen, self.work.options, &self.model.reach.manner, has_posture);
             lane.next = next;
+            // Before the step overwrites them. A search may end far from its best.
             if is_best {
                 let scratch = &mut self.model.scratch;
                 for value in 0..self.model.reach.mechanism.values {
                     scratch.best.set_number(value, index, scratch.values.number(value, index));
                 }
             }
+            // What takes its place is `fresh`: it has no errors yet, and sits out the step of this round.
             if next == Next::End {
                 self.finish(index);
                 self.refill(index);

@@ -63,6 +63,8 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn limited_step(&mut self, damping: L, running: L::Mask) -> L::Mask {
         let zero = damping.constant(0.0);
+        // `left` is what the free ones must still make up for. It begins as the whole error; each joint that is held
+        // takes off what it does on its way to the limit.
         self.scratch.held.fill(zero);
         self.scratch.changes.fill(zero);
         for row in 0..self.reach.rows {
@@ -89,6 +91,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     fn solve(&mut self, damping: L) -> L {
         let (level, rows, zero) = (self.level, self.reach.rows, damping.constant(0.0));
         let wishes = self.reach.posture.is_some();
+        // y of (JJᵀ + λ²)y = e. Its size is that of the goals, six rows for a pose, however many joints there are.
         self.ask();
         self.solve_normal(damping);
         let scratch = &mut self.scratch;
@@ -111,6 +114,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
             let length = if is_short { radians.abs() } else { zero };
             most = L::select(most.lt(length), length, most);
         }
+        // All by the same factor: a step cut joint by joint would point elsewhere.
         self.scales.longest / most
     }
 
@@ -146,11 +150,13 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
             let scratch = &mut self.scratch;
             let is_held = scratch.held.get(level, index).eq(one);
             let change = scratch.radians.get(level, index) * shrink * unit;
+            // What is held keeps the change with which it reached its limit in an earlier round.
             let change = L::select(is_held, scratch.changes.get(level, index), change);
             scratch.changes.set(index, change);
             if freedom.range.wraps || !freedom.is_single() {
                 continue;
             }
+            // Compared as values: a joint that stands at its limit and is asked no farther is not stopped.
             let value = scratch.values.get(level, freedom.value as usize);
             let next = value + change;
             let inside = freedom.range.clamp(next);
@@ -225,6 +231,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
                     values.set(first, L::select(runs, next, value));
                 }
                 Kind::FloatingTurn(axis) => {
+                    // On the right, about an axis of the body. Products drift from unit, so each is normalized.
                     let old: [L; 4] = values.record(level, first);
                     let half = change * change.constant(0.5);
                     let [cos, sin] = half_turn(half);
