@@ -13,6 +13,9 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
 
+/// What a few products of numbers no larger than about 4 leave.
+const ROUNDING: f64 = 1e-15;
+
 fn a() -> DualQuat<f64> {
     DualQuat::from_rotation_translation(
         Quat::from_axis_angle([0.36, 0.48, 0.8], 0.7),
@@ -45,12 +48,12 @@ fn products_and_sums_take_values_and_references() {
     assert_eq!(c, product);
     c += a;
     c -= &a;
-    assert!(c.abs_diff_eq(product, 1e-15));
+    assert!(c.abs_diff_eq(product, ROUNDING));
     let mut r = p;
     r *= q;
     r += p;
     r -= p;
-    assert!(r.abs_diff_eq(p * q, 1e-15));
+    assert!(r.abs_diff_eq(p * q, ROUNDING));
     let x = Dual::new(2.0, 1.0);
     assert_eq!(x * dq8::Real::TWO, x + x);
 }
@@ -168,16 +171,17 @@ fn constants_are_constants() {
 #[test]
 fn quaternions_have_what_other_libraries_quaternions_have() {
     let (p, q) = (a().rotation(), b().rotation());
-    assert!((p * p.inverse()).abs_diff_eq(Quat::IDENTITY, 1e-15));
-    assert!((p * 3.0 * (p * 3.0).inverse()).abs_diff_eq(Quat::IDENTITY, 1e-15));
+    assert!((p * p.inverse()).abs_diff_eq(Quat::IDENTITY, ROUNDING));
+    assert!((p * 3.0 * (p * 3.0).inverse()).abs_diff_eq(Quat::IDENTITY, ROUNDING));
     assert!(Quat::<f64>::ZERO.inverse().to_array().iter().all(|c| c.is_nan()));
     assert!(
-        p.nlerp(q, 0.0).abs_diff_eq(p, 1e-15) && p.nlerp(-q, 1.0).abs_diff_eq(p.nlerp(q, 1.0), 0.0)
+        p.nlerp(q, 0.0).abs_diff_eq(p, ROUNDING)
+            && p.nlerp(-q, 1.0).abs_diff_eq(p.nlerp(q, 1.0), 0.0)
     );
     assert!((p.angle_to(p.nlerp(q, 0.5)) - p.angle_to(q) / 2.0).abs() < 1e-14);
-    assert!((p.angle_to(-(p * Quat::from_rotation_x(0.25))) - 0.25).abs() < 1e-15);
+    assert!((p.angle_to(-(p * Quat::from_rotation_x(0.25))) - 0.25).abs() < ROUNDING);
     assert!(
-        p.is_unit(1e-15)
+        p.is_unit(ROUNDING)
             && p.is_normalized()
             && !(p * 2.0).is_unit(0.5)
             && !(p * 2.0).is_normalized()
@@ -187,7 +191,7 @@ fn quaternions_have_what_other_libraries_quaternions_have() {
     assert!(near(Quat::from_rotation_x(FRAC_PI_2) * [0.0, 1.0, 0.0], UP));
     assert!(near(Quat::from_rotation_y(FRAC_PI_2) * UP, [1.0, 0.0, 0.0]));
     assert!(near(Quat::from_rotation_z(FRAC_PI_2) * [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]));
-    assert!((p.slerp(q, 0.5).norm() - 1.0).abs() < 1e-15 && (p.dot(p) - 1.0).abs() < 1e-15);
+    assert!((p.slerp(q, 0.5).norm() - 1.0).abs() < ROUNDING && (p.dot(p) - 1.0).abs() < ROUNDING);
 }
 
 #[test]

@@ -8,6 +8,9 @@ use dq8::{
 
 const TOLERANCE: f64 = 1e-9;
 
+/// A few units of roundoff, of numbers up to 3.
+const ROUNDING: f64 = 1e-15;
+
 fn turned() -> DualQuat<f64> {
     let turn = Quat::from_axis_angle([0.36, 0.48, 0.8], 0.7);
     DualQuat::from_rotation_translation(turn, [1.0, -2.0, 3.0])
@@ -28,23 +31,23 @@ fn columns_of_glam_are_read_and_written_as_columns() {
     let turn = glam::DQuat::from_array(motion.rotation().to_array());
     let theirs = glam::DMat4::from_rotation_translation(turn, motion.translation().into());
     let ours = motion.to_cols_array_2d();
-    assert!(theirs.abs_diff_eq(glam::DMat4::from_cols_array_2d(&ours), 1e-15));
+    assert!(theirs.abs_diff_eq(glam::DMat4::from_cols_array_2d(&ours), ROUNDING));
     let back = DualQuat::try_from_cols_array_2d(theirs.to_cols_array_2d(), TOLERANCE);
-    assert!(back.unwrap().abs_diff_eq(motion, 1e-15));
+    assert!(back.unwrap().abs_diff_eq(motion, ROUNDING));
     let rotation = glam::DMat3::from_quat(turn).to_cols_array_2d();
     let back = Quat::try_from_cols_array_2d(rotation, TOLERANCE).unwrap();
-    assert!((back - motion.rotation()).norm() < 1e-15);
+    assert!((back - motion.rotation()).norm() < ROUNDING);
     let columns = motion.rotation().to_cols_array_2d();
     assert!(
         columns
             .as_flattened()
             .iter()
             .zip(rotation.as_flattened())
-            .all(|(a, b)| (a - b).abs() < 1e-15)
+            .all(|(a, b)| (a - b).abs() < ROUNDING)
     );
     assert_eq!(motion.to_rows_array_2d(), motion.to_matrix4());
     let rows = DualQuat::try_from_rows_array_2d(motion.to_matrix4(), TOLERANCE).unwrap();
-    assert!(rows.abs_diff_eq(motion, 1e-15));
+    assert!(rows.abs_diff_eq(motion, ROUNDING));
 }
 
 #[test]

@@ -4,6 +4,9 @@ use super::arms::{Plan, Random, gantry, puma, rounded, ur5};
 use dq8::ik::{Arm, ArmError, Joint, Options, Outcome};
 use dq8::{Dual, DualQuat, Hierarchy, Quat, Twist, simd::Portable};
 
+/// Six or seven joints with lever arms of about 1: two roundings for each.
+const ROUNDING: f64 = 4e-15;
+
 fn poses_are_those_of_nalgebra<const N: usize>(plan: &Plan<N>) {
     let (arm, single) = (plan.arm::<f64>(), plan.arm::<f32>());
     let mut random = Random(1);
@@ -16,8 +19,8 @@ fn poses_are_those_of_nalgebra<const N: usize>(plan: &Plan<N>) {
         for row in 0..3 {
             for column in 0..4 {
                 let wanted = wanted[(row, column)];
-                assert!((matrix[row][column] - wanted).abs() < 4e-15, "{row}, {column}");
-                assert!((on_lanes[row][column] - wanted).abs() < 4e-15, "{row}, {column}");
+                assert!((matrix[row][column] - wanted).abs() < ROUNDING, "{row}, {column}");
+                assert!((on_lanes[row][column] - wanted).abs() < ROUNDING, "{row}, {column}");
                 assert!((f64::from(in_single[row][column]) - wanted).abs() < 2e-6);
             }
         }
@@ -104,7 +107,7 @@ fn the_jacobian_is_that_of_the_hierarchy() {
 
     let (pose, columns) = arm.forward_jacobian(Portable, &values);
     let pose = DualQuat::from_array(pose.to_array());
-    assert!(pose.distance_to(models[4]) + pose.angle_to(models[4]) < 4e-15);
+    assert!(pose.distance_to(models[4]) + pose.angle_to(models[4]) < ROUNDING);
     for (column, joint) in columns.iter().zip(chain) {
         for (got, wanted) in column.to_array().into_iter().zip(wanted[joint].to_array()) {
             assert!((got - wanted).abs() < 2e-14, "joint {joint}: {got} for {wanted}");

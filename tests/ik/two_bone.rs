@@ -6,6 +6,13 @@ use dq8::{Dual, Quat, Real};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
+/// A few units of roundoff, of a point made of two bones no longer than about 1.
+const ROUNDING: f64 = 1e-15;
+/// Dozens of them: products of vectors that come from roots, cross products and rotations.
+const DOZENS: f64 = 1e-14;
+/// A dozen of them in `f32`.
+const SINGLE: f32 = 1e-6;
+
 /// Where knee and end are.
 fn points(limb: &TwoBone<f64>, root: [f64; 3], [a, b]: [f64; 2]) -> [Vector3<f64>; 2] {
     let knee = Vector3::from(root) + Vector3::from(limb.upper.rotate([a, 0.0, 0.0]));
@@ -32,19 +39,19 @@ fn the_end_is_at_the_target_and_the_knee_on_the_side_of_the_pole() {
 
         let way = (target - root).normalize();
         // In the plane of target and pole, on its side of the way.
-        assert!((knee - root).dot(&way.cross(&pole)).abs() < 1e-14);
+        assert!((knee - root).dot(&way.cross(&pole)).abs() < DOZENS);
         let across = pole - way * way.dot(&pole);
-        assert!((knee - root).dot(&across) > -1e-14);
+        assert!((knee - root).dot(&across) > -DOZENS);
         // Out of reach it is straight: a root of rounding would be eight digits aside.
         if limb.span != Span::Within {
-            assert!((knee - root).cross(&way).norm() < 1e-15);
+            assert!((knee - root).cross(&way).norm() < ROUNDING);
         }
         // A hinge about z between the two.
         let z = Quat::from_axis_angle([0.0, 0.0, 1.0], limb.bend);
         let hinged = limb.upper * z;
-        assert!((hinged.dot(limb.lower).abs() - 1.0).abs() < 1e-14);
+        assert!((hinged.dot(limb.lower).abs() - 1.0).abs() < DOZENS);
         assert!((0.0..=PI).contains(&limb.bend));
-        assert!((limb.upper.norm() - 1.0).abs() + (limb.lower.norm() - 1.0).abs() < 1e-15);
+        assert!((limb.upper.norm() - 1.0).abs() + (limb.lower.norm() - 1.0).abs() < ROUNDING);
     }
     assert!((900..1100).contains(&within), "{within}");
     assert!(worst < 3e-15, "{worst:e}");
@@ -59,7 +66,7 @@ fn a_target_too_far_stretches_and_one_too_near_folds() {
     let [knee, end] = points(&far, root, [0.5, 0.25]);
     assert!(
         (knee - Vector3::new(1.5, 2.0, 3.0)).norm() + (end - Vector3::new(1.75, 2.0, 3.0)).norm()
-            < 1e-15
+            < ROUNDING
     );
 
     let near = TwoBone::reach(root, [0.5, 0.25], [1.125, 2.0, 3.0], up).expect("finite");
@@ -67,7 +74,7 @@ fn a_target_too_far_stretches_and_one_too_near_folds() {
     let [knee, end] = points(&near, root, [0.5, 0.25]);
     assert!(
         (knee - Vector3::new(1.5, 2.0, 3.0)).norm() + (end - Vector3::new(1.25, 2.0, 3.0)).norm()
-            < 1e-15
+            < ROUNDING
     );
 
     // The longer bone at the end: the knee goes the other way.
@@ -75,7 +82,7 @@ fn a_target_too_far_stretches_and_one_too_near_folds() {
     let [knee, end] = points(&near, root, [0.25, 0.5]);
     assert!(
         (knee - Vector3::new(0.75, 2.0, 3.0)).norm() + (end - Vector3::new(1.25, 2.0, 3.0)).norm()
-            < 1e-15
+            < ROUNDING
     );
 }
 
@@ -98,29 +105,29 @@ fn a_limb_without_a_plane_takes_one() {
     for pole in [[0.0; 3], [0.0, 2.0, 0.0], [0.0, -1e-30, 0.0], [0.0, 1.0, 1e-17]] {
         let limb = TwoBone::reach(root, lengths, target, pole).expect("finite");
         let [knee, end] = points(&limb, root, lengths);
-        assert!((end - Vector3::from(target)).norm() < 1e-15, "{pole:?}");
-        assert!((knee - Vector3::new(0.5 + 0.07_f64.sqrt(), 0.3, 0.0)).norm() < 1e-15, "{knee}");
+        assert!((end - Vector3::from(target)).norm() < ROUNDING, "{pole:?}");
+        assert!((knee - Vector3::new(0.5 + 0.07_f64.sqrt(), 0.3, 0.0)).norm() < ROUNDING, "{knee}");
     }
     // The target at the root: the knee where the pole points, or on x.
     for (pole, x, y) in [([0.0, 3.0, 0.0], 0.5, 0.4), ([0.0; 3], 0.9, 0.0)] {
         let limb = TwoBone::reach(root, lengths, root, pole).expect("finite");
         assert_eq!((limb.span, limb.bend, limb.missed), (Span::Within, PI, 0.0));
         let [knee, end] = points(&limb, root, lengths);
-        assert!((end - Vector3::from(root)).norm() < 1e-15);
-        assert!((knee - Vector3::new(x, y, 0.0)).norm() < 1e-15, "{knee}");
+        assert!((end - Vector3::from(root)).norm() < ROUNDING);
+        assert!((knee - Vector3::new(x, y, 0.0)).norm() < ROUNDING, "{knee}");
         for lengths in [[0.25, 0.5], [0.5, 0.25]] {
             let limb = TwoBone::reach(root, lengths, root, pole).expect("finite");
             assert_eq!((limb.span, limb.missed), (Span::Folded, 0.25));
             let [knee, _] = points(&limb, root, lengths);
             let wanted = Vector3::new(x - 0.5, y, 0.0) * (lengths[0] / 0.4);
-            assert!((knee - Vector3::from(root) - wanted).norm() < 1e-15, "{knee}");
+            assert!((knee - Vector3::from(root) - wanted).norm() < ROUNDING, "{knee}");
         }
     }
     // Bones without length.
     for lengths in [[0.0, 0.0], [0.4, 0.0], [0.0, 0.4]] {
         let limb = TwoBone::reach(root, lengths, target, [0.0, 0.0, 1.0]).expect("finite");
         let [_, end] = points(&limb, root, lengths);
-        assert!(((end - Vector3::from(target)).norm() - limb.missed).abs() < 1e-15);
+        assert!(((end - Vector3::from(target)).norm() - limb.missed).abs() < ROUNDING);
     }
 }
 
@@ -168,7 +175,7 @@ fn lengths_may_be_as_large_or_small_as_numbers_are() {
         let target = [0.0, 1.2 * scale, 0.0];
         let limb = TwoBone::reach([0.0; 3], [scale; 2], target, [scale, 0.0, 0.0]).expect("finite");
         assert_eq!(limb.span, Span::Within);
-        assert!((limb.bend - 2.0 * 0.6_f32.acos()).abs() < 1e-6, "{scale}: {}", limb.bend);
+        assert!((limb.bend - 2.0 * 0.6_f32.acos()).abs() < SINGLE, "{scale}: {}", limb.bend);
     }
     let long = TwoBone::reach([0.0; 3], [f32::MAX; 2], [1.0, 0.0, 0.0], [0.0; 3]);
     assert!(matches!(long, Err(LimbError::Length { bone: 1, .. })));
@@ -198,10 +205,10 @@ fn poles_and_targets_are_directions_whatever_their_length() {
         };
         let bent = |pole: f32| reach([1.0, 1.0, 0.0], [pole, -pole, 0.0]);
         let (got, wanted) = (bent(large), bent(1.0));
-        assert!(got.upper.abs_diff_eq(wanted.upper, 1e-6), "{got:?}, {wanted:?}");
-        assert!(got.lower.abs_diff_eq(wanted.lower, 1e-6), "{got:?}, {wanted:?}");
+        assert!(got.upper.abs_diff_eq(wanted.upper, SINGLE), "{got:?}, {wanted:?}");
+        assert!(got.lower.abs_diff_eq(wanted.lower, SINGLE), "{got:?}, {wanted:?}");
         let (far, near) = (reach([large, large, 0.0], [0.0; 3]), reach([9.0, 9.0, 0.0], [0.0; 3]));
-        assert!(far.upper.abs_diff_eq(near.upper, 1e-6), "{far:?}, {near:?}");
+        assert!(far.upper.abs_diff_eq(near.upper, SINGLE), "{far:?}, {near:?}");
         assert_eq!(far.span, Span::Stretched);
     }
 }

@@ -7,6 +7,11 @@ use dq8::{Dual, DualQuat, Quat, Twist};
 use dq8_contract::random::Random;
 use nalgebra::{Matrix4, Rotation3, Translation3, Unit, UnitQuaternion, Vector3};
 
+/// Forty joints one on the other, some tens of lengths away: a few roundings each.
+const ROUNDING: f64 = 1e-12;
+/// The same, times lever arms as long, for what a rate does far away.
+const OF_RATES: f64 = 1e-11;
+
 fn matrix(motion: DualQuat<f64>) -> Matrix4<f64> {
     let [a, b, c] = motion.to_matrix3x4();
     Matrix4::from_row_slice(&[a, b, c, [0.0, 0.0, 0.0, 1.0]].concat())
@@ -70,9 +75,9 @@ fn poses_of_links_are_products_of_matrices() {
         owned.view().link_poses(&values, &mut poses).unwrap();
         for (link, wanted) in by_matrices(&joints, &values).into_iter().enumerate() {
             let error = (matrix(poses[link]) - wanted).amax();
-            assert!(error < 1e-12, "link {link} of {count}: {error}");
+            assert!(error < ROUNDING, "link {link} of {count}: {error}");
             let alone = owned.view().link_pose(&values, link).unwrap();
-            assert!(alone.distance_to(poses[link]) < 1e-12, "link {link} of {count} alone");
+            assert!(alone.distance_to(poses[link]) < ROUNDING, "link {link} of {count} alone");
         }
     }
 }
@@ -101,7 +106,7 @@ fn floats_compute_what_the_book_does() {
         is_as_by_the_book(found, book.link_jacobian(Body, &values, link, &mut columns[1]));
         for (found, wanted) in columns[0].iter().zip(&columns[1]) {
             let error = (*found - *wanted).to_array().map(f64::abs);
-            assert!(error.into_iter().all(|error| error < 1e-12), "{found:?}, {wanted:?}");
+            assert!(error.into_iter().all(|error| error < ROUNDING), "{found:?}, {wanted:?}");
         }
     }
 }
@@ -142,13 +147,13 @@ fn jacobians_are_derivatives_of_poses() {
             let wanted = derivative(&joints, &values, &owned, &dual, link, rate);
             let error = (*column - wanted).to_array().map(f64::abs);
             let largest = error.into_iter().fold(0.0, f64::max);
-            assert!(largest < 1e-11, "rate {rate}, link {link} of {count}: {largest}");
+            assert!(largest < OF_RATES, "rate {rate}, link {link} of {count}: {largest}");
         }
         let mut others = columns.clone();
         owned.view().link_jacobian(Body, &values, link, &mut others).unwrap();
         for (column, body) in columns.iter().zip(&others) {
             let error = (*column - pose.adjoint(*body)).to_array().map(f64::abs);
-            assert!(error.into_iter().all(|error| error < 1e-11), "body");
+            assert!(error.into_iter().all(|error| error < OF_RATES), "body");
         }
         owned.view().link_jacobian(WorldAligned, &values, link, &mut others).unwrap();
         for (column, aligned) in columns.iter().zip(&others) {
@@ -158,7 +163,7 @@ fn jacobians_are_derivatives_of_poses() {
                     .abs()
                     .max((aligned.angular[i] - column.angular[i]).abs())
             });
-            assert!(error.fold(0.0, f64::max) < 1e-11, "aligned");
+            assert!(error.fold(0.0, f64::max) < OF_RATES, "aligned");
         }
     }
 }
@@ -199,7 +204,7 @@ fn velocities_are_jacobians_times_rates() {
             robot.link_jacobian(World, &values, link, &mut columns).unwrap();
             let sum = columns.iter().zip(&rates).fold(zero, |sum, (c, &rate)| sum + c.scale(rate));
             let error = (sum - twist).to_array().map(f64::abs);
-            assert!(error.into_iter().all(|error| error < 1e-11), "link {link} of {count}");
+            assert!(error.into_iter().all(|error| error < OF_RATES), "link {link} of {count}");
         }
     }
 }
@@ -240,7 +245,7 @@ fn accelerations_are_derivatives_of_twists() {
         for (link, (wanted, found)) in dual_twists.iter().zip(&accelerations).enumerate() {
             for (wanted, found) in wanted.to_array().into_iter().zip(found.to_array()) {
                 let error = (wanted.dual - found).abs() / (1.0 + found.abs());
-                assert!(error < 1e-11, "link {link} of {count}: {error}");
+                assert!(error < OF_RATES, "link {link} of {count}: {error}");
             }
         }
     }

@@ -10,6 +10,9 @@ use nalgebra::{Matrix3, Vector3};
 const POINTS: [[f64; 3]; 4] =
     [[1.0, 0.0, 0.0], [0.3, -2.0, 0.7], [-5.0, 4.0, 3.0], [0.0, 0.25, -8.0]];
 
+/// A few products of coordinates up to 8: a unit of roundoff of these is 10⁻¹⁵.
+const ROUNDING: f64 = 1e-14;
+
 fn apart(a: [f64; 3], b: [f64; 3]) -> f64 {
     (Vector3::from(a) - Vector3::from(b)).norm()
 }
@@ -28,7 +31,9 @@ fn a_reflection_is_the_product_nvn_of_quaternions_and_twice_the_offset() {
             let product = normal * Quat::from_parts(v, 0.0) * normal;
             let by_quaternions = product + normal.scale(2.0 * plane.offset);
             let got = Affine::reflection(plane).transform_point(v);
-            assert!(apart(got, by_quaternions.xyz()) < 1e-14 && by_quaternions.w().abs() < 1e-15);
+            assert!(
+                apart(got, by_quaternions.xyz()) < ROUNDING && by_quaternions.w().abs() < 1e-15
+            );
         }
     }
 }
@@ -38,11 +43,11 @@ fn a_reflection_undoes_itself_and_leaves_its_plane_alone() {
     for plane in planes() {
         let mirror = Affine::reflection(plane);
         for v in POINTS {
-            assert!(apart(mirror.transform_point(mirror.transform_point(v)), v) < 1e-14);
+            assert!(apart(mirror.transform_point(mirror.transform_point(v)), v) < ROUNDING);
             let foot = (Vector3::from(v) + Vector3::from(mirror.transform_point(v))) / 2.0;
             let off = foot.dot(&Vector3::from(plane.normal)) - plane.offset;
-            assert!(off.abs() < 1e-14, "the middle is {off} off {plane:?}");
-            assert!(apart(mirror.transform_point(foot.into()), foot.into()) < 1e-14);
+            assert!(off.abs() < ROUNDING, "the middle is {off} off {plane:?}");
+            assert!(apart(mirror.transform_point(foot.into()), foot.into()) < ROUNDING);
         }
     }
 }
@@ -83,7 +88,7 @@ fn no_dual_quaternion_stretches_a_distance_or_mirrors() {
         let columns = axes.map(|axis| place(axis) - place([0.0; 3]));
         let linear = Matrix3::from_columns(&columns);
         let off = (linear.transpose() * linear - Matrix3::identity()).amax();
-        assert!(off < 1e-14 * size && linear.determinant() > 0.0, "{off:e}: {sigma:?}");
+        assert!(off < ROUNDING * size && linear.determinant() > 0.0, "{off:e}: {sigma:?}");
     });
 }
 
