@@ -21,12 +21,14 @@ where
     ///
     /// Targets are normalized; farther than 10⁻³ from unit they are
     /// [`Outcome::Invalid`](crate::ik::Outcome::Invalid), and so are numbers that are not finite, but for values
-    /// of joints that move no goal, and options that are none: `values` is untouched then. Each iteration is a damped step within the limits, of second order where a goal asks
-    /// for the whole pose, as for an [`Arm`](crate::ik::Arm). Where two steps in a row do not lead much nearer,
-    /// or limits leave no way nearer, the search begins again from another configuration
-    /// ([`Options::restarts`]), the nearest to the targets of some that are spread evenly within the limits;
-    /// each restart draws others. What is reported is the error at the values that are returned; of several
-    /// goals the largest, of components that are asked for.
+    /// of joints that move no goal, and options that are none: `values` is untouched then.
+    ///
+    /// Each iteration is a damped step within the limits, of second order where a goal asks for the whole pose,
+    /// as for an [`Arm`](crate::ik::Arm). Where two steps in a row do not lead much nearer, or limits leave no
+    /// way nearer, the search begins again from another configuration ([`Options::restarts`]), the nearest to
+    /// the targets of some that are spread evenly within the limits; each restart draws others. What is
+    /// reported is the error at the values that are returned; of several goals the largest, of components that
+    /// are asked for.
     ///
     /// A good start is kept to: to follow a target that moves, start from the last values, and set
     /// `restarts` to false.
