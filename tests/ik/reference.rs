@@ -61,10 +61,14 @@ impl<const N: usize> Search<'_, N> {
             pose = pose * joint.motion(value);
         }
         let pose = self.arm.forward(values);
-        let (end, left) = (pose.translation(), (self.target * pose.conjugate()).to_twist());
         let reached = pose.angle_to(self.target) <= self.options.angular_tolerance
             && pose.distance_to(self.target) <= self.options.linear_tolerance;
-        Here { columns, end, error: self.row(left, end), reached }
+        Here { columns, end: pose.translation(), error: self.error(pose), reached }
+    }
+
+    /// What separates an end at `pose` from the target.
+    fn error(&self, pose: DualQuat<f64>) -> Vector6<f64> {
+        self.row((self.target * pose.conjugate()).to_twist(), pose.translation())
     }
 
     /// Damped least squares; joints that would leave their limits stop there, and the others try again.
@@ -196,7 +200,7 @@ impl<const N: usize> Search<'_, N> {
                     let [low, high] = self.arm.joints()[j].limits;
                     low + (high - low) * share
                 });
-                (self.here(&values).error.norm_squared(), values)
+                (self.error(self.arm.forward(&values)).norm_squared(), values)
             })
             .collect();
         seeds.sort_by(|(a, _), (b, _)| b.total_cmp(a));
