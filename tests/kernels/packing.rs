@@ -234,12 +234,11 @@ fn origin(lane: usize, width: usize, joints: usize, count: usize) -> Option<usiz
 }
 
 fn assert_lanes(packing: &dyn Packing, joints: usize, things: &[Vec<f64>], lanes: &[Vec<f64>]) {
+    let (width, components, padding) = (packing.lanes(), packing.components(), packing.padding());
+    let count = things.len();
     for (lane, got) in lanes.iter().enumerate() {
-        let from = origin(lane, packing.lanes(), joints, things.len());
-        let wanted = from.map_or(packing.padding(), |index| things[index].clone());
-        let (width, components) = (packing.lanes(), packing.components());
-        let count = things.len();
-        assert_eq!(*got, wanted, "{count} of {components}, {joints} joints, {lane} by {width}");
+        let wanted = origin(lane, width, joints, count).map_or(&padding, |index| &things[index]);
+        assert_eq!(got, wanted, "{count} of {components}, {joints} joints, {lane} by {width}");
     }
 }
 

@@ -202,6 +202,16 @@ impl Scene {
         Task { root, ..Task::new(&self.parents, backend) }
     }
 
+    /// All joints, and those of the range.
+    pub(crate) fn ranges(&self) -> [Range<usize>; 2] {
+        [self.all(), self.range.clone()]
+    }
+
+    /// What every instance comes to.
+    pub(crate) fn every(&self, wanted: impl FnMut(usize) -> Vec<Wanted>) -> Vec<Vec<Wanted>> {
+        (0..self.instances).map(wanted).collect()
+    }
+
     /// Model poses by the rule model(j) = model(parent(j)) · local(j) within `range`, where the
     /// locals are `poses`; outside it they are `others` as they stand.
     pub(crate) fn models(&self, instance: usize, on: On, range: &Range<usize>) -> Vec<Wanted> {
@@ -221,9 +231,10 @@ impl Scene {
         models
     }
 
-    /// Local poses by the rule local(j) = model(parent(j))⁻¹ · model(j), where the models are
-    /// `poses`.
-    pub(crate) fn locals(&self, instance: usize, on: On) -> Vec<Wanted> {
+    /// Local poses by the rule local(j) = model(parent(j))⁻¹ · model(j) within `range`, where the
+    /// models are `poses`; outside it they are `others` as they stand.
+    pub(crate) fn locals(&self, instance: usize, on: On, range: &Range<usize>) -> Vec<Wanted> {
+        let others = &self.steps[(instance + 1) % MAX_INSTANCES];
         let model = |joint: usize| Wanted::of(&self.steps[instance][joint]);
         let local = |joint: usize| {
             let parent = match self.parents[joint] {
@@ -232,7 +243,9 @@ impl Scene {
             };
             parent.inverse().then(&model(joint))
         };
-        self.all().map(local).collect()
+        let outside = |joint: usize| Wanted::of(&others[joint]);
+        let wanted = |joint| if range.contains(&joint) { local(joint) } else { outside(joint) };
+        self.all().map(wanted).collect()
     }
 
     /// The locals again, with the errors of models on the way.

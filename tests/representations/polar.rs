@@ -3,10 +3,10 @@
 use super::gram_schmidt::matrices;
 use super::{between, exact_rows, for_random_motions, opinion, round_rows, roundoff, worst};
 use dq8::{
-    Quat, Real,
+    DualQuat, Quat, Real,
     representation::{OrthonormalError, Polar, gram_schmidt},
 };
-use dq8_contract::inputs::for_all;
+use dq8_contract::inputs::{for_all, unit_motion};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
 fn polar<R: Real>(matrix: Matrix3<f64>) -> Polar<R> {
@@ -88,8 +88,8 @@ fn rounding_moves_the_rotation_no_more_than_the_elements_rounding_does() {
         let why =
             "the elements are rounded, and an iteration's last step is; by the two least stretches";
         let worst = worst("rotation of a thin matrix", 24.0, why);
-        for_random_motions(|motion| {
-            let turn = opinion(motion.rotation());
+        for_all(250, &unit_motion(), |motion| {
+            let turn = opinion(DualQuat::from_array(motion).rotation());
             let tilt = UnitQuaternion::from_euler_angles(0.3, -0.8, 1.9).to_rotation_matrix();
             for decade in 0..=smallest {
                 let thin = 10_f64.powi(-decade);

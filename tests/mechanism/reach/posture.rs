@@ -63,7 +63,7 @@ fn with_a_posture_as_many_targets_are_reached() {
     let posture = [0.0, 0.0, 0.0, -1.5, 0.0, 1.8, 0.0];
     let mut random = Random(9);
     let (mut targets, mut starts) = (Vec::new(), Vec::new());
-    for _ in 0..300 {
+    for _ in 0..150 {
         targets.push(arm.link_pose(&draw(&mut random, &joints), 7).expect("a link"));
         starts.extend(draw(&mut random, &joints));
     }
