@@ -73,11 +73,11 @@ fn pose<R: Real>(there: &Isometry3<f64>) -> DualQuat<R> {
     DualQuat::from_rotation_translation(turn, rounded(there.translation.vector.into()))
 }
 
-/// 40 arms of six hinges, 16 targets each; `change` is what becomes of a target before the arm sees
+/// 24 arms of six hinges, 16 targets each; `change` is what becomes of a target before the arm sees
 /// it. A target may have lost its unit norm, and is where its normalized form is.
 fn with_targets<R: Scalar>(change: impl Fn(DualQuat<R>) -> DualQuat<R>) -> Tally {
     let (mut random, mut sum) = (Random(14), Tally::default());
-    for _ in 0..40 {
+    for _ in 0..24 {
         let plan = six_of_any_kind(&mut random);
         let arm = plan.arm::<R>();
         let cases: [_; 16] = core::array::from_fn(|_| {
@@ -93,7 +93,7 @@ fn with_targets<R: Scalar>(change: impl Fn(DualQuat<R>) -> DualQuat<R>) -> Tally
 
 fn typed_targets_are_reached_as_computed_ones<R: Scalar>() {
     let computed = with_targets::<R>(|target| target);
-    assert!(computed.converged >= 636, "{} of 640", computed.converged);
+    assert!(computed.converged >= 381, "{} of 384", computed.converged);
     let typed = {
         with_targets::<R>(|target| {
             let round = |c: R| <R as Real>::from_f64(to_decimals(c.into(), 4));
@@ -115,7 +115,7 @@ fn typed_targets_are_reached_as_computed_ones<R: Scalar>() {
     let accumulated = with_targets::<R>(|target| kinematics::after(target, &there_and_back));
     let single = R::EPSILON.into() > 1e-10;
     for (what, tally) in [("4 decimals", typed), ("accumulated", accumulated)] {
-        assert!(tally.converged >= 636, "{what}: {} of 640", tally.converged);
+        assert!(tally.converged >= 381, "{what}: {} of 384", tally.converged);
         // Where a typed target is, is rounded as well.
         let most = bound::<R>() + if single { 2e-6 } else { 0.0 };
         assert!(tally.worst <= most, "{what}: {:e}", tally.worst);

@@ -7,7 +7,7 @@ use dq8::{
     representation::{EulerAngles, EulerOrder, RotationTranslation},
     scalar::MatrixError,
 };
-use dq8_contract::inputs::edge_motions;
+use dq8_contract::inputs::{edge_motions, for_all, unit_motion};
 use nalgebra::{Isometry3, Point3, Quaternion, Translation3, UnitQuaternion};
 
 /// A motion, in one of the forms there are.
@@ -109,7 +109,8 @@ fn every_representation_reaches_every_other<R: Real>(allowed: f64) {
     let why = "two conversions in a row, each within the bound of its own, and a point is moved";
     let worst = worst("each to each", allowed, why);
     let turn = std::cell::Cell::new(0);
-    for_random_motions(|motion| {
+    for_all(300, &unit_motion(), |motion| {
+        let motion = DualQuat::from_array(motion);
         let order = EulerOrder::ALL[turn.replace(turn.get() + 1) % 24];
         all_pairs::<R>(motion, &[order], &worst);
     });
