@@ -2,6 +2,15 @@
 
 use dq8::{Dual, DualQuat, Line, Quat, Real, Twist, geometry::Screw};
 
+/// Numbers of about 1, a few operations on each side.
+const LAST_BITS: f64 = 1e-15;
+/// A motion by a few lengths.
+const OF_A_LENGTH: f64 = 4e-15;
+/// A difference with h = 10⁻³ leaves terms of h⁴, and divides roundoff by h.
+const OF_FOURTH_ORDER: f64 = 1e-10;
+/// A difference with h = 10⁻⁴ leaves terms of h², and divides roundoff by h.
+const OF_SECOND_ORDER: f64 = 1e-6;
+
 type Hyper = Dual<Dual<f64>>;
 
 fn constant<R: Real, const N: usize>(values: [f64; N]) -> [R; N] {
@@ -33,9 +42,12 @@ fn every_operation_differentiates_itself() {
         let dual = motion(Dual::new(t, 1.0)).to_array();
         let (value, by_difference) = (motion(t).to_array(), difference(t, 1e-3));
         for i in 0..8 {
-            assert!((dual[i].real - value[i]).abs() < 1e-15, "{t}: component {i}");
+            assert!((dual[i].real - value[i]).abs() < LAST_BITS, "{t}: component {i}");
             let error = dual[i].dual - by_difference[i];
-            assert!(error.abs() < 1e-9, "{t}: derivative of component {i} is off by {error}");
+            assert!(
+                error.abs() < OF_FOURTH_ORDER,
+                "{t}: derivative of component {i} is off by {error}"
+            );
         }
     }
 }
@@ -52,7 +64,7 @@ fn dual_numbers_of_dual_numbers_give_second_derivatives() {
         for (i, component) in motion(x).to_array().into_iter().enumerate() {
             assert_eq!(component.real.dual, component.dual.real, "both first derivatives");
             let error = component.dual.dual - (after[i] - before[i]) / (2.0 * h);
-            assert!(error.abs() < 1e-5, "{t}: second derivative {i} is off by {error}");
+            assert!(error.abs() < OF_SECOND_ORDER, "{t}: second derivative {i} is off by {error}");
         }
     }
 }
@@ -69,7 +81,7 @@ fn twists_are_what_differentiation_finds() {
         let at = DualQuat::from_array(path.to_array().map(|c| c.real));
         let wanted = at.derivative_spatial(twist).to_array();
         for (found, wanted) in path.to_array().into_iter().zip(wanted) {
-            assert!((found.dual - wanted).abs() < 1e-14, "{t}: {} for {wanted}", found.dual);
+            assert!((found.dual - wanted).abs() < OF_A_LENGTH, "{t}: {} for {wanted}", found.dual);
         }
     }
 }
@@ -104,10 +116,10 @@ fn functions_have_their_derivatives() {
     ];
     for (name, f, at, derivative) in cases {
         let found = f(D::new(at, 1.0)).dual;
-        assert!((found - derivative).abs() < 1e-15, "{name}: {found} for {derivative}");
+        assert!((found - derivative).abs() < LAST_BITS, "{name}: {found} for {derivative}");
     }
     let huge = D::new(3e200, 1e200).atan2(D::new(4e200, 0.0));
-    assert!((huge.dual - 0.16).abs() < 1e-15, "no square overflows: {}", huge.dual);
+    assert!((huge.dual - 0.16).abs() < LAST_BITS, "no square overflows: {}", huge.dual);
 }
 
 /// ε is positive and smaller than every number.

@@ -4,6 +4,11 @@ use dq8::{
     Backend, DualQuat, Hierarchy, Quat, Skeleton, hierarchy::HierarchyError, scalar::MatrixError,
 };
 
+/// A product with the inverse, in `f32` on its own scale.
+const IN_SINGLE: f32 = 1e-6;
+/// Between what is unit here, to a few units of the last place, and what is a thousandth away from it.
+const NEARLY: f32 = 1e-5;
+
 /// What somebody may give who has made a mistake.
 #[derive(Clone, Copy, Debug)]
 struct Class {
@@ -78,10 +83,10 @@ fn checked_functions_refuse_what_the_unchecked_ones_answer_with_nan() {
         let checked = motion.try_inverse();
         assert_eq!(checked.is_ok(), inverts, "{name}: {checked:?}");
         let result = motion.inverse();
-        let near = (motion * result).abs_diff_eq(DualQuat::IDENTITY, 1e-4);
+        let near = (motion * result).abs_diff_eq(DualQuat::IDENTITY, IN_SINGLE);
         assert!(if inverts { near } else { all_nan(result) }, "{name}: {result}");
-        assert_eq!((motion.is_unit(1e-5), motion.is_normalized()), (unit, unit), "{name}");
-        assert_eq!(motion.needs_renormalization(1e-5), !unit, "{name}");
+        assert_eq!((motion.is_unit(NEARLY), motion.is_normalized()), (unit, unit), "{name}");
+        assert_eq!(motion.needs_renormalization(NEARLY), !unit, "{name}");
         let finite = motion.to_array().iter().all(|c| c.is_finite());
         assert_eq!(motion.is_finite(), finite, "{name}");
         let rotation = motion.real();
@@ -110,7 +115,7 @@ fn slices_answer_each_element_as_if_it_were_alone_on_every_backend() {
                 if class.normalizes { unit.is_normalized() } else { !unit.is_finite() },
                 "{backend}, {name}: {unit}"
             );
-            let near = (class.motion * inverse).abs_diff_eq(DualQuat::IDENTITY, 1e-4);
+            let near = (class.motion * inverse).abs_diff_eq(DualQuat::IDENTITY, IN_SINGLE);
             assert!(
                 if class.inverts { near } else { !inverse.is_finite() },
                 "{backend}, {name}: {inverse}"
@@ -145,7 +150,7 @@ fn functions_of_units_give_units_and_come_back_from_everything_else() {
                 let result = operation(a.motion, b.motion);
                 let promised = a.unit && b.unit;
                 assert!(
-                    !promised || result.is_unit(1e-5),
+                    !promised || result.is_unit(NEARLY),
                     "{name} of {} and {}: {result}",
                     a.name,
                     b.name

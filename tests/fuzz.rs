@@ -12,6 +12,11 @@ use std::cell::Cell;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
+/// Some units of the last place in `f32`.
+const IN_SINGLE: f32 = 1e-6;
+/// Products of up to as many joints as are drawn, on the scale of their sum.
+const MODELS: f32 = 2e-4;
+
 /// SplitMix64 (Steele, Lea and Flood 2014), and how many functions were called.
 struct Fuzz {
     state: u64,
@@ -156,7 +161,7 @@ fn operations(fuzz: &mut Fuzz) {
         let size = (a.dual().norm() / a.real().norm()).max(1.0);
         let along = unit.real().dot(unit.dual()).abs();
         assert!(
-            unit.real().is_unit(1e-5) && along <= 1e-5 * size,
+            unit.real().is_unit(IN_SINGLE.into()) && along <= f64::from(IN_SINGLE) * size,
             "{a:?} is normalized to {unit:?}"
         );
     }
@@ -164,7 +169,7 @@ fn operations(fuzz: &mut Fuzz) {
         assert!(inverse.is_finite(), "{a:?} has the inverse {inverse:?}");
     }
     if let Ok(turn) = Quat::look_to(v, line.moment) {
-        assert!(turn.is_unit(1e-5), "{v:?} {line:?} {turn:?}");
+        assert!(turn.is_unit(IN_SINGLE), "{v:?} {line:?} {turn:?}");
     }
     assert_eq!(a.is_finite(), a.to_array().iter().all(|c| c.is_finite()));
     if a.is_finite() {
@@ -207,17 +212,17 @@ fn matrices(fuzz: &mut Fuzz) {
     let tolerance = fuzz.number();
     if let Ok(motion) = DualQuat::try_from_matrix3x4(rows, tolerance) {
         assert!(
-            motion.is_finite() && motion.rotation().is_unit(1e-5),
+            motion.is_finite() && motion.rotation().is_unit(IN_SINGLE),
             "{rows:?} {tolerance} {motion:?}"
         );
     }
     let map = Affine::from_matrix3x4(rows);
     if let Ok((motion, stretch)) = map.try_decompose() {
-        assert!(motion.is_finite() && motion.rotation().is_unit(1e-5), "{rows:?} {motion:?}");
+        assert!(motion.is_finite() && motion.rotation().is_unit(IN_SINGLE), "{rows:?} {motion:?}");
         assert!(stretch.as_flattened().iter().all(|c| c.is_finite()), "{rows:?} {stretch:?}");
     }
     if let Ok(polar) = Polar::try_from_matrix3(map.linear) {
-        assert!(polar.rotation.is_unit(1e-5), "{rows:?} {polar:?}");
+        assert!(polar.rotation.is_unit(IN_SINGLE), "{rows:?} {polar:?}");
     }
     let _ = black_box(dq8::representation::gram_schmidt(map.linear));
     fuzz.called(5);
@@ -283,7 +288,7 @@ fn hierarchies(fuzz: &mut Fuzz) {
     for models in all {
         for (model, wanted) in models.into_iter().zip(&wanted) {
             let scale = wanted.dual().norm().max(1.0);
-            assert!(model.abs_diff_eq(*wanted, 2e-4 * scale), "{parents:?}: {model} {wanted}");
+            assert!(model.abs_diff_eq(*wanted, MODELS * scale), "{parents:?}: {model} {wanted}");
         }
     }
 }

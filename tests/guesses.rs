@@ -15,6 +15,10 @@ const UP: [f64; 3] = [0.0, 0.0, 1.0];
 
 /// What a few products of numbers no larger than about 4 leave.
 const ROUNDING: f64 = 1e-15;
+/// Points and translations some lengths away.
+const LENGTHS: f64 = 1e-14;
+/// Half a unit of the last place of such a length in `f32`.
+const IN_SINGLE: f64 = 2.5e-7;
 
 fn a() -> DualQuat<f64> {
     DualQuat::from_rotation_translation(
@@ -28,7 +32,7 @@ fn b() -> DualQuat<f64> {
 }
 
 fn near(a: [f64; 3], b: [f64; 3]) -> bool {
-    a.into_iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-12)
+    a.into_iter().zip(b).all(|(a, b)| (a - b).abs() < LENGTHS)
 }
 
 #[test]
@@ -116,14 +120,14 @@ fn arrays_quaternions_and_pairs_convert() {
     let six: [f64; 6] = a.to_twist().into();
     assert_eq!(Twist::from(six), a.to_twist());
     assert_eq!(Wrench::from((UP, UP)), Wrench { force: UP, torque: UP });
-    assert!((b() * pose).abs_diff_eq(b() * a, 1e-14));
+    assert!((b() * pose).abs_diff_eq(b() * a, LENGTHS));
     assert_eq!((q.as_ref()[3], a.as_ref()[7]), (q.w(), a.dual().w()));
 }
 
 #[test]
 fn numbers_change_their_type_by_cast() {
     let narrow: DualQuat<f32> = a().cast();
-    assert!(narrow.cast::<f64>().abs_diff_eq(a(), 1e-6));
+    assert!(narrow.cast::<f64>().abs_diff_eq(a(), IN_SINGLE));
     assert_eq!(narrow.cast::<f64>().cast::<f32>(), narrow);
     assert_eq!(Quat::<f32>::IDENTITY.cast::<f64>(), Quat::IDENTITY);
 }
@@ -178,7 +182,7 @@ fn quaternions_have_what_other_libraries_quaternions_have() {
         p.nlerp(q, 0.0).abs_diff_eq(p, ROUNDING)
             && p.nlerp(-q, 1.0).abs_diff_eq(p.nlerp(q, 1.0), 0.0)
     );
-    assert!((p.angle_to(p.nlerp(q, 0.5)) - p.angle_to(q) / 2.0).abs() < 1e-14);
+    assert!((p.angle_to(p.nlerp(q, 0.5)) - p.angle_to(q) / 2.0).abs() < ROUNDING);
     assert!((p.angle_to(-(p * Quat::from_rotation_x(0.25))) - 0.25).abs() < ROUNDING);
     assert!(
         p.is_unit(ROUNDING)
@@ -202,7 +206,7 @@ fn the_shortest_arc_takes_one_direction_to_the_other_at_every_angle() {
         let to = turn.rotate(from);
         let arc = Quat::from_rotation_arc(from.map(|c| c * 7.0), to.map(|c| c * 1e-200));
         assert!(arc.is_normalized() && near(arc.rotate(from), to), "{angle}: {arc}");
-        assert!((arc.angle_to(Quat::IDENTITY) - angle).abs() < 2e-15, "{angle}: {arc}");
+        assert!((arc.angle_to(Quat::IDENTITY) - angle).abs() < 2.0 * ROUNDING, "{angle}: {arc}");
     }
     let opposite = Quat::from_rotation_arc(UP, [0.0, 0.0, -1.0]);
     assert!(near(opposite.rotate(UP), [0.0, 0.0, -1.0]) && opposite.is_normalized());
@@ -216,7 +220,7 @@ fn looking_puts_z_forward_and_y_up() {
         let length = forward.iter().fold(0.0_f64, |sum, c| sum.hypot(*c));
         assert!(near(turn.rotate(UP), forward.map(|c| c / length)), "{forward:?}");
         let [_, y, _] = turn.conjugate().rotate(up);
-        assert!(turn.conjugate().rotate(up)[0].abs() < 1e-14 && y > 0.0);
+        assert!(turn.conjugate().rotate(up)[0].abs() < ROUNDING && y > 0.0);
     }
     let camera = DualQuat::look_at([1.0, 2.0, 3.0], [1.0, 2.0, 13.0], [0.0, 5.0, 0.0]).unwrap();
     assert!(near(camera.transform_point([0.0, 1.0, 10.0]), [1.0, 3.0, 13.0]));
@@ -247,7 +251,7 @@ fn points_lines_planes_crowds_and_hierarchies_are_where_they_are_looked_for() {
     assert!(near(a().conjugate().transform_point(moved), UP));
     assert!(
         (a().sclerp(b(), 0.5).distance_to(a()) - a().sclerp(b(), 0.5).distance_to(b())).abs()
-            < 1e-12
+            < LENGTHS
     );
     let line = Line::from_point_direction([0.0; 3], UP);
     let plane = Plane::from_point_normal([0.0; 3], UP);

@@ -3,6 +3,11 @@
 
 use dq8::{DualQuat, Quat, Twist, representation::RotationTranslation, scalar::MatrixError};
 
+/// Points and translations of a few lengths, a few operations each; and in `f32`.
+const ROUNDING: f64 = 4e-15;
+#[cfg(feature = "glam_034")]
+const IN_SINGLE: f32 = 1e-6;
+
 const POINT: [f64; 3] = [0.3, -7.0, 2.0];
 
 fn motion() -> DualQuat<f64> {
@@ -11,11 +16,11 @@ fn motion() -> DualQuat<f64> {
 }
 
 fn near(a: [f64; 3], b: [f64; 3]) -> bool {
-    a.into_iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-12)
+    a.into_iter().zip(b).all(|(a, b)| (a - b).abs() < ROUNDING)
 }
 
 fn close(a: DualQuat<f64>, b: DualQuat<f64>) -> bool {
-    a.abs_diff_eq(b, 1e-14)
+    a.abs_diff_eq(b, ROUNDING)
 }
 
 #[cfg(feature = "glam_034")]
@@ -43,9 +48,9 @@ mod glam_034 {
         let MatrixError::Scales { factor } = DualQuat::try_from(scaled).unwrap_err() else {
             panic!()
         };
-        assert!((factor - 0.01).abs() < 1e-15);
+        assert!((factor - 0.01).abs() < ROUNDING);
         let single = sigma.cast::<f32>();
-        assert!(DualQuat::try_from(Affine3A::from(single)).unwrap().abs_diff_eq(single, 1e-6));
+        assert!(DualQuat::try_from(Affine3A::from(single)).unwrap().abs_diff_eq(single, IN_SINGLE));
     }
 
     #[test]

@@ -3,6 +3,14 @@
 use dq8::slices::TrajectoryError;
 use dq8::{Backend, DualQuat, Quat, ShapeError};
 
+/// A unit motion of some lengths, normalized again.
+const LAST_BITS: f64 = 1e-15;
+/// A logarithm and a power of what lies between two poses that are some lengths apart.
+const SAMPLED: f64 = 2e-13;
+/// Where the iterations of a mean end, and what a mean is rounded by: each squares what is left.
+const SETTLED: f64 = 1e-12;
+const MEANS: f64 = 2e-14;
+
 fn poses(count: usize) -> (Vec<f64>, Vec<DualQuat<f64>>) {
     let times = (0..count).map(|i| i as f64 * 0.1 + 0.03 * (i as f64).sin()).collect();
     let pose = |i: usize| {
@@ -45,7 +53,7 @@ fn samples_are_screw_motion_between_neighbours_in_any_order() {
                         let wanted = sample(&times, &poses, at);
                         // Of ±σ the sign is that of one end of the segment.
                         let same =
-                            out.abs_diff_eq(wanted, 1e-11) || (-out).abs_diff_eq(wanted, 1e-11);
+                            out.abs_diff_eq(wanted, SAMPLED) || (-out).abs_diff_eq(wanted, SAMPLED);
                         assert!(same, "{count} poses at {at}: {out} {wanted}");
                     }
                 }
@@ -60,7 +68,7 @@ fn infinite_times_are_the_ends_and_the_rest_is_refused_untouched() {
     let mut out = [DualQuat::ZERO; 2];
     let best = Backend::best();
     best.resample(&times, &poses, &[f64::NEG_INFINITY, f64::INFINITY], &mut out).unwrap();
-    assert!(out[0].abs_diff_eq(poses[0], 1e-14) && out[1].abs_diff_eq(poses[4], 1e-14));
+    assert!(out[0].abs_diff_eq(poses[0], LAST_BITS) && out[1].abs_diff_eq(poses[4], LAST_BITS));
     let mut out = [DualQuat::ZERO; 2];
     let mut refuse = |times: &[f64], poses: &[DualQuat<f64>], at: &[f64]| {
         let error = best.resample(times, poses, at, &mut out).unwrap_err();
@@ -100,22 +108,22 @@ fn means_of_windows_are_means_of_their_poses() {
         DualQuat::make_continuous(&mut poses);
         for backend in Backend::available() {
             let mut means = vec![DualQuat::IDENTITY; count - 4];
-            let converged = backend.dib_windows(&poses, &weights, 1e-12, 64, &mut means).unwrap();
+            let converged = backend.dib_windows(&poses, &weights, SETTLED, 64, &mut means).unwrap();
             assert_eq!(converged, count - 4);
             for (window, mean) in poses.windows(5).zip(means) {
                 let influences: Vec<_> = window.iter().copied().zip(weights).collect();
-                let wanted = DualQuat::dib(&influences, 1e-12, 64).unwrap();
-                assert!(wanted.converged && mean.abs_diff_eq(wanted.motion, 1e-10), "{mean}");
+                let wanted = DualQuat::dib(&influences, SETTLED, 64).unwrap();
+                assert!(wanted.converged && mean.abs_diff_eq(wanted.motion, MEANS), "{mean}");
             }
         }
     }
     let (_, poses) = poses(4);
     let mut means = [DualQuat::ZERO; 2];
     let best = Backend::best();
-    assert!(best.dib_windows(&poses, &weights, 1e-12, 64, &mut means).is_err());
-    assert!(best.dib_windows(&poses, &[], 1e-12, 64, &mut means).is_err());
-    assert_eq!(best.dib_windows(&poses, &[1.0; 3], 1e-12, 0, &mut means), Ok(0));
-    assert_eq!(best.dib_windows(&poses, &weights, 1e-12, 64, &mut []), Ok(0));
+    assert!(best.dib_windows(&poses, &weights, SETTLED, 64, &mut means).is_err());
+    assert!(best.dib_windows(&poses, &[], SETTLED, 64, &mut means).is_err());
+    assert_eq!(best.dib_windows(&poses, &[1.0; 3], SETTLED, 0, &mut means), Ok(0));
+    assert_eq!(best.dib_windows(&poses, &weights, SETTLED, 64, &mut []), Ok(0));
 }
 
 /// The difference of two times may overflow where both are finite.

@@ -1,11 +1,18 @@
 //! Poses and Jacobians of arms against nalgebra, automatic differentiation and hierarchies.
 
+use super::REACHED;
 use super::arms::{Plan, Random, gantry, puma, rounded, ur5};
 use dq8::ik::{Arm, ArmError, Joint, Options, Outcome};
 use dq8::{Dual, DualQuat, Hierarchy, Quat, Twist, simd::Portable};
 
 /// Six or seven joints with lever arms of about 1: two roundings for each.
 const ROUNDING: f64 = 4e-15;
+/// The same in `f32`.
+const IN_SINGLE: f64 = 2e-6;
+/// Columns are moments of axes, twice as many roundings.
+const DERIVED: f64 = 8e-15;
+/// A central difference h = 1e-5 apart: h² is cut off, and roundoff is divided by h.
+const BY_DIFFERENCE: f64 = 5e-10;
 
 fn poses_are_those_of_nalgebra<const N: usize>(plan: &Plan<N>) {
     let (arm, single) = (plan.arm::<f64>(), plan.arm::<f32>());
@@ -21,7 +28,7 @@ fn poses_are_those_of_nalgebra<const N: usize>(plan: &Plan<N>) {
                 let wanted = wanted[(row, column)];
                 assert!((matrix[row][column] - wanted).abs() < ROUNDING, "{row}, {column}");
                 assert!((on_lanes[row][column] - wanted).abs() < ROUNDING, "{row}, {column}");
-                assert!((f64::from(in_single[row][column]) - wanted).abs() < 2e-6);
+                assert!((f64::from(in_single[row][column]) - wanted).abs() < IN_SINGLE);
             }
         }
     }
@@ -58,8 +65,11 @@ fn columns_are_derivatives<const N: usize>(plan: &Plan<N>) {
             for i in 0..6 {
                 let [got, wanted, difference] =
                     [*column, wanted, difference].map(|t| t.to_array()[i]);
-                assert!((got - wanted).abs() < 1e-14, "joint {joint}: {got} for {wanted}");
-                assert!((got - difference).abs() < 1e-9, "joint {joint}: {got} for {difference}");
+                assert!((got - wanted).abs() < DERIVED, "joint {joint}: {got} for {wanted}");
+                assert!(
+                    (got - difference).abs() < BY_DIFFERENCE,
+                    "joint {joint}: {got} for {difference}"
+                );
             }
         }
         values = plan.draw(&mut random);
@@ -110,7 +120,7 @@ fn the_jacobian_is_that_of_the_hierarchy() {
     assert!(pose.distance_to(models[4]) + pose.angle_to(models[4]) < ROUNDING);
     for (column, joint) in columns.iter().zip(chain) {
         for (got, wanted) in column.to_array().into_iter().zip(wanted[joint].to_array()) {
-            assert!((got - wanted).abs() < 2e-14, "joint {joint}: {got} for {wanted}");
+            assert!((got - wanted).abs() < DERIVED, "joint {joint}: {got} for {wanted}");
         }
     }
 }
@@ -124,7 +134,7 @@ fn the_end_is_never_farther_than_the_bound() {
         for _ in 0..2000 {
             let end = plan.isometry(&plan.draw(&mut random)).translation.vector;
             let far = (end - nalgebra::Vector3::from(centre)).norm();
-            assert!(far <= length + 1e-15, "{far} of {length}");
+            assert!(far <= length, "{far} of {length}");
             nearest = nearest.min(length - far);
         }
     }
@@ -166,7 +176,7 @@ fn a_thread_is_searched_as_the_thread_that_it_is_whatever_its_pitch() {
         let mut values = [0.1_f64];
         let report = arm.reach(arm.forward(&[1.25]), &mut values, &Options::default());
         assert_eq!(report.outcome, Outcome::Converged, "{pitch}");
-        assert!((values[0] - 1.25).abs() < 1e-4, "{pitch}: {values:?}");
+        assert!((values[0] - 1.25).abs() < REACHED, "{pitch}: {values:?}");
     }
 }
 

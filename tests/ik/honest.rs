@@ -248,7 +248,9 @@ fn a_start_many_turns_from_the_target_is_at_it() {
         let report = arm.reach(arm.forward(&goal), &mut values, &Options::default());
         assert_eq!((report.outcome, report.iterations), (Outcome::Converged, 0));
         for (value, goal) in values.into_iter().zip(goal) {
-            assert!((value - goal).abs() < 1e-10, "{turns}: {value} for {goal}");
+            // What the start itself is rounded by.
+            let rounding = 0.5 * f64::EPSILON * (turns.abs() * TAU + 4.0);
+            assert!((value - goal).abs() < 2.0 * rounding, "{turns}: {value} for {goal}");
         }
     }
 }

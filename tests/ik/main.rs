@@ -10,3 +10,6 @@ mod reference;
 mod shapes;
 mod success;
 mod two_bone;
+
+/// What [`Options::default`](dq8::ik::Options) calls reached, radians and lengths, and what measuring it is rounded by.
+const REACHED: f64 = 1.001e-5;

@@ -1,8 +1,16 @@
 //! What a search says where there is nothing to reach, nothing to do, or nothing to compute with.
 
+use super::REACHED;
 use super::arms::{Random, gantry, puma, rounded, ur5};
 use dq8::ik::{Arm, Joint, Options, Outcome, Report};
 use dq8::{Backend, DualQuat, Lanes, Quat, Scalar, simd::Portable};
+
+/// A number of about 1 that nothing but its limits or its target decides.
+const LAST_BITS: f64 = 1e-15;
+/// A search stalls where a step gains nothing that `f64` sees: on the root of its roundoff.
+const AT_REST: f64 = 2e-8;
+/// The same steps in another unit, or with a joint that does not move: each rounds what came before.
+const SAME_STEPS: f64 = 1e-12;
 
 fn turned(angle: f64, translation: [f64; 3]) -> DualQuat<f64> {
     let turn = Quat::from_axis_angle([0.6, 0.0, 0.8], angle);
@@ -64,8 +72,8 @@ fn a_pose_that_no_joint_can_give_stalls_as_near_as_it_gets() {
         let options = Options { restarts, ..Options::default() };
         let report = arm.reach(target, &mut values, &options);
         assert_eq!(report.outcome, Outcome::Stalled, "{report:?}");
-        assert!((report.angular_error - 0.25).abs() < 1e-3, "{report:?}");
-        assert!(report.linear_error < 1e-3, "{report:?}");
+        assert!((report.angular_error - 0.25).abs() < AT_REST, "{report:?}");
+        assert!(report.linear_error < AT_REST, "{report:?}");
         assert_eq!(report.restarts > 0, restarts);
     }
 }
@@ -80,7 +88,7 @@ fn a_limit_in_the_way_is_named_and_kept() {
         let mut values = [0.2];
         let report = arm.reach(target, &mut values, &Options::default());
         assert_eq!((report.outcome, values), (Outcome::AtLimits, [stop]));
-        assert!((report.angular_error - (wanted - stop).abs()).abs() < 1e-15);
+        assert!((report.angular_error - (wanted - stop).abs()).abs() < LAST_BITS);
     }
     // A start beyond a limit begins at it.
     let mut values = [5.0];
@@ -88,7 +96,7 @@ fn a_limit_in_the_way_is_named_and_kept() {
         * DualQuat::from_translation([1.0, 0.0, 0.0]);
     let report = arm.reach(target, &mut values, &Options::default());
     assert_eq!(report.outcome, Outcome::Converged);
-    assert!((values[0] - 0.9).abs() < 1e-5);
+    assert!((values[0] - 0.9).abs() < REACHED);
 }
 
 /// A slide that cannot move asks for a share of every step and gets none; the others step as if it were
@@ -114,7 +122,7 @@ fn a_joint_held_at_its_limits_is_as_none() {
         let [a, b, c, held, d, e, f] = seven;
         assert_eq!(held, 0.0);
         for (got, wanted) in [a, b, c, d, e, f].into_iter().zip(six) {
-            assert!((got - wanted).abs() < 1e-9, "{got} for {wanted}");
+            assert!((got - wanted).abs() < SAME_STEPS, "{got} for {wanted}");
         }
     }
 }
@@ -127,7 +135,7 @@ fn a_hinge_without_stops_goes_over_the_half_turn() {
     let mut values = [3.0];
     let report = arm.reach(arm.forward(&[-3.0]), &mut values, &Options::default());
     assert_eq!(report.outcome, Outcome::Converged);
-    assert!((values[0] + 3.0).abs() < 1e-5, "{values:?}");
+    assert!((values[0] + 3.0).abs() < REACHED, "{values:?}");
     assert!(report.iterations <= 3, "{report:?}");
 }
 
@@ -190,7 +198,7 @@ fn damping_keeps_steps_short_in_front_of_singular_poses() {
             )
         };
         let (longest, _) = turns(arm.forward(&plan.draw(&mut random)), &once);
-        assert!(longest <= 1.5 + 1e-15, "{longest}");
+        assert!(longest <= 1.5 + LAST_BITS, "{longest}");
 
         let pushed = DualQuat::from_translation([1e-2 * random.signed(), 1e-2, 0.0]);
         let target = pushed * arm.forward(&start);
@@ -285,10 +293,10 @@ fn an_arm_without_joints_is_where_it_is() {
     assert_eq!(arm.reach(home, &mut [], &Options::default()).outcome, Outcome::Converged);
     let aside = arm.reach(turned(0.6, [0.1, 0.2, 0.3]), &mut [], &Options::default());
     assert_eq!(aside.outcome, Outcome::Stalled);
-    assert!((aside.angular_error - 0.1).abs() < 1e-15);
+    assert!((aside.angular_error - 0.1).abs() < LAST_BITS);
     let away = arm.reach(turned(0.5, [0.1, 0.2, 0.4]), &mut [], &Options::default());
     assert_eq!(away.outcome, Outcome::OutOfReach);
-    assert!((away.linear_error - 0.1).abs() < 1e-15);
+    assert!((away.linear_error - 0.1).abs() < LAST_BITS);
 
     let mut reports = [Report::default(); 3];
     let nothing =
@@ -319,7 +327,7 @@ fn the_unit_of_length_does_not_matter() {
         if in_metres.outcome == Outcome::Converged {
             assert_eq!(in_metres.iterations, in_millimetres.iterations);
             for (a, b) in a.into_iter().zip(b) {
-                assert!((a - b).abs() < 1e-6, "{a} {b}");
+                assert!((a - b).abs() < SAME_STEPS, "{a} {b}");
             }
         }
     }

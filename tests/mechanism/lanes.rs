@@ -7,6 +7,12 @@ use dq8::storage::NumberBlock;
 use dq8::{Backend, Block, DualQuat, Twist};
 use dq8_contract::random::Random;
 
+/// Up to 64 products one after the other, on their own scale, and the same in `f32`.
+const POSES: f64 = 2e-14;
+const IN_SINGLE: f64 = 1e-5;
+/// Moments about links that are some lengths away.
+const TWISTS: f64 = 1e-13;
+
 /// Poses of `configurations` by the book.
 fn wanted(joints: &[Joint<f64>], values: &[f64], configurations: usize) -> Vec<DualQuat<f64>> {
     let (book, links) = (Book::new(joints), joints.len());
@@ -43,12 +49,17 @@ fn lanes_agree_with_one_configuration_for_every_backend_and_layout() {
             let mut poses = vec![DualQuat::IDENTITY; wanted.len()];
             backend.link_poses(robot, &values, &mut poses).unwrap();
             for (&pose, &wanted) in poses.iter().zip(&wanted) {
-                close(pose, wanted, 1e-13, &what);
+                close(pose, wanted, POSES, &what);
             }
             let mut floating = vec![DualQuat::<f32>::IDENTITY; wanted.len()];
             backend.link_poses(narrow, &floats, &mut floating).unwrap();
             for (pose, &wanted) in floating.iter().zip(&wanted) {
-                close(DualQuat::from_array(pose.to_array().map(f64::from)), wanted, 4e-5, &what);
+                close(
+                    DualQuat::from_array(pose.to_array().map(f64::from)),
+                    wanted,
+                    IN_SINGLE,
+                    &what,
+                );
             }
             // Plain values, poses in blocks that are not full.
             let blocks = configurations.div_ceil(8);
@@ -85,7 +96,7 @@ fn in_blocks(blocks: &[Block<f64, 8>], plain: &[DualQuat<f64>], links: usize, wh
         let (configuration, link) = (index / links, index % links);
         let block = blocks[configuration / 8 * links + link];
         let motion = DualQuat::from_array(block.get(configuration % 8).unwrap());
-        close(motion, pose, 1e-13, &format!("{what}, blocks"));
+        close(motion, pose, POSES, &format!("{what}, blocks"));
     }
 }
 
@@ -157,7 +168,7 @@ fn close_twists(found: &[[f64; 6]], wanted: &[Twist<f64>], what: &str) {
     for (found, wanted) in found.iter().zip(wanted) {
         for (found, wanted) in found.iter().zip(wanted.to_array()) {
             let error = (found - wanted).abs() / (1.0 + wanted.abs());
-            assert!(error < 1e-12, "{what}: {found} for {wanted}");
+            assert!(error < TWISTS, "{what}: {found} for {wanted}");
         }
     }
 }
@@ -189,7 +200,7 @@ fn jacobians_agree<F: JacobianFrame>(frame: F) {
                 .unwrap();
             close_twists(&columns, &wanted, &what);
             for (&pose, &tool) in poses.iter().zip(&tools) {
-                close(pose, tool, 1e-13, &what);
+                close(pose, tool, POSES, &what);
             }
             // Several links at once, one of them twice: to the last bit what each has alone.
             let links = [link, count - 1, random.below(count), link];
@@ -269,7 +280,7 @@ fn velocities_and_accelerations_on_lanes_are_those_of_one_configuration() {
             close_twists(&twists, &wanted, &what);
             close_twists(&accelerations, &wanted_second, &what);
             for (&pose, &wanted) in poses.iter().zip(&wanted_poses) {
-                close(pose, wanted, 1e-13, &what);
+                close(pose, wanted, POSES, &what);
             }
             let mut alone = vec![[f64::NAN; 6]; links];
             backend.link_velocities(robot, &values, &rates, &mut poses, &mut alone).unwrap();

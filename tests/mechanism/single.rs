@@ -8,9 +8,15 @@ use dq8_contract::random::Random;
 use nalgebra::{Matrix4, Rotation3, Translation3, Unit, UnitQuaternion, Vector3};
 
 /// Forty joints one on the other, some tens of lengths away: a few roundings each.
-const ROUNDING: f64 = 1e-12;
+const ROUNDING: f64 = 1e-13;
 /// The same, times lever arms as long, for what a rate does far away.
-const OF_RATES: f64 = 1e-11;
+const OF_RATES: f64 = 2e-13;
+/// The same operations in another order, on the scale of a pose.
+const BY_THE_BOOK: f64 = 2e-14;
+/// Five joints, a length each.
+const OF_FIVE: f64 = 2e-15;
+/// A unit vector that is turned once.
+const LAST_BITS: f64 = 1e-15;
 
 fn matrix(motion: DualQuat<f64>) -> Matrix4<f64> {
     let [a, b, c] = motion.to_matrix3x4();
@@ -84,7 +90,7 @@ fn poses_of_links_are_products_of_matrices() {
 
 /// All but a sign, which the book has too.
 fn is_as_by_the_book(found: DualQuat<f64>, wanted: DualQuat<f64>) {
-    let bound = 1e-13 * (1.0 + wanted.dual().norm());
+    let bound = BY_THE_BOOK * (1.0 + wanted.dual().norm());
     assert!(found.abs_diff_eq(wanted, bound), "{found:?}, {wanted:?}");
 }
 
@@ -307,7 +313,7 @@ fn an_arm_is_where_inverse_kinematics_has_it() {
     for _ in 0..100 {
         let angles: [f64; 4] = random.vector().map(|c| 3.0 * c);
         let pose = owned.view().link_pose(&angles, 4).unwrap();
-        assert!(pose.distance_to(arm.forward(&angles)) < 1e-14);
+        assert!(pose.distance_to(arm.forward(&angles)) < OF_FIVE);
     }
 }
 
@@ -324,7 +330,7 @@ fn the_axes_of_a_plane_are_those_of_the_frame_turned_the_shortest_way() {
         for (values, wanted) in [([1.0, 0.0, 0.0], to_x), ([0.0, 1.0, 0.0], to_y)] {
             let found = owned.view().link_pose(&values, 0).unwrap().translation();
             let off = (0..3).map(|i| (found[i] - wanted[i]).abs()).fold(0.0, f64::max);
-            assert!(off < 1e-15, "{normal:?}: {found:?} for {wanted:?}");
+            assert!(off < LAST_BITS, "{normal:?}: {found:?} for {wanted:?}");
         }
     }
 }

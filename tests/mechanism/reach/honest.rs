@@ -1,6 +1,6 @@
 //! Lanes against one configuration, and against each other.
 
-use super::{apart, draw, mechanism, seven, solve_everywhere};
+use super::{ROUNDING, apart, draw, mechanism, seven, solve_everywhere};
 use dq8::ik::{Options, Outcome, Report};
 use dq8::mechanism::{Freedom, Goal, Joint, Reach};
 use dq8::{Backend, DualQuat, Real, Scalar};
@@ -28,6 +28,9 @@ fn searches<R: Real>(reach: &Reach<'_, R>, count: usize) -> Searches<R> {
     Searches { targets, starts }
 }
 
+/// Backends round otherwise, and every step of a search makes of it a few times as much.
+const SAME_WAY: f64 = 1e-9;
+
 /// Rounding may send a search from a restart another way: then both must be right for themselves.
 #[test]
 fn every_backend_says_what_one_configuration_says() {
@@ -50,16 +53,16 @@ fn every_backend_says_what_one_configuration_says() {
             same += usize::from(
                 report.outcome == alone.outcome
                     && report.iterations == alone.iterations
-                    && own.iter().zip(lanes).all(|(a, b)| (a - b).abs() < 1e-6),
+                    && own.iter().zip(lanes).all(|(a, b)| (a - b).abs() < SAME_WAY),
             );
             for (values, report) in [(own.as_slice(), alone), (lanes, *report)] {
                 let pose = arm.view().link_pose(values, 7).expect("a link");
                 let [turn, distance] = apart(pose, *target);
                 assert!(
-                    (report.angular_error - turn).abs() < 1e-12
+                    (report.angular_error - turn).abs() < ROUNDING
                         || report.outcome == Outcome::OutOfReach
                 );
-                assert!((report.linear_error - distance).abs() < 1e-12, "{report:?} {distance}");
+                assert!((report.linear_error - distance).abs() < ROUNDING, "{report:?} {distance}");
             }
         }
         assert!(same >= 195, "{backend}: {same} of 203");
@@ -151,6 +154,9 @@ fn any_number_of_configurations_is_solved() {
     }
 }
 
+/// A tolerance that `f32` could not meet.
+const FINE: f64 = 1e-12;
+
 #[test]
 fn tighter_tolerances_are_met_in_double_precision() {
     let arm = mechanism::<f64>(&seven());
@@ -158,8 +164,7 @@ fn tighter_tolerances_are_met_in_double_precision() {
     let mut freedoms = [Freedom::default(); 7];
     let reach = Reach::new(arm.view(), &goals, &mut freedoms).expect("a problem");
     let target = arm.view().link_pose(&[0.5, -0.6, 0.7, -1.4, 0.3, 1.8, -0.4], 7).expect("a link");
-    let options =
-        Options { angular_tolerance: 1e-12, linear_tolerance: 1e-12, ..Options::default() };
+    let options = Options { angular_tolerance: FINE, linear_tolerance: FINE, ..Options::default() };
     let mut values = vec![0.0, 0.2, 0.0, -1.0, 0.0, 1.2, 0.0];
     let mut reports = [Report::default()];
     let mut scratch = vec![0.0; reach.batch_scratch_len()];
@@ -168,5 +173,5 @@ fn tighter_tolerances_are_met_in_double_precision() {
         .expect("lengths fit");
     assert_eq!(reports[0].outcome, Outcome::Converged, "{:?}", reports[0]);
     let [turn, distance] = apart(arm.view().link_pose(&values, 7).expect("a link"), target);
-    assert!(turn < 2e-12 && distance < 2e-12, "{turn} {distance}");
+    assert!(turn < FINE + ROUNDING && distance < FINE + ROUNDING, "{turn} {distance}");
 }

@@ -1,11 +1,14 @@
 //! Random targets that can be reached, for joints of every kind.
 
 use super::super::tree::{tree, values};
-use super::{apart, draw, mechanism, seven, solve_everywhere};
+use super::{REACHED, ROUNDING, apart, draw, mechanism, seven, solve_everywhere};
 use dq8::ik::{Options, Outcome};
 use dq8::mechanism::{Freedom, Goal, Joint, JointKind, Reach};
 use dq8::{DualQuat, Real, Scalar};
 use dq8_contract::random::Random;
+
+/// A pose of eight products in `f32`, and what is measured of it.
+const IN_SINGLE: f64 = 4e-6;
 
 /// How many of random targets from random starts are reached, and in how many iterations; what is called
 /// reached must be so by the book.
@@ -23,7 +26,7 @@ fn rate<R: Scalar>(joints: &[Joint<f64>], link: usize, count: usize) -> (f64, f6
     let goals = [Goal::pose(link)];
     let mut freedoms = vec![Freedom::default(); mechanism.rates()];
     let reach = Reach::new(mechanism, &goals, &mut freedoms).expect("a problem");
-    let rounding = if size_of::<R>() == 4 { 4e-6 } else { 1e-13 };
+    let rounding = if size_of::<R>() == 4 { IN_SINGLE } else { ROUNDING };
     let mut worst = (1.0_f64, 0.0_f64);
     for (backend, values, reports) in
         solve_everywhere(&reach, &targets, &starts, &Options::default())
@@ -45,7 +48,7 @@ fn rate<R: Scalar>(joints: &[Joint<f64>], link: usize, count: usize) -> (f64, f6
                 assert!((error - apart).abs() < rounding, "{backend}: {error} is {apart}");
             }
             if report.outcome == Outcome::Converged {
-                assert!(apart.iter().all(|&apart| apart < 1e-5 + rounding), "{apart:?}");
+                assert!(apart.iter().all(|&apart| apart < REACHED + rounding), "{apart:?}");
                 reached += 1.0;
                 iterations += f64::from(report.iterations);
             }
@@ -109,8 +112,8 @@ fn random_trees_of_joints_of_every_kind_come_back_to_where_they_were() {
             let pose = mechanism.link_pose(&values, link).expect("a link");
             let [turn, distance] = apart(pose, target);
             let report = reports[0];
-            assert!((report.angular_error - turn).abs() < 1e-10, "{turn} {report:?}");
-            assert!((report.linear_error - distance).abs() < 1e-10, "{distance} {report:?}");
+            assert!((report.angular_error - turn).abs() < ROUNDING, "{turn} {report:?}");
+            assert!((report.linear_error - distance).abs() < ROUNDING, "{distance} {report:?}");
             all += 1;
             converged += i32::from(report.outcome == Outcome::Converged);
         }
@@ -129,5 +132,5 @@ fn a_floating_joint_is_where_its_target_is() {
         super::solve(body.view(), &[Goal::pose(0)], &[target], &mut values, &Options::default());
     assert_eq!(report.outcome, Outcome::Converged, "{report:?}");
     let [turn, distance] = apart(body.view().link_pose(&values, 0).expect("a link"), target);
-    assert!(turn < 1e-5 && distance < 1e-5, "{turn} {distance}");
+    assert!(turn < REACHED && distance < REACHED, "{turn} {distance}");
 }

@@ -20,6 +20,15 @@ use dq8_contract::random::Random;
 
 pub(crate) const Z: [f64; 3] = [0.0, 0.0, 1.0];
 
+/// What [`Options::default`] calls reached, radians and lengths, and what measuring it is rounded by.
+pub(crate) const REACHED: f64 = 1.001e-5;
+/// A pose of ten products or so in `f64`, of links of about a length, and what is measured of it.
+pub(crate) const ROUNDING: f64 = 1e-13;
+/// A value that nothing but its limits decides.
+pub(crate) const LAST_BITS: f64 = 1e-15;
+/// Where a search for a posture ends: its steps are shorter than that.
+pub(crate) const SETTLED: f64 = 1e-4;
+
 pub(crate) fn at(x: f64, y: f64, z: f64) -> DualQuat<f64> {
     DualQuat::from_translation([x, y, z])
 }

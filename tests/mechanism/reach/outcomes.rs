@@ -1,6 +1,6 @@
 //! What a report says where there is no solution, or not yet.
 
-use super::{apart, at, mechanism, planar, seven, solve, turned};
+use super::{LAST_BITS, REACHED, ROUNDING, apart, at, mechanism, planar, seven, solve, turned};
 use dq8::ik::{Options, Outcome};
 use dq8::mechanism::{Freedom, Goal, Joint, Reach};
 use dq8::{DualQuat, Quat};
@@ -12,7 +12,7 @@ fn beyond_the_length_of_the_arm_is_out_of_reach_and_the_arm_points_there() {
     let goals = [Goal::position(2)];
     let report = solve(arm.view(), &goals, &[at(0.0, 5.0, 0.0)], &mut values, &Options::default());
     assert_eq!(report.outcome, Outcome::OutOfReach);
-    assert!((report.linear_error - 3.0).abs() < 1e-3, "{report:?}");
+    assert!((report.linear_error - 3.0).abs() < ROUNDING, "{report:?}");
     let [x, y, _] = arm.view().link_pose(&values, 2).expect("a link").translation();
     assert!(x.abs() < 0.1 && y > 1.99, "{x} {y}");
 }
@@ -25,9 +25,9 @@ fn the_bound_of_the_reach_is_the_sum_of_the_offsets() {
     let mut freedoms = [Freedom::default(); 7];
     let reach = Reach::new(arm.view(), &goals, &mut freedoms).expect("a problem");
     let (centre, length) = reach.reach_bound(0).expect("a bound");
-    assert!(centre.iter().zip([0.0, 0.0, 0.34]).all(|(a, b)| (a - b).abs() < 1e-12));
+    assert!(centre.iter().zip([0.0, 0.0, 0.34]).all(|(a, b)| (a - b).abs() < LAST_BITS));
     let offsets = 0.32 + 0.08 + 0.08_f64.hypot(0.39) + 0.09 + 0.11;
-    assert!((length - offsets).abs() < 1e-12, "{length}");
+    assert!((length - offsets).abs() < LAST_BITS, "{length}");
     assert_eq!(reach.reach_bound(1), None);
 }
 
@@ -56,7 +56,10 @@ fn what_limits_forbid_is_at_limits() {
     let goals = [Goal::position(2)];
     let report = solve(arm.view(), &goals, &[at(-1.0, 1.0, 0.0)], &mut values, &Options::default());
     assert_eq!(report.outcome, Outcome::AtLimits);
-    assert!((values[0] - 0.5).abs() < 1e-12 && (values[1] - 1.0).abs() < 1e-12, "{values:?}");
+    assert!(
+        (values[0] - 0.5).abs() < LAST_BITS && (values[1] - 1.0).abs() < LAST_BITS,
+        "{values:?}"
+    );
 }
 
 #[test]
@@ -115,7 +118,7 @@ fn targets_a_little_off_unit_are_those_that_are_unit() {
             solve(arm.view(), &[Goal::pose(7)], &[target], &mut values, &Options::default());
         assert_eq!(report.outcome, Outcome::Converged);
         let [turn, distance] = apart(arm.view().link_pose(&values, 7).expect("a link"), unit);
-        assert!(turn < 1.01e-5 && distance < 1.01e-5, "{turn} {distance}");
+        assert!(turn < REACHED && distance < REACHED, "{turn} {distance}");
     }
 }
 

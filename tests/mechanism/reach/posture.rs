@@ -1,6 +1,6 @@
 //! What a posture does with the freedom that goals leave.
 
-use super::{apart, at, draw, mechanism, planar, seven, solve_everywhere};
+use super::{REACHED, SETTLED, apart, at, draw, mechanism, planar, seven, solve_everywhere};
 use dq8::DualQuat;
 use dq8::ik::{Options, Outcome};
 use dq8::mechanism::{Freedom, Goal, Joint, Mechanism, Reach, World};
@@ -47,10 +47,10 @@ fn a_posture_moves_the_elbow_and_not_the_tool() {
     {
         assert_eq!(reports[0].outcome, Outcome::Converged, "{backend}");
         let [turn, distance] = apart(arm.link_pose(&values, 7).expect("a link"), target);
-        assert!(turn < 1.001e-5 && distance < 1.001e-5, "{backend}: {turn} {distance}");
+        assert!(turn < REACHED && distance < REACHED, "{backend}: {turn} {distance}");
         assert!(far(&values) < far(&start) - 0.01, "{backend}: {} {}", far(&values), far(&start));
         let free = across(arm, &goals, &values, &posture);
-        assert!(free < 1e-3, "{backend}: {free}");
+        assert!(free < SETTLED, "{backend}: {free}");
     }
 }
 
@@ -111,8 +111,8 @@ fn a_planar_arm_goes_as_near_to_the_posture_as_its_point_allows() {
             assert_eq!(report.outcome, Outcome::Converged, "{backend}: {index}");
             let own = &values[5 * index..][..5];
             let pose = arm.link_pose(own, 5).expect("a link");
-            assert!(apart(pose, targets[index])[1] < 1.001e-5);
-            nearest += usize::from(across(arm, &goals, own, &posture) < 1e-3);
+            assert!(apart(pose, targets[index])[1] < REACHED);
+            nearest += usize::from(across(arm, &goals, own, &posture) < 10.0 * SETTLED);
         }
         // Half a turn from the posture of an endless hinge there are two ways to it.
         assert!(nearest >= 48, "{backend}: {nearest} of 50");
@@ -135,7 +135,7 @@ fn the_posture_of_an_endless_hinge_is_taken_the_shorter_way() {
                 .map(|(backend, values, reports)| (backend, values, [reports[0]]))
         {
             assert_eq!(report.outcome, Outcome::Converged);
-            assert!((values[0] - 3.0).abs() < 1e-3, "{backend}: {turns} {values:?}");
+            assert!((values[0] - 3.0).abs() < SETTLED, "{backend}: {turns} {values:?}");
             assert!(report.iterations < 4, "{backend}: {turns} {report:?}");
         }
     }
