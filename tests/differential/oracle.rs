@@ -138,6 +138,7 @@ fn the_matrices_are_inverse_to_each_other() {
             for column in 0..6 {
                 let got: f64 = a.iter().zip(&b).map(|(a, b)| a * b[column]).sum();
                 let wanted = if row == column { 1.0 } else { 0.0 };
+                // Translations of ten units, and angles up to 6, where the inverse is large.
                 assert!((got - wanted).abs() < 1e-11, "{got:e}, not {wanted}, at {x:?}");
             }
         }

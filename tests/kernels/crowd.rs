@@ -9,6 +9,9 @@ use dq8::{
     hierarchy::{Rotations, RotationsTranslations},
 };
 
+/// Three joints a few lengths apart.
+const ROUNDING: f64 = 4e-15;
+
 fn for_every_packing(mut check: impl FnMut(&dyn Packing)) {
     for packing in packings() {
         check(&*packing);
@@ -208,12 +211,12 @@ fn crowds_of_less_than_motions_and_of_matrices_serve_a_job() {
             model = model * local(3 * instance + joint);
             for crowd in [&models, &others] {
                 let got = crowd.get(instance, joint).expect("it is inside");
-                assert!(got.abs_diff_eq(model, 1e-14), "{instance}, {joint}");
+                assert!(got.abs_diff_eq(model, ROUNDING), "{instance}, {joint}");
             }
             let got = matrices.record(instance, joint).expect("it is inside");
             let wanted = model.to_matrix3x4();
             for (got, wanted) in got.iter().zip(wanted.as_flattened()) {
-                assert!((got - wanted).abs() < 1e-14, "{instance}, {joint}");
+                assert!((got - wanted).abs() < ROUNDING, "{instance}, {joint}");
             }
         }
     }

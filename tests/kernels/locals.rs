@@ -96,6 +96,7 @@ fn transforms_are_the_same<L: Memory>() {
                 Layered::blend(Separate, transforms, RotationsTranslations(&both), &weights);
             job.locals_to_model(layer, &mut layered).expect("they fit");
             for (got, wanted) in records(&layered).iter().zip(records(&wanted)).take(some.end) {
+                // Rotations of a layer are normalized again; models are sums of lengths of a few units in `f32`.
                 let near = got.iter().zip(wanted).all(|(a, b)| (a - b).abs() < 1e-5);
                 assert!(near, "{got:?} is not {wanted:?}, {backend}");
             }

@@ -150,7 +150,8 @@ fn a_chain_in_segments_of_threads_is_the_chain() {
         for (i, (link, got)) in one.iter().zip(&all).enumerate() {
             product = product * *link;
             for (a, b) in product.to_array().iter().zip(got.to_array()) {
-                assert!((a - b).abs() < 1e-11, "link {i} of {length}: {a} {b}");
+                // Thousands of products in another order, each off by a roundoff.
+                assert!((a - b).abs() < 1e-13, "link {i} of {length}: {a} {b}");
             }
         }
     }

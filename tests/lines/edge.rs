@@ -150,13 +150,13 @@ fn directions_of_subnormal_numbers_have_length_one() {
     for size in [1e-45_f32, 1e-44, 1e-42, 1e-39] {
         let line = Line::from_points([0.0; 3], [size, size, 0.0]).unwrap();
         let [x, y, z] = line.direction;
-        assert!((x * x + y * y + z * z - 1.0).abs() < 3e-7, "{size}: {line:?}");
+        assert!((x * x + y * y + z * z - 1.0).abs() < 2.0 * f32::EPSILON, "{size}: {line:?}");
         let axis = Line { direction: [size; 3], moment: [size, -size, 0.0] }.try_normalize();
         let third = (1.0_f32 / 3.0).sqrt();
         let off = axis.unwrap().moment.map(|c| (c.abs() - third).abs());
-        assert!(off[0] < 1e-7 && off[1] < 1e-7, "{size}: {axis:?}");
+        assert!(off[0] < f32::EPSILON && off[1] < f32::EPSILON, "{size}: {axis:?}");
         let plane = Plane { normal: [size; 3], offset: size }.try_normalize().unwrap();
-        assert!((plane.offset - third).abs() < 1e-7, "{size}: {plane:?}");
+        assert!((plane.offset - third).abs() < f32::EPSILON, "{size}: {plane:?}");
     }
 }
 

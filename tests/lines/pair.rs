@@ -15,6 +15,9 @@ use dq8_contract::worst::Worst;
 use proptest::prelude::*;
 use std::f64::consts::PI;
 
+/// A unit vector, or an angle, of few operations.
+const LAST_BITS: f64 = 1e-15;
+
 fn line<R: Real>((point, direction): Ray) -> Line<R> {
     Line::from_point_direction(rounded(point), rounded(direction))
 }
@@ -163,13 +166,14 @@ fn parallel_and_antiparallel_lines_have_the_perpendicular_through_the_origin() {
         let along = scale(unit(u), dot(sub(q, p), unit(u)));
         let scale = roundoff::<f64>() * (length(p) + length(q) + 1.0);
         assert!(found.parallel);
-        assert!((found.angle.real - if opposite { PI } else { 0.0 }).abs() < 1e-15);
+        assert!((found.angle.real - if opposite { PI } else { 0.0 }).abs() < LAST_BITS);
         worst.see(found.angle.dual - length(sub(sub(q, p), along)), scale, &found);
         for foot in found.feet {
             worst.see(dot(foot, unit(u)), scale, &found);
         }
         let apart = length(sub(found.feet[1], found.feet[0]));
         worst.see(apart - found.angle.dual, scale, &found);
+        // Lines that are near each other leave the perpendicular few digits.
         assert!(dot(found.axis.direction, unit(u)).abs() < 1e-11, "{found:?}");
     });
 }
@@ -185,7 +189,9 @@ fn identical_and_opposite_lines_are_no_distance_apart() {
         assert!(found.parallel && found.angle.dual < 8.0 * roundoff::<f64>() * size, "{found:?}");
         assert!(matches!(a.intersection(b, 1.0), Err(IncidenceError::ParallelLines { .. })));
         let axis = found.axis.direction;
-        assert!((length(axis) - 1.0).abs() < 1e-15 && dot(axis, unit(u)).abs() < 1e-3);
+        // Rounding alone says where the perpendicular points, and it is not long.
+        let across = dot(axis, unit(u)).abs();
+        assert!((length(axis) - 1.0).abs() < LAST_BITS && across < 1e-3);
     });
     // Without rounding the perpendicular is exact, whichever axis it has to keep away from.
     for direction in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, -1.0], [0.6, 0.0, 0.8]] {
@@ -235,6 +241,8 @@ fn the_dual_angle_differentiates_itself() {
     let zero = Dual::ZERO;
     let moving = Line::from_point_direction([zero, zero, height], [turn.cos(), turn.sin(), zero]);
     let angle = x.dual_angle(moving).unwrap();
-    assert!((angle.real - turn).real.abs() < 1e-15 && (angle.real.dual - 1.0).abs() < 1e-15);
+    assert!(
+        (angle.real - turn).real.abs() < LAST_BITS && (angle.real.dual - 1.0).abs() < LAST_BITS
+    );
     assert_eq!(angle.dual, height);
 }

@@ -8,7 +8,7 @@ use dq8_contract::random::Random;
 use nalgebra::{Matrix4, Rotation3, Translation3, Unit, UnitQuaternion, Vector3};
 
 /// Forty joints one on the other, some tens of lengths away: a few roundings each.
-const ROUNDING: f64 = 1e-13;
+const ROUNDING: f64 = 2e-13;
 /// The same, times lever arms as long, for what a rate does far away.
 const OF_RATES: f64 = 2e-13;
 /// The same operations in another order, on the scale of a pose.

@@ -10,6 +10,9 @@ use dq8::{
 use dq8_contract::inputs::{edge_motions, for_all, unit_motion};
 use nalgebra::{Isometry3, Point3, Quaternion, Translation3, UnitQuaternion};
 
+/// A few operations on each side, on the scale of the translation.
+const ROUNDING: f64 = 4e-15;
+
 /// A motion, in one of the forms there are.
 #[derive(Clone, Copy, Debug)]
 enum Form<R> {
@@ -142,7 +145,7 @@ fn poses_compose_invert_and_move_as_motions_do() {
         let point = [0.5, -2.0, 1.5];
         let close = |got: [f64; 3], wanted: Point3<f64>| {
             let off = (Point3::from(got) - wanted).norm() / size;
-            assert!(off < 4e-15, "{off:e} off: {motion:?}");
+            assert!(off < ROUNDING, "{off:e} off: {motion:?}");
         };
         close((pose * step).transform_point(point), wanted * Point3::from(point));
         close(
@@ -178,10 +181,10 @@ fn rotation_matrices_are_those_of_glam() {
         let columns = glam::DMat3::from_quat(glam).to_cols_array_2d();
         let rows = motion.rotation().to_matrix3();
         for (row, column) in (0..9).map(|i| (i / 3, i % 3)) {
-            assert!((rows[row][column] - columns[column][row]).abs() < 1e-15);
+            assert!((rows[row][column] - columns[column][row]).abs() < ROUNDING);
         }
         let back = Quat::from_matrix3(rows);
-        assert!(between(opinion(back), opinion(motion.rotation())) < 3e-15, "{back:?}");
+        assert!(between(opinion(back), opinion(motion.rotation())) < ROUNDING, "{back:?}");
         assert!(back.w() >= 0.0, "{back:?} is the longer way");
     });
 }

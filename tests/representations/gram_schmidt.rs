@@ -9,6 +9,10 @@ use dq8_contract::inputs::for_all;
 use nalgebra::{Matrix3, Vector3};
 use proptest::prelude::*;
 
+/// A length, a quotient and a product of numbers of about 1; and in `f32`.
+const ROUNDING: f64 = 1e-15;
+const IN_SINGLE: f64 = 3e-7;
+
 pub(super) fn matrices() -> impl Strategy<Value = Matrix3<f64>> {
     prop::array::uniform9(-1.0..1.0_f64)
         .prop_map(|elements| Matrix3::from_row_slice(&elements))
@@ -47,9 +51,9 @@ fn the_rotation_is_that_of_the_qr_decomposition() {
 fn the_first_column_keeps_its_direction_and_the_second_its_plane() {
     for_all(100, &matrices(), |matrix| {
         let got = exact_rows(gram_schmidt(round_rows::<f64>(matrix)).expect("it is a rotation's"));
-        assert!((got.column(0) * matrix.column(0).norm() - matrix.column(0)).amax() < 1e-15);
+        assert!((got.column(0) * matrix.column(0).norm() - matrix.column(0)).amax() < ROUNDING);
         let normal: Vector3<f64> = matrix.column(0).cross(&matrix.column(1));
-        assert!(got.column(1).dot(&normal).abs() < 1e-15 && got.determinant() > 0.0);
+        assert!(got.column(1).dot(&normal).abs() < ROUNDING && got.determinant() > 0.0);
     });
 }
 
@@ -60,7 +64,7 @@ fn a_thin_wedge_still_gives_right_angles() {
         let got = gram_schmidt(rows).map(exact_rows);
         let got = got.or_else(|_| gram_schmidt(rows.map(|[x, y, z]| [x, y, -z])).map(exact_rows));
         let got = got.expect("one of them does not mirror");
-        assert!((got.transpose() * got - Matrix3::identity()).amax() < 3e-7, "{thin}: {got}");
+        assert!((got.transpose() * got - Matrix3::identity()).amax() < IN_SINGLE, "{thin}: {got}");
     }
 }
 
@@ -77,7 +81,7 @@ fn rotations_of_whole_numbers_stay_as_they_are() {
 fn every_matrix_without_a_rotation_says_why() {
     let error = |rows: [[f64; 3]; 3]| gram_schmidt(rows).expect_err("it is bad");
     let flat = error([[1.0, 2.0, 0.0], [1.0, 2.0, 0.0], [1.0, 2.0, 1.0]]);
-    assert!(matches!(flat, OrthonormalError::Dependent { column: 1, sine } if sine < 1e-15));
+    assert!(matches!(flat, OrthonormalError::Dependent { column: 1, sine } if sine < ROUNDING));
     let flat = error([[1.0, 2.0, 3.0], [4.0, 5.0, 6.0], [7.0, 8.0, 9.0]]);
     assert!(matches!(flat, OrthonormalError::Dependent { column: 2, .. }));
     let none = error([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 0.0]]);

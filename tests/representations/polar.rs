@@ -9,6 +9,11 @@ use dq8::{
 use dq8_contract::inputs::{for_all, unit_motion};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
+/// Some products of elements of about 1.
+const ROUNDING: f64 = 2e-15;
+/// Two decompositions of matrices as thin as a tenth, each rounded by itself.
+const TWICE: f64 = 2e-14;
+
 fn polar<R: Real>(matrix: Matrix3<f64>) -> Polar<R> {
     Polar::try_from_matrix3(round_rows(matrix)).expect("its nearest rotation is the only one")
 }
@@ -73,7 +78,7 @@ fn the_order_of_axes_changes_the_rotation_of_gram_schmidt_and_not_the_nearest() 
         let there_and_back = cycle * rotation::<f64>(relabelled) * cycle.transpose();
         let condition = 1.0 / matrix.singular_values().min();
         let off = (there_and_back - rotation::<f64>(matrix)).amax();
-        assert!(off < 2e-15 * condition, "{off:e} {matrix}");
+        assert!(off < ROUNDING * condition, "{off:e} {matrix}");
         let columns =
             |matrix| gram_schmidt(round_rows::<f64>(matrix)).map(exact_rows).expect("no mirror");
         let there_and_back = cycle * columns(relabelled) * cycle.transpose();
@@ -114,8 +119,8 @@ fn a_mirror_is_told_and_its_stretch_mirrors_in_the_origin() {
         let upright = polar::<f64>(matrix);
         let mirrored = polar::<f64>(-matrix);
         assert!(mirrored.mirrors && !upright.mirrors);
-        assert!((mirrored.rotation - upright.rotation).norm() < 1e-12, "{matrix}");
-        assert!((exact_rows(mirrored.stretch) + exact_rows(upright.stretch)).amax() < 1e-12);
+        assert!((mirrored.rotation - upright.rotation).norm() < TWICE, "{matrix}");
+        assert!((exact_rows(mirrored.stretch) + exact_rows(upright.stretch)).amax() < TWICE);
     });
     let floor = polar::<f64>(Matrix3::from_diagonal(&Vector3::new(1.0, 1.0, -1.0)));
     assert_eq!((floor.rotation, floor.mirrors), (Quat::from_xyzw(0.0, 0.0, 1.0, 0.0), true));
@@ -128,7 +133,7 @@ fn a_flat_matrix_has_a_nearest_rotation_and_does_not_mirror() {
         let flat = turn.to_rotation_matrix() * Matrix3::from_diagonal(&Vector3::new(2.0, 0.0, 1.0));
         let got = polar::<f64>(flat);
         let off = between(opinion(got.rotation), turn);
-        assert!(!got.mirrors && off < 2e-14, "{off:e} {got:?}");
+        assert!(!got.mirrors && off < TWICE, "{off:e} {got:?}");
     });
 }
 
@@ -148,7 +153,7 @@ fn every_matrix_without_a_nearest_rotation_says_why() {
     let error = |rows: [[f64; 3]; 3]| Polar::try_from_matrix3(rows).expect_err("it is bad");
     assert_eq!(error([[0.0; 3]; 3]), OrthonormalError::Ambiguous { gap: 0.0 });
     let line = error([[1.0, 2.0, 3.0], [2.0, 4.0, 6.0], [-1.0, -2.0, -3.0]]);
-    assert!(matches!(line, OrthonormalError::Ambiguous { gap } if gap.abs() < 1e-15), "{line}");
+    assert!(matches!(line, OrthonormalError::Ambiguous { gap } if gap.abs() < ROUNDING), "{line}");
     assert!(line.to_string().contains("no nearest rotation"));
     for bad in [f64::NAN, f64::INFINITY] {
         let infinite = error([[1.0, 0.0, 0.0], [0.0, 1.0, bad], [0.0, 0.0, 1.0]]);

@@ -234,7 +234,8 @@ fn the_implied_weight_is_what_the_others_leave() {
             ];
             for (a, b) in pairs {
                 let worst = a.iter().zip(&b).map(|(a, b)| distance(*a, *b)).fold(0.0, f64::max);
-                assert!(worst < 1e-13, "{influences} {backend}: {worst}");
+                // The last weight as one less the others, times lengths of some units.
+                assert!(worst < 2e-14, "{influences} {backend}: {worst}");
             }
         }
     }

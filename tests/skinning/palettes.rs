@@ -5,6 +5,9 @@ use dq8::skinning::{SkinningError, matrix_palette, split_palette};
 use dq8::{DualQuat, hierarchy::MatrixOrder, representation::Affine};
 use dq8_contract::random::Random;
 
+/// Two products of matrices with elements of some units.
+const ROUNDING: f64 = 1e-14;
+
 #[test]
 fn rows_and_columns_make_the_same_palette() {
     let mut random = Random(4);
@@ -19,7 +22,7 @@ fn rows_and_columns_make_the_same_palette() {
     for joint in 0..3 {
         let wanted = (motions[joint] * motions[joint + 3]).to_matrix3x4();
         for (a, b) in palettes[0][joint].as_flattened().iter().zip(wanted.as_flattened()) {
-            assert!((a - b).abs() < 1e-14);
+            assert!((a - b).abs() < ROUNDING);
         }
     }
     let mut palette = [[[9.0; 4]; 3]; 3];
@@ -57,13 +60,13 @@ fn what_is_taken_apart_is_the_matrix_together_again() {
         for (a, b) in
             together.to_matrix3x4().as_flattened().iter().zip(matrices[joint].as_flattened())
         {
-            assert!((a - b).abs() < 1e-14, "{joint}");
+            assert!((a - b).abs() < ROUNDING, "{joint}");
         }
     }
     let split = split_palette(&matrices[..1], &mut motions[..1], &mut stretches[..1]).unwrap();
-    assert!(split.is_rigid(1e-14), "{split:?}");
+    assert!(split.is_rigid(ROUNDING), "{split:?}");
     let split = split_palette(&matrices[..2], &mut motions[..2], &mut stretches[..2]).unwrap();
-    assert!(split.joint == 1 && (split.stretch - 1.0).abs() < 1e-14, "{split:?}");
+    assert!(split.joint == 1 && (split.stretch - 1.0).abs() < ROUNDING, "{split:?}");
 }
 
 #[test]
