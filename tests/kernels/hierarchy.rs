@@ -293,7 +293,7 @@ fn every_nth_joint_is_normalized_and_no_other() {
 
 /// Recursion would need a frame for each joint: three thousand do not fit the stack of this thread.
 #[test]
-fn a_chain_of_three_thousand_joints_needs_no_stack() {
+fn a_long_chain_needs_no_stack() {
     fn check() {
         let parents = chain(3000);
         // Whole numbers of a unit step, so that every sum is exact in f32 too.
