@@ -186,12 +186,12 @@ fn the_axis_of_the_smallest_turns_is_unit_and_the_moment_overflows_as_documented
         for (got, wanted) in screw.axis.direction.into_iter().zip([3.0, -5.0, 4.0]) {
             let wanted = wanted / 50.0_f64.sqrt();
             assert!(
-                (f64::from(got) - wanted).abs() < f64::from(f32::EPSILON),
+                (f64::from(got) - wanted).abs() < 0.75 * f64::from(f32::EPSILON),
                 "{places}: {screw:?}"
             );
         }
         let overflows = 1.0 / f64::from(screw.angle) > f64::from(f32::MAX);
         assert_eq!(!screw.axis.moment.iter().all(|c| c.is_finite()), overflows, "{screw:?}");
-        assert!(DualQuat::exp(pose.log()).abs_diff_eq(pose, f32::EPSILON));
+        assert!(DualQuat::exp(pose.log()).abs_diff_eq(pose, 0.75 * f32::EPSILON));
     }
 }

@@ -379,14 +379,14 @@ fn directions_may_have_any_length() {
     let wanted = turn([1.0, 1.0, 0.0], [1.0, 0.0, 0.0]);
     for size in [1e-45_f32, 1e-42, 1e-30, 1e30, 3e38] {
         let got = turn([size, size, 0.0], [1.0, 0.0, 0.0]);
-        assert!(got.abs_diff_eq(wanted, 2.0 * f32::EPSILON), "{size}: {got:?}");
+        assert!(got.abs_diff_eq(wanted, 1.5 * f32::EPSILON), "{size}: {got:?}");
         let look = Quat::look_to([size, size, 0.0], [0.0, 0.0, 1.0]).expect("not dependent");
         let same = Quat::look_to([1.0, 1.0, 0.0], [0.0, 0.0, 1.0]).expect("not dependent");
-        assert!(look.abs_diff_eq(same, 2.0 * f32::EPSILON), "{size}: {look:?}");
+        assert!(look.abs_diff_eq(same, 1.5 * f32::EPSILON), "{size}: {look:?}");
         let long = Quat::from_xyzw(size, size, 0.0, 0.0).try_normalize().expect("not zero");
         assert!(long.is_normalized(), "{size}: {long:?}");
     }
     let q = Quat::from_xyzw(4e-45_f32, 4e-45, 0.0, 0.0);
     let axis = DualQuat::new(Quat::IDENTITY, q).to_screw().axis;
-    assert!((axis.direction[0] - FRAC_1_SQRT_2 as f32).abs() < f32::EPSILON, "{axis:?}");
+    assert!((axis.direction[0] - FRAC_1_SQRT_2 as f32).abs() < 0.75 * f32::EPSILON, "{axis:?}");
 }
