@@ -54,8 +54,9 @@ pub trait Kernel {
 /// Instructions that this CPU has, to compute with. A value is the proof that it has them, so that a
 /// call asks once, when it takes the [`best`](Self::best), and never again.
 ///
-/// Hierarchies take the best unless a [`Job`](crate::Job) names another; the kernels over slices
-/// ([`slices`](crate::slices)) are methods of the backend itself.
+/// Jobs take the best unless they are given another; the kernels over slices
+/// ([`slices`](crate::slices)) are methods of the backend itself. With the feature `rayon` it may also have
+/// [`threads`](Self::threads).
 ///
 /// ```
 /// use dq8::Backend;
@@ -63,7 +64,11 @@ pub trait Kernel {
 /// assert_eq!(Backend::PORTABLE.to_string(), "portable");
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Backend(Proof);
+pub struct Backend {
+    proof: Proof,
+    #[cfg(feature = "rayon")]
+    pub(crate) threads: core::num::NonZeroUsize,
+}
 
 /// In rising order. The proof of AVX-512 holds that of AVX2, for kernels that gain nothing from more.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -80,14 +85,24 @@ static LIMIT: AtomicU8 = AtomicU8::new(u8::MAX);
 
 impl Backend {
     /// What the build target has: SSE2 in a default x86-64 build, NEON on aarch64, simd128 on wasm.
-    pub const PORTABLE: Self = Self(Proof::Portable);
+    pub const PORTABLE: Self = Self::of(Proof::Portable);
+
+    /// On the thread that calls.
+    #[inline]
+    const fn of(proof: Proof) -> Self {
+        Self {
+            proof,
+            #[cfg(feature = "rayon")]
+            threads: core::num::NonZeroUsize::MIN,
+        }
+    }
 
     /// x86-64 with AVX2 and FMA: 8 × `f32`, 4 × `f64`. `None` if the CPU lacks them.
     #[inline]
     #[must_use]
     pub fn avx2() -> Option<Self> {
         #[cfg(target_arch = "x86_64")]
-        return Avx2::detect().map(|level| Self(Proof::Avx2(level)));
+        return Avx2::detect().map(|level| Self::of(Proof::Avx2(level)));
         #[cfg(not(target_arch = "x86_64"))]
         return None;
     }
@@ -97,7 +112,7 @@ impl Backend {
     #[must_use]
     pub fn avx512() -> Option<Self> {
         #[cfg(target_arch = "x86_64")]
-        return Some(Self(Proof::Avx512(Avx512::detect()?, Avx2::detect()?)));
+        return Some(Self::of(Proof::Avx512(Avx512::detect()?, Avx2::detect()?)));
         #[cfg(not(target_arch = "x86_64"))]
         return None;
     }
@@ -123,7 +138,7 @@ impl Backend {
     /// For the C ABI, which has no backends to pass.
     #[doc(hidden)]
     pub fn limit(limit: Option<Self>) {
-        let limit = match limit.map(|backend| backend.0) {
+        let limit = match limit.map(|backend| backend.proof) {
             Some(Proof::Portable) => 0,
             #[cfg(target_arch = "x86_64")]
             Some(Proof::Avx2(_)) => 1,
@@ -132,13 +147,13 @@ impl Backend {
         LIMIT.store(limit, Ordering::Relaxed);
     }
 
-    /// Runs `kernel` with these instructions.
+    /// Runs `kernel` with these instructions, on the thread that calls.
     ///
     /// (The closures must be inlined as well. Otherwise the compiler keeps a large one out of line, without
     /// the instructions of its level: 35 times slower.)
     #[inline]
     pub fn run<K: Kernel>(self, kernel: K) -> K::Output {
-        match self.0 {
+        match self.proof {
             Proof::Portable => Portable.run(
                 #[inline(always)]
                 || kernel.run(Portable),
@@ -167,7 +182,7 @@ impl Default for Backend {
 
 impl fmt::Display for Backend {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self.0 {
+        f.write_str(match self.proof {
             Proof::Portable => "portable",
             #[cfg(target_arch = "x86_64")]
             Proof::Avx2(_) => "AVX2",

@@ -5,7 +5,7 @@ use dq8_simd::Lanes;
 
 /// How poses of `C` numbers are interpolated: [`Nlerp`] or [`Sclerp`] for motions, [`Separate`] for
 /// rotations and translations. Sealed.
-pub trait Law<const C: usize>: Copy + core::fmt::Debug + sealed::Sealed {
+pub trait Law<const C: usize>: Copy + core::fmt::Debug + Send + Sync + sealed::Sealed {
     /// From `a` (t = 0) to `b` (t = 1).
     #[must_use]
     fn between<L: Lanes>(self, a: [L; C], b: [L; C], t: L) -> [L; C];

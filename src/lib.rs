@@ -121,6 +121,7 @@ pub mod skinning;
 pub mod slices;
 pub mod storage;
 pub mod text;
+mod threads;
 
 /// The front page is tested like the documentation.
 #[cfg(doctest)]

@@ -173,7 +173,9 @@ impl<A: Row, const C: usize> Block<A, C> {
 /// A row of numbers in memory, `[f32; N]` or `[f64; N]`, and the lanes that read it.
 ///
 /// Sealed: blocks rely on a row being plain numbers of at least sixteen bytes.
-pub trait Row: Pod + AsRef<[Self::Real]> + AsMut<[Self::Real]> + Debug + sealed::Sealed {
+pub trait Row:
+    Pod + Send + Sync + AsRef<[Self::Real]> + AsMut<[Self::Real]> + Debug + sealed::Sealed
+{
     /// The number.
     type Real: Float;
     /// The lane type of `V` that holds one row.

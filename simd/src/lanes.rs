@@ -272,6 +272,8 @@ pub trait Level: Copy + Debug + Send + Sync + 'static {
 /// `f32` or `f64`, as far as a kernel must tell them apart: to write constants and to find its lanes. Sealed.
 pub trait Float:
     Pod
+    + Send
+    + Sync
     + PartialOrd
     + Default
     + Debug

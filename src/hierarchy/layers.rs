@@ -12,7 +12,7 @@ use dq8_simd::Level;
 
 /// Poses of whole instances, `C` numbers each, that come into registers of the layout `M`: stored ones
 /// ([`Poses`], [`RotationsTranslations`], [`Transforms`]), those of a clip ([`Sampled`](super::Sampled)), or [`Layered`] ones. Sealed.
-pub trait PoseSource<M: Layout, const C: usize>: Copy + Sealed {
+pub trait PoseSource<M: Layout, const C: usize>: Copy + Send + Sync + Sealed {
     /// Their name in errors, and how many elements of the layout they fill, for so many joints.
     ///
     /// # Errors

@@ -19,7 +19,7 @@ pub(super) type Motions<E, V> = batch::DualQuat<Register<E, V, 8>>;
             the layout of the models",
     note = "slices of glam's types become those of dq8 by `dq8::interop::glam_034::quats` and `points`"
 )]
-pub trait Locals<E: Element<8>>: Copy + sealed::Sealed {
+pub trait Locals<E: Element<8>>: Copy + Send + Sync + sealed::Sealed {
     /// Their name in errors, and how many locals there are for this number of models.
     ///
     /// # Errors

@@ -31,6 +31,7 @@ mod job;
 mod layers;
 mod locals;
 mod palette;
+mod palettes;
 #[cfg(feature = "rayon")]
 mod parallel;
 mod parents;
@@ -40,6 +41,7 @@ mod plan;
 mod planned;
 mod product;
 mod renormalize;
+mod root;
 mod run;
 mod sampled;
 mod schedule;
@@ -48,7 +50,6 @@ mod skeleton;
 mod slot;
 mod transposed;
 mod unkept;
-mod velocity;
 
 pub use crate::palette_entry::{MatrixOrder, PaletteEntry};
 pub use borrowed_plan::BorrowedPlan;
@@ -62,6 +63,7 @@ pub use parents::Hierarchy;
 #[cfg(feature = "alloc")]
 pub use plan::{HierarchyPlan, Strategy};
 pub use renormalize::Renormalize;
+pub use root::{NoRoot, Roots};
 pub use sampled::{Clip, Sampled};
 pub use schedule::PlanScratch;
 #[cfg(feature = "alloc")]

@@ -9,10 +9,13 @@ use crate::storage::{Element, Layout, Number};
 use dq8_simd::Level;
 
 /// What is computed from a model once it is known, as in the epilogue of a matrix product.
-pub(super) trait Epilogue<E: Element<8>> {
+pub(super) trait Epilogue<E: Element<8>>: Sized + Send {
     /// Whether there is anything to do.
     const ACTIVE: bool;
     fn run<V: Level>(&mut self, level: V, slot: JointSlot, model: Motions<E, V>);
+    /// That of the models before number `at`, and that of the others.
+    #[cfg_attr(not(feature = "rayon"), expect(dead_code, reason = "threads take parts"))]
+    fn split(self, at: usize) -> (Self, Self);
 }
 
 /// Nothing.
@@ -22,6 +25,9 @@ impl<E: Element<8>> Epilogue<E> for NoEpilogue {
     const ACTIVE: bool = false;
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(&mut self, _: V, _: JointSlot, _: Motions<E, V>) {}
+    fn split(self, _: usize) -> (Self, Self) {
+        (Self, Self)
+    }
 }
 
 /// model(j) · inverse bind(j), from the mesh in its rest pose to the posed mesh.
@@ -53,5 +59,10 @@ where
                 M::store(M::of(entry, MatrixOrder::Columns), slot.within(entries), slot.tile());
             }
         }
+    }
+    fn split(self, at: usize) -> (Self, Self) {
+        let (begin, end) = self.entries.split_at_mut(at.min(self.entries.len()));
+        let of = |entries| Self { entries, ..self };
+        (of(begin), of(end))
     }
 }

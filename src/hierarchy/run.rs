@@ -19,7 +19,7 @@ pub(super) struct Run<'a, E: Element<8>> {
 
 /// What joints without a parent stand on.
 #[derive(Clone, Debug)]
-pub(super) enum Root<'a, E: Element<8>> {
+pub enum Root<'a, E: Element<8>> {
     /// Nothing: their local pose is their model pose.
     None,
     /// The same motion for every instance.
@@ -59,6 +59,11 @@ impl<E: Element<8>> Root<'_, E> {
 }
 
 impl<E: Element<8>> Run<'_, E> {
+    /// The same for some of the instances (blocks).
+    pub(super) fn part(&self, instances: Range<usize>) -> Self {
+        Self { root: self.root.part(instances), ..self.clone() }
+    }
+
     /// What the root of one instance stands on, where records are single things.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn root_of(&self, instance: usize) -> Option<[Number<E, 8>; 8]> {

@@ -145,7 +145,7 @@ impl Skeleton {
 
     /// A run with options: a root, a palette, any form of locals.
     #[must_use]
-    pub fn job<E: Element<8>>(&self) -> Job<'_, E> {
+    pub fn job(&self) -> Job<'_> {
         self.hierarchy().job().planned(&self.plan)
     }
 
@@ -161,7 +161,7 @@ impl Skeleton {
         self.job().local_to_model(locals, models)
     }
 
-    /// As [`Hierarchy::local_to_model_in_place`].
+    /// [`local_to_model`](Self::local_to_model) over the locals themselves: half the memory.
     ///
     /// # Errors
     /// If the slice holds no whole number of instances; it is untouched then.

@@ -1,21 +1,25 @@
 //! Jacobians of links for many configurations.
 
+use super::Job;
+#[cfg(doc)]
+use super::Mechanism;
 use super::frame::{Frame, JacobianFrame};
 use super::group::Group;
+#[cfg(feature = "rayon")]
+use super::job::grain;
 use super::poses::{carries, first_carried, place_of, repeat};
 use super::step::Step;
-use super::tree::Mechanism;
 use super::values::JointValues;
 use super::walk::{Joined, Task, Walk};
 use crate::batch::DualQuat;
-use crate::dispatch::Backend;
 use crate::geometry::Twist;
+use crate::real::Scalar;
 use crate::shape::{ShapeError, same_length};
 use crate::storage::{Element, Layout, Number, Tile, aos, identity};
 use core::marker::PhantomData;
 use dq8_simd::Level;
 
-impl Backend {
+impl<R: Scalar> Job<'_, R, &[usize]> {
     /// The geometric Jacobians of some links, and their poses, for many configurations in one pass: what
     /// [`Mechanism::link_jacobian`] gives for one link of one.
     ///
@@ -30,7 +34,7 @@ impl Backend {
     ///
     /// ```
     /// use dq8::mechanism::{Joint, OwnedMechanism, WorldAligned};
-    /// use dq8::{Backend, DualQuat};
+    /// use dq8::DualQuat;
     /// let out = DualQuat::from_translation([2.0_f64, 0.0, 0.0]);
     /// let joints = [
     ///     Joint::revolute(None, DualQuat::IDENTITY, [0.0, 0.0, 1.0]),
@@ -39,40 +43,58 @@ impl Backend {
     /// let crane = OwnedMechanism::new(&joints)?;
     /// let (mut tools, mut columns) = ([DualQuat::IDENTITY; 2], [[0.0; 6]; 4]);
     /// let values = [0.0, 0.0, 0.0, 1.0];
-    /// let backend = Backend::best();
-    /// backend.link_jacobians(WorldAligned, crane.view(), &[1], &values, &mut tools, &mut columns)?;
+    /// crane.job().links(&[1]).jacobians(WorldAligned, &values, &mut tools, &mut columns)?;
     /// assert_eq!(columns[2], [0.0, 0.0, 1.0, 0.0, 3.0, 0.0]);
     /// assert_eq!(columns[3], [0.0, 0.0, 0.0, 1.0, 0.0, 0.0]);
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
-    pub fn link_jacobians<F, T, E, C>(
-        self,
+    pub fn jacobians<F, T, E, C>(
+        &self,
         _: F,
-        mechanism: Mechanism<'_, Number<E, 8>>,
-        links: &[usize],
         values: &[T],
         poses: &mut [E],
         columns: &mut [C],
     ) -> Result<(), ShapeError>
     where
         F: JacobianFrame,
+        E: Element<8, Layout: Layout<Real = R>>,
         T: JointValues<E::Layout>,
-        E: Element<8>,
         C: Element<6, Layout = E::Layout>,
     {
-        mechanism.check_links(links)?;
+        self.check_links()?;
+        let (mechanism, links) = (self.mechanism, self.links);
+        let (steps, rates) = (mechanism.steps, mechanism.rates);
         let elements =
             mechanism.configurations::<E::Layout, T>(values, links.len(), poses.len())?;
-        same_length("columns", columns.len(), poses.len() * mechanism.rates)?;
+        same_length("columns", columns.len(), poses.len() * rates)?;
         let mut sums = false;
-        for step in mechanism.steps {
+        for step in steps {
             sums |= step.mimics;
         }
-        let (steps, rates) = (mechanism.steps, mechanism.rates);
-        let frame = PhantomData::<F>;
-        let task = Jacobians { poses: &mut *poses, columns, steps, links, rates, sums, frame };
-        self.run(Walk::<E::Layout, _, _> { mechanism, values, elements, task });
-        repeat(links, poses);
+        let backend = self.choice.instructions();
+        let run = |values: &[T], elements, poses: &mut [E], columns: &mut [C]| {
+            let frame = PhantomData::<F>;
+            let task = Jacobians { poses: &mut *poses, columns, steps, links, rates, sums, frame };
+            backend.run(Walk::<E::Layout, _, _> { mechanism, values, elements, task });
+            repeat(links, poses);
+        };
+        #[cfg(feature = "rayon")]
+        if backend.many() && !links.is_empty() {
+            let each = ((poses, links.len()), (columns, links.len() * rates));
+            let part =
+                |first, ((poses, _), (columns, _)): ((&mut [E], usize), (&mut [C], usize))| {
+                    let elements = poses.len() / links.len();
+                    run(
+                        T::part(values, mechanism.values, first, elements),
+                        elements,
+                        poses,
+                        columns,
+                    );
+                };
+            backend.share(grain(mechanism.links()), each, &part);
+            return Ok(());
+        }
+        run(values, elements, poses, columns);
         Ok(())
     }
 }

@@ -30,12 +30,11 @@ mod error;
 mod frame;
 mod group;
 mod jacobians;
+mod job;
 mod joint;
 mod one_lane;
 #[cfg(feature = "alloc")]
 mod owned;
-#[cfg(feature = "rayon")]
-mod parallel;
 mod placed;
 mod poses;
 pub(crate) mod reach;
@@ -49,6 +48,7 @@ mod walk;
 
 pub use error::MechanismError;
 pub use frame::{Body, JacobianFrame, World, WorldAligned};
+pub use job::{AllLinks, Job};
 pub use joint::{Joint, JointKind, Mimic};
 #[cfg(feature = "alloc")]
 pub use owned::OwnedMechanism;

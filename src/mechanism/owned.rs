@@ -1,3 +1,4 @@
+use super::Job;
 use super::error::MechanismError;
 use super::joint::Joint;
 use super::step::Step;
@@ -36,7 +37,16 @@ impl<R: Real> OwnedMechanism<R> {
         Ok(Self { steps, values, rates })
     }
 
-    /// What everything else is asked of.
+    /// A run over many configurations: [`Mechanism::job`].
+    #[must_use]
+    pub fn job(&self) -> Job<'_, R>
+    where
+        R: Copy,
+    {
+        self.view().job()
+    }
+
+    /// The same, borrowed.
     #[must_use]
     pub fn view(&self) -> Mechanism<'_, R> {
         Mechanism { steps: &self.steps, values: self.values, rates: self.rates }

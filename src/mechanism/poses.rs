@@ -1,11 +1,15 @@
 //! Poses of links for many configurations.
 
+use super::Job;
+#[cfg(doc)]
+use super::Mechanism;
 use super::group::Group;
+#[cfg(feature = "rayon")]
+use super::job::grain;
 use super::step::Step;
-use super::tree::Mechanism;
 use super::values::JointValues;
 use super::walk::{Joined, Task, Walk};
-use crate::dispatch::Backend;
+use crate::real::Scalar;
 use crate::shape::ShapeError;
 use crate::storage::{Element, Layout, Number};
 use dq8_simd::Level;
@@ -13,20 +17,21 @@ use dq8_simd::Level;
 /// Bytes of a line of the caches.
 const LINE: usize = 64;
 
-impl Backend {
+impl<R: Scalar> Job<'_, R> {
     /// The poses of all links of many configurations, in the frame of the base: what
     /// [`Mechanism::link_poses`] gives for one, on lanes.
     ///
     /// `poses` is `[configuration][link]`, plain or in blocks; `values` is `[configuration][value]` in plain
-    /// numbers for both, or `[configuration block][value]` in blocks ([`JointValues`]). Rotations of up to 2¹⁷ radians (`f32`) or 2⁴⁶ (`f64`) are told; beyond, poses are NaN.
+    /// numbers for both, or `[configuration block][value]` in blocks ([`JointValues`]). Angles beyond 2¹⁷ rad (`f32`)
+    /// or 2⁴⁶ rad (`f64`) give NaN.
     ///
     /// # Errors
     /// If `poses` holds no whole number of configurations or `values` another number of them; `poses` is
     /// untouched.
     ///
     /// ```
+    /// use dq8::DualQuat;
     /// use dq8::mechanism::{Joint, OwnedMechanism};
-    /// use dq8::{Backend, DualQuat};
     /// let out = DualQuat::from_translation([1.0_f32, 0.0, 0.0]);
     /// let joints = [
     ///     Joint::revolute(None, DualQuat::IDENTITY, [0.0, 0.0, 1.0]),
@@ -37,56 +42,68 @@ impl Backend {
     /// // 1,000 configurations of two angles.
     /// let values: Vec<f32> = (0..2000).map(|i| 0.001 * i as f32).collect();
     /// let mut poses = vec![DualQuat::IDENTITY; 3000];
-    /// Backend::best().link_poses(arm.view(), &values, &mut poses)?;
+    /// arm.job().poses(&values, &mut poses)?;
     /// let [x, y, _] = poses[2999].translation();
     /// let (a, b) = (1.998_f32, 1.998 + 1.999_f32);
     /// assert!((x - (a.cos() + b.cos())).abs() + (y - (a.sin() + b.sin())).abs() < 1e-6);
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
-    pub fn link_poses<T: JointValues<E::Layout>, E: Element<8>>(
-        self,
-        mechanism: Mechanism<'_, Number<E, 8>>,
-        values: &[T],
-        poses: &mut [E],
-    ) -> Result<(), ShapeError> {
-        let elements =
-            mechanism.configurations::<E::Layout, T>(values, mechanism.links(), poses.len())?;
-        let task = All { poses, links: mechanism.links() };
-        self.run(Walk::<E::Layout, _, _> { mechanism, values, elements, task });
+    pub fn poses<T, E>(&self, values: &[T], poses: &mut [E]) -> Result<(), ShapeError>
+    where
+        E: Element<8, Layout: Layout<Real = R>>,
+        T: JointValues<E::Layout>,
+    {
+        let (mechanism, links) = (self.mechanism, self.mechanism.links());
+        let elements = mechanism.configurations::<E::Layout, T>(values, links, poses.len())?;
+        let backend = self.choice.instructions();
+        #[cfg(feature = "rayon")]
+        if backend.many() {
+            backend.share(grain(links), (poses, links), &|first, (poses, _): (&mut [E], usize)| {
+                let elements = poses.len() / links;
+                let values = T::part(values, mechanism.values, first, elements);
+                let task = All { poses, links };
+                backend.run(Walk::<E::Layout, _, _> { mechanism, values, elements, task });
+            });
+            return Ok(());
+        }
+        let task = All { poses, links };
+        backend.run(Walk::<E::Layout, _, _> { mechanism, values, elements, task });
         Ok(())
     }
+}
 
-    /// The poses of some links: `poses` is `[configuration][i]` for the links `links[i]`. Links that
-    /// carry none of them are not computed; for a tool at the end of an arm nothing else is stored.
+impl<R: Scalar> Job<'_, R, &[usize]> {
+    /// The poses of some links: `poses` is `[configuration][i]` for the links that the job names, and else as for
+    /// all links.
     ///
     /// # Errors
-    /// As for [`link_poses`](Self::link_poses), or if there is no such link.
-    ///
-    /// ```
-    /// use dq8::mechanism::{Joint, OwnedMechanism};
-    /// use dq8::{Backend, DualQuat};
-    /// let up = DualQuat::from_translation([0.0_f64, 0.0, 1.0]);
-    /// let joints = [None, Some(0), Some(1)].map(|on| Joint::prismatic(on, up, [0.0, 0.0, 1.0]));
-    /// let lift = OwnedMechanism::new(&joints)?;
-    /// let mut tools = [DualQuat::IDENTITY; 2];
-    /// let values = [0.0, 0.5, 0.0, 0.0, 0.0, 0.25];
-    /// Backend::best().chosen_link_poses(lift.view(), &[2], &values, &mut tools)?;
-    /// assert_eq!(tools.map(|tool| tool.translation()[2]), [3.5, 3.25]);
-    /// # Ok::<(), Box<dyn core::error::Error>>(())
-    /// ```
-    pub fn chosen_link_poses<T: JointValues<E::Layout>, E: Element<8>>(
-        self,
-        mechanism: Mechanism<'_, Number<E, 8>>,
-        links: &[usize],
-        values: &[T],
-        poses: &mut [E],
-    ) -> Result<(), ShapeError> {
-        mechanism.check_links(links)?;
+    /// If there is no such link, `poses` holds no whole number of configurations or `values` another number of them;
+    /// `poses` is untouched.
+    pub fn poses<T, E>(&self, values: &[T], poses: &mut [E]) -> Result<(), ShapeError>
+    where
+        E: Element<8, Layout: Layout<Real = R>>,
+        T: JointValues<E::Layout>,
+    {
+        self.check_links()?;
+        let (mechanism, links) = (self.mechanism, self.links);
         let elements =
             mechanism.configurations::<E::Layout, T>(values, links.len(), poses.len())?;
-        let task = Chosen { poses: &mut *poses, links };
-        self.run(Walk::<E::Layout, _, _> { mechanism, values, elements, task });
-        repeat(links, poses);
+        let backend = self.choice.instructions();
+        let run = |values: &[T], elements, poses: &mut [E]| {
+            let task = Chosen { poses: &mut *poses, links };
+            backend.run(Walk::<E::Layout, _, _> { mechanism, values, elements, task });
+            repeat(links, poses);
+        };
+        #[cfg(feature = "rayon")]
+        if backend.many() && !links.is_empty() {
+            let each = (poses, links.len());
+            backend.share(grain(mechanism.links()), each, &|first, (poses, _): (&mut [E], _)| {
+                let elements = poses.len() / links.len();
+                run(T::part(values, mechanism.values, first, elements), elements, poses);
+            });
+            return Ok(());
+        }
+        run(values, elements, poses);
         Ok(())
     }
 }

@@ -199,7 +199,7 @@ impl<R: Real> Mechanism<'_, R> {
 
     fn check(&self, values: &[R], link: usize) -> Result<(), ShapeError> {
         same_length("values", values.len(), self.values)?;
-        self.check_links(&[link])
+        self.job().links(&[link]).check_links()
     }
 }
 

@@ -58,14 +58,6 @@ impl<'a, R: Real> Mechanism<'a, R> {
 }
 
 impl<R: Copy> Mechanism<'_, R> {
-    /// Whether there are these links.
-    pub(super) fn check_links(&self, links: &[usize]) -> Result<(), ShapeError> {
-        match links.iter().find(|&&link| link >= self.links()) {
-            Some(&link) => Err(ShapeError::NoLink { link, links: self.links() }),
-            None => Ok(()),
-        }
-    }
-
     /// How many configurations, or blocks of them, have as many `poses` if each has those of `links` links, and whether
     /// there are values for as many.
     pub(super) fn configurations<Y: Layout, T: JointValues<Y>>(

@@ -14,7 +14,7 @@ use dq8_simd::{Block, Lanes, Level, Records, Row};
 ///
 /// Where plain values meet poses in blocks, the last block may have lanes without a configuration. The
 /// poses there are those of values that are all zero.
-pub trait JointValues<Y: Layout>: Copy + Debug + sealed::Sealed {
+pub trait JointValues<Y: Layout>: Copy + Debug + Send + Sync + sealed::Sealed {
     #[doc(hidden)]
     fn check(
         what: &'static str,

@@ -1,19 +1,23 @@
 //! Velocities and accelerations of links for many configurations.
 
+use super::Job;
+#[cfg(doc)]
+use super::Mechanism;
 use super::group::Group;
+#[cfg(feature = "rayon")]
+use super::job::grain;
 use super::joint::JointKind;
 use super::step::Step;
-use super::tree::Mechanism;
 use super::values::{JointNumbers, JointValues, Numbers};
 use super::walk::{Joined, Task, Walk};
 use crate::batch::lie_bracket;
-use crate::dispatch::Backend;
 use crate::geometry::Twist;
+use crate::real::Scalar;
 use crate::shape::{ShapeError, same_length};
 use crate::storage::{Element, Layout, Number, aos};
 use dq8_simd::Level;
 
-impl Backend {
+impl<R: Scalar> Job<'_, R> {
     /// Poses and spatial twists of all links for many configurations, in one pass: what
     /// [`Mechanism::link_velocities`] gives for one.
     ///
@@ -25,35 +29,50 @@ impl Backend {
     ///
     /// ```
     /// use dq8::mechanism::{Joint, OwnedMechanism};
-    /// use dq8::{Backend, DualQuat};
+    /// use dq8::DualQuat;
     /// let wheel = Joint::revolute(None, DualQuat::IDENTITY, [0.0_f32, 0.0, 1.0]);
     /// let wheel = OwnedMechanism::new(&[wheel])?;
     /// let (mut poses, mut twists) = ([DualQuat::IDENTITY; 3], [[0.0; 6]; 3]);
     /// let (values, rates) = ([0.0, 1.0, 2.0], [3.0, 4.0, 5.0]);
-    /// Backend::best().link_velocities(wheel.view(), &values, &rates, &mut poses, &mut twists)?;
+    /// wheel.job().velocities(&values, &rates, &mut poses, &mut twists)?;
     /// assert_eq!(twists[2], [0.0, 0.0, 5.0, 0.0, 0.0, 0.0]);
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
-    pub fn link_velocities<T, E, C>(
-        self,
-        mechanism: Mechanism<'_, Number<E, 8>>,
+    pub fn velocities<T, E, C>(
+        &self,
         values: &[T],
         rates: &[T],
         poses: &mut [E],
         twists: &mut [C],
     ) -> Result<(), ShapeError>
     where
+        E: Element<8, Layout: Layout<Real = R>>,
         T: JointValues<E::Layout>,
-        E: Element<8>,
         C: Element<6, Layout = E::Layout>,
     {
-        let elements =
-            mechanism.configurations::<E::Layout, T>(values, mechanism.links(), poses.len())?;
-        T::check("rates", rates.len(), mechanism.rates, elements)?;
+        let (mechanism, links, count) =
+            (self.mechanism, self.mechanism.links(), self.mechanism.rates);
+        let elements = mechanism.configurations::<E::Layout, T>(values, links, poses.len())?;
+        T::check("rates", rates.len(), count, elements)?;
         same_length("twists", twists.len(), poses.len())?;
-        let moving = Moving { poses, twists, links: mechanism.links() };
-        let task = Velocities { moving, rates, count: mechanism.rates };
-        self.run(Walk::<E::Layout, _, _> { mechanism, values, elements, task });
+        let backend = self.choice.instructions();
+        let run = |values: &[T], rates: &[T], elements, poses: &mut [E], twists: &mut [C]| {
+            let task = Velocities { moving: Moving { poses, twists, links }, rates, count };
+            backend.run(Walk::<E::Layout, _, _> { mechanism, values, elements, task });
+        };
+        #[cfg(feature = "rayon")]
+        if backend.many() && links > 0 {
+            let each = ((poses, links), (twists, links));
+            let part =
+                |first, ((poses, _), (twists, _)): ((&mut [E], usize), (&mut [C], usize))| {
+                    let elements = poses.len() / links;
+                    let values = T::part(values, mechanism.values, first, elements);
+                    run(values, T::part(rates, count, first, elements), elements, poses, twists);
+                };
+            backend.share(grain(links), each, &part);
+            return Ok(());
+        }
+        run(values, rates, elements, poses, twists);
         Ok(())
     }
 
@@ -67,7 +86,7 @@ impl Backend {
     ///
     /// ```
     /// use dq8::mechanism::{Joint, OwnedMechanism};
-    /// use dq8::{Backend, DualQuat};
+    /// use dq8::DualQuat;
     /// let out = DualQuat::from_translation([1.0_f64, 0.0, 0.0]);
     /// let arm = OwnedMechanism::new(&[
     ///     Joint::revolute(None, DualQuat::IDENTITY, [0.0, 0.0, 1.0]),
@@ -76,17 +95,16 @@ impl Backend {
     /// let mut poses = [DualQuat::IDENTITY; 2];
     /// let (mut twists, mut accelerations) = ([[0.0; 6]; 2], [[0.0; 6]; 2]);
     /// let (rates, second) = ([3.0, 0.5], [0.0, 0.0]);
-    /// Backend::best().link_accelerations(
-    ///     arm.view(), &[0.0, 0.0], &rates, &second, &mut poses, &mut twists, &mut accelerations,
+    /// let values = [0.0, 0.0];
+    /// arm.job().accelerations(
+    ///     &values, &rates, &second, &mut poses, &mut twists, &mut accelerations,
     /// )?;
     /// // The slide moves out at 0.5 on an arm that turns at 3 rad/s: ω × v, half of what Coriolis asks of a point on it.
     /// assert_eq!(accelerations[1], [0.0, 0.0, 0.0, 0.0, 1.5, 0.0]);
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
-    #[allow(clippy::too_many_arguments, reason = "three slices go in and three come out")]
-    pub fn link_accelerations<T, E, C>(
-        self,
-        mechanism: Mechanism<'_, Number<E, 8>>,
+    pub fn accelerations<T, E, C>(
+        &self,
         values: &[T],
         rates: &[T],
         second_rates: &[T],
@@ -95,20 +113,44 @@ impl Backend {
         accelerations: &mut [C],
     ) -> Result<(), ShapeError>
     where
+        E: Element<8, Layout: Layout<Real = R>>,
         T: JointValues<E::Layout>,
-        E: Element<8>,
         C: Element<6, Layout = E::Layout>,
     {
-        let elements =
-            mechanism.configurations::<E::Layout, T>(values, mechanism.links(), poses.len())?;
-        T::check("rates", rates.len(), mechanism.rates, elements)?;
-        T::check("second_rates", second_rates.len(), mechanism.rates, elements)?;
+        let (mechanism, links, count) =
+            (self.mechanism, self.mechanism.links(), self.mechanism.rates);
+        let elements = mechanism.configurations::<E::Layout, T>(values, links, poses.len())?;
+        T::check("rates", rates.len(), count, elements)?;
+        T::check("second_rates", second_rates.len(), count, elements)?;
         same_length("twists", twists.len(), poses.len())?;
         same_length("accelerations", accelerations.len(), poses.len())?;
-        let moving = Moving { poses, twists, links: mechanism.links() };
-        let count = mechanism.rates;
-        let task = Accelerations { moving, rates, second_rates, count, accelerations };
-        self.run(Walk::<E::Layout, _, _> { mechanism, values, elements, task });
+        let backend = self.choice.instructions();
+        let run = |values: &[T],
+                   rates: [&[T]; 2],
+                   elements,
+                   moving: Moving<'_, E, C>,
+                   accelerations: &mut [C]| {
+            let [rates, second_rates] = rates;
+            let task = Accelerations { moving, rates, second_rates, count, accelerations };
+            backend.run(Walk::<E::Layout, _, _> { mechanism, values, elements, task });
+        };
+        #[cfg(feature = "rayon")]
+        if backend.many() && links > 0 {
+            type Rows<'s, E> = (&'s mut [E], usize);
+            let each = ((poses, links), ((twists, links), (accelerations, links)));
+            let part =
+                |first, ((poses, _), ((twists, _), (of, _))): (Rows<E>, (Rows<C>, Rows<C>))| {
+                    let elements = poses.len() / links;
+                    let values = T::part(values, mechanism.values, first, elements);
+                    let rates =
+                        [rates, second_rates].map(|rates| T::part(rates, count, first, elements));
+                    run(values, rates, elements, Moving { poses, twists, links }, of);
+                };
+            backend.share(grain(links), each, &part);
+            return Ok(());
+        }
+        let moving = Moving { poses, twists, links };
+        run(values, [rates, second_rates], elements, moving, accelerations);
         Ok(())
     }
 }

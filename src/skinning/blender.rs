@@ -8,7 +8,7 @@ use dq8_simd::{Lanes, Level};
 
 /// A way to blend the motions of joints, on lanes that are vertices: a sum over groups of influences, and
 /// what the sum does to a surface. Sealed: only this crate can name what its methods take.
-pub trait Blender<R: Scalar>: Copy {
+pub trait Blender<R: Scalar>: Copy + Send + Sync {
     /// What is summed.
     #[doc(hidden)]
     type Sum<L: Lanes<Real = R>>;

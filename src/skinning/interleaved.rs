@@ -3,14 +3,13 @@
 use super::SkinningError;
 use super::blender::Blender;
 use super::mesh::{Field, Mesh, Vectors};
-use super::run::Run;
 use super::skin::Skin;
 use super::weight::Weight;
-use crate::dispatch::Backend;
 use crate::real::Scalar;
 use crate::shape::same_length;
 use crate::storage::Tile;
-use core::marker::PhantomData;
+#[cfg(feature = "rayon")]
+use crate::threads::Outputs;
 use dq8_simd::picks::Index;
 use dq8_simd::{Float, Lanes, Level, MAX_LANES, Records};
 
@@ -95,6 +94,19 @@ pub(super) fn check<J: Index, W: Weight, B: Blender<R>, R: Scalar>(
     Ok(())
 }
 
+#[cfg(feature = "rayon")]
+impl<R: Scalar> Outputs for Interleaved<'_, R> {
+    fn things(&self) -> usize {
+        self.posed.len() / self.to.stride.max(1)
+    }
+    fn split(self, at: usize) -> (Self, Self) {
+        let (rest, others) = self.rest.split_at((at * self.from.stride).min(self.rest.len()));
+        let (posed, to_others) =
+            self.posed.split_at_mut((at * self.to.stride).min(self.posed.len()));
+        (Self { rest, posed, ..self }, Self { rest: others, posed: to_others, ..self })
+    }
+}
+
 impl<R: Scalar> Mesh<[R; 3]> for Interleaved<'_, R> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn elements(&self) -> usize {
@@ -129,44 +141,5 @@ impl<R: Scalar> Mesh<[R; 3]> for Interleaved<'_, R> {
                 *slot = *record;
             }
         }
-    }
-}
-
-impl Backend {
-    /// [`skin`](Self::skin) of vertices that are records of several fields, such as the vertex buffer of a GPU:
-    /// `rest` and `posed` hold the numbers of one vertex after those of another, and the two [`VertexFields`] say
-    /// where its position is, and its normal and tangent. Everything else in `posed` is left alone.
-    ///
-    /// A slice of a user's own vertices is one of numbers by `bytemuck::cast_slice`, whatever fields of other types
-    /// of the same size it has.
-    ///
-    /// # Errors
-    /// If a field lies beyond its vertex or in another one, not both buffers have the same fields, or the
-    /// buffers, the palette and the skin do not fit each other; `posed` is untouched.
-    ///
-    /// ```
-    /// use dq8::skinning::{DualBlend, Skin, VertexFields};
-    /// use dq8::{Backend, DualQuat};
-    /// let skin = Skin::new(2, 1, &[0_u8, 1], &[1.0_f32, 1.0])?;
-    /// let palette = [DualQuat::IDENTITY, DualQuat::from_translation([0.0_f32, 0.0, 4.0])];
-    /// // Positions and texture coordinates.
-    /// let rest = [1.0, 2.0, 3.0, 0.5, 0.5, 1.0, 2.0, 3.0, 0.1, 0.9];
-    /// let (fields, mut posed) = (VertexFields::positions(5), rest);
-    /// let best = Backend::best();
-    /// best.skin_interleaved(&skin, DualBlend::new(&palette), (&rest, fields), (&mut posed, fields))?;
-    /// assert_eq!(posed, [1.0, 2.0, 3.0, 0.5, 0.5, 1.0, 2.0, 7.0, 0.1, 0.9]);
-    /// # Ok::<(), dq8::skinning::SkinningError>(())
-    /// ```
-    pub fn skin_interleaved<J: Index, W: Weight, B: Blender<R>, R: Scalar>(
-        self,
-        skin: &Skin<'_, J, W>,
-        blend: B,
-        (rest, from): (&[R], VertexFields),
-        (posed, to): (&mut [R], VertexFields),
-    ) -> Result<(), SkinningError> {
-        let mesh = Interleaved { rest, from, posed, to };
-        check(skin, &blend, &mesh)?;
-        self.run(Run { skin, blend, first: 0, mesh, layout: PhantomData::<[R; 3]> });
-        Ok(())
     }
 }

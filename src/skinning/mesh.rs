@@ -1,9 +1,12 @@
 use super::surface::{Surface, SurfaceMut};
+#[cfg(feature = "rayon")]
+use crate::storage::Layout;
 use crate::storage::{self, Element, Number, Register, Tile};
+use crate::threads::Outputs;
 use dq8_simd::Level;
 
 /// A mesh at rest and posed, in memory whose tiles are those of `P`.
-pub(super) trait Mesh<P: Element<3>> {
+pub(super) trait Mesh<P: Element<3>>: Outputs {
     /// How many elements it has.
     fn elements(&self) -> usize;
     /// The vectors of a tile at rest; zero in lanes beyond the end. `None` if there are none.
@@ -34,6 +37,18 @@ pub(super) enum Field {
 pub(super) struct Separate<'s, P> {
     pub(super) rest: Surface<'s, P>,
     pub(super) posed: SurfaceMut<'s, P>,
+}
+
+#[cfg(feature = "rayon")]
+impl<P: Element<3>> Outputs for Separate<'_, P> {
+    fn things(&self) -> usize {
+        self.posed.positions.len() * P::Layout::THINGS
+    }
+    fn split(self, at: usize) -> (Self, Self) {
+        let at = (at / P::Layout::THINGS).min(self.posed.positions.len());
+        let ((rest, others), (posed, to_others)) = (self.rest.split(at), self.posed.split(at));
+        (Self { rest, posed }, Self { rest: others, posed: to_others })
+    }
 }
 
 impl<P: Element<3>> Mesh<P> for Separate<'_, P> {

@@ -1,6 +1,6 @@
 //! Skinning: a mesh follows the joints of a skeleton.
 //!
-//! A [`Skin`] says which joints move a vertex and how much, checked once. [`Backend::skin`] poses a mesh with it, in
+//! A [`Skin`] says which joints move a vertex and how much, checked once. [`Skin::pose`] poses a mesh with it, in
 //! plain slices or blocks of `f32` or `f64`, positions, normals and tangents, by one of these blends:
 //!
 //! | blend | palette | what it does |
@@ -10,31 +10,27 @@
 //! | [`Stretched`] | stretches and motions | the same for joints that scale and shear: UsdSkel's `dualQuaternion` |
 //! | [`Mixed`] | those of two | a mix by a number per vertex |
 //!
-//! [`Backend::skin_interleaved`] does so in vertex buffers, whose vertices are records of several fields;
+//! [`Job::pose_interleaved`] does so in vertex buffers, whose vertices are records of several fields;
 //! [`Skin::interleaved`] reads joints and weights there too.
 //!
-//! Palettes of motions or 3×4 matrices by rows come from [`Job::locals_to_palette`](crate::Job::locals_to_palette) as
-//! well; [`matrix_palette`] makes one of the matrices of an engine or a file, and [`split_palette`] takes it
+//! Palettes of motions or 3×4 matrices by rows come from [`Job::palette`](crate::Job::palette) as well; [`matrix_palette`] makes one of the matrices of an engine or a file, and [`split_palette`] takes it
 //! apart into motions and stretches. [`linear_blend`] and [`dual_blend`] are the reference, for one vertex.
 //!
 //! Nothing allocates, and nothing panics: [`SkinningError`] says what is wrong, before anything is written.
 //!
 //! ```
 //! use dq8::skinning::{DualBlend, Skin, Surface, SurfaceMut};
-//! use dq8::{Backend, DualQuat, Quat};
+//! use dq8::{DualQuat, Quat};
 //! // Halfway between a joint at rest and one that is twisted by a third of a turn.
 //! let skin = Skin::new(2, 2, &[0_u16, 1], &[0.5_f32, 0.5])?;
 //! let twist = Quat::from_axis_angle([0.0_f32, 0.0, 1.0], 120_f32.to_radians());
 //! let palette = [DualQuat::IDENTITY, DualQuat::from_rotation(twist)];
 //! let mut posed = [[0.0; 3]];
 //! let rest = Surface::positions(&[[1.0, 0.0, 0.0]]);
-//! Backend::best().skin(&skin, DualBlend::new(&palette), rest, SurfaceMut::positions(&mut posed))?;
+//! skin.pose(DualBlend::new(&palette), rest, SurfaceMut::positions(&mut posed))?;
 //! assert!((posed[0][0] - 0.5).abs() < 1e-6 && (posed[0][1] - 0.75_f32.sqrt()).abs() < 1e-6);
 //! # Ok::<(), dq8::skinning::SkinningError>(())
 //! ```
-//!
-//! [`Backend::skin`]: crate::Backend::skin
-//! [`Backend::skin_interleaved`]: crate::Backend::skin_interleaved
 
 mod blender;
 mod dual_blend;
@@ -42,13 +38,12 @@ mod error;
 mod influence_field;
 mod influences;
 mod interleaved;
+mod job;
 mod linear;
 mod linear_map;
 mod mesh;
 mod mixed;
 mod palette;
-#[cfg(feature = "rayon")]
-mod parallel;
 mod run;
 mod skin;
 mod stretched;
@@ -61,6 +56,7 @@ pub use dual_blend::DualBlend;
 pub use error::SkinningError;
 pub use influence_field::InfluenceField;
 pub use interleaved::VertexFields;
+pub use job::Job;
 pub use linear::Linear;
 pub use mixed::Mixed;
 pub use palette::{Split, matrix_palette, split_palette};

@@ -1,6 +1,6 @@
 use super::SkinningError;
 use super::blender::{Blender, SurfaceMap};
-use super::mesh::{Field, Mesh, Separate};
+use super::mesh::{Field, Mesh};
 use super::skin::Skin;
 use super::surface::{Surface, SurfaceMut};
 use super::weight::Weight;
@@ -9,51 +9,6 @@ use crate::storage::{self, Element, Layout, Number, Register};
 use core::marker::PhantomData;
 use dq8_simd::picks::Index;
 use dq8_simd::{Lanes, Level};
-
-impl Backend {
-    /// Poses a mesh: each vertex moves by the blend of the motions of its joints, [`Linear`], [`DualBlend`],
-    /// [`Stretched`] or a mix of those ([`Mixed`]). Positions, and normals and tangents where `rest` has
-    /// them, in plain slices or blocks; see [`skinning`](crate::skinning).
-    ///
-    /// # Errors
-    /// If the slices, the palette and the skin do not fit each other; `posed` is untouched.
-    ///
-    /// ```
-    /// use dq8::skinning::{DualBlend, Skin, Surface, SurfaceMut};
-    /// use dq8::{Backend, DualQuat};
-    /// let skin = Skin::new(2, 2, &[0_u8, 1, 0, 1], &[1.0_f32, 0.0, 0.25, 0.75])?;
-    /// let palette = [DualQuat::IDENTITY, DualQuat::from_translation([0.0_f32, 0.0, 4.0])];
-    /// let (rest, mut posed) = ([[1.0, 2.0, 3.0]; 2], [[0.0; 3]; 2]);
-    /// let (from, to) = (Surface::positions(&rest), SurfaceMut::positions(&mut posed));
-    /// Backend::best().skin(&skin, DualBlend::new(&palette), from, to)?;
-    /// assert_eq!(posed, [[1.0, 2.0, 3.0], [1.0, 2.0, 6.0]]);
-    /// # Ok::<(), dq8::skinning::SkinningError>(())
-    /// ```
-    ///
-    /// [`Linear`]: crate::skinning::Linear
-    /// [`DualBlend`]: crate::skinning::DualBlend
-    /// [`Stretched`]: crate::skinning::Stretched
-    /// [`Mixed`]: crate::skinning::Mixed
-    #[inline]
-    pub fn skin<J, W, B, P>(
-        self,
-        skin: &Skin<'_, J, W>,
-        blend: B,
-        rest: Surface<'_, P>,
-        posed: SurfaceMut<'_, P>,
-    ) -> Result<(), SkinningError>
-    where
-        J: Index,
-        W: Weight,
-        B: Blender<Number<P, 3>>,
-        P: Element<3>,
-    {
-        check(skin, &blend, &rest, &posed)?;
-        let mesh = Separate { rest, posed };
-        self.run(Run { skin, blend, first: 0, mesh, layout: PhantomData });
-        Ok(())
-    }
-}
 
 /// Whether everything fits.
 pub(super) fn check<J, W, B, P>(
@@ -74,14 +29,37 @@ where
     Ok(())
 }
 
+/// The vertices to each thread at least: some microseconds of work.
+#[cfg(feature = "rayon")]
+const GRAIN: usize = 4096;
+
+/// Poses a mesh; everything has been checked.
+pub(super) fn pose<J, W, B, P, M>(backend: Backend, skin: &Skin<'_, J, W>, blend: B, mesh: M)
+where
+    J: Index,
+    W: Weight,
+    B: Blender<Number<P, 3>>,
+    P: Element<3>,
+    M: Mesh<P>,
+{
+    let run = |first, mesh| {
+        backend.run(Run { skin, blend, first, mesh, layout: PhantomData::<P> });
+    };
+    #[cfg(feature = "rayon")]
+    if backend.many() {
+        return backend.share(GRAIN, mesh, &run);
+    }
+    run(0, mesh);
+}
+
 /// Lanes are vertices.
-pub(super) struct Run<'s, 'a, J, W, B, P, M> {
-    pub(super) skin: &'s Skin<'a, J, W>,
-    pub(super) blend: B,
+struct Run<'s, 'a, J, W, B, P, M> {
+    skin: &'s Skin<'a, J, W>,
+    blend: B,
     /// The vertex that the mesh begins with.
-    pub(super) first: usize,
-    pub(super) mesh: M,
-    pub(super) layout: PhantomData<P>,
+    first: usize,
+    mesh: M,
+    layout: PhantomData<P>,
 }
 
 impl<J, W, B, P, M> Kernel for Run<'_, '_, J, W, B, P, M>

@@ -71,26 +71,31 @@ impl<'s, P> SurfaceMut<'s, P> {
     }
 }
 
-/// Pieces of both for the tasks of [`parallel`](super::parallel).
+/// Pieces for several threads.
 #[cfg(feature = "rayon")]
-impl<'s, P> Surface<'s, P> {
-    pub(super) fn chunks(self, size: usize) -> impl Iterator<Item = Self> {
-        self.positions.chunks(size).enumerate().map(move |(task, positions)| {
-            let piece = |slice: &'s [P]| &slice[task * size..task * size + positions.len()];
-            Self { positions, normals: self.normals.map(piece), tangents: self.tangents.map(piece) }
-        })
+impl<P> Surface<'_, P> {
+    /// Those before element `at`, and the others.
+    pub(super) fn split(self, at: usize) -> (Self, Self) {
+        let (positions, others) = self.positions.split_at(at);
+        let normals = self.normals.map(|slice| slice.split_at(at)).unzip();
+        let tangents = self.tangents.map(|slice| slice.split_at(at)).unzip();
+        (
+            Self { positions, normals: normals.0, tangents: tangents.0 },
+            Self { positions: others, normals: normals.1, tangents: tangents.1 },
+        )
     }
 }
 
 #[cfg(feature = "rayon")]
-impl<'s, P> SurfaceMut<'s, P> {
-    pub(super) fn chunks(self, size: usize) -> impl Iterator<Item = Self> {
-        let mut normals = self.normals.map(|slice| slice.chunks_mut(size));
-        let mut tangents = self.tangents.map(|slice| slice.chunks_mut(size));
-        self.positions.chunks_mut(size).map(move |positions| Self {
-            positions,
-            normals: normals.as_mut().and_then(Iterator::next),
-            tangents: tangents.as_mut().and_then(Iterator::next),
-        })
+impl<P> SurfaceMut<'_, P> {
+    /// Those before element `at`, and the others.
+    pub(super) fn split(self, at: usize) -> (Self, Self) {
+        let (positions, others) = self.positions.split_at_mut(at);
+        let normals = self.normals.map(|slice| slice.split_at_mut(at)).unzip();
+        let tangents = self.tangents.map(|slice| slice.split_at_mut(at)).unzip();
+        (
+            Self { positions, normals: normals.0, tangents: tangents.0 },
+            Self { positions: others, normals: normals.1, tangents: tangents.1 },
+        )
     }
 }

@@ -1,8 +1,9 @@
-use super::sweep::{SliceKernel, motions, sweep};
+use super::sweep::{SliceKernel, motions, part, sweep};
 use crate::batch;
 use crate::dispatch::Backend;
 use crate::shape::{ShapeError, same_length};
 use crate::storage::{self, Element, Register, Tile};
+use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
 impl Backend {
@@ -54,5 +55,10 @@ where
             *influence = (motions(level, motions_of, tile)?, weight);
         }
         Some(batch::DualQuat::dlb(&influences)?.to_array())
+    }
+    fn part(&self, elements: Range<usize>) -> Self {
+        Self(self.0.map(|(motions, weights)| {
+            (part(motions, elements.clone()), part(weights, elements.clone()))
+        }))
     }
 }

@@ -1,8 +1,9 @@
-use super::sweep::{SliceKernel, sweep};
+use super::sweep::{SliceKernel, part, sweep};
 use crate::dispatch::Backend;
 use crate::law::{Law, Nlerp, Sclerp};
 use crate::shape::{ShapeError, same_length};
 use crate::storage::{self, Element, Number, Register, Tile};
+use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
 impl Backend {
@@ -98,20 +99,28 @@ fn interpolate<E: Element<8>, W: Law<8>, T: Parameter<E>>(
 }
 
 /// The parameter t: the same for all, or one for each.
-trait Parameter<E: Element<8>> {
+pub(super) trait Parameter<E: Element<8>>: Sync {
+    /// That of some of the elements.
+    fn part(&self, elements: Range<usize>) -> Self;
     fn load<V: Level>(&self, level: V, tile: Tile) -> Option<Register<E, V, 8>>;
 }
 
 struct One<R>(R);
 impl<E: Element<8>> Parameter<E> for One<Number<E, 8>> {
+    fn part(&self, _: Range<usize>) -> Self {
+        Self(self.0)
+    }
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load<V: Level>(&self, level: V, _: Tile) -> Option<Register<E, V, 8>> {
         Some(Lanes::splat(level, self.0))
     }
 }
 
-struct Many<'s, T>(&'s [T]);
+pub(super) struct Many<'s, T>(pub(super) &'s [T]);
 impl<E: Element<8>, T: Element<1, Layout = E::Layout>> Parameter<E> for Many<'_, T> {
+    fn part(&self, elements: Range<usize>) -> Self {
+        Self(part(self.0, elements))
+    }
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load<V: Level>(&self, level: V, tile: Tile) -> Option<Register<E, V, 8>> {
         let [t] = T::load(level, self.0, tile, &storage::identity())?;
@@ -119,11 +128,11 @@ impl<E: Element<8>, T: Element<1, Layout = E::Layout>> Parameter<E> for Many<'_,
     }
 }
 
-struct Interpolation<'s, E, W, T> {
-    law: W,
-    a: &'s [E],
-    b: &'s [E],
-    t: T,
+pub(super) struct Interpolation<'s, E, W, T> {
+    pub(super) law: W,
+    pub(super) a: &'s [E],
+    pub(super) b: &'s [E],
+    pub(super) t: T,
 }
 
 impl<E: Element<8>, W: Law<8>, T: Parameter<E>> SliceKernel<E, 8> for Interpolation<'_, E, W, T> {
@@ -132,5 +141,9 @@ impl<E: Element<8>, W: Law<8>, T: Parameter<E>> SliceKernel<E, 8> for Interpolat
         let a = E::load(level, self.a, tile, &storage::identity())?;
         let b = E::load(level, self.b, tile, &storage::identity())?;
         Some(self.law.between(a, b, self.t.load(level, tile)?))
+    }
+    fn part(&self, elements: Range<usize>) -> Self {
+        let (a, b) = (part(self.a, elements.clone()), part(self.b, elements.clone()));
+        Self { law: self.law, a, b, t: self.t.part(elements) }
     }
 }

@@ -1,8 +1,9 @@
-use super::sweep::{SliceKernel, motions, sweep};
+use super::sweep::{SliceKernel, motions, part, sweep};
 use crate::dispatch::Backend;
 use crate::palette_entry::{MatrixOrder, PaletteEntry};
 use crate::shape::{ShapeError, same_length};
 use crate::storage::{Element, Register, Tile};
+use core::ops::Range;
 use dq8_simd::Level;
 
 impl Backend {
@@ -53,5 +54,8 @@ where
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn compute<V: Level>(&self, level: V, _: &[M], tile: Tile) -> Option<[Register<M, V, C>; C]> {
         Some(M::of(motions(level, self.motions, tile)?, self.order))
+    }
+    fn part(&self, elements: Range<usize>) -> Self {
+        Self { motions: part(self.motions, elements), order: self.order }
     }
 }

@@ -1,8 +1,9 @@
-use super::sweep::{SliceKernel, motions, sweep};
+use super::sweep::{SliceKernel, motions, part, sweep};
 use crate::batch;
 use crate::dispatch::Backend;
 use crate::shape::{ShapeError, same_length};
 use crate::storage::{Element, Register, Tile};
+use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
 impl Backend {
@@ -53,10 +54,11 @@ impl Backend {
 }
 
 /// A number between two motions.
-trait Measure {
+trait Measure: Copy + Sync {
     fn of<L: Lanes>(&self, a: batch::DualQuat<L>, b: batch::DualQuat<L>) -> L;
 }
 
+#[derive(Clone, Copy)]
 struct Angle;
 impl Measure for Angle {
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -65,6 +67,7 @@ impl Measure for Angle {
     }
 }
 
+#[derive(Clone, Copy)]
 struct Distance;
 impl Measure for Distance {
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -88,5 +91,9 @@ where
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn compute<V: Level>(&self, level: V, _: &[T], tile: Tile) -> Option<[Register<T, V, 1>; 1]> {
         Some([self.measure.of(motions(level, self.a, tile)?, motions(level, self.b, tile)?)])
+    }
+    fn part(&self, elements: Range<usize>) -> Self {
+        let (a, b) = (part(self.a, elements.clone()), part(self.b, elements));
+        Self { a, b, measure: self.measure }
     }
 }

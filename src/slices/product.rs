@@ -1,9 +1,10 @@
-use super::sweep::{SliceKernel, motions, sweep};
+use super::sweep::{SliceKernel, motions, part, sweep};
 use crate::batch;
 use crate::dispatch::Backend;
 use crate::scalar::DualQuat;
 use crate::shape::{ShapeError, same_length};
 use crate::storage::{Element, Number, Register, Source, Tile};
+use core::ops::Range;
 use dq8_simd::Level;
 
 impl Backend {
@@ -75,6 +76,9 @@ impl<E: Element<8>> SliceKernel<E, 8> for ProductByOne<Number<E, 8>> {
         let left = batch::DualQuat::splat(level, self.0.to_array());
         Some((left * motions(level, output, tile)?).to_array())
     }
+    fn part(&self, _: Range<usize>) -> Self {
+        Self(self.0)
+    }
 }
 
 struct Product<'s, E> {
@@ -95,5 +99,8 @@ impl<E: Element<8>> SliceKernel<E, 8> for Product<'_, E> {
     ) -> Option<[Register<E, V, 8>; 8]> {
         let a = motions(level, self.a.or(output), tile)?;
         Some((a * motions(level, self.b, tile)?).to_array())
+    }
+    fn part(&self, elements: Range<usize>) -> Self {
+        Self { a: self.a.part(elements.clone()), b: part(self.b, elements) }
     }
 }

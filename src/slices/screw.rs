@@ -1,9 +1,10 @@
-use super::sweep::{SliceKernel, motions, sweep};
+use super::sweep::{SliceKernel, motions, part, sweep};
 use crate::batch;
 use crate::dispatch::Backend;
 use crate::geometry::{DualVector, Twist};
 use crate::shape::{ShapeError, same_length};
 use crate::storage::{self, Element, Number, Register, Tile};
+use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
 impl Backend {
@@ -151,6 +152,9 @@ impl<M: Element<8>, P: Element<6, Layout = M::Layout>> SliceKernel<P, 6> for Log
         let ([a, b, c], [d, e, f]) = (log.real, log.dual);
         Some([a, b, c, d, e, f])
     }
+    fn part(&self, elements: Range<usize>) -> Self {
+        Self { motions: part(self.motions, elements) }
+    }
 }
 
 struct Exp<'s, P> {
@@ -164,6 +168,9 @@ impl<P: Element<6>, M: Element<8, Layout = P::Layout>> SliceKernel<M, 8> for Exp
         let log = DualVector { real: [a, b, c], dual: [d, e, f] };
         Some(batch::DualQuat::exp(log).to_array())
     }
+    fn part(&self, elements: Range<usize>) -> Self {
+        Self { logs: part(self.logs, elements) }
+    }
 }
 
 struct ToTwist<'s, M> {
@@ -174,6 +181,9 @@ impl<M: Element<8>, P: Element<6, Layout = M::Layout>> SliceKernel<P, 6> for ToT
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn compute<V: Level>(&self, level: V, _: &[P], tile: Tile) -> Option<[Register<P, V, 6>; 6]> {
         Some(motions(level, self.motions, tile)?.to_twist().to_array())
+    }
+    fn part(&self, elements: Range<usize>) -> Self {
+        Self { motions: part(self.motions, elements) }
     }
 }
 
@@ -187,6 +197,9 @@ impl<P: Element<6>, M: Element<8, Layout = P::Layout>> SliceKernel<M, 8> for Fro
         let twist = P::load(level, self.twists, tile, &storage::identity())?;
         Some(batch::DualQuat::from_twist(Twist::from_array(twist)).to_array())
     }
+    fn part(&self, elements: Range<usize>) -> Self {
+        Self { twists: part(self.twists, elements) }
+    }
 }
 
 struct Power<'s, E, T> {
@@ -199,6 +212,9 @@ impl<E: Element<8>, T: Element<1, Layout = E::Layout>> SliceKernel<E, 8> for Pow
     fn compute<V: Level>(&self, level: V, _: &[E], tile: Tile) -> Option<[Register<E, V, 8>; 8]> {
         let [t] = T::load(level, self.t, tile, &storage::identity())?;
         Some(motions(level, self.motions, tile)?.pow(t).to_array())
+    }
+    fn part(&self, elements: Range<usize>) -> Self {
+        Self { motions: part(self.motions, elements.clone()), t: part(self.t, elements) }
     }
 }
 
@@ -215,5 +231,9 @@ impl<E: Element<8>, P: Element<6, Layout = E::Layout>> SliceKernel<E, 8> for Int
         let dt = Register::<E, V, 8>::splat(level, self.dt);
         let motion = motions(level, self.motions, tile)?;
         Some(motion.integrate_body(Twist::from_array(twist), dt).to_array())
+    }
+    fn part(&self, elements: Range<usize>) -> Self {
+        let twists = part(self.twists, elements.clone());
+        Self { motions: part(self.motions, elements), twists, dt: self.dt }
     }
 }

@@ -3,10 +3,11 @@
 use crate::batch;
 use crate::dispatch::{Backend, Kernel};
 use crate::storage::{self, Element, Layout, Register, Tile};
+use core::ops::Range;
 use dq8_simd::Level;
 
 /// What is computed for each element of a slice, lanes at a time.
-pub(super) trait SliceKernel<Q: Element<D>, const D: usize> {
+pub(super) trait SliceKernel<Q: Element<D>, const D: usize>: Sized + Sync {
     /// Whether it works in place.
     fn reads_output(&self) -> bool {
         false
@@ -19,7 +20,20 @@ pub(super) trait SliceKernel<Q: Element<D>, const D: usize> {
         output: &[Q],
         tile: Tile,
     ) -> Option<[Register<Q, V, D>; D]>;
+
+    /// The same computation for some of the elements.
+    #[cfg_attr(not(feature = "rayon"), expect(dead_code, reason = "threads take parts"))]
+    fn part(&self, elements: Range<usize>) -> Self;
 }
+
+/// Some of the elements of an input.
+pub(super) fn part<T>(slice: &[T], elements: Range<usize>) -> &[T] {
+    slice.get(elements).unwrap_or_default()
+}
+
+/// The fewest elements in a task: some microseconds of work, where starting a task takes a fraction of one.
+#[cfg(feature = "rayon")]
+pub(super) const GRAIN: usize = 2048;
 
 /// From this size on, in bytes, an output is written past the caches: a line that is written whole need
 /// not be read first. Products of 16-lane blocks, ns each, on a server with 2 MiB of L2 cache:
@@ -39,7 +53,26 @@ pub(super) fn sweep<Q: Element<D>, K: SliceKernel<Q, D>, const D: usize>(
     output: &mut [Q],
     kernel: K,
 ) {
-    if Q::Layout::STREAMS && size_of_val(output) >= BEYOND_CACHES && !kernel.reads_output() {
+    let past_caches =
+        Q::Layout::STREAMS && size_of_val(output) >= BEYOND_CACHES && !kernel.reads_output();
+    #[cfg(feature = "rayon")]
+    if backend.many() {
+        return backend.share(GRAIN, (output, 1), &|first, (output, _): (&mut [Q], usize)| {
+            let part = kernel.part(first..first + output.len());
+            whole(backend, output, part, past_caches);
+        });
+    }
+    whole(backend, output, kernel, past_caches);
+}
+
+#[inline]
+fn whole<Q: Element<D>, K: SliceKernel<Q, D>, const D: usize>(
+    backend: Backend,
+    output: &mut [Q],
+    kernel: K,
+    past_caches: bool,
+) {
+    if past_caches {
         backend.run(Stream { output, kernel });
     } else {
         backend.run(Sweep { output, kernel });

@@ -1,8 +1,12 @@
 //! Trajectories: poses at times, sampled at other times, and smoothed.
 
-use super::sweep::motions;
+use super::interpolate::{Interpolation, Many};
+#[cfg(feature = "rayon")]
+use super::sweep::{GRAIN, part};
+use super::sweep::{motions, sweep};
 use crate::batch;
 use crate::dispatch::{Backend, Kernel};
+use crate::law::Sclerp;
 use crate::real::Scalar;
 use crate::scalar::DualQuat;
 use crate::shape::{ShapeError, same_length};
@@ -98,20 +102,15 @@ impl Backend {
         if let Some(index) = at.iter().position(|time| time.is_nan()) {
             return Err(TrajectoryError::NotATime { index });
         }
-        let (mut from, mut to, mut share) = ([*first; CHUNK], [*first; CHUNK], [[R::ZERO]; CHUNK]);
-        let mut after = 0;
-        for (at, samples) in at.chunks(CHUNK).zip(samples.chunks_mut(CHUNK)) {
-            let slots = from.iter_mut().zip(&mut to).zip(&mut share);
-            for (&time, ((from, to), [share])) in at.iter().zip(slots) {
-                after = first_after(times, time, after);
-                let (start, end) = (after.saturating_sub(1), after.min(times.len() - 1));
-                (*from, *to) = (poses[start], poses[end]);
-                let (start, end) = (times[start], times[end]);
-                *share = if start < end { share_of(time, start, end) } else { R::ZERO };
-            }
-            let n = at.len();
-            self.sclerp_each(&from[..n], &to[..n], &share[..n], samples)?;
+        let trajectory = Trajectory { times, poses, first: *first };
+        #[cfg(feature = "rayon")]
+        if self.many() {
+            self.share(GRAIN, (samples, 1), &|start, (samples, _): (&mut [_], usize)| {
+                trajectory.sample(self, part(at, start..start + samples.len()), samples);
+            });
+            return Ok(());
         }
+        trajectory.sample(self, at, samples);
         Ok(())
     }
 
@@ -144,7 +143,45 @@ impl Backend {
             return same_length("weights", 0, 1).map(|()| 0);
         }
         same_length("means", means.len(), (poses.len() + 1).saturating_sub(W))?;
+        #[cfg(feature = "rayon")]
+        if self.many() {
+            let converged = core::sync::atomic::AtomicUsize::new(0);
+            self.share(GRAIN, (means, 1), &|start, (means, _): (&mut [_], usize)| {
+                let poses = part(poses, start..start + means.len() + W - 1);
+                let windows = Windows { poses, weights, tolerance, max_iterations, means };
+                converged.fetch_add(self.run(windows), core::sync::atomic::Ordering::Relaxed);
+            });
+            return Ok(converged.into_inner());
+        }
         Ok(self.run(Windows { poses, weights, tolerance, max_iterations, means }))
+    }
+}
+
+/// Checked: times rise, and there is a pose for each.
+struct Trajectory<'s, R> {
+    times: &'s [R],
+    poses: &'s [DualQuat<R>],
+    first: DualQuat<R>,
+}
+
+impl<R: Scalar> Trajectory<'_, R> {
+    fn sample(&self, backend: Backend, at: &[R], samples: &mut [DualQuat<R>]) {
+        let Self { times, poses, first } = *self;
+        let (mut from, mut to, mut share) = ([first; CHUNK], [first; CHUNK], [[R::ZERO]; CHUNK]);
+        let mut after = 0;
+        for (at, samples) in at.chunks(CHUNK).zip(samples.chunks_mut(CHUNK)) {
+            let slots = from.iter_mut().zip(&mut to).zip(&mut share);
+            for (&time, ((from, to), [share])) in at.iter().zip(slots) {
+                after = first_after(times, time, after);
+                let (start, end) = (after.saturating_sub(1), after.min(times.len() - 1));
+                (*from, *to) = (poses[start], poses[end]);
+                let (start, end) = (times[start], times[end]);
+                *share = if start < end { share_of(time, start, end) } else { R::ZERO };
+            }
+            let n = at.len();
+            let (a, b, t) = (&from[..n], &to[..n], Many(&share[..n]));
+            sweep(backend, samples, Interpolation { law: Sclerp, a, b, t });
+        }
     }
 }
 

@@ -3,6 +3,7 @@ use crate::dispatch::Backend;
 use crate::scalar::DualQuat;
 use crate::shape::{ShapeError, same_length};
 use crate::storage::{self, Element, Number, Register, Source, Tile};
+use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
 impl Backend {
@@ -99,5 +100,8 @@ impl<P: Element<3>> SliceKernel<P, 3> for ByOne<'_, P> {
             *moved = z.mul_add(c, y.mul_add(b, x.mul_add(a, t)));
         }
         Some(moved)
+    }
+    fn part(&self, elements: Range<usize>) -> Self {
+        Self { rows: self.rows, from: self.from.part(elements) }
     }
 }

@@ -1,9 +1,10 @@
-use super::sweep::{SliceKernel, motions, sweep};
+use super::sweep::{SliceKernel, motions, part, sweep};
 use crate::batch;
 use crate::dispatch::Backend;
 use crate::geometry::{Line, Plane, Twist};
 use crate::shape::{ShapeError, same_length};
 use crate::storage::{self, Element, Register, Tile};
+use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
 impl Backend {
@@ -116,10 +117,11 @@ impl Backend {
 }
 
 /// What a motion does to a thing of `C` numbers.
-trait Action<const C: usize> {
+trait Action<const C: usize>: Copy + Sync {
     fn act<L: Lanes>(&self, motion: batch::DualQuat<L>, thing: [L; C]) -> [L; C];
 }
 
+#[derive(Clone, Copy)]
 struct OnPoint;
 impl Action<3> for OnPoint {
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -128,6 +130,7 @@ impl Action<3> for OnPoint {
     }
 }
 
+#[derive(Clone, Copy)]
 struct OnVector;
 impl Action<3> for OnVector {
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -136,6 +139,7 @@ impl Action<3> for OnVector {
     }
 }
 
+#[derive(Clone, Copy)]
 struct OnLine;
 impl Action<6> for OnLine {
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -146,6 +150,7 @@ impl Action<6> for OnLine {
     }
 }
 
+#[derive(Clone, Copy)]
 struct OnPlane;
 impl Action<4> for OnPlane {
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -156,6 +161,7 @@ impl Action<4> for OnPlane {
     }
 }
 
+#[derive(Clone, Copy)]
 struct OnTwist;
 impl Action<6> for OnTwist {
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -180,5 +186,9 @@ where
     fn compute<V: Level>(&self, level: V, _: &[P], tile: Tile) -> Option<[Register<P, V, C>; C]> {
         let thing = P::load(level, self.from, tile, &storage::identity())?;
         Some(self.action.act(motions(level, self.motions, tile)?, thing))
+    }
+    fn part(&self, elements: Range<usize>) -> Self {
+        let motions = part(self.motions, elements.clone());
+        Self { motions, from: part(self.from, elements), action: self.action }
     }
 }

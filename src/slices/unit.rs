@@ -3,6 +3,7 @@ use crate::batch;
 use crate::dispatch::Backend;
 use crate::shape::{ShapeError, same_length};
 use crate::storage::{Element, Register, Source, Tile};
+use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
 impl Backend {
@@ -82,10 +83,11 @@ impl Backend {
 }
 
 /// A function of one motion.
-trait UnaryOperation {
+trait UnaryOperation: Copy + Sync {
     fn of<L: Lanes>(&self, motion: batch::DualQuat<L>) -> batch::DualQuat<L>;
 }
 
+#[derive(Clone, Copy)]
 struct Normalize;
 impl UnaryOperation for Normalize {
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -94,6 +96,7 @@ impl UnaryOperation for Normalize {
     }
 }
 
+#[derive(Clone, Copy)]
 struct Inverse;
 impl UnaryOperation for Inverse {
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -102,6 +105,7 @@ impl UnaryOperation for Inverse {
     }
 }
 
+#[derive(Clone, Copy)]
 struct Conjugate;
 impl UnaryOperation for Conjugate {
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -127,5 +131,8 @@ impl<E: Element<8>, F: UnaryOperation> SliceKernel<E, 8> for Unary<'_, E, F> {
         tile: Tile,
     ) -> Option<[Register<E, V, 8>; 8]> {
         Some(self.operation.of(motions(level, self.from.or(output), tile)?).to_array())
+    }
+    fn part(&self, elements: Range<usize>) -> Self {
+        Self { from: self.from.part(elements), operation: self.operation }
     }
 }

@@ -54,7 +54,7 @@ pub trait Layout: Copy + Debug + sealed::Sealed {
             `dq8::storage` has the table",
     note = "slices of glam's, nalgebra's and mint's types become slices of dq8's by a cast: `dq8::interop`"
 )]
-pub trait Element<const C: usize>: Copy + Debug + sealed::Sealed {
+pub trait Element<const C: usize>: Copy + Debug + Send + Sync + sealed::Sealed {
     /// How it lies in memory.
     type Layout: Layout;
 

@@ -1,0 +1,50 @@
+use super::run::Root;
+use crate::scalar::DualQuat;
+use crate::storage::{Element, Layout};
+
+/// A [`Job`](super::Job) whose roots stand on nothing: their local pose is their model pose.
+#[derive(Clone, Copy, Debug)]
+pub struct NoRoot;
+
+/// What root joints stand on, for models of `E`: nothing, one motion for all, or one each. Sealed.
+pub trait Roots<E: Element<8>>: sealed::Sealed {
+    #[doc(hidden)]
+    fn root(&self) -> Root<'_, E>;
+    /// How many, where each instance has its own.
+    #[doc(hidden)]
+    fn count(&self) -> Option<usize> {
+        None
+    }
+}
+
+impl<E: Element<8>> Roots<E> for NoRoot {
+    fn root(&self) -> Root<'_, E> {
+        Root::None
+    }
+}
+
+impl<R, E: Element<8, Layout: Layout<Real = R>>> Roots<E> for DualQuat<R>
+where
+    DualQuat<R>: Copy,
+{
+    fn root(&self) -> Root<'_, E> {
+        Root::Same(*self)
+    }
+}
+
+impl<E: Element<8>> Roots<E> for &[E] {
+    fn root(&self) -> Root<'_, E> {
+        Root::Each(self)
+    }
+    fn count(&self) -> Option<usize> {
+        Some(self.len())
+    }
+}
+
+mod sealed {
+    use super::{DualQuat, NoRoot};
+    pub trait Sealed {}
+    impl Sealed for NoRoot {}
+    impl<R> Sealed for DualQuat<R> {}
+    impl<E> Sealed for &[E] {}
+}

@@ -1,0 +1,133 @@
+//! Several threads (feature `rayon`): things that do not depend on each other, some to each task.
+
+use crate::dispatch::Backend;
+
+/// What a job may be told of how it runs.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Choice {
+    pub(crate) backend: Option<Backend>,
+    #[cfg(feature = "rayon")]
+    pub(crate) threads: Option<usize>,
+}
+
+impl Choice {
+    /// The instructions, and how many threads.
+    #[inline]
+    pub(crate) fn instructions(self) -> Backend {
+        let backend = self.backend.unwrap_or_default();
+        #[cfg(feature = "rayon")]
+        if let Some(threads) = self.threads {
+            return backend.threads(threads);
+        }
+        backend
+    }
+}
+
+/// What a kernel writes; with the feature `rayon`, cut at a thing.
+#[cfg(not(feature = "rayon"))]
+pub(crate) trait Outputs {}
+#[cfg(not(feature = "rayon"))]
+impl<O> Outputs for O {}
+#[cfg(feature = "rayon")]
+pub(crate) use many::Outputs;
+
+#[cfg(feature = "rayon")]
+mod many {
+    use super::Backend;
+    use core::num::NonZeroUsize;
+
+    impl Backend {
+        /// The same instructions on at most so many threads of rayon's current pool; `usize::MAX` for all of them, and 1,
+        /// which is the default, for the one that calls. Every bit of a result is the same for any number of threads.
+        ///
+        /// Short slices stay on one thread: a task has a few microseconds of work. Chains
+        /// ([`chain_products`](Self::chain_products)) and kernels of your own ([`run`](Self::run)) do so always.
+        ///
+        /// ```
+        /// use dq8::{Backend, DualQuat};
+        /// let step = vec![DualQuat::from_translation([1.0_f32, 0.0, 0.0]); 100_000];
+        /// let mut two = step.clone();
+        /// Backend::best().threads(usize::MAX).mul(&step, &step, &mut two)?;
+        /// assert_eq!(two[99_999].translation(), [2.0, 0.0, 0.0]);
+        /// # Ok::<(), dq8::ShapeError>(())
+        /// ```
+        #[must_use]
+        pub fn threads(mut self, threads: usize) -> Self {
+            self.threads = NonZeroUsize::new(threads).unwrap_or(NonZeroUsize::MIN);
+            self
+        }
+
+        /// Whether there may be more threads than the one that calls.
+        #[inline]
+        pub(crate) fn many(self) -> bool {
+            self.threads > NonZeroUsize::MIN
+        }
+
+        /// Calls `work` with parts of `outputs` and the number of the first thing in each, on the threads. A part has a
+        /// multiple of `grain` things, but for the last.
+        pub(crate) fn share<O: Outputs>(
+            self,
+            grain: usize,
+            outputs: O,
+            work: &(impl Fn(usize, O) + Sync),
+        ) {
+            let grains = outputs.things().div_ceil(grain.max(1));
+            // Where no thread of the pool may be left out, those that are done sooner take from the others.
+            let all = self.threads.get() >= rayon::current_num_threads();
+            let tasks = if all { grains } else { grains.min(self.threads.get()) };
+            share(tasks, grains, grain, 0, outputs, work);
+        }
+    }
+
+    fn share<O: Outputs>(
+        tasks: usize,
+        grains: usize,
+        grain: usize,
+        first: usize,
+        outputs: O,
+        work: &(impl Fn(usize, O) + Sync),
+    ) {
+        if tasks < 2 {
+            return work(first, outputs);
+        }
+        let (left, right) = (tasks / 2, tasks - tasks / 2);
+        let before = grains * left / tasks;
+        let at = before * grain;
+        let (begin, end) = outputs.split(at);
+        rayon::join(
+            || share(left, before, grain, first, begin, work),
+            || share(right, grains - before, grain, first + at, end, work),
+        );
+    }
+
+    /// What a kernel writes, cut at a thing.
+    pub(crate) trait Outputs: Sized + Send {
+        /// How many things there are.
+        fn things(&self) -> usize;
+        /// Those before number `at`, and the others.
+        fn split(self, at: usize) -> (Self, Self);
+    }
+
+    /// So many elements a thing.
+    impl<E: Send> Outputs for (&mut [E], usize) {
+        fn things(&self) -> usize {
+            self.0.len().checked_div(self.1).unwrap_or(0)
+        }
+        fn split(self, at: usize) -> (Self, Self) {
+            let (slice, each) = self;
+            let (begin, end) = slice.split_at_mut((at * each).min(slice.len()));
+            ((begin, each), (end, each))
+        }
+    }
+
+    /// Two, of as many things.
+    impl<A: Outputs, B: Outputs> Outputs for (A, B) {
+        fn things(&self) -> usize {
+            self.0.things()
+        }
+        fn split(self, at: usize) -> (Self, Self) {
+            let ((a, c), (b, d)) = (self.0.split(at), self.1.split(at));
+            ((a, b), (c, d))
+        }
+    }
+}
