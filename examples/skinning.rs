@@ -30,13 +30,21 @@ fn main() -> Result<(), Box<dyn Error>> {
     let twist = DualQuat::from_rotation(Quat::from_rotation_x(core::f32::consts::PI * 0.99));
     let (locals, binds) = ([DualQuat::IDENTITY, twist], [DualQuat::IDENTITY; 2]);
     let (mut models, mut motions) = ([DualQuat::IDENTITY; 2], [DualQuat::IDENTITY; 2]);
-    arm.job().locals_to_palette(Poses(&locals), &mut models, &binds, &mut motions)?;
+    arm.job().palette_and_models(Poses(&locals), &mut models, &binds, &mut motions)?;
     let matrices = motions.map(DualQuat::to_matrix3x4);
 
     let (backend, surface) = (Backend::best(), Surface::positions(&rest));
     let (mut linear, mut dual) = (rest.clone(), rest.clone());
-    backend.skin(&skin, Linear::new(&matrices), surface, SurfaceMut::positions(&mut linear))?;
-    backend.skin(&skin, DualBlend::new(&motions), surface, SurfaceMut::positions(&mut dual))?;
+    skin.job().backend(backend).pose(
+        Linear::new(&matrices),
+        surface,
+        SurfaceMut::positions(&mut linear),
+    )?;
+    skin.job().backend(backend).pose(
+        DualBlend::new(&motions),
+        surface,
+        SurfaceMut::positions(&mut dual),
+    )?;
     let radius = |p: [f32; 3]| p[1].hypot(p[2]);
     let [thin, full] = [radius(linear[10 * 8]), radius(dual[10 * 8])];
     println!("radius at the elbow, 0.2 at rest: {thin:.3} linear, {full:.3} dual quaternions");

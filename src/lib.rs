@@ -16,7 +16,7 @@
 //! };
 //! let locals: Vec<_> = (0..11).flat_map(|i| pose(0.1 * i as f32)).collect();
 //! let mut crowd = Crowd::<f32, 8>::from_slice(arm.joints(), &locals)?;
-//! arm.local_to_model_in_place(crowd.blocks_mut())?;
+//! arm.job().local_to_model_in_place(crowd.blocks_mut())?;
 //! let [x, y, _] = crowd.get(10, 1).unwrap().transform_point([1.0, 0.0, 0.0]);
 //! assert!((x - (1f32.cos() + 2f32.cos())).abs() + (y - (1f32.sin() + 2f32.sin())).abs() < 1e-6);
 //! # Ok::<(), Box<dyn core::error::Error>>(())

@@ -67,9 +67,9 @@ fn holds_to_the_last_bit<R: Scalar>() {
         ];
         for job in jobs {
             let mut wanted = vec![empty; poses.len()];
-            job.locals_to_palette(Poses(&poses), &mut models, &binds, &mut wanted).expect("fit");
+            job.palette_and_models(Poses(&poses), &mut models, &binds, &mut wanted).expect("fit");
             let mut turned = wanted.clone();
-            job.locals_to_palette(rotations, &mut models, &binds, &mut turned).expect("fit");
+            job.palette_and_models(rotations, &mut models, &binds, &mut turned).expect("fit");
             // Scratch for fewer instances than there are lanes, for as many, for more, wherever it begins.
             for (instances, begin) in [(1, 0), (3, 0), (8, 0), (8, 1), (16, 0), (16, 3), (40, 1)] {
                 let mut scratch = vec![DualQuat::<R>::IDENTITY; instances * JOINTS + begin];

@@ -71,8 +71,8 @@ fn agrees<L: Locals<DualQuat<f32>>>(skeleton: &Skeleton, locals: L, before: &[Du
             let mut palettes =
                 [vec![[[0.0_f32; 4]; 3]; before.len()], vec![[[0.0; 4]; 3]; before.len()]];
             let (mut ours, mut wanted) = (before.to_vec(), before.to_vec());
-            planned.locals_to_palette(locals, &mut ours, &binds, &mut palettes[0]).unwrap();
-            plain.locals_to_palette(locals, &mut wanted, &binds, &mut palettes[1]).unwrap();
+            planned.palette_and_models(locals, &mut ours, &binds, &mut palettes[0]).unwrap();
+            plain.palette_and_models(locals, &mut wanted, &binds, &mut palettes[1]).unwrap();
             assert!(same(&ours, &wanted, chain));
             let [ours, wanted] = palettes.map(|p| p.as_flattened().as_flattened().to_vec());
             // Trees sum in another order, over lengths of some tens.
@@ -108,7 +108,7 @@ fn a_skeleton_agrees_with_its_hierarchy_in_every_form() {
             }
             let (mut ours, mut wanted, mut out) = (poses.clone(), poses.clone(), blank);
             skeleton.local_to_model_in_place(&mut ours).unwrap();
-            Hierarchy::new(&parents).unwrap().local_to_model_in_place(&mut wanted).unwrap();
+            Hierarchy::new(&parents).unwrap().job().local_to_model_in_place(&mut wanted).unwrap();
             assert!(same(&ours, &wanted, true));
             skeleton.local_to_model(&poses, &mut out).unwrap();
             assert_eq!(out, ours);
@@ -210,10 +210,12 @@ fn instances_of_a_chain_have_the_same_bits_wherever_they_stand() {
         #[cfg(feature = "rayon")]
         {
             let (mut all, mut beside) = (locals.clone(), locals.clone());
-            skeleton.job().par_local_to_model(&locals, &mut all).unwrap();
+            skeleton.job().threads(usize::MAX).local_to_model(&locals, &mut all).unwrap();
             assert!(all == models, "{instances} instances on all cores");
             let job = skeleton.job();
-            job.par_locals_to_palette(Poses(&locals), &mut all, &binds, &mut beside).unwrap();
+            job.threads(usize::MAX)
+                .palette_and_models(Poses(&locals), &mut all, &binds, &mut beside)
+                .unwrap();
             assert!(all == models && beside == models, "{instances} instances on all cores");
         }
     }

@@ -42,12 +42,12 @@ macro_rules! kernels {
             let (job, binds) = (rig.job().backend(backend), [pose(); 3]);
             let mut models = vec![pose(); 3 * INSTANCES];
             let mut palette = vec![[[0.0; 4]; 3]; 3 * INSTANCES];
-            job.locals_to_palette(locals, &mut models, &binds, &mut palette).unwrap();
+            job.palette_and_models(locals, &mut models, &binds, &mut palette).unwrap();
             job.model_to_local_in_place(&mut models).unwrap();
             let mut models = Crowd::<$real, $lanes>::new(3, INSTANCES);
             let mut palette = Crowd::<$real, $lanes, 12>::new(3, INSTANCES);
             let (job, models) = (rig.job().backend(backend), models.blocks_mut());
-            job.locals_to_palette(locals, models, &binds, palette.blocks_mut()).unwrap();
+            job.palette_and_models(locals, models, &binds, palette.blocks_mut()).unwrap();
             job.model_to_local_in_place(models).unwrap();
         }
 
@@ -78,7 +78,7 @@ macro_rules! kernels {
         }
 
         #[test]
-        fn hierarchies_velocities_and_chains_need_one_mebibyte() {
+        fn hierarchies_and_chains_need_one_mebibyte() {
             within(1024, |backend| {
                 let rig = Hierarchy::new(&PARENTS).unwrap();
                 let (turns, offsets) = ([pose::<$real>().rotation(); 3 * INSTANCES], [[0.0; 3]; 3]);
@@ -87,17 +87,14 @@ macro_rules! kernels {
                 let job = rig.job().backend(backend);
                 let (mut palette, binds) = (vec![[[0.0; 4]; 3]; 3 * INSTANCES], [pose(); 3]);
                 let locals = Rotations { rotations: &turns, offsets: &offsets };
-                job.locals_to_palette(locals, &mut models, &binds, &mut palette).unwrap();
+                job.palette_and_models(locals, &mut models, &binds, &mut palette).unwrap();
                 let locals = Rotations { rotations: turned.blocks(), offsets: &offsets };
                 let mut palette = Crowd::<$real, $lanes, 12>::new(3, INSTANCES);
                 let job = rig.job().backend(backend);
-                job.locals_to_palette(locals, crowd.blocks_mut(), &binds, palette.blocks_mut()).unwrap();
+                job.palette_and_models(locals, crowd.blocks_mut(), &binds, palette.blocks_mut()).unwrap();
                 job.model_to_local_in_place(crowd.blocks_mut()).unwrap();
                 let poses = vec![pose::<$real>(); 3 * INSTANCES];
-                let mut twists = vec![Twist::default(); 3 * INSTANCES];
                 let crowd = Crowd::<$real, $lanes>::from_slice(3, &poses).unwrap();
-                let rates = twists.clone();
-                rig.job().backend(backend).velocities(&poses, &rates, &mut twists).unwrap();
                 let mut products = crowd.clone();
                 backend.chain_products(crowd.blocks(), products.blocks_mut()).unwrap();
                 backend.chain_products_in_place(&mut poses.clone());
@@ -115,7 +112,7 @@ macro_rules! kernels {
                 let [mut positions, mut normals, mut tangents] = [rest; 3];
                 let from = Surface::positions(&rest).normals(&rest).tangents(&rest);
                 let to = SurfaceMut::positions(&mut positions).normals(&mut normals).tangents(&mut tangents);
-                backend.skin(&skin, mixed, from, to).unwrap();
+                skin.job().backend(backend).pose(mixed, from, to).unwrap();
             });
         }
 
@@ -129,10 +126,9 @@ macro_rules! kernels {
                 let mut twists = vec![Twist::default(); 7 * INSTANCES];
                 let mut changes = twists.clone();
                 let tools = &mut poses[..INSTANCES];
-                backend.link_jacobians(WorldAligned, arm.view(), &[6], &values, tools, &mut twists).unwrap();
-                backend.link_poses(arm.view(), &values, &mut poses).unwrap();
-                backend
-                    .link_accelerations(arm.view(), &values, &values, &values, &mut poses, &mut twists, &mut changes)
+                arm.job().links(&[6]).backend(backend).jacobians(WorldAligned, &values, tools, &mut twists).unwrap();
+                arm.job().backend(backend).poses(&values, &mut poses).unwrap();
+                arm.job().backend(backend).accelerations(&values, &values, &values, &mut poses, &mut twists, &mut changes)
                     .unwrap();
             });
         }

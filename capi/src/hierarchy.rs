@@ -143,7 +143,7 @@ impl<L: Layout> Skin<L> {
         unsafe {
             let job = job::<L>(&parents, self.root)?;
             let locals = Poses(locals.slice());
-            Ok(job.locals_to_palette(locals, models.slice(), binds.slice(), palette.slice())?)
+            Ok(job.palette_and_models(locals, models.slice(), binds.slice(), palette.slice())?)
         }
     }
 }

@@ -26,7 +26,7 @@ where
     let poses = Output::<L::Record<8>>::new(poses, count)?;
     apart(&[poses.span], &[values.span, made.given, made.steps])?;
     // SAFETY: promised, and apart.
-    unsafe { Ok(Backend::best().link_poses(made.known, values.slice(), poses.slice())?) }
+    unsafe { Ok(made.known.job().poses(values.slice(), poses.slice())?) }
 }
 
 macro_rules! functions {

@@ -81,7 +81,7 @@ impl<R: Scalar + Weight> Mesh<R> for Arrays<R> {
                 normals: normals.as_ref().map(|(_, to)| to.slice()),
                 tangents: tangents.as_ref().map(|(_, to)| to.slice()),
             };
-            Ok(Backend::best().skin(&skin, blend(palettes)?, rest, posed)?)
+            Ok(skin.pose(blend(palettes)?, rest, posed)?)
         }
     }
 }
@@ -140,7 +140,7 @@ impl<R: Scalar + Weight> Mesh<R> for Records<R> {
         unsafe {
             let (skin, palettes) = by.borrow();
             let (rest, posed) = ((rest.slice(), from), (posed.slice(), to));
-            Ok(Backend::best().skin_interleaved(&skin, blend(palettes)?, rest, posed)?)
+            Ok(skin.job().pose_interleaved(blend(palettes)?, rest, posed)?)
         }
     }
 }

@@ -101,10 +101,10 @@ impl Mesh {
         let stretched = Stretched::new(&self.motions, &self.stretches);
         let mixed = Mixed::new(linear, dual, &self.shares).unwrap();
         match how {
-            How::Linear => Backend::best().skin(&skin, linear, from, to),
-            How::Dual => Backend::best().skin(&skin, dual, from, to),
-            How::Stretched => Backend::best().skin(&skin, stretched, from, to),
-            How::Mixed => Backend::best().skin(&skin, mixed, from, to),
+            How::Linear => skin.pose(linear, from, to),
+            How::Dual => skin.pose(dual, from, to),
+            How::Stretched => skin.pose(stretched, from, to),
+            How::Mixed => skin.pose(mixed, from, to),
         }
         .unwrap();
         posed

@@ -31,7 +31,7 @@ impl Positions {
 
         let joints = parents.len();
         let mut crowd = Crowd::<f32, LANES>::from_slice(joints, &singles)?;
-        hierarchy.local_to_model_in_place(crowd.blocks_mut())?;
+        hierarchy.job().local_to_model_in_place(crowd.blocks_mut())?;
         let world = origins.iter().enumerate().map(|(index, origin)| {
             let model = crowd.get(index / joints, index % joints);
             let position = model.map_or([f32::NAN; 3], |model| model.translation());
@@ -40,7 +40,7 @@ impl Positions {
         let world: Vec<_> = world.collect();
 
         let mut models = locals;
-        hierarchy.local_to_model_in_place(&mut models)?;
+        hierarchy.job().local_to_model_in_place(&mut models)?;
         let exact: Vec<_> = models.iter().map(|model| model.translation()).collect();
         let difference = largest(world.iter().zip(&exact).map(|(&a, &b)| distance(a, b)));
         Ok(Self { size: size(clip, &exact), world, difference })

@@ -95,11 +95,11 @@ impl Mesh {
         let (linear, dual) = (Linear::new(&palette), Stretched::new(&motions, &stretches));
         let (best, skin) = (Backend::best(), self.skin()?);
         match method {
-            Method::Linear => best.skin(&skin, linear, from, to),
-            Method::Dual => best.skin(&skin, dual, from, to),
+            Method::Linear => skin.pose(linear, from, to),
+            Method::Dual => skin.pose(dual, from, to),
             Method::Mix(share) => {
                 let shares = vec![share; self.positions.len()];
-                best.skin(&skin, Mixed::new(linear, dual, &shares)?, from, to)
+                skin.pose(Mixed::new(linear, dual, &shares)?, from, to)
             }
         }?;
         Ok(posed)

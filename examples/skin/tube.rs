@@ -43,7 +43,7 @@ impl Tube {
         let mix = Mixed::new(Linear::new(&matrices), DualBlend::new(&motions), &shares)?;
         let mut posed = self.points.clone();
         let to = SurfaceMut::positions(&mut posed);
-        Backend::best().skin(&skin, mix, Surface::positions(&self.points), to)?;
+        skin.pose(mix, Surface::positions(&self.points), to)?;
         Ok(posed)
     }
 }

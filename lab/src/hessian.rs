@@ -105,7 +105,7 @@ pub fn seeded(variables: [f64; 6], i: usize, j: usize, step: f64) -> [HyperDual<
     seeded
 }
 
-/// The spatial Jacobian by [`Job::jacobian`](dq8::Job::jacobian): Jᵢ = Ad of all joints before i on ξᵢ.
+/// The spatial Jacobian, from models of a hierarchy: Jᵢ = Ad of all joints before i on ξᵢ.
 ///
 /// # Errors
 /// Those of [`Hierarchy`], which six joints in a row do not meet.
@@ -116,10 +116,7 @@ pub fn columns(arm: &Arm, variables: [f64; 6]) -> Result<[Twist<f64>; 6], Box<dy
     let locals: [_; 6] = core::array::from_fn(|i| arm.joints[i].motion(variables[i]));
     let mut models = [DualQuat::IDENTITY; 6];
     chain.local_to_model(&locals, &mut models)?;
-    let axes = arm.joints.map(|joint| joint.twist());
-    let mut columns = axes;
-    chain.job().jacobian(&models, &axes, 5, &mut columns)?;
-    Ok(columns)
+    Ok(core::array::from_fn(|i| models[i].adjoint(arm.joints[i].twist())))
 }
 
 /// ∂Jᵢ/∂qⱼ = [Jⱼ, Jᵢ] for j < i: what comes before joint i moves its screw, itself and what comes

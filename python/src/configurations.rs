@@ -59,12 +59,12 @@ pub(crate) fn poses<'py, R: Number>(
         let threads = Threads::for_elements(elements);
         let done = match &chosen {
             _ if to.is_empty() => Ok(()),
-            None if threads.many() => threads.install(|| backend.par_link_poses(view, numbers, to)),
-            None => backend.link_poses(view, numbers, to),
+            None if threads.many() => threads.install(|| view.job().backend(backend).threads(usize::MAX).poses(numbers, to)),
+            None => view.job().backend(backend).poses(numbers, to),
             Some(Chosen { links, .. }) if threads.many() => {
-                threads.install(|| backend.par_chosen_link_poses(view, links, numbers, to))
+                threads.install(|| view.job().links(links).backend(backend).threads(usize::MAX).poses(numbers, to))
             }
-            Some(Chosen { links, .. }) => backend.chosen_link_poses(view, links, numbers, to),
+            Some(Chosen { links, .. }) => view.job().links(links).backend(backend).poses(numbers, to),
         };
         done.map_err(value_error)
     })
@@ -134,10 +134,10 @@ impl<R: Number> Jacobians<'_, R> {
         let backend = Backend::best();
         if threads.many() {
             threads.install(|| {
-                backend.par_link_jacobians(frame, view, &[link], numbers, &mut poses, columns)
+                view.job().links(&[link]).backend(backend).threads(usize::MAX).jacobians(frame, numbers, &mut poses, columns)
             })
         } else {
-            backend.link_jacobians(frame, view, &[link], numbers, &mut poses, columns)
+            view.job().links(&[link]).backend(backend).jacobians(frame, numbers, &mut poses, columns)
         }
     }
 }

@@ -196,7 +196,7 @@ impl Hierarchy {
         };
 
         let hierarchy = dq8::Hierarchy::new(&self.parents).map_err(value_error)?;
-        let mut job = hierarchy.job::<[R; 8]>();
+        let mut job = hierarchy.job();
         if let Some(root) = root {
             job = job.root(root);
         }
@@ -205,10 +205,10 @@ impl Hierarchy {
             let threads = Threads::for_elements(to.len());
             let done = match (direction, from) {
                 (Direction::ToModel, Some(from)) if threads.many() => {
-                    threads.install(|| job.par_local_to_model(from, to))
+                    threads.install(|| job.threads(usize::MAX).local_to_model(from, to))
                 }
                 (Direction::ToModel, None) if threads.many() => {
-                    threads.install(|| job.par_local_to_model_in_place(to))
+                    threads.install(|| job.threads(usize::MAX).local_to_model_in_place(to))
                 }
                 (Direction::ToModel, Some(from)) => job.local_to_model(from, to),
                 (Direction::ToModel, None) => job.local_to_model_in_place(to),

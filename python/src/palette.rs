@@ -89,9 +89,9 @@ impl<R: Number> Palette<R> {
             ($blend:expr) => {{
                 let blend = $blend;
                 if threads.many() {
-                    backend.par_skin(skin, blend, rest, posed)
+                    skin.job().backend(backend).threads(usize::MAX).pose(blend, rest, posed)
                 } else {
-                    backend.skin(skin, blend, rest, posed)
+                    skin.job().backend(backend).pose(blend, rest, posed)
                 }
             }};
         }

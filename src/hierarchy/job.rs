@@ -2,7 +2,7 @@ use super::concatenate::Forward;
 use super::locals::{InPlace, Locals, Poses};
 use super::palette::{Epilogue, NoEpilogue};
 use super::root::{NoRoot, Roots};
-use super::run::Run;
+use super::run::{Root, Run};
 use super::{Hierarchy, Renormalize, transposed};
 #[cfg(feature = "alloc")]
 use super::{HierarchyPlan, planned};
@@ -82,18 +82,35 @@ impl<'a> Job<'a> {
     /// Puts every root joint on `root`: model(j) = root · local(j), the same for all instances.
     #[must_use]
     pub fn root<R>(self, root: DualQuat<R>) -> Job<'a, DualQuat<R>> {
-        self.on(root)
+        self.with(root)
     }
 
     /// Puts the root joints of each instance (block) on its own element of `roots`.
     #[must_use]
     pub fn roots<E>(self, roots: &'a [E]) -> Job<'a, &'a [E]> {
-        self.on(roots)
+        self.with(roots)
+    }
+
+    /// Puts root joints on what is chosen when the program runs.
+    ///
+    /// ```
+    /// use dq8::{DualQuat, Hierarchy, hierarchy::Root};
+    /// let leg = Hierarchy::new(&[Hierarchy::ROOT, 0])?;
+    /// let mut models = [DualQuat::from_translation([0.0_f32, -1.0, 0.0]); 2];
+    /// let stands_on: Option<DualQuat<f32>> = None;
+    /// let root = stands_on.map_or(Root::None, Root::Same);
+    /// leg.job().on(root).local_to_model_in_place(&mut models)?;
+    /// assert_eq!(models[1].translation(), [0.0, -2.0, 0.0]);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn on<E: Element<8>>(self, root: Root<'a, E>) -> Job<'a, Root<'a, E>> {
+        self.with(root)
     }
 }
 
 impl<'a, S> Job<'a, S> {
-    fn on<T>(self, root: T) -> Job<'a, T> {
+    fn with<T>(self, root: T) -> Job<'a, T> {
         Job {
             parents: self.parents,
             joints: self.joints,

@@ -64,6 +64,7 @@ pub use parents::Hierarchy;
 pub use plan::{HierarchyPlan, Strategy};
 pub use renormalize::Renormalize;
 pub use root::{NoRoot, Roots};
+pub use run::Root;
 pub use sampled::{Clip, Sampled};
 pub use schedule::PlanScratch;
 #[cfg(feature = "alloc")]

@@ -31,7 +31,7 @@ impl<S> Job<'_, S> {
     /// let leg = Hierarchy::new(&parents)?;
     /// let rest = [0.0_f32, -1.0].map(|y| DualQuat::from_translation([0.0, y, 0.0]));
     /// let mut models = rest;
-    /// leg.local_to_model_in_place(&mut models)?;
+    /// leg.job().local_to_model_in_place(&mut models)?;
     /// let inverse_binds = models.map(|model| model.conjugate());
     /// // In the rest pose no vertex moves.
     /// let mut palette = [[[0.0; 4]; 3]; 2];

@@ -12,7 +12,7 @@ use super::error::HierarchyError;
 /// let leg = Hierarchy::new(&parents)?;
 /// let down = DualQuat::from_translation([0.0_f32, -1.0, 0.0]);
 /// let mut poses = [down; 4];
-/// leg.local_to_model_in_place(&mut poses)?;
+/// leg.job().local_to_model_in_place(&mut poses)?;
 /// assert_eq!(poses[2].translation(), [0.0, -3.0, 0.0]);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```

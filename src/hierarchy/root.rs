@@ -41,10 +41,20 @@ impl<E: Element<8>> Roots<E> for &[E] {
     }
 }
 
+impl<E: Element<8>> Roots<E> for Root<'_, E> {
+    fn root(&self) -> Root<'_, E> {
+        self.clone()
+    }
+    fn count(&self) -> Option<usize> {
+        if let Self::Each(roots) = self { Some(roots.len()) } else { None }
+    }
+}
+
 mod sealed {
-    use super::{DualQuat, NoRoot};
+    use super::{DualQuat, Element, NoRoot, Root};
     pub trait Sealed {}
     impl Sealed for NoRoot {}
     impl<R> Sealed for DualQuat<R> {}
     impl<E> Sealed for &[E] {}
+    impl<E: Element<8>> Sealed for Root<'_, E> {}
 }

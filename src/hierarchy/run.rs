@@ -17,7 +17,7 @@ pub(super) struct Run<'a, E: Element<8>> {
     pub(super) renormalize: Renormalize,
 }
 
-/// What joints without a parent stand on.
+/// What root joints stand on.
 #[derive(Clone, Debug)]
 pub enum Root<'a, E: Element<8>> {
     /// Nothing: their local pose is their model pose.

@@ -32,7 +32,7 @@ use alloc::vec::Vec;
 /// let (mut models, mut palette) = ([DualQuat::default(); 3], [[[0.0; 4]; 3]; 3]);
 /// let locals = Rotations { rotations: &[Quat::IDENTITY; 3], offsets: &rig.offsets };
 /// let job = rig.skeleton.job().root(DualQuat::from_translation([0.0, 5.0, 0.0]));
-/// job.locals_to_palette(locals, &mut models, &[DualQuat::IDENTITY; 3], &mut palette)?;
+/// job.palette_and_models(locals, &mut models, &[DualQuat::IDENTITY; 3], &mut palette)?;
 /// assert_eq!(models[2].translation(), [0.0, 3.0, 0.0]);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```

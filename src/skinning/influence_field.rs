@@ -70,7 +70,7 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
     /// let (mut posed, fields) = (rest, VertexFields::positions(6));
     /// let from = (bytemuck::cast_slice(&rest), fields);
     /// let to = (bytemuck::cast_slice_mut(&mut posed), fields);
-    /// Backend::best().skin_interleaved(&skin, DualBlend::new(&palette), from, to)?;
+    /// skin.job().pose_interleaved(DualBlend::new(&palette), from, to)?;
     /// assert_eq!(posed.map(|vertex| vertex.position[2]), [3.0, 6.0]);
     /// # Ok::<(), dq8::skinning::SkinningError>(())
     /// ```

@@ -17,7 +17,7 @@ use dq8_simd::{Float, Level};
 /// let out = DualQuat::from_translation([2.0_f64, 0.0, 0.0]);
 /// let wheel = OwnedMechanism::new(&[Joint::revolute(None, out, [0.0, 0.0, 1.0])])?;
 /// let (mut poses, mut columns) = ([DualQuat::IDENTITY], [LinearFirst([0.0; 6])]);
-/// Backend::best().link_jacobians(World, wheel.view(), &[0], &[0.0], &mut poses, &mut columns)?;
+/// wheel.job().links(&[0]).jacobians(World, &[0.0], &mut poses, &mut columns)?;
 /// assert_eq!(columns[0], LinearFirst([0.0, -2.0, 0.0, 0.0, 0.0, 1.0]));
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```

@@ -4,7 +4,7 @@
 use crate::kinematics::after;
 use crate::records::Place;
 use dq8::mechanism::Reach;
-use dq8::skinning::{DualBlend, Linear};
+use dq8::skinning::{DualBlend, Job, Linear};
 use dq8::{Backend, Block, simd};
 
 type Block16 = Block<f32, 16>;
@@ -18,8 +18,8 @@ pub fn instances() -> [*const (); 20] {
         Backend::reach_links::<f64> as *const (),
         Reach::<f32>::solve as *const (),
         Reach::<f64>::solve as *const (),
-        Backend::skin::<u16, f32, Linear<'_, f32>, [f32; 3]> as *const (),
-        Backend::skin::<u16, f32, DualBlend<'_, f32>, [f32; 3]> as *const (),
+        Job::<u16, f32>::pose::<Linear<'_, f32>, [f32; 3]> as *const (),
+        Job::<u16, f32>::pose::<DualBlend<'_, f32>, [f32; 3]> as *const (),
         Backend::normalize::<Block16> as *const (),
         Backend::mul_in_place::<Block16> as *const (),
         Backend::mul_left_in_place::<Block16> as *const (),

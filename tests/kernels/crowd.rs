@@ -200,7 +200,7 @@ fn crowds_of_less_than_motions_and_of_matrices_serve_a_job() {
     let (job, binds) = (hierarchy.job(), [DualQuat::IDENTITY; 3]);
     let locals = Rotations { rotations: rotations.blocks(), offsets: &offsets };
     let (to, palette) = (models.blocks_mut(), matrices.blocks_mut());
-    job.locals_to_palette(locals, to, &binds, palette).expect("they fit");
+    job.palette_and_models(locals, to, &binds, palette).expect("they fit");
     let mut others = Crowd::<f64, 4>::new(3, 11);
     let locals = RotationsTranslations(both.blocks());
     job.locals_to_model(locals, others.blocks_mut()).expect("they fit");

@@ -150,11 +150,6 @@ fn a_range_that_ends_before_it_starts_or_beyond_the_joints_is_refused() {
                 wanted.clone()
             });
         }
-        for_every_subject(|subject, backend| {
-            let task = Task { joints: range.clone(), ..Task::new(&ARM, backend) };
-            assert_eq!(subject.try_velocities(&task, [3; 3]).as_ref(), Err(&wanted));
-            assert_eq!(subject.try_jacobian(&task, [3; 3], 0).as_ref(), Err(&wanted));
-        });
     }
 }
 
@@ -166,48 +161,4 @@ fn any_number_of_roots_but_one_an_instance_is_refused() {
             ShapeError::Length { what: "roots", length, expected: instances }
         });
     }
-}
-
-/// The last of `root` and `roots` counts, so a wrong number of roots is forgotten with them.
-#[test]
-fn a_shared_root_takes_the_place_of_roots() {
-    let arm = Hierarchy::new(&ARM).expect("parents come first");
-    let one = DualQuat::<f64>::IDENTITY;
-    let roots = [one; 5];
-    let job = arm.job().roots(&roots).root(one);
-    job.local_to_model_in_place(&mut [one; 3]).expect("there is one root");
-    let one = Block::<f32, 8>::splat([1.0; 8]);
-    let roots = [one; 5];
-    let job = arm.job().roots(&roots).root(DualQuat::IDENTITY);
-    job.local_to_model_in_place(&mut [one; 3]).expect("there is one root");
-    // And the other way round.
-    let job = arm.job().root(DualQuat::IDENTITY).roots(&roots);
-    job.local_to_model_in_place(&mut [one; 3]).unwrap_err();
-}
-
-#[test]
-fn twists_that_do_not_fit_are_refused() {
-    let length = |what, length, expected| Err(ShapeError::Length { what, length, expected });
-    for_every_subject(|subject, backend| {
-        let arm = Task::new(&ARM, backend);
-        let whole = Err(ShapeError::NotWhole { what: "models", length: 7, joints: 3 });
-        assert_eq!(subject.try_velocities(&arm, [7, 7, 7]), whole);
-        assert_eq!(subject.try_jacobian(&arm, [7, 3, 7], 0), whole);
-        assert_eq!(subject.try_velocities(&arm, [6, 5, 6]), length("rates", 5, 6));
-        assert_eq!(subject.try_velocities(&arm, [6, 6, 7]), length("twists", 7, 6));
-        assert_eq!(subject.try_jacobian(&arm, [6, 4, 6], 0), length("axes", 4, 3));
-        assert_eq!(subject.try_jacobian(&arm, [6, 3, 7], 0), length("columns", 7, 6));
-        for effector in [3, usize::MAX] {
-            let range = effector..effector.saturating_add(1);
-            let joints = Err(ShapeError::Joints { range, joints: 3 });
-            assert_eq!(subject.try_jacobian(&arm, [6, 3, 6], effector), joints);
-        }
-        // No instances, and no joints.
-        assert_eq!(subject.try_velocities(&arm, [0; 3]), Ok(()));
-        assert_eq!(subject.try_jacobian(&arm, [0, 3, 0], 2), Ok(()));
-        let nothing = Task { root: Root::None, ..Task::new(&[], backend) };
-        assert_eq!(subject.try_velocities(&nothing, [0; 3]), Ok(()));
-        let joints = Err(ShapeError::Joints { range: 0..1, joints: 0 });
-        assert_eq!(subject.try_jacobian(&nothing, [0; 3], 0), joints);
-    });
 }

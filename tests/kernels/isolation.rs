@@ -183,50 +183,6 @@ fn a_model_that_is_no_number_reaches_its_own_local_and_its_childrens_only() {
 }
 
 #[test]
-fn a_twist_that_is_no_number_reaches_the_descendants_and_a_column_no_other() {
-    let scene = Scene::new(&PARENTS, MAX_INSTANCES, 44);
-    let (clean, effector) = (scene.poses(MAX_INSTANCES), 16);
-    let rates: Vec<[f64; 6]> =
-        clean.iter().map(|[a, b, c, d, e, f, ..]| [*a, *b, *c, *d, *e, *f]).collect();
-    for_every_subject(|subject, backend| {
-        let instances = instances(subject);
-        let count = instances * PARENTS.len();
-        let (clean, rates) = (&clean[..count], &rates[..count]);
-        let task = Task::new(&PARENTS, backend);
-        let run = |models: &[[f64; 8]], rates: &[[f64; 6]], axes: &[[f64; 6]]| {
-            (
-                subject.velocities(&task, models, rates, rates),
-                subject.jacobian(&task, models, axes, effector, rates),
-            )
-        };
-        let axes = &rates[..PARENTS.len()];
-        let without = run(clean, rates, axes);
-        for (at, of, component, poison) in places(instances).chain([(1, 14, 2, f64::NAN)]) {
-            let what = what(subject, backend, (at, of, component), poison);
-            let index = at * PARENTS.len() + of;
-            let (mut models, mut turned) = (clean.to_vec(), rates.to_vec());
-            models[index][component] = poison;
-            turned[index][component % 6] = poison;
-            let here = |instance: usize, joint: usize| instance == at && joint == of;
-            let below = |instance, joint| instance == at && descends(joint, of);
-
-            let with = run(&models, rates, axes);
-            assert_untouched(&with.0, &without.0, &what, below);
-            assert_untouched(&with.1, &without.1, &what, here);
-            assert_eq!(is_finite(&with.1[index]), !descends(effector, of), "{what}");
-            let with = run(clean, &turned, axes);
-            assert_untouched(&with.0, &without.0, &what, below);
-            assert!(!is_finite(&with.0[index]), "{what}: it is lost");
-            let mut turned = axes.to_vec();
-            turned[of][component % 6] = poison;
-            let with = run(clean, rates, &turned);
-            assert_untouched(&with.1, &without.1, &what, |_, joint| joint == of);
-            assert_eq!(is_finite(&with.1[of]), !descends(effector, of), "{what}");
-        }
-    });
-}
-
-#[test]
 fn a_link_that_is_no_number_reaches_the_products_from_it_on_only() {
     for_every_subject(|subject, backend| {
         for length in [1, 9, 50, 131] {

@@ -83,7 +83,7 @@ fn transforms_are_the_same<L: Memory>() {
         let translations = &lay::<L, 3>(PARENTS.len(), &shifts[some])[..];
         let transforms = Transforms { rotations, translations };
         for backend in Backend::available() {
-            let job = hierarchy.job::<L::Record<8>>().backend(backend);
+            let job = hierarchy.job().backend(backend);
             let empty = lay::<L, 8>(PARENTS.len(), &vec![[f64::NAN; 8]; some.end]);
             let (mut models, mut wanted, mut layered) = (empty.clone(), empty.clone(), empty);
             job.locals_to_model(transforms, &mut models).expect("they fit");
@@ -138,7 +138,7 @@ fn a_range_of_joints_writes_its_own_entries_only() {
 fn what_does_not_fit_is_refused_and_nothing_is_written() {
     const JOINTS: usize = PARENTS.len();
     let hierarchy = Hierarchy::new(&PARENTS).expect("a hierarchy");
-    let job = hierarchy.job::<DualQuat<f32>>();
+    let job = hierarchy.job();
     let turns = [Quat::<f32>::IDENTITY; JOINTS];
     let offsets = [[0.0_f32; 3]; JOINTS];
     let binds = [DualQuat::<f32>::IDENTITY; JOINTS];
@@ -154,11 +154,11 @@ fn what_does_not_fit_is_refused_and_nothing_is_written() {
     let all = rotations(JOINTS, JOINTS);
     assert_eq!(job.locals_to_model(all, &mut models[1..]), length("models", 10, 11));
     assert_eq!(
-        job.locals_to_palette(all, &mut models, &binds[1..], &mut palette),
+        job.palette_and_models(all, &mut models, &binds[1..], &mut palette),
         length("inverse_binds", 10, 11)
     );
     assert_eq!(
-        job.locals_to_palette(all, &mut models, &binds, &mut palette[1..]),
+        job.palette_and_models(all, &mut models, &binds, &mut palette[1..]),
         length("palette", 10, 11)
     );
     let apart = Transforms { rotations: &turns, translations: &offsets[1..] };
@@ -178,7 +178,7 @@ fn offsets_are_one_for_each_joint_and_not_for_each_block() {
     assert_eq!(answer, Err(ShapeError::Length { what: "offsets", length: 22, expected: 11 }));
     let mut palette = models.clone();
     let binds = [DualQuat::IDENTITY; 22];
-    let answer = hierarchy.job().locals_to_palette(
+    let answer = hierarchy.job().palette_and_models(
         Poses(&models.clone()),
         &mut models,
         &binds,

@@ -27,4 +27,3 @@ mod scene;
 mod slice_lengths;
 mod slices;
 mod subject;
-mod velocity;

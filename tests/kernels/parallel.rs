@@ -3,7 +3,7 @@
 use crate::scene::{Scene, motions, step};
 use dq8::{
     Backend, Block, Crowd, DualQuat, Hierarchy, Quat, ShapeError,
-    hierarchy::{MatrixOrder, Poses, Renormalize, Rotations, RotationsTranslations},
+    hierarchy::{MatrixOrder, Poses, Renormalize, Root, Rotations, RotationsTranslations},
 };
 use dq8_contract::random::Random;
 
@@ -23,14 +23,17 @@ fn crowd(instances: usize) -> Crowd<f32, 8> {
 }
 
 /// Jobs of every kind; `roots` are one for each instance.
-fn jobs<'a, E: dq8::Element<8>>(hierarchy: &Hierarchy<'a>, roots: &'a [E]) -> [dq8::Job<'a, E>; 4] {
+fn jobs<'a, E: dq8::Element<8>>(
+    hierarchy: &Hierarchy<'a>,
+    roots: &'a [E],
+) -> [dq8::Job<'a, Root<'a, E>>; 4] {
     let every = Renormalize::Every(3.try_into().expect("not 0"));
     let root = DualQuat::from_translation([1.0, 2.0, 3.0].map(dq8::Real::from_f64));
     [
-        hierarchy.job().backend(Backend::PORTABLE),
-        hierarchy.job().root(root),
-        hierarchy.job().roots(roots).matrix_order(MatrixOrder::Columns),
-        hierarchy.job().joints(1..4).renormalize(every),
+        hierarchy.job().on(Root::None).backend(Backend::PORTABLE),
+        hierarchy.job().on(Root::Same(root)),
+        hierarchy.job().on(Root::Each(roots)).matrix_order(MatrixOrder::Columns),
+        hierarchy.job().on(Root::None).joints(1..4).renormalize(every),
     ]
 }
 
@@ -43,10 +46,16 @@ fn all_cores_compute_the_bits_of_one() {
         for job in jobs(&hierarchy, &roots) {
             let (mut one, mut all) = (locals.clone(), locals.clone());
             job.local_to_model(locals.blocks(), one.blocks_mut()).expect("they fit");
-            job.par_local_to_model(locals.blocks(), all.blocks_mut()).expect("they fit");
+            job.clone()
+                .threads(usize::MAX)
+                .local_to_model(locals.blocks(), all.blocks_mut())
+                .expect("they fit");
             assert_eq!(one, all);
             let mut in_place = locals.clone();
-            job.par_local_to_model_in_place(in_place.blocks_mut()).expect("they fit");
+            job.clone()
+                .threads(usize::MAX)
+                .local_to_model_in_place(in_place.blocks_mut())
+                .expect("they fit");
             assert_eq!(one, in_place);
         }
     }
@@ -62,10 +71,13 @@ fn all_cores_compute_the_bits_of_one_of_plain_motions() {
         for job in jobs(&hierarchy, &roots) {
             let (mut one, mut all) = (locals.clone(), locals.clone());
             job.local_to_model(&locals, &mut one).expect("they fit");
-            job.par_local_to_model(&locals, &mut all).expect("they fit");
+            job.clone().threads(usize::MAX).local_to_model(&locals, &mut all).expect("they fit");
             assert!(one == all, "{instances} instances");
             let mut in_place = locals.clone();
-            job.par_local_to_model_in_place(&mut in_place).expect("they fit");
+            job.clone()
+                .threads(usize::MAX)
+                .local_to_model_in_place(&mut in_place)
+                .expect("they fit");
             assert!(one == in_place, "{instances} instances, in place");
         }
     }
@@ -94,27 +106,35 @@ fn all_cores_compute_the_bits_of_one_of_every_form_and_palette() {
             let (mut one, mut all) = (locals.clone(), locals.clone());
             let turned = Rotations { rotations: &turns, offsets: &offsets };
             job.locals_to_model(turned, &mut one).expect("they fit");
-            job.par_locals_to_model(turned, &mut all).expect("they fit");
+            job.clone().threads(usize::MAX).locals_to_model(turned, &mut all).expect("they fit");
             assert!(one == all, "{instances} instances, rotations");
 
             let (mut motions, mut par_motions) = (locals.clone(), locals.clone());
-            job.locals_to_palette(turned, &mut one, &binds, &mut motions).expect("they fit");
-            job.par_locals_to_palette(turned, &mut all, &binds, &mut par_motions)
+            job.palette_and_models(turned, &mut one, &binds, &mut motions).expect("they fit");
+            job.clone()
+                .threads(usize::MAX)
+                .palette_and_models(turned, &mut all, &binds, &mut par_motions)
                 .expect("they fit");
             assert!(one == all && motions == par_motions, "{instances} instances, motions");
 
             let mut small = vec![[[0.0_f32; 4]; 3]; locals.len()];
             let mut par_small = small.clone();
             let given = Poses(&locals[..]);
-            job.locals_to_palette(given, &mut one, &binds, &mut small).expect("they fit");
-            job.par_locals_to_palette(given, &mut all, &binds, &mut par_small).expect("they fit");
+            job.palette_and_models(given, &mut one, &binds, &mut small).expect("they fit");
+            job.clone()
+                .threads(usize::MAX)
+                .palette_and_models(given, &mut all, &binds, &mut par_small)
+                .expect("they fit");
             assert!(one == all && small == par_small, "{instances} instances, 3 by 4");
 
             let mut large = vec![[[0.0_f32; 4]; 4]; locals.len()];
             let mut par_large = large.clone();
             let given = RotationsTranslations(&both);
-            job.locals_to_palette(given, &mut one, &binds, &mut large).expect("they fit");
-            job.par_locals_to_palette(given, &mut all, &binds, &mut par_large).expect("they fit");
+            job.palette_and_models(given, &mut one, &binds, &mut large).expect("they fit");
+            job.clone()
+                .threads(usize::MAX)
+                .palette_and_models(given, &mut all, &binds, &mut par_large)
+                .expect("they fit");
             assert!(one == all && large == par_large, "{instances} instances, 4 by 4");
         }
         // And crowds of less than motions, with palettes of matrices.
@@ -124,35 +144,34 @@ fn all_cores_compute_the_bits_of_one_of_every_form_and_palette() {
         let mut matrices = Crowd::<f32, 8, 12>::new(PARENTS.len(), instances);
         let mut par_matrices = matrices.clone();
         let job = hierarchy.job();
-        job.locals_to_palette(locals, one.blocks_mut(), &binds, matrices.blocks_mut())
+        job.palette_and_models(locals, one.blocks_mut(), &binds, matrices.blocks_mut())
             .expect("they fit");
-        job.par_locals_to_palette(locals, all.blocks_mut(), &binds, par_matrices.blocks_mut())
+        job.clone()
+            .threads(usize::MAX)
+            .palette_and_models(locals, all.blocks_mut(), &binds, par_matrices.blocks_mut())
             .expect("they fit");
         assert!(one == all && matrices == par_matrices, "{instances} instances in blocks");
     }
 }
 
+/// Palettes whose models go through scratch memory, of which each thread has a part: of enough for all, for two, for one.
 #[test]
-fn a_chain_in_segments_of_threads_is_the_chain() {
-    let backend = Backend::best();
-    // None, less than a segment, whole segments, and a rest.
-    for length in [0, 100, 4096, 9001] {
-        let turns = motions(&mut Random(8), length);
-        let mut all: Vec<_> = turns
-            .iter()
-            .map(|turn| {
-                DualQuat::from_rotation(Quat::from_array([turn[0], turn[1], turn[2], turn[3]]))
-            })
-            .collect();
-        let one = all.clone();
-        backend.par_chain_products_in_place(&mut all);
-        let mut product = DualQuat::<f64>::IDENTITY;
-        for (i, (link, got)) in one.iter().zip(&all).enumerate() {
-            product = product * *link;
-            for (a, b) in product.to_array().iter().zip(got.to_array()) {
-                // Thousands of products in another order, each off by a roundoff.
-                assert!((a - b).abs() < 1e-13, "link {i} of {length}: {a} {b}");
-            }
+fn all_cores_compute_the_bits_of_one_of_palettes_without_models() {
+    let hierarchy = Hierarchy::new(&PARENTS).expect("a hierarchy");
+    let binds = [DualQuat::from_translation([0.5, 1.0, -2.0]); 5];
+    for instances in INSTANCES {
+        let locals = poses(instances);
+        let roots: Vec<_> = locals.iter().step_by(PARENTS.len()).copied().collect();
+        let job = hierarchy.job().roots(&roots);
+        let mut one = vec![[[0.0_f32; 4]; 3]; locals.len()];
+        let mut scratch = vec![DualQuat::IDENTITY; 16 * PARENTS.len()];
+        job.palette(Poses(&locals), &mut scratch, &binds, &mut one).expect("they fit");
+        for held in [1, 16, 33, 1000] {
+            let mut scratch = vec![DualQuat::IDENTITY; held * PARENTS.len()];
+            let mut all = vec![[[0.0_f32; 4]; 3]; locals.len()];
+            let job = job.clone().threads(3);
+            job.palette(Poses(&locals), &mut scratch, &binds, &mut all).expect("they fit");
+            assert!(one == all, "{instances} instances, scratch for {held}");
         }
     }
 }
@@ -164,13 +183,18 @@ fn what_does_not_fit_is_refused_and_nothing_is_written() {
     let before = crowd.clone();
     let blocks: &[Block<f32, 8>] = before.blocks();
     let roots = &blocks[..7];
-    let error = hierarchy.job().roots(roots).par_local_to_model_in_place(crowd.blocks_mut());
+    let error = hierarchy
+        .job()
+        .roots(roots)
+        .threads(usize::MAX)
+        .local_to_model_in_place(crowd.blocks_mut());
     assert_eq!(error, Err(ShapeError::Length { what: "roots", length: 7, expected: 625 }));
-    let error = hierarchy.job().par_local_to_model(&blocks[5..], crowd.blocks_mut());
+    let error =
+        hierarchy.job().threads(usize::MAX).local_to_model(&blocks[5..], crowd.blocks_mut());
     assert!(matches!(error, Err(ShapeError::Length { what: "models", .. })), "{error:?}");
     let binds = [DualQuat::IDENTITY; 4];
     let mut palette = before.clone();
-    let error = hierarchy.job().par_locals_to_palette(
+    let error = hierarchy.job().threads(usize::MAX).palette_and_models(
         Poses(blocks),
         crowd.blocks_mut(),
         &binds,

@@ -172,7 +172,7 @@ fn a_palette_through_scratch_has_the_bits_of_one_with_all_models() {
     let binds = single(scene.binds());
     let job = hierarchy.job().roots(&roots);
     let (mut models, mut wanted) = (poses.clone(), vec![[[0.0_f32; 4]; 3]; poses.len()]);
-    job.locals_to_palette(Poses(&poses), &mut models, &binds, &mut wanted).expect("they fit");
+    job.palette_and_models(Poses(&poses), &mut models, &binds, &mut wanted).expect("they fit");
     for instances in [1, 2, 16, 33, 40] {
         let mut scratch = vec![DualQuat::IDENTITY; instances * JOINTS];
         let mut palette = vec![[[0.0_f32; 4]; 3]; poses.len()];
@@ -192,7 +192,7 @@ fn a_palette_through_scratch_has_the_bits_of_one_with_all_models() {
     let mut models = crowd.clone();
     let mut wanted = dq8::Crowd::<f32, 8, 12>::new(JOINTS, 33);
     let given = Poses(crowd.blocks());
-    job.locals_to_palette(given, models.blocks_mut(), &binds, wanted.blocks_mut()).expect("fit");
+    job.palette_and_models(given, models.blocks_mut(), &binds, wanted.blocks_mut()).expect("fit");
     let mut palette = dq8::Crowd::<f32, 8, 12>::new(JOINTS, 33);
     let mut scratch = models.blocks()[..2 * JOINTS].to_vec();
     job.palette(given, &mut scratch, &binds, palette.blocks_mut()).expect("they fit");

@@ -8,7 +8,7 @@ use core::ops::Range;
 use dq8::simd::Float;
 use dq8::storage::{AoSoA, Aos};
 use dq8::{
-    Backend, DualQuat, Hierarchy, Job, ShapeError, Twist,
+    Backend, DualQuat, Hierarchy, Job, ShapeError, hierarchy,
     hierarchy::{MatrixOrder, Poses, Renormalize, Rotations, RotationsTranslations},
 };
 
@@ -91,23 +91,6 @@ pub(crate) trait Subject {
         models: Option<&[[f64; 8]]>,
         locals: &[[f64; 8]],
     ) -> Vec<[f64; 8]>;
-    /// Over `twists`.
-    fn velocities(
-        &self,
-        task: &Task,
-        models: &[[f64; 8]],
-        rates: &[[f64; 6]],
-        twists: &[[f64; 6]],
-    ) -> Vec<[f64; 6]>;
-    /// Over `columns`.
-    fn jacobian(
-        &self,
-        task: &Task,
-        models: &[[f64; 8]],
-        axes: &[[f64; 6]],
-        effector: usize,
-        columns: &[[f64; 6]],
-    ) -> Vec<[f64; 6]>;
     /// Of one chain, in place and out of place, which are the same to the last bit.
     fn chain(&self, backend: Backend, links: &[[f64; 8]]) -> Vec<[f64; 8]>;
     /// An operation on slices, of which the results follow one another; in place, where that can be,
@@ -122,15 +105,6 @@ pub(crate) trait Subject {
         run: Run,
         lengths: [usize; 2],
         roots: Option<usize>,
-    ) -> Result<(), ShapeError>;
-    /// Velocities of `lengths` models, rates and twists, which are not written if refused.
-    fn try_velocities(&self, task: &Task, lengths: [usize; 3]) -> Result<(), ShapeError>;
-    /// A Jacobian of `lengths` models, axes and columns, which are not written if refused.
-    fn try_jacobian(
-        &self,
-        task: &Task,
-        lengths: [usize; 3],
-        effector: usize,
     ) -> Result<(), ShapeError>;
 }
 
@@ -173,15 +147,18 @@ impl<L: Memory> In<L> {
         }
     }
 
-    fn job<'a>(task: &Task<'a>, roots: &'a [L::Record<8>]) -> Job<'a, L::Record<8>> {
+    fn job<'a>(
+        task: &Task<'a>,
+        roots: &'a [L::Record<8>],
+    ) -> Job<'a, hierarchy::Root<'a, L::Record<8>>> {
         let hierarchy = Hierarchy::new(task.parents).expect("parents come first");
         let job = hierarchy.job().backend(task.backend).joints(task.joints.clone());
         let job = job.renormalize(task.renormalize).matrix_order(task.order);
-        match task.root {
-            Root::None => job,
-            Root::Same(root) => job.root(DualQuat::from_array(round(root))),
-            Root::Each(_) => job.roots(roots),
-        }
+        job.on(match task.root {
+            Root::None => hierarchy::Root::None,
+            Root::Same(root) => hierarchy::Root::Same(DualQuat::from_array(round(root))),
+            Root::Each(_) => hierarchy::Root::Each(roots),
+        })
     }
 
     /// `number` in as many elements.
@@ -260,7 +237,7 @@ impl<L: Memory> Subject for In<L> {
                 let locals = lay::<L, 8>(joints, locals);
                 let mut palette = Self::all::<12>(before, models.len());
                 let locals = Poses(&locals);
-                job.locals_to_palette(locals, &mut models, &binds, &mut palette).expect(FITS);
+                job.palette_and_models(locals, &mut models, &binds, &mut palette).expect(FITS);
                 read::<L, 12>(joints, &palette).iter().map(|entry| entry.to_vec()).collect()
             }
             Given::InPlace => panic!("a palette needs locals of its own"),
@@ -268,7 +245,7 @@ impl<L: Memory> Subject for In<L> {
                 let locals = lay::<L, 7>(joints, locals);
                 let mut palette = Self::all::<16>(before, models.len());
                 let locals = RotationsTranslations(&locals);
-                job.locals_to_palette(locals, &mut models, &binds, &mut palette).expect(FITS);
+                job.palette_and_models(locals, &mut models, &binds, &mut palette).expect(FITS);
                 read::<L, 16>(joints, &palette).iter().map(|entry| entry.to_vec()).collect()
             }
             Given::Rotations(rotations, offsets) => {
@@ -276,7 +253,7 @@ impl<L: Memory> Subject for In<L> {
                 let offsets: Vec<_> = offsets.iter().map(|offset| round(*offset)).collect();
                 let mut palette = Self::all::<8>(before, models.len());
                 let locals = Rotations { rotations: &rotations, offsets: &offsets };
-                job.locals_to_palette(locals, &mut models, &binds, &mut palette).expect(FITS);
+                job.palette_and_models(locals, &mut models, &binds, &mut palette).expect(FITS);
                 read::<L, 8>(joints, &palette).iter().map(|entry| entry.to_vec()).collect()
             }
         };
@@ -299,36 +276,6 @@ impl<L: Memory> Subject for In<L> {
         };
         answer.expect(FITS);
         read::<L, 8>(joints, &locals)
-    }
-
-    fn velocities(
-        &self,
-        task: &Task,
-        models: &[[f64; 8]],
-        rates: &[[f64; 6]],
-        twists: &[[f64; 6]],
-    ) -> Vec<[f64; 6]> {
-        let joints = task.parents.len();
-        let (models, rates) = (lay::<L, 8>(joints, models), lay::<L, 6>(joints, rates));
-        let mut twists = lay::<L, 6>(joints, twists);
-        Self::job(task, &[]).velocities(&models, &rates, &mut twists).expect(FITS);
-        read::<L, 6>(joints, &twists)
-    }
-
-    fn jacobian(
-        &self,
-        task: &Task,
-        models: &[[f64; 8]],
-        axes: &[[f64; 6]],
-        effector: usize,
-        columns: &[[f64; 6]],
-    ) -> Vec<[f64; 6]> {
-        let joints = task.parents.len();
-        let models = lay::<L, 8>(joints, models);
-        let axes: Vec<_> = axes.iter().map(|axis| Twist::from_array(round(*axis))).collect();
-        let mut columns = lay::<L, 6>(joints, columns);
-        Self::job(task, &[]).jacobian(&models, &axes, effector, &mut columns).expect(FITS);
-        read::<L, 6>(joints, &columns)
     }
 
     fn chain(&self, backend: Backend, links: &[[f64; 8]]) -> Vec<[f64; 8]> {
@@ -358,10 +305,11 @@ impl<L: Memory> Subject for In<L> {
     ) -> Result<(), ShapeError> {
         let (from, mut to) = (Self::all::<8>(0.25, input), Self::all::<8>(0.5, output));
         let roots = roots.map(|roots| Self::all::<8>(1.0, roots));
-        let mut job = Self::job(task, &[]);
-        if let Some(roots) = &roots {
-            job = job.roots(roots);
-        }
+        let task = match &roots {
+            Some(_) => &Task { root: Root::Each(&[]), ..task.clone() },
+            None => task,
+        };
+        let job = Self::job(task, roots.as_deref().unwrap_or_default());
         let answer = match run {
             Run::LocalToModel => job.local_to_model(&from, &mut to),
             Run::LocalToModelInPlace => job.local_to_model_in_place(&mut to),
@@ -369,29 +317,5 @@ impl<L: Memory> Subject for In<L> {
             Run::ModelToLocalInPlace => job.model_to_local_in_place(&mut to),
         };
         Self::unwritten::<8>(answer, &to, 0.5)
-    }
-
-    fn try_velocities(
-        &self,
-        task: &Task,
-        [models, rates, twists]: [usize; 3],
-    ) -> Result<(), ShapeError> {
-        let (models, rates) = (Self::all::<8>(1.0, models), Self::all::<6>(1.0, rates));
-        let mut twists = Self::all::<6>(7.0, twists);
-        let answer = Self::job(task, &[]).velocities(&models, &rates, &mut twists);
-        Self::unwritten::<6>(answer, &twists, 7.0)
-    }
-
-    fn try_jacobian(
-        &self,
-        task: &Task,
-        [models, axes, columns]: [usize; 3],
-        effector: usize,
-    ) -> Result<(), ShapeError> {
-        let models = Self::all::<8>(1.0, models);
-        let axes = vec![Twist::from_array(round([1.0; 6])); axes];
-        let mut columns = Self::all::<6>(7.0, columns);
-        let answer = Self::job(task, &[]).jacobian(&models, &axes, effector, &mut columns);
-        Self::unwritten::<6>(answer, &columns, 7.0)
     }
 }

@@ -99,11 +99,11 @@ fn slices_that_do_not_fit_are_left_as_they_were() {
     let length = |what, length, expected| Err(ShapeError::Length { what, length, expected });
     assert_eq!(robot.link_poses(&[0.0; 3], &mut poses[..2]), length("values", 3, 2));
     assert_eq!(robot.link_poses(&[0.0; 2], &mut poses), length("poses", 4, 2));
-    assert_eq!(backend.link_poses(robot, &[0.0; 2], &mut poses), length("values", 2, 4));
+    assert_eq!(robot.job().backend(backend).poses(&[0.0; 2], &mut poses), length("values", 2, 4));
     let whole = Err(ShapeError::NotWhole { what: "poses", length: 3, joints: 2 });
-    assert_eq!(backend.link_poses(robot, &[0.0; 4], &mut poses[..3]), whole);
+    assert_eq!(robot.job().backend(backend).poses(&[0.0; 4], &mut poses[..3]), whole);
     let no_link = ShapeError::NoLink { link: 2, links: 2 };
-    let chosen = backend.chosen_link_poses(robot, &[2], &[0.0; 4], &mut poses[..2]);
+    let chosen = robot.job().links(&[2]).backend(backend).poses(&[0.0; 4], &mut poses[..2]);
     assert_eq!(chosen, Err(no_link.clone()));
     assert_eq!(no_link.to_string(), "there is no link 2: the mechanism has 2, counted from 0");
     let mut columns = [Twist::from_array([0.0; 6]); 2];

@@ -47,12 +47,12 @@ fn lanes_agree_with_one_configuration_for_every_backend_and_layout() {
         for backend in Backend::available() {
             let what = format!("{backend}, {count} joints, {configurations} configurations");
             let mut poses = vec![DualQuat::IDENTITY; wanted.len()];
-            backend.link_poses(robot, &values, &mut poses).unwrap();
+            robot.job().backend(backend).poses(&values, &mut poses).unwrap();
             for (&pose, &wanted) in poses.iter().zip(&wanted) {
                 close(pose, wanted, POSES, &what);
             }
             let mut floating = vec![DualQuat::<f32>::IDENTITY; wanted.len()];
-            backend.link_poses(narrow, &floats, &mut floating).unwrap();
+            narrow.job().backend(backend).poses(&floats, &mut floating).unwrap();
             for (pose, &wanted) in floating.iter().zip(&wanted) {
                 close(
                     DualQuat::from_array(pose.to_array().map(f64::from)),
@@ -65,7 +65,7 @@ fn lanes_agree_with_one_configuration_for_every_backend_and_layout() {
             let blocks = configurations.div_ceil(8);
             let mut packed = vec![Block::<f64, 8>::splat([0.0; 8]); blocks * count];
             if !values.is_empty() {
-                backend.link_poses(robot, &values, &mut packed).unwrap();
+                robot.job().backend(backend).poses(&values, &mut packed).unwrap();
                 in_blocks(&packed, &poses, count, &what);
             }
             // Both in blocks.
@@ -76,12 +76,12 @@ fn lanes_agree_with_one_configuration_for_every_backend_and_layout() {
                 block.set(configuration % 8, [value]).unwrap();
             }
             packed.fill(Block::splat([0.0; 8]));
-            backend.link_poses(robot, &inputs, &mut packed).unwrap();
+            robot.job().backend(backend).poses(&inputs, &mut packed).unwrap();
             in_blocks(&packed, &poses, count, &what);
             // Some of them, one twice.
             let links = [count - 1, count / 2, count - 1];
             let mut chosen = vec![DualQuat::IDENTITY; 3 * configurations];
-            backend.chosen_link_poses(robot, &links, &values, &mut chosen).unwrap();
+            robot.job().links(&links).backend(backend).poses(&values, &mut chosen).unwrap();
             for (index, pose) in chosen.into_iter().enumerate() {
                 let all = &poses[index / 3 * count..];
                 assert_eq!(pose, all[links[index % 3]], "{what}, chosen");
@@ -106,16 +106,16 @@ fn nothing_is_computed_of_nothing() {
     let no_poses: &mut [DualQuat<f64>] = &mut [];
     let no_values: &[f64] = &[];
     for backend in Backend::available() {
-        backend.link_poses(owned.view(), no_values, no_poses).unwrap();
+        owned.job().backend(backend).poses(no_values, no_poses).unwrap();
         let hinge = [Joint::revolute(None, DualQuat::IDENTITY, [0.0, 0.0, 1.0])];
         let hinge = OwnedMechanism::new(&hinge).unwrap();
-        backend.link_poses(hinge.view(), no_values, no_poses).unwrap();
-        backend.chosen_link_poses(hinge.view(), &[0], no_values, no_poses).unwrap();
+        hinge.job().backend(backend).poses(no_values, no_poses).unwrap();
+        hinge.job().links(&[0]).backend(backend).poses(no_values, no_poses).unwrap();
         // No values, but links.
         let up = DualQuat::from_translation([0.0, 0.0, 2.0]);
         let post = OwnedMechanism::new(&[Joint::fixed(None, up)]).unwrap();
         let mut poses = [DualQuat::IDENTITY; 5];
-        backend.link_poses(post.view(), no_values, &mut poses).unwrap();
+        post.job().backend(backend).poses(no_values, &mut poses).unwrap();
         assert_eq!(poses, [up; 5], "{backend}");
     }
 }
@@ -129,7 +129,7 @@ fn an_angle_that_is_no_number_spoils_its_own_configuration_alone() {
             let mut values = [0.5_f32; 2 * 19];
             values[2 * 7 + 1] = bad;
             let mut poses = [DualQuat::IDENTITY; 2 * 19];
-            backend.link_poses(owned.view(), &values, &mut poses).unwrap();
+            owned.job().backend(backend).poses(&values, &mut poses).unwrap();
             for (index, pose) in poses.iter().enumerate() {
                 let spoilt = pose.to_array().iter().any(|number| number.is_nan());
                 assert_eq!(spoilt, index == 2 * 7 + 1, "{backend}, {bad}, {index}");
@@ -149,7 +149,7 @@ fn angles_many_turns_away_are_as_exact_as_near_ones() {
     let wanted = wanted(&hinge, &exact, exact.len());
     for backend in Backend::available() {
         let mut poses = vec![DualQuat::IDENTITY; angles.len()];
-        backend.link_poses(single.view(), &angles, &mut poses).unwrap();
+        single.job().backend(backend).poses(&angles, &mut poses).unwrap();
         for (pose, wanted) in poses.iter().zip(&wanted) {
             // Five units of 2⁻²⁴. What is left of the angle, up to π/2, is rounded twice. Near π/2, where
             // terms of size 1.2 cancel, the cosine adds the rounding of the square, of the inner sum
@@ -195,8 +195,11 @@ fn jacobians_agree<F: JacobianFrame>(frame: F) {
             let what = format!("{backend}, {frame:?}, {count} joints, link {link}");
             let mut poses = vec![DualQuat::IDENTITY; configurations];
             let mut columns = vec![[f64::NAN; 6]; wanted.len()];
-            backend
-                .link_jacobians(frame, robot, &[link], &values, &mut poses, &mut columns)
+            robot
+                .job()
+                .links(&[link])
+                .backend(backend)
+                .jacobians(frame, &values, &mut poses, &mut columns)
                 .unwrap();
             close_twists(&columns, &wanted, &what);
             for (&pose, &tool) in poses.iter().zip(&tools) {
@@ -206,12 +209,18 @@ fn jacobians_agree<F: JacobianFrame>(frame: F) {
             let links = [link, count - 1, random.below(count), link];
             let mut several = vec![DualQuat::IDENTITY; 4 * configurations];
             let mut all_columns = vec![[f64::NAN; 6]; 4 * wanted.len()];
-            backend
-                .link_jacobians(frame, robot, &links, &values, &mut several, &mut all_columns)
+            robot
+                .job()
+                .links(&links)
+                .backend(backend)
+                .jacobians(frame, &values, &mut several, &mut all_columns)
                 .unwrap();
             for (index, link) in links.into_iter().enumerate() {
-                backend
-                    .link_jacobians(frame, robot, &[link], &values, &mut poses, &mut columns)
+                robot
+                    .job()
+                    .links(&[link])
+                    .backend(backend)
+                    .jacobians(frame, &values, &mut poses, &mut columns)
                     .unwrap();
                 let of_link = several.iter().skip(index).step_by(4);
                 assert!(of_link.eq(&poses), "{what}, number {index} of {links:?}");
@@ -266,9 +275,10 @@ fn velocities_and_accelerations_on_lanes_are_those_of_one_configuration() {
             let mut poses = vec![DualQuat::IDENTITY; links];
             let (mut twists, mut accelerations) =
                 (vec![[f64::NAN; 6]; links], vec![[f64::NAN; 6]; links]);
-            backend
-                .link_accelerations(
-                    robot,
+            robot
+                .job()
+                .backend(backend)
+                .accelerations(
                     &values,
                     &rates,
                     &second,
@@ -283,7 +293,11 @@ fn velocities_and_accelerations_on_lanes_are_those_of_one_configuration() {
                 close(pose, wanted, POSES, &what);
             }
             let mut alone = vec![[f64::NAN; 6]; links];
-            backend.link_velocities(robot, &values, &rates, &mut poses, &mut alone).unwrap();
+            robot
+                .job()
+                .backend(backend)
+                .velocities(&values, &rates, &mut poses, &mut alone)
+                .unwrap();
             assert_eq!(alone, twists, "{what}");
         }
     }

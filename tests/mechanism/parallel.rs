@@ -19,26 +19,32 @@ fn all_cores_give_every_bit_of_what_one_gives() {
         let backend = Backend::best();
         let mut poses = [(); 2].map(|()| vec![DualQuat::IDENTITY; configurations * count]);
         let [one, all] = &mut poses;
-        backend.link_poses(robot, &values, one).unwrap();
-        backend.par_link_poses(robot, &values, all).unwrap();
+        robot.job().backend(backend).poses(&values, one).unwrap();
+        robot.job().backend(backend).threads(usize::MAX).poses(&values, all).unwrap();
         assert!(one == all, "{count}");
         let empty = Block::<f64, 8>::splat([0.0; 8]);
         let mut blocks = [(); 2].map(|()| vec![empty; configurations / 8 * count]);
         let [one, all] = &mut blocks;
-        backend.link_poses(robot, &values, one).unwrap();
-        backend.par_link_poses(robot, &values, all).unwrap();
+        robot.job().backend(backend).poses(&values, one).unwrap();
+        robot.job().backend(backend).threads(usize::MAX).poses(&values, all).unwrap();
         assert!(one == all, "{count}, blocks");
         let links = [count - 1, 0];
         let mut poses = [(); 2].map(|()| vec![DualQuat::IDENTITY; configurations * 2]);
         let [one, all] = &mut poses;
-        backend.chosen_link_poses(robot, &links, &values, one).unwrap();
-        backend.par_chosen_link_poses(robot, &links, &values, all).unwrap();
+        robot.job().links(&links).backend(backend).poses(&values, one).unwrap();
+        robot.job().links(&links).backend(backend).threads(usize::MAX).poses(&values, all).unwrap();
         assert!(one == all, "{count}, chosen");
         let mut tools = [(); 2].map(|()| vec![DualQuat::IDENTITY; 2 * configurations]);
         let mut columns = [(); 2].map(|()| vec![[0.0; 6]; 2 * configurations * robot.rates()]);
         let ([one, all], [columns, all_columns]) = (&mut tools, &mut columns);
-        backend.link_jacobians(Body, robot, &links, &values, one, columns).unwrap();
-        backend.par_link_jacobians(Body, robot, &links, &values, all, all_columns).unwrap();
+        robot.job().links(&links).backend(backend).jacobians(Body, &values, one, columns).unwrap();
+        robot
+            .job()
+            .links(&links)
+            .backend(backend)
+            .threads(usize::MAX)
+            .jacobians(Body, &values, all, all_columns)
+            .unwrap();
         assert!(one == all && columns == all_columns, "{count}, Jacobians");
         let rates = vec![0.5; configurations * robot.rates()];
         let second: Vec<f64> =
@@ -46,19 +52,36 @@ fn all_cores_give_every_bit_of_what_one_gives() {
         let mut poses = [(); 2].map(|()| vec![DualQuat::IDENTITY; configurations * count]);
         let mut twists = [(); 4].map(|()| vec![[0.0; 6]; configurations * count]);
         let ([one, all], [a, b, c, d]) = (&mut poses, &mut twists);
-        backend.link_velocities(robot, &values, &rates, one, a).unwrap();
-        backend.par_link_velocities(robot, &values, &rates, all, b).unwrap();
+        robot.job().backend(backend).velocities(&values, &rates, one, a).unwrap();
+        robot
+            .job()
+            .backend(backend)
+            .threads(usize::MAX)
+            .velocities(&values, &rates, all, b)
+            .unwrap();
         assert!(one == all && a == b, "{count}, velocities");
         let second = [&second[..], &rates].concat();
         let second = &second[..rates.len()];
-        backend.link_accelerations(robot, &values, &rates, second, one, a, c).unwrap();
+        robot.job().backend(backend).accelerations(&values, &rates, second, one, a, c).unwrap();
         all.fill(DualQuat::IDENTITY);
-        backend.par_link_accelerations(robot, &values, &rates, second, all, b, d).unwrap();
+        robot
+            .job()
+            .backend(backend)
+            .threads(usize::MAX)
+            .accelerations(&values, &rates, second, all, b, d)
+            .unwrap();
         assert!(one == all && a == b && c == d, "{count}, accelerations");
         for (fewer, rates) in [(count, &rates[..]), (0, &rates[1..])] {
             let (all, b) = (&mut all[fewer..], &mut b[fewer..]);
             b.fill([7.0; 6]);
-            assert!(backend.par_link_velocities(robot, &values, rates, all, b).is_err());
+            assert!(
+                robot
+                    .job()
+                    .backend(backend)
+                    .threads(usize::MAX)
+                    .velocities(&values, rates, all, b)
+                    .is_err()
+            );
             assert!(b.iter().all(|twist| *twist == [7.0; 6]), "{count}, refused");
         }
     }

@@ -30,15 +30,19 @@ where
     let mut twists = vec![vec![twist; links], vec![twist; links]];
     let [first, accelerations] = &mut twists[..] else { unreachable!() };
     let to = &mut poses[0];
-    backend.link_accelerations(robot, values, rates, second, to, first, accelerations).unwrap();
+    robot
+        .job()
+        .backend(backend)
+        .accelerations(values, rates, second, to, first, accelerations)
+        .unwrap();
     let mut alone = vec![twist; links];
-    backend.link_velocities(robot, values, rates, to, &mut alone).unwrap();
+    robot.job().backend(backend).velocities(values, rates, to, &mut alone).unwrap();
     twists.push(alone);
     macro_rules! jacobian {
         ($($frame:expr)*) => {$(
             let mut pose_of = vec![pose; elements];
             let mut columns = vec![twist; elements * robot.rates()];
-            backend.link_jacobians($frame, robot, &[last], values, &mut pose_of, &mut columns).unwrap();
+            robot.job().links(&[last]).backend(backend).jacobians($frame, values, &mut pose_of, &mut columns).unwrap();
             poses.push(pose_of);
             twists.push(columns);
         )*};

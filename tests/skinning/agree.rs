@@ -77,13 +77,17 @@ where
     let shares: Vec<R> = (0..scene.positions.len()).map(share).collect();
     let (linear, dual) = (Linear::new(&matrices), DualBlend::new(&scene.motions));
     match blend {
-        "linear" => backend.skin(&skin, linear, rest, posed),
-        "dual" => backend.skin(&skin, dual, rest, posed),
+        "linear" => skin.job().backend(backend).pose(linear, rest, posed),
+        "dual" => skin.job().backend(backend).pose(dual, rest, posed),
         "stretched" => {
             let stretched = Stretched::new(&scene.motions, &scene.stretches);
-            backend.skin(&skin, stretched, rest, posed)
+            skin.job().backend(backend).pose(stretched, rest, posed)
         }
-        _ => backend.skin(&skin, Mixed::new(linear, dual, &shares).unwrap(), rest, posed),
+        _ => skin.job().backend(backend).pose(
+            Mixed::new(linear, dual, &shares).unwrap(),
+            rest,
+            posed,
+        ),
     }
     .unwrap();
     let mut worst = 0.0_f64;
@@ -159,10 +163,10 @@ fn alone<R: Scalar + Weight, J: Index>(joint: impl Fn(u16) -> J) {
             let [mut alone, mut together, mut normals] = [(); 3].map(|()| scene.positions.clone());
             let rest = Surface::positions(&scene.positions);
             let posed = SurfaceMut::positions(&mut alone);
-            backend.skin(&skin, Linear::new(&matrices), rest, posed).unwrap();
+            skin.job().backend(backend).pose(Linear::new(&matrices), rest, posed).unwrap();
             let posed = SurfaceMut::positions(&mut together).normals(&mut normals);
             let rest = rest.normals(&scene.normals);
-            backend.skin(&skin, Linear::new(&matrices), rest, posed).unwrap();
+            skin.job().backend(backend).pose(Linear::new(&matrices), rest, posed).unwrap();
             for (vertex, (a, b)) in alone.iter().zip(&together).enumerate() {
                 let bits = |p: [R; 3]| p.map(|c| Into::<f64>::into(c).to_bits());
                 let same =
@@ -196,9 +200,9 @@ fn joints_and_weights_of_every_type_mean_the_same() {
         let (from, to) = (Surface::positions(&scene.positions), SurfaceMut::positions(posed));
         let (best, dual) = (Backend::best(), DualBlend::new(&scene.motions));
         match which {
-            0 => best.skin(&Skin::new(JOINTS, 4, &bytes, of8).unwrap(), dual, from, to),
-            1 => best.skin(&Skin::new(JOINTS, 4, &words, &of16).unwrap(), dual, from, to),
-            _ => best.skin(&Skin::new(JOINTS, 4, &scene.joints, &singles).unwrap(), dual, from, to),
+            0 => Skin::new(JOINTS, 4, &bytes, of8).unwrap().pose(dual, from, to),
+            1 => Skin::new(JOINTS, 4, &words, &of16).unwrap().pose(dual, from, to),
+            _ => Skin::new(JOINTS, 4, &scene.joints, &singles).unwrap().pose(dual, from, to),
         }
         .unwrap();
     };
@@ -252,14 +256,19 @@ fn all_cores_give_every_bit_that_one_gives() {
     let [a, b] = &mut posed;
     let [c, d] = &mut normals;
     let best = Backend::best();
-    best.skin(&scene.skin(), blend, rest, SurfaceMut::positions(a).normals(c)).unwrap();
-    best.par_skin(&scene.skin(), blend, rest, SurfaceMut::positions(b).normals(d)).unwrap();
+    scene.skin().pose(blend, rest, SurfaceMut::positions(a).normals(c)).unwrap();
+    scene
+        .skin()
+        .job()
+        .threads(usize::MAX)
+        .pose(blend, rest, SurfaceMut::positions(b).normals(d))
+        .unwrap();
     assert!(posed[0] == posed[1] && normals[0] == normals[1]);
 
     // Positions alone by linear blends begin in the middle of the skin.
     let (matrices, rest) = (scene.matrices(), Surface::positions(&scene.positions));
     let (blend, [a, b]) = (Linear::new(&matrices), &mut posed);
-    best.skin(&scene.skin(), blend, rest, SurfaceMut::positions(a)).unwrap();
-    best.par_skin(&scene.skin(), blend, rest, SurfaceMut::positions(b)).unwrap();
+    scene.skin().pose(blend, rest, SurfaceMut::positions(a)).unwrap();
+    scene.skin().job().threads(usize::MAX).pose(blend, rest, SurfaceMut::positions(b)).unwrap();
     assert_eq!(posed[0], posed[1]);
 }

@@ -50,29 +50,21 @@ fn a_run_that_does_not_fit_writes_nothing() {
     let from = Surface::positions(&rest);
     let complaints = [
         // A palette of three for a skin of two.
-        best.skin(&skin, DualBlend::new(&motions), from, SurfaceMut::positions(&mut posed)),
-        best.skin(&skin, Linear::new(&matrices), from, SurfaceMut::positions(&mut posed)),
-        best.skin(&skin, DualBlend::new(&motions[..1]), from, SurfaceMut::positions(&mut posed)),
-        best.skin(
-            &skin,
-            DualBlend::new(&motions[..2]),
-            from,
-            SurfaceMut::positions(&mut posed[..2]),
-        ),
-        best.skin(
-            &skin,
+        skin.pose(DualBlend::new(&motions), from, SurfaceMut::positions(&mut posed)),
+        skin.pose(Linear::new(&matrices), from, SurfaceMut::positions(&mut posed)),
+        skin.pose(DualBlend::new(&motions[..1]), from, SurfaceMut::positions(&mut posed)),
+        skin.pose(DualBlend::new(&motions[..2]), from, SurfaceMut::positions(&mut posed[..2])),
+        skin.pose(
             DualBlend::new(&motions[..2]),
             Surface::positions(&rest[..2]),
             SurfaceMut::positions(&mut posed[..2]),
         ),
-        best.skin(
-            &skin,
+        skin.pose(
             DualBlend::new(&motions[..2]),
             from,
             SurfaceMut::positions(&mut posed).normals(&mut normals),
         ),
-        best.skin(
-            &skin,
+        skin.pose(
             Mixed::new(Linear::new(&matrices[..2]), DualBlend::new(&motions[..2]), &[0.5; 2])
                 .unwrap(),
             from,
@@ -87,7 +79,7 @@ fn a_run_that_does_not_fit_writes_nothing() {
     let joints = [u32::MAX - 1];
     let skin = Skin::new(usize::MAX, 1, &joints, &weights[..1]).unwrap();
     let to = SurfaceMut::positions(&mut posed[..1]);
-    let error = best.skin(&skin, DualBlend::new(&motions), Surface::positions(&rest[..1]), to);
+    let error = skin.pose(DualBlend::new(&motions), Surface::positions(&rest[..1]), to);
     assert!(matches!(error, Err(SkinningError::Shape(_))), "{error:?}");
     assert_eq!(posed, untouched);
     let shares = [0.5_f32, 1.5, 0.0];

@@ -41,8 +41,9 @@ fn agrees<R: Scalar + Weight>(vertices: usize, influences: usize) {
                     let [got, wanted] = [skin, packed].map(|skin| {
                         let mut posed = scene.positions.clone();
                         let to = SurfaceMut::positions(&mut posed);
-                        backend
-                            .skin(&skin, $blend, Surface::positions(&scene.positions), to)
+                        skin.job()
+                            .backend(backend)
+                            .pose($blend, Surface::positions(&scene.positions), to)
                             .unwrap();
                         posed
                     });
@@ -82,9 +83,12 @@ fn one_buffer_holds_positions_joints_and_weights() {
     for backend in Backend::available() {
         let mut wanted = scene.positions.clone();
         let to = SurfaceMut::positions(&mut wanted);
-        backend.skin(&packed, dual, Surface::positions(&scene.positions), to).unwrap();
+        packed.job().backend(backend).pose(dual, Surface::positions(&scene.positions), to).unwrap();
         let mut posed = rest.clone();
-        backend.skin_interleaved(&skin, dual, (&rest, fields), (&mut posed, fields)).unwrap();
+        skin.job()
+            .backend(backend)
+            .pose_interleaved(dual, (&rest, fields), (&mut posed, fields))
+            .unwrap();
         let bits = |number: &f32| number.to_bits();
         for ((posed, rest), wanted) in
             posed.as_chunks::<5>().0.iter().zip(rest.as_chunks::<5>().0).zip(&wanted)

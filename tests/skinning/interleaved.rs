@@ -37,12 +37,18 @@ fn agrees<R: Scalar + Weight>(vertices: usize, influences: usize) {
                 let [p, n, t] = &mut posed;
                 let surface = Surface::positions(&scene.positions).normals(&scene.normals);
                 let to = SurfaceMut::positions(p).normals(n).tangents(t);
-                backend.skin(&skin, $blend, surface.tangents(&scene.positions), to).unwrap();
+                skin.job()
+                    .backend(backend)
+                    .pose($blend, surface.tangents(&scene.positions), to)
+                    .unwrap();
                 let [positions, normals, tangents] = posed;
                 let around: R = from(9.0);
                 let mut got = vec![around; 9 * vertices];
                 let to = (&mut got[..], posed_fields);
-                backend.skin_interleaved(&skin, $blend, (&rest, rest_fields), to).unwrap();
+                skin.job()
+                    .backend(backend)
+                    .pose_interleaved($blend, (&rest, rest_fields), to)
+                    .unwrap();
                 let wanted: Vec<R> = (0..vertices)
                     .flat_map(|i| [positions[i], tangents[i], normals[i]])
                     .flatten()
@@ -53,7 +59,7 @@ fn agrees<R: Scalar + Weight>(vertices: usize, influences: usize) {
                 let only = VertexFields { normal: None, tangent: None, ..rest_fields };
                 let mut got = vec![around; 9 * vertices];
                 let to = (&mut got[..], fields);
-                backend.skin_interleaved(&skin, $blend, (&rest, only), to).unwrap();
+                skin.job().backend(backend).pose_interleaved($blend, (&rest, only), to).unwrap();
                 for (vertex, got) in got.as_chunks::<9>().0.iter().enumerate() {
                     assert_eq!((&got[..3], &got[3..]), (&positions[vertex][..], &[around; 6][..]));
                 }
@@ -83,7 +89,7 @@ fn fields_that_do_not_fit_are_named_and_nothing_is_written() {
     let run = |from: VertexFields, to: VertexFields, rest: &[f32], numbers: usize| {
         let mut posed = vec![7.0; 60];
         let to = (&mut posed[..numbers], to);
-        let result = Backend::best().skin_interleaved(&skin, dual, (rest, from), to);
+        let result = skin.job().pose_interleaved(dual, (rest, from), to);
         assert!(result.is_ok() || posed.iter().all(|&number| number == 7.0), "written: {result:?}");
         result
     };
@@ -123,16 +129,24 @@ fn all_cores_give_every_bit_that_one_gives_to_vertices_with_fields() {
     let mut posed = [(); 2].map(|()| vec![9.0_f32; 8 * vertices]);
     let [one, all] = &mut posed;
     let (skin, best) = (scene.skin(), Backend::best());
-    best.skin_interleaved(&skin, blend, (&rest, fields), (one, posed_fields)).unwrap();
-    best.par_skin_interleaved(&skin, blend, (&rest, fields), (all, posed_fields)).unwrap();
+    skin.job().pose_interleaved(blend, (&rest, fields), (one, posed_fields)).unwrap();
+    skin.job()
+        .threads(usize::MAX)
+        .pose_interleaved(blend, (&rest, fields), (all, posed_fields))
+        .unwrap();
     assert!(one == all);
     // Nothing at all, in vertices of more numbers than there are.
     let vast = VertexFields::positions(1 << 60);
     let nobody = dq8::skinning::Skin::new(1, 1, &[0_u16; 0], &[0.0_f32; 0]).unwrap();
     let rigid = DualBlend::new(&scene.motions[..1]);
-    best.par_skin_interleaved(&nobody, rigid, (&[], vast), (&mut [], vast)).unwrap();
+    nobody.job().threads(usize::MAX).pose_interleaved(rigid, (&[], vast), (&mut [], vast)).unwrap();
     let before = all.clone();
     let few = &mut all[8..];
-    assert!(best.par_skin_interleaved(&skin, blend, (&rest, fields), (few, posed_fields)).is_err());
+    assert!(
+        skin.job()
+            .threads(usize::MAX)
+            .pose_interleaved(blend, (&rest, fields), (few, posed_fields))
+            .is_err()
+    );
     assert!(posed[1] == before);
 }

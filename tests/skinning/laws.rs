@@ -142,7 +142,12 @@ fn a_stretch_and_then_a_motion_is_the_matrix_of_a_single_influence() {
         let wanted = linear(backend, &scene.skin(), &whole, &scene.positions);
         let mut posed = wanted.clone();
         let (rest, to) = (Surface::positions(&scene.positions), SurfaceMut::positions(&mut posed));
-        backend.skin(&scene.skin(), Stretched::new(&motions, &stretches), rest, to).unwrap();
+        scene
+            .skin()
+            .job()
+            .backend(backend)
+            .pose(Stretched::new(&motions, &stretches), rest, to)
+            .unwrap();
         for (a, b) in posed.iter().zip(&wanted) {
             // One matrix, or a stretch and a motion, of some units.
             assert!(distance(*a, *b) < 1e-14, "{backend}: {a:?}, not {b:?}");

@@ -80,7 +80,7 @@ pub(crate) fn linear<R: Scalar + dq8::skinning::Weight>(
 ) -> Vec<[R; 3]> {
     let mut posed = vec![[R::ZERO; 3]; positions.len()];
     let (from, to) = (Surface::positions(positions), SurfaceMut::positions(&mut posed));
-    backend.skin(skin, Linear::new(palette), from, to).unwrap();
+    skin.job().backend(backend).pose(Linear::new(palette), from, to).unwrap();
     posed
 }
 
@@ -93,7 +93,7 @@ pub(crate) fn dual<R: Scalar + dq8::skinning::Weight>(
 ) -> Vec<[R; 3]> {
     let mut posed = vec![[R::ZERO; 3]; positions.len()];
     let (from, to) = (Surface::positions(positions), SurfaceMut::positions(&mut posed));
-    backend.skin(skin, dq8::skinning::DualBlend::new(palette), from, to).unwrap();
+    skin.job().backend(backend).pose(dq8::skinning::DualBlend::new(palette), from, to).unwrap();
     posed
 }
 

@@ -27,7 +27,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     // All of them on the lanes of the CPU, for this link alone.
     let mut poses = vec![DualQuat::IDENTITY; CONFIGURATIONS];
-    Backend::best().chosen_link_poses(mechanism, &[tool], &values, &mut poses)?;
+    mechanism.job().links(&[tool]).poses(&values, &mut poses)?;
     let reach =
         poses.iter().map(|pose| pose.translation().map(|x| x * x).iter().sum::<f64>().sqrt());
     println!("farthest from the base: {:.3} m", reach.fold(0.0, f64::max));

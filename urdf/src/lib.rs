@@ -27,7 +27,7 @@
 //! // The poses of all links at 1,000 angles, on the lanes of the CPU.
 //! let angles: Vec<f64> = (0..1000).map(|i| 0.001 * f64::from(i)).collect();
 //! let mut poses = vec![DualQuat::IDENTITY; 1000 * robot.link_names().len()];
-//! Backend::best().link_poses(robot.mechanism(), &angles, &mut poses)?;
+//! robot.mechanism().job().poses(&angles, &mut poses)?;
 //!
 //! let bob = robot.link("bob").unwrap();
 //! let [x, y, z] = poses[999 * 3 + bob].translation();

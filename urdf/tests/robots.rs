@@ -80,7 +80,7 @@ fn poses_of_links_are_products_of_matrices() {
             (0..configurations * values).map(|i| (i as f64 * 0.739).sin() * 2.5).collect();
         let links = robot.link_names().len();
         let mut poses = vec![DualQuat::IDENTITY; configurations * links];
-        Backend::best().link_poses(robot.mechanism(), &all, &mut poses).unwrap();
+        robot.mechanism().job().poses(&all, &mut poses).unwrap();
         for (values, poses) in all.chunks_exact(values).zip(poses.chunks_exact(links)) {
             let named: HashMap<_, _> = robot
                 .value_names()

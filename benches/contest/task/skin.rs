@@ -84,12 +84,18 @@ pub(super) fn with_contest(run: &mut dyn FnMut(&Contest<'_>)) {
         let (skin, matrices, motions) = (&skin, &matrices[..], &scene.motions[..]);
         let linear = move |points: &Vec<[f32; 3]>, posed: &mut [[f32; 3]]| {
             let (from, to) = (Surface::positions(points), SurfaceMut::positions(posed));
-            backend.skin(skin, Linear::new(matrices), from, to).expect("slices of one length");
+            skin.job()
+                .backend(backend)
+                .pose(Linear::new(matrices), from, to)
+                .expect("slices of one length");
         };
         contest.add(format!("dq8 LBS {backend}"), Some(backend), memory, linear, numbers);
         let blend = move |points: &Vec<[f32; 3]>, posed: &mut [[f32; 3]]| {
             let (from, to) = (Surface::positions(points), SurfaceMut::positions(posed));
-            backend.skin(skin, DualBlend::new(motions), from, to).expect("slices of one length");
+            skin.job()
+                .backend(backend)
+                .pose(DualBlend::new(motions), from, to)
+                .expect("slices of one length");
         };
         contest.add(format!("dq8 DLB {backend}"), Some(backend), memory, blend, numbers);
         contest.last_should(dual.clone());
@@ -99,7 +105,10 @@ pub(super) fn with_contest(run: &mut dyn FnMut(&Contest<'_>)) {
             let mut turned = turned.borrow_mut();
             let from = Surface::positions(points).normals(points);
             let to = SurfaceMut::positions(posed).normals(&mut turned);
-            backend.skin(skin, DualBlend::new(motions), from, to).expect("slices of one length");
+            skin.job()
+                .backend(backend)
+                .pose(DualBlend::new(motions), from, to)
+                .expect("slices of one length");
         };
         let name = format!("dq8 DLB and normals {backend}");
         contest.add(name, Some(backend), memory, normals, numbers);

@@ -37,7 +37,7 @@ fn contest(name: &str, joints: &[Joint<f64>], rounds: usize) {
     let values = angles(CONFIGURATIONS * joints.len());
     let single_values: Vec<f32> = values.iter().map(|&value| value as f32).collect();
     let mut expected = vec![DualQuat::IDENTITY; values.len()];
-    backend().link_poses(robot.view(), &values, &mut expected).expect("shape");
+    robot.job().backend(backend()).poses(&values, &mut expected).expect("shape");
     let path = std::env::temp_dir().join(format!("dq8-mechanism-{}.urdf", std::process::id()));
     std::fs::write(&path, urdf::text(joints)).expect("a file");
 

@@ -38,33 +38,30 @@ macro_rules! precision {
             let mut jobs = Vec::new();
             let mut poses = plain();
             jobs.push(Job::new("all poses, plain", move || {
-                backend.link_poses(robot, black_box(values), &mut poses).expect("shape");
+                robot.job().backend(backend).poses(black_box(values), &mut poses).expect("shape");
             }));
             let mut poses = in_blocks();
             jobs.push(Job::new("all poses, blocks", move || {
-                backend.link_poses(robot, black_box(&packed), &mut poses).expect("shape");
+                robot.job().backend(backend).poses(black_box(&packed), &mut poses).expect("shape");
             }));
             let mut poses = in_blocks();
             jobs.push(Job::new("all poses, plain to blocks", move || {
-                backend.link_poses(robot, black_box(values), &mut poses).expect("shape");
+                robot.job().backend(backend).poses(black_box(values), &mut poses).expect("shape");
             }));
             let mut tools = of_tools();
             jobs.push(Job::new("tool, plain", move || {
-                backend
-                    .chosen_link_poses(robot, &[tool], black_box(values), &mut tools)
+                robot.job().links(&[tool]).backend(backend).poses(black_box(values), &mut tools)
                     .expect("shape");
             }));
             let (mut tools, mut jacobians) = (of_tools(), columns());
             jobs.push(Job::new("tool and Jacobian, plain", move || {
                 let values = black_box(values);
-                backend
-                    .link_jacobians(World, robot, &[tool], values, &mut tools, &mut jacobians)
+                robot.job().links(&[tool]).backend(backend).jacobians(World, values, &mut tools, &mut jacobians)
                     .expect("shape");
             }));
             let (mut poses, mut twists) = (plain(), columns());
             jobs.push(Job::new("velocities, plain", move || {
-                backend
-                    .link_velocities(robot, black_box(values), values, &mut poses, &mut twists)
+                robot.job().backend(backend).velocities(black_box(values), values, &mut poses, &mut twists)
                     .expect("shape");
             }));
             let mut poses = plain();
@@ -82,7 +79,7 @@ macro_rules! precision {
             }));
             jobs.push(Job::over(TARGETS, "tool to a random pose, plain", {
                 let mut targets = of_tools();
-                backend.chosen_link_poses(robot, &[tool], values, &mut targets).expect("shape");
+                robot.job().links(&[tool]).backend(backend).poses(values, &mut targets).expect("shape");
                 let starts = &values[values.len() - TARGETS * links..];
                 move || {
                     let (goals, mut freedoms) =

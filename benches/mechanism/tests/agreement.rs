@@ -78,7 +78,7 @@ fn compare(path: &Path, random: &mut Random, configurations: usize) -> usize {
         }));
     }
     let mut poses = vec![DualQuat::IDENTITY; configurations * links.len()];
-    Backend::best().link_poses(robot.mechanism(), &values, &mut poses).expect("shape");
+    robot.mechanism().job().poses(&values, &mut poses).expect("shape");
     for (configuration, poses) in poses.chunks_exact(links.len()).enumerate() {
         let values = &values[configuration * limits.len()..][..limits.len()];
         for (joint, &value) in robot.value_names().iter().zip(values) {

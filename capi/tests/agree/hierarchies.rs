@@ -44,7 +44,7 @@ macro_rules! agree {
                     (PARENTS.as_ptr(), numbers(from_ref(&root)), ptr::null(), COUNT);
                 let (pl, pb, po) = (numbers(&locals), numbers(&binds), numbers(&offsets));
                 let (pr, prt) = (numbers(&rotations), numbers(&both));
-                let job = || skeleton.job::<Motion>().root(root);
+                let job = || skeleton.job().root(root);
                 let none = [Motion::ZERO; COUNT];
                 let (mut models, mut wanted) = (none, none);
                 let pm = models.as_mut_ptr().cast();
@@ -67,14 +67,14 @@ macro_rules! agree {
                             h::rotations_translations_to_model(p, JOINTS, on, prt, o, n)
                             => job().locals_to_model(RotationsTranslations(&both), o).unwrap();
                         "palette": &none, h::palette(p, JOINTS, on, pl, pb, pm, o, n)
-                            => job().locals_to_palette(Poses(&locals), &mut wanted, &binds, o).unwrap();
+                            => job().palette_and_models(Poses(&locals), &mut wanted, &binds, o).unwrap();
                     }
                     assert_eq!(models, wanted);
                     let pm = models.as_mut_ptr().cast();
                     same! { |o|
                         "matrices": &[[[9.0; 4]; 3]; COUNT],
                             h::palette_matrices(p, JOINTS, on, pl, pb, pm, o, n)
-                            => job().locals_to_palette(Poses(&locals), &mut wanted, &binds, o).unwrap();
+                            => job().palette_and_models(Poses(&locals), &mut wanted, &binds, o).unwrap();
                     }
                 }
             }
@@ -95,7 +95,7 @@ macro_rules! agree {
                 let (p, on) = (PARENTS.as_ptr(), numbers(from_ref(&root)));
                 let (pl, pb, po) = (numbers(&locals), numbers(&binds), numbers(&offsets));
                 let (pk, pr) = (numbers(&blocks), numbers(&rotations));
-                let job = skeleton.job::<Block<$R, $lanes>>().root(root);
+                let job = skeleton.job().root(root);
                 let (mut models, mut wanted) = (blocks, blocks);
                 let pm = models.as_mut_ptr().cast();
                 // SAFETY: arrays have COUNT or JOINTS elements, as they should.
@@ -113,7 +113,7 @@ macro_rules! agree {
                             => job.locals_to_model(turns, o).unwrap();
                         "palette": &blocks,
                             h::blocks_palette($lanes, p, JOINTS, on, pk, pb, pm, o, JOINTS)
-                            => job.locals_to_palette(Poses(&blocks), &mut wanted, &binds, o).unwrap();
+                            => job.palette_and_models(Poses(&blocks), &mut wanted, &binds, o).unwrap();
                     }
                 }
                 assert_eq!(models, wanted);

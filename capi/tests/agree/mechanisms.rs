@@ -131,7 +131,7 @@ macro_rules! agree {
                     const ALL: usize = CONFIGURATIONS * LINKS;
                     same! { |o|
                         "poses of many": &[Motion::ZERO; ALL], l::link_poses(of, pv, all, o, ALL)
-                            => Backend::best().link_poses(wanted, &values, o).unwrap();
+                            => wanted.job().poses(&values, o).unwrap();
                     }
                     // Whole blocks: a lane without a configuration has NaN where joints float.
                     const BLOCKS: usize = 16 / $lanes * LINKS;
@@ -139,7 +139,7 @@ macro_rules! agree {
                     same! { |o|
                         "poses of many in blocks": &[Block::<$R, $lanes>::splat([9.0; 8]); BLOCKS],
                             l::blocks_link_poses($lanes, of, pv, 16 * VALUES, o, BLOCKS)
-                            => Backend::best().link_poses(wanted, values, o).unwrap();
+                            => wanted.job().poses(values, o).unwrap();
                     }
                 }
             }

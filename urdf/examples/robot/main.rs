@@ -64,7 +64,7 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let mut seconds = f64::INFINITY;
     for _ in 0..5 {
         let start = Instant::now();
-        backend.link_poses(mechanism, &values, &mut poses)?;
+        mechanism.job().backend(backend).poses(&values, &mut poses)?;
         seconds = seconds.min(start.elapsed().as_secs_f64());
     }
     if let Some(first) = poses.get(..links) {

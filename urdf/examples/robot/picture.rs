@@ -26,7 +26,7 @@ pub(crate) fn write(robot: &Robot, backend: Backend, path: &Path) -> Result<(), 
     let tool = tool(robot);
     let values = configurations::random(robot, CONFIGURATIONS);
     let mut tools = vec![DualQuat::IDENTITY; if values.is_empty() { 1 } else { CONFIGURATIONS }];
-    backend.chosen_link_poses(mechanism, &[tool], &values, &mut tools)?;
+    mechanism.job().links(&[tool]).backend(backend).poses(&values, &mut tools)?;
     let points: Vec<_> = tools.iter().map(|pose| pose.translation()).collect();
     let mut rest = vec![DualQuat::IDENTITY; mechanism.links()];
     mechanism.link_poses(&configurations::nearest_zero(robot), &mut rest)?;

@@ -110,7 +110,7 @@ fn more_palette(
     palette: &mut [[[f32; 4]; 3]],
 ) -> bool {
     Hierarchy::new(parents).is_ok_and(|h| {
-        h.job().locals_to_palette(Poses(locals), models, inverse_binds, palette).is_ok()
+        h.job().palette_and_models(Poses(locals), models, inverse_binds, palette).is_ok()
     })
 }
 #[unsafe(no_mangle)]
