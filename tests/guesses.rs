@@ -263,7 +263,7 @@ fn points_lines_planes_crowds_and_hierarchies_are_where_they_are_looked_for() {
     assert_eq!(crowd.get(2, 1), Some(DualQuat::default()));
     let parents = [Hierarchy::ROOT, 0];
     let mut poses = vec![DualQuat::<f32>::default(); 2];
-    Hierarchy::new(&parents).unwrap().local_to_model_in_place(&mut poses).unwrap();
+    Hierarchy::new(&parents).unwrap().job().local_to_model_in_place(&mut poses).unwrap();
     let mut out = poses.clone();
     Backend::best().mul(&poses, &poses, &mut out).unwrap();
     assert_eq!(out, poses);

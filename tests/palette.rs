@@ -1,7 +1,7 @@
 //! Palettes whose models go through scratch: to the last bit those of runs that keep all models.
 
 use core::num::NonZeroU32;
-use dq8::hierarchy::{MatrixOrder, Poses, Renormalize, Rotations};
+use dq8::hierarchy::{MatrixOrder, Poses, Renormalize, Root, Rotations};
 use dq8::{Backend, DualQuat, Hierarchy, Quat, Real, Scalar};
 use dq8_contract::random::Random;
 
@@ -60,10 +60,10 @@ fn holds_to_the_last_bit<R: Scalar>() {
     for backend in Backend::available() {
         let job = hierarchy.job().backend(backend);
         let jobs = [
-            job.clone(),
-            job.clone().roots(&roots).matrix_order(MatrixOrder::Columns),
-            job.clone().root(roots[0]).renormalize(second),
-            job.joints(0..JOINTS - 3),
+            job.clone().on(Root::None),
+            job.clone().on(Root::Each(&roots)).matrix_order(MatrixOrder::Columns),
+            job.clone().on(Root::Same(roots[0])).renormalize(second),
+            job.on(Root::None).joints(..JOINTS - 3),
         ];
         for job in jobs {
             let mut wanted = vec![empty; poses.len()];

@@ -7,7 +7,7 @@ use dq8::storage::Register;
 use dq8::{
     Backend, DualQuat, Hierarchy, Job, Quat, Skeleton,
     hierarchy::{
-        HierarchyError, MatrixOrder, Poses, Renormalize, Rotations, RotationsTranslations,
+        HierarchyError, MatrixOrder, Poses, Renormalize, Root, Rotations, RotationsTranslations,
     },
 };
 
@@ -37,17 +37,17 @@ fn same(a: &[DualQuat<f32>], b: &[DualQuat<f32>], plan_is_chain: bool) -> bool {
 }
 
 fn options<'a>(
-    job: Job<'a, DualQuat<f32>>,
+    job: Job<'a>,
     case: u32,
     backend: Backend,
     roots: &'a [DualQuat<f32>],
-) -> Job<'a, DualQuat<f32>> {
+) -> Job<'a, Root<'a, DualQuat<f32>>> {
     let job = job.backend(backend).matrix_order(MatrixOrder::Columns);
     match (case, roots) {
-        (1, &[root]) => job.root(root),
-        (2, _) => job.renormalize(Renormalize::Every(3.try_into().unwrap())),
-        (3, roots) => job.roots(roots),
-        _ => job,
+        (1, &[root]) => job.on(Root::Same(root)),
+        (2, _) => job.on(Root::None).renormalize(Renormalize::Every(3.try_into().unwrap())),
+        (3, roots) => job.on(Root::Each(roots)),
+        _ => job.on(Root::None),
     }
 }
 

@@ -6,7 +6,7 @@
 //! | [`backend`] | which instructions compute |
 //! | [`motion`], [`screw`], [`geometry`] | operations on one motion: the scalar reference |
 //! | [`slices`], [`lines`], [`twists`], [`metric`] | kernels over arrays of motions, points, lines, planes, twists, plain or in blocks |
-//! | [`hierarchy`], [`velocity`] | joint hierarchies, skinning palettes, twists and Jacobians, plain or in blocks |
+//! | [`hierarchy`] | joint hierarchies and skinning palettes, plain or in blocks |
 //! | [`chain`] | long chains, plain or in blocks |
 //! | [`plan`] | one instance in the order that is fastest, plain |
 //! | [`joint`], [`mechanism`] | one configuration of a mechanism: poses of links, Jacobians |
@@ -51,7 +51,6 @@ pub mod slices;
 mod span;
 pub mod status;
 pub mod twists;
-pub mod velocity;
 
 pub use backend::InstructionSet;
 pub use slices::Order;

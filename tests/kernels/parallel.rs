@@ -1,8 +1,11 @@
 //! Jobs over all cores: every bit as on one.
 
-use crate::scene::{Scene, motions, step};
+use crate::inputs::Inputs;
+use crate::scene::{Scene, step};
+use crate::slices::Operation;
+use crate::subject::subjects;
 use dq8::{
-    Backend, Block, Crowd, DualQuat, Hierarchy, Quat, ShapeError,
+    Backend, Block, Crowd, DualQuat, Hierarchy, ShapeError,
     hierarchy::{MatrixOrder, Poses, Renormalize, Root, Rotations, RotationsTranslations},
 };
 use dq8_contract::random::Random;
@@ -174,6 +177,39 @@ fn all_cores_compute_the_bits_of_one_of_palettes_without_models() {
             assert!(one == all, "{instances} instances, scratch for {held}");
         }
     }
+}
+
+/// From three tasks on, the last of them short, and between tasks of blocks and of plain things.
+#[test]
+fn all_cores_compute_the_bits_of_one_of_slices() {
+    let inputs = Inputs::new(2 * 2048 + 77);
+    for subject in subjects() {
+        let inputs = inputs.rounded(subject.single());
+        for operation in Operation::ALL {
+            let one = subject.slices(Backend::best(), operation, &inputs);
+            let all = subject.slices(Backend::best().threads(3), operation, &inputs);
+            assert!(one == all, "{operation:?} of {}", subject.name());
+        }
+    }
+}
+
+#[test]
+fn trajectories_have_the_bits_of_one_thread_on_all() {
+    let poses = poses(1000);
+    let times: Vec<_> = (0..poses.len()).map(|i| i as f32).collect();
+    let at: Vec<_> = (0..7000).map(|i| (i * 37 % 5003) as f32 * 0.99).collect();
+    let [mut one, mut all] = [(); 2].map(|()| vec![DualQuat::IDENTITY; at.len()]);
+    let best = Backend::best();
+    best.resample(&times, &poses, &at, &mut one).expect("they fit");
+    best.threads(3).resample(&times, &poses, &at, &mut all).expect("they fit");
+    assert!(one == all);
+    let near: Vec<_> = poses.iter().map(|pose| pose.pow(0.1)).collect();
+    let weights = [1.0, 2.0, 1.0];
+    let [mut one, mut all] = [(); 2].map(|()| vec![DualQuat::IDENTITY; near.len() - 2]);
+    let means = [(best, &mut one), (best.threads(2), &mut all)].map(|(backend, means)| {
+        backend.dib_windows(&near, &weights, 1e-5, 20, means).expect("they fit")
+    });
+    assert!(one == all && means[0] == means[1], "{means:?}");
 }
 
 #[test]

@@ -267,7 +267,10 @@ fn what_does_not_fit_is_named_and_nothing_is_written() {
     );
     let binds = [DualQuat::IDENTITY; JOINTS];
     let mut palette = before;
-    refused(job.palette(sampled, &mut [], &binds, &mut palette), length("scratch", 0, JOINTS));
+    refused(
+        job.palette(sampled, &mut [binds[0]; 0], &binds, &mut palette),
+        length("scratch", 0, JOINTS),
+    );
     // The model of joint 0 is in no scratch: that of instance 1 least of all.
     let mut scratch = [DualQuat::IDENTITY; JOINTS];
     let tail = hierarchy.job().joints(1..JOINTS);

@@ -10,7 +10,6 @@ mod mechanisms;
 mod motions;
 mod sample;
 mod slices;
-mod velocities;
 
 use dq8::Backend;
 use dq8_capi::Status::Ok as Done;
