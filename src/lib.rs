@@ -60,7 +60,7 @@
 //! | `std` | yes | square roots and trigonometry of the standard library; implies `alloc` |
 //! | `alloc` | | `Crowd`, owned blocks for any number of instances, `Skeleton` and `HierarchyPlan` |
 //! | `libm` | | square roots and trigonometry without std |
-//! | `rayon` | | crowds and chains over all cores: the `par_` methods of [`Job`] and [`Backend`] |
+//! | `rayon` | | `threads` of every job and of [`Backend`]: any number of them, and the same bits |
 //! | `serde`, `rkyv_08`, `mint_05`, `glam_034`, `nalgebra_035`, `approx_05`, `rand_010`, `arbitrary`, `proptest`, `defmt` | | types of other crates: see [`interop`] |
 //!
 //! Unit length is a precondition that nothing checks by default. `RUSTFLAGS="--cfg dq8_debug_assert_unit"` makes debug

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`Joint`], [`JointKind`], [`Mimic`] | how a link is joined to the one that carries it |
 //! | [`Mechanism`], [`Step`] | a tree of joints, checked once, in memory of the caller |
+//! | [`Job`] | a run over many configurations, with options |
 //! | [`OwnedMechanism`] | the same with memory of its own (feature `alloc`) |
 //! | [`World`], [`Body`], [`WorldAligned`] | the frame of a Jacobian |
 //! | [`JointValues`] | how values of many configurations lie in memory |
@@ -12,16 +13,16 @@
 //! | [`Options`], [`Report`], [`Outcome`] | how it searches, and how a search ended |
 //!
 //! Everything is there twice: for one configuration and any [`Real`](crate::Real), by the book, as a method
-//! of [`Mechanism`]; and for many on lanes, as a method of [`Backend`](crate::Backend).
+//! of [`Mechanism`]; and for many on lanes, as a method of its [`Job`].
 //!
 //! | one configuration | many |
 //! |---|---|
-//! | [`Mechanism::link_poses`] | [`Backend::link_poses`](crate::Backend::link_poses) |
-//! | [`Mechanism::link_pose`] | [`Backend::chosen_link_poses`](crate::Backend::chosen_link_poses) |
-//! | [`Mechanism::link_jacobian`] | [`Backend::link_jacobians`](crate::Backend::link_jacobians) |
+//! | [`Mechanism::link_poses`] | [`Job::poses`] |
+//! | [`Mechanism::link_pose`] | `mechanism.job().links(&links).poses(…)` |
+//! | [`Mechanism::link_jacobian`] | `mechanism.job().links(&links).jacobians(…)` |
 //! | [`Reach::solve`] | [`Backend::reach_links`](crate::Backend::reach_links) |
-//! | [`Mechanism::link_velocities`] | [`Backend::link_velocities`](crate::Backend::link_velocities) |
-//! | [`Mechanism::link_accelerations`] | [`Backend::link_accelerations`](crate::Backend::link_accelerations) |
+//! | [`Mechanism::link_velocities`] | [`Job::velocities`] |
+//! | [`Mechanism::link_accelerations`] | [`Job::accelerations`] |
 //!
 //! On lanes an angle may be up to 2¹⁷ radians (`f32`) or 2⁴⁶ (`f64`) from zero. At 10⁴ radians sine and
 //! cosine of an `f32` angle, taken as exact, are off by at most five units of 2⁻²⁴.
