@@ -60,11 +60,18 @@
 #![forbid(unsafe_code)]
 
 mod element;
+mod encoding;
 mod error;
 mod file;
 mod joint;
+mod mimics;
+mod place;
 mod robot;
+mod spelling;
 mod tree;
+mod warning;
+mod xml;
 
 pub use error::UrdfError;
 pub use robot::Robot;
+pub use warning::UrdfWarning;
