@@ -168,7 +168,7 @@ fn every_error_has_the_line_and_the_names() {
         (r#"type="revolute""#, r#"type="fixed""#, 16, &["k", "j"]),
         (r#"type="revolute""#, r#"type="planar""#, 16, &["k", "j"]),
         (r#"type="prismatic""#, r#"type="floating""#, 16, &["k", "j"]),
-        (r#"xyz="0 0 0""#, r#"xyz="1e308 1e308 1e308" rpy="1 1 1""#, 5, &["j"]),
+        (r#"xyz="0 0 0""#, r#"xyz="1.7e308 1.7e308 1.7e308" rpy="1 0 2""#, 5, &["j"]),
         (r#"xyz="0 0 0""#, r#"xyz="1e999 0 0""#, 8, &["j", "1e999 0 0"]),
         (r#"multiplier="2""#, r#"multiplier="1e999""#, 16, &["k", "1e999"]),
         (r#"upper="1""#, r#"upper="1e999""#, 10, &["j", "1e999"]),
