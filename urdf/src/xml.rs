@@ -75,8 +75,8 @@ fn newlines(text: &str) -> impl Iterator<Item = char> {
 
 /// The length of what is at the beginning and says nothing, if such a thing is there.
 fn skipped(text: &str, before_root: bool) -> Option<usize> {
-    if text.starts_with("<!--") {
-        ends(&text[4..], "-->").map(|length| 4 + length)
+    if let Some(comment) = text.strip_prefix("<!--") {
+        ends(comment, "-->").map(|length| 4 + length)
     } else if text.starts_with("<?") {
         ends(text, "?>")
     } else if before_root && text.starts_with("<!DOCTYPE") {

@@ -100,6 +100,17 @@ fn attributes_of_other_programs_are_reported_and_the_link_stands_where_it_does()
 }
 
 #[test]
+fn an_axis_with_rpy_is_that_of_xyz() {
+    let axis = r#"<axis rpy="0 0 0" xyz="0 1 0"/>"#;
+    let robot = Robot::from_urdf(&hinge(&format!("{axis}{LIMIT}"), "")).unwrap();
+    let pose = robot.mechanism().link_pose(&[0.7], robot.link("tip").unwrap()).unwrap();
+    // Rz(0.6) Ry(-0.5) Rx(0.4) Ry(0.7).
+    let wanted = [0.12773074838228848, 0.14192948108817596, 0.3953494539363277, 0.8984651844050435];
+    close(&pose.rotation().to_array(), &wanted);
+    assert_eq!(lines(robot.warnings()), [9]);
+}
+
+#[test]
 fn elements_of_other_programs_are_reported_wherever_they_are() {
     for name in [
         "gazebo",
