@@ -2,7 +2,8 @@ use dq8::mechanism::MechanismError;
 use std::error::Error;
 use std::fmt;
 
-/// A file that does not describe a robot, or describes one that a mechanism cannot express. Each names the element.
+/// A file that does not describe a robot, or describes one that a mechanism cannot express. Each names the line and the
+/// element.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum UrdfError {
