@@ -267,9 +267,9 @@ fn judge(on: On, operation: &Operation, case: &Case, half: f64, motion: [f64; 8]
     let squared: f64 = motion[..4].iter().map(|c| c * c).sum();
     if squared.is_nan() {
         // NaN where the half angle is beyond the limit or the square of t is infinite, and of NLERP of equal ends, whose
-        // weights cancel. The parameter of the last screw of `squad` grows with t².
+        // weights cancel. The parameter of the last screw of `squad` grows with t², and its turn with t.
         let t = 2.0 * case.t.abs() + 1.0;
-        let t = if *name == "squad" { t * t } else { t };
+        let t = if *name == "squad" { t.powi(3) } else { t };
         let limit = if on.single { 65_536.0 } else { limit::<f64>() };
         let square = if on.single { 1e19 } else { 1e154 };
         let twist = case.x[..3].iter().map(|c| c * c).sum::<f64>().sqrt() / 2.0;
