@@ -79,7 +79,9 @@ enum Proof {
 static LIMIT: AtomicU8 = AtomicU8::new(u8::MAX);
 
 impl Backend {
-    /// What the build target has: SSE2 in a default x86-64 build, NEON on aarch64, simd128 on wasm.
+    /// What the build target has: SSE2 in a default x86-64 build, NEON on aarch64, simd128 on wasm. It fuses
+    /// multiply-add on aarch64 and in builds with `fma`, and not elsewhere, so its last bits are not the same on all
+    /// machines.
     pub const PORTABLE: Self = Self(Proof::Portable);
 
     /// x86-64 with AVX2 and FMA: 8 × `f32`, 4 × `f64`. `None` if the CPU lacks them.
