@@ -1,15 +1,14 @@
 //! Joint hierarchies in motion: twists of all joints, and the Jacobian of one.
 
-use crate::hierarchy::{job, parents};
+use crate::hierarchy::parents;
 use crate::memory::{Input, Output};
 use crate::span::apart;
 use crate::status::{Done, Status};
-use core::ptr;
-use dq8::Twist;
+use dq8::{Hierarchy, Twist};
 use dq8::storage::{AoSoA, Aos, Layout};
 
 /// # Safety
-/// As for [`Input::slice`] and [`Output::slice`]; `parents` as [`job`].
+/// As for [`Input::slice`] and [`Output::slice`].
 unsafe fn velocities<L: Layout>(
     parents: *const i32,
     joints: usize,
@@ -25,13 +24,13 @@ unsafe fn velocities<L: Layout>(
     apart(&[twists.span], &[parents.span, models.span, rates.span])?;
     // SAFETY: promised, and apart.
     unsafe {
-        let job = job::<L>(&parents, ptr::null())?;
+        let job = Hierarchy::new(parents.slice())?.job();
         Ok(job.velocities(models.slice(), rates.slice(), twists.slice())?)
     }
 }
 
 /// # Safety
-/// As for [`Input::slice`] and [`Output::slice`]; `parents` as [`job`].
+/// As for [`Input::slice`] and [`Output::slice`].
 unsafe fn jacobian<L: Layout>(
     parents: *const i32,
     joints: usize,
@@ -51,7 +50,7 @@ unsafe fn jacobian<L: Layout>(
     }
     // SAFETY: promised, and apart.
     unsafe {
-        let job = job::<L>(&parents, ptr::null())?;
+        let job = Hierarchy::new(parents.slice())?.job();
         Ok(job.jacobian(models.slice(), axes.slice(), effector, columns.slice())?)
     }
 }
