@@ -192,9 +192,10 @@ macro_rules! functions {
         export! { $R $lanes
             /// Model poses of all joints from local ones: `models[j] = models[parents[j]] * locals[j]`.
             ///
-            /// `locals` and `models` hold `count` motions: one a joint, or several instances one after the
-            /// other, `[instance][joint]`. `root` is what joints without a parent stand on, or null.
-            /// `models` may be `locals`.
+            /// `locals` and `models` are `[instance][joint]`, `count` motions in all: `joints` times instances, which
+            /// is `joints` for one instance; in blocks, `[block of instances][joint]`, `joints` times the number of
+            /// instances over `lanes`, rounded up. DQ8_STATUS_LENGTH if `count` is no multiple of `joints`. `root` is
+            /// what joints without a parent stand on, or null. `models` may be `locals`.
             local_to_model, blocks_local_to_model(
                 parents: *const i32, joints: usize, root: *const $R,
                 locals: *const $R, models: *mut $R,
@@ -209,7 +210,7 @@ macro_rules! functions {
             )
         }
         export! { $R $lanes
-            /// As dq8_local_to_model of `count` unit quaternions (x, y, z, w) and `joints` offsets of joints
+            /// As dq8_local_to_model of `count` unit quaternions (x, y, z, w) in all and `joints` offsets of joints
             /// from their parents (x, y, z), the same for all instances: what animation clips hold.
             rotations_to_model, blocks_rotations_to_model(
                 parents: *const i32, joints: usize, root: *const $R,
@@ -230,7 +231,7 @@ macro_rules! functions {
             /// joint j has moved it.
             ///
             /// `inverse_binds` holds `joints` plain motions, the same for all instances. `models` and
-            /// `palette` hold `count` motions and must overlap nothing.
+            /// `palette` hold `count` motions in all, as there, and must overlap nothing.
             palette, blocks_palette(
                 parents: *const i32, joints: usize, root: *const $R,
                 locals: *const $R, inverse_binds: *const $R, models: *mut $R, palette: *mut $R,

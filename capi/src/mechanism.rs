@@ -224,8 +224,8 @@ macro_rules! functions {
     ($R:ident $lanes:tt) => {
         export_one! { $R
             /// Checks `count` joints and makes a mechanism of them, once; its functions then only compute.
-            /// `steps`, as many as joints, is memory that the mechanism keeps using: nothing else may write
-            /// it. `joints` are not needed any more.
+            /// `steps`, as many as joints, is memory that the mechanism keeps using: what its functions do is
+            /// undefined if anything else has written it. `joints` are not needed any more.
             ///
             /// DQ8_STATUS_PARENT_NOT_BEFORE, _PARENT_OUT_OF_RANGE, _NOT_UNIT (the placement), _NOT_FINITE,
             /// _AXIS, _MIMIC, _LIMITS or _UNKNOWN_VALUE (the kind, `mimics` or `limited`); `bad_joint`, which may be null, is

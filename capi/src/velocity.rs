@@ -4,8 +4,8 @@ use crate::hierarchy::parents;
 use crate::memory::{Input, Output};
 use crate::span::apart;
 use crate::status::{Done, Status};
-use dq8::{Hierarchy, Twist};
 use dq8::storage::{AoSoA, Aos, Layout};
+use dq8::{Hierarchy, Twist};
 
 /// # Safety
 /// As for [`Input::slice`] and [`Output::slice`].
@@ -62,8 +62,8 @@ macro_rules! functions {
             /// `rates`, the body twist of each joint relative to its parent (of a hinge: its axis times its rate,
             /// and zeros): `twists[j] = twists[parents[j]] + Ad(models[j]) rates[j]`.
             ///
-            /// `models`, `rates` and `twists` hold one element per joint, or several instances one after the
-            /// other. Twists are in the frame that the models are in, about its origin.
+            /// `models`, `rates` and `twists` are `[instance][joint]`, `count` elements in all, as in
+            /// dq8_local_to_model. Twists are in the frame that the models are in, about its origin.
             velocities, blocks_velocities(
                 parents: *const i32, joints: usize,
                 models: *const $R, rates: *const $R, twists: *mut $R,
@@ -74,8 +74,8 @@ macro_rules! functions {
             /// `Ad(models[j]) axes[j]`, for the effector and what it hangs from, and zero for all others.
             ///
             /// `axes` holds `joints` plain twists, the same for all instances: the body twist of each joint for a
-            /// rate of 1. `models` and `columns` hold one element per joint, or several instances one after
-            /// the other. DQ8_STATUS_NO_LINK if there is no such joint.
+            /// rate of 1. `models` and `columns` are `[instance][joint]`, `count` elements in all, as in
+            /// dq8_local_to_model. DQ8_STATUS_NO_LINK if there is no such joint.
             jacobian, blocks_jacobian(
                 parents: *const i32, joints: usize,
                 models: *const $R, axes: *const $R, effector: usize, columns: *mut $R,

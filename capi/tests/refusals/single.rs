@@ -34,9 +34,7 @@ macro_rules! all {
                     ("blocks_points in place", 8 * lanes, &|m, o| {
                         s::blocks_points(lanes, m, o, o, 2)
                     }),
-                    ("blocks_vectors", 8 * lanes, &|m, o| {
-                        s::blocks_vectors(lanes, m, a, o, 2)
-                    }),
+                    ("blocks_vectors", 8 * lanes, &|m, o| s::blocks_vectors(lanes, m, a, o, 2)),
                     ("local_to_model", 128, &|m, o| h::local_to_model(parents, 2, m, a, o, 16)),
                     ("local_to_model in place", 128, &|m, o| {
                         h::local_to_model(parents, 2, m, o, o, 16)
@@ -66,9 +64,7 @@ macro_rules! all {
                     ("blocks_rotations_translations_to_model", 16 * lanes, &|m, o| {
                         h::blocks_rotations_translations_to_model(lanes, parents, 2, m, a, o, 2)
                     }),
-                    ("palette, models", 128, &|m, o| {
-                        h::palette(parents, 2, m, a, a, o, b, 16)
-                    }),
+                    ("palette, models", 128, &|m, o| h::palette(parents, 2, m, a, a, o, b, 16)),
                     ("palette", 128, &|m, o| h::palette(parents, 2, m, a, a, b, o, 16)),
                     ("blocks_palette, models", 16 * lanes, &|m, o| {
                         h::blocks_palette(lanes, parents, 2, m, a, a, o, b, 2)
@@ -102,7 +98,11 @@ macro_rules! all {
                     (*numbers as isize, Status::Ok),
                 ] {
                     buffer.0 = before.0;
-                    assert_eq!(call(out.wrapping_offset(first), out), wanted, "{name}: from {first}");
+                    assert_eq!(
+                        call(out.wrapping_offset(first), out),
+                        wanted,
+                        "{name}: from {first}"
+                    );
                     let untouched = now::<$R, { 3 * 16 * 16 }>(&raw const buffer.0[0]) == before.0;
                     assert!(wanted == Status::Ok || untouched, "{name}: from {first}: written");
                 }
@@ -152,10 +152,25 @@ macro_rules! all {
                 }
                 assert_eq!(call(values, scratch, report), Status::Ok);
                 // Just before them and just behind them is not over them.
-                assert_eq!(call(start.add(7), start.add(8 + numbers), start.add(1000).cast()), Status::Ok);
+                assert_eq!(
+                    call(start.add(7), start.add(8 + numbers), start.add(1000).cast()),
+                    Status::Ok
+                );
             }
         }
     };
 }
-all!(no_output_lies_over_a_motion_or_a_root_single, no_output_of_a_search_lies_over_its_options_single, f32, single, 8);
-all!(no_output_lies_over_a_motion_or_a_root_double, no_output_of_a_search_lies_over_its_options_double, f64, double, 4);
+all!(
+    no_output_lies_over_a_motion_or_a_root_single,
+    no_output_of_a_search_lies_over_its_options_single,
+    f32,
+    single,
+    8
+);
+all!(
+    no_output_lies_over_a_motion_or_a_root_double,
+    no_output_of_a_search_lies_over_its_options_double,
+    f64,
+    double,
+    4
+);

@@ -197,7 +197,11 @@ impl<'s, R: Scalar> Room<'s, R> {
         let first = memory.as_ptr().align_offset(LINE);
         let [joints, _] = Counts::of(reach).parts();
         let aligned = memory.get_mut(first..).unwrap_or_default();
-        Self(aligned.split_at_mut_checked(joints.saturating_mul(lanes)).map_or([&mut [], &mut []], Into::into))
+        Self(
+            aligned
+                .split_at_mut_checked(joints.saturating_mul(lanes))
+                .map_or([&mut [], &mut []], Into::into),
+        )
     }
 }
 
