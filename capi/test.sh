@@ -43,7 +43,7 @@ passes "$prefix/arm"
 
 echo 'README, in C99 and C++20'
 # Each of its listings is a function. The second one poses a skeleton that the reader has.
-awk 'BEGIN { print "#include <stdio.h>\n#include \"dq8.h\"\nstatic dq8_status status = -1;\nstatic float locals[32], models[32];" }
+awk 'BEGIN { print "#include <stdio.h>\n#include \"dq8.h\"\nstatic dq8_status status;\nstatic float locals[32], models[32];" }
   /^```c$/ { inside = 1; printf "static void listing_%d(void) {\n", ++count; next }
   /^```$/ && inside { inside = 0; print "if (status != DQ8_STATUS_OK) puts(dq8_status_text(status));\n}" }
   inside && !/^#include/
