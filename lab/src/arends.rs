@@ -4,9 +4,6 @@ use crate::HyperDualQuat;
 use crate::matrix;
 use dq8::{DualQuat, Quat, Real};
 
-/// Radians in a degree, in the appendix.
-pub const DEG2RAD: f64 = 314_159.0 / 18e6;
-
 /// Degrees that `animate` of the appendix adds to `rotate_angle` in every frame, by which three of his four
 /// vectors turn.
 pub const ANGLE_STEP: f64 = 1.0;
@@ -77,6 +74,12 @@ pub fn keyframe<R: Real>(a: [R; 3], b: [R; 3], t: R) -> [R; 3] {
     core::array::from_fn(|i| (a[i].ln() + b[i].ln()).exp())
 }
 
+/// `DEG2RAD` of the appendix, 3.14159/180, times `degrees`.
+#[must_use]
+pub fn radians(degrees: f64) -> f64 {
+    degrees * (314_159.0 / 18e6)
+}
+
 /// Rx(φ) Ry(θ) Rz(ψ) v of §2.2.
 #[must_use]
 pub fn turned(angles: [f64; 3], v: [f64; 3]) -> [f64; 3] {
@@ -94,13 +97,13 @@ pub fn reflection_in_a_line(v: [f64; 3], l: [f64; 3]) -> [f64; 3] {
 /// (cos, n sin) + ε(0, T/2) of §4.4.
 #[must_use]
 pub fn side_by_side(r: Quat<f64>, t: [f64; 3]) -> DualQuat<f64> {
-    DualQuat::new(r, half(t))
+    DualQuat::new(r, pure(t.map(|c| c / 2.0)))
 }
 
 /// (cos, n sin) + ε₁ε₂(0, T/2) of §5.4.
 #[must_use]
 pub fn hyper_side_by_side(r: Quat<f64>, t: [f64; 3]) -> HyperDualQuat<f64> {
-    HyperDualQuat { mixed: half(t), ..HyperDualQuat::from_rotation(r) }
+    HyperDualQuat { mixed: pure(t).scale(0.5), ..HyperDualQuat::from_rotation(r) }
 }
 
 /// ½(p − epe⁻¹) + β ½(p + epe⁻¹): the parts of eq. 8 across and along a unit vector e, with a factor on the one.
@@ -142,10 +145,6 @@ fn sandwiched(e: [f64; 3], p: [f64; 3]) -> Quat<f64> {
 
 fn pure(v: [f64; 3]) -> Quat<f64> {
     Quat::from_parts(v, 0.0)
-}
-
-fn half(v: [f64; 3]) -> Quat<f64> {
-    pure(v).scale(0.5)
 }
 
 fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {

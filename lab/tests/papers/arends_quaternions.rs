@@ -3,7 +3,7 @@
 use crate::{add, assert_close, assert_far, cross, dot, length, motions, point, pure, quat};
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
 use dq8::{DualQuat, Quat};
-use lab::arends::{DEG2RAD, by_components};
+use lab::arends::{by_components, radians};
 
 const X: [f64; 3] = [1.0, 0.0, 0.0];
 const Y: [f64; 3] = [0.0, 1.0, 0.0];
@@ -143,7 +143,7 @@ fn appendix_a_dqtransform_rotates_and_then_translates() {
 /// DEG2RAD is 3.14159/180: over a turn 5·10⁻⁶ are missing, ten times what a float loses by rounding.
 #[test]
 fn appendix_a_erratum_degrees_are_short_by_eight_ten_millionths() {
-    let turn = 360.0 * DEG2RAD;
+    let turn = radians(360.0);
     assert_close([(TAU - turn) / TAU], [8.446e-7], 1e-10);
     assert!(TAU - turn > 10.0 * (f64::from(core::f32::consts::TAU) - TAU).abs());
 }
