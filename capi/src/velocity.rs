@@ -1,15 +1,14 @@
 //! Joint hierarchies in motion: twists of all joints, and the Jacobian of one.
 
-use crate::hierarchy::{job, parents};
+use crate::hierarchy::parents;
 use crate::memory::{Input, Output};
 use crate::span::apart;
 use crate::status::{Done, Status};
-use core::ptr;
-use dq8::Twist;
 use dq8::storage::{AoSoA, Aos, Layout};
+use dq8::{Hierarchy, Twist};
 
 /// # Safety
-/// As for [`Input::slice`] and [`Output::slice`]; `parents` as [`job`].
+/// As for [`Input::slice`] and [`Output::slice`].
 unsafe fn velocities<L: Layout>(
     parents: *const i32,
     joints: usize,
@@ -25,13 +24,13 @@ unsafe fn velocities<L: Layout>(
     apart(&[twists.span], &[parents.span, models.span, rates.span])?;
     // SAFETY: promised, and apart.
     unsafe {
-        let job = job::<L>(&parents, ptr::null())?;
+        let job = Hierarchy::new(parents.slice())?.job();
         Ok(job.velocities(models.slice(), rates.slice(), twists.slice())?)
     }
 }
 
 /// # Safety
-/// As for [`Input::slice`] and [`Output::slice`]; `parents` as [`job`].
+/// As for [`Input::slice`] and [`Output::slice`].
 unsafe fn jacobian<L: Layout>(
     parents: *const i32,
     joints: usize,
@@ -51,7 +50,7 @@ unsafe fn jacobian<L: Layout>(
     }
     // SAFETY: promised, and apart.
     unsafe {
-        let job = job::<L>(&parents, ptr::null())?;
+        let job = Hierarchy::new(parents.slice())?.job();
         Ok(job.jacobian(models.slice(), axes.slice(), effector, columns.slice())?)
     }
 }
@@ -63,8 +62,8 @@ macro_rules! functions {
             /// `rates`, the body twist of each joint relative to its parent (of a hinge: its axis times its rate,
             /// and zeros): `twists[j] = twists[parents[j]] + Ad(models[j]) rates[j]`.
             ///
-            /// `models`, `rates` and `twists` hold one element per joint, or several instances one after the
-            /// other. Twists are in the frame that the models are in, about its origin.
+            /// `models`, `rates` and `twists` are `[instance][joint]`, `count` elements in all, as in
+            /// dq8_local_to_model. Twists are in the frame that the models are in, about its origin.
             velocities, blocks_velocities(
                 parents: *const i32, joints: usize,
                 models: *const $R, rates: *const $R, twists: *mut $R,
@@ -75,8 +74,8 @@ macro_rules! functions {
             /// `Ad(models[j]) axes[j]`, for the effector and what it hangs from, and zero for all others.
             ///
             /// `axes` holds `joints` plain twists, the same for all instances: the body twist of each joint for a
-            /// rate of 1. `models` and `columns` hold one element per joint, or several instances one after
-            /// the other. DQ8_STATUS_NO_LINK if there is no such joint.
+            /// rate of 1. `models` and `columns` are `[instance][joint]`, `count` elements in all, as in
+            /// dq8_local_to_model. DQ8_STATUS_NO_LINK if there is no such joint.
             jacobian, blocks_jacobian(
                 parents: *const i32, joints: usize,
                 models: *const $R, axes: *const $R, effector: usize, columns: *mut $R,
