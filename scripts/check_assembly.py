@@ -29,7 +29,7 @@ KERNELS = [
     ("one instance, planned", r"plan::Walk<f32>", 0),
 ]
 BACKENDS = [("AVX2", "with_avx2", (8, 16)), ("AVX-512", "with_avx512", (8, 16))]
-# What else a loop must hold, and must not, by kernel and backend; ARCHITECTURE.md has the reasons.
+# What else a loop must hold, and must not, by kernel and backend; docs/measured.md has the reasons.
 MUST = {
     ("crowd in place", "AVX-512"): r"\tprefetcht0",
     ("one instance, planned", "AVX-512"): r"\tvperm[it]2ps",

@@ -1,9 +1,27 @@
 //! Screws: parameters, logarithm, exponential, powers and screw interpolation.
 //!
-//! With Θ half the dual angle θ̂ of a motion, everything is written in the squared chord of Θ,
-//! C = 4 sin²(Θ/2), and in the arc over the chord, K(C) = arcsin(√C/2)/(√C/2), which is analytic:
-//! Θ = √C K(C), so Θ² = CK² and Θ/sin Θ = K/cos(Θ/2). See
-//! [`even`](super::even) and the chapter on screws in `ARCHITECTURE.md`.
+//! Half the dual angle of a motion, Θ, enters its logarithm, powers and interpolation only through functions that are
+//! even in it; as functions of a *square* these are analytic at Θ = 0. With the squared chord of Θ, C = 4 sin²(Θ/2), and
+//! the arc over the chord, K(C) = arcsin(√C/2)/(√C/2) on [0, 2],
+//!
+//! ```text
+//! Θ² = C K²      Θ / sin Θ = K / cos(Θ/2)
+//! ```
+//!
+//! on dual numbers, f(a + εb) = f(a) + ε b f′(a): value and derivative from one polynomial ([`even`](super::even)). There
+//! is no axis, no branch on the angle and no division by a sine. The obvious form would be slerp weights of the dual
+//! cosine X = ⟨a, b⟩; this one is better in two ways:
+//!
+//! - **C is not computed from 1 − X.** For poses that almost agree, 1 − X has lost the angle, which does no harm between
+//!   the poses but ruins extrapolation (t = 1000 along a tiny screw). `log` and `pow` take C from the vector part, ScLERP
+//!   from the difference b − a, which is exact there.
+//! - **ScLERP is centred on the midpoint.** With m = (a+b)/2 and h = (b−a)/2, which are orthogonal, and τ = 2t − 1,
+//!   σ(t) = cos(τΘ/2)/cos(Θ/2) m + sin(τΘ/2)/sin(Θ/2) h. Weights of a and b cancel outside [0, 1]; those of m and h do
+//!   not, and their arguments are half as large.
+//!
+//! Beyond (π/2)² the argument of cos √v is reduced, but only if some lane needs it; lanes that do not need it keep their
+//! bits. Half angles are reduced up to 2¹⁶ rad (`f32`) and 2⁴⁵ rad (`f64`). Beyond, a float is known to no more than
+//! 2⁻⁸ rad, and every component is NaN rather than a motion that is not unit.
 
 use super::even::{arc_over_chord, cos_sinc};
 use super::length::Length;

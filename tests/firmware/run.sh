@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds firmware for four boards, runs it under QEMU and proves what can be proved about its machine code: see ARCHITECTURE.md.
+# Builds firmware for four boards, runs it under QEMU and proves what can be proved about its machine code: see docs/measured.md.
 #
 #     bash tests/firmware/run.sh             # everything; a table a board, and a line a proof
 #     bash tests/firmware/run.sh cortex-m4   # one board
