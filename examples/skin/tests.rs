@@ -324,5 +324,5 @@ fn the_tube_collapses_bulges_and_keeps() {
     let (mix, _) = tube::measured(tube::bend(), 0.5).unwrap();
     assert!(bent_linear < mix && mix < bent_dual, "{bent_linear} {mix} {bent_dual}");
     let (_, svg) = tube::report().unwrap();
-    assert!(svg.matches("<text").count() == 6 && svg.ends_with("</svg>\n"));
+    assert!(svg.matches("<text").count() == 12 && svg.ends_with("</svg>\n"));
 }

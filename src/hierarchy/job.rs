@@ -186,7 +186,8 @@ impl<'a, E: Element<8>> Job<'a, E> {
         Ok(())
     }
 
-    /// [`locals_to_model`](Self::locals_to_model), and in the same pass the skinning palette:
+    /// Models and the skinning palette of them in one pass, for callers who need both ([`palette`](Self::palette) keeps no
+    /// models): `models` as of [`locals_to_model`](Self::locals_to_model), and
     /// `palette[j]` = model(j) · `inverse_binds[j]`, which takes a vertex of the mesh in its rest pose
     /// to where joint j has moved it. `inverse_binds` holds one per joint, the same for all instances;
     /// the palette is of motions, 3×4 or 4×4 matrices: [`PaletteEntry`].
@@ -230,8 +231,8 @@ impl<'a, E: Element<8>> Job<'a, E> {
         Ok(())
     }
 
-    /// [`locals_to_palette`](Self::locals_to_palette) for callers who need no models: these go through
-    /// `scratch`, which holds some whole instances, again and again. 16 instances serve plain motions and
+    /// The skinning palette alone: models are not kept ([`locals_to_palette`](Self::locals_to_palette) keeps them). They go
+    /// through `scratch`, which holds some whole instances, again and again. 16 instances serve plain motions and
     /// two blocks serve blocks best: as few as fill the lanes, so that they stay in the first cache. What is in it
     /// afterwards has no meaning: with plain motions, models stay there in the order of registers.
     ///

@@ -66,7 +66,7 @@ impl<'a, E: Element<8> + Send + Sync> Job<'a, E> {
         Ok(())
     }
 
-    /// [`locals_to_palette`](Self::locals_to_palette) on all threads of rayon's current pool. Every bit
+    /// Models and palette: [`locals_to_palette`](Self::locals_to_palette) on all threads of rayon's current pool. Every bit
     /// of the result is the same.
     ///
     /// # Errors
