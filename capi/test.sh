@@ -41,6 +41,20 @@ gcc -std=c99 -g -fsanitize=address,undefined -fno-sanitize-recover=all "${strict
   examples/arm.c "${static[@]}" -o "$prefix/arm"
 passes "$prefix/arm"
 
+echo 'README, in C99 and C++20'
+# Each of its listings is a function. The second one poses a skeleton that the reader has.
+awk 'BEGIN { print "#include <stdio.h>\n#include \"dq8.h\"\nstatic dq8_status status;\nstatic float locals[32], models[32];" }
+  /^```c$/ { inside = 1; printf "static void listing_%d(void) {\n", ++count; next }
+  /^```$/ && inside { inside = 0; print "if (status != DQ8_STATUS_OK) puts(dq8_status_text(status));\n}" }
+  inside && !/^#include/
+  END { print "int main(void) {"; for (i = 1; i <= count; i++) printf "listing_%d();\n", i; print "puts(\"PASS\"); return 0; }" }' README.md > "$prefix/readme.c"
+grep -q 'listing_4()' "$prefix/readme.c" || { echo 'README has fewer than four listings' >&2; exit 1; }
+read_as() { "$@" "${strict[@]}" -Wno-unused "${cflags[@]}" "$prefix/readme.c" -x none "${static[@]}" -o "$prefix/readme"; }
+read_as gcc -std=c99
+[ "$("$prefix/readme")" = PASS ] || { echo 'a listing of README fails' >&2; exit 1; }
+read_as g++ -std=c++20 -Wno-missing-field-initializers -x c++
+[ "$("$prefix/readme")" = PASS ] || { echo 'a listing of README fails' >&2; exit 1; }
+
 echo 'CMake'
 mkdir "$prefix/app"
 cat > "$prefix/app/CMakeLists.txt" <<EOF

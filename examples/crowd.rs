@@ -1,4 +1,4 @@
-//! A thousand characters play one clip, each at its own time and place; the GPU gets 3×4 matrices.
+//! A thousand characters play one clip, each at its own time and place; the GPU gets 3×4 matrices by columns.
 //!
 //! ```sh
 //! cargo run --release --example crowd
@@ -33,14 +33,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     let roots: Vec<_> = (0..CHARACTERS).map(place).collect();
     // Models of 16 instances at a time stay in the cache; nobody needs them afterwards.
     let mut scratch = vec![DualQuat::IDENTITY; 16 * skeleton.joints()];
-    let mut palette = vec![[[0.0; 4]; 3]; CHARACTERS * skeleton.joints()];
+    let mut palette = vec![[0.0; 12]; CHARACTERS * skeleton.joints()];
     for seconds in [0.0, 0.25, 0.5] {
         let at = |i: usize| (seconds + 0.37 * i as f32).fract() * FRAMES_PER_SECOND;
         let (frames, t): (Vec<_>, Vec<_>) = (0..CHARACTERS).map(|i| clip.place(at(i))).unzip();
         let locals = Sampled::new(Separate, clip, &frames, &t)?;
         let job = skeleton.job().roots(&roots).matrix_order(MatrixOrder::Columns);
         job.palette(locals, &mut scratch, &inverse_binds, &mut palette)?;
-        let upload: &[f32] = palette.as_flattened().as_flattened();
+        let upload: &[f32] = palette.as_flattened();
         println!("{seconds:4} s: {} floats, from {:?}", upload.len(), &upload[..12]);
     }
     Ok(())

@@ -2,15 +2,17 @@
 """Whether the tests behind docs/claims.md would notice if the claims were false.
 
 lab/mutations.toml has changes of one constant, sign or factor that falsify claims, each with the tests that must
-fail of it. In a copy of the tree (target/falsify) all of them are built at once, each behind a switch, so that one
+fail of it. Those of the library (src/) or of a formula of the laboratory (lab/src/) also name the rows of claims.md that
+they falsify, by source and section; a change of a test shows only that the test can fail, and counts for no row. In a copy of the tree (target/falsify) all of them are built at once, each behind a switch, so that one
 build of a test binary serves all: `if dq8::mutant() == 17 { changed } else { as it is }`. What is no expression (a constant)
 is built alone. Then each test runs without a change, where it must pass, and with each of its own, where it must not.
 
-  scripts/falsify.py             everything
-  scripts/falsify.py jia 37_43   what has all of these words in its tests or its file
+  scripts/falsify.py             everything (with two free cores about an hour: 25 changes have a build of their own)
+  scripts/falsify.py jia 37_43   what has all of these words in its test, its file or its rows
   scripts/falsify.py --switched  leaves out what needs a build of its own
   scripts/falsify.py --check     nothing is built: each old text is there exactly once, each test exists, and each row
-                                 whose claim holds or is wrong has a test in the table, or is in its list of those without
+                                 whose claim holds or is wrong is named by a change of the library or the laboratory that
+                                 one of its tests must fail of, or is in the list of those without
   scripts/falsify.py --rows      the rows of claims.md without a change
 """
 
@@ -34,10 +36,16 @@ def table():
     return data["mutation"], data.get("without", [])
 
 
-def claims():
-    """(line, section, verdict, tests) of every row whose verdict is on the matter."""
+def is_formula(mutation):
+    """Whether it changes what is claimed, and not what tests it."""
+    return mutation["file"].startswith(("src/", "lab/src/"))
+
+
+def claims(text=None):
+    """(line, name, verdict, tests) of every row whose verdict is on the matter."""
     source = None
-    for number, line in enumerate((ROOT / "docs/claims.md").read_text().splitlines(), 1):
+    text = text or (ROOT / "docs/claims.md").read_text()
+    for number, line in enumerate(text.splitlines(), 1):
         if line.startswith("## "):
             source = line[3:].split(",")[0]
         cells = [cell.strip() for cell in line.strip("|").split("|")]
@@ -45,13 +53,19 @@ def claims():
             yield number, f"{source} {cells[0]}", cells[3], re.findall(r"`([^`]+)`", cells[2])
 
 
-def uncovered(mutations):
-    tried = {test for mutation in mutations for test in mutation["tests"]}
-    return [row for row in claims() if not tried & set(row[3])]
+def uncovered(mutations, rows):
+    """The rows that no change falsifies by one of their own tests."""
+    tried = {(row, test) for mutation in mutations if is_formula(mutation)
+             for row in mutation.get("rows", ()) for test in mutation["tests"]}
+    return [row for row in rows if not any((row[1], test) in tried for test in row[3])]
 
 
-def check(mutations, without):
-    wrong = []
+def check(mutations, without, rows):
+    names, wrong = {}, []
+    for line, row, _, tests in rows:
+        if row in names:
+            wrong.append(f"line {line}: two rows are called {row}")
+        names[row] = set(tests)
     for mutation in mutations:
         path = ROOT / mutation["file"]
         text = path.read_text() if path.exists() else ""
@@ -63,10 +77,17 @@ def check(mutations, without):
             file, _, name = test.partition("::")
             if not (ROOT / file).exists() or f"fn {name}(" not in (ROOT / file).read_text():
                 wrong.append(f"no such test: {test}")
+        for row in mutation.get("rows", ()):
+            if not is_formula(mutation):
+                wrong.append(f"{mutation['file']}: a change of a test falsifies no row: {row}")
+            if row not in names:
+                wrong.append(f"{mutation['file']}: no such row: {row}")
+            elif not names[row] & set(mutation["tests"]):
+                wrong.append(f"{mutation['file']}: none of its tests is one of {row}")
     listed = {entry["row"] for entry in without}
-    rows = {row[1] for row in uncovered(mutations)}
-    wrong += [f"no change falsifies: {row}" for row in sorted(rows - listed)]
-    wrong += [f"needs not be listed as without: {row}" for row in sorted(listed - rows)]
+    open_rows = {row[1] for row in uncovered(mutations, rows)}
+    wrong += [f"no change falsifies: {row}" for row in sorted(open_rows - listed)]
+    wrong += [f"needs not be listed as without: {row}" for row in sorted(listed - open_rows)]
     return wrong
 
 
@@ -96,22 +117,27 @@ def module_of(binary, path):
 
 def apply(mutations, alone=None):
     """The tree with all switched changes, or with a single one of those that are none."""
-    changes = {}
-    # The one that is alone comes last, and replaces what overlaps it.
-    for number, mutation in sorted(enumerate(mutations), key=lambda pair: pair[0] == alone):
-        name = mutation["file"]
-        spans = changes.setdefault(name, [])
-        if mutation.get("alone") and number != alone:
-            continue
-        changed = mutation["new"]
+    changes = {mutation["file"]: [] for mutation in mutations}
+    # Several may change the same text.
+    switched = {}
+    for number, mutation in enumerate(mutations):
         if not mutation.get("alone"):
-            crate = "crate" if name.startswith("src/") else "dq8"
-            changed = f"(if {crate}::mutant() == {number} {{ {changed} }} else {{ {mutation['old']} }})"
-        start = (ROOT / name).read_text().index(mutation["old"])
-        end = start + len(mutation["old"])
+            switched.setdefault((mutation["file"], mutation["old"]), []).append((number, mutation["new"]))
+    replaced = []
+    for (name, old), news in switched.items():
+        crate = "crate" if name.startswith("src/") else "dq8"
+        chosen = "".join(f"if {crate}::mutant() == {number} {{ {new} }} else " for number, new in news)
+        replaced.append((name, old, f"({chosen}{{ {old} }})"))
+    # The one that is alone comes last, and replaces what overlaps it.
+    if alone is not None:
+        replaced.append(tuple(mutations[alone][key] for key in ("file", "old", "new")))
+    for index, (name, old, changed) in enumerate(replaced):
+        spans = changes[name]
+        start = (ROOT / name).read_text().index(old)
+        end = start + len(old)
         others = [span for span in spans if span[0] < end and start < span[1]]
-        if others and number != alone:
-            raise SystemExit(f"{name}: changes overlap: {mutation['old']}")
+        if others and index < len(switched):
+            raise SystemExit(f"{name}: changes overlap: {old}")
         spans[:] = [span for span in spans if span not in others]
         spans.append((start, end, changed))
     changes.setdefault("src/lib.rs", [])
@@ -153,24 +179,26 @@ def main():
     words = [word for word in sys.argv[1:] if not word.startswith("--")]
     if set(sys.argv[1:]) - {*words, "--check", "--rows", "--switched"}:
         raise SystemExit(__doc__)
-    mutations, without = table()
+    (mutations, without), rows = table(), list(claims())
     if "--rows" in sys.argv:
-        for line, row, verdict, _ in uncovered(mutations):
+        for line, row, verdict, _ in uncovered(mutations, rows):
             print(f"{line}: {row}: {verdict}")
         return 0
-    if wrong := check(mutations, without):
+    if wrong := check(mutations, without, rows):
         print("\n".join(wrong))
         return 1
     if "--check" in sys.argv:
-        rows = sum(1 for _ in claims())
-        print(f"{len(mutations)} changes falsify {rows - len(without)} of {rows} rows")
+        formulas = sum(map(is_formula, mutations))
+        print(f"{formulas} changes of the library and the laboratory falsify {len(rows) - len(without)} of {len(rows)} rows; "
+              f"{len(mutations) - formulas} of tests show that those can fail")
         return 0
     os.environ.setdefault("CARGO_PROFILE_DEV_DEBUG", "0")
     os.environ.setdefault("CARGO_INCREMENTAL", "1")
     copy(COPY)
     apply(mutations)
     survivors, binaries = [], {}
-    is_chosen = lambda mutation, test: all(word in test + " " + mutation["file"] for word in words)
+    is_chosen = lambda mutation, test: all(
+        word in " ".join((test, mutation["file"], *mutation.get("rows", ()))) for word in words)
     tries = [(number, mutation, test) for number, mutation in enumerate(mutations) for test in mutation["tests"]
              if is_chosen(mutation, test) and not (mutation.get("alone") and "--switched" in sys.argv)]
 

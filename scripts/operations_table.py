@@ -260,7 +260,8 @@ def main():
         "Every public operation of the scalar reference, and where it is: on lanes, in the trait that both share (`Motion`, "
         "`Quaternion`, `DualNumber`), as a kernel over slices (methods of `Backend`), in C (`dq8_motion_…` for one motion; those over slices have the names of the "
         "kernels, without `transform_`), and how many "
-        "answers of 60 digits it is held to. A name in a cell is the name there. On lanes, errors are masks: what is `try_…` "
+        "answers of 60 digits it is held to: the bounds (`digits` in `tests/contract/operations.rs`) are enforced on these "
+        "answers, and are not proved for other input. A name in a cell is the name there. On lanes, errors are masks: what is `try_…` "
         "in the reference, or returns an error, ends in `_checked` there.",
         "",
         "Written by `scripts/operations_table.py` from the sources; `.ci/run` fails where the two differ. Jobs over memory "
@@ -284,6 +285,7 @@ def main():
             total["operations"] += 1
             total["lanes"] += not row[1].startswith("(")
             total["trait"] += not row[2].startswith("(")
+            total["answers"] += not row[5].startswith("(")
             where = f"../{every[key].relative_to(ROOT).as_posix()}"
             body.append(f"| [`{key[1]}`]({where}) | " + " | ".join(row) + " |")
     mapped = {name for names in KERNELS.values() for name in names}
@@ -297,7 +299,12 @@ def main():
     if wrong:
         sys.exit("\n".join(dict.fromkeys(wrong)))
     lines += [f"| ({letter}) | {text} |" for letter, text in REASONS.items()]
-    lines += ["", f"{total['operations']} operations; {total['lanes']} are on lanes, {total['trait']} in a trait."]
+    lines += ["", f"{total['operations']} operations; {total['lanes']} are on lanes, {total['trait']} in a trait, "
+              f"{total['answers']} have answers of 60 digits."]
+    for file, words in (("README.md", f"{total['answers']} of the {total['operations']} [operations]"),
+                        ("src/guide/accuracy.md", f"Of the {total['operations']} public operations, {total['answers']} have")):
+        if words not in (ROOT / file).read_text(encoding="utf-8"):
+            sys.exit(f"{file} does not say: {words}")
     text = "\n".join(lines + body) + "\n"
     if "--check" not in sys.argv:
         OUT.write_text(text, encoding="utf-8")

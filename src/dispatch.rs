@@ -84,7 +84,9 @@ enum Proof {
 static LIMIT: AtomicU8 = AtomicU8::new(u8::MAX);
 
 impl Backend {
-    /// What the build target has: SSE2 in a default x86-64 build, NEON on aarch64, simd128 on wasm.
+    /// What the build target has: SSE2 in a default x86-64 build, NEON on aarch64, simd128 on wasm. It fuses
+    /// multiply-add on aarch64 and in builds with `fma`, and not elsewhere, so its last bits are not the same on all
+    /// machines.
     pub const PORTABLE: Self = Self::of(Proof::Portable);
 
     /// On the thread that calls.

@@ -16,6 +16,11 @@ pub enum ShapeError {
         /// The joints of one instance.
         joints: usize,
     },
+    /// A slice holds nothing where something is needed.
+    Empty {
+        /// Which slice.
+        what: &'static str,
+    },
     /// A slice has the wrong length.
     Length {
         /// Which slice.
@@ -75,6 +80,7 @@ impl fmt::Display for ShapeError {
                 f,
                 "{what} holds {length} elements, which is not a multiple of the {joints} joints"
             ),
+            Self::Empty { what } => write!(f, "{what} holds no element"),
             Self::Length { what, length, expected } => {
                 write!(f, "{what} holds {length} elements where {expected} are needed")
             }

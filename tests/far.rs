@@ -8,6 +8,10 @@ use dq8::{
     scalar::MatrixError,
     simd::{Float, f32x4, f32x8, f32x16, f64x2, f64x4, f64x8},
 };
+use dq8_contract::case::Case;
+use dq8_contract::implementation::{On, implementations, scalar_f64};
+use dq8_contract::operation::{Argument, Domain, Operation};
+use dq8_contract::operations::OPERATIONS;
 use dq8_contract::sample::{Level, Proof};
 use dq8_contract::textbook::Textbook;
 
@@ -194,4 +198,100 @@ fn the_axis_of_the_smallest_turns_is_unit_and_the_moment_overflows_as_documented
         assert_eq!(!screw.axis.moment.iter().all(|c| c.is_finite()), overflows, "{screw:?}");
         assert!(DualQuat::exp(pose.log()).abs_diff_eq(pose, 0.75 * f32::EPSILON));
     }
+}
+
+/// Half the angle between the ends: from none, by such as have no square, to nearly half a turn.
+const HALF_ANGLES: [f64; 9] = [0.0, 1e-30, 1e-22, 1e-19, 1e-9, 1e-4, 0.05, 0.7, 1.5];
+
+/// Whether floats have a register for a quaternion; elsewhere they are one lane.
+const IN_REGISTERS: bool = cfg!(any(target_arch = "x86_64", target_arch = "aarch64"));
+
+/// Whether it takes unit motions and a number, and answers a motion.
+fn has_parameter(operation: &Operation) -> bool {
+    let case = Case::of_motions([0.0; 8], [0.0; 8], [0.0; 8]);
+    let answer = operation.answer(scalar_f64(), &[case]);
+    let of = |domain: Domain, numbers: usize| {
+        let is = |argument: &Argument| (argument.domain, argument.numbers) == (domain, numbers);
+        operation.arguments.iter().any(is)
+    };
+    answer.numbers.len() == 8 && of(Domain::Unit, 8) && of(Domain::Other, 1)
+}
+
+/// Of all operations of the table, by every implementation: ends close together and far apart, and parameters from
+/// half to the largest number, of either sign.
+#[test]
+fn every_operation_with_a_parameter_is_unit_or_nan_however_far_it_goes() {
+    let operations: Vec<_> = OPERATIONS.iter().filter(|&each| has_parameter(each)).collect();
+    let names: Vec<_> = operations.iter().map(|operation| operation.name).collect();
+    let known = ["nlerp", "slerp_lerp", "squad", "pow", "sclerp", "sclerp_long"];
+    assert_eq!(names[..6], known, "{names:?}");
+    assert_eq!(names[6..], ["integrate_spatial", "integrate_body"], "{names:?}");
+    for on in implementations() {
+        let largest = if on.single { f64::from(f32::MAX) } else { f64::MAX };
+        let factor = if on.single { 1.9 } else { 7.1 };
+        let sizes = std::iter::successors(Some(0.5), |t| Some(factor * t));
+        let sizes: Vec<f64> = sizes.take_while(|&t| t < largest).chain([largest]).collect();
+        for half in HALF_ANGLES {
+            let (a, b) = apart_by(half);
+            let far = |t: f64| Case { d: b, s: t, t, dt: t, ..Case::of_motions(a, b, a) };
+            let cases = sizes.iter().flat_map(|&t| [t, -t]).map(|t| far(t).rounded(on));
+            let cases: Vec<Case> = cases.collect();
+            for operation in &operations {
+                for chunk in cases.chunks(on.lanes) {
+                    let answer = operation.answer(on, chunk);
+                    for (lane, case) in chunk.iter().enumerate() {
+                        let (numbers, _) = answer.lane(lane);
+                        judge(on, operation, case, half, std::array::from_fn(|c| numbers[c].1));
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Two motions of which one is turned by twice `half` against the other.
+fn apart_by(half: f64) -> ([f64; 8], [f64; 8]) {
+    let turn = |axis, angle| DualQuat::from_rotation(Quat::from_axis_angle(axis, angle));
+    let start = DualQuat::from_translation([0.2, 0.1, -0.4]) * turn([0.6, 0.0, 0.8], 0.9);
+    let step = DualQuat::from_translation([0.3, -0.5, 0.1]) * turn([0.36, 0.48, 0.8], 2.0 * half);
+    // Beside the identity a tiny turn has all its digits.
+    if half < 1e-6 {
+        ([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0], step.to_array())
+    } else {
+        (start.to_array(), (start * step).to_array())
+    }
+}
+
+fn judge(on: On, operation: &Operation, case: &Case, half: f64, motion: [f64; 8]) {
+    let Operation { name, .. } = operation;
+    let squared: f64 = motion[..4].iter().map(|c| c * c).sum();
+    if squared.is_nan() {
+        // NaN where the half angle is beyond the limit or the square of t is infinite, and of NLERP of equal ends, whose
+        // weights cancel. The parameter of the last screw of `squad` grows with t², and its turn with t.
+        let t = 2.0 * case.t.abs() + 1.0;
+        let t = if *name == "squad" { t.powi(3) } else { t };
+        let limit = if on.single { 65_536.0 } else { limit::<f64>() };
+        let square = if on.single { 1e19 } else { 1e154 };
+        let twist = case.x[..3].iter().map(|c| c * c).sum::<f64>().sqrt() / 2.0;
+        let turn = case.a[..3].iter().map(|c| c * c).sum::<f64>().sqrt().asin();
+        let turns = match *name {
+            "pow" => turn,
+            "integrate_spatial" | "integrate_body" => twist,
+            _ => half,
+        };
+        assert!(
+            *name == "nlerp" || t * turns > limit || t > square,
+            "{on:?} {name}: NaN at {case:?}"
+        );
+        return;
+    }
+    // Two ends differ in length by half a unit of the last place at most. Lanes turn in the plane of the two as they
+    // are, so that it counts |τ| times, until the turn is a radian. The third screw of `squad` has such ends.
+    let tau = (2.0 * case.t - 1.0).abs();
+    let tau = if *name == "squad" { tau.powi(3) } else { tau };
+    let by_the_book =
+        on.name.starts_with("textbook") || on.name.starts_with("scalar") && IN_REGISTERS;
+    let ends = if by_the_book { 0.0 } else { 0.25 * tau.min(1.0 / half) };
+    let off = (squared.sqrt() - 1.0).abs() / (2.0 * on.roundoff());
+    assert!(off < 8.0 + ends, "{on:?} {name}: |p| is off by {off:.1} ε at {case:?}");
 }

@@ -5,7 +5,7 @@
 
 use crate::memory::single;
 use dq8::{DualQuat, Hierarchy, Quat};
-use dq8_contract::random::Random;
+use dq8_fixtures::random::Random;
 
 const ROOT: &str = "";
 

@@ -2,7 +2,7 @@
 
 use crate::memory::Product;
 use dq8::Hierarchy;
-use dq8_contract::kinematics;
+use dq8_fixtures::kinematics;
 
 /// `[instance][joint]`, or `[instance block][joint]` for lanes.
 pub(crate) fn local_to_model<M: Product>(h: &Hierarchy, locals: &[M], models: &mut [M]) {

@@ -7,7 +7,7 @@
  *
  * Names.    dq8_motion_NAME: one motion. dq8_mechanism_NAME: one configuration of a mechanism.
  *           dq8_skin_NAME: a mesh. dq8_plan_NAME: one instance of a hierarchy, in the best order.
- *           dq8_NAME: arrays of `count` things, plain. dq8_blocks_NAME: the same on blocks, the fastest
+ *           dq8_NAME: arrays of `count` things in all, plain. dq8_blocks_NAME: the same on blocks, the fastest
  *           way. Each for float (_f32) and for double (_f64).
  * Blocks.   A block has `lanes` things, component after component: with 8 lanes, the eight px, then
  *           the eight py, and so on. Its size is rounded up to whole 64 bytes (dq8_block_size).
@@ -16,14 +16,16 @@
  *           except the index `bad_joint` or `bad_vertex`, and the steps that were to be a mechanism.
  * Memory.   All of it is yours: the library allocates nothing, frees nothing, and keeps no pointer
  *           after it returns; a dq8_mechanism keeps one to its steps, a dq8_skin two to its joints and
- *           weights. A pointer may be null where the
- *           length of its array is 0.
+ *           weights. What their functions do is undefined if that memory has changed or gone. A pointer may
+ *           be null where the length of its array is 0.
  * Align.    That of the number type; blocks start at multiples of 64 bytes.
- * Aliasing. Inputs may overlap each other. An output overlaps nothing, unless a function says that it
- *           may be one of the inputs: then exactly that array. Functions on one motion read all before
+ * Aliasing. Inputs may overlap each other. An output overlaps nothing, be it an array or one thing such as
+ *           a motion, a root or options, unless a function says that it may be one of the inputs: then
+ *           exactly that array. Functions on one motion read all before
  *           they write, so there an output may lie anywhere.
- * Checked.  Null and misaligned pointers, overlaps and lengths give an error. That an array is as
- *           long as you say cannot be checked, nor that a motion is unit where one is asked for.
+ * Checked.  Null and misaligned pointers, overlaps and lengths give an error. Wrong numbers in arrays give
+ *           wrong results, never a crash, but in memory that a mechanism or a skin keeps. That an array is
+ *           as long as you say cannot be checked, nor that a motion is unit where one is asked for.
  * Threads.  Calls do not know of each other; only dq8_backend_limit is for all threads.
  */
 
@@ -60,7 +62,8 @@ enum dq8_status
    */
   DQ8_STATUS_MISALIGNED = 2,
   /**
-   * An output overlaps an input, or another output, and is not exactly the array that it may be.
+   * An output overlaps an input, be it an array or one thing, or another output, and is not exactly the array that
+   * it may be.
    */
   DQ8_STATUS_OVERLAP = 3,
   /**
@@ -68,7 +71,8 @@ enum dq8_status
    */
   DQ8_STATUS_TOO_LARGE = 4,
   /**
-   * Lengths do not fit each other, such as a count that is no multiple of the joints.
+   * Lengths do not fit each other, such as a `count` that is no multiple of the joints: it counts all poses of all
+   * instances or configurations.
    */
   DQ8_STATUS_LENGTH = 5,
   /**
@@ -713,13 +717,6 @@ typedef struct dq8_skin_f32 {
    */
   size_t joints;
   /**
-   * What it was made of.
-   */
-  const uint16_t *joint_indices;
-  size_t joint_stride;
-  const float *weights;
-  size_t weight_stride;
-  /**
    * Not for you.
    */
   const float *opaque[8];
@@ -780,13 +777,6 @@ typedef struct dq8_skin_f64 {
    * How many joints its palettes have.
    */
   size_t joints;
-  /**
-   * What it was made of.
-   */
-  const uint16_t *joint_indices;
-  size_t joint_stride;
-  const double *weights;
-  size_t weight_stride;
   /**
    * Not for you.
    */
@@ -947,9 +937,10 @@ dq8_status dq8_check_parents(const int32_t *parents,
 /**
  * Model poses of all joints from local ones: `models[j] = models[parents[j]] * locals[j]`.
  *
- * `locals` and `models` hold `count` motions: one a joint, or several instances one after the
- * other, `[instance][joint]`. `root` is what joints without a parent stand on, or null.
- * `models` may be `locals`.
+ * `locals` and `models` are `[instance][joint]`, `count` motions in all: `joints` times instances, which
+ * is `joints` for one instance; in blocks, `[block of instances][joint]`, `joints` times the number of
+ * instances over `lanes`, rounded up. DQ8_STATUS_LENGTH if `count` is no multiple of `joints`. `root` is
+ * what joints without a parent stand on, or null. `models` may be `locals`.
  */
 dq8_status dq8_local_to_model_f32(const int32_t *parents,
                                   size_t joints,
@@ -992,7 +983,7 @@ dq8_status dq8_blocks_model_to_local_f32(size_t lanes,
                                          size_t count);
 
 /**
- * As dq8_local_to_model of `count` unit quaternions (x, y, z, w) and `joints` offsets of joints
+ * As dq8_local_to_model of `count` unit quaternions (x, y, z, w) in all and `joints` offsets of joints
  * from their parents (x, y, z), the same for all instances: what animation clips hold.
  */
 dq8_status dq8_rotations_to_model_f32(const int32_t *parents,
@@ -1043,7 +1034,7 @@ dq8_status dq8_blocks_rotations_translations_to_model_f32(size_t lanes,
  * joint j has moved it.
  *
  * `inverse_binds` holds `joints` plain motions, the same for all instances. `models` and
- * `palette` hold `count` motions and must overlap nothing.
+ * `palette` hold `count` motions in all, as there, and must overlap nothing.
  */
 dq8_status dq8_palette_f32(const int32_t *parents,
                            size_t joints,
@@ -1095,9 +1086,10 @@ dq8_status dq8_blocks_palette_matrices_f32(size_t lanes,
 /**
  * Model poses of all joints from local ones: `models[j] = models[parents[j]] * locals[j]`.
  *
- * `locals` and `models` hold `count` motions: one a joint, or several instances one after the
- * other, `[instance][joint]`. `root` is what joints without a parent stand on, or null.
- * `models` may be `locals`.
+ * `locals` and `models` are `[instance][joint]`, `count` motions in all: `joints` times instances, which
+ * is `joints` for one instance; in blocks, `[block of instances][joint]`, `joints` times the number of
+ * instances over `lanes`, rounded up. DQ8_STATUS_LENGTH if `count` is no multiple of `joints`. `root` is
+ * what joints without a parent stand on, or null. `models` may be `locals`.
  */
 dq8_status dq8_local_to_model_f64(const int32_t *parents,
                                   size_t joints,
@@ -1140,7 +1132,7 @@ dq8_status dq8_blocks_model_to_local_f64(size_t lanes,
                                          size_t count);
 
 /**
- * As dq8_local_to_model of `count` unit quaternions (x, y, z, w) and `joints` offsets of joints
+ * As dq8_local_to_model of `count` unit quaternions (x, y, z, w) in all and `joints` offsets of joints
  * from their parents (x, y, z), the same for all instances: what animation clips hold.
  */
 dq8_status dq8_rotations_to_model_f64(const int32_t *parents,
@@ -1191,7 +1183,7 @@ dq8_status dq8_blocks_rotations_translations_to_model_f64(size_t lanes,
  * joint j has moved it.
  *
  * `inverse_binds` holds `joints` plain motions, the same for all instances. `models` and
- * `palette` hold `count` motions and must overlap nothing.
+ * `palette` hold `count` motions in all, as there, and must overlap nothing.
  */
 dq8_status dq8_palette_f64(const int32_t *parents,
                            size_t joints,
@@ -1310,9 +1302,14 @@ dq8_status dq8_blocks_planes_each_f64(size_t lanes,
                                       size_t count);
 
 /**
- * Forward kinematics of many configurations: `poses` is `[configuration][link]`, `count` of
- * them, and `values` `[configuration][value]`, `value_count` plain numbers, for blocks too.
- * Lanes without a configuration get the poses of values that are all zero.
+ * Forward kinematics of many configurations: `values` is `[configuration][value]`, `value_count`
+ * numbers in all: values of the mechanism times configurations. `poses` is `[configuration][link]`,
+ * `count` motions in all: links of the mechanism times configurations.
+ *
+ * In blocks, `poses` is `[block of configurations][link]`, `count` blocks in all: links times the number
+ * of configurations over `lanes`, rounded up; `values` are plain, as above. Lanes without a
+ * configuration get the poses of values that are all zero. DQ8_STATUS_LENGTH if `value_count` and `count`
+ * are not those of the same configurations.
  */
 dq8_status dq8_link_poses_f32(const struct dq8_mechanism_f32 *mechanism,
                               const float *values,
@@ -1331,9 +1328,14 @@ dq8_status dq8_blocks_link_poses_f32(size_t lanes,
                                      size_t count);
 
 /**
- * Forward kinematics of many configurations: `poses` is `[configuration][link]`, `count` of
- * them, and `values` `[configuration][value]`, `value_count` plain numbers, for blocks too.
- * Lanes without a configuration get the poses of values that are all zero.
+ * Forward kinematics of many configurations: `values` is `[configuration][value]`, `value_count`
+ * numbers in all: values of the mechanism times configurations. `poses` is `[configuration][link]`,
+ * `count` motions in all: links of the mechanism times configurations.
+ *
+ * In blocks, `poses` is `[block of configurations][link]`, `count` blocks in all: links times the number
+ * of configurations over `lanes`, rounded up; `values` are plain, as above. Lanes without a
+ * configuration get the poses of values that are all zero. DQ8_STATUS_LENGTH if `value_count` and `count`
+ * are not those of the same configurations.
  */
 dq8_status dq8_link_poses_f64(const struct dq8_mechanism_f64 *mechanism,
                               const double *values,
@@ -1353,8 +1355,8 @@ dq8_status dq8_blocks_link_poses_f64(size_t lanes,
 
 /**
  * Checks `count` joints and makes a mechanism of them, once; its functions then only compute.
- * `steps`, as many as joints, is memory that the mechanism keeps using: nothing else may write
- * it. `joints` are not needed any more.
+ * `steps`, as many as joints, is memory that the mechanism keeps using: what its functions do is
+ * undefined if anything else has written it. `joints` are not needed any more.
  *
  * DQ8_STATUS_PARENT_NOT_BEFORE, _PARENT_OUT_OF_RANGE, _NOT_UNIT (the placement), _NOT_FINITE,
  * _AXIS, _MIMIC, _LIMITS or _UNKNOWN_VALUE (the kind, `mimics` or `limited`); `bad_joint`, which may be null, is
@@ -1406,8 +1408,8 @@ dq8_status dq8_mechanism_link_jacobian_f32(const struct dq8_mechanism_f32 *mecha
 
 /**
  * Checks `count` joints and makes a mechanism of them, once; its functions then only compute.
- * `steps`, as many as joints, is memory that the mechanism keeps using: nothing else may write
- * it. `joints` are not needed any more.
+ * `steps`, as many as joints, is memory that the mechanism keeps using: what its functions do is
+ * undefined if anything else has written it. `joints` are not needed any more.
  *
  * DQ8_STATUS_PARENT_NOT_BEFORE, _PARENT_OUT_OF_RANGE, _NOT_UNIT (the placement), _NOT_FINITE,
  * _AXIS, _MIMIC, _LIMITS or _UNKNOWN_VALUE (the kind, `mimics` or `limited`); `bad_joint`, which may be null, is
@@ -1830,8 +1832,8 @@ dq8_status dq8_plan_make(const int32_t *parents,
 
 /**
  * As dq8_local_to_model, joint by joint in the `order` that dq8_plan_make found, with the eight numbers of a
- * motion in one register: the fastest way for one instance. Several are computed one after the other.
- * `models` may be `locals`.
+ * motion in one register: the fastest way for one instance. Several are computed one after the other:
+ * `count` motions in all, `joints` times instances. `models` may be `locals`.
  *
  * DQ8_STATUS_NO_PLAN if a number in `order` is no joint.
  */
@@ -1843,8 +1845,8 @@ dq8_status dq8_plan_local_to_model_f32(const uint32_t *order,
 
 /**
  * As dq8_local_to_model, joint by joint in the `order` that dq8_plan_make found, with the eight numbers of a
- * motion in one register: the fastest way for one instance. Several are computed one after the other.
- * `models` may be `locals`.
+ * motion in one register: the fastest way for one instance. Several are computed one after the other:
+ * `count` motions in all, `joints` times instances. `models` may be `locals`.
  *
  * DQ8_STATUS_NO_PLAN if a number in `order` is no joint.
  */
@@ -2032,7 +2034,7 @@ dq8_status dq8_motion_from_screw_f64(const double *numbers, double *out);
  * Checks which joints move each vertex and how much, once; the functions that pose the mesh then
  * only compute. `joint_indices` and `weights` hold `influences` numbers of the first vertex, then
  * those of the next; fill unused influences with any joint and weight 0. The skin keeps using
- * both: they must stay where they are, as they are.
+ * both: they must stay where they are, as they are; what its functions do is undefined if they change.
  *
  * DQ8_STATUS_JOINT_OUT_OF_RANGE, _WEIGHT or _WEIGHT_SUM; `bad_vertex`, which may be null, is set to
  * that vertex. DQ8_STATUS_NO_INFLUENCES if `influences` is 0. The skin has then not been written.
@@ -2201,7 +2203,7 @@ dq8_status dq8_skin_mixed_f32(const struct dq8_skin_f32 *skin,
  * Checks which joints move each vertex and how much, once; the functions that pose the mesh then
  * only compute. `joint_indices` and `weights` hold `influences` numbers of the first vertex, then
  * those of the next; fill unused influences with any joint and weight 0. The skin keeps using
- * both: they must stay where they are, as they are.
+ * both: they must stay where they are, as they are; what its functions do is undefined if they change.
  *
  * DQ8_STATUS_JOINT_OUT_OF_RANGE, _WEIGHT or _WEIGHT_SUM; `bad_vertex`, which may be null, is set to
  * that vertex. DQ8_STATUS_NO_INFLUENCES if `influences` is 0. The skin has then not been written.
@@ -2936,8 +2938,8 @@ dq8_status dq8_blocks_pow_each_f64(size_t lanes,
  * `rates`, the body twist of each joint relative to its parent (of a hinge: its axis times its rate,
  * and zeros): `twists[j] = twists[parents[j]] + Ad(models[j]) rates[j]`.
  *
- * `models`, `rates` and `twists` hold one element per joint, or several instances one after the
- * other. Twists are in the frame that the models are in, about its origin.
+ * `models`, `rates` and `twists` are `[instance][joint]`, `count` elements in all, as in
+ * dq8_local_to_model. Twists are in the frame that the models are in, about its origin.
  */
 dq8_status dq8_velocities_f32(const int32_t *parents,
                               size_t joints,
@@ -2962,8 +2964,8 @@ dq8_status dq8_blocks_velocities_f32(size_t lanes,
  * `Ad(models[j]) axes[j]`, for the effector and what it hangs from, and zero for all others.
  *
  * `axes` holds `joints` plain twists, the same for all instances: the body twist of each joint for a
- * rate of 1. `models` and `columns` hold one element per joint, or several instances one after
- * the other. DQ8_STATUS_NO_LINK if there is no such joint.
+ * rate of 1. `models` and `columns` are `[instance][joint]`, `count` elements in all, as in
+ * dq8_local_to_model. DQ8_STATUS_NO_LINK if there is no such joint.
  */
 dq8_status dq8_jacobian_f32(const int32_t *parents,
                             size_t joints,
@@ -2990,8 +2992,8 @@ dq8_status dq8_blocks_jacobian_f32(size_t lanes,
  * `rates`, the body twist of each joint relative to its parent (of a hinge: its axis times its rate,
  * and zeros): `twists[j] = twists[parents[j]] + Ad(models[j]) rates[j]`.
  *
- * `models`, `rates` and `twists` hold one element per joint, or several instances one after the
- * other. Twists are in the frame that the models are in, about its origin.
+ * `models`, `rates` and `twists` are `[instance][joint]`, `count` elements in all, as in
+ * dq8_local_to_model. Twists are in the frame that the models are in, about its origin.
  */
 dq8_status dq8_velocities_f64(const int32_t *parents,
                               size_t joints,
@@ -3016,8 +3018,8 @@ dq8_status dq8_blocks_velocities_f64(size_t lanes,
  * `Ad(models[j]) axes[j]`, for the effector and what it hangs from, and zero for all others.
  *
  * `axes` holds `joints` plain twists, the same for all instances: the body twist of each joint for a
- * rate of 1. `models` and `columns` hold one element per joint, or several instances one after
- * the other. DQ8_STATUS_NO_LINK if there is no such joint.
+ * rate of 1. `models` and `columns` are `[instance][joint]`, `count` elements in all, as in
+ * dq8_local_to_model. DQ8_STATUS_NO_LINK if there is no such joint.
  */
 dq8_status dq8_jacobian_f64(const int32_t *parents,
                             size_t joints,

@@ -1,6 +1,6 @@
 //! Joint hierarchies: local poses to model space and back, and skinning palettes.
 
-use crate::memory::{Input, Output, from_to, read};
+use crate::memory::{Input, Output, from_to};
 use crate::span::apart;
 use crate::status::{Done, Status};
 use dq8::storage::{AoSoA, Aos, Layout};
@@ -14,22 +14,24 @@ pub(crate) fn parents(start: *const i32, joints: usize) -> Result<Input<u32>, St
     Input::new(start, joints)
 }
 
-/// A run over the hierarchy, on `root` if that is not null.
+/// What joints without a parent stand on, if that is not null.
+type Root<L> = Input<DualQuat<<L as Layout>::Real>>;
+
+/// A run over the hierarchy.
 ///
 /// # Safety
-/// As for [`Input::slice`] and [`read`].
-pub(crate) unsafe fn job<'a, L: Layout>(
+/// As for [`Input::slice`].
+unsafe fn job<'a, L: Layout>(
     parents: &Input<u32>,
-    root: *const L::Real,
+    root: &Root<L>,
 ) -> Result<Job<'a, L::Record<8>>, Status> {
     // SAFETY: promised.
-    let job = Hierarchy::new(unsafe { parents.slice() })?.job();
-    if root.is_null() {
-        return Ok(job);
-    }
-    // SAFETY: promised.
-    let root: DualQuat<L::Real> = unsafe { read(root)? };
-    Ok(job.root(root))
+    let (parents, root) = unsafe { (parents.slice(), root.slice()) };
+    let job = Hierarchy::new(parents)?.job();
+    Ok(match *root {
+        [root] => job.root(root),
+        _ => job,
+    })
 }
 
 /// # Safety
@@ -42,10 +44,10 @@ unsafe fn local_to_model<L: Layout>(
     models: *mut L::Real,
     count: usize,
 ) -> Done {
-    let parents = self::parents(parents, joints)?;
-    apart(&[Output::<L::Record<8>>::new(models, count)?.span], &[parents.span])?;
+    let (parents, root) = (self::parents(parents, joints)?, Root::<L>::unless_null(root)?);
+    apart(&[Output::<L::Record<8>>::new(models, count)?.span], &[parents.span, root.span])?;
     // SAFETY: promised, and apart from what is written.
-    let job = unsafe { job::<L>(&parents, root)? };
+    let job = unsafe { job::<L>(&parents, &root)? };
     let elsewhere = |from: &[_], to: &mut [_]| job.locals_to_model(Poses(from), to);
     // SAFETY: promised.
     unsafe { from_to(locals, models, count, elsewhere, |all| job.local_to_model_in_place(all)) }
@@ -61,10 +63,10 @@ unsafe fn model_to_local<L: Layout>(
     locals: *mut L::Real,
     count: usize,
 ) -> Done {
-    let parents = self::parents(parents, joints)?;
-    apart(&[Output::<L::Record<8>>::new(locals, count)?.span], &[parents.span])?;
+    let (parents, root) = (self::parents(parents, joints)?, Root::<L>::unless_null(root)?);
+    apart(&[Output::<L::Record<8>>::new(locals, count)?.span], &[parents.span, root.span])?;
     // SAFETY: promised, and apart from what is written.
-    let job = unsafe { job::<L>(&parents, root)? };
+    let job = unsafe { job::<L>(&parents, &root)? };
     let elsewhere = |from: &[_], to: &mut [_]| job.model_to_local(from, to);
     // SAFETY: promised.
     unsafe { from_to(models, locals, count, elsewhere, |all| job.model_to_local_in_place(all)) }
@@ -81,14 +83,14 @@ unsafe fn rotations_to_model<L: Layout>(
     models: *mut L::Real,
     count: usize,
 ) -> Done {
-    let parents = self::parents(parents, joints)?;
+    let (parents, root) = (self::parents(parents, joints)?, Root::<L>::unless_null(root)?);
     let rotations = Input::<L::Record<4>>::new(rotations, count)?;
     let offsets = Input::<[L::Real; 3]>::new(offsets, joints)?;
     let models = Output::new(models, count)?;
-    apart(&[models.span], &[parents.span, rotations.span, offsets.span])?;
+    apart(&[models.span], &[parents.span, root.span, rotations.span, offsets.span])?;
     // SAFETY: promised, and apart.
     unsafe {
-        let job = job::<L>(&parents, root)?;
+        let job = job::<L>(&parents, &root)?;
         let locals = Rotations { rotations: rotations.slice(), offsets: offsets.slice() };
         Ok(job.locals_to_model(locals, models.slice())?)
     }
@@ -104,13 +106,13 @@ unsafe fn rotations_translations_to_model<L: Layout>(
     models: *mut L::Real,
     count: usize,
 ) -> Done {
-    let parents = self::parents(parents, joints)?;
+    let (parents, root) = (self::parents(parents, joints)?, Root::<L>::unless_null(root)?);
     let locals = Input::<L::Record<7>>::new(locals, count)?;
     let models = Output::new(models, count)?;
-    apart(&[models.span], &[parents.span, locals.span])?;
+    apart(&[models.span], &[parents.span, root.span, locals.span])?;
     // SAFETY: promised, and apart.
     unsafe {
-        let job = job::<L>(&parents, root)?;
+        let job = job::<L>(&parents, &root)?;
         Ok(job.locals_to_model(RotationsTranslations(locals.slice()), models.slice())?)
     }
 }
@@ -134,14 +136,15 @@ impl<L: Layout> Skin<L> {
         palette: *mut L::Real,
     ) -> Done {
         let parents = parents(self.parents, self.joints)?;
+        let root = Root::<L>::unless_null(self.root)?;
         let locals = Input::<L::Record<8>>::new(self.locals, self.count)?;
         let binds = Input::<DualQuat<L::Real>>::new(self.inverse_binds, self.joints)?;
         let models = Output::<L::Record<8>>::new(self.models, self.count)?;
         let palette = Output::<M>::new(palette, self.count)?;
-        apart(&[models.span, palette.span], &[parents.span, locals.span, binds.span])?;
+        apart(&[models.span, palette.span], &[parents.span, root.span, locals.span, binds.span])?;
         // SAFETY: promised, and apart.
         unsafe {
-            let job = job::<L>(&parents, self.root)?;
+            let job = job::<L>(&parents, &root)?;
             let locals = Poses(locals.slice());
             Ok(job.palette_and_models(locals, models.slice(), binds.slice(), palette.slice())?)
         }
@@ -189,9 +192,10 @@ macro_rules! functions {
         export! { $R $lanes
             /// Model poses of all joints from local ones: `models[j] = models[parents[j]] * locals[j]`.
             ///
-            /// `locals` and `models` hold `count` motions: one a joint, or several instances one after the
-            /// other, `[instance][joint]`. `root` is what joints without a parent stand on, or null.
-            /// `models` may be `locals`.
+            /// `locals` and `models` are `[instance][joint]`, `count` motions in all: `joints` times instances, which
+            /// is `joints` for one instance; in blocks, `[block of instances][joint]`, `joints` times the number of
+            /// instances over `lanes`, rounded up. DQ8_STATUS_LENGTH if `count` is no multiple of `joints`. `root` is
+            /// what joints without a parent stand on, or null. `models` may be `locals`.
             local_to_model, blocks_local_to_model(
                 parents: *const i32, joints: usize, root: *const $R,
                 locals: *const $R, models: *mut $R,
@@ -206,7 +210,7 @@ macro_rules! functions {
             )
         }
         export! { $R $lanes
-            /// As dq8_local_to_model of `count` unit quaternions (x, y, z, w) and `joints` offsets of joints
+            /// As dq8_local_to_model of `count` unit quaternions (x, y, z, w) in all and `joints` offsets of joints
             /// from their parents (x, y, z), the same for all instances: what animation clips hold.
             rotations_to_model, blocks_rotations_to_model(
                 parents: *const i32, joints: usize, root: *const $R,
@@ -227,7 +231,7 @@ macro_rules! functions {
             /// joint j has moved it.
             ///
             /// `inverse_binds` holds `joints` plain motions, the same for all instances. `models` and
-            /// `palette` hold `count` motions and must overlap nothing.
+            /// `palette` hold `count` motions in all, as there, and must overlap nothing.
             palette, blocks_palette(
                 parents: *const i32, joints: usize, root: *const $R,
                 locals: *const $R, inverse_binds: *const $R, models: *mut $R, palette: *mut $R,

@@ -43,6 +43,9 @@ macro_rules! kernel_or_in_place {
         ) -> Done {
             let best = dq8::Backend::best();
             $(
+                let one = crate::span::Span::of($motion.cast::<dq8::DualQuat<L::Real>>(), 1)?;
+                let to = crate::memory::Output::<L::Record<$size>>::new(out, count)?;
+                crate::span::apart(&[to.span], &[one])?;
                 // SAFETY: promised.
                 let $motion: dq8::DualQuat<L::Real> = unsafe { crate::memory::read($motion)? };
             )?

@@ -1,13 +1,12 @@
 //! Mechanisms: a tree of joints, made once in memory of the caller; then poses of links and Jacobians.
 
 use crate::joint::{Fault, Joint, fault};
-use crate::memory::{Input, Output, place};
+use crate::memory::{Input, Output, Room, bytes, place};
 use crate::span::{Span, apart};
 use crate::status::{Done, Status};
 use core::mem::MaybeUninit;
-use core::ptr::{self, NonNull};
-use core::slice;
-use dq8::mechanism::{self, Body, World, WorldAligned};
+use core::ptr;
+use dq8::mechanism::{self, Body, JointKind, World, WorldAligned};
 use dq8::{DualQuat, Real, Twist};
 
 /// In which axes, and about which point, the columns of a Jacobian are.
@@ -61,28 +60,20 @@ macro_rules! fits {
 }
 fits! { f32 f64 }
 
-/// # Safety
-/// `room` holds a [`Step`] for each joint, which nothing else reads or writes while `'a` lasts.
-unsafe fn known<'a, R: Real>(
+/// The mechanism of these joints in `room`, which holds a [`Step`] for each of them.
+fn known<'a, R: Real>(
     joints: &[Joint<R>],
-    room: *mut Step<R>,
+    room: &'a mut Room,
 ) -> Result<mechanism::Mechanism<'a, R>, Fault> {
     let count = joints.len();
-    // SAFETY: both fit, by `fits`.
-    let (steps, rest) = unsafe { place::<mechanism::Step<R>>(room.cast(), count) };
-    // SAFETY: as above.
-    let (known, _) = unsafe { place::<mechanism::Joint<R>>(rest, count) };
-    for (index, given) in joints.iter().enumerate() {
-        let converted = given.known(count).map_err(|status| (status, Some(index)))?;
-        // SAFETY: in that memory, which is aligned now.
-        unsafe {
-            known.add(index).write(converted);
-            steps.add(index).write(mechanism::Step::default());
-        }
+    // Both fit, by `fits`: the compiler does not know that.
+    let small = (Status::TooLarge, None);
+    let (steps, rest) = place(room, count, mechanism::Step::default()).ok_or(small)?;
+    let any = mechanism::Joint::new(None, DualQuat::IDENTITY, JointKind::Fixed);
+    let (known, _) = place(rest, count, any).ok_or(small)?;
+    for (index, (given, known)) in joints.iter().zip(&mut *known).enumerate() {
+        *known = given.known(count).map_err(|status| (status, Some(index)))?;
     }
-    // SAFETY: all of them have been written, and the two lie apart.
-    let (known, steps) =
-        unsafe { (slice::from_raw_parts(known, count), slice::from_raw_parts_mut(steps, count)) };
     mechanism::Mechanism::new(known, steps).map_err(|error| fault(&error))
 }
 
@@ -102,9 +93,10 @@ unsafe fn make<R: Real>(
     apart(&[steps.span, made.span, bad_joint.span], &[joints.span])?;
     // SAFETY: promised, and apart.
     let (joints, room) = unsafe { (joints.slice(), steps.slice()) };
-    let room = if count == 0 { NonNull::dangling().as_ptr() } else { room.as_mut_ptr().cast() };
-    // SAFETY: promised; what is made lives as long as C keeps its steps.
-    let known: Known<R> = match unsafe { known(joints, room) } {
+    // Not null where there are none: that is a mechanism that has not been made.
+    let steps = room.as_ptr().cast();
+    // What is made lives as long as C keeps its steps.
+    let known: Known<R> = match known(joints, bytes(room)) {
         Ok(known) => known,
         Err((status, joint)) => {
             if let Some(joint) = joint {
@@ -117,7 +109,7 @@ unsafe fn make<R: Real>(
     let (links, values, rates) = (known.links(), known.values(), known.rates());
     // SAFETY: promised, and apart; a mechanism of the library fits, by `fits`.
     unsafe {
-        made.write(Mechanism { links, values, rates, steps: room, opaque: [ptr::null(); 4] });
+        made.write(Mechanism { links, values, rates, steps, opaque: [ptr::null(); 4] });
         ptr::addr_of_mut!((*mechanism).opaque).cast::<Known<R>>().write(known);
     }
     Ok(())
@@ -232,8 +224,8 @@ macro_rules! functions {
     ($R:ident $lanes:tt) => {
         export_one! { $R
             /// Checks `count` joints and makes a mechanism of them, once; its functions then only compute.
-            /// `steps`, as many as joints, is memory that the mechanism keeps using: nothing else may write
-            /// it. `joints` are not needed any more.
+            /// `steps`, as many as joints, is memory that the mechanism keeps using: what its functions do is
+            /// undefined if anything else has written it. `joints` are not needed any more.
             ///
             /// DQ8_STATUS_PARENT_NOT_BEFORE, _PARENT_OUT_OF_RANGE, _NOT_UNIT (the placement), _NOT_FINITE,
             /// _AXIS, _MIMIC, _LIMITS or _UNKNOWN_VALUE (the kind, `mimics` or `limited`); `bad_joint`, which may be null, is

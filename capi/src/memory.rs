@@ -2,6 +2,7 @@
 
 use crate::span::{Span, apart};
 use crate::status::{Done, Status};
+use core::mem::MaybeUninit;
 use core::slice;
 use dq8::ShapeError;
 
@@ -17,6 +18,11 @@ impl<T: Copy> Input<T> {
     pub(crate) fn new<R>(start: *const R, count: usize) -> Result<Self, Status> {
         let start = start.cast();
         Ok(Self { start, count, span: Span::of(start, count)? })
+    }
+
+    /// One element, or none where C passes null for what it does not need.
+    pub(crate) fn unless_null<R>(start: *const R) -> Result<Self, Status> {
+        Self::new(start, usize::from(!start.is_null()))
     }
 
     /// # Safety
@@ -72,16 +78,34 @@ impl<T: Copy> Output<T> {
     }
 }
 
-/// A place in `room` for `count` things, and what is behind them.
-///
-/// # Safety
-/// There is memory behind `room` for so many and what aligns them.
-pub(crate) unsafe fn place<T>(room: *mut u8, count: usize) -> (*mut T, *mut u8) {
-    let start = room.addr().next_multiple_of(align_of::<T>()) - room.addr();
-    // SAFETY: promised.
-    let first = unsafe { room.add(start) }.cast::<T>();
-    // SAFETY: promised.
-    (first, unsafe { first.add(count) }.cast())
+/// Memory that nothing has been written to.
+pub(crate) type Room = [MaybeUninit<u8>];
+
+/// The bytes of memory that C has for something else.
+pub(crate) fn bytes<T>(room: &mut [MaybeUninit<T>]) -> &mut Room {
+    // SAFETY: the same memory, of which nothing is said to have been written.
+    unsafe { slice::from_raw_parts_mut(room.as_mut_ptr().cast(), size_of_val(room)) }
+}
+
+/// `count` times `value` at the first place in `room` that is aligned for it, and the room behind; `None` if it is too
+/// small. Nothing needs no place: room of no bytes need not be aligned.
+pub(crate) fn place<T: Copy>(
+    room: &mut Room,
+    count: usize,
+    value: T,
+) -> Option<(&mut [T], &mut Room)> {
+    if count == 0 {
+        return Some((&mut [], room));
+    }
+    let (_, room) = room.split_at_mut_checked(room.as_ptr().align_offset(align_of::<T>()))?;
+    let (own, rest) = room.split_at_mut_checked(count.checked_mul(size_of::<T>())?)?;
+    let start = own.as_mut_ptr().cast::<T>();
+    for index in 0..count {
+        // SAFETY: aligned, and `own` has room for `count`.
+        unsafe { start.add(index).write(value) };
+    }
+    // SAFETY: all of them have been written, and `own` is not used any more.
+    Some((unsafe { slice::from_raw_parts_mut(start, count) }, rest))
 }
 
 /// Reads one element, before anything is written: it may lie anywhere.

@@ -70,8 +70,8 @@ unsafe fn local_to_model<R: Scalar>(
 macro_rules! functions {
     ($R:ident $lanes:tt) => {
         /// As dq8_local_to_model, joint by joint in the `order` that dq8_plan_make found, with the eight numbers of a
-        /// motion in one register: the fastest way for one instance. Several are computed one after the other.
-        /// `models` may be `locals`.
+        /// motion in one register: the fastest way for one instance. Several are computed one after the other:
+        /// `count` motions in all, `joints` times instances. `models` may be `locals`.
         ///
         /// DQ8_STATUS_NO_PLAN if a number in `order` is no joint.
         ///

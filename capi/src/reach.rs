@@ -1,11 +1,10 @@
 //! Inverse kinematics of one configuration of a mechanism, in memory of the caller.
 
 use crate::mechanism::{Made, Mechanism};
-use crate::memory::{Input, Output, place, read};
+use crate::memory::{Input, Output, bytes, place};
 use crate::span::apart;
 use crate::status::{Done, Status};
 use core::mem::{MaybeUninit, offset_of};
-use core::slice;
 use dq8::ik;
 use dq8::mechanism::{self, Freedom, Reach, ReachError};
 use dq8::{DualQuat, Lanes, Real, Scalar, simd::Portable};
@@ -99,14 +98,13 @@ macro_rules! same_outcomes {
 }
 same_outcomes! { Converged OutOfReach AtLimits Stalled Unfinished Invalid }
 
-/// How many numbers as large as `R` freedoms take, with what aligns them.
-fn room_for_freedoms<R: Real>(rates: usize) -> usize {
-    (rates * size_of::<Freedom<R>>() + align_of::<Freedom<R>>()).div_ceil(size_of::<R>())
-}
-
-/// How many numbers a search computes in.
-fn room<R: Real>(known: mechanism::Mechanism<'_, R>, goals: usize) -> usize {
-    Reach::scratch_bound(known, goals) + room_for_freedoms::<R>(known.rates())
+/// How many numbers as large as `R` a search computes in: those of its freedoms and what aligns them, then its own.
+fn room<R: Real>(known: mechanism::Mechanism<'_, R>, goals: usize) -> Result<usize, Status> {
+    let freedoms = known.rates().checked_mul(size_of::<Freedom<R>>());
+    let bytes = freedoms.and_then(|bytes| bytes.checked_add(align_of::<Freedom<R>>()));
+    let numbers = bytes.map(|bytes| bytes.div_ceil(size_of::<R>()));
+    let all = numbers.and_then(|all| all.checked_add(Reach::scratch_bound(known, goals)));
+    all.filter(|all| *all <= isize::MAX as usize / size_of::<R>()).ok_or(Status::TooLarge)
 }
 
 /// # Safety
@@ -124,7 +122,7 @@ unsafe fn reach_scratch<R: Real>(
         return Err(Status::TooLarge);
     }
     // SAFETY: promised, and apart.
-    unsafe { to.write(room(made.known, goal_count)) };
+    unsafe { to.write(room(made.known, goal_count)?) };
     Ok(())
 }
 
@@ -202,34 +200,31 @@ where
     let values = Output::<R>::new(values, value_count)?;
     let scratch = Output::<MaybeUninit<R>>::new(scratch, scratch_count)?;
     let result = Output::<ReachReport<R>>::new(report, 1)?;
-    let written = [values.span, scratch.span, result.span];
-    apart(&written, &[made.given, made.steps, goals.span, targets.span, posture.span])?;
-    let options = if asked.options.is_null() {
-        ik::Options::default()
-    } else {
-        // SAFETY: promised; read before anything is written.
-        unsafe { read::<ReachOptions<R>, _>(asked.options)? }.known()?
+    let options = Input::<ReachOptions<R>>::unless_null(asked.options)?;
+    let read = [goals.span, targets.span, posture.span, options.span, made.given, made.steps];
+    apart(&[values.span, scratch.span, result.span], &read)?;
+    // SAFETY: promised, and apart.
+    let options = match *unsafe { options.slice() } {
+        [options] => options.known()?,
+        _ => ik::Options::default(),
     };
     let known = made.known;
     if asked.goal_count > GOALS || value_count != known.values() {
         return Err(Status::Length);
     }
-    if scratch_count < room(known, asked.goal_count) {
+    if scratch_count < room(known, asked.goal_count)? {
         return Err(Status::Length);
     }
     // SAFETY: promised, and apart.
     let (goals, targets, posture) = unsafe { (goals.slice(), targets.slice(), posture.slice()) };
     // SAFETY: promised, and apart.
     let (values, scratch) = unsafe { (values.slice(), scratch.slice()) };
-    // There is room for more: so it was checked. The compiler does not know that.
-    let (first, rest) = scratch
-        .split_at_mut_checked(room_for_freedoms::<R>(known.rates()))
-        .ok_or(Status::Length)?;
-    // SAFETY: as large, and apart from the rest.
-    let freedoms = unsafe { freedoms(first, known.rates()) };
+    // There is room for all: so it was checked. The compiler does not know that.
+    let (freedoms, rest) =
+        place(bytes(scratch), known.rates(), Freedom::default()).ok_or(Status::Length)?;
     let mut reach = Reach::new(known, goals, freedoms).map_err(|error| status(&error))?;
     // As much as these goals need, which is no more than was asked for.
-    let numbers = zeroed(rest.get_mut(..reach.scratch_len()).ok_or(Status::Length)?);
+    let (numbers, _) = place(rest, reach.scratch_len(), R::ZERO).ok_or(Status::Length)?;
     if !asked.posture.is_null() {
         reach = reach.with_posture(posture).map_err(|error| status(&error))?;
     }
@@ -237,30 +232,6 @@ where
     // SAFETY: promised, and apart.
     unsafe { result.write(ReachReport::of(&solved)) };
     Ok(())
-}
-
-/// Freedoms at the beginning of `room`.
-///
-/// # Safety
-/// `room` is as large as [`room_for_freedoms`] says, and nothing else uses it while `'a` lasts.
-unsafe fn freedoms<'a, R: Real>(room: &mut [MaybeUninit<R>], count: usize) -> &'a mut [Freedom<R>] {
-    // SAFETY: promised.
-    let (first, _) = unsafe { place::<Freedom<R>>(room.as_mut_ptr().cast(), count) };
-    for index in 0..count {
-        // SAFETY: there is room for so many, which is aligned now.
-        unsafe { first.add(index).write(Freedom::default()) };
-    }
-    // SAFETY: all of them have been written.
-    unsafe { slice::from_raw_parts_mut(first, count) }
-}
-
-/// Numbers that may be read.
-fn zeroed<R: Real>(room: &mut [MaybeUninit<R>]) -> &mut [R] {
-    for number in room.iter_mut() {
-        number.write(R::ZERO);
-    }
-    // SAFETY: all of them have been written.
-    unsafe { slice::from_raw_parts_mut(room.as_mut_ptr().cast(), room.len()) }
 }
 
 fn status(error: &ReachError) -> Status {

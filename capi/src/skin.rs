@@ -30,11 +30,6 @@ pub struct Skin<R> {
     pub influences: usize,
     /// How many joints its palettes have.
     pub joints: usize,
-    /// What it was made of.
-    joint_indices: *const u16,
-    joint_stride: usize,
-    weights: *const R,
-    weight_stride: usize,
     /// Not for you.
     // A `Known<R>`, some of whose bytes are padding and so nothing at all.
     opaque: [MaybeUninit<*const R>; 8],
@@ -72,17 +67,6 @@ pub(crate) struct Given<R> {
     pub(crate) vertices: usize,
 }
 
-/// What a skin is made of.
-fn inputs<R: Copy>(
-    vertices: usize,
-    (joint_indices, joint_stride): (*const u16, usize),
-    (weights, weight_stride): (*const R, usize),
-) -> Result<(Input<u16>, Input<R>), Status> {
-    let joints = vertices.checked_mul(joint_stride).ok_or(Status::TooLarge)?;
-    let weight_count = vertices.checked_mul(weight_stride).ok_or(Status::TooLarge)?;
-    Ok((Input::new(joint_indices, joints)?, Input::new(weights, weight_count)?))
-}
-
 impl<R: Scalar + skinning::Weight> Given<R> {
     /// # Safety
     /// As for [`Input::slice`] and [`Output::write`]; joints and weights stay as they are.
@@ -90,15 +74,16 @@ impl<R: Scalar + skinning::Weight> Given<R> {
         let Self {
             joints,
             influences,
-            joint_indices: joints_start,
+            joint_indices,
             joint_field,
-            weights: weights_start,
+            weights,
             weight_field,
             vertices,
         } = self;
-        let (joint_stride, weight_stride) = (joint_field.stride, weight_field.stride);
-        let (joint_indices, weights) =
-            inputs(vertices, (joints_start, joint_stride), (weights_start, weight_stride))?;
+        let count =
+            |field: InfluenceField| vertices.checked_mul(field.stride).ok_or(Status::TooLarge);
+        let joint_indices = Input::<u16>::new(joint_indices, count(joint_field)?)?;
+        let weights = Input::<R>::new(weights, count(weight_field)?)?;
         let made = Output::<Skin<R>>::new(skin, 1)?;
         let bad_vertex = Output::<usize>::unless_null(bad_vertex)?;
         apart(&[made.span, bad_vertex.span], &[joint_indices.span, weights.span])?;
@@ -119,16 +104,7 @@ impl<R: Scalar + skinning::Weight> Given<R> {
         let opaque = [const { MaybeUninit::uninit() }; 8];
         // SAFETY: promised, and apart; a skin of the library fits, by `fits`.
         unsafe {
-            made.write(Skin {
-                vertices,
-                influences,
-                joints,
-                joint_indices: joints_start,
-                joint_stride,
-                weights: weights_start,
-                weight_stride,
-                opaque,
-            });
+            made.write(Skin { vertices, influences, joints, opaque });
             ptr::addr_of_mut!((*skin).opaque).cast::<Known<R>>().write(known);
         }
         Ok(())
@@ -136,8 +112,8 @@ impl<R: Scalar + skinning::Weight> Given<R> {
 }
 
 /// What poses a mesh, found where C says it is: a skin, and what its blend needs.
-pub(crate) struct Posing<R> {
-    skin: *const Skin<R>,
+pub(crate) struct Posing<R: 'static> {
+    known: Known<R>,
     /// Nothing that is written may overlap these.
     pub(crate) spans: [Span; 6],
     motions: Input<DualQuat<R>>,
@@ -176,14 +152,15 @@ impl<R: Scalar + skinning::Weight> Posing<R> {
     ) -> Result<Self, Status> {
         let given = Span::of(skin, 1)?;
         // SAFETY: neither null nor misaligned, by `Span::of`; the rest is promised.
-        let Skin {
-            vertices, influences, joint_indices, joint_stride, weights, weight_stride, ..
-        } = unsafe { skin.read() };
-        if influences == 0 {
+        if unsafe { ptr::addr_of!((*skin).influences).read() } == 0 {
             return Err(Status::NoSkin);
         }
-        let (indices, by) =
-            inputs(vertices, (joint_indices, joint_stride), (weights, weight_stride))?;
+        // SAFETY: it has been made, so this was written.
+        let known = unsafe { ptr::addr_of!((*skin).opaque).cast::<Known<R>>().read() };
+        // What the kernel reads, whatever has become of the numbers that C sees.
+        let (indices, weights) = (known.joints(), known.weights());
+        let indices = Span::of(indices.as_ptr(), indices.len())?;
+        let weights = Span::of(weights.as_ptr(), weights.len())?;
         let palette = |of: Option<*const R>| of.map_or((ptr::null(), 0), |of| (of, joints));
         let ((motions, motion_count), (matrices, matrix_count)) =
             (palette(motions), palette(matrices));
@@ -191,8 +168,8 @@ impl<R: Scalar + skinning::Weight> Posing<R> {
         let motions = Input::<DualQuat<R>>::new(motions, motion_count)?;
         let matrices = Input::<[[R; 4]; 3]>::new(matrices, matrix_count)?;
         let shares = Input::<R>::new(shares, share_count)?;
-        let spans = [given, indices.span, by.span, motions.span, matrices.span, shares.span];
-        Ok(Self { skin, spans, motions, matrices, shares })
+        let spans = [given, indices, weights, motions.span, matrices.span, shares.span];
+        Ok(Self { known, spans, motions, matrices, shares })
     }
 
     /// The skin and its palettes.
@@ -200,11 +177,10 @@ impl<R: Scalar + skinning::Weight> Posing<R> {
     /// # Safety
     /// As for [`new`](Self::new) and [`Input::slice`].
     pub(crate) unsafe fn borrow<'p>(&self) -> (Known<R>, Palettes<'p, R>) {
-        // SAFETY: it has been made, so this was written; the rest is promised.
+        // SAFETY: promised.
         unsafe {
-            let known = ptr::addr_of!((*self.skin).opaque).cast::<Known<R>>().read();
             let (motions, matrices) = (self.motions.slice(), self.matrices.slice());
-            (known, Palettes { motions, matrices, shares: self.shares.slice() })
+            (self.known, Palettes { motions, matrices, shares: self.shares.slice() })
         }
     }
 }

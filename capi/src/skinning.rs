@@ -111,7 +111,7 @@ macro_rules! functions {
             /// Checks which joints move each vertex and how much, once; the functions that pose the mesh then
             /// only compute. `joint_indices` and `weights` hold `influences` numbers of the first vertex, then
             /// those of the next; fill unused influences with any joint and weight 0. The skin keeps using
-            /// both: they must stay where they are, as they are.
+            /// both: they must stay where they are, as they are; what its functions do is undefined if they change.
             ///
             /// DQ8_STATUS_JOINT_OUT_OF_RANGE, _WEIGHT or _WEIGHT_SUM; `bad_vertex`, which may be null, is set to
             /// that vertex. DQ8_STATUS_NO_INFLUENCES if `influences` is 0. The skin has then not been written.

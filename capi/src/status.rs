@@ -45,12 +45,14 @@ statuses! {
         NullPointer = 1: c"a pointer is null",
         /// A pointer is not aligned: to its number type, or to 64 bytes for blocks.
         Misaligned = 2: c"a pointer is not aligned",
-        /// An output overlaps an input, or another output, and is not exactly the array that it may be.
+        /// An output overlaps an input, be it an array or one thing, or another output, and is not exactly the array that
+        /// it may be.
         Overlap = 3: c"an output overlaps another array",
         /// An array would be larger than memory.
         TooLarge = 4: c"an array would be larger than memory",
-        /// Lengths do not fit each other, such as a count that is no multiple of the joints.
-        Length = 5: c"lengths do not fit each other",
+        /// Lengths do not fit each other, such as a `count` that is no multiple of the joints: it counts all poses of all
+        /// instances or configurations.
+        Length = 5: c"lengths do not fit each other: count is of all poses, such as links times configurations",
         /// There are no blocks of so many lanes: float has 8 and 16, double 4 and 8.
         Lanes = 6: c"there are no blocks of so many lanes",
         /// The motion, or the placement of a joint, is not unit.

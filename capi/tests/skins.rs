@@ -319,6 +319,34 @@ fn pointers_that_are_wrong_are_refused_and_nothing_is_written() {
     assert!(posed.iter().flatten().flatten().all(|&number| number == 9.0));
 }
 
+/// C sees them, and may write them.
+#[test]
+fn the_numbers_that_a_skin_shows_do_not_decide_what_it_reads() {
+    let mut mesh = Mesh::new(19, 4);
+    let (_, mut skin) = mesh.make(&mut 0);
+    let (joints, weights) = (mesh.joints.as_mut_ptr().cast(), mesh.weights.as_mut_ptr());
+    for vertices in [0, 1, 18, usize::MAX] {
+        (skin.vertices, skin.joints) = (vertices, vertices);
+        let good = mesh.pointers(&skin);
+        for how in How::ALL {
+            let mut posed = [(); 3].map(|()| vec![[9.0_f32; 3]; 19].into_boxed_slice());
+            let to = posed.each_mut().map(|one| one.as_mut_ptr().cast());
+            for kind in 0..3 {
+                for over in [joints, weights] {
+                    let mut over_it = to;
+                    over_it[kind] = over;
+                    // SAFETY: what lies over an input is refused.
+                    let status = unsafe { pose(how, JOINTS, good, over_it, 19) };
+                    assert_eq!(status, Status::Overlap, "{vertices} {how:?}");
+                }
+            }
+            // SAFETY: arrays have the length that is said.
+            assert_eq!(unsafe { pose(how, JOINTS, good, to, 19) }, Status::Ok);
+            assert_eq!(posed.map(Vec::from), mesh.wanted(how, true), "{vertices} {how:?}");
+        }
+    }
+}
+
 #[test]
 fn shares_that_are_none_or_too_few_are_refused_and_nothing_is_written() {
     let mut mesh = Mesh::new(19, 4);

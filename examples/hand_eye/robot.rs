@@ -2,7 +2,7 @@
 
 use crate::calibration::Pair;
 use dq8::{DualQuat, Quat, Twist};
-use dq8_contract::random::Random;
+use dq8_fixtures::random::Random;
 use std::f64::consts::TAU;
 
 /// Standard deviations in each axis of the noise of B.

@@ -1,7 +1,7 @@
 //! Reads a motion-capture clip in the BVH format of Biovision.
 //!
 //! The format has no standard. What is accepted here:
-//! - keywords in any case, LF or CRLF, any white space, braces with or without space around them,
+//! - keywords in any case, line ends of LF, CR or both, any white space, braces with or without space around them,
 //!   several `ROOT`s;
 //! - joint names with spaces; two joints of one name are an error, because the columns of a table
 //!   need names;
@@ -10,7 +10,9 @@
 //! - any number of channels in any order, rotations also repeated (`Z X Z`), and none at all
 //!   (`CHANNELS 0`);
 //! - a frame starts on a new line. Its values may go on over the next lines, as some programs wrap
-//!   long lines.
+//!   long lines;
+//! - one frame more than announced, with a warning;
+//! - the character that ends files under DOS.
 
 mod error;
 mod hierarchy;
@@ -19,19 +21,20 @@ mod source;
 
 use crate::clip::Clip;
 use error::{BvhError, Reason};
-use source::Source;
+use motion::{Motion, Warning};
+use source::{Lines, Source};
 
-/// `title` is what the clip is to be called.
-pub(crate) fn parse(title: String, bytes: &[u8]) -> Result<Clip, BvhError> {
+/// `title` is what the clip is to be called. The warning is of what is unusual in the file.
+pub(crate) fn parse(title: String, bytes: &[u8]) -> Result<(Clip, Option<Warning>), BvhError> {
     let text = std::str::from_utf8(bytes).map_err(|error| {
-        let line_feeds = bytes[..error.valid_up_to()].iter().filter(|&&byte| byte == b'\n').count();
-        BvhError { line: line_feeds + 1, reason: Reason::NotUtf8 }
+        let before = String::from_utf8_lossy(&bytes[..error.valid_up_to()]);
+        BvhError { line: Lines::of(&before).count(), reason: Reason::NotUtf8 }
     })?;
     let mut source = Source::new(text);
     let joints = hierarchy::read(&mut source)?;
     let channels = joints.iter().map(|joint| joint.channels.len()).sum();
-    let (frame_time, values) = motion::read(&mut source, channels)?;
-    Ok(Clip { title, joints, frame_time, values })
+    let Motion { frame_time, values, warning } = motion::read(&mut source, channels)?;
+    Ok((Clip { title, joints, frame_time, values }, warning))
 }
 
 #[cfg(test)]
@@ -64,7 +67,7 @@ Frame Time: .0083333
 ";
 
     fn read(text: &str) -> Result<Clip, BvhError> {
-        parse("test".into(), text.as_bytes())
+        parse("test".into(), text.as_bytes()).map(|(clip, _)| clip)
     }
 
     /// World positions of one frame, by hand: independent of `Hierarchy`.
@@ -102,6 +105,12 @@ Frame Time: .0083333
         let plain = read(TWO_JOINTS).unwrap();
         let variants = [
             TWO_JOINTS.replace('\n', "\r\n"),
+            TWO_JOINTS.replace('\n', "\r"),
+            TWO_JOINTS.replace('\n', "\r\r\n"),
+            TWO_JOINTS.replace("MOTION\n", "MOTION\r").replace("4\n", "4\r\r"),
+            format!("{TWO_JOINTS}\u{1a}"),
+            format!("{}\u{1a}", TWO_JOINTS.trim_end()),
+            format!("{TWO_JOINTS}\r\n \u{1a}\u{1a}\0\r\n"),
             TWO_JOINTS.replace(' ', "\t"),
             TWO_JOINTS.replace("\n{", " {").replace("\n\t{", "{"),
             TWO_JOINTS.replace("1 2 3 0", "1 2\n3 0"),
@@ -172,7 +181,17 @@ Frame Time: .0083333
             ),
             (TWO_JOINTS.replace("90 4", "90"), 20, "frame 2 has 7, its channels need 8"),
             (TWO_JOINTS.replace("Frames: 2", "Frames: 3"), 20, "ends after 2"),
-            (TWO_JOINTS.replace("Frames: 2", "Frames: 1"), 20, "more lines follow"),
+            (
+                TWO_JOINTS.replace("Frames: 2", "Frames: 1") + "1 2 3 4 5 6 7 8\n",
+                21,
+                "more than one more follows",
+            ),
+            (
+                TWO_JOINTS.replace("Frames: 2", "Frames: 1").replace("90 4", "90"),
+                20,
+                "frame 2 has 7, its channels need 8",
+            ),
+            (TWO_JOINTS.replace("0 5\n", "0 5\n\u{1a}"), 20, "`\\u{1a}1`"),
         ];
         for (text, line, words) in cases {
             let Err(error) = read(&text) else {
@@ -197,10 +216,52 @@ Frame Time: .0083333
         assert_eq!(read(" \r\n\t").map(|_| ()).unwrap_err().reason, Reason::Empty);
     }
 
+    /// Of a hip, a spine and a head, as others write it.
+    #[test]
+    fn one_frame_more_than_announced_is_read_with_a_warning() {
+        let announced = "\
+HIERARCHY
+ROOT Hips
+{
+\tOFFSET 0 0 0
+\tCHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation
+\tJOINT Spine
+\t{
+\t\tOFFSET 0 5 0.5
+\t\tCHANNELS 3 Zrotation Xrotation Yrotation
+\t\tEnd Site
+\t\t{
+\t\t\tOFFSET 0 1 0
+\t\t}
+\t}
+}
+MOTION
+Frames: 2
+Frame Time: 0.033333
+1 2 3 10 20 30 -15 25 35
+1.5 2.5 3.5 11 21 31 -16 26 36";
+        let parse = |text: &str| parse("test".into(), text.as_bytes()).unwrap();
+        let (wanted, none) = parse(announced);
+        assert_eq!((wanted.frames(), none), (2, None));
+        let one = announced.replace("Frames: 2", "Frames: 1");
+        let wrapped = one.replace("11 21", "11\n21");
+        for (text, line) in
+            [(one.clone(), 20), (wrapped, 20), (one.replace('\n', "\r") + "\r\u{1a}", 20)]
+        {
+            let (clip, warning) = parse(&text);
+            assert_eq!(clip.values, wanted.values);
+            let said = format!("line {line}: `Frames: 1` is announced, and one more is read");
+            assert_eq!(warning.map(|warning| warning.to_string()), Some(said));
+        }
+    }
+
     #[test]
     fn bytes_that_are_no_text_are_refused_on_their_line() {
-        let error = parse(String::new(), b"HIERARCHY\nROOT H\xffps").map(|_| ()).unwrap_err();
-        assert_eq!(error, BvhError { line: 2, reason: Reason::NotUtf8 });
+        for start in ["HIERARCHY\nROOT", "HIERARCHY\rROOT", "HIERARCHY\r\nROOT"] {
+            let bytes = [start.as_bytes(), b" H\xffps"].concat();
+            let error = parse(String::new(), &bytes).map(|_| ()).unwrap_err();
+            assert_eq!(error, BvhError { line: 2, reason: Reason::NotUtf8 });
+        }
     }
 
     #[test]

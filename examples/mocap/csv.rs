@@ -3,9 +3,9 @@
 use std::fmt::Write;
 
 use crate::clip::Clip;
+use crate::positions::Positions;
 
-/// `positions` are `[frame][joint]`.
-pub(crate) fn table(clip: &Clip, positions: &[[f64; 3]]) -> Result<String, std::fmt::Error> {
+pub(crate) fn table(clip: &Clip, positions: &Positions) -> Result<String, std::fmt::Error> {
     let mut text = String::from("time");
     for joint in &clip.joints {
         for axis in ["x", "y", "z"] {
@@ -13,10 +13,10 @@ pub(crate) fn table(clip: &Clip, positions: &[[f64; 3]]) -> Result<String, std::
         }
     }
     text.push('\n');
-    for (frame, positions) in positions.chunks_exact(clip.joints.len()).enumerate() {
+    for (frame, world) in positions.world.chunks_exact(clip.joints.len()).enumerate() {
         write!(text, "{:.6}", clip.time(frame))?;
-        for coordinate in positions.iter().flatten() {
-            write!(text, ",{coordinate:.6}")?;
+        for &coordinate in world.iter().flatten() {
+            write!(text, ",{}", positions.digits(coordinate))?;
         }
         text.push('\n');
     }
@@ -36,9 +36,10 @@ fn quoted(field: &str) -> String {
 mod tests {
     use super::table;
     use crate::clip::{Axis, Channel, Clip, Joint};
+    use crate::positions::Positions;
 
     #[test]
-    fn a_row_a_frame_in_file_order_with_six_decimals() {
+    fn a_row_a_frame_in_file_order_with_the_digits_of_f32() {
         let joint = |name: &str, parent, channels| Joint {
             name: name.into(),
             parent,
@@ -55,10 +56,16 @@ mod tests {
             frame_time: 0.008333333,
             values: vec![0.0; 2],
         };
-        let positions = [[1.0, 2.0, 3.0], [0.0000004, -1.5, 1e6], [0.0; 3], [0.1234567, 0.0, 0.0]];
+        let world = vec![
+            [1.0, 2.0, 3.0],
+            [0.0000004, -1.5, 1e6],
+            [390.123_45_f32.into(), 0.0, -0.3],
+            [0.1234567, 400.0, 123_456.789_012_345],
+        ];
+        let positions = Positions { world, size: 390.5, difference: 0.0 };
         let expected = "time,a.x,a.y,a.z,\"b,\"\"c\"\".x\",\"b,\"\"c\"\".y\",\"b,\"\"c\"\".z\"\n\
-            0.000000,1.000000,2.000000,3.000000,0.000000,-1.500000,1000000.000000\n\
-            0.008333,0.000000,0.000000,0.000000,0.123457,0.000000,0.000000\n";
+            0.000000,1.0,2.0,3.0,4e-7,-1.5,1000000.00000\n\
+            0.008333,390.12344,0.0,-0.3,0.1234567,400.00000,123456.78901\n";
         assert_eq!(table(&clip, &positions).unwrap(), expected);
     }
 }

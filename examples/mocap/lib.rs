@@ -46,7 +46,7 @@ fn run(args: &Args) -> Result<(), Box<dyn Error>> {
     let (mut paths, mut texts): (Vec<&Path>, _) = (Vec::new(), Vec::new());
     if let Some(path) = &args.csv {
         paths.push(path);
-        texts.push(csv::table(&clip, &positions.world)?);
+        texts.push(csv::table(&clip, &positions)?);
     }
     if let Some(path) = &args.svg {
         paths.push(path);
@@ -64,5 +64,9 @@ fn load(path: &Path) -> Result<Clip, Box<dyn Error>> {
     let bytes = fs::read(path).map_err(|error| format!("cannot read {shown}: {error}"))?;
     let title =
         path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
-    Ok(bvh::parse(title, &bytes).map_err(|error| format!("{shown}, {error}"))?)
+    let (clip, warning) = bvh::parse(title, &bytes).map_err(|error| format!("{shown}, {error}"))?;
+    if let Some(warning) = warning {
+        eprintln!("mocap: {shown}, {warning}");
+    }
+    Ok(clip)
 }

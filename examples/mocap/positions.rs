@@ -46,6 +46,20 @@ impl Positions {
         Ok(Self { size: size(clip, &exact), world, difference })
     }
 
+    /// A coordinate with the digits that f32 has: fewest that are read as the same number. Farther away than the
+    /// skeleton is large, they are those of the skeleton, because its root's place is of f64.
+    pub(crate) fn digits(&self, coordinate: f64) -> String {
+        if coordinate.abs() <= self.size {
+            // Debug writes small numbers with an exponent.
+            return format!("{:?}", coordinate as f32);
+        }
+        // Half the distance of numbers as large as the skeleton.
+        let unit = self.size * f64::from(f32::EPSILON) / 2.0;
+        let decimals = (-unit.log10()).ceil().max(0.0) as usize;
+        // A root alone has no size, and f64 no more digits than these.
+        if decimals > 15 { format!("{coordinate:?}") } else { format!("{coordinate:.decimals$}") }
+    }
+
     /// Whether the lanes are where double precision says.
     pub(crate) fn check(&self) -> Result<(), Disagreement> {
         // Written so that what is not a number fails: f32 overflows where f64 does not.
@@ -160,6 +174,20 @@ mod tests {
             positions.check().unwrap();
             assert!((positions.world[1][0] - (x - 1.0)).abs() < 1e-6, "{:?}", positions.world);
         }
+    }
+
+    #[test]
+    fn coordinates_have_the_digits_of_f32_and_far_away_those_of_the_skeleton() {
+        let of = |size| Positions { world: Vec::new(), size, difference: 0.0 };
+        for coordinate in [390.123_4_f32, -0.000_123_456_79, 0.1, 3.0e-12, 0.0] {
+            let text = of(391.0).digits(coordinate.into());
+            assert_eq!(text.parse::<f32>(), Ok(coordinate), "{text}");
+            assert!(text.bytes().filter(u8::is_ascii_digit).count() <= 16, "{text}");
+        }
+        // A millionth of the skeleton, a thousand kilometres away.
+        assert_eq!(of(1.0).digits(1_000_000.123_456_7), "1000000.12345670");
+        assert_eq!(of(390.0).digits(1_000_000.123_456_7), "1000000.12346");
+        assert_eq!(of(0.0).digits(-1.5), "-1.5");
     }
 
     #[test]

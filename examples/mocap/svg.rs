@@ -19,6 +19,8 @@ use strip::Strip;
 const WIDTH: f64 = 1400.0;
 const MARGIN: f64 = 40.0;
 const FIGURES: usize = 10;
+/// So many letters of a title fit, whichever they are.
+const LETTERS: usize = 42;
 
 /// A rectangle of the picture, in pixels.
 #[derive(Clone, Copy)]
@@ -40,9 +42,9 @@ impl Frame {
 }
 
 const STYLE: &str = "\
-text{font-family:sans-serif;font-size:15px;fill:#333}\
-.title{font-size:26px;font-weight:bold}.caption{font-size:17px;font-weight:bold}\
-.time{text-anchor:middle;font-size:13px;fill:#555}.note{font-size:13px;fill:#555}\
+text{font-family:sans-serif;font-size:20px;fill:#333}\
+.title{font-size:26px;font-weight:bold}.caption{font-size:22px;font-weight:bold}\
+.time{text-anchor:middle;font-size:18px;fill:#555}.note{font-size:18px;fill:#555}\
 path{fill:none;stroke-linecap:round;stroke-linejoin:round}\
 .bone{stroke-width:4.5}.track{stroke-width:1.5}\
 .left{stroke:#0072b2}.right{stroke:#d55e00}.middle{stroke:#444}\
@@ -63,14 +65,15 @@ pub(crate) fn picture(
     let below = |top: f64, height| Frame { left: MARGIN, top, width: WIDTH - 2.0 * MARGIN, height };
 
     let all = 0..clip.frames();
-    caption(&mut body, 120.0, &format!("The whole clip, {:.2} s", clip.time(all.end)))?;
-    let strip = Strip::new(&scene, all.clone(), FIGURES, below(140.0, 360.0));
+    let whole = format!("The whole clip, {} s", short(clip.time(all.end)));
+    caption(&mut body, 160.0, &whole)?;
+    let strip = Strip::new(&scene, all.clone(), FIGURES, below(180.0, 360.0));
     strip.draw(&mut body)?;
     let mut top = strip.area.bottom() + 70.0;
 
     if let Some(part) = closer_look(clip) {
-        let (from, to) = (clip.time(part.start), clip.time(part.end));
-        caption(&mut body, top, &format!("A closer look, from {from:.2} s to {to:.2} s"))?;
+        let [from, to] = [part.start, part.end].map(|frame| short(clip.time(frame)));
+        caption(&mut body, top, &format!("A closer look, from {from} s to {to} s"))?;
         let strip = Strip::new(&scene, part, FIGURES, below(top + 20.0, 360.0));
         strip.draw(&mut body)?;
         top = strip.area.bottom() + 70.0;
@@ -92,24 +95,24 @@ pub(crate) fn picture(
 /// Title and legend.
 fn draw_heading(out: &mut String, scene: &Scene<'_>) -> fmt::Result {
     let clip = scene.clip;
-    let title = escaped(&clip.title);
-    writeln!(out, r#"<text class="title" x="{MARGIN}" y="50">{title}</text>"#)?;
+    writeln!(out, r#"<text class="title" x="{MARGIN}" y="50">{}</text>"#, title(&clip.title))?;
     let (joints, end_sites, frames) = (clip.joints.len(), clip.end_sites(), clip.frames());
-    let numbers = format!(
-        "Joints: {joints}, of them {end_sites} end sites. Frames: {frames} of {:.2} ms. Time runs \
-         to the right, figures stand at equal times. Thin lines trace root and feet.",
-        clip.frame_time * 1e3
-    );
-    writeln!(out, r#"<text x="{MARGIN}" y="76">{numbers}</text>"#)?;
+    let time = short(clip.frame_time * 1e3);
+    let numbers =
+        format!("Joints: {joints}, of them {end_sites} end sites. Frames: {frames} of {time} ms.");
+    writeln!(out, r#"<text x="{MARGIN}" y="86">{numbers}</text>"#)?;
+    let lines =
+        "Time runs to the right, figures stand at equal times. Thin lines trace root and feet.";
+    writeln!(out, r#"<text x="{MARGIN}" y="114">{lines}</text>"#)?;
     let mut legend = vec![("root track", "root")];
     if scene.sides.contains(&Side::Left) || scene.sides.contains(&Side::Right) {
         legend.extend([("middle bone", "trunk"), ("right bone", "right"), ("left bone", "left")]);
     }
     for (index, (class, meaning)) in legend.iter().enumerate() {
-        let x = WIDTH - MARGIN - 100.0 * (index + 1) as f64;
+        let x = WIDTH - MARGIN - 110.0 * (index + 1) as f64;
         writeln!(
             out,
-            r#"<path class="{class}" d="M{x} 45h30"/><text x="{}" y="50">{meaning}</text>"#,
+            r#"<path class="{class}" d="M{x} 79h30"/><text x="{}" y="86">{meaning}</text>"#,
             x + 40.0
         )?;
     }
@@ -139,9 +142,18 @@ fn sparse(frames: &Range<usize>) -> impl Iterator<Item = usize> + use<> {
     frames.clone().step_by(frames.len().div_ceil(POINTS).max(1))
 }
 
-/// Control characters have no place in XML, not even escaped.
-fn escaped(text: &str) -> String {
+/// With two decimals, of which a large number has none that matter.
+fn short(number: f64) -> String {
+    if number < 1e5 { format!("{number:.2}") } else { format!("{number:.1e}") }
+}
+
+/// As much of a title as there is room for.
+fn title(text: &str) -> String {
+    // Control characters have no place in XML, not even escaped.
     let text: String = text.chars().filter(|character| !character.is_control()).collect();
+    let cut = text.chars().count() > LETTERS;
+    let text = text.chars().take(if cut { LETTERS - 1 } else { LETTERS });
+    let text: String = text.chain(cut.then_some('…')).collect();
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
@@ -151,6 +163,7 @@ mod tests {
     use crate::biped;
     use crate::clip::{Axis, Channel, Clip, Joint};
     use crate::positions::Positions;
+    use dq8_fixtures::legible::illegible;
 
     /// Every number of the picture's shapes.
     fn coordinates(picture: &str) -> Vec<f64> {
@@ -168,8 +181,26 @@ mod tests {
         let picture = picture(&clip, &positions.world, positions.size).unwrap();
         assert!(picture.matches("left bone").count() == 21, "twenty figures and the legend");
         assert!(!picture.contains("NaN") && !picture.contains("inf"));
+        assert_eq!(illegible(&picture), [""; 0]);
         let coordinates = coordinates(&picture);
         assert!(coordinates.iter().all(|x| (-10.0..=1400.0).contains(x)), "{coordinates:?}");
+    }
+
+    #[test]
+    fn the_picture_in_the_documentation_is_legible() {
+        assert_eq!(illegible(include_str!("../../docs/walk.svg")), [""; 0]);
+    }
+
+    #[test]
+    fn texts_keep_to_their_places_whatever_a_clip_says() {
+        for frame_time in [1e-9, 1.0 / 60.0, 40.0, 1e9] {
+            for title in ["W".repeat(300), "<&>".repeat(20), String::new()] {
+                let clip = Clip { title, frame_time, ..biped::clip() };
+                let positions = Positions::of(&clip).unwrap();
+                let picture = picture(&clip, &positions.world, positions.size).unwrap();
+                assert_eq!(illegible(&picture), [""; 0], "{frame_time}");
+            }
+        }
     }
 
     #[test]
@@ -190,6 +221,7 @@ mod tests {
                 let picture = picture(&clip, &positions, 0.0).unwrap();
                 assert!(!picture.contains("NaN") && !picture.contains("inf"), "{picture}");
                 assert!(picture.contains("a &lt; b &amp; c"));
+                assert_eq!(illegible(&picture), [""; 0], "{frames} {far}");
                 assert!(coordinates(&picture).iter().all(|x| x.abs() < 2000.0), "{picture}");
             }
         }

@@ -28,7 +28,8 @@ pub(crate) fn text(clip: &Clip, positions: &Positions) -> Result<String, fmt::Er
     for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
         let (least, most) =
             world.iter().fold((f64::MAX, f64::MIN), |(a, b), p| (a.min(p[axis]), b.max(p[axis])));
-        writeln!(text, "  {name}           {least:.4} to {most:.4}")?;
+        let [least, most] = [least, most].map(|coordinate| positions.digits(coordinate));
+        writeln!(text, "  {name}           {least} to {most}")?;
     }
     // A skeleton that is a single point has no size to compare with.
     let sizes = if *difference == 0.0 { 0.0 } else { difference / size };
@@ -50,6 +51,7 @@ mod tests {
         assert!(text.contains("frames      256, 4.27 s"), "{text}");
         // 1.2 m each, but for the step from the last frame to the first.
         assert!(text.contains("root        Pelvis: a path of 4.8460, ends 4.7813 from"), "{text}");
-        assert!(text.contains("y           -0.0005 to 1.7680"), "{text}");
+        assert!(text.contains("y           -0.000541"), "{text}");
+        assert!(text.contains(" to 1.76796"), "{text}");
     }
 }

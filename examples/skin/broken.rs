@@ -4,7 +4,7 @@ use crate::args::Method;
 use crate::error::{Error, guarded};
 use crate::file::File;
 use crate::tests::{glb, posed};
-use dq8_contract::random::Random;
+use dq8_fixtures::random::Random;
 use std::path::Path;
 
 #[test]

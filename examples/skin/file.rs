@@ -1,9 +1,10 @@
 use crate::accessor::read;
 use crate::bones::{Bones, IDENTITY, affine};
 use crate::error::Error;
+use crate::json::Json;
 use crate::mesh::Mesh;
 use crate::pose::{Animation, Local};
-use crate::{refused, uri};
+use crate::uri;
 use dq8::representation::Affine;
 use gltf::accessor::Dimensions;
 use gltf::buffer::Source;
@@ -16,6 +17,8 @@ pub(crate) struct File {
     path: PathBuf,
     document: gltf::Document,
     buffers: Vec<Vec<u8>>,
+    /// For each animation, the numbers of its channels in the file.
+    channels: Vec<Vec<usize>>,
     nodes: Vec<Local>,
     /// Parents before children, each with its parent.
     order: Vec<(usize, Option<usize>)>,
@@ -28,15 +31,18 @@ impl File {
     }
 
     pub(crate) fn parse(path: &Path, bytes: &[u8]) -> Result<Self, Error> {
-        let fail = |error: gltf::Error| Error(error.to_string());
-        let gltf::Gltf { document, mut blob } =
-            gltf::Gltf::from_slice_without_validation(bytes).map_err(fail)?;
-        let mut json = document.into_json();
-        refused::check(&json)?;
-        // The crate gltf does not know that numbers of all types are read here, nor what has just been looked for.
-        json.extensions_required
-            .retain(|name| name != "KHR_mesh_quantization" && !refused::NAMES.contains(&&**name));
-        let document = gltf::Document::from_json(json).map_err(fail)?;
+        let (json, mut blob) = match bytes {
+            [b'g', b'l', b'T', b'F', 1, 0, 0, 0, ..] => {
+                return Err(Error("glTF 1.0: only glTF 2.0 is read".into()));
+            }
+            [b'g', b'l', b'T', b'F', ..] => {
+                let glb = gltf::Glb::from_slice(bytes).map_err(|error| Error(error.to_string()))?;
+                (Json::read(&glb.json)?, glb.bin.map(|bytes| bytes.into_owned()))
+            }
+            _ => (Json::read(bytes)?, None),
+        };
+        let Json { root, channels } = json;
+        let document = gltf::Document::from_json_without_validation(root);
         let mut buffers = Vec::new();
         for buffer in document.buffers() {
             let place = |what: String| Error(format!("buffer {}: {what}", buffer.index()));
@@ -59,7 +65,7 @@ impl File {
         }
         let nodes = document.nodes().map(|node| Local::of(&node)).collect::<Result<_, _>>()?;
         let order = order(&document)?;
-        Ok(Self { path: path.into(), document, buffers, nodes, order })
+        Ok(Self { path: path.into(), document, buffers, channels, nodes, order })
     }
 
     /// The animation of this name or number, the first one without, or rest.
@@ -88,8 +94,9 @@ impl File {
         };
         // The crate gltf does not check these.
         let json = &self.document.as_json().animations[found.index()];
+        let numbers = &self.channels[found.index()];
         for (channel, gltf::json::animation::Channel { target, .. }) in
-            json.channels.iter().enumerate()
+            numbers.iter().zip(&json.channels)
         {
             let what = match target.path {
                 Checked::Invalid => "its path is unknown".into(),
@@ -101,7 +108,8 @@ impl File {
             let place = format!("animation {}, channel {channel}", found.index());
             return Err(Error::at(&self.path, format!("{place}: {what}")));
         }
-        Animation::read(&self.buffers, &found).map_err(|error| Error::at(&self.path, error))
+        Animation::read(&self.buffers, &found, numbers)
+            .map_err(|error| Error::at(&self.path, error))
     }
 
     /// The maps of all nodes into the world.

@@ -9,7 +9,8 @@
 //! default four of the animation), in the order of nodes, primitives and vertices of the file. A mesh with a skin
 //! follows its joints and not its own node (glTF 2.0, §3.7.3.3); one without follows its node.
 //! X is the share of `dlb`, the default method, in [0, 1]. What else would put vertices somewhere is an error that names the
-//! mesh: morph targets, compressed meshes, instances.
+//! mesh: weights of morph targets that are not zero, compressed meshes, instances. What moves no vertex (materials, textures,
+//! cameras, data of applications) is not looked at.
 #![allow(clippy::print_stdout, reason = "a program")]
 
 mod accessor;
@@ -20,9 +21,12 @@ mod broken;
 mod drawing;
 mod error;
 mod file;
+mod json;
 mod mesh;
 mod obj;
 mod pose;
+#[cfg(test)]
+mod readable;
 mod refused;
 mod sampler;
 #[cfg(test)]

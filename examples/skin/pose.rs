@@ -1,3 +1,4 @@
+use crate::accessor::read;
 use crate::bones::affine;
 use crate::error::Error;
 use crate::sampler::{Sampler, lerp, slerp};
@@ -22,9 +23,13 @@ impl Animation {
     pub(crate) fn read(
         buffers: &[Vec<u8>],
         animation: &gltf::Animation<'_>,
+        numbers: &[usize],
     ) -> Result<Self, Error> {
         let mut channels = Vec::new();
-        for (index, channel) in animation.channels().enumerate() {
+        for (index, channel) in numbers.iter().zip(animation.channels()) {
+            let place = |Error(what)| {
+                Error(format!("animation {}, channel {index}: {what}", animation.index()))
+            };
             let (target, sampler) = (channel.target(), channel.sampler());
             let vector = || Sampler::read(buffers, &sampler, Dimensions::Vec3);
             let read = match target.property() {
@@ -33,11 +38,10 @@ impl Animation {
                 Property::Rotation => {
                     Sampler::read(buffers, &sampler, Dimensions::Vec4).map(Channel::Rotation)
                 }
-                // Morph targets move no joints.
-                Property::MorphTargetWeights => continue,
-            };
-            let place = |Error(what)| {
-                Error(format!("animation {}, channel {index}: {what}", animation.index()))
+                Property::MorphTargetWeights => {
+                    check_weights(buffers, &channel).map_err(place)?;
+                    continue;
+                }
             };
             channels.push((target.node().index(), read.map_err(place)?));
         }
@@ -68,6 +72,23 @@ impl Animation {
             *node = Local::Parts { translation, rotation, scale };
         }
         nodes.iter().map(Local::map).collect()
+    }
+}
+
+/// Morph targets move no joints, and no vertices whose weights are all zero.
+fn check_weights(buffers: &[Vec<u8>], channel: &gltf::animation::Channel<'_>) -> Result<(), Error> {
+    let mesh = channel.target().node().mesh();
+    let mut primitives = mesh.iter().flat_map(|mesh| mesh.primitives());
+    let moves = |primitive: gltf::Primitive<'_>| {
+        primitive.morph_targets().any(|target| target.positions().is_some())
+    };
+    if !primitives.any(moves) {
+        return Ok(());
+    }
+    let weights = read::<1>(buffers, &channel.sampler().output(), Dimensions::Scalar)?;
+    match weights.iter().find(|weight| **weight != [0.0]) {
+        Some([weight]) => Err(Error(format!("morph targets (weight {weight}) are not done here"))),
+        None => Ok(()),
     }
 }
 

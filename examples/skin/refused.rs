@@ -8,14 +8,47 @@ const DRACO: &str = "KHR_draco_mesh_compression";
 const MESHOPT: [&str; 2] = ["EXT_meshopt_compression", "KHR_meshopt_compression"];
 const INSTANCES: &str = "EXT_mesh_gpu_instancing";
 
-/// Extensions that [`check`] refuses where they are used.
-pub(crate) const NAMES: [&str; 4] = [DRACO, MESHOPT[0], MESHOPT[1], INSTANCES];
+/// Extensions that files may not be able to do without, and that are no reason to refuse them: numbers of all types are read
+/// here, [`check`] looks for some where they are used, and the rest says nothing about vertices.
+const REQUIRED: [&str; 14] = [
+    "KHR_mesh_quantization",
+    DRACO,
+    MESHOPT[0],
+    MESHOPT[1],
+    INSTANCES,
+    "KHR_xmp",
+    "KHR_xmp_json_ld",
+    "KHR_techniques_webgl",
+    "KHR_node_visibility",
+    "EXT_mesh_features",
+    "EXT_instance_features",
+    "EXT_structural_metadata",
+    "FB_ngon_encoding",
+    "CESIUM_primitive_outline",
+];
+
+/// After the name of the vendor: kinds of extensions that say how a surface looks.
+const LOOKS: [&str; 4] = ["materials_", "texture_", "lights_", "packing_"];
 
 /// Each mesh and primitive of a file that nobody has checked yet: the crate gltf takes what Draco leaves out for a mistake.
 pub(crate) fn check(root: &Root) -> Result<(), Error> {
+    let looks = |name: &str| {
+        let kind = name.split_once('_').map_or("", |(_, kind)| kind);
+        LOOKS.iter().any(|look| kind.starts_with(look))
+    };
+    let mut required = root.extensions_required.iter();
+    if let Some(name) = required.find(|name| !(REQUIRED.contains(&name.as_str()) || looks(name))) {
+        return Err(Error(format!("extensionsRequired: {name} is not done here")));
+    }
     for (mesh, of) in root.meshes.iter().enumerate() {
+        let weights = weights(root, mesh);
         for (primitive, of) in of.primitives.iter().enumerate() {
-            if let Some(what) = of_primitive(root, of) {
+            let moved = of.targets.iter().flatten().enumerate().any(|(target, of)| {
+                of.positions.is_some()
+                    && weights.iter().any(|w| w.get(target).is_some_and(|w| *w != 0.0))
+            });
+            let morphs = moved.then(|| "morph targets are not done here".into());
+            if let Some(what) = morphs.or_else(|| of_primitive(root, of)) {
                 return Err(Error(format!("mesh {mesh}, primitive {primitive}: {what}")));
             }
         }
@@ -31,11 +64,18 @@ pub(crate) fn check(root: &Root) -> Result<(), Error> {
     Ok(())
 }
 
-fn of_primitive(root: &Root, primitive: &Primitive) -> Option<String> {
-    let mut targets = primitive.targets.iter().flatten();
-    if targets.any(|target| target.positions.is_some()) {
-        return Some("morph targets are not done here".into());
+/// The weights of the morph targets of a mesh, and of the nodes that have their own. What is not said is zero.
+fn weights(root: &Root, mesh: usize) -> Vec<&[f32]> {
+    let of = &root.meshes[mesh];
+    if of.primitives.iter().all(|primitive| primitive.targets.is_none()) {
+        return Vec::new();
     }
+    let nodes = root.nodes.iter().filter(|node| node.mesh.is_some_and(|of| of.value() == mesh));
+    let own = of.weights.as_deref().unwrap_or_default();
+    nodes.map(|node| node.weights.as_deref().unwrap_or(own)).collect()
+}
+
+fn of_primitive(root: &Root, primitive: &Primitive) -> Option<String> {
     let accessors = primitive.attributes.values().copied().chain(primitive.indices);
     let mut views =
         accessors.filter_map(|at| root.accessors.get(at.value())).map(|a| a.buffer_view);

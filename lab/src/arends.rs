@@ -1,6 +1,7 @@
 //! Formulas and code of Arends, as printed: to be counted, and to show where they break. Not for use.
 
 use crate::HyperDualQuat;
+use crate::matrix;
 use dq8::{DualQuat, Quat, Real};
 
 /// Degrees that `animate` of the appendix adds to `rotate_angle` in every frame, by which three of his four
@@ -71,4 +72,81 @@ pub fn keyframe<R: Real>(a: [R; 3], b: [R; 3], t: R) -> [R; 3] {
     let times = |r: R, a: [R; 3]| a.map(|x| (r * x.ln()).exp());
     let (a, b) = (times(R::ONE - t, a), times(t, b));
     core::array::from_fn(|i| (a[i].ln() + b[i].ln()).exp())
+}
+
+/// `DEG2RAD` of the appendix, 3.14159/180, times `degrees`.
+#[must_use]
+pub fn radians(degrees: f64) -> f64 {
+    degrees * (314_159.0 / 18e6)
+}
+
+/// Rx(φ) Ry(θ) Rz(ψ) v of §2.2.
+#[must_use]
+pub fn turned(angles: [f64; 3], v: [f64; 3]) -> [f64; 3] {
+    let [x, y, z] = matrix::about_axes(angles);
+    matrix::apply(matrix::product(matrix::product(x, y), z), v)
+}
+
+/// Refl(v) = 2(v·l)/(l·l) l of §2.7.2.
+#[must_use]
+pub fn reflection_in_a_line(v: [f64; 3], l: [f64; 3]) -> [f64; 3] {
+    let along = 2.0 * dot(v, l) / dot(l, l);
+    core::array::from_fn(|i| along * l[i])
+}
+
+/// (cos, n sin) + ε(0, T/2) of §4.4.
+#[must_use]
+pub fn side_by_side(r: Quat<f64>, t: [f64; 3]) -> DualQuat<f64> {
+    DualQuat::new(r, pure(t.map(|c| c / 2.0)))
+}
+
+/// (cos, n sin) + ε₁ε₂(0, T/2) of §5.4.
+#[must_use]
+pub fn hyper_side_by_side(r: Quat<f64>, t: [f64; 3]) -> HyperDualQuat<f64> {
+    HyperDualQuat { mixed: pure(t).scale(0.5), ..HyperDualQuat::from_rotation(r) }
+}
+
+/// ½(p − epe⁻¹) + β ½(p + epe⁻¹): the parts of eq. 8 across and along a unit vector e, with a factor on the one.
+#[must_use]
+pub fn scaled_along(e: [f64; 3], p: [f64; 3], beta: f64) -> [f64; 3] {
+    let mirrored = sandwiched(e, p);
+    let along = pure(p) + mirrored;
+    let across = pure(p) - mirrored;
+    (across + along.scale(beta)).scale(0.5).xyz()
+}
+
+/// p + (a/2)(p + jpj⁻¹)k, which shears x by y.
+#[must_use]
+pub fn sheared(p: [f64; 3], a: f64) -> Quat<f64> {
+    let along = pure(p) + sandwiched([0.0, 1.0, 0.0], p);
+    pure(p) + along.scale(0.5 * a) * pure([0.0, 0.0, 1.0])
+}
+
+/// (p₀q₀, p₁q₁, p₂q₂) of §5.6.1.
+#[must_use]
+pub fn by_components(p: [f64; 3], q: [f64; 3]) -> [f64; 3] {
+    core::array::from_fn(|i| p[i] * q[i])
+}
+
+/// a × b + c × d of §5.6.1.
+#[must_use]
+pub fn two_cross_products([a, b]: [[f64; 3]; 2], [c, d]: [[f64; 3]; 2]) -> [f64; 3] {
+    let cross = |a: [f64; 3], b: [f64; 3], i: usize| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        a[j] * b[k] - a[k] * b[j]
+    };
+    core::array::from_fn(|i| cross(a, b, i) + cross(c, d, i))
+}
+
+/// epe⁻¹ of a unit vector e.
+fn sandwiched(e: [f64; 3], p: [f64; 3]) -> Quat<f64> {
+    pure(e) * pure(p) * pure(e).conjugate()
+}
+
+fn pure(v: [f64; 3]) -> Quat<f64> {
+    Quat::from_parts(v, 0.0)
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }

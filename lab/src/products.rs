@@ -3,7 +3,7 @@
 
 use crate::report::{Section, Table, paragraph, scientific};
 use dq8::{DualQuat, batch};
-use dq8_contract::random::Random;
+use dq8_fixtures::random::Random;
 
 /// Chains per number; enough that its second digit is steady.
 pub const CHAINS: u64 = 16;

@@ -4,7 +4,7 @@ use crate::matrix::Matrix;
 use crate::report::{Section, Table, paragraph};
 use core::hint::black_box;
 use dq8::{Backend, DualQuat, Quat};
-use dq8_contract::random::Random;
+use dq8_fixtures::random::Random;
 use std::error::Error;
 use std::time::Instant;
 

@@ -71,6 +71,13 @@ impl<'a, J: Index> CheckedIndices<'a, J> {
         Ok(Self { indices, columns, stride, bound })
     }
 
+    /// The indices, with whatever lies between rows.
+    #[inline(always)]
+    #[must_use]
+    pub fn indices(self) -> &'a [J] {
+        self.indices
+    }
+
     /// How many rows there are. Divides.
     #[inline(always)]
     #[must_use]

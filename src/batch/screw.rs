@@ -121,7 +121,8 @@ impl<L: Lanes> DualQuat<L> {
     }
 
     /// a(a*b)ᵗ by the shorter way; `t` may differ from lane to lane. NaN so far beyond the ends that
-    /// t times half the angle is beyond 2¹⁶ (`f32`) or 2⁴⁵ (`f64`).
+    /// t times half the angle is beyond 2¹⁶ (`f32`) or 2⁴⁵ (`f64`), or t beyond 10¹⁹ or 10¹⁵⁴, where its square is.
+    /// Beyond the ends, what they lack of unit length counts |2t − 1| times, until the turn is a radian.
     ///
     /// Slerp about the middle of the way. With m = (a+b)/2 and h = (b−a)/2, which are orthogonal for
     /// unit a and b, and τ = 2t − 1:
@@ -252,7 +253,8 @@ impl<L: Lanes> Way<L> {
     fn at(&self, t: L) -> DualQuat<L> {
         // −τK/2: of −2h, and (τΘ/2)² is its square times C.
         let weight = self.arc_over_chord.scale(t.constant(0.5) - t);
-        let (cos, sinc) = cos_sinc(self.chord_squared * weight * weight);
+        // The square first: infinite, and so is the angle, before C is below the normal numbers at an angle of any size.
+        let (cos, sinc) = cos_sinc(self.chord_squared * (weight * weight));
         let middle = self.sum.scale_dual(cos * self.half_secant);
         self.back.scale_dual_onto(weight * sinc, middle)
     }

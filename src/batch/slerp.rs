@@ -5,7 +5,7 @@ use dq8_simd::Lanes;
 
 impl<L: Lanes> Quat<L> {
     /// Turns from `self` to ±`other` about one axis at constant speed, by the shorter way; `t` may
-    /// differ from lane to lane.
+    /// differ from lane to lane. As far as [`sclerp`](DualQuat::sclerp), and NaN beyond.
     ///
     /// The screw motion of pure rotations: the dual part that it computes is discarded.
     #[cfg_attr(not(opt_level_0), inline(always))]

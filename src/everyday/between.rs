@@ -6,11 +6,8 @@ use super::{Four, Number, one_lane};
 use crate::batch::even_coefficients as coefficients;
 use dq8_simd::Lanes;
 
-/// (π/2)², with the margin that the polynomials have.
-const ORDINARY: f64 = 2.5;
-
 /// cos(τΘ/2)/cos(Θ/2) m + sin(τΘ/2)/sin(Θ/2) h, τ = 2t − 1, of m = (a ± b)/2 and h = (±b − a)/2; nothing
-/// far outside [0, 1].
+/// outside [−½, 3/2].
 #[inline]
 pub(super) fn sclerp<F: Number>(a: [F; 8], b: [F; 8], t: F) -> Option<[F; 8]> {
     if F::REGISTERS == 4 {
@@ -59,12 +56,15 @@ impl<F: Number> Weights<F> {
     fn of(chord: F, across: F, t: F) -> Option<Self> {
         let (half, one) = (t.constant(0.5), t.constant(1.0));
         let back = half - t;
-        let chord_back = chord * (back * back);
-        let [arc, slope, ..] = long_polynomials::<F::Four>(F::ARC, chord).to_array();
-        let v = chord_back * (arc * arc);
-        if !v.le(t.constant(ORDINARY)) {
+        let squared = back * back;
+        // |τ| ≤ 2, so that v ≤ (π/2)², where the polynomials end. Of ends closer together than half a turn v would be
+        // small for longer, but what the ends lack of unit length would count |τ| times.
+        if !squared.le(one) {
             return None;
         }
+        let chord_back = chord * squared;
+        let [arc, slope, ..] = long_polynomials::<F::Four>(F::ARC, chord).to_array();
+        let v = chord_back * (arc * arc);
         let secant = one / Lanes::sqrt(one.constant(4.0) - chord);
         let (w, w_slope) = (back * arc, back * slope);
         let v_slope = w * (w + chord * (w_slope + w_slope));

@@ -17,7 +17,8 @@ use crate::shape::{ShapeError, same_length, whole_instances};
 use crate::storage::{Element, Layout, Number};
 
 impl<S> Job<'_, S> {
-    /// The skinning palette, and the models on the way to it, of locals in any form:
+    /// Models and the skinning palette of them in one pass, for callers who need both ([`palette`](Self::palette) keeps
+    /// no models): `models` as of [`locals_to_model`](Self::locals_to_model), and
     /// `palette[j]` = model(j) · `inverse_binds[j]`, which takes a vertex of the mesh in its rest pose
     /// to where joint j has moved it. `inverse_binds` holds one per joint, the same for all instances;
     /// the palette is of motions, 3×4 or 4×4 matrices: [`PaletteEntry`].
@@ -64,10 +65,10 @@ impl<S> Job<'_, S> {
         Ok(())
     }
 
-    /// The skinning palette without the models: for callers who need only the former. Models go through
-    /// `scratch`, which holds some whole instances, again and again. 16 instances serve plain motions and
-    /// two blocks serve blocks best: as few as fill the lanes, so that they stay in the first cache. What is in it
-    /// afterwards has no meaning: with plain motions, models stay there in the order of registers.
+    /// The skinning palette alone: models are not kept ([`palette_and_models`](Self::palette_and_models) keeps them). They
+    /// go through `scratch`, which holds some whole instances, again and again. 16 instances serve plain motions and
+    /// two blocks serve blocks best, for each thread: as few as fill the lanes, so that they stay in the first cache. What
+    /// is in it afterwards has no meaning: with plain motions, models stay there in the order of registers.
     ///
     /// # Errors
     /// If lengths or the range do not fit, `scratch` holds no instance, or the parent of a joint of the range is

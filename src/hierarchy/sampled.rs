@@ -24,8 +24,11 @@ impl<'c, K> Clip<'c, K> {
     /// A clip of `joints` joints.
     ///
     /// # Errors
-    /// If `keys` holds no whole number of frames.
+    /// If `keys` is empty or holds no whole number of frames.
     pub fn new(joints: usize, keys: &'c [K]) -> Result<Self, ShapeError> {
+        if keys.is_empty() {
+            return Err(ShapeError::Empty { what: "keys" });
+        }
         Ok(Self { keys, joints, frames: whole_instances("keys", joints, keys.len())? })
     }
 

@@ -124,6 +124,18 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         if right { Ok(()) } else { Err(SkinningError::Total { vertex, total }) }
     }
 
+    /// The joints of all vertices, from the first of the first vertex on, with whatever lies between them.
+    #[must_use]
+    pub fn joints(&self) -> &'a [J] {
+        self.joints.indices()
+    }
+
+    /// The weights of all vertices, from the first of the first vertex on, with whatever lies between them.
+    #[must_use]
+    pub fn weights(&self) -> &'a [W] {
+        self.weights
+    }
+
     /// How many vertices there are.
     #[must_use]
     pub fn vertices(&self) -> usize {

@@ -53,7 +53,8 @@ pub enum Held {
     /// Every implementation against the scalar path in `f64`, on the same rounded input: the truth of
     /// what has no reference vectors, though to `f64` itself it is another way only.
     Double { inputs: Inputs, sign: Sign, bounds: &'static [Bound] },
-    /// Every implementation against answers of 60 digits.
+    /// Every implementation against answers of 60 digits: about one and a half times the worst of the vectors in the
+    /// files, which other input may pass.
     Digits {
         /// What the file calls it.
         name: &'static str,

@@ -39,8 +39,10 @@ fn rotations_that_are_close_go_on_turning_beyond_both() {
                 let error = (z - sin).abs();
                 assert!(error <= relative * turned.abs(), "{on:?}, {angle:e}, {t:e}: {z} {sin}");
                 let error = (w - cos).abs();
-                // By the book this is the difference of two numbers as large as t.
-                assert!(error <= relative * (1.0 + t.abs()), "{on:?}, {angle:e}, {t:e}: {w} {cos}");
+                // Lanes, and floats that go by them, turn in the plane of the ends as they are.
+                let ends = if on.name.starts_with("textbook") { 0.0 } else { t.abs() };
+                let size = turned.abs().max(1.0) + ends;
+                assert!(error <= relative * size, "{on:?}, {angle:e}, {t:e}: {w} {cos}");
             }
         }
     }

@@ -2,6 +2,7 @@
 //! derivatives have edge cases of their own beside their tests.
 
 mod beyond;
+mod empty;
 mod infinite;
 mod parts;
 

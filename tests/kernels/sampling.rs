@@ -233,6 +233,14 @@ fn what_does_not_fit_is_named_and_nothing_is_written() {
         Clip::new(JOINTS, &keys[1..]).unwrap_err(),
         ShapeError::NotWhole { what: "keys", length: JOINTS * FRAMES - 1, joints: JOINTS }
     );
+    for joints in [0, 1, JOINTS] {
+        let empty = Clip::new(joints, &keys[..0]).map(|clip| clip.frames());
+        assert_eq!(
+            empty,
+            Err(ShapeError::Empty { what: "keys" }),
+            "a clip of no frame has no place"
+        );
+    }
     let clip = Clip::new(JOINTS, &keys).expect("whole frames");
     let last = FRAMES as u32 - 1;
     assert_eq!(

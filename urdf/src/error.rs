@@ -2,7 +2,8 @@ use dq8::mechanism::MechanismError;
 use std::error::Error;
 use std::fmt;
 
-/// A file that does not describe a robot, or describes one that a mechanism cannot express. Each names the element.
+/// A file that does not describe a robot, or describes one that a mechanism cannot express. Each names the line and the
+/// element.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum UrdfError {
@@ -67,13 +68,19 @@ pub enum UrdfError {
     },
     /// Two links, or two joints, have one name.
     Twice {
+        /// The line of the second.
+        line: u32,
         /// `link` or `joint`.
         element: &'static str,
         /// The name.
         name: String,
+        /// The line of the first.
+        first: u32,
     },
     /// A joint names a link or another joint that there is not.
     Unknown {
+        /// The line of what names it.
+        line: u32,
         /// The joint.
         joint: String,
         /// `parent link`, `child link` or `mimic joint`.
@@ -83,30 +90,51 @@ pub enum UrdfError {
     },
     /// A link is the child of two joints.
     TwoParents {
+        /// The line on which the second of the joints names it.
+        line: u32,
         /// The link.
         link: String,
         /// The second of the joints.
         joint: String,
+        /// The first of them.
+        first: String,
     },
     /// Not exactly one link is the child of no joint.
     Roots {
+        /// The line of the second of them; of `<robot>` if there is no link.
+        line: u32,
         /// The names of those that are.
         links: Vec<String>,
     },
     /// A link that hangs on itself, by way of others.
     Circle {
+        /// The line of the link.
+        line: u32,
         /// The link.
         link: String,
     },
     /// An axis without a direction.
     Axis {
+        /// The line of the axis.
+        line: u32,
         /// The joint.
         joint: String,
         /// The axis.
         axis: [f64; 3],
     },
+    /// Limits that are not in order.
+    Limits {
+        /// The line of the limits.
+        line: u32,
+        /// The joint.
+        joint: String,
+        /// The lower and the upper one.
+        limits: [f64; 2],
+    },
     /// Joints that mimic each other in a circle, or a joint that has not one value.
     Mimic {
+        /// The line of `<mimic>`.
+        line: u32,
         /// The joint.
         joint: String,
         /// What it should mimic.
@@ -114,6 +142,8 @@ pub enum UrdfError {
     },
     /// What a mechanism refuses.
     Mechanism {
+        /// The line of the joint.
+        line: u32,
         /// The joint, or the root.
         joint: String,
         /// Why. Its own number of the joint is that of the link.
@@ -143,26 +173,41 @@ impl fmt::Display for UrdfError {
             Self::NotExpressed { line, what } => {
                 write!(f, "cannot be expressed: line {line}: {what}")
             }
-            Self::Twice { element, name } => write!(f, "two <{element}> have the name {name:?}"),
-            Self::Unknown { joint, element, name } => {
-                write!(f, "<joint name={joint:?}>: there is no {element} {name:?}")
-            }
-            Self::TwoParents { link, joint } => {
-                write!(f, "<joint name={joint:?}>: its child link {link:?} has a parent already")
-            }
-            Self::Roots { links } if links.is_empty() => {
-                write!(f, "no <link> is the root: every one is the child of a joint")
-            }
-            Self::Roots { links } => write!(f, "more than one <link> is a root: {links:?}"),
-            Self::Circle { link } => write!(f, "<link name={link:?}> hangs on itself"),
-            Self::Axis { joint, axis } => {
-                write!(f, "<joint name={joint:?}>: the axis {axis:?} has no direction")
-            }
-            Self::Mimic { joint, other } => write!(
+            Self::Twice { line, element, name, first } => write!(
                 f,
-                "<joint name={joint:?}> cannot mimic {other:?}: both must have one value, and no circle"
+                "line {line}: two <{element}> have the name {name:?}, the first is on line {first}"
             ),
-            Self::Mechanism { joint, source } => write!(f, "<joint name={joint:?}>: {source}"),
+            Self::Unknown { line, joint, element, name } => {
+                write!(f, "line {line}: <joint name={joint:?}>: there is no {element} {name:?}")
+            }
+            Self::TwoParents { line, link, joint, first } => write!(
+                f,
+                "line {line}: <joint name={joint:?}>: its child link {link:?} has a parent already, by \
+                 <joint name={first:?}>"
+            ),
+            Self::Roots { line, links } if links.is_empty() => {
+                write!(f, "line {line}: <robot> has no <link>")
+            }
+            Self::Roots { line, links } => {
+                write!(f, "line {line}: more than one <link> is a root: {links:?}")
+            }
+            Self::Circle { line, link } => {
+                write!(f, "line {line}: <link name={link:?}> hangs on itself")
+            }
+            Self::Axis { line, joint, axis } => {
+                write!(f, "line {line}: <joint name={joint:?}>: the axis {axis:?} has no direction")
+            }
+            Self::Limits { line, joint, limits: [lower, upper] } => write!(
+                f,
+                "line {line}: <joint name={joint:?}>: the lower limit {lower} is above the upper limit {upper}"
+            ),
+            Self::Mimic { line, joint, other } => write!(
+                f,
+                "line {line}: <joint name={joint:?}> cannot mimic {other:?}: both must have one value, and no circle"
+            ),
+            Self::Mechanism { line, joint, source } => {
+                write!(f, "line {line}: <joint name={joint:?}>: {source}")
+            }
         }
     }
 }

@@ -41,30 +41,49 @@
 //!
 //! # What is read
 //! In `<joint>`: its name and type, `<parent>`, `<child>`, `<origin>` (`xyz`, `rpy`), `<axis>`, `<limit>` (`lower`,
-//! `upper`) and `<mimic>`. What says where links are and cannot be expressed is an [error](UrdfError), never left out, and so
-//! are elements, attributes and text in a joint that the format does not have there: a misspelt limit would be none. Errors
-//! name the line and the element.
+//! `upper`) and `<mimic>`; each of them once. What says where links are and cannot be expressed is an
+//! [error](UrdfError), never left out. Errors name the line and the element.
 //!
 //! Limits are those of the [specification](https://wiki.ros.org/urdf/XML/joint). A revolute or prismatic joint must have a
 //! `<limit>`; one without is an error. `lower` and `upper` are zero where they are not written, so a joint with neither
 //! cannot move. (Since version 1.2 of the format, in `<robot version="1.2">`, what is not written has no bound.) Two zeros
-//! lock a joint too. Joints of other types have no limits, whatever `<limit>` says.
+//! lock a joint too. Joints of other types have no limits, whatever `<limit>` says, and a fixed joint stays fixed, whatever
+//! it should mimic.
 //!
-//! # What is ignored
-//! `<visual>`, `<collision>`, `<contact>`, `<inertial>`, `<material>`, `<dynamics>`, `<calibration>`, `<transmission>`,
-//! `<sensor>`, `<gazebo>`, `<ros2_control>`, `<mujoco>` and what is in them: they say how a robot looks, weighs, is driven or
-//! simulated, not where its links are. `effort`, `velocity` and other rates of `<limit>` for the same reason. So are the soft
-//! limits of `<safety_controller>`: a controller begins to brake there, but joints may be beyond them, as far as
-//! `<limit>` says. Attributes of `<robot>` and `<link>` other than names and versions, and attributes with a prefix, say nothing
-//! about places either.
+//! # What is not read
+//! `<visual>`, `<collision>`, `<inertial>`, `<material>`, `<dynamics>` and what is in them, and `effort`, `velocity` and
+//! other rates of `<limit>`: they say how a robot looks, weighs or is driven, not where its links are.
+//!
+//! Everything else that says nothing about places is not read either, and [reported](Robot::warnings): parts for simulators
+//! and controllers (`<gazebo>`, `<transmission>`, `<sensor>` …), names with a prefix, other attributes and elements,
+//! and text. So are the soft limits of `<safety_controller>`: a controller begins to brake there, but joints may be
+//! beyond them, as far as `<limit>` says.
+//!
+//! What may be a misspelt part of what is read stays an error, because a limit that is not read would be none: names that
+//! differ from those above, where they may stand, in case, in the order of their letters, or in one letter (lost, added,
+//! changed, or exchanged with its neighbour; two in names of more than five letters). So are names that clearly say
+//! where something is: `x`, `y`, `z`, `roll`, `pitch`, `yaw` and quaternions in `<origin>`, `min` and `max` in `<limit>`,
+//! joints in links, and numbers as text in `<origin>`, `<axis>`, `<limit>` or `<mimic>`.
+//!
+//! # Text
+//! A file is read in the encoding that it declares ([`Robot::from_bytes`]). Its XML declaration may come late or twice,
+//! comments may hold any dashes, prefixes need no declaration, and a document type is skipped. Entities other than those
+//! of XML itself are an error, and so are elements more than 500 deep in each other.
 #![forbid(unsafe_code)]
 
 mod element;
+mod encoding;
 mod error;
 mod file;
 mod joint;
+mod mimics;
+mod place;
 mod robot;
+mod spelling;
 mod tree;
+mod warning;
+mod xml;
 
 pub use error::UrdfError;
 pub use robot::Robot;
+pub use warning::UrdfWarning;

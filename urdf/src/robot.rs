@@ -1,10 +1,13 @@
+use crate::encoding;
 use crate::error::UrdfError;
-use crate::file::File;
-use crate::joint::{joint, mimic};
+use crate::file::{File, Name};
+use crate::joint::joint;
+use crate::mimics::{Leader, leaders};
 use crate::tree::{Node, nodes};
-use dq8::mechanism::{Joint, JointKind, Mechanism, MechanismError, OwnedMechanism};
+use crate::warning::UrdfWarning;
+use dq8::mechanism::{Joint, JointKind, Mechanism, MechanismError, Mimic, OwnedMechanism};
 use dq8::{DualQuat, Real};
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 use std::path::Path;
 
 /// The mechanism of a file, and its names.
@@ -14,8 +17,11 @@ pub struct Robot {
     joints: Vec<Joint<f64>>,
     mechanism: OwnedMechanism<f64>,
     link_names: Vec<String>,
+    /// The number of each link.
+    links: HashMap<String, usize>,
     joint_names: Vec<Option<String>>,
     value_names: Vec<String>,
+    warnings: Vec<UrdfWarning>,
 }
 
 impl Robot {
@@ -33,45 +39,70 @@ impl Robot {
     /// As for [`from_urdf`](Self::from_urdf), or if it cannot be read.
     pub fn from_file(path: impl AsRef<Path>) -> Result<Self, UrdfError> {
         let path = path.as_ref();
-        let text = std::fs::read_to_string(path)
+        let bytes = std::fs::read(path)
             .map_err(|source| UrdfError::Read { path: path.display().to_string(), source })?;
-        Self::from_urdf(&text)
+        Self::from_bytes(&bytes)
+    }
+
+    /// From the bytes of a file, in the encoding that it declares.
+    ///
+    /// # Errors
+    /// As for [`from_urdf`](Self::from_urdf).
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self, UrdfError> {
+        let (text, warning) = encoding::text(bytes);
+        let mut robot = Self::from_urdf(&text)?;
+        robot.warnings.splice(..0, warning);
+        Ok(robot)
     }
 
     fn from_elements(robot: File) -> Result<Self, UrdfError> {
-        let mut names = HashSet::new();
-        for joint in &robot.joints {
-            if !names.insert(joint.name.as_str()) {
-                return Err(UrdfError::Twice { element: "joint", name: joint.name.clone() });
+        let mut by_name = HashMap::new();
+        for (number, Name { text, line }) in robot.joints.iter().map(|j| &j.name).enumerate() {
+            if let Some(first) = by_name.insert(text.as_str(), number) {
+                let (line, name, first) = (*line, text.clone(), robot.joints[first].name.line);
+                return Err(UrdfError::Twice { line, element: "joint", name, first });
             }
         }
         let nodes = nodes(&robot)?;
+        let leaders = leaders(&robot.joints, &by_name)?;
         let links: HashMap<_, _> =
-            nodes.iter().enumerate().map(|(index, node)| (node.link, index)).collect();
-        let by_name: HashMap<_, _> =
-            robot.joints.iter().map(|joint| (joint.name.as_str(), joint)).collect();
+            nodes.iter().enumerate().map(|(index, node)| (node.link.text.clone(), index)).collect();
+        let link = |name: &Name| links.get(&name.text).copied().unwrap_or_default();
         let mut joints = Vec::with_capacity(nodes.len());
         for node in &nodes {
-            let Some(from) = node.joint else {
+            let Some(number) = node.joint else {
                 joints.push(Joint::fixed(None, DualQuat::IDENTITY));
                 continue;
             };
-            let parent = links.get(from.parent.as_str()).copied().unwrap_or_default();
-            let mut joint = joint(from, parent)?;
-            joint.mimic = mimic(from, &by_name, &links)?;
+            let from = &robot.joints[number];
+            let mut joint = joint(from, link(&from.parent));
+            joint.mimic = leaders[number].map(|Leader { joint, multiplier, offset }| Mimic {
+                joint: link(&robot.joints[joint].child),
+                multiplier,
+                offset,
+            });
             joints.push(joint);
         }
-        let mechanism = OwnedMechanism::new(&joints).map_err(|source| refused(source, &nodes))?;
-        let joint_names = nodes.iter().map(|node| node.joint.map(|joint| joint.name.clone()));
-        let joint_names: Vec<_> = joint_names.collect();
+        let mechanism =
+            OwnedMechanism::new(&joints).map_err(|source| refused(source, &nodes, &robot))?;
+        let name = |node: &Node<'_>| Some(robot.joints[node.joint?].name.text.clone());
+        let joint_names: Vec<_> = nodes.iter().map(name).collect();
         Ok(Self {
-            name: robot.name.clone(),
             value_names: value_names(&joints, &joint_names),
-            link_names: nodes.iter().map(|node| node.link.to_owned()).collect(),
+            link_names: nodes.iter().map(|node| node.link.text.clone()).collect(),
+            name: robot.name,
             joints,
             mechanism,
+            links,
             joint_names,
+            warnings: robot.warnings,
         })
+    }
+
+    /// What the file holds and is not read, because it says nothing about where links are.
+    #[must_use]
+    pub fn warnings(&self) -> &[UrdfWarning] {
+        &self.warnings
     }
 
     /// The name of the robot.
@@ -110,7 +141,7 @@ impl Robot {
     /// The number of a link.
     #[must_use]
     pub fn link(&self, name: &str) -> Option<usize> {
-        self.link_names.iter().position(|other| other == name)
+        self.links.get(name).copied()
     }
 
     /// The names of the joints: what carries link j, nothing for the root.
@@ -143,7 +174,7 @@ impl Robot {
 }
 
 /// The name of the joint that a mechanism refuses.
-fn refused(source: MechanismError, nodes: &[Node<'_>]) -> UrdfError {
+fn refused(source: MechanismError, nodes: &[Node<'_>], robot: &File) -> UrdfError {
     let index = match source {
         MechanismError::Parent { joint, .. }
         | MechanismError::Placement { joint, .. }
@@ -154,8 +185,10 @@ fn refused(source: MechanismError, nodes: &[Node<'_>]) -> UrdfError {
         | MechanismError::Mimic { joint, .. } => joint,
         _ => 0,
     };
-    let node = nodes.get(index).and_then(|node| node.joint);
-    UrdfError::Mechanism { joint: node.map(|joint| joint.name.clone()).unwrap_or_default(), source }
+    let joint = nodes.get(index).and_then(|node| robot.joints.get(node.joint?));
+    let (line, joint) = joint
+        .map_or((robot.line, String::new()), |joint| (joint.name.line, joint.name.text.clone()));
+    UrdfError::Mechanism { line, joint, source }
 }
 
 fn value_names(joints: &[Joint<f64>], names: &[Option<String>]) -> Vec<String> {

@@ -157,7 +157,7 @@ fn names_of_other_programs_are_ignored_as_attributes_and_errors_as_elements() {
     assert_eq!(Robot::from_urdf(&noted).unwrap().joints(), wanted.joints());
     let other = file.replacen("<axis", "<d:axis", 1);
     let error = Robot::from_urdf(&other).unwrap_err().to_string();
-    assert!(error.contains(r#"line 8: <axis> of <joint name="j">: such an element"#), "{error}");
+    assert!(error.contains(r#"line 8: <d:axis> of <joint name="j">: such an element"#), "{error}");
 }
 
 #[test]

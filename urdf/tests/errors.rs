@@ -22,21 +22,26 @@ fn joint(name: &str, kind: &str, parent: &str, child: &str, rest: &str) -> Strin
 #[test]
 fn joints_name_links_that_are_there() {
     let text = joint("j", "fixed", "a", "nowhere", "");
-    assert_eq!(message(&text), r#"<joint name="j">: there is no child link "nowhere""#);
+    assert_eq!(message(&text), r#"line 1: <joint name="j">: there is no child link "nowhere""#);
     let text = joint("j", "fixed", "nowhere", "b", "");
-    assert_eq!(message(&text), r#"<joint name="j">: there is no parent link "nowhere""#);
+    assert_eq!(message(&text), r#"line 1: <joint name="j">: there is no parent link "nowhere""#);
 }
 
 #[test]
 fn links_make_one_tree() {
-    assert_eq!(message(""), r#"more than one <link> is a root: ["a", "b", "c"]"#);
+    assert_eq!(message(""), r#"line 1: more than one <link> is a root: ["a", "b", "c"]"#);
     let two = joint("j", "fixed", "a", "b", "") + &joint("k", "fixed", "c", "b", "");
-    assert_eq!(message(&two), r#"<joint name="k">: its child link "b" has a parent already"#);
+    let already =
+        r#"line 1: <joint name="k">: its child link "b" has a parent already, by <joint name="j">"#;
+    assert_eq!(message(&two), already);
     let circle = joint("j", "fixed", "b", "c", "") + &joint("k", "fixed", "c", "b", "");
     assert!(message(&circle).contains("hangs on itself"), "{}", message(&circle));
     let twice = joint("j", "fixed", "a", "b", "") + &joint("j", "fixed", "b", "c", "");
-    assert_eq!(message(&twice), r#"two <joint> have the name "j""#);
-    assert_eq!(message(r#"<link name="a"/>"#), r#"two <link> have the name "a""#);
+    assert_eq!(message(&twice), r#"line 1: two <joint> have the name "j", the first is on line 1"#);
+    assert_eq!(
+        message(r#"<link name="a"/>"#),
+        r#"line 1: two <link> have the name "a", the first is on line 1"#
+    );
 }
 
 #[test]
@@ -67,10 +72,17 @@ fn what_cannot_be_expressed_is_an_error() {
 fn axes_have_a_direction_and_limits_an_order() {
     let chain = joint("k", "fixed", "b", "c", "");
     let nowhere = joint("j", "revolute", "a", "b", r#"<axis xyz="0 0 0"/>"#) + &chain;
-    assert_eq!(message(&nowhere), r#"<joint name="j">: the axis [0.0, 0.0, 0.0] has no direction"#);
+    assert_eq!(
+        message(&nowhere),
+        r#"line 1: <joint name="j">: the axis [0.0, 0.0, 0.0] has no direction"#
+    );
     let limits = r#"<limit lower="2" upper="1" effort="1" velocity="1"/>"#;
     let disordered = joint("j", "revolute", "a", "b", limits) + &chain;
-    assert!(message(&disordered).starts_with(r#"<joint name="j">: "#), "{}", message(&disordered));
+    assert!(
+        message(&disordered).starts_with(r#"line 1: <joint name="j">: the lower limit 2 is above"#),
+        "{}",
+        message(&disordered)
+    );
 }
 
 #[test]
@@ -81,9 +93,13 @@ fn mimics_end_at_a_joint_of_one_value() {
     assert!(message(&circle).contains("cannot mimic"));
     let none =
         joint("j", "revolute", "a", "b", &mimic("nobody")) + &joint("k", "fixed", "b", "c", "");
-    assert_eq!(message(&none), r#"<joint name="j">: there is no mimic joint "nobody""#);
+    assert_eq!(message(&none), r#"line 1: <joint name="j">: there is no mimic joint "nobody""#);
     let fixed = joint("j", "revolute", "a", "b", &mimic("k")) + &joint("k", "fixed", "b", "c", "");
-    assert!(message(&fixed).starts_with(r#"<joint name="j">: "#), "{}", message(&fixed));
+    assert!(
+        message(&fixed).starts_with(r#"line 1: <joint name="j"> cannot mimic "k""#),
+        "{}",
+        message(&fixed)
+    );
 }
 
 #[test]
@@ -112,4 +128,59 @@ fn elements_deep_in_each_other_are_no_danger() {
     let text = format!("<robot name='r'>{}{}</robot>", "<x>".repeat(20_000), "</x>".repeat(20_000));
     let error = Robot::from_urdf(&text).unwrap_err();
     assert!(error.to_string().contains("line 1: <x>"), "{error}");
+}
+
+/// Errors of the tree, of mimics and of what a mechanism refuses have a line like all others.
+#[test]
+fn every_error_has_the_line_and_the_names() {
+    const FILE: &str = r#"<robot name="r">
+<link name="a"/>
+<link name="b"/>
+<link name="c"/>
+<joint name="j" type="revolute">
+<parent link="a"/>
+<child link="b"/>
+<origin xyz="0 0 0"/>
+<axis xyz="0 0 1"/>
+<limit lower="-1" upper="1"/>
+</joint>
+<joint name="k" type="prismatic">
+<parent link="b"/>
+<child link="c"/>
+<limit lower="-1" upper="1"/>
+<mimic joint="j" multiplier="2"/>
+</joint>
+</robot>"#;
+    assert!(Robot::from_urdf(FILE).is_ok());
+    let whole = &FILE[FILE.find("<joint name=\"k").unwrap()..FILE.find("</robot>").unwrap()];
+    for (from, to, line, names) in [
+        (r#"<parent link="a"/>"#, r#"<parent link="x"/>"#, 6, &["j", "x"][..]),
+        (r#"<child link="b"/>"#, r#"<child link="x"/>"#, 7, &["j", "x"]),
+        (r#"<child link="c"/>"#, r#"<child link="b"/>"#, 14, &["k", "b", "j"]),
+        (r#"<parent link="a"/>"#, r#"<parent link="c"/>"#, 3, &["b"]),
+        (r#"<link name="c"/>"#, r#"<link name="b"/>"#, 4, &["b"]),
+        (r#"<joint name="k""#, r#"<joint name="j""#, 12, &["j"]),
+        (whole, "", 4, &["a", "c"]),
+        (r#"xyz="0 0 1""#, r#"xyz="0 0 0""#, 9, &["j"]),
+        (r#"lower="-1""#, r#"lower="3""#, 10, &["j"]),
+        (r#"<mimic joint="j""#, r#"<mimic joint="ghost""#, 16, &["k", "ghost"]),
+        (r#"<mimic joint="j""#, r#"<mimic joint="k""#, 16, &["k"]),
+        (r#"type="revolute""#, r#"type="fixed""#, 16, &["k", "j"]),
+        (r#"type="revolute""#, r#"type="planar""#, 16, &["k", "j"]),
+        (r#"type="prismatic""#, r#"type="floating""#, 16, &["k", "j"]),
+        (r#"xyz="0 0 0""#, r#"xyz="1.7e308 1.7e308 1.7e308" rpy="1 0 2""#, 5, &["j"]),
+        (r#"xyz="0 0 0""#, r#"xyz="1e999 0 0""#, 8, &["j", "1e999 0 0"]),
+        (r#"multiplier="2""#, r#"multiplier="1e999""#, 16, &["k", "1e999"]),
+        (r#"upper="1""#, r#"upper="1e999""#, 10, &["j", "1e999"]),
+        (r#"upper="1""#, r#"upper="-inf""#, 10, &["j", "-inf"]),
+    ] {
+        assert!(FILE.contains(from), "{from}");
+        let error = Robot::from_urdf(&FILE.replacen(from, to, 1)).expect_err(to).to_string();
+        assert!(error.contains(&format!("line {line}: ")), "{to}: {error}");
+        for name in names {
+            assert!(error.contains(&format!("{name:?}")), "{to}: {error}");
+        }
+    }
+    let error = Robot::from_urdf("\n<robot name='r'/>").unwrap_err();
+    assert_eq!(error.to_string(), "line 2: <robot> has no <link>");
 }

@@ -11,7 +11,7 @@ use dq8::{
     Backend, Block, DualQuat, Hierarchy,
     law::{Nlerp, Separate},
 };
-use dq8_contract::random::Random;
+use dq8_fixtures::random::Random;
 use glam::{Affine3A, Quat, Vec3A};
 
 /// Frames of a clip: two seconds at 30 a second.

@@ -8,7 +8,7 @@ use dq8::{
     Backend, Block, DualQuat, Lanes, Quat, ShapeError, batch,
     simd::{Portable, f32x8, f32x16},
 };
-use dq8_contract::random::Random;
+use dq8_fixtures::random::Random;
 use glam::{Affine3A, Mat4};
 use nalgebra::{DualQuaternion, Isometry3, UnitDualQuaternion};
 use simba::simd::{SimdValue, WideF32x8};

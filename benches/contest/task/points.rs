@@ -4,7 +4,7 @@ use crate::caches::{Caches, Footprint, Level};
 use crate::contest::Contest;
 use crate::memory::{Many, Own, Packed, QuatVec3A, double, single};
 use dq8::{Backend, Block, DualQuat, Quat};
-use dq8_contract::random::Random;
+use dq8_fixtures::random::Random;
 use glam::{Affine3A, Mat4, Vec3A};
 use nalgebra::{Isometry3, Point3, UnitDualQuaternion};
 use simba::simd::WideF32x8;

@@ -13,7 +13,7 @@ mod urdf;
 
 use dq8::mechanism::{Joint, OwnedMechanism};
 use dq8::{Backend, DualQuat};
-use dq8_contract::random::Random;
+use dq8_fixtures::random::Random;
 use peers::{by_hand, dynibo, k};
 
 const CONFIGURATIONS: usize = 10_000;

@@ -2,7 +2,7 @@
 //! the repository and for random trees, within 10⁻¹² of the rotation and 10⁻¹² · max(1, |t|) of the translation t.
 
 use dq8::{Backend, DualQuat};
-use dq8_contract::random::Random;
+use dq8_fixtures::random::Random;
 use dq8_urdf::Robot;
 use std::fmt::Write;
 use std::path::Path;

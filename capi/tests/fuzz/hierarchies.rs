@@ -4,7 +4,6 @@ use crate::random::{Fuzz, blocks_of};
 use dq8_capi::Status;
 use dq8_capi::hierarchy::{self, single as h};
 use dq8_capi::packing::single as p;
-use dq8_capi::velocity::single as v;
 use dq8_capi::{chain, plan};
 
 /// Hierarchies whose parents may be wrong, over plain arrays and blocks, and packing between the two.
@@ -54,13 +53,6 @@ pub(crate) fn hierarchies(fuzz: &mut Fuzz) {
         ] {
             assert_eq!(status, good, "{parents:?}");
         }
-        // Twists are six numbers, axes one per joint.
-        let mut twists = fuzz.numbers(6 * count);
-        let (rates, to) = (seven.as_ptr(), twists.as_mut_ptr());
-        assert_eq!(v::velocities(of, joints, locals, rates, to, count), good, "{parents:?}");
-        let effector = fuzz.below(joints + 2);
-        let there = if effector < joints { good } else { Status::NoLink };
-        assert_eq!(v::jacobian(of, joints, locals, binds.as_ptr(), effector, to, count), there);
         let (mut order, mut scratch) = (vec![0; 2 * joints], vec![0; 6 * joints]);
         let (order, scratch) = (order.as_mut_ptr(), scratch.as_mut_ptr());
         assert_eq!(plan::dq8_plan_make(of, joints, order, scratch, &raw mut bad), good);

@@ -1,9 +1,9 @@
-//! Lines, planes, twists, metrics, velocities and chains.
+//! Lines, planes, twists, metrics and chains.
 
 use crate::answers::answers;
 use crate::refuse::{Aliasing, Memory, now};
 use dq8_capi::Status;
-use dq8_capi::{chain, geometry, lines, metric, packing, slices, twists, velocity};
+use dq8_capi::{chain, geometry, lines, metric, packing, slices, twists};
 use std::ptr;
 
 macro_rules! all {
@@ -17,7 +17,6 @@ macro_rules! all {
             use metric::$of as d;
             use packing::$of as p;
             use twists::$of as t;
-            use velocity::$of as v;
             let parents = [-1, 0].as_ptr();
             // SAFETY: all arrays are as long as their buffers, whose length is enough for 17 plain
             // things and for three blocks.
@@ -47,15 +46,6 @@ macro_rules! all {
                 refuses!($R, "angles", Apart, 3, |[a, b, o]| d::angles(a, b, o, 17));
                 refuses!($R, "distances", Apart, 3, |[a, b, o]| d::distances(a, b, o, 17));
 
-                refuses!($R, "velocities", Apart, 3, |[a, b, o]| {
-                    v::velocities(parents, 2, a, b, o, 16)
-                });
-                refuses!($R, "blocks_velocities", Apart, 3, |[a, b, o]| {
-                    v::blocks_velocities($lanes, parents, 2, a, b, o, 2)
-                });
-                refuses!($R, "jacobian", Apart, 3, |[a, b, o]| {
-                    v::jacobian(parents, 2, a, b, 1, o, 16)
-                });
                 refuses!($R, "chain_products", InPlace(0), 2, |[a, o]| c::chain_products(a, o, 17));
                 refuses!($R, "blocks_chain_products", InPlace(0), 2, |[a, o]| {
                     c::blocks_chain_products($lanes, a, o, 3)
@@ -77,7 +67,6 @@ all!(every_pointer_double, f64, double, 4);
 fn what_else_is_wrong() {
     use chain::single as c;
     use packing::single as p;
-    use velocity::single as v;
     let mut from = Memory([0.0_f32; 768]);
     let mut to = from.clone();
     let (a, o) = (from.0.as_mut_ptr(), to.0.as_mut_ptr());
@@ -85,15 +74,6 @@ fn what_else_is_wrong() {
     // SAFETY: what is dereferenced is as long as it is said to be.
     let results = unsafe {
         [
-            (v::velocities(parents, 2, a, a, o, 3), Status::Length),
-            (v::velocities([-1, 1].as_ptr(), 2, a, a, o, 2), Status::ParentNotBefore),
-            (v::velocities(o.cast(), 2, a, a, o, 2), Status::Overlap),
-            (v::velocities(ptr::null(), 2, a, a, o, 2), Status::NullPointer),
-            (v::jacobian(parents, 2, a, a, 2, o, 2), Status::NoLink),
-            (v::jacobian(parents, 2, a, a, usize::MAX, o, 2), Status::NoLink),
-            (v::jacobian(parents, 2, a, a, 1, o, 3), Status::Length),
-            (v::jacobian(o.cast(), 2, a, a, 1, o, 2), Status::Overlap),
-            (v::blocks_jacobian(5, parents, 2, a, a, 1, o, 2), Status::Lanes),
             (c::blocks_chain_products(4, a, o, 1), Status::Lanes),
             (p::pack_chain(8, a, 17, o, 2), Status::Length),
             (p::unpack_chain(8, a, 4, o, 17), Status::Length),

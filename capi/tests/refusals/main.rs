@@ -5,6 +5,9 @@ mod refuse;
 #[path = "../support/answers.rs"]
 mod answers;
 mod geometry;
+#[path = "../support/joint.rs"]
+mod joint;
+mod single;
 
 use answers::answers;
 use dq8_capi::Status;

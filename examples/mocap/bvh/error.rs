@@ -146,7 +146,7 @@ impl fmt::Display for Reason {
                 write!(f, "`Frames: {announced}` is announced, but the file ends after {found}")
             }
             Self::TooManyFrames { announced } => {
-                write!(f, "`Frames: {announced}` is announced, but more lines follow")
+                write!(f, "`Frames: {announced}` is announced, but more than one more follows")
             }
         }
     }

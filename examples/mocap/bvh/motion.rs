@@ -2,9 +2,34 @@
 
 use super::error::{BvhError, Reason};
 use super::source::{Source, Word};
+use std::fmt;
 
-/// The frame time in seconds and the values, `[frame][channel]`. `channels` is not zero.
-pub(crate) fn read(source: &mut Source<'_>, channels: usize) -> Result<(f64, Vec<f64>), BvhError> {
+#[derive(Debug)]
+pub(crate) struct Motion {
+    /// In seconds.
+    pub(crate) frame_time: f64,
+    /// `[frame][channel]`.
+    pub(crate) values: Vec<f64>,
+    pub(crate) warning: Option<Warning>,
+}
+
+/// The file has one frame more than it announces. Those of well-known collections do, which count from zero.
+#[derive(Debug, PartialEq)]
+pub(crate) struct Warning {
+    /// The line on which that frame begins, counted from one.
+    line: usize,
+    announced: usize,
+}
+
+impl fmt::Display for Warning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { line, announced } = self;
+        write!(f, "line {line}: `Frames: {announced}` is announced, and one more is read")
+    }
+}
+
+/// `channels` is not zero.
+pub(crate) fn read(source: &mut Source<'_>, channels: usize) -> Result<Motion, BvhError> {
     let count = heading(source, &["Frames"], "`Frames:` and a whole number")?;
     let frames = match count.text.parse::<usize>() {
         Ok(0) => {
@@ -18,7 +43,8 @@ pub(crate) fn read(source: &mut Source<'_>, channels: usize) -> Result<(f64, Vec
         let found = time.text.to_owned();
         return Err(BvhError { line: time.line, reason: Reason::FrameTime { found } });
     };
-    Ok((frame_time, values(source, frames, channels)?))
+    let (values, warning) = values(source, frames, channels)?;
+    Ok(Motion { frame_time, values, warning })
 }
 
 /// The word behind the keywords and the colon, which stand on one line.
@@ -47,14 +73,21 @@ fn heading<'a>(
     }
 }
 
-fn values(source: &mut Source<'_>, frames: usize, channels: usize) -> Result<Vec<f64>, BvhError> {
+fn values(
+    source: &mut Source<'_>,
+    frames: usize,
+    channels: usize,
+) -> Result<(Vec<f64>, Option<Warning>), BvhError> {
     // Not reserved from `frames`: a wrong count must not cost memory.
     let mut values = Vec::new();
-    let mut line_before = source.line();
+    let (mut line_before, mut warning) = (source.line(), None);
     while let Some(line) = source.next_line() {
         let (complete, begun) = (values.len() / channels, values.len() % channels);
         let frame = complete + 1;
-        if complete == frames {
+        if complete == frames && begun == 0 {
+            warning = Some(Warning { line: line.line, announced: frames });
+        }
+        if complete > frames {
             let reason = Reason::TooManyFrames { announced: frames };
             return Err(BvhError { line: line.line, reason });
         }
@@ -89,5 +122,5 @@ fn values(source: &mut Source<'_>, frames: usize, channels: usize) -> Result<Vec
         let reason = Reason::TooFewFrames { announced: frames, found: complete };
         return Err(BvhError { line: line_before, reason });
     }
-    Ok(values)
+    Ok((values, warning))
 }

@@ -1,7 +1,6 @@
 //! The text of a file, read word by word in the hierarchy and line by line in the motion.
 
 use std::iter::Enumerate;
-use std::str::Lines;
 
 /// A word and the line it stands on, counted from one.
 #[derive(Clone, Copy)]
@@ -21,6 +20,31 @@ impl Word<'_> {
     }
 }
 
+/// Lines end with LF, with CR, or with LF after any number of CR. There is one at least.
+#[derive(Clone)]
+pub(crate) struct Lines<'a> {
+    rest: Option<&'a str>,
+}
+
+impl<'a> Lines<'a> {
+    pub(crate) fn of(text: &'a str) -> Self {
+        Self { rest: Some(text) }
+    }
+}
+
+impl<'a> Iterator for Lines<'a> {
+    type Item = &'a str;
+
+    fn next(&mut self) -> Option<&'a str> {
+        let text = self.rest.take()?;
+        let Some(end) = text.find(['\r', '\n']) else { return Some(text) };
+        let (line, rest) = text.split_at(end);
+        let without = rest.trim_start_matches('\r');
+        self.rest = without.strip_prefix('\n').or_else(|| rest.get(1..));
+        Some(line)
+    }
+}
+
 #[derive(Clone)]
 pub(crate) struct Source<'a> {
     lines: Enumerate<Lines<'a>>,
@@ -34,7 +58,9 @@ impl<'a> Source<'a> {
     pub(crate) fn new(text: &'a str) -> Self {
         // Windows programs like to put a byte order mark in front.
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        Self { lines: text.lines().enumerate(), rest: "", line: 1 }
+        // DOS ended text with this character, and some programs fill up with it or with zeros.
+        let text = text.trim_end_matches(|c: char| c.is_whitespace() || "\u{1a}\0".contains(c));
+        Self { lines: Lines::of(text).enumerate(), rest: "", line: 1 }
     }
 
     /// The line reached so far; at the end of the file, its last one.

@@ -71,6 +71,11 @@ impl<'a> Plan<'a> {
         let length = rounds.into_iter().find(|length| *length <= longest).unwrap_or(power);
         let (x, y, width) = (self.area.left, self.area.bottom() + 30.0, self.scale * length);
         writeln!(out, r#"<path class="scale" d="M{x:.1} {:.1}v8h{width:.1}v-8"/>"#, y - 8.0)?;
+        let length = if (1e-3..1e6).contains(&length) {
+            length.to_string()
+        } else {
+            format!("{length:.0e}")
+        };
         let x = x + width + 10.0;
         writeln!(
             out,

@@ -93,8 +93,9 @@ impl<'a> Strip<'a> {
         for &moment in &self.moments {
             let [x, y] = self.point(moment, 0);
             writeln!(out, r#"<circle class="root" cx="{x:.1}" cy="{y:.1}" r="4"/>"#)?;
-            let (x, y, time) = (self.x(moment), bottom + 20.0, self.scene.clip.time(moment));
-            writeln!(out, r#"<text class="time" x="{x:.1}" y="{y:.1}">{time:.2} s</text>"#)?;
+            let (x, y) = (self.x(moment), bottom + 24.0);
+            let time = super::short(self.scene.clip.time(moment));
+            writeln!(out, r#"<text class="time" x="{x:.1}" y="{y:.1}">{time} s</text>"#)?;
         }
         Ok(())
     }

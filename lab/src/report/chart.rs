@@ -52,16 +52,16 @@ impl Chart {
         {
             let area = SVGBackend::with_string(&mut svg, (WIDTH, HEIGHT)).into_drawing_area();
             let mut axes = ChartBuilder::on(&area)
-                .caption(&self.title, ("sans-serif", 18))
+                .caption(&self.title, ("sans-serif", TITLE))
                 .margin(10)
                 .margin_right(LEGEND)
-                .x_label_area_size(44)
-                .y_label_area_size(72)
+                .x_label_area_size(50)
+                .y_label_area_size(80)
                 .build_cartesian_2d(x.0..x.1, y.0..y.1)?;
             let mut mesh = axes.configure_mesh();
             mesh.x_desc(&self.x).y_desc(&self.y).light_line_style(TRANSPARENT);
             mesh.x_label_formatter(&|x| plain(*x)).y_label_formatter(&|y| plain(*y));
-            mesh.bold_line_style(BLACK.mix(0.12)).label_style(("sans-serif", 13));
+            mesh.bold_line_style(BLACK.mix(0.12)).label_style(("sans-serif", LETTERS));
             if self.logarithmic {
                 // Ticks at whole exponents, of which there is one more than there are decades; at every other one
                 // of many.
@@ -92,7 +92,7 @@ impl Chart {
                 let (left, height) = ((WIDTH - LEGEND) as i32 + 8, 56 + 20 * number as i32);
                 let key = vec![(left, height), (left + 20, height)];
                 area.draw(&PathElement::new(key, colour.stroke_width(3)))?;
-                let style = ("sans-serif", 13).into_font();
+                let style = ("sans-serif", LETTERS).into_font();
                 area.draw(&Text::new(line.name.clone(), (left + 26, height - 6), style))?;
             }
             area.present()?;
@@ -127,7 +127,10 @@ const COLOURS: [(u8, u8, u8); 10] = [
 const WIDTH: u32 = 1000;
 const HEIGHT: u32 = 400;
 /// Pixels at the right for the names of the lines.
-const LEGEND: u32 = 270;
+const LEGEND: u32 = 340;
+/// Heights of a line of text, of which letters have four fifths: read where the picture is 800 pixels wide.
+const LETTERS: u32 = 16;
+const TITLE: u32 = 20;
 
 /// The smallest and largest x and y, never of no width; `None` without points.
 fn spans(mut points: impl Iterator<Item = (f64, f64)>) -> Option<((f64, f64), (f64, f64))> {

@@ -1,5 +1,7 @@
 //! Interpolations: what the report says of them.
 
+use dq8::Quat;
+use lab::arends::slerp;
 use lab::interpolation::{Facts, METHODS, facts, largest_norm, pairs, slerp_cases};
 
 /// The facts of one method for all pairs.
@@ -121,4 +123,21 @@ fn arends_slerp_breaks_where_the_report_says_and_dq8_does_not() {
     assert!((rounded.norm - 1.0).abs() > 0.1, "{rounded:?}");
     assert!((longer.error - core::f32::consts::PI).abs() < 1e-6, "{longer:?}");
     assert!(largest_norm() > 1.1, "{}", largest_norm());
+}
+
+/// What is nearer than 10⁻⁵ is equal to his code, which then gives the beginning; what is farther apart is not, and with
+/// a foreign angle becomes longer by √2.
+#[test]
+fn arends_if_takes_for_equal_what_differs_by_no_more_than_a_hundred_thousandth() {
+    let begin = Quat::from_wxyz([0.0_f64, 1.0, 0.0, 0.0]);
+    for axis in 0..3 {
+        for (off, equal) in [(0.0, true), (0.9e-5, true), (1.1e-5, false), (1e-3, false)] {
+            let mut end = begin.to_array();
+            end[axis] += off;
+            let his = slerp(begin, Quat::from_array(end), 0.5, core::f64::consts::FRAC_PI_2);
+            assert_eq!(his == begin, equal, "{axis}, {off}");
+            let norm = if equal { 1.0 } else { 2_f64.sqrt() };
+            assert!((his.norm() - norm).abs() < 1e-3, "{axis}, {off}: {}", his.norm());
+        }
+    }
 }

@@ -1,5 +1,6 @@
 //! The report: one well-formed page with every section, and the program that writes it.
 
+use dq8_fixtures::legible::illegible;
 use lab::report::{Chart, Section, Series, Table, decimal, page, power_of_ten, scientific};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -70,6 +71,12 @@ fn every_section_is_there_and_opens_with_its_claims() {
     }
     assert!(page.matches("<svg").count() >= 6);
     assert!(page.contains("cargo run --release -p lab -- --out DIR"));
+}
+
+#[test]
+fn no_two_texts_of_a_figure_overlap_and_none_leaves_it() {
+    let (page, _) = run();
+    assert_eq!(illegible(page), [""; 0]);
 }
 
 #[test]

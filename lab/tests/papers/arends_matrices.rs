@@ -3,6 +3,7 @@
 use crate::{add, assert_close, assert_far, dot};
 use core::f64::consts::FRAC_PI_2;
 use dq8::{DualQuat, Quat};
+use lab::arends::{reflection_in_a_line, turned};
 
 const X: [f64; 3] = [1.0, 0.0, 0.0];
 const Y: [f64; 3] = [0.0, 1.0, 0.0];
@@ -48,8 +49,8 @@ fn assert_same(got: Matrix, wanted: Matrix) {
 fn chapter_2_section_1_turns_in_the_plane_go_against_the_clock() {
     let (theta, [x, y]) = (0.7_f64, [3.0, -2.0]);
     let (sin, cos) = theta.sin_cos();
-    let turned = about(Z, theta).transform_vector([x, y, 0.0]);
-    assert_close(turned, [x * cos - y * sin, x * sin + y * cos, 0.0], 1e-15);
+    let in_the_plane = about(Z, theta).transform_vector([x, y, 0.0]);
+    assert_close(in_the_plane, [x * cos - y * sin, x * sin + y * cos, 0.0], 1e-15);
     // (1,0) goes to (cos, sin) and (0,1) to (−sin, cos); a quarter turn takes x to y.
     assert_close(about(Z, theta).transform_vector(X), [cos, sin, 0.0], 1e-15);
     assert_close(about(Z, theta).transform_vector(Y), [-sin, cos, 0.0], 1e-15);
@@ -74,7 +75,7 @@ fn chapter_2_section_2_the_three_matrices_turn_about_their_axes_and_do_not_commu
 #[test]
 fn chapter_2_section_2_erratum_his_product_turns_about_the_fixed_z_first() {
     let (phi, theta, psi, v) = (0.7, -1.1, 0.4, [3.0, 1.0, -2.0]);
-    let printed = apply(product(rotation_x(phi), product(rotation_y(theta), rotation_z(psi))), v);
+    let printed = turned([phi, theta, psi], v);
     let one_by_one = about(X, phi)
         .transform_vector(about(Y, theta).transform_vector(about(Z, psi).transform_vector(v)));
     assert_close(printed, one_by_one, 1e-15);
@@ -132,7 +133,7 @@ fn chapter_2_section_5_erratum_at_minus_90_degrees_the_difference_is_left() {
 #[test]
 fn chapter_2_section_7_2_erratum_the_reflection_in_a_line_needs_minus_v() {
     let (l, v) = ([2.0, 6.0, -3.0], [1.0, -2.0, 0.5]);
-    let printed = l.map(|c| 2.0 * dot(v, l) / dot(l, l) * c);
+    let printed = reflection_in_a_line(v, l);
     let mirrored = add(printed, v.map(|c| -c));
     // In space it is half a turn about the line.
     let half_turn = DualQuat::from_rotation(Quat::from_parts(l.map(|c| c / 7.0), 0.0));

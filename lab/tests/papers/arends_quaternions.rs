@@ -3,6 +3,7 @@
 use crate::{add, assert_close, assert_far, cross, dot, length, motions, point, pure, quat};
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
 use dq8::{DualQuat, Quat};
+use lab::arends::{by_components, radians};
 
 const X: [f64; 3] = [1.0, 0.0, 0.0];
 const Y: [f64; 3] = [0.0, 1.0, 0.0];
@@ -73,7 +74,6 @@ fn chapter_5_section_6_1_a_factor_scales_the_dual_part_of_a_point() {
 /// (p₀q₀, p₁q₁, p₂q₂, p₃q₃) scales along the axes; turned along with its factors it is another map.
 #[test]
 fn chapter_5_section_6_1_the_product_by_components_depends_on_the_axes() {
-    let by_components = |p: [f64; 3], q: [f64; 3]| [p[0] * q[0], p[1] * q[1], p[2] * q[2]];
     let (beta, v) = ([2.0, 3.0, 5.0], [1.0, -1.0, 0.5]);
     assert_eq!(by_components(beta, v), [2.0, -3.0, 2.5]);
     let r = motions()[0].rotation();
@@ -143,7 +143,7 @@ fn appendix_a_dqtransform_rotates_and_then_translates() {
 /// DEG2RAD is 3.14159/180: over a turn 5·10⁻⁶ are missing, ten times what a float loses by rounding.
 #[test]
 fn appendix_a_erratum_degrees_are_short_by_eight_ten_millionths() {
-    let turn = 360.0 * (314_159.0 / 18e6);
+    let turn = radians(360.0);
     assert_close([(TAU - turn) / TAU], [8.446e-7], 1e-10);
     assert!(TAU - turn > 10.0 * (f64::from(core::f32::consts::TAU) - TAU).abs());
 }

@@ -4,43 +4,33 @@
 use crate::{add, assert_close, assert_far, cross, dot, length, motions, point, pure, quat};
 use core::f64::consts::FRAC_PI_2;
 use dq8::{DualQuat, Quat};
-use lab::arends::{ANGLE_STEP, SLERP_ARC, SLERP_STEP, dual_transform, slerp};
+use lab::arends::{
+    ANGLE_STEP, SLERP_ARC, SLERP_STEP, dual_transform, scaled_along, sheared, slerp,
+    two_cross_products,
+};
 
 /// epe⁻¹ of a unit vector e.
 fn sandwiched(e: [f64; 3], p: [f64; 3]) -> [f64; 3] {
     (pure(e) * pure(p) * pure(e).conjugate()).xyz()
 }
 
-fn half(a: [f64; 3]) -> [f64; 3] {
-    a.map(|c| c / 2.0)
-}
-
 /// Ch. 5 §6.1: "non-uniform scaling cannot be done with quaternions". His own eq. 8 takes a vector apart into
 /// what is across and along e, ½(p ∓ epe⁻¹); with a factor on the one it is scaled along e.
 #[test]
 fn chapter_5_section_6_1_erratum_equation_8_scales_along_an_axis() {
-    let along_x = |p: [f64; 3], beta: f64| {
-        let mirrored = sandwiched([1.0, 0.0, 0.0], p);
-        let along = half(add(p, mirrored));
-        add(half(add(p, mirrored.map(|c| -c))), along.map(|c| beta * c))
-    };
-    assert_eq!(along_x([3.0, -2.0, 5.0], 2.5), [7.5, -2.0, 5.0]);
+    assert_eq!(scaled_along([1.0, 0.0, 0.0], [3.0, -2.0, 5.0], 2.5), [7.5, -2.0, 5.0]);
     // Along any axis, as e·p is.
     let (e, p, beta) = ([2.0 / 7.0, 6.0 / 7.0, -3.0 / 7.0], [1.0, -2.0, 0.5], 3.0);
-    let mirrored = sandwiched(e, p);
-    let scaled = add(half(add(p, mirrored.map(|c| -c))), half(add(p, mirrored)).map(|c| beta * c));
-    assert_close(scaled, add(p, e.map(|c| (beta - 1.0) * dot(e, p) * c)), 4e-15);
+    assert_close(scaled_along(e, p, beta), add(p, e.map(|c| (beta - 1.0) * dot(e, p) * c)), 4e-15);
 }
 
 /// Ch. 5 §6.3: "no quaternion of any kind shears". p + (a/2)(p + jpj⁻¹)k adds a times the part along j,
 /// turned to i: x′ = x + ay.
 #[test]
 fn chapter_5_section_6_3_erratum_a_sum_of_products_shears() {
-    let (a, j, k) = (0.7, [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]);
+    let a = 0.7;
     for p in [[3.0, -2.0, 5.0], [1.0, 0.25, -4.0]] {
-        let along = add(p, sandwiched(j, p)).map(|c| a / 2.0 * c);
-        let sheared = pure(p) + pure(along) * pure(k);
-        assert_close(sheared.to_array(), [p[0] + a * p[1], p[1], p[2], 0.0], 1e-15);
+        assert_close(sheared(p, a).to_array(), [p[0] + a * p[1], p[1], p[2], 0.0], 1e-15);
     }
 }
 
@@ -69,12 +59,13 @@ fn chapter_5_section_6_1_two_cross_products_can_be_any_vector_but_no_scale() {
     // Across b, and across d: the two planes meet in a line, together they are all of space.
     let (a, b) = ([0.0, 0.0, 1.0], [3.0, -2.0, 0.0]);
     let (c, d) = ([-5.0, 0.0, 0.0], [0.0, 0.0, 0.0]);
-    assert_eq!(add(cross(a, b), cross(c, d)), [2.0, 3.0, 0.0]);
+    assert_eq!(two_cross_products([a, b], [c, d]), [2.0, 3.0, 0.0]);
     let d = [0.0, 1.0, 0.0];
-    assert_eq!(add(cross(a, b), cross(c, d)), [2.0, 3.0, -5.0]);
-    assert_eq!(add(cross(a, b), cross([5.0, 0.0, 0.0], d)), wanted);
+    assert_eq!(two_cross_products([a, b], [c, d]), [2.0, 3.0, -5.0]);
+    assert_eq!(two_cross_products([a, b], [[5.0, 0.0, 0.0], d]), wanted);
     for b in [[1.0, 0.0, 0.0], [0.3, -1.0, 2.0]] {
-        assert_close([dot(b, cross([0.7, -2.0, 1.5], b))], [0.0], 1e-15);
+        let product = two_cross_products([[0.7, -2.0, 1.5], b], [[0.0; 3]; 2]);
+        assert_close([dot(b, product)], [0.0], 1e-15);
     }
 }
 

@@ -6,6 +6,10 @@ use dq8::{
     Dual, DualQuat, Quat,
     simd::{Mask, Portable, f32x4},
 };
+use lab::fabisch::{
+    by_the_real_norm_alone, only_the_real_part, squared_norm, with_the_updated_real_part,
+    without_the_root,
+};
 
 /// The article prints eight digits after the point.
 const PRINTED: f64 = 1e-8;
@@ -35,12 +39,6 @@ const UNIT: [f64; 8] = [
     -0.01970857,
     -0.31893819,
 ];
-
-/// s + εt = pᵀp + 2ε pᵀq
-fn squared_norm(sigma: DualQuat<f64>) -> Dual<f64> {
-    let (p, q) = (sigma.real(), sigma.dual());
-    Dual::new(p.dot(p), 2.0 * p.dot(q))
-}
 
 #[test]
 fn out_4_and_5_the_squared_norm_is_a_dual_number() {
@@ -170,7 +168,7 @@ fn out_12_the_edge_case_on_lanes_says_which_lane() {
 
 #[test]
 fn mistake_1_dividing_by_the_real_norm_alone_leaves_the_dual_part_of_the_norm() {
-    let wrong = sigma().scale(1.0 / sigma().real().norm());
+    let wrong = by_the_real_norm_alone(sigma());
     let squared = squared_norm(wrong);
     assert_close([squared.real, squared.dual], [1.0, 1.11644721 / 2.62225842], 3.0 * PRINTED);
     assert!(!wrong.is_unit(0.1));
@@ -180,8 +178,7 @@ fn mistake_1_dividing_by_the_real_norm_alone_leaves_the_dual_part_of_the_norm() 
 #[test]
 fn mistake_2_dividing_only_the_real_part_makes_the_translation_too_long() {
     let norm = sigma().real().norm();
-    let p = sigma().real().scale(1.0 / norm);
-    let wrong = DualQuat::new(p, sigma().dual());
+    let wrong = only_the_real_part(sigma());
     assert!(!wrong.is_unit(0.1));
     // Orthogonal or not, the translation is too long by the norm that was forgotten.
     let right = sigma().normalize().translation();
@@ -192,7 +189,7 @@ fn mistake_2_dividing_only_the_real_part_makes_the_translation_too_long() {
 #[test]
 fn mistake_3_without_the_square_root_the_norm_becomes_its_own_inverse() {
     let squared = squared_norm(sigma());
-    let wrong = sigma().scale_dual(Dual::ONE / squared);
+    let wrong = without_the_root(sigma());
     assert_close([wrong.real().norm()], [1.0 / squared.real.sqrt()], 1e-15);
     assert!(!wrong.is_unit(0.1));
 }
@@ -204,7 +201,7 @@ fn mistake_4_the_updated_real_part_in_the_direct_solution_is_not_orthogonal() {
     let v = -p.dot(q) * u.powi(3);
     let updated = p.scale(u);
     let right = DualQuat::new(updated, q.scale(u) + p.scale(v));
-    let wrong = DualQuat::new(updated, q.scale(u) + updated.scale(v));
+    let wrong = with_the_updated_real_part(sigma());
     assert_close(right.to_wxyz(), UNIT, 3.0 * PRINTED);
     assert_close([updated.dot(wrong.dual())], [u * u * p.dot(q) * (1.0 - u)], 1e-15);
     assert!(!wrong.is_unit(0.03));

@@ -2,6 +2,7 @@
 
 use crate::{add, assert_close, assert_far, cross, dot, motions, point, pure, quat};
 use crate::{third_turn, whole_numbers};
+use dq8::geometry::DualVector;
 use dq8::{Dual, DualQuat, Quat, Twist};
 use nalgebra::SMatrix;
 
@@ -96,6 +97,17 @@ fn section_4_numbers_vectors_and_quaternions_are_special_dual_quaternions() {
         DualQuat::from_rotation(p) * DualQuat::from_rotation(q),
         DualQuat::from_rotation(p * q)
     );
+    // Of vectors and dual vectors the product holds the inner and the cross product.
+    let vector = |v: DualVector<f64>| DualQuat::from_dual_parts(Dual::ZERO, v);
+    let (v, w) = (
+        DualVector { real: [1.0, 2.0, 3.0], dual: [0.0; 3] },
+        DualVector { real: [-2.0, 1.0, 4.0], dual: [3.0, 0.0, -1.0] },
+    );
+    for (v, w) in [(v, v), (v, w), (w, v), (w, w)] {
+        let [real, dual] = v.dot(w);
+        let inner = -Dual::new(real, dual);
+        assert_eq!(vector(v) * vector(w), DualQuat::from_dual_parts(inner, v.cross(w)));
+    }
     // Dual numbers commute with all; a dual quaternion is one of them and a dual vector.
     let [s, _] = whole_numbers();
     assert_eq!(number(a) * s, s * number(a));

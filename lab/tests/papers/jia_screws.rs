@@ -2,7 +2,7 @@
 
 use crate::{add, assert_close, assert_far, cross, dot, length, motions, pure, third_turn};
 use core::f64::consts::PI;
-use dq8::{Dual, DualQuat, Line, Quat, geometry::Screw};
+use dq8::{Dual, DualQuat, Line, Quat, Twist, geometry::Screw};
 
 fn line_through(p: [f64; 3], direction: [f64; 3]) -> Line<f64> {
     Line { direction, moment: cross(p, direction) }
@@ -206,6 +206,10 @@ fn eq_45_the_derivative_takes_the_angular_velocity_of_space() {
     let derivative = |r_dot: Quat<f64>| DualQuat::new(r_dot, (pure(v) * r + t * r_dot).scale(0.5));
     let of_space = (pure(omega) * r).scale(0.5);
     assert_close(slope.to_array(), derivative(of_space).to_array(), 1e-9);
+    // By the twist of dq8, whose linear part is the velocity at the origin of space.
+    let linear = add(v, cross(at(time).translation(), omega));
+    let by_twist = at(time).derivative_spatial(Twist { angular: omega, linear });
+    assert_close(by_twist.to_array(), derivative(of_space).to_array(), 1e-14);
     // ½ r ω takes ω for a velocity seen from the body: right only for what the body sees of ω.
     assert_far(slope.to_array(), derivative((r * pure(omega)).scale(0.5)).to_array());
     let seen = r.conjugate().rotate(omega);

@@ -212,7 +212,7 @@ fn appendix_erratum_normalize_is_wrong_by_a_square_root() {
 fn appendix_erratum_the_constructor_must_divide_the_dual_part_too() {
     let [unit, _] = motions();
     let (r, d) = (unit.real().scale(2.0), unit.dual().scale(2.0));
-    let his = DualQuat::new(r.normalize(), d);
+    let his = lab::kenwright::constructor(r, d);
     assert_close(his.translation(), unit.translation().map(|c| 2.0 * c), 1e-15);
     assert_close(DualQuat::new(r, d).normalize().translation(), unit.translation(), 1e-15);
 }

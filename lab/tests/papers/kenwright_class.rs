@@ -4,12 +4,7 @@
 use crate::{assert_close, assert_far, motions};
 use core::cell::Cell;
 use dq8::{DualQuat, Quat};
-use std::rc::Rc;
-
-/// `DualQuaternion_c(r, d)`: r is normalized and d kept.
-fn constructed(r: Quat<f64>, d: Quat<f64>) -> DualQuat<f64> {
-    DualQuat::new(r.normalize(), d)
-}
+use lab::kenwright::{Object, constructor, times};
 
 /// `operator +` goes through the constructor. Two poses in the same place, two radians apart, mixed half
 /// and half, are elsewhere: 10 cos ½ · cos ½ · 2 is not 10.
@@ -20,7 +15,7 @@ fn appendix_erratum_a_sum_through_the_constructor_is_no_sum() {
         DualQuat::from_rotation_translation(Quat::from_axis_angle([0.0, 0.0, 1.0], angle), place)
     };
     let [a, b] = [pose(0.0).scale(0.5), pose(2.0).scale(0.5)];
-    let his = constructed(a.real() + b.real(), a.dual() + b.dual());
+    let his = constructor(a.real() + b.real(), a.dual() + b.dual());
     // |a + b| = cos ½ is divided out of the real part only.
     let (sin, cos) = 0.5_f64.sin_cos();
     assert_close(his.translation(), [10.0 * cos, 0.0, 0.0], 1e-14);
@@ -29,7 +24,7 @@ fn appendix_erratum_a_sum_through_the_constructor_is_no_sum() {
     assert_far(his.translation(), place);
     // Nor does it distribute: a sum with half of another pose is another pose.
     let [c, d] = motions();
-    let sum = constructed(c.real() + d.real(), c.dual() + d.dual());
+    let sum = constructor(c.real() + d.real(), c.dual() + d.dual());
     assert_far(sum.to_array(), (c + d).to_array());
 }
 
@@ -37,13 +32,8 @@ fn appendix_erratum_a_sum_through_the_constructor_is_no_sum() {
 /// `q * scale`, `Normalize(q)`, and by it `DualQuaternionToMatrix(q)`, change their argument.
 #[test]
 fn appendix_erratum_a_class_is_a_reference_and_operators_change_their_argument() {
-    let times = |q: &Rc<Cell<DualQuat<f64>>>, scale: f64| {
-        let ret = Rc::clone(q);
-        ret.set(ret.get().scale(scale));
-        ret
-    };
     let [unit, _] = motions();
-    let q = Rc::new(Cell::new(unit));
+    let q = Object::new(Cell::new(unit));
     let twice = times(&q, 2.0);
     assert_eq!(twice.get(), unit.scale(2.0));
     assert_eq!(q.get(), unit.scale(2.0), "his argument has changed too");

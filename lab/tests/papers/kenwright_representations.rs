@@ -4,16 +4,12 @@ use crate::{assert_close, assert_far, motions};
 use core::f64::consts::{PI, TAU};
 use dq8::representation::{EulerAxes, EulerFrame, EulerOrder};
 use dq8::{Dual, DualQuat, Quat, Twist};
+use lab::kenwright::{euler, straight, within_a_turn};
 use nalgebra::SMatrix;
 
 const X: [f64; 3] = [1.0, 0.0, 0.0];
 const Y: [f64; 3] = [0.0, 1.0, 0.0];
 const Z: [f64; 3] = [0.0, 0.0, 1.0];
-
-/// About the fixed x, then y, then z.
-fn euler([x, y, z]: [f64; 3]) -> Quat<f64> {
-    Quat::from_axis_angle(Z, z) * Quat::from_axis_angle(Y, y) * Quat::from_axis_angle(X, x)
-}
 
 fn axis_angle([x, y, z, angle]: [f64; 4]) -> Quat<f64> {
     let norm = x.hypot(y).hypot(z);
@@ -27,7 +23,7 @@ fn angle(a: Quat<f64>, b: Quat<f64>) -> f64 {
 /// How far the straight line between two lists of parameters turns, against the angle of its ends.
 fn detour<const N: usize>(rotation: fn([f64; N]) -> Quat<f64>, ends: [[f64; N]; 2]) -> f64 {
     let [from, to] = ends;
-    let at = |t: f64| rotation(core::array::from_fn(|i| from[i] + t * (to[i] - from[i])));
+    let at = |t: f64| rotation(straight(from, to, t));
     let steps = (0..1000).map(|i| angle(at(f64::from(i) / 1e3), at(f64::from(i + 1) / 1e3)));
     steps.sum::<f64>() / angle(at(0.0), at(1.0))
 }
@@ -56,7 +52,7 @@ fn section_3_3_erratum_the_list_of_twelve_orders_names_eight() {
 #[test]
 fn section_3_3_neighbours_can_have_angles_a_whole_turn_apart() {
     let [before, after] = [-0.01, 0.01].map(|off| [0.3, 0.4, off]);
-    let around = before.map(|c| if c < 0.0 { c + TAU } else { c });
+    let around = before.map(within_a_turn);
     assert_close([angle(euler(before), euler(around))], [0.0], 1e-15);
     assert_close([angle(euler(around), euler(after))], [0.02], 1e-15);
     // Numbers mixed half and half go to the other side of the turn.

@@ -269,5 +269,6 @@ fn slide_127_flipping_the_primal_alone_is_another_motion() {
     let [a, b] = motions();
     let torn = DualQuat::new(-b.real(), b.dual());
     assert_far(torn.translation(), b.translation());
+    assert_close((-b).translation(), b.translation(), 1e-15);
     assert_far(a.nlerp(torn, 1.0).translation(), a.nlerp(b, 1.0).translation());
 }

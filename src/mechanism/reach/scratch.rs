@@ -130,7 +130,8 @@ impl<R: Copy> Reach<'_, R> {
         for step in mechanism.steps {
             twists += step.kind.rates();
         }
-        let (values, freedoms, rows) = (mechanism.values, mechanism.rates, 6 * goals);
+        let (values, freedoms) = (mechanism.values, mechanism.rates);
+        let rows = goals.saturating_mul(6);
         padded::<R>(Counts { values, twists, goals, freedoms, rows }.numbers())
     }
 
@@ -138,7 +139,7 @@ impl<R: Copy> Reach<'_, R> {
     /// any instructions.
     #[must_use]
     pub fn batch_scratch_len(&self) -> usize {
-        padded::<R>(Counts::of(self).numbers() * MAX_LANES)
+        padded::<R>(Counts::of(self).numbers().saturating_mul(MAX_LANES))
     }
 }
 
@@ -162,25 +163,28 @@ impl Counts {
         }
     }
 
-    /// How many numbers a lane needs of what grows with joints, and of what does not.
+    /// How many numbers a lane needs of what grows with joints, and of what does not; as many as can be counted where
+    /// it is more, which no memory has.
     const fn parts(&self) -> [usize; 2] {
-        let joints = 4 * self.values + 6 * self.twists + self.freedoms * (self.rows + 4);
-        [joints, GOAL * self.goals + 4 * self.rows + triangle(self.rows)]
+        let values = self.values.saturating_mul(4).saturating_add(self.twists.saturating_mul(6));
+        let freedoms = self.freedoms.saturating_mul(self.rows.saturating_add(4));
+        let goals = self.goals.saturating_mul(GOAL).saturating_add(self.rows.saturating_mul(4));
+        [values.saturating_add(freedoms), goals.saturating_add(triangle(self.rows))]
     }
 
     fn numbers(&self) -> usize {
         let [joints, goals] = self.parts();
-        joints + goals
+        joints.saturating_add(goals)
     }
 }
 
 /// With what aligns it to lines of the cache.
 fn padded<R>(numbers: usize) -> usize {
-    numbers + LINE / size_of::<R>()
+    numbers.saturating_add(LINE / size_of::<R>())
 }
 
 const fn triangle(rows: usize) -> usize {
-    rows * (rows + 1) / 2
+    rows.saturating_mul(rows.saturating_add(1)) / 2
 }
 
 /// Numbers to compute in: for what grows with joints, and for what does not. Both begin with a line of the cache.
@@ -193,7 +197,11 @@ impl<'s, R: Scalar> Room<'s, R> {
         let first = memory.as_ptr().align_offset(LINE);
         let [joints, _] = Counts::of(reach).parts();
         let aligned = memory.get_mut(first..).unwrap_or_default();
-        Self(aligned.split_at_mut_checked(joints * lanes).map_or([&mut [], &mut []], Into::into))
+        Self(
+            aligned
+                .split_at_mut_checked(joints.saturating_mul(lanes))
+                .map_or([&mut [], &mut []], Into::into),
+        )
     }
 }
 

@@ -97,6 +97,16 @@ fn lengths_that_do_not_fit_are_errors_and_nothing_is_touched() {
     }
 }
 
+/// A product that wraps would say that little is enough.
+#[test]
+fn more_numbers_than_can_be_counted_are_more_than_any_memory_holds() {
+    let arm = mechanism::<f64>(&seven());
+    let bound = |goals| Reach::scratch_bound(arm.view(), goals);
+    for goals in [usize::MAX, usize::MAX / 6 + 1, usize::MAX / 42, 1 << (usize::BITS / 2)] {
+        assert!(bound(goals) > isize::MAX as usize / size_of::<f64>(), "{goals}: {}", bound(goals));
+    }
+}
+
 /// Between configurations that are solved.
 #[test]
 fn what_is_not_a_target_or_not_a_start_is_invalid_and_its_values_are_untouched() {

@@ -52,6 +52,9 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let mechanism = robot.mechanism();
     let (links, count) = (mechanism.links(), mechanism.values());
     println!("{}: {links} links, {count} values", robot.name());
+    if let [first, rest @ ..] = robot.warnings() {
+        println!("not read, {} in all: {first}", rest.len() + 1);
+    }
     let values = match &arguments.configurations {
         Configurations::Zero => configurations::nearest_zero(&robot),
         Configurations::Random(number) => configurations::random(&robot, *number),

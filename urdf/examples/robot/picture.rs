@@ -14,6 +14,10 @@ const CONFIGURATIONS: usize = 400_000;
 /// Cells of a side of a view, and its size in pixels.
 const CELLS: usize = 150;
 const SIDE: f64 = 600.0;
+/// How high letters are in the title and in the captions; and so many of the title fit, whichever they are.
+const TITLE: f64 = 22.0;
+const CAPTION: f64 = 16.0;
+const LETTERS: usize = 55;
 /// Shades of a cell.
 const SHADES: usize = 32;
 
@@ -52,13 +56,13 @@ fn cube(points: &[[f64; 3]]) -> ([f64; 3], f64) {
 fn draw(robot: &Robot, tool: &str, points: &[[f64; 3]], rest: &[[f64; 3]]) -> String {
     let (centre, half) = cube(&[points, rest].concat());
     let (width, height) = (2.0 * SIDE + 90.0, SIDE + 110.0);
+    let title = shortened(format!("{}: where {tool} can be", robot.name()));
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" \
          font-family=\"sans-serif\" fill=\"#e8e8f0\">\n\
          <rect width=\"{width}\" height=\"{height}\" fill=\"#10101c\"/>\n\
-         <text x=\"30\" y=\"36\" font-size=\"20\">{}: where {} can be</text>\n",
-        escape(robot.name()),
-        escape(tool),
+         <text x=\"30\" y=\"38\" font-size=\"{TITLE}\">{}</text>\n",
+        escape(&title),
     );
     for (view, (title, axes, names)) in VIEWS.into_iter().enumerate() {
         let (left, top) = (30.0 + view as f64 * (SIDE + 30.0), 60.0);
@@ -76,9 +80,9 @@ fn draw(robot: &Robot, tool: &str, points: &[[f64; 3]], rest: &[[f64; 3]]) -> St
         skeleton(&mut svg, robot, rest, place);
         let _ = writeln!(
             svg,
-            "<text x=\"{left}\" y=\"{}\" font-size=\"14\">{title}: {} to the right, {} up; a line every \
+            "<text x=\"{left}\" y=\"{}\" font-size=\"{CAPTION}\">{title}: {} to the right, {} up; a line every \
              {} m</text>",
-            top + SIDE + 24.0,
+            top + SIDE + 30.0,
             names[0],
             names[1],
             spacing(half),
@@ -184,6 +188,14 @@ fn skeleton(
     }
 }
 
+/// As much of a title as there is room for.
+fn shortened(title: String) -> String {
+    if title.chars().count() <= LETTERS {
+        return title;
+    }
+    title.chars().take(LETTERS - 1).chain(['…']).collect()
+}
+
 fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;")
 }
@@ -192,5 +204,29 @@ fn escape(text: &str) -> String {
 fn lines_are_round_numbers_apart() {
     for (half, wanted) in [(1.0, 0.5), (0.8, 0.2), (3.0, 1.0), (0.05, 0.02)] {
         assert!((spacing(half) - wanted).abs() < 1e-12, "{half}: {}", spacing(half));
+    }
+}
+
+#[test]
+fn texts_keep_to_their_places_however_long_names_are() {
+    let long = "W".repeat(200);
+    for name in ["arm & <hand>", &long] {
+        let urdf = format!("<robot name=\"{}\"><link name=\"a\"/></robot>", escape(name));
+        let robot = Robot::from_urdf(&urdf).unwrap();
+        let svg = draw(&robot, name, &[[0.0; 3], [1e-4; 3]], &[[0.0; 3]]);
+        let texts: Vec<_> = svg.lines().filter_map(|line| line.strip_prefix("<text ")).collect();
+        let letters = |text: &str| {
+            let (_, said) = text.split_once('>').unwrap();
+            let said = said.trim_end_matches("</text>").replace("&amp;", "&").replace("&lt;", "<");
+            said.chars().count() as f64
+        };
+        let [title, captions @ ..] = texts.as_slice() else { panic!("{svg}") };
+        // No letter is wider than it is high, and those of a sentence are 0.7 of that on the whole.
+        assert!(30.0 + TITLE * letters(title) <= 2.0 * SIDE + 90.0, "{title}");
+        assert_eq!(captions.len(), 2);
+        assert!(
+            captions.iter().all(|text| 0.7 * CAPTION * letters(text) <= SIDE + 30.0),
+            "{captions:?}"
+        );
     }
 }

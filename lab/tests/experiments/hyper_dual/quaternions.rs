@@ -2,6 +2,7 @@
 
 use crate::inputs::{assert_close, motion, reals, twist};
 use dq8::{Dual, DualQuat, Quat};
+use lab::arends::hyper_side_by_side;
 use lab::{HyperDual, HyperDualQuat};
 use proptest::prelude::*;
 
@@ -124,8 +125,7 @@ proptest! {
     fn section_4_erratum_the_printed_sum_translates_by_something_else(
         r in rotation(), t in reals::<3>(2.0),
     ) {
-        let half = Quat::from_parts(t.map(|c| c * 0.5), 0.0);
-        let printed = Four { mixed: half, ..Four::from_rotation(r) };
+        let printed = hyper_side_by_side(r, t);
         let [x, y, z] = r.xyz();
         let across = [y * t[2] - z * t[1], z * t[0] - x * t[2], x * t[1] - y * t[0]];
         let wanted = core::array::from_fn(|i| r.w() * t[i] + across[i]);

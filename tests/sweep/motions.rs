@@ -1,9 +1,6 @@
-//! Sweeps of the one-variable functions over the floats of `f32`, against `f64`.
-//!
-//! Every `DQ8_SWEEP_STRIDE`-th float is taken, by its bits, so small angles are met as often as
-//! large ones. The default samples. In a release build, a stride of 31 takes half a minute and a stride
-//! of 1, every float there is, a quarter of an hour.
+//! Motions that depend on one number, an angle.
 
+use crate::stride;
 use dq8::{DualQuat, geometry::DualVector};
 use dq8_contract::bound::unit_roundoff;
 use dq8_contract::ledger::{Ledger, line};
@@ -24,13 +21,6 @@ macro_rules! on_every_f32_implementation {
 
 /// The largest float below π/2: the next one has a cosine below 0, whose motion is turned over.
 const BELOW_RIGHT_ANGLE: f32 = f32::from_bits(std::f32::consts::FRAC_PI_2.to_bits() - 1);
-
-fn stride() -> u32 {
-    match std::env::var("DQ8_SWEEP_STRIDE") {
-        Err(_) => 65_537,
-        Ok(text) => text.parse().expect("DQ8_SWEEP_STRIDE is a whole number"),
-    }
-}
 
 /// Calls `check` with every stride-th float of [0, last], as many at a time as `M` has lanes, and
 /// with the last one.

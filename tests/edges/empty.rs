@@ -1,0 +1,76 @@
+//! Containers and views of nothing: what can be made of nothing can also be computed; a clip cannot, and has no place.
+
+use dq8::hierarchy::{Clip, Crowd, HierarchyPlan, Poses, Sampled};
+use dq8::ik::{Arm, Options};
+use dq8::law::Nlerp;
+use dq8::mechanism::{OwnedMechanism, ReachError};
+use dq8::skinning::{DualBlend, Linear, Mixed, Skin, Surface, SurfaceMut};
+use dq8::{Backend, DualQuat, Hierarchy, ShapeError, Skeleton, mechanism::Reach};
+
+type Pose = DualQuat<f32>;
+const NONE: [Pose; 0] = [];
+
+#[test]
+fn a_hierarchy_of_no_joints_and_a_crowd_of_nobody_run() {
+    let hierarchy = Hierarchy::new(&[]).unwrap();
+    hierarchy.local_to_model(&NONE, &mut []).unwrap();
+    hierarchy.job().palette(Poses(&NONE), &mut [], &[], &mut [[0.0; 12]; 0]).unwrap();
+    HierarchyPlan::new(&hierarchy).local_to_model(&NONE, &mut []).unwrap();
+    for skeleton in [Skeleton::new(&[0_i32; 0]).unwrap(), Skeleton::sorted(&[0_u32; 0]).unwrap().0]
+    {
+        skeleton.local_to_model(&NONE, &mut []).unwrap();
+        let mut models = NONE;
+        skeleton
+            .job()
+            .locals_to_palette(Poses(&NONE), &mut models, &[], &mut [Pose::IDENTITY; 0])
+            .unwrap();
+    }
+    let parents = [Hierarchy::ROOT, 0];
+    for (joints, instances, parents) in [(0, 3, &parents[..0]), (2, 0, &parents)] {
+        let mut crowd = Crowd::<f32, 8>::new(joints, instances);
+        let hierarchy = Hierarchy::new(parents).unwrap();
+        hierarchy.local_to_model_in_place(crowd.blocks_mut()).unwrap();
+        crowd.copy_to_slice(&mut [Pose::IDENTITY; 0]).unwrap();
+        assert_eq!(Crowd::<f32, 8>::from_slice(joints, &NONE).unwrap().instances(), 0);
+    }
+}
+
+#[test]
+fn a_clip_of_nothing_is_refused_so_that_each_has_a_place() {
+    for joints in [0, 1, 3] {
+        let clip = Clip::new(joints, &NONE).map(|clip| clip.frames());
+        assert_eq!(clip, Err(ShapeError::Empty { what: "keys" }));
+    }
+    assert_eq!(ShapeError::Empty { what: "keys" }.to_string(), "keys holds no element");
+    // Nobody plays it: that is no fault of the clip.
+    let keys = [Pose::IDENTITY; 4];
+    let clip = Clip::new(2, &keys).unwrap();
+    let locals = Sampled::new(Nlerp, clip, &[], &[0.0_f32; 0]).unwrap();
+    Hierarchy::new(&[Hierarchy::ROOT, 0])
+        .unwrap()
+        .job()
+        .locals_to_model(locals, &mut [Pose::IDENTITY; 0])
+        .unwrap();
+}
+
+#[test]
+fn a_mechanism_without_joints_has_poses_and_nothing_to_reach() {
+    let mechanism = OwnedMechanism::<f32>::new(&[]).unwrap();
+    mechanism.view().link_poses(&[], &mut []).unwrap();
+    Backend::best().link_poses(mechanism.view(), &[0.0_f32; 0], &mut [Pose::IDENTITY; 0]).unwrap();
+    assert_eq!(Reach::new(mechanism.view(), &[], &mut []).unwrap_err(), ReachError::NoGoals);
+    let arm = Arm::<f32, 0>::new([], Pose::IDENTITY).unwrap();
+    assert_eq!(arm.forward(&[]), Pose::IDENTITY);
+    let report = arm.reach(Pose::IDENTITY, &mut [], &Options::default());
+    assert_eq!((report.linear_error, report.angular_error), (0.0, 0.0), "{report:?}");
+}
+
+#[test]
+fn a_mesh_of_no_vertices_is_posed() {
+    let skin = Skin::<u16, f32>::new(0, 4, &[], &[]).unwrap();
+    let (dual, linear) = (DualBlend::<f32>::new(&[]), Linear::<f32>::new(&[]));
+    let mixed = Mixed::new(linear, dual, &[]).unwrap();
+    let mut posed = [[0.0_f32; 3]; 0];
+    let (rest, posed) = (Surface::positions(&[[0.0_f32; 3]; 0]), SurfaceMut::positions(&mut posed));
+    Backend::best().skin(&skin, mixed, rest, posed).unwrap();
+}

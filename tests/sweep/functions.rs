@@ -1,0 +1,212 @@
+//! Functions of one variable on the lanes of every backend, and those that `f32` has without std, in units of
+//! the last place. The guide has the worst of all floats; no float may be worse.
+
+use crate::{sine, stride};
+use dq8::batch::Dual;
+use dq8::storage::{self, Element};
+use dq8::{Backend, Kernel, Lanes, Level};
+
+/// How many floats a backend gets at once.
+const BLOCK: usize = 4096;
+
+/// Of so many blocks, one is computed with the other sign too: rounding to the nearest does not see signs.
+const NEGATIVE: u32 = 16;
+
+/// The largest angle that lanes have a sine of.
+const FAR: f64 = 65_536.0;
+
+/// 2¹²⁸, the first number beyond those of `f32`.
+const BEYOND: f64 = 340_282_366_920_938_463_463_374_607_431_768_211_456.0;
+
+/// What −x does to the function.
+#[derive(Clone, Copy, PartialEq)]
+enum Parity {
+    Even,
+    Odd,
+    Neither,
+}
+use Parity::{Even, Neither, Odd};
+
+/// A function of one variable, on lanes.
+trait Function {
+    fn of<L: Lanes>(x: L) -> L;
+}
+
+/// numbers[i] ← f(numbers[i])
+struct Each<'s, F, E>(&'s mut [E], F);
+
+impl<F: Function, E: Element<1>> Kernel for Each<'_, F, E> {
+    type Output = ();
+    #[inline(always)]
+    fn run<V: Level>(self, level: V) {
+        for tile in storage::tiles::<E, V, 1>(self.0.len()) {
+            let Some([x]) = E::load(level, self.0, tile, &storage::identity()) else { return };
+            E::store([F::of(x)], self.0, tile);
+        }
+    }
+}
+
+/// One row of the guide's table.
+struct Row {
+    name: &'static str,
+    parity: Parity,
+    exact: fn(f64) -> f64,
+    /// By each implementation.
+    forms: Vec<Form>,
+}
+
+type Form = (String, Box<dyn Fn(&mut [f32])>);
+
+fn on_every_backend<F: Function + Copy + 'static>(function: F) -> Vec<Form> {
+    let form = move |backend: Backend| -> Form {
+        (backend.to_string(), Box::new(move |numbers| backend.run(Each(numbers, function))))
+    };
+    Backend::available().map(form).collect()
+}
+
+fn without_std(function: fn(f32) -> f32) -> Vec<Form> {
+    let each = move |numbers: &mut [f32]| numbers.iter_mut().for_each(|x| *x = function(*x));
+    vec![("f32".to_owned(), Box::new(each))]
+}
+
+/// Rows of functions of [`Dual`]: the value, or what multiplies the dual part.
+macro_rules! on_lanes {
+    ($($name:literal $parity:ident $function:ident $part:ident $exact:expr;)*) => {
+        vec![$({
+            #[derive(Clone, Copy)]
+            struct Of;
+            impl Function for Of {
+                #[inline(always)]
+                fn of<L: Lanes>(x: L) -> L {
+                    Dual::new(x, x.constant(1.0)).$function().$part
+                }
+            }
+            Row { name: $name, parity: $parity, exact: $exact, forms: on_every_backend(Of) }
+        }),*]
+    };
+}
+
+fn near(x: f64) -> f64 {
+    if x.abs() <= FAR { x } else { f64::NAN }
+}
+
+fn rows() -> Vec<Row> {
+    let mut rows = on_lanes! {
+        "sin" Odd sin real |x| near(x).sin();
+        "cos" Even cos real |x| near(x).cos();
+        "tan" Odd tan real |x| near(x).tan();
+        "tan′" Even tan dual |x| near(x).cos().powi(-2);
+        "asin" Odd asin real f64::asin;
+        "asin′" Even asin dual |x| 1.0 / ((1.0 - x) * (1.0 + x)).sqrt();
+        "acos" Neither acos real f64::acos;
+        "atan" Odd atan real f64::atan;
+        // Where the square is infinite, the derivative is below 3·10⁻³⁹.
+        "atan′" Even atan dual |x| if x * x < BEYOND { 1.0 / x.mul_add(x, 1.0) } else { 0.0 };
+        "exp" Neither exp real f64::exp;
+        "ln" Neither ln real f64::ln;
+        "sqrt" Neither sqrt real f64::sqrt;
+        "sqrt′" Neither sqrt dual |x| 0.5 / x.sqrt();
+        "recip" Odd recip real f64::recip;
+        "recip′" Even recip dual |x| -x.powi(-2);
+    };
+    let scalar: [(_, _, fn(f64) -> f64, fn(f32) -> f32); 3] = [
+        ("sin, no std", Odd, f64::sin, sine::sin),
+        ("cos, no std", Even, f64::cos, sine::cos),
+        ("tan, no std", Odd, f64::tan, sine::tan),
+    ];
+    let without_std =
+        |(name, parity, exact, function)| Row { name, parity, exact, forms: without_std(function) };
+    rows.extend(scalar.map(without_std));
+    rows
+}
+
+/// The error in units of the last place of the exact value. What rounds to an infinity is 2¹²⁸.
+fn places(got: f32, exact: f64) -> f64 {
+    if exact.is_nan() || got.is_nan() {
+        return if exact.is_nan() && got.is_nan() { 0.0 } else { f64::INFINITY };
+    }
+    let exact = exact.clamp(-BEYOND, BEYOND);
+    let got = f64::from(got).clamp(-BEYOND, BEYOND);
+    // The exponent of the exact value, at least that of the smallest normal number.
+    let exponent = ((exact.abs().to_bits() >> 52) as i64 - 1023).clamp(-126, 127);
+    (got - exact).abs() * f64::from_bits(((23 - exponent) + 1023) as u64 * (1 << 52))
+}
+
+/// The worst few floats, the worst first.
+#[derive(Default)]
+struct Worst(Vec<(f64, f32)>);
+
+impl Worst {
+    const KEPT: usize = 6;
+
+    fn takes(&self, places: f64) -> bool {
+        self.0.len() < Self::KEPT || places > self.0[Self::KEPT - 1].0
+    }
+
+    fn meet(&mut self, places: f64, x: f32) {
+        if !self.takes(places) {
+            return;
+        }
+        let at = self.0.partition_point(|(worse, _)| *worse >= places);
+        self.0.insert(at, (places, x));
+        self.0.truncate(Self::KEPT);
+    }
+}
+
+fn sweep(row: &Row) -> Vec<(String, Worst)> {
+    let forms = &row.forms;
+    let mut worst: Vec<Worst> = forms.iter().map(|_| Worst::default()).collect();
+    // Those with a sign bit come last.
+    let last = if row.parity == Neither { u32::MAX } else { i32::MAX.cast_unsigned() };
+    let mut all = (0..=last).step_by(stride() as usize).map(f32::from_bits).filter(|x| !x.is_nan());
+    let (mut numbers, mut exact) = (Vec::new(), Vec::new());
+    let (mut values, mut negative) = (Vec::new(), Vec::new());
+    for block in 0.. {
+        numbers.clear();
+        numbers.extend(all.by_ref().take(BLOCK));
+        if numbers.is_empty() {
+            break;
+        }
+        exact.clear();
+        exact.extend(numbers.iter().map(|&x| (row.exact)(f64::from(x))));
+        for ((_, form), worst) in forms.iter().zip(&mut worst) {
+            values.clone_from(&numbers);
+            form(&mut values);
+            for ((&x, &value), &exact) in numbers.iter().zip(&values).zip(&exact) {
+                // Of floats between the two: quicker than the error, which is at most half a place beyond them, in
+                // places that may be half as large.
+                let between = value.to_bits().abs_diff((exact as f32).to_bits());
+                if worst.takes(2.0 * f64::from(between) + 0.5) {
+                    worst.meet(places(value, exact), x);
+                }
+            }
+            if row.parity != Neither && block % NEGATIVE == 0 {
+                negative.clear();
+                negative.extend(numbers.iter().map(|x| -x));
+                form(&mut negative);
+                for ((x, value), &negative) in numbers.iter().zip(&values).zip(&negative) {
+                    let same = if row.parity == Odd { -negative } else { negative };
+                    assert!(same == *value || value.is_nan(), "{} of ±{x:e}", row.name);
+                }
+            }
+        }
+    }
+    forms.iter().map(|(name, _)| name.clone()).zip(worst).collect()
+}
+
+#[test]
+fn no_float_is_farther_off_than_the_guide_says() {
+    for row in rows() {
+        let begin = std::time::Instant::now();
+        for (form, worst) in sweep(&row) {
+            for (places, x) in worst.0 {
+                println!(
+                    "{:12} {form:9} {places:.4} at {:#010x} {x:e} {:?}",
+                    row.name,
+                    x.to_bits(),
+                    begin.elapsed()
+                );
+            }
+        }
+    }
+}

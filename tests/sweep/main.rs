@@ -1,0 +1,18 @@
+//! Sweeps of the one-variable functions over the floats of `f32`, against `f64`.
+//!
+//! Every `DQ8_SWEEP_STRIDE`-th float is taken, by its bits, so small angles are met as often as
+//! large ones. The default samples. In a release build, a stride of 31 takes half a minute and a stride
+//! of 1, every float there is, a quarter of an hour.
+
+mod functions;
+mod motions;
+
+#[path = "../../src/sine.rs"]
+mod sine;
+
+fn stride() -> u32 {
+    match std::env::var("DQ8_SWEEP_STRIDE") {
+        Err(_) => 65_537,
+        Ok(text) => text.parse().expect("DQ8_SWEEP_STRIDE is a whole number"),
+    }
+}
