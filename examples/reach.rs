@@ -104,7 +104,7 @@ fn feet() -> Result<(), Box<dyn Error>> {
             DualQuat::from_rotation_translation(thigh.conjugate() * shin, [0.0, -LEG[0], 0.0]),
             DualQuat::from_translation([0.0, -LEG[1], 0.0]),
         ];
-        leg.local_to_model_in_place(&mut models)?;
+        leg.job().local_to_model_in_place(&mut models)?;
         let missed = models[2].distance_to(DualQuat::from_translation(ankle));
         println!(
             "| {ankle:?} | {:?} | {:.1} | {:.1e} | {missed:.1e} |",

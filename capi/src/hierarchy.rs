@@ -6,7 +6,9 @@ use crate::status::{Done, Status};
 use dq8::storage::{AoSoA, Aos, Layout};
 use dq8::{
     DualQuat, Hierarchy, Job,
-    hierarchy::{HierarchyError, PaletteEntry, Poses, Rotations, RotationsTranslations},
+    hierarchy::{
+        HierarchyError, PaletteEntry, Poses, Root as StandsOn, Rotations, RotationsTranslations,
+    },
 };
 
 /// Parents as C has them. It marks roots by -1: in the same four bytes, [`Hierarchy::ROOT`].
@@ -24,14 +26,14 @@ type Root<L> = Input<DualQuat<<L as Layout>::Real>>;
 unsafe fn job<'a, L: Layout>(
     parents: &Input<u32>,
     root: &Root<L>,
-) -> Result<Job<'a, L::Record<8>>, Status> {
+) -> Result<Job<'a, StandsOn<'a, L::Record<8>>>, Status> {
     // SAFETY: promised.
     let (parents, root) = unsafe { (parents.slice(), root.slice()) };
     let job = Hierarchy::new(parents)?.job();
-    Ok(match *root {
-        [root] => job.root(root),
-        _ => job,
-    })
+    Ok(job.on(match *root {
+        [root] => StandsOn::Same(root),
+        _ => StandsOn::None,
+    }))
 }
 
 /// # Safety

@@ -178,7 +178,7 @@ mod tests {
 
     pub(super) fn models(clip: &Clip) -> Vec<DualQuat<f64>> {
         let (parents, mut poses) = (clip.parents(), clip.locals());
-        Hierarchy::new(&parents).unwrap().local_to_model_in_place(&mut poses).unwrap();
+        Hierarchy::new(&parents).unwrap().job().local_to_model_in_place(&mut poses).unwrap();
         poses
     }
 

@@ -22,14 +22,14 @@ fn a_hierarchy_of_no_joints_and_a_crowd_of_nobody_run() {
         let mut models = NONE;
         skeleton
             .job()
-            .locals_to_palette(Poses(&NONE), &mut models, &[], &mut [Pose::IDENTITY; 0])
+            .palette_and_models(Poses(&NONE), &mut models, &[], &mut [Pose::IDENTITY; 0])
             .unwrap();
     }
     let parents = [Hierarchy::ROOT, 0];
     for (joints, instances, parents) in [(0, 3, &parents[..0]), (2, 0, &parents)] {
         let mut crowd = Crowd::<f32, 8>::new(joints, instances);
         let hierarchy = Hierarchy::new(parents).unwrap();
-        hierarchy.local_to_model_in_place(crowd.blocks_mut()).unwrap();
+        hierarchy.job().local_to_model_in_place(crowd.blocks_mut()).unwrap();
         crowd.copy_to_slice(&mut [Pose::IDENTITY; 0]).unwrap();
         assert_eq!(Crowd::<f32, 8>::from_slice(joints, &NONE).unwrap().instances(), 0);
     }
@@ -57,7 +57,7 @@ fn a_clip_of_nothing_is_refused_so_that_each_has_a_place() {
 fn a_mechanism_without_joints_has_poses_and_nothing_to_reach() {
     let mechanism = OwnedMechanism::<f32>::new(&[]).unwrap();
     mechanism.view().link_poses(&[], &mut []).unwrap();
-    Backend::best().link_poses(mechanism.view(), &[0.0_f32; 0], &mut [Pose::IDENTITY; 0]).unwrap();
+    mechanism.job().poses(&[0.0_f32; 0], &mut [Pose::IDENTITY; 0]).unwrap();
     assert_eq!(Reach::new(mechanism.view(), &[], &mut []).unwrap_err(), ReachError::NoGoals);
     let arm = Arm::<f32, 0>::new([], Pose::IDENTITY).unwrap();
     assert_eq!(arm.forward(&[]), Pose::IDENTITY);
@@ -72,5 +72,5 @@ fn a_mesh_of_no_vertices_is_posed() {
     let mixed = Mixed::new(linear, dual, &[]).unwrap();
     let mut posed = [[0.0_f32; 3]; 0];
     let (rest, posed) = (Surface::positions(&[[0.0_f32; 3]; 0]), SurfaceMut::positions(&mut posed));
-    Backend::best().skin(&skin, mixed, rest, posed).unwrap();
+    skin.pose(mixed, rest, posed).unwrap();
 }

@@ -17,7 +17,6 @@ macro_rules! all {
             use metric::$of as d;
             use packing::$of as p;
             use twists::$of as t;
-            let parents = [-1, 0].as_ptr();
             // SAFETY: all arrays are as long as their buffers, whose length is enough for 17 plain
             // things and for three blocks.
             unsafe {
@@ -70,7 +69,6 @@ fn what_else_is_wrong() {
     let mut from = Memory([0.0_f32; 768]);
     let mut to = from.clone();
     let (a, o) = (from.0.as_mut_ptr(), to.0.as_mut_ptr());
-    let parents = [-1, 0].as_ptr();
     // SAFETY: what is dereferenced is as long as it is said to be.
     let results = unsafe {
         [

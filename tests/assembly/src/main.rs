@@ -32,6 +32,6 @@ where
     backend.normalize(&black_box(a), &mut out).expect(fits);
     backend.sclerp(&black_box(a), &black_box(a), black_box(0.5), &mut out).expect(fits);
     backend.transform_points(black_box(DualQuat::IDENTITY), &points, &mut moved).expect(fits);
-    hierarchy.local_to_model_in_place(&mut out).expect(fits);
+    hierarchy.job().local_to_model_in_place(&mut out).expect(fits);
     black_box((out, moved));
 }
