@@ -35,12 +35,12 @@ pub(crate) fn run<B: Board>(table: &mut Table<'_, B>) {
 
     let mut models = motions;
     let instructions = table.count(|| {
-        black_box(biped.local_to_model_in_place(black_box(&mut models)).is_ok());
+        black_box(biped.job().local_to_model_in_place(black_box(&mut models)).is_ok());
     });
     table.line("biped, motions in place", instructions, worst(&models), BOUND);
 
     let instructions = table.count(|| {
-        black_box(biped.local_to_model_in_place(black_box(&mut crowd)).is_ok());
+        black_box(biped.job().local_to_model_in_place(black_box(&mut crowd)).is_ok());
     });
     let mut error = 0.0;
     for instance in 0..8 {

@@ -119,7 +119,7 @@ fn more_model_to_local(parents: &[u32], poses: &mut [Motion]) -> bool {
 }
 #[unsafe(no_mangle)]
 fn more_crowd(parents: &[u32], poses: &mut [Block<f32, 8>]) -> bool {
-    Hierarchy::new(parents).is_ok_and(|h| h.local_to_model_in_place(poses).is_ok())
+    Hierarchy::new(parents).is_ok_and(|h| h.job().local_to_model_in_place(poses).is_ok())
 }
 
 #[unsafe(no_mangle)]

@@ -13,7 +13,7 @@ pub(crate) fn run<B: Board>(table: &mut Table<'_, B>) {
     let mut models = locals::<DualQuat<f32>>();
     let parents = BIPED_PARENTS;
     let Ok(biped) = Hierarchy::new(black_box(&parents)) else { return };
-    let cost = table.count(|| _ = biped.local_to_model_in_place(black_box(&mut models)));
+    let cost = table.count(|| _ = biped.job().local_to_model_in_place(black_box(&mut models)));
     table.line("biped, dq8, Hierarchy", cost, worst(&models), BOUND);
     one::<DualQuat<f32>, B>(table);
     one::<Isometry3<f32>, B>(table);
