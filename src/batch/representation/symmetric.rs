@@ -47,10 +47,6 @@ pub(super) fn eigen<L: Lanes>(mut matrix: [[L; 4]; 4]) -> ([L; 4], [[L; 4]; 4]) 
             break;
         }
     }
-    // Turned by nothing, −0 becomes 0; so it does in all lanes.
-    for component in vectors.as_flattened_mut() {
-        *component = *component + zero;
-    }
     let values = [matrix[0][0], matrix[1][1], matrix[2][2], matrix[3][3]];
     (values, vectors)
 }

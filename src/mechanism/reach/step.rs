@@ -173,9 +173,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
                 let at = index * rows + row;
                 let component = scratch.columns.get(level, at);
                 let left = scratch.left.get(level, row);
-                // Not nothing taken off the others: that would be NaN of a column that is not finite.
-                let rest = component.neg_mul_add(taken, left);
-                scratch.left.set(row, L::select(stops, rest, left));
+                scratch.left.set(row, component.neg_mul_add(taken, left));
                 scratch.columns.set(at, L::select(stops, zero, component));
             }
         }
