@@ -1,5 +1,6 @@
 //! [`CheckedSchedule`]: results that need earlier results, in an order whose indices have been checked.
 
+use crate::index::saturated;
 #[cfg(feature = "alloc")]
 use alloc::boxed::Box;
 
@@ -19,7 +20,7 @@ impl<S: AsRef<[[u32; 2]]>> CheckedSchedule<S> {
     pub fn new(pairs: S, bound: usize) -> Option<Self> {
         // The largest of all, not all below: without an early end the loop is one on lanes.
         let largest = pairs.as_ref().as_flattened().iter().fold(0, |most, &index| index.max(most));
-        let within = pairs.as_ref().is_empty() || (largest as usize) < bound;
+        let within = pairs.as_ref().is_empty() || saturated::<usize>(largest) < bound;
         within.then_some(Self { pairs, bound })
     }
 }

@@ -1,5 +1,7 @@
 //! [`Gather`]: which row of a table each lane reads.
 
+use crate::index::saturated;
+
 /// A row of a table for each lane: row `frames[i]` holds the records `frames[i] · pitch` and following.
 ///
 /// The greatest of them is found once, so that a load of any lanes needs one comparison to be safe.
@@ -25,7 +27,7 @@ impl<'f> Gather<'f> {
     /// Frames of a table whose rows are `pitch` records.
     #[must_use]
     pub fn new(frames: &'f [u32], pitch: usize) -> Self {
-        let greatest = frames.iter().max().map_or(0, |&frame| frame as usize);
+        let greatest = frames.iter().max().map_or(0, |&frame| saturated::<usize>(frame));
         Self { frames, pitch, greatest: greatest.saturating_mul(pitch) }
     }
 

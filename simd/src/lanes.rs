@@ -217,8 +217,8 @@ pub trait Mask:
 ///
 /// [`Portable`](crate::Portable) is free to construct, because its lanes use what the build target
 /// already promises. A level whose instructions are found at run time has a private field, so that
-/// only detection can hand it out; whoever holds one of its lanes therefore holds the proof too.
-pub trait Level: Copy + Debug + Send + Sync + 'static {
+/// only detection can hand it out; whoever holds one of its lanes therefore holds the proof too. Sealed.
+pub trait Level: Sealed + Copy + Debug + Send + Sync + 'static {
     /// Four lanes of `f32`.
     type F32x4: Lanes<Real = f32, Level = Self, Array = [f32; 4]>;
     /// Eight lanes of `f32`.

@@ -37,6 +37,7 @@ pub mod checked_schedule;
 #[cfg(target_arch = "x86_64")]
 mod detect;
 pub mod gather;
+mod index;
 pub mod lanes;
 pub mod one;
 #[cfg(target_arch = "x86_64")]

@@ -9,19 +9,21 @@ use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 #[derive(Clone, Copy, Debug)]
 pub struct Pair<L>(pub(crate) L, pub(crate) L);
 
-/// The memory of `Pair<L>` for lanes of `[R; N]`: `[R; 2N]`, which generic code cannot name.
-pub trait Doubled: Pod {
+/// The memory of `Pair<L>` for lanes of `[R; N]`: `[R; 2N]`, which generic code cannot name. Sealed.
+pub trait Doubled: Pod + crate::sealed::Sealed {
     /// `[R; 2N]`
     type Twice: Pod + core::fmt::Debug + AsRef<[Self::Real]> + AsMut<[Self::Real]>;
     /// R
     type Real: Float;
 }
 
+impl crate::sealed::Sealed for [f32; 8] {}
 impl Doubled for [f32; 8] {
     type Twice = [f32; 16];
     type Real = f32;
 }
 
+impl crate::sealed::Sealed for [f64; 4] {}
 impl Doubled for [f64; 4] {
     type Twice = [f64; 8];
     type Real = f64;

@@ -1,6 +1,7 @@
 //! [`CheckedIndices`], checked once; [`PickRows`]: which records of a table each lane takes by them, in place or from
 //! [`Picks`]; [`Picked`]: with that table; [`PickedInPlace`]: any number of rows in place, with their table.
 
+use crate::index::saturated;
 use crate::lanes::{Lanes, MAX_LANES};
 use core::fmt::Debug;
 
@@ -60,7 +61,7 @@ impl<'a, J: Index> CheckedIndices<'a, J> {
         stride: usize,
         bound: usize,
     ) -> Result<Self, (usize, usize)> {
-        let beyond = |&index: &J| index.into() as usize >= bound;
+        let beyond = |&index: &J| saturated::<usize>(index.into()) >= bound;
         let indices = if 0 < columns && columns <= stride { indices } else { &[] };
         for (index, row) in indices.chunks(stride.max(1)).enumerate() {
             let Some(row) = row.get(..columns) else { break };

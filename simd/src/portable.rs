@@ -9,6 +9,7 @@ use wide::{Select, f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Portable;
 
+impl crate::sealed::Sealed for Portable {}
 impl Level for Portable {
     type F32x4 = f32x4;
     type F32x8 = f32x8;

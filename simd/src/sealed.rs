@@ -1,4 +1,4 @@
-//! [`Sealed`]: what only this crate makes lanes and numbers of.
+//! [`Sealed`]: what only this crate makes lanes, levels and numbers of.
 
 /// Of safe code with lanes of its own, whose `LANES` is not the length of `Array`, four records would be
 /// written where there are two:

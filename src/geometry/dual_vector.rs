@@ -1,35 +1,34 @@
 use super::{Line, vector};
 use core::ops::{Add, Mul, Neg, Sub};
 
-/// A dual vector a + εb (Jia, *Dual Quaternions*, §3): the vector part of a dual quaternion, and
-/// the logarithm of a unit one.
-///
-/// The logarithm of a screw is (θ̂/2)(l + εm): `real` = l·θ/2 and `dual` = m·θ/2 + l·d/2.
-///
-/// For dual quaternions without a scalar part, ab = −a·b + a × b (Jia §4): the products below are
-/// those of vectors, over dual numbers, and keep their laws.
-///
-/// ```
-/// use dq8::{Line, geometry::DualVector};
-/// // The x axis, and the parallel of the y axis that crosses z at 3.
-/// let a = Line::from_point_direction([0.0_f32; 3], [1.0, 0.0, 0.0]);
-/// let b = Line::from_point_direction([0.0, 0.0, 3.0], [0.0, 1.0, 0.0]);
-/// let (a, b) = (DualVector::from(a), DualVector::from(b));
-/// // cos θ̂ = cos θ − ε d sin θ of the dual angle θ̂ = π/2 + 3ε, and sin θ̂ times the z axis.
-/// assert_eq!(a.dot(b), [0.0, -3.0]);
-/// assert_eq!(a.cross(b), DualVector { real: [0.0, 0.0, 1.0], dual: [0.0; 3] });
-/// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[repr(C)]
-pub struct DualVector<T> {
-    /// a
-    pub real: [T; 3],
-    /// b
-    pub dual: [T; 3],
+crate::plain::plain! {
+    /// A dual vector a + εb (Jia, *Dual Quaternions*, §3): the vector part of a dual quaternion, and
+    /// the logarithm of a unit one.
+    ///
+    /// The logarithm of a screw is (θ̂/2)(l + εm): `real` = l·θ/2 and `dual` = m·θ/2 + l·d/2.
+    ///
+    /// For dual quaternions without a scalar part, ab = −a·b + a × b (Jia §4): the products below are
+    /// those of vectors, over dual numbers, and keep their laws.
+    ///
+    /// ```
+    /// use dq8::{Line, geometry::DualVector};
+    /// // The x axis, and the parallel of the y axis that crosses z at 3.
+    /// let a = Line::from_point_direction([0.0_f32; 3], [1.0, 0.0, 0.0]);
+    /// let b = Line::from_point_direction([0.0, 0.0, 3.0], [0.0, 1.0, 0.0]);
+    /// let (a, b) = (DualVector::from(a), DualVector::from(b));
+    /// // cos θ̂ = cos θ − ε d sin θ of the dual angle θ̂ = π/2 + 3ε, and sin θ̂ times the z axis.
+    /// assert_eq!(a.dot(b), [0.0, -3.0]);
+    /// assert_eq!(a.cross(b), DualVector { real: [0.0, 0.0, 1.0], dual: [0.0; 3] });
+    /// ```
+    #[derive(Clone, Copy, Debug, Default, PartialEq)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+    pub struct DualVector<T> {
+        /// a
+        pub real: [T; 3],
+        /// b
+        pub dual: [T; 3],
+    }
 }
-
-crate::plain::plain!(DualVector { real, dual });
 
 impl<T: Copy> DualVector<T> {
     /// s(a + εb) for a real number s.

@@ -1,27 +1,26 @@
 use super::vector;
 use core::ops::{Add, Mul, Sub};
 
-/// A line in Plücker coordinates l + εm: every point x of it has x × l = m.
-///
-/// The length of l is free; with |l| = 1, |m| is the distance from the origin and l × m the closest
-/// point (Jia, *Dual Quaternions*, §8.1). Lines have a sense: −l − εm is the same points, passed
-/// the other way.
-///
-/// Here is what needs no division, for floats and lanes alike. What may fail, and what measures, is
-/// for [`Real`](crate::Real) numbers, and on lanes with `_checked` at the end and a mask for the error: [`from_points`](Line::from_points),
-/// [`from_planes`](Line::from_planes), [`dual_angle`](Line::dual_angle),
-/// [`common_perpendicular`](Line::common_perpendicular) and others.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[repr(C)]
-pub struct Line<T> {
-    /// l, the direction.
-    pub direction: [T; 3],
-    /// m = x × l for any point x of the line, the moment about the origin.
-    pub moment: [T; 3],
+crate::plain::plain! {
+    /// A line in Plücker coordinates l + εm: every point x of it has x × l = m.
+    ///
+    /// The length of l is free; with |l| = 1, |m| is the distance from the origin and l × m the closest
+    /// point (Jia, *Dual Quaternions*, §8.1). Lines have a sense: −l − εm is the same points, passed
+    /// the other way.
+    ///
+    /// Here is what needs no division, for floats and lanes alike. What may fail, and what measures, is
+    /// for [`Real`](crate::Real) numbers, and on lanes with `_checked` at the end and a mask for the error: [`from_points`](Line::from_points),
+    /// [`from_planes`](Line::from_planes), [`dual_angle`](Line::dual_angle),
+    /// [`common_perpendicular`](Line::common_perpendicular) and others.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+    pub struct Line<T> {
+        /// l, the direction.
+        pub direction: [T; 3],
+        /// m = x × l for any point x of the line, the moment about the origin.
+        pub moment: [T; 3],
+    }
 }
-
-crate::plain::plain!(Line { direction, moment });
 
 impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> Line<T> {
     /// l + ε(p × l) (Jia §8.1). The direction is taken as it is; a zero one makes no line, which

@@ -1,18 +1,17 @@
 use super::vector;
 use core::ops::{Add, Mul, Sub};
 
-/// A plane n·x = d.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[repr(C)]
-pub struct Plane<T> {
-    /// n, the normal.
-    pub normal: [T; 3],
-    /// d, the distance from the origin along n, in units of |n|.
-    pub offset: T,
+crate::plain::plain! {
+    /// A plane n·x = d.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+    pub struct Plane<T> {
+        /// n, the normal.
+        pub normal: [T; 3],
+        /// d, the distance from the origin along n, in units of |n|.
+        pub offset: T,
+    }
 }
-
-crate::plain::plain!(Plane { normal, offset });
 
 impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> Plane<T> {
     /// n·x = n·p. The normal is taken as it is; a zero one makes no plane, which

@@ -1,40 +1,39 @@
 use core::ops::{Add, Mul, Neg, Sub};
 
-/// A twist ω + εv: the velocity of a rigid body as a dual vector, an element of se(3).
-///
-/// `angular` is ω in radians per unit of time. `linear` is v, the velocity of *the point of the body
-/// that is at the origin of the frame*, in lengths per unit of time. Which frame depends on the twist:
-///
-/// - *spatial*: both in the axes and about the origin of the fixed frame, σ̇ = ½ξσ;
-/// - *body*: both in the axes and about the origin of the moving frame, σ̇ = ½σξ.
-///
-/// A motion takes the one to the other: spatial = σ body σ*, which is
-/// [`DualQuat::adjoint`](crate::DualQuat::adjoint).
-///
-/// The logarithm of a motion is half the twist that makes it in unit time, because a quaternion
-/// carries half the angle: [`DualQuat::to_twist`](crate::DualQuat::to_twist).
-///
-/// ```
-/// use dq8::{DualQuat, Twist};
-/// // A wheel of radius 2 on the ground: its lowest point, at the origin, stands still.
-/// let rolling = Twist { angular: [0.0_f32, 1.0, 0.0], linear: [0.0, 0.0, 0.0] };
-/// assert_eq!(rolling.velocity_at([0.0, 0.0, 2.0]), [2.0, 0.0, 0.0]);
-/// // Seen from the hub, the ground's frame is 2 below.
-/// let hub = DualQuat::from_translation([0.0, 0.0, 2.0]);
-/// assert_eq!(hub.conjugate().adjoint(rolling).linear, [2.0, 0.0, 0.0]);
-/// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "rkyv_08", derive(rkyv::Archive, rkyv::Serialize, rkyv::Deserialize))]
-#[repr(C)]
-pub struct Twist<T> {
-    /// ω, radians per unit of time.
-    pub angular: [T; 3],
-    /// v, lengths per unit of time, of the point at the frame's origin.
-    pub linear: [T; 3],
+crate::plain::plain! {
+    /// A twist ω + εv: the velocity of a rigid body as a dual vector, an element of se(3).
+    ///
+    /// `angular` is ω in radians per unit of time. `linear` is v, the velocity of *the point of the body
+    /// that is at the origin of the frame*, in lengths per unit of time. Which frame depends on the twist:
+    ///
+    /// - *spatial*: both in the axes and about the origin of the fixed frame, σ̇ = ½ξσ;
+    /// - *body*: both in the axes and about the origin of the moving frame, σ̇ = ½σξ.
+    ///
+    /// A motion takes the one to the other: spatial = σ body σ*, which is
+    /// [`DualQuat::adjoint`](crate::DualQuat::adjoint).
+    ///
+    /// The logarithm of a motion is half the twist that makes it in unit time, because a quaternion
+    /// carries half the angle: [`DualQuat::to_twist`](crate::DualQuat::to_twist).
+    ///
+    /// ```
+    /// use dq8::{DualQuat, Twist};
+    /// // A wheel of radius 2 on the ground: its lowest point, at the origin, stands still.
+    /// let rolling = Twist { angular: [0.0_f32, 1.0, 0.0], linear: [0.0, 0.0, 0.0] };
+    /// assert_eq!(rolling.velocity_at([0.0, 0.0, 2.0]), [2.0, 0.0, 0.0]);
+    /// // Seen from the hub, the ground's frame is 2 below.
+    /// let hub = DualQuat::from_translation([0.0, 0.0, 2.0]);
+    /// assert_eq!(hub.conjugate().adjoint(rolling).linear, [2.0, 0.0, 0.0]);
+    /// ```
+    #[derive(Clone, Copy, Debug, Default, PartialEq)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+    #[cfg_attr(feature = "rkyv_08", derive(rkyv::Archive, rkyv::Serialize, rkyv::Deserialize))]
+    pub struct Twist<T> {
+        /// ω, radians per unit of time.
+        pub angular: [T; 3],
+        /// v, lengths per unit of time, of the point at the frame's origin.
+        pub linear: [T; 3],
+    }
 }
-
-crate::plain::plain!(Twist { angular, linear });
 
 impl<T: Copy> Twist<T> {
     /// From `[ωx, ωy, ωz, vx, vy, vz]`.

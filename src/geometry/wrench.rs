@@ -1,22 +1,21 @@
 use super::Twist;
 use core::ops::{Add, Mul};
 
-/// A wrench f + ετ: force and torque on a rigid body, dual to a [`Twist`].
-///
-/// `torque` is taken about the origin of the frame; both vectors are in its axes. As with twists, the
-/// frame is *spatial* (fixed) or *body* (moving), and
-/// [`DualQuat::coadjoint`](crate::DualQuat::coadjoint) takes the one to the other.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[repr(C)]
-pub struct Wrench<T> {
-    /// f
-    pub force: [T; 3],
-    /// τ, about the frame's origin.
-    pub torque: [T; 3],
+crate::plain::plain! {
+    /// A wrench f + ετ: force and torque on a rigid body, dual to a [`Twist`].
+    ///
+    /// `torque` is taken about the origin of the frame; both vectors are in its axes. As with twists, the
+    /// frame is *spatial* (fixed) or *body* (moving), and
+    /// [`DualQuat::coadjoint`](crate::DualQuat::coadjoint) takes the one to the other.
+    #[derive(Clone, Copy, Debug, Default, PartialEq)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+    pub struct Wrench<T> {
+        /// f
+        pub force: [T; 3],
+        /// τ, about the frame's origin.
+        pub torque: [T; 3],
+    }
 }
-
-crate::plain::plain!(Wrench { force, torque });
 
 impl<T: Copy + Add<Output = T> + Mul<Output = T>> Wrench<T> {
     /// f·v + τ·ω, the power of this wrench on a body that moves with `twist`: the same number in

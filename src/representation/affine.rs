@@ -5,45 +5,44 @@ use crate::real::Real;
 use crate::scalar::{DualQuat, vector};
 use core::ops::Mul;
 
-/// A linear map and a translation, v ↦ Lv + t: what a 3×4 matrix can hold and a dual quaternion
-/// cannot, scale, shear and reflection.
-///
-/// # Why a dual quaternion cannot
-///
-/// For any σ = p + εq, unit or not, σ(1 + εv)σ⋄ = pp* + ε(pvp* + qp* − pq*). The real part is the number
-/// |p|², and the only term with v is pvp*: |p|² times a rotation. As a point, real part 1, it is that
-/// rotation and a translation, so *every* σ with p ≠ 0 keeps distances and handedness. A dual
-/// part that is not divided scales uniformly, by the factor of Arends ch. 5 §6.1, but with a real part
-/// other than 1 it is not a point any more. Nor does any other single product avb of quaternions: |avb| =
-/// |a||v||b| lengthens all vectors alike, so it neither scales directions differently nor shears. A reflection is
-/// one with another sign, nvn ([`reflection`](Self::reflection)).
-///
-/// *Sums* of products do all of it, as sums avb are all linear maps of the quaternions. Arends' own eq. 8,
-/// ½(v ∓ eve⁻¹) for what is across and along e, scales along e with a factor on the second part, and
-/// v + (a/2)(v + jvj⁻¹)k shears, though his ch. 5 §6.1 and §6.3 say that quaternions cannot. But a sum is no
-/// longer a product of motions: it composes by nothing simpler than matrices.
-///
-/// So scale is carried along with the motion: [`try_decompose`](Self::try_decompose) takes them apart.
-///
-/// ```
-/// use dq8::{DualQuat, representation::Affine};
-/// let moved = DualQuat::from_translation([0.0, 0.0, 5.0_f64]);
-/// let thin = Affine::scale([1.0, 2.0, 0.5]);
-/// let (motion, stretch) = (Affine::from_motion(moved) * thin).try_decompose()?;
-/// assert_eq!((motion, stretch), (moved, thin.linear));
-/// # Ok::<(), dq8::representation::OrthonormalError>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[repr(C)]
-pub struct Affine<R> {
-    /// L, rows.
-    pub linear: [[R; 3]; 3],
-    /// t
-    pub translation: [R; 3],
+crate::plain::plain! {
+    /// A linear map and a translation, v ↦ Lv + t: what a 3×4 matrix can hold and a dual quaternion
+    /// cannot, scale, shear and reflection.
+    ///
+    /// # Why a dual quaternion cannot
+    ///
+    /// For any σ = p + εq, unit or not, σ(1 + εv)σ⋄ = pp* + ε(pvp* + qp* − pq*). The real part is the number
+    /// |p|², and the only term with v is pvp*: |p|² times a rotation. As a point, real part 1, it is that
+    /// rotation and a translation, so *every* σ with p ≠ 0 keeps distances and handedness. A dual
+    /// part that is not divided scales uniformly, by the factor of Arends ch. 5 §6.1, but with a real part
+    /// other than 1 it is not a point any more. Nor does any other single product avb of quaternions: |avb| =
+    /// |a||v||b| lengthens all vectors alike, so it neither scales directions differently nor shears. A reflection is
+    /// one with another sign, nvn ([`reflection`](Self::reflection)).
+    ///
+    /// *Sums* of products do all of it, as sums avb are all linear maps of the quaternions. Arends' own eq. 8,
+    /// ½(v ∓ eve⁻¹) for what is across and along e, scales along e with a factor on the second part, and
+    /// v + (a/2)(v + jvj⁻¹)k shears, though his ch. 5 §6.1 and §6.3 say that quaternions cannot. But a sum is no
+    /// longer a product of motions: it composes by nothing simpler than matrices.
+    ///
+    /// So scale is carried along with the motion: [`try_decompose`](Self::try_decompose) takes them apart.
+    ///
+    /// ```
+    /// use dq8::{DualQuat, representation::Affine};
+    /// let moved = DualQuat::from_translation([0.0, 0.0, 5.0_f64]);
+    /// let thin = Affine::scale([1.0, 2.0, 0.5]);
+    /// let (motion, stretch) = (Affine::from_motion(moved) * thin).try_decompose()?;
+    /// assert_eq!((motion, stretch), (moved, thin.linear));
+    /// # Ok::<(), dq8::representation::OrthonormalError>(())
+    /// ```
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+    pub struct Affine<R> {
+        /// L, rows.
+        pub linear: [[R; 3]; 3],
+        /// t
+        pub translation: [R; 3],
+    }
 }
-
-crate::plain::plain!(Affine { linear, translation });
 
 /// The identity.
 impl<R: Real> Default for Affine<R> {

@@ -2,31 +2,30 @@ use crate::real::Real;
 use crate::scalar::{DualQuat, Quat, vector};
 use core::ops::Mul;
 
-/// A rotation and a translation side by side, v ↦ r v r* + t (Kenwright §3): what files and
-/// physics engines hold, a number less than a [`DualQuat`], and the same motion.
-///
-/// Slices of it are what [`RotationsTranslations`](crate::hierarchy::RotationsTranslations) takes.
-///
-/// ```
-/// use dq8::{DualQuat, Quat, representation::RotationTranslation};
-/// let quarter = Quat::from_axis_angle([0.0, 0.0, 1.0], core::f64::consts::FRAC_PI_2);
-/// let pose = RotationTranslation { rotation: quarter, translation: [1.0, 2.0, 3.0] };
-/// let same = DualQuat::from(pose);
-/// let off = same.transform_point([4.0, 0.0, 0.0])[1] - pose.transform_point([4.0, 0.0, 0.0])[1];
-/// assert!(off.abs() < 1e-14);
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "rkyv_08", derive(rkyv::Archive, rkyv::Serialize, rkyv::Deserialize))]
-#[repr(C)]
-pub struct RotationTranslation<R> {
-    /// r, unit.
-    pub rotation: Quat<R>,
-    /// t
-    pub translation: [R; 3],
+crate::plain::plain! {
+    /// A rotation and a translation side by side, v ↦ r v r* + t (Kenwright §3): what files and
+    /// physics engines hold, a number less than a [`DualQuat`], and the same motion.
+    ///
+    /// Slices of it are what [`RotationsTranslations`](crate::hierarchy::RotationsTranslations) takes.
+    ///
+    /// ```
+    /// use dq8::{DualQuat, Quat, representation::RotationTranslation};
+    /// let quarter = Quat::from_axis_angle([0.0, 0.0, 1.0], core::f64::consts::FRAC_PI_2);
+    /// let pose = RotationTranslation { rotation: quarter, translation: [1.0, 2.0, 3.0] };
+    /// let same = DualQuat::from(pose);
+    /// let off = same.transform_point([4.0, 0.0, 0.0])[1] - pose.transform_point([4.0, 0.0, 0.0])[1];
+    /// assert!(off.abs() < 1e-14);
+    /// ```
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+    #[cfg_attr(feature = "rkyv_08", derive(rkyv::Archive, rkyv::Serialize, rkyv::Deserialize))]
+    pub struct RotationTranslation<R> {
+        /// r, unit.
+        pub rotation: Quat<R>,
+        /// t
+        pub translation: [R; 3],
+    }
 }
-
-crate::plain::plain!(RotationTranslation { rotation, translation });
 
 /// The identity.
 impl<R: Real> Default for RotationTranslation<R> {

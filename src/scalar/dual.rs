@@ -2,32 +2,31 @@ use super::error::InverseError;
 use crate::real::Real;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A dual number a + εb, ε² = 0 (Clifford 1873).
-///
-/// A function of a dual number is f(a + εb) = f(a) + ε b f′(a) (Jia eq. 10), so dual numbers
-/// differentiate whatever is computed with them:
-///
-/// ```
-/// use dq8::Dual;
-/// // d/dx (x² sin x) at x = 2
-/// let x = Dual::new(2.0_f64, 1.0);
-/// let y = x * x * x.sin();
-/// assert!((y.dual - (4.0 * 2.0_f64.sin() + 4.0 * 2.0_f64.cos())).abs() < 1e-14);
-/// ```
-///
-/// The order is that of ε as an infinitesimal, positive and smaller than every number: real parts
-/// first, dual parts where these are equal.
-#[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[repr(C)]
-pub struct Dual<R> {
-    /// a, the real part.
-    pub real: R,
-    /// b, the dual part.
-    pub dual: R,
+crate::plain::plain! {
+    /// A dual number a + εb, ε² = 0 (Clifford 1873).
+    ///
+    /// A function of a dual number is f(a + εb) = f(a) + ε b f′(a) (Jia eq. 10), so dual numbers
+    /// differentiate whatever is computed with them:
+    ///
+    /// ```
+    /// use dq8::Dual;
+    /// // d/dx (x² sin x) at x = 2
+    /// let x = Dual::new(2.0_f64, 1.0);
+    /// let y = x * x * x.sin();
+    /// assert!((y.dual - (4.0 * 2.0_f64.sin() + 4.0 * 2.0_f64.cos())).abs() < 1e-14);
+    /// ```
+    ///
+    /// The order is that of ε as an infinitesimal, positive and smaller than every number: real parts
+    /// first, dual parts where these are equal.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+    pub struct Dual<R> {
+        /// a, the real part.
+        pub real: R,
+        /// b, the dual part.
+        pub dual: R,
+    }
 }
-
-crate::plain::plain!(Dual { real, dual });
 
 impl<R: Real> Dual<R> {
     /// 0 + ε0

@@ -4,27 +4,26 @@ use crate::geometry::DualVector;
 use crate::real::Real;
 use core::ops::{Add, Mul, Neg, Sub};
 
-/// A dual quaternion σ = p + εq, in memory `[px, py, pz, pw, qx, qy, qz, qw]`.
-///
-/// A *unit* σ (|p| = 1, p·q = 0) is a rigid motion: turn by p, then translate by t = 2qp*.
-/// Conventions and laws are those of [`Motion`](crate::Motion). What is not unit is not found out, but for debug builds
-/// with `--cfg dq8_debug_assert_unit`, [which panic](crate::Motion#where-unit-length-is-a-precondition).
-///
-/// ```
-/// use dq8::{DualQuat, Quat};
-/// // Jia, example 1: a third of a turn about (1,1,1), then up by 5.
-/// let r = Quat::from_xyzw(0.5_f32, 0.5, 0.5, 0.5);
-/// let motion = DualQuat::from_rotation_translation(r, [0.0, 0.0, 5.0]);
-/// assert_eq!(motion.transform_point([2.0, 0.0, 0.0]), [0.0, 2.0, 5.0]);
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "rkyv_08", derive(rkyv::Archive, rkyv::Serialize, rkyv::Deserialize))]
-#[cfg_attr(feature = "serde", serde(transparent))]
-#[repr(transparent)]
-pub struct DualQuat<R>([R; 8]);
-
-crate::plain::plain!(DualQuat { 0 });
+crate::plain::plain! {
+    /// A dual quaternion σ = p + εq, in memory `[px, py, pz, pw, qx, qy, qz, qw]`.
+    ///
+    /// A *unit* σ (|p| = 1, p·q = 0) is a rigid motion: turn by p, then translate by t = 2qp*.
+    /// Conventions and laws are those of [`Motion`](crate::Motion). What is not unit is not found out, but for debug builds
+    /// with `--cfg dq8_debug_assert_unit`, [which panic](crate::Motion#where-unit-length-is-a-precondition).
+    ///
+    /// ```
+    /// use dq8::{DualQuat, Quat};
+    /// // Jia, example 1: a third of a turn about (1,1,1), then up by 5.
+    /// let r = Quat::from_xyzw(0.5_f32, 0.5, 0.5, 0.5);
+    /// let motion = DualQuat::from_rotation_translation(r, [0.0, 0.0, 5.0]);
+    /// assert_eq!(motion.transform_point([2.0, 0.0, 0.0]), [0.0, 2.0, 5.0]);
+    /// ```
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+    #[cfg_attr(feature = "rkyv_08", derive(rkyv::Archive, rkyv::Serialize, rkyv::Deserialize))]
+    #[cfg_attr(feature = "serde", serde(transparent))]
+    pub struct DualQuat<R>([R; 8]);
+}
 
 /// The identity motion.
 impl<R: Real> Default for DualQuat<R> {

@@ -4,25 +4,24 @@ use crate::everyday;
 use crate::real::Real;
 use core::ops::{Add, Mul, Neg, Sub};
 
-/// A quaternion w + xi + yj + zk (Hamilton 1844), in memory `[x, y, z, w]`.
-///
-/// A unit quaternion cos(θ/2) + n sin(θ/2) turns by θ about the unit axis n. What is not unit is not found out, but for
-/// debug builds with `--cfg dq8_debug_assert_unit`, [which panic](crate::Motion#where-unit-length-is-a-precondition).
-///
-/// ```
-/// use dq8::Quat;
-/// let quarter = Quat::from_axis_angle([0.0, 0.0, 1.0], core::f64::consts::FRAC_PI_2);
-/// let [x, y, z] = quarter.rotate([1.0, 0.0, 0.0]);
-/// assert!((x.abs() + (y - 1.0).abs() + z.abs()) < 1e-15);
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "rkyv_08", derive(rkyv::Archive, rkyv::Serialize, rkyv::Deserialize))]
-#[cfg_attr(feature = "serde", serde(transparent))]
-#[repr(transparent)]
-pub struct Quat<R>([R; 4]);
-
-crate::plain::plain!(Quat { 0 });
+crate::plain::plain! {
+    /// A quaternion w + xi + yj + zk (Hamilton 1844), in memory `[x, y, z, w]`.
+    ///
+    /// A unit quaternion cos(θ/2) + n sin(θ/2) turns by θ about the unit axis n. What is not unit is not found out, but for
+    /// debug builds with `--cfg dq8_debug_assert_unit`, [which panic](crate::Motion#where-unit-length-is-a-precondition).
+    ///
+    /// ```
+    /// use dq8::Quat;
+    /// let quarter = Quat::from_axis_angle([0.0, 0.0, 1.0], core::f64::consts::FRAC_PI_2);
+    /// let [x, y, z] = quarter.rotate([1.0, 0.0, 0.0]);
+    /// assert!((x.abs() + (y - 1.0).abs() + z.abs()) < 1e-15);
+    /// ```
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+    #[cfg_attr(feature = "rkyv_08", derive(rkyv::Archive, rkyv::Serialize, rkyv::Deserialize))]
+    #[cfg_attr(feature = "serde", serde(transparent))]
+    pub struct Quat<R>([R; 4]);
+}
 
 /// The identity, not zero, which would make a rest pose of defaults vanish without an error.
 impl<R: Real> Default for Quat<R> {

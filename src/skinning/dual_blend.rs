@@ -146,15 +146,16 @@ fn toward<L: Lanes>(real: [[L; 4]; GROUP], pivot: [L; 4], weights: [L; GROUP]) -
         influence += 1;
     }
     let zero = product.constant(0.0);
-    // Some are at right angles, or nearly.
-    if product.eq(zero).any() {
+    // Some are at right angles, or nearly; or there is a number so large that nobody knows.
+    if !zero.lt(product.abs()).all() {
         let side_of_pivot = zero.constant(1.0).copysign(leading(pivot.to_array()));
         influence = 0;
         while influence < GROUP {
             let dot = dots[influence];
-            let side = L::select(dot.eq(zero), leading(real[influence]) * side_of_pivot, dot);
-            let weight = weights[influence];
-            signed[influence] = L::select(side.lt(zero), -weight, weight);
+            let side = leading(real[influence]) * side_of_pivot;
+            let weight = L::select(side.lt(zero), -weights[influence], weights[influence]);
+            // Only those: whether others come here depends on their neighbours.
+            signed[influence] = L::select(dot.eq(zero), weight, signed[influence]);
             influence += 1;
         }
     }

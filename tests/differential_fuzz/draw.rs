@@ -141,10 +141,7 @@ impl Draw {
             Self::Anything => {
                 let share = random.between(0.0, 1.0);
                 let mut all = [0.0; NUMBERS];
-                all.fill_with(|| match random.between(0.0, 1.0) < share {
-                    true => any(random, single),
-                    false => 2.0 * random.signed(),
-                });
+                all.fill_with(|| number(random, single, share));
                 let mut case = Case::of_numbers(&all);
                 case.tolerance = one_of(
                     random,
@@ -236,6 +233,14 @@ fn spread(random: &mut Random, least: i32, most: i32) -> f64 {
 
 fn one_of<T: Copy>(random: &mut Random, all: &[T]) -> T {
     all[random.below(all.len())]
+}
+
+/// An ordinary number; in a share of all, one of any bits.
+pub(crate) fn number(random: &mut Random, single: bool, share: f64) -> f64 {
+    match random.between(0.0, 1.0) < share {
+        true => any(random, single),
+        false => 2.0 * random.signed(),
+    }
 }
 
 fn any(random: &mut Random, single: bool) -> f64 {

@@ -1,12 +1,16 @@
 //! Random calls of every operation of the contract, on every implementation, against the scalar path in `f64`, with
 //! input of every kind: far, tiny, nearly opposite, of many turns, of any bits. Lanes of one kind of instructions are
-//! held to each other's bits, whatever their width and whatever lies in the other lanes.
+//! held to each other's bits, whatever their width and whatever lies in the other lanes: also in the tables of geometry,
+//! and in clips, mechanisms, searches and skins, which are run for many at once, one by one, and in blocks.
 //!
 //! `DQ8_FUZZ_SECONDS` says how long (a fifth of one by default), `DQ8_FUZZ_SEED` from where; what is found names the seed of
 //! its round. One lane of one operation is one call.
 
 mod draw;
+mod families;
+mod geometry;
 mod judge;
+mod kernels;
 
 use dq8_contract::case::Case;
 use dq8_contract::implementation::{On, implementations, scalar_f64};
@@ -15,6 +19,7 @@ use dq8_contract::operation::Operation;
 use dq8_contract::operations::OPERATIONS;
 use dq8_contract::random::Random;
 use draw::Draw;
+use families::Families;
 use judge::{Lane, Question, judge};
 use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
@@ -69,17 +74,10 @@ fn answers(operation: &Operation, on: On, questions: &[Question]) -> Vec<Lane> {
     chunks.collect()
 }
 
-/// Those whose answers have the same bits: the instructions decide, not how many lanes there are. A build for a CPU that
-/// fuses has them fused in vectors, and not in a single number.
-fn family(on: On) -> Option<&'static str> {
-    let lanes = on.name.strip_prefix("lanes ")?;
-    let fused = cfg!(target_feature = "fma") && !lanes.ends_with("x1");
-    Some(if lanes.starts_with("AVX") || fused { "fused" } else { "portable" })
-}
-
-/// NaN has many bit patterns, which mean the same.
-fn bits(lane: &Lane) -> impl Iterator<Item = u64> {
-    lane.0.iter().map(|(_, number)| if number.is_nan() { u64::MAX } else { number.to_bits() })
+/// The bits of what a lane answers, with its truth values.
+fn bits((numbers, held): &Lane) -> Vec<u64> {
+    let numbers = numbers.iter().map(|&(_, number)| families::bits(number));
+    numbers.chain(held.iter().map(|&held| held.into())).collect()
 }
 
 fn round(single: bool, seed: u64, findings: &mut Findings) {
@@ -94,7 +92,7 @@ fn round(single: bool, seed: u64, findings: &mut Findings) {
     let all: Vec<_> = implementations().into_iter().filter(|on| on.single == single).collect();
     for operation in OPERATIONS {
         let questions = questions(operation, &cases, all[0]);
-        let mut families: BTreeMap<&str, (On, Vec<Lane>)> = BTreeMap::new();
+        let mut families = Families::default();
         for &on in &all {
             let answers = answers(operation, on, &questions);
             findings.calls += answers.len() as u64;
@@ -116,24 +114,21 @@ fn round(single: bool, seed: u64, findings: &mut Findings) {
                     });
                 }
             }
-            let Some(family) = family(on) else { continue };
-            let Some((first, wanted)) = families.get(family) else {
-                families.insert(family, (on, answers));
-                continue;
-            };
-            for ((got, wanted), question) in answers.iter().zip(wanted).zip(&questions) {
-                if !bits(got).eq(bits(wanted)) || got.1 != wanted.1 {
-                    let what =
-                        format!("{}, {} and {}: other bits", operation.name, on.name, first.name);
-                    findings.add(what, 1.0, || {
-                        format!(
-                            "seed {seed}: {got:?} {wanted:?}, given {:?}",
-                            operation.given(on, &question.case)
-                        )
-                    });
-                }
+            if let Some((first, lane)) = families.add(on, answers.iter().map(bits).collect()) {
+                let what =
+                    format!("{}, {} and {}: other bits", operation.name, on.name, first.name);
+                findings.add(what, 1.0, || {
+                    let given = operation.given(on, &questions[lane].case);
+                    format!("seed {seed}: {:?}, given {given:?}", answers[lane])
+                });
             }
         }
+    }
+    geometry::round(&all, &mut random, seed, findings);
+    if single {
+        kernels::round::<f32>(&mut random, seed, findings);
+    } else {
+        kernels::round::<f64>(&mut random, seed, findings);
     }
 }
 

@@ -7,6 +7,7 @@ use dq8::representation::{Polar, gram_schmidt};
 use dq8::simd::{Lanes, f32x4};
 use dq8::{DualQuat, Quat, Real, batch};
 use dq8_contract::ledger::{Ledger, line};
+use dq8_contract::random::Random;
 
 /// Whether this target has registers of several numbers.
 const FOUR: bool = <<f32x4 as Lanes>::Native as Lanes>::LANES > 1;
@@ -217,4 +218,34 @@ fn normalized<L: Provable>() {
 #[test]
 fn normalized_is_within_32_units_of_the_last_place() {
     on_every_level!(normalized);
+}
+
+/// The rotation and the stretch of one lane, as bits.
+fn polar_bits<L: Provable>(matrices: &[Rows], index: usize) -> [u64; 13] {
+    let elements: [L; 9] = columns(matrices, |&matrix| flat(matrix));
+    let rows = std::array::from_fn(|i| std::array::from_fn(|j| elements[3 * i + j]));
+    let (polar, _) = batch::Polar::from_matrix3_checked(rows);
+    let (rotation, stretch) =
+        (row(polar.rotation.to_array(), index), flat_row(polar.stretch, index));
+    let mut numbers = rotation.iter().chain(&stretch);
+    std::array::from_fn(|_| numbers.next().map_or(0, |number| number.to_bits()))
+}
+
+/// Each of many matrices among others of all kinds, and with itself in all lanes.
+fn alone_and_among_others<L: Provable>() {
+    let (mut random, others) = (Random(5), matrices());
+    for count in 0..2000 {
+        let matrix: Rows = std::array::from_fn(|_| random.vector());
+        let index = count % L::LANES;
+        let mut among: Vec<Rows> =
+            (0..L::LANES).map(|_| others[random.below(others.len())]).collect();
+        among[index] = matrix;
+        let (with, alone) = (polar_bits::<L>(&among, index), polar_bits::<L>(&[matrix], index));
+        assert_eq!(with, alone, "matrix {count} in lane {index}: {among:?}");
+    }
+}
+
+#[test]
+fn a_polar_decomposition_does_not_depend_on_the_other_lanes() {
+    on_every_level!(alone_and_among_others);
 }

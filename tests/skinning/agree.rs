@@ -6,7 +6,7 @@ use dq8::skinning::{
     DualBlend, Linear, Mixed, Skin, Stretched, Surface, SurfaceMut, Weight, dual_blend,
     linear_blend,
 };
-use dq8::{Backend, Element, Scalar, representation::Affine, storage::PointBlock};
+use dq8::{Backend, DualQuat, Element, Scalar, representation::Affine, storage::PointBlock};
 
 /// One vertex, as the papers have it: positions, then normals and tangents of length 1.
 fn expected<R: Scalar + Weight>(scene: &Scene<R>, vertex: usize, blend: &str) -> [[R; 3]; 3] {
@@ -271,4 +271,30 @@ fn all_cores_give_every_bit_that_one_gives() {
     scene.skin().pose(blend, rest, SurfaceMut::positions(a)).unwrap();
     scene.skin().job().threads(usize::MAX).pose(blend, rest, SurfaceMut::positions(b)).unwrap();
     assert_eq!(posed[0], posed[1]);
+}
+
+#[test]
+fn a_blend_of_motions_at_right_angles_does_not_depend_on_the_other_vertices() {
+    // |p|² has room in f32, the product of three does not: times the dot product at right angles, 0, it is NaN.
+    let large = 1e7;
+    let palette = [[0.0, 0.0, 0.0, large], [-large, 0.0, 0.0, 0.0]]
+        .map(|[x, y, z, w]| DualQuat::from_array([x, y, z, w, 0.0, 0.0, 0.0, 0.0_f32]));
+    let joints = [0_u16, 0, 0, 1, 0, 1, 0, 0];
+    let weights = [0.4_f32, 0.2, 0.2, 0.2, 0.4, 0.2, 0.2, 0.2];
+    let rest = [[0.0_f32, 1.0, 0.0]; 2];
+    let influences: Vec<_> =
+        joints.iter().zip(weights).take(4).map(|(&j, w)| (palette[usize::from(j)], w)).collect();
+    let wanted = dual_blend(&influences).unwrap().transform_point(rest[0]);
+    for backend in Backend::available() {
+        let posed = |vertices: usize| {
+            let skin = Skin::new(2, 4, &joints[..4 * vertices], &weights[..4 * vertices]).unwrap();
+            let mut posed = rest;
+            let (from, to) = (&rest[..vertices], &mut posed[..vertices]);
+            let (from, to) = (Surface::positions(from), SurfaceMut::positions(to));
+            skin.job().backend(backend).pose(DualBlend::new(&palette), from, to).unwrap();
+            posed[0]
+        };
+        assert_eq!(posed(1).map(f32::to_bits), posed(2).map(f32::to_bits), "{backend}");
+        assert!(distance(posed(1), wanted) < 1e-6, "{backend}: {:?} is not {wanted:?}", posed(1));
+    }
 }

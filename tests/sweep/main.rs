@@ -6,6 +6,7 @@
 
 mod functions;
 mod motions;
+mod worst;
 
 #[path = "../../src/sine.rs"]
 mod sine;

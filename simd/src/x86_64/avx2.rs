@@ -21,6 +21,7 @@ impl Avx2 {
     }
 }
 
+impl crate::sealed::Sealed for Avx2 {}
 impl Level for Avx2 {
     type F32x4 = F32x4;
     type F32x8 = F32x8;

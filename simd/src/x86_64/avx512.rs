@@ -29,6 +29,7 @@ impl Avx512 {
     }
 }
 
+impl crate::sealed::Sealed for Avx512 {}
 impl Level for Avx512 {
     type F32x4 = F32x4;
     type F32x8 = F32x8;

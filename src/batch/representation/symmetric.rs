@@ -7,8 +7,8 @@ use dq8_simd::{Lanes, Mask};
 const MAX_SWEEPS: usize = 10;
 
 /// The eigenvalues of symmetric 4×4 matrices with elements around 1, in no order, and the unit
-/// eigenvectors, one a column: cyclic Jacobi, until the last lane has settled. A lane that has turns no
-/// more, so its numbers do not depend on the others.
+/// eigenvectors, one a column: cyclic Jacobi, until the last lane has settled. A lane that does not turn keeps
+/// its numbers to the last bit, so they do not depend on the others.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn eigen<L: Lanes>(mut matrix: [[L; 4]; 4]) -> ([L; 4], [[L; 4]; 4]) {
     let (zero, one) = (matrix[0][0].constant(0.0), matrix[0][0].constant(1.0));
@@ -38,6 +38,8 @@ pub(super) fn eigen<L: Lanes>(mut matrix: [[L; 4]; 4]) -> ([L; 4], [[L; 4]; 4]) 
                 turn.columns_of(&mut matrix);
                 matrix = transpose(matrix);
                 turn.columns_of(&mut matrix);
+                // And back: its two triangles differ by rounding, and other lanes do not turn.
+                matrix = transpose(matrix);
                 turn.columns_of(&mut vectors);
             }
         }

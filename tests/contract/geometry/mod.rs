@@ -86,6 +86,16 @@ impl Place {
         &TABLES[self.table][self.index]
     }
 
+    pub fn name(self) -> &'static str {
+        self.operation().name
+    }
+
+    /// The shape that each number is part of.
+    pub fn shapes(self) -> impl Iterator<Item = &'static str> {
+        let fields = self.operation().fields.iter();
+        fields.flat_map(|&(_, shape)| std::iter::repeat_n(shape, entry::length(shape)))
+    }
+
     /// Fields with their lengths.
     pub(crate) fn fields(self) -> impl Iterator<Item = (&'static str, usize)> {
         self.operation().fields.iter().map(|&(field, shape)| (field, entry::length(shape)))
@@ -93,24 +103,33 @@ impl Place {
 
     /// The answers of `on` to vectors of this operation, at most as many as it has lanes; NaN where there is none.
     pub(crate) fn answers(self, on: On, vectors: &[&Vector]) -> Vec<Vec<f64>> {
-        let mut given = Vec::new();
-        for (field, length) in self.fields() {
-            for number in 0..length {
-                let mut row = [0.0; MAX_LANES];
-                for (lane, slot) in row.iter_mut().enumerate().take(on.lanes) {
-                    // Lanes without a vector repeat the first one.
-                    let vector = vectors.get(lane).unwrap_or(&vectors[0]);
-                    *slot = on.round(vector.input(field)[number]);
-                }
-                given.push(row);
-            }
-        }
-        let rows = on.geometry[self.table][self.index](&given);
-        let of_lane = |(lane, vector): (usize, &&Vector)| match rows.len() {
-            0 => vec![f64::NAN; vector.out.len()],
-            _ => rows.iter().map(|row| row[lane]).collect(),
+        let given = |vector: &&Vector| {
+            self.fields()
+                .flat_map(|(field, length)| vector.input(field)[..length].to_vec())
+                .collect()
         };
-        vectors.iter().enumerate().map(of_lane).collect()
+        let given: Vec<Vec<f64>> = vectors.iter().map(given).collect();
+        let answers = self.answers_given(on, &given).into_iter().zip(vectors);
+        let none = |(answer, vector): (Vec<f64>, &&Vector)| match answer.len() {
+            0 => vec![f64::NAN; vector.out.len()],
+            _ => answer,
+        };
+        answers.map(none).collect()
+    }
+
+    /// The answers to numbers, those of all fields for each lane, for at most as many lanes as `on` has; lanes beyond
+    /// repeat the first. Empty where the scalar reference has an error.
+    pub fn answers_given(self, on: On, given: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        let row = |number: usize| {
+            let mut row = [0.0; MAX_LANES];
+            for (lane, slot) in row.iter_mut().enumerate().take(on.lanes) {
+                *slot = on.round(given.get(lane).unwrap_or(&given[0])[number]);
+            }
+            row
+        };
+        let rows: Vec<Row> = (0..given[0].len()).map(row).collect();
+        let rows = on.geometry[self.table][self.index](&rows);
+        (0..given.len()).map(|lane| rows.iter().map(|row| row[lane]).collect()).collect()
     }
 
     /// The largest error of `answer`, each number relative to its own scale. NaN counts as infinite.

@@ -1,0 +1,283 @@
+//! Clips, mechanisms, searches and skins: the same bits for many at once, one by one, and in blocks of any width.
+
+use super::Findings;
+use super::draw::number;
+use super::families::bits;
+use dq8::hierarchy::{Clip, Sampled};
+use dq8::law::{Law, Nlerp, Sclerp};
+use dq8::mechanism::{
+    Freedom, Goal, Joint, JointValues, Mechanism, Options, OwnedMechanism, Reach, Report,
+};
+use dq8::skinning::{Blender, DualBlend, Linear, Skin, Surface, SurfaceMut};
+use dq8::storage::{Block, Element, PointBlock, pack, unpack};
+use dq8::{Backend, Crowd, DualQuat, Hierarchy, Quat, Scalar};
+use dq8_contract::random::Random;
+use dq8_simd::Row;
+use std::marker::PhantomData;
+use std::ops::Range;
+
+/// Ways to compute the same numbers, and the bits of what they give.
+type Entries = Vec<(&'static str, Vec<u64>)>;
+
+/// How motions lie in memory.
+type In<E> = <E as Element<8>>::Layout;
+
+pub(crate) fn round<R>(random: &mut Random, seed: u64, findings: &mut Findings)
+where
+    [R; 4]: Row<Real = R>,
+    [R; 8]: Row<Real = R>,
+    R: Scalar + JointValues<In<DualQuat<R>>>,
+    R: JointValues<In<Block<R, 4>>> + JointValues<In<Block<R, 8>>>,
+{
+    let state = random.0;
+    for backend in Backend::available() {
+        // The same numbers for each.
+        random.0 = state;
+        let mut scene = Scene::<R> { random, backend, real: PhantomData };
+        let jobs = [
+            ("clip, NLERP", scene.clip(Nlerp)),
+            ("clip, ScLERP", scene.clip(Sclerp)),
+            ("link_poses", scene.link_poses()),
+            ("reach_links", scene.reach()),
+            ("skin", scene.skin()),
+        ];
+        for (job, groups) in jobs {
+            for entries in groups {
+                let (first, wanted) = &entries[0];
+                findings.calls += wanted.len() as u64;
+                for (entry, got) in &entries[1..] {
+                    assert_eq!(got.len(), wanted.len());
+                    let mut pairs = got.iter().zip(wanted);
+                    if let Some(at) = pairs.position(|(got, wanted)| got != wanted) {
+                        let what = format!("{job}, {backend}, {entry} and {first}: other bits");
+                        findings.add(what, 1.0, || format!("seed {seed}: number {at}"));
+                    }
+                }
+            }
+        }
+    }
+}
+
+struct Scene<'r, R> {
+    random: &'r mut Random,
+    backend: Backend,
+    real: PhantomData<R>,
+}
+
+impl<R> Scene<'_, R>
+where
+    [R; 4]: Row<Real = R>,
+    [R; 8]: Row<Real = R>,
+    R: Scalar + JointValues<In<DualQuat<R>>>,
+    R: JointValues<In<Block<R, 4>>> + JointValues<In<Block<R, 8>>>,
+{
+    /// An ordinary number, and seldom one of any bits.
+    fn number(&mut self) -> R {
+        from(number(self.random, R::SINGLE, 0.01))
+    }
+
+    /// Unit; seldom with numbers of any bits, and half a turn from others, so that they are at right angles.
+    fn motion(&mut self) -> DualQuat<R> {
+        if self.random.below(8) == 0 {
+            let mut axis = [R::ZERO; 3];
+            axis[self.random.below(3)] = R::ONE;
+            return DualQuat::from_rotation(Quat::from_parts(axis, R::ZERO));
+        }
+        let motion = self.random.motion(2.0).to_array().map(from);
+        let hostile = self.random.below(16) == 0;
+        DualQuat::from_array(motion.map(|number| if hostile { self.number() } else { number }))
+    }
+
+    fn motions(&mut self, count: usize) -> Vec<DualQuat<R>> {
+        (0..count).map(|_| self.motion()).collect()
+    }
+
+    fn clip(&mut self, law: impl Law<8>) -> Vec<Entries> {
+        let (joints, frames, instances) = (5, 4, 1 + self.random.below(20));
+        let parents = [Hierarchy::ROOT, 0, 1, 0, 3];
+        let tree = Hierarchy::new(&parents).unwrap();
+        let keys = self.motions(joints * frames);
+        let clip = Clip::new(joints, &keys).unwrap();
+        let at: Vec<_> = (0..instances).map(|_| self.random.below(frames - 1) as u32).collect();
+        let t: Vec<_> = (0..instances).map(|_| self.number()).collect();
+        let sampled =
+            |range: Range<usize>| Sampled::new(law, clip, &at[range.clone()], &t[range]).unwrap();
+        let (all, backend) = (sampled(0..instances), self.backend);
+        let mut together = vec![DualQuat::IDENTITY; instances * joints];
+        tree.job().backend(backend).locals_to_model(all, &mut together).unwrap();
+        let mut alone = together.clone();
+        for (i, models) in alone.chunks_mut(joints).enumerate() {
+            tree.job().backend(backend).locals_to_model(sampled(i..i + 1), models).unwrap();
+        }
+        let mut four = Crowd::<R, 4>::new(joints, instances);
+        let mut eight = Crowd::<R, 8>::new(joints, instances);
+        tree.job().backend(backend).locals_to_model(all, four.blocks_mut()).unwrap();
+        tree.job().backend(backend).locals_to_model(all, eight.blocks_mut()).unwrap();
+        vec![
+            vec![("together", of_motions(&together)), ("one by one", of_motions(&alone))],
+            vec![
+                ("blocks of 4", of_motions(&four.to_vec())),
+                ("blocks of 8", of_motions(&eight.to_vec())),
+            ],
+        ]
+    }
+
+    fn robot(&mut self) -> OwnedMechanism<R> {
+        let links: Vec<_> = (0..7)
+            .map(|link: usize| {
+                let (on, at) = (link.checked_sub(1), self.random.motion(0.5).cast());
+                let axis = self.random.direction().map(from);
+                let joint = match link {
+                    2 => Joint::prismatic(on, at, axis),
+                    _ => Joint::revolute(on, at, axis),
+                };
+                let limits = [-2.0, 2.5].map(from);
+                if link % 3 == 1 { joint.with_limits(limits) } else { joint }
+            })
+            .collect();
+        OwnedMechanism::new(&links).unwrap()
+    }
+
+    /// Values of some configurations.
+    fn values(&mut self, robot: Mechanism<'_, R>, count: usize) -> Vec<R> {
+        (0..count * robot.values()).map(|_| self.number()).collect()
+    }
+
+    fn link_poses(&mut self) -> Vec<Entries> {
+        let robot = self.robot();
+        let (robot, count) = (robot.view(), 1 + self.random.below(20));
+        let values = self.values(robot, count);
+        let backend = self.backend;
+        let mut together = vec![DualQuat::IDENTITY; count * robot.links()];
+        robot.job().backend(backend).poses(&values, &mut together).unwrap();
+        let mut alone = together.clone();
+        let each = values.chunks(robot.values()).zip(alone.chunks_mut(robot.links()));
+        each.for_each(|(values, poses)| robot.job().backend(backend).poses(values, poses).unwrap());
+        let mut four = Crowd::<R, 4>::new(robot.links(), count);
+        let mut eight = Crowd::<R, 8>::new(robot.links(), count);
+        robot.job().backend(backend).poses(&values, four.blocks_mut()).unwrap();
+        robot.job().backend(backend).poses(&values, eight.blocks_mut()).unwrap();
+        vec![vec![
+            ("together", of_motions(&together)),
+            ("one by one", of_motions(&alone)),
+            ("blocks of 4", of_motions(&four.to_vec())),
+            ("blocks of 8", of_motions(&eight.to_vec())),
+        ]]
+    }
+
+    fn reach(&mut self) -> Vec<Entries> {
+        let robot = self.robot();
+        let (robot, count) = (robot.view(), 1 + self.random.below(20));
+        let goals = [Goal::pose(robot.links() - 1)];
+        let mut freedoms = vec![Freedom::default(); robot.rates()];
+        let reach = Reach::new(robot, &goals, &mut freedoms).unwrap();
+        let mut poses = vec![DualQuat::IDENTITY; robot.links()];
+        let targets: Vec<_> = (0..count)
+            .map(|_| {
+                let values: Vec<_> =
+                    self.random.vector::<7>().map(|value| from(2.0 * value)).into();
+                robot.link_poses(&values, &mut poses).unwrap();
+                if self.random.below(8) == 0 { self.motion() } else { poses[robot.links() - 1] }
+            })
+            .collect();
+        let start = self.values(robot, count);
+        let options = Options { restarts: self.random.below(2) == 0, ..Options::default() };
+        let mut scratch = vec![R::ZERO; reach.batch_scratch_len()];
+        let mut search = |targets: &[DualQuat<R>], values: &mut [R]| {
+            let mut reports = vec![Report::default(); targets.len()];
+            self.backend
+                .reach_links(&reach, targets, values, &mut reports, &mut scratch, &options)
+                .unwrap();
+        };
+        let (mut together, mut alone) = (start.clone(), start);
+        search(&targets, &mut together);
+        for (target, values) in targets.chunks(1).zip(alone.chunks_mut(robot.values())) {
+            search(target, values);
+        }
+        vec![vec![("together", of_numbers(&together)), ("one by one", of_numbers(&alone))]]
+    }
+
+    fn skin(&mut self) -> Vec<Entries> {
+        let (joints, vertices) = (12, 1 + self.random.below(40));
+        let influences = [1, 3, 4, 6][self.random.below(4)];
+        let (mut who, mut weights) = (Vec::new(), Vec::new());
+        for _ in 0..vertices {
+            let some: Vec<_> = (0..influences).map(|_| self.random.between(0.1, 1.0)).collect();
+            let total: f64 = some.iter().sum();
+            who.extend(some.iter().map(|_| self.random.below(joints) as u16));
+            weights.extend(some.iter().map(|weight| from::<f32>(weight / total)));
+        }
+        let motions = self.motions(joints);
+        let matrices: Vec<_> = motions.iter().map(|motion| motion.to_matrix3x4()).collect();
+        let rest: Vec<[R; 3]> = (0..vertices).map(|_| [(); 3].map(|()| self.number())).collect();
+        let mesh = Mesh { backend: self.backend, joints, influences, who, weights, rest };
+        vec![mesh.entries(Linear::new(&matrices)), mesh.entries(DualBlend::new(&motions))]
+    }
+}
+
+struct Mesh<R> {
+    backend: Backend,
+    joints: usize,
+    influences: usize,
+    who: Vec<u16>,
+    weights: Vec<f32>,
+    rest: Vec<[R; 3]>,
+}
+
+impl<R: Scalar> Mesh<R>
+where
+    [R; 4]: Row<Real = R>,
+    [R; 8]: Row<Real = R>,
+{
+    fn entries(&self, blend: impl Blender<R>) -> Entries {
+        let skin = Skin::new(self.joints, self.influences, &self.who, &self.weights).unwrap();
+        let mut together = self.rest.clone();
+        let (rest, posed) = (Surface::positions(&self.rest), SurfaceMut::positions(&mut together));
+        skin.job().backend(self.backend).pose(blend, rest, posed).unwrap();
+        let mut alone = self.rest.clone();
+        let (who, weights) =
+            (self.who.chunks(self.influences), self.weights.chunks(self.influences));
+        let each = who.zip(weights).zip(self.rest.chunks(1)).zip(alone.chunks_mut(1));
+        for (((who, weights), rest), posed) in each {
+            let skin = Skin::new(self.joints, self.influences, who, weights).unwrap();
+            let (rest, posed) = (Surface::positions(rest), SurfaceMut::positions(posed));
+            skin.job().backend(self.backend).pose(blend, rest, posed).unwrap();
+        }
+        vec![
+            ("together", of_numbers(together.as_flattened())),
+            ("one by one", of_numbers(alone.as_flattened())),
+            ("blocks of 4", self.in_blocks::<4>(&skin, blend)),
+            ("blocks of 8", self.in_blocks::<8>(&skin, blend)),
+        ]
+    }
+
+    fn in_blocks<const N: usize>(
+        &self,
+        skin: &Skin<'_, u16, f32>,
+        blend: impl Blender<R>,
+    ) -> Vec<u64>
+    where
+        [R; N]: Row<Real = R>,
+    {
+        let mut rest = vec![PointBlock::<R, N>::splat([R::ZERO; 3]); self.rest.len().div_ceil(N)];
+        pack(1, &self.rest, &mut rest).unwrap();
+        let mut posed = rest.clone();
+        let surface = SurfaceMut::positions(&mut posed);
+        skin.job().backend(self.backend).pose(blend, Surface::positions(&rest), surface).unwrap();
+        let mut points = self.rest.clone();
+        unpack(1, &posed, &mut points).unwrap();
+        of_numbers(points.as_flattened())
+    }
+}
+
+fn from<R: Scalar>(number: f64) -> R {
+    <R as dq8::Real>::from_f64(number)
+}
+
+fn of_numbers<R: Scalar>(numbers: &[R]) -> Vec<u64> {
+    numbers.iter().map(|&number| bits(number.into())).collect()
+}
+
+fn of_motions<R: Scalar>(motions: &[DualQuat<R>]) -> Vec<u64> {
+    motions.iter().flat_map(|motion| motion.to_array()).map(|number| bits(number.into())).collect()
+}

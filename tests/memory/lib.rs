@@ -1,0 +1,171 @@
+//! Plans and skins, whose numbers are checked once and read without a check from then on: any order, any joints, any
+//! lengths, by safe code. All memory is of exactly its length, so that the address sanitizer sees a number too far; what is
+//! computed is what indexing finds. `DQ8_FUZZ_SECONDS` says how long (a fifth of one by default), `DQ8_FUZZ_SEED` from where.
+#![cfg(test)]
+#![forbid(unsafe_code)]
+
+use dq8::hierarchy::BorrowedPlan;
+use dq8::skinning::{DualBlend, Linear, Skin, Surface, SurfaceMut};
+use dq8::{Backend, DualQuat, Hierarchy};
+use std::time::{Duration, Instant};
+
+/// Sums of a few dozen numbers in `f32`, relative to the largest.
+const ROUNDING: f32 = 1e-4;
+
+type Motion = DualQuat<f32>;
+
+/// SplitMix64 (Steele, Lea and Flood 2014).
+struct Random(u64);
+
+impl Random {
+    fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut bits = self.0;
+        bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        bits ^ (bits >> 31)
+    }
+    fn below(&mut self, end: usize) -> usize {
+        (self.bits() % end.max(1) as u64) as usize
+    }
+    fn signed(&mut self) -> f32 {
+        (self.bits() >> 40) as f32 / (1 << 23) as f32 - 1.0
+    }
+}
+
+fn translation(random: &mut Random) -> Motion {
+    DualQuat::from_translation([(); 3].map(|()| random.signed()))
+}
+
+#[track_caller]
+fn near(got: [f32; 3], wanted: [f32; 3]) {
+    let size = wanted.iter().fold(1.0_f32, |most, c| most.max(c.abs()));
+    let off = got.iter().zip(wanted).fold(0.0_f32, |most, (a, b)| most.max((a - b).abs()));
+    assert!(off <= ROUNDING * size, "{got:?} is not {wanted:?}");
+}
+
+/// A length as it should be, mostly.
+fn length(random: &mut Random, right: usize) -> usize {
+    match random.below(12) {
+        0 => right.saturating_sub(1),
+        1 => right + 1,
+        2 => random.below(2 * right + 2),
+        _ => right,
+    }
+}
+
+/// Any pairs of numbers as the order of a plan, that of a chain among them.
+fn plans(random: &mut Random) {
+    let joints = random.below(40);
+    let roots = random.below(3);
+    let hostile = random.below(3) == 0;
+    let mut order: Box<[[u32; 2]]> = (0..joints)
+        .map(|place| {
+            let [joint, parent] = [(); 2].map(|()| random.below(joints) as u32);
+            [joint, if place < roots { Hierarchy::ROOT } else { parent }]
+        })
+        .collect();
+    if random.below(4) == 0 {
+        for (joint, pair) in (0_u32..).zip(&mut order) {
+            *pair = [joint, joint.wrapping_sub(1)];
+        }
+    }
+    if hostile && joints > 0 {
+        let any = [joints as u32, joints as u32 + 1, u32::MAX, u32::MAX - 1, 1 << 16];
+        order[random.below(joints)][random.below(2)] = any[random.below(any.len())];
+    }
+    let roots = order.iter().take_while(|pair| pair[1] == Hierarchy::ROOT).count();
+    let (tops, others) = order.split_at(roots);
+    let is_joint = |&number: &u32| (number as usize) < joints;
+    let fits =
+        tops.iter().all(|[root, _]| is_joint(root)) && others.as_flattened().iter().all(is_joint);
+    let plan = BorrowedPlan::of_order(&order);
+    assert_eq!(plan.is_some(), fits, "{order:?}");
+    let Some(plan) = plan else { return };
+    let count = joints * (1 + random.below(3));
+    let (inputs, outputs) = (length(random, count), length(random, count));
+    let locals: Box<[Motion]> = (0..inputs).map(|_| translation(random)).collect();
+    let mut models: Box<[Motion]> = vec![DualQuat::IDENTITY; outputs].into();
+    let done = plan.local_to_model(&locals, &mut models);
+    assert_eq!(done.is_ok(), inputs == outputs && inputs.is_multiple_of(joints.max(1)));
+    let mut wanted: Box<[Motion]> = vec![DualQuat::IDENTITY; outputs].into();
+    if done.is_ok() && joints > 0 {
+        for (locals, models) in locals.chunks(joints).zip(wanted.chunks_mut(joints)) {
+            for &[joint, parent] in &order {
+                let above = models.get(parent as usize).copied().unwrap_or(DualQuat::IDENTITY);
+                models[joint as usize] = above * locals[joint as usize];
+            }
+        }
+    }
+    for (got, wanted) in models.iter().zip(&wanted) {
+        near(got.translation(), wanted.translation());
+    }
+    let _ = plan.local_to_model_in_place(&mut models);
+}
+
+/// Any joints as those of a skin, over palettes and meshes of any length.
+fn skins(random: &mut Random) {
+    let (joints, vertices) = (random.below(12), random.below(40));
+    let influences = random.below(10);
+    let mut who: Box<[u16]> =
+        (0..vertices * influences).map(|_| random.below(joints) as u16).collect();
+    if random.below(3) == 0 && !who.is_empty() {
+        let any = [joints as u16, joints as u16 + 1, u16::MAX];
+        who[random.below(who.len())] = any[random.below(any.len())];
+    }
+    let part = 1.0 / influences.max(1) as f32;
+    let weights: Box<[f32]> = vec![part; length(random, who.len())].into();
+    let fits = influences > 0
+        && weights.len() == who.len()
+        && who.iter().all(|&joint| usize::from(joint) < joints);
+    let skin = Skin::new(joints, influences, &who, &weights);
+    assert_eq!(skin.is_ok(), fits, "{joints} joints, {influences} influences, {who:?}");
+    let Ok(skin) = skin else { return };
+    let palette: Box<[Motion]> = (0..length(random, joints)).map(|_| translation(random)).collect();
+    let matrices: Box<[[[f32; 4]; 3]]> =
+        palette.iter().map(|motion| motion.to_matrix3x4()).collect();
+    let rest: Box<[[f32; 3]]> = vec![[0.0; 3]; length(random, vertices)].into();
+    let mut posed: Box<[[f32; 3]]> = vec![[7.0; 3]; length(random, rest.len())].into();
+    let (from, linear, dual) =
+        (Surface::positions(&rest), Linear::new(&matrices), DualBlend::new(&palette));
+    let backends: Vec<_> = Backend::available().collect();
+    let backend = backends[random.below(backends.len())];
+    let is_linear = random.below(2) == 0;
+    let to = SurfaceMut::positions(&mut posed);
+    let done = match is_linear {
+        true => skin.job().backend(backend).pose(linear, from, to),
+        false => skin.job().backend(backend).pose(dual, from, to),
+    };
+    if done.is_err() {
+        assert!(posed.iter().all(|&point| point == [7.0; 3]));
+        return;
+    }
+    assert!(rest.len() == vertices && posed.len() == vertices);
+    for (who, &got) in who.chunks(influences).zip(&posed) {
+        // A blend of translations, dual or linear, is that of their vectors.
+        let moved = who.iter().map(|&joint| palette[usize::from(joint)].translation());
+        let add = |sum: [f32; 3], v: [f32; 3]| std::array::from_fn(|i| part.mul_add(v[i], sum[i]));
+        near(got, moved.fold([0.0; 3], add));
+    }
+}
+
+#[test]
+fn nothing_is_read_or_written_that_is_not_there() {
+    let number = |name: &str| std::env::var(name).ok().and_then(|text| text.parse::<u64>().ok());
+    let seconds =
+        number("DQ8_FUZZ_SECONDS").map_or(Duration::from_millis(200), Duration::from_secs);
+    let (first, start) = (number("DQ8_FUZZ_SEED").unwrap_or(1), Instant::now());
+    let mut seed = first;
+    while start.elapsed() < seconds {
+        let mut random = Random(seed.wrapping_mul(0x2545_f491_4f6c_dd1d));
+        let done = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| {
+            for _ in 0..20 {
+                plans(&mut random);
+                skins(&mut random);
+            }
+        }));
+        assert!(done.is_ok(), "DQ8_FUZZ_SEED={seed} fails");
+        seed += 1;
+    }
+    println!("seeds {first} to {} in {} s", seed - 1, start.elapsed().as_secs());
+}
