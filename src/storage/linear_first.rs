@@ -7,27 +7,6 @@ use crate::geometry::Twist;
 use crate::real::Scalar;
 use dq8_simd::{Float, Level};
 
-<<<<<<< HEAD
-/// A twist in memory as `[vx, vy, vz, ωx, ωy, ωz]`, the order of pinocchio and of many controllers; `[R; 6]`,
-/// [`Twist`] and [`TwistBlock`](super::TwistBlock)s have the angular part first. It may be any element of six
-/// numbers: a column of a Jacobian, a velocity, an acceleration.
-///
-/// ```
-/// use dq8::mechanism::{Joint, OwnedMechanism, World};
-/// use dq8::{Backend, DualQuat, storage::LinearFirst};
-/// let out = DualQuat::from_translation([2.0_f64, 0.0, 0.0]);
-/// let wheel = OwnedMechanism::new(&[Joint::revolute(None, out, [0.0, 0.0, 1.0])])?;
-/// let (mut poses, mut columns) = ([DualQuat::IDENTITY], [LinearFirst([0.0; 6])]);
-/// wheel.job().links(&[0]).jacobians(World, &[0.0], &mut poses, &mut columns)?;
-/// assert_eq!(columns[0], LinearFirst([0.0, -2.0, 0.0, 0.0, 0.0, 1.0]));
-/// # Ok::<(), Box<dyn core::error::Error>>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[repr(transparent)]
-pub struct LinearFirst<R>(pub [R; 6]);
-
-crate::plain::plain!(LinearFirst { 0 });
-=======
 crate::plain::plain! {
     /// A twist in memory as `[vx, vy, vz, ωx, ωy, ωz]`, the order of pinocchio and of many controllers; `[R; 6]`,
     /// [`Twist`] and [`TwistBlock`](super::TwistBlock)s have the angular part first. It may be any element of six
@@ -35,7 +14,7 @@ crate::plain::plain! {
     ///
     /// ```
     /// use dq8::mechanism::{Joint, OwnedMechanism, World};
-    /// use dq8::{Backend, DualQuat, storage::LinearFirst};
+    /// use dq8::{DualQuat, storage::LinearFirst};
     /// let out = DualQuat::from_translation([2.0_f64, 0.0, 0.0]);
     /// let wheel = OwnedMechanism::new(&[Joint::revolute(None, out, [0.0, 0.0, 1.0])])?;
     /// let (mut poses, mut columns) = ([DualQuat::IDENTITY], [LinearFirst([0.0; 6])]);
@@ -46,7 +25,6 @@ crate::plain::plain! {
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct LinearFirst<R>(pub [R; 6]);
 }
->>>>>>> main
 
 /// The two halves, the other first.
 #[cfg_attr(not(opt_level_0), inline(always))]
