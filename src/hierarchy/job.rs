@@ -1,16 +1,16 @@
-use super::concatenate::Forward;
+use super::forward::forward;
 use super::locals::{InPlace, Locals, Poses};
 use super::palette::{Epilogue, NoEpilogue};
 use super::root::{NoRoot, Roots};
 use super::run::{Root, Run};
-use super::{Hierarchy, Renormalize, transposed};
+use super::{Hierarchy, Renormalize};
 #[cfg(feature = "alloc")]
 use super::{HierarchyPlan, planned};
 use crate::dispatch::Backend;
 use crate::palette_entry::MatrixOrder;
 use crate::scalar::DualQuat;
 use crate::shape::{ShapeError, joints_within, same_length, whole_instances};
-use crate::storage::{Element, Layout};
+use crate::storage::Element;
 use crate::threads::Choice;
 use core::ops::{Bound, Range, RangeBounds};
 
@@ -315,21 +315,5 @@ impl<'a, S> Job<'a, S> {
             Some(roots) => same_length("roots", roots, instances),
             None => Ok(()),
         }
-    }
-}
-
-/// One thread's instances.
-#[inline]
-pub(super) fn forward<E: Element<8>, L: Locals<E>, X: Epilogue<E>>(
-    backend: Backend,
-    run: &Run<'_, E>,
-    locals: L,
-    models: &mut [E],
-    mut epilogue: X,
-) {
-    if E::Layout::THINGS > 1 {
-        backend.run(Forward { run, locals, models, epilogue });
-    } else {
-        transposed::forward(backend, run, locals, models, &mut epilogue);
     }
 }

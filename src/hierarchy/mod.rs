@@ -27,9 +27,11 @@ mod concatenate;
 #[cfg(feature = "alloc")]
 mod crowd;
 mod error;
+mod forward;
 mod job;
 mod layers;
 mod locals;
+mod model_to_local;
 mod palette;
 mod palettes;
 #[cfg(feature = "rayon")]

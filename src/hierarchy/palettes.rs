@@ -1,20 +1,16 @@
 //! Skinning palettes: with the models, or without.
 
 use super::Job;
-use super::job::forward;
+use super::forward;
 use super::locals::Locals;
 use super::palette::Palette;
 #[cfg(feature = "rayon")]
 use super::parallel;
 use super::root::Roots;
-use super::run::Run;
-use super::transposed;
-use super::unkept::Unkept;
-use crate::dispatch::Backend;
 use crate::palette_entry::PaletteEntry;
 use crate::scalar::DualQuat;
 use crate::shape::{ShapeError, same_length, whole_instances};
-use crate::storage::{Element, Layout, Number};
+use crate::storage::{Element, Number};
 
 impl<S> Job<'_, S> {
     /// Models and the skinning palette of them in one pass, for callers who need both ([`palette`](Self::palette) keeps
@@ -125,36 +121,7 @@ impl<S> Job<'_, S> {
             parallel::palette(backend, &run, locals, scratch, epilogue);
             return Ok(());
         }
-        whole_palette(backend, &run, locals, scratch, epilogue);
+        forward::palette(backend, &run, locals, scratch, epilogue);
         Ok(())
-    }
-}
-
-/// The palette of one thread's instances.
-pub(super) fn whole_palette<E: Element<8>, L: Locals<E>, M, const C: usize>(
-    backend: Backend,
-    run: &Run<'_, E>,
-    locals: L,
-    scratch: &mut [E],
-    palette: Palette<'_, Number<E, 8>, M, C>,
-) where
-    M: PaletteEntry<C, Layout = E::Layout>,
-{
-    let Palette { inverse_binds, order, entries: palette } = palette;
-    let joints = run.parents.len();
-    let mut done = 0;
-    if transposed::MANY && E::Layout::THINGS == 1 {
-        let instances = palette.len() / joints.max(1);
-        let mut epilogue = Palette { inverse_binds, order, entries: &mut *palette };
-        let epilogue = &mut epilogue;
-        done = joints * backend.run(Unkept { run, locals, instances, scratch, epilogue });
-    }
-    let rest = palette.get_mut(done..).unwrap_or_default();
-    for entries in rest.chunks_mut(scratch.len().max(1)) {
-        let instances = done / joints.max(1)..(done + entries.len()) / joints.max(1);
-        let models = scratch.get_mut(..entries.len()).unwrap_or_default();
-        done += models.len();
-        let (run, locals) = (run.part(instances.clone()), locals.part(joints, instances));
-        forward(backend, &run, locals, models, Palette { inverse_binds, order, entries });
     }
 }

@@ -1,10 +1,9 @@
 //! Whole instances to each task, on several threads (feature `rayon`).
 
 use super::backward::Backward;
-use super::job;
+use super::forward;
 use super::locals::Locals;
 use super::palette::{Epilogue, Palette};
-use super::palettes::whole_palette;
 use super::run::Run;
 use crate::dispatch::Backend;
 use crate::palette_entry::PaletteEntry;
@@ -51,7 +50,7 @@ pub(super) fn forward<E: Element<8>, L: Locals<E>, X: Epilogue<E>>(
     backend.share(grain(joints), all, &|first, Models { models, epilogue, .. }| {
         let instances = first..first + models.len() / joints;
         let (run, locals) = (run.part(instances.clone()), locals.part(joints, instances));
-        job::forward(backend, &run, locals, models, epilogue);
+        forward::forward(backend, &run, locals, models, epilogue);
     });
 }
 
@@ -112,6 +111,6 @@ pub(super) fn palette<E: Element<8>, L: Locals<E>, M, const C: usize>(
     backend.share(grain, all, &|first, Entries { palette, instances, scratch, .. }| {
         let instances = first..first + instances;
         let (run, locals) = (run.part(instances.clone()), locals.part(joints, instances));
-        whole_palette(backend, &run, locals, scratch, palette);
+        forward::palette(backend, &run, locals, scratch, palette);
     });
 }
