@@ -1,40 +1,93 @@
-//! Arguments: Python objects as arrays of `f32` or `f64`.
+//! Arguments: arrays of `f32` or `f64`.
 
 use crate::error::misshapen;
 use crate::number::Number;
 use crate::output::Output;
+use crate::plain::{held, is_number, real, view};
 use crate::shape::pattern;
 use numpy::prelude::*;
-use numpy::{PyArrayDyn, PyReadonlyArrayDyn, PyUntypedArray};
-use pyo3::exceptions::{PyTypeError, PyValueError};
+use numpy::{PyArrayDescrMethods, PyArrayDyn, PyReadonlyArrayDyn, PyUntypedArray};
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use pyo3::sync::PyOnceLock;
-use pyo3::types::{PyFloat, PyInt, PyTuple};
+use pyo3::types::{PyTuple, PyWeakrefReference};
 
-/// An argument of a call.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Argument<'a, 'py> {
-    pub(crate) name: &'static str,
+/// An argument of a call. All are made before one becomes an [`Input`]: code of the caller may run when one is made
+/// ([`plain`](crate::plain::plain)), and none does afterwards.
+#[derive(Clone, Debug)]
+pub(crate) struct Argument<'py> {
+    name: &'static str,
     /// The last dimensions, of one element.
-    pub(crate) core: &'static [usize],
-    pub(crate) value: &'a Bound<'py, PyAny>,
+    core: &'static [usize],
+    array: Bound<'py, PyUntypedArray>,
+    /// Whether it was one of Python's own numbers.
+    number: bool,
 }
 
-/// An argument as memory: one element after the other.
+impl<'py> Argument<'py> {
+    /// What the caller called `name`.
+    pub(crate) fn new(
+        name: &'static str,
+        core: &'static [usize],
+        value: &Bound<'py, PyAny>,
+    ) -> PyResult<Self> {
+        Ok(Self { name, core, array: real(name, core, value)?, number: is_number(value) })
+    }
+
+    /// Its name in errors.
+    pub(crate) fn name(&self) -> &'static str {
+        self.name
+    }
+
+    /// The last dimensions, of one element.
+    pub(crate) fn core(&self) -> &'static [usize] {
+        self.core
+    }
+
+    /// The same with elements of another shape.
+    pub(crate) fn of_elements(self, core: &'static [usize]) -> Self {
+        Self { core, ..self }
+    }
+
+    /// The shape of the array.
+    pub(crate) fn shape(&self) -> &[usize] {
+        self.array.shape()
+    }
+
+    /// Its dtype, as NumPy abbreviates it: kind and bytes.
+    pub(crate) fn dtype(&self) -> (u8, usize) {
+        let dtype = self.array.dtype();
+        (dtype.kind(), dtype.itemsize())
+    }
+}
+
+/// An argument as memory: one element after the other. What is checked is a view that nobody else has, so it stays as
+/// it was checked.
 pub(crate) struct Input<'py, R: Number> {
     array: PyReadonlyArrayDyn<'py, R>,
     /// The dimensions before those of one element, and 1 for what has no stride.
     leading: Vec<usize>,
     full_leading: Vec<usize>,
+    _held: Option<Bound<'py, PyWeakrefReference>>,
 }
 
 impl<'py, R: Number> Input<'py, R> {
-    /// The array of an argument, without a copy if it lies one element after the other.
-    pub(crate) fn of(argument: Argument<'_, 'py>) -> PyResult<Self> {
-        let py = argument.value.py();
-        let array = match argument.value.cast_exact::<PyArrayDyn<R>>() {
-            Ok(array) => array.clone(),
-            Err(_) => convert::<R>(argument)?,
+    /// The array of an argument, without a copy if it lies one element after the other, for a call during which other
+    /// threads of Python run.
+    pub(crate) fn of(argument: &Argument<'py>) -> PyResult<Self> {
+        Ok(Self::attached(argument)?.held())
+    }
+
+    /// [`of`](Self::of), before it is known whether they do.
+    pub(crate) fn attached(argument: &Argument<'py>) -> PyResult<Self> {
+        let py = argument.array.py();
+        let view = view(&argument.array)?;
+        let array = match view.cast_into::<PyArrayDyn<R>>() {
+            Ok(array) => array,
+            Err(other) => {
+                // Other dtypes and byte orders are converted.
+                let other = real(argument.name, argument.core, &other.into_inner())?;
+                other.call_method1("astype", (numpy::dtype::<R>(py),))?.cast_into()?
+            }
         };
         let shape = array.shape();
         let Some(leading) = shape.strip_suffix(argument.core) else {
@@ -62,7 +115,12 @@ impl<'py, R: Number> Input<'py, R> {
         array.as_slice().map_err(|error| {
             PyValueError::new_err(format!("`{}` cannot be read: {error}", argument.name))
         })?;
-        Ok(Self { array, leading, full_leading })
+        Ok(Self { array, leading, full_leading, _held: None })
+    }
+
+    /// Such that other threads of Python cannot resize it.
+    pub(crate) fn held(self) -> Self {
+        Self { _held: held(self.array.as_any()), ..self }
     }
 
     /// The dimensions before those of one element; 1 for one whose elements are all the same.
@@ -92,9 +150,9 @@ impl<'py, R: Number> Input<'py, R> {
         self.leading.iter().all(|&size| size == 1)
     }
 
-    /// Whether this is the very memory of a result.
+    /// Whether this is the very memory of a result of the same shape.
     pub(crate) fn is(&self, out: &Output<'py, R>) -> bool {
-        self.array.is(out.memory())
+        self.array.data().addr() == out.memory().data().addr()
     }
 
     /// The elements.
@@ -138,73 +196,17 @@ impl<'py, R: Number> Input<'py, R> {
         let all = py.import("numpy")?.call_method1("broadcast_to", (&*self.array, full))?;
         let all = all.call_method1("copy", ("C",))?;
         let array = all.cast_into::<PyArrayDyn<R>>()?.readonly();
-        Ok(Self { array, leading: shape.to_vec(), full_leading: shape.to_vec() })
+        let leading = shape.to_vec();
+        Ok(Self { array, full_leading: leading.clone(), leading, _held: None })
     }
 }
 
 /// Whether a call computes in `f32`: if all its arrays are `f32` or narrower. Python's numbers do not count.
 pub(crate) fn is_single<'a, 'py: 'a>(
-    arguments: impl IntoIterator<Item = Argument<'a, 'py>>,
-) -> PyResult<bool> {
-    let mut single = false;
-    for argument in arguments {
-        let value = argument.value;
-        if value.cast_exact::<PyArrayDyn<f64>>().is_ok() {
-            return Ok(false);
-        }
-        if value.cast_exact::<PyArrayDyn<f32>>().is_ok() {
-            single = true;
-        } else if !is_number(value) {
-            match dtype_of(argument)? {
-                Precision::Single => single = true,
-                Precision::Double => return Ok(false),
-            }
-        }
-    }
-    Ok(single)
-}
-
-/// Python's own numbers, which take the precision of what they meet.
-fn is_number(value: &Bound<'_, PyAny>) -> bool {
-    value.is_exact_instance_of::<PyFloat>() || value.is_exact_instance_of::<PyInt>()
-}
-
-enum Precision {
-    Single,
-    Double,
-}
-
-static AS_ARRAY: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
-
-fn as_array<'py>(argument: Argument<'_, 'py>) -> PyResult<Bound<'py, PyUntypedArray>> {
-    let py = argument.value.py();
-    let array = AS_ARRAY.import(py, "numpy", "asarray")?.call1((argument.value,));
-    let array =
-        array.map_err(|error| PyValueError::new_err(format!("`{}`: {error}", argument.name)))?;
-    Ok(array.cast_into::<PyUntypedArray>()?)
-}
-
-fn dtype_of(argument: Argument<'_, '_>) -> PyResult<Precision> {
-    let dtype = as_array(argument)?.dtype();
-    match (dtype.kind(), dtype.itemsize()) {
-        (b'f', 2 | 4) => Ok(Precision::Single),
-        (b'f', 8) | (b'i' | b'u' | b'b', _) => Ok(Precision::Double),
-        _ => Err(PyTypeError::new_err(format!(
-            "Expected `{}` to hold real numbers of at most 64 bits, got dtype {dtype}.",
-            argument.name
-        ))),
-    }
-}
-
-fn convert<'py, R: Number>(argument: Argument<'_, 'py>) -> PyResult<Bound<'py, PyArrayDyn<R>>> {
-    let py = argument.value.py();
-    if !is_number(argument.value) {
-        dtype_of(argument)?;
-    }
-    let array = as_array(argument)?;
-    // Subclasses of arrays lose their class here, other dtypes and byte orders are converted.
-    let typed = AS_ARRAY.import(py, "numpy", "asarray")?.call1((array, numpy::dtype::<R>(py)))?;
-    Ok(typed.cast_into::<PyArrayDyn<R>>()?)
+    arguments: impl IntoIterator<Item = &'a Argument<'py>>,
+) -> bool {
+    let mut arrays = arguments.into_iter().filter(|argument| !argument.number).peekable();
+    arrays.peek().is_some() && arrays.all(|array| matches!(array.dtype(), (b'f', 2 | 4)))
 }
 
 fn borrow<'py, R: Number>(

@@ -3,7 +3,8 @@
 
 use crate::law::load;
 use crate::number::Number;
-use dq8::simd::Records;
+use crate::threads::{GRAIN, Threads};
+use dq8::simd::{MAX_LANES, Records};
 use dq8::{
     Backend, DualQuat, Kernel, Lanes, Level, Real, Twist, batch, geometry::DualVector, storage,
 };
@@ -42,8 +43,18 @@ pub(crate) struct Influences<'s, R> {
 }
 
 impl<R: Number> Influences<'_, R> {
-    /// Writes the means.
-    pub(crate) fn blend(self, mean: Mean, to: &mut [[R; 8]]) {
+    /// How many results are a piece of work.
+    pub(crate) fn grain(&self, mean: Mean) -> usize {
+        let rounds = match mean {
+            Mean::Linear => 1,
+            Mean::Intrinsic { max_iterations, .. } => max_iterations as usize / 32 + 1,
+        };
+        // Whole registers: the neighbours of a lane are the same as without pieces.
+        (GRAIN / self.count / rounds).max(1).next_multiple_of(MAX_LANES)
+    }
+
+    /// Writes the means, as far as the call is not interrupted.
+    pub(crate) fn blend(self, threads: &Threads, mean: Mean, to: &mut [[R; 8]]) {
         let backend = Backend::best();
         if self.count < MANY {
             return backend.run(Blend { mean, influences: self, to });
@@ -52,7 +63,7 @@ impl<R: Number> Influences<'_, R> {
             let Self { count, motions, weights, .. } = self.from(index);
             let motions = motions.get(..count).unwrap_or_default();
             let weights = weights.and_then(|weights| weights.get(..count));
-            *to = blend_of_many(backend, mean, motions, weights).to_array();
+            *to = blend_of_many(threads, backend, mean, motions, weights).to_array();
         }
     }
 
@@ -122,6 +133,7 @@ impl<R: Number> Kernel for Blend<'_, R> {
 
 /// One blend.
 fn blend_of_many<R: Number>(
+    threads: &Threads,
     backend: Backend,
     mean: Mean,
     motions: &[[R; 8]],
@@ -133,8 +145,11 @@ fn blend_of_many<R: Number>(
     let Mean::Intrinsic { tolerance, max_iterations } = mean else { return motion };
     let tolerance = <R as Real>::from_f64(Mean::tolerance::<R>(tolerance));
     for _ in 0..max_iterations {
+        if threads.interrupted() {
+            break;
+        }
         let inverse = motion.conjugate().to_array();
-        let step = backend.run(Logs { inverse, motions, weights });
+        let step = backend.run(Logs { threads, inverse, motions, weights });
         // Logarithms are half of twists, and so is the turn.
         let step = Twist::from_array(step).scale(R::ONE / total);
         let turn = length(step.angular) + length(step.angular);
@@ -197,6 +212,7 @@ impl<R: Number> Kernel for Linear<'_, R> {
 
 /// Σ wᵢ log(b*σᵢ), given b*.
 struct Logs<'s, R> {
+    threads: &'s Threads,
     inverse: [R; 8],
     motions: &'s [[R; 8]],
     weights: Option<&'s [[R; 1]]>,
@@ -217,6 +233,9 @@ impl<R: Number> Kernel for Logs<'_, R> {
                 *sum = component.mul_add(weight, *sum);
             }
             first += R::Lanes::<V>::LANES;
+            if first % (16 * GRAIN) == 0 && self.threads.interrupted() {
+                break;
+            }
         }
         across(sum)
     }

@@ -23,14 +23,14 @@ const SHORT: usize = 32;
 pub(crate) fn call<'py, F, const A: usize, const B: usize, const C: usize, const D: usize>(
     py: Python<'py>,
     law: F,
-    arguments: &[Argument<'_, 'py>],
+    arguments: &[Argument<'py>],
     core: &[usize],
     out: Option<&Bound<'py, PyAny>>,
 ) -> Answer<'py>
 where
     F: Law<A, B, C, D>,
 {
-    if is_single(arguments.iter().copied())? {
+    if is_single(arguments) {
         typed::<f32, F, A, B, C, D>(py, law, arguments, core, out)
     } else {
         typed::<f64, F, A, B, C, D>(py, law, arguments, core, out)
@@ -40,7 +40,7 @@ where
 fn typed<'py, R, F, const A: usize, const B: usize, const C: usize, const D: usize>(
     py: Python<'py>,
     law: F,
-    arguments: &[Argument<'_, 'py>],
+    arguments: &[Argument<'py>],
     core: &[usize],
     out: Option<&Bound<'py, PyAny>>,
 ) -> Answer<'py>
@@ -48,7 +48,12 @@ where
     R: Number,
     F: Law<A, B, C, D>,
 {
-    let Ready { inputs, broadcast, output, cycling } = ready::<R>(py, arguments, core, out)?;
+    let Ready { mut inputs, broadcast, output, cycling } = ready::<R>(py, arguments, core, out)?;
+    let large = broadcast.shape.iter().product::<usize>() >= RELEASE;
+    let _held = large.then(|| output.held());
+    if large {
+        inputs = inputs.map(|input| input.map(Input::held));
+    }
     let [a, b, c] = &inputs;
     let (mut cycle_a, mut cycle_b, mut cycle_c) = (Vec::new(), Vec::new(), Vec::new());
     let arguments = Arguments {
@@ -57,12 +62,12 @@ where
         c: operand(c, cycling, &mut cycle_c),
     };
     output.fill_attached(|to| {
-        if to.len() < RELEASE {
-            runs(law, arguments, &broadcast, to);
-        } else {
-            py.detach(|| runs(law, arguments, &broadcast, to));
-        }
-        Ok(())
+        let threads = Threads::for_elements(to.len());
+        let compute = |to| {
+            runs(&threads, law, arguments, &broadcast, to);
+            Ok(())
+        };
+        if large { threads.run(py, || compute(to)) } else { compute(to) }
     })
 }
 
@@ -77,13 +82,13 @@ struct Ready<'py, R: Number> {
 
 fn ready<'py, R: Number>(
     py: Python<'py>,
-    arguments: &[Argument<'_, 'py>],
+    arguments: &[Argument<'py>],
     core: &[usize],
     out: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Ready<'py, R>> {
     let mut inputs = [None, None, None];
-    for (input, &argument) in inputs.iter_mut().zip(arguments) {
-        *input = Some(Input::<R>::of(argument)?);
+    for (input, argument) in inputs.iter_mut().zip(arguments) {
+        *input = Some(Input::<R>::attached(argument)?);
     }
     let mut broadcast = broadcast(&inputs, arguments)?;
     let output = Output::<R>::new(py, out, &broadcast.shape, core)?;
@@ -123,18 +128,19 @@ fn operand<'s, R: Number, const C: usize>(
 
 fn broadcast<R: Number>(
     inputs: &[Option<Input<'_, R>>; 3],
-    arguments: &[Argument<'_, '_>],
+    arguments: &[Argument<'_>],
 ) -> PyResult<Broadcast> {
     let once = [0, 1, 2].map(|i| inputs[i].as_ref().map_or(&[][..], |input| input.leading()));
     let shapes =
         [0, 1, 2].map(|i| inputs[i].as_ref().map_or(&[][..], |input| input.full_leading()));
     Broadcast::of(shapes, once).ok_or_else(|| {
-        misfit(arguments.iter().zip(shapes).map(|(argument, shape)| (argument.name, shape)))
+        misfit(arguments.iter().zip(shapes).map(|(argument, shape)| (argument.name(), shape)))
     })
 }
 
 /// Every run of a broadcast.
 fn runs<R, F, const A: usize, const B: usize, const C: usize, const D: usize>(
+    threads: &Threads,
     law: F,
     arguments: Arguments<'_, R, A, B, C>,
     broadcast: &Broadcast,
@@ -146,20 +152,24 @@ fn runs<R, F, const A: usize, const B: usize, const C: usize, const D: usize>(
     if to.is_empty() {
         return;
     }
-    let threads = Threads::for_elements(to.len());
-    let run = |threads: &Threads, index: usize, to: &mut [[R; D]]| {
+    let run = |index: usize, to: &mut [[R; D]]| {
         let [a, b, c] = broadcast.begin(index);
         let arguments =
             Arguments { a: arguments.a.from(a), b: arguments.b.from(b), c: arguments.c.from(c) };
         sweep(threads, law, arguments, broadcast.each, to);
     };
-    // Long runs are split, short ones are handed out whole.
-    if threads.many() && broadcast.run < 2 * GRAIN {
-        let alone = Threads::for_elements(0);
-        threads.chunks(broadcast.run, to, &|index, to| run(&alone, index, to));
-    } else {
+    let each_run = |first: usize, to: &mut [[R; D]]| {
         for (index, to) in to.chunks_mut(broadcast.run).enumerate() {
-            run(&threads, index, to);
+            run(first + index, to);
         }
+    };
+    // Long runs are split, short ones are handed out whole, some together.
+    if broadcast.run >= 2 * GRAIN {
+        return each_run(0, to);
     }
+    let together = broadcast.run * GRAIN.div_ceil(broadcast.run);
+    threads.split(together, to, &|(first, to)| {
+        each_run(first / broadcast.run, to);
+        true
+    });
 }

@@ -5,14 +5,16 @@ use crate::call::Answer;
 use crate::error::{misshapen, value_error};
 use crate::links::Chosen;
 use crate::number::Number;
-use crate::output::Output;
+use crate::output::{Output, view_of_out};
 use crate::shape::{EIGHT, tuple};
-use crate::threads::Threads;
-use dq8::mechanism::{Body, JacobianFrame, Mechanism, OwnedMechanism, World, WorldAligned};
+use crate::threads::{GRAIN, Threads};
+use dq8::mechanism::{Body, Mechanism, OwnedMechanism, World, WorldAligned};
+use dq8::simd::MAX_LANES;
 use dq8::{Backend, ShapeError};
-use numpy::PyUntypedArray;
 use numpy::prelude::*;
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use std::sync::OnceLock;
 
 /// In which axes, and about which point, a Jacobian is.
 #[derive(Clone, Copy, Debug)]
@@ -22,10 +24,24 @@ pub(crate) enum Frame {
     Aligned,
 }
 
+impl Frame {
+    /// What Python calls so.
+    pub(crate) fn of(name: &str) -> PyResult<Self> {
+        match name {
+            "world" => Ok(Self::World),
+            "body" => Ok(Self::Body),
+            "aligned" => Ok(Self::Aligned),
+            _ => Err(PyValueError::new_err(format!(
+                "Expected `frame` to be 'world', 'body' or 'aligned', got '{name}'."
+            ))),
+        }
+    }
+}
+
 /// Configurations in memory, and their leading dimensions.
 fn configurations<'py, R: Number>(
     mechanism: &OwnedMechanism<R>,
-    values: Argument<'_, 'py>,
+    values: &Argument<'py>,
 ) -> PyResult<(Input<'py, R>, Vec<usize>)> {
     let values = Input::<R>::of(values)?;
     let full = values.full_leading().to_vec();
@@ -39,7 +55,7 @@ fn configurations<'py, R: Number>(
 /// The poses of links at each configuration.
 pub(crate) fn poses<'py, R: Number>(
     mechanism: &OwnedMechanism<R>,
-    values: Argument<'_, 'py>,
+    values: &Argument<'py>,
     chosen: Option<Chosen>,
     out: Option<&Bound<'py, PyAny>>,
 ) -> Answer<'py> {
@@ -48,6 +64,7 @@ pub(crate) fn poses<'py, R: Number>(
     let view = mechanism.view();
     let mut shape = leading;
     let elements: usize = shape.iter().product::<usize>() * view.links();
+    let threads = Threads::for_elements(elements);
     if !chosen.as_ref().is_some_and(|chosen| chosen.one) {
         shape.push(chosen.as_ref().map_or(view.links(), |chosen| chosen.links.len()));
     }
@@ -55,25 +72,18 @@ pub(crate) fn poses<'py, R: Number>(
     let values = values.apart_from(&output)?;
     let numbers = values.records::<1>().as_flattened();
     let backend = Backend::best();
-    output.fill(|to| {
-        let threads = Threads::for_elements(elements);
-        let done = match &chosen {
-            _ if to.is_empty() => Ok(()),
-            None if threads.many() => threads.install(|| view.job().backend(backend).threads(usize::MAX).poses(numbers, to)),
-            None => view.job().backend(backend).poses(numbers, to),
-            Some(Chosen { links, .. }) if threads.many() => {
-                threads.install(|| view.job().links(links).backend(backend).threads(usize::MAX).poses(numbers, to))
-            }
-            Some(Chosen { links, .. }) => view.job().links(links).backend(backend).poses(numbers, to),
-        };
-        done.map_err(value_error)
-    })
+    let poses = |numbers: &[R], to: &mut [[R; 8]]| match &chosen {
+        None => backend.link_poses(view, numbers, to),
+        Some(Chosen { links, .. }) => backend.chosen_link_poses(view, links, numbers, to),
+    };
+    let links = chosen.as_ref().map_or(view.links(), |chosen| chosen.links.len());
+    output.fill(&threads, |to| pieces(&threads, view, numbers, links, to, &poses))
 }
 
 /// The Jacobian of a link at each configuration.
 pub(crate) fn jacobian<'py, R: Number>(
     mechanism: &OwnedMechanism<R>,
-    values: Argument<'_, 'py>,
+    values: &Argument<'py>,
     link: usize,
     frame: Frame,
     out: Option<&Bound<'py, PyAny>>,
@@ -87,18 +97,23 @@ pub(crate) fn jacobian<'py, R: Number>(
     let output = Output::<R>::new(py, transposed.as_ref(), &leading, &[view.rates(), 6])?;
     let values = values.apart_from(&output)?;
     let numbers = values.records::<1>().as_flattened();
-    let columns = output.fill(|columns| {
-        if columns.is_empty() {
-            return Ok(());
+    let backend = Backend::best();
+    let columns = |numbers: &[R], to: &mut [[R; 6]]| {
+        let mut poses = vec![[R::ZERO; 8]; to.len() / view.rates()];
+        macro_rules! jacobians {
+            ($frame:expr) => {
+                backend.link_jacobians($frame, view, &[link], numbers, &mut poses, to)
+            };
         }
-        let run = Jacobians { view, link, numbers, configurations };
-        let done = match frame {
-            Frame::World => run.write(World, columns),
-            Frame::Body => run.write(Body, columns),
-            Frame::Aligned => run.write(WorldAligned, columns),
-        };
-        done.map_err(value_error)
-    })?;
+        match frame {
+            Frame::World => jacobians!(World),
+            Frame::Body => jacobians!(Body),
+            Frame::Aligned => jacobians!(WorldAligned),
+        }
+    };
+    let threads = Threads::for_elements(configurations * view.links());
+    let columns =
+        output.fill(&threads, |to| pieces(&threads, view, numbers, view.rates(), to, &columns))?;
     match out {
         Some(out) => Ok(out.clone()),
         None => columns.call_method1("swapaxes", (-1, -2)),
@@ -107,37 +122,36 @@ pub(crate) fn jacobian<'py, R: Number>(
 
 /// `out` as it is written: column after column.
 fn by_columns<'py>(out: &Bound<'py, PyAny>, shape: &[usize]) -> Answer<'py> {
-    // What is no array is refused where other outputs are.
-    let Ok(array) = out.cast::<PyUntypedArray>() else { return Ok(out.clone()) };
+    let array = view_of_out(out)?;
     if array.shape() == shape {
-        return out.call_method1("swapaxes", (-1, -2));
+        return array.call_method1("swapaxes", (-1, -2));
     }
     Err(misshapen("out", &format!("{}, that of the result", tuple(shape)), array.shape()))
 }
 
-/// What Jacobians are computed of.
-struct Jacobians<'a, R> {
-    view: Mechanism<'a, R>,
-    link: usize,
-    numbers: &'a [R],
-    configurations: usize,
-}
+/// Writes elements of some configurations.
+type Compute<'f, R, const C: usize> =
+    dyn Fn(&[R], &mut [[R; C]]) -> Result<(), ShapeError> + Sync + 'f;
 
-impl<R: Number> Jacobians<'_, R> {
-    fn write<F>(self, frame: F, columns: &mut [[R; 6]]) -> Result<(), ShapeError>
-    where
-        F: JacobianFrame + Send + Sync,
-    {
-        let Self { view, link, numbers, configurations } = self;
-        let mut poses = vec![[R::ZERO; 8]; configurations];
-        let threads = Threads::for_elements(configurations * view.links());
-        let backend = Backend::best();
-        if threads.many() {
-            threads.install(|| {
-                view.job().links(&[link]).backend(backend).threads(usize::MAX).jacobians(frame, numbers, &mut poses, columns)
-            })
-        } else {
-            view.job().links(&[link]).backend(backend).jacobians(frame, numbers, &mut poses, columns)
-        }
+/// `each` of the configurations in `numbers`, which writes `rows` elements of `to` for one; some together.
+fn pieces<R: Number, const C: usize>(
+    threads: &Threads,
+    view: Mechanism<'_, R>,
+    numbers: &[R],
+    rows: usize,
+    to: &mut [[R; C]],
+    each: &Compute<'_, R, C>,
+) -> PyResult<()> {
+    if to.is_empty() {
+        return Ok(());
     }
+    let (failure, values) = (OnceLock::new(), view.values());
+    // Whole registers.
+    let size = rows * GRAIN.div_ceil(view.links()).next_multiple_of(MAX_LANES);
+    threads.split(size, to, &|(first, to)| {
+        let (first, count) = (first / rows, to.len() / rows);
+        let numbers = &numbers[first * values..(first + count) * values];
+        each(numbers, to).map_err(|error| failure.set(error)).is_ok()
+    });
+    failure.into_inner().map_or(Ok(()), |error| Err(value_error(error)))
 }

@@ -5,10 +5,12 @@ use crate::call::Answer;
 use crate::error::{misshapen, value_error};
 use crate::number::Number;
 use crate::output::Output;
+use crate::plain::check_whole;
 use crate::shape::EIGHT;
-use crate::threads::Threads;
+use crate::threads::{GRAIN, Threads};
 use dq8::DualQuat;
-use pyo3::exceptions::{PyTypeError, PyValueError};
+use dq8::simd::MAX_LANES;
+use pyo3::exceptions::{PyRuntimeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyList;
 
@@ -124,6 +126,7 @@ impl Hierarchy {
 
 /// Parents as numbers of joints, −1 for a root.
 pub(crate) fn parents_of(parents: &Bound<'_, PyAny>) -> PyResult<Vec<u32>> {
+    check_whole("parents", parents)?;
     let given: Vec<i64> = parents.extract().map_err(|_| {
         PyTypeError::new_err("Expected `parents` to be a sequence of integers, −1 for a root.")
     })?;
@@ -154,24 +157,25 @@ impl Hierarchy {
         root: Option<&Bound<'py, PyAny>>,
         out: Option<&Bound<'py, PyAny>>,
     ) -> Answer<'py> {
-        let poses = Argument { name, core: EIGHT, value: poses };
-        let root = root.map(|value| Argument { name: "root", core: EIGHT, value });
-        if is_single([poses].into_iter().chain(root))? {
-            self.typed::<f32>(direction, poses, root, out)
+        let poses = Argument::new(name, EIGHT, poses)?;
+        let root = root.map(|value| Argument::new("root", EIGHT, value)).transpose()?;
+        if is_single([&poses].into_iter().chain(&root)) {
+            self.typed::<f32>(direction, &poses, root.as_ref(), out)
         } else {
-            self.typed::<f64>(direction, poses, root, out)
+            self.typed::<f64>(direction, &poses, root.as_ref(), out)
         }
     }
 
     fn typed<'py, R: Number>(
         &self,
         direction: Direction,
-        poses: Argument<'_, 'py>,
-        root: Option<Argument<'_, 'py>>,
+        poses: &Argument<'py>,
+        root: Option<&Argument<'py>>,
         out: Option<&Bound<'py, PyAny>>,
     ) -> Answer<'py> {
-        let (name, py) = (poses.name, poses.value.py());
+        let name = poses.name();
         let poses = Input::<R>::of(poses)?;
+        let py = poses.py();
         let full = poses.full_leading().to_vec();
         if full.last() != Some(&self.parents.len()) {
             let expected = format!("(..., {}, 8)", self.parents.len());
@@ -196,26 +200,29 @@ impl Hierarchy {
         };
 
         let hierarchy = dq8::Hierarchy::new(&self.parents).map_err(value_error)?;
-        let mut job = hierarchy.job();
+        let mut job = hierarchy.job::<[R; 8]>();
         if let Some(root) = root {
             job = job.root(root);
         }
         let from = poses.as_ref().map(|poses| poses.records::<8>());
-        output.fill(|to| {
-            let threads = Threads::for_elements(to.len());
-            let done = match (direction, from) {
-                (Direction::ToModel, Some(from)) if threads.many() => {
-                    threads.install(|| job.threads(usize::MAX).local_to_model(from, to))
-                }
-                (Direction::ToModel, None) if threads.many() => {
-                    threads.install(|| job.threads(usize::MAX).local_to_model_in_place(to))
-                }
-                (Direction::ToModel, Some(from)) => job.local_to_model(from, to),
-                (Direction::ToModel, None) => job.local_to_model_in_place(to),
-                (Direction::ToLocal, Some(from)) => job.model_to_local(from, to),
-                (Direction::ToLocal, None) => job.model_to_local_in_place(to),
-            };
-            done.map_err(value_error)
+        let threads = Threads::for_elements(full.iter().product());
+        output.fill(&threads, |to| {
+            // Whole instances, and registers of them. Lengths fit, so it cannot fail.
+            let joints = self.parents.len().max(1);
+            let size = joints * GRAIN.div_ceil(joints).next_multiple_of(MAX_LANES);
+            threads
+                .split(size, to, &|(first, to)| {
+                    let from = from.map(|from| &from[first..first + to.len()]);
+                    let done = match (direction, from) {
+                        (Direction::ToModel, Some(from)) => job.local_to_model(from, to),
+                        (Direction::ToModel, None) => job.local_to_model_in_place(to),
+                        (Direction::ToLocal, Some(from)) => job.model_to_local(from, to),
+                        (Direction::ToLocal, None) => job.model_to_local_in_place(to),
+                    };
+                    done.is_ok()
+                })
+                .then_some(())
+                .ok_or_else(|| PyRuntimeError::new_err("a hierarchy does not fit its poses"))
         })
     }
 }

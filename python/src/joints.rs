@@ -69,7 +69,7 @@ fn rows<const C: usize>(
     value: &Bound<'_, PyAny>,
     count: usize,
 ) -> PyResult<Vec<[f64; C]>> {
-    let input = Input::<f64>::of(Argument { name, core: &[C], value })?;
+    let input = Input::<f64>::of(&Argument::new(name, const { &[C] }, value)?)?;
     match *input.full_leading() {
         [] | [1] => Ok(input.records::<C>().repeat(count)),
         [own] if own == count => Ok(input.filled(&[count])?.records::<C>().to_vec()),

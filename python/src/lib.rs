@@ -9,10 +9,13 @@ mod argument;
 mod blend;
 mod broadcast;
 mod call;
+mod columns;
 mod configurations;
+mod cure;
 mod error;
 mod functions;
 mod hierarchy;
+mod interrupt;
 mod joints;
 mod law;
 mod links;
@@ -21,6 +24,7 @@ mod method;
 mod number;
 mod output;
 mod palette;
+mod plain;
 mod reach;
 mod reach_report;
 mod shape;
@@ -55,10 +59,12 @@ mod _core {
     use super::functions::between::{nlerp, sclerp};
     #[pymodule_export]
     use super::functions::conversions::{
-        from_matrix, from_rotation_translation, from_translation, rigidity, to_matrix, translation,
+        from_rotation_translation, from_translation, rigidity, to_matrix, translation,
     };
     #[pymodule_export]
     use super::functions::distances::{angle_to, distance_to, distance_weighted, point_error};
+    #[pymodule_export]
+    use super::functions::matrices::from_matrix;
     #[pymodule_export]
     use super::functions::means::{dlb, mean};
     #[pymodule_export]
@@ -76,6 +82,8 @@ mod _core {
     use super::hierarchy::Hierarchy;
     #[pymodule_export]
     use super::mechanism::Mechanism;
+    #[pymodule_export]
+    use super::plain::real_array;
     #[pymodule_export]
     use super::reach_report::ReachReport;
     #[pymodule_export]

@@ -2,6 +2,7 @@
 
 use crate::argument::{Argument, common_dtype, is_single};
 use crate::call::Answer;
+use crate::columns::in_order;
 use crate::configurations::{Frame, jacobian, poses};
 use crate::error::value_error;
 use crate::hierarchy::parents_of;
@@ -197,8 +198,10 @@ impl Mechanism {
     ///
     /// Parameters
     /// ----------
-    /// values : array_like, shape (..., values)
-    ///     Configurations: radians and lengths. Angles beyond 2¹⁷ radians (float32) or 2⁴⁶ (float64) give NaN.
+    /// values : array_like, shape (..., values), or columns by name
+    ///     Configurations: radians and lengths. Angles beyond 2¹⁷ radians (float32) or 2⁴⁶ (float64) give NaN. The columns of
+    ///     a dict, a data frame, a table or a record array are put in the order of `Mechanism.values`; those names and no
+    ///     others must be there.
     /// links : str, int, or sequence of these, optional
     ///     Which links. What carries none of them is not computed.
     /// out : ndarray, optional
@@ -217,11 +220,11 @@ impl Mechanism {
         out: Option<&Bound<'py, PyAny>>,
     ) -> Answer<'py> {
         let chosen = links.map(|links| Chosen::of(&self.links, links)).transpose()?;
-        let values = Argument { name: "values", core: NUMBER, value: values };
-        if is_single([values])? {
-            poses(self.single()?, values, chosen, out)
+        let values = self.argument("values", values)?;
+        if is_single([&values]) {
+            poses(self.single()?, &values, chosen, out)
         } else {
-            poses(&self.double, values, chosen, out)
+            poses(&self.double, &values, chosen, out)
         }
     }
 
@@ -229,7 +232,7 @@ impl Mechanism {
     ///
     /// Parameters
     /// ----------
-    /// values : array_like, shape (..., values)
+    /// values : array_like, shape (..., values), or columns by name
     ///     Configurations: radians and lengths.
     /// link : str or int
     ///     Which link.
@@ -263,22 +266,13 @@ impl Mechanism {
         frame: &str,
         out: Option<&Bound<'py, PyAny>>,
     ) -> Answer<'py> {
-        let frame = match frame {
-            "world" => Frame::World,
-            "body" => Frame::Body,
-            "aligned" => Frame::Aligned,
-            _ => {
-                return Err(PyValueError::new_err(format!(
-                    "Expected `frame` to be 'world', 'body' or 'aligned', got '{frame}'."
-                )));
-            }
-        };
+        let frame = Frame::of(frame)?;
         let link = link_of(&self.links, "link", link)?;
-        let values = Argument { name: "values", core: NUMBER, value: values };
-        if is_single([values])? {
-            jacobian(self.single()?, values, link, frame, out)
+        let values = self.argument("values", values)?;
+        if is_single([&values]) {
+            jacobian(self.single()?, &values, link, frame, out)
         } else {
-            jacobian(&self.double, values, link, frame, out)
+            jacobian(&self.double, &values, link, frame, out)
         }
     }
 
@@ -289,13 +283,15 @@ impl Mechanism {
     /// local minima stop it, a search begins again from other values, spread evenly within the limits. The
     /// values returned are the best found, also where a target is not reached; where numbers are not finite
     /// or a target is not unit, they are the start. ``reach(poses(values, links), start, links)`` is
-    /// the inverse of `poses`. With threads, large calls are computed by all of them.
+    /// the inverse of `poses`. With threads, large calls are computed by all of them. A target out of reach takes all
+    /// iterations, a hundred times as long as others; ``restarts=False`` gives up sooner. Ctrl-C waits for the
+    /// configurations that are being computed.
     ///
     /// Parameters
     /// ----------
     /// targets : array_like, shape (..., 8), or (..., links, 8) for a sequence of links
     ///     Unit dual quaternions: the poses that links should have, in the frame of the base.
-    /// values : array_like, shape (..., values)
+    /// values : array_like, shape (..., values), or columns by name
     ///     Configurations to start from. Leading dimensions broadcast with those of `targets`.
     /// links : str, int, or sequence of these
     ///     Which links.
@@ -303,7 +299,7 @@ impl Mechanism {
     ///     How much the components of the error weigh where not all vanish: rotation, then position, in the
     ///     axes of the target. Zero leaves one free: ``[0, 0, 0, 1, 1, 1]`` asks for the position alone. By
     ///     default all are 1.
-    /// posture : array_like, shape (values,), optional
+    /// posture : array_like, shape (values,), or numbers by name, optional
     ///     A configuration to be near to, where the targets leave freedom.
     /// angular_tolerance, linear_tolerance : float
     ///     The errors that may be left: radians, and the unit of the robot.
@@ -360,11 +356,11 @@ impl Mechanism {
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<(Bound<'py, PyAny>, ReachReport)> {
         let search = Search {
-            targets: Argument { name: "targets", core: EIGHT, value: targets },
-            values: Argument { name: "values", core: NUMBER, value: values },
+            targets: Argument::new("targets", EIGHT, targets)?,
+            values: self.argument("values", values)?,
             chosen: Chosen::of(&self.links, links)?,
-            weights: weights.map(|value| Argument { name: "weights", core: SIX, value }),
-            posture: posture.map(|value| Argument { name: "posture", core: NUMBER, value }),
+            weights: weights.map(|value| Argument::new("weights", SIX, value)).transpose()?,
+            posture: posture.map(|value| self.argument("posture", value)).transpose()?,
             options: Options {
                 angular_tolerance,
                 linear_tolerance,
@@ -375,15 +371,24 @@ impl Mechanism {
                 restarts,
             },
         };
-        if is_single([search.targets, search.values])? {
-            reach(self.single()?, search, out)
+        if is_single([&search.targets, &search.values]) {
+            reach(self.single()?, &search, out)
         } else {
-            reach(&self.double, search, out)
+            reach(&self.double, &search, out)
         }
     }
 }
 
 impl Mechanism {
+    /// Configurations.
+    fn argument<'py>(
+        &self,
+        name: &'static str,
+        value: &Bound<'py, PyAny>,
+    ) -> PyResult<Argument<'py>> {
+        Argument::new(name, NUMBER, &in_order(name, value, &|| self.values())?)
+    }
+
     fn single(&self) -> PyResult<&OwnedMechanism<f32>> {
         self.single.as_ref().map_err(|error| {
             PyValueError::new_err(format!("`values` are float32, for which {error}"))

@@ -2,22 +2,36 @@
 
 use crate::error::{misshapen, value_error};
 use crate::number::Number;
+use crate::plain::{check_mask, held, view};
 use crate::shape::tuple;
+use crate::threads::Threads;
 use numpy::prelude::*;
 use numpy::{PyArrayDyn, PyReadwriteArrayDyn, PyUntypedArray};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
-use pyo3::types::PyTuple;
+use pyo3::types::{PyTuple, PyWeakrefReference};
 
 static EMPTY: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
 
 /// Where a result is written.
 pub(crate) struct Output<'py, R: Number> {
-    /// What the caller gave as `out`.
-    given: Option<Bound<'py, PyArrayDyn<R>>>,
+    /// What the caller gave as `out`, and a view of it that nobody else has, so that it stays as it was checked.
+    given: Option<(Bound<'py, PyAny>, Bound<'py, PyArrayDyn<R>>)>,
     /// Contiguous.
     array: Bound<'py, PyArrayDyn<R>>,
+}
+
+/// What a caller gave as `out`, as a view that nobody else has.
+pub(crate) fn view_of_out<'py>(out: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyUntypedArray>> {
+    let Ok(array) = out.cast::<PyUntypedArray>() else {
+        return Err(PyTypeError::new_err(format!(
+            "Expected `out` to be an array, got {}.",
+            out.get_type().name()?
+        )));
+    };
+    check_mask("out", out)?;
+    view(array)
 }
 
 impl<'py, R: Number> Output<'py, R> {
@@ -33,36 +47,31 @@ impl<'py, R: Number> Output<'py, R> {
         let Some(out) = out else {
             return Ok(Self { given: None, array: empty(py, &shape)? });
         };
-        let Ok(untyped) = out.cast::<PyUntypedArray>() else {
+        let view = view_of_out(out)?;
+        let dtype = view.dtype();
+        let Ok(view) = view.cast_into::<PyArrayDyn<R>>() else {
             return Err(PyTypeError::new_err(format!(
-                "Expected `out` to be an array, got {}.",
-                out.get_type().name()?
-            )));
-        };
-        let Ok(given) = out.cast::<PyArrayDyn<R>>() else {
-            return Err(PyTypeError::new_err(format!(
-                "Expected `out` to have dtype {}, the dtype of the result, got {}.",
+                "Expected `out` to have dtype {}, the dtype of the result, got {dtype}.",
                 if R::SINGLE { "float32" } else { "float64" },
-                untyped.dtype()
             )));
         };
-        if given.shape() != shape {
+        if view.shape() != shape {
             let expected = format!("{}, that of the result", tuple(&shape));
-            return Err(misshapen("out", &expected, given.shape()));
+            return Err(misshapen("out", &expected, view.shape()));
         }
-        if !out.getattr("flags")?.getattr("writeable")?.is_truthy()? {
+        if !view.getattr("flags")?.getattr("writeable")?.is_truthy()? {
             return Err(PyValueError::new_err(
                 "Expected `out` to be writeable, got a read-only array.",
             ));
         }
-        let plain = given.is_c_contiguous() && given.data().is_aligned();
-        let array = if plain { given.clone() } else { empty(py, &shape)? };
-        Ok(Self { given: Some(given.clone()), array })
+        let plain = view.is_c_contiguous() && view.data().is_aligned();
+        let array = if plain { view.clone() } else { empty(py, &shape)? };
+        Ok(Self { given: Some((out.clone(), view)), array })
     }
 
     /// What the caller gave as `out`.
     pub(crate) fn given(&self) -> Option<&Bound<'py, PyArrayDyn<R>>> {
-        self.given.as_ref()
+        self.given.as_ref().map(|(_, view)| view)
     }
 
     /// The array that is written first.
@@ -72,12 +81,17 @@ impl<'py, R: Number> Output<'py, R> {
 
     /// An error if the caller gave memory for this that another output has too.
     pub(crate) fn check_apart(&self, other: &Self) -> PyResult<()> {
-        let (Some(given), Some(other)) = (&self.given, &other.given) else { return Ok(()) };
+        let (Some(given), Some(other)) = (self.given(), other.given()) else { return Ok(()) };
         let numpy = given.py().import("numpy")?;
         if numpy.call_method1("shares_memory", (given, other))?.is_truthy()? {
             return Err(PyValueError::new_err("Expected the arrays of `out` not to overlap."));
         }
         Ok(())
+    }
+
+    /// Keeps other threads of Python from resizing it.
+    pub(crate) fn held(&self) -> Option<Bound<'py, PyWeakrefReference>> {
+        held(self.given().unwrap_or(&self.array).as_any())
     }
 
     /// The memory to be written.
@@ -88,10 +102,11 @@ impl<'py, R: Number> Output<'py, R> {
     /// What the function returns, after `write` has written all elements. Other threads of Python run meanwhile.
     pub(crate) fn fill<const C: usize>(
         self,
+        threads: &Threads,
         write: impl FnOnce(&mut [[R; C]]) -> PyResult<()> + Send,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let py = self.array.py();
-        self.fill_attached(|to| py.detach(|| write(to)))
+        let (py, _held) = (self.array.py(), self.held());
+        self.fill_attached(|to| threads.run(py, || write(to)))
     }
 
     /// [`fill`](Self::fill), where `write` decides whether other threads of Python run.
@@ -108,17 +123,17 @@ impl<'py, R: Number> Output<'py, R> {
 
     /// What the function returns: `out`, the new array, or, of no dimensions, a number.
     pub(crate) fn finish(self) -> PyResult<Bound<'py, PyAny>> {
-        let Some(given) = self.given else {
+        let Some((out, view)) = self.given else {
             return if self.array.ndim() == 0 {
                 self.array.get_item(PyTuple::empty(self.array.py()))
             } else {
                 Ok(self.array.into_any())
             };
         };
-        if !given.is(&self.array) {
-            given.py().import("numpy")?.call_method1("copyto", (&given, &self.array))?;
+        if !view.is(&self.array) {
+            view.py().import("numpy")?.call_method1("copyto", (&view, &self.array))?;
         }
-        Ok(given.into_any())
+        Ok(out)
     }
 }
 

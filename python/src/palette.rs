@@ -4,7 +4,7 @@ use crate::argument::Input;
 use crate::error::misshapen;
 use crate::method::Method;
 use crate::number::Number;
-use crate::threads::Threads;
+use crate::threads::{GRAIN, Threads};
 use dq8::skinning::{
     DualBlend, Linear, Mixed, Skin, SkinningError, Stretched, Surface, SurfaceMut, split_palette,
 };
@@ -40,7 +40,7 @@ enum Dual<R> {
 
 impl<R: Number> Palette<R> {
     /// From `(..., joints, 8)`, `(..., joints, 3, 4)` or `(..., joints, 4, 4)`, as a method needs it.
-    pub(crate) fn new(given: Input<'_, R>, method: Method) -> PyResult<Self> {
+    pub(crate) fn new(given: Input<'_, R>, method: Method, threads: &Threads) -> PyResult<Self> {
         let full = given.full_leading().to_vec();
         let (poses, joints, rows) = match full[..] {
             [ref poses @ .., joints, 8] => (poses.to_vec(), joints, None),
@@ -52,7 +52,9 @@ impl<R: Number> Palette<R> {
         };
         let given = given.in_full()?;
         let numbers = given.records::<1>().as_flattened();
-        let done = given.py().detach(|| {
+        let entries = threads.run(given.py(), || {
+            let matrices =
+                |rows| matrices(threads, numbers, rows).map_err(|error| of_one_pose(error, joints));
             Ok(match (rows, method) {
                 (None, Method::Dual) => Entries::Dual(Dual::Rigid(motions(numbers))),
                 (None, Method::Linear) => Entries::Linear(matrices_of(&motions(numbers))),
@@ -60,23 +62,21 @@ impl<R: Number> Palette<R> {
                     let motions = motions(numbers);
                     Entries::Mixed(matrices_of(&motions), Dual::Rigid(motions))
                 }
-                (Some(rows), Method::Linear) => Entries::Linear(matrices(numbers, rows)?),
-                (Some(rows), Method::Dual) => Entries::Dual(split(&matrices(numbers, rows)?)?),
+                (Some(rows), Method::Linear) => Entries::Linear(matrices(rows)?),
+                (Some(rows), Method::Dual) => Entries::Dual(split(threads, &matrices(rows)?)),
                 (Some(rows), Method::Mixed) => {
-                    let matrices = matrices(numbers, rows)?;
-                    let dual = split(&matrices)?;
+                    let matrices = matrices(rows)?;
+                    let dual = split(threads, &matrices);
                     Entries::Mixed(matrices, dual)
                 }
             })
-        });
-        let entries = done.map_err(|error| of_one_pose(error, joints))?;
+        })?;
         Ok(Self { poses, joints, entries })
     }
 
-    /// A mesh in one of the poses; where both blends are mixed, by `shares`.
+    /// A part of a mesh in one of the poses; where both blends are mixed, by `shares`.
     pub(crate) fn pose(
         &self,
-        threads: &Threads,
         skin: &Skin<'_, u32, R>,
         shares: &[R],
         pose: usize,
@@ -86,14 +86,9 @@ impl<R: Number> Palette<R> {
         let backend = Backend::best();
         let of = pose * self.joints..(pose + 1) * self.joints;
         macro_rules! by {
-            ($blend:expr) => {{
-                let blend = $blend;
-                if threads.many() {
-                    skin.job().backend(backend).threads(usize::MAX).pose(blend, rest, posed)
-                } else {
-                    skin.job().backend(backend).pose(blend, rest, posed)
-                }
-            }};
+            ($blend:expr) => {
+                backend.skin(skin, $blend, rest, posed)
+            };
         }
         match &self.entries {
             Entries::Linear(matrices) => by!(Linear::new(&matrices[of])),
@@ -125,16 +120,23 @@ fn matrices_of<R: Number>(motions: &[DualQuat<R>]) -> Vec<Matrix3x4<R>> {
     motions.iter().map(|motion| motion.to_matrix3x4()).collect()
 }
 
-/// Matrices, taken apart.
-fn split<R: Number>(matrices: &[Matrix3x4<R>]) -> Result<Dual<R>, SkinningError> {
+/// Matrices of finite numbers, taken apart.
+fn split<R: Number>(threads: &Threads, matrices: &[Matrix3x4<R>]) -> Dual<R> {
     let mut motions = vec![DualQuat::IDENTITY; matrices.len()];
     let mut stretches = matrices.to_vec();
-    split_palette(matrices, &mut motions, &mut stretches)?;
-    Ok(Dual::Stretched { motions, stretches })
+    let parts = motions.chunks_mut(GRAIN).zip(stretches.chunks_mut(GRAIN));
+    threads.each(matrices.chunks(GRAIN).zip(parts), &|(matrices, (motions, stretches))| {
+        split_palette(matrices, motions, stretches).is_ok()
+    });
+    Dual::Stretched { motions, stretches }
 }
 
-/// Affine matrices of finite numbers, from those of 3 or 4 rows.
-fn matrices<R: Number>(numbers: &[R], rows: usize) -> Result<Vec<Matrix3x4<R>>, SkinningError> {
+/// Affine matrices of finite numbers, from those of 3 or 4 rows; fewer where the call is interrupted.
+fn matrices<R: Number>(
+    threads: &Threads,
+    numbers: &[R],
+    rows: usize,
+) -> Result<Vec<Matrix3x4<R>>, SkinningError> {
     let lines = numbers.as_chunks::<4>().0;
     let matrix = |(joint, matrix): (usize, &[[R; 4]])| {
         if let Some(&value) = matrix.as_flattened().iter().find(|value| !value.is_finite()) {
@@ -148,7 +150,8 @@ fn matrices<R: Number>(numbers: &[R], rows: usize) -> Result<Vec<Matrix3x4<R>>, 
         }
         Ok([matrix[0], matrix[1], matrix[2]])
     };
-    lines.chunks_exact(rows).enumerate().map(matrix).collect()
+    let going_on = |(joint, _): &(usize, _)| joint % GRAIN != 0 || !threads.interrupted();
+    lines.chunks_exact(rows).enumerate().take_while(going_on).map(matrix).collect()
 }
 
 /// An error about a joint of all palettes, as one about a joint of its pose.

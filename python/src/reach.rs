@@ -10,23 +10,31 @@ use crate::reach_report::ReachReport;
 use crate::threads::Threads;
 use dq8::ik::{Options, Report};
 use dq8::mechanism::{Freedom, Goal, OwnedMechanism, Reach, ReachError};
+use dq8::simd::MAX_LANES;
 use dq8::{Backend, DualQuat, Real, ShapeError};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use rayon::prelude::*;
+use std::ops::RangeInclusive;
+use std::sync::{Mutex, PoisonError};
+use std::time::{Duration, Instant};
 
 /// What a call asks for.
-pub(crate) struct Search<'a, 'py> {
-    pub(crate) targets: Argument<'a, 'py>,
-    pub(crate) values: Argument<'a, 'py>,
+pub(crate) struct Search<'py> {
+    pub(crate) targets: Argument<'py>,
+    pub(crate) values: Argument<'py>,
     pub(crate) chosen: Chosen,
-    pub(crate) weights: Option<Argument<'a, 'py>>,
-    pub(crate) posture: Option<Argument<'a, 'py>>,
+    pub(crate) weights: Option<Argument<'py>>,
+    pub(crate) posture: Option<Argument<'py>>,
     pub(crate) options: Options<f64>,
 }
 
-/// How many configurations a task has: some milliseconds of work, and lanes that seldom wait for the last.
-const GRAIN: usize = 256;
+/// How many configurations a piece has at least, which fill every register, and at most: lanes then seldom wait for the
+/// last.
+const PIECE: RangeInclusive<usize> = MAX_LANES..=256;
+
+/// A piece that takes longer is too large. One configuration that is out of reach takes a thousand times as long as one
+/// that is reached at once.
+const LONG: Duration = Duration::from_millis(10);
 
 /// How much work a configuration is, in poses of all its links.
 const STEPS: usize = 8;
@@ -34,12 +42,12 @@ const STEPS: usize = 8;
 /// Values that bring links to their targets, and what was reached.
 pub(crate) fn reach<'py, R: Number>(
     mechanism: &OwnedMechanism<R>,
-    search: Search<'_, 'py>,
+    search: &Search<'py>,
     out: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<(Bound<'py, PyAny>, ReachReport)> {
     let view = mechanism.view();
     let (goal_count, value_count) = (search.chosen.links.len(), view.values());
-    let targets = Input::<R>::of(search.targets)?;
+    let targets = Input::<R>::of(&search.targets)?;
     let full = targets.full_leading().to_vec();
     let of_targets = match full.split_last() {
         _ if search.chosen.one => &full[..],
@@ -48,7 +56,7 @@ pub(crate) fn reach<'py, R: Number>(
             return Err(misshapen("targets", &format!("(..., {goal_count}, 8)"), &targets.shape()));
         }
     };
-    let values = Input::<R>::of(search.values)?;
+    let values = Input::<R>::of(&search.values)?;
     let full = values.full_leading().to_vec();
     let Some((_, of_values)) = full.split_last().filter(|&(&count, _)| count == value_count) else {
         return Err(misshapen("values", &format!("(..., {value_count})"), &values.shape()));
@@ -58,8 +66,8 @@ pub(crate) fn reach<'py, R: Number>(
         return Err(misfit([("targets", of_targets), ("values", of_values)].into_iter()));
     };
 
-    let goals = goals::<R>(&search.chosen, search.weights)?;
-    let posture = search.posture.map(Input::<R>::of).transpose()?;
+    let goals = goals::<R>(&search.chosen, search.weights.as_ref())?;
+    let posture = search.posture.as_ref().map(Input::<R>::of).transpose()?;
     let posture = posture.as_ref().map(|posture| match posture.full_leading() {
         [count] if *count == value_count => Ok(posture.records::<1>().as_flattened()),
         _ => Err(misshapen("posture", &format!("({value_count},)"), &posture.shape())),
@@ -82,42 +90,73 @@ pub(crate) fn reach<'py, R: Number>(
     drop((given, values));
     let output = Output::<R>::new(py, out, &shape, &[value_count])?;
     let mut reports = vec![Report::default(); shape.iter().product()];
-    let values = output.fill::<1>(|to| {
+    let threads = Threads::for_elements(reports.len() * view.links() * STEPS);
+    let values = output.fill::<1>(&threads, |to| {
         let to = to.as_flattened_mut();
         to.copy_from_slice(&start);
-        solve(&problem, &targets, to, &mut reports, &options).map_err(value_error)
+        solve(&threads, &problem, &targets, to, &mut reports, &options).map_err(value_error)
     })?;
     Ok((values, ReachReport::new(py, &reports, &shape)?))
 }
 
-/// All configurations, `[configuration][value]`, by all threads. The result of one does not depend on others.
+/// What is left to be computed, `[configuration]` and what it has of each.
+struct Left<'s, R> {
+    targets: &'s [DualQuat<R>],
+    values: &'s mut [R],
+    reports: &'s mut [Report<R>],
+    /// How many configurations the next piece has.
+    piece: usize,
+    failure: Option<ShapeError>,
+}
+
+/// All configurations, by all threads. The result of one does not depend on others.
 fn solve<R: Number>(
+    threads: &Threads,
     problem: &Reach<'_, R>,
     targets: &[DualQuat<R>],
     values: &mut [R],
     reports: &mut [Report<R>],
     options: &Options<R>,
 ) -> Result<(), ShapeError> {
-    let (view, backend) = (problem.mechanism(), Backend::best());
-    let run = |targets: &[DualQuat<R>], values: &mut [R], reports: &mut [Report<R>]| {
+    let (goals, numbers) = (problem.goals().len(), problem.mechanism().values());
+    let left = Left { targets, values, reports, piece: *PIECE.start(), failure: None };
+    let left = Mutex::new(left);
+    let lock = || left.lock().unwrap_or_else(PoisonError::into_inner);
+    threads.all(&|| {
         let mut scratch = vec![R::ZERO; problem.batch_scratch_len()];
-        backend.reach_links(problem, targets, values, reports, &mut scratch, options)
-    };
-    let threads = Threads::for_elements(reports.len() * view.links() * STEPS);
-    // A mechanism without values has nothing to be split.
-    if !threads.many() || view.values() == 0 {
-        return run(targets, values, reports);
-    }
-    threads.install(|| {
-        let pieces = targets.par_chunks(GRAIN * problem.goals().len());
-        let pieces = pieces.zip(values.par_chunks_mut(GRAIN * view.values()));
-        let pieces = pieces.zip(reports.par_chunks_mut(GRAIN));
-        pieces.try_for_each(|((targets, values), reports)| run(targets, values, reports))
-    })
+        while !threads.interrupted() {
+            let mut all = lock();
+            let count = all.piece.min(all.reports.len());
+            if count == 0 {
+                return;
+            }
+            let targets = all.targets.split_off(..count * goals).unwrap_or_default();
+            let values = all.values.split_off_mut(..count * numbers).unwrap_or_default();
+            let reports = all.reports.split_off_mut(..count).unwrap_or_default();
+            drop(all);
+            let begin = Instant::now();
+            let done = Backend::best().reach_links(
+                problem,
+                targets,
+                values,
+                reports,
+                &mut scratch,
+                options,
+            );
+            let piece = if begin.elapsed() > LONG { count / 2 } else { count * 2 };
+            let mut all = lock();
+            all.piece = piece.clamp(*PIECE.start(), *PIECE.end());
+            if let Err(error) = done {
+                all.failure = Some(error);
+                return;
+            }
+        }
+    });
+    left.into_inner().unwrap_or_else(PoisonError::into_inner).failure.map_or(Ok(()), Err)
 }
 
 /// A goal for each link.
-fn goals<R: Number>(chosen: &Chosen, weights: Option<Argument<'_, '_>>) -> PyResult<Vec<Goal<R>>> {
+fn goals<R: Number>(chosen: &Chosen, weights: Option<&Argument<'_>>) -> PyResult<Vec<Goal<R>>> {
     let goals = chosen.links.iter().map(|&link| Goal::pose(link));
     let Some(weights) = weights else { return Ok(goals.collect()) };
     let weights = Input::<R>::of(weights)?;

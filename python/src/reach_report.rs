@@ -5,7 +5,7 @@ use crate::number::Number;
 use dq8::ik::{Outcome, Report};
 use numpy::PyArray1;
 use pyo3::prelude::*;
-use pyo3::types::PyTuple;
+use pyo3::types::{IntoPyDict, PyDict, PyTuple};
 
 /// What `Mechanism.reach` reached: arrays of one shape, that of the targets and starts.
 #[pyclass(frozen, module = "dq8")]
@@ -35,6 +35,31 @@ pub(crate) struct ReachReport {
 
 #[pymethods]
 impl ReachReport {
+    /// Of the arrays that `to_dict` names, in their order.
+    #[new]
+    #[pyo3(signature = (converged, outcome, iterations, restarts, angular_error, linear_error, /))]
+    fn from_parts(
+        converged: Py<PyAny>,
+        outcome: Py<PyAny>,
+        iterations: Py<PyAny>,
+        restarts: Py<PyAny>,
+        angular_error: Py<PyAny>,
+        linear_error: Py<PyAny>,
+    ) -> Self {
+        Self { converged, outcome, iterations, restarts, angular_error, linear_error }
+    }
+
+    /// The arrays by their names, as columns of a table: ``pandas.DataFrame(report.to_dict())`` where the shape is (n,).
+    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        NAMES.into_iter().zip(self.parts()).into_py_dict(py)
+    }
+
+    fn __reduce__<'py>(
+        slf: &Bound<'py, Self>,
+    ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
+        Ok((slf.get_type().into_any(), PyTuple::new(slf.py(), slf.get().parts())?))
+    }
+
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
         let converged = self.converged.bind(py);
         let (reached, all) = (converged.call_method0("sum")?, converged.getattr("size")?);
@@ -42,7 +67,17 @@ impl ReachReport {
     }
 }
 
+/// Of the arrays of a report.
+const NAMES: [&str; 6] =
+    ["converged", "outcome", "iterations", "restarts", "angular_error", "linear_error"];
+
 impl ReachReport {
+    /// All arrays.
+    fn parts(&self) -> [&Py<PyAny>; 6] {
+        let Self { converged, outcome, iterations, restarts, angular_error, linear_error } = self;
+        [converged, outcome, iterations, restarts, angular_error, linear_error]
+    }
+
     /// Arrays of this shape.
     pub(crate) fn new<R: Number>(
         py: Python<'_>,

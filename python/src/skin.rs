@@ -7,15 +7,18 @@ use crate::method::Method;
 use crate::number::Number;
 use crate::output::Output;
 use crate::palette::{Palette, named};
+use crate::plain::{plain, view};
 use crate::shape::{NUMBER, VECTOR, tuple};
-use crate::threads::Threads;
+use crate::threads::{GRAIN, Threads};
+use dq8::Real;
 use dq8::skinning::{Skin, SkinningError, Surface, SurfaceMut};
+use numpy::PyArrayDyn;
 use numpy::prelude::*;
-use numpy::{PyArrayDyn, PyUntypedArray};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
-use rayon::prelude::*;
+use std::borrow::Cow;
+use std::sync::OnceLock;
 
 /// Skinning: the vertices of a mesh follow joints, in one pose or in many.
 ///
@@ -38,7 +41,8 @@ use rayon::prelude::*;
 ///     Which joints move a vertex.
 /// weights : array_like, shape (vertices, influences)
 ///     How much each does, not negative; fill unused influences with any joint and weight 0. Those of a vertex sum to
-///     one; ``'dlb'`` divides by the sum, ``'lbs'`` does not.
+///     one: ``'dlb'`` divides by the sum, ``'lbs'`` and ``'mix'`` refuse one that is off by more than 0.001. uint8 and
+///     uint16 are divided by 255 and 65535, as glTF's normalized ones; other integers are numbers as they are.
 /// palette : array_like, shape (..., joints, 8), (..., joints, 3, 4) or (..., joints, 4, 4)
 ///     What takes each joint from the mesh at rest to the posed mesh, pose · inverse(bind pose): unit dual
 ///     quaternions, or matrices for column vectors, whose last row is 0 0 0 1. Leading dimensions are poses.
@@ -96,65 +100,75 @@ pub(crate) fn skin<'py>(
             "Expected `shares` where `method` is 'mix', and nowhere else.",
         ));
     }
+    let optional = |name, core, value: Option<&Bound<'py, PyAny>>| {
+        value.map(|value| Argument::new(name, core, value)).transpose()
+    };
     let call = Call {
-        points: Argument { name: "points", core: VECTOR, value: points },
-        joints,
-        weights: Argument { name: "weights", core: NUMBER, value: weights },
-        palette: Argument { name: "palette", core: NUMBER, value: palette },
+        points: Argument::new("points", VECTOR, points)?,
+        joints: joints_of(joints)?,
+        weights: Argument::new("weights", NUMBER, weights)?,
+        palette: Argument::new("palette", NUMBER, palette)?,
         method,
-        shares: shares.map(|value| Argument { name: "shares", core: NUMBER, value }),
+        shares: optional("shares", NUMBER, shares)?,
         directions: [
-            normals.map(|value| Argument { name: "normals", core: VECTOR, value }),
-            tangents.map(|value| Argument { name: "tangents", core: VECTOR, value }),
+            optional("normals", VECTOR, normals)?,
+            optional("tangents", VECTOR, tangents)?,
         ],
     };
-    let optional = call.shares.into_iter().chain(call.directions.into_iter().flatten());
-    if is_single([call.points, call.weights, call.palette].into_iter().chain(optional))? {
-        typed::<f32>(call, out)
+    let optional = call.shares.iter().chain(call.directions.iter().flatten());
+    if is_single([&call.points, &call.weights, &call.palette].into_iter().chain(optional)) {
+        typed::<f32>(&call, out)
     } else {
-        typed::<f64>(call, out)
+        typed::<f64>(&call, out)
     }
 }
 
-struct Call<'a, 'py> {
-    points: Argument<'a, 'py>,
-    joints: &'a Bound<'py, PyAny>,
-    weights: Argument<'a, 'py>,
-    palette: Argument<'a, 'py>,
+struct Call<'py> {
+    points: Argument<'py>,
+    /// With their shape.
+    joints: (Vec<u32>, Vec<usize>),
+    weights: Argument<'py>,
+    palette: Argument<'py>,
     method: Method,
-    shares: Option<Argument<'a, 'py>>,
+    shares: Option<Argument<'py>>,
     /// Normals and tangents.
-    directions: [Option<Argument<'a, 'py>>; 2],
+    directions: [Option<Argument<'py>>; 2],
 }
 
-fn typed<'py, R: Number>(call: Call<'_, 'py>, out: Option<&Bound<'py, PyAny>>) -> Answer<'py> {
-    let py = call.joints.py();
-    let points = Input::<R>::of(call.points)?;
+fn typed<'py, R: Number>(call: &Call<'py>, out: Option<&Bound<'py, PyAny>>) -> Answer<'py> {
+    let points = Input::<R>::of(&call.points)?;
+    let py = points.py();
     let &[vertices] = points.full_leading() else {
         return Err(misshapen("points", "(vertices, 3)", &points.shape()));
     };
-    let (joints, shape) = joints_of(call.joints)?;
+    let (joints, shape) = &call.joints;
     if !matches!(shape[..], [count, _] if count == vertices) {
-        return Err(misshapen("joints", &format!("({vertices}, influences)"), &shape));
+        return Err(misshapen("joints", &format!("({vertices}, influences)"), shape));
     }
-    let weights = Input::<R>::of(call.weights)?;
+    let weights = Input::<R>::of(&call.weights)?;
     if weights.full_leading() != shape {
-        return Err(misshapen("weights", &tuple(&shape), &weights.shape()));
+        return Err(misshapen("weights", &tuple(shape), &weights.shape()));
     }
     // One for each vertex.
-    let of_vertices = |argument: Argument<'_, 'py>| -> PyResult<Input<'py, R>> {
+    let of_vertices = |argument: &Argument<'py>| -> PyResult<Input<'py, R>> {
         let input = Input::<R>::of(argument)?;
         if input.full_leading() != [vertices] {
-            let expected = [&[vertices], argument.core].concat();
-            return Err(misshapen(argument.name, &tuple(&expected), &input.shape()));
+            let expected = [&[vertices], argument.core()].concat();
+            return Err(misshapen(argument.name(), &tuple(&expected), &input.shape()));
         }
         Ok(input)
     };
-    let shares = call.shares.map(of_vertices).transpose()?;
-    let [normals, tangents] = call.directions;
-    let [normals, tangents] =
-        [normals.map(of_vertices).transpose()?, tangents.map(of_vertices).transpose()?];
-    let palette = Palette::new(Input::<R>::of(call.palette)?, call.method)?;
+    let shares = call.shares.as_ref().map(of_vertices).transpose()?;
+    let [normals, tangents] = &call.directions;
+    let [normals, tangents] = [
+        normals.as_ref().map(of_vertices).transpose()?,
+        tangents.as_ref().map(of_vertices).transpose()?,
+    ];
+    let palette = Input::<R>::of(&call.palette)?;
+    // At most: all dimensions but those of one joint are poses and joints.
+    let threads =
+        Threads::for_elements(palette.full_leading().iter().product::<usize>().max(vertices));
+    let palette = Palette::new(palette, call.method, &threads)?;
 
     let leading = [&palette.poses[..], &[vertices]].concat();
     let there = [true, normals.is_some(), tangents.is_some()];
@@ -176,11 +190,27 @@ fn typed<'py, R: Number>(call: Call<'_, 'py>, out: Option<&Bound<'py, PyAny>>) -
         normals: normals.as_ref().map(|normals| normals.records()),
         tangents: tangents.as_ref().map(|tangents| tangents.records()),
     };
-    let weights = weights.records::<1>().as_flattened();
-    let skin = py.detach(|| Skin::new(palette.joints, shape[1], &joints, weights));
-    let skin = skin.map_err(named)?;
+    let given = weights.records::<1>().as_flattened();
+    let weights = match call.weights.dtype() {
+        // As glTF stores them: the greatest number is 1.
+        (b'u', 1) => Cow::Owned(normalized(given, u8::MAX.into())),
+        (b'u', 2) => Cow::Owned(normalized(given, u16::MAX.into())),
+        _ => Cow::Borrowed(given),
+    };
     let shares = shares.as_ref().map_or(&[][..], |shares| shares.records::<1>().as_flattened());
+    let method = call.method;
+    let mesh = py.detach(|| {
+        let parts = parts(palette.joints, shape[1], joints, &weights, method)?;
+        let wrong = shares.iter().position(|share| !(R::ZERO..=R::ONE).contains(share));
+        match wrong {
+            Some(vertex) => {
+                Err(named(SkinningError::Share { vertex, value: shares[vertex].into() }))
+            }
+            None => Ok(Mesh { vertices, parts, shares, rest }),
+        }
+    })?;
 
+    let _held: Vec<_> = outputs.iter().map(Output::held).collect();
     let mut memory = outputs.iter().map(Output::borrow).collect::<PyResult<Vec<_>>>()?;
     let mut slices = Vec::with_capacity(memory.len());
     for memory in &mut memory {
@@ -195,8 +225,8 @@ fn typed<'py, R: Number>(call: Call<'_, 'py>, out: Option<&Bound<'py, PyAny>>) -
         normals: next(there[1]),
         tangents: next(there[2]),
     };
-    let done = py.detach(|| poses(&palette, &skin, shares, rest, posed));
-    done.map_err(named)?;
+    let threads = Threads::for_elements(leading.iter().product());
+    threads.run(py, || poses(&threads, &palette, &mesh, posed).map_err(named))?;
     drop(memory);
     let mut results = Vec::with_capacity(outputs.len());
     for output in outputs {
@@ -210,42 +240,110 @@ fn typed<'py, R: Number>(call: Call<'_, 'py>, out: Option<&Bound<'py, PyAny>>) -
     }
 }
 
+/// A mesh at rest, checked.
+struct Mesh<'s, R> {
+    vertices: usize,
+    /// The skin of each piece of its vertices.
+    parts: Vec<Skin<'s, u32, R>>,
+    shares: &'s [R],
+    rest: Surface<'s, [R; 3]>,
+}
+
+/// How far weights may sum from one where nothing divides by their sum: as far as those of half floats do.
+const SUM_TOLERANCE: f64 = 1e-3;
+
+/// A skin for each piece of the vertices.
+fn parts<'s, R: Number>(
+    palette: usize,
+    influences: usize,
+    joints: &'s [u32],
+    weights: &'s [R],
+    method: Method,
+) -> PyResult<Vec<Skin<'s, u32, R>>> {
+    // Also where there is nothing to be cut into pieces.
+    Skin::new(palette, influences, &joints[..0], &weights[..0]).map_err(named)?;
+    let size = GRAIN * influences;
+    let pieces = joints.chunks(size).zip(weights.chunks(size));
+    let parts = pieces.enumerate().map(|(piece, (joints, weights))| {
+        Skin::new(palette, influences, joints, weights)
+            .map_err(|error| named(of_mesh(error, piece * GRAIN)))
+    });
+    let parts = parts.collect::<PyResult<_>>()?;
+    if method == Method::Dual {
+        return Ok(parts);
+    }
+    for (vertex, weights) in weights.chunks(influences.max(1)).enumerate() {
+        let total: f64 = weights.iter().map(|&weight| weight.into()).sum();
+        if (total - 1.0).abs() > SUM_TOLERANCE {
+            return Err(PyValueError::new_err(format!(
+                "`weights`: vertex {vertex}: the weights sum to {total}, which must be 1 (to {SUM_TOLERANCE}) where \
+                 `method` is 'lbs' or 'mix': divide them by their sum."
+            )));
+        }
+    }
+    Ok(parts)
+}
+
+/// An error about a vertex of a piece, as one about a vertex of the mesh.
+fn of_mesh(mut error: SkinningError, first: usize) -> SkinningError {
+    if let SkinningError::JointOutOfRange { vertex, .. }
+    | SkinningError::Weight { vertex, .. }
+    | SkinningError::Total { vertex, .. } = &mut error
+    {
+        *vertex += first;
+    }
+    error
+}
+
+fn normalized<R: Number>(weights: &[R], one: f64) -> Vec<R> {
+    let one = <R as Real>::from_f64(one);
+    weights.iter().map(|&weight| weight / one).collect()
+}
+
 /// The mesh in every pose.
 fn poses<R: Number>(
+    threads: &Threads,
     palette: &Palette<R>,
-    skin: &Skin<'_, u32, R>,
-    shares: &[R],
-    rest: Surface<'_, [R; 3]>,
+    mesh: &Mesh<'_, R>,
     posed: SurfaceMut<'_, [R; 3]>,
 ) -> Result<(), SkinningError> {
-    let vertices = skin.vertices();
-    if vertices == 0 {
+    let Mesh { vertices, parts, shares, rest } = mesh;
+    if *vertices == 0 {
         return Ok(());
     }
-    let threads = Threads::for_elements(posed.positions.len());
-    let mut normals = posed.normals.map(|normals| normals.chunks_exact_mut(vertices));
-    let mut tangents = posed.tangents.map(|tangents| tangents.chunks_exact_mut(vertices));
-    let posed = posed.positions.chunks_exact_mut(vertices).map(|positions| SurfaceMut {
+    // The pieces of each pose, one pose after the other.
+    let pieces = |to| chunks_of_chunks(to, *vertices);
+    let (mut normals, mut tangents) = (posed.normals.map(pieces), posed.tangents.map(pieces));
+    let posed = pieces(posed.positions).map(|positions| SurfaceMut {
         positions,
         normals: normals.as_mut().and_then(Iterator::next),
         tangents: tangents.as_mut().and_then(Iterator::next),
     });
-    let one = |(pose, posed)| palette.pose(&threads, skin, shares, pose, rest, posed);
-    let mut posed = posed.enumerate();
-    if threads.many() {
-        let posed: Vec<_> = posed.collect();
-        threads.install(|| posed.into_par_iter().try_for_each(one))
-    } else {
-        posed.try_for_each(one)
-    }
+    let failure = OnceLock::new();
+    threads.each(posed.enumerate(), &|(index, posed)| {
+        let (pose, part) = (index / parts.len(), index % parts.len());
+        let of = part * GRAIN..part * GRAIN + posed.positions.len();
+        let rest = Surface {
+            positions: &rest.positions[of.clone()],
+            normals: rest.normals.map(|normals| &normals[of.clone()]),
+            tangents: rest.tangents.map(|tangents| &tangents[of.clone()]),
+        };
+        let shares = shares.get(of).unwrap_or_default();
+        let done = palette.pose(&parts[part], shares, pose, rest, posed);
+        done.map_err(|error| failure.set(error)).is_ok()
+    });
+    failure.into_inner().map_or(Ok(()), Err)
+}
+
+/// Pieces of the vertices of each pose.
+fn chunks_of_chunks<T>(to: &mut [T], vertices: usize) -> impl Iterator<Item = &mut [T]> {
+    to.chunks_mut(vertices).flat_map(|pose| pose.chunks_mut(GRAIN))
 }
 
 /// Numbers of joints, and their shape.
 fn joints_of(joints: &Bound<'_, PyAny>) -> PyResult<(Vec<u32>, Vec<usize>)> {
     let numpy = joints.py().import("numpy")?;
-    let array = numpy.call_method1("asarray", (joints,));
-    let array = array.map_err(|error| PyValueError::new_err(format!("`joints`: {error}")))?;
-    let array = array.cast_into::<PyUntypedArray>()?;
+    let array = view(&plain("joints", joints)?)?;
     let (shape, dtype) = (array.shape().to_vec(), array.dtype());
     if !matches!(dtype.kind(), b'i' | b'u') && !shape.contains(&0) {
         return Err(PyTypeError::new_err(format!(

@@ -1,7 +1,7 @@
 //! The loop of all functions on arrays.
 
 use crate::law::{Each, Law, One, OneOrEach, Operand, store};
-use crate::threads::Threads;
+use crate::threads::{GRAIN, Threads};
 use dq8::{Backend, Kernel, Lanes, Level, Scalar};
 
 /// Which of the three arguments has an element for each result, where the others are one for all.
@@ -29,7 +29,7 @@ pub(crate) fn sweep<R, F, const A: usize, const B: usize, const C: usize, const 
     let Arguments { a, b, c } = arguments;
     if !(A > 0 && each[0]) && B > 0 && each[1] && !(C > 0 && each[2]) {
         let one = a.one();
-        let done = threads.split(to, &|first, to| {
+        let done = threads.split(GRAIN, to, &|(first, to)| {
             let records = b.records.get(b.first + first..).unwrap_or_default();
             let records = records.get(..to.len()).unwrap_or_default();
             law.of_one(Backend::best(), &one, records, to)
@@ -130,7 +130,7 @@ fn chunks<R, F, X, Y, Z, const A: usize, const B: usize, const C: usize, const D
     Z: Operand<R, C>,
 {
     let backend = Backend::best();
-    threads.split(to, &|first, to| {
+    threads.split(GRAIN, to, &|(first, to)| {
         backend.run(Sweep { law, a: a.from(first), b: b.from(first), c: c.from(first), to });
         true
     });

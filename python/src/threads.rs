@@ -1,85 +1,151 @@
-//! How many threads compute.
+//! How many threads compute, in pieces between which a call can be interrupted.
 
-use pyo3::exceptions::PyValueError;
+use crate::interrupt::{Interrupt, PERIOD};
+use pyo3::exceptions::{PyOverflowError, PyRuntimeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
+use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// How many elements a task has: some ten microseconds of work, where starting one takes about one.
+/// How many elements a piece has: some ten microseconds of work, where starting one takes about one.
 pub(crate) const GRAIN: usize = 4096;
+
+/// More than any machine has use for: threads beyond the cores wait for each other.
+const MOST_THREADS: i64 = 256;
 
 /// The threads of this process, if there is more than one.
 static POOL: Mutex<Option<Arc<ThreadPool>>> = Mutex::new(None);
 
-/// What is done with a piece of a slice, of which the number or the first index is told.
-type Each<'f, T, O> = dyn Fn(usize, &mut [T]) -> O + Send + Sync + 'f;
+/// What is done with a piece of work; whether it could be.
+type Each<'f, T> = dyn Fn(T) -> bool + Sync + 'f;
 
-/// The threads of one call.
+/// The threads of one call, and what interrupts them.
 #[derive(Debug)]
-pub(crate) struct Threads(Option<Arc<ThreadPool>>);
+pub(crate) struct Threads {
+    pool: Option<Arc<ThreadPool>>,
+    interrupt: Interrupt,
+}
 
 impl Threads {
     /// Those for so many elements.
     pub(crate) fn for_elements(count: usize) -> Self {
-        if count < 2 * GRAIN {
-            return Self(None);
-        }
-        Self(POOL.lock().unwrap_or_else(PoisonError::into_inner).clone())
+        let large = count >= 2 * GRAIN;
+        let pool = || POOL.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        Self { pool: large.then(pool).flatten(), interrupt: Interrupt::new() }
+    }
+
+    /// This one, of a call that cannot be shared out.
+    pub(crate) fn alone() -> Self {
+        Self { pool: None, interrupt: Interrupt::new() }
     }
 
     /// Whether there is more than this one.
     pub(crate) fn many(&self) -> bool {
-        self.0.is_some()
+        self.pool.is_some()
     }
 
-    /// Hands chunks of `to`, each with its number, to `each`.
-    pub(crate) fn chunks<T: Send>(&self, size: usize, to: &mut [T], each: &Each<'_, T, ()>) {
-        match &self.0 {
-            Some(pool) => pool.install(|| {
-                to.par_chunks_mut(size).enumerate().for_each(|(index, to)| each(index, to));
-            }),
-            None => to.chunks_mut(size).enumerate().for_each(|(index, to)| each(index, to)),
-        }
-    }
-
-    /// Runs `job` in the pool of these threads.
-    pub(crate) fn install<T: Send>(&self, job: impl FnOnce() -> T + Send) -> T {
-        match &self.0 {
-            Some(pool) => pool.install(job),
+    /// Runs `job` while other threads of Python run. Where it is interrupted, it may have left out pieces.
+    pub(crate) fn run<T: Send>(
+        &self,
+        py: Python<'_>,
+        job: impl FnOnce() -> PyResult<T> + Send,
+    ) -> PyResult<T> {
+        let done = py.detach(|| match &self.pool {
             None => job(),
+            // This thread only waits: it is the one that Python tells of signals.
+            Some(pool) => pool.in_place_scope(|scope| {
+                let (done, wait) = channel();
+                scope.spawn(move |_| drop(done.send(job())));
+                loop {
+                    match wait.recv_timeout(PERIOD) {
+                        Ok(result) => return result,
+                        Err(RecvTimeoutError::Timeout) => self.interrupt.ask(),
+                        // It panicked, which the scope passes on.
+                        Err(error) => return Err(PyRuntimeError::new_err(error.to_string())),
+                    }
+                }
+            }),
+        });
+        self.interrupt.take().map_or(done, Err)
+    }
+
+    /// Whether the call is to end early, asked from piece to piece of a job.
+    pub(crate) fn interrupted(&self) -> bool {
+        if self.pool.is_none() {
+            self.interrupt.ask();
+        }
+        self.interrupt.came()
+    }
+
+    /// Hands `pieces` to `each`, until it cannot do one or the call is interrupted; whether it could.
+    ///
+    /// (What is called is no type parameter: the pool is compiled once for each type of piece, not for each
+    /// function, which took a third of the time of compiling.)
+    pub(crate) fn each<T: Send>(
+        &self,
+        mut pieces: impl Iterator<Item = T>,
+        each: &Each<'_, T>,
+    ) -> bool {
+        if self.many() {
+            let pieces: Vec<_> = pieces.collect();
+            pieces.into_par_iter().all(|piece| self.interrupted() || each(piece))
+        } else {
+            pieces.all(|piece| self.interrupted() || each(piece))
         }
     }
 
-    /// Hands pieces of `to`, each with the index of its first element, to `each`; whether all were done.
-    ///
-    /// (What is called is no type parameter: the pool is compiled once for each type of element, not for each
-    /// function, which took a third of the time of compiling.)
-    pub(crate) fn split<T: Send>(&self, to: &mut [T], each: &Each<'_, T, bool>) -> bool {
-        match &self.0 {
-            Some(pool) if to.len() >= 2 * GRAIN => pool.install(|| {
-                to.par_chunks_mut(GRAIN).enumerate().all(|(i, piece)| each(i * GRAIN, piece))
-            }),
-            _ => each(0, to),
+    /// [`each`](Self::each) of the pieces of `to` that have `size` elements, with the index of its first one.
+    pub(crate) fn split<'a, T: Send>(
+        &self,
+        size: usize,
+        to: &'a mut [T],
+        each: &Each<'_, (usize, &'a mut [T])>,
+    ) -> bool {
+        // A piece or two are not worth handing out.
+        if to.len() < 2 * size {
+            return each((0, to));
+        }
+        let pieces = to.chunks_mut(size).enumerate().map(|(index, piece)| (index * size, piece));
+        self.each(pieces, each)
+    }
+
+    /// Runs `work` on each of the threads, to share out pieces of its own.
+    pub(crate) fn all(&self, work: &(dyn Fn() + Sync)) {
+        if self.many() {
+            rayon::broadcast(|_| work());
+        } else {
+            work();
         }
     }
 }
 
-/// Let `count` threads compute calls of 8192 elements and more; 1, the default, starts none.
+/// Let `count` threads, 1 to 256, compute calls of 8192 elements and more; 1, the default, starts none.
 ///
 /// The environment variable ``DQ8_NUM_THREADS`` sets it at import. Results do not depend on it, to the
 /// last bit. In a child made by ``fork`` it is 1 again: threads do not survive a fork.
 #[pyfunction]
 #[pyo3(signature = (count, /))]
-pub(crate) fn set_num_threads(count: usize) -> PyResult<()> {
-    let pool = match count {
-        0 => return Err(PyValueError::new_err("Expected `count` to be at least 1, got 0.")),
-        1 => None,
-        _ => {
-            let pool = ThreadPoolBuilder::new().num_threads(count).build();
+pub(crate) fn set_num_threads(count: &Bound<'_, PyAny>) -> PyResult<()> {
+    let threads = count.extract::<i64>();
+    if let Err(error) = &threads
+        && !error.is_instance_of::<PyOverflowError>(count.py())
+    {
+        let kind = count.get_type().fully_qualified_name()?;
+        let message = format!("Expected `count` to be a whole number, got {kind}.");
+        return Err(PyTypeError::new_err(message));
+    }
+    let pool = match threads {
+        Ok(1) => None,
+        Ok(threads @ 2..=MOST_THREADS) => {
+            let pool = ThreadPoolBuilder::new().num_threads(threads as usize).build();
             Some(Arc::new(
                 pool.map_err(|error| PyValueError::new_err(format!("`count` = {count}: {error}")))?,
             ))
+        }
+        _ => {
+            let message = format!("Expected `count` to be from 1 to {MOST_THREADS}, got {count}.");
+            return Err(PyValueError::new_err(message));
         }
     };
     *POOL.lock().unwrap_or_else(PoisonError::into_inner) = pool;

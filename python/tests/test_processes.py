@@ -1,20 +1,12 @@
 """Threads, forks and the environment."""
 
-import subprocess
 import sys
 import threading
 
 import numpy as np
+from processes import run
 
 import dq8
-
-
-def run(code: str, **environment: str) -> subprocess.CompletedProcess[str]:
-    import os
-
-    return subprocess.run(
-        [sys.executable, "-c", code], env={**os.environ, **environment}, capture_output=True, text=True, timeout=60
-    )
 
 
 def test_importing_does_not_import_scipy():

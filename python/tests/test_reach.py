@@ -1,6 +1,10 @@
 """Inverse kinematics of mechanisms: forward kinematics, in NumPy, of what comes back."""
 
+import copy
+import pickle
+
 import numpy as np
+import pandas as pd
 import pytest
 from robots import ROBOTS, random_values
 
@@ -239,3 +243,20 @@ def test_limits_that_leave_no_value_are_an_error():
     far = dq8.Mechanism([-1, 0], ["revolute", "fixed"], [0, 0, 1], dq8.from_translation([1.0, 0, 0]), [[1e15, 1e16], NONE])
     with pytest.raises(ValueError, match=r"joint 0 cannot move between"):
         far.reach(np.eye(8)[3], [0.0], 1)
+
+
+@pytest.mark.parametrize("shape", [(), (4,), (2, 3)])
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+def test_reports_pickle_and_are_dicts_of_their_arrays(planar, shape, dtype):
+    targets = np.broadcast_to(dq8.from_translation([2.0, 1.0, 0.0]), (*shape, 8)).astype(dtype)
+    _, report = planar.reach(targets, np.zeros(3, dtype), 2, weights=POSITION)
+    names = ["converged", "outcome", "iterations", "restarts", "angular_error", "linear_error"]
+    assert list(report.to_dict()) == names
+    for same in (pickle.loads(pickle.dumps(report)), copy.deepcopy(report)):
+        assert repr(same) == repr(report)
+        for name in names:
+            one, other = getattr(report, name), getattr(same, name)
+            assert one.dtype == other.dtype and report.to_dict()[name] is one
+            np.testing.assert_array_equal(one, other)
+    if len(shape) == 1:
+        assert pd.DataFrame(report.to_dict()).shape == (*shape, 6)

@@ -218,8 +218,11 @@ def test_dual_blends_divide_by_the_sum_of_weights_and_linear_ones_do_not(mesh, r
     points, joints, weights, _ = mesh
     motions = random_motions(JOINTS)
     close(dq8.skin(points, joints, 2 * weights, motions), dq8.skin(points, joints, weights, motions), motions, points)
-    twice = dq8.skin(points, joints, 2 * weights, motions, method="lbs")
-    close(twice, 2 * dq8.skin(points, joints, weights, motions, method="lbs"), motions, points)
+    # Within the rounding that is forgiven; more is refused.
+    more = dq8.skin(points, joints, 1.0005 * weights, motions, method="lbs")
+    close(more, 1.0005 * dq8.skin(points, joints, weights, motions, method="lbs"), motions, points)
+    with pytest.raises(ValueError, match="`weights`: vertex 0: the weights sum to 2"):
+        dq8.skin(points, joints, 2 * weights, motions, method="lbs")
 
 
 def test_float32_stays_float32(mesh, shares, palette, close):
@@ -326,3 +329,39 @@ def test_outs_may_lie_between_each_other(mesh, random_motions):
     buffer = np.full((VERTICES, 7), 7.0)
     dq8.skin(points, joints, weights, motions, normals=normals, out=(buffer[:, :3], buffer[:, 3:6]))
     np.testing.assert_array_equal(buffer, np.hstack([*expected, np.full((VERTICES, 1), 7.0)]))
+
+
+@pytest.mark.parametrize("method", ["dlb", "lbs", "mix"])
+@pytest.mark.parametrize("dtype", [np.uint8, np.uint16])
+def test_unsigned_weights_of_8_and_16_bits_are_normalized_as_in_gltf(mesh, shares, random_motions, method, dtype):
+    points, joints, weights, _ = mesh
+    one = np.iinfo(dtype).max
+    stored = np.floor(weights * one).astype(dtype)
+    stored[:, 0] += (one - stored.sum(axis=1, dtype=np.int64)).astype(dtype)
+    options = {"method": method, "shares": shares if method == "mix" else None}
+    motions = random_motions(JOINTS)
+    posed = dq8.skin(points, joints, stored, motions, **options)
+    assert posed.dtype == np.float64
+    np.testing.assert_array_equal(posed, dq8.skin(points, joints, stored / np.float64(one), motions, **options))
+
+
+def test_whole_weights_are_numbers_as_they_are(mesh, random_motions):
+    points, joints, _, _ = mesh
+    motions, whole = random_motions(JOINTS), [[0, 1, 0, 0]] * VERTICES
+    expected = dq8.transform_points(motions[joints[:, 1]], points)
+    for same in (whole, np.array(whole), np.array(whole, np.int32), np.array(whole, bool), np.array(whole, np.float16)):
+        np.testing.assert_allclose(dq8.skin(points, joints, same, motions, method="lbs"), expected, rtol=0, atol=1e-14)
+
+
+def test_large_meshes_are_posed_as_their_parts(rng, random_motions, one_thread):
+    points, joints = rng.normal(size=(10_001, 3)), rng.integers(JOINTS, size=(10_001, 3))
+    weights, shares, palette = rng.dirichlet(np.ones(3), 10_001), rng.random(10_001), random_motions(3, JOINTS)
+    options = {"method": "mix", "shares": shares, "normals": points, "tangents": points}
+    for threads in (1, 2):
+        dq8.set_num_threads(threads)
+        whole = dq8.skin(points, joints, weights, palette, **options)
+        for part in (slice(0, 10), slice(4_000, 4_200), slice(9_990, None)):
+            cut = {name: value if name == "method" else value[part] for name, value in options.items()}
+            parts = dq8.skin(points[part], joints[part], weights[part], palette, **cut)
+            for one, other in zip(whole, parts):
+                np.testing.assert_array_equal(one[:, part], other)

@@ -78,6 +78,49 @@ def test_errors_name_the_argument_and_leave_out_untouched(arguments, options, er
     assert all((out == 7.0).all() for out in outs)
 
 
+OFF = at(WEIGHTS, 3, [0.5, 0.498])
+
+
+@pytest.mark.parametrize("method", ["lbs", "mix"])
+@pytest.mark.parametrize(
+    ("weights", "vertex", "total"),
+    [
+        (OFF, 3, "0.998"),
+        (at(WEIGHTS, 2, [0.5, 0.502]), 2, "1.002"),
+        (np.full((5, 2), 127.5), 0, "255"),
+        (np.full((5, 2), 1), 0, "2"),
+        (at(np.full((5, 2), 0.5, "f4"), 4, [0.5, 0.25]), 4, "0.75"),
+        (np.array([[128, 127]] * 4 + [[128, 125]], np.uint8), 4, "0.992"),
+        (np.array([[65535, 0]] * 4 + [[65535, 655]], np.uint16), 4, "1.00999"),
+    ],
+)
+def test_weights_that_do_not_sum_to_one_are_refused_where_nothing_divides_by_their_sum(method, weights, vertex, total):
+    shares = np.zeros(5) if method == "mix" else None
+    out = np.full((5, 3), 7.0)
+    message = rf"`weights`: vertex {vertex}: the weights sum to {total}\d*, which must be 1 \(to 0\.001\) where `method` is"
+    with pytest.raises(ValueError, match=message):
+        dq8.skin(POINTS, INDICES, weights, PALETTE, method=method, shares=shares, out=out)
+    assert (out == 7.0).all()
+    dq8.skin(POINTS, INDICES, weights, PALETTE)
+
+
+def test_the_vertex_is_named_in_a_large_mesh():
+    count = 10_000
+    mesh = np.ones((count, 3)), np.zeros((count, 2), int), np.full((count, 2), 0.5)
+    for change, message in [
+        ((mesh[0], at(mesh[1], (9_000, 1), 2), mesh[2]), "`joints`: vertex 9000: influence 1 is joint 2"),
+        ((mesh[0], mesh[1], at(mesh[2], (9_000, 1), -1)), "`weights`: vertex 9000: the weight of influence 1 is -1"),
+        ((mesh[0], mesh[1], at(mesh[2], 9_000, 0)), "`weights`: vertex 9000: the weights sum to 0"),
+        ((mesh[0], mesh[1], at(mesh[2], 9_000, 1)), "`weights`: vertex 9000: the weights sum to 2"),
+    ]:
+        with pytest.raises(ValueError, match=message):
+            dq8.skin(*change, PALETTE, method="lbs")
+    shares, out = at(np.ones(count), 9_000, 1.5), np.full((count, 3), 7.0)
+    with pytest.raises(ValueError, match=r"`shares`: vertex 9000: the share is 1\.5"):
+        dq8.skin(*mesh, PALETTE, method="mix", shares=shares, out=out)
+    assert (out == 7.0).all()
+
+
 def test_a_third_out_that_overlaps_the_first_is_refused_and_untouched():
     base = np.full((3, 5, 3), 7.0)
     with pytest.raises(ValueError, match="Expected the arrays of `out` not to overlap"):

@@ -87,7 +87,7 @@ fn plans(random: &mut Random) {
     let locals: Box<[Motion]> = (0..inputs).map(|_| translation(random)).collect();
     let mut models: Box<[Motion]> = vec![DualQuat::IDENTITY; outputs].into();
     let done = plan.local_to_model(&locals, &mut models);
-    assert_eq!(done.is_ok(), inputs == outputs && inputs.is_multiple_of(joints.max(1)));
+    assert_eq!(done.is_ok(), inputs == outputs && inputs.is_multiple_of(joints));
     let mut wanted: Box<[Motion]> = vec![DualQuat::IDENTITY; outputs].into();
     if done.is_ok() && joints > 0 {
         for (locals, models) in locals.chunks(joints).zip(wanted.chunks_mut(joints)) {

@@ -7,8 +7,12 @@ rotation and q = ½tp, t the translation. This is the layout of SciPy's
 Functions take arrays ``(..., 8)`` and broadcast leading dimensions. Arguments are arrays of real numbers of at most
 64 bits, or what NumPy makes such arrays of; a call computes in float32 if all of them are float32 or float16, otherwise
 in float64. Python's own numbers, as the exponent of `pow`, do not count. Arrays that lie in memory one element after the
-other are read as they are; others are copied first. ``out=`` writes into an array of the result's shape and dtype; where
-it does not fit, or an argument is wrong, nothing is written.
+other are read as they are; others are copied first. Refused are masked arrays, and arrays that are not in memory (Dask)
+or take NumPy's functions over. ``out=`` writes into an array of the result's shape and dtype; where it does not fit, or an
+argument is wrong, nothing is written.
+
+Ctrl-C ends a call within some tenths of a second. What `out` holds then is partly the result, partly what it held
+before.
 
 `Mechanism` is a robot: joint values ``(..., values)`` to poses of links and Jacobians, and back from poses
 (`Mechanism.reach`). `skin` lets a mesh follow joints.
@@ -132,8 +136,8 @@ def _threads_of_environment() -> None:
     value = _os.environ.get(name)
     if value is None:
         return
-    if not value.isdecimal() or int(value) < 1:
-        raise ValueError(f"Expected the environment variable {name} to be a whole number of at least 1, got {value!r}.")
+    if not value.isdecimal() or not 1 <= int(value) <= 256:
+        raise ValueError(f"Expected the environment variable {name} to be a whole number from 1 to 256, got {value!r}.")
     set_num_threads(int(value))
 
 

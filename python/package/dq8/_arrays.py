@@ -18,7 +18,7 @@ ORTHOGONAL = {np.dtype(np.float64): 1e-12, np.dtype(np.float32): 2e-6}
 
 def floats(name: str, value: ArrayLike, core: tuple[int, ...]) -> NDArray[Any]:
     """`value` as an array of float32 or float64 whose last dimensions are `core`."""
-    array = np.asarray(value)
+    array = _core.real_array(name, value)
     if array.shape[-len(core) :] != core:
         dimensions = ", ".join(map(str, core))
         raise ValueError(f"Expected `{name}` to have shape (..., {dimensions}), got {array.shape}.")
@@ -26,8 +26,6 @@ def floats(name: str, value: ArrayLike, core: tuple[int, ...]) -> NDArray[Any]:
         return array.astype(np.float32)
     if array.dtype.kind in "iub":
         return array.astype(np.float64)
-    if array.dtype not in ORTHOGONAL:
-        raise TypeError(f"Expected `{name}` to hold real numbers of at most 64 bits, got dtype {array.dtype}.")
     return array
 
 
@@ -35,6 +33,8 @@ def check_out(out: NDArray[Any], result: NDArray[Any]) -> None:
     """What the compiled functions say where `out` cannot hold the result."""
     if not isinstance(out, np.ndarray):
         raise TypeError(f"Expected `out` to be an array, got {type(out).__name__}.")
+    if hasattr(type(out), "mask"):
+        raise TypeError(f"Expected `out` to have no mask, got {type(out).__name__}.")
     if out.dtype != result.dtype:
         raise TypeError(f"Expected `out` to have dtype {result.dtype}, the dtype of the result, got {out.dtype}.")
     if out.shape != result.shape:

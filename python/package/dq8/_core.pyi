@@ -1,6 +1,6 @@
 """The compiled part: shapes, units and formulas are in the docstrings."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from os import PathLike
 from typing import Any, Literal, overload
 
@@ -9,6 +9,9 @@ from numpy.typing import ArrayLike, NDArray
 
 _Floats = NDArray[Any]
 """float32 or float64."""
+
+_Values = ArrayLike | Mapping[str, ArrayLike]
+"""Configurations; columns with names are put in order."""
 
 def mul(a: ArrayLike, b: ArrayLike, /, *, out: _Floats | None = None) -> _Floats: ...
 def compose(a: ArrayLike, b: ArrayLike, /, *, out: _Floats | None = None) -> _Floats: ...
@@ -51,7 +54,7 @@ def from_translation(translations: ArrayLike, /, *, out: _Floats | None = None) 
 def from_rotation_translation(rotations: ArrayLike, translations: ArrayLike, /, *, out: _Floats | None = None) -> _Floats: ...
 def translation(motions: ArrayLike, /, *, out: _Floats | None = None) -> _Floats: ...
 def to_matrix(motions: ArrayLike, /, *, out: _Floats | None = None) -> _Floats: ...
-def from_matrix(matrices: ArrayLike, /, *, out: _Floats | None = None) -> _Floats: ...
+def from_matrix(matrices: ArrayLike, /, *, check: bool = True, out: _Floats | None = None) -> _Floats: ...
 def rigidity(matrices: ArrayLike, /, *, out: _Floats | None = None) -> _Floats: ...
 def angle_to(a: ArrayLike, b: ArrayLike, /, *, out: _Floats | None = None) -> _Floats | np.float32 | np.float64: ...
 def distance_to(a: ArrayLike, b: ArrayLike, /, *, out: _Floats | None = None) -> _Floats | np.float32 | np.float64: ...
@@ -136,6 +139,7 @@ def backend() -> str: ...
 def set_num_threads(count: int, /) -> None: ...
 def get_num_threads() -> int: ...
 def forget_threads() -> None: ...
+def real_array(name: str, value: object, /) -> NDArray[Any]: ...
 
 class Hierarchy:
     def __new__(cls, parents: Sequence[int] | NDArray[np.integer[Any]], /) -> Hierarchy: ...
@@ -174,11 +178,11 @@ class Mechanism:
     def limits(self) -> NDArray[np.float64]: ...
     def __len__(self) -> int: ...
     def poses(
-        self, values: ArrayLike, /, links: str | int | Iterable[str | int] | None = None, *, out: _Floats | None = None
+        self, values: _Values, /, links: str | int | Iterable[str | int] | None = None, *, out: _Floats | None = None
     ) -> _Floats: ...
     def jacobian(
         self,
-        values: ArrayLike,
+        values: _Values,
         /,
         link: str | int,
         frame: Literal["world", "body", "aligned"] = "world",
@@ -188,12 +192,12 @@ class Mechanism:
     def reach(
         self,
         targets: ArrayLike,
-        values: ArrayLike,
+        values: _Values,
         /,
         links: str | int | Iterable[str | int],
         *,
         weights: ArrayLike | None = None,
-        posture: ArrayLike | None = None,
+        posture: _Values | None = None,
         angular_tolerance: float = 1e-5,
         linear_tolerance: float = 1e-5,
         max_iterations: int = 100,
@@ -205,6 +209,17 @@ class Mechanism:
     ) -> tuple[_Floats, ReachReport]: ...
 
 class ReachReport:
+    def __new__(
+        cls,
+        converged: NDArray[np.bool] | np.bool,
+        outcome: NDArray[np.uint8] | np.uint8,
+        iterations: NDArray[np.uint32] | np.uint32,
+        restarts: NDArray[np.uint32] | np.uint32,
+        angular_error: _Floats | np.float32 | np.float64,
+        linear_error: _Floats | np.float32 | np.float64,
+        /,
+    ) -> ReachReport: ...
+    def to_dict(self) -> dict[str, Any]: ...
     @property
     def converged(self) -> NDArray[np.bool] | np.bool: ...
     @property

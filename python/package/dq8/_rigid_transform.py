@@ -57,7 +57,8 @@ class RigidTransform:
       the arrays that it returns.
     - Transforms are dual quaternions and not matrices, so they are always rigid. ``copy=False`` does not
       share memory with a matrix, and ``normalize=False`` takes rows of a matrix that is not rigid for
-      those of the rotation which their quaternion gives.
+      those of the rotation which their quaternion gives; a last row that is not 0 0 0 1 and a determinant that is
+      not positive are errors in any case.
     - Any number of leading dimensions, and exponents of `**` that broadcast.
     - What returns an array writes to ``out=``: `apply`, `as_matrix`, `as_exp_coords`, `as_dual_quat`. `motions` is the
       array itself.
@@ -85,7 +86,7 @@ class RigidTransform:
         matrices = floats("matrix", matrix, (4, 4))
         if normalize:
             matrices = unrigid_made_rigid(matrices)
-        self._motions = _core.from_matrix(matrices)
+        self._motions = _core.from_matrix(matrices, check=False)
 
     @staticmethod
     def _of(motions: NDArray[Any]) -> RigidTransform:
@@ -256,7 +257,7 @@ class RigidTransform:
         ndarray, shape (..., 3)
             Of `dtype`.
         """
-        points = np.asarray(vector, self._motions.dtype)
+        points = _core.real_array("vector", vector).astype(self.dtype, copy=False)
         if points.shape[-1:] != (3,):
             raise ValueError(f"Expected vector to have shape (..., 3), got {points.shape}.")
         motions = _core.conjugate(self._motions) if inverse else self._motions
@@ -299,7 +300,7 @@ class RigidTransform:
         if weights is None:
             w = np.ones(motions.shape[:-1])
         else:
-            w = np.asarray(weights, np.float64)
+            w = _core.real_array("weights", weights).astype(np.float64, copy=False)
             if (w < 0).any():
                 raise ValueError("`weights` must be non-negative.")
             if w.shape != shape:
@@ -332,7 +333,7 @@ class RigidTransform:
 
     def __pow__(self, n: ArrayLike) -> RigidTransform:
         """The part `n` of each screw motion, ``exp(n log σ)``; of an array, each its own."""
-        exponent = n if isinstance(n, (int, float)) else np.asarray(n, self.dtype)
+        exponent = n if isinstance(n, (int, float)) else _core.real_array("n", n).astype(self.dtype, copy=False)
         if not isinstance(exponent, (int, float)) and exponent.shape == (1,):
             exponent = exponent[0]
         return RigidTransform._of(_core.pow(self._motions, exponent))

@@ -56,11 +56,9 @@ macro_rules! function {
                 @law [$(const WIDE: bool = $wide;)?] [$($of_one)?] $result $body
                 $($(($parameter $shape))+)+ (_ [0]) (_ [0])
             }
-            let arguments = [$($(Argument {
-                name: [$($called,)? stringify!($parameter)][0],
-                core: &$shape,
-                value: $parameter,
-            },)+)+];
+            let arguments = [$($(
+                Argument::new([$($called,)? stringify!($parameter)][0], &$shape, $parameter)?,
+            )+)+];
             call(py, Of, &arguments, &$result, out)
         }
     };

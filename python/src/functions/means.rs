@@ -86,19 +86,19 @@ fn mean_of<'py>(
     weights: Option<&Bound<'py, PyAny>>,
     out: Option<&Bound<'py, PyAny>>,
 ) -> Answer<'py> {
-    let motions = Argument { name: "motions", core: EIGHT, value: motions };
-    let weights = weights.map(|value| Argument { name: "weights", core: NUMBER, value });
-    if is_single([motions].into_iter().chain(weights))? {
-        typed::<f32>(mean, motions, weights, out)
+    let motions = Argument::new("motions", EIGHT, motions)?;
+    let weights = weights.map(|value| Argument::new("weights", NUMBER, value)).transpose()?;
+    if is_single([&motions].into_iter().chain(&weights)) {
+        typed::<f32>(mean, &motions, weights.as_ref(), out)
     } else {
-        typed::<f64>(mean, motions, weights, out)
+        typed::<f64>(mean, &motions, weights.as_ref(), out)
     }
 }
 
 fn typed<'py, R: Number>(
     mean: Mean,
-    motions: Argument<'_, 'py>,
-    weights: Option<Argument<'_, 'py>>,
+    motions: &Argument<'py>,
+    weights: Option<&Argument<'py>>,
     out: Option<&Bound<'py, PyAny>>,
 ) -> Answer<'py> {
     let motions = Input::<R>::of(motions)?;
@@ -129,10 +129,10 @@ fn typed<'py, R: Number>(
         weights: weights.as_ref().map(|weights| weights.records()),
         own,
     };
-    output.fill(|to| {
-        let threads = Threads::for_elements(influences.motions.len());
-        threads.split(to, &|first, to| {
-            influences.from(first).blend(mean, to);
+    let threads = Threads::for_elements(influences.motions.len());
+    output.fill(&threads, |to| {
+        threads.split(influences.grain(mean), to, &|(first, to)| {
+            influences.from(first).blend(&threads, mean, to);
             true
         });
         Ok(())

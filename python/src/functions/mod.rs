@@ -6,6 +6,7 @@ pub(crate) mod between;
 pub(crate) mod conversions;
 pub(crate) mod distances;
 mod function;
+pub(crate) mod matrices;
 pub(crate) mod means;
 pub(crate) mod screws;
 pub(crate) mod squad;

@@ -8,7 +8,7 @@ use crate::law::{Each, OneOrEach, Operand, store};
 use crate::number::Number;
 use crate::output::Output;
 use crate::shape::{EIGHT, NUMBER};
-use crate::threads::Threads;
+use crate::threads::{GRAIN, Threads};
 use dq8::{Backend, Kernel, Lanes, Level, batch};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -74,12 +74,12 @@ pub(crate) fn squad<'py>(
     out: Option<&Bound<'py, PyAny>>,
 ) -> Answer<'py> {
     let motions = [
-        Argument { name: "start", core: EIGHT, value: start },
-        Argument { name: "control_start", core: EIGHT, value: control_start },
-        Argument { name: "control_end", core: EIGHT, value: control_end },
-        Argument { name: "end", core: EIGHT, value: end },
+        Argument::new("start", EIGHT, start)?,
+        Argument::new("control_start", EIGHT, control_start)?,
+        Argument::new("control_end", EIGHT, control_end)?,
+        Argument::new("end", EIGHT, end)?,
     ];
-    of_many(Squad, motions, Some(Argument { name: "t", core: NUMBER, value: t }), out)
+    of_many(Squad, motions, Some(Argument::new("t", NUMBER, t)?), out)
 }
 
 #[derive(Clone, Copy)]
@@ -122,20 +122,20 @@ pub(crate) fn squad_control<'py>(
     out: Option<&Bound<'py, PyAny>>,
 ) -> Answer<'py> {
     let motions = [
-        Argument { name: "previous", core: EIGHT, value: previous },
-        Argument { name: "current", core: EIGHT, value: current },
-        Argument { name: "next", core: EIGHT, value: next },
+        Argument::new("previous", EIGHT, previous)?,
+        Argument::new("current", EIGHT, current)?,
+        Argument::new("next", EIGHT, next)?,
     ];
     of_many(Control, motions, None, out)
 }
 
 fn of_many<'py, F: OfMany<N>, const N: usize>(
     law: F,
-    motions: [Argument<'_, 'py>; N],
-    t: Option<Argument<'_, 'py>>,
+    motions: [Argument<'py>; N],
+    t: Option<Argument<'py>>,
     out: Option<&Bound<'py, PyAny>>,
 ) -> Answer<'py> {
-    if is_single(motions.into_iter().chain(t))? {
+    if is_single(motions.iter().chain(&t)) {
         typed::<f32, F, N>(law, motions, t, out)
     } else {
         typed::<f64, F, N>(law, motions, t, out)
@@ -144,13 +144,13 @@ fn of_many<'py, F: OfMany<N>, const N: usize>(
 
 fn typed<'py, R: Number, F: OfMany<N>, const N: usize>(
     law: F,
-    motions: [Argument<'_, 'py>; N],
-    t: Option<Argument<'_, 'py>>,
+    motions: [Argument<'py>; N],
+    t: Option<Argument<'py>>,
     out: Option<&Bound<'py, PyAny>>,
 ) -> Answer<'py> {
     let mut inputs = Vec::with_capacity(N + 1);
-    for argument in motions.into_iter().chain(t) {
-        inputs.push((argument.name, Input::<R>::of(argument)?));
+    for argument in motions.iter().chain(&t) {
+        inputs.push((argument.name(), Input::<R>::of(argument)?));
     }
     let shapes = || inputs.iter().map(|(name, input)| (*name, input.full_leading()));
     let shape = common(shapes().map(|(_, shape)| shape)).ok_or_else(|| misfit(shapes()))?;
@@ -167,8 +167,9 @@ fn typed<'py, R: Number, F: OfMany<N>, const N: usize>(
     let (motions, t) = ready.split_at(N);
     let motions = std::array::from_fn(|i| operand(motions.get(i)));
     let t = operand(t.first());
-    output.fill(|to| {
-        Threads::for_elements(to.len()).split(to, &|first, to| {
+    let threads = Threads::for_elements(shape.iter().product());
+    output.fill(&threads, |to| {
+        threads.split(GRAIN, to, &|(first, to)| {
             let motions = motions.map(|motion| motion.from(first));
             Backend::best().run(OfEach { law, motions, t: t.from(first), to });
             true

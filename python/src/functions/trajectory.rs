@@ -6,6 +6,7 @@ use crate::error::misshapen;
 use crate::number::Number;
 use crate::output::Output;
 use crate::shape::{EIGHT, NUMBER};
+use crate::threads::{GRAIN, Threads};
 use dq8::slices::TrajectoryError;
 use dq8::{Backend, DualQuat};
 use pyo3::exceptions::PyValueError;
@@ -48,15 +49,19 @@ pub(crate) fn resample<'py>(
     out: Option<&Bound<'py, PyAny>>,
 ) -> Answer<'py> {
     let arguments = [
-        Argument { name: "times", core: NUMBER, value: times },
-        Argument { name: "poses", core: EIGHT, value: poses },
-        Argument { name: "at", core: NUMBER, value: at },
+        Argument::new("times", NUMBER, times)?,
+        Argument::new("poses", EIGHT, poses)?,
+        Argument::new("at", NUMBER, at)?,
     ];
-    if is_single(arguments)? { typed::<f32>(arguments, out) } else { typed::<f64>(arguments, out) }
+    if is_single(&arguments) {
+        typed::<f32>(&arguments, out)
+    } else {
+        typed::<f64>(&arguments, out)
+    }
 }
 
 fn typed<'py, R: Number>(
-    [times, poses, at]: [Argument<'_, 'py>; 3],
+    [times, poses, at]: &[Argument<'py>; 3],
     out: Option<&Bound<'py, PyAny>>,
 ) -> Answer<'py> {
     let times = Input::<R>::of(times)?;
@@ -76,10 +81,21 @@ fn typed<'py, R: Number>(
 
     let (instants, samples) = (times.records::<1>(), at.records::<1>());
     let poses: &[DualQuat<R>] = bytemuck::must_cast_slice(poses.records::<8>());
-    output.fill(|to: &mut [[R; 8]]| {
-        let to = bytemuck::must_cast_slice_mut(to);
-        let (instants, samples) = (instants.as_flattened(), samples.as_flattened());
-        Backend::best().resample(instants, poses, samples, to).map_err(named)
+    let (instants, samples) = (instants.as_flattened(), samples.as_flattened());
+    let threads = Threads::alone();
+    output.fill(&threads, |to: &mut [[R; 8]]| {
+        let to: &mut [DualQuat<R>] = bytemuck::must_cast_slice_mut(to);
+        let backend = Backend::best();
+        // Everything is checked before something is written. Each piece checks the times again, so it is no smaller.
+        backend.resample(instants, poses, &[], &mut []).map_err(named)?;
+        if let Some(index) = samples.iter().position(|time| time.is_nan()) {
+            return Err(named(TrajectoryError::NotATime { index }));
+        }
+        let size = GRAIN.max(instants.len());
+        let pieces = samples.chunks(size).zip(to.chunks_mut(size));
+        threads
+            .each(pieces, &|(samples, to)| backend.resample(instants, poses, samples, to).is_ok());
+        Ok(())
     })
 }
 

@@ -56,19 +56,19 @@ pub(crate) fn dib_windows<'py>(
     out: Option<&Bound<'py, PyAny>>,
 ) -> Answer<'py> {
     let mean = Mean::Intrinsic { tolerance: tolerance.unwrap_or(f64::NAN), max_iterations };
-    let motions = Argument { name: "motions", core: EIGHT, value: motions };
-    let weights = Argument { name: "weights", core: NUMBER, value: weights };
-    if is_single([motions, weights])? {
-        typed::<f32>(mean, motions, weights, out)
+    let motions = Argument::new("motions", EIGHT, motions)?;
+    let weights = Argument::new("weights", NUMBER, weights)?;
+    if is_single([&motions, &weights]) {
+        typed::<f32>(mean, &motions, &weights, out)
     } else {
-        typed::<f64>(mean, motions, weights, out)
+        typed::<f64>(mean, &motions, &weights, out)
     }
 }
 
 fn typed<'py, R: Number>(
     mean: Mean,
-    motions: Argument<'_, 'py>,
-    weights: Argument<'_, 'py>,
+    motions: &Argument<'py>,
+    weights: &Argument<'py>,
     out: Option<&Bound<'py, PyAny>>,
 ) -> Answer<'py> {
     let motions = Input::<R>::of(motions)?;
@@ -94,12 +94,12 @@ fn typed<'py, R: Number>(
         weights: Some(weights.records()),
         own: false,
     };
-    output.fill(|to| {
-        let threads = Threads::for_elements(to.len());
+    let threads = Threads::for_elements(leading.iter().product());
+    output.fill(&threads, |to| {
         // Windows do not reach from one row into the next.
         for (row, to) in to.chunks_mut(windows.max(1)).enumerate() {
-            threads.split(to, &|first, to| {
-                influences.from(row * length + first).blend(mean, to);
+            threads.split(influences.grain(mean), to, &|(first, to)| {
+                influences.from(row * length + first).blend(&threads, mean, to);
                 true
             });
         }
