@@ -73,8 +73,8 @@ pub(crate) fn poses<'py, R: Number>(
     let numbers = values.records::<1>().as_flattened();
     let backend = Backend::best();
     let poses = |numbers: &[R], to: &mut [[R; 8]]| match &chosen {
-        None => backend.link_poses(view, numbers, to),
-        Some(Chosen { links, .. }) => backend.chosen_link_poses(view, links, numbers, to),
+        None => view.job().backend(backend).poses(numbers, to),
+        Some(Chosen { links, .. }) => view.job().links(links).backend(backend).poses(numbers, to),
     };
     let links = chosen.as_ref().map_or(view.links(), |chosen| chosen.links.len());
     output.fill(&threads, |to| pieces(&threads, view, numbers, links, to, &poses))
@@ -102,7 +102,10 @@ pub(crate) fn jacobian<'py, R: Number>(
         let mut poses = vec![[R::ZERO; 8]; to.len() / view.rates()];
         macro_rules! jacobians {
             ($frame:expr) => {
-                backend.link_jacobians($frame, view, &[link], numbers, &mut poses, to)
+                view.job()
+                    .links(&[link])
+                    .backend(backend)
+                    .jacobians($frame, numbers, &mut poses, to)
             };
         }
         match frame {

@@ -9,6 +9,7 @@ use crate::plain::check_whole;
 use crate::shape::EIGHT;
 use crate::threads::{GRAIN, Threads};
 use dq8::DualQuat;
+use dq8::hierarchy::Root;
 use dq8::simd::MAX_LANES;
 use pyo3::exceptions::{PyRuntimeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
@@ -200,10 +201,7 @@ impl Hierarchy {
         };
 
         let hierarchy = dq8::Hierarchy::new(&self.parents).map_err(value_error)?;
-        let mut job = hierarchy.job::<[R; 8]>();
-        if let Some(root) = root {
-            job = job.root(root);
-        }
+        let job = hierarchy.job().on(root.map_or(Root::None, Root::Same));
         let from = poses.as_ref().map(|poses| poses.records::<8>());
         let threads = Threads::for_elements(full.iter().product());
         output.fill(&threads, |to| {

@@ -87,7 +87,7 @@ impl<R: Number> Palette<R> {
         let of = pose * self.joints..(pose + 1) * self.joints;
         macro_rules! by {
             ($blend:expr) => {
-                backend.skin(skin, $blend, rest, posed)
+                skin.job().backend(backend).pose($blend, rest, posed)
             };
         }
         match &self.entries {
