@@ -122,7 +122,7 @@ impl<L: Lanes<Real: Scalar>> Search<'_, L> {
     fn is_at_limits(&self, lane: usize) -> bool {
         let mut is_at_limits = false;
         for freedom in self.model.reach.freedoms {
-            if freedom.is_single() && !freedom.range.wraps {
+            if freedom.is_single() && !freedom.range.wraps() {
                 let value = self.model.scratch.best.number(freedom.value as usize, lane);
                 is_at_limits |= value <= freedom.range.low || freedom.range.high <= value;
             }

@@ -1,7 +1,7 @@
 //! What a search may change: the rates of joints that move a goal.
 
 use super::error::ReachError;
-use super::range::Range;
+use super::range::{Range, Turns};
 use crate::mechanism::joint::JointKind;
 use crate::mechanism::step::{NONE, Step};
 use crate::real::Real;
@@ -63,13 +63,14 @@ impl<R: Real> Freedom<R> {
     pub(super) fn beginning(&self, number: u64) -> R {
         let share = 0.5 + number as f64 * self.share;
         let share = R::from_f64(share - share as u64 as f64);
-        self.range.low + (self.range.high - self.range.low) * share
+        let [low, high] = self.range.beginnings();
+        low + (high - low) * share
     }
 
     /// Rate number `index` of a joint, with the limits of the joint.
     fn of(step: &Step<R>, index: usize) -> Self {
         let whole = [-R::ONE / R::ZERO, R::ONE / R::ZERO];
-        let (kind, wraps, value) = match step.kind {
+        let (kind, is_hinge, value) = match step.kind {
             JointKind::Prismatic { .. } => (Kind::Slide, false, 0),
             JointKind::Planar { .. } if index < 2 => (Kind::Slide, false, index),
             JointKind::Floating if index < 3 => (Kind::FloatingTurn(index as u8), false, 0),
@@ -78,8 +79,9 @@ impl<R: Real> Freedom<R> {
             _ => (Kind::Turn, true, index),
         };
         let [low, high] = step.limits.unwrap_or(whole);
+        let turns = if is_hinge { Turns::Stop } else { Turns::Matter };
         let value = step.value.saturating_add(value as u32);
-        Self { kind, range: Range { low, high, wraps }, value, share: 0.0, column: NONE }
+        Self { kind, range: Range { low, high, turns }, value, share: 0.0, column: NONE }
     }
 }
 
@@ -115,8 +117,9 @@ pub(super) fn freedoms<R: Real>(
     for step in leaders() {
         for index in 0..step.kind.rates() {
             if let Some(slot) = moving(freedoms, step.rate as usize + index) {
-                let Range { low, high, wraps } = slot.range;
-                slot.range = Range::within([low, high], wraps, slot.kind == Kind::Turn)
+                let Range { low, high, turns } = slot.range;
+                let (is_hinge, is_angle) = (turns != Turns::Matter, slot.kind == Kind::Turn);
+                slot.range = Range::within([low, high], is_hinge, is_angle)
                     .ok_or_else(|| limits_error(step, [low, high]))?;
             }
         }
@@ -171,9 +174,8 @@ fn narrowed<R: Real>(range: Range<R>, step: &Step<R>) -> Result<Range<R>, ReachE
         JointKind::Screw { pitch, .. } => pitch == R::ZERO,
         kind => matches!(kind, JointKind::Revolute { .. }),
     };
-    let times: f64 = step.multiplier.into();
-    let wraps = range.wraps && is_hinge && times == f64::from(times as i32);
-    let range = Range { wraps, ..range };
+    let keeps = is_hinge && is_whole(step.multiplier);
+    let range = Range { turns: if keeps { range.turns } else { Turns::Matter }, ..range };
     let Some(limits) = step.limits else { return Ok(range) };
     if step.multiplier == R::ZERO {
         // It stands where it is, whatever the other does.
@@ -186,6 +188,13 @@ fn narrowed<R: Real>(range: Range<R>, step: &Step<R>) -> Result<Range<R>, ReachE
     let low = if low > range.low { low } else { range.low };
     let high = if high < range.high { high } else { range.high };
     if low <= high { Ok(Range { low, high, ..range }) } else { Err(limits_error(step, limits)) }
+}
+
+/// Whether a number has no fraction: so far up, floats have none.
+fn is_whole<R: Real>(number: R) -> bool {
+    let shift = R::ONE / R::EPSILON;
+    let size = number.abs();
+    size >= shift || (size + shift) - shift == size
 }
 
 fn limits_error<R: Real>(step: &Step<R>, [low, high]: [R; 2]) -> ReachError {

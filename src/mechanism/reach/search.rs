@@ -1,9 +1,11 @@
 //! The search: every lane walks alone, all in step, and one that is done takes the next configuration.
 
 use super::forward::Of;
+use super::freedom::Kind;
 use super::lane::{Lane, Next, Seen};
 use super::model::{Apart, Model, Stepped};
 use super::report::{Options, Report};
+use crate::batch::Quat;
 use crate::real::{Real, Scalar};
 use crate::scalar::DualQuat;
 use dq8_simd::{Lanes, MAX_LANES, Mask};
@@ -45,7 +47,7 @@ impl<'s, L: Lanes<Real: Scalar>> Search<'s, L> {
         // Each round: errors of all lanes, a decision per lane, one step of those that go on. Lanes of different age are
         // in the same round, so none waits for the slowest of a group: the round costs the same, whoever takes part.
         while self.is_working() {
-            self.enter();
+            self.keep_within();
             self.model.place(Of::Values);
             let apart = self.model.compare(None);
             let wish = self.model.wish();
@@ -100,27 +102,28 @@ impl<'s, L: Lanes<Real: Scalar>> Search<'s, L> {
         working
     }
 
-    /// Takes fresh lanes into their limits.
+    /// Takes the values into their limits, whole turns to where they are nearest to the start: so what is judged is
+    /// what is returned.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn enter(&mut self) {
-        let zero = L::splat(self.model.level, L::Real::ZERO);
-        let fresh = self.each(
-            #[cfg_attr(not(opt_level_0), inline(always))]
-            |lane| one_if(lane.is_fresh),
-        );
-        let fresh = zero.lt(fresh);
-        if !fresh.any() {
-            return;
-        }
-        // The start as well: what has no ends begins again from there.
+    fn keep_within(&mut self) {
+        let (level, reach) = (self.model.level, self.model.reach);
         let scratch = &mut self.model.scratch;
-        for freedom in self.model.reach.freedoms.iter().filter(|freedom| freedom.is_single()) {
+        for freedom in reach.freedoms {
             let row = freedom.value as usize;
-            let value = scratch.values.get(self.model.level, row);
-            let start = scratch.start.get(self.model.level, row);
-            let entered = freedom.range.enter(value);
-            scratch.values.set(row, L::select(fresh, entered, value));
-            scratch.start.set(row, L::select(fresh, entered, start));
+            if freedom.is_single() {
+                let value = scratch.values.get(level, row);
+                // The start as well, once and for all: what has no ends begins again from there.
+                let start = freedom.range.clamp(scratch.start.get(level, row));
+                scratch.start.set(row, start);
+                scratch.values.set(row, freedom.range.nearest(value, start));
+            } else if freedom.kind == Kind::FloatingTurn(0) {
+                // Of ±q, the same rotation, the one on the side of the start.
+                let value = Quat::from_array(scratch.values.record(level, row));
+                let dot = value.dot(Quat::from_array(scratch.start.record(level, row)));
+                let one = dot.constant(1.0);
+                let value = value.scale(L::select(dot.lt(dot.constant(0.0)), -one, one));
+                scratch.values.set_record(row, value.to_array());
+            }
         }
     }
 
