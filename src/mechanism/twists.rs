@@ -38,6 +38,14 @@ impl<L: Lanes<Real: Scalar>> Joined<L> {
         // Others go as their values do.
         if step.mimics { screw.scale(L::splat(level, step.multiplier)) } else { screw }
     }
+
+    /// A rate, or NaN where the pose of the link is: a link that is nowhere does not move, although the screw of its
+    /// joint may be known.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn told(&self, rate: L) -> L {
+        let [.., w] = self.pose.rotation;
+        w.mul_add(w.constant(0.0), rate)
+    }
 }
 
 /// Turning about a line through the origin of a frame.
