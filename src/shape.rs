@@ -46,6 +46,8 @@ pub enum ShapeError {
         /// How many links there are.
         links: usize,
     },
+    /// A job with one root for all instances, and one for each of them.
+    TwoRoots,
     /// A pose that a crowd does not have.
     NoPose {
         /// The instance asked for.
@@ -90,6 +92,10 @@ impl fmt::Display for ShapeError {
             Self::NoLink { link, links } => {
                 write!(f, "there is no link {link}: the mechanism has {links}, counted from 0")
             }
+            Self::TwoRoots => write!(
+                f,
+                "a job has both root and roots: multiply the one root into the roots of the instances"
+            ),
             Self::NoPose { instance, joint, instances, joints } => write!(
                 f,
                 "no joint {joint} of instance {instance} among {instances} instances of {joints} joints"

@@ -29,6 +29,13 @@ pub enum ReachError {
         /// The goal.
         goal: usize,
     },
+    /// A goal for a link that nothing moves: only fixed joints carry it, and such that mimic others zero times.
+    Unmoved {
+        /// The goal.
+        goal: usize,
+        /// The link that it names.
+        link: usize,
+    },
     /// Too little room for the freedoms.
     Freedoms {
         /// How many there is room for.
@@ -74,6 +81,9 @@ impl fmt::Display for ReachError {
                 "component {component} of goal {goal} cannot weigh {value}: weights are zero, or from 1e-6 to 1e6"
             ),
             Self::NoWeight { goal } => write!(f, "all weights of goal {goal} are zero"),
+            Self::Unmoved { goal, link } => {
+                write!(f, "goal {goal} is for link {link}, and no joint that carries it moves")
+            }
             Self::Freedoms { freedoms, rates } => {
                 write!(f, "there is room for {freedoms} freedoms where {rates} rates need one each")
             }

@@ -72,8 +72,8 @@ impl<'a, R: Real> Reach<'a, R> {
     /// Checks what is asked.
     ///
     /// # Errors
-    /// If there is no goal, or one for a link that there is not, or with weights that are neither zero nor between 10⁻⁶
-    /// and 10⁶, or all zero; if there are fewer freedoms than rates; if the limits of a joint that moves a goal
+    /// If there is no goal, or one for a link that there is not or that no joint moves, or with weights that are neither
+    /// zero nor between 10⁻⁶ and 10⁶, or all zero; if there are fewer freedoms than rates; if the limits of a joint that moves a goal
     /// and of what mimics it leave no value, or are angles that a float does not tell apart. `freedoms` may
     /// have been written.
     pub fn new(
@@ -87,6 +87,9 @@ impl<'a, R: Real> Reach<'a, R> {
         let mut rows = 0;
         for (index, goal) in goals.iter().enumerate() {
             check(goal, index, mechanism.links())?;
+            if !is_moved(mechanism.steps, goal.link) {
+                return Err(ReachError::Unmoved { goal: index, link: goal.link });
+            }
             rows += goal.rows();
         }
         let room = freedoms.len();
@@ -196,6 +199,13 @@ fn moves_any<R>(steps: &[Step<R>], position: usize, goals: &[Goal<R>]) -> bool {
         }
     }
     false
+}
+
+/// Whether some value moves a link.
+fn is_moved<R: Real>(steps: &[Step<R>], link: usize) -> bool {
+    let moves = |step: &Step<R>| step.kind.rates() > 0 && step.multiplier != R::ZERO;
+    let mut positions = steps.iter().enumerate();
+    positions.any(|(position, step)| moves(step) && carries(steps, position, &[link]))
 }
 
 fn check<R: Real>(goal: &Goal<R>, index: usize, links: usize) -> Result<(), ReachError> {
