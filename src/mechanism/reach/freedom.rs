@@ -13,9 +13,8 @@ pub struct Freedom<R> {
     pub(super) range: Range<R>,
     /// Where its value is; of a floating joint, the first of the seven.
     pub(super) value: u32,
-    /// How much farther in its range every next beginning is, as a part of it; zero where the range has
-    /// no end.
-    pub(super) share: f64,
+    /// How much farther in its range every next beginning is, in 2⁻³² of it; zero where the range has no end.
+    pub(super) share: u32,
     /// Of the freedom for this rate, its place among those that move a goal.
     pub(super) column: u32,
 }
@@ -36,7 +35,7 @@ pub(super) enum Kind {
 impl<R: Real> Default for Freedom<R> {
     /// Memory to be written.
     fn default() -> Self {
-        Self { kind: Kind::Turn, range: Range::NONE, value: NONE, share: 0.0, column: NONE }
+        Self { kind: Kind::Turn, range: Range::NONE, value: NONE, share: 0, column: NONE }
     }
 }
 
@@ -60,9 +59,12 @@ impl<R: Real> Freedom<R> {
     }
 
     /// Its value in beginning number `number` of those that are spread evenly.
-    pub(super) fn beginning(&self, number: u64) -> R {
-        let share = 0.5 + number as f64 * self.share;
-        let share = R::from_f64(share - share as u64 as f64);
+    pub(super) fn beginning(&self, number: u32) -> R {
+        // Modulo 1 is what is left of a product that overflows. Its halves are numbers of any float.
+        let share = HALF.wrapping_add(number.wrapping_mul(self.share));
+        let half = |bits: u32| R::from(f32::from(bits as u16));
+        let unit = R::from(1.0 / 65_536.0);
+        let share = (half(share >> 16) + half(share) * unit) * unit;
         let [low, high] = self.range.beginnings();
         low + (high - low) * share
     }
@@ -81,7 +83,7 @@ impl<R: Real> Freedom<R> {
         let [low, high] = step.limits.unwrap_or(whole);
         let turns = if is_hinge { Turns::Stop } else { Turns::Matter };
         let value = step.value.saturating_add(value as u32);
-        Self { kind, range: Range { low, high, turns }, value, share: 0.0, column: NONE }
+        Self { kind, range: Range { low, high, turns }, value, share: 0, column: NONE }
     }
 }
 
@@ -145,21 +147,40 @@ pub(super) fn freedoms<R: Real>(
 }
 
 /// Values of low discrepancy, where ranges have two ends: the additive recurrence ½ + kα modulo 1 with
-/// αⱼ = g⁻ʲ, g the positive root of gᴺ⁺¹ = g + 1 for N of them, which generalises the golden ratio (Roberts 2018).
+/// αⱼ = g⁻ʲ, g the positive root of gᴺ⁺¹ = g + 1 for N of them, which generalises the golden ratio (Roberts 2018). In
+/// integers: a controller has no `f64`, and `f32` would lose what the numbers of later beginnings have in common.
 fn spread<R: Real>(freedoms: &mut [Freedom<R>]) {
     let count = freedoms.iter().filter(|freedom| freedom.has_ends()).count();
-    let mut ratio = 1.5_f64;
-    for _ in 0..64 {
-        ratio = Real::exp(Real::ln(1.0 + ratio) / (count as f64 + 1.0));
+    let factor = spacing(count);
+    let mut power = factor;
+    for freedom in freedoms.iter_mut().filter(|freedom| freedom.has_ends()) {
+        freedom.share = power;
+        power = times(power, factor);
     }
-    let factor = 1.0 / ratio;
-    let mut power = 1.0;
-    for freedom in freedoms {
-        if freedom.has_ends() {
-            power *= factor;
-            freedom.share = power;
+}
+
+/// ½, in 2⁻³².
+const HALF: u32 = 1 << 31;
+
+/// 1/g in 2⁻³²: the largest x for which xᴺ + xᴺ⁺¹ is not more than 1, bit by bit.
+fn spacing(count: usize) -> u32 {
+    let mut x = 0;
+    for bit in (0..32).rev() {
+        let next = x | 1 << bit;
+        let mut power = u32::MAX;
+        for _ in 0..count {
+            power = times(power, next);
+        }
+        if power.checked_add(times(power, next)).is_some() {
+            x = next;
         }
     }
+    x
+}
+
+/// The product of two numbers in 2⁻³², rounded.
+fn times(a: u32, b: u32) -> u32 {
+    ((u64::from(a) * u64::from(b) + u64::from(HALF)) >> 32) as u32
 }
 
 /// The freedom of a rate that moves a goal.

@@ -84,7 +84,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
         for first in (0..CANDIDATES).step_by(L::LANES) {
             // Numbers that no other restart has. They depend on the restart alone, neither on the lane nor on how many
             // lanes there are, so that results do not either.
-            self.draw(lane, u64::from(restart) * CANDIDATES as u64 + first as u64);
+            self.draw(lane, restart.wrapping_mul(CANDIDATES as u32).wrapping_add(first as u32));
             self.place(Of::Candidates);
             let squares = self.compare(Some(lane)).square.to_array();
             let mut picked = None;
@@ -115,7 +115,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
 
     /// Candidates from number `first` on, one in each lane, for a lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn draw(&mut self, lane: usize, first: u64) {
+    fn draw(&mut self, lane: usize, first: u32) {
         let scratch = &mut self.scratch;
         for value in 0..self.reach.mechanism.values {
             let start = L::splat(self.level, scratch.start.number(value, lane));
@@ -123,9 +123,9 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
         }
         for freedom in self.reach.freedoms {
             // What has no ends has no share of the sequence.
-            if freedom.share > 0.0 {
+            if freedom.share > 0 {
                 for index in 0..L::LANES {
-                    let value = freedom.beginning(first + index as u64 + 1);
+                    let value = freedom.beginning(first.wrapping_add(index as u32 + 1));
                     scratch.candidate.set_number(freedom.value as usize, index, value);
                 }
             }

@@ -40,13 +40,13 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
         self.keep_wishes(arrived);
         // The first solution says how far everything moves. Where that pays, the step is solved again along columns that
         // are bent by half of it: a step of second order, Halley's.
-        self.linearize(false);
-        let mut limited = self.limited_step(damping, running);
-        if self.reach.bends() {
-            self.linearize(true);
+        let zero = damping.constant(0.0);
+        let mut limited = zero.lt(zero);
+        // A loop, so that machine code has it once.
+        for order in 0..=usize::from(self.reach.bends()) {
+            self.linearize(order == 1);
             limited = self.limited_step(damping, running);
         }
-        let zero = damping.constant(0.0);
         let left = if !limited.any() {
             zero
         } else if self.reach.manner.hopes_straight {

@@ -71,7 +71,9 @@ fn limits_that_leave_nothing_are_errors() {
     let other = finger.with_limits([1.0, 2.0]).mimicking(0, 1.0, 0.0);
     let far = Joint::revolute(None, DualQuat::IDENTITY, super::Z).with_limits([1e30, 1e30]);
     // It stands at 2, whatever the other does.
-    let stuck = finger.with_limits([-1.0, 1.0]).mimicking(0, 0.0, 2.0);
+    let stuck = Joint::prismatic(Some(0), DualQuat::IDENTITY, super::Z)
+        .with_limits([-1.0, 1.0])
+        .mimicking(0, 0.0, 2.0);
     for (joints, link, joint) in
         [(vec![finger, other], 1, 1), (vec![finger, far], 1, 1), (vec![finger, stuck], 1, 1)]
     {

@@ -4,6 +4,7 @@
 #![no_std]
 
 mod forward;
+mod ik;
 mod more;
 mod robot;
 mod single;
