@@ -96,7 +96,7 @@ impl<R: Real, const N: usize> Chain<R, N> {
         };
         // Once, when the arm is made: a restart then costs 128 comparisons of poses and no forward kinematics.
         for index in 0..KEPT {
-            let values = own.map(|freedom| freedom.beginning(index as u32 + 1));
+            let values = own.map(|freedom| freedom.beginning(index as u64 + 1));
             if let Some(pose) = chain.view().pose(N.saturating_sub(1), &values) {
                 chain.poses.set(index, pose);
             }

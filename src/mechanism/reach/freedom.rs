@@ -13,8 +13,8 @@ pub struct Freedom<R> {
     pub(super) range: Range<R>,
     /// Where its value is; of a floating joint, the first of the seven.
     pub(super) value: u32,
-    /// How much farther in its range every next beginning is, in 2⁻³² of it; zero where the range has no end.
-    pub(super) share: u32,
+    /// How much farther in its range every next beginning is, in 2⁻⁶⁴ of it; zero where the range has no end.
+    pub(super) share: u64,
     /// Of the freedom for this rate, its place among those that move a goal.
     pub(super) column: u32,
 }
@@ -59,14 +59,15 @@ impl<R: Real> Freedom<R> {
     }
 
     /// Its value in beginning number `number` of those that are spread evenly.
-    pub(super) fn beginning(&self, number: u32) -> R {
-        // Modulo 1 is what is left of a product that overflows. Its halves are numbers of any float.
+    pub(super) fn beginning(&self, number: u64) -> R {
+        // Modulo 1 is what is left of a product that overflows. Its parts are numbers of any float.
         let share = HALF.wrapping_add(number.wrapping_mul(self.share));
-        let half = |bits: u32| R::from(f32::from(bits as u16));
-        let unit = R::from(1.0 / 65_536.0);
-        let share = (half(share >> 16) + half(share) * unit) * unit;
+        let (unit, mut sum) = (R::from(1.0 / 65_536.0), R::ZERO);
+        for shift in [16, 32, 48] {
+            sum = (sum + R::from(f32::from((share >> shift) as u16))) * unit;
+        }
         let [low, high] = self.range.beginnings();
-        low + (high - low) * share
+        low + (high - low) * sum
     }
 
     /// Rate number `index` of a joint, with the limits of the joint.
@@ -159,15 +160,15 @@ fn spread<R: Real>(freedoms: &mut [Freedom<R>]) {
     }
 }
 
-/// ½, in 2⁻³².
-const HALF: u32 = 1 << 31;
+/// ½, in 2⁻⁶⁴.
+const HALF: u64 = 1 << 63;
 
-/// 1/g in 2⁻³²: the largest x for which xᴺ + xᴺ⁺¹ is not more than 1, bit by bit.
-fn spacing(count: usize) -> u32 {
+/// 1/g in 2⁻⁶⁴: the largest x for which xᴺ + xᴺ⁺¹ is less than 1, bit by bit.
+fn spacing(count: usize) -> u64 {
     let mut x = 0;
-    for bit in (0..32).rev() {
+    for bit in (0..64).rev() {
         let next = x | 1 << bit;
-        let mut power = u32::MAX;
+        let mut power = u64::MAX;
         for _ in 0..count {
             power = times(power, next);
         }
@@ -178,9 +179,11 @@ fn spacing(count: usize) -> u32 {
     x
 }
 
-/// The product of two numbers in 2⁻³², rounded.
-fn times(a: u32, b: u32) -> u32 {
-    ((u64::from(a) * u64::from(b) + u64::from(HALF)) >> 32) as u32
+/// The product of two numbers in 2⁻⁶⁴, but for three units: of 32 bits each, as controllers multiply.
+fn times(a: u64, b: u64) -> u64 {
+    let low = |number: u64| number & u64::from(u32::MAX);
+    let (high, cross) = ((a >> 32) * (b >> 32), [(a >> 32) * low(b), low(a) * (b >> 32)]);
+    high + (cross[0] >> 32) + (cross[1] >> 32)
 }
 
 /// The freedom of a rate that moves a goal.

@@ -166,7 +166,6 @@ impl<'a, R: Copy> Reach<'a, R> {
     }
 
     /// Whether second order is worth a second look at the columns.
-    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn bends(&self) -> bool
     where
         R: Real,

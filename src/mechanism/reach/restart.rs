@@ -12,6 +12,7 @@ use super::beginnings::{Beginnings, KEPT};
 use super::forward::{Of, put};
 use super::lane::Lane;
 use super::model::Model;
+use super::scratch::TARGET;
 use crate::mechanism::placed::Placed;
 use crate::real::{Real, Scalar};
 use dq8_simd::{Lanes, MAX_LANES};
@@ -54,7 +55,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
             }
             let [x, y, z, w, hx, hy, hz] = pose;
             let pose = Placed { rotation: [x, y, z, w], half: [hx, hy, hz] };
-            put(&mut self.scratch.goals, 0, pose);
+            put(&mut self.scratch.goals, TARGET, pose);
             let squares = self.compare(Some(lane)).square.to_array();
             for (index, &square) in squares.as_ref().iter().enumerate() {
                 // Those up to the last one have been taken: the order is by distance. Of two at the same distance one is
@@ -84,7 +85,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
         for first in (0..CANDIDATES).step_by(L::LANES) {
             // Numbers that no other restart has. They depend on the restart alone, neither on the lane nor on how many
             // lanes there are, so that results do not either.
-            self.draw(lane, restart.wrapping_mul(CANDIDATES as u32).wrapping_add(first as u32));
+            self.draw(lane, u64::from(restart) * CANDIDATES as u64 + first as u64);
             self.place(Of::Candidates);
             let squares = self.compare(Some(lane)).square.to_array();
             let mut picked = None;
@@ -115,7 +116,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
 
     /// Candidates from number `first` on, one in each lane, for a lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn draw(&mut self, lane: usize, first: u32) {
+    fn draw(&mut self, lane: usize, first: u64) {
         let scratch = &mut self.scratch;
         for value in 0..self.reach.mechanism.values {
             let start = L::splat(self.level, scratch.start.number(value, lane));
@@ -125,7 +126,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
             // What has no ends has no share of the sequence.
             if freedom.share > 0 {
                 for index in 0..L::LANES {
-                    let value = freedom.beginning(first.wrapping_add(index as u32 + 1));
+                    let value = freedom.beginning(first + index as u64 + 1);
                     scratch.candidate.set_number(freedom.value as usize, index, value);
                 }
             }

@@ -76,7 +76,7 @@ impl<'s, L: Lanes<Real: Scalar>> Search<'s, L> {
             let running = zero.lt(running);
             // Those that have ended, or begin again, stay where they are.
             if running.any() {
-                last = self.model.step(apart, caution, running, zero.lt(arrived));
+                last = self.model.step::<AGAIN>(apart, caution, running, zero.lt(arrived));
             }
             if AGAIN {
                 self.turn();

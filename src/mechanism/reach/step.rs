@@ -28,7 +28,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     /// Moves the lanes that run, damped `caution` times as much as usual; those that have arrived, toward the
     /// posture too.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn step(
+    pub(super) fn step<const AGAIN: bool>(
         &mut self,
         apart: Apart<L>,
         caution: L,
@@ -47,7 +47,8 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
             self.linearize(order == 1);
             limited = self.limited_step(damping, running);
         }
-        let left = if !limited.any() {
+        // Nobody asks where a search cannot begin again.
+        let left = if !AGAIN || !limited.any() {
             zero
         } else if self.reach.manner.hopes_straight {
             L::select(limited, self.left_straight(), zero)

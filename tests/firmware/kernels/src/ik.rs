@@ -7,7 +7,7 @@ use dq8::mechanism::{Freedom, Goal, Joint, Mechanism, Options, Outcome, Reach, S
 const LINKS: usize = 7;
 const AXES: usize = LINKS - 1;
 /// As `Reach::scratch_bound` says; the check links nothing that panics, so too little is a wrong answer.
-const SCRATCH: usize = 256;
+const SCRATCH: usize = 224;
 
 fn reach(
     joints: &[Joint<f32>; LINKS],
