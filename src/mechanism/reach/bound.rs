@@ -36,6 +36,7 @@ impl<R: Real> Reach<'_, R> {
     }
 
     /// How far a joint slides; infinite if there is no end.
+    #[inline(never)]
     fn slide(&self, step: &Step<R>) -> R {
         let infinite = R::ONE / R::ZERO;
         let freedom = self.freedoms.get(self.column(step.rate as usize)).copied();

@@ -34,7 +34,11 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     pub(super) fn place_fixed(&mut self) {
         for (index, goal) in self.reach.goals.iter().enumerate() {
             if goal.link >= self.reach.mechanism.links() {
-                let pose = with_tool(self.reach, Placed::identity(self.level));
+                // What would be fixed to the link is fixed to the base.
+                let pose = match self.reach.tool {
+                    Some(tool) => Placed::root(self.level, tool),
+                    None => Placed::identity(self.level),
+                };
                 put(&mut self.scratch.goals, index * GOAL + TARGET, pose);
             }
         }
