@@ -22,7 +22,7 @@ SIZES, KERNELS = FIRMWARE / "sizes.txt", FIRMWARE / "kernels/src"
 GROWTH = 1.05
 # Which functions, by the beginning of their names: see tests/firmware/kernels.
 GROUPS = {"forward": ("forward_",), "core": ("forward_", "core_"), "all": ("forward_", "core_", "more_"),
-          "robot": ("robot_",), "follow": ("ik_follow",), "ik": ("ik_solve",)}
+          "robot": ("robot_",), "follow": ("ik_follow",), "ik": ("ik_solve",), "arm": ("arm_",)}
 EMULATION = {
     "thumbv7em-none-eabihf": "armelf",
     "aarch64-unknown-none": "aarch64elf",
@@ -40,7 +40,7 @@ LIMITS = {
 DOUBLE = re.compile(r"__aeabi_(d\w+|\w+2d)$|__\w+df[23s]\w*$|__\w+df$")
 # What an image may do with them, and kernels that make a mechanism: name the number for which it was refused.
 WIDEN = {"__aeabi_f2d", "__extendsfdf2"}
-MAKES_MECHANISM = ("follow", "ik")
+MAKES_MECHANISM = ("follow", "ik", "arm")
 PANIC = re.compile(r"panic|unwrap_failed|slice_\w*fail|something_can")
 CALL = re.compile(r"\t(?:bl|blx|b|b\.w|call|callq|jmp|jal|j|tail|jalr|blr|br)\b\s+(.*)")
 

@@ -4,6 +4,7 @@ use core::fmt;
 
 /// A parent array that is not a hierarchy.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum HierarchyError {
     /// A joint's parent does not come before it: a forward reference, or a cycle.

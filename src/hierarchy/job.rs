@@ -367,6 +367,7 @@ impl<'a, E: Element<8>> Job<'a, E> {
         &self,
         locals: L,
         models: Range<usize>,
+        #[cfg_attr(not(feature = "alloc"), expect(unused, reason = "nothing is planned"))]
         all: usize,
     ) -> (Self, L) {
         let joints = self.run.parents.len().max(1);

@@ -2,6 +2,7 @@ use core::fmt;
 
 /// What cannot be asked of a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum ReachError {
     /// There is no goal.

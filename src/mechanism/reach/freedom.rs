@@ -71,6 +71,7 @@ impl<R: Real> Freedom<R> {
     }
 
     /// Rate number `index` of a joint, with the limits of the joint.
+    #[inline(never)]
     fn of(step: &Step<R>, index: usize) -> Self {
         let whole = [-R::ONE / R::ZERO, R::ONE / R::ZERO];
         let (kind, is_hinge, value) = match step.kind {

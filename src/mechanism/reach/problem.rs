@@ -178,16 +178,19 @@ impl<'a, R: Copy> Reach<'a, R> {
     }
 
     /// Whether the link of the step at a position, or one that it carries, has a goal.
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn moves_goal(&self, position: usize) -> bool {
         moves_any(self.mechanism.steps, position, self.goals)
     }
 
     /// The same for one of the goals.
+    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn moves(&self, position: usize, goal: &Goal<R>) -> bool {
         carries(self.mechanism.steps, position, &[goal.link])
     }
 }
 
+#[cfg_attr(not(opt_level_0), inline(always))]
 fn moves_any<R>(steps: &[Step<R>], position: usize, goals: &[Goal<R>]) -> bool {
     for goal in goals {
         if carries(steps, position, &[goal.link]) {

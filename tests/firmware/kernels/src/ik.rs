@@ -21,7 +21,11 @@ fn reach(
 }
 
 #[unsafe(no_mangle)]
-fn ik_solve(joints: &[Joint<f32>; LINKS], target: &DualQuat<f32>, values: &mut [f32; AXES]) -> bool {
+fn ik_solve(
+    joints: &[Joint<f32>; LINKS],
+    target: &DualQuat<f32>,
+    values: &mut [f32; AXES],
+) -> bool {
     reach(joints, |problem, scratch| {
         let report = problem.solve(&[*target], values, scratch, &Options::default());
         report.ok().map(|report| report.outcome)
@@ -29,7 +33,11 @@ fn ik_solve(joints: &[Joint<f32>; LINKS], target: &DualQuat<f32>, values: &mut [
 }
 
 #[unsafe(no_mangle)]
-fn ik_follow(joints: &[Joint<f32>; LINKS], target: &DualQuat<f32>, values: &mut [f32; AXES]) -> bool {
+fn ik_follow(
+    joints: &[Joint<f32>; LINKS],
+    target: &DualQuat<f32>,
+    values: &mut [f32; AXES],
+) -> bool {
     reach(joints, |problem, scratch| {
         let report = problem.follow(&[*target], values, scratch, &Options::default());
         report.ok().map(|report| report.outcome)
