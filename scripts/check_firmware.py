@@ -3,6 +3,7 @@
 
     python3 scripts/check_firmware.py TARGET libkernels.a IMAGE            # prints; exits 1 if a proof fails
     python3 scripts/check_firmware.py TARGET libkernels.a IMAGE --update   # writes the sizes that are checked
+    python3 scripts/check_firmware.py --stack IMAGE FUNCTION…              # how deep functions of any image go, and by which calls
 
 Needs ld.lld and the llvm tools (Debian packages lld and llvm). The library is tests/firmware/kernels. Its functions are
 linked in groups, without libc, allocator or panic handler: what links cannot panic and does not allocate. Of each group:
@@ -111,7 +112,7 @@ class Stack:
 
     def __init__(self, image):
         self.graph, own = calls(image), frames(image)
-        self.name, self.own = {}, {}
+        self.name, self.own, self.known = {}, {}, {}
         for aliases in functions(image).values():
             known = [name for name in aliases if name in self.graph]
             sizes = [own[name] for name in aliases if name in own]
@@ -121,14 +122,21 @@ class Stack:
                 if sizes:
                     self.own[name] = max(sizes)
 
-    def deepest(self, function, above=()):
+    def deepest(self, function):
+        return self.way(function)[0]
+
+    def way(self, function, above=()):
+        """Bytes, and the functions on the way down, each with its own."""
         name = self.name.get(function)
         if name is None or name not in self.own:
             raise SystemExit(f"{' > '.join((*above, str(function)))}: a call that cannot be followed")
         if name in above:
             raise SystemExit(f"{' > '.join((*above, name))}: a circle, so the stack has no bound")
-        below = (self.deepest(to, (*above, name)) for to in self.graph[name])
-        return self.own[name] + max(below, default=0)
+        if name not in self.known:
+            below = (self.way(to, (*above, name)) for to in self.graph[name])
+            bytes_below, calls_below = max(below, key=lambda way: way[0], default=(0, []))
+            self.known[name] = self.own[name] + bytes_below, [(name, self.own[name]), *calls_below]
+        return self.known[name]
 
 
 def unwanted(image):
@@ -163,7 +171,16 @@ def committed():
     return {(target, group): int(size) for target, group, size in lines}
 
 
+def tell_stack(image, entries):
+    stack = Stack(image)
+    for entry in entries:
+        total, way = stack.way(entry)
+        print(f"{total:6} bytes below {entry}:", *(f"{own:12} {name}" for name, own in way), sep="\n")
+
+
 def main():
+    if sys.argv[1] == "--stack":
+        return tell_stack(sys.argv[2], sys.argv[3:])
     target, library, image = sys.argv[1:4]
     sizes, failures = committed() if SIZES.exists() else {}, []
     for group in GROUPS:

@@ -15,9 +15,13 @@ use crate::real::Real;
 /// It borrows its memory: the goals, and a [`Freedom`] for each rate of the mechanism.
 /// [`OwnedReach`](super::OwnedReach) has its own.
 ///
-/// Joints of every kind move. Hinges without an end, or whose limits span a turn, go on a turn less; what
-/// has an end stops there; joints that mimic follow, within the limits of both. A floating joint turns
-/// about the axes of its link, and then slides. Joints that carry no link with a goal keep their values.
+/// Joints of every kind move. A whole turn of a hinge is the same pose: of the values within its limits that are,
+/// the result is the nearest to the start, and a start beyond the limits begins a turn or more less far where
+/// that is within them. What has an end stops there. (A float far from zero is a coarse angle: hinges whose limits span
+/// more than 16 turns stay within 64 radians of zero in `f32` and 2²⁰ in `f64`, or in the turn between their limits
+/// that is nearest to it. A turn of a thread, or of a joint that something mimics by a part, is another pose.) Joints
+/// that mimic follow, within the limits of both. A floating joint turns about the axes of its link, and then
+/// slides; its quaternion keeps the sign of the start. Joints that carry no link with a goal keep their values.
 ///
 /// ```
 /// use dq8::mechanism::{Freedom, Goal, Joint, Mechanism, Options, Outcome, Reach, Step};
