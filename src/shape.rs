@@ -5,6 +5,7 @@ use core::ops::Range;
 
 /// Slices that do not fit a hierarchy, or each other. Nothing has been written.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum ShapeError {
     /// A slice does not hold a whole number of instances.
@@ -51,6 +52,8 @@ pub enum ShapeError {
         /// How many links there are.
         links: usize,
     },
+    /// A job with one root for all instances, and one for each of them.
+    TwoRoots,
     /// A pose that a crowd does not have.
     NoPose {
         /// The instance asked for.
@@ -96,6 +99,10 @@ impl fmt::Display for ShapeError {
             Self::NoLink { link, links } => {
                 write!(f, "there is no link {link}: the mechanism has {links}, counted from 0")
             }
+            Self::TwoRoots => write!(
+                f,
+                "a job has both root and roots: multiply the one root into the roots of the instances"
+            ),
             Self::NoPose { instance, joint, instances, joints } => write!(
                 f,
                 "no joint {joint} of instance {instance} among {instances} instances of {joints} joints"

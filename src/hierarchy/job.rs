@@ -90,17 +90,25 @@ impl<'a> Hierarchy<'a> {
 }
 
 impl<'a, E: Element<8>> Job<'a, E> {
-    /// Puts every root joint on `root`: model(j) = root · local(j), the same for all instances.
+    /// Puts every root joint on `root`: model(j) = root · local(j), the same for all instances. Instead of
+    /// [`roots`](Self::roots): a job with both is an error when it runs.
     #[must_use]
     pub fn root(mut self, root: DualQuat<Number<E, 8>>) -> Self {
-        self.run.root = Root::Same(root);
+        self.run.root = match self.run.root {
+            Root::None | Root::Same(_) => Root::Same(root),
+            Root::Each(_) | Root::Both => Root::Both,
+        };
         self
     }
 
-    /// Puts the root joints of each instance (block) on its own element of `roots`.
+    /// Puts the root joints of each instance (block) on its own element of `roots`. Instead of
+    /// [`root`](Self::root): one motion before all of them is multiplied into them.
     #[must_use]
     pub fn roots(mut self, roots: &'a [E]) -> Self {
-        self.run.root = Root::Each(roots);
+        self.run.root = match self.run.root {
+            Root::None | Root::Each(_) => Root::Each(roots),
+            Root::Same(_) | Root::Both => Root::Both,
+        };
         self
     }
 
@@ -360,6 +368,7 @@ impl<'a, E: Element<8>> Job<'a, E> {
         &self,
         locals: L,
         models: Range<usize>,
+        #[cfg_attr(not(feature = "alloc"), expect(unused, reason = "nothing is planned"))]
         all: usize,
     ) -> (Self, L) {
         let joints = self.run.parents.len().max(1);
@@ -391,6 +400,7 @@ impl<'a, E: Element<8>> Job<'a, E> {
         match self.run.root {
             Root::Each(roots) => same_length("roots", roots.len(), instances),
             Root::None | Root::Same(_) => Ok(()),
+            Root::Both => Err(ShapeError::TwoRoots),
         }
     }
 }

@@ -26,6 +26,8 @@ pub(super) enum Root<'a, E: Element<8>> {
     Same(DualQuat<Number<E, 8>>),
     /// A motion for each instance, one element for each instance (block).
     Each(&'a [E]),
+    /// Two of these, so that neither can be meant: no job runs.
+    Both,
 }
 
 impl<E: Element<8>> Root<'_, E> {
@@ -39,7 +41,7 @@ impl<E: Element<8>> Root<'_, E> {
         register: usize,
     ) -> Option<Motions<E, V>> {
         match *self {
-            Self::None => None,
+            Self::None | Self::Both => None,
             Self::Same(root) => Some(batch::DualQuat::splat(level, root.to_array())),
             Self::Each(roots) => {
                 let tile = Tile::at(instance, register);
@@ -63,7 +65,7 @@ impl<E: Element<8>> Run<'_, E> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn root_of(&self, instance: usize) -> Option<[Number<E, 8>; 8]> {
         match self.root {
-            Root::None => None,
+            Root::None | Root::Both => None,
             Root::Same(root) => Some(root.to_array()),
             Root::Each(roots) => E::plain(roots)?.get(instance).copied(),
         }

@@ -4,7 +4,10 @@ use crate::subject::{Root, Run, Task, for_every_subject};
 use core::error::Error;
 use core::ops::Range;
 use dq8::storage::Block;
-use dq8::{DualQuat, Hierarchy, ShapeError, hierarchy::HierarchyError};
+use dq8::{
+    DualQuat, Hierarchy, ShapeError,
+    hierarchy::{HierarchyError, Poses},
+};
 use proptest::prelude::*;
 
 const ROOT: u32 = Hierarchy::ROOT;
@@ -53,7 +56,7 @@ fn a_parent_that_is_no_joint_is_refused() {
     refused(&[ROOT, 0, 3], beyond, &[2, 3]);
     // One below the mark of a root, which must not be taken for one.
     let parent = ROOT - 1;
-    let far = HierarchyError::ParentOutOfRange { joint: 1, parent, joints: 2 };
+    let far = HierarchyError::ParentOutOfRange { joint: 1, parent: parent.into(), joints: 2 };
     refused(&[ROOT, parent], far, &[1, parent as usize, 2]);
 }
 
@@ -78,7 +81,7 @@ proptest! {
             Err(if (parent as usize) < joints {
                 HierarchyError::ParentNotBefore { joint, parent }
             } else {
-                HierarchyError::ParentOutOfRange { joint, parent, joints }
+                HierarchyError::ParentOutOfRange { joint, parent: parent.into(), joints }
             })
         });
         prop_assert_eq!(Hierarchy::new(&parents).map(|skeleton| skeleton.parents()), wanted);
@@ -168,21 +171,47 @@ fn any_number_of_roots_but_one_an_instance_is_refused() {
     }
 }
 
-/// The last of `root` and `roots` counts, so a wrong number of roots is forgotten with them.
+/// Neither is dropped without a word, whichever comes first and however often; one kind twice is its last.
 #[test]
-fn a_shared_root_takes_the_place_of_roots() {
+fn a_shared_root_and_roots_are_an_error_together() {
     let arm = Hierarchy::new(&ARM).expect("parents come first");
-    let one = DualQuat::<f64>::IDENTITY;
-    let roots = [one; 5];
-    let job = arm.job().roots(&roots).root(one);
-    job.local_to_model_in_place(&mut [one; 3]).expect("there is one root");
-    let one = Block::<f32, 8>::splat([1.0; 8]);
-    let roots = [one; 5];
+    let up = |z: f64| DualQuat::from_translation([0.0, 0.0, z]);
+    let (one, roots, other) = (up(0.0), [up(1.0)], [up(2.0)]);
+    for job in [
+        arm.job().roots(&roots).root(one),
+        arm.job().root(one).roots(&roots),
+        arm.job().root(one).roots(&roots).root(one),
+        arm.job().roots(&roots).root(one).roots(&roots),
+    ] {
+        let mut models = [one; 3];
+        let (refused, mut palette) = (Err(ShapeError::TwoRoots), [one; 3]);
+        assert_eq!(job.local_to_model(&[up(1.0); 3], &mut models), refused);
+        assert_eq!(job.local_to_model_in_place(&mut models), refused);
+        assert_eq!(job.model_to_local(&[up(1.0); 3], &mut models), refused);
+        assert_eq!(job.model_to_local_in_place(&mut models), refused);
+        let poses = Poses(&[up(1.0); 3]);
+        assert_eq!(job.locals_to_palette(poses, &mut models, &[one; 3], &mut palette), refused);
+        assert_eq!((models, palette), ([one; 3], [one; 3]));
+        assert_eq!(job.palette(poses, &mut models, &[one; 3], &mut palette), refused);
+        assert_eq!(palette, [one; 3]);
+    }
+    for (job, height) in
+        [(arm.job().root(up(3.0)).root(up(4.0)), 4.0), (arm.job().roots(&roots).roots(&other), 2.0)]
+    {
+        let mut models = [one; 3];
+        job.local_to_model_in_place(&mut models).expect("one kind of root");
+        assert_eq!(models[2].translation()[2], height);
+    }
+    let block = Block::<f32, 8>::splat([1.0; 8]);
+    let roots = [block; 1];
     let job = arm.job().roots(&roots).root(DualQuat::IDENTITY);
-    job.local_to_model_in_place(&mut [one; 3]).expect("there is one root");
-    // And the other way round.
-    let job = arm.job().root(DualQuat::IDENTITY).roots(&roots);
-    job.local_to_model_in_place(&mut [one; 3]).unwrap_err();
+    assert_eq!(job.local_to_model_in_place(&mut [block; 3]), Err(ShapeError::TwoRoots));
+    #[cfg(feature = "rayon")]
+    {
+        let job = arm.job().roots(&roots).root(DualQuat::IDENTITY);
+        let refused = job.par_local_to_model_in_place(&mut [block; 3]);
+        assert_eq!(refused, Err(ShapeError::TwoRoots));
+    }
 }
 
 #[test]
