@@ -3,6 +3,7 @@
 
     python3 scripts/check_firmware.py TARGET libkernels.a IMAGE            # prints; exits 1 if a proof fails
     python3 scripts/check_firmware.py TARGET libkernels.a IMAGE --update   # writes the sizes that are checked
+    python3 scripts/check_firmware.py --stack IMAGE FUNCTION…              # how deep functions of any image go, and by which calls
 
 Needs ld.lld and the llvm tools (Debian packages lld and llvm). The library is tests/firmware/kernels. Its functions are
 linked in groups, without libc, allocator or panic handler: what links cannot panic and does not allocate. Of each group:
@@ -22,7 +23,7 @@ SIZES, KERNELS = FIRMWARE / "sizes.txt", FIRMWARE / "kernels/src"
 GROWTH = 1.05
 # Which functions, by the beginning of their names: see tests/firmware/kernels.
 GROUPS = {"forward": ("forward_",), "core": ("forward_", "core_"), "all": ("forward_", "core_", "more_"),
-          "robot": ("robot_",)}
+          "robot": ("robot_",), "follow": ("ik_follow",), "ik": ("ik_solve",), "arm": ("arm_",)}
 EMULATION = {
     "thumbv7em-none-eabihf": "armelf",
     "aarch64-unknown-none": "aarch64elf",
@@ -33,11 +34,14 @@ EMULATION = {
 LIMITS = {
     ("thumbv7em-none-eabihf", "forward"): (4096, 512),
     ("thumbv7em-none-eabihf", "core"): (4096, 512),
+    ("thumbv7em-none-eabihf", "follow"): (49152, 5120),
+    ("thumbv7em-none-eabihf", "ik"): (69632, 5120),
 }
 # Arithmetic in double precision where it is a library call: Arm's names, and those of libgcc.
 DOUBLE = re.compile(r"__aeabi_(d\w+|\w+2d)$|__\w+df[23s]\w*$|__\w+df$")
-# What an image may do with them: name the number for which a mechanism was refused. Kernels may not even that.
+# What an image may do with them, and kernels that make a mechanism: name the number for which it was refused.
 WIDEN = {"__aeabi_f2d", "__extendsfdf2"}
+MAKES_MECHANISM = ("follow", "ik", "arm")
 PANIC = re.compile(r"panic|unwrap_failed|slice_\w*fail|something_can")
 CALL = re.compile(r"\t(?:bl|blx|b|b\.w|call|callq|jmp|jal|j|tail|jalr|blr|br)\b\s+(.*)")
 
@@ -108,7 +112,7 @@ class Stack:
 
     def __init__(self, image):
         self.graph, own = calls(image), frames(image)
-        self.name, self.own = {}, {}
+        self.name, self.own, self.known = {}, {}, {}
         for aliases in functions(image).values():
             known = [name for name in aliases if name in self.graph]
             sizes = [own[name] for name in aliases if name in own]
@@ -118,14 +122,21 @@ class Stack:
                 if sizes:
                     self.own[name] = max(sizes)
 
-    def deepest(self, function, above=()):
+    def deepest(self, function):
+        return self.way(function)[0]
+
+    def way(self, function, above=()):
+        """Bytes, and the functions on the way down, each with its own."""
         name = self.name.get(function)
         if name is None or name not in self.own:
             raise SystemExit(f"{' > '.join((*above, str(function)))}: a call that cannot be followed")
         if name in above:
             raise SystemExit(f"{' > '.join((*above, name))}: a circle, so the stack has no bound")
-        below = (self.deepest(to, (*above, name)) for to in self.graph[name])
-        return self.own[name] + max(below, default=0)
+        if name not in self.known:
+            below = (self.way(to, (*above, name)) for to in self.graph[name])
+            bytes_below, calls_below = max(below, key=lambda way: way[0], default=(0, []))
+            self.known[name] = self.own[name] + bytes_below, [(name, self.own[name]), *calls_below]
+        return self.known[name]
 
 
 def unwanted(image):
@@ -160,7 +171,16 @@ def committed():
     return {(target, group): int(size) for target, group, size in lines}
 
 
+def tell_stack(image, entries):
+    stack = Stack(image)
+    for entry in entries:
+        total, way = stack.way(entry)
+        print(f"{total:6} bytes below {entry}:", *(f"{own:12} {name}" for name, own in way), sep="\n")
+
+
 def main():
+    if sys.argv[1] == "--stack":
+        return tell_stack(sys.argv[2], sys.argv[3:])
     target, library, image = sys.argv[1:4]
     sizes, failures = committed() if SIZES.exists() else {}, []
     for group in GROUPS:
@@ -179,7 +199,8 @@ def main():
             failures.append(f"{group}: {found['stack']} bytes of stack, at most {most_stack}")
         if group != "forward" and target in MUST_HAVE and not found["has"]:
             failures.append(f"{group}: no {MUST_HAVE[target]}")
-        failures += [f"{group}: {name}" for name in found["panics"] + found["double"]]
+        widen = WIDEN if group in MAKES_MECHANISM else set()
+        failures += [f"{group}: {name}" for name in found["panics"] + found["double"] if name not in widen]
         print(f"{target:30} {group:8} {found['text']:7} bytes of code {found['stack']:6} of stack, "
               f"{len(found['panics'])} panic symbols, {len(found['double'])} f64 calls")  # fmt: skip
     names = {name for names in unwanted(image).values() for name in names} - WIDEN

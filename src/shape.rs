@@ -5,6 +5,7 @@ use core::ops::Range;
 
 /// Slices that do not fit a hierarchy, or each other. Nothing has been written.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum ShapeError {
     /// A slice does not hold a whole number of instances.

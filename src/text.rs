@@ -10,6 +10,7 @@ use core::str::FromStr;
 
 /// Text that is not a list of so many numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum ParseError {
     /// The entry at this place of the list is not a number.

@@ -255,4 +255,11 @@ fn defmt_formats_what_is_plain() {
     formats::<DualQuat<f64>>();
     formats::<RotationTranslation<f32>>();
     formats::<Twist<f32>>();
+    // What a controller logs when something fails: every result of a search, and every error.
+    formats::<(dq8::ik::Outcome, dq8::ik::Report<f32>, dq8::ik::ArmError, dq8::ik::LimbError)>();
+    formats::<(dq8::mechanism::MechanismError, dq8::mechanism::ReachError)>();
+    formats::<(dq8::hierarchy::HierarchyError, dq8::ShapeError, dq8::skinning::SkinningError)>();
+    formats::<(dq8::scalar::NormalizeError, dq8::scalar::InverseError, dq8::scalar::MatrixError)>();
+    formats::<(dq8::incidence::IncidenceError, dq8::representation::OrthonormalError)>();
+    formats::<(dq8::text::ParseError, dq8::slices::TrajectoryError)>();
 }

@@ -7,7 +7,8 @@ use dq8::storage::Register;
 use dq8::{
     Backend, DualQuat, Hierarchy, Job, Quat, Skeleton,
     hierarchy::{
-        HierarchyError, MatrixOrder, Poses, Renormalize, Root, Rotations, RotationsTranslations,
+        HierarchyError, MatrixOrder, ParentIndex, Poses, Renormalize, Root, Rotations,
+        RotationsTranslations,
     },
 };
 
@@ -155,6 +156,11 @@ fn any_order_of_parents_is_sorted_and_the_order_told() {
     }
 }
 
+/// Both ways to a skeleton refuse these.
+fn of<P: ParentIndex>(parents: &[P]) -> [HierarchyError; 2] {
+    [Skeleton::new(parents).unwrap_err(), Skeleton::sorted(parents).unwrap_err()]
+}
+
 #[test]
 fn parents_of_every_type_mean_the_same_and_what_is_no_tree_is_refused() {
     let wanted = Skeleton::new(&[u32::MAX, 0, 1]).unwrap();
@@ -163,21 +169,41 @@ fn parents_of_every_type_mean_the_same_and_what_is_no_tree_is_refused() {
     assert_eq!(Skeleton::new(&[-1_isize, 0, 1]), Ok(wanted.clone()));
     assert_eq!(Skeleton::new(&[u16::MAX, 0, 1]), Ok(wanted.clone()));
     assert_eq!(Skeleton::new(&[usize::MAX, 0, 1]), Ok(wanted.clone()));
+    assert_eq!(Skeleton::new(&[u8::MAX, 0, 1]), Ok(wanted.clone()));
+    assert_eq!(Skeleton::new(&[-1_i8, 0, 1]), Ok(wanted.clone()));
+    // The largest number of every type.
+    assert_eq!(Skeleton::new(&[i8::MAX, 0, 1]), Ok(wanted.clone()));
+    assert_eq!(Skeleton::new(&[i16::MAX, 0, 1]), Ok(wanted.clone()));
+    assert_eq!(Skeleton::new(&[i32::MAX, 0, 1]), Ok(wanted.clone()));
+    assert_eq!(Skeleton::new(&[i64::MAX, 0, 1]), Ok(wanted.clone()));
+    assert_eq!(Skeleton::new(&[isize::MAX, 0, 1]), Ok(wanted.clone()));
+    assert_eq!(Skeleton::new(&[u64::MAX, 0, 1]), Ok(wanted.clone()));
+    assert_eq!(Skeleton::new(&[None, Some(0_u8), Some(1)]), Ok(wanted.clone()));
     assert_eq!(Skeleton::new(&[None, Some(0_u32), Some(1)]), Ok(wanted));
-    let beyond = u32::MAX - 1;
-    for refused in [
-        Skeleton::new(&[-2]).unwrap_err(),
-        Skeleton::new(&[u64::from(u32::MAX)]).unwrap_err(),
-        Skeleton::new(&[Some(u32::MAX)]).unwrap_err(),
-        Skeleton::sorted(&[-2]).unwrap_err(),
+    for (written, refused) in [
+        (-2, of(&[-1, -2])),
+        (i128::from(i64::MIN), of(&[-1, i64::MIN])),
+        (i128::from(i64::MAX) - 1, of(&[-1, i64::MAX - 1])),
+        (i128::from(i64::MAX), of(&[None, Some(i64::MAX)])),
+        (1 << 32, of(&[-1_i64, 1 << 32])),
+        (1 << 32, of(&[u64::MAX, 1 << 32])),
+        (i128::from(u64::MAX) - 1, of(&[u64::MAX, u64::MAX - 1])),
+        (i128::from(u32::MAX), of(&[u64::MAX, u64::from(u32::MAX)])),
+        (i128::from(u32::MAX), of(&[None, Some(u32::MAX)])),
+        (-1, of(&[None, Some(-1)])),
+        (-128, of(&[-1, i8::MIN])),
+        (254, of(&[u8::MAX, 254])),
     ] {
-        assert_eq!(
-            refused,
-            HierarchyError::ParentOutOfRange { joint: 0, parent: beyond, joints: 1 }
-        );
+        for error in refused {
+            let wanted = HierarchyError::ParentOutOfRange { joint: 1, parent: written, joints: 2 };
+            assert_eq!(error, wanted);
+            let text = error.to_string();
+            assert!(text.contains(&format!("joint 1 has parent {written}")), "{text}");
+        }
     }
-    let negative = Skeleton::new(&[-1, -3]).unwrap_err().to_string();
-    assert!(negative.contains("(-3 as a signed number)"), "{negative}");
+    // A negative number that has become a `u32` before it got here.
+    let cast = Hierarchy::new(&[u32::MAX, -3_i32 as u32]).unwrap_err().to_string();
+    assert!(cast.contains("4294967293 (-3 as a signed number)"), "{cast}");
     assert_eq!(Skeleton::sorted(&[0]).unwrap_err(), HierarchyError::Cycle { joint: 0 });
     assert_eq!(Skeleton::sorted(&[1, 2, 3, 1]).unwrap_err(), HierarchyError::Cycle { joint: 1 });
     assert!(HierarchyError::Cycle { joint: 1 }.to_string().contains("its own ancestor"));

@@ -176,6 +176,10 @@ enum dq8_status
    * A share of a mix is not in [0, 1].
    */
   DQ8_STATUS_SHARE = 30,
+  /**
+   * No joint moves the link of a goal: only fixed ones carry it.
+   */
+  DQ8_STATUS_UNMOVED = 31,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -1878,7 +1882,7 @@ dq8_status dq8_mechanism_reach_scratch_f32(const struct dq8_mechanism_f32 *mecha
  * freedom. `options` null: those of dq8_mechanism_reach_options. `scratch` may hold anything.
  * DQ8_STATUS_OK says that there is a report, not that the targets are reached: see `outcome`.
  *
- * DQ8_STATUS_NO_LINK, _WEIGHT (one is negative or not finite, or a goal has none, or there is
+ * DQ8_STATUS_NO_LINK, _UNMOVED, _WEIGHT (one is negative or not finite, or a goal has none, or there is
  * no goal), _LIMITS, _NOT_FINITE (the posture) or _UNKNOWN_VALUE (`restarts`); then `scratch`
  * may have been written, the values and the report not.
  */
@@ -1916,7 +1920,7 @@ dq8_status dq8_mechanism_reach_scratch_f64(const struct dq8_mechanism_f64 *mecha
  * freedom. `options` null: those of dq8_mechanism_reach_options. `scratch` may hold anything.
  * DQ8_STATUS_OK says that there is a report, not that the targets are reached: see `outcome`.
  *
- * DQ8_STATUS_NO_LINK, _WEIGHT (one is negative or not finite, or a goal has none, or there is
+ * DQ8_STATUS_NO_LINK, _UNMOVED, _WEIGHT (one is negative or not finite, or a goal has none, or there is
  * no goal), _LIMITS, _NOT_FINITE (the posture) or _UNKNOWN_VALUE (`restarts`); then `scratch`
  * may have been written, the values and the report not.
  */

@@ -240,6 +240,7 @@ fn status(error: &ReachError) -> Status {
         ReachError::NoGoals | ReachError::Weight { .. } | ReachError::NoWeight { .. } => {
             Status::Weight
         }
+        ReachError::Unmoved { .. } => Status::Unmoved,
         ReachError::Limits { .. } => Status::Limits,
         ReachError::Posture { .. } => Status::NotFinite,
         ReachError::Freedoms { .. } | ReachError::PostureLength { .. } => Status::Length,
@@ -277,7 +278,7 @@ macro_rules! functions {
             /// freedom. `options` null: those of dq8_mechanism_reach_options. `scratch` may hold anything.
             /// DQ8_STATUS_OK says that there is a report, not that the targets are reached: see `outcome`.
             ///
-            /// DQ8_STATUS_NO_LINK, _WEIGHT (one is negative or not finite, or a goal has none, or there is
+            /// DQ8_STATUS_NO_LINK, _UNMOVED, _WEIGHT (one is negative or not finite, or a goal has none, or there is
             /// no goal), _LIMITS, _NOT_FINITE (the posture) or _UNKNOWN_VALUE (`restarts`); then `scratch`
             /// may have been written, the values and the report not.
             mechanism::reach(

@@ -104,6 +104,8 @@ statuses! {
         NoPlan = 29: c"the order of the plan has not been made",
         /// A share of a mix is not in [0, 1].
         Share = 30: c"a share of a mix is not in [0, 1]",
+        /// No joint moves the link of a goal: only fixed ones carry it.
+        Unmoved = 31: c"no joint moves the link of a goal",
     }
 }
 

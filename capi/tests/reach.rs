@@ -40,17 +40,21 @@ struct Arm {
 }
 
 fn arm() -> Arm {
+    arm_of(&joints(), [0.4, 0.9, -0.7])
+}
+
+/// With a target where these values take the tool.
+fn arm_of(joints: &[Joint<f64>; LINKS], goal: [f64; VALUES]) -> Arm {
     let mut steps = Box::new([const { MaybeUninit::uninit() }; LINKS]);
     let mut made = MaybeUninit::zeroed();
     // SAFETY: arrays have the length that is said.
     let made = unsafe {
         let room = steps.as_mut_ptr().cast();
-        let status = m::make(joints().as_ptr(), LINKS, room, made.as_mut_ptr(), ptr::null_mut());
+        let status = m::make(joints.as_ptr(), LINKS, room, made.as_mut_ptr(), ptr::null_mut());
         assert_eq!(status, Status::Ok);
         made.assume_init()
     };
-    let (goal, mut target) = ([0.4, 0.9, -0.7], [0.0; 8]);
-    let mut needed = 0;
+    let (mut target, mut needed) = ([0.0; 8], 0);
     // SAFETY: as above.
     unsafe {
         let status = m::link_pose(&made, goal.as_ptr(), VALUES, 3, target.as_mut_ptr());
@@ -145,6 +149,29 @@ fn options_and_limits_are_read() {
     assert_eq!(bent.reach(ptr::null(), ptr::null()), Status::Ok);
     assert_eq!(bent.report.outcome, Outcome::AtLimits as i32, "{:?}", bent.report);
     assert!((bent.values[0].abs() - 2.5).abs() < 1e-12, "{:?}", bent.values);
+}
+
+/// Hinges without limits, and their tool.
+#[test]
+fn of_whole_turns_the_nearest_to_the_start_is_returned() {
+    let endless = joints().map(|joint| Joint { limited: 0, ..joint });
+    for (start, there) in [(3.2, 3.25), (9.0, 3.25 + std::f64::consts::TAU), (-3.2, -3.25)] {
+        let mut arm = arm_of(&endless, [there, 0.9, -0.7]);
+        arm.values = [start, 0.9, -0.7];
+        assert_eq!(arm.reach(ptr::null(), ptr::null()), Status::Ok);
+        assert_eq!(arm.report.outcome, Outcome::Converged as i32);
+        assert!((arm.values[0] - there).abs() < 1e-4, "{:?}", arm.values);
+    }
+}
+
+#[test]
+fn a_goal_for_a_link_that_no_joint_moves_is_refused() {
+    let mut joints = joints();
+    // The tool hangs on the base.
+    joints[3].parent = -1;
+    let mut arm = arm_of(&joints, [0.4, 0.9, -0.7]);
+    assert_eq!(arm.reach(ptr::null(), ptr::null()), Status::Unmoved);
+    assert_eq!((arm.values, arm.report.outcome), ([0.1, 0.2, 0.3], -7));
 }
 
 #[test]

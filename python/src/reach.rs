@@ -203,7 +203,7 @@ fn options<R: Number>(options: &Options<f64>) -> PyResult<Options<R>> {
 /// With the name of the argument that it is about.
 fn named(error: ReachError) -> PyErr {
     let argument = match error {
-        ReachError::NoGoals | ReachError::Link { .. } => "`links`: ",
+        ReachError::NoGoals | ReachError::Link { .. } | ReachError::Unmoved { .. } => "`links`: ",
         ReachError::Weight { .. } | ReachError::NoWeight { .. } => "`weights`: ",
         ReachError::PostureLength { .. } | ReachError::Posture { .. } => "`posture`: ",
         _ => "",

@@ -260,3 +260,19 @@ def test_reports_pickle_and_are_dicts_of_their_arrays(planar, shape, dtype):
             np.testing.assert_array_equal(one, other)
     if len(shape) == 1:
         assert pd.DataFrame(report.to_dict()).shape == (*shape, 6)
+
+
+@pytest.mark.parametrize("restarts", [False, True])
+@pytest.mark.parametrize(("start", "there"), [(3.2, 3.25), (9.0, 3.25 + 2 * np.pi), (-3.2, -3.25)])
+def test_of_whole_turns_the_nearest_to_the_start_comes_back(planar, start, there, restarts):
+    target = planar.poses(np.array([there, 0.9, -0.7]), 2)
+    values, report = planar.reach(target, [start, 0.9, -0.7], 2, restarts=restarts)
+    assert report.converged
+    np.testing.assert_allclose(values, [there, 0.9, -0.7], rtol=0, atol=1e-4)
+
+
+def test_a_goal_for_a_link_that_no_joint_moves_is_refused():
+    offsets = dq8.from_translation([[0.0, 0, 0], [1, 0, 0]])
+    machine = dq8.Mechanism([-1, -1], ["revolute", "fixed"], [0, 0, 1], offsets)
+    with pytest.raises(ValueError, match="goal 0 is for link 1, and no joint that carries it moves"):
+        machine.reach(dq8.from_translation([1.0, 0, 0]), [0.1], 1)

@@ -4,6 +4,7 @@ use core::fmt;
 
 /// A parent array that is not a hierarchy.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum HierarchyError {
     /// A joint's parent does not come before it: a forward reference, or a cycle.
@@ -17,8 +18,8 @@ pub enum HierarchyError {
     ParentOutOfRange {
         /// The joint.
         joint: usize,
-        /// Its parent.
-        parent: u32,
+        /// Its parent, as it was written: a number of any type.
+        parent: i128,
         /// How many joints there are.
         joints: usize,
     },
@@ -45,15 +46,14 @@ impl fmt::Display for HierarchyError {
                 "joint {joint} has parent {parent}, which must come before it (sort parents first; \
                  a cycle cannot be sorted)"
             ),
-            // Negative numbers come as what they are as a `u32`.
-            Self::ParentOutOfRange { joint, parent, joints } if parent.cast_signed() < 0 => write!(
-                f,
-                "joint {joint} has parent {parent} ({} as a signed number), but there are only {joints} \
-                 joints, and −1 is none",
-                parent.cast_signed()
-            ),
             Self::ParentOutOfRange { joint, parent, joints } => {
-                write!(f, "joint {joint} has parent {parent}, but there are only {joints} joints")
+                write!(f, "joint {joint} has parent {parent}")?;
+                match u32::try_from(*parent).map(u32::cast_signed) {
+                    // Negative numbers that came as a `u32`.
+                    Ok(signed @ ..0) => write!(f, " ({signed} as a signed number)")?,
+                    _ => {}
+                }
+                write!(f, ", but there are only {joints} joints, counted from 0, and −1 is none")
             }
             Self::Cycle { joint } => write!(f, "joint {joint} is its own ancestor"),
             Self::TooManyJoints { joints } => {

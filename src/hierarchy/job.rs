@@ -79,7 +79,16 @@ impl<'a> Hierarchy<'a> {
 }
 
 impl<'a> Job<'a> {
-    /// Puts every root joint on `root`: model(j) = root · local(j), the same for all instances.
+    /// Puts every root joint on `root`: model(j) = root · local(j), the same for all instances. A job has either this or
+    /// [`roots`](Self::roots), so that neither is dropped without a word:
+    ///
+    /// ```compile_fail,E0599
+    /// # use dq8::{DualQuat, Hierarchy};
+    /// # let (one, roots) = (DualQuat::<f32>::IDENTITY, [DualQuat::<f32>::IDENTITY]);
+    /// let leg = Hierarchy::new(&[Hierarchy::ROOT, 0])?;
+    /// leg.job().root(one).roots(&roots);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
     #[must_use]
     pub fn root<R>(self, root: DualQuat<R>) -> Job<'a, DualQuat<R>> {
         self.with(root)

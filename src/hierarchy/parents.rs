@@ -51,6 +51,7 @@ impl<'a> Hierarchy<'a> {
             return Err(if (parent as usize) < parents.len() {
                 HierarchyError::ParentNotBefore { joint, parent }
             } else {
+                let parent = parent.into();
                 HierarchyError::ParentOutOfRange { joint, parent, joints: parents.len() }
             });
         }

@@ -12,8 +12,8 @@ use alloc::vec::Vec;
 /// [`job`](Self::job) does all that a job of the hierarchy does, and takes the plan where that is
 /// faster: for one instance in a plain slice, with any [form of locals](super::Locals), root and palette.
 ///
-/// Parents are numbers of any type: −1, the largest number or `None` says that there is none. As glTF,
-/// URDF and FBX list them in any order, [`sorted`](Self::sorted) finds one with parents first.
+/// Parents are integers of 8 to 64 bits: −1, the largest number of the type or `None` says that there is none. As
+/// glTF, URDF and FBX list them in any order, [`sorted`](Self::sorted) finds one with parents first.
 ///
 /// ```
 /// use dq8::{DualQuat, Quat, Skeleton, hierarchy::Rotations};
@@ -60,9 +60,10 @@ impl Skeleton {
     /// # Ok::<(), dq8::hierarchy::HierarchyError>(())
     /// ```
     pub fn new<P: ParentIndex>(parents: &[P]) -> Result<Self, HierarchyError> {
-        let parents: Box<[u32]> = parents.iter().map(|parent| parent.number()).collect();
-        let plan = HierarchyPlan::new(&Hierarchy::new(&parents)?);
-        Ok(Self { parents, plan })
+        let indices: Box<[u32]> = parents.iter().map(|&parent| index(parent)).collect();
+        let hierarchy = Hierarchy::new(&indices).map_err(|error| as_written(error, parents))?;
+        let plan = HierarchyPlan::new(&hierarchy);
+        Ok(Self { parents: indices, plan })
     }
 
     /// Of parents in any order, and the order of its joints: joint `j` is number `order[j]` of
@@ -87,7 +88,7 @@ impl Skeleton {
         if joints > Hierarchy::ROOT as usize {
             return Err(HierarchyError::TooManyJoints { joints });
         }
-        let old: Vec<u32> = parents.iter().map(|parent| parent.number()).collect();
+        let old: Vec<u32> = parents.iter().map(|&parent| index(parent)).collect();
         // Where each joint goes. While a joint waits for its ancestors it goes to `WAITS`.
         const UNKNOWN: u32 = u32::MAX;
         const WAITS: u32 = u32::MAX - 1;
@@ -107,7 +108,11 @@ impl Skeleton {
                         return Err(HierarchyError::Cycle { joint: parent as usize });
                     }
                     Some(_) => joint = parent as usize,
-                    None => return Err(HierarchyError::ParentOutOfRange { joint, parent, joints }),
+                    None => {
+                        let parent = parent.into();
+                        let error = HierarchyError::ParentOutOfRange { joint, parent, joints };
+                        return Err(as_written(error, parents));
+                    }
                 }
             }
             for joint in waiting.drain(..).rev() {
@@ -191,43 +196,52 @@ impl From<Hierarchy<'_>> for Skeleton {
 /// A number that names a parent, or says that there is none: −1, the largest number of its type, or
 /// `None`. Sealed.
 pub trait ParentIndex: Copy + sealed::Sealed {
-    /// The parent, [`Hierarchy::ROOT`] where there is none, or a number beyond every joint if this does not name one.
-    fn number(self) -> u32;
+    /// The parent as it is written; `None` where there is none.
+    fn number(self) -> Option<i128>;
 }
 
 mod sealed {
     pub trait Sealed {}
 }
 
-/// Not the number of a joint either.
+/// Not the number of a joint, and not the mark of a root.
 const BEYOND: u32 = u32::MAX - 1;
 
+/// What a hierarchy calls a parent; [`BEYOND`] if that is no joint.
+fn index<P: ParentIndex>(parent: P) -> u32 {
+    match parent.number() {
+        None => Hierarchy::ROOT,
+        Some(number) => u32::try_from(number).unwrap_or(BEYOND).min(BEYOND),
+    }
+}
+
+/// The error for a parent that is no joint, which names it as it was written.
+fn as_written<P: ParentIndex>(error: HierarchyError, parents: &[P]) -> HierarchyError {
+    match error {
+        HierarchyError::ParentOutOfRange { joint, parent, joints } => {
+            let written = parents.get(joint).and_then(|parent| parent.number());
+            let parent = written.unwrap_or(parent);
+            HierarchyError::ParentOutOfRange { joint, parent, joints }
+        }
+        _ => error,
+    }
+}
+
 macro_rules! parent_indices {
-    ($($number:ty: none is $none:expr;)*) => {$(
+    ($($number:ty)*) => {$(
         impl sealed::Sealed for $number {}
         impl ParentIndex for $number {
-            fn number(self) -> u32 {
-                if self == $none { Hierarchy::ROOT } else { Some(self).number() }
+            fn number(self) -> Option<i128> {
+                let number = self as i128;
+                (number != -1 && self != Self::MAX).then_some(number)
             }
         }
         impl sealed::Sealed for Option<$number> {}
         impl ParentIndex for Option<$number> {
-            fn number(self) -> u32 {
-                self.map_or(Hierarchy::ROOT, |parent| {
-                    let signed = || i32::try_from(parent).map(i32::cast_unsigned);
-                    u32::try_from(parent).or_else(|_| signed()).unwrap_or(BEYOND).min(BEYOND)
-                })
+            fn number(self) -> Option<i128> {
+                self.map(|parent| parent as i128)
             }
         }
     )*};
 }
-parent_indices! {
-    u16: none is Self::MAX;
-    u32: none is Self::MAX;
-    u64: none is Self::MAX;
-    usize: none is Self::MAX;
-    i16: none is -1;
-    i32: none is -1;
-    i64: none is -1;
-    isize: none is -1;
-}
+parent_indices! { u8 u16 u32 u64 usize i8 i16 i32 i64 isize }

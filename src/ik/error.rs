@@ -2,6 +2,7 @@ use core::fmt;
 
 /// Joints that make no arm.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum ArmError {
     /// The screw of a joint neither turns by 1 nor slides by 1.
@@ -52,6 +53,7 @@ impl fmt::Display for ArmError {
 
 /// What [`TwoBone`](crate::ik::TwoBone) cannot bend.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum LimbError {
     /// A bone of negative or infinite length, or NaN.

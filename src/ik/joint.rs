@@ -35,10 +35,10 @@ impl<R: Real> Joint<R> {
 
     /// The same joint with other limits. They may be infinite where nothing slides.
     ///
-    /// A hinge whose limits span a whole turn is never stopped by them: it goes on a turn less. One
-    /// whose limits span more than sixteen turns, or have no end, counts as endless: the values that an
-    /// arm returns for it are within half a turn of zero, or of the value next to zero that has half a
-    /// turn of room on both sides. A float many turns away is too coarse an angle.
+    /// A hinge whose limits span a whole turn is never stopped by them: it goes on a turn less. Of the values within
+    /// its limits that are the same pose, an arm returns the nearest to the start. One whose limits span more than
+    /// sixteen turns, or have no end, stays within 64 radians of zero (`f32`; `f64`: 2²⁰), or in the turn within its
+    /// limits that is nearest to it: a float many turns away is too coarse an angle.
     #[must_use]
     pub fn with_limits(self, limits: [R; 2]) -> Self {
         Self { limits, ..self }

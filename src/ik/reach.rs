@@ -16,9 +16,9 @@ where
     ///
     /// Each iteration is a damped step of second order (Halley's) along the screws of the joints, with
     /// the error 2 log(target · pose*): λ² is a part of the squared error (Sugihara 2011); a joint that
-    /// would leave its limits is held there and the others step again; a hinge whose limits span a turn
-    /// goes on a turn less. Starts outside the limits begin at them, those of hinges that span a turn
-    /// whole turns away. What is reported is the error of the pose at the values that are returned.
+    /// would leave its limits is held there and the others step again; a hinge that is within
+    /// its limits a turn less goes on there, and ends where it is nearest to the start. Starts outside the limits begin
+    /// whole turns away, within them, or at them. What is reported is the error of the pose at the values that are returned.
     ///
     /// Where two steps in a row do not lead much nearer, or limits leave no way nearer, the search
     /// begins again ([`Options::restarts`]) from the nearest of 128 poses of the arm, the next time from

@@ -4,6 +4,7 @@ use core::fmt;
 
 /// Points, lines and planes that do not determine the result.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum IncidenceError {
     /// A vector whose direction is needed is zero, or its length is not finite.

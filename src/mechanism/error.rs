@@ -2,6 +2,7 @@ use core::fmt;
 
 /// Joints that make no mechanism. All name the joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum MechanismError {
     /// A joint whose parent does not come before it: itself, a later one (which a circle needs), or none

@@ -11,13 +11,13 @@ use super::poses::{carries, first_carried, place_of, repeat};
 use super::step::Step;
 use super::values::JointValues;
 use super::walk::{Joined, Task, Walk};
-use crate::batch::DualQuat;
+use crate::batch::{DualQuat, vector};
 use crate::geometry::Twist;
 use crate::real::Scalar;
 use crate::shape::{ShapeError, same_length};
 use crate::storage::{Element, Layout, Number, Tile, aos, identity};
 use core::marker::PhantomData;
-use dq8_simd::Level;
+use dq8_simd::{Lanes, Level};
 
 impl<R: Scalar> Job<'_, R, &[usize]> {
     /// The geometric Jacobians of some links, and their poses, for many configurations in one pass: what
@@ -233,15 +233,20 @@ where
                     let Some(column) = C::load(level, self.columns, tile, &identity()) else {
                         return;
                     };
-                    let column = Twist::from_array(column);
-                    let column = match F::FRAME {
-                        Frame::World => column,
-                        Frame::Body => back.adjoint(column),
-                        Frame::WorldAligned => {
-                            Twist { linear: column.velocity_at(origin), ..column }
-                        }
+                    let twist = Twist::from_array(column);
+                    let twist = match F::FRAME {
+                        Frame::World => twist,
+                        Frame::Body => back.adjoint(twist),
+                        Frame::WorldAligned => Twist { linear: twist.velocity_at(origin), ..twist },
                     };
-                    C::store(column.to_array(), self.columns, self.place::<V>(group, index, rate));
+                    let mut seen = twist.to_array();
+                    if self.sums {
+                        // Of a joint that does not carry the link, wherever that is.
+                        let zero = column[0].constant(0.0);
+                        let [a, b, c, d, e, f] = column.map(|number| number.eq(zero));
+                        seen = vector::select(a & b & c & d & e & f, column, seen);
+                    }
+                    C::store(seen, self.columns, self.place::<V>(group, index, rate));
                 }
             }
         }

@@ -24,8 +24,9 @@
 //! | [`Mechanism::link_velocities`] | [`Job::velocities`] |
 //! | [`Mechanism::link_accelerations`] | [`Job::accelerations`] |
 //!
-//! On lanes an angle may be up to 2¹⁷ radians (`f32`) or 2⁴⁶ (`f64`) from zero. At 10⁴ radians sine and
-//! cosine of an `f32` angle, taken as exact, are off by at most five units of 2⁻²⁴.
+//! An angle may be up to 2¹⁷ radians (`f32`) or 2⁴⁶ (`f64`) from zero; beyond, poses, velocities and
+//! accelerations are NaN, of one configuration as on lanes. At 10⁴ radians sine and cosine of an `f32` angle,
+//! taken as exact, are off by at most five units of 2⁻²⁴.
 
 mod error;
 mod frame;

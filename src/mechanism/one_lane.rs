@@ -14,7 +14,7 @@ use crate::real::Real;
 use crate::scalar::{DualQuat, vector};
 use dq8_simd::Portable;
 
-/// [`Mechanism::link_poses`]; `None` if an angle is too far for the lanes, and where anything is NaN.
+/// [`Mechanism::link_poses`], with the poses of lanes for any value: NaN where an angle is too far for them.
 pub(super) struct LinkPoses<'s, R> {
     pub(super) mechanism: Mechanism<'s, R>,
     pub(super) values: &'s [R],
@@ -39,7 +39,7 @@ impl<R: Real> Quick<R> for LinkPoses<'_, R> {
             } else {
                 self.poses.get(step.parent as usize).map(placed)
             };
-            let Joined { pose, .. } = joined(step, parent, self.values)?;
+            let Joined { pose, .. } = joined(step, parent, self.values);
             *self.poses.get_mut(step.link as usize)? = DualQuat::from_array(pose.to_motion());
             last = (step.link, pose);
         }
@@ -47,7 +47,7 @@ impl<R: Real> Quick<R> for LinkPoses<'_, R> {
     }
 }
 
-/// [`Mechanism::link_pose`], and with columns to write [`Mechanism::link_jacobian`]; `None` as above.
+/// [`Mechanism::link_pose`], and with columns to write [`Mechanism::link_jacobian`].
 pub(super) struct LinkPose<'s, R> {
     pub(super) mechanism: Mechanism<'s, R>,
     pub(super) values: &'s [R],
@@ -73,7 +73,7 @@ impl<R: Real> Quick<R> for LinkPose<'_, R> {
                 position += step.size as usize;
                 continue;
             }
-            let joined = joined(step, last, self.values)?;
+            let joined = joined(step, last, self.values);
             if let Some((_, columns)) = &mut self.columns {
                 for index in 0..step.kind.rates() {
                     // What others mimic is moved by all of them.
@@ -91,6 +91,10 @@ impl<R: Real> Quick<R> for LinkPose<'_, R> {
         let Some((frame, columns)) = self.columns else { return Some(pose) };
         let (back, origin) = (pose.conjugate(), pose.translation());
         for column in columns {
+            // Of a joint that does not carry the link, wherever that is.
+            if column.to_array() == [R::ZERO; 6] {
+                continue;
+            }
             match frame {
                 Frame::World => break,
                 Frame::Body => *column = back.adjoint(*column),
@@ -101,9 +105,9 @@ impl<R: Real> Quick<R> for LinkPose<'_, R> {
     }
 }
 
-/// A joint on the pose of its parent; `None` if that is NaN.
+/// A joint on the pose of its parent.
 #[inline(always)]
-fn joined<R>(step: &Step<R>, parent: Option<Placed<R>>, values: &[R]) -> Option<Joined<R>>
+fn joined<R>(step: &Step<R>, parent: Option<Placed<R>>, values: &[R]) -> Joined<R>
 where
     R: Real + Number,
 {
@@ -112,10 +116,7 @@ where
         None => Placed::root(Portable, step),
     };
     let pose = moved(Portable, before, step, &mut Configuration(values));
-    // NaN is in no order, not even with itself.
-    let [_, _, _, w] = pose.rotation;
-    w.partial_cmp(&w)?;
-    Some(Joined { before, pose })
+    Joined { before, pose }
 }
 
 fn placed<R: Real>(pose: &DualQuat<R>) -> Placed<R> {

@@ -215,6 +215,8 @@ fn is_far_from_one<R: Real>(length: R) -> bool {
     !near
 }
 
+// Once in machine code, not for each kind of joint.
+#[inline(never)]
 fn unit<R: Real>(axis: [R; 3], index: usize) -> Result<[R; 3], MechanismError> {
     let length = vector::norm(axis);
     if is_far_from_one(length) {

@@ -17,26 +17,40 @@ impl<L: Lanes<Real: Scalar>> Joined<L> {
         let level = self.pose.half[0].level();
         let before = self.before;
         let screw = match step.kind {
-            JointKind::Prismatic { .. } => slide(before.direction(step)),
-            JointKind::Screw { pitch, .. } => {
-                let hinge = hinge(before.direction(step), before);
-                let pitch = L::splat(level, pitch);
-                Twist { linear: vector::scale_onto(hinge.angular, pitch, hinge.linear), ..hinge }
+            JointKind::Planar { .. } if index < 2 => {
+                let direction = step.plane.get(index).copied().unwrap_or_default();
+                slide(before.rotated(vector::splat(level, direction)))
             }
-            JointKind::Planar { .. } => match step.plane.get(index) {
-                Some(&direction) => slide(before.rotated(vector::splat(level, direction))),
-                None => hinge(before.direction(step), self.pose),
-            },
             JointKind::Floating => {
                 let mut axis = [L::splat(level, L::Real::default()); 3];
                 axis[index % 3] = axis[0].constant(1.0);
                 let axis = self.pose.rotated(axis);
                 if index < 3 { hinge(axis, self.pose) } else { slide(axis) }
             }
-            JointKind::Revolute { .. } | JointKind::Fixed => hinge(before.direction(step), before),
+            kind => {
+                let axis = before.direction(step);
+                match kind {
+                    JointKind::Prismatic { .. } => slide(axis),
+                    JointKind::Screw { pitch, .. } => {
+                        let hinge = hinge(axis, before);
+                        let linear = vector::scale_onto(axis, L::splat(level, pitch), hinge.linear);
+                        Twist { linear, ..hinge }
+                    }
+                    JointKind::Planar { .. } => hinge(axis, self.pose),
+                    _ => hinge(axis, before),
+                }
+            }
         };
         // Others go as their values do.
         if step.mimics { screw.scale(L::splat(level, step.multiplier)) } else { screw }
+    }
+
+    /// A rate, or NaN where the pose of the link is: a link that is nowhere does not move, although the screw of its
+    /// joint may be known.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn told(&self, rate: L) -> L {
+        let [.., w] = self.pose.rotation;
+        w.mul_add(w.constant(0.0), rate)
     }
 }
 

@@ -223,7 +223,7 @@ where
     ) -> Self::Carried<V> {
         let mut twist = *parent;
         for index in 0..step.kind.rates() {
-            let rate = state.get(level, step.rate as usize + index);
+            let rate = joined.told(state.get(level, step.rate as usize + index));
             twist = twist + joined.screw(step, index).scale(rate);
         }
         self.moving.store::<V>(group, step, joined, twist);
@@ -289,7 +289,7 @@ where
         for index in 0..step.kind.rates() {
             let which = step.rate as usize + index;
             let screw = joined.screw(step, index);
-            let own = screw.scale(rates.get(level, which));
+            let own = screw.scale(joined.told(rates.get(level, which)));
             acceleration = acceleration
                 + screw.scale(second_rates.get(level, which))
                 + lie_bracket(carrying, own);

@@ -149,36 +149,15 @@ pub(super) fn moved<L: Lanes<Real: Scalar>, N: JointNumbers<L>>(
     // axis is one of the frame's own, which take half the operations.
     match step.kind {
         JointKind::Fixed => before,
-        JointKind::Revolute { .. } => {
-            // A mimic has a multiplier and an offset; the others share the cosine and sine of the value, which are computed
-            // for four joints at a time.
-            let [cos, sin] = if step.mimics {
-                half_turn(affine(level, numbers.get(level, value), step))
-            } else {
-                let [cos, sin] = numbers.half_turn(level, value);
-                [cos, sin * L::splat(level, step.sign)]
-            };
+        // Those that do not mimic share the cosine and sine of the value, which are computed for four joints at a time.
+        JointKind::Revolute { .. } if !step.mimics => {
+            let [cos, sin] = numbers.half_turn(level, value);
+            let sin = sin * L::splat(level, step.sign);
             Placed { rotation: before.turn(step, cos, sin), half: before.half }
         }
         JointKind::Prismatic { .. } => {
             let half = affine(level, numbers.get(level, value), step);
             Placed { rotation: before.rotation, half: before.slide(step, half) }
-        }
-        JointKind::Screw { pitch, .. } => {
-            let half = affine(level, numbers.get(level, value), step);
-            let [cos, sin] = half_turn(half);
-            let slide = half * L::splat(level, pitch);
-            Placed { rotation: before.turn(step, cos, sin), half: before.slide(step, slide) }
-        }
-        JointKind::Planar { .. } => {
-            let one_half = L::splat(level, crate::real::Real::HALF);
-            let x = numbers.get(level, value) * one_half;
-            let y = numbers.get(level, value + 1) * one_half;
-            let [cos, sin] = half_turn(affine(level, numbers.get(level, value + 2), step));
-            let [first, second] = step.plane;
-            let along = vector::scale(vector::splat(level, first), x);
-            let slide = vector::scale_onto(vector::splat(level, second), y, along);
-            Placed { rotation: before.turn(step, cos, sin), half: before.moved(slide) }
         }
         JointKind::Floating => {
             let mut all = [L::splat(level, Default::default()); 7];
@@ -190,6 +169,24 @@ pub(super) fn moved<L: Lanes<Real: Scalar>, N: JointNumbers<L>>(
             let half = vector::scale([tx, ty, tz], x.constant(0.5));
             let rotation = (Quat::from_array(before.rotation) * turn).to_array();
             Placed { rotation, half: before.moved(half) }
+        }
+        JointKind::Revolute { .. } | JointKind::Screw { .. } | JointKind::Planar { .. } => {
+            let angle = if let JointKind::Planar { .. } = step.kind { value + 2 } else { value };
+            let turn = affine(level, numbers.get(level, angle), step);
+            let [cos, sin] = half_turn(turn);
+            let half = match step.kind {
+                JointKind::Screw { pitch, .. } => before.slide(step, turn * L::splat(level, pitch)),
+                JointKind::Planar { .. } => {
+                    let one_half = L::splat(level, crate::real::Real::HALF);
+                    let x = numbers.get(level, value) * one_half;
+                    let y = numbers.get(level, value + 1) * one_half;
+                    let [first, second] = step.plane;
+                    let along = vector::scale(vector::splat(level, first), x);
+                    before.moved(vector::scale_onto(vector::splat(level, second), y, along))
+                }
+                _ => before.half,
+            };
+            Placed { rotation: before.turn(step, cos, sin), half }
         }
     }
 }

@@ -4,6 +4,7 @@ use core::fmt;
 
 /// A 3×3 matrix that has no nearest rotation, or many.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum OrthonormalError {
     /// An element is not finite, or one of the stretch overflows.

@@ -8,6 +8,7 @@ use core::fmt;
 /// Fabisch (*Normalizing Dual Quaternions*, "Edge Case") omits it, and says that the solution "would be to
 /// set p = 1 and proceed", which makes a motion of what is none.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub struct NormalizeError {
     /// The norm of the real part.
@@ -28,6 +29,7 @@ impl core::error::Error for NormalizeError {}
 
 /// A dual quaternion or dual number without an inverse: its real part is zero or not finite.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub struct InverseError {
     /// The norm of the real part.
@@ -44,6 +46,7 @@ impl core::error::Error for InverseError {}
 
 /// A matrix that is not a rigid motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum MatrixError {
     /// Rows `row` and `column` of the rotation are not orthonormal: their product is `value`

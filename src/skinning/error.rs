@@ -3,6 +3,7 @@ use core::fmt;
 
 /// What is wrong with a skin, a palette or the slices of a run. Nothing has been written.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum SkinningError {
     /// A slice has the wrong length.

@@ -19,6 +19,7 @@ const CHUNK: usize = 64;
 
 /// Times and poses that do not make a trajectory.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum TrajectoryError {
     /// Slices that do not fit each other.

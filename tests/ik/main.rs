@@ -9,6 +9,7 @@ mod outcomes;
 mod reference;
 mod shapes;
 mod success;
+mod turns;
 mod two_bone;
 
 /// What [`Options::default`](dq8::ik::Options) calls reached, radians and lengths, and what measuring it is rounded by.

@@ -43,11 +43,23 @@ impl<const N: usize> Search<'_, N> {
     }
 
     /// Whether a turn more or less is the same pose.
-    fn wraps(&self, joint: usize) -> bool {
-        let joint = &self.arm.joints()[joint];
-        let Twist { angular: w, linear: v } = joint.screw;
+    fn is_hinge(&self, joint: usize) -> bool {
+        let Twist { angular: w, linear: v } = self.arm.joints()[joint].screw;
         let pitch = w[0] * v[0] + w[1] * v[1] + w[2] * v[2];
-        w != [0.0; 3] && pitch.abs() < 1e-12 && joint.limits[1] - joint.limits[0] >= TAU
+        w != [0.0; 3] && pitch.abs() < 1e-12
+    }
+
+    /// Whether one is within the limits too.
+    fn wraps(&self, joint: usize) -> bool {
+        let [low, high] = self.arm.joints()[joint].limits;
+        self.is_hinge(joint) && high - low >= TAU
+    }
+
+    /// Whether a step to `value` ends at a limit: no turn less is between them.
+    fn stops(&self, joint: usize, value: f64) -> bool {
+        let turns: &[f64] = if self.is_hinge(joint) { &[0.0, TAU, -TAU] } else { &[0.0] };
+        let [low, high] = self.arm.joints()[joint].limits;
+        !turns.iter().any(|turn| (low..=high).contains(&(value + turn)))
     }
 
     /// A twist as angle and way of the end, both in radians.
@@ -98,7 +110,7 @@ impl<const N: usize> Search<'_, N> {
                 let [low, high] = self.arm.joints()[j].limits;
                 let (value, inside) =
                     (values[j] + changes[j], (values[j] + changes[j]).clamp(low, high));
-                if !self.wraps(j) && value != inside {
+                if !self.wraps(j) && self.stops(j, value) {
                     changes[j] = inside - values[j];
                     left -= row(j) * (changes[j] / unit(j));
                     stopped.push(j);
@@ -124,16 +136,17 @@ impl<const N: usize> Search<'_, N> {
         self.step(values, &bent, here)
     }
 
-    fn moved(&self, values: &[f64; N], changes: &[f64; N]) -> [f64; N] {
+    fn moved(&self, values: &[f64; N], changes: &[f64; N], start: &[f64; N]) -> [f64; N] {
         core::array::from_fn(|j| {
             let [low, high] = self.arm.joints()[j].limits;
             let value = values[j] + changes[j];
-            let turned = match self.wraps(j) {
-                true if value < low => value + TAU,
-                true if value > high => value - TAU,
-                _ => value,
-            };
-            turned.clamp(low, high)
+            // Of what a whole turn leaves within the limits, the nearest to the start.
+            let turns = if self.is_hinge(j) { -3..=3 } else { 0..=0 };
+            let near = turns
+                .map(|k| value + f64::from(k) * TAU)
+                .filter(|near| (low..=high).contains(near))
+                .min_by(|a, b| (a - start[j]).abs().total_cmp(&(b - start[j]).abs()));
+            near.unwrap_or(value.clamp(low, high))
         })
     }
 
@@ -152,7 +165,7 @@ impl<const N: usize> Search<'_, N> {
             if restarting {
                 let seeds = seeds.get_or_insert_with(|| self.seeds());
                 let Some(seed) = seeds.pop() else { break };
-                (values, restarts) = (seed, restarts + 1);
+                (values, restarts) = (self.moved(&seed, &[0.0; N], &start), restarts + 1);
             } else {
                 let (changes, limited) = self.halley(&values, &here);
                 let square = here.error.norm_squared();
@@ -161,7 +174,7 @@ impl<const N: usize> Search<'_, N> {
                     left -= self.row(column, here.end) * change;
                 }
                 hopeless = limited && left.norm_squared() > 0.4 * square && square > 1e-4;
-                values = self.moved(&values, &changes);
+                values = self.moved(&values, &changes, &start);
             }
             here = self.here(&values);
             let square = here.error.norm_squared();

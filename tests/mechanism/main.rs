@@ -3,6 +3,7 @@
 
 mod book;
 mod errors;
+mod far;
 mod lanes;
 #[cfg(feature = "rayon")]
 mod parallel;

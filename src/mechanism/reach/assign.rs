@@ -48,9 +48,10 @@ impl<L: Lanes<Real: Scalar>> Search<'_, L> {
         for index in 0..goals {
             let target = *targets.get(index)?;
             let tolerance = self.work.options.linear_tolerance;
-            let (target, is_beyond) = reach.clamped(index, target, tolerance)?;
-            beyond |= is_beyond;
-            for (row, number) in target.to_array().into_iter().enumerate() {
+            let (target, drawn) = reach.clamped(index, target, tolerance)?;
+            beyond |= drawn.is_some();
+            let numbers = target.to_array().into_iter().chain(drawn.unwrap_or_default());
+            for (row, number) in numbers.enumerate() {
                 scratch.goals.set_number(index * GOAL + row, lane, number);
             }
         }
@@ -91,7 +92,6 @@ impl<L: Lanes<Real: Scalar>> Search<'_, L> {
 
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn report(&mut self, configuration: usize, lane: &Lane<L::Real>, outcome: Outcome) {
-        let reach = self.model.reach;
         let mut report = Report {
             iterations: lane.iterations,
             restarts: lane.restarts,
@@ -101,16 +101,6 @@ impl<L: Lanes<Real: Scalar>> Search<'_, L> {
         };
         if outcome == Outcome::Invalid {
             (report.angular_error, report.linear_error) = (L::Real::NAN, L::Real::NAN);
-        }
-        // The search was for the nearest point within the bound. Told is the distance from the target that was asked for.
-        if lane.out_of_reach && outcome != Outcome::Invalid {
-            let (goals, count) = (reach.goals.len(), reach.mechanism.values);
-            let values = self.work.values.get(configuration * count..).unwrap_or_default();
-            let targets = self.work.targets.get(configuration * goals..).unwrap_or_default();
-            if let Some(distance) = reach.distance(targets, values.get(..count).unwrap_or_default())
-            {
-                report.linear_error = distance;
-            }
         }
         if let Some(slot) = self.work.reports.get_mut(configuration) {
             *slot = report;
@@ -122,7 +112,7 @@ impl<L: Lanes<Real: Scalar>> Search<'_, L> {
     fn is_at_limits(&self, lane: usize) -> bool {
         let mut is_at_limits = false;
         for freedom in self.model.reach.freedoms {
-            if freedom.is_single() && !freedom.range.wraps {
+            if freedom.is_single() && !freedom.range.wraps() {
                 let value = self.model.scratch.best.number(freedom.value as usize, lane);
                 is_at_limits |= value <= freedom.range.low || freedom.range.high <= value;
             }

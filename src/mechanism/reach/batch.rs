@@ -1,5 +1,6 @@
 //! One configuration, and many.
 
+use super::lane::Lane;
 use super::model::Model;
 use super::problem::Reach;
 use super::report::{Options, Report};
@@ -43,18 +44,45 @@ where
         scratch: &mut [R],
         options: &Options<R>,
     ) -> Result<Report<R>, ShapeError> {
+        self.search::<true>(targets, values, scratch, options)
+    }
+
+    /// [`solve`](Self::solve) without [restarts](Options::restarts), whatever the options say: for a target that moves,
+    /// from the last values. It needs no more than that of a program, so that a controller holds a third less code.
+    ///
+    /// # Errors
+    /// As [`solve`](Self::solve).
+    pub fn follow(
+        &self,
+        targets: &[DualQuat<R>],
+        values: &mut [R],
+        scratch: &mut [R],
+        options: &Options<R>,
+    ) -> Result<Report<R>, ShapeError> {
+        let options = Options { restarts: false, ..*options };
+        self.search::<false>(targets, values, scratch, &options)
+    }
+
+    #[inline]
+    fn search<const AGAIN: bool>(
+        &self,
+        targets: &[DualQuat<R>],
+        values: &mut [R],
+        scratch: &mut [R],
+        options: &Options<R>,
+    ) -> Result<Report<R>, ShapeError> {
         let mut reports = [Report::default()];
         let work = Work { targets, values, reports: &mut reports, options };
         work.check(self, scratch.len(), self.scratch_len())?;
-        self.solve_one(work, Room::of(self, 1, scratch));
+        self.solve_one::<AGAIN>(work, Room::of(self, 1, scratch));
         let [report] = reports;
         Ok(report)
     }
 
     /// [`solve`](Self::solve) of what has been checked.
-    pub(super) fn solve_one(&self, work: Work<'_, R>, room: Room<'_, R>) {
+    pub(super) fn solve_one<const AGAIN: bool>(&self, work: Work<'_, R>, room: Room<'_, R>) {
         if let Some(model) = Model::<R>::new(Portable, self, work.options, room) {
-            Search::new(model, work).run();
+            Search::new(model, work, &mut [Lane::IDLE]).run::<AGAIN>();
         }
     }
 }
@@ -143,7 +171,7 @@ impl<R: Scalar> Kernel for Targets<'_, R> {
     fn run<V: Level>(self, level: V) {
         let Self { reach, work, room } = self;
         if let Some(model) = Model::<R::Lanes<V>>::new(level, reach, work.options, room) {
-            Search::new(model, work).run();
+            Search::new(model, work, &mut [Lane::IDLE; MAX_LANES]).run::<true>();
         }
     }
 }

@@ -36,6 +36,7 @@ impl<R: Real> Reach<'_, R> {
     }
 
     /// How far a joint slides; infinite if there is no end.
+    #[inline(never)]
     fn slide(&self, step: &Step<R>) -> R {
         let infinite = R::ONE / R::ZERO;
         let freedom = self.freedoms.get(self.column(step.rate as usize)).copied();
@@ -97,13 +98,13 @@ impl<R: Real> Reach<'_, R> {
     }
 
     /// The target of a goal, exactly unit; one beyond the bound is drawn to its edge, because from beyond it
-    /// would pull the harder the farther it is. Whether it was. `None` if it is not a target.
+    /// would pull the harder the farther it is. The way that it was drawn, if it was. `None` if it is not a target.
     pub(super) fn clamped(
         &self,
         goal: usize,
         target: DualQuat<R>,
         tolerance: R,
-    ) -> Option<(DualQuat<R>, bool)> {
+    ) -> Option<(DualQuat<R>, Option<[R; 3]>)> {
         if !(target.is_unit(R::from(UNIT)) && target.to_array().into_iter().all(Real::is_finite)) {
             return None;
         }
@@ -112,7 +113,7 @@ impl<R: Real> Reach<'_, R> {
         let asked = self.goals.get(goal)?.linear.into_iter().all(|weight| weight > R::ZERO);
         let bound = if goal == 0 { self.bound } else { self.reach_bound(goal) };
         let Some((centre, length)) = bound.filter(|_| asked) else {
-            return Some((target, false));
+            return Some((target, None));
         };
         let way = vector::sub(target.translation(), centre);
         let far = vector::norm(way);
@@ -122,27 +123,11 @@ impl<R: Real> Reach<'_, R> {
         // All three have been rounded, the places to parts of their distance from the base.
         let sizes = length + vector::norm(centre) + vector::norm(target.translation());
         if far <= length + R::from(64.0) * R::EPSILON * sizes + tolerance {
-            return Some((target, false));
+            return Some((target, None));
         }
         let edge = vector::add(centre, vector::scale(way, length / far));
-        Some((DualQuat::from_rotation_translation(target.rotation(), edge), true))
-    }
-
-    /// The largest distance between a link and its target, of what is asked for.
-    pub(super) fn distance(&self, targets: &[DualQuat<R>], values: &[R]) -> Option<R> {
-        let mut largest = R::ZERO;
-        for (goal, target) in self.goals.iter().zip(targets) {
-            let pose = self.pose(goal.link, values)?;
-            let target = target.normalize();
-            let way = vector::sub(target.translation(), pose.translation());
-            let mut way = target.rotation().conjugate().rotate(way);
-            for (component, weight) in way.iter_mut().zip(goal.linear) {
-                *component = if weight > R::ZERO { *component } else { R::ZERO };
-            }
-            let distance = vector::norm(way);
-            largest = if distance > largest { distance } else { largest };
-        }
-        Some(largest)
+        let drawn = vector::sub(target.translation(), edge);
+        Some((DualQuat::from_rotation_translation(target.rotation(), edge), Some(drawn)))
     }
 }
 

@@ -188,7 +188,7 @@ where
         let room = Room([room.joints.as_flattened_mut(), &mut room.rest]);
         let mut reports = [Report::default()];
         let work = Work { targets: &[target], values, reports: &mut reports, options };
-        self.view().solve_one(work, room);
+        self.view().solve_one::<true>(work, room);
         let [report] = reports;
         report
     }

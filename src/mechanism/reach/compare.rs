@@ -1,8 +1,9 @@
 //! What separates links from their targets.
 
+use super::forward::get;
 use super::goal::Goal;
 use super::model::{Apart, Model};
-use super::scratch::{GOAL, POSE, TARGET};
+use super::scratch::{DRAWN, GOAL, POSE, TARGET};
 use crate::batch::{DualQuat, vector};
 use crate::mechanism::placed::Placed;
 use crate::real::{Real, Scalar};
@@ -28,6 +29,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
             // A position is reached along the straight way. A whole pose is reached along the screw: its twist, as the
             // velocity of the end and not of the origin.
             let (mut angular, mut linear) = ([zero; 3], way);
+            way = vector::add(way, self.drawn(index, lane));
             if goal.asks_rotation() {
                 let pose = DualQuat::from_array(pose.to_motion());
                 let twist = (target * pose.conjugate()).to_twist();
@@ -46,7 +48,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
                 linear = to_target.rotate(linear);
                 way = to_target.rotate(way);
             }
-            // Tolerances are for turns and distances as they are; the square that a step makes smaller is weighted, and
+            // Tolerances are for turns and distances as they are, from the target that was asked for; the square that a step makes smaller is weighted, and
             // all in radians.
             let turn = asked(angular, goal.angular);
             let distance = asked(way, goal.linear);
@@ -78,24 +80,29 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
 
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn target(&self, goal: usize, lane: Option<usize>) -> DualQuat<L> {
-        let first = goal * GOAL;
-        let Some(lane) = lane else {
-            return DualQuat::from_array(self.scratch.goals.record(self.level, first));
-        };
-        let mut target = [L::Real::default(); TARGET];
-        for (index, number) in target.iter_mut().enumerate() {
+        DualQuat::from_array(self.of_goal::<DRAWN>(goal * GOAL, lane))
+    }
+
+    /// The way from there to the target that was asked for.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn drawn(&self, goal: usize, lane: Option<usize>) -> [L; 3] {
+        self.of_goal(goal * GOAL + DRAWN, lane)
+    }
+
+    /// Numbers of a goal, of each lane or of one for all.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn of_goal<const C: usize>(&self, first: usize, lane: Option<usize>) -> [L; C] {
+        let Some(lane) = lane else { return self.scratch.goals.record(self.level, first) };
+        let mut numbers = [L::Real::default(); C];
+        for (index, number) in numbers.iter_mut().enumerate() {
             *number = self.scratch.goals.number(first + index, lane);
         }
-        DualQuat::splat(self.level, target)
+        vector::splat(self.level, numbers)
     }
 
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn pose(&self, goal: usize) -> Placed<L> {
-        let first = goal * GOAL + TARGET;
-        let goals = &self.scratch.goals;
-        let (rotation, half) =
-            (goals.record(self.level, first), goals.record(self.level, first + 4));
-        Placed { rotation, half }
+        get(self.level, &self.scratch.goals, goal * GOAL + TARGET)
     }
 }
 

@@ -2,6 +2,7 @@ use core::fmt;
 
 /// What cannot be asked of a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum ReachError {
     /// There is no goal.
@@ -28,6 +29,13 @@ pub enum ReachError {
     NoWeight {
         /// The goal.
         goal: usize,
+    },
+    /// A goal for a link that nothing moves: only fixed joints carry it, and such that mimic others zero times.
+    Unmoved {
+        /// The goal.
+        goal: usize,
+        /// The link that it names.
+        link: usize,
     },
     /// Too little room for the freedoms.
     Freedoms {
@@ -74,6 +82,9 @@ impl fmt::Display for ReachError {
                 "component {component} of goal {goal} cannot weigh {value}: weights are zero, or from 1e-6 to 1e6"
             ),
             Self::NoWeight { goal } => write!(f, "all weights of goal {goal} are zero"),
+            Self::Unmoved { goal, link } => {
+                write!(f, "goal {goal} is for link {link}, and no joint that carries it moves")
+            }
             Self::Freedoms { freedoms, rates } => {
                 write!(f, "there is room for {freedoms} freedoms where {rates} rates need one each")
             }

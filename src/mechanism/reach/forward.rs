@@ -2,10 +2,11 @@
 
 use super::model::Model;
 use super::problem::Reach;
-use super::scratch::{GOAL, Rows, TARGET};
+use super::scratch::{GOAL, POSE, Rows, TARGET};
 use crate::mechanism::placed::Placed;
+use crate::mechanism::step::NONE;
 use crate::mechanism::values::JointNumbers;
-use crate::mechanism::walk::{Joined, frame, moved, slots};
+use crate::mechanism::walk::{Joined, moved};
 use crate::real::Scalar;
 use dq8_simd::Lanes;
 
@@ -33,8 +34,12 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     pub(super) fn place_fixed(&mut self) {
         for (index, goal) in self.reach.goals.iter().enumerate() {
             if goal.link >= self.reach.mechanism.links() {
-                let pose = with_tool(self.reach, Placed::identity(self.level));
-                put(&mut self.scratch.goals, index, pose);
+                // What would be fixed to the link is fixed to the base.
+                let pose = match self.reach.tool {
+                    Some(tool) => Placed::root(self.level, tool),
+                    None => Placed::identity(self.level),
+                };
+                put(&mut self.scratch.goals, index * GOAL + TARGET, pose);
             }
         }
     }
@@ -56,10 +61,13 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
                 continue;
             }
             position += 1;
-            let before = frame(level, &self.poses, step);
+            let before = if step.parent == NONE {
+                Placed::root(level, step)
+            } else {
+                get(level, &scratch.slots, step.parent_slot as usize * POSE).place(step)
+            };
             let pose = moved(level, before, step, &mut numbers);
-            let (_, to) = slots(step);
-            self.poses[to] = pose;
+            put(&mut scratch.slots, step.slot as usize * POSE, pose);
             if of == Of::Values {
                 let joined = Joined { before, pose };
                 for index in 0..step.kind.rates() {
@@ -69,7 +77,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
             }
             for (index, goal) in reach.goals.iter().enumerate() {
                 if goal.link == step.link as usize {
-                    put(&mut scratch.goals, index, with_tool(reach, pose));
+                    put(&mut scratch.goals, index * GOAL + TARGET, with_tool(reach, pose));
                 }
             }
         }
@@ -86,8 +94,16 @@ fn with_tool<L: Lanes<Real: Scalar>>(reach: &Reach<'_, L::Real>, link: Placed<L>
 }
 
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(super) fn put<L: Lanes<Real: Scalar>>(goals: &mut Rows<'_, L>, goal: usize, pose: Placed<L>) {
-    let at = goal * GOAL + TARGET;
-    goals.set_record(at, pose.rotation);
-    goals.set_record(at + 4, pose.half);
+pub(super) fn put<L: Lanes<Real: Scalar>>(rows: &mut Rows<'_, L>, at: usize, pose: Placed<L>) {
+    rows.set_record(at, pose.rotation);
+    rows.set_record(at + 4, pose.half);
+}
+
+#[cfg_attr(not(opt_level_0), inline(always))]
+pub(super) fn get<L: Lanes<Real: Scalar>>(
+    level: L::Level,
+    rows: &Rows<'_, L>,
+    at: usize,
+) -> Placed<L> {
+    Placed { rotation: rows.record(level, at), half: rows.record(level, at + 4) }
 }

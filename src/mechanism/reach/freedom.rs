@@ -1,7 +1,7 @@
 //! What a search may change: the rates of joints that move a goal.
 
 use super::error::ReachError;
-use super::range::Range;
+use super::range::{Range, Turns};
 use crate::mechanism::joint::JointKind;
 use crate::mechanism::step::{NONE, Step};
 use crate::real::Real;
@@ -13,9 +13,8 @@ pub struct Freedom<R> {
     pub(super) range: Range<R>,
     /// Where its value is; of a floating joint, the first of the seven.
     pub(super) value: u32,
-    /// How much farther in its range every next beginning is, as a part of it; zero where the range has
-    /// no end.
-    pub(super) share: f64,
+    /// How much farther in its range every next beginning is, in 2⁻⁶⁴ of it; zero where the range has no end.
+    pub(super) share: u64,
     /// Of the freedom for this rate, its place among those that move a goal.
     pub(super) column: u32,
 }
@@ -36,7 +35,7 @@ pub(super) enum Kind {
 impl<R: Real> Default for Freedom<R> {
     /// Memory to be written.
     fn default() -> Self {
-        Self { kind: Kind::Turn, range: Range::NONE, value: NONE, share: 0.0, column: NONE }
+        Self { kind: Kind::Turn, range: Range::NONE, value: NONE, share: 0, column: NONE }
     }
 }
 
@@ -61,15 +60,21 @@ impl<R: Real> Freedom<R> {
 
     /// Its value in beginning number `number` of those that are spread evenly.
     pub(super) fn beginning(&self, number: u64) -> R {
-        let share = 0.5 + number as f64 * self.share;
-        let share = R::from_f64(share - share as u64 as f64);
-        self.range.low + (self.range.high - self.range.low) * share
+        // Modulo 1 is what is left of a product that overflows. Its parts are numbers of any float.
+        let share = HALF.wrapping_add(number.wrapping_mul(self.share));
+        let (unit, mut sum) = (R::from(1.0 / 65_536.0), R::ZERO);
+        for shift in [16, 32, 48] {
+            sum = (sum + R::from(f32::from((share >> shift) as u16))) * unit;
+        }
+        let [low, high] = self.range.beginnings();
+        low + (high - low) * sum
     }
 
     /// Rate number `index` of a joint, with the limits of the joint.
+    #[inline(never)]
     fn of(step: &Step<R>, index: usize) -> Self {
         let whole = [-R::ONE / R::ZERO, R::ONE / R::ZERO];
-        let (kind, wraps, value) = match step.kind {
+        let (kind, is_hinge, value) = match step.kind {
             JointKind::Prismatic { .. } => (Kind::Slide, false, 0),
             JointKind::Planar { .. } if index < 2 => (Kind::Slide, false, index),
             JointKind::Floating if index < 3 => (Kind::FloatingTurn(index as u8), false, 0),
@@ -78,8 +83,9 @@ impl<R: Real> Freedom<R> {
             _ => (Kind::Turn, true, index),
         };
         let [low, high] = step.limits.unwrap_or(whole);
+        let turns = if is_hinge { Turns::Stop } else { Turns::Matter };
         let value = step.value.saturating_add(value as u32);
-        Self { kind, range: Range { low, high, wraps }, value, share: 0.0, column: NONE }
+        Self { kind, range: Range { low, high, turns }, value, share: 0, column: NONE }
     }
 }
 
@@ -115,8 +121,9 @@ pub(super) fn freedoms<R: Real>(
     for step in leaders() {
         for index in 0..step.kind.rates() {
             if let Some(slot) = moving(freedoms, step.rate as usize + index) {
-                let Range { low, high, wraps } = slot.range;
-                slot.range = Range::within([low, high], wraps, slot.kind == Kind::Turn)
+                let Range { low, high, turns } = slot.range;
+                let (is_hinge, is_angle) = (turns != Turns::Matter, slot.kind == Kind::Turn);
+                slot.range = Range::within([low, high], is_hinge, is_angle)
                     .ok_or_else(|| limits_error(step, [low, high]))?;
             }
         }
@@ -142,21 +149,42 @@ pub(super) fn freedoms<R: Real>(
 }
 
 /// Values of low discrepancy, where ranges have two ends: the additive recurrence ½ + kα modulo 1 with
-/// αⱼ = g⁻ʲ, g the positive root of gᴺ⁺¹ = g + 1 for N of them, which generalises the golden ratio (Roberts 2018).
+/// αⱼ = g⁻ʲ, g the positive root of gᴺ⁺¹ = g + 1 for N of them, which generalises the golden ratio (Roberts 2018). In
+/// integers: a controller has no `f64`, and `f32` would lose what the numbers of later beginnings have in common.
 fn spread<R: Real>(freedoms: &mut [Freedom<R>]) {
     let count = freedoms.iter().filter(|freedom| freedom.has_ends()).count();
-    let mut ratio = 1.5_f64;
-    for _ in 0..64 {
-        ratio = Real::exp(Real::ln(1.0 + ratio) / (count as f64 + 1.0));
+    let factor = spacing(count);
+    let mut power = factor;
+    for freedom in freedoms.iter_mut().filter(|freedom| freedom.has_ends()) {
+        freedom.share = power;
+        power = times(power, factor);
     }
-    let factor = 1.0 / ratio;
-    let mut power = 1.0;
-    for freedom in freedoms {
-        if freedom.has_ends() {
-            power *= factor;
-            freedom.share = power;
+}
+
+/// ½, in 2⁻⁶⁴.
+const HALF: u64 = 1 << 63;
+
+/// 1/g in 2⁻⁶⁴: the largest x for which xᴺ + xᴺ⁺¹ is less than 1, bit by bit.
+fn spacing(count: usize) -> u64 {
+    let mut x = 0;
+    for bit in (0..64).rev() {
+        let next = x | 1 << bit;
+        let mut power = u64::MAX;
+        for _ in 0..count {
+            power = times(power, next);
+        }
+        if power.checked_add(times(power, next)).is_some() {
+            x = next;
         }
     }
+    x
+}
+
+/// The product of two numbers in 2⁻⁶⁴, but for three units: of 32 bits each, as controllers multiply.
+fn times(a: u64, b: u64) -> u64 {
+    let low = |number: u64| number & u64::from(u32::MAX);
+    let (high, cross) = ((a >> 32) * (b >> 32), [(a >> 32) * low(b), low(a) * (b >> 32)]);
+    high + (cross[0] >> 32) + (cross[1] >> 32)
 }
 
 /// The freedom of a rate that moves a goal.
@@ -171,9 +199,8 @@ fn narrowed<R: Real>(range: Range<R>, step: &Step<R>) -> Result<Range<R>, ReachE
         JointKind::Screw { pitch, .. } => pitch == R::ZERO,
         kind => matches!(kind, JointKind::Revolute { .. }),
     };
-    let times: f64 = step.multiplier.into();
-    let wraps = range.wraps && is_hinge && times == f64::from(times as i32);
-    let range = Range { wraps, ..range };
+    let keeps = is_hinge && is_whole(step.multiplier);
+    let range = Range { turns: if keeps { range.turns } else { Turns::Matter }, ..range };
     let Some(limits) = step.limits else { return Ok(range) };
     if step.multiplier == R::ZERO {
         // It stands where it is, whatever the other does.
@@ -186,6 +213,13 @@ fn narrowed<R: Real>(range: Range<R>, step: &Step<R>) -> Result<Range<R>, ReachE
     let low = if low > range.low { low } else { range.low };
     let high = if high < range.high { high } else { range.high };
     if low <= high { Ok(Range { low, high, ..range }) } else { Err(limits_error(step, limits)) }
+}
+
+/// Whether a number has no fraction: so far up, floats have none.
+fn is_whole<R: Real>(number: R) -> bool {
+    let shift = R::ONE / R::EPSILON;
+    let size = number.abs();
+    size >= shift || (size + shift) - shift == size
 }
 
 fn limits_error<R: Real>(step: &Step<R>, [low, high]: [R; 2]) -> ReachError {

@@ -60,14 +60,12 @@ impl<R: Real> Goal<R> {
     }
 
     /// Whether the rotation is free, in part, or not at all.
-    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn asks_rotation(&self) -> bool {
         let [x, y, z] = self.angular;
         x + y + z > R::ZERO
     }
 
     /// Whether some of the rotation is asked for, and some is free.
-    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn asks_part_of_rotation(&self) -> bool {
         let [x, y, z] = self.angular;
         let all = x > R::ZERO && y > R::ZERO && z > R::ZERO;
@@ -75,7 +73,6 @@ impl<R: Real> Goal<R> {
     }
 
     /// Whether all six components are asked for: then the error is one screw.
-    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn is_pose(&self) -> bool {
         let [x, y, z] = self.linear;
         let all = x > R::ZERO && y > R::ZERO && z > R::ZERO;
@@ -83,7 +80,6 @@ impl<R: Real> Goal<R> {
     }
 
     /// Whether the axes do not matter: all weigh alike.
-    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn is_even(&self) -> bool {
         let ([a, b, c], [x, y, z]) = (self.angular, self.linear);
         a == b && b == c && x == y && y == z

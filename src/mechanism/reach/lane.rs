@@ -11,13 +11,13 @@ use super::report::{Options, Outcome};
 use crate::real::Real;
 
 /// The squared error must fall to a part of itself, where there is no other beginning to this part ...
-const LAST_PROGRESS: f64 = 0.999;
+const LAST_PROGRESS: f32 = 0.999;
 /// ... in this many steps. Patience costs iterations that a restart could use: with 3, fewer of the
 /// random targets in the tests are reached. Without restarts, patience costs nothing.
 const PATIENCE: u32 = 2;
 const LAST_PATIENCE: u32 = 6;
 /// Below this squared error (radians²) a limit in the way is not a reason to give up at once.
-const NEAR: f64 = 1e-4;
+const NEAR: f32 = 1e-4;
 /// So many steps may lead past the targets on the way to a posture.
 const POSTURE_PATIENCE: u32 = 60;
 /// A way of less than this, radians, is not worth another step to a posture.
@@ -113,7 +113,8 @@ impl<R: Real> Lane<R> {
 
     pub(super) fn new(configuration: usize, out_of_reach: bool) -> Self {
         let configuration = Some(configuration);
-        Self { configuration, out_of_reach, is_fresh: true, begins: true, ..Self::IDLE }
+        let next = Next::Step;
+        Self { configuration, out_of_reach, is_fresh: true, begins: true, next, ..Self::IDLE }
     }
 
     /// Whether this is the nearest so far, and what to do next.
@@ -189,7 +190,7 @@ impl<R: Real> Lane<R> {
         };
         let is_hopeless = may_restart && !self.begins && self.is_hopeless(seen, manner);
         // Measured from the last mark, not from the last step: many small gains are progress too.
-        if self.begins || seen.square < self.mark * R::from_f64(needed) {
+        if self.begins || seen.square < self.mark * R::from(needed) {
             (self.mark, self.idle_steps) = (seen.square, 0);
         } else {
             self.idle_steps += 1;
@@ -233,7 +234,7 @@ impl<R: Real> Lane<R> {
 
     /// Whether a limit cut the last step so short that even its own linear model left most of the error.
     fn is_hopeless(&self, seen: &Seen<R>, manner: &Manner) -> bool {
-        seen.left > self.square * R::from_f64(manner.hope) && self.square > R::from_f64(NEAR)
+        seen.left > self.square * R::from(manner.hope) && self.square > R::from(NEAR)
     }
 
     pub(super) fn outcome(&self, is_at_limits: bool, manner: &Manner) -> Outcome {

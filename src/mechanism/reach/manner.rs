@@ -1,14 +1,14 @@
 //! Where the searches of arms and of mechanisms differ. All else is one text.
 
 /// The squared error must fall to this part of itself where there is another beginning.
-pub(super) const PROGRESS: f64 = 0.4;
+pub(super) const PROGRESS: f32 = 0.4;
 
 /// What a search does where steps lead nowhere.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Manner {
     /// A step that limits cut so short that even its own linear model leaves more than this part of the
     /// squared error is the last, where there is another beginning.
-    pub(super) hope: f64,
+    pub(super) hope: f32,
     /// Whether that model goes straight on as everything begins to move, or along the bent columns of the step.
     pub(super) hopes_straight: bool,
     /// Whether the last twelfth of the iterations is for the nearest pose that was found, where none has

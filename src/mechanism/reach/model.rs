@@ -3,8 +3,6 @@
 use super::problem::Reach;
 use super::report::Options;
 use super::scratch::{Room, Scratch};
-use crate::mechanism::placed::Placed;
-use crate::mechanism::walk::SLOTS;
 use crate::real::Scalar;
 use dq8_simd::Lanes;
 
@@ -13,8 +11,6 @@ pub(super) struct Model<'s, L: Lanes> {
     pub(super) reach: &'s Reach<'s, L::Real>,
     pub(super) scales: Scales<L>,
     pub(super) scratch: Scratch<'s, L>,
-    /// Poses that wait for children.
-    pub(super) poses: [Placed<L>; SLOTS],
 }
 
 /// What makes lengths and radians comparable, and what keeps a step short.
@@ -67,6 +63,6 @@ impl<'s, L: Lanes<Real: Scalar>> Model<'s, L> {
             longest: L::splat(level, options.longest_step()),
             least_damping: damping * damping,
         };
-        Some(Self { level, reach, scales, scratch, poses: [Placed::identity(level); SLOTS] })
+        Some(Self { level, reach, scales, scratch })
     }
 }

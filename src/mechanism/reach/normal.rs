@@ -20,7 +20,8 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
         let (level, rows, scratch) = (self.level, self.reach.rows, &mut self.scratch);
         let none = damping.constant(0.0).to_array();
         // One pose is what most ask for: its triangle has 21 numbers, which stay on the stack, and loops of known length.
-        if rows == POSE {
+        // Machine code for one lane would be as long, to gain little: without std, where memory is short, it is left out.
+        if (L::LANES > 1 || cfg!(feature = "std")) && rows == POSE {
             let (mut a, mut b, mut c) = ([none; POSE * (POSE + 1) / 2], [none; POSE], [none; POSE]);
             let (mut triangle, mut reciprocals, mut y) = (Rows(&mut a), Rows(&mut b), Rows(&mut c));
             for row in 0..POSE {

@@ -15,9 +15,13 @@ use crate::real::Real;
 /// It borrows its memory: the goals, and a [`Freedom`] for each rate of the mechanism.
 /// [`OwnedReach`](super::OwnedReach) has its own.
 ///
-/// Joints of every kind move. Hinges without an end, or whose limits span a turn, go on a turn less; what
-/// has an end stops there; joints that mimic follow, within the limits of both. A floating joint turns
-/// about the axes of its link, and then slides. Joints that carry no link with a goal keep their values.
+/// Joints of every kind move. A whole turn of a hinge is the same pose: of the values within its limits that are,
+/// the result is the nearest to the start, and a start beyond the limits begins a turn or more less far where
+/// that is within them. What has an end stops there. (A float far from zero is a coarse angle: hinges whose limits span
+/// more than 16 turns stay within 64 radians of zero in `f32` and 2²⁰ in `f64`, or in the turn between their limits
+/// that is nearest to it. A turn of a thread, or of a joint that something mimics by a part, is another pose.) Joints
+/// that mimic follow, within the limits of both. A floating joint turns about the axes of its link, and then
+/// slides; its quaternion keeps the sign of the start. Joints that carry no link with a goal keep their values.
 ///
 /// ```
 /// use dq8::mechanism::{Freedom, Goal, Joint, Mechanism, Options, Outcome, Reach, Step};
@@ -72,8 +76,8 @@ impl<'a, R: Real> Reach<'a, R> {
     /// Checks what is asked.
     ///
     /// # Errors
-    /// If there is no goal, or one for a link that there is not, or with weights that are neither zero nor between 10⁻⁶
-    /// and 10⁶, or all zero; if there are fewer freedoms than rates; if the limits of a joint that moves a goal
+    /// If there is no goal, or one for a link that there is not or that no joint moves, or with weights that are neither
+    /// zero nor between 10⁻⁶ and 10⁶, or all zero; if there are fewer freedoms than rates; if the limits of a joint that moves a goal
     /// and of what mimics it leave no value, or are angles that a float does not tell apart. `freedoms` may
     /// have been written.
     pub fn new(
@@ -87,6 +91,9 @@ impl<'a, R: Real> Reach<'a, R> {
         let mut rows = 0;
         for (index, goal) in goals.iter().enumerate() {
             check(goal, index, mechanism.links())?;
+            if !is_moved(mechanism.steps, goal.link) {
+                return Err(ReachError::Unmoved { goal: index, link: goal.link });
+            }
             rows += goal.rows();
         }
         let room = freedoms.len();
@@ -163,7 +170,6 @@ impl<'a, R: Copy> Reach<'a, R> {
     }
 
     /// Whether second order is worth a second look at the columns.
-    #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn bends(&self) -> bool
     where
         R: Real,
@@ -196,6 +202,13 @@ fn moves_any<R>(steps: &[Step<R>], position: usize, goals: &[Goal<R>]) -> bool {
         }
     }
     false
+}
+
+/// Whether some value moves a link.
+fn is_moved<R: Real>(steps: &[Step<R>], link: usize) -> bool {
+    let moves = |step: &Step<R>| step.kind.rates() > 0 && step.multiplier != R::ZERO;
+    let mut positions = steps.iter().enumerate();
+    positions.any(|(position, step)| moves(step) && carries(steps, position, &[link]))
 }
 
 fn check<R: Real>(goal: &Goal<R>, index: usize, links: usize) -> Result<(), ReachError> {

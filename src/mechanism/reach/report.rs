@@ -68,6 +68,7 @@ impl<R: Real> Options<R> {
 
 /// The result of a search.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Report<R> {
     /// Steps and restarts together; zero where the start was good enough.
     pub iterations: u32,
@@ -88,6 +89,7 @@ pub struct Report<R> {
 /// [`AtLimits`](Self::AtLimits) and [`Stalled`](Self::Stalled) say what stopped its best try, and more
 /// [iterations](Options::max_iterations) may still find a solution elsewhere.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Outcome {
     /// Both errors are within the tolerances.
     Converged = 0,

@@ -12,6 +12,7 @@ use super::beginnings::{Beginnings, KEPT};
 use super::forward::{Of, put};
 use super::lane::Lane;
 use super::model::Model;
+use super::scratch::TARGET;
 use crate::mechanism::placed::Placed;
 use crate::real::{Real, Scalar};
 use dq8_simd::{Lanes, MAX_LANES};
@@ -54,7 +55,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
             }
             let [x, y, z, w, hx, hy, hz] = pose;
             let pose = Placed { rotation: [x, y, z, w], half: [hx, hy, hz] };
-            put(&mut self.scratch.goals, 0, pose);
+            put(&mut self.scratch.goals, TARGET, pose);
             let squares = self.compare(Some(lane)).square.to_array();
             for (index, &square) in squares.as_ref().iter().enumerate() {
                 // Those up to the last one have been taken: the order is by distance. Of two at the same distance one is
@@ -123,7 +124,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
         }
         for freedom in self.reach.freedoms {
             // What has no ends has no share of the sequence.
-            if freedom.share > 0.0 {
+            if freedom.share > 0 {
                 for index in 0..L::LANES {
                     let value = freedom.beginning(first + index as u64 + 1);
                     scratch.candidate.set_number(freedom.value as usize, index, value);

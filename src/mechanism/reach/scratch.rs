@@ -85,6 +85,8 @@ pub(super) struct Scratch<'s, L: Lanes> {
     pub(super) candidate: Rows<'s, L>,
     /// The screws of the joints that move a goal, six rows for each.
     pub(super) twists: Rows<'s, L>,
+    /// Poses that wait for children, [`POSE`] rows for each.
+    pub(super) slots: Rows<'s, L>,
     /// For each goal [`GOAL`] rows.
     pub(super) goals: Rows<'s, L>,
     /// How the errors fall with each freedom: `[freedom][component]`, zero where the freedom is held.
@@ -104,10 +106,11 @@ pub(super) struct Scratch<'s, L: Lanes> {
     pub(super) solution: Rows<'s, L>,
 }
 
-/// Rows of a goal: the target, the pose (rotation and half the translation), the rotation to the target,
-/// and the twist of the link as far as it has been summed up.
+/// Rows of a goal: the target, drawn to where it may be reached, and the way that it was drawn; the pose (rotation and half the
+/// translation), the rotation to the target, and the twist of the link as far as it has been summed up.
 pub(super) const GOAL: usize = TARGET + POSE + TURN + MOVED;
-pub(super) const TARGET: usize = 8;
+pub(super) const TARGET: usize = DRAWN + 3;
+pub(super) const DRAWN: usize = 8;
 pub(super) const POSE: usize = 7;
 pub(super) const TURN: usize = 3;
 pub(super) const MOVED: usize = 6;
@@ -131,8 +134,8 @@ impl<R: Copy> Reach<'_, R> {
             twists += step.kind.rates();
         }
         let (values, freedoms) = (mechanism.values, mechanism.rates);
-        let rows = goals.saturating_mul(6);
-        padded::<R>(Counts { values, twists, goals, freedoms, rows }.numbers())
+        let (rows, slots) = (goals.saturating_mul(6), slots(mechanism));
+        padded::<R>(Counts { values, twists, slots, goals, freedoms, rows }.numbers())
     }
 
     /// How many numbers [`Backend::reach_links`](crate::Backend::reach_links) needs to compute in, with
@@ -147,6 +150,7 @@ impl<R: Copy> Reach<'_, R> {
 struct Counts {
     values: usize,
     twists: usize,
+    slots: usize,
     goals: usize,
     freedoms: usize,
     rows: usize,
@@ -157,6 +161,7 @@ impl Counts {
         Self {
             values: reach.mechanism.values,
             twists: reach.twists,
+            slots: slots(reach.mechanism),
             goals: reach.goals.len(),
             freedoms: reach.freedoms.len(),
             rows: reach.rows,
@@ -169,13 +174,26 @@ impl Counts {
         let values = self.values.saturating_mul(4).saturating_add(self.twists.saturating_mul(6));
         let freedoms = self.freedoms.saturating_mul(self.rows.saturating_add(4));
         let goals = self.goals.saturating_mul(GOAL).saturating_add(self.rows.saturating_mul(4));
-        [values.saturating_add(freedoms), goals.saturating_add(triangle(self.rows))]
+        let poses = self.slots.saturating_mul(POSE);
+        [
+            values.saturating_add(freedoms),
+            poses.saturating_add(goals).saturating_add(triangle(self.rows)),
+        ]
     }
 
     fn numbers(&self) -> usize {
         let [joints, goals] = self.parts();
         joints.saturating_add(goals)
     }
+}
+
+/// How many poses wait for children at a time: one in a chain.
+fn slots<R>(mechanism: Mechanism<'_, R>) -> usize {
+    let mut slots = 0;
+    for step in mechanism.steps {
+        slots = slots.max(step.slot as usize + 1);
+    }
+    slots
 }
 
 /// With what aligns it to lines of the cache.
@@ -207,9 +225,9 @@ impl<'s, R: Scalar> Room<'s, R> {
 
 /// How many numbers a lane needs for each joint of a chain with one goal for a pose, and for the goal.
 pub(super) const OF_A_JOINT: usize =
-    Counts { values: 1, twists: 1, goals: 0, freedoms: 1, rows: 6 }.parts()[0];
+    Counts { values: 1, twists: 1, slots: 0, goals: 0, freedoms: 1, rows: 6 }.parts()[0];
 pub(super) const OF_A_POSE: usize =
-    Counts { values: 0, twists: 0, goals: 1, freedoms: 0, rows: 6 }.parts()[1];
+    Counts { values: 0, twists: 0, slots: 1, goals: 1, freedoms: 0, rows: 6 }.parts()[1];
 
 impl<'s, L: Lanes<Real: Scalar>> Scratch<'s, L> {
     /// `None` if there is too little room.
@@ -218,13 +236,14 @@ impl<'s, L: Lanes<Real: Scalar>> Scratch<'s, L> {
         let ([joints, rest], Room([of_joints, of_goals])) = (counts.parts(), room);
         let mut joints = arrays::<L>(of_joints, joints)?;
         let mut goals_and_rows = arrays::<L>(of_goals, rest)?;
-        let Counts { values, twists, goals, freedoms, rows } = counts;
+        let Counts { values, twists, slots, goals, freedoms, rows } = counts;
         Some(Self {
             values: take(&mut joints, values)?,
             start: take(&mut joints, values)?,
             best: take(&mut joints, values)?,
             candidate: take(&mut joints, values)?,
             twists: take(&mut joints, 6 * twists)?,
+            slots: take(&mut goals_and_rows, POSE * slots)?,
             goals: take(&mut goals_and_rows, GOAL * goals)?,
             columns: take(&mut joints, freedoms * rows)?,
             changes: take(&mut joints, freedoms)?,

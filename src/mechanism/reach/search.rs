@@ -1,12 +1,14 @@
 //! The search: every lane walks alone, all in step, and one that is done takes the next configuration.
 
 use super::forward::Of;
+use super::freedom::Kind;
 use super::lane::{Lane, Next, Seen};
 use super::model::{Apart, Model, Stepped};
 use super::report::{Options, Report};
+use crate::batch::Quat;
 use crate::real::{Real, Scalar};
 use crate::scalar::DualQuat;
-use dq8_simd::{Lanes, MAX_LANES, Mask};
+use dq8_simd::{Lanes, Mask};
 
 /// What is to be solved, and where the results go; lengths have been checked.
 pub(super) struct Work<'s, R> {
@@ -19,33 +21,41 @@ pub(super) struct Work<'s, R> {
 pub(super) struct Search<'s, L: Lanes> {
     pub(super) model: Model<'s, L>,
     pub(super) work: Work<'s, L::Real>,
-    pub(super) lanes: [Lane<L::Real>; MAX_LANES],
+    pub(super) lanes: &'s mut [Lane<L::Real>],
     /// The next configuration.
     pub(super) next: usize,
 }
 
 impl<'s, L: Lanes<Real: Scalar>> Search<'s, L> {
+    /// `lanes` are idle, and as many as `L` has, or more.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn new(model: Model<'s, L>, work: Work<'s, L::Real>) -> Self {
-        Self { model, work, lanes: [Lane::IDLE; MAX_LANES], next: 0 }
+    pub(super) fn new(
+        model: Model<'s, L>,
+        work: Work<'s, L::Real>,
+        lanes: &'s mut [Lane<L::Real>],
+    ) -> Self {
+        Self { model, work, lanes, next: 0 }
     }
 
+    /// The search; with restarts if `AGAIN`: where there are none, firmware need not hold them.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn run(mut self) {
+    pub(super) fn run<const AGAIN: bool>(mut self) {
         let zero = L::splat(self.model.level, L::Real::ZERO);
         // Idle lanes compute along with the others, and the scratch may hold anything: from zeros, what they compute is the
         // same in every call.
         self.model.scratch.values.fill(zero);
+        self.model.scratch.start.fill(zero);
         self.model.scratch.goals.fill(zero);
         self.model.place_fixed();
-        for lane in 0..L::LANES {
-            self.refill(lane);
-        }
         let mut last = Stepped { left: zero, moved: zero };
         // Each round: errors of all lanes, a decision per lane, one step of those that go on. Lanes of different age are
         // in the same round, so none waits for the slowest of a group: the round costs the same, whoever takes part.
-        while self.is_working() {
-            self.enter();
+        loop {
+            self.exchange();
+            if !self.is_working() {
+                break;
+            }
+            self.keep_within();
             self.model.place(Of::Values);
             let apart = self.model.compare(None);
             let wish = self.model.wish();
@@ -64,11 +74,24 @@ impl<'s, L: Lanes<Real: Scalar>> Search<'s, L> {
                 |lane| one_if(lane.converged),
             );
             let running = zero.lt(running);
-            // Those that have begun, or begin again, stay where they are.
+            // Those that have ended, or begin again, stay where they are.
             if running.any() {
-                last = self.model.step(apart, caution, running, zero.lt(arrived));
+                last = self.model.step::<AGAIN>(apart, caution, running, zero.lt(arrived));
             }
-            self.turn();
+            if AGAIN {
+                self.turn();
+            }
+        }
+    }
+
+    /// Writes what ended, and gives its lane the next configuration.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn exchange(&mut self) {
+        for index in 0..L::LANES {
+            if self.lanes.get(index).is_some_and(|lane| lane.next == Next::End) {
+                self.finish(index);
+                self.refill(index);
+            }
         }
     }
 
@@ -81,8 +104,7 @@ impl<'s, L: Lanes<Real: Scalar>> Search<'s, L> {
                 Next::BeginAgain => {
                     // An arm has a fixed number of beginnings: one that has used them up reports the best so far.
                     if !self.model.begin_again(index, lane) {
-                        self.finish(index);
-                        self.refill(index);
+                        lane.next = Next::End;
                     }
                 }
                 Next::GoBack => self.model.go_back(index),
@@ -94,33 +116,34 @@ impl<'s, L: Lanes<Real: Scalar>> Search<'s, L> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn is_working(&self) -> bool {
         let mut working = false;
-        for lane in &self.lanes {
+        for lane in self.lanes.iter() {
             working |= lane.configuration.is_some();
         }
         working
     }
 
-    /// Takes fresh lanes into their limits.
+    /// Takes the values into their limits, whole turns to where they are nearest to the start: so what is judged is
+    /// what is returned.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn enter(&mut self) {
-        let zero = L::splat(self.model.level, L::Real::ZERO);
-        let fresh = self.each(
-            #[cfg_attr(not(opt_level_0), inline(always))]
-            |lane| one_if(lane.is_fresh),
-        );
-        let fresh = zero.lt(fresh);
-        if !fresh.any() {
-            return;
-        }
-        // The start as well: what has no ends begins again from there.
+    fn keep_within(&mut self) {
+        let (level, reach) = (self.model.level, self.model.reach);
         let scratch = &mut self.model.scratch;
-        for freedom in self.model.reach.freedoms.iter().filter(|freedom| freedom.is_single()) {
+        for freedom in reach.freedoms {
             let row = freedom.value as usize;
-            let value = scratch.values.get(self.model.level, row);
-            let start = scratch.start.get(self.model.level, row);
-            let entered = freedom.range.enter(value);
-            scratch.values.set(row, L::select(fresh, entered, value));
-            scratch.start.set(row, L::select(fresh, entered, start));
+            if freedom.is_single() {
+                let value = scratch.values.get(level, row);
+                // The start as well, once and for all: what has no ends begins again from there.
+                let start = freedom.range.clamp(scratch.start.get(level, row));
+                scratch.start.set(row, start);
+                scratch.values.set(row, freedom.range.nearest(value, start));
+            } else if freedom.kind == Kind::FloatingTurn(0) {
+                // Of ±q, the same rotation, the one on the side of the start.
+                let value = Quat::from_array(scratch.values.record(level, row));
+                let dot = value.dot(Quat::from_array(scratch.start.record(level, row)));
+                let one = dot.constant(1.0);
+                let value = value.scale(L::select(dot.lt(dot.constant(0.0)), -one, one));
+                scratch.values.set_record(row, value.to_array());
+            }
         }
     }
 
@@ -128,13 +151,13 @@ impl<'s, L: Lanes<Real: Scalar>> Search<'s, L> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn each(&self, of: impl Fn(&Lane<L::Real>) -> L::Real) -> L {
         let mut array = L::splat(self.model.level, L::Real::ZERO).to_array();
-        for (slot, lane) in array.as_mut().iter_mut().zip(&self.lanes) {
+        for (slot, lane) in array.as_mut().iter_mut().zip(self.lanes.iter()) {
             *slot = of(lane);
         }
         L::load(self.model.level, &array)
     }
 
-    /// What each lane does next. Those that are done have been written, and took another configuration.
+    /// What each lane does next.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn judge(&mut self, apart: Apart<L>, wish: L, last: Stepped<L>) {
         // Out of registers once per round: the decisions below are branches, and differ from lane to lane.
@@ -164,11 +187,6 @@ impl<'s, L: Lanes<Real: Scalar>> Search<'s, L> {
                 for value in 0..self.model.reach.mechanism.values {
                     scratch.best.set_number(value, index, scratch.values.number(value, index));
                 }
-            }
-            // What takes its place is `fresh`: it has no errors yet, and sits out the step of this round.
-            if next == Next::End {
-                self.finish(index);
-                self.refill(index);
             }
         }
     }

@@ -28,7 +28,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     /// Moves the lanes that run, damped `caution` times as much as usual; those that have arrived, toward the
     /// posture too.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn step(
+    pub(super) fn step<const AGAIN: bool>(
         &mut self,
         apart: Apart<L>,
         caution: L,
@@ -40,14 +40,15 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
         self.keep_wishes(arrived);
         // The first solution says how far everything moves. Where that pays, the step is solved again along columns that
         // are bent by half of it: a step of second order, Halley's.
-        self.linearize(false);
-        let mut limited = self.limited_step(damping, running);
-        if self.reach.bends() {
-            self.linearize(true);
+        let zero = damping.constant(0.0);
+        let mut limited = zero.lt(zero);
+        // A loop, so that machine code has it once.
+        for order in 0..=usize::from(self.reach.bends()) {
+            self.linearize(order == 1);
             limited = self.limited_step(damping, running);
         }
-        let zero = damping.constant(0.0);
-        let left = if !limited.any() {
+        // Nobody asks where a search cannot begin again.
+        let left = if !AGAIN || !limited.any() {
             zero
         } else if self.reach.manner.hopes_straight {
             L::select(limited, self.left_straight(), zero)
@@ -153,14 +154,15 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
             // What is held keeps the change with which it reached its limit in an earlier round.
             let change = L::select(is_held, scratch.changes.get(level, index), change);
             scratch.changes.set(index, change);
-            if freedom.range.wraps || !freedom.is_single() {
+            if freedom.range.wraps() || !freedom.is_single() {
                 continue;
             }
-            // Compared as values: a joint that stands at its limit and is asked no farther is not stopped.
+            // Compared as values: a joint that stands at its limit and is asked no farther is not stopped. Nor is one that a
+            // turn less takes back between its limits.
             let value = scratch.values.get(level, freedom.value as usize);
             let next = value + change;
             let inside = freedom.range.clamp(next);
-            let stops = !is_held & !next.eq(inside);
+            let stops = !is_held & freedom.range.stops(next);
             if !stops.any() {
                 continue;
             }
@@ -216,7 +218,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
         if freedom.is_slide() { change * self.scales.radians_per_length } else { change }
     }
 
-    /// The values moved, each within its limits. What is not finite moves nothing.
+    /// The values moved. What is not finite moves nothing.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn advance(&mut self, running: L::Mask) {
         let (level, values) = (self.level, &mut self.scratch.values);
@@ -227,8 +229,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
             match freedom.kind {
                 Kind::Turn | Kind::Slide => {
                     let value = values.get(level, first);
-                    let next = freedom.range.go_on(value + change);
-                    values.set(first, L::select(runs, next, value));
+                    values.set(first, L::select(runs, value + change, value));
                 }
                 Kind::FloatingTurn(axis) => {
                     // On the right, about an axis of the body. Products drift from unit, so each is normalized.

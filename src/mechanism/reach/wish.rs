@@ -25,10 +25,12 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
             if let (true, Some(&value)) = (freedom.is_single(), posture.get(freedom.value as usize))
             {
                 let here = self.scratch.values.get(level, freedom.value as usize);
-                way = freedom.range.enter(L::splat(level, value)) - here;
-                if freedom.range.wraps {
-                    let (_, rest) = half_turns(way * zero.constant(0.5));
+                let value = L::splat(level, value);
+                if freedom.range.wraps() {
+                    let (_, rest) = half_turns((value - here) * zero.constant(0.5));
                     way = rest + rest;
+                } else {
+                    way = freedom.range.clamp(value) - here;
                 }
             }
             if freedom.is_slide() {

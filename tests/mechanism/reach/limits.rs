@@ -32,13 +32,16 @@ fn limits_may_be_open_at_one_end() {
 }
 
 #[test]
-fn endless_hinges_come_back_within_half_a_turn() {
+fn endless_hinges_end_within_half_a_turn_of_the_start() {
     let arm = mechanism::<f64>(&planar(&[1.0, 1.0, 0.5]));
     let target = turned(super::Z, 1.0, [1.2, 0.8, 0.0]);
-    let mut values = [60.0, -75.0, 1000.0];
+    let start = [60.0, -75.0, 1000.0];
+    let mut values = start;
     let report = solve(arm.view(), &[Goal::pose(3)], &[target], &mut values, &Options::default());
     assert_eq!(report.outcome, Outcome::Converged);
-    assert!(values.iter().all(|value| value.abs() <= core::f64::consts::PI), "{values:?}");
+    for (value, start) in values.iter().zip(start) {
+        assert!((value - start).abs() <= core::f64::consts::PI, "{values:?}");
+    }
 }
 
 /// The second finger has the narrower limits.
@@ -108,7 +111,8 @@ fn what_is_not_the_same_a_turn_less_keeps_its_turns() {
     let report =
         solve(machine.view(), &[Goal::pose(1)], &[target], &mut values, &Options::default());
     assert_eq!(report.outcome, Outcome::Converged, "{report:?}");
-    assert!((values[0] - (7.0 - core::f64::consts::TAU)).abs() < REACHED, "{values:?}");
+    // Of the turns, the nearest to the start.
+    assert!((values[0] - (7.0 + 8.0 * core::f64::consts::TAU)).abs() < REACHED, "{values:?}");
 }
 
 /// Where a limit has no other end, restarts begin with the start: with what became of it.

@@ -11,6 +11,7 @@ mod owned;
 mod parallel;
 mod posture;
 mod refused;
+mod turns;
 mod units;
 
 use dq8::ik::{Options, Report};

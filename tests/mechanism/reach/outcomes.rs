@@ -1,9 +1,12 @@
 //! What a report says where there is no solution, or not yet.
 
-use super::{LAST_BITS, REACHED, ROUNDING, apart, at, mechanism, planar, seven, solve, turned};
+use super::{
+    LAST_BITS, REACHED, ROUNDING, apart, at, draw, mechanism, planar, seven, solve, turned,
+};
 use dq8::ik::{Options, Outcome};
 use dq8::mechanism::{Freedom, Goal, Joint, Reach};
 use dq8::{DualQuat, Quat};
+use dq8_contract::random::Random;
 
 #[test]
 fn beyond_the_length_of_the_arm_is_out_of_reach_and_the_arm_points_there() {
@@ -158,4 +161,29 @@ fn a_tool_that_cannot_move_away_reaches_where_it_is() {
         assert_ne!(report.outcome, Outcome::OutOfReach, "{step}");
         assert!(report.linear_error < 1e-4, "{step}: {report:?}");
     }
+}
+
+/// The code of restarts is all that it leaves out.
+#[test]
+fn following_is_solving_without_restarts() {
+    let arm = mechanism::<f64>(&seven());
+    let goals = [Goal::pose(7)];
+    let mut freedoms = [Freedom::default(); 7];
+    let reach = Reach::new(arm.view(), &goals, &mut freedoms).expect("a problem");
+    let (mut random, mut converged) = (Random(72), 0);
+    let mut scratch = vec![f64::NAN; reach.scratch_len()];
+    for _ in 0..100 {
+        let [there, start] = [(); 2].map(|()| draw(&mut random, &seven()));
+        let target = arm.view().link_pose(&there, 7).expect("a link");
+        let once = Options { restarts: false, ..Options::default() };
+        let mut solved = start.clone();
+        let wanted = reach.solve(&[target], &mut solved, &mut scratch, &once).expect("they fit");
+        for restarts in [false, true] {
+            let (options, mut values) = (Options { restarts, ..once }, start.clone());
+            let found = reach.follow(&[target], &mut values, &mut scratch, &options);
+            assert_eq!((found, &values), (Ok(wanted), &solved));
+        }
+        converged += usize::from(wanted.outcome == Outcome::Converged);
+    }
+    assert!((30..100).contains(&converged), "{converged}");
 }

@@ -31,13 +31,49 @@ fn errors_name_what_is_wrong() {
     }
 }
 
+/// A link on the base, and one that only fixed joints and such that follow nothing carry.
+#[test]
+fn a_goal_for_a_link_that_no_joint_moves_is_an_error() {
+    let hinge = |on| Joint::revolute(on, at(1.0, 0.0, 0.0), super::Z);
+    let joints = [
+        hinge(None),
+        Joint::fixed(None, at(0.0, 1.0, 0.0)),
+        Joint::fixed(Some(1), at(0.0, 1.0, 0.0)),
+        hinge(Some(2)).mimicking(0, 0.0, 0.3),
+        Joint::fixed(Some(3), at(0.0, 1.0, 0.0)),
+        // One that follows a joint of another branch moves.
+        hinge(Some(2)).mimicking(0, 0.5, 0.3),
+        Joint::fixed(Some(5), at(0.0, 1.0, 0.0)),
+    ];
+    let machine = mechanism::<f64>(&joints);
+    let ask = |goals: &[Goal<f64>]| {
+        let mut freedoms = [Freedom::default(); 1];
+        Reach::new(machine.view(), goals, &mut freedoms).map(|_| ())
+    };
+    for link in [1, 2, 3, 4] {
+        let refused = ask(&[Goal::pose(0), Goal::position(link)]).unwrap_err();
+        assert_eq!(refused, ReachError::Unmoved { goal: 1, link });
+        let text = refused.to_string();
+        assert!(text.contains("goal 1") && text.contains(&format!("link {link}")), "{text}");
+    }
+    for link in [0, 5, 6] {
+        assert_eq!(ask(&[Goal::pose(link)]), Ok(()));
+    }
+    let none = mechanism::<f32>(&[Joint::fixed(None, at(0.0, 1.0, 0.0))]);
+    let goals = [Goal::pose(0)];
+    let refused = Reach::new(none.view(), &goals, &mut []).unwrap_err();
+    assert_eq!(refused, ReachError::Unmoved { goal: 0, link: 0 });
+}
+
 #[test]
 fn limits_that_leave_nothing_are_errors() {
     let finger = Joint::prismatic(None, DualQuat::IDENTITY, super::Z).with_limits([0.0, 0.04]);
     let other = finger.with_limits([1.0, 2.0]).mimicking(0, 1.0, 0.0);
     let far = Joint::revolute(None, DualQuat::IDENTITY, super::Z).with_limits([1e30, 1e30]);
     // It stands at 2, whatever the other does.
-    let stuck = finger.with_limits([-1.0, 1.0]).mimicking(0, 0.0, 2.0);
+    let stuck = Joint::prismatic(Some(0), DualQuat::IDENTITY, super::Z)
+        .with_limits([-1.0, 1.0])
+        .mimicking(0, 0.0, 2.0);
     for (joints, link, joint) in
         [(vec![finger, other], 1, 1), (vec![finger, far], 1, 1), (vec![finger, stuck], 1, 1)]
     {

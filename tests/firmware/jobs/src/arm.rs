@@ -7,7 +7,9 @@ use crate::error::{error, max_or_nan};
 use crate::table::Table;
 use core::hint::black_box;
 use dq8::hierarchy::Rotations;
-use dq8::mechanism::{Joint, Mechanism, Step, WorldAligned};
+use dq8::mechanism::{
+    Freedom, Goal, Joint, Mechanism, Options, Outcome, Reach, Step, WorldAligned,
+};
 use dq8::{DualQuat, Hierarchy, Quat, Twist};
 
 /// Six turns, rounded, and as many products.
@@ -55,7 +57,33 @@ fn mechanism<B: Board>(table: &mut Table<'_, B>) {
         worst = max_or_nan(error(&column.to_array(), expected), worst);
     }
     table.line("tool and Jacobian", instructions, worst, BOUND);
+    if let Ok(arm) = &arm {
+        follow(table, arm, pose);
+    }
 }
+
+/// From angles that are a tenth of a radian off, back to the tool: inverse kinematics of a moving target.
+fn follow<B: Board>(table: &mut Table<'_, B>, arm: &Mechanism<'_, f32>, target: DualQuat<f32>) {
+    let (goals, mut freedoms) = ([Goal::pose(TOOL)], [Freedom::default(); TOOL]);
+    let mut scratch = [0.0; 224];
+    let options = Options::default();
+    let (mut angles, mut reached) = (ARM_ANGLES, f32::NAN);
+    if let Ok(problem) = Reach::new(*arm, &goals, &mut freedoms) {
+        let instructions = table.count(|| {
+            angles = black_box(ARM_ANGLES.map(|angle| angle + 0.1));
+            let report = problem.follow(&[target], &mut angles, &mut scratch, &options);
+            if report.is_ok_and(|report| report.outcome == Outcome::Converged) {
+                reached = 0.0;
+            }
+        });
+        let apart = arm.link_pose(&angles, TOOL).map_or(f32::NAN, |pose| pose.distance_to(target));
+        let off = apart / f32::EPSILON + reached;
+        table.line("the same, angles from the tool", instructions, off, REACHED);
+    }
+}
+
+/// What a search is told to leave, in units of 2⁻²³, and the rounding of the pose that is measured.
+const REACHED: f32 = 1e-5 / f32::EPSILON + BOUND;
 
 #[inline(never)]
 fn tool(angles: &[f32; 6]) -> Option<[f32; 3]> {
