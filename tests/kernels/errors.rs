@@ -53,7 +53,7 @@ fn a_parent_that_is_no_joint_is_refused() {
     refused(&[ROOT, 0, 3], beyond, &[2, 3]);
     // One below the mark of a root, which must not be taken for one.
     let parent = ROOT - 1;
-    let far = HierarchyError::ParentOutOfRange { joint: 1, parent, joints: 2 };
+    let far = HierarchyError::ParentOutOfRange { joint: 1, parent: parent.into(), joints: 2 };
     refused(&[ROOT, parent], far, &[1, parent as usize, 2]);
 }
 
@@ -78,7 +78,7 @@ proptest! {
             Err(if (parent as usize) < joints {
                 HierarchyError::ParentNotBefore { joint, parent }
             } else {
-                HierarchyError::ParentOutOfRange { joint, parent, joints }
+                HierarchyError::ParentOutOfRange { joint, parent: parent.into(), joints }
             })
         });
         prop_assert_eq!(Hierarchy::new(&parents).map(|skeleton| skeleton.parents()), wanted);

@@ -74,31 +74,24 @@ where
     let mut poses = vec![DualQuat::IDENTITY; count * links];
     let mut twists = vec![Twist::from_array([R::ZERO; 6]); count * links];
     let mut accelerations = twists.clone();
-    backend.link_poses(robot, &many, &mut poses).unwrap();
+    robot.job().backend(backend).poses(&many, &mut poses).unwrap();
     let mut all = vec![("poses", of_poses(&poses[AT * links..][..links]))];
     let every: Vec<usize> = (0..links).collect();
-    backend.chosen_link_poses(robot, &every, &many, &mut poses).unwrap();
+    robot.job().links(&every).backend(backend).poses(&many, &mut poses).unwrap();
     all.push(("chosen", of_poses(&poses[AT * links..][..links])));
-    backend.link_velocities(robot, &many, &rates, &mut poses, &mut twists).unwrap();
+    robot.job().backend(backend).velocities(&many, &rates, &mut poses, &mut twists).unwrap();
     all.push(("velocities", of_twists(&twists[AT * links..][..links])));
-    backend
-        .link_accelerations(
-            robot,
-            &many,
-            &rates,
-            &rates,
-            &mut poses,
-            &mut twists,
-            &mut accelerations,
-        )
+    robot
+        .job()
+        .backend(backend)
+        .accelerations(&many, &rates, &rates, &mut poses, &mut twists, &mut accelerations)
         .unwrap();
     all.push(("accelerations", of_twists(&accelerations[AT * links..][..links])));
     macro_rules! jacobian {
         ($($what:literal $frame:expr),*) => {$(
             let mut columns = vec![Twist::from_array([R::ZERO; 6]); count * robot.rates()];
             let mut tools = vec![DualQuat::IDENTITY; count];
-            backend
-                .link_jacobians($frame, robot, &[links - 1], &many, &mut tools, &mut columns)
+            robot.job().links(&[links - 1]).backend(backend).jacobians($frame, &many, &mut tools, &mut columns)
                 .unwrap();
             all.push(($what, of_twists(&columns[AT * robot.rates()..][..robot.rates()])));
         )*};
