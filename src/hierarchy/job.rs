@@ -94,10 +94,7 @@ impl<'a, E: Element<8>> Job<'a, E> {
     /// [`roots`](Self::roots): a job with both is an error when it runs.
     #[must_use]
     pub fn root(mut self, root: DualQuat<Number<E, 8>>) -> Self {
-        self.run.root = match self.run.root {
-            Root::None | Root::Same(_) => Root::Same(root),
-            Root::Each(_) | Root::Both => Root::Both,
-        };
+        self.run.root = self.run.root.replaced_by(Root::Same(root));
         self
     }
 
@@ -105,10 +102,7 @@ impl<'a, E: Element<8>> Job<'a, E> {
     /// [`root`](Self::root): one motion before all of them is multiplied into them.
     #[must_use]
     pub fn roots(mut self, roots: &'a [E]) -> Self {
-        self.run.root = match self.run.root {
-            Root::None | Root::Each(_) => Root::Each(roots),
-            Root::Same(_) | Root::Both => Root::Both,
-        };
+        self.run.root = self.run.root.replaced_by(Root::Each(roots));
         self
     }
 

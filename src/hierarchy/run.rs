@@ -31,6 +31,15 @@ pub(super) enum Root<'a, E: Element<8>> {
 }
 
 impl<E: Element<8>> Root<'_, E> {
+    /// The other one, if this is not of another kind.
+    pub(super) fn replaced_by(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::None | Self::Same(_), other @ Self::Same(_))
+            | (Self::None | Self::Each(_), other @ Self::Each(_)) => other,
+            _ => Self::Both,
+        }
+    }
+
     /// What the root of `instance` (block) stands on; of so many instances as there are lanes where
     /// records are single things.
     #[cfg_attr(not(opt_level_0), inline(always))]
