@@ -48,10 +48,9 @@ impl fmt::Display for HierarchyError {
             ),
             Self::ParentOutOfRange { joint, parent, joints } => {
                 write!(f, "joint {joint} has parent {parent}")?;
-                match u32::try_from(*parent).map(u32::cast_signed) {
-                    // Negative numbers that came as a `u32`.
-                    Ok(signed @ ..0) => write!(f, " ({signed} as a signed number)")?,
-                    _ => {}
+                // Negative numbers that came as a `u32`.
+                if let Ok(signed @ ..0) = u32::try_from(*parent).map(u32::cast_signed) {
+                    write!(f, " ({signed} as a signed number)")?;
                 }
                 write!(f, ", but there are only {joints} joints, counted from 0, and −1 is none")
             }

@@ -86,9 +86,9 @@ for board in "${boards[@]}"; do
         -kernel "$CARGO_TARGET_DIR/$target/release/dq8-firmware-riscv32"
       ;;
     x86-64)
-      # The bare target of this name has no SSE. This one has, and nothing of Linux is linked.
+      # The bare target of this name has no SSE. This one has, and nothing of Linux is linked. Calls name what they call (plt).
       target=x86_64-unknown-linux-gnu
-      build $target '-Clinker-flavor=ld -Crelocation-model=static' dq8-firmware-x86-64 kernels
+      build $target '-Clinker-flavor=ld -Crelocation-model=static -Zplt=yes' dq8-firmware-x86-64 kernels
       boot 33 qemu-system-x86_64 -cpu max -display none -serial none -monitor none -no-reboot -debugcon stdio \
         -device isa-debug-exit,iobase=0xf4,iosize=4 -icount shift=0,sleep=off \
         -kernel "$CARGO_TARGET_DIR/$target/release/dq8-firmware-x86-64"

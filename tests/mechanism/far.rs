@@ -2,7 +2,7 @@
 //! beyond the documented limit.
 
 use crate::tree::{mechanism, tree, values};
-use dq8::mechanism::{Body, JacobianFrame, Joint, JointKind, Mechanism, World, WorldAligned};
+use dq8::mechanism::{Body, Joint, JointKind, Mechanism, World, WorldAligned};
 use dq8::storage::{Aos, Element};
 use dq8::{Backend, DualQuat, Real, Scalar, Twist};
 use dq8_contract::random::Random;
@@ -41,22 +41,14 @@ fn alone<R: Real>(robot: Mechanism<'_, R>, values: &[R], rates: &[R]) -> Numbers
         .link_accelerations(values, rates, rates, &mut poses, &mut twists, &mut accelerations)
         .unwrap();
     all.push(("accelerations", of_twists(&accelerations)));
-    let mut jacobian = |what, frame: fn(Mechanism<'_, R>, &[R], usize, &mut [Twist<R>])| {
-        let mut columns = vec![nothing; robot.rates()];
-        frame(robot, values, links - 1, &mut columns);
-        all.push((what, of_twists(&columns)));
-    };
-    fn columns<R: Real, F: JacobianFrame + Default>(
-        robot: Mechanism<'_, R>,
-        values: &[R],
-        link: usize,
-        columns: &mut [Twist<R>],
-    ) {
-        robot.link_jacobian(F::default(), values, link, columns).unwrap();
+    macro_rules! jacobian {
+        ($($what:literal $frame:expr),*) => {$(
+            let mut columns = vec![nothing; robot.rates()];
+            robot.link_jacobian($frame, values, links - 1, &mut columns).unwrap();
+            all.push(($what, of_twists(&columns)));
+        )*};
     }
-    jacobian("world", columns::<R, World>);
-    jacobian("body", columns::<R, Body>);
-    jacobian("aligned", columns::<R, WorldAligned>);
+    jacobian! { "world" World, "body" Body, "aligned" WorldAligned }
     all
 }
 
