@@ -18,7 +18,7 @@ use dq8_simd::{Block, Row};
 /// let step = DualQuat::from_translation([0.0_f32, 1.0, 0.0]);
 /// // Eleven instances: one full block of eight lanes and three lanes of the next.
 /// let mut crowd = Crowd::<f32, 8>::from_slice(2, &[step; 11 * 2])?;
-/// skeleton.local_to_model_in_place(crowd.blocks_mut())?;
+/// skeleton.job().local_to_model_in_place(crowd.blocks_mut())?;
 /// assert_eq!(crowd.get(10, 1).unwrap().translation(), [0.0, 2.0, 0.0]);
 /// // The same from rotations.
 /// let turns = Crowd::<f32, 8, 4>::from_slice(2, &[Quat::IDENTITY; 11 * 2])?;
