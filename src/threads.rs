@@ -29,7 +29,7 @@ pub(crate) trait Outputs {}
 #[cfg(not(feature = "rayon"))]
 impl<O> Outputs for O {}
 #[cfg(feature = "rayon")]
-pub(crate) use many::Outputs;
+pub(crate) use many::{Outputs, Rows};
 
 #[cfg(feature = "rayon")]
 mod many {
@@ -108,8 +108,10 @@ mod many {
         fn split(self, at: usize) -> (Self, Self);
     }
 
-    /// So many elements a thing.
-    impl<E: Send> Outputs for (&mut [E], usize) {
+    /// A slice, and how many elements a thing has.
+    pub(crate) type Rows<'s, E> = (&'s mut [E], usize);
+
+    impl<E: Send> Outputs for Rows<'_, E> {
         fn things(&self) -> usize {
             self.0.len().checked_div(self.1).unwrap_or(0)
         }

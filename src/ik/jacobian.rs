@@ -21,7 +21,7 @@ impl<R: Scalar, const N: usize> Arm<R, N> {
     /// The pose of the end, and the spatial Jacobian: column j is the screw of joint j where the
     /// joints before it have moved it, Ad(exp(½ξ₁q₁) … exp(½ξⱼ₋₁qⱼ₋₁)) ξⱼ, so that the spatial twist of
     /// the end is Σ q̇ⱼ column(j) (Lynch & Park 2017, eq. 5.11); the same as
-    /// [`Job::jacobian`](crate::Job::jacobian).
+    /// [`Job::jacobians`](crate::mechanism::Job::jacobians).
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn forward_jacobian<L: Lanes<Real = R>>(

@@ -16,6 +16,8 @@ use crate::geometry::Twist;
 use crate::real::Scalar;
 use crate::shape::{ShapeError, same_length};
 use crate::storage::{Element, Layout, Number, Tile, aos, identity};
+#[cfg(feature = "rayon")]
+use crate::threads::Rows;
 use core::marker::PhantomData;
 use dq8_simd::{Lanes, Level};
 
@@ -81,16 +83,10 @@ impl<R: Scalar> Job<'_, R, &[usize]> {
         #[cfg(feature = "rayon")]
         if backend.many() && !links.is_empty() {
             let each = ((poses, links.len()), (columns, links.len() * rates));
-            let part =
-                |first, ((poses, _), (columns, _)): ((&mut [E], usize), (&mut [C], usize))| {
-                    let elements = poses.len() / links.len();
-                    run(
-                        T::part(values, mechanism.values, first, elements),
-                        elements,
-                        poses,
-                        columns,
-                    );
-                };
+            let part = |first, ((poses, _), (columns, _)): (Rows<E>, Rows<C>)| {
+                let elements = poses.len() / links.len();
+                run(T::part(values, mechanism.values, first, elements), elements, poses, columns);
+            };
             backend.share(grain(mechanism.links()), each, &part);
             return Ok(());
         }

@@ -15,6 +15,8 @@ use crate::geometry::Twist;
 use crate::real::Scalar;
 use crate::shape::{ShapeError, same_length};
 use crate::storage::{Element, Layout, Number, aos};
+#[cfg(feature = "rayon")]
+use crate::threads::Rows;
 use dq8_simd::Level;
 
 impl<R: Scalar> Job<'_, R> {
@@ -63,12 +65,11 @@ impl<R: Scalar> Job<'_, R> {
         #[cfg(feature = "rayon")]
         if backend.many() && links > 0 {
             let each = ((poses, links), (twists, links));
-            let part =
-                |first, ((poses, _), (twists, _)): ((&mut [E], usize), (&mut [C], usize))| {
-                    let elements = poses.len() / links;
-                    let values = T::part(values, mechanism.values, first, elements);
-                    run(values, T::part(rates, count, first, elements), elements, poses, twists);
-                };
+            let part = |first, ((poses, _), (twists, _)): (Rows<E>, Rows<C>)| {
+                let elements = poses.len() / links;
+                let values = T::part(values, mechanism.values, first, elements);
+                run(values, T::part(rates, count, first, elements), elements, poses, twists);
+            };
             backend.share(grain(links), each, &part);
             return Ok(());
         }
@@ -136,7 +137,6 @@ impl<R: Scalar> Job<'_, R> {
         };
         #[cfg(feature = "rayon")]
         if backend.many() && links > 0 {
-            type Rows<'s, E> = (&'s mut [E], usize);
             let each = ((poses, links), ((twists, links), (accelerations, links)));
             let part =
                 |first, ((poses, _), ((twists, _), (of, _))): (Rows<E>, (Rows<C>, Rows<C>))| {
