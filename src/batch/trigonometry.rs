@@ -70,8 +70,8 @@ impl<L: Lanes> Dual<L> {
     }
 }
 
-/// sin x and cos x, radians; NaN beyond [`farthest`]. Both keep their relative precision where they vanish:
-/// the turns taken off are quarters, so that the one which vanishes is always a sine.
+/// sin x and cos x, radians; NaN beyond [`farthest`]. Both keep their relative precision where they vanish (in `f64`
+/// up to 2²⁶ quarter turns): the turns taken off are quarters, so that the one which vanishes is always a sine.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn sin_cos<L: Lanes>(x: L) -> (L, L) {
     let near = x.abs().le(x.constant(farthest::<L>()));
@@ -91,20 +91,35 @@ fn sin_cos<L: Lanes>(x: L) -> (L, L) {
     (up, L::select(is_half | turns.eq(quarter), -across, across))
 }
 
-/// x − kπ/2, with π/2 in parts whose products with k are exact (Cody and Waite 1980): eight bits each in `f32`,
-/// where k is up to 2¹⁶.
+/// x − kπ/2, with π/2 in five parts whose products with k are exact, but for the last (Cody and Waite 1980): of eight
+/// bits in `f32`, where k is up to 2¹⁶; of 27 in `f64`, exact up to 2²⁶. So many, because the `f32` nearest to a quarter
+/// turn is 2·10⁻⁸ away from one.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn without_quarters<L: Lanes>(x: L, k: L) -> L {
-    let single =
-        [1.570_312_5, 4.825_592_041_015_625e-4, 1.266_598_701_477_050_8e-6, 9.920_935_8e-10];
-    // Half of those of `half_turns`.
-    let double = [1.570_796_251_296_997, 7.549_789_415_859_636e-8, 5.390_322_459_029_914e-15];
-    let parts: &[f64] = if L::Real::SINGLE { &single } else { &double };
-    let mut rest = x;
-    for &part in parts {
-        rest = k.neg_mul_add(x.constant(part), rest);
-    }
-    rest
+    let [first, second, third, fourth, fifth] = if L::Real::SINGLE {
+        [
+            1.570_312_5,
+            4.825_592_041_015_625e-4,
+            1.266_598_701_477_050_8e-6,
+            9.895_302_355_289_46e-10,
+            2.563_344_068_257_089_6e-12,
+        ]
+    } else {
+        [
+            1.570_796_251_296_997,
+            7.549_789_948_768_648e-8,
+            6.123_234_014_771_656e-17,
+            -1.903_488_962_452_917_1e-25,
+            4.335_905_065_061_890_3e-35,
+        ]
+    };
+    // No bit of this is too low for the numbers: it is exact.
+    let before = k.neg_mul_add(x.constant(second), k.neg_mul_add(x.constant(first), x));
+    // The rest is exact where little is left. Where much is left, what rounding takes off goes to the last part.
+    let third = x.constant(third);
+    let rest = k.neg_mul_add(third, before);
+    let lost = k.neg_mul_add(third, before - rest);
+    k.neg_mul_add(x.constant(fourth), rest) + k.neg_mul_add(x.constant(fifth), lost)
 }
 
 /// arcsin of a number in [0, 1/√2].

@@ -6,6 +6,7 @@ use crate::{sine, stride};
 use dq8::batch::Dual;
 use dq8::storage::{self, Element};
 use dq8::{Backend, Kernel, Lanes, Level};
+use std::f64::consts::FRAC_PI_2;
 
 /// How many floats a backend gets at once.
 const BLOCK: usize = 4096;
@@ -212,5 +213,22 @@ fn the_worst_floats_are_as_far_off_as_the_guide_says() {
         // Rounded up to a hundredth.
         let is_tight = worst > bound(row.name) - 0.0101;
         assert!(is_tight || !both || Backend::avx2().is_none(), "{}: {worst}", row.name);
+    }
+}
+
+/// In `f64` too, near multiples of a quarter turn, of which there are too many to try.
+#[test]
+fn sine_and_cosine_keep_their_digits_where_they_vanish() {
+    let check = |x: f64| {
+        let dual = Dual::new(x, 1.0);
+        let [sin, cos] = [dual.sin().real, dual.cos().real];
+        for (got, exact) in [(sin, x.sin()), (cos, x.cos())] {
+            let off = (got - exact).abs() / exact.abs() / f64::EPSILON;
+            assert!(off < 2.0, "{x:e}: {got:e} and {exact:e} are {off:e} ε apart");
+        }
+    };
+    // So far k times the parts of π/2 is exact.
+    for k in (1..1 << 26).step_by(stride() as usize).chain(1..1000) {
+        check(f64::from(k) * FRAC_PI_2);
     }
 }
