@@ -4,7 +4,6 @@ use crate::mechanism::{Made, Mechanism};
 use crate::memory::{Input, Output};
 use crate::span::apart;
 use crate::status::{Done, Status};
-use dq8::Backend;
 use dq8::mechanism::JointValues;
 use dq8::storage::{AoSoA, Aos, Layout};
 

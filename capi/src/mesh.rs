@@ -4,8 +4,8 @@ use crate::memory::{Input, Output};
 use crate::skin::{Palettes, Posing};
 use crate::span::{Span, apart};
 use crate::status::{Done, Status};
+use dq8::Scalar;
 use dq8::skinning::{self, Blender, SkinningError, Surface, SurfaceMut, Weight};
-use dq8::{Backend, Scalar};
 
 /// A mesh at rest and where it goes when posed.
 pub(crate) trait Mesh<R: Scalar + Weight> {

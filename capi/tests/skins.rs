@@ -8,7 +8,7 @@ mod pose;
 use dq8::skinning::{
     self, DualBlend, Linear, Mixed, Stretched, Surface, SurfaceMut, matrix_palette, split_palette,
 };
-use dq8::{Backend, DualQuat, Quat, hierarchy::MatrixOrder};
+use dq8::{DualQuat, Quat, hierarchy::MatrixOrder};
 use dq8_capi::Status;
 use dq8_capi::palette::single as p;
 use dq8_capi::skin::Skin;

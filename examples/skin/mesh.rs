@@ -6,7 +6,7 @@ use dq8::skinning::{
     Linear, Mixed, Skin, SkinningError, Stretched, Surface, SurfaceMut, matrix_palette,
     split_palette,
 };
-use dq8::{Backend, DualQuat, hierarchy::MatrixOrder, representation::Affine};
+use dq8::{DualQuat, hierarchy::MatrixOrder, representation::Affine};
 use gltf::Semantic;
 use gltf::accessor::{DataType, Dimensions};
 use gltf::mesh::Mode;
@@ -93,7 +93,7 @@ impl Mesh {
         let mut posed = vec![[0.0; 3]; self.positions.len()];
         let (from, to) = (Surface::positions(&self.positions), SurfaceMut::positions(&mut posed));
         let (linear, dual) = (Linear::new(&palette), Stretched::new(&motions, &stretches));
-        let (best, skin) = (Backend::best(), self.skin()?);
+        let skin = self.skin()?;
         match method {
             Method::Linear => skin.pose(linear, from, to),
             Method::Dual => skin.pose(dual, from, to),

@@ -3,7 +3,7 @@
 use crate::drawing::{Panel, svg};
 use crate::error::Error;
 use dq8::skinning::{DualBlend, Linear, Mixed, Skin, SkinningError, Surface, SurfaceMut};
-use dq8::{Backend, DualQuat, Quat};
+use dq8::{DualQuat, Quat};
 
 const RINGS: usize = 49;
 const AROUND: usize = 32;

@@ -5,7 +5,7 @@ use dq8::ik::{Arm, Options};
 use dq8::law::Nlerp;
 use dq8::mechanism::{OwnedMechanism, ReachError};
 use dq8::skinning::{DualBlend, Linear, Mixed, Skin, Surface, SurfaceMut};
-use dq8::{Backend, DualQuat, Hierarchy, ShapeError, Skeleton, mechanism::Reach};
+use dq8::{DualQuat, Hierarchy, ShapeError, Skeleton, mechanism::Reach};
 
 type Pose = DualQuat<f32>;
 const NONE: [Pose; 0] = [];

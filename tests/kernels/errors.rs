@@ -1,10 +1,9 @@
 //! Arguments that do not fit are refused with the index and the values, and nothing is written.
 
-use crate::subject::{Root, Run, Task, for_every_subject};
+use crate::subject::{Run, Task, for_every_subject};
 use core::error::Error;
 use core::ops::Range;
-use dq8::storage::Block;
-use dq8::{DualQuat, Hierarchy, ShapeError, hierarchy::HierarchyError};
+use dq8::{Hierarchy, ShapeError, hierarchy::HierarchyError};
 use proptest::prelude::*;
 
 const ROOT: u32 = Hierarchy::ROOT;

@@ -198,7 +198,7 @@ fn joints_and_weights_of_every_type_mean_the_same() {
     let singles: Vec<f32> = of8.iter().map(|&w| f32::from(w) / 255.0).collect();
     let run = |posed: &mut [[f32; 3]], which: usize| {
         let (from, to) = (Surface::positions(&scene.positions), SurfaceMut::positions(posed));
-        let (best, dual) = (Backend::best(), DualBlend::new(&scene.motions));
+        let dual = DualBlend::new(&scene.motions);
         match which {
             0 => Skin::new(JOINTS, 4, &bytes, of8).unwrap().pose(dual, from, to),
             1 => Skin::new(JOINTS, 4, &words, &of16).unwrap().pose(dual, from, to),
@@ -255,7 +255,6 @@ fn all_cores_give_every_bit_that_one_gives() {
     let blend = DualBlend::new(&scene.motions);
     let [a, b] = &mut posed;
     let [c, d] = &mut normals;
-    let best = Backend::best();
     scene.skin().pose(blend, rest, SurfaceMut::positions(a).normals(c)).unwrap();
     scene
         .skin()

@@ -1,7 +1,7 @@
 //! What is wrong is said by the vertex, and nothing is written.
 
+use dq8::DualQuat;
 use dq8::skinning::{DualBlend, Linear, Mixed, Skin, SkinningError, Surface, SurfaceMut};
-use dq8::{Backend, DualQuat};
 
 #[test]
 fn a_bad_skin_names_the_vertex() {
@@ -44,7 +44,6 @@ fn a_run_that_does_not_fit_writes_nothing() {
     let motions = [DualQuat::<f32>::from_translation([1.0; 3]); 3];
     let matrices = motions.map(|motion| motion.to_matrix3x4());
     let (rest, untouched) = ([[0.0; 3]; 3], [[7.0_f32; 3]; 3]);
-    let best = Backend::best();
     let mut posed = untouched;
     let mut normals = untouched;
     let from = Surface::positions(&rest);

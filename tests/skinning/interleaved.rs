@@ -128,7 +128,7 @@ fn all_cores_give_every_bit_that_one_gives_to_vertices_with_fields() {
         Mixed::new(Linear::new(&matrices), DualBlend::new(&scene.motions), &shares).unwrap();
     let mut posed = [(); 2].map(|()| vec![9.0_f32; 8 * vertices]);
     let [one, all] = &mut posed;
-    let (skin, best) = (scene.skin(), Backend::best());
+    let skin = scene.skin();
     skin.job().pose_interleaved(blend, (&rest, fields), (one, posed_fields)).unwrap();
     skin.job()
         .threads(usize::MAX)

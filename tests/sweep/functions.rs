@@ -111,7 +111,9 @@ fn rows() -> Vec<Row> {
         "recip" Odd recip real f64::recip;
         "recip, dual part" Even recip dual |x| -x.powi(-2);
     };
-    let scalar: [(_, _, fn(f64) -> f64, fn(f32) -> f32); 3] = [
+    type Exact = fn(f64) -> f64;
+    type OfFloats = fn(f32) -> f32;
+    let scalar: [(_, _, Exact, OfFloats); 3] = [
         ("sin, no std", Odd, f64::sin, sine::sin),
         ("cos, no std", Even, f64::cos, sine::cos),
         ("tan, no std", Odd, f64::tan, sine::tan),

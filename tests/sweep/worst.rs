@@ -1,6 +1,7 @@
 //! The floats at which functions err most, of all there are, and those closest to a quarter turn, with their right
 //! values: 80 digits by mpmath, rounded to `f64`.
 
+#[allow(clippy::excessive_precision, reason = "as many digits as any float tells from its neighbours")]
 #[rustfmt::skip]
 pub(crate) const WORST: &[(&str, u32, f64)] = &[
     ("sin", 0x477bfa12, 2.4899618618205359e-1),

@@ -4,8 +4,8 @@
 //! cargo run --release --example urdf
 //! ```
 
+use dq8::DualQuat;
 use dq8::mechanism::WorldAligned;
-use dq8::{Backend, DualQuat};
 use dq8_urdf::Robot;
 use std::error::Error;
 

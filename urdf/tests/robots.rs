@@ -1,7 +1,7 @@
 //! The robots of this repository, against matrices from the same elements.
 
+use dq8::DualQuat;
 use dq8::mechanism::JointKind;
-use dq8::{Backend, DualQuat};
 use dq8_urdf::Robot;
 use std::collections::HashMap;
 
