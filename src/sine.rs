@@ -99,16 +99,17 @@ fn reduce(x: f32) -> (u32, Precise) {
 
 #[cfg(test)]
 mod tests {
-    use super::{cos, sin};
+    use super::{cos, sin, tan};
 
     #[test]
     fn zeros_keep_their_sign_and_what_is_not_finite_has_no_sine() {
-        assert_eq!(sin(-0.0).to_bits(), (-0.0_f32).to_bits());
-        assert_eq!((cos(0.0), sin(-1.0)), (1.0, -sin(1.0)));
+        let zero = -0.0_f32;
+        assert_eq!([sin(zero), tan(zero)].map(f32::to_bits), [zero.to_bits(); 2]);
+        assert_eq!((cos(0.0), sin(-1.0), tan(-1.0)), (1.0, -sin(1.0), -tan(1.0)));
         assert!(
             [f32::INFINITY, f32::NEG_INFINITY, f32::NAN]
                 .iter()
-                .all(|&x| sin(x).is_nan() && cos(x).is_nan())
+                .all(|&x| sin(x).is_nan() && cos(x).is_nan() && tan(x).is_nan())
         );
     }
 }
