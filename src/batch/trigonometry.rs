@@ -108,18 +108,19 @@ fn without_quarters<L: Lanes>(x: L, k: L) -> L {
         [
             1.570_796_251_296_997,
             7.549_789_948_768_648e-8,
-            6.123_234_014_771_656e-17,
-            -1.903_488_962_452_917_1e-25,
-            4.335_905_065_061_890_3e-35,
+            6.123_233_932_053_594e-17,
+            6.368_317_116_855_041e-25,
+            4.665_590_917_179_985e-33,
         ]
     };
     // No bit of this is too low for the numbers: it is exact.
     let before = k.neg_mul_add(x.constant(second), k.neg_mul_add(x.constant(first), x));
-    // The rest is exact where little is left. Where much is left, what rounding takes off goes to the last part.
+    // The rest is exact where little is left. Where much is left, what rounding adds goes with the last part.
     let third = x.constant(third);
     let rest = k.neg_mul_add(third, before);
-    let lost = k.neg_mul_add(third, before - rest);
-    k.neg_mul_add(x.constant(fourth), rest) + k.neg_mul_add(x.constant(fifth), lost)
+    let added = k.mul_add(third, rest - before);
+    // Zeros keep their sign: no part is negative, and zero is taken off.
+    k.neg_mul_add(x.constant(fourth), rest) - k.mul_add(x.constant(fifth), added)
 }
 
 /// arcsin of a number in [0, 1/√2].
