@@ -1,7 +1,6 @@
 //! The floats at which functions err most, of all there are, and those closest to a quarter turn, with their right
 //! values: 80 digits by mpmath, rounded to `f64`.
 
-#[allow(clippy::excessive_precision, reason = "as many digits as any float tells from its neighbours")]
 #[rustfmt::skip]
 #[allow(clippy::excessive_precision, reason = "seventeen digits are what always tells one number from the next")]
 pub(crate) const WORST: &[(&str, u32, f64)] = &[
