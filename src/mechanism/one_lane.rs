@@ -67,13 +67,14 @@ impl<R: Real> Quick<R> for LinkPose<'_, R> {
         if let Some((_, columns)) = &mut self.columns {
             columns.fill(Twist::from_array([R::ZERO; 6]));
         }
-        let (mut last, mut position) = (None, 0);
+        let (mut last, mut position) = (Placed::identity(Portable), 0);
         while let Some(step) = steps.get(position) {
             if !carries(steps, position, &[self.link]) {
                 position += step.size as usize;
                 continue;
             }
-            let joined = joined(step, last, self.values);
+            let parent = (step.parent != NONE).then_some(last);
+            let joined = joined(step, parent, self.values);
             if let Some((_, columns)) = &mut self.columns {
                 for index in 0..step.kind.rates() {
                     // What others mimic is moved by all of them.
@@ -81,13 +82,13 @@ impl<R: Real> Quick<R> for LinkPose<'_, R> {
                     *column = *column + joined.screw(step, index);
                 }
             }
-            last = Some(joined.pose);
+            last = joined.pose;
             if step.link as usize == self.link {
                 break;
             }
             position += 1;
         }
-        let pose = DualQuat::from_array(last?.to_motion());
+        let pose = DualQuat::from_array(last.to_motion());
         let Some((frame, columns)) = self.columns else { return Some(pose) };
         let (back, origin) = (pose.conjugate(), pose.translation());
         for column in columns {
