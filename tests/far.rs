@@ -1,5 +1,6 @@
 //! Turns as far as numbers go: a motion on lanes is unit or, beyond the documented half angle, NaN in every
-//! component; never anything between. Up to there it is that of the scalar reference.
+//! component; never anything between. Up to there it is that of the scalar reference. Only between ends that are close
+//! do lanes keep what these lack of unit length.
 
 use dq8::storage::{Aos, Element};
 use dq8::{
@@ -146,12 +147,36 @@ where
     let radian = DualQuat::from_rotation_translation(turn, [0.3, -0.5, 0.1].map(real));
     let parameters: Vec<R> = half_angles::<R>().map(real).collect();
     let (from, to) = (vec![DualQuat::IDENTITY; parameters.len()], vec![radian; parameters.len()]);
+    let last = DualQuat::from_rotation_translation(turn, [0.1, 0.2, 0.3].map(real));
     for backend in Backend::available() {
         let mut poses = from.clone();
-        backend.sclerp_each(&from, &to, &parameters, &mut poses).expect("lengths fit");
-        for (pose, half) in poses.iter().zip(half_angles::<R>()) {
-            assert_unit_or_nan(&backend.to_string(), half, *pose);
+        let mut hold = |what: &str, limited: bool, run: &dyn Fn(&mut [DualQuat<R>])| {
+            run(&mut poses);
+            for (pose, half) in poses.iter().zip(half_angles::<R>()) {
+                let half = if limited { half } else { 0.0 };
+                assert_unit_or_nan(&format!("{backend} {what}"), half, *pose);
+            }
+        };
+        let fits = "lengths fit";
+        hold("sclerp_each", true, &|out| {
+            backend.sclerp_each(&from, &to, &parameters, out).expect(fits);
+        });
+        hold("pow_each", true, &|out| backend.pow_each(&to, &parameters, out).expect(fits));
+        for (i, &t) in parameters.iter().enumerate() {
+            let mut one = [DualQuat::IDENTITY];
+            backend.sclerp(&from[..1], &to[..1], t, &mut one).expect(fits);
+            let half = half_angles::<R>().nth(i).expect("one for each");
+            assert_unit_or_nan(&format!("{backend} sclerp"), half, one[0]);
+            // Half of ω is 1.
+            let twist = Twist { angular: [0.72, 0.96, 1.6].map(real), linear: [R::ZERO; 3] };
+            backend.integrate_body(&from[..1], &[twist.to_array()], t, &mut one).expect(fits);
+            assert_unit_or_nan(&format!("{backend} integrate_body"), half, one[0]);
         }
+        // Times before the first pose and after the last have those.
+        hold("resample", false, &|out| {
+            let (times, poses) = ([R::ONE, R::TWO], [radian, last]);
+            backend.resample(&times, &poses, &parameters, out).expect("times rise");
+        });
     }
 }
 

@@ -263,3 +263,30 @@ fn defmt_formats_what_is_plain() {
     formats::<(dq8::incidence::IncidenceError, dq8::representation::OrthonormalError)>();
     formats::<(dq8::text::ParseError, dq8::slices::TrajectoryError)>();
 }
+
+/// Whatever is called an error, those that come later too.
+#[test]
+fn every_error_is_logged_by_defmt() {
+    let (mut folders, mut errors) = (vec![std::path::PathBuf::from("src")], 0);
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(folder).expect("a folder of sources") {
+            let path = entry.expect("an entry").path();
+            if path.is_dir() {
+                folders.push(path);
+                continue;
+            }
+            let text = std::fs::read_to_string(&path).expect("text");
+            let lines: Vec<&str> = text.lines().collect();
+            for (index, line) in lines.iter().enumerate() {
+                let name = line.strip_prefix("pub enum ").or(line.strip_prefix("pub struct "));
+                let name = name.and_then(|rest| rest.split([' ', '<']).next());
+                let Some(name) = name.filter(|name| name.ends_with("Error")) else { continue };
+                let above = lines[..index].iter().rev().take_while(|line| line.starts_with("#["));
+                let logged = above.into_iter().any(|line| line.contains("derive(defmt::Format)"));
+                assert!(logged, "{name} in {}", path.display());
+                errors += 1;
+            }
+        }
+    }
+    assert!(errors >= 14, "{errors}");
+}

@@ -57,14 +57,15 @@ impl<F: Number> Weights<F> {
         let (half, one) = (t.constant(0.5), t.constant(1.0));
         let back = half - t;
         let squared = back * back;
-        // |τ| ≤ 2, so that v ≤ (π/2)², where the polynomials end. Of ends closer together than half a turn v would be
-        // small for longer, but what the ends lack of unit length would count |τ| times.
-        if !squared.le(one) {
-            return None;
-        }
         let chord_back = chord * squared;
         let [arc, slope, ..] = long_polynomials::<F::Four>(F::ARC, chord).to_array();
         let v = chord_back * (arc * arc);
+        // |τ| ≤ 2, so that v ≤ (π/2)², where the polynomials end. Of ends closer together than half a turn v would be
+        // small for longer, but what the ends lack of unit length would count |τ| times.
+        // Asked here, where nothing waits for the answer.
+        if !squared.le(one) {
+            return None;
+        }
         let secant = one / Lanes::sqrt(one.constant(4.0) - chord);
         let (w, w_slope) = (back * arc, back * slope);
         let v_slope = w * (w + chord * (w_slope + w_slope));

@@ -40,8 +40,8 @@ fn rotations_that_are_close_go_on_turning_beyond_both() {
                 assert!(error <= relative * turned.abs(), "{on:?}, {angle:e}, {t:e}: {z} {sin}");
                 let error = (w - cos).abs();
                 // Lanes, and floats that go by them, turn in the plane of the ends as they are.
-                let ends = if on.name.starts_with("textbook") { 0.0 } else { t.abs() };
-                let size = turned.abs().max(1.0) + ends;
+                let by_the_book = on.name.starts_with("textbook");
+                let size = if by_the_book { turned.abs().max(1.0) } else { 1.0 + t.abs() };
                 assert!(error <= relative * size, "{on:?}, {angle:e}, {t:e}: {w} {cos}");
             }
         }
