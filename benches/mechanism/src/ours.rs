@@ -50,18 +50,29 @@ macro_rules! precision {
             }));
             let mut tools = of_tools();
             jobs.push(Job::new("tool, plain", move || {
-                robot.job().links(&[tool]).backend(backend).poses(black_box(values), &mut tools)
+                robot
+                    .job()
+                    .links(&[tool])
+                    .backend(backend)
+                    .poses(black_box(values), &mut tools)
                     .expect("shape");
             }));
             let (mut tools, mut jacobians) = (of_tools(), columns());
             jobs.push(Job::new("tool and Jacobian, plain", move || {
                 let values = black_box(values);
-                robot.job().links(&[tool]).backend(backend).jacobians(World, values, &mut tools, &mut jacobians)
+                robot
+                    .job()
+                    .links(&[tool])
+                    .backend(backend)
+                    .jacobians(World, values, &mut tools, &mut jacobians)
                     .expect("shape");
             }));
             let (mut poses, mut twists) = (plain(), columns());
             jobs.push(Job::new("velocities, plain", move || {
-                robot.job().backend(backend).velocities(black_box(values), values, &mut poses, &mut twists)
+                robot
+                    .job()
+                    .backend(backend)
+                    .velocities(black_box(values), values, &mut poses, &mut twists)
                     .expect("shape");
             }));
             let mut poses = plain();
@@ -79,7 +90,12 @@ macro_rules! precision {
             }));
             jobs.push(Job::over(TARGETS, "tool to a random pose, plain", {
                 let mut targets = of_tools();
-                robot.job().links(&[tool]).backend(backend).poses(values, &mut targets).expect("shape");
+                robot
+                    .job()
+                    .links(&[tool])
+                    .backend(backend)
+                    .poses(values, &mut targets)
+                    .expect("shape");
                 let starts = &values[values.len() - TARGETS * links..];
                 move || {
                     let (goals, mut freedoms) =

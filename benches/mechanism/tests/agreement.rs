@@ -1,7 +1,7 @@
 //! dq8's poses of links are those of the crate `k`, which has another reader of files and another algebra: for the robots of
 //! the repository and for random trees, within 10⁻¹² of the rotation and 10⁻¹² · max(1, |t|) of the translation t.
 
-use dq8::{Backend, DualQuat};
+use dq8::DualQuat;
 use dq8_fixtures::random::Random;
 use dq8_urdf::Robot;
 use std::fmt::Write;
