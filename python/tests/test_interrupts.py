@@ -50,14 +50,19 @@ for _ in range(3):
 """
 
 
+# Seconds. On a quiet machine it is less than a fifth of one, but others may keep it waiting; without a check of signals the
+# shortest of these calls takes 3.6.
+SOON = 2.0
+
+
 @pytest.mark.parametrize("threads", ["1", "2"])
 @pytest.mark.parametrize("name", BUSY)
-def test_an_interrupt_ends_a_long_call_within_a_fifth_of_a_second(name, threads):
+def test_an_interrupt_ends_a_long_call_soon(name, threads):
     setup, call = BUSY[name]
     code = CHILD.replace("SETUP", setup).replace("CALL", call)
     command = [sys.executable, "-c", code]
     with subprocess.Popen(command, env=environment(DQ8_NUM_THREADS=threads), stdout=subprocess.PIPE, text=True) as child:
-        late = threading.Timer(30, child.kill)
+        late = threading.Timer(120, child.kill)
         late.start()
         try:
             assert child.stdout is not None
@@ -70,7 +75,7 @@ def test_an_interrupt_ends_a_long_call_within_a_fifth_of_a_second(name, threads)
                 assert child.stdout.readline() == "interrupted\n"
                 waits.append(time.monotonic() - sent)
             # Other processes may keep it waiting, but not always.
-            assert min(waits) < 0.2, waits
+            assert min(waits) < SOON, waits
         finally:
             late.cancel()
             child.kill()
