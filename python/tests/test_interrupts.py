@@ -34,8 +34,10 @@ BUSY = {
     ),
 }
 CHILD = """
-import sys, time
+import signal, sys, time
 import numpy as np, dq8
+# What a shell starts in the background ignores interrupts, and so do its children.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 turned = np.stack([dq8.from_twist([0.1 * i, 0, 0, 1, 2, i]) for i in range(8)])[3]
 arm = dq8.Mechanism([-1, 0], "revolute", [0, 0, 1], dq8.from_translation([1.0, 0, 0]))
 chain = dq8.Mechanism([-1] + list(range(2_000)), ["revolute"] + ["fixed"] * 2_000, [0, 0, 1], dq8.from_translation([1e-3, 0, 0]))
