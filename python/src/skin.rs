@@ -74,7 +74,7 @@ use std::sync::OnceLock;
 /// >>> import dq8
 /// >>> twisted = dq8.from_rotation_translation([0, 0, 0.5**0.5, 0.5**0.5], [0.0, 0, 0])
 /// >>> palette = [dq8.identity(), twisted]
-/// >>> [[1.0, 0, 0]].job().backend(dq8).pose([[0, 1]], [[0.5, 0.5]], palette).round(6)
+/// >>> dq8.skin([[1.0, 0, 0]], [[0, 1]], [[0.5, 0.5]], palette).round(6)
 /// array([[0.707107, 0.707107, 0.      ]])
 /// >>> dq8.skin([[1.0, 0, 0]], [[0, 1]], [[0.5, 0.5]], palette, method='lbs').round(6)
 /// array([[0.5, 0.5, 0. ]])
