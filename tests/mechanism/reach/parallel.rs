@@ -77,16 +77,3 @@ fn what_does_not_fit_is_refused_and_nothing_is_written() {
         assert!(values == starts && reports.iter().all(|report| *report == Report::default()));
     }
 }
-
-#[test]
-fn what_has_no_values_is_reported_on_all_cores_too() {
-    let robot = mechanism::<f64>(&[Joint::fixed(None, at(1.0, 0.0, 0.0))]);
-    let goals = [Goal::pose(0)];
-    let reach = Reach::new(robot.view(), &goals, &mut []).unwrap();
-    let targets = [at(1.0, 0.0, 0.0), at(2.0, 0.0, 0.0)];
-    let mut reports = [Report::default(); 2];
-    let options = Options::default();
-    Backend::best().par_reach_links(&reach, &targets, &mut [], &mut reports, &options).unwrap();
-    assert_eq!(reports[0].outcome, Outcome::Converged);
-    assert_ne!(reports[1].outcome, Outcome::Converged);
-}
