@@ -4,6 +4,7 @@
 mod book;
 mod errors;
 mod far;
+mod hinge;
 mod lanes;
 #[cfg(feature = "rayon")]
 mod parallel;
