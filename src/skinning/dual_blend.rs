@@ -146,8 +146,9 @@ fn toward<L: Lanes>(real: [[L; 4]; GROUP], pivot: [L; 4], weights: [L; GROUP]) -
         influence += 1;
     }
     let zero = product.constant(0.0);
-    // Some are at right angles, or nearly; or there is a number so large that nobody knows.
-    if !zero.lt(product.abs()).all() {
+    // Some are at right angles, or nearly; or there is a number so large that nobody knows. The square tells
+    // both: it is not above zero. An absolute value would do, and cost a twentieth of the whole blend on AVX2.
+    if !zero.lt(product * product).all() {
         let side_of_pivot = zero.constant(1.0).copysign(leading(pivot.to_array()));
         influence = 0;
         while influence < GROUP {
