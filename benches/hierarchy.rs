@@ -1,8 +1,8 @@
 //! Hierarchy concatenation: throughput in joints, dq8 and its peers on the same data.
 //!
 //! One skeleton of 64 joints, crowds of 1 to 8192 instances, out of place and in place, in every
-//! layout and with every set of instructions that the CPU has. The groups `one-instance` compare the
-//! strategies of a plan.
+//! layout and with every set of instructions that the CPU has. The groups `one-instance` have
+//! plans too.
 //!
 //! ```text
 //! cargo bench --bench hierarchy -- crowd/1024/in-place
@@ -28,7 +28,7 @@ fn crowds(criterion: &mut Criterion) {
 fn one_instance(criterion: &mut Criterion) {
     let mut measure = |name: String, shape| {
         let name = format!("one-instance/{name}");
-        measure(criterion, &name, Task::Hierarchy(shape, Way::Strategies));
+        measure(criterion, &name, Task::Hierarchy(shape, Way::Out));
     };
     measure("skeleton".to_owned(), Shape::Crowd { instances: 1 });
     measure("biped".to_owned(), Shape::Biped);

@@ -5,7 +5,7 @@
 //! ```
 
 use dq8::hierarchy::{Clip, Sampled};
-use dq8::{DualQuat, Quat, Skeleton, hierarchy::MatrixOrder, law::Separate};
+use dq8::{DualQuat, Quat, Skeleton, hierarchy::MatrixOrder, law::NlerpLerp};
 use std::error::Error;
 
 const CHARACTERS: usize = 1000;
@@ -26,7 +26,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let keys: Vec<[f32; 7]> = (0..=30).flat_map(keys).collect();
     let clip = Clip::new(skeleton.joints(), &keys)?;
     let mut rest = [0.9, -0.45, -0.45].map(|y| DualQuat::from_translation([0.0, y, 0.0]));
-    skeleton.local_to_model_in_place(&mut rest)?;
+    skeleton.job().local_to_model_in_place(&mut rest)?;
     let inverse_binds = rest.map(DualQuat::conjugate);
 
     let place = |i: usize| DualQuat::from_translation([(i % 40) as f32, 0.0, (i / 40) as f32]);
@@ -37,7 +37,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for seconds in [0.0, 0.25, 0.5] {
         let at = |i: usize| (seconds + 0.37 * i as f32).fract() * FRAMES_PER_SECOND;
         let (frames, t): (Vec<_>, Vec<_>) = (0..CHARACTERS).map(|i| clip.place(at(i))).unzip();
-        let locals = Sampled::new(Separate, clip, &frames, &t)?;
+        let locals = Sampled::new(NlerpLerp, clip, &frames, &t)?;
         let job = skeleton.job().roots(&roots).matrix_order(MatrixOrder::Columns);
         job.palette(locals, &mut scratch, &inverse_binds, &mut palette)?;
         let upload: &[f32] = palette.as_flattened();

@@ -3,7 +3,7 @@
 use crate::batch::{DualQuat, Quat, vector};
 use dq8_simd::Lanes;
 
-/// How poses of `C` numbers are interpolated: [`Nlerp`] or [`Sclerp`] for motions, [`Separate`] for
+/// How poses of `C` numbers are interpolated: [`Nlerp`] or [`Sclerp`] for motions, [`NlerpLerp`] for
 /// rotations and translations. Sealed.
 pub trait Law<const C: usize>: Copy + core::fmt::Debug + Send + Sync + sealed::Sealed {
     /// From `a` (t = 0) to `b` (t = 1).
@@ -40,7 +40,7 @@ pub struct Sclerp;
 /// Differences stand to the left, as in ozz-animation and Unreal: rotation nlerp(1, delta, weight) · base,
 /// translation base + weight · delta.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Separate;
+pub struct NlerpLerp;
 
 impl Law<8> for Nlerp {
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -74,7 +74,7 @@ impl Law<8> for Sclerp {
     }
 }
 
-impl Law<7> for Separate {
+impl Law<7> for NlerpLerp {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn between<L: Lanes>(self, a: [L; 7], b: [L; 7], t: L) -> [L; 7] {
         let ([ax, ay, az, aw, from @ ..], [bx, by, bz, bw, to @ ..]) = (a, b);
@@ -106,5 +106,5 @@ mod sealed {
     pub trait Sealed {}
     impl Sealed for super::Nlerp {}
     impl Sealed for super::Sclerp {}
-    impl Sealed for super::Separate {}
+    impl Sealed for super::NlerpLerp {}
 }

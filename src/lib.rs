@@ -37,7 +37,7 @@
 //! | [`Twist`], [`geometry::Wrench`] | velocities and forces: derivatives, adjoints and Jacobians of motions and joints |
 //! | [`Hierarchy`], [`Job`], [`Crowd`] | joint hierarchies, one instance or many |
 //! | [`Skeleton`] | a hierarchy that owns its parents, of any order and type |
-//! | [`hierarchy::HierarchyPlan`], [`hierarchy::BorrowedPlan`], [`Backend::chain_products`] | one instance: a skeleton or a long chain |
+//! | [`hierarchy::Plan`], [`Backend::chain_products`] | one instance without a heap, and long chains |
 //! | [`ik`] | inverse kinematics: two bones, and arms of any number of joints |
 //! | [`mechanism`] | robots: from joint values to poses of links, Jacobians and velocities, one or many configurations |
 //! | [`skinning`] | meshes that follow joints: linear and dual quaternion blends |
@@ -58,7 +58,7 @@
 //! | feature | default | what it does |
 //! |---|---|---|
 //! | `std` | yes | square roots and trigonometry of the standard library; implies `alloc` |
-//! | `alloc` | | `Crowd`, owned blocks for any number of instances, `Skeleton` and `HierarchyPlan` |
+//! | `alloc` | | `Crowd`, owned blocks for any number of instances, and `Skeleton` |
 //! | `libm` | | square roots and trigonometry without std |
 //! | `rayon` | | `threads` of every job and of [`Backend`]: any number of them, and the same bits |
 //! | `serde`, `rkyv_08`, `mint_05`, `glam_034`, `nalgebra_035`, `approx_05`, `rand_010`, `arbitrary`, `proptest`, `defmt` | | types of other crates: see [`interop`] |

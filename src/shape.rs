@@ -45,6 +45,14 @@ pub enum ShapeError {
         /// Its parent.
         parent: usize,
     },
+    /// A pair of an order that is not a joint and its parent, or comes before the last root: the order was made for
+    /// other parents, or not at all.
+    NotOrder {
+        /// The number of the pair.
+        place: usize,
+    },
+    /// A job was given the plan of other parents than its own.
+    OtherPlan,
     /// A link that a mechanism does not have.
     NoLink {
         /// The link asked for.
@@ -94,6 +102,10 @@ impl fmt::Display for ShapeError {
                 f,
                 "the parent of joint {joint}, joint {parent}, is not among those that are computed"
             ),
+            Self::NotOrder { place } => {
+                write!(f, "pair {place} of the order is not one of these parents")
+            }
+            Self::OtherPlan => f.write_str("the plan is of other parents than the job"),
             Self::NoLink { link, links } => {
                 write!(f, "there is no link {link}: the mechanism has {links}, counted from 0")
             }

@@ -268,7 +268,7 @@ fn points_lines_planes_crowds_and_hierarchies_are_where_they_are_looked_for() {
     Backend::best().mul(&poses, &poses, &mut out).unwrap();
     assert_eq!(out, poses);
     assert_eq!(vec![Quat::<f32>::default(); 4].len(), 4);
-    let blocks = [dq8::storage::MatrixBlock::<f32, 8>::splat([1.0; 12]); 2];
+    let blocks = [dq8::storage::Block::<f32, 8, 12>::splat([1.0; 12]); 2];
     assert_eq!(bytemuck::cast_slice::<_, f32>(&blocks), [1.0; 2 * 12 * 8]);
     let floats: &[f32] = bytemuck_free(&poses);
     assert_eq!(floats.len(), 16);

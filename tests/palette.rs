@@ -1,7 +1,7 @@
 //! Palettes whose models go through scratch: to the last bit those of runs that keep all models.
 
 use core::num::NonZeroU32;
-use dq8::hierarchy::{MatrixOrder, Poses, Renormalize, Root, Rotations};
+use dq8::hierarchy::{Bones, MatrixOrder, Poses, Renormalize, Root};
 use dq8::{Backend, DualQuat, Hierarchy, Quat, Real, Scalar};
 use dq8_contract::random::Random;
 
@@ -53,7 +53,7 @@ fn holds_to_the_last_bit<R: Scalar>() {
     let rotations: Vec<_> = poses.iter().map(|pose| pose.rotation()).collect();
     let (binds, roots) = (motions::<R>(random, JOINTS), motions::<R>(random, INSTANCES));
     let offsets: Vec<_> = binds.iter().map(|bind| bind.translation()).collect();
-    let rotations = Rotations { rotations: &rotations, offsets: &offsets };
+    let rotations = Bones { rotations: &rotations, offsets: &offsets };
     let second = Renormalize::Every(NonZeroU32::new(2).expect("not zero"));
     let mut models = poses.clone();
     let empty = [[<R as Real>::ZERO; 4]; 3];

@@ -28,7 +28,7 @@ macro_rules! kernels {
         use dq8::ik::{self, Arm, Options, Report};
         use dq8::mechanism::{Freedom, Goal, Joint, OwnedMechanism, Reach, WorldAligned};
         use dq8::skinning::{DualBlend, Linear, Mixed, Skin, Surface, SurfaceMut};
-        use dq8::{Backend, Block, Crowd, DualQuat, Hierarchy, Twist, hierarchy::Rotations, law::Sclerp};
+        use dq8::{Backend, Block, Crowd, DualQuat, Hierarchy, Twist, hierarchy::Bones, law::Sclerp};
 
         const INSTANCES: usize = 37;
         const PARENTS: [u32; 3] = [Hierarchy::ROOT, 0, 1];
@@ -86,9 +86,9 @@ macro_rules! kernels {
                 let (mut models, mut crowd) = (vec![pose(); 3 * INSTANCES], Crowd::<$real, $lanes>::new(3, INSTANCES));
                 let job = rig.job().backend(backend);
                 let (mut palette, binds) = (vec![[[0.0; 4]; 3]; 3 * INSTANCES], [pose(); 3]);
-                let locals = Rotations { rotations: &turns, offsets: &offsets };
+                let locals = Bones { rotations: &turns, offsets: &offsets };
                 job.palette_and_models(locals, &mut models, &binds, &mut palette).unwrap();
-                let locals = Rotations { rotations: turned.blocks(), offsets: &offsets };
+                let locals = Bones { rotations: turned.blocks(), offsets: &offsets };
                 let mut palette = Crowd::<$real, $lanes, 12>::new(3, INSTANCES);
                 let job = rig.job().backend(backend);
                 job.palette_and_models(locals, crowd.blocks_mut(), &binds, palette.blocks_mut()).unwrap();

@@ -169,7 +169,7 @@ enum dq8_status
    */
   DQ8_STATUS_FIELD = 28,
   /**
-   * The order of a plan names a joint that there is not: it has not been made.
+   * The order of a plan is not one of these parents: it has not been made for them.
    */
   DQ8_STATUS_NO_PLAN = 29,
   /**
@@ -1835,26 +1835,28 @@ dq8_status dq8_plan_make(const int32_t *parents,
                          size_t *bad_joint);
 
 /**
- * As dq8_local_to_model, joint by joint in the `order` that dq8_plan_make found, with the eight numbers of a
- * motion in one register: the fastest way for one instance. Several are computed one after the other:
- * `count` motions in all, `joints` times instances. `models` may be `locals`.
+ * As dq8_local_to_model, joint by joint in the `order` that dq8_plan_make found for the same parents, with the
+ * eight numbers of a motion in one register: the fastest way for one instance. Several are computed as by
+ * dq8_local_to_model: `count` motions in all, `joints` times instances. `models` may be `locals`.
  *
- * DQ8_STATUS_NO_PLAN if a number in `order` is no joint.
+ * DQ8_STATUS_NO_PLAN if `order` is not one of these parents.
  */
-dq8_status dq8_plan_local_to_model_f32(const uint32_t *order,
+dq8_status dq8_plan_local_to_model_f32(const int32_t *parents,
+                                       const uint32_t *order,
                                        size_t joints,
                                        const float *locals,
                                        float *models,
                                        size_t count);
 
 /**
- * As dq8_local_to_model, joint by joint in the `order` that dq8_plan_make found, with the eight numbers of a
- * motion in one register: the fastest way for one instance. Several are computed one after the other:
- * `count` motions in all, `joints` times instances. `models` may be `locals`.
+ * As dq8_local_to_model, joint by joint in the `order` that dq8_plan_make found for the same parents, with the
+ * eight numbers of a motion in one register: the fastest way for one instance. Several are computed as by
+ * dq8_local_to_model: `count` motions in all, `joints` times instances. `models` may be `locals`.
  *
- * DQ8_STATUS_NO_PLAN if a number in `order` is no joint.
+ * DQ8_STATUS_NO_PLAN if `order` is not one of these parents.
  */
-dq8_status dq8_plan_local_to_model_f64(const uint32_t *order,
+dq8_status dq8_plan_local_to_model_f64(const int32_t *parents,
+                                       const uint32_t *order,
                                        size_t joints,
                                        const double *locals,
                                        double *models,

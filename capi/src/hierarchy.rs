@@ -7,7 +7,7 @@ use dq8::storage::{AoSoA, Aos, Layout};
 use dq8::{
     DualQuat, Hierarchy, Job,
     hierarchy::{
-        HierarchyError, PaletteEntry, Poses, Root as StandsOn, Rotations, RotationsTranslations,
+        Bones, HierarchyError, PaletteEntry, Poses, Root as StandsOn, RotationsTranslations,
     },
 };
 
@@ -93,7 +93,7 @@ unsafe fn rotations_to_model<L: Layout>(
     // SAFETY: promised, and apart.
     unsafe {
         let job = job::<L>(&parents, &root)?;
-        let locals = Rotations { rotations: rotations.slice(), offsets: offsets.slice() };
+        let locals = Bones { rotations: rotations.slice(), offsets: offsets.slice() };
         Ok(job.locals_to_model(locals, models.slice())?)
     }
 }

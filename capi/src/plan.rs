@@ -4,8 +4,8 @@ use crate::hierarchy::checked;
 use crate::memory::{Input, Output, from_to};
 use crate::span::apart;
 use crate::status::{Done, Status};
-use dq8::hierarchy::{BorrowedPlan, PlanScratch};
-use dq8::{DualQuat, Scalar};
+use dq8::hierarchy::{Plan, PlanScratch};
+use dq8::{DualQuat, Hierarchy, Scalar};
 
 /// Finds the order in which dq8_plan_local_to_model computes the joints of one instance: those that others wait for come
 /// early, and between a joint and its parent there are others.
@@ -44,41 +44,46 @@ unsafe fn make(
     // SAFETY: promised, and apart.
     unsafe {
         let hierarchy = checked(&parents, &bad_joint)?;
-        BorrowedPlan::new(&hierarchy, order.slice(), scratch.slice())?;
+        Plan::new(&hierarchy, order.slice(), scratch.slice())?;
     }
     Ok(())
 }
 
 /// # Safety
-/// As for [`from_to`], and [`Input::slice`] of `order`.
+/// As for [`from_to`], and [`Input::slice`] of `parents` and `order`.
 unsafe fn local_to_model<R: Scalar>(
+    parents: *const i32,
     order: *const u32,
     joints: usize,
     locals: *const R,
     models: *mut R,
     count: usize,
 ) -> Done {
+    let parents = crate::hierarchy::parents(parents, joints)?;
     let order = Input::<[u32; 2]>::new(order, joints)?;
-    apart(&[Output::<DualQuat<R>>::new(models, count)?.span], &[order.span])?;
+    apart(&[Output::<DualQuat<R>>::new(models, count)?.span], &[parents.span, order.span])?;
     // SAFETY: promised, and apart from what is written.
-    let plan = BorrowedPlan::of_order(unsafe { order.slice() }).ok_or(Status::NoPlan)?;
-    let elsewhere = |from: &[DualQuat<R>], to: &mut [_]| plan.local_to_model(from, to);
+    let (parents, order) = unsafe { (parents.slice(), order.slice()) };
+    let hierarchy = Hierarchy::new(parents)?;
+    let job = hierarchy.job().plan(&Plan::of_order(&hierarchy, order).or(Err(Status::NoPlan))?);
+    let elsewhere = |from: &[DualQuat<R>], to: &mut [_]| job.local_to_model(from, to);
     // SAFETY: promised.
-    unsafe { from_to(locals, models, count, elsewhere, |all| plan.local_to_model_in_place(all)) }
+    unsafe { from_to(locals, models, count, elsewhere, |all| job.local_to_model_in_place(all)) }
 }
 
 macro_rules! functions {
     ($R:ident $lanes:tt) => {
-        /// As dq8_local_to_model, joint by joint in the `order` that dq8_plan_make found, with the eight numbers of a
-        /// motion in one register: the fastest way for one instance. Several are computed one after the other:
-        /// `count` motions in all, `joints` times instances. `models` may be `locals`.
+        /// As dq8_local_to_model, joint by joint in the `order` that dq8_plan_make found for the same parents, with the
+        /// eight numbers of a motion in one register: the fastest way for one instance. Several are computed as by
+        /// dq8_local_to_model: `count` motions in all, `joints` times instances. `models` may be `locals`.
         ///
-        /// DQ8_STATUS_NO_PLAN if a number in `order` is no joint.
+        /// DQ8_STATUS_NO_PLAN if `order` is not one of these parents.
         ///
         /// # Safety
         /// Arrays have the lengths named.
         #[unsafe(export_name = concat!("dq8_plan_local_to_model_", stringify!($R)))]
         pub unsafe extern "C" fn local_to_model(
+            parents: *const i32,
             order: *const u32,
             joints: usize,
             locals: *const $R,
@@ -86,7 +91,9 @@ macro_rules! functions {
             count: usize,
         ) -> Status {
             // SAFETY: promised.
-            Status::of(unsafe { super::local_to_model(order, joints, locals, models, count) })
+            let status =
+                unsafe { super::local_to_model(parents, order, joints, locals, models, count) };
+            Status::of(status)
         }
     };
 }

@@ -4,7 +4,7 @@ use crate::mesh::{Arrays, Mesh, Records, VertexFields};
 use crate::skin::{By, Given, InfluenceField, Posing, Skin};
 use crate::status::{Done, Status};
 use dq8::Scalar;
-use dq8::skinning::{self, DualBlend, Linear, Mixed, Stretched};
+use dq8::skinning::{self, DualBlend, Linear, Mixed, StretchedDualBlend};
 
 /// # Safety
 /// As for [`Mesh::pose`].
@@ -49,7 +49,7 @@ unsafe fn stretched<R: Scalar + skinning::Weight>(
     unsafe {
         let palettes = By { motions: Some(motions), matrices: Some(stretches), ..By::NOTHING };
         let by = Posing::new(skin, joints, palettes)?;
-        mesh.pose(&by, |by| Ok(Stretched::new(by.motions, by.matrices)))
+        mesh.pose(&by, |by| Ok(StretchedDualBlend::new(by.motions, by.matrices)))
     }
 }
 

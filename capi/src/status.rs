@@ -100,8 +100,8 @@ statuses! {
         Limits = 27: c"the limits of a joint leave no value",
         /// A field lies beyond its vertex, or in another field.
         Field = 28: c"a field lies beyond its vertex, or in another field",
-        /// The order of a plan names a joint that there is not: it has not been made.
-        NoPlan = 29: c"the order of the plan has not been made",
+        /// The order of a plan is not one of these parents: it has not been made for them.
+        NoPlan = 29: c"the order of the plan has not been made for these parents",
         /// A share of a mix is not in [0, 1].
         Share = 30: c"a share of a mix is not in [0, 1]",
         /// No joint moves the link of a goal: only fixed ones carry it.

@@ -4,7 +4,7 @@
 mod answers;
 
 use answers::answers;
-use dq8::{DualQuat, Hierarchy, Real, Scalar, hierarchy::HierarchyPlan};
+use dq8::{DualQuat, Real, Scalar, Skeleton};
 use dq8_capi::Status;
 use dq8_capi::plan::{self, dq8_plan_make as make};
 use std::ptr;
@@ -43,13 +43,12 @@ macro_rules! agree {
         #[test]
         fn $test() {
             use plan::$of as p;
-            let parents = PARENTS.map(|parent| parent as u32);
-            let rust = HierarchyPlan::new(&Hierarchy::new(&parents).unwrap());
+            let rust = Skeleton::new(&PARENTS).unwrap();
             let memory = made();
             for instances in 0..3 {
                 let count = instances * JOINTS;
                 let (locals, mut wanted) = (poses::<$R>(count), poses::<$R>(count));
-                rust.local_to_model_in_place(&mut wanted).unwrap();
+                rust.job().local_to_model_in_place(&mut wanted).unwrap();
                 let mut models = vec![DualQuat::ZERO; count];
                 let mut in_place = locals.clone();
                 let (from, order) = (locals.as_ptr().cast(), memory.order.as_ptr());
@@ -57,8 +56,8 @@ macro_rules! agree {
                 // SAFETY: arrays have `count` motions, two numbers per joint.
                 let done = unsafe {
                     [
-                        p::local_to_model(order, JOINTS, from, to, count),
-                        p::local_to_model(order, JOINTS, over, over, count),
+                        p::local_to_model(PARENTS.as_ptr(), order, JOINTS, from, to, count),
+                        p::local_to_model(PARENTS.as_ptr(), order, JOINTS, over, over, count),
                     ]
                 };
                 assert_eq!(done, [Status::Ok; 2]);
@@ -77,19 +76,41 @@ fn an_order_that_was_not_made_is_refused_and_so_are_bad_pointers() {
     let (memory, locals) = (made(), poses::<f32>(JOINTS + 1));
     let mut models = locals.clone();
     let (from, to) = (locals.as_ptr().cast::<f32>(), models.as_mut_ptr().cast::<f32>());
-    let order = memory.order.as_ptr();
+    let (parents, order) = (PARENTS.as_ptr(), memory.order.as_ptr());
+    // The same joints with other parents.
+    let others = [-1, 0, 0, 0, 3, -1];
+    let (other, forward) = (others.as_ptr(), [-1, 2, 0, 0, 0, 0]);
     // SAFETY: what is dereferenced is as long as it is said to be.
     let results = unsafe {
         [
-            (p::local_to_model(EMPTY.order.as_ptr(), JOINTS, from, to, JOINTS), Status::NoPlan),
-            (p::local_to_model(order, JOINTS, from, to, JOINTS + 1), Status::Length),
-            (p::local_to_model(order, JOINTS - 1, from, to, JOINTS - 1), Status::NoPlan),
-            (p::local_to_model(ptr::null(), JOINTS, from, to, JOINTS), Status::NullPointer),
-            (p::local_to_model(order, JOINTS, ptr::null(), to, JOINTS), Status::NullPointer),
-            (p::local_to_model(order, JOINTS, to.add(8), to, JOINTS - 1), Status::Overlap),
-            (p::local_to_model(to.cast(), JOINTS, from, to, JOINTS), Status::Overlap),
-            (p::local_to_model(order, JOINTS, from, to.byte_add(1), JOINTS), Status::Misaligned),
-            (p::local_to_model(ptr::null(), 0, from, to, 0), Status::Ok),
+            (
+                p::local_to_model(parents, EMPTY.order.as_ptr(), JOINTS, from, to, JOINTS),
+                Status::NoPlan,
+            ),
+            (p::local_to_model(parents, order, JOINTS, from, to, JOINTS + 1), Status::Length),
+            (p::local_to_model(parents, order, JOINTS - 1, from, to, JOINTS - 1), Status::NoPlan),
+            (p::local_to_model(other, order, JOINTS, from, to, JOINTS), Status::NoPlan),
+            (
+                p::local_to_model(forward.as_ptr(), order, JOINTS, from, to, JOINTS),
+                Status::ParentNotBefore,
+            ),
+            (
+                p::local_to_model(parents, ptr::null(), JOINTS, from, to, JOINTS),
+                Status::NullPointer,
+            ),
+            (p::local_to_model(ptr::null(), order, JOINTS, from, to, JOINTS), Status::NullPointer),
+            (
+                p::local_to_model(parents, order, JOINTS, ptr::null(), to, JOINTS),
+                Status::NullPointer,
+            ),
+            (p::local_to_model(parents, order, JOINTS, to.add(8), to, JOINTS - 1), Status::Overlap),
+            (p::local_to_model(parents, to.cast(), JOINTS, from, to, JOINTS), Status::Overlap),
+            (p::local_to_model(to.cast(), order, JOINTS, from, to, JOINTS), Status::Overlap),
+            (
+                p::local_to_model(parents, order, JOINTS, from, to.byte_add(1), JOINTS),
+                Status::Misaligned,
+            ),
+            (p::local_to_model(ptr::null(), ptr::null(), 0, from, to, 0), Status::Ok),
         ]
     };
     answers(results);

@@ -6,7 +6,8 @@
 mod pose;
 
 use dq8::skinning::{
-    self, DualBlend, Linear, Mixed, Stretched, Surface, SurfaceMut, matrix_palette, split_palette,
+    self, DualBlend, Linear, Mixed, StretchedDualBlend, Surface, SurfaceMut, matrix_palette,
+    split_palette,
 };
 use dq8::{DualQuat, Quat, hierarchy::MatrixOrder};
 use dq8_capi::Status;
@@ -98,7 +99,7 @@ impl Mesh {
             to = to.normals(n).tangents(t);
         }
         let (linear, dual) = (Linear::new(&self.matrices), DualBlend::new(&self.motions));
-        let stretched = Stretched::new(&self.motions, &self.stretches);
+        let stretched = StretchedDualBlend::new(&self.motions, &self.stretches);
         let mixed = Mixed::new(linear, dual, &self.shares).unwrap();
         match how {
             How::Linear => skin.pose(linear, from, to),

@@ -3,7 +3,7 @@ use crate::args::Method;
 use crate::bones::Bones;
 use crate::error::Error;
 use dq8::skinning::{
-    Linear, Mixed, Skin, SkinningError, Stretched, Surface, SurfaceMut, matrix_palette,
+    Linear, Mixed, Skin, SkinningError, StretchedDualBlend, Surface, SurfaceMut, matrix_palette,
     split_palette,
 };
 use dq8::{DualQuat, hierarchy::MatrixOrder, representation::Affine};
@@ -92,7 +92,7 @@ impl Mesh {
         split_palette(&palette, &mut motions, &mut stretches)?;
         let mut posed = vec![[0.0; 3]; self.positions.len()];
         let (from, to) = (Surface::positions(&self.positions), SurfaceMut::positions(&mut posed));
-        let (linear, dual) = (Linear::new(&palette), Stretched::new(&motions, &stretches));
+        let (linear, dual) = (Linear::new(&palette), StretchedDualBlend::new(&motions, &stretches));
         let skin = self.skin()?;
         match method {
             Method::Linear => skin.pose(linear, from, to),

@@ -6,7 +6,7 @@ use crate::method::Method;
 use crate::number::Number;
 use crate::threads::{GRAIN, Threads};
 use dq8::skinning::{
-    DualBlend, Linear, Mixed, Skin, SkinningError, Stretched, Surface, SurfaceMut, split_palette,
+    DualBlend, Linear, Mixed, Skin, SkinningError, StretchedDualBlend, Surface, SurfaceMut, split_palette,
 };
 use dq8::{Backend, DualQuat};
 use pyo3::exceptions::PyValueError;
@@ -94,7 +94,7 @@ impl<R: Number> Palette<R> {
             Entries::Linear(matrices) => by!(Linear::new(&matrices[of])),
             Entries::Dual(Dual::Rigid(motions)) => by!(DualBlend::new(&motions[of])),
             Entries::Dual(Dual::Stretched { motions, stretches }) => {
-                by!(Stretched::new(&motions[of.clone()], &stretches[of]))
+                by!(StretchedDualBlend::new(&motions[of.clone()], &stretches[of]))
             }
             Entries::Mixed(matrices, dual) => {
                 let linear = Linear::new(&matrices[of.clone()]);
@@ -103,7 +103,7 @@ impl<R: Number> Palette<R> {
                         by!(Mixed::new(linear, DualBlend::new(&motions[of]), shares)?)
                     }
                     Dual::Stretched { motions, stretches } => {
-                        let dual = Stretched::new(&motions[of.clone()], &stretches[of]);
+                        let dual = StretchedDualBlend::new(&motions[of.clone()], &stretches[of]);
                         by!(Mixed::new(linear, dual, shares)?)
                     }
                 }

@@ -2,17 +2,17 @@ use crate::dispatch::Backend;
 use crate::real::Scalar;
 use crate::scalar::DualQuat;
 use crate::shape::{ShapeError, same_length, whole_instances};
-use crate::storage::{Aos, Element, Pack, Unpack, blocks_for, identity};
+use crate::storage::{Aos, Block, Element, Pack, Unpack, blocks_for, identity};
 use alloc::vec;
 use alloc::vec::Vec;
-use dq8_simd::{Block, Row};
+use dq8_simd::Row;
 
 /// Things of many instances of one skeleton, in blocks of `N` lanes: lanes are instances. Poses, unless
 /// another number of components `C` says otherwise: 4 for rotations, 7 for rotations and translations,
 /// 12 for matrices (see [`storage`](crate::storage)).
 ///
 /// ```
-/// use dq8::{Crowd, DualQuat, Hierarchy, Quat, hierarchy::Rotations};
+/// use dq8::{Crowd, DualQuat, Hierarchy, Quat, hierarchy::Bones};
 /// let parents = [Hierarchy::ROOT, 0];
 /// let skeleton = Hierarchy::new(&parents)?;
 /// let step = DualQuat::from_translation([0.0_f32, 1.0, 0.0]);
@@ -22,7 +22,7 @@ use dq8_simd::{Block, Row};
 /// assert_eq!(crowd.get(10, 1).unwrap().translation(), [0.0, 2.0, 0.0]);
 /// // The same from rotations.
 /// let turns = Crowd::<f32, 8, 4>::from_slice(2, &[Quat::IDENTITY; 11 * 2])?;
-/// let locals = Rotations { rotations: turns.blocks(), offsets: &[[0.0, 1.0, 0.0]; 2] };
+/// let locals = Bones { rotations: turns.blocks(), offsets: &[[0.0, 1.0, 0.0]; 2] };
 /// skeleton.job().locals_to_model(locals, crowd.blocks_mut())?;
 /// assert_eq!(crowd.get(10, 1).unwrap().translation(), [0.0, 2.0, 0.0]);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
@@ -32,7 +32,7 @@ pub struct Crowd<R, const N: usize, const C: usize = 8>
 where
     [R; N]: Row<Real = R>,
 {
-    blocks: Vec<Block<[R; N], C>>,
+    blocks: Vec<Block<R, N, C>>,
     joints: usize,
     instances: usize,
 }
@@ -53,8 +53,7 @@ where
         Self { blocks, joints, instances }
     }
 
-    /// From `[instance][joint]`, packed with the best instructions; [`Backend::pack`] packs
-    /// [`blocks_mut`](Self::blocks_mut) with others.
+    /// From `[instance][joint]`, as [`pack`](crate::storage::pack) does.
     ///
     /// # Errors
     /// If `things` holds no whole number of instances.
@@ -94,13 +93,13 @@ where
 
     /// `[instance block][joint]`, for [`Hierarchy`](super::Hierarchy) and kernels of your own.
     #[must_use]
-    pub fn blocks(&self) -> &[Block<[R; N], C>] {
+    pub fn blocks(&self) -> &[Block<R, N, C>] {
         &self.blocks
     }
 
     /// `[instance block][joint]`. Lanes beyond the last instance hold the identity; keep them finite.
     #[must_use]
-    pub fn blocks_mut(&mut self) -> &mut [Block<[R; N], C>] {
+    pub fn blocks_mut(&mut self) -> &mut [Block<R, N, C>] {
         &mut self.blocks
     }
 

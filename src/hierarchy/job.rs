@@ -4,8 +4,7 @@ use super::palette::{Epilogue, NoEpilogue};
 use super::root::{NoRoot, Roots};
 use super::run::{Root, Run};
 use super::{Hierarchy, Renormalize};
-#[cfg(feature = "alloc")]
-use super::{HierarchyPlan, planned};
+use super::{Plan, planned};
 use crate::dispatch::Backend;
 use crate::palette_entry::MatrixOrder;
 use crate::scalar::DualQuat;
@@ -39,9 +38,7 @@ pub struct Job<'a, S = NoRoot> {
     renormalize: Renormalize,
     pub(super) choice: Choice,
     pub(super) order: MatrixOrder,
-    /// The order to take for one instance.
-    #[cfg(feature = "alloc")]
-    plan: Option<&'a HierarchyPlan>,
+    plan: Option<Plan<'a>>,
 }
 
 impl<'a> Hierarchy<'a> {
@@ -63,6 +60,7 @@ impl<'a> Hierarchy<'a> {
 
     /// A run with options, each of which has a default. The element type belongs to what is called at the end, so one
     /// job serves `f32` and `f64`, plain slices and blocks.
+    #[inline]
     #[must_use]
     pub fn job(&self) -> Job<'a> {
         Job {
@@ -72,7 +70,6 @@ impl<'a> Hierarchy<'a> {
             renormalize: Renormalize::Never,
             choice: Choice::default(),
             order: MatrixOrder::Rows,
-            #[cfg(feature = "alloc")]
             plan: None,
         }
     }
@@ -127,7 +124,6 @@ impl<'a, S> Job<'a, S> {
             renormalize: self.renormalize,
             choice: self.choice,
             order: self.order,
-            #[cfg(feature = "alloc")]
             plan: self.plan,
         }
     }
@@ -192,10 +188,11 @@ impl<'a, S> Job<'a, S> {
         self
     }
 
-    /// Takes the order of this plan, which is of the same parents, for one instance.
-    #[cfg(feature = "alloc")]
-    pub(super) fn planned(mut self, plan: &'a HierarchyPlan) -> Self {
-        self.plan = Some(plan);
+    /// Computes one instance in the order of this plan. A [`Skeleton`](super::Skeleton)'s job has its own.
+    #[inline]
+    #[must_use]
+    pub fn plan(mut self, plan: &Plan<'a>) -> Self {
+        self.plan = Some(*plan);
         self
     }
 
@@ -233,11 +230,11 @@ impl<'a, S> Job<'a, S> {
     /// If lengths or the range do not fit; `models` is untouched.
     ///
     /// ```
-    /// use dq8::{DualQuat, Hierarchy, Quat, hierarchy::Rotations};
+    /// use dq8::{DualQuat, Hierarchy, Quat, hierarchy::Bones};
     /// let parents = [Hierarchy::ROOT, 0];
     /// let arm = Hierarchy::new(&parents)?;
     /// let half_turn = Quat::from_xyzw(0.0_f32, 0.0, 1.0, 0.0);
-    /// let locals = Rotations { rotations: &[half_turn; 2], offsets: &[[0.0; 3], [2.0, 0.0, 0.0]] };
+    /// let locals = Bones { rotations: &[half_turn; 2], offsets: &[[0.0; 3], [2.0, 0.0, 0.0]] };
     /// let mut models = [DualQuat::IDENTITY; 2];
     /// arm.job().locals_to_model(locals, &mut models)?;
     /// assert_eq!(models[1].translation(), [-2.0, 0.0, 0.0]);
@@ -281,12 +278,11 @@ impl<'a, S> Job<'a, S> {
         S: Roots<E>,
     {
         let (run, backend) = (self.run::<E>(), self.choice.instructions());
-        #[cfg(feature = "alloc")]
         if let Some(plan) = self.plan
             && planned::applies(&run, models.len())
         {
             let mut epilogue = epilogue;
-            return planned::forward(backend, plan.borrowed(), &run, locals, models, &mut epilogue);
+            return planned::forward(backend, plan, &run, locals, models, &mut epilogue);
         }
         #[cfg(feature = "rayon")]
         if backend.many() && !run.parents.is_empty() {
@@ -319,6 +315,13 @@ impl<'a, S> Job<'a, S> {
     {
         let joints = self.parents.len();
         joints_within(&self.joints, joints)?;
+        // A skeleton's plan is of the very same parents, and then this compares no number.
+        if let Some(plan) = self.plan
+            && !core::ptr::eq(plan.parents, self.parents)
+            && plan.parents != self.parents
+        {
+            return Err(ShapeError::OtherPlan);
+        }
         let instances = whole_instances(what, joints, length)?;
         match self.root.count() {
             Some(roots) => same_length("roots", roots, instances),

@@ -1,7 +1,7 @@
 //! [`PoseSource`]: poses that are computed as they are loaded. Sources nest: a layer loads from other sources.
 
 use super::locals::sealed::Sealed;
-use super::locals::{Locals, Motions, Poses, RotationsTranslations, Transforms, part_of};
+use super::locals::{Locals, Motions, Poses, RotationsTranslations, Tracks, part_of};
 use super::slot::JointSlot;
 use crate::law::Law;
 use crate::real::Scalar;
@@ -11,7 +11,7 @@ use core::ops::Range;
 use dq8_simd::Level;
 
 /// Poses of whole instances, `C` numbers each, that come into registers of the layout `M`: stored ones
-/// ([`Poses`], [`RotationsTranslations`], [`Transforms`]), those of a clip ([`Sampled`](super::Sampled)), or [`Layered`] ones. Sealed.
+/// ([`Poses`], [`RotationsTranslations`], [`Tracks`]), those of a clip ([`Sampled`](super::Sampled)), or [`Layered`] ones. Sealed.
 pub trait PoseSource<M: Layout, const C: usize>: Copy + Send + Sync + Sealed {
     /// Their name in errors, and how many elements of the layout they fill, for so many joints.
     ///
@@ -68,7 +68,7 @@ impl<E: Element<7>> PoseSource<E::Layout, 7> for RotationsTranslations<'_, E> {
 }
 
 impl<Q: Element<4>, T: Element<3, Layout = Q::Layout>> PoseSource<Q::Layout, 7>
-    for Transforms<'_, Q, T>
+    for Tracks<'_, Q, T>
 {
     fn shape(&self, _: usize) -> Result<(&'static str, usize), ShapeError> {
         same_length("translations", self.translations.len(), self.rotations.len())?;

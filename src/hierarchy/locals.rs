@@ -10,12 +10,12 @@ use dq8_simd::Level;
 /// The motions of one register of instances.
 pub(super) type Motions<E, V> = batch::DualQuat<Register<E, V, 8>>;
 
-/// Locals of whole instances, `[instance][joint]`: [`Poses`], [`RotationsTranslations`], [`Transforms`],
-/// [`Rotations`], [`Sampled`](super::Sampled) or [`Layered`](super::Layered). Sealed.
+/// Locals of whole instances, `[instance][joint]`: [`Poses`], [`RotationsTranslations`], [`Tracks`],
+/// [`Bones`], [`Sampled`](super::Sampled) or [`Layered`](super::Layered). Sealed.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` are no locals for models of `{E}`",
     note = "see the list of implementors: `Poses(&motions)`, `RotationsTranslations(&seven_numbers)`, \
-            `Transforms {{ rotations, translations }}`, `Rotations {{ rotations, offsets }}`, `Sampled`, `Layered`; all in \
+            `Tracks {{ rotations, translations }}`, `Bones {{ rotations, offsets }}`, `Sampled`, `Layered`; all in \
             the layout of the models",
     note = "slices of glam's types become those of dq8 by `dq8::interop::glam_034::quats` and `points`"
 )]
@@ -138,26 +138,26 @@ impl<E: Element<8>, T: Element<7, Layout = E::Layout>> Locals<E> for RotationsTr
 /// [`RotationsTranslations`] taken apart.
 ///
 /// ```
-/// use dq8::{DualQuat, Hierarchy, Quat, hierarchy::Transforms};
+/// use dq8::{DualQuat, Hierarchy, Quat, hierarchy::Tracks};
 /// let parents = [Hierarchy::ROOT, 0];
 /// let arm = Hierarchy::new(&parents)?;
 /// let half_turn = Quat::from_xyzw(0.0_f32, 0.0, 1.0, 0.0);
 /// let locals =
-///     Transforms { rotations: &[half_turn; 2], translations: &[[0.0; 3], [2.0, 0.0, 0.0]] };
+///     Tracks { rotations: &[half_turn; 2], translations: &[[0.0; 3], [2.0, 0.0, 0.0]] };
 /// let mut models = [DualQuat::IDENTITY; 2];
 /// arm.job().locals_to_model(locals, &mut models)?;
 /// assert_eq!(models[1].translation(), [-2.0, 0.0, 0.0]);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Transforms<'s, Q, T> {
+pub struct Tracks<'s, Q, T> {
     /// One for each joint.
     pub rotations: &'s [Q],
     /// One for each joint.
     pub translations: &'s [T],
 }
 
-impl<E, Q, T> Locals<E> for Transforms<'_, Q, T>
+impl<E, Q, T> Locals<E> for Tracks<'_, Q, T>
 where
     E: Element<8>,
     Q: Element<4, Layout = E::Layout>,
@@ -197,14 +197,14 @@ where
 /// Rotations, and the offset of each joint from its parent, the same for all instances: what
 /// animation clips hold, and half the memory of motions.
 #[derive(Clone, Copy, Debug)]
-pub struct Rotations<'s, Q: Element<4>> {
+pub struct Bones<'s, Q: Element<4>> {
     /// One for each joint.
     pub rotations: &'s [Q],
     /// One for each joint of the skeleton: its place in its parent.
     pub offsets: &'s [[Number<Q, 4>; 3]],
 }
 
-impl<E: Element<8>, Q: Element<4, Layout = E::Layout>> Locals<E> for Rotations<'_, Q> {
+impl<E: Element<8>, Q: Element<4, Layout = E::Layout>> Locals<E> for Bones<'_, Q> {
     fn shape(&self, joints: usize, _: usize) -> Result<(&'static str, usize), ShapeError> {
         same_length("offsets", self.offsets.len(), joints)?;
         Ok(("rotations", self.rotations.len()))
@@ -250,11 +250,11 @@ pub(super) fn part_of<T>(slice: &[T], count: usize, instances: Range<usize>) -> 
 }
 
 pub(super) mod sealed {
-    use super::{Element, InPlace, Poses, Rotations, RotationsTranslations, Transforms};
+    use super::{Bones, Element, InPlace, Poses, RotationsTranslations, Tracks};
     pub trait Sealed {}
     impl Sealed for InPlace {}
     impl<E> Sealed for Poses<'_, E> {}
     impl<T> Sealed for RotationsTranslations<'_, T> {}
-    impl<Q, T> Sealed for Transforms<'_, Q, T> {}
-    impl<Q: Element<4>> Sealed for Rotations<'_, Q> {}
+    impl<Q, T> Sealed for Tracks<'_, Q, T> {}
+    impl<Q: Element<4>> Sealed for Bones<'_, Q> {}
 }

@@ -3,12 +3,11 @@
 //! | item | what it is |
 //! |---|---|
 //! | [`Hierarchy`] | a parent array, checked once |
-//! | [`Skeleton`] | one that owns its parents, of any order and type, and takes a plan where that is faster (feature `alloc`) |
+//! | [`Skeleton`] | one that owns its parents, of any order and type, and its plan (feature `alloc`) |
 //! | [`Job`] | a run over it: with a root transform, on some of the joints, with a palette, backwards |
-//! | [`Poses`], [`RotationsTranslations`], [`Transforms`], [`Rotations`] | forms of [locals](Locals) |
+//! | [`Poses`], [`RotationsTranslations`], [`Tracks`], [`Bones`] | forms of [locals](Locals) |
 //! | [`Clip`], [`Sampled`], [`Layered`] | locals that are sampled, blended and masked on their way into registers |
-//! | [`HierarchyPlan`], [`Strategy`] | one instance: an order found once (feature `alloc`) |
-//! | [`BorrowedPlan`], [`PlanScratch`] | the same in memory of the caller's |
+//! | [`Plan`], [`PlanScratch`] | the order in which one instance is computed fastest, for those without a heap |
 //! | [`Renormalize`] | when a run normalizes what it has multiplied |
 //! | [`Crowd`] | owned blocks for any number of instances (feature `alloc`) |
 //!
@@ -21,7 +20,6 @@
 //! way. See [`storage`](crate::storage).
 
 mod backward;
-mod borrowed_plan;
 mod chain;
 mod concatenate;
 #[cfg(feature = "alloc")]
@@ -32,14 +30,14 @@ mod job;
 mod layers;
 mod locals;
 mod model_to_local;
+#[cfg(feature = "alloc")]
+mod owned_plan;
 mod palette;
 mod palettes;
 #[cfg(feature = "rayon")]
 mod parallel;
 mod parents;
-#[cfg(feature = "alloc")]
 mod plan;
-#[cfg(feature = "alloc")]
 mod planned;
 mod product;
 mod renormalize;
@@ -54,16 +52,14 @@ mod transposed;
 mod unkept;
 
 pub use crate::palette_entry::{MatrixOrder, PaletteEntry};
-pub use borrowed_plan::BorrowedPlan;
 #[cfg(feature = "alloc")]
 pub use crowd::Crowd;
 pub use error::HierarchyError;
 pub use job::Job;
 pub use layers::{Layered, PoseSource};
-pub use locals::{Locals, Poses, Rotations, RotationsTranslations, Transforms};
+pub use locals::{Bones, Locals, Poses, RotationsTranslations, Tracks};
 pub use parents::Hierarchy;
-#[cfg(feature = "alloc")]
-pub use plan::{HierarchyPlan, Strategy};
+pub use plan::Plan;
 pub use renormalize::Renormalize;
 pub use root::{NoRoot, Roots};
 pub use run::Root;

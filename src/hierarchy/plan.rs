@@ -1,162 +1,166 @@
-//! [`HierarchyPlan`]: how to compute one instance, found once and owned.
+//! [`Plan`]: the order in which one instance is computed, in memory of the caller's.
 
 use super::Hierarchy;
-use super::borrowed_plan::{BorrowedPlan, Order, SEGMENTS, is_chain, is_long_chain, split_roots};
+use super::product::product;
 use super::schedule::{PlanScratch, schedule};
-use crate::dispatch::Backend;
+use crate::dispatch::{Backend, Kernel};
 use crate::real::Scalar;
 use crate::scalar::DualQuat;
-use crate::shape::ShapeError;
-use alloc::boxed::Box;
-use alloc::vec;
-use alloc::vec::Vec;
-use dq8_simd::CheckedSchedule;
+use crate::shape::{ShapeError, same_length};
+use crate::storage::Source;
+use dq8_simd::{CheckedSchedule, Level};
 
-/// How to compute one instance of a hierarchy, found once.
+/// From this many joints on, a chain is cut into segments. (Nanoseconds per joint, AVX-512, of 16, 24 and 32
+/// joints: one by one 4.9, 5.6, 6.0; in segments 6.7, 5.3, 4.7. Without AVX2 segments never win.)
+const MIN_CHAIN: usize = 24;
+
+/// Whether chains are cut into segments at all: without AVX2 that never wins, and firmware counts the bytes.
+pub(super) const SEGMENTS: bool = cfg!(target_arch = "x86_64");
+
+/// The order in which one instance of a hierarchy is computed, found once, in memory of the caller's: what a
+/// [`Skeleton`](super::Skeleton) keeps for itself, for those without a heap.
 ///
-/// [`Hierarchy`] fills its lanes with many instances. In a single instance joints wait for their parents, so the order
-/// decides how much of the time something can be computed, and the best order depends on the parents alone. A plan
-/// finds it once, and serves any number of poses. It computes
-///
-/// model(j) = model(parent(j)) · local(j)
-///
-/// as [`Hierarchy::local_to_model`] does, of plain slices in the joints' own order. Products and
-/// their order are the same for a tree, so results differ by rounding only; of a long chain see
-/// [`Backend::chain_products`].
-///
-/// Several instances are computed one after the other: for crowds, [`Block`] is faster. Motions that begin at a multiple of 32 bytes (`f32`) do not cross cache lines and take
-/// about 5 % less time than others.
-///
-/// [`Block`]: crate::storage::Block
+/// A [`Hierarchy`] fills its lanes with many instances. In a single one joints wait for their parents, so the order
+/// decides how much of the time something can be computed, and the best order depends on the parents alone. A
+/// [`Job`](super::Job) takes it for one whole instance in a plain slice, with any form of locals, root and palette, and
+/// leaves it alone otherwise. Products are the same as without a plan, in the same order, but for chains of 24 joints
+/// and more, whose results differ in the last bits: see [`Backend::chain_products`].
 ///
 /// ```
-/// use dq8::{DualQuat, Hierarchy, hierarchy::HierarchyPlan};
+/// use dq8::{DualQuat, Hierarchy, hierarchy::{Plan, PlanScratch}};
 /// let parents = [Hierarchy::ROOT, 0, 1, 0];
-/// let plan = HierarchyPlan::new(&Hierarchy::new(&parents)?);
+/// let leg = Hierarchy::new(&parents)?;
+/// let mut order = [[0; 2]; 4];
+/// let mut scratch = [PlanScratch::default(); 4]; // no longer needed when the plan is found
+/// let plan = Plan::new(&leg, &mut order, &mut scratch)?;
 /// let locals = [DualQuat::from_translation([0.0_f32, 2.0, 0.0]); 4];
 /// let mut models = locals;
-/// plan.local_to_model(&locals, &mut models)?;
+/// leg.job().plan(&plan).local_to_model(&locals, &mut models)?;
 /// assert_eq!(models[2].translation(), [0.0, 6.0, 0.0]);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[derive(Clone, Debug)]
-pub struct HierarchyPlan {
-    joints: usize,
+#[derive(Clone, Copy, Debug)]
+pub struct Plan<'a> {
+    pub(super) parents: &'a [u32],
+    /// `None` for a chain in segments.
+    pub(super) order: Option<Order<'a>>,
+}
+
+/// The joints of one instance in the order of computing, each with its parent.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Order<'a> {
     /// Joints without a parent, which come first.
-    roots: Box<[[u32; 2]]>,
-    /// The others, each with its parent. `None` for a chain in segments.
-    others: Option<CheckedSchedule<Box<[[u32; 2]]>>>,
-    backend: Option<Backend>,
+    pub(super) roots: &'a [[u32; 2]],
+    pub(super) others: CheckedSchedule<&'a [[u32; 2]]>,
 }
 
-/// How a [`HierarchyPlan`] uses lanes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum Strategy {
-    /// Joints one by one, the eight components of a motion in the lanes of one register, in an order
-    /// in which few wait for their parents.
-    Ordered,
-    /// The hierarchy is one chain, and lanes are its segments: [`Backend::chain_products`].
-    Chain,
-}
-
-impl HierarchyPlan {
-    /// The plan with the strategy that measured best: [`Strategy::Chain`] for chains of 24 joints or
-    /// more where there are instructions for it, [`Strategy::Ordered`] otherwise.
+impl<'a> Plan<'a> {
+    /// Writes the order into `order`, and borrows it. `order` and `scratch` have an element per joint.
     ///
-    /// # Panics
-    /// If the memory cannot be allocated, as for any `Vec`.
-    #[must_use]
-    pub fn new(hierarchy: &Hierarchy<'_>) -> Self {
-        let order = order(hierarchy);
-        if is_long_chain(&order) { Self::in_segments(hierarchy) } else { Self::ordered(&order) }
+    /// # Errors
+    /// If one of them is of another length; both are untouched.
+    pub fn new(
+        hierarchy: &Hierarchy<'a>,
+        order: &'a mut [[u32; 2]],
+        scratch: &mut [PlanScratch],
+    ) -> Result<Self, ShapeError> {
+        let joints = hierarchy.joints();
+        same_length("order", order.len(), joints)?;
+        same_length("scratch", scratch.len(), joints)?;
+        schedule(hierarchy, order, scratch);
+        Self::of_order(hierarchy, order)
     }
 
-    /// The plan with this strategy: to measure it. `None` if the strategy needs a chain and the
-    /// hierarchy is not one, or the target never has lanes for its segments.
-    #[must_use]
-    pub fn with_strategy(hierarchy: &Hierarchy<'_>, strategy: Strategy) -> Option<Self> {
-        let order = order(hierarchy);
-        match strategy {
-            Strategy::Ordered => Some(Self::ordered(&order)),
-            Strategy::Chain => (SEGMENTS && is_chain(&order)).then(|| Self::in_segments(hierarchy)),
-        }
-    }
-
-    fn ordered(order: &[[u32; 2]]) -> Self {
+    /// The plan of an order that [`new`](Self::new) wrote for the same parents: to keep an order where a plan cannot
+    /// borrow it, such as a constant in flash.
+    ///
+    /// # Errors
+    /// If the order has not one pair for each joint, or a pair is not a joint and its parent, or a root comes after a
+    /// joint that has a parent.
+    pub fn of_order(hierarchy: &Hierarchy<'a>, order: &'a [[u32; 2]]) -> Result<Self, ShapeError> {
+        let parents = hierarchy.parents();
+        same_length("order", order.len(), parents.len())?;
         let (roots, others) = split_roots(order);
-        let others = CheckedSchedule::new(others.into(), order.len());
-        let others = others.expect("a hierarchy's parents are among its joints");
-        Self { joints: order.len(), roots: roots.into(), others: Some(others), backend: None }
-    }
-
-    fn in_segments(hierarchy: &Hierarchy<'_>) -> Self {
-        Self { joints: hierarchy.joints(), roots: Box::default(), others: None, backend: None }
-    }
-
-    /// The same plan, borrowed.
-    #[inline]
-    #[must_use]
-    pub fn borrowed(&self) -> BorrowedPlan<'_> {
-        let others = self.others.as_ref();
-        let order = others.map(|others| Order { roots: &self.roots, others: others.borrowed() });
-        let plan = BorrowedPlan::of(self.joints, order);
-        self.backend.map_or(plan, |backend| plan.backend(backend))
-    }
-
-    /// How many joints there are.
-    #[must_use]
-    pub const fn joints(&self) -> usize {
-        self.joints
-    }
-
-    /// How lanes are used.
-    #[must_use]
-    pub const fn strategy(&self) -> Strategy {
-        match self.others {
-            Some(_) => Strategy::Ordered,
-            None => Strategy::Chain,
+        let is_pair = |[joint, parent]: &[u32; 2]| parents.get(*joint as usize) == Some(parent);
+        if let Some(place) = order.iter().position(|pair| !is_pair(pair)) {
+            return Err(ShapeError::NotOrder { place });
         }
+        if is_long_chain(order) {
+            return Ok(Self { parents, order: None });
+        }
+        // Checked once, here, so that the loop over the others has no bounds to check.
+        let others = CheckedSchedule::new(others, order.len());
+        let others = others.ok_or(ShapeError::NotOrder { place: roots.len() })?;
+        Ok(Self { parents, order: Some(Order { roots, others }) })
     }
 
-    /// Runs with these instructions; by default with the best that the CPU has.
-    #[must_use]
-    pub fn backend(mut self, backend: Backend) -> Self {
-        self.backend = Some(backend);
-        self
-    }
-
-    /// Model poses of all joints from local ones, both in the joints' own order; one instance, or
-    /// several whole ones one after the other.
-    ///
-    /// # Errors
-    /// If the slices differ in length or hold no whole number of instances; `models` is untouched.
+    /// The models of one instance. Lengths have been checked.
     #[inline]
-    pub fn local_to_model<R: Scalar>(
+    pub(super) fn run<R: Scalar>(
         &self,
-        locals: &[DualQuat<R>],
+        backend: Backend,
+        locals: Source<'_, DualQuat<R>>,
         models: &mut [DualQuat<R>],
-    ) -> Result<(), ShapeError> {
-        self.borrowed().local_to_model(locals, models)
-    }
-
-    /// [`local_to_model`](Self::local_to_model) over the locals themselves.
-    ///
-    /// # Errors
-    /// If the slice holds no whole number of instances; it is untouched then.
-    #[inline]
-    pub fn local_to_model_in_place<R: Scalar>(
-        &self,
-        poses: &mut [DualQuat<R>],
-    ) -> Result<(), ShapeError> {
-        self.borrowed().local_to_model_in_place(poses)
+    ) {
+        match self.order {
+            Some(order) => backend.run(Walk { order, locals, models }),
+            None if SEGMENTS => backend.scan(locals, models),
+            None => {}
+        }
     }
 }
 
-/// The joints in the order of computing, each with its parent.
-fn order(hierarchy: &Hierarchy<'_>) -> Vec<[u32; 2]> {
-    let mut order = vec![[0; 2]; hierarchy.joints()];
-    let mut scratch = vec![PlanScratch::default(); hierarchy.joints()];
-    schedule(hierarchy, &mut order, &mut scratch);
-    order
+/// The joints without a parent, which come first, and the others.
+pub(super) fn split_roots(order: &[[u32; 2]]) -> (&[[u32; 2]], &[[u32; 2]]) {
+    let roots = order.iter().take_while(|[_, parent]| *parent == Hierarchy::ROOT).count();
+    order.split_at_checked(roots).unwrap_or_default()
+}
+
+/// Whether every joint hangs from the one before it, and the chain is so long that segments are faster.
+pub(super) fn is_long_chain(order: &[[u32; 2]]) -> bool {
+    // The mark of the root is what comes before 0.
+    let links = |(joint, &pair): (u32, &[u32; 2])| pair == [joint, joint.wrapping_sub(1)];
+    let is_long = SEGMENTS && order.len() >= MIN_CHAIN && Backend::best() != Backend::PORTABLE;
+    is_long && (0..).zip(order).all(links)
+}
+
+struct Walk<'p, 's, R> {
+    order: Order<'p>,
+    locals: Source<'s, DualQuat<R>>,
+    models: &'s mut [DualQuat<R>],
+}
+
+impl<R: Scalar> Kernel for Walk<'_, '_, R> {
+    type Output = ();
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn run<V: Level>(self, level: V) {
+        let Self { order, locals, models } = self;
+        let models: &mut [[R; 8]] = bytemuck::must_cast_slice_mut(models);
+        match locals {
+            Source::Slice(locals) => {
+                let locals: &[[R; 8]] = bytemuck::must_cast_slice(locals);
+                for &[root, _] in order.roots {
+                    let root = root as usize;
+                    if let (Some(local), Some(model)) = (locals.get(root), models.get_mut(root)) {
+                        *model = *local;
+                    }
+                }
+                order.others.run(
+                    locals,
+                    models,
+                    #[cfg_attr(not(opt_level_0), inline(always))]
+                    |parent, local| product(level, parent, local),
+                );
+            }
+            // A root stays as it is.
+            Source::Output => {
+                order.others.run_in_place(
+                    models,
+                    #[cfg_attr(not(opt_level_0), inline(always))]
+                    |parent, local| product(level, parent, local),
+                );
+            }
+        }
+    }
 }

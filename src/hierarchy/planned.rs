@@ -1,8 +1,8 @@
 //! One instance in the order of a plan, with every form of locals, a root and a palette.
 
-use super::BorrowedPlan;
 use super::locals::{Locals, motions};
 use super::palette::Epilogue;
+use super::plan::Plan;
 use super::product::product;
 use super::renormalize::Renormalize;
 use super::run::Run;
@@ -25,7 +25,7 @@ pub(super) fn applies<E: Element<8>>(run: &Run<'_, E>, models: usize) -> bool {
 /// holds one number, they multiply in another order).
 pub(super) fn forward<E: Element<8>, L: Locals<E>, X: Epilogue<E>>(
     backend: Backend,
-    plan: BorrowedPlan<'_>,
+    plan: Plan<'_>,
     run: &Run<'_, E>,
     locals: L,
     models: &mut [E],

@@ -1,5 +1,6 @@
 use super::error::HierarchyError;
-use super::{Hierarchy, HierarchyPlan, Job};
+use super::owned_plan::OwnedPlan;
+use super::{Hierarchy, Job};
 use crate::shape::ShapeError;
 use crate::storage::Element;
 use alloc::boxed::Box;
@@ -8,15 +9,14 @@ use alloc::vec::Vec;
 
 /// A hierarchy that owns its parents, to be stored in a struct: what an engine keeps for each rig.
 ///
-/// A [`Hierarchy`] borrows its parents; this holds them, and a [`HierarchyPlan`] of them. Its
-/// [`job`](Self::job) does all that a job of the hierarchy does, and takes the plan where that is
-/// faster: for one instance in a plain slice, with any [form of locals](super::Locals), root and palette.
+/// A [`Hierarchy`] borrows its parents; this holds them, and the [`Plan`](super::Plan) of them, with which its
+/// [`job`](Self::job) is faster for one instance in a plain slice.
 ///
 /// Parents are integers of 8 to 64 bits: −1, the largest number of the type or `None` says that there is none. As
 /// glTF, URDF and FBX list them in any order, [`sorted`](Self::sorted) finds one with parents first.
 ///
 /// ```
-/// use dq8::{DualQuat, Quat, Skeleton, hierarchy::Rotations};
+/// use dq8::{DualQuat, Quat, Skeleton, hierarchy::Bones};
 ///
 /// struct Rig {
 ///     skeleton: Skeleton,
@@ -30,7 +30,7 @@ use alloc::vec::Vec;
 /// let rig = Rig { skeleton, offsets: order.iter().map(|&joint| down[joint]).collect() };
 ///
 /// let (mut models, mut palette) = ([DualQuat::default(); 3], [[[0.0; 4]; 3]; 3]);
-/// let locals = Rotations { rotations: &[Quat::IDENTITY; 3], offsets: &rig.offsets };
+/// let locals = Bones { rotations: &[Quat::IDENTITY; 3], offsets: &rig.offsets };
 /// let job = rig.skeleton.job().root(DualQuat::from_translation([0.0, 5.0, 0.0]));
 /// job.palette_and_models(locals, &mut models, &[DualQuat::IDENTITY; 3], &mut palette)?;
 /// assert_eq!(models[2].translation(), [0.0, 3.0, 0.0]);
@@ -40,7 +40,7 @@ use alloc::vec::Vec;
 pub struct Skeleton {
     /// Checked: every parent comes before its children.
     parents: Box<[u32]>,
-    plan: HierarchyPlan,
+    plan: OwnedPlan,
 }
 
 impl Skeleton {
@@ -62,7 +62,7 @@ impl Skeleton {
     pub fn new<P: ParentIndex>(parents: &[P]) -> Result<Self, HierarchyError> {
         let indices: Box<[u32]> = parents.iter().map(|&parent| index(parent)).collect();
         let hierarchy = Hierarchy::new(&indices).map_err(|error| as_written(error, parents))?;
-        let plan = HierarchyPlan::new(&hierarchy);
+        let plan = OwnedPlan::new(&hierarchy);
         Ok(Self { parents: indices, plan })
     }
 
@@ -142,16 +142,10 @@ impl Skeleton {
         Hierarchy::of_checked(&self.parents)
     }
 
-    /// The order in which one instance is computed.
-    #[must_use]
-    pub const fn plan(&self) -> &HierarchyPlan {
-        &self.plan
-    }
-
     /// A run with options: a root, a palette, any form of locals.
     #[must_use]
     pub fn job(&self) -> Job<'_> {
-        self.hierarchy().job().planned(&self.plan)
+        self.hierarchy().job().plan(&self.plan.borrowed(&self.parents))
     }
 
     /// As [`Hierarchy::local_to_model`].
@@ -164,17 +158,6 @@ impl Skeleton {
         models: &mut [E],
     ) -> Result<(), ShapeError> {
         self.job().local_to_model(locals, models)
-    }
-
-    /// [`local_to_model`](Self::local_to_model) over the locals themselves: half the memory.
-    ///
-    /// # Errors
-    /// If the slice holds no whole number of instances; it is untouched then.
-    pub fn local_to_model_in_place<E: Element<8>>(
-        &self,
-        poses: &mut [E],
-    ) -> Result<(), ShapeError> {
-        self.job().local_to_model_in_place(poses)
     }
 }
 
@@ -189,7 +172,7 @@ impl Eq for Skeleton {}
 
 impl From<Hierarchy<'_>> for Skeleton {
     fn from(hierarchy: Hierarchy<'_>) -> Self {
-        Self { parents: hierarchy.parents().into(), plan: HierarchyPlan::new(&hierarchy) }
+        Self { parents: hierarchy.parents().into(), plan: OwnedPlan::new(&hierarchy) }
     }
 }
 

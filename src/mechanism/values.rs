@@ -9,7 +9,7 @@ use core::fmt::Debug;
 use dq8_simd::{Block, Lanes, Level, Records, Row};
 
 /// Joint values, or rates, for poses in the layout `Y`: plain numbers `[configuration][value]` for any, or
-/// [`NumberBlock`](crate::storage::NumberBlock)s `[configuration block][value]` for blocks of as many
+/// [`Block`](crate::storage::Block)s of one number, `[configuration block][value]` for blocks of as many
 /// lanes. Sealed.
 ///
 /// Where plain values meet poses in blocks, the last block may have lanes without a configuration. The

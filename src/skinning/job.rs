@@ -33,7 +33,7 @@ pub struct Job<'s, J, W> {
 
 impl<'s, J: Index, W: Weight> Skin<'s, J, W> {
     /// Poses a mesh: each vertex moves by the blend of the motions of its joints, [`Linear`], [`DualBlend`],
-    /// [`Stretched`] or a mix of those ([`Mixed`]). Positions, and normals and tangents where `rest` has
+    /// [`StretchedDualBlend`] or a mix of those ([`Mixed`]). Positions, and normals and tangents where `rest` has
     /// them, in plain slices or blocks; see [`skinning`](crate::skinning).
     ///
     /// # Errors
@@ -41,7 +41,7 @@ impl<'s, J: Index, W: Weight> Skin<'s, J, W> {
     ///
     /// [`Linear`]: crate::skinning::Linear
     /// [`DualBlend`]: crate::skinning::DualBlend
-    /// [`Stretched`]: crate::skinning::Stretched
+    /// [`StretchedDualBlend`]: crate::skinning::StretchedDualBlend
     /// [`Mixed`]: crate::skinning::Mixed
     #[inline]
     pub fn pose<B: Blender<Number<P, 3>>, P: Element<3>>(

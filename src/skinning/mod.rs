@@ -7,7 +7,7 @@
 //! |---|---|---|
 //! | [`Linear`] | 3×4 matrices | Σ wᵢMᵢv: for any matrix; collapses where joints twist |
 //! | [`DualBlend`] | motions | Σ ±wᵢσᵢ, normalized: keeps volume; bulges where joints bend |
-//! | [`Stretched`] | stretches and motions | the same for joints that scale and shear: UsdSkel's `dualQuaternion` |
+//! | [`StretchedDualBlend`] | stretches and motions | the same for joints that scale and shear: UsdSkel's `dualQuaternion` |
 //! | [`Mixed`] | those of two | a mix by a number per vertex |
 //!
 //! [`Job::pose_interleaved`] does so in vertex buffers, whose vertices are records of several fields;
@@ -61,7 +61,7 @@ pub use linear::Linear;
 pub use mixed::Mixed;
 pub use palette::{Split, matrix_palette, split_palette};
 pub use skin::Skin;
-pub use stretched::Stretched;
+pub use stretched::StretchedDualBlend;
 pub use surface::{Surface, SurfaceMut};
 pub use vertex::{dual_blend, linear_blend};
 pub use weight::Weight;

@@ -95,7 +95,7 @@ fn affine<R: Real>(
 }
 
 /// Takes each joint's matrix apart into a stretch and, after it, a motion (polar decomposition; see
-/// [`Affine::try_decompose`]): a palette for [`Stretched`](super::Stretched), or, where all are rigid, for
+/// [`Affine::try_decompose`]): a palette for [`StretchedDualBlend`](super::StretchedDualBlend), or, where all are rigid, for
 /// [`DualBlend`](super::DualBlend).
 ///
 /// # Errors

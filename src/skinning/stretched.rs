@@ -15,12 +15,12 @@ use dq8_simd::picks::Index;
 ///
 /// Normals become σ applied to cof(S)n, normalized; tangents σ applied to St, normalized.
 #[derive(Clone, Copy, Debug)]
-pub struct Stretched<'a, R> {
+pub struct StretchedDualBlend<'a, R> {
     stretch: Linear<'a, R>,
     rigid: DualBlend<'a, R>,
 }
 
-impl<'a, R: Scalar> Stretched<'a, R> {
+impl<'a, R: Scalar> StretchedDualBlend<'a, R> {
     /// Each joint's motion, unit, and before it its stretch: the rows of a 3×4 matrix without translation.
     #[must_use]
     pub fn new(motions: &'a [DualQuat<R>], stretches: &'a [[[R; 4]; 3]]) -> Self {
@@ -47,7 +47,7 @@ impl<L: Lanes> SurfaceMap<L> for StretchedMap<L> {
     }
 }
 
-impl<R: Scalar> Blender<R> for Stretched<'_, R> {
+impl<R: Scalar> Blender<R> for StretchedDualBlend<'_, R> {
     type Sum<L: Lanes<Real = R>> = ([[L; 4]; 3], DualSum<L>);
     type Map<L: Lanes<Real = R>> = StretchedMap<L>;
 

@@ -4,22 +4,9 @@ use crate::real::Scalar;
 use core::marker::PhantomData;
 use dq8_simd::{Level, Native, Row};
 
-/// Motions of `N` instances: eight rows of `N` numbers, `[px, py, pz, pw, qx, qy, qz, qw]`.
-/// `Block<f32, 8>` is 256 bytes.
-pub type Block<R, const N: usize> = dq8_simd::Block<[R; N], 8>;
-/// One number for each of `N` motions.
-pub type NumberBlock<R, const N: usize> = dq8_simd::Block<[R; N], 1>;
-/// `N` points or vectors: rows of x, y and z.
-pub type PointBlock<R, const N: usize> = dq8_simd::Block<[R; N], 3>;
-/// Rotations of `N` instances: four rows of `N` numbers, `[x, y, z, w]`.
-pub type RotationBlock<R, const N: usize> = dq8_simd::Block<[R; N], 4>;
-/// Twists of `N` instances: six rows of `N` numbers, `[ωx, ωy, ωz, vx, vy, vz]`; see
-/// [`Twist::to_array`](crate::Twist::to_array).
-pub type TwistBlock<R, const N: usize> = dq8_simd::Block<[R; N], 6>;
-/// Rotations and translations of `N` instances: seven rows of `N` numbers, `[x, y, z, w, tx, ty, tz]`.
-pub type RotationTranslationBlock<R, const N: usize> = dq8_simd::Block<[R; N], 7>;
-/// `N` 3×4 matrices: their rows one after the other, twelve rows of `N` numbers.
-pub type MatrixBlock<R, const N: usize> = dq8_simd::Block<[R; N], 12>;
+/// `N` things of `C` components each: `C` rows of `N` numbers, of motions ([px, py, pz, pw, qx, qy, qz, qw]) where nothing
+/// else is said. `Block<f32, 8>` is 256 bytes; `Block<f32, 8, 3>` holds eight points.
+pub type Block<R, const N: usize, const C: usize = 8> = dq8_simd::Block<[R; N], C>;
 
 /// Array of structures of arrays: [`Row::LANES`] things to a block, a row `A` of numbers for each
 /// component. They are read as they are, a register at a time.

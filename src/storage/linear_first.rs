@@ -9,7 +9,7 @@ use dq8_simd::{Float, Level};
 
 crate::plain::plain! {
     /// A twist in memory as `[vx, vy, vz, ωx, ωy, ωz]`, the order of pinocchio and of many controllers; `[R; 6]`,
-    /// [`Twist`] and [`TwistBlock`](super::TwistBlock)s have the angular part first. It may be any element of six
+    /// [`Twist`] and a [`Block`](super::Block) of six rows have the angular part first. It may be any element of six
     /// numbers: a column of a Jacobian, a velocity, an acceleration.
     ///
     /// ```

@@ -6,21 +6,21 @@
 //! register for each component, a thing in each lane. So a block is read as it is, the fastest way, and
 //! plain records are transposed in registers.
 //!
-//! | `C` | what | one record | `N` in a block |
-//! |---|---|---|---|
-//! | 1 | a number | `R` | [`NumberBlock`] |
-//! | 3 | a point or a vector | `[R; 3]` | [`PointBlock`] |
-//! | 4 | a rotation, `[x, y, z, w]` | [`Quat<R>`](crate::Quat) | [`RotationBlock`] |
-//! | 4 | a plane, `[nx, ny, nz, d]` | [`Plane<R>`](crate::Plane) | `Block` of 4 rows |
-//! | 6 | a line, `[lx, ly, lz, mx, my, mz]` | [`Line<R>`](crate::Line) | `Block` of 6 rows |
-//! | 6 | a twist, `[ωx, ωy, ωz, vx, vy, vz]` | [`Twist<R>`](crate::Twist) | [`TwistBlock`] |
-//! | 6 | a twist, `[vx, vy, vz, ωx, ωy, ωz]` | [`LinearFirst<R>`](LinearFirst) | |
-//! | 7 | rotation and translation, `[x, y, z, w, tx, ty, tz]` | [`RotationTranslation<R>`](crate::representation::RotationTranslation) | [`RotationTranslationBlock`] |
-//! | 8 | a motion, `[px, py, pz, pw, qx, qy, qz, qw]` | [`DualQuat<R>`](crate::DualQuat) | [`Block`] |
-//! | 12 | a 3×4 matrix | `[[R; 4]; 3]` | [`MatrixBlock`] |
-//! | 16 | a 4×4 matrix | `[[R; 4]; 4]` | `Block` of 16 rows |
+//! | `C` | what | one record |
+//! |---|---|---|
+//! | 1 | a number | `R` |
+//! | 3 | a point or a vector | `[R; 3]` |
+//! | 4 | a rotation, `[x, y, z, w]` | [`Quat<R>`](crate::Quat) |
+//! | 4 | a plane, `[nx, ny, nz, d]` | [`Plane<R>`](crate::Plane) |
+//! | 6 | a line, `[lx, ly, lz, mx, my, mz]` | [`Line<R>`](crate::Line) |
+//! | 6 | a twist, `[ωx, ωy, ωz, vx, vy, vz]` | [`Twist<R>`](crate::Twist) |
+//! | 6 | a twist, `[vx, vy, vz, ωx, ωy, ωz]` | [`LinearFirst<R>`](LinearFirst) |
+//! | 7 | rotation and translation, `[x, y, z, w, tx, ty, tz]` | [`RotationTranslation<R>`](crate::representation::RotationTranslation) |
+//! | 8 | a motion, `[px, py, pz, pw, qx, qy, qz, qw]` | [`DualQuat<R>`](crate::DualQuat) |
+//! | 12 | a 3×4 matrix | `[[R; 4]; 3]` |
+//! | 16 | a 4×4 matrix | `[[R; 4]; 4]` |
 //!
-//! `[R; C]` is a record of any number of components. [`Element<C>`](Element) is the one bound that
+//! `[R; C]` is a record of any number of components, and [`Block<R, N, C>`](Block) holds `N` of them. [`Element<C>`](Element) is the one bound that
 //! generic code needs: it says what a slice is made of, and reads and writes it by [`Tile`]s, a register
 //! for each component at a time. [`Kernel`](crate::Kernel) has an example.
 //!
@@ -51,10 +51,7 @@ mod source;
 mod tile;
 
 pub use aos::Aos;
-pub use blocks::{
-    AoSoA, Block, MatrixBlock, NumberBlock, PointBlock, RotationBlock, RotationTranslationBlock,
-    TwistBlock,
-};
+pub use blocks::{AoSoA, Block};
 pub use element::{Element, Layout, Number, Register, tiles};
 pub use linear_first::LinearFirst;
 #[cfg(feature = "alloc")]

@@ -1,13 +1,10 @@
 //! Between slices of single things and blocks: instances, or segments of a chain, become lanes.
 
-use super::{Element, Tile, aos, identity};
+use super::{Block, Element, Tile, aos, identity};
 use crate::dispatch::{Backend, Kernel};
 use crate::real::Scalar;
 use crate::shape::{ShapeError, same_length, whole_instances};
 use dq8_simd::{Lanes, Level, Row};
-
-/// Things of any number of components in blocks of `N` lanes.
-type BlockOf<R, const N: usize, const C: usize> = dq8_simd::Block<[R; N], C>;
 
 /// Writes `things`, `[instance][joint]`, into `blocks`, `[instance block][joint]`. Lanes of the last
 /// blocks that have no instance hold the [`identity`], with which arithmetic is never slow.
@@ -34,13 +31,16 @@ type BlockOf<R, const N: usize, const C: usize> = dq8_simd::Block<[R; N], C>;
 pub fn pack<R: Scalar, E, const N: usize, const C: usize>(
     joints: usize,
     things: &[E],
-    blocks: &mut [BlockOf<R, N, C>],
+    blocks: &mut [Block<R, N, C>],
 ) -> Result<(), ShapeError>
 where
     [R; N]: Row<Real = R>,
     E: Element<C, Layout = super::Aos<R>>,
 {
-    Backend::best().pack(joints, things, blocks)
+    let instances = whole_instances("things", joints, things.len())?;
+    same_length("blocks", blocks.len(), blocks_for::<N>(joints, instances))?;
+    Backend::best().run(Pack { stride: joints, things, blocks });
+    Ok(())
 }
 
 /// Writes `blocks`, `[instance block][joint]`, into `things`, `[instance][joint]`; the lanes beyond the
@@ -51,14 +51,17 @@ where
 /// `things` is untouched.
 pub fn unpack<R: Scalar, E, const N: usize, const C: usize>(
     joints: usize,
-    blocks: &[BlockOf<R, N, C>],
+    blocks: &[Block<R, N, C>],
     things: &mut [E],
 ) -> Result<(), ShapeError>
 where
     [R; N]: Row<Real = R>,
     E: Element<C, Layout = super::Aos<R>>,
 {
-    Backend::best().unpack(joints, blocks, things)
+    let instances = whole_instances("things", joints, things.len())?;
+    same_length("blocks", blocks.len(), blocks_for::<N>(joints, instances))?;
+    Backend::best().run(Unpack { stride: joints, blocks, things });
+    Ok(())
 }
 
 /// Writes a chain into blocks, a segment of `blocks.len()` links in each lane: link `i` is at lane
@@ -81,13 +84,16 @@ where
 /// ```
 pub fn pack_chain<R: Scalar, E, const N: usize, const C: usize>(
     links: &[E],
-    blocks: &mut [BlockOf<R, N, C>],
+    blocks: &mut [Block<R, N, C>],
 ) -> Result<(), ShapeError>
 where
     [R; N]: Row<Real = R>,
     E: Element<C, Layout = super::Aos<R>>,
 {
-    Backend::best().pack_chain(links, blocks)
+    same_length("blocks", blocks.len(), links.len().div_ceil(N))?;
+    // One instance in each lane, of as many joints as a segment has links.
+    Backend::best().run(Pack { stride: blocks.len(), things: links, blocks });
+    Ok(())
 }
 
 /// Reads a chain from blocks, see [`pack_chain`].
@@ -95,93 +101,16 @@ where
 /// # Errors
 /// If there are not just as many blocks as the links fill; `links` is untouched.
 pub fn unpack_chain<R: Scalar, E, const N: usize, const C: usize>(
-    blocks: &[BlockOf<R, N, C>],
+    blocks: &[Block<R, N, C>],
     links: &mut [E],
 ) -> Result<(), ShapeError>
 where
     [R; N]: Row<Real = R>,
     E: Element<C, Layout = super::Aos<R>>,
 {
-    Backend::best().unpack_chain(blocks, links)
-}
-
-impl Backend {
-    /// [`pack`] with these instructions.
-    ///
-    /// # Errors
-    /// As [`pack`].
-    pub fn pack<R: Scalar, E, const N: usize, const C: usize>(
-        self,
-        joints: usize,
-        things: &[E],
-        blocks: &mut [BlockOf<R, N, C>],
-    ) -> Result<(), ShapeError>
-    where
-        [R; N]: Row<Real = R>,
-        E: Element<C, Layout = super::Aos<R>>,
-    {
-        let instances = whole_instances("things", joints, things.len())?;
-        same_length("blocks", blocks.len(), blocks_for::<N>(joints, instances))?;
-        self.run(Pack { stride: joints, things, blocks });
-        Ok(())
-    }
-
-    /// [`unpack`] with these instructions.
-    ///
-    /// # Errors
-    /// As [`unpack`].
-    pub fn unpack<R: Scalar, E, const N: usize, const C: usize>(
-        self,
-        joints: usize,
-        blocks: &[BlockOf<R, N, C>],
-        things: &mut [E],
-    ) -> Result<(), ShapeError>
-    where
-        [R; N]: Row<Real = R>,
-        E: Element<C, Layout = super::Aos<R>>,
-    {
-        let instances = whole_instances("things", joints, things.len())?;
-        same_length("blocks", blocks.len(), blocks_for::<N>(joints, instances))?;
-        self.run(Unpack { stride: joints, blocks, things });
-        Ok(())
-    }
-
-    /// [`pack_chain`] with these instructions.
-    ///
-    /// # Errors
-    /// As [`pack_chain`].
-    pub fn pack_chain<R: Scalar, E, const N: usize, const C: usize>(
-        self,
-        links: &[E],
-        blocks: &mut [BlockOf<R, N, C>],
-    ) -> Result<(), ShapeError>
-    where
-        [R; N]: Row<Real = R>,
-        E: Element<C, Layout = super::Aos<R>>,
-    {
-        same_length("blocks", blocks.len(), links.len().div_ceil(N))?;
-        // One instance in each lane, of as many joints as a segment has links.
-        self.run(Pack { stride: blocks.len(), things: links, blocks });
-        Ok(())
-    }
-
-    /// [`unpack_chain`] with these instructions.
-    ///
-    /// # Errors
-    /// As [`unpack_chain`].
-    pub fn unpack_chain<R: Scalar, E, const N: usize, const C: usize>(
-        self,
-        blocks: &[BlockOf<R, N, C>],
-        links: &mut [E],
-    ) -> Result<(), ShapeError>
-    where
-        [R; N]: Row<Real = R>,
-        E: Element<C, Layout = super::Aos<R>>,
-    {
-        same_length("blocks", blocks.len(), links.len().div_ceil(N))?;
-        self.run(Unpack { stride: blocks.len(), blocks, things: links });
-        Ok(())
-    }
+    same_length("blocks", blocks.len(), links.len().div_ceil(N))?;
+    Backend::best().run(Unpack { stride: blocks.len(), blocks, things: links });
+    Ok(())
 }
 
 /// How many blocks `instances` of `joints` take.
@@ -197,7 +126,7 @@ pub(crate) struct Pack<'s, E, B> {
     pub(crate) blocks: &'s mut [B],
 }
 
-impl<R: Scalar, E, const N: usize, const C: usize> Kernel for Pack<'_, E, BlockOf<R, N, C>>
+impl<R: Scalar, E, const N: usize, const C: usize> Kernel for Pack<'_, E, Block<R, N, C>>
 where
     [R; N]: Row<Real = R>,
     E: Element<C, Layout = super::Aos<R>>,
@@ -238,7 +167,7 @@ pub(crate) struct Unpack<'s, E, B> {
     pub(crate) things: &'s mut [E],
 }
 
-impl<R: Scalar, E, const N: usize, const C: usize> Kernel for Unpack<'_, E, BlockOf<R, N, C>>
+impl<R: Scalar, E, const N: usize, const C: usize> Kernel for Unpack<'_, E, Block<R, N, C>>
 where
     [R; N]: Row<Real = R>,
     E: Element<C, Layout = super::Aos<R>>,

@@ -9,7 +9,7 @@ use dq8::mechanism::{
     Freedom, Goal, Joint, JointValues, Mechanism, Options, OwnedMechanism, Reach, Report,
 };
 use dq8::skinning::{Blender, DualBlend, Linear, Skin, Surface, SurfaceMut};
-use dq8::storage::{Block, Element, PointBlock, pack, unpack};
+use dq8::storage::{Block, Element, pack, unpack};
 use dq8::{Backend, Crowd, DualQuat, Hierarchy, Quat, Scalar};
 use dq8_contract::random::Random;
 use dq8_simd::Row;
@@ -259,7 +259,7 @@ where
     where
         [R; N]: Row<Real = R>,
     {
-        let mut rest = vec![PointBlock::<R, N>::splat([R::ZERO; 3]); self.rest.len().div_ceil(N)];
+        let mut rest = vec![Block::<R, N, 3>::splat([R::ZERO; 3]); self.rest.len().div_ceil(N)];
         pack(1, &self.rest, &mut rest).unwrap();
         let mut posed = rest.clone();
         let surface = SurfaceMut::positions(&mut posed);

@@ -1,6 +1,6 @@
 //! Containers and views of nothing: what can be made of nothing can also be computed; a clip cannot, and has no place.
 
-use dq8::hierarchy::{Clip, Crowd, HierarchyPlan, Poses, Sampled};
+use dq8::hierarchy::{Clip, Crowd, Plan, Poses, Sampled};
 use dq8::ik::{Arm, Options};
 use dq8::law::Nlerp;
 use dq8::mechanism::{OwnedMechanism, ReachError};
@@ -15,7 +15,8 @@ fn a_hierarchy_of_no_joints_and_a_crowd_of_nobody_run() {
     let hierarchy = Hierarchy::new(&[]).unwrap();
     hierarchy.local_to_model(&NONE, &mut []).unwrap();
     hierarchy.job().palette(Poses(&NONE), &mut [], &[], &mut [[0.0; 12]; 0]).unwrap();
-    HierarchyPlan::new(&hierarchy).local_to_model(&NONE, &mut []).unwrap();
+    let plan = Plan::new(&hierarchy, &mut [], &mut []).unwrap();
+    hierarchy.job().plan(&plan).local_to_model(&NONE, &mut []).unwrap();
     for skeleton in [Skeleton::new(&[0_i32; 0]).unwrap(), Skeleton::sorted(&[0_u32; 0]).unwrap().0]
     {
         skeleton.local_to_model(&NONE, &mut []).unwrap();

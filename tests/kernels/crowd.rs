@@ -6,7 +6,7 @@ use dq8::simd::{Portable, Row};
 use dq8::storage::Block;
 use dq8::{
     Crowd, DualQuat, Hierarchy, Quat, Scalar, ShapeError,
-    hierarchy::{Rotations, RotationsTranslations},
+    hierarchy::{Bones, RotationsTranslations},
 };
 
 /// Three joints a few lengths apart.
@@ -198,7 +198,7 @@ fn crowds_of_less_than_motions_and_of_matrices_serve_a_job() {
     let mut models = Crowd::<f64, 4>::new(3, 11);
     let mut matrices = Crowd::<f64, 4, 12>::new(3, 11);
     let (job, binds) = (hierarchy.job(), [DualQuat::IDENTITY; 3]);
-    let locals = Rotations { rotations: rotations.blocks(), offsets: &offsets };
+    let locals = Bones { rotations: rotations.blocks(), offsets: &offsets };
     let (to, palette) = (models.blocks_mut(), matrices.blocks_mut());
     job.palette_and_models(locals, to, &binds, palette).expect("they fit");
     let mut others = Crowd::<f64, 4>::new(3, 11);

@@ -2,7 +2,7 @@
 
 use crate::memory::round;
 use dq8::representation::RotationTranslation;
-use dq8::storage::{Aos, Element, NumberBlock, PointBlock, TwistBlock, tiles};
+use dq8::storage::{Aos, Block, Element, tiles};
 use dq8::{Backend, DualQuat, Kernel, Level, Line, Plane, Quat, Twist};
 
 /// Copies by tiles.
@@ -76,7 +76,7 @@ fn blocks_are_copied_by_tiles_whole() {
             assert!(to[..length] == from && to[length] == other, "{backend}, {length}");
         }
     }
-    copied::<_, 1>(NumberBlock::<f32, 16>::splat([1.0]), NumberBlock::splat([2.0]));
-    copied::<_, 3>(PointBlock::<f64, 2>::splat([1.0; 3]), PointBlock::splat([2.0; 3]));
-    copied::<_, 6>(TwistBlock::<f64, 8>::splat([1.0; 6]), TwistBlock::splat([2.0; 6]));
+    copied::<_, 1>(Block::<f32, 16, 1>::splat([1.0]), Block::splat([2.0]));
+    copied::<_, 3>(Block::<f64, 2, 3>::splat([1.0; 3]), Block::splat([2.0; 3]));
+    copied::<_, 6>(Block::<f64, 8, 6>::splat([1.0; 6]), Block::splat([2.0; 6]));
 }

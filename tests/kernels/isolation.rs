@@ -214,12 +214,12 @@ fn a_plan_keeps_it_to_the_descendants_too() {
     for (parents, backend) in
         [PARENTS.to_vec(), chain(66)].iter().flat_map(|p| Backend::available().map(move |b| (p, b)))
     {
-        let hierarchy = dq8::Hierarchy::new(parents).expect("parents come first");
-        let plan = dq8::hierarchy::HierarchyPlan::new(&hierarchy).backend(backend);
+        let skeleton = dq8::Skeleton::new(parents).expect("parents come first");
         let run = |locals: &[[f64; 8]]| {
             let mut poses: Vec<_> =
                 locals.iter().map(|local| dq8::DualQuat::from_array(*local)).collect();
-            plan.local_to_model_in_place(&mut poses).expect("lengths fit");
+            let job = skeleton.job().backend(backend);
+            job.local_to_model_in_place(&mut poses).expect("lengths fit");
             poses.iter().map(|pose| pose.to_array()).collect::<Vec<_>>()
         };
         let without = run(&clean);

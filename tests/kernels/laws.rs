@@ -7,7 +7,7 @@ use dq8::law::Law;
 use dq8::{
     DualQuat, Quat,
     hierarchy::{Poses, RotationsTranslations},
-    law::{Nlerp, Sclerp, Separate},
+    law::{Nlerp, NlerpLerp, Sclerp},
 };
 use dq8_contract::random::Random;
 
@@ -75,7 +75,7 @@ fn turned(a: Quat<f64>, b: Quat<f64>, t: f64) -> Quat<f64> {
     Quat::from_array(std::array::from_fn(|i| (1.0 - t) * a[i] + sign * t * b[i])).normalize()
 }
 
-impl Reference<7> for Separate {
+impl Reference<7> for NlerpLerp {
     const LAW: Self = Self;
     type Stored<'a, L: Memory>
         = RotationsTranslations<'a, L::Record<7>>

@@ -5,11 +5,11 @@ use crate::memory::{Memory, lay, read};
 use crate::records::{assert_same_bits, same_bits};
 use crate::scene::{Forms, On, Scene, walk};
 use crate::subject::{Given, Subject, Task, for_every_subject};
-use dq8::law::Separate;
-use dq8::storage::{AoSoA, Aos, Block, RotationBlock};
+use dq8::law::NlerpLerp;
+use dq8::storage::{AoSoA, Aos, Block};
 use dq8::{
     Backend, DualQuat, Hierarchy, Quat, Real, ShapeError,
-    hierarchy::{Layered, MatrixOrder, Poses, Rotations, RotationsTranslations, Transforms},
+    hierarchy::{Bones, Layered, MatrixOrder, Poses, RotationsTranslations, Tracks},
 };
 
 /// Eleven joints in two trees.
@@ -81,7 +81,7 @@ fn transforms_are_the_same<L: Memory>() {
         let both = lay::<L, 7>(PARENTS.len(), &both[some]);
         let rotations = &lay::<L, 4>(PARENTS.len(), &turns[some])[..];
         let translations = &lay::<L, 3>(PARENTS.len(), &shifts[some])[..];
-        let transforms = Transforms { rotations, translations };
+        let transforms = Tracks { rotations, translations };
         for backend in Backend::available() {
             let job = hierarchy.job().backend(backend);
             let empty = lay::<L, 8>(PARENTS.len(), &vec![[f64::NAN; 8]; some.end]);
@@ -93,7 +93,7 @@ fn transforms_are_the_same<L: Memory>() {
             // A layer of no weight over them is nothing else either.
             let weights = vec![L::Real::ZERO; instances];
             let layer =
-                Layered::blend(Separate, transforms, RotationsTranslations(&both), &weights);
+                Layered::blend(NlerpLerp, transforms, RotationsTranslations(&both), &weights);
             job.locals_to_model(layer, &mut layered).expect("they fit");
             for (got, wanted) in records(&layered).iter().zip(records(&wanted)).take(some.end) {
                 // Rotations of a layer are normalized again; models are sums of lengths of a few units in `f32`.
@@ -144,8 +144,7 @@ fn what_does_not_fit_is_refused_and_nothing_is_written() {
     let binds = [DualQuat::<f32>::IDENTITY; JOINTS];
     let seven = DualQuat::from_translation([7.0_f32; 3]);
     let (mut models, mut palette) = ([seven; JOINTS], [seven; JOINTS]);
-    let rotations =
-        |n: usize, m: usize| Rotations { rotations: &turns[..n], offsets: &offsets[..m] };
+    let rotations = |n: usize, m: usize| Bones { rotations: &turns[..n], offsets: &offsets[..m] };
     let length = |what, length, expected| Err(ShapeError::Length { what, length, expected });
     let not_whole = Err(ShapeError::NotWhole { what: "rotations", length: 10, joints: JOINTS });
 
@@ -161,7 +160,7 @@ fn what_does_not_fit_is_refused_and_nothing_is_written() {
         job.palette_and_models(all, &mut models, &binds, &mut palette[1..]),
         length("palette", 10, 11)
     );
-    let apart = Transforms { rotations: &turns, translations: &offsets[1..] };
+    let apart = Tracks { rotations: &turns, translations: &offsets[1..] };
     assert_eq!(job.locals_to_model(apart, &mut models), length("translations", 10, 11));
     assert_eq!((models, palette), ([seven; JOINTS], [seven; JOINTS]));
 }
@@ -170,10 +169,10 @@ fn what_does_not_fit_is_refused_and_nothing_is_written() {
 #[test]
 fn offsets_are_one_for_each_joint_and_not_for_each_block() {
     let hierarchy = Hierarchy::new(&PARENTS).expect("a hierarchy");
-    let turns = vec![RotationBlock::<f32, 8>::splat([0.0, 0.0, 0.0, 1.0]); 22];
+    let turns = vec![Block::<f32, 8, 4>::splat([0.0, 0.0, 0.0, 1.0]); 22];
     let mut models = vec![Block::<f32, 8>::splat([0.0; 8]); 22];
     let offsets = [[0.0_f32; 3]; 22];
-    let locals = Rotations { rotations: &turns, offsets: &offsets };
+    let locals = Bones { rotations: &turns, offsets: &offsets };
     let answer = hierarchy.job().locals_to_model(locals, &mut models);
     assert_eq!(answer, Err(ShapeError::Length { what: "offsets", length: 22, expected: 11 }));
     let mut palette = models.clone();

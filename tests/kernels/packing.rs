@@ -4,9 +4,9 @@ use crate::errors::names;
 use crate::memory::round;
 use crate::records::same_bits;
 use core::marker::PhantomData;
-use dq8::simd::{Block, Row};
-use dq8::storage::{Aos, Element, identity};
-use dq8::{Backend, Crowd, DualQuat, Quat, Scalar, ShapeError, Twist};
+use dq8::simd::Row;
+use dq8::storage::{self, Aos, Block, Element, identity};
+use dq8::{Crowd, DualQuat, Quat, Scalar, ShapeError, Twist};
 
 /// Things of one kind and blocks of one width, as functions of flat `f64` records.
 pub(crate) trait Packing {
@@ -54,39 +54,35 @@ pub(crate) trait Held {
 /// What no correct result holds: to see what has been written.
 const JUNK: f64 = -7.0;
 
-/// Every kind of thing in blocks of every width, by every backend.
+/// Every kind of thing in blocks of every width; `tests/limit` tries every backend.
 pub(crate) fn packings() -> Vec<Box<dyn Packing>> {
     let mut all = Vec::new();
-    for backend in Backend::available() {
-        of_width::<f32, 4>(backend, &mut all);
-        of_width::<f32, 8>(backend, &mut all);
-        of_width::<f32, 16>(backend, &mut all);
-        of_width::<f64, 2>(backend, &mut all);
-        of_width::<f64, 4>(backend, &mut all);
-        of_width::<f64, 8>(backend, &mut all);
-    }
+    of_width::<f32, 4>(&mut all);
+    of_width::<f32, 8>(&mut all);
+    of_width::<f32, 16>(&mut all);
+    of_width::<f64, 2>(&mut all);
+    of_width::<f64, 4>(&mut all);
+    of_width::<f64, 8>(&mut all);
     all
 }
 
 fn of_width<R: Scalar + Element<1, Layout = Aos<R>>, const N: usize>(
-    backend: Backend,
     all: &mut Vec<Box<dyn Packing>>,
 ) where
     [R; N]: Row<Real = R>,
 {
-    all.push(Box::new(Of::<R, R, N, 1>::new(backend, R::ZERO)));
-    all.push(Box::new(Of::<[R; 3], R, N, 3>::new(backend, [R::ZERO; 3])));
-    all.push(Box::new(Of::<Quat<R>, R, N, 4>::new(backend, Quat::IDENTITY)));
-    all.push(Box::new(Of::<Twist<R>, R, N, 6>::new(backend, Twist::from_array([R::ZERO; 6]))));
-    all.push(Box::new(Of::<[R; 7], R, N, 7>::new(backend, [R::ZERO; 7])));
-    all.push(Box::new(Of::<DualQuat<R>, R, N, 8>::new(backend, DualQuat::ZERO)));
-    all.push(Box::new(Of::<[[R; 4]; 3], R, N, 12>::new(backend, [[R::ZERO; 4]; 3])));
-    all.push(Box::new(Of::<[[R; 4]; 4], R, N, 16>::new(backend, [[R::ZERO; 4]; 4])));
+    all.push(Box::new(Of::<R, R, N, 1>::new(R::ZERO)));
+    all.push(Box::new(Of::<[R; 3], R, N, 3>::new([R::ZERO; 3])));
+    all.push(Box::new(Of::<Quat<R>, R, N, 4>::new(Quat::IDENTITY)));
+    all.push(Box::new(Of::<Twist<R>, R, N, 6>::new(Twist::from_array([R::ZERO; 6]))));
+    all.push(Box::new(Of::<[R; 7], R, N, 7>::new([R::ZERO; 7])));
+    all.push(Box::new(Of::<DualQuat<R>, R, N, 8>::new(DualQuat::ZERO)));
+    all.push(Box::new(Of::<[[R; 4]; 3], R, N, 12>::new([[R::ZERO; 4]; 3])));
+    all.push(Box::new(Of::<[[R; 4]; 4], R, N, 16>::new([[R::ZERO; 4]; 4])));
 }
 
 /// `E` is `C` numbers `R`, or in blocks of `N`.
 struct Of<E, R, const N: usize, const C: usize> {
-    backend: Backend,
     some: E,
     real: PhantomData<R>,
 }
@@ -96,8 +92,8 @@ where
     E: Element<C, Layout = Aos<R>> + 'static,
     [R; N]: Row<Real = R>,
 {
-    fn new(backend: Backend, some: E) -> Self {
-        Self { backend, some, real: PhantomData }
+    fn new(some: E) -> Self {
+        Self { some, real: PhantomData }
     }
 
     fn things(&self, records: &[Vec<f64>]) -> Vec<E> {
@@ -128,7 +124,7 @@ fn components<R: Scalar, const C: usize>(record: &[f64]) -> [R; C] {
     round(record.try_into().expect("as many numbers as components"))
 }
 
-fn lanes_of<R: Scalar, const N: usize, const C: usize>(blocks: &[Block<[R; N], C>]) -> Vec<Vec<f64>>
+fn lanes_of<R: Scalar, const N: usize, const C: usize>(blocks: &[Block<R, N, C>]) -> Vec<Vec<f64>>
 where
     [R; N]: Row<Real = R>,
 {
@@ -151,33 +147,33 @@ where
         identity::<f64, C>().to_vec()
     }
     fn pack(&self, way: Way, things: &[Vec<f64>], blocks: usize) -> Answer {
-        let mut blocks = vec![Block::<[R; N], C>::splat(components(&[JUNK; C])); blocks];
+        let mut blocks = vec![Block::<R, N, C>::splat(components(&[JUNK; C])); blocks];
         let things = self.things(things);
         let result = match way {
-            Way::Instances(joints) => self.backend.pack(joints, &things, &mut blocks),
-            Way::Chain => self.backend.pack_chain(&things, &mut blocks),
+            Way::Instances(joints) => storage::pack(joints, &things, &mut blocks),
+            Way::Chain => storage::pack_chain(&things, &mut blocks),
         };
         Self::answer(result, lanes_of(&blocks))
     }
     fn unpack(&self, way: Way, lanes: &[Vec<f64>], count: usize) -> Answer {
-        let mut blocks = vec![Block::<[R; N], C>::splat(components(&[0.0; C])); lanes.len() / N];
+        let mut blocks = vec![Block::<R, N, C>::splat(components(&[0.0; C])); lanes.len() / N];
         for (index, record) in lanes.iter().enumerate() {
             blocks[index / N].set(index % N, components(record)).expect("there is such a lane");
         }
         let mut things = self.junk(count);
         let result = match way {
-            Way::Instances(joints) => self.backend.unpack(joints, &blocks, &mut things),
-            Way::Chain => self.backend.unpack_chain(&blocks, &mut things),
+            Way::Instances(joints) => storage::unpack(joints, &blocks, &mut things),
+            Way::Chain => storage::unpack_chain(&blocks, &mut things),
         };
         Self::answer(result, Self::flat(&things))
     }
     fn crowd(&self, joints: usize, things: &[Vec<f64>]) -> Result<Box<dyn Held>, ShapeError> {
         let crowd = Crowd::<R, N, C>::from_slice(joints, &self.things(things))?;
-        Ok(Box::new(Crowded { crowd, of: Self::new(self.backend, self.some) }))
+        Ok(Box::new(Crowded { crowd, of: Self::new(self.some) }))
     }
     fn new_crowd(&self, joints: usize, instances: usize) -> Box<dyn Held> {
         let crowd = Crowd::<R, N, C>::new(joints, instances);
-        Box::new(Crowded { crowd, of: Self::new(self.backend, self.some) })
+        Box::new(Crowded { crowd, of: Self::new(self.some) })
     }
 }
 

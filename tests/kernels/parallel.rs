@@ -6,7 +6,7 @@ use crate::slices::Operation;
 use crate::subject::subjects;
 use dq8::{
     Backend, Block, Crowd, DualQuat, Hierarchy, ShapeError,
-    hierarchy::{MatrixOrder, Poses, Renormalize, Root, Rotations, RotationsTranslations},
+    hierarchy::{Bones, MatrixOrder, Poses, Renormalize, Root, RotationsTranslations},
 };
 use dq8_contract::random::Random;
 
@@ -107,7 +107,7 @@ fn all_cores_compute_the_bits_of_one_of_every_form_and_palette() {
         let roots: Vec<_> = locals.iter().step_by(PARENTS.len()).copied().collect();
         for job in jobs(&hierarchy, &roots) {
             let (mut one, mut all) = (locals.clone(), locals.clone());
-            let turned = Rotations { rotations: &turns, offsets: &offsets };
+            let turned = Bones { rotations: &turns, offsets: &offsets };
             job.locals_to_model(turned, &mut one).expect("they fit");
             job.clone().threads(usize::MAX).locals_to_model(turned, &mut all).expect("they fit");
             assert!(one == all, "{instances} instances, rotations");
@@ -142,7 +142,7 @@ fn all_cores_compute_the_bits_of_one_of_every_form_and_palette() {
         }
         // And crowds of less than motions, with palettes of matrices.
         let turns = Crowd::<f32, 8, 4>::from_slice(PARENTS.len(), &turns).expect("whole instances");
-        let locals = Rotations { rotations: turns.blocks(), offsets: &offsets };
+        let locals = Bones { rotations: turns.blocks(), offsets: &offsets };
         let (mut one, mut all) = (crowd(instances), crowd(instances));
         let mut matrices = Crowd::<f32, 8, 12>::new(PARENTS.len(), instances);
         let mut par_matrices = matrices.clone();

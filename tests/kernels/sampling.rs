@@ -9,7 +9,7 @@ use dq8::storage::{AoSoA, Aos};
 use dq8::{
     Backend, DualQuat, Hierarchy, Real, Scalar, ShapeError,
     hierarchy::Poses,
-    law::{Nlerp, Sclerp, Separate},
+    law::{Nlerp, NlerpLerp, Sclerp},
     simd::Float,
 };
 use dq8_contract::bound::{unit_roundoff, within};
@@ -138,7 +138,7 @@ fn check_all<L: Memory>() {
         for instances in [0, 1, 3, 16, 35] {
             check::<L, Nlerp, 8>(backend, instances);
             check::<L, Sclerp, 8>(backend, instances);
-            check::<L, Separate, 7>(backend, instances);
+            check::<L, NlerpLerp, 7>(backend, instances);
         }
     }
 }
@@ -203,7 +203,7 @@ fn a_palette_through_scratch_has_the_bits_of_one_with_all_models() {
 #[test]
 fn a_sampled_palette_through_scratch_is_that_of_every_instance() {
     let hierarchy = Hierarchy::new(&SMALL).expect("parents come first");
-    let animation = Animation::<7>::new::<Separate, f32>(35);
+    let animation = Animation::<7>::new::<NlerpLerp, f32>(35);
     let keys = animation
         .keys
         .each_ref()
@@ -213,9 +213,9 @@ fn a_sampled_palette_through_scratch_is_that_of_every_instance() {
     let weights = single(&animation.weights);
     let [a, b] = [0, 1].map(|i| {
         let clip = Clip::new(JOINTS, &keys[i]).expect("whole frames");
-        Sampled::new(Separate, clip, &animation.frames[i], &t[i]).expect("frames of the clip")
+        Sampled::new(NlerpLerp, clip, &animation.frames[i], &t[i]).expect("frames of the clip")
     });
-    let locals = Layered::blend(Separate, a, b, &weights);
+    let locals = Layered::blend(NlerpLerp, a, b, &weights);
     let binds = [DualQuat::IDENTITY; JOINTS];
     let mut models = [DualQuat::<f32>::IDENTITY; 35 * JOINTS];
     hierarchy.job().locals_to_model(locals, &mut models).expect("they fit");

@@ -9,7 +9,7 @@ use dq8::simd::Float;
 use dq8::storage::{AoSoA, Aos};
 use dq8::{
     Backend, DualQuat, Hierarchy, Job, ShapeError, hierarchy,
-    hierarchy::{MatrixOrder, Poses, Renormalize, Rotations, RotationsTranslations},
+    hierarchy::{Bones, MatrixOrder, Poses, Renormalize, RotationsTranslations},
 };
 
 /// What a job is told.
@@ -205,7 +205,7 @@ impl<L: Memory> Subject for In<L> {
             Given::Rotations(rotations, offsets) => {
                 let rotations = lay::<L, 4>(joints, rotations);
                 let offsets: Vec<_> = offsets.iter().map(|offset| round(*offset)).collect();
-                let locals = Rotations { rotations: &rotations, offsets: &offsets };
+                let locals = Bones { rotations: &rotations, offsets: &offsets };
                 job.locals_to_model(locals, &mut models)
             }
         };
@@ -252,7 +252,7 @@ impl<L: Memory> Subject for In<L> {
                 let rotations = lay::<L, 4>(joints, rotations);
                 let offsets: Vec<_> = offsets.iter().map(|offset| round(*offset)).collect();
                 let mut palette = Self::all::<8>(before, models.len());
-                let locals = Rotations { rotations: &rotations, offsets: &offsets };
+                let locals = Bones { rotations: &rotations, offsets: &offsets };
                 job.palette_and_models(locals, &mut models, &binds, &mut palette).expect(FITS);
                 read::<L, 8>(joints, &palette).iter().map(|entry| entry.to_vec()).collect()
             }

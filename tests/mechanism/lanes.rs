@@ -3,7 +3,6 @@
 use crate::book::Book;
 use crate::tree::{mechanism, tree, values};
 use dq8::mechanism::{Body, JacobianFrame, Joint, OwnedMechanism, World, WorldAligned};
-use dq8::storage::NumberBlock;
 use dq8::{Backend, Block, DualQuat, Twist};
 use dq8_contract::random::Random;
 
@@ -69,7 +68,7 @@ fn lanes_agree_with_one_configuration_for_every_backend_and_layout() {
                 in_blocks(&packed, &poses, count, &what);
             }
             // Both in blocks.
-            let mut inputs = vec![NumberBlock::<f64, 8>::splat([0.0]); blocks * robot.values()];
+            let mut inputs = vec![Block::<f64, 8, 1>::splat([0.0]); blocks * robot.values()];
             for (index, &value) in values.iter().enumerate() {
                 let (configuration, value_index) = (index / robot.values(), index % robot.values());
                 let block = &mut inputs[configuration / 8 * robot.values() + value_index];

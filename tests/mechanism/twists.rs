@@ -3,8 +3,7 @@
 
 use crate::tree::{mechanism, tree, values};
 use dq8::mechanism::{Body, JointValues, Mechanism, World, WorldAligned};
-use dq8::simd::Block;
-use dq8::storage::{Element, LinearFirst, Number, NumberBlock, pack, unpack};
+use dq8::storage::{Block, Element, LinearFirst, Number, pack, unpack};
 use dq8::{Backend, DualQuat, Scalar, Twist};
 use dq8_contract::random::Random;
 
@@ -53,14 +52,14 @@ where
 
 /// Plain things from blocks.
 fn plain<R: Scalar, T: Element<C, Layout = dq8::storage::Aos<R>>, const N: usize, const C: usize>(
-    slices: Vec<Vec<Block<[R; N], C>>>,
+    slices: Vec<Vec<Block<R, N, C>>>,
     configurations: usize,
     nothing: T,
 ) -> Vec<Vec<T>>
 where
     [R; N]: dq8::simd::Row<Real = R>,
 {
-    let unpacked = |blocks: Vec<Block<[R; N], C>>| {
+    let unpacked = |blocks: Vec<Block<R, N, C>>| {
         let each = blocks.len() / configurations.div_ceil(N);
         let mut things = vec![nothing; each * configurations];
         unpack(each, &blocks, &mut things).unwrap();
@@ -99,9 +98,9 @@ macro_rules! in_blocks {
         let (robot, configurations) = ($robot, $configurations);
         let blocks = usize::div_ceil(configurations, $lanes);
         let (pose, twist) =
-            (Block::<[$R; $lanes], 8>::splat([9.0; 8]), Block::<[$R; $lanes], 6>::splat([9.0; 6]));
+            (Block::<$R, $lanes, 8>::splat([9.0; 8]), Block::<$R, $lanes, 6>::splat([9.0; 6]));
         let packed = $inputs.map(|(each, numbers): (usize, &[$R])| {
-            let mut packed = vec![NumberBlock::<$R, $lanes>::splat([0.0]); blocks * each];
+            let mut packed = vec![Block::<$R, $lanes, 1>::splat([0.0]); blocks * each];
             pack(each, numbers, &mut packed).unwrap();
             packed
         });
@@ -214,7 +213,7 @@ fn a_twist_with_its_linear_part_first_is_the_same_twist() {
         let back: Vec<_> =
             moved_swapped.iter().map(|&twist| Twist::from(twist).to_array()).collect();
         assert_eq!(back, moved, "{backend}");
-        let mut packed = [Block::<[f64; 8], 6>::splat([0.0; 6]); 2];
+        let mut packed = [Block::<f64, 8, 6>::splat([0.0; 6]); 2];
         pack(1, &swapped, &mut packed).unwrap();
         let mut plain = vec![[0.0; 6]; 11];
         unpack(1, &packed, &mut plain).unwrap();

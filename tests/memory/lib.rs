@@ -4,7 +4,7 @@
 #![cfg(test)]
 #![forbid(unsafe_code)]
 
-use dq8::hierarchy::BorrowedPlan;
+use dq8::hierarchy::{Plan, PlanScratch};
 use dq8::skinning::{DualBlend, Linear, Skin, Surface, SurfaceMut};
 use dq8::{Backend, DualQuat, Hierarchy};
 use std::time::{Duration, Instant};
@@ -54,53 +54,61 @@ fn length(random: &mut Random, right: usize) -> usize {
     }
 }
 
-/// Any pairs of numbers as the order of a plan, that of a chain among them.
+/// Any pairs as the order of a plan: that of the parents, the same in disorder and with doubles, and what is none.
 fn plans(random: &mut Random) {
     let joints = random.below(40);
-    let roots = random.below(3);
-    let hostile = random.below(3) == 0;
-    let mut order: Box<[[u32; 2]]> = (0..joints)
-        .map(|place| {
-            let [joint, parent] = [(); 2].map(|()| random.below(joints) as u32);
-            [joint, if place < roots { Hierarchy::ROOT } else { parent }]
+    let chain = random.below(4) == 0;
+    let parents: Box<[u32]> = (0..joints)
+        .map(|joint| match random.below(8) {
+            0 if !chain => Hierarchy::ROOT,
+            _ if joint == 0 => Hierarchy::ROOT,
+            _ if chain => joint as u32 - 1,
+            _ => random.below(joint) as u32,
         })
         .collect();
-    if random.below(4) == 0 {
-        for (joint, pair) in (0_u32..).zip(&mut order) {
-            *pair = [joint, joint.wrapping_sub(1)];
-        }
+    let hierarchy = Hierarchy::new(&parents).expect("parents come first");
+    let mut order: Box<[[u32; 2]]> = vec![[0; 2]; joints].into();
+    let mut scratch: Box<[PlanScratch]> = vec![PlanScratch::default(); joints].into();
+    Plan::new(&hierarchy, &mut order, &mut scratch).expect("an element per joint");
+    for _ in 0..random.below(3) * joints {
+        // A pair of the parents in another place, once or more often.
+        let (to, from) = (random.below(joints), random.below(joints));
+        if random.below(3) == 0 { order[to] = order[from] } else { order.swap(to, from) }
     }
-    if hostile && joints > 0 {
-        let any = [joints as u32, joints as u32 + 1, u32::MAX, u32::MAX - 1, 1 << 16];
+    if random.below(3) == 0 && joints > 0 {
+        let any = [0, joints as u32, joints as u32 + 1, u32::MAX, u32::MAX - 1, 1 << 16];
         order[random.below(joints)][random.below(2)] = any[random.below(any.len())];
     }
-    let roots = order.iter().take_while(|pair| pair[1] == Hierarchy::ROOT).count();
-    let (tops, others) = order.split_at(roots);
-    let is_joint = |&number: &u32| (number as usize) < joints;
-    let fits =
-        tops.iter().all(|[root, _]| is_joint(root)) && others.as_flattened().iter().all(is_joint);
-    let plan = BorrowedPlan::of_order(&order);
-    assert_eq!(plan.is_some(), fits, "{order:?}");
-    let Some(plan) = plan else { return };
-    let count = joints * (1 + random.below(3));
-    let (inputs, outputs) = (length(random, count), length(random, count));
+    let is_root = |pair: &&[u32; 2]| pair[1] == Hierarchy::ROOT;
+    let roots = order.iter().take_while(is_root).count();
+    let is_pair = |&[joint, parent]: &[u32; 2]| parents.get(joint as usize) == Some(&parent);
+    let fits = order.iter().all(is_pair) && !order[roots..].iter().any(|pair| is_root(&pair));
+    let plan = Plan::of_order(&hierarchy, &order);
+    assert_eq!(plan.is_ok(), fits, "{order:?}");
+    let Ok(plan) = plan else { return };
+    let (inputs, outputs) = (length(random, joints), length(random, joints));
     let locals: Box<[Motion]> = (0..inputs).map(|_| translation(random)).collect();
     let mut models: Box<[Motion]> = vec![DualQuat::IDENTITY; outputs].into();
-    let done = plan.local_to_model(&locals, &mut models);
-    assert_eq!(done.is_ok(), inputs == outputs && inputs.is_multiple_of(joints));
+    let job = hierarchy.job().plan(&plan);
+    let done = job.local_to_model(&locals, &mut models);
+    let whole = if joints == 0 { inputs == 0 } else { inputs.is_multiple_of(joints) };
+    assert_eq!(done.is_ok(), inputs == outputs && whole);
     let mut wanted: Box<[Motion]> = vec![DualQuat::IDENTITY; outputs].into();
-    if done.is_ok() && joints > 0 {
-        for (locals, models) in locals.chunks(joints).zip(wanted.chunks_mut(joints)) {
-            for &[joint, parent] in &order {
-                let above = models.get(parent as usize).copied().unwrap_or(DualQuat::IDENTITY);
-                models[joint as usize] = above * locals[joint as usize];
-            }
+    if done.is_ok() && inputs == joints {
+        for &[joint, parent] in &order {
+            let above = models_of(&wanted, parent);
+            wanted[joint as usize] = above * locals[joint as usize];
+        }
+        for (got, wanted) in models.iter().zip(&wanted) {
+            near(got.translation(), wanted.translation());
         }
     }
-    for (got, wanted) in models.iter().zip(&wanted) {
-        near(got.translation(), wanted.translation());
-    }
-    let _ = plan.local_to_model_in_place(&mut models);
+    let _ = job.local_to_model_in_place(&mut models);
+}
+
+/// The model of a parent; the identity above roots.
+fn models_of(models: &[Motion], parent: u32) -> Motion {
+    models.get(parent as usize).copied().unwrap_or(DualQuat::IDENTITY)
 }
 
 /// Any joints as those of a skin, over palettes and meshes of any length.

@@ -3,10 +3,10 @@
 use super::scene::{JOINTS, Scene, distance, dual, linear};
 use dq8::simd::picks::Index;
 use dq8::skinning::{
-    DualBlend, Linear, Mixed, Skin, Stretched, Surface, SurfaceMut, Weight, dual_blend,
+    DualBlend, Linear, Mixed, Skin, StretchedDualBlend, Surface, SurfaceMut, Weight, dual_blend,
     linear_blend,
 };
-use dq8::{Backend, DualQuat, Element, Scalar, representation::Affine, storage::PointBlock};
+use dq8::{Backend, DualQuat, Element, Scalar, representation::Affine, storage::Block};
 
 /// One vertex, as the papers have it: positions, then normals and tangents of length 1.
 fn expected<R: Scalar + Weight>(scene: &Scene<R>, vertex: usize, blend: &str) -> [[R; 3]; 3] {
@@ -80,7 +80,7 @@ where
         "linear" => skin.job().backend(backend).pose(linear, rest, posed),
         "dual" => skin.job().backend(backend).pose(dual, rest, posed),
         "stretched" => {
-            let stretched = Stretched::new(&scene.motions, &scene.stretches);
+            let stretched = StretchedDualBlend::new(&scene.motions, &scene.stretches);
             skin.job().backend(backend).pose(stretched, rest, posed)
         }
         _ => skin.job().backend(backend).pose(
@@ -131,13 +131,13 @@ fn every_backend_agrees_with_the_reference_in_double_precision() {
 fn blocks_give_what_plain_slices_give() {
     const N: usize = 16;
     let pack = |slice: &[[f32; 3]]| {
-        let mut blocks = vec![PointBlock::<f32, N>::splat([0.0; 3]); slice.len().div_ceil(N)];
+        let mut blocks = vec![Block::<f32, N, 3>::splat([0.0; 3]); slice.len().div_ceil(N)];
         for (i, &point) in slice.iter().enumerate() {
             Element::<3>::set(&mut blocks, i, point);
         }
         blocks
     };
-    let get = |blocks: &[PointBlock<f32, N>], i| Element::<3>::get(blocks, i).unwrap();
+    let get = |blocks: &[Block<f32, N, 3>], i| Element::<3>::get(blocks, i).unwrap();
     for vertices in [1, 16, 33, 40] {
         let scene = Scene::<f32>::new(vertices, 4);
         for backend in Backend::available() {

@@ -2,7 +2,8 @@
 
 use crate::scene::{Scene, from};
 use dq8::skinning::{
-    DualBlend, Linear, Mixed, SkinningError, Stretched, Surface, SurfaceMut, VertexFields, Weight,
+    DualBlend, Linear, Mixed, SkinningError, StretchedDualBlend, Surface, SurfaceMut, VertexFields,
+    Weight,
 };
 use dq8::{Backend, Scalar};
 
@@ -24,7 +25,7 @@ fn agrees<R: Scalar + Weight>(vertices: usize, influences: usize) {
     let (skin, matrices) = (scene.skin(), scene.matrices());
     let shares: Vec<R> = scene.positions.iter().map(|p| p[0] * p[0]).collect();
     let (linear, dual) = (Linear::new(&matrices), DualBlend::new(&scene.motions));
-    let stretched = Stretched::new(&scene.motions, &scene.stretches);
+    let stretched = StretchedDualBlend::new(&scene.motions, &scene.stretches);
     let mixed = Mixed::new(linear, dual, &shares).unwrap();
     // The last field at the very end, one number less than four behind it; and nothing but a position.
     let rest_fields = VertexFields { stride: 11, position: 8, normal: Some(1), tangent: Some(4) };

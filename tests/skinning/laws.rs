@@ -1,5 +1,7 @@
 use super::scene::{JOINTS, Scene, distance, dual, linear, motion, vector};
-use dq8::skinning::{Skin, Stretched, Surface, SurfaceMut, Weight, dual_blend, split_palette};
+use dq8::skinning::{
+    Skin, StretchedDualBlend, Surface, SurfaceMut, Weight, dual_blend, split_palette,
+};
 use dq8::{Backend, DualQuat, Quat, Scalar, representation::Affine};
 use dq8_contract::random::Random;
 
@@ -146,7 +148,7 @@ fn a_stretch_and_then_a_motion_is_the_matrix_of_a_single_influence() {
             .skin()
             .job()
             .backend(backend)
-            .pose(Stretched::new(&motions, &stretches), rest, to)
+            .pose(StretchedDualBlend::new(&motions, &stretches), rest, to)
             .unwrap();
         for (a, b) in posed.iter().zip(&wanted) {
             // One matrix, or a stretch and a motion, of some units.

@@ -3,9 +3,7 @@
 use super::{Element, Packed, Representation, Rows, flat};
 use dq8::simd::Row;
 use dq8::storage::{self, Layout};
-use dq8::{
-    Block, DualQuat, Lanes, Quat, geometry::DualVector, simd::Portable, storage::PointBlock,
-};
+use dq8::{Block, DualQuat, Lanes, Quat, geometry::DualVector, simd::Portable};
 use dq8::{
     batch,
     simd::{f32x8, f32x16},
@@ -39,8 +37,8 @@ impl<const N: usize> Own for Block<f32, N>
 where
     [f32; N]: Row<Real = f32>,
 {
-    type Point = PointBlock<f32, N>;
-    type Rotation = storage::RotationBlock<f32, N>;
+    type Point = Block<f32, N, 3>;
+    type Rotation = storage::Block<f32, N, 4>;
 
     fn links(chain: &[DualQuat<f32>]) -> Vec<Self> {
         let mut blocks = vec![Self::splat([0.0; 8]); chain.len().div_ceil(N)];

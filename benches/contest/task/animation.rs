@@ -6,10 +6,9 @@ use crate::memory::{Element, Product, Representation, Rows3x4, double};
 use crate::scene::{Scene, Shape};
 use crate::walk;
 use dq8::hierarchy::{Clip, Layered, Sampled};
-use dq8::storage::MatrixBlock;
 use dq8::{
     Backend, Block, DualQuat, Hierarchy,
-    law::{Nlerp, Separate},
+    law::{Nlerp, NlerpLerp},
 };
 use dq8_fixtures::random::Random;
 use glam::{Affine3A, Quat, Vec3A};
@@ -142,7 +141,7 @@ fn plain<'a>(contest: &mut Contest<'a>, crowd: &'a Crowd, backend: Backend) {
     let pass = move |(): &(), palette: &mut [[[f32; 4]; 3]]| {
         let hierarchy = Hierarchy::new(&crowd.parents).expect("parents come first");
         let mut scratch = vec![Motion::IDENTITY; SCRATCH * joints];
-        let locals = locals!(crowd, Separate, keys);
+        let locals = locals!(crowd, NlerpLerp, keys);
         let job = hierarchy.job().backend(backend);
         job.palette(locals, &mut scratch, &crowd.binds, palette).expect("they fit");
     };
@@ -173,15 +172,15 @@ where
 {
     let joints = crowd.parents.len();
     let blocks = crowd.weights.len() / N * joints;
-    let memory = move || ((), vec![MatrixBlock::<f32, N>::splat([0.0; 12]); blocks]);
-    let pass = move |(): &(), palette: &mut [MatrixBlock<f32, N>]| {
+    let memory = move || ((), vec![Block::<f32, N, 12>::splat([0.0; 12]); blocks]);
+    let pass = move |(): &(), palette: &mut [Block<f32, N, 12>]| {
         let hierarchy = Hierarchy::new(&crowd.parents).expect("parents come first");
         let mut scratch = vec![Block::<f32, N>::splat([0.0; 8]); SCRATCH / N * joints];
-        let locals = locals!(crowd, Separate, keys);
+        let locals = locals!(crowd, NlerpLerp, keys);
         let job = hierarchy.job().backend(backend);
         job.palette(locals, &mut scratch, &crowd.binds, palette).expect("they fit");
     };
-    let numbers = move |palette: &[MatrixBlock<f32, N>], index: usize| {
+    let numbers = move |palette: &[Block<f32, N, 12>], index: usize| {
         let (instance, joint) = (index / joints, index % joints);
         palette[instance / N * joints + joint].numbers(instance % N)
     };

@@ -5,10 +5,7 @@ use crate::limit::{Limit, Limited};
 use crate::memory::{Own, Packed, Product, QuatVec3A};
 use crate::scene::{Scene, Shape};
 use crate::walk;
-use dq8::{
-    Backend, Block, DualQuat, Hierarchy,
-    hierarchy::{HierarchyPlan, Strategy},
-};
+use dq8::{Backend, Block, DualQuat, Hierarchy, Skeleton};
 use glam::{Affine3A, Mat4};
 use nalgebra::{Isometry3, UnitDualQuaternion};
 use simba::simd::WideF32x8;
@@ -23,8 +20,6 @@ pub enum Way {
     /// From rotations and the bones that all instances share into models, and this crate's own way
     /// from motions to compare with.
     Rotations,
-    /// Plans for one instance with each strategy, out of place.
-    Strategies,
 }
 
 type Motion = DualQuat<f32>;
@@ -37,7 +32,6 @@ pub(crate) fn with_contest(shape: Shape, way: Way, run: &mut dyn FnMut(&Contest<
         Way::Out => (" out", "out of place"),
         Way::In => ("", "in place"),
         Way::Rotations => (" rotations", "from rotations"),
-        Way::Strategies => (" strategies", "by each strategy"),
     };
     // A rounding per joint, and each turns all that follows; the twelve levels of a skeleton lose a few
     // millionths.
@@ -70,13 +64,11 @@ pub(crate) fn with_contest(shape: Shape, way: Way, run: &mut dyn FnMut(&Contest<
         ..Contest::new(job, size, format!("{title}, {in_words}"))
     };
     let mut field = Field { scene: &scene, hierarchy, way, contest: &mut contest };
-    if way == Way::Strategies {
-        field.strategies();
-    } else if crowd {
+    if crowd {
         field.crowd();
     } else {
         field.one();
-        field.plan("plan", HierarchyPlan::new);
+        field.plan();
     }
     if matches!(shape, Shape::Chain { .. }) {
         field.segments::<Block<f32, 8>>("8 lanes");
@@ -88,7 +80,7 @@ pub(crate) fn with_contest(shape: Shape, way: Way, run: &mut dyn FnMut(&Contest<
         let (limit, limited) = match way {
             Way::Out => (Limit::copy(size.clone(), bytes), Limited::Bytes(moved, size)),
             Way::In => (Limit::rewrite(size.clone(), bytes), Limited::BytesInPlace(moved, size)),
-            Way::Rotations | Way::Strategies => return run(&contest),
+            Way::Rotations => return run(&contest),
         };
         contest.limits.push(limit);
         contest.limited = Some(limited);
@@ -127,20 +119,6 @@ impl<'a> Field<'a, '_> {
         self.peer::<Affine3A>("glam Affine3A");
         self.peer::<QuatVec3A>("glam Quat+Vec3A");
         self.peer::<UnitDualQuaternion<f32>>("nalgebra UnitDualQuaternion");
-    }
-
-    /// Where they cross is what the constants in `src/hierarchy/{plan,schedule}.rs` say.
-    fn strategies(&mut self) {
-        for strategy in [Strategy::Ordered, Strategy::Chain] {
-            if HierarchyPlan::with_strategy(&self.hierarchy, strategy).is_some() {
-                let plan = move |hierarchy: &Hierarchy| {
-                    let plan = HierarchyPlan::with_strategy(hierarchy, strategy);
-                    plan.expect("a plan that has been made before")
-                };
-                self.plan(&format!("{strategy:?}"), plan);
-            }
-        }
-        self.peer::<Affine3A>("glam Affine3A");
     }
 
     fn peer<M: Product + Packed<Motion>>(&mut self, name: &str) {
@@ -183,7 +161,7 @@ impl<'a> Field<'a, '_> {
             };
             let pass = move |(rotations, roots): &(Vec<P::Rotation>, Vec<P>), models: &mut [P]| {
                 let job = hierarchy.job().backend(backend).roots(roots);
-                let locals = dq8::hierarchy::Rotations { rotations, offsets: &scene.bones };
+                let locals = dq8::hierarchy::Bones { rotations, offsets: &scene.bones };
                 job.locals_to_model(locals, models).expect("whole instances");
             };
             let name = format!("dq8 rotations, {layout} {backend}");
@@ -193,18 +171,20 @@ impl<'a> Field<'a, '_> {
     }
 
     /// In an order that is found once.
-    fn plan(&mut self, name: &str, plan: impl Fn(&Hierarchy) -> HierarchyPlan + Copy + 'a) {
+    fn plan(&mut self) {
         let Self { scene, hierarchy, .. } = *self;
         for backend in Backend::available() {
             let memory = move || {
-                let plan = plan(&hierarchy).backend(backend);
-                ((plan, scene.locals.pack::<Motion>()), scene.locals.pack::<Motion>())
+                let input = (Skeleton::from(hierarchy), scene.locals.pack::<Motion>());
+                (input, scene.locals.pack::<Motion>())
             };
-            let pass = |(plan, locals): &(HierarchyPlan, Vec<Motion>), models: &mut [Motion]| {
-                plan.local_to_model(locals, models).expect("one instance");
+            let pass = move |(skeleton, locals): &(Skeleton, Vec<Motion>),
+                             models: &mut [Motion]| {
+                let job = skeleton.job().backend(backend);
+                job.local_to_model(locals, models).expect("one instance");
             };
             let numbers = |models: &[Motion], index| scene.locals.numbers(models, index);
-            self.contest.add(format!("dq8 {name} {backend}"), Some(backend), memory, pass, numbers);
+            self.contest.add(format!("dq8 plan {backend}"), Some(backend), memory, pass, numbers);
         }
     }
 

@@ -3,7 +3,6 @@
 use crate::job::Job;
 use dq8::ik::{Options, Outcome, Report};
 use dq8::mechanism::{Freedom, Goal, Mechanism, Reach, World};
-use dq8::storage::NumberBlock;
 use dq8::{Backend, Block, DualQuat};
 use std::hint::black_box;
 
@@ -27,7 +26,7 @@ macro_rules! precision {
             let in_blocks = || vec![Motions::splat(Motion::IDENTITY.to_array()); blocks * links];
             let columns = || vec![[0.0 as $real; 6]; configurations * links];
             let of_tools = || vec![Motion::IDENTITY; configurations];
-            let mut packed = vec![NumberBlock::<$real, $lanes>::splat([0.0]); blocks * links];
+            let mut packed = vec![Block::<$real, $lanes, 1>::splat([0.0]); blocks * links];
             for (configuration, values) in values.chunks_exact(links).enumerate() {
                 for (value, &number) in values.iter().enumerate() {
                     let block = &mut packed[configuration / $lanes * links + value];

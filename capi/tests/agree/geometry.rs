@@ -1,7 +1,6 @@
 //! Lines, planes, twists, logarithms and metrics: of one motion, of arrays, of blocks.
 
 use crate::sample::{COUNT, block, for_all_lanes, motions, numbers, same, vector, wave};
-use dq8::simd;
 use dq8::storage::Block;
 use dq8::{Backend, DualQuat, Line, Plane, Twist};
 use dq8_capi::{geometry, lines, metric, slices, twists};
@@ -14,7 +13,7 @@ macro_rules! agree {
             use {geometry::$of as g, lines::$of as l, metric::$of as m, twists::$of as t};
 
             type Motion = DualQuat<$R>;
-            type Numbers<const C: usize> = simd::Block<[$R; $lanes], C>;
+            type Numbers<const C: usize> = Block<$R, $lanes, C>;
 
             fn six(i: usize) -> [$R; 6] {
                 let ([a, b, c], [d, e, f]) = (vector(i, 2.0), vector(i, 3.0));

@@ -3,10 +3,10 @@
 use crate::sample::{
     COUNT, JOINTS, PARENTS, block, for_all_lanes, motions, numbers, rotation, same, vector,
 };
-use dq8::storage::{Block, RotationBlock, pack};
+use dq8::storage::{Block, pack};
 use dq8::{
     DualQuat, Hierarchy, Real,
-    hierarchy::{Poses, Rotations, RotationsTranslations},
+    hierarchy::{Bones, Poses, RotationsTranslations},
 };
 use dq8_capi::{hierarchy, packing};
 use std::ptr;
@@ -39,7 +39,7 @@ macro_rules! agree {
                         [x, y, z, w, a, b, c]
                     })
                     .collect();
-                let turns = Rotations { rotations: &rotations[..], offsets: &offsets[..] };
+                let turns = Bones { rotations: &rotations[..], offsets: &offsets[..] };
                 let (p, on, free, n) =
                     (PARENTS.as_ptr(), numbers(from_ref(&root)), ptr::null(), COUNT);
                 let (pl, pb, po) = (numbers(&locals), numbers(&binds), numbers(&offsets));
@@ -89,9 +89,9 @@ macro_rules! agree {
                 let empty = [Block::<$R, $lanes>::splat([9.0; 8]); JOINTS];
                 let mut blocks = empty;
                 pack(JOINTS, &locals, &mut blocks).unwrap();
-                let rotations: [RotationBlock<$R, $lanes>; JOINTS] =
+                let rotations: [Block<$R, $lanes, 4>; JOINTS] =
                     std::array::from_fn(|j| block(|i| rotation(i + j, 3.0).to_array()));
-                let turns = Rotations { rotations: &rotations[..], offsets: &offsets[..] };
+                let turns = Bones { rotations: &rotations[..], offsets: &offsets[..] };
                 let (p, on) = (PARENTS.as_ptr(), numbers(from_ref(&root)));
                 let (pl, pb, po) = (numbers(&locals), numbers(&binds), numbers(&offsets));
                 let (pk, pr) = (numbers(&blocks), numbers(&rotations));

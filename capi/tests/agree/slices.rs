@@ -1,10 +1,7 @@
 //! Kernels over arrays, plain and in blocks.
 
 use crate::sample::{COUNT, block, for_all_lanes, motions, numbers, same, vector, wave};
-use dq8::storage::{
-    Block, MatrixBlock, NumberBlock, PointBlock, RotationBlock, RotationTranslationBlock,
-};
-use dq8::{Backend, DualQuat, hierarchy::MatrixOrder};
+use dq8::{Backend, Block, DualQuat, hierarchy::MatrixOrder};
 use dq8_capi::{packing, slices};
 
 macro_rules! agree {
@@ -74,15 +71,15 @@ macro_rules! agree {
                     [0, 1].map(|k| block(|i| a[(i + k) % COUNT].to_array()));
                 let b: [Block<$R, $lanes>; 2] =
                     [0, 1].map(|k| block(|i| b[(i + k) % COUNT].to_array()));
-                let t: [NumberBlock<$R, $lanes>; 2] =
+                let t: [Block<$R, $lanes, 1>; 2] =
                     [2.0, 3.0].map(|seed| block(|i| [wave(i, seed)]));
-                let points: [PointBlock<$R, $lanes>; 2] =
+                let points: [Block<$R, $lanes, 3>; 2] =
                     [4.0, 5.0].map(|seed| block(|i| vector(i, seed)));
                 let by = motions(6.0)[0];
                 let (pa, pb, pt, pv) = (numbers(&a), numbers(&b), numbers(&t), numbers(&points));
                 let none = [Block::splat([9.0; 8]); 2];
-                let nowhere = [PointBlock::splat([9.0; 3]); 2];
-                let matrices = [dq8::simd::Block::<[$R; $lanes], 16>::splat([9.0; 16]); 2];
+                let nowhere = [Block::splat([9.0; 3]); 2];
+                let matrices = [Block::<$R, $lanes, 16>::splat([9.0; 16]); 2];
                 let best = Backend::best();
                 // SAFETY: all arrays have two blocks.
                 unsafe {
@@ -110,9 +107,9 @@ macro_rules! agree {
                 assert_eq!(size(8), size_of_val(&a[0]));
                 assert_eq!(size(3), size_of_val(&points[0]));
                 assert_eq!(size(1), size_of_val(&t[0]));
-                assert_eq!(size(4), size_of::<RotationBlock<$R, $lanes>>());
-                assert_eq!(size(7), size_of::<RotationTranslationBlock<$R, $lanes>>());
-                assert_eq!(size(12), size_of::<MatrixBlock<$R, $lanes>>());
+                assert_eq!(size(4), size_of::<Block<$R, $lanes, 4>>());
+                assert_eq!(size(7), size_of::<Block<$R, $lanes, 7>>());
+                assert_eq!(size(12), size_of::<Block<$R, $lanes, 12>>());
             }
         }
     };

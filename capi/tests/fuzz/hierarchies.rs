@@ -57,11 +57,11 @@ pub(crate) fn hierarchies(fuzz: &mut Fuzz) {
         let (order, scratch) = (order.as_mut_ptr(), scratch.as_mut_ptr());
         assert_eq!(plan::dq8_plan_make(of, joints, order, scratch, &raw mut bad), good);
         if good == Status::Ok {
-            assert_eq!(plan::single::local_to_model(order, joints, locals, out, count), good);
+            assert_eq!(plan::single::local_to_model(of, order, joints, locals, out, count), good);
             // Any numbers: refused, or an order of joints that there are.
             let at = fuzz.below(2 * joints);
             order.add(at).write(fuzz.below(2 * joints) as u32);
-            let status = plan::single::local_to_model(order, joints, locals, out, count);
+            let status = plan::single::local_to_model(of, order, joints, locals, out, count);
             assert!(matches!(status, Status::Ok | Status::NoPlan), "{status:?}");
         }
         let links = blocks_of(8, count);

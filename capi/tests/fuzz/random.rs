@@ -1,6 +1,6 @@
 //! Random numbers, arrays of them, and pointers that may be wrong.
 
-use dq8::simd::Block;
+use dq8::{simd, storage::Block};
 
 /// SplitMix64 (Steele, Lea and Flood 2014).
 pub(crate) struct Fuzz(pub(crate) u64);
@@ -31,8 +31,8 @@ impl Fuzz {
     pub(crate) fn blocks<const N: usize, const C: usize>(
         &mut self,
         count: usize,
-    ) -> Box<[Block<[f32; N], C>]> {
-        (0..count).map(|_| Block([(); C].map(|()| [(); N].map(|()| self.number())))).collect()
+    ) -> Box<[Block<f32, N, C>]> {
+        (0..count).map(|_| simd::Block([(); C].map(|()| [(); N].map(|()| self.number())))).collect()
     }
     /// A pointer that may be wrong, and whether it is.
     pub(crate) fn pointer(&mut self, good: *mut f32, wrong: &mut bool) -> *mut f32 {

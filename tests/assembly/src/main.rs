@@ -1,25 +1,24 @@
 //! Calls the hot kernels, so that their machine code is in this program.
 
 use dq8::simd::Row;
-use dq8::{Backend, Block, DualQuat, Hierarchy, hierarchy::HierarchyPlan, storage::PointBlock};
+use dq8::{Backend, Block, DualQuat, Hierarchy, Skeleton};
 use std::hint::black_box;
 
 fn main() {
     one_instance();
-    kernels::<8>([Block::splat([0.0; 8]); 2], [PointBlock::splat([0.0; 3]); 2]);
-    kernels::<16>([Block::splat([0.0; 8]); 2], [PointBlock::splat([0.0; 3]); 2]);
+    kernels::<8>([Block::splat([0.0; 8]); 2], [Block::splat([0.0; 3]); 2]);
+    kernels::<16>([Block::splat([0.0; 8]); 2], [Block::splat([0.0; 3]); 2]);
 }
 
 fn one_instance() {
-    let parents = [Hierarchy::ROOT, 0];
-    let plan = HierarchyPlan::new(&Hierarchy::new(&parents).expect("a hierarchy"));
+    let skeleton = Skeleton::new(&[-1, 0]).expect("a hierarchy");
     let (locals, mut models) = (black_box([DualQuat::<f32>::IDENTITY; 2]), [DualQuat::ZERO; 2]);
-    plan.local_to_model(&locals, &mut models).expect("they are of one length");
+    skeleton.local_to_model(&locals, &mut models).expect("they are of one length");
     black_box(models);
 }
 
 /// Each on blocks of `N` lanes.
-fn kernels<const N: usize>(a: [Block<f32, N>; 2], points: [PointBlock<f32, N>; 2])
+fn kernels<const N: usize>(a: [Block<f32, N>; 2], points: [Block<f32, N, 3>; 2])
 where
     [f32; N]: Row<Real = f32>,
 {

@@ -6,7 +6,7 @@ use crate::answers::{ARM_ANGLES, ARM_AXES, ARM_JACOBIAN, ARM_OFFSETS, ARM_TIP, A
 use crate::error::{error, max_or_nan};
 use crate::table::Table;
 use core::hint::black_box;
-use dq8::hierarchy::Rotations;
+use dq8::hierarchy::Bones;
 use dq8::mechanism::{
     Freedom, Goal, Joint, Mechanism, Options, Outcome, Reach, Step, WorldAligned,
 };
@@ -93,7 +93,7 @@ fn tool(angles: &[f32; 6]) -> Option<[f32; 3]> {
         *rotation = Quat::from_axis_angle(axis, angle);
     }
     let mut models = [DualQuat::IDENTITY; 6];
-    let locals = Rotations { rotations: &rotations, offsets: &ARM_OFFSETS };
+    let locals = Bones { rotations: &rotations, offsets: &ARM_OFFSETS };
     Hierarchy::new(&parents).ok()?.job().locals_to_model(locals, &mut models).ok()?;
     let [.., flange] = models;
     Some(flange.transform_point(ARM_TOOL))

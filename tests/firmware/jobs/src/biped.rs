@@ -5,7 +5,7 @@ use crate::answers::{BIPED_MODELS, BIPED_OFFSETS, BIPED_PARENTS, BIPED_ROTATIONS
 use crate::error::{max_or_nan, motion_error};
 use crate::table::Table;
 use core::hint::black_box;
-use dq8::{Block, DualQuat, Hierarchy, Quat, hierarchy::Rotations};
+use dq8::{Block, DualQuat, Hierarchy, Quat, hierarchy::Bones};
 
 const JOINTS: usize = BIPED_PARENTS.len();
 /// Six products one after the other, each of which may lose a unit.
@@ -23,7 +23,7 @@ pub(crate) fn run<B: Board>(table: &mut Table<'_, B>) {
         *motion = DualQuat::from_rotation_translation(rotation, offset);
     }
 
-    let locals = Rotations { rotations: &rotations, offsets: &BIPED_OFFSETS };
+    let locals = Bones { rotations: &rotations, offsets: &BIPED_OFFSETS };
     let mut models = [DualQuat::ZERO; JOINTS];
     let instructions = table.count(|| {
         black_box(biped.job().locals_to_model(black_box(locals), black_box(&mut models)).is_ok());

@@ -3,7 +3,7 @@
 use dq8::{
     Backend, Block, DualQuat, Hierarchy, Line, Plane, Quat, Twist,
     geometry::{DualVector, Screw, Wrench},
-    hierarchy::{BorrowedPlan, PlanScratch, Poses, Rotations},
+    hierarchy::{Bones, Plan, PlanScratch, Poses},
 };
 
 type Motion = DualQuat<f32>;
@@ -96,7 +96,7 @@ fn more_point_error(a: &Motion, b: &Motion, point: &[f32; 3]) -> f32 {
 #[unsafe(no_mangle)]
 fn more_rotations(
     parents: &[u32],
-    locals: Rotations<'_, Quat<f32>>,
+    locals: Bones<'_, Quat<f32>>,
     models: &mut [Motion],
 ) -> bool {
     Hierarchy::new(parents).is_ok_and(|h| h.job().locals_to_model(locals, models).is_ok())
@@ -151,7 +151,7 @@ fn more_plan(
     poses: &mut [Motion],
 ) -> bool {
     Hierarchy::new(parents).is_ok_and(|h| {
-        BorrowedPlan::new(&h, order, scratch)
-            .is_ok_and(|plan| plan.local_to_model_in_place(poses).is_ok())
+        Plan::new(&h, order, scratch)
+            .is_ok_and(|plan| h.job().plan(&plan).local_to_model_in_place(poses).is_ok())
     })
 }
