@@ -90,10 +90,10 @@ macro_rules! functions {
             models: *mut $R,
             count: usize,
         ) -> Status {
-            // SAFETY: promised.
-            let status =
-                unsafe { super::local_to_model(parents, order, joints, locals, models, count) };
-            Status::of(status)
+            Status::of(
+                // SAFETY: promised.
+                unsafe { super::local_to_model(parents, order, joints, locals, models, count) },
+            )
         }
     };
 }
