@@ -7,7 +7,7 @@ use dq8::storage::Register;
 use dq8::{
     Backend, DualQuat, Hierarchy, Job, Quat, Skeleton,
     hierarchy::{
-        Bones, HierarchyError, MatrixOrder, ParentIndex, Poses, Renormalize, Root,
+        Bones, HierarchyError, MatrixOrder, NoRoot, ParentIndex, Poses, Renormalize, Root,
         RotationsTranslations,
     },
 };
@@ -37,12 +37,12 @@ fn same(a: &[DualQuat<f32>], b: &[DualQuat<f32>], plan_is_chain: bool) -> bool {
     a == b || ((plan_is_chain || ONE_LANE) && a.iter().zip(b).all(|(a, b)| a.abs_diff_eq(*b, 2e-5)))
 }
 
-fn options<'a>(
-    job: Job<'a>,
+fn options<'a, P>(
+    job: Job<'a, NoRoot, P>,
     case: u32,
     backend: Backend,
     roots: &'a [DualQuat<f32>],
-) -> Job<'a, Root<'a, DualQuat<f32>>> {
+) -> Job<'a, Root<'a, DualQuat<f32>>, P> {
     let job = job.backend(backend).matrix_order(MatrixOrder::Columns);
     match (case, roots) {
         (1, &[root]) => job.on(Root::Same(root)),

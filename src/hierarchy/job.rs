@@ -1,10 +1,11 @@
 use super::forward::forward;
 use super::locals::{InPlace, Locals, Poses};
 use super::palette::{Epilogue, NoEpilogue};
+use super::plan::{NoPlan, Plan, Plans};
+use super::planned;
 use super::root::{NoRoot, Roots};
 use super::run::{Root, Run};
 use super::{Hierarchy, Renormalize};
-use super::{Plan, planned};
 use crate::dispatch::Backend;
 use crate::palette_entry::MatrixOrder;
 use crate::scalar::DualQuat;
@@ -31,14 +32,14 @@ use core::ops::{Bound, Range, RangeBounds};
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Job<'a, S = NoRoot> {
+pub struct Job<'a, S = NoRoot, P = NoPlan> {
     parents: &'a [u32],
     joints: Range<usize>,
     root: S,
     renormalize: Renormalize,
     pub(super) choice: Choice,
     pub(super) order: MatrixOrder,
-    plan: Option<Plan<'a>>,
+    plan: P,
 }
 
 impl<'a> Hierarchy<'a> {
@@ -70,12 +71,12 @@ impl<'a> Hierarchy<'a> {
             renormalize: Renormalize::Never,
             choice: Choice::default(),
             order: MatrixOrder::Rows,
-            plan: None,
+            plan: NoPlan,
         }
     }
 }
 
-impl<'a> Job<'a> {
+impl<'a, P> Job<'a, NoRoot, P> {
     /// Puts every root joint on `root`: model(j) = root · local(j), the same for all instances. A job has either this or
     /// [`roots`](Self::roots), so that neither is dropped without a word:
     ///
@@ -87,13 +88,13 @@ impl<'a> Job<'a> {
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     #[must_use]
-    pub fn root<R>(self, root: DualQuat<R>) -> Job<'a, DualQuat<R>> {
+    pub fn root<R>(self, root: DualQuat<R>) -> Job<'a, DualQuat<R>, P> {
         self.with(root)
     }
 
     /// Puts the root joints of each instance (block) on its own element of `roots`.
     #[must_use]
-    pub fn roots<E>(self, roots: &'a [E]) -> Job<'a, &'a [E]> {
+    pub fn roots<E>(self, roots: &'a [E]) -> Job<'a, &'a [E], P> {
         self.with(roots)
     }
 
@@ -110,13 +111,13 @@ impl<'a> Job<'a> {
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     #[must_use]
-    pub fn on<E: Element<8>>(self, root: Root<'a, E>) -> Job<'a, Root<'a, E>> {
+    pub fn on<E: Element<8>>(self, root: Root<'a, E>) -> Job<'a, Root<'a, E>, P> {
         self.with(root)
     }
 }
 
-impl<'a, S> Job<'a, S> {
-    fn with<T>(self, root: T) -> Job<'a, T> {
+impl<'a, S, P> Job<'a, S, P> {
+    fn with<T>(self, root: T) -> Job<'a, T, P> {
         Job {
             parents: self.parents,
             joints: self.joints,
@@ -191,11 +192,20 @@ impl<'a, S> Job<'a, S> {
     /// Computes one instance in the order of this plan. A [`Skeleton`](super::Skeleton)'s job has its own.
     #[inline]
     #[must_use]
-    pub fn plan(mut self, plan: &Plan<'a>) -> Self {
-        self.plan = Some(*plan);
-        self
+    pub fn plan(self, plan: &Plan<'a>) -> Job<'a, S, Plan<'a>> {
+        Job {
+            parents: self.parents,
+            joints: self.joints,
+            root: self.root,
+            renormalize: self.renormalize,
+            choice: self.choice,
+            order: self.order,
+            plan: *plan,
+        }
     }
+}
 
+impl<S, P: Plans> Job<'_, S, P> {
     /// See [`Hierarchy::local_to_model`].
     ///
     /// # Errors
@@ -278,7 +288,7 @@ impl<'a, S> Job<'a, S> {
         S: Roots<E>,
     {
         let (run, backend) = (self.run::<E>(), self.choice.instructions());
-        if let Some(plan) = self.plan
+        if let Some(plan) = self.plan.plan()
             && planned::applies(&run, models.len())
         {
             let mut epilogue = epilogue;
@@ -316,7 +326,7 @@ impl<'a, S> Job<'a, S> {
         let joints = self.parents.len();
         joints_within(&self.joints, joints)?;
         // A skeleton's plan is of the very same parents, and then this compares no number.
-        if let Some(plan) = self.plan
+        if let Some(plan) = self.plan.plan()
             && !core::ptr::eq(plan.parents, self.parents)
             && plan.parents != self.parents
         {

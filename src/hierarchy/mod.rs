@@ -59,7 +59,7 @@ pub use job::Job;
 pub use layers::{Layered, PoseSource};
 pub use locals::{Bones, Locals, Poses, RotationsTranslations, Tracks};
 pub use parents::Hierarchy;
-pub use plan::Plan;
+pub use plan::{NoPlan, Plan, Plans};
 pub use renormalize::Renormalize;
 pub use root::{NoRoot, Roots};
 pub use run::Root;

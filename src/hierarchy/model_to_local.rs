@@ -1,10 +1,11 @@
 use super::Job;
 use super::backward::Backward;
+use super::plan::Plans;
 use super::root::Roots;
 use crate::shape::{ShapeError, same_length};
 use crate::storage::{Element, Source};
 
-impl<S> Job<'_, S> {
+impl<S, P: Plans> Job<'_, S, P> {
     /// Local poses of all joints from model ones: local(j) = model(parent(j))* · model(j). The
     /// models must be unit. With [`joints`](Self::joints), only those locals are written.
     ///

@@ -6,13 +6,14 @@ use super::locals::Locals;
 use super::palette::Palette;
 #[cfg(feature = "rayon")]
 use super::parallel;
+use super::plan::Plans;
 use super::root::Roots;
 use crate::palette_entry::PaletteEntry;
 use crate::scalar::DualQuat;
 use crate::shape::{ShapeError, same_length, whole_instances};
 use crate::storage::{Element, Number};
 
-impl<S> Job<'_, S> {
+impl<S, P: Plans> Job<'_, S, P> {
     /// Models and the skinning palette of them in one pass, for callers who need both ([`palette`](Self::palette) keeps
     /// no models): `models` as of [`locals_to_model`](Self::locals_to_model), and
     /// `palette[j]` = model(j) · `inverse_binds[j]`, which takes a vertex of the mesh in its rest pose

@@ -46,6 +46,34 @@ pub struct Plan<'a> {
     pub(super) order: Option<Order<'a>>,
 }
 
+/// A [`Job`](super::Job) without a plan: whoever has no memory for one links no code of plans.
+#[derive(Clone, Copy, Debug)]
+pub struct NoPlan;
+
+/// What a job knows of the order in which one instance is computed: a [`Plan`], or [nothing](NoPlan). Sealed.
+pub trait Plans: sealed::Sealed {
+    #[doc(hidden)]
+    fn plan(&self) -> Option<Plan<'_>>;
+}
+
+impl Plans for NoPlan {
+    fn plan(&self) -> Option<Plan<'_>> {
+        None
+    }
+}
+
+impl Plans for Plan<'_> {
+    fn plan(&self) -> Option<Plan<'_>> {
+        Some(*self)
+    }
+}
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for super::NoPlan {}
+    impl Sealed for super::Plan<'_> {}
+}
+
 /// The joints of one instance in the order of computing, each with its parent.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Order<'a> {

@@ -1,6 +1,7 @@
 use super::error::HierarchyError;
 use super::owned_plan::OwnedPlan;
-use super::{Hierarchy, Job};
+use super::root::NoRoot;
+use super::{Hierarchy, Job, Plan};
 use crate::shape::ShapeError;
 use crate::storage::Element;
 use alloc::boxed::Box;
@@ -144,7 +145,7 @@ impl Skeleton {
 
     /// A run with options: a root, a palette, any form of locals.
     #[must_use]
-    pub fn job(&self) -> Job<'_> {
+    pub fn job(&self) -> Job<'_, NoRoot, Plan<'_>> {
         self.hierarchy().job().plan(&self.plan.borrowed(&self.parents))
     }
 

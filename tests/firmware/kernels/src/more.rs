@@ -148,10 +148,11 @@ fn more_plan(
     parents: &[u32],
     order: &mut [[u32; 2]],
     scratch: &mut [PlanScratch],
-    poses: &mut [Motion],
+    locals: &[Motion],
+    models: &mut [Motion],
 ) -> bool {
     Hierarchy::new(parents).is_ok_and(|h| {
         Plan::new(&h, order, scratch)
-            .is_ok_and(|plan| h.job().plan(&plan).local_to_model_in_place(poses).is_ok())
+            .is_ok_and(|plan| h.job().plan(&plan).local_to_model(locals, models).is_ok())
     })
 }
