@@ -148,10 +148,15 @@ def apply(mutations, alone=None):
         write(COPY / name, (text + SWITCH if name == "src/lib.rs" else text).encode())
 
 
+def home(package):
+    """The root of its workspace."""
+    return COPY / "lab" if package == "lab" else COPY
+
+
 def build(package, arguments):
     """The path of the binary."""
-    command = ["cargo", "test", "-p", package, *arguments, "--no-run", "--message-format=json"]
-    run = subprocess.run(command, cwd=COPY, capture_output=True, text=True)
+    command = ["cargo", "test", "-p", package, *arguments, "--no-run", "--message-format=json", "--target-dir", COPY / "target"]
+    run = subprocess.run(command, cwd=home(package), capture_output=True, text=True)
     if run.returncode:
         messages = [json.loads(line) for line in run.stdout.splitlines() if line.startswith("{")]
         errors = [m["message"]["rendered"] for m in messages if m.get("reason") == "compiler-message" and m["message"]["level"] == "error"]
@@ -166,9 +171,8 @@ def build(package, arguments):
 def passes(binary, package, names, number=None):
     environment = os.environ | ({} if number is None else {"DQ8_MUTANT": str(number)})
     environment |= {"RUST_BACKTRACE": "0", "PROPTEST_FAILURE_PERSISTENCE": "off"}
-    cwd = COPY / "lab" if package == "lab" else COPY
     try:
-        run = subprocess.run([binary, "--exact", *names], cwd=cwd, env=environment, capture_output=True, timeout=300)
+        run = subprocess.run([binary, "--exact", *names], cwd=home(package), env=environment, capture_output=True, timeout=300)
     except subprocess.TimeoutExpired:
         # What never ends does not pass.
         return False

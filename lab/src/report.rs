@@ -82,7 +82,7 @@ const INTRODUCTION: &str = "
 the quaternion p and translate by 2qp*. Its sources compare this with matrices, quaternions and Euler
 angles, and claim things. Here the claims are tried out.</p>
 <p>Every number and curve below is computed when this page is written, by</p>
-<pre>cargo run --release -p lab -- --out DIR</pre>
+<pre>cargo run --release --manifest-path lab/Cargo.toml -- --out DIR</pre>
 <p>and does not depend on chance, nor, but for the times of products, on the machine. The sources are: Kenwright, <cite>A Beginners Guide to
 Dual-Quaternions</cite> (2012); Arends, a thesis on quaternions, dual quaternions and hyper-dual
 quaternions (in Dutch; §4.5 is chapter 4, section 5); Jia, <cite>Dual Quaternions</cite>; Tarini, course

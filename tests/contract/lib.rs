@@ -22,8 +22,7 @@ pub mod optimized;
 pub mod records;
 pub mod sample;
 pub mod scale;
-pub mod textbook;
 pub mod vectors;
 pub mod worst;
 
-pub use dq8_fixtures::{kinematics, random};
+pub use dq8_fixtures::{kinematics, random, textbook};

@@ -1,7 +1,7 @@
 //! Operation counts: the numbers that are facts of algebra, and the number that counts them.
 
 use dq8::{DualQuat, Quat, Real};
-use dq8_contract::textbook::Textbook;
+use dq8_fixtures::textbook::Textbook;
 use lab::operations::{Operation, find, operations};
 
 use lab::{Counted, Counts};

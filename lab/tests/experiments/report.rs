@@ -70,7 +70,7 @@ fn every_section_is_there_and_opens_with_its_claims() {
         assert_eq!(page.matches(&format!("<h3>{heading}</h3>")).count(), sections, "{heading}");
     }
     assert!(page.matches("<svg").count() >= 6);
-    assert!(page.contains("cargo run --release -p lab -- --out DIR"));
+    assert!(page.contains("cargo run --release --manifest-path lab/Cargo.toml -- --out DIR"));
 }
 
 #[test]
