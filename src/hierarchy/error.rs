@@ -28,6 +28,34 @@ pub enum HierarchyError {
         /// The joint.
         joint: usize,
     },
+    /// A joint that there is not.
+    NoJoint {
+        /// The joint asked for.
+        joint: usize,
+        /// How many joints there are.
+        joints: usize,
+    },
+    /// The joints below a joint do not lie in one range.
+    Scattered {
+        /// The joint.
+        joint: usize,
+        /// The first joint below it that comes after one that is not.
+        beyond: usize,
+    },
+    /// Not as many names as joints.
+    Names {
+        /// How many names there are.
+        names: usize,
+        /// How many joints there are.
+        joints: usize,
+    },
+    /// A joint has the name of an earlier one.
+    SameName {
+        /// The joint.
+        joint: usize,
+        /// The earlier one.
+        earlier: usize,
+    },
     /// More joints than a `u32` can number.
     TooManyJoints {
         /// How many joints there are.
@@ -55,6 +83,18 @@ impl fmt::Display for HierarchyError {
                 write!(f, ", but there are only {joints} joints, counted from 0, and −1 is none")
             }
             Self::Cycle { joint } => write!(f, "joint {joint} is its own ancestor"),
+            Self::NoJoint { joint, joints } => {
+                write!(f, "there is no joint {joint} among {joints}, counted from 0")
+            }
+            Self::Scattered { joint, beyond } => write!(
+                f,
+                "the joints below joint {joint} are no range: joint {beyond} is one of them, and comes after others \
+                 (`Skeleton::sorted` numbers subtrees in one range)"
+            ),
+            Self::Names { names, joints } => write!(f, "{names} names are not one for each of {joints} joints"),
+            Self::SameName { joint, earlier } => {
+                write!(f, "joint {joint} has the name of joint {earlier}")
+            }
             Self::TooManyJoints { joints } => {
                 write!(f, "{joints} joints are more than a u32 can number")
             }

@@ -25,6 +25,7 @@ mod concatenate;
 #[cfg(feature = "alloc")]
 mod crowd;
 mod error;
+mod family;
 mod forward;
 mod job;
 mod layers;
@@ -36,6 +37,8 @@ mod palette;
 mod palettes;
 #[cfg(feature = "rayon")]
 mod parallel;
+#[cfg(feature = "alloc")]
+mod parent_index;
 mod parents;
 mod plan;
 mod planned;
@@ -58,6 +61,8 @@ pub use error::HierarchyError;
 pub use job::Job;
 pub use layers::{Layered, PoseSource};
 pub use locals::{Bones, Locals, Poses, RotationsTranslations, Tracks};
+#[cfg(feature = "alloc")]
+pub use parent_index::ParentIndex;
 pub use parents::Hierarchy;
 pub use plan::{NoPlan, Plan, Plans};
 pub use renormalize::Renormalize;
@@ -66,5 +71,5 @@ pub use run::Root;
 pub use sampled::{Clip, Sampled};
 pub use schedule::PlanScratch;
 #[cfg(feature = "alloc")]
-pub use skeleton::{ParentIndex, Skeleton};
+pub use skeleton::Skeleton;
 pub use slot::JointSlot;

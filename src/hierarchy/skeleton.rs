@@ -1,12 +1,16 @@
 use super::error::HierarchyError;
 use super::owned_plan::OwnedPlan;
+use super::parent_index::{ParentIndex, as_written, index};
 use super::root::NoRoot;
 use super::{Hierarchy, Job, Plan};
 use crate::shape::ShapeError;
 use crate::storage::Element;
 use alloc::boxed::Box;
+use alloc::collections::BTreeMap;
 use alloc::vec;
 use alloc::vec::Vec;
+use core::fmt;
+use core::ops::Range;
 
 /// A hierarchy that owns its parents, to be stored in a struct: what an engine keeps for each rig.
 ///
@@ -42,6 +46,8 @@ pub struct Skeleton {
     /// Checked: every parent comes before its children.
     parents: Box<[u32]>,
     plan: OwnedPlan,
+    /// One for each joint, or none.
+    names: Box<[Box<str>]>,
 }
 
 impl Skeleton {
@@ -64,11 +70,12 @@ impl Skeleton {
         let indices: Box<[u32]> = parents.iter().map(|&parent| index(parent)).collect();
         let hierarchy = Hierarchy::new(&indices).map_err(|error| as_written(error, parents))?;
         let plan = OwnedPlan::new(&hierarchy);
-        Ok(Self { parents: indices, plan })
+        Ok(Self { parents: indices, plan, names: Box::default() })
     }
 
-    /// Of parents in any order, and the order of its joints: joint `j` is number `order[j]` of
-    /// `parents`. What comes after its parent already stays where it is.
+    /// Of parents in any order, and the order of its joints: joint `j` is number `order[j]` of `parents`. Each joint is
+    /// followed by all that hang from it, so that every [`subtree`](Self::subtree) is a range; brothers stay in their
+    /// order.
     ///
     /// # Errors
     /// If a parent is not a joint, joints are their own ancestors, or there are more than a `u32` can
@@ -85,44 +92,90 @@ impl Skeleton {
     /// # Ok::<(), HierarchyError>(())
     /// ```
     pub fn sorted<P: ParentIndex>(parents: &[P]) -> Result<(Self, Vec<usize>), HierarchyError> {
+        const NONE: u32 = Hierarchy::ROOT;
         let joints = parents.len();
-        if joints > Hierarchy::ROOT as usize {
+        if joints > NONE as usize {
             return Err(HierarchyError::TooManyJoints { joints });
         }
         let old: Vec<u32> = parents.iter().map(|&parent| index(parent)).collect();
-        // Where each joint goes. While a joint waits for its ancestors it goes to `WAITS`.
-        const UNKNOWN: u32 = u32::MAX;
-        const WAITS: u32 = u32::MAX - 1;
-        let mut place = vec![UNKNOWN; joints];
-        let (mut order, mut sorted, mut waiting) = (Vec::new(), Vec::new(), Vec::new());
-        for start in 0..joints {
-            let mut joint = start;
-            while place[joint] == UNKNOWN {
-                place[joint] = WAITS;
-                waiting.push(joint);
-                let parent = old[joint];
-                if parent == Hierarchy::ROOT {
-                    break;
-                }
-                match place.get(parent as usize) {
-                    Some(&WAITS) => {
-                        return Err(HierarchyError::Cycle { joint: parent as usize });
-                    }
-                    Some(_) => joint = parent as usize,
-                    None => {
-                        let parent = parent.into();
-                        let error = HierarchyError::ParentOutOfRange { joint, parent, joints };
-                        return Err(as_written(error, parents));
-                    }
-                }
-            }
-            for joint in waiting.drain(..).rev() {
-                place[joint] = order.len() as u32;
-                sorted.push(place.get(old[joint] as usize).copied().unwrap_or(Hierarchy::ROOT));
-                order.push(joint);
+        // Of each joint its first child and its next brother, in their order; the roots are children of nobody.
+        let (mut child, mut brother) = (vec![NONE; joints], vec![NONE; joints]);
+        let mut root = NONE;
+        for (joint, &parent) in old.iter().enumerate().rev() {
+            let first = if parent == NONE { &mut root } else {
+                let error = HierarchyError::ParentOutOfRange { joint, parent: parent.into(), joints };
+                child.get_mut(parent as usize).ok_or_else(|| as_written(error, parents))?
+            };
+            brother[joint] = core::mem::replace(first, joint as u32);
+        }
+        let (mut order, mut sorted) = (Vec::with_capacity(joints), Vec::with_capacity(joints));
+        // What comes next, and the new number of its parent.
+        let mut waiting = vec![[root, NONE]];
+        while let Some([joint, parent]) = waiting.pop() {
+            if joint != NONE {
+                waiting.push([brother[joint as usize], parent]);
+                waiting.push([child[joint as usize], order.len() as u32]);
+                sorted.push(parent);
+                order.push(joint as usize);
             }
         }
+        if order.len() < joints {
+            // Whoever is reached from no root hangs below a circle: as many steps up as there are joints lead into it.
+            let mut reached = vec![false; joints];
+            order.iter().for_each(|&joint| reached[joint] = true);
+            let lost = reached.iter().position(|reached| !reached).unwrap_or(0);
+            let joint = (0..joints).fold(lost, |joint, _| old[joint] as usize);
+            return Err(HierarchyError::Cycle { joint });
+        }
         Ok((Self::new(&sorted)?, order))
+    }
+
+    /// With a name for each joint; empty where it has none.
+    ///
+    /// # Errors
+    /// If there are not as many names as joints, or two joints have the same.
+    ///
+    /// # Panics
+    /// If the memory cannot be allocated, as for any `Vec`.
+    ///
+    /// ```
+    /// use dq8::Skeleton;
+    /// // What a file lists in any order has its names in the same one.
+    /// let (names, parents) = (["hand", "shoulder", "elbow"], [2, -1, 1]);
+    /// let (arm, order) = Skeleton::sorted(&parents)?;
+    /// let arm = arm.with_names(order.iter().map(|&joint| names[joint]))?;
+    /// assert_eq!((arm.joint("elbow"), arm.name(2)), (Some(1), Some("hand")));
+    /// assert_eq!(arm.to_string(), "0 shoulder\n  1 elbow\n    2 hand\n");
+    /// # Ok::<(), dq8::hierarchy::HierarchyError>(())
+    /// ```
+    pub fn with_names<N: Into<Box<str>>>(
+        self,
+        names: impl IntoIterator<Item = N>,
+    ) -> Result<Self, HierarchyError> {
+        let names: Box<[Box<str>]> = names.into_iter().map(Into::into).collect();
+        let joints = self.joints();
+        if names.len() != joints {
+            return Err(HierarchyError::Names { names: names.len(), joints });
+        }
+        let mut joint_of = BTreeMap::new();
+        for (joint, name) in names.iter().enumerate().filter(|(_, name)| !name.is_empty()) {
+            if let Some(earlier) = joint_of.insert(name, joint) {
+                return Err(HierarchyError::SameName { joint, earlier });
+            }
+        }
+        Ok(Self { names, ..self })
+    }
+
+    /// The name of a joint, if it has one.
+    #[must_use]
+    pub fn name(&self, joint: usize) -> Option<&str> {
+        self.names.get(joint).map(|name| &**name).filter(|name| !name.is_empty())
+    }
+
+    /// The joint of this name.
+    #[must_use]
+    pub fn joint(&self, name: &str) -> Option<usize> {
+        (0..self.names.len()).find(|&joint| self.name(joint) == Some(name))
     }
 
     /// How many joints there are.
@@ -137,7 +190,31 @@ impl Skeleton {
         &self.parents
     }
 
-    /// The same, borrowed: for many instances, blocks, velocities and everything else.
+    /// As [`Hierarchy::parent`].
+    #[must_use]
+    pub fn parent(&self, joint: usize) -> Option<usize> {
+        self.hierarchy().parent(joint)
+    }
+
+    /// As [`Hierarchy::roots`].
+    pub fn roots(&self) -> impl Iterator<Item = usize> + '_ {
+        self.hierarchy().roots()
+    }
+
+    /// As [`Hierarchy::children`].
+    pub fn children(&self, joint: usize) -> impl Iterator<Item = usize> + '_ {
+        self.hierarchy().children(joint)
+    }
+
+    /// As [`Hierarchy::subtree`].
+    ///
+    /// # Errors
+    /// If there is no such joint, or what hangs from it does not lie in one range.
+    pub fn subtree(&self, joint: usize) -> Result<Range<usize>, HierarchyError> {
+        self.hierarchy().subtree(joint)
+    }
+
+    /// The same parents, borrowed.
     #[must_use]
     pub fn hierarchy(&self) -> Hierarchy<'_> {
         Hierarchy::of_checked(&self.parents)
@@ -162,70 +239,25 @@ impl Skeleton {
     }
 }
 
-/// The same parents.
+/// The same parents and names.
 impl PartialEq for Skeleton {
     fn eq(&self, other: &Self) -> bool {
-        self.parents == other.parents
+        (&self.parents, &self.names) == (&other.parents, &other.names)
     }
 }
 
 impl Eq for Skeleton {}
 
+/// As [`Hierarchy`], with the names of the joints.
+impl fmt::Display for Skeleton {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.hierarchy().write(f, |joint| self.name(joint))
+    }
+}
+
 impl From<Hierarchy<'_>> for Skeleton {
     fn from(hierarchy: Hierarchy<'_>) -> Self {
-        Self { parents: hierarchy.parents().into(), plan: OwnedPlan::new(&hierarchy) }
+        let plan = OwnedPlan::new(&hierarchy);
+        Self { parents: hierarchy.parents().into(), plan, names: Box::default() }
     }
 }
-
-/// A number that names a parent, or says that there is none: −1, the largest number of its type, or
-/// `None`. Sealed.
-pub trait ParentIndex: Copy + sealed::Sealed {
-    /// The parent as it is written; `None` where there is none.
-    fn number(self) -> Option<i128>;
-}
-
-mod sealed {
-    pub trait Sealed {}
-}
-
-/// Not the number of a joint, and not the mark of a root.
-const BEYOND: u32 = u32::MAX - 1;
-
-/// What a hierarchy calls a parent; [`BEYOND`] if that is no joint.
-fn index<P: ParentIndex>(parent: P) -> u32 {
-    match parent.number() {
-        None => Hierarchy::ROOT,
-        Some(number) => u32::try_from(number).unwrap_or(BEYOND).min(BEYOND),
-    }
-}
-
-/// The error for a parent that is no joint, which names it as it was written.
-fn as_written<P: ParentIndex>(error: HierarchyError, parents: &[P]) -> HierarchyError {
-    match error {
-        HierarchyError::ParentOutOfRange { joint, parent, joints } => {
-            let written = parents.get(joint).and_then(|parent| parent.number());
-            let parent = written.unwrap_or(parent);
-            HierarchyError::ParentOutOfRange { joint, parent, joints }
-        }
-        _ => error,
-    }
-}
-
-macro_rules! parent_indices {
-    ($($number:ty)*) => {$(
-        impl sealed::Sealed for $number {}
-        impl ParentIndex for $number {
-            fn number(self) -> Option<i128> {
-                let number = self as i128;
-                (number != -1 && self != Self::MAX).then_some(number)
-            }
-        }
-        impl sealed::Sealed for Option<$number> {}
-        impl ParentIndex for Option<$number> {
-            fn number(self) -> Option<i128> {
-                self.map(|parent| parent as i128)
-            }
-        }
-    )*};
-}
-parent_indices! { u8 u16 u32 u64 usize i8 i16 i32 i64 isize }
