@@ -151,9 +151,101 @@ fn any_order_of_parents_is_sorted_and_the_order_told() {
             assert!(wanted.is_none() == (parent == Hierarchy::ROOT));
         }
         // What is sorted stays.
-        let (again, order) = Skeleton::sorted(&parents).unwrap();
-        assert_eq!((again.parents(), order), (&parents[..], (0..count).collect()));
+        let (again, order) = Skeleton::sorted(skeleton.parents()).unwrap();
+        assert_eq!((again, order), (skeleton, (0..count).collect()));
     }
+}
+
+/// By the definition: who is `joint` or has it above.
+fn hangs_from(parents: &[u32], mut who: usize, joint: usize) -> bool {
+    while who > joint && parents[who] != Hierarchy::ROOT {
+        who = parents[who] as usize;
+    }
+    who == joint
+}
+
+#[test]
+fn a_subtree_is_the_range_of_a_joint_and_all_that_hang_from_it_or_no_range_at_all() {
+    let root = Hierarchy::ROOT;
+    let breadth_first = vec![root, 0, 0, 1, 2, 1, root, 6, 4];
+    for parents in parents().into_iter().chain([breadth_first]) {
+        let skeleton = Skeleton::new(&parents).unwrap();
+        let (sorted, _) = Skeleton::sorted(&parents).unwrap();
+        for joint in 0..parents.len() {
+            let below = |skeleton: &Skeleton| -> Vec<usize> {
+                let all = 0..skeleton.joints();
+                all.filter(|&who| hangs_from(skeleton.parents(), who, joint)).collect()
+            };
+            match skeleton.subtree(joint) {
+                Ok(range) => assert_eq!(range.collect::<Vec<_>>(), below(&skeleton)),
+                Err(HierarchyError::Scattered { joint: named, beyond }) => {
+                    let scattered = below(&skeleton);
+                    let gap = scattered.windows(2).find(|pair| pair[1] != pair[0] + 1).unwrap();
+                    assert_eq!((named, beyond), (joint, gap[1]), "{parents:?}");
+                }
+                Err(other) => panic!("{other}"),
+            }
+            let range = sorted.subtree(joint).expect("depth first");
+            assert_eq!(range.collect::<Vec<_>>(), below(&sorted), "{parents:?}");
+        }
+        for joint in [parents.len(), parents.len() + 1, usize::MAX] {
+            let refused = Err(HierarchyError::NoJoint { joint, joints: parents.len() });
+            assert_eq!(skeleton.subtree(joint), refused);
+        }
+    }
+}
+
+#[test]
+fn only_a_subtree_is_computed_and_the_rest_stays() {
+    let (leg, _) = Skeleton::sorted(&[-1, 0, 0, 1, 2]).unwrap();
+    let down = DualQuat::from_translation([0.0_f32, -1.0, 0.0]);
+    let mut models = [down; 5];
+    leg.local_to_model(&[down; 5], &mut models).unwrap();
+    let before = models;
+    let knee = leg.children(0).next().unwrap();
+    let mut locals = [down; 5];
+    locals[knee] = DualQuat::from_translation([0.0, -2.0, 0.0]);
+    leg.job().joints(leg.subtree(knee).unwrap()).local_to_model(&locals, &mut models).unwrap();
+    let heights = models.map(|model| model.translation()[1]);
+    assert_eq!(heights, [-1.0, -3.0, -4.0, before[3].translation()[1], -3.0]);
+}
+
+#[test]
+fn parents_children_and_roots_say_the_same_of_every_joint() {
+    for parents in parents() {
+        let skeleton = Skeleton::new(&parents).unwrap();
+        let joints = 0..parents.len();
+        for joint in joints.clone() {
+            let parent = (parents[joint] != Hierarchy::ROOT).then_some(parents[joint] as usize);
+            assert_eq!(skeleton.parent(joint), parent);
+            let children: Vec<usize> = skeleton.children(joint).collect();
+            let wanted = joints.clone().filter(|&j| skeleton.parent(j) == Some(joint));
+            assert_eq!(children, wanted.collect::<Vec<_>>());
+        }
+        let roots = joints.filter(|&joint| skeleton.parent(joint).is_none());
+        assert_eq!(skeleton.roots().collect::<Vec<_>>(), roots.collect::<Vec<_>>());
+        for beyond in [parents.len(), u32::MAX as usize, usize::MAX] {
+            assert_eq!((skeleton.parent(beyond), skeleton.children(beyond).next()), (None, None));
+        }
+    }
+}
+
+#[test]
+fn names_are_one_for_each_joint_none_twice_and_written_below_their_parents() {
+    let skeleton = Skeleton::new(&[-1, 0, 1, 0, 1]).unwrap();
+    let plain = "0\n  1\n    2\n  3\n    4 (of 1)\n";
+    assert_eq!(skeleton.to_string(), plain);
+    assert_eq!(skeleton.hierarchy().to_string(), plain);
+    assert_eq!((skeleton.name(0), skeleton.joint("")), (None, None));
+    let named = skeleton.clone().with_names(["hip", "knee", "", "tail", ""]).unwrap();
+    assert_ne!(named, skeleton);
+    assert_eq!(named.to_string(), "0 hip\n  1 knee\n    2\n  3 tail\n    4 (of 1)\n");
+    assert_eq!((named.joint("tail"), named.joint("foot"), named.joint("")), (Some(3), None, None));
+    assert_eq!((named.name(1), named.name(2), named.name(5)), (Some("knee"), None, None));
+    let twice = skeleton.clone().with_names(["a", "b", "", "b", ""]).unwrap_err();
+    assert_eq!(twice, HierarchyError::SameName { joint: 3, earlier: 1 });
+    let few = skeleton.with_names(["a"]).unwrap_err();
+    assert_eq!(few, HierarchyError::Names { names: 1, joints: 5 });
 }
 
 /// Both ways to a skeleton refuse these.

@@ -91,7 +91,9 @@ impl fmt::Display for HierarchyError {
                 "the joints below joint {joint} are no range: joint {beyond} is one of them, and comes after others \
                  (`Skeleton::sorted` numbers subtrees in one range)"
             ),
-            Self::Names { names, joints } => write!(f, "{names} names are not one for each of {joints} joints"),
+            Self::Names { names, joints } => {
+                write!(f, "{names} names are not one for each of {joints} joints")
+            }
             Self::SameName { joint, earlier } => {
                 write!(f, "joint {joint} has the name of joint {earlier}")
             }

@@ -14,12 +14,12 @@ impl<'a> Hierarchy<'a> {
     }
 
     /// The joints without a parent, in rising order.
-    pub fn roots(&self) -> impl Iterator<Item = usize> + 'a {
+    pub fn roots(&self) -> impl Iterator<Item = usize> + use<'a> {
         of_parent(self.parents(), 0, Self::ROOT)
     }
 
     /// The joints whose parent is `joint`, in rising order.
-    pub fn children(&self, joint: usize) -> impl Iterator<Item = usize> + 'a {
+    pub fn children(&self, joint: usize) -> impl Iterator<Item = usize> + use<'a> {
         // Beyond the last joint nothing has a parent, and no joint is numbered as the mark of a root.
         let parent = u32::try_from(joint).unwrap_or(Self::ROOT);
         let after = if parent == Self::ROOT { usize::MAX } else { joint.saturating_add(1) };
@@ -64,7 +64,8 @@ impl<'a> Hierarchy<'a> {
         name: impl Fn(usize) -> Option<&'n str>,
     ) -> fmt::Result {
         for joint in 0..self.joints() {
-            let above = |joint: usize| core::iter::successors(self.parent(joint), |&j| self.parent(j));
+            let above =
+                |joint: usize| core::iter::successors(self.parent(joint), |&j| self.parent(j));
             write!(f, "{:1$}{joint}", "", 2 * above(joint).count())?;
             if let Some(name) = name(joint) {
                 write!(f, " {name}")?;

@@ -102,8 +102,11 @@ impl Skeleton {
         let (mut child, mut brother) = (vec![NONE; joints], vec![NONE; joints]);
         let mut root = NONE;
         for (joint, &parent) in old.iter().enumerate().rev() {
-            let first = if parent == NONE { &mut root } else {
-                let error = HierarchyError::ParentOutOfRange { joint, parent: parent.into(), joints };
+            let first = if parent == NONE {
+                &mut root
+            } else {
+                let error =
+                    HierarchyError::ParentOutOfRange { joint, parent: parent.into(), joints };
                 child.get_mut(parent as usize).ok_or_else(|| as_written(error, parents))?
             };
             brother[joint] = core::mem::replace(first, joint as u32);
