@@ -28,6 +28,20 @@ pub enum Task {
 }
 
 impl Task {
+    /// The job that it is a contest of; the speed of the memory is none.
+    pub fn job(&self) -> Option<&'static str> {
+        Some(match self {
+            Self::Bandwidth => return None,
+            Self::Pairs(Operation::Product, _) => "J1",
+            Self::Hierarchy(Shape::Crowd { instances: 2.. }, _) => "J2",
+            Self::Hierarchy(..) => "J3",
+            Self::Points(..) => "J4",
+            Self::Pairs(..) => "J5",
+            Self::Animation(_) => "J6",
+            Self::Skin => "J7",
+        })
+    }
+
     /// Makes the data and hands the contest to `run`.
     pub fn with_contest<R>(&self, caches: &Caches, run: impl FnOnce(&Contest<'_>) -> R) -> R {
         let (mut run, mut result) = (Some(run), None);

@@ -1,11 +1,15 @@
 //! The command line.
 
+use crate::plan::JOBS;
 use mocap::command::{Misuse, Request, set, value};
 use std::ffi::OsString;
 use std::path::PathBuf;
 
 pub(crate) const USAGE: &str = "\
-usage: compare [--quick] [--json OUT] [--svg OUT]
+usage: compare [JOB ...] [--quick] [--json OUT] [--svg OUT]
+
+  JOB         only these: J1 products, J2 crowds, J3 one skeleton, J4 points, J5 blends,
+              J6 animation, J7 skins
 
   --quick     few rounds, and only what fits into the first caches: seconds, not minutes
   --json OUT  write all times and the machine's limits
@@ -14,6 +18,8 @@ usage: compare [--quick] [--json OUT] [--svg OUT]
 
 #[derive(Debug, Default, PartialEq)]
 pub(crate) struct Args {
+    /// All if there is none.
+    pub(crate) jobs: Vec<&'static str>,
     pub(crate) quick: bool,
     pub(crate) json: Option<PathBuf>,
     pub(crate) svg: Option<PathBuf>,
@@ -28,7 +34,10 @@ pub(crate) fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Request
             "--quick" => args.quick = true,
             "--json" => set(&mut args.json, "--json", value("--json", &mut words)?.into())?,
             "--svg" => set(&mut args.svg, "--svg", value("--svg", &mut words)?.into())?,
-            other => return Err(Misuse(format!("no such argument: `{other}`"))),
+            other => match JOBS.iter().find(|job| job.eq_ignore_ascii_case(other)) {
+                Some(job) => args.jobs.push(job),
+                None => return Err(Misuse(format!("no such argument: `{other}`"))),
+            },
         }
     }
     Ok(Request::Run(args))
@@ -45,8 +54,9 @@ mod tests {
 
     #[test]
     fn options_stand_in_any_order() {
-        let args = Args { quick: true, json: Some("a".into()), svg: Some("b".into()) };
-        assert_eq!(words("--svg b --quick --json a"), Ok(Request::Run(args)));
+        let jobs = vec!["J7", "J1"];
+        let args = Args { jobs, quick: true, json: Some("a".into()), svg: Some("b".into()) };
+        assert_eq!(words("J7 --svg b --quick j1 --json a"), Ok(Request::Run(args)));
         assert_eq!(words(""), Ok(Request::Run(Args::default())));
         assert_eq!(words("--quick --help"), Ok(Request::Help));
     }
@@ -55,6 +65,7 @@ mod tests {
     fn misuse_is_named() {
         for (line, named) in [
             ("--fast", "`--fast`"),
+            ("J8", "`J8`"),
             ("a.json", "`a.json`"),
             ("--json", "--json needs"),
             ("--json --svg a", "--json needs"),

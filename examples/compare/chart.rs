@@ -70,17 +70,7 @@ mod tests {
     use dq8_fixtures::legible::illegible;
 
     fn row(contender: &str, min: f64, median: f64) -> Row {
-        Row {
-            job: "J1",
-            size: "L1".into(),
-            title: "product".into(),
-            contender: contender.into(),
-            backend: None,
-            profile: "release",
-            min,
-            median,
-            limited: None,
-        }
+        Row { median, ..Row::sample(contender, min) }
     }
 
     fn drawn(rows: Vec<Row>) -> String {
@@ -114,7 +104,7 @@ mod tests {
     #[test]
     fn no_two_texts_of_any_job_overlap_and_none_leaves_the_page() {
         let caches = Caches::of_this_machine();
-        let tasks = plan(true);
+        let tasks = plan(true, &[]);
         let mut rows = Vec::new();
         // The bandwidth is no contest of bars.
         for task in tasks.iter().filter(|task| !matches!(task, Task::Bandwidth)) {

@@ -16,6 +16,8 @@ pub(crate) fn text(results: &Results) -> String {
                 "profile": row.profile,
                 "min_ns": row.min,
                 "median_ns": row.median,
+                "machine_varied": row.spread,
+                "repeated": row.repeated,
             });
             if let Some(share) = results.limits.share(row) {
                 value["share"] = share.into();
@@ -55,21 +57,19 @@ mod tests {
         results.limits.reached(&Kind::MultiplyAdd(best), 64.0);
         results.limits.reached(&Kind::MultiplyAdd(best), 32.0);
         results.rows.push(Row {
-            job: "J1",
-            size: "L1".into(),
-            title: "product".into(),
-            contender: "dq8 \"AoS\"".into(),
             backend: Some(best),
-            profile: "release",
-            min: 1.5,
-            median: 2.0,
             limited: Some(Limited::MultiplyAdds(48.0)),
+            median: 2.0,
+            spread: 0.25,
+            repeated: 1,
+            ..Row::sample("dq8 \"AoS\"", 1.5)
         });
         let value: serde_json::Value = serde_json::from_str(&text(&results)).unwrap();
         let row = &value["rows"][0];
         assert_eq!((&row["job"], &row["size"]), (&"J1".into(), &"L1".into()));
         assert_eq!(row["contender"], "dq8 \"AoS\"");
         assert_eq!((&row["min_ns"], &row["median_ns"]), (&1.5.into(), &2.0.into()));
+        assert_eq!((&row["machine_varied"], &row["repeated"]), (&0.25.into(), &1.into()));
         // What fuses nothing has no share of a limit.
         let share = if best == Backend::PORTABLE { serde_json::Value::Null } else { 0.5.into() };
         assert_eq!((&row["share"], &row["profile"]), (&share, &"release".into()));

@@ -1,5 +1,6 @@
 //! A contest is run: every contender is checked, then all are timed in turns.
 
+use crate::machine::Machine;
 use crate::profile::PROFILE;
 use crate::progress::Progress;
 use crate::results::{Results, Row};
@@ -14,6 +15,8 @@ pub(crate) struct Effort {
     pub(crate) budget: Duration,
     pub(crate) fewest_rounds: usize,
     pub(crate) most_rounds: usize,
+    /// How often a contender is timed at most while the machine is disturbed.
+    pub(crate) attempts: usize,
 }
 
 /// A measurement must be long against the tick of the clock and interrupts.
@@ -22,9 +25,11 @@ const SAMPLE: Duration = Duration::from_millis(1);
 pub(crate) fn race(
     contest: &Contest<'_>,
     effort: Effort,
+    machine: &mut Machine,
     progress: &mut Progress,
     results: &mut Results,
 ) -> Result<(), Wrong> {
+    machine.next();
     let mut times: Vec<Vec<f64>> = vec![Vec::new(); contest.contenders.len()];
     let begin = Instant::now();
     for round in 0..effort.most_rounds {
@@ -45,10 +50,12 @@ pub(crate) fn race(
             if round == 0 {
                 contest.check(contender, &mut *run)?;
             }
-            deeper(round % 64, &mut || {
-                let samples = nanoseconds_a_pass(&mut *run);
-                times[index].extend(samples.map(|pass| pass / contest.transforms as f64));
+            let samples = machine.calmly(effort.attempts, || {
+                let mut samples = [0.0; 3];
+                deeper(round % 64, &mut || samples = nanoseconds_a_pass(&mut *run));
+                samples
             });
+            times[index].extend(samples.map(|pass| pass / contest.transforms as f64));
         }
     }
     for (contender, mut times) in contest.contenders.iter().zip(times) {
@@ -63,6 +70,8 @@ pub(crate) fn race(
             min: times[0],
             median: times[times.len() / 2],
             limited: contest.limited.clone(),
+            spread: machine.spread(),
+            repeated: machine.repeated(),
         });
     }
     Ok(())
@@ -102,12 +111,14 @@ fn nanoseconds_a_pass(run: &mut dyn Run) -> [f64; 3] {
 #[cfg(test)]
 mod tests {
     use super::{Effort, race};
+    use crate::machine::Machine;
     use crate::progress::Progress;
     use crate::results::Results;
     use dq8_contest::contest::Contest;
     use std::time::Duration;
 
-    const EFFORT: Effort = Effort { budget: Duration::ZERO, fewest_rounds: 3, most_rounds: 3 };
+    const EFFORT: Effort =
+        Effort { budget: Duration::ZERO, fewest_rounds: 3, most_rounds: 3, attempts: 2 };
 
     fn halving<'a>(name: &'static str, factor: f32) -> Contest<'a> {
         let mut contest = Contest {
@@ -129,7 +140,9 @@ mod tests {
     #[test]
     fn who_is_right_gets_a_row() {
         let mut results = Results::default();
-        race(&halving("right", 0.5), EFFORT, &mut Progress::silent(), &mut results).unwrap();
+        let contest = halving("right", 0.5);
+        let (machine, progress) = (&mut Machine::new(), &mut Progress::silent());
+        race(&contest, EFFORT, machine, progress, &mut results).unwrap();
         let [row] = results.rows.as_slice() else { panic!("{:?}", results.rows) };
         assert_eq!((row.job, row.contender.as_str()), ("J0", "right"));
         assert!(row.min > 0.0 && row.min <= row.median);
@@ -140,7 +153,8 @@ mod tests {
         for factor in [0.500_01, f32::NAN] {
             let mut results = Results::default();
             let contest = halving("wrong", factor);
-            let wrong = race(&contest, EFFORT, &mut Progress::silent(), &mut results).unwrap_err();
+            let (machine, progress) = (&mut Machine::new(), &mut Progress::silent());
+            let wrong = race(&contest, EFFORT, machine, progress, &mut results).unwrap_err();
             assert!(wrong.to_string().contains("wrong is wrong at transform 0"), "{wrong}");
             assert!(results.rows.is_empty());
         }

@@ -23,9 +23,29 @@ pub(crate) struct Row {
     pub(crate) min: f64,
     pub(crate) median: f64,
     pub(crate) limited: Option<Limited>,
+    /// By how much the machine's own speed varied in this contest, and how many measurements were repeated for it.
+    pub(crate) spread: f64,
+    pub(crate) repeated: usize,
 }
 
 impl Row {
+    #[cfg(test)]
+    pub(crate) fn sample(contender: &str, min: f64) -> Self {
+        Self {
+            job: "J1",
+            size: "L1".into(),
+            title: "product".into(),
+            contender: contender.into(),
+            backend: None,
+            profile: "release",
+            min,
+            median: min,
+            limited: None,
+            spread: 0.0,
+            repeated: 0,
+        }
+    }
+
     /// Names of this crate's contenders begin like this.
     pub(crate) fn is_own(&self) -> bool {
         self.contender.starts_with("dq8 ")
@@ -64,6 +84,14 @@ impl Results {
             rows
         })
     }
+}
+
+/// Who of `rows`, the fastest first, is first: the fastest, the fastest of the other side (this crate, or its peers), and
+/// by how much of its time. Nothing where only one side takes part.
+pub(crate) fn first<'r>(rows: &[&'r Row]) -> Option<(&'r Row, &'r Row, f64)> {
+    let first = *rows.first()?;
+    let second = *rows.iter().find(|row| row.is_own() != first.is_own())?;
+    Some((first, second, second.min / first.min - 1.0))
 }
 
 /// The fastest of this crate's rows that `counts`.
