@@ -129,12 +129,14 @@ REASONS = {
     "q": "no vectors of 60 digits; every implementation is compared with the scalar path in `f64`, and that with laws "
          "and other libraries (`tests/agree.rs`, `tests/laws.rs`, `tests/metric.rs`, `tests/differential/`)",
     "t": "one text for numbers and for lanes, without a trait: there is nothing to compare",
+    "u": "another way to write `EulerAngles::to_quat`, which has them",
 }
 PARTS = {"new", "from_array", "to_array", "from_xyzw", "from_parts", "real", "dual", "dual_scalar", "dual_vector",
          "from_dual_parts", "x", "y", "z", "w", "xyz"}
 ORDERS = {"from_wxyz", "to_wxyz", "to_cols_array_2d", "to_rows_array_2d", "try_from_cols_array_2d",
           "try_from_rows_array_2d"}
-NO_LANES = {**dict.fromkeys(ORDERS, "a"), "cast": "b", "make_continuous": "c"}
+OF_EULER_ANGLES = {"from_euler", "from_rpy"}
+NO_LANES = {**dict.fromkeys(ORDERS, "a"), "cast": "b", "make_continuous": "c", "from_rpy": "u"}
 EXACT = PARTS | ORDERS | {"cast", "make_continuous", "abs_diff_eq", "is_finite", "neg", "apply", "scale", "from_rotation",
                           "from_translation", "rotation", "conjugate", "is_unit", "is_normalized",
                           "needs_renormalization", "+", "−", "uniform_scale", "from_matrix3x4", "to_matrix3x4"}
@@ -225,6 +227,8 @@ def main():
             yield reason(key, "g", "the trait")
         elif name in ("is_finite", "is_normalized", "to_euler"):
             yield reason(key, "h" if name != "to_euler" else "e", "the trait")
+        elif name in OF_EULER_ANGLES:
+            yield reason(key, "u", "the trait")
         else:
             yield reason(key, None, "the trait")
         # Kernels over slices
@@ -242,6 +246,8 @@ def main():
             yield str(known[key])
         elif name in EXACT:
             yield reason(key, "p", "known answers")
+        elif name in OF_EULER_ANGLES:
+            yield reason(key, "u", "known answers")
         else:
             yield reason(key, "q" if kind == "DualQuat" else None, "known answers")
 

@@ -6,7 +6,7 @@
 use dq8::{
     Backend, Crowd, Dual, DualQuat, Hierarchy, Line, Plane, Quat, Twist,
     geometry::{DualVector, Screw, Wrench},
-    representation::{Affine, RotationTranslation},
+    representation::{Affine, EulerAxes, EulerFrame, EulerOrder, RotationTranslation},
     storage::LinearFirst,
 };
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -242,6 +242,38 @@ fn a_trajectory_keeps_its_signs_after_make_continuous() {
     DualQuat::make_continuous(&mut motions);
     assert!(motions.iter().zip(&smooth).all(|(m, q)| m.real() == *q));
     Quat::<f32>::make_continuous(&mut []);
+}
+
+#[test]
+fn angles_of_every_custom_make_the_turn_that_they_name() {
+    let (roll, pitch, yaw) = (0.3, -0.7, 1.9);
+    let [x, y, z] =
+        [Quat::from_rotation_x(roll), Quat::from_rotation_y(pitch), Quat::from_rotation_z(yaw)];
+    let urdf = Quat::from_rpy(roll, pitch, yaw);
+    assert!(urdf.abs_diff_eq(z * y * x, ROUNDING), "{urdf}");
+    let aircraft = EulerOrder { axes: EulerAxes::ZYX, frame: EulerFrame::Intrinsic };
+    assert!(Quat::from_euler(aircraft, yaw, pitch, roll).abs_diff_eq(urdf, ROUNDING));
+}
+
+#[test]
+fn twists_and_wrenches_pair_and_rest_is_zero() {
+    let wrench = Wrench { force: [1.0, 2.0, 3.0], torque: [4.0, 5.0, 6.0] };
+    let twist = Twist { angular: [0.5, 0.25, 0.125], linear: [2.0, 3.0, 4.0] };
+    assert_eq!(wrench.dot(twist), 20.0 + 4.0);
+    assert_eq!((wrench.dot(Twist::ZERO), Twist::ZERO + twist), (0.0, twist));
+}
+
+#[test]
+fn an_instance_of_a_crowd_is_its_joints_in_their_order() {
+    let steps: Vec<_> = (0..21).map(|i| DualQuat::from_translation([i as f32, 0.0, 0.0])).collect();
+    let crowd = Crowd::<f32, 4>::from_slice(3, &steps).unwrap();
+    for (instance, wanted) in steps.chunks(3).enumerate() {
+        assert!(
+            crowd.instance(instance).eq(wanted.iter().copied())
+                && crowd.instance(instance).len() == 3
+        );
+    }
+    assert_eq!(crowd.instance(7).len(), 0);
 }
 
 #[test]

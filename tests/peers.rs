@@ -35,7 +35,7 @@ fn pose(axis: [f64; 3], angle: f64, translation: [f64; 3]) -> DualQuat<f32> {
 
 /// ScLERP by the scalar reference and by every lane.
 fn ours(a: DualQuat<f32>, b: DualQuat<f32>, t: f32) -> Vec<DualQuat<f64>> {
-    let lanes = |motion: DualQuat<f32>| batch::DualQuat::splat(Portable, motion.to_array());
+    let lanes = |motion: DualQuat<f32>| batch::DualQuat::splat(Portable, motion);
     let mut records = [[0.0; 8]; 8];
     lanes(a).sclerp(lanes(b), <f32x8 as Lanes>::splat(Portable, t)).store_records(&mut records);
     let mut motions = vec![exact(a.sclerp(b, t))];

@@ -110,6 +110,6 @@ OPERATIONS = {
     "DualVector::scale_dual": scale_dual,
     "Screw::pitch": pitch,
     "Twist::velocity_at": velocity_at,
-    "Wrench::power": power,
+    "Wrench::dot": power,
     "TwoBone::reach": reach,
 }

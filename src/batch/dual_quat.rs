@@ -1,5 +1,7 @@
 use super::{Dual, Quat, vector};
 use crate::geometry::DualVector;
+use crate::real::Real;
+use crate::scalar;
 use core::ops::{Add, Mul, Neg, Sub};
 use dq8_simd::{Block, Lanes, Level, Records, Row};
 
@@ -30,11 +32,14 @@ impl<L: Lanes> DualQuat<L> {
         Self::new(one, Quat::from_array([zero; 4]))
     }
 
-    /// The same `[px, py, pz, pw, qx, qy, qz, qw]` in every lane.
+    /// The same motion in every lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
-    pub fn splat(level: L::Level, components: [L::Real; 8]) -> Self {
-        Self::from_array(vector::splat(level, components))
+    pub fn splat(level: L::Level, motion: scalar::DualQuat<L::Real>) -> Self
+    where
+        L::Real: Real,
+    {
+        Self::from_array(vector::splat(level, motion.to_array()))
     }
 
     /// From the lanes of `[px, py, pz, pw, qx, qy, qz, qw]`.

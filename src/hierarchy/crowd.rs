@@ -152,6 +152,20 @@ where
         poses
     }
 
+    /// The poses of one instance, joint by joint; none beyond the last.
+    ///
+    /// ```
+    /// use dq8::{Crowd, DualQuat};
+    /// let steps = [1.0_f32, 2.0, 3.0, 4.0].map(|x| DualQuat::from_translation([x, 0.0, 0.0]));
+    /// let pairs = Crowd::<f32, 8>::from_slice(2, &steps)?;
+    /// assert!(pairs.instance(1).eq([steps[2], steps[3]]));
+    /// # Ok::<(), dq8::ShapeError>(())
+    /// ```
+    pub fn instance(&self, instance: usize) -> impl ExactSizeIterator<Item = DualQuat<R>> + '_ {
+        let joints = if instance < self.instances { self.joints } else { 0 };
+        (0..joints).map(move |joint| self.get(instance, joint).unwrap_or_default())
+    }
+
     /// One pose; `None` beyond the last instance or joint.
     #[must_use]
     pub fn get(&self, instance: usize, joint: usize) -> Option<DualQuat<R>> {

@@ -40,7 +40,7 @@ impl<E: Element<8>> Root<'_, E> {
     ) -> Option<Motions<E, V>> {
         match *self {
             Self::None => None,
-            Self::Same(root) => Some(batch::DualQuat::splat(level, root.to_array())),
+            Self::Same(root) => Some(batch::DualQuat::splat(level, root)),
             Self::Each(roots) => {
                 let tile = Tile::at(instance, register);
                 let roots = E::load(level, roots, tile, &storage::identity())?;

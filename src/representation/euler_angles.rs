@@ -1,7 +1,7 @@
 //! Three turns about coordinate axes, one after the other.
 
 use crate::geometry::euler_angles::{EulerAngles, EulerSolution};
-use crate::geometry::euler_order::{EulerFrame, EulerOrder};
+use crate::geometry::euler_order::{EulerAxes, EulerFrame, EulerOrder};
 use crate::real::Real;
 use crate::scalar::{Quat, vector};
 
@@ -27,6 +27,35 @@ impl<R: Real> EulerAngles<R> {
 }
 
 impl<R: Real> Quat<R> {
+    /// The turn of three Euler angles, first turn first: [`EulerAngles::to_quat`].
+    ///
+    /// ```
+    /// use dq8::{Quat, representation::{EulerAxes, EulerFrame, EulerOrder}};
+    /// let order = EulerOrder { axes: EulerAxes::ZYX, frame: EulerFrame::Intrinsic };
+    /// let turn = Quat::from_euler(order, 0.3_f64, 0.0, 0.0);
+    /// assert!(turn.abs_diff_eq(Quat::from_rotation_z(0.3), 1e-15));
+    /// ```
+    #[must_use]
+    pub fn from_euler(order: EulerOrder, first: R, second: R, third: R) -> Self {
+        EulerAngles { angles: [first, second, third], order }.to_quat()
+    }
+
+    /// The turn of roll about x, then pitch about y, then yaw about z, all of them fixed axes: what URDF's `rpy` says.
+    ///
+    /// ```
+    /// use core::f64::consts::FRAC_PI_2;
+    /// use dq8::Quat;
+    /// let turn = Quat::from_rpy(FRAC_PI_2, 0.0, FRAC_PI_2);
+    /// // Roll takes y up, and yaw leaves it there.
+    /// let [x, y, z] = turn.rotate([0.0, 1.0, 0.0]);
+    /// assert!(x.abs() < 1e-15 && y.abs() < 1e-15 && (z - 1.0).abs() < 1e-15);
+    /// ```
+    #[must_use]
+    pub fn from_rpy(roll: R, pitch: R, yaw: R) -> Self {
+        let order = EulerOrder { axes: EulerAxes::XYZ, frame: EulerFrame::Extrinsic };
+        Self::from_euler(order, roll, pitch, yaw)
+    }
+
     /// The Euler angles of this unit quaternion, those of −q to the bit: the middle one in
     /// [−π/2, π/2] if the three axes differ and in [0, π] if the last is the first again, the outer
     /// ones in [−π, π]. NaN if a component is.

@@ -73,7 +73,7 @@ impl<E: Element<8>> SliceKernel<E, 8> for ProductByOne<Number<E, 8>> {
         output: &[E],
         tile: Tile,
     ) -> Option<[Register<E, V, 8>; 8]> {
-        let left = batch::DualQuat::splat(level, self.0.to_array());
+        let left = batch::DualQuat::splat(level, self.0);
         Some((left * motions(level, output, tile)?).to_array())
     }
     fn part(&self, _: Range<usize>) -> Self {

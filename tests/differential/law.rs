@@ -125,8 +125,8 @@ laws! {
     fn power_is_the_same_in_both_frames(x) -> "power is the same in both frames", for twist_cases(), law::power,
         within 0.6, "six products a side; the scale has the wrench and the twist as factors" {
         let x = x.unit();
-        let moved = x.a.coadjoint(x.wrench).power(x.a.adjoint(x.x));
-        Sides::reals(Kind::Plain, &[moved], &[x.wrench.power(x.x)])
+        let moved = x.a.coadjoint(x.wrench).dot(x.a.adjoint(x.x));
+        Sides::reals(Kind::Plain, &[moved], &[x.wrench.dot(x.x)])
     }
 
     #[test]

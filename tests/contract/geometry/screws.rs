@@ -20,9 +20,9 @@ geometry! {
     "Twist::velocity_at"(a: twist, p: point) -> point, velocity_at, [
         within(1.4, "a sum of 3 terms")],
         plain a.velocity_at(p);
-    "Wrench::power"(a: wrench, b: twist) -> number, power, [
+    "Wrench::dot"(a: wrench, b: twist) -> number, power, [
         within(1.1, "a sum of 6 products")],
-        plain a.power(b);
+        plain a.dot(b);
     "TwoBone::reach"(p: point, lengths: two, q: point, r: point) -> limb, reach, [
         on(&["bent"], 1.1, "of the scale, which is over the sine of the bend"),
         on(&["flat"], 13.5, "of that scale; the way to the target rounds, and is as long as both bones"),
