@@ -13,14 +13,14 @@
 //! | [`Options`], [`Report`], [`Outcome`] | how it searches, and how a search ended |
 //!
 //! Everything is there twice: for one configuration and any [`Real`](crate::Real), by the book, as a method
-//! of [`Mechanism`]; and for many on lanes, as a method of its [`Job`].
+//! of [`Mechanism`]; and for many on lanes, as a method of its [`Job`], or of a [`ReachJob`].
 //!
 //! | one configuration | many |
 //! |---|---|
 //! | [`Mechanism::link_poses`] | [`Job::poses`] |
 //! | [`Mechanism::link_pose`] | `mechanism.job().links(&links).poses(…)` |
 //! | [`Mechanism::link_jacobian`] | `mechanism.job().links(&links).jacobians(…)` |
-//! | [`Reach::solve`] | [`Backend::reach_links`](crate::Backend::reach_links) |
+//! | [`Reach::solve`] | [`ReachJob::solve`] |
 //! | [`Mechanism::link_velocities`] | [`Job::velocities`] |
 //! | [`Mechanism::link_accelerations`] | [`Job::accelerations`] |
 //!
@@ -57,7 +57,7 @@ pub use joint::{Joint, JointKind, Mimic};
 pub use owned::OwnedMechanism;
 #[cfg(feature = "alloc")]
 pub use reach::OwnedReach;
-pub use reach::{Freedom, Goal, Options, Outcome, Reach, ReachError, Report};
+pub use reach::{Freedom, Goal, Options, Outcome, Reach, ReachError, ReachJob, Report};
 pub use step::Step;
 pub(crate) use step::UNIT;
 pub use tree::Mechanism;

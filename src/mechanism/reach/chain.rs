@@ -1,6 +1,6 @@
 //! A chain of joints with a tool, of a number known at compile time: what an [`Arm`](crate::ik::Arm) is.
 
-use super::batch::Targets;
+use super::job::Targets;
 use super::beginnings::{Beginnings, KEPT, Poses};
 use super::error::ReachError;
 use super::freedom::{Freedom, freedoms};

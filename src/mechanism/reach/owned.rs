@@ -1,6 +1,7 @@
 use super::error::ReachError;
 use super::freedom::Freedom;
 use super::goal::Goal;
+use super::job::ReachJob;
 use super::manner::Manner;
 use super::problem::Reach;
 use crate::mechanism::owned::OwnedMechanism;
@@ -76,6 +77,12 @@ impl<R: Real> OwnedReach<R> {
         let values = values.into();
         self.view().with_posture(&values)?;
         Ok(Self { posture: Some(values), ..self })
+    }
+
+    /// A search for many configurations: [`Reach::job`].
+    #[must_use]
+    pub fn job(&self) -> ReachJob<'_, R> {
+        self.view().job()
     }
 
     /// What everything else is asked of.

@@ -9,8 +9,7 @@ use crate::mechanism::tree::Mechanism;
 use crate::real::Real;
 
 /// An inverse kinematics problem: a mechanism, and what is asked of its links; checked once. Targets and
-/// starts come with each call ([`solve`](Self::solve) for one configuration,
-/// [`Backend::reach_links`](crate::Backend::reach_links) for many).
+/// starts come with each call: [`solve`](Self::solve) for one configuration, [`job`](Self::job) for many.
 ///
 /// It borrows its memory: the goals, and a [`Freedom`] for each rate of the mechanism.
 /// [`OwnedReach`](super::OwnedReach) has its own.

@@ -138,8 +138,7 @@ impl<R: Copy> Reach<'_, R> {
         padded::<R>(Counts { values, twists, slots, goals, freedoms, rows }.numbers())
     }
 
-    /// How many numbers [`Backend::reach_links`](crate::Backend::reach_links) needs to compute in, with
-    /// any instructions.
+    /// How many numbers a [`ReachJob`](super::ReachJob) needs to compute in, with any instructions.
     #[must_use]
     pub fn batch_scratch_len(&self) -> usize {
         padded::<R>(Counts::of(self).numbers().saturating_mul(MAX_LANES))

@@ -1,4 +1,4 @@
-//! One configuration, and many.
+//! One configuration.
 
 use super::lane::Lane;
 use super::model::Model;
@@ -6,11 +6,10 @@ use super::problem::Reach;
 use super::report::{Options, Report};
 use super::scratch::Room;
 use super::search::{Search, Work};
-use crate::dispatch::{Backend, Kernel};
 use crate::real::Scalar;
 use crate::scalar::DualQuat;
 use crate::shape::{ShapeError, same_length};
-use dq8_simd::{Lanes, Level, MAX_LANES, Portable};
+use dq8_simd::{Lanes, Portable};
 
 impl<R> Reach<'_, R>
 where
@@ -87,58 +86,6 @@ where
     }
 }
 
-impl Backend {
-    /// [`Reach::solve`] for many configurations, as many at a time as there are lanes; a lane that is done
-    /// takes the next one. The result of a configuration does not depend on the others.
-    ///
-    /// `targets` is `[configuration][goal]`, `values` `[configuration][value]`, and there is a report for each
-    /// configuration. `scratch` has [`batch_scratch_len`](Reach::batch_scratch_len) numbers or more.
-    ///
-    /// # Errors
-    /// If the slices hold different numbers of configurations, or there is too little scratch; nothing is
-    /// written.
-    ///
-    /// ```
-    /// use dq8::mechanism::{
-    ///     Freedom, Goal, Joint, Options, Outcome, OwnedMechanism, Reach, Report,
-    /// };
-    /// use dq8::{Backend, DualQuat};
-    /// let out = DualQuat::from_translation([1.0_f32, 0.0, 0.0]);
-    /// let joints = [(None, DualQuat::IDENTITY), (Some(0), out), (Some(1), out)]
-    ///     .map(|(on, at)| Joint::revolute(on, at, [0.0, 0.0, 1.0]));
-    /// let arm = OwnedMechanism::new(&joints)?;
-    /// // Two angles for the position of the last link; its own angle is free, and goes to zero.
-    /// let (goals, mut freedoms) = ([Goal::position(2)], [Freedom::default(); 3]);
-    /// let reach = Reach::new(arm.view(), &goals, &mut freedoms)?;
-    /// let targets: Vec<_> =
-    ///     (0..100).map(|i| DualQuat::from_translation([1.5, 0.01 * i as f32, 0.0])).collect();
-    /// let mut values = vec![0.3; 300];
-    /// let mut reports = vec![Report::default(); 100];
-    /// let mut scratch = vec![0.0; reach.batch_scratch_len()];
-    /// let options = Options::default();
-    /// Backend::best().reach_links(
-    ///     &reach, &targets, &mut values, &mut reports, &mut scratch, &options,
-    /// )?;
-    /// assert!(reports.iter().all(|report| report.outcome == Outcome::Converged));
-    /// # Ok::<(), Box<dyn core::error::Error>>(())
-    /// ```
-    pub fn reach_links<R: Scalar>(
-        self,
-        reach: &Reach<'_, R>,
-        targets: &[DualQuat<R>],
-        values: &mut [R],
-        reports: &mut [Report<R>],
-        scratch: &mut [R],
-        options: &Options<R>,
-    ) -> Result<(), ShapeError> {
-        let work = Work { targets, values, reports, options };
-        work.check(reach, scratch.len(), reach.batch_scratch_len())?;
-        let room = Room::of(reach, MAX_LANES, scratch);
-        self.run(Targets { reach, work, room });
-        Ok(())
-    }
-}
-
 impl<R: Copy> Work<'_, R> {
     pub(super) fn check(
         &self,
@@ -154,24 +101,5 @@ impl<R: Copy> Work<'_, R> {
             return Err(ShapeError::Length { what: "scratch", length: room, expected });
         }
         Ok(())
-    }
-}
-
-/// Many configurations; lengths have been checked.
-pub(super) struct Targets<'s, R> {
-    pub(super) reach: &'s Reach<'s, R>,
-    pub(super) work: Work<'s, R>,
-    pub(super) room: Room<'s, R>,
-}
-
-impl<R: Scalar> Kernel for Targets<'_, R> {
-    type Output = ();
-
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn run<V: Level>(self, level: V) {
-        let Self { reach, work, room } = self;
-        if let Some(model) = Model::<R::Lanes<V>>::new(level, reach, work.options, room) {
-            Search::new(model, work, &mut [Lane::IDLE; MAX_LANES]).run::<true>();
-        }
     }
 }
