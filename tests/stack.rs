@@ -158,9 +158,8 @@ macro_rules! kernels {
                 let reach = Reach::new(arm.view(), &goals, &mut freedoms).unwrap().with_posture(&posture).unwrap();
                 let (targets, mut values) = (vec![pose(); INSTANCES], vec![0.3; 7 * INSTANCES]);
                 let mut reports = vec![Report::default(); INSTANCES];
-                let mut scratch = vec![0.0; reach.batch_scratch_len()];
                 let options = Options { max_iterations: 5, ..Options::default() };
-                backend.reach_links(&reach, &targets, &mut values, &mut reports, &mut scratch, &options).unwrap();
+                reach.job().backend(backend).solve(&targets, &mut values, &mut reports, &options).unwrap();
             });
         }
 

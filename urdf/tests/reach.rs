@@ -42,12 +42,8 @@ fn reached<R: Real + Float>(file: &str, links: &[&str], count: usize) -> usize {
     let goals: Vec<Goal<R>> = links.iter().map(|&link| Goal::pose(link)).collect();
     let mut freedoms = vec![Freedom::default(); mechanism.rates()];
     let reach = Reach::new(mechanism, &goals, &mut freedoms).unwrap();
-    let mut scratch = vec![R::ZERO; reach.batch_scratch_len()];
     let mut reports = vec![Report::default(); count];
-    let options = Options::default();
-    Backend::best()
-        .reach_links(&reach, &targets, &mut values, &mut reports, &mut scratch, &options)
-        .unwrap();
+    reach.job().solve(&targets, &mut values, &mut reports, &Options::default()).unwrap();
     let size = mechanism.values();
     // 10⁻⁵ in the translation, and as much in the rotation at this distance; poses are rounded too.
     let near = 4e-5;

@@ -100,20 +100,11 @@ macro_rules! precision {
                     let (goals, mut freedoms) =
                         ([Goal::pose(tool)], vec![Freedom::default(); links]);
                     let reach = Reach::new(robot, &goals, &mut freedoms).expect("a goal");
-                    let mut scratch = vec![0.0; reach.batch_scratch_len()];
                     let (mut found, targets) = (starts.to_vec(), &targets[..TARGETS]);
                     let mut reports = vec![Report::default(); TARGETS];
                     let options = Options::default();
-                    backend
-                        .reach_links(
-                            &reach,
-                            targets,
-                            &mut found,
-                            &mut reports,
-                            &mut scratch,
-                            &options,
-                        )
-                        .expect("shape");
+                    let job = reach.job().backend(backend);
+                    job.solve(targets, &mut found, &mut reports, &options).expect("shape");
                     let reached = |report: &&Report<_>| report.outcome == Outcome::Converged;
                     assert!(reports.iter().filter(reached).count() * 1000 >= 998 * TARGETS);
                 }

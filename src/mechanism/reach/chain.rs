@@ -1,10 +1,10 @@
 //! A chain of joints with a tool, of a number known at compile time: what an [`Arm`](crate::ik::Arm) is.
 
-use super::job::Targets;
 use super::beginnings::{Beginnings, KEPT, Poses};
 use super::error::ReachError;
 use super::freedom::{Freedom, freedoms};
 use super::goal::Goal;
+use super::job::Targets;
 use super::manner::Manner;
 use super::problem::Reach;
 use super::report::{Options, Report};

@@ -121,8 +121,8 @@ where
         .map(|backend| {
             let mut values = starts.to_vec();
             let mut reports = vec![Report::default(); configurations];
-            backend
-                .reach_links(reach, targets, &mut values, &mut reports, &mut scratch, options)
+            let job = reach.job().backend(backend);
+            job.solve_in(&mut scratch, targets, &mut values, &mut reports, options)
                 .expect("lengths fit");
             (backend, values, reports)
         })
