@@ -1,8 +1,8 @@
-//! Inverse kinematics of the robots of this repository, through the backend and for one configuration.
+//! Inverse kinematics of the robots of this repository, of many configurations.
 
 use dq8::ik::{Options, Outcome, Report};
 use dq8::mechanism::{Freedom, Goal, Reach};
-use dq8::{Backend, Real, simd::Float};
+use dq8::{Real, simd::Float};
 use dq8_urdf::Robot;
 
 const ARM: &str = include_str!("../robots/arm7.urdf");

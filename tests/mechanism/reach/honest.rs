@@ -3,7 +3,7 @@
 use super::{ROUNDING, apart, draw, mechanism, seven, solve_everywhere};
 use dq8::ik::{Options, Outcome, Report};
 use dq8::mechanism::{Freedom, Goal, Joint, Reach};
-use dq8::{Backend, DualQuat, Real, Scalar};
+use dq8::{DualQuat, Real, Scalar};
 use dq8_contract::random::Random;
 
 struct Searches<R> {
