@@ -1,7 +1,6 @@
 //! Inverse kinematics of the robots of this repository, of many configurations.
 
-use dq8::ik::{Options, Outcome, Report};
-use dq8::mechanism::{Freedom, Goal, Reach};
+use dq8::mechanism::{Freedom, Goal, Options, Outcome, Reach, Report};
 use dq8::{Real, simd::Float};
 use dq8_urdf::Robot;
 

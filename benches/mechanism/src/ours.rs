@@ -1,8 +1,7 @@
 //! What dq8 does, in both precisions.
 
 use crate::job::Job;
-use dq8::ik::{Options, Outcome, Report};
-use dq8::mechanism::{Freedom, Goal, Mechanism, Reach, World};
+use dq8::mechanism::{Freedom, Goal, Mechanism, Options, Outcome, Reach, Report, World};
 use dq8::{Backend, Block, DualQuat};
 use std::hint::black_box;
 

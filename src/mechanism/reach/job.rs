@@ -4,7 +4,6 @@ use super::lane::Lane;
 use super::model::Model;
 use super::problem::Reach;
 use super::report::{Options, Report};
-use super::scratch::Room;
 use super::search::{Search, Work};
 use crate::dispatch::{Backend, Kernel};
 use crate::real::Scalar;
@@ -84,11 +83,11 @@ impl<R: Scalar> ReachJob<'_, R> {
         reports: &mut [Report<R>],
         options: &Options<R>,
     ) -> Result<(), ShapeError> {
-        let room = self.reach.batch_scratch_len();
+        let count = self.reach.batch_scratch_len();
         let work = Work { targets, values, reports, options };
-        work.check(&self.reach, room, room)?;
+        work.check(&self.reach, count, count)?;
         let backend = self.choice.instructions();
-        let run = |work: Work<'_, R>| self.run(backend, work, &mut alloc::vec![R::ZERO; room]);
+        let run = |work: Work<'_, R>| self.run(backend, work, &mut alloc::vec![R::ZERO; count]);
         #[cfg(feature = "rayon")]
         if backend.many() {
             let Work { targets, values, reports, options } = work;
@@ -127,8 +126,7 @@ impl<R: Scalar> ReachJob<'_, R> {
 
     /// What has been checked.
     fn run(&self, backend: Backend, work: Work<'_, R>, scratch: &mut [R]) {
-        let room = Room::of(&self.reach, MAX_LANES, scratch);
-        backend.run(Targets { reach: &self.reach, work, room });
+        backend.run(Targets { reach: &self.reach, work, scratch });
     }
 }
 
@@ -141,10 +139,10 @@ fn grain(configurations: usize) -> usize {
 }
 
 /// Many configurations; lengths have been checked.
-pub(super) struct Targets<'s, R> {
-    pub(super) reach: &'s Reach<'s, R>,
-    pub(super) work: Work<'s, R>,
-    pub(super) room: Room<'s, R>,
+struct Targets<'s, R> {
+    reach: &'s Reach<'s, R>,
+    work: Work<'s, R>,
+    scratch: &'s mut [R],
 }
 
 impl<R: Scalar> Kernel for Targets<'_, R> {
@@ -152,8 +150,8 @@ impl<R: Scalar> Kernel for Targets<'_, R> {
 
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
-        let Self { reach, work, room } = self;
-        if let Some(model) = Model::<R::Lanes<V>>::new(level, reach, work.options, room) {
+        let Self { reach, work, scratch } = self;
+        if let Some(model) = Model::<R::Lanes<V>>::new(level, reach, work.options, scratch) {
             Search::new(model, work, &mut [Lane::IDLE; MAX_LANES]).run::<true>();
         }
     }

@@ -4,7 +4,6 @@
 //! |---|---|
 //! | `goal.rs`, `freedom.rs`, `problem.rs`, `error.rs` | what is asked, checked once, in memory of the caller |
 //! | `bound.rs` | how far a link gets |
-//! | `chain.rs` | the chain that an `ik::Arm` is; `manner.rs` what its searches do otherwise |
 //! | `solve.rs`, `job.rs` | one configuration, and many |
 //! | `search.rs`, `lane.rs`, `assign.rs` | the loop, what a lane does next, what it is given and gives back |
 //! | `model.rs` with `forward.rs`, `compare.rs`, `columns.rs`, `wish.rs`, `step.rs`, `restart.rs` | what is computed of it, on lanes |
@@ -13,9 +12,7 @@
 //! | `scratch.rs` | numbers of all lanes in memory of the caller |
 
 mod assign;
-mod beginnings;
 mod bound;
-mod chain;
 mod columns;
 mod compare;
 mod error;
@@ -24,7 +21,6 @@ mod freedom;
 mod goal;
 mod job;
 mod lane;
-mod manner;
 mod model;
 mod normal;
 #[cfg(feature = "alloc")]
@@ -39,7 +35,6 @@ mod solve;
 mod step;
 mod wish;
 
-pub(crate) use chain::{Chain, ChainError};
 pub use error::ReachError;
 pub use freedom::Freedom;
 pub use goal::Goal;

@@ -2,7 +2,6 @@ use super::error::ReachError;
 use super::freedom::Freedom;
 use super::goal::Goal;
 use super::job::ReachJob;
-use super::manner::Manner;
 use super::problem::Reach;
 use crate::mechanism::owned::OwnedMechanism;
 use crate::real::Real;
@@ -99,9 +98,6 @@ impl<R: Real> OwnedReach<R> {
             size: self.size,
             is_endless: self.is_endless,
             bound: self.bound,
-            tool: None,
-            kept: None,
-            manner: Manner::MECHANISM,
         }
     }
 }

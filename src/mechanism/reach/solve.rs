@@ -4,7 +4,6 @@ use super::lane::Lane;
 use super::model::Model;
 use super::problem::Reach;
 use super::report::{Options, Report};
-use super::scratch::Room;
 use super::search::{Search, Work};
 use crate::real::Scalar;
 use crate::scalar::DualQuat;
@@ -20,15 +19,14 @@ where
     /// may hold anything.
     ///
     /// Targets are normalized; farther than 10⁻³ from unit they are
-    /// [`Outcome::Invalid`](crate::ik::Outcome::Invalid), and so are numbers that are not finite, but for values
+    /// [`Outcome::Invalid`](super::Outcome::Invalid), and so are numbers that are not finite, but for values
     /// of joints that move no goal, and options that are none: `values` is untouched then.
     ///
-    /// Each iteration is a damped step within the limits, of second order where a goal asks for the whole pose,
-    /// as for an [`Arm`](crate::ik::Arm). Where two steps in a row do not lead much nearer, or limits leave no
-    /// way nearer, the search begins again from another configuration ([`Options::restarts`]), the nearest to
-    /// the targets of some that are spread evenly within the limits; each restart draws others. What is
-    /// reported is the error at the values that are returned; of several goals the largest, of components that
-    /// are asked for.
+    /// Each iteration is a damped step within the limits, of second order where a goal asks for the whole pose.
+    /// Where two steps in a row do not lead much nearer, or limits leave no way nearer, the search begins again
+    /// from another configuration ([`Options::restarts`]), the nearest to the targets of some that are spread
+    /// evenly within the limits; each restart draws others. What is reported is the error at the values that are
+    /// returned; of several goals the largest, of components that are asked for.
     ///
     /// A good start is kept to: to follow a target that moves, start from the last values, and set
     /// `restarts` to false.
@@ -73,16 +71,11 @@ where
         let mut reports = [Report::default()];
         let work = Work { targets, values, reports: &mut reports, options };
         work.check(self, scratch.len(), self.scratch_len())?;
-        self.solve_one::<AGAIN>(work, Room::of(self, 1, scratch));
-        let [report] = reports;
-        Ok(report)
-    }
-
-    /// [`solve`](Self::solve) of what has been checked.
-    pub(super) fn solve_one<const AGAIN: bool>(&self, work: Work<'_, R>, room: Room<'_, R>) {
-        if let Some(model) = Model::<R>::new(Portable, self, work.options, room) {
+        if let Some(model) = Model::<R>::new(Portable, self, work.options, scratch) {
             Search::new(model, work, &mut [Lane::IDLE]).run::<AGAIN>();
         }
+        let [report] = reports;
+        Ok(report)
     }
 }
 
@@ -90,15 +83,15 @@ impl<R: Copy> Work<'_, R> {
     pub(super) fn check(
         &self,
         reach: &Reach<'_, R>,
-        room: usize,
+        scratch: usize,
         expected: usize,
     ) -> Result<(), ShapeError> {
         let configurations = self.reports.len();
         let (goals, values) = (reach.goals.len(), reach.mechanism.values);
         same_length("targets", self.targets.len(), configurations.saturating_mul(goals))?;
         same_length("values", self.values.len(), configurations.saturating_mul(values))?;
-        if room < expected {
-            return Err(ShapeError::Length { what: "scratch", length: room, expected });
+        if scratch < expected {
+            return Err(ShapeError::Length { what: "scratch", length: scratch, expected });
         }
         Ok(())
     }

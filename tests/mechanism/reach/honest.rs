@@ -1,8 +1,7 @@
 //! Lanes against one configuration, and against each other.
 
 use super::{ROUNDING, apart, draw, mechanism, seven, solve_everywhere};
-use dq8::ik::{Options, Outcome, Report};
-use dq8::mechanism::{Freedom, Goal, Joint, Reach};
+use dq8::mechanism::{Freedom, Goal, Joint, Options, Outcome, Reach, Report};
 use dq8::{DualQuat, Real, Scalar};
 use dq8_contract::random::Random;
 

@@ -14,8 +14,7 @@ mod refused;
 mod turns;
 mod units;
 
-use dq8::ik::{Options, Report};
-use dq8::mechanism::{Freedom, Goal, Joint, Mechanism, OwnedMechanism, Reach};
+use dq8::mechanism::{Freedom, Goal, Joint, Mechanism, Options, OwnedMechanism, Reach, Report};
 use dq8::{Backend, DualQuat, Quat, Real};
 use dq8_contract::random::Random;
 

@@ -1,7 +1,7 @@
 //! All cores give what one gives.
 
 use super::*;
-use dq8::ik::Outcome;
+use dq8::mechanism::Outcome;
 
 /// Poses of the hand and the elbow that the arm reaches, with some that it does not and some that are none, and
 /// random starts.

@@ -1,8 +1,9 @@
 //! What cannot be asked, and that nothing is touched then.
 
 use super::{at, mechanism, planar, seven, solve};
-use dq8::ik::{Options, Outcome, Report};
-use dq8::mechanism::{Freedom, Goal, Joint, JointKind, Reach, ReachError};
+use dq8::mechanism::{
+    Freedom, Goal, Joint, JointKind, Options, Outcome, Reach, ReachError, Report,
+};
 use dq8::{Backend, DualQuat, ShapeError};
 
 #[test]
