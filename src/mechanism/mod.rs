@@ -3,7 +3,7 @@
 //! | item | what it is |
 //! |---|---|
 //! | [`Joint`], [`JointKind`], [`Mimic`] | how a link is joined to the one that carries it |
-//! | [`Mechanism`], [`Step`] | a tree of joints, checked once, in memory of the caller |
+//! | [`Mechanism`], [`Step`] | a tree of joints, or an arm from screws, checked once, in memory of the caller |
 //! | [`Job`] | a run over many configurations, with options |
 //! | [`OwnedMechanism`] | the same with memory of its own (feature `alloc`) |
 //! | [`World`], [`Body`], [`WorldAligned`] | the frame of a Jacobian |

@@ -61,8 +61,8 @@ fn eleven_joints_put_the_hand_where_the_walk_had_it() {
         (Screw { axis, angle: 1.0, slide: 0.0 }, [-PI, PI])
     });
     let arm = OwnedMechanism::from_screws(&joints, DualQuat::from_translation(wrist)).unwrap();
-    let hand = OwnedReach::new(arm.clone(), [Goal::pose(11)]).unwrap();
-    let mut scratch = vec![0.0; hand.view().scratch_len()];
+    let reach = OwnedReach::new(arm.clone(), [Goal::pose(11)]).unwrap();
+    let mut scratch = vec![0.0; reach.view().scratch_len()];
 
     let clip = clip();
     let [pelvis, hand] = ["Pelvis", "LeftHand"].map(|name| joint(&clip, name));
@@ -70,7 +70,7 @@ fn eleven_joints_put_the_hand_where_the_walk_had_it() {
     for frame in models(&clip).chunks_exact(clip.joints.len()) {
         let target = frame[pelvis].conjugate() * frame[hand];
         let report =
-            hand.view().solve(&[target], &mut values, &mut scratch, &Options::default()).unwrap();
+            reach.view().solve(&[target], &mut values, &mut scratch, &Options::default()).unwrap();
         assert_eq!(report.outcome, Outcome::Converged, "{report:?}");
         let pose = arm.view().link_pose(&values, 11).unwrap();
         assert!(pose.distance_to(target) < 1e-5 && pose.angle_to(target) < 1e-5, "{report:?}");
