@@ -43,7 +43,7 @@ pub enum MechanismError {
         /// The length.
         length: f64,
     },
-    /// A screw that is none of a joint: its angle is 1 and its slide finite, or its angle is 0 and its slide 1.
+    /// A screw that is none of a joint, whose angle is 1 and slide finite, or whose angle is 0 and slide 1.
     Screw {
         /// The joint.
         joint: usize,

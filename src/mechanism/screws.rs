@@ -15,9 +15,10 @@ impl<'a, R: Real> Mechanism<'a, R> {
     ///
     /// A screw says how a joint moves what hangs on it, for a value of 1, in the frame of the base, where all
     /// values are zero. With the angle 1 and no slide it is a hinge; with the angle 1, a thread that slides so far
-    /// for each radian; with the angle 0 and the slide 1, a slide along the direction of its axis. Beside it are the
-    /// limits of the joint, infinite where there are none. `tool` is the pose of the tool where all values are
-    /// zero. Axes and tool are made exactly unit, so that numbers with four decimals will do.
+    /// for each radian; with the angle 0 and the slide 1, a slide along the direction of its axis, wherever that is.
+    /// (What of the moment lies along the axis is rounding, and left out.) Beside it are the limits of the joint,
+    /// infinite where there are none. `tool` is the pose of the tool where all values are zero. Axes and tool are
+    /// made exactly unit, so that numbers with four decimals will do.
     ///
     /// The frames of links are parallel to the base where all values are zero, that of a hinge at the point of its
     /// axis that is nearest to the frame before: so [`Reach::reach_bound`](super::Reach::reach_bound) is the sum of
@@ -98,9 +99,6 @@ fn checked<R: Real>(
     let Screw { axis: Line { direction, moment }, angle, slide } = *screw;
     let axis = unit(direction, joint)?;
     let moment = vector::over_norm(moment, vector::norm(direction));
-    for number in moment {
-        finite(number, "moment", joint)?;
-    }
     let kind = if angle == R::ZERO && slide == R::ONE {
         JointKind::Prismatic { axis }
     } else if angle != R::ONE || !slide.is_finite() {
@@ -110,5 +108,11 @@ fn checked<R: Real>(
     } else {
         JointKind::Screw { axis, pitch: slide }
     };
+    // A slide is the same wherever its axis is.
+    if angle == R::ONE {
+        for number in moment {
+            finite(number, "moment", joint)?;
+        }
+    }
     Ok((kind, Line { direction: axis, moment }))
 }

@@ -8,8 +8,7 @@
 use super::report::{Options, Outcome};
 use crate::real::Real;
 
-/// The squared error must fall to this part of itself where there is another beginning, where there is none to
-/// the other part ...
+/// The squared error must fall to a part of itself, this one, or where there is no other beginning the next ...
 const PROGRESS: f32 = 0.4;
 const LAST_PROGRESS: f32 = 0.999;
 /// ... in this many steps. Patience costs iterations that a restart could use: with 3, fewer of the

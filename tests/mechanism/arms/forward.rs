@@ -141,6 +141,18 @@ fn a_thread_is_searched_as_the_thread_that_it_is_whatever_its_pitch() {
 }
 
 #[test]
+fn the_moment_of_a_slide_does_not_matter() {
+    let (mut slide, limits) = screw(Z, [0.0; 3], 0.0, 1.0);
+    for moment in [[0.0; 3], [1.0, 2.0, 0.0], [f64::NAN; 3]] {
+        slide.axis.moment = moment;
+        let hinge = screw([1.0, 0.0, 0.0], [0.0, 0.0, 1.0], 1.0, 0.0);
+        let home = DualQuat::from_translation([0.0, 0.0, 2.0]);
+        let arm = Arm::new(&[(slide, limits), hinge], home).expect("an arm");
+        assert_eq!(arm.forward(&[0.5, 0.0]).translation(), [0.0, 0.0, 2.5], "{moment:?}");
+    }
+}
+
+#[test]
 fn screws_that_make_no_arm_are_named() {
     let good = screw(Z, [1.0, 0.0, 0.0], 1.0, 0.0);
     let home = DualQuat::<f64>::IDENTITY;
