@@ -9,8 +9,10 @@
 //! default options: 10⁻⁵ m, 10⁻⁵ rad, at most 100 iterations of which restarts are a part. Its last column is
 //! the worst error of those that were reached, found by nalgebra.
 
-use dq8::ik::{Arm, ArmError, Joint, Options, Outcome, Report, TwoBone};
-use dq8::{Backend, DualQuat, Hierarchy, Quat, Real, simd::Float};
+use dq8::geometry::Screw;
+use dq8::ik::TwoBone;
+use dq8::mechanism::{Goal, Options, Outcome, OwnedMechanism, OwnedReach, Report};
+use dq8::{Backend, DualQuat, Hierarchy, Line, Quat, Real, simd::Float};
 use dq8_contract::arms::{Plan, Random, exact, gantry, puma, rounded, ur5};
 use std::error::Error;
 use std::time::Instant;
@@ -48,7 +50,8 @@ fn rows<R: Real + Float, const N: usize>(
     for backend in Backend::available() {
         let (mut values, mut reports) = (starts.clone(), vec![Report::default(); TARGETS]);
         let clock = Instant::now();
-        backend.reach(&arm, &targets, &mut values, &mut reports, &Options::default())?;
+        let job = arm.0.job().backend(backend);
+        job.solve(&targets, values.as_flattened_mut(), &mut reports, &Options::default())?;
         let micros = clock.elapsed().as_secs_f64() * 1e6 / TARGETS as f64;
         let (mut reached, mut iterations, mut restarts, mut worst) = (0.0, 0.0, 0.0, 0.0_f64);
         for ((goal, value), report) in goals.iter().zip(values).zip(reports) {
@@ -117,10 +120,11 @@ fn feet() -> Result<(), Box<dyn Error>> {
 }
 
 /// Eleven hinges from the pelvis to the left palm: three each at waist, ribs and shoulder, elbow, wrist.
-fn palm() -> Result<Arm<f64, 11>, ArmError> {
+fn palm() -> Result<OwnedReach<f64>, Box<dyn Error>> {
     let [x, y, z] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let hinge = |axis, through, limits: [f64; 2]| {
-        Joint::revolute(axis, through).with_limits(limits.map(f64::to_radians))
+        let axis = Line::from_point_direction(through, axis);
+        (Screw { axis, angle: 1.0, slide: 0.0 }, limits.map(f64::to_radians))
     };
     let joints = [
         hinge(y, WAIST, [-25.0, 25.0]),
@@ -135,12 +139,15 @@ fn palm() -> Result<Arm<f64, 11>, ArmError> {
         hinge(x, ELBOW, [-150.0, 0.0]),
         hinge(x, WRIST, [-70.0, 70.0]),
     ];
-    Arm::new(joints, DualQuat::from_translation(PALM))
+    let arm = OwnedMechanism::from_screws(&joints, DualQuat::from_translation(PALM))?;
+    Ok(OwnedReach::new(arm, [Goal::pose(joints.len())])?)
 }
 
 /// The left palm at things around, the arm hanging down to begin with.
 fn hand() -> Result<(), Box<dyn Error>> {
     let arm = palm()?;
+    let arm = arm.view();
+    let mut scratch = vec![0.0; arm.scratch_len()];
     let pelvis = DualQuat::from_translation(PELVIS);
     println!(
         "| palm | pitch, degrees | outcome | iterations | restarts | left, degrees | left, m |"
@@ -158,8 +165,9 @@ fn hand() -> Result<(), Box<dyn Error>> {
         let turn = Quat::from_axis_angle([1.0, 0.0, 0.0], f64::to_radians(pitch));
         let target = DualQuat::from_rotation_translation(turn, palm);
         let mut angles = [0.0; 11];
-        let report = arm.reach(pelvis.conjugate() * target, &mut angles, &Options::default());
-        let there = pelvis * arm.forward(&angles);
+        let from_pelvis = [pelvis.conjugate() * target];
+        let report = arm.solve(&from_pelvis, &mut angles, &mut scratch, &Options::default())?;
+        let there = pelvis * arm.mechanism().link_pose(&angles, angles.len())?;
         println!(
             "| {palm:?} | {pitch} | {:?} | {} | {} | {:.1e} | {:.1e} |",
             report.outcome,

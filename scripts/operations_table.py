@@ -271,7 +271,7 @@ def main():
         "in the reference, or returns an error, ends in `_checked` there.",
         "",
         "Written by `scripts/operations_table.py` from the sources; `.ci/run` fails where the two differ. Jobs over memory "
-        "(hierarchies, mechanisms, skins, arms, trajectories) are not operations, and not here.",
+        "(hierarchies, mechanisms, skins, trajectories) are not operations, and not here.",
         "",
         "| | reason why there is none |",
         "|---|---|",

@@ -38,7 +38,7 @@
 //! | [`Hierarchy`], [`Job`], [`Crowd`] | joint hierarchies, one instance or many |
 //! | [`Skeleton`] | a hierarchy that owns its parents, of any order and type |
 //! | [`hierarchy::Plan`], [`Backend::chain_products`] | one instance without a heap, and long chains |
-//! | [`ik`] | inverse kinematics: two bones, and arms of any number of joints |
+//! | [`ik`] | inverse kinematics of two bones; for robots, [`mechanism::Reach`] |
 //! | [`mechanism`] | robots: from joint values to poses of links, Jacobians and velocities, one or many configurations |
 //! | [`skinning`] | meshes that follow joints: linear and dual quaternion blends |
 //! | [`Backend`], [`slices`] | kernels over slices of motions and points |

@@ -25,8 +25,7 @@ macro_rules! kernels {
     ($($real:ident, $lanes:literal;)*) => {$(mod $real {
         use super::{pose, within};
         use dq8::hierarchy::{Clip, Layered, Locals, Sampled};
-        use dq8::ik::{self, Arm, Options, Report};
-        use dq8::mechanism::{Freedom, Goal, Joint, OwnedMechanism, Reach, WorldAligned};
+        use dq8::mechanism::{Freedom, Goal, Joint, Options, OwnedMechanism, Reach, Report, WorldAligned};
         use dq8::skinning::{DualBlend, Linear, Mixed, Skin, Surface, SurfaceMut};
         use dq8::{Backend, Block, Crowd, DualQuat, Hierarchy, Twist, hierarchy::Bones, law::Sclerp};
 
@@ -134,21 +133,6 @@ macro_rules! kernels {
         }
 
         #[test]
-        fn an_arm_of_seven_joints_that_reaches_needs_one_mebibyte() {
-            within(1024, |backend| {
-                let axis = |i: usize| {
-                    let along = 0.1 * i as $real;
-                    ik::Joint::revolute(if i % 2 == 0 { [0.0, 0.0, 1.0] } else { [0.0, 1.0, 0.0] }, [along, 0.0, along])
-                };
-                let arm = Arm::new(core::array::from_fn::<_, 7, _>(axis), pose()).unwrap();
-                let targets = vec![arm.forward(&[0.3; 7]); INSTANCES];
-                let (mut values, mut reports) = (vec![[0.0; 7]; INSTANCES], vec![Report::default(); INSTANCES]);
-                let options = Options { max_iterations: 5, ..Options::default() };
-                backend.reach(&arm, &targets, &mut values, &mut reports, &options).unwrap();
-            });
-        }
-
-        #[test]
         fn a_mechanism_of_seven_joints_that_reaches_needs_one_mebibyte() {
             within(1024, |backend| {
                 let joint = |i: usize| Joint::revolute(i.checked_sub(1), pose::<$real>(), [0.6, 0.0, 0.8]);
@@ -158,9 +142,8 @@ macro_rules! kernels {
                 let reach = Reach::new(arm.view(), &goals, &mut freedoms).unwrap().with_posture(&posture).unwrap();
                 let (targets, mut values) = (vec![pose(); INSTANCES], vec![0.3; 7 * INSTANCES]);
                 let mut reports = vec![Report::default(); INSTANCES];
-                let mut scratch = vec![0.0; reach.batch_scratch_len()];
                 let options = Options { max_iterations: 5, ..Options::default() };
-                backend.reach_links(&reach, &targets, &mut values, &mut reports, &mut scratch, &options).unwrap();
+                reach.job().backend(backend).solve(&targets, &mut values, &mut reports, &options).unwrap();
             });
         }
 

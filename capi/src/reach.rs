@@ -5,7 +5,6 @@ use crate::memory::{Input, Output, bytes, place};
 use crate::span::apart;
 use crate::status::{Done, Status};
 use core::mem::{MaybeUninit, offset_of};
-use dq8::ik;
 use dq8::mechanism::{self, Freedom, Reach, ReachError};
 use dq8::{DualQuat, Lanes, Real, Scalar, simd::Portable};
 
@@ -93,7 +92,7 @@ same! { f32 f64 }
 
 macro_rules! same_outcomes {
     ($($outcome:ident)*) => {$(
-        const _: () = assert!(Outcome::$outcome as i32 == ik::Outcome::$outcome as i32);
+        const _: () = assert!(Outcome::$outcome as i32 == mechanism::Outcome::$outcome as i32);
     )*};
 }
 same_outcomes! { Converged OutOfReach AtLimits Stalled Unfinished Invalid }
@@ -130,14 +129,14 @@ unsafe fn reach_scratch<R: Real>(
 const GOALS: usize = 1 << 10;
 
 impl<R: Real> ReachOptions<R> {
-    fn known(self) -> Result<ik::Options<R>, Status> {
+    fn known(self) -> Result<mechanism::Options<R>, Status> {
         let length = self.length_per_radian;
         let restarts = match self.restarts {
             0 => false,
             1 => true,
             _ => return Err(Status::UnknownValue),
         };
-        Ok(ik::Options {
+        Ok(mechanism::Options {
             angular_tolerance: self.angular_tolerance,
             linear_tolerance: self.linear_tolerance,
             max_iterations: self.max_iterations,
@@ -153,7 +152,7 @@ impl<R: Real> ReachOptions<R> {
 /// As for [`Output::write`].
 unsafe fn reach_options<R: Real>(options: *mut ReachOptions<R>) -> Done {
     let to = Output::<ReachOptions<R>>::new(options, 1)?;
-    let known = ik::Options::<R>::default();
+    let known = mechanism::Options::<R>::default();
     let default = ReachOptions {
         angular_tolerance: known.angular_tolerance,
         linear_tolerance: known.linear_tolerance,
@@ -206,7 +205,7 @@ where
     // SAFETY: promised, and apart.
     let options = match *unsafe { options.slice() } {
         [options] => options.known()?,
-        _ => ik::Options::default(),
+        _ => mechanism::Options::default(),
     };
     let known = made.known;
     if asked.goal_count > GOALS || value_count != known.values() {
@@ -250,8 +249,9 @@ fn status(error: &ReachError) -> Status {
 }
 
 impl<R: Real> ReachReport<R> {
-    fn of(report: &ik::Report<R>) -> Self {
-        let ik::Report { iterations, restarts, angular_error, linear_error, outcome } = *report;
+    fn of(report: &mechanism::Report<R>) -> Self {
+        let mechanism::Report { iterations, restarts, angular_error, linear_error, outcome } =
+            *report;
         Self { outcome: outcome as i32, iterations, restarts, angular_error, linear_error }
     }
 }

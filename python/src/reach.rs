@@ -8,10 +8,9 @@ use crate::number::Number;
 use crate::output::Output;
 use crate::reach_report::ReachReport;
 use crate::threads::Threads;
-use dq8::ik::{Options, Report};
-use dq8::mechanism::{Freedom, Goal, OwnedMechanism, Reach, ReachError};
+use dq8::mechanism::{Freedom, Goal, Options, OwnedMechanism, Reach, ReachError, Report};
 use dq8::simd::MAX_LANES;
-use dq8::{Backend, DualQuat, Real, ShapeError};
+use dq8::{DualQuat, Real, ShapeError};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use std::ops::RangeInclusive;
@@ -135,14 +134,7 @@ fn solve<R: Number>(
             let reports = all.reports.split_off_mut(..count).unwrap_or_default();
             drop(all);
             let begin = Instant::now();
-            let done = Backend::best().reach_links(
-                problem,
-                targets,
-                values,
-                reports,
-                &mut scratch,
-                options,
-            );
+            let done = problem.job().solve_in(&mut scratch, targets, values, reports, options);
             let piece = if begin.elapsed() > LONG { count / 2 } else { count * 2 };
             let mut all = lock();
             all.piece = piece.clamp(*PIECE.start(), *PIECE.end());

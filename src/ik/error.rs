@@ -1,56 +1,5 @@
 use core::fmt;
 
-/// Joints that make no arm.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum ArmError {
-    /// The screw of a joint neither turns by 1 nor slides by 1.
-    Screw {
-        /// The joint.
-        joint: usize,
-        /// The length of the angular part.
-        angular: f64,
-        /// The length of the linear part.
-        linear: f64,
-    },
-    /// The limits of a joint are not in order; or it slides and they are infinite; or they are angles
-    /// beyond what a float tells.
-    Limits {
-        /// The joint.
-        joint: usize,
-        /// The lower limit.
-        low: f64,
-        /// The upper limit.
-        high: f64,
-    },
-    /// The pose of the end at zero is not unit.
-    Home {
-        /// The norm of its real part.
-        norm: f64,
-    },
-}
-
-impl fmt::Display for ArmError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Screw { joint, angular, linear } => write!(
-                f,
-                "the screw of joint {joint} has an angular part of length {angular} and a linear part \
-                 of length {linear}; one of length 1 is needed, the angular one unless it is zero"
-            ),
-            Self::Limits { joint, low, high } => write!(
-                f,
-                "joint {joint} cannot move between {low} and {high}: limits must be in order, \
-                 finite for what slides, and angles that a float tells apart"
-            ),
-            Self::Home { norm } => {
-                write!(f, "the pose at zero is not unit: the norm of the real part is {norm}")
-            }
-        }
-    }
-}
-
 /// What [`TwoBone`](crate::ik::TwoBone) cannot bend.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -85,5 +34,4 @@ impl fmt::Display for LimbError {
     }
 }
 
-impl core::error::Error for ArmError {}
 impl core::error::Error for LimbError {}

@@ -43,6 +43,15 @@ pub enum MechanismError {
         /// The length.
         length: f64,
     },
+    /// A screw that is none of a joint, whose angle is 1 and slide finite, or whose angle is 0 and slide 1.
+    Screw {
+        /// The joint.
+        joint: usize,
+        /// The angle of the screw.
+        angle: f64,
+        /// Its slide.
+        slide: f64,
+    },
     /// Limits that are not in order, or NaN, or of a joint that has not one value.
     Limits {
         /// The joint.
@@ -90,6 +99,11 @@ impl fmt::Display for MechanismError {
             Self::Axis { joint, length } => {
                 write!(f, "the axis of joint {joint} has length {length}, not 1")
             }
+            Self::Screw { joint, angle, slide } => write!(
+                f,
+                "joint {joint} cannot turn by {angle} and slide by {slide} for a value of 1: a hinge or a thread \
+                 turns by 1, and what only slides, by 1"
+            ),
             Self::Limits { joint, low, high } => write!(
                 f,
                 "joint {joint} cannot have the limits {low} and {high}: they must be in order, and the \

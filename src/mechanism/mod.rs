@@ -3,7 +3,7 @@
 //! | item | what it is |
 //! |---|---|
 //! | [`Joint`], [`JointKind`], [`Mimic`] | how a link is joined to the one that carries it |
-//! | [`Mechanism`], [`Step`] | a tree of joints, checked once, in memory of the caller |
+//! | [`Mechanism`], [`Step`] | a tree of joints, or an arm from screws, checked once, in memory of the caller |
 //! | [`Job`] | a run over many configurations, with options |
 //! | [`OwnedMechanism`] | the same with memory of its own (feature `alloc`) |
 //! | [`World`], [`Body`], [`WorldAligned`] | the frame of a Jacobian |
@@ -13,14 +13,14 @@
 //! | [`Options`], [`Report`], [`Outcome`] | how it searches, and how a search ended |
 //!
 //! Everything is there twice: for one configuration and any [`Real`](crate::Real), by the book, as a method
-//! of [`Mechanism`]; and for many on lanes, as a method of its [`Job`].
+//! of [`Mechanism`]; and for many on lanes, as a method of its [`Job`], or of a [`ReachJob`].
 //!
 //! | one configuration | many |
 //! |---|---|
 //! | [`Mechanism::link_poses`] | [`Job::poses`] |
 //! | [`Mechanism::link_pose`] | `mechanism.job().links(&links).poses(…)` |
 //! | [`Mechanism::link_jacobian`] | `mechanism.job().links(&links).jacobians(…)` |
-//! | [`Reach::solve`] | [`Backend::reach_links`](crate::Backend::reach_links) |
+//! | [`Reach::solve`] | [`ReachJob::solve`] |
 //! | [`Mechanism::link_velocities`] | [`Job::velocities`] |
 //! | [`Mechanism::link_accelerations`] | [`Job::accelerations`] |
 //!
@@ -41,6 +41,7 @@ mod owned;
 mod placed;
 mod poses;
 pub(crate) mod reach;
+mod screws;
 mod single;
 mod step;
 mod tree;
@@ -57,8 +58,7 @@ pub use joint::{Joint, JointKind, Mimic};
 pub use owned::OwnedMechanism;
 #[cfg(feature = "alloc")]
 pub use reach::OwnedReach;
-pub use reach::{Freedom, Goal, Options, Outcome, Reach, ReachError, Report};
+pub use reach::{Freedom, Goal, Options, Outcome, Reach, ReachError, ReachJob, Report};
 pub use step::Step;
-pub(crate) use step::UNIT;
 pub use tree::Mechanism;
 pub use values::JointValues;

@@ -3,7 +3,9 @@ use super::error::MechanismError;
 use super::joint::Joint;
 use super::step::Step;
 use super::tree::Mechanism;
+use crate::geometry::Screw;
 use crate::real::Real;
+use crate::scalar::DualQuat;
 use alloc::vec;
 use alloc::vec::Vec;
 
@@ -34,6 +36,19 @@ impl<R: Real> OwnedMechanism<R> {
     pub fn new(joints: &[Joint<R>]) -> Result<Self, MechanismError> {
         let mut steps = vec![Step::default(); joints.len()];
         let Mechanism { values, rates, .. } = Mechanism::new(joints, &mut steps)?;
+        Ok(Self { steps, values, rates })
+    }
+
+    /// See [`Mechanism::from_screws`].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn from_screws(
+        screws: &[(Screw<R>, [R; 2])],
+        tool: DualQuat<R>,
+    ) -> Result<Self, MechanismError> {
+        let mut steps = vec![Step::default(); screws.len() + 1];
+        let Mechanism { values, rates, .. } = Mechanism::from_screws(screws, tool, &mut steps)?;
         Ok(Self { steps, values, rates })
     }
 

@@ -217,7 +217,7 @@ fn is_far_from_one<R: Real>(length: R) -> bool {
 
 // Once in machine code, not for each kind of joint.
 #[inline(never)]
-fn unit<R: Real>(axis: [R; 3], index: usize) -> Result<[R; 3], MechanismError> {
+pub(super) fn unit<R: Real>(axis: [R; 3], index: usize) -> Result<[R; 3], MechanismError> {
     let length = vector::norm(axis);
     if is_far_from_one(length) {
         return Err(MechanismError::Axis { joint: index, length: length.into() });
@@ -225,7 +225,11 @@ fn unit<R: Real>(axis: [R; 3], index: usize) -> Result<[R; 3], MechanismError> {
     Ok(vector::over_norm(axis, length))
 }
 
-fn finite<R: Real>(value: R, what: &'static str, index: usize) -> Result<(), MechanismError> {
+pub(super) fn finite<R: Real>(
+    value: R,
+    what: &'static str,
+    index: usize,
+) -> Result<(), MechanismError> {
     if value.is_finite() {
         return Ok(());
     }

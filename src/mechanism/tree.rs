@@ -46,11 +46,7 @@ impl<'a, R: Real> Mechanism<'a, R> {
     /// not finite, limits are not in order, what should be mimicked has not one value of its own, or there
     /// are fewer steps than joints. `steps` may have been written.
     pub fn new(joints: &[Joint<R>], steps: &'a mut [Step<R>]) -> Result<Self, MechanismError> {
-        let room = steps.len();
-        let Some(steps) = steps.get_mut(..joints.len()).filter(|steps| steps.len() < 1 << 28)
-        else {
-            return Err(MechanismError::Steps { steps: room, joints: joints.len() });
-        };
+        let steps = room(steps, joints.len())?;
         let (values, rates) = check(joints, steps)?;
         order(steps);
         Ok(Self { steps, values, rates })
@@ -111,27 +107,47 @@ impl<R: Copy> Mechanism<'_, R> {
     }
 }
 
+/// As many steps as there are joints.
+pub(super) fn room<R>(
+    steps: &mut [Step<R>],
+    joints: usize,
+) -> Result<&mut [Step<R>], MechanismError> {
+    let count = steps.len();
+    let steps = steps.get_mut(..joints).filter(|steps| steps.len() < 1 << 28);
+    steps.ok_or(MechanismError::Steps { steps: count, joints })
+}
+
+/// The step of joint number `index`, but for what it mimics, with the next of the values and rates that have been
+/// counted.
+pub(super) fn numbered<R: Real>(
+    joint: &Joint<R>,
+    index: usize,
+    (values, rates): &mut (usize, usize),
+) -> Result<Step<R>, MechanismError> {
+    let mut step = Step::of(joint, index)?;
+    step.link = index as u32;
+    if let Some(parent) = joint.parent {
+        if parent >= index {
+            return Err(MechanismError::Parent { joint: index, parent });
+        }
+        step.parent = parent as u32;
+    }
+    if joint.mimic.is_none() && step.kind.values() > 0 {
+        (step.value, step.rate) = (*values as u32, *rates as u32);
+        *values += step.kind.values();
+        *rates += step.kind.rates();
+    }
+    Ok(step)
+}
+
 /// Writes the steps in the order of the joints. How many values and rates they have.
 fn check<R: Real>(
     joints: &[Joint<R>],
     steps: &mut [Step<R>],
 ) -> Result<(usize, usize), MechanismError> {
-    let (mut values, mut rates) = (0, 0);
+    let mut counts = (0, 0);
     for (index, (joint, slot)) in joints.iter().zip(steps.iter_mut()).enumerate() {
-        let mut step = Step::of(joint, index)?;
-        step.link = index as u32;
-        if let Some(parent) = joint.parent {
-            if parent >= index {
-                return Err(MechanismError::Parent { joint: index, parent });
-            }
-            step.parent = parent as u32;
-        }
-        if joint.mimic.is_none() && step.kind.values() > 0 {
-            (step.value, step.rate) = (values as u32, rates as u32);
-            values += step.kind.values();
-            rates += step.kind.rates();
-        }
-        *slot = step;
+        *slot = numbered(joint, index, &mut counts)?;
     }
     for (index, joint) in joints.iter().enumerate() {
         let Some(mimic) = joint.mimic else { continue };
@@ -147,13 +163,13 @@ fn check<R: Real>(
             (step.value, step.rate) = (leader.value, leader.rate);
         }
     }
-    Ok((values, rates))
+    Ok(counts)
 }
 
 /// Depth first, the largest branch last. So a pose is kept for its children only while other branches are
 /// computed, all of them no larger than the last one: log₂(n) + 1 poses are kept at most (Strahler's
 /// number), in memory of a fixed size.
-fn order<R: Copy>(steps: &mut [Step<R>]) {
+pub(super) fn order<R: Copy>(steps: &mut [Step<R>]) {
     let count = steps.len();
     for index in (0..count).rev() {
         let Some(&step) = steps.get(index) else { return };

@@ -1,9 +1,12 @@
 //! Arms to test with, the same numbers in every run, and what nalgebra says of them.
 
 pub use crate::random::Random;
-use dq8::ik::{Arm, Joint};
-use dq8::mechanism::{self, JointKind};
-use dq8::{DualQuat, Quat, Real};
+use dq8::geometry::Screw;
+use dq8::mechanism::{
+    Goal, Joint, JointKind, MechanismError, Options, OwnedMechanism, OwnedReach, Report,
+};
+use dq8::simd::{Lanes, Portable};
+use dq8::{Backend, DualQuat, Line, Quat, Real, Scalar};
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 use std::f64::consts::PI;
 
@@ -97,28 +100,89 @@ pub fn gantry() -> Plan<8> {
     Plan { axes: [slide, screw, a, b, c, d, e, f], home: ur5().home }
 }
 
+impl Axis {
+    /// The screw of the joint, and its limits.
+    pub fn screw<R: Real>(&self) -> (Screw<R>, [R; 2]) {
+        let (direction, through) = (rounded(self.direction), rounded(self.through));
+        let axis = Line::from_point_direction(through, direction);
+        let (angle, slide) =
+            self.pitch.map_or((R::ZERO, R::ONE), |pitch| (R::ONE, R::from_f64(pitch)));
+        (Screw { axis, angle, slide }, rounded(self.limits))
+    }
+}
+
+/// A hinge with limits ±π.
+pub fn turning<R: Real>(axis: [f64; 3], through: [f64; 3]) -> (Screw<R>, [R; 2]) {
+    hinge(axis, through, [-PI, PI]).screw()
+}
+
+/// An arm from screws, whose tool is to be somewhere.
+#[derive(Clone, Debug)]
+pub struct Arm<R, const N: usize>(pub OwnedReach<R>);
+
+impl<R: Real, const N: usize> Arm<R, N> {
+    pub fn new(
+        screws: &[(Screw<R>, [R; 2]); N],
+        tool: DualQuat<R>,
+    ) -> Result<Self, MechanismError> {
+        let mechanism = OwnedMechanism::from_screws(screws, tool)?;
+        Ok(Self(OwnedReach::new(mechanism, [Goal::pose(N)]).expect("joints move the tool")))
+    }
+
+    /// A point, and how far from it the tool gets at most.
+    pub fn bound(&self) -> ([R; 3], R) {
+        self.0.view().reach_bound(0).expect("all slides have ends")
+    }
+
+    /// Where the tool is.
+    pub fn forward(&self, values: &[R; N]) -> DualQuat<R> {
+        self.0.view().mechanism().link_pose(values, N).expect("a value for each joint")
+    }
+}
+
+impl<R: Scalar, const N: usize> Arm<R, N> {
+    /// A search for each target.
+    pub fn reach_all(
+        &self,
+        backend: Backend,
+        targets: &[DualQuat<R>],
+        values: &mut [[R; N]],
+        options: &Options<R>,
+    ) -> Vec<Report<R>> {
+        let mut reports = vec![Report::default(); targets.len()];
+        let job = self.0.job().backend(backend);
+        job.solve(targets, values.as_flattened_mut(), &mut reports, options).expect("lengths fit");
+        reports
+    }
+}
+
+impl<R: Scalar + Lanes<Real = R, Level = Portable, Mask = bool>, const N: usize> Arm<R, N> {
+    /// One search.
+    pub fn reach(
+        &self,
+        target: DualQuat<R>,
+        values: &mut [R; N],
+        options: &Options<R>,
+    ) -> Report<R> {
+        let reach = self.0.view();
+        // What is in it must not matter.
+        let mut scratch = vec![R::NAN; reach.scratch_len()];
+        reach.solve(&[target], values, &mut scratch, options).expect("lengths fit")
+    }
+}
+
 impl<const N: usize> Plan<N> {
+    /// The arm from its screws.
     pub fn arm<R: Real>(&self) -> Arm<R, N> {
-        let real = |vector: [f64; 3]| vector.map(R::from_f64);
-        let joints = self.axes.map(|axis| {
-            let limits = axis.limits.map(R::from_f64);
-            let Some(pitch) = axis.pitch else {
-                return Joint::prismatic(real(axis.direction), limits);
-            };
-            let mut joint = Joint::revolute(real(axis.direction), real(axis.through));
-            for (v, w) in joint.screw.linear.iter_mut().zip(axis.direction) {
-                *v += R::from_f64(pitch * w);
-            }
-            joint.with_limits(limits)
-        });
+        let screws = self.axes.map(|axis| axis.screw());
         let (axis, angle, translation) = self.home;
-        let turn = Quat::from_axis_angle(real(axis), R::from_f64(angle));
-        Arm::new(joints, DualQuat::from_rotation_translation(turn, real(translation)))
+        let turn = Quat::from_axis_angle(rounded(axis), R::from_f64(angle));
+        Arm::new(&screws, DualQuat::from_rotation_translation(turn, rounded(translation)))
             .expect("the plan is an arm")
     }
 
-    /// The same arm as joints of a mechanism, each in a frame on its axis; the end is the last link.
-    pub fn links(&self) -> Vec<mechanism::Joint<f64>> {
+    /// The same arm as joints, each in a frame on its axis; the end is the last link.
+    pub fn links(&self) -> Vec<Joint<f64>> {
         let (mut links, mut last) = (Vec::new(), [0.0; 3]);
         let offset = |from: [f64; 3], to: [f64; 3]| {
             DualQuat::from_translation(core::array::from_fn(|i| to[i] - from[i]))
@@ -130,13 +194,13 @@ impl<const N: usize> Plan<N> {
                 Some(pitch) => JointKind::Screw { axis, pitch },
             };
             let parent = links.len().checked_sub(1);
-            let link = mechanism::Joint::new(parent, offset(last, through), kind);
+            let link = Joint::new(parent, offset(last, through), kind);
             links.push(link.with_limits(limits));
             last = through;
         }
         let (axis, angle, translation) = self.home;
         let turn = DualQuat::from_rotation(Quat::from_axis_angle(axis, angle));
-        links.push(mechanism::Joint::fixed(N.checked_sub(1), offset(last, translation) * turn));
+        links.push(Joint::fixed(N.checked_sub(1), offset(last, translation) * turn));
         links
     }
 

@@ -3,7 +3,7 @@
 
 use crate::kinematics::after;
 use crate::records::Place;
-use dq8::mechanism::Reach;
+use dq8::mechanism::{Reach, ReachJob};
 use dq8::skinning::{DualBlend, Job, Linear};
 use dq8::{Backend, Block, simd};
 
@@ -14,8 +14,8 @@ type Points16 = simd::Block<[f32; 16], 3>;
 #[must_use]
 pub fn instances() -> [*const (); 20] {
     [
-        Backend::reach_links::<f32> as *const (),
-        Backend::reach_links::<f64> as *const (),
+        ReachJob::<f32>::solve as *const (),
+        ReachJob::<f64>::solve as *const (),
         Reach::<f32>::solve as *const (),
         Reach::<f64>::solve as *const (),
         Job::<u16, f32>::pose::<Linear<'_, f32>, [f32; 3]> as *const (),

@@ -38,7 +38,7 @@ where
             ("clip, NLERP", scene.clip(Nlerp)),
             ("clip, ScLERP", scene.clip(Sclerp)),
             ("link_poses", scene.link_poses()),
-            ("reach_links", scene.reach()),
+            ("reach", scene.reach()),
             ("skin", scene.skin()),
         ];
         for (job, groups) in jobs {
@@ -182,12 +182,10 @@ where
             .collect();
         let start = self.values(robot, count);
         let options = Options { restarts: self.random.below(2) == 0, ..Options::default() };
-        let mut scratch = vec![R::ZERO; reach.batch_scratch_len()];
-        let mut search = |targets: &[DualQuat<R>], values: &mut [R]| {
+        let job = reach.job().backend(self.backend);
+        let search = |targets: &[DualQuat<R>], values: &mut [R]| {
             let mut reports = vec![Report::default(); targets.len()];
-            self.backend
-                .reach_links(&reach, targets, values, &mut reports, &mut scratch, &options)
-                .unwrap();
+            job.solve(targets, values, &mut reports, &options).unwrap();
         };
         let (mut together, mut alone) = (start.clone(), start);
         search(&targets, &mut together);

@@ -1,11 +1,10 @@
 //! Containers and views of nothing: what can be made of nothing can also be computed; a clip cannot, and has no place.
 
 use dq8::hierarchy::{Clip, Crowd, Plan, Poses, Sampled};
-use dq8::ik::{Arm, Options};
 use dq8::law::Nlerp;
-use dq8::mechanism::{OwnedMechanism, ReachError};
+use dq8::mechanism::{Goal, OwnedMechanism, Reach, ReachError};
 use dq8::skinning::{DualBlend, Linear, Mixed, Skin, Surface, SurfaceMut};
-use dq8::{DualQuat, Hierarchy, ShapeError, Skeleton, mechanism::Reach};
+use dq8::{DualQuat, Hierarchy, ShapeError, Skeleton};
 
 type Pose = DualQuat<f32>;
 const NONE: [Pose; 0] = [];
@@ -60,10 +59,11 @@ fn a_mechanism_without_joints_has_poses_and_nothing_to_reach() {
     mechanism.view().link_poses(&[], &mut []).unwrap();
     mechanism.job().poses(&[0.0_f32; 0], &mut [Pose::IDENTITY; 0]).unwrap();
     assert_eq!(Reach::new(mechanism.view(), &[], &mut []).unwrap_err(), ReachError::NoGoals);
-    let arm = Arm::<f32, 0>::new([], Pose::IDENTITY).unwrap();
-    assert_eq!(arm.forward(&[]), Pose::IDENTITY);
-    let report = arm.reach(Pose::IDENTITY, &mut [], &Options::default());
-    assert_eq!((report.linear_error, report.angular_error), (0.0, 0.0), "{report:?}");
+    // Without screws there is the tool alone.
+    let arm = OwnedMechanism::<f32>::from_screws(&[], Pose::IDENTITY).unwrap();
+    assert_eq!(arm.view().link_pose(&[], 0), Ok(Pose::IDENTITY));
+    let unmoved = Reach::new(arm.view(), &[Goal::pose(0)], &mut []).unwrap_err();
+    assert_eq!(unmoved, ReachError::Unmoved { goal: 0, link: 0 });
 }
 
 #[test]

@@ -93,7 +93,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
             "threads", "storage",
         ],
     ),
-    ("ik", &["shape", "real", "geometry", "dq8_simd", "scalar", "batch", "dispatch", "mechanism"]),
+    ("ik", &["real", "scalar"]),
     (
         "hierarchy",
         &[

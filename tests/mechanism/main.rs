@@ -1,6 +1,7 @@
 //! Mechanisms: one configuration against matrices, lanes against one configuration, Jacobians against
 //! differentiation, and what cannot be one.
 
+mod arms;
 mod book;
 mod errors;
 mod far;

@@ -1,8 +1,7 @@
-//! Inverse kinematics of the robots of this repository, through the backend and for one configuration.
+//! Inverse kinematics of the robots of this repository, of many configurations.
 
-use dq8::ik::{Options, Outcome, Report};
-use dq8::mechanism::{Freedom, Goal, Reach};
-use dq8::{Backend, Real, simd::Float};
+use dq8::mechanism::{Freedom, Goal, Options, Outcome, Reach, Report};
+use dq8::{Real, simd::Float};
 use dq8_urdf::Robot;
 
 const ARM: &str = include_str!("../robots/arm7.urdf");
@@ -42,12 +41,8 @@ fn reached<R: Real + Float>(file: &str, links: &[&str], count: usize) -> usize {
     let goals: Vec<Goal<R>> = links.iter().map(|&link| Goal::pose(link)).collect();
     let mut freedoms = vec![Freedom::default(); mechanism.rates()];
     let reach = Reach::new(mechanism, &goals, &mut freedoms).unwrap();
-    let mut scratch = vec![R::ZERO; reach.batch_scratch_len()];
     let mut reports = vec![Report::default(); count];
-    let options = Options::default();
-    Backend::best()
-        .reach_links(&reach, &targets, &mut values, &mut reports, &mut scratch, &options)
-        .unwrap();
+    reach.job().solve(&targets, &mut values, &mut reports, &Options::default()).unwrap();
     let size = mechanism.values();
     // 10⁻⁵ in the translation, and as much in the rotation at this distance; poses are rounded too.
     let near = 4e-5;

@@ -1,8 +1,7 @@
 //! What dq8 does, in both precisions.
 
 use crate::job::Job;
-use dq8::ik::{Options, Outcome, Report};
-use dq8::mechanism::{Freedom, Goal, Mechanism, Reach, World};
+use dq8::mechanism::{Freedom, Goal, Mechanism, Options, Outcome, Reach, Report, World};
 use dq8::{Backend, Block, DualQuat};
 use std::hint::black_box;
 
@@ -100,20 +99,11 @@ macro_rules! precision {
                     let (goals, mut freedoms) =
                         ([Goal::pose(tool)], vec![Freedom::default(); links]);
                     let reach = Reach::new(robot, &goals, &mut freedoms).expect("a goal");
-                    let mut scratch = vec![0.0; reach.batch_scratch_len()];
                     let (mut found, targets) = (starts.to_vec(), &targets[..TARGETS]);
                     let mut reports = vec![Report::default(); TARGETS];
                     let options = Options::default();
-                    backend
-                        .reach_links(
-                            &reach,
-                            targets,
-                            &mut found,
-                            &mut reports,
-                            &mut scratch,
-                            &options,
-                        )
-                        .expect("shape");
+                    let job = reach.job().backend(backend);
+                    job.solve(targets, &mut found, &mut reports, &options).expect("shape");
                     let reached = |report: &&Report<_>| report.outcome == Outcome::Converged;
                     assert!(reports.iter().filter(reached).count() * 1000 >= 998 * TARGETS);
                 }

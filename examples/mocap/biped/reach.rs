@@ -3,8 +3,11 @@
 
 use super::tests::{joint, models};
 use super::{ELBOW, RIBS, SHIN, SHOULDER, THIGH, WAIST, WRIST, clip};
-use dq8::DualQuat;
-use dq8::ik::{Arm, Joint, Options, Outcome, Span, TwoBone};
+use dq8::geometry::Screw;
+use dq8::ik::{Span, TwoBone};
+use dq8::mechanism::{Goal, Options, Outcome, OwnedMechanism, OwnedReach};
+use dq8::{DualQuat, Line};
+use std::f64::consts::PI;
 
 fn sum(points: &[[f64; 3]]) -> [f64; 3] {
     core::array::from_fn(|axis| points.iter().map(|point| point[axis]).sum())
@@ -53,17 +56,23 @@ fn eleven_joints_put_the_hand_where_the_walk_had_it() {
         (x, elbow),
         (x, wrist),
     ];
-    let joints = joints.map(|(axis, through)| Joint::revolute(axis, through));
-    let arm = Arm::new(joints, DualQuat::from_translation(wrist)).unwrap();
+    let joints = joints.map(|(axis, through)| {
+        let axis = Line::from_point_direction(through, axis);
+        (Screw { axis, angle: 1.0, slide: 0.0 }, [-PI, PI])
+    });
+    let arm = OwnedMechanism::from_screws(&joints, DualQuat::from_translation(wrist)).unwrap();
+    let reach = OwnedReach::new(arm.clone(), [Goal::pose(11)]).unwrap();
+    let mut scratch = vec![0.0; reach.view().scratch_len()];
 
     let clip = clip();
     let [pelvis, hand] = ["Pelvis", "LeftHand"].map(|name| joint(&clip, name));
     let mut values = [0.1; 11];
     for frame in models(&clip).chunks_exact(clip.joints.len()) {
         let target = frame[pelvis].conjugate() * frame[hand];
-        let report = arm.reach(target, &mut values, &Options::default());
+        let report =
+            reach.view().solve(&[target], &mut values, &mut scratch, &Options::default()).unwrap();
         assert_eq!(report.outcome, Outcome::Converged, "{report:?}");
-        let pose = arm.forward(&values);
+        let pose = arm.view().link_pose(&values, 11).unwrap();
         assert!(pose.distance_to(target) < 1e-5 && pose.angle_to(target) < 1e-5, "{report:?}");
     }
 }

@@ -77,8 +77,7 @@ impl<L: Lanes<Real: Scalar>> Search<'_, L> {
     pub(super) fn finish(&mut self, index: usize) {
         let Some(&lane) = self.lanes.get(index) else { return };
         let Some(configuration) = lane.configuration else { return };
-        let reach = self.model.reach;
-        let outcome = lane.outcome(self.is_at_limits(index), &reach.manner);
+        let outcome = lane.outcome(self.is_at_limits(index));
         // Only now: until a search ends, the caller's values are its start.
         if outcome != Outcome::Invalid {
             let count = self.model.reach.mechanism.values;

@@ -131,19 +131,6 @@ impl<R: Real> Reach<'_, R> {
     }
 }
 
-impl<R: Real> Reach<'_, R> {
-    /// Where what comes to the targets is.
-    pub(super) fn pose(&self, link: usize, values: &[R]) -> Option<DualQuat<R>> {
-        let is_joined = link < self.mechanism.links();
-        let pose = if is_joined {
-            self.mechanism.link_pose(values, link).ok()?
-        } else {
-            DualQuat::IDENTITY
-        };
-        Some(self.tool.map_or(pose, |tool| pose * tool.placement))
-    }
-}
-
 /// The longest way along one direction that a joint has slid.
 fn slid<R: Real>(step: &Step<R>, values: &[R]) -> R {
     let (lengths, factor) = match step.kind {

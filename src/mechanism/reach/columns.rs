@@ -24,55 +24,9 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     /// gets an arm out of singular poses and, near them, to its target.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn linearize(&mut self, bent: bool) {
-        let zero = L::splat(self.level, L::Real::default());
-        self.scratch.columns.fill(zero);
-        self.each_screw(
-            #[cfg_attr(not(opt_level_0), inline(always))]
-            |model, position, column, twist| model.add(position, column, twist, bent),
-        );
-    }
-
-    /// The square of the errors that the changes would leave if everything moved on as it begins to.
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn left_straight(&mut self) -> L {
-        let level = self.level;
-        self.each_screw(
-            #[cfg_attr(not(opt_level_0), inline(always))]
-            |model, position, column, twist| {
-                let reach = model.reach;
-                for (index, goal) in reach.goals.iter().enumerate() {
-                    if reach.moves(position, goal) {
-                        model.move_on(index, column, twist);
-                    }
-                }
-            },
-        );
-        let mut square = L::splat(level, L::Real::default());
-        let mut row = 0;
-        for (index, goal) in self.reach.goals.iter().enumerate() {
-            let moved = Twist::from_array(self.scratch.goals.record(level, index * GOAL + MOVED));
-            let [angular, linear] = self.seen_by(index, goal, moved);
-            row = weigh(
-                goal,
-                angular,
-                linear,
-                row,
-                #[cfg_attr(not(opt_level_0), inline(always))]
-                |row, component| {
-                    let left = self.scratch.error.get(level, row) - component;
-                    square = left.mul_add(left, square);
-                },
-            );
-        }
-        square
-    }
-
-    /// Visits the screw of each freedom, from the base up, with the position of its step and the number of its
-    /// freedom, after the twists of all goals have been set to zero.
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn each_screw(&mut self, mut visit: impl FnMut(&mut Self, usize, usize, Twist<L>)) {
         let (level, reach) = (self.level, self.reach);
         let zero = L::splat(level, L::Real::default());
+        self.scratch.columns.fill(zero);
         for goal in 0..reach.goals.len() {
             self.scratch.goals.set_record(goal * GOAL + MOVED, [zero; 6]);
         }
@@ -86,7 +40,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
             for index in 0..step.kind.rates() {
                 let twist = Twist::from_array(self.scratch.twists.record(level, screw));
                 screw += 6;
-                visit(self, position, reach.column(step.rate as usize + index), twist);
+                self.add(position, reach.column(step.rate as usize + index), twist, bent);
             }
             position += 1;
         }

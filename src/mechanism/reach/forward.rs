@@ -1,7 +1,6 @@
 //! Where links are, and the screws of the joints that move them.
 
 use super::model::Model;
-use super::problem::Reach;
 use super::scratch::{GOAL, POSE, Rows, TARGET};
 use crate::mechanism::placed::Placed;
 use crate::mechanism::step::NONE;
@@ -29,21 +28,6 @@ impl<L: Lanes> JointNumbers<L> for Numbers<'_, '_, L> {
 }
 
 impl<L: Lanes<Real: Scalar>> Model<'_, L> {
-    /// The poses of goals that no joint carries: those for a link that there is not.
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn place_fixed(&mut self) {
-        for (index, goal) in self.reach.goals.iter().enumerate() {
-            if goal.link >= self.reach.mechanism.links() {
-                // What would be fixed to the link is fixed to the base.
-                let pose = match self.reach.tool {
-                    Some(tool) => Placed::root(self.level, tool),
-                    None => Placed::identity(self.level),
-                };
-                put(&mut self.scratch.goals, index * GOAL + TARGET, pose);
-            }
-        }
-    }
-
     /// The poses of the links with goals, from the base up; links that carry none are left out.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn place(&mut self, of: Of) {
@@ -77,19 +61,10 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
             }
             for (index, goal) in reach.goals.iter().enumerate() {
                 if goal.link == step.link as usize {
-                    put(&mut scratch.goals, index * GOAL + TARGET, with_tool(reach, pose));
+                    put(&mut scratch.goals, index * GOAL + TARGET, pose);
                 }
             }
         }
-    }
-}
-
-/// The pose of what comes to the target.
-#[cfg_attr(not(opt_level_0), inline(always))]
-fn with_tool<L: Lanes<Real: Scalar>>(reach: &Reach<'_, L::Real>, link: Placed<L>) -> Placed<L> {
-    match reach.tool {
-        Some(tool) => link.place(tool),
-        None => link,
     }
 }
 

@@ -4,9 +4,7 @@
 //! |---|---|
 //! | `goal.rs`, `freedom.rs`, `problem.rs`, `error.rs` | what is asked, checked once, in memory of the caller |
 //! | `bound.rs` | how far a link gets |
-//! | `chain.rs` | the chain that an `ik::Arm` is; `manner.rs` what its searches do otherwise |
-//! | `batch.rs` | one configuration, and many |
-//! | `parallel.rs` | on all cores |
+//! | `solve.rs`, `job.rs` | one configuration, and many |
 //! | `search.rs`, `lane.rs`, `assign.rs` | the loop, what a lane does next, what it is given and gives back |
 //! | `model.rs` with `forward.rs`, `compare.rs`, `columns.rs`, `wish.rs`, `step.rs`, `restart.rs` | what is computed of it, on lanes |
 //! | `range.rs`, `report.rs` | values within limits; what a search is told, and what it tells |
@@ -14,37 +12,33 @@
 //! | `scratch.rs` | numbers of all lanes in memory of the caller |
 
 mod assign;
-mod batch;
-mod beginnings;
 mod bound;
-mod chain;
 mod columns;
 mod compare;
 mod error;
 mod forward;
 mod freedom;
 mod goal;
+mod job;
 mod lane;
-mod manner;
 mod model;
 mod normal;
 #[cfg(feature = "alloc")]
 mod owned;
-#[cfg(feature = "rayon")]
-mod parallel;
 mod problem;
 mod range;
 mod report;
 mod restart;
 mod scratch;
 mod search;
+mod solve;
 mod step;
 mod wish;
 
-pub(crate) use chain::{Chain, ChainError};
 pub use error::ReachError;
 pub use freedom::Freedom;
 pub use goal::Goal;
+pub use job::ReachJob;
 #[cfg(feature = "alloc")]
 pub use owned::OwnedReach;
 pub use problem::Reach;

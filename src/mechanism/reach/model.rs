@@ -2,7 +2,7 @@
 
 use super::problem::Reach;
 use super::report::Options;
-use super::scratch::{Room, Scratch};
+use super::scratch::Scratch;
 use crate::real::Scalar;
 use dq8_simd::Lanes;
 
@@ -51,9 +51,9 @@ impl<'s, L: Lanes<Real: Scalar>> Model<'s, L> {
         level: L::Level,
         reach: &'s Reach<'s, L::Real>,
         options: &Options<L::Real>,
-        room: Room<'s, L::Real>,
+        memory: &'s mut [L::Real],
     ) -> Option<Self> {
-        let scratch = Scratch::new(reach, room)?;
+        let scratch = Scratch::new(reach, memory)?;
         // Each lane has its own with what it is given.
         let one = L::splat(level, crate::real::Real::ONE);
         let damping = L::splat(level, options.damping);

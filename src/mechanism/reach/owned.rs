@@ -1,7 +1,7 @@
 use super::error::ReachError;
 use super::freedom::Freedom;
 use super::goal::Goal;
-use super::manner::Manner;
+use super::job::ReachJob;
 use super::problem::Reach;
 use crate::mechanism::owned::OwnedMechanism;
 use crate::real::Real;
@@ -78,6 +78,12 @@ impl<R: Real> OwnedReach<R> {
         Ok(Self { posture: Some(values), ..self })
     }
 
+    /// A search for many configurations: [`Reach::job`].
+    #[must_use]
+    pub fn job(&self) -> ReachJob<'_, R> {
+        self.view().job()
+    }
+
     /// What everything else is asked of.
     #[must_use]
     pub fn view(&self) -> Reach<'_, R> {
@@ -92,9 +98,6 @@ impl<R: Real> OwnedReach<R> {
             size: self.size,
             is_endless: self.is_endless,
             bound: self.bound,
-            tool: None,
-            kept: None,
-            manner: Manner::MECHANISM,
         }
     }
 }

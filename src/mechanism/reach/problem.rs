@@ -1,16 +1,13 @@
-use super::beginnings::Beginnings;
 use super::error::ReachError;
 use super::freedom::{Freedom, freedoms};
 use super::goal::Goal;
-use super::manner::Manner;
 use crate::mechanism::poses::carries;
 use crate::mechanism::step::Step;
 use crate::mechanism::tree::Mechanism;
 use crate::real::Real;
 
 /// An inverse kinematics problem: a mechanism, and what is asked of its links; checked once. Targets and
-/// starts come with each call ([`solve`](Self::solve) for one configuration,
-/// [`Backend::reach_links`](crate::Backend::reach_links) for many).
+/// starts come with each call: [`solve`](Self::solve) for one configuration, [`job`](Self::job) for many.
 ///
 /// It borrows its memory: the goals, and a [`Freedom`] for each rate of the mechanism.
 /// [`OwnedReach`](super::OwnedReach) has its own.
@@ -64,12 +61,6 @@ pub struct Reach<'a, R> {
     pub(super) is_endless: bool,
     /// How far the link of the first goal gets, and from where.
     pub(super) bound: Option<([R; 3], R)>,
-    /// What is fixed to the links with goals: what comes to the targets. A goal for a link that there is not is
-    /// for one that is fixed to the base.
-    pub(super) tool: Option<&'a Step<R>>,
-    /// Poses to begin again from; without, some are computed for each restart.
-    pub(super) kept: Option<Beginnings<'a, R>>,
-    pub(super) manner: Manner,
 }
 
 impl<'a, R: Real> Reach<'a, R> {
@@ -120,9 +111,6 @@ impl<'a, R: Real> Reach<'a, R> {
             size: R::ONE,
             is_endless: false,
             bound: None,
-            tool: None,
-            kept: None,
-            manner: Manner::MECHANISM,
         };
         let (size, is_endless) = (reach.typical_length(), reach.has_endless_slides());
         Ok(Self { size, is_endless, bound: reach.reach_bound(0), ..reach })

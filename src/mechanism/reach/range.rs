@@ -70,11 +70,6 @@ impl<R: Real> Range<R> {
         matches!(self.turns, Turns::GoOn | Turns::Endless)
     }
 
-    /// Whether both ends are numbers.
-    pub(super) fn is_finite(&self) -> bool {
-        self.low.is_finite() && self.high.is_finite()
-    }
-
     /// Where searches begin again.
     pub(super) fn beginnings(&self) -> [R; 2] {
         match self.turns {

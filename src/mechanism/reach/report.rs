@@ -5,26 +5,25 @@ use crate::real::Real;
 pub struct Options<R> {
     /// The turn that may be left, radians.
     pub angular_tolerance: R,
-    /// The distance that may be left, in the unit of the arm.
+    /// The distance that may be left, in the unit of the mechanism.
     pub linear_tolerance: R,
     /// Steps and restarts together. Most targets of an arm take six or seven; the default of 100 is for the few
     /// in a hundred that begin again, and costs time only where a target cannot be reached, or a
     /// posture is far. Several goals on one tree may want 1000: a humanoid with four goals reached 93 % of random
     /// targets that can be reached with 100, and all of 200 with 1000.
     pub max_iterations: u32,
-    /// How long a distance weighs as much as a radian, more than zero; `None` is an eighth of the arm's
-    /// length ([`Arm::reach_bound`](crate::ik::Arm::reach_bound)), of a mechanism an eighth of its longest way to
+    /// How long a distance weighs as much as a radian, more than zero; `None` is an eighth of the longest way to
     /// a goal, or, where something floats or slides without end, of the longer way that it has to go. It
     /// decides what is nearest where the target cannot be reached, and how fast it is reached where it can.
     pub length_per_radian: Option<R>,
     /// The most that a hinge turns in one step, radians, more than zero; more than a turn is as much as a
-    /// turn. A slide of an arm moves as many lengths per radian, one of a mechanism as far as it likes.
+    /// turn. A slide moves as far as it likes.
     pub max_step: R,
     /// λ of the damped least squares at the target itself, radians. Zero, the default, reaches it
     /// fastest; with λ no step is longer than |e|/(2λ) for an error |e|, also in front of a singular
     /// pose: right for a machine that follows a target.
     pub damping: R,
-    /// Whether to begin again from another pose of the arm where the search got stuck. If false,
+    /// Whether to begin again from another configuration where the search got stuck. If false,
     /// converge from the given start only: right for tracking a target that moves.
     pub restarts: bool,
 }

@@ -138,8 +138,7 @@ impl<R: Copy> Reach<'_, R> {
         padded::<R>(Counts { values, twists, slots, goals, freedoms, rows }.numbers())
     }
 
-    /// How many numbers [`Backend::reach_links`](crate::Backend::reach_links) needs to compute in, with
-    /// any instructions.
+    /// How many numbers a [`ReachJob`](super::ReachJob) needs to compute in, with any instructions.
     #[must_use]
     pub fn batch_scratch_len(&self) -> usize {
         padded::<R>(Counts::of(self).numbers().saturating_mul(MAX_LANES))
@@ -168,22 +167,14 @@ impl Counts {
         }
     }
 
-    /// How many numbers a lane needs of what grows with joints, and of what does not; as many as can be counted where
-    /// it is more, which no memory has.
-    const fn parts(&self) -> [usize; 2] {
+    /// How many numbers a lane needs; as many as can be counted where it is more, which no memory has.
+    fn numbers(&self) -> usize {
         let values = self.values.saturating_mul(4).saturating_add(self.twists.saturating_mul(6));
         let freedoms = self.freedoms.saturating_mul(self.rows.saturating_add(4));
         let goals = self.goals.saturating_mul(GOAL).saturating_add(self.rows.saturating_mul(4));
         let poses = self.slots.saturating_mul(POSE);
-        [
-            values.saturating_add(freedoms),
-            poses.saturating_add(goals).saturating_add(triangle(self.rows)),
-        ]
-    }
-
-    fn numbers(&self) -> usize {
-        let [joints, goals] = self.parts();
-        joints.saturating_add(goals)
+        let rest = poses.saturating_add(goals).saturating_add(triangle(self.rows));
+        values.saturating_add(freedoms).saturating_add(rest)
     }
 }
 
@@ -201,60 +192,35 @@ fn padded<R>(numbers: usize) -> usize {
     numbers.saturating_add(LINE / size_of::<R>())
 }
 
-const fn triangle(rows: usize) -> usize {
+fn triangle(rows: usize) -> usize {
     rows.saturating_mul(rows.saturating_add(1)) / 2
 }
 
-/// Numbers to compute in: for what grows with joints, and for what does not. Both begin with a line of the cache.
-#[derive(Debug)]
-pub(super) struct Room<'s, R>(pub(super) [&'s mut [R]; 2]);
-
-impl<'s, R: Scalar> Room<'s, R> {
-    /// Parts of memory that begins anywhere; empty where there is too little for so many lanes.
-    pub(super) fn of(reach: &Reach<'_, R>, lanes: usize, memory: &'s mut [R]) -> Self {
-        let first = memory.as_ptr().align_offset(LINE);
-        let [joints, _] = Counts::of(reach).parts();
-        let aligned = memory.get_mut(first..).unwrap_or_default();
-        Self(
-            aligned
-                .split_at_mut_checked(joints.saturating_mul(lanes))
-                .map_or([&mut [], &mut []], Into::into),
-        )
-    }
-}
-
-/// How many numbers a lane needs for each joint of a chain with one goal for a pose, and for the goal.
-pub(super) const OF_A_JOINT: usize =
-    Counts { values: 1, twists: 1, slots: 0, goals: 0, freedoms: 1, rows: 6 }.parts()[0];
-pub(super) const OF_A_POSE: usize =
-    Counts { values: 0, twists: 0, slots: 1, goals: 1, freedoms: 0, rows: 6 }.parts()[1];
-
 impl<'s, L: Lanes<Real: Scalar>> Scratch<'s, L> {
-    /// `None` if there is too little room.
-    pub(super) fn new(reach: &Reach<'_, L::Real>, room: Room<'s, L::Real>) -> Option<Self> {
+    /// In memory that begins anywhere; `None` if there is too little.
+    pub(super) fn new(reach: &Reach<'_, L::Real>, memory: &'s mut [L::Real]) -> Option<Self> {
         let counts = Counts::of(reach);
-        let ([joints, rest], Room([of_joints, of_goals])) = (counts.parts(), room);
-        let mut joints = arrays::<L>(of_joints, joints)?;
-        let mut goals_and_rows = arrays::<L>(of_goals, rest)?;
+        let first = memory.as_ptr().align_offset(LINE);
+        let mut rest = arrays::<L>(memory.get_mut(first..)?, counts.numbers())?;
         let Counts { values, twists, slots, goals, freedoms, rows } = counts;
         Some(Self {
-            values: take(&mut joints, values)?,
-            start: take(&mut joints, values)?,
-            best: take(&mut joints, values)?,
-            candidate: take(&mut joints, values)?,
-            twists: take(&mut joints, 6 * twists)?,
-            slots: take(&mut goals_and_rows, POSE * slots)?,
-            goals: take(&mut goals_and_rows, GOAL * goals)?,
-            columns: take(&mut joints, freedoms * rows)?,
-            changes: take(&mut joints, freedoms)?,
-            radians: take(&mut joints, freedoms)?,
-            wishes: take(&mut joints, freedoms)?,
-            held: take(&mut joints, freedoms)?,
-            error: take(&mut goals_and_rows, rows)?,
-            left: take(&mut goals_and_rows, rows)?,
-            triangle: take(&mut goals_and_rows, triangle(rows))?,
-            reciprocals: take(&mut goals_and_rows, rows)?,
-            solution: take(&mut goals_and_rows, rows)?,
+            values: take(&mut rest, values)?,
+            start: take(&mut rest, values)?,
+            best: take(&mut rest, values)?,
+            candidate: take(&mut rest, values)?,
+            twists: take(&mut rest, 6 * twists)?,
+            columns: take(&mut rest, freedoms * rows)?,
+            changes: take(&mut rest, freedoms)?,
+            radians: take(&mut rest, freedoms)?,
+            wishes: take(&mut rest, freedoms)?,
+            held: take(&mut rest, freedoms)?,
+            slots: take(&mut rest, POSE * slots)?,
+            goals: take(&mut rest, GOAL * goals)?,
+            error: take(&mut rest, rows)?,
+            left: take(&mut rest, rows)?,
+            triangle: take(&mut rest, triangle(rows))?,
+            reciprocals: take(&mut rest, rows)?,
+            solution: take(&mut rest, rows)?,
         })
     }
 }

@@ -46,7 +46,6 @@ impl<'s, L: Lanes<Real: Scalar>> Search<'s, L> {
         self.model.scratch.values.fill(zero);
         self.model.scratch.start.fill(zero);
         self.model.scratch.goals.fill(zero);
-        self.model.place_fixed();
         let mut last = Stepped { left: zero, moved: zero };
         // Each round: errors of all lanes, a decision per lane, one step of those that go on. Lanes of different age are
         // in the same round, so none waits for the slowest of a group: the round costs the same, whoever takes part.
@@ -95,18 +94,13 @@ impl<'s, L: Lanes<Real: Scalar>> Search<'s, L> {
         }
     }
 
-    /// Puts lanes where they do not step to. Those that have nowhere to go to end.
+    /// Puts lanes where they do not step to.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn turn(&mut self) {
         for index in 0..L::LANES {
             let Some(lane) = self.lanes.get_mut(index) else { break };
             match lane.next {
-                Next::BeginAgain => {
-                    // An arm has a fixed number of beginnings: one that has used them up reports the best so far.
-                    if !self.model.begin_again(index, lane) {
-                        lane.next = Next::End;
-                    }
-                }
+                Next::BeginAgain => self.model.begin_again(index, lane),
                 Next::GoBack => self.model.go_back(index),
                 Next::Step | Next::End => {}
             }
@@ -178,8 +172,7 @@ impl<'s, L: Lanes<Real: Scalar>> Search<'s, L> {
                 continue;
             }
             let has_posture = self.model.reach.posture.is_some();
-            let (is_best, next) =
-                lane.judge(seen, self.work.options, &self.model.reach.manner, has_posture);
+            let (is_best, next) = lane.judge(seen, self.work.options, has_posture);
             lane.next = next;
             // Before the step overwrites them. A search may end far from its best.
             if is_best {

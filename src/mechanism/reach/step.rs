@@ -48,13 +48,8 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
             limited = self.limited_step(damping, running);
         }
         // Nobody asks where a search cannot begin again.
-        let left = if !AGAIN || !limited.any() {
-            zero
-        } else if self.reach.manner.hopes_straight {
-            L::select(limited, self.left_straight(), zero)
-        } else {
-            L::select(limited, self.left_after(), zero)
-        };
+        let left =
+            if AGAIN && limited.any() { L::select(limited, self.left_after(), zero) } else { zero };
         let moved = if self.reach.posture.is_some() { self.moved() } else { zero };
         self.advance(running);
         Stepped { left, moved }
@@ -110,9 +105,9 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
                 radians = L::load(level, component).mul_add(y, radians);
             }
             scratch.radians.set(index, radians);
+            // What slides without end may have a long way to go.
             let is_slide = self.reach.freedoms.get(index).is_some_and(Freedom::is_slide);
-            let is_short = !is_slide || self.reach.manner.shortens_slides;
-            let length = if is_short { radians.abs() } else { zero };
+            let length = if is_slide { zero } else { radians.abs() };
             most = L::select(most.lt(length), length, most);
         }
         // All by the same factor: a step cut joint by joint would point elsewhere.

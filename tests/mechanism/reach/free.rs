@@ -2,8 +2,7 @@
 
 use super::{REACHED, apart, at, draw, mechanism, seven, solve, solve_everywhere, turned};
 use dq8::DualQuat;
-use dq8::ik::{Options, Outcome};
-use dq8::mechanism::{Freedom, Goal, Joint, Reach};
+use dq8::mechanism::{Freedom, Goal, Joint, Options, Outcome, Reach};
 use dq8_contract::random::Random;
 
 /// Targets of random configurations, and starts; what the goal leaves free is changed in the targets.

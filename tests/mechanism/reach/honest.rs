@@ -1,9 +1,8 @@
 //! Lanes against one configuration, and against each other.
 
 use super::{ROUNDING, apart, draw, mechanism, seven, solve_everywhere};
-use dq8::ik::{Options, Outcome, Report};
-use dq8::mechanism::{Freedom, Goal, Joint, Reach};
-use dq8::{Backend, DualQuat, Real, Scalar};
+use dq8::mechanism::{Freedom, Goal, Joint, Options, Outcome, Reach, Report};
+use dq8::{DualQuat, Real, Scalar};
 use dq8_contract::random::Random;
 
 struct Searches<R> {
@@ -167,10 +166,7 @@ fn tighter_tolerances_are_met_in_double_precision() {
     let options = Options { angular_tolerance: FINE, linear_tolerance: FINE, ..Options::default() };
     let mut values = vec![0.0, 0.2, 0.0, -1.0, 0.0, 1.2, 0.0];
     let mut reports = [Report::default()];
-    let mut scratch = vec![0.0; reach.batch_scratch_len()];
-    Backend::best()
-        .reach_links(&reach, &[target], &mut values, &mut reports, &mut scratch, &options)
-        .expect("lengths fit");
+    reach.job().solve(&[target], &mut values, &mut reports, &options).expect("lengths fit");
     assert_eq!(reports[0].outcome, Outcome::Converged, "{:?}", reports[0]);
     let [turn, distance] = apart(arm.view().link_pose(&values, 7).expect("a link"), target);
     assert!(turn < FINE + ROUNDING && distance < FINE + ROUNDING, "{turn} {distance}");

@@ -2,8 +2,7 @@
 
 use super::super::tree::{tree, values};
 use super::{REACHED, ROUNDING, apart, draw, mechanism, seven, solve_everywhere};
-use dq8::ik::{Options, Outcome};
-use dq8::mechanism::{Freedom, Goal, Joint, JointKind, Reach};
+use dq8::mechanism::{Freedom, Goal, Joint, JointKind, Options, Outcome, Reach};
 use dq8::{DualQuat, Real, Scalar};
 use dq8_contract::random::Random;
 

@@ -2,8 +2,7 @@
 
 use super::{LAST_BITS, REACHED, at, mechanism, planar, solve, turned};
 use dq8::DualQuat;
-use dq8::ik::{Options, Outcome};
-use dq8::mechanism::{Freedom, Goal, Joint, JointKind, Reach};
+use dq8::mechanism::{Freedom, Goal, Joint, JointKind, Options, Outcome, Reach};
 
 /// A slide with one end, and a hinge with one end: it counts as endless.
 #[test]

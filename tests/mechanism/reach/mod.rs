@@ -14,8 +14,7 @@ mod refused;
 mod turns;
 mod units;
 
-use dq8::ik::{Options, Report};
-use dq8::mechanism::{Freedom, Goal, Joint, Mechanism, OwnedMechanism, Reach};
+use dq8::mechanism::{Freedom, Goal, Joint, Mechanism, Options, OwnedMechanism, Reach, Report};
 use dq8::{Backend, DualQuat, Quat, Real};
 use dq8_contract::random::Random;
 
@@ -121,8 +120,8 @@ where
         .map(|backend| {
             let mut values = starts.to_vec();
             let mut reports = vec![Report::default(); configurations];
-            backend
-                .reach_links(reach, targets, &mut values, &mut reports, &mut scratch, options)
+            let job = reach.job().backend(backend);
+            job.solve_in(&mut scratch, targets, &mut values, &mut reports, options)
                 .expect("lengths fit");
             (backend, values, reports)
         })

@@ -3,8 +3,7 @@
 use super::{
     LAST_BITS, REACHED, ROUNDING, apart, at, draw, mechanism, planar, seven, solve, turned,
 };
-use dq8::ik::{Options, Outcome};
-use dq8::mechanism::{Freedom, Goal, Joint, Reach};
+use dq8::mechanism::{Freedom, Goal, Joint, Options, Outcome, Reach};
 use dq8::{DualQuat, Quat};
 use dq8_contract::random::Random;
 

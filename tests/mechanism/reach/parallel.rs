@@ -1,7 +1,7 @@
 //! All cores give what one gives.
 
 use super::*;
-use dq8::ik::Outcome;
+use dq8::mechanism::Outcome;
 
 /// Poses of the hand and the elbow that the arm reaches, with some that it does not and some that are none, and
 /// random starts.
@@ -49,7 +49,8 @@ fn all_cores_give_every_bit_of_what_one_gives() {
         let mut outcomes = Vec::new();
         for (backend, values, reports) in solve_everywhere(&reach, &targets, &starts, &options) {
             let (mut all, mut of_all) = (starts.clone(), vec![Report::default(); count]);
-            backend.par_reach_links(&reach, &targets, &mut all, &mut of_all, &options).unwrap();
+            let job = reach.job().backend(backend).threads(usize::MAX);
+            job.solve(&targets, &mut all, &mut of_all, &options).unwrap();
             assert!(all == values && bits(&of_all) == bits(&reports), "{backend}, {count}");
             outcomes.extend(reports.into_iter().map(|report| report.outcome));
         }
@@ -71,8 +72,8 @@ fn what_does_not_fit_is_refused_and_nothing_is_written() {
     for (of_targets, of_values) in [(399, 1400), (402, 1400), (400, 1399), (400, 1407)] {
         let (targets, starts) = (&targets[..of_targets], &starts[..of_values]);
         let (mut values, mut reports) = (starts.to_vec(), vec![Report::default(); 200]);
-        let (best, options) = (Backend::best(), Options::default());
-        let refused = best.par_reach_links(&reach, targets, &mut values, &mut reports, &options);
+        let job = reach.job().threads(usize::MAX);
+        let refused = job.solve(targets, &mut values, &mut reports, &Options::default());
         assert!(refused.is_err(), "{of_targets}, {of_values}");
         assert!(values == starts && reports.iter().all(|report| *report == Report::default()));
     }

@@ -2,8 +2,7 @@
 
 use super::{REACHED, SETTLED, apart, at, draw, mechanism, planar, seven, solve_everywhere};
 use dq8::DualQuat;
-use dq8::ik::{Options, Outcome};
-use dq8::mechanism::{Freedom, Goal, Joint, Mechanism, Reach, World};
+use dq8::mechanism::{Freedom, Goal, Joint, Mechanism, Options, Outcome, Reach, World};
 use dq8_contract::random::Random;
 use std::f64::consts::TAU;
 

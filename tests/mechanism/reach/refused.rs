@@ -1,8 +1,9 @@
 //! What cannot be asked, and that nothing is touched then.
 
 use super::{at, mechanism, planar, seven, solve};
-use dq8::ik::{Options, Outcome, Report};
-use dq8::mechanism::{Freedom, Goal, Joint, JointKind, Reach, ReachError};
+use dq8::mechanism::{
+    Freedom, Goal, Joint, JointKind, Options, Outcome, Reach, ReachError, Report,
+};
 use dq8::{Backend, DualQuat, ShapeError};
 
 #[test]
@@ -120,8 +121,8 @@ fn lengths_that_do_not_fit_are_errors_and_nothing_is_touched() {
             let mut memory = vec![0.5; enough[usize::from(batch)] - scratch];
             let mut reports = [Report::default()];
             let done = if batch {
-                let backend = Backend::best();
-                backend.reach_links(&reach, &targets, &mut own, &mut reports, &mut memory, &options)
+                let job = reach.job();
+                job.solve_in(&mut memory, &targets, &mut own, &mut reports, &options)
             } else {
                 reach.solve(&targets, &mut own, &mut memory, &options).map(|_| ())
             };
@@ -179,10 +180,8 @@ fn what_is_not_a_target_or_not_a_start_is_invalid_and_its_values_are_untouched()
             }
             let before = values.clone();
             let mut reports = vec![Report::default(); targets.len()];
-            let mut scratch = vec![0.0; reach.batch_scratch_len()];
-            let options = Options::default();
-            backend
-                .reach_links(&reach, &targets, &mut values, &mut reports, &mut scratch, &options)
+            let job = reach.job().backend(backend);
+            job.solve(&targets, &mut values, &mut reports, &Options::default())
                 .expect("lengths fit");
             for (index, report) in reports.iter().enumerate() {
                 let far = targets[index].translation()[0] > 1e200 && bad_start.is_none();

@@ -1,8 +1,7 @@
 //! Whole turns: of all values that are the same pose, the one within the limits that is nearest to the start.
 
 use super::{REACHED, Z, apart, at, mechanism, solve_everywhere, turned};
-use dq8::ik::{Options, Outcome};
-use dq8::mechanism::{Freedom, Goal, Joint, JointKind, Reach};
+use dq8::mechanism::{Freedom, Goal, Joint, JointKind, Options, Outcome, Reach};
 use dq8::simd::{Float, Lanes, Portable};
 use dq8::{DualQuat, Real, Scalar};
 use dq8_contract::random::Random;

@@ -2,8 +2,7 @@
 
 use super::{at, draw, mechanism, planar, seven, solve_everywhere, turned};
 use dq8::DualQuat;
-use dq8::ik::Options;
-use dq8::mechanism::{Freedom, Goal, Joint, JointKind, OwnedMechanism, Reach};
+use dq8::mechanism::{Freedom, Goal, Joint, JointKind, Options, OwnedMechanism, Reach};
 use dq8_contract::random::Random;
 
 /// A mast on a rail with a thread, an arm that slides out, and a hand.

@@ -1,7 +1,6 @@
 //! Joint values that bring a link to a target.
 
-use dq8::ik::{Options, Report};
-use dq8::mechanism::{Freedom, Goal, Reach};
+use dq8::mechanism::{Freedom, Goal, Options, Reach, Report};
 use dq8::{DualQuat, Quat};
 use dq8_urdf::Robot;
 use std::error::Error;
@@ -90,7 +89,7 @@ pub(crate) fn reach<'r>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use dq8::ik::Outcome;
+    use dq8::mechanism::Outcome;
 
     fn arm() -> Robot {
         Robot::from_urdf(include_str!("../../robots/arm6.urdf")).unwrap()

@@ -1,7 +1,11 @@
-//! Inverse kinematics of a six-axis arm, from its joints on: `ik_follow` without restarts, `ik_solve` with them.
+//! Inverse kinematics of a six-axis arm: `ik_follow` without restarts and `ik_solve` with them, from its joints on, and
+//! `arm_solve` with them, from its screws on.
 
 use dq8::DualQuat;
-use dq8::mechanism::{Freedom, Goal, Joint, Mechanism, Options, Outcome, Reach, Step};
+use dq8::geometry::Screw;
+use dq8::mechanism::{
+    Freedom, Goal, Joint, Mechanism, MechanismError, Options, Outcome, Reach, Step,
+};
 
 /// Six hinges and a tool.
 const LINKS: usize = 7;
@@ -10,12 +14,12 @@ const AXES: usize = LINKS - 1;
 const SCRATCH: usize = 224;
 
 fn reach(
-    joints: &[Joint<f32>; LINKS],
+    make: impl for<'s> FnOnce(&'s mut [Step<f32>]) -> Result<Mechanism<'s, f32>, MechanismError>,
     search: impl FnOnce(&Reach<'_, f32>, &mut [f32]) -> Option<Outcome>,
 ) -> bool {
     let (mut steps, mut freedoms) = ([Step::default(); LINKS], [Freedom::default(); AXES]);
     let (goals, mut scratch) = ([Goal::pose(AXES)], [0.0; SCRATCH]);
-    let Ok(arm) = Mechanism::new(joints, &mut steps) else { return false };
+    let Ok(arm) = make(&mut steps) else { return false };
     let Ok(problem) = Reach::new(arm, &goals, &mut freedoms) else { return false };
     search(&problem, &mut scratch) == Some(Outcome::Converged)
 }
@@ -26,10 +30,13 @@ fn ik_solve(
     target: &DualQuat<f32>,
     values: &mut [f32; AXES],
 ) -> bool {
-    reach(joints, |problem, scratch| {
-        let report = problem.solve(&[*target], values, scratch, &Options::default());
-        report.ok().map(|report| report.outcome)
-    })
+    reach(
+        |steps| Mechanism::new(joints, steps),
+        |problem, scratch| {
+            let report = problem.solve(&[*target], values, scratch, &Options::default());
+            report.ok().map(|report| report.outcome)
+        },
+    )
 }
 
 #[unsafe(no_mangle)]
@@ -38,8 +45,27 @@ fn ik_follow(
     target: &DualQuat<f32>,
     values: &mut [f32; AXES],
 ) -> bool {
-    reach(joints, |problem, scratch| {
-        let report = problem.follow(&[*target], values, scratch, &Options::default());
-        report.ok().map(|report| report.outcome)
-    })
+    reach(
+        |steps| Mechanism::new(joints, steps),
+        |problem, scratch| {
+            let report = problem.follow(&[*target], values, scratch, &Options::default());
+            report.ok().map(|report| report.outcome)
+        },
+    )
+}
+
+#[unsafe(no_mangle)]
+fn arm_solve(
+    screws: &[(Screw<f32>, [f32; 2]); AXES],
+    tool: &DualQuat<f32>,
+    target: &DualQuat<f32>,
+    values: &mut [f32; AXES],
+) -> bool {
+    reach(
+        |steps| Mechanism::from_screws(screws, *tool, steps),
+        |problem, scratch| {
+            let report = problem.solve(&[*target], values, scratch, &Options::default());
+            report.ok().map(|report| report.outcome)
+        },
+    )
 }

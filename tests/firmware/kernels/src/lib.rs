@@ -3,7 +3,6 @@
 //! handler, and measures what comes out.
 #![no_std]
 
-mod arm;
 mod forward;
 mod ik;
 mod more;

@@ -1,8 +1,8 @@
 //! Limbs of two bones, against the points that their rotations give.
 
-use super::arms::Random;
 use dq8::ik::{LimbError, Span, TwoBone};
 use dq8::{Dual, Quat, Real};
+use dq8_contract::random::Random;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 

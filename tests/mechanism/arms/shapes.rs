@@ -1,17 +1,15 @@
 //! Arms of any size, stretched, and with fewer ways to move than a pose has.
 
-use super::arms::{Random, rounded};
-use dq8::ik::{Arm, Joint, Options, Outcome, Report};
+use dq8::mechanism::{Options, Outcome, Report};
 use dq8::{Backend, DualQuat, Real, Scalar};
+use dq8_contract::arms::{Arm, Random, rounded, turning};
 
 /// A planar arm of unit links, in this unit of length.
 fn planar<R: Real, const N: usize>(length: f64) -> Arm<R, N> {
-    let real = |vector: [f64; 3]| vector.map(R::from_f64);
-    let joints = core::array::from_fn(|i| {
-        Joint::revolute(real([0.0, 0.0, 1.0]), real([i as f64 * length, 0.3 * length, 0.0]))
-    });
-    let end = real([N as f64 * length, 0.3 * length, 0.0]);
-    Arm::new(joints, DualQuat::from_translation(end)).expect("an arm")
+    let joints =
+        core::array::from_fn(|i| turning([0.0, 0.0, 1.0], [i as f64 * length, 0.3 * length, 0.0]));
+    let end = rounded([N as f64 * length, 0.3 * length, 0.0]);
+    Arm::new(&joints, DualQuat::from_translation(end)).expect("an arm")
 }
 
 /// Long arms and tiny ones at full stretch, which rounding puts a little beyond their length.
@@ -30,10 +28,8 @@ fn stretched_is_within_reach<R: Scalar>() {
         let within = Options { linear_tolerance: tolerance, ..Options::default() };
         let mut converged = 0;
         for options in [exact, within] {
-            let (mut values, mut reports) = ([[R::HALF; 6]; 64], [Report::default(); 64]);
-            Backend::best()
-                .reach(&arm, &targets, &mut values, &mut reports, &options)
-                .expect("lengths fit");
+            let mut values = [[R::HALF; 6]; 64];
+            let reports = arm.reach_all(Backend::best(), &targets, &mut values, &options);
             let beyond = |report: &&Report<R>| report.outcome == Outcome::OutOfReach;
             assert_eq!(reports.iter().filter(beyond).count(), 0, "{length}");
             converged = reports.iter().filter(|r| r.outcome == Outcome::Converged).count();
@@ -54,22 +50,19 @@ fn rank_deficient_arms_converge<R: Scalar, const N: usize>() {
     let (mut random, mut converged) = (Random(13), 0);
     let once = Options { restarts: false, ..Options::default() };
     for _ in 0..50 {
-        let axis = rounded(random.direction());
+        let axis = random.direction();
         let joints = core::array::from_fn(|_| {
-            Joint::revolute(axis, rounded(core::array::from_fn(|_| 2.0 * random.signed())))
+            turning(axis, core::array::from_fn(|_| 2.0 * random.signed()))
         });
         let home = DualQuat::from_translation(rounded(random.vector()));
-        let arm = Arm::new(joints, home).expect("an arm");
+        let arm = Arm::new(&joints, home).expect("an arm");
         let (mut targets, mut values) = (Vec::new(), Vec::new());
         for _ in 0..16 {
             let goal: [f64; N] = core::array::from_fn(|_| random.between(-2.5, 2.5));
             targets.push(arm.forward(&rounded(goal)));
             values.push(rounded::<R, N>(goal.map(|value| value + random.between(-0.3, 0.3))));
         }
-        let mut reports = vec![Report::default(); targets.len()];
-        Backend::best()
-            .reach(&arm, &targets, &mut values, &mut reports, &once)
-            .expect("lengths fit");
+        let reports = arm.reach_all(Backend::best(), &targets, &mut values, &once);
         converged += reports.iter().filter(|r| r.outcome == Outcome::Converged).count();
     }
     assert_eq!(converged, 800, "{N} joints");

@@ -1,8 +1,8 @@
 //! How often a reachable target is reached, and in how many iterations.
 
-use super::arms::{Plan, Random, exact, gantry, puma, rounded, seven, ur5};
-use dq8::ik::{Options, Outcome, Report};
+use dq8::mechanism::{Options, Outcome};
 use dq8::{Backend, DualQuat, Real, Scalar};
+use dq8_contract::arms::{Plan, Random, exact, gantry, puma, rounded, seven, ur5};
 
 /// What came of random targets from random starts.
 struct Rate {
@@ -23,8 +23,7 @@ fn rate<R: Scalar, const N: usize>(plan: &Plan<N>, targets: usize, options: &Opt
     let goals: Vec<[f64; N]> = (0..targets).map(|_| plan.draw(&mut random)).collect();
     let poses: Vec<DualQuat<R>> = goals.iter().map(|&goal| arm.forward(&rounded(goal))).collect();
     let mut values: Vec<[R; N]> = (0..targets).map(|_| rounded(plan.draw(&mut random))).collect();
-    let mut reports = vec![Report::default(); targets];
-    Backend::best().reach(&arm, &poses, &mut values, &mut reports, options).expect("lengths fit");
+    let reports = arm.reach_all(Backend::best(), &poses, &mut values, options);
 
     // What the poses themselves are rounded by.
     let rounding = if size_of::<R>() == 4 { 2e-6 } else { 2e-14 };

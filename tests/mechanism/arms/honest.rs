@@ -1,9 +1,10 @@
 //! A report means what it says: inputs as people type them, hinges many turns away, arms of any size.
 //! What is called reached is measured by nalgebra in `f64`.
 
-use super::arms::{Axis, Plan, Random, exact, rounded, six_of_any_kind};
-use dq8::ik::{Arm, Joint, Options, Outcome, Report};
-use dq8::{Backend, DualQuat, Quat, Real, Scalar};
+use dq8::geometry::Screw;
+use dq8::mechanism::{Options, Outcome};
+use dq8::{Backend, DualQuat, Line, Quat, Real, Scalar};
+use dq8_contract::arms::{Arm, Axis, Plan, Random, exact, rounded, six_of_any_kind};
 use dq8_contract::kinematics;
 use nalgebra::Isometry3;
 use std::f64::consts::TAU;
@@ -34,8 +35,7 @@ fn tally<R: Scalar, const N: usize>(
     let options = Options::default();
     let targets: Vec<_> = cases.iter().map(|case| case.target).collect();
     let mut values: Vec<_> = cases.iter().map(|case| case.start).collect();
-    let mut reports = vec![Report::default(); cases.len()];
-    Backend::best().reach(arm, &targets, &mut values, &mut reports, &options).expect("lengths fit");
+    let reports = arm.reach_all(Backend::best(), &targets, &mut values, &options);
     for ((case, values), report) in cases.iter().zip(&values).zip(&reports) {
         for (&value, axis) in values.iter().zip(&plan.axes) {
             let [low, high] = rounded::<R, 2>(axis.limits);
@@ -252,8 +252,8 @@ fn a_start_many_turns_from_the_target_is_at_it() {
     }
 }
 
-/// In millimetres, far from the base, about axes in any direction: rounding of ω × x along the axis is a
-/// pitch of tenths of a millimetre, and no reason to take a hinge for a screw.
+/// In millimetres, far from the base, about axes in any direction: the moment of an axis is rounded by tenths of a
+/// millimetre, and what of that lies along the axis is no pitch.
 #[test]
 fn a_hinge_far_from_the_origin_is_a_hinge() {
     let (mut random, endless) = (Random(20), [f32::NEG_INFINITY, f32::INFINITY]);
@@ -262,9 +262,9 @@ fn a_hinge_far_from_the_origin_is_a_hinge() {
         // Every other near the axis through the origin, but far along it.
         let along = if round % 2 == 0 { axis } else { random.direction() };
         let far = along.map(|c| 3000.0 * c + random.signed());
-        let (axis, through) = (rounded(axis), rounded(far));
-        let joint = Joint::revolute(axis, through).with_limits(endless);
-        let arm = Arm::new([joint], DualQuat::<f32>::IDENTITY).expect("a hinge may be endless");
+        let axis = Line::from_point_direction(rounded(far), rounded(axis));
+        let hinge = (Screw { axis, angle: 1.0, slide: 0.0 }, endless);
+        let arm = Arm::new(&[hinge], DualQuat::IDENTITY).expect("a hinge may be endless");
         let mut values = [3.0_f32];
         let options = Options { linear_tolerance: 1e-2, ..Options::default() };
         let report = arm.reach(arm.forward(&[-3.0]), &mut values, &options);
