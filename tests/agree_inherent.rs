@@ -98,7 +98,7 @@ fn a_slice_gives_the_same_bits_whatever_its_length() {
             }
             for (i, record) in records.iter().enumerate() {
                 let mut alone = [round::<L::Real>([9.0; 8])];
-                let splat = batch::DualQuat::<L>::splat(L::Level::proof(), motions[60 + i].into());
+                let splat = batch::DualQuat::<L>::splat(L::Level::proof(), motions[60 + i]);
                 step(splat, t).store_records(&mut alone);
                 assert_eq!(*record, alone[0], "{name}: record {i} of {length}");
             }
@@ -152,8 +152,7 @@ fn is_normalized_says_what_scalar_says() {
             let motion = round::<L::Real>(unit.map(|c| c * (1.0 + off * epsilon)));
             let scalar = scalar::DualQuat::from_array(motion).is_normalized();
             assert_eq!(scalar, off.abs() < 32.0, "scalar, {off} units off");
-            let mask =
-                batch::DualQuat::<L>::splat(L::Level::proof(), motion.into()).is_normalized();
+            let mask = batch::DualQuat::<L>::splat(L::Level::proof(), motion).is_normalized();
             assert_eq!((mask.all(), mask.any()), (scalar, scalar), "{name}, {off} units off");
         }
     }

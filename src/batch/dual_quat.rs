@@ -1,7 +1,5 @@
 use super::{Dual, Quat, vector};
 use crate::geometry::DualVector;
-use crate::real::Real;
-use crate::scalar;
 use core::ops::{Add, Mul, Neg, Sub};
 use dq8_simd::{Block, Lanes, Level, Records, Row};
 
@@ -35,11 +33,8 @@ impl<L: Lanes> DualQuat<L> {
     /// The same motion in every lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
-    pub fn splat(level: L::Level, motion: scalar::DualQuat<L::Real>) -> Self
-    where
-        L::Real: Real,
-    {
-        Self::from_array(vector::splat(level, motion.to_array()))
+    pub fn splat(level: L::Level, motion: impl Into<[L::Real; 8]>) -> Self {
+        Self::from_array(vector::splat(level, motion.into()))
     }
 
     /// From the lanes of `[px, py, pz, pw, qx, qy, qz, qw]`.

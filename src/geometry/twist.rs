@@ -35,11 +35,6 @@ crate::plain::plain! {
     }
 }
 
-impl<R: crate::Real> Twist<R> {
-    /// The twist of a body at rest.
-    pub const ZERO: Self = Self::from_array([R::ZERO; 6]);
-}
-
 impl<T: Copy> Twist<T> {
     /// From `[ωx, ωy, ωz, vx, vy, vz]`.
     #[cfg_attr(not(opt_level_0), inline(always))]

@@ -4,6 +4,11 @@ use super::{DualQuat, vector};
 use crate::geometry::{Twist, Wrench};
 use crate::real::Real;
 
+impl<R: Real> Twist<R> {
+    /// The twist of a body at rest.
+    pub const ZERO: Self = Self::from_array([R::ZERO; 6]);
+}
+
 impl<R: Real> DualQuat<R> {
     /// Ad_σ ξ = σ(ω + εv)σ*: ω′ = Rω, v′ = Rv + t × ω′ (Murray, Li, Sastry 1994, eq. 2.58), as lines
     /// move. Takes a twist in the body's frame to the fixed frame; `conjugate().adjoint()` takes it
