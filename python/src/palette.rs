@@ -6,7 +6,8 @@ use crate::method::Method;
 use crate::number::Number;
 use crate::threads::{GRAIN, Threads};
 use dq8::skinning::{
-    DualBlend, Linear, Mixed, Skin, SkinningError, StretchedDualBlend, Surface, SurfaceMut, split_palette,
+    DualBlend, Linear, Mixed, Skin, SkinningError, StretchedDualBlend, Surface, SurfaceMut,
+    split_palette,
 };
 use dq8::{Backend, DualQuat};
 use pyo3::exceptions::PyValueError;

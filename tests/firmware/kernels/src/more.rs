@@ -94,11 +94,7 @@ fn more_point_error(a: &Motion, b: &Motion, point: &[f32; 3]) -> f32 {
 }
 
 #[unsafe(no_mangle)]
-fn more_rotations(
-    parents: &[u32],
-    locals: Bones<'_, Quat<f32>>,
-    models: &mut [Motion],
-) -> bool {
+fn more_rotations(parents: &[u32], locals: Bones<'_, Quat<f32>>, models: &mut [Motion]) -> bool {
     Hierarchy::new(parents).is_ok_and(|h| h.job().locals_to_model(locals, models).is_ok())
 }
 #[unsafe(no_mangle)]
