@@ -23,6 +23,29 @@ impl Choice {
     }
 }
 
+/// The options of a job that hold a [`Choice`], for its `impl`; and what the documentation of `threads` shows besides.
+macro_rules! options {
+    ($(#[$example:meta])*) => {
+        /// Runs with these instructions; by default with the best that the CPU has.
+        #[must_use]
+        pub fn backend(mut self, backend: crate::Backend) -> Self {
+            self.choice.backend = Some(backend);
+            self
+        }
+
+        /// Runs on at most so many threads of rayon's current pool, whole instances, configurations or vertices to each;
+        /// `usize::MAX` for all of them. Every bit of the result is the same for any number of threads.
+        $(#[$example])*
+        #[cfg(feature = "rayon")]
+        #[must_use]
+        pub fn threads(mut self, threads: usize) -> Self {
+            self.choice.threads = Some(threads);
+            self
+        }
+    };
+}
+pub(crate) use options;
+
 /// What a kernel writes; with the feature `rayon`, cut at a thing.
 #[cfg(not(feature = "rayon"))]
 pub(crate) trait Outputs {}

@@ -1839,7 +1839,8 @@ dq8_status dq8_plan_make(const int32_t *parents,
  * eight numbers of a motion in one register: the fastest way for one instance. Several are computed as by
  * dq8_local_to_model: `count` motions in all, `joints` times instances. `models` may be `locals`.
  *
- * DQ8_STATUS_NO_PLAN if `order` is not one of these parents.
+ * DQ8_STATUS_NO_PLAN if a pair of `order` is not a joint and its parent, or a root stands behind other joints.
+ * An order whose pairs have changed places is not noticed.
  */
 dq8_status dq8_plan_local_to_model_f32(const int32_t *parents,
                                        const uint32_t *order,
@@ -1853,7 +1854,8 @@ dq8_status dq8_plan_local_to_model_f32(const int32_t *parents,
  * eight numbers of a motion in one register: the fastest way for one instance. Several are computed as by
  * dq8_local_to_model: `count` motions in all, `joints` times instances. `models` may be `locals`.
  *
- * DQ8_STATUS_NO_PLAN if `order` is not one of these parents.
+ * DQ8_STATUS_NO_PLAN if a pair of `order` is not a joint and its parent, or a root stands behind other joints.
+ * An order whose pairs have changed places is not noticed.
  */
 dq8_status dq8_plan_local_to_model_f64(const int32_t *parents,
                                        const uint32_t *order,

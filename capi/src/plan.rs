@@ -77,7 +77,8 @@ macro_rules! functions {
         /// eight numbers of a motion in one register: the fastest way for one instance. Several are computed as by
         /// dq8_local_to_model: `count` motions in all, `joints` times instances. `models` may be `locals`.
         ///
-        /// DQ8_STATUS_NO_PLAN if `order` is not one of these parents.
+        /// DQ8_STATUS_NO_PLAN if a pair of `order` is not a joint and its parent, or a root stands behind other joints.
+        /// An order whose pairs have changed places is not noticed.
         ///
         /// # Safety
         /// Arrays have the lengths named.

@@ -18,7 +18,7 @@ crate::plain::plain! {
 }
 
 impl<T: Copy + Add<Output = T> + Mul<Output = T>> Wrench<T> {
-    /// The product f·v + τ·ω: the power of this wrench on a body that moves with `twist`: the same number in
+    /// The product f·v + τ·ω, the power of this wrench on a body that moves with `twist`: the same number in
     /// every frame, as long as both are in the same one.
     ///
     /// ```

@@ -6,7 +6,6 @@ use super::planned;
 use super::root::{NoRoot, Roots};
 use super::run::{Root, Run};
 use super::{Hierarchy, Renormalize};
-use crate::dispatch::Backend;
 use crate::palette_entry::MatrixOrder;
 use crate::scalar::DualQuat;
 use crate::shape::{ShapeError, joints_within, same_length, whole_instances};
@@ -162,31 +161,18 @@ impl<'a, S, P> Job<'a, S, P> {
         self
     }
 
-    /// Runs with these instructions; by default with the best that the CPU has.
-    #[must_use]
-    pub fn backend(mut self, backend: Backend) -> Self {
-        self.choice.backend = Some(backend);
-        self
-    }
-
-    /// Runs on at most so many threads of rayon's current pool, whole instances to each; `usize::MAX` for all of them. Every
-    /// bit of the result is the same for any number of threads.
-    ///
-    /// ```
-    /// use dq8::{Crowd, DualQuat, Hierarchy};
-    /// let parents = [Hierarchy::ROOT, 0];
-    /// let leg = Hierarchy::new(&parents)?;
-    /// let down = DualQuat::from_translation([0.0_f32, -1.0, 0.0]);
-    /// let mut legs = Crowd::<f32, 8>::from_slice(2, &[down; 1000])?;
-    /// leg.job().threads(usize::MAX).local_to_model_in_place(legs.blocks_mut())?;
-    /// assert_eq!(legs.get(499, 1).unwrap().translation(), [0.0, -2.0, 0.0]);
-    /// # Ok::<(), Box<dyn core::error::Error>>(())
-    /// ```
-    #[cfg(feature = "rayon")]
-    #[must_use]
-    pub fn threads(mut self, threads: usize) -> Self {
-        self.choice.threads = Some(threads);
-        self
+    crate::threads::options! {
+        ///
+        /// ```
+        /// use dq8::{Crowd, DualQuat, Hierarchy};
+        /// let parents = [Hierarchy::ROOT, 0];
+        /// let leg = Hierarchy::new(&parents)?;
+        /// let down = DualQuat::from_translation([0.0_f32, -1.0, 0.0]);
+        /// let mut legs = Crowd::<f32, 8>::from_slice(2, &[down; 1000])?;
+        /// leg.job().threads(usize::MAX).local_to_model_in_place(legs.blocks_mut())?;
+        /// assert_eq!(legs.get(499, 1).unwrap().translation(), [0.0, -2.0, 0.0]);
+        /// # Ok::<(), Box<dyn core::error::Error>>(())
+        /// ```
     }
 
     /// Computes one instance in the order of this plan. A [`Skeleton`](super::Skeleton)'s job has its own.

@@ -102,9 +102,12 @@ impl<'a> Plan<'a> {
     /// The plan of an order that [`new`](Self::new) wrote for the same parents: to keep an order where a plan cannot
     /// borrow it, such as a constant in flash.
     ///
+    /// What has no memory of its own cannot see all that may be wrong: an order in which joints have changed places, or one
+    /// stands for another, is taken, and models are then wrong.
+    ///
     /// # Errors
-    /// If the order has not one pair for each joint, or a pair is not a joint and its parent, or a root comes after a
-    /// joint that has a parent.
+    /// If there are not as many pairs as joints, or a pair is not a joint and its parent, or a root comes after a joint
+    /// that has a parent.
     pub fn of_order(hierarchy: &Hierarchy<'a>, order: &'a [[u32; 2]]) -> Result<Self, ShapeError> {
         let parents = hierarchy.parents();
         same_length("order", order.len(), parents.len())?;

@@ -1,5 +1,4 @@
 use super::tree::Mechanism;
-use crate::dispatch::Backend;
 use crate::shape::ShapeError;
 use crate::threads::Choice;
 
@@ -61,21 +60,7 @@ impl<R: Copy> Job<'_, R, &[usize]> {
 }
 
 impl<R, S> Job<'_, R, S> {
-    /// Runs with these instructions; by default with the best that the CPU has.
-    #[must_use]
-    pub fn backend(mut self, backend: Backend) -> Self {
-        self.choice.backend = Some(backend);
-        self
-    }
-
-    /// Runs on at most so many threads of rayon's current pool; `usize::MAX` for all of them. Every bit of the result is
-    /// the same for any number of threads.
-    #[cfg(feature = "rayon")]
-    #[must_use]
-    pub fn threads(mut self, threads: usize) -> Self {
-        self.choice.threads = Some(threads);
-        self
-    }
+    crate::threads::options!();
 }
 
 /// How many configurations, or blocks of them, a task has at least: some microseconds of work, and a multiple of the most

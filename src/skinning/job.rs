@@ -6,7 +6,6 @@ use super::run::{check, pose};
 use super::skin::Skin;
 use super::surface::{Surface, SurfaceMut};
 use super::weight::Weight;
-use crate::dispatch::Backend;
 use crate::real::Scalar;
 use crate::storage::{Element, Number};
 use crate::threads::Choice;
@@ -61,21 +60,7 @@ impl<'s, J: Index, W: Weight> Skin<'s, J, W> {
 }
 
 impl<J: Index, W: Weight> Job<'_, J, W> {
-    /// Runs with these instructions; by default with the best that the CPU has.
-    #[must_use]
-    pub fn backend(mut self, backend: Backend) -> Self {
-        self.choice.backend = Some(backend);
-        self
-    }
-
-    /// Runs on at most so many threads of rayon's current pool; `usize::MAX` for all of them. Every bit of the result is
-    /// the same for any number of threads.
-    #[cfg(feature = "rayon")]
-    #[must_use]
-    pub fn threads(mut self, threads: usize) -> Self {
-        self.choice.threads = Some(threads);
-        self
-    }
+    crate::threads::options!();
 
     /// Poses a mesh: [`Skin::pose`].
     ///

@@ -49,21 +49,7 @@ impl<'a, R: Copy> Reach<'a, R> {
 }
 
 impl<R> ReachJob<'_, R> {
-    /// Runs with these instructions; by default with the best that the CPU has.
-    #[must_use]
-    pub fn backend(mut self, backend: Backend) -> Self {
-        self.choice.backend = Some(backend);
-        self
-    }
-
-    /// Runs on at most so many threads of rayon's current pool; `usize::MAX` for all of them. Every bit of the result is
-    /// the same for any number of threads.
-    #[cfg(feature = "rayon")]
-    #[must_use]
-    pub fn threads(mut self, threads: usize) -> Self {
-        self.choice.threads = Some(threads);
-        self
-    }
+    crate::threads::options!();
 }
 
 impl<R: Scalar> ReachJob<'_, R> {
