@@ -7,6 +7,7 @@
 //! | [`Job`] | a run over it: with a root transform, on some of the joints, with a palette, backwards |
 //! | [`Poses`], [`RotationsTranslations`], [`Tracks`], [`Bones`] | forms of [locals](Locals) |
 //! | [`Clip`], [`Sampled`], [`Layered`] | locals that are sampled, blended and masked on their way into registers |
+//! | [`OwnedClip`] | a clip with memory of its own (feature `alloc`) |
 //! | [`Plan`], [`PlanScratch`] | the order in which one instance is computed fastest, for those without a heap |
 //! | [`Renormalize`] | when a run normalizes what it has multiplied |
 //! | [`Crowd`] | owned blocks for any number of instances (feature `alloc`) |
@@ -29,8 +30,11 @@ mod family;
 mod forward;
 mod job;
 mod layers;
+mod local_poses;
 mod locals;
 mod model_to_local;
+#[cfg(feature = "alloc")]
+mod owned_clip;
 #[cfg(feature = "alloc")]
 mod owned_plan;
 mod palette;
@@ -45,6 +49,7 @@ mod planned;
 mod product;
 mod renormalize;
 mod root;
+mod root_motion;
 mod run;
 mod sampled;
 mod schedule;
@@ -61,6 +66,8 @@ pub use error::HierarchyError;
 pub use job::Job;
 pub use layers::{Layered, PoseSource};
 pub use locals::{Bones, Locals, Poses, RotationsTranslations, Tracks};
+#[cfg(feature = "alloc")]
+pub use owned_clip::OwnedClip;
 #[cfg(feature = "alloc")]
 pub use parent_index::ParentIndex;
 pub use parents::Hierarchy;

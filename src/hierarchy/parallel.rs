@@ -2,6 +2,7 @@
 
 use super::backward::Backward;
 use super::forward;
+use super::local_poses::Write;
 use super::locals::Locals;
 use super::palette::{Epilogue, Palette};
 use super::run::Run;
@@ -65,6 +66,20 @@ pub(super) fn backward<E: Element<8>>(
         let instances = first..first + locals.len() / joints;
         let models = models.part(instances.start * joints..instances.end * joints);
         backend.run(Backward { run: &run.part(instances), models, locals });
+    });
+}
+
+pub(super) fn write<E: Element<8>, L: Locals<E>>(
+    backend: Backend,
+    run: &Run<'_, E>,
+    locals: L,
+    poses: &mut [E],
+) {
+    let joints = run.parents.len();
+    backend.share(grain(joints), (poses, joints), &|first, (poses, _): (&mut [E], usize)| {
+        let instances = first..first + poses.len() / joints;
+        let locals = locals.part(joints, instances.clone());
+        backend.run(Write { run: &run.part(instances), locals, poses });
     });
 }
 

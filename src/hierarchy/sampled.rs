@@ -15,9 +15,11 @@ use dq8_simd::{Gather, Level, Records};
 /// `[x, y, z, w, tx, ty, tz]`. A clip that loops ends with its first frame once more.
 #[derive(Clone, Copy, Debug)]
 pub struct Clip<'c, K> {
-    keys: &'c [K],
-    joints: usize,
-    frames: usize,
+    pub(super) keys: &'c [K],
+    pub(super) joints: usize,
+    pub(super) frames: usize,
+    pub(super) rate: f64,
+    pub(super) loops: bool,
 }
 
 impl<'c, K> Clip<'c, K> {
@@ -29,7 +31,32 @@ impl<'c, K> Clip<'c, K> {
         if keys.is_empty() {
             return Err(ShapeError::Empty { what: "keys" });
         }
-        Ok(Self { keys, joints, frames: whole_instances("keys", joints, keys.len())? })
+        let frames = whole_instances("keys", joints, keys.len())?;
+        Ok(Self { keys, joints, frames, rate: 1.0, loops: false })
+    }
+
+    /// The same clip with times in seconds, of so many frames a second; without, times are frames.
+    #[must_use]
+    pub fn with_rate(self, frames_per_second: f64) -> Self {
+        Self { rate: frames_per_second, ..self }
+    }
+
+    /// The same clip, which begins again where it ends: times before and after it are those of other rounds.
+    #[must_use]
+    pub fn looping(self) -> Self {
+        Self { loops: true, ..self }
+    }
+
+    /// The time from the first frame to the last.
+    #[must_use]
+    pub fn duration(&self) -> f64 {
+        self.steps() / self.rate
+    }
+
+    /// How many frames follow another one.
+    #[allow(clippy::cast_precision_loss, reason = "exact up to 2⁵³ frames")]
+    pub(super) fn steps(&self) -> f64 {
+        self.frames.saturating_sub(1) as f64
     }
 
     /// How many frames there are.
@@ -38,9 +65,10 @@ impl<'c, K> Clip<'c, K> {
         self.frames
     }
 
-    /// The frame before the place `at`, in frames from the first, and how far it is to the next one, from 0
-    /// to 1 inclusive. What lies outside the clip is its first or last frame; NaN stays NaN. A clip of one
-    /// frame has no next one ([`Sampled::new`] refuses it): give the frame twice.
+    /// The frame before the time `at`, in frames from the first or, with a [rate](Self::with_rate), in seconds, and how
+    /// far it is to the next one, from 0 to 1 inclusive. What lies outside the clip is its first or last frame, unless it
+    /// [loops](Self::looping); NaN stays NaN. A clip of one frame has no next one ([`Sampled::new`] refuses it): give the
+    /// frame twice.
     ///
     /// ```
     /// use dq8::hierarchy::Clip;
@@ -48,12 +76,18 @@ impl<'c, K> Clip<'c, K> {
     /// let clip = Clip::new(2, &keys)?;
     /// assert_eq!(clip.place(1.25_f32), (1, 0.25));
     /// assert_eq!(clip.place(7.0_f32), (1, 1.0));
+    /// // Two steps at 4 frames a second take half a second: 0.6875 s lie in the second round.
+    /// assert_eq!(clip.with_rate(4.0).looping().place(0.6875_f32), (0, 0.75));
     /// # Ok::<(), dq8::ShapeError>(())
     /// ```
     #[must_use]
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "within the clip")]
     pub fn place<R: Scalar>(&self, at: R) -> (u32, R) {
-        let at: f64 = at.into();
+        let mut at: f64 = at.into() * self.rate;
+        if self.loops && self.frames > 1 {
+            at %= self.steps();
+            at += if at < 0.0 { self.steps() } else { 0.0 };
+        }
         // The last frame of all has no next one.
         let last = self.frames.saturating_sub(2).min(u32::MAX as usize) as u32;
         let frame = (at as u32).min(last);

@@ -6,6 +6,7 @@
 mod backends;
 mod beyond_caches;
 mod chain;
+mod clips;
 mod crowd;
 mod elements;
 mod errors;

@@ -111,6 +111,9 @@ fn all_cores_compute_the_bits_of_one_of_every_form_and_palette() {
             job.locals_to_model(turned, &mut one).expect("they fit");
             job.clone().threads(usize::MAX).locals_to_model(turned, &mut all).expect("they fit");
             assert!(one == all, "{instances} instances, rotations");
+            hierarchy.job().locals(turned, &mut one).expect("they fit");
+            hierarchy.job().threads(usize::MAX).locals(turned, &mut all).expect("they fit");
+            assert!(one == all, "{instances} instances, locals");
 
             let (mut motions, mut par_motions) = (locals.clone(), locals.clone());
             job.palette_and_models(turned, &mut one, &binds, &mut motions).expect("they fit");

@@ -125,6 +125,25 @@ fn check<L: Memory, W: Reference<C>, const C: usize>(backend: Backend, instances
     job.locals_to_model(both, &mut models).expect("they fit");
     holds("blended", &models, &animation.layered([&first, &second], W::between_by_the_book));
 
+    // The locals themselves are the models of joints that are all roots, on every backend and from any register.
+    let flat = [Hierarchy::ROOT; JOINTS];
+    let flat = Hierarchy::new(&flat).expect("roots are joints");
+    let (mut locals, mut wanted) = (blank(), blank());
+    flat.job().backend(backend).locals_to_model(both, &mut wanted).expect("they fit");
+    job.locals(both, &mut locals).expect("they fit");
+    let (all, models) = (read::<L, 8>(JOINTS, &locals), read::<L, 8>(JOINTS, &wanted));
+    assert_same_bits(&all, &models, "the locals of all joints");
+    let (mut some, rest) = (blank(), read::<L, 8>(JOINTS, &blank()));
+    job.clone().joints(2..5).locals(both, &mut some).expect("they fit");
+    for (i, some) in read::<L, 8>(JOINTS, &some).iter().enumerate() {
+        let from = if (2..5).contains(&(i % JOINTS)) { &all } else { &rest };
+        assert_same_bits(
+            &[*some],
+            &from[i..=i],
+            "the locals of some joints, and nothing beside them",
+        );
+    }
+
     // A stored base, and the layer of a clip added to it.
     let mut models = blank();
     let sum = Layered::add(W::LAW, W::stored::<L>(&stored), other, &weights).mask(&mask);
@@ -260,6 +279,9 @@ fn what_does_not_fit_is_named_and_nothing_is_written() {
     };
     let job = hierarchy.job();
     refused(job.locals_to_model(sampled, &mut models[1..]), length("models", 13, 14));
+    refused(job.locals(sampled, &mut models[1..]), length("models", 13, 14));
+    let beyond = Err(ShapeError::Joints { range: 3..9, joints: JOINTS });
+    refused(job.clone().joints(3..9).locals(sampled, &mut models), beyond);
     let layer = |weights| Layered::blend(Nlerp, sampled, sampled, weights);
     refused(job.locals_to_model(layer(&[0.5]), &mut models), length("weights", 1, 2));
     let masked = layer(&[0.5; 2]).mask(&[1.0; 3]);

@@ -1,0 +1,60 @@
+use super::Clip;
+use crate::shape::ShapeError;
+use alloc::vec::Vec;
+
+/// A [`Clip`] with memory of its own: what a loader gives.
+///
+/// ```
+/// use dq8::hierarchy::OwnedClip;
+/// use dq8::{DualQuat, law::Sclerp};
+/// let keys = [0.0_f64, 1.0, 3.0].map(|x| DualQuat::from_translation([x, 0.0, 0.0]));
+/// let walk = OwnedClip::new(1, keys)?.with_rate(10.0);
+/// assert_eq!(walk.view().place(0.125), (1, 0.25));
+/// let hip = walk.view().pose(Sclerp, 0, 0.15).unwrap();
+/// assert!((hip.translation()[0] - 2.0).abs() < 1e-12);
+/// # Ok::<(), dq8::ShapeError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct OwnedClip<K> {
+    keys: Vec<K>,
+    joints: usize,
+    frames: usize,
+    rate: f64,
+    loops: bool,
+}
+
+impl<K> OwnedClip<K> {
+    /// See [`Clip::new`].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn new(joints: usize, keys: impl Into<Vec<K>>) -> Result<Self, ShapeError> {
+        let keys = keys.into();
+        let Clip { frames, rate, loops, .. } = Clip::new(joints, &keys)?;
+        Ok(Self { keys, joints, frames, rate, loops })
+    }
+
+    /// See [`Clip::with_rate`].
+    #[must_use]
+    pub fn with_rate(self, frames_per_second: f64) -> Self {
+        Self { rate: frames_per_second, ..self }
+    }
+
+    /// See [`Clip::looping`].
+    #[must_use]
+    pub fn looping(self) -> Self {
+        Self { loops: true, ..self }
+    }
+
+    /// The same, borrowed: what everything is asked of.
+    #[must_use]
+    pub fn view(&self) -> Clip<'_, K> {
+        Clip {
+            keys: &self.keys,
+            joints: self.joints,
+            frames: self.frames,
+            rate: self.rate,
+            loops: self.loops,
+        }
+    }
+}
