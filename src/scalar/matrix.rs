@@ -31,8 +31,8 @@ impl<R: Real> Quat<R> {
     /// out: [`try_from_matrix3`](Self::try_from_matrix3) checks, and [`Polar`](crate::representation::Polar) finds
     /// the nearest rotation to any matrix.
     ///
-    /// The largest of the four components is found first and divides the others (Shepperd 1978), so
-    /// that nothing is divided by a small number.
+    /// Shepperd (1978): what is divided by is w where the trace is not negative, so that w ≥ ½, and else the largest of
+    /// the other three components, so that it is not small.
     #[inline]
     #[must_use]
     pub fn from_matrix3(rows: [[R; 3]; 3]) -> Self {
@@ -43,17 +43,23 @@ impl<R: Real> Quat<R> {
         let y2 = one - m00 + m11 - m22;
         let z2 = one - m00 - m11 + m22;
         let w2 = one + m00 + m11 + m22;
-        let [x, y, z, w] = if w2 >= x2 && w2 >= y2 && w2 >= z2 {
+        let [x, y, z, w] = if w2 >= one {
             [m21 - m12, m02 - m20, m10 - m01, w2]
-        } else if x2 >= y2 && x2 >= z2 {
-            [x2, m01 + m10, m02 + m20, m21 - m12]
-        } else if y2 >= z2 {
-            [m01 + m10, y2, m12 + m21, m02 - m20]
         } else {
-            [m02 + m20, m12 + m21, z2, m10 - m01]
+            let turned = if x2 >= y2 && x2 >= z2 {
+                [x2, m01 + m10, m02 + m20, m21 - m12]
+            } else if y2 >= z2 {
+                [m01 + m10, y2, m12 + m21, m02 - m20]
+            } else {
+                [m02 + m20, m12 + m21, z2, m10 - m01]
+            };
+            let [.., w] = turned;
+            if w < R::ZERO { turned.map(|c| -c) } else { turned }
         };
-        let rotation = Self::from_xyzw(x, y, z, w).normalize();
-        if rotation.w() < R::ZERO { -rotation } else { rotation }
+        // The component that divides is at least 1 here, and all are at most 4: no square overflows, and none that counts
+        // vanishes.
+        let factor = one / (x * x + y * y + z * z + w * w).sqrt();
+        Self::from_xyzw(x * factor, y * factor, z * factor, w * factor)
     }
 
     /// The unit quaternion of a rotation matrix, w ≥ 0.
