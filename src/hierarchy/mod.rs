@@ -58,6 +58,7 @@ mod skeleton;
 mod slot;
 mod transposed;
 mod unkept;
+mod write;
 
 pub use crate::palette_entry::{MatrixOrder, PaletteEntry};
 #[cfg(feature = "alloc")]

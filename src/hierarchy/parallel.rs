@@ -2,10 +2,10 @@
 
 use super::backward::Backward;
 use super::forward;
-use super::local_poses::Write;
 use super::locals::Locals;
 use super::palette::{Epilogue, Palette};
 use super::run::Run;
+use super::write::Write;
 use crate::dispatch::Backend;
 use crate::palette_entry::PaletteEntry;
 use crate::storage::{Element, Layout, Number, Source};

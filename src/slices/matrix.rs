@@ -1,10 +1,48 @@
+//! Matrices, out and in.
+
+use super::rigid_matrix::RigidMatrix;
 use super::sweep::{SliceKernel, motions, part, sweep};
-use crate::dispatch::Backend;
+use crate::dispatch::{Backend, Kernel};
 use crate::palette_entry::{MatrixOrder, PaletteEntry};
+use crate::scalar::MatrixError;
 use crate::shape::{ShapeError, same_length};
-use crate::storage::{Element, Register, Tile};
+use crate::storage::{self, Element, Layout, Number, Register, Tile};
+use core::fmt;
 use core::ops::Range;
-use dq8_simd::Level;
+use dq8_simd::{Lanes, Level, Mask};
+
+/// Matrices that are no motions, or slices that do not fit. Nothing has been written.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum MatricesError {
+    /// The slices differ in length.
+    Shape(ShapeError),
+    /// A matrix is no rigid motion.
+    NotRigid {
+        /// Which, the first one; in blocks, things are counted one after the other.
+        index: usize,
+        /// What is wrong with it.
+        error: MatrixError,
+    },
+}
+
+impl fmt::Display for MatricesError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Shape(error) => error.fmt(f),
+            Self::NotRigid { index, error } => write!(f, "matrix {index}: {error}"),
+        }
+    }
+}
+
+impl core::error::Error for MatricesError {}
+
+impl From<ShapeError> for MatricesError {
+    fn from(error: ShapeError) -> Self {
+        Self::Shape(error)
+    }
+}
 
 impl Backend {
     /// `matrices[i]` = [R | t] of unit σᵢ: 3×4 matrices for twelve numbers per element, 4×4 matrices,
@@ -39,6 +77,73 @@ impl Backend {
         sweep(self, matrices, Matrices { motions, order });
         Ok(())
     }
+
+    /// `motions[i]` = the motion of a matrix that is known to be rigid, p_w ≥ 0
+    /// ([`DualQuat::from_matrix3x4`](crate::DualQuat::from_matrix3x4)); garbage in, garbage out. 3×4 matrices for twelve numbers
+    /// per element, 4×4 matrices, whose last row is not read, for sixteen.
+    ///
+    /// # Errors
+    /// If the slices differ in length; `motions` is untouched.
+    ///
+    /// ```
+    /// use dq8::{Backend, DualQuat, hierarchy::MatrixOrder};
+    /// let rows = [[[1.0_f32, 0.0, 0.0, 7.0], [0.0, 1.0, 0.0, 8.0], [0.0, 0.0, 1.0, 9.0]]; 3];
+    /// let mut motions = [DualQuat::IDENTITY; 3];
+    /// Backend::best().from_matrices(&rows, MatrixOrder::Rows, &mut motions)?;
+    /// assert_eq!(motions[2].translation(), [7.0, 8.0, 9.0]);
+    /// # Ok::<(), dq8::ShapeError>(())
+    /// ```
+    #[inline]
+    pub fn from_matrices<M, E, const C: usize>(
+        self,
+        matrices: &[M],
+        order: MatrixOrder,
+        motions: &mut [E],
+    ) -> Result<(), ShapeError>
+    where
+        M: RigidMatrix<C>,
+        E: Element<8, Layout = M::Layout>,
+    {
+        same_length("motions", motions.len(), matrices.len())?;
+        sweep(self, motions, FromMatrices::<M, C> { matrices, order });
+        Ok(())
+    }
+
+    /// `motions[i]` = the motion of a matrix, p_w ≥ 0, as
+    /// [`DualQuat::try_from_matrix3x4`](crate::DualQuat::try_from_matrix3x4) and
+    /// [`try_from_matrix4`](crate::DualQuat::try_from_matrix4) have it.
+    ///
+    /// # Errors
+    /// If the slices differ in length, or a matrix is further than `tolerance` from a rigid one: the first such. All
+    /// matrices are looked at before any motion is written.
+    ///
+    /// ```
+    /// use dq8::{Backend, DualQuat, hierarchy::MatrixOrder};
+    /// let one = DualQuat::<f32>::IDENTITY.to_cols_array_2d();
+    /// let mut doubled = one;
+    /// doubled[0][0] = 2.0;
+    /// let mut motions = [DualQuat::IDENTITY; 2];
+    /// let answer = Backend::best().try_from_matrices(&[one, doubled], MatrixOrder::Columns, 1e-5, &mut motions);
+    /// assert!(answer.unwrap_err().to_string().starts_with("matrix 1: not a rotation"));
+    /// ```
+    #[inline]
+    pub fn try_from_matrices<M, E, const C: usize>(
+        self,
+        matrices: &[M],
+        order: MatrixOrder,
+        tolerance: Number<M, C>,
+        motions: &mut [E],
+    ) -> Result<(), MatricesError>
+    where
+        M: RigidMatrix<C>,
+        E: Element<8, Layout = M::Layout>,
+    {
+        same_length("motions", motions.len(), matrices.len())?;
+        match self.run(Check { matrices, order, tolerance }) {
+            Some((index, error)) => Err(MatricesError::NotRigid { index, error }),
+            None => Ok(self.from_matrices(matrices, order, motions)?),
+        }
+    }
 }
 
 struct Matrices<'s, E> {
@@ -58,4 +163,65 @@ where
     fn part(&self, elements: Range<usize>) -> Self {
         Self { motions: part(self.motions, elements), order: self.order }
     }
+}
+
+struct FromMatrices<'s, M, const C: usize> {
+    matrices: &'s [M],
+    order: MatrixOrder,
+}
+
+impl<E, M, const C: usize> SliceKernel<E, 8> for FromMatrices<'_, M, C>
+where
+    M: RigidMatrix<C>,
+    E: Element<8, Layout = M::Layout>,
+{
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn compute<V: Level>(&self, level: V, _: &[E], tile: Tile) -> Option<[Register<E, V, 8>; 8]> {
+        let numbers = M::load(level, self.matrices, tile, &storage::identity())?;
+        Some(M::motion(numbers, self.order).to_array())
+    }
+    fn part(&self, elements: Range<usize>) -> Self {
+        Self { matrices: part(self.matrices, elements), order: self.order }
+    }
+}
+
+/// The first matrix that is no rigid motion. Lanes find the tile, and what they find is looked at once more one by one, which
+/// says what is wrong.
+struct Check<'s, M: RigidMatrix<C>, const C: usize> {
+    matrices: &'s [M],
+    order: MatrixOrder,
+    tolerance: Number<M, C>,
+}
+
+impl<M: RigidMatrix<C>, const C: usize> Kernel for Check<'_, M, C> {
+    type Output = Option<(usize, MatrixError)>;
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn run<V: Level>(self, level: V) -> Self::Output {
+        let Self { matrices, order, tolerance } = self;
+        let lanes = Register::<M, V, C>::LANES;
+        for tile in storage::tiles::<M, V, C>(matrices.len()) {
+            let numbers = M::load(level, matrices, tile, &storage::identity())?;
+            if M::fails(numbers, order, Lanes::splat(level, tolerance)).any() {
+                let first = tile.element * M::Layout::THINGS + tile.register * lanes;
+                let found = one_by_one(matrices, order, tolerance, first..first + lanes);
+                if found.is_some() {
+                    return found;
+                }
+            }
+        }
+        None
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn one_by_one<M: RigidMatrix<C>, const C: usize>(
+    matrices: &[M],
+    order: MatrixOrder,
+    tolerance: Number<M, C>,
+    things: Range<usize>,
+) -> Option<(usize, MatrixError)> {
+    let wrong = |index| Some((index, M::wrong(M::get(matrices, index)?, order, tolerance)?));
+    things.into_iter().find_map(wrong)
 }

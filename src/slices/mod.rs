@@ -16,7 +16,7 @@
 //! | [`to_twist`](Backend::to_twist), [`from_twist`](Backend::from_twist) | motions and the twists that lead to them in one second |
 //! | [`integrate_body`](Backend::integrate_body) | one step along twists |
 //! | [`angles`](Backend::angles), [`distances`](Backend::distances) | between aᵢ and bᵢ |
-//! | [`matrices`](Backend::matrices) | 3×4 and 4×4 matrices, by rows or by columns |
+//! | [`matrices`](Backend::matrices), [`from_matrices`](Backend::from_matrices), [`try_from_matrices`](Backend::try_from_matrices) | to and from 3×4 and 4×4 matrices, by rows or by columns |
 //!
 //! Each takes plain slices (`[DualQuat<f32>]`, `[[f32; 3]]`, …) or slices of blocks; see
 //! [`storage`](crate::storage). Plain slices may have any length and lie anywhere: they are transposed in registers,
@@ -38,6 +38,7 @@ mod interpolate;
 mod matrix;
 mod metric;
 mod product;
+mod rigid_matrix;
 mod screw;
 mod sweep;
 mod trajectory;
@@ -45,6 +46,8 @@ mod transform;
 mod transform_each;
 mod unit;
 
+pub use matrix::MatricesError;
+pub use rigid_matrix::RigidMatrix;
 pub use trajectory::TrajectoryError;
 
 #[cfg(doc)]

@@ -17,6 +17,7 @@ mod isolation;
 mod kernel;
 mod laws;
 mod locals;
+mod matrices;
 mod memory;
 mod packing;
 #[cfg(feature = "rayon")]
