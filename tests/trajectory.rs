@@ -1,7 +1,7 @@
 //! Samples and means along a trajectory are those of one motion at a time.
 
 use dq8::slices::TrajectoryError;
-use dq8::{Backend, DualQuat, Quat, ShapeError};
+use dq8::{Backend, DualQuat, Quat, ShapeError, Twist};
 
 /// A unit motion of some lengths, normalized again.
 const LAST_BITS: f64 = 1e-15;
@@ -60,6 +60,48 @@ fn samples_are_screw_motion_between_neighbours_in_any_order() {
             }
         }
     }
+}
+
+/// So short a step along the twist of a sample leads where the trajectory is then.
+#[test]
+fn twists_of_samples_lead_along_the_trajectory() {
+    let (times, poses) = poses(40);
+    let end = times[39];
+    // None is so near to a pose that the step would go beyond it.
+    let at: Vec<_> = (0..200).map(|i| -0.2 + (end + 0.4) * f64::from(i) / 200.0 + 1e-4).collect();
+    let step = 1e-6;
+    for backend in Backend::available() {
+        let (mut now, mut later) = (vec![DualQuat::ZERO; 200], vec![DualQuat::ZERO; 200]);
+        let mut twists = vec![Twist::ZERO; 200];
+        backend.resample_with_twists(&times, &poses, &at, &mut now, &mut twists).unwrap();
+        let soon: Vec<_> = at.iter().map(|at| at + step).collect();
+        backend.resample(&times, &poses, &soon, &mut later).unwrap();
+        let mut alone = now.clone();
+        backend.resample(&times, &poses, &at, &mut alone).unwrap();
+        assert_eq!(now, alone, "samples are the same without twists");
+        for (i, at) in at.iter().enumerate() {
+            let there = now[i].integrate_body(twists[i], step);
+            let same =
+                there.abs_diff_eq(later[i], SAMPLED) || there.abs_diff_eq(-later[i], SAMPLED);
+            assert!(same, "{backend}, at {at}: {there} {}", later[i]);
+            let inside = (times[0]..end).contains(at);
+            assert_eq!(
+                twists[i] != Twist::ZERO,
+                inside,
+                "{backend}, at {at}: it moves inside only"
+            );
+        }
+    }
+    let mut untouched = [DualQuat::ZERO; 2];
+    let answer = Backend::best().resample_with_twists(
+        &times,
+        &poses,
+        &[0.0; 2],
+        &mut untouched,
+        &mut [Twist::ZERO; 1],
+    );
+    let length = ShapeError::Length { what: "twists", length: 1, expected: 2 };
+    assert_eq!((answer, untouched), (Err(length.into()), [DualQuat::ZERO; 2]));
 }
 
 #[test]

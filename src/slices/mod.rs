@@ -7,7 +7,7 @@
 //! | [`normalize`](Backend::normalize), [`inverse`](Backend::inverse), and in place | exactly, one by one |
 //! | [`conjugate`](Backend::conjugate), and in place | the inverse of unit motions |
 //! | [`nlerp`](Backend::nlerp), [`sclerp`](Backend::sclerp), with one t or one each | between aᵢ and bᵢ |
-//! | [`resample`](Backend::resample), [`dib_windows`](Backend::dib_windows) | a trajectory at other times, and smoothed |
+//! | [`resample`](Backend::resample), [`resample_with_twists`](Backend::resample_with_twists), [`dib_windows`](Backend::dib_windows) | a trajectory at other times, and smoothed |
 //! | [`transform_points`](Backend::transform_points), [`transform_vectors`](Backend::transform_vectors), and in place | by one motion |
 //! | [`transform_points_each`](Backend::transform_points_each), [`transform_vectors_each`](Backend::transform_vectors_each) | by one motion each |
 //! | [`transform_lines_each`](Backend::transform_lines_each), [`transform_planes_each`](Backend::transform_planes_each), [`transform_twists_each`](Backend::transform_twists_each) | by one motion each |

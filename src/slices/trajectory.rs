@@ -2,16 +2,20 @@
 
 use super::interpolate::{Interpolation, Many};
 #[cfg(feature = "rayon")]
-use super::sweep::{GRAIN, part};
-use super::sweep::{motions, sweep};
+use super::sweep::GRAIN;
+use super::sweep::{SliceKernel, motions, part, sweep};
 use crate::batch;
 use crate::dispatch::{Backend, Kernel};
+use crate::geometry::Twist;
 use crate::law::Sclerp;
-use crate::real::Scalar;
+use crate::real::{Real, Scalar};
 use crate::scalar::DualQuat;
 use crate::shape::{ShapeError, same_length};
-use crate::storage::{Element, Tile, tiles};
+use crate::storage::{Element, Register, Tile, tiles};
+#[cfg(feature = "rayon")]
+use crate::threads::Rows;
 use core::fmt;
+use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
 /// How many samples are looked up before they are computed: few enough to stay in the first cache, on the stack.
@@ -90,6 +94,47 @@ impl Backend {
         at: &[R],
         samples: &mut [DualQuat<R>],
     ) -> Result<(), TrajectoryError> {
+        self.sample(times, poses, at, samples, &mut [])
+    }
+
+    /// [`resample`](Self::resample), and `twists[i]` = how the pose moves there: the twist in the frame of the moving body, of the
+    /// unit of time of `times`, which on a screw motion is the same from one pose to the next,
+    /// log((p*q)²) / (t_q − t_p). At a pose it is that of the way to the next one; before the first pose, and from the
+    /// last one on, it is zero. [`integrate_body`](Self::integrate_body) goes along it.
+    ///
+    /// # Errors
+    /// As there, and if `twists` is not as long as `at`; nothing is written.
+    ///
+    /// ```
+    /// use dq8::{Backend, DualQuat, Twist};
+    /// let poses = [0.0_f64, 2.0, 8.0].map(|x| DualQuat::from_translation([x, 0.0, 0.0]));
+    /// let (mut samples, mut twists) = ([DualQuat::IDENTITY; 3], [Twist::ZERO; 3]);
+    /// let times = [0.0, 1.0, 3.0];
+    /// Backend::best().resample_with_twists(&times, &poses, &[0.5, 2.0, 9.0], &mut samples, &mut twists)?;
+    /// assert_eq!(twists.map(|twist| twist.linear[0]), [2.0, 3.0, 0.0]);
+    /// # Ok::<(), dq8::slices::TrajectoryError>(())
+    /// ```
+    pub fn resample_with_twists<R: Scalar>(
+        self,
+        times: &[R],
+        poses: &[DualQuat<R>],
+        at: &[R],
+        samples: &mut [DualQuat<R>],
+        twists: &mut [Twist<R>],
+    ) -> Result<(), TrajectoryError> {
+        same_length("twists", twists.len(), at.len())?;
+        self.sample(times, poses, at, samples, twists)
+    }
+
+    /// Samples, and twists unless there are none.
+    fn sample<R: Scalar>(
+        self,
+        times: &[R],
+        poses: &[DualQuat<R>],
+        at: &[R],
+        samples: &mut [DualQuat<R>],
+        twists: &mut [Twist<R>],
+    ) -> Result<(), TrajectoryError> {
         same_length("poses", poses.len(), times.len())?;
         same_length("samples", samples.len(), at.len())?;
         let Some(first) = poses.first() else { return Err(TrajectoryError::Empty) };
@@ -106,12 +151,14 @@ impl Backend {
         let trajectory = Trajectory { times, poses, first: *first };
         #[cfg(feature = "rayon")]
         if self.many() {
-            self.share(GRAIN, (samples, 1), &|start, (samples, _): (&mut [_], usize)| {
-                trajectory.sample(self, part(at, start..start + samples.len()), samples);
-            });
+            let work = |start, ((samples, _), (twists, _)): (Rows<'_, _>, Rows<'_, _>)| {
+                let at = part(at, start..start + samples.len());
+                trajectory.sample(self, at, samples, twists);
+            };
+            self.share(GRAIN, ((samples, 1), (twists, 1)), &work);
             return Ok(());
         }
-        trajectory.sample(self, at, samples);
+        trajectory.sample(self, at, samples, twists);
         Ok(())
     }
 
@@ -166,22 +213,35 @@ struct Trajectory<'s, R> {
 }
 
 impl<R: Scalar> Trajectory<'_, R> {
-    fn sample(&self, backend: Backend, at: &[R], samples: &mut [DualQuat<R>]) {
+    fn sample(
+        &self,
+        backend: Backend,
+        at: &[R],
+        samples: &mut [DualQuat<R>],
+        twists: &mut [Twist<R>],
+    ) {
         let Self { times, poses, first } = *self;
         let (mut from, mut to, mut share) = ([first; CHUNK], [first; CHUNK], [[R::ZERO]; CHUNK]);
-        let mut after = 0;
+        let mut durations = [[R::ONE]; CHUNK];
+        let (mut after, mut twists) = (0, twists.chunks_mut(CHUNK));
         for (at, samples) in at.chunks(CHUNK).zip(samples.chunks_mut(CHUNK)) {
-            let slots = from.iter_mut().zip(&mut to).zip(&mut share);
-            for (&time, ((from, to), [share])) in at.iter().zip(slots) {
+            let slots = from.iter_mut().zip(&mut to).zip(&mut share).zip(&mut durations);
+            for (&time, (((from, to), [share]), [duration])) in at.iter().zip(slots) {
                 after = first_after(times, time, after);
                 let (start, end) = (after.saturating_sub(1), after.min(times.len() - 1));
                 (*from, *to) = (poses[start], poses[end]);
                 let (start, end) = (times[start], times[end]);
                 *share = if start < end { share_of(time, start, end) } else { R::ZERO };
+                // Outside nothing moves, to the last bit.
+                let moves = start < end;
+                *duration = if moves { end - start } else { <R as Real>::from_f64(f64::INFINITY) };
             }
             let n = at.len();
             let (a, b, t) = (&from[..n], &to[..n], Many(&share[..n]));
             sweep(backend, samples, Interpolation { law: Sclerp, a, b, t });
+            if let Some(twists) = twists.next() {
+                sweep(backend, twists, Velocities { a, b, durations: &durations[..n] });
+            }
         }
     }
 }
@@ -206,6 +266,33 @@ fn share_of<R: Scalar>(time: R, start: R, end: R) -> R {
     }
     // Half of so long a time is not.
     (time * R::HALF - start * R::HALF) / (end * R::HALF - start * R::HALF)
+}
+
+/// The twist from `a` to `b` by the shorter way, in this time.
+struct Velocities<'s, R> {
+    a: &'s [DualQuat<R>],
+    b: &'s [DualQuat<R>],
+    durations: &'s [[R; 1]],
+}
+
+impl<R: Scalar> SliceKernel<Twist<R>, 6> for Velocities<'_, R> {
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn compute<V: Level>(
+        &self,
+        level: V,
+        _: &[Twist<R>],
+        tile: Tile,
+    ) -> Option<[Register<Twist<R>, V, 6>; 6]> {
+        let (a, b) = (motions(level, self.a, tile)?, motions(level, self.b, tile)?);
+        let [duration] = <[R; 1]>::load(level, self.durations, tile, &[R::ONE])?;
+        let step = a.conjugate() * b;
+        let shorter = step.scale(duration.constant(1.0).copysign(step.real().w()));
+        Some(shorter.to_twist().to_array().map(|component| component / duration))
+    }
+    fn part(&self, elements: Range<usize>) -> Self {
+        let [a, b] = [self.a, self.b].map(|poses| part(poses, elements.clone()));
+        Self { a, b, durations: part(self.durations, elements) }
+    }
 }
 
 struct Windows<'s, R, const W: usize> {
