@@ -182,14 +182,48 @@ impl Default for Backend {
     }
 }
 
-impl fmt::Display for Backend {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self.proof {
+impl Backend {
+    fn name(self) -> &'static str {
+        match self.proof {
             Proof::Portable => "portable",
             #[cfg(target_arch = "x86_64")]
             Proof::Avx2(_) => "AVX2",
             #[cfg(target_arch = "x86_64")]
             Proof::Avx512(..) => "AVX-512",
-        })
+        }
+    }
+}
+
+impl fmt::Display for Backend {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// Instructions that this CPU does not have, or that have another name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub struct UnavailableBackend;
+
+impl fmt::Display for UnavailableBackend {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("no such backend here; this CPU has")?;
+        Backend::available().try_for_each(|backend| write!(f, " {backend}"))
+    }
+}
+
+impl core::error::Error for UnavailableBackend {}
+
+/// One that this CPU has, by its name: "avx2" and "AVX-512" as well as "AVX2" and "avx512".
+impl core::str::FromStr for Backend {
+    type Err = UnavailableBackend;
+
+    fn from_str(name: &str) -> Result<Self, UnavailableBackend> {
+        fn letters(name: &str) -> impl Iterator<Item = u8> + '_ {
+            name.bytes().filter(|&byte| byte != b'-').map(|byte| byte.to_ascii_lowercase())
+        }
+        let named = |backend: &Self| letters(backend.name()).eq(letters(name));
+        Self::available().find(named).ok_or(UnavailableBackend)
     }
 }

@@ -131,7 +131,7 @@ struct Readme;
 /// The lanes' own crate: numbers, vectors and instruction sets, for kernels of your own.
 pub use dq8_simd as simd;
 
-pub use dispatch::{Backend, Kernel};
+pub use dispatch::{Backend, Kernel, UnavailableBackend};
 #[doc(inline)]
 pub use dq8_simd::{Lanes, Level};
 pub use dual_number::DualNumber;

@@ -306,6 +306,20 @@ fn points_lines_planes_crowds_and_hierarchies_are_where_they_are_looked_for() {
     assert_eq!(floats.len(), 16);
 }
 
+/// As an environment variable says which.
+#[test]
+fn backends_are_read_by_their_names() {
+    for backend in Backend::available() {
+        assert_eq!(backend.to_string().parse(), Ok(backend));
+        assert_eq!(backend.to_string().to_lowercase().replace('-', "").parse(), Ok(backend));
+    }
+    let best = "avx2".parse().unwrap_or_default();
+    assert!(Backend::available().any(|backend| backend == best));
+    let error = "AVX3".parse::<Backend>().unwrap_err();
+    assert!(error.to_string().starts_with("no such backend here; this CPU has portable"));
+    assert!("".parse::<Backend>().is_err());
+}
+
 #[test]
 fn structs_of_numbers_are_plain_data_in_the_order_of_their_fields() {
     fn numbers<T: bytemuck::Pod, const C: usize>() -> T {
