@@ -3,7 +3,7 @@
 use crate::batch::{DualQuat, Quat, vector};
 use dq8_simd::Lanes;
 
-/// How poses of `C` numbers are interpolated: [`Nlerp`] or [`Sclerp`] for motions, [`NlerpLerp`] for
+/// A law by which poses of `C` numbers are interpolated: [`Nlerp`] or [`Sclerp`] for motions, [`NlerpLerp`] for
 /// rotations and translations. Sealed.
 pub trait Law<const C: usize>: Copy + core::fmt::Debug + Send + Sync + sealed::Sealed {
     /// From `a` (t = 0) to `b` (t = 1).

@@ -50,7 +50,7 @@ shared_trait! {
     ///
     /// # Where unit length is a precondition
     ///
-    /// What the laws above promise for *unit* σ needs |p| = 1 and p·q = 0 within rounding: rotation and translation,
+    /// The promises of the laws above for *unit* σ need |p| = 1 and p·q = 0 within rounding: rotation and translation,
     /// matrices, screws, `log`, `pow`, `sclerp`, points, directions, lines, planes, twists, distances, and `conjugate` as
     /// an inverse. `from_axis_angle` needs a unit axis, and `from_rotation` and its kin need a unit rotation. Products,
     /// sums, conjugates, `norm`, `normalize`, `inverse`, `nlerp` and `dlb` take any σ with p ≠ 0.
@@ -73,7 +73,7 @@ shared_trait! {
     delegate by delegate_motion;
 
     types {
-        /// What it takes to make a constant: nothing, `()`, or the proof that the CPU has the lanes.
+        /// The value that it takes to make a constant: nothing, `()`, or the proof that the CPU has the lanes.
         type Level: Copy;
         /// A real number, or one per lane.
         type Real: Copy

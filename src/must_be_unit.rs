@@ -4,7 +4,7 @@
 
 use crate::real::Real;
 
-/// How far |p|², and p·q relative to max(1, |q|), may be off. Drift does not come near it, a forgotten normalization does.
+/// The error that |p|², and p·q relative to max(1, |q|), may have. Drift does not come near it, a forgotten normalization does.
 const PLAINLY: f64 = 0.1;
 const JUDGES: bool = cfg!(all(dq8_debug_assert_unit, debug_assertions));
 

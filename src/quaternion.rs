@@ -30,7 +30,7 @@ shared_trait! {
     delegate by delegate_quaternion;
 
     types {
-        /// What it takes to make a constant: nothing, `()`, or the proof that the CPU has the lanes.
+        /// The value that it takes to make a constant: nothing, `()`, or the proof that the CPU has the lanes.
         type Level: Copy;
         /// A real number, or one per lane.
         type Real: Copy + Debug;

@@ -10,7 +10,7 @@ use core::ops::Range;
 pub enum ShapeError {
     /// A slice does not hold a whole number of instances.
     NotWhole {
-        /// Which slice.
+        /// The name of the slice.
         what: &'static str,
         /// Its length.
         length: usize,
@@ -19,12 +19,12 @@ pub enum ShapeError {
     },
     /// A slice holds nothing where something is needed.
     Empty {
-        /// Which slice.
+        /// The name of the slice.
         what: &'static str,
     },
     /// A slice has the wrong length.
     Length {
-        /// Which slice.
+        /// The name of the slice.
         what: &'static str,
         /// Its length.
         length: usize,
@@ -35,7 +35,7 @@ pub enum ShapeError {
     Joints {
         /// The range.
         range: Range<usize>,
-        /// How many joints there are.
+        /// The number of joints.
         joints: usize,
     },
     /// A joint of a range, whose parent is not in it: models that go through scratch are not kept for it.
@@ -57,7 +57,7 @@ pub enum ShapeError {
     NoLink {
         /// The link asked for.
         link: usize,
-        /// How many links there are.
+        /// The number of links.
         links: usize,
     },
     /// A pose that a crowd does not have.
@@ -66,9 +66,9 @@ pub enum ShapeError {
         instance: usize,
         /// The joint asked for.
         joint: usize,
-        /// How many instances there are.
+        /// The number of instances.
         instances: usize,
-        /// How many joints there are.
+        /// The number of joints.
         joints: usize,
     },
     /// A frame that a clip does not have, or that no frame follows.
@@ -77,7 +77,7 @@ pub enum ShapeError {
         instance: usize,
         /// The frame asked for.
         frame: usize,
-        /// How many frames there are.
+        /// The number of frames.
         frames: usize,
     },
 }
@@ -123,7 +123,7 @@ impl fmt::Display for ShapeError {
 
 impl core::error::Error for ShapeError {}
 
-/// Whether `what` holds as many elements as it must.
+/// Checks that `what` holds as many elements as it must.
 pub(crate) fn same_length(
     what: &'static str,
     length: usize,
@@ -132,7 +132,7 @@ pub(crate) fn same_length(
     if length == expected { Ok(()) } else { Err(ShapeError::Length { what, length, expected }) }
 }
 
-/// How many instances of `joints` joints `what` holds.
+/// The number of instances of `joints` joints in `what`.
 pub(crate) fn whole_instances(
     what: &'static str,
     joints: usize,
@@ -149,7 +149,7 @@ pub(crate) fn whole_instances(
     }
 }
 
-/// Whether these are joints of a hierarchy.
+/// Checks that these are joints of a hierarchy.
 pub(crate) fn joints_within(range: &Range<usize>, joints: usize) -> Result<(), ShapeError> {
     if range.start <= range.end && range.end <= joints {
         return Ok(());

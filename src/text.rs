@@ -20,9 +20,9 @@ pub enum ParseError {
     },
     /// The list has the wrong length.
     Count {
-        /// How many numbers there are.
+        /// Their number.
         found: usize,
-        /// How many there must be.
+        /// The number that there must be.
         expected: usize,
     },
 }

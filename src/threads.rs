@@ -2,7 +2,7 @@
 
 use crate::dispatch::Backend;
 
-/// What a job may be told of how it runs.
+/// The options of a job: instructions, and threads.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Choice {
     pub(crate) backend: Option<Backend>,
@@ -46,7 +46,7 @@ macro_rules! options {
 }
 pub(crate) use options;
 
-/// What a kernel writes; with the feature `rayon`, cut at a thing.
+/// The output of a kernel; with the feature `rayon`, cut at a thing.
 #[cfg(not(feature = "rayon"))]
 pub(crate) trait Outputs {}
 #[cfg(not(feature = "rayon"))]
@@ -80,7 +80,7 @@ mod many {
             self
         }
 
-        /// Whether there may be more threads than the one that calls.
+        /// `true` if there may be more threads than the one that calls.
         #[inline]
         pub(crate) fn many(self) -> bool {
             self.threads > NonZeroUsize::MIN
@@ -123,9 +123,9 @@ mod many {
         );
     }
 
-    /// What a kernel writes, cut at a thing.
+    /// The output of a kernel, cut at a thing.
     pub(crate) trait Outputs: Sized + Send {
-        /// How many things there are.
+        /// The number of things.
         fn things(&self) -> usize;
         /// Those before number `at`, and the others.
         fn split(self, at: usize) -> (Self, Self);

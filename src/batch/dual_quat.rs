@@ -162,7 +162,7 @@ impl<L: Lanes> DualQuat<L> {
         Dual::new(self.real.dot(other.real), across)
     }
 
-    /// Whether every component of the two differs by at most `tolerance`; false for NaN.
+    /// `true` if every component of the two differs by at most `tolerance`; false for NaN.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn abs_diff_eq(self, other: Self, tolerance: L) -> L::Mask {

@@ -12,7 +12,7 @@ pub(super) struct Length<L> {
     root: L,
     /// Its reciprocal; where any lane is stretched, times a power of two.
     first: L,
-    /// What is left to multiply by, and the stretch, where any lane is stretched.
+    /// The factor that is left, and the stretch, where any lane is stretched.
     stretched: Option<(L, L)>,
 }
 

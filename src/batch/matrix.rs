@@ -128,7 +128,7 @@ impl<L: Lanes> DualQuat<L> {
     }
 }
 
-/// Whether a difference is within a tolerance. An infinite one forgives all but what is not finite.
+/// `true` if a difference is within a tolerance. An infinite one forgives all but what is not finite.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn is_close<L: Lanes>(difference: L, tolerance: L) -> L::Mask {
     vector::is_finite(difference) & difference.abs().le(tolerance)

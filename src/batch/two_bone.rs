@@ -19,7 +19,7 @@ pub struct TwoBone<L: Lanes> {
     pub stretched: L::Mask,
     /// It is nearer than the bones differ in length: the limb is folded.
     pub folded: L::Mask,
-    /// How far the end is from the target: zero but for rounding where neither mask holds.
+    /// The distance of the end from the target: zero but for rounding where neither mask holds.
     pub missed: L,
 }
 

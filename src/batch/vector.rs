@@ -67,14 +67,14 @@ pub(crate) fn splat<L: Lanes, const N: usize>(level: L::Level, numbers: [L::Real
     lanes
 }
 
-/// Where a number is neither infinite nor NaN.
+/// Lanes in which a number is neither infinite nor NaN.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn is_finite<L: Lanes>(number: L) -> L::Mask {
     let zero = number.constant(0.0);
     (number * zero).eq(zero)
 }
 
-/// Where all numbers are.
+/// Lanes in which all numbers are.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn are_finite<L: Lanes, const N: usize>(numbers: [L; N]) -> L::Mask {
     let zero = numbers[0].constant(0.0);
@@ -92,7 +92,7 @@ pub(crate) fn epsilon<L: Lanes>() -> f64 {
     if L::Real::SINGLE { f64::from(f32::EPSILON) } else { f64::EPSILON }
 }
 
-/// What of `vector` is across the unit vector `along`.
+/// The part of `vector` across the unit vector `along`.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn across<L: Lanes>(along: [L; 3], vector: [L; 3]) -> [L; 3] {
     scale_onto(along, -dot(along, vector), vector)

@@ -19,7 +19,7 @@ use super::euler_order::EulerOrder;
 pub struct EulerAngles<R> {
     /// Radians, first turn first, about the axes of the order.
     pub angles: [R; 3],
-    /// Which axes, and whose.
+    /// The axes, and whose.
     pub order: EulerOrder,
 }
 

@@ -14,7 +14,7 @@
 pub struct EulerOrder {
     /// The axes, first turn first.
     pub axes: EulerAxes,
-    /// Whether the axes move along.
+    /// `true` if the axes move along.
     pub frame: EulerFrame,
 }
 
@@ -81,7 +81,7 @@ impl EulerAxes {
         }
     }
 
-    /// Whether the last axis is the first one again: then the middle angle is in [0, π], and
+    /// `true` if the last axis is the first one again: then the middle angle is in [0, π], and
     /// otherwise in [−π/2, π/2].
     #[must_use]
     pub const fn is_proper(self) -> bool {

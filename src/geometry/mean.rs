@@ -6,8 +6,8 @@
 pub struct Mean<M, T, B> {
     /// The mean, or the last approximation to it.
     pub motion: M,
-    /// How many steps were made, a whole number. 0 is the linear blend, untouched.
+    /// The number of steps, a whole number. 0 is the linear blend, untouched.
     pub iterations: T,
-    /// Whether the next step would have been within the tolerance.
+    /// `true` if the next step would have been within the tolerance.
     pub converged: B,
 }

@@ -101,7 +101,7 @@ trait Segments {
     type Lanes: Lanes<Real: Scalar>;
     fn level(&self) -> <Self::Lanes as Lanes>::Level;
     fn parts(&self) -> usize;
-    /// How many links a segment has.
+    /// The number of links of a segment.
     fn steps(&self) -> usize;
     /// A link of each segment of a part.
     fn load(&self, part: usize, step: usize) -> Option<batch::DualQuat<Self::Lanes>>;

@@ -9,7 +9,7 @@ use crate::storage::{Element, Layout, Register, Tile};
 use core::sync::atomic::{Ordering, compiler_fence};
 use dq8_simd::{Lanes, Level};
 
-/// Whether instructions that wait do not keep others from running. Microcontrollers execute one after the
+/// `true` if instructions that wait do not keep others from running. Microcontrollers execute one after the
 /// other, and have little room for code.
 const OVERLAPS: bool =
     cfg!(not(all(target_os = "none", any(target_arch = "arm", target_arch = "riscv32"))));
@@ -17,7 +17,7 @@ const OVERLAPS: bool =
 /// Bytes of the first cache, or less, that instances side by side may fill.
 const CACHE: usize = 32 << 10;
 
-/// How many joints ahead the loop prefetches. It saves 1024 skeletons of 64 joints in place a tenth of the time with
+/// The number of joints that the loop prefetches ahead. It saves 1024 skeletons of 64 joints in place a tenth of the time with
 /// AVX2 and a twentieth with AVX-512, and costs one block of 16, which never leaves the first cache, a twentieth.
 /// Farther ahead is not faster, and from 8 joints on it is slower.
 const AHEAD: usize = 2;

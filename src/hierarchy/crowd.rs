@@ -79,13 +79,13 @@ where
         Ok(())
     }
 
-    /// How many joints an instance has.
+    /// The number of joints of an instance.
     #[must_use]
     pub fn joints(&self) -> usize {
         self.joints
     }
 
-    /// How many instances there are.
+    /// The number of instances.
     #[must_use]
     pub fn instances(&self) -> usize {
         self.instances

@@ -20,7 +20,7 @@ pub enum HierarchyError {
         joint: usize,
         /// Its parent, as it was written: a number of any type.
         parent: i128,
-        /// How many joints there are.
+        /// The number of joints.
         joints: usize,
     },
     /// A joint is its own ancestor.
@@ -32,7 +32,7 @@ pub enum HierarchyError {
     NoJoint {
         /// The joint asked for.
         joint: usize,
-        /// How many joints there are.
+        /// The number of joints.
         joints: usize,
     },
     /// The joints below a joint do not lie in one range.
@@ -44,9 +44,9 @@ pub enum HierarchyError {
     },
     /// Not as many names as joints.
     Names {
-        /// How many names there are.
+        /// The number of names.
         names: usize,
-        /// How many joints there are.
+        /// The number of joints.
         joints: usize,
     },
     /// A joint has the name of an earlier one.
@@ -58,7 +58,7 @@ pub enum HierarchyError {
     },
     /// More joints than a `u32` can number.
     TooManyJoints {
-        /// How many joints there are.
+        /// The number of joints.
         joints: usize,
     },
 }

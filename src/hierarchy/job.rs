@@ -250,7 +250,7 @@ impl<S, P: Plans> Job<'_, S, P> {
         Ok(())
     }
 
-    /// What every loop is told.
+    /// The run that every loop is told.
     pub(super) fn run<E: Element<8>>(&self) -> Run<'_, E>
     where
         S: Roots<E>,
@@ -300,7 +300,7 @@ impl<S, P: Plans> Job<'_, S, P> {
         same_length("models", models, length)
     }
 
-    /// Whether the range, the roots and `length` elements of `what` fit the hierarchy.
+    /// Checks that the range, the roots and `length` elements of `what` fit the hierarchy.
     pub(super) fn check<E: Element<8>>(
         &self,
         what: &'static str,

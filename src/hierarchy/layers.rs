@@ -19,7 +19,7 @@ pub trait PoseSource<M: Layout, const C: usize>: Copy + Send + Sync + Sealed {
     /// If they do not fit a skeleton of so many joints, or each other.
     #[doc(hidden)]
     fn shape(&self, joints: usize) -> Result<(&'static str, usize), ShapeError>;
-    /// How many instances there are, where that is known: blocks may have lanes without one.
+    /// The number of instances, where that is known: blocks may have lanes without one.
     #[doc(hidden)]
     fn instances(&self) -> Option<usize> {
         None

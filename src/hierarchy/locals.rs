@@ -44,7 +44,7 @@ pub trait Locals<E: Element<8>>: Copy + Send + Sync + sealed::Sealed {
         Some(parent * self.load(level, models, slot)?)
     }
 
-    /// Where they lie, if they are motions in memory, to be read number by number.
+    /// Their place, if they are motions in memory, to be read number by number.
     #[doc(hidden)]
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn motions(&self) -> Option<Source<'_, E>> {
@@ -243,7 +243,7 @@ pub(super) fn motions<E: Element<8>, V: Level>(
     Some(batch::DualQuat::from_array(E::load(level, slice, tile, &storage::identity())?))
 }
 
-/// What belongs to some instances, of a slice that holds `count` things for each; as many as there are.
+/// The part that belongs to some instances, of a slice that holds `count` things for each; as many as there are.
 pub(super) fn part_of<T>(slice: &[T], count: usize, instances: Range<usize>) -> &[T] {
     let place = |instance: usize| instance.saturating_mul(count).min(slice.len());
     slice.get(place(instances.start)..place(instances.end)).unwrap_or_default()

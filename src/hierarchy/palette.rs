@@ -8,9 +8,9 @@ use crate::scalar::DualQuat;
 use crate::storage::{Element, Layout, Number};
 use dq8_simd::Level;
 
-/// What is computed from a model once it is known, as in the epilogue of a matrix product.
+/// A computation from a model once it is known, as in the epilogue of a matrix product.
 pub(super) trait Epilogue<E: Element<8>>: Sized + Send {
-    /// Whether there is anything to do.
+    /// `true` if there is anything to do.
     const ACTIVE: bool;
     fn run<V: Level>(&mut self, level: V, slot: JointSlot, model: Motions<E, V>);
     /// That of the models before number `at`, and that of the others.

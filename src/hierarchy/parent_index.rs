@@ -17,7 +17,7 @@ mod sealed {
 /// Not the number of a joint, and not the mark of a root.
 const BEYOND: u32 = u32::MAX - 1;
 
-/// What a hierarchy calls a parent; [`BEYOND`] if that is no joint.
+/// The number by which a hierarchy knows a parent; [`BEYOND`] if that is no joint.
 pub(super) fn index<P: ParentIndex>(parent: P) -> u32 {
     match parent.number() {
         None => Hierarchy::ROOT,

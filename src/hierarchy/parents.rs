@@ -64,7 +64,7 @@ impl<'a> Hierarchy<'a> {
         Self { parents }
     }
 
-    /// How many joints there are.
+    /// The number of joints.
     #[must_use]
     pub const fn joints(&self) -> usize {
         self.parents.len()

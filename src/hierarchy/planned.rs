@@ -12,7 +12,7 @@ use crate::scalar::DualQuat;
 use crate::storage::{Element, Layout, Number, Source};
 use dq8_simd::Level;
 
-/// Whether the plan knows this run: one whole instance of single things, nothing normalized on the way.
+/// `true` if the plan knows this run: one whole instance of single things, nothing normalized on the way.
 pub(super) fn applies<E: Element<8>>(run: &Run<'_, E>, models: usize) -> bool {
     E::Layout::THINGS == 1
         && models == run.parents.len()

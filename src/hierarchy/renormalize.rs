@@ -1,6 +1,6 @@
 use core::num::NonZeroU32;
 
-/// When a run over a hierarchy normalizes model poses exactly.
+/// The joints at which a run over a hierarchy normalizes model poses exactly.
 ///
 /// Products of unit motions are unit up to rounding, and rounding adds up: about 10⁻⁷ √n (`f32`) in
 /// the norm after n products, less than a skeleton can show. `lab/src/products.rs` measures it; in
@@ -22,7 +22,7 @@ pub enum Renormalize {
 }
 
 impl Renormalize {
-    /// Whether the model of this joint is normalized.
+    /// `true` if the model of this joint is normalized.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn applies_to(self, joint: usize) -> bool {
         match self {

@@ -6,11 +6,11 @@ use crate::storage::{Element, Layout};
 #[derive(Clone, Copy, Debug)]
 pub struct NoRoot;
 
-/// What root joints stand on, for models of `E`: nothing, one motion for all, or one each. Sealed.
+/// The base that root joints stand on, for models of `E`: nothing, one motion for all, or one each. Sealed.
 pub trait Roots<E: Element<8>>: sealed::Sealed {
     #[doc(hidden)]
     fn root(&self) -> Root<'_, E>;
-    /// How many, where each instance has its own.
+    /// Their number, where each instance has its own.
     #[doc(hidden)]
     fn count(&self) -> Option<usize> {
         None

@@ -38,7 +38,7 @@ impl<K> Clip<'_, K> {
         Some(DualQuat::from_array(motion))
     }
 
-    /// How a joint moves from one time to another, in its frame at the first: pose(from)* · pose(to). Of the root this is
+    /// The motion of a joint from one time to another, in its frame at the first: pose(from)* · pose(to). Of the root this is
     /// the root motion of a character, which goes on where a [looping](Self::looping) clip begins again: with r rounds between
     /// the times, and the round c = pose(first)* · pose(last), it is pose(from)* · pose(first) · cʳ · pose(first)* · pose(to).
     /// `None` if there is no such joint.

@@ -17,7 +17,7 @@ pub(super) struct Run<'a, E: Element<8>> {
     pub(super) renormalize: Renormalize,
 }
 
-/// What root joints stand on.
+/// The base that root joints stand on.
 #[derive(Clone, Debug)]
 pub enum Root<'a, E: Element<8>> {
     /// Nothing: their local pose is their model pose.
@@ -29,7 +29,7 @@ pub enum Root<'a, E: Element<8>> {
 }
 
 impl<E: Element<8>> Root<'_, E> {
-    /// What the root of `instance` (block) stands on; of so many instances as there are lanes where
+    /// The base of the root of `instance` (block); of so many instances as there are lanes where
     /// records are single things.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn load<V: Level>(
@@ -64,7 +64,7 @@ impl<E: Element<8>> Run<'_, E> {
         Self { root: self.root.part(instances), ..self.clone() }
     }
 
-    /// What the root of one instance stands on, where records are single things.
+    /// The base of the root of one instance, where records are single things.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn root_of(&self, instance: usize) -> Option<[Number<E, 8>; 8]> {
         match self.root {

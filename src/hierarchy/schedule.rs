@@ -3,7 +3,7 @@
 use super::Hierarchy;
 use core::cmp::Reverse;
 
-/// How many other joints are begun before a joint whose parent is being computed. A product of a plan
+/// The number of other joints that are begun before a joint whose parent is being computed. A product of a plan
 /// takes about four times as long as until the next one can begin.
 ///
 /// Measured on skeletons of 21 and 64 joints, with other values here, by `cargo bench --bench hierarchy
@@ -14,7 +14,7 @@ const BETWEEN: u32 = 4;
 /// No joint: the end of a list of children.
 const NONE: u32 = Hierarchy::ROOT;
 
-/// What is known of one joint, and one place in each of two queues, while an order is looked for.
+/// The facts about one joint, and one place in each of two queues, while an order is looked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(C)]
 pub struct PlanScratch {
@@ -110,12 +110,12 @@ pub(super) fn schedule(
     }
 }
 
-/// What [`schedule`] knows, and its two queues.
+/// The state of [`schedule`], and its two queues.
 struct Search<'s> {
     of: &'s mut [PlanScratch],
-    /// How many are in the heap.
+    /// The number in the heap.
     able: usize,
-    /// Where the queue begins and ends. Each joint is in it once, so it never begins again at 0.
+    /// The begin and the end of the queue. Each joint is in it once, so it never begins again at 0.
     begin: usize,
     end: usize,
 }
@@ -131,7 +131,7 @@ impl Search<'_> {
         }
     }
 
-    /// Whether the joint at `a` of the heap begins before that at `b`.
+    /// `true` if the joint at `a` of the heap begins before that at `b`.
     fn before(&self, a: usize, b: usize) -> bool {
         let rank = |joint| (self.at(joint as usize).height, Reverse(joint));
         rank(self.at(a).able) > rank(self.at(b).able)

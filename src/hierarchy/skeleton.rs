@@ -181,7 +181,7 @@ impl Skeleton {
         (0..self.names.len()).find(|&joint| self.name(joint) == Some(name))
     }
 
-    /// How many joints there are.
+    /// The number of joints.
     #[must_use]
     pub fn joints(&self) -> usize {
         self.parents.len()

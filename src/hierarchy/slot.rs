@@ -2,24 +2,24 @@ use crate::real::Scalar;
 use crate::storage::{Tile, aos, identity};
 use dq8_simd::{Lanes, Level, Records};
 
-/// How many joints ahead memory is asked for that will be written. For 1,000 skeletons whose palettes exceed the second
+/// The number of joints ahead for which memory is asked that will be written. For 1,000 skeletons whose palettes exceed the second
 /// cache it saves a seventh of the time, in that cache next to nothing; 4 is as good.
 const AHEAD: usize = 2;
 
-/// What the lanes of a kernel over hierarchies hold: one joint of several instances, or several joints
+/// The content of the lanes of a kernel over hierarchies: one joint of several instances, or several joints
 /// of one instance.
 #[derive(Clone, Copy, Debug)]
 pub struct JointSlot {
     /// The joint, or the first one.
     joint: usize,
-    /// Where the joints of the instance (of the block, of the first lane) begin among all elements.
+    /// The first joint of the instance (of the block, of the first lane) among all elements.
     first: usize,
     register: usize,
     /// The instance of the first lane.
     instance: usize,
     /// From one lane to the next.
     stride: Option<usize>,
-    /// Whether lanes are joints; then, where the joints end that are computed.
+    /// `true` if lanes are joints; then, where the joints end that are computed.
     end: Option<usize>,
 }
 
@@ -57,25 +57,25 @@ impl JointSlot {
         self.instance
     }
 
-    /// Whether lanes are joints of one instance.
+    /// `true` if lanes are joints of one instance.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn is_of_joints(self) -> bool {
         self.end.is_some()
     }
 
-    /// Where it lies among all elements.
+    /// Its place among all elements.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn tile(self) -> Tile {
         Tile { element: self.first + self.joint, register: self.register, stride: self.stride }
     }
 
-    /// Where it lies among the elements of its own instances.
+    /// Its place among the elements of its own instances.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn own_tile(self) -> Tile {
         Tile { element: self.joint, register: self.register, stride: self.stride }
     }
 
-    /// What lies in `to` up to where this slot may be written.
+    /// The part of `to` up to where this slot may be written.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn within<E>(self, to: &mut [E]) -> &mut [E] {
         match self.end {
@@ -102,7 +102,7 @@ impl JointSlot {
         Self { first: 0, ..self }.prefetch(level, memory, lanes);
     }
 
-    /// What is the same for all instances, a record for each joint.
+    /// A record for each joint, the same for all instances.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn of_joint<L: Lanes<Real: Scalar>, const C: usize>(
         self,

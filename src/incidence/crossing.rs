@@ -6,7 +6,7 @@ use crate::geometry::{Line, Plane};
 use crate::real::Real;
 use crate::scalar::vector;
 
-/// Where a line is, as a plane sees it.
+/// The place of a line, as a plane sees it.
 enum Crossing<R> {
     /// The line goes through the plane here.
     At([R; 3]),

@@ -9,14 +9,14 @@ use core::fmt;
 pub enum IncidenceError {
     /// A vector whose direction is needed is zero, or its length is not finite.
     NoDirection {
-        /// Which vector.
+        /// The name of the vector.
         what: &'static str,
         /// Its length.
         length: f64,
     },
     /// A number given is not finite, or the one asked for would not be.
     NotFinite {
-        /// Which number.
+        /// The name of the number.
         what: &'static str,
         /// Its value.
         value: f64,

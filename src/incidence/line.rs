@@ -73,7 +73,7 @@ impl<R: Real> Line<R> {
         Self { direction, moment }.orthogonal()
     }
 
-    /// Whether l + εm is a line, of any length: l ≠ 0 and |l·m| ≤ tolerance·|l|·max(|l|, |m|), the
+    /// `true` if l + εm is a line, of any length: l ≠ 0 and |l·m| ≤ tolerance·|l|·max(|l|, |m|), the
     /// Plücker condition. False where a component is not finite.
     #[must_use]
     pub fn is_line(self, tolerance: R) -> bool {

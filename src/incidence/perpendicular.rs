@@ -6,7 +6,7 @@ use crate::geometry::Line;
 use crate::real::Real;
 use crate::scalar::{Dual, vector};
 
-/// How two lines lie to each other: the answer of [`Line::common_perpendicular`].
+/// The relation of two lines: the answer of [`Line::common_perpendicular`].
 ///
 /// The screw about `axis` by the angle and slide of `angle` takes the first line to the second, sense
 /// included.
@@ -14,11 +14,11 @@ use crate::scalar::{Dual, vector};
 pub struct CommonPerpendicular<R> {
     /// The line that crosses both at right angles, unit, with the sense of l₁ × l₂.
     pub axis: Line<R>,
-    /// Where it crosses the first line, and where the second.
+    /// The points where it crosses the first line, and the second.
     pub feet: [[R; 3]; 2],
     /// θ̂ = θ + εd, see [`Line::dual_angle`].
     pub angle: Dual<R>,
-    /// Whether the lines are parallel or antiparallel within rounding: then `axis` is one
+    /// `true` if the lines are parallel or antiparallel within rounding: then `axis` is one
     /// perpendicular of many.
     pub parallel: bool,
 }

@@ -154,7 +154,7 @@ impl<R: Real> DualQuat<R> {
         (self.conjugate() * other).to_twist()
     }
 
-    /// Where a body at σ is after `dt` of a constant *spatial* twist: exp(½ξ dt) σ, exact for any
+    /// The pose of a body at σ after `dt` of a constant *spatial* twist: exp(½ξ dt) σ, exact for any
     /// step, `dt` of either sign (the solution of σ̇ = ½ξσ; Brockett 1984). Over many steps the norm drifts by rounding alone; [`normalize`](Self::normalize) now
     /// and then.
     ///
@@ -171,7 +171,7 @@ impl<R: Real> DualQuat<R> {
         Self::from_twist(twist.scale(dt)) * self
     }
 
-    /// Where a body at σ is after `dt` of a constant *body* twist: σ exp(½ξ dt), exact for any step; as
+    /// The pose of a body at σ after `dt` of a constant *body* twist: σ exp(½ξ dt), exact for any step; as
     /// [`integrate_spatial`](Self::integrate_spatial), but for the side.
     #[inline]
     #[must_use]

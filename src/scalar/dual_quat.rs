@@ -38,7 +38,7 @@ impl<R: Real> DualQuat<R> {
     pub const IDENTITY: Self = Self::new(Quat::IDENTITY, Quat::ZERO);
     /// 0, the neutral element of addition; no motion.
     pub const ZERO: Self = Self([R::ZERO; 8]);
-    /// What the unchecked operations return where the checked ones return an error.
+    /// The answer of unchecked operations where the checked ones return an error.
     #[inline]
     pub(super) fn nan() -> Self {
         Self([R::NAN; 8])
@@ -192,7 +192,7 @@ impl<R: Real> DualQuat<R> {
         )
     }
 
-    /// Whether every component of the two differs by at most `tolerance`, |a_c − b_c| ≤ tolerance; false for NaN. σ and −σ
+    /// `true` if every component of the two differs by at most `tolerance`, |a_c − b_c| ≤ tolerance; false for NaN. σ and −σ
     /// are the same motion but not equal here: see [`canonical`](Self::canonical).
     #[inline]
     #[must_use]
@@ -201,7 +201,7 @@ impl<R: Real> DualQuat<R> {
         pairs.into_iter().all(|(a, b)| (a - b).abs() <= tolerance)
     }
 
-    /// Whether every component is finite.
+    /// `true` if every component is finite.
     #[inline]
     #[must_use]
     pub fn is_finite(self) -> bool {

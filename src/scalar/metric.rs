@@ -84,7 +84,7 @@ impl<R: Real> DualQuat<R> {
         vector::norm([length_per_radian * self.angle_to(other), self.distance_to(other)])
     }
 
-    /// How far apart the two carry one point of the body: |a v − b v|. Both must be unit.
+    /// The distance to which the two carry one point of the body: |a v − b v|. Both must be unit.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -99,7 +99,7 @@ impl<R: Real> DualQuat<R> {
         vector::norm(vector::sub(self.transform_point(point), other.transform_point(point)))
     }
 
-    /// How far apart the two can carry any point within `radius` of the body's origin:
+    /// The largest distance to which the two carry a point within `radius` of the body's origin:
     /// d + 2 r sin(θ/2), an upper bound of [`point_error`](Self::point_error). What compressors of
     /// animation measure with a shell of points about each bone, without choosing any. In none of the sources of
     /// dq8.
@@ -122,7 +122,7 @@ impl<R: Real> DualQuat<R> {
         self.distance_to(other) + radius * chord
     }
 
-    /// Whether σ has drifted from the unit ones by more than `tolerance`, or is not finite: not
+    /// `true` if σ has drifted from the unit ones by more than `tolerance`, or is not finite: not
     /// [`is_unit`](Self::is_unit). A product adds about one [`EPSILON`](Real::EPSILON).
     ///
     /// [`normalize`](Self::normalize) then puts it back; it does not bring back the lost accuracy

@@ -20,7 +20,7 @@ impl<R: Real> Quat<R> {
         Self::from_array(vector::over_norm(unit.to_array(), self.norm()))
     }
 
-    /// Whether ||q| − 1| ≤ `tolerance`; false where a component is not finite.
+    /// `true` if ||q| − 1| ≤ `tolerance`; false where a component is not finite.
     #[inline]
     #[must_use]
     pub fn is_unit(self, tolerance: R) -> bool {
@@ -108,7 +108,7 @@ impl<R: Real> DualQuat<R> {
         if unit.to_array().iter().all(|c| c.is_finite()) { Ok(unit) } else { Err(norm) }
     }
 
-    /// Whether σσ* = 1 within `tolerance`: ||p| − 1| ≤ tolerance and |p·q| ≤ tolerance·max(1, |q|)
+    /// `true` if σσ* = 1 within `tolerance`: ||p| − 1| ≤ tolerance and |p·q| ≤ tolerance·max(1, |q|)
     /// (Jia eqs. 20 and 21; the second grows with the translation). False where a component is
     /// not finite.
     #[inline]

@@ -153,7 +153,7 @@ impl<R: Real> Quat<R> {
         vector::norm(self.0)
     }
 
-    /// Whether every component is finite.
+    /// `true` if every component is finite.
     #[inline]
     #[must_use]
     pub fn is_finite(self) -> bool {
@@ -167,7 +167,7 @@ impl<R: Real> Quat<R> {
         Quat(self.0.map(|component| S::from_f64(component.into())))
     }
 
-    /// Whether every component of the two differs by at most `tolerance`; false for NaN. q and −q are
+    /// `true` if every component of the two differs by at most `tolerance`; false for NaN. q and −q are
     /// the same rotation but not equal here.
     #[inline]
     #[must_use]

@@ -72,7 +72,7 @@ impl<R: Real> Length<R> {
     }
 }
 
-/// What of `vector` is across the unit vector `along`.
+/// The part of `vector` across the unit vector `along`.
 #[inline]
 pub(crate) fn across<R: Real>(along: [R; 3], vector: [R; 3]) -> [R; 3] {
     sub(vector, scale(along, dot(along, vector)))

@@ -9,18 +9,18 @@ use dq8_simd::{Lanes, Level};
 /// A way to blend the motions of joints, on lanes that are vertices: a sum over groups of influences, and
 /// what the sum does to a surface. Sealed: only this crate can name what its methods take.
 pub trait Blender<R: Scalar>: Copy + Send + Sync {
-    /// What is summed.
+    /// The thing that is summed.
     #[doc(hidden)]
     type Sum<L: Lanes<Real = R>>;
-    /// What the sum does.
+    /// The map that the sum is.
     #[doc(hidden)]
     type Map<L: Lanes<Real = R>>: SurfaceMap<L>;
 
-    /// Whether most of it are shuffles, see [`Kernel::SHUFFLES`](crate::Kernel::SHUFFLES).
+    /// `true` if most of it are shuffles, see [`Kernel::SHUFFLES`](crate::Kernel::SHUFFLES).
     #[doc(hidden)]
     const SHUFFLES: bool;
 
-    /// Whether palettes have `joints` entries, and what is per vertex fits `vertices`.
+    /// Checks that palettes have `joints` entries, and what is per vertex fits `vertices`.
     ///
     /// # Errors
     /// If not.
@@ -61,7 +61,7 @@ pub trait Blender<R: Scalar>: Copy + Send + Sync {
     ) -> Self::Map<L>;
 }
 
-/// What a blend does to a surface.
+/// A blend, as it acts on a surface.
 pub trait SurfaceMap<L>: Copy {
     /// A point of it.
     fn point(&self, point: [L; 3]) -> [L; 3];

@@ -1,7 +1,7 @@
 use crate::shape::ShapeError;
 use core::fmt;
 
-/// What is wrong with a skin, a palette or the slices of a run. Nothing has been written.
+/// The fault of a skin, a palette or the slices of a run. Nothing has been written.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -14,18 +14,18 @@ pub enum SkinningError {
     JointOutOfRange {
         /// The vertex.
         vertex: usize,
-        /// Which of its influences.
+        /// The number of the influence.
         influence: usize,
         /// The joint.
         joint: u32,
-        /// How many joints there are.
+        /// The number of joints.
         joints: usize,
     },
     /// A weight is negative, infinite or not a number.
     Weight {
         /// The vertex.
         vertex: usize,
-        /// Which of its influences.
+        /// The number of the influence.
         influence: usize,
         /// The weight.
         value: f64,
@@ -50,20 +50,20 @@ pub enum SkinningError {
     Field {
         /// The buffer, `rest` or `posed`.
         what: &'static str,
-        /// Where the field begins.
+        /// The begin of the field.
         first: usize,
-        /// How many numbers a vertex has.
+        /// The number of numbers of a vertex.
         stride: usize,
     },
     /// The influences of a vertex do not lie in it: so many elements from `first` on, where a vertex has `stride`.
     InfluenceField {
-        /// What they are, `joints` or `weights`.
+        /// Their name, `joints` or `weights`.
         what: &'static str,
-        /// Where they begin.
+        /// Their begin.
         first: usize,
-        /// How many elements a vertex has.
+        /// The number of elements of a vertex.
         stride: usize,
-        /// How many influences it should have.
+        /// The number of influences it should have.
         influences: usize,
     },
     /// An element of a joint's matrix is not finite.

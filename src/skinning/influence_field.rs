@@ -6,13 +6,13 @@ use super::weight::Weight;
 use crate::shape::{same_length, whole_instances};
 use dq8_simd::picks::Index;
 
-/// Where the joints of a vertex lie in a buffer that holds one vertex after the other, or its weights; counted in
+/// The place of a vertex's joints in a buffer that holds one vertex after the other, or its weights; counted in
 /// elements of their own type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct InfluenceField {
     /// From a vertex to the next.
     pub stride: usize,
-    /// Where in a vertex the field begins.
+    /// The begin of the field in a vertex.
     pub first: usize,
 }
 

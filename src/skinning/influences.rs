@@ -3,7 +3,7 @@ use core::hint::black_box;
 use dq8_simd::MAX_LANES;
 use dq8_simd::picks::{CheckedIndices, Index, PickRows, Picks};
 
-/// How many influences of a vertex are read at a time.
+/// The number of influences of a vertex that are read at a time.
 pub(super) const GROUP: usize = dq8_simd::picks::GROUP;
 
 /// Four influences of the vertices of one register, as kernels read them, whatever the types of joints and
@@ -68,7 +68,7 @@ impl<'a, R: Scalar, J: Index> Scratch<'a, R, J> {
     }
 }
 
-/// What has been written is in memory, to be read in other pieces. Otherwise the compiler takes vectors apart
+/// A fence: what has been written is in memory, to be read in other pieces. Otherwise the compiler takes vectors apart
 /// number by number, to put them together again without memory; or it reads more at once than was written at
 /// once, which CPUs do not forward from stores to loads. Either doubles the time.
 #[cfg_attr(not(opt_level_0), inline(always))]

@@ -13,7 +13,7 @@ use crate::threads::Outputs;
 use dq8_simd::picks::Index;
 use dq8_simd::{Float, Lanes, Level, MAX_LANES, Records};
 
-/// Where the fields of a vertex lie in a buffer that holds one vertex after the other, all counted in numbers.
+/// The places of a vertex's fields in a buffer that holds one vertex after the other, all counted in numbers.
 /// A field is three numbers.
 ///
 /// ```
@@ -26,11 +26,11 @@ use dq8_simd::{Float, Lanes, Level, MAX_LANES, Records};
 pub struct VertexFields {
     /// From a vertex to the next.
     pub stride: usize,
-    /// Where in a vertex its position begins.
+    /// The begin of the position in a vertex.
     pub position: usize,
-    /// Where its normal begins, if it has one.
+    /// The begin of the normal, if it has one.
     pub normal: Option<usize>,
-    /// Where its tangent begins, if it has one, without the sign of the bitangent.
+    /// The begin of the tangent, if it has one, without the sign of the bitangent.
     pub tangent: Option<usize>,
 }
 
@@ -49,7 +49,7 @@ impl VertexFields {
         }
     }
 
-    /// Whether all fields lie in a vertex, apart from each other, and `numbers` are `vertices`.
+    /// Checks that all fields lie in a vertex, apart from each other, and `numbers` are `vertices`.
     fn check(
         &self,
         what: &'static str,
@@ -78,7 +78,7 @@ pub(super) struct Interleaved<'s, R> {
     pub(super) to: VertexFields,
 }
 
-/// Whether everything fits.
+/// Checks that everything fits.
 pub(super) fn check<J: Index, W: Weight, B: Blender<R>, R: Scalar>(
     skin: &Skin<'_, J, W>,
     blend: &B,

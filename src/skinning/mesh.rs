@@ -7,7 +7,7 @@ use dq8_simd::Level;
 
 /// A mesh at rest and posed, in memory whose tiles are those of `P`.
 pub(super) trait Mesh<P: Element<3>>: Outputs {
-    /// How many elements it has.
+    /// The number of elements.
     fn elements(&self) -> usize;
     /// The vectors of a tile at rest; zero in lanes beyond the end. `None` if there are none.
     fn load<V: Level>(&self, level: V, field: Field, tile: Tile) -> Option<Vectors<P, V>>;
@@ -25,7 +25,7 @@ pub(super) type PlainPoints<'m, R> = (&'m [[R; 3]], &'m mut [[R; 3]]);
 /// A register for each component of a vector.
 pub(super) type Vectors<P, V> = [Register<P, V, 3>; 3];
 
-/// What there is for each vertex.
+/// The fields of each vertex.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Field {
     Position,

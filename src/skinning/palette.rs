@@ -5,7 +5,7 @@ use crate::representation::Affine;
 use crate::scalar::DualQuat;
 use crate::shape::same_length;
 
-/// What [`split_palette`] found.
+/// The findings of [`split_palette`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Split {
     /// The largest difference of an element of a stretch from the identity: nothing but rounding if all
@@ -13,15 +13,15 @@ pub struct Split {
     pub stretch: f64,
     /// The joint that has it.
     pub joint: usize,
-    /// How many joints mirror.
+    /// The number of joints that mirror.
     pub mirroring: usize,
-    /// How many joints squeeze space into a line or a point, or have no stretch that is finite. They have no
+    /// The number of joints that squeeze space into a line or a point, or have no stretch that is finite. They have no
     /// rotation; all of the matrix but the translation is in the stretch.
     pub squeezing: usize,
 }
 
 impl Split {
-    /// Whether no stretch differs from the identity by more than `tolerance`.
+    /// `true` if no stretch differs from the identity by more than `tolerance`.
     #[must_use]
     pub fn is_rigid(&self, tolerance: f64) -> bool {
         self.stretch <= tolerance && self.mirroring == 0 && self.squeezing == 0

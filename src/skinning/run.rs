@@ -10,7 +10,7 @@ use core::marker::PhantomData;
 use dq8_simd::picks::Index;
 use dq8_simd::{Lanes, Level};
 
-/// Whether everything fits.
+/// Checks that everything fits.
 pub(super) fn check<J, W, B, P>(
     skin: &Skin<'_, J, W>,
     blend: &B,

@@ -7,7 +7,7 @@ use core::fmt::Debug;
 use core::ops::RangeInclusive;
 use dq8_simd::picks::{CheckedIndices, Index, PickedInPlace, Picks};
 
-/// Which joints move a vertex, and how much: checked once, to be posed any number of times.
+/// The joints that move each vertex, and how much: checked once, to be posed any number of times.
 ///
 /// `joints` holds the influences of one vertex after those of another, the same number for each; `weights`
 /// in the same order. Fill unused influences with any joint and weight 0. Joints are `u8`, `u16` or `u32`;
@@ -26,7 +26,7 @@ pub struct Skin<'a, J, W> {
     joints: CheckedIndices<'a, J>,
     /// From those of the first vertex on.
     weights: &'a [W],
-    /// How many weights are from a vertex to the next: fewer than influences where the last one is implied.
+    /// The number of weights from a vertex to the next: fewer than influences where the last one is implied.
     stride: usize,
 }
 
@@ -136,24 +136,24 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         self.weights
     }
 
-    /// How many vertices there are.
+    /// The number of vertices.
     #[must_use]
     pub fn vertices(&self) -> usize {
         self.joints.rows()
     }
 
-    /// How many influences every vertex has.
+    /// The number of influences of every vertex.
     #[must_use]
     pub fn influences(&self) -> usize {
         self.joints.columns()
     }
 
-    /// Whether the last weight of a vertex is what the others leave of one.
+    /// `true` if the last weight of a vertex is what the others leave of one.
     fn implied(&self) -> bool {
         self.stride < self.influences()
     }
 
-    /// How many joints the palette has.
+    /// The number of joints of the palette.
     #[must_use]
     pub fn joint_count(&self) -> usize {
         self.joints.bound()
@@ -166,7 +166,7 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         Some((joint.into(), self.weight(vertex, influence)))
     }
 
-    /// Which influence of a vertex has the greatest weight: the first of those.
+    /// The influence of a vertex with the greatest weight: the first of those.
     fn pivot<R: Real>(&self, vertex: usize) -> usize {
         let (mut pivot, mut greatest) = (0, self.weight::<R>(vertex, 0));
         for influence in 1..self.influences() {
@@ -178,7 +178,7 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         pivot
     }
 
-    /// How many weights of a vertex are given.
+    /// The number of weights that a vertex is given.
     fn given(&self) -> usize {
         self.stride.min(self.influences())
     }
@@ -196,13 +196,13 @@ impl<'a, J: Index, W: Weight> Skin<'a, J, W> {
         if left > R::ZERO { left } else { R::ZERO }
     }
 
-    /// How many groups of influences there are.
+    /// The number of groups of influences.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn groups(&self) -> usize {
         self.influences().div_ceil(GROUP)
     }
 
-    /// Where kernels keep what they read.
+    /// The place where kernels keep what they read.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn scratch<R: Scalar>(&self) -> Scratch<'a, R, J> {
         Scratch::new(self.joints)

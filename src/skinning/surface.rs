@@ -3,7 +3,7 @@ use crate::shape::{ShapeError, same_length};
 /// A mesh at rest: what there is for each vertex. Normals and tangents of length 1.
 #[derive(Clone, Copy, Debug)]
 pub struct Surface<'s, P> {
-    /// Where the vertices are.
+    /// The positions of the vertices.
     pub positions: &'s [P],
     /// Their normals.
     pub normals: Option<&'s [P]>,
@@ -35,10 +35,10 @@ impl<'s, P> Surface<'s, P> {
     }
 }
 
-/// Where a posed mesh goes. It has normals and tangents if the mesh at rest has.
+/// The memory that a posed mesh goes to. It has normals and tangents if the mesh at rest has.
 #[derive(Debug)]
 pub struct SurfaceMut<'s, P> {
-    /// Where the vertices are.
+    /// The positions of the vertices.
     pub positions: &'s mut [P],
     /// Their normals.
     pub normals: Option<&'s mut [P]>,

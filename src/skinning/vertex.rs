@@ -57,7 +57,7 @@ pub fn dual_blend<R: Real>(influences: &[(DualQuat<R>, R)]) -> Option<DualQuat<R
     Some(if greatest == R::ONE && total == R::ONE { pivot } else { sum.normalize() })
 }
 
-/// Whether the first component of (w, x, y, z) that is not zero is negative.
+/// `true` if the first component of (w, x, y, z) that is not zero is negative.
 fn is_negative<R: Real>(motion: DualQuat<R>) -> bool {
     let [x, y, z, w] = motion.real().to_array();
     [w, x, y, z].into_iter().find(|&c| c != R::ZERO).is_some_and(|c| c < R::ZERO)

@@ -1,7 +1,7 @@
 use crate::real::{Real, Scalar};
 use core::fmt::Debug;
 
-/// How a weight lies in memory: `f32` and `f64` as they are, `u8` and `u16` normalized, so that the largest
+/// A weight as it lies in memory: `f32` and `f64` as they are, `u8` and `u16` normalized, so that the largest
 /// number is 1 exactly (glTF 2.0, §3.11; Vulkan's `UNORM`).
 ///
 /// ```

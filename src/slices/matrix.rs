@@ -22,7 +22,7 @@ pub enum MatricesError {
     NotRigid {
         /// Which, the first one; in blocks, things are counted one after the other.
         index: usize,
-        /// What is wrong with it.
+        /// The fault.
         error: MatrixError,
     },
 }

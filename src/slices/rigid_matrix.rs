@@ -10,10 +10,10 @@ pub trait RigidMatrix<const C: usize>: PaletteEntry<C> {
     /// The motions of rigid matrices.
     #[doc(hidden)]
     fn motion<L: Lanes>(numbers: [L; C], order: MatrixOrder) -> batch::DualQuat<L>;
-    /// Which of them are no rigid motions.
+    /// The lanes whose matrix is no rigid motion.
     #[doc(hidden)]
     fn fails<L: Lanes>(numbers: [L; C], order: MatrixOrder, tolerance: L) -> L::Mask;
-    /// What is wrong with one.
+    /// The fault of one.
     #[doc(hidden)]
     fn wrong<R: Real>(numbers: [R; C], order: MatrixOrder, tolerance: R) -> Option<MatrixError>;
 }

@@ -6,9 +6,9 @@ use crate::storage::{self, Element, Layout, Register, Tile};
 use core::ops::Range;
 use dq8_simd::Level;
 
-/// What is computed for each element of a slice, lanes at a time.
+/// A computation for each element of a slice, lanes at a time.
 pub(super) trait SliceKernel<Q: Element<D>, const D: usize>: Sized + Sync {
-    /// Whether it works in place.
+    /// `true` if it works in place.
     fn reads_output(&self) -> bool {
         false
     }

@@ -18,7 +18,7 @@ use core::fmt;
 use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
-/// How many samples are looked up before they are computed: few enough to stay in the first cache, on the stack.
+/// The number of samples that are looked up before they are computed: few enough to stay in the first cache, on the stack.
 const CHUNK: usize = 64;
 
 /// Times and poses that do not make a trajectory.
@@ -32,7 +32,7 @@ pub enum TrajectoryError {
     Empty,
     /// A time is not finite, or not later than the one before.
     NotRising {
-        /// Which time.
+        /// The number of the time.
         index: usize,
         /// Its value.
         value: f64,
@@ -258,7 +258,7 @@ fn first_after<R: Scalar>(times: &[R], time: R, near: usize) -> usize {
     times.partition_point(|&t| t <= time)
 }
 
-/// How far `time` is from `start` to `end`, 0 to 1.
+/// The share of the way from `start` to `end` at `time`, 0 to 1.
 fn share_of<R: Scalar>(time: R, start: R, end: R) -> R {
     let length = end - start;
     if length.is_finite() {

@@ -116,7 +116,7 @@ impl Backend {
     }
 }
 
-/// What a motion does to a thing of `C` numbers.
+/// The action of a motion on a thing of `C` numbers.
 trait Action<const C: usize>: Copy + Sync {
     fn act<L: Lanes>(&self, motion: batch::DualQuat<L>, thing: [L; C]) -> [L; C];
 }

@@ -6,7 +6,7 @@ use crate::real::Scalar;
 use core::fmt::Debug;
 use dq8_simd::{Lanes, Level};
 
-/// How things of any number of components lie in memory, and which registers read them: [`Aos`](super::Aos) or
+/// The form in which things of any number of components lie in memory, and the registers that read them: [`Aos`](super::Aos) or
 /// [`AoSoA`](super::AoSoA). Sealed.
 ///
 /// A layout whose numbers in memory are not those in registers, say 16 bits each, would be another
@@ -14,30 +14,30 @@ use dq8_simd::{Lanes, Level};
 pub trait Layout: Copy + Debug + sealed::Sealed {
     /// The number in a register.
     type Real: Scalar;
-    /// What a slice is made of if only the number of components is known: `[R; C]`, or a block.
+    /// The element of a slice of which only the number of components is known: `[R; C]`, or a block.
     type Record<const C: usize>: Element<C, Layout = Self>;
     /// One register of `V`.
     type Register<V: Level>: Lanes<Real = Self::Real, Level = V>;
-    /// How many things a [`Record`](Self::Record) holds.
+    /// The number of things in a [`Record`](Self::Record).
     const THINGS: usize;
-    /// Whether kernels over this layout gain from AVX-512.
+    /// `true` if kernels over this layout gain from AVX-512.
     const WIDE: bool;
-    /// Whether it can be written past the caches, on targets that may have more memory than caches.
+    /// `true` if it can be written past the caches, on targets that may have more memory than caches.
     const STREAMS: bool;
 
-    /// How many registers it takes to read one component of a record.
+    /// The number of registers that read one component of a record.
     #[must_use]
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn registers<V: Level>() -> usize {
         (Self::THINGS / Self::Register::<V>::LANES).max(1)
     }
-    /// How many records a register reads.
+    /// The number of records that a register reads.
     #[must_use]
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn records<V: Level>() -> usize {
         (Self::Register::<V>::LANES / Self::THINGS).max(1)
     }
-    /// Whether a register reads one thing from each of several records.
+    /// `true` if a register reads one thing from each of several records.
     #[must_use]
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn transposes<V: Level>() -> bool {
@@ -55,7 +55,7 @@ pub trait Layout: Copy + Debug + sealed::Sealed {
     note = "slices of glam's, nalgebra's and mint's types become slices of dq8's by a cast: `dq8::interop`"
 )]
 pub trait Element<const C: usize>: Copy + Debug + Send + Sync + sealed::Sealed {
-    /// How it lies in memory.
+    /// The form in which it lies in memory.
     type Layout: Layout;
 
     /// Each component of the things of a tile, a register each. What lies beyond the end of `from` is

@@ -113,7 +113,7 @@ where
     Ok(())
 }
 
-/// How many blocks `instances` of `joints` take.
+/// The number of blocks that `instances` of `joints` take.
 pub(crate) fn blocks_for<const N: usize>(joints: usize, instances: usize) -> usize {
     instances.div_ceil(N).saturating_mul(joints)
 }

@@ -1,7 +1,7 @@
 use crate::real::Scalar;
 use core::marker::PhantomData;
 
-/// What fills lanes without a thing: the motion, rotation or matrix that changes nothing, and zero for
+/// The filling of lanes without a thing: the motion, rotation or matrix that changes nothing, and zero for
 /// vectors and numbers. Computing with it is never slow, as it is with garbage.
 #[cfg_attr(not(opt_level_0), inline(always))]
 #[must_use]

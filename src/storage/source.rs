@@ -1,6 +1,6 @@
 use core::ops::Range;
 
-/// What a kernel reads: a slice of its own, or, in place, what its output still holds.
+/// The input of a kernel: a slice of its own, or, in place, what its output still holds.
 #[derive(Clone, Copy, Debug)]
 pub enum Source<'s, E> {
     Slice(&'s [E]),
@@ -20,7 +20,7 @@ impl<'s, E> Source<'s, E> {
         }
     }
 
-    /// What is read of these elements; nothing beyond the end of a slice.
+    /// The input at these elements; nothing beyond the end of a slice.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn part(self, elements: Range<usize>) -> Self {
         match self {

@@ -5,7 +5,7 @@ use crate::batch::vector;
 use crate::geometry::{Line, Plane};
 use dq8_simd::Lanes;
 
-/// Where a line is, as a plane sees it.
+/// The place of a line, as a plane sees it.
 struct Crossing<L: Lanes> {
     /// The line goes through the plane here, unless it is parallel.
     point: [L; 3],

@@ -6,16 +6,16 @@ use crate::batch::{Dual, vector};
 use crate::geometry::Line;
 use dq8_simd::Lanes;
 
-/// How two lines lie to each other: [`CommonPerpendicular`](crate::incidence::CommonPerpendicular) on lanes.
+/// The relation of two lines: [`CommonPerpendicular`](crate::incidence::CommonPerpendicular) on lanes.
 #[derive(Clone, Copy, Debug)]
 pub struct CommonPerpendicular<L: Lanes> {
     /// The line that crosses both at right angles, unit, with the sense of l₁ × l₂.
     pub axis: Line<L>,
-    /// Where it crosses the first line, and where the second.
+    /// The points where it crosses the first line, and the second.
     pub feet: [[L; 3]; 2],
     /// θ̂ = θ + εd
     pub angle: Dual<L>,
-    /// Whether the lines are parallel or antiparallel within rounding: then `axis` is one
+    /// `true` if the lines are parallel or antiparallel within rounding: then `axis` is one
     /// perpendicular of many.
     pub parallel: L::Mask,
 }

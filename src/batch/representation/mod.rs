@@ -37,7 +37,7 @@ pub(super) fn quat_without<L: Lanes>(failed: L::Mask, quat: Quat<L>) -> Quat<L> 
     Quat::from_array(vector::select(failed, [nan; 4], quat.to_array()))
 }
 
-/// Where all elements of a matrix are finite.
+/// Lanes in which all elements of a matrix are finite.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(super) fn all_finite<L: Lanes>([a, b, c]: [[L; 3]; 3]) -> L::Mask {
     vector::are_finite(a) & vector::are_finite(b) & vector::are_finite(c)
