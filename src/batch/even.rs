@@ -88,6 +88,7 @@ fn select<L: Lanes>(mask: L::Mask, yes: Dual<L>, no: Dual<L>) -> Dual<L> {
 /// Beyond it a float is known to no more than 2⁻⁸ radians, and soon not even to a turn; and what π in
 /// three parts leaves is no longer within the range of the polynomials, so that rotations would not
 /// be unit.
+#[cfg_attr(not(opt_level_0), inline(always))]
 #[must_use]
 pub fn farthest<L: Lanes>() -> f64 {
     if L::Real::SINGLE { 65_536.0 } else { 35_184_372_088_832.0 }
