@@ -13,7 +13,7 @@
 //! | [`JointValues`] | how values of many configurations lie in memory |
 //! | [`Reach`], [`Goal`], [`ik`] | inverse kinematics: which values bring links to their targets |
 //! | [`OwnedReach`] | the same with memory of its own (feature `alloc`) |
-//! | [`urdf`] | robots from files (feature `urdf`) |
+//! | `urdf` | robots from files (feature `urdf`) |
 //!
 //! Everything is there twice: for one configuration and any [`Real`](dq8::Real), by the book, as a method
 //! of [`Mechanism`]; and for many on lanes, as a method of its [`Job`], or of a [`ReachJob`](ik::ReachJob).

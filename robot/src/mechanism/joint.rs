@@ -12,7 +12,7 @@ pub struct Joint<R> {
     /// How the joint moves.
     pub kind: JointKind<R>,
     /// The least and the largest value of a joint of one value. Inverse kinematics keeps to them
-    /// ([`Reach`](super::Reach)); poses are computed of any values.
+    /// ([`Reach`](crate::Reach)); poses are computed of any values.
     pub limits: Option<[R; 2]>,
     /// For a joint without a value of its own: whose value it takes.
     pub mimic: Option<Mimic<R>>,

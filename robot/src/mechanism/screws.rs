@@ -21,7 +21,7 @@ impl<'a, R: Real> Mechanism<'a, R> {
     /// made exactly unit, so that numbers with four decimals will do.
     ///
     /// The frames of links are parallel to the base where all values are zero, that of a hinge at the point of its
-    /// axis that is nearest to the frame before: so [`Reach::reach_bound`](super::Reach::reach_bound) is the sum of
+    /// axis that is nearest to the frame before: so [`Reach::reach_bound`](crate::Reach::reach_bound) is the sum of
     /// the ways from axis to axis.
     ///
     /// ```
