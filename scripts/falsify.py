@@ -98,6 +98,8 @@ def target(test):
     if parts[0] == "lab":
         module = "::".join((*parts[3:], name))
         return "lab", ("--test", parts[2]), module
+    if parts[0] == "robot":
+        return "dq8-robot", ("--test", parts[2]), "::".join((*parts[3:], name))
     if parts[0] == "tests":
         return "dq8", ("--test", parts[1]), "::".join((*parts[2:], name))
     raise SystemExit(f"do not know the binary of {test}")

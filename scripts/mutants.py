@@ -7,7 +7,7 @@ Every test then runs once with nothing changed, and says which of these function
 that call its function, first those that see most per second, until one fails.
 
   scripts/mutants.py build [--most N] FILE…      N changes per function (4), chosen by a fixed seed
-  scripts/mutants.py run SECONDS [TEST…]         every change without a result; TEST: binaries of dq8, without any: all
+  scripts/mutants.py run SECONDS [TEST…]         every change without a result; TEST: binaries of tests, without any: all
   scripts/mutants.py report                      the survivors
 """
 
@@ -41,6 +41,7 @@ pub fn mutant_in(first: usize) -> usize {
 }
 """
 COPY = ROOT / "target" / "mutants"
+PACKAGES = ["-p", "dq8", "-p", "dq8-robot", "--features", "dq8-robot/urdf"]
 STATE = COPY / "state.json"
 # What is replaced, and by what.
 CHANGES = [
@@ -133,11 +134,12 @@ def place_changes(changes):
 def build(files, most):
     copy(COPY)
     write(COPY / "src/lib.rs", (ROOT / "src/lib.rs").read_bytes() + (SWITCH + CALLED).encode())
+    write(COPY / "robot/src/lib.rs", (ROOT / "robot/src/lib.rs").read_bytes() + b"#[doc(hidden)] pub use dq8::mutant_in;\n")
     changes = find(files, most)
     print(f"{len(changes)} changes")
     while True:
         lines = place_changes(changes)
-        check = subprocess.run(["cargo", "check", "-p", "dq8", "--lib", "--message-format", "json"],
+        check = subprocess.run(["cargo", "check", *PACKAGES, "--lib", "--message-format", "json"],
                                cwd=COPY, capture_output=True, text=True, env=ENVIRONMENT)
         if check.returncode == 0:
             break
@@ -158,10 +160,11 @@ def build(files, most):
 
 def binaries(tests):
     chosen = [word for test in tests for word in ("--test", test)] or ["--tests"]
-    built = subprocess.run(["cargo", "test", "-p", "dq8", *chosen, "--no-run", "--message-format", "json"],
+    built = subprocess.run(["cargo", "test", *PACKAGES, *chosen, "--no-run", "--message-format", "json"],
                            cwd=COPY, stdout=subprocess.PIPE, text=True, check=True, env=ENVIRONMENT)
     messages = [json.loads(line) for line in built.stdout.splitlines()]
-    return {m["target"]["name"]: m["executable"] for m in messages if m.get("executable") and m["target"]["kind"] == ["test"]}
+    # Of both packages some have the same name.
+    return {m["target"]["src_path"]: m["executable"] for m in messages if m.get("executable") and m["target"]["kind"] == ["test"]}
 
 
 def tests_of(program):

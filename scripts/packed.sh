@@ -3,7 +3,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-crates=(dq8-simd dq8 dq8-urdf dq8-capi)
+crates=(dq8-simd dq8 dq8-robot dq8-capi)
 cargo package --quiet --allow-dirty --no-verify "${crates[@]/#/--package=}"
 
 target=${CARGO_TARGET_DIR:-target}
@@ -20,4 +20,4 @@ trap 'rm -rf "$elsewhere"' EXIT
 } >"$elsewhere/Cargo.toml"
 
 export CARGO_TARGET_DIR=$PWD/$target/packed
-cargo test --manifest-path "$elsewhere/Cargo.toml" --workspace
+cargo test --manifest-path "$elsewhere/Cargo.toml" --workspace --features dq8-robot/urdf

@@ -38,8 +38,7 @@
 //! | [`Hierarchy`], [`Job`], [`Crowd`] | joint hierarchies, one instance or many |
 //! | [`Skeleton`] | a hierarchy that owns its parents, of any order and type |
 //! | [`hierarchy::Plan`], [`Backend::chain_products`] | one instance without a heap, and long chains |
-//! | [`ik`] | inverse kinematics of two bones; for robots, [`mechanism::Reach`] |
-//! | [`mechanism`] | robots: from joint values to poses of links, Jacobians and velocities, one or many configurations |
+//! | [`ik`] | inverse kinematics of two bones; robots have a crate of their own, [dq8-robot](https://docs.rs/dq8-robot) |
 //! | [`skinning`] | meshes that follow joints: linear and dual quaternion blends |
 //! | [`Backend`], [`slices`] | kernels over slices of motions and points |
 //! | [`storage`] | how slices lie in memory: one thing after the other, or in [blocks](Block) of lanes |
@@ -102,7 +101,6 @@ pub mod ik;
 pub mod incidence;
 pub mod interop;
 pub mod law;
-pub mod mechanism;
 mod motion;
 mod must_be_unit;
 mod operators;
@@ -112,6 +110,8 @@ mod quaternion;
 mod real;
 pub mod representation;
 pub mod scalar;
+#[doc(hidden)]
+pub mod seams;
 // Tested where there is something to test it against.
 mod shape;
 mod shared_trait;

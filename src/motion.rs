@@ -61,7 +61,7 @@ shared_trait! {
     /// ||p|² − 1| > 0.1 or |p·q| > 0.1 max(1, |q|). A σ of norm 1 + δ gives results that are off by up to about 2δ, relatively; nothing else happens, and how they
     /// are off far from 1 may differ between implementations. What comes from outside is checked where it comes in:
     /// `is_unit(tolerance)` and `is_normalized` test, `normalize` repairs, `try_from_matrix3x4` and its kin refuse, and
-    /// `ik` and `mechanism` refuse joints and targets that are not unit.
+    /// `ik` and `dq8-robot` refuse joints and targets that are not unit.
     ///
     /// Constructors and interpolations return unit motions. Each product adds about a rounding to the norm
     /// (`needs_renormalization`).

@@ -53,7 +53,7 @@ pub enum ShapeError {
     },
     /// A job was given the plan of other parents than its own.
     OtherPlan,
-    /// A link that a mechanism does not have.
+    /// A link that a robot (crate `dq8-robot`) does not have.
     NoLink {
         /// The link asked for.
         link: usize,
@@ -123,17 +123,21 @@ impl fmt::Display for ShapeError {
 
 impl core::error::Error for ShapeError {}
 
-/// Checks that `what` holds as many elements as it must.
-pub(crate) fn same_length(
-    what: &'static str,
-    length: usize,
-    expected: usize,
-) -> Result<(), ShapeError> {
+/// Checks that the slice that is called `what` holds as many elements as it must.
+///
+/// # Errors
+/// If it does not.
+#[inline]
+pub fn same_length(what: &'static str, length: usize, expected: usize) -> Result<(), ShapeError> {
     if length == expected { Ok(()) } else { Err(ShapeError::Length { what, length, expected }) }
 }
 
-/// The number of instances of `joints` joints in `what`.
-pub(crate) fn whole_instances(
+/// The number of instances of `joints` joints (links, values …) in the slice that is called `what`.
+///
+/// # Errors
+/// If it holds no whole number of them.
+#[inline]
+pub fn whole_instances(
     what: &'static str,
     joints: usize,
     length: usize,

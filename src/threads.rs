@@ -4,16 +4,19 @@ use crate::dispatch::Backend;
 
 /// The options of a job: instructions, and threads.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Choice {
-    pub(crate) backend: Option<Backend>,
+pub struct Choice {
+    /// The instructions; the best if `None`.
+    pub backend: Option<Backend>,
+    /// How many threads; those of the backend if `None`.
     #[cfg(feature = "rayon")]
-    pub(crate) threads: Option<usize>,
+    pub threads: Option<usize>,
 }
 
 impl Choice {
     /// The instructions, and how many threads.
     #[inline]
-    pub(crate) fn instructions(self) -> Backend {
+    #[must_use]
+    pub fn instructions(self) -> Backend {
         let backend = self.backend.unwrap_or_default();
         #[cfg(feature = "rayon")]
         if let Some(threads) = self.threads {
@@ -24,11 +27,13 @@ impl Choice {
 }
 
 /// The options of a job that hold a [`Choice`], for its `impl`; and what the documentation of `threads` shows besides.
-macro_rules! options {
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __options {
     ($(#[$example:meta])*) => {
         /// Runs with these instructions; by default with the best that the CPU has.
         #[must_use]
-        pub fn backend(mut self, backend: crate::Backend) -> Self {
+        pub fn backend(mut self, backend: $crate::Backend) -> Self {
             self.choice.backend = Some(backend);
             self
         }
@@ -44,7 +49,7 @@ macro_rules! options {
         }
     };
 }
-pub(crate) use options;
+pub use __options as options;
 
 /// The output of a kernel; with the feature `rayon`, cut at a thing.
 #[cfg(not(feature = "rayon"))]
@@ -52,7 +57,7 @@ pub(crate) trait Outputs {}
 #[cfg(not(feature = "rayon"))]
 impl<O> Outputs for O {}
 #[cfg(feature = "rayon")]
-pub(crate) use many::{Outputs, Rows};
+pub use many::{Outputs, Rows};
 
 #[cfg(feature = "rayon")]
 mod many {
@@ -81,14 +86,17 @@ mod many {
         }
 
         /// `true` if there may be more threads than the one that calls.
+        #[doc(hidden)]
         #[inline]
-        pub(crate) fn many(self) -> bool {
+        #[must_use]
+        pub fn many(self) -> bool {
             self.threads > NonZeroUsize::MIN
         }
 
         /// Calls `work` with parts of `outputs` and the number of the first thing in each, on the threads. A part has a
         /// multiple of `grain` things, but for the last.
-        pub(crate) fn share<O: Outputs>(
+        #[doc(hidden)]
+        pub fn share<O: Outputs>(
             self,
             grain: usize,
             outputs: O,
@@ -124,7 +132,7 @@ mod many {
     }
 
     /// The output of a kernel, cut at a thing.
-    pub(crate) trait Outputs: Sized + Send {
+    pub trait Outputs: Sized + Send {
         /// The number of things.
         fn things(&self) -> usize;
         /// Those before number `at`, and the others.
@@ -132,7 +140,7 @@ mod many {
     }
 
     /// A slice, and how many elements a thing has.
-    pub(crate) type Rows<'s, E> = (&'s mut [E], usize);
+    pub type Rows<'s, E> = (&'s mut [E], usize);
 
     impl<E: Send> Outputs for Rows<'_, E> {
         fn things(&self) -> usize {

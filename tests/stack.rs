@@ -2,30 +2,13 @@
 //! place of its own. `dq8::guide::firmware` states the bounds that are tested here; an overflow ends the test program.
 #![cfg(not(target_family = "wasm"))]
 
-use dq8::{Backend, DualQuat, Quat, Real};
-use std::thread;
-
-/// Runs it with each of the machine's backends, on a thread with so many KiB of stack and no more. A thread of Rust has
-/// 2048, unless told otherwise.
-fn within(kib: usize, kernel: fn(Backend)) {
-    for backend in Backend::available() {
-        let thread = thread::Builder::new().stack_size(kib << 10);
-        thread.spawn(move || kernel(backend)).expect("a thread").join().expect("no panic");
-    }
-}
-
-/// Turned and moved.
-fn pose<R: Real>() -> DualQuat<R> {
-    let turn = Quat::from_axis_angle([0.6, 0.0, 0.8], 0.5_f64);
-    DualQuat::from_rotation_translation(turn, [0.1, 0.2, 0.3]).cast()
-}
+use dq8_contract::stack::{pose, within};
 
 /// The deepest kernels of each room, in plain slices and in the widest blocks.
 macro_rules! kernels {
     ($($real:ident, $lanes:literal;)*) => {$(mod $real {
         use super::{pose, within};
         use dq8::hierarchy::{Clip, Layered, Locals, Sampled};
-        use dq8::mechanism::{Freedom, Goal, Joint, Options, OwnedMechanism, Reach, Report, WorldAligned};
         use dq8::skinning::{DualBlend, Linear, Mixed, Skin, Surface, SurfaceMut};
         use dq8::{Backend, Block, Crowd, DualQuat, Hierarchy, Twist, hierarchy::Bones, law::Sclerp};
 
@@ -112,38 +95,6 @@ macro_rules! kernels {
                 let from = Surface::positions(&rest).normals(&rest).tangents(&rest);
                 let to = SurfaceMut::positions(&mut positions).normals(&mut normals).tangents(&mut tangents);
                 skin.job().backend(backend).pose(mixed, from, to).unwrap();
-            });
-        }
-
-        #[test]
-        fn mechanisms_need_one_mebibyte() {
-            within(1024, |backend| {
-                let joint = |i: usize| Joint::revolute(i.checked_sub(1), pose::<$real>(), [0.6, 0.0, 0.8]);
-                let arm = OwnedMechanism::new(&core::array::from_fn::<_, 7, _>(joint)).unwrap();
-                let values = [0.1; 7 * INSTANCES];
-                let mut poses = vec![DualQuat::IDENTITY; 7 * INSTANCES];
-                let mut twists = vec![Twist::default(); 7 * INSTANCES];
-                let mut changes = twists.clone();
-                let tools = &mut poses[..INSTANCES];
-                arm.job().links(&[6]).backend(backend).jacobians(WorldAligned, &values, tools, &mut twists).unwrap();
-                arm.job().backend(backend).poses(&values, &mut poses).unwrap();
-                arm.job().backend(backend).accelerations(&values, &values, &values, &mut poses, &mut twists, &mut changes)
-                    .unwrap();
-            });
-        }
-
-        #[test]
-        fn a_mechanism_of_seven_joints_that_reaches_needs_one_mebibyte() {
-            within(1024, |backend| {
-                let joint = |i: usize| Joint::revolute(i.checked_sub(1), pose::<$real>(), [0.6, 0.0, 0.8]);
-                let arm = OwnedMechanism::new(&core::array::from_fn::<_, 7, _>(joint)).unwrap();
-                let (goals, mut freedoms) = ([Goal::pose(6)], [Freedom::default(); 7]);
-                let posture = [0.1; 7];
-                let reach = Reach::new(arm.view(), &goals, &mut freedoms).unwrap().with_posture(&posture).unwrap();
-                let (targets, mut values) = (vec![pose(); INSTANCES], vec![0.3; 7 * INSTANCES]);
-                let mut reports = vec![Report::default(); INSTANCES];
-                let options = Options { max_iterations: 5, ..Options::default() };
-                reach.job().backend(backend).solve(&targets, &mut values, &mut reports, &options).unwrap();
             });
         }
 

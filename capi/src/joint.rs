@@ -1,8 +1,8 @@
 //! [`Joint`]: a joint as C describes it.
 
 use crate::status::Status;
-use dq8::mechanism::{self, MechanismError};
 use dq8::{DualQuat, Real};
+use dq8_robot::MechanismError;
 
 /// How a joint moves, in its own frame.
 #[repr(i32)]
@@ -58,7 +58,7 @@ pub struct Joint<R> {
 
 impl<R: Real> Joint<R> {
     /// A joint as the library has it, one of `count`.
-    pub(crate) fn known(&self, count: usize) -> Result<mechanism::Joint<R>, Status> {
+    pub(crate) fn known(&self, count: usize) -> Result<dq8_robot::Joint<R>, Status> {
         const KINDS: [JointKind; 6] = [
             JointKind::Fixed,
             JointKind::Revolute,
@@ -75,14 +75,14 @@ impl<R: Real> Joint<R> {
         let (axis, pitch) = (self.axis, self.pitch);
         let kind = KINDS.into_iter().find(|kind| *kind as i32 == self.kind);
         let kind = match kind.ok_or(Status::UnknownValue)? {
-            JointKind::Fixed => mechanism::JointKind::Fixed,
-            JointKind::Revolute => mechanism::JointKind::Revolute { axis },
-            JointKind::Prismatic => mechanism::JointKind::Prismatic { axis },
-            JointKind::Screw => mechanism::JointKind::Screw { axis, pitch },
-            JointKind::Planar => mechanism::JointKind::Planar { normal: axis },
-            JointKind::Floating => mechanism::JointKind::Floating,
+            JointKind::Fixed => dq8_robot::JointKind::Fixed,
+            JointKind::Revolute => dq8_robot::JointKind::Revolute { axis },
+            JointKind::Prismatic => dq8_robot::JointKind::Prismatic { axis },
+            JointKind::Screw => dq8_robot::JointKind::Screw { axis, pitch },
+            JointKind::Planar => dq8_robot::JointKind::Planar { normal: axis },
+            JointKind::Floating => dq8_robot::JointKind::Floating,
         };
-        let mut known = mechanism::Joint::new(parent, DualQuat::from_array(self.placement), kind);
+        let mut known = dq8_robot::Joint::new(parent, DualQuat::from_array(self.placement), kind);
         known.limits = match self.limited {
             0 => None,
             1 => Some(self.limits),

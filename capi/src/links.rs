@@ -4,8 +4,8 @@ use crate::mechanism::{Made, Mechanism};
 use crate::memory::{Input, Output};
 use crate::span::apart;
 use crate::status::{Done, Status};
-use dq8::mechanism::JointValues;
 use dq8::storage::{AoSoA, Aos, Layout};
+use dq8_robot::JointValues;
 
 /// # Safety
 /// As for [`Made::new`], [`Input::slice`] and [`Output::slice`].

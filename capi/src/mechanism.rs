@@ -6,8 +6,8 @@ use crate::span::{Span, apart};
 use crate::status::{Done, Status};
 use core::mem::MaybeUninit;
 use core::ptr;
-use dq8::mechanism::{self, Body, JointKind, World, WorldAligned};
 use dq8::{DualQuat, Real, Twist};
+use dq8_robot::{Body, JointKind, World, WorldAligned};
 
 /// In which axes, and about which point, the columns of a Jacobian are.
 #[repr(i32)]
@@ -45,14 +45,14 @@ pub struct Mechanism<R> {
     opaque: [*const Step<R>; 4],
 }
 
-type Known<R> = mechanism::Mechanism<'static, R>;
+type Known<R> = dq8_robot::Mechanism<'static, R>;
 
 /// Whether what the library keeps fits the memory that C has for it: steps, behind them the joints while
 /// they are checked, and what it takes to align each of the two.
 macro_rules! fits {
     ($($R:ident)*) => {$(const _: () = {
-        let joints = size_of::<mechanism::Joint<$R>>() + align_of::<mechanism::Joint<$R>>();
-        let steps = size_of::<mechanism::Step<$R>>() + align_of::<mechanism::Step<$R>>();
+        let joints = size_of::<dq8_robot::Joint<$R>>() + align_of::<dq8_robot::Joint<$R>>();
+        let steps = size_of::<dq8_robot::Step<$R>>() + align_of::<dq8_robot::Step<$R>>();
         assert!(steps + joints <= size_of::<Step<$R>>());
         assert!(size_of::<Known<$R>>() <= 4 * size_of::<*const ()>());
         assert!(align_of::<Known<$R>>() <= align_of::<*const ()>());
@@ -64,17 +64,17 @@ fits! { f32 f64 }
 fn known<'a, R: Real>(
     joints: &[Joint<R>],
     room: &'a mut Room,
-) -> Result<mechanism::Mechanism<'a, R>, Fault> {
+) -> Result<dq8_robot::Mechanism<'a, R>, Fault> {
     let count = joints.len();
     // Both fit, by `fits`: the compiler does not know that.
     let small = (Status::TooLarge, None);
-    let (steps, rest) = place(room, count, mechanism::Step::default()).ok_or(small)?;
-    let any = mechanism::Joint::new(None, DualQuat::IDENTITY, JointKind::Fixed);
+    let (steps, rest) = place(room, count, dq8_robot::Step::default()).ok_or(small)?;
+    let any = dq8_robot::Joint::new(None, DualQuat::IDENTITY, JointKind::Fixed);
     let (known, _) = place(rest, count, any).ok_or(small)?;
     for (index, (given, known)) in joints.iter().zip(&mut *known).enumerate() {
         *known = given.known(count).map_err(|status| (status, Some(index)))?;
     }
-    mechanism::Mechanism::new(known, steps).map_err(|error| fault(&error))
+    dq8_robot::Mechanism::new(known, steps).map_err(|error| fault(&error))
 }
 
 /// # Safety

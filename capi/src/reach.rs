@@ -5,8 +5,8 @@ use crate::memory::{Input, Output, bytes, place};
 use crate::span::apart;
 use crate::status::{Done, Status};
 use core::mem::{MaybeUninit, offset_of};
-use dq8::mechanism::{self, Freedom, Reach, ReachError};
 use dq8::{DualQuat, Lanes, Real, Scalar, simd::Portable};
+use dq8_robot::ik::{self, Freedom, Reach, ReachError};
 
 /// What is asked of a link: components of its error in the axes of its target, and how much each weighs
 /// where not all can vanish. A weight of 0 leaves its component free.
@@ -81,24 +81,24 @@ pub struct ReachReport<R> {
 /// The library's goals are those of C, to the byte, and outcomes have the same numbers.
 macro_rules! same {
     ($($R:ident)*) => {$(const _: () = {
-        assert!(size_of::<Goal<$R>>() == size_of::<mechanism::Goal<$R>>());
-        assert!(align_of::<Goal<$R>>() == align_of::<mechanism::Goal<$R>>());
-        assert!(offset_of!(Goal<$R>, link) == offset_of!(mechanism::Goal<$R>, link));
-        assert!(offset_of!(Goal<$R>, angular) == offset_of!(mechanism::Goal<$R>, angular));
-        assert!(offset_of!(Goal<$R>, linear) == offset_of!(mechanism::Goal<$R>, linear));
+        assert!(size_of::<Goal<$R>>() == size_of::<ik::Goal<$R>>());
+        assert!(align_of::<Goal<$R>>() == align_of::<ik::Goal<$R>>());
+        assert!(offset_of!(Goal<$R>, link) == offset_of!(ik::Goal<$R>, link));
+        assert!(offset_of!(Goal<$R>, angular) == offset_of!(ik::Goal<$R>, angular));
+        assert!(offset_of!(Goal<$R>, linear) == offset_of!(ik::Goal<$R>, linear));
     };)*};
 }
 same! { f32 f64 }
 
 macro_rules! same_outcomes {
     ($($outcome:ident)*) => {$(
-        const _: () = assert!(Outcome::$outcome as i32 == mechanism::Outcome::$outcome as i32);
+        const _: () = assert!(Outcome::$outcome as i32 == ik::Outcome::$outcome as i32);
     )*};
 }
 same_outcomes! { Converged OutOfReach AtLimits Stalled Unfinished Invalid }
 
 /// How many numbers as large as `R` a search computes in: those of its freedoms and what aligns them, then its own.
-fn room<R: Real>(known: mechanism::Mechanism<'_, R>, goals: usize) -> Result<usize, Status> {
+fn room<R: Real>(known: dq8_robot::Mechanism<'_, R>, goals: usize) -> Result<usize, Status> {
     let freedoms = known.rates().checked_mul(size_of::<Freedom<R>>());
     let bytes = freedoms.and_then(|bytes| bytes.checked_add(align_of::<Freedom<R>>()));
     let numbers = bytes.map(|bytes| bytes.div_ceil(size_of::<R>()));
@@ -129,14 +129,14 @@ unsafe fn reach_scratch<R: Real>(
 const GOALS: usize = 1 << 10;
 
 impl<R: Real> ReachOptions<R> {
-    fn known(self) -> Result<mechanism::Options<R>, Status> {
+    fn known(self) -> Result<ik::Options<R>, Status> {
         let length = self.length_per_radian;
         let restarts = match self.restarts {
             0 => false,
             1 => true,
             _ => return Err(Status::UnknownValue),
         };
-        Ok(mechanism::Options {
+        Ok(ik::Options {
             angular_tolerance: self.angular_tolerance,
             linear_tolerance: self.linear_tolerance,
             max_iterations: self.max_iterations,
@@ -152,7 +152,7 @@ impl<R: Real> ReachOptions<R> {
 /// As for [`Output::write`].
 unsafe fn reach_options<R: Real>(options: *mut ReachOptions<R>) -> Done {
     let to = Output::<ReachOptions<R>>::new(options, 1)?;
-    let known = mechanism::Options::<R>::default();
+    let known = ik::Options::<R>::default();
     let default = ReachOptions {
         angular_tolerance: known.angular_tolerance,
         linear_tolerance: known.linear_tolerance,
@@ -192,7 +192,7 @@ where
 {
     // SAFETY: promised.
     let made = unsafe { Made::new(asked.mechanism)? };
-    let goals = Input::<mechanism::Goal<R>>::new(asked.goals, asked.goal_count)?;
+    let goals = Input::<ik::Goal<R>>::new(asked.goals, asked.goal_count)?;
     let targets = Input::<DualQuat<R>>::new(asked.targets, asked.goal_count)?;
     let posture_count = if asked.posture.is_null() { 0 } else { value_count };
     let posture = Input::<R>::new(asked.posture, posture_count)?;
@@ -205,7 +205,7 @@ where
     // SAFETY: promised, and apart.
     let options = match *unsafe { options.slice() } {
         [options] => options.known()?,
-        _ => mechanism::Options::default(),
+        _ => ik::Options::default(),
     };
     let known = made.known;
     if asked.goal_count > GOALS || value_count != known.values() {
@@ -249,9 +249,8 @@ fn status(error: &ReachError) -> Status {
 }
 
 impl<R: Real> ReachReport<R> {
-    fn of(report: &mechanism::Report<R>) -> Self {
-        let mechanism::Report { iterations, restarts, angular_error, linear_error, outcome } =
-            *report;
+    fn of(report: &ik::Report<R>) -> Self {
+        let ik::Report { iterations, restarts, angular_error, linear_error, outcome } = *report;
         Self { outcome: outcome as i32, iterations, restarts, angular_error, linear_error }
     }
 }

@@ -3,7 +3,7 @@
 use crate::argument::{Argument, Input};
 use crate::error::misshapen;
 use dq8::DualQuat;
-use dq8::mechanism::{Joint, JointKind, OwnedMechanism};
+use dq8_robot::{Joint, JointKind, OwnedMechanism};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 

@@ -1,9 +1,9 @@
 //! [`Number`]: what arrays are made of.
 
 use dq8::Scalar;
-use dq8::mechanism::JointValues;
 use dq8::skinning::Weight;
 use dq8::storage::Aos;
+use dq8_robot::JointValues;
 use numpy::Element;
 
 /// A number that NumPy has too.

@@ -2,7 +2,7 @@
 
 use crate::call::Answer;
 use crate::number::Number;
-use dq8::mechanism::{Outcome, Report};
+use dq8_robot::ik::{Outcome, Report};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyTuple};

@@ -88,7 +88,9 @@ fn select<L: Lanes>(mask: L::Mask, yes: Dual<L>, no: Dual<L>) -> Dual<L> {
 /// Beyond it a float is known to no more than 2⁻⁸ radians, and soon not even to a turn; and what π in
 /// three parts leaves is no longer within the range of the polynomials, so that rotations would not
 /// be unit.
-pub(crate) fn farthest<L: Lanes>() -> f64 {
+#[cfg_attr(not(opt_level_0), inline(always))]
+#[must_use]
+pub fn farthest<L: Lanes>() -> f64 {
     if L::Real::SINGLE { 65_536.0 } else { 35_184_372_088_832.0 }
 }
 
@@ -108,7 +110,8 @@ fn far_cos_sinc<L: Lanes>(v: L) -> (L, L, L) {
 
 /// cos x and sin x for |x| up to [`farthest`]; beyond it they are anything.
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(crate) fn cos_sin<L: Lanes>(x: L) -> (L, L) {
+#[must_use]
+pub fn cos_sin<L: Lanes>(x: L) -> (L, L) {
     let (turns, rest) = half_turns(x);
     let square = rest * rest;
     let (cos, _) = polynomial(&coefficients::COS_F32, &coefficients::COS_F64, square);
@@ -123,7 +126,8 @@ pub(crate) fn cos_sin<L: Lanes>(x: L) -> (L, L) {
 
 /// The whole number k and the rest r of x = kπ + r, |r| ≤ π/2 but for rounding.
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(crate) fn half_turns<L: Lanes>(x: L) -> (L, L) {
+#[must_use]
+pub fn half_turns<L: Lanes>(x: L) -> (L, L) {
     let turns = round(x * x.constant(core::f64::consts::FRAC_1_PI));
     // π in three parts whose products with a small integer are exact (Cody and Waite 1980).
     let [high, middle, low] = if L::Real::SINGLE {

@@ -92,7 +92,8 @@ fn square<L: Lanes>(x: Twist<L>) -> Dual<L> {
 
 /// x × y, the Lie bracket [x, y]: ad_x y, how fast y changes that is carried along by the twist x.
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(crate) fn lie_bracket<L: Lanes>(x: Twist<L>, y: Twist<L>) -> Twist<L> {
+#[must_use]
+pub fn lie_bracket<L: Lanes>(x: Twist<L>, y: Twist<L>) -> Twist<L> {
     let moved = vector::cross(x.linear, y.angular);
     Twist {
         angular: vector::cross(x.angular, y.angular),

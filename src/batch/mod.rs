@@ -44,12 +44,13 @@ mod squad;
 mod transform;
 mod trigonometry;
 mod two_bone;
-pub(crate) mod vector;
+pub mod vector;
 
 pub use dual::Dual;
 pub use dual_quat::DualQuat;
+pub use even::{cos_sin, farthest, half_turns};
 pub use incidence::CommonPerpendicular;
-pub(crate) use jacobian::lie_bracket;
+pub use jacobian::lie_bracket;
 pub use quat::Quat;
 pub use representation::{Affine, Polar, RotationTranslation, gram_schmidt_checked};
 pub use two_bone::TwoBone;

@@ -189,7 +189,8 @@ impl<L: Lanes> Quat<L> {
 
     /// r v r* − v + onto: v + 2 r × (r × v + w v) with another first summand.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(crate) fn rotate_onto(self, v: [L; 3], onto: [L; 3]) -> [L; 3] {
+    #[must_use]
+    pub fn rotate_onto(self, v: [L; 3], onto: [L; 3]) -> [L; 3] {
         self.twice_across(v, onto, self.w().constant(2.0))
     }
 

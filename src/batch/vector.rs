@@ -1,36 +1,47 @@
-//! Vectors of lanes as plain arrays, most of them of three.
+//! Vectors of lanes as plain arrays, most of them of three: for kernels of your own. Products and sums are fused.
 
 use super::length::Length;
 use dq8_simd::{Float, Lanes};
 
+/// a + b
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(crate) fn add<L: Lanes>(a: [L; 3], b: [L; 3]) -> [L; 3] {
+#[must_use]
+pub fn add<L: Lanes>(a: [L; 3], b: [L; 3]) -> [L; 3] {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
+/// a − b
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(crate) fn sub<L: Lanes>(a: [L; 3], b: [L; 3]) -> [L; 3] {
+#[must_use]
+pub fn sub<L: Lanes>(a: [L; 3], b: [L; 3]) -> [L; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
+/// a·s
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(crate) fn scale<L: Lanes>(a: [L; 3], s: L) -> [L; 3] {
+#[must_use]
+pub fn scale<L: Lanes>(a: [L; 3], s: L) -> [L; 3] {
     [a[0] * s, a[1] * s, a[2] * s]
 }
 
 /// a·s + b
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(crate) fn scale_onto<L: Lanes>(a: [L; 3], s: L, b: [L; 3]) -> [L; 3] {
+#[must_use]
+pub fn scale_onto<L: Lanes>(a: [L; 3], s: L, b: [L; 3]) -> [L; 3] {
     [a[0].mul_add(s, b[0]), a[1].mul_add(s, b[1]), a[2].mul_add(s, b[2])]
 }
 
+/// a · b
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(crate) fn dot<L: Lanes>(a: [L; 3], b: [L; 3]) -> L {
+#[must_use]
+pub fn dot<L: Lanes>(a: [L; 3], b: [L; 3]) -> L {
     a[2].mul_add(b[2], a[1].mul_add(b[1], a[0] * b[0]))
 }
 
+/// a × b
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(crate) fn cross<L: Lanes>(a: [L; 3], b: [L; 3]) -> [L; 3] {
+#[must_use]
+pub fn cross<L: Lanes>(a: [L; 3], b: [L; 3]) -> [L; 3] {
     [
         a[2].neg_mul_add(b[1], a[1] * b[2]),
         a[0].neg_mul_add(b[2], a[2] * b[0]),
@@ -40,7 +51,8 @@ pub(crate) fn cross<L: Lanes>(a: [L; 3], b: [L; 3]) -> [L; 3] {
 
 /// a × b + c
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(crate) fn cross_onto<L: Lanes>(a: [L; 3], b: [L; 3], c: [L; 3]) -> [L; 3] {
+#[must_use]
+pub fn cross_onto<L: Lanes>(a: [L; 3], b: [L; 3], c: [L; 3]) -> [L; 3] {
     [
         a[2].neg_mul_add(b[1], a[1].mul_add(b[2], c[0])),
         a[0].neg_mul_add(b[2], a[2].mul_add(b[0], c[1])),
@@ -48,8 +60,10 @@ pub(crate) fn cross_onto<L: Lanes>(a: [L; 3], b: [L; 3], c: [L; 3]) -> [L; 3] {
     ]
 }
 
+/// `yes` where the mask is set, else `no`.
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(crate) fn select<L: Lanes, const N: usize>(mask: L::Mask, yes: [L; N], no: [L; N]) -> [L; N] {
+#[must_use]
+pub fn select<L: Lanes, const N: usize>(mask: L::Mask, yes: [L; N], no: [L; N]) -> [L; N] {
     let mut picked = no;
     for (slot, value) in picked.iter_mut().zip(yes) {
         *slot = L::select(mask, value, *slot);
@@ -59,7 +73,8 @@ pub(crate) fn select<L: Lanes, const N: usize>(mask: L::Mask, yes: [L; N], no: [
 
 /// The same numbers in every lane.
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(crate) fn splat<L: Lanes, const N: usize>(level: L::Level, numbers: [L::Real; N]) -> [L; N] {
+#[must_use]
+pub fn splat<L: Lanes, const N: usize>(level: L::Level, numbers: [L::Real; N]) -> [L; N] {
     let mut lanes = [L::splat(level, L::Real::default()); N];
     for (lane, number) in lanes.iter_mut().zip(numbers) {
         *lane = L::splat(level, number);
@@ -69,7 +84,8 @@ pub(crate) fn splat<L: Lanes, const N: usize>(level: L::Level, numbers: [L::Real
 
 /// Lanes in which a number is neither infinite nor NaN.
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(crate) fn is_finite<L: Lanes>(number: L) -> L::Mask {
+#[must_use]
+pub fn is_finite<L: Lanes>(number: L) -> L::Mask {
     let zero = number.constant(0.0);
     (number * zero).eq(zero)
 }
@@ -88,7 +104,8 @@ pub(crate) fn are_finite<L: Lanes, const N: usize>(numbers: [L; N]) -> L::Mask {
 
 /// The distance from 1 to the next larger number.
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(crate) fn epsilon<L: Lanes>() -> f64 {
+#[must_use]
+pub fn epsilon<L: Lanes>() -> f64 {
     if L::Real::SINGLE { f64::from(f32::EPSILON) } else { f64::EPSILON }
 }
 

@@ -2,31 +2,41 @@
 
 use core::ops::{Add, Mul, Sub};
 
+/// a + b
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(crate) fn add<T: Copy + Add<Output = T>>(a: [T; 3], b: [T; 3]) -> [T; 3] {
+#[must_use]
+pub fn add<T: Copy + Add<Output = T>>(a: [T; 3], b: [T; 3]) -> [T; 3] {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
+/// a − b
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(crate) fn sub<T: Copy + Sub<Output = T>>(a: [T; 3], b: [T; 3]) -> [T; 3] {
+#[must_use]
+pub fn sub<T: Copy + Sub<Output = T>>(a: [T; 3], b: [T; 3]) -> [T; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
+/// a·s
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(crate) fn scale<T: Copy + Mul<Output = T>>(a: [T; 3], s: T) -> [T; 3] {
+#[must_use]
+pub fn scale<T: Copy + Mul<Output = T>>(a: [T; 3], s: T) -> [T; 3] {
     [a[0] * s, a[1] * s, a[2] * s]
 }
 
+/// a · b
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(crate) fn dot<T>(a: [T; 3], b: [T; 3]) -> T
+#[must_use]
+pub fn dot<T>(a: [T; 3], b: [T; 3]) -> T
 where
     T: Copy + Add<Output = T> + Mul<Output = T>,
 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
+/// a × b
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(crate) fn cross<T>(a: [T; 3], b: [T; 3]) -> [T; 3]
+#[must_use]
+pub fn cross<T>(a: [T; 3], b: [T; 3]) -> [T; 3]
 where
     T: Copy + Sub<Output = T> + Mul<Output = T>,
 {

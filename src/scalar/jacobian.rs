@@ -169,7 +169,8 @@ fn square<R: Real>(x: Twist<R>) -> Dual<R> {
 /// x × y, the Lie bracket [x, y]: how fast y changes that is carried along by the twist x (Lynch & Park, *Modern
 /// Robotics*, 2017, definition 8.4).
 #[inline]
-pub(crate) fn lie_bracket<R: Real>(x: Twist<R>, y: Twist<R>) -> Twist<R> {
+#[must_use]
+pub fn lie_bracket<R: Real>(x: Twist<R>, y: Twist<R>) -> Twist<R> {
     let linear =
         vector::add(vector::cross(x.angular, y.linear), vector::cross(x.linear, y.angular));
     Twist { angular: vector::cross(x.angular, y.angular), linear }

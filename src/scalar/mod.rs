@@ -23,11 +23,10 @@ mod screw;
 mod slerp;
 mod squad;
 mod transform;
-pub(crate) mod vector;
+pub mod vector;
 
 pub use dual::Dual;
 pub use dual_quat::DualQuat;
 pub use error::{InverseError, MatrixError, NormalizeError};
+pub use jacobian::lie_bracket;
 pub use quat::Quat;
-
-pub(crate) use jacobian::lie_bracket;

@@ -1,6 +1,6 @@
-//! Three-vectors as plain arrays, and their lengths.
+//! Three-vectors as plain arrays, and their lengths: in the order of the papers, without fused products.
 
-pub(crate) use crate::geometry::vector::{add, cross, dot, scale, sub};
+pub use crate::geometry::vector::{add, cross, dot, scale, sub};
 use crate::real::Real;
 
 /// The largest of the absolute values, NaN if there is one.
@@ -12,7 +12,8 @@ pub(crate) fn largest<R: Real, const N: usize>(components: [R; N]) -> R {
 /// The Euclidean length of `components`, however large or small they are: squares of the
 /// components themselves would overflow or vanish, squares of their ratios to the largest do not.
 #[inline]
-pub(crate) fn norm<R: Real, const N: usize>(components: [R; N]) -> R {
+#[must_use]
+pub fn norm<R: Real, const N: usize>(components: [R; N]) -> R {
     let largest = largest(components);
     if largest == R::ZERO || !largest.is_finite() {
         return largest;
@@ -95,7 +96,8 @@ pub(crate) fn any_across<R: Real>(along: [R; 3]) -> [R; 3] {
 /// measures the length of q, so a chain that normalizes at every product would scale its translation
 /// by about 10⁻⁹ per product, always in the same direction (measured in `lab/src/products.rs`).
 #[inline]
-pub(crate) fn over_norm<R: Real, const N: usize>(components: [R; N], norm: R) -> [R; N] {
+#[must_use]
+pub fn over_norm<R: Real, const N: usize>(components: [R; N], norm: R) -> [R; N] {
     // Outside these the reciprocal is not a normal number, in `f32`.
     let large = R::from(1e30);
     if norm > large || norm * large < R::ONE {

@@ -13,14 +13,11 @@ crate::plain::plain! {
     /// numbers: a column of a Jacobian, a velocity, an acceleration.
     ///
     /// ```
-    /// use dq8::mechanism::{Joint, OwnedMechanism, World};
-    /// use dq8::{DualQuat, storage::LinearFirst};
-    /// let out = DualQuat::from_translation([2.0_f64, 0.0, 0.0]);
-    /// let wheel = OwnedMechanism::new(&[Joint::revolute(None, out, [0.0, 0.0, 1.0])])?;
-    /// let (mut poses, mut columns) = ([DualQuat::IDENTITY], [LinearFirst([0.0; 6])]);
-    /// wheel.job().links(&[0]).jacobians(World, &[0.0], &mut poses, &mut columns)?;
-    /// assert_eq!(columns[0], LinearFirst([0.0, -2.0, 0.0, 0.0, 0.0, 1.0]));
-    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// use dq8::{Twist, storage::LinearFirst};
+    /// // A wheel two metres away turns about z.
+    /// let spin = Twist { angular: [0.0, 0.0, 1.0], linear: [0.0, -2.0, 0.0] };
+    /// assert_eq!(LinearFirst::from(spin), LinearFirst([0.0, -2.0, 0.0, 0.0, 0.0, 1.0]));
+    /// assert_eq!(Twist::from(LinearFirst::from(spin)), spin);
     /// ```
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct LinearFirst<R>(pub [R; 6]);

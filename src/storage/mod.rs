@@ -60,3 +60,5 @@ pub use packing::{pack, pack_chain, unpack, unpack_chain};
 pub use padding::identity;
 pub(crate) use source::Source;
 pub use tile::Tile;
+
+pub use crate::shape::{same_length, whole_instances};

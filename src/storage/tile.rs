@@ -11,7 +11,15 @@ pub struct Tile {
 impl Tile {
     /// The lanes of one register of the block `element`, or as many records as it reads from there on.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(crate) fn at(element: usize, register: usize) -> Self {
+    #[must_use]
+    pub fn at(element: usize, register: usize) -> Self {
         Self { element, register, stride: None }
+    }
+
+    /// The same, of plain records that lie `stride` records apart; of blocks, the register alone counts.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    #[must_use]
+    pub fn strided(self, stride: usize) -> Self {
+        Self { stride: Some(stride), ..self }
     }
 }

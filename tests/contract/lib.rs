@@ -3,7 +3,6 @@
 
 #![allow(missing_docs, reason = "made for the tests of dq8, which read it")]
 
-pub mod arms;
 pub mod bound;
 pub mod case;
 pub mod conformance;
@@ -25,4 +24,6 @@ pub mod scale;
 pub mod vectors;
 pub mod worst;
 
+#[cfg(not(target_family = "wasm"))]
+pub use dq8_fixtures::stack;
 pub use dq8_fixtures::{kinematics, random, textbook};

@@ -3,7 +3,6 @@
 
 use crate::kinematics::after;
 use crate::records::Place;
-use dq8::mechanism::{Reach, ReachJob};
 use dq8::skinning::{DualBlend, Job, Linear};
 use dq8::{Backend, Block, simd};
 
@@ -12,12 +11,8 @@ type Points16 = simd::Block<[f32; 16], 3>;
 
 /// To name them is enough; nobody calls this.
 #[must_use]
-pub fn instances() -> [*const (); 20] {
+pub fn instances() -> [*const (); 16] {
     [
-        ReachJob::<f32>::solve as *const (),
-        ReachJob::<f64>::solve as *const (),
-        Reach::<f32>::solve as *const (),
-        Reach::<f64>::solve as *const (),
         Job::<u16, f32>::pose::<Linear<'_, f32>, [f32; 3]> as *const (),
         Job::<u16, f32>::pose::<DualBlend<'_, f32>, [f32; 3]> as *const (),
         Backend::normalize::<Block16> as *const (),

@@ -47,12 +47,12 @@ impl Draw {
     pub(crate) fn case(self, random: &mut Random, single: bool) -> Case {
         match self {
             Self::Ordinary => {
-                let size = one_of(random, &[0.0, 1.0, 30.0, 1e4]);
+                let size = random.one_of(&[0.0, 1.0, 30.0, 1e4]);
                 let [a, b, c, d] = [(); 4].map(|()| motion(random, size));
                 numbers(random, [a, b, c, d], 1.0, size)
             }
             Self::Close => {
-                let (size, near) = (one_of(random, &[0.0, 1.0, 1e4]), spread(random, -12, 0));
+                let (size, near) = (random.one_of(&[0.0, 1.0, 1e4]), spread(random, -12, 0));
                 let centre = DualQuat::from_array(motion(random, size));
                 let poses = [(); 4].map(|()| {
                     let (angle, axis) = (0.7 * near * random.signed(), random.direction());
@@ -66,12 +66,12 @@ impl Draw {
                 case
             }
             Self::Opposite => {
-                let size = one_of(random, &[0.0, 1.0, 1e4]);
+                let size = random.one_of(&[0.0, 1.0, 1e4]);
                 let a = motion(random, size);
                 let [b, c, d] = [(); 3].map(|()| {
-                    let turns = one_of(random, &[PI, -PI, 2.0 * PI]);
+                    let turns = random.one_of(&[PI, -PI, 2.0 * PI]);
                     let off =
-                        random.signed() * one_of(random, &[0.0, 1.0]) * spread(random, -15, -1);
+                        random.signed() * random.one_of(&[0.0, 1.0]) * spread(random, -15, -1);
                     let axis: [f64; 3] = random.direction();
                     let away = moved(axis, turns + off, random.vector().map(|c| c * size));
                     signed(random, (DualQuat::from_array(a) * away).to_array())
@@ -81,7 +81,7 @@ impl Draw {
             Self::Far => {
                 let size = spread(random, 0, 30);
                 let poses = [(); 4].map(|()| {
-                    let size = one_of(random, &[size, size, 1.0]);
+                    let size = random.one_of(&[size, size, 1.0]);
                     motion(random, size)
                 });
                 numbers(random, poses, 1.0, size)
@@ -104,7 +104,7 @@ impl Draw {
                 let least = if single { -46 } else { -324 };
                 let size = spread(random, least, -3);
                 let poses = [(); 4].map(|()| {
-                    let angle = one_of(random, &[0.0, 1.0]) * spread(random, least, -3);
+                    let angle = random.one_of(&[0.0, 1.0]) * spread(random, least, -3);
                     let axis: [f64; 3] = random.direction();
                     let pose = moved(axis, angle, random.vector().map(|c| c * size));
                     signed(random, pose.to_array())
@@ -141,12 +141,17 @@ impl Draw {
             Self::Anything => {
                 let share = random.between(0.0, 1.0);
                 let mut all = [0.0; NUMBERS];
-                all.fill_with(|| number(random, single, share));
+                all.fill_with(|| random.number(single, share));
                 let mut case = Case::of_numbers(&all);
-                case.tolerance = one_of(
-                    random,
-                    &[0.0, 1.0, f64::NAN, f64::INFINITY, -1.0, 0.001_234_567, 0.123_456_78],
-                );
+                case.tolerance = random.one_of(&[
+                    0.0,
+                    1.0,
+                    f64::NAN,
+                    f64::INFINITY,
+                    -1.0,
+                    0.001_234_567,
+                    0.123_456_78,
+                ]);
                 case
             }
         }
@@ -184,7 +189,7 @@ fn numbers(random: &mut Random, poses: [[f64; 8]; 4], turn: f64, size: f64) -> C
         t,
         dt: 2.0 * random.signed(),
         radius: size * random.between(0.0, 1.0),
-        tolerance: one_of(random, &[0.0, 0.1, 1.0, 1e-3]),
+        tolerance: random.one_of(&[0.0, 0.1, 1.0, 1e-3]),
         v: random.vector().map(|c| 3.0 * turn * c),
         w: random.vector().map(|c| size * c),
         weights: [(); 4].map(|()| random.between(0.06, 1.0)),
@@ -205,13 +210,13 @@ fn motion(random: &mut Random, size: f64) -> [f64; 8] {
         _ => PI * random.signed(),
     };
     let axis = match random.below(6) {
-        0 => one_of(random, &[[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0]]),
+        0 => random.one_of(&[[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0]]),
         _ => random.direction(),
     };
     let mut pose = moved(axis, angle, random.vector().map(|c| size * c));
     if angle == PI {
         let [x, y, z] = axis;
-        let turn = Quat::from_xyzw(x, y, z, one_of(random, &[0.0, -0.0]));
+        let turn = Quat::from_xyzw(x, y, z, random.one_of(&[0.0, -0.0]));
         pose = DualQuat::from_rotation_translation(turn, pose.translation());
     }
     signed(random, pose.to_array())
@@ -229,32 +234,4 @@ fn signed(random: &mut Random, motion: [f64; 8]) -> [f64; 8] {
 /// 10 to a power between the two.
 fn spread(random: &mut Random, least: i32, most: i32) -> f64 {
     10.0_f64.powf(random.between(least.into(), most.into()))
-}
-
-fn one_of<T: Copy>(random: &mut Random, all: &[T]) -> T {
-    all[random.below(all.len())]
-}
-
-/// An ordinary number; in a share of all, one of any bits.
-pub(crate) fn number(random: &mut Random, single: bool, share: f64) -> f64 {
-    match random.between(0.0, 1.0) < share {
-        true => any(random, single),
-        false => 2.0 * random.signed(),
-    }
-}
-
-fn any(random: &mut Random, single: bool) -> f64 {
-    let mut word = || random.between(0.0, 4_294_967_296.0) as u64;
-    let (low, high) = (word(), word());
-    match random.below(3) {
-        0 if single => f32::from_bits(low as u32).into(),
-        0 => f64::from_bits(high << 32 | low),
-        1 => one_of(random, &[f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 0.0, -0.0]),
-        _ => {
-            let sign = random.signed().signum();
-            let least = if single { 1e-45 } else { 5e-324 };
-            let largest = if single { f32::MAX.into() } else { f64::MAX };
-            sign * one_of(random, &[least, 1e-40, 1e-20, 1e20, 1e30, 3e38, largest, 1.0])
-        }
-    }
 }

@@ -27,8 +27,3 @@ fn family(on: On) -> Option<&'static str> {
     let fused = cfg!(target_feature = "fma") && !lanes.ends_with("x1");
     Some(if lanes.starts_with("AVX") || fused { "fused" } else { "portable" })
 }
-
-/// NaN has many bit patterns, which mean the same.
-pub(crate) fn bits(number: f64) -> u64 {
-    if number.is_nan() { u64::MAX } else { number.to_bits() }
-}

@@ -1,12 +1,11 @@
 //! The tables of geometry: lanes of one family give the same bits, for numbers of every size side by side.
 
 use super::Findings;
-use super::draw::number;
-use super::families::{Families, bits};
+use super::families::Families;
 use dq8_contract::geometry::{self, Place};
 use dq8_contract::implementation::On;
 use dq8_contract::lanes::MAX_LANES;
-use dq8_contract::random::Random;
+use dq8_contract::random::{Random, bits};
 
 pub(crate) fn round(all: &[On], random: &mut Random, seed: u64, findings: &mut Findings) {
     for (place, _) in geometry::operations() {
@@ -37,7 +36,7 @@ fn given(place: Place, random: &mut Random, on: On) -> Vec<Vec<f64>> {
         for (shape, &common) in place.shapes().zip(&of_all) {
             numbers.push(match shape {
                 "order" | "integer" => common,
-                _ => on.round(number(random, on.single, share)),
+                _ => on.round(random.number(on.single, share)),
             });
         }
         numbers

@@ -1,17 +1,12 @@
-//! Clips, mechanisms, searches and skins: the same bits for many at once, one by one, and in blocks of any width.
+//! Clips and skins: the same bits for many at once, one by one, and in blocks of any width.
 
 use super::Findings;
-use super::draw::number;
-use super::families::bits;
 use dq8::hierarchy::{Clip, Sampled};
 use dq8::law::{Law, Nlerp, Sclerp};
-use dq8::mechanism::{
-    Freedom, Goal, Joint, JointValues, Mechanism, Options, OwnedMechanism, Reach, Report,
-};
 use dq8::skinning::{Blender, DualBlend, Linear, Skin, Surface, SurfaceMut};
-use dq8::storage::{Block, Element, pack, unpack};
+use dq8::storage::{Block, pack, unpack};
 use dq8::{Backend, Crowd, DualQuat, Hierarchy, Quat, Scalar};
-use dq8_contract::random::Random;
+use dq8_contract::random::{Random, bits};
 use dq8_simd::Row;
 use std::marker::PhantomData;
 use std::ops::Range;
@@ -19,15 +14,11 @@ use std::ops::Range;
 /// Ways to compute the same numbers, and the bits of what they give.
 type Entries = Vec<(&'static str, Vec<u64>)>;
 
-/// How motions lie in memory.
-type In<E> = <E as Element<8>>::Layout;
-
 pub(crate) fn round<R>(random: &mut Random, seed: u64, findings: &mut Findings)
 where
     [R; 4]: Row<Real = R>,
     [R; 8]: Row<Real = R>,
-    R: Scalar + JointValues<In<DualQuat<R>>>,
-    R: JointValues<In<Block<R, 4>>> + JointValues<In<Block<R, 8>>>,
+    R: Scalar,
 {
     let state = random.0;
     for backend in Backend::available() {
@@ -37,8 +28,6 @@ where
         let jobs = [
             ("clip, NLERP", scene.clip(Nlerp)),
             ("clip, ScLERP", scene.clip(Sclerp)),
-            ("link_poses", scene.link_poses()),
-            ("reach", scene.reach()),
             ("skin", scene.skin()),
         ];
         for (job, groups) in jobs {
@@ -68,12 +57,11 @@ impl<R> Scene<'_, R>
 where
     [R; 4]: Row<Real = R>,
     [R; 8]: Row<Real = R>,
-    R: Scalar + JointValues<In<DualQuat<R>>>,
-    R: JointValues<In<Block<R, 4>>> + JointValues<In<Block<R, 8>>>,
+    R: Scalar,
 {
     /// An ordinary number, and seldom one of any bits.
     fn number(&mut self) -> R {
-        from(number(self.random, R::SINGLE, 0.01))
+        from(self.random.number(R::SINGLE, 0.01))
     }
 
     /// Unit; seldom with numbers of any bits, and half a turn from others, so that they are at right angles.
@@ -120,79 +108,6 @@ where
                 ("blocks of 8", of_motions(&eight.to_vec())),
             ],
         ]
-    }
-
-    fn robot(&mut self) -> OwnedMechanism<R> {
-        let links: Vec<_> = (0..7)
-            .map(|link: usize| {
-                let (on, at) = (link.checked_sub(1), self.random.motion(0.5).cast());
-                let axis = self.random.direction().map(from);
-                let joint = match link {
-                    2 => Joint::prismatic(on, at, axis),
-                    _ => Joint::revolute(on, at, axis),
-                };
-                let limits = [-2.0, 2.5].map(from);
-                if link % 3 == 1 { joint.with_limits(limits) } else { joint }
-            })
-            .collect();
-        OwnedMechanism::new(&links).unwrap()
-    }
-
-    /// Values of some configurations.
-    fn values(&mut self, robot: Mechanism<'_, R>, count: usize) -> Vec<R> {
-        (0..count * robot.values()).map(|_| self.number()).collect()
-    }
-
-    fn link_poses(&mut self) -> Vec<Entries> {
-        let robot = self.robot();
-        let (robot, count) = (robot.view(), 1 + self.random.below(20));
-        let values = self.values(robot, count);
-        let backend = self.backend;
-        let mut together = vec![DualQuat::IDENTITY; count * robot.links()];
-        robot.job().backend(backend).poses(&values, &mut together).unwrap();
-        let mut alone = together.clone();
-        let each = values.chunks(robot.values()).zip(alone.chunks_mut(robot.links()));
-        each.for_each(|(values, poses)| robot.job().backend(backend).poses(values, poses).unwrap());
-        let mut four = Crowd::<R, 4>::new(robot.links(), count);
-        let mut eight = Crowd::<R, 8>::new(robot.links(), count);
-        robot.job().backend(backend).poses(&values, four.blocks_mut()).unwrap();
-        robot.job().backend(backend).poses(&values, eight.blocks_mut()).unwrap();
-        vec![vec![
-            ("together", of_motions(&together)),
-            ("one by one", of_motions(&alone)),
-            ("blocks of 4", of_motions(&four.to_vec())),
-            ("blocks of 8", of_motions(&eight.to_vec())),
-        ]]
-    }
-
-    fn reach(&mut self) -> Vec<Entries> {
-        let robot = self.robot();
-        let (robot, count) = (robot.view(), 1 + self.random.below(20));
-        let goals = [Goal::pose(robot.links() - 1)];
-        let mut freedoms = vec![Freedom::default(); robot.rates()];
-        let reach = Reach::new(robot, &goals, &mut freedoms).unwrap();
-        let mut poses = vec![DualQuat::IDENTITY; robot.links()];
-        let targets: Vec<_> = (0..count)
-            .map(|_| {
-                let values: Vec<_> =
-                    self.random.vector::<7>().map(|value| from(2.0 * value)).into();
-                robot.link_poses(&values, &mut poses).unwrap();
-                if self.random.below(8) == 0 { self.motion() } else { poses[robot.links() - 1] }
-            })
-            .collect();
-        let start = self.values(robot, count);
-        let options = Options { restarts: self.random.below(2) == 0, ..Options::default() };
-        let job = reach.job().backend(self.backend);
-        let search = |targets: &[DualQuat<R>], values: &mut [R]| {
-            let mut reports = vec![Report::default(); targets.len()];
-            job.solve(targets, values, &mut reports, &options).unwrap();
-        };
-        let (mut together, mut alone) = (start.clone(), start);
-        search(&targets, &mut together);
-        for (target, values) in targets.chunks(1).zip(alone.chunks_mut(robot.values())) {
-            search(target, values);
-        }
-        vec![vec![("together", of_numbers(&together)), ("one by one", of_numbers(&alone))]]
     }
 
     fn skin(&mut self) -> Vec<Entries> {

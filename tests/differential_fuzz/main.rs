@@ -1,7 +1,7 @@
 //! Random calls of every operation of the contract, on every implementation, against the scalar path in `f64`, with
 //! input of every kind: far, tiny, nearly opposite, of many turns, of any bits. Lanes of one kind of instructions are
 //! held to each other's bits, whatever their width and whatever lies in the other lanes: also in the tables of geometry,
-//! and in clips, mechanisms, searches and skins, which are run for many at once, one by one, and in blocks.
+//! and in clips and skins, which are run for many at once, one by one, and in blocks.
 //!
 //! `DQ8_FUZZ_SECONDS` says how long (a fifth of one by default), `DQ8_FUZZ_SEED` from where; what is found names the seed of
 //! its round. One lane of one operation is one call.
@@ -17,7 +17,7 @@ use dq8_contract::implementation::{On, implementations, scalar_f64};
 use dq8_contract::lanes::MAX_LANES;
 use dq8_contract::operation::Operation;
 use dq8_contract::operations::OPERATIONS;
-use dq8_contract::random::Random;
+use dq8_contract::random::{self, Random};
 use draw::Draw;
 use families::Families;
 use judge::{Lane, Question, judge};
@@ -76,7 +76,7 @@ fn answers(operation: &Operation, on: On, questions: &[Question]) -> Vec<Lane> {
 
 /// The bits of what a lane answers, with its truth values.
 fn bits((numbers, held): &Lane) -> Vec<u64> {
-    let numbers = numbers.iter().map(|&(_, number)| families::bits(number));
+    let numbers = numbers.iter().map(|&(_, number)| random::bits(number));
     numbers.chain(held.iter().map(|&held| held.into())).collect()
 }
 

@@ -2,7 +2,6 @@
 
 use dq8::hierarchy::{Clip, Crowd, Plan, Poses, Sampled};
 use dq8::law::Nlerp;
-use dq8::mechanism::{Goal, OwnedMechanism, Reach, ReachError};
 use dq8::skinning::{DualBlend, Linear, Mixed, Skin, Surface, SurfaceMut};
 use dq8::{DualQuat, Hierarchy, ShapeError, Skeleton};
 
@@ -51,19 +50,6 @@ fn a_clip_of_nothing_is_refused_so_that_each_has_a_place() {
         .job()
         .locals_to_model(locals, &mut [Pose::IDENTITY; 0])
         .unwrap();
-}
-
-#[test]
-fn a_mechanism_without_joints_has_poses_and_nothing_to_reach() {
-    let mechanism = OwnedMechanism::<f32>::new(&[]).unwrap();
-    mechanism.view().link_poses(&[], &mut []).unwrap();
-    mechanism.job().poses(&[0.0_f32; 0], &mut [Pose::IDENTITY; 0]).unwrap();
-    assert_eq!(Reach::new(mechanism.view(), &[], &mut []).unwrap_err(), ReachError::NoGoals);
-    // Without screws there is the tool alone.
-    let arm = OwnedMechanism::<f32>::from_screws(&[], Pose::IDENTITY).unwrap();
-    assert_eq!(arm.view().link_pose(&[], 0), Ok(Pose::IDENTITY));
-    let unmoved = Reach::new(arm.view(), &[Goal::pose(0)], &mut []).unwrap_err();
-    assert_eq!(unmoved, ReachError::Unmoved { goal: 0, link: 0 });
 }
 
 #[test]

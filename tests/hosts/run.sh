@@ -11,7 +11,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 
 # Programs have tests too, of which some look for files by other paths than those of the build; papers are in lab.
-hosts=() packages=(dq8 dq8-simd) programs=(dq8-mocap dq8-contest dq8-compare dq8-hand-eye) papers=(--package=lab --test papers)
+hosts=() packages=(dq8 dq8-simd dq8-robot) programs=(dq8-mocap dq8-contest dq8-compare dq8-hand-eye) papers=(--package=lab --test papers)
 for argument; do
   case $argument in
     --quick) packages=(dq8-simd) programs=() papers=() ;;
@@ -73,7 +73,7 @@ for host in "${hosts[@]}"; do
       # Not optimised, not even what the workspace optimises for its tests: QEMU before 8.0 computes MDEBR (f32 · f32 as
       # f64) wrongly, which only the optimiser uses.
       plain=(--config 'profile.dev.package.dq8-simd.opt-level=0' --config 'profile.dev.package.dq8-contract.opt-level=0'
-        --config 'profile.dev.package.dq8-fixtures.opt-level=0')
+        --config 'profile.dev.package.dq8-fixtures.opt-level=0' --config 'profile.dev.package.dq8-arms.opt-level=0')
       CARGO_PROFILE_DEV_OPT_LEVEL=0 run s390x-unknown-linux-gnu s390x-linux-gnu-gcc 'qemu-s390x -L /usr/s390x-linux-gnu' \
         -Zbuild-std "${plain[@]}" --tests "${packages[@]}" "${programs[@]}" ;;
     wasm32)

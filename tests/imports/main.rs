@@ -86,13 +86,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
             "palette_entry",
         ],
     ),
-    (
-        "mechanism",
-        &[
-            "shape", "real", "everyday", "geometry", "dq8_simd", "scalar", "batch", "dispatch",
-            "threads", "storage",
-        ],
-    ),
+    ("seams", &["everyday", "threads"]),
     ("ik", &["real", "scalar"]),
     (
         "hierarchy",
@@ -130,6 +124,13 @@ const SIMD_MAY_IMPORT: &[(&str, &[&str])] = &[
     ("pair", &["lanes", "sealed"]),
     ("detect", &[]),
     ("x86_64", &["lanes", "pair", "sealed", "detect"]),
+];
+
+/// The same for `dq8-robot`, which Cargo keeps from everything that `dq8` does not show.
+const ROBOT_MAY_IMPORT: &[(&str, &[&str])] = &[
+    ("mechanism", &["dq8", "dq8_simd"]),
+    ("ik", &["dq8", "dq8_simd", "mechanism"]),
+    ("urdf", &["dq8", "mechanism"]),
 ];
 
 /// The folders whose files have a twin of the same name in a folder of `batch`.
@@ -185,6 +186,11 @@ fn imports_of_the_lanes_run_one_way_and_never_to_dq8() {
     assert_eq!(forbidden("simd/src", SIMD_MAY_IMPORT), Vec::<String>::new());
 }
 
+#[test]
+fn imports_of_robots_run_one_way() {
+    assert_eq!(forbidden("robot/src", ROBOT_MAY_IMPORT), Vec::<String>::new());
+}
+
 /// A table that allowed what the design forbids would let everything pass.
 #[test]
 fn the_tables_keep_the_twins_apart_and_have_no_circle() {
@@ -195,7 +201,7 @@ fn the_tables_keep_the_twins_apart_and_have_no_circle() {
         }
         assert!(!(allowed.contains(&"scalar") && *module == "batch"));
         assert!(!(allowed.contains(&"dq8_simd") && ["scalar", "motion"].contains(module)));
-        assert!(!allowed.contains(&"everyday") || ["real", "scalar", "mechanism"].contains(module));
+        assert!(!allowed.contains(&"everyday") || ["real", "scalar", "seams"].contains(module));
     }
 }
 
@@ -221,7 +227,7 @@ fn every_file_of_the_reference_has_a_twin_in_batch_and_the_other_way_round() {
 /// `simd` has the instructions, `capi` the pointers of C.
 #[test]
 fn no_unsafe_code_stands_outside_the_lanes_and_the_c_abi() {
-    for source in ["src", "examples", "benches"].into_iter().flat_map(sources) {
+    for source in ["src", "robot", "examples", "benches"].into_iter().flat_map(sources) {
         assert!(!tokens(&source.text).iter().any(|token| token == "unsafe"), "{}", source.path);
     }
     let lib = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/src/lib.rs")).unwrap();
@@ -231,7 +237,7 @@ fn no_unsafe_code_stands_outside_the_lanes_and_the_c_abi() {
 
 #[test]
 fn no_file_is_longer_than_four_hundred_lines() {
-    for source in ["src", "simd/src", "capi"].into_iter().flat_map(sources) {
+    for source in ["src", "simd/src", "robot", "capi"].into_iter().flat_map(sources) {
         let lines = source.text.lines().count();
         assert!(lines <= MAX_LINES, "{} has {lines} lines", source.path);
     }

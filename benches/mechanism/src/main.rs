@@ -11,9 +11,9 @@ mod peers;
 mod robots;
 mod urdf;
 
-use dq8::mechanism::{Joint, OwnedMechanism};
 use dq8::{Backend, DualQuat};
 use dq8_fixtures::random::Random;
+use dq8_robot::{Joint, OwnedMechanism};
 use peers::{by_hand, dynibo, k};
 
 const CONFIGURATIONS: usize = 10_000;

@@ -1,8 +1,9 @@
 //! What dq8 does, in both precisions.
 
 use crate::job::Job;
-use dq8::mechanism::{Freedom, Goal, Mechanism, Options, Outcome, Reach, Report, World};
 use dq8::{Backend, Block, DualQuat};
+use dq8_robot::ik::{Freedom, Goal, Options, Outcome, Reach, Report};
+use dq8_robot::{Mechanism, World};
 use std::hint::black_box;
 
 /// Poses to be reached, from the values of other configurations; 998 of 1000 must be.

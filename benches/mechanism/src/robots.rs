@@ -1,7 +1,7 @@
 //! The robots: an arm of seven axes and a humanoid of 29, with dimensions of our own.
 
-use dq8::mechanism::Joint;
 use dq8::{DualQuat, Quat};
+use dq8_robot::Joint;
 
 const X: [f64; 3] = [1.0, 0.0, 0.0];
 const Y: [f64; 3] = [0.0, 1.0, 0.0];

@@ -1,7 +1,7 @@
 //! Robots as URDF files, the form in which peers take them.
 
-use dq8::mechanism::{Joint, JointKind};
 use dq8::representation::{EulerAxes, EulerFrame, EulerOrder};
+use dq8_robot::{Joint, JointKind};
 
 /// Roll, pitch and yaw.
 const ROLL_PITCH_YAW: EulerOrder =

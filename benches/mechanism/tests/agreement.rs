@@ -3,7 +3,7 @@
 
 use dq8::DualQuat;
 use dq8_fixtures::random::Random;
-use dq8_urdf::Robot;
+use dq8_robot::urdf::Robot;
 use std::fmt::Write;
 use std::path::Path;
 
@@ -111,7 +111,7 @@ fn compare(path: &Path, random: &mut Random, configurations: usize) -> usize {
 
 #[test]
 fn links_of_the_robots_of_the_repository_are_where_k_has_them() {
-    let robots = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../urdf/robots");
+    let robots = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../robot/robots");
     for (file, links) in [("arm6", 8), ("arm7", 11), ("humanoid", 35)] {
         let path = robots.join(file).with_extension("urdf");
         assert_eq!(compare(&path, &mut Random(1), 101), 101 * links, "{file}");

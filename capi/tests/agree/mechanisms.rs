@@ -2,12 +2,12 @@
 
 use crate::joint::joint as plain;
 use crate::sample::{for_all_lanes, motions, same, vector, wave};
-use dq8::mechanism::{Body, Joint, JointKind, OwnedMechanism, World, WorldAligned};
 use dq8::storage::Block;
 use dq8::{DualQuat, Real, Twist};
 use dq8_capi::joint::{Joint as Described, JointKind as Kind};
 use dq8_capi::mechanism::{Frame, Mechanism, Step};
 use dq8_capi::{Status, links, mechanism};
+use dq8_robot::{Body, Joint, JointKind, OwnedMechanism, World, WorldAligned};
 use std::mem::MaybeUninit;
 use std::ptr;
 

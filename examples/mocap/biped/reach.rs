@@ -5,8 +5,9 @@ use super::tests::{joint, models};
 use super::{ELBOW, RIBS, SHIN, SHOULDER, THIGH, WAIST, WRIST, clip};
 use dq8::geometry::Screw;
 use dq8::ik::{Span, TwoBone};
-use dq8::mechanism::{Goal, Options, Outcome, OwnedMechanism, OwnedReach};
 use dq8::{DualQuat, Line};
+use dq8_robot::OwnedMechanism;
+use dq8_robot::ik::{Goal, Options, Outcome, OwnedReach};
 use std::f64::consts::PI;
 
 fn sum(points: &[[f64; 3]]) -> [f64; 3] {

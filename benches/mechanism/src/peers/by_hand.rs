@@ -3,7 +3,7 @@
 use super::agree;
 use crate::job::Job;
 use dq8::DualQuat;
-use dq8::mechanism::{Joint, JointKind};
+use dq8_robot::{Joint, JointKind};
 use nalgebra::{
     Isometry3, Quaternion, RealField, Translation3, Unit, UnitDualQuaternion, UnitQuaternion,
     UnitVector3, Vector3, convert,

@@ -7,10 +7,9 @@ use crate::error::{error, max_or_nan};
 use crate::table::Table;
 use core::hint::black_box;
 use dq8::hierarchy::Bones;
-use dq8::mechanism::{
-    Freedom, Goal, Joint, Mechanism, Options, Outcome, Reach, Step, WorldAligned,
-};
 use dq8::{DualQuat, Hierarchy, Quat, Twist};
+use dq8_robot::ik::{Freedom, Goal, Options, Outcome, Reach};
+use dq8_robot::{Joint, Mechanism, Step, WorldAligned};
 
 /// Six turns, rounded, and as many products.
 const BOUND: f32 = 4.0;

@@ -3,9 +3,8 @@
 
 use dq8::DualQuat;
 use dq8::geometry::Screw;
-use dq8::mechanism::{
-    Freedom, Goal, Joint, Mechanism, MechanismError, Options, Outcome, Reach, Step,
-};
+use dq8_robot::ik::{Freedom, Goal, Options, Outcome, Reach};
+use dq8_robot::{Joint, Mechanism, MechanismError, Step};
 
 /// Six hinges and a tool.
 const LINKS: usize = 7;

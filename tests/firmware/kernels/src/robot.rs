@@ -1,6 +1,7 @@
 //! Robots: velocities and accelerations of links, with their poses.
 
-use dq8::{DualQuat, Twist, mechanism::Mechanism};
+use dq8::{DualQuat, Twist};
+use dq8_robot::Mechanism;
 
 type Motion = DualQuat<f32>;
 

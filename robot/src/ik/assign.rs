@@ -1,0 +1,121 @@
+//! Configurations into lanes, and back.
+
+use super::lane::Lane;
+use super::report::{Outcome, Report};
+use super::scratch::GOAL;
+use super::search::{Search, with_lane};
+use dq8::{Real, Scalar};
+use dq8_simd::Lanes;
+
+impl<L: Lanes<Real: Scalar>> Search<'_, L> {
+    /// Gives a lane the next configuration that can be sought; it is idle if there is none.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn refill(&mut self, lane: usize) {
+        // Configurations that cannot be sought are reported on the way and take no place in a lane.
+        let mut next = Lane::IDLE;
+        while next.configuration.is_none() && self.next < self.work.reports.len() {
+            match self.load(lane, self.next) {
+                Some(out_of_reach) => next = Lane::new(self.next, out_of_reach),
+                None => self.report(self.next, &Lane::IDLE, Outcome::Invalid),
+            }
+            self.next += 1;
+        }
+        if let Some(slot) = self.lanes.get_mut(lane) {
+            *slot = next;
+        }
+    }
+
+    /// Puts the targets and the start of a configuration into a lane, and says whether a target is beyond
+    /// the length of what carries the link. `None` if they are not what a search can begin with.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn load(&mut self, lane: usize, configuration: usize) -> Option<bool> {
+        if !self.work.options.is_valid() {
+            return None;
+        }
+        let (reach, scratch) = (self.model.reach, &mut self.model.scratch);
+        let count = reach.mechanism.values;
+        let values = self.work.values.get(configuration * count..)?.get(..count)?;
+        // Only what moves a goal is looked at: a neighbour of the arm may hold anything.
+        for freedom in reach.freedoms {
+            let size = if freedom.is_single() { 1 } else { 7 };
+            let own = values.get(freedom.value as usize..)?.get(..size)?;
+            if !own.iter().all(|value| value.is_finite()) {
+                return None;
+            }
+        }
+        let (goals, mut beyond) = (reach.goals.len(), false);
+        let targets = self.work.targets.get(configuration * goals..)?.get(..goals)?;
+        for index in 0..goals {
+            let target = *targets.get(index)?;
+            let tolerance = self.work.options.linear_tolerance;
+            let (target, drawn) = reach.clamped(index, target, tolerance)?;
+            beyond |= drawn.is_some();
+            let numbers = target.to_array().into_iter().chain(drawn.unwrap_or_default());
+            for (row, number) in numbers.enumerate() {
+                scratch.goals.set_number(index * GOAL + row, lane, number);
+            }
+        }
+        // Unless the caller says otherwise, an eighth of the longest way to a goal weighs as much as a radian.
+        let eighth = || reach.typical_length_to(targets, values) * L::Real::from(0.125);
+        let length = self.work.options.length_per_radian.unwrap_or_else(eighth);
+        if !length.is_finite() {
+            return None;
+        }
+        let scales = &mut self.model.scales;
+        scales.length = with_lane(scales.length, lane, length);
+        scales.radians_per_length =
+            with_lane(scales.radians_per_length, lane, L::Real::ONE / length);
+        for (row, &value) in values.iter().enumerate() {
+            scratch.values.set_number(row, lane, value);
+            scratch.start.set_number(row, lane, value);
+        }
+        Some(beyond)
+    }
+
+    /// Writes what a lane has found.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn finish(&mut self, index: usize) {
+        let Some(&lane) = self.lanes.get(index) else { return };
+        let Some(configuration) = lane.configuration else { return };
+        let outcome = lane.outcome(self.is_at_limits(index));
+        // Only now: until a search ends, the caller's values are its start.
+        if outcome != Outcome::Invalid {
+            let count = self.model.reach.mechanism.values;
+            let values = self.work.values.get_mut(configuration * count..).unwrap_or_default();
+            for (row, value) in values.iter_mut().enumerate().take(count) {
+                *value = self.model.scratch.best.number(row, index);
+            }
+        }
+        self.report(configuration, &lane, outcome);
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn report(&mut self, configuration: usize, lane: &Lane<L::Real>, outcome: Outcome) {
+        let mut report = Report {
+            iterations: lane.iterations,
+            restarts: lane.restarts,
+            angular_error: lane.best.angular,
+            linear_error: lane.best.linear,
+            outcome,
+        };
+        if outcome == Outcome::Invalid {
+            (report.angular_error, report.linear_error) = (L::Real::NAN, L::Real::NAN);
+        }
+        if let Some(slot) = self.work.reports.get_mut(configuration) {
+            *slot = report;
+        }
+    }
+
+    /// Whether the best values of a lane have a joint at a limit that stops it.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn is_at_limits(&self, lane: usize) -> bool {
+        let mut is_at_limits = false;
+        for freedom in self.model.reach.freedoms {
+            if freedom.is_single() && !freedom.range.wraps() {
+                let value = self.model.scratch.best.number(freedom.value as usize, lane);
+                is_at_limits |= value <= freedom.range.low || freedom.range.high <= value;
+            }
+        }
+        is_at_limits
+    }
+}

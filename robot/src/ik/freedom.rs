@@ -1,0 +1,227 @@
+//! What a search may change: the rates of joints that move a goal.
+
+use super::error::ReachError;
+use super::range::{Range, Turns};
+use crate::mechanism::joint::JointKind;
+use crate::mechanism::step::{NONE, Step};
+use dq8::Real;
+
+/// A rate of a mechanism as a search uses it, in the memory that a [`Reach`](super::Reach) borrows.
+#[derive(Clone, Copy, Debug)]
+pub struct Freedom<R> {
+    pub(super) kind: Kind,
+    pub(super) range: Range<R>,
+    /// Where its value is; of a floating joint, the first of the seven.
+    pub(super) value: u32,
+    /// How much farther in its range every next beginning is, in 2⁻⁶⁴ of it; zero where the range has no end.
+    pub(super) share: u64,
+    /// Of the freedom for this rate, its place among those that move a goal.
+    pub(super) column: u32,
+}
+
+/// What changes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// An angle.
+    Turn,
+    /// A length.
+    Slide,
+    /// The rotation of a floating joint, about an axis of its link.
+    FloatingTurn(u8),
+    /// Its translation, along one.
+    FloatingSlide(u8),
+}
+
+impl<R: Real> Default for Freedom<R> {
+    /// Memory to be written.
+    fn default() -> Self {
+        Self { kind: Kind::Turn, range: Range::NONE, value: NONE, share: 0, column: NONE }
+    }
+}
+
+impl<R: Real> Freedom<R> {
+    /// Whether its value is one number.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn is_single(&self) -> bool {
+        matches!(self.kind, Kind::Turn | Kind::Slide)
+    }
+
+    /// Whether a change is a length.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn is_slide(&self) -> bool {
+        matches!(self.kind, Kind::Slide | Kind::FloatingSlide(_))
+    }
+
+    /// Whether its range has two ends, and values between them can be told apart.
+    pub(super) fn has_ends(&self) -> bool {
+        let Range { low, high, .. } = self.range;
+        (high - low).is_finite()
+    }
+
+    /// Its value in beginning number `number` of those that are spread evenly.
+    pub(super) fn beginning(&self, number: u64) -> R {
+        // Modulo 1 is what is left of a product that overflows. Its parts are numbers of any float.
+        let share = HALF.wrapping_add(number.wrapping_mul(self.share));
+        let (unit, mut sum) = (R::from(1.0 / 65_536.0), R::ZERO);
+        for shift in [16, 32, 48] {
+            sum = (sum + R::from(f32::from((share >> shift) as u16))) * unit;
+        }
+        let [low, high] = self.range.beginnings();
+        low + (high - low) * sum
+    }
+
+    /// Rate number `index` of a joint, with the limits of the joint.
+    #[inline(never)]
+    fn of(step: &Step<R>, index: usize) -> Self {
+        let whole = [-R::ONE / R::ZERO, R::ONE / R::ZERO];
+        let (kind, is_hinge, value) = match step.kind {
+            JointKind::Prismatic { .. } => (Kind::Slide, false, 0),
+            JointKind::Planar { .. } if index < 2 => (Kind::Slide, false, index),
+            JointKind::Floating if index < 3 => (Kind::FloatingTurn(index as u8), false, 0),
+            JointKind::Floating => (Kind::FloatingSlide(index as u8 - 3), false, 0),
+            JointKind::Screw { pitch, .. } => (Kind::Turn, pitch == R::ZERO, 0),
+            _ => (Kind::Turn, true, index),
+        };
+        let [low, high] = step.limits.unwrap_or(whole);
+        let turns = if is_hinge { Turns::Stop } else { Turns::Matter };
+        let value = step.value.saturating_add(value as u32);
+        Self { kind, range: Range { low, high, turns }, value, share: 0, column: NONE }
+    }
+}
+
+/// One for each rate; in the first of them, those that move a goal. How many these are.
+pub(super) fn freedoms<R: Real>(
+    steps: &[Step<R>],
+    freedoms: &mut [Freedom<R>],
+    carries: impl Fn(usize) -> bool,
+) -> Result<usize, ReachError> {
+    let leaders = || steps.iter().filter(|step| !step.mimics);
+    for step in leaders() {
+        for index in 0..step.kind.rates() {
+            if let Some(slot) = freedoms.get_mut(step.rate as usize + index) {
+                *slot = Freedom::of(step, index);
+            }
+        }
+    }
+    // Only those that carry a goal are columns of the system.
+    for (position, step) in steps.iter().enumerate() {
+        if carries(position) {
+            let rates = step.rate as usize..step.rate as usize + step.kind.rates();
+            for slot in freedoms.get_mut(rates).unwrap_or_default() {
+                slot.column = 0;
+            }
+        }
+    }
+    // The limits of joints that move no goal do not matter.
+    for step in steps.iter().filter(|step| step.mimics) {
+        if let Some(slot) = moving(freedoms, step.rate as usize) {
+            slot.range = narrowed(slot.range, step)?;
+        }
+    }
+    for step in leaders() {
+        for index in 0..step.kind.rates() {
+            if let Some(slot) = moving(freedoms, step.rate as usize + index) {
+                let Range { low, high, turns } = slot.range;
+                let (is_hinge, is_angle) = (turns != Turns::Matter, slot.kind == Kind::Turn);
+                slot.range = Range::within([low, high], is_hinge, is_angle)
+                    .ok_or_else(|| limits_error(step, [low, high]))?;
+            }
+        }
+    }
+    // The columns move to the front, in order; the slots of their rates say where they have gone. A column is never behind its
+    // rate, so nothing is overwritten before it is read.
+    let mut count = 0;
+    for rate in 0..freedoms.len() {
+        let Some(&freedom) = freedoms.get(rate) else { continue };
+        if freedom.column == NONE {
+            continue;
+        }
+        if let Some(slot) = freedoms.get_mut(count) {
+            *slot = Freedom { column: slot.column, ..freedom };
+        }
+        if let Some(slot) = freedoms.get_mut(rate) {
+            slot.column = count as u32;
+        }
+        count += 1;
+    }
+    spread(freedoms.get_mut(..count).unwrap_or_default());
+    Ok(count)
+}
+
+/// Values of low discrepancy, where ranges have two ends: the additive recurrence ½ + kα modulo 1 with
+/// αⱼ = g⁻ʲ, g the positive root of gᴺ⁺¹ = g + 1 for N of them, which generalises the golden ratio (Roberts 2018). In
+/// integers: a controller has no `f64`, and `f32` would lose what the numbers of later beginnings have in common.
+fn spread<R: Real>(freedoms: &mut [Freedom<R>]) {
+    let count = freedoms.iter().filter(|freedom| freedom.has_ends()).count();
+    let factor = spacing(count);
+    let mut power = factor;
+    for freedom in freedoms.iter_mut().filter(|freedom| freedom.has_ends()) {
+        freedom.share = power;
+        power = times(power, factor);
+    }
+}
+
+/// ½, in 2⁻⁶⁴.
+const HALF: u64 = 1 << 63;
+
+/// 1/g in 2⁻⁶⁴: the largest x for which xᴺ + xᴺ⁺¹ is less than 1, bit by bit.
+fn spacing(count: usize) -> u64 {
+    let mut x = 0;
+    for bit in (0..64).rev() {
+        let next = x | 1 << bit;
+        let mut power = u64::MAX;
+        for _ in 0..count {
+            power = times(power, next);
+        }
+        if power.checked_add(times(power, next)).is_some() {
+            x = next;
+        }
+    }
+    x
+}
+
+/// The product of two numbers in 2⁻⁶⁴, but for three units: of 32 bits each, as controllers multiply.
+fn times(a: u64, b: u64) -> u64 {
+    let low = |number: u64| number & u64::from(u32::MAX);
+    let (high, cross) = ((a >> 32) * (b >> 32), [(a >> 32) * low(b), low(a) * (b >> 32)]);
+    high + (cross[0] >> 32) + (cross[1] >> 32)
+}
+
+/// The freedom of a rate that moves a goal.
+fn moving<R>(freedoms: &mut [Freedom<R>], rate: usize) -> Option<&mut Freedom<R>> {
+    freedoms.get_mut(rate).filter(|freedom| freedom.column != NONE)
+}
+
+/// What the limits of a joint that mimics leave of the limits of the other. A turn less of that one must be the
+/// same pose of this one too: it is a hinge that turns a whole number of times as much.
+fn narrowed<R: Real>(range: Range<R>, step: &Step<R>) -> Result<Range<R>, ReachError> {
+    let is_hinge = match step.kind {
+        JointKind::Screw { pitch, .. } => pitch == R::ZERO,
+        kind => matches!(kind, JointKind::Revolute { .. }),
+    };
+    let keeps = is_hinge && is_whole(step.multiplier);
+    let range = Range { turns: if keeps { range.turns } else { Turns::Matter }, ..range };
+    let Some(limits) = step.limits else { return Ok(range) };
+    if step.multiplier == R::ZERO {
+        // It stands where it is, whatever the other does.
+        let [low, high] = limits;
+        let is_within = low <= step.offset && step.offset <= high;
+        return if is_within { Ok(range) } else { Err(limits_error(step, limits)) };
+    }
+    let [a, b] = limits.map(|limit| (limit - step.offset) / step.multiplier);
+    let [low, high] = if a <= b { [a, b] } else { [b, a] };
+    let low = if low > range.low { low } else { range.low };
+    let high = if high < range.high { high } else { range.high };
+    if low <= high { Ok(Range { low, high, ..range }) } else { Err(limits_error(step, limits)) }
+}
+
+/// Whether a number has no fraction: so far up, floats have none.
+fn is_whole<R: Real>(number: R) -> bool {
+    let shift = R::ONE / R::EPSILON;
+    let size = number.abs();
+    size >= shift || (size + shift) - shift == size
+}
+
+fn limits_error<R: Real>(step: &Step<R>, [low, high]: [R; 2]) -> ReachError {
+    ReachError::Limits { joint: step.link as usize, low: low.into(), high: high.into() }
+}

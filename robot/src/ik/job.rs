@@ -1,0 +1,145 @@
+//! Many configurations.
+
+use super::lane::Lane;
+use super::model::Model;
+use super::problem::Reach;
+use super::report::{Options, Report};
+use super::search::{Search, Work};
+use dq8::Scalar;
+use dq8::ShapeError;
+use dq8::scalar::DualQuat;
+use dq8::seams::Choice;
+#[cfg(feature = "rayon")]
+use dq8::seams::Rows;
+use dq8::{Backend, Kernel};
+use dq8_simd::{Level, MAX_LANES};
+
+/// A search for many configurations, as many at a time as there are lanes, with options that all have a default.
+///
+/// A lane that is done takes the next configuration; the result of one does not depend on the others. Debug builds need a
+/// deep stack: [the table](https://docs.rs/dq8/latest/dq8/guide/firmware/index.html#stack).
+///
+/// ```
+/// use dq8::DualQuat;
+/// use dq8_robot::ik::{Goal, Options, Outcome, OwnedReach, Report};
+/// use dq8_robot::{Joint, OwnedMechanism};
+/// let out = DualQuat::from_translation([1.0_f32, 0.0, 0.0]);
+/// let joints = [(None, DualQuat::IDENTITY), (Some(0), out), (Some(1), out)]
+///     .map(|(on, at)| Joint::revolute(on, at, [0.0, 0.0, 1.0]));
+/// // Two angles for the position of the last link; its own angle is free, and goes to zero.
+/// let reach = OwnedReach::new(OwnedMechanism::new(&joints)?, [Goal::position(2)])?;
+/// let targets: Vec<_> =
+///     (0..100).map(|i| DualQuat::from_translation([1.5, 0.01 * i as f32, 0.0])).collect();
+/// let (mut values, mut reports) = (vec![0.3; 300], vec![Report::default(); 100]);
+/// reach.job().solve(&targets, &mut values, &mut reports, &Options::default())?;
+/// assert!(reports.iter().all(|report| report.outcome == Outcome::Converged));
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct ReachJob<'a, R> {
+    reach: Reach<'a, R>,
+    choice: Choice,
+}
+
+impl<'a, R: Copy> Reach<'a, R> {
+    /// A search for many configurations.
+    #[must_use]
+    pub fn job(self) -> ReachJob<'a, R> {
+        ReachJob { reach: self, choice: Choice::default() }
+    }
+}
+
+impl<R> ReachJob<'_, R> {
+    dq8::seams::options!();
+}
+
+impl<R: Scalar> ReachJob<'_, R> {
+    /// [`Reach::solve`] for many configurations. Allocates [`batch_scratch_len`](Reach::batch_scratch_len) numbers for
+    /// each task that runs at the same time.
+    ///
+    /// `targets` is `[configuration][goal]`, `values` `[configuration][value]`, and there is a report for each
+    /// configuration.
+    ///
+    /// # Errors
+    /// If the slices hold different numbers of configurations; nothing is written.
+    #[cfg(feature = "alloc")]
+    pub fn solve(
+        &self,
+        targets: &[DualQuat<R>],
+        values: &mut [R],
+        reports: &mut [Report<R>],
+        options: &Options<R>,
+    ) -> Result<(), ShapeError> {
+        let count = self.reach.batch_scratch_len();
+        let work = Work { targets, values, reports, options };
+        work.check(&self.reach, count, count)?;
+        let backend = self.choice.instructions();
+        let run = |work: Work<'_, R>| self.run(backend, work, &mut alloc::vec![R::ZERO; count]);
+        #[cfg(feature = "rayon")]
+        if backend.many() {
+            let Work { targets, values, reports, options } = work;
+            let (goals, count) = (self.reach.goals.len(), self.reach.mechanism.values);
+            let outputs = ((reports, 1), (values, count));
+            let grain = grain(outputs.0.0.len());
+            backend.share(grain, outputs, &|first, part: (Rows<Report<R>>, Rows<R>)| {
+                let ((reports, _), (values, _)) = part;
+                let targets = targets.get(first * goals..).unwrap_or_default();
+                run(Work { targets, values, reports, options });
+            });
+            return Ok(());
+        }
+        run(work);
+        Ok(())
+    }
+
+    /// [`solve`](Self::solve) in memory of the caller, without allocation, on the thread that calls: `scratch` has
+    /// [`batch_scratch_len`](Reach::batch_scratch_len) numbers or more, and may hold anything.
+    ///
+    /// # Errors
+    /// If the slices hold different numbers of configurations, or there is too little scratch; nothing is written.
+    pub fn solve_in(
+        &self,
+        scratch: &mut [R],
+        targets: &[DualQuat<R>],
+        values: &mut [R],
+        reports: &mut [Report<R>],
+        options: &Options<R>,
+    ) -> Result<(), ShapeError> {
+        let work = Work { targets, values, reports, options };
+        work.check(&self.reach, scratch.len(), self.reach.batch_scratch_len())?;
+        self.run(self.choice.instructions(), work, scratch);
+        Ok(())
+    }
+
+    /// What has been checked.
+    fn run(&self, backend: Backend, work: Work<'_, R>, scratch: &mut [R]) {
+        backend.run(Targets { reach: &self.reach, work, scratch });
+    }
+}
+
+/// How many configurations a task has at least. Some searches take ten times as long as others, so a thread has four
+/// tasks; but the last configurations of a task leave lanes idle, so few are a waste, and many are left over for one
+/// thread.
+#[cfg(feature = "rayon")]
+fn grain(configurations: usize) -> usize {
+    configurations.div_ceil(4 * rayon::current_num_threads()).clamp(64, 1024)
+}
+
+/// Many configurations; lengths have been checked.
+struct Targets<'s, R> {
+    reach: &'s Reach<'s, R>,
+    work: Work<'s, R>,
+    scratch: &'s mut [R],
+}
+
+impl<R: Scalar> Kernel for Targets<'_, R> {
+    type Output = ();
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn run<V: Level>(self, level: V) {
+        let Self { reach, work, scratch } = self;
+        if let Some(model) = Model::<R::Lanes<V>>::new(level, reach, work.options, scratch) {
+            Search::new(model, work, &mut [Lane::IDLE; MAX_LANES]).run::<true>();
+        }
+    }
+}

@@ -1,0 +1,104 @@
+use super::error::ReachError;
+use super::freedom::Freedom;
+use super::goal::Goal;
+use super::job::ReachJob;
+use super::problem::Reach;
+use crate::mechanism::owned::OwnedMechanism;
+use alloc::vec;
+use alloc::vec::Vec;
+use dq8::Real;
+
+/// A [`Reach`] with memory of its own, the robot and its goals included: what a program keeps.
+///
+/// ```
+/// use dq8_robot::ik::{Goal, Options, Outcome, OwnedReach};
+/// use dq8_robot::{Joint, OwnedMechanism};
+/// use dq8::DualQuat;
+/// let out = DualQuat::from_translation([1.0_f64, 0.0, 0.0]);
+/// let joints = [(None, DualQuat::IDENTITY), (Some(0), out), (Some(1), out)]
+///     .map(|(on, at)| Joint::revolute(on, at, [0.0, 0.0, 1.0]));
+/// let reach = OwnedReach::new(OwnedMechanism::new(&joints)?, [Goal::position(2)])?;
+/// let problem = reach.view();
+/// let (mut angles, mut scratch) = ([0.1, 0.2, 0.3], vec![0.0; problem.scratch_len()]);
+/// let target = DualQuat::from_translation([1.2, 0.8, 0.0]);
+/// let report = problem.solve(&[target], &mut angles, &mut scratch, &Options::default())?;
+/// assert_eq!(report.outcome, Outcome::Converged);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct OwnedReach<R> {
+    mechanism: OwnedMechanism<R>,
+    goals: Vec<Goal<R>>,
+    freedoms: Vec<Freedom<R>>,
+    /// How many of them move a goal.
+    moving: usize,
+    posture: Option<Vec<R>>,
+    rows: usize,
+    twists: usize,
+    size: R,
+    is_endless: bool,
+    bound: Option<([R; 3], R)>,
+}
+
+impl<R: Real> OwnedReach<R> {
+    /// See [`Reach::new`].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn new(
+        mechanism: OwnedMechanism<R>,
+        goals: impl Into<Vec<Goal<R>>>,
+    ) -> Result<Self, ReachError> {
+        let goals = goals.into();
+        let mut freedoms = vec![Freedom::default(); mechanism.view().rates()];
+        let Reach { freedoms: moving, rows, twists, size, is_endless, bound, .. } =
+            Reach::new(mechanism.view(), &goals, &mut freedoms)?;
+        let moving = moving.len();
+        let posture = None;
+        Ok(Self {
+            mechanism,
+            goals,
+            freedoms,
+            moving,
+            posture,
+            rows,
+            twists,
+            size,
+            is_endless,
+            bound,
+        })
+    }
+
+    /// See [`Reach::with_posture`].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn with_posture(self, values: impl Into<Vec<R>>) -> Result<Self, ReachError> {
+        let values = values.into();
+        self.view().with_posture(&values)?;
+        Ok(Self { posture: Some(values), ..self })
+    }
+
+    /// A search for many configurations: [`Reach::job`].
+    #[must_use]
+    pub fn job(&self) -> ReachJob<'_, R> {
+        self.view().job()
+    }
+
+    /// What everything else is asked of.
+    #[must_use]
+    pub fn view(&self) -> Reach<'_, R> {
+        Reach {
+            mechanism: self.mechanism.view(),
+            goals: &self.goals,
+            freedoms: self.freedoms.get(..self.moving).unwrap_or_default(),
+            of_rates: &self.freedoms,
+            posture: self.posture.as_deref(),
+            rows: self.rows,
+            twists: self.twists,
+            size: self.size,
+            is_endless: self.is_endless,
+            bound: self.bound,
+        }
+    }
+}

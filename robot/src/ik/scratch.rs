@@ -1,0 +1,239 @@
+//! Numbers of all lanes, in memory of the caller.
+
+use super::problem::Reach;
+use crate::mechanism::tree::Mechanism;
+use dq8::Scalar;
+use dq8_simd::{Lanes, MAX_LANES};
+
+/// Registers in memory.
+#[derive(Debug)]
+pub(super) struct Rows<'s, L: Lanes>(pub(super) &'s mut [L::Array]);
+
+impl<L: Lanes> Rows<'_, L> {
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn get(&self, level: L::Level, row: usize) -> L {
+        match self.0.get(row) {
+            Some(array) => L::load(level, array),
+            None => L::splat(level, L::Real::default()),
+        }
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn set(&mut self, row: usize, lanes: L) {
+        if let Some(array) = self.0.get_mut(row) {
+            lanes.store(array);
+        }
+    }
+
+    /// `C` of them from `first` on.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn record<const C: usize>(&self, level: L::Level, first: usize) -> [L; C] {
+        let mut record = [L::splat(level, L::Real::default()); C];
+        if let Some(rows) = self.0.get(first..first + C) {
+            for (lanes, array) in record.iter_mut().zip(rows) {
+                *lanes = L::load(level, array);
+            }
+        }
+        record
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn set_record<const C: usize>(&mut self, first: usize, record: [L; C]) {
+        if let Some(rows) = self.0.get_mut(first..first + C) {
+            for (lanes, array) in record.into_iter().zip(rows) {
+                lanes.store(array);
+            }
+        }
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn fill(&mut self, lanes: L) {
+        for array in self.0.iter_mut() {
+            lanes.store(array);
+        }
+    }
+
+    /// The rows in runs of `size`.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn runs(&self, size: usize) -> core::slice::ChunksExact<'_, L::Array> {
+        self.0.chunks_exact(size.max(1))
+    }
+
+    /// One lane.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn number(&self, row: usize, lane: usize) -> L::Real {
+        let array = self.0.get(row).map(AsRef::as_ref);
+        array.and_then(|array| array.get(lane)).copied().unwrap_or_default()
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn set_number(&mut self, row: usize, lane: usize, number: L::Real) {
+        let array = self.0.get_mut(row).map(AsMut::as_mut);
+        if let Some(slot) = array.and_then(|array| array.get_mut(lane)) {
+            *slot = number;
+        }
+    }
+}
+
+/// What a search remembers.
+#[derive(Debug)]
+pub(super) struct Scratch<'s, L: Lanes> {
+    /// Where each lane is, where it began, the nearest that it has been, and where it might begin again.
+    pub(super) values: Rows<'s, L>,
+    pub(super) start: Rows<'s, L>,
+    pub(super) best: Rows<'s, L>,
+    pub(super) candidate: Rows<'s, L>,
+    /// The screws of the joints that move a goal, six rows for each.
+    pub(super) twists: Rows<'s, L>,
+    /// Poses that wait for children, [`POSE`] rows for each.
+    pub(super) slots: Rows<'s, L>,
+    /// For each goal [`GOAL`] rows.
+    pub(super) goals: Rows<'s, L>,
+    /// How the errors fall with each freedom: `[freedom][component]`, zero where the freedom is held.
+    pub(super) columns: Rows<'s, L>,
+    /// Of each freedom: its change, in its own unit; what it would change without limits, in radians; the
+    /// way to the posture, in radians; and whether it is held at a limit, 1 or 0.
+    pub(super) changes: Rows<'s, L>,
+    pub(super) radians: Rows<'s, L>,
+    pub(super) wishes: Rows<'s, L>,
+    pub(super) held: Rows<'s, L>,
+    /// Of each component: the error, and what is left of it without what is held.
+    pub(super) error: Rows<'s, L>,
+    pub(super) left: Rows<'s, L>,
+    /// The normal equations: a triangle, the reciprocals of its diagonal, and the solution.
+    pub(super) triangle: Rows<'s, L>,
+    pub(super) reciprocals: Rows<'s, L>,
+    pub(super) solution: Rows<'s, L>,
+}
+
+/// Rows of a goal: the target, drawn to where it may be reached, and the way that it was drawn; the pose (rotation and half the
+/// translation), the rotation to the target, and the twist of the link as far as it has been summed up.
+pub(super) const GOAL: usize = TARGET + POSE + TURN + MOVED;
+pub(super) const TARGET: usize = DRAWN + 3;
+pub(super) const DRAWN: usize = 8;
+pub(super) const POSE: usize = 7;
+pub(super) const TURN: usize = 3;
+pub(super) const MOVED: usize = 6;
+
+/// Registers that straddle lines of the cache take twice as long.
+const LINE: usize = 64;
+
+impl<R: Copy> Reach<'_, R> {
+    /// How many numbers [`solve`](Self::solve) needs to compute in.
+    #[must_use]
+    pub fn scratch_len(&self) -> usize {
+        padded::<R>(Counts::of(self).numbers())
+    }
+
+    /// The most that [`scratch_len`](Self::scratch_len) can be for a mechanism and so many goals, before
+    /// they are known.
+    #[must_use]
+    pub fn scratch_bound(mechanism: Mechanism<'_, R>, goals: usize) -> usize {
+        let mut twists = 0;
+        for step in mechanism.steps {
+            twists += step.kind.rates();
+        }
+        let (values, freedoms) = (mechanism.values, mechanism.rates);
+        let (rows, slots) = (goals.saturating_mul(6), slots(mechanism));
+        padded::<R>(Counts { values, twists, slots, goals, freedoms, rows }.numbers())
+    }
+
+    /// How many numbers a [`ReachJob`](super::ReachJob) needs to compute in, with any instructions.
+    #[must_use]
+    pub fn batch_scratch_len(&self) -> usize {
+        padded::<R>(Counts::of(self).numbers().saturating_mul(MAX_LANES))
+    }
+}
+
+/// How many of everything there are.
+struct Counts {
+    values: usize,
+    twists: usize,
+    slots: usize,
+    goals: usize,
+    freedoms: usize,
+    rows: usize,
+}
+
+impl Counts {
+    fn of<R: Copy>(reach: &Reach<'_, R>) -> Self {
+        Self {
+            values: reach.mechanism.values,
+            twists: reach.twists,
+            slots: slots(reach.mechanism),
+            goals: reach.goals.len(),
+            freedoms: reach.freedoms.len(),
+            rows: reach.rows,
+        }
+    }
+
+    /// How many numbers a lane needs; as many as can be counted where it is more, which no memory has.
+    fn numbers(&self) -> usize {
+        let values = self.values.saturating_mul(4).saturating_add(self.twists.saturating_mul(6));
+        let freedoms = self.freedoms.saturating_mul(self.rows.saturating_add(4));
+        let goals = self.goals.saturating_mul(GOAL).saturating_add(self.rows.saturating_mul(4));
+        let poses = self.slots.saturating_mul(POSE);
+        let rest = poses.saturating_add(goals).saturating_add(triangle(self.rows));
+        values.saturating_add(freedoms).saturating_add(rest)
+    }
+}
+
+/// How many poses wait for children at a time: one in a chain.
+fn slots<R>(mechanism: Mechanism<'_, R>) -> usize {
+    let mut slots = 0;
+    for step in mechanism.steps {
+        slots = slots.max(step.slot as usize + 1);
+    }
+    slots
+}
+
+/// With what aligns it to lines of the cache.
+fn padded<R>(numbers: usize) -> usize {
+    numbers.saturating_add(LINE / size_of::<R>())
+}
+
+fn triangle(rows: usize) -> usize {
+    rows.saturating_mul(rows.saturating_add(1)) / 2
+}
+
+impl<'s, L: Lanes<Real: Scalar>> Scratch<'s, L> {
+    /// In memory that begins anywhere; `None` if there is too little.
+    pub(super) fn new(reach: &Reach<'_, L::Real>, memory: &'s mut [L::Real]) -> Option<Self> {
+        let counts = Counts::of(reach);
+        let first = memory.as_ptr().align_offset(LINE);
+        let mut rest = arrays::<L>(memory.get_mut(first..)?, counts.numbers())?;
+        let Counts { values, twists, slots, goals, freedoms, rows } = counts;
+        Some(Self {
+            values: take(&mut rest, values)?,
+            start: take(&mut rest, values)?,
+            best: take(&mut rest, values)?,
+            candidate: take(&mut rest, values)?,
+            twists: take(&mut rest, 6 * twists)?,
+            columns: take(&mut rest, freedoms * rows)?,
+            changes: take(&mut rest, freedoms)?,
+            radians: take(&mut rest, freedoms)?,
+            wishes: take(&mut rest, freedoms)?,
+            held: take(&mut rest, freedoms)?,
+            slots: take(&mut rest, POSE * slots)?,
+            goals: take(&mut rest, GOAL * goals)?,
+            error: take(&mut rest, rows)?,
+            left: take(&mut rest, rows)?,
+            triangle: take(&mut rest, triangle(rows))?,
+            reciprocals: take(&mut rest, rows)?,
+            solution: take(&mut rest, rows)?,
+        })
+    }
+}
+
+/// Memory for so many registers.
+fn arrays<L: Lanes>(memory: &mut [L::Real], registers: usize) -> Option<&mut [L::Array]> {
+    let memory = memory.get_mut(..registers.checked_mul(L::LANES)?)?;
+    bytemuck::try_cast_slice_mut(memory).ok()
+}
+
+/// The first registers of the rest.
+fn take<'s, L: Lanes>(rest: &mut &'s mut [L::Array], rows: usize) -> Option<Rows<'s, L>> {
+    let (first, others) = core::mem::take(rest).split_at_mut_checked(rows)?;
+    *rest = others;
+    Some(Rows(first))
+}

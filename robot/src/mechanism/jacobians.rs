@@ -1,0 +1,251 @@
+//! Jacobians of links for many configurations.
+
+use super::Job;
+#[cfg(doc)]
+use super::Mechanism;
+use super::frame::{Frame, JacobianFrame};
+use super::group::Group;
+#[cfg(feature = "rayon")]
+use super::job::grain;
+use super::poses::{carries, first_carried, place_of, repeat};
+use super::step::Step;
+use super::values::JointValues;
+use super::walk::{Joined, Task, Walk};
+use core::marker::PhantomData;
+use dq8::Scalar;
+use dq8::ShapeError;
+use dq8::batch::{DualQuat, vector};
+use dq8::geometry::Twist;
+#[cfg(feature = "rayon")]
+use dq8::seams::Rows;
+use dq8::storage::same_length;
+use dq8::storage::{Element, Layout, Number, Tile, identity};
+use dq8_simd::{Lanes, Level};
+
+impl<R: Scalar> Job<'_, R, &[usize]> {
+    /// The geometric Jacobians of some links, and their poses, for many configurations in one pass: what
+    /// [`Mechanism::link_jacobian`] gives for one link of one.
+    ///
+    /// `poses` is `[configuration][link]`, in the order of `links`, and `columns` is `[configuration][link][rate]`;
+    /// columns of joints that do not carry the link are zero. Columns are `[R; 6]`, `[ωx, ωy, ωz, vx, vy,
+    /// vz]`, or [`LinearFirst`](dq8::storage::LinearFirst), the other way round, or [`Twist`]s, or blocks.
+    /// [`World`](crate::World) is the cheapest frame.
+    ///
+    /// # Errors
+    /// If the slices hold different numbers of configurations, or there is no such link; nothing is
+    /// written.
+    ///
+    /// ```
+    /// use dq8_robot::{Joint, OwnedMechanism, WorldAligned};
+    /// use dq8::DualQuat;
+    /// let out = DualQuat::from_translation([2.0_f64, 0.0, 0.0]);
+    /// let joints = [
+    ///     Joint::revolute(None, DualQuat::IDENTITY, [0.0, 0.0, 1.0]),
+    ///     Joint::prismatic(Some(0), out, [1.0, 0.0, 0.0]),
+    /// ];
+    /// let crane = OwnedMechanism::new(&joints)?;
+    /// let (mut tools, mut columns) = ([DualQuat::IDENTITY; 2], [[0.0; 6]; 4]);
+    /// let values = [0.0, 0.0, 0.0, 1.0];
+    /// crane.job().links(&[1]).jacobians(WorldAligned, &values, &mut tools, &mut columns)?;
+    /// assert_eq!(columns[2], [0.0, 0.0, 1.0, 0.0, 3.0, 0.0]);
+    /// assert_eq!(columns[3], [0.0, 0.0, 0.0, 1.0, 0.0, 0.0]);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    pub fn jacobians<F, T, E, C>(
+        &self,
+        _: F,
+        values: &[T],
+        poses: &mut [E],
+        columns: &mut [C],
+    ) -> Result<(), ShapeError>
+    where
+        F: JacobianFrame,
+        E: Element<8, Layout: Layout<Real = R>>,
+        T: JointValues<E::Layout>,
+        C: Element<6, Layout = E::Layout>,
+    {
+        self.check_links()?;
+        let (mechanism, links) = (self.mechanism, self.links);
+        let (steps, rates) = (mechanism.steps, mechanism.rates);
+        let elements =
+            mechanism.configurations::<E::Layout, T>(values, links.len(), poses.len())?;
+        same_length("columns", columns.len(), poses.len() * rates)?;
+        let mut sums = false;
+        for step in steps {
+            sums |= step.mimics;
+        }
+        let backend = self.choice.instructions();
+        let run = |values: &[T], elements, poses: &mut [E], columns: &mut [C]| {
+            let frame = PhantomData::<F>;
+            let task = Jacobians { poses: &mut *poses, columns, steps, links, rates, sums, frame };
+            backend.run(Walk::<E::Layout, _, _> { mechanism, values, elements, task });
+            repeat(links, poses);
+        };
+        #[cfg(feature = "rayon")]
+        if backend.many() && !links.is_empty() {
+            let each = ((poses, links.len()), (columns, links.len() * rates));
+            let part = |first, ((poses, _), (columns, _)): (Rows<E>, Rows<C>)| {
+                let elements = poses.len() / links.len();
+                run(T::part(values, mechanism.values, first, elements), elements, poses, columns);
+            };
+            backend.share(grain(mechanism.links()), each, &part);
+            return Ok(());
+        }
+        run(values, elements, poses, columns);
+        Ok(())
+    }
+}
+
+struct Jacobians<'s, F, E: Element<8>, C> {
+    poses: &'s mut [E],
+    columns: &'s mut [C],
+    steps: &'s [Step<Number<E, 8>>],
+    links: &'s [usize],
+    rates: usize,
+    /// Whether some columns are sums: of a joint and those that mimic it.
+    sums: bool,
+    frame: PhantomData<F>,
+}
+
+impl<F, E: Element<8>, C> Jacobians<'_, F, E, C> {
+    /// Where a column of link number `index` is.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn place<V: Level>(&self, group: Group, index: usize, rate: usize) -> Tile {
+        group.tile::<E::Layout, V>(index * self.rates + rate, self.links.len() * self.rates)
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn carries(&self, position: usize, link: usize) -> bool {
+        carries(self.steps, position, &[link])
+    }
+}
+
+/// Columns are those of the world at first, in the place of the first link that the joint carries. The other links
+/// have the same ones, and take them from there, in their own frames.
+impl<F, E, C> Task<E::Layout> for Jacobians<'_, F, E, C>
+where
+    F: JacobianFrame,
+    E: Element<8>,
+    C: Element<6, Layout = E::Layout>,
+{
+    type State<V: Level> = ();
+    type Carried<V: Level> = ();
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn start<V: Level>(&self, _: V) {}
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn base<V: Level>(_: V) {}
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn begin<V: Level>(
+        &mut self,
+        level: V,
+        group: Group,
+        steps: &[Step<Number<E, 8>>],
+        (): &mut (),
+    ) {
+        let zero = vector::splat(level, [Number::<E, 8>::default(); 6]);
+        for (position, step) in steps.iter().enumerate() {
+            for (index, &link) in self.links.iter().enumerate() {
+                if !step.mimics && (self.sums || !self.carries(position, link)) {
+                    for rate in 0..step.kind.rates() {
+                        let tile = self.place::<V>(group, index, step.rate as usize + rate);
+                        C::store(zero, self.columns, tile);
+                    }
+                }
+            }
+        }
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn skips(&self, steps: &[Step<Number<E, 8>>], position: usize) -> bool {
+        !carries(steps, position, self.links)
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn link<V: Level>(
+        &mut self,
+        level: V,
+        group: Group,
+        step: &Step<Number<E, 8>>,
+        joined: &Joined<<E::Layout as Layout>::Register<V>>,
+        (): &(),
+        (): &mut (),
+    ) {
+        let link = step.link as usize;
+        let Some(position) = self.steps.get(link).map(|step| step.position as usize) else {
+            return;
+        };
+        for rate in 0..step.kind.rates() {
+            let column = joined.screw(step, rate);
+            let rate = step.rate as usize + rate;
+            if !self.sums {
+                // Not a loop over all links that it carries, around the registers of a column.
+                let first = first_carried(self.steps, position, self.links).unwrap_or(0);
+                C::store(column.to_array(), self.columns, self.place::<V>(group, first, rate));
+                continue;
+            }
+            for (index, &link) in self.links.iter().enumerate() {
+                let tile = self.place::<V>(group, index, rate);
+                if self.carries(position, link)
+                    && let Some(others) = C::load(level, self.columns, tile, &identity())
+                {
+                    let sum = column + Twist::from_array(others);
+                    C::store(sum.to_array(), self.columns, tile);
+                }
+            }
+        }
+        if let Some(index) = place_of(self.links, link) {
+            let tile = group.tile::<E::Layout, V>(index, self.links.len());
+            E::store(joined.pose.to_motion(), self.poses, tile);
+        }
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn end<V: Level>(&mut self, level: V, group: Group, steps: &[Step<Number<E, 8>>], (): &mut ()) {
+        if F::FRAME == Frame::World && (self.sums || self.links.len() == 1) {
+            return;
+        }
+        // From the last link on: the first one changes the columns that the others take.
+        for (index, &link) in self.links.iter().enumerate().rev() {
+            let tile = place_of(self.links, link).unwrap_or(index);
+            let tile = group.tile::<E::Layout, V>(tile, self.links.len());
+            let Some(pose) = E::load(level, self.poses, tile, &identity()) else { return };
+            let pose = DualQuat::from_array(pose);
+            let (back, origin) = (pose.conjugate(), pose.translation());
+            for (position, step) in steps.iter().enumerate() {
+                let sums = self.sums.then_some(index);
+                let first = if self.carries(position, link) {
+                    sums.or(first_carried(self.steps, position, self.links))
+                } else {
+                    sums
+                };
+                let Some(first) = first else { continue };
+                if step.mimics || (F::FRAME == Frame::World && first == index) {
+                    continue;
+                }
+                for rate in 0..step.kind.rates() {
+                    let rate = step.rate as usize + rate;
+                    let tile = self.place::<V>(group, first, rate);
+                    let Some(column) = C::load(level, self.columns, tile, &identity()) else {
+                        return;
+                    };
+                    let twist = Twist::from_array(column);
+                    let twist = match F::FRAME {
+                        Frame::World => twist,
+                        Frame::Body => back.adjoint(twist),
+                        Frame::WorldAligned => Twist { linear: twist.velocity_at(origin), ..twist },
+                    };
+                    let mut seen = twist.to_array();
+                    if self.sums {
+                        // Of a joint that does not carry the link, wherever that is.
+                        let zero = column[0].constant(0.0);
+                        let [a, b, c, d, e, f] = column.map(|number| number.eq(zero));
+                        seen = vector::select(a & b & c & d & e & f, column, seen);
+                    }
+                    C::store(seen, self.columns, self.place::<V>(group, index, rate));
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,71 @@
+use super::tree::Mechanism;
+use dq8::ShapeError;
+use dq8::seams::Choice;
+
+/// A run over many configurations of a mechanism, as many at a time as there are lanes, with options that all have a
+/// default.
+///
+/// `S` says of which links: [`AllLinks`], or those that [`links`](Self::links) names.
+///
+/// ```
+/// use dq8::DualQuat;
+/// use dq8_robot::{Joint, OwnedMechanism};
+/// let up = DualQuat::from_translation([0.0_f64, 0.0, 1.0]);
+/// let joints = [None, Some(0), Some(1)].map(|on| Joint::prismatic(on, up, [0.0, 0.0, 1.0]));
+/// let lift = OwnedMechanism::new(&joints)?;
+/// // Two configurations of three values; the third link is the tool.
+/// let values = [0.0, 0.5, 0.0, 0.0, 0.0, 0.25];
+/// let mut tools = [DualQuat::IDENTITY; 2];
+/// lift.job().links(&[2]).poses(&values, &mut tools)?;
+/// assert_eq!(tools.map(|tool| tool.translation()[2]), [3.5, 3.25]);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Job<'a, R, S = AllLinks> {
+    pub(crate) mechanism: Mechanism<'a, R>,
+    pub(crate) links: S,
+    pub(crate) choice: Choice,
+}
+
+/// A [`Job`] over all links of the mechanism.
+#[derive(Clone, Copy, Debug)]
+pub struct AllLinks;
+
+impl<'a, R: Copy> Mechanism<'a, R> {
+    /// A run over many configurations.
+    #[must_use]
+    pub fn job(self) -> Job<'a, R> {
+        Job { mechanism: self, links: AllLinks, choice: Choice::default() }
+    }
+}
+
+impl<'a, R: Copy> Job<'a, R> {
+    /// Only these links, in this order. Links that carry none of them are not computed; for a tool at the end of an arm
+    /// nothing else is stored.
+    #[must_use]
+    pub fn links(self, links: &'a [usize]) -> Job<'a, R, &'a [usize]> {
+        Job { mechanism: self.mechanism, links, choice: self.choice }
+    }
+}
+
+impl<R: Copy> Job<'_, R, &[usize]> {
+    /// Whether there are these links.
+    pub(crate) fn check_links(&self) -> Result<(), ShapeError> {
+        let links = self.mechanism.links();
+        match self.links.iter().find(|&&link| link >= links) {
+            Some(&link) => Err(ShapeError::NoLink { link, links }),
+            None => Ok(()),
+        }
+    }
+}
+
+impl<R, S> Job<'_, R, S> {
+    dq8::seams::options!();
+}
+
+/// How many configurations, or blocks of them, a task has at least: some microseconds of work, and a multiple of the most
+/// lanes.
+#[cfg(feature = "rayon")]
+pub(crate) fn grain(links: usize) -> usize {
+    2048_usize.div_ceil(links.max(1)).next_multiple_of(dq8_simd::MAX_LANES)
+}

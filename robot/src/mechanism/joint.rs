@@ -1,0 +1,165 @@
+use dq8::Real;
+use dq8::scalar::DualQuat;
+
+/// How a link is joined to the one that carries it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Joint<R> {
+    /// The link that carries this one, by the number of its joint; `None` is the base. Parents come first.
+    pub parent: Option<usize>,
+    /// Where the frame of the joint is in that of the parent: the pose of the link where the joint is at
+    /// zero. Unit to 10⁻³, and made so exactly.
+    pub placement: DualQuat<R>,
+    /// How the joint moves.
+    pub kind: JointKind<R>,
+    /// The least and the largest value of a joint of one value. Inverse kinematics keeps to them
+    /// ([`Reach`](crate::Reach)); poses are computed of any values.
+    pub limits: Option<[R; 2]>,
+    /// For a joint without a value of its own: whose value it takes.
+    pub mimic: Option<Mimic<R>>,
+}
+
+/// How a joint moves, in its own frame. Axes have length 1 to 10⁻³, and are made so exactly.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum JointKind<R> {
+    /// Not at all. No value.
+    Fixed,
+    /// Turns about `axis`, through the origin of its frame. One value, radians; without limits this is a
+    /// continuous joint.
+    Revolute {
+        /// The axis.
+        axis: [R; 3],
+    },
+    /// Slides along `axis`. One value, a length.
+    Prismatic {
+        /// The axis.
+        axis: [R; 3],
+    },
+    /// Turns about `axis` and slides along it, `pitch` for each radian. One value, radians.
+    Screw {
+        /// The axis.
+        axis: [R; 3],
+        /// Length per radian: the lead of a thread over 2π.
+        pitch: R,
+    },
+    /// Slides in the plane across `normal`, then turns about the normal. Three values: x and y, lengths,
+    /// and the angle, radians. The axes of x and y are those of the joint's frame after the shortest
+    /// rotation that takes z to the normal (for −z, half a turn about x). Three rates, ẋ, ẏ, θ̇.
+    Planar {
+        /// The normal.
+        normal: [R; 3],
+    },
+    /// Moves freely. Seven values, `[x, y, z, w, tx, ty, tz]`: a rotation of any length but zero, which is
+    /// normalized, and the translation. Six rates: the body twist `[ωx, ωy, ωz, vx, vy, vz]`, in the frame
+    /// of the link.
+    Floating,
+}
+
+/// A joint that does as another: its value is `multiplier` · value(`joint`) + `offset`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mimic<R> {
+    /// The other joint, of one value and no mimic itself.
+    pub joint: usize,
+    /// What its value is multiplied by.
+    pub multiplier: R,
+    /// What is added.
+    pub offset: R,
+}
+
+impl<R> Joint<R> {
+    /// Of any kind, without limits.
+    #[must_use]
+    pub fn new(parent: Option<usize>, placement: DualQuat<R>, kind: JointKind<R>) -> Self {
+        Self { parent, placement, kind, limits: None, mimic: None }
+    }
+
+    /// A link that stands still on its parent.
+    #[must_use]
+    pub fn fixed(parent: Option<usize>, placement: DualQuat<R>) -> Self {
+        Self::new(parent, placement, JointKind::Fixed)
+    }
+
+    /// A hinge about `axis`, of length 1.
+    #[must_use]
+    pub fn revolute(parent: Option<usize>, placement: DualQuat<R>, axis: [R; 3]) -> Self {
+        Self::new(parent, placement, JointKind::Revolute { axis })
+    }
+
+    /// A slide along `axis`, of length 1.
+    #[must_use]
+    pub fn prismatic(parent: Option<usize>, placement: DualQuat<R>, axis: [R; 3]) -> Self {
+        Self::new(parent, placement, JointKind::Prismatic { axis })
+    }
+
+    /// The same joint with limits.
+    #[must_use]
+    pub fn with_limits(self, limits: [R; 2]) -> Self {
+        Self { limits: Some(limits), ..self }
+    }
+
+    /// The same joint without a value of its own.
+    #[must_use]
+    pub fn mimicking(self, joint: usize, multiplier: R, offset: R) -> Self {
+        Self { mimic: Some(Mimic { joint, multiplier, offset }), ..self }
+    }
+}
+
+impl<R: Real> Joint<R> {
+    /// The same joint in other numbers, by way of `f64`.
+    #[must_use]
+    pub fn cast<S: Real>(&self) -> Joint<S> {
+        let mimic = self.mimic.map(|mimic| Mimic {
+            joint: mimic.joint,
+            multiplier: cast(mimic.multiplier),
+            offset: cast(mimic.offset),
+        });
+        Joint {
+            parent: self.parent,
+            placement: DualQuat::from_array(self.placement.to_array().map(cast)),
+            kind: self.kind.cast(),
+            limits: self.limits.map(|limits| limits.map(cast)),
+            mimic,
+        }
+    }
+}
+
+impl<R: Real> JointKind<R> {
+    fn cast<S: Real>(&self) -> JointKind<S> {
+        match *self {
+            Self::Fixed => JointKind::Fixed,
+            Self::Revolute { axis } => JointKind::Revolute { axis: axis.map(cast) },
+            Self::Prismatic { axis } => JointKind::Prismatic { axis: axis.map(cast) },
+            Self::Screw { axis, pitch } => {
+                JointKind::Screw { axis: axis.map(cast), pitch: cast(pitch) }
+            }
+            Self::Planar { normal } => JointKind::Planar { normal: normal.map(cast) },
+            Self::Floating => JointKind::Floating,
+        }
+    }
+}
+
+fn cast<R: Real, S: Real>(number: R) -> S {
+    S::from_f64(number.into())
+}
+
+impl<R> JointKind<R> {
+    /// How many values it takes to say where the joint is.
+    #[must_use]
+    pub fn values(&self) -> usize {
+        match self {
+            Self::Fixed => 0,
+            Self::Revolute { .. } | Self::Prismatic { .. } | Self::Screw { .. } => 1,
+            Self::Planar { .. } => 3,
+            Self::Floating => 7,
+        }
+    }
+
+    /// How many rates it takes to say how the joint moves.
+    #[must_use]
+    pub fn rates(&self) -> usize {
+        match self {
+            Self::Floating => 6,
+            other => other.values(),
+        }
+    }
+}

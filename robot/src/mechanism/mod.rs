@@ -1,0 +1,31 @@
+//! Trees of joints, and what is computed of them: `walk.rs` is the loop on lanes, `single.rs` the book.
+
+mod error;
+mod frame;
+mod group;
+mod jacobians;
+mod job;
+pub(crate) mod joint;
+mod one_lane;
+#[cfg(feature = "alloc")]
+pub(crate) mod owned;
+pub(crate) mod placed;
+pub(crate) mod poses;
+mod screws;
+mod single;
+pub(crate) mod step;
+pub(crate) mod tree;
+mod twists;
+pub(crate) mod values;
+mod velocities;
+pub(crate) mod walk;
+
+pub use error::MechanismError;
+pub use frame::{Body, JacobianFrame, World, WorldAligned};
+pub use job::{AllLinks, Job};
+pub use joint::{Joint, JointKind, Mimic};
+#[cfg(feature = "alloc")]
+pub use owned::OwnedMechanism;
+pub use step::Step;
+pub use tree::Mechanism;
+pub use values::JointValues;

@@ -1,0 +1,69 @@
+use super::Job;
+use super::error::MechanismError;
+use super::joint::Joint;
+use super::step::Step;
+use super::tree::Mechanism;
+use alloc::vec;
+use alloc::vec::Vec;
+use dq8::Real;
+use dq8::geometry::Screw;
+use dq8::scalar::DualQuat;
+
+/// A [`Mechanism`] with memory of its own.
+///
+/// ```
+/// use dq8_robot::{Joint, OwnedMechanism};
+/// use dq8::DualQuat;
+/// let up = DualQuat::from_translation([0.0_f32, 0.0, 1.0]);
+/// let joints = [None, Some(0), Some(1)].map(|parent| Joint::revolute(parent, up, [1.0, 0.0, 0.0]));
+/// let arm = OwnedMechanism::new(&joints)?;
+/// let tool = arm.view().link_pose(&[0.0; 3], 2)?;
+/// assert_eq!(tool.translation(), [0.0, 0.0, 3.0]);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct OwnedMechanism<R> {
+    steps: Vec<Step<R>>,
+    values: usize,
+    rates: usize,
+}
+
+impl<R: Real> OwnedMechanism<R> {
+    /// See [`Mechanism::new`].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn new(joints: &[Joint<R>]) -> Result<Self, MechanismError> {
+        let mut steps = vec![Step::default(); joints.len()];
+        let Mechanism { values, rates, .. } = Mechanism::new(joints, &mut steps)?;
+        Ok(Self { steps, values, rates })
+    }
+
+    /// See [`Mechanism::from_screws`].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn from_screws(
+        screws: &[(Screw<R>, [R; 2])],
+        tool: DualQuat<R>,
+    ) -> Result<Self, MechanismError> {
+        let mut steps = vec![Step::default(); screws.len() + 1];
+        let Mechanism { values, rates, .. } = Mechanism::from_screws(screws, tool, &mut steps)?;
+        Ok(Self { steps, values, rates })
+    }
+
+    /// A run over many configurations: [`Mechanism::job`].
+    #[must_use]
+    pub fn job(&self) -> Job<'_, R>
+    where
+        R: Copy,
+    {
+        self.view().job()
+    }
+
+    /// The same, borrowed.
+    #[must_use]
+    pub fn view(&self) -> Mechanism<'_, R> {
+        Mechanism { steps: &self.steps, values: self.values, rates: self.rates }
+    }
+}

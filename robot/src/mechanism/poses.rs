@@ -1,0 +1,230 @@
+//! Poses of links for many configurations.
+
+use super::Job;
+#[cfg(doc)]
+use super::Mechanism;
+use super::group::Group;
+#[cfg(feature = "rayon")]
+use super::job::grain;
+use super::step::Step;
+use super::values::JointValues;
+use super::walk::{Joined, Task, Walk};
+use dq8::Scalar;
+use dq8::ShapeError;
+use dq8::storage::{Element, Layout, Number};
+use dq8_simd::Level;
+
+/// Bytes of a line of the caches.
+const LINE: usize = 64;
+
+impl<R: Scalar> Job<'_, R> {
+    /// The poses of all links of many configurations, in the frame of the base: what
+    /// [`Mechanism::link_poses`] gives for one, on lanes.
+    ///
+    /// `poses` is `[configuration][link]`, plain or in blocks; `values` is `[configuration][value]` in plain
+    /// numbers for both, or `[configuration block][value]` in blocks ([`JointValues`]). Angles beyond 2¹⁷ rad (`f32`)
+    /// or 2⁴⁶ rad (`f64`) give NaN.
+    ///
+    /// # Errors
+    /// If `poses` holds no whole number of configurations or `values` another number of them; `poses` is
+    /// untouched.
+    ///
+    /// ```
+    /// use dq8::DualQuat;
+    /// use dq8_robot::{Joint, OwnedMechanism};
+    /// let out = DualQuat::from_translation([1.0_f32, 0.0, 0.0]);
+    /// let joints = [
+    ///     Joint::revolute(None, DualQuat::IDENTITY, [0.0, 0.0, 1.0]),
+    ///     Joint::revolute(Some(0), out, [0.0, 0.0, 1.0]),
+    ///     Joint::fixed(Some(1), out),
+    /// ];
+    /// let arm = OwnedMechanism::new(&joints)?;
+    /// // 1,000 configurations of two angles.
+    /// let values: Vec<f32> = (0..2000).map(|i| 0.001 * i as f32).collect();
+    /// let mut poses = vec![DualQuat::IDENTITY; 3000];
+    /// arm.job().poses(&values, &mut poses)?;
+    /// let [x, y, _] = poses[2999].translation();
+    /// let (a, b) = (1.998_f32, 1.998 + 1.999_f32);
+    /// assert!((x - (a.cos() + b.cos())).abs() + (y - (a.sin() + b.sin())).abs() < 1e-6);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    pub fn poses<T, E>(&self, values: &[T], poses: &mut [E]) -> Result<(), ShapeError>
+    where
+        E: Element<8, Layout: Layout<Real = R>>,
+        T: JointValues<E::Layout>,
+    {
+        let (mechanism, links) = (self.mechanism, self.mechanism.links());
+        let elements = mechanism.configurations::<E::Layout, T>(values, links, poses.len())?;
+        let backend = self.choice.instructions();
+        #[cfg(feature = "rayon")]
+        if backend.many() {
+            backend.share(grain(links), (poses, links), &|first, (poses, _): (&mut [E], usize)| {
+                let elements = poses.len() / links;
+                let values = T::part(values, mechanism.values, first, elements);
+                let task = All { poses, links };
+                backend.run(Walk::<E::Layout, _, _> { mechanism, values, elements, task });
+            });
+            return Ok(());
+        }
+        let task = All { poses, links };
+        backend.run(Walk::<E::Layout, _, _> { mechanism, values, elements, task });
+        Ok(())
+    }
+}
+
+impl<R: Scalar> Job<'_, R, &[usize]> {
+    /// The poses of some links: `poses` is `[configuration][i]` for the links that the job names, and else as for
+    /// all links.
+    ///
+    /// # Errors
+    /// If there is no such link, `poses` holds no whole number of configurations or `values` another number of them;
+    /// `poses` is untouched.
+    pub fn poses<T, E>(&self, values: &[T], poses: &mut [E]) -> Result<(), ShapeError>
+    where
+        E: Element<8, Layout: Layout<Real = R>>,
+        T: JointValues<E::Layout>,
+    {
+        self.check_links()?;
+        let (mechanism, links) = (self.mechanism, self.links);
+        let elements =
+            mechanism.configurations::<E::Layout, T>(values, links.len(), poses.len())?;
+        let backend = self.choice.instructions();
+        let run = |values: &[T], elements, poses: &mut [E]| {
+            let task = Chosen { poses: &mut *poses, links };
+            backend.run(Walk::<E::Layout, _, _> { mechanism, values, elements, task });
+            repeat(links, poses);
+        };
+        #[cfg(feature = "rayon")]
+        if backend.many() && !links.is_empty() {
+            let each = (poses, links.len());
+            backend.share(grain(mechanism.links()), each, &|first, (poses, _): (&mut [E], _)| {
+                let elements = poses.len() / links.len();
+                run(T::part(values, mechanism.values, first, elements), elements, poses);
+            });
+            return Ok(());
+        }
+        run(values, elements, poses);
+        Ok(())
+    }
+}
+
+/// Where a link is asked for more than once, its pose to the other places.
+pub(crate) fn repeat<E: Copy>(links: &[usize], poses: &mut [E]) {
+    for (again, &link) in links.iter().enumerate() {
+        let Some(first) = place_of(links, link) else { continue };
+        if first == again {
+            continue;
+        }
+        for of_one in poses.chunks_exact_mut(links.len()) {
+            let pose = of_one.get(first).copied();
+            if let (Some(pose), Some(slot)) = (pose, of_one.get_mut(again)) {
+                *slot = pose;
+            }
+        }
+    }
+}
+
+/// The first place of a link.
+#[cfg_attr(not(opt_level_0), inline(always))]
+pub(crate) fn place_of(links: &[usize], link: usize) -> Option<usize> {
+    links.iter().position(
+        #[cfg_attr(not(opt_level_0), inline(always))]
+        |&other| other == link,
+    )
+}
+
+struct All<'s, E> {
+    poses: &'s mut [E],
+    links: usize,
+}
+
+impl<E: Element<8>> Task<E::Layout> for All<'_, E> {
+    type State<V: Level> = ();
+    type Carried<V: Level> = ();
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn start<V: Level>(&self, _: V) {}
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn base<V: Level>(_: V) {}
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn link<V: Level>(
+        &mut self,
+        level: V,
+        group: Group,
+        step: &Step<Number<E, 8>>,
+        joined: &Joined<<E::Layout as Layout>::Register<V>>,
+        (): &(),
+        (): &mut (),
+    ) {
+        let link = step.link as usize;
+        let tile = group.tile::<E::Layout, V>(link, self.links);
+        E::store(joined.pose.to_motion(), self.poses, tile);
+        // The next group's poses follow these in memory, but a step writes to as many places as there are
+        // lanes, which the CPU does not foresee. A third of the time where poses do not fit the caches.
+        if E::Layout::transposes::<V>() {
+            let records = E::Layout::records::<V>();
+            let next = (group.first + records) * self.links + link * records;
+            for ahead in self.poses.iter().skip(next).take(records).step_by(LINE / size_of::<E>()) {
+                level.prefetch(ahead);
+            }
+        }
+    }
+}
+
+struct Chosen<'s, E> {
+    poses: &'s mut [E],
+    links: &'s [usize],
+}
+
+impl<E: Element<8>> Task<E::Layout> for Chosen<'_, E> {
+    type State<V: Level> = ();
+    type Carried<V: Level> = ();
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn start<V: Level>(&self, _: V) {}
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn base<V: Level>(_: V) {}
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn skips(&self, steps: &[Step<Number<E, 8>>], position: usize) -> bool {
+        !carries(steps, position, self.links)
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn link<V: Level>(
+        &mut self,
+        _: V,
+        group: Group,
+        step: &Step<Number<E, 8>>,
+        joined: &Joined<<E::Layout as Layout>::Register<V>>,
+        (): &(),
+        (): &mut (),
+    ) {
+        // The first place only, of a link that is asked for more than once: a loop around the registers of a pose would keep
+        // them in memory, which takes half as long again.
+        if let Some(index) = place_of(self.links, step.link as usize) {
+            let tile = group.tile::<E::Layout, V>(index, self.links.len());
+            E::store(joined.pose.to_motion(), self.poses, tile);
+        }
+    }
+}
+
+/// Whether the link of a step, or one that it carries, is among `links`.
+#[cfg_attr(not(opt_level_0), inline(always))]
+pub(crate) fn carries<R>(steps: &[Step<R>], position: usize, links: &[usize]) -> bool {
+    first_carried(steps, position, links).is_some()
+}
+
+/// The first place in `links` of one that is the link of a step, or that this carries.
+#[cfg_attr(not(opt_level_0), inline(always))]
+pub(crate) fn first_carried<R>(
+    steps: &[Step<R>],
+    position: usize,
+    links: &[usize],
+) -> Option<usize> {
+    let step = steps.get(position)?;
+    for (index, &link) in links.iter().enumerate() {
+        if (steps.get(link)?.position as usize).wrapping_sub(position) < step.size as usize {
+            return Some(index);
+        }
+    }
+    None
+}

@@ -1,0 +1,300 @@
+//! One configuration, by the book, for any number: what the lanes are held to, and what a motor controller
+//! calls. Floats take the short cut of `one_lane` first, which the tests hold to the book.
+
+use super::frame::{Frame, JacobianFrame};
+use super::joint::JointKind;
+use super::one_lane::{LinkPose, LinkPoses};
+use super::step::{NONE, Step};
+use super::tree::Mechanism;
+use dq8::Real;
+use dq8::ShapeError;
+use dq8::geometry::Twist;
+use dq8::scalar::{DualQuat, Quat, lie_bracket, vector};
+use dq8::storage::same_length;
+
+impl<R: Real> Mechanism<'_, R> {
+    /// The poses of all links in the frame of the base: pose(j) = pose(parent(j)) · placement(j) ·
+    /// motion(j) (Denavit & Hartenberg 1955, with placements of any kind).
+    ///
+    /// # Errors
+    /// If there are not as many values and poses as the mechanism has; `poses` is untouched.
+    pub fn link_poses(&self, values: &[R], poses: &mut [DualQuat<R>]) -> Result<(), ShapeError> {
+        same_length("values", values.len(), self.values)?;
+        same_length("poses", poses.len(), self.links())?;
+        let quick = LinkPoses { mechanism: *self, values, poses };
+        if R::quick(quick).is_some() {
+            return Ok(());
+        }
+        for step in self.steps {
+            let local = step.placement * step.motion(values);
+            let pose = match poses.get(step.parent as usize) {
+                Some(&parent) => parent * local,
+                None => local,
+            };
+            if let Some(slot) = poses.get_mut(step.link as usize) {
+                *slot = pose;
+            }
+        }
+        Ok(())
+    }
+
+    /// The pose of one link: nothing but what carries it is computed.
+    ///
+    /// # Errors
+    /// If there are not as many values as the mechanism has, or there is no such link.
+    pub fn link_pose(&self, values: &[R], link: usize) -> Result<DualQuat<R>, ShapeError> {
+        self.check(values, link)?;
+        let quick = LinkPose { mechanism: *self, values, link, columns: None };
+        if let Some(pose) = R::quick(quick) {
+            return Ok(pose);
+        }
+        let mut pose = DualQuat::IDENTITY;
+        let mut link = link;
+        while let Some(step) = self.step(link) {
+            pose = step.placement * step.motion(values) * pose;
+            link = step.parent as usize;
+        }
+        Ok(pose)
+    }
+
+    /// The geometric Jacobian of a link, a column for each rate of the mechanism, and its pose. The twist
+    /// of the link is Σ column(i) · rate(i); columns of joints that do not carry the link are zero.
+    ///
+    /// Column j is Ad(pose of the link in the frame of joint j)⁻¹ Sⱼ in the frame [`Body`](super::Body),
+    /// where Sⱼ is the joint's own body twist (Lynch & Park 2017, eq. 5.18). The frame is a type:
+    ///
+    /// ```
+    /// use dq8_robot::{Joint, OwnedMechanism, World, WorldAligned};
+    /// use dq8::{DualQuat, Twist};
+    /// let out = DualQuat::from_translation([1.0_f64, 0.0, 0.0]);
+    /// let joints = [
+    ///     Joint::revolute(None, DualQuat::IDENTITY, [0.0, 0.0, 1.0]),
+    ///     Joint::fixed(Some(0), out),
+    /// ];
+    /// let arm = OwnedMechanism::new(&joints)?;
+    /// let mut column = [Twist::from_array([0.0; 6])];
+    /// arm.view().link_jacobian(WorldAligned, &[0.0], 1, &mut column)?;
+    /// assert_eq!(column[0].to_array(), [0.0, 0.0, 1.0, 0.0, 1.0, 0.0]);
+    /// // The point of the link that is at the origin of the base does not move.
+    /// arm.view().link_jacobian(World, &[0.0], 1, &mut column)?;
+    /// assert_eq!(column[0].to_array(), [0.0, 0.0, 1.0, 0.0, 0.0, 0.0]);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// If there are not as many values and columns as the mechanism has, or there is no such link;
+    /// `columns` is untouched.
+    pub fn link_jacobian<F: JacobianFrame>(
+        &self,
+        _: F,
+        values: &[R],
+        link: usize,
+        columns: &mut [Twist<R>],
+    ) -> Result<DualQuat<R>, ShapeError> {
+        self.check(values, link)?;
+        same_length("columns", columns.len(), self.rates)?;
+        let wanted = Some((F::FRAME, &mut *columns));
+        let quick = LinkPose { mechanism: *self, values, link, columns: wanted };
+        if let Some(pose) = R::quick(quick) {
+            return Ok(pose);
+        }
+        columns.fill(Twist::from_array([R::ZERO; 6]));
+        // The pose of the link in the frame of the joint, from the link up.
+        let mut tail = DualQuat::IDENTITY;
+        let mut joint = link;
+        while let Some(step) = self.step(joint) {
+            for (index, own) in step.own_twists(values).into_iter().enumerate() {
+                let slot = columns.get_mut((step.rate as usize).saturating_add(index));
+                if let (Some(own), Some(column)) = (own, slot) {
+                    // What others mimic is moved by all of them.
+                    *column = *column + tail.conjugate().adjoint(own);
+                }
+            }
+            tail = step.placement * step.motion(values) * tail;
+            joint = step.parent as usize;
+        }
+        let to_frame = match F::FRAME {
+            Frame::Body => return Ok(tail),
+            Frame::World => tail,
+            Frame::WorldAligned => DualQuat::from_rotation(tail.rotation()),
+        };
+        for column in columns {
+            *column = to_frame.adjoint(*column);
+        }
+        Ok(tail)
+    }
+
+    /// The poses and the spatial twists of all links: twist(j) = twist(parent(j)) + Ad(pose(j)) Sⱼ
+    /// rates(j), in the axes of the base and about its origin ([`Twist::velocity_at`] gives the velocity
+    /// of a point).
+    ///
+    /// # Errors
+    /// If there are not as many values, rates, poses and twists as the mechanism has; nothing is written.
+    pub fn link_velocities(
+        &self,
+        values: &[R],
+        rates: &[R],
+        poses: &mut [DualQuat<R>],
+        twists: &mut [Twist<R>],
+    ) -> Result<(), ShapeError> {
+        same_length("rates", rates.len(), self.rates)?;
+        same_length("twists", twists.len(), self.links())?;
+        self.link_poses(values, poses)?;
+        for step in self.steps {
+            let Some(pose) = poses.get(step.link as usize) else { continue };
+            let mut twist = pose.adjoint(step.own_twist(values, rates));
+            if let Some(parent) = twists.get(step.parent as usize) {
+                twist = *parent + twist;
+            }
+            if let Some(slot) = twists.get_mut(step.link as usize) {
+                *slot = twist;
+            }
+        }
+        Ok(())
+    }
+
+    /// The same, and the spatial accelerations of all links, the derivatives of their twists:
+    /// acceleration(j) = acceleration(parent(j)) + Ad(pose(j)) Sⱼ second_rates(j) + ad(twist) Ad(pose(j))
+    /// Sⱼ rates(j) (Featherstone, *Rigid Body Dynamics Algorithms*, 2008, eq. 2.47). The point of a link
+    /// that is at x is accelerated by a + α × x + ω × (v + ω × x), for the twist (ω, v) and the
+    /// acceleration (α, a).
+    ///
+    /// # Errors
+    /// If a slice has another length than the mechanism asks for; nothing is written.
+    pub fn link_accelerations(
+        &self,
+        values: &[R],
+        rates: &[R],
+        second_rates: &[R],
+        poses: &mut [DualQuat<R>],
+        twists: &mut [Twist<R>],
+        accelerations: &mut [Twist<R>],
+    ) -> Result<(), ShapeError> {
+        same_length("second_rates", second_rates.len(), self.rates)?;
+        same_length("accelerations", accelerations.len(), self.links())?;
+        self.link_velocities(values, rates, poses, twists)?;
+        let zero = Twist::from_array([R::ZERO; 6]);
+        for step in self.steps {
+            let Some(pose) = poses.get(step.link as usize) else { continue };
+            let parent = step.parent as usize;
+            let mut acceleration = accelerations.get(parent).copied().unwrap_or(zero);
+            acceleration = acceleration + pose.adjoint(step.own_twist(values, second_rates));
+            // What carries the screws of the joint along: its parent, and for the turn of a planar joint
+            // its slides, which are before it.
+            let mut carrying = twists.get(parent).copied().unwrap_or(zero);
+            let own_rates = rates.get(step.rate as usize..).unwrap_or_default();
+            for (own, &rate) in step.own_twists(values).into_iter().zip(own_rates) {
+                let Some(own) = own else { continue };
+                let moving = pose.adjoint(own).scale(rate);
+                acceleration = acceleration + lie_bracket(carrying, moving);
+                if let JointKind::Planar { .. } = step.kind {
+                    carrying = carrying + moving;
+                }
+            }
+            if let Some(slot) = accelerations.get_mut(step.link as usize) {
+                *slot = acceleration;
+            }
+        }
+        Ok(())
+    }
+
+    fn check(&self, values: &[R], link: usize) -> Result<(), ShapeError> {
+        same_length("values", values.len(), self.values)?;
+        self.job().links(&[link]).check_links()
+    }
+}
+
+impl<R: Real> Step<R> {
+    /// The numbers of this joint among `all`; for what is not there, NaN. The shape has been checked.
+    fn numbers<const C: usize>(first: u32, all: &[R]) -> [R; C] {
+        let rest = all.get(first as usize..).unwrap_or_default();
+        rest.first_chunk().copied().unwrap_or([R::NAN; C])
+    }
+
+    /// The value of a joint that has one.
+    fn single(&self, values: &[R]) -> R {
+        let [value] = Self::numbers(self.value, values);
+        value * self.multiplier + self.offset
+    }
+
+    /// From the joint's frame to that of the link.
+    pub(crate) fn motion(&self, values: &[R]) -> DualQuat<R> {
+        match self.kind {
+            JointKind::Fixed => DualQuat::IDENTITY,
+            JointKind::Revolute { axis } => {
+                DualQuat::from_rotation(Quat::from_axis_angle(axis, self.single(values)))
+            }
+            JointKind::Prismatic { axis } => {
+                DualQuat::from_translation(vector::scale(axis, self.single(values)))
+            }
+            JointKind::Screw { axis, pitch } => {
+                let angle = self.single(values);
+                let turn = Quat::from_axis_angle(axis, angle);
+                let along = vector::scale(axis, pitch * angle);
+                DualQuat::from_rotation_translation(turn, along)
+            }
+            JointKind::Planar { normal } => {
+                let [x, y, angle] = Self::numbers(self.value, values);
+                let [first, second] = self.plane;
+                let slide = vector::add(vector::scale(first, x), vector::scale(second, y));
+                let turn = Quat::from_axis_angle(normal, angle);
+                DualQuat::from_rotation_translation(turn, slide)
+            }
+            JointKind::Floating => {
+                let [x, y, z, w, tx, ty, tz] = Self::numbers(self.value, values);
+                let turn = Quat::from_xyzw(x, y, z, w).normalize();
+                DualQuat::from_rotation_translation(turn, [tx, ty, tz])
+            }
+        }
+    }
+
+    /// The body twists of the link for each rate of the joint alone, in the frame of the link.
+    fn own_twists(&self, values: &[R]) -> [Option<Twist<R>>; 6] {
+        let zero = [R::ZERO; 3];
+        let mut twists = [None; 6];
+        let times = self.multiplier;
+        let single = |angular, linear| {
+            let mut twists = [None; 6];
+            twists[0] = Some(Twist { angular, linear }.scale(times));
+            twists
+        };
+        match self.kind {
+            JointKind::Fixed => twists,
+            JointKind::Revolute { axis } => single(axis, zero),
+            JointKind::Prismatic { axis } => single(zero, axis),
+            JointKind::Screw { axis, pitch } => single(axis, vector::scale(axis, pitch)),
+            JointKind::Planar { normal } => {
+                // The slides come before the turn.
+                let back = self.motion(values).rotation().conjugate();
+                let [first, second] = self.plane.map(|direction| back.rotate(direction));
+                twists[0] = Some(Twist { angular: zero, linear: first });
+                twists[1] = Some(Twist { angular: zero, linear: second });
+                twists[2] = Some(Twist { angular: normal, linear: zero });
+                twists
+            }
+            JointKind::Floating => {
+                for (index, twist) in twists.iter_mut().enumerate() {
+                    let mut unit = [R::ZERO; 6];
+                    unit[index] = R::ONE;
+                    *twist = Some(Twist::from_array(unit));
+                }
+                twists
+            }
+        }
+    }
+
+    /// Their sum, each times its rate.
+    fn own_twist(&self, values: &[R], rates: &[R]) -> Twist<R> {
+        let mut sum = Twist::from_array([R::ZERO; 6]);
+        if self.rate == NONE {
+            return sum;
+        }
+        let rates = rates.get(self.rate as usize..).unwrap_or_default();
+        for (twist, &rate) in self.own_twists(values).into_iter().zip(rates) {
+            if let Some(twist) = twist {
+                sum = sum + twist.scale(rate);
+            }
+        }
+        sum
+    }
+}

@@ -1,0 +1,223 @@
+use super::error::MechanismError;
+use super::joint::Joint;
+use super::step::{NONE, Step};
+use super::values::JointValues;
+use dq8::Real;
+use dq8::ShapeError;
+use dq8::storage::Layout;
+use dq8::storage::whole_instances;
+
+/// A tree of joints, checked once, of any number known at run time. It borrows its memory: a [`Step`] for
+/// each joint. [`OwnedMechanism`](super::OwnedMechanism) has its own.
+///
+/// Link j is what joint j carries. Values are one array for each configuration: those of joint 0, then
+/// those of joint 1, and so on; joints that are fixed or mimic have none. Rates have an array of their own.
+///
+/// ```
+/// use dq8_robot::{Joint, Mechanism, Step};
+/// use dq8::DualQuat;
+/// // A hinge about z at the base, and a slide along x on it.
+/// let joints = [
+///     Joint::revolute(None, DualQuat::IDENTITY, [0.0_f64, 0.0, 1.0]),
+///     Joint::prismatic(Some(0), DualQuat::from_translation([1.0, 0.0, 0.0]), [1.0, 0.0, 0.0]),
+/// ];
+/// let mut steps = [Step::default(); 2];
+/// let crane = Mechanism::new(&joints, &mut steps)?;
+/// assert_eq!((crane.links(), crane.values(), crane.rates()), (2, 2, 2));
+/// let mut poses = [DualQuat::IDENTITY; 2];
+/// crane.link_poses(&[core::f64::consts::FRAC_PI_2, 0.5], &mut poses)?;
+/// let [x, y, z] = poses[1].translation();
+/// assert!(x.abs() < 1e-15 && (y - 1.5).abs() < 1e-15 && z == 0.0);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Mechanism<'a, R> {
+    /// In an order in which what a link carries comes right after it, the largest branch last.
+    pub(crate) steps: &'a [Step<R>],
+    pub(crate) values: usize,
+    pub(crate) rates: usize,
+}
+
+impl<'a, R: Real> Mechanism<'a, R> {
+    /// Checks the joints and prepares them. It is here that axes along those of a frame, and placements
+    /// without rotation or translation, are found, for which kernels do less.
+    ///
+    /// # Errors
+    /// If a parent does not come before its joint, a placement or axis is farther than 10⁻³ from unit or
+    /// not finite, limits are not in order, what should be mimicked has not one value of its own, or there
+    /// are fewer steps than joints. `steps` may have been written.
+    pub fn new(joints: &[Joint<R>], steps: &'a mut [Step<R>]) -> Result<Self, MechanismError> {
+        let steps = room(steps, joints.len())?;
+        let (values, rates) = check(joints, steps)?;
+        order(steps);
+        Ok(Self { steps, values, rates })
+    }
+}
+
+impl<R: Copy> Mechanism<'_, R> {
+    /// How many configurations, or blocks of them, have as many `poses` if each has those of `links` links, and whether
+    /// there are values for as many.
+    pub(crate) fn configurations<Y: Layout, T: JointValues<Y>>(
+        &self,
+        values: &[T],
+        links: usize,
+        poses: usize,
+    ) -> Result<usize, ShapeError> {
+        let elements = whole_instances("poses", links, poses)?;
+        T::check("values", values.len(), self.values, elements)?;
+        Ok(elements)
+    }
+
+    /// How many links there are: one for each joint.
+    #[must_use]
+    pub fn links(&self) -> usize {
+        self.steps.len()
+    }
+
+    /// How many values a configuration has.
+    #[must_use]
+    pub fn values(&self) -> usize {
+        self.values
+    }
+
+    /// How many rates, and columns of a Jacobian, a configuration has.
+    #[must_use]
+    pub fn rates(&self) -> usize {
+        self.rates
+    }
+
+    /// Where the values of a joint are among all; of a joint that mimics, the value that it takes.
+    #[must_use]
+    pub fn values_of(&self, joint: usize) -> Option<core::ops::Range<usize>> {
+        let step = self.step(joint)?;
+        let first = step.value as usize;
+        Some(if step.value == NONE { 0..0 } else { first..first + step.kind.values() })
+    }
+
+    /// The limits of a joint, if it has any.
+    #[must_use]
+    pub fn limits(&self, joint: usize) -> Option<[R; 2]> {
+        self.step(joint)?.limits
+    }
+
+    /// The step of a link.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(crate) fn step(&self, link: usize) -> Option<&Step<R>> {
+        let position = self.steps.get(link)?.position;
+        self.steps.get(position as usize)
+    }
+}
+
+/// As many steps as there are joints.
+pub(crate) fn room<R>(
+    steps: &mut [Step<R>],
+    joints: usize,
+) -> Result<&mut [Step<R>], MechanismError> {
+    let count = steps.len();
+    let steps = steps.get_mut(..joints).filter(|steps| steps.len() < 1 << 28);
+    steps.ok_or(MechanismError::Steps { steps: count, joints })
+}
+
+/// The step of joint number `index`, but for what it mimics, with the next of the values and rates that have been
+/// counted.
+pub(crate) fn numbered<R: Real>(
+    joint: &Joint<R>,
+    index: usize,
+    (values, rates): &mut (usize, usize),
+) -> Result<Step<R>, MechanismError> {
+    let mut step = Step::of(joint, index)?;
+    step.link = index as u32;
+    if let Some(parent) = joint.parent {
+        if parent >= index {
+            return Err(MechanismError::Parent { joint: index, parent });
+        }
+        step.parent = parent as u32;
+    }
+    if joint.mimic.is_none() && step.kind.values() > 0 {
+        (step.value, step.rate) = (*values as u32, *rates as u32);
+        *values += step.kind.values();
+        *rates += step.kind.rates();
+    }
+    Ok(step)
+}
+
+/// Writes the steps in the order of the joints. How many values and rates they have.
+fn check<R: Real>(
+    joints: &[Joint<R>],
+    steps: &mut [Step<R>],
+) -> Result<(usize, usize), MechanismError> {
+    let mut counts = (0, 0);
+    for (index, (joint, slot)) in joints.iter().zip(steps.iter_mut()).enumerate() {
+        *slot = numbered(joint, index, &mut counts)?;
+    }
+    for (index, joint) in joints.iter().enumerate() {
+        let Some(mimic) = joint.mimic else { continue };
+        let error = MechanismError::Mimic { joint: index, other: mimic.joint };
+        let other = joints.get(mimic.joint).filter(|other| other.mimic.is_none());
+        let (Some(other), Some(&leader)) = (other, steps.get(mimic.joint)) else {
+            return Err(error);
+        };
+        if other.kind.values() != 1 || joint.kind.values() != 1 {
+            return Err(error);
+        }
+        if let Some(step) = steps.get_mut(index) {
+            (step.value, step.rate) = (leader.value, leader.rate);
+        }
+    }
+    Ok(counts)
+}
+
+/// Depth first, the largest branch last. So a pose is kept for its children only while other branches are
+/// computed, all of them no larger than the last one: log₂(n) + 1 poses are kept at most (Strahler's
+/// number), in memory of a fixed size.
+pub(crate) fn order<R: Copy>(steps: &mut [Step<R>]) {
+    let count = steps.len();
+    for index in (0..count).rev() {
+        let Some(&step) = steps.get(index) else { return };
+        let Some(&parent) = steps.get(step.parent as usize) else { continue };
+        let largest = steps.get(parent.largest as usize).is_none_or(|other| step.size > other.size);
+        if let Some(parent) = steps.get_mut(step.parent as usize) {
+            parent.size += step.size;
+            if largest {
+                parent.largest = index as u32;
+            }
+        }
+    }
+    // The largest branch goes to the end of what belongs to its parent, the others to the front.
+    let mut free = 0;
+    for index in 0..count {
+        let Some(&step) = steps.get(index) else { return };
+        let (mut position, mut slot, mut parent_slot) = (free, 0, 0);
+        if let Some(parent) = steps.get_mut(step.parent as usize) {
+            (position, slot, parent_slot) =
+                (parent.position + parent.size - step.size, parent.slot, parent.slot);
+            if parent.largest as usize != index {
+                (position, slot) = (parent.free, parent.slot + 1);
+                parent.free += step.size;
+            }
+        } else {
+            free += step.size;
+        }
+        let Some(step) = steps.get_mut(index) else { return };
+        (step.position, step.free) = (position, position + 1);
+        (step.slot, step.parent_slot) = (slot, parent_slot);
+    }
+    for index in 0..count {
+        // Each swap puts one step where it belongs.
+        while let Some(&step) = steps.get(index)
+            && step.position as usize != index
+            && let Some(there) = steps.get_mut(step.position as usize)
+        {
+            let other = core::mem::replace(there, step);
+            if let Some(here) = steps.get_mut(index) {
+                *here = other;
+            }
+        }
+    }
+    for position in 0..count {
+        let Some(&step) = steps.get(position) else { return };
+        if let Some(of_link) = steps.get_mut(step.link as usize) {
+            of_link.position = position as u32;
+        }
+    }
+}

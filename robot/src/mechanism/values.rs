@@ -1,0 +1,233 @@
+//! The values of joints, from memory to lanes.
+
+use super::group::Group;
+use core::fmt::Debug;
+use dq8::Scalar;
+use dq8::ShapeError;
+use dq8::batch::{cos_sin, farthest};
+use dq8::storage::{AoSoA, Element, Layout};
+use dq8::storage::{same_length, whole_instances};
+use dq8_simd::{Block, Lanes, Level, Records, Row};
+
+/// Joint values, or rates, for poses in the layout `Y`: plain numbers `[configuration][value]` for any, or
+/// [`Block`](dq8::storage::Block)s of one number, `[configuration block][value]` for blocks of as many
+/// lanes. Sealed.
+///
+/// Where plain values meet poses in blocks, the last block may have lanes without a configuration. The
+/// poses there are those of values that are all zero.
+pub trait JointValues<Y: Layout>: Copy + Debug + Send + Sync + sealed::Sealed {
+    #[doc(hidden)]
+    fn check(
+        what: &'static str,
+        length: usize,
+        count: usize,
+        elements: usize,
+    ) -> Result<(), ShapeError>;
+    /// Those of `elements` configurations or blocks of them, from `first` on, or of as many as there are.
+    #[doc(hidden)]
+    #[cfg(feature = "rayon")]
+    fn part(slice: &[Self], count: usize, first: usize, elements: usize) -> &[Self];
+    /// Four numbers from `first` on, or fewer where a configuration has no more than that.
+    #[doc(hidden)]
+    fn load<V: Level>(
+        level: V,
+        slice: &[Self],
+        count: usize,
+        group: Group,
+        first: usize,
+    ) -> [Y::Register<V>; 4];
+}
+
+impl<A: Row<Real: Scalar>> JointValues<AoSoA<A>> for Block<A, 1> {
+    #[inline]
+    fn check(
+        what: &'static str,
+        length: usize,
+        count: usize,
+        elements: usize,
+    ) -> Result<(), ShapeError> {
+        same_length(what, length, elements * count)
+    }
+
+    #[cfg(feature = "rayon")]
+    fn part(slice: &[Self], count: usize, first: usize, elements: usize) -> &[Self] {
+        let rest = slice.get(first * count..).unwrap_or_default();
+        rest.get(..elements * count).unwrap_or(rest)
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn load<V: Level>(
+        level: V,
+        slice: &[Self],
+        count: usize,
+        group: Group,
+        first: usize,
+    ) -> [<AoSoA<A> as Layout>::Register<V>; 4] {
+        let mut quad = [Lanes::splat(level, A::Real::default()); 4];
+        for (number, index) in quad.iter_mut().zip(first..count) {
+            let tile = group.tile::<AoSoA<A>, V>(index, count);
+            if let Some([loaded]) = Element::load(level, slice, tile, &[A::Real::default()]) {
+                *number = loaded;
+            }
+        }
+        quad
+    }
+}
+
+/// Two numbers, each in any layout: an `impl` for every `Scalar` would overlap with that for blocks.
+macro_rules! plain {
+    ($($real:ident)*) => {$(
+        impl<Y: Layout<Real = $real>> JointValues<Y> for $real {
+            #[inline]
+            fn check(
+                what: &'static str,
+                length: usize,
+                count: usize,
+                elements: usize,
+            ) -> Result<(), ShapeError> {
+                let configurations = whole_instances(what, count, length)?;
+                if count > 0 && configurations.div_ceil(Y::THINGS) == elements {
+                    return Ok(());
+                }
+                same_length(what, length, elements * Y::THINGS * count)
+            }
+
+            #[cfg(feature = "rayon")]
+            fn part(slice: &[Self], count: usize, first: usize, elements: usize) -> &[Self] {
+                let rest = slice.get(first * Y::THINGS * count..).unwrap_or_default();
+                rest.get(..elements * Y::THINGS * count).unwrap_or(rest)
+            }
+
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            fn load<V: Level>(
+                level: V,
+                slice: &[Self],
+                count: usize,
+                group: Group,
+                first: usize,
+            ) -> [Y::Register<V>; 4] {
+                let start = group.configuration::<Y, V>() * count + first;
+                let rows = slice.get(start..).unwrap_or_default();
+                // Where a configuration has fewer than four, those of the next one are read, and not used.
+                if let Some(quad) = Y::Register::<V>::load_rows(level, rows, count) {
+                    return quad;
+                }
+                let mut quad = [Y::Register::<V>::splat(level, 0.0); 4];
+                for (number, index) in quad.iter_mut().zip(0..count - first) {
+                    let rows: &[[$real; 1]] = bytemuck::must_cast_slice(rows);
+                    if let Some(rows) = rows.get(index..) {
+                        [*number] = Records::load_strided(level, rows, Some(count), &[0.0]);
+                    }
+                }
+                quad
+            }
+        }
+    )*};
+}
+plain! { f32 f64 }
+
+/// The values of one configuration in each lane.
+pub(crate) trait JointNumbers<L: Lanes> {
+    /// Number `index` of each.
+    fn get(&mut self, level: L::Level, index: usize) -> L;
+    /// Cosine and sine of half of it.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn half_turn(&mut self, level: L::Level, index: usize) -> [L; 2] {
+        let value = self.get(level, index);
+        half_turn(value * value.constant(0.5))
+    }
+}
+
+/// No four are at hand: farther from any number than four.
+const NOWHERE: usize = usize::MAX / 2;
+
+/// Those of a group, four at a time, kept until others are asked for: plain ones are transposed, and four
+/// cosines do not wait for each other.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Numbers<'s, Y: Layout, T, V: Level> {
+    slice: &'s [T],
+    /// How many a configuration has.
+    count: usize,
+    group: Group,
+    /// The first of the four at hand.
+    first: usize,
+    quad: [Y::Register<V>; 4],
+    /// Cosine and sine of half of each, if one has been asked for.
+    turns: [[Y::Register<V>; 2]; 4],
+    turned: bool,
+}
+
+impl<'s, Y: Layout, T: JointValues<Y>, V: Level> Numbers<'s, Y, T, V> {
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(crate) fn new(level: V, slice: &'s [T], count: usize) -> Self {
+        let zero = Y::Register::<V>::splat(level, Y::Real::default());
+        let group = Group { first: 0, register: 0 };
+        let (quad, turns) = ([zero; 4], [[zero; 2]; 4]);
+        Self { slice, count, group, first: NOWHERE, quad, turns, turned: false }
+    }
+
+    /// From here on those of another group.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(crate) fn turn_to(&mut self, group: Group) {
+        (self.group, self.first) = (group, NOWHERE);
+    }
+
+    /// Which of the four at hand it is.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn find(&mut self, level: V, index: usize) -> usize {
+        if index.wrapping_sub(self.first) >= 4 {
+            self.first = (index & !3).min(self.count.max(4) - 4);
+            self.quad = T::load(level, self.slice, self.count, self.group, self.first);
+            self.turned = false;
+        }
+        index.wrapping_sub(self.first) & 3
+    }
+}
+
+impl<Y: Layout, T: JointValues<Y>, V: Level> JointNumbers<Y::Register<V>> for Numbers<'_, Y, T, V> {
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn get(&mut self, level: V, index: usize) -> Y::Register<V> {
+        let offset = self.find(level, index);
+        self.quad[offset]
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn half_turn(&mut self, level: V, index: usize) -> [Y::Register<V>; 2] {
+        let offset = self.find(level, index);
+        if !self.turned {
+            for (turn, &number) in self.turns.iter_mut().zip(&self.quad) {
+                *turn = half_turn(number * number.constant(0.5));
+            }
+            self.turned = true;
+        }
+        self.turns[offset]
+    }
+}
+
+/// The values of one configuration in each lane.
+pub(crate) struct Configuration<'v, L>(pub(super) &'v [L]);
+
+impl<L: Lanes> JointNumbers<L> for Configuration<'_, L> {
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn get(&mut self, level: L::Level, index: usize) -> L {
+        match self.0.get(index) {
+            Some(&value) => value,
+            None => L::splat(level, L::Real::default()),
+        }
+    }
+}
+
+/// Cosine and sine; NaN beyond what the lanes can tell.
+#[cfg_attr(not(opt_level_0), inline(always))]
+pub(crate) fn half_turn<L: Lanes>(half: L) -> [L; 2] {
+    let near = half.abs().le(half.constant(farthest::<L>()));
+    let (cos, sin) = cos_sin(L::select(near, half, half.constant(f64::NAN)));
+    [cos, sin]
+}
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for f32 {}
+    impl Sealed for f64 {}
+    impl<A> Sealed for dq8_simd::Block<A, 1> {}
+}

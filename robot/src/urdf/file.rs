@@ -1,0 +1,233 @@
+//! What a file says about where links are, with what it leaves out.
+
+use super::element::{Element, Lines};
+use super::error::UrdfError;
+use super::place::{AXIS, END, JOINT, LIMIT, LINK, MIMIC, ORIGIN, ROBOT};
+use super::warning::UrdfWarning;
+use super::xml;
+use roxmltree::Document;
+
+/// `<robot>`.
+#[derive(Debug)]
+pub(crate) struct File {
+    pub(crate) name: String,
+    /// The line on which it begins, counted from one.
+    pub(crate) line: u32,
+    /// The names of the links.
+    pub(crate) links: Vec<Name>,
+    pub(crate) joints: Vec<JointElement>,
+    /// What is not read, in the order of lines.
+    pub(crate) warnings: Vec<UrdfWarning>,
+}
+
+/// `<joint>`.
+#[derive(Debug)]
+pub(crate) struct JointElement {
+    pub(crate) name: Name,
+    pub(crate) kind: Kind,
+    pub(crate) parent: Name,
+    pub(crate) child: Name,
+    pub(crate) xyz: [f64; 3],
+    pub(crate) rpy: [f64; 3],
+    /// Of length 1; x where there is none.
+    pub(crate) axis: [f64; 3],
+    /// Of a revolute or prismatic joint, which must have some.
+    pub(crate) limits: Option<[f64; 2]>,
+    pub(crate) mimic: Option<MimicElement>,
+}
+
+/// The type of a joint.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Kind {
+    Fixed,
+    Revolute,
+    Continuous,
+    Prismatic,
+    Planar,
+    Floating,
+}
+
+/// `<mimic>`.
+#[derive(Debug)]
+pub(crate) struct MimicElement {
+    pub(crate) joint: Name,
+    pub(crate) multiplier: f64,
+    pub(crate) offset: f64,
+}
+
+/// A name, and the line on which it is given.
+#[derive(Clone, Debug)]
+pub(crate) struct Name {
+    pub(crate) text: String,
+    pub(crate) line: u32,
+}
+
+impl Name {
+    fn of(element: Element<'_>, attribute: &str) -> Result<Self, UrdfError> {
+        Ok(Self { text: element.text(attribute)?.to_owned(), line: element.line() })
+    }
+}
+
+impl File {
+    pub(crate) fn read(text: &str) -> Result<Self, UrdfError> {
+        let text = xml::strict(text)?;
+        let lines = Lines::of(&text);
+        let document = Document::parse(&text).map_err(|error| UrdfError::Parse {
+            line: error.pos().row,
+            message: error.to_string(),
+        })?;
+        let robot = Element { node: document.root_element(), lines: &lines };
+        if robot.name() != "robot" {
+            return Err(robot.unexpected("the outermost element must be <robot>"));
+        }
+        let mut warnings = Vec::new();
+        robot.check(&ROBOT, &mut warnings)?;
+        let unsaid = unsaid(robot)?;
+        let mut links = Vec::new();
+        for link in robot.children("link") {
+            link.check(&LINK, &mut warnings)?;
+            links.push(Name::of(link, "name")?);
+        }
+        let joints = robot.children("joint");
+        let joints = joints.map(|joint| JointElement::read(joint, unsaid, &mut warnings));
+        let joints = joints.collect::<Result<_, _>>()?;
+        let name = robot.node.attribute("name").unwrap_or_default().to_owned();
+        warnings.sort_by_key(|warning| warning.line);
+        Ok(Self { name, line: robot.line(), links, joints, warnings })
+    }
+}
+
+/// The limits of a `<limit>` that does not say them: nothing but zero, and since version 1.2 everything.
+fn unsaid(robot: Element<'_>) -> Result<[f64; 2], UrdfError> {
+    match robot.node.attribute("version").map(str::trim) {
+        None | Some("1.0" | "1.1") => Ok([0.0; 2]),
+        Some("1.2") => Ok([f64::NEG_INFINITY, f64::INFINITY]),
+        Some(version) => {
+            let what = format!("version {version:?} of the format");
+            Err(UrdfError::NotExpressed { line: robot.line(), what })
+        }
+    }
+}
+
+impl JointElement {
+    fn read(
+        joint: Element<'_>,
+        unsaid: [f64; 2],
+        warnings: &mut Vec<UrdfWarning>,
+    ) -> Result<Self, UrdfError> {
+        joint.check(&JOINT, warnings)?;
+        let name = Name::of(joint, "name")?;
+        let kind = kind(joint)?;
+        let mut end = |element: &str| {
+            let end = joint.needed_child(element)?;
+            end.check(&END, warnings)?;
+            Name::of(end, "link")
+        };
+        let (parent, child) = (end("parent")?, end("child")?);
+        let [xyz, rpy] = match joint.child("origin")? {
+            None => [[0.0; 3]; 2],
+            Some(origin) => placement(origin, warnings)?,
+        };
+        // Joints without an axis have one in many files, of zeros too.
+        let axis = match kind {
+            Kind::Fixed | Kind::Floating => [1.0, 0.0, 0.0],
+            _ => axis(joint, warnings)?,
+        };
+        let limits = match kind {
+            Kind::Revolute | Kind::Prismatic => limits(joint, unsaid, warnings)?,
+            _ => None,
+        };
+        let mut mimic = None;
+        if let Some(element) = joint.child("mimic")? {
+            // Who locks a joint leaves its other elements as they are.
+            if kind == Kind::Fixed {
+                warnings.push(element.warning("a fixed joint mimics nothing"));
+            } else {
+                mimic = Some(MimicElement::read(element, warnings)?);
+            }
+        }
+        Ok(Self { name, kind, parent, child, xyz, rpy, axis, limits, mimic })
+    }
+}
+
+fn kind(joint: Element<'_>) -> Result<Kind, UrdfError> {
+    Ok(match joint.text("type")? {
+        "fixed" => Kind::Fixed,
+        "revolute" => Kind::Revolute,
+        "continuous" => Kind::Continuous,
+        "prismatic" => Kind::Prismatic,
+        "planar" => Kind::Planar,
+        "floating" => Kind::Floating,
+        "spherical" => {
+            let what = format!("{} of type \"spherical\"", joint.title());
+            return Err(UrdfError::NotExpressed { line: joint.line(), what });
+        }
+        other => return Err(joint.unexpected(format!("the type {other:?} is unknown"))),
+    })
+}
+
+fn placement(
+    origin: Element<'_>,
+    warnings: &mut Vec<UrdfWarning>,
+) -> Result<[[f64; 3]; 2], UrdfError> {
+    if origin.node.has_attribute("quat_xyzw") {
+        let what = format!("the attribute quat_xyzw in {}: write rpy", origin.title());
+        return Err(UrdfError::NotExpressed { line: origin.line(), what });
+    }
+    origin.check(&ORIGIN, warnings)?;
+    let vector = |name| Ok(origin.numbers(name)?.unwrap_or_default());
+    Ok([vector("xyz")?, vector("rpy")?])
+}
+
+/// The direction of an axis, of length 1: files have axes of any length.
+fn axis(joint: Element<'_>, warnings: &mut Vec<UrdfWarning>) -> Result<[f64; 3], UrdfError> {
+    let Some(element) = joint.child("axis")? else { return Ok([1.0, 0.0, 0.0]) };
+    element.check(&AXIS, warnings)?;
+    element.text("xyz")?;
+    let axis: [f64; 3] = element.numbers("xyz")?.unwrap_or_default();
+    let length = axis[0].hypot(axis[1]).hypot(axis[2]);
+    if length > 0.0 && length.is_finite() {
+        return Ok(axis.map(|number| number / length));
+    }
+    let (line, joint) = (element.line(), joint.text("name")?.to_owned());
+    Err(UrdfError::Axis { line, joint, axis })
+}
+
+/// What the format says of `<limit>`: revolute and prismatic joints must have it, others have no use for `lower` and
+/// `upper`, and either is zero where it is not written.
+fn limits(
+    joint: Element<'_>,
+    [least, most]: [f64; 2],
+    warnings: &mut Vec<UrdfWarning>,
+) -> Result<Option<[f64; 2]>, UrdfError> {
+    let name = joint.text("name")?.to_owned();
+    let Some(limit) = joint.child("limit")? else {
+        return Err(UrdfError::NoLimit { line: joint.line(), joint: name });
+    };
+    limit.check(&LIMIT, warnings)?;
+    let bound = |attribute, unsaid, endless: &[&str]| {
+        let word = limit.node.attribute(attribute).unwrap_or_default().trim().to_lowercase();
+        if endless.contains(&word.as_str()) {
+            return Ok(if attribute == "lower" { f64::NEG_INFINITY } else { f64::INFINITY });
+        }
+        Ok(limit.number(attribute)?.unwrap_or(unsaid))
+    };
+    let lower = bound("lower", least, &["-inf", "-infinity"])?;
+    let upper = bound("upper", most, &["inf", "+inf", "infinity", "+infinity"])?;
+    if lower > upper {
+        return Err(UrdfError::Limits { line: limit.line(), joint: name, limits: [lower, upper] });
+    }
+    let endless = lower == f64::NEG_INFINITY && upper == f64::INFINITY;
+    Ok((!endless).then_some([lower, upper]))
+}
+
+impl MimicElement {
+    fn read(mimic: Element<'_>, warnings: &mut Vec<UrdfWarning>) -> Result<Self, UrdfError> {
+        mimic.check(&MIMIC, warnings)?;
+        Ok(Self {
+            joint: Name::of(mimic, "joint")?,
+            multiplier: mimic.number("multiplier")?.unwrap_or(1.0),
+            offset: mimic.number("offset")?.unwrap_or(0.0),
+        })
+    }
+}

@@ -1,0 +1,56 @@
+//! What joints mimic in the end: files have joints that mimic joints that mimic.
+
+use super::error::UrdfError;
+use super::file::{JointElement, Kind};
+use std::collections::HashMap;
+
+/// The joint that has the value, by its number among all joints.
+#[derive(Clone, Copy)]
+pub(crate) struct Leader {
+    pub(crate) joint: usize,
+    pub(crate) multiplier: f64,
+    pub(crate) offset: f64,
+}
+
+/// For each joint what it mimics, if it does.
+pub(crate) fn leaders(
+    joints: &[JointElement],
+    by_name: &HashMap<&str, usize>,
+) -> Result<Vec<Option<Leader>>, UrdfError> {
+    let mut leaders: Vec<Option<Leader>> = vec![None; joints.len()];
+    for first in 0..joints.len() {
+        // To a joint with a value of its own, or one whose leader is known, then back again.
+        let (mut way, mut next) = (Vec::new(), first);
+        while let Some(mimic) = joints[next].mimic.as_ref().filter(|_| leaders[next].is_none()) {
+            let (from, other) = (&joints[next], &mimic.joint);
+            let refused = || UrdfError::Mimic {
+                line: other.line,
+                joint: from.name.text.clone(),
+                other: other.text.clone(),
+            };
+            let leader = *by_name.get(other.text.as_str()).ok_or_else(|| UrdfError::Unknown {
+                line: other.line,
+                joint: from.name.text.clone(),
+                element: "mimic joint",
+                name: other.text.clone(),
+            })?;
+            way.push((next, leader, mimic));
+            // Longer than there are joints is a circle.
+            let valued = |kind| !matches!(kind, Kind::Fixed | Kind::Planar | Kind::Floating);
+            if way.len() > joints.len() || !valued(from.kind) || !valued(joints[leader].kind) {
+                return Err(refused());
+            }
+            next = leader;
+        }
+        for (joint, other, mimic) in way.into_iter().rev() {
+            let none = Leader { joint: other, multiplier: 1.0, offset: 0.0 };
+            let further = leaders[other].unwrap_or(none);
+            leaders[joint] = Some(Leader {
+                joint: further.joint,
+                multiplier: mimic.multiplier * further.multiplier,
+                offset: mimic.multiplier * further.offset + mimic.offset,
+            });
+        }
+    }
+    Ok(leaders)
+}

@@ -1,0 +1,207 @@
+use super::encoding;
+use super::error::UrdfError;
+use super::file::{File, Name};
+use super::joint::joint;
+use super::mimics::{Leader, leaders};
+use super::tree::{Node, nodes};
+use super::warning::UrdfWarning;
+use crate::{Joint, JointKind, Mechanism, MechanismError, Mimic, OwnedMechanism};
+use dq8::{DualQuat, Real};
+use std::collections::HashMap;
+use std::path::Path;
+
+/// The mechanism of a file, and its names.
+#[derive(Clone, Debug)]
+pub struct Robot {
+    name: String,
+    joints: Vec<Joint<f64>>,
+    mechanism: OwnedMechanism<f64>,
+    link_names: Vec<String>,
+    /// The number of each link.
+    links: HashMap<String, usize>,
+    joint_names: Vec<Option<String>>,
+    value_names: Vec<String>,
+    warnings: Vec<UrdfWarning>,
+}
+
+impl Robot {
+    /// From the text of a file.
+    ///
+    /// # Errors
+    /// If it is not URDF, links and joints are not one tree, or something is not understood.
+    pub fn from_urdf(text: &str) -> Result<Self, UrdfError> {
+        Self::from_elements(File::read(text)?)
+    }
+
+    /// From a file.
+    ///
+    /// # Errors
+    /// As for [`from_urdf`](Self::from_urdf), or if it cannot be read.
+    pub fn from_file(path: impl AsRef<Path>) -> Result<Self, UrdfError> {
+        let path = path.as_ref();
+        let bytes = std::fs::read(path)
+            .map_err(|source| UrdfError::Read { path: path.display().to_string(), source })?;
+        Self::from_bytes(&bytes)
+    }
+
+    /// From the bytes of a file, in the encoding that it declares.
+    ///
+    /// # Errors
+    /// As for [`from_urdf`](Self::from_urdf).
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self, UrdfError> {
+        let (text, warning) = encoding::text(bytes);
+        let mut robot = Self::from_urdf(&text)?;
+        robot.warnings.splice(..0, warning);
+        Ok(robot)
+    }
+
+    fn from_elements(robot: File) -> Result<Self, UrdfError> {
+        let mut by_name = HashMap::new();
+        for (number, Name { text, line }) in robot.joints.iter().map(|j| &j.name).enumerate() {
+            if let Some(first) = by_name.insert(text.as_str(), number) {
+                let (line, name, first) = (*line, text.clone(), robot.joints[first].name.line);
+                return Err(UrdfError::Twice { line, element: "joint", name, first });
+            }
+        }
+        let nodes = nodes(&robot)?;
+        let leaders = leaders(&robot.joints, &by_name)?;
+        let links: HashMap<_, _> =
+            nodes.iter().enumerate().map(|(index, node)| (node.link.text.clone(), index)).collect();
+        let link = |name: &Name| links.get(&name.text).copied().unwrap_or_default();
+        let mut joints = Vec::with_capacity(nodes.len());
+        for node in &nodes {
+            let Some(number) = node.joint else {
+                joints.push(Joint::fixed(None, DualQuat::IDENTITY));
+                continue;
+            };
+            let from = &robot.joints[number];
+            let mut joint = joint(from, link(&from.parent));
+            joint.mimic = leaders[number].map(|Leader { joint, multiplier, offset }| Mimic {
+                joint: link(&robot.joints[joint].child),
+                multiplier,
+                offset,
+            });
+            joints.push(joint);
+        }
+        let mechanism =
+            OwnedMechanism::new(&joints).map_err(|source| refused(source, &nodes, &robot))?;
+        let name = |node: &Node<'_>| Some(robot.joints[node.joint?].name.text.clone());
+        let joint_names: Vec<_> = nodes.iter().map(name).collect();
+        Ok(Self {
+            value_names: value_names(&joints, &joint_names),
+            link_names: nodes.iter().map(|node| node.link.text.clone()).collect(),
+            name: robot.name,
+            joints,
+            mechanism,
+            links,
+            joint_names,
+            warnings: robot.warnings,
+        })
+    }
+
+    /// What the file holds and is not read, because it says nothing about where links are.
+    #[must_use]
+    pub fn warnings(&self) -> &[UrdfWarning] {
+        &self.warnings
+    }
+
+    /// The name of the robot.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The mechanism: link j is what joint j carries, link 0 the root.
+    #[must_use]
+    pub fn mechanism(&self) -> Mechanism<'_, f64> {
+        self.mechanism.view()
+    }
+
+    /// The same in `f32`, or in other numbers.
+    ///
+    /// # Errors
+    /// If something is beyond the range of these numbers.
+    pub fn cast<R: Real>(&self) -> Result<OwnedMechanism<R>, MechanismError> {
+        let joints: Vec<_> = self.joints.iter().map(Joint::cast).collect();
+        OwnedMechanism::new(&joints)
+    }
+
+    /// The joints that the mechanism is made of; link j is what joint j carries.
+    #[must_use]
+    pub fn joints(&self) -> &[Joint<f64>] {
+        &self.joints
+    }
+
+    /// The names of the links: link j of the mechanism.
+    #[must_use]
+    pub fn link_names(&self) -> &[String] {
+        &self.link_names
+    }
+
+    /// The number of a link.
+    #[must_use]
+    pub fn link(&self, name: &str) -> Option<usize> {
+        self.links.get(name).copied()
+    }
+
+    /// The names of the joints: what carries link j, nothing for the root.
+    #[must_use]
+    pub fn joint_names(&self) -> &[Option<String>] {
+        &self.joint_names
+    }
+
+    /// A name for each value of a configuration: that of the joint, with `.x`, `.y` and `.angle` for planar
+    /// joints, and `.qx`, `.qy`, `.qz`, `.qw`, `.x`, `.y`, `.z` for floating ones.
+    #[must_use]
+    pub fn value_names(&self) -> &[String] {
+        &self.value_names
+    }
+
+    /// Limits for each value; none for continuous, planar and floating joints.
+    #[must_use]
+    pub fn value_limits(&self) -> Vec<Option<[f64; 2]>> {
+        let view = self.mechanism.view();
+        let mut limits = vec![None; view.values()];
+        for (joint, from) in self.joints.iter().enumerate() {
+            if let (None, Some(range)) = (from.mimic, view.values_of(joint)) {
+                for slot in limits.get_mut(range).unwrap_or_default() {
+                    *slot = from.limits;
+                }
+            }
+        }
+        limits
+    }
+}
+
+/// The name of the joint that a mechanism refuses.
+fn refused(source: MechanismError, nodes: &[Node<'_>], robot: &File) -> UrdfError {
+    let index = match source {
+        MechanismError::Parent { joint, .. }
+        | MechanismError::Placement { joint, .. }
+        | MechanismError::DualPart { joint, .. }
+        | MechanismError::NotFinite { joint, .. }
+        | MechanismError::Axis { joint, .. }
+        | MechanismError::Limits { joint, .. }
+        | MechanismError::Mimic { joint, .. } => joint,
+        _ => 0,
+    };
+    let joint = nodes.get(index).and_then(|node| robot.joints.get(node.joint?));
+    let (line, joint) = joint
+        .map_or((robot.line, String::new()), |joint| (joint.name.line, joint.name.text.clone()));
+    UrdfError::Mechanism { line, joint, source }
+}
+
+fn value_names(joints: &[Joint<f64>], names: &[Option<String>]) -> Vec<String> {
+    let mut all = Vec::new();
+    for (joint, name) in joints.iter().zip(names) {
+        let (Some(name), None) = (name, joint.mimic) else { continue };
+        let parts: &[&str] = match joint.kind {
+            JointKind::Planar { .. } => &[".x", ".y", ".angle"],
+            JointKind::Floating => &[".qx", ".qy", ".qz", ".qw", ".x", ".y", ".z"],
+            JointKind::Fixed => &[],
+            _ => &[""],
+        };
+        all.extend(parts.iter().map(|part| format!("{name}{part}")));
+    }
+    all
+}

@@ -1,0 +1,276 @@
+//! A report means what it says: inputs as people type them, hinges many turns away, arms of any size.
+//! What is called reached is measured by nalgebra in `f64`.
+
+use dq8::geometry::Screw;
+use dq8::{Backend, DualQuat, Line, Quat, Real, Scalar};
+use dq8_arms::{Arm, Axis, Plan, Random, exact, rounded, six_of_any_kind};
+use dq8_fixtures::kinematics;
+use dq8_robot::ik::{Options, Outcome};
+use nalgebra::Isometry3;
+use std::f64::consts::TAU;
+
+/// What came of some searches.
+#[derive(Default)]
+struct Tally {
+    converged: usize,
+    /// The worst error of those, as nalgebra finds it.
+    worst: f64,
+}
+
+/// One search.
+struct Case<R, const N: usize> {
+    target: DualQuat<R>,
+    /// Where that is.
+    there: Isometry3<f64>,
+    start: [R; N],
+}
+
+/// Searches with `arm`; the truth is that of `plan`.
+fn tally<R: Scalar, const N: usize>(
+    arm: &Arm<R, N>,
+    plan: &Plan<N>,
+    cases: &[Case<R, N>],
+    tally: &mut Tally,
+) {
+    let options = Options::default();
+    let targets: Vec<_> = cases.iter().map(|case| case.target).collect();
+    let mut values: Vec<_> = cases.iter().map(|case| case.start).collect();
+    let reports = arm.reach_all(Backend::best(), &targets, &mut values, &options);
+    for ((case, values), report) in cases.iter().zip(&values).zip(&reports) {
+        for (&value, axis) in values.iter().zip(&plan.axes) {
+            let [low, high] = rounded::<R, 2>(axis.limits);
+            assert!(low <= value && value <= high, "{value} is not within {:?}", axis.limits);
+        }
+        if report.outcome == Outcome::Converged {
+            let end = plan.isometry(&exact(*values));
+            let turn = end.rotation.angle_to(&case.there.rotation);
+            let distance = (end.translation.vector - case.there.translation.vector).norm();
+            tally.converged += 1;
+            tally.worst = tally.worst.max(turn).max(distance);
+        }
+    }
+}
+
+/// Tolerance, and what poses of arms of about a length are rounded by.
+fn bound<R: Real>() -> f64 {
+    1e-5 + 16.0 * Into::<f64>::into(R::EPSILON)
+}
+
+fn to_decimals(number: f64, decimals: i32) -> f64 {
+    (number * 10f64.powi(decimals)).round() / 10f64.powi(decimals)
+}
+
+fn isometry(pose: DualQuat<f64>) -> Isometry3<f64> {
+    let [x, y, z, w] = pose.rotation().to_array();
+    let turn = nalgebra::UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(w, x, y, z));
+    let [x, y, z] = pose.translation();
+    Isometry3::from_parts(nalgebra::Translation3::new(x, y, z), turn)
+}
+
+fn pose<R: Real>(there: &Isometry3<f64>) -> DualQuat<R> {
+    let [x, y, z, w]: [f64; 4] = there.rotation.coords.into();
+    let turn = Quat::from_array(rounded::<R, 4>([x, y, z, w]));
+    DualQuat::from_rotation_translation(turn, rounded(there.translation.vector.into()))
+}
+
+/// 24 arms of six hinges, 16 targets each; `change` is what becomes of a target before the arm sees
+/// it. A target may have lost its unit norm, and is where its normalized form is.
+fn with_targets<R: Scalar>(change: impl Fn(DualQuat<R>) -> DualQuat<R>) -> Tally {
+    let (mut random, mut sum) = (Random(14), Tally::default());
+    for _ in 0..24 {
+        let plan = six_of_any_kind(&mut random);
+        let arm = plan.arm::<R>();
+        let cases: [_; 16] = core::array::from_fn(|_| {
+            let target = change(arm.forward(&rounded(plan.draw(&mut random))));
+            let exact = DualQuat::from_array(target.to_array().map(Into::<f64>::into));
+            let there = isometry(exact.normalize());
+            Case { target, there, start: rounded(plan.draw(&mut random)) }
+        });
+        tally(&arm, &plan, &cases, &mut sum);
+    }
+    sum
+}
+
+fn typed_targets_are_reached_as_computed_ones<R: Scalar>() {
+    let computed = with_targets::<R>(|target| target);
+    assert!(computed.converged >= 381, "{} of 384", computed.converged);
+    let typed = {
+        with_targets::<R>(|target| {
+            let round = |c: R| <R as Real>::from_f64(to_decimals(c.into(), 4));
+            let [x, y, z] = target.translation();
+            let rotation = Quat::from_array(target.rotation().to_array().map(round));
+            // As `from_rotation_translation` makes of a rotation that is not unit.
+            DualQuat::from_rotation_translation(rotation, [x, y, z])
+        })
+    };
+    // The products of a thousand small motions and their inverses, never normalized.
+    let mut random = Random(15);
+    let there_and_back: Vec<_> = (0..500)
+        .flat_map(|_| {
+            let turn = Quat::from_axis_angle(rounded(random.direction()), R::from(0.1));
+            let step = DualQuat::from_rotation_translation(turn, rounded([0.01, 0.02, -0.01]));
+            [step, step.conjugate()]
+        })
+        .collect();
+    let accumulated = with_targets::<R>(|target| kinematics::after(target, &there_and_back));
+    let single = R::EPSILON.into() > 1e-10;
+    for (what, tally) in [("4 decimals", typed), ("accumulated", accumulated)] {
+        assert!(tally.converged >= 381, "{what}: {} of 384", tally.converged);
+        // Where a typed target is, is rounded as well.
+        let most = bound::<R>() + if single { 2e-6 } else { 0.0 };
+        assert!(tally.worst <= most, "{what}: {:e}", tally.worst);
+    }
+}
+
+#[test]
+fn targets_typed_with_four_decimals_are_reached_as_often_as_computed_ones() {
+    typed_targets_are_reached_as_computed_ones::<f64>();
+    typed_targets_are_reached_as_computed_ones::<f32>();
+}
+
+#[test]
+fn a_target_farther_from_unit_than_a_thousandth_is_invalid() {
+    let plan = six_of_any_kind(&mut Random(16));
+    let arm = plan.arm::<f64>();
+    let target = arm.forward(&[0.1; 6]);
+    for (factor, wanted) in [
+        (1.0009, Outcome::Converged),
+        (0.9991, Outcome::Converged),
+        (1.0011, Outcome::Invalid),
+        (0.9989, Outcome::Invalid),
+    ] {
+        let mut values = [0.2; 6];
+        let report = arm.reach(target.scale(factor), &mut values, &Options::default());
+        assert_eq!(report.outcome, wanted, "{factor}");
+    }
+}
+
+/// Arms whose axes are as long as `change` makes them. Nalgebra turns about the same axes at length 1.
+fn with_axes<R: Scalar>(change: impl Fn([f64; 3]) -> [f64; 3]) -> Tally {
+    let (mut random, mut sum) = (Random(17), Tally::default());
+    for _ in 0..25 {
+        let exact = six_of_any_kind(&mut random);
+        let off = exact.with_axes(|axis| Axis { direction: change(axis.direction), ..axis });
+        let unit = off.with_axes(|axis| {
+            let length = axis.direction.iter().map(|c| c * c).sum::<f64>().sqrt();
+            Axis { direction: axis.direction.map(|c| c / length), ..axis }
+        });
+        let cases: [_; 16] = core::array::from_fn(|_| {
+            let there = unit.isometry(&exact.draw(&mut random));
+            Case { target: pose(&there), there, start: rounded(exact.draw(&mut random)) }
+        });
+        tally(&off.arm::<R>(), &unit, &cases, &mut sum);
+    }
+    sum
+}
+
+fn axes_nearly_unit_are_unit<R: Scalar>() {
+    for (what, tally) in [
+        ("exact", with_axes::<R>(|axis| axis)),
+        ("4 decimals", with_axes::<R>(|axis| axis.map(|c| to_decimals(c, 4)))),
+        ("longer by 9e-6", with_axes::<R>(|axis| axis.map(|c| c * 1.000_009))),
+        ("shorter by 9e-4", with_axes::<R>(|axis| axis.map(|c| c * 0.999_1))),
+    ] {
+        assert!(tally.converged >= 397, "{what}: {} of 400", tally.converged);
+        assert!(tally.worst <= bound::<R>(), "{what}: {:e}", tally.worst);
+    }
+}
+
+#[test]
+fn axes_typed_with_four_decimals_are_turned_about_as_unit_ones() {
+    axes_nearly_unit_are_unit::<f64>();
+    axes_nearly_unit_are_unit::<f32>();
+}
+
+/// Hinges with these limits, started this many turns away.
+fn turns_away<R: Scalar>(limits: [f64; 2], turns: f64) -> Tally {
+    let (mut random, mut sum) = (Random(18), Tally::default());
+    for _ in 0..25 {
+        let within = six_of_any_kind(&mut random);
+        let plan = within.with_axes(|axis| Axis { limits, ..axis });
+        let cases: [_; 8] = core::array::from_fn(|_| {
+            let there = plan.isometry(&within.draw(&mut random));
+            let start = within.draw(&mut random).map(|value| value + turns * TAU);
+            Case { target: pose(&there), there, start: rounded(start) }
+        });
+        tally(&plan.arm::<R>(), &plan, &cases, &mut sum);
+    }
+    sum
+}
+
+fn endless_hinges_are_honest<R: Scalar>() {
+    let inf = f64::INFINITY;
+    for turns in [0.0, -10.0, 100.0, -1e9, 1e30] {
+        let tally = turns_away::<R>([-inf, inf], turns);
+        assert!(tally.converged >= 198, "{turns} turns: {} of 200", tally.converged);
+        assert!(tally.worst <= bound::<R>(), "{turns} turns: {:e}", tally.worst);
+    }
+    for (limits, turns) in [
+        ([-3.0, inf], 0.0),
+        ([-inf, 2.0], 5.0),
+        ([-inf, -20.0], 0.0),
+        ([-1e6, 1e6], -1e4),
+        ([-4.0, 5.0], 1.0),
+    ] {
+        let tally = turns_away::<R>(limits, turns);
+        assert!(tally.converged >= 198, "{limits:?}: {} of 200", tally.converged);
+        assert!(tally.worst <= bound::<R>(), "{limits:?}: {:e}", tally.worst);
+    }
+}
+
+#[test]
+fn hinges_any_number_of_turns_away_reach_as_much() {
+    endless_hinges_are_honest::<f64>();
+    endless_hinges_are_honest::<f32>();
+}
+
+/// Limits far from zero leave coarse floats; what is called reached is reached with them.
+#[test]
+fn limits_far_from_zero_keep_their_values_and_the_report_its_word() {
+    for turns in [30.0, 1000.0] {
+        let far = [turns * TAU - 3.5, turns * TAU + 3.5];
+        let (single, double) = (turns_away::<f32>(far, 0.0), turns_away::<f64>(far, 0.0));
+        assert!(double.converged >= 198, "{turns}: {}", double.converged);
+        assert!(double.worst <= bound::<f64>(), "{turns}: {:e}", double.worst);
+        assert!(single.worst <= bound::<f32>(), "{turns}: {:e}", single.worst);
+    }
+}
+
+/// Neither turns nor pose change, and no bit of a value.
+#[test]
+fn a_start_many_turns_from_the_target_is_at_it() {
+    let plan = six_of_any_kind(&mut Random(19))
+        .with_axes(|axis| Axis { limits: [f64::NEG_INFINITY, f64::INFINITY], ..axis });
+    let arm = plan.arm::<f64>();
+    let goal = [0.3, -1.2, 3.0, -3.0, 0.0, 2.0];
+    for turns in [1.0, -7.0, 100.0, 1e4] {
+        let start = goal.map(|value| value + turns * TAU);
+        let mut values = start;
+        let report = arm.reach(arm.forward(&goal), &mut values, &Options::default());
+        assert_eq!((report.outcome, report.iterations), (Outcome::Converged, 0));
+        assert_eq!(values, start, "{turns}");
+    }
+}
+
+/// In millimetres, far from the base, about axes in any direction: the moment of an axis is rounded by tenths of a
+/// millimetre, and what of that lies along the axis is no pitch.
+#[test]
+fn a_hinge_far_from_the_origin_is_a_hinge() {
+    let (mut random, endless) = (Random(20), [f32::NEG_INFINITY, f32::INFINITY]);
+    for round in 0..1000 {
+        let axis = random.direction();
+        // Every other near the axis through the origin, but far along it.
+        let along = if round % 2 == 0 { axis } else { random.direction() };
+        let far = along.map(|c| 3000.0 * c + random.signed());
+        let axis = Line::from_point_direction(rounded(far), rounded(axis));
+        let hinge = (Screw { axis, angle: 1.0, slide: 0.0 }, endless);
+        let arm = Arm::new(&[hinge], DualQuat::IDENTITY).expect("a hinge may be endless");
+        let mut values = [3.0_f32];
+        let options = Options { linear_tolerance: 1e-2, ..Options::default() };
+        let report = arm.reach(arm.forward(&[-3.0]), &mut values, &options);
+        assert_eq!(report.outcome, Outcome::Converged);
+        // The shorter way there, which is on beyond half a turn.
+        let there = std::f32::consts::TAU - 3.0;
+        assert!((values[0] - there).abs() < 1e-4 && report.iterations <= 3, "{report:?}");
+    }
+}

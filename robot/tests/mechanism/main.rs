@@ -1,0 +1,16 @@
+//! Mechanisms: one configuration against matrices, lanes against one configuration, Jacobians against
+//! differentiation, and what cannot be one.
+
+mod arms;
+mod book;
+mod empty;
+mod errors;
+mod far;
+mod hinge;
+mod lanes;
+#[cfg(feature = "rayon")]
+mod parallel;
+mod reach;
+mod single;
+mod tree;
+mod twists;

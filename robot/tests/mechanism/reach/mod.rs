@@ -1,0 +1,144 @@
+//! Inverse kinematics of mechanisms. What a report says is held to the poses of the values that are
+//! returned, one product after the other.
+
+mod free;
+mod honest;
+mod kinds;
+mod limits;
+mod outcomes;
+mod owned;
+#[cfg(feature = "rayon")]
+mod parallel;
+mod posture;
+mod refused;
+mod turns;
+mod units;
+
+use dq8::{Backend, DualQuat, Quat, Real};
+use dq8_fixtures::random::Random;
+use dq8_robot::ik::{Freedom, Goal, Options, Reach, Report};
+use dq8_robot::{Joint, Mechanism, OwnedMechanism};
+
+pub(crate) const Z: [f64; 3] = [0.0, 0.0, 1.0];
+
+/// What [`Options::default`] calls reached, radians and lengths, and what measuring it is rounded by.
+pub(crate) const REACHED: f64 = 1.001e-5;
+/// A pose of ten products or so in `f64`, of links of about a length, and what is measured of it.
+pub(crate) const ROUNDING: f64 = 1e-13;
+/// A value that nothing but its limits decides.
+pub(crate) const LAST_BITS: f64 = 1e-15;
+/// Where a search for a posture ends: its steps are shorter than that.
+pub(crate) const SETTLED: f64 = 1e-4;
+
+pub(crate) fn at(x: f64, y: f64, z: f64) -> DualQuat<f64> {
+    DualQuat::from_translation([x, y, z])
+}
+
+pub(crate) fn turned(axis: [f64; 3], angle: f64, translation: [f64; 3]) -> DualQuat<f64> {
+    DualQuat::from_rotation_translation(Quat::from_axis_angle(axis, angle), translation)
+}
+
+/// Links of these lengths in a plane, all about z.
+pub(crate) fn planar(lengths: &[f64]) -> Vec<Joint<f64>> {
+    let mut joints = vec![Joint::revolute(None, DualQuat::IDENTITY, Z)];
+    for (index, &length) in lengths.iter().enumerate() {
+        let last = index + 1 == lengths.len();
+        let out = at(length, 0.0, 0.0);
+        joints.push(if last {
+            Joint::fixed(Some(index), out)
+        } else {
+            Joint::revolute(Some(index), out, Z)
+        });
+    }
+    joints
+}
+
+/// Seven axes of our own dimensions: shoulder, elbow and wrist, with limits.
+pub(crate) fn seven() -> Vec<Joint<f64>> {
+    let x = [1.0, 0.0, 0.0];
+    let quarter = core::f64::consts::FRAC_PI_2;
+    let frames = [
+        (turned(x, 0.0, [0.0, 0.0, 0.34]), [-2.8, 2.8]),
+        (turned(x, -quarter, [0.0, 0.0, 0.0]), [-1.7, 1.7]),
+        (turned(x, quarter, [0.0, -0.32, 0.0]), [-2.8, 2.8]),
+        (turned(x, quarter, [0.08, 0.0, 0.0]), [-3.0, -0.1]),
+        (turned(x, -quarter, [-0.08, 0.39, 0.0]), [-2.8, 2.8]),
+        (turned(x, quarter, [0.0, 0.0, 0.0]), [0.0, 3.7]),
+        (turned(x, quarter, [0.09, 0.0, 0.0]), [-2.8, 2.8]),
+    ];
+    let mut joints: Vec<_> = frames
+        .into_iter()
+        .enumerate()
+        .map(|(index, (placement, limits))| {
+            Joint::revolute(index.checked_sub(1), placement, Z).with_limits(limits)
+        })
+        .collect();
+    joints.push(Joint::fixed(Some(6), at(0.0, 0.0, 0.11)));
+    joints
+}
+
+/// Values within the limits; within ±3 where there are none.
+pub(crate) fn draw(random: &mut Random, joints: &[Joint<f64>]) -> Vec<f64> {
+    let mut values = Vec::new();
+    for joint in joints.iter().filter(|joint| joint.mimic.is_none()) {
+        let [low, high] = joint.limits.unwrap_or([-3.0, 3.0]);
+        values.extend((0..joint.kind.values()).map(|_| random.between(low, high)));
+    }
+    values
+}
+
+/// One configuration, with memory of its own.
+pub(crate) fn solve(
+    mechanism: Mechanism<'_, f64>,
+    goals: &[Goal<f64>],
+    targets: &[DualQuat<f64>],
+    values: &mut [f64],
+    options: &Options<f64>,
+) -> Report<f64> {
+    let mut freedoms = vec![Freedom::default(); mechanism.rates()];
+    let reach = Reach::new(mechanism, goals, &mut freedoms).expect("a problem");
+    // What is in it must not matter.
+    let mut scratch = vec![f64::NAN; reach.scratch_len()];
+    reach.solve(targets, values, &mut scratch, options).expect("lengths fit")
+}
+
+/// What a backend returns: values and reports.
+pub(crate) type Solved<R> = (Backend, Vec<R>, Vec<Report<R>>);
+
+/// The same on all backends.
+pub(crate) fn solve_everywhere<R>(
+    reach: &Reach<'_, R>,
+    targets: &[DualQuat<R>],
+    starts: &[R],
+    options: &Options<R>,
+) -> Vec<Solved<R>>
+where
+    R: Real + dq8::simd::Float,
+{
+    let configurations = targets.len() / reach.goals().len();
+    let mut scratch = vec![R::NAN; reach.batch_scratch_len()];
+    Backend::available()
+        .map(|backend| {
+            let mut values = starts.to_vec();
+            let mut reports = vec![Report::default(); configurations];
+            let job = reach.job().backend(backend);
+            job.solve_in(&mut scratch, targets, &mut values, &mut reports, options)
+                .expect("lengths fit");
+            (backend, values, reports)
+        })
+        .collect()
+}
+
+/// The turn and the distance between two poses.
+pub(crate) fn apart<R: Real>(a: DualQuat<R>, b: DualQuat<R>) -> [f64; 2] {
+    let turn = (a.rotation() * b.rotation().conjugate()).to_array().map(Into::<f64>::into);
+    let [x, y, z, w] = turn;
+    let angle = 2.0 * x.hypot(y).hypot(z).atan2(w.abs());
+    let (a, b) = (a.translation().map(Into::<f64>::into), b.translation().map(Into::<f64>::into));
+    let distance = (a[0] - b[0]).hypot(a[1] - b[1]).hypot(a[2] - b[2]);
+    [angle, distance]
+}
+
+pub(crate) fn mechanism<R: Real>(joints: &[Joint<f64>]) -> OwnedMechanism<R> {
+    super::tree::mechanism(joints)
+}

@@ -1,0 +1,26 @@
+//! A problem with memory of its own is the borrowed one, field by field.
+
+use super::{mechanism, planar, seven};
+use dq8_robot::ik::{Freedom, Goal, OwnedReach, Reach, ReachError};
+
+#[test]
+fn a_problem_that_owns_its_memory_asks_the_same() {
+    for (joints, goals) in [
+        (planar(&[1.0, 0.5, 0.25]), vec![Goal::position(3)]),
+        (seven(), vec![Goal::pose(7), Goal::position(3)]),
+    ] {
+        let arm = mechanism::<f64>(&joints);
+        let posture = vec![0.1; arm.view().values()];
+        let mut freedoms = vec![Freedom::default(); arm.view().rates()];
+        let borrowed = Reach::new(arm.view(), &goals, &mut freedoms).expect("a problem");
+        let owned = OwnedReach::new(arm.clone(), goals.clone()).expect("a problem");
+        assert_eq!(format!("{:?}", owned.view()), format!("{borrowed:?}"));
+        let borrowed = borrowed.with_posture(&posture).expect("as many values");
+        let owned = owned.with_posture(posture.clone()).expect("as many values");
+        assert_eq!(format!("{:?}", owned.view()), format!("{borrowed:?}"));
+        let refused = owned.with_posture([0.0]).expect_err("one value too few, or many");
+        assert!(matches!(refused, ReachError::PostureLength { length: 1, .. }));
+        let refused = OwnedReach::new(arm, []).expect_err("no goals");
+        assert!(matches!(refused, ReachError::NoGoals));
+    }
+}

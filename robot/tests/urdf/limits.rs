@@ -1,0 +1,89 @@
+//! Limits: what is written, what is not, and what the format says then.
+
+use dq8_robot::urdf::{Robot, UrdfError};
+
+/// One joint of this type, with these elements and this version of the format.
+fn robot(version: &str, kind: &str, elements: &str) -> Result<Robot, UrdfError> {
+    Robot::from_urdf(&format!(
+        r#"<robot name="r"{version}><link name="a"/><link name="b"/>
+        <joint name="j" type="{kind}"><parent link="a"/><child link="b"/>{elements}</joint></robot>"#
+    ))
+}
+
+fn limits(version: &str, kind: &str, limit: &str) -> Option<[f64; 2]> {
+    robot(version, kind, &format!("<limit {limit}/>")).unwrap().value_limits()[0]
+}
+
+#[test]
+fn zeros_that_are_written_lock_the_joint() {
+    for kind in ["revolute", "prismatic"] {
+        let locked = robot("", kind, r#"<limit lower="0" upper="0" effort="1" velocity="1"/>"#);
+        let locked = locked.unwrap();
+        assert_eq!(locked.value_limits(), [Some([0.0, 0.0])], "{kind}");
+        assert_eq!(locked.mechanism().limits(1), Some([0.0, 0.0]), "{kind}");
+    }
+}
+
+#[test]
+fn limits_that_are_not_written_are_zero_and_none_since_version_1_2() {
+    for kind in ["revolute", "prismatic"] {
+        for version in ["", r#" version="1.0""#, r#" version=" 1.1""#] {
+            assert_eq!(limits(version, kind, r#"effort="1" velocity="1""#), Some([0.0, 0.0]));
+            assert_eq!(limits(version, kind, r#"lower="-2""#), Some([-2.0, 0.0]));
+            assert_eq!(limits(version, kind, r#"upper=" 2e-1 ""#), Some([0.0, 0.2]));
+        }
+        let version = r#" version="1.2""#;
+        assert_eq!(limits(version, kind, r#"effort="1" velocity="1""#), None);
+        assert_eq!(limits(version, kind, r#"lower="-2""#), Some([-2.0, f64::INFINITY]));
+        assert_eq!(limits(version, kind, r#"lower="0" upper="0""#), Some([0.0, 0.0]));
+    }
+    let error = robot(r#" version="2.0""#, "fixed", "").unwrap_err();
+    assert_eq!(error.to_string(), r#"cannot be expressed: line 1: version "2.0" of the format"#);
+}
+
+/// urdf-rs cannot say whether zeros are written, but has the same numbers.
+#[test]
+fn another_reader_has_the_same_limits() {
+    for version in ["", r#" version="1.2""#] {
+        for limit in [r#"lower="-1.5" upper="2""#, r#"lower="-1""#, r#"upper="0.5""#, ""] {
+            let text = format!(
+                r#"<robot name="r"{version}><link name="a"/><link name="b"/><joint name="j"
+                type="revolute"><parent link="a"/><child link="b"/><limit velocity="1" {limit}/></joint></robot>"#
+            );
+            let other = urdf_rs::read_from_string(&text).unwrap();
+            let wanted = [other.joints[0].limit.lower, other.joints[0].limit.upper];
+            let found = Robot::from_urdf(&text).unwrap().value_limits()[0];
+            assert_eq!(found.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]), wanted, "{text}");
+        }
+    }
+}
+
+#[test]
+fn revolute_and_prismatic_joints_must_have_limits_even_if_they_mimic() {
+    for kind in ["revolute", "prismatic"] {
+        for elements in ["", r#"<mimic joint="k"/>"#] {
+            let error = robot("", kind, elements).unwrap_err();
+            assert!(matches!(&error, UrdfError::NoLimit { joint, line: 2 } if joint == "j"));
+            let wanted = r#"not a URDF file: line 2: <joint name="j">: a revolute or prismatic"#;
+            assert!(error.to_string().starts_with(wanted), "{error}");
+        }
+    }
+}
+
+#[test]
+fn joints_of_other_types_have_no_limits() {
+    for kind in ["continuous", "planar", "floating"] {
+        for elements in ["", r#"<limit lower="-6.28" upper="6.28" effort="1"/>"#] {
+            let robot = robot("", kind, elements).unwrap();
+            assert!(robot.value_limits().iter().all(Option::is_none), "{kind}");
+        }
+    }
+}
+
+#[test]
+fn soft_limits_are_ignored() {
+    let elements = r#"<limit lower="-2" upper="2"/>
+        <safety_controller soft_lower_limit="-1" soft_upper_limit="1" k_velocity="1"/>"#;
+    let robot = robot("", "revolute", elements).unwrap();
+    assert_eq!(robot.value_limits(), [Some([-2.0, 2.0])]);
+}
