@@ -3,26 +3,27 @@ use super::freedom::Freedom;
 use super::goal::Goal;
 use super::job::ReachJob;
 use super::problem::Reach;
+use super::report::{Options, Report};
 use crate::mechanism::owned::OwnedMechanism;
 use alloc::vec;
 use alloc::vec::Vec;
-use dq8::Real;
+use dq8::{DualQuat, Real, Scalar, ShapeError};
+use dq8_simd::{Lanes, Portable};
 
 /// A [`Reach`] with memory of its own, the robot and its goals included: what a program keeps.
 ///
 /// ```
-/// use dq8_robot::ik::{Goal, Options, Outcome, OwnedReach};
+/// use dq8_robot::ik::{Goal, Options, OwnedReach};
 /// use dq8_robot::{Joint, OwnedMechanism};
 /// use dq8::DualQuat;
 /// let out = DualQuat::from_translation([1.0_f64, 0.0, 0.0]);
 /// let joints = [(None, DualQuat::IDENTITY), (Some(0), out), (Some(1), out)]
 ///     .map(|(on, at)| Joint::revolute(on, at, [0.0, 0.0, 1.0]));
-/// let reach = OwnedReach::new(OwnedMechanism::new(&joints)?, [Goal::position(2)])?;
-/// let problem = reach.view();
-/// let (mut angles, mut scratch) = ([0.1, 0.2, 0.3], vec![0.0; problem.scratch_len()]);
+/// let mut reach = OwnedReach::new(OwnedMechanism::new(&joints)?, [Goal::position(2)])?;
 /// let target = DualQuat::from_translation([1.2, 0.8, 0.0]);
-/// let report = problem.solve(&[target], &mut angles, &mut scratch, &Options::default())?;
-/// assert_eq!(report.outcome, Outcome::Converged);
+/// let mut angles = [0.1, 0.2, 0.3];
+/// let report = reach.solve(&[target], &mut angles, &Options::default())?;
+/// assert!(report.is_converged());
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
@@ -38,6 +39,7 @@ pub struct OwnedReach<R> {
     size: R,
     is_endless: bool,
     bound: Option<([R; 3], R)>,
+    scratch: Vec<R>,
 }
 
 impl<R: Real> OwnedReach<R> {
@@ -66,6 +68,7 @@ impl<R: Real> OwnedReach<R> {
             size,
             is_endless,
             bound,
+            scratch: Vec::new(),
         })
     }
 
@@ -85,7 +88,7 @@ impl<R: Real> OwnedReach<R> {
         self.view().job()
     }
 
-    /// What everything else is asked of.
+    /// The same, borrowed: everything else is asked of it.
     #[must_use]
     pub fn view(&self) -> Reach<'_, R> {
         Reach {
@@ -100,5 +103,27 @@ impl<R: Real> OwnedReach<R> {
             is_endless: self.is_endless,
             bound: self.bound,
         }
+    }
+}
+
+impl<R> OwnedReach<R>
+where
+    R: Scalar + Lanes<Real = R, Level = Portable, Mask = bool>,
+{
+    /// See [`Reach::solve`]; the scratch is its own, taken when it is called first.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn solve(
+        &mut self,
+        targets: &[DualQuat<R>],
+        values: &mut [R],
+        options: &Options<R>,
+    ) -> Result<Report<R>, ShapeError> {
+        let mut scratch = core::mem::take(&mut self.scratch);
+        scratch.resize(self.view().scratch_len(), R::ZERO);
+        let report = self.view().solve(targets, values, &mut scratch, options);
+        self.scratch = scratch;
+        report
     }
 }

@@ -81,6 +81,14 @@ pub struct Report<R> {
     pub outcome: Outcome,
 }
 
+impl<R> Report<R> {
+    /// `true` if both errors are within the tolerances.
+    #[must_use]
+    pub fn is_converged(&self) -> bool {
+        self.outcome == Outcome::Converged
+    }
+}
+
 /// How a search ended. The joint values are the best that were found, within the limits, but for
 /// [`Invalid`](Self::Invalid). C and Python have the same numbers.
 ///

@@ -91,6 +91,24 @@ impl<R> Joint<R> {
         Self::new(parent, placement, JointKind::Prismatic { axis })
     }
 
+    /// A thread about `axis`, of length 1, that goes `pitch` along it for each radian.
+    #[must_use]
+    pub fn screw(parent: Option<usize>, placement: DualQuat<R>, axis: [R; 3], pitch: R) -> Self {
+        Self::new(parent, placement, JointKind::Screw { axis, pitch })
+    }
+
+    /// A plate that slides across `normal`, of length 1, and turns about it.
+    #[must_use]
+    pub fn planar(parent: Option<usize>, placement: DualQuat<R>, normal: [R; 3]) -> Self {
+        Self::new(parent, placement, JointKind::Planar { normal })
+    }
+
+    /// A body that moves freely: a humanoid's pelvis, a drone.
+    #[must_use]
+    pub fn floating(parent: Option<usize>, placement: DualQuat<R>) -> Self {
+        Self::new(parent, placement, JointKind::Floating)
+    }
+
     /// The same joint with limits.
     #[must_use]
     pub fn with_limits(self, limits: [R; 2]) -> Self {

@@ -5,9 +5,9 @@ use super::step::Step;
 use super::tree::Mechanism;
 use alloc::vec;
 use alloc::vec::Vec;
-use dq8::Real;
 use dq8::geometry::Screw;
 use dq8::scalar::DualQuat;
+use dq8::{Real, ShapeError};
 
 /// A [`Mechanism`] with memory of its own.
 ///
@@ -17,7 +17,7 @@ use dq8::scalar::DualQuat;
 /// let up = DualQuat::from_translation([0.0_f32, 0.0, 1.0]);
 /// let joints = [None, Some(0), Some(1)].map(|parent| Joint::revolute(parent, up, [1.0, 0.0, 0.0]));
 /// let arm = OwnedMechanism::new(&joints)?;
-/// let tool = arm.view().link_pose(&[0.0; 3], 2)?;
+/// let tool = arm.link_pose(&[0.0; 3], 2)?;
 /// assert_eq!(tool.translation(), [0.0, 0.0, 3.0]);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
@@ -61,7 +61,23 @@ impl<R: Real> OwnedMechanism<R> {
         self.view().job()
     }
 
-    /// The same, borrowed.
+    /// See [`Mechanism::link_pose`].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn link_pose(&self, values: &[R], link: usize) -> Result<DualQuat<R>, ShapeError> {
+        self.view().link_pose(values, link)
+    }
+
+    /// See [`Mechanism::link_poses`].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn link_poses(&self, values: &[R], poses: &mut [DualQuat<R>]) -> Result<(), ShapeError> {
+        self.view().link_poses(values, poses)
+    }
+
+    /// The same, borrowed: everything else is asked of it.
     #[must_use]
     pub fn view(&self) -> Mechanism<'_, R> {
         Mechanism { steps: &self.steps, values: self.values, rates: self.rates }

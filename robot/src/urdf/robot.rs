@@ -150,6 +150,18 @@ impl Robot {
         &self.joint_names
     }
 
+    /// The number of the joint of this name, which is that of the link it carries.
+    #[must_use]
+    pub fn joint(&self, name: &str) -> Option<usize> {
+        self.joint_names.iter().position(|joint| joint.as_deref() == Some(name))
+    }
+
+    /// The place in a configuration of the value of this [name](Self::value_names).
+    #[must_use]
+    pub fn value(&self, name: &str) -> Option<usize> {
+        self.value_names.iter().position(|value| value == name)
+    }
+
     /// A name for each value of a configuration: that of the joint, with `.x`, `.y` and `.angle` for planar
     /// joints, and `.qx`, `.qy`, `.qz`, `.qw`, `.x`, `.y`, `.z` for floating ones.
     #[must_use]
@@ -170,6 +182,15 @@ impl Robot {
             }
         }
         limits
+    }
+}
+
+impl std::str::FromStr for Robot {
+    type Err = UrdfError;
+
+    /// [`Robot::from_urdf`]
+    fn from_str(text: &str) -> Result<Self, UrdfError> {
+        Self::from_urdf(text)
     }
 }
 

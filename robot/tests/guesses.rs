@@ -1,0 +1,66 @@
+//! Lines that somebody would type who knows other robot libraries. They compile, and mean what they seem to.
+
+use dq8::DualQuat;
+use dq8_robot::ik::{Goal, Options, OwnedReach};
+use dq8_robot::urdf::Robot;
+use dq8_robot::{Joint, OwnedMechanism};
+
+const ELBOW: &str = r#"<robot name="arm">
+  <link name="base"/><link name="upper"/><link name="lower"/><link name="tool"/>
+  <joint name="shoulder" type="continuous"><parent link="base"/><child link="upper"/><axis xyz="0 0 1"/></joint>
+  <joint name="elbow" type="continuous"><origin xyz="1 0 0"/><parent link="upper"/><child link="lower"/><axis xyz="0 0 1"/></joint>
+  <joint name="flange" type="fixed"><origin xyz="1 0 0"/><parent link="lower"/><child link="tool"/></joint>
+</robot>"#;
+
+#[test]
+fn joints_links_and_values_are_found_by_their_names() {
+    let robot: Robot = ELBOW.parse().expect("a robot");
+    assert_eq!(robot.link("tool"), Some(3));
+    assert_eq!(robot.joint("elbow").and_then(|j| robot.link_names().get(j)).unwrap(), "lower");
+    assert_eq!((robot.value("shoulder"), robot.value("elbow")), (Some(0), Some(1)));
+    assert_eq!(
+        (robot.joint("wrist"), robot.value("flange"), robot.link("hand")),
+        (None, None, None)
+    );
+}
+
+#[test]
+fn joints_of_every_kind_have_a_constructor() {
+    let z = [0.0, 0.0, 1.0];
+    let here = DualQuat::<f64>::IDENTITY;
+    let joints = [
+        Joint::floating(None, here),
+        Joint::planar(Some(0), here, z),
+        Joint::screw(Some(1), here, z, 0.5),
+        Joint::prismatic(Some(2), here, z),
+        Joint::revolute(Some(3), here, z),
+        Joint::fixed(Some(4), here),
+    ];
+    let tree = OwnedMechanism::new(&joints).expect("a mechanism");
+    let mut values = [0.0; 13];
+    (values[3], values[10], values[11]) = (1.0, 2.0, 3.0); // no turn of the body; the thread, the slide
+    let tool = tree.link_pose(&values, 5).expect("a link");
+    let mut poses = [here; 6];
+    tree.link_poses(&values, &mut poses).expect("as many as links");
+    assert!(tool.abs_diff_eq(poses[5], 1e-15) && (tool.translation()[2] - 4.0).abs() < 1e-15);
+}
+
+#[test]
+fn a_search_with_memory_of_its_own_needs_no_scratch() {
+    let robot: Robot = ELBOW.parse().expect("a robot");
+    let tool = robot.link("tool").expect("a link");
+    let arm = robot.cast::<f64>().expect("in range");
+    let mut reach = OwnedReach::new(arm, [Goal::position(tool)]).expect("a goal");
+    let mut angles = [0.3, 0.4];
+    for x in [1.5, 1.2, 0.9] {
+        let target = DualQuat::from_translation([x, 0.5, 0.0]);
+        let report = reach.solve(&[target], &mut angles, &Options::default()).expect("it fits");
+        assert!(report.is_converged());
+        let there = reach.view().mechanism().link_pose(&angles, tool).expect("a link");
+        assert!(there.distance_to(target) < 1e-4 || (there.translation()[0] - x).abs() < 1e-4);
+    }
+    let far = DualQuat::from_translation([5.0, 0.0, 0.0]);
+    let report = reach.solve(&[far], &mut angles, &Options::default()).expect("it fits");
+    assert!(!report.is_converged());
+    assert!(reach.solve(&[far], &mut angles[..1], &Options::default()).is_err());
+}
