@@ -1,8 +1,21 @@
 //! model(j) = model(parent(j)) · local(j), for plain motions, which are transposed in registers.
 //!
-//! As many instances as there are lanes are computed together; what is left over, and single instances,
-//! one by one. Both do the same operations in the same order: the model of an instance is the same to the
-//! last bit, however many others are in the call.
+//! # The algorithm
+//!
+//! Take as many instances as there are lanes. For each joint, parents first: load its local pose of all these instances,
+//! a transpose; take the models of its parent, multiply; store the product, another transpose. Instances that are left
+//! over, and single ones, go one by one, with a motion of eight numbers in one register.
+//!
+//! # Why it is as it is
+//!
+//! - *A ring of recent models.* A parent is needed as it was in registers, and transposing it a second time would cost
+//!   as much as the product. Most parents are a few joints back, so the last [`RECENT`] models stay in memory as the
+//!   registers held them; only a parent that lies farther back is transposed again, out of line.
+//! - *One source for every product.* Roots, near parents and far ones all end as a place in the ring. Where two ways lead
+//!   to a value, the compiler moves eight registers on both.
+//! - *Same operations in the same order, together and one by one*: the model of an instance is the same to the last bit,
+//!   however many others are in the call.
+//! - *Prefetch before a strided store*, once models exceed the second cache: the CPU does not foresee so many places.
 
 use super::locals::{Locals, Motions, motions};
 use super::palette::Epilogue;

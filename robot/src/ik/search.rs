@@ -1,4 +1,21 @@
-//! The search: every lane walks alone, all in step, and one that is done takes the next configuration.
+//! The search.
+//!
+//! # The algorithm
+//!
+//! Each lane holds one configuration. In every round all lanes do the same: take the values into their limits; compute the
+//! poses of the goals and how far they are from the targets; decide, lane by lane, whether to step, end, go back to the best
+//! or begin again; and step, by damped least squares (Wampler 1986, Sugihara 2011) with a second order where a whole pose is
+//! asked for. A lane that ends writes its report and takes the next configuration.
+//!
+//! # Why it is as it is
+//!
+//! - *Lanes of different age are in the same round.* No lane waits for the slowest of a group; a round costs the same, whoever
+//!   takes part.
+//! - *Decisions are scalar, arithmetic is not.* What a lane does next is a page of branches that differ from lane to lane: it
+//!   is taken out of registers once per round, and comes back as masks.
+//! - *What is judged is what is returned*: values are taken into their limits first, whole turns to the side of the start.
+//! - *Idle lanes compute along*, from zeros, so that every call has the same bits.
+//! - *Restarts are a constant of the type*, so that firmware without them does not hold them.
 
 use super::forward::Of;
 use super::freedom::Kind;
