@@ -1,15 +1,21 @@
 //! Inverse kinematics of mechanisms: which values bring links where they should be.
 //!
-//! | file | what |
+//! | item | what it is |
 //! |---|---|
-//! | `goal.rs`, `freedom.rs`, `problem.rs`, `error.rs` | what is asked, checked once, in memory of the caller |
-//! | `bound.rs` | how far a link gets |
-//! | `solve.rs`, `job.rs` | one configuration, and many |
-//! | `search.rs`, `lane.rs`, `assign.rs` | the loop, what a lane does next, what it is given and gives back |
-//! | `model.rs` with `forward.rs`, `compare.rs`, `columns.rs`, `wish.rs`, `step.rs`, `restart.rs` | what is computed of it, on lanes |
-//! | `range.rs`, `report.rs` | values within limits; what a search is told, and what it tells |
-//! | `normal.rs` | damped least squares of any size |
-//! | `scratch.rs` | numbers of all lanes in memory of the caller |
+//! | [`Goal`] | a link, and what of its target counts |
+//! | [`Reach`], [`Freedom`] | goals of a mechanism, checked once, in memory of the caller |
+//! | `OwnedReach` | the same with memory of its own (feature `alloc`) |
+//! | [`ReachJob`] | searches for many configurations, with options |
+//! | [`Options`], [`Report`], [`Outcome`] | how it searches, and how a search ended |
+
+// `goal.rs`, `freedom.rs`, `problem.rs`, `error.rs`: what is asked, checked once, in memory of the caller
+// `bound.rs`: how far a link gets
+// `solve.rs`, `job.rs`: one configuration, and many
+// `search.rs`, `lane.rs`, `assign.rs`: the loop, what a lane does next, what it is given and gives back
+// `model.rs` with `forward.rs`, `compare.rs`, `columns.rs`, `wish.rs`, `step.rs`, `restart.rs`: what is computed of it, on lanes
+// `range.rs`, `report.rs`: values within limits; what a search is told, and what it tells
+// `normal.rs`: damped least squares of any size
+// `scratch.rs`: numbers of all lanes in memory of the caller
 
 mod assign;
 mod bound;
