@@ -1,5 +1,5 @@
-//! Sine and cosine of `f32` in `f32`, for targets without std: those of `libm` compute in `f64`, which
-//! takes most microcontrollers a thousand instructions and 9 KB of code. `tests/sweep` has tried every float.
+//! Sine and cosine of `f32` in `f32`: those of `libm` compute in `f64`, which takes most microcontrollers a
+//! thousand instructions and 9 KB of code. `tests/sweep` has tried every float.
 
 /// sin x, within 1.06 units of the last place.
 pub(crate) fn sin(x: f32) -> f32 {
