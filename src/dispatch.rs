@@ -4,10 +4,10 @@ use core::fmt;
 #[cfg(feature = "reproducible")]
 use core::sync::atomic::AtomicBool;
 use core::sync::atomic::{AtomicU8, Ordering};
-#[cfg(target_arch = "x86_64")]
-use dq8_simd::x86_64::{Avx2, Avx512};
 #[cfg(feature = "reproducible")]
 use dq8_simd::Unfused;
+#[cfg(target_arch = "x86_64")]
+use dq8_simd::x86_64::{Avx2, Avx512};
 use dq8_simd::{Level, Portable};
 
 /// A computation for any instructions, to [`run`](Backend::run) on a [`Backend`]. Write it once: the
