@@ -4,7 +4,10 @@ use core::fmt;
 #[cfg(feature = "reproducible")]
 use core::sync::atomic::AtomicBool;
 use core::sync::atomic::{AtomicU8, Ordering};
-#[cfg(feature = "reproducible")]
+#[cfg(all(
+    feature = "reproducible",
+    any(target_arch = "x86_64", target_arch = "aarch64", target_feature = "fma")
+))]
 use dq8_simd::Unfused;
 #[cfg(target_arch = "x86_64")]
 use dq8_simd::x86_64::{Avx2, Avx512};

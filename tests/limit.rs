@@ -97,7 +97,8 @@ fn nothing_better_than_the_limit_computes_where_no_backend_is_named() {
         packed_by_the_best();
         Backend::limit(None);
         assert_eq!(Backend::best(), best);
-    }    #[cfg(feature = "reproducible")]
+    }
+    #[cfg(feature = "reproducible")]
     {
         Backend::set_reproducible(true);
         let reproducible = Backend::reproducible();
