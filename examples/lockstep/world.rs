@@ -5,13 +5,13 @@ use dq8::ik::TwoBone;
 use dq8::skinning::{DualBlend, Skin, SkinningError, Surface, SurfaceMut};
 use dq8::{Backend, DualQuat, Hierarchy, Quat, ShapeError, hierarchy::Poses};
 
-/// One a lane.
-const WALKERS: usize = 16;
+/// One a lane of eight.
+const WALKERS: usize = 8;
 /// Hips, chest, head, and two legs of thigh and shin.
 const PARENTS: [u32; JOINTS] = [Hierarchy::ROOT, 0, 1, 0, 3, 0, 5];
 const JOINTS: usize = 7;
 /// A vertex follows two joints.
-const VERTICES: usize = 24;
+const VERTICES: usize = 12;
 const STEP: f32 = 1.0 / 60.0;
 const BONES: [f32; 2] = [0.45, 0.45];
 

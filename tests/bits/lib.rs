@@ -52,10 +52,11 @@ pub fn hashes(sink: &mut Sink<'_>) {
         Avx2::detect().map(|level| lanes(Unfused(level), sink));
         Avx512::detect().map(|level| lanes(Unfused(level), sink));
     }
-    // Portable lanes are unfused where the build has no fused instructions.
+    // Portable lanes too, where they do not fuse either, and are others.
     let fuses = cfg!(any(target_arch = "aarch64", target_feature = "fma"));
-    let portable = (!fuses).then_some(Backend::PORTABLE);
-    for backend in [Some(Backend::reproducible()), portable].into_iter().flatten() {
+    let reproducible = Backend::reproducible();
+    let portable = Some(Backend::PORTABLE).filter(|portable| !fuses && *portable != reproducible);
+    for backend in [Some(reproducible), portable].into_iter().flatten() {
         single::jobs::run(backend, &mut |name, hash| sink(["f32", "job", name], hash));
         double::jobs::run(backend, &mut |name, hash| sink(["f64", "job", name], hash));
         if let Ok(hash) = world::World::new(backend).run(10_000) {
