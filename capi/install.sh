@@ -3,6 +3,7 @@
 # CMake package.
 #
 #     capi/install.sh /usr/local
+#     FEATURES=reproducible capi/install.sh /usr/local    # with what dq8_set_reproducible needs
 set -euo pipefail
 [ $# -eq 1 ] || { echo "usage: $0 PREFIX" >&2; exit 2; }
 mkdir -p "$1"
@@ -25,7 +26,7 @@ case "$(uname -s)" in
 esac
 
 # Cargo says where it has put things, and rustc which libraries of the system a static one needs.
-said=$(cargo rustc --release --lib --message-format json-render-diagnostics -- \
+said=$(cargo rustc --release --lib --features "${FEATURES-}" --message-format json-render-diagnostics -- \
   -C link-arg="$name" --print native-static-libs 2>&1) \
   || { echo "$said" >&2; exit 1; }
 libraries=$(sed -n 's/.*note: native-static-libs: //p' <<<"$said" | tail -n 1)

@@ -5,8 +5,8 @@
 
 A kernel that is not inlined into its instruction set still gives the right numbers, 35 times slower. So the
 innermost loop of each must multiply and add in whole registers of its backend, must call nothing, and must keep
-off the stack where there are but 16 registers (AVX2). Prints a line a kernel;
-exits 1 if one is not as it should be or is missing.
+off the stack where there are but 16 registers (AVX2). Of each there is a version more, for `Backend::reproducible()`, which
+must hold no fused instruction at all. Prints a line a kernel; exits 1 if one is not as it should be or is missing.
 """
 
 import os
@@ -36,6 +36,7 @@ MUST = {
 }
 MUST_NOT = {("one instance, planned", "AVX-512"): r"\(%r\w+,%r.*\{1to8\}"}
 FUSED = re.compile(r"\tvfn?m(add|sub)\d+ps\b")
+APART = re.compile(r"\tvmulps\b")
 
 
 def build():
@@ -47,7 +48,7 @@ def build():
         "CARGO_TARGET_DIR": str(target),
         "CARGO_PROFILE_RELEASE_STRIP": "none",
     }
-    command = ["cargo", "build", "--quiet", "--release", "-p", "dq8-assembly"]
+    command = ["cargo", "build", "--quiet", "--release", "-p", "dq8-assembly", "--features", "dq8/reproducible"]
     subprocess.run(command, cwd=ROOT, env=environment, check=True)
     command = ["objdump", "-d", "--no-show-raw-insn", "--demangle=rust", target / "release/dq8-assembly"]
     listing = subprocess.run(command, check=True, capture_output=True, text=True).stdout
@@ -60,7 +61,7 @@ def build():
     return functions
 
 
-def hot_loop(body):
+def hot_loop(body, multiplies=FUSED):
     """Of the innermost loops the one that multiplies most."""
     loops = []
     for end, (_, text) in enumerate(body):
@@ -71,7 +72,7 @@ def hot_loop(body):
                 loops.append((start, end))
     inner = [a for a in loops if not any(b != a and a[0] <= b[0] and b[1] <= a[1] for b in loops)]
     texts = [[text for _, text in body[start : end + 1]] for start, end in inner]
-    return max(texts, key=lambda loop: sum(bool(FUSED.search(text)) for text in loop), default=[])
+    return max(texts, key=lambda loop: sum(bool(multiplies.search(text)) for text in loop), default=[])
 
 
 def main():
@@ -96,6 +97,13 @@ def main():
                 failures += bool(bad)
                 mark = "  <-- not as it should be" if bad else ""
                 print(f"{kernel:22}{backend:9}{lanes:6}{fused:7}{calls:7}{spills:8}{mark}")
+                apart = [body for body in bodies if not any(FUSED.search(text) for _, text in body)]
+                loop = max((hot_loop(body, APART) for body in apart), key=len, default=[])
+                products = sum(bool(APART.search(text)) and register in text for text in loop)
+                calls = sum("\tcall" in text for text in loop)
+                failures += bool(not products or calls)
+                mark = "  <-- not as it should be" if not products or calls else ""
+                print(f"{'  unfused':22}{backend:9}{lanes:6}{0:7}{calls:7}{products:8} products{mark}")
     return 1 if failures else 0
 
 

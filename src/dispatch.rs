@@ -1,7 +1,14 @@
 //! [`Backend`]: which instructions compute, and [`Kernel`]: what they compute. The only place that chooses.
 
 use core::fmt;
+#[cfg(feature = "reproducible")]
+use core::sync::atomic::AtomicBool;
 use core::sync::atomic::{AtomicU8, Ordering};
+#[cfg(all(
+    feature = "reproducible",
+    any(target_arch = "x86_64", target_arch = "aarch64", target_feature = "fma")
+))]
+use dq8_simd::Unfused;
 #[cfg(target_arch = "x86_64")]
 use dq8_simd::x86_64::{Avx2, Avx512};
 use dq8_simd::{Level, Portable};
@@ -78,10 +85,21 @@ enum Proof {
     Avx2(Avx2),
     #[cfg(target_arch = "x86_64")]
     Avx512(Avx512, Avx2),
+    /// Where the portable lanes fuse.
+    #[cfg(all(feature = "reproducible", any(target_arch = "aarch64", target_feature = "fma")))]
+    UnfusedPortable,
+    #[cfg(all(feature = "reproducible", target_arch = "x86_64"))]
+    UnfusedAvx2(Avx2),
+    #[cfg(all(feature = "reproducible", target_arch = "x86_64"))]
+    UnfusedAvx512(Avx512, Avx2),
 }
 
 /// How many of the available backends [`Backend::best`] may choose from, beyond the first.
 static LIMIT: AtomicU8 = AtomicU8::new(u8::MAX);
+
+/// Whether [`Backend::best`] must be [reproducible](Backend::reproducible).
+#[cfg(feature = "reproducible")]
+static UNFUSED: AtomicBool = AtomicBool::new(false);
 
 impl Backend {
     /// What the build target has: SSE2 in a default x86-64 build, NEON on aarch64, simd128 on wasm. It fuses
@@ -119,6 +137,38 @@ impl Backend {
         return None;
     }
 
+    /// The fastest instructions of this CPU without a fused multiply-add: the same bits on every machine, for 1.0 to 1.5
+    /// times the time of the [`best`](Self::best). [The guide](crate::guide::reproducible) says for what.
+    ///
+    /// ```
+    /// use dq8::{Backend, DualQuat, Quat};
+    /// let step = DualQuat::from_rotation(Quat::from_rotation_z(0.1_f32));
+    /// let mut links = [step; 100];
+    /// Backend::reproducible().chain_products_in_place(&mut links);
+    /// assert_eq!(links[99].rotation().to_array().map(f32::to_bits), [0, 0, 0xbf75_7d29, 0x3e91_38c6]);
+    /// ```
+    #[cfg(feature = "reproducible")]
+    #[must_use]
+    pub fn reproducible() -> Self {
+        Self::available().last().unwrap_or(Self::PORTABLE).unfused()
+    }
+
+    /// The same instructions but for fused ones.
+    #[cfg(feature = "reproducible")]
+    #[inline]
+    fn unfused(self) -> Self {
+        let proof = match self.proof {
+            #[cfg(any(target_arch = "aarch64", target_feature = "fma"))]
+            Proof::Portable => Proof::UnfusedPortable,
+            #[cfg(target_arch = "x86_64")]
+            Proof::Avx2(level) => Proof::UnfusedAvx2(level),
+            #[cfg(target_arch = "x86_64")]
+            Proof::Avx512(level, narrow) => Proof::UnfusedAvx512(level, narrow),
+            unfused => unfused,
+        };
+        Self { proof, ..self }
+    }
+
     /// The backends that this CPU has, in rising order.
     pub fn available() -> impl Iterator<Item = Self> {
         [Some(Self::PORTABLE), Self::avx2(), Self::avx512()].into_iter().flatten()
@@ -133,7 +183,19 @@ impl Backend {
         for better in [Self::avx2(), Self::avx512()].into_iter().take(limit.into()).flatten() {
             best = better;
         }
+        #[cfg(feature = "reproducible")]
+        if UNFUSED.load(Ordering::Relaxed) {
+            return best.unfused();
+        }
         best
+    }
+
+    /// From now on, in all threads, whether [`best`](Self::best) is [reproducible](Self::reproducible). For C and Python,
+    /// which have no backends to pass.
+    #[cfg(feature = "reproducible")]
+    #[doc(hidden)]
+    pub fn set_reproducible(reproducible: bool) {
+        UNFUSED.store(reproducible, Ordering::Relaxed);
     }
 
     /// From now on, in all threads, [`best`](Self::best) is at most `limit`; `None` removes the limit.
@@ -171,6 +233,25 @@ impl Backend {
                 #[inline(always)]
                 || kernel.run(level),
             ),
+            #[cfg(all(
+                feature = "reproducible",
+                any(target_arch = "aarch64", target_feature = "fma")
+            ))]
+            Proof::UnfusedPortable => kernel.run(Unfused(Portable)),
+            #[cfg(all(feature = "reproducible", target_arch = "x86_64"))]
+            Proof::UnfusedAvx512(level, _)
+                if K::WIDE && (!K::SHUFFLES || level.shuffles_wide()) =>
+            {
+                level.run(
+                    #[inline(always)]
+                    || kernel.run(Unfused(level)),
+                )
+            }
+            #[cfg(all(feature = "reproducible", target_arch = "x86_64"))]
+            Proof::UnfusedAvx2(level) | Proof::UnfusedAvx512(_, level) => level.run(
+                #[inline(always)]
+                || kernel.run(Unfused(level)),
+            ),
         }
     }
 }
@@ -190,6 +271,15 @@ impl Backend {
             Proof::Avx2(_) => "AVX2",
             #[cfg(target_arch = "x86_64")]
             Proof::Avx512(..) => "AVX-512",
+            #[cfg(all(
+                feature = "reproducible",
+                any(target_arch = "aarch64", target_feature = "fma")
+            ))]
+            Proof::UnfusedPortable => "portable, unfused",
+            #[cfg(all(feature = "reproducible", target_arch = "x86_64"))]
+            Proof::UnfusedAvx2(_) => "AVX2, unfused",
+            #[cfg(all(feature = "reproducible", target_arch = "x86_64"))]
+            Proof::UnfusedAvx512(..) => "AVX-512, unfused",
         }
     }
 }

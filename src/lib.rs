@@ -47,8 +47,8 @@
 //! | [`Lanes`], [`Level`], [`simd`] | vectors of numbers, and the proof that the CPU has them |
 //!
 //! The [guide] has pages: [choosing a layout](crate::guide::layout), [writing your own
-//! kernel](crate::guide::kernel), [accuracy](crate::guide::accuracy), [firmware](crate::guide::firmware), and
-//! [coming from another library](crate::guide::migration).
+//! kernel](crate::guide::kernel), [accuracy](crate::guide::accuracy), [the same bits
+//! everywhere](crate::guide::reproducible), [firmware](crate::guide::firmware), and [coming from another library](crate::guide::migration).
 //!
 //! What most programs need is at the root; everything else is in its module alone.
 //!
@@ -56,9 +56,10 @@
 //!
 //! | feature | default | what it does |
 //! |---|---|---|
-//! | `std` | yes | square roots and trigonometry of the standard library; implies `alloc` |
+//! | `std` | yes | square roots of the standard library; implies `alloc` |
 //! | `alloc` | | `Crowd`, owned blocks for any number of instances, and `Skeleton` |
-//! | `libm` | | square roots and trigonometry without std |
+//! | `libm` | | what replaces `std` on targets without it |
+//! | `reproducible` | | `Backend::reproducible`: lanes with the [same bits](crate::guide::reproducible) on every machine |
 //! | `rayon` | | `threads` of every job and of [`Backend`]: any number of them, and the same bits |
 //! | `serde`, `rkyv_08`, `mint_05`, `glam_034`, `nalgebra_035`, `approx_05`, `rand_010`, `arbitrary`, `proptest`, `defmt` | | types of other crates: see [`interop`] |
 //!
@@ -112,16 +113,19 @@ pub mod representation;
 pub mod scalar;
 #[doc(hidden)]
 pub mod seams;
-// Tested where there is something to test it against.
 mod shape;
 mod shared_trait;
-#[cfg(any(all(not(feature = "std"), feature = "libm"), test))]
+#[cfg(any(feature = "std", feature = "libm"))]
 mod sine;
 pub mod skinning;
 pub mod slices;
 pub mod storage;
 pub mod text;
 mod threads;
+
+/// The number of the set of bits that [reproducible](crate::guide::reproducible) results have: a minor release raises it
+/// when they change, a patch release changes none. Machines that compute in lockstep compare it.
+pub const BITS: u32 = 1;
 
 /// The front page is tested like the documentation.
 #[cfg(doctest)]

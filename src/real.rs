@@ -1,16 +1,17 @@
-//! [`Real`]: what the scalar reference computes with; `f32` and `f64`, with square root and
-//! trigonometry from `std` or `libm`.
+//! [`Real`]: what the scalar reference computes with; `f32` and `f64`, with trigonometry that has the same bits
+//! everywhere.
 
 use crate::everyday::Quick;
-#[cfg(all(not(feature = "std"), feature = "libm"))]
+#[cfg(any(feature = "std", feature = "libm"))]
 use crate::sine;
 use core::fmt::{Debug, Display};
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// A number that the scalar reference computes with: `f32`, `f64`, or one of your own.
 ///
-/// The functions of `f32` and `f64` are those of the standard library. Without the feature `std` they
-/// come from the crate `libm`, but for those that it computes in `f64` for `f32`.
+/// The functions of `f32` and `f64` are those of one version of the crate `libm`, but for sine, cosine and tangent of
+/// `f32`, which it would compute in `f64`. The standard library has those of the platform, whose bits differ between
+/// machines.
 ///
 /// Accuracy is promised, and tested, for these two. [`Dual`](crate::Dual) numbers over any `Real` are
 /// `Real` too, so whatever is written for every `R: Real`, the operations of this crate included, can
@@ -111,8 +112,7 @@ pub trait Real:
     }
 }
 
-/// The standard library's functions are inherent and `libm`'s are free, so neither can be reached
-/// through a common trait: this lists each name with its two homes.
+/// Each function with its home, which no common trait can name.
 macro_rules! real {
     ($real:ident, $($name:ident = $home:ident :: $other:ident ( $($argument:ident),* );)*) => {
         impl Real for $real {
@@ -153,12 +153,7 @@ macro_rules! real {
                 operation.compute()
             }
             $(
-                #[cfg(feature = "std")]
-                #[inline]
-                fn $name(self $(, $argument: Self)*) -> Self {
-                    $real::$name(self $(, $argument)*)
-                }
-                #[cfg(all(not(feature = "std"), feature = "libm"))]
+                #[cfg(any(feature = "std", feature = "libm"))]
                 #[inline]
                 fn $name(self $(, $argument: Self)*) -> Self {
                     $home::$other(self $(, $argument)*)

@@ -1,19 +1,22 @@
-//! Sine and cosine of `f32` in `f32`, for targets without std: those of `libm` compute in `f64`, which
-//! takes most microcontrollers a thousand instructions and 9 KB of code. `tests/sweep` has tried every float.
+//! Sine and cosine of `f32` in `f32`: those of `libm` compute in `f64`, which takes most microcontrollers a
+//! thousand instructions and 9 KB of code. `tests/sweep` has tried every float.
 
 /// sin x, within 1.06 units of the last place.
+#[inline]
 pub(crate) fn sin(x: f32) -> f32 {
     let (quarters, rest) = reduce(x);
     of_quarter(quarters, rest)
 }
 
 /// cos x, within 1.06 units of the last place.
+#[inline]
 pub(crate) fn cos(x: f32) -> f32 {
     let (quarters, rest) = reduce(x);
     of_quarter(quarters.wrapping_add(1), rest)
 }
 
 /// tan x, within 3.02 units of the last place.
+#[inline]
 pub(crate) fn tan(x: f32) -> f32 {
     let (quarters, rest) = reduce(x);
     of_quarter(quarters, rest) / of_quarter(quarters.wrapping_add(1), rest)
@@ -27,6 +30,7 @@ struct Precise {
 }
 
 /// sin(kπ/2 + r) for |r| ≤ π/4, by the polynomials of Cephes (Moshier 1984).
+#[inline]
 fn of_quarter(k: u32, r: Precise) -> f32 {
     let Precise { number: r, missing } = r;
     let z = r * r;
@@ -43,8 +47,11 @@ fn of_quarter(k: u32, r: Precise) -> f32 {
 
 /// How many quarter turns are nearest to x, modulo 4, and the rest. NaN unless x is finite.
 ///
+/// Inlined with its callers, so that a sine and a cosine of one angle share it.
+///
 /// In integers (Payne and Hanek 1983), because the rest of a large number, or of one close to a
 /// quarter turn, needs more bits than a float has.
+#[inline]
 fn reduce(x: f32) -> (u32, Precise) {
     /// The first 224 bits of 2/π, after 32 zeros.
     const TWO_OVER_PI: [u32; 8] = [

@@ -228,9 +228,6 @@ fn the_axis_of_the_smallest_turns_is_unit_and_the_moment_overflows_as_documented
 /// Half the angle between the ends: from none, by such as have no square, to nearly half a turn.
 const HALF_ANGLES: [f64; 9] = [0.0, 1e-30, 1e-22, 1e-19, 1e-9, 1e-4, 0.05, 0.7, 1.5];
 
-/// Whether floats have a register for a quaternion; elsewhere they are one lane.
-const IN_REGISTERS: bool = cfg!(any(target_arch = "x86_64", target_arch = "aarch64"));
-
 /// Whether it takes unit motions and a number, and answers a motion.
 fn has_parameter(operation: &Operation) -> bool {
     let case = Case::of_motions([0.0; 8], [0.0; 8], [0.0; 8]);
@@ -314,8 +311,7 @@ fn judge(on: On, operation: &Operation, case: &Case, half: f64, motion: [f64; 8]
     // are, so that it counts |τ| times, until the turn is a radian. The third screw of `squad` has such ends.
     let tau = (2.0 * case.t - 1.0).abs();
     let tau = if *name == "squad" { tau.powi(3) } else { tau };
-    let by_the_book =
-        on.name.starts_with("textbook") || on.name.starts_with("scalar") && IN_REGISTERS;
+    let by_the_book = on.name.starts_with("textbook") || on.name.starts_with("scalar");
     let ends = if by_the_book { 0.0 } else { 0.25 * tau.min(1.0 / half) };
     let off = (squared.sqrt() - 1.0).abs() / (2.0 * on.roundoff());
     assert!(off < 8.0 + ends, "{on:?} {name}: |p| is off by {off:.1} ε at {case:?}");

@@ -98,4 +98,18 @@ fn nothing_better_than_the_limit_computes_where_no_backend_is_named() {
         Backend::limit(None);
         assert_eq!(Backend::best(), best);
     }
+    #[cfg(feature = "reproducible")]
+    {
+        Backend::set_reproducible(true);
+        let reproducible = Backend::reproducible();
+        assert_eq!((Backend::best(), models(None)), (reproducible, models(Some(reproducible))));
+        packed_by_the_best();
+        // The limit holds too, and has the same bits.
+        Backend::limit(Some(Backend::PORTABLE));
+        assert!(Backend::best() <= reproducible);
+        assert_eq!(models(None), models(Some(reproducible)));
+        Backend::limit(None);
+        Backend::set_reproducible(false);
+        assert_eq!(Backend::best(), best);
+    }
 }

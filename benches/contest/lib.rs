@@ -16,3 +16,13 @@ pub mod scene;
 pub mod skeleton;
 pub mod task;
 mod walk;
+
+use dq8::Backend;
+
+/// Those that take part: all that this machine has, and, with the feature `reproducible`, the one that does not fuse.
+pub fn backends() -> impl Iterator<Item = Backend> {
+    #[cfg(feature = "reproducible")]
+    return Backend::available().chain([Backend::reproducible()]);
+    #[cfg(not(feature = "reproducible"))]
+    return Backend::available();
+}

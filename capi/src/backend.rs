@@ -22,6 +22,10 @@ pub enum InstructionSet {
 #[unsafe(no_mangle)]
 pub extern "C" fn dq8_backend_name() -> *const c_char {
     let best = Some(Backend::best());
+    #[cfg(feature = "reproducible")]
+    if best == Some(Backend::reproducible()) && best != Some(Backend::PORTABLE) {
+        return c"reproducible".as_ptr();
+    }
     let name: &'static CStr = if best == Backend::avx512() {
         c"AVX-512"
     } else if best == Backend::avx2() {
@@ -51,4 +55,22 @@ pub extern "C" fn dq8_backend_limit(most: i32) -> Status {
         }
         None => Status::UnknownValue,
     }
+}
+
+/// From now on, in all threads, whether results have the same bits on every machine, for 1.0 to 1.5 times the time: 1 if
+/// they have, 0 if not, as they begin. It goes with every limit. Functions of one motion have the same bits
+/// always.
+///
+/// DQ8_STATUS_UNKNOWN_VALUE if it is neither, or 1 and the library was built without the feature `reproducible`;
+/// nothing changes.
+#[unsafe(no_mangle)]
+pub extern "C" fn dq8_set_reproducible(reproducible: i32) -> Status {
+    match reproducible {
+        #[cfg(feature = "reproducible")]
+        0 | 1 => Backend::set_reproducible(reproducible == 1),
+        #[cfg(not(feature = "reproducible"))]
+        0 => (),
+        _ => return Status::UnknownValue,
+    }
+    Status::Ok
 }

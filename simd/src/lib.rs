@@ -11,6 +11,7 @@
 //! | [`square_root`] | the square root of one number, which `core` does not have |
 //! | [`checked_schedule`] | [`CheckedSchedule`]: results that need earlier results |
 //! | [`mod@plain`] | [`plain!`]: structs that are numbers and nothing else are `bytemuck::Pod` |
+//! | `unfused` | `Unfused`: the lanes of another level, whose `mul_add` rounds twice (feature `reproducible`) |
 //! | [`block`] | [`Block`]: structure-of-arrays memory, a row of numbers for each component |
 //!
 //! Kernels are written once, generic over [`Lanes`], and marked `#[inline(always)]`: a kernel that
@@ -48,6 +49,8 @@ pub mod portable;
 pub mod records;
 mod sealed;
 pub mod square_root;
+#[cfg(feature = "reproducible")]
+pub mod unfused;
 #[cfg(target_arch = "x86_64")]
 pub mod x86_64;
 
@@ -57,6 +60,8 @@ pub use gather::Gather;
 pub use lanes::{Float, Lanes, Level, MAX_LANES, Mask, PackedDualQuat};
 pub use portable::Portable;
 pub use records::Records;
+#[cfg(feature = "reproducible")]
+pub use unfused::Unfused;
 
 /// The portable lane types themselves.
 pub use wide::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};

@@ -59,7 +59,7 @@ pub struct WideMask<V>(V);
 
 /// `wide` offers these operations as inherent methods only, so no generic `impl` can reach them.
 macro_rules! wide_lanes {
-    ($($vector:ident: [$real:ty; $lanes:literal], $part:ty $(, $transpose:ident)?;)*) => {$(
+    ($($vector:ident: [$real:ty; $lanes:literal], $part:ty $(, $transpose:ident)? $(=> $half:ident)?;)*) => {$(
         impl crate::sealed::Sealed for $vector {}
         impl Lanes for $vector {
             type Real = $real;
@@ -110,6 +110,15 @@ macro_rules! wide_lanes {
                 fn sum_quads(vectors: [Self; 4]) -> Self {
                     let [a, b, c, d] = Self::$transpose(vectors);
                     (a + c) + (b + d)
+                }
+            )?
+            $(
+                // Left to sum number by number, the compiler goes through memory: five times as slow with SSE2.
+                #[inline(always)]
+                fn sum_quads(vectors: [Self; 4]) -> Self {
+                    let halves = vectors.map(|vector| bytemuck::cast::<Self, [$half; 2]>(vector));
+                    let sums = [halves.map(|half| half[0]), halves.map(|half| half[1])];
+                    bytemuck::cast(sums.map(<$half as Lanes>::sum_quads))
                 }
             )?
             #[inline(always)]
@@ -170,7 +179,7 @@ macro_rules! wide_lanes {
 }
 wide_lanes! {
     f32x4: [f32; 4], part::F32x4, transpose;
-    f32x8: [f32; 8], part::F32x8;
+    f32x8: [f32; 8], part::F32x8 => f32x4;
     f32x16: [f32; 16], part::F32x16;
     f64x2: [f64; 2], part::F64x2;
     f64x4: [f64; 4], part::F64x4;

@@ -2,7 +2,7 @@
 //! quaternion per register, and several polynomials in the lanes of one register.
 
 use super::quad::{dots, halves, join, load, sum, sums, turn_toward};
-use super::{Four, Number, one_lane};
+use super::{Four, Number};
 use crate::batch::even_coefficients as coefficients;
 use dq8_simd::Lanes;
 
@@ -10,9 +10,6 @@ use dq8_simd::Lanes;
 /// outside [−½, 3/2].
 #[inline]
 pub(super) fn sclerp<F: Number>(a: [F; 8], b: [F; 8], t: F) -> Option<[F; 8]> {
-    if F::REGISTERS == 4 {
-        return one_lane::sclerp(a, b, t);
-    }
     let ([p, q], [r, s]) = (halves(a), halves(b));
     let turn = turn_toward(p, r);
     let (r, s) = (r ^ turn, s ^ turn);
@@ -22,22 +19,19 @@ pub(super) fn sclerp<F: Number>(a: [F; 8], b: [F; 8], t: F) -> Option<[F; 8]> {
     let weights = Weights::of(chord, across, t)?;
     let (middle, along) = (load([weights.middle; 4]), load([weights.along; 4]));
     let (middle_dual, along_dual) = (load([weights.middle_dual; 4]), load([weights.along_dual; 4]));
-    let ahead_dual = ahead_dual.mul_add(middle, ahead * middle_dual);
-    let back_dual = back_dual.mul_add(along, back * along_dual);
-    Some(join(ahead.mul_add(middle, back * along), ahead_dual + back_dual))
+    let ahead_dual = ahead_dual * middle + ahead * middle_dual;
+    let back_dual = back_dual * along + back * along_dual;
+    Some(join(ahead * middle + back * along, ahead_dual + back_dual))
 }
 
 /// As [`sclerp`], of rotations.
 #[inline]
 pub(super) fn slerp<F: Number>(a: [F; 4], b: [F; 4], t: F) -> Option<[F; 4]> {
-    if F::REGISTERS == 4 {
-        return one_lane::slerp(a, b, t);
-    }
     let (a, b): (F::Four, F::Four) = (load(a), load(b));
     let b = b ^ turn_toward(a, b);
     let (ahead, back) = (a + b, a - b);
     let weights = Weights::of(sum(back * back), F::default(), t)?;
-    Some(ahead.mul_add(load([weights.middle; 4]), back * load([weights.along; 4])).to_array())
+    Some((ahead * load([weights.middle; 4]) + back * load([weights.along; 4])).to_array())
 }
 
 /// Dual numbers that 2m = a ± b and −2h = a ∓ b are multiplied by.
@@ -98,7 +92,7 @@ fn horner<V: Four>(rows: &[[V::Number; 4]], x: V) -> V {
     let last = rows.len() - 1;
     let mut sum = load(rows[last]);
     for power in (0..last).rev() {
-        sum = V::mul_add(sum, x, load(rows[power]));
+        sum = sum * x + load(rows[power]);
     }
     sum
 }

@@ -7,8 +7,10 @@
 //!
 //! - `quad`: one quaternion in the four lanes of a register, or of two.
 //! - `between`: interpolation on a screw, in such registers.
-//! - `one_lane`: operations of [`batch`](crate::batch) at one lane: what has no better form, and on
-//!   targets without such registers most of the others.
+//! - `one_lane`: operations of [`batch`](crate::batch) at one lane: what has no better form.
+//!
+//! Nothing is fused, and no form depends on the target: the bits are the same on all of them. So products and sums
+//! are written as such, because `mul_add` of these registers fuses where the target does.
 
 mod between;
 mod one_lane;
@@ -19,7 +21,7 @@ use core::ops::BitXor;
 use dq8_simd::{Float, Lanes, Portable, f32x4, f64x4};
 
 /// An operation that `f32` and `f64` compute in another way than by the book. `None` where they too go by
-/// the book: on this target, or for this input.
+/// the book, for this input.
 pub trait Quick<R> {
     /// The result.
     type Output;
@@ -74,8 +76,6 @@ pub trait Number:
 {
     /// The lanes that hold a quaternion.
     type Four: Four<Number = Self>;
-    /// How many registers these are.
-    const REGISTERS: usize = 4 / <Self::Four as Lanes>::Native::LANES;
     /// The largest power of two that is no larger than this positive normal number.
     fn power_of_two(self) -> Self;
     /// Whether this lies between two positive numbers: one comparison, of bits.

@@ -1,10 +1,9 @@
 //! Operations of [`batch`] at one lane. Screw motions gain because they call no library for a sine or an arccosine and
-//! have no singularity (see `batch/even.rs`). Some others run here only on targets without registers of four numbers.
+//! have no singularity (see `batch/even.rs`).
 
 use super::Number;
 use crate::batch;
 use crate::geometry::DualVector;
-use dq8_simd::Lanes;
 
 /// (θ̂/2)(l + εm)
 #[inline]
@@ -31,35 +30,4 @@ pub(super) fn pow<F: Number>(motion: [F; 8], t: F) -> Option<[F; 8]> {
 #[inline]
 pub(super) fn sqrt<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
     Some(batch::DualQuat::<F>::from_array(motion).sqrt().to_array())
-}
-
-/// a(a*b)ᵗ by the shorter way
-#[inline]
-pub(super) fn sclerp<F: Number>(a: [F; 8], b: [F; 8], t: F) -> Option<[F; 8]> {
-    let (a, b) = (batch::DualQuat::<F>::from_array(a), batch::DualQuat::from_array(b));
-    Some(a.sclerp(b, t).to_array())
-}
-
-/// Turns from a to ±b, by the shorter way.
-#[inline]
-pub(super) fn slerp<F: Number>(a: [F; 4], b: [F; 4], t: F) -> Option<[F; 4]> {
-    let (a, b) = (batch::Quat::<F>::from_array(a), batch::Quat::from_array(b));
-    Some(a.slerp(b, t).to_array())
-}
-
-/// Exact normalization, or all NaN.
-#[inline]
-pub(super) fn unit<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
-    let unit = batch::DualQuat::<F>::from_array(motion).normalize();
-    // A p that is zero or not finite leaves no number in q. Zero times what is not finite is NaN.
-    let [x, y, z, w] = unit.dual().to_array();
-    let zero = F::default();
-    let finite = Lanes::eq(zero * x * y * z * w, zero);
-    Some(if finite { unit.to_array() } else { [F::from_f64(f64::NAN); 8] })
-}
-
-/// σ⁻¹, or all NaN.
-#[inline]
-pub(super) fn inverse<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
-    Some(batch::DualQuat::<F>::from_array(motion).inverse_checked().0.to_array())
 }

@@ -1,14 +1,11 @@
 //! One quaternion in the four lanes of a register, x, y, z, w.
 
-use super::{Four, Number, one_lane};
+use super::{Four, Number};
 use dq8_simd::{Lanes, Mask, Portable};
 
 /// p₁p₂ + ε(p₁q₂ + q₁p₂)
 #[inline(always)]
 pub(super) fn product<F: Number>(a: [F; 8], b: [F; 8]) -> Option<[F; 8]> {
-    if F::REGISTERS == 4 {
-        return None;
-    }
     let ([p, q], [r, s]) = (halves(a), halves(b));
     let (p, q, r, s) = (each(p), each(q), turned(r), turned(s));
     Some(join(sum_of_products(p, r), sum_of_products(p, s) + sum_of_products(q, r)))
@@ -17,9 +14,6 @@ pub(super) fn product<F: Number>(a: [F; 8], b: [F; 8]) -> Option<[F; 8]> {
 /// pq, rounded as the parts of [`product`] are: laws between the two lose nothing.
 #[inline(always)]
 pub(super) fn quaternion_product<F: Number>(a: [F; 4], b: [F; 4]) -> Option<[F; 4]> {
-    if F::REGISTERS == 4 {
-        return None;
-    }
     let (a, b): (F::Four, F::Four) = (load(a), load(b));
     Some(sum_of_products(each(a), turned(b)).to_array())
 }
@@ -39,14 +33,13 @@ pub(super) fn point<F: Number>(motion: [F; 8], point: [F; 3]) -> Option<[F; 3]> 
 /// v + 2p × (p × v + wv)
 #[inline(always)]
 pub(super) fn rotate<F: Number>(rotation: [F; 4], vector: [F; 3]) -> Option<[F; 3]> {
-    // Two registers take longer than four numbers: of these, one in four is of no use here. Where `f64` fills one, with
-    // AVX, it keeps to the reference all the same: its results do not depend on what the build promises.
-    if !F::SINGLE || F::REGISTERS > 1 {
+    // Two registers of `f64` take longer than four numbers: of these, one in four is of no use here.
+    if !F::SINGLE {
         return None;
     }
     let p: F::Four = load(rotation);
     let v = load_three(vector);
-    let turned = cross(p + p, pick(p, [3; 4]).mul_add(v, cross(p, v)));
+    let turned = cross(p + p, pick(p, [3; 4]) * v + cross(p, v));
     let [x, y, z, _] = (turned + v).to_array();
     Some([x, y, z])
 }
@@ -54,9 +47,6 @@ pub(super) fn rotate<F: Number>(rotation: [F; 4], vector: [F; 3]) -> Option<[F; 
 /// t = 2qp*, the one that is in the matrix too.
 #[inline(always)]
 pub(super) fn translation<F: Number>(motion: [F; 8]) -> Option<[F; 3]> {
-    if F::REGISTERS == 4 {
-        return None;
-    }
     let [p, q] = halves(motion);
     let [x, y, z, _] = translation_of(p + p, q).to_array();
     Some([x, y, z])
@@ -66,9 +56,6 @@ pub(super) fn translation<F: Number>(motion: [F; 8]) -> Option<[F; 3]> {
 /// another and their partners in a third.
 #[inline(always)]
 pub(super) fn matrix3x4<F: Number>(motion: [F; 8]) -> Option<[[F; 4]; 3]> {
-    if F::REGISTERS == 4 {
-        return None;
-    }
     let [p, q] = halves(motion);
     let twice = p + p;
     let squares = p * twice;
@@ -86,9 +73,6 @@ pub(super) fn matrix3x4<F: Number>(motion: [F; 8]) -> Option<[[F; 4]; 3]> {
 /// has no normal number.
 #[inline(always)]
 pub(super) fn unit<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
-    if F::REGISTERS == 4 {
-        return one_lane::unit(motion);
-    }
     let [p, q] = halves(motion);
     if let Some(unit) = unit_of(p, q) {
         return Some(unit);
@@ -101,9 +85,6 @@ pub(super) fn unit<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
 /// q / |q|, unless |q| is so large or so small that its square might overflow or vanish.
 #[inline(always)]
 pub(super) fn quaternion_unit<F: Number>(quaternion: [F; 4]) -> Option<[F; 4]> {
-    if F::REGISTERS == 4 {
-        return None;
-    }
     let q: F::Four = load(quaternion);
     let squared = sum(q * q);
     let moderate = squared.constant(1e-6).lt(squared) & squared.lt(squared.constant(1e6));
@@ -126,30 +107,24 @@ fn unit_of_stretched<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
 /// (1−t)a ± tb, by the shorter way
 #[inline(always)]
 pub(super) fn lerp<F: Number>(a: [F; 8], b: [F; 8], t: F) -> Option<[F; 8]> {
-    if F::REGISTERS == 4 {
-        return None;
-    }
     let ([p, q], [r, s]) = (halves(a), halves(b));
     let turn = turn_toward(p, r);
     let t: F::Four = load([t; 4]);
     let rest = t.constant(1.0) - t;
     // Signs are the last to be known: products need not wait for them.
     let (r, s) = ((r * t) ^ turn, (s * t) ^ turn);
-    Some(join(p.mul_add(rest, r), q.mul_add(rest, s)))
+    Some(join(p * rest + r, q * rest + s))
 }
 
 /// p*/|p|² + ε(q/|p|² − 2(p·q)p/|p|⁴)*, for p*qp* = 2(p·q)p* − |p|²q*; as [`unit`].
 #[inline(always)]
 pub(super) fn inverse<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
-    if F::REGISTERS == 4 {
-        return one_lane::inverse(motion);
-    }
     let [p, q] = halves(motion);
     let [squared, along] = moderate(p, q)?;
     let over_squared = squared.constant(1.0) / squared;
     let twice = (along + along) * over_squared;
     let [px, py, pz, pw] = (p * over_squared).to_array();
-    let [qx, qy, qz, qw] = (p.neg_mul_add(twice, q) * over_squared).to_array();
+    let [qx, qy, qz, qw] = ((q - p * twice) * over_squared).to_array();
     Some([-px, -py, -pz, pw, -qx, -qy, -qz, qw])
 }
 
@@ -161,7 +136,7 @@ fn unit_of<V: Four>(p: V, q: V) -> Option<[V::Number; 8]> {
     // roundoff (root mean square, `f32`) instead of 0.77 by one over the root.
     let over_squared = squared.constant(1.0) / squared;
     let over_norm = squared.sqrt() * over_squared;
-    Some(join(p * over_norm, p.neg_mul_add(along * over_squared, q) * over_norm))
+    Some(join(p * over_norm, (q - p * (along * over_squared)) * over_norm))
 }
 
 /// A sign bit in all lanes where `a` and `b` point apart, else none: what turns `b` toward `a`.
@@ -215,13 +190,13 @@ fn translation_of<V: Four>(twice: V, q: V) -> V {
 /// 2(w_p v − w_q p), and a number of no use.
 #[inline(always)]
 fn along<V: Four>(twice: V, v: V, q: V) -> V {
-    pick(q, [3; 4]).neg_mul_add(twice, pick(twice, [3; 4]) * v)
+    pick(twice, [3; 4]) * v - pick(q, [3; 4]) * twice
 }
 
 /// a × b, and a number of no use.
 #[inline(always)]
 fn cross<V: Four>(a: V, b: V) -> V {
-    let turned = pick(a, [1, 2, 0, 3]).neg_mul_add(b, a * pick(b, [1, 2, 0, 3]));
+    let turned = a * pick(b, [1, 2, 0, 3]) - pick(a, [1, 2, 0, 3]) * b;
     pick(turned, [1, 2, 0, 3])
 }
 
@@ -243,7 +218,7 @@ fn turned<V: Four>(b: V) -> [V; 4] {
     ]
 }
 
-/// a_x ib + a_y jb + a_z kb + a_w b, in the pairs of the reference and not fused: the two are the same to the last bit.
+/// a_x ib + a_y jb + a_z kb + a_w b, in the pairs of the reference: the two are the same to the last bit.
 #[inline(always)]
 fn sum_of_products<V: Four>(a: [V; 4], b: [V; 4]) -> V {
     let ([x, y, z, w], [i, j, k, one]) = (a, b);

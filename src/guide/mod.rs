@@ -9,6 +9,9 @@ pub mod kernel {}
 #[doc = include_str!("accuracy.md")]
 pub mod accuracy {}
 
+#[doc = include_str!("reproducible.md")]
+pub mod reproducible {}
+
 #[doc = include_str!("firmware.md")]
 pub mod firmware {}
 

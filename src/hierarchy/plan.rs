@@ -10,12 +10,10 @@ use crate::shape::{ShapeError, same_length};
 use crate::storage::Source;
 use dq8_simd::{CheckedSchedule, Level};
 
-/// From this many joints on, a chain is cut into segments. (Nanoseconds per joint, AVX-512, of 16, 24 and 32
-/// joints: one by one 4.9, 5.6, 6.0; in segments 6.7, 5.3, 4.7. Without AVX2 segments never win.)
+/// From this many joints on, a chain is cut into segments: on every target, because that decides the order of products.
+/// (Nanoseconds per joint, AVX-512, of 16, 24 and 32 joints: one by one 4.9, 5.6, 6.0; in segments 6.7, 5.3, 4.7. Without
+/// AVX2 segments never win.)
 const MIN_CHAIN: usize = 24;
-
-/// Whether chains are cut into segments at all: without AVX2 that never wins, and firmware counts the bytes.
-pub(super) const SEGMENTS: bool = cfg!(target_arch = "x86_64");
 
 /// The order in which one instance of a hierarchy is computed, found once, in memory of the caller's: what a
 /// [`Skeleton`](super::Skeleton) keeps for itself, for those without a heap.
@@ -135,8 +133,7 @@ impl<'a> Plan<'a> {
     ) {
         match self.order {
             Some(order) => backend.run(Walk { order, locals, models }),
-            None if SEGMENTS => backend.scan(locals, models),
-            None => {}
+            None => backend.scan(locals, models),
         }
     }
 }
@@ -147,12 +144,11 @@ pub(super) fn split_roots(order: &[[u32; 2]]) -> (&[[u32; 2]], &[[u32; 2]]) {
     order.split_at_checked(roots).unwrap_or_default()
 }
 
-/// Whether every joint hangs from the one before it, and the chain is so long that segments are faster.
+/// Whether every joint hangs from the one before it, and the chain is long.
 pub(super) fn is_long_chain(order: &[[u32; 2]]) -> bool {
     // The mark of the root is what comes before 0.
     let links = |(joint, &pair): (u32, &[u32; 2])| pair == [joint, joint.wrapping_sub(1)];
-    let is_long = SEGMENTS && order.len() >= MIN_CHAIN && Backend::best() != Backend::PORTABLE;
-    is_long && (0..).zip(order).all(links)
+    order.len() >= MIN_CHAIN && (0..).zip(order).all(links)
 }
 
 struct Walk<'p, 's, R> {

@@ -21,8 +21,7 @@ pub(super) fn applies<E: Element<8>>(run: &Run<'_, E>, models: usize) -> bool {
 }
 
 /// Locals as motions in place of the models, roots on what they stand on, the plan, the epilogue: each
-/// joint is multiplied onto its parent by the product of all other runs, so a tree has the same bits (where a register
-/// holds one number, they multiply in another order).
+/// joint is multiplied onto its parent by the product of all other runs, so a tree has the same bits.
 pub(super) fn forward<E: Element<8>, L: Locals<E>, X: Epilogue<E>>(
     backend: Backend,
     plan: Plan<'_>,

@@ -218,7 +218,7 @@ fn normalize_lanes<E: Element<8>, V: Level>(
 }
 
 /// One instance where a register holds one number. Models go through memory, since eight numbers would not stay in
-/// registers anyway. No other loop has to give the same bits here, so rotations are multiplied on as they are.
+/// registers anyway. The product is the one of all other loops, on targets with wider registers too.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn alone<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     level: V,
@@ -239,7 +239,11 @@ fn alone<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
             None => run.root.load(level, instance, 0),
         };
         let model = match parent {
-            Some(parent) => locals.onto(level, parent, models, slot),
+            Some(parent) => {
+                let Some(local) = locals.load(level, models, slot) else { return };
+                let product = product_in_lanes(parent.to_array(), local.to_array());
+                Some(batch::DualQuat::from_array(product))
+            }
             None => locals.load(level, models, slot),
         };
         let Some(mut model) = model else { return };

@@ -8,8 +8,12 @@ use crate::operation::{Answer, Call, Domain};
 use crate::operations::Calls;
 use crate::sample::Sample;
 #[cfg(target_arch = "x86_64")]
-use crate::sample::{Avx2, Avx512, Level, Proof};
+use crate::sample::{Avx2, Avx512, Proof};
+#[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+use crate::sample::{Level, Unfused};
 use crate::textbook::Textbook;
+#[cfg(any(target_arch = "aarch64", target_feature = "fma"))]
+use dq8::simd::Portable;
 use dq8::{DualQuat, batch};
 use std::fmt;
 
@@ -190,4 +194,17 @@ implementations! {
     avx512_f32x16 "lanes AVX-512 f32x16" = batch::DualQuat<<Avx512 as Level>::F32x16>, where Avx512::is_there();
     #[cfg(target_arch = "x86_64")]
     avx512_f64x8 "lanes AVX-512 f64x8" = batch::DualQuat<<Avx512 as Level>::F64x8>, where Avx512::is_there();
+    // Elsewhere they are those above.
+    #[cfg(any(target_arch = "aarch64", target_feature = "fma"))]
+    unfused_f32x8 "lanes unfused f32x8" = batch::DualQuat<<Unfused<Portable> as Level>::F32x8>, where true;
+    #[cfg(any(target_arch = "aarch64", target_feature = "fma"))]
+    unfused_f64x4 "lanes unfused f64x4" = batch::DualQuat<<Unfused<Portable> as Level>::F64x4>, where true;
+    #[cfg(target_arch = "x86_64")]
+    unfused_avx2_f32x8 "lanes unfused AVX2 f32x8" = batch::DualQuat<<Unfused<Avx2> as Level>::F32x8>, where Avx2::is_there();
+    #[cfg(target_arch = "x86_64")]
+    unfused_avx2_f64x4 "lanes unfused AVX2 f64x4" = batch::DualQuat<<Unfused<Avx2> as Level>::F64x4>, where Avx2::is_there();
+    #[cfg(target_arch = "x86_64")]
+    unfused_avx512_f32x16 "lanes unfused AVX-512 f32x16" = batch::DualQuat<<Unfused<Avx512> as Level>::F32x16>, where Avx512::is_there();
+    #[cfg(target_arch = "x86_64")]
+    unfused_avx512_f64x8 "lanes unfused AVX-512 f64x8" = batch::DualQuat<<Unfused<Avx512> as Level>::F64x8>, where Avx512::is_there();
 }

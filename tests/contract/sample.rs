@@ -8,6 +8,7 @@ use dq8::{
 };
 
 pub use dq8::Level;
+pub use dq8_simd::Unfused;
 #[cfg(target_arch = "x86_64")]
 pub use dq8_simd::x86_64::{Avx2, Avx512};
 
@@ -156,6 +157,15 @@ impl Proof for Portable {
     }
     fn proof() -> Self {
         Self
+    }
+}
+
+impl<V: Proof> Proof for Unfused<V> {
+    fn is_there() -> bool {
+        V::is_there()
+    }
+    fn proof() -> Self {
+        Self(V::proof())
     }
 }
 

@@ -24,6 +24,7 @@ impl Families {
 /// in a single number.
 fn family(on: On) -> Option<&'static str> {
     let lanes = on.name.strip_prefix("lanes ")?;
-    let fused = cfg!(target_feature = "fma") && !lanes.ends_with("x1");
-    Some(if lanes.starts_with("AVX") || fused { "fused" } else { "portable" })
+    let portable_fuses = cfg!(any(target_arch = "aarch64", target_feature = "fma"));
+    let fuses = portable_fuses && !lanes.ends_with("x1") && !lanes.starts_with("unfused");
+    Some(if lanes.starts_with("AVX") || fuses { "fused" } else { "portable" })
 }

@@ -3,7 +3,8 @@
 #
 #     bash tests/hosts/run.sh                       # every host, all tests
 #     bash tests/hosts/run.sh aarch64 s390x         # these hosts
-#     bash tests/hosts/run.sh --quick s390x         # only the tests of the lanes
+#     bash tests/hosts/run.sh --quick s390x         # only the tests of the lanes and the hashes of all bits
+#     bash tests/hosts/run.sh --bits                # only those hashes, on every host
 #
 # Needs Debian, and installs from it what is missing: no Rust target or component is downloaded. The standard library of each
 # host is compiled from Debian's source.
@@ -11,10 +12,11 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 
 # Programs have tests too, of which some look for files by other paths than those of the build; papers are in lab.
-hosts=() packages=(dq8 dq8-simd dq8-robot) programs=(dq8-mocap dq8-contest dq8-compare dq8-hand-eye) papers=(--package=lab --test papers)
+hosts=() packages=(dq8 dq8-simd dq8-robot) programs=(dq8-mocap dq8-contest dq8-compare dq8-hand-eye) papers=(--manifest-path lab/Cargo.toml --test papers)
 for argument; do
   case $argument in
     --quick) packages=(dq8-simd) programs=() papers=() ;;
+    --bits) packages=() programs=() papers=() ;;
     aarch64 | armv7 | s390x | wasm32) hosts+=("$argument") ;;
     *) echo "no such host: $argument" >&2; exit 2 ;;
   esac
@@ -53,6 +55,18 @@ run() {
     /usr/bin/cargo test --quiet --no-fail-fast --target "$target" "$@"
 }
 
+# The same arguments: the hashes of everything, a workspace of its own.
+bits() {
+  run "$@" --manifest-path tests/bits/Cargo.toml
+}
+
+# The same arguments: the packages that are asked for.
+suite() {
+  local host=("${@:1:4}")
+  shift 4
+  [ ${#packages[@]} -eq 0 ] || run "${host[@]}" "${packages[@]}" "$@"
+}
+
 # The same arguments: the worked examples of the papers. Not where QEMU must not see optimised code, which lab is.
 of_papers() {
   [ ${#papers[@]} -eq 0 ] || run "$@" "${papers[@]}"
@@ -65,25 +79,30 @@ for host in "${hosts[@]}"; do
   case $host in
     aarch64)
       emulated=(aarch64-unknown-linux-gnu aarch64-linux-gnu-gcc 'qemu-aarch64 -L /usr/aarch64-linux-gnu' -Zbuild-std)
-      run "${emulated[@]}" --tests "${packages[@]}" "${programs[@]}" && of_papers "${emulated[@]}" ;;
+      bits "${emulated[@]}" && suite "${emulated[@]}" --tests "${programs[@]}" && of_papers "${emulated[@]}" ;;
     armv7)
       emulated=(armv7-unknown-linux-gnueabihf arm-linux-gnueabihf-gcc 'qemu-arm -L /usr/arm-linux-gnueabihf' -Zbuild-std)
-      run "${emulated[@]}" --tests "${packages[@]}" "${programs[@]}" && of_papers "${emulated[@]}" ;;
+      bits "${emulated[@]}" && suite "${emulated[@]}" --tests "${programs[@]}" && of_papers "${emulated[@]}" ;;
     s390x)
       # Not optimised, not even what the workspace optimises for its tests: QEMU before 8.0 computes MDEBR (f32 · f32 as
       # f64) wrongly, which only the optimiser uses.
       plain=(--config 'profile.dev.package.dq8-simd.opt-level=0' --config 'profile.dev.package.dq8-contract.opt-level=0'
         --config 'profile.dev.package.dq8-fixtures.opt-level=0' --config 'profile.dev.package.dq8-arms.opt-level=0')
-      CARGO_PROFILE_DEV_OPT_LEVEL=0 run s390x-unknown-linux-gnu s390x-linux-gnu-gcc 'qemu-s390x -L /usr/s390x-linux-gnu' \
-        -Zbuild-std "${plain[@]}" --tests "${packages[@]}" "${programs[@]}" ;;
+      emulated=(s390x-unknown-linux-gnu s390x-linux-gnu-gcc 'qemu-s390x -L /usr/s390x-linux-gnu' -Zbuild-std)
+      (
+        export CARGO_PROFILE_DEV_OPT_LEVEL=0
+        bits "${emulated[@]}" && suite "${emulated[@]}" "${plain[@]}" --tests "${programs[@]}"
+      ) ;;
     wasm32)
       # Debian's C library instead of the one that rustup would bring along. Without one test that needs a thread, and
       # without the tests of programs. One compiler of node's from the start: node 20
       # crashes at the end of a program that it has begun to compile again.
-      RUSTFLAGS="-Ctarget-feature=+simd128 -Clink-self-contained=no -Clink-arg=/usr/lib/wasm32-wasi/crt1-command.o
-        -Clink-arg=-L/usr/lib/wasm32-wasi -Clink-arg=--allow-undefined" \
-        run wasm32-wasip1 wasm-ld "node --no-liftoff $PWD/tests/hosts/wasi.mjs" -Zbuild-std=std,panic_abort,test "${packages[@]}" \
-        --lib --test '*' -- --skip a_long_chain_needs_no_stack ;;
+      emulated=(wasm32-wasip1 wasm-ld "node --no-liftoff $PWD/tests/hosts/wasi.mjs" -Zbuild-std=std,panic_abort,test)
+      (
+        export RUSTFLAGS="-Ctarget-feature=+simd128 -Clink-self-contained=no -Clink-arg=/usr/lib/wasm32-wasi/crt1-command.o
+          -Clink-arg=-L/usr/lib/wasm32-wasi -Clink-arg=--allow-undefined -Clink-arg=-zstack-size=8388608"
+        bits "${emulated[@]}" && suite "${emulated[@]}" --lib --test '*' -- --skip a_long_chain_needs_no_stack
+      ) ;;
   esac >"$log" 2>&1 || status=$?
   # How many tests passed: a host on which nothing ran has shown nothing.
   passed=$(awk '/^test result: ok/ { sum += $4 } END { print sum + 0 }' "$log")

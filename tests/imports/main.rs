@@ -121,6 +121,7 @@ const SIMD_MAY_IMPORT: &[(&str, &[&str])] = &[
     ("checked_schedule", &["index"]),
     ("portable", &["lanes", "sealed"]),
     ("one", &["lanes", "portable", "square_root"]),
+    ("unfused", &["lanes"]),
     ("pair", &["lanes", "sealed"]),
     ("detect", &[]),
     ("x86_64", &["lanes", "pair", "sealed", "detect"]),

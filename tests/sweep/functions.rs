@@ -1,11 +1,11 @@
-//! Functions of one variable on the lanes of every backend, and those that `f32` has without std, in units of
+//! Functions of one variable on the lanes of every backend, and those of single `f32`, in units of
 //! the last place. The guide has the worst of all floats: the bounds are read from it.
 
+use crate::stride;
 use crate::worst::WORST;
-use crate::{sine, stride};
 use dq8::batch::Dual;
 use dq8::storage::{self, Element};
-use dq8::{Backend, Kernel, Lanes, Level};
+use dq8::{Backend, Kernel, Lanes, Level, Real};
 use std::f64::consts::FRAC_PI_2;
 
 /// How many floats a backend gets at once.
@@ -66,7 +66,7 @@ fn on_every_backend<F: Function + Copy + 'static>(function: F) -> Vec<Form> {
     Backend::available().map(form).collect()
 }
 
-fn without_std(function: fn(f32) -> f32) -> Vec<Form> {
+fn of_single(function: fn(f32) -> f32) -> Vec<Form> {
     let each = move |numbers: &mut [f32]| numbers.iter_mut().for_each(|x| *x = function(*x));
     vec![("f32".to_owned(), Box::new(each))]
 }
@@ -111,13 +111,17 @@ fn rows() -> Vec<Row> {
         "recip" Odd recip real f64::recip;
         "recip, dual part" Even recip dual |x| -x.powi(-2);
     };
-    let without_std =
-        |name, parity, exact, function| Row { name, parity, exact, forms: without_std(function) };
-    rows.extend([
-        without_std("sin, no std", Odd, f64::sin, sine::sin),
-        without_std("cos, no std", Even, f64::cos, sine::cos),
-        without_std("tan, no std", Odd, f64::tan, sine::tan),
-    ]);
+    let mut single = |name, parity, exact, function| {
+        rows.push(Row { name, parity, exact, forms: of_single(function) });
+    };
+    single("sin, single", Odd, f64::sin, Real::sin);
+    single("cos, single", Even, f64::cos, Real::cos);
+    single("tan, single", Odd, f64::tan, Real::tan);
+    single("asin, single", Odd, f64::asin, Real::asin);
+    single("acos, single", Neither, f64::acos, Real::acos);
+    single("atan, single", Odd, f64::atan, Real::atan);
+    single("exp, single", Neither, f64::exp, Real::exp);
+    single("ln, single", Neither, f64::ln, Real::ln);
     rows
 }
 

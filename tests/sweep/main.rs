@@ -8,9 +8,6 @@ mod functions;
 mod motions;
 mod worst;
 
-#[path = "../../src/sine.rs"]
-mod sine;
-
 fn stride() -> u32 {
     match std::env::var("DQ8_SWEEP_STRIDE") {
         Err(_) => 65_537,

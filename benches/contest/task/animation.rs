@@ -1,6 +1,7 @@
 //! What a crowd needs for a frame: two clips sampled at each character's own times, blended by its own weight,
 //! to model space, and the palette of 3×4 matrices.
 
+use crate::backends;
 use crate::contest::Contest;
 use crate::memory::{Element, Product, Representation, Rows3x4, double};
 use crate::scene::{Scene, Shape};
@@ -113,7 +114,7 @@ pub(crate) fn with_contest(instances: usize, run: &mut dyn FnMut(&Contest<'_>)) 
         expected: crowd.expected(apart),
         ..Contest::new("J6", format!("{joints}x{instances} animated"), title)
     };
-    for backend in Backend::available() {
+    for backend in backends() {
         plain(&mut contest, &crowd, backend);
         motions(&mut contest, &crowd, backend);
         contest.last_should(crowd.expected(DualQuat::nlerp));

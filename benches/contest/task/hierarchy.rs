@@ -1,5 +1,6 @@
 //! Down the joints of many skeletons, or of one.
 
+use crate::backends;
 use crate::contest::Contest;
 use crate::limit::{Limit, Limited};
 use crate::memory::{Own, Packed, Product, QuatVec3A};
@@ -136,7 +137,7 @@ impl<'a> Field<'a, '_> {
             return;
         }
         let hierarchy = self.hierarchy;
-        for backend in Backend::available() {
+        for backend in backends() {
             self.add::<P>(
                 format!("dq8 {layout} {backend}"),
                 Some(backend),
@@ -154,7 +155,7 @@ impl<'a> Field<'a, '_> {
 
     fn rotations<P: Own>(&mut self, layout: &str) {
         let Self { scene, hierarchy, .. } = *self;
-        for backend in Backend::available() {
+        for backend in backends() {
             let memory = || {
                 let input = (scene.rotations().pack::<P::Rotation>(), scene.roots().pack::<P>());
                 (input, scene.locals.pack::<P>())
@@ -173,7 +174,7 @@ impl<'a> Field<'a, '_> {
     /// In an order that is found once.
     fn plan(&mut self) {
         let Self { scene, hierarchy, .. } = *self;
-        for backend in Backend::available() {
+        for backend in backends() {
             let memory = move || {
                 let input = (Skeleton::from(hierarchy), scene.locals.pack::<Motion>());
                 (input, scene.locals.pack::<Motion>())
@@ -191,7 +192,7 @@ impl<'a> Field<'a, '_> {
     /// A chain with a segment in each lane.
     fn segments<P: Own>(&mut self, lanes: &str) {
         let scene = self.scene;
-        for backend in Backend::available() {
+        for backend in backends() {
             let memory = move || {
                 let links = P::links(scene.locals.different());
                 (links.clone(), links)

@@ -1,5 +1,6 @@
 //! An operation on every pair of two slices.
 
+use crate::backends;
 use crate::caches::{Caches, Footprint, Level};
 use crate::contest::Contest;
 use crate::limit::{Limit, Limited};
@@ -279,7 +280,7 @@ impl Pairs {
         layout: &str,
         kernel: impl Fn(Backend, &[P], &[P], &mut [P]) -> Result<(), ShapeError> + Copy + 'a,
     ) {
-        for backend in Backend::available() {
+        for backend in backends() {
             let pass = move |(a, b): &(Vec<P>, Vec<P>), output: &mut [P]| {
                 kernel(backend, a, b, output).expect("slices of one length");
             };

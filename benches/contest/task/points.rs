@@ -1,5 +1,6 @@
 //! Points, moved by one motion or each by its own.
 
+use crate::backends;
 use crate::caches::{Caches, Footprint, Level};
 use crate::contest::Contest;
 use crate::memory::{Many, Own, Packed, QuatVec3A, double, single};
@@ -107,7 +108,7 @@ struct Field<'a, 'c> {
 impl<'a> Field<'a, '_> {
     fn own<M: Own>(&mut self, layout: &str) {
         let one = self.scene.one();
-        for backend in Backend::available() {
+        for backend in backends() {
             self.add(
                 format!("dq8 {layout} {backend}"),
                 Some(backend),

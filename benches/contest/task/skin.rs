@@ -3,6 +3,7 @@
 //! ozz-animation is C++. What is here is its layout and its order of computing, in the lanes of the build target, which is
 //! not its code.
 
+use crate::backends;
 use crate::contest::Contest;
 use crate::memory::{double, single};
 use dq8::skinning::{DualBlend, Linear, Skin, Surface, SurfaceMut, dual_blend, linear_blend};
@@ -80,7 +81,7 @@ pub(super) fn with_contest(run: &mut dyn FnMut(&Contest<'_>)) {
     };
     let numbers = |posed: &[[f32; 3]], index: usize| posed[index].map(f64::from).to_vec();
     let memory = || (scene.points.clone(), scene.points.clone());
-    for backend in Backend::available() {
+    for backend in backends() {
         let (skin, matrices, motions) = (&skin, &matrices[..], &scene.motions[..]);
         let linear = move |points: &Vec<[f32; 3]>, posed: &mut [[f32; 3]]| {
             let (from, to) = (Surface::positions(points), SurfaceMut::positions(posed));

@@ -180,6 +180,7 @@ fn what_else_is_wrong() {
             (dq8_check_parents([-1, 5].as_ptr(), 2, ptr::null_mut()), Status::ParentOutOfRange),
             (dq8_check_parents(ptr::null(), usize::MAX, ptr::null_mut()), Status::NullPointer),
             (dq8_capi::backend::dq8_backend_limit(3), Status::UnknownValue),
+            (dq8_capi::backend::dq8_set_reproducible(2), Status::UnknownValue),
         ]
     };
     answers(results);

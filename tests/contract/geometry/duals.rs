@@ -1,9 +1,6 @@
 //! Functions of dual numbers: every error is relative to the number itself, unless that is a sum.
 
-use super::scale::duals::*;
-use crate::bound::within;
-
-geometry! {
+geometry! { duals:
     "Dual::mul"(a: dual, b: dual) -> dual, product, [
         within(1.5, "a sum of two products")],
         plain a * b;

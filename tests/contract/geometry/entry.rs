@@ -5,10 +5,13 @@ use crate::lanes::Row;
 use crate::sample::Sample;
 use dq8::representation::EulerOrder;
 
-/// Everything that the lines of a table become.
+/// Everything that the lines of a table become; the scales are those of a module. `tests/bits` reads the same tables.
 macro_rules! geometry {
-    ($($name:literal($($field:ident: $shape:ident),*) -> $result:ident, $scales:expr,
+    ($scale:ident: $($name:literal($($field:ident: $shape:ident),*) -> $result:ident, $scales:expr,
         [$($bound:expr),* $(,)?], $how:ident $scalar:expr $(, $lanes:expr)?;)*) => {
+        #[allow(unused_imports, reason = "most tables need all of them")]
+        use $crate::{bound::{on, within}, geometry::scale::{each, $scale::*}};
+
         pub(super) const OPERATIONS: &[$crate::geometry::Operation] =
             &[$($crate::geometry::Operation {
                 name: $name,

@@ -1,10 +1,8 @@
 //! Lines and planes together: where they meet, and how they pass each other.
 
-use super::scale::{each, lines::*};
-use crate::bound::{on, within};
 use dq8::Line;
 
-geometry! {
+geometry! { lines:
     "Line::from_planes"(a: plane, b: plane) -> line, line_from_planes, [
         within(3.0, "two planes made unit, a cross product over its length")],
         tried Line::from_planes(a, b), Line::from_planes_checked(a, b);

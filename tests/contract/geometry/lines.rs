@@ -1,10 +1,8 @@
 //! Lines and planes by themselves: made of points and directions, normalized, distances of points.
 
-use super::scale::{each, lines::*};
-use crate::bound::{on, within};
 use dq8::{Line, Plane};
 
-geometry! {
+geometry! { lines:
     "Line::from_point_direction"(p: point, l: point) -> line,
         |v| [each(3, v.norm("l")), each(3, v.norm("p") * v.norm("l"))].concat(), [
         within(1.1, "a cross product")],

@@ -1,11 +1,9 @@
 //! Maps of points: affine ones, and rotations with translations.
 
-use super::scale::{each, maps::*};
-use crate::bound::{on, within};
 use dq8::batch;
 use dq8::representation::{Affine, RotationTranslation};
 
-geometry! {
+geometry! { maps:
     "Affine::from_motion"(a: unit_motion) -> map, of_motion, [
         within(10.5, "normalized first; squares and sums of products, doubled")],
         plain Affine::from_motion(a), batch::Affine::from_motion(a);

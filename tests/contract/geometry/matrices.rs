@@ -1,12 +1,10 @@
 //! Matrices that are, or are near, rotations and rigid motions.
 
-use super::scale::{each, matrices::*};
-use crate::bound::{on, within};
 use dq8::batch;
 use dq8::representation::{Polar, gram_schmidt};
 use dq8::{DualQuat, Quat};
 
-geometry! {
+geometry! { matrices:
     "Polar::try_from_matrix3"(rows: matrix3) -> polar, polar, [
         on(&["close"], 1.6, "of the scale, which is over the two smaller singular values"),
         within(12.0, "an eigenvector of a 4×4 matrix by Jacobi rotations, each of which rounds all of it; products of R and A")],

@@ -1,10 +1,8 @@
 //! Quaternions by themselves.
 
-use super::scale::{each, quaternions::*};
-use crate::bound::{on, within};
 use dq8::{DualQuat, Quat, batch};
 
-geometry! {
+geometry! { quaternions:
     "Quat::mul"(a: quat, b: quat) -> quat, product, [
         within(1.7, "sums of 4 products")],
         plain a * b;

@@ -1,11 +1,9 @@
 //! Rotations in other forms.
 
-use super::scale::rotations::*;
-use crate::bound::{on, within};
 use dq8::batch;
 use dq8::representation::EulerAngles;
 
-geometry! {
+geometry! { rotations:
     "EulerAngles::to_quat"(angles: point, order: order) -> quat, euler_to_quat, [
         on(&["near0"], 1.6, "small angles are halved, and multiplied by cosines of 1"),
         within(4.8, "three sines and cosines, and products of three")],

@@ -1,10 +1,8 @@
 //! Dual vectors, screws, twists and wrenches, and the limb of two bones.
 
-use super::scale::{each, screws::*};
-use crate::bound::{on, within};
 use dq8::{batch, ik::TwoBone};
 
-geometry! {
+geometry! { screws:
     "DualVector::cross"(a: dual_vector, b: dual_vector) -> dual_vector, cross, [
         within(1.9, "sums of 2 and 4 products")],
         plain a.cross(b);

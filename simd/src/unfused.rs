@@ -1,0 +1,172 @@
+//! [`Unfused`]: the lanes of another level, whose `mul_add` rounds twice.
+//!
+//! IEEE 754 fixes every bit of +, −, ×, ÷ and √, and the compiler never fuses a product with a sum by itself. So lanes
+//! that do not fuse either have the same bits with every instruction set and every width (NaN aside, of which there are many).
+
+use crate::lanes::{Lanes, Level, PackedDualQuat};
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A level, or a vector of it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Unfused<T>(pub T);
+
+impl<V: Level> Level for Unfused<V> {
+    type F32x4 = Unfused<V::F32x4>;
+    type F32x8 = Unfused<V::F32x8>;
+    type F32x16 = Unfused<V::F32x16>;
+    type F64x2 = Unfused<V::F64x2>;
+    type F64x4 = Unfused<V::F64x4>;
+    type F64x8 = Unfused<V::F64x8>;
+    type Single = Unfused<V::Single>;
+    type Double = Unfused<V::Double>;
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn fence(self) {
+        self.0.fence();
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn prefetch<T>(self, value: &T) {
+        self.0.prefetch(value);
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn prefetch_every<T>(self, memory: &[T], stride: usize, count: usize) {
+        self.0.prefetch_every(memory, stride, count);
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn locate<T>(self, value: &T) -> &T {
+        self.0.locate(value)
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn run<R>(self, kernel: impl FnOnce() -> R) -> R {
+        self.0.run(kernel)
+    }
+}
+
+impl<L> crate::sealed::Sealed for Unfused<L> {}
+impl<L: Lanes> Lanes for Unfused<L> {
+    type Real = L::Real;
+    type Mask = L::Mask;
+    type Level = Unfused<L::Level>;
+    type Native = Unfused<L::Native>;
+    type Array = L::Array;
+    const LANES: usize = L::LANES;
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn level(self) -> Self::Level {
+        Unfused(self.0.level())
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn splat(level: Self::Level, value: L::Real) -> Self {
+        Self(L::splat(level.0, value))
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn load(level: Self::Level, from: &L::Array) -> Self {
+        Self(L::load(level.0, from))
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn store(self, to: &mut L::Array) {
+        self.0.store(to);
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    unsafe fn stream(self, to: &mut L::Array) {
+        // SAFETY: the same promise.
+        unsafe { self.0.stream(to) }
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    unsafe fn load_quads(
+        level: Self::Level,
+        from: *const L::Real,
+        place: impl Fn(usize) -> usize,
+    ) -> [Self; 4] {
+        // SAFETY: the same promise.
+        let [x, y, z, w] = unsafe { L::load_quads(level.0, from, place) };
+        [Self(x), Self(y), Self(z), Self(w)]
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    unsafe fn store_quads([x, y, z, w]: [Self; 4], to: *mut L::Real, stride: usize) {
+        // SAFETY: the same promise.
+        unsafe { L::store_quads([x.0, y.0, z.0, w.0], to, stride) }
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    unsafe fn store_triples([x, y, z]: [Self; 3], to: *mut L::Real) {
+        // SAFETY: the same promise.
+        unsafe { L::store_triples([x.0, y.0, z.0], to) }
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn sum_quads([a, b, c, d]: [Self; 4]) -> Self {
+        Self(L::sum_quads([a.0, b.0, c.0, d.0]))
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn mul_add(self, factor: Self, addend: Self) -> Self {
+        self * factor + addend
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn neg_mul_add(self, factor: Self, addend: Self) -> Self {
+        addend - self * factor
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn sqrt(self) -> Self {
+        Self(self.0.sqrt())
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn abs(self) -> Self {
+        Self(self.0.abs())
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn copysign(self, sign: Self) -> Self {
+        Self(self.0.copysign(sign.0))
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn lt(self, other: Self) -> Self::Mask {
+        self.0.lt(other.0)
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn le(self, other: Self) -> Self::Mask {
+        self.0.le(other.0)
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn eq(self, other: Self) -> Self::Mask {
+        self.0.eq(other.0)
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self {
+        Self(L::select(mask, yes.0, no.0))
+    }
+}
+
+impl<L: PackedDualQuat> PackedDualQuat for Unfused<L> {
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn load_twice(level: Self::Level, from: &[L::Real; 4]) -> Self {
+        Self(L::load_twice(level.0, from))
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn columns(self) -> [Self; 4] {
+        let [x, y, z, w] = self.0.columns();
+        [Self(x), Self(y), Self(z), Self(w)]
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn raised(self) -> Self {
+        Self(self.0.raised())
+    }
+}
+
+macro_rules! operator {
+    ($($trait:ident $method:ident;)*) => {$(
+        impl<L: $trait<Output = L>> $trait for Unfused<L> {
+            type Output = Self;
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            fn $method(self, other: Self) -> Self {
+                Self(self.0.$method(other.0))
+            }
+        }
+    )*};
+}
+operator! { Add add; Sub sub; Mul mul; Div div; }
+
+impl<L: Neg<Output = L>> Neg for Unfused<L> {
+    type Output = Self;
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}

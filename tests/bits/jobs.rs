@@ -1,0 +1,335 @@
+//! Every job over slices, skeletons, robots and skins, of one precision: `super::R`.
+
+use super::R;
+use crate::deal::Hash;
+use crate::random::Random;
+use dq8::hierarchy::{
+    Clip, Layered, MatrixOrder, Plan, PlanScratch, Poses, Renormalize, RotationsTranslations,
+    Sampled,
+};
+use dq8::law::{Nlerp, NlerpLerp, Sclerp};
+use dq8::skinning::{Blender, DualBlend, Linear, Skin, Surface, SurfaceMut};
+use dq8::storage::{Block, Element, pack, pack_chain, unpack, unpack_chain};
+use dq8::{Backend, DualQuat, Hierarchy, Twist};
+use dq8_robot::ik::{Freedom, Options, Report};
+use dq8_robot::{Goal, Joint, Mechanism, Reach, Step, World};
+
+type M = DualQuat<R>;
+type Motions = Block<R, 8>;
+
+/// Seven joints, eight instances, and five motions more, so that no width of lanes divides them.
+const JOINTS: usize = 7;
+const INSTANCES: usize = 8;
+const N: usize = JOINTS * INSTANCES + 5;
+const BLOCKS: usize = N.div_ceil(8);
+const PARENTS: [u32; JOINTS] = [Hierarchy::ROOT, 0, 1, 0, 3, Hierarchy::ROOT, 4];
+
+fn hash<T: bytemuck::NoUninit>(things: &[T]) -> u64 {
+    let mut hash = Hash(1);
+    bytemuck::cast_slice::<T, R>(things).iter().for_each(|&number| hash.number(number));
+    hash.0
+}
+
+/// Things in blocks.
+fn blocks<const C: usize, E>(things: &[E]) -> [Block<R, 8, C>; BLOCKS]
+where
+    E: Element<C, Layout = dq8::storage::Aos<R>>,
+{
+    let mut blocks = [Block::splat([0.0; C]); BLOCKS];
+    pack(1, things, &mut blocks).expect("as many as there are");
+    blocks
+}
+
+/// Of blocks the hash that single things would have.
+fn hash_blocks<const C: usize, E>(blocks: &[Block<R, 8, C>], mut like: [E; N]) -> u64
+where
+    E: Element<C, Layout = dq8::storage::Aos<R>> + bytemuck::NoUninit,
+{
+    unpack(1, blocks, &mut like).expect("as many as there are");
+    hash(&like)
+}
+
+pub(crate) fn run(k: Backend, say: &mut dyn FnMut(&str, u64)) {
+    let mut random = Random::new(88_172_645_463_325_252);
+    let mut motions = || [(); N].map(|()| M::from_array(random.motion()));
+    let (a, b, c) = (motions(), motions(), motions());
+    let any = [(); N].map(|()| M::from_array(random.numbers()));
+    let t: [R; N] = [(); N].map(|()| 0.5 + 0.5 * random.signed::<R>());
+    let points: [[R; 3]; N] = [(); N].map(|()| random.numbers());
+    let logs: [[R; 6]; N] = [(); N].map(|()| random.numbers());
+    slices(k, say, [&a, &b, &c, &any], &t, &points, &logs);
+    trajectories(k, say, &a, &t);
+    hierarchies(k, say, [&a, &b, &c], &t);
+    robots(k, say, [&a, &b], &mut random);
+    skins(k, say, &a, &points, &mut random);
+}
+
+/// A job over plain things and over blocks.
+macro_rules! both {
+    ($say:ident $name:literal, $to:ident: $zero:expr, $plain:expr, $blocked:expr) => {{
+        let mut $to = $zero;
+        $plain.expect("lengths fit");
+        $say(concat!($name, ", plain"), hash(&$to));
+        let mut $to = blocks(&$zero);
+        $blocked.expect("lengths fit");
+        $say(concat!($name, ", blocks"), hash_blocks(&$to, $zero));
+    }};
+}
+
+fn slices(
+    k: Backend,
+    say: &mut dyn FnMut(&str, u64),
+    [a, b, c, any]: [&[M; N]; 4],
+    t: &[R; N],
+    points: &[[R; 3]; N],
+    logs: &[[R; 6]; N],
+) {
+    let (ba, bb, bc, bany) = (blocks(a), blocks(b), blocks(c), blocks(any));
+    let (bt, bp, bl) = (blocks::<1, _>(&t.map(|t| [t])), blocks(points), blocks(logs));
+    let (zero, six) = ([M::IDENTITY; N], [[0.0; 6]; N]);
+    both!(say "mul", to: zero, k.mul(a, any, &mut to), k.mul(&ba, &bany, &mut to));
+    both!(say "normalize", to: zero, k.normalize(any, &mut to), k.normalize(&bany, &mut to));
+    both!(say "inverse", to: zero, k.inverse(any, &mut to), k.inverse(&bany, &mut to));
+    both!(say "conjugate", to: zero, k.conjugate(any, &mut to), k.conjugate(&bany, &mut to));
+    both!(say "nlerp_each", to: zero, k.nlerp_each(a, b, t, &mut to), k.nlerp_each(&ba, &bb, &bt, &mut to));
+    both!(say "sclerp_each", to: zero, k.sclerp_each(a, b, t, &mut to), k.sclerp_each(&ba, &bb, &bt, &mut to));
+    both!(say "nlerp", to: zero, k.nlerp(a, b, t[0], &mut to), k.nlerp(&ba, &bb, t[0], &mut to));
+    both!(say "sclerp", to: zero, k.sclerp(a, b, t[0], &mut to), k.sclerp(&ba, &bb, t[0], &mut to));
+    both!(say "pow_each", to: zero, k.pow_each(a, t, &mut to), k.pow_each(&ba, &bt, &mut to));
+    both!(say "dlb", to: zero, k.dlb([(&a[..], &t[..]), (b, t), (c, t)], &mut to),
+        k.dlb([(&ba[..], &bt[..]), (&bb, &bt), (&bc, &bt)], &mut to));
+    both!(say "exp", to: zero, k.exp(logs, &mut to), k.exp(&bl, &mut to));
+    both!(say "from_twist", to: zero, k.from_twist(logs, &mut to), k.from_twist(&bl, &mut to));
+    both!(say "integrate_body", to: zero, k.integrate_body(a, logs, t[1], &mut to),
+        k.integrate_body(&ba, &bl, t[1], &mut to));
+    both!(say "log", to: six, k.log(a, &mut to), k.log(&ba, &mut to));
+    both!(say "to_twist", to: six, k.to_twist(a, &mut to), k.to_twist(&ba, &mut to));
+    both!(say "angles", to: [[0.0]; N], k.angles(a, b, &mut to), k.angles(&ba, &bb, &mut to));
+    both!(say "distances", to: [[0.0]; N], k.distances(a, b, &mut to), k.distances(&ba, &bb, &mut to));
+    both!(say "matrices", to: [[[0.0; 4]; 3]; N], k.matrices(a, MatrixOrder::Rows, &mut to),
+        k.matrices(&ba, MatrixOrder::Rows, &mut to));
+    both!(say "transform_points", to: *points, k.transform_points(a[0], points, &mut to),
+        k.transform_points(a[0], &bp, &mut to));
+    both!(say "transform_vectors", to: *points, k.transform_vectors(a[0], points, &mut to),
+        k.transform_vectors(a[0], &bp, &mut to));
+    both!(say "transform_points_each", to: *points, k.transform_points_each(a, points, &mut to),
+        k.transform_points_each(&ba, &bp, &mut to));
+    both!(say "transform_vectors_each", to: *points, k.transform_vectors_each(a, points, &mut to),
+        k.transform_vectors_each(&ba, &bp, &mut to));
+    let planes: [[R; 4]; N] = logs.map(|[x, y, z, d, ..]| [x, y, z, d]);
+    let bplanes = blocks(&planes);
+    both!(say "transform_lines_each", to: six, k.transform_lines_each(a, logs, &mut to),
+        k.transform_lines_each(&ba, &bl, &mut to));
+    both!(say "transform_planes_each", to: planes, k.transform_planes_each(a, &planes, &mut to),
+        k.transform_planes_each(&ba, &bplanes, &mut to));
+    both!(say "transform_twists_each", to: six, k.transform_twists_each(a, logs, &mut to),
+        k.transform_twists_each(&ba, &bl, &mut to));
+}
+
+fn trajectories(k: Backend, say: &mut dyn FnMut(&str, u64), a: &[M; N], t: &[R; N]) {
+    let mut to = [M::IDENTITY; N];
+    let times: [R; N] = core::array::from_fn(|i| i as R);
+    k.resample(&times, a, &t.map(|t| t * N as R), &mut to).expect("times rise");
+    say("resample", hash(&to));
+    k.dib_windows(a, &[0.5, 1.0, 0.5], 1e-6, 8, &mut to[2..]).expect("lengths fit");
+    say("dib_windows", hash(&to));
+    to = *a;
+    k.chain_products_in_place(&mut to);
+    say("chain_products, plain", hash(&to));
+    let mut chain = [Motions::splat([0.0; 8]); BLOCKS];
+    pack_chain(a, &mut chain).expect("as many as there are");
+    k.chain_products_in_place(&mut chain);
+    unpack_chain(&chain, &mut to).expect("as many as there are");
+    say("chain_products, blocks", hash(&to));
+}
+
+fn hierarchies(k: Backend, say: &mut dyn FnMut(&str, u64), [a, b, c]: [&[M; N]; 3], t: &[R; N]) {
+    const ALL: usize = JOINTS * INSTANCES;
+    let tree = Hierarchy::new(&PARENTS).expect("parents come first");
+    let job = || tree.job().backend(k);
+    let (locals, roots, binds, shares) =
+        (&a[..ALL], &b[..INSTANCES], &c[..JOINTS], &t[..INSTANCES]);
+    let (mut to, mut matrices) = ([M::IDENTITY; ALL], [[[0.0; 4]; 3]; ALL]);
+    let mut crowd = [Motions::splat([0.0; 8]); JOINTS];
+    let mut root = [Motions::splat([0.0; 8])];
+    pack(JOINTS, locals, &mut crowd).expect("whole instances");
+    pack(1, roots, &mut root).expect("whole instances");
+    macro_rules! many {
+        ($name:literal, $job:expr, $locals:expr, $blocks:expr) => {{
+            $job.locals_to_model($locals, &mut to).expect("lengths fit");
+            say(concat!($name, ", plain"), hash(&to));
+            let mut models = crowd;
+            $job.locals_to_model($blocks, &mut models).expect("lengths fit");
+            unpack(JOINTS, &models, &mut to).expect("whole instances");
+            say(concat!($name, ", blocks"), hash(&to));
+        }};
+    }
+    many!("local_to_model", job(), Poses(locals), Poses(&crowd));
+    let every = job().renormalize(Renormalize::Every(core::num::NonZeroU32::MIN));
+    many!("renormalize", every, Poses(locals), Poses(&crowd));
+    let seven: [[R; 7]; ALL] = core::array::from_fn(|i| {
+        let (r, t) = (locals[i].rotation().to_array(), locals[i].translation());
+        [r[0], r[1], r[2], r[3], t[0], t[1], t[2]]
+    });
+    let mut pairs: [Block<R, 8, 7>; JOINTS] = [Block::splat([0.0; 7]); JOINTS];
+    pack(JOINTS, &seven, &mut pairs).expect("whole instances");
+    many!(
+        "RotationsTranslations",
+        job(),
+        RotationsTranslations(&seven),
+        RotationsTranslations(&pairs)
+    );
+
+    // One by one, with a plan and without, and in a chain that a plan cuts into segments.
+    let (mut order, mut scratch) = ([[0; 2]; JOINTS], [PlanScratch::default(); JOINTS]);
+    let plan = Plan::new(&tree, &mut order, &mut scratch).expect("lengths fit");
+    to.copy_from_slice(locals);
+    for models in to.chunks_mut(JOINTS) {
+        job().local_to_model_in_place(models).expect("lengths fit");
+    }
+    say("local_to_model, one by one", hash(&to));
+    to.copy_from_slice(locals);
+    for models in to.chunks_mut(JOINTS) {
+        job().plan(&plan).local_to_model_in_place(models).expect("lengths fit");
+    }
+    say("local_to_model, plan", hash(&to));
+    let line: [u32; N] = core::array::from_fn(|joint| (joint as u32).wrapping_sub(1));
+    let line = Hierarchy::new(&line).expect("parents come first");
+    let (mut order, mut scratch) = ([[0; 2]; N], [PlanScratch::default(); N]);
+    let plan = Plan::new(&line, &mut order, &mut scratch).expect("lengths fit");
+    let mut chain = *a;
+    line.job().backend(k).plan(&plan).local_to_model_in_place(&mut chain).expect("lengths fit");
+    say("local_to_model, plan of a chain", hash(&chain));
+    job().model_to_local(locals, &mut to).expect("lengths fit");
+    say("model_to_local", hash(&to));
+
+    let on_roots = job().roots(roots);
+    on_roots.palette(Poses(locals), &mut to, binds, &mut matrices).expect("lengths fit");
+    say("palette, plain", hash(&matrices));
+    let mut entries: [Block<R, 8, 12>; JOINTS] = [Block::splat([0.0; 12]); JOINTS];
+    let (mut scratch, on_roots) = (crowd, job().roots(&root));
+    on_roots.palette(Poses(&crowd), &mut scratch, binds, &mut entries).expect("lengths fit");
+    unpack(JOINTS, &entries, &mut matrices).expect("whole instances");
+    say("palette, blocks", hash(&matrices));
+
+    let frames: [u32; INSTANCES] = core::array::from_fn(|i| (5 * i % 7) as u32);
+    let of = |keys| Clip::new(JOINTS, keys).expect("whole frames");
+    macro_rules! clips {
+        ($name:literal, $law:expr) => {{
+            let sampled = |keys| Sampled::new($law, of(keys), &frames, shares).expect("frames");
+            let layers = Layered::blend($law, sampled(locals), sampled(&b[..ALL]), shares);
+            let layers = layers.mask(&t[..JOINTS]);
+            many!($name, job(), layers, layers);
+        }};
+    }
+    clips!("clips, Nlerp", Nlerp);
+    clips!("clips, Sclerp", Sclerp);
+    let clip = Clip::new(JOINTS, &seven).expect("whole frames");
+    let sampled = Sampled::new(NlerpLerp, clip, &frames, shares).expect("frames");
+    many!("clips, NlerpLerp", job(), sampled, sampled);
+}
+
+fn robots(k: Backend, say: &mut dyn FnMut(&str, u64), [a, b]: [&[M; N]; 2], random: &mut Random) {
+    const LINKS: usize = 6;
+    const COUNT: usize = 11;
+    let joints: [Joint<R>; LINKS] = core::array::from_fn(|link| {
+        let (on, at) = (link.checked_sub(1), b[link]);
+        match link % 3 {
+            0 => Joint::revolute(on, at, [0.0, 0.6, 0.8]),
+            1 => Joint::revolute(on, at, [0.0, 0.0, 1.0]).with_limits([-2.0, 2.5]),
+            _ => Joint::prismatic(on, at, [0.0, 1.0, 0.0]),
+        }
+    });
+    let mut steps = [Step::default(); LINKS];
+    let robot = Mechanism::new(&joints, &mut steps).expect("joints are sound");
+    let job = robot.job().backend(k);
+    let values: [R; LINKS * COUNT] = [(); LINKS * COUNT].map(|()| 3.0 * random.signed::<R>());
+    let rates: [R; LINKS * COUNT] = [(); LINKS * COUNT].map(|()| random.signed());
+    let mut poses = [M::IDENTITY; LINKS * COUNT];
+    job.poses(&values, &mut poses).expect("lengths fit");
+    say("poses", hash(&poses));
+    let mut tools = [M::IDENTITY; COUNT];
+    job.links(&[LINKS - 1]).poses(&values, &mut tools).expect("lengths fit");
+    say("poses of one link", hash(&tools));
+    for (values, poses) in values.chunks(LINKS).zip(poses.chunks_mut(LINKS)) {
+        robot.link_poses(values, poses).expect("lengths fit");
+    }
+    say("link_poses", hash(&poses));
+    let zero = [Twist { angular: [0.0; 3], linear: [0.0; 3] }; LINKS * COUNT];
+    let (mut twists, mut more) = (zero, zero);
+    job.accelerations(&values, &rates, &rates, &mut poses, &mut twists, &mut more)
+        .expect("lengths fit");
+    say("velocities", hash(&twists));
+    say("accelerations", hash(&more));
+    job.links(&[LINKS - 1])
+        .jacobians(World, &values, &mut tools, &mut twists)
+        .expect("lengths fit");
+    say("jacobians", hash(&twists));
+
+    // Targets that the arm has been at, and one that it cannot reach.
+    let goals = [Goal::pose(LINKS - 1)];
+    let mut freedoms = [Freedom::default(); LINKS];
+    let reach = Reach::new(robot, &goals, &mut freedoms).expect("goals are sound");
+    let mut targets: [M; COUNT] = core::array::from_fn(|i| poses[LINKS * i + LINKS - 1]);
+    targets[3] = a[0];
+    let mut start: [R; LINKS * COUNT] = [(); LINKS * COUNT].map(|()| random.signed());
+    let mut scratch = [0.0; 4096];
+    let mut reports = [Report::default(); COUNT];
+    let mut alone = start;
+    reach
+        .job()
+        .backend(k)
+        .solve_in(&mut scratch, &targets, &mut start, &mut reports, &Options::default())
+        .expect("lengths fit");
+    say("Reach", hash(&start));
+    for (target, values) in targets.chunks(1).zip(alone.chunks_mut(LINKS)) {
+        reach.solve(target, values, &mut scratch, &Options::default()).expect("lengths fit");
+    }
+    say("Reach, one", hash(&alone));
+}
+
+fn skins(
+    k: Backend,
+    say: &mut dyn FnMut(&str, u64),
+    a: &[M; N],
+    points: &[[R; 3]; N],
+    random: &mut Random,
+) {
+    const EACH: usize = 4;
+    let who: [u16; EACH * N] = [(); EACH * N].map(|()| random.below(20) as u16);
+    let mut weights: [R; EACH * N] = [(); EACH * N].map(|()| 1.125 + random.signed::<R>());
+    for weights in weights.chunks_mut(EACH) {
+        let sum = (weights[0] + weights[1]) + (weights[2] + weights[3]);
+        weights.iter_mut().for_each(|weight| *weight /= sum);
+    }
+    let skin = Skin::new(20, EACH, &who, &weights).expect("weights are sound");
+    let motions = &a[..20];
+    let matrices: [[[R; 4]; 3]; 20] = core::array::from_fn(|i| a[i].to_matrix3x4());
+    let names = ["Linear, plain", "Linear, normals", "Linear, blocks"];
+    skinned(k, say, names, &skin, Linear::new(&matrices), points);
+    let names = ["DualBlend, plain", "DualBlend, normals", "DualBlend, blocks"];
+    skinned(k, say, names, &skin, DualBlend::new(motions), points);
+}
+
+fn skinned(
+    k: Backend,
+    say: &mut dyn FnMut(&str, u64),
+    [plain, with_normals, in_blocks]: [&str; 3],
+    skin: &Skin<'_, u16, R>,
+    blend: impl Blender<R>,
+    points: &[[R; 3]; N],
+) {
+    let job = skin.job().backend(k);
+    let (mut to, mut normals) = (*points, *points);
+    job.pose(blend, Surface::positions(points), SurfaceMut::positions(&mut to))
+        .expect("lengths fit");
+    say(plain, hash(&to));
+    let both = SurfaceMut::positions(&mut to).normals(&mut normals);
+    job.pose(blend, Surface::positions(points).normals(points), both).expect("lengths fit");
+    say(with_normals, hash(&[to, normals]));
+    let rest = blocks(points);
+    let mut posed = rest;
+    job.pose(blend, Surface::positions(&rest), SurfaceMut::positions(&mut posed))
+        .expect("lengths fit");
+    say(in_blocks, hash_blocks(&posed, *points));
+}

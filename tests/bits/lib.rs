@@ -1,0 +1,117 @@
+//! What every function and job computes, as hashes that are the same on every machine: `tests/vectors/bits.tsv`. Without
+//! std and without a heap, so that boards run it too. The inputs are made of integers, so that no generator can hide a
+//! difference; NaN is one value, because its sign and payload differ between machines.
+//!
+//! `operations` and `geometry` read the tables of the accuracy contract: what is new there is hashed here.
+#![no_std]
+#![forbid(unsafe_code)]
+
+mod deal;
+#[macro_use]
+mod kinds;
+mod geometry;
+mod operations;
+mod random;
+mod sample;
+
+/// The jobs, written once for both numbers.
+#[path = "."]
+mod single {
+    pub(crate) type R = f32;
+    #[path = "jobs.rs"]
+    pub(crate) mod jobs;
+}
+#[path = "."]
+mod double {
+    pub(crate) type R = f64;
+    #[path = "jobs.rs"]
+    #[allow(clippy::duplicate_mod, reason = "the other number")]
+    pub(crate) mod jobs;
+}
+
+use dq8::simd::{Portable, Unfused};
+use dq8::{Backend, DualQuat, Level, Scalar, batch};
+
+#[path = "../../examples/lockstep/world.rs"]
+mod world;
+
+/// What is told: the number, the entry (`scalar`, `lanes`, `job`), a name, and the hash.
+pub type Sink<'s> = dyn FnMut([&str; 3], u64) + 's;
+
+/// The hashes that all machines have.
+pub const KNOWN: &str = include_str!("../vectors/bits.tsv");
+
+/// Everything, by all instructions of this CPU whose bits are promised: a name comes once for each of them.
+pub fn hashes(sink: &mut Sink<'_>) {
+    scalar::<f32>("f32", sink);
+    scalar::<f64>("f64", sink);
+    lanes(Unfused(Portable), sink);
+    #[cfg(target_arch = "x86_64")]
+    {
+        use dq8::simd::x86_64::{Avx2, Avx512};
+        Avx2::detect().map(|level| lanes(Unfused(level), sink));
+        Avx512::detect().map(|level| lanes(Unfused(level), sink));
+    }
+    // Portable lanes too, where they do not fuse either, and are others.
+    let fuses = cfg!(any(target_arch = "aarch64", target_feature = "fma"));
+    let reproducible = Backend::reproducible();
+    let portable = Some(Backend::PORTABLE).filter(|portable| !fuses && *portable != reproducible);
+    for backend in [Some(reproducible), portable].into_iter().flatten() {
+        single::jobs::run(backend, &mut |name, hash| sink(["f32", "job", name], hash));
+        double::jobs::run(backend, &mut |name, hash| sink(["f64", "job", name], hash));
+        if let Ok(hash) = world::World::new(backend).run(10_000) {
+            sink(["f32", "example", "lockstep"], hash);
+        }
+    }
+}
+
+/// How many hashes are those of [`KNOWN`]; the others are told, with what is known of them.
+pub fn compare(other: &mut dyn FnMut([&str; 3], u64)) -> usize {
+    let mut same = 0;
+    hashes(&mut |name, hash| {
+        if known(name) == Some(hash) {
+            same += 1;
+        } else {
+            other(name, hash);
+        }
+    });
+    same
+}
+
+/// [`compare`] for boards: prints what has another hash. True if there is none.
+pub fn report(print: &mut dyn FnMut(&str)) -> bool {
+    let mut others = 0;
+    let same = compare(&mut |name, _| {
+        others += 1;
+        name.iter().for_each(|part| [*part, " "].into_iter().for_each(&mut *print));
+        print("has other bits\n");
+    });
+    // Each once for some instructions or other.
+    let passed = others == 0 && same >= KNOWN.lines().count();
+    print(if passed { "bits: PASS\n" } else { "bits: FAIL\n" });
+    passed
+}
+
+/// What [`KNOWN`] says.
+fn known(name: [&str; 3]) -> Option<u64> {
+    let line = KNOWN.lines().find_map(|line| {
+        let mut words = line.split('\t');
+        name.iter().all(|name| words.next() == Some(name)).then_some(words)
+    });
+    u64::from_str_radix(line?.next()?, 16).ok()
+}
+
+fn scalar<R: Scalar>(real: &str, sink: &mut Sink<'_>) {
+    let sink = &mut |name: &str, hash| sink([real, "scalar", name], hash);
+    operations::run::<DualQuat<R>>((), sink);
+    geometry::scalar::<R>(sink);
+}
+
+fn lanes<V: Level>(level: V, sink: &mut Sink<'_>) {
+    let single = &mut |name: &str, hash| sink(["f32", "lanes", name], hash);
+    operations::run::<batch::DualQuat<V::Single>>(level, single);
+    geometry::lanes::<V::Single>(level, single);
+    let double = &mut |name: &str, hash| sink(["f64", "lanes", name], hash);
+    operations::run::<batch::DualQuat<V::Double>>(level, double);
+    geometry::lanes::<V::Double>(level, double);
+}

@@ -1,0 +1,20 @@
+//! The list of the guide.
+
+/// What the guide lists: the names of `bits.tsv`, a paragraph for each entry.
+pub(crate) fn list() -> String {
+    let mut list = String::new();
+    for (entry, title) in [
+        ("scalar", "**Functions**, scalar and on lanes"),
+        ("job", "**Jobs and kernels**"),
+        ("example", "**The example**"),
+    ] {
+        let of_entry = |line: &&str| line.starts_with(&format!("f32\t{entry}\t"));
+        let lines = dq8_bits::KNOWN.lines().filter(of_entry);
+        let names: Vec<_> = lines.filter_map(|line| line.split('\t').nth(2)).collect();
+        let mut names: Vec<_> =
+            names.iter().map(|name| name.split(", ").next().unwrap_or(name)).collect();
+        names.dedup();
+        list += &format!("{title}: `{}`.\n\n", names.join("`, `"));
+    }
+    list
+}
