@@ -24,3 +24,11 @@ fn the_guide_lists_what_is_hashed() {
     let guide = include_str!("../../src/guide/reproducible.md");
     assert!(guide.contains(list::list().trim_end()), "the list should be:\n{}", list::list());
 }
+
+#[test]
+fn the_readme_names_the_hash_of_the_example() {
+    let known =
+        dq8_bits::KNOWN.lines().find_map(|line| line.strip_prefix("f32\texample\tlockstep\t"));
+    let hash = known.expect("the example is hashed");
+    assert!(include_str!("../../README.md").contains(hash), "README.md should name {hash}");
+}
