@@ -121,13 +121,15 @@ where
         vec![("together", of_numbers(&together)), ("one by one", of_numbers(&alone))]
     }
 
-    /// Whether all entries have the same bits, with each of the machine's backends.
+    /// All entries have the same bits with each of the machine's backends, and with all that fuse nothing.
     fn round(seed: u64) {
-        for backend in Backend::available() {
+        let mut unfused: Option<Vec<Vec<u64>>> = None;
+        for backend in backends() {
             // The same numbers for each.
             let random = Random(seed.wrapping_mul(0x2545_f491_4f6c_dd1d));
             let mut scene = Self { random, backend, real: PhantomData };
-            for (job, entries) in [("poses", scene.link_poses()), ("reach", scene.reach())] {
+            let jobs = [("poses", scene.link_poses()), ("reach", scene.reach())];
+            for (job, entries) in &jobs {
                 let (first, wanted) = &entries[0];
                 for (entry, got) in &entries[1..] {
                     let what = format!("seed {seed}: {job}, {backend}, {entry} and {first}");
@@ -135,6 +137,12 @@ where
                     let other = got.iter().zip(wanted).position(|(got, wanted)| got != wanted);
                     assert_eq!(other, None, "{what}");
                 }
+            }
+            if !fuses(backend) {
+                let all: Vec<_> =
+                    jobs.into_iter().map(|(_, mut all)| all.swap_remove(0).1).collect();
+                let first = unfused.get_or_insert_with(|| all.clone());
+                assert!(all == *first, "seed {seed}: {backend} has other bits than other lanes");
             }
         }
     }
@@ -150,6 +158,20 @@ where
             seed += 1;
         }
     }
+}
+
+/// With the feature `reproducible`, lanes that fuse nothing too.
+fn backends() -> impl Iterator<Item = Backend> {
+    #[cfg(feature = "reproducible")]
+    return Backend::available().chain([Backend::reproducible()]);
+    #[cfg(not(feature = "reproducible"))]
+    Backend::available()
+}
+
+fn fuses(backend: Backend) -> bool {
+    let portable = cfg!(any(target_arch = "aarch64", target_feature = "fma"));
+    let unfused = backend.to_string().ends_with("unfused");
+    !unfused && (portable || backend != Backend::PORTABLE)
 }
 
 fn from<R: Scalar>(number: f64) -> R {
