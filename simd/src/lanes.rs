@@ -3,6 +3,7 @@
 //! and an instruction set has vectors of each number.
 
 use crate::sealed::Sealed;
+use crate::shorts::{self, Shorts};
 use bytemuck::{Pod, Zeroable};
 use core::fmt::Debug;
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
@@ -134,6 +135,23 @@ pub trait Lanes:
     unsafe fn store_triples(components: [Self; 3], to: *mut Self::Real) {
         // SAFETY: promised.
         unsafe { store_rows(components, to, 3) };
+    }
+
+    /// Lane `i` of four vectors is 2¹⁴((1−t)a + tb), exact but for the last rounding, of the four numbers of the records
+    /// a and b of `from` whose places are `place(i)`. t is cut to [0, 1], NaN to 0, and rounded to a multiple of 2⁻¹⁴.
+    /// The bits are the same on every target. `place` must be `#[inline(always)]`.
+    ///
+    /// # Safety
+    /// All those records may be read.
+    #[inline(always)]
+    unsafe fn between_shorts(
+        level: Self::Level,
+        from: *const Shorts,
+        place: impl Fn(usize) -> [usize; 2],
+        t: Self,
+    ) -> [Self; 4] {
+        // SAFETY: promised.
+        unsafe { shorts::one_by_one(level, from, place, t) }
     }
 
     /// In each group of four lanes, lane `i` is the sum of the group's numbers of vector `i`, as (0 + 2) + (1 + 3):
@@ -293,6 +311,10 @@ pub trait Float:
     type Half<V: Level>: Lanes<Real = Self, Level = V, Array = [Self; 4]>;
     /// The nearest number of this type.
     fn from_f64(value: f64) -> Self;
+    /// The nearest number of this type.
+    fn from_i32(value: i32) -> Self;
+    /// The integer nearest to 2¹⁴ times this, cut to [0, 1]; 0 for NaN.
+    fn to_weight(self) -> u16;
 }
 
 impl Float for f32 {
@@ -305,6 +327,16 @@ impl Float for f32 {
     fn from_f64(value: f64) -> Self {
         value as f32
     }
+    #[inline(always)]
+    fn from_i32(value: i32) -> Self {
+        value as Self
+    }
+    #[inline(always)]
+    fn to_weight(self) -> u16 {
+        // A sum of 1.5·2²³ and a number has the number's integer in its last bits.
+        let t = if self > 0.0 { self } else { 0.0 };
+        (if t < 1.0 { t } else { 1.0 } * 16384.0 + 12_582_912.0).to_bits() as u16
+    }
 }
 
 impl Float for f64 {
@@ -315,6 +347,16 @@ impl Float for f64 {
     #[inline(always)]
     fn from_f64(value: f64) -> Self {
         value
+    }
+    #[inline(always)]
+    fn from_i32(value: i32) -> Self {
+        value.into()
+    }
+    #[inline(always)]
+    fn to_weight(self) -> u16 {
+        // As for `f32`, 1.5·2⁵².
+        let t = if self > 0.0 { self } else { 0.0 };
+        (if t < 1.0 { t } else { 1.0 } * 16384.0 + 6_755_399_441_055_744.0).to_bits() as u16
     }
 }
 

@@ -1,6 +1,8 @@
 //! [`Portable`]: the lanes of the crate [`wide`], with the instructions of the build target.
 
 use crate::lanes::{Lanes, Level, Mask, PackedDualQuat};
+#[cfg(target_endian = "little")]
+use crate::shorts::{self, Shorts};
 use core::ops::{BitAnd, BitOr, Not};
 use wide::{Select, f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
 
@@ -105,6 +107,17 @@ macro_rules! wide_lanes {
                         // SAFETY: promised; an array needs no more alignment than its numbers.
                         unsafe { *to.add(i * stride).cast::<[$real; $lanes]>() = row.to_array() };
                     }
+                }
+                #[cfg(target_endian = "little")]
+                #[inline(always)]
+                unsafe fn between_shorts(
+                    _: Portable,
+                    from: *const Shorts,
+                    place: impl Fn(usize) -> [usize; 2],
+                    t: Self,
+                ) -> [Self; 4] {
+                    // SAFETY: promised.
+                    unsafe { shorts::four_at_once(from, place, t) }
                 }
                 #[inline(always)]
                 fn sum_quads(vectors: [Self; 4]) -> Self {

@@ -1,6 +1,7 @@
 use super::frame::align_frame;
 use super::prefetch::{prefetch, prefetch_every};
 use super::quads::*;
+use super::shorts::*;
 use super::vector::vector;
 use crate::lanes::Level;
 use crate::lanes::{Lanes, Mask};
@@ -81,6 +82,7 @@ vector! {
     mul_add _mm256_fmadd_ps; neg_mul_add _mm256_fnmadd_ps;
     splat _mm256_set1_ps; load _mm256_loadu_ps; store _mm256_storeu_ps; stream _mm256_stream_ps;
     quads f32x8_load f32x8_store f32x8_store_triples f32x8_sum;
+    between_shorts f32x8_between;
     and _mm256_and_ps; and_not _mm256_andnot_ps; or _mm256_or_ps; xor _mm256_xor_ps;
     less |a, b| M32x8(_mm256_cmp_ps::<_CMP_LT_OQ>(a.0, b.0), a.1);
     less_equal |a, b| M32x8(_mm256_cmp_ps::<_CMP_LE_OQ>(a.0, b.0), a.1);
