@@ -2,7 +2,7 @@
 //! [`PlacedTracks`]: both, checked together. [`OwnedTracks`] owns its bytes.
 
 use crate::index::saturated;
-use crate::lanes::{Lanes, MAX_LANES};
+use crate::lanes::{Lanes, Level, MAX_LANES};
 use crate::shorts::{Shorts, numbers};
 #[cfg(feature = "alloc")]
 use alloc::boxed::Box;
@@ -10,6 +10,12 @@ use bytemuck::{Pod, Zeroable};
 
 /// A number of 32 bits, the lower byte first.
 type Word = [u8; 4];
+
+/// Keys in a cache line.
+const PER_LINE: usize = 8;
+/// So many keys do not fit into the second cache: those of the next lanes are asked for, a line of each row at a time, for
+/// rows are too short for the CPU to foresee where they go on.
+const FAR: usize = 1 << 17;
 
 /// Clips of the same columns: records of four short numbers ([`Shorts`]), one for each frame where a column moves in a
 /// clip, and one in all where it does not. Numbers of 32 bits are written with the lower byte first, and nothing is aligned.
@@ -178,6 +184,17 @@ impl<'a> PlacedTracks<'a, '_> {
         }
         if column >= columns {
             return None;
+        }
+        if column % PER_LINE == 0 && keys.len() >= FAR {
+            let after = first.saturating_add(L::LANES);
+            for place in places.get(after..).unwrap_or_default().iter().take(L::LANES) {
+                // SAFETY: as below.
+                for key in place.keys(unsafe { *table.get_unchecked(place.row as usize + column) })
+                {
+                    // SAFETY: as below.
+                    level.prefetch(unsafe { keys.get_unchecked(key) });
+                }
+            }
         }
         // SAFETY: there are as many places as lanes, each with a row of the table, which has the column; by the check of
         // the table a key and the next one are there.

@@ -7,6 +7,7 @@
 //! | [`Job`] | a run over it: with a root transform, on some of the joints, with a palette, backwards |
 //! | [`Poses`], [`RotationsTranslations`], [`Tracks`], [`Bones`] | forms of [locals](Locals) |
 //! | [`Clip`], [`Sampled`], [`Layered`] | locals that are sampled, blended and masked on their way into registers |
+//! | [`PackedClip`], [`PackedClips`] | clips in 8 bytes for each track that moves, and frame: owned, borrowed |
 //! | [`Plan`], [`PlanScratch`] | the order in which one instance is computed fastest, for those without a heap |
 //! | [`Renormalize`] | when a run normalizes what it has multiplied |
 //! | [`Crowd`] | owned blocks for any number of instances (feature `alloc`) |
@@ -21,6 +22,7 @@
 
 mod backward;
 mod chain;
+mod clip;
 mod concatenate;
 #[cfg(feature = "alloc")]
 mod crowd;
@@ -28,11 +30,16 @@ mod error;
 mod family;
 mod forward;
 mod job;
+mod keys;
 mod layers;
 mod locals;
 mod model_to_local;
 #[cfg(feature = "alloc")]
 mod owned_plan;
+#[cfg(feature = "alloc")]
+mod packed_clip;
+mod packed_clips;
+mod packed_error;
 mod palette;
 mod palettes;
 #[cfg(feature = "rayon")]
@@ -55,12 +62,18 @@ mod transposed;
 mod unkept;
 
 pub use crate::palette_entry::{MatrixOrder, PaletteEntry};
+pub use clip::{Clip, Frames};
 #[cfg(feature = "alloc")]
 pub use crowd::Crowd;
 pub use error::HierarchyError;
 pub use job::Job;
+pub use keys::{Keys, PlacedKeys};
 pub use layers::{Layered, PoseSource};
 pub use locals::{Bones, Locals, Poses, RotationsTranslations, Tracks};
+#[cfg(feature = "alloc")]
+pub use packed_clip::{Deviation, PackedClip, Tolerance};
+pub use packed_clips::{PackedClips, Playback};
+pub use packed_error::PackedError;
 #[cfg(feature = "alloc")]
 pub use parent_index::ParentIndex;
 pub use parents::Hierarchy;
@@ -68,8 +81,10 @@ pub use plan::{NoPlan, Plan, Plans};
 pub use renormalize::Renormalize;
 pub use root::{NoRoot, Roots};
 pub use run::Root;
-pub use sampled::{Clip, Sampled};
+pub use sampled::Sampled;
 pub use schedule::PlanScratch;
 #[cfg(feature = "alloc")]
 pub use skeleton::Skeleton;
 pub use slot::JointSlot;
+
+pub use dq8_simd::TrackPlace;
