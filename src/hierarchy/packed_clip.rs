@@ -281,7 +281,7 @@ fn track(
         // In the hemisphere of the key before.
         let dots = keys.last().map_or(1.0, |last| dot(last.map(f64::from), exact));
         let unit = exact.map(|c| c.copysign(c * dots) / norm);
-        let key = unit.map(|c| round(ONE * c));
+        let key = nearest(unit);
         if let Some(&last) = keys.last()
             && !neighbours(last, key)
         {
@@ -296,6 +296,19 @@ fn track(
     }
     keys.truncate(if still { 1 } else { usize::MAX });
     Ok(keys)
+}
+
+/// The key whose direction is nearest to that of a unit quaternion, of lengths a little below 32767: the length means
+/// nothing, and some are rounded with half of the error.
+fn nearest(unit: [f64; 4]) -> [i16; 4] {
+    let key = |turn: u8| unit.map(|c| round((ONE - 0.1875 * f64::from(turn)) * c));
+    let off = |key: [i16; 4]| {
+        let key = key.map(f64::from);
+        let along = dot(key, unit);
+        dot(key, key) - along * along
+    };
+    let better = |a, b| if off(b) < off(a) { b } else { a };
+    (1..16).map(key).fold(key(0), better)
 }
 
 #[allow(clippy::cast_possible_truncation, reason = "saturates")]
