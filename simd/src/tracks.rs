@@ -13,8 +13,7 @@ type Word = [u8; 4];
 
 /// Keys in a cache line.
 const PER_LINE: usize = 8;
-/// So many keys do not fit into the second cache: those of the next lanes are asked for, a line of each row at a time, for
-/// rows are too short for the CPU to foresee where they go on.
+/// So many keys do not fit into the second cache.
 const FAR: usize = 1 << 17;
 
 /// Clips of the same columns: records of four short numbers ([`Shorts`]), one for each frame where a column moves in a
@@ -185,17 +184,6 @@ impl<'a> PlacedTracks<'a, '_> {
         if column >= columns {
             return None;
         }
-        if column % PER_LINE == 0 && keys.len() >= FAR {
-            let after = first.saturating_add(L::LANES);
-            for place in places.get(after..).unwrap_or_default().iter().take(L::LANES) {
-                // SAFETY: as below.
-                for key in place.keys(unsafe { *table.get_unchecked(place.row as usize + column) })
-                {
-                    // SAFETY: as below.
-                    level.prefetch(unsafe { keys.get_unchecked(key) });
-                }
-            }
-        }
         // SAFETY: there are as many places as lanes, each with a row of the table, which has the column; by the check of
         // the table a key and the next one are there.
         Some(unsafe {
@@ -212,7 +200,24 @@ impl<'a> PlacedTracks<'a, '_> {
         })
     }
 
-    /// The same of one place, lane `i` of column `first + i`; lanes beyond the last column are that.
+    /// Asks for what the lanes from place `first` on will read of a column, where a cache line may begin with it, if the keys do
+    /// not fit into the second cache. Rows are too short for the CPU to foresee where they go on.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub fn prefetch<V: Level>(self, level: V, first: usize, lanes: usize, column: usize) {
+        let Tracks { keys, table, .. } = self.tracks;
+        if !column.is_multiple_of(PER_LINE) || keys.len() < FAR {
+            return;
+        }
+        // In line: for a call the loop around it would put its registers away.
+        for place in self.places.get(first..).unwrap_or_default().iter().take(lanes) {
+            let Some(&entry) = table.get(place.row as usize + column) else { return };
+            for key in place.keys(entry).into_iter().filter_map(|key| keys.get(key)) {
+                level.prefetch(key);
+            }
+        }
+    }
+
+    /// [`between`](Self::between) of one place, lane `i` of column `first + i`; lanes beyond the last column are that.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn between_columns<L: Lanes>(
         self,

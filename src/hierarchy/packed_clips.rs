@@ -271,6 +271,10 @@ impl<R: Scalar> PlacedKeys<R, 7> for Playback<'_> {
         slot: JointSlot,
         t: L,
     ) -> Option<[L; 7]> {
+        if !slot.is_of_joints() {
+            // Of the next instances.
+            self.tracks.prefetch(level, slot.instance() + L::LANES, L::LANES, slot.joint());
+        }
         let [x, y, z, w] = unit(self.between(level, slot, slot.joint(), t)?);
         let ([mut i, mut j, mut k, step], moves) = self.rest(level, slot)?;
         if moves {
