@@ -3,7 +3,6 @@
 //! and an instruction set has vectors of each number.
 
 use crate::sealed::Sealed;
-use crate::shorts::{self, Shorts};
 use bytemuck::{Pod, Zeroable};
 use core::fmt::Debug;
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
@@ -143,16 +142,12 @@ pub trait Lanes:
     ///
     /// # Safety
     /// All those records may be read.
-    #[inline(always)]
     unsafe fn between_shorts(
         level: Self::Level,
-        from: *const Shorts,
+        from: *const [u8; 8],
         place: impl Fn(usize) -> [usize; 2],
         t: Self,
-    ) -> [Self; 4] {
-        // SAFETY: promised.
-        unsafe { shorts::one_by_one(level, from, place, t) }
-    }
+    ) -> [Self; 4];
 
     /// In each group of four lanes, lane `i` is the sum of the group's numbers of vector `i`, as (0 + 2) + (1 + 3):
     /// four dot products whose products are there. For vectors of four lanes or a multiple of that.
@@ -313,8 +308,6 @@ pub trait Float:
     fn from_f64(value: f64) -> Self;
     /// The nearest number of this type.
     fn from_i32(value: i32) -> Self;
-    /// The integer nearest to 2¹⁴ times this, cut to [0, 1]; 0 for NaN.
-    fn to_weight(self) -> u16;
 }
 
 impl Float for f32 {
@@ -331,12 +324,6 @@ impl Float for f32 {
     fn from_i32(value: i32) -> Self {
         value as Self
     }
-    #[inline(always)]
-    fn to_weight(self) -> u16 {
-        // A sum of 1.5·2²³ and a number has the number's integer in its last bits.
-        let t = if self > 0.0 { self } else { 0.0 };
-        (if t < 1.0 { t } else { 1.0 } * 16384.0 + 12_582_912.0).to_bits() as u16
-    }
 }
 
 impl Float for f64 {
@@ -351,12 +338,6 @@ impl Float for f64 {
     #[inline(always)]
     fn from_i32(value: i32) -> Self {
         value.into()
-    }
-    #[inline(always)]
-    fn to_weight(self) -> u16 {
-        // As for `f32`, 1.5·2⁵².
-        let t = if self > 0.0 { self } else { 0.0 };
-        (if t < 1.0 { t } else { 1.0 } * 16384.0 + 6_755_399_441_055_744.0).to_bits() as u16
     }
 }
 

@@ -26,12 +26,21 @@ pub(crate) unsafe fn one_by_one<L: Lanes>(
     place: impl Fn(usize) -> [usize; 2],
     t: L,
 ) -> [L; 4] {
-    let t = t.to_array();
+    // A sum of 1.5·2²³, or 1.5·2⁵² in `f64`, and a number has the number's integer in its last bits.
+    let single = L::Real::SINGLE;
+    let last_bits = t.constant(if single { 12_582_912.0 } else { 6_755_399_441_055_744.0 });
+    let (zero, one) = (t.constant(0.0), t.constant(1.0));
+    let t = L::select(zero.lt(t), t, zero);
+    let t = L::select(t.lt(one), t, one);
+    let weights = t.mul_add(t.constant(16384.0), last_bits).to_array();
     let mut rows = [L::Array::zeroed(); 4];
     for lane in 0..L::LANES {
         // SAFETY: promised.
         let [a, b] = place(lane).map(|place| numbers(unsafe { *from.add(place) }));
-        let weight = i32::from(t.as_ref()[lane].to_weight());
+        let sum = weights.as_ref()[lane];
+        let weight =
+            if single { bytemuck::cast(sum) } else { bytemuck::cast::<_, u64>(sum) as u32 };
+        let weight = (weight & 0xffff) as i32;
         for (row, (a, b)) in rows.iter_mut().zip(a.into_iter().zip(b)) {
             let (a, b) = (i32::from(a), i32::from(b));
             row.as_mut()[lane] = L::Real::from_i32(a * (16384 - weight) + b * weight);
@@ -41,6 +50,10 @@ pub(crate) unsafe fn one_by_one<L: Lanes>(
     [L::load(level, x), L::load(level, y), L::load(level, z), L::load(level, w)]
 }
 
+/// Where the lower byte is not the first, four lanes are nothing special.
+#[cfg(target_endian = "big")]
+pub(crate) use one_by_one as four_at_once;
+
 /// Four lanes at once: SSE2, NEON and simd128 multiply short numbers and add them in pairs.
 ///
 /// # Safety
@@ -48,6 +61,7 @@ pub(crate) unsafe fn one_by_one<L: Lanes>(
 #[cfg(target_endian = "little")]
 #[inline(always)]
 pub(crate) unsafe fn four_at_once(
+    _: <wide::f32x4 as Lanes>::Level,
     from: *const Shorts,
     place: impl Fn(usize) -> [usize; 2],
     t: wide::f32x4,
@@ -56,7 +70,7 @@ pub(crate) unsafe fn four_at_once(
     let (zero, one) = (f32x4::ZERO, f32x4::ONE);
     let t = t.simd_gt(zero).select(t, zero);
     let t = t.simd_lt(one).select(t, one);
-    // 2¹⁴t is in the last bits of the sum, as in `to_weight`; the other weight stands before it.
+    // 2¹⁴t is in the last bits of the sum, as above; the other weight stands before it.
     let to: u32x4 = bytemuck::cast(t * f32x4::splat(16384.0) + f32x4::splat(12_582_912.0));
     let low = u32x4::splat(0xffff);
     let weights = ((u32x4::splat(16384) - (to & low)) & low) | (to << 16);

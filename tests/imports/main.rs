@@ -125,11 +125,13 @@ const SIMD_MAY_IMPORT: &[(&str, &[&str])] = &[
     ("plain", &[]),
     ("square_root", &[]),
     ("checked_schedule", &["index"]),
-    ("portable", &["lanes", "sealed"]),
-    ("one", &["lanes", "portable", "square_root"]),
-    ("pair", &["lanes", "sealed"]),
+    ("shorts", &["lanes"]),
+    ("portable", &["lanes", "sealed", "shorts"]),
+    ("tracks", &["index", "lanes", "shorts"]),
+    ("one", &["lanes", "portable", "shorts", "square_root"]),
+    ("pair", &["lanes", "sealed", "shorts"]),
     ("detect", &[]),
-    ("x86_64", &["lanes", "pair", "sealed", "detect"]),
+    ("x86_64", &["lanes", "pair", "sealed", "detect", "shorts"]),
 ];
 
 /// The folders whose files have a twin of the same name in a folder of `batch`.

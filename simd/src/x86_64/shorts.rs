@@ -33,7 +33,7 @@ pub(super) unsafe fn f32x8_between(
     unsafe {
         // Of a number and NaN these give the second.
         let t = _mm256_min_ps(_mm256_max_ps(t, _mm256_setzero_ps()), _mm256_set1_ps(1.0));
-        // 2¹⁴t is in the last bits of the sum, as in `to_weight`; the other weight stands before it.
+        // 2¹⁴t is in the last bits of the sum, as in `shorts::one_by_one`; the other weight stands before it.
         let to = _mm256_fmadd_ps(t, _mm256_set1_ps(16384.0), _mm256_set1_ps(12_582_912.0));
         let to = _mm256_castps_si256(to);
         let from_a = _mm256_sub_epi16(_mm256_set1_epi32(16384), to);
