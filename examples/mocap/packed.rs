@@ -58,8 +58,27 @@ fn key(local: &DualQuat<f64>) -> [f32; 7] {
 
 #[cfg(test)]
 mod tests {
-    use super::pack;
+    use super::{key, pack};
     use crate::biped;
+    use dq8::hierarchy::{PackedClip, Tolerance};
+
+    /// What the firmware of `tests/firmware` plays: a stride of the biped at 30 frames a second.
+    #[test]
+    fn the_clip_of_the_firmware_is_a_stride_of_the_biped() {
+        let (clip, kept) =
+            (biped::clip(), include_bytes!("../../tests/firmware/jobs/src/stride.clips"));
+        let joints = clip.joints.len();
+        let every_other = |(frame, pose): (usize, _)| (frame % 2 == 0).then_some(pose);
+        let locals = clip.locals();
+        let frames = locals.chunks(joints).take(65).enumerate().filter_map(every_other);
+        let keys: Vec<_> = frames.flatten().map(key).collect();
+        let packed = PackedClip::new(joints, &keys, Tolerance::default()).unwrap();
+        if std::env::var_os("DQ8_WRITE_STRIDE").is_some() {
+            std::fs::write("../../tests/firmware/jobs/src/stride.clips", packed.as_bytes())
+                .unwrap();
+        }
+        assert!(packed.as_bytes() == kept, "DQ8_WRITE_STRIDE=1 writes it");
+    }
 
     #[test]
     fn the_biped_keeps_a_quarter_of_its_bytes_and_its_shape() {

@@ -211,8 +211,8 @@ fn bytes_are_those_of_the_documentation_on_every_target() {
     let wanted = [
         b"dq8clips".to_vec(),
         words(&[1, 2, 1, 4]),
-        key([19660, 0, 0, 26214]),
-        key([19660, 0, 0, 26214]),
+        key([19659, 0, 0, 26212]),
+        key([19659, 0, 0, 26212]),
         key([10922, 21845, 32767, 0]),
         key([-10922, -21845, -32767, 0]),
     ];
