@@ -275,7 +275,7 @@ fn track(
     for (frame, &[x, y, z, w, ..]) in own().enumerate() {
         let exact = [x, y, z, w].map(f64::from);
         let norm = Real::sqrt(dot(exact, exact));
-        if !((norm - 1.0).abs() < 1e-3) {
+        if norm.is_nan() || (norm - 1.0).abs() > 1e-3 {
             return Err(PackedError::NotUnit { clip, frame, joint, length: norm });
         }
         // In the hemisphere of the key before.

@@ -9,6 +9,7 @@ use core::arch::x86_64::*;
 /// # Safety
 /// Both records that `place` says may be read.
 #[cfg_attr(not(opt_level_0), inline(always))]
+#[expect(clippy::pointers_in_nomem_asm_block, reason = "the pointer is not followed")]
 unsafe fn both(from: *const Shorts, [a, b]: [usize; 2]) -> __m128d {
     // SAFETY: promised; the address stays what it was. Without a register of its own for each lane the compiler adds up
     // the addresses of all lanes in vectors, and takes them apart again.
