@@ -23,7 +23,7 @@ SIZES, KERNELS = FIRMWARE / "sizes.txt", FIRMWARE / "kernels/src"
 GROWTH = 1.05
 # Which functions, by the beginning of their names: see tests/firmware/kernels.
 GROUPS = {"forward": ("forward_",), "core": ("forward_", "core_"), "all": ("forward_", "core_", "more_"),
-          "robot": ("robot_",), "follow": ("ik_follow",), "ik": ("ik_solve",), "arm": ("arm_",)}
+          "clip": ("clip_",), "robot": ("robot_",), "follow": ("ik_follow",), "ik": ("ik_solve",), "arm": ("arm_",)}
 EMULATION = {
     "thumbv7em-none-eabihf": "armelf",
     "aarch64-unknown-none": "aarch64elf",

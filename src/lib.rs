@@ -47,8 +47,9 @@
 //! | [`Lanes`], [`Level`], [`simd`] | vectors of numbers, and the proof that the CPU has them |
 //!
 //! The [guide] has pages: [choosing a layout](crate::guide::layout), [writing your own
-//! kernel](crate::guide::kernel), [accuracy](crate::guide::accuracy), [the same bits
-//! everywhere](crate::guide::reproducible), [firmware](crate::guide::firmware), and [coming from another library](crate::guide::migration).
+//! kernel](crate::guide::kernel), [clips](crate::guide::clips), [accuracy](crate::guide::accuracy), [the same bits
+//! everywhere](crate::guide::reproducible), [firmware](crate::guide::firmware), and [coming from another
+//! library](crate::guide::migration).
 //!
 //! What most programs need is at the root; everything else is in its module alone.
 //!

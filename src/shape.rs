@@ -80,6 +80,11 @@ pub enum ShapeError {
         /// The number of frames.
         frames: usize,
     },
+    /// A place that packed clips do not have: it was made of others.
+    NoPlace {
+        /// The instance that is to be there.
+        instance: usize,
+    },
 }
 
 impl fmt::Display for ShapeError {
@@ -117,6 +122,9 @@ impl fmt::Display for ShapeError {
                 f,
                 "instance {instance} lies after frame {frame}, and none follows it among {frames} frames"
             ),
+            Self::NoPlace { instance } => {
+                write!(f, "instance {instance} lies at a place of other clips than these")
+            }
         }
     }
 }

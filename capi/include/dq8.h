@@ -7,6 +7,7 @@
  *
  * Names.    dq8_motion_NAME: one motion. dq8_mechanism_NAME: one configuration of a mechanism.
  *           dq8_skin_NAME: a mesh. dq8_plan_NAME: one instance of a hierarchy, in the best order.
+ *           dq8_clips_NAME: packed clips.
  *           dq8_NAME: arrays of `count` things in all, plain. dq8_blocks_NAME: the same on blocks, the fastest
  *           way. Each for float (_f32) and for double (_f64).
  * Blocks.   A block has `lanes` things, component after component: with 8 lanes, the eight px, then
@@ -16,15 +17,15 @@
  *           except the index `bad_joint` or `bad_vertex`, and the steps that were to be a mechanism.
  * Memory.   All of it is yours: the library allocates nothing, frees nothing, and keeps no pointer
  *           after it returns; a dq8_mechanism keeps one to its steps, a dq8_skin two to its joints and
- *           weights. What their functions do is undefined if that memory has changed or gone. A pointer may
- *           be null where the length of its array is 0.
+ *           weights, dq8_clips one to their bytes. What their functions do is undefined if that memory
+ *           has changed or gone. A pointer may be null where the length of its array is 0.
  * Align.    That of the number type; blocks start at multiples of 64 bytes.
  * Aliasing. Inputs may overlap each other. An output overlaps nothing, be it an array or one thing such as
  *           a motion, a root or options, unless a function says that it may be one of the inputs: then
  *           exactly that array. Functions on one motion read all before
  *           they write, so there an output may lie anywhere.
  * Checked.  Null and misaligned pointers, overlaps and lengths give an error. Wrong numbers in arrays give
- *           wrong results, never a crash, but in memory that a mechanism or a skin keeps. That an array is
+ *           wrong results, never a crash, but in memory that a mechanism, a skin or clips keep. That an array is
  *           as long as you say cannot be checked, nor that a motion is unit where one is asked for.
  * Threads.  Calls do not know of each other; only dq8_backend_limit is for all threads.
  */
@@ -180,6 +181,14 @@ enum dq8_status
    * No joint moves the link of a goal: only fixed ones carry it.
    */
   DQ8_STATUS_UNMOVED = 31,
+  /**
+   * The packed clips have not been made.
+   */
+  DQ8_STATUS_NO_CLIPS = 32,
+  /**
+   * Bytes are no packed clips.
+   */
+  DQ8_STATUS_NOT_CLIPS = 33,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -360,6 +369,35 @@ typedef enum dq8_outcome dq8_outcome;
 typedef int32_t dq8_outcome;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
+
+/**
+ * Clips of one skeleton, checked once. It may be copied and moved; the bytes that it was made of must stay where they
+ * are, as they are.
+ */
+typedef struct dq8_clips {
+  /**
+   * How many joints the skeleton has. 0 in clips that have not been made, if they were zeroed.
+   */
+  size_t joints;
+  /**
+   * How many clips there are.
+   */
+  size_t clips;
+  /**
+   * Not for you.
+   */
+  const uint8_t *opaque[9];
+} dq8_clips;
+
+/**
+ * A clip, and the frame after which an instance is: made by dq8_clips_place, and good for the same clips.
+ */
+typedef struct dq8_place {
+  /**
+   * Not for you.
+   */
+  uint32_t numbers[5];
+} dq8_place;
 
 /**
  * Memory for a joint of a mechanism; what is in it is the library's business.
@@ -833,6 +871,65 @@ dq8_status dq8_blocks_chain_products_f64(size_t lanes,
                                          const double *links,
                                          double *out,
                                          size_t count);
+
+/**
+ * Finds packed clips in bytes of dq8's form, which the Rust and the Python package and the example mocap write. Reads all of
+ * them once.
+ *
+ * DQ8_STATUS_NOT_CLIPS if they are none; `bad_offset` is set to the first byte that is wrong, and may be null.
+ */
+dq8_status dq8_clips_make(const uint8_t *bytes,
+                          size_t length,
+                          struct dq8_clips *clips,
+                          size_t *bad_offset);
+
+/**
+ * The place `at` of a clip, in frames from its first, and how far it is from that frame to the next, from 0
+ * to 1. DQ8_STATUS_UNKNOWN_VALUE if there is no such clip.
+ */
+dq8_status dq8_clips_place_f32(const struct dq8_clips *clips,
+                               size_t clip,
+                               float at,
+                               struct dq8_place *place,
+                               float *t);
+
+/**
+ * As dq8_local_to_model, of what lies `t[i]` of the way from the frame of `places[i]` to the next one: t is
+ * cut to [0, 1]. `models` are `[instance][joint]`, `joint_count` times `instances` in all. DQ8_STATUS_LENGTH
+ * if the clips have another number of joints, or a place is one of other clips.
+ */
+dq8_status dq8_clips_to_model_f32(const int32_t *parents,
+                                  size_t joint_count,
+                                  const float *root,
+                                  const struct dq8_clips *clips,
+                                  const struct dq8_place *places,
+                                  const float *t,
+                                  size_t instances,
+                                  float *models);
+
+/**
+ * The place `at` of a clip, in frames from its first, and how far it is from that frame to the next, from 0
+ * to 1. DQ8_STATUS_UNKNOWN_VALUE if there is no such clip.
+ */
+dq8_status dq8_clips_place_f64(const struct dq8_clips *clips,
+                               size_t clip,
+                               double at,
+                               struct dq8_place *place,
+                               double *t);
+
+/**
+ * As dq8_local_to_model, of what lies `t[i]` of the way from the frame of `places[i]` to the next one: t is
+ * cut to [0, 1]. `models` are `[instance][joint]`, `joint_count` times `instances` in all. DQ8_STATUS_LENGTH
+ * if the clips have another number of joints, or a place is one of other clips.
+ */
+dq8_status dq8_clips_to_model_f64(const int32_t *parents,
+                                  size_t joint_count,
+                                  const double *root,
+                                  const struct dq8_clips *clips,
+                                  const struct dq8_place *places,
+                                  const double *t,
+                                  size_t instances,
+                                  double *models);
 
 /**
  * A line moved by a unit motion. It is six numbers: its direction, and its moment p x direction of any

@@ -8,6 +8,7 @@
 //! | [`slices`], [`lines`], [`twists`], [`metric`] | kernels over arrays of motions, points, lines, planes, twists, plain or in blocks |
 //! | [`hierarchy`] | joint hierarchies and skinning palettes, plain or in blocks |
 //! | [`chain`] | long chains, plain or in blocks |
+//! | [`clips`] | packed clips, plain |
 //! | [`plan`] | one instance in the order that is fastest, plain |
 //! | [`joint`], [`mechanism`] | one configuration of a mechanism: poses of links, Jacobians |
 //! | [`reach`] | inverse kinematics of one configuration |
@@ -30,6 +31,7 @@ mod export;
 mod kernel;
 pub mod backend;
 pub mod chain;
+pub mod clips;
 pub mod geometry;
 pub mod hierarchy;
 pub mod joint;

@@ -106,6 +106,10 @@ statuses! {
         Share = 30: c"a share of a mix is not in [0, 1]",
         /// No joint moves the link of a goal: only fixed ones carry it.
         Unmoved = 31: c"no joint moves the link of a goal",
+        /// The packed clips have not been made.
+        NoClips = 32: c"the packed clips have not been made",
+        /// Bytes are no packed clips.
+        NotClips = 33: c"the bytes are no packed clips",
     }
 }
 

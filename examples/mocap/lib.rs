@@ -2,7 +2,7 @@
 //! time.
 //!
 //! A clip ([`clip`]) comes from the biped ([`biped`]) or a file (`bvh`); `positions` concatenates it
-//! by lanes; `table`, `csv` and `svg` show the result. [`command`] and [`output`] serve the example
+//! by lanes; `packed` packs it; `table`, `csv` and `svg` show the result. [`command`] and [`output`] serve the example
 //! `compare` as well, and the biped serves tests.
 
 #![allow(missing_docs, reason = "parts of a program")]
@@ -14,6 +14,7 @@ pub mod clip;
 pub mod command;
 mod csv;
 pub mod output;
+mod packed;
 mod positions;
 mod svg;
 mod table;
@@ -43,14 +44,20 @@ fn run(args: &Args) -> Result<(), Box<dyn Error>> {
     print(&table::text(&clip, &positions)?)?;
     positions.check()?;
 
-    let (mut paths, mut texts): (Vec<&Path>, _) = (Vec::new(), Vec::new());
+    let (mut paths, mut texts): (Vec<&Path>, Vec<Vec<u8>>) = Default::default();
     if let Some(path) = &args.csv {
         paths.push(path);
-        texts.push(csv::table(&clip, &positions)?);
+        texts.push(csv::table(&clip, &positions)?.into());
     }
     if let Some(path) = &args.svg {
         paths.push(path);
-        texts.push(svg::picture(&clip, &positions.world, positions.size)?);
+        texts.push(svg::picture(&clip, &positions.world, positions.size)?.into());
+    }
+    if let Some(path) = &args.pack {
+        let (bytes, text) = packed::pack(&clip, positions.size)?;
+        print(&text)?;
+        paths.push(path);
+        texts.push(bytes);
     }
     Outputs::open(paths.iter().copied(), args.clip.as_deref())?.write(&texts)?;
     for path in paths {

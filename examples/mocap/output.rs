@@ -57,13 +57,13 @@ impl<'a> Outputs<'a> {
         Ok(outputs)
     }
 
-    /// Writes one text to each.
-    pub fn write(mut self, texts: &[String]) -> Result<(), Unwritable> {
+    /// Writes one text, or bytes, to each.
+    pub fn write(mut self, texts: &[impl AsRef<[u8]>]) -> Result<(), Unwritable> {
         for ((path, file), text) in self.files.iter_mut().zip(texts) {
             if file.metadata().is_ok_and(|metadata| metadata.is_file()) {
                 file.set_len(0).map_err(fails(path))?;
             }
-            file.write_all(text.as_bytes()).map_err(fails(path))?;
+            file.write_all(text.as_ref()).map_err(fails(path))?;
         }
         self.created.clear();
         Ok(())

@@ -1,7 +1,7 @@
 use crate::error::Error;
 use std::path::PathBuf;
 
-pub(crate) const USAGE: &str = "skin [FILE.glb [--animation NAME] [--method lbs|dlb|mix=X] [--times T0,T1,…] [--obj DIR]] \
+pub(crate) const USAGE: &str = "skin [FILE.glb [--animation NAME] [--method lbs|dlb|mix=X] [--times T0,T1,…] [--obj DIR] [--pack OUT]] \
                                 [--svg OUT]";
 
 /// How a mesh is posed.
@@ -21,6 +21,7 @@ pub(crate) struct Args {
     pub(crate) times: Option<Vec<f64>>,
     pub(crate) obj: Option<PathBuf>,
     pub(crate) svg: Option<PathBuf>,
+    pub(crate) pack: Option<PathBuf>,
 }
 
 impl Args {
@@ -32,6 +33,7 @@ impl Args {
             times: None,
             obj: None,
             svg: None,
+            pack: None,
         };
         while let Some(word) = words.next() {
             let mut value = || words.next().ok_or_else(|| Error(format!("{word} needs a value")));
@@ -40,6 +42,7 @@ impl Args {
                 "--method" => args.method = method(&value()?)?,
                 "--times" => args.times = Some(times(&value()?)?),
                 "--obj" => args.obj = Some(value()?.into()),
+                "--pack" => args.pack = Some(value()?.into()),
                 "--svg" => args.svg = Some(value()?.into()),
                 _ if word.starts_with('-') || args.file.is_some() => {
                     return Err(Error(format!("{word} is not expected: {USAGE}")));

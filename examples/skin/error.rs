@@ -19,7 +19,7 @@ impl fmt::Display for Error {
 
 impl std::error::Error for Error {}
 
-pub(crate) fn write(to: &Path, text: &str) -> Result<(), Error> {
+pub(crate) fn write(to: &Path, text: impl AsRef<[u8]>) -> Result<(), Error> {
     std::fs::write(to, text).map_err(|error| Error::at(to, error))
 }
 

@@ -112,13 +112,18 @@ impl File {
             .map_err(|error| Error::at(&self.path, error))
     }
 
+    /// The maps of all nodes into their parents.
+    pub(crate) fn locals(&self, animation: &Animation, time: f64) -> Vec<Affine<f64>> {
+        animation.locals(&self.nodes, time)
+    }
+
     /// The maps of all nodes into the world.
     pub(crate) fn worlds(
         &self,
         animation: &Animation,
         time: f64,
     ) -> Result<Vec<Affine<f64>>, Error> {
-        let mut worlds = animation.locals(&self.nodes, time);
+        let mut worlds = self.locals(animation, time);
         for &(node, parent) in &self.order {
             if let Some(parent) = parent {
                 worlds[node] = worlds[parent] * worlds[node];

@@ -2,12 +2,13 @@
 //!
 //! ```text
 //! skin [--svg OUT]                     the built-in tube, bent and twisted: volume and length, one SVG (skin.svg)
-//! skin FILE.glb [--animation NAME] [--method lbs|dlb|mix=X] [--times T0,T1,…] [--obj DIR] [--svg OUT]
+//! skin FILE.glb [--animation NAME] [--method lbs|dlb|mix=X] [--times T0,T1,…] [--obj DIR] [--pack OUT] [--svg OUT]
 //! ```
 //!
 //! FILE is a binary or textual glTF file. The meshes of its scene are posed in world space, at each time in seconds (by
 //! default four of the animation), in the order of nodes, primitives and vertices of the file. A mesh with a skin
 //! follows its joints and not its own node (glTF 2.0, §3.7.3.3); one without follows its node.
+//! `--pack` writes the animation of all nodes as a packed clip, 30 frames a second.
 //! X is the share of `dlb`, the default method, in [0, 1]. What else would put vertices somewhere is an error that names the
 //! mesh: weights of morph targets that are not zero, compressed meshes, instances. What moves no vertex (materials, textures,
 //! cameras, data of applications) is not looked at.
@@ -24,6 +25,7 @@ mod file;
 mod json;
 mod mesh;
 mod obj;
+mod pack;
 mod pose;
 #[cfg(test)]
 mod readable;
@@ -76,6 +78,11 @@ fn run(args: &Args) -> Result<String, Error> {
         std::fs::create_dir_all(directory).map_err(|error| Error::at(directory, error))?;
     }
     let mut report = String::new();
+    if let Some(to) = &args.pack {
+        let (packed, text) = pack::pack(&file, &animation)?;
+        error::write(to, packed.as_bytes())?;
+        report += &text;
+    }
     let (mut panels, meshes) = (Vec::new(), file.meshes()?);
     for (index, &time) in times.iter().enumerate() {
         let worlds = file.worlds(&animation, time)?;

@@ -48,13 +48,18 @@ impl Animation {
         Ok(Self { channels })
     }
 
-    /// Four, from the beginning on.
-    pub(crate) fn times(&self) -> Vec<f64> {
+    /// When the last of it ends.
+    pub(crate) fn end(&self) -> f64 {
         let ends = self.channels.iter().map(|(_, channel)| match channel {
             Channel::Translation(sampler) | Channel::Scale(sampler) => sampler.end(),
             Channel::Rotation(sampler) => sampler.end(),
         });
-        let end = ends.fold(0.0, f64::max);
+        ends.fold(0.0, f64::max)
+    }
+
+    /// Four, from the beginning on.
+    pub(crate) fn times(&self) -> Vec<f64> {
+        let end = self.end();
         if end > 0.0 { [0.0, 0.25, 0.5, 0.75].map(|t| t * end).to_vec() } else { vec![0.0] }
     }
 

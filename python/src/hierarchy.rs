@@ -32,7 +32,7 @@ use pyo3::types::PyList;
 #[pyclass(frozen, module = "dq8")]
 #[derive(Debug)]
 pub(crate) struct Hierarchy {
-    parents: Vec<u32>,
+    pub(crate) parents: Vec<u32>,
 }
 
 #[pymethods]

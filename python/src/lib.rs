@@ -23,6 +23,7 @@ mod mechanism;
 mod method;
 mod number;
 mod output;
+mod packed_clip;
 mod palette;
 mod plain;
 mod reach;
@@ -91,6 +92,8 @@ mod _core {
     use super::hierarchy::Hierarchy;
     #[pymodule_export]
     use super::mechanism::Mechanism;
+    #[pymodule_export]
+    use super::packed_clip::PackedClip;
     #[pymodule_export]
     use super::plain::real_array;
     #[pymodule_export]

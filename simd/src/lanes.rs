@@ -136,6 +136,19 @@ pub trait Lanes:
         unsafe { store_rows(components, to, 3) };
     }
 
+    /// Lane `i` of four vectors is 2¹⁴((1−t)a + tb), exact but for the last rounding, of the four numbers of the records
+    /// a and b of `from` whose places are `place(i)`. t is cut to [0, 1], NaN to 0, and rounded to a multiple of 2⁻¹⁴.
+    /// The bits are the same on every target. `place` must be `#[inline(always)]`.
+    ///
+    /// # Safety
+    /// All those records may be read.
+    unsafe fn between_shorts(
+        level: Self::Level,
+        from: *const [u8; 8],
+        place: impl Fn(usize) -> [usize; 2],
+        t: Self,
+    ) -> [Self; 4];
+
     /// In each group of four lanes, lane `i` is the sum of the group's numbers of vector `i`, as (0 + 2) + (1 + 3):
     /// four dot products whose products are there. For vectors of four lanes or a multiple of that.
     #[inline(always)]
@@ -293,6 +306,8 @@ pub trait Float:
     type Half<V: Level>: Lanes<Real = Self, Level = V, Array = [Self; 4]>;
     /// The nearest number of this type.
     fn from_f64(value: f64) -> Self;
+    /// The nearest number of this type.
+    fn from_i32(value: i32) -> Self;
 }
 
 impl Float for f32 {
@@ -305,6 +320,10 @@ impl Float for f32 {
     fn from_f64(value: f64) -> Self {
         value as f32
     }
+    #[inline(always)]
+    fn from_i32(value: i32) -> Self {
+        value as Self
+    }
 }
 
 impl Float for f64 {
@@ -315,6 +334,10 @@ impl Float for f64 {
     #[inline(always)]
     fn from_f64(value: f64) -> Self {
         value
+    }
+    #[inline(always)]
+    fn from_i32(value: i32) -> Self {
+        value.into()
     }
 }
 

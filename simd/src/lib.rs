@@ -6,6 +6,8 @@
 //! | [`records`] | [`Records`]: transposes between vectors and records of numbers |
 //! | [`gather`] | [`Gather`]: records of a table, each lane from a row of its own |
 //! | [`picks`] | `CheckedIndices` and `Picks`: records of a table by indices that are checked once |
+//! | [`shorts`] | records of four numbers of 16 bits, and what lies between two |
+//! | [`tracks`] | [`Tracks`]: clips of such records, checked once |
 //! | [`mod@portable`] | [`Portable`]: the lanes of the crate `wide`, with the instructions of the build target |
 //! | [`one`] | plain `f32` and `f64` as vectors of one lane |
 //! | [`square_root`] | the square root of one number, which `core` does not have |
@@ -48,7 +50,9 @@ pub mod plain;
 pub mod portable;
 pub mod records;
 mod sealed;
+pub mod shorts;
 pub mod square_root;
+pub mod tracks;
 #[cfg(feature = "reproducible")]
 pub mod unfused;
 #[cfg(target_arch = "x86_64")]
@@ -60,6 +64,10 @@ pub use gather::Gather;
 pub use lanes::{Float, Lanes, Level, MAX_LANES, Mask, PackedDualQuat};
 pub use portable::Portable;
 pub use records::Records;
+pub use shorts::Shorts;
+#[cfg(feature = "alloc")]
+pub use tracks::OwnedTracks;
+pub use tracks::{PlacedTracks, TrackPlace, Tracks};
 #[cfg(feature = "reproducible")]
 pub use unfused::Unfused;
 

@@ -3,6 +3,7 @@
 
 use crate::lanes::{Lanes, Mask};
 use crate::portable::Portable;
+use crate::shorts::{self, Shorts};
 use crate::square_root;
 
 impl Mask for bool {
@@ -47,6 +48,16 @@ macro_rules! one_lane {
             #[inline(always)]
             fn store(self, to: &mut [$real; 1]) {
                 to[0] = self;
+            }
+            #[inline(always)]
+            unsafe fn between_shorts(
+                _: Portable,
+                from: *const Shorts,
+                place: impl Fn(usize) -> [usize; 2],
+                t: Self,
+            ) -> [Self; 4] {
+                // SAFETY: promised.
+                unsafe { shorts::one_by_one(Portable, from, place, t) }
             }
             #[inline(always)]
             fn mul_add(self, factor: Self, addend: Self) -> Self {

@@ -2,6 +2,7 @@
 
 use crate::lanes::Float;
 use crate::lanes::{Lanes, Mask};
+use crate::shorts::Shorts;
 use bytemuck::Pod;
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
@@ -75,6 +76,29 @@ where
                     from,
                     #[inline(always)]
                     |lane| place(L::LANES + lane),
+                ),
+            ]
+        };
+        let ([ax, ay, az, aw], [bx, by, bz, bw]) = (a, b);
+        [Self(ax, bx), Self(ay, by), Self(az, bz), Self(aw, bw)]
+    }
+    #[inline(always)]
+    unsafe fn between_shorts(
+        level: L::Level,
+        from: *const Shorts,
+        place: impl Fn(usize) -> [usize; 2],
+        t: Self,
+    ) -> [Self; 4] {
+        // SAFETY: promised, for all lanes.
+        let [a, b] = unsafe {
+            [
+                L::between_shorts(level, from, &place, t.0),
+                L::between_shorts(
+                    level,
+                    from,
+                    #[inline(always)]
+                    |lane| place(L::LANES + lane),
+                    t.1,
                 ),
             ]
         };

@@ -1,6 +1,7 @@
 //! [`Portable`]: the lanes of the crate [`wide`], with the instructions of the build target.
 
 use crate::lanes::{Lanes, Level, Mask, PackedDualQuat};
+use crate::shorts::{Shorts, four_at_once, one_by_one};
 use core::ops::{BitAnd, BitOr, Not};
 use wide::{Select, f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
 
@@ -59,7 +60,7 @@ pub struct WideMask<V>(V);
 
 /// `wide` offers these operations as inherent methods only, so no generic `impl` can reach them.
 macro_rules! wide_lanes {
-    ($($vector:ident: [$real:ty; $lanes:literal], $part:ty $(, $transpose:ident)? $(=> $half:ident)?;)*) => {$(
+    ($($vector:ident: [$real:ty; $lanes:literal], $part:ty, $between:ident $(, $transpose:ident)? $(=> $half:ident)?;)*) => {$(
         impl crate::sealed::Sealed for $vector {}
         impl Lanes for $vector {
             type Real = $real;
@@ -122,6 +123,16 @@ macro_rules! wide_lanes {
                 }
             )?
             #[inline(always)]
+            unsafe fn between_shorts(
+                _: Portable,
+                from: *const Shorts,
+                place: impl Fn(usize) -> [usize; 2],
+                t: Self,
+            ) -> [Self; 4] {
+                // SAFETY: promised.
+                unsafe { $between(Portable, from, place, t) }
+            }
+            #[inline(always)]
             fn mul_add(self, factor: Self, addend: Self) -> Self {
                 <$vector>::mul_add(self, factor, addend)
             }
@@ -178,12 +189,12 @@ macro_rules! wide_lanes {
     )*};
 }
 wide_lanes! {
-    f32x4: [f32; 4], part::F32x4, transpose;
-    f32x8: [f32; 8], part::F32x8 => f32x4;
-    f32x16: [f32; 16], part::F32x16;
-    f64x2: [f64; 2], part::F64x2;
-    f64x4: [f64; 4], part::F64x4;
-    f64x8: [f64; 8], part::F64x8;
+    f32x4: [f32; 4], part::F32x4, four_at_once, transpose;
+    f32x8: [f32; 8], part::F32x8, one_by_one => f32x4;
+    f32x16: [f32; 16], part::F32x16, one_by_one;
+    f64x2: [f64; 2], part::F64x2, one_by_one;
+    f64x4: [f64; 4], part::F64x4, one_by_one;
+    f64x8: [f64; 8], part::F64x8, one_by_one;
 }
 
 impl<V: BitAnd<Output = V>> BitAnd for WideMask<V> {

@@ -24,6 +24,9 @@
 ///     fn splat(_: Portable, value: f32) -> Self { Self(value) }
 ///     fn load(_: Portable, from: &[f32; 4]) -> Self { Self(from[0]) }
 ///     fn store(self, to: &mut [f32; 4]) { *to = [self.0; 4] }
+///     unsafe fn between_shorts(
+///         _: Portable, _: *const [u8; 8], _: impl Fn(usize) -> [usize; 2], t: Self,
+///     ) -> [Self; 4] { [t; 4] }
 ///     fn mul_add(self, _: Self, _: Self) -> Self { self }
 ///     fn neg_mul_add(self, _: Self, _: Self) -> Self { self }
 ///     fn sqrt(self) -> Self { self }

@@ -4,6 +4,7 @@
 //! that do not fuse either have the same bits with every instruction set and every width (NaN aside, of which there are many).
 
 use crate::lanes::{Lanes, Level, PackedDualQuat};
+use crate::shorts::Shorts;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A level, or a vector of it.
@@ -91,6 +92,16 @@ impl<L: Lanes> Lanes for Unfused<L> {
     unsafe fn store_triples([x, y, z]: [Self; 3], to: *mut L::Real) {
         // SAFETY: the same promise.
         unsafe { L::store_triples([x.0, y.0, z.0], to) }
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    unsafe fn between_shorts(
+        level: Self::Level,
+        from: *const Shorts,
+        place: impl Fn(usize) -> [usize; 2],
+        t: Self,
+    ) -> [Self; 4] {
+        // SAFETY: the same promise. What it fuses is exact.
+        unsafe { L::between_shorts(level.0, from, place, t.0) }.map(Self)
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn sum_quads([a, b, c, d]: [Self; 4]) -> Self {

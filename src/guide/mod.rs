@@ -6,6 +6,9 @@ pub mod layout {}
 #[doc = include_str!("kernel.md")]
 pub mod kernel {}
 
+#[doc = include_str!("clips.md")]
+pub mod clips {}
+
 #[doc = include_str!("accuracy.md")]
 pub mod accuracy {}
 

@@ -8,6 +8,7 @@
 //! | [`Poses`], [`RotationsTranslations`], [`Tracks`], [`Bones`] | forms of [locals](Locals) |
 //! | [`Clip`], [`Sampled`], [`Layered`] | locals that are sampled, blended and masked on their way into registers |
 //! | [`OwnedClip`] | a clip with memory of its own (feature `alloc`) |
+//! | [`PackedClip`], [`PackedClips`] | clips in 8 bytes for each track that moves, and frame: owned, borrowed |
 //! | [`Plan`], [`PlanScratch`] | the order in which one instance is computed fastest, for those without a heap |
 //! | [`Renormalize`] | when a run normalizes what it has multiplied |
 //! | [`Crowd`] | owned blocks for any number of instances (feature `alloc`) |
@@ -22,6 +23,7 @@
 
 mod backward;
 mod chain;
+mod clip;
 mod concatenate;
 #[cfg(feature = "alloc")]
 mod crowd;
@@ -29,6 +31,7 @@ mod error;
 mod family;
 mod forward;
 mod job;
+mod keys;
 mod layers;
 mod local_poses;
 mod locals;
@@ -37,6 +40,10 @@ mod model_to_local;
 mod owned_clip;
 #[cfg(feature = "alloc")]
 mod owned_plan;
+#[cfg(feature = "alloc")]
+mod packed_clip;
+mod packed_clips;
+mod packed_error;
 mod palette;
 mod palettes;
 #[cfg(feature = "rayon")]
@@ -61,14 +68,19 @@ mod unkept;
 mod write;
 
 pub use crate::palette_entry::{MatrixOrder, PaletteEntry};
+pub use clip::{Clip, Frames};
 #[cfg(feature = "alloc")]
 pub use crowd::Crowd;
 pub use error::HierarchyError;
 pub use job::Job;
+pub use keys::{Keys, PlacedKeys};
 pub use layers::{Layered, PoseSource};
 pub use locals::{Bones, Locals, Poses, RotationsTranslations, Tracks};
 #[cfg(feature = "alloc")]
 pub use owned_clip::OwnedClip;
+pub use packed_clip::{Deviation, PackedClip, Tolerance};
+pub use packed_clips::{PackedClips, Playback};
+pub use packed_error::PackedError;
 #[cfg(feature = "alloc")]
 pub use parent_index::ParentIndex;
 pub use parents::Hierarchy;
@@ -76,8 +88,10 @@ pub use plan::{NoPlan, Plan, Plans};
 pub use renormalize::Renormalize;
 pub use root::{NoRoot, Roots};
 pub use run::Root;
-pub use sampled::{Clip, Sampled};
+pub use sampled::Sampled;
 pub use schedule::PlanScratch;
 #[cfg(feature = "alloc")]
 pub use skeleton::Skeleton;
 pub use slot::JointSlot;
+
+pub use dq8_simd::TrackPlace;

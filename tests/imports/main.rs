@@ -119,12 +119,14 @@ const SIMD_MAY_IMPORT: &[(&str, &[&str])] = &[
     ("plain", &[]),
     ("square_root", &[]),
     ("checked_schedule", &["index"]),
-    ("portable", &["lanes", "sealed"]),
-    ("one", &["lanes", "portable", "square_root"]),
-    ("unfused", &["lanes"]),
-    ("pair", &["lanes", "sealed"]),
+    ("shorts", &["lanes"]),
+    ("portable", &["lanes", "sealed", "shorts"]),
+    ("tracks", &["index", "lanes", "shorts"]),
+    ("one", &["lanes", "portable", "shorts", "square_root"]),
+    ("unfused", &["lanes", "shorts"]),
+    ("pair", &["lanes", "sealed", "shorts"]),
     ("detect", &[]),
-    ("x86_64", &["lanes", "pair", "sealed", "detect"]),
+    ("x86_64", &["lanes", "pair", "sealed", "detect", "shorts"]),
 ];
 
 /// The same for `dq8-robot`, which Cargo keeps from everything that `dq8` does not show.

@@ -6,7 +6,7 @@ use crate::contest::Contest;
 use crate::memory::{Element, Product, Representation, Rows3x4, double};
 use crate::scene::{Scene, Shape};
 use crate::walk;
-use dq8::hierarchy::{Clip, Layered, Sampled};
+use dq8::hierarchy::{Clip, Layered, PackedClip, Sampled, Tolerance, TrackPlace};
 use dq8::{
     Backend, Block, DualQuat, Hierarchy,
     law::{Nlerp, NlerpLerp},
@@ -30,7 +30,11 @@ struct Crowd {
     parents: Vec<u32>,
     motions: [Vec<Motion>; 2],
     keys: [Vec<Key>; 2],
+    packed: PackedClip,
+    /// What the packed keys are, for they are not quite those.
+    unpacked: [Vec<Motion>; 2],
     frames: [Vec<u32>; 2],
+    places: [Vec<TrackPlace>; 2],
     t: [Vec<f32>; 2],
     weights: Vec<f32>,
     binds: Vec<Motion>,
@@ -41,18 +45,55 @@ impl Crowd {
         let scene = Scene::new(Shape::Crowd { instances: DIFFERENT });
         let joints = scene.parents.len();
         let mut random = Random(4);
-        // The poses of the scene's instances are frames here.
+        // The joints swing between the poses of two of the scene's instances, at speeds of their own.
         let poses = scene.locals.different();
-        let motions = [0, 4].map(|first| poses[first * joints..][..FRAMES * joints].to_vec());
+        let swing = |first: usize, frame: usize, joint: usize| {
+            let [a, b] = [first, first + 1].map(|instance| poses[instance * joints + joint]);
+            let speed = 0.05 + 0.01 * (joint % 8) as f32;
+            a.sclerp(b, 0.5 + 0.5 * (speed * frame as f32 + joint as f32).sin())
+        };
+        let motions = [0, 4].map(|first| -> Vec<_> {
+            let all = (0..FRAMES).flat_map(|frame| (0..joints).map(move |joint| (frame, joint)));
+            all.map(|(frame, joint)| match (joint, scene.bones[joint]) {
+                (0, _) => swing(first, frame, joint),
+                (_, bone) => {
+                    Motion::from_rotation_translation(swing(first, frame, joint).rotation(), bone)
+                }
+            })
+            .collect()
+        });
         let mut again = |below: f64| -> Vec<f64> {
             let once: Vec<_> = (0..DIFFERENT).map(|_| random.between(0.0, below)).collect();
             once.into_iter().cycle().take(instances).collect()
         };
         let mut frames = || again((FRAMES - 1) as f64).iter().map(|at| *at as u32).collect();
-        let frames = [frames(), frames()];
+        let frames: [Vec<u32>; 2] = [frames(), frames()];
         let mut parameters = || again(1.0).iter().map(|t| *t as f32).collect();
+        let keys = motions.each_ref().map(|motions| motions.iter().map(key).collect::<Vec<_>>());
+        let packed =
+            PackedClip::library(joints, &keys.each_ref().map(Vec::as_slice), Tolerance::default())
+                .expect("no joint turns by 60° in a frame");
+        let clips = packed.clips();
+        let place = |clip: usize, frame: u32| clips.place(clip, frame as f32).expect("a frame").0;
+        let places =
+            [0, 1].map(|clip| frames[clip].iter().map(|&frame| place(clip, frame)).collect());
+        let unpacked = [0, 1].map(|clip| {
+            let at = (0..FRAMES).filter_map(|frame| clips.place(clip, frame as f32));
+            let (places, t): (Vec<_>, Vec<_>) = at.unzip();
+            let sampled =
+                Sampled::new(NlerpLerp, clips, &places, &t).expect("places of these clips");
+            // Each joint a root: its model is its pose.
+            let apart = vec![Hierarchy::ROOT; joints];
+            let mut poses = vec![Motion::IDENTITY; FRAMES * joints];
+            let hierarchy = Hierarchy::new(&apart).expect("roots");
+            hierarchy.job().locals_to_model(sampled, &mut poses).expect("they fit");
+            poses
+        });
         Self {
-            keys: motions.each_ref().map(|motions| motions.iter().map(key).collect()),
+            keys,
+            packed,
+            unpacked,
+            places,
             frames,
             t: [parameters(), parameters()],
             weights: parameters(),
@@ -65,6 +106,7 @@ impl Crowd {
     /// The palette by `f64`, from what lies between two motions.
     fn expected(
         &self,
+        motions: &[Vec<Motion>; 2],
         between: impl Fn(DualQuat<f64>, DualQuat<f64>, f64) -> DualQuat<f64>,
     ) -> Vec<Vec<f64>> {
         let joints = self.parents.len();
@@ -72,7 +114,7 @@ impl Crowd {
         let of_one = |instance: usize| {
             let sampled = |clip: usize, joint: usize| {
                 let at = self.frames[clip][instance] as usize * joints + joint;
-                let [a, b] = [at, at + joints].map(|at| double(self.motions[clip][at]));
+                let [a, b] = [at, at + joints].map(|at| double(motions[clip][at]));
                 between(a, b, self.t[clip][instance].into())
             };
             let weight = f64::from(self.weights[instance]);
@@ -111,13 +153,15 @@ pub(crate) fn with_contest(instances: usize, run: &mut dyn FnMut(&Contest<'_>)) 
     let mut contest = Contest {
         transforms: instances * joints,
         tolerance: 6e-5,
-        expected: crowd.expected(apart),
+        expected: crowd.expected(&crowd.motions, apart),
         ..Contest::new("J6", format!("{joints}x{instances} animated"), title)
     };
     for backend in backends() {
         plain(&mut contest, &crowd, backend);
+        packed(&mut contest, &crowd, backend);
+        contest.last_should(crowd.expected(&crowd.unpacked, apart));
         motions(&mut contest, &crowd, backend);
-        contest.last_should(crowd.expected(DualQuat::nlerp));
+        contest.last_should(crowd.expected(&crowd.motions, DualQuat::nlerp));
         blocks::<8>(&mut contest, &crowd, backend);
         blocks::<16>(&mut contest, &crowd, backend);
     }
@@ -148,6 +192,24 @@ fn plain<'a>(contest: &mut Contest<'a>, crowd: &'a Crowd, backend: Backend) {
     };
     let name = format!("dq8 rotations and translations, AoS {backend}");
     contest.add(name, Some(backend), memory, pass, numbers);
+}
+
+/// Both clips packed, in one library.
+fn packed<'a>(contest: &mut Contest<'a>, crowd: &'a Crowd, backend: Backend) {
+    let joints = crowd.parents.len();
+    let memory = move || ((), vec![[[0.0_f32; 4]; 3]; crowd.weights.len() * joints]);
+    let pass = move |(): &(), palette: &mut [[[f32; 4]; 3]]| {
+        let hierarchy = Hierarchy::new(&crowd.parents).expect("parents come first");
+        let mut scratch = vec![Motion::IDENTITY; SCRATCH * joints];
+        let [a, b] = [0, 1].map(|i| {
+            Sampled::new(NlerpLerp, crowd.packed.clips(), &crowd.places[i], &crowd.t[i])
+                .expect("places of these clips")
+        });
+        let locals = Layered::blend(NlerpLerp, a, b, &crowd.weights);
+        let job = hierarchy.job().backend(backend);
+        job.palette(locals, &mut scratch, &crowd.binds, palette).expect("they fit");
+    };
+    contest.add(format!("dq8 packed, AoS {backend}"), Some(backend), memory, pass, numbers);
 }
 
 fn motions<'a>(contest: &mut Contest<'a>, crowd: &'a Crowd, backend: Backend) {

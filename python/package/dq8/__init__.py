@@ -15,7 +15,7 @@ Ctrl-C ends a call within some tenths of a second. What `out` holds then is part
 before.
 
 `Mechanism` is a robot: joint values ``(..., values)`` to poses of links and Jacobians, and back from poses
-(`Mechanism.reach`). `skin` lets a mesh follow joints.
+(`Mechanism.reach`). `skin` lets a mesh follow joints. `PackedClip` is an animation in a quarter of its memory.
 
 `RigidTransform` wraps such an array in the methods of ``scipy.spatial.transform.RigidTransform``.
 
@@ -28,6 +28,7 @@ import os as _os
 from ._core import (
     Hierarchy,
     Mechanism,
+    PackedClip,
     ReachReport,
     adjoint,
     angle_to,
@@ -81,7 +82,9 @@ __version__ = "0.1.0"
 __all__ = [
     "Hierarchy",
     "Mechanism",
+    "PackedClip",
     "Outcome",
+    "PackedClip",
     "ReachReport",
     "RigidTransform",
     "adjoint",

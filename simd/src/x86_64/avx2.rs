@@ -1,6 +1,7 @@
 use super::frame::align_frame;
 use super::prefetch::{prefetch, prefetch_every};
 use super::quads::*;
+use super::shorts::*;
 use super::vector::vector;
 use crate::lanes::Level;
 use crate::lanes::{Lanes, Mask};
@@ -67,6 +68,7 @@ vector! {
     mul_add _mm_fmadd_ps; neg_mul_add _mm_fnmadd_ps;
     splat _mm_set1_ps; load _mm_loadu_ps; store _mm_storeu_ps; stream _mm_stream_ps;
     quads f32x4_load f32x4_store f32x4_store_triples f32x4_sum;
+    shorts one_by_one;
     and _mm_and_ps; and_not _mm_andnot_ps; or _mm_or_ps; xor _mm_xor_ps;
     less |a, b| M32x4(_mm_cmplt_ps(a.0, b.0), a.1);
     less_equal |a, b| M32x4(_mm_cmple_ps(a.0, b.0), a.1);
@@ -81,6 +83,7 @@ vector! {
     mul_add _mm256_fmadd_ps; neg_mul_add _mm256_fnmadd_ps;
     splat _mm256_set1_ps; load _mm256_loadu_ps; store _mm256_storeu_ps; stream _mm256_stream_ps;
     quads f32x8_load f32x8_store f32x8_store_triples f32x8_sum;
+    between_shorts f32x8_between;
     and _mm256_and_ps; and_not _mm256_andnot_ps; or _mm256_or_ps; xor _mm256_xor_ps;
     less |a, b| M32x8(_mm256_cmp_ps::<_CMP_LT_OQ>(a.0, b.0), a.1);
     less_equal |a, b| M32x8(_mm256_cmp_ps::<_CMP_LE_OQ>(a.0, b.0), a.1);
@@ -95,6 +98,7 @@ vector! {
     mul_add _mm_fmadd_pd; neg_mul_add _mm_fnmadd_pd;
     splat _mm_set1_pd; load _mm_loadu_pd; store _mm_storeu_pd; stream _mm_stream_pd;
     quads f64x2_load f64x2_store f64x2_store_triples;
+    shorts one_by_one;
     and _mm_and_pd; and_not _mm_andnot_pd; or _mm_or_pd; xor _mm_xor_pd;
     less |a, b| M64x2(_mm_cmplt_pd(a.0, b.0), a.1);
     less_equal |a, b| M64x2(_mm_cmple_pd(a.0, b.0), a.1);
@@ -109,6 +113,7 @@ vector! {
     mul_add _mm256_fmadd_pd; neg_mul_add _mm256_fnmadd_pd;
     splat _mm256_set1_pd; load _mm256_loadu_pd; store _mm256_storeu_pd; stream _mm256_stream_pd;
     quads f64x4_load f64x4_store f64x4_store_triples f64x4_sum;
+    shorts one_by_one;
     and _mm256_and_pd; and_not _mm256_andnot_pd; or _mm256_or_pd; xor _mm256_xor_pd;
     less |a, b| M64x4(_mm256_cmp_pd::<_CMP_LT_OQ>(a.0, b.0), a.1);
     less_equal |a, b| M64x4(_mm256_cmp_pd::<_CMP_LE_OQ>(a.0, b.0), a.1);

@@ -6,6 +6,7 @@
 //! | `frame.rs` | where vector registers are spilled to |
 //! | `prefetch.rs` | memory that will be needed soon |
 //! | `quads.rs` | transposes between records of four or three numbers and vectors of components |
+//! | `shorts.rs` | what lies between records of four short numbers |
 //! | `packed.rs` | one dual quaternion in a register |
 //! | `avx2.rs` | [`Avx2`]: 8 × `f32`, 4 × `f64`, and half as many; AVX2 and FMA |
 //! | `avx512.rs` | [`Avx512`]: 16 × `f32`, 8 × `f64`, and the narrower ones; AVX-512 F, VL, DQ |
@@ -19,6 +20,7 @@ mod frame;
 mod packed;
 mod prefetch;
 mod quads;
+mod shorts;
 mod vector;
 
 pub use avx2::Avx2;

@@ -13,6 +13,8 @@ macro_rules! vector {
         mul_add $mul_add:ident; neg_mul_add $neg_mul_add:ident;
         splat $splat:ident; load $load:ident; store $store:ident; stream $stream:ident;
         quads $load_quads:ident $store_quads:ident $store_triples:ident $($sum_quads:ident)?;
+        $(between_shorts $between:ident;)?
+        $(shorts $one_by_one:ident;)?
         and $and:ident; and_not $and_not:ident; or $or:ident; xor $xor:ident;
         less |$la:ident, $lb:ident| $less:expr;
         less_equal |$ea:ident, $eb:ident| $less_equal:expr;
@@ -81,6 +83,31 @@ macro_rules! vector {
                 // SAFETY: the lanes prove the instructions; the rest is promised.
                 unsafe { $store_triples([x.0, y.0, z.0], to) }
             }
+            $(
+                #[cfg_attr(not(opt_level_0), inline(always))]
+                unsafe fn between_shorts(
+                    level: $level,
+                    from: *const crate::shorts::Shorts,
+                    place: impl Fn(usize) -> [usize; 2],
+                    t: Self,
+                ) -> [Self; 4] {
+                    // SAFETY: `level` proves the instructions; the rest is promised.
+                    let [x, y, z, w] = unsafe { $between(from, place, t.0) };
+                    [Self(x, level), Self(y, level), Self(z, level), Self(w, level)]
+                }
+            )?
+            $(
+                #[cfg_attr(not(opt_level_0), inline(always))]
+                unsafe fn between_shorts(
+                    level: $level,
+                    from: *const crate::shorts::Shorts,
+                    place: impl Fn(usize) -> [usize; 2],
+                    t: Self,
+                ) -> [Self; 4] {
+                    // SAFETY: promised.
+                    unsafe { crate::shorts::$one_by_one(level, from, place, t) }
+                }
+            )?
             $(
                 #[cfg_attr(not(opt_level_0), inline(always))]
                 fn sum_quads([a, b, c, d]: [Self; 4]) -> Self {

@@ -1,11 +1,14 @@
 //! Calls the hot kernels, so that their machine code is in this program.
 
+use dq8::hierarchy::{Layered, PackedClip, Sampled, Tolerance};
+use dq8::law::NlerpLerp;
 use dq8::simd::Row;
 use dq8::{Backend, Block, DualQuat, Hierarchy, Skeleton};
 use std::hint::black_box;
 
 fn main() {
     one_instance();
+    packed_clips();
     kernels::<8>([Block::splat([0.0; 8]); 2], [Block::splat([0.0; 3]); 2]);
     kernels::<16>([Block::splat([0.0; 8]); 2], [Block::splat([0.0; 3]); 2]);
 }
@@ -15,6 +18,22 @@ fn one_instance() {
     let (locals, mut models) = (black_box([DualQuat::<f32>::IDENTITY; 2]), [DualQuat::ZERO; 2]);
     skeleton.local_to_model(&locals, &mut models).expect("they are of one length");
     black_box(models);
+}
+
+/// Two clips, blended, to a palette.
+fn packed_clips() {
+    let parents = [Hierarchy::ROOT, 0];
+    let hierarchy = Hierarchy::new(&parents).expect("a hierarchy");
+    let frames = black_box([[0.0_f32, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]; 4]);
+    let packed = PackedClip::new(2, &frames, Tolerance::default()).expect("it stays");
+    let places = [packed.clips().place(0, black_box(0.5_f32)).expect("a clip").0; 16];
+    let t = black_box([0.5; 16]);
+    let source = || Sampled::new(NlerpLerp, packed.clips(), &places, &t).expect("its places");
+    let locals = Layered::blend(NlerpLerp, source(), source(), &t);
+    let (mut scratch, binds) = ([DualQuat::IDENTITY; 32], black_box([DualQuat::IDENTITY; 2]));
+    let mut palette = [[[0.0; 4]; 3]; 32];
+    hierarchy.job().palette(locals, &mut scratch, &binds, &mut palette).expect("they fit");
+    black_box(palette);
 }
 
 /// Each on blocks of `N` lanes.

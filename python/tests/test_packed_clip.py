@@ -1,0 +1,69 @@
+"""Packed clips: what is sampled, what is kept, and what is refused."""
+
+import pickle
+
+import numpy as np
+import pytest
+
+import dq8
+
+FRAMES, JOINTS = 30, 4
+
+
+def walk():
+    """Three joints swing, one keeps still; the first one walks."""
+    time = np.arange(FRAMES)[:, np.newaxis]
+    speeds = np.array([0.2, 0.1, 0.0, 0.15])
+    angles = np.sin(time * speeds) * np.array([0.5, 1.0, 0.0, 2.0])
+    half = angles / 2
+    turns = np.stack([np.sin(half), 0 * half, 0 * half, np.cos(half)], axis=-1)
+    shifts = np.tile([0.0, 0.4, 0.1], (FRAMES, JOINTS, 1))
+    shifts[:, 0, 2] = 0.03 * np.arange(FRAMES)
+    return dq8.from_rotation_translation(turns, shifts)
+
+
+def test_sampled_at_frames_and_between():
+    frames = walk()
+    clip = dq8.PackedClip(frames)
+    assert (clip.frames, clip.joints, clip.moving) == (FRAMES, JOINTS, 4)
+    np.testing.assert_allclose(clip.sample(np.arange(FRAMES)), frames, atol=6e-5)
+    middle = clip.sample(2.5)
+    assert middle.shape == (JOINTS, 8) and middle.dtype == np.float64
+    wanted = (frames[2] + frames[3]) / 2
+    np.testing.assert_allclose(middle[:, :4], dq8.normalize(wanted)[:, :4], atol=6e-5)
+    # Beyond the clip are its ends.
+    np.testing.assert_array_equal(clip.sample([-3.0, 99.0]), clip.sample([0.0, FRAMES - 1.0]))
+    assert clip.sample(np.float32([[1.0, 2.0]])).dtype == np.float32
+    out = np.empty((2, JOINTS, 8))
+    assert clip.sample([1.0, 2.0], out=out) is out
+
+
+def test_bytes_come_back_and_others_are_refused():
+    clip = dq8.PackedClip(walk())
+    data = clip.to_bytes()
+    assert len(data) < FRAMES * JOINTS * 28 / 2
+    for same in (dq8.PackedClip.from_bytes(data), pickle.loads(pickle.dumps(clip))):
+        np.testing.assert_array_equal(same.sample(7.3), clip.sample(7.3))
+    with pytest.raises(ValueError, match="at byte 8"):
+        dq8.PackedClip.from_bytes(data[:8] + b"\x09" + data[9:])
+
+
+def test_deviation_is_that_of_models():
+    frames, legs = walk(), dq8.Hierarchy([-1, 0, 1, 2])
+    clip = dq8.PackedClip(frames)
+    worst, p99 = clip.deviation(legs, frames, 0.03)
+    assert 0 < p99 <= worst < 1.5e-4
+    models = [legs.local_to_model(poses) for poses in (frames, clip.sample(np.arange(FRAMES)))]
+    tips = np.eye(3) * 0.03
+    points = [dq8.transform_points(m[:, :, np.newaxis], tips) for m in models]
+    distances = np.linalg.norm(points[0] - points[1], axis=-1)
+    assert worst == pytest.approx(distances.max(), abs=1e-6)
+
+
+def test_what_cannot_be_held_is_named():
+    frames = walk()
+    frames[5, 1] = dq8.from_rotation_translation([0, 1.0, 0, 0], [0.0, 0.4, 0.1])
+    with pytest.raises(ValueError, match="joint 1 turns by .* to frame 5"):
+        dq8.PackedClip(frames)
+    with pytest.raises(ValueError, match="frames"):
+        dq8.PackedClip(frames[0])

@@ -1,0 +1,165 @@
+//! [`Clip`]: key frames of plain numbers, and [`Frames`] of it.
+
+use super::keys::{Keys, PlacedKeys};
+use super::locals::sealed::Sealed;
+use super::slot::JointSlot;
+use crate::law::Law;
+use crate::real::{Real, Scalar};
+use crate::shape::{ShapeError, whole_instances};
+use crate::storage::{Aos, Element, identity};
+use core::marker::PhantomData;
+use core::ops::Range;
+use dq8_simd::{Gather, Lanes, Records};
+
+/// Key frames at equal distances in time, `[frame][joint]`: motions, or rotations with translations
+/// `[x, y, z, w, tx, ty, tz]`. A clip that loops ends with its first frame once more.
+#[derive(Clone, Copy, Debug)]
+pub struct Clip<'c, K> {
+    pub(super) keys: &'c [K],
+    pub(super) joints: usize,
+    pub(super) frames: usize,
+    pub(super) rate: f64,
+    pub(super) loops: bool,
+}
+
+impl<'c, K> Clip<'c, K> {
+    /// A clip of `joints` joints.
+    ///
+    /// # Errors
+    /// If `keys` is empty or holds no whole number of frames.
+    pub fn new(joints: usize, keys: &'c [K]) -> Result<Self, ShapeError> {
+        if keys.is_empty() {
+            return Err(ShapeError::Empty { what: "keys" });
+        }
+        let frames = whole_instances("keys", joints, keys.len())?;
+        Ok(Self { keys, joints, frames, rate: 1.0, loops: false })
+    }
+
+    /// The same clip with times in seconds, of so many frames a second; without, times are frames.
+    #[must_use]
+    pub fn with_rate(self, frames_per_second: f64) -> Self {
+        Self { rate: frames_per_second, ..self }
+    }
+
+    /// The same clip, which begins again where it ends: times before and after it are those of other rounds.
+    #[must_use]
+    pub fn looping(self) -> Self {
+        Self { loops: true, ..self }
+    }
+
+    /// The time from the first frame to the last.
+    #[must_use]
+    pub fn duration(&self) -> f64 {
+        self.steps() / self.rate
+    }
+
+    /// The number of frames that follow another one.
+    #[allow(clippy::cast_precision_loss, reason = "exact up to 2⁵³ frames")]
+    pub(super) fn steps(&self) -> f64 {
+        self.frames.saturating_sub(1) as f64
+    }
+
+    /// The number of frames.
+    #[must_use]
+    pub fn frames(&self) -> usize {
+        self.frames
+    }
+
+    /// The frame before the time `at`, in frames from the first or, with a [rate](Self::with_rate), in seconds, and how
+    /// far it is to the next one, from 0 to 1 inclusive. What lies outside the clip is its first or last frame, unless it
+    /// [loops](Self::looping); NaN stays NaN. A clip of one frame has no next one ([`Sampled::new`](super::Sampled::new)
+    /// refuses it): give the frame twice.
+    ///
+    /// ```
+    /// use dq8::hierarchy::Clip;
+    /// let keys = [[0.0_f32; 8]; 6];
+    /// let clip = Clip::new(2, &keys)?;
+    /// assert_eq!(clip.place(1.25_f32), (1, 0.25));
+    /// assert_eq!(clip.place(7.0_f32), (1, 1.0));
+    /// // Two steps at 4 frames a second take half a second: 0.6875 s lie in the second round.
+    /// assert_eq!(clip.with_rate(4.0).looping().place(0.6875_f32), (0, 0.75));
+    /// # Ok::<(), dq8::ShapeError>(())
+    /// ```
+    #[must_use]
+    pub fn place<R: Scalar>(&self, at: R) -> (u32, R) {
+        let mut at: f64 = at.into() * self.rate;
+        if self.loops && self.frames > 1 {
+            at %= self.steps();
+            at += if at < 0.0 { self.steps() } else { 0.0 };
+        }
+        place(self.frames, at)
+    }
+}
+
+/// [`Clip::place`] in frames, of a clip of so many.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "within the clip")]
+pub(super) fn place<R: Scalar>(frames: usize, at: f64) -> (u32, R) {
+    // The last frame of all has no next one.
+    let last = frames.saturating_sub(2).min(u32::MAX as usize) as u32;
+    let frame = (at as u32).min(last);
+    let t = at - f64::from(frame);
+    (frame, Real::from_f64(if t.is_nan() { t } else { t.clamp(0.0, 1.0) }))
+}
+
+impl<K> Sealed for Clip<'_, K> {}
+impl<'s, K, R: Scalar, const C: usize> Keys<'s, R, C> for Clip<'s, K>
+where
+    K: Element<C, Layout = Aos<R>>,
+{
+    type Place = u32;
+    type Placed = Frames<'s, K, R>;
+    fn placed(self, frames: &'s [u32]) -> Result<Self::Placed, ShapeError> {
+        let missing = |frame: &u32| self.frames.saturating_sub(1) <= *frame as usize;
+        if let Some(instance) = frames.iter().position(missing) {
+            let frame = frames.get(instance).map_or(0, |&frame| frame as usize);
+            return Err(ShapeError::NoFrame { instance, frame, frames: self.frames });
+        }
+        Ok(Frames { clip: self, frames: Gather::new(frames, self.joints), number: PhantomData })
+    }
+}
+
+/// Frames of a clip, one for each instance, that another one follows.
+#[derive(Clone, Copy, Debug)]
+pub struct Frames<'s, K, R> {
+    clip: Clip<'s, K>,
+    frames: Gather<'s>,
+    number: PhantomData<R>,
+}
+
+impl<K, R: Scalar, const C: usize> PlacedKeys<R, C> for Frames<'_, K, R>
+where
+    K: Element<C, Layout = Aos<R>>,
+{
+    fn joints(self) -> usize {
+        self.clip.joints
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn pose<L: Lanes<Real = R>, W: Law<C>>(
+        self,
+        level: L::Level,
+        law: W,
+        slot: JointSlot,
+        t: L,
+    ) -> Option<[L; C]> {
+        let keys = K::plain(self.clip.keys)?;
+        let (joint, next) = (slot.joint(), slot.joint() + self.clip.joints);
+        let [a, b] = if slot.is_of_joints() {
+            // One instance: its keys are already side by side.
+            let frame = *self.frames.frames().get(slot.instance())? as usize * self.clip.joints;
+            let keys = keys.get(frame..)?;
+            [
+                L::load_records(level, keys.get(joint..)?, identity()),
+                L::load_records(level, keys.get(next..)?, identity()),
+            ]
+        } else {
+            [
+                L::load_gathered(level, keys, self.frames, slot.instance(), joint)?,
+                L::load_gathered(level, keys, self.frames, slot.instance(), next)?,
+            ]
+        };
+        Some(law.between(a, b, t))
+    }
+    fn part(self, instances: Range<usize>) -> Self {
+        Self { frames: self.frames.part(instances), ..self }
+    }
+}

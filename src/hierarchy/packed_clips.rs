@@ -1,0 +1,306 @@
+//! [`PackedClips`]: clips of a skeleton in 8 bytes for each track that moves, and frame, decoded in registers.
+
+use super::clip;
+use super::keys::{Keys, PlacedKeys};
+use super::locals::sealed::Sealed;
+use super::packed_error::PackedError;
+use super::slot::JointSlot;
+use crate::law::Law;
+use crate::real::Scalar;
+use crate::shape::ShapeError;
+use crate::storage::aos;
+use core::ops::Range;
+use dq8_simd::{Lanes, MAX_LANES, PlacedTracks, Records, TrackPlace, Tracks};
+
+/// What 1 is in a key of a rotation.
+pub(super) const ONE: f64 = 32767.0;
+/// 32767² cos 30°: the product of neighbouring keys is no less, for rotations 60° apart are quaternions 30° apart.
+const NEAREST: i64 = 929_830_942;
+
+/// Of each joint the place in its parent that none of its clips changes, and 2⁻¹⁴ of a step of its translations; 0 if none
+/// of them moves it. As four numbers, the lower byte first.
+pub(super) type Rest = [u8; 16];
+
+/// Clips of one skeleton, borrowed from their bytes, for instance of a mapped file or of flash, and checked once. Each has
+/// frames at equal distances, as many as it likes. [`Sampled`](super::Sampled) plays them, each instance its own clip.
+///
+/// A key is four integers of 16 bits. A rotation or a translation that stays the same in a clip has one, any other has one
+/// for each frame; a joint that no clip moves in its parent has no key of that at all. [The guide](crate::guide::clips)
+/// says what that costs and what it keeps; [`PackedClip`](super::PackedClip) makes them.
+///
+/// # Bytes
+///
+/// All numbers have the lower byte first, and nothing is aligned (a cache line for the start makes loads quicker).
+///
+/// | bytes | what |
+/// |---|---|
+/// | 8 | `dq8clips` |
+/// | 4 · `u32` | version 1, joints J, clips N, keys K |
+/// | K · 4 · `i16` | keys: a rotation x, y, z, w, 32767 for 1; a translation x, y, z, 0, in steps from the rest |
+/// | J · 4 · `f32` | the rest x, y, z, and 2⁻¹⁴ of a step |
+/// | N · 2 · `u32` | how many frames, and how many keys from one to the next |
+/// | N · 2J · `u32` | twice the number of the first key, and 1 more if there is one for each frame: J rotations, J translations |
+#[derive(Clone, Copy, Debug)]
+pub struct PackedClips<'a> {
+    pub(super) tracks: Tracks<'a>,
+    pub(super) rests: &'a [Rest],
+}
+
+pub(super) const MAGIC: &[u8; 8] = b"dq8clips";
+pub(super) const VERSION: u32 = 1;
+const HEAD: usize = 24;
+
+/// Where keys, rests, clips and table lie, of how many joints.
+pub(super) fn parts(bytes: &[u8]) -> Result<([Range<usize>; 4], usize), PackedError> {
+    let wrong = |offset, what| PackedError::Bytes { offset, what };
+    if bytes.first_chunk() != Some(MAGIC) {
+        return Err(wrong(0, "they begin otherwise"));
+    }
+    let words = bytes.get(8..HEAD).ok_or(wrong(bytes.len(), "they end too early"))?;
+    let [version, joints, clips, keys] =
+        core::array::from_fn(|i| word(words, i).map_or(0, |word| word as usize));
+    if version != VERSION as usize {
+        return Err(wrong(8, "their version is another"));
+    }
+    let lengths = [
+        Some((keys, 8)),
+        Some((joints, 16)),
+        Some((clips, 8)),
+        clips.checked_mul(joints).map(|all| (all, 8)),
+    ];
+    let mut end = HEAD;
+    let mut ranges = [const { 0..0 }; 4];
+    for (range, length) in ranges.iter_mut().zip(lengths) {
+        let start = end;
+        end = length
+            .and_then(|(count, size): (usize, usize)| count.checked_mul(size)?.checked_add(start))
+            .filter(|&end| end <= bytes.len())
+            .ok_or(wrong(bytes.len(), "they end too early"))?;
+        *range = start..end;
+    }
+    if end == bytes.len() {
+        Ok((ranges, joints))
+    } else {
+        Err(wrong(end, "something follows them"))
+    }
+}
+
+fn word(bytes: &[u8], index: usize) -> Option<u32> {
+    bytes.as_chunks().0.get(index).map(|&word| u32::from_le_bytes(word))
+}
+
+/// Whether these are keys of unit rotations between which normalizing to the third order is exact to `f32`.
+pub(super) fn neighbours(a: [i16; 4], b: [i16; 4]) -> bool {
+    let dot = |a: [i16; 4], b: [i16; 4]| -> i64 {
+        a.iter().zip(b).map(|(&a, b)| i64::from(a) * i64::from(b)).sum()
+    };
+    // Four units from the sphere, where rounding leaves one.
+    let unit = |key| (1_073_414_169..=1_073_938_441).contains(&dot(key, key));
+    unit(a) && unit(b) && dot(a, b) >= NEAREST
+}
+
+impl<'a> PackedClips<'a> {
+    /// Of bytes that [`PackedClip::as_bytes`](super::PackedClip::as_bytes) gave, without a copy. Reads all of them once.
+    ///
+    /// # Errors
+    /// If they are no packed clips: where.
+    pub fn from_bytes(bytes: &'a [u8]) -> Result<Self, PackedError> {
+        let (ranges, joints) = parts(bytes)?;
+        let [keys, rests, clips, table] =
+            ranges.clone().map(|range| bytes.get(range).unwrap_or_default());
+        let tracks = Tracks::new(keys, clips, table, 2 * joints)
+            .map_err(|at| beyond(&ranges, joints, at))?;
+        let packed = Self { tracks, rests: rests.as_chunks().0 };
+        packed.check(&ranges)?;
+        Ok(packed)
+    }
+
+    /// Whether rotations are unit and near their neighbours, and rests finite.
+    fn check(&self, [_, rests, _, table]: &[Range<usize>; 4]) -> Result<(), PackedError> {
+        if let Some(joint) =
+            self.rests.iter().position(|rest| floats(rest).iter().any(|c| !c.is_finite()))
+        {
+            return Err(PackedError::Bytes {
+                offset: rests.start + 16 * joint,
+                what: "a rest is not finite",
+            });
+        }
+        for (clip, joint) in
+            (0..self.clips()).flat_map(|clip| (0..self.joints()).map(move |joint| (clip, joint)))
+        {
+            let moves = self.tracks.moves(clip, joint) == Some(true);
+            let last = if moves { self.frames(clip).unwrap_or(1) - 1 } else { 0 };
+            let key = |frame| self.tracks.key(clip, joint, frame as u32).unwrap_or_default();
+            let fits = (0..=last).all(|frame| neighbours(key(frame), key((frame + 1).min(last))));
+            if !fits {
+                let offset = table.start + 4 * (clip * self.tracks.columns() + joint);
+                let what = "rotations of a joint are not unit, or 60° apart";
+                return Err(PackedError::Bytes { offset, what });
+            }
+        }
+        Ok(())
+    }
+
+    /// How many joints the skeleton has.
+    #[must_use]
+    pub fn joints(&self) -> usize {
+        self.rests.len()
+    }
+
+    /// How many clips there are.
+    #[must_use]
+    pub fn clips(&self) -> usize {
+        self.tracks.clips()
+    }
+
+    /// How many frames a clip has. `None` if there is no such clip.
+    #[must_use]
+    pub fn frames(&self, clip: usize) -> Option<usize> {
+        self.tracks.clip(clip).map(|(frames, _)| frames as usize)
+    }
+
+    /// How many tracks of a clip, rotations and translations of its joints, have a key for each frame; the others have one.
+    /// `None` if there is no such clip.
+    #[must_use]
+    pub fn moving(&self, clip: usize) -> Option<usize> {
+        self.frames(clip)?;
+        Some(
+            (0..self.tracks.columns())
+                .filter(|&c| self.tracks.moves(clip, c) == Some(true))
+                .count(),
+        )
+    }
+
+    /// The place `at` of a clip, in frames from its first, and how far it is from that frame to the next, from 0 to 1: as
+    /// [`Clip::place`](super::Clip::place). `None` if there is no such clip.
+    #[must_use]
+    pub fn place<R: Scalar>(&self, clip: usize, at: R) -> Option<(TrackPlace, R)> {
+        let (frame, t) = clip::place(self.frames(clip)?, at.into());
+        Some((self.tracks.place(clip, frame)?, t))
+    }
+}
+
+/// An entry of the table that leads nowhere, or a clip that there cannot be.
+pub(super) fn beyond(
+    [_, _, clips, table]: &[Range<usize>; 4],
+    joints: usize,
+    (clip, column): (usize, Option<usize>),
+) -> PackedError {
+    match column {
+        Some(column) => PackedError::Bytes {
+            offset: table.start + 4 * (2 * joints * clip + column),
+            what: "a track has keys that are not there",
+        },
+        None => {
+            PackedError::Bytes { offset: clips.start + 8 * clip, what: "a clip has no such frames" }
+        }
+    }
+}
+
+fn floats(rest: &Rest) -> [f32; 4] {
+    core::array::from_fn(|i| word(rest, i).map_or(0.0, f32::from_bits))
+}
+
+impl Sealed for PackedClips<'_> {}
+impl<'s, R: Scalar> Keys<'s, R, 7> for PackedClips<'s> {
+    type Place = TrackPlace;
+    type Placed = Playback<'s>;
+    fn placed(self, places: &'s [TrackPlace]) -> Result<Playback<'s>, ShapeError> {
+        let placed = self.tracks.placed(places);
+        let tracks = placed.map_err(|instance| ShapeError::NoPlace { instance })?;
+        Ok(Playback { tracks, rests: self.rests })
+    }
+}
+
+/// Packed clips, and a place in them for each instance.
+#[derive(Clone, Copy, Debug)]
+pub struct Playback<'s> {
+    tracks: PlacedTracks<'s, 's>,
+    rests: &'s [Rest],
+}
+
+impl Playback<'_> {
+    /// Of the lanes' tracks, rotations or translations.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn between<L: Lanes>(
+        self,
+        level: L::Level,
+        slot: JointSlot,
+        column: usize,
+        t: L,
+    ) -> Option<[L; 4]> {
+        if slot.is_of_joints() {
+            self.tracks.between_columns(level, slot.instance(), column, t)
+        } else {
+            self.tracks.between(level, slot.instance(), column, t)
+        }
+    }
+
+    /// The rests of the lanes' joints, and whether any of these moves.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn rest<L: Lanes<Real: Scalar>>(
+        self,
+        level: L::Level,
+        slot: JointSlot,
+    ) -> Option<([L; 4], bool)> {
+        let rests = self.rests.get(slot.joint()..)?;
+        if !slot.is_of_joints() {
+            let rest = floats(rests.first()?);
+            return Some((aos::splat(level, rest.map(Into::into)), rest[3] != 0.0));
+        }
+        let mut numbers = [[L::Real::default(); 4]; MAX_LANES];
+        let mut moves = false;
+        for (numbers, rest) in numbers.iter_mut().zip(rests).take(L::LANES) {
+            let rest = floats(rest);
+            *numbers = rest.map(Into::into);
+            moves |= rest[3] != 0.0;
+        }
+        Some((L::load_records(level, &numbers, [L::Real::default(); 4]), moves))
+    }
+}
+
+impl<R: Scalar> PlacedKeys<R, 7> for Playback<'_> {
+    fn joints(self) -> usize {
+        self.rests.len()
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn pose<L: Lanes<Real = R>, W: Law<7>>(
+        self,
+        level: L::Level,
+        _: W,
+        slot: JointSlot,
+        t: L,
+    ) -> Option<[L; 7]> {
+        if !slot.is_of_joints() {
+            // Of the next instances.
+            self.tracks.prefetch(level, slot.instance() + L::LANES, L::LANES, slot.joint());
+        }
+        let [x, y, z, w] = unit(self.between(level, slot, slot.joint(), t)?);
+        let ([mut i, mut j, mut k, step], moves) = self.rest(level, slot)?;
+        if moves {
+            let [a, b, c, _] = self.between(level, slot, self.rests.len() + slot.joint(), t)?;
+            [i, j, k] = [a.mul_add(step, i), b.mul_add(step, j), c.mul_add(step, k)];
+        }
+        Some([x, y, z, w, i, j, k])
+    }
+    fn part(self, instances: Range<usize>) -> Self {
+        Self { tracks: self.tracks.part(instances), ..self }
+    }
+}
+
+/// What lies between keys of rotations, normalized. Neighbours are less than 60° apart, so the squared length 1 − e is near
+/// that of 1, and (1 − e)^(−½) is a polynomial of e without root and division, with a relative error of 5.5·10⁻⁸
+/// (minimax of degree 3 on [−0.0005, 0.068]).
+#[cfg_attr(not(opt_level_0), inline(always))]
+fn unit<L: Lanes>([x, y, z, w]: [L; 4]) -> [L; 4] {
+    const SCALE: f64 = 1.0 / (ONE * 16384.0);
+    let squares = w.mul_add(w, z * z) + y.mul_add(y, x * x);
+    let e = squares.neg_mul_add(x.constant(SCALE * SCALE), x.constant(1.0));
+    let s = e.mul_add(
+        x.constant(0.352_827_324_646_670_27 * SCALE),
+        x.constant(0.373_259_541_391_523_73 * SCALE),
+    );
+    let s = e.mul_add(s, x.constant(0.500_023_260_882_921 * SCALE));
+    let s = e.mul_add(s, x.constant(0.999_999_958_052_565_9 * SCALE));
+    [x * s, y * s, z * s, w * s]
+}
