@@ -123,7 +123,7 @@ const SIMD_MAY_IMPORT: &[(&str, &[&str])] = &[
     ("portable", &["lanes", "sealed", "shorts"]),
     ("tracks", &["index", "lanes", "shorts"]),
     ("one", &["lanes", "portable", "shorts", "square_root"]),
-    ("unfused", &["lanes", "shorts"]),
+    ("unfused", &["lanes", "sealed", "shorts"]),
     ("pair", &["lanes", "sealed", "shorts"]),
     ("detect", &[]),
     ("x86_64", &["lanes", "pair", "sealed", "detect", "shorts"]),
