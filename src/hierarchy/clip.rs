@@ -4,7 +4,7 @@ use super::keys::{Keys, PlacedKeys};
 use super::locals::sealed::Sealed;
 use super::slot::JointSlot;
 use crate::law::Law;
-use crate::real::{Real, Scalar};
+use crate::real::Scalar;
 use crate::shape::{ShapeError, whole_instances};
 use crate::storage::{Aos, Element, identity};
 use core::marker::PhantomData;
@@ -56,15 +56,21 @@ impl<'c, K> Clip<'c, K> {
     }
 }
 
-/// [`Clip::place`] of a clip of so many frames.
-#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "within the clip")]
+/// [`Clip::place`] of a clip of so many frames, in numbers of `R` alone: firmware has no quick `f64`.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
 pub(super) fn place<R: Scalar>(frames: usize, at: R) -> (u32, R) {
-    let at: f64 = at.into();
     // The last frame of all has no next one.
-    let last = frames.saturating_sub(2).min(u32::MAX as usize) as u32;
-    let frame = (at as u32).min(last);
-    let t = at - f64::from(frame);
-    (frame, Real::from_f64(if t.is_nan() { t } else { t.clamp(0.0, 1.0) }))
+    let last = frames.saturating_sub(2).min(i32::MAX as usize) as u32;
+    let before = if R::SINGLE {
+        bytemuck::cast::<R, f32>(at) as u32
+    } else {
+        bytemuck::cast::<R, f64>(at) as u32
+    };
+    let frame = before.min(last);
+    let t = at - R::from_i32(frame.cast_signed());
+    // NaN stays NaN.
+    let t = if t > R::ONE { R::ONE } else { t };
+    (frame, if t < R::ZERO { R::ZERO } else { t })
 }
 
 impl<K> Sealed for Clip<'_, K> {}
