@@ -40,7 +40,7 @@ impl<'c, K> Clip<'c, K> {
 
     /// The frame before the place `at`, in frames from the first, and how far it is to the next one, from 0
     /// to 1 inclusive. What lies outside the clip is its first or last frame; NaN stays NaN. A clip of one
-    /// frame has no next one ([`Sampled::new`] refuses it): give the frame twice.
+    /// frame has no next one ([`Sampled::new`](super::Sampled::new) refuses it): give the frame twice.
     ///
     /// ```
     /// use dq8::hierarchy::Clip;
