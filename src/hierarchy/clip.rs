@@ -4,7 +4,7 @@ use super::keys::{Keys, PlacedKeys};
 use super::locals::sealed::Sealed;
 use super::slot::JointSlot;
 use crate::law::Law;
-use crate::real::{Real, Scalar};
+use crate::real::Scalar;
 use crate::shape::{ShapeError, whole_instances};
 use crate::storage::{Aos, Element, identity};
 use core::marker::PhantomData;
@@ -82,23 +82,30 @@ impl<'c, K> Clip<'c, K> {
     /// ```
     #[must_use]
     pub fn place<R: Scalar>(&self, at: R) -> (u32, R) {
-        let mut at: f64 = at.into() * self.rate;
+        let mut time: f64 = at.into() * self.rate;
         if self.loops && self.frames > 1 {
-            at %= self.steps();
-            at += if at < 0.0 { self.steps() } else { 0.0 };
+            time %= self.steps();
+            time += if time < 0.0 { self.steps() } else { 0.0 };
         }
-        place(self.frames, at)
+        place(self.frames, Real::from_f64(time))
     }
 }
 
-/// [`Clip::place`] in frames, of a clip of so many.
-#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "within the clip")]
-pub(super) fn place<R: Scalar>(frames: usize, at: f64) -> (u32, R) {
+/// [`Clip::place`] in frames, of a clip of so many, in numbers of `R` alone: firmware has no quick `f64`.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
+pub(super) fn place<R: Scalar>(frames: usize, at: R) -> (u32, R) {
     // The last frame of all has no next one.
-    let last = frames.saturating_sub(2).min(u32::MAX as usize) as u32;
-    let frame = (at as u32).min(last);
-    let t = at - f64::from(frame);
-    (frame, Real::from_f64(if t.is_nan() { t } else { t.clamp(0.0, 1.0) }))
+    let last = frames.saturating_sub(2).min(i32::MAX as usize) as u32;
+    let before = if R::SINGLE {
+        bytemuck::cast::<R, f32>(at) as u32
+    } else {
+        bytemuck::cast::<R, f64>(at) as u32
+    };
+    let frame = before.min(last);
+    let t = at - R::from_i32(frame.cast_signed());
+    // NaN stays NaN.
+    let t = if t > R::ONE { R::ONE } else { t };
+    (frame, if t < R::ZERO { R::ZERO } else { t })
 }
 
 impl<K> Sealed for Clip<'_, K> {}

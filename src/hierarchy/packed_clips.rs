@@ -175,7 +175,7 @@ impl<'a> PackedClips<'a> {
     /// [`Clip::place`](super::Clip::place). `None` if there is no such clip.
     #[must_use]
     pub fn place<R: Scalar>(&self, clip: usize, at: R) -> Option<(TrackPlace, R)> {
-        let (frame, t) = clip::place(self.frames(clip)?, at.into());
+        let (frame, t) = clip::place(self.frames(clip)?, at);
         Some((self.tracks.place(clip, frame)?, t))
     }
 }

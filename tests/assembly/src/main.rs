@@ -27,11 +27,11 @@ fn packed_clips() {
     let frames = black_box([[0.0_f32, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]; 4]);
     let packed = PackedClip::new(2, &frames, Tolerance::default()).expect("it stays");
     let places = [packed.clips().place(0, black_box(0.5_f32)).expect("a clip").0; 16];
-    let t = black_box([0.5; 16]);
+    let t = black_box([0.5_f32; 16]);
     let source = || Sampled::new(NlerpLerp, packed.clips(), &places, &t).expect("its places");
     let locals = Layered::blend(NlerpLerp, source(), source(), &t);
     let (mut scratch, binds) = ([DualQuat::IDENTITY; 32], black_box([DualQuat::IDENTITY; 2]));
-    let mut palette = [[[0.0; 4]; 3]; 32];
+    let mut palette = [[[0.0_f32; 4]; 3]; 32];
     hierarchy.job().palette(locals, &mut scratch, &binds, &mut palette).expect("they fit");
     black_box(palette);
 }
