@@ -4,7 +4,7 @@ use super::keys::{Keys, PlacedKeys};
 use super::locals::sealed::Sealed;
 use super::slot::JointSlot;
 use crate::law::Law;
-use crate::real::Scalar;
+use crate::real::{Real, Scalar};
 use crate::shape::{ShapeError, whole_instances};
 use crate::storage::{Aos, Element, identity};
 use core::marker::PhantomData;
