@@ -27,7 +27,8 @@
  * Checked.  Null and misaligned pointers, overlaps and lengths give an error. Wrong numbers in arrays give
  *           wrong results, never a crash, but in memory that a mechanism, a skin or clips keep. That an array is
  *           as long as you say cannot be checked, nor that a motion is unit where one is asked for.
- * Threads.  Calls do not know of each other; only dq8_backend_limit is for all threads.
+ * Threads.  Calls do not know of each other; only dq8_backend_limit and dq8_set_reproducible are for all
+ * threads.
  */
 
 #ifndef DQ8_H
@@ -841,6 +842,16 @@ const char *dq8_backend_name(void);
  * DQ8_STATUS_UNKNOWN_VALUE if `most` is no backend; the limit stays as it was.
  */
 dq8_status dq8_backend_limit(int32_t most);
+
+/**
+ * From now on, in all threads, whether results have the same bits on every machine, for 1.0 to 1.5 times the time: 1 if
+ * they have, 0 if not, as they begin. It goes with every limit. Functions of one motion have the same bits
+ * always.
+ *
+ * DQ8_STATUS_UNKNOWN_VALUE if it is neither, or 1 and the library was built without the feature `reproducible`;
+ * nothing changes.
+ */
+dq8_status dq8_set_reproducible(int32_t reproducible);
 
 /**
  * `out[i] = links[0] * links[1] * ... * links[i]`: the model poses of a chain, fast where it has

@@ -7,7 +7,7 @@ use crate::backends;
 use crate::contest::Contest;
 use crate::memory::{double, single};
 use dq8::skinning::{DualBlend, Linear, Skin, Surface, SurfaceMut, dual_blend, linear_blend};
-use dq8::{Backend, DualQuat, Quat, representation::Affine};
+use dq8::{DualQuat, Quat, representation::Affine};
 use dq8_fixtures::random::Random;
 use glam::{Affine3A, Mat3A, Mat4, Vec3A};
 use nalgebra::{DualQuaternion, Point3, Quaternion, UnitDualQuaternion};
