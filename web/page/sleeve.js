@@ -16,7 +16,7 @@ export function sleeve(dq8, section) {
   }
   const skin = dq8.skin({ jointCount: 2, influences: 2, joints, weights }), from = dq8.floats(rest), shares = dq8.floats(new Float32Array(vertices).fill(0.5));
   const motions = dq8.motions(2), posed = BLENDS.map(() => dq8.floats(rest.length));
-  /** Of slices between rings: the sleeve has no caps. */
+  /** Six times its parts to the origin, with a fan over each end. */
   function volume(p) {
     let sum = 0;
     for (let i = 0; i < indices.length; i += 3) {
@@ -25,7 +25,7 @@ export function sleeve(dq8, section) {
     }
     for (const [ring, sign] of [[0, -1], [RINGS - 1, 1]]) for (let k = 0; k < AROUND; k++) {
       const [a, b] = [3 * (ring * AROUND + k), 3 * (ring * AROUND + (k + 1) % AROUND)];
-      sum += sign * p[a] * (p[a + 1] * p[b + 2] - p[a + 2] * p[b + 1]) * -1;
+      sum += sign * p[a] * (p[a + 1] * p[b + 2] - p[a + 2] * p[b + 1]);
     }
     return Math.abs(sum) / 6;
   }

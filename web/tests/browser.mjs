@@ -31,7 +31,7 @@ export async function open({ flags = [] } = {}) {
   });
   return {
     /** A page, what its console said, and what can be done with it. */
-    async page(url, { width = 1000, height = 800, mobile = false } = {}) {
+    async page(url, { width = 1000, height = 800, mobile = false, before } = {}) {
       const { targetId } = await send("Target.createTarget", { url: "about:blank" });
       const { sessionId } = await send("Target.attachToTarget", { targetId, flatten: true });
       const call = (method, params) => send(method, params, sessionId), messages = [];
@@ -43,6 +43,7 @@ export async function open({ flags = [] } = {}) {
       });
       await Promise.all([call("Runtime.enable"), call("Page.enable"), call("Log.enable"),
         call("Emulation.setDeviceMetricsOverride", { width, height, deviceScaleFactor: 1, mobile })]);
+      if (before) await call("Page.addScriptToEvaluateOnNewDocument", { source: before });
       await call("Page.navigate", { url });
       /** The value of an expression, awaited. */
       const evaluate = async (expression) => {

@@ -1,4 +1,4 @@
-// The same in plain JavaScript, loops over flat arrays written out: what dq8 is measured against, here and in ../bench.
+// The same in plain JavaScript, loops over flat arrays written out: what dq8 is measured against, here and on the page.
 
 /** Models of motions of eight numbers. */
 export function localToModel(parents, locals, models) {
@@ -20,8 +20,8 @@ export function localToModel(parents, locals, models) {
 
 /**
  * Two clips of [frame][joint][x y z w tx ty tz], blended, to 4×4 palettes by columns. `roots` are [x y z w tx ty tz] of each
- * instance, `binds` of each joint; `limbs` are [{ joints: [hip, knee, foot], ends, targets, poles }], `ends` the joints after
- * the last that hang from each.
+ * instance, `binds` of each joint; `limbs` are [{ joints: [hip, knee, foot], ends, targets, poles, aim }], `ends` the joints after
+ * the last that hang from each, `aim` what sets the target of an instance from its models.
  */
 export function animate({ parents, a, b, atA, atB, weights, roots, binds, palette, models, limbs = [] }) {
   const joints = parents.length, n = weights.length, row = 7 * joints;
@@ -46,7 +46,7 @@ export function animate({ parents, a, b, atA, atB, weights, roots, binds, palett
       const up = parents[j];
       if (up < 0) product(roots, 7 * i, x, y, z, q, px, py, pz, models, 7 * j); else product(models, 7 * up, x, y, z, q, px, py, pz, models, 7 * j);
     }
-    for (const limb of limbs) twoBone(models, limb, i);
+    for (const limb of limbs) { limb.aim?.(models, i); twoBone(models, limb, i); }
     for (let j = 0; j < joints; j++) {
       const o = 7 * j;
       product(models, o, binds[o], binds[o + 1], binds[o + 2], binds[o + 3], binds[o + 4], binds[o + 5], binds[o + 6], moved, 0);
