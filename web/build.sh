@@ -7,8 +7,9 @@ cd "$(dirname "$0")"
 ../scripts/install_missing.sh /usr/bin/rustc=rustc-web /usr/bin/cargo=cargo-web \
   /usr/lib/rustlib/src/rust/library=rust-web-src /usr/bin/wasm-ld=lld
 export RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1 CARGO_INCREMENTAL=0 CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER=wasm-ld
-# Every browser since 2023 and node since 16 know these.
-export RUSTFLAGS='-Ctarget-feature=+simd128,+bulk-memory,+nontrapping-fptoint,+sign-ext'
+# Every browser since 2023 and node since 16 know these. A panic would end the module
+# without a text: nobody could read one, and kernels do not panic.
+export RUSTFLAGS='-Ctarget-feature=+simd128,+bulk-memory,+nontrapping-fptoint,+sign-ext -Zunstable-options -Cpanic=immediate-abort'
 target=${CARGO_TARGET_DIR:-target}
 
 [ $# -gt 0 ] || set -- simd128

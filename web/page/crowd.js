@@ -10,9 +10,9 @@ const BODY = [
   [0, [0.1, 0, 0], [0, -0.21, 0], [0.075, 0.22, 0.08]], [11, [0, -0.43, 0], [0, -0.2, 0], [0.055, 0.22, 0.06]], [12, [0, -0.42, 0], [0, -0.03, 0.05], [0.05, 0.035, 0.1]], [13, [0, -0.04, 0.14], [0, 0, 0.03], [0.05, 0.025, 0.05]],
   [0, [-0.1, 0, 0], [0, -0.21, 0], [0.075, 0.22, 0.08]], [15, [0, -0.43, 0], [0, -0.2, 0], [0.055, 0.22, 0.06]], [16, [0, -0.42, 0], [0, -0.03, 0.05], [0.05, 0.035, 0.1]], [17, [0, -0.04, 0.14], [0, 0, 0.03], [0.05, 0.025, 0.05]],
 ];
-const JOINTS = BODY.length, FRAMES = 31, LIMBS = [[11, 12, 13], [15, 16, 17]], ENDS = [[15, 15, 15], [19, 19, 19]], ANKLE = 0.1, ROUNDS = 15;
+const JOINTS = BODY.length, FRAMES = 31, SINK = 0.16, LIMBS = [[11, 12, 13], [15, 16, 17]], ENDS = [[15, 15, 15], [19, 19, 19]], ANKLE = 0.1, ROUNDS = 15;
 const parents = Int32Array.from(BODY, ([parent]) => parent);
-const ground = (x, z) => 0.22 * Math.sin(0.9 * x) * Math.cos(0.7 * z) + 0.08 * Math.sin(2.3 * x + 1.7 * z);
+const ground = (x, z) => 0.2 * Math.sin(0.8 * x) * Math.cos(0.6 * z) + 0.03 * Math.sin(2.3 * x + 1.7 * z);
 
 /** Keys of a gait, by how far legs and arms swing. */
 function gait(leg, knee, arm, elbow, lean, bounce) {
@@ -71,7 +71,7 @@ export function crowd(dq8, section) {
     const keep = (array) => (own.push(array), array), side = Math.ceil(Math.sqrt(n)), root = new Float32Array(7 * n);
     for (let i = 0; i < n; i++) {
       const x = 1.1 * (i % side - (side - 1) / 2) + 0.3 * Math.sin(7 * i), z = 1.1 * (Math.floor(i / side) - (side - 1) / 2) + 0.3 * Math.cos(5 * i);
-      root.set([0, 0, 0, 1, x, ground(x, z), z], 7 * i);
+      root.set([0, 0, 0, 1, x, ground(x, z) - SINK, z], 7 * i); // so that a foot lower down is in reach
     }
     const [given, roots] = [dq8.floats(root), keep(dq8.motions(n))];
     dq8.fromRotationsTranslations(given, roots); given.free();
@@ -142,7 +142,7 @@ export function crowd(dq8, section) {
         for (let i = 0; i < N; i++) for (let k = 0; k < N; k++) for (const [a, b] of [[0, 0], [1, 0], [1, 1], [0, 0], [1, 1], [0, 1]]) point(i + a, k + b);
         gl.bindBuffer(gl.ARRAY_BUFFER, ground_); gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(soil), gl.STATIC_DRAW);
       }
-      const [r, u, f] = scene.axes(), wide = canvas.width / canvas.height, far = size * 1.15 * Math.max(1, 1 / wide) + 2, t = 1.7, near = 0.1, back = 4 * far;
+      const [r, u, f] = scene.axes(), wide = canvas.width / canvas.height, far = size * 0.9 * Math.max(1, 1 / wide) + 2, t = 1.7, near = 0.1, back = 4 * far;
       const eye = (row, extra) => -0.8 * row[1] - extra;
       const view = new Float32Array(16), depth = [(back + near) / (near - back), 2 * back * near / (near - back)];
       for (let k = 0; k < 3; k++) { view[4 * k] = t / wide * r[k]; view[4 * k + 1] = t * u[k]; view[4 * k + 2] = depth[0] * f[k]; view[4 * k + 3] = -f[k]; }

@@ -14,7 +14,7 @@ export async function robot(robots, section, text) {
     const depth = []; it.parents.forEach((parent, j) => { depth[j] = parent < 0 ? 0 : depth[parent] + 1; });
     hand = it.link("hand") ?? depth.indexOf(Math.max(...depth));
     const all = it.parents.map((_, j) => place(poses.view, j)), reach = Math.max(0.2, ...all.map((p) => Math.hypot(...p.map((x, k) => x - all[0][k]))));
-    scene.size = 3.2 * reach;
+    scene.size = 2.4 * reach;
     scene.centre = [0, 0.5 * reach, 0];
     goal = all[hand].slice();
     aim();

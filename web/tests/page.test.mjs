@@ -25,6 +25,7 @@ const dropped = (name, body) => page.evaluate(`(async () => {
   return document.getElementById("told").className + "|" + document.getElementById("told").textContent; })()`);
 
 test("dual quaternions keep the volume of a twisted sleeve, matrices pinch it", async () => {
+  assert.equal(await page.evaluate(`getComputedStyle(document.getElementById("yours")).display`), "none", "there is no file yet");
   await set("twist", 0);
   for (const volume of await page.evaluate("dq8.sleeve.volumes")) near(volume, 1, 1e-5, "the volume at rest");
   await set("twist", 180);
@@ -140,7 +141,7 @@ test("a picture of the page is kept", async () => {
   const whole = await browser.page(url, { width: 1000, height: 640 });
   await whole.until("window.dq8?.ready");
   await whole.evaluate(`document.getElementById("pause").checked = true; for (let i = 0; i < 60; i++) dq8.crowd.frame(0.037)`);
-  const picture = await whole.screenshot();
+  const picture = await whole.screenshot(0.6);
   assert.ok(picture.length > 50000);
   writeFileSync(new URL("../target/page.png", import.meta.url), picture);
 });
