@@ -142,7 +142,7 @@ export function crowd(dq8, section) {
         for (let i = 0; i < N; i++) for (let k = 0; k < N; k++) for (const [a, b] of [[0, 0], [1, 0], [1, 1], [0, 0], [1, 1], [0, 1]]) point(i + a, k + b);
         gl.bindBuffer(gl.ARRAY_BUFFER, ground_); gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(soil), gl.STATIC_DRAW);
       }
-      const [r, u, f] = scene.axes(), wide = canvas.width / canvas.height, far = size * 0.9 * Math.max(1, 1 / wide) + 2, t = 1.7, near = 0.1, back = 4 * far;
+      const [r, u, f] = scene.axes(), wide = canvas.width / canvas.height, far = size * 1.02 * Math.max(1, 1 / wide) + 2, t = 1.7, near = 0.1, back = 4 * far;
       const eye = (row, extra) => -0.8 * row[1] - extra;
       const view = new Float32Array(16), depth = [(back + near) / (near - back), 2 * back * near / (near - back)];
       for (let k = 0; k < 3; k++) { view[4 * k] = t / wide * r[k]; view[4 * k + 1] = t * u[k]; view[4 * k + 2] = depth[0] * f[k]; view[4 * k + 3] = -f[k]; }

@@ -125,7 +125,6 @@ fn two_bone(
 /// # Safety
 /// All that is named is there, apart from each other.
 #[unsafe(no_mangle)]
-#[expect(clippy::too_many_arguments, reason = "three joints, places and lengths of three arrays")]
 unsafe extern "C" fn dq8_skeleton_two_bone(
     rig: &Rig,
     root: usize,

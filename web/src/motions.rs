@@ -29,7 +29,6 @@ unsafe extern "C" fn dq8_mul(
 /// # Safety
 /// So many are there, and `between` lies apart.
 #[unsafe(no_mangle)]
-#[expect(clippy::too_many_arguments, reason = "places and lengths of four arrays")]
 unsafe extern "C" fn dq8_sclerp_each(
     a: *const Motion,
     a_count: usize,

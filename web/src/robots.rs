@@ -125,7 +125,6 @@ unsafe extern "C" fn dq8_robot_jacobians(
 /// # Safety
 /// So many are there, apart.
 #[unsafe(no_mangle)]
-#[expect(clippy::too_many_arguments, reason = "places and lengths of two arrays")]
 unsafe extern "C" fn dq8_robot_reach(
     robot: &mut Robot,
     link: usize,

@@ -140,7 +140,6 @@ impl Visitor for Palette<'_> {
 /// # Safety
 /// All that is named is there, and `palette` lies apart from it.
 #[unsafe(no_mangle)]
-#[expect(clippy::too_many_arguments, reason = "places and lengths of three arrays")]
 unsafe extern "C" fn dq8_skeleton_palette(
     rig: &mut Rig,
     source: &Source,

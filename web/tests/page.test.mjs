@@ -140,7 +140,7 @@ test("a phone has it in its width; without WebGL it says so and goes on", async 
 test("a picture of the page is kept", async () => {
   const whole = await browser.page(url, { width: 1000, height: 640 });
   await whole.until("window.dq8?.ready");
-  await whole.evaluate(`document.getElementById("pause").checked = true; for (let i = 0; i < 60; i++) dq8.crowd.frame(0.037)`);
+  await whole.evaluate(`document.getElementById("pause").checked = true; for (let i = 0; i < 120; i++) dq8.crowd.frame(0.037)`);
   const picture = await whole.screenshot(0.6);
   assert.ok(picture.length > 50000);
   writeFileSync(new URL("../target/page.png", import.meta.url), picture);
