@@ -158,7 +158,7 @@ export function crowd(dq8, section) {
   state.gl = Boolean(gl);
   let time = 0, before = 0, seen = true;
   new IntersectionObserver(([entry]) => { seen = entry.isIntersecting; }).observe(canvas);
-  state.frame = (seconds) => {
+  state.frame = (seconds, draws = true) => {
     const n = Math.max(1, Math.round((people.value / 100) ** 2 * 10000));
     if (n !== state.people) resize(n);
     time += seconds;
@@ -170,7 +170,7 @@ export function crowd(dq8, section) {
     times.push(withDq8(clock)); times2.push(withJavaScript(clock));
     if (times.length > 61) { times.shift(); times2.shift(); }
     state.rounds++;
-    draw3d();
+    if (draws) draw3d();
     const [a, b] = [median(times), median(times2)], ready = state.rounds >= ROUNDS;
     state.ratio = ready ? b / a : undefined;
     scene.output.innerHTML = `${gl ? "" : "<b>This browser has no WebGL: nothing can be drawn, the numbers are computed all the same.</b> "}<b>${n.toLocaleString("en")}</b> people, ${(n * JOINTS).toLocaleString("en")} joints: `
