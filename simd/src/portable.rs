@@ -58,6 +58,61 @@ mod part {
 #[derive(Clone, Copy, Debug)]
 pub struct WideMask<V>(V);
 
+/// Multiply-adds of relaxed-simd, which round once where the machine has such an instruction; those of `wide` round twice
+/// on wasm.
+#[cfg(target_feature = "relaxed-simd")]
+mod relaxed {
+    use core::arch::wasm32::{
+        f32x4_relaxed_madd, f32x4_relaxed_nmadd, f64x2_relaxed_madd, f64x2_relaxed_nmadd, v128,
+    };
+    use wide::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
+
+    pub(super) trait Relaxed: Copy {
+        /// self · factor + addend
+        fn madd(self, factor: Self, addend: Self) -> Self;
+        /// addend − self · factor
+        fn nmadd(self, factor: Self, addend: Self) -> Self;
+    }
+
+    macro_rules! relaxed {
+        ($($vector:ident: $registers:literal, $madd:ident, $nmadd:ident;)*) => {$(
+            impl Relaxed for $vector {
+                #[inline(always)]
+                fn madd(self, factor: Self, addend: Self) -> Self {
+                    each::<$vector, $registers>(self, factor, addend, |a, b, c| $madd(a, b, c))
+                }
+                #[inline(always)]
+                fn nmadd(self, factor: Self, addend: Self) -> Self {
+                    each::<$vector, $registers>(self, factor, addend, |a, b, c| $nmadd(a, b, c))
+                }
+            }
+            // `wide` has such a vector as registers one after the other.
+            const _: () = assert!(size_of::<$vector>() == $registers * size_of::<v128>());
+        )*};
+    }
+    relaxed! {
+        f32x4: 1, f32x4_relaxed_madd, f32x4_relaxed_nmadd;
+        f32x8: 2, f32x4_relaxed_madd, f32x4_relaxed_nmadd;
+        f32x16: 4, f32x4_relaxed_madd, f32x4_relaxed_nmadd;
+        f64x2: 1, f64x2_relaxed_madd, f64x2_relaxed_nmadd;
+        f64x4: 2, f64x2_relaxed_madd, f64x2_relaxed_nmadd;
+        f64x8: 4, f64x2_relaxed_madd, f64x2_relaxed_nmadd;
+    }
+
+    /// Register by register.
+    #[inline(always)]
+    fn each<V: Copy, const N: usize>(a: V, b: V, c: V, of: impl Fn(v128, v128, v128) -> v128) -> V {
+        // SAFETY: V is N registers, as asserted for every V that calls this.
+        let [mut a, b, c] =
+            [a, b, c].map(|vector| unsafe { core::mem::transmute_copy::<V, [v128; N]>(&vector) });
+        for ((a, b), c) in a.iter_mut().zip(b).zip(c) {
+            *a = of(*a, b, c);
+        }
+        // SAFETY: as above.
+        unsafe { core::mem::transmute_copy::<[v128; N], V>(&a) }
+    }
+}
+
 /// `wide` offers these operations as inherent methods only, so no generic `impl` can reach them.
 macro_rules! wide_lanes {
     ($($vector:ident: [$real:ty; $lanes:literal], $part:ty, $between:ident $(, $transpose:ident)? $(=> $half:ident)?;)*) => {$(
@@ -134,10 +189,16 @@ macro_rules! wide_lanes {
             }
             #[inline(always)]
             fn mul_add(self, factor: Self, addend: Self) -> Self {
+                #[cfg(target_feature = "relaxed-simd")]
+                return relaxed::Relaxed::madd(self, factor, addend);
+                #[cfg(not(target_feature = "relaxed-simd"))]
                 <$vector>::mul_add(self, factor, addend)
             }
             #[inline(always)]
             fn neg_mul_add(self, factor: Self, addend: Self) -> Self {
+                #[cfg(target_feature = "relaxed-simd")]
+                return relaxed::Relaxed::nmadd(self, factor, addend);
+                #[cfg(not(target_feature = "relaxed-simd"))]
                 <$vector>::mul_neg_add(self, factor, addend)
             }
             #[inline(always)]

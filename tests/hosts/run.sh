@@ -5,6 +5,7 @@
 #     bash tests/hosts/run.sh aarch64 s390x         # these hosts
 #     bash tests/hosts/run.sh --quick s390x         # only the tests of the lanes and the hashes of all bits
 #     bash tests/hosts/run.sh --bits                # only those hashes, on every host
+#     bash tests/hosts/run.sh --quick relaxed       # those on wasm32 with relaxed-simd, only if it is named
 #
 # Needs Debian, and installs from it what is missing: no Rust target or component is downloaded. The standard library of each
 # host is compiled from Debian's source.
@@ -17,7 +18,7 @@ for argument; do
   case $argument in
     --quick) packages=(dq8-simd) programs=() papers=() ;;
     --bits) packages=() programs=() papers=() ;;
-    aarch64 | armv7 | s390x | wasm32) hosts+=("$argument") ;;
+    aarch64 | armv7 | s390x | wasm32 | relaxed) hosts+=("$argument") ;;
     *) echo "no such host: $argument" >&2; exit 2 ;;
   esac
 done
@@ -34,7 +35,7 @@ for host in "${hosts[@]}"; do
       /usr/arm-linux-gnueabihf/lib/libc.so.6=libc6-dev-armhf-cross) ;;
     s390x) needs+=(/usr/bin/qemu-s390x=qemu-user /usr/bin/s390x-linux-gnu-gcc=gcc-s390x-linux-gnu
       /usr/s390x-linux-gnu/lib/libc.so.6=libc6-dev-s390x-cross) ;;
-    wasm32) needs+=(/usr/bin/node=nodejs /usr/bin/wasm-ld=lld /usr/bin/clang=clang
+    wasm32 | relaxed) needs+=(/usr/bin/node=nodejs /usr/bin/wasm-ld=lld /usr/bin/clang=clang
       /usr/lib/wasm32-wasi/libc.a=wasi-libc) ;;
   esac
 done
@@ -93,15 +94,20 @@ for host in "${hosts[@]}"; do
         export CARGO_PROFILE_DEV_OPT_LEVEL=0
         bits "${emulated[@]}" && suite "${emulated[@]}" "${plain[@]}" --tests "${programs[@]}"
       ) ;;
-    wasm32)
+    wasm32 | relaxed)
+      features=+simd128 flags=
+      # node 20 has it behind a flag.
+      [ "$host" = wasm32 ] || { features+=,+relaxed-simd; flags=--experimental-wasm-relaxed-simd; }
       # Debian's C library instead of the one that rustup would bring along. Without one test that needs a thread, and
       # without the tests of programs. One compiler of node's from the start: node 20
       # crashes at the end of a program that it has begun to compile again.
-      emulated=(wasm32-wasip1 wasm-ld "node --no-liftoff $PWD/tests/hosts/wasi.mjs" -Zbuild-std=std,panic_abort,test)
+      emulated=(wasm32-wasip1 wasm-ld "node --no-liftoff $flags $PWD/tests/hosts/wasi.mjs" -Zbuild-std=std,panic_abort,test)
       (
-        export RUSTFLAGS="-Ctarget-feature=+simd128 -Clink-self-contained=no -Clink-arg=/usr/lib/wasm32-wasi/crt1-command.o
+        export RUSTFLAGS="-Ctarget-feature=$features -Clink-self-contained=no -Clink-arg=/usr/lib/wasm32-wasi/crt1-command.o
           -Clink-arg=-L/usr/lib/wasm32-wasi -Clink-arg=--allow-undefined -Clink-arg=-zstack-size=8388608"
-        bits "${emulated[@]}" && suite "${emulated[@]}" --lib --test '*' -- --skip a_long_chain_needs_no_stack
+        # With relaxed-simd products are fused with sums.
+        [ "$host" = relaxed ] || bits "${emulated[@]}"
+        suite "${emulated[@]}" --lib --test '*' -- --skip a_long_chain_needs_no_stack
       ) ;;
   esac >"$log" 2>&1 || status=$?
   # How many tests passed: a host on which nothing ran has shown nothing.

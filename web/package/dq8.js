@@ -1,0 +1,197 @@
+// dq8 for JavaScript: skeletons, clips and skins, many at a time. README.md begins with an example.
+import { Module, Noun, Numbers, count, instantiate } from "./memory.js";
+
+// Written out, so that bundlers find and copy the files.
+const FILES = {
+  simd128: () => new URL("./dq8.simd128.wasm", import.meta.url),
+  relaxed: () => new URL("./dq8.relaxed.wasm", import.meta.url),
+};
+
+/** A module of its own, with its own memory. */
+export default async function load(options) { return new Dq8(await instantiate(FILES, options)); }
+
+// Nouns keep their module and their places to themselves: what has been checked cannot be written to.
+const modules = new WeakMap(), places = new WeakMap();
+const of = (noun, Type, name) => {
+  if (!(noun instanceof Type)) throw new TypeError(`${name} is no ${Type.name}`);
+  return places.get(noun).place;
+};
+const keep = (noun, module, at, free) => { modules.set(noun, module); places.set(noun, new Noun(module, at, free)); };
+
+class Handle {
+  free() { places.get(this).free(); }
+  [Symbol.dispose ?? Symbol("dispose")]() { this.free(); }
+}
+
+export class Dq8 {
+  constructor(raw) { modules.set(this, new Module(raw)); }
+  /** Numbers: so many zeros, or those of an array. */
+  floats(source) { return new Numbers(modules.get(this), Float32Array, source); }
+  /** Motions, eight numbers each: so many identities, or those of an array. */
+  motions(source) {
+    const made = this.floats(typeof source === "number" ? 8 * source : source);
+    if (typeof source === "number") for (let view = made.view, i = 3; i < view.length; i += 8) view[i] = 1;
+    return made;
+  }
+  skeleton(parents) { return new Skeleton(modules.get(this), parents); }
+  skin(options) { return new Skin(modules.get(this), options); }
+  /** Motions of [x y z w tx ty tz] each. */
+  fromRotationsTranslations(poses, motions) {
+    const m = modules.get(this), [from, n] = m.array("poses", poses, 7), [to, room] = m.output("motions", motions, 8, { poses });
+    if (room !== n) throw new RangeError(`motions holds ${room} elements where ${n} are needed`);
+    m.raw.dq8_from_rotations_translations(from, to, n);
+  }
+  mul(a, b, product) {
+    const m = modules.get(this), to = m.output("product", product, 8, { a, b });
+    m.check(m.raw.dq8_mul(...m.array("a", a, 8), ...m.array("b", b, 8), ...to));
+  }
+  /** From a[i] to b[i], t[i] of it, along one screw. */
+  sclerpEach(a, b, t, between) {
+    const m = modules.get(this), to = m.output("between", between, 8, { a, b, t });
+    m.check(m.raw.dq8_sclerp_each(...m.array("a", a, 8), ...m.array("b", b, 8), ...m.array("t", t), ...to));
+  }
+  transformPointsEach(motions, points, moved) {
+    const m = modules.get(this), to = m.output("moved", moved, 3, { motions, points });
+    m.check(m.raw.dq8_transform_points_each(...m.array("motions", motions, 8), ...m.array("points", points, 3), ...to));
+  }
+  /** 4×4 matrices by columns: what WebGL, WebGPU and three.js read. */
+  matrices(motions, matrices) {
+    const m = modules.get(this);
+    m.check(m.raw.dq8_matrices(...m.array("motions", motions, 8), ...m.output("matrices", matrices, 16, { motions })));
+  }
+}
+
+/** Words of `Source` in Rust. */
+const WORDS = 13;
+
+export class Skeleton extends Handle {
+  #source; #joints;
+  constructor(module, parents) {
+    super();
+    for (const [joint, parent] of Array.from(parents).entries()) {
+      if (!Number.isInteger(parent)) throw new TypeError(`parents[${joint}] is ${parent}, not a whole number`);
+    }
+    keep(this, module, module.lend(Int32Array, parents, (at, n) => module.raw.dq8_skeleton(at, n)), "dq8_skeleton_free");
+    this.#joints = parents.length;
+    this.#source = new Numbers(module, Uint32Array, WORDS);
+  }
+  get joints() { return this.#joints; }
+  free() { super.free(); this.#source.free(); }
+  /** A clip of keys [frame][joint][x y z w tx ty tz], copied. */
+  clip(keys) { return new Clip(modules.get(this), this.#joints, keys); }
+  /** Poses in blocks of four instances. */
+  crowd(instances) { return new Crowd(modules.get(this), this, instances); }
+  #from(source, inputs) {
+    const m = modules.get(this), words = this.#source.view;
+    words.fill(0);
+    if (source instanceof Sampled) source.write(m, words, inputs);
+    else { inputs.locals = source; words.set(m.array("locals", source, 8), 11); }
+    return this.#source.view.byteOffset;
+  }
+  /** Model poses [instance][joint] of locals, or of sampled clips; over the locals themselves without `models`. */
+  localToModel(source, models = source, { roots } = {}) {
+    const m = modules.get(this), at = of(this, Skeleton, "skeleton"), inputs = { roots }, from = this.#from(source, inputs);
+    if (models === source) delete inputs.locals;
+    m.check(m.raw.dq8_skeleton_local_to_model(at, from, ...m.maybe("roots", roots, 8), ...m.output("models", models, 8, inputs)));
+  }
+  /** Skinning palettes [instance][joint], 4×4 matrices by columns. */
+  palette(source, { roots, inverseBinds, palette }) {
+    const m = modules.get(this), at = of(this, Skeleton, "skeleton"), inputs = { roots, inverseBinds }, from = this.#from(source, inputs);
+    m.check(m.raw.dq8_skeleton_palette(at, from, ...m.maybe("roots", roots, 8), ...m.array("inverseBinds", inverseBinds, 8),
+      ...m.output("palette", palette, 16, inputs)));
+  }
+  /** The same of models, after something has changed them. */
+  modelPalette(models, { inverseBinds, palette }) {
+    const m = modules.get(this);
+    m.check(m.raw.dq8_skeleton_model_palette(of(this, Skeleton, "skeleton"), ...m.array("models", models, 8),
+      ...m.array("inverseBinds", inverseBinds, 8), ...m.output("palette", palette, 16, { models, inverseBinds })));
+  }
+  /** Takes the end of a limb [hip, knee, foot] to the target of each instance, its knee toward the pole. */
+  twoBone(limb, models, targets, poles) {
+    const m = modules.get(this), [hip, knee, foot] = Array.from(limb, (joint, i) => count(`limb[${i}]`, joint));
+    const to = m.output("models", models, 8, { targets, poles });
+    m.check(m.raw.dq8_skeleton_two_bone(of(this, Skeleton, "skeleton"), hip, knee, count("limb[2]", foot), ...to,
+      ...m.array("targets", targets, 3), ...m.array("poles", poles, 3)));
+  }
+}
+
+export class Clip extends Handle {
+  constructor(module, joints, keys) {
+    super();
+    if (keys.length % 7) throw new RangeError(`keys holds ${keys.length} numbers, which is not a multiple of 7`);
+    keep(this, module, module.lend(Float32Array, keys, (at, n) => module.raw.dq8_clip(joints, at, n / 7)), "dq8_clip_free");
+  }
+  /** Its poses, instance i at at[i] frames. */
+  sample(at) { return new Sampled(this, at); }
+}
+
+/** Poses that are made as they are loaded: those of one clip, or of one over another. */
+export class Sampled {
+  #clip; #at; #layer; #weights; #mask; #adds;
+  constructor(clip, at) { this.#clip = clip; this.#at = at; }
+  #with(layer, weights, mask, adds) {
+    if (!(layer instanceof Sampled) || layer.#layer || this.#layer) throw new TypeError("layer is no sample of one clip over one other");
+    const made = new Sampled(this.#clip, this.#at);
+    made.#layer = layer; made.#weights = weights; made.#mask = mask; made.#adds = adds;
+    return made;
+  }
+  /** From these poses to those of another clip, by a weight for each instance, times one for each joint. */
+  blend(layer, weights, { mask } = {}) { return this.#with(layer, weights, mask, false); }
+  /** These poses, then so much of those of another clip on top. */
+  add(layer, weights, { mask } = {}) { return this.#with(layer, weights, mask, true); }
+  write(m, words, inputs) {
+    if (modules.get(this.#clip) !== m) throw new TypeError("clip is of another module");
+    words.set([of(this.#clip, Clip, "clip"), ...m.array("at", this.#at)]);
+    inputs.at = this.#at;
+    if (!this.#layer) return;
+    const layer = this.#layer;
+    if (modules.get(layer.#clip) !== m) throw new TypeError("layer is of another module");
+    words.set([of(layer.#clip, Clip, "layer"), ...m.array("layer.at", layer.#at), ...m.array("weights", this.#weights),
+      ...m.maybe("mask", this.#mask), +this.#adds], 3);
+    Object.assign(inputs, { layerAt: layer.#at, weights: this.#weights, mask: this.#mask });
+  }
+}
+
+export class Crowd extends Handle {
+  #skeleton;
+  constructor(module, skeleton, instances) {
+    super();
+    const bytes = 128 * skeleton.joints * Math.ceil(count("instances", instances) / 4);
+    if (bytes >= 2 ** 31) throw new RangeError(`there is no memory for ${instances} instances`);
+    keep(this, module, module.raw.dq8_crowd(of(skeleton, Skeleton, "skeleton"), instances), "dq8_crowd_free");
+    this.#skeleton = skeleton;
+  }
+  /** Takes poses [instance][joint]. */
+  set(poses) { const m = modules.get(this); m.check(m.raw.dq8_crowd_set(of(this, Crowd, "crowd"), ...m.array("poses", poses, 8))); }
+  /** In place. */
+  localToModel() { const m = modules.get(this); m.check(m.raw.dq8_crowd_local_to_model(of(this, Crowd, "crowd"), of(this.#skeleton, Skeleton, "skeleton"))); }
+  copyTo(poses) { const m = modules.get(this); m.check(m.raw.dq8_crowd_copy_to(of(this, Crowd, "crowd"), ...m.array("poses", poses, 8))); }
+}
+
+const BLENDS = ["dual", "linear", "mixed"];
+
+export class Skin extends Handle {
+  #mesh;
+  /** Joints and weights are copied: [vertex][influence]. */
+  constructor(module, { jointCount, influences, joints, weights }) {
+    super();
+    const bad = Array.from(joints).findIndex((joint) => !(Number.isInteger(joint) && joint >= 0 && joint < 65536));
+    if (bad >= 0) throw new RangeError(`joints[${bad}] is ${joints[bad]}, no joint of 16 bits`);
+    const at = module.lend(Uint16Array, joints, (j, n) => module.lend(Float32Array, weights, (w, m) =>
+      module.raw.dq8_skin(count("jointCount", jointCount), count("influences", influences), j, n, w, m)));
+    keep(this, module, at, "dq8_skin_free");
+    this.#mesh = new Numbers(module, Uint32Array, 8);
+  }
+  free() { super.free(); this.#mesh.free(); }
+  /** Poses a mesh by the motions of its joints: "dual", "linear", or "mixed" by a share of dual for each vertex. */
+  pose({ blend = "dual", motions, shares, rest, posed, normals, posedNormals }) {
+    const m = modules.get(this), kind = BLENDS.indexOf(blend), inputs = { motions, shares, rest, normals };
+    if (kind < 0) throw new RangeError(`blend is ${blend}, none of ${BLENDS.join(", ")}`);
+    const from = m.array("rest", rest, 3), to = m.output("posed", posed, 3, inputs);
+    const extra = normals || posedNormals ? [...m.array("normals", normals, 3), ...m.output("posedNormals", posedNormals, 3, { ...inputs, posed })] : [];
+    this.#mesh.view.fill(0);
+    this.#mesh.view.set([...from, ...to, ...extra]);
+    m.check(m.raw.dq8_skin_pose(of(this, Skin, "skin"), kind, ...m.array("motions", motions, 8),
+      ...(kind === 2 ? m.array("shares", shares) : [0, 0]), this.#mesh.view.byteOffset));
+  }
+}

@@ -1,0 +1,76 @@
+//! Memory for arrays, and what is true of all functions here: places become slices, errors become a text.
+
+use std::alloc::{Layout, alloc_zeroed, dealloc};
+use std::cell::RefCell;
+use std::fmt::Display;
+use std::slice;
+
+/// Blocks of lanes need the most.
+const ALIGNMENT: usize = 64;
+
+thread_local!(static ERROR: RefCell<String> = const { RefCell::new(String::new()) });
+
+/// 0, or 1 and the text of the error.
+pub(crate) fn status<E: Display>(result: Result<(), E>) -> u32 {
+    result.map_or_else(|error| failed(error, 1), |()| 0)
+}
+
+/// `code`, after the text has been kept.
+pub(crate) fn failed<E: Display, C>(error: E, code: C) -> C {
+    ERROR.with_borrow_mut(|text| *text = error.to_string());
+    code
+}
+
+/// What has been made, for JavaScript to keep; null after an error.
+pub(crate) fn made<T, E: Display>(result: Result<T, E>) -> *mut T {
+    result.map_or_else(
+        |error| failed(error, std::ptr::null_mut()),
+        |thing| Box::into_raw(Box::new(thing)),
+    )
+}
+
+/// # Safety
+/// So many things are there, or `count` is 0.
+pub(crate) unsafe fn slice<'a, T>(at: *const T, count: usize) -> &'a [T] {
+    // SAFETY: promised.
+    if count == 0 { &[] } else { unsafe { slice::from_raw_parts(at, count) } }
+}
+
+/// # Safety
+/// As for [`slice`], and nothing else refers to them.
+pub(crate) unsafe fn slice_mut<'a, T>(at: *mut T, count: usize) -> &'a mut [T] {
+    // SAFETY: promised.
+    if count == 0 { &mut [] } else { unsafe { slice::from_raw_parts_mut(at, count) } }
+}
+
+fn layout(bytes: usize) -> Option<Layout> {
+    Layout::from_size_align(bytes.max(1), ALIGNMENT).ok()
+}
+
+/// So many bytes, all zero; null if they are not to be had.
+#[unsafe(no_mangle)]
+extern "C" fn dq8_allocate(bytes: usize) -> *mut u8 {
+    // SAFETY: the size is not zero.
+    layout(bytes).map_or(std::ptr::null_mut(), |layout| unsafe { alloc_zeroed(layout) })
+}
+
+/// # Safety
+/// They are as [`dq8_allocate`] gave them.
+#[unsafe(no_mangle)]
+unsafe extern "C" fn dq8_free(at: *mut u8, bytes: usize) {
+    if let Some(layout) = layout(bytes) {
+        // SAFETY: promised.
+        unsafe { dealloc(at, layout) }
+    }
+}
+
+/// The text of the last error.
+#[unsafe(no_mangle)]
+extern "C" fn dq8_error() -> *const u8 {
+    ERROR.with_borrow(|text| text.as_ptr())
+}
+
+#[unsafe(no_mangle)]
+extern "C" fn dq8_error_length() -> usize {
+    ERROR.with_borrow(String::len)
+}

@@ -1,0 +1,141 @@
+//! Meshes that follow joints.
+
+use crate::Motion;
+use crate::memory::{made, slice, slice_mut, status};
+use dq8::hierarchy::MatrixOrder;
+use dq8::skinning::{Blender, DualBlend, Linear, Mixed, Skin, SkinningError, Surface, SurfaceMut};
+use dq8::{Backend, ShapeError};
+
+type Row = [[f32; 4]; 3];
+
+/// A skin and what it was made of, which nobody else can write to: it is trusted once it has been checked.
+#[derive(Debug)]
+struct OwnedSkin {
+    _joints: Box<[u16]>,
+    _weights: Box<[f32]>,
+    /// What linear blends read, made of the motions.
+    matrices: Vec<Row>,
+    /// Borrows the two boxes, which stay where they are for as long as this lives.
+    skin: Skin<'static, u16, f32>,
+}
+
+impl OwnedSkin {
+    fn new(
+        joint_count: usize,
+        influences: usize,
+        joints: &[u16],
+        weights: &[f32],
+    ) -> Result<Self, SkinningError> {
+        let (joints, weights): (Box<[u16]>, Box<[f32]>) = (joints.into(), weights.into());
+        // SAFETY: both live, unwritten, until `self` is dropped, and the skin is not handed out for longer.
+        let lasting = unsafe {
+            (slice(joints.as_ptr(), joints.len()), slice(weights.as_ptr(), weights.len()))
+        };
+        let skin = Skin::new(joint_count, influences, lasting.0, lasting.1)?;
+        Ok(Self { _joints: joints, _weights: weights, matrices: Vec::new(), skin })
+    }
+}
+
+/// # Safety
+/// So many joints and weights are there.
+#[unsafe(no_mangle)]
+unsafe extern "C" fn dq8_skin(
+    joint_count: usize,
+    influences: usize,
+    joints: *const u16,
+    joints_length: usize,
+    weights: *const f32,
+    weights_length: usize,
+) -> *mut OwnedSkin {
+    // SAFETY: promised.
+    let (joints, weights) =
+        unsafe { (slice(joints, joints_length), slice(weights, weights_length)) };
+    made(OwnedSkin::new(joint_count, influences, joints, weights))
+}
+
+/// # Safety
+/// It has been made, and is not used any more.
+#[unsafe(no_mangle)]
+unsafe extern "C" fn dq8_skin_free(skin: *mut OwnedSkin) {
+    // SAFETY: promised.
+    drop(unsafe { Box::from_raw(skin) });
+}
+
+/// Where a mesh is and where it goes.
+#[repr(C)]
+struct Mesh {
+    rest: *const [f32; 3],
+    rest_count: usize,
+    posed: *mut [f32; 3],
+    posed_count: usize,
+    /// Null where there are none.
+    normals: *const [f32; 3],
+    normal_count: usize,
+    posed_normals: *mut [f32; 3],
+    posed_normal_count: usize,
+}
+
+impl Mesh {
+    /// # Safety
+    /// All that is named is there, and what is posed lies apart.
+    unsafe fn pose<B: Blender<f32>>(
+        &self,
+        skin: &Skin<'_, u16, f32>,
+        blend: B,
+    ) -> Result<(), SkinningError> {
+        // SAFETY: promised.
+        unsafe {
+            let from = Surface::positions(slice(self.rest, self.rest_count));
+            let to = SurfaceMut::positions(slice_mut(self.posed, self.posed_count));
+            if self.normals.is_null() {
+                return skin.pose(blend, from, to);
+            }
+            let from = from.normals(slice(self.normals, self.normal_count));
+            let to = to.normals(slice_mut(self.posed_normals, self.posed_normal_count));
+            skin.pose(blend, from, to)
+        }
+    }
+}
+
+/// The motions of the joints as linear blends read them.
+fn rows<'m>(motions: &[Motion], matrices: &'m mut Vec<Row>) -> Result<&'m [Row], ShapeError> {
+    matrices.resize(motions.len(), Row::default());
+    Backend::best().matrices(motions, MatrixOrder::Rows, matrices)?;
+    Ok(matrices)
+}
+
+/// Poses by dual quaternions (0), linearly (1) or by a mix of them (2).
+///
+/// # Safety
+/// All that is named is there, and what is posed lies apart.
+#[unsafe(no_mangle)]
+unsafe extern "C" fn dq8_skin_pose(
+    skin: &mut OwnedSkin,
+    blend: u32,
+    motions: *const Motion,
+    motion_count: usize,
+    shares: *const f32,
+    share_count: usize,
+    mesh: &Mesh,
+) -> u32 {
+    let OwnedSkin { skin, matrices, .. } = skin;
+    // SAFETY: promised.
+    let (motions, shares) = unsafe { (slice(motions, motion_count), slice(shares, share_count)) };
+    let dual = DualBlend::new(motions);
+    if blend == 0 {
+        // SAFETY: promised.
+        return status(unsafe { mesh.pose(skin, dual) });
+    }
+    let rows = match rows(motions, matrices) {
+        Ok(rows) => Linear::new(rows),
+        Err(error) => return status(Err(error)),
+    };
+    if blend == 1 {
+        // SAFETY: promised.
+        return status(unsafe { mesh.pose(skin, rows) });
+    }
+    status(Mixed::new(rows, dual, shares).and_then(|mixed| {
+        // SAFETY: promised.
+        unsafe { mesh.pose(skin, mixed) }
+    }))
+}

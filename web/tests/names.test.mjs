@@ -1,0 +1,69 @@
+// Names of JavaScript, C and Python beside those of Rust: what one language lacks has a reason here, and what this package
+// has is in this table.
+import assert from "node:assert/strict";
+import { readFileSync, readdirSync } from "node:fs";
+import { test } from "node:test";
+
+const text = (path) => readFileSync(new URL(`../../${path}`, import.meta.url), "utf8");
+const BORROWED = "C keeps what it has made itself", WHOLE = "Python has whole arrays, and no frame to keep within", NAMED = "made from arrays in one call";
+/** A reason instead of a name. */
+const none = (reason) => ({ reason });
+/** Rust's file and name; JavaScript; C; Python. */
+const TABLE = [
+  ["src/hierarchy/skeleton.rs", "new", "skeleton", "check_parents", "class Hierarchy"],
+  ["src/hierarchy/job.rs", "local_to_model", "localToModel", "local_to_model", "local_to_model"],
+  ["src/hierarchy/palettes.rs", "palette", "palette", "palette_matrices", none(WHOLE)],
+  ["src/hierarchy/palettes.rs", "palette", "modelPalette", none("of models, mul and matrices_4x4 have it"), none(WHOLE)],
+  ["src/hierarchy/sampled.rs", "new", "clip", none("clips are not in the C interface yet"), none(WHOLE)],
+  ["src/hierarchy/sampled.rs", "new", "sample", none("clips are not in the C interface yet"), none(WHOLE)],
+  ["src/hierarchy/layers.rs", "blend", "blend", none("clips are not in the C interface yet"), none(WHOLE)],
+  ["src/hierarchy/layers.rs", "add", "add", none("clips are not in the C interface yet"), none(WHOLE)],
+  ["src/hierarchy/crowd.rs", "new", "crowd", "block_size", none(WHOLE)],
+  ["src/storage/packing.rs", "pack", "set", "pack", none(WHOLE)],
+  ["src/hierarchy/crowd.rs", "copy_to_slice", "copyTo", "unpack", none(WHOLE)],
+  ["src/ik/two_bone.rs", "reach", "twoBone", none("limbs are not in the C interface yet"), none("limbs are not in Python yet")],
+  ["src/skinning/skin.rs", "new", "skin", "skin_make", none(NAMED)],
+  ["src/skinning/job.rs", "pose", "pose", "skin_dual", "skin"],
+  ["src/slices/product.rs", "mul", "mul", "mul", "mul"],
+  ["src/slices/interpolate.rs", "sclerp_each", "sclerpEach", "sclerp_each", "sclerp"],
+  ["src/slices/transform_each.rs", "transform_points_each", "transformPointsEach", "points_each", "transform_points"],
+  ["src/slices/matrix.rs", "matrices", "matrices", "matrices_4x4", "to_matrix"],
+  ["src/scalar/rigid.rs", "from_rotation_translation", "fromRotationsTranslations", "motion_from_rotation_translation", "from_rotation_translation"],
+  ["robot/src/urdf/robot.rs", "from_urdf", "robot", none("C reads no files"), "from_urdf"],
+  ["robot/src/urdf/robot.rs", "link", "link", none("C reads no files"), "links"],
+  ["robot/src/mechanism/poses.rs", "poses", "poses", "link_poses", "poses"],
+  ["robot/src/mechanism/jacobians.rs", "jacobians", "jacobians", "mechanism_link_jacobian", "jacobian"],
+  ["robot/src/ik/solve.rs", "solve", "reach", "mechanism_reach", "reach"],
+  ["src/storage/mod.rs", null, "floats", none("arrays are the caller's"), none("arrays are NumPy's")],
+  ["src/storage/mod.rs", null, "motions", none("arrays are the caller's"), none("arrays are NumPy's")],
+  ["src/hierarchy/skeleton.rs", null, "free", none(BORROWED), none("Python collects what is not needed")],
+];
+const declared = ["dq8", "robots"].map((file) => text(`web/package/${file}.d.ts`)).join("\n");
+const [c, python] = [text("capi/include/dq8.h"), text("python/package/dq8/_core.pyi")];
+const word = (name) => new RegExp(`\\b${name.replace(/ /g, "\\s+")}\\b`);
+
+test("every name in the table is there", () => {
+  for (const [file, rust, js, inC, inPython] of TABLE) {
+    if (rust) assert.match(text(file), new RegExp(`pub fn ${rust}\\b`), `Rust: ${file}: ${rust}`);
+    assert.match(declared, new RegExp(`^\\s+${js}\\(`, "m"), `JavaScript: ${js}`);
+    if (inC.reason) assert.ok(inC.reason.length > 10); else assert.match(c, new RegExp(`\\bdq8_${inC}(_f32)?\\(`), `C: ${inC}`);
+    if (inPython.reason) assert.ok(inPython.reason.length > 10);
+    else assert.match(python, inPython.startsWith("class") ? word(inPython) : new RegExp(`def ${inPython}\\(`), `Python: ${inPython}`);
+  }
+});
+
+test("every function that is declared is in the table", () => {
+  const known = new Set(TABLE.map(([, , js]) => js));
+  for (const [, name] of declared.matchAll(/^ {2}(\w+)\(/gm)) assert.ok(known.has(name), `${name} has no row`);
+});
+
+test("every method of the package is declared, and every export is called", () => {
+  const files = ["dq8", "robots"].map((file) => text(`web/package/${file}.js`));
+  const internal = new Set(["constructor", "write"]);
+  for (const [, name] of files.join("\n").matchAll(/^ {2}(\w+)\(.*\{/gm)) {
+    if (!internal.has(name) && !["for", "if"].includes(name)) assert.match(declared, new RegExp(`\\b${name}\\(`), `${name} is not declared`);
+  }
+  const called = [...files, text("web/package/memory.js")].join("\n");
+  const sources = readdirSync(new URL("../src", import.meta.url)).map((file) => text(`web/src/${file}`)).join("\n");
+  for (const [, name] of sources.matchAll(/extern "C" fn (dq8_\w+)/g)) assert.ok(called.includes(name), `${name} is called by nobody`);
+});

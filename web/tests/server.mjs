@@ -1,0 +1,25 @@
+// A static file server of this repository's `web` and `robot`, which is all that a page needs.
+import { readFile } from "node:fs/promises";
+import { createServer } from "node:http";
+import { extname, join, normalize } from "node:path";
+
+const ROOT = new URL("../..", import.meta.url).pathname;
+const TYPES = { ".html": "text/html; charset=utf-8", ".js": "text/javascript", ".mjs": "text/javascript", ".wasm": "application/wasm", ".css": "text/css" };
+
+/** Serves until `close`; `extra` maps further prefixes to folders, such as those of npm. Isolated pages have the finer clock. */
+export async function serve(port = 0, { extra = {}, isolated = false } = {}) {
+  const headers = isolated ? { "cross-origin-opener-policy": "same-origin", "cross-origin-embedder-policy": "require-corp" } : {};
+  const server = createServer(async (request, answer) => {
+    const path = normalize(decodeURIComponent(new URL(request.url, "http://x").pathname));
+    const [prefix, folder] = Object.entries(extra).find(([prefix]) => path.startsWith(prefix)) ?? ["", ROOT];
+    try {
+      if (folder === ROOT && !/^\/(web|robot)\//.test(path)) throw new Error("not served");
+      const body = await readFile(join(folder, path.slice(prefix.length)));
+      answer.writeHead(200, { ...headers, "content-type": TYPES[extname(path)] ?? "application/octet-stream" }).end(body);
+    } catch { answer.writeHead(404).end(`${path}: not found`); }
+  });
+  await new Promise((listening) => server.listen(port, "127.0.0.1", listening));
+  return { url: `http://127.0.0.1:${server.address().port}`, close: () => { server.close(); server.closeAllConnections(); } };
+}
+
+if (process.argv[1] === new URL(import.meta.url).pathname) console.log(`${(await serve(8080)).url}/web/page/index.html`);

@@ -1,0 +1,22 @@
+// Compiled by `tsc -p web`, never run: what the declarations allow, and what they refuse.
+import load, { type Floats, type Skeleton } from "../package/dq8.js";
+import loadRobots from "../package/robots.js";
+
+const dq8 = await load({ level: "relaxed" });
+const skeleton: Skeleton = dq8.skeleton([-1, 0]);
+const locals: Floats = dq8.motions(2);
+const palette = dq8.floats(32), inverseBinds = dq8.motions(2), at = dq8.floats(1);
+const walk = skeleton.clip(new Float32Array(28)).sample(at);
+skeleton.localToModel(locals);
+skeleton.palette(walk.blend(walk, at), { inverseBinds, palette });
+const bytes: Float32Array<ArrayBuffer> = palette.view;
+// @ts-expect-error: sampled clips have no memory to go to.
+skeleton.localToModel(walk);
+// @ts-expect-error: palettes need inverse binds.
+skeleton.palette(locals, { palette });
+// @ts-expect-error: there is no such level.
+await load({ level: "avx2" });
+const robot = (await loadRobots()).robot("<robot/>");
+const { outcome } = robot.reach(1, locals, at, { position: true });
+const known: "converged" | "outOfReach" | "atLimits" | "stalled" | "unfinished" | "invalid" = outcome;
+export { bytes, known };
