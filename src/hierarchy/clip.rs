@@ -82,12 +82,21 @@ impl<'c, K> Clip<'c, K> {
     /// ```
     #[must_use]
     pub fn place<R: Scalar>(&self, at: R) -> (u32, R) {
-        let mut time: f64 = at.into() * self.rate;
-        if self.loops && self.frames > 1 {
-            time %= self.steps();
-            time += if time < 0.0 { self.steps() } else { 0.0 };
-        }
+        let (_, time) = self.round(at);
         place(self.frames, Real::from_f64(time))
+    }
+
+    /// The round of the clip at the time `at`, from 0, and the time in it, in frames.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "saturates")]
+    pub(super) fn round<R: Scalar>(&self, at: R) -> (f64, f64) {
+        let (time, steps) = (at.into() * self.rate, self.steps());
+        if !self.loops || steps == 0.0 {
+            return (0.0, time);
+        }
+        // Toward zero: without std there is no floor. NaN from what is infinite.
+        let round = (time / steps) as i64 as f64 + 0.0 * time;
+        let rest = time - steps * round;
+        if rest < 0.0 { (round - 1.0, rest + steps) } else { (round, rest) }
     }
 }
 

@@ -78,6 +78,7 @@ pub use layers::{Layered, PoseSource};
 pub use locals::{Bones, Locals, Poses, RotationsTranslations, Tracks};
 #[cfg(feature = "alloc")]
 pub use owned_clip::OwnedClip;
+#[cfg(feature = "alloc")]
 pub use packed_clip::{Deviation, PackedClip, Tolerance};
 pub use packed_clips::{PackedClips, Playback};
 pub use packed_error::PackedError;

@@ -68,7 +68,7 @@ impl<K> Clip<'_, K> {
         K: Element<C, Layout = Aos<R>>,
     {
         let [a, b] = [self.pose(law, joint, from)?, self.pose(law, joint, to)?];
-        let rounds = self.rounds(to) - self.rounds(from);
+        let rounds = self.round(to).0 - self.round(from).0;
         if rounds == 0.0 {
             return Some(a.conjugate() * b);
         }
@@ -77,17 +77,5 @@ impl<K> Clip<'_, K> {
         let last = whole.pose(law, joint, <R as Real>::from_f64(self.steps()))?;
         let round = (first.conjugate() * last).pow(<R as Real>::from_f64(rounds));
         Some(a.conjugate() * first * round * (first.conjugate() * b))
-    }
-
-    /// In which round of the clip the time `at` lies, from 0.
-    fn rounds<R: Scalar>(&self, at: R) -> f64 {
-        let at: f64 = at.into() * self.rate;
-        let steps = self.steps();
-        if !self.loops || steps == 0.0 {
-            return 0.0;
-        }
-        let rest = at % steps;
-        let rounds = (at - rest) / steps;
-        if rest < 0.0 { rounds - 1.0 } else { rounds }
     }
 }
