@@ -46,7 +46,10 @@ pub mod picks;
 pub mod plain;
 pub mod portable;
 pub mod records;
+#[cfg(not(dq8_record))]
 mod sealed;
+#[cfg(dq8_record)]
+pub mod sealed;
 pub mod square_root;
 #[cfg(target_arch = "x86_64")]
 pub mod x86_64;

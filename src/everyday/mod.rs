@@ -10,7 +10,10 @@
 //! - `one_lane`: operations of [`batch`](crate::batch) at one lane: what has no better form, and on
 //!   targets without such registers most of the others.
 
+#[cfg(not(dq8_record))]
 mod between;
+#[cfg(dq8_record)]
+pub mod between;
 mod one_lane;
 mod quad;
 
