@@ -33,8 +33,11 @@ Hypothesis most : u <= / 16777216.
 (* n, computed, is m but for u·e, and m is no larger than a. *)
 Definition bounded (n m a e : R) := Rabs m <= a /\ 0 <= e /\ Rabs (n - m) <= u * e.
 
-Lemma exactly x : bounded x x (Rabs x) 0.
-Proof. unfold bounded. replace (x - x) with 0 by ring. rewrite Rabs_R0. lra. Qed.
+Lemma constant c a : c = a \/ c = - a -> 0 <= a -> bounded c c a 0.
+Proof.
+  intros C A. unfold bounded. replace (c - c) with 0 by ring. rewrite Rabs_R0.
+  assert (Rabs c = a) by (destruct C as [-> | ->]; rewrite ?Rabs_Ropp; apply Rabs_pos_eq; exact A). lra.
+Qed.
 
 (* A component of a vector of length l. *)
 Lemma component l x : 0 <= l -> bounded (l * x) (l * x) (l * Rabs x) 0.
@@ -111,6 +114,9 @@ Qed.
 
 Lemma in_ball s t : 0 <= s <= 1 -> 0 <= t <= 1 -> 0 <= s * t <= 1.
 Proof. intros S T. split; [apply Rmult_le_pos; lra |]. replace 1 with (1 * 1) by ring. apply Rmult_le_compat; lra. Qed.
+
+Lemma square f x : 0 <= f -> 0 <= f * (x * x).
+Proof. intros F. apply Rmult_le_pos; [exact F | apply Rle_0_sqr]. Qed.
 
 Lemma same_square x : Rabs x * Rabs x = x * x.
 Proof. rewrite <- Rabs_mult. apply Rabs_pos_eq, Rle_0_sqr. Qed.

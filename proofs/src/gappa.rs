@@ -46,7 +46,7 @@ fn lengths(operation: &Operation) -> Vec<(f64, f64)> {
 
 /// `None` where nothing is rounded.
 fn script(operation: &Operation, tape: &Tape, is_single: bool, fused: bool) -> Option<String> {
-    let needed = tape.needed();
+    let needed = tape.needed(&tape.outputs);
     let groups = operation.groups();
     let analysis = Analysis::of(tape, &groups, fused);
     let lengths = lengths(operation);

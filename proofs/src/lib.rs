@@ -10,6 +10,7 @@ compile_error!(
 );
 
 pub mod bound;
+pub mod coq;
 pub mod everyday;
 pub mod gappa;
 pub mod lanes;

@@ -7,8 +7,9 @@ fn main() {
         ["gappa", folder] => {
             dq8_proofs::gappa::write(folder.as_ref()).expect("a folder to write to")
         }
+        ["coq", folder] => dq8_proofs::coq::write(folder.as_ref()).expect("a folder to write to"),
         _ => {
-            eprintln!("usage: dq8-proofs bounds | gappa FOLDER");
+            eprintln!("usage: dq8-proofs bounds | gappa FOLDER | coq FOLDER");
             std::process::exit(2);
         }
     }

@@ -85,13 +85,12 @@ impl Polynomial {
         Self(weighted.filter(|(_, c)| *c != 0.0).collect())
     }
 
-    /// Bounds by powers of lengths: |self| ≤ Σ c·Π lengthᵏ, of the group of each input and of what each root is the length.
-    pub(crate) fn by_lengths(
+    /// The terms by the groups of their inputs, and by their roots.
+    pub(crate) fn kinds(
         &self,
         group: &dyn Fn(u32) -> usize,
-        length_of: &dyn Fn(usize) -> usize,
-    ) -> Lengths {
-        let mut kinds = BTreeMap::<(Vec<usize>, Monomial), Vec<(Monomial, f64)>>::new();
+    ) -> BTreeMap<(Vec<usize>, Monomial), Vec<(Monomial, f64)>> {
+        let mut kinds = BTreeMap::<_, Vec<_>>::new();
         for (monomial, &c) in &self.0 {
             let (roots, inputs): (Monomial, Monomial) =
                 monomial.iter().partition(|&&v| as_root(v).is_some());
@@ -99,8 +98,17 @@ impl Polynomial {
             groups.sort_unstable();
             kinds.entry((groups, roots)).or_default().push((inputs, c));
         }
+        kinds
+    }
+
+    /// Bounds by powers of lengths: |self| ≤ Σ c·Π lengthᵏ, of the group of each input and of what each root is the length.
+    pub(crate) fn by_lengths(
+        &self,
+        group: &dyn Fn(u32) -> usize,
+        length_of: &dyn Fn(usize) -> usize,
+    ) -> Lengths {
         let mut bounds = Lengths::default();
-        for ((groups, roots), terms) in kinds {
+        for ((groups, roots), terms) in self.kinds(group) {
             let mut powers = BTreeMap::<usize, i32>::new();
             for &group in &groups {
                 *powers.entry(group).or_default() += 1;
@@ -138,13 +146,24 @@ impl Lengths {
     }
 }
 
+/// A matrix by monomials of its rows and columns.
+pub(crate) type Matrix = BTreeMap<(Monomial, Monomial), f64>;
+
 /// No less than the largest value of a multilinear form on unit vectors, one per group: the least norm of its unfoldings to
 /// matrices, and the sum of its coefficients.
 fn form_norm(groups: &[usize], terms: &[(Monomial, f64)], group: &dyn Fn(u32) -> usize) -> f64 {
-    let mut best: f64 = terms.iter().map(|(_, c)| c.abs()).sum();
-    // Which factors are rows; a matrix of one column is a vector. The transpose has the same norm.
-    for rows in 1_u32..1 << groups.len().max(1) - usize::from(groups.len() > 1) {
-        let mut cells = BTreeMap::<(Monomial, Monomial), f64>::new();
+    let sum = terms.iter().map(|(_, c)| c.abs()).sum();
+    unfoldings(groups, terms, group).map(|matrix| norm(&matrix)).fold(sum, f64::min)
+}
+
+/// The form as matrices: by which factors are rows. A vector is a matrix of one column, and a transpose has the same norm.
+pub(crate) fn unfoldings(
+    groups: &[usize],
+    terms: &[(Monomial, f64)],
+    group: &dyn Fn(u32) -> usize,
+) -> impl Iterator<Item = Matrix> {
+    (1_u32..1 << groups.len().max(1) - usize::from(groups.len() > 1)).map(move |rows| {
+        let mut cells = Matrix::new();
         for (monomial, c) in terms {
             let mut orders = vec![];
             permutations(&mut monomial.clone(), 0, &mut |order| {
@@ -159,9 +178,8 @@ fn form_norm(groups: &[usize], terms: &[(Monomial, f64)], group: &dyn Fn(u32) ->
                 *cells.entry((part(1), part(0))).or_default() += c / orders.len() as f64;
             }
         }
-        best = best.min(norm(&cells));
-    }
-    best
+        cells
+    })
 }
 
 fn permutations(of: &mut Monomial, at: usize, each: &mut dyn FnMut(&[u32])) {
@@ -180,7 +198,7 @@ fn permutations(of: &mut Monomial, at: usize, each: &mut dyn FnMut(&[u32])) {
 
 /// No less than ‖M‖₂, by ‖M‖₂² = ‖MᵀM‖₂ ≤ ‖(MᵀM)ⁿ‖∞^(1/n), n = 2²⁰; but for the rounding of this computation, for
 /// which there is a margin.
-fn norm(cells: &BTreeMap<(Monomial, Monomial), f64>) -> f64 {
+pub(crate) fn norm(cells: &Matrix) -> f64 {
     let (mut rows, mut columns) = (BTreeMap::new(), BTreeMap::new());
     for (row, column) in cells.keys() {
         let (r, c) = (rows.len(), columns.len());

@@ -20,7 +20,7 @@ pub struct Part {
 pub fn bounds(operation: &Operation, form: Form, fused: bool) -> Vec<Part> {
     // Where the two precisions have code of their own, the larger counts.
     let tapes = [true, false].map(|is_single| tape_of(operation, form, is_single));
-    let tapes = if tapes[0].ops == tapes[1].ops { &tapes[..1] } else { &tapes };
+    let tapes = if tapes[0].is_same_as(&tapes[1]) { &tapes[..1] } else { &tapes };
     let mut parts: Vec<Part> = vec![];
     for tape in tapes {
         let analysis = Analysis::of(tape, &operation.groups(), fused);
@@ -43,11 +43,14 @@ pub fn bounds(operation: &Operation, form: Form, fused: bool) -> Vec<Part> {
     parts
 }
 
+/// The next thousandth: terms of second order show.
+pub(crate) fn ceiling(c: f64) -> f64 {
+    (c * 1000.0).ceil() / 1000.0
+}
+
 /// A bound as text: 4.01|p||s| + 4.01|q||r|.
 #[must_use]
 pub fn formula(operation: &Operation, bound: &Lengths) -> String {
-    // To the next thousandth: terms of second order show.
-    let up = |c: f64| (c * 1000.0).ceil() / 1000.0;
     let length = |&(group, power): &(usize, i32)| {
         let name = format!("|{}|", operation.inputs[group].0);
         match power {
@@ -58,7 +61,9 @@ pub fn formula(operation: &Operation, bound: &Lengths) -> String {
     let terms: Vec<String> = bound
         .0
         .iter()
-        .map(|(powers, &c)| format!("{}{}", up(c), powers.iter().map(length).collect::<String>()))
+        .map(|(powers, &c)| {
+            format!("{}{}", ceiling(c), powers.iter().map(length).collect::<String>())
+        })
         .collect();
     if terms.is_empty() { "0".into() } else { terms.join(" + ") }
 }

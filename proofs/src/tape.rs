@@ -233,17 +233,24 @@ impl Tape {
         })
     }
 
+    /// Whether the two do the same.
+    #[must_use]
+    pub fn is_same_as(&self, other: &Self) -> bool {
+        // After the constants, of which NaN equals nothing.
+        self.ops[FIRST_INPUT..] == other.ops[FIRST_INPUT..] && self.outputs == other.outputs
+    }
+
     /// Whether anything differs where hardware fuses.
     #[must_use]
     pub fn fuses(&self) -> bool {
         self.ops.iter().any(|op| matches!(op, Op::Fma(..) | Op::Nfma(..)))
     }
 
-    /// Which nodes the outputs are made of.
+    /// Which nodes these are made of.
     #[must_use]
-    pub fn needed(&self) -> Vec<bool> {
+    pub fn needed(&self, outputs: &[Node]) -> Vec<bool> {
         let mut needed = vec![false; self.ops.len()];
-        for &output in &self.outputs {
+        for &output in outputs {
             needed[output as usize] = true;
         }
         for node in (0..self.ops.len()).rev() {
