@@ -9,7 +9,7 @@ use crate::operations::{Form, Operation};
 use crate::polynomial::{Matrix, Monomial, Polynomial, norm, unfoldings};
 use crate::table::{self, ceiling};
 use crate::tape::{FIRST_INPUT, Node, Op, Tape};
-use crate::tape_of;
+use crate::{is_twin, tape_of};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::Path;
@@ -23,7 +23,9 @@ const FACTORS: usize = 3;
 /// Of the file system.
 pub fn write(folder: &Path) -> std::io::Result<()> {
     for form in Form::ALL {
-        for operation in form.operations() {
+        for operation in
+            form.operations().iter().filter(|operation| !is_twin(operation, form, true))
+        {
             let [tape, other] = [true, false].map(|is_single| tape_of(operation, form, is_single));
             // `f64` with code of its own.
             if !other.is_same_as(&tape) {
@@ -47,6 +49,14 @@ fn save(
 ) -> std::io::Result<()> {
     let path = folder.join(format!("{}_{}{suffix}.v", form.name(), operation.name));
     theorems(operation, form, tape, fused).map_or(Ok(()), |theorems| std::fs::write(path, theorems))
+}
+
+/// Whether there are theorems of an operation, or of one that does the same, for single motions and for lanes.
+#[must_use]
+pub fn is_proved(operation: &Operation, form: Form, fused: bool) -> bool {
+    let [single, double] = [true, false].map(|is_single| tape_of(operation, form, is_single));
+    theorems(operation, form, &single, fused).is_some()
+        && (double.is_same_as(&single) || theorems(operation, form, &double, false).is_some())
 }
 
 /// Of all numbers that are rounded; `None` where none is, or where one is not a form of few factors.

@@ -6,7 +6,7 @@
 use crate::bound::Analysis;
 use crate::operations::{Form, Operation};
 use crate::tape::{Node, Op, Tape};
-use crate::tape_of;
+use crate::{is_twin, tape_of};
 use std::fmt::Write;
 use std::path::Path;
 
@@ -20,7 +20,9 @@ const NEAR: f64 = 1.0 / 512.0;
 pub fn write(folder: &Path) -> std::io::Result<()> {
     for form in Form::ALL {
         for operation in form.operations() {
-            for is_single in [true, false] {
+            for is_single in
+                [true, false].into_iter().filter(|&is_single| !is_twin(operation, form, is_single))
+            {
                 let tape = tape_of(operation, form, is_single);
                 for fused in if tape.fuses() { &[false, true][..] } else { &[false] } {
                     let float = if is_single { "f32" } else { "f64" };

@@ -36,6 +36,15 @@ pub fn tape_of(operation: &Operation, form: Form, is_single: bool) -> Tape {
     }
 }
 
+/// Whether an operation before this one does the same: then nothing need be proved twice.
+pub(crate) fn is_twin(operation: &Operation, form: Form, is_single: bool) -> bool {
+    let tape = tape_of(operation, form, is_single);
+    let before = form.operations().iter().take_while(|other| other.name != operation.name);
+    before.into_iter().any(|other| {
+        other.groups() == operation.groups() && tape_of(other, form, is_single).is_same_as(&tape)
+    })
+}
+
 fn recorded<const S: bool>(operation: &Operation, form: Form, values: &[f64]) -> Tape {
     record(values, |nodes| {
         let numbers: Vec<Recorded<S>> = nodes.iter().map(|&node| Recorded(node)).collect();

@@ -34,6 +34,10 @@ pub fn draw(operation: &Operation, lengths: &[f64], random: &mut Random) -> Vec<
     let mut numbers = vec![];
     for (&(_, count), length) in operation.inputs.iter().zip(lengths.iter().cycle()) {
         let kind = random.bits() % 6;
+        if count == 1 {
+            numbers.push(random.signed() * length);
+            continue;
+        }
         let vector: Vec<f64> = (0..count)
             .map(|_| match kind {
                 0 => 1.0 + random.signed() * 1e-3,

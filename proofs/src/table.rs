@@ -1,6 +1,7 @@
 //! `bounds.toml`: every bound, as it is computed from the tapes.
 
 use crate::bound::Analysis;
+use crate::coq::is_proved;
 use crate::operations::{Form, Operation};
 use crate::polynomial::Lengths;
 use crate::tape_of;
@@ -75,7 +76,8 @@ pub fn text() -> String {
         "# Bounds of rounding errors, computed from the code by `cargo run -- bounds`; tests/bounds.rs compares.\n\
          # |computed - exact| of every number of a part <= u times its bound, u = 2^-24 (f32) or 2^-53 (f64), where exact is\n\
          # the formula on the given floats; |p| is the length of the argument. On the ordinary path (README.md), without\n\
-         # overflow; underflow adds at most 2^-150 (f32) or 2^-1075 (f64) times the operations after it.\n",
+         # overflow; by = \"Coq\" where run.sh has theorems of it, for all numbers that are rounded. Underflow adds at most 2^-150\n\
+         # (f32) or 2^-1075 (f64) times the operations after it.\n",
     );
     for form in Form::ALL {
         for operation in form.operations() {
@@ -91,6 +93,9 @@ pub fn text() -> String {
                     let formula =
                         part.bound.map_or("none".into(), |bound| formula(operation, &bound));
                     let _ = writeln!(text, "{} = \"{formula}\"", part.name);
+                }
+                if is_proved(operation, form, fused) {
+                    text += "by = \"Coq\"\n";
                 }
             }
         }

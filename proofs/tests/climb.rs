@@ -70,6 +70,9 @@ impl Search<'_> {
                 }
                 near
             };
+            if inputs.iter().any(|c| !c.is_normal() && *c != 0.0) {
+                continue;
+            }
             let Some((ratio, part)) = self.ratio(&inputs) else { continue };
             assert!(
                 ratio <= 1.0,
@@ -90,6 +93,9 @@ fn errors_stay_below_the_bounds_and_come_near() {
         for operation in form.operations() {
             for fused in [false, true] {
                 let tape = tape_of(operation, form, true);
+                if fused && !tape.fuses() {
+                    continue;
+                }
                 let known = bounds(operation, form, fused);
                 let of = |name| {
                     known.iter().find(|part| part.name == name).expect("a part each").clone()
