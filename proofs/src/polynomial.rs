@@ -17,6 +17,9 @@ pub(crate) fn as_root(variable: u32) -> Option<(usize, i32)> {
     (k < 64).then_some((k / 2, if k % 2 == 1 { 1 } else { -1 }))
 }
 
+/// Terms by the groups of their inputs, and by their roots.
+pub(crate) type Kinds = BTreeMap<(Vec<usize>, Monomial), Vec<(Monomial, f64)>>;
+
 /// Coefficients by monomial.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Polynomial(pub(crate) BTreeMap<Monomial, f64>);
@@ -86,10 +89,7 @@ impl Polynomial {
     }
 
     /// The terms by the groups of their inputs, and by their roots.
-    pub(crate) fn kinds(
-        &self,
-        group: &dyn Fn(u32) -> usize,
-    ) -> BTreeMap<(Vec<usize>, Monomial), Vec<(Monomial, f64)>> {
+    pub(crate) fn kinds(&self, group: &dyn Fn(u32) -> usize) -> Kinds {
         let mut kinds = BTreeMap::<_, Vec<_>>::new();
         for (monomial, &c) in &self.0 {
             let (roots, inputs): (Monomial, Monomial) =
@@ -162,7 +162,7 @@ pub(crate) fn unfoldings(
     terms: &[(Monomial, f64)],
     group: &dyn Fn(u32) -> usize,
 ) -> impl Iterator<Item = Matrix> {
-    (1_u32..1 << groups.len().max(1) - usize::from(groups.len() > 1)).map(move |rows| {
+    (1_u32..1 << (groups.len().max(1) - usize::from(groups.len() > 1))).map(move |rows| {
         let mut cells = Matrix::new();
         for (monomial, c) in terms {
             let mut orders = vec![];

@@ -4,6 +4,7 @@ use crate::bound::Analysis;
 use crate::coq::is_proved;
 use crate::operations::{Form, Operation};
 use crate::polynomial::Lengths;
+use crate::tape::Tape;
 use crate::tape_of;
 use std::fmt::Write;
 
@@ -76,13 +77,15 @@ pub fn text() -> String {
         "# Bounds of rounding errors, computed from the code by `cargo run -- bounds`; tests/bounds.rs compares.\n\
          # |computed - exact| of every number of a part <= u times its bound, u = 2^-24 (f32) or 2^-53 (f64), where exact is\n\
          # the formula on the given floats; |p| is the length of the argument. On the ordinary path (README.md), without\n\
-         # overflow; by = \"Coq\" where run.sh has theorems of it, for all numbers that are rounded. Underflow adds at most 2^-150\n\
+         # overflow; by = \"Coq\" where run.sh has theorems of it, for all numbers that are rounded; tapes: prints of\n\
+         # the operations of f32 and f64, which change with any. Underflow adds at most 2^-150\n\
          # (f32) or 2^-1075 (f64) times the operations after it.\n",
     );
     for form in Form::ALL {
         for operation in form.operations() {
-            let fuses =
-                tape_of(operation, form, true).fuses() || tape_of(operation, form, false).fuses();
+            let tapes = [true, false].map(|is_single| tape_of(operation, form, is_single));
+            let fuses = tapes.iter().any(Tape::fuses);
+            let [single, double] = tapes.map(|tape| tape.fingerprint());
             for fused in [false, true] {
                 if fused && !fuses {
                     continue;
@@ -94,6 +97,7 @@ pub fn text() -> String {
                         part.bound.map_or("none".into(), |bound| formula(operation, &bound));
                     let _ = writeln!(text, "{} = \"{formula}\"", part.name);
                 }
+                let _ = writeln!(text, "tapes = \"{single:08x} {double:08x}\"");
                 if is_proved(operation, form, fused) {
                     text += "by = \"Coq\"\n";
                 }

@@ -240,6 +240,17 @@ impl Tape {
         self.ops[FIRST_INPUT..] == other.ops[FIRST_INPUT..] && self.outputs == other.outputs
     }
 
+    /// A number that changes with any operation that the outputs are made of: FNV-1a, 32 bits.
+    #[must_use]
+    pub fn fingerprint(&self) -> u32 {
+        let needed = self.needed(&self.outputs);
+        let ops = self.ops.iter().enumerate().filter(|(node, _)| needed[*node]);
+        let text: String = ops.map(|(node, op)| format!("{node} {op:?};")).collect();
+        let text = format!("{text} {:?}", self.outputs);
+        text.bytes()
+            .fold(0x811c_9dc5, |hash, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193))
+    }
+
     /// Whether anything differs where hardware fuses.
     #[must_use]
     pub fn fuses(&self) -> bool {
