@@ -89,8 +89,11 @@ fn theorems(operation: &Operation, form: Form, tape: &Tape, fused: bool) -> Opti
         {
             return None;
         }
+        // What this number depends on.
+        let stated = found.0.keys().map(|powers| (powers.clone(), bound.0[powers])).collect();
+        let stated = crate::polynomial::Lengths(stated);
         last = Some(format!("{}_{index}", operation.name));
-        text += &steps.theorem(last.as_ref()?, bound, &error, output);
+        text += &steps.theorem(last.as_ref()?, &stated, &error, output);
     }
     let _ = writeln!(text, "Print Assumptions {}.", last?);
     Some(text)

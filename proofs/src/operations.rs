@@ -128,8 +128,8 @@ table! {
         numbers(motion(p, q).mul_rotation_translation(quat(r), v));
     rotation(p 4, q 4) -> (rotation 4) = motion(p, q).rotation().to_array().to_vec();
     translation(p 4, q 4) -> (translation 3) = motion(p, q).translation().to_vec();
-    to_matrix3x4(p 4, q 4) -> (row 4, row 4, row 4) = three(motion(p, q).to_matrix3x4());
-    to_matrix4(p 4, q 4) -> (row 4, row 4, row 4) = three(motion(p, q).to_matrix4())[..12].to_vec();
+    to_matrix3x4(p 4, q 4) -> (rotation 3, translation 1, rotation 3, translation 1, rotation 3, translation 1) = three(motion(p, q).to_matrix3x4());
+    to_matrix4(p 4, q 4) -> (rotation 3, translation 1, rotation 3, translation 1, rotation 3, translation 1) = three(motion(p, q).to_matrix4())[..12].to_vec();
     conjugate_dual(p 4, q 4) -> (real 4, dual 4) = numbers(motion(p, q).conjugate_dual());
     conjugate(p 4, q 4) -> (real 4, dual 4) = numbers(motion(p, q).conjugate());
     conjugate_both(p 4, q 4) -> (real 4, dual 4) = numbers(motion(p, q).conjugate_both());
