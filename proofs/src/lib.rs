@@ -12,6 +12,7 @@ compile_error!(
 pub mod bound;
 pub mod coq;
 pub mod everyday;
+mod fraction;
 pub mod gappa;
 pub mod lanes;
 pub mod number;

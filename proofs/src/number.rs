@@ -94,6 +94,13 @@ fn constant<const S: bool>(number: f64) -> Recorded<S> {
     Recorded(push(Op::Const(if S { f64::from(number as f32) } else { number })))
 }
 
+macro_rules! unrecorded { ($($name:ident($($argument:ident)?))*) => {$(
+    fn $name(self $(, $argument: Self)?) -> Self {
+        $(let _ = $argument;)?
+        unimplemented!("functions of libraries are not recorded")
+    }
+)*} }
+
 impl<const S: bool> Real for Recorded<S> {
     const ZERO: Self = Self(0);
     const ONE: Self = Self(1);
@@ -115,33 +122,7 @@ impl<const S: bool> Real for Recorded<S> {
     fn sqrt(self) -> Self {
         Self(push(Op::Sqrt(self.0)))
     }
-    fn sin(self) -> Self {
-        unimplemented!("libraries are not recorded")
-    }
-    fn cos(self) -> Self {
-        self.sin()
-    }
-    fn tan(self) -> Self {
-        self.sin()
-    }
-    fn asin(self) -> Self {
-        self.sin()
-    }
-    fn acos(self) -> Self {
-        self.sin()
-    }
-    fn atan(self) -> Self {
-        self.sin()
-    }
-    fn atan2(self, _: Self) -> Self {
-        self.sin()
-    }
-    fn exp(self) -> Self {
-        self.sin()
-    }
-    fn ln(self) -> Self {
-        self.sin()
-    }
+    unrecorded! { sin() cos() tan() asin() acos() atan() atan2(x) exp() ln() }
     fn quick<Q: Quick<Self>>(operation: Q) -> Option<Q::Output> {
         operation.compute()
     }
