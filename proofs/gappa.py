@@ -17,13 +17,13 @@ from pathlib import Path
 FILE = Path(__file__).resolve().parent / "gappa.toml"
 HEADING = """\
 # What Gappa proves of the tapes, written by gappa.py: the largest error of any number of the answer, in units of u.
-# Rotations have lengths within 2^-9 of 1, all other arguments are no longer than 1. "none": not within a minute of CPU.
+# Rotations have lengths within 2^-9 of 1, all other arguments are no longer than 1. "none": not within 20 s of CPU.
 """
 
 
 def proved(script):
     """The largest bound in units of u, to the next thousandth."""
-    run = subprocess.run(["bash", "-c", f"ulimit -t 60; exec gappa '{script}'"], capture_output=True, text=True, check=False)
+    run = subprocess.run(["bash", "-c", f"ulimit -t 20; exec gappa '{script}'"], capture_output=True, text=True, check=False)
     goals = script.read_text(encoding="utf-8").count(" in ?")
     bounds = [float(a or b) for a, b in
               re.findall(r"\|n\d+ - M\d+\| in \[.*?(?:\{([^,]*),|, ?(\d+)\])", run.stdout + run.stderr)]
