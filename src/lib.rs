@@ -93,7 +93,10 @@ mod convert;
 mod differentiate;
 mod dispatch;
 mod dual_number;
+#[cfg(not(dq8_record))]
 mod everyday;
+#[cfg(dq8_record)]
+pub mod everyday;
 pub mod geometry;
 // Pages, and no code: nothing that a build needs.
 #[cfg(any(doc, doctest))]

@@ -49,7 +49,10 @@ pub mod picks;
 pub mod plain;
 pub mod portable;
 pub mod records;
+#[cfg(not(dq8_record))]
 mod sealed;
+#[cfg(dq8_record)]
+pub mod sealed;
 pub mod shorts;
 pub mod square_root;
 pub mod tracks;

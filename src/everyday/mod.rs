@@ -12,7 +12,10 @@
 //! Nothing is fused, and no form depends on the target: the bits are the same on all of them. So products and sums
 //! are written as such, because `mul_add` of these registers fuses where the target does.
 
+#[cfg(not(dq8_record))]
 mod between;
+#[cfg(dq8_record)]
+pub mod between;
 mod one_lane;
 mod quad;
 

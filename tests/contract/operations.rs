@@ -13,7 +13,7 @@
 //! All three are measured and not proved. `digits` holds for the vectors in the files and is no bound for other input:
 //! a search that climbs finds 3.2 u in the product on lanes (2.5 here), 3.7 in `mul_rotation_translation` (3) and
 //! 4.0 in `normalize` (3.5). `agrees` and `double` are enforced on edge cases and random input, which
-//! is no proof for all input either.
+//! is no proof for all input either. What is proved is in `proofs/bounds.toml`.
 
 use crate::bound::{Bound, Kind, on, within};
 use crate::entry::{method, operations};

@@ -1,0 +1,199 @@
+//! [`Analysis`]: running error analysis of a tape (Wilkinson 1963; Higham 2002, §3.3), in closed form.
+//!
+//! Of each node, the exact polynomial in the inputs, and one with coefficients ≥ 0 that its error stays below, in units of
+//! the roundoff u; products of errors are kept, so nothing is of first order only. The root of a sum of squares |x|² is a
+//! variable: the computed sum ŝ counts as exact while √ŝ and 1/ŝ go through the tape, so that their errors cancel, and what ŝ
+//! itself is off enters once, at the end.
+
+use crate::polynomial::{Lengths, Polynomial, as_root, root};
+use crate::tape::{FIRST_INPUT, Node, Op, Tape};
+use std::collections::BTreeMap;
+
+/// u of `f32`. Bounds in units of u rise with u, so these hold for `f64` too.
+pub const U: f64 = 1.0 / (1 << 24) as f64;
+
+/// What is known of every node.
+#[derive(Debug)]
+pub struct Analysis {
+    /// Without rounding, of each node; `None` beyond what is analysed.
+    exact: Vec<Option<Polynomial>>,
+    error: Vec<Option<Polynomial>>,
+    roots: Vec<Root>,
+    groups: Vec<usize>,
+}
+
+/// A sum of squares whose root is taken.
+#[derive(Debug)]
+struct Root {
+    /// The node of the sum.
+    sum: Node,
+    /// The group whose length the root is.
+    group: usize,
+    /// The relative error of the computed sum, in units of u.
+    relative: f64,
+}
+
+impl Analysis {
+    /// Of a tape whose inputs belong to these groups.
+    #[must_use]
+    pub fn of(tape: &Tape, groups: &[usize], fused: bool) -> Self {
+        let mut analysis =
+            Self { exact: vec![], error: vec![], roots: vec![], groups: groups.to_vec() };
+        for node in 0..tape.ops.len() {
+            let (exact, error) = analysis.node(tape, node as Node, fused).unzip();
+            analysis.exact.push(exact);
+            analysis.error.push(error);
+        }
+        analysis
+    }
+
+    fn node(&mut self, tape: &Tape, node: Node, fused: bool) -> Option<(Polynomial, Polynomial)> {
+        let power_of_two = |node| tape.is_power_of_two(node);
+        Some(match tape.ops[node as usize] {
+            Op::Input => (Polynomial::variable(node), Polynomial::default()),
+            Op::Const(c) if c.is_finite() => (Polynomial::constant(c), Polynomial::default()),
+            Op::Const(_) | Op::Abs(_) => return None,
+            Op::Neg(a) => (self.exact(a)?.scaled(-1.0), self.error(a)?.clone()),
+            Op::Add(a, b) if a == b => (self.exact(a)?.scaled(2.0), self.error(a)?.scaled(2.0)),
+            Op::Add(a, b) => self.sum(a, 1.0, b)?,
+            Op::Sub(a, b) => self.sum(a, -1.0, b)?,
+            Op::Mul(a, b) => {
+                let product = self.product(a, b)?;
+                if power_of_two(a) || power_of_two(b) { product } else { rounded(product) }
+            }
+            Op::Fma(a, b, c) | Op::Nfma(a, b, c) => {
+                let sign = if matches!(tape.ops[node as usize], Op::Fma(..)) { 1.0 } else { -1.0 };
+                let product = self.product(a, b)?;
+                let is_exact = fused || power_of_two(a) || power_of_two(b);
+                let (product, error) = if is_exact { product } else { rounded(product) };
+                rounded((self.exact(c)?.plus(sign, &product), error.plus(1.0, self.error(c)?)))
+            }
+            Op::Sqrt(a) => {
+                let k = self.root_of(a)?;
+                rounded((Polynomial::variable(root(k)), Polynomial::default()))
+            }
+            Op::Div(a, b) => {
+                let (over, error) = self.reciprocal(b)?;
+                rounded(self.multiplied((self.exact(a)?, self.error(a)?), (&over, &error)))
+            }
+        })
+    }
+
+    fn exact(&self, node: Node) -> Option<&Polynomial> {
+        self.exact[node as usize].as_ref()
+    }
+    fn error(&self, node: Node) -> Option<&Polynomial> {
+        self.error[node as usize].as_ref()
+    }
+
+    fn sum(&self, a: Node, sign: f64, b: Node) -> Option<(Polynomial, Polynomial)> {
+        let error = self.error(a)?.plus(1.0, self.error(b)?);
+        Some(rounded((self.exact(a)?.plus(sign, self.exact(b)?), error)))
+    }
+
+    fn product(&self, a: Node, b: Node) -> Option<(Polynomial, Polynomial)> {
+        Some(self.multiplied((self.exact(a)?, self.error(a)?), (self.exact(b)?, self.error(b)?)))
+    }
+
+    fn multiplied(
+        &self,
+        (a, a_error): (&Polynomial, &Polynomial),
+        (b, b_error): (&Polynomial, &Polynomial),
+    ) -> (Polynomial, Polynomial) {
+        let first = a.magnitude().times(b_error).plus(1.0, &b.magnitude().times(a_error));
+        (a.times(b), first.plus(U, &a_error.times(b_error)))
+    }
+
+    /// Which root the node is the square of: new, or known.
+    fn root_of(&mut self, sum: Node) -> Option<usize> {
+        if let Some(k) = self.roots.iter().position(|root| root.sum == sum) {
+            return Some(k);
+        }
+        let exact = self.exact(sum)?;
+        let first = exact.0.keys().next()?.first()?.checked_sub(FIRST_INPUT as u32)?;
+        let group = *self.groups.get(first as usize)?;
+        let squares = self.groups.iter().enumerate().filter(|(_, g)| **g == group).map(|(i, _)| {
+            let input = (FIRST_INPUT + i) as Node;
+            (vec![input, input], 1.0)
+        });
+        if exact.0 != squares.collect() {
+            return None;
+        }
+        // All terms positive: the error is relative.
+        let error = self.error(sum)?;
+        if !error.0.keys().all(|monomial| exact.0.contains_key(monomial)) {
+            return None;
+        }
+        let relative = error.0.values().fold(0.0_f64, |worst, c| worst.max(*c));
+        self.roots.push(Root { sum, group, relative });
+        Some(self.roots.len() - 1)
+    }
+
+    /// One over a sum of squares or a multiple of a root, and its error.
+    fn reciprocal(&mut self, node: Node) -> Option<(Polynomial, Polynomial)> {
+        if let Some(k) = self.root_of(node) {
+            let over = Polynomial::variable(root(k) + 1);
+            return Some((over.times(&over), Polynomial::default()));
+        }
+        let (exact, error) = (self.exact(node)?, self.error(node)?);
+        let (monomial, &c) = exact.0.first_key_value()?;
+        if exact.0.len() != 1 || monomial.iter().any(|&v| as_root(v).is_none()) {
+            return None;
+        }
+        if !error.0.keys().all(|other| other == monomial) {
+            return None;
+        }
+        let relative = error.0.get(monomial).copied().unwrap_or(0.0) / c.abs();
+        let mut over = Polynomial::constant(1.0 / c);
+        for &v in monomial {
+            let (k, power) = as_root(v)?;
+            over =
+                over.times(&Polynomial::variable(if power == 1 { root(k) + 1 } else { root(k) }));
+        }
+        let error = over.magnitude().scaled(relative / (1.0 - relative * U));
+        Some((over, error))
+    }
+
+    /// What the error of a node stays below, by the lengths of the arguments; `None` beyond what is analysed.
+    #[must_use]
+    pub fn bound(&self, node: Node) -> Option<Lengths> {
+        let (exact, error) = (self.exact(node)?, self.error(node)?);
+        // √ŝ = √s (1 + η)
+        let off = |k: usize| {
+            self.roots[k].relative / 2.0 / (1.0 - self.roots[k].relative * U).powf(1.5) * U
+        };
+        let grown = |powers: &BTreeMap<usize, i32>| -> f64 {
+            let of = |(&k, &power): (&usize, &i32)| {
+                let power = power.abs();
+                (1.0 + off(k)).powi(power).max((1.0 - off(k)).powi(-power))
+            };
+            powers.iter().map(of).product()
+        };
+        let moved = exact.magnitude().weighted(|powers| (grown(powers) - 1.0) / U);
+        let total = error.weighted(grown).plus(1.0, &moved);
+        Some(self.by_lengths(&total))
+    }
+
+    fn by_lengths(&self, polynomial: &Polynomial) -> Lengths {
+        let group = |input: u32| self.groups[input as usize - FIRST_INPUT];
+        polynomial.by_lengths(&group, &|k| self.roots[k].group)
+    }
+}
+
+// What scripts need beside the bounds.
+impl Analysis {
+    /// How large the exact number of a node is at most, by the lengths of the arguments.
+    pub(crate) fn size(&self, node: Node) -> Option<Lengths> {
+        Some(self.by_lengths(self.exact(node)?))
+    }
+    /// The sums of squares of a whole argument: node and argument.
+    pub(crate) fn sums(&self) -> impl Iterator<Item = (Node, usize)> {
+        self.roots.iter().map(|root| (root.sum, root.group))
+    }
+}
+
+/// One rounding of a value with an error.
+fn rounded((exact, error): (Polynomial, Polynomial)) -> (Polynomial, Polynomial) {
+    let error = error.plus(1.0, &exact.magnitude().plus(U, &error));
+    (exact, error)
+}

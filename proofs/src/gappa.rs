@@ -1,0 +1,173 @@
+//! Tapes as scripts for Gappa: every number twice, rounded and exact, and what the difference of the two stays below.
+//!
+//! Gappa sees intervals of single numbers. What it cannot see is that they are parts of vectors of a length, so each exact
+//! number comes with the bound that follows from that (Cauchy and Schwarz), as a hypothesis; `coq/` has it as a lemma.
+
+use crate::bound::Analysis;
+use crate::operations::{Form, Operation};
+use crate::tape::{Node, Op, Tape};
+use crate::{is_twin, tape_of};
+use std::fmt::Write;
+use std::path::Path;
+
+/// How far the length of a rotation is from 1: |p| ∈ [1 − 2⁻⁹, 1 + 2⁻⁹].
+const NEAR: f64 = 1.0 / 512.0;
+
+/// Writes a script per operation, form, precision and rounding of products.
+///
+/// # Errors
+/// Of the file system.
+pub fn write(folder: &Path) -> std::io::Result<()> {
+    for form in Form::ALL {
+        for operation in form.operations() {
+            for is_single in
+                [true, false].into_iter().filter(|&is_single| !is_twin(operation, form, is_single))
+            {
+                let tape = tape_of(operation, form, is_single);
+                for fused in if tape.fuses() { &[false, true][..] } else { &[false] } {
+                    let float = if is_single { "f32" } else { "f64" };
+                    let rounding = if *fused { ".fused" } else { "" };
+                    let name = format!("{}.{}{rounding}.{float}.g", form.name(), operation.name);
+                    if let Some(script) = script(operation, &tape, is_single, *fused) {
+                        std::fs::write(folder.join(name), script)?;
+                    }
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The lengths of an argument: rotations are nearly unit, all else is at most 1.
+fn lengths(operation: &Operation) -> Vec<(f64, f64)> {
+    let of = |&(name, count): &(&str, usize)| {
+        if count == 4 && matches!(name, "p" | "r") { (1.0 - NEAR, 1.0 + NEAR) } else { (0.0, 1.0) }
+    };
+    operation.inputs.iter().map(of).collect()
+}
+
+/// `None` where nothing is rounded.
+fn script(operation: &Operation, tape: &Tape, is_single: bool, fused: bool) -> Option<String> {
+    let needed = tape.needed(&tape.outputs);
+    let groups = operation.groups();
+    let analysis = Analysis::of(tape, &groups, fused);
+    let lengths = lengths(operation);
+    let steps: Vec<Node> =
+        (0..tape.ops.len() as Node).filter(|&node| needed[node as usize]).collect();
+
+    let mut text = format!("@rnd = float<ieee_{},ne>;\n", if is_single { 32 } else { 64 });
+    for &node in &steps {
+        if tape.ops[node as usize] == Op::Input {
+            let _ = writeln!(text, "x{node} = rnd(x{node}_);");
+        }
+    }
+    for prefix in ["n", "M"] {
+        for &node in &steps {
+            if let Some(expression) = expression(tape, node, prefix, fused) {
+                let _ = writeln!(text, "{prefix}{node} = {expression};");
+            }
+        }
+    }
+    let (mut given, mut hints) = (vec![], vec![]);
+    for &node in &steps {
+        match tape.ops[node as usize] {
+            Op::Input => {
+                let (_, longest) = lengths[groups[node as usize - crate::tape::FIRST_INPUT]];
+                given.push(format!("|x{node}| <= {}", number(longest)));
+            }
+            Op::Const(_) | Op::Neg(_) => {}
+            _ => {
+                let Some(bound) = analysis.size(node) else { continue };
+                let most = bound.0.iter().map(|(powers, c)| {
+                    let power = |&(group, power): &(usize, i32)| {
+                        let (shortest, longest) = lengths[group];
+                        if power < 0 { shortest.powi(power) } else { longest.powi(power) }
+                    };
+                    c * powers.iter().map(power).product::<f64>()
+                });
+                given.push(format!("|M{node}| <= {}", up(most.sum::<f64>() * (1.0 + 1e-9))));
+                hints.push(format!("n{node} -> M{node} + (n{node} - M{node});"));
+            }
+        }
+    }
+    for (sum, group) in analysis.sums() {
+        let (shortest, longest) = lengths[group];
+        given.push(format!(
+            "M{sum} in [{}, {}]",
+            number(shortest * shortest),
+            number(longest * longest)
+        ));
+    }
+    let goals: Vec<String> = tape
+        .outputs
+        .iter()
+        .filter(|&&output| {
+            !matches!(tape.ops[output as usize], Op::Input | Op::Const(_))
+                && analysis.bound(output).is_none_or(|b| !b.0.is_empty())
+        })
+        .map(|output| format!("|n{output} - M{output}| in ?"))
+        .collect();
+    if goals.is_empty() {
+        return None;
+    }
+    let _ = writeln!(text, "{{ {}\n  -> {} }}", given.join("\n  /\\ "), goals.join("\n  /\\ "));
+    text.extend(hints.into_iter().map(|hint| hint + "\n"));
+    Some(text)
+}
+
+/// What a node is, of rounded or exact numbers; `None` of what has another name.
+fn expression(tape: &Tape, node: Node, prefix: &str, fused: bool) -> Option<String> {
+    let n = |node: Node| match tape.ops[node as usize] {
+        Op::Input => format!("x{node}"),
+        Op::Const(c) => number(c),
+        _ => format!("{prefix}{node}"),
+    };
+    let rounded = |text: String| if prefix == "n" { format!("rnd({text})") } else { text };
+    let product = |a: Node, b: Node| {
+        let product = format!("{} * {}", n(a), n(b));
+        if fused || tape.is_power_of_two(a) || tape.is_power_of_two(b) {
+            product
+        } else {
+            rounded(product)
+        }
+    };
+    Some(match tape.ops[node as usize] {
+        Op::Input | Op::Const(_) => return None,
+        Op::Add(a, b) if a == b => format!("2 * {}", n(a)),
+        Op::Add(a, b) => rounded(format!("{} + {}", n(a), n(b))),
+        Op::Sub(a, b) => rounded(format!("{} - {}", n(a), n(b))),
+        Op::Mul(a, b) if tape.is_power_of_two(a) || tape.is_power_of_two(b) => {
+            format!("{} * {}", n(a), n(b))
+        }
+        Op::Mul(a, b) => rounded(format!("{} * {}", n(a), n(b))),
+        Op::Fma(a, b, c) => rounded(format!("{} + {}", product(a, b), n(c))),
+        Op::Nfma(a, b, c) => rounded(format!("{} - {}", n(c), product(a, b))),
+        Op::Div(a, b) => rounded(format!("{} / {}", n(a), n(b))),
+        Op::Sqrt(a) => rounded(format!("sqrt({})", n(a))),
+        Op::Neg(a) => format!("-{}", n(a)),
+        Op::Abs(a) => format!("|{}|", n(a)),
+    })
+}
+
+/// A number exactly: m·2ᵉ.
+fn number(c: f64) -> String {
+    if c == c.trunc() && c.abs() < 1e15 {
+        return format!("{c:.0}");
+    }
+    let bits = c.abs().to_bits();
+    let (mut exponent, mut digits) = ((bits >> 52) as i64 - 1075, bits & ((1 << 52) - 1) | 1 << 52);
+    while digits.is_multiple_of(2) {
+        digits /= 2;
+        exponent += 1;
+    }
+    format!("{}{digits}b{exponent}", if c < 0.0 { "-" } else { "" })
+}
+
+/// The next number of 20 bits.
+fn up(c: f64) -> String {
+    if c == 0.0 {
+        return "0".into();
+    }
+    let step = 2_f64.powi(c.log2().floor() as i32 - 20);
+    number((c / step).ceil() * step)
+}

@@ -1,0 +1,216 @@
+//! The operations that are recorded: one line each, for single motions and for lanes alike, as dq8 has them.
+
+/// An operation: what goes in and comes out, in groups of numbers whose length is that of a vector.
+#[derive(Clone, Copy, Debug)]
+pub struct Operation {
+    /// As in dq8.
+    pub name: &'static str,
+    /// Its arguments: letter, and how many numbers.
+    pub inputs: &'static [(&'static str, usize)],
+    /// Its answer, part by part.
+    pub parts: &'static [(&'static str, usize)],
+}
+
+impl Operation {
+    /// The argument that each number belongs to.
+    #[must_use]
+    pub fn groups(&self) -> Vec<usize> {
+        let groups = self.inputs.iter().enumerate();
+        groups.flat_map(|(group, &(_, count))| std::iter::repeat_n(group, count)).collect()
+    }
+    /// How many numbers go in.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.inputs.iter().map(|input| input.1).sum()
+    }
+}
+
+/// Which code computes it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Form {
+    /// One motion of floats.
+    Single,
+    /// Lanes, of which one is recorded.
+    Lanes,
+    /// A job over slices, on the packed lanes of one motion.
+    Job,
+}
+
+impl Form {
+    /// All.
+    pub const ALL: [Self; 3] = [Self::Single, Self::Lanes, Self::Job];
+    /// As in `bounds.toml`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Single => "single",
+            Self::Lanes => "lanes",
+            Self::Job => "job",
+        }
+    }
+    /// What there is in this form.
+    #[must_use]
+    pub fn operations(self) -> &'static [Operation] {
+        if self == Self::Job { jobs::OPERATIONS } else { OPERATIONS }
+    }
+}
+
+fn three<T: Copy>(rows: impl IntoIterator<Item = impl IntoIterator<Item = T>>) -> Vec<T> {
+    rows.into_iter().flatten().collect()
+}
+
+macro_rules! table { ($($name:ident($($input:ident $count:literal),*) -> ($($part:ident $parts:literal),*) = $body:expr;)*) => {
+    /// Every operation that is one path of + − · / √.
+    pub const OPERATIONS: &[Operation] = &[$(Operation {
+        name: stringify!($name),
+        inputs: &[$((stringify!($input), $count)),*],
+        parts: &[$((stringify!($part), $parts)),*],
+    }),*];
+    operations! { single dq8::Scalar; dq8::DualQuat; dq8::Quat; dq8::Dual; dq8::Motion; $($name($($input $count),*) = $body;)* }
+    operations! { lanes dq8::Lanes; dq8::batch::DualQuat; dq8::batch::Quat; dq8::batch::Dual; dq8::Motion; $($name($($input $count),*) = $body;)* }
+} }
+
+macro_rules! operations {
+    ($form:ident $number:path; $motion:path; $quat:path; $dual:path; $contract:path; $($name:ident($($input:ident $count:literal),*) = $body:expr;)*) => {
+        /// The operations in one form.
+        pub mod $form {
+            use super::three;
+            use $number as Number;
+            use $motion as DualQuat;
+            use $quat as Quat;
+            use $dual as Dual;
+            use $contract as Motion;
+            use dq8::geometry::Wrench;
+            use dq8::{Line, Plane, Twist};
+
+            fn motion<T: Number>([px, py, pz, pw]: [T; 4], [qx, qy, qz, qw]: [T; 4]) -> DualQuat<T> {
+                DualQuat::from_array([px, py, pz, pw, qx, qy, qz, qw])
+            }
+            fn quat<T: Number>(p: [T; 4]) -> Quat<T> {
+                Quat::from_array(p)
+            }
+            fn numbers<T: Number>(motion: DualQuat<T>) -> Vec<T> {
+                motion.to_array().to_vec()
+            }
+            fn taken<T: Copy, const N: usize>(from: &mut &[T]) -> [T; N] {
+                let (first, rest) = from.split_first_chunk().expect("as many as the table says");
+                *from = rest;
+                *first
+            }
+
+            /// The numbers of the answer.
+            ///
+            /// # Panics
+            /// Of a name that is not in the table.
+            #[inline(always)]
+            pub fn run<T: Number>(name: &str, mut from: &[T]) -> Vec<T> {
+                match name {
+                    $(stringify!($name) => {
+                        $(let $input: [T; $count] = taken(&mut from);)*
+                        $body
+                    })*
+                    _ => panic!("no operation {name}"),
+                }
+            }
+        }
+    };
+}
+
+table! {
+    from_rotation(p 4) -> (real 4, dual 4) = numbers(DualQuat::from_rotation(quat(p)));
+    from_translation(v 3) -> (real 4, dual 4) = {
+        let translation = DualQuat::from_translation(v).to_array();
+        translation.to_vec()
+    };
+    from_rotation_translation(p 4, v 3) -> (real 4, dual 4) = numbers(DualQuat::from_rotation_translation(quat(p), v));
+    from_translation_rotation(p 4, v 3) -> (real 4, dual 4) = numbers(DualQuat::from_translation_rotation(v, quat(p)));
+    mul_rotation_translation(p 4, q 4, r 4, v 3) -> (real 4, dual 4) =
+        numbers(motion(p, q).mul_rotation_translation(quat(r), v));
+    rotation(p 4, q 4) -> (rotation 4) = motion(p, q).rotation().to_array().to_vec();
+    translation(p 4, q 4) -> (translation 3) = motion(p, q).translation().to_vec();
+    to_matrix3x4(p 4, q 4) -> (rotation 3, translation 1, rotation 3, translation 1, rotation 3, translation 1) = three(motion(p, q).to_matrix3x4());
+    to_matrix4(p 4, q 4) -> (rotation 3, translation 1, rotation 3, translation 1, rotation 3, translation 1) = three(motion(p, q).to_matrix4())[..12].to_vec();
+    conjugate_dual(p 4, q 4) -> (real 4, dual 4) = numbers(motion(p, q).conjugate_dual());
+    conjugate(p 4, q 4) -> (real 4, dual 4) = numbers(motion(p, q).conjugate());
+    conjugate_both(p 4, q 4) -> (real 4, dual 4) = numbers(motion(p, q).conjugate_both());
+    canonical(p 4, q 4) -> (real 4, dual 4) = numbers(motion(p, q).canonical());
+    scale(p 4, q 4, c 1) -> (real 4, dual 4) = numbers(motion(p, q).scale(c[0]));
+    scale_dual(p 4, q 4, c 1, d 1) -> (real 4, dual 4) = numbers(motion(p, q).scale_dual(Dual::new(c[0], d[0])));
+    dot(p 4, q 4, r 4, s 4) -> (real 1, dual 1) = {
+        let dot = motion(p, q).dot(motion(r, s));
+        vec![dot.real, dot.dual]
+    };
+    norm(p 4, q 4) -> (real 1, dual 1) = {
+        let norm = motion(p, q).norm();
+        vec![norm.real, norm.dual]
+    };
+    normalize(p 4, q 4) -> (real 4, dual 4) = numbers(motion(p, q).normalize());
+    normalize_checked(p 4, q 4) -> (real 4, dual 4) = numbers(Motion::normalize_checked(motion(p, q)).0);
+    inverse(p 4, q 4) -> (real 4, dual 4) = numbers(Motion::inverse(motion(p, q)));
+    inverse_checked(p 4, q 4) -> (real 4, dual 4) = numbers(Motion::inverse_checked(motion(p, q)).0);
+    add(p 4, q 4, r 4, s 4) -> (real 4, dual 4) = numbers(motion(p, q) + motion(r, s));
+    sub(p 4, q 4, r 4, s 4) -> (real 4, dual 4) = numbers(motion(p, q) - motion(r, s));
+    neg(p 4, q 4) -> (real 4, dual 4) = numbers(-motion(p, q));
+    mul(p 4, q 4, r 4, s 4) -> (real 4, dual 4) = numbers(motion(p, q) * motion(r, s));
+    transform_point(p 4, q 4, v 3) -> (point 3) = motion(p, q).transform_point(v).to_vec();
+    transform_vector(p 4, q 4, v 3) -> (vector 3) = motion(p, q).transform_vector(v).to_vec();
+    transform_line(p 4, q 4, v 3, w 3) -> (direction 3, moment 3) = {
+        let line = motion(p, q).transform_line(Line { direction: v, moment: w });
+        three([line.direction, line.moment])
+    };
+    transform_plane(p 4, q 4, v 3, d 1) -> (normal 3, offset 1) = {
+        let plane = motion(p, q).transform_plane(Plane { normal: v, offset: d[0] });
+        let [x, y, z] = plane.normal;
+        vec![x, y, z, plane.offset]
+    };
+    derivative_spatial(p 4, q 4, v 3, w 3) -> (real 4, dual 4) =
+        numbers(motion(p, q).derivative_spatial(Twist { angular: v, linear: w }));
+    derivative_body(p 4, q 4, v 3, w 3) -> (real 4, dual 4) =
+        numbers(motion(p, q).derivative_body(Twist { angular: v, linear: w }));
+    spatial_twist(p 4, q 4, r 4, s 4) -> (angular 3, linear 3) = motion(p, q).spatial_twist(motion(r, s)).to_array().to_vec();
+    body_twist(p 4, q 4, r 4, s 4) -> (angular 3, linear 3) = motion(p, q).body_twist(motion(r, s)).to_array().to_vec();
+    derivative_from_velocity(p 4, q 4, v 3, w 3) -> (real 4, dual 4) = numbers(motion(p, q).derivative_from_velocity(v, w));
+    velocity(p 4, q 4, r 4, s 4) -> (angular 3, linear 3) = {
+        let (angular, linear) = motion(p, q).velocity(motion(r, s));
+        three([angular, linear])
+    };
+    adjoint(p 4, q 4, v 3, w 3) -> (angular 3, linear 3) =
+        motion(p, q).adjoint(Twist { angular: v, linear: w }).to_array().to_vec();
+    coadjoint(p 4, q 4, v 3, w 3) -> (force 3, torque 3) = {
+        let wrench = motion(p, q).coadjoint(Wrench { force: v, torque: w });
+        three([wrench.force, wrench.torque])
+    };
+    quat_mul(p 4, r 4) -> (quaternion 4) = (quat(p) * quat(r)).to_array().to_vec();
+    quat_rotate(p 4, v 3) -> (vector 3) = quat(p).rotate(v).to_vec();
+    quat_normalize(p 4) -> (quaternion 4) = quat(p).normalize().to_array().to_vec();
+    quat_dot(p 4, r 4) -> (dot 1) = vec![quat(p).dot(quat(r))];
+}
+
+/// Jobs over slices.
+pub mod jobs {
+    use super::Operation;
+    use dq8::hierarchy::Hierarchy;
+    use dq8::{Backend, DualQuat, Scalar};
+
+    /// A joint under its parent: what forward kinematics repeats.
+    pub const OPERATIONS: &[Operation] = &[Operation {
+        name: "local_to_model",
+        inputs: &[("p", 4), ("q", 4), ("r", 4), ("s", 4)],
+        parts: &[("real", 4), ("dual", 4)],
+    }];
+
+    /// The numbers of the answer.
+    ///
+    /// # Panics
+    /// If there are not 16 numbers.
+    pub fn run<R: Scalar>(backend: Backend, from: &[R]) -> Vec<R> {
+        let motion =
+            |at: usize| DualQuat::from_array(*from[at..].first_chunk().expect("16 numbers"));
+        let parents = [Hierarchy::ROOT, 0];
+        let mut models = [DualQuat::IDENTITY; 2];
+        let hierarchy = Hierarchy::new(&parents).expect("a root and its child");
+        let job = hierarchy.job().backend(backend);
+        job.local_to_model(&[motion(0), motion(8)], &mut models).expect("two of each");
+        models[1].to_array().to_vec()
+    }
+}

@@ -1,0 +1,239 @@
+//! [`Polynomial`]: what a tape computes, in its inputs, and how large that can be by the lengths of its arguments.
+
+use std::collections::BTreeMap;
+
+/// Variables of a monomial in rising order. Inputs are their nodes; a root that a tape computes of a sum of squares is a
+/// variable of its own, and so is one over it.
+pub(crate) type Monomial = Vec<u32>;
+
+/// The variable √s of the `k`th sum of squares; the next is 1/√s.
+pub(crate) fn root(k: usize) -> u32 {
+    u32::MAX - 2 * (k as u32) - 1
+}
+
+/// (which, ±1) of a root or one over it.
+pub(crate) fn as_root(variable: u32) -> Option<(usize, i32)> {
+    let k = (u32::MAX - variable) as usize;
+    (k < 64).then_some((k / 2, if k % 2 == 1 { 1 } else { -1 }))
+}
+
+/// Terms by the groups of their inputs, and by their roots.
+pub(crate) type Kinds = BTreeMap<(Vec<usize>, Monomial), Vec<(Monomial, f64)>>;
+
+/// Coefficients by monomial.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Polynomial(pub(crate) BTreeMap<Monomial, f64>);
+
+impl Polynomial {
+    /// c
+    pub(crate) fn constant(c: f64) -> Self {
+        Self(if c == 0.0 { BTreeMap::new() } else { BTreeMap::from([(vec![], c)]) })
+    }
+    /// x
+    pub(crate) fn variable(x: u32) -> Self {
+        Self(BTreeMap::from([(vec![x], 1.0)]))
+    }
+    /// self + c other
+    pub(crate) fn plus(&self, c: f64, other: &Self) -> Self {
+        let mut sum = self.0.clone();
+        for (monomial, coefficient) in &other.0 {
+            *sum.entry(monomial.clone()).or_default() += c * coefficient;
+        }
+        sum.retain(|_, coefficient| *coefficient != 0.0);
+        Self(sum)
+    }
+    /// self · other; a root times one over it is 1.
+    pub(crate) fn times(&self, other: &Self) -> Self {
+        let mut product = BTreeMap::new();
+        for (a, x) in &self.0 {
+            for (b, y) in &other.0 {
+                let mut monomial = [&a[..], &b[..]].concat();
+                monomial.sort_unstable();
+                let mut at = 0;
+                while at + 1 < monomial.len() {
+                    // One over a root is the number after it.
+                    if as_root(monomial[at]).is_some_and(|(_, power)| power == 1)
+                        && let Some(over) = monomial.iter().position(|&v| v == monomial[at] + 1)
+                    {
+                        monomial.remove(over);
+                        monomial.remove(at);
+                        at = 0;
+                    } else {
+                        at += 1;
+                    }
+                }
+                *product.entry(monomial).or_default() += x * y;
+            }
+        }
+        product.retain(|_, coefficient| *coefficient != 0.0);
+        Self(product)
+    }
+    /// c self
+    pub(crate) fn scaled(&self, c: f64) -> Self {
+        Self::default().plus(c, self)
+    }
+    /// All coefficients without their signs.
+    pub(crate) fn magnitude(&self) -> Self {
+        Self(self.0.iter().map(|(monomial, c)| (monomial.clone(), c.abs())).collect())
+    }
+    /// Each coefficient times `factor` of the powers of roots beside it.
+    pub(crate) fn weighted(&self, factor: impl Fn(&BTreeMap<usize, i32>) -> f64) -> Self {
+        let weighted = self.0.iter().map(|(monomial, c)| {
+            let mut powers = BTreeMap::new();
+            for (k, power) in monomial.iter().filter_map(|&v| as_root(v)) {
+                *powers.entry(k).or_default() += power;
+            }
+            (monomial.clone(), c * factor(&powers))
+        });
+        Self(weighted.filter(|(_, c)| *c != 0.0).collect())
+    }
+
+    /// The terms by the groups of their inputs, and by their roots.
+    pub(crate) fn kinds(&self, group: &dyn Fn(u32) -> usize) -> Kinds {
+        let mut kinds = BTreeMap::<_, Vec<_>>::new();
+        for (monomial, &c) in &self.0 {
+            let (roots, inputs): (Monomial, Monomial) =
+                monomial.iter().partition(|&&v| as_root(v).is_some());
+            let mut groups: Vec<usize> = inputs.iter().map(|&v| group(v)).collect();
+            groups.sort_unstable();
+            kinds.entry((groups, roots)).or_default().push((inputs, c));
+        }
+        kinds
+    }
+
+    /// Bounds by powers of lengths: |self| ≤ Σ c·Π lengthᵏ, of the group of each input and of what each root is the length.
+    pub(crate) fn by_lengths(
+        &self,
+        group: &dyn Fn(u32) -> usize,
+        length_of: &dyn Fn(usize) -> usize,
+    ) -> Lengths {
+        let mut bounds = Lengths::default();
+        for ((groups, roots), terms) in self.kinds(group) {
+            let mut powers = BTreeMap::<usize, i32>::new();
+            for &group in &groups {
+                *powers.entry(group).or_default() += 1;
+            }
+            for (k, power) in roots.iter().filter_map(|&v| as_root(v)) {
+                *powers.entry(length_of(k)).or_default() += power;
+            }
+            powers.retain(|_, power| *power != 0);
+            *bounds.0.entry(powers.into_iter().collect()).or_default() +=
+                form_norm(&groups, &terms, group);
+        }
+        bounds
+    }
+}
+
+/// Coefficients by powers of lengths.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Lengths(pub BTreeMap<Vec<(usize, i32)>, f64>);
+
+impl Lengths {
+    /// The value for these lengths.
+    #[must_use]
+    pub fn at(&self, lengths: &[f64]) -> f64 {
+        let of = |powers: &Vec<(usize, i32)>| {
+            powers.iter().map(|&(g, k)| lengths[g].powi(k)).product::<f64>()
+        };
+        self.0.iter().map(|(powers, c)| c * of(powers)).sum()
+    }
+    /// The larger of each coefficient.
+    pub(crate) fn worst(&mut self, other: &Self) {
+        for (powers, &c) in &other.0 {
+            let worst = self.0.entry(powers.clone()).or_default();
+            *worst = worst.max(c);
+        }
+    }
+}
+
+/// A matrix by monomials of its rows and columns.
+pub(crate) type Matrix = BTreeMap<(Monomial, Monomial), f64>;
+
+/// No less than the largest value of a multilinear form on unit vectors, one per group: the least norm of its unfoldings to
+/// matrices, and the sum of its coefficients.
+fn form_norm(groups: &[usize], terms: &[(Monomial, f64)], group: &dyn Fn(u32) -> usize) -> f64 {
+    let sum = terms.iter().map(|(_, c)| c.abs()).sum();
+    unfoldings(groups, terms, group).map(|matrix| norm(&matrix)).fold(sum, f64::min)
+}
+
+/// The form as matrices: by which factors are rows. A vector is a matrix of one column, and a transpose has the same norm.
+pub(crate) fn unfoldings(
+    groups: &[usize],
+    terms: &[(Monomial, f64)],
+    group: &dyn Fn(u32) -> usize,
+) -> impl Iterator<Item = Matrix> {
+    (1_u32..1 << (groups.len().max(1) - usize::from(groups.len() > 1))).map(move |rows| {
+        let mut cells = Matrix::new();
+        for (monomial, c) in terms {
+            let mut orders = vec![];
+            permutations(&mut monomial.clone(), 0, &mut |order| {
+                if order.iter().map(|&v| group(v)).eq(groups.iter().copied()) {
+                    orders.push(order.to_vec());
+                }
+            });
+            for order in &orders {
+                let part = |side: u32| {
+                    (0..order.len()).filter(|i| rows >> i & 1 == side).map(|i| order[i]).collect()
+                };
+                *cells.entry((part(1), part(0))).or_default() += c / orders.len() as f64;
+            }
+        }
+        cells
+    })
+}
+
+fn permutations(of: &mut Monomial, at: usize, each: &mut dyn FnMut(&[u32])) {
+    if at == of.len() {
+        return each(of);
+    }
+    for i in at..of.len() {
+        // Equal variables once.
+        if (at..i).all(|j| of[j] != of[i]) {
+            of.swap(at, i);
+            permutations(of, at + 1, each);
+            of.swap(at, i);
+        }
+    }
+}
+
+/// No less than ‖M‖₂, by ‖M‖₂² = ‖MᵀM‖₂ ≤ ‖(MᵀM)ⁿ‖∞^(1/n), n = 2²⁰; but for the rounding of this computation, for
+/// which there is a margin.
+pub(crate) fn norm(cells: &Matrix) -> f64 {
+    let (mut rows, mut columns) = (BTreeMap::new(), BTreeMap::new());
+    for (row, column) in cells.keys() {
+        let (r, c) = (rows.len(), columns.len());
+        rows.entry(row).or_insert(r);
+        columns.entry(column).or_insert(c);
+    }
+    let by_rows = rows.len() <= columns.len();
+    let (n, m) = if by_rows { (rows.len(), columns.len()) } else { (columns.len(), rows.len()) };
+    // Cubes of this many take too long.
+    if n > 24 {
+        return f64::INFINITY;
+    }
+    let mut matrix = vec![vec![0.0; m]; n];
+    for ((row, column), c) in cells {
+        let (r, c_) = (rows[row], columns[column]);
+        if by_rows { matrix[r][c_] = *c } else { matrix[c_][r] = *c }
+    }
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let mut gram: Vec<Vec<f64>> =
+        matrix.iter().map(|a| matrix.iter().map(|b| dot(a, b)).collect()).collect();
+    if n == 1 {
+        return gram[0][0].sqrt() * (1.0 + 1e-9);
+    }
+    // log₂ of what the power was divided by.
+    let (mut scale, mut power) = (0.0_f64, 1.0_f64);
+    for _ in 0..20 {
+        let size = gram.iter().flatten().fold(0.0_f64, |size, c| size.max(c.abs()));
+        for c in gram.iter_mut().flatten() {
+            *c /= size;
+        }
+        scale = 2.0 * (scale + size.log2());
+        // Symmetric.
+        gram = gram.iter().map(|a| gram.iter().map(|b| dot(a, b)).collect()).collect();
+        power *= 2.0;
+    }
+    let sum = gram.iter().map(|row| row.iter().map(|c| c.abs()).sum::<f64>()).fold(0.0, f64::max);
+    ((scale + sum.log2()) / (2.0 * power)).exp2() * (1.0 + 1e-9)
+}

@@ -1,0 +1,68 @@
+//! Random inputs: vectors of a length, some with components that are equal, tiny or zero.
+
+use crate::operations::Operation;
+
+/// xorshift64 (Marsaglia 2003).
+#[derive(Clone, Debug)]
+pub struct Random(u64);
+
+impl Random {
+    /// From any seed but 0.
+    #[must_use]
+    pub fn new(seed: u64) -> Self {
+        Self(seed)
+    }
+    /// 64 bits.
+    pub fn bits(&mut self) -> u64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        self.0
+    }
+    /// In [0, 1).
+    pub fn unit(&mut self) -> f64 {
+        (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+    /// In [−1, 1).
+    pub fn signed(&mut self) -> f64 {
+        2.0 * self.unit() - 1.0
+    }
+}
+
+/// Each argument a vector of about the length in `lengths`, in order of the groups.
+pub fn draw(operation: &Operation, lengths: &[f64], random: &mut Random) -> Vec<f64> {
+    let mut numbers = vec![];
+    for (&(_, count), length) in operation.inputs.iter().zip(lengths.iter().cycle()) {
+        let kind = random.bits() % 6;
+        if count == 1 {
+            numbers.push(random.signed() * length);
+            continue;
+        }
+        let vector: Vec<f64> = (0..count)
+            .map(|_| match kind {
+                0 => 1.0 + random.signed() * 1e-3,
+                1 => random.signed().powi(5),
+                2 if random.bits().is_multiple_of(2) => 0.0,
+                _ => (0..4).map(|_| random.signed()).sum(),
+            })
+            .collect();
+        let norm = vector.iter().map(|c| c * c).sum::<f64>().sqrt();
+        let sign = if random.bits().is_multiple_of(2) { 1.0 } else { -1.0 };
+        numbers.extend(vector.iter().enumerate().map(|(i, c)| {
+            if norm == 0.0 { if i == 0 { *length } else { 0.0 } } else { sign * c * length / norm }
+        }));
+    }
+    numbers
+}
+
+/// Numbers without zeros or equals, all motions unit, scalar parts positive: the ordinary path.
+#[must_use]
+pub fn ordinary(operation: &Operation) -> Vec<f64> {
+    let four = [0.1, -0.3, 0.5, 0.806_225_774_829_854_9];
+    let numbers = operation.groups().into_iter().scan((usize::MAX, 0), |(last, at), group| {
+        *at = if *last == group { *at + 1 } else { 0 };
+        *last = group;
+        Some(four[*at] * (1.0 + 0.01 * (group / 2) as f64))
+    });
+    numbers.map(|number| f64::from(number as f32)).collect()
+}

@@ -1,0 +1,108 @@
+//! `bounds.toml`: every bound, as it is computed from the tapes.
+
+use crate::bound::Analysis;
+use crate::coq::is_proved;
+use crate::operations::{Form, Operation};
+use crate::polynomial::Lengths;
+use crate::tape::Tape;
+use crate::tape_of;
+use std::fmt::Write;
+
+/// A bound of one part of an answer.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Part {
+    /// Its name.
+    pub name: &'static str,
+    /// |computed − exact| of each number ≤ u times this; `None` beyond what is analysed.
+    pub bound: Option<Lengths>,
+}
+
+/// The bounds of an operation in a form, by the lengths of its arguments.
+#[must_use]
+pub fn bounds(operation: &Operation, form: Form, fused: bool) -> Vec<Part> {
+    // Where the two precisions have code of their own, the larger counts.
+    let tapes = [true, false].map(|is_single| tape_of(operation, form, is_single));
+    let tapes = if tapes[0].is_same_as(&tapes[1]) { &tapes[..1] } else { &tapes };
+    let mut parts: Vec<Part> = vec![];
+    for tape in tapes {
+        let analysis = Analysis::of(tape, &operation.groups(), fused);
+        let mut outputs = tape.outputs.iter();
+        for &(name, count) in operation.parts {
+            let mut bound = Some(Lengths::default());
+            for &output in outputs.by_ref().take(count) {
+                match (&mut bound, analysis.bound(output)) {
+                    (Some(bound), Some(one)) => bound.worst(&one),
+                    _ => bound = None,
+                }
+            }
+            match (parts.iter_mut().find(|part| part.name == name), bound) {
+                (None, bound) => parts.push(Part { name, bound }),
+                (Some(Part { bound: Some(old), .. }), Some(bound)) => old.worst(&bound),
+                (Some(part), _) => part.bound = None,
+            }
+        }
+    }
+    parts
+}
+
+/// The next thousandth: terms of second order show.
+pub(crate) fn ceiling(c: f64) -> f64 {
+    (c * 1000.0).ceil() / 1000.0
+}
+
+/// A bound as text: 4.01|p||s| + 4.01|q||r|.
+#[must_use]
+pub fn formula(operation: &Operation, bound: &Lengths) -> String {
+    let length = |&(group, power): &(usize, i32)| {
+        let name = format!("|{}|", operation.inputs[group].0);
+        match power {
+            1 => name,
+            _ => format!("{name}^{power}"),
+        }
+    };
+    let terms: Vec<String> = bound
+        .0
+        .iter()
+        .map(|(powers, &c)| {
+            format!("{}{}", ceiling(c), powers.iter().map(length).collect::<String>())
+        })
+        .collect();
+    if terms.is_empty() { "0".into() } else { terms.join(" + ") }
+}
+
+/// The whole file.
+#[must_use]
+pub fn text() -> String {
+    let mut text = String::from(
+        "# Bounds of rounding errors, computed from the code by `cargo run -- bounds`; tests/bounds.rs compares.\n\
+         # |computed - exact| of every number of a part <= u times its bound, u = 2^-24 (f32) or 2^-53 (f64), where exact is\n\
+         # the formula on the given floats; |p| is the length of the argument. On the ordinary path (README.md), without\n\
+         # overflow; by = \"Coq\" where run.sh has theorems of it, for all numbers that are rounded; tapes: prints of\n\
+         # the operations of f32 and f64, which change with any. Underflow adds at most 2^-150\n\
+         # (f32) or 2^-1075 (f64) times the operations after it.\n",
+    );
+    for form in Form::ALL {
+        for operation in form.operations() {
+            let tapes = [true, false].map(|is_single| tape_of(operation, form, is_single));
+            let fuses = tapes.iter().any(Tape::fuses);
+            let [single, double] = tapes.map(|tape| tape.fingerprint());
+            for fused in [false, true] {
+                if fused && !fuses {
+                    continue;
+                }
+                let rounding = if fused { ".fused" } else { "" };
+                let _ = writeln!(text, "\n[{}.{}{rounding}]", form.name(), operation.name);
+                for part in bounds(operation, form, fused) {
+                    let formula =
+                        part.bound.map_or("none".into(), |bound| formula(operation, &bound));
+                    let _ = writeln!(text, "{} = \"{formula}\"", part.name);
+                }
+                let _ = writeln!(text, "tapes = \"{single:08x} {double:08x}\"");
+                if is_proved(operation, form, fused) {
+                    text += "by = \"Coq\"\n";
+                }
+            }
+        }
+    }
+    text
+}

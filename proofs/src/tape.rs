@@ -1,0 +1,282 @@
+//! [`Tape`]: the operations that a computation did, in order; and what computes them again.
+
+use std::cell::RefCell;
+
+/// A number of a tape.
+pub type Node = u32;
+
+/// What a number is made by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Op {
+    /// Given.
+    Input,
+    /// Written in the code.
+    Const(f64),
+    /// a + b
+    Add(Node, Node),
+    /// a − b
+    Sub(Node, Node),
+    /// ab
+    Mul(Node, Node),
+    /// ab + c, rounded once where the hardware fuses.
+    Fma(Node, Node, Node),
+    /// c − ab, rounded once where the hardware fuses.
+    Nfma(Node, Node, Node),
+    /// a / b
+    Div(Node, Node),
+    /// √a
+    Sqrt(Node),
+    /// −a
+    Neg(Node),
+    /// |a|
+    Abs(Node),
+}
+
+impl Op {
+    /// What it is computed from.
+    #[must_use]
+    pub fn operands(self) -> Vec<Node> {
+        match self {
+            Self::Input | Self::Const(_) => vec![],
+            Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) => vec![a, b],
+            Self::Fma(a, b, c) | Self::Nfma(a, b, c) => vec![a, b, c],
+            Self::Sqrt(a) | Self::Neg(a) | Self::Abs(a) => vec![a],
+        }
+    }
+}
+
+/// A comparison.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Order {
+    /// a < b
+    Less,
+    /// a ≤ b
+    LessOrEqual,
+    /// a = b
+    Equal,
+}
+
+/// A comparison and how it came out: what must hold for the tape to be what the code does.
+#[derive(Clone, Copy, Debug)]
+pub struct Branch {
+    /// Of these two numbers.
+    pub sides: [Node; 2],
+    /// Which.
+    pub order: Order,
+    /// How it came out.
+    pub holds: bool,
+}
+
+/// The operations of one computation on one path.
+#[derive(Clone, Debug, Default)]
+pub struct Tape {
+    /// By node.
+    pub ops: Vec<Op>,
+    /// The numbers that chose the path.
+    values: Vec<f64>,
+    /// What chose it.
+    pub branches: Vec<Branch>,
+    /// The answers.
+    pub outputs: Vec<Node>,
+}
+
+/// 0, 1, 2, ½, π, ε of `f32`, ε of `f64`, NaN: the first nodes of every tape, for constants of traits.
+const CONSTANTS: [f64; 8] =
+    [0.0, 1.0, 2.0, 0.5, core::f64::consts::PI, f32::EPSILON as f64, f64::EPSILON, f64::NAN];
+
+/// How many nodes come before the inputs.
+pub const FIRST_INPUT: usize = CONSTANTS.len();
+
+thread_local! {
+    static TAPE: RefCell<Tape> = RefCell::default();
+}
+
+/// The tape of `work`, on the path that inputs of these `values` take.
+pub fn record(values: &[f64], work: impl FnOnce(&[Node]) -> Vec<Node>) -> Tape {
+    let ops =
+        CONSTANTS.into_iter().map(Op::Const).chain(values.iter().map(|_| Op::Input)).collect();
+    let all = CONSTANTS.into_iter().chain(values.iter().copied()).collect();
+    TAPE.set(Tape { ops, values: all, ..Tape::default() });
+    let inputs: Vec<Node> = (0..values.len()).map(|i| (FIRST_INPUT + i) as Node).collect();
+    let outputs = work(&inputs);
+    Tape { outputs, ..TAPE.take() }
+}
+
+/// The number that chose the path.
+pub(crate) fn value(node: Node) -> f64 {
+    TAPE.with_borrow(|tape| tape.values[node as usize])
+}
+
+/// A comparison, written down.
+pub(crate) fn compare(a: Node, order: Order, b: Node) -> bool {
+    let holds = holds(&value(a), order, &value(b));
+    TAPE.with_borrow_mut(|tape| tape.branches.push(Branch { sides: [a, b], order, holds }));
+    holds
+}
+
+fn holds<F: PartialOrd>(a: &F, order: Order, b: &F) -> bool {
+    match order {
+        Order::Less => a < b,
+        Order::LessOrEqual => a <= b,
+        Order::Equal => a == b,
+    }
+}
+
+/// An operation, written down. What changes no finite number but in the sign of a zero is none: sums with 0, products
+/// with ±1, and what is on the tape already.
+pub(crate) fn push(op: Op) -> Node {
+    TAPE.with_borrow_mut(|tape| {
+        let constant = |node: Node| match tape.ops[node as usize] {
+            Op::Const(c) => Some(c),
+            _ => None,
+        };
+        let is = |node: Node, c: f64| constant(node) == Some(c);
+        let op = match op {
+            Op::Mul(a, b) if is(a, 1.0) => return b,
+            Op::Mul(a, b) if is(b, 1.0) => return a,
+            Op::Mul(a, b) if is(a, 0.0) || is(b, 0.0) => return 0,
+            Op::Mul(a, b) if is(a, -1.0) => Op::Neg(b),
+            Op::Mul(a, b) if is(b, -1.0) => Op::Neg(a),
+            Op::Add(a, b) if is(a, 0.0) => return b,
+            Op::Add(a, b) | Op::Sub(a, b) if is(b, 0.0) => return a,
+            Op::Sub(a, b) if is(a, 0.0) => Op::Neg(b),
+            Op::Fma(a, b, c) | Op::Nfma(a, b, c) if is(a, 0.0) || is(b, 0.0) => return c,
+            Op::Fma(a, b, c) if is(c, 0.0) => Op::Mul(a, b),
+            op => op,
+        };
+        let op = match op {
+            Op::Neg(a) | Op::Abs(a) if is(a, 0.0) => return 0,
+            Op::Neg(a) => match tape.ops[a as usize] {
+                Op::Neg(b) => return b,
+                Op::Const(c) => Op::Const(-c),
+                _ => op,
+            },
+            op => op,
+        };
+        let same = |other: &Op| match (*other, op) {
+            (Op::Const(a), Op::Const(b)) => a.to_bits() == b.to_bits(),
+            (a, b) => a == b,
+        };
+        if let Some(at) = tape.ops.iter().position(same) {
+            return at as Node;
+        }
+        let value = compute(op, &tape.values, true);
+        tape.ops.push(op);
+        tape.values.push(value);
+        (tape.ops.len() - 1) as Node
+    })
+}
+
+/// A number that a tape is computed with.
+pub trait Computed:
+    Copy
+    + PartialOrd
+    + std::ops::Add<Output = Self>
+    + std::ops::Sub<Output = Self>
+    + std::ops::Mul<Output = Self>
+    + std::ops::Div<Output = Self>
+    + std::ops::Neg<Output = Self>
+{
+    /// The nearest.
+    fn nearest(value: f64) -> Self;
+    /// ab + c, rounded once.
+    fn fused(self, b: Self, c: Self) -> Self;
+    /// √a
+    fn root(self) -> Self;
+    /// |a|
+    fn magnitude(self) -> Self;
+}
+macro_rules! computed { ($($real:ident)*) => {$(
+    impl Computed for $real {
+        fn nearest(value: f64) -> Self { value as $real }
+        fn fused(self, b: Self, c: Self) -> Self { $real::mul_add(self, b, c) }
+        fn root(self) -> Self { self.sqrt() }
+        fn magnitude(self) -> Self { $real::abs(self) }
+    }
+)*} }
+computed! { f32 f64 }
+
+fn compute<F: Computed>(op: Op, numbers: &[F], fused: bool) -> F {
+    let n = |node: Node| numbers[node as usize];
+    match op {
+        Op::Input => unreachable!("inputs are given"),
+        Op::Const(c) => F::nearest(c),
+        Op::Add(a, b) => n(a) + n(b),
+        Op::Sub(a, b) => n(a) - n(b),
+        Op::Mul(a, b) => n(a) * n(b),
+        Op::Fma(a, b, c) if fused => n(a).fused(n(b), n(c)),
+        Op::Nfma(a, b, c) if fused => (-n(a)).fused(n(b), n(c)),
+        Op::Fma(a, b, c) => n(a) * n(b) + n(c),
+        Op::Nfma(a, b, c) => n(c) - n(a) * n(b),
+        Op::Div(a, b) => n(a) / n(b),
+        Op::Sqrt(a) => n(a).root(),
+        Op::Neg(a) => -n(a),
+        Op::Abs(a) => n(a).magnitude(),
+    }
+}
+
+impl Tape {
+    /// All numbers of the tape for these inputs, into `numbers`; false where the inputs take another path.
+    pub fn run<F: Computed>(&self, inputs: &[F], fused: bool, numbers: &mut Vec<F>) -> bool {
+        numbers.clear();
+        let mut inputs = inputs.iter();
+        for &op in &self.ops {
+            let number = match op {
+                Op::Input => *inputs.next().expect("an input each"),
+                op => compute(op, numbers, fused),
+            };
+            numbers.push(number);
+        }
+        self.branches.iter().all(|branch| {
+            let [a, b] = branch.sides.map(|node| &numbers[node as usize]);
+            holds(a, branch.order, b) == branch.holds
+        })
+    }
+
+    /// Whether the two do the same.
+    #[must_use]
+    pub fn is_same_as(&self, other: &Self) -> bool {
+        // After the constants, of which NaN equals nothing.
+        self.ops[FIRST_INPUT..] == other.ops[FIRST_INPUT..] && self.outputs == other.outputs
+    }
+
+    /// A number that changes with any operation that the outputs are made of: FNV-1a, 32 bits.
+    #[must_use]
+    pub fn fingerprint(&self) -> u32 {
+        let needed = self.needed(&self.outputs);
+        let ops = self.ops.iter().enumerate().filter(|(node, _)| needed[*node]);
+        let text: String = ops.map(|(node, op)| format!("{node} {op:?};")).collect();
+        let text = format!("{text} {:?}", self.outputs);
+        text.bytes()
+            .fold(0x811c_9dc5, |hash, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193))
+    }
+
+    /// Whether anything differs where hardware fuses.
+    #[must_use]
+    pub fn fuses(&self) -> bool {
+        self.ops.iter().any(|op| matches!(op, Op::Fma(..) | Op::Nfma(..)))
+    }
+
+    /// Which nodes these are made of.
+    #[must_use]
+    pub fn needed(&self, outputs: &[Node]) -> Vec<bool> {
+        let mut needed = vec![false; self.ops.len()];
+        for &output in outputs {
+            needed[output as usize] = true;
+        }
+        for node in (0..self.ops.len()).rev() {
+            if needed[node] {
+                for operand in self.ops[node].operands() {
+                    needed[operand as usize] = true;
+                }
+            }
+        }
+        needed
+    }
+
+    /// Whether a product with this node is exact: ±2ᵏ.
+    #[must_use]
+    pub fn is_power_of_two(&self, node: Node) -> bool {
+        matches!(self.ops[node as usize], Op::Const(c) if c != 0.0 && c.abs().log2().fract() == 0.0)
+    }
+}

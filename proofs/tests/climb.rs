@@ -1,0 +1,128 @@
+//! Errors of `f32` from the exact value (the same tape in `f64`), on random inputs and climbing from the worst: each below its
+//! bound, and bounds not much larger than what is found.
+
+use dq8_proofs::operations::{Form, Operation};
+use dq8_proofs::sample::{Random, draw};
+use dq8_proofs::table::{Part, bounds};
+use dq8_proofs::tape::Tape;
+use dq8_proofs::tape_of;
+
+/// How many times the worst error found a bound may be, of what has been found after this many inputs.
+const INPUTS: usize = 20_000;
+const LOOSE: &[(&str, f64)] = &[
+    ("mul", 2.0),
+    ("quat_mul", 3.0),
+    ("local_to_model", 2.0),
+    ("translation", 2.0),
+    ("from_rotation_translation", 2.0),
+    ("from_translation_rotation", 2.0),
+    ("transform_vector", 4.0),
+    ("transform_point", 4.0),
+    ("normalize", 3.0),
+];
+
+/// The largest error over its bound, and for which inputs.
+struct Search<'a> {
+    operation: &'a Operation,
+    tape: Tape,
+    fused: bool,
+    /// Of each output.
+    parts: Vec<Part>,
+    single: Vec<f32>,
+    double: Vec<f64>,
+}
+
+impl Search<'_> {
+    fn ratio(&mut self, inputs: &[f32]) -> Option<(f64, &'static str)> {
+        if !self.tape.run(inputs, self.fused, &mut self.single) {
+            return None;
+        }
+        let exact: Vec<f64> = inputs.iter().map(|&c| c.into()).collect();
+        self.tape.run(&exact, false, &mut self.double);
+        let mut lengths = vec![0.0; self.operation.inputs.len()];
+        for (group, c) in self.operation.groups().into_iter().zip(&exact) {
+            lengths[group] += c * c;
+        }
+        let lengths: Vec<f64> = lengths.into_iter().map(f64::sqrt).collect();
+        let ratios = self.tape.outputs.iter().zip(&self.parts).filter_map(|(&output, part)| {
+            let bound = part.bound.as_ref()?.at(&lengths) * 2_f64.powi(-24);
+            let error =
+                (f64::from(self.single[output as usize]) - self.double[output as usize]).abs();
+            // 0 where nothing is rounded.
+            Some((if error == 0.0 { 0.0 } else { error / bound }, part.name))
+        });
+        ratios.max_by(|a, b| a.0.total_cmp(&b.0))
+    }
+
+    fn worst(&mut self) -> f64 {
+        let mut random = Random::new(0x2545_f491_4f6c_dd1d);
+        let (mut worst, mut at) = (0.0, vec![]);
+        for i in 0..INPUTS {
+            let inputs: Vec<f32> = if i < INPUTS / 4 || at.is_empty() {
+                draw(self.operation, &[1.0], &mut random).into_iter().map(|c| c as f32).collect()
+            } else {
+                // Some numbers by few units in the last place, or by many.
+                let mut near: Vec<f32> = at.clone();
+                for _ in 0..=random.bits() % 4 {
+                    let index = random.bits() as usize % near.len();
+                    let steps = ((random.bits() % 2001) as i32 - 1000) << (random.bits() % 12);
+                    near[index] = f32::from_bits(near[index].to_bits().wrapping_add_signed(steps));
+                }
+                near
+            };
+            if inputs.iter().any(|c| !c.is_normal() && *c != 0.0) {
+                continue;
+            }
+            let Some((ratio, part)) = self.ratio(&inputs) else { continue };
+            assert!(
+                ratio <= 1.0,
+                "{} {part}: {ratio} of its bound for {inputs:?}",
+                self.operation.name
+            );
+            if ratio > worst {
+                (worst, at) = (ratio, inputs);
+            }
+        }
+        worst
+    }
+}
+
+#[test]
+fn errors_stay_below_the_bounds_and_come_near() {
+    for form in Form::ALL {
+        for operation in form.operations() {
+            for fused in [false, true] {
+                let tape = tape_of(operation, form, true);
+                if fused && !tape.fuses() {
+                    continue;
+                }
+                let known = bounds(operation, form, fused);
+                let of = |name| {
+                    known.iter().find(|part| part.name == name).expect("a part each").clone()
+                };
+                let parts = operation
+                    .parts
+                    .iter()
+                    .flat_map(|&(name, count)| std::iter::repeat_n(of(name), count));
+                let parts = parts.collect();
+                let mut search =
+                    Search { operation, tape, fused, parts, single: vec![], double: vec![] };
+                let worst = search.worst();
+                let rounding = if fused { ", fused" } else { "" };
+                println!(
+                    "{} ({}{rounding}): bound / found {:.2}",
+                    operation.name,
+                    form.name(),
+                    1.0 / worst
+                );
+                if let Some((_, loose)) = LOOSE.iter().find(|(name, _)| *name == operation.name) {
+                    assert!(
+                        worst * loose >= 1.0,
+                        "{}: {worst} of its bound is the most found",
+                        operation.name
+                    );
+                }
+            }
+        }
+    }
+}
