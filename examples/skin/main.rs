@@ -94,12 +94,12 @@ fn run(args: &Args) -> Result<String, Error> {
         report += &format!("{time:8.3} s: {vertices} vertices, {}\n", mesh::bounds(&posed));
         if let Some(directory) = &args.obj {
             let to = directory.join(format!("pose-{index:03}.obj"));
-            error::write(&to, &obj::text(time, &meshes, &posed))?;
+            error::write(&to, obj::text(time, &meshes, &posed))?;
         }
         panels.push(drawing::Panel::of(format!("{time:.3} s"), &meshes, &posed));
     }
     if let Some(to) = &args.svg {
-        error::write(to, &drawing::svg(&panels))?;
+        error::write(to, drawing::svg(&panels))?;
     }
     Ok(report)
 }

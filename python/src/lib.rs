@@ -56,8 +56,6 @@ fn set_reproducible(reproducible: bool) {
 #[pymodule]
 mod _core {
     #[pymodule_export]
-    use super::{backend, set_reproducible};
-    #[pymodule_export]
     use super::functions::actions::{
         adjoint, coadjoint, transform_lines, transform_planes, transform_points, transform_vectors,
     };
@@ -102,4 +100,6 @@ mod _core {
     use super::skin::skin;
     #[pymodule_export]
     use super::threads::{forget_threads, get_num_threads, set_num_threads};
+    #[pymodule_export]
+    use super::{backend, set_reproducible};
 }

@@ -82,7 +82,11 @@ impl PackedClip {
 
     fn __repr__(&self) -> String {
         let bytes = self.packed.as_bytes().len();
-        format!("<PackedClip of {} frames of {} joints, {bytes} bytes>", self.frames(), self.joints())
+        format!(
+            "<PackedClip of {} frames of {} joints, {bytes} bytes>",
+            self.frames(),
+            self.joints()
+        )
     }
 
     fn __reduce__<'py>(
