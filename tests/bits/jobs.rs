@@ -4,8 +4,8 @@ use super::R;
 use crate::deal::Hash;
 use crate::random::Random;
 use dq8::hierarchy::{
-    Clip, Layered, MatrixOrder, Plan, PlanScratch, Poses, Renormalize, RotationsTranslations,
-    Sampled,
+    Clip, Layered, MatrixOrder, PackedClips, Plan, PlanScratch, Poses, Renormalize,
+    RotationsTranslations, Sampled,
 };
 use dq8::law::{Nlerp, NlerpLerp, Sclerp};
 use dq8::skinning::{Blender, DualBlend, Linear, Skin, Surface, SurfaceMut};
@@ -58,6 +58,7 @@ pub(crate) fn run(k: Backend, say: &mut dyn FnMut(&str, u64)) {
     let points: [[R; 3]; N] = [(); N].map(|()| random.numbers());
     let logs: [[R; 6]; N] = [(); N].map(|()| random.numbers());
     slices(k, say, [&a, &b, &c, &any], &t, &points, &logs);
+    packed(k, say, &t);
     trajectories(k, say, &a, &t);
     hierarchies(k, say, [&a, &b, &c], &t);
     robots(k, say, [&a, &b], &mut random);
@@ -131,6 +132,14 @@ fn trajectories(k: Backend, say: &mut dyn FnMut(&str, u64), a: &[M; N], t: &[R; 
     let times: [R; N] = core::array::from_fn(|i| i as R);
     k.resample(&times, a, &t.map(|t| t * N as R), &mut to).expect("times rise");
     say("resample", hash(&to));
+    let mut twists = [Twist::ZERO; N];
+    let at = t.map(|t| t * N as R);
+    k.resample_with_twists(&times, a, &at, &mut to, &mut twists).expect("times rise");
+    say("resample_with_twists", hash(&twists));
+    let mut matrices = [[[0.0; 4]; 3]; N];
+    k.matrices(a, MatrixOrder::Rows, &mut matrices).expect("lengths fit");
+    k.from_matrices(&matrices, MatrixOrder::Rows, &mut to).expect("lengths fit");
+    say("from_matrices", hash(&to));
     k.dib_windows(a, &[0.5, 1.0, 0.5], 1e-6, 8, &mut to[2..]).expect("lengths fit");
     say("dib_windows", hash(&to));
     to = *a;
@@ -227,6 +236,27 @@ fn hierarchies(k: Backend, say: &mut dyn FnMut(&str, u64), [a, b, c]: [&[M; N]; 
     let clip = Clip::new(JOINTS, &seven).expect("whole frames");
     let sampled = Sampled::new(NlerpLerp, clip, &frames, shares).expect("frames");
     many!("clips, NlerpLerp", job(), sampled, sampled);
+    job().locals(sampled, &mut to).expect("lengths fit");
+    say("clips, locals", hash(&to));
+    let round = clip.with_rate(30.0).looping();
+    let moved = shares.iter().filter_map(|&t| round.between(NlerpLerp, 1, -t, 7.0 * t));
+    to.iter_mut().zip(moved).for_each(|(to, moved)| *to = moved);
+    say("clips, between", hash(&to));
+}
+
+/// A stride of 21 joints, which mocap has packed.
+fn packed(k: Backend, say: &mut dyn FnMut(&str, u64), t: &[R; N]) {
+    const JOINTS: usize = 21;
+    let stride = include_bytes!("../firmware/jobs/src/stride.clips");
+    let clips = PackedClips::from_bytes(stride).expect("what mocap has packed");
+    let places: [_; 5] = core::array::from_fn(|i| clips.place(0, 32.0 * t[i]).expect("a clip"));
+    let line: [u32; JOINTS] = core::array::from_fn(|joint| (joint as u32).wrapping_sub(1));
+    let job = Hierarchy::new(&line).expect("parents come first").job().backend(k);
+    let (at, t) = (places.map(|place| place.0), places.map(|place| place.1));
+    let sampled = Sampled::new(NlerpLerp, clips, &at, &t).expect("as many as there are");
+    let mut to = [M::IDENTITY; 5 * JOINTS];
+    job.locals_to_model(sampled, &mut to).expect("lengths fit");
+    say("clips, packed", hash(&to));
 }
 
 fn robots(k: Backend, say: &mut dyn FnMut(&str, u64), [a, b]: [&[M; N]; 2], random: &mut Random) {
