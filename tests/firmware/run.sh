@@ -43,11 +43,11 @@ build() {
     -Zbuild-std=core,compiler_builtins -Zbuild-std-features=compiler-builtins-mem "${@/#/--package=}"
 }
 
-# boot STATUS EMULATOR…: the image must end by itself with that status.
+# boot STATUS EMULATOR…: the image must end by itself with that status, in two minutes or in $limit seconds.
 boot() {
   local expected=$1 status=0
   shift
-  timeout 120 "$@" </dev/null || status=$?
+  timeout "${limit:-120}" "$@" </dev/null || status=$?
   if [ "$status" -ne "$expected" ]; then
     echo "FAIL: $1 ended with status $status" >&2
     failed=1
@@ -72,7 +72,7 @@ for board in "${boards[@]}"; do
         boot 0 qemu-system-arm -M mps2-an386 "${semihosting[@]}" -icount shift=10,sleep=off \
           -kernel "$CARGO_TARGET_DIR/$target/release/$image"
       done
-      boot 0 qemu-system-arm -M mps2-an386 "${semihosting[@]}" -kernel "$CARGO_TARGET_DIR/$target/release/bits-$board"
+      limit=900 boot 0 qemu-system-arm -M mps2-an386 "${semihosting[@]}" -kernel "$CARGO_TARGET_DIR/$target/release/bits-$board"
       ;;
     aarch64)
       target=aarch64-unknown-none
@@ -85,7 +85,7 @@ for board in "${boards[@]}"; do
       build $target '' dq8-firmware-riscv32 kernels
       boot 0 qemu-system-riscv32 -M virt -bios none "${semihosting[@]}" -icount shift=0,sleep=off \
         -kernel "$CARGO_TARGET_DIR/$target/release/dq8-firmware-riscv32"
-      boot 0 qemu-system-riscv32 -M virt -bios none "${semihosting[@]}" -kernel "$CARGO_TARGET_DIR/$target/release/bits-$board"
+      limit=900 boot 0 qemu-system-riscv32 -M virt -bios none "${semihosting[@]}" -kernel "$CARGO_TARGET_DIR/$target/release/bits-$board"
       ;;
     x86-64)
       # The bare target of this name has no SSE. This one has, and nothing of Linux is linked. Calls name what they call (plt).
