@@ -170,6 +170,18 @@ fn every_implementation_runs_that_the_machine_can_run() {
             wanted.extend(lanes);
         }
     }
+    if cfg!(any(target_arch = "aarch64", target_feature = "fma")) {
+        wanted.extend(["lanes unfused f32x8", "lanes unfused f64x4"]);
+    }
+    #[cfg(target_arch = "x86_64")]
+    {
+        if std::is_x86_feature_detected!("avx2") && std::is_x86_feature_detected!("fma") {
+            wanted.extend(["lanes unfused AVX2 f32x8", "lanes unfused AVX2 f64x4"]);
+        }
+        if std::is_x86_feature_detected!("avx512f") {
+            wanted.extend(["lanes unfused AVX-512 f32x16", "lanes unfused AVX-512 f64x8"]);
+        }
+    }
     assert_eq!(names, wanted);
 }
 

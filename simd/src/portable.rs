@@ -2,6 +2,7 @@
 
 use crate::lanes::{Lanes, Level, Mask, PackedDualQuat};
 use crate::shorts::{Shorts, four_at_once, one_by_one};
+use crate::square_root::VECTORS;
 use core::ops::{BitAnd, BitOr, Not};
 use wide::{Select, f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
 
@@ -203,7 +204,10 @@ macro_rules! wide_lanes {
             }
             #[inline(always)]
             fn sqrt(self) -> Self {
-                <$vector>::sqrt(self)
+                if VECTORS {
+                    return <$vector>::sqrt(self);
+                }
+                Self::new(self.to_array().map(<$real as Lanes>::sqrt))
             }
             #[inline(always)]
             fn abs(self) -> Self {

@@ -2,8 +2,8 @@
 
 /// Whether the narrowest vector of `wide` has the instruction: wherever there are vectors, and on all
 /// targets with `std`. Without both, `wide` computes with `f64` in integers.
-#[cfg(feature = "libm")]
-const VECTORS: bool = cfg!(any(
+pub(crate) const VECTORS: bool = cfg!(any(
+    not(feature = "libm"),
     feature = "std",
     target_feature = "sse2",
     all(target_arch = "aarch64", target_feature = "neon"),

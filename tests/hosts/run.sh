@@ -13,10 +13,10 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 
 # Programs have tests too, of which some look for files by other paths than those of the build; papers are in lab.
-hosts=() packages=(dq8 dq8-simd dq8-robot) programs=(dq8-mocap dq8-contest dq8-compare dq8-hand-eye) papers=(--manifest-path lab/Cargo.toml --test papers)
+hosts=() packages=(dq8 dq8-simd dq8-robot) programs=(dq8-mocap dq8-contest dq8-compare dq8-hand-eye) papers=(--manifest-path lab/Cargo.toml --test papers) features=()
 for argument; do
   case $argument in
-    --quick) packages=(dq8-simd) programs=() papers=() ;;
+    --quick) packages=(dq8-simd) features=(--features dq8-simd/alloc) programs=() papers=() ;;
     --bits) packages=() programs=() papers=() ;;
     aarch64 | armv7 | s390x | wasm32 | relaxed) hosts+=("$argument") ;;
     *) echo "no such host: $argument" >&2; exit 2 ;;
@@ -65,7 +65,7 @@ bits() {
 suite() {
   local host=("${@:1:4}")
   shift 4
-  [ ${#packages[@]} -eq 0 ] || run "${host[@]}" "${packages[@]}" "$@"
+  [ ${#packages[@]} -eq 0 ] || run "${host[@]}" "${packages[@]}" "${features[@]}" "$@"
 }
 
 # The same arguments: the worked examples of the papers. Not where QEMU must not see optimised code, which lab is.

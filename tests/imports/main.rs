@@ -120,7 +120,7 @@ const SIMD_MAY_IMPORT: &[(&str, &[&str])] = &[
     ("square_root", &[]),
     ("checked_schedule", &["index"]),
     ("shorts", &["lanes"]),
-    ("portable", &["lanes", "sealed", "shorts"]),
+    ("portable", &["lanes", "sealed", "shorts", "square_root"]),
     ("tracks", &["index", "lanes", "shorts"]),
     ("one", &["lanes", "portable", "shorts", "square_root"]),
     ("unfused", &["lanes", "sealed", "shorts"]),
