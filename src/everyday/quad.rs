@@ -1,6 +1,6 @@
 //! One quaternion in the four lanes of a register, x, y, z, w.
 
-use super::{Four, Number};
+use super::{Four, Number, one_lane};
 use dq8_simd::{Lanes, Mask, Portable};
 
 /// p₁p₂ + ε(p₁q₂ + q₁p₂)
@@ -69,17 +69,11 @@ pub(super) fn matrix3x4<F: Number>(motion: [F; 8]) -> Option<[[F; 4]; 3]> {
     Some([[xx, xy, xz, x], [yx, yy, yz, y], [zx, zy, zz, z]])
 }
 
-/// Exact normalization, unless |p| or |q| is so large or so small that a square or a quotient on the way
-/// has no normal number.
+/// Exact normalization.
 #[inline(always)]
 pub(super) fn unit<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
     let [p, q] = halves(motion);
-    if let Some(unit) = unit_of(p, q) {
-        return Some(unit);
-    }
-    // Number by number: what stays in memory, the compiler would keep there for all.
-    let [px, py, pz, pw, qx, qy, qz, qw] = unit_of_stretched(join(p, q))?;
-    Some([px, py, pz, pw, qx, qy, qz, qw])
+    unit_of(p, q).or_else(|| one_lane::unit(join(p, q)))
 }
 
 /// q / |q|, unless |q| is so large or so small that its square might overflow or vanish.
@@ -89,19 +83,6 @@ pub(super) fn quaternion_unit<F: Number>(quaternion: [F; 4]) -> Option<[F; 4]> {
     let squared = sum(q * q);
     let moderate = squared.constant(1e-6).lt(squared) & squared.lt(squared.constant(1e6));
     moderate.then(|| (q * load([squared.constant(1.0) / Lanes::sqrt(squared); 4])).to_array())
-}
-
-/// A power of two changes no digit, so a multiple of σ by one has the same unit as σ.
-#[cold]
-#[inline(never)]
-fn unit_of_stretched<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
-    let mut largest = F::default();
-    for component in motion.into_iter().take(4).map(Lanes::abs) {
-        largest = F::select(largest.lt(component), component, largest);
-    }
-    let stretch = F::from(1.0) / largest.power_of_two();
-    let [p, q] = halves(motion.map(|component| component * stretch));
-    unit_of(p, q)
 }
 
 /// (1−t)a ± tb, by the shorter way
@@ -120,7 +101,7 @@ pub(super) fn lerp<F: Number>(a: [F; 8], b: [F; 8], t: F) -> Option<[F; 8]> {
 #[inline(always)]
 pub(super) fn inverse<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
     let [p, q] = halves(motion);
-    let [squared, along] = moderate(p, q)?;
+    let Some([squared, along]) = moderate(p, q) else { return one_lane::inverse(join(p, q)) };
     let over_squared = squared.constant(1.0) / squared;
     let twice = (along + along) * over_squared;
     let [px, py, pz, pw] = (p * over_squared).to_array();

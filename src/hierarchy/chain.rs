@@ -6,7 +6,8 @@ use crate::batch;
 use crate::dispatch::{Backend, Kernel};
 use crate::real::Scalar;
 use crate::shape::{ShapeError, same_length};
-use crate::storage::{Element, Layout, Register, Source, Tile, aos, identity};
+use crate::storage::{Element, Layout, Number, Register, Source, Tile, aos, identity};
+use core::marker::PhantomData;
 use dq8_simd::{Float, Lanes, Level};
 
 /// The most segments that a chain is cut into: the lanes of the widest block.
@@ -84,7 +85,16 @@ impl<E: Element<8>> Kernel for Scan<'_, E> {
         // In place, the third pass reads a link just before it writes the product there, and the first has read all.
         if let (Some(links), Some(products)) = (links, E::plain_mut(products)) {
             let steps = products.len() / PLAIN_SEGMENTS;
-            let mut before = scan(Strided { level, steps, links, products: &mut *products });
+            // Where a register holds one number, one segment after the other: eight at once would be memory, and much code.
+            let mut before = if <<Number<E, 8> as Float>::Packed<V> as Lanes>::Native::LANES == 1 {
+                scan(Strided::<_, _, <<Number<E, 8> as Float>::Packed<V> as Lanes>::Native>::new(
+                    level, steps, links, products,
+                ))
+            } else {
+                scan(Strided::<_, _, <Number<E, 8> as Float>::Packed<V>>::new(
+                    level, steps, links, products,
+                ))
+            };
             // A chain need not fill its segments: the last few links one by one.
             for index in PLAIN_SEGMENTS * steps..products.len() {
                 let Some(link) = links.or(products).get(index) else { return };
@@ -194,37 +204,54 @@ impl<E: Element<8>, V: Level> Segments for InBlocks<'_, V, E> {
 const PLAIN_SEGMENTS: usize = 8;
 
 /// Plain motions: eight segments lie one after the other, and are transposed in registers.
-struct Strided<'s, V, R> {
+struct Strided<'s, V, R, L> {
     level: V,
     steps: usize,
     links: Source<'s, [R; 8]>,
     products: &'s mut [[R; 8]],
+    lanes: PhantomData<L>,
 }
 
-impl<R: Scalar, V: Level> Segments for Strided<'_, V, R> {
-    type Lanes = R::Packed<V>;
+impl<'s, V, R, L> Strided<'s, V, R, L> {
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn new(level: V, steps: usize, links: Source<'s, [R; 8]>, products: &'s mut [[R; 8]]) -> Self {
+        Self { level, steps, links, products, lanes: PhantomData }
+    }
+
+    /// Link `step` of each segment of a part: as far apart as a segment is long.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn tile(&self, part: usize, step: usize) -> Tile
+    where
+        L: Lanes,
+    {
+        let element = part * L::LANES * self.steps + step;
+        Tile { element, register: 0, stride: Some(self.steps) }
+    }
+}
+
+impl<V: Level, R: Scalar, L: Lanes<Real = R, Level = V>> Segments for Strided<'_, V, R, L> {
+    type Lanes = L;
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn level(&self) -> V {
         self.level
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn parts(&self) -> usize {
-        1
+        PLAIN_SEGMENTS / L::LANES
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn steps(&self) -> usize {
         self.steps
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn load(&self, _: usize, step: usize) -> Option<batch::DualQuat<Self::Lanes>> {
-        // Link `step` of each segment: as far apart as a segment is long.
-        let tile = Tile { element: step, register: 0, stride: Some(self.steps) };
+    fn load(&self, part: usize, step: usize) -> Option<batch::DualQuat<L>> {
+        let tile = self.tile(part, step);
         let links = aos::load(self.level, self.links.or(self.products), tile, &identity())?;
         Some(batch::DualQuat::from_array(links))
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn store(&mut self, product: batch::DualQuat<Self::Lanes>, _: usize, step: usize) {
-        let tile = Tile { element: step, register: 0, stride: Some(self.steps) };
+    fn store(&mut self, product: batch::DualQuat<L>, part: usize, step: usize) {
+        let tile = self.tile(part, step);
         aos::store(product.to_array(), self.products, tile);
     }
 }
