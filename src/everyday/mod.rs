@@ -79,12 +79,18 @@ pub trait Number:
 {
     /// The lanes that hold a quaternion.
     type Four: Four<Number = Self>;
+    /// The largest power of two that is no larger than this positive normal number.
+    fn power_of_two(self) -> Self;
     /// Whether this lies between two positive numbers: one comparison, of bits.
     fn is_between(self, least: Self, most: Self) -> bool;
 }
 
 impl Number for f32 {
     type Four = f32x4;
+    #[inline(always)]
+    fn power_of_two(self) -> Self {
+        Self::from_bits(self.to_bits() & 0x7f80_0000)
+    }
     #[inline(always)]
     fn is_between(self, least: Self, most: Self) -> bool {
         let (least, most) = (least.to_bits(), most.to_bits());
@@ -94,6 +100,10 @@ impl Number for f32 {
 
 impl Number for f64 {
     type Four = f64x4;
+    #[inline(always)]
+    fn power_of_two(self) -> Self {
+        Self::from_bits(self.to_bits() & 0x7ff0_0000_0000_0000)
+    }
     #[inline(always)]
     fn is_between(self, least: Self, most: Self) -> bool {
         let (least, most) = (least.to_bits(), most.to_bits());
