@@ -36,18 +36,18 @@ pub(super) fn sqrt<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
 /// Exact normalization of any length, or all NaN. Out of line: hardly anything is so long or so short.
 #[cold]
 #[inline(never)]
-pub(super) fn unit<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
+pub(super) fn unit<F: Number>(motion: [F; 8]) -> [F; 8] {
     let unit = batch::DualQuat::<F>::from_array(motion).normalize();
     // A p that is zero or not finite leaves no number in q. Zero times what is not finite is NaN.
     let [x, y, z, w] = unit.dual().to_array();
     let zero = F::default();
     let finite = Lanes::eq(zero * x * y * z * w, zero);
-    Some(if finite { unit.to_array() } else { [F::from_f64(f64::NAN); 8] })
+    if finite { unit.to_array() } else { [F::from_f64(f64::NAN); 8] }
 }
 
 /// σ⁻¹ of any length, or all NaN.
 #[cold]
 #[inline(never)]
-pub(super) fn inverse<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
-    Some(batch::DualQuat::<F>::from_array(motion).inverse_checked().0.to_array())
+pub(super) fn inverse<F: Number>(motion: [F; 8]) -> [F; 8] {
+    batch::DualQuat::<F>::from_array(motion).inverse_checked().0.to_array()
 }

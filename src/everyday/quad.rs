@@ -74,23 +74,23 @@ pub(super) fn matrix3x4<F: Number>(motion: [F; 8]) -> Option<[[F; 4]; 3]> {
 pub(super) fn unit<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
     let [p, q] = halves(motion);
     // Number by number: what stays in memory, the compiler would keep there for all.
-    unit_of(p, q).or_else(|| {
-        let [px, py, pz, pw, qx, qy, qz, qw] = unit_of_stretched(join(p, q))?;
-        Some([px, py, pz, pw, qx, qy, qz, qw])
-    })
+    Some(unit_of(p, q).unwrap_or_else(|| {
+        let [px, py, pz, pw, qx, qy, qz, qw] = unit_of_stretched(join(p, q));
+        [px, py, pz, pw, qx, qy, qz, qw]
+    }))
 }
 
 /// A power of two changes no digit, so a multiple of σ by one has the same unit as σ.
 #[cold]
 #[inline(never)]
-fn unit_of_stretched<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
+fn unit_of_stretched<F: Number>(motion: [F; 8]) -> [F; 8] {
     let mut largest = F::default();
     for component in motion.into_iter().take(4).map(Lanes::abs) {
         largest = F::select(largest.lt(component), component, largest);
     }
     let stretch = F::from(1.0) / largest.power_of_two();
     let [p, q] = halves(motion.map(|component| component * stretch));
-    unit_of(p, q).or_else(|| one_lane::unit(motion))
+    unit_of(p, q).unwrap_or_else(|| one_lane::unit(motion))
 }
 
 /// q / |q|, unless |q| is so large or so small that its square might overflow or vanish.
@@ -118,7 +118,7 @@ pub(super) fn lerp<F: Number>(a: [F; 8], b: [F; 8], t: F) -> Option<[F; 8]> {
 #[inline(always)]
 pub(super) fn inverse<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
     let [p, q] = halves(motion);
-    let Some([squared, along]) = moderate(p, q) else { return one_lane::inverse(join(p, q)) };
+    let Some([squared, along]) = moderate(p, q) else { return Some(one_lane::inverse(join(p, q))) };
     let over_squared = squared.constant(1.0) / squared;
     let twice = (along + along) * over_squared;
     let [px, py, pz, pw] = (p * over_squared).to_array();
