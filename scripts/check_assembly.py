@@ -86,6 +86,13 @@ def hot_loop(body, multiplies=FUSED):
     return max(texts, key=lambda loop: sum(bool(multiplies.search(text)) for text in loop), default=[])
 
 
+def looked_at(kernel, bodies, multiplies=FUSED):
+    """The longest hot loop of some functions, or the longest of them whole."""
+    whole = ([text for _, text in body] for body in bodies)
+    loops = whole if kernel in WHOLE else (hot_loop(body, multiplies) for body in bodies)
+    return max(loops, key=len, default=[])
+
+
 def main():
     functions, failures = build(), 0
     print(f"{'kernel':22}{'backend':9}{'lanes':>6}{'fused':>7}{'calls':>7}{'spills':>8}")
@@ -98,11 +105,9 @@ def main():
                 register = "zmm" if level == "with_avx512" and lanes == 16 else "ymm"
                 wanted = re.compile(level + ".*" + symbol.replace("{lanes}", str(lanes)))
                 bodies = [body for name, body in functions.items() if wanted.search(name)]
-                if kernel in WHOLE:
-                    bodies = [[text for _, text in body] for body in bodies]
-                    loop = max(bodies, key=len, default=[])
-                else:
-                    loop = max((hot_loop(body) for body in bodies), key=len, default=[])
+                fusing = [body for body in bodies if any(FUSED.search(text) for _, text in body)]
+                apart = [body for body in bodies if body not in fusing]
+                loop = looked_at(kernel, fusing)
                 fused = sum(bool(FUSED.search(text)) and register in text for text in loop)
                 calls = 0 if kernel in WHOLE else sum("\tcall" in text for text in loop)
                 spills = sum("mm" in text and ("(%rsp" in text or "(%rbp" in text) for text in loop)
@@ -116,10 +121,9 @@ def main():
                 failures += bool(bad)
                 mark = "  <-- not as it should be" if bad else ""
                 print(f"{kernel:22}{backend:9}{lanes:6}{fused:7}{calls:7}{spills:8}{mark}")
-                apart = [body for body in bodies if not any(FUSED.search(text) for _, text in body)]
-                loop = max((hot_loop(body, APART) for body in apart), key=len, default=[])
+                loop = looked_at(kernel, apart, APART)
                 products = sum(bool(APART.search(text)) and register in text for text in loop)
-                calls = sum("\tcall" in text for text in loop)
+                calls = 0 if kernel in WHOLE else sum("\tcall" in text for text in loop)
                 failures += bool(not products or calls)
                 mark = "  <-- not as it should be" if not products or calls else ""
                 print(f"{'  unfused':22}{backend:9}{lanes:6}{0:7}{calls:7}{products:8} products{mark}")
