@@ -34,8 +34,10 @@ pub(super) unsafe fn f32x8_between(
     unsafe {
         // Of a number and NaN these give the second.
         let t = _mm256_min_ps(_mm256_max_ps(t, _mm256_setzero_ps()), _mm256_set1_ps(1.0));
-        // 2¹⁴t is in the last bits of the sum, as in `shorts::one_by_one`; the other weight stands before it.
-        let to = _mm256_fmadd_ps(t, _mm256_set1_ps(16384.0), _mm256_set1_ps(12_582_912.0));
+        // 2¹⁴t is in the last bits of the sum, as in `shorts::one_by_one`; the other weight stands before it. The product is
+        // exact, so nothing is fused, and unfused lanes share this.
+        let to = _mm256_mul_ps(t, _mm256_set1_ps(16384.0));
+        let to = _mm256_add_ps(to, _mm256_set1_ps(12_582_912.0));
         let to = _mm256_castps_si256(to);
         let from_a = _mm256_sub_epi16(_mm256_set1_epi32(16384), to);
         let weights = _mm256_blend_epi16::<0xAA>(from_a, _mm256_slli_epi32::<16>(to));
