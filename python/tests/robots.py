@@ -6,7 +6,7 @@ import numpy as np
 
 import dq8
 
-ROBOTS = Path(__file__).parents[2] / "urdf" / "robots"
+ROBOTS = Path(__file__).parents[2] / "robot" / "robots"
 
 
 def random_values(mechanism: dq8.Mechanism, rng: np.random.Generator, *shape: int) -> np.ndarray:
