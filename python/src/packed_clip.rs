@@ -32,7 +32,7 @@ use pyo3::types::PyBytes;
 /// >>> clip = dq8.PackedClip(turns)
 /// >>> clip.frames, clip.joints, clip.moving
 /// (5, 1, 1)
-/// >>> dq8.angle_to(clip.sample(1.5)[0], dq8.from_twist([0.45, 0, 0, 0, 0, 0])) < 1e-4
+/// >>> bool(dq8.angle_to(clip.sample(1.5)[0], dq8.from_twist([0.45, 0, 0, 0, 0, 0])) < 1e-4)
 /// True
 #[pyclass(frozen, module = "dq8")]
 #[derive(Debug)]

@@ -117,7 +117,7 @@ def test_the_types_have_every_function_with_its_parameters():
         arguments = node.args
         own = [a.arg for a in arguments.posonlyargs + arguments.args + arguments.kwonlyargs]
         assert own == list(inspect.signature(function).parameters), name
-    assert list(declared) == ["Hierarchy", "Mechanism", "ReachReport"]
+    assert list(declared) == ["Hierarchy", "PackedClip", "Mechanism", "ReachReport"]
     for name, node in declared.items():
         methods = {node.name for node in node.body if isinstance(node, ast.FunctionDef)}
         for method in vars(getattr(dq8, name)):

@@ -82,7 +82,6 @@ __version__ = "0.1.0"
 __all__ = [
     "Hierarchy",
     "Mechanism",
-    "PackedClip",
     "Outcome",
     "PackedClip",
     "ReachReport",
