@@ -203,32 +203,32 @@ impl Real for Counted {
         Self(self.0.sqrt())
     }
     fn sin(self) -> Self {
-        self.trigonometric(f64::sin)
+        self.trigonometric(<f64 as Real>::sin)
     }
     fn cos(self) -> Self {
-        self.trigonometric(f64::cos)
+        self.trigonometric(<f64 as Real>::cos)
     }
     fn tan(self) -> Self {
-        self.trigonometric(f64::tan)
+        self.trigonometric(<f64 as Real>::tan)
     }
     fn asin(self) -> Self {
-        self.trigonometric(f64::asin)
+        self.trigonometric(<f64 as Real>::asin)
     }
     fn acos(self) -> Self {
-        self.trigonometric(f64::acos)
+        self.trigonometric(<f64 as Real>::acos)
     }
     fn atan(self) -> Self {
-        self.trigonometric(f64::atan)
+        self.trigonometric(<f64 as Real>::atan)
     }
     fn atan2(self, x: Self) -> Self {
-        self.trigonometric(|y| y.atan2(x.0))
+        self.trigonometric(|y| Real::atan2(y, x.0))
     }
     fn exp(self) -> Self {
         count(|counts| &mut counts.exponentials);
-        Self(self.0.exp())
+        Self(Real::exp(self.0))
     }
     fn ln(self) -> Self {
         count(|counts| &mut counts.logarithms);
-        Self(self.0.ln())
+        Self(Real::ln(self.0))
     }
 }
