@@ -313,6 +313,7 @@ fn backends_are_read_by_their_names() {
         assert_eq!(backend.to_string().parse(), Ok(backend));
         assert_eq!(backend.to_string().to_lowercase().replace('-', "").parse(), Ok(backend));
     }
+    assert_eq!("PORT-able".parse(), Ok(Backend::PORTABLE), "neither case nor hyphens matter");
     let best = "avx2".parse().unwrap_or_default();
     assert!(Backend::available().any(|backend| backend == best));
     let error = "AVX3".parse::<Backend>().unwrap_err();

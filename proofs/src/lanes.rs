@@ -100,7 +100,7 @@ macro_rules! wide { ($($n:literal)*) => {$(
             _: impl Fn(usize) -> [usize; 2],
             _: Self,
         ) -> [Self; 4] {
-            unimplemented!("exact but for one rounding: nothing to record")
+            panic!("exact but for one rounding: nothing to record")
         }
         fn mul_add(self, factor: Self, addend: Self) -> Self {
             Self(self.0, core::array::from_fn(|i| self.1[i].mul_add(factor.1[i], addend.1[i])))

@@ -13,14 +13,9 @@ use dq8_simd::sealed::Sealed;
 use dq8_simd::{Float, Lanes, Level, Portable};
 
 /// A node of the tape; `SINGLE` where it stands for `f32`, else for `f64`.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Pod, Zeroable)]
 #[repr(transparent)]
 pub struct Recorded<const SINGLE: bool>(pub Node);
-
-// SAFETY: an integer.
-unsafe impl<const S: bool> Zeroable for Recorded<S> {}
-// SAFETY: an integer, transparently.
-unsafe impl<const S: bool> Pod for Recorded<S> {}
 
 macro_rules! operators { ($($name:ident $method:ident $assign:ident $method_assign:ident;)*) => {$(
     impl<const S: bool> $name for Recorded<S> {
@@ -97,7 +92,7 @@ fn constant<const S: bool>(number: f64) -> Recorded<S> {
 macro_rules! unrecorded { ($($name:ident($($argument:ident)?))*) => {$(
     fn $name(self $(, $argument: Self)?) -> Self {
         $(let _ = $argument;)?
-        unimplemented!("functions of libraries are not recorded")
+        panic!("functions of libraries are not recorded")
     }
 )*} }
 
@@ -167,7 +162,7 @@ impl<const S: bool> Lanes for Recorded<S> {
         _: impl Fn(usize) -> [usize; 2],
         _: Self,
     ) -> [Self; 4] {
-        unimplemented!("exact but for one rounding: nothing to record")
+        panic!("exact but for one rounding: nothing to record")
     }
     fn mul_add(self, factor: Self, addend: Self) -> Self {
         Self(push(Op::Fma(self.0, factor.0, addend.0)))

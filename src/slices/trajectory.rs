@@ -285,9 +285,8 @@ impl<R: Scalar> SliceKernel<Twist<R>, 6> for Velocities<'_, R> {
     ) -> Option<[Register<Twist<R>, V, 6>; 6]> {
         let (a, b) = (motions(level, self.a, tile)?, motions(level, self.b, tile)?);
         let [duration] = <[R; 1]>::load(level, self.durations, tile, &[R::ONE])?;
-        let step = a.conjugate() * b;
-        let shorter = step.scale(duration.constant(1.0).copysign(step.real().w()));
-        Some(shorter.to_twist().to_array().map(|component| component / duration))
+        // A logarithm takes the shorter way.
+        Some((a.conjugate() * b).to_twist().to_array().map(|component| component / duration))
     }
     fn part(&self, elements: Range<usize>) -> Self {
         let [a, b] = [self.a, self.b].map(|poses| part(poses, elements.clone()));
