@@ -13,7 +13,7 @@
 //! | [`square_root`] | the square root of one number, which `core` does not have |
 //! | [`checked_schedule`] | [`CheckedSchedule`]: results that need earlier results |
 //! | [`mod@plain`] | [`plain!`]: structs that are numbers and nothing else are `bytemuck::Pod` |
-//! | `unfused` | `Unfused`: the lanes of another level, whose `mul_add` rounds twice (feature `reproducible`) |
+//! | [`unfused`] | [`Unfused`]: the lanes of another level, whose `mul_add` rounds twice |
 //! | [`block`] | [`Block`]: structure-of-arrays memory, a row of numbers for each component |
 //!
 //! Kernels are written once, generic over [`Lanes`], and marked `#[inline(always)]`: a kernel that
@@ -56,7 +56,6 @@ pub mod sealed;
 pub mod shorts;
 pub mod square_root;
 pub mod tracks;
-#[cfg(feature = "reproducible")]
 pub mod unfused;
 #[cfg(target_arch = "x86_64")]
 pub mod x86_64;
@@ -71,7 +70,6 @@ pub use shorts::Shorts;
 #[cfg(feature = "alloc")]
 pub use tracks::OwnedTracks;
 pub use tracks::{PlacedTracks, TrackPlace, Tracks};
-#[cfg(feature = "reproducible")]
 pub use unfused::Unfused;
 
 /// The portable lane types themselves.

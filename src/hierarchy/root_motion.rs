@@ -5,7 +5,7 @@ use crate::law::Law;
 use crate::real::{Real, Scalar};
 use crate::scalar::DualQuat;
 use crate::storage::{Aos, Element, Layout, aos};
-use dq8_simd::{Lanes, Portable};
+use dq8_simd::{Lanes, Portable, Records, Unfused};
 
 impl<K> Clip<'_, K> {
     /// The local pose of a joint at the time `at`, as [`place`](Self::place) has it; `None` if there is no such joint.
@@ -21,19 +21,21 @@ impl<K> Clip<'_, K> {
         W: Law<C>,
         K: Element<C, Layout = Aos<R>>,
     {
+        // A single pose has the same bits on every target.
+        let level = Unfused(Portable);
         let (frame, t) = self.place(at);
         let key = |frame: usize| {
             // Of one frame alone the next one is itself.
             let frame = frame.min(self.frames.saturating_sub(1));
             let keys = K::plain(self.keys)?.get(frame * self.joints..)?.get(..self.joints)?;
-            let key: [<Aos<R> as Layout>::Register<Portable>; C] =
-                aos::splat(Portable, *keys.get(joint)?);
+            let key: [<Aos<R> as Layout>::Register<Unfused<Portable>>; C] =
+                aos::splat(level, *keys.get(joint)?);
             Some(key)
         };
         let (a, b) = (key(frame as usize)?, key(frame as usize + 1)?);
-        let pose = law.between(a, b, Lanes::splat(Portable, t));
+        let pose = law.between(a, b, Lanes::splat(level, t));
         let mut first = [[R::ZERO; 8]];
-        dq8_simd::Records::store_records(law.motion(pose).to_array(), &mut first);
+        Records::store_records(law.motion(pose).to_array(), &mut first);
         let [motion] = first;
         Some(DualQuat::from_array(motion))
     }
