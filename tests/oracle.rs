@@ -25,8 +25,8 @@ fn every_implementation_keeps_every_bound_on_every_vector() {
     let (mut answered, mut rows) = (0, 0);
     Ledger::keep("vectors", &lines, |ledger| {
         for (file, vectors) in files() {
-            rows += vectors.len();
             for on in implementations() {
+                rows += vectors.iter().filter(|vector| vector.is_on(on)).count();
                 for worst in worst_errors(on, &vectors).expect("every operation has a bound") {
                     let place = || format!("{on:?}, {file}, row {}", worst.row);
                     ledger.measure(&worst.op, &worst.kind, worst.error / on.roundoff(), place);
@@ -35,7 +35,7 @@ fn every_implementation_keeps_every_bound_on_every_vector() {
             }
         }
     });
-    assert_eq!(answered, implementations().len() * rows, "something did not run");
+    assert_eq!(answered, rows, "something did not run");
 }
 
 #[test]

@@ -9,8 +9,7 @@ crate::plain::plain! {
     /// the other way.
     ///
     /// Here is what needs no division, for floats and lanes alike. What may fail, and what measures, is
-    /// for [`Real`](crate::Real) numbers, and on lanes with `_checked` at the end and a mask for the error: [`from_points`](Line::from_points),
-    /// [`from_planes`](Line::from_planes), [`dual_angle`](Line::dual_angle),
+    /// for [`Real`](crate::Real) numbers: [`from_points`](Line::from_points), [`from_planes`](Line::from_planes), [`dual_angle`](Line::dual_angle),
     /// [`common_perpendicular`](Line::common_perpendicular) and others.
     #[derive(Clone, Copy, Debug, PartialEq)]
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

@@ -5,8 +5,6 @@
 //!
 //! Two directions whose sine is at most eight units of roundoff are parallel, and so are treated: the
 //! rounding of unit vectors alone makes such a sine, and an answer divided by it would be noise.
-//!
-//! The same on lanes, `…_checked` with masks for errors, is in `batch/incidence`.
 
 mod crossing;
 mod error;

@@ -15,8 +15,8 @@
 //! | rotation and translation | `DualQuat::from(`[`RotationTranslation`]`)` | `RotationTranslation::from` |
 //! | affine map | [`Affine::try_decompose`] | [`Affine::from_motion`] |
 //!
-//! On lanes, in [`batch`](crate::batch), all of them have the same names, or end in `_checked` where there is an
-//! error here.
+//! On lanes, in [`batch`](crate::batch), all but [`Polar`] and [`Affine`] have the same names, or end in `_checked`
+//! where there is an error here.
 //!
 //! [`DualQuat`]: crate::DualQuat
 //! [`DualQuat::from_matrix3x4`]: crate::DualQuat::from_matrix3x4

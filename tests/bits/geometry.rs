@@ -17,18 +17,26 @@ macro_rules! geometry {
             level: L::Level,
             sink: &mut dyn FnMut(&str, u64),
         ) {
-            $(sink($name, super::Deal::<dq8::batch::DualQuat<L>>::hash(level, $name, |deal| {
+            $(on_lanes!($how sink($name, super::Deal::<dq8::batch::DualQuat<L>>::hash(level, $name, |deal| {
                 $(let $field = take!(deal, $shape);)*
                 lanes!(deal, $result $how $scalar $(, $lanes)?);
-            }));)*
+            })));)*
         }
     };
 }
 
 macro_rules! scalar {
     ($deal:ident, $result:ident plain $of:expr) => { put!($deal, $result $of) };
-    ($deal:ident, $result:ident tried $of:expr) => {
+    ($deal:ident, $result:ident $how:ident $of:expr) => {
         if let Ok(value) = $of { put!($deal, $result value) }
+    };
+}
+
+/// What there is on lanes.
+macro_rules! on_lanes {
+    (alone $($hash:tt)*) => {};
+    ($how:ident $hash:expr) => {
+        $hash
     };
 }
 
@@ -58,7 +66,6 @@ macro_rules! tables {
 }
 tables! {
     lines "../contract/geometry/lines.rs";
-    incidence "../contract/geometry/incidence.rs";
     rotations "../contract/geometry/rotations.rs";
     matrices "../contract/geometry/matrices.rs";
     maps "../contract/geometry/maps.rs";

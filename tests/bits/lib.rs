@@ -49,8 +49,12 @@ pub fn hashes(sink: &mut Sink<'_>) {
     #[cfg(target_arch = "x86_64")]
     {
         use dq8::simd::x86_64::{Avx2, Avx512};
-        Avx2::detect().map(|level| lanes(Unfused(level), sink));
-        Avx512::detect().map(|level| lanes(Unfused(level), sink));
+        if let Some(level) = Avx2::detect() {
+            lanes(Unfused(level), sink);
+        }
+        if let Some(level) = Avx512::detect() {
+            lanes(Unfused(level), sink);
+        }
     }
     // Portable lanes too, where they do not fuse either, and are others.
     let fuses = cfg!(any(target_arch = "aarch64", target_feature = "fma"));

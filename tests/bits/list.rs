@@ -4,7 +4,7 @@
 pub(crate) fn list() -> String {
     let mut list = String::new();
     for (entry, title) in [
-        ("scalar", "**Functions**, scalar and on lanes"),
+        ("scalar", "**Functions**, scalar and, where there are, on lanes"),
         ("job", "**Jobs and kernels**"),
         ("example", "**The example**"),
     ] {

@@ -34,7 +34,7 @@ impl Worst {
 pub fn worst_errors(on: On, vectors: &[Vector]) -> Result<Vec<Worst>, String> {
     // Vectors that are computed together must be of one shape.
     let mut groups: BTreeMap<_, Vec<&Vector>> = BTreeMap::new();
-    for vector in vectors {
+    for vector in vectors.iter().filter(|vector| vector.is_on(on)) {
         let key = (vector.op.as_str(), vector.kind.as_str(), vector.shape());
         groups.entry(key).or_default().push(vector);
     }

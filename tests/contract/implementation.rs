@@ -25,7 +25,7 @@ pub struct Implementation {
     /// Whether the numbers are `f32`.
     pub single: bool,
     calls: &'static [Call],
-    pub(crate) geometry: &'static [&'static [geometry::Call]],
+    pub(crate) geometry: &'static [&'static [Option<geometry::Call>]],
 }
 
 /// Which implementation.

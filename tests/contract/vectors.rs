@@ -68,6 +68,14 @@ impl Vector {
         (self.input("w").len(), of_all.first().map_or(0, |&number| number as i32))
     }
 
+    /// Whether `on` has the operation.
+    pub fn is_on(&self, on: On) -> bool {
+        match self.known.of {
+            Of::Motions(_) => true,
+            Of::Geometry(place) => place.is_on(on),
+        }
+    }
+
     /// The answers of `on` to vectors of one operation and shape, at most as many as it has lanes.
     pub fn answers(&self, on: On, vectors: &[&Self]) -> Vec<Vec<f64>> {
         match self.known.of {

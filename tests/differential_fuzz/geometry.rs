@@ -11,7 +11,7 @@ pub(crate) fn round(all: &[On], random: &mut Random, seed: u64, findings: &mut F
     for (place, _) in geometry::operations() {
         let given = given(place, random, all[0]);
         let mut families = Families::default();
-        for &on in all.iter().filter(|on| on.name.starts_with("lanes")) {
+        for &on in all.iter().filter(|on| on.name.starts_with("lanes") && place.is_on(on)) {
             let answers: Vec<_> =
                 given.chunks(on.lanes).flat_map(|lanes| place.answers_given(on, lanes)).collect();
             findings.calls += answers.len() as u64;

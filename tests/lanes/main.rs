@@ -1,9 +1,8 @@
 //! What lanes have in addition to [`Motion`](dq8::Motion), against the scalar reference of the same precision or in
-//! `f64`, lane by lane: functions of dual numbers, incidences, other representations.
+//! `f64`, lane by lane: functions of dual numbers, other representations.
 
 mod dual;
 mod euler_angles;
-mod incidence;
 mod maps;
 mod matrices;
 mod rotations;

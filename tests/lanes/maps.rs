@@ -1,13 +1,13 @@
-//! Poses, affine maps, and Jacobians as matrices.
+//! Poses, and Jacobians as matrices.
 
 use super::scene::{cases, motion, motions};
 use super::{Provable, columns, exact, measure, on_every_level, rounded, row};
-use dq8::representation::{Affine, RotationTranslation};
-use dq8::{DualQuat, Plane, Twist, batch};
+use dq8::representation::RotationTranslation;
+use dq8::{DualQuat, Twist, batch};
 use dq8_contract::ledger::{Ledger, line};
 use dq8_contract::sample::Proof;
 
-fn poses_and_maps_agree<L: Provable>(ledger: &Ledger) {
+fn poses_agree<L: Provable>(ledger: &Ledger) {
     for chunk in cases().chunks(L::LANES) {
         let (a, b) = (motions::<L>(chunk, |case| case.a), motions(chunk, |case| case.b));
         let (v, w) = (columns::<L, _, 3>(chunk, |case| case.v), columns(chunk, |case| case.w));
@@ -17,13 +17,6 @@ fn poses_and_maps_agree<L: Provable>(ledger: &Ledger) {
         let (product, inverse) = (pose * other * identity, pose.inverse());
         let same = batch::RotationTranslation::from_array(pose.to_array());
         let back = batch::DualQuat::from(same);
-        let plane = Plane { normal: v, offset: w[0] };
-        let map = batch::Affine::from_motion(a)
-            * batch::Affine::scale(w)
-            * batch::Affine::shear(v, w)
-            * batch::Affine::reflection(plane)
-            * batch::Affine::identity(<L::Level as Proof>::proof());
-        let map = batch::Affine::from_matrix3x4(map.to_matrix3x4());
         let twist = Twist { angular: v, linear: w };
         let jacobian = batch::DualQuat::left_jacobian_matrix(twist);
         let undone = batch::DualQuat::left_jacobian_inverse_matrix(twist);
@@ -51,14 +44,6 @@ fn poses_and_maps_agree<L: Provable>(ledger: &Ledger) {
             let name = "RotationTranslation::apply";
             three(pose.transform_point(on), by_pose.transform_point(v), size, name);
             three(pose.transform_vector(on), by_pose.transform_vector(v), size, name);
-            let plane = Plane { normal: v, offset: w[0] };
-            let by_map = Affine::from_motion(a)
-                * Affine::scale(w)
-                * Affine::shear(v, w)
-                * Affine::reflection(plane);
-            three(map.transform_point(on), by_map.transform_point(v), 1e3 * size, "Affine");
-            three(map.transform_vector(on), by_map.transform_vector(v), 1e3 * size, "Affine");
-            three(map.translation, by_map.translation, 1e3 * size, "Affine");
             let twist = Twist { angular: v, linear: w };
             let wanted = DualQuat::left_jacobian_matrix(twist);
             let inverse = DualQuat::left_jacobian_inverse_matrix(twist);
@@ -72,7 +57,7 @@ fn poses_and_maps_agree<L: Provable>(ledger: &Ledger) {
 }
 
 #[test]
-fn poses_affine_maps_and_jacobians_on_lanes_are_those_of_the_scalar_reference() {
+fn poses_and_jacobians_on_lanes_are_those_of_the_scalar_reference() {
     #[rustfmt::skip]
     let bounds = [
         line("RotationTranslation::from", &[], 0.8, "fused products"),
@@ -80,18 +65,7 @@ fn poses_affine_maps_and_jacobians_on_lanes_are_those_of_the_scalar_reference() 
         line("RotationTranslation::inverse", &[], 1.2, "fused products"),
         line("RotationTranslation::apply", &[], 3.2, "fused products"),
         line("DualQuat::from", &[], 0.4, "fused products"),
-        line("Affine", &[], 0.35, "sums of products in another order"),
         line("Jacobian", &[], 0.8, "polynomials for series"),
     ];
-    Ledger::keep("poses and maps", &bounds, |ledger| on_every_level!(poses_and_maps_agree, ledger));
-}
-
-#[test]
-fn affine_maps_with_a_translation_that_is_not_finite_have_no_parts_on_lanes() {
-    let map = batch::Affine {
-        linear: batch::Affine::uniform_scale(1.0).linear,
-        translation: [0.0, f64::NAN, 0.0],
-    };
-    let (motion, stretch, failed) = map.decompose_checked();
-    assert!(failed && motion.to_array().iter().all(|c| c.is_nan()) && stretch[0][0].is_nan());
+    Ledger::keep("poses", &bounds, |ledger| on_every_level!(poses_agree, ledger));
 }

@@ -3,11 +3,10 @@
 
 use super::scene::{cases, motion, quat};
 use super::{Provable, columns, exact, holds, lanes, measure, on_every_level, rounded, row};
-use dq8::representation::{Polar, gram_schmidt};
+use dq8::representation::gram_schmidt;
 use dq8::simd::{Lanes, f32x4};
 use dq8::{DualQuat, Quat, Real, batch};
 use dq8_contract::ledger::{Ledger, line};
-use dq8_contract::random::Random;
 
 /// Whether this target has registers of several numbers.
 const FOUR: bool = <<f32x4 as Lanes>::Native as Lanes>::LANES > 1;
@@ -75,36 +74,13 @@ fn repaired_matrices_agree<L: Provable>(ledger: &Ledger) {
     for chunk in all.chunks(L::LANES) {
         let rows = columns_of_rows::<L>(chunk);
         let (by_columns, crooked) = batch::gram_schmidt_checked(rows);
-        let (polar, ambiguous) = batch::Polar::from_matrix3_checked(rows);
-        let translation = [lanes::<L>(&[1.0]), lanes(&[-2.0]), lanes(&[3.0])];
-        let affine = batch::Affine { linear: rows, translation };
-        let (motion, stretch, failed) = affine.decompose_checked();
         let (rotation, no_rotation) = batch::Quat::from_matrix3_checked(rows, lanes(&[1e-3]));
         for (index, case) in chunk.iter().enumerate() {
             let rows = case.map(rounded::<L::Real, 3>);
-            let largest = case.as_flattened().iter().fold(0.0_f64, |most, c| most.max(c.abs()));
             let wanted = gram_schmidt(rows);
             assert_eq!(holds(crooked, index), wanted.is_err(), "Gram–Schmidt of {case:?}");
             let (got, nan) = (flat_row(by_columns, index), [f64::NAN; 9]);
             measure::<L, 9>(ledger, ("gram_schmidt", ""), got, wanted.map_or(nan, flat), 1.0, case);
-
-            let wanted = Polar::try_from_matrix3(rows);
-            assert_eq!(holds(ambiguous, index), wanted.is_err(), "polar decomposition of {case:?}");
-            assert_eq!(holds(failed, index), wanted.is_err());
-            let got = flat_row(polar.rotation.to_matrix3(), index);
-            let turned = wanted.map_or(nan, |polar| flat(polar.rotation.to_matrix3()));
-            measure::<L, 9>(ledger, ("polar rotation", ""), got, turned, 1.0, case);
-            let got = flat_row(polar.stretch, index);
-            let stretched = wanted.map_or(nan, |polar| flat(polar.stretch));
-            measure::<L, 9>(ledger, ("polar stretch", ""), got, stretched, largest, case);
-            assert_eq!(flat_row(stretch, index).map(f64::to_bits), got.map(f64::to_bits));
-            if let Ok(wanted) = wanted {
-                assert_eq!(holds(polar.mirrors, index), wanted.mirrors, "{case:?}");
-                assert_eq!(
-                    row(motion.rotation().to_array(), index),
-                    row(polar.rotation.to_array(), index)
-                );
-            }
 
             let wanted = Quat::try_from_matrix3(rows, <L::Real as Real>::from_f64(1e-3));
             assert_eq!(holds(no_rotation, index), wanted.is_err(), "rotation of {case:?}");
@@ -120,8 +96,6 @@ fn matrices_are_repaired_and_refused_on_lanes_as_by_the_scalar_reference() {
     #[rustfmt::skip]
     let bounds = [
         line("gram_schmidt", &[], 6.5, "a rounding over the sines of the columns"),
-        line("polar rotation", &[], 15.0, "Jacobi's turns, another order of summands"),
-        line("polar stretch", &[], 14.0, "a product with the rotation"),
         // Without registers of four numbers the reference divides by the length; with them, both multiply by its reciprocal.
         line("from_matrix3", &[], if FOUR { 3.9 } else { 16.0 }, "another length divides"),
     ];
@@ -184,25 +158,6 @@ fn a_matrix_that_is_no_motion_is_a_lane_of_nan_and_a_mask() {
     on_every_level!(checked_matrices);
 }
 
-/// A matrix that squeezes space onto a line is one column times one row, and rounding leaves a little more.
-fn squeezed<L: Provable>() {
-    for i in 0..100 {
-        let at = |k: f64| (f64::from(i) + 1.0) * k;
-        let (column, row_of) = ([at(1.1), at(1.7), at(2.3)], [at(0.7), at(2.9), at(3.7)]);
-        let rows = column.map(|a| row_of.map(|b| L::Real::from_f64(a.sin() * b.cos())));
-        let (_, ambiguous) = batch::Polar::from_matrix3_checked(
-            rows.map(|row| row.map(|c| lanes::<L>(&[c.into()]))),
-        );
-        assert!(holds(ambiguous, 0), "{rows:?}");
-        assert!(Polar::try_from_matrix3(rows).is_err(), "{rows:?}");
-    }
-}
-
-#[test]
-fn a_matrix_that_squeezes_space_onto_a_line_has_no_polar_decomposition() {
-    on_every_level!(squeezed);
-}
-
 /// 32 units of the last place, on either side of 1.
 fn normalized<L: Provable>() {
     let unit = L::Real::EPSILON.into();
@@ -218,34 +173,4 @@ fn normalized<L: Provable>() {
 #[test]
 fn normalized_is_within_32_units_of_the_last_place() {
     on_every_level!(normalized);
-}
-
-/// The rotation and the stretch of one lane, as bits.
-fn polar_bits<L: Provable>(matrices: &[Rows], index: usize) -> [u64; 13] {
-    let elements: [L; 9] = columns(matrices, |&matrix| flat(matrix));
-    let rows = std::array::from_fn(|i| std::array::from_fn(|j| elements[3 * i + j]));
-    let (polar, _) = batch::Polar::from_matrix3_checked(rows);
-    let (rotation, stretch) =
-        (row(polar.rotation.to_array(), index), flat_row(polar.stretch, index));
-    let mut numbers = rotation.iter().chain(&stretch);
-    std::array::from_fn(|_| numbers.next().map_or(0, |number| number.to_bits()))
-}
-
-/// Each of many matrices among others of all kinds, and with itself in all lanes.
-fn alone_and_among_others<L: Provable>() {
-    let (mut random, others) = (Random(5), matrices());
-    for count in 0..2000 {
-        let matrix: Rows = std::array::from_fn(|_| random.vector());
-        let index = count % L::LANES;
-        let mut among: Vec<Rows> =
-            (0..L::LANES).map(|_| others[random.below(others.len())]).collect();
-        among[index] = matrix;
-        let (with, alone) = (polar_bits::<L>(&among, index), polar_bits::<L>(&[matrix], index));
-        assert_eq!(with, alone, "matrix {count} in lane {index}: {among:?}");
-    }
-}
-
-#[test]
-fn a_polar_decomposition_does_not_depend_on_the_other_lanes() {
-    on_every_level!(alone_and_among_others);
 }

@@ -195,3 +195,19 @@ fn the_stretch_of_the_largest_matrices_is_finite_or_refused() {
     }
     assert!(finite > 100 && refused > 100, "{finite} finite, {refused} refused");
 }
+
+/// A matrix that squeezes space onto a line is one column times one row, and rounding leaves a little more.
+fn squeezed<R: Real>() {
+    for i in 0..100 {
+        let at = |k: f64| (f64::from(i) + 1.0) * k;
+        let (column, row_of) = ([at(1.1), at(1.7), at(2.3)], [at(0.7), at(2.9), at(3.7)]);
+        let rows = column.map(|a| row_of.map(|b| R::from_f64(a.sin() * b.cos())));
+        assert!(Polar::try_from_matrix3(rows).is_err(), "{rows:?}");
+    }
+}
+
+#[test]
+fn a_matrix_that_squeezes_space_onto_a_line_has_no_polar_decomposition() {
+    squeezed::<f32>();
+    squeezed::<f64>();
+}

@@ -1,4 +1,3 @@
-use super::{all_finite, without};
 use crate::batch::length::Length;
 use crate::batch::vector;
 use dq8_simd::Lanes;
@@ -34,7 +33,8 @@ pub fn gram_schmidt_checked<L: Lanes>(rows: [[L; 3]; 3]) -> ([[L; 3]; 3], L::Mas
     let height = vector::dot(z, height);
     // A zero column is NaN by now, and so no more than anything.
     let stands = least.lt(sine.value()) & least.lt(height);
-    let failed = !(all_finite(rows) & stands);
-    let row = |i: usize| [x[i], y[i], z[i]];
-    (without(failed, [row(0), row(1), row(2)]), failed)
+    let finite = rows.map(vector::are_finite).into_iter().fold(stands, |all, row| all & row);
+    let nan = [one.constant(f64::NAN); 3];
+    let row = |i: usize| vector::select(!finite, nan, [x[i], y[i], z[i]]);
+    ([row(0), row(1), row(2)], !finite)
 }

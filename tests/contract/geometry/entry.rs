@@ -23,23 +23,23 @@ macro_rules! geometry {
         pub(super) struct Scalar<R>(std::marker::PhantomData<R>);
 
         impl<R: dq8::Real> Scalar<R> {
-            pub(super) const CALLS: &'static [$crate::geometry::Call] = &[$(|given| {
+            pub(super) const CALLS: &'static [Option<$crate::geometry::Call>] = &[$(Some(|given| {
                 type M<R> = dq8::DualQuat<R>;
                 let mut next = $crate::geometry::entry::numbers_of::<M<R>>(given);
                 $(let $field = take!(M<R>, $shape next);)*
                 scalar_answer!(M<R>, $result, $how $scalar)
-            }),*];
+            })),*];
         }
 
         pub(super) struct OnLanes<L>(std::marker::PhantomData<L>);
 
         impl<L: dq8::Lanes<Level: $crate::sample::Proof>> OnLanes<L> {
-            pub(super) const CALLS: &'static [$crate::geometry::Call] = &[$(|given| {
+            pub(super) const CALLS: &'static [Option<$crate::geometry::Call>] = &[$(on_lanes!($how |given| {
                 type M<L> = dq8::batch::DualQuat<L>;
                 let mut next = $crate::geometry::entry::numbers_of::<M<L>>(given);
                 $(let $field = take!(M<L>, $shape next);)*
                 lanes_answer!(M<L>, $result, $how last!($scalar $(, $lanes)?))
-            }),*];
+            })),*];
         }
     };
 }
@@ -142,11 +142,21 @@ macro_rules! scalar_answer {
     ($M:ty, $result:ident, plain $value:expr) => {
         $crate::geometry::entry::rows::<$M>(&numbers!($M, $result $value), 0)
     };
-    ($M:ty, $result:ident, tried $value:expr) => {
+    ($M:ty, $result:ident, $how:ident $value:expr) => {
         match $value {
             Ok(value) => $crate::geometry::entry::rows::<$M>(&numbers!($M, $result value), 0),
             Err(_) => Vec::new(),
         }
+    };
+}
+
+/// What there is on lanes.
+macro_rules! on_lanes {
+    (alone $($call:tt)*) => {
+        None
+    };
+    ($how:ident $call:expr) => {
+        Some($call)
     };
 }
 

@@ -8,7 +8,7 @@ geometry! { matrices:
     "Polar::try_from_matrix3"(rows: matrix3) -> polar, polar, [
         on(&["close"], 1.6, "of the scale, which is over the two smaller singular values"),
         within(12.0, "an eigenvector of a 4×4 matrix by Jacobi rotations, each of which rounds all of it; products of R and A")],
-        tried Polar::try_from_matrix3(rows), batch::Polar::from_matrix3_checked(rows);
+        alone Polar::try_from_matrix3(rows);
     "gram_schmidt"(rows: matrix3) -> rows, orthonormal, [
         within(3.3, "each column over its largest element and its length, twice across; a cross product")],
         tried gram_schmidt(rows), batch::gram_schmidt_checked(rows);

@@ -7,13 +7,12 @@
 //! ```
 //!
 //! `how` says whether there may be no answer: `tried` has an error in the scalar reference and a mask on
-//! lanes, `plain` has neither. Where both sides have the same text there is one. The numbers of a quaternion begin
+//! lanes, `plain` has neither; `alone` may have an error, and is not on lanes. Where both sides have the same text there is one. The numbers of a quaternion begin
 //! with w, in fields and in answers, and those of unit shapes are normalized first.
 
 #[macro_use]
 mod entry;
 mod duals;
-mod incidence;
 mod lines;
 mod maps;
 mod matrices;
@@ -53,7 +52,7 @@ pub struct Place {
 
 /// The operations of an implementation, table by table.
 pub trait Geometry: Sample {
-    const GEOMETRY: &'static [&'static [Call]];
+    const GEOMETRY: &'static [&'static [Option<Call>]];
 }
 
 /// All tables, for both sides in one order.
@@ -62,16 +61,16 @@ macro_rules! tables {
         const TABLES: &[&[Operation]] = &[$($table::OPERATIONS),*];
 
         impl<R: Real> Geometry for DualQuat<R> {
-            const GEOMETRY: &'static [&'static [Call]] = &[$($table::Scalar::<R>::CALLS),*];
+            const GEOMETRY: &'static [&'static [Option<Call>]] = &[$($table::Scalar::<R>::CALLS),*];
         }
 
         impl<L: Lanes<Level: Proof>> Geometry for batch::DualQuat<L> {
-            const GEOMETRY: &'static [&'static [Call]] = &[$($table::OnLanes::<L>::CALLS),*];
+            const GEOMETRY: &'static [&'static [Option<Call>]] = &[$($table::OnLanes::<L>::CALLS),*];
         }
     };
 }
 
-tables! { lines incidence rotations matrices maps quaternions duals screws }
+tables! { lines rotations matrices maps quaternions duals screws }
 
 /// Every operation and its place.
 pub fn operations() -> impl Iterator<Item = (Place, &'static Operation)> {
@@ -117,6 +116,11 @@ impl Place {
         answers.map(none).collect()
     }
 
+    /// Whether `on` has the operation.
+    pub fn is_on(self, on: On) -> bool {
+        on.geometry[self.table][self.index].is_some()
+    }
+
     /// The answers to numbers, those of all fields for each lane, for at most as many lanes as `on` has; lanes beyond
     /// repeat the first. Empty where the scalar reference has an error.
     pub fn answers_given(self, on: On, given: &[Vec<f64>]) -> Vec<Vec<f64>> {
@@ -128,7 +132,9 @@ impl Place {
             row
         };
         let rows: Vec<Row> = (0..given[0].len()).map(row).collect();
-        let rows = on.geometry[self.table][self.index](&rows);
+        let call =
+            on.geometry[self.table][self.index].expect("an operation that this implementation has");
+        let rows = call(&rows);
         (0..given.len()).map(|lane| rows.iter().map(|row| row[lane]).collect()).collect()
     }
 
