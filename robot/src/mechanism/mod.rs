@@ -6,10 +6,11 @@ mod group;
 mod jacobians;
 mod job;
 pub(crate) mod joint;
-mod one_lane;
+mod configuration;
 #[cfg(feature = "alloc")]
 pub(crate) mod owned;
 pub(crate) mod placed;
+mod plan;
 pub(crate) mod poses;
 mod screws;
 mod single;

@@ -1,5 +1,6 @@
 use super::error::MechanismError;
 use super::joint::{Joint, JointKind};
+use super::plan::Planned;
 use dq8::Real;
 use dq8::scalar::{DualQuat, Quat, vector};
 
@@ -33,6 +34,7 @@ pub struct Step<R> {
     /// The same of half the value, about or along the aligned axis where that is positive.
     pub(crate) half_multiplier: R,
     pub(crate) half_bias: R,
+    pub(crate) planned: Planned<R>,
     pub(crate) limits: Option<[R; 2]>,
     pub(crate) mimics: bool,
     /// The first of its values and rates among all.
@@ -67,7 +69,7 @@ pub(crate) enum Alignment {
 }
 
 impl Alignment {
-    fn of<R: Real>([x, y, z]: [R; 3]) -> Self {
+    pub(crate) fn of<R: Real>([x, y, z]: [R; 3]) -> Self {
         match [x, y, z].map(|number| number == R::ZERO) {
             [true, true, true] => Self::None,
             [false, true, true] => Self::X,
@@ -96,6 +98,7 @@ impl<R: Real> Default for Step<R> {
             offset: R::ZERO,
             half_multiplier: R::HALF,
             half_bias: R::ZERO,
+            planned: Planned::NONE,
             limits: None,
             mimics: false,
             value: NONE,

@@ -1,0 +1,130 @@
+//! What is found when a mechanism is made, for one configuration at a time: joints between frames that are all parallel
+//! to the base where every value is zero.
+//!
+//! Turn the frame of every link so. Then no placement has a rotation, and the axes of nearly all robots are those of the
+//! base: a hinge is r ← c r + s r n with a product r n that is a permutation and three signs. A link's own frame is turned
+//! back when its pose is written, which no other link waits for.
+
+use super::joint::JointKind;
+use super::step::{Alignment, Step};
+use dq8::Real;
+use dq8::scalar::{Quat, vector};
+
+/// x ↦ x e_K for the axes of the base: where each of the numbers x, y, z, w comes from, and its sign.
+pub(crate) const ORDER: [[usize; 4]; 3] = [[3, 2, 1, 0], [2, 3, 0, 1], [1, 0, 3, 2]];
+pub(crate) const SIGNS: [[f32; 4]; 3] =
+    [[1.0, 1.0, -1.0, -1.0], [-1.0, 1.0, 1.0, -1.0], [1.0, -1.0, 1.0, -1.0]];
+
+/// The quaternion v + w as a right factor.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Factor<R> {
+    /// How v lies.
+    pub(crate) along: Alignment,
+    /// Along an axis the length of v with [`SIGNS`], else v and a zero.
+    pub(crate) row: [R; 4],
+    pub(crate) w: R,
+}
+
+impl<R: Real> Factor<R> {
+    pub(crate) const ONE: Self =
+        Self { along: Alignment::None, row: [R::ZERO; 4], w: R::ONE };
+
+    fn new([x, y, z]: [R; 3], w: R) -> Self {
+        let along = Alignment::of([x, y, z]);
+        let signed = |k: usize, number: R| SIGNS[k].map(|sign| number * R::from(sign));
+        let row = match along {
+            Alignment::X => signed(0, x),
+            Alignment::Y => signed(1, y),
+            Alignment::Z => signed(2, z),
+            Alignment::None | Alignment::Any => [x, y, z, R::ZERO],
+        };
+        Self { along, row, w }
+    }
+
+    pub(crate) fn quaternion(&self) -> Quat<R> {
+        let ([x, y, z, _], zero) = (self.row, R::ZERO);
+        let [x, y, z] = match self.along {
+            Alignment::X => [x, zero, zero],
+            Alignment::Y => [zero, y, zero],
+            Alignment::Z => [zero, zero, z],
+            Alignment::None | Alignment::Any => [x, y, z],
+        };
+        Quat::from_xyzw(x, y, z, self.w)
+    }
+}
+
+/// What a joint does to such a frame.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Motion {
+    Fixed,
+    /// A hinge with a value of its own, about an axis of the base or another.
+    AboutX,
+    AboutY,
+    AboutZ,
+    AboutAny,
+    /// What most robots have none of.
+    Other,
+}
+
+/// A joint between such frames.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Planned<R> {
+    pub(crate) motion: Motion,
+    /// The link's own frame where all values are zero.
+    pub(crate) own: Factor<R>,
+    /// Half the way from the parent.
+    pub(crate) half_offset: Factor<R>,
+    /// The axis or normal of the joint.
+    pub(crate) axis: Factor<R>,
+}
+
+impl<R: Real> Planned<R> {
+    pub(crate) const NONE: Self =
+        Self { motion: Motion::Fixed, own: Factor::ONE, half_offset: Factor::ONE, axis: Factor::ONE };
+}
+
+/// Plans all steps, which are in the order of the joints.
+pub(crate) fn plan<R: Real>(steps: &mut [Step<R>]) {
+    for index in 0..steps.len() {
+        let Some(&step) = steps.get(index) else { return };
+        let on = steps.get(step.parent as usize).map_or(Factor::ONE, |on| on.planned.own);
+        let on = on.quaternion();
+        let own = (on * Quat::from_array(step.rotation)).normalize().to_array();
+        let [x, y, z, w] = clean(own, R::ONE);
+        let largest = step.half_offset.into_iter().map(R::abs).fold(R::ZERO, R::max_or_nan);
+        let half_offset = clean(on.rotate(step.half_offset), largest);
+        let mut axis = clean(Quat::from_xyzw(x, y, z, w).rotate(step.axis), R::ONE);
+        if !matches!(step.kind, JointKind::Fixed | JointKind::Floating) {
+            axis = vector::over_norm(axis, vector::norm(axis));
+        }
+        if let Some(step) = steps.get_mut(index) {
+            let axis = Factor::new(axis, R::ZERO);
+            let motion = match (step.kind, axis.along) {
+                (JointKind::Fixed, _) => Motion::Fixed,
+                (JointKind::Revolute { .. }, _) if step.mimics => Motion::Other,
+                (JointKind::Revolute { .. }, Alignment::X) => Motion::AboutX,
+                (JointKind::Revolute { .. }, Alignment::Y) => Motion::AboutY,
+                (JointKind::Revolute { .. }, Alignment::Z) => Motion::AboutZ,
+                (JointKind::Revolute { .. }, _) => Motion::AboutAny,
+                _ => Motion::Other,
+            };
+            let own = Factor::new([x, y, z], w);
+            let half_offset = Factor::new(half_offset, R::ZERO);
+            step.planned = Planned { motion, own, half_offset, axis };
+        }
+    }
+}
+
+/// Without the zeros, halves and roots of a half that rounding has missed, of numbers of this size: frames of machines are
+/// turned by quarters.
+fn clean<R: Real, const C: usize>(numbers: [R; C], size: R) -> [R; C] {
+    let nice = [R::ZERO, R::HALF, R::HALF.sqrt()];
+    numbers.map(|number| {
+        let near = |&nice: &R| (number.abs() - nice * size).abs() <= R::TWO * R::EPSILON * size;
+        match nice.into_iter().find(near) {
+            Some(nice) if number < R::ZERO => -(nice * size),
+            Some(nice) => nice * size,
+            None => number,
+        }
+    })
+}
