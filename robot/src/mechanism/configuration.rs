@@ -1,44 +1,72 @@
-//! One configuration of floats by the [plan](super::plan): four lanes hold a quaternion, p or q of the motion p + εq of a
-//! turned frame. What `f32` and `f64` compute instead of the products of the book.
+//! One configuration of floats by the [plan](super::plan): what `f32` and `f64` compute instead of the products of the
+//! book.
 //!
-//! Nothing is fused: the bits are the same on all targets.
+//! Four lanes hold a quaternion, p or q of the motion p + εq of a turned frame. Nothing is fused: the bits are the same on
+//! all targets. Cosines and sines come first, as many at a time as there are lanes for, and a frame is kept nowhere: what
+//! branches off is turned back from the pose that has been written.
 
 use super::frame::Frame;
 use super::joint::JointKind;
-use super::plan::{Factor, Motion, ORDER, Planned};
+use super::plan::{Factor, Moves, ORDER, SIGNS};
 use super::step::{Alignment, NONE, Step};
 use super::tree::Mechanism;
 use super::values::half_turn;
-use dq8::{Kernel, Real};
+use dq8::Real;
 use dq8::geometry::Twist;
 use dq8::scalar::{DualQuat, Quat, vector};
 use dq8::seams::{Number, Quick};
-use dq8_simd::{Float, Lanes, Level, Portable, Unfused};
+use dq8_simd::{Float, Lanes, Portable, Unfused};
+
+const LEVEL: Unfused<Portable> = Unfused(Portable);
+/// A quaternion.
+type Four<R> = <R as Float>::Half<Unfused<Portable>>;
+/// Two, or eight angles.
+type Eight<R> = <R as Float>::Packed<Unfused<Portable>>;
+/// What a register holds.
+type Native<R> = <R as Float>::Lanes<Unfused<Portable>>;
+
+#[inline(always)]
+fn splat<R: Float>(number: R) -> Four<R> {
+    Lanes::splat(LEVEL, number)
+}
+
+#[inline(always)]
+fn load<R: Float>(numbers: [R; 4]) -> Four<R> {
+    Lanes::load(LEVEL, &numbers)
+}
 
 /// x e_K but for its signs.
 #[inline(always)]
-fn ordered<const K: usize, R: Float, Q: Lanes<Real = R, Array = [R; 4]>>(x: Q) -> Q {
-    let (level, x, [a, b, c, d]) = (x.level(), x.to_array(), ORDER[K]);
-    Q::load(level, &[x[a], x[b], x[c], x[d]])
+fn ordered<const K: usize, R: Float>(x: Four<R>) -> Four<R> {
+    let (x, [a, b, c, d]) = (x.to_array(), ORDER[K]);
+    load([x[a], x[b], x[c], x[d]])
+}
+
+/// What the vector of a [`Factor`] along no axis multiplies [`ordered`] numbers with.
+#[inline(always)]
+fn rows<R: Float>(vector: Four<R>) -> [Four<R>; 3] {
+    let [x, y, z, _] = vector.to_array();
+    let row = |k: usize, number: R| splat::<R>(number) * load(SIGNS[k].map(R::from));
+    [row(0, x), row(1, y), row(2, z)]
+}
+
+/// x (v + w)
+#[inline(always)]
+fn product<R: Float>(x: Four<R>, [i, j, k]: [Four<R>; 3], w: Four<R>) -> Four<R> {
+    (x * w + ordered::<0, R>(x) * i) + (ordered::<1, R>(x) * j + ordered::<2, R>(x) * k)
 }
 
 /// The turned frame of a link.
 #[derive(Clone, Copy)]
-struct Turned<Q> {
-    p: Q,
-    q: Q,
+struct Turned<R: Float> {
+    p: Four<R>,
+    q: Four<R>,
 }
 
-impl<R: Float, Q: Lanes<Real = R, Array = [R; 4]>> Turned<Q> {
+impl<R: Real + Number> Turned<R> {
     #[inline(always)]
-    fn base(level: Q::Level) -> Self {
-        let zero = R::default();
-        Self::load(level, [zero, zero, zero, R::from(1.0), zero, zero, zero, zero])
-    }
-
-    #[inline(always)]
-    fn load(level: Q::Level, [x, y, z, w, qx, qy, qz, qw]: [R; 8]) -> Self {
-        Self { p: Q::load(level, &[x, y, z, w]), q: Q::load(level, &[qx, qy, qz, qw]) }
+    fn new([x, y, z, w, qx, qy, qz, qw]: [R; 8]) -> Self {
+        Self { p: load([x, y, z, w]), q: load([qx, qy, qz, qw]) }
     }
 
     #[inline(always)]
@@ -49,74 +77,136 @@ impl<R: Float, Q: Lanes<Real = R, Array = [R; 4]>> Turned<Q> {
 
     /// Moved by a vector in its own axes, of which half is given: q + p h.
     #[inline(always)]
-    fn moved(self, along: Alignment, half: Q) -> Self {
+    fn moved(self, along: Alignment, half: Four<R>) -> Self {
         let p = self.p;
-        let add = match along {
+        let added = match along {
             Alignment::None => return self,
-            Alignment::X => ordered::<0, R, Q>(p) * half,
-            Alignment::Y => ordered::<1, R, Q>(p) * half,
-            Alignment::Z => ordered::<2, R, Q>(p) * half,
+            Alignment::X => ordered::<0, R>(p) * half,
+            Alignment::Y => ordered::<1, R>(p) * half,
+            Alignment::Z => ordered::<2, R>(p) * half,
             Alignment::Any => {
-                let [x, y, z] = rows(half);
-                ordered::<0, R, Q>(p) * x + ordered::<1, R, Q>(p) * y + ordered::<2, R, Q>(p) * z
+                let [x, y, z] = rows::<R>(half);
+                ordered::<0, R>(p) * x + ordered::<1, R>(p) * y + ordered::<2, R>(p) * z
             }
         };
-        Self { p, q: self.q + add }
+        Self { p, q: self.q + added }
     }
 
-    /// Turned by a unit quaternion v + w.
+    /// Turned by the unit quaternion v + w.
     #[inline(always)]
-    fn turned(self, about: Alignment, row: Q, w: Q) -> Self {
+    fn turned(self, about: Alignment, row: Four<R>, w: Four<R>) -> Self {
         match about {
             Alignment::None => self,
             Alignment::X => self.about::<0>(row, w),
             Alignment::Y => self.about::<1>(row, w),
             Alignment::Z => self.about::<2>(row, w),
             Alignment::Any => {
-                let row = rows(row);
-                Self { p: product(self.p, row, w), q: product(self.q, row, w) }
+                let rows = rows::<R>(row);
+                Self { p: product::<R>(self.p, rows, w), q: product::<R>(self.q, rows, w) }
             }
         }
     }
 
-    /// Turned about an axis of the base.
     #[inline(always)]
-    fn about<const K: usize>(self, row: Q, w: Q) -> Self {
+    fn about<const K: usize>(self, row: Four<R>, w: Four<R>) -> Self {
         let Self { p, q } = self;
-        Self {
-            p: p * w + ordered::<K, R, Q>(p) * row,
-            q: q * w + ordered::<K, R, Q>(q) * row,
+        Self { p: p * w + ordered::<K, R>(p) * row, q: q * w + ordered::<K, R>(q) * row }
+    }
+
+    /// The pose of the link, whose own frame this is turned to.
+    #[inline(always)]
+    fn pose(self, own: &Factor<R>) -> DualQuat<R> {
+        let own = self.turned(own.along, load(own.row), splat(own.w));
+        DualQuat::from_array(own.to_array())
+    }
+
+    /// And back.
+    #[inline(always)]
+    fn of_pose(pose: &DualQuat<R>, own: &Factor<R>) -> Self {
+        Self::new(pose.to_array()).turned(own.along, -load(own.row), splat(own.w))
+    }
+
+    /// From the frame of the parent.
+    #[inline(always)]
+    fn step(self, step: &Step<R>, turns: &mut Turns<'_, R>) -> Self {
+        let planned = &step.planned;
+        let at = self.moved(planned.half_offset.along, load(planned.half_offset.row));
+        let mut turn = || {
+            let [cos, sin] = turns.half_turn(step.value as usize);
+            (load(planned.axis.row) * splat(sin), splat(cos))
+        };
+        match planned.moves {
+            Moves::Not => at,
+            Moves::AboutX => {
+                let (row, cos) = turn();
+                at.about::<0>(row, cos)
+            }
+            Moves::AboutY => {
+                let (row, cos) = turn();
+                at.about::<1>(row, cos)
+            }
+            Moves::AboutZ => {
+                let (row, cos) = turn();
+                at.about::<2>(row, cos)
+            }
+            Moves::AboutAny => {
+                let (row, cos) = turn();
+                at.turned(Alignment::Any, row, cos)
+            }
+            // By value: what is in memory here would be there for all.
+            Moves::Otherwise => Self::new(otherwise(at.to_array(), step, turns.values)),
         }
     }
 
-    /// From the turned frame to the link's own.
-    #[inline(always)]
-    fn own(self, own: &Factor<R>) -> Self {
-        let level = self.p.level();
-        self.turned(own.along, Q::load(level, &own.row), Q::splat(level, own.w))
+    /// Moved along the axis of a joint.
+    fn slid(self, step: &Step<R>, length: R) -> Self {
+        let axis = &step.planned.axis;
+        self.moved(axis.along, load(axis.row) * splat(length * R::HALF))
+    }
+
+    /// Turned about it.
+    fn hinged(self, step: &Step<R>, angle: R) -> Self {
+        let axis = &step.planned.axis;
+        let [cos, sin] = half_turn_of(angle);
+        self.turned(axis.along, load(axis.row) * splat(sin), splat(cos))
     }
 }
 
-/// a (v + w)
-#[inline(always)]
-fn product<R: Float, Q: Lanes<Real = R, Array = [R; 4]>>(a: Q, [x, y, z]: [Q; 3], w: Q) -> Q {
-    let first = a * w + ordered::<0, R, Q>(a) * x;
-    first + (ordered::<1, R, Q>(a) * y + ordered::<2, R, Q>(a) * z)
+/// What most joints of a robot are not. Out of line: its constants would take the registers of what is in it.
+#[cold]
+#[inline(never)]
+fn otherwise<R: Real + Number>(at: [R; 8], step: &Step<R>, values: &[R]) -> [R; 8] {
+    let (at, own) = (Turned::new(at), step.planned.own.quaternion());
+    let moved = |[x, y, z]: [R; 3]| {
+        let [x, y, z] = own.rotate([x * R::HALF, y * R::HALF, z * R::HALF]);
+        at.moved(Alignment::Any, load([x, y, z, R::ZERO]))
+    };
+    let at = match step.kind {
+        JointKind::Fixed => at,
+        JointKind::Revolute { .. } => at.hinged(step, step.single(values)),
+        JointKind::Prismatic { .. } => at.slid(step, step.single(values)),
+        JointKind::Screw { pitch, .. } => {
+            let angle = step.single(values);
+            at.slid(step, angle * pitch).hinged(step, angle)
+        }
+        JointKind::Planar { .. } => {
+            let [x, y, angle] = Step::numbers(step.value, values);
+            let [first, second] = step.plane;
+            let slide = vector::add(vector::scale(first, x), vector::scale(second, y));
+            moved(slide).hinged(step, angle)
+        }
+        JointKind::Floating => {
+            let [x, y, z, w, tx, ty, tz] = Step::numbers(step.value, values);
+            let turn = own * Quat::from_xyzw(x, y, z, w).normalize() * own.conjugate();
+            let [x, y, z, w] = turn.to_array();
+            let row = load([x, y, z, R::ZERO]);
+            moved([tx, ty, tz]).turned(Alignment::Any, row, splat(w))
+        }
+    };
+    at.to_array()
 }
 
-/// What the numbers of a vector are multiplied with, each with its signs.
-#[inline(always)]
-fn rows<R: Float, Q: Lanes<Real = R, Array = [R; 4]>>(vector: Q) -> [Q; 3] {
-    let (level, [x, y, z, _]) = (vector.level(), vector.to_array());
-    let one = R::from(1.0);
-    [
-        Q::splat(level, x) * Q::load(level, &[one, one, -one, -one]),
-        Q::splat(level, y) * Q::load(level, &[-one, one, one, -one]),
-        Q::splat(level, z) * Q::load(level, &[one, -one, one, -one]),
-    ]
-}
-
-/// The values, and cosines and sines of half of some that follow each other.
+/// The values, and cosine and sine of half of some that follow each other.
 struct Turns<'v, R> {
     values: &'v [R],
     first: usize,
@@ -127,47 +217,49 @@ struct Turns<'v, R> {
 impl<'v, R: Real + Number> Turns<'v, R> {
     /// From the values of a step on, at once: nothing else can be computed before.
     #[inline(always)]
-    fn new<V: Level>(level: V, values: &'v [R], step: Option<&Step<R>>) -> Self {
+    fn new(values: &'v [R], step: Option<&Step<R>>) -> Self {
         let mut turns = Self { values, first: 0, cos: [R::ZERO; 8], sin: [R::ZERO; 8] };
-        turns.turn(level, step.map_or(0, |step| step.value as usize));
+        turns.compute(step.map_or(0, |step| step.value as usize));
         turns
     }
 
     /// Cosine and sine of half of value number `index`.
     #[inline(always)]
-    fn half_turn<V: Level>(&mut self, level: V, index: usize) -> [R; 2] {
-        // Where lanes hold one number, one at a time.
-        let some = if R::Lanes::<V>::LANES == 1 { 1 } else { 8 };
+    fn half_turn(&mut self, index: usize) -> [R; 2] {
+        // One at a time, where lanes hold one number.
+        let some = if Native::<R>::LANES == 1 { 1 } else { 8 };
         if index.wrapping_sub(self.first) >= some {
-            apart(
-                level,
-                #[inline(always)]
-                || self.turn(level, index),
-            );
+            self.compute_others(index);
         }
         let at = index.wrapping_sub(self.first) % some;
         [self.cos[at], self.sin[at]]
     }
 
-    /// Those of this value and as many of the next ones as there are.
+    #[cold]
+    #[inline(never)]
+    fn compute_others(&mut self, index: usize) {
+        self.compute(index);
+    }
+
+    /// Those of this value and of as many of the next ones as there are.
     #[inline(always)]
-    fn turn<V: Level>(&mut self, level: V, index: usize) {
-        if R::Lanes::<V>::LANES == 1 {
+    fn compute(&mut self, index: usize) {
+        if Native::<R>::LANES == 1 {
             self.first = index;
             let value = self.values.get(index).copied().unwrap_or(R::NAN);
-            [self.cos[0], self.sin[0]] = half_turn_of(level, value);
+            [self.cos[0], self.sin[0]] = half_turn_of(value);
             return;
         }
         self.first = index.min(self.values.len().saturating_sub(4));
         let rest = self.values.get(self.first..).unwrap_or_default();
-        // The last four again, rather than less than four.
+        // The last four again, rather than fewer than four.
         let second = rest.len().saturating_sub(4).min(4);
         let high = rest.get(second..).and_then(<[R]>::first_chunk::<4>);
         let some = match (rest.first_chunk::<4>(), high) {
             (Some(&[a, b, c, d]), Some(&[e, f, g, h])) => {
-                R::Packed::<V>::load(level, &[a, b, c, d, e, f, g, h])
+                Eight::<R>::load(LEVEL, &[a, b, c, d, e, f, g, h])
             }
-            _ => R::Packed::<V>::load_partial(level, rest, R::ZERO),
+            _ => Eight::<R>::load_partial(LEVEL, rest, R::ZERO),
         };
         let [cos, sin] = half_turn(some * some.constant(0.5));
         for (to, from) in [(&mut self.cos, cos.to_array()), (&mut self.sin, sin.to_array())] {
@@ -177,137 +269,10 @@ impl<'v, R: Real + Number> Turns<'v, R> {
     }
 }
 
-/// Cosine and sine of half of one value.
-#[inline(always)]
-fn half_turn_of<R: Real + Number, V: Level>(level: V, value: R) -> [R; 2] {
-    let value = R::Lanes::<V>::splat(level, value);
-    half_turn(value * value.constant(0.5)).map(|of| of.to_array().as_ref()[0])
-}
-
-/// Out of line: what is rare, whose constants would take the registers of what is not.
-#[cold]
-#[inline(never)]
-fn apart<V: Level, T>(level: V, kernel: impl FnOnce() -> T) -> T {
-    level.run(kernel)
-}
-
-#[inline(always)]
-fn loaded<R: Float, V: Level>(level: V, [x, y, z]: [R; 3]) -> R::Half<V> {
-    R::Half::<V>::load(level, &[x, y, z, R::default()])
-}
-
-/// From the turned frame of the parent to that of the link.
-#[inline(always)]
-fn step<R: Real + Number, V: Level>(
-    level: V,
-    parent: Turned<R::Half<V>>,
-    step: &Step<R>,
-    turns: &mut Turns<'_, R>,
-) -> Turned<R::Half<V>> {
-    let planned = &step.planned;
-    let half = R::Half::<V>::load(level, &planned.half_offset.row);
-    let at = parent.moved(planned.half_offset.along, half);
-    macro_rules! turn {
-        () => {{
-            let [cos, sin] = turns.half_turn(level, step.value as usize);
-            let sin = R::Half::<V>::splat(level, sin);
-            let row = R::Half::<V>::load(level, &planned.axis.row) * sin;
-            (row, R::Half::<V>::splat(level, cos))
-        }};
-    }
-    match planned.motion {
-        Motion::Fixed => at,
-        Motion::AboutX => {
-            let (row, cos) = turn!();
-            at.about::<0>(row, cos)
-        }
-        Motion::AboutY => {
-            let (row, cos) = turn!();
-            at.about::<1>(row, cos)
-        }
-        Motion::AboutZ => {
-            let (row, cos) = turn!();
-            at.about::<2>(row, cos)
-        }
-        Motion::AboutAny => {
-            let (row, cos) = turn!();
-            at.turned(Alignment::Any, row, cos)
-        }
-        Motion::Other => {
-            // By value: what is kept in memory here would be there for all.
-            let at = at.to_array();
-            let values = turns.values;
-            let at = apart(
-                level,
-                #[inline(always)]
-                move || other(level, Turned::load(level, at), step, values).to_array(),
-            );
-            Turned::load(level, at)
-        }
-    }
-}
-
-/// Turned about the axis of a joint.
-#[inline(always)]
-fn hinge<R: Real + Number, V: Level>(
-    level: V,
-    at: Turned<R::Half<V>>,
-    axis: &Factor<R>,
-    angle: R,
-) -> Turned<R::Half<V>> {
-    let [cos, sin] = half_turn_of(level, angle);
-    let sin = R::Half::<V>::load(level, &axis.row) * R::Half::<V>::splat(level, sin);
-    at.turned(axis.along, sin, R::Half::<V>::splat(level, cos))
-}
-
-/// Moved along an axis.
-#[inline(always)]
-fn slide<R: Real + Number, V: Level>(
-    level: V,
-    at: Turned<R::Half<V>>,
-    axis: &Factor<R>,
-    length: R,
-) -> Turned<R::Half<V>> {
-    let half = R::Half::<V>::splat(level, length * R::HALF);
-    at.moved(axis.along, R::Half::<V>::load(level, &axis.row) * half)
-}
-
-/// Joints that most robots have none of.
-#[inline(always)]
-fn other<R: Real + Number, V: Level>(
-    level: V,
-    at: Turned<R::Half<V>>,
-    step: &Step<R>,
-    values: &[R],
-) -> Turned<R::Half<V>> {
-    let Planned { own, axis, .. } = &step.planned;
-    let own = own.quaternion();
-    match step.kind {
-        JointKind::Fixed => at,
-        JointKind::Revolute { .. } => hinge(level, at, axis, step.single(values)),
-        JointKind::Prismatic { .. } => slide(level, at, axis, step.single(values)),
-        JointKind::Screw { pitch, .. } => {
-            let angle = step.single(values);
-            hinge(level, slide(level, at, axis, angle * pitch), axis, angle)
-        }
-        JointKind::Planar { .. } => {
-            let [x, y, angle] = Step::numbers(step.value, values);
-            let [first, second] = step.plane;
-            let slide = vector::add(vector::scale(first, x), vector::scale(second, y));
-            let slide = own.rotate(vector::scale(slide, R::HALF));
-            let at = at.moved(Alignment::Any, loaded::<R, V>(level, slide));
-            hinge(level, at, axis, angle)
-        }
-        JointKind::Floating => {
-            let [x, y, z, w, tx, ty, tz] = Step::numbers(step.value, values);
-            let turn = own * Quat::from_xyzw(x, y, z, w).normalize() * own.conjugate();
-            let [x, y, z, w] = turn.to_array();
-            let slide = own.rotate(vector::scale([tx, ty, tz], R::HALF));
-            let at = at.moved(Alignment::Any, loaded::<R, V>(level, slide));
-            let turn = loaded::<R, V>(level, [x, y, z]);
-            at.turned(Alignment::Any, turn, R::Half::<V>::splat(level, w))
-        }
-    }
+/// Cosine and sine of half an angle.
+fn half_turn_of<R: Real + Number>(angle: R) -> [R; 2] {
+    let angle = Native::<R>::splat(LEVEL, angle);
+    half_turn(angle * angle.constant(0.5)).map(|of| of.to_array().as_ref()[0])
 }
 
 /// The steps from the base to a link.
@@ -317,41 +282,12 @@ fn way<'s, R: Copy>(
     link: usize,
 ) -> impl Iterator<Item = &'s Step<R>> {
     let end = mechanism.steps.get(link).map_or(NONE, |step| step.position) as usize;
-    // What a step carries follows it.
     let steps = mechanism.steps.get(..=end).unwrap_or_default().iter().enumerate();
     // What a step carries follows it.
     steps.filter(move |(position, step)| end - position < step.size as usize).map(|(_, step)| step)
 }
 
-/// Without fused multiply-add, with the best instructions for that.
-#[inline(always)]
-fn unfused<K: Kernel>(kernel: K) -> K::Output {
-    #[cfg(target_arch = "x86_64")]
-    if let Some(level) = dq8_simd::x86_64::Avx2::detect() {
-        return level.run(
-            #[inline(always)]
-            || kernel.run(Unfused(level)),
-        );
-    }
-    kernel.run(Unfused(Portable))
-}
-
-/// What floats compute.
-macro_rules! quick {
-    ($($name:ident -> $output:ty;)*) => {$(
-        impl<R: Real> Quick<R> for $name<'_, R> {
-            type Output = $output;
-            #[inline(always)]
-            fn compute(self) -> Option<$output>
-            where
-                R: Number,
-            {
-                Some(unfused(self))
-            }
-        }
-    )*};
-}
-quick! { LinkPoses -> (); LinkPose -> DualQuat<R>; LinkJacobian -> DualQuat<R>; }
+const BASE: [f32; 8] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0];
 
 /// [`Mechanism::link_poses`], for any value: NaN where an angle is too far for lanes.
 pub(crate) struct LinkPoses<'s, R> {
@@ -360,34 +296,33 @@ pub(crate) struct LinkPoses<'s, R> {
     pub(crate) poses: &'s mut [DualQuat<R>],
 }
 
-impl<R: Real + Number> Kernel for LinkPoses<'_, R> {
+impl<R: Real> Quick<R> for LinkPoses<'_, R> {
     type Output = ();
 
-    #[inline(always)]
-    fn run<V: Level>(self, level: V) {
-        let base = Turned::<R::Half<V>>::base(level);
-        let mut turns = Turns::new(level, self.values, self.mechanism.steps.first());
+    #[inline]
+    fn compute(self) -> Option<()>
+    where
+        R: Number,
+    {
+        let mut turns = Turns::new(self.values, self.mechanism.steps.first());
+        let base = Turned::new(BASE.map(R::from));
         let (mut last, mut at) = (NONE, base);
         for step in self.mechanism.steps {
-            // The children of a link but the first come after what the others carry. A frame that they need is turned
-            // from the pose that has been written: to keep it costs all others more.
+            // The children of a link but the first come after what the others carry.
             if step.parent != last {
-                at = base;
                 let link = step.parent as usize;
-                if let (Some(pose), Some(parent)) = (self.poses.get(link), self.mechanism.step(link)) {
-                    let own = &parent.planned.own;
-                    let back = -R::Half::<V>::load(level, &own.row);
-                    let w = R::Half::<V>::splat(level, own.w);
-                    at = Turned::load(level, pose.to_array()).turned(own.along, back, w);
-                }
+                at = match (self.poses.get(link), self.mechanism.step(link)) {
+                    (Some(pose), Some(parent)) => Turned::of_pose(pose, &parent.planned.own),
+                    _ => base,
+                };
             }
-            at = self::step(level, at, step, &mut turns);
-            let pose = at.own(&step.planned.own);
-            if let Some(slot) = self.poses.get_mut(step.link as usize) {
-                *slot = DualQuat::from_array(pose.to_array());
-            }
+            at = at.step(step, &mut turns);
             last = step.link;
+            if let Some(slot) = self.poses.get_mut(step.link as usize) {
+                *slot = at.pose(&step.planned.own);
+            }
         }
+        Some(())
     }
 }
 
@@ -398,19 +333,21 @@ pub(crate) struct LinkPose<'s, R> {
     pub(crate) link: usize,
 }
 
-impl<R: Real + Number> Kernel for LinkPose<'_, R> {
+impl<R: Real> Quick<R> for LinkPose<'_, R> {
     type Output = DualQuat<R>;
 
-    #[inline(always)]
-    fn run<V: Level>(self, level: V) -> DualQuat<R> {
-        let mut at = Turned::<R::Half<V>>::base(level);
-        let mut turns = Turns::new(level, self.values, way(self.mechanism, self.link).next());
-        let mut own = &Factor::ONE;
+    #[inline]
+    fn compute(self) -> Option<DualQuat<R>>
+    where
+        R: Number,
+    {
+        let mut turns = Turns::new(self.values, way(self.mechanism, self.link).next());
+        let (mut at, mut own) = (Turned::new(BASE.map(R::from)), &Factor::ONE);
         for step in way(self.mechanism, self.link) {
-            at = self::step(level, at, step, &mut turns);
+            at = at.step(step, &mut turns);
             own = &step.planned.own;
         }
-        DualQuat::from_array(at.own(own).to_array())
+        Some(at.pose(own))
     }
 }
 
@@ -423,18 +360,20 @@ pub(crate) struct LinkJacobian<'s, R> {
     pub(crate) columns: &'s mut [Twist<R>],
 }
 
-impl<R: Real + Number> Kernel for LinkJacobian<'_, R> {
+impl<R: Real> Quick<R> for LinkJacobian<'_, R> {
     type Output = DualQuat<R>;
 
-    #[inline(always)]
-    fn run<V: Level>(self, level: V) -> DualQuat<R> {
+    #[inline]
+    fn compute(self) -> Option<DualQuat<R>>
+    where
+        R: Number,
+    {
         self.columns.fill(Twist::from_array([R::ZERO; 6]));
-        let mut at = Turned::<R::Half<V>>::base(level);
-        let mut turns = Turns::new(level, self.values, way(self.mechanism, self.link).next());
-        let mut pose = DualQuat::IDENTITY;
+        let mut turns = Turns::new(self.values, way(self.mechanism, self.link).next());
+        let (mut at, mut pose) = (Turned::new(BASE.map(R::from)), DualQuat::IDENTITY);
         for step in way(self.mechanism, self.link) {
-            at = self::step(level, at, step, &mut turns);
-            pose = DualQuat::from_array(at.own(&step.planned.own).to_array());
+            at = at.step(step, &mut turns);
+            pose = at.pose(&step.planned.own);
             let columns = self.columns.get_mut(step.rate as usize..).unwrap_or_default();
             for (column, own) in columns.iter_mut().zip(step.own_twists(self.values)) {
                 let Some(own) = own else { break };
@@ -454,6 +393,6 @@ impl<R: Real + Number> Kernel for LinkJacobian<'_, R> {
                 Frame::WorldAligned => column.linear = column.velocity_at(origin),
             }
         }
-        pose
+        Some(pose)
     }
 }

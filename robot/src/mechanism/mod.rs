@@ -1,12 +1,12 @@
 //! Trees of joints, and what is computed of them: `walk.rs` is the loop on lanes, `single.rs` the book.
 
+mod configuration;
 mod error;
 mod frame;
 mod group;
 mod jacobians;
 mod job;
 pub(crate) mod joint;
-mod configuration;
 #[cfg(feature = "alloc")]
 pub(crate) mod owned;
 pub(crate) mod placed;

@@ -26,8 +26,7 @@ pub(crate) struct Factor<R> {
 }
 
 impl<R: Real> Factor<R> {
-    pub(crate) const ONE: Self =
-        Self { along: Alignment::None, row: [R::ZERO; 4], w: R::ONE };
+    pub(crate) const ONE: Self = Self { along: Alignment::None, row: [R::ZERO; 4], w: R::ONE };
 
     fn new([x, y, z]: [R; 3], w: R) -> Self {
         let along = Alignment::of([x, y, z]);
@@ -55,21 +54,21 @@ impl<R: Real> Factor<R> {
 
 /// What a joint does to such a frame.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Motion {
-    Fixed,
+pub(crate) enum Moves {
+    Not,
     /// A hinge with a value of its own, about an axis of the base or another.
     AboutX,
     AboutY,
     AboutZ,
     AboutAny,
     /// What most robots have none of.
-    Other,
+    Otherwise,
 }
 
 /// A joint between such frames.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Planned<R> {
-    pub(crate) motion: Motion,
+    pub(crate) moves: Moves,
     /// The link's own frame where all values are zero.
     pub(crate) own: Factor<R>,
     /// Half the way from the parent.
@@ -80,7 +79,7 @@ pub(crate) struct Planned<R> {
 
 impl<R: Real> Planned<R> {
     pub(crate) const NONE: Self =
-        Self { motion: Motion::Fixed, own: Factor::ONE, half_offset: Factor::ONE, axis: Factor::ONE };
+        Self { moves: Moves::Not, own: Factor::ONE, half_offset: Factor::ONE, axis: Factor::ONE };
 }
 
 /// Plans all steps, which are in the order of the joints.
@@ -99,18 +98,18 @@ pub(crate) fn plan<R: Real>(steps: &mut [Step<R>]) {
         }
         if let Some(step) = steps.get_mut(index) {
             let axis = Factor::new(axis, R::ZERO);
-            let motion = match (step.kind, axis.along) {
-                (JointKind::Fixed, _) => Motion::Fixed,
-                (JointKind::Revolute { .. }, _) if step.mimics => Motion::Other,
-                (JointKind::Revolute { .. }, Alignment::X) => Motion::AboutX,
-                (JointKind::Revolute { .. }, Alignment::Y) => Motion::AboutY,
-                (JointKind::Revolute { .. }, Alignment::Z) => Motion::AboutZ,
-                (JointKind::Revolute { .. }, _) => Motion::AboutAny,
-                _ => Motion::Other,
+            let moves = match (step.kind, axis.along) {
+                (JointKind::Fixed, _) => Moves::Not,
+                (JointKind::Revolute { .. }, _) if step.mimics => Moves::Otherwise,
+                (JointKind::Revolute { .. }, Alignment::X) => Moves::AboutX,
+                (JointKind::Revolute { .. }, Alignment::Y) => Moves::AboutY,
+                (JointKind::Revolute { .. }, Alignment::Z) => Moves::AboutZ,
+                (JointKind::Revolute { .. }, _) => Moves::AboutAny,
+                _ => Moves::Otherwise,
             };
             let own = Factor::new([x, y, z], w);
             let half_offset = Factor::new(half_offset, R::ZERO);
-            step.planned = Planned { motion, own, half_offset, axis };
+            step.planned = Planned { moves, own, half_offset, axis };
         }
     }
 }

@@ -1,9 +1,9 @@
 //! One configuration, by the book, for any number: what the lanes are held to, and what a motor controller
 //! calls. Floats take the short cut of `configuration` first, which the tests hold to the book.
 
+use super::configuration::{LinkJacobian, LinkPose, LinkPoses};
 use super::frame::{Frame, JacobianFrame};
 use super::joint::JointKind;
-use super::configuration::{LinkJacobian, LinkPose, LinkPoses};
 use super::step::{NONE, Step};
 use super::tree::Mechanism;
 use dq8::Real;
