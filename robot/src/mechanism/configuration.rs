@@ -126,11 +126,17 @@ impl<R: Real + Number> Turned<R> {
         Self::new(pose.to_array()).turned(own.along, -load(own.row), splat(own.w))
     }
 
-    /// From the frame of the parent.
+    /// From the frame of the parent to that of the joint.
     #[inline(always)]
-    fn step(self, step: &Step<R>, turns: &mut Turns<'_, R>) -> Self {
-        let planned = &step.planned;
-        let at = self.moved(planned.half_offset.along, load(planned.half_offset.row));
+    fn placed(self, step: &Step<R>) -> Self {
+        let half_offset = &step.planned.half_offset;
+        self.moved(half_offset.along, load(half_offset.row))
+    }
+
+    /// From the frame of the joint to that of the link.
+    #[inline(always)]
+    fn joined(self, step: &Step<R>, turns: &mut Turns<'_, R>) -> Self {
+        let (at, planned) = (self, &step.planned);
         let mut turn = || {
             let [cos, sin] = turns.half_turn(step.value as usize);
             (load(planned.axis.row) * splat(sin), splat(cos))
@@ -206,6 +212,54 @@ fn otherwise<R: Real + Number>(at: [R; 8], step: &Step<R>, values: &[R]) -> [R; 
     at.to_array()
 }
 
+impl<R: Real> Step<R> {
+    /// The spatial twists of the link for each rate of the joint alone, from the turned frame of the joint and the pose of
+    /// the link. Where a hinge is, is known also where its angle is too far.
+    #[inline]
+    fn screws(
+        &self,
+        before: DualQuat<R>,
+        pose: DualQuat<R>,
+        values: &[R],
+    ) -> impl Iterator<Item = Twist<R>> {
+        let zero = [R::ZERO; 3];
+        let axis = self.planned.axis.quaternion().xyz();
+        let mut twists = [Twist { angular: zero, linear: zero }; 6];
+        match self.kind {
+            JointKind::Fixed => {}
+            JointKind::Revolute { .. } => twists[0].angular = axis,
+            JointKind::Prismatic { .. } => twists[0].linear = axis,
+            JointKind::Screw { pitch, .. } => {
+                twists[0] = Twist { angular: axis, linear: vector::scale(axis, pitch) };
+            }
+            JointKind::Planar { .. } => {
+                let own = self.planned.own.quaternion();
+                let [first, second] = self.plane.map(|direction| own.rotate(direction));
+                let [x, y, _] = Self::numbers(self.value, values);
+                let slide = vector::add(vector::scale(first, x), vector::scale(second, y));
+                (twists[0].linear, twists[1].linear) = (first, second);
+                twists[2] = Twist { angular: axis, linear: vector::cross(slide, axis) };
+            }
+            JointKind::Floating => {
+                for (index, twist) in twists.iter_mut().enumerate() {
+                    let mut unit = [R::ZERO; 6];
+                    unit[index] = R::ONE;
+                    *twist = Twist::from_array(unit);
+                }
+            }
+        }
+        let from = if let JointKind::Floating = self.kind { pose } else { before };
+        let times = self.multiplier;
+        let twists = twists.into_iter().take(self.kind.rates());
+        let moved = move |twist: Twist<R>| match twist.angular == zero {
+            // A slide does not turn, wherever it is.
+            true => Twist { linear: from.transform_vector(twist.linear), ..twist },
+            false => from.adjoint(twist),
+        };
+        twists.map(move |twist| moved(twist).scale(times))
+    }
+}
+
 /// The values, and cosine and sine of half of some that follow each other.
 struct Turns<'v, R> {
     values: &'v [R],
@@ -253,7 +307,7 @@ impl<'v, R: Real + Number> Turns<'v, R> {
         self.first = index.min(self.values.len().saturating_sub(4));
         let rest = self.values.get(self.first..).unwrap_or_default();
         // The last four again, rather than fewer than four.
-        let second = rest.len().saturating_sub(4).min(4);
+        let second = rest.len().wrapping_sub(4).min(4);
         let high = rest.get(second..).and_then(<[R]>::first_chunk::<4>);
         let some = match (rest.first_chunk::<4>(), high) {
             (Some(&[a, b, c, d]), Some(&[e, f, g, h])) => {
@@ -316,7 +370,7 @@ impl<R: Real> Quick<R> for LinkPoses<'_, R> {
                     _ => base,
                 };
             }
-            at = at.step(step, &mut turns);
+            at = at.placed(step).joined(step, &mut turns);
             last = step.link;
             if let Some(slot) = self.poses.get_mut(step.link as usize) {
                 *slot = at.pose(&step.planned.own);
@@ -344,7 +398,7 @@ impl<R: Real> Quick<R> for LinkPose<'_, R> {
         let mut turns = Turns::new(self.values, way(self.mechanism, self.link).next());
         let (mut at, mut own) = (Turned::new(BASE.map(R::from)), &Factor::ONE);
         for step in way(self.mechanism, self.link) {
-            at = at.step(step, &mut turns);
+            at = at.placed(step).joined(step, &mut turns);
             own = &step.planned.own;
         }
         Some(at.pose(own))
@@ -372,13 +426,14 @@ impl<R: Real> Quick<R> for LinkJacobian<'_, R> {
         let mut turns = Turns::new(self.values, way(self.mechanism, self.link).next());
         let (mut at, mut pose) = (Turned::new(BASE.map(R::from)), DualQuat::IDENTITY);
         for step in way(self.mechanism, self.link) {
-            at = at.step(step, &mut turns);
+            let before = at.placed(step);
+            at = before.joined(step, &mut turns);
             pose = at.pose(&step.planned.own);
             let columns = self.columns.get_mut(step.rate as usize..).unwrap_or_default();
-            for (column, own) in columns.iter_mut().zip(step.own_twists(self.values)) {
-                let Some(own) = own else { break };
+            let before = DualQuat::from_array(before.to_array());
+            for (column, screw) in columns.iter_mut().zip(step.screws(before, pose, self.values)) {
                 // What others mimic is moved by all of them.
-                *column = *column + pose.adjoint(own);
+                *column = *column + screw;
             }
         }
         let (back, origin) = (pose.conjugate(), pose.translation());

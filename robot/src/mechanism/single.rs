@@ -249,7 +249,7 @@ impl<R: Real> Step<R> {
     }
 
     /// The body twists of the link for each rate of the joint alone, in the frame of the link.
-    pub(crate) fn own_twists(&self, values: &[R]) -> [Option<Twist<R>>; 6] {
+    fn own_twists(&self, values: &[R]) -> [Option<Twist<R>>; 6] {
         let zero = [R::ZERO; 3];
         let mut twists = [None; 6];
         let times = self.multiplier;
