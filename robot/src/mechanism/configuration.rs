@@ -8,6 +8,7 @@
 use super::frame::Frame;
 use super::joint::JointKind;
 use super::plan::{Factor, Moves, ORDER, SIGNS};
+use super::points::{Found, Point};
 use super::step::{Alignment, NONE, Step};
 use super::tree::Mechanism;
 use super::values::half_turn;
@@ -336,6 +337,7 @@ fn way<'s, R: Copy>(
     link: usize,
 ) -> impl Iterator<Item = &'s Step<R>> {
     let end = mechanism.steps.get(link).map_or(NONE, |step| step.position) as usize;
+    // No steps, if there is no such link: the base.
     let steps = mechanism.steps.get(..=end).unwrap_or_default().iter().enumerate();
     // What a step carries follows it.
     steps.filter(move |(position, step)| end - position < step.size as usize).map(|(_, step)| step)
@@ -449,5 +451,48 @@ impl<R: Real> Quick<R> for LinkJacobian<'_, R> {
             }
         }
         Some(pose)
+    }
+}
+
+/// [`Mechanism::link_points`].
+pub(crate) struct LinkPoints<'s, R> {
+    pub(crate) mechanism: &'s Mechanism<'s, R>,
+    pub(crate) values: &'s [R],
+    pub(crate) points: &'s [Point<R>],
+    pub(crate) places: &'s mut [[R; 3]],
+}
+
+impl<R: Real> Quick<R> for LinkPoints<'_, R> {
+    type Output = ();
+
+    #[inline]
+    fn compute(self) -> Option<()>
+    where
+        R: Number,
+    {
+        let mut turns = Turns::new(self.values, self.mechanism.steps.first());
+        let mut found = Found::new(self.points);
+        let (mut last, mut at) = (NONE, Turned::new(BASE.map(R::from)));
+        for step in self.mechanism.steps {
+            if step.parent != last {
+                // Again, from the base: there is no memory for frames, and few branch off far from it.
+                at = Turned::new(BASE.map(R::from));
+                for step in way(self.mechanism, step.parent as usize) {
+                    at = at.placed(step).joined(step, &mut turns);
+                }
+            }
+            at = at.placed(step).joined(step, &mut turns);
+            last = step.link;
+            let pose = at.pose(&step.planned.own);
+            for index in found.of(step.link as usize) {
+                if let (Some(&(link, point)), Some(place)) =
+                    (self.points.get(index), self.places.get_mut(index))
+                    && link == step.link as usize
+                {
+                    *place = pose.transform_point(point);
+                }
+            }
+        }
+        Some(())
     }
 }

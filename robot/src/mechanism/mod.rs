@@ -11,6 +11,7 @@ pub(crate) mod joint;
 pub(crate) mod owned;
 pub(crate) mod placed;
 mod plan;
+mod points;
 pub(crate) mod poses;
 mod screws;
 mod single;
