@@ -17,6 +17,8 @@ mod screws;
 mod single;
 pub(crate) mod step;
 pub(crate) mod tree;
+mod turned;
+mod turns;
 mod twists;
 pub(crate) mod values;
 mod velocities;
