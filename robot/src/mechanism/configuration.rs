@@ -1,14 +1,14 @@
 //! One configuration of floats by the [plan](super::plan): what `f32` and `f64` compute instead of the products of the
 //! book. A frame is kept nowhere: what branches off is turned back from the pose that has been written.
 
+use super::factor::Factor;
 use super::frame::Frame;
 use super::joint::JointKind;
-use super::plan::Factor;
-use super::points::{Found, Point};
 use super::step::{NONE, Step};
 use super::tree::Mechanism;
 use super::turned::{Turned, load, splat};
 use super::turns::Turns;
+use core::ops::Range;
 use dq8::Real;
 use dq8::geometry::Twist;
 use dq8::scalar::{DualQuat, vector};
@@ -134,6 +134,44 @@ impl<R: Real> Quick<R> for LinkJacobian<'_, R> {
             }
         }
         Some(pose)
+    }
+}
+
+/// A link, and a point in its frame.
+pub(crate) type Point<R> = (usize, [R; 3]);
+
+/// Points, of which those of one link are looked for after the other.
+#[derive(Clone, Copy)]
+pub(crate) struct Found<'p, R> {
+    pub(crate) points: &'p [Point<R>],
+    in_order: bool,
+    /// Where those of the next link are likely to begin.
+    next: usize,
+}
+
+impl<'p, R> Found<'p, R> {
+    pub(crate) fn new(points: &'p [Point<R>]) -> Self {
+        let in_order = points.is_sorted_by(|(a, _), (b, _)| a <= b);
+        Self { points, in_order, next: 0 }
+    }
+
+    /// Those of a link are among these.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(crate) fn of(&mut self, link: usize) -> Range<usize> {
+        if !self.in_order {
+            return 0..self.points.len();
+        }
+        let is_of = |point: Option<&Point<R>>| matches!(point, Some((of, _)) if *of == link);
+        let mut end = self.next;
+        if !is_of(self.points.get(end)) || end > 0 && is_of(self.points.get(end - 1)) {
+            end = self.points.partition_point(|(of, _)| *of < link);
+        }
+        let start = end;
+        while is_of(self.points.get(end)) {
+            end += 1;
+        }
+        self.next = end;
+        start..end
     }
 }
 

@@ -1,7 +1,9 @@
-//! Trees of joints, and what is computed of them: `walk.rs` is the loop on lanes, `single.rs` the book.
+//! Trees of joints, and what is computed of them: `walk.rs` is the loop on lanes, `configuration.rs` that of one
+//! configuration of floats, `single.rs` the book.
 
 mod configuration;
 mod error;
+mod factor;
 mod frame;
 mod group;
 mod jacobians;

@@ -1,7 +1,7 @@
 //! Points that links carry: spheres of a collision model, feet, sensors.
 
 use super::Job;
-use super::configuration::LinkPoints;
+use super::configuration::{Found, LinkPoints, Point};
 use super::group::Group;
 #[cfg(feature = "rayon")]
 use super::job::grain;
@@ -9,14 +9,10 @@ use super::step::Step;
 use super::tree::Mechanism;
 use super::values::JointValues;
 use super::walk::{Joined, Task, Walk};
-use core::ops::Range;
 use dq8::batch::{Quat, vector};
 use dq8::storage::{Element, Layout, Number, same_length, whole_instances};
 use dq8::{Real, Scalar, ShapeError};
 use dq8_simd::Level;
-
-/// A link, and a point in its frame.
-pub(crate) type Point<R> = (usize, [R; 3]);
 
 impl<R: Real> Mechanism<'_, R> {
     /// Where points on links are, in the frame of the base. `points` name the link and the place in its frame, in any
@@ -122,41 +118,6 @@ impl<R: Scalar> Job<'_, R> {
         }
         run(values, elements, places);
         Ok(())
-    }
-}
-
-/// Points, of which those of one link are looked for after the other.
-#[derive(Clone, Copy)]
-pub(crate) struct Found<'p, R> {
-    points: &'p [Point<R>],
-    in_order: bool,
-    /// Where those of the next link are likely to begin.
-    next: usize,
-}
-
-impl<'p, R> Found<'p, R> {
-    pub(crate) fn new(points: &'p [Point<R>]) -> Self {
-        let in_order = points.is_sorted_by(|(a, _), (b, _)| a <= b);
-        Self { points, in_order, next: 0 }
-    }
-
-    /// Those of a link are among these.
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(crate) fn of(&mut self, link: usize) -> Range<usize> {
-        if !self.in_order {
-            return 0..self.points.len();
-        }
-        let is_of = |point: Option<&Point<R>>| matches!(point, Some((of, _)) if *of == link);
-        let mut end = self.next;
-        if !is_of(self.points.get(end)) || end > 0 && is_of(self.points.get(end - 1)) {
-            end = self.points.partition_point(|(of, _)| *of < link);
-        }
-        let start = end;
-        while is_of(self.points.get(end)) {
-            end += 1;
-        }
-        self.next = end;
-        start..end
     }
 }
 

@@ -1,6 +1,6 @@
 use super::error::MechanismError;
+use super::factor::{Alignment, Planned};
 use super::joint::{Joint, JointKind};
-use super::plan::Planned;
 use dq8::Real;
 use dq8::scalar::{DualQuat, Quat, vector};
 
@@ -53,31 +53,6 @@ pub struct Step<R> {
     /// Where the pose is kept for the children, and where that of the parent is.
     pub(crate) slot: u8,
     pub(crate) parent_slot: u8,
-}
-
-/// Whether something is about, or along, an axis of the frame: most of what robots have is, and then
-/// most of a product is multiplication by zero.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Alignment {
-    /// Zero: no rotation, or no translation.
-    None,
-    X,
-    Y,
-    Z,
-    /// No axis.
-    Any,
-}
-
-impl Alignment {
-    pub(crate) fn of<R: Real>([x, y, z]: [R; 3]) -> Self {
-        match [x, y, z].map(|number| number == R::ZERO) {
-            [true, true, true] => Self::None,
-            [false, true, true] => Self::X,
-            [true, false, true] => Self::Y,
-            [true, true, false] => Self::Z,
-            _ => Self::Any,
-        }
-    }
 }
 
 impl<R: Real> Default for Step<R> {

@@ -2,16 +2,15 @@
 //!
 //! Nothing is fused: the bits are the same on all targets.
 
+use super::factor::{Alignment, Factor, Moves, ORDER, SIGNS};
 use super::joint::JointKind;
-use super::plan::{Factor, Moves, ORDER, SIGNS};
-use super::step::{Alignment, Step};
-use super::turns::{Turns, half_turn_of};
+use super::step::Step;
+use super::turns::{LEVEL, Turns, half_turn_of};
 use dq8::Real;
 use dq8::scalar::{DualQuat, Quat, vector};
 use dq8::seams::Number;
 use dq8_simd::{Float, Lanes, Portable, Unfused};
 
-pub(crate) const LEVEL: Unfused<Portable> = Unfused(Portable);
 /// A quaternion.
 pub(crate) type Four<R> = <R as Float>::Half<Unfused<Portable>>;
 

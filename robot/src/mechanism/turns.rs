@@ -1,12 +1,12 @@
 //! Cosines and sines of one configuration: they come first, as many at a time as there are lanes for.
 
 use super::step::Step;
-use super::turned::LEVEL;
 use super::values::half_turn;
 use dq8::Real;
 use dq8::seams::Number;
 use dq8_simd::{Float, Lanes, Portable, Unfused};
 
+pub(crate) const LEVEL: Unfused<Portable> = Unfused(Portable);
 /// Eight angles.
 type Eight<R> = <R as Float>::Packed<Unfused<Portable>>;
 /// What a register holds.
