@@ -407,7 +407,7 @@ typedef struct dq8_step_f32 {
   /**
    * Not for you.
    */
-  float opaque[80];
+  float opaque[100];
 } dq8_step_f32;
 
 /**
@@ -443,7 +443,7 @@ typedef struct dq8_step_f64 {
   /**
    * Not for you.
    */
-  double opaque[80];
+  double opaque[100];
 } dq8_step_f64;
 
 /**

@@ -26,7 +26,7 @@ pub enum Frame {
 #[derive(Clone, Copy, Debug)]
 pub struct Step<R> {
     /// Not for you.
-    opaque: [R; 80],
+    opaque: [R; 100],
 }
 
 /// A mechanism that has been made. It may be copied and moved; its steps must stay where they are.

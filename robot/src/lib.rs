@@ -26,6 +26,7 @@
 //! | [`Reach::solve`] | [`ReachJob::solve`](ik::ReachJob::solve) |
 //! | [`Mechanism::link_velocities`] | [`Job::velocities`] |
 //! | [`Mechanism::link_accelerations`] | [`Job::accelerations`] |
+//! | [`Mechanism::link_points`] | [`Job::points`] |
 //!
 //! An angle may be up to 2¹⁷ radians (`f32`) or 2⁴⁶ (`f64`) from zero; beyond, poses, velocities and
 //! accelerations are NaN, of one configuration as on lanes. Sine and cosine of half an `f32` angle, taken as

@@ -2,19 +2,23 @@
 //! the least of many rounds, in which dq8 and its peers take turns.
 //!
 //! ```text
-//! cargo run --release --manifest-path benches/mechanism/Cargo.toml -- [ROUNDS]
+//! cargo run --release --manifest-path benches/mechanism/Cargo.toml [--features peers] -- [ROUNDS]
 //! ```
 
 mod job;
 mod ours;
 mod peers;
+mod points;
 mod robots;
+#[cfg(feature = "peers")]
 mod urdf;
 
 use dq8::{Backend, DualQuat};
 use dq8_fixtures::random::Random;
 use dq8_robot::{Joint, OwnedMechanism};
-use peers::{by_hand, dynibo, k};
+use peers::by_hand;
+#[cfg(feature = "peers")]
+use peers::{dynibo, k};
 
 const CONFIGURATIONS: usize = 10_000;
 
@@ -38,16 +42,18 @@ fn contest(name: &str, joints: &[Joint<f64>], rounds: usize) {
     let single_values: Vec<f32> = values.iter().map(|&value| value as f32).collect();
     let mut expected = vec![DualQuat::IDENTITY; values.len()];
     robot.job().backend(backend()).poses(&values, &mut expected).expect("shape");
-    let path = std::env::temp_dir().join(format!("dq8-mechanism-{}.urdf", std::process::id()));
-    std::fs::write(&path, urdf::text(joints)).expect("a file");
-
     let mut doubles = ours::doubles(backend(), robot.view(), &values);
     doubles.extend(by_hand::jobs(joints, &values, &expected));
-    doubles.extend(k::jobs(&path, &values, &expected));
-    doubles.extend(dynibo::jobs(&path, &values, &expected));
+    #[cfg(feature = "peers")]
+    {
+        let path = std::env::temp_dir().join(format!("dq8-mechanism-{}.urdf", std::process::id()));
+        std::fs::write(&path, urdf::text(joints)).expect("a file");
+        doubles.extend(k::jobs(&path, &values, &expected));
+        doubles.extend(dynibo::jobs(&path, &values, &expected));
+        std::fs::remove_file(&path).expect("the file");
+    }
     let mut singles = ours::singles(backend(), single_robot.view(), &single_values);
     singles.extend(by_hand::jobs(joints, &single_values, &expected));
-    std::fs::remove_file(&path).expect("the file");
 
     for (number, jobs) in [("f64", doubles), ("f32", singles)] {
         for (job, nanoseconds) in job::least(jobs, CONFIGURATIONS, rounds) {

@@ -1,7 +1,8 @@
 //! What dq8 does, in both precisions.
 
 use crate::job::Job;
-use dq8::{Backend, Block, DualQuat};
+use crate::points::{COUNT, Points, spheres};
+use dq8::{Backend, Block, DualQuat, Twist};
 use dq8_robot::ik::{Freedom, Goal, Options, Outcome, Reach, Report};
 use dq8_robot::{Mechanism, World};
 use std::hint::black_box;
@@ -40,8 +41,12 @@ macro_rules! precision {
                 robot.job().backend(backend).poses(black_box(values), &mut poses).expect("shape");
             }));
             let mut poses = in_blocks();
-            jobs.push(Job::new("all poses, blocks", move || {
-                robot.job().backend(backend).poses(black_box(&packed), &mut poses).expect("shape");
+            jobs.push(Job::new("all poses, blocks", {
+                let packed = packed.clone();
+                move || {
+                    let job = robot.job().backend(backend);
+                    job.poses(black_box(&packed), &mut poses).expect("shape");
+                }
             }));
             let mut poses = in_blocks();
             jobs.push(Job::new("all poses, plain to blocks", move || {
@@ -85,6 +90,48 @@ macro_rules! precision {
             jobs.push(Job::new("tool, one by one", move || {
                 for (values, pose) in black_box(values).chunks_exact(links).zip(&mut tools) {
                     *pose = robot.link_pose(values, tool).expect("shape");
+                }
+            }));
+            let mut columns = vec![Twist::ZERO; links];
+            jobs.push(Job::new("tool and Jacobian, one by one", move || {
+                for values in black_box(values).chunks_exact(links) {
+                    let pose = robot.link_jacobian(World, values, tool, &mut columns);
+                    black_box((pose.expect("shape"), &mut columns));
+                }
+            }));
+            let points: [_; COUNT] = spheres(links)
+                .map(|(link, [x, y, z])| (link, [x as $real, y as $real, z as $real]));
+            let mut places = vec![Block::<$real, $lanes, 3>::splat([0.0; 3]); blocks * COUNT];
+            jobs.push(Job::new("59 points, blocks", {
+                let packed = packed.clone();
+                move || {
+                    let job = robot.job().backend(backend);
+                    job.points(&points, black_box(&packed), &mut places).expect("shape");
+                }
+            }));
+            let mut places = vec![Block::<$real, $lanes, 3>::splat([0.0; 3]); blocks * COUNT];
+            // As many configurations at a time as the first cache has room for the poses of.
+            let mut some = vec![Motions::splat(Motion::IDENTITY.to_array()); 16 * links];
+            jobs.push(Job::new("59 points, poses and a user's kernel", {
+                let packed = packed.clone();
+                move || {
+                    let places = places.chunks_mut(16 * COUNT);
+                    for (values, places) in black_box(&packed).chunks(16 * links).zip(places) {
+                        let poses = &mut some[..values.len()];
+                        robot.job().backend(backend).poses(values, poses).expect("shape");
+                        backend.run(Points { poses, points: &points, places, links });
+                    }
+                }
+            }));
+            let mut places = vec![[0.0; 3]; configurations * COUNT];
+            jobs.push(Job::new("59 points, plain", move || {
+                let job = robot.job().backend(backend);
+                job.points(&points, black_box(values), &mut places).expect("shape");
+            }));
+            let mut places = [[0.0; 3]; COUNT];
+            jobs.push(Job::new("59 points, one by one", move || {
+                for values in black_box(values).chunks_exact(links) {
+                    robot.link_points(values, &points, black_box(&mut places)).expect("shape");
                 }
             }));
             jobs.push(Job::over(TARGETS, "tool to a random pose, plain", {

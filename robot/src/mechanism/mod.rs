@@ -1,20 +1,26 @@
-//! Trees of joints, and what is computed of them: `walk.rs` is the loop on lanes, `single.rs` the book.
+//! Trees of joints, and what is computed of them: `walk.rs` is the loop on lanes, `configuration.rs` that of one
+//! configuration of floats, `single.rs` the book.
 
+mod configuration;
 mod error;
+mod factor;
 mod frame;
 mod group;
 mod jacobians;
 mod job;
 pub(crate) mod joint;
-mod one_lane;
 #[cfg(feature = "alloc")]
 pub(crate) mod owned;
 pub(crate) mod placed;
+mod plan;
+mod points;
 pub(crate) mod poses;
 mod screws;
 mod single;
 pub(crate) mod step;
 pub(crate) mod tree;
+mod turned;
+mod turns;
 mod twists;
 pub(crate) mod values;
 mod velocities;

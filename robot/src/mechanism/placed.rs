@@ -1,7 +1,8 @@
 //! Poses on lanes while they are computed: a rotation and half the translation, which is what products with
 //! a rotation about an axis of the frame, or a translation along one, take least of.
 
-use super::step::{Alignment, Step};
+use super::factor::Alignment;
+use super::step::Step;
 use dq8::Scalar;
 use dq8::batch::{Quat, vector};
 use dq8_simd::Lanes;

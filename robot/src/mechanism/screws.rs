@@ -2,6 +2,7 @@
 
 use super::error::MechanismError;
 use super::joint::{Joint, JointKind};
+use super::plan::plan;
 use super::step::{Step, finite, unit};
 use super::tree::{Mechanism, numbered, order, room};
 use dq8::Real;
@@ -70,6 +71,7 @@ impl<'a, R: Real> Mechanism<'a, R> {
             *slot = numbered(&joint, index, &mut counts)?;
             before = at;
         }
+        plan(steps);
         order(steps);
         let (values, rates) = counts;
         Ok(Self { steps, values, rates })

@@ -1,9 +1,9 @@
 //! One configuration, by the book, for any number: what the lanes are held to, and what a motor controller
-//! calls. Floats take the short cut of `one_lane` first, which the tests hold to the book.
+//! calls. Floats take the short cut of `configuration` first, which the tests hold to the book.
 
+use super::configuration::{LinkJacobian, LinkPose, LinkPoses};
 use super::frame::{Frame, JacobianFrame};
 use super::joint::JointKind;
-use super::one_lane::{LinkPose, LinkPoses};
 use super::step::{NONE, Step};
 use super::tree::Mechanism;
 use dq8::Real;
@@ -21,7 +21,7 @@ impl<R: Real> Mechanism<'_, R> {
     pub fn link_poses(&self, values: &[R], poses: &mut [DualQuat<R>]) -> Result<(), ShapeError> {
         same_length("values", values.len(), self.values)?;
         same_length("poses", poses.len(), self.links())?;
-        let quick = LinkPoses { mechanism: *self, values, poses };
+        let quick = LinkPoses { mechanism: self, values, poses };
         if R::quick(quick).is_some() {
             return Ok(());
         }
@@ -44,7 +44,7 @@ impl<R: Real> Mechanism<'_, R> {
     /// If there are not as many values as the mechanism has, or there is no such link.
     pub fn link_pose(&self, values: &[R], link: usize) -> Result<DualQuat<R>, ShapeError> {
         self.check(values, link)?;
-        let quick = LinkPose { mechanism: *self, values, link, columns: None };
+        let quick = LinkPose { mechanism: self, values, link };
         if let Some(pose) = R::quick(quick) {
             return Ok(pose);
         }
@@ -93,8 +93,8 @@ impl<R: Real> Mechanism<'_, R> {
     ) -> Result<DualQuat<R>, ShapeError> {
         self.check(values, link)?;
         same_length("columns", columns.len(), self.rates)?;
-        let wanted = Some((F::FRAME, &mut *columns));
-        let quick = LinkPose { mechanism: *self, values, link, columns: wanted };
+        let (mechanism, frame) = (self, F::FRAME);
+        let quick = LinkJacobian { mechanism, values, link, frame, columns: &mut *columns };
         if let Some(pose) = R::quick(quick) {
             return Ok(pose);
         }
@@ -206,13 +206,13 @@ impl<R: Real> Mechanism<'_, R> {
 
 impl<R: Real> Step<R> {
     /// The numbers of this joint among `all`; for what is not there, NaN. The shape has been checked.
-    fn numbers<const C: usize>(first: u32, all: &[R]) -> [R; C] {
+    pub(crate) fn numbers<const C: usize>(first: u32, all: &[R]) -> [R; C] {
         let rest = all.get(first as usize..).unwrap_or_default();
         rest.first_chunk().copied().unwrap_or([R::NAN; C])
     }
 
     /// The value of a joint that has one.
-    fn single(&self, values: &[R]) -> R {
+    pub(crate) fn single(&self, values: &[R]) -> R {
         let [value] = Self::numbers(self.value, values);
         value * self.multiplier + self.offset
     }

@@ -1,4 +1,5 @@
 use super::error::MechanismError;
+use super::factor::{Alignment, Planned};
 use super::joint::{Joint, JointKind};
 use dq8::Real;
 use dq8::scalar::{DualQuat, Quat, vector};
@@ -33,6 +34,7 @@ pub struct Step<R> {
     /// The same of half the value, about or along the aligned axis where that is positive.
     pub(crate) half_multiplier: R,
     pub(crate) half_bias: R,
+    pub(crate) planned: Planned<R>,
     pub(crate) limits: Option<[R; 2]>,
     pub(crate) mimics: bool,
     /// The first of its values and rates among all.
@@ -53,31 +55,6 @@ pub struct Step<R> {
     pub(crate) parent_slot: u8,
 }
 
-/// Whether something is about, or along, an axis of the frame: most of what robots have is, and then
-/// most of a product is multiplication by zero.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Alignment {
-    /// Zero: no rotation, or no translation.
-    None,
-    X,
-    Y,
-    Z,
-    /// No axis.
-    Any,
-}
-
-impl Alignment {
-    fn of<R: Real>([x, y, z]: [R; 3]) -> Self {
-        match [x, y, z].map(|number| number == R::ZERO) {
-            [true, true, true] => Self::None,
-            [false, true, true] => Self::X,
-            [true, false, true] => Self::Y,
-            [true, true, false] => Self::Z,
-            _ => Self::Any,
-        }
-    }
-}
-
 impl<R: Real> Default for Step<R> {
     /// Memory to be written.
     fn default() -> Self {
@@ -96,6 +73,7 @@ impl<R: Real> Default for Step<R> {
             offset: R::ZERO,
             half_multiplier: R::HALF,
             half_bias: R::ZERO,
+            planned: Planned::NONE,
             limits: None,
             mimics: false,
             value: NONE,

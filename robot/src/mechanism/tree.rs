@@ -1,5 +1,6 @@
 use super::error::MechanismError;
 use super::joint::Joint;
+use super::plan::plan;
 use super::step::{NONE, Step};
 use super::values::JointValues;
 use dq8::Real;
@@ -49,6 +50,7 @@ impl<'a, R: Real> Mechanism<'a, R> {
     pub fn new(joints: &[Joint<R>], steps: &'a mut [Step<R>]) -> Result<Self, MechanismError> {
         let steps = room(steps, joints.len())?;
         let (values, rates) = check(joints, steps)?;
+        plan(steps);
         order(steps);
         Ok(Self { steps, values, rates })
     }

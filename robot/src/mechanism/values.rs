@@ -204,19 +204,6 @@ impl<Y: Layout, T: JointValues<Y>, V: Level> JointNumbers<Y::Register<V>> for Nu
     }
 }
 
-/// The values of one configuration in each lane.
-pub(crate) struct Configuration<'v, L>(pub(super) &'v [L]);
-
-impl<L: Lanes> JointNumbers<L> for Configuration<'_, L> {
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn get(&mut self, level: L::Level, index: usize) -> L {
-        match self.0.get(index) {
-            Some(&value) => value,
-            None => L::splat(level, L::Real::default()),
-        }
-    }
-}
-
 /// Cosine and sine; NaN beyond what the lanes can tell.
 #[cfg_attr(not(opt_level_0), inline(always))]
 pub(crate) fn half_turn<L: Lanes>(half: L) -> [L; 2] {

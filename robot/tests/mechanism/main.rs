@@ -10,6 +10,7 @@ mod hinge;
 mod lanes;
 #[cfg(feature = "rayon")]
 mod parallel;
+mod points;
 mod reach;
 mod single;
 mod tree;

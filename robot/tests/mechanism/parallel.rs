@@ -34,6 +34,12 @@ fn all_cores_give_every_bit_of_what_one_gives() {
         robot.job().links(&links).backend(backend).poses(&values, one).unwrap();
         robot.job().links(&links).backend(backend).threads(usize::MAX).poses(&values, all).unwrap();
         assert!(one == all, "{count}, chosen");
+        let points = [(0, [0.5; 3]), (count - 1, [0.1, 0.2, 0.3])];
+        let mut places = [(); 2].map(|()| vec![[0.0; 3]; configurations * 2]);
+        let [one, all] = &mut places;
+        robot.job().backend(backend).points(&points, &values, one).unwrap();
+        robot.job().backend(backend).threads(usize::MAX).points(&points, &values, all).unwrap();
+        assert!(one == all, "{count}, points");
         let mut tools = [(); 2].map(|()| vec![DualQuat::IDENTITY; 2 * configurations]);
         let mut columns = [(); 2].map(|()| vec![[0.0; 6]; 2 * configurations * robot.rates()]);
         let ([one, all], [columns, all_columns]) = (&mut tools, &mut columns);

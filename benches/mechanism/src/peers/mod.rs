@@ -1,7 +1,9 @@
 //! The peers: forward kinematics of all links, each peer in its own types, held to dq8's poses before it is timed.
 
 pub mod by_hand;
+#[cfg(feature = "peers")]
 pub mod dynibo;
+#[cfg(feature = "peers")]
 pub mod k;
 
 use dq8::DualQuat;

@@ -1,0 +1,275 @@
+//! One configuration of floats by the [plan](super::plan): what `f32` and `f64` compute instead of the products of the
+//! book. A frame is kept nowhere: what branches off is turned back from the pose that has been written.
+
+use super::factor::Factor;
+use super::frame::Frame;
+use super::joint::JointKind;
+use super::step::{NONE, Step};
+use super::tree::Mechanism;
+use super::turned::{Turned, load, splat};
+use super::turns::Turns;
+use core::ops::Range;
+use dq8::Real;
+use dq8::geometry::Twist;
+use dq8::scalar::{DualQuat, vector};
+use dq8::seams::{Number, Quick};
+use dq8_simd::Lanes;
+
+/// The steps from the base to a link.
+#[inline(always)]
+fn way<'s, R: Copy>(
+    mechanism: &Mechanism<'s, R>,
+    link: usize,
+) -> impl Iterator<Item = &'s Step<R>> {
+    let end = mechanism.steps.get(link).map_or(NONE, |step| step.position) as usize;
+    // No steps, if there is no such link: the base.
+    let steps = mechanism.steps.get(..=end).unwrap_or_default().iter().enumerate();
+    // What a step carries follows it.
+    steps.filter(move |(position, step)| end - position < step.size as usize).map(|(_, step)| step)
+}
+
+/// [`Mechanism::link_poses`], for any value: NaN where an angle is too far for lanes.
+pub(crate) struct LinkPoses<'s, R> {
+    pub(crate) mechanism: &'s Mechanism<'s, R>,
+    pub(crate) values: &'s [R],
+    pub(crate) poses: &'s mut [DualQuat<R>],
+}
+
+impl<R: Real> Quick<R> for LinkPoses<'_, R> {
+    type Output = ();
+
+    #[inline]
+    fn compute(self) -> Option<()>
+    where
+        R: Number,
+    {
+        let mut turns = Turns::new(self.values, self.mechanism.steps.first());
+        let base = Turned::base();
+        let (mut last, mut at) = (NONE, base);
+        for step in self.mechanism.steps {
+            // The children of a link but the first come after what the others carry.
+            if step.parent != last {
+                let link = step.parent as usize;
+                at = match (self.poses.get(link), self.mechanism.step(link)) {
+                    (Some(pose), Some(parent)) => Turned::of_pose(pose, &parent.planned.own),
+                    _ => base,
+                };
+            }
+            at = at.placed(step).joined(step, &mut turns);
+            last = step.link;
+            if let Some(slot) = self.poses.get_mut(step.link as usize) {
+                *slot = at.pose(&step.planned.own);
+            }
+        }
+        Some(())
+    }
+}
+
+/// [`Mechanism::link_pose`].
+pub(crate) struct LinkPose<'s, R> {
+    pub(crate) mechanism: &'s Mechanism<'s, R>,
+    pub(crate) values: &'s [R],
+    pub(crate) link: usize,
+}
+
+impl<R: Real> Quick<R> for LinkPose<'_, R> {
+    type Output = DualQuat<R>;
+
+    #[inline]
+    fn compute(self) -> Option<DualQuat<R>>
+    where
+        R: Number,
+    {
+        let mut turns = Turns::new(self.values, way(self.mechanism, self.link).next());
+        let (mut at, mut own) = (Turned::base(), &Factor::ONE);
+        for step in way(self.mechanism, self.link) {
+            at = at.placed(step).joined(step, &mut turns);
+            own = &step.planned.own;
+        }
+        Some(at.pose(own))
+    }
+}
+
+/// [`Mechanism::link_jacobian`].
+pub(crate) struct LinkJacobian<'s, R> {
+    pub(crate) mechanism: &'s Mechanism<'s, R>,
+    pub(crate) values: &'s [R],
+    pub(crate) link: usize,
+    pub(crate) frame: Frame,
+    pub(crate) columns: &'s mut [Twist<R>],
+}
+
+impl<R: Real> Quick<R> for LinkJacobian<'_, R> {
+    type Output = DualQuat<R>;
+
+    #[inline]
+    fn compute(self) -> Option<DualQuat<R>>
+    where
+        R: Number,
+    {
+        self.columns.fill(Twist::from_array([R::ZERO; 6]));
+        let mut turns = Turns::new(self.values, way(self.mechanism, self.link).next());
+        let (mut at, mut pose) = (Turned::base(), DualQuat::IDENTITY);
+        for step in way(self.mechanism, self.link) {
+            let before = at.placed(step);
+            at = before.joined(step, &mut turns);
+            pose = at.pose(&step.planned.own);
+            let columns = self.columns.get_mut(step.rate as usize..).unwrap_or_default();
+            let before = DualQuat::from_array(before.to_array());
+            for (column, screw) in columns.iter_mut().zip(step.screws(before, pose, self.values)) {
+                // What others mimic is moved by all of them.
+                *column = *column + screw;
+            }
+        }
+        let (back, origin) = (pose.conjugate(), pose.translation());
+        for column in self.columns {
+            // Of a joint that does not carry the link, wherever that is.
+            if column.to_array() == [R::ZERO; 6] {
+                continue;
+            }
+            match self.frame {
+                Frame::World => break,
+                Frame::Body => *column = back.adjoint(*column),
+                Frame::WorldAligned => column.linear = column.velocity_at(origin),
+            }
+        }
+        Some(pose)
+    }
+}
+
+/// A link, and a point in its frame.
+pub(crate) type Point<R> = (usize, [R; 3]);
+
+/// Points, of which those of one link are looked for after the other.
+#[derive(Clone, Copy)]
+pub(crate) struct Found<'p, R> {
+    pub(crate) points: &'p [Point<R>],
+    in_order: bool,
+    /// Where those of the next link are likely to begin.
+    next: usize,
+}
+
+impl<'p, R> Found<'p, R> {
+    pub(crate) fn new(points: &'p [Point<R>]) -> Self {
+        let in_order = points.is_sorted_by(|(a, _), (b, _)| a <= b);
+        Self { points, in_order, next: 0 }
+    }
+
+    /// Those of a link are among these.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(crate) fn of(&mut self, link: usize) -> Range<usize> {
+        if !self.in_order {
+            return 0..self.points.len();
+        }
+        let is_of = |point: Option<&Point<R>>| matches!(point, Some((of, _)) if *of == link);
+        let mut end = self.next;
+        if !is_of(self.points.get(end)) || end > 0 && is_of(self.points.get(end - 1)) {
+            end = self.points.partition_point(|(of, _)| *of < link);
+        }
+        let start = end;
+        while is_of(self.points.get(end)) {
+            end += 1;
+        }
+        self.next = end;
+        start..end
+    }
+}
+
+/// [`Mechanism::link_points`].
+pub(crate) struct LinkPoints<'s, R> {
+    pub(crate) mechanism: &'s Mechanism<'s, R>,
+    pub(crate) values: &'s [R],
+    pub(crate) points: &'s [Point<R>],
+    pub(crate) places: &'s mut [[R; 3]],
+}
+
+impl<R: Real> Quick<R> for LinkPoints<'_, R> {
+    type Output = ();
+
+    #[inline]
+    fn compute(self) -> Option<()>
+    where
+        R: Number,
+    {
+        let mut turns = Turns::new(self.values, self.mechanism.steps.first());
+        let mut found = Found::new(self.points);
+        let (mut last, mut at) = (NONE, Turned::base());
+        for step in self.mechanism.steps {
+            if step.parent != last {
+                // Again, from the base: there is no memory for frames, and few branch off far from it.
+                at = Turned::base();
+                for step in way(self.mechanism, step.parent as usize) {
+                    at = at.placed(step).joined(step, &mut turns);
+                }
+            }
+            at = at.placed(step).joined(step, &mut turns);
+            last = step.link;
+            let some = found.of(step.link as usize);
+            if some.is_empty() {
+                continue;
+            }
+            let [a, b, c] = at.pose(&step.planned.own).to_matrix3x4();
+            let column = |k: usize| load([a[k], b[k], c[k], R::ZERO]);
+            let (across, origin) = ([column(0), column(1), column(2)], column(3));
+            for index in some {
+                if let (Some(&(link, [x, y, z])), Some(place)) =
+                    (self.points.get(index), self.places.get_mut(index))
+                    && link == step.link as usize
+                {
+                    let at = across[2] * splat(z) + origin;
+                    let at = across[0] * splat(x) + (across[1] * splat(y) + at);
+                    [place[0], place[1], place[2], _] = at.to_array();
+                }
+            }
+        }
+        Some(())
+    }
+}
+
+impl<R: Real> Step<R> {
+    /// The spatial twists of the link for each rate of the joint alone, from the turned frame of the joint and the pose of
+    /// the link. Where a hinge is, is known also where its angle is too far.
+    #[inline]
+    fn screws(
+        &self,
+        before: DualQuat<R>,
+        pose: DualQuat<R>,
+        values: &[R],
+    ) -> impl Iterator<Item = Twist<R>> {
+        let zero = [R::ZERO; 3];
+        let axis = self.planned.axis.quaternion().xyz();
+        let mut twists = [Twist { angular: zero, linear: zero }; 6];
+        match self.kind {
+            JointKind::Fixed => {}
+            JointKind::Revolute { .. } => twists[0].angular = axis,
+            JointKind::Prismatic { .. } => twists[0].linear = axis,
+            JointKind::Screw { pitch, .. } => {
+                twists[0] = Twist { angular: axis, linear: vector::scale(axis, pitch) };
+            }
+            JointKind::Planar { .. } => {
+                let own = self.planned.own.quaternion();
+                let [first, second] = self.plane.map(|direction| own.rotate(direction));
+                let [x, y, _] = Self::numbers(self.value, values);
+                let slide = vector::add(vector::scale(first, x), vector::scale(second, y));
+                (twists[0].linear, twists[1].linear) = (first, second);
+                twists[2] = Twist { angular: axis, linear: vector::cross(slide, axis) };
+            }
+            JointKind::Floating => {
+                for (index, twist) in twists.iter_mut().enumerate() {
+                    let mut unit = [R::ZERO; 6];
+                    unit[index] = R::ONE;
+                    *twist = Twist::from_array(unit);
+                }
+            }
+        }
+        let from = if let JointKind::Floating = self.kind { pose } else { before };
+        let times = self.multiplier;
+        let twists = twists.into_iter().take(self.kind.rates());
+        let moved = move |twist: Twist<R>| match twist.angular == zero {
+            // A slide does not turn, wherever it is.
+            true => Twist { linear: from.transform_vector(twist.linear), ..twist },
+            false => from.adjoint(twist),
+        };
+        twists.map(move |twist| moved(twist).scale(times))
+    }
+}
