@@ -25,6 +25,15 @@ pub enum ReachError {
         /// The weight.
         value: f64,
     },
+    /// A point of a goal that is not finite.
+    Point {
+        /// The goal.
+        goal: usize,
+        /// The component.
+        component: usize,
+        /// What it is.
+        value: f64,
+    },
     /// All weights of a goal are zero.
     NoWeight {
         /// The goal.
@@ -81,6 +90,12 @@ impl fmt::Display for ReachError {
                 f,
                 "component {component} of goal {goal} cannot weigh {value}: weights are zero, or from 1e-6 to 1e6"
             ),
+            Self::Point { goal, component, value } => {
+                write!(
+                    f,
+                    "component {component} of the point of goal {goal} is not finite: {value}"
+                )
+            }
             Self::NoWeight { goal } => write!(f, "all weights of goal {goal} are zero"),
             Self::Unmoved { goal, link } => {
                 write!(f, "goal {goal} is for link {link}, and no joint that carries it moves")

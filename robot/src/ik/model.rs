@@ -11,6 +11,19 @@ pub(super) struct Model<'s, L: Lanes> {
     pub(super) reach: &'s Reach<'s, L::Real>,
     pub(super) scales: Scales<L>,
     pub(super) scratch: Scratch<'s, L>,
+    pub(super) follows: Follows<L>,
+}
+
+/// How a target that moves is followed.
+#[derive(Clone, Copy)]
+pub(super) struct Follows<L> {
+    /// By steps of first order; whether in the shape of the tree.
+    pub(super) tracks: bool,
+    pub(super) by_tree: bool,
+    /// Whether the posture or the start weighs something, and the squares of both.
+    pub(super) weighs: bool,
+    pub(super) posture: L,
+    pub(super) start: L,
 }
 
 /// What makes lengths and radians comparable, and what keeps a step short.
@@ -63,6 +76,15 @@ impl<'s, L: Lanes<Real: Scalar>> Model<'s, L> {
             longest: L::splat(level, options.longest_step()),
             least_damping: damping * damping,
         };
-        Some(Self { level, reach, scales, scratch })
+        let square = |weight: L::Real| L::splat(level, weight * weight);
+        let posture = reach.posture.map_or(L::Real::default(), |_| options.posture_weight);
+        let follows = Follows {
+            tracks: options.tracks,
+            by_tree: reach.is_by_tree(options),
+            weighs: reach.weighs(options),
+            posture: square(posture),
+            start: square(options.start_weight),
+        };
+        Some(Self { level, reach, scales, scratch, follows })
     }
 }

@@ -7,7 +7,7 @@ use dq8::batch::vector::epsilon;
 use dq8_simd::Lanes;
 
 /// A λ² that is none, but not zero.
-const FLOOR: f64 = 1e-30;
+pub(super) const FLOOR: f64 = 1e-30;
 
 /// Those of a pose, for which the compiler lays all of it out.
 const POSE: usize = 6;

@@ -36,6 +36,7 @@ pub struct OwnedReach<R> {
     posture: Option<Vec<R>>,
     rows: usize,
     twists: usize,
+    tree: usize,
     size: R,
     is_endless: bool,
     bound: Option<([R; 3], R)>,
@@ -53,7 +54,7 @@ impl<R: Real> OwnedReach<R> {
     ) -> Result<Self, ReachError> {
         let goals = goals.into();
         let mut freedoms = vec![Freedom::default(); mechanism.view().rates()];
-        let Reach { freedoms: moving, rows, twists, size, is_endless, bound, .. } =
+        let Reach { freedoms: moving, rows, twists, tree, size, is_endless, bound, .. } =
             Reach::new(mechanism.view(), &goals, &mut freedoms)?;
         let moving = moving.len();
         let posture = None;
@@ -65,6 +66,7 @@ impl<R: Real> OwnedReach<R> {
             posture,
             rows,
             twists,
+            tree,
             size,
             is_endless,
             bound,
@@ -99,6 +101,7 @@ impl<R: Real> OwnedReach<R> {
             posture: self.posture.as_deref(),
             rows: self.rows,
             twists: self.twists,
+            tree: self.tree,
             size: self.size,
             is_endless: self.is_endless,
             bound: self.bound,

@@ -70,7 +70,7 @@ where
         options: &Options<R>,
     ) -> Result<Report<R>, ShapeError> {
         let mut reports = [Report::default()];
-        let work = Work { targets, values, reports: &mut reports, options };
+        let work = Work { targets, values, reports: &mut reports, options, clips: None };
         work.check(self, scratch.len(), self.scratch_len())?;
         if let Some(model) = Model::<R>::new(Portable, self, work.options, scratch) {
             Search::new(model, work, &mut [Lane::IDLE]).run::<AGAIN>();
@@ -91,6 +91,13 @@ impl<R: Copy> Work<'_, R> {
         let (goals, values) = (reach.goals.len(), reach.mechanism.values);
         same_length("targets", self.targets.len(), configurations.saturating_mul(goals))?;
         same_length("values", self.values.len(), configurations.saturating_mul(values))?;
+        if let Some(clips) = self.clips {
+            let mut frames = 0_usize;
+            for &count in clips {
+                frames = frames.saturating_add(count);
+            }
+            same_length("frames of clips", frames, configurations)?;
+        }
         if scratch < expected {
             return Err(ShapeError::Length { what: "scratch", length: scratch, expected });
         }

@@ -37,22 +37,41 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     ) -> Stepped<L> {
         let damping = caution * caution.constant(DAMPING);
         let damping = apart.square.mul_add(damping, self.scales.least_damping);
-        self.keep_wishes(arrived);
+        let damping = if self.follows.weighs {
+            damping + (self.follows.posture + self.follows.start)
+        } else {
+            damping
+        };
+        self.keep_wishes(arrived, damping);
         // The first solution says how far everything moves. Where that pays, the step is solved again along columns that
         // are bent by half of it: a step of second order, Halley's.
         let zero = damping.constant(0.0);
         let mut limited = zero.lt(zero);
         // A loop, so that machine code has it once.
-        for order in 0..=usize::from(self.reach.bends()) {
-            self.linearize(order == 1);
+        let bends = self.reach.bends() && !self.follows.tracks;
+        for order in 0..=usize::from(bends) {
+            if self.follows.by_tree {
+                self.assemble();
+            } else {
+                self.linearize(order == 1);
+            }
             limited = self.limited_step(damping, running);
         }
         // Nobody asks where a search cannot begin again.
-        let left =
-            if AGAIN && limited.any() { L::select(limited, self.left_after(), zero) } else { zero };
+        let left = if AGAIN && limited.any() {
+            L::select(limited, self.left_after(apart), zero)
+        } else {
+            zero
+        };
         let moved = if self.reach.posture.is_some() { self.moved() } else { zero };
         self.advance(running);
         Stepped { left, moved }
+    }
+
+    /// How many errors the system has rows for.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn rows(&self) -> usize {
+        if self.follows.by_tree { 0 } else { self.reach.rows }
     }
 
     /// Changes that no limit forbids, and where a limit stopped one.
@@ -63,7 +82,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
         // takes off what it does on its way to the limit.
         self.scratch.held.fill(zero);
         self.scratch.changes.fill(zero);
-        for row in 0..self.reach.rows {
+        for row in 0..self.rows() {
             self.scratch.left.set(row, self.scratch.error.get(self.level, row));
         }
         // Nowhere yet.
@@ -86,12 +105,15 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn solve(&mut self, damping: L) -> L {
         let (level, rows, zero) = (self.level, self.reach.rows, damping.constant(0.0));
-        let wishes = self.reach.posture.is_some();
+        let wishes = self.reach.posture.is_some() || self.follows.weighs;
+        if self.follows.by_tree {
+            self.solve_tree(damping, wishes);
+            return self.shrink();
+        }
         // y of (JJᵀ + λ²)y = e. Its size is that of the goals, six rows for a pose, however many joints there are.
         self.ask();
         self.solve_normal(damping);
         let scratch = &mut self.scratch;
-        let mut most = self.scales.longest;
         for (index, column) in scratch.columns.runs(rows).enumerate() {
             // z + Jᵀy; a held column is zero, so that only z must be taken out of it.
             let mut radians = if wishes {
@@ -105,9 +127,18 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
                 radians = L::load(level, component).mul_add(y, radians);
             }
             scratch.radians.set(index, radians);
+        }
+        self.shrink()
+    }
+
+    /// The factor that makes the longest turn no longer than allowed.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn shrink(&self) -> L {
+        let (zero, mut most) = (self.scales.longest.constant(0.0), self.scales.longest);
+        for (index, freedom) in self.reach.freedoms.iter().enumerate() {
             // What slides without end may have a long way to go.
-            let is_slide = self.reach.freedoms.get(index).is_some_and(Freedom::is_slide);
-            let length = if is_slide { zero } else { radians.abs() };
+            let radians = self.scratch.radians.get(self.level, index);
+            let length = if freedom.is_slide() { zero } else { radians.abs() };
             most = L::select(most.lt(length), length, most);
         }
         // All by the same factor: a step cut joint by joint would point elsewhere.
@@ -122,7 +153,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
         for row in 0..rows {
             scratch.solution.set(row, scratch.left.get(level, row));
         }
-        if self.reach.posture.is_none() {
+        if self.reach.posture.is_none() && !self.follows.weighs {
             return;
         }
         for (index, column) in scratch.columns.runs(rows).enumerate() {
@@ -138,7 +169,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     /// there was one.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn take(&mut self, shrink: L) -> L::Mask {
-        let (level, rows, zero) = (self.level, self.reach.rows, shrink.constant(0.0));
+        let (level, rows, zero) = (self.level, self.rows(), shrink.constant(0.0));
         let one = zero.constant(1.0);
         let mut stopped = one.lt(zero);
         for (index, freedom) in self.reach.freedoms.iter().enumerate() {
@@ -180,7 +211,10 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     /// The square of the errors that the changes would leave if everything moved along the columns of the last
     /// step.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn left_after(&mut self) -> L {
+    fn left_after(&mut self, apart: Apart<L>) -> L {
+        if self.follows.by_tree {
+            return apart.square + self.gained_by_tree();
+        }
         let (level, rows) = (self.level, self.reach.rows);
         let mut square = self.scales.length.constant(0.0);
         for row in 0..rows {
@@ -208,7 +242,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
 
     /// The change of a value, in radians.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn radians(&self, index: usize, freedom: &Freedom<L::Real>) -> L {
+    pub(super) fn radians(&self, index: usize, freedom: &Freedom<L::Real>) -> L {
         let change = self.scratch.changes.get(self.level, index);
         if freedom.is_slide() { change * self.scales.radians_per_length } else { change }
     }

@@ -1,5 +1,6 @@
 //! Trees of joints, and what is computed of them: `walk.rs` is the loop on lanes, `single.rs` the book.
 
+mod dh;
 mod error;
 mod frame;
 mod group;
@@ -20,6 +21,7 @@ pub(crate) mod values;
 mod velocities;
 pub(crate) mod walk;
 
+pub use dh::{Dh, DhConvention};
 pub use error::MechanismError;
 pub use frame::{Body, JacobianFrame, World, WorldAligned};
 pub use job::{AllLinks, Job};
