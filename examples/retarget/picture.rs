@@ -30,14 +30,15 @@ pub(crate) fn draw(scene: &Scene, motion: &[f64]) -> Result<String, Box<dyn Erro
     // Each stands by itself: as high as the highest, under the place of its root.
     let mut size = 0.0_f64;
     for [x, y] in figures.iter().flat_map(|(_, both)| both).flat_map(|points| about(points)) {
-        size = size.max(x.abs() / 0.45).max(y.abs() / 0.55);
+        size = size.max(x.abs() / 0.25).max(2.0 * y.abs());
     }
     let wide = (WIDTH - 2.0 * MARGIN) / MOMENTS as f64;
-    let (high, scale) = (2.0 * wide, 1.7 * wide / size.max(1e-9));
+    // A figure, and room for a title.
+    let (high, scale) = (2.0 * wide + 50.0, 2.0 * wide / size.max(1e-9));
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {:.0}\" font-family=\"sans-serif\" \
          font-size=\"18\" fill=\"#333\">\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
-        2.0 * high + 110.0
+        2.0 * high + 80.0
     );
     for (row, (title, parents)) in [("The clip", &bones), ("The robot", &links)].iter().enumerate()
     {
@@ -48,7 +49,7 @@ pub(crate) fn draw(scene: &Scene, motion: &[f64]) -> Result<String, Box<dyn Erro
             top - 20.0
         )?;
         for (column, (_, both)) in figures.iter().enumerate() {
-            let middle = [MARGIN + wide * (column as f64 + 0.5), top + 0.5 * high];
+            let middle = [MARGIN + wide * (column as f64 + 0.5), top + wide];
             let points = about(&both[row]);
             let place = |index: usize| {
                 [middle[0] + scale * points[index][0], middle[1] - scale * points[index][1]]
@@ -70,7 +71,7 @@ pub(crate) fn draw(scene: &Scene, motion: &[f64]) -> Result<String, Box<dyn Erro
     }
     for (column, (frame, _)) in figures.iter().enumerate() {
         let x = MARGIN + wide * (column as f64 + 0.5);
-        let (y, time) = (2.0 * high + 90.0, *frame as f64 * scene.step);
+        let (y, time) = (2.0 * high + 50.0, *frame as f64 * scene.step);
         writeln!(svg, "<text x=\"{x:.0}\" y=\"{y:.0}\" text-anchor=\"middle\">{time:.2} s</text>")?;
     }
     svg.push_str("</svg>\n");

@@ -33,14 +33,16 @@ impl Scene {
     ) -> Result<Self, Box<dyn Error>> {
         let stride = (1.0 / (rate * clip.frame_time)).round().max(1.0) as usize;
         let still = Clip { values: vec![0.0; clip.channels()], ..clip.clone() };
-        let rest = positions(&world(&still));
-        let axes = facing(&places, &rest);
-        let rest: Vec<_> = rest.iter().map(|&place| axes.rotate(place)).collect();
+        let unturned = positions(&world(&still));
+        let axes = facing(&places, &unturned);
+        let rest: Vec<_> = unturned.iter().map(|&place| axes.rotate(place)).collect();
         let stance = Stance::new(&robot, &places, &rest)?;
 
         let all = world(&clip);
         let (mut targets, mut skeleton) = (Vec::new(), Vec::new());
-        for poses in all.chunks_exact(clip.joints.len()).step_by(stride) {
+        // Many files begin with the skeleton at rest, and then jump into the motion.
+        let first = usize::from(jumps(&all, clip.joints.len()));
+        for poses in all.chunks_exact(clip.joints.len()).skip(first).step_by(stride) {
             let turns: Vec<_> =
                 poses.iter().map(|pose| axes * pose.rotation() * axes.conjugate()).collect();
             let places_now: Vec<_> =
@@ -237,6 +239,19 @@ fn world(clip: &Clip) -> Vec<DualQuat<f64>> {
         }
     }
     poses
+}
+
+/// Whether the second frame is ten times as far from the first as from the third.
+fn jumps(all: &[DualQuat<f64>], joints: usize) -> bool {
+    let mut frames = all.chunks_exact(joints).map(positions);
+    let (Some(first), Some(second), Some(third)) = (frames.next(), frames.next(), frames.next())
+    else {
+        return false;
+    };
+    let way = |a: &[Vector], b: &[Vector]| -> f64 {
+        a.iter().zip(b).map(|(&a, &b)| norm(sub(a, b))).sum()
+    };
+    way(&first, &second) > 10.0 * way(&second, &third)
 }
 
 fn positions(poses: &[DualQuat<f64>]) -> Vec<Vector> {
