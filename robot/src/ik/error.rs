@@ -1,4 +1,5 @@
 use core::fmt;
+use dq8::ShapeError;
 
 /// What cannot be asked of a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -119,3 +120,49 @@ impl fmt::Display for ReachError {
 }
 
 impl core::error::Error for ReachError {}
+
+/// What rates cannot be asked for.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum RatesError {
+    /// Lengths that do not fit.
+    Shape(ShapeError),
+    /// A damping that is negative or not finite.
+    Damping {
+        /// What it is.
+        value: f64,
+    },
+    /// A joint value that is not finite.
+    Value {
+        /// Which one.
+        index: usize,
+        /// What it is.
+        value: f64,
+    },
+    /// A velocity that is not finite.
+    Twist {
+        /// Which one.
+        index: usize,
+        /// The number in it.
+        value: f64,
+    },
+}
+
+impl From<ShapeError> for RatesError {
+    fn from(error: ShapeError) -> Self {
+        Self::Shape(error)
+    }
+}
+
+impl fmt::Display for RatesError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Shape(error) => error.fmt(f),
+            Self::Damping { value } => write!(f, "the damping is negative or not finite: {value}"),
+            Self::Value { index, value } => write!(f, "value {index} is not finite: {value}"),
+            Self::Twist { index, value } => write!(f, "twist {index} is not finite: {value}"),
+        }
+    }
+}
+
+impl core::error::Error for RatesError {}

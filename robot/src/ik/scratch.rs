@@ -217,6 +217,21 @@ fn triangle(rows: usize) -> usize {
 }
 
 impl<'s, L: Lanes<Real: Scalar>> Scratch<'s, L> {
+    /// Takes a column out of the system of rows, in some lanes.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn hold_column(
+        &mut self,
+        level: L::Level,
+        index: usize,
+        rows: usize,
+        held: L::Mask,
+    ) {
+        for row in index * rows..(index + 1) * rows {
+            let component = self.columns.get(level, row);
+            self.columns.set(row, L::select(held, component.constant(0.0), component));
+        }
+    }
+
     /// In memory that begins anywhere; `None` if there is too little.
     pub(super) fn new(reach: &Reach<'_, L::Real>, memory: &'s mut [L::Real]) -> Option<Self> {
         let counts = Counts::of(reach);

@@ -70,7 +70,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
 
     /// How many errors the system has rows for.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn rows(&self) -> usize {
+    pub(super) fn rows(&self) -> usize {
         if self.follows.by_tree { 0 } else { self.reach.rows }
     }
 
@@ -78,13 +78,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn limited_step(&mut self, damping: L, running: L::Mask) -> L::Mask {
         let zero = damping.constant(0.0);
-        // `left` is what the free ones must still make up for. It begins as the whole error; each joint that is held
-        // takes off what it does on its way to the limit.
-        self.scratch.held.fill(zero);
-        self.scratch.changes.fill(zero);
-        for row in 0..self.rows() {
-            self.scratch.left.set(row, self.scratch.error.get(self.level, row));
-        }
+        self.begin_step();
         // Nowhere yet.
         let mut limited = zero.lt(zero);
         // Each round but the last holds one freedom more, in some lane, so there are no more rounds than freedoms and one.
@@ -100,10 +94,23 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
         limited
     }
 
+    /// Nothing is held, and nothing changed.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn begin_step(&mut self) {
+        let zero = self.scales.length.constant(0.0);
+        // `left` is what the free ones must still make up for. It begins as the whole error; each joint that is held
+        // takes off what it does on its way to the limit.
+        self.scratch.held.fill(zero);
+        self.scratch.changes.fill(zero);
+        for row in 0..self.rows() {
+            self.scratch.left.set(row, self.scratch.error.get(self.level, row));
+        }
+    }
+
     /// What the free ones should change, in radians, and the factor that makes the longest of it no longer
     /// than allowed.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn solve(&mut self, damping: L) -> L {
+    pub(super) fn solve(&mut self, damping: L) -> L {
         let (level, rows, zero) = (self.level, self.reach.rows, damping.constant(0.0));
         let wishes = self.reach.posture.is_some() || self.follows.weighs;
         if self.follows.by_tree {
