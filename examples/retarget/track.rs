@@ -14,7 +14,7 @@ const CLIPS: usize = 16;
 const RUNS: usize = 7;
 
 /// What a robot is told: to follow, to stay near the last frame, and what is left free, near the stance.
-fn tracking() -> Options<f64> {
+pub(crate) fn tracking() -> Options<f64> {
     Options { start_weight: 0.2, posture_weight: 0.02, ..Options::track() }
 }
 
@@ -74,7 +74,7 @@ fn cast<R: Real>(numbers: &[f64]) -> Vec<R> {
 }
 
 /// One clip, a frame at a time, and frames per second.
-fn one(
+pub(crate) fn one(
     scene: &Scene,
     options: &Options<f64>,
     runs: usize,
@@ -106,7 +106,7 @@ fn first(scene: &Scene) -> Result<Vec<f64>, Box<dyn Error>> {
 }
 
 /// Clips at a time, as they are in an archive: the motion of the first, and frames per second of all.
-fn many<R: Scalar>(
+pub(crate) fn many<R: Scalar>(
     scene: &Scene,
     options: &Options<f64>,
 ) -> Result<(Vec<f64>, f64), Box<dyn Error>> {
