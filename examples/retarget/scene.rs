@@ -145,7 +145,7 @@ impl Stance {
             ..Options::track()
         };
         let mut values = zero;
-        reach.solve(&targets, &mut values, &options)?;
+        reach.track(&targets, &mut values, &options)?;
         robot.mechanism().link_poses(&values, &mut poses)?;
         Ok(Self {
             values,

@@ -29,16 +29,18 @@ pub(crate) fn all(
     ))?;
     let converged =
         Options { max_iterations: 100, least_gain: 1e-5, start_weight: 0.0, ..tracking() };
-    let (motion, _) = one(scene, &converged, 1)?;
+    let (motion, _) = one(scene, &converged, true, 1)?;
     print(&line(scene, "until a step gains nothing", 0.0, &motion)?)?;
     let step = Options { max_iterations: 1, damping: 0.3, restarts: false, ..Options::default() };
     let mut answer = Vec::new();
-    for (name, options) in [("a damped step of second order", step), ("tracking", tracking())] {
-        let (motion, rate) = one(scene, &options, RUNS)?;
+    for (name, options, tracks) in
+        [("a damped step of second order", step, false), ("tracking", tracking(), true)]
+    {
+        let (motion, rate) = one(scene, &options, tracks, RUNS)?;
         print(&line(scene, name, rate, &motion)?)?;
         for (name, (motion, rate)) in [
-            ("  16 clips, f64 lanes", many::<f64>(scene, &options)?),
-            ("  16 clips, f32 lanes", many::<f32>(scene, &options)?),
+            ("  16 clips, f64 lanes", many::<f64>(scene, &options, tracks)?),
+            ("  16 clips, f32 lanes", many::<f32>(scene, &options, tracks)?),
         ] {
             print(&line(scene, name, rate, &motion)?)?;
         }
@@ -77,6 +79,7 @@ fn cast<R: Real>(numbers: &[f64]) -> Vec<R> {
 pub(crate) fn one(
     scene: &Scene,
     options: &Options<f64>,
+    tracks: bool,
     runs: usize,
 ) -> Result<(Vec<f64>, f64), Box<dyn Error>> {
     let reach = problem::<f64>(scene, options)?;
@@ -88,7 +91,11 @@ pub(crate) fn one(
         motion.clear();
         let start = Instant::now();
         for targets in scene.targets.chunks_exact(scene.goals.len()) {
-            reach.follow(targets, &mut values, &mut scratch, options)?;
+            if tracks {
+                reach.track(targets, &mut values, &mut scratch, options)?;
+            } else {
+                reach.follow(targets, &mut values, &mut scratch, options)?;
+            }
             motion.extend(&values);
         }
         best = best.min(start.elapsed().as_secs_f64());
@@ -101,7 +108,7 @@ fn first(scene: &Scene) -> Result<Vec<f64>, Box<dyn Error>> {
     let options =
         Options { max_iterations: 100, least_gain: 1e-5, start_weight: 0.0, ..tracking() };
     let (mut reach, mut values) = (problem::<f64>(scene, &options)?, scene.start.clone());
-    reach.solve(&scene.targets[..scene.goals.len()], &mut values, &options)?;
+    reach.track(&scene.targets[..scene.goals.len()], &mut values, &options)?;
     Ok(values)
 }
 
@@ -109,21 +116,32 @@ fn first(scene: &Scene) -> Result<Vec<f64>, Box<dyn Error>> {
 pub(crate) fn many<R: Scalar>(
     scene: &Scene,
     options: &Options<f64>,
+    tracks: bool,
 ) -> Result<(Vec<f64>, f64), Box<dyn Error>> {
     let reach = problem::<R>(scene, options)?;
-    let (frames, start) = (scene.frames(), cast::<R>(&first(scene)?));
+    let (frames, goals, start) = (scene.frames(), scene.goals.len(), cast::<R>(&first(scene)?));
     let numbers = scene.targets.iter().map(|target| target.to_array().map(<R as Real>::from_f64));
-    let targets = numbers.map(DualQuat::from_array).collect::<Vec<_>>().repeat(CLIPS);
+    let targets: Vec<_> = numbers.map(DualQuat::from_array).collect();
+    let (all, options) = (targets.repeat(CLIPS), options.cast());
+    let in_step: Vec<_> = targets.chunks_exact(goals).map(|frame| frame.repeat(CLIPS)).collect();
     let mut values = start.repeat(CLIPS * frames);
     let (mut reports, mut best) = (vec![Report::default(); CLIPS * frames], f64::INFINITY);
     for _ in 0..RUNS {
         for clip in values.chunks_exact_mut(frames * start.len()) {
             clip[..start.len()].copy_from_slice(&start);
         }
-        let start = Instant::now();
-        let options = options.cast();
-        reach.job().sequence(&[frames; CLIPS], &targets, &mut values, &mut reports, &options)?;
-        best = best.min(start.elapsed().as_secs_f64());
+        let mut now = start.repeat(CLIPS);
+        let clock = Instant::now();
+        if tracks {
+            reach.job().sequence(&[frames; CLIPS], &all, &mut values, &mut reports, &options)?;
+        } else {
+            // A call a frame, and all clips in step.
+            for (frame, targets) in in_step.iter().enumerate() {
+                reach.job().solve(targets, &mut now, &mut reports[..CLIPS], &options)?;
+                values[frame * start.len()..][..start.len()].copy_from_slice(&now[..start.len()]);
+            }
+        }
+        best = best.min(clock.elapsed().as_secs_f64());
     }
     let motion = values[..frames * start.len()].iter().map(|&value| value.into());
     Ok((motion.collect(), (CLIPS * frames) as f64 / best))

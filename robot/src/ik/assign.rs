@@ -7,7 +7,7 @@ use super::search::{Search, with_lane};
 use dq8::{Real, Scalar};
 use dq8_simd::Lanes;
 
-impl<L: Lanes<Real: Scalar>> Search<'_, L> {
+impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
     /// Gives a lane the next configuration that can be sought; it is idle if there is none.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn refill(&mut self, lane: usize) {
@@ -91,9 +91,9 @@ impl<L: Lanes<Real: Scalar>> Search<'_, L> {
                 scratch.goals.set_number(index * GOAL + row, lane, number);
             }
         }
-        // Unless the caller says otherwise, an eighth of the longest way to a goal weighs as much as a radian.
-        let tracks = self.work.options.tracks;
-        let longest = || if tracks { reach.size } else { reach.typical_length_to(targets, values) };
+        // Unless the caller says otherwise, an eighth of the longest way to a goal weighs as much as a radian. Weights of what
+        // follows do not change on the way.
+        let longest = || if TRACK { reach.size } else { reach.typical_length_to(targets, values) };
         let eighth = || longest() * L::Real::from(0.125);
         let length = self.work.options.length_per_radian.unwrap_or_else(eighth);
         if !length.is_finite() {

@@ -28,7 +28,7 @@ impl<L: Lanes> JointNumbers<L> for Numbers<'_, '_, L> {
     }
 }
 
-impl<L: Lanes<Real: Scalar>> Model<'_, L> {
+impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     /// The poses of the links with goals, from the base up; links that carry none are left out.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn place(&mut self, of: Of) {

@@ -74,7 +74,9 @@ impl<R: Scalar> ReachJob<'_, R> {
         let work = Work { targets, values, reports, options, clips: None };
         work.check(&self.reach, count, count)?;
         let backend = self.choice.instructions();
-        let run = |work: Work<'_, R>| self.run(backend, work, &mut alloc::vec![R::ZERO; count]);
+        let run = |work: Work<'_, R>| {
+            self.run::<true, false>(backend, work, &mut alloc::vec![R::ZERO; count])
+        };
         #[cfg(feature = "rayon")]
         if backend.many() {
             let Work { targets, values, reports, options, .. } = work;
@@ -107,13 +109,18 @@ impl<R: Scalar> ReachJob<'_, R> {
     ) -> Result<(), ShapeError> {
         let work = Work { targets, values, reports, options, clips: None };
         work.check(&self.reach, scratch.len(), self.reach.batch_scratch_len())?;
-        self.run(self.choice.instructions(), work, scratch);
+        self.run::<true, false>(self.choice.instructions(), work, scratch);
         Ok(())
     }
 
     /// What has been checked.
-    pub(super) fn run(&self, backend: Backend, work: Work<'_, R>, scratch: &mut [R]) {
-        backend.run(Targets { reach: &self.reach, work, scratch });
+    pub(super) fn run<const AGAIN: bool, const TRACK: bool>(
+        &self,
+        backend: Backend,
+        work: Work<'_, R>,
+        scratch: &mut [R],
+    ) {
+        backend.run(Targets::<R, AGAIN, TRACK> { reach: &self.reach, work, scratch });
     }
 }
 
@@ -126,20 +133,20 @@ fn grain(configurations: usize) -> usize {
 }
 
 /// Many configurations; lengths have been checked.
-struct Targets<'s, R> {
+struct Targets<'s, R, const AGAIN: bool, const TRACK: bool> {
     reach: &'s Reach<'s, R>,
     work: Work<'s, R>,
     scratch: &'s mut [R],
 }
 
-impl<R: Scalar> Kernel for Targets<'_, R> {
+impl<R: Scalar, const AGAIN: bool, const TRACK: bool> Kernel for Targets<'_, R, AGAIN, TRACK> {
     type Output = ();
 
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
         let Self { reach, work, scratch } = self;
-        if let Some(model) = Model::<R::Lanes<V>>::new(level, reach, work.options, scratch) {
-            Search::new(model, work, &mut [Lane::IDLE; MAX_LANES]).run::<true>();
+        if let Some(model) = Model::<R::Lanes<V>, TRACK>::new(level, reach, work.options, scratch) {
+            Search::new(model, work, &mut [Lane::IDLE; MAX_LANES]).run::<AGAIN>();
         }
     }
 }

@@ -6,7 +6,9 @@ use super::scratch::Scratch;
 use dq8::Scalar;
 use dq8_simd::Lanes;
 
-pub(super) struct Model<'s, L: Lanes> {
+/// With `TRACK`, steps are of first order, and of many goals in the shape of the tree: a constant of the type, so that
+/// firmware that does not follow many goals does not hold it.
+pub(super) struct Model<'s, L: Lanes, const TRACK: bool> {
     pub(super) level: L::Level,
     pub(super) reach: &'s Reach<'s, L::Real>,
     pub(super) scales: Scales<L>,
@@ -17,9 +19,8 @@ pub(super) struct Model<'s, L: Lanes> {
 /// How a target that moves is followed.
 #[derive(Clone, Copy)]
 pub(super) struct Follows<L> {
-    /// By steps of first order; whether in the shape of the tree.
-    pub(super) tracks: bool,
-    pub(super) by_tree: bool,
+    /// Whether in the shape of the tree.
+    by_tree: bool,
     /// Whether the posture or the start weighs something, and the squares of both.
     pub(super) weighs: bool,
     pub(super) posture: L,
@@ -58,7 +59,7 @@ pub(super) struct Stepped<L> {
     pub(super) moved: L,
 }
 
-impl<'s, L: Lanes<Real: Scalar>> Model<'s, L> {
+impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Model<'s, L, TRACK> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn new(
         level: L::Level,
@@ -79,12 +80,17 @@ impl<'s, L: Lanes<Real: Scalar>> Model<'s, L> {
         let square = |weight: L::Real| L::splat(level, weight * weight);
         let posture = reach.posture.map_or(L::Real::default(), |_| options.posture_weight);
         let follows = Follows {
-            tracks: options.tracks,
-            by_tree: reach.is_by_tree(options),
+            by_tree: TRACK && reach.is_by_tree(options),
             weighs: reach.weighs(options),
             posture: square(posture),
             start: square(options.start_weight),
         };
         Some(Self { level, reach, scales, scratch, follows })
+    }
+
+    /// Whether the system has the shape of the tree.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn is_by_tree(&self) -> bool {
+        TRACK && self.follows.by_tree
     }
 }

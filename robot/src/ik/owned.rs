@@ -123,10 +123,27 @@ where
         values: &mut [R],
         options: &Options<R>,
     ) -> Result<Report<R>, ShapeError> {
+        self.with_scratch(|reach, scratch| reach.solve(targets, values, scratch, options))
+    }
+
+    /// See [`Reach::track`], likewise.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn track(
+        &mut self,
+        targets: &[DualQuat<R>],
+        values: &mut [R],
+        options: &Options<R>,
+    ) -> Result<Report<R>, ShapeError> {
+        self.with_scratch(|reach, scratch| reach.track(targets, values, scratch, options))
+    }
+
+    fn with_scratch<T>(&mut self, run: impl FnOnce(&Reach<'_, R>, &mut [R]) -> T) -> T {
         let mut scratch = core::mem::take(&mut self.scratch);
         scratch.resize(self.view().scratch_len(), R::ZERO);
-        let report = self.view().solve(targets, values, &mut scratch, options);
+        let result = run(&self.view(), &mut scratch);
         self.scratch = scratch;
-        report
+        result
     }
 }

@@ -3,7 +3,7 @@
 use super::compare::weigh;
 use super::error::RatesError;
 use super::forward::Of;
-use super::freedom::Kind;
+use super::freedom::{Freedom, Kind};
 use super::job::ReachJob;
 use super::model::Model;
 use super::problem::Reach;
@@ -150,7 +150,7 @@ fn run<L: Lanes<Real: Scalar>>(
     // A posture is a place, and has no part in velocities.
     let reach = &Reach { posture: None, ..*reach };
     let options = Options { damping: wanted.damping, ..Options::track() };
-    let Some(mut model) = Model::<L>::new(level, reach, &options, scratch) else { return };
+    let Some(mut model) = Model::<L, true>::new(level, reach, &options, scratch) else { return };
     let length = reach.size * L::Real::from(0.125);
     model.scales.length = L::splat(level, length);
     model.scales.radians_per_length = L::splat(level, L::Real::ONE / length);
@@ -169,16 +169,10 @@ fn run<L: Lanes<Real: Scalar>>(
         model.ask_velocities(wanted.twists, first, configurations);
         model.rates();
         for rate in 0..rates {
-            let Some(freedom) = reach.freedoms.get(reach.column(rate)) else {
-                for slot in
-                    wanted.rates.iter_mut().skip(first * rates + rate).step_by(rates).take(L::LANES)
-                {
-                    *slot = L::Real::ZERO;
-                }
-                continue;
-            };
-            let unit = if freedom.is_slide() { length } else { L::Real::ONE };
+            let freedom = reach.freedoms.get(reach.column(rate));
+            let unit = if freedom.is_some_and(Freedom::is_slide) { length } else { L::Real::ONE };
             for lane in 0..L::LANES {
+                // Zero where there is no such column.
                 let radians = model.scratch.radians.number(reach.column(rate), lane);
                 if let Some(slot) = wanted.rates.get_mut((first + lane) * rates + rate) {
                     *slot = radians * unit;
@@ -188,7 +182,7 @@ fn run<L: Lanes<Real: Scalar>>(
     }
 }
 
-impl<L: Lanes<Real: Scalar>> Model<'_, L> {
+impl<L: Lanes<Real: Scalar>> Model<'_, L, true> {
     /// Puts the velocities where errors are.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn ask_velocities(&mut self, twists: &[Twist<L::Real>], first: usize, configurations: usize) {
@@ -236,7 +230,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
         let one = zero.constant(1.0);
         self.begin_step();
         let rows = self.rows();
-        if self.follows.by_tree {
+        if self.is_by_tree() {
             self.assemble();
         } else {
             self.linearize(false);

@@ -13,7 +13,8 @@ pub struct Options<R> {
     /// targets that can be reached with 100, and all of 200 with 1000.
     pub max_iterations: u32,
     /// How long a distance weighs as much as a radian, more than zero; `None` is an eighth of the longest way to
-    /// a goal, or, where something floats or slides without end, of the longer way that it has to go. It
+    /// a goal, or, where something floats or slides without end
+    /// and the search is none that [tracks](super::Reach::track), of the longer way that it has to go. It
     /// decides what is nearest where the target cannot be reached, and how fast it is reached where it can.
     pub length_per_radian: Option<R>,
     /// The most that a hinge turns in one step, radians, more than zero; more than a turn is as much as a
@@ -36,10 +37,6 @@ pub struct Options<R> {
     /// How much a radian from the start weighs: of a target that moves, from the last frame. It takes the shaking out of
     /// what goals determine little. Not of what floats, which it only makes slower.
     pub start_weight: R,
-    /// Whether targets are followed that move little from call to call: steps are of first order, and of several
-    /// goals take a fifth of the time or less; and where `length_per_radian` is `None`, it is that of the mechanism however
-    /// far something that floats has gone, so that weights stay the same.
-    pub tracks: bool,
 }
 
 /// 10⁻⁵ rad and 10⁻⁵ lengths, 100 iterations, steps of at most 1.5 rad, restarts.
@@ -56,7 +53,6 @@ impl<R: Real> Default for Options<R> {
             least_gain: R::ZERO,
             posture_weight: R::ZERO,
             start_weight: R::ZERO,
-            tracks: false,
         }
     }
 }
@@ -68,7 +64,7 @@ impl<R: Real> Options<R> {
         Self::default()
     }
 
-    /// To follow targets that move, from the last values: 10⁻⁴ rad and lengths, at most 3 steps, of which each must
+    /// To follow targets that move ([`Reach::track`](super::Reach::track)), from the last values: 10⁻⁴ rad and lengths, at most 3 steps, of which each must
     /// gain a hundredth; damped by 0.1 rad; no restarts.
     #[must_use]
     pub fn track() -> Self {
@@ -80,7 +76,6 @@ impl<R: Real> Options<R> {
             damping: R::from(0.1),
             restarts: false,
             least_gain: R::from(1e-2),
-            tracks: true,
             ..Self::default()
         }
     }
@@ -100,7 +95,6 @@ impl<R: Real> Options<R> {
             least_gain: cast(self.least_gain),
             posture_weight: cast(self.posture_weight),
             start_weight: cast(self.start_weight),
-            tracks: self.tracks,
         }
     }
 

@@ -37,8 +37,8 @@ pub(super) struct Work<'s, R> {
     pub(super) clips: Option<&'s [usize]>,
 }
 
-pub(super) struct Search<'s, L: Lanes> {
-    pub(super) model: Model<'s, L>,
+pub(super) struct Search<'s, L: Lanes, const TRACK: bool> {
+    pub(super) model: Model<'s, L, TRACK>,
     pub(super) work: Work<'s, L::Real>,
     pub(super) lanes: &'s mut [Lane<L::Real>],
     /// The next configuration, and the next clip.
@@ -46,11 +46,11 @@ pub(super) struct Search<'s, L: Lanes> {
     pub(super) clip: usize,
 }
 
-impl<'s, L: Lanes<Real: Scalar>> Search<'s, L> {
+impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
     /// `lanes` are idle, and as many as `L` has, or more.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn new(
-        model: Model<'s, L>,
+        model: Model<'s, L, TRACK>,
         work: Work<'s, L::Real>,
         lanes: &'s mut [Lane<L::Real>],
     ) -> Self {

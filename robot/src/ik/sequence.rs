@@ -14,12 +14,13 @@ impl<R: Scalar> ReachJob<'_, R> {
     /// Clips of frames, one after the other: `clips` says how many frames each has. Each frame starts from the values that
     /// the one before ended with, the first of a clip from what `values` holds there; that of the others may be anything.
     /// A lane holds a clip and goes on to the next one when it is done, so clips may have any lengths; with as many clips as
-    /// there are lanes, or more, all of the CPU is used. A frame whose targets are none keeps the values of the one before,
+    /// there are lanes, or more, all of the CPU is used. Each frame is one call of [`Reach::track`](super::Reach::track),
+    /// without restarts. A frame whose targets are none keeps the values of the one before,
     /// and is [`Invalid`](super::Outcome::Invalid).
     ///
     /// `targets` is `[frame][goal]`, `values` `[frame][value]`, and there is a report for each frame. Allocates
     /// [`batch_scratch_len`](super::Reach::batch_scratch_len) numbers for each task that runs at the same time.
-    /// [`Options::track`] is made for it. For a single clip, [`Reach::follow`](super::Reach::follow) once a frame is quicker.
+    /// [`Options::track`] is made for it. For a single clip, `track` once a frame is quicker.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -52,10 +53,13 @@ impl<R: Scalar> ReachJob<'_, R> {
         options: &Options<R>,
     ) -> Result<(), ShapeError> {
         let count = self.reach.batch_scratch_len();
+        let options = &Options { restarts: false, ..*options };
         let work = Work { targets, values, reports, options, clips: Some(clips) };
         work.check(&self.reach, count, count)?;
         let backend = self.choice.instructions();
-        let run = |work: Work<'_, R>| self.run(backend, work, &mut alloc::vec![R::ZERO; count]);
+        let run = |work: Work<'_, R>| {
+            self.run::<false, true>(backend, work, &mut alloc::vec![R::ZERO; count])
+        };
         #[cfg(feature = "rayon")]
         if backend.many() {
             let Work { targets, values, reports, options, .. } = work;
@@ -86,9 +90,10 @@ impl<R: Scalar> ReachJob<'_, R> {
         reports: &mut [Report<R>],
         options: &Options<R>,
     ) -> Result<(), ShapeError> {
+        let options = &Options { restarts: false, ..*options };
         let work = Work { targets, values, reports, options, clips: Some(clips) };
         work.check(&self.reach, scratch.len(), self.reach.batch_scratch_len())?;
-        self.run(self.choice.instructions(), work, scratch);
+        self.run::<false, true>(self.choice.instructions(), work, scratch);
         Ok(())
     }
 }

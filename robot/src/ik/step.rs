@@ -24,7 +24,7 @@ use dq8_simd::{Lanes, Mask};
 /// steps anything from 0.01 to 0.05 is as good, and better than ½.
 const DAMPING: f64 = 0.02;
 
-impl<L: Lanes<Real: Scalar>> Model<'_, L> {
+impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     /// Moves the lanes that run, damped `caution` times as much as usual; those that have arrived, toward the
     /// posture too.
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -48,9 +48,9 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
         let zero = damping.constant(0.0);
         let mut limited = zero.lt(zero);
         // A loop, so that machine code has it once.
-        let bends = self.reach.bends() && !self.follows.tracks;
+        let bends = !TRACK && self.reach.bends();
         for order in 0..=usize::from(bends) {
-            if self.follows.by_tree {
+            if self.is_by_tree() {
                 self.assemble();
             } else {
                 self.linearize(order == 1);
@@ -58,11 +58,8 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
             limited = self.limited_step(damping, running);
         }
         // Nobody asks where a search cannot begin again.
-        let left = if AGAIN && limited.any() {
-            L::select(limited, self.left_after(apart), zero)
-        } else {
-            zero
-        };
+        let left =
+            if AGAIN && limited.any() { L::select(limited, self.left_after(), zero) } else { zero };
         let moved = if self.reach.posture.is_some() { self.moved() } else { zero };
         self.advance(running);
         Stepped { left, moved }
@@ -71,7 +68,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     /// How many errors the system has rows for.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn rows(&self) -> usize {
-        if self.follows.by_tree { 0 } else { self.reach.rows }
+        if self.is_by_tree() { 0 } else { self.reach.rows }
     }
 
     /// Changes that no limit forbids, and where a limit stopped one.
@@ -113,7 +110,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     pub(super) fn solve(&mut self, damping: L) -> L {
         let (level, rows, zero) = (self.level, self.reach.rows, damping.constant(0.0));
         let wishes = self.reach.posture.is_some() || self.follows.weighs;
-        if self.follows.by_tree {
+        if self.is_by_tree() {
             self.solve_tree(damping, wishes);
             return self.shrink();
         }
@@ -218,10 +215,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     /// The square of the errors that the changes would leave if everything moved along the columns of the last
     /// step.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn left_after(&mut self, apart: Apart<L>) -> L {
-        if self.follows.by_tree {
-            return apart.square + self.gained_by_tree();
-        }
+    fn left_after(&mut self) -> L {
         let (level, rows) = (self.level, self.reach.rows);
         let mut square = self.scales.length.constant(0.0);
         for row in 0..rows {
@@ -249,7 +243,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
 
     /// The change of a value, in radians.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn radians(&self, index: usize, freedom: &Freedom<L::Real>) -> L {
+    fn radians(&self, index: usize, freedom: &Freedom<L::Real>) -> L {
         let change = self.scratch.changes.get(self.level, index);
         if freedom.is_slide() { change * self.scales.radians_per_length } else { change }
     }

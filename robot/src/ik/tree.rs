@@ -68,7 +68,7 @@ pub(super) fn shape<R: Real>(
     entries as usize
 }
 
-impl<L: Lanes<Real: Scalar>> Model<'_, L> {
+impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     /// JᵀJ and Jᵀe at the poses that have been computed last.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn assemble(&mut self) {
@@ -276,29 +276,6 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
             radians.set(index, solved);
         }
     }
-
-    /// δᵀ(JᵀJδ − 2Jᵀe), which with |e|² is the square of the errors that changes would leave.
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn gained_by_tree(&self) -> L {
-        let (level, freedoms, scratch) = (self.level, self.reach.freedoms, &self.scratch);
-        let mut square = L::splat(level, L::Real::default());
-        for (index, freedom) in freedoms.iter().enumerate() {
-            let own = self.radians(index, freedom);
-            let asked = scratch.right.get(level, index);
-            let at = (freedom.first + freedom.depth) as usize;
-            let mut sum = scratch.system.get(level, at).mul_add(own, -(asked + asked));
-            let mut carrier = freedom.above as usize;
-            for up in 1..=freedom.depth as usize {
-                let Some(other) = freedoms.get(carrier) else { break };
-                let theirs = self.radians(carrier, other);
-                let entry = scratch.system.get(level, at - up);
-                sum = entry.mul_add(theirs + theirs, sum);
-                carrier = other.above as usize;
-            }
-            square = own.mul_add(sum, square);
-        }
-        square
-    }
 }
 
 impl<R: Real> Reach<'_, R> {
@@ -311,7 +288,7 @@ impl<R: Real> Reach<'_, R> {
     /// Whether searches with these options have the shape of the tree.
     pub(super) fn is_by_tree(&self, options: &Options<R>) -> bool {
         let is_weighed = self.posture.is_none() || options.posture_weight > R::ZERO;
-        self.tree > 0 && options.tracks && is_weighed
+        self.tree > 0 && is_weighed
     }
 }
 

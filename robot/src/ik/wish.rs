@@ -12,7 +12,7 @@ use dq8_simd::Lanes;
 /// quarter from 48 in 45, with the whole from 45 in 17.
 const SHORTER: f64 = 0.5;
 
-impl<L: Lanes<Real: Scalar>> Model<'_, L> {
+impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     /// The way of each freedom to the posture, or to the limit before it, in radians; the shorter one for hinges
     /// that turn endlessly; no longer than a part of a step may be. The square of all of it.
     #[cfg_attr(not(opt_level_0), inline(always))]

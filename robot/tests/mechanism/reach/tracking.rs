@@ -1,6 +1,6 @@
 //! Following targets that move: many goals in the shape of the tree, weights that always act, ends, clips, velocities.
 
-use super::{Z, apart, at, draw, mechanism, planar, seven, solve, solve_everywhere, turned};
+use super::{Solved, Z, apart, at, draw, mechanism, planar, seven, solve, turned};
 use dq8::{Backend, DualQuat, Twist};
 use dq8_fixtures::random::Random;
 use dq8_robot::ik::{Goal, Options, Outcome, OwnedReach, RatesError, Report};
@@ -50,6 +50,22 @@ fn targets(body: &OwnedMechanism<f64>, random: &mut Random, near: &[f64]) -> Vec
     goals().iter().map(&mut target).collect()
 }
 
+/// On all backends.
+fn track_everywhere(
+    reach: &OwnedReach<f64>,
+    targets: &[DualQuat<f64>],
+    start: &[f64],
+    options: &Options<f64>,
+) -> Vec<Solved<f64>> {
+    let track = |backend| {
+        let (mut values, mut reports) = (start.to_vec(), vec![Report::default()]);
+        let job = reach.job().backend(backend);
+        job.sequence(&[1], targets, &mut values, &mut reports, options).expect("lengths fit");
+        (backend, values, reports)
+    };
+    Backend::available().map(track).collect()
+}
+
 /// Goals whose weights differ from axis to axis, if only by a rounding, have no such shape.
 fn by_rows(goals: &[Goal<f64>]) -> Vec<Goal<f64>> {
     let bent = |weights: [f64; 3]| [weights[0], weights[1] * (1.0 + 1e-15), weights[2]];
@@ -65,7 +81,6 @@ fn many_goals_in_the_shape_of_the_tree_are_the_least_squares_of_all_rows() {
         Options { max_iterations: 1, damping: 0.2, ..Options::track() },
         Options { max_iterations: 4, ..Options::track() },
         Options { start_weight: 0.3, posture_weight: 0.2, ..Options::track() },
-        Options { restarts: true, max_iterations: 12, ..Options::track() },
     ]
     .iter()
     .cycle()
@@ -84,9 +99,9 @@ fn many_goals_in_the_shape_of_the_tree_are_the_least_squares_of_all_rows() {
                 OwnedReach::new(machine.clone(), reach.view().goals()).expect("a problem")
             }
         });
-        let expected = solve_everywhere(&rows.view(), &targets, &start, options);
+        let expected = track_everywhere(&rows, &targets, &start, options);
         for ((backend, values, reports), (_, wanted, others)) in
-            solve_everywhere(&tree.view(), &targets, &start, options).iter().zip(&expected)
+            track_everywhere(&tree, &targets, &start, options).iter().zip(&expected)
         {
             assert_eq!(reports[0].iterations, others[0].iterations, "{backend}: {round}");
             for (value, wanted) in values.iter().zip(wanted) {
@@ -114,9 +129,7 @@ fn posture_and_start_always_weigh_what_they_are_said_to() {
         start_weight: 0.7,
         ..Options::track()
     };
-    for (backend, values, _) in
-        solve_everywhere(&reach.view(), &[at(2.0, 0.0, 0.0)], &[-1.0], &options)
-    {
+    for (backend, values, _) in track_everywhere(&reach, &[at(2.0, 0.0, 0.0)], &[-1.0], &options) {
         let least = (2.0 + 0.25 * 5.0 - 0.49) / (1.0 + 0.25 + 0.49);
         assert!((values[0] - least).abs() < 1e-6, "{backend}: {values:?} {least}");
     }
@@ -149,16 +162,20 @@ fn far_from_the_base_tracking_weighs_as_it_does_near_it() {
     let mut random = Random(43);
     let near = configuration(&mut random);
     let targets = targets(&machine, &mut random, &near);
-    let [tracked, solved] = [Options::track(), Options { restarts: false, ..Options::default() }]
-        .map(|options| {
-            [0.0, 1000.0].map(|far| {
-                let (mut values, away) = (near.clone(), at(far, 0.0, 0.0));
-                values[4] += far;
-                let targets: Vec<_> = targets.iter().map(|&target| away * target).collect();
-                solve(machine.view(), &goals(), &targets, &mut values, &options);
-                values[7..].to_vec()
-            })
-        });
+    let mut reach = OwnedReach::new(machine, goals()).expect("a problem");
+    let [tracked, solved] = [true, false].map(|tracks| {
+        [0.0, 1000.0].map(|far| {
+            let (mut values, away) = (near.clone(), at(far, 0.0, 0.0));
+            values[4] += far;
+            let targets: Vec<_> = targets.iter().map(|&target| away * target).collect();
+            let reached = match tracks {
+                true => reach.track(&targets, &mut values, &Options::track()),
+                false => reach.solve(&targets, &mut values, &Options::track()),
+            };
+            reached.expect("lengths fit");
+            values[7..].to_vec()
+        })
+    });
     let apart =
         |[a, b]: &[Vec<f64>; 2]| a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
     assert!(
@@ -215,7 +232,7 @@ fn a_clip_is_its_frames_one_after_the_other() {
             for _ in 0..length {
                 let (mut report, here) =
                     ([Report::default()], &all[frame * goals().len()..][..goals().len()]);
-                job.solve(here, &mut own, &mut report, &options).expect("lengths fit");
+                job.sequence(&[1], here, &mut own, &mut report, &options).expect("lengths fit");
                 assert_eq!(values[frame * count..][..count], own, "{backend}: {frame}");
                 assert_eq!(reports[frame].outcome, report[0].outcome, "{backend}: {frame}");
                 frame += 1;
