@@ -282,7 +282,7 @@ macro_rules! functions {
             /// DQ8_STATUS_OK says that there is a report, not that the targets are reached: see `outcome`.
             ///
             /// DQ8_STATUS_NO_LINK, _UNMOVED, _WEIGHT (one is negative or not finite, or a goal has none, or there is
-            /// no goal), _LIMITS, _NOT_FINITE (the posture) or _UNKNOWN_VALUE (`restarts`); then `scratch`
+            /// no goal), _LIMITS, _NOT_FINITE (the posture, or a point) or _UNKNOWN_VALUE (`restarts`); then `scratch`
             /// may have been written, the values and the report not.
             mechanism::reach(
                 mechanism: *const Mechanism<$R>, goals: *const Goal<$R>, targets: *const $R,

@@ -24,6 +24,8 @@
 //! | [`Mechanism::link_pose`] | `mechanism.job().links(&links).poses(…)` |
 //! | [`Mechanism::link_jacobian`] | `mechanism.job().links(&links).jacobians(…)` |
 //! | [`Reach::solve`] | [`ReachJob::solve`](ik::ReachJob::solve) |
+//! | [`Reach::track`] | [`ReachJob::sequence`](ik::ReachJob::sequence) |
+//! | [`Reach::rates`] | [`ReachJob::rates_in`](ik::ReachJob::rates_in) |
 //! | [`Mechanism::link_velocities`] | [`Job::velocities`] |
 //! | [`Mechanism::link_accelerations`] | [`Job::accelerations`] |
 //!

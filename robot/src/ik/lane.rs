@@ -213,7 +213,9 @@ impl<R: Real> Lane<R> {
     /// Whether the last step gained less than is asked of one.
     fn gains_little(&mut self, seen: &Seen<R>, options: &Options<R>) -> bool {
         let asked = self.square * (R::ONE - options.least_gain);
-        let is_little = options.least_gain > R::ZERO && !self.begins && !(seen.square < asked);
+        // NaN gains nothing.
+        let gains = seen.square < asked;
+        let is_little = options.least_gain > R::ZERO && !self.begins && !gains;
         // It is no iteration that was missing.
         self.idle_steps += u32::from(is_little);
         is_little
