@@ -88,7 +88,7 @@ fn run(args: &Args) -> Result<(), Box<dyn Error>> {
     };
     let scene = Scene::new(robot, clip, places, args.rate)?;
     print(&scene.text())?;
-    let motion = track::all(&scene, &mut |line| print(line))?;
+    let motion = track::all(&scene)?;
 
     let (mut paths, mut texts): (Vec<&Path>, Vec<String>) = Default::default();
     if let Some(path) = &args.csv {

@@ -4,6 +4,7 @@ use crate::measure::Quality;
 use crate::scene::Scene;
 use dq8::{DualQuat, Real, Scalar};
 use dq8_robot::ik::{Goal, Options, OwnedReach, Report};
+use mocap::command::print;
 use std::error::Error;
 use std::time::Instant;
 
@@ -19,10 +20,7 @@ pub(crate) fn tracking() -> Options<f64> {
 }
 
 /// What the clip becomes, and what others come to: a line for each.
-pub(crate) fn all(
-    scene: &Scene,
-    print: &mut dyn FnMut(&str) -> Result<(), Box<dyn Error>>,
-) -> Result<Vec<f64>, Box<dyn Error>> {
+pub(crate) fn all(scene: &Scene) -> Result<Vec<f64>, Box<dyn Error>> {
     print(&format!(
         "  {:<32}{:>8}{:>18}{:>7}{:>13}{:>15}{:>13}\n",
         "", "frames/s", "mm, mean / p95", "feet", "rad/s, p95", "jerk, rad/s³", "% at limits"
