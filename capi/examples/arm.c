@@ -198,7 +198,7 @@ static void crane(void) {
     /* And back: how far the crane turns and reaches out for a place of the hook; the rotation is free. */
     {
         static float scratch[400];
-        const dq8_goal_f32 goal = {2, {0, 0, 0}, {1, 1, 1}};
+        const dq8_goal_f32 goal = {2, {0, 0, 0}, {1, 1, 1}, {0, 0, 0}};
         /* The hook at (2, 0, 1). */
         const float target[MOTION] = {0, 0, 0, 1, 1, 0, 0.5f, 0};
         float solved[2] = {1.0f, 1.0f};

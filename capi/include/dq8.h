@@ -633,6 +633,10 @@ typedef struct dq8_goal_f32 {
    * Weights of the way along the target's x, y and z; not negative.
    */
   float linear[3];
+  /**
+   * The point of the link, in its frame, that is to be at the target; zero is its origin.
+   */
+  float point[3];
 } dq8_goal_f32;
 
 /**
@@ -714,6 +718,10 @@ typedef struct dq8_goal_f64 {
    * Weights of the way along the target's x, y and z; not negative.
    */
   double linear[3];
+  /**
+   * The point of the link, in its frame, that is to be at the target; zero is its origin.
+   */
+  double point[3];
 } dq8_goal_f64;
 
 /**
@@ -1995,7 +2003,7 @@ dq8_status dq8_mechanism_reach_scratch_f32(const struct dq8_mechanism_f32 *mecha
  * DQ8_STATUS_OK says that there is a report, not that the targets are reached: see `outcome`.
  *
  * DQ8_STATUS_NO_LINK, _UNMOVED, _WEIGHT (one is negative or not finite, or a goal has none, or there is
- * no goal), _LIMITS, _NOT_FINITE (the posture) or _UNKNOWN_VALUE (`restarts`); then `scratch`
+ * no goal), _LIMITS, _NOT_FINITE (the posture, or a point) or _UNKNOWN_VALUE (`restarts`); then `scratch`
  * may have been written, the values and the report not.
  */
 dq8_status dq8_mechanism_reach_f32(const struct dq8_mechanism_f32 *mechanism,
@@ -2033,7 +2041,7 @@ dq8_status dq8_mechanism_reach_scratch_f64(const struct dq8_mechanism_f64 *mecha
  * DQ8_STATUS_OK says that there is a report, not that the targets are reached: see `outcome`.
  *
  * DQ8_STATUS_NO_LINK, _UNMOVED, _WEIGHT (one is negative or not finite, or a goal has none, or there is
- * no goal), _LIMITS, _NOT_FINITE (the posture) or _UNKNOWN_VALUE (`restarts`); then `scratch`
+ * no goal), _LIMITS, _NOT_FINITE (the posture, or a point) or _UNKNOWN_VALUE (`restarts`); then `scratch`
  * may have been written, the values and the report not.
  */
 dq8_status dq8_mechanism_reach_f64(const struct dq8_mechanism_f64 *mechanism,

@@ -19,6 +19,8 @@ pub struct Goal<R> {
     pub angular: [R; 3],
     /// Weights of the way along the target's x, y and z; not negative.
     pub linear: [R; 3],
+    /// The point of the link, in its frame, that is to be at the target; zero is its origin.
+    pub point: [R; 3],
 }
 
 /// When a search ends, and how it weighs. dq8_reach_options fills in what serves most.
@@ -86,6 +88,7 @@ macro_rules! same {
         assert!(offset_of!(Goal<$R>, link) == offset_of!(ik::Goal<$R>, link));
         assert!(offset_of!(Goal<$R>, angular) == offset_of!(ik::Goal<$R>, angular));
         assert!(offset_of!(Goal<$R>, linear) == offset_of!(ik::Goal<$R>, linear));
+        assert!(offset_of!(Goal<$R>, point) == offset_of!(ik::Goal<$R>, point));
     };)*};
 }
 same! { f32 f64 }
@@ -144,6 +147,7 @@ impl<R: Real> ReachOptions<R> {
             max_step: self.max_step,
             damping: self.damping,
             restarts,
+            ..ik::Options::default()
         })
     }
 }
@@ -241,7 +245,7 @@ fn status(error: &ReachError) -> Status {
         }
         ReachError::Unmoved { .. } => Status::Unmoved,
         ReachError::Limits { .. } => Status::Limits,
-        ReachError::Posture { .. } => Status::NotFinite,
+        ReachError::Posture { .. } | ReachError::Point { .. } => Status::NotFinite,
         ReachError::Freedoms { .. } | ReachError::PostureLength { .. } => Status::Length,
         // What only a newer dq8 knows.
         _ => Status::UnknownValue,
@@ -278,7 +282,7 @@ macro_rules! functions {
             /// DQ8_STATUS_OK says that there is a report, not that the targets are reached: see `outcome`.
             ///
             /// DQ8_STATUS_NO_LINK, _UNMOVED, _WEIGHT (one is negative or not finite, or a goal has none, or there is
-            /// no goal), _LIMITS, _NOT_FINITE (the posture) or _UNKNOWN_VALUE (`restarts`); then `scratch`
+            /// no goal), _LIMITS, _NOT_FINITE (the posture, or a point) or _UNKNOWN_VALUE (`restarts`); then `scratch`
             /// may have been written, the values and the report not.
             mechanism::reach(
                 mechanism: *const Mechanism<$R>, goals: *const Goal<$R>, targets: *const $R,

@@ -64,7 +64,7 @@ fn arm_of(joints: &[Joint<f64>; LINKS], goal: [f64; VALUES]) -> Arm {
     Arm {
         _steps: steps,
         made,
-        goals: [Goal { link: 3, angular: [1.0; 3], linear: [1.0; 3] }],
+        goals: [Goal { link: 3, angular: [1.0; 3], linear: [1.0; 3], point: [0.0; 3] }],
         target,
         values: [0.1, 0.2, 0.3],
         scratch: vec![f64::NAN; needed],
@@ -144,7 +144,7 @@ fn options_and_limits_are_read() {
     }
 
     let mut bent = arm();
-    bent.goals[0] = Goal { link: 1, angular: [0.0; 3], linear: [1.0; 3] };
+    bent.goals[0] = Goal { link: 1, angular: [0.0; 3], linear: [1.0; 3], point: [0.0; 3] };
     bent.target = [0.0, 0.0, 0.0, 1.0, -0.25, 0.0, 0.0, 0.0];
     assert_eq!(bent.reach(ptr::null(), ptr::null()), Status::Ok);
     assert_eq!(bent.report.outcome, Outcome::AtLimits as i32, "{:?}", bent.report);
@@ -177,7 +177,7 @@ fn a_goal_for_a_link_that_no_joint_moves_is_refused() {
 #[test]
 fn a_posture_is_read() {
     let mut arm = arm();
-    arm.goals[0] = Goal { link: 3, angular: [0.0; 3], linear: [1.0; 3] };
+    arm.goals[0] = Goal { link: 3, angular: [0.0; 3], linear: [1.0; 3], point: [0.0; 3] };
     let posture = [0.4, 0.9, -0.7];
     assert_eq!(arm.reach(posture.as_ptr(), ptr::null()), Status::Ok);
     assert_eq!(arm.report.outcome, Outcome::Converged as i32);
@@ -201,7 +201,7 @@ fn what_is_wrong_has_its_number_and_nothing_is_written() {
     wrong(|arm| arm.goals[0].linear[1] = -1.0, Status::Weight);
     wrong(|arm| arm.goals[0].angular[1] = f64::NAN, Status::Weight);
     wrong(
-        |arm| arm.goals[0] = Goal { link: 3, angular: [0.0; 3], linear: [0.0; 3] },
+        |arm| arm.goals[0] = Goal { link: 3, angular: [0.0; 3], linear: [0.0; 3], point: [0.0; 3] },
         Status::Weight,
     );
     wrong(|arm| _ = arm.scratch.pop(), Status::Length);

@@ -66,7 +66,8 @@ fn run(args: &Args) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-fn load(path: &Path) -> Result<Clip, Box<dyn Error>> {
+/// A clip from a file; a warning goes to standard error.
+pub fn load(path: &Path) -> Result<Clip, Box<dyn Error>> {
     let shown = path.display();
     let bytes = fs::read(path).map_err(|error| format!("cannot read {shown}: {error}"))?;
     let title =

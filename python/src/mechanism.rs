@@ -369,6 +369,7 @@ impl Mechanism {
                 max_step,
                 damping,
                 restarts,
+                ..Options::default()
             },
         };
         if is_single([&search.targets, &search.values]) {

@@ -190,6 +190,7 @@ fn options<R: Number>(options: &Options<f64>) -> PyResult<Options<R>> {
         max_step: number("max_step", "more than 0", options.max_step, |step| step > 0.0)?,
         damping: number("damping", "finite and at least 0", options.damping, damping)?,
         restarts: options.restarts,
+        ..Options::default()
     })
 }
 

@@ -6,7 +6,7 @@
 //! | item | what it is |
 //! |---|---|
 //! | [`Joint`], [`JointKind`], [`Mimic`] | how a link is joined to the one that carries it |
-//! | [`Mechanism`], [`Step`] | a tree of joints, or an arm from screws, checked once, in memory of the caller |
+//! | [`Mechanism`], [`Step`] | a tree of joints, or an arm from screws or a table ([`Dh`]), checked once, in memory of the caller |
 //! | [`Job`] | a run over many configurations, with options |
 //! | [`OwnedMechanism`] | the same with memory of its own (feature `alloc`) |
 //! | [`World`], [`Body`], [`WorldAligned`] | the frame of a Jacobian |
@@ -24,6 +24,8 @@
 //! | [`Mechanism::link_pose`] | `mechanism.job().links(&links).poses(…)` |
 //! | [`Mechanism::link_jacobian`] | `mechanism.job().links(&links).jacobians(…)` |
 //! | [`Reach::solve`] | [`ReachJob::solve`](ik::ReachJob::solve) |
+//! | [`Reach::track`] | [`ReachJob::sequence`](ik::ReachJob::sequence) |
+//! | [`Reach::rates`] | [`ReachJob::rates_in`](ik::ReachJob::rates_in) |
 //! | [`Mechanism::link_velocities`] | [`Job::velocities`] |
 //! | [`Mechanism::link_accelerations`] | [`Job::accelerations`] |
 //! | [`Mechanism::link_points`] | [`Job::points`] |
@@ -59,29 +61,21 @@
 //!
 //! # Denavit–Hartenberg parameters
 //!
-//! A joint turns *before* its own d, a and α move on, so the placement of joint j is the product of the d, a and α of
-//! joint j − 1 (the identity for the first), and what those of the last joint move is a fixed link at the end. In the
-//! modified form (Craig), d, a and α come first, and a placement is that of the joint itself.
+//! [`Mechanism::from_dh`] takes both conventions. θ, d, a and α of a row, where θ is added to the value:
 //!
 //! ```
 //! use dq8::{DualQuat, Quat};
-//! use dq8_robot::{Joint, OwnedMechanism};
-//! // θ, d, a, α of two joints; θ are the values.
-//! let table = [[0.3, 0.2, 1.0, 0.5], [-0.7, 0.1, 0.5, 0.0]];
+//! use dq8_robot::{Dh, DhConvention, OwnedMechanism};
+//! let table = [Dh::hinge(0.0, 0.2, 1.0, 0.5), Dh::hinge(0.0, 0.1, 0.5, 0.0)];
+//! let arm = OwnedMechanism::from_dh(&table, DhConvention::Standard, DualQuat::IDENTITY)?;
 //! let turn = |axis, angle| DualQuat::from_rotation(Quat::from_axis_angle(axis, angle));
-//! let on = |[_, d, a, alpha]: [f64; 4]| {
-//!     DualQuat::from_translation([a, 0.0, d]) * turn([1.0, 0.0, 0.0], alpha)
+//! let book = |row: Dh<f64>, value| {
+//!     turn([0.0, 0.0, 1.0], value)
+//!         * DualQuat::from_translation([row.a, 0.0, row.d])
+//!         * turn([1.0, 0.0, 0.0], row.alpha)
 //! };
-//! let (mut joints, mut placement) = (Vec::new(), DualQuat::IDENTITY);
-//! for (joint, row) in table.into_iter().enumerate() {
-//!     joints.push(Joint::revolute(joint.checked_sub(1), placement, [0.0, 0.0, 1.0]));
-//!     placement = on(row);
-//! }
-//! joints.push(Joint::fixed(Some(1), placement));
-//! let arm = OwnedMechanism::new(&joints)?;
-//! let tool = arm.view().link_pose(&[0.3, -0.7], 2)?;
-//! let book = table.map(|row| turn([0.0, 0.0, 1.0], row[0]) * on(row));
-//! assert!(tool.abs_diff_eq(book[0] * book[1], 1e-15));
+//! let tool = arm.link_pose(&[0.3, -0.7], 2)?;
+//! assert!(tool.abs_diff_eq(book(table[0], 0.3) * book(table[1], -0.7), 1e-15));
 //! # Ok::<(), Box<dyn core::error::Error>>(())
 //! ```
 //!
@@ -108,6 +102,6 @@ pub use ik::{Goal, Reach};
 #[cfg(feature = "alloc")]
 pub use mechanism::OwnedMechanism;
 pub use mechanism::{
-    AllLinks, Body, JacobianFrame, Job, Joint, JointKind, JointValues, Mechanism, MechanismError,
-    Mimic, Step, World, WorldAligned,
+    AllLinks, Body, Dh, DhConvention, JacobianFrame, Job, Joint, JointKind, JointValues, Mechanism,
+    MechanismError, Mimic, Step, World, WorldAligned,
 };

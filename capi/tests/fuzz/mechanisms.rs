@@ -90,6 +90,7 @@ unsafe fn searches(fuzz: &mut Fuzz, of: *const Mechanism<f32>, values: usize, li
             link: fuzz.below(reached),
             angular: [(); 3].map(|()| weight(fuzz)),
             linear: [(); 3].map(|()| weight(fuzz)),
+            point: [(); 3].map(|()| weight(fuzz)),
         })
         .collect();
     let mut targets = fuzz.numbers(8 * goals.len());

@@ -117,7 +117,8 @@ macro_rules! all {
             let joints = [joint::<$R>(-1, JointKind::Revolute)];
             let mut steps = [const { MaybeUninit::<Step<$R>>::uninit() }; 1];
             let mut made = MaybeUninit::<Mechanism<$R>>::zeroed();
-            let goals = [Goal::<$R> { link: 0, angular: [1.0; 3], linear: [1.0; 3] }];
+            let goals =
+                [Goal::<$R> { link: 0, angular: [1.0; 3], linear: [1.0; 3], point: [0.0; 3] }];
             let target: [$R; 8] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0];
             // One memory for options and all that is written, so that the one can lie over the other.
             let mut memory = [0.0 as $R; 1024];

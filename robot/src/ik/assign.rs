@@ -7,22 +7,58 @@ use super::search::{Search, with_lane};
 use dq8::{Real, Scalar};
 use dq8_simd::Lanes;
 
-impl<L: Lanes<Real: Scalar>> Search<'_, L> {
+impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
     /// Gives a lane the next configuration that can be sought; it is idle if there is none.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn refill(&mut self, lane: usize) {
         // Configurations that cannot be sought are reported on the way and take no place in a lane.
         let mut next = Lane::IDLE;
-        while next.configuration.is_none() && self.next < self.work.reports.len() {
-            match self.load(lane, self.next) {
-                Some(out_of_reach) => next = Lane::new(self.next, out_of_reach),
-                None => self.report(self.next, &Lane::IDLE, Outcome::Invalid),
+        let last = self.lanes.get(lane).copied().unwrap_or(Lane::IDLE);
+        let (mut before, mut rest) = (last.configuration, last.rest);
+        while next.configuration.is_none()
+            && let Some(configuration) = self.following(before, &mut rest)
+        {
+            match self.load(lane, configuration) {
+                Some(out_of_reach) => {
+                    next = Lane::new(configuration, out_of_reach);
+                    next.rest = rest;
+                }
+                None => self.report(configuration, &Lane::IDLE, Outcome::Invalid),
             }
-            self.next += 1;
+            before = Some(configuration);
         }
         if let Some(slot) = self.lanes.get_mut(lane) {
             *slot = next;
         }
+    }
+
+    /// The next frame of a clip, with the values of the one before, or the first of the next clip; where there are no clips,
+    /// the next configuration.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn following(&mut self, before: Option<usize>, rest: &mut usize) -> Option<usize> {
+        if let (Some(before), 1..) = (before, *rest) {
+            *rest -= 1;
+            let count = self.model.reach.mechanism.values;
+            let pair = self.work.values.get_mut(before * count..).unwrap_or_default();
+            if let Some((from, to)) = pair.split_at_mut_checked(count) {
+                for (to, &from) in to.iter_mut().zip(from.iter()) {
+                    *to = from;
+                }
+            }
+            return Some(before + 1);
+        }
+        let first = self.next;
+        let mut frames = 1;
+        if let Some(clips) = self.work.clips {
+            // Of those without a frame nothing is asked.
+            let left = clips.get(self.clip..)?;
+            let skipped = left.iter().position(|&frames| frames > 0)?;
+            frames = left.get(skipped).copied()?;
+            self.clip += skipped + 1;
+        }
+        *rest = frames - 1;
+        self.next += frames;
+        (first < self.work.reports.len()).then_some(first)
     }
 
     /// Puts the targets and the start of a configuration into a lane, and says whether a target is beyond
@@ -55,8 +91,10 @@ impl<L: Lanes<Real: Scalar>> Search<'_, L> {
                 scratch.goals.set_number(index * GOAL + row, lane, number);
             }
         }
-        // Unless the caller says otherwise, an eighth of the longest way to a goal weighs as much as a radian.
-        let eighth = || reach.typical_length_to(targets, values) * L::Real::from(0.125);
+        // Unless the caller says otherwise, an eighth of the longest way to a goal weighs as much as a radian. Weights of what
+        // follows do not change on the way.
+        let longest = || if TRACK { reach.size } else { reach.typical_length_to(targets, values) };
+        let eighth = || longest() * L::Real::from(0.125);
         let length = self.work.options.length_per_radian.unwrap_or_else(eighth);
         if !length.is_finite() {
             return None;

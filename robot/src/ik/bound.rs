@@ -14,10 +14,11 @@ impl<R: Real> Reach<'_, R> {
     /// end), no joint carries the link, or there is no such goal.
     #[must_use]
     pub fn reach_bound(&self, goal: usize) -> Option<([R; 3], R)> {
-        let mut link = self.goals.get(goal)?.link;
+        let goal = self.goals.get(goal)?;
+        let mut link = goal.link;
         // From the link to the base. What lies below the lowest joint that moves is rigid: it places the centre, and adds
         // nothing to the distance, so the base is kept at the last joint with a value.
-        let (mut length, mut base) = (R::ZERO, None);
+        let (mut length, mut base) = (vector::norm(goal.point), None);
         while let Some(step) = self.mechanism.step(link) {
             if step.kind.values() > 0 {
                 length += self.slide(step);
@@ -60,7 +61,7 @@ impl<R: Real> Reach<'_, R> {
     pub(super) fn typical_length(&self) -> R {
         let mut longest = R::ZERO;
         for goal in self.goals {
-            let (mut length, mut link) = (R::ZERO, goal.link);
+            let (mut length, mut link) = (vector::norm(goal.point), goal.link);
             while let Some(step) = self.mechanism.step(link) {
                 let slide = self.slide(step);
                 length += if slide.is_finite() { slide } else { R::ZERO };

@@ -12,7 +12,7 @@ use dq8_simd::Lanes;
 /// Where a goal keeps the twist of its link.
 const MOVED: usize = TARGET + POSE + TURN;
 
-impl<L: Lanes<Real: Scalar>> Model<'_, L> {
+impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     /// The columns of the Jacobian of all goals. `bent` by half of the last changes, they are of second order:
     /// what a link does is a product of exponentials, whose logarithm is (Baker, Campbell, Hausdorff)
     ///

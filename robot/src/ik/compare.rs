@@ -9,7 +9,7 @@ use dq8::batch::{DualQuat, vector};
 use dq8::{Real, Scalar};
 use dq8_simd::Lanes;
 
-impl<L: Lanes<Real: Scalar>> Model<'_, L> {
+impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     /// The errors of the poses that have been computed last: from the targets of their lanes, or all from
     /// those of one lane.
     #[cfg_attr(not(opt_level_0), inline(always))]

@@ -1,4 +1,5 @@
 use core::fmt;
+use dq8::ShapeError;
 
 /// What cannot be asked of a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,6 +24,15 @@ pub enum ReachError {
         /// The component: 0 to 2 of the rotation, 3 to 5 of the position.
         component: usize,
         /// The weight.
+        value: f64,
+    },
+    /// A point of a goal that is not finite.
+    Point {
+        /// The goal.
+        goal: usize,
+        /// The component.
+        component: usize,
+        /// What it is.
         value: f64,
     },
     /// All weights of a goal are zero.
@@ -81,6 +91,12 @@ impl fmt::Display for ReachError {
                 f,
                 "component {component} of goal {goal} cannot weigh {value}: weights are zero, or from 1e-6 to 1e6"
             ),
+            Self::Point { goal, component, value } => {
+                write!(
+                    f,
+                    "component {component} of the point of goal {goal} is not finite: {value}"
+                )
+            }
             Self::NoWeight { goal } => write!(f, "all weights of goal {goal} are zero"),
             Self::Unmoved { goal, link } => {
                 write!(f, "goal {goal} is for link {link}, and no joint that carries it moves")
@@ -104,3 +120,49 @@ impl fmt::Display for ReachError {
 }
 
 impl core::error::Error for ReachError {}
+
+/// What rates cannot be asked for.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum RatesError {
+    /// Lengths that do not fit.
+    Shape(ShapeError),
+    /// A damping that is negative or not finite.
+    Damping {
+        /// What it is.
+        value: f64,
+    },
+    /// A joint value that is not finite.
+    Value {
+        /// Which one.
+        index: usize,
+        /// What it is.
+        value: f64,
+    },
+    /// A velocity that is not finite.
+    Twist {
+        /// Which one.
+        index: usize,
+        /// The number in it.
+        value: f64,
+    },
+}
+
+impl From<ShapeError> for RatesError {
+    fn from(error: ShapeError) -> Self {
+        Self::Shape(error)
+    }
+}
+
+impl fmt::Display for RatesError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Shape(error) => error.fmt(f),
+            Self::Damping { value } => write!(f, "the damping is negative or not finite: {value}"),
+            Self::Value { index, value } => write!(f, "value {index} is not finite: {value}"),
+            Self::Twist { index, value } => write!(f, "twist {index} is not finite: {value}"),
+        }
+    }
+}
+
+impl core::error::Error for RatesError {}

@@ -6,7 +6,8 @@ use crate::mechanism::placed::Placed;
 use crate::mechanism::step::NONE;
 use crate::mechanism::values::JointNumbers;
 use crate::mechanism::walk::{Joined, moved};
-use dq8::Scalar;
+use dq8::batch::vector;
+use dq8::{Real, Scalar};
 use dq8_simd::Lanes;
 
 /// Of which values.
@@ -27,7 +28,7 @@ impl<L: Lanes> JointNumbers<L> for Numbers<'_, '_, L> {
     }
 }
 
-impl<L: Lanes<Real: Scalar>> Model<'_, L> {
+impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     /// The poses of the links with goals, from the base up; links that carry none are left out.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn place(&mut self, of: Of) {
@@ -38,6 +39,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
             Of::Candidates => &scratch.candidate,
         };
         let mut numbers = Numbers(values);
+        let one_half = L::splat(level, L::Real::HALF);
         let (mut position, mut twist) = (0, 0);
         while let Some(step) = reach.mechanism.steps.get(position) {
             if !reach.moves_goal(position) {
@@ -61,7 +63,12 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
             }
             for (index, goal) in reach.goals.iter().enumerate() {
                 if goal.link == step.link as usize {
-                    put(&mut scratch.goals, index * GOAL + TARGET, pose);
+                    let mut there = pose;
+                    if goal.is_off() {
+                        let half = vector::scale(vector::splat(level, goal.point), one_half);
+                        there.half = pose.moved(half);
+                    }
+                    put(&mut scratch.goals, index * GOAL + TARGET, there);
                 }
             }
         }

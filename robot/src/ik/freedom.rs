@@ -17,6 +17,12 @@ pub struct Freedom<R> {
     pub(super) share: u64,
     /// Of the freedom for this rate, its place among those that move a goal.
     pub(super) column: u32,
+    /// The freedom that carries it, how many carry it in all, the first of its entries in the system of the tree, and
+    /// the first row of its twist.
+    pub(super) above: u32,
+    pub(super) depth: u32,
+    pub(super) first: u32,
+    pub(super) twist: u32,
 }
 
 /// What changes.
@@ -35,7 +41,17 @@ pub(super) enum Kind {
 impl<R: Real> Default for Freedom<R> {
     /// Memory to be written.
     fn default() -> Self {
-        Self { kind: Kind::Turn, range: Range::NONE, value: NONE, share: 0, column: NONE }
+        Self {
+            kind: Kind::Turn,
+            range: Range::NONE,
+            value: NONE,
+            share: 0,
+            column: NONE,
+            above: NONE,
+            depth: 0,
+            first: 0,
+            twist: 0,
+        }
     }
 }
 
@@ -85,7 +101,8 @@ impl<R: Real> Freedom<R> {
         let [low, high] = step.limits.unwrap_or(whole);
         let turns = if is_hinge { Turns::Stop } else { Turns::Matter };
         let value = step.value.saturating_add(value as u32);
-        Self { kind, range: Range { low, high, turns }, value, share: 0, column: NONE }
+        let range = Range { low, high, turns };
+        Self { kind, range, value, ..Self::default() }
     }
 }
 

@@ -37,8 +37,8 @@ use dq8_simd::{Level, MAX_LANES};
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct ReachJob<'a, R> {
-    reach: Reach<'a, R>,
-    choice: Choice,
+    pub(super) reach: Reach<'a, R>,
+    pub(super) choice: Choice,
 }
 
 impl<'a, R: Copy> Reach<'a, R> {
@@ -71,20 +71,22 @@ impl<R: Scalar> ReachJob<'_, R> {
         options: &Options<R>,
     ) -> Result<(), ShapeError> {
         let count = self.reach.batch_scratch_len();
-        let work = Work { targets, values, reports, options };
+        let work = Work { targets, values, reports, options, clips: None };
         work.check(&self.reach, count, count)?;
         let backend = self.choice.instructions();
-        let run = |work: Work<'_, R>| self.run(backend, work, &mut alloc::vec![R::ZERO; count]);
+        let run = |work: Work<'_, R>| {
+            self.run::<true, false>(backend, work, &mut alloc::vec![R::ZERO; count])
+        };
         #[cfg(feature = "rayon")]
         if backend.many() {
-            let Work { targets, values, reports, options } = work;
+            let Work { targets, values, reports, options, .. } = work;
             let (goals, count) = (self.reach.goals.len(), self.reach.mechanism.values);
             let outputs = ((reports, 1), (values, count));
             let grain = grain(outputs.0.0.len());
             backend.share(grain, outputs, &|first, part: (Rows<Report<R>>, Rows<R>)| {
                 let ((reports, _), (values, _)) = part;
                 let targets = targets.get(first * goals..).unwrap_or_default();
-                run(Work { targets, values, reports, options });
+                run(Work { targets, values, reports, options, clips: None });
             });
             return Ok(());
         }
@@ -105,15 +107,20 @@ impl<R: Scalar> ReachJob<'_, R> {
         reports: &mut [Report<R>],
         options: &Options<R>,
     ) -> Result<(), ShapeError> {
-        let work = Work { targets, values, reports, options };
+        let work = Work { targets, values, reports, options, clips: None };
         work.check(&self.reach, scratch.len(), self.reach.batch_scratch_len())?;
-        self.run(self.choice.instructions(), work, scratch);
+        self.run::<true, false>(self.choice.instructions(), work, scratch);
         Ok(())
     }
 
     /// What has been checked.
-    fn run(&self, backend: Backend, work: Work<'_, R>, scratch: &mut [R]) {
-        backend.run(Targets { reach: &self.reach, work, scratch });
+    pub(super) fn run<const AGAIN: bool, const TRACK: bool>(
+        &self,
+        backend: Backend,
+        work: Work<'_, R>,
+        scratch: &mut [R],
+    ) {
+        backend.run(Targets::<R, AGAIN, TRACK> { reach: &self.reach, work, scratch });
     }
 }
 
@@ -126,20 +133,20 @@ fn grain(configurations: usize) -> usize {
 }
 
 /// Many configurations; lengths have been checked.
-struct Targets<'s, R> {
+struct Targets<'s, R, const AGAIN: bool, const TRACK: bool> {
     reach: &'s Reach<'s, R>,
     work: Work<'s, R>,
     scratch: &'s mut [R],
 }
 
-impl<R: Scalar> Kernel for Targets<'_, R> {
+impl<R: Scalar, const AGAIN: bool, const TRACK: bool> Kernel for Targets<'_, R, AGAIN, TRACK> {
     type Output = ();
 
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) {
         let Self { reach, work, scratch } = self;
-        if let Some(model) = Model::<R::Lanes<V>>::new(level, reach, work.options, scratch) {
-            Search::new(model, work, &mut [Lane::IDLE; MAX_LANES]).run::<true>();
+        if let Some(model) = Model::<R::Lanes<V>, TRACK>::new(level, reach, work.options, scratch) {
+            Search::new(model, work, &mut [Lane::IDLE; MAX_LANES]).run::<AGAIN>();
         }
     }
 }

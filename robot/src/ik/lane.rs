@@ -50,6 +50,8 @@ pub(super) struct Seen<R> {
 pub(super) struct Lane<R> {
     /// Which one; none if the lane is idle.
     pub(super) configuration: Option<usize>,
+    /// How many frames of its clip are left.
+    pub(super) rest: usize,
     pub(super) iterations: u32,
     pub(super) restarts: u32,
     pub(super) out_of_reach: bool,
@@ -87,6 +89,7 @@ pub(super) enum Next {
 impl<R: Real> Lane<R> {
     pub(super) const IDLE: Self = Self {
         configuration: None,
+        rest: 0,
         iterations: 0,
         restarts: 0,
         out_of_reach: false,
@@ -123,12 +126,17 @@ impl<R: Real> Lane<R> {
         seen: Seen<R>,
         options: &Options<R>,
         has_posture: bool,
+        weighs: bool,
     ) -> (bool, Next) {
         let arrived = seen.angular <= options.angular_tolerance
             && seen.linear <= options.linear_tolerance
             && !self.out_of_reach;
         // Judged before anything ends: what is reported is the best, whichever pose is the last.
-        let is_best = self.is_best(&seen, arrived);
+        let is_best = if weighs {
+            self.is_fresh || seen.square < self.best.square
+        } else {
+            self.is_best(&seen, arrived)
+        };
         if is_best {
             self.best = seen;
         }
@@ -136,6 +144,11 @@ impl<R: Real> Lane<R> {
         if self.is_fresh && !seen.square.is_finite() {
             self.is_invalid = true;
             return (false, Next::End);
+        }
+        if weighs {
+            // A wish that always acts is not done with the targets.
+            self.converged = if is_best { arrived } else { self.converged };
+            return (is_best, self.toward_targets(&seen, options));
         }
         if arrived && !has_posture {
             self.converged = true;
@@ -163,7 +176,7 @@ impl<R: Real> Lane<R> {
     /// part of the iterations is for steps from the nearest pose so far, without another beginning.
     fn toward_targets(&mut self, seen: &Seen<R>, options: &Options<R>) -> Next {
         let may_restart = options.restarts && !self.out_of_reach && !self.settles;
-        let is_stuck = self.is_stuck(seen, may_restart);
+        let is_stuck = self.is_stuck(seen, may_restart) | self.gains_little(seen, options);
         self.ever_stuck |= is_stuck;
         self.adapt_caution(seen, may_restart || self.begins);
         (self.is_fresh, self.begins, self.square) = (false, is_stuck, seen.square);
@@ -195,6 +208,17 @@ impl<R: Real> Lane<R> {
             self.idle_steps += 1;
         }
         self.idle_steps >= patience || is_hopeless
+    }
+
+    /// Whether the last step gained less than is asked of one.
+    fn gains_little(&mut self, seen: &Seen<R>, options: &Options<R>) -> bool {
+        let asked = self.square * (R::ONE - options.least_gain);
+        // NaN gains nothing.
+        let gains = seen.square < asked;
+        let is_little = options.least_gain > R::ZERO && !self.begins && !gains;
+        // It is no iteration that was missing.
+        self.idle_steps += u32::from(is_little);
+        is_little
     }
 
     /// A step that led away makes the next ones shorter; one that did not gives half of that back.

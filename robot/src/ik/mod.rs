@@ -7,14 +7,16 @@
 //! | `OwnedReach` | the same with memory of its own (feature `alloc`) |
 //! | [`ReachJob`] | searches for many configurations, with options |
 //! | [`Options`], [`Report`], [`Outcome`] | how it searches, and how a search ended |
+//! | [`Reach::rates`], [`ReachJob::sequence`] | velocities; clips of frames |
 
 // `goal.rs`, `freedom.rs`, `problem.rs`, `error.rs`: what is asked, checked once, in memory of the caller
 // `bound.rs`: how far a link gets
-// `solve.rs`, `job.rs`: one configuration, and many
+// `solve.rs`, `job.rs`, `sequence.rs`: one configuration, many, and clips of frames
 // `search.rs`, `lane.rs`, `assign.rs`: the loop, what a lane does next, what it is given and gives back
 // `model.rs` with `forward.rs`, `compare.rs`, `columns.rs`, `wish.rs`, `step.rs`, `restart.rs`: what is computed of it, on lanes
+// `rates.rs`: velocities instead of places
 // `range.rs`, `report.rs`: values within limits; what a search is told, and what it tells
-// `normal.rs`: damped least squares of any size
+// `normal.rs`, `tree.rs`: damped least squares of any size; of many goals, in the shape of the tree
 // `scratch.rs`: numbers of all lanes in memory of the caller
 
 mod assign;
@@ -33,15 +35,18 @@ mod normal;
 mod owned;
 mod problem;
 mod range;
+mod rates;
 mod report;
 mod restart;
 mod scratch;
 mod search;
+mod sequence;
 mod solve;
 mod step;
+mod tree;
 mod wish;
 
-pub use error::ReachError;
+pub use error::{RatesError, ReachError};
 pub use freedom::Freedom;
 pub use goal::Goal;
 pub use job::ReachJob;

@@ -6,11 +6,25 @@ use super::scratch::Scratch;
 use dq8::Scalar;
 use dq8_simd::Lanes;
 
-pub(super) struct Model<'s, L: Lanes> {
+/// With `TRACK`, steps are of first order, and of many goals in the shape of the tree: a constant of the type, so that
+/// firmware that does not follow many goals does not hold it.
+pub(super) struct Model<'s, L: Lanes, const TRACK: bool> {
     pub(super) level: L::Level,
     pub(super) reach: &'s Reach<'s, L::Real>,
     pub(super) scales: Scales<L>,
     pub(super) scratch: Scratch<'s, L>,
+    pub(super) follows: Follows<L>,
+}
+
+/// How a target that moves is followed.
+#[derive(Clone, Copy)]
+pub(super) struct Follows<L> {
+    /// Whether in the shape of the tree.
+    by_tree: bool,
+    /// Whether the posture or the start weighs something, and the squares of both.
+    pub(super) weighs: bool,
+    pub(super) posture: L,
+    pub(super) start: L,
 }
 
 /// What makes lengths and radians comparable, and what keeps a step short.
@@ -45,7 +59,7 @@ pub(super) struct Stepped<L> {
     pub(super) moved: L,
 }
 
-impl<'s, L: Lanes<Real: Scalar>> Model<'s, L> {
+impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Model<'s, L, TRACK> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn new(
         level: L::Level,
@@ -63,6 +77,20 @@ impl<'s, L: Lanes<Real: Scalar>> Model<'s, L> {
             longest: L::splat(level, options.longest_step()),
             least_damping: damping * damping,
         };
-        Some(Self { level, reach, scales, scratch })
+        let square = |weight: L::Real| L::splat(level, weight * weight);
+        let posture = reach.posture.map_or(L::Real::default(), |_| options.posture_weight);
+        let follows = Follows {
+            by_tree: TRACK && reach.is_by_tree(options),
+            weighs: reach.weighs(options),
+            posture: square(posture),
+            start: square(options.start_weight),
+        };
+        Some(Self { level, reach, scales, scratch, follows })
+    }
+
+    /// Whether the system has the shape of the tree.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn is_by_tree(&self) -> bool {
+        TRACK && self.follows.by_tree
     }
 }

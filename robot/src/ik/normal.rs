@@ -7,12 +7,12 @@ use dq8::batch::vector::epsilon;
 use dq8_simd::Lanes;
 
 /// A λ² that is none, but not zero.
-const FLOOR: f64 = 1e-30;
+pub(super) const FLOOR: f64 = 1e-30;
 
 /// Those of a pose, for which the compiler lays all of it out.
 const POSE: usize = 6;
 
-impl<L: Lanes<Real: Scalar>> Model<'_, L> {
+impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     /// y with (JJᵀ + λ²1) y = e, so that Jᵀy is the x that makes |Jx − e|² + λ²|x|² least (Nakamura & Hanafusa
     /// 1986; Wampler 1986; Buss 2004, eq. 11); held columns are zero. y takes the place of e in `solution`.
     #[cfg_attr(not(opt_level_0), inline(always))]

@@ -36,6 +36,7 @@ pub struct OwnedReach<R> {
     posture: Option<Vec<R>>,
     rows: usize,
     twists: usize,
+    tree: usize,
     size: R,
     is_endless: bool,
     bound: Option<([R; 3], R)>,
@@ -53,7 +54,7 @@ impl<R: Real> OwnedReach<R> {
     ) -> Result<Self, ReachError> {
         let goals = goals.into();
         let mut freedoms = vec![Freedom::default(); mechanism.view().rates()];
-        let Reach { freedoms: moving, rows, twists, size, is_endless, bound, .. } =
+        let Reach { freedoms: moving, rows, twists, tree, size, is_endless, bound, .. } =
             Reach::new(mechanism.view(), &goals, &mut freedoms)?;
         let moving = moving.len();
         let posture = None;
@@ -65,6 +66,7 @@ impl<R: Real> OwnedReach<R> {
             posture,
             rows,
             twists,
+            tree,
             size,
             is_endless,
             bound,
@@ -99,6 +101,7 @@ impl<R: Real> OwnedReach<R> {
             posture: self.posture.as_deref(),
             rows: self.rows,
             twists: self.twists,
+            tree: self.tree,
             size: self.size,
             is_endless: self.is_endless,
             bound: self.bound,
@@ -120,10 +123,27 @@ where
         values: &mut [R],
         options: &Options<R>,
     ) -> Result<Report<R>, ShapeError> {
+        self.with_scratch(|reach, scratch| reach.solve(targets, values, scratch, options))
+    }
+
+    /// See [`Reach::track`], likewise.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn track(
+        &mut self,
+        targets: &[DualQuat<R>],
+        values: &mut [R],
+        options: &Options<R>,
+    ) -> Result<Report<R>, ShapeError> {
+        self.with_scratch(|reach, scratch| reach.track(targets, values, scratch, options))
+    }
+
+    fn with_scratch<T>(&mut self, run: impl FnOnce(&Reach<'_, R>, &mut [R]) -> T) -> T {
         let mut scratch = core::mem::take(&mut self.scratch);
         scratch.resize(self.view().scratch_len(), R::ZERO);
-        let report = self.view().solve(targets, values, &mut scratch, options);
+        let result = run(&self.view(), &mut scratch);
         self.scratch = scratch;
-        report
+        result
     }
 }

@@ -1,6 +1,7 @@
 use super::error::ReachError;
 use super::freedom::{Freedom, freedoms};
 use super::goal::Goal;
+use super::tree::shape;
 use crate::mechanism::poses::carries;
 use crate::mechanism::step::Step;
 use crate::mechanism::tree::Mechanism;
@@ -56,6 +57,8 @@ pub struct Reach<'a, R> {
     /// How many components of errors there are, and how many screws.
     pub(super) rows: usize,
     pub(super) twists: usize,
+    /// How many entries the system has in the shape of the tree; none if it has not that shape.
+    pub(super) tree: usize,
     /// A length that is typical for the mechanism.
     pub(super) size: R,
     /// Whether something that moves a goal floats or slides without end, a thread too.
@@ -69,7 +72,7 @@ impl<'a, R: Real> Reach<'a, R> {
     ///
     /// # Errors
     /// If there is no goal, or one for a link that there is not or that no joint moves, or with weights that are neither
-    /// zero nor between 10⁻⁶ and 10⁶, or all zero; if there are fewer freedoms than rates; if the limits of a joint that moves a goal
+    /// zero nor between 10⁻⁶ and 10⁶, or all zero, or at a point that is not finite; if there are fewer freedoms than rates; if the limits of a joint that moves a goal
     /// and of what mimics it leave no value, or are angles that a float does not tell apart. `freedoms` may
     /// have been written.
     pub fn new(
@@ -95,6 +98,7 @@ impl<'a, R: Real> Reach<'a, R> {
         let steps = mechanism.steps;
         let moves = |position| moves_any(steps, position, goals);
         let count = self::freedoms(steps, of_rates, moves)?;
+        let tree = shape(steps, goals, of_rates, moves);
         let of_rates: &'a [Freedom<R>] = of_rates;
         let mut twists = 0;
         for (position, step) in steps.iter().enumerate() {
@@ -109,6 +113,7 @@ impl<'a, R: Real> Reach<'a, R> {
             posture: None,
             rows,
             twists,
+            tree,
             size: R::ONE,
             is_endless: false,
             bound: None,
@@ -117,7 +122,8 @@ impl<'a, R: Real> Reach<'a, R> {
         Ok(Self { size, is_endless, bound: reach.reach_bound(0), ..reach })
     }
 
-    /// With a preferred configuration: a search that has reached its targets goes on toward these values as far
+    /// With a preferred configuration. With an [`Options::posture_weight`](super::Options::posture_weight) it always acts;
+    /// without, a search that has reached its targets goes on toward these values as far
     /// as the goals leave freedom, until it is there to within the angular tolerance, comes no nearer in 60
     /// iterations, next to nothing moves (10⁻⁴ rad; so `max_step` should be more), or the iterations are used
     /// up. Weighs nothing against the goals (the null space of their Jacobian; Liégeois 1977). Beyond a limit,
@@ -209,6 +215,11 @@ fn check<R: Real>(goal: &Goal<R>, index: usize, links: usize) -> Result<(), Reac
         let is_moderate = weight >= R::from(1e-6) && weight <= R::from(1e6);
         if !(weight == R::ZERO || is_moderate) {
             return Err(ReachError::Weight { goal: index, component, value: weight.into() });
+        }
+    }
+    for (component, number) in goal.point.into_iter().enumerate() {
+        if !number.is_finite() {
+            return Err(ReachError::Point { goal: index, component, value: number.into() });
         }
     }
     if goal.rows() == 0 {

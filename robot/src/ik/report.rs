@@ -13,7 +13,8 @@ pub struct Options<R> {
     /// targets that can be reached with 100, and all of 200 with 1000.
     pub max_iterations: u32,
     /// How long a distance weighs as much as a radian, more than zero; `None` is an eighth of the longest way to
-    /// a goal, or, where something floats or slides without end, of the longer way that it has to go. It
+    /// a goal, or, where something floats or slides without end
+    /// and the search is none that [tracks](super::Reach::track), of the longer way that it has to go. It
     /// decides what is nearest where the target cannot be reached, and how fast it is reached where it can.
     pub length_per_radian: Option<R>,
     /// The most that a hinge turns in one step, radians, more than zero; more than a turn is as much as a
@@ -26,6 +27,16 @@ pub struct Options<R> {
     /// Whether to begin again from another configuration where the search got stuck. If false,
     /// converge from the given start only: right for tracking a target that moves.
     pub restarts: bool,
+    /// The part of the weighted squared error that a step must gain, from 0 to 1; one that gains less is the last, or where
+    /// there is another beginning, the last from this one. Where there are more goals than freedom nothing is reached, and
+    /// only this says that no more is to be had. Zero, the default, is no such end.
+    pub least_gain: R,
+    /// How much a radian from the [posture](super::Reach::with_posture) weighs against one from a target, everywhere and
+    /// always. Zero, the default, is what the goals leave free, after they are reached.
+    pub posture_weight: R,
+    /// How much a radian from the start weighs: of a target that moves, from the last frame. It takes the shaking out of
+    /// what goals determine little. Not of what floats, which it only makes slower.
+    pub start_weight: R,
 }
 
 /// 10⁻⁵ rad and 10⁻⁵ lengths, 100 iterations, steps of at most 1.5 rad, restarts.
@@ -39,11 +50,54 @@ impl<R: Real> Default for Options<R> {
             max_step: R::from(1.5),
             damping: R::ZERO,
             restarts: true,
+            least_gain: R::ZERO,
+            posture_weight: R::ZERO,
+            start_weight: R::ZERO,
         }
     }
 }
 
 impl<R: Real> Options<R> {
+    /// To reach a target from anywhere: the default.
+    #[must_use]
+    pub fn solve() -> Self {
+        Self::default()
+    }
+
+    /// To follow targets that move ([`Reach::track`](super::Reach::track)), from the last values: 10⁻⁴ rad and lengths, at most 3 steps, of which each must
+    /// gain a hundredth; damped by 0.1 rad; no restarts.
+    #[must_use]
+    pub fn track() -> Self {
+        let fine = R::from(1e-4);
+        Self {
+            angular_tolerance: fine,
+            linear_tolerance: fine,
+            max_iterations: 3,
+            damping: R::from(0.1),
+            restarts: false,
+            least_gain: R::from(1e-2),
+            ..Self::default()
+        }
+    }
+
+    /// The same options in other numbers, by way of `f64`.
+    #[must_use]
+    pub fn cast<S: Real>(&self) -> Options<S> {
+        let cast = |number: R| S::from_f64(number.into());
+        Options {
+            angular_tolerance: cast(self.angular_tolerance),
+            linear_tolerance: cast(self.linear_tolerance),
+            max_iterations: self.max_iterations,
+            length_per_radian: self.length_per_radian.map(cast),
+            max_step: cast(self.max_step),
+            damping: cast(self.damping),
+            restarts: self.restarts,
+            least_gain: cast(self.least_gain),
+            posture_weight: cast(self.posture_weight),
+            start_weight: cast(self.start_weight),
+        }
+    }
+
     /// The most that a hinge turns in one step: no more than a turn, which is where every hinge has been.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(crate) fn longest_step(&self) -> R {
@@ -60,6 +114,12 @@ impl<R: Real> Options<R> {
             && self.max_step > R::ZERO
             && self.damping >= R::ZERO
             && self.damping.is_finite()
+            && self.least_gain >= R::ZERO
+            && self.least_gain <= R::ONE
+            && self.posture_weight >= R::ZERO
+            && self.posture_weight.is_finite()
+            && self.start_weight >= R::ZERO
+            && self.start_weight.is_finite()
             && length > R::ZERO
             && length.is_finite()
     }
@@ -112,7 +172,7 @@ pub enum Outcome {
     Unfinished = 4,
     /// The target is farther than 10⁻³ from a unit motion (the norm of its real part, or its dual part
     /// along it), or a number is not finite, or a distance overflows; or an option is negative or NaN, a
-    /// damping or length per radian infinite, or a step or length per radian zero. The joint values are untouched, the errors NaN.
+    /// damping, weight or length per radian infinite, a gain above 1, or a step or length per radian zero. The joint values are untouched, the errors NaN.
     #[default]
     Invalid = 5,
 }

@@ -14,7 +14,7 @@ use dq8_simd::{Lanes, MAX_LANES};
 /// of 1,000 random targets of an arm of seven axes are reached.
 const CANDIDATES: usize = 4 * MAX_LANES;
 
-impl<L: Lanes<Real: Scalar>> Model<'_, L> {
+impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     /// Puts a lane at the nearest of the candidates of its next restart. What has been computed of the poses of
     /// other lanes is lost.
     #[cfg_attr(not(opt_level_0), inline(always))]

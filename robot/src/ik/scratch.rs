@@ -1,6 +1,7 @@
 //! Numbers of all lanes, in memory of the caller.
 
 use super::problem::Reach;
+use super::tree::BODY;
 use crate::mechanism::tree::Mechanism;
 use dq8::Scalar;
 use dq8_simd::{Lanes, MAX_LANES};
@@ -104,6 +105,11 @@ pub(super) struct Scratch<'s, L: Lanes> {
     pub(super) triangle: Rows<'s, L>,
     pub(super) reciprocals: Rows<'s, L>,
     pub(super) solution: Rows<'s, L>,
+    /// The same in the shape of the tree: the entries, their factors, the right side, and the bodies that wait.
+    pub(super) system: Rows<'s, L>,
+    pub(super) factor: Rows<'s, L>,
+    pub(super) right: Rows<'s, L>,
+    pub(super) bodies: Rows<'s, L>,
 }
 
 /// Rows of a goal: the target, drawn to where it may be reached, and the way that it was drawn; the pose (rotation and half the
@@ -135,7 +141,9 @@ impl<R: Copy> Reach<'_, R> {
         }
         let (values, freedoms) = (mechanism.values, mechanism.rates);
         let (rows, slots) = (goals.saturating_mul(6), slots(mechanism));
-        padded::<R>(Counts { values, twists, slots, goals, freedoms, rows }.numbers())
+        // A pose alone has no such system.
+        let tree = if rows > 6 { triangle(freedoms) } else { 0 };
+        padded::<R>(Counts { values, twists, slots, goals, freedoms, rows, tree }.numbers())
     }
 
     /// How many numbers a [`ReachJob`](super::ReachJob) needs to compute in, with any instructions.
@@ -153,6 +161,7 @@ struct Counts {
     goals: usize,
     freedoms: usize,
     rows: usize,
+    tree: usize,
 }
 
 impl Counts {
@@ -164,6 +173,7 @@ impl Counts {
             goals: reach.goals.len(),
             freedoms: reach.freedoms.len(),
             rows: reach.rows,
+            tree: reach.tree,
         }
     }
 
@@ -174,7 +184,17 @@ impl Counts {
         let goals = self.goals.saturating_mul(GOAL).saturating_add(self.rows.saturating_mul(4));
         let poses = self.slots.saturating_mul(POSE);
         let rest = poses.saturating_add(goals).saturating_add(triangle(self.rows));
-        values.saturating_add(freedoms).saturating_add(rest)
+        let bodies = self.bodies().saturating_mul(BODY);
+        let tree = self.tree.saturating_mul(2).saturating_add(self.right()).saturating_add(bodies);
+        values.saturating_add(freedoms).saturating_add(rest).saturating_add(tree)
+    }
+
+    fn right(&self) -> usize {
+        if self.tree > 0 { self.freedoms } else { 0 }
+    }
+
+    fn bodies(&self) -> usize {
+        if self.tree > 0 { self.slots } else { 0 }
     }
 }
 
@@ -197,12 +217,28 @@ fn triangle(rows: usize) -> usize {
 }
 
 impl<'s, L: Lanes<Real: Scalar>> Scratch<'s, L> {
+    /// Takes a column out of the system of rows, in some lanes.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn hold_column(
+        &mut self,
+        level: L::Level,
+        index: usize,
+        rows: usize,
+        held: L::Mask,
+    ) {
+        for row in index * rows..(index + 1) * rows {
+            let component = self.columns.get(level, row);
+            self.columns.set(row, L::select(held, component.constant(0.0), component));
+        }
+    }
+
     /// In memory that begins anywhere; `None` if there is too little.
     pub(super) fn new(reach: &Reach<'_, L::Real>, memory: &'s mut [L::Real]) -> Option<Self> {
         let counts = Counts::of(reach);
         let first = memory.as_ptr().align_offset(LINE);
         let mut rest = arrays::<L>(memory.get_mut(first..)?, counts.numbers())?;
-        let Counts { values, twists, slots, goals, freedoms, rows } = counts;
+        let (right, bodies) = (counts.right(), counts.bodies());
+        let Counts { values, twists, slots, goals, freedoms, rows, tree } = counts;
         Some(Self {
             values: take(&mut rest, values)?,
             start: take(&mut rest, values)?,
@@ -221,6 +257,10 @@ impl<'s, L: Lanes<Real: Scalar>> Scratch<'s, L> {
             triangle: take(&mut rest, triangle(rows))?,
             reciprocals: take(&mut rest, rows)?,
             solution: take(&mut rest, rows)?,
+            system: take(&mut rest, tree)?,
+            factor: take(&mut rest, tree)?,
+            right: take(&mut rest, right)?,
+            bodies: take(&mut rest, BODY * bodies)?,
         })
     }
 }

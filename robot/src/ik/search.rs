@@ -33,25 +33,28 @@ pub(super) struct Work<'s, R> {
     pub(super) values: &'s mut [R],
     pub(super) reports: &'s mut [Report<R>],
     pub(super) options: &'s Options<R>,
+    /// How many frames each clip has, of which each starts from the one before; none if all start from their own values.
+    pub(super) clips: Option<&'s [usize]>,
 }
 
-pub(super) struct Search<'s, L: Lanes> {
-    pub(super) model: Model<'s, L>,
+pub(super) struct Search<'s, L: Lanes, const TRACK: bool> {
+    pub(super) model: Model<'s, L, TRACK>,
     pub(super) work: Work<'s, L::Real>,
     pub(super) lanes: &'s mut [Lane<L::Real>],
-    /// The next configuration.
+    /// The next configuration, and the next clip.
     pub(super) next: usize,
+    pub(super) clip: usize,
 }
 
-impl<'s, L: Lanes<Real: Scalar>> Search<'s, L> {
+impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
     /// `lanes` are idle, and as many as `L` has, or more.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn new(
-        model: Model<'s, L>,
+        model: Model<'s, L, TRACK>,
         work: Work<'s, L::Real>,
         lanes: &'s mut [Lane<L::Real>],
     ) -> Self {
-        Self { model, work, lanes, next: 0 }
+        Self { model, work, lanes, next: 0, clip: 0 }
     }
 
     /// The search; with restarts if `AGAIN`: where there are none, firmware need not hold them.
@@ -174,10 +177,13 @@ impl<'s, L: Lanes<Real: Scalar>> Search<'s, L> {
         // Out of registers once per round: the decisions below are branches, and differ from lane to lane.
         let Apart { square, angular, linear } = apart;
         let [square, angular, linear] = [square.to_array(), angular.to_array(), linear.to_array()];
+        let has_posture = self.model.reach.posture.is_some();
+        let weighs = self.model.follows.weighs;
         let [wish, left, moved] = [wish.to_array(), last.left.to_array(), last.moved.to_array()];
         for index in 0..L::LANES {
+            let square = number::<L>(&square, index);
             let seen = Seen {
-                square: number::<L>(&square, index),
+                square: if weighs { square + number::<L>(&wish, index) } else { square },
                 angular: number::<L>(&angular, index),
                 linear: number::<L>(&linear, index),
                 wish: number::<L>(&wish, index),
@@ -188,8 +194,7 @@ impl<'s, L: Lanes<Real: Scalar>> Search<'s, L> {
             if lane.configuration.is_none() {
                 continue;
             }
-            let has_posture = self.model.reach.posture.is_some();
-            let (is_best, next) = lane.judge(seen, self.work.options, has_posture);
+            let (is_best, next) = lane.judge(seen, self.work.options, has_posture, weighs);
             lane.next = next;
             // Before the step overwrites them. A search may end far from its best.
             if is_best {

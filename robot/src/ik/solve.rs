@@ -42,7 +42,7 @@ where
         scratch: &mut [R],
         options: &Options<R>,
     ) -> Result<Report<R>, ShapeError> {
-        self.search::<true>(targets, values, scratch, options)
+        self.search::<true, false>(targets, values, scratch, options)
     }
 
     /// [`solve`](Self::solve) without [restarts](Options::restarts), whatever the options say: for a target that moves,
@@ -58,11 +58,29 @@ where
         options: &Options<R>,
     ) -> Result<Report<R>, ShapeError> {
         let options = Options { restarts: false, ..*options };
-        self.search::<false>(targets, values, scratch, &options)
+        self.search::<false, false>(targets, values, scratch, &options)
+    }
+
+    /// [`follow`](Self::follow) for many goals: steps are of first order, and of more than a pose by normal equations that
+    /// have the shape of the tree, in a fifth of the time or less; and where a length per radian is not
+    /// [given](Options::length_per_radian), weights stay what they are however far something that floats has gone.
+    /// [`Options::track`] is made for it, [`ReachJob::sequence`](super::ReachJob::sequence) does it for clips on lanes.
+    ///
+    /// # Errors
+    /// As [`solve`](Self::solve).
+    pub fn track(
+        &self,
+        targets: &[DualQuat<R>],
+        values: &mut [R],
+        scratch: &mut [R],
+        options: &Options<R>,
+    ) -> Result<Report<R>, ShapeError> {
+        let options = Options { restarts: false, ..*options };
+        self.search::<false, true>(targets, values, scratch, &options)
     }
 
     #[inline]
-    fn search<const AGAIN: bool>(
+    fn search<const AGAIN: bool, const TRACK: bool>(
         &self,
         targets: &[DualQuat<R>],
         values: &mut [R],
@@ -70,9 +88,9 @@ where
         options: &Options<R>,
     ) -> Result<Report<R>, ShapeError> {
         let mut reports = [Report::default()];
-        let work = Work { targets, values, reports: &mut reports, options };
+        let work = Work { targets, values, reports: &mut reports, options, clips: None };
         work.check(self, scratch.len(), self.scratch_len())?;
-        if let Some(model) = Model::<R>::new(Portable, self, work.options, scratch) {
+        if let Some(model) = Model::<R, TRACK>::new(Portable, self, work.options, scratch) {
             Search::new(model, work, &mut [Lane::IDLE]).run::<AGAIN>();
         }
         let [report] = reports;
@@ -91,6 +109,13 @@ impl<R: Copy> Work<'_, R> {
         let (goals, values) = (reach.goals.len(), reach.mechanism.values);
         same_length("targets", self.targets.len(), configurations.saturating_mul(goals))?;
         same_length("values", self.values.len(), configurations.saturating_mul(values))?;
+        if let Some(clips) = self.clips {
+            let mut frames = 0_usize;
+            for &count in clips {
+                frames = frames.saturating_add(count);
+            }
+            same_length("frames of clips", frames, configurations)?;
+        }
         if scratch < expected {
             return Err(ShapeError::Length { what: "scratch", length: scratch, expected });
         }

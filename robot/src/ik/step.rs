@@ -24,7 +24,7 @@ use dq8_simd::{Lanes, Mask};
 /// steps anything from 0.01 to 0.05 is as good, and better than ½.
 const DAMPING: f64 = 0.02;
 
-impl<L: Lanes<Real: Scalar>> Model<'_, L> {
+impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     /// Moves the lanes that run, damped `caution` times as much as usual; those that have arrived, toward the
     /// posture too.
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -37,14 +37,24 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     ) -> Stepped<L> {
         let damping = caution * caution.constant(DAMPING);
         let damping = apart.square.mul_add(damping, self.scales.least_damping);
-        self.keep_wishes(arrived);
+        let damping = if self.follows.weighs {
+            damping + (self.follows.posture + self.follows.start)
+        } else {
+            damping
+        };
+        self.keep_wishes(arrived, damping);
         // The first solution says how far everything moves. Where that pays, the step is solved again along columns that
         // are bent by half of it: a step of second order, Halley's.
         let zero = damping.constant(0.0);
         let mut limited = zero.lt(zero);
         // A loop, so that machine code has it once.
-        for order in 0..=usize::from(self.reach.bends()) {
-            self.linearize(order == 1);
+        let bends = !TRACK && self.reach.bends();
+        for order in 0..=usize::from(bends) {
+            if self.is_by_tree() {
+                self.assemble();
+            } else {
+                self.linearize(order == 1);
+            }
             limited = self.limited_step(damping, running);
         }
         // Nobody asks where a search cannot begin again.
@@ -55,17 +65,17 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
         Stepped { left, moved }
     }
 
+    /// How many errors the system has rows for.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn rows(&self) -> usize {
+        if self.is_by_tree() { 0 } else { self.reach.rows }
+    }
+
     /// Changes that no limit forbids, and where a limit stopped one.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn limited_step(&mut self, damping: L, running: L::Mask) -> L::Mask {
         let zero = damping.constant(0.0);
-        // `left` is what the free ones must still make up for. It begins as the whole error; each joint that is held
-        // takes off what it does on its way to the limit.
-        self.scratch.held.fill(zero);
-        self.scratch.changes.fill(zero);
-        for row in 0..self.reach.rows {
-            self.scratch.left.set(row, self.scratch.error.get(self.level, row));
-        }
+        self.begin_step();
         // Nowhere yet.
         let mut limited = zero.lt(zero);
         // Each round but the last holds one freedom more, in some lane, so there are no more rounds than freedoms and one.
@@ -81,17 +91,33 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
         limited
     }
 
+    /// Nothing is held, and nothing changed.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn begin_step(&mut self) {
+        let zero = self.scales.length.constant(0.0);
+        // `left` is what the free ones must still make up for. It begins as the whole error; each joint that is held
+        // takes off what it does on its way to the limit.
+        self.scratch.held.fill(zero);
+        self.scratch.changes.fill(zero);
+        for row in 0..self.rows() {
+            self.scratch.left.set(row, self.scratch.error.get(self.level, row));
+        }
+    }
+
     /// What the free ones should change, in radians, and the factor that makes the longest of it no longer
     /// than allowed.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn solve(&mut self, damping: L) -> L {
+    pub(super) fn solve(&mut self, damping: L) -> L {
         let (level, rows, zero) = (self.level, self.reach.rows, damping.constant(0.0));
-        let wishes = self.reach.posture.is_some();
+        let wishes = self.reach.posture.is_some() || self.follows.weighs;
+        if self.is_by_tree() {
+            self.solve_tree(damping, wishes);
+            return self.shrink();
+        }
         // y of (JJᵀ + λ²)y = e. Its size is that of the goals, six rows for a pose, however many joints there are.
         self.ask();
         self.solve_normal(damping);
         let scratch = &mut self.scratch;
-        let mut most = self.scales.longest;
         for (index, column) in scratch.columns.runs(rows).enumerate() {
             // z + Jᵀy; a held column is zero, so that only z must be taken out of it.
             let mut radians = if wishes {
@@ -105,9 +131,18 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
                 radians = L::load(level, component).mul_add(y, radians);
             }
             scratch.radians.set(index, radians);
+        }
+        self.shrink()
+    }
+
+    /// The factor that makes the longest turn no longer than allowed.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn shrink(&self) -> L {
+        let (zero, mut most) = (self.scales.longest.constant(0.0), self.scales.longest);
+        for (index, freedom) in self.reach.freedoms.iter().enumerate() {
             // What slides without end may have a long way to go.
-            let is_slide = self.reach.freedoms.get(index).is_some_and(Freedom::is_slide);
-            let length = if is_slide { zero } else { radians.abs() };
+            let radians = self.scratch.radians.get(self.level, index);
+            let length = if freedom.is_slide() { zero } else { radians.abs() };
             most = L::select(most.lt(length), length, most);
         }
         // All by the same factor: a step cut joint by joint would point elsewhere.
@@ -122,7 +157,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
         for row in 0..rows {
             scratch.solution.set(row, scratch.left.get(level, row));
         }
-        if self.reach.posture.is_none() {
+        if self.reach.posture.is_none() && !self.follows.weighs {
             return;
         }
         for (index, column) in scratch.columns.runs(rows).enumerate() {
@@ -138,7 +173,7 @@ impl<L: Lanes<Real: Scalar>> Model<'_, L> {
     /// there was one.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn take(&mut self, shrink: L) -> L::Mask {
-        let (level, rows, zero) = (self.level, self.reach.rows, shrink.constant(0.0));
+        let (level, rows, zero) = (self.level, self.rows(), shrink.constant(0.0));
         let one = zero.constant(1.0);
         let mut stopped = one.lt(zero);
         for (index, freedom) in self.reach.freedoms.iter().enumerate() {

@@ -2,6 +2,7 @@
 //! configuration of floats, `single.rs` the book.
 
 mod configuration;
+mod dh;
 mod error;
 mod factor;
 mod frame;
@@ -26,6 +27,7 @@ pub(crate) mod values;
 mod velocities;
 pub(crate) mod walk;
 
+pub use dh::{Dh, DhConvention};
 pub use error::MechanismError;
 pub use frame::{Body, JacobianFrame, World, WorldAligned};
 pub use job::{AllLinks, Job};

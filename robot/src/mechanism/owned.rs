@@ -1,4 +1,5 @@
 use super::Job;
+use super::dh::{Dh, DhConvention};
 use super::error::MechanismError;
 use super::joint::Joint;
 use super::step::Step;
@@ -49,6 +50,21 @@ impl<R: Real> OwnedMechanism<R> {
     ) -> Result<Self, MechanismError> {
         let mut steps = vec![Step::default(); screws.len() + 1];
         let Mechanism { values, rates, .. } = Mechanism::from_screws(screws, tool, &mut steps)?;
+        Ok(Self { steps, values, rates })
+    }
+
+    /// See [`Mechanism::from_dh`].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn from_dh(
+        rows: &[Dh<R>],
+        convention: DhConvention,
+        tool: DualQuat<R>,
+    ) -> Result<Self, MechanismError> {
+        let mut steps = vec![Step::default(); rows.len() + 1];
+        let made = Mechanism::from_dh(rows, convention, tool, &mut steps)?;
+        let Mechanism { values, rates, .. } = made;
         Ok(Self { steps, values, rates })
     }
 

@@ -70,6 +70,7 @@
 //! comments may hold any dashes, prefixes need no declaration, and a document type is skipped. Entities other than those
 //! of XML itself are an error, and so are elements more than 500 deep in each other.
 
+mod changed;
 mod element;
 mod encoding;
 mod error;
@@ -83,6 +84,7 @@ mod tree;
 mod warning;
 mod xml;
 
+pub use changed::ChangeError;
 pub use error::UrdfError;
 pub use robot::Robot;
 pub use warning::UrdfWarning;

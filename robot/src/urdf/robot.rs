@@ -13,15 +13,15 @@ use std::path::Path;
 /// The mechanism of a file, and its names.
 #[derive(Clone, Debug)]
 pub struct Robot {
-    name: String,
-    joints: Vec<Joint<f64>>,
-    mechanism: OwnedMechanism<f64>,
-    link_names: Vec<String>,
+    pub(super) name: String,
+    pub(super) joints: Vec<Joint<f64>>,
+    pub(super) mechanism: OwnedMechanism<f64>,
+    pub(super) link_names: Vec<String>,
     /// The number of each link.
-    links: HashMap<String, usize>,
-    joint_names: Vec<Option<String>>,
-    value_names: Vec<String>,
-    warnings: Vec<UrdfWarning>,
+    pub(super) links: HashMap<String, usize>,
+    pub(super) joint_names: Vec<Option<String>>,
+    pub(super) value_names: Vec<String>,
+    pub(super) warnings: Vec<UrdfWarning>,
 }
 
 impl Robot {
@@ -212,7 +212,7 @@ fn refused(source: MechanismError, nodes: &[Node<'_>], robot: &File) -> UrdfErro
     UrdfError::Mechanism { line, joint, source }
 }
 
-fn value_names(joints: &[Joint<f64>], names: &[Option<String>]) -> Vec<String> {
+pub(super) fn value_names(joints: &[Joint<f64>], names: &[Option<String>]) -> Vec<String> {
     let mut all = Vec::new();
     for (joint, name) in joints.iter().zip(names) {
         let (Some(name), None) = (name, joint.mimic) else { continue };

@@ -3,6 +3,7 @@
 
 mod arms;
 mod book;
+mod dh;
 mod empty;
 mod errors;
 mod far;

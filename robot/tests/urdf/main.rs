@@ -1,5 +1,6 @@
 //! Robots from URDF files: what is read, what is refused and what is reported.
 
+mod changed;
 mod elements;
 mod errors;
 mod large;

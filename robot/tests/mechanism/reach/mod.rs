@@ -11,6 +11,7 @@ mod owned;
 mod parallel;
 mod posture;
 mod refused;
+mod tracking;
 mod turns;
 mod units;
 

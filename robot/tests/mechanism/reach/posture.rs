@@ -10,7 +10,7 @@ use std::f64::consts::TAU;
 /// How long the part of the way to the posture is that the goal allows: next to nothing where no pose that
 /// reaches the target is nearer.
 fn across(arm: Mechanism<'_, f64>, goals: &[Goal<f64>; 1], values: &[f64], posture: &[f64]) -> f64 {
-    let [Goal { link, angular, linear }] = *goals;
+    let [Goal { link, angular, linear, .. }] = *goals;
     let count = values.len();
     let mut columns = vec![dq8::Twist::from_array([0.0; 6]); count];
     arm.link_jacobian(World, values, link, &mut columns).expect("lengths fit");

@@ -1,0 +1,265 @@
+//! The velocity controller: which rates give links the velocities that they should have.
+
+use super::compare::weigh;
+use super::error::RatesError;
+use super::forward::Of;
+use super::freedom::{Freedom, Kind};
+use super::job::ReachJob;
+use super::model::Model;
+use super::problem::Reach;
+use super::report::Options;
+use super::scratch::{GOAL, POSE, TARGET};
+use dq8::batch::{DualQuat, vector};
+use dq8::geometry::Twist;
+use dq8::storage::same_length;
+use dq8::{Kernel, Real, Scalar, ShapeError};
+use dq8_simd::{Lanes, Level, Mask, Portable};
+
+impl<R> Reach<'_, R>
+where
+    R: Scalar + Lanes<Real = R, Level = Portable, Mask = bool>,
+{
+    /// The rates at which the goals have these velocities, as nearly as they can: those that make
+    /// |W(Jq̇ − v)|² + λ²|q̇|² least, λ the `damping`, which keeps them small near singular poses (Nakamura & Hanafusa
+    /// 1986). A joint at a limit is not asked to go farther; the others make up for it. `twists[i]` is what goal i should
+    /// do: the angular velocity of its link and the velocity of its point, in the axes of the base
+    /// ([`WorldAligned`](crate::WorldAligned)). Weights are those of the goal, in the axes of its link; a length weighs as
+    /// much as the eighth of the mechanism's longest way to a goal. Rates of joints that carry no goal are zero.
+    ///
+    /// ```
+    /// use dq8::{DualQuat, Twist};
+    /// use dq8_robot::ik::{Goal, OwnedReach};
+    /// use dq8_robot::{Joint, OwnedMechanism};
+    /// let out = DualQuat::from_translation([1.0_f64, 0.0, 0.0]);
+    /// let joints = [(None, DualQuat::IDENTITY), (Some(0), out), (Some(1), out)]
+    ///     .map(|(on, at)| Joint::revolute(on, at, [0.0, 0.0, 1.0]));
+    /// let reach = OwnedReach::new(OwnedMechanism::new(&joints)?, [Goal::position(2)])?;
+    /// let (reach, mut scratch) = (reach.view(), vec![0.0; reach.view().scratch_len()]);
+    /// // Along y by 0.1 a second, with the elbow bent.
+    /// let along = Twist { angular: [0.0; 3], linear: [0.0, 0.1, 0.0] };
+    /// let mut rates = [0.0; 3];
+    /// reach.rates(&[0.0, 1.0, 0.0], &[along], 0.0, &mut rates, &mut scratch)?;
+    /// let y = rates[0] * (1.0 + 1_f64.cos()) + rates[1] * 1_f64.cos();
+    /// assert!((y - 0.1).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// If lengths do not fit, or a number is not finite or the damping negative: nothing is written.
+    pub fn rates(
+        &self,
+        values: &[R],
+        twists: &[Twist<R>],
+        damping: R,
+        rates: &mut [R],
+        scratch: &mut [R],
+    ) -> Result<(), RatesError> {
+        same_length("rates", rates.len(), self.mechanism.rates)?;
+        enough(scratch.len(), self.scratch_len())?;
+        let wanted = Wanted { values, twists, damping, rates };
+        wanted.check(self, 1)?;
+        run::<R>(Portable, self, wanted, scratch);
+        Ok(())
+    }
+}
+
+impl<R: Scalar> ReachJob<'_, R> {
+    /// [`Reach::rates`] for many configurations on the lanes of the CPU, without allocation, on the thread that calls:
+    /// `values` is `[configuration][value]`, `twists` `[configuration][goal]`, `rates` `[configuration][rate]`, and
+    /// `scratch` has [`batch_scratch_len`](Reach::batch_scratch_len) numbers or more.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn rates_in(
+        &self,
+        scratch: &mut [R],
+        values: &[R],
+        twists: &[Twist<R>],
+        damping: R,
+        rates: &mut [R],
+    ) -> Result<(), RatesError> {
+        let count =
+            dq8::storage::whole_instances("rates", self.reach.mechanism.rates, rates.len())?;
+        enough(scratch.len(), self.reach.batch_scratch_len())?;
+        let wanted = Wanted { values, twists, damping, rates };
+        wanted.check(&self.reach, count)?;
+        self.choice.instructions().run(Velocities { reach: &self.reach, wanted, scratch });
+        Ok(())
+    }
+}
+
+fn enough(length: usize, expected: usize) -> Result<(), ShapeError> {
+    let fits = length >= expected;
+    if fits { Ok(()) } else { Err(ShapeError::Length { what: "scratch", length, expected }) }
+}
+
+/// What is asked, and where the answer goes.
+struct Wanted<'s, R> {
+    values: &'s [R],
+    twists: &'s [Twist<R>],
+    damping: R,
+    rates: &'s mut [R],
+}
+
+impl<R: Real> Wanted<'_, R> {
+    fn check(&self, reach: &Reach<'_, R>, count: usize) -> Result<(), RatesError> {
+        let (goals, values) = (reach.goals.len(), reach.mechanism.values);
+        same_length("values", self.values.len(), count.saturating_mul(values))?;
+        same_length("twists", self.twists.len(), count.saturating_mul(goals))?;
+        if !(self.damping >= R::ZERO && self.damping.is_finite()) {
+            return Err(RatesError::Damping { value: self.damping.into() });
+        }
+        for (index, &value) in self.values.iter().enumerate() {
+            if !value.is_finite() {
+                return Err(RatesError::Value { index, value: value.into() });
+            }
+        }
+        for (index, twist) in self.twists.iter().enumerate() {
+            for number in twist.to_array() {
+                if !number.is_finite() {
+                    return Err(RatesError::Twist { index, value: number.into() });
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+struct Velocities<'s, R> {
+    reach: &'s Reach<'s, R>,
+    wanted: Wanted<'s, R>,
+    scratch: &'s mut [R],
+}
+
+impl<R: Scalar> Kernel for Velocities<'_, R> {
+    type Output = ();
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn run<V: Level>(self, level: V) {
+        run::<R::Lanes<V>>(level, self.reach, self.wanted, self.scratch);
+    }
+}
+
+#[cfg_attr(not(opt_level_0), inline(always))]
+fn run<L: Lanes<Real: Scalar>>(
+    level: L::Level,
+    reach: &Reach<'_, L::Real>,
+    wanted: Wanted<'_, L::Real>,
+    scratch: &mut [L::Real],
+) {
+    // A posture is a place, and has no part in velocities.
+    let reach = &Reach { posture: None, ..*reach };
+    let options = Options { damping: wanted.damping, ..Options::track() };
+    let Some(mut model) = Model::<L, true>::new(level, reach, &options, scratch) else { return };
+    let length = reach.size * L::Real::from(0.125);
+    model.scales.length = L::splat(level, length);
+    model.scales.radians_per_length = L::splat(level, L::Real::ONE / length);
+    let (count, rates) = (reach.mechanism.values, reach.mechanism.rates);
+    let configurations = wanted.rates.len().checked_div(rates).unwrap_or(0);
+    for first in (0..configurations).step_by(L::LANES) {
+        // Lanes that are left over compute along with the last.
+        for lane in 0..L::LANES {
+            let from = (first + lane).min(configurations - 1);
+            let values = wanted.values.get(from * count..).unwrap_or_default();
+            for (row, &value) in values.iter().enumerate().take(count) {
+                model.scratch.values.set_number(row, lane, value);
+            }
+        }
+        model.place(Of::Values);
+        model.ask_velocities(wanted.twists, first, configurations);
+        model.rates();
+        for rate in 0..rates {
+            let freedom = reach.freedoms.get(reach.column(rate));
+            let unit = if freedom.is_some_and(Freedom::is_slide) { length } else { L::Real::ONE };
+            for lane in 0..L::LANES {
+                // Zero where there is no such column.
+                let radians = model.scratch.radians.number(reach.column(rate), lane);
+                if let Some(slot) = wanted.rates.get_mut((first + lane) * rates + rate) {
+                    *slot = radians * unit;
+                }
+            }
+        }
+    }
+}
+
+impl<L: Lanes<Real: Scalar>> Model<'_, L, true> {
+    /// Puts the velocities where errors are.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn ask_velocities(&mut self, twists: &[Twist<L::Real>], first: usize, configurations: usize) {
+        let (level, reach) = (self.level, self.reach);
+        let zero = L::splat(level, L::Real::ZERO);
+        let (goals, mut row) = (reach.goals.len(), 0);
+        for (index, goal) in reach.goals.iter().enumerate() {
+            // Weights that differ from axis to axis are along those of the link.
+            let motion = self.pose(index).to_motion();
+            self.scratch.goals.set_record(index * GOAL, motion);
+            self.scratch.goals.set_record(index * GOAL + TARGET + POSE, [zero; 3]);
+            let mut numbers = [zero.to_array(); 6];
+            for lane in 0..L::LANES {
+                let from = (first + lane).min(configurations - 1);
+                let twist = twists.get(from * goals + index).copied().unwrap_or_default();
+                for (array, number) in numbers.iter_mut().zip(twist.to_array()) {
+                    if let Some(slot) = array.as_mut().get_mut(lane) {
+                        *slot = number;
+                    }
+                }
+            }
+            let [a, b, c, x, y, z] = numbers;
+            let of = |array| L::load(level, array);
+            let (mut angular, mut linear) = ([of(&a), of(&b), of(&c)], [of(&x), of(&y), of(&z)]);
+            if !goal.is_even() {
+                let to_link = DualQuat::from_array(motion).real().conjugate();
+                (angular, linear) = (to_link.rotate(angular), to_link.rotate(linear));
+            }
+            let linear = vector::scale(linear, self.scales.radians_per_length);
+            row = weigh(
+                goal,
+                angular,
+                linear,
+                row,
+                #[cfg_attr(not(opt_level_0), inline(always))]
+                |row, component| self.scratch.error.set(row, component),
+            );
+        }
+    }
+
+    /// The rates, in radians, of which none leads beyond a limit.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn rates(&mut self) {
+        let (level, zero) = (self.level, self.scales.least_damping.constant(0.0));
+        let one = zero.constant(1.0);
+        self.begin_step();
+        let rows = self.rows();
+        if self.is_by_tree() {
+            self.assemble();
+        } else {
+            self.linearize(false);
+        }
+        // Each round but the last holds one more, in some lane.
+        for _ in 0..=self.reach.freedoms.len() {
+            self.solve(self.scales.least_damping);
+            let mut stopped = zero.lt(zero);
+            for (index, freedom) in self.reach.freedoms.iter().enumerate() {
+                if freedom.range.wraps() || !matches!(freedom.kind, Kind::Turn | Kind::Slide) {
+                    continue;
+                }
+                let scratch = &mut self.scratch;
+                let value = scratch.values.get(level, freedom.value as usize);
+                let rate = scratch.radians.get(level, index);
+                let [low, high] = vector::splat(level, [freedom.range.low, freedom.range.high]);
+                let is_held = scratch.held.get(level, index).eq(one);
+                let stops = (value.le(low) & rate.lt(zero)) | (high.le(value) & zero.lt(rate));
+                let stops = stops & !is_held;
+                if !stops.any() {
+                    continue;
+                }
+                stopped = stopped | stops;
+                scratch.held.set(index, L::select(stops, one, scratch.held.get(level, index)));
+                scratch.hold_column(level, index, rows, stops);
+            }
+            if !stopped.any() {
+                break;
+            }
+        }
+    }
+}

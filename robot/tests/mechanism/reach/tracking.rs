@@ -1,0 +1,381 @@
+//! Following targets that move: many goals in the shape of the tree, weights that always act, ends, clips, velocities.
+
+use super::{Solved, Z, apart, at, draw, mechanism, planar, seven, solve, turned};
+use dq8::{Backend, DualQuat, Twist};
+use dq8_fixtures::random::Random;
+use dq8_robot::ik::{Goal, Options, Outcome, OwnedReach, RatesError, Report};
+use dq8_robot::{Joint, OwnedMechanism, WorldAligned};
+
+/// A body that floats, with limbs of hinges with limits, a slide, a screw, and a part that carries nothing.
+fn body() -> Vec<Joint<f64>> {
+    let mut joints = vec![Joint::floating(None, at(0.1, 0.0, 0.0))];
+    for side in [-1.0, 1.0] {
+        let first = joints.len();
+        let hip = turned([0.6, 0.0, 0.8], 0.4 * side, [0.1, 0.2 * side, -0.1]);
+        joints.push(Joint::revolute(Some(0), hip, [0.0, 1.0, 0.0]).with_limits([-0.5, 0.6]));
+        joints.push(
+            Joint::revolute(Some(first), at(0.1, 0.0, -0.3), [0.0, 0.6, 0.8])
+                .with_limits([-0.2, 2.0]),
+        );
+        joints.push(Joint::revolute(Some(first + 1), at(0.0, 0.1, -0.4), Z));
+        joints.push(Joint::fixed(Some(first + 2), at(0.05, 0.0, -0.1)));
+    }
+    joints.push(Joint::prismatic(Some(0), at(0.0, 0.0, 0.5), Z).with_limits([-0.1, 0.1]));
+    joints.push(Joint::screw(Some(9), at(0.0, 0.1, 0.1), [1.0, 0.0, 0.0], 0.1));
+    joints.push(Joint::revolute(Some(0), at(0.0, 0.0, 0.2), Z));
+    joints
+}
+
+fn goals() -> Vec<Goal<f64>> {
+    let feet = [4, 8].map(|link| Goal::pose(link).weighing(0.4, 2.0).at([0.1, 0.02, -0.03]));
+    let rest = [Goal::position(10), Goal::pose(0), Goal::orientation(2), Goal::position(6)];
+    [&feet[..], &rest].concat()
+}
+
+/// Values, with a quaternion first.
+fn configuration(random: &mut Random) -> Vec<f64> {
+    let mut values: Vec<f64> = (0..7).map(|_| random.signed()).collect();
+    values[3] += 3.0;
+    values.extend(draw(random, &body()[1..]));
+    values
+}
+
+/// Targets near the poses of a configuration, in every direction, so that no values reach them all.
+fn targets(body: &OwnedMechanism<f64>, random: &mut Random, near: &[f64]) -> Vec<DualQuat<f64>> {
+    let mut target = |goal: &Goal<f64>| {
+        let pose = body.link_pose(near, goal.link).expect("a link");
+        let [x, y, z] = [0.1; 3].map(|size| size * random.signed());
+        pose * at(x, y, z) * turned(random.direction(), 0.2, goal.point)
+    };
+    goals().iter().map(&mut target).collect()
+}
+
+/// On all backends.
+fn track_everywhere(
+    reach: &OwnedReach<f64>,
+    targets: &[DualQuat<f64>],
+    start: &[f64],
+    options: &Options<f64>,
+) -> Vec<Solved<f64>> {
+    let track = |backend| {
+        let (mut values, mut reports) = (start.to_vec(), vec![Report::default()]);
+        let job = reach.job().backend(backend);
+        job.sequence(&[1], targets, &mut values, &mut reports, options).expect("lengths fit");
+        (backend, values, reports)
+    };
+    Backend::available().map(track).collect()
+}
+
+/// Goals whose weights differ from axis to axis, if only by a rounding, have no such shape.
+fn by_rows(goals: &[Goal<f64>]) -> Vec<Goal<f64>> {
+    let bent = |weights: [f64; 3]| [weights[0], weights[1] * (1.0 + 1e-15), weights[2]];
+    goals.iter().map(|g| g.with_angular(bent(g.angular)).with_linear(bent(g.linear))).collect()
+}
+
+#[test]
+fn many_goals_in_the_shape_of_the_tree_are_the_least_squares_of_all_rows() {
+    let machine = mechanism::<f64>(&body());
+    let mut random = Random(41);
+    let (mut limited, mut moved) = (0, 0.0_f64);
+    for (round, options) in [
+        Options { max_iterations: 1, damping: 0.2, ..Options::track() },
+        Options { max_iterations: 4, ..Options::track() },
+        Options { start_weight: 0.3, posture_weight: 0.2, ..Options::track() },
+    ]
+    .iter()
+    .cycle()
+    .take(60)
+    .enumerate()
+    {
+        let near = configuration(&mut random);
+        let targets = targets(&machine, &mut random, &near);
+        let start: Vec<f64> = near.iter().map(|value| value + 0.1 * random.signed()).collect();
+        let [tree, rows] = [goals(), by_rows(&goals())].map(|goals| {
+            let reach = OwnedReach::new(machine.clone(), goals).expect("a problem");
+            let reach = reach.with_posture(vec![0.3; near.len()]).expect("a posture");
+            if options.posture_weight > 0.0 {
+                reach
+            } else {
+                OwnedReach::new(machine.clone(), reach.view().goals()).expect("a problem")
+            }
+        });
+        let expected = track_everywhere(&rows, &targets, &start, options);
+        for ((backend, values, reports), (_, wanted, others)) in
+            track_everywhere(&tree, &targets, &start, options).iter().zip(&expected)
+        {
+            assert_eq!(reports[0].iterations, others[0].iterations, "{backend}: {round}");
+            for (value, wanted) in values.iter().zip(wanted) {
+                assert!((value - wanted).abs() < 1e-9, "{backend}: {round}: {values:?} {wanted:?}");
+                moved = moved.max((value - wanted).abs());
+            }
+            limited += usize::from(others[0].outcome == Outcome::AtLimits);
+        }
+    }
+    // Another way of computing, and limits in its way.
+    assert!(moved > 0.0 && limited > 20, "{moved} {limited}");
+}
+
+/// A slide between a target, a posture and its start divides its way by the squares of their weights.
+#[test]
+fn posture_and_start_always_weigh_what_they_are_said_to() {
+    let slide = mechanism::<f64>(&[Joint::prismatic(None, DualQuat::IDENTITY, [1.0, 0.0, 0.0])]);
+    let reach = OwnedReach::new(slide, [Goal::position(0)]).expect("a problem");
+    let reach = reach.with_posture([5.0]).expect("a posture");
+    let options = Options {
+        max_iterations: 60,
+        damping: 0.0,
+        least_gain: 0.0,
+        posture_weight: 0.5,
+        start_weight: 0.7,
+        ..Options::track()
+    };
+    for (backend, values, _) in track_everywhere(&reach, &[at(2.0, 0.0, 0.0)], &[-1.0], &options) {
+        let least = (2.0 + 0.25 * 5.0 - 0.49) / (1.0 + 0.25 + 0.49);
+        assert!((values[0] - least).abs() < 1e-6, "{backend}: {values:?} {least}");
+    }
+}
+
+#[test]
+fn a_step_that_gains_too_little_is_the_last() {
+    let joints = [
+        Joint::prismatic(None, DualQuat::IDENTITY, [1.0, 0.0, 0.0]),
+        Joint::fixed(Some(0), DualQuat::IDENTITY),
+    ];
+    let slide = mechanism::<f64>(&joints);
+    let goals = [Goal::position(0), Goal::position(1)];
+    let targets = [at(0.0, 0.0, 0.0), at(1.0, 0.0, 0.0)];
+    let iterations = [0.0, 0.05].map(|least_gain| {
+        let options = Options { least_gain, restarts: false, ..Options::default() };
+        let mut values = [0.3];
+        let report = solve(slide.view(), &goals, &targets, &mut values, &options);
+        assert_eq!(report.outcome, Outcome::Stalled);
+        assert!((values[0] - 0.5).abs() < 2e-2, "{values:?}");
+        report.iterations
+    });
+    assert!(iterations[1] <= 3 && iterations[0] >= 6, "{iterations:?}");
+}
+
+/// What floats may be anywhere.
+#[test]
+fn far_from_the_base_tracking_weighs_as_it_does_near_it() {
+    let machine = mechanism::<f64>(&body());
+    let mut random = Random(43);
+    let near = configuration(&mut random);
+    let targets = targets(&machine, &mut random, &near);
+    let mut reach = OwnedReach::new(machine, goals()).expect("a problem");
+    let [tracked, solved] = [true, false].map(|tracks| {
+        [0.0, 1000.0].map(|far| {
+            let (mut values, away) = (near.clone(), at(far, 0.0, 0.0));
+            values[4] += far;
+            let targets: Vec<_> = targets.iter().map(|&target| away * target).collect();
+            let reached = match tracks {
+                true => reach.track(&targets, &mut values, &Options::track()),
+                false => reach.solve(&targets, &mut values, &Options::track()),
+            };
+            reached.expect("lengths fit");
+            values[7..].to_vec()
+        })
+    });
+    let apart =
+        |[a, b]: &[Vec<f64>; 2]| a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    assert!(
+        apart(&tracked) < 1e-8 && apart(&solved) > 1e-4,
+        "{} {}",
+        apart(&tracked),
+        apart(&solved)
+    );
+}
+
+/// A point of a link is what a fixed link there would be.
+#[test]
+fn a_goal_at_a_point_is_that_of_a_link_fixed_there() {
+    let mut joints = seven();
+    joints.push(Joint::fixed(Some(7), at(0.1, -0.2, 0.3)));
+    let arm = mechanism::<f64>(&joints);
+    let mut random = Random(45);
+    for _ in 0..20 {
+        let [there, start] = [(); 2].map(|()| draw(&mut random, &joints));
+        let target = arm.link_pose(&there, 8).expect("a link");
+        let goals = [Goal::pose(7).at([0.1, -0.2, 0.3]), Goal::pose(8)];
+        let [point, link] = goals.map(|goal| {
+            let mut values = start.clone();
+            let report = solve(arm.view(), &[goal], &[target], &mut values, &Options::default());
+            assert_eq!(report.outcome, Outcome::Converged);
+            values
+        });
+        assert!(point.iter().zip(&link).all(|(a, b)| (a - b).abs() < 1e-9), "{point:?} {link:?}");
+        let pose = arm.link_pose(&point, 8).expect("a link");
+        assert!(apart(pose, target)[1] < super::REACHED);
+    }
+}
+
+/// Whatever the lengths of the clips, and however many there are; frames without targets stand still.
+#[test]
+fn a_clip_is_its_frames_one_after_the_other() {
+    let machine = mechanism::<f64>(&body());
+    let reach = OwnedReach::new(machine.clone(), goals()).expect("a problem");
+    let (count, options) = (machine.view().values(), Options::track());
+    let mut random = Random(47);
+    let clips: Vec<usize> = (0..70).map(|clip| [3, 0, 7, 1, 12][clip % 5]).collect();
+    let frames: usize = clips.iter().sum();
+    let near = configuration(&mut random);
+    let mut all: Vec<_> = (0..frames).flat_map(|_| targets(&machine, &mut random, &near)).collect();
+    all[5 * goals().len()] = DualQuat::from_array([f64::NAN; 8]);
+    let start: Vec<f64> = near.repeat(frames);
+    for backend in Backend::available() {
+        let job = reach.job().backend(backend);
+        let (mut values, mut reports) = (start.clone(), vec![Report::default(); frames]);
+        job.sequence(&clips, &all, &mut values, &mut reports, &options).expect("lengths fit");
+        let mut frame = 0;
+        for &length in &clips {
+            let mut own = near.clone();
+            for _ in 0..length {
+                let (mut report, here) =
+                    ([Report::default()], &all[frame * goals().len()..][..goals().len()]);
+                job.sequence(&[1], here, &mut own, &mut report, &options).expect("lengths fit");
+                assert_eq!(values[frame * count..][..count], own, "{backend}: {frame}");
+                assert_eq!(reports[frame].outcome, report[0].outcome, "{backend}: {frame}");
+                frame += 1;
+            }
+        }
+        assert_eq!(reports[5].outcome, Outcome::Invalid);
+        let wrong = job.sequence(&[frames + 1], &all, &mut values, &mut reports, &options);
+        assert!(wrong.is_err());
+    }
+}
+
+/// Where the gradient of |W(Jq̇ − v)|² + λ²|q̇|² vanishes, by the Jacobians of the links.
+#[test]
+fn rates_are_the_damped_least_squares_of_the_velocities() {
+    let machine = mechanism::<f64>(&body());
+    let (mut random, damping) = (Random(49), 0.1);
+    let count = 11;
+    for goals in [goals(), by_rows(&goals())] {
+        let reach = OwnedReach::new(machine.clone(), goals.clone()).expect("a problem");
+        let view = reach.view();
+        let values: Vec<f64> = (0..count).flat_map(|_| configuration(&mut random)).collect();
+        let twists: Vec<_> = (0..count * goals.len())
+            .map(|_| Twist::from_array([(); 6].map(|()| random.signed())))
+            .collect();
+        let (size, number) = (machine.view().rates(), machine.view().values());
+        for backend in Backend::available() {
+            let mut rates = vec![f64::NAN; count * size];
+            let mut scratch = vec![f64::NAN; view.batch_scratch_len()];
+            let job = reach.job().backend(backend);
+            job.rates_in(&mut scratch, &values, &twists, damping, &mut rates).expect("lengths fit");
+            for (index, rates) in rates.chunks_exact(size).enumerate() {
+                let values = &values[index * number..][..number];
+                let length = 0.125 * longest();
+                let mut gradient = vec![0.0; size];
+                for (goal, twist) in goals.iter().zip(&twists[index * goals.len()..]) {
+                    let mut columns = vec![[0.0; 6]; size];
+                    let mut pose = [DualQuat::IDENTITY];
+                    machine
+                        .job()
+                        .links(&[goal.link])
+                        .jacobians(WorldAligned, values, &mut pose, &mut columns)
+                        .expect("a link");
+                    let arm = pose[0].rotation().rotate(goal.point);
+                    for column in &mut columns {
+                        let [a, b, c, x, y, z] = *column;
+                        let swing = [
+                            b * arm[2] - c * arm[1],
+                            c * arm[0] - a * arm[2],
+                            a * arm[1] - b * arm[0],
+                        ];
+                        *column = [a, b, c, x + swing[0], y + swing[1], z + swing[2]];
+                    }
+                    let [ra, rl] =
+                        [goal.angular[0], goal.linear[0] / length].map(|weight| weight * weight);
+                    for part in 0..6 {
+                        let weight = if part < 3 { ra } else { rl };
+                        let done: f64 = columns
+                            .iter()
+                            .zip(rates)
+                            .map(|(column, rate)| column[part] * rate)
+                            .sum();
+                        let left = weight * (done - twist.to_array()[part]);
+                        gradient
+                            .iter_mut()
+                            .zip(&columns)
+                            .for_each(|(sum, column)| *sum += left * column[part]);
+                    }
+                }
+                for (rate, (sum, speed)) in gradient.iter().zip(rates).enumerate() {
+                    // A slide's rate is in lengths: what floats, and the one on it.
+                    let unit = if matches!(rate, 3..=5 | 12) { length } else { 1.0 };
+                    let slope = sum * unit + damping * damping * speed / unit;
+                    assert!(slope.abs() < 1e-8, "{backend}: rate {rate}: {slope}");
+                }
+                assert_eq!(rates[14], 0.0, "it carries no goal");
+            }
+        }
+    }
+}
+
+/// The longest way to a goal of the body.
+fn longest() -> f64 {
+    let norm = |v: [f64; 3]| v.iter().map(|c| c * c).sum::<f64>().sqrt();
+    let joints = body();
+    let way = |goal: &Goal<f64>| {
+        let (mut sum, mut link) = (norm(goal.point), Some(goal.link));
+        while let Some(at) = link {
+            let slide = if at == 9 { 0.1 } else { 0.0 };
+            sum += norm(joints[at].placement.translation()) + slide;
+            link = joints[at].parent;
+        }
+        sum
+    };
+    goals().iter().map(way).fold(0.0, f64::max)
+}
+
+#[test]
+fn rates_lead_no_joint_beyond_its_limit_and_the_others_make_up_for_it() {
+    let limited = Joint::with_limits;
+    let mut joints = planar(&[1.0, 1.0, 1.0]);
+    joints[1] = limited(joints[1], [-2.0, 0.5]);
+    let arm = mechanism::<f64>(&joints);
+    let reach = OwnedReach::new(arm, [Goal::position(3)]).expect("a problem");
+    let (view, mut scratch) = (reach.view(), vec![f64::NAN; reach.view().scratch_len()]);
+    let mut speed = |angle: f64, rates: &mut [f64; 3]| {
+        let up = Twist { angular: [0.0; 3], linear: [-0.4, 0.3, 0.0] };
+        view.rates(&[0.0, angle, 0.4], &[up], 0.0, rates, &mut scratch).expect("lengths fit");
+        let mechanism = view.mechanism();
+        let h = 1e-6;
+        let place = |by: f64| {
+            let values = [by * rates[0], angle + by * rates[1], 0.4 + by * rates[2]];
+            mechanism.link_pose(&values, 3).expect("a link").translation()
+        };
+        let (a, b) = (place(h), place(-h));
+        assert!(((a[0] - b[0]) / (2.0 * h) + 0.4).abs() < 1e-6, "{angle}: {rates:?}");
+        assert!(((a[1] - b[1]) / (2.0 * h) - 0.3).abs() < 1e-6, "{angle}: {rates:?}");
+    };
+    let [mut free, mut held] = [[0.0; 3]; 2];
+    speed(0.49, &mut free);
+    speed(0.5, &mut held);
+    assert!(free[1] > 0.01 && held[1] == 0.0, "{free:?} {held:?}");
+}
+
+#[test]
+fn rates_of_what_is_no_number_are_refused_and_not_written() {
+    let reach =
+        OwnedReach::new(mechanism::<f64>(&planar(&[1.0])), [Goal::position(1)]).expect("a problem");
+    let (view, mut scratch) = (reach.view(), vec![0.0; reach.view().scratch_len()]);
+    let (fine, mut rates) = (Twist::default(), [7.0]);
+    let nan = Twist { angular: [0.0, f64::NAN, 0.0], linear: [0.0; 3] };
+    for (values, twist, damping, wanted) in [
+        (f64::INFINITY, fine, 0.0, "value 0"),
+        (0.0, nan, 0.0, "twist 0"),
+        (0.0, fine, -1.0, "damping"),
+    ] {
+        let error =
+            view.rates(&[values], &[twist], damping, &mut rates, &mut scratch).expect_err(wanted);
+        assert!(
+            error.to_string().contains(wanted) && !matches!(error, RatesError::Shape(_)),
+            "{error}"
+        );
+    }
+    let short = view.rates(&[0.0], &[], 0.0, &mut rates, &mut scratch);
+    assert!(matches!(short, Err(RatesError::Shape(_))));
+    assert_eq!(rates, [7.0]);
+}
