@@ -15,7 +15,9 @@ import pytest
 from calls import CALLS
 
 import dq8
+import dq8.dask
 from dq8 import _core
+from dq8._signatures import SIGNATURES
 
 PROJECT = Path(__file__).parents[1]
 
@@ -29,6 +31,10 @@ def stubs():
     return {node.name: node for node in ast.parse(source).body if isinstance(node, (ast.FunctionDef, ast.ClassDef))}
 
 
+# What has no result to show: settings of the process, and what others return.
+WITHOUT_EXAMPLE = ["Outcome", "ReachReport", "backend", "get_num_threads", "set_num_threads", "set_reproducible"]
+
+
 def test_the_tutorial_runs_and_plots(tmp_path):
     command = [sys.executable, PROJECT / "tutorial" / "tutorial.py", tmp_path]
     done = subprocess.run(command, capture_output=True, text=True)
@@ -39,16 +45,35 @@ def test_the_tutorial_runs_and_plots(tmp_path):
 
 def test_examples_in_docstrings_are_true():
     finder, runner = doctest.DocTestFinder(), doctest.DocTestRunner()
-    named = {**vars(_core), "RigidTransform": dq8.RigidTransform}
-    ran = 0
+    named = {name: getattr(dq8, name) for name in dq8.__all__} | {"dq8.dask": dq8.dask}
+    without = []
     with np.printoptions(legacy=False):
         for name, thing in named.items():
-            if name.startswith("__") or not getattr(thing, "__doc__", None):
-                continue
-            for test in finder.find(thing, name, module=False, globs={}):
-                ran += runner.run(test).attempted
+            # Modules have examples of their own, not those of all that they import.
+            found = finder.find(thing, name, module=False, globs={}) if name != "dq8.dask" else [
+                doctest.DocTestParser().get_doctest(thing.__doc__, {}, name, None, None)
+            ]
+            if not sum(runner.run(test).attempted for test in found):
+                without.append(name)
     assert runner.failures == 0
-    assert ran >= 8
+    assert without == WITHOUT_EXAMPLE
+
+
+def test_the_generated_types_are_those_of_the_table():
+    subprocess.run([sys.executable, PROJECT / "stubs.py", "--check"], check=True)
+
+
+@pytest.mark.parametrize("name", SIGNATURES)
+def test_the_table_of_signatures_says_what_docstrings_say(name):
+    def written(shape):
+        return "(" + ", ".join(["...", *map(str, shape)]) + ")"
+
+    parameters, result = SIGNATURES[name]
+    doc = getattr(_core, name).__doc__
+    found = re.findall(r"^ *([\w, ]+) : array_like, shape (\([^)]*\))", doc, re.MULTILINE)
+    documented = {own.strip(): shape for names, shape in found for own in names.split(",")}
+    assert documented == {own: written(shape) for own, shape in parameters.items()}
+    assert f"ndarray, shape {written(result)}" in doc
 
 
 # Something is computed, ``a b`` is a formula and ``'dlb'`` or ``[x, y]`` is none; matrices are written as they are.

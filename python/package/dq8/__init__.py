@@ -25,6 +25,8 @@ act first, matrices are for column vectors.
 
 import os as _os
 
+from ._arrow import from_arrow, to_arrow
+from ._comparisons import allclose, is_unit, random
 from ._core import (
     Hierarchy,
     Mechanism,
@@ -33,6 +35,7 @@ from ._core import (
     adjoint,
     angle_to,
     backend,
+    chain_products,
     coadjoint,
     compose,
     conjugate,
@@ -50,6 +53,8 @@ from ._core import (
     integrate_body,
     integrate_spatial,
     inverse,
+    left_jacobian,
+    left_jacobian_inverse,
     log,
     mean,
     mul,
@@ -74,8 +79,25 @@ from ._core import (
     translation,
 )
 from ._core import forget_threads as _forget_threads
+from ._fits import fit, hand_eye
+from . import _mechanisms as _methods
 from ._outcome import Outcome
 from ._rigid_transform import RigidTransform, identity
+from ._rotations import (
+    from_axis_angle,
+    from_euler,
+    from_rotation,
+    from_rotation_vector,
+    from_scipy,
+    from_wxyz,
+    rotation,
+    to_axis_angle,
+    to_euler,
+    to_rotation_translation,
+    to_rotation_vector,
+    to_scipy,
+    to_wxyz,
+)
 
 __version__ = "0.1.0"
 
@@ -87,8 +109,10 @@ __all__ = [
     "ReachReport",
     "RigidTransform",
     "adjoint",
+    "allclose",
     "angle_to",
     "backend",
+    "chain_products",
     "coadjoint",
     "compose",
     "conjugate",
@@ -97,16 +121,28 @@ __all__ = [
     "distance_weighted",
     "dlb",
     "exp",
+    "fit",
+    "from_arrow",
+    "from_axis_angle",
+    "from_euler",
     "from_matrix",
+    "from_rotation",
     "from_rotation_translation",
+    "from_rotation_vector",
+    "from_scipy",
     "from_screw",
     "from_translation",
     "from_twist",
+    "from_wxyz",
     "get_num_threads",
+    "hand_eye",
     "identity",
     "integrate_body",
     "integrate_spatial",
     "inverse",
+    "is_unit",
+    "left_jacobian",
+    "left_jacobian_inverse",
     "log",
     "mean",
     "mul",
@@ -114,16 +150,25 @@ __all__ = [
     "normalize",
     "point_error",
     "pow",
+    "random",
     "resample",
+    "rotation",
     "sclerp",
     "set_num_threads",
     "set_reproducible",
     "skin",
     "squad",
     "squad_control",
+    "to_arrow",
+    "to_axis_angle",
+    "to_euler",
     "to_matrix",
+    "to_rotation_translation",
+    "to_rotation_vector",
+    "to_scipy",
     "to_screw",
     "to_twist",
+    "to_wxyz",
     "transform_lines",
     "transform_planes",
     "transform_points",

@@ -41,7 +41,7 @@ const TOLERANCE: f64 = 1e-3;
 /// ----------
 /// S. W. Shepperd, "Quaternion from rotation matrix", J. Guidance and Control 1 (1978).
 #[pyfunction]
-#[pyo3(signature = (matrices, /, *, check=true, out=None))]
+#[pyo3(signature = (matrices, *, check=true, out=None))]
 pub(crate) fn from_matrix<'py>(
     py: Python<'py>,
     matrices: &Bound<'py, PyAny>,

@@ -142,3 +142,60 @@ function! {
         motion(motions).integrate_spatial(Twist::from_array(twists), dt[0]).to_array()
     }
 }
+
+function! {
+    /// The left Jacobians of the exponential: ``exp(½(ξ + δ)) ≈ exp(½ J δ) exp(½ξ)`` for small twists δ.
+    ///
+    /// That of the right is the one of −ξ.
+    fn left_jacobian(
+        /// ``ξ = [ω, v]``, radians and lengths.
+        twists: [6],
+    ) -> [6, 6]
+    ///     Rows and columns are angular, then linear.
+    ///
+    /// References
+    /// ----------
+    /// T. D. Barfoot, *State Estimation for Robotics*, 2017, eq. 7.85, there with the translation first.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import dq8
+    /// >>> dq8.left_jacobian([0.0, 0, 0, 0, 0, 2])[3]
+    /// array([ 0., -1.,  0.,  1.,  0.,  0.])
+    {
+        flat(batch::DualQuat::left_jacobian_matrix(Twist::from_array(twists)))
+    }
+}
+
+function! {
+    /// The inverses of `left_jacobian`: ``2 log(exp(½δ) exp(½ξ)) ≈ ξ + J⁻¹δ`` for small twists δ.
+    fn left_jacobian_inverse(
+        /// ``ξ = [ω, v]``, radians and lengths, ``|ω| < 2π``: there it is infinite.
+        twists: [6],
+    ) -> [6, 6]
+    ///     Rows and columns are angular, then linear.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import dq8
+    /// >>> dq8.left_jacobian_inverse([0.0, 0, 0, 0, 0, 2])[3]
+    /// array([0., 1., 0., 1., 0., 0.])
+    {
+        flat(batch::DualQuat::left_jacobian_inverse_matrix(Twist::from_array(twists)))
+    }
+}
+
+/// Row after row.
+#[inline(always)]
+fn flat<L: Lanes>(rows: [[L; 6]; 6]) -> [L; 36] {
+    let mut all = [rows[0][0]; 36];
+    let (mut row, mut column) = (0, 0);
+    while row < 6 {
+        all[6 * row + column] = rows[row][column];
+        column += 1;
+        if column == 6 {
+            (row, column) = (row + 1, 0);
+        }
+    }
+    all
+}
