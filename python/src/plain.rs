@@ -131,7 +131,7 @@ fn check(name: &str, value: &Bound<'_, PyAny>, depth: usize) -> PyResult<()> {
     let name_of_kind = kind.fully_qualified_name()?;
     Err(PyTypeError::new_err(format!(
         "Expected `{name}` to be an array in memory, got {name_of_kind}: pass `numpy.asarray({name})` to compute it \
-         here and now, or call the function on its blocks (Dask: `map_blocks`)."
+         here and now, or call the function on its blocks (Dask: the functions of `dq8.dask`)."
     )))
 }
 

@@ -17,6 +17,9 @@ before.
 `Mechanism` is a robot: joint values ``(..., values)`` to poses of links and Jacobians, and back from poses
 (`Mechanism.reach`). `skin` lets a mesh follow joints. `PackedClip` is an animation in a quarter of its memory.
 
+Time is the first dimension of a clip ``(frames, joints, 8)``; ``axis=`` says where it is another. Columns of Arrow are
+taken as arrays of rows (`from_arrow`, `to_arrow`). ``dq8.dask`` has the functions for arrays of Dask.
+
 `RigidTransform` wraps such an array in the methods of ``scipy.spatial.transform.RigidTransform``.
 
 Angles are radians, lengths the unit of the caller; in a dual quaternion p has no unit and q is a length. ``a b`` lets b

@@ -30,6 +30,12 @@ def identity(shape: int | tuple[int, ...] = (), dtype: DTypeLike = np.float64) -
     -------
     ndarray, shape (*shape, 8)
         ``1 + 0ε``, of the dtype given.
+
+    Examples
+    --------
+    >>> import dq8
+    >>> dq8.identity()
+    array([0., 0., 0., 1., 0., 0., 0., 0.])
     """
     leading = (shape,) if isinstance(shape, int) else tuple(shape)
     motions = np.zeros((*leading, 8), dtype)

@@ -33,6 +33,12 @@ use pyo3::prelude::*;
 /// References
 /// ----------
 /// L. Kavan, S. Collins, J. Žára, C. O'Sullivan, "Skinning with Dual Quaternions", I3D 2007.
+///
+/// Examples
+/// --------
+/// >>> import dq8
+/// >>> dq8.translation(dq8.dlb(dq8.from_translation([[0.0, 0, 0], [4, 0, 0]]), [3, 1]))
+/// array([1., 0., 0.])
 #[pyfunction]
 #[pyo3(signature = (motions, weights=None, *, axis=-2, out=None))]
 pub(crate) fn dlb<'py>(
@@ -75,6 +81,12 @@ pub(crate) fn dlb<'py>(
 /// ----------
 /// L. Kavan, S. Collins, C. O'Sullivan, J. Žára, "Dual Quaternions for Rigid Transformation Blending",
 /// Trinity College Dublin, 2006, algorithm 3 (DIB).
+///
+/// Examples
+/// --------
+/// >>> import dq8
+/// >>> dq8.translation(dq8.mean(dq8.from_translation([[0.0, 0, 0], [4, 0, 0]])))
+/// array([2., 0., 0.])
 #[pyfunction]
 #[pyo3(signature = (motions, weights=None, *, axis=-2, tolerance=None, max_iterations=32, out=None))]
 pub(crate) fn mean<'py>(

@@ -113,6 +113,13 @@ impl OfMany<3> for Control {
 /// References
 /// ----------
 /// K. Shoemake, "Quaternion calculus and fast animation", SIGGRAPH course notes, 1987.
+///
+/// Examples
+/// --------
+/// >>> import dq8
+/// >>> keys = dq8.from_translation([[0.0, 0, 0], [1, 1, 0], [2, 0, 0]])
+/// >>> dq8.translation(dq8.squad_control(*keys))
+/// array([1. , 1.5, 0. ])
 #[pyfunction]
 #[pyo3(signature = (previous, current, next, *, out=None))]
 pub(crate) fn squad_control<'py>(
