@@ -207,7 +207,8 @@ impl Hierarchy {
                 if common([root.full_leading(), instances].into_iter()).as_deref()
                     != Some(instances) =>
             {
-                let expected = format!("(8,) or {}", tuple(&[instances, EIGHT].concat()));
+                let each = format!(" or {}", tuple(&[instances, EIGHT].concat()));
+                let expected = format!("(8,){}", if instances.is_empty() { "" } else { &each });
                 return Err(misshapen("root", &expected, &root.shape()));
             }
             Some(root) if root.is_one() => Some(root),

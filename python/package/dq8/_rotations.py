@@ -113,7 +113,7 @@ def to_axis_angle(motions: ArrayLike) -> tuple[NDArray[Any], NDArray[Any]]:
     --------
     >>> import dq8
     >>> axis, angle = dq8.to_axis_angle(dq8.from_axis_angle([0.0, 0.0, 1.0], -0.5))
-    >>> axis, angle.round(12)
+    >>> axis + 0.0, angle.round(12)
     (array([ 0.,  0., -1.]), np.float64(0.5))
     """
     vectors = to_rotation_vector(motions)
@@ -235,7 +235,7 @@ def from_scipy(transform: Any) -> NDArray[Any]:
     --------
     >>> import dq8
     >>> from scipy.spatial.transform import Rotation
-    >>> dq8.from_scipy(Rotation.identity())
+    >>> dq8.from_scipy(Rotation.identity()) + 0.0
     array([0., 0., 0., 1., 0., 0., 0., 0.])
     """
     if hasattr(transform, "as_dual_quat"):
