@@ -84,7 +84,7 @@ def _memory(owner: _Owner, address: int | None, dtype: np.dtype[Any], first: int
     raw = (ctypes.c_byte * (count * dtype.itemsize)).from_address(address + first * dtype.itemsize)
     # Of whom NumPy's arrays are views, and who holds the producer's.
     raw._owner = owner  # type: ignore[attr-defined]
-    numbers = np.frombuffer(raw, dtype)
+    numbers: NDArray[Any] = np.frombuffer(memoryview(raw), dtype)
     numbers.flags.writeable = False
     return numbers
 
@@ -119,7 +119,7 @@ def _numbers(owner: _Owner, schema: _Schema, array: _Array, first: int, count: i
         begin = (array.offset + first) * size
     elif form in (b"+l", b"+L"):
         _check_nulls(owner, array, "an Arrow list", first, count)
-        kind = np.dtype(np.int32 if form == b"+l" else np.int64)
+        kind: np.dtype[Any] = np.dtype("int32" if form == b"+l" else "int64")
         ends = _memory(owner, array.buffers[1], kind, array.offset + first, count + 1)
         sizes = np.diff(ends)
         size, begin = (int(sizes[0]), int(ends[0])) if count else (0, 0)
@@ -200,7 +200,6 @@ _numbers_of_loans = itertools.count(1)
 
 
 def _taken_back(kind: type[Structure]) -> Any:
-    @_Release
     def release(address: int) -> None:
         it = cast(address, POINTER(kind)).contents
         for i in range(it.n_children):
@@ -210,22 +209,21 @@ def _taken_back(kind: type[Structure]) -> Any:
         it.release = _Release()
         _LENT.pop(it.private_data, None)
 
-    return release
+    return _Release(release)
 
 
-_RELEASES = {kind: _taken_back(kind) for kind in (_Schema, _Array)}
+_RELEASES: dict[type[Structure], Any] = {kind: _taken_back(kind) for kind in (_Schema, _Array)}
 _address_of = ctypes.PYFUNCTYPE(c_void_p, c_void_p, c_char_p)(("PyCapsule_GetPointer", ctypes.pythonapi))
 
 
 def _destructor(kind: type[Structure], name: bytes) -> Any:
-    @ctypes.PYFUNCTYPE(None, c_void_p)
     def destroy(capsule: int) -> None:
         address = _address_of(capsule, name)
         if cast(address, POINTER(kind)).contents.release:
             _RELEASES[kind](address)
         _IN_CAPSULES.pop(address, None)
 
-    return destroy
+    return ctypes.PYFUNCTYPE(None, c_void_p)(destroy)
 
 
 _DESTRUCTORS = {name: _destructor(kind, name) for kind, name in ((_Schema, b"arrow_schema"), (_Array, b"arrow_array"))}

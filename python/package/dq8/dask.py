@@ -20,13 +20,16 @@ import itertools
 from collections.abc import Callable, Sequence
 from typing import Any
 
-import dask.array as da
+import dask.array
 import numpy as np
 
 from . import __all__ as _public
 from . import _core
 from ._core import Mechanism
 from ._signatures import SIGNATURES, Shape
+
+# It has no types.
+da: Any = dask.array
 
 
 def _dtype(arguments: Sequence[Any]) -> np.dtype[Any]:
@@ -49,7 +52,7 @@ class _Task:
 
 def _lazy(task: _Task, arguments: Sequence[Any], cores: Sequence[Shape], result: Shape, also: Sequence[Any] = ()) -> Any:
     """A task for each chunk of leading dimensions, which are numbered from the first; then come those of elements."""
-    arrays = [it if isinstance(it, (int, float)) else da.asanyarray(it) for it in arguments]
+    arrays: list[Any] = [it if isinstance(it, (int, float)) else da.asanyarray(it) for it in arguments]
     leading = max((it.ndim - len(core) for it, core in zip(arrays, cores) if hasattr(it, "ndim")), default=0)
     number, given = itertools.count(leading), []
     for array, core in zip(arrays, cores):
