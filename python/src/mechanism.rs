@@ -20,7 +20,6 @@ use numpy::prelude::*;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyTuple, PyType};
-use std::hash::{DefaultHasher, Hash, Hasher};
 
 /// A tree of joints: a robot, from a URDF file or from arrays.
 ///
@@ -174,20 +173,6 @@ impl Mechanism {
     #[getter]
     fn parents(&self) -> Vec<i64> {
         parents(&self.joints)
-    }
-
-    /// Whether both have the same joints and names.
-    fn __eq__(&self, other: &Bound<'_, Self>) -> bool {
-        let other = other.get();
-        self.joints == other.joints
-            && self.links == other.links
-            && self.joint_names == other.joint_names
-    }
-
-    fn __hash__(&self) -> u64 {
-        let mut hasher = DefaultHasher::new();
-        self.links.hash(&mut hasher);
-        hasher.finish()
     }
 
     /// How many links there are.
@@ -378,12 +363,14 @@ impl Mechanism {
         restarts: bool,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<(Bound<'py, PyAny>, ReachReport)> {
+        let named =
+            |name, value| Argument::new(name, NUMBER, &in_order(name, value, &|| self.values())?);
         let search = Search {
             targets: Argument::new("targets", EIGHT, targets)?,
-            values: self.argument("values", values)?,
+            values: named("values", values)?,
             chosen: Chosen::of(&self.links, links)?,
             weights: weights.map(|value| Argument::new("weights", SIX, value)).transpose()?,
-            posture: posture.map(|value| self.argument("posture", value)).transpose()?,
+            posture: posture.map(|value| named("posture", value)).transpose()?,
             options: Options {
                 angular_tolerance,
                 linear_tolerance,
@@ -403,15 +390,6 @@ impl Mechanism {
 }
 
 impl Mechanism {
-    /// Configurations.
-    fn argument<'py>(
-        &self,
-        name: &'static str,
-        value: &Bound<'py, PyAny>,
-    ) -> PyResult<Argument<'py>> {
-        Argument::new(name, NUMBER, &in_order(name, value, &|| self.values())?)
-    }
-
     fn single(&self) -> PyResult<&OwnedMechanism<f32>> {
         self.single.as_ref().map_err(|error| {
             PyValueError::new_err(format!("`values` are float32, for which {error}"))

@@ -32,6 +32,20 @@ def stubs():
     return {node.name: node for node in ast.parse(source).body if isinstance(node, (ast.FunctionDef, ast.ClassDef))}
 
 
+SCRIPTS = {"mocap.py": [], "robot.py": [PROJECT.parent / "robot" / "robots" / "arm7.urdf"], "scipy_script.py": [], "mesh.py": []}
+
+
+@pytest.mark.parametrize("name", SCRIPTS)
+def test_the_scripts_run_and_are_short(name):
+    script = PROJECT / "examples" / name
+    subprocess.run([sys.executable, script, *SCRIPTS[name]], check=True)
+    assert len(script.read_text().splitlines()) <= 40
+
+
+def test_every_script_is_run():
+    assert {path.name for path in (PROJECT / "examples").glob("*.py")} == set(SCRIPTS)
+
+
 # What has no result to show: settings of the process, and what others return.
 WITHOUT_EXAMPLE = ["ReachReport", "backend", "get_num_threads", "set_num_threads", "set_reproducible"]
 

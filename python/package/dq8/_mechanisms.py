@@ -89,6 +89,14 @@ def rates_for(
     return rates[..., 0]
 
 
-METHODS = (sample, velocity, rates_for)
-for _method in METHODS:
+def __eq__(self: _core.Mechanism, other: object) -> bool:
+    """Whether both are made of the same arrays, or of the same text."""
+    return isinstance(other, _core.Mechanism) and self.__reduce__() == other.__reduce__()
+
+
+def __hash__(self: _core.Mechanism) -> int:
+    return hash(tuple(self.links))
+
+
+for _method in (sample, velocity, rates_for, __eq__, __hash__):
     setattr(_core.Mechanism, _method.__name__, _method)
