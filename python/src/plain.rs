@@ -141,9 +141,12 @@ fn is_lazy(kind: &Bound<'_, PyType>, value: &Bound<'_, PyAny>) -> PyResult<bool>
     Ok(kind.hasattr(graph)? && !value.call_method0(graph)?.is_none())
 }
 
-/// Whether a value offers Arrow's memory.
+/// Whether a value offers Arrow's memory. Of the objects of pandas, which does as well, [`cure`] says more.
 fn is_arrow(value: &Bound<'_, PyAny>) -> PyResult<bool> {
     let py = value.py();
+    if value.get_type().module()?.to_string().split('.').next() == Some("pandas") {
+        return Ok(false);
+    }
     Ok(value.hasattr(intern!(py, "__arrow_c_array__"))?
         || value.hasattr(intern!(py, "__arrow_c_stream__"))?)
 }

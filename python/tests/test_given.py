@@ -146,10 +146,7 @@ class OnlyDlpack:
         return A.__dlpack_device__()
 
 
-LISTS = pa.FixedSizeListArray.from_arrays(pa.array(A.ravel()), 8)
 CURES = {
-    "FixedSizeListArray": (LISTS, lambda a: a.flatten().to_numpy().reshape(-1, 8)),
-    "ChunkedArray": (pa.chunked_array([LISTS]), lambda a: a.combine_chunks().flatten().to_numpy().reshape(-1, 8)),
     "Series": (pd.Series(list(A)), np.stack),
     "Rotation": (Rotation.identity(5), lambda a: a.as_quat()),
     "dq8._rigid_transform.RigidTransform": (RigidTransform.identity(5), lambda a: a.motions),

@@ -17,9 +17,8 @@ function! {
     /// Examples
     /// --------
     /// >>> import dq8
-    /// >>> dq8.transform_points(dq8.from_translation([1.0, 0, 0]), [[0.0, 0, 0], [0, 2, 0]])
-    /// array([[1., 0., 0.],
-    ///        [1., 2., 0.]])
+    /// >>> dq8.transform_points(dq8.from_translation([1.0, 0, 0]), [0.0, 2, 0])
+    /// array([1., 2., 0.])
     {
         motion(motions).transform_point(points)
     }
