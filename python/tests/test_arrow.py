@@ -62,6 +62,8 @@ def test_fixed_lists_are_not_copied_and_live_as_long_as_the_array(rows):
 def test_nulls_are_refused_by_row(rows):
     with pytest.raises(ValueError, match="list without nulls: row 4 is null"):
         dq8.from_arrow(fixed(rows, mask=pa.array([False] * 4 + [True, False])))
+    with pytest.raises(ValueError, match="list without nulls: row 2 is null"):
+        dq8.from_arrow(fixed(rows, mask=pa.array([False] * 4 + [True, False])).slice(2))
     inner = pa.FixedSizeListArray.from_arrays(pa.array([*rows.reshape(-1)[:-1], None]), 8)
     with pytest.raises(ValueError, match="without nulls: row 5 is null"):
         dq8.from_arrow(inner)
