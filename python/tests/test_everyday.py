@@ -103,7 +103,7 @@ def test_the_same_motions_are_close_up_to_sign_and_others_are_not(random_motions
     assert dq8.allclose(a, -a)
     moved = dq8.mul(dq8.from_translation([0, 0, 1e-6]), a)
     assert not dq8.allclose(a, moved, length=9e-7) and dq8.allclose(a, moved, length=1.1e-6)
-    turned = dq8.mul(dq8.from_rotation_vector([0, 0, 1e-6]), a)
+    turned = dq8.mul(a, dq8.from_rotation_vector([0, 0, 1e-6]))
     assert not dq8.allclose(a, turned, angle=9e-7) and dq8.allclose(a, turned, angle=1.1e-6) and not dq8.allclose(a, np.full(8, np.nan))
 
 
