@@ -55,7 +55,7 @@ _new_capsule.restype, _new_capsule.argtypes = py_object, [c_void_p, c_char_p, c_
 # As libraries say of lists that they make.
 _NULLABLE = 2
 
-_NUMBERS = {b"f": np.dtype(np.float32), b"g": np.dtype(np.float64)}
+_NUMBERS: dict[bytes, np.dtype[Any]] = {b"f": np.dtype(np.float32), b"g": np.dtype(np.float64)}
 
 
 class _Owner:
@@ -119,7 +119,7 @@ def _numbers(owner: _Owner, schema: _Schema, array: _Array, first: int, count: i
         begin = (array.offset + first) * size
     elif form in (b"+l", b"+L"):
         _check_nulls(owner, array, "an Arrow list", first, count)
-        kind: np.dtype[Any] = np.dtype("int32" if form == b"+l" else "int64")
+        kind = np.dtype(f"int{32 if form == b'+l' else 64}")
         ends = _memory(owner, array.buffers[1], kind, array.offset + first, count + 1)
         sizes = np.diff(ends)
         size, begin = (int(sizes[0]), int(ends[0])) if count else (0, 0)
