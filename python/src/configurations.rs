@@ -131,10 +131,10 @@ fn rows<'s, R: Number>(
     }
     made.resize(range.len() * values, R::ZERO);
     for (column, numbers) in numbers.iter().enumerate() {
-        let to = made.iter_mut().skip(column).step_by(values);
+        let rows = made.chunks_exact_mut(values);
         match **numbers {
-            [one] => to.for_each(|to| *to = one),
-            _ => to.zip(&numbers[range.clone()]).for_each(|(to, &it)| *to = it),
+            [one] => rows.for_each(|row| row[column] = one),
+            _ => rows.zip(&numbers[range.clone()]).for_each(|(row, &it)| row[column] = it),
         }
     }
     made

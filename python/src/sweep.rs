@@ -42,22 +42,37 @@ pub(crate) fn sweep<R, F, const A: usize, const B: usize, const C: usize, const 
     // One for all, all of them: one element says what all are.
     if each == [false; 3] {
         let Some((first, rest)) = to.split_first_mut() else { return };
-        chunks(
-            threads,
-            law,
-            a,
-            OneOrEach::of(b, false),
-            OneOrEach::of(c, false),
-            slice::from_mut(first),
-        );
+        operands(threads, law, Arguments { a, b, c }, [true, false, false], slice::from_mut(first));
         return rest.fill(*first);
     }
-    // Each combination of operands is a kernel of its own, and what the compiler works for. So there is one where a look
-    // at where an argument lies costs nothing; but what is computed of the first argument, or of the first two, is
-    // computed once if they are one for all. (The constant keeps it from kernels that nothing calls.)
+    operands(threads, law, Arguments { a, b, c }, each, to);
+}
+
+/// [`sweep`], where some argument has an element for each result.
+///
+/// Each combination of operands is a kernel of its own, and what the compiler works for. So there is one where a look at
+/// where an argument lies costs nothing ([`Law::WIDE`], and third arguments); but what is computed of the first argument,
+/// or of the first two, is computed once if they are one for all. (The constants keep it from kernels that nothing calls.)
+fn operands<R, F, const A: usize, const B: usize, const C: usize, const D: usize>(
+    threads: &Threads,
+    law: F,
+    arguments: Arguments<'_, R, A, B, C>,
+    each: Which,
+    to: &mut [[R; D]],
+) where
+    R: Scalar + Send + Sync,
+    F: Law<A, B, C, D>,
+{
+    let Arguments { a, b, c } = arguments;
     let last = OneOrEach::of(c, each[2]);
-    if each[0] {
+    if const { F::WIDE && B > 0 } && each[0] {
         chunks(threads, law, a, OneOrEach::of(b, each[1]), last, to);
+    } else if const { !F::WIDE && C > 0 } && each == [true; 3] {
+        chunks(threads, law, a, b, c, to);
+    } else if const { !F::WIDE && B > 0 } && each[0] && each[1] {
+        chunks(threads, law, a, b, One(c.one()), to);
+    } else if const { !F::WIDE || B == 0 } && each[0] {
+        chunks(threads, law, a, One(b.one()), last, to);
     } else if const { C > 0 } && !each[1] {
         chunks(threads, law, One(a.one()), One(b.one()), last, to);
     } else if const { B > 0 } {
