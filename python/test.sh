@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The Python package as its users have it: a wheel, built by pip as `pip install ./python` builds it, installed
-# into a fresh environment, tested there. A missing tool is a failure that says so.
+# into a fresh environment, tested there. Arguments are those of cargo. A missing tool is a failure that says so.
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -26,7 +26,7 @@ build=$PWD/target/builder
 "$build/bin/python" -c '' 2>/dev/null || python3 -m venv --clear "$build"
 pip() { "$build/bin/python" -m pip "$@" --quiet --disable-pip-version-check --prefer-binary; }
 # maturin, as `pyproject.toml` asks for it, comes into an environment that lives as long as the build.
-MATURIN_PEP517_ARGS=--locked pip wheel --no-deps --wheel-dir "$out/wheels" .
+MATURIN_PEP517_ARGS="--locked $*" pip wheel --no-deps --wheel-dir "$out/wheels" .
 
 step 'tests, in a fresh environment'
 python3 -m venv --without-pip "$out/user"

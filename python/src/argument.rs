@@ -1,5 +1,6 @@
 //! Arguments: arrays of `f32` or `f64`.
 
+use crate::axis::Axis;
 use crate::error::misshapen;
 use crate::number::Number;
 use crate::output::Output;
@@ -8,6 +9,7 @@ use crate::shape::pattern;
 use numpy::prelude::*;
 use numpy::{PyArrayDescrMethods, PyArrayDyn, PyReadonlyArrayDyn, PyUntypedArray};
 use pyo3::exceptions::PyValueError;
+use pyo3::intern;
 use pyo3::prelude::*;
 use pyo3::types::{PyTuple, PyWeakrefReference};
 
@@ -30,6 +32,12 @@ impl<'py> Argument<'py> {
         core: &'static [usize],
         value: &Bound<'py, PyAny>,
     ) -> PyResult<Self> {
+        // SciPy's rotations, where rotations are asked for.
+        if name == "rotations"
+            && let Some(as_quat) = value.getattr_opt(intern!(value.py(), "as_quat"))?
+        {
+            return Self::new(name, core, &as_quat.call0()?);
+        }
         Ok(Self { name, core, array: real(name, core, value)?, number: is_number(value) })
     }
 
@@ -46,6 +54,12 @@ impl<'py> Argument<'py> {
     /// The same with elements of another shape.
     pub(crate) fn of_elements(self, core: &'static [usize]) -> Self {
         Self { core, ..self }
+    }
+
+    /// The same with `axis` behind all others but those of an element.
+    pub(crate) fn along(self, axis: Axis) -> PyResult<Self> {
+        let array = axis.last(self.array.as_any(), 1, self.core.len())?;
+        Ok(Self { array: array.cast_into()?, ..self })
     }
 
     /// The shape of the array.

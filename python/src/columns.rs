@@ -8,6 +8,12 @@ use pyo3::intern;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList, PyTuple};
 
+/// Values as they were given: one array of all, or a column for each name, in order.
+pub(crate) enum Named<'py> {
+    Rows(Bound<'py, PyAny>),
+    Columns(Vec<Bound<'py, PyAny>>),
+}
+
 /// The columns of `value` in the order of `names`, side by side in the last dimension; itself, if its columns have no
 /// names or stand in that order.
 pub(crate) fn in_order<'py>(
@@ -15,27 +21,41 @@ pub(crate) fn in_order<'py>(
     value: &Bound<'py, PyAny>,
     names: &dyn Fn() -> Vec<String>,
 ) -> PyResult<Bound<'py, PyAny>> {
+    match named(name, value, names)? {
+        Named::Rows(rows) => Ok(rows),
+        Named::Columns(columns) => {
+            side_by_side(value.py(), &columns).map_err(|error| misfit(name, &error))
+        }
+    }
+}
+
+/// [`in_order`], with the columns as they are.
+pub(crate) fn named<'py>(
+    name: &'static str,
+    value: &Bound<'py, PyAny>,
+    names: &dyn Fn() -> Vec<String>,
+) -> PyResult<Named<'py>> {
     // Rows with names each.
     if let Ok(rows) = value.cast::<PyList>()
         && rows.get_item(0).is_ok_and(|row| matches!(labels(&row), Ok(Some(_))))
     {
         let rows =
             rows.iter().map(|row| in_order(name, &row, names)).collect::<PyResult<Vec<_>>>()?;
-        return Ok(PyList::new(value.py(), rows)?.into_any());
+        return Ok(Named::Rows(PyList::new(value.py(), rows)?.into_any()));
     }
-    let Some(labels) = labels(value)? else { return Ok(value.clone()) };
+    let Some(labels) = labels(value)? else { return Ok(Named::Rows(value.clone())) };
     let names = names();
     let given: Vec<_> = labels.iter().map(|label| label.extract::<String>().ok()).collect();
     let is_array = value.hasattr(intern!(value.py(), "__array__"))? && !has_fields(value)?;
     if is_array && given.iter().flatten().eq(&names) && given.len() == names.len() {
-        return Ok(value.clone());
+        return Ok(Named::Rows(value.clone()));
     }
     // Numbers in order are positions: a table without names has them.
     let positions: Result<Vec<i64>, _> = labels.iter().map(|label| label.extract()).collect();
     if let (true, Ok(positions)) = (is_array, positions)
         && positions.is_sorted()
     {
-        return Ok(value.clone());
+        return Ok(Named::Rows(value.clone()));
     }
     for (index, (label, own)) in labels.iter().zip(&given).enumerate() {
         let wrong = match own {
@@ -62,10 +82,12 @@ pub(crate) fn in_order<'py>(
             real(&format!("{name}[{column:?}]"), NUMBER, &own).map(Bound::into_any)
         }
     });
-    let columns = columns.collect::<PyResult<Vec<_>>>()?;
-    side_by_side(value.py(), &columns).map_err(|error| {
-        PyValueError::new_err(format!("`{name}`: the columns do not fit each other: {error}"))
-    })
+    Ok(Named::Columns(columns.collect::<PyResult<_>>()?))
+}
+
+/// An error about columns of different shapes.
+pub(crate) fn misfit(name: &str, error: &dyn std::fmt::Display) -> PyErr {
+    PyValueError::new_err(format!("`{name}`: the columns do not fit each other: {error}"))
 }
 
 fn mismatch(name: &str, what: &str, names: &[String]) -> PyErr {

@@ -1,12 +1,14 @@
 //! Many configurations of a mechanism, from arrays to arrays.
 
-use crate::argument::{Argument, Input};
+use crate::argument::{Argument, Input, is_single};
+use crate::broadcast::common;
 use crate::call::Answer;
+use crate::columns::{Named, misfit, named};
 use crate::error::{misshapen, value_error};
 use crate::links::Chosen;
 use crate::number::Number;
 use crate::output::{Output, view_of_out};
-use crate::shape::{EIGHT, tuple};
+use crate::shape::{EIGHT, NUMBER, tuple};
 use crate::threads::{GRAIN, Threads};
 use dq8::simd::MAX_LANES;
 use dq8::{Backend, ShapeError};
@@ -38,31 +40,117 @@ impl Frame {
     }
 }
 
-/// Configurations in memory, and their leading dimensions.
-fn configurations<'py, R: Number>(
-    mechanism: &OwnedMechanism<R>,
-    values: &Argument<'py>,
-) -> PyResult<(Input<'py, R>, Vec<usize>)> {
-    let values = Input::<R>::of(values)?;
-    let full = values.full_leading().to_vec();
-    let count = mechanism.view().values();
-    let Some((_, leading)) = full.split_last().filter(|&(&last, _)| last == count) else {
-        return Err(misshapen("values", &format!("(..., {count})"), &full));
-    };
-    Ok((values.in_full()?, leading.to_vec()))
+/// Configurations: one array, or an array for each value.
+pub(crate) enum Values<'py> {
+    Rows(Argument<'py>),
+    Columns(Vec<Argument<'py>>),
+}
+
+impl<'py> Values<'py> {
+    /// What the caller called `values`, of a mechanism with these names.
+    pub(crate) fn of(value: &Bound<'py, PyAny>, names: &dyn Fn() -> Vec<String>) -> PyResult<Self> {
+        let argument = |value: &_| Argument::new("values", NUMBER, value);
+        Ok(match named("values", value, names)? {
+            Named::Rows(rows) => Self::Rows(argument(&rows)?),
+            Named::Columns(columns) => {
+                Self::Columns(columns.iter().map(argument).collect::<PyResult<_>>()?)
+            }
+        })
+    }
+
+    /// Whether they are `f32`.
+    pub(crate) fn is_single(&self) -> bool {
+        match self {
+            Self::Rows(rows) => is_single([rows]),
+            Self::Columns(columns) => is_single(columns),
+        }
+    }
+}
+
+/// Configurations in memory.
+struct Configurations<'py, R: Number> {
+    /// All, or one for each value.
+    inputs: Vec<Input<'py, R>>,
+    /// The leading dimensions of all of them.
+    leading: Vec<usize>,
+}
+
+impl<'py, R: Number> Configurations<'py, R> {
+    fn of(mechanism: &OwnedMechanism<R>, values: &Values<'py>) -> PyResult<Self> {
+        let columns = match values {
+            Values::Columns(columns) if !columns.is_empty() => columns,
+            Values::Columns(_) => return Err(misshapen("values", "(..., 0)", &[])),
+            Values::Rows(rows) => {
+                let input = Input::<R>::of(rows)?;
+                let full = input.full_leading().to_vec();
+                let count = mechanism.view().values();
+                let Some((_, leading)) = full.split_last().filter(|&(&last, _)| last == count)
+                else {
+                    return Err(misshapen("values", &format!("(..., {count})"), &full));
+                };
+                return Ok(Self { inputs: vec![input.in_full()?], leading: leading.to_vec() });
+            }
+        };
+        let inputs = columns.iter().map(Input::<R>::of).collect::<PyResult<Vec<_>>>()?;
+        let shapes = || inputs.iter().map(Input::full_leading);
+        let leading = common(shapes()).ok_or_else(|| {
+            let shapes: Vec<_> = shapes().map(tuple).collect();
+            misfit("values", &shapes.join(", "))
+        })?;
+        let fill =
+            |input: Input<'py, R>| if input.is_one() { Ok(input) } else { input.filled(&leading) };
+        let inputs = inputs.into_iter().map(fill).collect::<PyResult<_>>()?;
+        Ok(Self { inputs, leading })
+    }
+
+    fn apart_from(mut self, output: &Output<'py, R>) -> PyResult<Self> {
+        self.inputs =
+            self.inputs.into_iter().map(|it| it.apart_from(output)).collect::<PyResult<_>>()?;
+        Ok(self)
+    }
+
+    fn numbers(&self) -> Numbers<'_, R> {
+        self.inputs.iter().map(|input| input.records::<1>().as_flattened()).collect()
+    }
+}
+
+/// All numbers, or those of each value; one that is the same for all counts once.
+type Numbers<'s, R> = Vec<&'s [R]>;
+
+/// The configurations `range` of numbers, `values` for each, side by side; in `made` where they are columns.
+fn rows<'s, R: Number>(
+    numbers: &Numbers<'s, R>,
+    values: usize,
+    range: std::ops::Range<usize>,
+    made: &'s mut Vec<R>,
+) -> &'s [R] {
+    if let [rows] = numbers[..]
+        && values * range.end <= rows.len()
+    {
+        return &rows[range.start * values..range.end * values];
+    }
+    made.resize(range.len() * values, R::ZERO);
+    for (column, numbers) in numbers.iter().enumerate() {
+        let rows = made.chunks_exact_mut(values);
+        match **numbers {
+            [one] => rows.for_each(|row| row[column] = one),
+            _ => rows.zip(&numbers[range.clone()]).for_each(|(row, &it)| row[column] = it),
+        }
+    }
+    made
 }
 
 /// The poses of links at each configuration.
 pub(crate) fn poses<'py, R: Number>(
+    py: Python<'py>,
     mechanism: &OwnedMechanism<R>,
-    values: &Argument<'py>,
+    values: &Values<'py>,
     chosen: Option<Chosen>,
     out: Option<&Bound<'py, PyAny>>,
 ) -> Answer<'py> {
-    let (values, leading) = configurations(mechanism, values)?;
-    let py = values.py();
+    let values = Configurations::of(mechanism, values)?;
     let view = mechanism.view();
-    let mut shape = leading;
+    let mut shape = values.leading.clone();
     let elements: usize = shape.iter().product::<usize>() * view.links();
     let threads = Threads::for_elements(elements);
     if !chosen.as_ref().is_some_and(|chosen| chosen.one) {
@@ -70,33 +158,34 @@ pub(crate) fn poses<'py, R: Number>(
     }
     let output = Output::<R>::new(py, out, &shape, EIGHT)?;
     let values = values.apart_from(&output)?;
-    let numbers = values.records::<1>().as_flattened();
+    let numbers = values.numbers();
     let backend = Backend::best();
     let poses = |numbers: &[R], to: &mut [[R; 8]]| match &chosen {
         None => view.job().backend(backend).poses(numbers, to),
         Some(Chosen { links, .. }) => view.job().links(links).backend(backend).poses(numbers, to),
     };
     let links = chosen.as_ref().map_or(view.links(), |chosen| chosen.links.len());
-    output.fill(&threads, |to| pieces(&threads, view, numbers, links, to, &poses))
+    output.fill(&threads, |to| pieces(&threads, view, &numbers, links, to, &poses))
 }
 
 /// The Jacobian of a link at each configuration.
 pub(crate) fn jacobian<'py, R: Number>(
+    py: Python<'py>,
     mechanism: &OwnedMechanism<R>,
-    values: &Argument<'py>,
+    values: &Values<'py>,
     link: usize,
     frame: Frame,
     out: Option<&Bound<'py, PyAny>>,
 ) -> Answer<'py> {
-    let (values, leading) = configurations(mechanism, values)?;
-    let py = values.py();
+    let values = Configurations::of(mechanism, values)?;
+    let leading = values.leading.clone();
     let view = mechanism.view();
     let configurations: usize = leading.iter().product();
     let shape = [&leading[..], &[6, view.rates()]].concat();
     let transposed = out.map(|out| by_columns(out, &shape)).transpose()?;
     let output = Output::<R>::new(py, transposed.as_ref(), &leading, &[view.rates(), 6])?;
     let values = values.apart_from(&output)?;
-    let numbers = values.records::<1>().as_flattened();
+    let numbers = values.numbers();
     let backend = Backend::best();
     let columns = |numbers: &[R], to: &mut [[R; 6]]| {
         let mut poses = vec![[R::ZERO; 8]; to.len() / view.rates()];
@@ -116,7 +205,7 @@ pub(crate) fn jacobian<'py, R: Number>(
     };
     let threads = Threads::for_elements(configurations * view.links());
     let columns =
-        output.fill(&threads, |to| pieces(&threads, view, numbers, view.rates(), to, &columns))?;
+        output.fill(&threads, |to| pieces(&threads, view, &numbers, view.rates(), to, &columns))?;
     match out {
         Some(out) => Ok(out.clone()),
         None => columns.call_method1("swapaxes", (-1, -2)),
@@ -136,12 +225,12 @@ fn by_columns<'py>(out: &Bound<'py, PyAny>, shape: &[usize]) -> Answer<'py> {
 type Compute<'f, R, const C: usize> =
     dyn Fn(&[R], &mut [[R; C]]) -> Result<(), ShapeError> + Sync + 'f;
 
-/// `each` of the configurations in `numbers`, which writes `rows` elements of `to` for one; some together.
+/// `each` of the configurations in `numbers`, which writes `count` elements of `to` for one; some together.
 fn pieces<R: Number, const C: usize>(
     threads: &Threads,
     view: Mechanism<'_, R>,
-    numbers: &[R],
-    rows: usize,
+    numbers: &Numbers<'_, R>,
+    count: usize,
     to: &mut [[R; C]],
     each: &Compute<'_, R, C>,
 ) -> PyResult<()> {
@@ -150,11 +239,13 @@ fn pieces<R: Number, const C: usize>(
     }
     let (failure, values) = (OnceLock::new(), view.values());
     // Whole registers.
-    let size = rows * GRAIN.div_ceil(view.links()).next_multiple_of(MAX_LANES);
+    let size = count * GRAIN.div_ceil(view.links()).next_multiple_of(MAX_LANES);
     threads.split(size, to, &|(first, to)| {
-        let (first, count) = (first / rows, to.len() / rows);
-        let numbers = &numbers[first * values..(first + count) * values];
-        each(numbers, to).map_err(|error| failure.set(error)).is_ok()
+        let range = first / count..(first + to.len()) / count;
+        let mut made = Vec::new();
+        each(rows(numbers, values, range, &mut made), to)
+            .map_err(|error| failure.set(error))
+            .is_ok()
     });
     failure.into_inner().map_or(Ok(()), |error| Err(value_error(error)))
 }

@@ -5,13 +5,10 @@ use pyo3::intern;
 use pyo3::prelude::*;
 
 /// By the package and the name of a type, what is called `{}` in the call; `{n}` are the numbers of an element.
-const CURES: [(&str, &str, &str); 12] = [
+const CURES: [(&str, &str, &str); 9] = [
     ("dq8", "RigidTransform", "{}.motions"),
     ("scipy", "RigidTransform", "{}.as_dual_quat()"),
     ("scipy", "Rotation", "{}.as_quat()"),
-    ("pyarrow", "ChunkedArray", "{}.combine_chunks().flatten().to_numpy().reshape(-1, {n})"),
-    ("pyarrow", "FixedSizeListArray", "{}.flatten().to_numpy().reshape(-1, {n})"),
-    ("pyarrow", "ListArray", "{}.flatten().to_numpy().reshape(-1, {n})"),
     ("pandas", "Series", "numpy.stack({})` of arrays or `{}.to_numpy(float, na_value=numpy.nan)"),
     ("pandas", "DataFrame", "{}.to_numpy(float, na_value=numpy.nan)"),
     ("polars", "Series", "{}.to_list()"),

@@ -1,16 +1,17 @@
 //! Joint hierarchies.
 
 use crate::argument::{Argument, Input, common_dtype, is_single};
+use crate::broadcast::common;
 use crate::call::Answer;
-use crate::error::{misshapen, value_error};
+use crate::error::misshapen;
 use crate::number::Number;
 use crate::output::Output;
 use crate::plain::check_whole;
-use crate::shape::EIGHT;
+use crate::shape::{EIGHT, tuple};
 use crate::threads::{GRAIN, Threads};
-use dq8::DualQuat;
 use dq8::hierarchy::Root;
 use dq8::simd::MAX_LANES;
+use dq8::{DualQuat, Skeleton};
 use pyo3::exceptions::{PyRuntimeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyList;
@@ -20,7 +21,7 @@ use pyo3::types::PyList;
 /// Parameters
 /// ----------
 /// parents : sequence of int, length n
-///     ``parents[j]`` is the parent of joint j, or −1 for a root. Parents come before their children.
+///     ``parents[j]`` is the parent of joint j, or −1 or None for a root; in any order.
 ///
 /// Examples
 /// --------
@@ -32,18 +33,24 @@ use pyo3::types::PyList;
 #[pyclass(frozen, module = "dq8")]
 #[derive(Debug)]
 pub(crate) struct Hierarchy {
-    pub(crate) parents: Vec<u32>,
+    parents: Vec<u32>,
+    /// With parents first.
+    sorted: Skeleton,
+    /// Where each of the sorted joints stands, if not in that order.
+    order: Option<Vec<usize>>,
 }
 
 #[pymethods]
 impl Hierarchy {
     #[new]
-    #[pyo3(signature = (parents, /))]
     fn new(parents: &Bound<'_, PyAny>) -> PyResult<Self> {
         let parents = parents_of(parents)?;
-        dq8::Hierarchy::new(&parents)
-            .map_err(|error| PyValueError::new_err(format!("`parents`: {error}")))?;
-        Ok(Self { parents })
+        let named = |error| PyValueError::new_err(format!("`parents`: {error}"));
+        if let Ok(sorted) = Skeleton::new(&parents) {
+            return Ok(Self { parents, sorted, order: None });
+        }
+        let (sorted, order) = Skeleton::sorted(&parents).map_err(named)?;
+        Ok(Self { parents, sorted, order: Some(order) })
     }
 
     /// The parent of every joint, −1 for a root.
@@ -78,8 +85,8 @@ impl Hierarchy {
     /// ----------
     /// locals : array_like, shape (..., joints, 8)
     ///     Unit dual quaternions: the pose of each joint in its parent.
-    /// root : array_like, shape (8,), optional
-    ///     What the roots stand on, the same for all instances.
+    /// root : array_like, shape (8,) or (..., 8), optional
+    ///     What the roots stand on, the same for all instances or each its own.
     /// out : ndarray, optional
     ///     Where to write the result; `locals` itself halves the memory that is touched.
     ///
@@ -88,7 +95,7 @@ impl Hierarchy {
     /// ndarray, shape (..., joints, 8)
     #[doc = common_dtype!()]
     ///     The pose of each joint in model space.
-    #[pyo3(signature = (locals, /, *, root=None, out=None))]
+    #[pyo3(signature = (locals, *, root=None, out=None))]
     fn local_to_model<'py>(
         &self,
         locals: &Bound<'py, PyAny>,
@@ -104,8 +111,8 @@ impl Hierarchy {
     /// ----------
     /// models : array_like, shape (..., joints, 8)
     ///     Unit dual quaternions: the pose of each joint in model space.
-    /// root : array_like, shape (8,), optional
-    ///     What the roots stand on, the same for all instances.
+    /// root : array_like, shape (8,) or (..., 8), optional
+    ///     What the roots stand on, the same for all instances or each its own.
     /// out : ndarray, optional
     ///     Where to write the result; may be `models`.
     ///
@@ -114,7 +121,7 @@ impl Hierarchy {
     /// ndarray, shape (..., joints, 8)
     #[doc = common_dtype!()]
     ///     The pose of each joint in its parent.
-    #[pyo3(signature = (models, /, *, root=None, out=None))]
+    #[pyo3(signature = (models, *, root=None, out=None))]
     fn model_to_local<'py>(
         &self,
         models: &Bound<'py, PyAny>,
@@ -128,12 +135,12 @@ impl Hierarchy {
 /// Parents as numbers of joints, −1 for a root.
 pub(crate) fn parents_of(parents: &Bound<'_, PyAny>) -> PyResult<Vec<u32>> {
     check_whole("parents", parents)?;
-    let given: Vec<i64> = parents.extract().map_err(|_| {
+    let given: Vec<Option<i64>> = parents.extract().map_err(|_| {
         PyTypeError::new_err("Expected `parents` to be a sequence of integers, −1 for a root.")
     })?;
-    let parents = given.iter().map(|&parent| match parent {
+    let parents = given.iter().map(|&parent| match parent.unwrap_or(-1) {
         -1 => Ok(dq8::Hierarchy::ROOT),
-        _ => u32::try_from(parent)
+        parent => u32::try_from(parent)
             .ok()
             .filter(|&parent| parent != dq8::Hierarchy::ROOT)
             .ok_or(parent),
@@ -150,6 +157,16 @@ enum Direction {
 }
 
 impl Hierarchy {
+    /// Of joints with parents first; nothing if they are in another order.
+    pub(crate) fn in_order(&self) -> Option<&Skeleton> {
+        self.order.is_none().then_some(&self.sorted)
+    }
+
+    /// How many; one of none, to count with.
+    fn joints(&self) -> usize {
+        self.parents.len().max(1)
+    }
+
     fn run<'py>(
         &self,
         direction: Direction,
@@ -183,13 +200,19 @@ impl Hierarchy {
             return Err(misshapen(name, &expected, &poses.shape()));
         }
         let poses = poses.in_full()?;
+        let instances = full.split_last().map_or(&[][..], |(_, instances)| instances);
         let root = root.map(Input::<R>::of).transpose()?;
-        let root = match &root {
-            None => None,
-            Some(root) => match root.records::<8>() {
-                [one] if root.full_leading().is_empty() => Some(DualQuat::from_array(*one)),
-                _ => return Err(misshapen("root", "(8,)", &root.shape())),
-            },
+        let roots = match root {
+            Some(root)
+                if common([root.full_leading(), instances].into_iter()).as_deref()
+                    != Some(instances) =>
+            {
+                let each = format!(" or {}", tuple(&[instances, EIGHT].concat()));
+                let expected = format!("(8,){}", if instances.is_empty() { "" } else { &each });
+                return Err(misshapen("root", &expected, &root.shape()));
+            }
+            Some(root) if root.is_one() => Some(root),
+            root => root.map(|root| root.filled(instances)).transpose()?,
         };
         let output = Output::<R>::new(py, out, &full, EIGHT)?;
         let poses = if poses.is(&output) {
@@ -200,24 +223,41 @@ impl Hierarchy {
             Some(poses.apart_from(&output)?)
         };
 
-        let hierarchy = dq8::Hierarchy::new(&self.parents).map_err(value_error)?;
-        let job = hierarchy.job().on(root.map_or(Root::None, Root::Same));
+        let roots = roots.map(|roots| roots.apart_from(&output)).transpose()?;
+        let roots = roots.as_ref().map(|root| (root.records::<8>(), root.is_one()));
         let from = poses.as_ref().map(|poses| poses.records::<8>());
         let threads = Threads::for_elements(full.iter().product());
+        let compute = |first: usize, from: Option<&[[R; 8]]>, to: &mut [[R; 8]]| {
+            let root = match roots {
+                None => Root::None,
+                Some((roots, true)) => Root::Same(DualQuat::from_array(roots[0])),
+                Some((roots, false)) => Root::Each(&roots[first..first + to.len() / self.joints()]),
+            };
+            let job = self.sorted.hierarchy().job().on(root);
+            let done = match (direction, from) {
+                (Direction::ToModel, Some(from)) => job.local_to_model(from, to),
+                (Direction::ToModel, None) => job.local_to_model_in_place(to),
+                (Direction::ToLocal, Some(from)) => job.model_to_local(from, to),
+                (Direction::ToLocal, None) => job.model_to_local_in_place(to),
+            };
+            done.is_ok()
+        };
         output.fill(&threads, |to| {
             // Whole instances, and registers of them. Lengths fit, so it cannot fail.
-            let joints = self.parents.len().max(1);
+            let joints = self.joints();
             let size = joints * GRAIN.div_ceil(joints).next_multiple_of(MAX_LANES);
             threads
                 .split(size, to, &|(first, to)| {
                     let from = from.map(|from| &from[first..first + to.len()]);
-                    let done = match (direction, from) {
-                        (Direction::ToModel, Some(from)) => job.local_to_model(from, to),
-                        (Direction::ToModel, None) => job.local_to_model_in_place(to),
-                        (Direction::ToLocal, Some(from)) => job.model_to_local(from, to),
-                        (Direction::ToLocal, None) => job.model_to_local_in_place(to),
-                    };
-                    done.is_ok()
+                    let Some(order) = &self.order else { return compute(first / joints, from, to) };
+                    let given = from.unwrap_or(to).chunks(joints);
+                    let mut sorted: Vec<_> =
+                        given.flat_map(|poses| order.iter().map(|&joint| poses[joint])).collect();
+                    let done = compute(first / joints, None, &mut sorted);
+                    for (to, sorted) in to.chunks_mut(joints).zip(sorted.chunks(joints)) {
+                        order.iter().zip(sorted).for_each(|(&joint, pose)| to[joint] = *pose);
+                    }
+                    done
                 })
                 .then_some(())
                 .ok_or_else(|| PyRuntimeError::new_err("a hierarchy does not fit its poses"))

@@ -89,7 +89,7 @@ fn kind(name: &str, axis: [f64; 3]) -> Option<JointKind<f64>> {
 }
 
 /// The kind of a joint as text, and its axis.
-pub(crate) fn name_and_axis(kind: JointKind<f64>) -> (&'static str, [f64; 3]) {
+fn name_and_axis(kind: JointKind<f64>) -> (&'static str, [f64; 3]) {
     match kind {
         JointKind::Revolute { axis } => ("revolute", axis),
         JointKind::Prismatic { axis } => ("prismatic", axis),
@@ -136,4 +136,44 @@ pub(crate) fn limits(joints: &[Joint<f64>], mechanism: &OwnedMechanism<f64>) -> 
         }
     }
     all
+}
+
+/// Between what values are drawn: limits; where there are none half a turn either way and a length of one; NaN for the
+/// components of a rotation.
+pub(crate) fn spans(joints: &[Joint<f64>], mechanism: &OwnedMechanism<f64>) -> Vec<[f64; 2]> {
+    const TURN: [f64; 2] = [-core::f64::consts::PI, core::f64::consts::PI];
+    const UNIT: [f64; 2] = [-1.0, 1.0];
+    const FREE: [f64; 2] = [f64::NAN; 2];
+    let mut all = limits(joints, mechanism);
+    for (index, joint) in joints.iter().enumerate() {
+        let usual: &[[f64; 2]] = match joint.kind {
+            JointKind::Revolute { .. } | JointKind::Screw { .. } => &[TURN],
+            JointKind::Planar { .. } => &[UNIT, UNIT, TURN],
+            JointKind::Floating => &[FREE, FREE, FREE, FREE, UNIT, UNIT, UNIT],
+            _ => &[UNIT],
+        };
+        let range = joint.mimic.is_none().then(|| mechanism.view().values_of(index)).flatten();
+        for (value, usual) in range.unwrap_or_default().zip(usual) {
+            for (end, usual) in all[value].iter_mut().zip(usual) {
+                *end = if end.is_finite() { *end } else { *usual };
+            }
+        }
+    }
+    all
+}
+
+/// What the arrays said of each joint, as `Mechanism` takes it.
+pub(crate) type Given = (Vec<i64>, Vec<&'static str>, Vec<[f64; 3]>, Vec<[f64; 8]>, Vec<[f64; 2]>);
+
+/// The arrays that joints are made of.
+pub(crate) fn arrays_of(joints: &[Joint<f64>]) -> Given {
+    let (kinds, axes) = joints.iter().map(|joint| name_and_axis(joint.kind)).unzip();
+    let placements = joints.iter().map(|joint| joint.placement.to_array()).collect();
+    let limits = joints.iter().map(|joint| joint.limits.unwrap_or(NO_LIMITS)).collect();
+    (parents(joints), kinds, axes, placements, limits)
+}
+
+/// The parent of each, −1 for the base.
+pub(crate) fn parents(joints: &[Joint<f64>]) -> Vec<i64> {
+    joints.iter().map(|joint| joint.parent.map_or(-1, |it| it as i64)).collect()
 }

@@ -6,6 +6,7 @@
 //! on lanes.
 
 mod argument;
+mod axis;
 mod blend;
 mod broadcast;
 mod call;
@@ -47,10 +48,15 @@ fn backend() -> String {
 /// Whether results have the same bits on every machine, from now on and in all threads, for 1.0 to 1.5 times the time. Not
 /// those of `dlb` and `mean` over many motions, which are sums over the lanes of whatever there is.
 #[pyfunction]
-#[pyo3(signature = (reproducible, /))]
 fn set_reproducible(reproducible: bool) {
+    #[cfg(feature = "reproducible")]
     Backend::set_reproducible(reproducible);
+    #[cfg(not(feature = "reproducible"))]
+    Backend::limit(reproducible.then_some(Backend::PORTABLE));
 }
+
+#[cfg(not(any(feature = "reproducible", target_arch = "x86_64")))]
+compile_error!("the feature `reproducible` is needed where portable lanes fuse");
 
 /// dq8 on NumPy arrays.
 #[pymodule]
@@ -66,6 +72,8 @@ mod _core {
     #[pymodule_export]
     use super::functions::between::{nlerp, sclerp};
     #[pymodule_export]
+    use super::functions::chains::chain_products;
+    #[pymodule_export]
     use super::functions::conversions::{
         from_rotation_translation, from_translation, rigidity, to_matrix, translation,
     };
@@ -77,8 +85,8 @@ mod _core {
     use super::functions::means::{dlb, mean};
     #[pymodule_export]
     use super::functions::screws::{
-        exp, from_screw, from_twist, integrate_body, integrate_spatial, log, pow, to_screw,
-        to_twist,
+        exp, from_screw, from_twist, integrate_body, integrate_spatial, left_jacobian,
+        left_jacobian_inverse, log, pow, to_screw, to_twist,
     };
     #[pymodule_export]
     use super::functions::squad::{squad, squad_control};

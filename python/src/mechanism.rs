@@ -3,10 +3,10 @@
 use crate::argument::{Argument, common_dtype, is_single};
 use crate::call::Answer;
 use crate::columns::in_order;
-use crate::configurations::{Frame, jacobian, poses};
+use crate::configurations::{Frame, Values, jacobian, poses};
 use crate::error::value_error;
 use crate::hierarchy::parents_of;
-use crate::joints::{Arrays, NO_LIMITS, limits, name_and_axis, values_and_rates};
+use crate::joints::{Arrays, arrays_of, limits, parents, spans, values_and_rates};
 use crate::links::{Chosen, link_of, names};
 use crate::reach::{Search, reach};
 use crate::reach_report::ReachReport;
@@ -63,14 +63,14 @@ pub(crate) struct Mechanism {
     double: OwnedMechanism<f64>,
     /// Lengths may be beyond `f32`.
     single: Result<OwnedMechanism<f32>, MechanismError>,
-    /// The text of the file.
-    urdf: Option<String>,
+    /// The name of the robot and the text of the file.
+    urdf: Option<(String, String)>,
 }
 
 #[pymethods]
 impl Mechanism {
     #[new]
-    #[pyo3(signature = (parents, kinds, axes, placements, /, limits=None, links=None))]
+    #[pyo3(signature = (parents, kinds, axes, placements, limits=None, links=None))]
     fn new(
         parents: &Bound<'_, PyAny>,
         kinds: &Bound<'_, PyAny>,
@@ -107,7 +107,6 @@ impl Mechanism {
     /// -------
     /// Mechanism
     #[classmethod]
-    #[pyo3(signature = (source, /))]
     fn from_urdf(_: &Bound<'_, PyType>, source: &Bound<'_, PyAny>) -> PyResult<Self> {
         let text = text_of(source)?;
         let robot = Robot::from_urdf(&text).map_err(value_error)?;
@@ -118,8 +117,14 @@ impl Mechanism {
             double: OwnedMechanism::new(&joints).map_err(value_error)?,
             single: robot.cast(),
             joints,
-            urdf: Some(text),
+            urdf: Some((robot.name().to_owned(), text)),
         })
+    }
+
+    /// The name that a URDF file gives the robot, or None.
+    #[getter]
+    fn name(&self) -> Option<&str> {
+        self.urdf.as_ref().map(|(name, _)| name.as_str())
     }
 
     /// The names of the links.
@@ -158,6 +163,18 @@ impl Mechanism {
         Ok(numbers.reshape([limits.len(), 2])?.into_any())
     }
 
+    /// Between what `sample` draws each value.
+    #[getter]
+    fn _spans(&self) -> Vec<[f64; 2]> {
+        spans(&self.joints, &self.double)
+    }
+
+    /// The link that carries each link, −1 for the base.
+    #[getter]
+    fn parents(&self) -> Vec<i64> {
+        parents(&self.joints)
+    }
+
     /// How many links there are.
     fn __len__(&self) -> usize {
         self.links.len()
@@ -172,22 +189,11 @@ impl Mechanism {
         slf: &Bound<'py, Self>,
     ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
         let (py, own) = (slf.py(), slf.get());
-        if let Some(urdf) = &own.urdf {
+        if let Some((_, urdf)) = &own.urdf {
             return Ok((slf.get_type().getattr("from_urdf")?, PyTuple::new(py, [urdf])?));
         }
-        let parents = own.joints.iter().map(|joint| joint.parent.map_or(-1, |it| it as i64));
-        let (kinds, axes): (Vec<_>, Vec<_>) =
-            own.joints.iter().map(|joint| name_and_axis(joint.kind)).unzip();
-        let placements = own.joints.iter().map(|joint| joint.placement.to_array());
-        let limits = own.joints.iter().map(|joint| joint.limits.unwrap_or(NO_LIMITS));
-        let arguments = (
-            parents.collect::<Vec<_>>(),
-            kinds,
-            axes,
-            placements.collect::<Vec<_>>(),
-            limits.collect::<Vec<_>>(),
-            own.links.clone(),
-        );
+        let (parents, kinds, axes, placements, limits) = arrays_of(&own.joints);
+        let arguments = (parents, kinds, axes, placements, limits, own.links.clone());
         Ok((slf.get_type().into_any(), arguments.into_pyobject(py)?))
     }
 
@@ -212,7 +218,7 @@ impl Mechanism {
     /// ndarray, shape (..., links, 8), or (..., 8) for one link that is no sequence
     #[doc = common_dtype!()]
     ///     Unit dual quaternions.
-    #[pyo3(signature = (values, /, links=None, *, out=None))]
+    #[pyo3(signature = (values, links=None, *, out=None))]
     fn poses<'py>(
         &self,
         values: &Bound<'py, PyAny>,
@@ -220,11 +226,12 @@ impl Mechanism {
         out: Option<&Bound<'py, PyAny>>,
     ) -> Answer<'py> {
         let chosen = links.map(|links| Chosen::of(&self.links, links)).transpose()?;
-        let values = self.argument("values", values)?;
-        if is_single([&values]) {
-            poses(self.single()?, &values, chosen, out)
+        let py = values.py();
+        let values = Values::of(values, &|| self.values())?;
+        if values.is_single() {
+            poses(py, self.single()?, &values, chosen, out)
         } else {
-            poses(&self.double, &values, chosen, out)
+            poses(py, &self.double, &values, chosen, out)
         }
     }
 
@@ -258,7 +265,7 @@ impl Mechanism {
     /// >>> arm = dq8.Mechanism([-1, 0], ["revolute", "fixed"], [0, 0, 1], meter)
     /// >>> arm.jacobian([0.0], 1, 'aligned')[:, 0]
     /// array([0., 0., 1., 0., 1., 0.])
-    #[pyo3(signature = (values, /, link, frame="world", *, out=None))]
+    #[pyo3(signature = (values, link, frame="world", *, out=None))]
     fn jacobian<'py>(
         &self,
         values: &Bound<'py, PyAny>,
@@ -268,11 +275,12 @@ impl Mechanism {
     ) -> Answer<'py> {
         let frame = Frame::of(frame)?;
         let link = link_of(&self.links, "link", link)?;
-        let values = self.argument("values", values)?;
-        if is_single([&values]) {
-            jacobian(self.single()?, &values, link, frame, out)
+        let py = values.py();
+        let values = Values::of(values, &|| self.values())?;
+        if values.is_single() {
+            jacobian(py, self.single()?, &values, link, frame, out)
         } else {
-            jacobian(&self.double, &values, link, frame, out)
+            jacobian(py, &self.double, &values, link, frame, out)
         }
     }
 
@@ -335,7 +343,7 @@ impl Mechanism {
     /// (True, array([2., 1., 0.]))
     #[expect(clippy::too_many_arguments, reason = "keywords of Python")]
     #[pyo3(signature = (
-        targets, values, /, links, *, weights=None, posture=None, angular_tolerance=1e-5,
+        targets, values, links, *, weights=None, posture=None, angular_tolerance=1e-5,
         linear_tolerance=1e-5, max_iterations=100, length_per_radian=None, max_step=1.5, damping=0.0,
         restarts=true, out=None
     ))]
@@ -355,12 +363,14 @@ impl Mechanism {
         restarts: bool,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<(Bound<'py, PyAny>, ReachReport)> {
+        let named =
+            |name, value| Argument::new(name, NUMBER, &in_order(name, value, &|| self.values())?);
         let search = Search {
             targets: Argument::new("targets", EIGHT, targets)?,
-            values: self.argument("values", values)?,
+            values: named("values", values)?,
             chosen: Chosen::of(&self.links, links)?,
             weights: weights.map(|value| Argument::new("weights", SIX, value)).transpose()?,
-            posture: posture.map(|value| self.argument("posture", value)).transpose()?,
+            posture: posture.map(|value| named("posture", value)).transpose()?,
             options: Options {
                 angular_tolerance,
                 linear_tolerance,
@@ -381,15 +391,6 @@ impl Mechanism {
 }
 
 impl Mechanism {
-    /// Configurations.
-    fn argument<'py>(
-        &self,
-        name: &'static str,
-        value: &Bound<'py, PyAny>,
-    ) -> PyResult<Argument<'py>> {
-        Argument::new(name, NUMBER, &in_order(name, value, &|| self.values())?)
-    }
-
     fn single(&self) -> PyResult<&OwnedMechanism<f32>> {
         self.single.as_ref().map_err(|error| {
             PyValueError::new_err(format!("`values` are float32, for which {error}"))

@@ -10,7 +10,7 @@ use crate::shape::{EIGHT, NUMBER};
 use crate::threads::Threads;
 use dq8::hierarchy::{self, Sampled, Tolerance};
 use dq8::{DualQuat, Real, law::NlerpLerp};
-use pyo3::exceptions::PyRuntimeError;
+use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
@@ -43,7 +43,7 @@ pub(crate) struct PackedClip {
 #[pymethods]
 impl PackedClip {
     #[new]
-    #[pyo3(signature = (frames, /, *, angle=2e-5, length=1e-5))]
+    #[pyo3(signature = (frames, *, angle=2e-5, length=1e-5))]
     fn new(frames: &Bound<'_, PyAny>, angle: f32, length: f32) -> PyResult<Self> {
         let (keys, joints) = keys(frames)?;
         let packed = hierarchy::PackedClip::new(joints, &keys, Tolerance { angle, length });
@@ -52,7 +52,6 @@ impl PackedClip {
 
     /// A clip of bytes that `to_bytes` gave, or the example mocap of the Rust crate wrote.
     #[staticmethod]
-    #[pyo3(signature = (data, /))]
     fn from_bytes(data: &[u8]) -> PyResult<Self> {
         Ok(Self { packed: hierarchy::PackedClip::from_bytes(data.into()).map_err(value_error)? })
     }
@@ -108,7 +107,7 @@ impl PackedClip {
     /// -------
     /// ndarray, shape (..., joints, 8)
     ///     Unit dual quaternions, float32 if `at` is float32, otherwise float64.
-    #[pyo3(signature = (at, /, *, out=None))]
+    #[pyo3(signature = (at, *, out=None))]
     fn sample<'py>(&self, at: &Bound<'py, PyAny>, out: Option<&Bound<'py, PyAny>>) -> Answer<'py> {
         let at = Argument::new("at", NUMBER, at)?;
         if is_single([&at]) { self.typed::<f32>(&at, out) } else { self.typed::<f64>(&at, out) }
@@ -129,7 +128,6 @@ impl PackedClip {
     /// Returns
     /// -------
     /// tuple of float
-    #[pyo3(signature = (hierarchy, frames, distance, /))]
     fn deviation(
         &self,
         hierarchy: &Hierarchy,
@@ -137,8 +135,14 @@ impl PackedClip {
         distance: f64,
     ) -> PyResult<(f64, f64)> {
         let (keys, _) = keys(frames)?;
-        let hierarchy = dq8::Hierarchy::new(&hierarchy.parents).map_err(value_error)?;
-        let off = self.packed.deviation(&hierarchy, 0, &keys, distance).map_err(value_error)?;
+        let Some(skeleton) = hierarchy.in_order() else {
+            let message = "Expected the parents of `hierarchy` to come before their children.";
+            return Err(PyValueError::new_err(message));
+        };
+        let off = self
+            .packed
+            .deviation(&skeleton.hierarchy(), 0, &keys, distance)
+            .map_err(value_error)?;
         Ok((off.worst, off.p99))
     }
 }

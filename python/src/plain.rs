@@ -41,6 +41,15 @@ pub(crate) fn real<'py>(
     if matches!((dtype.kind(), dtype.itemsize()), (b'f', 2 | 4 | 8) | (b'i' | b'u' | b'b', _)) {
         return Ok(array);
     }
+    // NumPy makes objects of Arrow's lists.
+    if dtype.kind() == b'O' && is_arrow(value)? {
+        static FROM_ARROW: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
+        let numbers = FROM_ARROW.import(value.py(), "dq8._arrow", "from_arrow")?.call1((value,));
+        let numbers = numbers.map_err(|error| {
+            PyValueError::new_err(format!("`{name}`: {}", error.value(value.py())))
+        })?;
+        return real(name, core, &numbers);
+    }
     // Arrays have a dtype. Of anything else that NumPy makes objects or text of, the type says more.
     let is_array = value.is_instance_of::<PyUntypedArray>();
     let given = match dtype.kind() {
@@ -55,7 +64,6 @@ pub(crate) fn real<'py>(
 
 /// `value` as the functions take an array called `name`, of real numbers and no subclass.
 #[pyfunction]
-#[pyo3(signature = (name, value, /))]
 pub(crate) fn real_array<'py>(
     name: &str,
     value: &Bound<'py, PyAny>,
@@ -123,7 +131,7 @@ fn check(name: &str, value: &Bound<'_, PyAny>, depth: usize) -> PyResult<()> {
     let name_of_kind = kind.fully_qualified_name()?;
     Err(PyTypeError::new_err(format!(
         "Expected `{name}` to be an array in memory, got {name_of_kind}: pass `numpy.asarray({name})` to compute it \
-         here and now, or call the function on its blocks (Dask: `map_blocks`)."
+         here and now, or call the function on its blocks (Dask: the functions of `dq8.dask`)."
     )))
 }
 
@@ -131,6 +139,16 @@ fn check(name: &str, value: &Bound<'_, PyAny>, depth: usize) -> PyResult<()> {
 fn is_lazy(kind: &Bound<'_, PyType>, value: &Bound<'_, PyAny>) -> PyResult<bool> {
     let graph = intern!(value.py(), "__dask_graph__");
     Ok(kind.hasattr(graph)? && !value.call_method0(graph)?.is_none())
+}
+
+/// Whether a value offers Arrow's memory. Of the objects of pandas, which does as well, [`cure`] says more.
+fn is_arrow(value: &Bound<'_, PyAny>) -> PyResult<bool> {
+    let py = value.py();
+    if value.get_type().module()?.to_string().split('.').next() == Some("pandas") {
+        return Ok(false);
+    }
+    Ok(value.hasattr(intern!(py, "__arrow_c_array__"))?
+        || value.hasattr(intern!(py, "__arrow_c_stream__"))?)
 }
 
 /// Python's own numbers, which take the precision of what they meet.

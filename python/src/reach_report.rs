@@ -37,7 +37,6 @@ pub(crate) struct ReachReport {
 impl ReachReport {
     /// Of the arrays that `to_dict` names, in their order.
     #[new]
-    #[pyo3(signature = (converged, outcome, iterations, restarts, angular_error, linear_error, /))]
     fn from_parts(
         converged: Py<PyAny>,
         outcome: Py<PyAny>,

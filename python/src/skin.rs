@@ -81,7 +81,7 @@ use std::sync::OnceLock;
 #[expect(clippy::too_many_arguments, reason = "keywords of Python")]
 #[pyfunction]
 #[pyo3(signature = (
-    points, joints, weights, palette, /, *, method="dlb", shares=None, normals=None, tangents=None, out=None
+    points, joints, weights, palette, *, method="dlb", shares=None, normals=None, tangents=None, out=None
 ))]
 pub(crate) fn skin<'py>(
     points: &Bound<'py, PyAny>,

@@ -3,6 +3,7 @@
 use crate::law::{Each, Law, One, OneOrEach, Operand, store};
 use crate::threads::{GRAIN, Threads};
 use dq8::{Backend, Kernel, Lanes, Level, Scalar};
+use std::slice;
 
 /// Which of the three arguments has an element for each result, where the others are one for all.
 pub(crate) type Which = [bool; 3];
@@ -38,19 +39,21 @@ pub(crate) fn sweep<R, F, const A: usize, const B: usize, const C: usize, const 
             return;
         }
     }
-    // The constants keep the compiler from kernels that nothing calls, half of all.
-    if const { F::WIDE } {
-        wide(threads, law, Arguments { a, b, c }, each, to);
-    } else if const { A > 0 } && each[0] {
-        with_a(threads, law, a, b, c, each, to);
-    } else {
-        with_a(threads, law, One(a.one()), b, c, each, to);
+    // One for all, all of them: one element says what all are.
+    if each == [false; 3] {
+        let Some((first, rest)) = to.split_first_mut() else { return };
+        operands(threads, law, Arguments { a, b, c }, [true, false, false], slice::from_mut(first));
+        return rest.fill(*first);
     }
+    operands(threads, law, Arguments { a, b, c }, each, to);
 }
 
-/// [`sweep`], of a law that computes so much that a look at where an argument lies does not count. But what is
-/// computed of the first argument, or of the first two, is computed once if they are one for all.
-fn wide<R, F, const A: usize, const B: usize, const C: usize, const D: usize>(
+/// [`sweep`], where some argument has an element for each result.
+///
+/// Each combination of operands is a kernel of its own, and what the compiler works for. So there is one where a look at
+/// where an argument lies costs nothing ([`Law::WIDE`], and third arguments); but what is computed of the first argument,
+/// or of the first two, is computed once if they are one for all. (The constants keep it from kernels that nothing calls.)
+fn operands<R, F, const A: usize, const B: usize, const C: usize, const D: usize>(
     threads: &Threads,
     law: F,
     arguments: Arguments<'_, R, A, B, C>,
@@ -62,55 +65,18 @@ fn wide<R, F, const A: usize, const B: usize, const C: usize, const D: usize>(
 {
     let Arguments { a, b, c } = arguments;
     let last = OneOrEach::of(c, each[2]);
-    if each[0] {
+    if const { F::WIDE && B > 0 } && each[0] {
         chunks(threads, law, a, OneOrEach::of(b, each[1]), last, to);
+    } else if const { !F::WIDE && C > 0 } && each == [true; 3] {
+        chunks(threads, law, a, b, c, to);
+    } else if const { !F::WIDE && B > 0 } && each[0] && each[1] {
+        chunks(threads, law, a, b, One(c.one()), to);
+    } else if const { !F::WIDE || B == 0 } && each[0] {
+        chunks(threads, law, a, One(b.one()), last, to);
     } else if const { C > 0 } && !each[1] {
         chunks(threads, law, One(a.one()), One(b.one()), last, to);
-    } else {
-        chunks(threads, law, One(a.one()), OneOrEach::of(b, each[1]), last, to);
-    }
-}
-
-/// [`sweep`], of an operand and what is left.
-fn with_a<R, F, X, const A: usize, const B: usize, const C: usize, const D: usize>(
-    threads: &Threads,
-    law: F,
-    a: X,
-    b: Each<'_, R, B>,
-    c: Each<'_, R, C>,
-    each: Which,
-    to: &mut [[R; D]],
-) where
-    R: Scalar + Send + Sync,
-    F: Law<A, B, C, D>,
-    X: Operand<R, A>,
-{
-    if const { B > 0 } && each[1] {
-        with_b(threads, law, a, b, c, each, to);
-    } else {
-        with_b(threads, law, a, One(b.one()), c, each, to);
-    }
-}
-
-/// [`sweep`], of two operands and what is left.
-fn with_b<R, F, X, Y, const A: usize, const B: usize, const C: usize, const D: usize>(
-    threads: &Threads,
-    law: F,
-    a: X,
-    b: Y,
-    c: Each<'_, R, C>,
-    each: Which,
-    to: &mut [[R; D]],
-) where
-    R: Scalar + Send + Sync,
-    F: Law<A, B, C, D>,
-    X: Operand<R, A>,
-    Y: Operand<R, B>,
-{
-    if const { C > 0 } && each[2] {
-        chunks(threads, law, a, b, c, to);
-    } else {
-        chunks(threads, law, a, b, One(c.one()), to);
+    } else if const { B > 0 } {
+        chunks(threads, law, One(a.one()), b, last, to);
     }
 }
 

@@ -125,7 +125,6 @@ impl Threads {
 /// The environment variable ``DQ8_NUM_THREADS`` sets it at import. Results do not depend on it, to the
 /// last bit. In a child made by ``fork`` it is 1 again: threads do not survive a fork.
 #[pyfunction]
-#[pyo3(signature = (count, /))]
 pub(crate) fn set_num_threads(count: &Bound<'_, PyAny>) -> PyResult<()> {
     let threads = count.extract::<i64>();
     if let Err(error) = &threads

@@ -134,3 +134,36 @@ def test_columns_that_do_not_fit_or_are_no_numbers_are_named(values):
         ARM.poses({**columns, NAMES[1]: None})
     with pytest.raises(TypeError, match=rf'Expected `values\["{NAMES[1]}"\]` to have no mask'):
         ARM.poses({**columns, NAMES[1]: np.ma.masked_array(values[:, 1])})
+
+
+@pytest.mark.parametrize("count", [0, 1, 383, 384, 385, 769])
+def test_columns_of_any_length_and_any_stride_are_read_where_they_lie(count, rng):
+    values = random_values(ARM, rng, count)
+    columns = {name: values[:, NAMES.index(name)].copy() for name in SHUFFLED}
+    columns[NAMES[1]] = values[:, 1]
+    columns[NAMES[4]] = values[:, 4].astype(">f8")
+    np.testing.assert_array_equal(ARM.poses(columns, "hand"), ARM.poses(values, "hand"))
+    np.testing.assert_array_equal(ARM.jacobian(columns, "hand"), ARM.jacobian(values, "hand"))
+    for name, column in columns.items():
+        np.testing.assert_array_equal(column, values[:, NAMES.index(name)])
+
+
+def test_columns_broadcast_and_out_may_be_a_column(values):
+    grid = {name: 0.1 for name in NAMES}
+    grid[NAMES[0]], grid[NAMES[3]] = np.linspace(-1, 1, 4)[:, np.newaxis], np.linspace(-1, 1, 5)
+    rows = np.full((4, 5, len(NAMES)), 0.1)
+    rows[..., 0], rows[..., 3] = grid[NAMES[0]], grid[NAMES[3]]
+    np.testing.assert_array_equal(ARM.poses(grid), ARM.poses(rows))
+    memory = np.empty((20, 8))
+    columns = named(values, NAMES)
+    memory[:, 2] = columns[NAMES[2]]
+    expected = ARM.poses(values, "hand")
+    ARM.poses({**columns, NAMES[2]: memory[:, 2]}, "hand", out=memory)
+    np.testing.assert_array_equal(memory, expected)
+
+
+def test_a_mechanism_of_one_value_takes_its_column(rng):
+    wheel = dq8.Mechanism([-1], "revolute", [0, 0, 1], dq8.identity())
+    angles = rng.random(5000)
+    np.testing.assert_array_equal(wheel.poses({"0": angles}), wheel.poses(angles[:, np.newaxis]))
+    np.testing.assert_array_equal(wheel.poses({"0": 0.5}), wheel.poses([0.5]))

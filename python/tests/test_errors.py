@@ -28,7 +28,7 @@ A = np.tile(dq8.identity(), (5, 1))
         (lambda: dq8.dlb(A[0]), ValueError, r"Expected `motions` to have shape \(\.\.\., n, 8\) with n > 0, got \(8,\)"),
         (lambda: dq8.mean(A[:0]), ValueError, r"with n > 0, got \(0, 8\)"),
         (lambda: dq8.set_num_threads(0), ValueError, r"Expected `count` to be from 1 to 256, got 0"),
-        (lambda: dq8.Hierarchy([-1, 2, 1]), ValueError, r"`parents`: .*1.*2"),
+        (lambda: dq8.Hierarchy([-1, 2, 1]), ValueError, r"`parents`: joint 2 is its own ancestor"),
         (lambda: dq8.Hierarchy([-2]), ValueError, r"`parents`: -2 is neither a joint nor"),
         (lambda: dq8.Hierarchy(["x"]), TypeError, r"Expected `parents` to be a sequence of integers"),
         (lambda: dq8.Hierarchy([-1, 0]).local_to_model(A), ValueError, r"Expected `locals` to have shape \(\.\.\., 2, 8\), got \(5, 8\)"),

@@ -16,7 +16,9 @@ def public():
     yield from ((name, f) for name, f in vars(_core).items() if inspect.isbuiltin(f))
     for owner in (dq8.Hierarchy, dq8.Mechanism, RigidTransform):
         for name, method in vars(owner).items():
-            if not name.startswith("_") and callable(method):
+            # Methods of a mechanism that Python has written have no kernel that could write.
+            written = owner is dq8.Mechanism and inspect.isfunction(method)
+            if not name.startswith("_") and callable(method) and not written:
                 yield f"{owner.__name__}.{name}", method
 
 

@@ -15,6 +15,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import dq8
+import dq8.plot
 
 directory = Path(sys.argv[1] if len(sys.argv) > 1 else ".")
 
@@ -58,7 +59,10 @@ figure = plt.figure(figsize=(5, 4), layout="constrained")
 axes = figure.add_subplot(projection="3d")
 for path, name in [(screw, "sclerp"), (linear, "nlerp"), (straight, "slerp and lerp")]:
     axes.plot(*path.T, label=name)
+dq8.plot.frames(axes, dq8.sclerp(start, end, t[::7]), length=0.3)
+dq8.plot.screw(axes, b, length=2.0)
 axes.legend()
+dq8.plot.fitted(axes)
 figure.savefig(directory / "between.png")
 # The screw keeps its distance from the axis.
 assert np.allclose(np.linalg.norm(screw[:, :2], axis=1), 1)
@@ -80,6 +84,12 @@ controls = dq8.squad_control(before, keys, after)
 between = np.linspace(0, 1, 11)[:, None]  # of each piece: (11, pieces, 8)
 smooth = dq8.squad(keys[:-1], controls[:-1], controls[1:], keys[1:], between)
 assert smooth.shape == (11, 3, 8) and np.allclose(smooth[0], keys[:-1])
+
+figure = plt.figure(figsize=(5, 4), layout="constrained")
+axes = figure.add_subplot(projection="3d")
+dq8.plot.frames(axes, smooth.swapaxes(0, 1), length=0.3, every=3, path=True)
+dq8.plot.fitted(axes)
+figure.savefig(directory / "keys.png")
 
 noise = np.random.default_rng(1).normal(scale=0.02, size=(50, 6))
 shaken = dq8.integrate_body(dq8.sclerp(start, end, t), noise, 1.0)
@@ -125,6 +135,15 @@ targets = robot.poses(angles[:, :3], 3)
 found, report = robot.reach(targets, [0.1, 0.2, 0.3], 3)
 print(f"{report.converged.mean():.1%} reached, in {report.iterations.mean():.1f} steps")
 reached = report.converged
+figure = plt.figure(figsize=(5, 4), layout="constrained")
+axes = figure.add_subplot(projection="3d")
+for values in found[:5]:
+    links = robot.poses(values)
+    dq8.plot.skeleton(axes, robot, links)
+    dq8.plot.frames(axes, links[3], length=0.3)
+dq8.plot.fitted(axes)
+axes.view_init(elev=70, azim=-90)
+figure.savefig(directory / "robot.png")
 assert reached.mean() > 0.9
 assert dq8.distance_to(robot.poses(found, 3), targets)[reached].max() < 1.1e-5
 

@@ -17,6 +17,9 @@ before.
 `Mechanism` is a robot: joint values ``(..., values)`` to poses of links and Jacobians, and back from poses
 (`Mechanism.reach`). `skin` lets a mesh follow joints. `PackedClip` is an animation in a quarter of its memory.
 
+Time is the first dimension of a clip ``(frames, joints, 8)``; ``axis=`` says where it is another. Columns of Arrow are
+taken as arrays of rows (`from_arrow`, `to_arrow`). ``dq8.dask`` has the functions for arrays of Dask.
+
 `RigidTransform` wraps such an array in the methods of ``scipy.spatial.transform.RigidTransform``.
 
 Angles are radians, lengths the unit of the caller; in a dual quaternion p has no unit and q is a length. ``a b`` lets b
@@ -25,6 +28,8 @@ act first, matrices are for column vectors.
 
 import os as _os
 
+from ._arrow import from_arrow, to_arrow
+from ._comparisons import allclose, is_unit, random
 from ._core import (
     Hierarchy,
     Mechanism,
@@ -33,6 +38,7 @@ from ._core import (
     adjoint,
     angle_to,
     backend,
+    chain_products,
     coadjoint,
     compose,
     conjugate,
@@ -50,6 +56,8 @@ from ._core import (
     integrate_body,
     integrate_spatial,
     inverse,
+    left_jacobian,
+    left_jacobian_inverse,
     log,
     mean,
     mul,
@@ -74,8 +82,25 @@ from ._core import (
     translation,
 )
 from ._core import forget_threads as _forget_threads
+from ._fits import fit, hand_eye
+from . import _mechanisms as _methods
 from ._outcome import Outcome
 from ._rigid_transform import RigidTransform, identity
+from ._rotations import (
+    from_axis_angle,
+    from_euler,
+    from_rotation,
+    from_rotation_vector,
+    from_scipy,
+    from_wxyz,
+    rotation,
+    to_axis_angle,
+    to_euler,
+    to_rotation_translation,
+    to_rotation_vector,
+    to_scipy,
+    to_wxyz,
+)
 
 __version__ = "0.1.0"
 
@@ -87,8 +112,10 @@ __all__ = [
     "ReachReport",
     "RigidTransform",
     "adjoint",
+    "allclose",
     "angle_to",
     "backend",
+    "chain_products",
     "coadjoint",
     "compose",
     "conjugate",
@@ -97,16 +124,28 @@ __all__ = [
     "distance_weighted",
     "dlb",
     "exp",
+    "fit",
+    "from_arrow",
+    "from_axis_angle",
+    "from_euler",
     "from_matrix",
+    "from_rotation",
     "from_rotation_translation",
+    "from_rotation_vector",
+    "from_scipy",
     "from_screw",
     "from_translation",
     "from_twist",
+    "from_wxyz",
     "get_num_threads",
+    "hand_eye",
     "identity",
     "integrate_body",
     "integrate_spatial",
     "inverse",
+    "is_unit",
+    "left_jacobian",
+    "left_jacobian_inverse",
     "log",
     "mean",
     "mul",
@@ -114,16 +153,25 @@ __all__ = [
     "normalize",
     "point_error",
     "pow",
+    "random",
     "resample",
+    "rotation",
     "sclerp",
     "set_num_threads",
     "set_reproducible",
     "skin",
     "squad",
     "squad_control",
+    "to_arrow",
+    "to_axis_angle",
+    "to_euler",
     "to_matrix",
+    "to_rotation_translation",
+    "to_rotation_vector",
+    "to_scipy",
     "to_screw",
     "to_twist",
+    "to_wxyz",
     "transform_lines",
     "transform_planes",
     "transform_points",

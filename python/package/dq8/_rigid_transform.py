@@ -9,13 +9,11 @@ import numpy as np
 
 from . import _core
 from ._arrays import ORTHOGONAL, check_out, floats, unrigid_made_rigid
+from ._rotations import FIRST, LAST
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, DTypeLike, NDArray
     from scipy.spatial.transform import Rotation
-
-_SCALAR_FIRST = [3, 0, 1, 2, 7, 4, 5, 6]
-_SCALAR_LAST = [1, 2, 3, 0, 5, 6, 7, 4]
 
 
 def identity(shape: int | tuple[int, ...] = (), dtype: DTypeLike = np.float64) -> NDArray[Any]:
@@ -32,6 +30,12 @@ def identity(shape: int | tuple[int, ...] = (), dtype: DTypeLike = np.float64) -
     -------
     ndarray, shape (*shape, 8)
         ``1 + 0ε``, of the dtype given.
+
+    Examples
+    --------
+    >>> import dq8
+    >>> dq8.identity()
+    array([0., 0., 0., 1., 0., 0., 0., 0.])
     """
     leading = (shape,) if isinstance(shape, int) else tuple(shape)
     motions = np.zeros((*leading, 8), dtype)
@@ -139,7 +143,7 @@ class RigidTransform:
         The scalar is the last of each four, or the first. A real part of zero is taken for 1.
         """
         if scalar_first:
-            dual_quat = floats("dual_quat", dual_quat, (8,))[..., _SCALAR_LAST]
+            dual_quat = floats("dual_quat", dual_quat, (8,))[..., LAST]
         return RigidTransform._of(_core.unit_or_identity(dual_quat))
 
     @staticmethod
@@ -207,7 +211,7 @@ class RigidTransform:
 
         q is a length. Written to `out`, if given.
         """
-        motions = self._motions[..., _SCALAR_FIRST] if scalar_first else self._motions
+        motions = self._motions[..., FIRST] if scalar_first else self._motions
         if out is None:
             return motions if scalar_first else motions.copy()
         check_out(out, motions)

@@ -31,7 +31,14 @@ function! {
     fn compose(
         /// Dual quaternions; leading dimensions broadcast.
         a, b: [8],
-    ) -> [8] {
+    ) -> [8]
+    ///
+    /// Examples
+    /// --------
+    /// >>> import dq8
+    /// >>> dq8.compose(2 * dq8.identity(), dq8.identity())
+    /// array([0., 0., 0., 1., 0., 0., 0., 0.])
+    {
         (motion(a) * motion(b)).normalize().to_array()
     }
 }
@@ -45,6 +52,12 @@ function! {
         motions: [8],
     ) -> [8]
     ///     Some component is NaN or infinite where there is no inverse.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import dq8
+    /// >>> dq8.translation(dq8.inverse(dq8.from_translation([1.0, 2.0, 3.0])))
+    /// array([-1., -2., -3.])
     {
         motion(motions).inverse().to_array()
     }
@@ -55,7 +68,14 @@ function! {
     fn conjugate(
         /// Dual quaternions.
         motions: [8],
-    ) -> [8] {
+    ) -> [8]
+    ///
+    /// Examples
+    /// --------
+    /// >>> import dq8
+    /// >>> dq8.translation(dq8.conjugate(dq8.from_translation([1.0, 2.0, 3.0])))
+    /// array([-1., -2., -3.])
+    {
         motion(motions).conjugate().to_array()
     }
 }
@@ -67,6 +87,12 @@ function! {
         motions: [8],
     ) -> [8]
     ///     Some component is NaN where p = 0 or a component is not finite.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import dq8
+    /// >>> dq8.normalize(2 * dq8.identity())
+    /// array([0., 0., 0., 1., 0., 0., 0., 0.])
     {
         motion(motions).normalize().to_array()
     }
@@ -77,7 +103,14 @@ function! {
     fn unit_or_identity(
         /// Dual quaternions.
         motions as "dual_quat": [8],
-    ) -> [8] {
+    ) -> [8]
+    ///
+    /// Examples
+    /// --------
+    /// >>> import dq8, numpy as np
+    /// >>> dq8._core.unit_or_identity(np.zeros(8))
+    /// array([0., 0., 0., 1., 0., 0., 0., 0.])
+    {
         let [x, y, z, w, ..] = motions;
         let zero = w.constant(0.0);
         let nothing = x.eq(zero) & y.eq(zero) & z.eq(zero) & w.eq(zero);

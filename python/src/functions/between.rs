@@ -12,7 +12,14 @@ function! {
         a, b: [8],
         /// Where between them, in [0, 1]. Leading dimensions of all three broadcast.
         t: [],
-    ) -> [8] {
+    ) -> [8]
+    ///
+    /// Examples
+    /// --------
+    /// >>> import dq8
+    /// >>> dq8.translation(dq8.nlerp(dq8.identity(), dq8.from_translation([4.0, 0, 0]), 0.25))
+    /// array([1., 0., 0.])
+    {
         motion(a).nlerp(motion(b), t[0]).to_array()
     }
 }

@@ -10,7 +10,14 @@ function! {
     fn from_translation(
         /// Lengths.
         translations as "translation": [3],
-    ) -> [8] {
+    ) -> [8]
+    ///
+    /// Examples
+    /// --------
+    /// >>> import dq8
+    /// >>> dq8.from_translation([2.0, 0.0, 0.0])
+    /// array([0., 0., 0., 1., 1., 0., 0., 0.])
+    {
         batch::DualQuat::from_translation(translations).to_array()
     }
 }
@@ -22,7 +29,14 @@ function! {
         rotations: [4],
         /// Lengths; leading dimensions broadcast.
         translations as "translation": [3],
-    ) -> [8] {
+    ) -> [8]
+    ///
+    /// Examples
+    /// --------
+    /// >>> import dq8
+    /// >>> dq8.translation(dq8.from_rotation_translation([0.0, 0, 1, 0], [2.0, 0, 0]))
+    /// array([2., 0., 0.])
+    {
         let rotation = batch::Quat::from_array(rotations);
         batch::DualQuat::from_rotation_translation(rotation, translations).to_array()
     }
@@ -33,7 +47,14 @@ function! {
     fn translation(
         /// Unit dual quaternions.
         motions: [8],
-    ) -> [3] {
+    ) -> [3]
+    ///
+    /// Examples
+    /// --------
+    /// >>> import dq8
+    /// >>> dq8.translation(dq8.identity())
+    /// array([0., 0., 0.])
+    {
         motion(motions).translation()
     }
 }
@@ -43,7 +64,17 @@ function! {
     fn to_matrix(
         /// Unit dual quaternions.
         motions: [8],
-    ) -> [4, 4] {
+    ) -> [4, 4]
+    ///
+    /// Examples
+    /// --------
+    /// >>> import dq8
+    /// >>> dq8.to_matrix(dq8.from_translation([1.0, 2.0, 3.0]))
+    /// array([[1., 0., 0., 1.],
+    ///        [0., 1., 0., 2.],
+    ///        [0., 0., 1., 3.],
+    ///        [0., 0., 0., 1.]])
+    {
         let [[a, b, c, d], [e, f, g, h], [i, j, k, l], [m, n, o, p]] = motion(motions).to_matrix4();
         [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p]
     }
@@ -55,7 +86,14 @@ function! {
     fn rigidity(
         /// Matrices, of which pure numbers are read.
         matrices as "matrix": [4, 4],
-    ) -> [3] {
+    ) -> [3]
+    ///
+    /// Examples
+    /// --------
+    /// >>> import dq8, numpy as np
+    /// >>> dq8._core.rigidity(np.eye(4))
+    /// array([0., 1., 0.])
+    {
         rigidity_of(matrices)
     }
 }

@@ -8,7 +8,14 @@ function! {
     fn angle_to(
         /// Unit dual quaternions; leading dimensions broadcast.
         a, b: [8],
-    ) -> [] {
+    ) -> []
+    ///
+    /// Examples
+    /// --------
+    /// >>> import dq8
+    /// >>> dq8.angle_to(dq8.identity(), dq8.from_rotation([0.0, 0, 1, 0]))
+    /// np.float64(3.141592653589793)
+    {
         [motion(a).angle_to(motion(b))]
     }
 }
@@ -18,7 +25,14 @@ function! {
     fn distance_to(
         /// Unit dual quaternions; leading dimensions broadcast.
         a, b: [8],
-    ) -> [] {
+    ) -> []
+    ///
+    /// Examples
+    /// --------
+    /// >>> import dq8
+    /// >>> dq8.distance_to(dq8.identity(), dq8.from_translation([0.0, 3, 4]))
+    /// np.float64(5.0)
+    {
         [motion(a).distance_to(motion(b))]
     }
 }
@@ -30,7 +44,14 @@ function! {
         a, b: [8],
         /// λ, the length that counts as much as a radian. Leading dimensions of all three broadcast.
         length_per_radian: [],
-    ) -> [] {
+    ) -> []
+    ///
+    /// Examples
+    /// --------
+    /// >>> import dq8
+    /// >>> dq8.distance_weighted(dq8.identity(), dq8.from_translation([0.0, 3, 4]), 2.0)
+    /// np.float64(5.0)
+    {
         [motion(a).distance_weighted(motion(b), length_per_radian[0])]
     }
 }
@@ -42,7 +63,14 @@ function! {
         a, b: [8],
         /// The points v. Leading dimensions of all three broadcast.
         points: [3],
-    ) -> [] {
+    ) -> []
+    ///
+    /// Examples
+    /// --------
+    /// >>> import dq8
+    /// >>> dq8.point_error(dq8.identity(), dq8.from_translation([0.0, 3, 4]), [1.0, 0, 0])
+    /// np.float64(5.0)
+    {
         [motion(a).point_error(motion(b), points)]
     }
 }

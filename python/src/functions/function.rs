@@ -44,7 +44,7 @@ macro_rules! function {
         #[doc = common_dtype!()]
         $(#[doc = $of_result])*
         #[pyfunction]
-        #[pyo3(signature = ($($($parameter,)+)+ /, *, out=None))]
+        #[pyo3(signature = ($($($parameter,)+)+ *, out=None))]
         pub(crate) fn $name<'py>(
             py: Python<'py>,
             $($($parameter: &Bound<'py, PyAny>,)+)+

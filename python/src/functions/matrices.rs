@@ -40,8 +40,14 @@ const TOLERANCE: f64 = 1e-3;
 /// References
 /// ----------
 /// S. W. Shepperd, "Quaternion from rotation matrix", J. Guidance and Control 1 (1978).
+///
+/// Examples
+/// --------
+/// >>> import dq8, numpy as np
+/// >>> dq8.from_matrix(np.eye(4))
+/// array([ 0.,  0.,  0.,  1.,  0.,  0.,  0., -0.])
 #[pyfunction]
-#[pyo3(signature = (matrices, /, *, check=true, out=None))]
+#[pyo3(signature = (matrices, *, check=true, out=None))]
 pub(crate) fn from_matrix<'py>(
     py: Python<'py>,
     matrices: &Bound<'py, PyAny>,

@@ -3,6 +3,7 @@
 pub(crate) mod actions;
 pub(crate) mod algebra;
 pub(crate) mod between;
+pub(crate) mod chains;
 pub(crate) mod conversions;
 pub(crate) mod distances;
 mod function;

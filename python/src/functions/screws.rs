@@ -17,6 +17,12 @@ function! {
         motions: [8],
     ) -> [6]
     ///     Real part (half the rotation vector, radians) and dual part (lengths).
+    ///
+    /// Examples
+    /// --------
+    /// >>> import dq8
+    /// >>> dq8.log(dq8.from_translation([4.0, 0.0, 0.0]))
+    /// array([0., 0., 0., 2., 0., 0.])
     {
         let log = motion(motions).log();
         joined(log.real, log.dual)
@@ -30,6 +36,12 @@ function! {
         logs: [6],
     ) -> [8]
     ///     NaN where the real part is beyond 2⁴⁵ radians (float32: 2¹⁶).
+    ///
+    /// Examples
+    /// --------
+    /// >>> import dq8
+    /// >>> dq8.translation(dq8.exp([0.0, 0, 0, 2, 0, 0]))
+    /// array([4., 0., 0.])
     {
         let (real, dual) = halves(logs);
         batch::DualQuat::exp(DualVector { real, dual }).to_array()
@@ -45,6 +57,12 @@ function! {
     ) -> [6]
     ///     ``[ωx, ωy, ωz, vx, vy, vz]``: the rotation vector in radians, of at most π, and the velocity of
     ///     the point at the origin, in lengths.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import dq8
+    /// >>> dq8.to_twist(dq8.from_translation([4.0, 0.0, 0.0]))
+    /// array([0., 0., 0., 4., 0., 0.])
     {
         let twist = motion(motions).to_twist();
         joined(twist.angular, twist.linear)
@@ -58,6 +76,12 @@ function! {
         twists: [6],
     ) -> [8]
     ///     NaN where ω is beyond 2⁴⁶ radians (float32: 2¹⁷).
+    ///
+    /// Examples
+    /// --------
+    /// >>> import dq8, numpy as np
+    /// >>> dq8.translation(dq8.from_twist([0.0, 0, np.pi, 0, np.pi, 0])).round(9) + 0.0
+    /// array([-2.,  0.,  0.])
     {
         batch::DualQuat::from_twist(Twist::from_array(twists)).to_array()
     }
@@ -71,7 +95,14 @@ function! {
         motions: [8],
         /// Exponents; leading dimensions broadcast.
         t: [],
-    ) -> [8] {
+    ) -> [8]
+    ///
+    /// Examples
+    /// --------
+    /// >>> import dq8
+    /// >>> dq8.translation(dq8.pow(dq8.from_translation([4.0, 0, 0]), 0.25))
+    /// array([1., 0., 0.])
+    {
         motion(motions).pow(t[0]).to_array()
     }
 }
@@ -91,6 +122,12 @@ function! {
     /// References
     /// ----------
     /// Y.-B. Jia, "Dual Quaternions", Iowa State University, eq. 36–43.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import dq8
+    /// >>> dq8.to_screw(dq8.from_twist([0.0, 0, 0.5, 0, 0, 2])).round(9) + 0.0
+    /// array([0. , 0. , 1. , 0. , 0. , 0. , 0.5, 2. ])
     {
         let Screw { axis, angle, slide } = motion(motions).to_screw();
         let [a, b, c, d, e, f] = joined(axis.direction, axis.moment);
@@ -103,7 +140,14 @@ function! {
     fn from_screw(
         /// ``[lx, ly, lz, mx, my, mz, θ, d]`` as `to_screw` returns them: radians and lengths; l has length one.
         screws: [8],
-    ) -> [8] {
+    ) -> [8]
+    ///
+    /// Examples
+    /// --------
+    /// >>> import dq8
+    /// >>> dq8.translation(dq8.from_screw([0.0, 0, 1, 0, 0, 0, 0.5, 2]))
+    /// array([0., 0., 2.])
+    {
         let [a, b, c, d, e, f, angle, slide] = screws;
         let axis = Line { direction: [a, b, c], moment: [d, e, f] };
         batch::DualQuat::from_screw(Screw { axis, angle, slide }).to_array()
@@ -123,7 +167,14 @@ function! {
         twists: [6],
         /// Time, or the angle of a joint. Leading dimensions of all three broadcast.
         dt: [],
-    ) -> [8] {
+    ) -> [8]
+    ///
+    /// Examples
+    /// --------
+    /// >>> import dq8
+    /// >>> dq8.translation(dq8.integrate_body(dq8.identity(), [0.0, 0, 0, 1, 0, 0], [0.5, 2.0]))[:, 0]
+    /// array([0.5, 2. ])
+    {
         motion(motions).integrate_body(Twist::from_array(twists), dt[0]).to_array()
     }
 }
@@ -138,7 +189,71 @@ function! {
         twists: [6],
         /// Time. Leading dimensions of all three broadcast.
         dt: [],
-    ) -> [8] {
+    ) -> [8]
+    ///
+    /// Examples
+    /// --------
+    /// >>> import dq8
+    /// >>> dq8.translation(dq8.integrate_spatial(dq8.identity(), [0.0, 0, 0, 1, 0, 0], [0.5, 2.0]))[:, 0]
+    /// array([0.5, 2. ])
+    {
         motion(motions).integrate_spatial(Twist::from_array(twists), dt[0]).to_array()
     }
+}
+
+function! {
+    /// The left Jacobians of the exponential: ``exp(½(ξ + δ)) ≈ exp(½ J δ) exp(½ξ)`` for small twists δ.
+    ///
+    /// That of the right is the one of −ξ.
+    fn left_jacobian(
+        /// ``ξ = [ω, v]``, radians and lengths.
+        twists: [6],
+    ) -> [6, 6]
+    ///     Rows and columns are angular, then linear.
+    ///
+    /// References
+    /// ----------
+    /// T. D. Barfoot, *State Estimation for Robotics*, 2017, eq. 7.85, there with the translation first.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import dq8
+    /// >>> dq8.left_jacobian([0.0, 0, 0, 0, 0, 2])[3]
+    /// array([ 0., -1.,  0.,  1.,  0.,  0.])
+    {
+        flat(batch::DualQuat::left_jacobian_matrix(Twist::from_array(twists)))
+    }
+}
+
+function! {
+    /// The inverses of `left_jacobian`: ``2 log(exp(½δ) exp(½ξ)) ≈ ξ + J⁻¹δ`` for small twists δ.
+    fn left_jacobian_inverse(
+        /// ``ξ = [ω, v]``, radians and lengths, ``|ω| < 2π``: there it is infinite.
+        twists: [6],
+    ) -> [6, 6]
+    ///     Rows and columns are angular, then linear.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import dq8
+    /// >>> dq8.left_jacobian_inverse([0.0, 0, 0, 0, 0, 2])[3]
+    /// array([0., 1., 0., 1., 0., 0.])
+    {
+        flat(batch::DualQuat::left_jacobian_inverse_matrix(Twist::from_array(twists)))
+    }
+}
+
+/// Row after row.
+#[inline(always)]
+fn flat<L: Lanes>(rows: [[L; 6]; 6]) -> [L; 36] {
+    let mut all = [rows[0][0]; 36];
+    let (mut row, mut column) = (0, 0);
+    while row < 6 {
+        all[6 * row + column] = rows[row][column];
+        column += 1;
+        if column == 6 {
+            (row, column) = (row + 1, 0);
+        }
+    }
+    all
 }

@@ -64,7 +64,7 @@ impl OfMany<4> for Squad {
 /// >>> dq8.translation(dq8.squad(keys[1], controls[0], controls[1], keys[2], 0.5))
 /// array([1.5, 0.5, 0. ])
 #[pyfunction]
-#[pyo3(signature = (start, control_start, control_end, end, t, /, *, out=None))]
+#[pyo3(signature = (start, control_start, control_end, end, t, *, out=None))]
 pub(crate) fn squad<'py>(
     start: &Bound<'py, PyAny>,
     control_start: &Bound<'py, PyAny>,
@@ -113,8 +113,15 @@ impl OfMany<3> for Control {
 /// References
 /// ----------
 /// K. Shoemake, "Quaternion calculus and fast animation", SIGGRAPH course notes, 1987.
+///
+/// Examples
+/// --------
+/// >>> import dq8
+/// >>> keys = dq8.from_translation([[0.0, 0, 0], [1, 1, 0], [2, 0, 0]])
+/// >>> dq8.translation(dq8.squad_control(*keys))
+/// array([1. , 1.5, 0. ])
 #[pyfunction]
-#[pyo3(signature = (previous, current, next, /, *, out=None))]
+#[pyo3(signature = (previous, current, next, *, out=None))]
 pub(crate) fn squad_control<'py>(
     previous: &Bound<'py, PyAny>,
     current: &Bound<'py, PyAny>,

@@ -11,7 +11,6 @@ use super::poses::{carries, first_carried, place_of, repeat};
 use super::step::Step;
 use super::values::JointValues;
 use super::walk::{Joined, Task, Walk};
-use core::marker::PhantomData;
 use dq8::Scalar;
 use dq8::ShapeError;
 use dq8::batch::{DualQuat, vector};
@@ -76,7 +75,7 @@ impl<R: Scalar> Job<'_, R, &[usize]> {
         }
         let backend = self.choice.instructions();
         let run = |values: &[T], elements, poses: &mut [E], columns: &mut [C]| {
-            let frame = PhantomData::<F>;
+            let frame = F::FRAME;
             let task = Jacobians { poses: &mut *poses, columns, steps, links, rates, sums, frame };
             backend.run(Walk::<E::Layout, _, _> { mechanism, values, elements, task });
             repeat(links, poses);
@@ -96,7 +95,7 @@ impl<R: Scalar> Job<'_, R, &[usize]> {
     }
 }
 
-struct Jacobians<'s, F, E: Element<8>, C> {
+struct Jacobians<'s, E: Element<8>, C> {
     poses: &'s mut [E],
     columns: &'s mut [C],
     steps: &'s [Step<Number<E, 8>>],
@@ -104,10 +103,11 @@ struct Jacobians<'s, F, E: Element<8>, C> {
     rates: usize,
     /// Whether some columns are sums: of a joint and those that mimic it.
     sums: bool,
-    frame: PhantomData<F>,
+    /// No parameter of the type: it is asked once for a column that is loaded and stored, and the kernel is compiled once.
+    frame: Frame,
 }
 
-impl<F, E: Element<8>, C> Jacobians<'_, F, E, C> {
+impl<E: Element<8>, C> Jacobians<'_, E, C> {
     /// Where a column of link number `index` is.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn place<V: Level>(&self, group: Group, index: usize, rate: usize) -> Tile {
@@ -122,9 +122,8 @@ impl<F, E: Element<8>, C> Jacobians<'_, F, E, C> {
 
 /// Columns are those of the world at first, in the place of the first link that the joint carries. The other links
 /// have the same ones, and take them from there, in their own frames.
-impl<F, E, C> Task<E::Layout> for Jacobians<'_, F, E, C>
+impl<E, C> Task<E::Layout> for Jacobians<'_, E, C>
 where
-    F: JacobianFrame,
     E: Element<8>,
     C: Element<6, Layout = E::Layout>,
 {
@@ -203,7 +202,7 @@ where
 
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn end<V: Level>(&mut self, level: V, group: Group, steps: &[Step<Number<E, 8>>], (): &mut ()) {
-        if F::FRAME == Frame::World && (self.sums || self.links.len() == 1) {
+        if self.frame == Frame::World && (self.sums || self.links.len() == 1) {
             return;
         }
         // From the last link on: the first one changes the columns that the others take.
@@ -221,7 +220,7 @@ where
                     sums
                 };
                 let Some(first) = first else { continue };
-                if step.mimics || (F::FRAME == Frame::World && first == index) {
+                if step.mimics || (self.frame == Frame::World && first == index) {
                     continue;
                 }
                 for rate in 0..step.kind.rates() {
@@ -231,7 +230,7 @@ where
                         return;
                     };
                     let twist = Twist::from_array(column);
-                    let twist = match F::FRAME {
+                    let twist = match self.frame {
                         Frame::World => twist,
                         Frame::Body => back.adjoint(twist),
                         Frame::WorldAligned => Twist { linear: twist.velocity_at(origin), ..twist },

@@ -1,0 +1,129 @@
+"""Motions from measurements, many problems at once."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from . import _core
+from ._arrays import floats
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+
+def fit(points: ArrayLike, moved: ArrayLike, weights: ArrayLike | None = None) -> NDArray[Any]:
+    """The motions σ that bring points to points best: ``Σ wᵢ|σ(xᵢ) − yᵢ|²`` is least.
+
+    Parameters
+    ----------
+    points, moved : array_like, shape (..., n, 3)
+        Points xᵢ, and where they went, yᵢ: lengths. Leading dimensions broadcast. Points on one line leave the turn
+        about it open, and one of the best is returned.
+    weights : array_like, shape (..., n) or (n,), optional
+        Not negative; equal ones by default.
+
+    Returns
+    -------
+    ndarray, shape (..., 8)
+        Unit dual quaternions; float32 if all arrays are.
+
+    References
+    ----------
+    W. Kabsch, "A solution for the best rotation to relate two sets of vectors", Acta Cryst. A32 (1976).
+
+    Examples
+    --------
+    >>> import dq8, numpy as np
+    >>> points, motion = np.eye(3), dq8.random(rng=1)
+    >>> dq8.allclose(dq8.fit(points, dq8.transform_points(motion, points)), motion)
+    True
+    """
+    x, y = floats("points", points, (3,)), floats("moved", moved, (3,))
+    if x.ndim < 2 or y.ndim < 2 or x.shape[-2] != y.shape[-2] or not x.shape[-2]:
+        raise ValueError(f"Expected `points` and `moved` to have shapes (..., n, 3) with n > 0, got {x.shape} and {y.shape}.")
+    w = np.ones(x.shape[-2], np.result_type(x, y)) if weights is None else floats("weights", weights, x.shape[-2:-1])
+    if (w < 0).any():
+        raise ValueError(f"Expected `weights` not to be negative, got {w.min()}.")
+    total = w.sum(axis=-1)[..., np.newaxis]
+    if (total == 0).any():
+        raise ValueError("Expected `weights` not to be all zero.")
+    share = (w / total)[..., np.newaxis]
+    middle_x, middle_y = (share * x).sum(axis=-2), (share * y).sum(axis=-2)
+    spread = np.swapaxes(share * (x - middle_x[..., np.newaxis, :]), -1, -2) @ (y - middle_y[..., np.newaxis, :])
+    u, _, vt = np.linalg.svd(spread)
+    turn = np.swapaxes(u @ vt, -1, -2)
+    # The nearest that mirrors is no motion: the smallest direction is turned round.
+    vt[..., 2, :] *= np.where(np.linalg.det(turn) < 0, -1, 1)[..., np.newaxis]
+    matrices = np.zeros((*spread.shape[:-2], 3, 4), spread.dtype)
+    matrices[..., :3] = np.swapaxes(u @ vt, -1, -2)
+    matrices[..., 3] = middle_y - (matrices[..., :3] @ middle_x[..., np.newaxis])[..., 0]
+    return _core.from_matrix(matrices, check=False)
+
+
+def hand_eye(hands: ArrayLike, eyes: ArrayLike) -> NDArray[Any]:
+    """The X of ``A X = X B``: where a camera (eye) sits on a hand, from how both moved.
+
+    Parameters
+    ----------
+    hands, eyes : array_like, shape (..., n, 8)
+        Unit dual quaternions A, how the hand moved from one place to another in its first frame, and B, how the camera
+        did; leading dimensions broadcast. At least two must turn, about axes that are not parallel; otherwise
+        ValueError. Lengths and angles weigh the same, so choose a unit in which their errors are about as large.
+
+    Returns
+    -------
+    ndarray, shape (..., 8)
+        Unit dual quaternions.
+
+    References
+    ----------
+    K. Daniilidis, "Hand-eye calibration using dual quaternions", Int. J. Robotics Research 18 (1999).
+
+    Examples
+    --------
+    >>> import dq8
+    >>> eyes, x = dq8.random(3, rng=1), dq8.random(rng=2)
+    >>> hands = dq8.mul(dq8.mul(x, eyes), dq8.inverse(x))
+    >>> dq8.allclose(dq8.hand_eye(hands, eyes), x)
+    True
+    """
+    a, b = (_canonical(name, value) for name, value in (("hands", hands), ("eyes", eyes)))
+    if a.ndim < 2 or b.ndim < 2 or a.shape[-2] != b.shape[-2]:
+        raise ValueError(f"Expected `hands` and `eyes` to have shapes (..., n, 8), got {a.shape} and {b.shape}.")
+    a, b = np.broadcast_arrays(a, b)
+    real, dual = _commutator(a[..., :3], b[..., :3]), _commutator(a[..., 4:7], b[..., 4:7])
+    equations = np.concatenate(
+        [np.concatenate([real, np.zeros_like(real)], axis=-1), np.concatenate([dual, real], axis=-1)], axis=-2
+    )
+    equations = equations.reshape(*equations.shape[:-3], -1, 8)
+    # Rows of zeros, so that there are eight vectors with few motions as well.
+    equations = np.concatenate([equations, np.zeros((*equations.shape[:-2], 8, 8))], axis=-2)
+    sizes, vt = np.linalg.svd(equations, full_matrices=False)[1:]
+    if not (sizes[..., 5] > 1e-6 * sizes[..., 0]).all():
+        raise ValueError("Expected two of the motions at least to turn about axes that are not parallel.")
+    # X is that sum of the two vectors that is unit: λ²u₁·v₁ + λ(u₁·v₂ + u₂·v₁) + u₂·v₂ = 0 has two solutions, the other
+    # one without a real part.
+    (u1, v1), (u2, v2) = ((vt[..., row, :4], vt[..., row, 4:]) for row in (6, 7))
+    first, mixed, last = ((u * v).sum(axis=-1) for u, v in ((u1, v1), (u1, v2), (u2, v2)))
+    mixed = mixed + (u2 * v1).sum(axis=-1)
+    half = -0.5 * (mixed + np.copysign(np.sqrt(np.maximum(mixed**2 - 4 * first * last, 0)), mixed))
+    sums = [x[..., np.newaxis] * vt[..., 6, :] + y[..., np.newaxis] * vt[..., 7, :] for x, y in ((half, first), (last, half))]
+    sums = [made / np.maximum(np.linalg.norm(made, axis=-1, keepdims=True), 1e-300) for made in sums]
+    larger = np.linalg.norm(sums[0][..., :4], axis=-1) > np.linalg.norm(sums[1][..., :4], axis=-1)
+    return _core.normalize(np.where(larger[..., np.newaxis], *sums))
+
+
+def _canonical(name: str, value: ArrayLike) -> NDArray[Any]:
+    """With p_w ≥ 0: A and B turn by the same angle, and their scalars agree."""
+    motions = floats(name, value, (8,)).astype(np.float64, copy=False)
+    return np.where(motions[..., 3:4] < 0, -motions, motions)
+
+
+def _commutator(a: NDArray[Any], b: NDArray[Any]) -> NDArray[Any]:
+    """The matrices of the vector parts of ``a x − x b``, linear in x = [x, y, z, w]: ``(a + b) × x + (a − b)w``."""
+    x, y, z = np.moveaxis(a + b, -1, 0)
+    zero = np.zeros_like(x)
+    cross = np.stack([np.stack(row, axis=-1) for row in ([zero, -z, y], [z, zero, -x], [-y, x, zero])], axis=-2)
+    return np.concatenate([cross, (a - b)[..., np.newaxis]], axis=-1)
