@@ -3,7 +3,7 @@
 use super::error::MechanismError;
 use super::joint::{Joint, JointKind};
 use super::step::Step;
-use super::tree::{Mechanism, numbered, order, room};
+use super::tree::{Mechanism, numbered, planned, room};
 use dq8::Real;
 use dq8::scalar::{DualQuat, Quat};
 
@@ -79,8 +79,8 @@ impl<'a, R: Real> Mechanism<'a, R> {
     /// ```
     ///
     /// # Errors
-    /// If a number is not finite (in the standard form, a and α are those of the joint after), limits are not in order, the tool, as that of joint N, is farther than 10⁻³ from unit,
-    /// or there are fewer steps than N + 1. `steps` may have been written.
+    /// If a number is not finite (in the standard form, a and α are those of the joint after), limits are not in
+    /// order, the tool, as that of joint N, is farther than 10⁻³ from unit, or there are fewer steps than N + 1. `steps` may have been written.
     pub fn from_dh(
         rows: &[Dh<R>],
         convention: DhConvention,
@@ -109,8 +109,6 @@ impl<'a, R: Real> Mechanism<'a, R> {
             }
             *slot = numbered(&joint, index, &mut counts)?;
         }
-        order(steps);
-        let (values, rates) = counts;
-        Ok(Self { steps, values, rates })
+        Ok(planned(steps, counts))
     }
 }

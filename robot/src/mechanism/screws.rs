@@ -2,9 +2,8 @@
 
 use super::error::MechanismError;
 use super::joint::{Joint, JointKind};
-use super::plan::plan;
 use super::step::{Step, finite, unit};
-use super::tree::{Mechanism, numbered, order, room};
+use super::tree::{Mechanism, numbered, planned, room};
 use dq8::Real;
 use dq8::geometry::{Line, Screw};
 use dq8::scalar::{DualQuat, vector};
@@ -71,10 +70,7 @@ impl<'a, R: Real> Mechanism<'a, R> {
             *slot = numbered(&joint, index, &mut counts)?;
             before = at;
         }
-        plan(steps);
-        order(steps);
-        let (values, rates) = counts;
-        Ok(Self { steps, values, rates })
+        Ok(planned(steps, counts))
     }
 }
 

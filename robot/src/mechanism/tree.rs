@@ -49,10 +49,8 @@ impl<'a, R: Real> Mechanism<'a, R> {
     /// are fewer steps than joints. `steps` may have been written.
     pub fn new(joints: &[Joint<R>], steps: &'a mut [Step<R>]) -> Result<Self, MechanismError> {
         let steps = room(steps, joints.len())?;
-        let (values, rates) = check(joints, steps)?;
-        plan(steps);
-        order(steps);
-        Ok(Self { steps, values, rates })
+        let counts = check(joints, steps)?;
+        Ok(planned(steps, counts))
     }
 }
 
@@ -169,10 +167,20 @@ fn check<R: Real>(
     Ok(counts)
 }
 
+/// The mechanism of steps in the order of the joints, which have so many values and rates.
+pub(crate) fn planned<R: Real>(
+    steps: &mut [Step<R>],
+    (values, rates): (usize, usize),
+) -> Mechanism<'_, R> {
+    plan(steps);
+    order(steps);
+    Mechanism { steps, values, rates }
+}
+
 /// Depth first, the largest branch last. So a pose is kept for its children only while other branches are
 /// computed, all of them no larger than the last one: log₂(n) + 1 poses are kept at most (Strahler's
 /// number), in memory of a fixed size.
-pub(crate) fn order<R: Copy>(steps: &mut [Step<R>]) {
+fn order<R: Copy>(steps: &mut [Step<R>]) {
     let count = steps.len();
     for index in (0..count).rev() {
         let Some(&step) = steps.get(index) else { return };
