@@ -1,4 +1,4 @@
-use super::error::ReachError;
+use super::error::{RatesError, ReachError};
 use super::freedom::Freedom;
 use super::goal::Goal;
 use super::job::ReachJob;
@@ -7,7 +7,7 @@ use super::report::{Options, Report};
 use crate::mechanism::owned::OwnedMechanism;
 use alloc::vec;
 use alloc::vec::Vec;
-use dq8::{DualQuat, Real, Scalar, ShapeError};
+use dq8::{DualQuat, Real, Scalar, ShapeError, Twist};
 use dq8_simd::{Lanes, Portable};
 
 /// A [`Reach`] with memory of its own, the robot and its goals included: what a program keeps.
@@ -137,6 +137,20 @@ where
         options: &Options<R>,
     ) -> Result<Report<R>, ShapeError> {
         self.with_scratch(|reach, scratch| reach.track(targets, values, scratch, options))
+    }
+
+    /// See [`Reach::rates`], likewise.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn rates(
+        &mut self,
+        values: &[R],
+        twists: &[Twist<R>],
+        damping: R,
+        rates: &mut [R],
+    ) -> Result<(), RatesError> {
+        self.with_scratch(|reach, scratch| reach.rates(values, twists, damping, rates, scratch))
     }
 
     fn with_scratch<T>(&mut self, run: impl FnOnce(&Reach<'_, R>, &mut [R]) -> T) -> T {
