@@ -109,18 +109,19 @@ impl<R: Real> Quick<R> for LinkJacobian<'_, R> {
     {
         self.columns.fill(Twist::from_array([R::ZERO; 6]));
         let mut turns = Turns::new(self.values, way(self.mechanism, self.link).next());
-        let (mut at, mut pose) = (Turned::base(), DualQuat::IDENTITY);
+        let (mut at, mut own) = (Turned::base(), &Factor::ONE);
         for step in way(self.mechanism, self.link) {
             let before = at.placed(step);
             at = before.joined(step, &mut turns);
-            pose = at.pose(&step.planned.own);
+            own = &step.planned.own;
             let columns = self.columns.get_mut(step.rate as usize..).unwrap_or_default();
-            let before = DualQuat::from_array(before.to_array());
-            for (column, screw) in columns.iter_mut().zip(step.screws(before, pose, self.values)) {
+            let frames = [before, at].map(|frame| DualQuat::from_array(frame.to_array()));
+            for (index, column) in columns.iter_mut().take(step.kind.rates()).enumerate() {
                 // What others mimic is moved by all of them.
-                *column = *column + screw;
+                *column = *column + step.screw(index, frames, self.values);
             }
         }
+        let pose = at.pose(own);
         let (back, origin) = (pose.conjugate(), pose.translation());
         for column in self.columns {
             // Of a joint that does not carry the link, wherever that is.
@@ -227,49 +228,44 @@ impl<R: Real> Quick<R> for LinkPoints<'_, R> {
 }
 
 impl<R: Real> Step<R> {
-    /// The spatial twists of the link for each rate of the joint alone, from the turned frame of the joint and the pose of
-    /// the link. Where a hinge is, is known also where its angle is too far.
-    #[inline]
-    fn screws(
-        &self,
-        before: DualQuat<R>,
-        pose: DualQuat<R>,
-        values: &[R],
-    ) -> impl Iterator<Item = Twist<R>> {
-        let zero = [R::ZERO; 3];
+    /// The spatial twist of the link for a rate of one of the joint alone, number `index`, from the turned frames of the
+    /// joint and of the link. Where a hinge is, is known also where its angle is too far.
+    #[inline(always)]
+    fn screw(&self, index: usize, [before, after]: [DualQuat<R>; 2], values: &[R]) -> Twist<R> {
+        let (own, zero) = (self.planned.own.quaternion(), [R::ZERO; 3]);
         let axis = self.planned.axis.quaternion().xyz();
-        let mut twists = [Twist { angular: zero, linear: zero }; 6];
-        match self.kind {
-            JointKind::Fixed => {}
-            JointKind::Revolute { .. } => twists[0].angular = axis,
-            JointKind::Prismatic { .. } => twists[0].linear = axis,
-            JointKind::Screw { pitch, .. } => {
-                twists[0] = Twist { angular: axis, linear: vector::scale(axis, pitch) };
-            }
+        let slide = |along| Twist { angular: zero, linear: along };
+        let hinge = |angular, at| Twist { angular, linear: vector::cross(at, angular) };
+        let screw = match self.kind {
             JointKind::Planar { .. } => {
-                let own = self.planned.own.quaternion();
-                let [first, second] = self.plane.map(|direction| own.rotate(direction));
-                let [x, y, _] = Self::numbers(self.value, values);
-                let slide = vector::add(vector::scale(first, x), vector::scale(second, y));
-                (twists[0].linear, twists[1].linear) = (first, second);
-                twists[2] = Twist { angular: axis, linear: vector::cross(slide, axis) };
-            }
-            JointKind::Floating => {
-                for (index, twist) in twists.iter_mut().enumerate() {
-                    let mut unit = [R::ZERO; 6];
-                    unit[index] = R::ONE;
-                    *twist = Twist::from_array(unit);
+                let directions = self.plane.map(|direction| own.rotate(direction));
+                if let Some(&direction) = directions.get(index) {
+                    slide(before.transform_vector(direction))
+                } else {
+                    let [x, y, _] = Self::numbers(self.value, values);
+                    let [first, second] = directions;
+                    let at = vector::add(vector::scale(first, x), vector::scale(second, y));
+                    hinge(before.transform_vector(axis), before.transform_point(at))
                 }
             }
-        }
-        let from = if let JointKind::Floating = self.kind { pose } else { before };
-        let times = self.multiplier;
-        let twists = twists.into_iter().take(self.kind.rates());
-        let moved = move |twist: Twist<R>| match twist.angular == zero {
-            // A slide does not turn, wherever it is.
-            true => Twist { linear: from.transform_vector(twist.linear), ..twist },
-            false => from.adjoint(twist),
+            JointKind::Floating => {
+                let mut unit = zero;
+                unit[index % 3] = R::ONE;
+                let axis = after.transform_vector(own.rotate(unit));
+                if index < 3 { hinge(axis, after.translation()) } else { slide(axis) }
+            }
+            kind => {
+                let axis = before.transform_vector(axis);
+                match kind {
+                    JointKind::Prismatic { .. } => slide(axis),
+                    JointKind::Screw { pitch, .. } => {
+                        let Twist { angular, linear } = hinge(axis, before.translation());
+                        Twist { angular, linear: vector::add(linear, vector::scale(axis, pitch)) }
+                    }
+                    _ => hinge(axis, before.translation()),
+                }
+            }
         };
-        twists.map(move |twist| moved(twist).scale(times))
+        if self.mimics { screw.scale(self.multiplier) } else { screw }
     }
 }
