@@ -65,7 +65,10 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
     /// the length of what carries the link. `None` if they are not what a search can begin with.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load(&mut self, lane: usize, configuration: usize) -> Option<bool> {
-        if !self.work.options.is_valid() {
+        let options = self.work.options;
+        // Who does not track, does not know them.
+        let weighs = options.posture_weight > L::Real::ZERO || options.start_weight > L::Real::ZERO;
+        if !options.is_valid() || (weighs && !TRACK) {
             return None;
         }
         let (reach, scratch) = (self.model.reach, &mut self.model.scratch);
