@@ -36,7 +36,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
     /// the next configuration.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn following(&mut self, before: Option<usize>, rest: &mut usize) -> Option<usize> {
-        if let (Some(before), 1..) = (before, *rest) {
+        // Only what tracks has clips.
+        if TRACK && let (Some(before), 1..) = (before, *rest) {
             *rest -= 1;
             let count = self.model.reach.mechanism.values;
             let pair = self.work.values.get_mut(before * count..).unwrap_or_default();
@@ -49,7 +50,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
         }
         let first = self.next;
         let mut frames = 1;
-        if let Some(clips) = self.work.clips {
+        if TRACK && let Some(clips) = self.work.clips {
             // Of those without a frame nothing is asked.
             let left = clips.get(self.clip..)?;
             let skipped = left.iter().position(|&frames| frames > 0)?;
