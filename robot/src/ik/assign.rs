@@ -36,7 +36,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
     /// the next configuration.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn following(&mut self, before: Option<usize>, rest: &mut usize) -> Option<usize> {
-        if let (Some(before), 1..) = (before, *rest) {
+        // Only what tracks has clips.
+        if TRACK && let (Some(before), 1..) = (before, *rest) {
             *rest -= 1;
             let count = self.model.reach.mechanism.values;
             let pair = self.work.values.get_mut(before * count..).unwrap_or_default();
@@ -49,7 +50,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
         }
         let first = self.next;
         let mut frames = 1;
-        if let Some(clips) = self.work.clips {
+        if TRACK && let Some(clips) = self.work.clips {
             // Of those without a frame nothing is asked.
             let left = clips.get(self.clip..)?;
             let skipped = left.iter().position(|&frames| frames > 0)?;
@@ -65,7 +66,10 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
     /// the length of what carries the link. `None` if they are not what a search can begin with.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load(&mut self, lane: usize, configuration: usize) -> Option<bool> {
-        if !self.work.options.is_valid() {
+        let options = self.work.options;
+        // Who does not track, does not know them.
+        let weighs = options.posture_weight > L::Real::ZERO || options.start_weight > L::Real::ZERO;
+        if !options.is_valid() || (weighs && !TRACK) {
             return None;
         }
         let (reach, scratch) = (self.model.reach, &mut self.model.scratch);

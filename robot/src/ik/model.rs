@@ -22,7 +22,7 @@ pub(super) struct Follows<L> {
     /// Whether in the shape of the tree.
     by_tree: bool,
     /// Whether the posture or the start weighs something, and the squares of both.
-    pub(super) weighs: bool,
+    weighs: bool,
     pub(super) posture: L,
     pub(super) start: L,
 }
@@ -81,11 +81,17 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Model<'s, L, TRACK> {
         let posture = reach.posture.map_or(L::Real::default(), |_| options.posture_weight);
         let follows = Follows {
             by_tree: TRACK && reach.is_by_tree(options),
-            weighs: reach.weighs(options),
+            weighs: TRACK && reach.weighs(options),
             posture: square(posture),
             start: square(options.start_weight),
         };
         Some(Self { level, reach, scales, scratch, follows })
+    }
+
+    /// Whether the posture or the start always acts.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn weighs(&self) -> bool {
+        TRACK && self.follows.weighs
     }
 
     /// Whether the system has the shape of the tree.

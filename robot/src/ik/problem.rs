@@ -98,7 +98,7 @@ impl<'a, R: Real> Reach<'a, R> {
         let steps = mechanism.steps;
         let moves = |position| moves_any(steps, position, goals);
         let count = self::freedoms(steps, of_rates, moves)?;
-        let tree = shape(steps, goals, of_rates, moves);
+        let tree = shape(steps, goals, rows, of_rates);
         let of_rates: &'a [Freedom<R>] = of_rates;
         let mut twists = 0;
         for (position, step) in steps.iter().enumerate() {

@@ -32,10 +32,12 @@ pub struct Options<R> {
     /// only this says that no more is to be had. Zero, the default, is no such end.
     pub least_gain: R,
     /// How much a radian from the [posture](super::Reach::with_posture) weighs against one from a target, everywhere and
-    /// always. Zero, the default, is what the goals leave free, after they are reached.
+    /// always, in searches that [track](super::Reach::track); others are invalid with it. Zero, the default, is what the
+    /// goals leave free, after they are reached.
     pub posture_weight: R,
     /// How much a radian from the start weighs: of a target that moves, from the last frame. It takes the shaking out of
     /// what goals determine little. Not of what floats, which it only makes slower.
+    /// Like the weight of a posture, for searches that track.
     pub start_weight: R,
 }
 

@@ -178,7 +178,7 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
         let Apart { square, angular, linear } = apart;
         let [square, angular, linear] = [square.to_array(), angular.to_array(), linear.to_array()];
         let has_posture = self.model.reach.posture.is_some();
-        let weighs = self.model.follows.weighs;
+        let weighs = self.model.weighs();
         let [wish, left, moved] = [wish.to_array(), last.left.to_array(), last.moved.to_array()];
         for index in 0..L::LANES {
             let square = number::<L>(&square, index);

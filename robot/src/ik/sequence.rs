@@ -6,6 +6,7 @@ use super::search::Work;
 use dq8::scalar::DualQuat;
 #[cfg(feature = "rayon")]
 use dq8::seams::Outputs;
+use dq8::storage::same_length;
 use dq8::{Scalar, ShapeError};
 #[cfg(feature = "rayon")]
 use dq8_simd::MAX_LANES;
@@ -55,6 +56,7 @@ impl<R: Scalar> ReachJob<'_, R> {
         let count = self.reach.batch_scratch_len();
         let options = &Options { restarts: false, ..*options };
         let work = Work { targets, values, reports, options, clips: Some(clips) };
+        check(clips, work.reports.len())?;
         work.check(&self.reach, count, count)?;
         let backend = self.choice.instructions();
         let run = |work: Work<'_, R>| {
@@ -92,10 +94,17 @@ impl<R: Scalar> ReachJob<'_, R> {
     ) -> Result<(), ShapeError> {
         let options = &Options { restarts: false, ..*options };
         let work = Work { targets, values, reports, options, clips: Some(clips) };
+        check(clips, work.reports.len())?;
         work.check(&self.reach, scratch.len(), self.reach.batch_scratch_len())?;
         self.run::<false, true>(self.choice.instructions(), work, scratch);
         Ok(())
     }
+}
+
+/// Whether clips have as many frames as there are.
+fn check(clips: &[usize], frames: usize) -> Result<(), ShapeError> {
+    let all = clips.iter().fold(0, |all: usize, &count| all.saturating_add(count));
+    same_length("frames of clips", all, frames)
 }
 
 /// What clips write, cut between two.

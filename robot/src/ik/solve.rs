@@ -109,13 +109,6 @@ impl<R: Copy> Work<'_, R> {
         let (goals, values) = (reach.goals.len(), reach.mechanism.values);
         same_length("targets", self.targets.len(), configurations.saturating_mul(goals))?;
         same_length("values", self.values.len(), configurations.saturating_mul(values))?;
-        if let Some(clips) = self.clips {
-            let mut frames = 0_usize;
-            for &count in clips {
-                frames = frames.saturating_add(count);
-            }
-            same_length("frames of clips", frames, configurations)?;
-        }
         if scratch < expected {
             return Err(ShapeError::Length { what: "scratch", length: scratch, expected });
         }

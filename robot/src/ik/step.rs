@@ -37,7 +37,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     ) -> Stepped<L> {
         let damping = caution * caution.constant(DAMPING);
         let damping = apart.square.mul_add(damping, self.scales.least_damping);
-        let damping = if self.follows.weighs {
+        let damping = if self.weighs() {
             damping + (self.follows.posture + self.follows.start)
         } else {
             damping
@@ -109,7 +109,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn solve(&mut self, damping: L) -> L {
         let (level, rows, zero) = (self.level, self.reach.rows, damping.constant(0.0));
-        let wishes = self.reach.posture.is_some() || self.follows.weighs;
+        let wishes = self.reach.posture.is_some() || self.weighs();
         if self.is_by_tree() {
             self.solve_tree(damping, wishes);
             return self.shrink();
@@ -153,11 +153,12 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     /// what the way to the posture contributes.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn ask(&mut self) {
+        let wishes = self.reach.posture.is_some() || self.weighs();
         let (level, rows, scratch) = (self.level, self.reach.rows, &mut self.scratch);
         for row in 0..rows {
             scratch.solution.set(row, scratch.left.get(level, row));
         }
-        if self.reach.posture.is_none() && !self.follows.weighs {
+        if !wishes {
             return;
         }
         for (index, column) in scratch.columns.runs(rows).enumerate() {

@@ -28,10 +28,9 @@ pub(super) const BODY: usize = 16;
 pub(super) fn shape<R: Real>(
     steps: &[Step<R>],
     goals: &[Goal<R>],
+    rows: usize,
     of_rates: &mut [Freedom<R>],
-    moves: impl Fn(usize) -> bool,
 ) -> usize {
-    let rows: usize = goals.iter().map(Goal::rows).sum();
     if rows <= 6 || !goals.iter().all(Goal::is_even) {
         return 0;
     }
@@ -39,8 +38,8 @@ pub(super) fn shape<R: Real>(
         of_rates.get(step.rate as usize + index).map_or(NONE, |freedom| freedom.column)
     };
     let (mut twist, mut entries) = (0, 0);
-    for (position, step) in steps.iter().enumerate() {
-        if !moves(position) {
+    for step in steps {
+        if column(of_rates, step, 0) == NONE {
             continue;
         }
         if step.mimics {

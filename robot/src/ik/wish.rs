@@ -19,7 +19,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     pub(super) fn wish(&mut self) -> L {
         let (level, reach, scales) = (self.level, self.reach, self.scales);
         let zero = L::splat(level, L::Real::ZERO);
-        if self.follows.weighs {
+        if self.weighs() {
             return self.weighed_wish();
         }
         let (mut square, mut most) = (zero, scales.longest * zero.constant(SHORTER));
@@ -87,7 +87,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     /// part of the damping.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn keep_wishes(&mut self, arrived: L::Mask, damping: L) {
-        if self.follows.weighs {
+        if self.weighs() {
             for index in 0..self.reach.freedoms.len() {
                 let wish = self.scratch.wishes.get(self.level, index);
                 self.scratch.wishes.set(index, wish / damping);

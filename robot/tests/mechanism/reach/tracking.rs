@@ -379,3 +379,16 @@ fn rates_of_what_is_no_number_are_refused_and_not_written() {
     assert!(matches!(short, Err(RatesError::Shape(_))));
     assert_eq!(rates, [7.0]);
 }
+
+/// Nothing that is asked for is dropped.
+#[test]
+fn a_search_that_does_not_track_refuses_weights_of_posture_and_start() {
+    let arm = mechanism::<f64>(&planar(&[1.0, 1.0]));
+    for (posture_weight, start_weight) in [(0.1, 0.0), (0.0, 0.1)] {
+        let options = Options { posture_weight, start_weight, ..Options::default() };
+        let mut values = [0.1, 0.2];
+        let goals = [Goal::position(2)];
+        let report = solve(arm.view(), &goals, &[at(1.0, 1.0, 0.0)], &mut values, &options);
+        assert_eq!((report.outcome, values), (Outcome::Invalid, [0.1, 0.2]));
+    }
+}
