@@ -14,7 +14,7 @@ use dq8::scalar::{Quat, vector};
 /// Plans all steps, which are in the order of the joints.
 pub(crate) fn plan<R: Real>(steps: &mut [Step<R>]) {
     for index in 0..steps.len() {
-        let Some(&step) = steps.get(index) else { return };
+        let Some(step) = steps.get(index) else { return };
         let on = steps.get(step.parent as usize).map_or(Factor::ONE, |on| on.planned.own);
         let on = on.quaternion();
         let own = (on * Quat::from_array(step.rotation)).normalize().to_array();
