@@ -24,13 +24,13 @@ impl<R: Real> Reach<'_, R> {
                 length += self.slide(step);
                 base = Some((link, length));
             }
-            length += vector::norm(step.placement.translation());
+            length += vector::norm(step.placement().translation());
             link = step.parent as usize;
         }
         let (mut link, length) = base.filter(|(_, length)| length.is_finite())?;
         let mut centre = [R::ZERO; 3];
         while let Some(step) = self.mechanism.step(link) {
-            centre = step.placement.transform_point(centre);
+            centre = step.placement().transform_point(centre);
             link = step.parent as usize;
         }
         Some((centre, length))
@@ -65,7 +65,7 @@ impl<R: Real> Reach<'_, R> {
             while let Some(step) = self.mechanism.step(link) {
                 let slide = self.slide(step);
                 length += if slide.is_finite() { slide } else { R::ZERO };
-                length += vector::norm(step.placement.translation());
+                length += vector::norm(step.placement().translation());
                 link = step.parent as usize;
             }
             longest = if length > longest { length } else { longest };

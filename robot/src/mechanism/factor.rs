@@ -46,6 +46,7 @@ pub(crate) struct Factor<R> {
 impl<R: Real> Factor<R> {
     pub(crate) const ONE: Self = Self { along: Alignment::None, row: [R::ZERO; 4], w: R::ONE };
 
+    #[inline(never)]
     pub(crate) fn new([x, y, z]: [R; 3], w: R) -> Self {
         let along = Alignment::of([x, y, z]);
         let signed = |k: usize, number: R| SIGNS[k].map(|sign| number * R::from(sign));

@@ -12,16 +12,20 @@ use dq8::Real;
 use dq8::scalar::{Quat, vector};
 
 /// Plans all steps, which are in the order of the joints.
+// Once in machine code, not for each way to make a mechanism.
+#[inline(never)]
 pub(crate) fn plan<R: Real>(steps: &mut [Step<R>]) {
     for index in 0..steps.len() {
-        let Some(&step) = steps.get(index) else { return };
+        let Some(step) = steps.get(index) else { return };
         let on = steps.get(step.parent as usize).map_or(Factor::ONE, |on| on.planned.own);
         let on = on.quaternion();
-        let own = (on * Quat::from_array(step.rotation)).normalize().to_array();
-        let [x, y, z, w] = clean(own, R::ONE);
+        let mut own = (on * Quat::from_array(step.rotation)).normalize().to_array();
+        clean(&mut own, R::ONE);
         let largest = step.half_offset.into_iter().map(R::abs).fold(R::ZERO, R::max_or_nan);
-        let half_offset = clean(on.rotate(step.half_offset), largest);
-        let mut axis = clean(Quat::from_xyzw(x, y, z, w).rotate(step.axis), R::ONE);
+        let mut half_offset = on.rotate(step.half_offset);
+        clean(&mut half_offset, largest);
+        let mut axis = Quat::from_array(own).rotate(step.axis);
+        clean(&mut axis, R::ONE);
         if !matches!(step.kind, JointKind::Fixed | JointKind::Floating) {
             axis = vector::over_norm(axis, vector::norm(axis));
         }
@@ -36,6 +40,7 @@ pub(crate) fn plan<R: Real>(steps: &mut [Step<R>]) {
                 (JointKind::Revolute { .. }, _) => Moves::AboutAny,
                 _ => Moves::Otherwise,
             };
+            let [x, y, z, w] = own;
             let own = Factor::new([x, y, z], w);
             let half_offset = Factor::new(half_offset, R::ZERO);
             step.planned = Planned { moves, own, half_offset, axis };
@@ -45,16 +50,16 @@ pub(crate) fn plan<R: Real>(steps: &mut [Step<R>]) {
 
 /// Without the zeros, halves and roots of a half that rounding has missed, of numbers of this size: frames of machines are
 /// turned by quarters.
-fn clean<R: Real, const C: usize>(numbers: [R; C], size: R) -> [R; C] {
-    let nice = [R::ZERO, R::HALF, R::HALF.sqrt()];
-    numbers.map(|number| {
-        let near = |&nice: &R| (number.abs() - nice * size).abs() <= R::TWO * R::EPSILON * size;
-        match nice.into_iter().find(near) {
-            Some(nice) if number < R::ZERO => -(nice * size),
-            Some(nice) => nice * size,
-            None => number,
+#[inline(never)]
+fn clean<R: Real>(numbers: &mut [R], size: R) {
+    let (root, near) = (R::HALF.sqrt(), R::TWO * R::EPSILON * size);
+    for number in numbers {
+        for nice in [R::ZERO, R::HALF * size, root * size] {
+            if (number.abs() - nice).abs() <= near {
+                *number = if *number < R::ZERO { -nice } else { nice };
+            }
         }
-    })
+    }
 }
 
 #[cfg(test)]

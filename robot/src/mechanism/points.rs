@@ -51,7 +51,7 @@ impl<R: Real> Mechanism<'_, R> {
         }
         for (&(mut link, mut place), slot) in points.iter().zip(places) {
             while let Some(step) = self.step(link) {
-                place = (step.placement * step.motion(values)).transform_point(place);
+                place = (step.placement() * step.motion(values)).transform_point(place);
                 link = step.parent as usize;
             }
             *slot = place;

@@ -50,7 +50,7 @@ impl<'a, R: Real> Mechanism<'a, R> {
     ) -> Result<Self, MechanismError> {
         let count = screws.len();
         let steps = room(steps, count.saturating_add(1))?;
-        let tool = Step::of(&Joint::fixed(None, tool), count)?.placement;
+        let tool = Step::of(&Joint::fixed(None, tool), count)?.placement();
         let mut at = first_frame(screws, tool)?;
         let (mut before, mut counts) = ([R::ZERO; 3], (0, 0));
         let joints = screws.iter().map(Some).chain([None]);

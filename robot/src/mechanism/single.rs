@@ -26,7 +26,7 @@ impl<R: Real> Mechanism<'_, R> {
             return Ok(());
         }
         for step in self.steps {
-            let local = step.placement * step.motion(values);
+            let local = step.placement() * step.motion(values);
             let pose = match poses.get(step.parent as usize) {
                 Some(&parent) => parent * local,
                 None => local,
@@ -51,7 +51,7 @@ impl<R: Real> Mechanism<'_, R> {
         let mut pose = DualQuat::IDENTITY;
         let mut link = link;
         while let Some(step) = self.step(link) {
-            pose = step.placement * step.motion(values) * pose;
+            pose = step.placement() * step.motion(values) * pose;
             link = step.parent as usize;
         }
         Ok(pose)
@@ -110,7 +110,7 @@ impl<R: Real> Mechanism<'_, R> {
                     *column = *column + tail.conjugate().adjoint(own);
                 }
             }
-            tail = step.placement * step.motion(values) * tail;
+            tail = step.placement() * step.motion(values) * tail;
             joint = step.parent as usize;
         }
         let to_frame = match F::FRAME {

@@ -13,8 +13,7 @@ pub(crate) const NONE: u32 = u32::MAX;
 /// A joint as kernels use it, in the memory that a [`Mechanism`](super::Mechanism) borrows.
 #[derive(Clone, Copy, Debug)]
 pub struct Step<R> {
-    pub(crate) placement: DualQuat<R>,
-    /// The two halves of the placement as lanes need them: rotation, and half the translation.
+    /// The placement as lanes need it: rotation, and half the translation.
     pub(crate) rotation: [R; 4],
     pub(crate) half_offset: [R; 3],
     /// Which axes the two are about and along.
@@ -59,7 +58,6 @@ impl<R: Real> Default for Step<R> {
     /// Memory to be written.
     fn default() -> Self {
         Self {
-            placement: DualQuat::IDENTITY,
             rotation: [R::ZERO, R::ZERO, R::ZERO, R::ONE],
             half_offset: [R::ZERO; 3],
             turned: Alignment::None,
@@ -140,6 +138,13 @@ impl<R: Real> Step<R> {
         Ok(step)
     }
 
+    /// Where the frame of the joint is in that of the parent.
+    #[inline]
+    pub(crate) fn placement(&self) -> DualQuat<R> {
+        let rotation = Quat::from_array(self.rotation);
+        DualQuat::from_rotation_translation(rotation, vector::scale(self.half_offset, R::TWO))
+    }
+
     fn place(&mut self, placement: DualQuat<R>, index: usize) -> Result<(), MechanismError> {
         let norm = placement.real().norm();
         if is_far_from_one(norm) {
@@ -169,8 +174,6 @@ impl<R: Real> Step<R> {
         (self.turned, self.shifted) = (Alignment::of([x, y, z]), Alignment::of(translation));
         self.rotation = rotation;
         self.half_offset = vector::scale(translation, R::HALF);
-        self.placement =
-            DualQuat::from_rotation_translation(Quat::from_array(rotation), translation);
         Ok(())
     }
 }
