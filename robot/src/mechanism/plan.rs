@@ -9,7 +9,7 @@ use super::factor::{Alignment, Factor, Moves, Planned};
 use super::joint::JointKind;
 use super::step::Step;
 use dq8::Real;
-use dq8::scalar::{Quat, vector};
+use dq8::scalar::Quat;
 
 /// Plans all steps, which are in the order of the joints.
 // Once in machine code, not for each way to make a mechanism.
@@ -19,16 +19,15 @@ pub(crate) fn plan<R: Real>(steps: &mut [Step<R>]) {
         let Some(step) = steps.get(index) else { return };
         let on = steps.get(step.parent as usize).map_or(Factor::ONE, |on| on.planned.own);
         let on = on.quaternion();
-        let mut own = (on * Quat::from_array(step.rotation)).normalize().to_array();
+        let own = on * Quat::from_array(step.rotation);
+        // Unit but for rounding: a step of Newton's makes it so.
+        let mut own = own.scale(R::from(1.5) - R::HALF * own.dot(own)).to_array();
         clean(&mut own, R::ONE);
         let largest = step.half_offset.into_iter().map(R::abs).fold(R::ZERO, R::max_or_nan);
         let mut half_offset = on.rotate(step.half_offset);
         clean(&mut half_offset, largest);
         let mut axis = Quat::from_array(own).rotate(step.axis);
         clean(&mut axis, R::ONE);
-        if !matches!(step.kind, JointKind::Fixed | JointKind::Floating) {
-            axis = vector::over_norm(axis, vector::norm(axis));
-        }
         if let Some(step) = steps.get_mut(index) {
             let axis = Factor::new(axis, R::ZERO);
             let moves = match (step.kind, axis.along) {
@@ -48,13 +47,13 @@ pub(crate) fn plan<R: Real>(steps: &mut [Step<R>]) {
     }
 }
 
-/// Without the zeros, halves and roots of a half that rounding has missed, of numbers of this size: frames of machines are
+/// With the zeros, halves, roots of a half and ones that rounding has missed, of numbers of this size: frames of machines are
 /// turned by quarters.
 #[inline(never)]
 fn clean<R: Real>(numbers: &mut [R], size: R) {
     let (root, near) = (R::HALF.sqrt(), R::TWO * R::EPSILON * size);
     for number in numbers {
-        for nice in [R::ZERO, R::HALF * size, root * size] {
+        for nice in [R::ZERO, R::HALF * size, root * size, size] {
             if (number.abs() - nice).abs() <= near {
                 *number = if *number < R::ZERO { -nice } else { nice };
             }
