@@ -41,6 +41,7 @@ mod restart;
 mod scratch;
 mod search;
 mod sequence;
+mod shape;
 mod solve;
 mod step;
 mod tree;

@@ -1,7 +1,6 @@
 //! Numbers of all lanes, in memory of the caller.
 
 use super::problem::Reach;
-use super::tree::BODY;
 use crate::mechanism::tree::Mechanism;
 use dq8::Scalar;
 use dq8_simd::{Lanes, MAX_LANES};
@@ -111,6 +110,10 @@ pub(super) struct Scratch<'s, L: Lanes> {
     pub(super) right: Rows<'s, L>,
     pub(super) bodies: Rows<'s, L>,
 }
+
+/// Rows of what a link and those that it carries are to `tree.rs`: mass, mass times place, inertia (xx, yy, zz, xy, xz,
+/// yz), and the force as torque and force.
+pub(super) const BODY: usize = 16;
 
 /// Rows of a goal: the target, drawn to where it may be reached, and the way that it was drawn; the pose (rotation and half the
 /// translation), the rotation to the target, and the twist of the link as far as it has been summed up.

@@ -233,7 +233,7 @@ impl<R: Real> Step<R> {
     #[inline(always)]
     fn screw(&self, index: usize, [before, after]: [DualQuat<R>; 2], values: &[R]) -> Twist<R> {
         let (own, zero) = (self.planned.own.quaternion(), [R::ZERO; 3]);
-        let axis = self.planned.axis.quaternion().xyz();
+        let axis = self.planned.axis.vector;
         let slide = |along| Twist { angular: zero, linear: along };
         let hinge = |angular, at| Twist { angular, linear: vector::cross(at, angular) };
         let screw = match self.kind {

@@ -33,40 +33,37 @@ pub(crate) const ORDER: [[usize; 4]; 3] = [[3, 2, 1, 0], [2, 3, 0, 1], [1, 0, 3,
 pub(crate) const SIGNS: [[f32; 4]; 3] =
     [[1.0, 1.0, -1.0, -1.0], [-1.0, 1.0, 1.0, -1.0], [1.0, -1.0, 1.0, -1.0]];
 
+/// A vector, and how it lies.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Way<R> {
+    pub(crate) along: Alignment,
+    pub(crate) vector: [R; 3],
+}
+
+impl<R: Real> Way<R> {
+    const ZERO: Self = Self { along: Alignment::None, vector: [R::ZERO; 3] };
+
+    pub(crate) fn new(vector: [R; 3]) -> Self {
+        Self { along: Alignment::of(vector), vector }
+    }
+}
+
 /// The quaternion v + w as a right factor.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Factor<R> {
-    /// How v lies.
-    pub(crate) along: Alignment,
-    /// Along an axis the length of v with [`SIGNS`], else v and a zero.
-    pub(crate) row: [R; 4],
+    pub(crate) v: Way<R>,
     pub(crate) w: R,
 }
 
 impl<R: Real> Factor<R> {
-    pub(crate) const ONE: Self = Self { along: Alignment::None, row: [R::ZERO; 4], w: R::ONE };
+    pub(crate) const ONE: Self = Self { v: Way::ZERO, w: R::ONE };
 
-    #[inline(never)]
-    pub(crate) fn new([x, y, z]: [R; 3], w: R) -> Self {
-        let along = Alignment::of([x, y, z]);
-        let signed = |k: usize, number: R| SIGNS[k].map(|sign| number * R::from(sign));
-        let row = match along {
-            Alignment::X => signed(0, x),
-            Alignment::Y => signed(1, y),
-            Alignment::Z => signed(2, z),
-            Alignment::None | Alignment::Any => [x, y, z, R::ZERO],
-        };
-        Self { along, row, w }
+    pub(crate) fn new([x, y, z, w]: [R; 4]) -> Self {
+        Self { v: Way::new([x, y, z]), w }
     }
 
     pub(crate) fn quaternion(&self) -> Quat<R> {
-        let ([x, y, z, _], zero) = (self.row, R::ZERO);
-        let [x, y, z] = match self.along {
-            Alignment::X => [x, zero, zero],
-            Alignment::Y => [zero, y, zero],
-            Alignment::Z => [zero, zero, z],
-            Alignment::None | Alignment::Any => [x, y, z],
-        };
+        let [x, y, z] = self.v.vector;
         Quat::from_xyzw(x, y, z, self.w)
     }
 }
@@ -91,12 +88,12 @@ pub(crate) struct Planned<R> {
     /// The link's own frame where all values are zero.
     pub(crate) own: Factor<R>,
     /// Half the way from the parent.
-    pub(crate) half_offset: Factor<R>,
+    pub(crate) half_offset: Way<R>,
     /// The axis or normal of the joint.
-    pub(crate) axis: Factor<R>,
+    pub(crate) axis: Way<R>,
 }
 
 impl<R: Real> Planned<R> {
     pub(crate) const NONE: Self =
-        Self { moves: Moves::Not, own: Factor::ONE, half_offset: Factor::ONE, axis: Factor::ONE };
+        Self { moves: Moves::Not, own: Factor::ONE, half_offset: Way::ZERO, axis: Way::ZERO };
 }

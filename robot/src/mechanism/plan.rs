@@ -5,7 +5,7 @@
 //! base: a hinge is r ← c r + s r n with a product r n that is a permutation and three signs. A link's own frame is turned
 //! back when its pose is written, which no other link waits for.
 
-use super::factor::{Alignment, Factor, Moves, Planned};
+use super::factor::{Alignment, Factor, Moves, Planned, Way};
 use super::joint::JointKind;
 use super::step::Step;
 use dq8::Real;
@@ -29,7 +29,7 @@ pub(crate) fn plan<R: Real>(steps: &mut [Step<R>]) {
         let mut axis = Quat::from_array(own).rotate(step.axis);
         clean(&mut axis, R::ONE);
         if let Some(step) = steps.get_mut(index) {
-            let axis = Factor::new(axis, R::ZERO);
+            let axis = Way::new(axis);
             let moves = match (step.kind, axis.along) {
                 (JointKind::Fixed, _) => Moves::Not,
                 (JointKind::Revolute { .. }, _) if step.mimics => Moves::Otherwise,
@@ -39,9 +39,7 @@ pub(crate) fn plan<R: Real>(steps: &mut [Step<R>]) {
                 (JointKind::Revolute { .. }, _) => Moves::AboutAny,
                 _ => Moves::Otherwise,
             };
-            let [x, y, z, w] = own;
-            let own = Factor::new([x, y, z], w);
-            let half_offset = Factor::new(half_offset, R::ZERO);
+            let (own, half_offset) = (Factor::new(own), Way::new(half_offset));
             step.planned = Planned { moves, own, half_offset, axis };
         }
     }

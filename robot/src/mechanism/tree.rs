@@ -154,14 +154,15 @@ fn check<R: Real>(
         let Some(mimic) = joint.mimic else { continue };
         let error = MechanismError::Mimic { joint: index, other: mimic.joint };
         let other = joints.get(mimic.joint).filter(|other| other.mimic.is_none());
-        let (Some(other), Some(&leader)) = (other, steps.get(mimic.joint)) else {
+        let leader = steps.get(mimic.joint).map(|leader| (leader.value, leader.rate));
+        let (Some(other), Some(leader)) = (other, leader) else {
             return Err(error);
         };
         if other.kind.values() != 1 || joint.kind.values() != 1 {
             return Err(error);
         }
         if let Some(step) = steps.get_mut(index) {
-            (step.value, step.rate) = (leader.value, leader.rate);
+            (step.value, step.rate) = leader;
         }
     }
     Ok(counts)
@@ -180,14 +181,16 @@ pub(crate) fn planned<R: Real>(
 /// Depth first, the largest branch last. So a pose is kept for its children only while other branches are
 /// computed, all of them no larger than the last one: log₂(n) + 1 poses are kept at most (Strahler's
 /// number), in memory of a fixed size.
-fn order<R: Copy>(steps: &mut [Step<R>]) {
+// Steps are large: none is copied to the stack. A frame of its own, so that it does not lie under that of `plan`.
+#[inline(never)]
+fn order<R>(steps: &mut [Step<R>]) {
     let count = steps.len();
     for index in (0..count).rev() {
-        let Some(&step) = steps.get(index) else { return };
-        let Some(&parent) = steps.get(step.parent as usize) else { continue };
-        let largest = steps.get(parent.largest as usize).is_none_or(|other| step.size > other.size);
-        if let Some(parent) = steps.get_mut(step.parent as usize) {
-            parent.size += step.size;
+        let Some(&Step { size, parent, .. }) = steps.get(index) else { return };
+        let Some(&Step { largest, .. }) = steps.get(parent as usize) else { continue };
+        let largest = steps.get(largest as usize).is_none_or(|other| size > other.size);
+        if let Some(parent) = steps.get_mut(parent as usize) {
+            parent.size += size;
             if largest {
                 parent.largest = index as u32;
             }
@@ -196,17 +199,17 @@ fn order<R: Copy>(steps: &mut [Step<R>]) {
     // The largest branch goes to the end of what belongs to its parent, the others to the front.
     let mut free = 0;
     for index in 0..count {
-        let Some(&step) = steps.get(index) else { return };
+        let Some(&Step { size, parent, .. }) = steps.get(index) else { return };
         let (mut position, mut slot, mut parent_slot) = (free, 0, 0);
-        if let Some(parent) = steps.get_mut(step.parent as usize) {
+        if let Some(parent) = steps.get_mut(parent as usize) {
             (position, slot, parent_slot) =
-                (parent.position + parent.size - step.size, parent.slot, parent.slot);
+                (parent.position + parent.size - size, parent.slot, parent.slot);
             if parent.largest as usize != index {
                 (position, slot) = (parent.free, parent.slot + 1);
-                parent.free += step.size;
+                parent.free += size;
             }
         } else {
-            free += step.size;
+            free += size;
         }
         let Some(step) = steps.get_mut(index) else { return };
         (step.position, step.free) = (position, position + 1);
@@ -214,19 +217,15 @@ fn order<R: Copy>(steps: &mut [Step<R>]) {
     }
     for index in 0..count {
         // Each swap puts one step where it belongs.
-        while let Some(&step) = steps.get(index)
-            && step.position as usize != index
-            && let Some(there) = steps.get_mut(step.position as usize)
+        while let Some(step) = steps.get(index)
+            && let Ok([here, there]) = steps.get_disjoint_mut([index, step.position as usize])
         {
-            let other = core::mem::replace(there, step);
-            if let Some(here) = steps.get_mut(index) {
-                *here = other;
-            }
+            core::mem::swap(here, there);
         }
     }
     for position in 0..count {
-        let Some(&step) = steps.get(position) else { return };
-        if let Some(of_link) = steps.get_mut(step.link as usize) {
+        let Some(&Step { link, .. }) = steps.get(position) else { return };
+        if let Some(of_link) = steps.get_mut(link as usize) {
             of_link.position = position as u32;
         }
     }

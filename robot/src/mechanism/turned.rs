@@ -2,7 +2,7 @@
 //!
 //! Nothing is fused: the bits are the same on all targets.
 
-use super::factor::{Alignment, Factor, Moves, ORDER, SIGNS};
+use super::factor::{Alignment, Factor, Moves, ORDER, SIGNS, Way};
 use super::joint::JointKind;
 use super::step::Step;
 use super::turns::{LEVEL, Turns, half_turn_of};
@@ -31,12 +31,16 @@ fn ordered<const K: usize, R: Float>(x: Four<R>) -> Four<R> {
     load([x[a], x[b], x[c], x[d]])
 }
 
-/// What the vector of a [`Factor`] along no axis multiplies [`ordered`] numbers with.
+/// What a number along an axis multiplies [`ordered`] numbers with.
 #[inline(always)]
-fn rows<R: Float>(vector: Four<R>) -> [Four<R>; 3] {
-    let [x, y, z, _] = vector.to_array();
-    let row = |k: usize, number: R| splat::<R>(number) * load(SIGNS[k].map(R::from));
-    [row(0, x), row(1, y), row(2, z)]
+fn row<const K: usize, R: Float>(number: R) -> Four<R> {
+    splat::<R>(number) * load(SIGNS[K].map(R::from))
+}
+
+/// What a vector along no axis multiplies them with.
+#[inline(always)]
+fn rows<R: Float>([x, y, z]: [R; 3]) -> [Four<R>; 3] {
+    [row::<0, R>(x), row::<1, R>(y), row::<2, R>(z)]
 }
 
 /// x (v + w)
@@ -71,15 +75,15 @@ impl<R: Real + Number> Turned<R> {
 
     /// Moved by a vector in its own axes, of which half is given: q + p h.
     #[inline(always)]
-    fn moved(self, along: Alignment, half: Four<R>) -> Self {
-        let p = self.p;
+    fn moved(self, along: Alignment, half: [R; 3]) -> Self {
+        let (p, [x, y, z]) = (self.p, half);
         let added = match along {
             Alignment::None => return self,
-            Alignment::X => ordered::<0, R>(p) * half,
-            Alignment::Y => ordered::<1, R>(p) * half,
-            Alignment::Z => ordered::<2, R>(p) * half,
+            Alignment::X => ordered::<0, R>(p) * row::<0, R>(x),
+            Alignment::Y => ordered::<1, R>(p) * row::<1, R>(y),
+            Alignment::Z => ordered::<2, R>(p) * row::<2, R>(z),
             Alignment::Any => {
-                let [x, y, z] = rows::<R>(half);
+                let [x, y, z] = rows(half);
                 ordered::<0, R>(p) * x + ordered::<1, R>(p) * y + ordered::<2, R>(p) * z
             }
         };
@@ -88,70 +92,69 @@ impl<R: Real + Number> Turned<R> {
 
     /// Turned by the unit quaternion v + w.
     #[inline(always)]
-    fn turned(self, about: Alignment, row: Four<R>, w: Four<R>) -> Self {
+    fn turned(self, about: Alignment, v: [R; 3], w: R) -> Self {
+        let [x, y, z] = v;
         match about {
             Alignment::None => self,
-            Alignment::X => self.about::<0>(row, w),
-            Alignment::Y => self.about::<1>(row, w),
-            Alignment::Z => self.about::<2>(row, w),
+            Alignment::X => self.about::<0>(x, w),
+            Alignment::Y => self.about::<1>(y, w),
+            Alignment::Z => self.about::<2>(z, w),
             Alignment::Any => {
-                let rows = rows::<R>(row);
+                let (rows, w) = (rows(v), splat(w));
                 Self { p: product::<R>(self.p, rows, w), q: product::<R>(self.q, rows, w) }
             }
         }
     }
 
     #[inline(always)]
-    fn about<const K: usize>(self, row: Four<R>, w: Four<R>) -> Self {
+    fn about<const K: usize>(self, along: R, w: R) -> Self {
         let Self { p, q } = self;
+        let (row, w) = (row::<K, R>(along), splat(w));
         Self { p: p * w + ordered::<K, R>(p) * row, q: q * w + ordered::<K, R>(q) * row }
     }
 
     /// The pose of the link, whose own frame this is turned to.
     #[inline(always)]
     pub(crate) fn pose(self, own: &Factor<R>) -> DualQuat<R> {
-        let own = self.turned(own.along, load(own.row), splat(own.w));
+        let own = self.turned(own.v.along, own.v.vector, own.w);
         DualQuat::from_array(own.to_array())
     }
 
     /// And back.
     #[inline(always)]
     pub(crate) fn of_pose(pose: &DualQuat<R>, own: &Factor<R>) -> Self {
-        Self::new(pose.to_array()).turned(own.along, -load(own.row), splat(own.w))
+        Self::new(pose.to_array()).turned(own.v.along, own.v.vector.map(|c| -c), own.w)
     }
 
     /// From the frame of the parent to that of the joint.
     #[inline(always)]
     pub(crate) fn placed(self, step: &Step<R>) -> Self {
         let half_offset = &step.planned.half_offset;
-        self.moved(half_offset.along, load(half_offset.row))
+        self.moved(half_offset.along, half_offset.vector)
     }
 
     /// From the frame of the joint to that of the link.
     #[inline(always)]
     pub(crate) fn joined(self, step: &Step<R>, turns: &mut Turns<'_, R>) -> Self {
-        let (at, planned) = (self, &step.planned);
-        let mut turn = || {
-            let [cos, sin] = turns.half_turn(step.value as usize);
-            (load(planned.axis.row) * splat(sin), splat(cos))
-        };
-        match planned.moves {
+        let (at, [x, y, z]) = (self, step.planned.axis.vector);
+        let mut turn = || turns.half_turn(step.value as usize);
+        match step.planned.moves {
             Moves::Not => at,
             Moves::AboutX => {
-                let (row, cos) = turn();
-                at.about::<0>(row, cos)
+                let [cos, sin] = turn();
+                at.about::<0>(x * sin, cos)
             }
             Moves::AboutY => {
-                let (row, cos) = turn();
-                at.about::<1>(row, cos)
+                let [cos, sin] = turn();
+                at.about::<1>(y * sin, cos)
             }
             Moves::AboutZ => {
-                let (row, cos) = turn();
-                at.about::<2>(row, cos)
+                let [cos, sin] = turn();
+                at.about::<2>(z * sin, cos)
             }
             Moves::AboutAny => {
-                let (row, cos) = turn();
-                at.turned(Alignment::Any, row, cos)
+                let [cos, sin] = turn();
+                at.turned(Alignment::Any, [x * sin, y * sin, z * sin], cos)
             }
             // By value: what is in memory here would be there for all.
             Moves::Otherwise => Self::new(otherwise(at.to_array(), step, turns.values)),
@@ -160,15 +163,15 @@ impl<R: Real + Number> Turned<R> {
 
     /// Moved along the axis of a joint.
     fn slid(self, step: &Step<R>, length: R) -> Self {
-        let axis = &step.planned.axis;
-        self.moved(axis.along, load(axis.row) * splat(length * R::HALF))
+        let Way { along, vector } = step.planned.axis;
+        self.moved(along, vector::scale(vector, length * R::HALF))
     }
 
     /// Turned about it.
     fn hinged(self, step: &Step<R>, angle: R) -> Self {
-        let axis = &step.planned.axis;
+        let Way { along, vector } = step.planned.axis;
         let [cos, sin] = half_turn_of(angle);
-        self.turned(axis.along, load(axis.row) * splat(sin), splat(cos))
+        self.turned(along, vector::scale(vector, sin), cos)
     }
 }
 
@@ -178,8 +181,7 @@ impl<R: Real + Number> Turned<R> {
 fn otherwise<R: Real + Number>(at: [R; 8], step: &Step<R>, values: &[R]) -> [R; 8] {
     let (at, own) = (Turned::new(at), step.planned.own.quaternion());
     let moved = |[x, y, z]: [R; 3]| {
-        let [x, y, z] = own.rotate([x * R::HALF, y * R::HALF, z * R::HALF]);
-        at.moved(Alignment::Any, load([x, y, z, R::ZERO]))
+        at.moved(Alignment::Any, own.rotate([x * R::HALF, y * R::HALF, z * R::HALF]))
     };
     let at = match step.kind {
         JointKind::Fixed => at,
@@ -199,8 +201,7 @@ fn otherwise<R: Real + Number>(at: [R; 8], step: &Step<R>, values: &[R]) -> [R; 
             let [x, y, z, w, tx, ty, tz] = Step::numbers(step.value, values);
             let turn = own * Quat::from_xyzw(x, y, z, w).normalize() * own.conjugate();
             let [x, y, z, w] = turn.to_array();
-            let row = load([x, y, z, R::ZERO]);
-            moved([tx, ty, tz]).turned(Alignment::Any, row, splat(w))
+            moved([tx, ty, tz]).turned(Alignment::Any, [x, y, z], w)
         }
     };
     at.to_array()
