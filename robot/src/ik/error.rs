@@ -123,6 +123,7 @@ impl core::error::Error for ReachError {}
 
 /// What rates cannot be asked for.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum RatesError {
     /// Lengths that do not fit.
