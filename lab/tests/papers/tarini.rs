@@ -69,7 +69,9 @@ fn slide_116_pure_rotations_and_translations_are_unit_and_orthogonal() {
     let (sin, cos) = (ANGLE / 2.0).sin_cos();
     let [x, y, z] = AXIS.map(|c| c * sin);
     let rotation = DualQuat::from_rotation(Quat::from_axis_angle(AXIS, ANGLE));
-    assert_eq!(rotation, DualQuat::from_array([x, y, z, cos, 0.0, 0.0, 0.0, 0.0]));
+    // The sine and the cosine of the standard library are another's on another machine.
+    let wanted = DualQuat::from_array([x, y, z, cos, 0.0, 0.0, 0.0, 0.0]);
+    assert!(rotation.abs_diff_eq(wanted, 2.0 * f64::EPSILON));
     assert_unit_and_orthogonal(rotation);
     let translation = DualQuat::from_translation([2.0, -4.0, 1.0]);
     assert_eq!(translation, DualQuat::from_array([0.0, 0.0, 0.0, 1.0, 1.0, -2.0, 0.5, 0.0]));
