@@ -295,6 +295,21 @@ fn robots(k: Backend, say: &mut dyn FnMut(&str, u64), [a, b]: [&[M; N]; 2], rand
         .jacobians(World, &values, &mut tools, &mut twists)
         .expect("lengths fit");
     say("jacobians", hash(&twists));
+    let each = values.chunks(LINKS).zip(tools.iter_mut()).zip(more.chunks_mut(LINKS));
+    for ((values, tool), columns) in each {
+        *tool = robot.link_pose(values, LINKS - 1).expect("there is such a link");
+        robot.link_jacobian(World, values, LINKS - 1, columns).expect("lengths fit");
+    }
+    say("link_pose", hash(&tools));
+    say("link_jacobian", hash(&more));
+    let points = [(2, [0.1, -0.2, 0.3]), (LINKS - 1, [0.0, 0.4, 0.0])];
+    let mut places = [[0.0; 3]; 2 * COUNT];
+    job.points(&points, &values, &mut places).expect("lengths fit");
+    say("points", hash(&places));
+    for (values, places) in values.chunks(LINKS).zip(places.chunks_mut(2)) {
+        robot.link_points(values, &points, places).expect("lengths fit");
+    }
+    say("link_points", hash(&places));
 
     // Targets that the arm has been at, and one that it cannot reach.
     let goals = [Goal::pose(LINKS - 1)];
@@ -316,6 +331,12 @@ fn robots(k: Backend, say: &mut dyn FnMut(&str, u64), [a, b]: [&[M; N]; 2], rand
         reach.solve(target, values, &mut scratch, &Options::default()).expect("lengths fit");
     }
     say("Reach, one", hash(&alone));
+    let (job, mut speeds) = (reach.job().backend(k), rates);
+    job.rates_in(&mut scratch, &values, &twists[..COUNT], 0.1, &mut speeds).expect("lengths fit");
+    say("Reach, rates", hash(&speeds));
+    job.sequence_in(&mut scratch, &[4, 7], &targets, &mut start, &mut reports, &Options::track())
+        .expect("lengths fit");
+    say("Reach, clips", hash(&start));
 }
 
 fn skins(
