@@ -43,6 +43,12 @@ pub const KNOWN: &str = include_str!("../vectors/bits.tsv");
 
 /// Everything, by all instructions of this CPU whose bits are promised: a name comes once for each of them.
 pub fn hashes(sink: &mut Sink<'_>) {
+    parts(sink);
+    example(sink);
+}
+
+/// Every function and every job.
+pub fn parts(sink: &mut Sink<'_>) {
     scalar::<f32>("f32", sink);
     scalar::<f64>("f64", sink);
     lanes(Unfused(Portable), sink);
@@ -56,17 +62,27 @@ pub fn hashes(sink: &mut Sink<'_>) {
             lanes(Unfused(level), sink);
         }
     }
-    // Portable lanes too, where they do not fuse either, and are others.
-    let fuses = cfg!(any(target_arch = "aarch64", target_feature = "fma"));
-    let reproducible = Backend::reproducible();
-    let portable = Some(Backend::PORTABLE).filter(|portable| !fuses && *portable != reproducible);
-    for backend in [Some(reproducible), portable].into_iter().flatten() {
+    for backend in backends() {
         single::jobs::run(backend, &mut |name, hash| sink(["f32", "job", name], hash));
         double::jobs::run(backend, &mut |name, hash| sink(["f64", "job", name], hash));
+    }
+}
+
+/// The ten thousand steps of the example, which take four times as long as everything else.
+pub fn example(sink: &mut Sink<'_>) {
+    for backend in backends() {
         if let Ok(hash) = world::World::new(backend).run(10_000) {
             sink(["f32", "example", "lockstep"], hash);
         }
     }
+}
+
+/// Portable lanes too, where they do not fuse either, and are others.
+fn backends() -> impl Iterator<Item = Backend> {
+    let fuses = cfg!(any(target_arch = "aarch64", target_feature = "fma"));
+    let reproducible = Backend::reproducible();
+    let portable = Some(Backend::PORTABLE).filter(|portable| !fuses && *portable != reproducible);
+    [Some(reproducible), portable].into_iter().flatten()
 }
 
 /// How many hashes are those of [`KNOWN`]; the others are told, with what is known of them.

@@ -3,7 +3,7 @@
 #
 #     bash tests/hosts/run.sh                       # every host, all tests
 #     bash tests/hosts/run.sh aarch64 s390x         # these hosts
-#     bash tests/hosts/run.sh --quick s390x         # only the tests of the lanes and the hashes of all bits
+#     bash tests/hosts/run.sh --quick s390x         # only the tests of the lanes and the hashes of all bits but those of the example
 #     bash tests/hosts/run.sh --bits                # only those hashes, on every host
 #     bash tests/hosts/run.sh --quick relaxed       # those on wasm32 with relaxed-simd, only if it is named
 #
@@ -13,10 +13,10 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 
 # Programs have tests too, of which some look for files by other paths than those of the build; papers are in lab.
-hosts=() packages=(dq8 dq8-simd dq8-robot) programs=(dq8-mocap dq8-contest dq8-compare dq8-hand-eye) papers=(--manifest-path lab/Cargo.toml --test papers) features=()
+hosts=() packages=(dq8 dq8-simd dq8-robot) programs=(dq8-mocap dq8-contest dq8-compare dq8-hand-eye) papers=(--manifest-path lab/Cargo.toml --test papers) features=() briefly=()
 for argument; do
   case $argument in
-    --quick) packages=(dq8-simd) features=(--features dq8-simd/alloc) programs=() papers=() ;;
+    --quick) packages=(dq8-simd) features=(--features dq8-simd/alloc) programs=() papers=() briefly=(--skip ten_thousand_steps) ;;
     --bits) packages=() programs=() papers=() ;;
     aarch64 | armv7 | s390x | wasm32 | relaxed) hosts+=("$argument") ;;
     *) echo "no such host: $argument" >&2; exit 2 ;;
@@ -56,9 +56,9 @@ run() {
     /usr/bin/cargo test --quiet --no-fail-fast --target "$target" "$@"
 }
 
-# The same arguments: the hashes of everything, a workspace of its own.
+# The same arguments: the hashes of everything, a workspace of its own; quickly, without the example.
 bits() {
-  run "$@" --manifest-path tests/bits/Cargo.toml
+  run "$@" --manifest-path tests/bits/Cargo.toml -- "${briefly[@]}"
 }
 
 # The same arguments: the packages that are asked for.
