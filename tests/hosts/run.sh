@@ -106,7 +106,7 @@ for host in "${hosts[@]}"; do
         export RUSTFLAGS="-Ctarget-feature=$features -Clink-self-contained=no -Clink-arg=/usr/lib/wasm32-wasi/crt1-command.o
           -Clink-arg=-L/usr/lib/wasm32-wasi -Clink-arg=--allow-undefined -Clink-arg=-zstack-size=8388608"
         # With relaxed-simd products are fused with sums.
-        [ "$host" = relaxed ] || bits "${emulated[@]}"
+        [ "$host" = relaxed ] || bits "${emulated[@]}" || exit
         suite "${emulated[@]}" --lib --test '*' -- --skip a_long_chain_needs_no_stack
       ) ;;
   esac >"$log" 2>&1 || status=$?
