@@ -6,7 +6,7 @@ use std::ffi::OsString;
 use std::path::PathBuf;
 
 pub(crate) const USAGE: &str = "\
-usage: compare [JOB ...] [--quick] [--json OUT] [--svg OUT]
+usage: compare [JOB ...] [--quick] [--json OUT] [--svg OUT] [--md OUT]
 
   JOB         only these: J1 products, J2 crowds, J3 one skeleton, J4 points, J5 blends,
               J6 animation, J7 skins
@@ -14,6 +14,7 @@ usage: compare [JOB ...] [--quick] [--json OUT] [--svg OUT]
   --quick     few rounds, and only what fits into the first caches: seconds, not minutes
   --json OUT  write all times and the machine's limits
   --svg OUT   draw them as bars
+  --md OUT    write the best of each kind as a table for documents
 ";
 
 #[derive(Debug, Default, PartialEq)]
@@ -23,6 +24,7 @@ pub(crate) struct Args {
     pub(crate) quick: bool,
     pub(crate) json: Option<PathBuf>,
     pub(crate) svg: Option<PathBuf>,
+    pub(crate) md: Option<PathBuf>,
 }
 
 pub(crate) fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Request<Args>, Misuse> {
@@ -34,6 +36,7 @@ pub(crate) fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Request
             "--quick" => args.quick = true,
             "--json" => set(&mut args.json, "--json", value("--json", &mut words)?.into())?,
             "--svg" => set(&mut args.svg, "--svg", value("--svg", &mut words)?.into())?,
+            "--md" => set(&mut args.md, "--md", value("--md", &mut words)?.into())?,
             other => match JOBS.iter().find(|job| job.eq_ignore_ascii_case(other)) {
                 Some(job) => args.jobs.push(job),
                 None => return Err(Misuse(format!("no such argument: `{other}`"))),
@@ -55,8 +58,9 @@ mod tests {
     #[test]
     fn options_stand_in_any_order() {
         let jobs = vec!["J7", "J1"];
-        let args = Args { jobs, quick: true, json: Some("a".into()), svg: Some("b".into()) };
-        assert_eq!(words("J7 --svg b --quick j1 --json a"), Ok(Request::Run(args)));
+        let [json, svg, md] = ["a", "b", "c"].map(|path| Some(path.into()));
+        let args = Args { jobs, quick: true, json, svg, md };
+        assert_eq!(words("J7 --svg b --quick j1 --md c --json a"), Ok(Request::Run(args)));
         assert_eq!(words(""), Ok(Request::Run(Args::default())));
         assert_eq!(words("--quick --help"), Ok(Request::Help));
     }

@@ -18,14 +18,15 @@
 //! | J7 | skinning with four influences: linear (LBS) and dual quaternion blends (DLB) |
 //!
 //! The package `dq8-contest` has the jobs, their data and the contenders; `plan` says which, a `race`
-//! checks every contender against `f64` and times them in interleaved rounds. `table`, `json` and
-//! `chart` show the `results`; `machine` says how disturbed it was, and what is disturbed is timed again. The least time over the rounds is what counts: whatever else a
-//! machine does only adds to it.
+//! checks every contender against `f64` and times them in interleaved rounds. `table`, `json`,
+//! `chart` and `markdown` show the `results`; `machine` says how disturbed it was, and what is disturbed is timed again. The
+//! least time over the rounds is what counts: whatever else a machine does only adds to it.
 
 mod args;
 mod chart;
 mod json;
 mod machine;
+mod markdown;
 mod plan;
 mod profile;
 mod progress;
@@ -55,7 +56,7 @@ fn main() -> ExitCode {
 }
 
 fn run(args: &Args) -> Result<(), Box<dyn Error>> {
-    let paths = || args.json.iter().chain(&args.svg).map(|path| path.as_path());
+    let paths = || args.json.iter().chain(&args.svg).chain(&args.md).map(|path| path.as_path());
     // Minutes before they are needed: a path that cannot be written is better known now.
     let outputs = Outputs::open(paths(), None)?;
     let caches = Caches::of_this_machine();
@@ -83,6 +84,9 @@ fn run(args: &Args) -> Result<(), Box<dyn Error>> {
     }
     if args.svg.is_some() {
         texts.push(chart::picture(&results)?);
+    }
+    if args.md.is_some() {
+        texts.push(markdown::text(&results)?);
     }
     outputs.write(&texts)?;
     for path in paths() {
