@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Writes include/dq8.h from the sources; with --check, only says whether it is what they give.
+# Writes include/dq8.h and dq8_generic.h from the sources; with --check, only says whether it is what they give.
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -9,15 +9,17 @@ command -v "$cbindgen" >/dev/null || {
   exit 1
 }
 IFS=. read -r major minor patch < <(cargo pkgid | sed 's/.*[#@]//')
-made=$(mktemp)
-trap 'rm -f "$made"' EXIT
+made=$(mktemp -d)
+trap 'rm -rf "$made"' EXIT
 # Macros are expanded by rustc, which a stable one does only when told so.
 RUSTC_BOOTSTRAP=1 "$cbindgen" --quiet --config cbindgen.toml --crate dq8-capi . |
   # What Rust wants said of every unsafe function, the head of the file says once.
   sed -z 's/\n \*\n \* # Safety\(\n \* [^\n]*\)*//g' |
-  sed "s/@major@/$major/; s/@minor@/$minor/; s/@patch@/$patch/" > "$made"
+  sed "s/@major@/$major/; s/@minor@/$minor/; s/@patch@/$patch/" > "$made/found.h"
+python3 headers.py "$made/found.h" "$made"
+rm "$made/found.h"
 if [ "${1-}" = --check ]; then
-  diff -u include/dq8.h "$made" || { echo 'include/dq8.h is out of date: run capi/header.sh' >&2; exit 1; }
+  diff -u include "$made" || { echo 'capi/include is out of date: run capi/header.sh' >&2; exit 1; }
 else
-  cp "$made" include/dq8.h
+  cp "$made"/* include
 fi

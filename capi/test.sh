@@ -41,6 +41,11 @@ gcc -std=c99 -g -fsanitize=address,undefined -fno-sanitize-recover=all "${strict
   examples/arm.c "${static[@]}" -o "$prefix/arm"
 passes "$prefix/arm"
 
+echo 'C11, one name for float and double'
+gcc -std=c11 -g -fsanitize=address,undefined -fno-sanitize-recover=all "${strict[@]}" "${cflags[@]}" \
+  examples/generic.c "${static[@]}" -o "$prefix/generic"
+passes "$prefix/generic"
+
 echo 'README, in C99 and C++20'
 # Each of its listings is a function. The second one poses a skeleton that the reader has.
 awk 'BEGIN { print "#include <stdio.h>\n#include \"dq8.h\"\nstatic dq8_status status;\nstatic float locals[32], models[32];" }
@@ -87,6 +92,6 @@ readelf -d "$prefix/app/build/arm_dq8" | grep -q 'NEEDED.*\[libdq8_capi\.so\.0\.
   || { echo 'the program does not ask for libdq8_capi.so.0.1' >&2; exit 1; }
 
 echo 'the header names what the library has, and nothing else'
-names() { grep -o '\bdq8_[a-z0-9_]*(' include/dq8.h | tr -d '(' | sort -u; }
+names() { sed '/^static inline/,/^}/d' include/dq8.h | grep -o '\bdq8_[a-z0-9_]*(' | tr -d '(' | sort -u; }
 exports() { nm -D --defined-only "$prefix/lib/libdq8_capi.so" | sed -n 's/.* T \(dq8_.*\)/\1/p' | sort -u; }
 diff <(names) <(exports) || { echo 'header and library differ' >&2; exit 1; }

@@ -9,7 +9,7 @@
  *           dq8_skin_NAME: a mesh. dq8_plan_NAME: one instance of a hierarchy, in the best order.
  *           dq8_clips_NAME: packed clips.
  *           dq8_NAME: arrays of `count` things in all, plain. dq8_blocks_NAME: the same on blocks, the fastest
- *           way. Each for float (_f32) and for double (_f64).
+ *           way. Each for float (_f32) and for double (_f64); dq8_generic.h has one name for both (C11).
  * Blocks.   A block has `lanes` things, component after component: with 8 lanes, the eight px, then
  *           the eight py, and so on. Its size is rounded up to whole 64 bytes (dq8_block_size).
  *           float has blocks of 8 and 16 lanes, double of 4 and 8.
@@ -27,8 +27,128 @@
  * Checked.  Null and misaligned pointers, overlaps and lengths give an error. Wrong numbers in arrays give
  *           wrong results, never a crash, but in memory that a mechanism, a skin or clips keep. That an array is
  *           as long as you say cannot be checked, nor that a motion is unit where one is asked for.
- * Threads.  Calls do not know of each other; only dq8_backend_limit and dq8_set_reproducible are for all
- * threads.
+ * Threads.  The library has none: give each of yours its own part of the arrays, and every bit is the same. Calls
+ *           do not know of each other; only dq8_backend_limit and dq8_set_reproducible are for all threads.
+ */
+
+/*
+ * Contents, without _f32 and _f64.
+ *
+ * One motion
+ *   dq8_motion_line                            A line moved by a unit motion
+ *   dq8_motion_plane                           A plane moved by a unit motion
+ *   dq8_motion_twist                           A twist, six numbers, angular part first, by the adjoint of a unit ...
+ *   dq8_motion_to_twist                        The twist, six numbers, angular part first, that leads to a unit ...
+ *   dq8_motion_integrate_body                  Where a unit motion is after `dt` seconds of a body twist, six ...
+ *   dq8_motion_angle_to                        The angle between two unit motions, one number, radians in 0 to pi
+ *   dq8_motion_distance_to                     The distance between the translations of two unit motions, one number
+ *   dq8_motion_identity                        The motion that moves nothing
+ *   dq8_motion_from_rotation_translation       Rotate by the unit quaternion `rotation` (x, y, z, w), then move by ...
+ *   dq8_motion_to_rotation_translation         The parts of a unit motion
+ *   dq8_motion_from_matrix_3x4                 The motion of a matrix, twelve numbers, row after row
+ *   dq8_motion_from_matrix_4x4                 As dq8_motion_from_matrix_3x4, of sixteen numbers; ...
+ *   dq8_motion_to_matrix_3x4                   The matrix `[R | t]` of a unit motion
+ *   dq8_motion_to_matrix_4x4                   The matrix of a unit motion with the row 0 0 0 1: sixteen numbers, ...
+ *   dq8_motion_mul                             a * b
+ *   dq8_motion_conjugate                       The inverse of a unit motion, which costs nothing but signs
+ *   dq8_motion_inverse                         The inverse of a motion, unit or not; DQ8_STATUS_NO_INVERSE if ...
+ *   dq8_motion_normalize                       The unit motion beside a dual quaternion, exactly; ...
+ *   dq8_motion_check_unit                      DQ8_STATUS_NOT_UNIT if the norm of the motion is further from 1 ...
+ *   dq8_motion_point                           A point, three numbers, moved by a unit motion
+ *   dq8_motion_vector                          A direction, three numbers, turned by a unit motion
+ *   dq8_motion_nlerp                           From `a` to `b` by the shorter way, `t` of it
+ *   dq8_motion_sclerp                          From unit `a` to unit `b` by the shorter way, `t` of it, along one ...
+ *   dq8_motion_blend                           The blend of `count` unit motions by `weights`, which need not sum ...
+ *   dq8_motion_log                             The logarithm of a unit motion, six numbers
+ *   dq8_motion_exp                             The motion of a logarithm of six numbers
+ *   dq8_motion_pow                             `t` of a unit motion
+ *   dq8_motion_to_screw                        The screw of a unit motion, eight numbers
+ *   dq8_motion_from_screw                      The motion of a screw, eight numbers
+ *
+ * One instance of a hierarchy, in the best order
+ *   dq8_plan_make                              Finds the order in which dq8_plan_local_to_model computes the ...
+ *   dq8_plan_local_to_model                    As dq8_local_to_model, joint by joint in the `order` that ...
+ *
+ * Packed clips
+ *   dq8_clips_make                             Finds packed clips in bytes of dq8's form, which the Rust and the ...
+ *   dq8_clips_place                            The place `at` of a clip, in frames from its first, and how far it ...
+ *   dq8_clips_to_model                         As dq8_local_to_model, of what lies `t[i]` of the way from the ...
+ *
+ * One configuration of a mechanism
+ *   dq8_mechanism_make                         Checks `count` joints and makes a mechanism of them, once; its ...
+ *   dq8_mechanism_link_poses                   Forward kinematics of one configuration
+ *   dq8_mechanism_link_pose                    The pose of one link
+ *   dq8_mechanism_link_jacobian                The geometric Jacobian of a link
+ *   dq8_mechanism_reach_options                Fills in the options that serve most
+ *   dq8_mechanism_reach_scratch                How many numbers `scratch` of dq8_mechanism_reach must have for so ...
+ *   dq8_mechanism_reach                        Inverse kinematics of one configuration
+ *
+ * A joint of a mechanism, filled in
+ *   dq8_joint_fixed                            A joint that does not move
+ *   dq8_joint_revolute                         A joint that turns about `axis`
+ *   dq8_joint_prismatic                        A joint that slides along `axis`
+ *   dq8_joint_screw                            A joint that turns about `axis` and slides along it, `pitch` for ...
+ *   dq8_joint_planar                           A joint that slides in the plane across `axis`, and turns about it
+ *   dq8_joint_floating                         A joint that moves freely
+ *
+ * A mesh
+ *   dq8_skin_products                          A palette of matrices, `matrices[j] = models[j] * inverse_binds[j]`
+ *   dq8_skin_split                             Takes the matrices of a palette apart into stretches and, after ...
+ *   dq8_skin_make                              Checks which joints move each vertex and how much, once; the ...
+ *   dq8_skin_make_interleaved                  As dq8_skin_make, of joints and weights that lie between other ...
+ *   dq8_skin_linear_interleaved                As without _interleaved, of vertices that are records of several ...
+ *   dq8_skin_linear                            Poses a mesh by linear blends
+ *   dq8_skin_dual_interleaved                  As without _interleaved, of vertices that are records of several ...
+ *   dq8_skin_dual                              As dq8_skin_linear by dual quaternion blends
+ *   dq8_skin_stretched_interleaved             As without _interleaved, of vertices that are records of several ...
+ *   dq8_skin_stretched                         As dq8_skin_dual where joints scale or shear
+ *   dq8_skin_mixed_interleaved                 As without _interleaved, of vertices that are records of several ...
+ *   dq8_skin_mixed                             As dq8_skin_linear and dq8_skin_dual, mixed by a number per vertex ...
+ *
+ * Arrays: dq8_NAME plain, dq8_blocks_NAME in blocks of lanes
+ *   dq8_chain_products                         `out[i] = links[0] * links[1] * ... * links[i]`
+ *   dq8_local_to_model                         Model poses of all joints from local ones
+ *   dq8_model_to_local                         Local poses of all joints from unit model ones, as ...
+ *   dq8_rotations_to_model                     As dq8_local_to_model of `count` unit quaternions (x, y, z, w) in ...
+ *   dq8_rotations_translations_to_model        As dq8_local_to_model of `locals` with seven numbers each
+ *   dq8_palette                                As dq8_local_to_model, and in the same pass the skinning palette
+ *   dq8_palette_matrices                       As dq8_palette with a palette of matrices `[R | t]`, twelve numbers ...
+ *   dq8_lines_each                             `lines[i]` moved by the unit `motions[i]`
+ *   dq8_planes_each                            `planes[i]` moved by the unit `motions[i]`
+ *   dq8_link_poses                             Forward kinematics of many configurations
+ *   dq8_angles                                 The angles between unit `a[i]` and unit `b[i]`, radians in 0 to pi, ...
+ *   dq8_distances                              The distances between the translations of unit `a[i]` and unit ...
+ *   dq8_mul                                    `out[i] = a[i] * b[i]`
+ *   dq8_normalize                              The unit motions beside `motions`, NaN where there is none; ...
+ *   dq8_inverse                                The inverses of `motions`, unit or not; NaN or infinite where there ...
+ *   dq8_conjugate                              The inverses of unit `motions`, which cost nothing but signs
+ *   dq8_nlerp                                  From `a[i]` to `b[i]` by the shorter way, `t` of it
+ *   dq8_nlerp_each                             As dq8_nlerp with a number `t[i]` for each
+ *   dq8_sclerp                                 From unit `a[i]` to unit `b[i]` by the shorter way, `t` of it, ...
+ *   dq8_sclerp_each                            As dq8_sclerp with a number `t[i]` for each
+ *   dq8_points                                 `points`, three numbers each, moved by the one unit `motion`
+ *   dq8_vectors                                `vectors`, three numbers each, turned by the one unit `motion`
+ *   dq8_points_each                            `points[i]`, three numbers each, moved by the unit `motions[i]`
+ *   dq8_vectors_each                           `vectors[i]`, three numbers each, turned by the unit `motions[i]`
+ *   dq8_matrices_3x4                           The matrices `[R | t]` of unit `motions`, twelve numbers each; ...
+ *   dq8_matrices_4x4                           The matrices of unit `motions` with the row 0 0 0 1, sixteen ...
+ *   dq8_twists_each                            `twists[i]`, six numbers, angular part first, by the adjoint of the ...
+ *   dq8_integrate_body                         Where the unit `motions[i]` are after `dt` seconds of the body ...
+ *   dq8_log                                    The logarithms of unit `motions`, six numbers each
+ *   dq8_exp                                    The motions of `logs`, six numbers each
+ *   dq8_pow_each                               The unit `motions[i]` to the power `t[i]`
+ *
+ * Arrays, plain, and the library itself
+ *   dq8_backend_name                           The name of what computes now, for logs
+ *   dq8_backend_limit                          From now on, in all threads, nothing better than `most` computes
+ *   dq8_set_reproducible                       From now on, in all threads, whether results have the same bits on ...
+ *   dq8_check_parents                          Whether `parents` is a hierarchy
+ *   dq8_pack                                   Writes `poses`, `[instance][joint]`, into blocks of `lanes` ...
+ *   dq8_unpack                                 Writes blocks into `poses`, the other way round; lanes beyond the ...
+ *   dq8_pack_chain                             Writes a chain into blocks, a segment of `block_count` links in ...
+ *   dq8_unpack_chain                           Writes blocks of a chain into `links`, the other way round
+ *   dq8_block_size                             How many numbers one block takes that has `components` (8 in ...
+ *   dq8_status_text                            What a status means, in English
  */
 
 #ifndef DQ8_H
@@ -3056,6 +3176,156 @@ dq8_status dq8_blocks_pow_each_f64(size_t lanes,
                                    const double *t,
                                    double *out,
                                    size_t count);
+
+/* A joint of this kind, and nothing that it mimics or that limits it. */
+static inline dq8_joint_f32 dq8_joint_of_kind_f32(int32_t kind, int32_t parent, const float *placement, const float *axis)
+{
+  dq8_joint_f32 joint;
+  int i;
+  joint.parent = parent;
+  joint.kind = kind;
+  for (i = 0; i < 8; i++) joint.placement[i] = placement ? placement[i] : (i == 3 ? 1.0f : 0.0f);
+  for (i = 0; i < 3; i++) joint.axis[i] = axis ? axis[i] : 0.0f;
+  joint.pitch = 0.0f;
+  joint.mimics = 0;
+  joint.leader = 0;
+  joint.multiplier = 0.0f;
+  joint.offset = 0.0f;
+  joint.limited = 0;
+  joint.limits[0] = 0.0f;
+  joint.limits[1] = 0.0f;
+  return joint;
+}
+
+/**
+ * A joint that does not move. `placement` may be null: none.
+ */
+static inline dq8_joint_f32 dq8_joint_fixed_f32(int32_t parent, const float *placement)
+{
+  dq8_joint_f32 joint = dq8_joint_of_kind_f32(DQ8_JOINT_KIND_FIXED, parent, placement, 0);
+  return joint;
+}
+
+/**
+ * A joint that turns about `axis`. `placement` may be null: none.
+ */
+static inline dq8_joint_f32 dq8_joint_revolute_f32(int32_t parent, const float *placement, const float *axis)
+{
+  dq8_joint_f32 joint = dq8_joint_of_kind_f32(DQ8_JOINT_KIND_REVOLUTE, parent, placement, axis);
+  return joint;
+}
+
+/**
+ * A joint that slides along `axis`. `placement` may be null: none.
+ */
+static inline dq8_joint_f32 dq8_joint_prismatic_f32(int32_t parent, const float *placement, const float *axis)
+{
+  dq8_joint_f32 joint = dq8_joint_of_kind_f32(DQ8_JOINT_KIND_PRISMATIC, parent, placement, axis);
+  return joint;
+}
+
+/**
+ * A joint that turns about `axis` and slides along it, `pitch` for each radian. `placement` may be null: none.
+ */
+static inline dq8_joint_f32 dq8_joint_screw_f32(int32_t parent, const float *placement, const float *axis, float pitch)
+{
+  dq8_joint_f32 joint = dq8_joint_of_kind_f32(DQ8_JOINT_KIND_SCREW, parent, placement, axis);
+  joint.pitch = pitch;
+  return joint;
+}
+
+/**
+ * A joint that slides in the plane across `axis`, and turns about it. `placement` may be null: none.
+ */
+static inline dq8_joint_f32 dq8_joint_planar_f32(int32_t parent, const float *placement, const float *axis)
+{
+  dq8_joint_f32 joint = dq8_joint_of_kind_f32(DQ8_JOINT_KIND_PLANAR, parent, placement, axis);
+  return joint;
+}
+
+/**
+ * A joint that moves freely. `placement` may be null: none.
+ */
+static inline dq8_joint_f32 dq8_joint_floating_f32(int32_t parent, const float *placement)
+{
+  dq8_joint_f32 joint = dq8_joint_of_kind_f32(DQ8_JOINT_KIND_FLOATING, parent, placement, 0);
+  return joint;
+}
+
+/* A joint of this kind, and nothing that it mimics or that limits it. */
+static inline dq8_joint_f64 dq8_joint_of_kind_f64(int32_t kind, int32_t parent, const double *placement, const double *axis)
+{
+  dq8_joint_f64 joint;
+  int i;
+  joint.parent = parent;
+  joint.kind = kind;
+  for (i = 0; i < 8; i++) joint.placement[i] = placement ? placement[i] : (i == 3 ? 1.0 : 0.0);
+  for (i = 0; i < 3; i++) joint.axis[i] = axis ? axis[i] : 0.0;
+  joint.pitch = 0.0;
+  joint.mimics = 0;
+  joint.leader = 0;
+  joint.multiplier = 0.0;
+  joint.offset = 0.0;
+  joint.limited = 0;
+  joint.limits[0] = 0.0;
+  joint.limits[1] = 0.0;
+  return joint;
+}
+
+/**
+ * A joint that does not move. `placement` may be null: none.
+ */
+static inline dq8_joint_f64 dq8_joint_fixed_f64(int32_t parent, const double *placement)
+{
+  dq8_joint_f64 joint = dq8_joint_of_kind_f64(DQ8_JOINT_KIND_FIXED, parent, placement, 0);
+  return joint;
+}
+
+/**
+ * A joint that turns about `axis`. `placement` may be null: none.
+ */
+static inline dq8_joint_f64 dq8_joint_revolute_f64(int32_t parent, const double *placement, const double *axis)
+{
+  dq8_joint_f64 joint = dq8_joint_of_kind_f64(DQ8_JOINT_KIND_REVOLUTE, parent, placement, axis);
+  return joint;
+}
+
+/**
+ * A joint that slides along `axis`. `placement` may be null: none.
+ */
+static inline dq8_joint_f64 dq8_joint_prismatic_f64(int32_t parent, const double *placement, const double *axis)
+{
+  dq8_joint_f64 joint = dq8_joint_of_kind_f64(DQ8_JOINT_KIND_PRISMATIC, parent, placement, axis);
+  return joint;
+}
+
+/**
+ * A joint that turns about `axis` and slides along it, `pitch` for each radian. `placement` may be null: none.
+ */
+static inline dq8_joint_f64 dq8_joint_screw_f64(int32_t parent, const double *placement, const double *axis, double pitch)
+{
+  dq8_joint_f64 joint = dq8_joint_of_kind_f64(DQ8_JOINT_KIND_SCREW, parent, placement, axis);
+  joint.pitch = pitch;
+  return joint;
+}
+
+/**
+ * A joint that slides in the plane across `axis`, and turns about it. `placement` may be null: none.
+ */
+static inline dq8_joint_f64 dq8_joint_planar_f64(int32_t parent, const double *placement, const double *axis)
+{
+  dq8_joint_f64 joint = dq8_joint_of_kind_f64(DQ8_JOINT_KIND_PLANAR, parent, placement, axis);
+  return joint;
+}
+
+/**
+ * A joint that moves freely. `placement` may be null: none.
+ */
+static inline dq8_joint_f64 dq8_joint_floating_f64(int32_t parent, const double *placement)
+{
+  dq8_joint_f64 joint = dq8_joint_of_kind_f64(DQ8_JOINT_KIND_FLOATING, parent, placement, 0);
+  return joint;
+}
 
 #ifdef __cplusplus
 }  // extern "C"
