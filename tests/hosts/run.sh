@@ -95,15 +95,15 @@ for host in "${hosts[@]}"; do
         bits "${emulated[@]}" && suite "${emulated[@]}" "${plain[@]}" --tests "${programs[@]}"
       ) ;;
     wasm32 | relaxed)
-      features=+simd128 flags=
+      simd=+simd128 flags=
       # node 20 has it behind a flag.
-      [ "$host" = wasm32 ] || { features+=,+relaxed-simd; flags=--experimental-wasm-relaxed-simd; }
+      [ "$host" = wasm32 ] || { simd+=,+relaxed-simd; flags=--experimental-wasm-relaxed-simd; }
       # Debian's C library instead of the one that rustup would bring along. Without one test that needs a thread, and
       # without the tests of programs. One compiler of node's from the start: node 20
       # crashes at the end of a program that it has begun to compile again.
       emulated=(wasm32-wasip1 wasm-ld "node --no-liftoff $flags $PWD/tests/hosts/wasi.mjs" -Zbuild-std=std,panic_abort,test)
       (
-        export RUSTFLAGS="-Ctarget-feature=$features -Clink-self-contained=no -Clink-arg=/usr/lib/wasm32-wasi/crt1-command.o
+        export RUSTFLAGS="-Ctarget-feature=$simd -Clink-self-contained=no -Clink-arg=/usr/lib/wasm32-wasi/crt1-command.o
           -Clink-arg=-L/usr/lib/wasm32-wasi -Clink-arg=--allow-undefined -Clink-arg=-zstack-size=8388608"
         # With relaxed-simd products are fused with sums.
         [ "$host" = relaxed ] || bits "${emulated[@]}" || exit
