@@ -53,7 +53,9 @@ impl<'a> Tracks<'a> {
             let within = |&entry: &Word| {
                 let entry = u32::from_le_bytes(entry);
                 let after = if entry & 1 == 0 { 0 } else { saturated::<usize>(last) };
-                saturated::<usize>(entry >> 1).saturating_add(after) < tracks.keys.len()
+                // Without a step nothing moves: frames would be as many as 32 bits count, of one key.
+                (entry & 1 == 0 || step > 0)
+                    && saturated::<usize>(entry >> 1).saturating_add(after) < tracks.keys.len()
             };
             if let Some(column) = row.iter().position(|entry| !within(entry)) {
                 return Err((clip, Some(column)));

@@ -112,4 +112,12 @@ fn bytes_cut_anywhere_or_longer_are_refused_where_they_end() {
     let mut other = bytes.to_vec();
     other[rests + 16 * 2..][..4].copy_from_slice(&f32::NAN.to_le_bytes());
     assert_eq!(wrong(other), (rests + 32, "a rest is not finite"));
+    // Four billion frames of keys that never change would be checked for minutes.
+    let [_, clips, table] = Book::new(bytes).sections();
+    let mut other = bytes.to_vec();
+    other[clips..][..8].copy_from_slice(&[0xff, 0xff, 0xff, 0xff, 0, 0, 0, 0]);
+    assert_eq!(wrong(other), (table, "a track has keys that are not there"));
+    let mut other = bytes.to_vec();
+    other[clips..][..4].fill(0);
+    assert_eq!(wrong(other), (clips, "a clip has no such frames"));
 }
