@@ -53,7 +53,9 @@ impl<'a> Tracks<'a> {
             let within = |&entry: &Word| {
                 let entry = u32::from_le_bytes(entry);
                 let after = if entry & 1 == 0 { 0 } else { saturated::<usize>(last) };
-                saturated::<usize>(entry >> 1).saturating_add(after) < tracks.keys.len()
+                // Without a step nothing moves: frames would be as many as 32 bits count, of one key.
+                (entry & 1 == 0 || step > 0)
+                    && saturated::<usize>(entry >> 1).saturating_add(after) < tracks.keys.len()
             };
             if let Some(column) = row.iter().position(|entry| !within(entry)) {
                 return Err((clip, Some(column)));
@@ -200,12 +202,19 @@ impl<'a> PlacedTracks<'a, '_> {
         })
     }
 
-    /// Asks for what the lanes from place `first` on will read of a column, where a cache line may begin with it, if the keys do
-    /// not fit into the second cache. Rows are too short for the CPU to foresee where they go on.
+    /// Asks for what the lanes from place `first` on will read of a column, where a cache line may begin with it, or if it is the
+    /// `last` one, if the keys do not fit into the second cache. Rows are too short for the CPU to foresee where they go on.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub fn prefetch<V: Level>(self, level: V, first: usize, lanes: usize, column: usize) {
+    pub fn prefetch<V: Level>(
+        self,
+        level: V,
+        first: usize,
+        lanes: usize,
+        column: usize,
+        last: bool,
+    ) {
         let Tracks { keys, table, .. } = self.tracks;
-        if !column.is_multiple_of(PER_LINE) || keys.len() < FAR {
+        if !(column.is_multiple_of(PER_LINE) || last) || keys.len() < FAR {
             return;
         }
         // In line: for a call the loop around it would put its registers away.
@@ -235,17 +244,35 @@ impl<'a> PlacedTracks<'a, '_> {
             padded = repeat(lanes, *row.last()?);
             lanes = &padded;
         }
+        let from = self.tracks.keys.as_ptr();
         // SAFETY: there are as many entries as lanes, all of the row of the place; by the check of the table a key and the
         // next one are there.
-        Some(unsafe {
-            L::between_shorts(
+        unsafe {
+            let first = *lanes.get_unchecked(0);
+            let mut differ = [0; MAX_LANES];
+            for (lane, differ) in differ.iter_mut().enumerate().take(L::LANES) {
+                let beside = u32::from_le_bytes(first).wrapping_add(2 * lane as u32);
+                *differ = u32::from_le_bytes(*lanes.get_unchecked(lane)) ^ beside;
+            }
+            // Side by side, most often: an address for all is quicker than one for each.
+            if differ.iter().fold(0, |all, one| all | one) == 0 {
+                let [key, next] = place.keys(first);
+                return Some(L::between_shorts(
+                    level,
+                    from.add(key),
+                    #[cfg_attr(not(opt_level_0), inline(always))]
+                    |lane| [lane, next - key + lane],
+                    t,
+                ));
+            }
+            Some(L::between_shorts(
                 level,
-                self.tracks.keys.as_ptr(),
+                from,
                 #[cfg_attr(not(opt_level_0), inline(always))]
                 |lane| place.keys(*lanes.get_unchecked(lane)),
                 t,
-            )
-        })
+            ))
+        }
     }
 }
 

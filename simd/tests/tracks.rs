@@ -166,6 +166,8 @@ fn a_key_that_is_not_there_is_refused_at_its_clip_and_column() {
     assert_eq!(with(0, 2 * 24 + 1, true), Err((0, Some(0))));
     assert_eq!(with(8, 2 * 32, true), Err((2, Some(2))));
     assert_eq!(with(4, u32::MAX, true), Err((1, Some(1))));
+    // Moves without a step.
+    assert_eq!(with(6, 1, true), Err((2, Some(0))));
     // No frame; a step without a next frame; more keys than 32 bits count.
     assert_eq!(with(0, 0, false), Err((0, None)));
     assert_eq!(with(5, 1, false), Err((2, None)));

@@ -10,7 +10,7 @@ use crate::real::Scalar;
 use crate::shape::ShapeError;
 use crate::storage::aos;
 use core::ops::Range;
-use dq8_simd::{Lanes, MAX_LANES, PlacedTracks, Records, TrackPlace, Tracks};
+use dq8_simd::{Lanes, MAX_LANES, Mask, PlacedTracks, Records, TrackPlace, Tracks};
 
 /// What 1 is in a key of a rotation.
 pub(super) const ONE: f64 = 32767.0;
@@ -248,15 +248,35 @@ impl Playback<'_> {
             let rest = floats(rests.first()?);
             return Some((aos::splat(level, rest.map(Into::into)), rest[3] != 0.0));
         }
-        let mut numbers = [[L::Real::default(); 4]; MAX_LANES];
-        let mut moves = false;
-        for (numbers, rest) in numbers.iter_mut().zip(rests).take(L::LANES) {
-            let rest = floats(rest);
-            *numbers = rest.map(Into::into);
-            moves |= rest[3] != 0.0;
-        }
-        Some((L::load_records(level, &numbers, [L::Real::default(); 4]), moves))
+        let copied;
+        let records = match as_they_lie(rests) {
+            Some(records) => records,
+            None => {
+                copied = copy(rests);
+                &copied
+            }
+        };
+        let rest = L::load_records(level, records, [L::Real::default(); 4]);
+        Some((rest, !rest[3].eq(L::splat(level, L::Real::default())).all()))
     }
+}
+
+/// Rests that are numbers of `R` where they lie, and aligned.
+#[cfg_attr(not(opt_level_0), inline(always))]
+fn as_they_lie<R: Scalar>(rests: &[Rest]) -> Option<&[[R; 4]]> {
+    let same = R::SINGLE && cfg!(target_endian = "little");
+    if same { bytemuck::try_cast_slice(rests).ok() } else { None }
+}
+
+/// Those of as many lanes as there may be.
+#[cold]
+#[inline(never)]
+fn copy<R: Scalar>(rests: &[Rest]) -> [[R; 4]; MAX_LANES] {
+    let mut numbers = [[R::default(); 4]; MAX_LANES];
+    for (numbers, rest) in numbers.iter_mut().zip(rests) {
+        *numbers = floats(rest).map(Into::into);
+    }
+    numbers
 }
 
 impl<R: Scalar> PlacedKeys<R, 7> for Playback<'_> {
@@ -273,10 +293,12 @@ impl<R: Scalar> PlacedKeys<R, 7> for Playback<'_> {
     ) -> Option<[L; 7]> {
         if !slot.is_of_joints() {
             // Of the next instances.
-            self.tracks.prefetch(level, slot.instance() + L::LANES, L::LANES, slot.joint());
+            let last = slot.joint() + 1 == self.rests.len();
+            self.tracks.prefetch(level, slot.instance() + L::LANES, L::LANES, slot.joint(), last);
         }
-        let [x, y, z, w] = unit(self.between(level, slot, slot.joint(), t)?);
+        // First: what lies between keys would wait for it in memory.
         let ([mut i, mut j, mut k, step], moves) = self.rest(level, slot)?;
+        let [x, y, z, w] = unit(self.between(level, slot, slot.joint(), t)?);
         if moves {
             let [a, b, c, _] = self.between(level, slot, self.rests.len() + slot.joint(), t)?;
             [i, j, k] = [a.mul_add(step, i), b.mul_add(step, j), c.mul_add(step, k)];

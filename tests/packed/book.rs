@@ -24,6 +24,16 @@ impl<'b> Book<'b> {
         let clips = rests + 16 * self.joints;
         [rests, clips, clips + 8 * self.clips]
     }
+    /// Whether all keys that the table leads to are there, in all frames.
+    pub(crate) fn leads_to_keys(&self) -> bool {
+        let [_, clips, table] = self.sections();
+        (0..self.clips * 2 * self.joints).all(|index| {
+            let clip = clips + index / (2 * self.joints) * 8;
+            let (last, step) = (self.word(clip) - 1, self.word(clip + 4));
+            let entry = self.word(table + 4 * index);
+            entry / 2 + entry % 2 * last * step < self.keys
+        })
+    }
     fn numbers(&self, clip: usize, column: usize, frame: usize) -> [f64; 4] {
         let [_, clips, table] = self.sections();
         let entry = self.word(table + 4 * (2 * self.joints * clip + column));
