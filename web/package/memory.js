@@ -6,7 +6,7 @@ export const dispose = Symbol.dispose ?? Symbol("dispose");
 
 async function bytes(url) {
   if (url.protocol === "file:") { // node, whose fetch reads no files
-    const { readFile } = await import("node:fs/promises");
+    const { readFile } = await import(/* webpackIgnore: true */ "node:fs/promises");
     return readFile(url);
   }
   const answer = await fetch(url);
