@@ -1,6 +1,6 @@
 //! What dq8-robot has of dq8 that is not for others: it may change in any version.
 
 pub use crate::everyday::{Number, Quick};
-pub use crate::threads::{Choice, options};
 #[cfg(feature = "rayon")]
-pub use crate::threads::{Outputs, Rows};
+pub use crate::threads::Outputs;
+pub use crate::threads::{Choice, Rows, options};

@@ -51,17 +51,30 @@ macro_rules! __options {
 }
 pub use __options as options;
 
+/// A slice, and how many elements a thing has.
+pub type Rows<'s, E> = (&'s mut [E], usize);
+
 /// The output of a kernel; with the feature `rayon`, cut at a thing.
 #[cfg(not(feature = "rayon"))]
-pub(crate) trait Outputs {}
+pub trait Outputs {}
 #[cfg(not(feature = "rayon"))]
 impl<O> Outputs for O {}
 #[cfg(feature = "rayon")]
-pub use many::{Outputs, Rows};
+pub use many::Outputs;
+
+#[cfg(not(feature = "rayon"))]
+impl Backend {
+    /// Calls `work` with all of `outputs`.
+    #[doc(hidden)]
+    #[inline]
+    pub fn share<O: Outputs>(self, _grain: usize, outputs: O, work: &impl Fn(usize, O)) {
+        work(0, outputs);
+    }
+}
 
 #[cfg(feature = "rayon")]
 mod many {
-    use super::Backend;
+    use super::{Backend, Rows};
     use core::num::NonZeroUsize;
 
     impl Backend {
@@ -93,8 +106,8 @@ mod many {
             self.threads > NonZeroUsize::MIN
         }
 
-        /// Calls `work` with parts of `outputs` and the number of the first thing in each, on the threads. A part has a
-        /// multiple of `grain` things, but for the last.
+        /// Calls `work` with parts of `outputs` and the number of the first thing in each, on the threads; on one, with all
+        /// of them. A part has a multiple of `grain` things, but for the last.
         #[doc(hidden)]
         pub fn share<O: Outputs>(
             self,
@@ -102,6 +115,9 @@ mod many {
             outputs: O,
             work: &(impl Fn(usize, O) + Sync),
         ) {
+            if !self.many() {
+                return work(0, outputs);
+            }
             let grains = outputs.things().div_ceil(grain.max(1));
             // Where no thread of the pool may be left out, those that are done sooner take from the others.
             let all = self.threads.get() >= rayon::current_num_threads();
@@ -138,9 +154,6 @@ mod many {
         /// Those before number `at`, and the others.
         fn split(self, at: usize) -> (Self, Self);
     }
-
-    /// A slice, and how many elements a thing has.
-    pub type Rows<'s, E> = (&'s mut [E], usize);
 
     impl<E: Send> Outputs for Rows<'_, E> {
         fn things(&self) -> usize {

@@ -5,8 +5,7 @@ use super::Job;
 use super::Mechanism;
 use super::frame::{Frame, JacobianFrame};
 use super::group::Group;
-#[cfg(feature = "rayon")]
-use super::job::grain;
+use super::job::{grain, things};
 use super::poses::{carries, first_carried, place_of, repeat};
 use super::step::Step;
 use super::values::JointValues;
@@ -15,7 +14,6 @@ use dq8::Scalar;
 use dq8::ShapeError;
 use dq8::batch::{DualQuat, vector};
 use dq8::geometry::Twist;
-#[cfg(feature = "rayon")]
 use dq8::seams::Rows;
 use dq8::storage::same_length;
 use dq8::storage::{Element, Layout, Number, Tile, identity};
@@ -74,23 +72,15 @@ impl<R: Scalar> Job<'_, R, &[usize]> {
             sums |= step.mimics;
         }
         let backend = self.choice.instructions();
-        let run = |values: &[T], elements, poses: &mut [E], columns: &mut [C]| {
-            let frame = F::FRAME;
+        let outputs = ((poses, links.len()), (columns, links.len() * rates));
+        let run = |first, ((poses, _), (columns, _)): (Rows<E>, Rows<C>)| {
+            let (elements, frame) = (things(poses, links.len(), elements), F::FRAME);
+            let values = T::part(values, mechanism.values, first, elements);
             let task = Jacobians { poses: &mut *poses, columns, steps, links, rates, sums, frame };
             backend.run(Walk::<E::Layout, _, _> { mechanism, values, elements, task });
             repeat(links, poses);
         };
-        #[cfg(feature = "rayon")]
-        if backend.many() && !links.is_empty() {
-            let each = ((poses, links.len()), (columns, links.len() * rates));
-            let part = |first, ((poses, _), (columns, _)): (Rows<E>, Rows<C>)| {
-                let elements = poses.len() / links.len();
-                run(T::part(values, mechanism.values, first, elements), elements, poses, columns);
-            };
-            backend.share(grain(mechanism.links()), each, &part);
-            return Ok(());
-        }
-        run(values, elements, poses, columns);
+        backend.share(grain(mechanism.links()), outputs, &run);
         Ok(())
     }
 }

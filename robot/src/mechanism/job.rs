@@ -65,7 +65,11 @@ impl<R, S> Job<'_, R, S> {
 
 /// How many configurations, or blocks of them, a task has at least: some microseconds of work, and a multiple of the most
 /// lanes.
-#[cfg(feature = "rayon")]
 pub(crate) fn grain(links: usize) -> usize {
     2048_usize.div_ceil(links.max(1)).next_multiple_of(dq8_simd::MAX_LANES)
+}
+
+/// How many configurations, or blocks of them, a part of the output holds, `width` elements each; `all` where that is none.
+pub(crate) fn things<E>(part: &[E], width: usize, all: usize) -> usize {
+    part.len().checked_div(width).unwrap_or(all)
 }

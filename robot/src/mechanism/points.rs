@@ -3,8 +3,7 @@
 use super::Job;
 use super::configuration::{Found, LinkPoints, Point};
 use super::group::Group;
-#[cfg(feature = "rayon")]
-use super::job::grain;
+use super::job::{grain, things};
 use super::step::Step;
 use super::tree::Mechanism;
 use super::values::JointValues;
@@ -103,20 +102,13 @@ impl<R: Scalar> Job<'_, R> {
         let elements = whole_instances("places", points.len(), places.len())?;
         T::check("values", values.len(), mechanism.values, elements)?;
         let backend = self.choice.instructions();
-        let run = |values: &[T], elements, places: &mut [E]| {
+        let run = |first, (places, _): (&mut [E], usize)| {
+            let elements = things(places, points.len(), elements);
+            let values = T::part(values, mechanism.values, first, elements);
             let task = Points { places, found: Found::new(points) };
             backend.run(Walk::<E::Layout, _, _> { mechanism, values, elements, task });
         };
-        #[cfg(feature = "rayon")]
-        if backend.many() && !points.is_empty() {
-            let each = (places, points.len());
-            backend.share(grain(mechanism.links()), each, &|first, (places, _): (&mut [E], _)| {
-                let elements = places.len() / points.len();
-                run(T::part(values, mechanism.values, first, elements), elements, places);
-            });
-            return Ok(());
-        }
-        run(values, elements, places);
+        backend.share(grain(mechanism.links()), (places, points.len()), &run);
         Ok(())
     }
 }

@@ -4,8 +4,7 @@ use super::Job;
 #[cfg(doc)]
 use super::Mechanism;
 use super::group::Group;
-#[cfg(feature = "rayon")]
-use super::job::grain;
+use super::job::{grain, things};
 use super::step::Step;
 use super::values::JointValues;
 use super::walk::{Joined, Task, Walk};
@@ -56,18 +55,12 @@ impl<R: Scalar> Job<'_, R> {
         let (mechanism, links) = (self.mechanism, self.mechanism.links());
         let elements = mechanism.configurations::<E::Layout, T>(values, links, poses.len())?;
         let backend = self.choice.instructions();
-        #[cfg(feature = "rayon")]
-        if backend.many() {
-            backend.share(grain(links), (poses, links), &|first, (poses, _): (&mut [E], usize)| {
-                let elements = poses.len() / links;
-                let values = T::part(values, mechanism.values, first, elements);
-                let task = All { poses, links };
-                backend.run(Walk::<E::Layout, _, _> { mechanism, values, elements, task });
-            });
-            return Ok(());
-        }
-        let task = All { poses, links };
-        backend.run(Walk::<E::Layout, _, _> { mechanism, values, elements, task });
+        backend.share(grain(links), (poses, links), &|first, (poses, _): (&mut [E], usize)| {
+            let elements = things(poses, links, elements);
+            let values = T::part(values, mechanism.values, first, elements);
+            let task = All { poses, links };
+            backend.run(Walk::<E::Layout, _, _> { mechanism, values, elements, task });
+        });
         Ok(())
     }
 }
@@ -89,21 +82,14 @@ impl<R: Scalar> Job<'_, R, &[usize]> {
         let elements =
             mechanism.configurations::<E::Layout, T>(values, links.len(), poses.len())?;
         let backend = self.choice.instructions();
-        let run = |values: &[T], elements, poses: &mut [E]| {
+        let run = |first, (poses, _): (&mut [E], usize)| {
+            let elements = things(poses, links.len(), elements);
+            let values = T::part(values, mechanism.values, first, elements);
             let task = Chosen { poses: &mut *poses, links };
             backend.run(Walk::<E::Layout, _, _> { mechanism, values, elements, task });
             repeat(links, poses);
         };
-        #[cfg(feature = "rayon")]
-        if backend.many() && !links.is_empty() {
-            let each = (poses, links.len());
-            backend.share(grain(mechanism.links()), each, &|first, (poses, _): (&mut [E], _)| {
-                let elements = poses.len() / links.len();
-                run(T::part(values, mechanism.values, first, elements), elements, poses);
-            });
-            return Ok(());
-        }
-        run(values, elements, poses);
+        backend.share(grain(mechanism.links()), (poses, links.len()), &run);
         Ok(())
     }
 }

@@ -25,7 +25,6 @@ pub trait JointValues<Y: Layout>: Copy + Debug + Send + Sync + sealed::Sealed {
     ) -> Result<(), ShapeError>;
     /// Those of `elements` configurations or blocks of them, from `first` on, or of as many as there are.
     #[doc(hidden)]
-    #[cfg(feature = "rayon")]
     fn part(slice: &[Self], count: usize, first: usize, elements: usize) -> &[Self];
     /// Four numbers from `first` on, or fewer where a configuration has no more than that.
     #[doc(hidden)]
@@ -49,7 +48,6 @@ impl<A: Row<Real: Scalar>> JointValues<AoSoA<A>> for Block<A, 1> {
         same_length(what, length, elements * count)
     }
 
-    #[cfg(feature = "rayon")]
     fn part(slice: &[Self], count: usize, first: usize, elements: usize) -> &[Self] {
         let rest = slice.get(first * count..).unwrap_or_default();
         rest.get(..elements * count).unwrap_or(rest)
@@ -92,7 +90,6 @@ macro_rules! plain {
                 same_length(what, length, elements * Y::THINGS * count)
             }
 
-            #[cfg(feature = "rayon")]
             fn part(slice: &[Self], count: usize, first: usize, elements: usize) -> &[Self] {
                 let rest = slice.get(first * Y::THINGS * count..).unwrap_or_default();
                 rest.get(..elements * Y::THINGS * count).unwrap_or(rest)

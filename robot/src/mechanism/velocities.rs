@@ -4,8 +4,7 @@ use super::Job;
 #[cfg(doc)]
 use super::Mechanism;
 use super::group::Group;
-#[cfg(feature = "rayon")]
-use super::job::grain;
+use super::job::{grain, things};
 use super::joint::JointKind;
 use super::step::Step;
 use super::values::{JointNumbers, JointValues, Numbers};
@@ -15,7 +14,6 @@ use dq8::ShapeError;
 use dq8::batch::lie_bracket;
 use dq8::batch::vector;
 use dq8::geometry::Twist;
-#[cfg(feature = "rayon")]
 use dq8::seams::Rows;
 use dq8::storage::same_length;
 use dq8::storage::{Element, Layout, Number};
@@ -60,22 +58,14 @@ impl<R: Scalar> Job<'_, R> {
         T::check("rates", rates.len(), count, elements)?;
         same_length("twists", twists.len(), poses.len())?;
         let backend = self.choice.instructions();
-        let run = |values: &[T], rates: &[T], elements, poses: &mut [E], twists: &mut [C]| {
+        let run = |first, ((poses, _), (twists, _)): (Rows<E>, Rows<C>)| {
+            let elements = things(poses, links, elements);
+            let values = T::part(values, mechanism.values, first, elements);
+            let rates = T::part(rates, count, first, elements);
             let task = Velocities { moving: Moving { poses, twists, links }, rates, count };
             backend.run(Walk::<E::Layout, _, _> { mechanism, values, elements, task });
         };
-        #[cfg(feature = "rayon")]
-        if backend.many() && links > 0 {
-            let each = ((poses, links), (twists, links));
-            let part = |first, ((poses, _), (twists, _)): (Rows<E>, Rows<C>)| {
-                let elements = poses.len() / links;
-                let values = T::part(values, mechanism.values, first, elements);
-                run(values, T::part(rates, count, first, elements), elements, poses, twists);
-            };
-            backend.share(grain(links), each, &part);
-            return Ok(());
-        }
-        run(values, rates, elements, poses, twists);
+        backend.share(grain(links), ((poses, links), (twists, links)), &run);
         Ok(())
     }
 
@@ -128,31 +118,17 @@ impl<R: Scalar> Job<'_, R> {
         same_length("twists", twists.len(), poses.len())?;
         same_length("accelerations", accelerations.len(), poses.len())?;
         let backend = self.choice.instructions();
-        let run = |values: &[T],
-                   rates: [&[T]; 2],
-                   elements,
-                   moving: Moving<'_, E, C>,
-                   accelerations: &mut [C]| {
-            let [rates, second_rates] = rates;
-            let task = Accelerations { moving, rates, second_rates, count, accelerations };
+        let outputs = ((poses, links), ((twists, links), (accelerations, links)));
+        let run = |first, ((poses, _), ((twists, _), (of, _))): (Rows<E>, (Rows<C>, Rows<C>))| {
+            let elements = things(poses, links, elements);
+            let values = T::part(values, mechanism.values, first, elements);
+            let [rates, second_rates] =
+                [rates, second_rates].map(|rates| T::part(rates, count, first, elements));
+            let moving = Moving { poses, twists, links };
+            let task = Accelerations { moving, rates, second_rates, count, accelerations: of };
             backend.run(Walk::<E::Layout, _, _> { mechanism, values, elements, task });
         };
-        #[cfg(feature = "rayon")]
-        if backend.many() && links > 0 {
-            let each = ((poses, links), ((twists, links), (accelerations, links)));
-            let part =
-                |first, ((poses, _), ((twists, _), (of, _))): (Rows<E>, (Rows<C>, Rows<C>))| {
-                    let elements = poses.len() / links;
-                    let values = T::part(values, mechanism.values, first, elements);
-                    let rates =
-                        [rates, second_rates].map(|rates| T::part(rates, count, first, elements));
-                    run(values, rates, elements, Moving { poses, twists, links }, of);
-                };
-            backend.share(grain(links), each, &part);
-            return Ok(());
-        }
-        let moving = Moving { poses, twists, links };
-        run(values, [rates, second_rates], elements, moving, accelerations);
+        backend.share(grain(links), outputs, &run);
         Ok(())
     }
 }
