@@ -79,7 +79,7 @@ impl Analysis {
         })
     }
 
-    fn exact(&self, node: Node) -> Option<&Polynomial> {
+    pub(crate) fn exact(&self, node: Node) -> Option<&Polynomial> {
         self.exact[node as usize].as_ref()
     }
     fn error(&self, node: Node) -> Option<&Polynomial> {

@@ -18,6 +18,7 @@ pub mod lanes;
 pub mod number;
 pub mod operations;
 pub mod polynomial;
+mod proof;
 pub mod sample;
 pub mod table;
 pub mod tape;

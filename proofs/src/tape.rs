@@ -274,6 +274,14 @@ impl Tape {
         needed
     }
 
+    /// The inputs that these are made of.
+    #[must_use]
+    pub fn inputs(&self, outputs: &[Node]) -> Vec<Node> {
+        let needed = self.needed(outputs);
+        let is_input = |&node: &Node| needed[node as usize] && self.ops[node as usize] == Op::Input;
+        (0..self.ops.len() as Node).filter(is_input).collect()
+    }
+
     /// Whether a product with this node is exact: ±2ᵏ.
     #[must_use]
     pub fn is_power_of_two(&self, node: Node) -> bool {
