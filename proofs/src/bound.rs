@@ -180,6 +180,29 @@ impl Analysis {
     }
 }
 
+impl Analysis {
+    /// How long the vector of some numbers is, and that of their errors: the largest sum of each times a number of a unit
+    /// vector, which is one more argument.
+    pub(crate) fn vector(&self, nodes: &[Node]) -> Option<(Lengths, Lengths)> {
+        let first = (FIRST_INPUT + self.groups.len()) as u32;
+        let last = self.groups.last().map_or(0, |last| last + 1);
+        let group = |v: u32| if v < first { self.groups[v as usize - FIRST_INPUT] } else { last };
+        let length = |of: &dyn Fn(&Self, Node) -> Option<Polynomial>| {
+            let mut sum = Polynomial::default();
+            for (&node, along) in nodes.iter().zip(first..) {
+                sum = sum.plus(1.0, &of(self, node)?.times(&Polynomial::variable(along)));
+            }
+            let Lengths(by) = sum.by_lengths(&group, &|k| self.roots[k].group);
+            let without = by.into_iter().map(|(mut powers, c)| {
+                powers.retain(|&(g, _)| g != last);
+                (powers, c)
+            });
+            Some(Lengths(without.collect()))
+        };
+        Some((length(&|all, n| all.exact(n).cloned())?, length(&|all, n| all.error(n).cloned())?))
+    }
+}
+
 // What scripts need beside the bounds.
 impl Analysis {
     /// How large the exact number of a node is at most, by the lengths of the arguments.

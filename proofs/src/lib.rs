@@ -10,6 +10,7 @@ compile_error!(
 );
 
 pub mod bound;
+pub mod composed;
 pub mod coq;
 pub mod everyday;
 mod fraction;
@@ -53,7 +54,7 @@ fn recorded<const S: bool>(operation: &Operation, form: Form, values: &[f64]) ->
         let outputs = match form {
             Form::Single => single::run(operation.name, &numbers),
             Form::Lanes => on_lanes::run(operation.name, &numbers),
-            Form::Job => jobs::run(dq8::Backend::PORTABLE, &numbers),
+            Form::Job => jobs::run(operation.name, dq8::Backend::PORTABLE, &numbers),
         };
         outputs.into_iter().map(|number| number.0).collect()
     })

@@ -152,6 +152,16 @@ table! {
     sub(p 4, q 4, r 4, s 4) -> (real 4, dual 4) = numbers(motion(p, q) - motion(r, s));
     neg(p 4, q 4) -> (real 4, dual 4) = numbers(-motion(p, q));
     mul(p 4, q 4, r 4, s 4) -> (real 4, dual 4) = numbers(motion(p, q) * motion(r, s));
+    nlerp(p 4, q 4, r 4, s 4, t 1) -> (real 4, dual 4) = numbers(motion(p, q).nlerp(motion(r, s), t[0]));
+    dlb(p 4, q 4, r 4, s 4, v 4, w 4, a 1, b 1, c 1) -> (real 4, dual 4) = {
+        let influences = [(motion(p, q), a[0]), (motion(r, s), b[0]), (motion(v, w), c[0])];
+        numbers(DualQuat::dlb(&influences).expect("three"))
+    };
+    dlb_running(p 4, q 4, r 4, s 4, v 4, w 4, a 1, b 1, c 1) -> (real 4, dual 4) = {
+        let influences = [(motion(p, q), a[0]), (motion(r, s), b[0]), (motion(v, w), c[0])];
+        numbers(DualQuat::dlb_running(&influences).expect("three"))
+    };
+    quat_nlerp(p 4, r 4, t 1) -> (quaternion 4) = quat(p).nlerp(quat(r), t[0]).to_array().to_vec();
     transform_point(p 4, q 4, v 3) -> (point 3) = motion(p, q).transform_point(v).to_vec();
     transform_vector(p 4, q 4, v 3) -> (vector 3) = motion(p, q).transform_vector(v).to_vec();
     transform_line(p 4, q 4, v 3, w 3) -> (direction 3, moment 3) = {
@@ -189,27 +199,47 @@ table! {
 /// Jobs over slices.
 pub mod jobs {
     use super::Operation;
-    use dq8::hierarchy::Hierarchy;
+    use dq8::hierarchy::{Hierarchy, Poses};
     use dq8::{Backend, DualQuat, Scalar};
 
-    /// A joint under its parent: what forward kinematics repeats.
-    pub const OPERATIONS: &[Operation] = &[Operation {
-        name: "local_to_model",
-        inputs: &[("p", 4), ("q", 4), ("r", 4), ("s", 4)],
-        parts: &[("real", 4), ("dual", 4)],
-    }];
+    /// A joint under its parent: what forward kinematics repeats; and a model times its inverse bind, as a matrix.
+    pub const OPERATIONS: &[Operation] = &[
+        Operation {
+            name: "local_to_model",
+            inputs: &[("p", 4), ("q", 4), ("r", 4), ("s", 4)],
+            parts: &[("real", 4), ("dual", 4)],
+        },
+        Operation {
+            name: "palette",
+            inputs: &[("p", 4), ("q", 4), ("r", 4), ("s", 4)],
+            parts: &[
+                ("rotation", 3),
+                ("translation", 1),
+                ("rotation", 3),
+                ("translation", 1),
+                ("rotation", 3),
+                ("translation", 1),
+            ],
+        },
+    ];
 
     /// The numbers of the answer.
     ///
     /// # Panics
     /// If there are not 16 numbers.
-    pub fn run<R: Scalar>(backend: Backend, from: &[R]) -> Vec<R> {
+    pub fn run<R: Scalar>(name: &str, backend: Backend, from: &[R]) -> Vec<R> {
         let motion =
             |at: usize| DualQuat::from_array(*from[at..].first_chunk().expect("16 numbers"));
-        let parents = [Hierarchy::ROOT, 0];
-        let mut models = [DualQuat::IDENTITY; 2];
-        let hierarchy = Hierarchy::new(&parents).expect("a root and its child");
+        let (parents, mut models) = ([Hierarchy::ROOT, 0], [DualQuat::IDENTITY; 2]);
+        let joints = if name == "palette" { 1 } else { 2 };
+        let hierarchy = Hierarchy::new(&parents[..joints]).expect("a root, and its child");
         let job = hierarchy.job().backend(backend);
+        if name == "palette" {
+            let mut matrix = [[[R::ZERO; 4]; 3]];
+            job.palette(Poses(&[motion(0)]), &mut models[..1], &[motion(8)], &mut matrix)
+                .expect("one each");
+            return matrix.as_flattened().as_flattened().to_vec();
+        }
         job.local_to_model(&[motion(0), motion(8)], &mut models).expect("two of each");
         models[1].to_array().to_vec()
     }

@@ -1,6 +1,7 @@
 //! `bounds.toml`: every bound, as it is computed from the tapes.
 
 use crate::bound::Analysis;
+use crate::composed;
 use crate::coq::is_proved;
 use crate::operations::{Form, Operation};
 use crate::polynomial::Lengths;
@@ -24,13 +25,19 @@ pub fn bounds(operation: &Operation, form: Form, fused: bool) -> Vec<Part> {
     let tapes = [true, false].map(|is_single| tape_of(operation, form, is_single));
     let tapes = if tapes[0].is_same_as(&tapes[1]) { &tapes[..1] } else { &tapes };
     let mut parts: Vec<Part> = vec![];
-    for tape in tapes {
+    for (tape, is_single) in tapes.iter().zip([true, false]) {
         let analysis = Analysis::of(tape, &operation.groups(), fused);
-        let mut outputs = tape.outputs.iter();
+        let composed = composed::sum(operation, tape, form, is_single)
+            .and_then(|sum| composed::of(operation, &analysis, &sum, form, fused));
+        let mut outputs = 0..tape.outputs.len();
         for &(name, count) in operation.parts {
             let mut bound = Some(Lengths::default());
-            for &output in outputs.by_ref().take(count) {
-                match (&mut bound, analysis.bound(output)) {
+            for output in outputs.by_ref().take(count) {
+                let one = match &composed {
+                    Some(bounds) => Some(bounds[output].clone()),
+                    None => analysis.bound(tape.outputs[output]),
+                };
+                match (&mut bound, one) {
                     (Some(bound), Some(one)) => bound.worst(&one),
                     _ => bound = None,
                 }
@@ -54,7 +61,7 @@ pub(crate) fn ceiling(c: f64) -> f64 {
 #[must_use]
 pub fn formula(operation: &Operation, bound: &Lengths) -> String {
     let length = |&(group, power): &(usize, i32)| {
-        let name = format!("|{}|", operation.inputs[group].0);
+        let name = format!("|{}|", operation.inputs.get(group).map_or("z", |input| input.0));
         match power {
             1 => name,
             _ => format!("{name}^{power}"),
@@ -76,7 +83,8 @@ pub fn text() -> String {
     let mut text = String::from(
         "# Bounds of rounding errors, computed from the code by `cargo run -- bounds`; tests/bounds.rs compares.\n\
          # |computed - exact| of every number of a part <= u times its bound, u = 2^-24 (f32) or 2^-53 (f64), where exact is\n\
-         # the formula on the given floats; |p| is the length of the argument. On the ordinary path (README.md), without\n\
+         # the formula on the given floats; |p| is the length of the argument, and |z| that of the real part of a weighted sum that is\n\
+         # normalized (bounds above 16000 are none). On the ordinary path (README.md), without\n\
          # overflow; by = \"Coq\" where run.sh has theorems of it, for all numbers that are rounded; tapes: prints of\n\
          # the operations of f32 and f64, which change with any. Underflow adds at most 2^-150\n\
          # (f32) or 2^-1075 (f64) times the operations after it.\n",

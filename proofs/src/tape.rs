@@ -274,6 +274,35 @@ impl Tape {
         needed
     }
 
+    /// What this tape gives to `inner` where it ends in it: its nodes that stand for the inputs of the other.
+    #[must_use]
+    pub fn ends_in(&self, inner: &Self) -> Option<Vec<Node>> {
+        let mut given = vec![None; inner.ops.len()];
+        let mut pairs: Vec<(Node, Node)> =
+            self.outputs.iter().copied().zip(inner.outputs.iter().copied()).collect();
+        while let Some((mine, theirs)) = pairs.pop() {
+            match given[theirs as usize] {
+                Some(known) if known == mine => continue,
+                Some(_) => return None,
+                None => given[theirs as usize] = Some(mine),
+            }
+            let (op, other) = (self.ops[mine as usize], inner.ops[theirs as usize]);
+            if other == Op::Input || (theirs as usize) < FIRST_INPUT && mine == theirs {
+                continue;
+            }
+            let same = match (op, other) {
+                (Op::Const(a), Op::Const(b)) => a == b,
+                (a, b) => std::mem::discriminant(&a) == std::mem::discriminant(&b),
+            };
+            if !same {
+                return None;
+            }
+            pairs.extend(op.operands().into_iter().zip(other.operands()));
+        }
+        let inputs = (0..inner.ops.len()).filter(|&node| inner.ops[node] == Op::Input);
+        inputs.map(|node| given[node]).collect()
+    }
+
     /// The inputs that these are made of.
     #[must_use]
     pub fn inputs(&self, outputs: &[Node]) -> Vec<Node> {

@@ -1,10 +1,11 @@
 //! Errors of `f32` from the exact value (the same tape in `f64`), on random inputs and climbing from the worst: each below its
 //! bound, and bounds not much larger than what is found.
 
+use dq8_proofs::composed::{self, FAR};
 use dq8_proofs::operations::{Form, Operation};
 use dq8_proofs::sample::{Random, draw};
 use dq8_proofs::table::{Part, bounds};
-use dq8_proofs::tape::Tape;
+use dq8_proofs::tape::{Node, Tape};
 use dq8_proofs::tape_of;
 
 /// How many times the worst error found a bound may be, of what has been found after this many inputs.
@@ -26,6 +27,8 @@ struct Search<'a> {
     operation: &'a Operation,
     tape: Tape,
     fused: bool,
+    /// The weighted sum that is normalized.
+    sum: Vec<Node>,
     /// Of each output.
     parts: Vec<Part>,
     single: Vec<f32>,
@@ -43,7 +46,14 @@ impl Search<'_> {
         for (group, c) in self.operation.groups().into_iter().zip(&exact) {
             lengths[group] += c * c;
         }
+        if !self.sum.is_empty() {
+            let sum = self.sum.iter().take(4).map(|&node| self.double[node as usize]);
+            lengths.push(sum.map(|c| c * c).sum());
+        }
         let lengths: Vec<f64> = lengths.into_iter().map(f64::sqrt).collect();
+        if self.parts[0].bound.as_ref().is_some_and(|bound| bound.at(&lengths) > FAR) {
+            return None;
+        }
         let ratios = self.tape.outputs.iter().zip(&self.parts).filter_map(|(&output, part)| {
             let bound = part.bound.as_ref()?.at(&lengths) * 2_f64.powi(-24);
             let error =
@@ -105,8 +115,10 @@ fn errors_stay_below_the_bounds_and_come_near() {
                     .iter()
                     .flat_map(|&(name, count)| std::iter::repeat_n(of(name), count));
                 let parts = parts.collect();
-                let mut search =
-                    Search { operation, tape, fused, parts, single: vec![], double: vec![] };
+                let sum =
+                    composed::sum(operation, &tape, form, true).map_or(vec![], |(_, sum)| sum);
+                let (single, double) = (vec![], vec![]);
+                let mut search = Search { operation, tape, fused, sum, parts, single, double };
                 let worst = search.worst();
                 let rounding = if fused { ", fused" } else { "" };
                 println!(
