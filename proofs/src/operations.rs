@@ -200,6 +200,7 @@ table! {
 pub mod jobs {
     use super::Operation;
     use dq8::hierarchy::{Hierarchy, Poses};
+    use dq8::skinning::{Linear, Skin, Surface, SurfaceMut, Weight};
     use dq8::{Backend, DualQuat, Scalar};
 
     /// A joint under its parent: what forward kinematics repeats; and a model times its inverse bind, as a matrix.
@@ -221,13 +222,34 @@ pub mod jobs {
                 ("translation", 1),
             ],
         },
+        Operation {
+            name: "linear_skin",
+            inputs: &[("a", 12), ("b", 12), ("c", 12), ("d", 12), ("w", 4), ("v", 3)],
+            parts: &[("point", 3)],
+        },
     ];
 
     /// The numbers of the answer.
     ///
     /// # Panics
-    /// If there are not 16 numbers.
-    pub fn run<R: Scalar>(name: &str, backend: Backend, from: &[R]) -> Vec<R> {
+    /// If there are too few numbers.
+    pub fn run<R: Scalar + Weight>(name: &str, backend: Backend, from: &[R]) -> Vec<R> {
+        if let Some((weights, &[x, y, z])) =
+            from.get(48..).and_then(|rest| rest.split_at_checked(4))
+        {
+            let matrix = |joint: usize| {
+                core::array::from_fn(|row| core::array::from_fn(|i| from[12 * joint + 4 * row + i]))
+            };
+            let (palette, mut posed) = ([0, 1, 2, 3].map(matrix), [[R::ZERO; 3]]);
+            // Weights of either sign, for all that draws numbers.
+            let weights: Vec<R> =
+                weights.iter().map(|&w| if w < R::ZERO { -w } else { w }).collect();
+            let skin = Skin::new(4, 4, &[0_u8, 1, 2, 3], &weights).expect("four joints");
+            let (rest, points) = ([[x, y, z]], SurfaceMut::positions(&mut posed));
+            let job = skin.job().backend(backend);
+            job.pose(Linear::new(&palette), Surface::positions(&rest), points).expect("one vertex");
+            return posed.as_flattened().to_vec();
+        }
         let motion =
             |at: usize| DualQuat::from_array(*from[at..].first_chunk().expect("16 numbers"));
         let (parents, mut models) = ([Hierarchy::ROOT, 0], [DualQuat::IDENTITY; 2]);
