@@ -32,7 +32,7 @@ pub fn sum(
     form: Form,
     is_single: bool,
 ) -> Option<(&'static Operation, Vec<Node>)> {
-    if form == Form::Job || operation.name.contains("normalize") {
+    if !matches!(form, Form::Single | Form::Lanes) || operation.name.contains("normalize") {
         return None;
     }
     let mut last = OPERATIONS.iter().filter(|o| matches!(o.name, "normalize" | "quat_normalize"));

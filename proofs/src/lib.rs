@@ -25,7 +25,7 @@ pub mod table;
 pub mod tape;
 
 use number::Recorded;
-use operations::{Form, Operation, jobs, lanes as on_lanes, single};
+use operations::{Form, Operation, functions, jobs, lanes as on_lanes, single};
 use tape::{Tape, record};
 
 /// The tape of an operation, on the ordinary path: that of a motion that is nearly unit. `None` where it has no such form.
@@ -54,6 +54,7 @@ fn recorded<const S: bool>(operation: &Operation, form: Form, values: &[f64]) ->
         let outputs = match form {
             Form::Single => single::run(operation.name, &numbers),
             Form::Lanes => on_lanes::run(operation.name, &numbers),
+            Form::Function => functions::run(operation.name, &numbers),
             Form::Job => jobs::run(operation.name, dq8::Backend::PORTABLE, &numbers),
         };
         outputs.into_iter().map(|number| number.0).collect()

@@ -34,10 +34,12 @@ pub enum Form {
     Lanes,
     /// A job over slices, on the packed lanes of one motion.
     Job,
+    /// Functions of one number on lanes, in the range of their polynomials.
+    Function,
 }
 
 impl Form {
-    /// All.
+    /// Those that are bounded by lengths.
     pub const ALL: [Self; 3] = [Self::Single, Self::Lanes, Self::Job];
     /// As in `bounds.toml`.
     #[must_use]
@@ -46,12 +48,17 @@ impl Form {
             Self::Single => "single",
             Self::Lanes => "lanes",
             Self::Job => "job",
+            Self::Function => "function",
         }
     }
     /// What there is in this form.
     #[must_use]
     pub fn operations(self) -> &'static [Operation] {
-        if self == Self::Job { jobs::OPERATIONS } else { OPERATIONS }
+        match self {
+            Self::Job => jobs::OPERATIONS,
+            Self::Function => functions::OPERATIONS,
+            _ => OPERATIONS,
+        }
     }
 }
 
@@ -264,5 +271,46 @@ pub mod jobs {
         }
         job.local_to_model(&[motion(0), motion(8)], &mut models).expect("two of each");
         models[1].to_array().to_vec()
+    }
+}
+
+/// The functions that polynomials are in.
+pub mod functions {
+    use super::Operation;
+    use dq8::Lanes;
+    use dq8::batch::{Dual, even};
+
+    /// From 0 to where the range of the polynomials ends.
+    #[must_use]
+    pub fn end(name: &str) -> f64 {
+        match name {
+            "arc_over_chord" => 2.0,
+            "cos_sinc" => 2.5,
+            _ => 10.0,
+        }
+    }
+
+    /// Without their derivatives.
+    pub const OPERATIONS: &[Operation] = &[
+        Operation { name: "arc_over_chord", inputs: &[("v", 1)], parts: &[("arc", 1)] },
+        Operation { name: "cos_sinc", inputs: &[("v", 1)], parts: &[("cos", 1), ("sinc", 1)] },
+        Operation { name: "integrals", inputs: &[("v", 1)], parts: &[("first", 1), ("second", 1)] },
+        Operation { name: "half_cotangent", inputs: &[("v", 1)], parts: &[("half", 1)] },
+    ];
+
+    /// The numbers of the answer.
+    ///
+    /// # Panics
+    /// Without a number.
+    #[inline(always)]
+    pub fn run<L: Lanes>(name: &str, from: &[L]) -> Vec<L> {
+        let v = Dual::new(from[0], from[0].constant(0.0));
+        let both = |(a, b): (Dual<L>, Dual<L>)| vec![a.real, b.real];
+        match name {
+            "arc_over_chord" => vec![even::arc_over_chord(v).real],
+            "cos_sinc" => both(even::cos_sinc(v)),
+            "integrals" => both(even::exponential_integrals(v)),
+            _ => vec![even::half_cotangent(v).real],
+        }
     }
 }
