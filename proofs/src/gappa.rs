@@ -147,7 +147,7 @@ fn expression(tape: &Tape, node: Node, prefix: &str, fused: bool) -> Option<Stri
     let rounded = |text: String| if prefix == "n" { format!("rnd({text})") } else { text };
     let product = |a: Node, b: Node| {
         let product = format!("{} * {}", n(a), n(b));
-        if fused || tape.is_power_of_two(a) || tape.is_power_of_two(b) {
+        if fused || tape.is_power_of_two(a, 0.0) || tape.is_power_of_two(b, 0.0) {
             product
         } else {
             rounded(product)
@@ -158,7 +158,7 @@ fn expression(tape: &Tape, node: Node, prefix: &str, fused: bool) -> Option<Stri
         Op::Add(a, b) if a == b => format!("2 * {}", n(a)),
         Op::Add(a, b) => rounded(format!("{} + {}", n(a), n(b))),
         Op::Sub(a, b) => rounded(format!("{} - {}", n(a), n(b))),
-        Op::Mul(a, b) if tape.is_power_of_two(a) || tape.is_power_of_two(b) => {
+        Op::Mul(a, b) if tape.is_power_of_two(a, 0.0) || tape.is_power_of_two(b, 0.0) => {
             format!("{} * {}", n(a), n(b))
         }
         Op::Mul(a, b) => rounded(format!("{} * {}", n(a), n(b))),

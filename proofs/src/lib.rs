@@ -20,6 +20,7 @@ pub mod number;
 pub mod operations;
 pub mod polynomial;
 mod proof;
+pub mod range;
 pub mod sample;
 pub mod table;
 pub mod tape;

@@ -84,7 +84,7 @@ impl<'a> Proof<'a> {
     }
 
     fn step(&mut self, node: Node) -> Option<()> {
-        let power = |node| self.tape.is_power_of_two(node);
+        let power = |node| self.tape.is_power_of_two(node, 0.0);
         match self.tape.ops[node as usize] {
             Op::Input => {
                 let letter = self.operation.inputs[self.group(node)].0;

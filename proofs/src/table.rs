@@ -5,6 +5,7 @@ use crate::composed;
 use crate::coq::is_proved;
 use crate::operations::{Form, Operation};
 use crate::polynomial::Lengths;
+use crate::range::{Range, range};
 use crate::tape::Tape;
 use crate::tape_of;
 use std::fmt::Write;
@@ -84,10 +85,11 @@ pub fn text() -> String {
         "# Bounds of rounding errors, computed from the code by `cargo run -- bounds`; tests/bounds.rs compares.\n\
          # |computed - exact| of every number of a part <= u times its bound, u = 2^-24 (f32) or 2^-53 (f64), where exact is\n\
          # the formula on the given floats; |p| is the length of the argument, and |z| that of the real part of a weighted sum that is\n\
-         # normalized (bounds above 16000 are none). On the ordinary path (README.md), without\n\
-         # overflow; by = \"Coq\" where run.sh has theorems of it, for all numbers that are rounded; tapes: prints of\n\
-         # the operations of f32 and f64, which change with any. Underflow adds at most 2^-150\n\
-         # (f32) or 2^-1075 (f64) times the operations after it.\n",
+         # normalized (bounds above 16000 are none). On the ordinary path (README.md);\n\
+         # lengths: nothing overflows if no argument is longer (f32 f64), and none that is divided by is shorter than one over\n\
+         # that; underflow: what is added where products are below the normal numbers, in units of 2^-150 (f32) or 2^-1075 (f64).\n\
+         # by = \"Coq\" where run.sh has theorems of it, for all numbers that are rounded; tapes: prints of the operations of f32\n\
+         # and f64, which change with any.\n",
     );
     for form in Form::ALL {
         for operation in form.operations() {
@@ -104,6 +106,15 @@ pub fn text() -> String {
                     let formula =
                         part.bound.map_or("none".into(), |bound| formula(operation, &bound));
                     let _ = writeln!(text, "{} = \"{formula}\"", part.name);
+                }
+                if let Some(Range { powers: [single, double], underflow }) =
+                    range(operation, form, fused)
+                {
+                    let _ = writeln!(text, "lengths = \"2^{single} 2^{double}\"");
+                    if let Some(underflow) = underflow {
+                        let _ =
+                            writeln!(text, "underflow = \"{}\"", formula(operation, &underflow));
+                    }
                 }
                 let _ = writeln!(text, "tapes = \"{single:08x} {double:08x}\"");
                 if is_proved(operation, form, fused) {

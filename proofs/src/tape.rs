@@ -337,9 +337,10 @@ impl Tape {
         (0..self.ops.len() as Node).filter(is_input).collect()
     }
 
-    /// Whether a product with this node is exact: ±2ᵏ.
+    /// Whether a product with this node is exact: ±2ᵏ, no smaller than `least`.
     #[must_use]
-    pub fn is_power_of_two(&self, node: Node) -> bool {
-        matches!(self.ops[node as usize], Op::Const(c) if c != 0.0 && c.abs().log2().fract() == 0.0)
+    pub fn is_power_of_two(&self, node: Node, least: f64) -> bool {
+        matches!(self.ops[node as usize], Op::Const(c)
+            if c != 0.0 && c.abs() >= least && c.abs().log2().fract() == 0.0)
     }
 }
