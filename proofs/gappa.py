@@ -17,7 +17,8 @@ from pathlib import Path
 FILE = Path(__file__).resolve().parent / "gappa.toml"
 HEADING = """\
 # What Gappa proves of the tapes, written by gappa.py: the largest error of any number of the answer, in units of u.
-# Rotations have lengths within 2^-9 of 1, all other arguments are no longer than 1. "none": not within 20 s of CPU.
+# Rotations have lengths within 2^-9 of 1, all other arguments are no longer than 1, and
+# functions are of one number in the range of their polynomials. "none": not within 20 s of CPU.
 """
 
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Everything that is proved, from the tapes of today's code: run.sh, from anywhere. For Debian; installs what is missing.
-# About 5 minutes of CPU for Gappa and 15 for Coq.
+# About 10 minutes of CPU for Gappa and 15 for Coq, on a busy machine.
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -19,7 +19,7 @@ DQ8_PROOFS_INPUTS=100000 cargo test
 
 echo '=== Gappa: every number in a range'
 cargo run --quiet -- gappa "$out/gappa"
-./gappa.py "$out/gappa"
+time ./gappa.py "$out/gappa"
 
 echo '=== Sollya: polynomials'
 ./sollya.py
@@ -39,5 +39,5 @@ prove() {
   fi
 }
 export -f prove
-find . -name '*.v' ! -name rounding.v -printf '%f\n' | xargs -P "$(nproc)" -I{} bash -c 'prove {}'
+time find . -name '*.v' ! -name rounding.v -printf '%f\n' | xargs -P "$(nproc)" -I{} bash -c 'prove {}'
 grep -c '^Theorem' ./*.v | awk -F: '{ sum += $2 } END { print sum " theorems" }'

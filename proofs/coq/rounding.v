@@ -99,6 +99,103 @@ Proof.
   lra.
 Qed.
 
+(* A component of a vector whose unit is its length. *)
+Lemma given x : bounded x x (Rabs x) 0.
+Proof. unfold bounded. replace (x - x) with 0 by ring. rewrite Rabs_R0. lra. Qed.
+
+Lemma below a c : - c <= a <= c -> Rabs a <= c.
+Proof. intros. apply Rabs_le. assumption. Qed.
+
+(* The root h of a computed sum of squares s that should be 1: as an exact number, and as one that is off from 1. *)
+Lemma root s c : 0 <= c <= 8 -> Rabs (s - 1) <= u * c ->
+  exists h, 0 < h /\ sqrt s = h /\ s = h * h /\ Rabs (h - 1) <= / 1000000
+    /\ bounded h h (1 + / 1000000) 0 /\ bounded (/ h) (/ h) (1 + / 1000000) 0
+    /\ bounded h 1 1 (c / 2 + / 100000) /\ bounded (/ h) 1 1 (c / 2 + / 100000).
+Proof.
+  intros [C0 C1] S.
+  assert (W : 0 <= u * c <= / 2000000).
+  { split; [apply Rmult_le_pos; lra |].
+    apply Rle_trans with (/ 16777216 * 8); [apply Rmult_le_compat; lra | lra]. }
+  set (w := u * c) in *. apply Rabs_le_inv in S.
+  exists (sqrt s). set (h := sqrt s).
+  assert (Q : h * h = s) by (apply sqrt_sqrt; lra).
+  assert (P : 0 < h) by (apply sqrt_lt_R0; lra).
+  (* 1 - w <= 1 - (w/2 + w²/2) is below the root, 1 + w/2 above. *)
+  assert (A : h <= 1 + w / 2) by (apply Rsqr_incr_0_var; unfold Rsqr; nra).
+  assert (B : 1 - (w / 2 + w * w) <= h) by (apply Rsqr_incr_0_var; unfold Rsqr; nra).
+  assert (WW : w * w <= u * (/ 2000000 * 8)).
+  { replace (w * w) with (u * (w * c)) by (unfold w; ring). apply Rmult_le_compat_l; [lra |]. apply Rmult_le_compat; lra. }
+  assert (D : 0 <= w * w) by nra.
+  assert (V : w / 2 = u * (c / 2)) by (unfold w; field).
+  assert (K : / h * h = 1) by (apply Rinv_l; lra).
+  assert (K0 : 0 < / h) by (apply Rinv_0_lt_compat; exact P).
+  set (k := / h) in *. clearbody k.
+  assert (K1 : k <= 1 + w / 2 + 2 * (w * w)) by nra.
+  assert (K2 : 1 - w / 2 <= k) by nra.
+  assert (KH : Rabs h = h) by (apply Rabs_pos_eq; lra).
+  assert (KK : Rabs k = k) by (apply Rabs_pos_eq; lra).
+  unfold bounded. replace (h - h) with 0 by ring. replace (k - k) with 0 by ring.
+  rewrite !Rabs_R0, Rabs_R1, KH, KK.
+  repeat split; try lra; try (apply below; nra).
+Qed.
+
+(* Divisions by the root, or what was computed of it, and by its square. *)
+Lemma over n h a e : bounded n h a e -> Rabs (h - 1) <= / 1000000 -> 0 <= e <= 16 ->
+  bounded (1 / n) (/ h) (1 + / 1000000 + / 1000000) (e * (1 + / 100000)).
+Proof.
+  intros (_ & _ & E) H [E0 E1]. apply Rabs_le_inv in H.
+  assert (W : 0 <= u * e <= / 1000000).
+  { split; [apply Rmult_le_pos; lra |].
+    apply Rle_trans with (/ 16777216 * 16); [apply Rmult_le_compat; lra | lra]. }
+  set (w := u * e) in *.
+  assert (N : Rabs (n - h) <= w) by exact E. apply Rabs_le_inv in N.
+  assert (K : / h * h = 1) by (apply Rinv_l; lra).
+  assert (K' : / n * n = 1) by (apply Rinv_l; lra).
+  assert (K0 : 0 < / h) by (apply Rinv_0_lt_compat; lra).
+  assert (K0' : 0 < / n) by (apply Rinv_0_lt_compat; lra).
+  unfold bounded. replace (1 / n - / h) with ((h - n) * (/ n * / h)) by (field; lra).
+  set (k := / h) in *. set (k' := / n) in *. clearbody k k'.
+  assert (k <= 1 + / 1000000 + / 1000000) by nra. assert (k' <= 1 + 3 * / 1000000) by nra.
+  rewrite (Rabs_pos_eq k) by lra. repeat split; try lra; try nra.
+  rewrite Rabs_mult, (Rabs_pos_eq (k' * k)) by (apply Rmult_le_pos; lra).
+  assert (Rabs (h - n) <= w) by (apply below; lra).
+  replace (u * (e * (1 + / 100000))) with (w * (1 + / 100000)) by (unfold w; ring).
+  apply Rmult_le_compat; [apply Rabs_pos | apply Rmult_le_pos; lra | lra |].
+  apply Rle_trans with ((1 + 3 * / 1000000) * (1 + / 1000000 + / 1000000)); [apply Rmult_le_compat; lra | lra].
+Qed.
+
+Lemma over_square h : 1 / (h * h) = / h * / h.
+Proof. unfold Rdiv. rewrite Rinv_mult. ring. Qed.
+
+Lemma weaker n m a e a' e' : bounded n m a e -> a <= a' -> e <= e' -> bounded n m a' e'.
+Proof.
+  intros (A & N & E) A' E'. unfold bounded. assert (u * e <= u * e') by (apply Rmult_le_compat_l; lra). lra.
+Qed.
+
+(* Near t, of what is near m, which is near t. *)
+Lemma joined n m a e m' t a' e' c :
+  bounded n m a e -> m = m' -> bounded m' t a' e' -> e + e' <= c -> Rabs (n - t) <= u * c.
+Proof.
+  intros (_ & _ & E) -> (_ & _ & E') C. replace (n - t) with ((n - m') + (m' - t)) by ring.
+  eapply Rle_trans; [apply Rabs_triang |]. assert (u * (e + e') <= u * c) by (apply Rmult_le_compat_l; lra). lra.
+Qed.
+
+(* Roundings are relative: what holds in one unit holds in all. *)
+Lemma scaled s x x' r : 0 < s -> near u x (s * r) -> x = s * x' -> near u x' r.
+Proof.
+  unfold near. intros S N ->. replace (s * r - s * x') with (s * (r - x')) in N by ring.
+  rewrite !Rabs_mult, (Rabs_pos_eq s) in N by lra. apply (Rmult_le_reg_l s); lra.
+Qed.
+Lemma scaled_back s n t c : 0 < s -> Rabs (n - t) <= u * c -> Rabs (s * n - s * t) <= u * (c * s).
+Proof.
+  intros S E. replace (s * n - s * t) with (s * (n - t)) by ring. rewrite Rabs_mult, (Rabs_pos_eq s) by lra.
+  replace (u * (c * s)) with (s * (u * c)) by ring. apply Rmult_le_compat_l; lra.
+Qed.
+Lemma scaled_root s x : 0 < s -> sqrt (s * s * x) = s * sqrt x.
+Proof. intros S. rewrite sqrt_mult_alt, sqrt_square by nra. reflexivity. Qed.
+Lemma scaled_over s x : 1 / (s * x) = / s * (1 / x).
+Proof. unfold Rdiv. rewrite Rinv_mult. ring. Qed.
+
 Lemma error n m a e c : bounded n m a e -> e <= c -> Rabs (n - m) <= u * c.
 Proof. intros (_ & _ & E) C. eapply Rle_trans; [exact E |]. apply Rmult_le_compat_l; lra. Qed.
 End Analysis.
@@ -120,3 +217,13 @@ Proof. intros F. apply Rmult_le_pos; [exact F | apply Rle_0_sqr]. Qed.
 
 Lemma same_square x : Rabs x * Rabs x = x * x.
 Proof. rewrite <- Rabs_mult. apply Rabs_pos_eq, Rle_0_sqr. Qed.
+
+(* Of units: products of lengths and of one over them. *)
+Ltac nonzero := repeat split; try (apply Rgt_not_eq; assumption).
+Ltac positive := repeat first [assumption | apply Rmult_lt_0_compat | apply Rinv_0_lt_compat | lra].
+Ltac in_units :=
+  match goal with
+  | |- sqrt _ = _ => rewrite scaled_root by assumption; reflexivity
+  | |- 1 / _ = _ => rewrite scaled_over, ?Rinv_mult; reflexivity
+  | |- _ => field; nonzero
+  end.

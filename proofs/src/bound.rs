@@ -12,9 +12,19 @@ use std::collections::BTreeMap;
 /// u of `f32`. Bounds in units of u rise with u, so these hold for `f64` too.
 pub const U: f64 = 1.0 / (1 << 24) as f64;
 
+/// What roundings do.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Rounding {
+    /// In the normal range: relatively, by u.
+    Normal,
+    /// Below it, what products add to that: no more than the half of the least number, the unit of these errors.
+    Below,
+}
+
 /// What is known of every node.
 #[derive(Debug)]
 pub struct Analysis {
+    rounding: Rounding,
     /// Without rounding, of each node; `None` beyond what is analysed.
     exact: Vec<Option<Polynomial>>,
     error: Vec<Option<Polynomial>>,
@@ -37,8 +47,13 @@ impl Analysis {
     /// Of a tape whose inputs belong to these groups.
     #[must_use]
     pub fn of(tape: &Tape, groups: &[usize], fused: bool) -> Self {
-        let mut analysis =
-            Self { exact: vec![], error: vec![], roots: vec![], groups: groups.to_vec() };
+        Self::with(Rounding::Normal, tape, groups, fused)
+    }
+
+    /// Of one kind of rounding.
+    pub(crate) fn with(rounding: Rounding, tape: &Tape, groups: &[usize], fused: bool) -> Self {
+        let (groups, roots) = (groups.to_vec(), vec![]);
+        let mut analysis = Self { rounding, exact: vec![], error: vec![], roots, groups };
         for node in 0..tape.ops.len() {
             let (exact, error) = analysis.node(tape, node as Node, fused).unzip();
             analysis.exact.push(exact);
@@ -48,7 +63,9 @@ impl Analysis {
     }
 
     fn node(&mut self, tape: &Tape, node: Node, fused: bool) -> Option<(Polynomial, Polynomial)> {
-        let power_of_two = |node| tape.is_power_of_two(node);
+        // Below the normal numbers a half is rounded.
+        let least = if self.rounding == Rounding::Normal { 0.0 } else { 1.0 };
+        let power_of_two = |node| tape.is_power_of_two(node, least);
         Some(match tape.ops[node as usize] {
             Op::Input => (Polynomial::variable(node), Polynomial::default()),
             Op::Const(c) if c.is_finite() => (Polynomial::constant(c), Polynomial::default()),
@@ -59,36 +76,60 @@ impl Analysis {
             Op::Sub(a, b) => self.sum(a, -1.0, b)?,
             Op::Mul(a, b) => {
                 let product = self.product(a, b)?;
-                if power_of_two(a) || power_of_two(b) { product } else { rounded(product) }
+                if power_of_two(a) || power_of_two(b) {
+                    product
+                } else {
+                    self.rounded(true, product)
+                }
             }
             Op::Fma(a, b, c) | Op::Nfma(a, b, c) => {
                 let sign = if matches!(tape.ops[node as usize], Op::Fma(..)) { 1.0 } else { -1.0 };
                 let product = self.product(a, b)?;
                 let is_exact = fused || power_of_two(a) || power_of_two(b);
-                let (product, error) = if is_exact { product } else { rounded(product) };
-                rounded((self.exact(c)?.plus(sign, &product), error.plus(1.0, self.error(c)?)))
+                let (product, error) = if is_exact { product } else { self.rounded(true, product) };
+                self.rounded(
+                    fused,
+                    (self.exact(c)?.plus(sign, &product), error.plus(1.0, self.error(c)?)),
+                )
             }
             Op::Sqrt(a) => {
                 let k = self.root_of(a)?;
-                rounded((Polynomial::variable(root(k)), Polynomial::default()))
+                self.rounded(false, (Polynomial::variable(root(k)), Polynomial::default()))
             }
             Op::Div(a, b) => {
                 let (over, error) = self.reciprocal(b)?;
-                rounded(self.multiplied((self.exact(a)?, self.error(a)?), (&over, &error)))
+                self.rounded(
+                    true,
+                    self.multiplied((self.exact(a)?, self.error(a)?), (&over, &error)),
+                )
             }
         })
     }
 
-    fn exact(&self, node: Node) -> Option<&Polynomial> {
+    pub(crate) fn exact(&self, node: Node) -> Option<&Polynomial> {
         self.exact[node as usize].as_ref()
     }
     fn error(&self, node: Node) -> Option<&Polynomial> {
         self.error[node as usize].as_ref()
     }
 
+    /// One rounding of a value with an error, of a product or not.
+    fn rounded(
+        &self,
+        is_product: bool,
+        (exact, error): (Polynomial, Polynomial),
+    ) -> (Polynomial, Polynomial) {
+        let more = match self.rounding {
+            Rounding::Normal => exact.magnitude().plus(U, &error),
+            // Sums are never below: they are whole multiples of the least number.
+            Rounding::Below => Polynomial::constant(if is_product { 1.0 } else { 0.0 }),
+        };
+        (exact, error.plus(1.0, &more))
+    }
+
     fn sum(&self, a: Node, sign: f64, b: Node) -> Option<(Polynomial, Polynomial)> {
         let error = self.error(a)?.plus(1.0, self.error(b)?);
-        Some(rounded((self.exact(a)?.plus(sign, self.exact(b)?), error)))
+        Some(self.rounded(false, (self.exact(a)?.plus(sign, self.exact(b)?), error)))
     }
 
     fn product(&self, a: Node, b: Node) -> Option<(Polynomial, Polynomial)> {
@@ -180,6 +221,29 @@ impl Analysis {
     }
 }
 
+impl Analysis {
+    /// How long the vector of some numbers is, and that of their errors: the largest sum of each times a number of a unit
+    /// vector, which is one more argument.
+    pub(crate) fn vector(&self, nodes: &[Node]) -> Option<(Lengths, Lengths)> {
+        let first = (FIRST_INPUT + self.groups.len()) as u32;
+        let last = self.groups.last().map_or(0, |last| last + 1);
+        let group = |v: u32| if v < first { self.groups[v as usize - FIRST_INPUT] } else { last };
+        let length = |of: &dyn Fn(&Self, Node) -> Option<Polynomial>| {
+            let mut sum = Polynomial::default();
+            for (&node, along) in nodes.iter().zip(first..) {
+                sum = sum.plus(1.0, &of(self, node)?.times(&Polynomial::variable(along)));
+            }
+            let Lengths(by) = sum.by_lengths(&group, &|k| self.roots[k].group);
+            let without = by.into_iter().map(|(mut powers, c)| {
+                powers.retain(|&(g, _)| g != last);
+                (powers, c)
+            });
+            Some(Lengths(without.collect()))
+        };
+        Some((length(&|all, n| all.exact(n).cloned())?, length(&|all, n| all.error(n).cloned())?))
+    }
+}
+
 // What scripts need beside the bounds.
 impl Analysis {
     /// How large the exact number of a node is at most, by the lengths of the arguments.
@@ -190,10 +254,4 @@ impl Analysis {
     pub(crate) fn sums(&self) -> impl Iterator<Item = (Node, usize)> {
         self.roots.iter().map(|root| (root.sum, root.group))
     }
-}
-
-/// One rounding of a value with an error.
-fn rounded((exact, error): (Polynomial, Polynomial)) -> (Polynomial, Polynomial) {
-    let error = error.plus(1.0, &exact.magnitude().plus(U, &error));
-    (exact, error)
 }

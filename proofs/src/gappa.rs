@@ -4,7 +4,8 @@
 //! number comes with the bound that follows from that (Cauchy and Schwarz), as a hypothesis; `coq/` has it as a lemma.
 
 use crate::bound::Analysis;
-use crate::operations::{Form, Operation};
+use crate::composed;
+use crate::operations::{Form, Operation, functions};
 use crate::tape::{Node, Op, Tape};
 use crate::{is_twin, tape_of};
 use std::fmt::Write;
@@ -18,17 +19,21 @@ const NEAR: f64 = 1.0 / 512.0;
 /// # Errors
 /// Of the file system.
 pub fn write(folder: &Path) -> std::io::Result<()> {
-    for form in Form::ALL {
+    for form in Form::ALL.into_iter().chain([Form::Function]) {
         for operation in form.operations() {
             for is_single in
                 [true, false].into_iter().filter(|&is_single| !is_twin(operation, form, is_single))
             {
                 let tape = tape_of(operation, form, is_single);
+                // Intervals cannot tell how far from 0 a sum is.
+                if composed::sum(operation, &tape, form, is_single).is_some() {
+                    continue;
+                }
                 for fused in if tape.fuses() { &[false, true][..] } else { &[false] } {
                     let float = if is_single { "f32" } else { "f64" };
                     let rounding = if *fused { ".fused" } else { "" };
                     let name = format!("{}.{}{rounding}.{float}.g", form.name(), operation.name);
-                    if let Some(script) = script(operation, &tape, is_single, *fused) {
+                    if let Some(script) = script(operation, form, &tape, is_single, *fused) {
                         std::fs::write(folder.join(name), script)?;
                     }
                 }
@@ -39,19 +44,31 @@ pub fn write(folder: &Path) -> std::io::Result<()> {
 }
 
 /// The lengths of an argument: rotations are nearly unit, all else is at most 1.
-fn lengths(operation: &Operation) -> Vec<(f64, f64)> {
+fn lengths(operation: &Operation, form: Form) -> Vec<(f64, f64)> {
     let of = |&(name, count): &(&str, usize)| {
-        if count == 4 && matches!(name, "p" | "r") { (1.0 - NEAR, 1.0 + NEAR) } else { (0.0, 1.0) }
+        if matches!(form, Form::Function) {
+            (0.0, functions::end(operation.name))
+        } else if count == 4 && matches!(name, "p" | "r") {
+            (1.0 - NEAR, 1.0 + NEAR)
+        } else {
+            (0.0, 1.0)
+        }
     };
     operation.inputs.iter().map(of).collect()
 }
 
 /// `None` where nothing is rounded.
-fn script(operation: &Operation, tape: &Tape, is_single: bool, fused: bool) -> Option<String> {
+fn script(
+    operation: &Operation,
+    form: Form,
+    tape: &Tape,
+    is_single: bool,
+    fused: bool,
+) -> Option<String> {
     let needed = tape.needed(&tape.outputs);
     let groups = operation.groups();
     let analysis = Analysis::of(tape, &groups, fused);
-    let lengths = lengths(operation);
+    let lengths = lengths(operation, form);
     let steps: Vec<Node> =
         (0..tape.ops.len() as Node).filter(|&node| needed[node as usize]).collect();
 
@@ -73,11 +90,16 @@ fn script(operation: &Operation, tape: &Tape, is_single: bool, fused: bool) -> O
         match tape.ops[node as usize] {
             Op::Input => {
                 let (_, longest) = lengths[groups[node as usize - crate::tape::FIRST_INPUT]];
-                given.push(format!("|x{node}| <= {}", number(longest)));
+                given.push(match form {
+                    Form::Function => format!("x{node} in [0, {}]", number(longest)),
+                    _ => format!("|x{node}| <= {}", number(longest)),
+                });
             }
             Op::Const(_) | Op::Neg(_) => {}
             _ => {
-                let Some(bound) = analysis.size(node) else { continue };
+                // Of one number intervals know more.
+                let size = if form == Form::Function { None } else { analysis.size(node) };
+                let Some(bound) = size else { continue };
                 let most = bound.0.iter().map(|(powers, c)| {
                     let power = |&(group, power): &(usize, i32)| {
                         let (shortest, longest) = lengths[group];
@@ -125,7 +147,7 @@ fn expression(tape: &Tape, node: Node, prefix: &str, fused: bool) -> Option<Stri
     let rounded = |text: String| if prefix == "n" { format!("rnd({text})") } else { text };
     let product = |a: Node, b: Node| {
         let product = format!("{} * {}", n(a), n(b));
-        if fused || tape.is_power_of_two(a) || tape.is_power_of_two(b) {
+        if fused || tape.is_power_of_two(a, 0.0) || tape.is_power_of_two(b, 0.0) {
             product
         } else {
             rounded(product)
@@ -136,7 +158,7 @@ fn expression(tape: &Tape, node: Node, prefix: &str, fused: bool) -> Option<Stri
         Op::Add(a, b) if a == b => format!("2 * {}", n(a)),
         Op::Add(a, b) => rounded(format!("{} + {}", n(a), n(b))),
         Op::Sub(a, b) => rounded(format!("{} - {}", n(a), n(b))),
-        Op::Mul(a, b) if tape.is_power_of_two(a) || tape.is_power_of_two(b) => {
+        Op::Mul(a, b) if tape.is_power_of_two(a, 0.0) || tape.is_power_of_two(b, 0.0) => {
             format!("{} * {}", n(a), n(b))
         }
         Op::Mul(a, b) => rounded(format!("{} * {}", n(a), n(b))),

@@ -10,6 +10,7 @@ compile_error!(
 );
 
 pub mod bound;
+pub mod composed;
 pub mod coq;
 pub mod everyday;
 mod fraction;
@@ -18,12 +19,14 @@ pub mod lanes;
 pub mod number;
 pub mod operations;
 pub mod polynomial;
+mod proof;
+pub mod range;
 pub mod sample;
 pub mod table;
 pub mod tape;
 
 use number::Recorded;
-use operations::{Form, Operation, jobs, lanes as on_lanes, single};
+use operations::{Form, Operation, functions, jobs, lanes as on_lanes, single};
 use tape::{Tape, record};
 
 /// The tape of an operation, on the ordinary path: that of a motion that is nearly unit. `None` where it has no such form.
@@ -52,7 +55,8 @@ fn recorded<const S: bool>(operation: &Operation, form: Form, values: &[f64]) ->
         let outputs = match form {
             Form::Single => single::run(operation.name, &numbers),
             Form::Lanes => on_lanes::run(operation.name, &numbers),
-            Form::Job => jobs::run(dq8::Backend::PORTABLE, &numbers),
+            Form::Function => functions::run(operation.name, &numbers),
+            Form::Job => jobs::run(operation.name, dq8::Backend::PORTABLE, &numbers),
         };
         outputs.into_iter().map(|number| number.0).collect()
     })

@@ -4,11 +4,13 @@
 use crate::lanes::Wide;
 use crate::tape::{Node, Op, Order, compare, push, value};
 use bytemuck::{Pod, Zeroable};
+use core::any::Any;
 use core::cmp::Ordering;
 use core::fmt;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
-use dq8::Real;
 use dq8::everyday::Quick;
+use dq8::skinning::Weight;
+use dq8::{Real, Scalar};
 use dq8_simd::sealed::Sealed;
 use dq8_simd::{Float, Lanes, Level, Portable};
 
@@ -191,5 +193,16 @@ impl<const S: bool> Lanes for Recorded<S> {
     }
     fn select(mask: bool, yes: Self, no: Self) -> Self {
         if mask { yes } else { no }
+    }
+}
+
+/// Weights of skins: recorded as they lie in memory.
+impl<const S: bool> Weight for Recorded<S> {
+    fn value<R: Real>(self) -> R {
+        // Itself; where it is checked, its value.
+        (&self as &dyn Any).downcast_ref().copied().unwrap_or_else(|| R::from_f64(value(self.0)))
+    }
+    fn as_numbers<R: Scalar>(weights: &[Self]) -> Option<&[R]> {
+        bytemuck::try_cast_slice(weights).ok()
     }
 }

@@ -34,10 +34,12 @@ pub enum Form {
     Lanes,
     /// A job over slices, on the packed lanes of one motion.
     Job,
+    /// Functions of one number on lanes, in the range of their polynomials.
+    Function,
 }
 
 impl Form {
-    /// All.
+    /// Those that are bounded by lengths.
     pub const ALL: [Self; 3] = [Self::Single, Self::Lanes, Self::Job];
     /// As in `bounds.toml`.
     #[must_use]
@@ -46,12 +48,17 @@ impl Form {
             Self::Single => "single",
             Self::Lanes => "lanes",
             Self::Job => "job",
+            Self::Function => "function",
         }
     }
     /// What there is in this form.
     #[must_use]
     pub fn operations(self) -> &'static [Operation] {
-        if self == Self::Job { jobs::OPERATIONS } else { OPERATIONS }
+        match self {
+            Self::Job => jobs::OPERATIONS,
+            Self::Function => functions::OPERATIONS,
+            _ => OPERATIONS,
+        }
     }
 }
 
@@ -152,6 +159,16 @@ table! {
     sub(p 4, q 4, r 4, s 4) -> (real 4, dual 4) = numbers(motion(p, q) - motion(r, s));
     neg(p 4, q 4) -> (real 4, dual 4) = numbers(-motion(p, q));
     mul(p 4, q 4, r 4, s 4) -> (real 4, dual 4) = numbers(motion(p, q) * motion(r, s));
+    nlerp(p 4, q 4, r 4, s 4, t 1) -> (real 4, dual 4) = numbers(motion(p, q).nlerp(motion(r, s), t[0]));
+    dlb(p 4, q 4, r 4, s 4, v 4, w 4, a 1, b 1, c 1) -> (real 4, dual 4) = {
+        let influences = [(motion(p, q), a[0]), (motion(r, s), b[0]), (motion(v, w), c[0])];
+        numbers(DualQuat::dlb(&influences).expect("three"))
+    };
+    dlb_running(p 4, q 4, r 4, s 4, v 4, w 4, a 1, b 1, c 1) -> (real 4, dual 4) = {
+        let influences = [(motion(p, q), a[0]), (motion(r, s), b[0]), (motion(v, w), c[0])];
+        numbers(DualQuat::dlb_running(&influences).expect("three"))
+    };
+    quat_nlerp(p 4, r 4, t 1) -> (quaternion 4) = quat(p).nlerp(quat(r), t[0]).to_array().to_vec();
     transform_point(p 4, q 4, v 3) -> (point 3) = motion(p, q).transform_point(v).to_vec();
     transform_vector(p 4, q 4, v 3) -> (vector 3) = motion(p, q).transform_vector(v).to_vec();
     transform_line(p 4, q 4, v 3, w 3) -> (direction 3, moment 3) = {
@@ -189,28 +206,111 @@ table! {
 /// Jobs over slices.
 pub mod jobs {
     use super::Operation;
-    use dq8::hierarchy::Hierarchy;
+    use dq8::hierarchy::{Hierarchy, Poses};
+    use dq8::skinning::{Linear, Skin, Surface, SurfaceMut, Weight};
     use dq8::{Backend, DualQuat, Scalar};
 
-    /// A joint under its parent: what forward kinematics repeats.
-    pub const OPERATIONS: &[Operation] = &[Operation {
-        name: "local_to_model",
-        inputs: &[("p", 4), ("q", 4), ("r", 4), ("s", 4)],
-        parts: &[("real", 4), ("dual", 4)],
-    }];
+    /// A joint under its parent: what forward kinematics repeats; and a model times its inverse bind, as a matrix.
+    pub const OPERATIONS: &[Operation] = &[
+        Operation {
+            name: "local_to_model",
+            inputs: &[("p", 4), ("q", 4), ("r", 4), ("s", 4)],
+            parts: &[("real", 4), ("dual", 4)],
+        },
+        Operation {
+            name: "palette",
+            inputs: &[("p", 4), ("q", 4), ("r", 4), ("s", 4)],
+            parts: &[
+                ("rotation", 3),
+                ("translation", 1),
+                ("rotation", 3),
+                ("translation", 1),
+                ("rotation", 3),
+                ("translation", 1),
+            ],
+        },
+        Operation {
+            name: "linear_skin",
+            inputs: &[("a", 12), ("b", 12), ("c", 12), ("d", 12), ("w", 4), ("v", 3)],
+            parts: &[("point", 3)],
+        },
+    ];
 
     /// The numbers of the answer.
     ///
     /// # Panics
-    /// If there are not 16 numbers.
-    pub fn run<R: Scalar>(backend: Backend, from: &[R]) -> Vec<R> {
+    /// If there are too few numbers.
+    pub fn run<R: Scalar + Weight>(name: &str, backend: Backend, from: &[R]) -> Vec<R> {
+        if let Some((weights, &[x, y, z])) =
+            from.get(48..).and_then(|rest| rest.split_at_checked(4))
+        {
+            let matrix = |joint: usize| {
+                core::array::from_fn(|row| core::array::from_fn(|i| from[12 * joint + 4 * row + i]))
+            };
+            let (palette, mut posed) = ([0, 1, 2, 3].map(matrix), [[R::ZERO; 3]]);
+            // Weights of either sign, for all that draws numbers.
+            let weights: Vec<R> =
+                weights.iter().map(|&w| if w < R::ZERO { -w } else { w }).collect();
+            let skin = Skin::new(4, 4, &[0_u8, 1, 2, 3], &weights).expect("four joints");
+            let (rest, points) = ([[x, y, z]], SurfaceMut::positions(&mut posed));
+            let job = skin.job().backend(backend);
+            job.pose(Linear::new(&palette), Surface::positions(&rest), points).expect("one vertex");
+            return posed.as_flattened().to_vec();
+        }
         let motion =
             |at: usize| DualQuat::from_array(*from[at..].first_chunk().expect("16 numbers"));
-        let parents = [Hierarchy::ROOT, 0];
-        let mut models = [DualQuat::IDENTITY; 2];
-        let hierarchy = Hierarchy::new(&parents).expect("a root and its child");
+        let (parents, mut models) = ([Hierarchy::ROOT, 0], [DualQuat::IDENTITY; 2]);
+        let joints = if name == "palette" { 1 } else { 2 };
+        let hierarchy = Hierarchy::new(&parents[..joints]).expect("a root, and its child");
         let job = hierarchy.job().backend(backend);
+        if name == "palette" {
+            let mut matrix = [[[R::ZERO; 4]; 3]];
+            job.palette(Poses(&[motion(0)]), &mut models[..1], &[motion(8)], &mut matrix)
+                .expect("one each");
+            return matrix.as_flattened().as_flattened().to_vec();
+        }
         job.local_to_model(&[motion(0), motion(8)], &mut models).expect("two of each");
         models[1].to_array().to_vec()
+    }
+}
+
+/// The functions that polynomials are in.
+pub mod functions {
+    use super::Operation;
+    use dq8::Lanes;
+    use dq8::batch::{Dual, even};
+
+    /// From 0 to where the range of the polynomials ends.
+    #[must_use]
+    pub fn end(name: &str) -> f64 {
+        match name {
+            "arc_over_chord" => 2.0,
+            "cos_sinc" => 2.5,
+            _ => 10.0,
+        }
+    }
+
+    /// Without their derivatives.
+    pub const OPERATIONS: &[Operation] = &[
+        Operation { name: "arc_over_chord", inputs: &[("v", 1)], parts: &[("arc", 1)] },
+        Operation { name: "cos_sinc", inputs: &[("v", 1)], parts: &[("cos", 1), ("sinc", 1)] },
+        Operation { name: "integrals", inputs: &[("v", 1)], parts: &[("first", 1), ("second", 1)] },
+        Operation { name: "half_cotangent", inputs: &[("v", 1)], parts: &[("half", 1)] },
+    ];
+
+    /// The numbers of the answer.
+    ///
+    /// # Panics
+    /// Without a number.
+    #[inline(always)]
+    pub fn run<L: Lanes>(name: &str, from: &[L]) -> Vec<L> {
+        let v = Dual::new(from[0], from[0].constant(0.0));
+        let both = |(a, b): (Dual<L>, Dual<L>)| vec![a.real, b.real];
+        match name {
+            "arc_over_chord" => vec![even::arc_over_chord(v).real],
+            "cos_sinc" => both(even::cos_sinc(v)),
+            "integrals" => both(even::exponential_integrals(v)),
+            _ => vec![even::half_cotangent(v).real],
+        }
     }
 }

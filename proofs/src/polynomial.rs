@@ -137,6 +137,30 @@ impl Lengths {
         };
         self.0.iter().map(|(powers, c)| c * of(powers)).sum()
     }
+    pub(crate) fn constant(c: f64) -> Self {
+        Self([(vec![], c)].into())
+    }
+    pub(crate) fn scaled(&self, c: f64) -> Self {
+        Self(self.0.iter().map(|(powers, x)| (powers.clone(), c * x)).collect())
+    }
+    pub(crate) fn plus(mut self, other: &Self) -> Self {
+        for (powers, c) in &other.0 {
+            *self.0.entry(powers.clone()).or_default() += c;
+        }
+        self
+    }
+    pub(crate) fn times(&self, other: &Self) -> Self {
+        let mut product = Self::default();
+        for (a, x) in &self.0 {
+            for (b, y) in &other.0 {
+                let mut powers = BTreeMap::<usize, i32>::new();
+                a.iter().chain(b).for_each(|&(g, k)| *powers.entry(g).or_default() += k);
+                powers.retain(|_, k| *k != 0);
+                *product.0.entry(powers.into_iter().collect()).or_default() += x * y;
+            }
+        }
+        product
+    }
     /// The larger of each coefficient.
     pub(crate) fn worst(&mut self, other: &Self) {
         for (powers, &c) in &other.0 {

@@ -62,7 +62,8 @@ pub fn ordinary(operation: &Operation) -> Vec<f64> {
     let numbers = operation.groups().into_iter().scan((usize::MAX, 0), |(last, at), group| {
         *at = if *last == group { *at + 1 } else { 0 };
         *last = group;
-        Some(four[*at] * (1.0 + 0.01 * (group / 2) as f64))
+        let alone = operation.inputs[group].1 == 1;
+        Some(if alone { 0.6 } else { four[*at % 4] } * (1.0 + 0.01 * (group / 2) as f64))
     });
     numbers.map(|number| f64::from(number as f32)).collect()
 }

@@ -1,9 +1,11 @@
 //! `bounds.toml`: every bound, as it is computed from the tapes.
 
 use crate::bound::Analysis;
+use crate::composed;
 use crate::coq::is_proved;
 use crate::operations::{Form, Operation};
 use crate::polynomial::Lengths;
+use crate::range::{Range, range};
 use crate::tape::Tape;
 use crate::tape_of;
 use std::fmt::Write;
@@ -24,13 +26,19 @@ pub fn bounds(operation: &Operation, form: Form, fused: bool) -> Vec<Part> {
     let tapes = [true, false].map(|is_single| tape_of(operation, form, is_single));
     let tapes = if tapes[0].is_same_as(&tapes[1]) { &tapes[..1] } else { &tapes };
     let mut parts: Vec<Part> = vec![];
-    for tape in tapes {
+    for (tape, is_single) in tapes.iter().zip([true, false]) {
         let analysis = Analysis::of(tape, &operation.groups(), fused);
-        let mut outputs = tape.outputs.iter();
+        let composed = composed::sum(operation, tape, form, is_single)
+            .and_then(|sum| composed::of(operation, &analysis, &sum, form, fused));
+        let mut outputs = 0..tape.outputs.len();
         for &(name, count) in operation.parts {
             let mut bound = Some(Lengths::default());
-            for &output in outputs.by_ref().take(count) {
-                match (&mut bound, analysis.bound(output)) {
+            for output in outputs.by_ref().take(count) {
+                let one = match &composed {
+                    Some(bounds) => Some(bounds[output].clone()),
+                    None => analysis.bound(tape.outputs[output]),
+                };
+                match (&mut bound, one) {
                     (Some(bound), Some(one)) => bound.worst(&one),
                     _ => bound = None,
                 }
@@ -54,7 +62,7 @@ pub(crate) fn ceiling(c: f64) -> f64 {
 #[must_use]
 pub fn formula(operation: &Operation, bound: &Lengths) -> String {
     let length = |&(group, power): &(usize, i32)| {
-        let name = format!("|{}|", operation.inputs[group].0);
+        let name = format!("|{}|", operation.inputs.get(group).map_or("z", |input| input.0));
         match power {
             1 => name,
             _ => format!("{name}^{power}"),
@@ -76,10 +84,12 @@ pub fn text() -> String {
     let mut text = String::from(
         "# Bounds of rounding errors, computed from the code by `cargo run -- bounds`; tests/bounds.rs compares.\n\
          # |computed - exact| of every number of a part <= u times its bound, u = 2^-24 (f32) or 2^-53 (f64), where exact is\n\
-         # the formula on the given floats; |p| is the length of the argument. On the ordinary path (README.md), without\n\
-         # overflow; by = \"Coq\" where run.sh has theorems of it, for all numbers that are rounded; tapes: prints of\n\
-         # the operations of f32 and f64, which change with any. Underflow adds at most 2^-150\n\
-         # (f32) or 2^-1075 (f64) times the operations after it.\n",
+         # the formula on the given floats; |p| is the length of the argument, and |z| that of the real part of a weighted sum that is\n\
+         # normalized (bounds above 16000 are none). On the ordinary path (README.md);\n\
+         # lengths: nothing overflows if no argument is longer (f32 f64), and none that is divided by is shorter than one over\n\
+         # that; underflow: what is added where products are below the normal numbers, in units of 2^-150 (f32) or 2^-1075 (f64).\n\
+         # by = \"Coq\" where run.sh has theorems of it, for all numbers that are rounded; tapes: prints of the operations of f32\n\
+         # and f64, which change with any.\n",
     );
     for form in Form::ALL {
         for operation in form.operations() {
@@ -96,6 +106,15 @@ pub fn text() -> String {
                     let formula =
                         part.bound.map_or("none".into(), |bound| formula(operation, &bound));
                     let _ = writeln!(text, "{} = \"{formula}\"", part.name);
+                }
+                if let Some(Range { powers: [single, double], underflow }) =
+                    range(operation, form, fused)
+                {
+                    let _ = writeln!(text, "lengths = \"2^{single} 2^{double}\"");
+                    if let Some(underflow) = underflow {
+                        let _ =
+                            writeln!(text, "underflow = \"{}\"", formula(operation, &underflow));
+                    }
                 }
                 let _ = writeln!(text, "tapes = \"{single:08x} {double:08x}\"");
                 if is_proved(operation, form, fused) {

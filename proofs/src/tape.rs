@@ -36,11 +36,28 @@ impl Op {
     /// What it is computed from.
     #[must_use]
     pub fn operands(self) -> Vec<Node> {
+        let mut operands = vec![];
+        let _ = self.of(|node| {
+            operands.push(node);
+            node
+        });
+        operands
+    }
+
+    /// The same of other numbers.
+    #[must_use]
+    pub(crate) fn of(self, mut n: impl FnMut(Node) -> Node) -> Self {
         match self {
-            Self::Input | Self::Const(_) => vec![],
-            Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) => vec![a, b],
-            Self::Fma(a, b, c) | Self::Nfma(a, b, c) => vec![a, b, c],
-            Self::Sqrt(a) | Self::Neg(a) | Self::Abs(a) => vec![a],
+            Self::Input | Self::Const(_) => self,
+            Self::Add(a, b) => Self::Add(n(a), n(b)),
+            Self::Sub(a, b) => Self::Sub(n(a), n(b)),
+            Self::Mul(a, b) => Self::Mul(n(a), n(b)),
+            Self::Div(a, b) => Self::Div(n(a), n(b)),
+            Self::Fma(a, b, c) => Self::Fma(n(a), n(b), n(c)),
+            Self::Nfma(a, b, c) => Self::Nfma(n(a), n(b), n(c)),
+            Self::Sqrt(a) => Self::Sqrt(n(a)),
+            Self::Neg(a) => Self::Neg(n(a)),
+            Self::Abs(a) => Self::Abs(n(a)),
         }
     }
 }
@@ -233,21 +250,30 @@ impl Tape {
         })
     }
 
+    /// What the outputs are made of, and nothing else: numbered anew.
+    fn alone(&self) -> (Vec<Op>, Vec<Node>) {
+        let needed = self.needed(&self.outputs);
+        let (mut ops, mut names) = (vec![], vec![0; self.ops.len()]);
+        for (node, op) in self.ops.iter().enumerate() {
+            if needed[node] || *op == Op::Input {
+                names[node] = ops.len() as Node;
+                ops.push(op.of(|n| names[n as usize]));
+            }
+        }
+        (ops, self.outputs.iter().map(|&output| names[output as usize]).collect())
+    }
+
     /// Whether the two do the same.
     #[must_use]
     pub fn is_same_as(&self, other: &Self) -> bool {
-        // After the constants, of which NaN equals nothing.
-        self.ops[FIRST_INPUT..] == other.ops[FIRST_INPUT..] && self.outputs == other.outputs
+        self.alone() == other.alone()
     }
 
     /// A number that changes with any operation that the outputs are made of: FNV-1a, 32 bits.
     #[must_use]
     pub fn fingerprint(&self) -> u32 {
-        let needed = self.needed(&self.outputs);
-        let ops = self.ops.iter().enumerate().filter(|(node, _)| needed[*node]);
-        let text: String = ops.map(|(node, op)| format!("{node} {op:?};")).collect();
-        let text = format!("{text} {:?}", self.outputs);
-        text.bytes()
+        format!("{:?}", self.alone())
+            .bytes()
             .fold(0x811c_9dc5, |hash, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193))
     }
 
@@ -274,9 +300,47 @@ impl Tape {
         needed
     }
 
-    /// Whether a product with this node is exact: ±2ᵏ.
+    /// What this tape gives to `inner` where it ends in it: its nodes that stand for the inputs of the other.
     #[must_use]
-    pub fn is_power_of_two(&self, node: Node) -> bool {
-        matches!(self.ops[node as usize], Op::Const(c) if c != 0.0 && c.abs().log2().fract() == 0.0)
+    pub fn ends_in(&self, inner: &Self) -> Option<Vec<Node>> {
+        let mut given = vec![None; inner.ops.len()];
+        let mut pairs: Vec<(Node, Node)> =
+            self.outputs.iter().copied().zip(inner.outputs.iter().copied()).collect();
+        while let Some((mine, theirs)) = pairs.pop() {
+            match given[theirs as usize] {
+                Some(known) if known == mine => continue,
+                Some(_) => return None,
+                None => given[theirs as usize] = Some(mine),
+            }
+            let (op, other) = (self.ops[mine as usize], inner.ops[theirs as usize]);
+            if other == Op::Input || (theirs as usize) < FIRST_INPUT && mine == theirs {
+                continue;
+            }
+            let same = match (op, other) {
+                (Op::Const(a), Op::Const(b)) => a == b,
+                (a, b) => std::mem::discriminant(&a) == std::mem::discriminant(&b),
+            };
+            if !same {
+                return None;
+            }
+            pairs.extend(op.operands().into_iter().zip(other.operands()));
+        }
+        let inputs = (0..inner.ops.len()).filter(|&node| inner.ops[node] == Op::Input);
+        inputs.map(|node| given[node]).collect()
+    }
+
+    /// The inputs that these are made of.
+    #[must_use]
+    pub fn inputs(&self, outputs: &[Node]) -> Vec<Node> {
+        let needed = self.needed(outputs);
+        let is_input = |&node: &Node| needed[node as usize] && self.ops[node as usize] == Op::Input;
+        (0..self.ops.len() as Node).filter(is_input).collect()
+    }
+
+    /// Whether a product with this node is exact: ±2ᵏ, no smaller than `least`.
+    #[must_use]
+    pub fn is_power_of_two(&self, node: Node, least: f64) -> bool {
+        matches!(self.ops[node as usize], Op::Const(c)
+            if c != 0.0 && c.abs() >= least && c.abs().log2().fract() == 0.0)
     }
 }

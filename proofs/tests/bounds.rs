@@ -3,6 +3,7 @@
 
 use dq8_proofs::table;
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::LazyLock;
 
 /// Lines by their section and name.
 fn lines(text: &str) -> BTreeMap<String, &str> {
@@ -16,10 +17,12 @@ fn lines(text: &str) -> BTreeMap<String, &str> {
     entries.collect()
 }
 
+/// Computed once for both tests.
+static COMPUTED: LazyLock<String> = LazyLock::new(table::text);
+
 /// What differs, of the lines that `is` chooses.
 fn differences(is: fn(&str) -> bool) -> Vec<String> {
-    let computed = table::text();
-    let (written, computed) = (lines(include_str!("../bounds.toml")), lines(&computed));
+    let (written, computed) = (lines(include_str!("../bounds.toml")), lines(&COMPUTED));
     let names: BTreeSet<&String> =
         written.keys().chain(computed.keys()).filter(|name| is(name)).collect();
     let differ = names.into_iter().filter(|name| written.get(*name) != computed.get(*name));

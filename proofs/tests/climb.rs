@@ -1,10 +1,13 @@
 //! Errors of `f32` from the exact value (the same tape in `f64`), on random inputs and climbing from the worst: each below its
 //! bound, and bounds not much larger than what is found.
 
+use dq8_proofs::composed::{self, FAR};
 use dq8_proofs::operations::{Form, Operation};
+use dq8_proofs::polynomial::Lengths;
+use dq8_proofs::range::range;
 use dq8_proofs::sample::{Random, draw};
 use dq8_proofs::table::{Part, bounds};
-use dq8_proofs::tape::Tape;
+use dq8_proofs::tape::{Node, Tape};
 use dq8_proofs::tape_of;
 
 /// How many times the worst error found a bound may be, of what has been found after this many inputs.
@@ -26,6 +29,11 @@ struct Search<'a> {
     operation: &'a Operation,
     tape: Tape,
     fused: bool,
+    /// The weighted sum that is normalized.
+    sum: Vec<Node>,
+    /// Where nothing overflows, and what underflow adds; 0 where that is not known.
+    range: i32,
+    underflow: Option<Lengths>,
     /// Of each output.
     parts: Vec<Part>,
     single: Vec<f32>,
@@ -43,11 +51,21 @@ impl Search<'_> {
         for (group, c) in self.operation.groups().into_iter().zip(&exact) {
             lengths[group] += c * c;
         }
+        if !self.sum.is_empty() {
+            let sum = self.sum.iter().take(4).map(|&node| self.double[node as usize]);
+            lengths.push(sum.map(|c| c * c).sum());
+        }
         let lengths: Vec<f64> = lengths.into_iter().map(f64::sqrt).collect();
+        if self.parts[0].bound.as_ref().is_some_and(|bound| bound.at(&lengths) > FAR) {
+            return None;
+        }
         let ratios = self.tape.outputs.iter().zip(&self.parts).filter_map(|(&output, part)| {
-            let bound = part.bound.as_ref()?.at(&lengths) * 2_f64.powi(-24);
+            let below = self.underflow.as_ref().map_or(0.0, |below| below.at(&lengths));
+            let bound =
+                part.bound.as_ref()?.at(&lengths) * 2_f64.powi(-24) + below * 2_f64.powi(-150);
             let error =
                 (f64::from(self.single[output as usize]) - self.double[output as usize]).abs();
+            assert!(error.is_finite(), "{} overflows for {inputs:?}", self.operation.name);
             // 0 where nothing is rounded.
             Some((if error == 0.0 { 0.0 } else { error / bound }, part.name))
         });
@@ -59,7 +77,14 @@ impl Search<'_> {
         let (mut worst, mut at) = (0.0, vec![]);
         for i in 0..INPUTS {
             let inputs: Vec<f32> = if i < INPUTS / 4 || at.is_empty() {
-                draw(self.operation, &[1.0], &mut random).into_iter().map(|c| c as f32).collect()
+                // As long as may be, or so short that products are below the normal numbers.
+                let length = match (i % 8, &self.underflow) {
+                    (6, Some(_)) => 0.99 * 2_f64.powi(self.range),
+                    (7, Some(_)) => 1e-21,
+                    _ => 1.0,
+                };
+                let numbers = draw(self.operation, &[length], &mut random);
+                numbers.into_iter().map(|c| c as f32).collect()
             } else {
                 // Some numbers by few units in the last place, or by many.
                 let mut near: Vec<f32> = at.clone();
@@ -105,8 +130,13 @@ fn errors_stay_below_the_bounds_and_come_near() {
                     .iter()
                     .flat_map(|&(name, count)| std::iter::repeat_n(of(name), count));
                 let parts = parts.collect();
+                let sum =
+                    composed::sum(operation, &tape, form, true).map_or(vec![], |(_, sum)| sum);
+                let (single, double) = (vec![], vec![]);
+                let (range, underflow) = range(operation, form, fused)
+                    .map_or((0, None), |range| (range.powers[0], range.underflow));
                 let mut search =
-                    Search { operation, tape, fused, parts, single: vec![], double: vec![] };
+                    Search { operation, tape, fused, sum, range, underflow, parts, single, double };
                 let worst = search.worst();
                 let rounding = if fused { ", fused" } else { "" };
                 println!(

@@ -2,7 +2,7 @@
 //! portable lanes, fused as AVX2.
 
 use dq8::{Backend, Kernel, Level, Scalar};
-use dq8_proofs::operations::{Form, Operation, jobs, lanes, single};
+use dq8_proofs::operations::{Form, Operation, functions, jobs, lanes, single};
 use dq8_proofs::sample::{Random, draw};
 use dq8_proofs::tape::Computed;
 use dq8_proofs::tape_of;
@@ -14,14 +14,14 @@ fn count() -> usize {
 }
 
 /// Operations on lanes with the instructions of a level, many inputs at once.
-struct OnLanes<'a, F>(&'a str, &'a [Vec<F>]);
+struct OnLanes<'a, F>(Form, &'a str, &'a [Vec<F>]);
 
 impl<F: Float> Kernel for OnLanes<'_, F> {
     type Output = Vec<Vec<F>>;
     const WIDE: bool = false;
     #[inline(always)]
     fn run<V: Level>(self, level: V) -> Vec<Vec<F>> {
-        let Self(name, inputs) = self;
+        let Self(form, name, inputs) = self;
         let mut answers = vec![];
         for inputs in inputs.chunks(<F::Lanes<V>>::LANES) {
             let arguments: Vec<F::Lanes<V>> = (0..inputs[0].len())
@@ -30,8 +30,11 @@ impl<F: Float> Kernel for OnLanes<'_, F> {
                     Lanes::load_partial(level, &row, row[0])
                 })
                 .collect();
-            let rows: Vec<_> =
-                lanes::run(name, &arguments).into_iter().map(Lanes::to_array).collect();
+            let answer = match form {
+                Form::Function => functions::run(name, &arguments),
+                _ => lanes::run(name, &arguments),
+            };
+            let rows: Vec<_> = answer.into_iter().map(Lanes::to_array).collect();
             answers.extend(
                 (0..inputs.len())
                     .map(|lane| rows.iter().map(|row| row.as_ref()[lane]).collect::<Vec<F>>()),
@@ -67,8 +70,11 @@ fn check<F: Scalar + Computed>(
                 operation.name
             );
         }
-        // The book's norm has a path for each order of four components.
-        let expected = if operation.name == "norm" { count() / 40 } else { count() / 3 };
+        // The book's norm has a path for each order of four components, and blends one for each sign of a motion or weight.
+        let expected = match operation.name {
+            "norm" | "nlerp" | "dlb" | "dlb_running" | "linear_skin" => count() / 40,
+            _ => count() / 3,
+        };
         assert!(
             on_path > expected,
             "{}: only {on_path} inputs on the recorded path",
@@ -99,8 +105,12 @@ both! {
         inputs.iter().map(|input| single::run(operation.name, input)).collect();
     one_lane: Form::Lanes, false, |operation, inputs|
         inputs.iter().map(|input| lanes::run(operation.name, input)).collect();
-    fused_lanes: Form::Lanes, true, |operation, inputs| avx2().run(OnLanes(operation.name, inputs));
-    unfused_job: Form::Job, false, |_operation, inputs|
-        inputs.iter().map(|input| jobs::run(Backend::PORTABLE, input)).collect();
-    fused_job: Form::Job, true, |_operation, inputs| inputs.iter().map(|input| jobs::run(avx2(), input)).collect();
+    fused_lanes: Form::Lanes, true, |operation, inputs| avx2().run(OnLanes(Form::Lanes, operation.name, inputs));
+    functions_of_one_lane: Form::Function, false, |operation, inputs|
+        inputs.iter().map(|input| functions::run(operation.name, input)).collect();
+    fused_functions: Form::Function, true,
+        |operation, inputs| avx2().run(OnLanes(Form::Function, operation.name, inputs));
+    unfused_job: Form::Job, false, |operation, inputs|
+        inputs.iter().map(|input| jobs::run(operation.name, Backend::PORTABLE, input)).collect();
+    fused_job: Form::Job, true, |operation, inputs| inputs.iter().map(|input| jobs::run(operation.name, avx2(), input)).collect();
 }

@@ -17,7 +17,7 @@ const ORDINARY: f64 = 2.5;
 /// An arc of up to a quarter of the unit circle over its chord, from the squared chord c:
 /// arcsin(√c/2)/(√c/2) for c in [0, 2].
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(super) fn arc_over_chord<L: Lanes>(c: Dual<L>) -> Dual<L> {
+pub fn arc_over_chord<L: Lanes>(c: Dual<L>) -> Dual<L> {
     let (value, derivative) = polynomial(&coefficients::ARC_F32, &coefficients::ARC_F64, c.real);
     c.apply(value, derivative)
 }
@@ -27,7 +27,7 @@ pub(super) fn arc_over_chord<L: Lanes>(c: Dual<L>) -> Dual<L> {
 /// The derivatives are −½ sin(√v)/√v and (cos √v − sin(√v)/√v)/(2v); the second cancels for small v
 /// and comes from the polynomial there.
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(super) fn cos_sinc<L: Lanes>(v: Dual<L>) -> (Dual<L>, Dual<L>) {
+pub fn cos_sinc<L: Lanes>(v: Dual<L>) -> (Dual<L>, Dual<L>) {
     let minus_half = v.real.constant(-0.5);
     let (cos, _) = polynomial(&coefficients::COS_F32, &coefficients::COS_F64, v.real);
     let (sinc, slope) = polynomial(&coefficients::SINC_F32, &coefficients::SINC_F64, v.real);
@@ -47,7 +47,7 @@ pub(super) fn cos_sinc<L: Lanes>(v: Dual<L>) -> (Dual<L>, Dual<L>) {
 /// (1 − cos √u)/u and (√u − sin √u)/√u³ for any u ≥ 0: the integrals of sin and of 1 − cos in the
 /// left Jacobian of SE(3).
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(super) fn exponential_integrals<L: Lanes>(u: Dual<L>) -> (Dual<L>, Dual<L>) {
+pub fn exponential_integrals<L: Lanes>(u: Dual<L>) -> (Dual<L>, Dual<L>) {
     let one = u.real.constant(1.0);
     // 1 − cos x = 2 sin²(x/2): of half the angle, where nothing cancels.
     let (cos, sinc) = cos_sinc(u.scale(one.constant(0.25)));
@@ -65,7 +65,7 @@ pub(super) fn exponential_integrals<L: Lanes>(u: Dual<L>) -> (Dual<L>, Dual<L>) 
 
 /// (1 − (√u/2) cot(√u/2))/u for any u ≥ 0 but (2π)², (4π)², …, where it is infinite.
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(super) fn half_cotangent<L: Lanes>(u: Dual<L>) -> Dual<L> {
+pub fn half_cotangent<L: Lanes>(u: Dual<L>) -> Dual<L> {
     let one = u.real.constant(1.0);
     let (value, slope) = polynomial(&coefficients::INVERSE_F32, &coefficients::INVERSE_F64, u.real);
     let near = u.apply(value, slope);

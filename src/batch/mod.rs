@@ -23,7 +23,11 @@ mod derivative;
 mod dual;
 mod dual_number;
 mod dual_quat;
+#[cfg(not(dq8_record))]
+#[expect(unreachable_pub, reason = "open to numbers that record")]
 pub(crate) mod even;
+#[cfg(dq8_record)]
+pub mod even;
 pub(crate) mod even_coefficients;
 mod exponential;
 mod jacobian;
