@@ -14,7 +14,7 @@
  *           the eight py, and so on. Its size is rounded up to whole 64 bytes (dq8_block_size).
  *           float has blocks of 8 and 16 lanes, double of 4 and 8.
  * Errors.   Every call returns a dq8_status. Whatever it is but DQ8_STATUS_OK, nothing was written,
- *           except the index `bad_joint` or `bad_vertex`, and the steps that were to be a mechanism.
+ *           except an index such as `bad_joint`, and the steps that were to be a mechanism.
  * Memory.   All of it is yours: the library allocates nothing, frees nothing, and keeps no pointer
  *           after it returns; a dq8_mechanism keeps one to its steps, a dq8_skin two to its joints and
  *           weights, dq8_clips one to their bytes. What their functions do is undefined if that memory
@@ -149,6 +149,7 @@
  *   dq8_unpack_chain                           Writes blocks of a chain into `links`, the other way round
  *   dq8_block_size                             How many numbers one block takes that has `components` (8 in ...
  *   dq8_status_text                            What a status means, in English
+ *   dq8_resample                               A trajectory, the unit `poses` at the rising `times`, both ...
  */
 
 #ifndef DQ8_H
@@ -163,7 +164,7 @@
 #define DQ8_VERSION_PATCH 0
 
 /**
- * What became of a call. Unless it is DQ8_STATUS_OK, nothing has been written, except the index `bad_joint` or
+ * What became of a call. Unless it is DQ8_STATUS_OK, nothing has been written, except an index such as `bad_joint` or
  * `bad_vertex`, the steps that were to be a mechanism, and scratch.
  */
 enum dq8_status
@@ -310,6 +311,10 @@ enum dq8_status
    * Bytes are no packed clips.
    */
   DQ8_STATUS_NOT_CLIPS = 33,
+  /**
+   * A time is not later than the one before, or not finite.
+   */
+  DQ8_STATUS_TIMES = 34,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -3030,6 +3035,38 @@ dq8_status dq8_blocks_matrices_4x4_f64(size_t lanes,
  * status has a text too, which says so.
  */
 const char *dq8_status_text(int32_t status);
+
+/**
+ * A trajectory, the unit `poses` at the rising `times`, both `pose_count`, sampled at the times `at`, `count` of
+ * them as of `out`: along one screw from each pose to the next, by the shorter way. Before the first pose it
+ * is that one, and behind the last one that.
+ *
+ * DQ8_STATUS_TIMES if a time is not later than the one before or not finite, DQ8_STATUS_NOT_FINITE if one to
+ * sample at is NaN; `bad_time`, which may be null, is set to it. DQ8_STATUS_LENGTH if there is no pose.
+ */
+dq8_status dq8_resample_f32(const float *times,
+                            const float *poses,
+                            size_t pose_count,
+                            const float *at,
+                            float *out,
+                            size_t count,
+                            size_t *bad_time);
+
+/**
+ * A trajectory, the unit `poses` at the rising `times`, both `pose_count`, sampled at the times `at`, `count` of
+ * them as of `out`: along one screw from each pose to the next, by the shorter way. Before the first pose it
+ * is that one, and behind the last one that.
+ *
+ * DQ8_STATUS_TIMES if a time is not later than the one before or not finite, DQ8_STATUS_NOT_FINITE if one to
+ * sample at is NaN; `bad_time`, which may be null, is set to it. DQ8_STATUS_LENGTH if there is no pose.
+ */
+dq8_status dq8_resample_f64(const double *times,
+                            const double *poses,
+                            size_t pose_count,
+                            const double *at,
+                            double *out,
+                            size_t count,
+                            size_t *bad_time);
 
 /**
  * `twists[i]`, six numbers, angular part first, by the adjoint of the unit `motions[i]`: a body twist

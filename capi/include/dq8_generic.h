@@ -229,6 +229,8 @@
   DQ8_OF_NUMBERS(out, dq8_matrices_4x4)(motions, order, out, count)
 #define dq8_blocks_matrices_4x4(lanes, motions, order, out, count) \
   DQ8_OF_NUMBERS(out, dq8_blocks_matrices_4x4)(lanes, motions, order, out, count)
+#define dq8_resample(times, poses, pose_count, at, out, count, bad_time) \
+  DQ8_OF_NUMBERS(out, dq8_resample)(times, poses, pose_count, at, out, count, bad_time)
 #define dq8_twists_each(motions, twists, out, count) \
   DQ8_OF_NUMBERS(out, dq8_twists_each)(motions, twists, out, count)
 #define dq8_blocks_twists_each(lanes, motions, twists, out, count) \

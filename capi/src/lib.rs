@@ -52,6 +52,7 @@ pub mod skinning;
 pub mod slices;
 mod span;
 pub mod status;
+pub mod trajectory;
 pub mod twists;
 
 pub use backend::InstructionSet;

@@ -36,7 +36,7 @@ macro_rules! statuses {
 }
 
 statuses! {
-    /// What became of a call. Unless it is DQ8_STATUS_OK, nothing has been written, except the index `bad_joint` or
+    /// What became of a call. Unless it is DQ8_STATUS_OK, nothing has been written, except an index such as `bad_joint` or
     /// `bad_vertex`, the steps that were to be a mechanism, and scratch.
     pub enum Status {
         /// It is done.
@@ -110,6 +110,8 @@ statuses! {
         NoClips = 32: c"the packed clips have not been made",
         /// Bytes are no packed clips.
         NotClips = 33: c"the bytes are no packed clips",
+        /// A time is not later than the one before, or not finite.
+        Times = 34: c"the times of a trajectory do not rise, or one is not finite",
     }
 }
 
