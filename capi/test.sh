@@ -46,6 +46,13 @@ gcc -std=c11 -g -fsanitize=address,undefined -fno-sanitize-recover=all "${strict
   examples/generic.c "${static[@]}" -o "$prefix/generic"
 passes "$prefix/generic"
 
+echo 'C++17 and C++20: nouns, views, exceptions'
+for standard in 17 20; do
+  g++ -std=c++$standard -g -fsanitize=address,undefined -fno-sanitize-recover=all "${strict[@]}" "${cflags[@]}" \
+    examples/arm.cpp "${static[@]}" -o "$prefix/arm"
+  passes "$prefix/arm"
+done
+
 echo 'README, in C99 and C++20'
 # Each of its listings is a function. The second one poses a skeleton that the reader has.
 awk 'BEGIN { print "#include <stdio.h>\n#include \"dq8.h\"\nstatic dq8_status status;\nstatic float locals[32], models[32];" }

@@ -4,7 +4,10 @@ use crate::results::{Results, Row};
 use dq8::Backend;
 use std::fmt::{self, Write};
 
-const COLUMNS: [(&str, fn(&Row) -> bool); 5] = [
+/// A heading, and which rows are meant.
+type Column = (&'static str, fn(&Row) -> bool);
+
+const COLUMNS: [Column; 5] = [
     ("dq8 blocks", |row| row.is_own() && in_blocks(row)),
     ("dq8 plain", |row| row.is_own() && !in_blocks(row)),
     ("glam", |row| row.contender.starts_with("glam")),

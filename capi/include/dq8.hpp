@@ -1,0 +1,293 @@
+/*
+ * dq8 for C++17: arrays are anything with data() and size() (vectors, arrays, std::span, dq8::span), float or double by what is
+ * written to; lengths are checked here, and whatever dq8.h refuses is thrown. Nouns own the memory that dq8.h leaves to you.
+ * Formulas and conventions: dq8.h.
+ */
+#ifndef DQ8_HPP
+#define DQ8_HPP
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "dq8.h"
+
+namespace dq8 {
+
+/* A status that is not DQ8_STATUS_OK; `index` is the joint, vertex or time that is wrong, if the function names one. */
+struct error : std::runtime_error {
+  dq8_status status;
+  std::size_t index;
+  explicit error(dq8_status status, std::size_t index = SIZE_MAX)
+      : std::runtime_error(dq8_status_text(status)), status(status), index(index) {}
+};
+
+/* Numbers that somebody else owns: std::span, where there is none. */
+template <class T>
+class span {
+ public:
+  span() = default;
+  span(T *data, std::size_t size) : data_(data), size_(size) {}
+  template <class Range, class = std::enable_if_t<std::is_convertible_v<decltype(std::data(std::declval<Range &>())), T *>>>
+  span(Range &&range) : data_(std::data(range)), size_(std::size(range)) {}
+  T *data() const { return data_; }
+  std::size_t size() const { return size_; }
+  T *begin() const { return data_; }
+  T *end() const { return data_ + size_; }
+  T &operator[](std::size_t index) const { return data_[index]; }
+
+ private:
+  T *data_ = nullptr;
+  std::size_t size_ = 0;
+};
+
+/* px py pz pw qx qy qz qw. */
+template <class T>
+using motion = std::array<T, 8>;
+
+namespace detail {
+
+inline void check(dq8_status status, std::size_t index = SIZE_MAX) {
+  if (status != DQ8_STATUS_OK) throw error(status, index);
+}
+/* How many things of `each` numbers there are, all of them whole. */
+inline std::size_t things(std::size_t size, std::size_t each) {
+  if (size % each != 0) throw error(DQ8_STATUS_LENGTH);
+  return size / each;
+}
+inline void same(std::size_t size, std::size_t as) {
+  if (size != as) throw error(DQ8_STATUS_LENGTH);
+}
+
+template <class Range>
+using number = std::remove_reference_t<decltype(*std::data(std::declval<Range &>()))>;
+
+/* The functions of dq8.h for a number. */
+template <class T>
+struct abi;
+
+#define DQ8_ABI(number, suffix)                                                \
+  template <>                                                                  \
+  struct abi<number> {                                                         \
+    using joint = dq8_joint_##suffix;                                          \
+    using step = dq8_step_##suffix;                                            \
+    using mechanism = dq8_mechanism_##suffix;                                  \
+    using skin = dq8_skin_##suffix;                                            \
+    static constexpr auto mul = &dq8_mul_##suffix;                             \
+    static constexpr auto normalize = &dq8_normalize_##suffix;                 \
+    static constexpr auto inverse = &dq8_inverse_##suffix;                     \
+    static constexpr auto sclerp = &dq8_sclerp_##suffix;                       \
+    static constexpr auto nlerp = &dq8_nlerp_##suffix;                         \
+    static constexpr auto points = &dq8_points_##suffix;                       \
+    static constexpr auto points_each = &dq8_points_each_##suffix;             \
+    static constexpr auto matrices_3x4 = &dq8_matrices_3x4_##suffix;           \
+    static constexpr auto resample = &dq8_resample_##suffix;                   \
+    static constexpr auto local_to_model = &dq8_local_to_model_##suffix;       \
+    static constexpr auto palette = &dq8_palette_##suffix;                     \
+    static constexpr auto mechanism_make = &dq8_mechanism_make_##suffix;       \
+    static constexpr auto link_poses = &dq8_link_poses_##suffix;               \
+    static constexpr auto link_pose = &dq8_mechanism_link_pose_##suffix;       \
+    static constexpr auto jacobian = &dq8_mechanism_link_jacobian_##suffix;    \
+    static constexpr auto skin_make = &dq8_skin_make_##suffix;                 \
+    static constexpr auto skin_dual = &dq8_skin_dual_##suffix;                 \
+    static constexpr auto skin_linear = &dq8_skin_linear_##suffix;             \
+  };
+DQ8_ABI(float, f32)
+DQ8_ABI(double, f64)
+#undef DQ8_ABI
+
+} // namespace detail
+
+/* out[i] = a[i] * b[i]. */
+template <class A, class B, class Out>
+void mul(const A &a, const B &b, Out &&out) {
+  using T = detail::number<Out>;
+  const span<const T> first(a), second(b);
+  const span<T> to(out);
+  detail::same(first.size(), to.size()), detail::same(second.size(), to.size());
+  detail::check(detail::abi<T>::mul(first.data(), second.data(), to.data(), detail::things(to.size(), 8)));
+}
+
+/* out[i] = the unit motion beside motions[i]; `out` may be `motions`. */
+template <class Motions, class Out>
+void normalize(const Motions &motions, Out &&out) {
+  using T = detail::number<Out>;
+  const span<const T> from(motions);
+  const span<T> to(out);
+  detail::same(from.size(), to.size());
+  detail::check(detail::abi<T>::normalize(from.data(), to.data(), detail::things(to.size(), 8)));
+}
+
+/* out[i] = the inverse of motions[i]; `out` may be `motions`. */
+template <class Motions, class Out>
+void inverse(const Motions &motions, Out &&out) {
+  using T = detail::number<Out>;
+  const span<const T> from(motions);
+  const span<T> to(out);
+  detail::same(from.size(), to.size());
+  detail::check(detail::abi<T>::inverse(from.data(), to.data(), detail::things(to.size(), 8)));
+}
+
+/* From a[i] to b[i], t of the way: along one screw. */
+template <class A, class B, class T, class Out>
+void sclerp(const A &a, const B &b, T t, Out &&out) {
+  using N = detail::number<Out>;
+  const span<const N> first(a), second(b);
+  const span<N> to(out);
+  detail::same(first.size(), to.size()), detail::same(second.size(), to.size());
+  detail::check(
+      detail::abi<N>::sclerp(first.data(), second.data(), static_cast<N>(t), to.data(), detail::things(to.size(), 8)));
+}
+
+/* out[i] = points[i] moved by one motion, or each by its own if there are as many; `out` may be `points`. */
+template <class Motions, class Points, class Out>
+void points(const Motions &motions, const Points &points, Out &&out) {
+  using T = detail::number<Out>;
+  const span<const T> by(motions), from(points);
+  const span<T> to(out);
+  const std::size_t count = detail::things(to.size(), 3);
+  detail::same(from.size(), to.size());
+  if (by.size() == 8) {
+    detail::check(detail::abi<T>::points(by.data(), from.data(), to.data(), count));
+  } else {
+    detail::same(by.size(), 8 * count);
+    detail::check(detail::abi<T>::points_each(by.data(), from.data(), to.data(), count));
+  }
+}
+
+/* The matrices [R | t], row after row, of unit motions. */
+template <class Motions, class Out>
+void matrices_3x4(const Motions &motions, Out &&out) {
+  using T = detail::number<Out>;
+  const span<const T> from(motions);
+  const span<T> to(out);
+  const std::size_t count = detail::things(to.size(), 12);
+  detail::same(from.size(), 8 * count);
+  detail::check(detail::abi<T>::matrices_3x4(from.data(), DQ8_MATRIX_ORDER_ROWS, to.data(), count));
+}
+
+/* Poses at rising times, sampled at other times. */
+template <class Times, class Poses, class At, class Out>
+void resample(const Times &times, const Poses &poses, const At &at, Out &&out) {
+  using T = detail::number<Out>;
+  const span<const T> known(times), from(poses), when(at);
+  const span<T> to(out);
+  detail::same(from.size(), 8 * known.size()), detail::same(to.size(), 8 * when.size());
+  std::size_t bad = SIZE_MAX;
+  detail::check(detail::abi<T>::resample(known.data(), from.data(), known.size(), when.data(), to.data(), when.size(), &bad),
+                bad);
+}
+
+/* Poses of joints, of one or many skeletons, from the frames of their parents to that of the root; `models` may be `locals`. */
+template <class Locals, class Models>
+void local_to_model(span<const std::int32_t> parents, const Locals &locals, Models &&models) {
+  using T = detail::number<Models>;
+  const span<const T> from(locals);
+  const span<T> to(models);
+  detail::same(from.size(), to.size());
+  detail::check(detail::abi<T>::local_to_model(parents.data(), parents.size(), nullptr, from.data(), to.data(),
+                                               detail::things(to.size(), 8)));
+}
+
+/* The same, and palette[i] = models[i] * inverse_binds[joint]. */
+template <class Locals, class Binds, class Models, class Palette>
+void palette(span<const std::int32_t> parents, const Locals &locals, const Binds &inverse_binds, Models &&models,
+             Palette &&palette) {
+  using T = detail::number<Models>;
+  const span<const T> from(locals), binds(inverse_binds);
+  const span<T> to(models), also(palette);
+  detail::same(from.size(), to.size()), detail::same(also.size(), to.size()), detail::same(binds.size(), 8 * parents.size());
+  detail::check(detail::abi<T>::palette(parents.data(), parents.size(), nullptr, from.data(), binds.data(), to.data(),
+                                        also.data(), detail::things(to.size(), 8)));
+}
+
+/* A robot: joints that have been checked once, in memory of its own. It may be moved, not copied. */
+template <class T>
+class mechanism {
+  using abi = detail::abi<T>;
+
+ public:
+  using joint = typename abi::joint;
+
+  /* Throws an error whose index is the joint that is wrong. */
+  explicit mechanism(span<const joint> joints) : steps_(joints.size()) {
+    std::size_t bad = SIZE_MAX;
+    detail::check(abi::mechanism_make(joints.data(), joints.size(), steps_.data(), &made_, &bad), bad);
+  }
+  mechanism(mechanism &&) = default;
+  mechanism &operator=(mechanism &&) = default;
+
+  std::size_t links() const { return made_.links; }
+  std::size_t values() const { return made_.values; }
+  std::size_t rates() const { return made_.rates; }
+
+  /* Poses of all links, of one or many configurations: [configuration][link] from [configuration][value]. */
+  void poses(span<const T> values, span<T> poses) const {
+    detail::check(abi::link_poses(&made_, values.data(), values.size(), poses.data(), detail::things(poses.size(), 8)));
+  }
+  motion<T> pose(span<const T> values, std::size_t link) const {
+    motion<T> pose;
+    detail::check(abi::link_pose(&made_, values.data(), values.size(), link, pose.data()));
+    return pose;
+  }
+  /* Columns of six numbers, a column a rate, and the pose of the link. */
+  motion<T> jacobian(span<const T> values, std::size_t link, span<T> columns,
+                     std::int32_t frame = DQ8_FRAME_WORLD_ALIGNED) const {
+    motion<T> pose;
+    detail::check(abi::jacobian(&made_, frame, values.data(), values.size(), link, columns.data(),
+                                detail::things(columns.size(), 6), pose.data()));
+    return pose;
+  }
+
+ private:
+  std::vector<typename abi::step> steps_;
+  typename abi::mechanism made_{};
+};
+
+/* Which joints move the vertices of a mesh, in memory of its own. It may be moved, not copied. */
+template <class T>
+class skin {
+  using abi = detail::abi<T>;
+
+ public:
+  /* [vertex][influence], `influences` for each vertex. Throws an error whose index is the vertex that is wrong. */
+  skin(std::size_t joint_count, std::size_t influences, std::vector<std::uint16_t> joints, std::vector<T> weights)
+      : joints_(std::move(joints)), weights_(std::move(weights)), joint_count_(joint_count) {
+    std::size_t bad = SIZE_MAX;
+    detail::same(joints_.size(), weights_.size());
+    if (influences == 0) throw error(DQ8_STATUS_NO_INFLUENCES);
+    detail::check(abi::skin_make(joint_count, influences, joints_.data(), weights_.data(),
+                                 detail::things(joints_.size(), influences), &made_, &bad), bad);
+  }
+  skin(skin &&) = default;
+  skin &operator=(skin &&) = default;
+
+  /* Positions of vertices by dual quaternion blends of the motions of a palette. */
+  void dual(span<const T> palette, span<const T> rest, span<T> posed) const { pose(abi::skin_dual, 8, palette, rest, posed); }
+  /* Positions of vertices by linear blends of the 3x4 matrices of a palette. */
+  void linear(span<const T> palette, span<const T> rest, span<T> posed) const {
+    pose(abi::skin_linear, 12, palette, rest, posed);
+  }
+
+ private:
+  template <class Function>
+  void pose(Function function, std::size_t each, span<const T> palette, span<const T> rest, span<T> posed) const {
+    detail::same(palette.size(), each * joint_count_), detail::same(rest.size(), posed.size());
+    detail::check(function(&made_, palette.data(), joint_count_, rest.data(), nullptr, nullptr, posed.data(), nullptr, nullptr,
+                           detail::things(posed.size(), 3)));
+  }
+
+  std::vector<std::uint16_t> joints_;
+  std::vector<T> weights_;
+  std::size_t joint_count_;
+  typename abi::skin made_{};
+};
+
+} // namespace dq8
+
+#endif
