@@ -179,8 +179,9 @@ void resample(const Times &times, const Poses &poses, const At &at, Out &&out) {
   const span<T> to(out);
   detail::same(from.size(), 8 * known.size()), detail::same(to.size(), 8 * when.size());
   std::size_t bad = SIZE_MAX;
-  detail::check(detail::abi<T>::resample(known.data(), from.data(), known.size(), when.data(), to.data(), when.size(), &bad),
-                bad);
+  const dq8_status status =
+      detail::abi<T>::resample(known.data(), from.data(), known.size(), when.data(), to.data(), when.size(), &bad);
+  detail::check(status, bad);
 }
 
 /* Poses of joints, of one or many skeletons, from the frames of their parents to that of the root; `models` may be `locals`. */
@@ -217,7 +218,8 @@ class mechanism {
   /* Throws an error whose index is the joint that is wrong. */
   explicit mechanism(span<const joint> joints) : steps_(joints.size()) {
     std::size_t bad = SIZE_MAX;
-    detail::check(abi::mechanism_make(joints.data(), joints.size(), steps_.data(), &made_, &bad), bad);
+    const dq8_status status = abi::mechanism_make(joints.data(), joints.size(), steps_.data(), &made_, &bad);
+    detail::check(status, bad);
   }
   mechanism(mechanism &&) = default;
   mechanism &operator=(mechanism &&) = default;
@@ -261,8 +263,9 @@ class skin {
     std::size_t bad = SIZE_MAX;
     detail::same(joints_.size(), weights_.size());
     if (influences == 0) throw error(DQ8_STATUS_NO_INFLUENCES);
-    detail::check(abi::skin_make(joint_count, influences, joints_.data(), weights_.data(),
-                                 detail::things(joints_.size(), influences), &made_, &bad), bad);
+    const dq8_status status = abi::skin_make(joint_count, influences, joints_.data(), weights_.data(),
+                                             detail::things(joints_.size(), influences), &made_, &bad);
+    detail::check(status, bad);
   }
   skin(skin &&) = default;
   skin &operator=(skin &&) = default;
