@@ -228,19 +228,23 @@ impl<R: Scalar> Trajectory<'_, R> {
             let slots = from.iter_mut().zip(&mut to).zip(&mut share).zip(&mut durations);
             for (&time, (((from, to), [share]), [duration])) in at.iter().zip(slots) {
                 after = first_after(times, time, after);
-                let (start, end) = (after.saturating_sub(1), after.min(times.len() - 1));
-                (*from, *to) = (poses[start], poses[end]);
-                let (start, end) = (times[start], times[end]);
+                let last = times.len().saturating_sub(1);
+                let (start, end) = (after.saturating_sub(1), after.min(last));
+                let pose = |index| poses.get(index).copied().unwrap_or(first);
+                let when = |index| times.get(index).copied().unwrap_or(time);
+                (*from, *to) = (pose(start), pose(end));
+                let (start, end) = (when(start), when(end));
                 *share = if start < end { share_of(time, start, end) } else { R::ZERO };
                 // Outside nothing moves, to the last bit.
                 let moves = start < end;
                 *duration = if moves { end - start } else { <R as Real>::from_f64(f64::INFINITY) };
             }
-            let n = at.len();
-            let (a, b, t) = (&from[..n], &to[..n], Many(&share[..n]));
+            let n = 0..at.len();
+            let (a, b, t) =
+                (part(&from, n.clone()), part(&to, n.clone()), Many(part(&share, n.clone())));
             sweep(backend, samples, Interpolation { law: Sclerp, a, b, t });
             if let Some(twists) = twists.next() {
-                sweep(backend, twists, Velocities { a, b, durations: &durations[..n] });
+                sweep(backend, twists, Velocities { a, b, durations: part(&durations, n) });
             }
         }
     }
