@@ -61,6 +61,9 @@ static void all(typename dq8::mechanism<T>::joint (*revolute)(std::int32_t, cons
   check(near(square[3], 1) && near(square[4], 0), "a motion by its inverse");
   dq8::sclerp(palette, models, 0.5, square);
   check(near(square[8 + 4], 0.5), "half of the way");
+  dq8::nlerp(palette, models, 0.25, square);
+  dq8::normalize(square, square);
+  check(near(square[8 + 4], 0.25), "a quarter of the way");
 
   const std::array<T, 2> times{0, 2};
   const std::vector<T> at{1};

@@ -77,7 +77,7 @@ pub fn example(sink: &mut Sink<'_>) {
     }
 }
 
-/// Portable lanes too, where they do not fuse either, and are others.
+/// The reproducible one, and portable lanes, where they do not fuse either and are others.
 fn backends() -> impl Iterator<Item = Backend> {
     let fuses = cfg!(any(target_arch = "aarch64", target_feature = "fma"));
     let reproducible = Backend::reproducible();

@@ -3,9 +3,9 @@
 #
 #     bash tests/hosts/run.sh                       # every host, all tests
 #     bash tests/hosts/run.sh aarch64 s390x         # these hosts
-#     bash tests/hosts/run.sh --quick s390x         # only the tests of the lanes and the hashes of all bits but those of the example
-#     bash tests/hosts/run.sh --bits                # only those hashes, on every host
-#     bash tests/hosts/run.sh --quick relaxed       # those on wasm32 with relaxed-simd, only if it is named
+#     bash tests/hosts/run.sh --quick s390x         # only the tests of the lanes and the hashes of all bits but the example's
+#     bash tests/hosts/run.sh --bits                # only the hashes, all of them, on every host
+#     bash tests/hosts/run.sh --quick relaxed       # the tests of the lanes on wasm32 with relaxed-simd, only if it is named
 #
 # Needs Debian, and installs from it what is missing: no Rust target or component is downloaded. The standard library of each
 # host is compiled from Debian's source.
