@@ -299,22 +299,14 @@ fn walk<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     // Three stages over as many joints as there are lanes: make their locals, a joint per lane; multiply them onto
     // their parents one after the other, each product using all lanes for its eight numbers; then the epilogue, a
     // joint per lane again. Motions that lie in memory skip the first stage and are multiplied from where they are.
-    // The first stage is a group ahead: products wait for each other, and the CPU does not look far enough to find what it
-    // could make meanwhile. A twentieth less time.
     let in_memory = locals.motions();
-    let mut made = [[identity(); MAX_LANES]; 2];
-    let groups = (run.joints.start..run.joints.end + lanes).step_by(lanes);
-    for (group, ahead) in groups.enumerate() {
-        if in_memory.is_none() && ahead < run.joints.end {
-            let slot = JointSlot::of_joints(ahead, instance, joints, run.joints.end);
-            let Some(locals) = locals.load(level, models, slot) else { return };
-            locals.store_records(&mut made[group % 2]);
-        }
-        if group == 0 {
-            continue;
-        }
-        let (start, made) = (ahead - lanes, &made[(group + 1) % 2]);
+    let mut made = [identity(); MAX_LANES];
+    for start in run.joints.clone().step_by(lanes) {
         let slot = JointSlot::of_joints(start, instance, joints, run.joints.end);
+        if in_memory.is_none() {
+            let Some(locals) = locals.load(level, models, slot) else { return };
+            locals.store_records(&mut made);
+        }
         let Some(plain) = E::plain_mut(models) else { return };
         for joint in start..run.joints.end.min(start + lanes) {
             let local = match in_memory {
