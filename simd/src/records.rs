@@ -36,6 +36,25 @@ pub trait Records: Lanes {
             )
         })
     }
+    /// Transposes on the way out of `4 · Q` numbers to each of `LANES` rows that begin `apart` numbers from each other, the
+    /// first of them at the beginning of `to`: what [`load_rows`](Self::load_rows) reads. `false`, and nothing is written,
+    /// if `to` ends before the last of these numbers.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn store_rows<const Q: usize>(
+        quads: [[Self; 4]; Q],
+        to: &mut [Self::Real],
+        apart: usize,
+    ) -> bool {
+        if to.len() < reach(Self::LANES, apart, 4 * Q) {
+            return false;
+        }
+        for (index, quad) in quads.into_iter().enumerate() {
+            // SAFETY: row `LANES − 1` begins `(LANES − 1) · apart` numbers from the start, and the numbers of each quad
+            // from there on are part of `to`: checked above.
+            unsafe { Self::store_quads(quad, to.as_mut_ptr().add(4 * index), apart) };
+        }
+        true
+    }
     /// Transposes on the way out: lane `i` of `C` vectors becomes record `i` of `to`.
     /// Records beyond `LANES` are left as they were.
     #[cfg_attr(not(opt_level_0), inline(always))]

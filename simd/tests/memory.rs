@@ -90,16 +90,26 @@ fn records<L: Lanes, const C: usize>(fuzz: &mut Fuzz, level: L::Level) {
 }
 
 fn rows<L: Lanes>(fuzz: &mut Fuzz, level: L::Level) {
-    let count = fuzz.below(6 * L::LANES);
+    let count = fuzz.below(9 * L::LANES);
     let from: Box<[[L::Real; 1]]> = fuzz.table(count);
-    let (from, apart) = (from.as_flattened(), fuzz.hostile(6));
+    let (from, apart) = (from.as_flattened(), fuzz.hostile(9));
     let reach = apart.checked_mul(L::LANES - 1).and_then(|last| last.checked_add(4));
     let got = L::load_rows(level, from, apart);
     assert_eq!(got.is_some(), reach.is_some_and(|reach| reach <= count), "{count}, {apart} apart");
     if let Some(got) = got {
         same(got, |lane| std::array::from_fn(|c| from[lane * apart + c]));
+        let padding = L::Real::from_f64(-1.0);
+        let mut to: Box<[_]> = vec![padding; fuzz.below(10 * L::LANES)].into();
+        let does_fit = apart * (L::LANES - 1) + 8 <= to.len();
+        assert_eq!(L::store_rows([got, got], &mut to, apart), does_fit);
+        // Where rows overlap, nobody says which of them stays.
+        for (at, &number) in to.iter().enumerate().filter(|_| apart >= 8 || !does_fit) {
+            let (lane, column) = (at / apart.max(1), at % apart.max(1));
+            let is_written = does_fit && lane < L::LANES && column < 8;
+            assert_eq!(number, if is_written { from[lane * apart + column % 4] } else { padding });
+        }
     }
-    fuzz.calls += 1;
+    fuzz.calls += 2;
 }
 
 fn gathers<L: Lanes, const C: usize>(fuzz: &mut Fuzz, level: L::Level) {

@@ -11,7 +11,7 @@ use super::walk::{Joined, Task, Walk};
 use dq8::batch::{Quat, vector};
 use dq8::storage::{Element, Layout, Number, same_length, whole_instances};
 use dq8::{Real, Scalar, ShapeError};
-use dq8_simd::Level;
+use dq8_simd::{Level, Records};
 
 impl<R: Real> Mechanism<'_, R> {
     /// Where points on links are, in the frame of the base. `points` name the link and the place in its frame, in any
@@ -118,12 +118,50 @@ struct Points<'s, E: Element<3>> {
     found: Found<'s, Number<E, 3>>,
 }
 
+/// Places of points that follow each other. Three numbers of a point are no register that can be written at once, but the
+/// twelve of four points are three: a quarter of the stores, which are most of the time where places lie plainly.
+struct Waiting<L> {
+    first: usize,
+    count: usize,
+    places: [[L; 3]; FOUR],
+}
+
+/// As many points wait.
+const FOUR: usize = 4;
+
+type Numbers<E, V> = <<E as Element<3>>::Layout as Layout>::Register<V>;
+
+impl<E: Element<3>> Points<'_, E> {
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn write<V: Level>(&mut self, level: V, group: Group, waiting: &mut Waiting<Numbers<E, V>>) {
+        let (all, first) = (self.found.points.len(), waiting.first);
+        let count = core::mem::take(&mut waiting.count);
+        group.prefetch_next::<E::Layout, V, E>(level, self.places, first..first + count, all);
+        let plain = E::plain_mut(self.places).map(<[_]>::as_flattened_mut);
+        let start = 3 * (group.first * all + first);
+        let row = plain.and_then(|plain| plain.get_mut(start..));
+        if let (FOUR, Some(row)) = (count, row) {
+            let [[a, b, c], [d, e, f], [g, h, i], [j, k, l]] = waiting.places;
+            let quads = [[a, b, c, d], [e, f, g, h], [i, j, k, l]];
+            if Numbers::<E, V>::store_rows(quads, row, 3 * all) {
+                return;
+            }
+        }
+        for (ahead, place) in waiting.places.iter().enumerate().take(count) {
+            E::store(*place, self.places, group.tile::<E::Layout, V>(first + ahead, all));
+        }
+    }
+}
+
 impl<E: Element<3>> Task<E::Layout> for Points<'_, E> {
-    type State<V: Level> = ();
+    type State<V: Level> = Waiting<Numbers<E, V>>;
     type Carried<V: Level> = ();
 
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn start<V: Level>(&self, _: V) {}
+    fn start<V: Level>(&self, level: V) -> Self::State<V> {
+        let zero = vector::splat(level, [Number::<E, 3>::default(); 3]);
+        Waiting { first: 0, count: 0, places: [zero; FOUR] }
+    }
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn base<V: Level>(_: V) {}
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -134,7 +172,7 @@ impl<E: Element<3>> Task<E::Layout> for Points<'_, E> {
         step: &Step<Number<E, 3>>,
         joined: &Joined<<E::Layout as Layout>::Register<V>>,
         (): &(),
-        (): &mut (),
+        waiting: &mut Self::State<V>,
     ) {
         let (link, points) = (step.link as usize, self.found.points);
         let some = self.found.of(link);
@@ -154,8 +192,33 @@ impl<E: Element<3>> Task<E::Layout> for Points<'_, E> {
             let place = vector::scale_onto(columns[2], z, origin);
             let place = vector::scale_onto(columns[1], y, place);
             let place = vector::scale_onto(columns[0], x, place);
-            let tile = group.tile::<E::Layout, V>(index, points.len());
-            E::store(place, self.places, tile);
+            if !E::Layout::transposes::<V>() {
+                let tile = group.tile::<E::Layout, V>(index, points.len());
+                E::store(place, self.places, tile);
+                continue;
+            }
+            if index != waiting.first + waiting.count {
+                self.write::<V>(level, group, waiting);
+            }
+            if waiting.count == 0 {
+                waiting.first = index;
+            }
+            waiting.places[waiting.count % FOUR] = place;
+            waiting.count += 1;
+            if waiting.count == FOUR {
+                self.write::<V>(level, group, waiting);
+            }
         }
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn end<V: Level>(
+        &mut self,
+        level: V,
+        group: Group,
+        _: &[Step<Number<E, 3>>],
+        waiting: &mut Self::State<V>,
+    ) {
+        self.write::<V>(level, group, waiting);
     }
 }

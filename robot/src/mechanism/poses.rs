@@ -13,9 +13,6 @@ use dq8::ShapeError;
 use dq8::storage::{Element, Layout, Number};
 use dq8_simd::Level;
 
-/// Bytes of a line of the caches.
-const LINE: usize = 64;
-
 impl<R: Scalar> Job<'_, R> {
     /// The poses of all links of many configurations, in the frame of the base: what
     /// [`Mechanism::link_poses`] gives for one, on lanes.
@@ -145,15 +142,7 @@ impl<E: Element<8>> Task<E::Layout> for All<'_, E> {
         let link = step.link as usize;
         let tile = group.tile::<E::Layout, V>(link, self.links);
         E::store(joined.pose.to_motion(), self.poses, tile);
-        // The next group's poses follow these in memory, but a step writes to as many places as there are
-        // lanes, which the CPU does not foresee. A third of the time where poses do not fit the caches.
-        if E::Layout::transposes::<V>() {
-            let records = E::Layout::records::<V>();
-            let next = (group.first + records) * self.links + link * records;
-            for ahead in self.poses.iter().skip(next).take(records).step_by(LINE / size_of::<E>()) {
-                level.prefetch(ahead);
-            }
-        }
+        group.prefetch_next::<E::Layout, V, E>(level, self.poses, link..link + 1, self.links);
     }
 }
 
