@@ -172,6 +172,8 @@ where
                 // Not a loop over all links that it carries, around the registers of a column.
                 let first = first_carried(self.steps, position, self.links).unwrap_or(0);
                 C::store(column.to_array(), self.columns, self.place::<V>(group, first, rate));
+                let (at, count) = (first * self.rates + rate, self.links.len() * self.rates);
+                group.prefetch_next::<E::Layout, V, C>(level, self.columns, at..at + 1, count);
                 continue;
             }
             for (index, &link) in self.links.iter().enumerate() {

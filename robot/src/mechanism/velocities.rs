@@ -144,14 +144,18 @@ impl<E: Element<8>, C: Element<6, Layout = E::Layout>> Moving<'_, E, C> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn store<V: Level>(
         &mut self,
+        level: V,
         group: Group,
         step: &Step<Number<E, 8>>,
         joined: &Joined<<E::Layout as Layout>::Register<V>>,
         twist: Twist<<E::Layout as Layout>::Register<V>>,
     ) {
-        let tile = group.tile::<E::Layout, V>(step.link as usize, self.links);
+        let (link, links) = (step.link as usize, self.links);
+        let tile = group.tile::<E::Layout, V>(link, links);
         E::store(joined.pose.to_motion(), self.poses, tile);
+        group.prefetch_next::<E::Layout, V, E>(level, self.poses, link..link + 1, links);
         C::store(twist.to_array(), self.twists, tile);
+        group.prefetch_next::<E::Layout, V, C>(level, self.twists, link..link + 1, links);
     }
 }
 
@@ -204,7 +208,7 @@ where
             let rate = joined.told(state.get(level, step.rate as usize + index));
             twist = twist + joined.screw(step, index).scale(rate);
         }
-        self.moving.store::<V>(group, step, joined, twist);
+        self.moving.store::<V>(level, group, step, joined, twist);
         twist
     }
 }
@@ -276,9 +280,11 @@ where
                 carrying = twist;
             }
         }
-        self.moving.store::<V>(group, step, joined, twist);
-        let tile = group.tile::<E::Layout, V>(step.link as usize, self.moving.links);
+        self.moving.store::<V>(level, group, step, joined, twist);
+        let (link, links) = (step.link as usize, self.moving.links);
+        let tile = group.tile::<E::Layout, V>(link, links);
         C::store(acceleration.to_array(), self.accelerations, tile);
+        group.prefetch_next::<E::Layout, V, C>(level, self.accelerations, link..link + 1, links);
         [twist, acceleration]
     }
 }
