@@ -43,7 +43,8 @@ impl<R: Real> Quick<R> for LinkPoses<'_, R> {
     where
         R: Number,
     {
-        let mut turns = Turns::new(self.values, self.mechanism.steps.first());
+        let mut turns = Turns::new(self.values);
+        turns.begin(self.mechanism.steps.first());
         let base = Turned::base();
         let (mut last, mut at) = (NONE, base);
         for step in self.mechanism.steps {
@@ -80,7 +81,8 @@ impl<R: Real> Quick<R> for LinkPose<'_, R> {
     where
         R: Number,
     {
-        let mut turns = Turns::new(self.values, way(self.mechanism, self.link).next());
+        let mut turns = Turns::new(self.values);
+        turns.begin(way(self.mechanism, self.link).next());
         let (mut at, mut own) = (Turned::base(), &Factor::ONE);
         for step in way(self.mechanism, self.link) {
             at = at.placed(step).joined(step, &mut turns);
@@ -108,7 +110,8 @@ impl<R: Real> Quick<R> for LinkJacobian<'_, R> {
         R: Number,
     {
         self.columns.fill(Twist::from_array([R::ZERO; 6]));
-        let mut turns = Turns::new(self.values, way(self.mechanism, self.link).next());
+        let mut turns = Turns::new(self.values);
+        turns.begin(way(self.mechanism, self.link).next());
         let (mut at, mut own) = (Turned::base(), &Factor::ONE);
         for step in way(self.mechanism, self.link) {
             let before = at.placed(step);
@@ -192,7 +195,8 @@ impl<R: Real> Quick<R> for LinkPoints<'_, R> {
     where
         R: Number,
     {
-        let mut turns = Turns::new(self.values, self.mechanism.steps.first());
+        let mut turns = Turns::new(self.values);
+        turns.begin(self.mechanism.steps.first());
         let mut found = Found::new(self.points);
         let (mut last, mut at) = (NONE, Turned::base());
         for step in self.mechanism.steps {

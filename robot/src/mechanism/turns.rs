@@ -21,12 +21,16 @@ pub(crate) struct Turns<'v, R> {
 }
 
 impl<'v, R: Real + Number> Turns<'v, R> {
-    /// From the values of a step on, at once: nothing else can be computed before.
     #[inline(always)]
-    pub(crate) fn new(values: &'v [R], step: Option<&Step<R>>) -> Self {
-        let mut turns = Self { values, first: 0, cos: [R::ZERO; 8], sin: [R::ZERO; 8] };
-        turns.compute(step.map_or(0, |step| step.value as usize));
-        turns
+    pub(crate) fn new(values: &'v [R]) -> Self {
+        Self { values, first: 0, cos: [R::ZERO; 8], sin: [R::ZERO; 8] }
+    }
+
+    /// From the values of a step on, at once: nothing else can be computed before. Where they are: a copy of what has just
+    /// been written in fours that overlap would wait for the memory.
+    #[inline(always)]
+    pub(crate) fn begin(&mut self, step: Option<&Step<R>>) {
+        self.compute(step.map_or(0, |step| step.value as usize));
     }
 
     /// Cosine and sine of half of value number `index`.
