@@ -88,11 +88,9 @@ extern crate std;
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("dq8 needs square roots and trigonometry: enable the feature `std` or `libm`");
 
+mod backend;
 pub mod batch;
-mod convert;
-mod differentiate;
-mod dispatch;
-mod dual_number;
+mod contract;
 #[cfg(not(dq8_record))]
 mod everyday;
 #[cfg(dq8_record)]
@@ -106,26 +104,17 @@ pub mod ik;
 pub mod incidence;
 pub mod interop;
 pub mod law;
-mod motion;
-mod must_be_unit;
+mod number;
 mod operators;
 mod palette_entry;
 mod plain;
-mod quaternion;
-mod real;
 pub mod representation;
 pub mod scalar;
 #[doc(hidden)]
 pub mod seams;
-mod shape;
-mod shared_trait;
-#[cfg(any(feature = "std", feature = "libm"))]
-mod sine;
 pub mod skinning;
 pub mod slices;
 pub mod storage;
-pub mod text;
-mod threads;
 
 /// The number of the set of bits that [reproducible](crate::guide::reproducible) results have: a minor release raises it
 /// when they change, a patch release changes none. Machines that compute in lockstep compare it.
@@ -139,10 +128,10 @@ struct Readme;
 /// The lanes' own crate: numbers, vectors and instruction sets, for kernels of your own.
 pub use dq8_simd as simd;
 
-pub use dispatch::{Backend, Kernel, UnavailableBackend};
+pub use backend::{Backend, Kernel, UnavailableBackend};
+pub use contract::{DualNumber, Motion, Quaternion};
 #[doc(inline)]
 pub use dq8_simd::{Lanes, Level};
-pub use dual_number::DualNumber;
 #[doc(inline)]
 pub use geometry::{Line, Plane, Twist};
 #[cfg(feature = "alloc")]
@@ -150,11 +139,10 @@ pub use geometry::{Line, Plane, Twist};
 pub use hierarchy::{Crowd, Skeleton};
 #[doc(inline)]
 pub use hierarchy::{Hierarchy, Job};
-pub use motion::Motion;
-pub use quaternion::Quaternion;
-pub use real::{Real, Scalar};
+pub use number::{Real, Scalar};
+pub use operators::text;
 #[doc(inline)]
 pub use scalar::{Dual, DualQuat, Quat};
-pub use shape::ShapeError;
+pub use storage::shape::ShapeError;
 #[doc(inline)]
 pub use storage::{Block, Element};

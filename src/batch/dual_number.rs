@@ -1,6 +1,6 @@
 use super::Dual;
-use crate::dual_number::{DualNumber, delegate_dual_number};
-use crate::shared_trait::sealed::Sealed;
+use crate::contract::sealed::Sealed;
+use crate::contract::{DualNumber, delegate_dual_number};
 use dq8_simd::Lanes;
 
 impl<L: Lanes> Sealed for Dual<L> {}

@@ -1,7 +1,7 @@
 use super::{Dual, DualQuat, Quat};
+use crate::contract::sealed::Sealed;
+use crate::contract::{Motion, delegate_motion};
 use crate::geometry::{DualVector, Line, Mean, Plane, Screw, Twist, Wrench};
-use crate::motion::{Motion, delegate_motion};
-use crate::shared_trait::sealed::Sealed;
 use dq8_simd::Lanes;
 
 impl<L: Lanes> Sealed for DualQuat<L> {}

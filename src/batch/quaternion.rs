@@ -1,6 +1,6 @@
 use super::Quat;
-use crate::quaternion::{Quaternion, delegate_quaternion};
-use crate::shared_trait::sealed::Sealed;
+use crate::contract::sealed::Sealed;
+use crate::contract::{Quaternion, delegate_quaternion};
 use dq8_simd::Lanes;
 
 impl<L: Lanes> Sealed for Quat<L> {}

@@ -3,8 +3,8 @@
 
 use super::locals::motions;
 use super::run::Run;
+use crate::backend::Kernel;
 use crate::batch;
-use crate::dispatch::Kernel;
 use crate::storage::{Element, Layout, Register, Source, Tile, identity};
 use dq8_simd::{Level, MAX_LANES, Records};
 

@@ -2,10 +2,10 @@
 
 use super::locals::motions;
 use super::product::packed_product;
+use crate::backend::{Backend, Kernel};
 use crate::batch;
-use crate::dispatch::{Backend, Kernel};
-use crate::real::Scalar;
-use crate::shape::{ShapeError, same_length};
+use crate::number::Scalar;
+use crate::storage::shape::{ShapeError, same_length};
 use crate::storage::{Element, Layout, Number, Register, Source, Tile, aos, identity};
 use core::marker::PhantomData;
 use dq8_simd::{Float, Lanes, Level};

@@ -4,7 +4,7 @@ use super::locals::{Locals, Motions, motions};
 use super::palette::Epilogue;
 use super::run::Run;
 use super::slot::JointSlot;
-use crate::dispatch::Kernel;
+use crate::backend::Kernel;
 use crate::storage::{Element, Layout, Register, Tile};
 use core::sync::atomic::{Ordering, compiler_fence};
 use dq8_simd::{Lanes, Level};

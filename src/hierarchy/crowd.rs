@@ -1,7 +1,7 @@
-use crate::dispatch::Backend;
-use crate::real::Scalar;
+use crate::backend::Backend;
+use crate::number::Scalar;
 use crate::scalar::DualQuat;
-use crate::shape::{ShapeError, same_length, whole_instances};
+use crate::storage::shape::{ShapeError, same_length, whole_instances};
 use crate::storage::{Aos, Block, Element, Pack, Unpack, blocks_for, identity};
 use alloc::vec;
 use alloc::vec::Vec;

@@ -6,7 +6,7 @@ use super::palette::{Epilogue, Palette};
 use super::run::Run;
 use super::transposed;
 use super::unkept::Unkept;
-use crate::dispatch::Backend;
+use crate::backend::Backend;
 use crate::palette_entry::PaletteEntry;
 use crate::storage::{Element, Layout, Number};
 

@@ -6,11 +6,11 @@ use super::planned;
 use super::root::{NoRoot, Roots};
 use super::run::{Root, Run};
 use super::{Hierarchy, Renormalize};
+use crate::backend::Choice;
 use crate::palette_entry::MatrixOrder;
 use crate::scalar::DualQuat;
-use crate::shape::{ShapeError, joints_within, same_length, whole_instances};
 use crate::storage::Element;
-use crate::threads::Choice;
+use crate::storage::shape::{ShapeError, joints_within, same_length, whole_instances};
 use core::ops::{Bound, Range, RangeBounds};
 
 /// A run over a hierarchy: with a root transform, or on some of the joints.
@@ -161,7 +161,7 @@ impl<'a, S, P> Job<'a, S, P> {
         self
     }
 
-    crate::threads::options! {
+    crate::backend::options! {
         ///
         /// ```
         /// use dq8::{Crowd, DualQuat, Hierarchy};

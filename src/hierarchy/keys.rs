@@ -3,7 +3,7 @@
 use super::locals::sealed::Sealed;
 use super::slot::JointSlot;
 use crate::law::Law;
-use crate::shape::ShapeError;
+use crate::storage::shape::ShapeError;
 use core::ops::Range;
 use dq8_simd::Lanes;
 

@@ -6,8 +6,8 @@ use super::locals::Locals;
 use super::plan::Plans;
 use super::root::NoRoot;
 use super::write::Write;
-use crate::shape::ShapeError;
 use crate::storage::Element;
+use crate::storage::shape::ShapeError;
 
 impl<P: Plans> Job<'_, NoRoot, P> {
     /// Local poses as motions, of locals in any form: what a clip or layers are at a time, for inverse kinematics after

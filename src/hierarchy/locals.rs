@@ -2,7 +2,7 @@
 
 use super::slot::JointSlot;
 use crate::batch;
-use crate::shape::{ShapeError, same_length};
+use crate::storage::shape::{ShapeError, same_length};
 use crate::storage::{self, Element, Number, Register, Source, Tile};
 use core::ops::Range;
 use dq8_simd::Level;

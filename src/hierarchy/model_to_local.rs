@@ -2,7 +2,7 @@ use super::Job;
 use super::backward::Backward;
 use super::plan::Plans;
 use super::root::Roots;
-use crate::shape::{ShapeError, same_length};
+use crate::storage::shape::{ShapeError, same_length};
 use crate::storage::{Element, Source};
 
 impl<S, P: Plans> Job<'_, S, P> {

@@ -1,5 +1,5 @@
 use super::Clip;
-use crate::shape::ShapeError;
+use crate::storage::shape::ShapeError;
 use alloc::vec::Vec;
 
 /// A [`Clip`] with memory of its own: what a loader gives.

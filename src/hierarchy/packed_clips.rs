@@ -6,9 +6,9 @@ use super::locals::sealed::Sealed;
 use super::packed_error::PackedError;
 use super::slot::JointSlot;
 use crate::law::Law;
-use crate::real::Scalar;
-use crate::shape::ShapeError;
+use crate::number::Scalar;
 use crate::storage::aos;
+use crate::storage::shape::ShapeError;
 use core::ops::Range;
 use dq8_simd::{Lanes, MAX_LANES, Mask, PlacedTracks, Records, TrackPlace, Tracks};
 

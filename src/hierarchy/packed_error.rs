@@ -1,6 +1,6 @@
 //! [`PackedError`]: what packed clips cannot hold, and bytes that are none.
 
-use crate::shape::ShapeError;
+use crate::storage::shape::ShapeError;
 use core::fmt;
 
 /// Frames that packed clips cannot hold, or bytes that are no packed clips.

@@ -10,7 +10,7 @@ use super::plan::Plans;
 use super::root::Roots;
 use crate::palette_entry::PaletteEntry;
 use crate::scalar::DualQuat;
-use crate::shape::{ShapeError, same_length, whole_instances};
+use crate::storage::shape::{ShapeError, same_length, whole_instances};
 use crate::storage::{Element, Number};
 
 impl<S, P: Plans> Job<'_, S, P> {

@@ -6,10 +6,10 @@ use super::locals::Locals;
 use super::palette::{Epilogue, Palette};
 use super::run::Run;
 use super::write::Write;
-use crate::dispatch::Backend;
+use crate::backend::Backend;
+use crate::backend::Outputs;
 use crate::palette_entry::PaletteEntry;
 use crate::storage::{Element, Layout, Number, Source};
-use crate::threads::Outputs;
 
 /// The fewest elements in a task: some microseconds of work, where starting a task takes a fraction of one.
 const GRAIN: usize = 2048;

@@ -3,11 +3,11 @@
 use super::Hierarchy;
 use super::product::product;
 use super::schedule::{PlanScratch, schedule};
-use crate::dispatch::{Backend, Kernel};
-use crate::real::Scalar;
+use crate::backend::{Backend, Kernel};
+use crate::number::Scalar;
 use crate::scalar::DualQuat;
-use crate::shape::{ShapeError, same_length};
 use crate::storage::Source;
+use crate::storage::shape::{ShapeError, same_length};
 use dq8_simd::{CheckedSchedule, Level};
 
 /// From this many joints on, a chain is cut into segments: on every target, because that decides the order of products.

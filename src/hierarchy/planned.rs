@@ -7,7 +7,7 @@ use super::product::product;
 use super::renormalize::Renormalize;
 use super::run::Run;
 use super::slot::JointSlot;
-use crate::dispatch::{Backend, Kernel};
+use crate::backend::{Backend, Kernel};
 use crate::scalar::DualQuat;
 use crate::storage::{Element, Layout, Number, Source};
 use dq8_simd::Level;

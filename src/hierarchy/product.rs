@@ -1,7 +1,7 @@
 //! The product of two motions for loops over a single instance: one register holds a whole motion. And the same
 //! product in lanes, equal to the last bit.
 
-use crate::real::Scalar;
+use crate::number::Scalar;
 use dq8_simd::{Lanes, Level, PackedDualQuat};
 
 /// left · right, of which the left factor comes whole and the right one number by number from memory.

@@ -2,7 +2,7 @@
 
 use super::Clip;
 use crate::law::Law;
-use crate::real::{Real, Scalar};
+use crate::number::{Real, Scalar};
 use crate::scalar::DualQuat;
 use crate::storage::{Aos, Element, Layout, aos};
 use dq8_simd::{Lanes, Portable, Records, Unfused};

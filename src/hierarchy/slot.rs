@@ -1,4 +1,4 @@
-use crate::real::Scalar;
+use crate::number::Scalar;
 use crate::storage::{Tile, aos, identity};
 use dq8_simd::{Lanes, Level, Records};
 

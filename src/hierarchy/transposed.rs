@@ -22,9 +22,9 @@ use super::palette::Epilogue;
 use super::product::{product, product_in_lanes};
 use super::run::Run;
 use super::slot::JointSlot;
+use crate::backend::{Backend, Kernel};
 use crate::batch;
-use crate::dispatch::{Backend, Kernel};
-use crate::real::Scalar;
+use crate::number::Scalar;
 use crate::storage::{Element, Layout, Register, Source, Tile, identity};
 use dq8_simd::{Lanes, Level, MAX_LANES, Portable};
 

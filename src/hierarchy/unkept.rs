@@ -7,8 +7,8 @@ use super::palette::Epilogue;
 use super::product::product_in_lanes;
 use super::run::Run;
 use super::slot::JointSlot;
+use crate::backend::Kernel;
 use crate::batch;
-use crate::dispatch::Kernel;
 use crate::storage::{Element, Layout, Number, Register};
 use dq8_simd::{Lanes, Level};
 

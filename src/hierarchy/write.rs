@@ -1,7 +1,7 @@
 use super::locals::Locals;
 use super::run::Run;
 use super::slot::JointSlot;
-use crate::dispatch::Kernel;
+use crate::backend::Kernel;
 use crate::storage::{Element, Layout, Register};
 use dq8_simd::{Lanes, Level};
 

@@ -1,5 +1,5 @@
 use super::error::LimbError;
-use crate::real::Real;
+use crate::number::Real;
 use crate::scalar::vector::{self, Length};
 use crate::scalar::{DualQuat, Quat};
 

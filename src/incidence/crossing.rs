@@ -3,7 +3,7 @@
 use super::error::IncidenceError;
 use super::{finite, parallel_sine};
 use crate::geometry::{Line, Plane};
-use crate::real::Real;
+use crate::number::Real;
 use crate::scalar::vector;
 
 /// The place of a line, as a plane sees it.

@@ -15,7 +15,7 @@ mod plane;
 pub use error::IncidenceError;
 pub use perpendicular::CommonPerpendicular;
 
-use crate::real::Real;
+use crate::number::Real;
 use crate::scalar::vector::{self, Length};
 
 /// Eight units of roundoff: two of each direction, doubled.

@@ -3,7 +3,7 @@
 use super::error::IncidenceError;
 use super::{finite, parallel_sine, size, unit};
 use crate::geometry::Line;
-use crate::real::Real;
+use crate::number::Real;
 use crate::scalar::{Dual, vector};
 
 /// The relation of two lines: the answer of [`Line::common_perpendicular`].

@@ -3,7 +3,7 @@
 use super::error::IncidenceError;
 use super::{finite, parallel_sine, size, unit};
 use crate::geometry::{Line, Plane};
-use crate::real::Real;
+use crate::number::Real;
 use crate::scalar::vector;
 
 impl<R: Real> Plane<R> {

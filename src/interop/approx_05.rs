@@ -1,7 +1,7 @@
 //! Comparisons of approx 0.5, component by component: −σ is not near σ.
 
 use crate::geometry::Twist;
-use crate::real::Real;
+use crate::number::Real;
 use crate::representation::RotationTranslation;
 use crate::scalar::{DualQuat, Quat};
 use approx::{AbsDiffEq, RelativeEq, UlpsEq};

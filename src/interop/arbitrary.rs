@@ -1,7 +1,7 @@
 //! Any bits, infinities and NaN among them: what a fuzzer wants. [`DualQuat::normalize`] makes motions.
 
 use crate::geometry::Twist;
-use crate::real::Real;
+use crate::number::Real;
 use crate::representation::RotationTranslation;
 use crate::scalar::{DualQuat, Quat};
 use arbitrary::{Arbitrary, Result, Unstructured};

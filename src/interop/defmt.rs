@@ -1,7 +1,7 @@
 //! Logs of firmware, as arrays in the order of memory.
 
 use crate::geometry::Twist;
-use crate::real::Real;
+use crate::number::Real;
 use crate::representation::RotationTranslation;
 use crate::scalar::{DualQuat, Quat};
 use defmt::{Format, Formatter};

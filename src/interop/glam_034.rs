@@ -10,7 +10,7 @@
 //! # Ok::<(), dq8::scalar::MatrixError>(())
 //! ```
 
-use crate::real::Real;
+use crate::number::Real;
 use crate::scalar::MatrixError;
 use crate::scalar::{DualQuat, Quat};
 

@@ -1,6 +1,6 @@
 //! mint 0.5, the types that other libraries agree on.
 
-use crate::real::Real;
+use crate::number::Real;
 use crate::scalar::MatrixError;
 use crate::scalar::{DualQuat, Quat};
 use mint::{ColumnMatrix3, ColumnMatrix4, Quaternion, RowMatrix3, RowMatrix3x4, RowMatrix4};

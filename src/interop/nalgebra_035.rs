@@ -9,7 +9,7 @@
 //! assert!((Isometry3::from(motion).to_homogeneous() - isometry.to_homogeneous()).norm() < 1e-15);
 //! ```
 
-use crate::real::Real;
+use crate::number::Real;
 use crate::scalar::MatrixError;
 use crate::scalar::{DualQuat, Quat};
 use bytemuck::Pod;

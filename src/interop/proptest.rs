@@ -1,7 +1,7 @@
 //! Strategies of proptest: rotations and motions, uniform but for the identity and half turns, which come
 //! more often than chance would have them.
 
-use crate::real::Real;
+use crate::number::Real;
 use crate::scalar::{DualQuat, Quat};
 use proptest::prelude::{Just, Strategy, prop_oneof};
 

@@ -1,6 +1,6 @@
 //! Uniform rotations and poses for rand 0.10: `rng.random::<Quat<f32>>()`.
 
-use crate::real::Real;
+use crate::number::Real;
 use crate::scalar::{DualQuat, Quat};
 use rand::distr::{Distribution, StandardUniform};
 use rand::{Rng, RngExt};

@@ -1,7 +1,7 @@
 //! `+=`, `-=`, `*=`: `a *= b` is a = ab, so b comes first.
 
 use crate::geometry::{DualVector, Twist};
-use crate::real::Real;
+use crate::number::Real;
 use crate::representation::{Affine, RotationTranslation};
 use crate::scalar::{DualQuat, Quat};
 use core::ops::{AddAssign, MulAssign, SubAssign};

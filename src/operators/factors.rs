@@ -1,7 +1,7 @@
 //! Numbers and rotations as factors: `q * 2.0`, `2.0 * q`, `q / 2.0`, and what a rotation does to a vector.
 
 use crate::geometry::{DualVector, Twist};
-use crate::real::Real;
+use crate::number::Real;
 use crate::representation::RotationTranslation;
 use crate::scalar::{DualQuat, Quat};
 use core::ops::{Div, DivAssign, Mul, MulAssign};

@@ -1,6 +1,6 @@
 //! Components by number, in the order of memory. Like those of arrays, a number that is too large panics.
 
-use crate::real::Real;
+use crate::number::Real;
 use crate::scalar::{DualQuat, Quat};
 use core::ops::{Index, IndexMut};
 

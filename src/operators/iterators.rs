@@ -1,7 +1,7 @@
 //! `sum()` and `product()` of iterators. A product runs from left to right: its last factor acts first.
 
 use crate::geometry::{DualVector, Twist};
-use crate::real::Real;
+use crate::number::Real;
 use crate::representation::{Affine, RotationTranslation};
 use crate::scalar::{DualQuat, Quat};
 use core::iter::{Product, Sum};

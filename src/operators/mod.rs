@@ -2,11 +2,15 @@
 //! `scalar`, `geometry` and `representation`) imply them: `*=`, references, numbers as factors, sums and
 //! products of iterators, indices.
 //!
+//! With them conversions from and to arrays, and text.
+//!
 //! Macros list the types: a trait of another crate cannot be implemented for all types that have
 //! something.
 
 mod assign;
+mod convert;
 mod factors;
 mod index;
 mod iterators;
 mod references;
+pub mod text;

@@ -2,7 +2,7 @@
 //! with a second product, the type of the factor in `x * Real::HALF` would be ambiguous.
 
 use crate::geometry::{DualVector, Twist};
-use crate::real::Real;
+use crate::number::Real;
 use crate::representation::{Affine, RotationTranslation};
 use crate::scalar::{DualQuat, Quat};
 use core::ops::{Add, AddAssign, Mul, MulAssign, Neg, Sub, SubAssign};

@@ -1,7 +1,7 @@
 use super::Polar;
 use super::error::OrthonormalError;
 use crate::geometry::Plane;
-use crate::real::Real;
+use crate::number::Real;
 use crate::scalar::{DualQuat, vector};
 use core::ops::Mul;
 

@@ -1,6 +1,6 @@
 //! Axis and angle of a rotation (Kenwright §3.4), as a pair and as their product.
 
-use crate::real::Real;
+use crate::number::Real;
 use crate::scalar::{Quat, vector};
 
 impl<R: Real> Quat<R> {
@@ -19,7 +19,7 @@ impl<R: Real> Quat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_axis_angle(self) -> ([R; 3], R) {
-        crate::must_be_unit::rotations("Quat::to_axis_angle", [self]);
+        crate::scalar::must_be_unit::rotations("Quat::to_axis_angle", [self]);
         let short = if self.w() < R::ZERO { -self } else { self };
         let sine = vector::norm(short.xyz());
         if sine == R::ZERO {
@@ -58,7 +58,7 @@ impl<R: Real> Quat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_scaled_axis(self) -> [R; 3] {
-        crate::must_be_unit::rotations("Quat::to_scaled_axis", [self]);
+        crate::scalar::must_be_unit::rotations("Quat::to_scaled_axis", [self]);
         let short = if self.w() < R::ZERO { -self } else { self };
         let squared = vector::dot(short.xyz(), short.xyz());
         // θ/sin(θ/2) is 2/cos(θ/2) to the last place, and its derivative finite.

@@ -2,7 +2,7 @@
 
 use super::error::OrthonormalError;
 use super::gram_schmidt::gram_schmidt;
-use crate::real::Real;
+use crate::number::Real;
 use crate::scalar::{DualQuat, Quat, vector};
 
 impl<R: Real> Quat<R> {

@@ -2,7 +2,7 @@
 
 use crate::geometry::euler_angles::{EulerAngles, EulerSolution};
 use crate::geometry::euler_order::{EulerAxes, EulerFrame, EulerOrder};
-use crate::real::Real;
+use crate::number::Real;
 use crate::scalar::{Quat, vector};
 
 impl<R: Real> EulerAngles<R> {
@@ -87,7 +87,7 @@ impl<R: Real> Quat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_euler(self, order: EulerOrder) -> EulerSolution<R> {
-        crate::must_be_unit::rotations("Quat::to_euler", [self]);
+        crate::scalar::must_be_unit::rotations("Quat::to_euler", [self]);
         let [first, j, last] = order.axes.indices();
         // Intrinsic turns are extrinsic ones in the opposite order.
         let (i, reversed) = match order.frame {

@@ -1,5 +1,5 @@
 use super::error::OrthonormalError;
-use crate::real::Real;
+use crate::number::Real;
 use crate::scalar::vector;
 
 /// The rotation matrix with the first column in the direction of the matrix's first, the second in

@@ -1,7 +1,7 @@
 use super::error::OrthonormalError;
 use super::gram_schmidt::all_finite;
 use super::symmetric;
-use crate::real::Real;
+use crate::number::Real;
 use crate::scalar::{Quat, vector};
 
 /// The polar decomposition of a 3×3 matrix, A = R S: a stretch along three orthogonal directions, then

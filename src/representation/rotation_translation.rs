@@ -1,4 +1,4 @@
-use crate::real::Real;
+use crate::number::Real;
 use crate::scalar::{DualQuat, Quat, vector};
 use core::ops::Mul;
 

@@ -1,6 +1,6 @@
 //! Eigenvalues of symmetric matrices.
 
-use crate::real::Real;
+use crate::number::Real;
 
 /// No matrix in the tests takes more than six: from a sweep to the next, what is left off the
 /// diagonal is squared.

@@ -2,7 +2,7 @@
 
 use super::{DualQuat, vector};
 use crate::geometry::{Twist, Wrench};
-use crate::real::Real;
+use crate::number::Real;
 
 impl<R: Real> Twist<R> {
     /// The twist of a body at rest.
@@ -25,7 +25,7 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn adjoint(self, twist: Twist<R>) -> Twist<R> {
-        crate::must_be_unit::motions("DualQuat::adjoint", [self]);
+        crate::scalar::must_be_unit::motions("DualQuat::adjoint", [self]);
         let angular = self.real().rotate(twist.angular);
         let turned = self.real().rotate(twist.linear);
         let shift = vector::cross(self.translation(), angular);
@@ -49,7 +49,7 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn coadjoint(self, wrench: Wrench<R>) -> Wrench<R> {
-        crate::must_be_unit::motions("DualQuat::coadjoint", [self]);
+        crate::scalar::must_be_unit::motions("DualQuat::coadjoint", [self]);
         let force = self.real().rotate(wrench.force);
         let turned = self.real().rotate(wrench.torque);
         let shift = vector::cross(self.translation(), force);

@@ -2,7 +2,7 @@
 
 use super::{DualQuat, Quat};
 use crate::everyday;
-use crate::real::Real;
+use crate::number::Real;
 
 impl<R: Real> Quat<R> {
     /// Normalized linear interpolation by the shorter way: (1−t)a ± tb, normalized (Shoemake 1985).

@@ -2,7 +2,7 @@
 
 use super::{Dual, DualQuat, Quat, vector};
 use crate::geometry::{DualVector, Twist};
-use crate::real::Real;
+use crate::number::Real;
 
 impl<R: Real> DualQuat<R> {
     /// σ̇ = ½ξσ for the *spatial* twist ξ = ω + εv: fixed axes, v = ṫ − ω × t is the velocity of the
@@ -47,7 +47,7 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn spatial_twist(self, derivative: Self) -> Twist<R> {
-        crate::must_be_unit::motions("DualQuat::spatial_twist", [self]);
+        crate::scalar::must_be_unit::motions("DualQuat::spatial_twist", [self]);
         of_pure((derivative * self.conjugate()).scale(R::TWO))
     }
 
@@ -57,7 +57,7 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn body_twist(self, derivative: Self) -> Twist<R> {
-        crate::must_be_unit::motions("DualQuat::body_twist", [self]);
+        crate::scalar::must_be_unit::motions("DualQuat::body_twist", [self]);
         of_pure((self.conjugate() * derivative).scale(R::TWO))
     }
 
@@ -76,7 +76,7 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn derivative_from_velocity(self, angular: [R; 3], linear: [R; 3]) -> Self {
-        crate::must_be_unit::motions("DualQuat::derivative_from_velocity", [self]);
+        crate::scalar::must_be_unit::motions("DualQuat::derivative_from_velocity", [self]);
         let r = self.rotation();
         let t = Quat::from_parts(self.translation(), R::ZERO);
         let rotating = (Quat::from_parts(angular, R::ZERO) * r).scale(R::HALF);
@@ -93,7 +93,7 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn velocity(self, derivative: Self) -> ([R; 3], [R; 3]) {
-        crate::must_be_unit::motions("DualQuat::velocity", [self]);
+        crate::scalar::must_be_unit::motions("DualQuat::velocity", [self]);
         let back = self.real().conjugate();
         let angular = (derivative.real() * back).scale(R::TWO);
         let moving = derivative.dual() * back + self.dual() * derivative.real().conjugate();
@@ -127,7 +127,7 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_twist(self) -> Twist<R> {
-        crate::must_be_unit::motions("DualQuat::to_twist", [self]);
+        crate::scalar::must_be_unit::motions("DualQuat::to_twist", [self]);
         let log = self.log();
         Twist { angular: vector::scale(log.real, R::TWO), linear: vector::scale(log.dual, R::TWO) }
     }
@@ -150,7 +150,7 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn twist_to(self, other: Self) -> Twist<R> {
-        crate::must_be_unit::motions("DualQuat::twist_to", [self, other]);
+        crate::scalar::must_be_unit::motions("DualQuat::twist_to", [self, other]);
         (self.conjugate() * other).to_twist()
     }
 

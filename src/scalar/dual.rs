@@ -1,5 +1,5 @@
 use super::error::InverseError;
-use crate::real::Real;
+use crate::number::Real;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 crate::plain::plain! {

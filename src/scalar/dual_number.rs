@@ -1,7 +1,7 @@
 use super::Dual;
-use crate::dual_number::{DualNumber, delegate_dual_number};
-use crate::real::Real;
-use crate::shared_trait::sealed::Sealed;
+use crate::contract::sealed::Sealed;
+use crate::contract::{DualNumber, delegate_dual_number};
+use crate::number::Real;
 
 impl<R: Real> Sealed for Dual<R> {}
 

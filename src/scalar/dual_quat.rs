@@ -1,7 +1,7 @@
 use super::{Dual, Quat};
 use crate::everyday;
 use crate::geometry::DualVector;
-use crate::real::Real;
+use crate::number::Real;
 use core::ops::{Add, Mul, Neg, Sub};
 
 crate::plain::plain! {

@@ -11,7 +11,7 @@
 
 use super::{Dual, DualQuat, vector};
 use crate::geometry::Twist;
-use crate::real::Real;
+use crate::number::Real;
 
 impl<R: Real> DualQuat<R> {
     /// The left Jacobian of SE(3) at the twist x, applied to y: how the *spatial* side of the motion

@@ -3,7 +3,7 @@
 use super::error::MatrixError;
 use super::{DualQuat, Quat, vector};
 use crate::everyday;
-use crate::real::Real;
+use crate::number::Real;
 
 impl<R: Real> Quat<R> {
     /// The rows of the rotation matrix of a unit quaternion, columns r e r* for the axes e.
@@ -17,7 +17,7 @@ impl<R: Real> Quat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_matrix3(self) -> [[R; 3]; 3] {
-        crate::must_be_unit::rotations("Quat::to_matrix3", [self]);
+        crate::scalar::must_be_unit::rotations("Quat::to_matrix3", [self]);
         let [x, y, z, w] = self.to_array();
         let (one, two) = (R::ONE, R::TWO);
         [
@@ -97,7 +97,7 @@ impl<R: Real> Quat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_cols_array_2d(self) -> [[R; 3]; 3] {
-        crate::must_be_unit::rotations("Quat::to_cols_array_2d", [self]);
+        crate::scalar::must_be_unit::rotations("Quat::to_cols_array_2d", [self]);
         transpose(self.to_matrix3())
     }
 
@@ -124,7 +124,7 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_matrix3x4(self) -> [[R; 4]; 3] {
-        crate::must_be_unit::motions("DualQuat::to_matrix3x4", [self]);
+        crate::scalar::must_be_unit::motions("DualQuat::to_matrix3x4", [self]);
         if let Some(rows) = R::quick(everyday::Matrix3x4(self.to_array())) {
             return rows;
         }
@@ -139,7 +139,7 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_matrix4(self) -> [[R; 4]; 4] {
-        crate::must_be_unit::motions("DualQuat::to_matrix4", [self]);
+        crate::scalar::must_be_unit::motions("DualQuat::to_matrix4", [self]);
         let [a, b, c] = self.to_matrix3x4();
         [a, b, c, [R::ZERO, R::ZERO, R::ZERO, R::ONE]]
     }
@@ -237,7 +237,7 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_rows_array_2d(self) -> [[R; 4]; 4] {
-        crate::must_be_unit::motions("DualQuat::to_rows_array_2d", [self]);
+        crate::scalar::must_be_unit::motions("DualQuat::to_rows_array_2d", [self]);
         self.to_matrix4()
     }
 
@@ -246,7 +246,7 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_cols_array_2d(self) -> [[R; 4]; 4] {
-        crate::must_be_unit::motions("DualQuat::to_cols_array_2d", [self]);
+        crate::scalar::must_be_unit::motions("DualQuat::to_cols_array_2d", [self]);
         transpose(self.to_matrix4())
     }
 }

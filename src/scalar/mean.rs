@@ -2,7 +2,7 @@
 
 use super::{DualQuat, vector};
 use crate::geometry::{DualVector, Mean};
-use crate::real::Real;
+use crate::number::Real;
 
 impl<R: Real> DualQuat<R> {
     /// Dual quaternion iterative blending: the intrinsic mean b of unit motions σᵢ, which is where
@@ -44,7 +44,7 @@ impl<R: Real> DualQuat<R> {
         max_iterations: u32,
     ) -> Option<Mean<Self, R, bool>> {
         for &(pose, _) in influences {
-            crate::must_be_unit::motions("DualQuat::dib", [pose]);
+            crate::scalar::must_be_unit::motions("DualQuat::dib", [pose]);
         }
         let mut motion = Self::dlb(influences)?;
         let (mut total, mut longest) = (R::ZERO, R::ZERO);

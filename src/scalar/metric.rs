@@ -1,7 +1,7 @@
 //! How far two motions are apart.
 
 use super::{DualQuat, Quat, vector};
-use crate::real::Real;
+use crate::number::Real;
 
 impl<R: Real> Quat<R> {
     /// The angle of the turn between two rotations by the shorter way, radians in [0, π]; of unit
@@ -10,7 +10,7 @@ impl<R: Real> Quat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn angle_to(self, other: Self) -> R {
-        crate::must_be_unit::rotations("Quat::angle_to", [self, other]);
+        crate::scalar::must_be_unit::rotations("Quat::angle_to", [self, other]);
         let between = self.conjugate() * other;
         if !between.norm().is_finite() {
             return R::NAN;
@@ -40,7 +40,7 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn angle_to(self, other: Self) -> R {
-        crate::must_be_unit::motions("DualQuat::angle_to", [self, other]);
+        crate::scalar::must_be_unit::motions("DualQuat::angle_to", [self, other]);
         self.real().angle_to(other.real())
     }
 
@@ -56,7 +56,7 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn distance_to(self, other: Self) -> R {
-        crate::must_be_unit::motions("DualQuat::distance_to", [self, other]);
+        crate::scalar::must_be_unit::motions("DualQuat::distance_to", [self, other]);
         vector::norm(vector::sub(self.translation(), other.translation()))
     }
 
@@ -80,7 +80,7 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn distance_weighted(self, other: Self, length_per_radian: R) -> R {
-        crate::must_be_unit::motions("DualQuat::distance_weighted", [self, other]);
+        crate::scalar::must_be_unit::motions("DualQuat::distance_weighted", [self, other]);
         vector::norm([length_per_radian * self.angle_to(other), self.distance_to(other)])
     }
 
@@ -95,7 +95,7 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn point_error(self, other: Self, point: [R; 3]) -> R {
-        crate::must_be_unit::motions("DualQuat::point_error", [self, other]);
+        crate::scalar::must_be_unit::motions("DualQuat::point_error", [self, other]);
         vector::norm(vector::sub(self.transform_point(point), other.transform_point(point)))
     }
 
@@ -117,7 +117,7 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn shell_error(self, other: Self, radius: R) -> R {
-        crate::must_be_unit::motions("DualQuat::shell_error", [self, other]);
+        crate::scalar::must_be_unit::motions("DualQuat::shell_error", [self, other]);
         let chord = R::TWO * (self.angle_to(other) * R::HALF).sin();
         self.distance_to(other) + radius * chord
     }

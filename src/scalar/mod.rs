@@ -6,6 +6,7 @@
 mod adjoint;
 mod blend;
 mod derivative;
+mod differentiate;
 mod dual;
 mod dual_number;
 mod dual_quat;
@@ -15,6 +16,7 @@ mod matrix;
 mod mean;
 mod metric;
 mod motion;
+pub(crate) mod must_be_unit;
 mod norm;
 mod quat;
 mod quaternion;

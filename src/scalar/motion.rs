@@ -1,8 +1,8 @@
 use super::{Dual, DualQuat, Quat};
+use crate::contract::sealed::Sealed;
+use crate::contract::{Motion, delegate_motion};
 use crate::geometry::{DualVector, Line, Mean, Plane, Screw, Twist, Wrench};
-use crate::motion::{Motion, delegate_motion};
-use crate::real::Real;
-use crate::shared_trait::sealed::Sealed;
+use crate::number::Real;
 
 impl<R: Real> Sealed for DualQuat<R> {}
 

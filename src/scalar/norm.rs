@@ -3,7 +3,7 @@
 use super::error::{InverseError, NormalizeError};
 use super::{Dual, DualQuat, Quat, vector};
 use crate::everyday;
-use crate::real::Real;
+use crate::number::Real;
 
 impl<R: Real> Quat<R> {
     /// q⁻¹ = q*/|q|² of any q ≠ 0, unit or not: every component is NaN where q is zero or not finite.

@@ -1,7 +1,7 @@
 use super::error::NormalizeError;
 use super::vector::{self, Length};
 use crate::everyday;
-use crate::real::Real;
+use crate::number::Real;
 use core::ops::{Add, Mul, Neg, Sub};
 
 crate::plain::plain! {
@@ -71,7 +71,7 @@ impl<R: Real> Quat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn from_axis_angle(axis: [R; 3], angle: R) -> Self {
-        crate::must_be_unit::axis("Quat::from_axis_angle", axis);
+        crate::scalar::must_be_unit::axis("Quat::from_axis_angle", axis);
         let half = angle * R::HALF;
         Self::from_parts(vector::scale(axis, half.sin()), half.cos())
     }
@@ -230,7 +230,7 @@ impl<R: Real> Quat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn rotate(self, v: [R; 3]) -> [R; 3] {
-        crate::must_be_unit::rotations("Quat::rotate", [self]);
+        crate::scalar::must_be_unit::rotations("Quat::rotate", [self]);
         if let Some(turned) = R::quick(everyday::Rotate(self.0, v)) {
             return turned;
         }

@@ -1,7 +1,7 @@
 use super::Quat;
-use crate::quaternion::{Quaternion, delegate_quaternion};
-use crate::real::Real;
-use crate::shared_trait::sealed::Sealed;
+use crate::contract::sealed::Sealed;
+use crate::contract::{Quaternion, delegate_quaternion};
+use crate::number::Real;
 
 impl<R: Real> Sealed for Quat<R> {}
 

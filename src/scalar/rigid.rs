@@ -2,7 +2,7 @@
 
 use super::{DualQuat, Quat, vector};
 use crate::everyday;
-use crate::real::Real;
+use crate::number::Real;
 
 impl<R: Real> DualQuat<R> {
     /// The pure rotation r + ε0 (Kenwright §7.1). `rotation` must be unit.
@@ -33,7 +33,7 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn from_rotation_translation(rotation: Quat<R>, translation: [R; 3]) -> Self {
-        crate::must_be_unit::rotations("DualQuat::from_rotation_translation", [rotation]);
+        crate::scalar::must_be_unit::rotations("DualQuat::from_rotation_translation", [rotation]);
         let half = vector::scale(translation, R::HALF);
         Self::new(rotation, Quat::from_parts(half, R::ZERO) * rotation)
     }
@@ -44,7 +44,7 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn from_translation_rotation(translation: [R; 3], rotation: Quat<R>) -> Self {
-        crate::must_be_unit::rotations("DualQuat::from_translation_rotation", [rotation]);
+        crate::scalar::must_be_unit::rotations("DualQuat::from_translation_rotation", [rotation]);
         let half = vector::scale(translation, R::HALF);
         Self::new(rotation, rotation * Quat::from_parts(half, R::ZERO))
     }
@@ -66,7 +66,7 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn mul_rotation_translation(self, rotation: Quat<R>, translation: [R; 3]) -> Self {
-        crate::must_be_unit::rotations("DualQuat::mul_rotation_translation", [rotation]);
+        crate::scalar::must_be_unit::rotations("DualQuat::mul_rotation_translation", [rotation]);
         self * Self::from_rotation_translation(rotation, translation)
     }
 
@@ -75,7 +75,7 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn rotation(self) -> Quat<R> {
-        crate::must_be_unit::motions("DualQuat::rotation", [self]);
+        crate::scalar::must_be_unit::motions("DualQuat::rotation", [self]);
         self.real()
     }
 
@@ -84,7 +84,7 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn translation(self) -> [R; 3] {
-        crate::must_be_unit::motions("DualQuat::translation", [self]);
+        crate::scalar::must_be_unit::motions("DualQuat::translation", [self]);
         if let Some(translation) = R::quick(everyday::Translation(self.to_array())) {
             return translation;
         }

@@ -3,7 +3,7 @@
 use super::{DualQuat, Quat, vector};
 use crate::everyday;
 use crate::geometry::{DualVector, Line, Screw};
-use crate::real::Real;
+use crate::number::Real;
 
 impl<R: Real> DualQuat<R> {
     /// The screw of a unit σ (Jia §8.2), angle in [0, π]: of ±σ, the one with p_w ≥ 0 is taken.
@@ -24,7 +24,7 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_screw(self) -> Screw<R> {
-        crate::must_be_unit::motions("DualQuat::to_screw", [self]);
+        crate::scalar::must_be_unit::motions("DualQuat::to_screw", [self]);
         let sigma = self.canonical();
         let t = sigma.translation();
         let sine = vector::norm(sigma.real().xyz());
@@ -56,7 +56,7 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn from_screw(screw: Screw<R>) -> Self {
-        crate::must_be_unit::axis("DualQuat::from_screw", screw.axis.direction);
+        crate::scalar::must_be_unit::axis("DualQuat::from_screw", screw.axis.direction);
         let (sin, cos) = ((screw.angle * R::HALF).sin(), (screw.angle * R::HALF).cos());
         let half_slide = screw.slide * R::HALF;
         let l = screw.axis.direction;
@@ -83,7 +83,7 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn log(self) -> DualVector<R> {
-        crate::must_be_unit::motions("DualQuat::log", [self]);
+        crate::scalar::must_be_unit::motions("DualQuat::log", [self]);
         if let Some(log) = R::quick(everyday::Log(self.to_array())) {
             return log;
         }
@@ -159,7 +159,7 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn pow(self, t: R) -> Self {
-        crate::must_be_unit::motions("DualQuat::pow", [self]);
+        crate::scalar::must_be_unit::motions("DualQuat::pow", [self]);
         if let Some(power) = R::quick(everyday::Pow(self.to_array(), t)) {
             return Self::from_array(power);
         }
@@ -178,7 +178,7 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn sqrt(self) -> Self {
-        crate::must_be_unit::motions("DualQuat::sqrt", [self]);
+        crate::scalar::must_be_unit::motions("DualQuat::sqrt", [self]);
         if let Some(root) = R::quick(everyday::Sqrt(self.to_array())) {
             return Self::from_array(root);
         }
@@ -204,7 +204,7 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn sclerp(self, other: Self, t: R) -> Self {
-        crate::must_be_unit::motions("DualQuat::sclerp", [self, other]);
+        crate::scalar::must_be_unit::motions("DualQuat::sclerp", [self, other]);
         if let Some(between) = R::quick(everyday::Sclerp(self.to_array(), other.to_array(), t)) {
             return Self::from_array(between);
         }
@@ -224,7 +224,7 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn sclerp_long(self, other: Self, t: R) -> Self {
-        crate::must_be_unit::motions("DualQuat::sclerp_long", [self, other]);
+        crate::scalar::must_be_unit::motions("DualQuat::sclerp_long", [self, other]);
         let log = (self.conjugate() * other).log_without_flip();
         self * Self::exp(log.scale(t))
     }

@@ -2,7 +2,7 @@
 
 use super::{DualQuat, Quat, vector};
 use crate::everyday;
-use crate::real::Real;
+use crate::number::Real;
 
 impl<R: Real> Quat<R> {
     /// Spherical linear interpolation of unit quaternions by the shorter way: turns from `self` to
@@ -28,7 +28,7 @@ impl<R: Real> Quat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn slerp(self, other: Self, t: R) -> Self {
-        crate::must_be_unit::rotations("Quat::slerp", [self, other]);
+        crate::scalar::must_be_unit::rotations("Quat::slerp", [self, other]);
         if let Some(turned) = R::quick(everyday::Slerp(self.to_array(), other.to_array(), t)) {
             return Self::from_array(turned);
         }
@@ -87,7 +87,7 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn slerp_lerp(self, other: Self, t: R) -> Self {
-        crate::must_be_unit::motions("DualQuat::slerp_lerp", [self, other]);
+        crate::scalar::must_be_unit::motions("DualQuat::slerp_lerp", [self, other]);
         let rotation = self.rotation().slerp(other.rotation(), t);
         let start = vector::scale(self.translation(), R::ONE - t);
         let end = vector::scale(other.translation(), t);

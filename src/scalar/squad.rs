@@ -1,7 +1,7 @@
 //! Smooth motion through key poses.
 
 use super::DualQuat;
-use crate::real::Real;
+use crate::number::Real;
 
 impl<R: Real> DualQuat<R> {
     /// Cubic motion from the key pose `self` to the key pose `end`, drawn toward two control poses
@@ -31,7 +31,10 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn squad(self, control_start: Self, control_end: Self, end: Self, t: R) -> Self {
-        crate::must_be_unit::motions("DualQuat::squad", [self, control_start, control_end, end]);
+        crate::scalar::must_be_unit::motions(
+            "DualQuat::squad",
+            [self, control_start, control_end, end],
+        );
         let along_keys = self.sclerp(end, t);
         let along_controls = control_start.sclerp(control_end, t);
         along_keys.sclerp(along_controls, R::TWO * t * (R::ONE - t))
@@ -57,7 +60,7 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn squad_control(previous: Self, current: Self, next: Self) -> Self {
-        crate::must_be_unit::motions("DualQuat::squad_control", [previous, current, next]);
+        crate::scalar::must_be_unit::motions("DualQuat::squad_control", [previous, current, next]);
         let inverse = current.conjugate();
         let (ahead, back) = ((inverse * next).log(), (inverse * previous).log());
         current * Self::exp((ahead + back).scale(-R::HALF * R::HALF))

@@ -3,7 +3,7 @@
 use super::{DualQuat, vector};
 use crate::everyday;
 use crate::geometry::{Line, Plane};
-use crate::real::Real;
+use crate::number::Real;
 
 impl<R: Real> DualQuat<R> {
     /// The point Rv + t, which is σ(1 + εv)σ⋄ (Jia eq. 25). σ must be unit.
@@ -11,7 +11,7 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn transform_point(self, point: [R; 3]) -> [R; 3] {
-        crate::must_be_unit::motions("DualQuat::transform_point", [self]);
+        crate::scalar::must_be_unit::motions("DualQuat::transform_point", [self]);
         if let Some(moved) = R::quick(everyday::Point(self.to_array(), point)) {
             return moved;
         }
@@ -23,7 +23,7 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn transform_vector(self, vector: [R; 3]) -> [R; 3] {
-        crate::must_be_unit::motions("DualQuat::transform_vector", [self]);
+        crate::scalar::must_be_unit::motions("DualQuat::transform_vector", [self]);
         self.real().rotate(vector)
     }
 
@@ -39,7 +39,7 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn transform_line(self, line: Line<R>) -> Line<R> {
-        crate::must_be_unit::motions("DualQuat::transform_line", [self]);
+        crate::scalar::must_be_unit::motions("DualQuat::transform_line", [self]);
         let direction = self.real().rotate(line.direction);
         let turned = self.real().rotate(line.moment);
         let shift = vector::cross(self.translation(), direction);
@@ -59,7 +59,7 @@ impl<R: Real> DualQuat<R> {
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn transform_plane(self, plane: Plane<R>) -> Plane<R> {
-        crate::must_be_unit::motions("DualQuat::transform_plane", [self]);
+        crate::scalar::must_be_unit::motions("DualQuat::transform_plane", [self]);
         let normal = self.real().rotate(plane.normal);
         let offset = plane.offset + vector::dot(normal, self.translation());
         Plane { normal, offset }

@@ -1,7 +1,7 @@
 //! Three-vectors as plain arrays, and their lengths: in the order of the papers, without fused products.
 
 pub use crate::geometry::vector::{add, cross, dot, scale, sub};
-use crate::real::Real;
+use crate::number::Real;
 
 /// The largest of the absolute values, NaN if there is one.
 #[inline]

@@ -1,8 +1,8 @@
 use super::influences::Scratch;
 use super::skin::Skin;
 use super::weight::Weight;
-use crate::real::Scalar;
-use crate::shape::ShapeError;
+use crate::number::Scalar;
+use crate::storage::shape::ShapeError;
 use dq8_simd::picks::Index;
 use dq8_simd::{Lanes, Level};
 

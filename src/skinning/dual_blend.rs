@@ -1,9 +1,9 @@
 use super::blender::{Blender, SurfaceMap};
 use super::influences::{GROUP, Scratch};
 use crate::batch::{self, vector};
-use crate::real::Scalar;
+use crate::number::Scalar;
 use crate::scalar::DualQuat;
-use crate::shape::{ShapeError, same_length};
+use crate::storage::shape::{ShapeError, same_length};
 use dq8_simd::picks::Index;
 use dq8_simd::{Lanes, Mask, Records};
 

@@ -1,4 +1,4 @@
-use crate::shape::ShapeError;
+use crate::storage::shape::ShapeError;
 use core::fmt;
 
 /// The fault of a skin, a palette or the slices of a run. Nothing has been written.

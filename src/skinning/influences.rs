@@ -1,4 +1,4 @@
-use crate::real::Scalar;
+use crate::number::Scalar;
 use core::hint::black_box;
 use dq8_simd::MAX_LANES;
 use dq8_simd::picks::{CheckedIndices, Index, PickRows, Picks};

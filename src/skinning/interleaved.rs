@@ -5,11 +5,11 @@ use super::blender::Blender;
 use super::mesh::{Field, Mesh, Vectors};
 use super::skin::Skin;
 use super::weight::Weight;
-use crate::real::Scalar;
-use crate::shape::same_length;
-use crate::storage::Tile;
 #[cfg(feature = "rayon")]
-use crate::threads::Outputs;
+use crate::backend::Outputs;
+use crate::number::Scalar;
+use crate::storage::Tile;
+use crate::storage::shape::same_length;
 use dq8_simd::picks::Index;
 use dq8_simd::{Float, Lanes, Level, MAX_LANES, Records};
 

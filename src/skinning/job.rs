@@ -6,9 +6,9 @@ use super::run::{check, pose};
 use super::skin::Skin;
 use super::surface::{Surface, SurfaceMut};
 use super::weight::Weight;
-use crate::real::Scalar;
+use crate::backend::Choice;
+use crate::number::Scalar;
 use crate::storage::{Element, Number};
-use crate::threads::Choice;
 use dq8_simd::picks::Index;
 
 /// A run that poses the mesh of a [`Skin`], with options that all have a default.
@@ -60,7 +60,7 @@ impl<'s, J: Index, W: Weight> Skin<'s, J, W> {
 }
 
 impl<J: Index, W: Weight> Job<'_, J, W> {
-    crate::threads::options!();
+    crate::backend::options!();
 
     /// Poses a mesh: [`Skin::pose`].
     ///

@@ -3,8 +3,8 @@ use super::influences::{GROUP, Scratch, settled};
 use super::linear_map::LinearMap;
 use super::skin::Skin;
 use super::weight::Weight;
-use crate::real::Scalar;
-use crate::shape::{ShapeError, same_length};
+use crate::number::Scalar;
+use crate::storage::shape::{ShapeError, same_length};
 use dq8_simd::picks::Index;
 use dq8_simd::{Float, Lanes, Level, PackedDualQuat, Records};
 

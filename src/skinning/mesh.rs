@@ -1,8 +1,8 @@
 use super::surface::{Surface, SurfaceMut};
+use crate::backend::Outputs;
 #[cfg(feature = "rayon")]
 use crate::storage::Layout;
 use crate::storage::{self, Element, Number, Register, Tile};
-use crate::threads::Outputs;
 use dq8_simd::Level;
 
 /// A mesh at rest and posed, in memory whose tiles are those of `P`.

@@ -2,8 +2,8 @@ use super::SkinningError;
 use super::blender::{Blender, SurfaceMap};
 use super::influences::Scratch;
 use super::linear_map::unit;
-use crate::real::Scalar;
-use crate::shape::{ShapeError, same_length};
+use crate::number::Scalar;
+use crate::storage::shape::{ShapeError, same_length};
 use dq8_simd::Lanes;
 use dq8_simd::picks::Index;
 

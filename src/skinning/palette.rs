@@ -1,9 +1,9 @@
 use super::SkinningError;
+use crate::number::Real;
 use crate::palette_entry::MatrixOrder;
-use crate::real::Real;
 use crate::representation::Affine;
 use crate::scalar::DualQuat;
-use crate::shape::same_length;
+use crate::storage::shape::same_length;
 
 /// The findings of [`split_palette`].
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -22,7 +22,7 @@ use super::mesh::{Field, Mesh};
 use super::skin::Skin;
 use super::surface::{Surface, SurfaceMut};
 use super::weight::Weight;
-use crate::dispatch::{Backend, Kernel};
+use crate::backend::{Backend, Kernel};
 use crate::storage::{self, Element, Layout, Number, Register};
 use core::marker::PhantomData;
 use dq8_simd::picks::Index;

@@ -1,8 +1,8 @@
 use super::SkinningError;
 use super::influences::{GROUP, Influences, Scratch};
 use super::weight::Weight;
-use crate::real::{Real, Scalar};
-use crate::shape::{same_length, whole_instances};
+use crate::number::{Real, Scalar};
+use crate::storage::shape::{same_length, whole_instances};
 use core::fmt::Debug;
 use core::ops::RangeInclusive;
 use dq8_simd::picks::{CheckedIndices, Index, PickedInPlace, Picks};

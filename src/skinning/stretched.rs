@@ -3,9 +3,9 @@ use super::dual_blend::{DualBlend, DualSum, ScaledMotion};
 use super::influences::Scratch;
 use super::linear::Linear;
 use super::linear_map::LinearMap;
-use crate::real::Scalar;
+use crate::number::Scalar;
 use crate::scalar::DualQuat;
-use crate::shape::{ShapeError, same_length};
+use crate::storage::shape::{ShapeError, same_length};
 use dq8_simd::Lanes;
 use dq8_simd::picks::Index;
 

@@ -1,4 +1,4 @@
-use crate::shape::{ShapeError, same_length};
+use crate::storage::shape::{ShapeError, same_length};
 
 /// A mesh at rest: what there is for each vertex. Normals and tangents of length 1.
 #[derive(Clone, Copy, Debug)]

@@ -1,6 +1,6 @@
 //! One vertex at a time, as it is written in the papers: what the lanes are held to.
 
-use crate::real::Real;
+use crate::number::Real;
 use crate::scalar::DualQuat;
 
 /// Linear blending, Σ wᵢMᵢ of 3×4 matrices.

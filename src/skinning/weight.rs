@@ -1,4 +1,4 @@
-use crate::real::{Real, Scalar};
+use crate::number::{Real, Scalar};
 use core::fmt::Debug;
 
 /// A weight as it lies in memory: `f32` and `f64` as they are, `u8` and `u16` normalized, so that the largest

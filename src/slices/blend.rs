@@ -1,7 +1,7 @@
 use super::sweep::{SliceKernel, motions, part, sweep};
+use crate::backend::Backend;
 use crate::batch;
-use crate::dispatch::Backend;
-use crate::shape::{ShapeError, same_length};
+use crate::storage::shape::{ShapeError, same_length};
 use crate::storage::{self, Element, Register, Tile};
 use core::ops::Range;
 use dq8_simd::{Lanes, Level};

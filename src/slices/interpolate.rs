@@ -1,7 +1,7 @@
 use super::sweep::{SliceKernel, part, sweep};
-use crate::dispatch::Backend;
+use crate::backend::Backend;
 use crate::law::{Law, Nlerp, Sclerp};
-use crate::shape::{ShapeError, same_length};
+use crate::storage::shape::{ShapeError, same_length};
 use crate::storage::{self, Element, Number, Register, Tile};
 use core::ops::Range;
 use dq8_simd::{Lanes, Level};

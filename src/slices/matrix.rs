@@ -2,10 +2,10 @@
 
 use super::rigid_matrix::RigidMatrix;
 use super::sweep::{SliceKernel, motions, part, sweep};
-use crate::dispatch::{Backend, Kernel};
+use crate::backend::{Backend, Kernel};
 use crate::palette_entry::{MatrixOrder, PaletteEntry};
 use crate::scalar::MatrixError;
-use crate::shape::{ShapeError, same_length};
+use crate::storage::shape::{ShapeError, same_length};
 use crate::storage::{self, Element, Layout, Number, Register, Tile};
 use core::fmt;
 use core::ops::Range;

@@ -1,8 +1,8 @@
 use super::sweep::{SliceKernel, motions, part, sweep};
+use crate::backend::Backend;
 use crate::batch;
-use crate::dispatch::Backend;
 use crate::scalar::DualQuat;
-use crate::shape::{ShapeError, same_length};
+use crate::storage::shape::{ShapeError, same_length};
 use crate::storage::{Element, Number, Register, Source, Tile};
 use core::ops::Range;
 use dq8_simd::Level;

@@ -1,6 +1,6 @@
 use crate::batch;
+use crate::number::Real;
 use crate::palette_entry::{MatrixOrder, PaletteEntry};
-use crate::real::Real;
 use crate::scalar::{DualQuat, MatrixError};
 use crate::storage::Element;
 use dq8_simd::Lanes;

@@ -1,8 +1,8 @@
 use super::sweep::{SliceKernel, motions, part, sweep};
+use crate::backend::Backend;
 use crate::batch;
-use crate::dispatch::Backend;
 use crate::geometry::{DualVector, Twist};
-use crate::shape::{ShapeError, same_length};
+use crate::storage::shape::{ShapeError, same_length};
 use crate::storage::{self, Element, Number, Register, Tile};
 use core::ops::Range;
 use dq8_simd::{Lanes, Level};

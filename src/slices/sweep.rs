@@ -1,7 +1,7 @@
 //! The loop of all kernels over slices.
 
+use crate::backend::{Backend, Kernel};
 use crate::batch;
-use crate::dispatch::{Backend, Kernel};
 use crate::storage::{self, Element, Layout, Register, Tile};
 use core::ops::Range;
 use dq8_simd::Level;

@@ -4,16 +4,16 @@ use super::interpolate::{Interpolation, Many};
 #[cfg(feature = "rayon")]
 use super::sweep::GRAIN;
 use super::sweep::{SliceKernel, motions, part, sweep};
+#[cfg(feature = "rayon")]
+use crate::backend::Rows;
+use crate::backend::{Backend, Kernel};
 use crate::batch;
-use crate::dispatch::{Backend, Kernel};
 use crate::geometry::Twist;
 use crate::law::Sclerp;
-use crate::real::{Real, Scalar};
+use crate::number::{Real, Scalar};
 use crate::scalar::DualQuat;
-use crate::shape::{ShapeError, same_length};
+use crate::storage::shape::{ShapeError, same_length};
 use crate::storage::{Element, Register, Tile, tiles};
-#[cfg(feature = "rayon")]
-use crate::threads::Rows;
 use core::fmt;
 use core::ops::Range;
 use dq8_simd::{Lanes, Level};

@@ -1,7 +1,7 @@
 use super::sweep::{SliceKernel, sweep};
-use crate::dispatch::Backend;
+use crate::backend::Backend;
 use crate::scalar::DualQuat;
-use crate::shape::{ShapeError, same_length};
+use crate::storage::shape::{ShapeError, same_length};
 use crate::storage::{self, Element, Number, Register, Source, Tile};
 use core::ops::Range;
 use dq8_simd::{Lanes, Level};

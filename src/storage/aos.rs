@@ -1,7 +1,7 @@
 use super::element::{Element, Layout, sealed};
 use super::tile::Tile;
 use crate::geometry::{Line, Plane, Twist};
-use crate::real::Scalar;
+use crate::number::Scalar;
 use crate::representation::RotationTranslation;
 use crate::scalar::{DualQuat, Quat};
 use core::marker::PhantomData;

@@ -1,6 +1,6 @@
 use super::element::{Element, Layout, sealed};
 use super::tile::Tile;
-use crate::real::Scalar;
+use crate::number::Scalar;
 use core::marker::PhantomData;
 use dq8_simd::{Level, Native, Row};
 

@@ -2,7 +2,7 @@
 //! an element has a layout.
 
 use super::tile::Tile;
-use crate::real::Scalar;
+use crate::number::Scalar;
 use core::fmt::Debug;
 use dq8_simd::{Lanes, Level};
 

@@ -4,7 +4,7 @@ use super::aos::{self, Aos};
 use super::element::{Element, Register, sealed};
 use super::tile::Tile;
 use crate::geometry::Twist;
-use crate::real::Scalar;
+use crate::number::Scalar;
 use dq8_simd::{Float, Level};
 
 crate::plain::plain! {

@@ -47,6 +47,7 @@ mod element;
 mod linear_first;
 mod packing;
 mod padding;
+pub(crate) mod shape;
 mod source;
 mod tile;
 
@@ -61,4 +62,4 @@ pub use padding::identity;
 pub(crate) use source::Source;
 pub use tile::Tile;
 
-pub use crate::shape::{same_length, whole_instances};
+pub use shape::{same_length, whole_instances};

@@ -1,9 +1,9 @@
 //! Between slices of single things and blocks: instances, or segments of a chain, become lanes.
 
 use super::{Block, Element, Tile, aos, identity};
-use crate::dispatch::{Backend, Kernel};
-use crate::real::Scalar;
-use crate::shape::{ShapeError, same_length, whole_instances};
+use crate::backend::{Backend, Kernel};
+use crate::number::Scalar;
+use crate::storage::shape::{ShapeError, same_length, whole_instances};
 use dq8_simd::{Lanes, Level, Row};
 
 /// Writes `things`, `[instance][joint]`, into `blocks`, `[instance block][joint]`. Lanes of the last

@@ -1,4 +1,4 @@
-use crate::real::Scalar;
+use crate::number::Scalar;
 use core::marker::PhantomData;
 
 /// The filling of lanes without a thing: the motion, rotation or matrix that changes nothing, and zero for

@@ -1,9 +1,9 @@
 //! [`Motion`]: the contract that the scalar reference and the lanes share.
 
-use crate::dual_number::DualNumber;
+use crate::contract::DualNumber;
+use crate::contract::Quaternion;
+use crate::contract::shared_trait;
 use crate::geometry::{DualVector, Line, Mean, Plane, Screw, Twist, Wrench};
-use crate::quaternion::Quaternion;
-use crate::shared_trait::shared_trait;
 use core::fmt::Debug;
 use core::ops::{Add, Mul, Neg, Sub};
 

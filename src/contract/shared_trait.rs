@@ -19,7 +19,7 @@ macro_rules! shared_trait {
         )* }
     ) => {
         $(#[$about])*
-        pub trait $Trait: crate::shared_trait::sealed::Sealed $(+ $bound)* {
+        pub trait $Trait: crate::contract::sealed::Sealed $(+ $bound)* {
             $($types)*
 
             /// The names of all methods, in this order.

@@ -1,6 +1,6 @@
 //! [`DualNumber`]: what the dual numbers of the scalar reference and of the lanes share.
 
-use crate::shared_trait::shared_trait;
+use crate::contract::shared_trait;
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 

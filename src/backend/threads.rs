@@ -1,6 +1,6 @@
 //! Several threads (feature `rayon`): things that do not depend on each other, some to each task.
 
-use crate::dispatch::Backend;
+use crate::backend::Backend;
 
 /// The options of a job: instructions, and threads.
 #[derive(Clone, Copy, Debug, Default)]

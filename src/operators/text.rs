@@ -2,7 +2,7 @@
 //! the last bit.
 
 use crate::geometry::Twist;
-use crate::real::Real;
+use crate::number::Real;
 use crate::representation::RotationTranslation;
 use crate::scalar::{DualQuat, Quat};
 use core::fmt;

@@ -1,9 +1,9 @@
 //! [`Real`]: what the scalar reference computes with; `f32` and `f64`, with trigonometry that has the same bits
 //! everywhere.
 
-use crate::everyday::Quick;
 #[cfg(any(feature = "std", feature = "libm"))]
-use crate::sine;
+use super::sine;
+use crate::everyday::Quick;
 use core::fmt::{Debug, Display};
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 

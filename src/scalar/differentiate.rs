@@ -1,6 +1,6 @@
 //! Dual numbers as [`Real`] numbers: code that is written for [`Real`] computes its own derivative.
 
-use crate::real::Real;
+use crate::number::Real;
 use crate::scalar::Dual;
 use core::fmt;
 use core::ops::{AddAssign, DivAssign, MulAssign, SubAssign};

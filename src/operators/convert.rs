@@ -2,7 +2,7 @@
 //! Matrices have named functions instead, because a conversion could not say rows or columns.
 
 use crate::geometry::{Twist, Wrench};
-use crate::real::Real;
+use crate::number::Real;
 use crate::representation::RotationTranslation;
 use crate::scalar::{DualQuat, Quat};
 

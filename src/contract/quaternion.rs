@@ -1,6 +1,6 @@
 //! [`Quaternion`]: what the quaternions of the scalar reference and of the lanes share.
 
-use crate::shared_trait::shared_trait;
+use crate::contract::shared_trait;
 use core::fmt::Debug;
 use core::ops::{Add, Mul, Neg, Sub};
 

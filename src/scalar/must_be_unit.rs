@@ -2,7 +2,7 @@
 //! `scalar::DualQuat` call first. Debug builds with `--cfg dq8_debug_assert_unit` judge; in all others these functions do
 //! nothing. A number that is not finite passes, because it shows by itself.
 
-use crate::real::Real;
+use crate::number::Real;
 
 /// The error that |p|², and p·q relative to max(1, |q|), may have. Drift does not come near it, a forgotten normalization does.
 const PLAINLY: f64 = 0.1;

@@ -1,0 +1,7 @@
+//! What the scalar reference computes with: [`Real`] numbers, whose functions have the same bits everywhere.
+
+mod real;
+#[cfg(any(feature = "std", feature = "libm"))]
+mod sine;
+
+pub use real::{Real, Scalar};
