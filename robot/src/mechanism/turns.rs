@@ -21,9 +21,13 @@ pub(crate) struct Turns<'v, R> {
 }
 
 impl<'v, R: Real + Number> Turns<'v, R> {
+    /// So many at a time. Where lanes hold one number, a loop that keeps its constants in registers, over fewer that may
+    /// not be needed.
+    const SOME: usize = if Native::<R>::LANES == 1 { 4 } else { 8 };
+
     #[inline(always)]
     pub(crate) fn new(values: &'v [R]) -> Self {
-        Self { values, first: 0, cos: [R::ZERO; 8], sin: [R::ZERO; 8] }
+        Self { values, first: 0, cos: [R::NAN; 8], sin: [R::NAN; 8] }
     }
 
     /// From the values of a step on, at once: nothing else can be computed before. Where they are: a copy of what has just
@@ -36,12 +40,10 @@ impl<'v, R: Real + Number> Turns<'v, R> {
     /// Cosine and sine of half of value number `index`.
     #[inline(always)]
     pub(crate) fn half_turn(&mut self, index: usize) -> [R; 2] {
-        // One at a time, where lanes hold one number.
-        let some = if Native::<R>::LANES == 1 { 1 } else { 8 };
-        if index.wrapping_sub(self.first) >= some {
+        if index.wrapping_sub(self.first) >= Self::SOME {
             self.compute_others(index);
         }
-        let at = index.wrapping_sub(self.first) % some;
+        let at = index.wrapping_sub(self.first) % Self::SOME;
         [self.cos[at], self.sin[at]]
     }
 
@@ -56,8 +58,11 @@ impl<'v, R: Real + Number> Turns<'v, R> {
     fn compute(&mut self, index: usize) {
         if Native::<R>::LANES == 1 {
             self.first = index;
-            let value = self.values.get(index).copied().unwrap_or(R::NAN);
-            [self.cos[0], self.sin[0]] = half_turn_of(value);
+            let rest = self.values.get(index..).unwrap_or_default();
+            let turns = self.cos.iter_mut().zip(&mut self.sin).take(Self::SOME);
+            for ((cos, sin), &value) in turns.zip(rest) {
+                [*cos, *sin] = half_turn_of(value);
+            }
             return;
         }
         self.first = index.min(self.values.len().saturating_sub(4));
