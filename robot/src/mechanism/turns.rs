@@ -34,7 +34,12 @@ impl<'v, R: Real + Number> Turns<'v, R> {
     /// been written in fours that overlap would wait for the memory.
     #[inline(always)]
     pub(crate) fn begin(&mut self, step: Option<&Step<R>>) {
-        self.compute(step.map_or(0, |step| step.value as usize));
+        let index = step.map_or(0, |step| step.value as usize);
+        if Native::<R>::LANES == 1 {
+            self.compute_others(index);
+        } else {
+            self.compute(index);
+        }
     }
 
     /// Cosine and sine of half of value number `index`.
