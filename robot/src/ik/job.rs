@@ -9,7 +9,7 @@ use dq8::Scalar;
 use dq8::ShapeError;
 use dq8::scalar::DualQuat;
 use dq8::seams::Choice;
-#[cfg(feature = "rayon")]
+#[cfg(feature = "alloc")]
 use dq8::seams::Rows;
 use dq8::{Backend, Kernel};
 use dq8_simd::{Level, MAX_LANES};
@@ -70,27 +70,21 @@ impl<R: Scalar> ReachJob<'_, R> {
         reports: &mut [Report<R>],
         options: &Options<R>,
     ) -> Result<(), ShapeError> {
-        let count = self.reach.batch_scratch_len();
-        let work = Work { targets, values, reports, options, clips: None };
-        work.check(&self.reach, count, count)?;
+        let scratch = self.reach.batch_scratch_len();
+        Work { targets, values, reports, options, clips: None }.check(
+            &self.reach,
+            scratch,
+            scratch,
+        )?;
         let backend = self.choice.instructions();
-        let run = |work: Work<'_, R>| {
-            self.run::<true, false>(backend, work, &mut alloc::vec![R::ZERO; count])
+        let (goals, count) = (self.reach.goals.len(), self.reach.mechanism.values);
+        let (grain, outputs) = (grain(reports.len()), ((reports, 1), (values, count)));
+        let run = |first, ((reports, _), (values, _)): (Rows<Report<R>>, Rows<R>)| {
+            let targets = targets.get(first * goals..).unwrap_or_default();
+            let work = Work { targets, values, reports, options, clips: None };
+            self.run::<true, false>(backend, work, &mut alloc::vec![R::ZERO; scratch]);
         };
-        #[cfg(feature = "rayon")]
-        if backend.many() {
-            let Work { targets, values, reports, options, .. } = work;
-            let (goals, count) = (self.reach.goals.len(), self.reach.mechanism.values);
-            let outputs = ((reports, 1), (values, count));
-            let grain = grain(outputs.0.0.len());
-            backend.share(grain, outputs, &|first, part: (Rows<Report<R>>, Rows<R>)| {
-                let ((reports, _), (values, _)) = part;
-                let targets = targets.get(first * goals..).unwrap_or_default();
-                run(Work { targets, values, reports, options, clips: None });
-            });
-            return Ok(());
-        }
-        run(work);
+        backend.share(grain, outputs, &run);
         Ok(())
     }
 
@@ -127,9 +121,13 @@ impl<R: Scalar> ReachJob<'_, R> {
 /// How many configurations a task has at least. Some searches take ten times as long as others, so a thread has four
 /// tasks; but the last configurations of a task leave lanes idle, so few are a waste, and many are left over for one
 /// thread.
-#[cfg(feature = "rayon")]
+#[cfg(feature = "alloc")]
 fn grain(configurations: usize) -> usize {
-    configurations.div_ceil(4 * rayon::current_num_threads()).clamp(64, 1024)
+    #[cfg(feature = "rayon")]
+    let threads = rayon::current_num_threads();
+    #[cfg(not(feature = "rayon"))]
+    let threads = 1;
+    configurations.div_ceil(4 * threads).clamp(64, 1024)
 }
 
 /// Many configurations; lengths have been checked.

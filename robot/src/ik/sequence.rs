@@ -8,7 +8,7 @@ use dq8::scalar::DualQuat;
 use dq8::seams::Outputs;
 use dq8::storage::same_length;
 use dq8::{Scalar, ShapeError};
-#[cfg(feature = "rayon")]
+#[cfg(feature = "alloc")]
 use dq8_simd::MAX_LANES;
 
 impl<R: Scalar> ReachJob<'_, R> {
@@ -53,28 +53,23 @@ impl<R: Scalar> ReachJob<'_, R> {
         reports: &mut [Report<R>],
         options: &Options<R>,
     ) -> Result<(), ShapeError> {
-        let count = self.reach.batch_scratch_len();
+        let scratch = self.reach.batch_scratch_len();
         let options = &Options { restarts: false, ..*options };
-        let work = Work { targets, values, reports, options, clips: Some(clips) };
-        check(clips, work.reports.len())?;
-        work.check(&self.reach, count, count)?;
+        check(clips, reports.len())?;
+        Work { targets, values, reports, options, clips: Some(clips) }.check(
+            &self.reach,
+            scratch,
+            scratch,
+        )?;
         let backend = self.choice.instructions();
-        let run = |work: Work<'_, R>| {
-            self.run::<false, true>(backend, work, &mut alloc::vec![R::ZERO; count])
-        };
-        #[cfg(feature = "rayon")]
-        if backend.many() {
-            let Work { targets, values, reports, options, .. } = work;
-            let (goals, size) = (self.reach.goals.len(), self.reach.mechanism.values);
-            backend.share(MAX_LANES, Clips { clips, size, values, reports }, &|first, part| {
-                let before: usize = clips.iter().take(first).sum();
-                let targets = targets.get(before * goals..).unwrap_or_default();
-                let Clips { clips, values, reports, .. } = part;
-                run(Work { targets, values, reports, options, clips: Some(clips) });
-            });
-            return Ok(());
-        }
-        run(work);
+        let goals = self.reach.goals.len();
+        backend.share(MAX_LANES, Clips { clips, values, reports }, &|first, part| {
+            let before: usize = clips.iter().take(first).sum();
+            let targets = targets.get(before * goals..).unwrap_or_default();
+            let Clips { clips, values, reports } = part;
+            let work = Work { targets, values, reports, options, clips: Some(clips) };
+            self.run::<false, true>(backend, work, &mut alloc::vec![R::ZERO; scratch]);
+        });
         Ok(())
     }
 
@@ -108,11 +103,9 @@ fn check(clips: &[usize], frames: usize) -> Result<(), ShapeError> {
 }
 
 /// What clips write, cut between two.
-#[cfg(feature = "rayon")]
+#[cfg(feature = "alloc")]
 struct Clips<'s, R> {
     clips: &'s [usize],
-    /// How many values a frame has.
-    size: usize,
     values: &'s mut [R],
     reports: &'s mut [Report<R>],
 }
@@ -124,12 +117,13 @@ impl<R: Send> Outputs for Clips<'_, R> {
     }
 
     fn split(self, at: usize) -> (Self, Self) {
-        let Self { clips, size, values, reports } = self;
+        let Self { clips, values, reports } = self;
+        let size = values.len().checked_div(reports.len()).unwrap_or(0);
         let (before, after) = clips.split_at(at.min(clips.len()));
         let frames = before.iter().sum::<usize>().min(reports.len());
         let (values, others) = values.split_at_mut(frames * size);
         let (reports, later) = reports.split_at_mut(frames);
-        let first = Self { clips: before, size, values, reports };
-        (first, Self { clips: after, size, values: others, reports: later })
+        let first = Self { clips: before, values, reports };
+        (first, Self { clips: after, values: others, reports: later })
     }
 }
