@@ -23,25 +23,31 @@ HEADING = """\
 
 
 def proved(script):
-    """The largest bound in units of u, to the next thousandth."""
+    """The bound in units of u, to the next thousandth, if there is one."""
     run = subprocess.run(["bash", "-c", f"ulimit -t 20; exec gappa '{script}'"], capture_output=True, text=True, check=False)
-    goals = script.read_text(encoding="utf-8").count(" in ?")
-    bounds = [float(a or b) for a, b in
-              re.findall(r"\|n\d+ - M\d+\| in \[.*?(?:\{([^,]*),|, ?(\d+)\])", run.stdout + run.stderr)]
+    found = re.search(r"\|n\d+ - M\d+\| in \[.*?(?:\{([^,]*),|, ?(\d+)\])", run.stdout + run.stderr)
     unit = 2.0 ** (-24 if ".f32." in script.name else -53)
-    bound = -(-max(bounds) / unit * 1000 // 1) / 1000 if len(bounds) == goals else "none"
-    print(f"{script.stem}: {bound}", flush=True)
-    return script.stem, bound
+    return -(-float(found[1] or found[2]) / unit * 1000 // 1) / 1000 if found else None
+
+
+def all_proved(name, scripts):
+    """That of the whole answer."""
+    bounds = [proved(script) for script in scripts]
+    bound = "none" if None in bounds else max(bounds)
+    print(f"{name}: {bound}", flush=True)
+    return name, bound
 
 
 def main():
     known = tomllib.loads(FILE.read_text(encoding="utf-8")) if FILE.exists() else {}
-    scripts = {script.stem: script for script in sorted(Path(sys.argv[1]).glob("*.g"))}
+    scripts = {}
+    for script in sorted(Path(sys.argv[1]).glob("*.g")):
+        scripts.setdefault(script.stem.rpartition(".")[0], []).append(script)
     if "--missing" in sys.argv:
         scripts = {name: script for name, script in scripts.items() if name not in known}
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        table = dict(pool.map(proved, scripts.values()))
-    print(f"{len(table)} scripts, {list(table.values()).count('none')} without a bound")
+        table = dict(pool.map(all_proved, scripts, scripts.values()))
+    print(f"{len(table)} operations, {list(table.values()).count('none')} without a bound")
     if "--write" in sys.argv or "--missing" in sys.argv:
         table = table if "--write" in sys.argv else known | table
         lines = [f'"{name}" = ' + (f'"{bound}"' if bound == "none" else str(bound)) for name, bound in sorted(table.items())]
