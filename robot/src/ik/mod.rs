@@ -21,9 +21,12 @@
 
 mod assign;
 mod bound;
+mod branches;
 mod columns;
 mod compare;
+mod complex;
 mod error;
+mod family;
 mod forward;
 mod freedom;
 mod goal;
@@ -42,12 +45,15 @@ mod scratch;
 mod search;
 mod sequence;
 mod shape;
+mod six_axis;
+mod solutions;
 mod solve;
 mod step;
 mod tree;
 mod wish;
 
-pub use error::{RatesError, ReachError};
+pub use error::{RatesError, ReachError, SolutionsError};
+pub use family::Family;
 pub use freedom::Freedom;
 pub use goal::Goal;
 pub use job::ReachJob;
@@ -55,3 +61,5 @@ pub use job::ReachJob;
 pub use owned::OwnedReach;
 pub use problem::Reach;
 pub use report::{Options, Outcome, Report};
+pub use six_axis::{SixAxisArm, SolutionsJob};
+pub use solutions::{Singular, Solution, Solutions};

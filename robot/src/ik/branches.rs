@@ -1,0 +1,291 @@
+//! All solutions of the two families, up to eight in each lane.
+//!
+//! With axes and points where all values are zero, the arm is a product of turns e₁ … e₆ that is the target times
+//! [`Geometry::back`] (Brockett 1984). What a turn about its own axis does not change leaves equations of one angle at a
+//! time (Paden and Kahan; Elias and Wen, *IK-Geo*, 2022), each of which has two solutions, or one, or is free. Every angle
+//! but the last of a group makes up for what the ones before were rounded by, so nothing has to be improved afterwards.
+
+use super::complex::{Complex, Fork};
+use super::family::{Family, Geometry};
+use dq8::batch::{DualQuat, vector};
+use dq8::{Real, Scalar};
+use dq8_simd::Lanes;
+
+/// Units of the last place that two solutions, or an axis and a point on it, may be apart and count as one.
+const SLACK: f64 = 16.0;
+
+/// One of the eight.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Branch<L: Lanes> {
+    pub(super) turns: [Complex<L>; 6],
+    pub(super) exists: L::Mask,
+    /// Whether it meets another, or is one of many: at the shoulder, the elbow and the wrist.
+    pub(super) singular: [L::Mask; 3],
+}
+
+/// Geometry and targets on lanes.
+pub(super) struct Arm<'s, L: Lanes> {
+    level: L::Level,
+    geometry: &'s Geometry<L::Real>,
+    /// The motion of what is fixed to the tool.
+    goal: DualQuat<L>,
+    /// Where every angle will do.
+    start: [Complex<L>; 6],
+    /// Lengths, and sines, that are zero.
+    slack: [L; 2],
+    normal: [L; 3],
+    across: [[L; 3]; 2],
+}
+
+impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn new(
+        level: L::Level,
+        geometry: &'s Geometry<L::Real>,
+        target: DualQuat<L>,
+        start: [Complex<L>; 6],
+    ) -> Self {
+        let back = DualQuat::from_array(vector::splat(level, geometry.back.to_array()));
+        let angle = L::splat(level, L::Real::EPSILON) * start[0].re.constant(SLACK);
+        Self {
+            level,
+            geometry,
+            goal: target * back,
+            start,
+            slack: [L::splat(level, geometry.size) * angle, angle],
+            normal: vector::splat(level, geometry.axes[1]),
+            across: geometry.across.map(
+                #[cfg_attr(not(opt_level_0), inline(always))]
+                |direction| vector::splat(level, direction),
+            ),
+        }
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn solve(&self, branches: &mut [Branch<L>; 8]) {
+        match self.geometry.family {
+            Family::SphericalWrist => self.spherical_wrist(branches),
+            Family::ThreeParallel => self.three_parallel(branches),
+            Family::Other => {}
+        }
+    }
+
+    /// The tool's rotation leaves the wrist where it is: first an arm of three axes for its centre, then the wrist.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn spherical_wrist(&self, branches: &mut [Branch<L>; 8]) {
+        let way = self.way(self.centre());
+        let shoulder = self.shoulder(way);
+        let last = self.goal.transform_vector(self.axis(5));
+        let [across, across_too] = self.across_last();
+        let turned = self.goal.transform_vector(across);
+        let mut rest = branches.iter_mut();
+        for (first, exists) in shoulder.turns.into_iter().zip(shoulder.exists) {
+            let end = self.in_plane(first, way);
+            let elbow = self.elbow(end);
+            let [last, turned] =
+                [first.conj().about(self.axis(0), last), first.conj().about(self.axis(0), turned)];
+            for (third, is_elbow) in elbow.turns.into_iter().zip(elbow.exists) {
+                let second = self.upper_arm(end, third);
+                let back = second.times(third).conj();
+                let last = back.about(self.normal, last);
+                let turned = back.about(self.normal, turned);
+                let (wrist, is_free) = self.wrist(last, self.vector(self.geometry.against));
+                for (fifth, is_wrist) in wrist.turns.into_iter().zip(wrist.exists) {
+                    let swung = fifth.about(self.axis(4), self.axis(5));
+                    let fourth = Complex::onto(self.axis(3), swung, last);
+                    let fourth = Complex::select(is_free, self.start[3], fourth);
+                    let left = fourth.conj().about(self.axis(3), turned);
+                    let left = fifth.conj().about(self.axis(4), left);
+                    let sixth =
+                        Complex::unit(vector::dot(across, left), vector::dot(across_too, left));
+                    let Some(branch) = rest.next() else { return };
+                    *branch = Branch {
+                        turns: [first, second, self.signed(0, third), fourth, fifth, sixth],
+                        exists: exists & is_elbow & is_wrist,
+                        singular: [shoulder.is_double, elbow.is_double, wrist.is_double],
+                    };
+                }
+            }
+        }
+    }
+
+    /// The three parallel axes change neither the height along them nor a direction along them: that gives the others;
+    /// then a chain of two links and a hand in the plane.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn three_parallel(&self, branches: &mut [Branch<L>; 8]) {
+        let way = self.way(self.centre());
+        let shoulder = self.shoulder(way);
+        let last = self.goal.transform_vector(self.axis(5));
+        let rotation = self.goal.rotation();
+        let hand = self.vector(self.geometry.hand);
+        let mut rest = branches.iter_mut();
+        for (first, exists) in shoulder.turns.into_iter().zip(shoulder.exists) {
+            let normal = first.about(self.axis(0), self.normal);
+            let (wrist, is_free) = self.wrist(last, normal);
+            let normal = rotation.conjugate().rotate(normal);
+            for (fifth, is_wrist) in wrist.turns.into_iter().zip(wrist.exists) {
+                let back = fifth.conj();
+                let swung = back.about(self.axis(4), self.normal);
+                let sixth = Complex::onto(self.axis(5), normal, swung);
+                let sixth = Complex::select(is_free, self.start[5], sixth);
+                let hand = sixth.conj().about(self.axis(5), back.about(self.axis(4), hand));
+                let along = back.about(self.axis(4), self.across[0]);
+                let along = rotation.rotate(sixth.conj().about(self.axis(5), along));
+                let all = self.directions(first, along);
+                let all = Complex::unit(all.re, all.im);
+                let hand = self.in_plane(first, vector::add(way, rotation.rotate(hand)));
+                let elbow = self.elbow(hand);
+                for (third, is_elbow) in elbow.turns.into_iter().zip(elbow.exists) {
+                    let second = self.upper_arm(hand, third);
+                    let fourth = second.times(third).conj().times(all);
+                    let Some(branch) = rest.next() else { return };
+                    *branch = Branch {
+                        turns: [
+                            first,
+                            second,
+                            self.signed(0, third),
+                            self.signed(1, fourth),
+                            fifth,
+                            sixth,
+                        ],
+                        exists: exists & is_elbow & is_wrist,
+                        singular: [shoulder.is_double, elbow.is_double, wrist.is_double],
+                    };
+                }
+            }
+        }
+    }
+
+    /// The first angle, whose turn back brings the centre to its height along the second axis.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn shoulder(&self, way: [L; 3]) -> Fork<L> {
+        let axis = self.axis(0);
+        let (tilt, height) = (self.number(self.geometry.tilt), self.number(self.geometry.height));
+        let along = tilt * vector::dot(axis, way);
+        let base = Complex {
+            re: vector::dot(self.normal, way) - along,
+            im: vector::dot(axis, vector::cross(self.normal, way)),
+        };
+        let (radius, height) = (base.norm(), height - along);
+        let gap = radius - height.abs();
+        let [slack, _] = self.slack;
+        let root = positive(gap * (radius + height.abs())).sqrt();
+        let is_free = radius.le(slack);
+        // Where the centre is on the axis, both heights are zero.
+        let mut fork = Fork::new(base, [height, root], (-slack).le(gap), gap.le(slack));
+        fork.turns[0] = Complex::select(is_free, self.start[0], fork.turns[0]);
+        fork
+    }
+
+    /// The turn of the lower arm against the upper one, by the distance of the end (Heron).
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn elbow(&self, end: Complex<L>) -> Fork<L> {
+        let [upper, lower] = self.geometry.lengths;
+        let (shortest, longest) = (self.number((upper - lower).abs()), self.number(upper + lower));
+        let (distance, [slack, _]) = (end.norm(), self.slack);
+        let (inner, outer) = (distance - shortest, longest - distance);
+        let area = inner * (distance + shortest) * outer * (longest + distance);
+        let (half, squares) = (distance.constant(0.5), self.number(upper * upper + lower * lower));
+        let cosine = (distance * distance - squares) * half;
+        let root = positive(area).sqrt() * half;
+        let exists = (-slack).le(inner) & (-slack).le(outer);
+        let is_double = inner.le(slack) | outer.le(slack);
+        let base = Complex::splat(self.level, self.geometry.between);
+        Fork::new(base, [cosine, root], exists, is_double)
+    }
+
+    /// The second angle: where the upper arm is when the end is where it should be.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn upper_arm(&self, end: Complex<L>, third: Complex<L>) -> Complex<L> {
+        let [upper, lower] = self.geometry.links;
+        let (upper, lower) = (Complex::splat(self.level, upper), Complex::splat(self.level, lower));
+        let turn = end.times(upper.plus(third.times(lower)).conj());
+        let is_free = end.norm().le(self.slack[0]);
+        Complex::select(is_free, self.start[1], Complex::unit(turn.re, turn.im))
+    }
+
+    /// The fifth angle: how the last axis stands to what it is turned against; and where it is along that.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn wrist(&self, last: [L; 3], against: [L; 3]) -> (Fork<L>, L::Mask) {
+        let [_, slack] = self.slack;
+        let cosine = vector::dot(against, last);
+        let across = vector::cross(against, last);
+        let square = vector::dot(across, across);
+        let sine = square.sqrt();
+        let [one, other] = self.geometry.cosines;
+        let both = self.number(one * other);
+        let zero = sine.constant(0.0);
+        let is_back = cosine.lt(zero);
+        // 1 − cos² − a² − b² + 2ab·cos, without its rounding where the sine is small and the cosines are alike.
+        let (alike, opposite) = (
+            self.number((one - other) * (one - other)),
+            self.number((one + other) * (one + other)),
+        );
+        let away = square / (sine.constant(1.0) + cosine.abs());
+        let twice = (both + both) * away;
+        let left = square - L::select(is_back, opposite, alike);
+        let left = L::select(is_back, left + twice, left - twice);
+        let least = L::select(sine.lt(slack), slack, sine) * slack;
+        let base = Complex::splat(self.level, self.geometry.swung);
+        let parts = [cosine - both, positive(left).sqrt()];
+        (Fork::new(base, parts, (-least).le(left), left.le(least)), sine.le(slack))
+    }
+
+    /// From the first axis to a point of the tool.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn way(&self, point: [L; 3]) -> [L; 3] {
+        vector::sub(self.goal.transform_point(point), self.vector(self.geometry.base))
+    }
+
+    /// A direction in the plane of the elbow.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn directions(&self, first: Complex<L>, v: [L; 3]) -> Complex<L> {
+        let v = first.conj().about(self.axis(0), v);
+        Complex { re: vector::dot(self.across[0], v), im: vector::dot(self.across[1], v) }
+    }
+
+    /// A point there.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn in_plane(&self, first: Complex<L>, way: [L; 3]) -> Complex<L> {
+        self.directions(first, way).plus(Complex::splat(self.level, self.geometry.origin))
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn signed(&self, which: usize, turn: Complex<L>) -> Complex<L> {
+        let sign = self.geometry.signs.get(which).copied().unwrap_or(L::Real::ONE);
+        Complex { re: turn.re, im: turn.im * self.number(sign) }
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn centre(&self) -> [L; 3] {
+        self.vector(self.geometry.centre)
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn across_last(&self) -> [[L; 3]; 2] {
+        let [a, b] = self.geometry.end;
+        [self.vector(a), self.vector(b)]
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn axis(&self, index: usize) -> [L; 3] {
+        self.vector(self.geometry.axes.get(index).copied().unwrap_or_default())
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn vector(&self, vector: [L::Real; 3]) -> [L; 3] {
+        vector::splat(self.level, vector)
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn number(&self, number: L::Real) -> L {
+        L::splat(self.level, number)
+    }
+}
+
+/// Zero below it.
+#[cfg_attr(not(opt_level_0), inline(always))]
+fn positive<L: Lanes>(number: L) -> L {
+    let zero = number.constant(0.0);
+    L::select(number.lt(zero), zero, number)
+}
