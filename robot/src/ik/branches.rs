@@ -61,50 +61,104 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         }
     }
 
+    /// Memory to be written.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn solve(&self, branches: &mut [Branch<L>; 8]) {
+    pub(super) fn nowhere(&self) -> Branch<L> {
+        let [zero, _] = self.slack;
+        let never = zero.lt(zero);
+        let turn = Complex { re: zero, im: zero };
+        Branch { turns: [turn; 6], exists: never, singular: [never; 3] }
+    }
+
+    /// The solutions, but for limits.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn solve(&self) -> [Branch<L>; 8] {
+        let mut branches = [self.nowhere(); 8];
         match self.geometry.family {
-            Family::SphericalWrist => self.spherical_wrist(branches),
-            Family::ThreeParallel => self.three_parallel(branches),
+            Family::SphericalWrist => self.spherical_wrist(&mut branches),
+            Family::ThreeParallel => self.three_parallel(&mut branches),
             Family::Other => {}
+        }
+        branches
+    }
+
+    /// Turns of the wrist leave its centre where it is: first an arm of three axes for that, then the wrist.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn spherical_wrist(&self, branches: &mut [Branch<L>; 8]) {
+        let last = self.goal.transform_vector(self.axis(5));
+        let [across, across_too] = self.geometry.end;
+        let [across, across_too] = [self.vector(across), self.vector(across_too)];
+        let turned = self.goal.transform_vector(across);
+        let (mut places, mut rest) = ([self.nowhere(); 4], branches.iter_mut());
+        if self.geometry.crosses {
+            self.crossing_shoulder(&mut places);
+        } else {
+            self.parallel_elbow(&mut places);
+        }
+        for Branch { mut turns, exists, mut singular } in places {
+            let (mut last, mut turned) = (last, turned);
+            for (index, turn) in turns.into_iter().enumerate().take(3) {
+                let (axis, back) = (self.axis(index), turn.conj());
+                (last, turned) = (back.about(axis, last), back.about(axis, turned));
+            }
+            let (wrist, is_free) = self.wrist(last, self.vector(self.geometry.against));
+            singular[2] = wrist.is_double;
+            for (fifth, is_wrist) in wrist.turns.into_iter().zip(wrist.exists) {
+                let swung = fifth.about(self.axis(4), self.axis(5));
+                let fourth = Complex::onto(self.axis(3), swung, last);
+                let fourth = Complex::select(is_free, self.start[3], fourth);
+                let left = fourth.conj().about(self.axis(3), turned);
+                let left = fifth.conj().about(self.axis(4), left);
+                let sixth = Complex::unit(vector::dot(across, left), vector::dot(across_too, left));
+                (turns[3], turns[4], turns[5]) = (fourth, fifth, sixth);
+                let Some(branch) = rest.next() else { return };
+                *branch = Branch { turns, exists: exists & is_wrist, singular };
+            }
         }
     }
 
-    /// The tool's rotation leaves the wrist where it is: first an arm of three axes for its centre, then the wrist.
+    /// The centre of the wrist by a shoulder, and two links in a plane.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn spherical_wrist(&self, branches: &mut [Branch<L>; 8]) {
-        let way = self.way(self.centre());
+    fn parallel_elbow(&self, places: &mut [Branch<L>; 4]) {
+        let way = self.way(self.vector(self.geometry.centre));
         let shoulder = self.shoulder(way);
-        let last = self.goal.transform_vector(self.axis(5));
-        let [across, across_too] = self.across_last();
-        let turned = self.goal.transform_vector(across);
-        let mut rest = branches.iter_mut();
+        let mut rest = places.iter_mut();
         for (first, exists) in shoulder.turns.into_iter().zip(shoulder.exists) {
             let end = self.in_plane(first, way);
-            let elbow = self.elbow(end);
-            let [last, turned] =
-                [first.conj().about(self.axis(0), last), first.conj().about(self.axis(0), turned)];
+            let elbow = self.elbow(end.norm());
             for (third, is_elbow) in elbow.turns.into_iter().zip(elbow.exists) {
-                let second = self.upper_arm(end, third);
-                let back = second.times(third).conj();
-                let last = back.about(self.normal, last);
-                let turned = back.about(self.normal, turned);
-                let (wrist, is_free) = self.wrist(last, self.vector(self.geometry.against));
-                for (fifth, is_wrist) in wrist.turns.into_iter().zip(wrist.exists) {
-                    let swung = fifth.about(self.axis(4), self.axis(5));
-                    let fourth = Complex::onto(self.axis(3), swung, last);
-                    let fourth = Complex::select(is_free, self.start[3], fourth);
-                    let left = fourth.conj().about(self.axis(3), turned);
-                    let left = fifth.conj().about(self.axis(4), left);
-                    let sixth =
-                        Complex::unit(vector::dot(across, left), vector::dot(across_too, left));
-                    let Some(branch) = rest.next() else { return };
-                    *branch = Branch {
-                        turns: [first, second, self.signed(0, third), fourth, fifth, sixth],
-                        exists: exists & is_elbow & is_wrist,
-                        singular: [shoulder.is_double, elbow.is_double, wrist.is_double],
-                    };
-                }
+                let Some(place) = rest.next() else { return };
+                place.turns[0] = first;
+                place.turns[1] = self.upper_arm(end, third);
+                place.turns[2] = self.signed(0, third);
+                place.exists = exists & is_elbow;
+                (place.singular[0], place.singular[1]) = (shoulder.is_double, elbow.is_double);
+            }
+        }
+    }
+
+    /// The same where the first two axes cross: the distance from there, then the direction.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn crossing_shoulder(&self, places: &mut [Branch<L>; 4]) {
+        let way = self.way(self.vector(self.geometry.centre));
+        let [upper, lower] = [self.vector(self.geometry.upper), self.vector(self.geometry.lower)];
+        let distance = vector::dot(way, way).sqrt();
+        let elbow = self.elbow(distance);
+        let one = distance.constant(1.0);
+        let direction = vector::scale(way, one / distance);
+        let mut rest = places.iter_mut();
+        for (third, exists) in elbow.turns.into_iter().zip(elbow.exists) {
+            let end = vector::add(upper, third.about(self.axis(2), lower));
+            let end = vector::scale(end, one / vector::dot(end, end).sqrt());
+            let apart = Apart::new(direction, self.axis(0), self.slack[1]);
+            let shoulder = apart.bend(self.axis(0), self.axis(1), end);
+            for (second, is_shoulder) in shoulder.turns.into_iter().zip(shoulder.exists) {
+                let first = Complex::onto(self.axis(0), second.about(self.axis(1), end), direction);
+                let Some(place) = rest.next() else { return };
+                place.turns[0] = Complex::select(apart.is_along, self.start[0], first);
+                (place.turns[1], place.turns[2]) = (second, third);
+                place.exists = exists & is_shoulder;
+                (place.singular[0], place.singular[1]) = (shoulder.is_double, elbow.is_double);
             }
         }
     }
@@ -113,11 +167,11 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
     /// then a chain of two links and a hand in the plane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn three_parallel(&self, branches: &mut [Branch<L>; 8]) {
-        let way = self.way(self.centre());
+        let way = self.way(self.vector(self.geometry.centre));
         let shoulder = self.shoulder(way);
         let last = self.goal.transform_vector(self.axis(5));
         let rotation = self.goal.rotation();
-        let hand = self.vector(self.geometry.hand);
+        let hand = self.vector(self.geometry.lower);
         let mut rest = branches.iter_mut();
         for (first, exists) in shoulder.turns.into_iter().zip(shoulder.exists) {
             let normal = first.about(self.axis(0), self.normal);
@@ -134,7 +188,7 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
                 let all = self.directions(first, along);
                 let all = Complex::unit(all.re, all.im);
                 let hand = self.in_plane(first, vector::add(way, rotation.rotate(hand)));
-                let elbow = self.elbow(hand);
+                let elbow = self.elbow(hand.norm());
                 for (third, is_elbow) in elbow.turns.into_iter().zip(elbow.exists) {
                     let second = self.upper_arm(hand, third);
                     let fourth = second.times(third).conj().times(all);
@@ -179,19 +233,17 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
 
     /// The turn of the lower arm against the upper one, by the distance of the end (Heron).
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn elbow(&self, end: Complex<L>) -> Fork<L> {
-        let [upper, lower] = self.geometry.lengths;
-        let (shortest, longest) = (self.number((upper - lower).abs()), self.number(upper + lower));
-        let (distance, [slack, _]) = (end.norm(), self.slack);
+    fn elbow(&self, distance: L) -> Fork<L> {
+        let [shortest, longest] = self.geometry.spans;
+        let [shortest, longest] = [self.number(shortest), self.number(longest)];
         let (inner, outer) = (distance - shortest, longest - distance);
-        let area = inner * (distance + shortest) * outer * (longest + distance);
-        let (half, squares) = (distance.constant(0.5), self.number(upper * upper + lower * lower));
-        let cosine = (distance * distance - squares) * half;
-        let root = positive(area).sqrt() * half;
+        let [slack, _] = self.slack;
+        let (inner_too, outer_too) = (distance + shortest, longest + distance);
+        let cosine = inner.mul_add(inner_too, -(outer * outer_too)) * distance.constant(0.5);
+        let root = positive(inner * inner_too * (outer * outer_too)).sqrt();
         let exists = (-slack).le(inner) & (-slack).le(outer);
-        let is_double = inner.le(slack) | outer.le(slack);
         let base = Complex::splat(self.level, self.geometry.between);
-        Fork::new(base, [cosine, root], exists, is_double)
+        Fork::new(base, [cosine, root], exists, inner.le(slack) | outer.le(slack))
     }
 
     /// The second angle: where the upper arm is when the end is where it should be.
@@ -204,31 +256,12 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         Complex::select(is_free, self.start[1], Complex::unit(turn.re, turn.im))
     }
 
-    /// The fifth angle: how the last axis stands to what it is turned against; and where it is along that.
+    /// The fifth angle, which brings the last axis to where it is to what it is turned against; and where that is along it.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn wrist(&self, last: [L; 3], against: [L; 3]) -> (Fork<L>, L::Mask) {
-        let [_, slack] = self.slack;
-        let cosine = vector::dot(against, last);
-        let across = vector::cross(against, last);
-        let square = vector::dot(across, across);
-        let sine = square.sqrt();
-        let [one, other] = self.geometry.cosines;
-        let both = self.number(one * other);
-        let zero = sine.constant(0.0);
-        let is_back = cosine.lt(zero);
-        // 1 − cos² − a² − b² + 2ab·cos, without its rounding where the sine is small and the cosines are alike.
-        let (alike, opposite) = (
-            self.number((one - other) * (one - other)),
-            self.number((one + other) * (one + other)),
-        );
-        let away = square / (sine.constant(1.0) + cosine.abs());
-        let twice = (both + both) * away;
-        let left = square - L::select(is_back, opposite, alike);
-        let left = L::select(is_back, left + twice, left - twice);
-        let least = L::select(sine.lt(slack), slack, sine) * slack;
-        let base = Complex::splat(self.level, self.geometry.swung);
-        let parts = [cosine - both, positive(left).sqrt()];
-        (Fork::new(base, parts, (-least).le(left), left.le(least)), sine.le(slack))
+        let before = self.vector(self.geometry.against);
+        let apart = Apart::new(last, against, self.slack[1]);
+        (apart.bend(before, self.axis(4), self.axis(5)), apart.is_along)
     }
 
     /// From the first axis to a point of the tool.
@@ -257,17 +290,6 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
     }
 
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn centre(&self) -> [L; 3] {
-        self.vector(self.geometry.centre)
-    }
-
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn across_last(&self) -> [[L; 3]; 2] {
-        let [a, b] = self.geometry.end;
-        [self.vector(a), self.vector(b)]
-    }
-
-    #[cfg_attr(not(opt_level_0), inline(always))]
     fn axis(&self, index: usize) -> [L; 3] {
         self.vector(self.geometry.axes.get(index).copied().unwrap_or_default())
     }
@@ -280,6 +302,46 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn number(&self, number: L::Real) -> L {
         L::splat(self.level, number)
+    }
+}
+
+/// The angle between two unit vectors.
+#[derive(Clone, Copy, Debug)]
+struct Apart<L: Lanes> {
+    cosine: L,
+    sine: L,
+    square: L,
+    slack: L,
+    is_along: L::Mask,
+}
+
+impl<L: Lanes> Apart<L> {
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn new(v: [L; 3], w: [L; 3], slack: L) -> Self {
+        let across = vector::cross(v, w);
+        let square = vector::dot(across, across);
+        let sine = square.sqrt();
+        Self { cosine: vector::dot(v, w), sine, square, slack, is_along: sine.le(slack) }
+    }
+
+    /// Turns about `axis` that bring `v` as far from `to`. All are unit vectors.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn bend(&self, to: [L; 3], axis: [L; 3], v: [L; 3]) -> Fork<L> {
+        let Self { cosine, sine, square, slack, .. } = *self;
+        let (one, other) = (vector::dot(to, axis), vector::dot(axis, v));
+        let both = one * other;
+        let base =
+            Complex { re: vector::dot(to, v) - both, im: vector::dot(to, vector::cross(axis, v)) };
+        // 1 − cos² − a² − b² + 2ab cos for the cosines a and b to the axis, without its rounding where the sine is small and
+        // they are alike.
+        let is_back = cosine.lt(sine.constant(0.0));
+        let (away, other) = (both + both, L::select(is_back, -other, other));
+        let away = L::select(is_back, -away, away) * square / (sine.constant(1.0) + cosine.abs());
+        let differ = one - other;
+        let left = differ.neg_mul_add(differ, square) - away;
+        let least = L::select(sine.lt(slack), slack, sine) * slack;
+        let parts = [cosine - both, positive(left).sqrt()];
+        Fork::new(base, parts, (-least).le(left), left.le(least))
     }
 }
 

@@ -11,8 +11,8 @@ use dq8::scalar::{DualQuat, vector};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Family {
-    /// The last three axes meet in a point, and the second and third are parallel: a shoulder, an elbow, and a spherical
-    /// wrist (PUMA, and most of what welds, paints and lifts).
+    /// The last three axes meet in a point, and the second and third are parallel, or the first two meet: a shoulder, an
+    /// elbow, and a spherical wrist (PUMA, and most of what welds, paints and lifts).
     SphericalWrist,
     /// The second, third and fourth axis are parallel, and the last two meet (UR and other arms that work beside people).
     ThreeParallel,
@@ -27,27 +27,29 @@ pub(super) struct Geometry<R> {
     pub(super) axes: [[R; 3]; 6],
     /// From a target to the motion of what is fixed to the tool.
     pub(super) back: DualQuat<R>,
-    /// A point on the first axis; where the last axes meet; from there to the fourth axis, where that does not go through.
+    /// A point on the first axis, that where the second crosses it if `crosses`; and where the last axes meet.
+    pub(super) crosses: bool,
     pub(super) base: [R; 3],
     pub(super) centre: [R; 3],
-    pub(super) hand: [R; 3],
+    /// From the base to the third axis; from there to the centre, or of three parallel axes from the centre to the fourth.
+    pub(super) upper: [R; 3],
+    pub(super) lower: [R; 3],
+    /// How near to the second axis, or to where it crosses the first, the end of the lower arm gets, and how far from it.
+    pub(super) spans: [R; 2],
     /// Two directions across the second axis, in which the elbow is a plane one; the base in it, from the second axis.
     pub(super) across: [[R; 3]; 2],
     pub(super) origin: [R; 2],
-    /// The links there: from the second to the third axis, and from there to the centre or the fourth axis; their
-    /// lengths, and the angle between them.
+    /// The links there: from the second to the third axis, and from there to the centre or the fourth axis; and the angle
+    /// between them about the third axis.
     pub(super) links: [[R; 2]; 2],
-    pub(super) lengths: [R; 2],
     pub(super) between: [R; 2],
     /// Which way the third and fourth axis turn there.
     pub(super) signs: [R; 2],
     /// How high the centre is over the base along the second axis, and how much of that axis is along the first.
     pub(super) height: R,
     pub(super) tilt: R,
-    /// What the fifth axis turns the last against, the cosines of both to it, and the angle about it.
+    /// What the fifth axis turns the last against.
     pub(super) against: [R; 3],
-    pub(super) cosines: [R; 2],
-    pub(super) swung: [R; 2],
     /// Two directions across the last axis.
     pub(super) end: [[R; 3]; 2],
     /// A length that is typical for the arm.
@@ -127,33 +129,47 @@ impl<R: Real> Geometry<R> {
         };
         let links = [plane(sub(points[2], points[1])), plane(sub(end_of_arm, points[2]))];
         let lengths = links.map(norm);
-        let bends = parallel(1, 2) && !parallel(0, 1) && lengths.iter().all(|&l| l > slack);
-        let cosines = [dot(against, axes[4]), dot(axes[4], axes[5])];
         let [[a, b], [c, d]] = links;
-        Self {
-            family: if bends { family } else { Family::Other },
+        let mut geometry = Self {
+            family,
             axes,
             back: tool.conjugate(),
+            crosses: false,
             base: points[0],
             centre,
-            hand: sub(points[3], centre),
+            upper: [R::ZERO; 3],
+            lower: sub(end_of_arm, centre),
+            spans: [(lengths[0] - lengths[1]).abs(), lengths[0] + lengths[1]],
             across,
             origin: plane(sub(points[0], points[1])),
             links,
-            lengths,
             between: unit([a * c + b * d, b * c - a * d]),
             signs: [2, 3].map(|i| if dot(normal, axes[i]) < R::ZERO { -R::ONE } else { R::ONE }),
             height: dot(normal, sub(centre, points[0])),
             tilt: dot(normal, axes[0]),
             against,
-            cosines,
-            swung: unit([
-                dot(against, axes[5]) - cosines[0] * cosines[1],
-                dot(against, cross(axes[4], axes[5])),
-            ]),
             end: [last, cross(axes[5], last)],
             size,
+        };
+        let bends = parallel(1, 2) && !parallel(0, 1) && lengths.iter().all(|&l| l > slack);
+        if !bends {
+            let crossing = meeting([points[0], points[1]], [axes[0], axes[1]]);
+            let is_crossing = is_wrist && !parallel(0, 1) && !is_off(crossing, 1);
+            let is_family = is_crossing && geometry.cross(crossing, points[2]);
+            geometry.family = if is_family { family } else { Family::Other };
         }
+        geometry
+    }
+
+    /// Takes the point where the first two axes cross for the base. Whether the third axis then moves the centre to or from it.
+    fn cross(&mut self, crossing: [R; 3], elbow: [R; 3]) -> bool {
+        let (upper, lower, axis) = (sub(elbow, crossing), sub(self.centre, elbow), self.axes[2]);
+        let (a, b) = (cross(axis, upper), cross(axis, lower));
+        let (lengths, along) = ([norm(a), norm(b)], dot(axis, add(upper, lower)));
+        (self.crosses, self.base, self.upper, self.lower) = (true, crossing, upper, lower);
+        self.spans = [lengths[0] - lengths[1], lengths[0] + lengths[1]].map(|l| norm([l, along]));
+        self.between = unit([dot(a, b), dot(upper, b)]);
+        lengths.iter().all(|&length| length > fit::<R>() * self.size)
     }
 }
 

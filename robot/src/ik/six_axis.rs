@@ -1,6 +1,6 @@
 //! All solutions for arms of six hinges.
 
-use super::branches::{Arm, Branch};
+use super::branches::Arm;
 use super::complex::Complex;
 use super::error::SolutionsError;
 use super::family::{Family, Geometry, fit};
@@ -147,11 +147,6 @@ fn run<L: Lanes<Real: Scalar>>(
     found: &mut [Solutions<L::Real>],
 ) {
     let zero = L::splat(level, L::Real::ZERO);
-    let none = Branch {
-        turns: [Complex { re: zero, im: zero }; 6],
-        exists: zero.lt(zero),
-        singular: [zero.lt(zero); 3],
-    };
     for first in (0..found.len()).step_by(L::LANES) {
         let mut numbers = [zero.to_array(); 14];
         for lane in 0..L::LANES {
@@ -178,8 +173,7 @@ fn run<L: Lanes<Real: Scalar>>(
             let (re, im) = cos_sin(value);
             (start[index], turns[index]) = (value, Complex { re, im });
         }
-        let mut branches = [none; 8];
-        Arm::new(level, &arm.geometry, target, turns).solve(&mut branches);
+        let branches = Arm::new(level, &arm.geometry, target, turns).solve();
         for slot in found.iter_mut().skip(first).take(L::LANES) {
             slot.clear(true);
         }

@@ -27,7 +27,9 @@ fn explore<R: Scalar>(name: &str, plan: Plan<6>) {
             let iso = plan.isometry(&exact(s.values));
             let t = real.translation();
             let q = real.rotation().to_array();
-            let q = nalgebra::UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(q[3], q[0], q[1], q[2]));
+            let q = nalgebra::UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(
+                q[3], q[0], q[1], q[2],
+            ));
             let d = (iso.translation.vector - nalgebra::Vector3::from(t)).norm();
             worst[0] = worst[0].max(iso.rotation.angle_to(&q));
             worst[1] = worst[1].max(d);
