@@ -11,8 +11,10 @@ use dq8::batch::{DualQuat, vector};
 use dq8::{Real, Scalar};
 use dq8_simd::Lanes;
 
-/// Units of the last place that two solutions, or an axis and a point on it, may be apart and count as one.
-const SLACK: f64 = 16.0;
+/// What is none, in units of the last place; poses themselves are computed to some ten. By how much of the arm's size a target
+/// may be out of reach; the same within reach, where two solutions are one; and the sine between axes that are along each
+/// other.
+const SLACK: [f64; 3] = [64.0, 16.0, 32.0];
 
 /// One of the eight.
 #[derive(Clone, Copy, Debug)]
@@ -31,8 +33,7 @@ pub(super) struct Arm<'s, L: Lanes> {
     goal: DualQuat<L>,
     /// Where every angle will do.
     start: [Complex<L>; 6],
-    /// Lengths, and sines, that are zero.
-    slack: [L; 2],
+    slack: [L; 3],
     normal: [L; 3],
     across: [[L; 3]; 2],
 }
@@ -46,13 +47,17 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         start: [Complex<L>; 6],
     ) -> Self {
         let back = DualQuat::from_array(vector::splat(level, geometry.back.to_array()));
-        let angle = L::splat(level, L::Real::EPSILON) * start[0].re.constant(SLACK);
+        let [reach, merge, angle] = SLACK.map(
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            |units| start[0].re.constant(units * vector::epsilon::<L>()),
+        );
+        let size = L::splat(level, geometry.size);
         Self {
             level,
             geometry,
             goal: target * back,
             start,
-            slack: [L::splat(level, geometry.size) * angle, angle],
+            slack: [size * reach, size * merge, angle],
             normal: vector::splat(level, geometry.axes[1]),
             across: geometry.across.map(
                 #[cfg_attr(not(opt_level_0), inline(always))]
@@ -64,7 +69,7 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
     /// Memory to be written.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn nowhere(&self) -> Branch<L> {
-        let [zero, _] = self.slack;
+        let [zero, ..] = self.slack;
         let never = zero.lt(zero);
         let turn = Complex { re: zero, im: zero };
         Branch { turns: [turn; 6], exists: never, singular: [never; 3] }
@@ -102,7 +107,7 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
                 (last, turned) = (back.about(axis, last), back.about(axis, turned));
             }
             let (wrist, is_free) = self.wrist(last, self.vector(self.geometry.against));
-            singular[2] = wrist.is_double;
+            singular[2] = wrist.is_singular;
             for (fifth, is_wrist) in wrist.turns.into_iter().zip(wrist.exists) {
                 let swung = fifth.about(self.axis(4), self.axis(5));
                 let fourth = Complex::onto(self.axis(3), swung, last);
@@ -132,7 +137,7 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
                 place.turns[1] = self.upper_arm(end, third);
                 place.turns[2] = self.signed(0, third);
                 place.exists = exists & is_elbow;
-                (place.singular[0], place.singular[1]) = (shoulder.is_double, elbow.is_double);
+                (place.singular[0], place.singular[1]) = (shoulder.is_singular, elbow.is_singular);
             }
         }
     }
@@ -146,19 +151,22 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         let elbow = self.elbow(distance);
         let one = distance.constant(1.0);
         let direction = vector::scale(way, one / distance);
+        // With the centre in the crossing, both axes turn about it.
+        let is_free = distance.le(self.slack[0]);
         let mut rest = places.iter_mut();
         for (third, exists) in elbow.turns.into_iter().zip(elbow.exists) {
             let end = vector::add(upper, third.about(self.axis(2), lower));
             let end = vector::scale(end, one / vector::dot(end, end).sqrt());
-            let apart = Apart::new(direction, self.axis(0), self.slack[1]);
+            let apart = Apart::new(direction, self.axis(0), self.slack[2]);
             let shoulder = apart.bend(self.axis(0), self.axis(1), end);
             for (second, is_shoulder) in shoulder.turns.into_iter().zip(shoulder.exists) {
                 let first = Complex::onto(self.axis(0), second.about(self.axis(1), end), direction);
                 let Some(place) = rest.next() else { return };
-                place.turns[0] = Complex::select(apart.is_along, self.start[0], first);
-                (place.turns[1], place.turns[2]) = (second, third);
-                place.exists = exists & is_shoulder;
-                (place.singular[0], place.singular[1]) = (shoulder.is_double, elbow.is_double);
+                place.turns[0] = Complex::select(apart.is_along | is_free, self.start[0], first);
+                place.turns[1] = Complex::select(is_free, self.start[1], second);
+                place.turns[2] = third;
+                place.exists = exists & (is_shoulder | is_free);
+                (place.singular[0], place.singular[1]) = (shoulder.is_singular, elbow.is_singular);
             }
         }
     }
@@ -203,7 +211,7 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
                             sixth,
                         ],
                         exists: exists & is_elbow & is_wrist,
-                        singular: [shoulder.is_double, elbow.is_double, wrist.is_double],
+                        singular: [shoulder.is_singular, elbow.is_singular, wrist.is_singular],
                     };
                 }
             }
@@ -222,11 +230,11 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         };
         let (radius, height) = (base.norm(), height - along);
         let gap = radius - height.abs();
-        let [slack, _] = self.slack;
+        let [slack, merge, part] = self.slack;
         let root = positive(gap * (radius + height.abs())).sqrt();
         let is_free = radius.le(slack);
         // Where the centre is on the axis, both heights are zero.
-        let mut fork = Fork::new(base, [height, root], (-slack).le(gap), gap.le(slack));
+        let mut fork = Fork::new(base, [height, root], (-slack).le(gap), gap.le(merge), part);
         fork.turns[0] = Complex::select(is_free, self.start[0], fork.turns[0]);
         fork
     }
@@ -237,13 +245,19 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         let [shortest, longest] = self.geometry.spans;
         let [shortest, longest] = [self.number(shortest), self.number(longest)];
         let (inner, outer) = (distance - shortest, longest - distance);
-        let [slack, _] = self.slack;
+        let [slack, merge, part] = self.slack;
         let (inner_too, outer_too) = (distance + shortest, longest + distance);
         let cosine = inner.mul_add(inner_too, -(outer * outer_too)) * distance.constant(0.5);
-        let root = positive(inner * inner_too * (outer * outer_too)).sqrt();
+        let mut root = positive(inner * inner_too * (outer * outer_too)).sqrt();
+        let mut is_double = inner.le(merge) | outer.le(merge);
+        if self.geometry.crosses {
+            // The direction of the end is asked for afterwards, and the root of a rounding leads it astray.
+            is_double = inner.le(slack) | outer.le(slack);
+            root = L::select(is_double, root.constant(0.0), root);
+        }
         let exists = (-slack).le(inner) & (-slack).le(outer);
         let base = Complex::splat(self.level, self.geometry.between);
-        Fork::new(base, [cosine, root], exists, inner.le(slack) | outer.le(slack))
+        Fork::new(base, [cosine, root], exists, is_double, part)
     }
 
     /// The second angle: where the upper arm is when the end is where it should be.
@@ -260,7 +274,7 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn wrist(&self, last: [L; 3], against: [L; 3]) -> (Fork<L>, L::Mask) {
         let before = self.vector(self.geometry.against);
-        let apart = Apart::new(last, against, self.slack[1]);
+        let apart = Apart::new(last, against, self.slack[2]);
         (apart.bend(before, self.axis(4), self.axis(5)), apart.is_along)
     }
 
@@ -341,7 +355,7 @@ impl<L: Lanes> Apart<L> {
         let left = differ.neg_mul_add(differ, square) - away;
         let least = L::select(sine.lt(slack), slack, sine) * slack;
         let parts = [cosine - both, positive(left).sqrt()];
-        Fork::new(base, parts, (-least).le(left), left.le(least))
+        Fork::new(base, parts, (-least).le(left), left.le(least), slack)
     }
 }
 

@@ -73,26 +73,30 @@ impl<L: Lanes> Complex<L> {
     }
 }
 
-/// The two solutions of an equation in one angle; where they are one, the first.
+/// The two solutions of an equation in one angle, or the first where they are one.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Fork<L: Lanes> {
     pub(super) turns: [Complex<L>; 2],
     pub(super) exists: [L::Mask; 2],
-    pub(super) is_double: L::Mask,
+    /// Whether they are one, or hardly apart.
+    pub(super) is_singular: L::Mask,
 }
 
 impl<L: Lanes> Fork<L> {
-    /// The angles of base·(re ± i·im), all of any length.
+    /// The angles of base·(re ± i·im), all of any length. What is less than `slack` of the whole is hardly there.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn new(
         base: Complex<L>,
         [re, im]: [L; 2],
         exists: L::Mask,
         is_double: L::Mask,
+        slack: L,
     ) -> Self {
-        let way = Complex { re, im: L::select(is_double, re.constant(0.0), im) };
+        let way = Complex { re, im };
         let [one, other] = [base.times(way), base.times(way.conj())];
         let turns = [Complex::unit(one.re, one.im), Complex::unit(other.re, other.im)];
-        Self { turns, exists: [exists, exists & !is_double], is_double }
+        let square = im * im;
+        let is_singular = is_double | square.le(slack * re.mul_add(re, square));
+        Self { turns, exists: [exists, exists & !is_double], is_singular }
     }
 }
