@@ -100,3 +100,50 @@ impl<L: Lanes> Fork<L> {
         Self { turns, exists: [exists, exists & !is_double], is_singular }
     }
 }
+
+/// The angle between two unit vectors.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Apart<L: Lanes> {
+    cosine: L,
+    sine: L,
+    square: L,
+    slack: L,
+    pub(super) is_along: L::Mask,
+}
+
+impl<L: Lanes> Apart<L> {
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn new(v: [L; 3], w: [L; 3], slack: L) -> Self {
+        let across = vector::cross(v, w);
+        let square = vector::dot(across, across);
+        let sine = square.sqrt();
+        Self { cosine: vector::dot(v, w), sine, square, slack, is_along: sine.le(slack) }
+    }
+
+    /// Turns about `axis` that bring `v` as far from `to`. All are unit vectors.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn bend(&self, to: [L; 3], axis: [L; 3], v: [L; 3]) -> Fork<L> {
+        let Self { cosine, sine, square, slack, .. } = *self;
+        let (one, other) = (vector::dot(to, axis), vector::dot(axis, v));
+        let both = one * other;
+        let base =
+            Complex { re: vector::dot(to, v) - both, im: vector::dot(to, vector::cross(axis, v)) };
+        // 1 − cos² − a² − b² + 2ab cos for the cosines a and b to the axis, without its rounding where the sine is small and
+        // they are alike.
+        let is_back = cosine.lt(sine.constant(0.0));
+        let (away, other) = (both + both, L::select(is_back, -other, other));
+        let away = L::select(is_back, -away, away) * square / (sine.constant(1.0) + cosine.abs());
+        let differ = one - other;
+        let left = differ.neg_mul_add(differ, square) - away;
+        let least = L::select(sine.lt(slack), slack, sine) * slack;
+        let parts = [cosine - both, positive(left).sqrt()];
+        Fork::new(base, parts, (-least).le(left), left.le(least), slack)
+    }
+}
+
+/// Zero below it.
+#[cfg_attr(not(opt_level_0), inline(always))]
+pub(super) fn positive<L: Lanes>(number: L) -> L {
+    let zero = number.constant(0.0);
+    L::select(number.lt(zero), zero, number)
+}

@@ -1,23 +1,56 @@
 //! All solutions for arms of six hinges.
 
-use super::branches::Arm;
-use super::complex::Complex;
 use super::error::SolutionsError;
-use super::family::{Family, Geometry, fit};
+use super::family::{Family, Geometry};
 use super::problem::Reach;
-use super::solutions::{Singular, Solution, Solutions};
-use crate::mechanism::joint::JointKind;
-use crate::mechanism::placed::Placed;
-use crate::mechanism::step::{NONE, UNIT};
-use crate::mechanism::values::half_turn;
-use dq8::batch::{self, cos_sin, half_turns, vector};
-use dq8::seams::{Choice, Rows};
-use dq8::storage::same_length;
-use dq8::{DualQuat, Kernel, Real, Scalar};
-use dq8_simd::{Lanes, Level, Mask, Portable};
+use super::rates::enough;
+use super::solutions::Solutions;
+use super::solutions_job::{SolutionsJob, run};
+use super::starts::{self, search_all};
+use crate::mechanism::step::UNIT;
+use dq8::{DualQuat, Real, Scalar};
+use dq8_simd::{Lanes, Portable};
 
-/// An arm of six hinges that carries the only goal of a [`Reach`], a whole pose: what it is, found once, for all of the
+/// An arm of six hinges that carries the only goal of a [`Reach`], a whole pose: what it is, found once, to say all of the
 /// ways in which it reaches a target.
+///
+/// Arms of two [families](Family), which nearly all of industry is made of, have up to eight, and all of them are found, by
+/// formula. A turn of a hinge more or less is no other way: of those within the limits the nearest to the start is given.
+/// Each is checked by the mechanism itself, which is then at the target but for rounding; so a target may be out of
+/// reach by 64 units of the last place (2⁻⁵² or 2⁻²³) of the arm's size. For other arms there are searches from many starts:
+/// some 99 of 100 are found.
+///
+/// ```
+/// use dq8::DualQuat;
+/// use dq8_robot::ik::{Family, Goal, OwnedReach, SixAxisArm};
+/// use dq8_robot::{Joint, OwnedMechanism};
+/// // A UR5, stretched along x where all values are zero.
+/// let (y, z) = ([0.0_f64, 1.0, 0.0], [0.0, 0.0, 1.0]);
+/// let hinges = [
+///     (z, [0.0, 0.0, 0.0892]),
+///     (y, [0.0, 0.1358, 0.0]),
+///     (y, [0.425, -0.1197, 0.0]),
+///     (y, [0.3922, 0.0, 0.0]),
+///     ([0.0, 0.0, -1.0], [0.0, 0.093, 0.0]),
+///     (y, [0.0, 0.0, -0.0947]),
+/// ];
+/// let mut joints: Vec<_> = (0_usize..6)
+///     .map(|i| (i.checked_sub(1), DualQuat::from_translation(hinges[i].1), hinges[i].0))
+///     .map(|(on, at, axis)| Joint::revolute(on, at, axis).with_limits([-6.28, 6.28]))
+///     .collect();
+/// joints.push(Joint::fixed(Some(5), DualQuat::from_translation([0.0, 0.0823, 0.0])));
+/// let reach = OwnedReach::new(OwnedMechanism::new(&joints)?, [Goal::pose(6)])?;
+/// let arm = SixAxisArm::new(reach.view())?;
+/// assert_eq!(arm.family(), Family::ThreeParallel);
+///
+/// let values = [0.4, -1.2, 1.5, -0.8, 1.1, 0.2];
+/// let target = reach.view().mechanism().link_pose(&values, 6)?;
+/// // The families need no memory to compute in.
+/// let found = arm.solutions(target, &values, &mut [])?;
+/// assert!(found.len() == 8 && found.is_complete && !found[0].singular.any());
+/// assert!(found[0].distance < 1e-12 && found[1].distance > 0.1);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct SixAxisArm<'a, R> {
     pub(super) reach: Reach<'a, R>,
@@ -25,10 +58,15 @@ pub struct SixAxisArm<'a, R> {
 }
 
 impl<'a, R: Real> SixAxisArm<'a, R> {
+    /// Looks at the axes. Those that are to be parallel, or to meet, may be apart by 10⁻⁸ radians and of the arm's size
+    /// (`f32`: 10⁻⁵). A posture has no part in it.
+    ///
     /// # Errors
-    /// If there are other goals, or it leaves something free, or what carries its link are not six hinges, each with a value of its own, and fixed joints.
+    /// If there are other goals, or it is none of a whole pose, or what carries its link are not six hinges with values
+    /// of their own and fixed joints.
     pub fn new(reach: Reach<'a, R>) -> Result<Self, SolutionsError> {
-        Ok(Self { reach, geometry: Geometry::of(&reach)? })
+        let reach = Reach { posture: None, ..reach };
+        Ok(Self { geometry: Geometry::of(&reach)?, reach })
     }
 
     /// How its axes lie.
@@ -37,10 +75,37 @@ impl<'a, R: Real> SixAxisArm<'a, R> {
         self.geometry.family
     }
 
+    /// Where the values of the six hinges are among all of the mechanism.
+    #[must_use]
+    pub fn values(&self) -> [usize; 6] {
+        let mut values = [0; 6];
+        for (slot, freedom) in values.iter_mut().zip(self.reach.freedoms) {
+            *slot = freedom.value as usize;
+        }
+        values
+    }
+
     /// Many targets at a time.
     #[must_use]
     pub fn job(self) -> SolutionsJob<'a, R> {
-        SolutionsJob { arm: self, choice: Choice::default() }
+        SolutionsJob::new(self)
+    }
+
+    /// How many numbers [`solutions`](Self::solutions) needs to compute in: none for the two families.
+    #[must_use]
+    pub fn scratch_len(&self) -> usize {
+        self.with_values(self.reach.scratch_len())
+    }
+
+    /// How many a [`SolutionsJob`] needs, with any instructions: none for the two families.
+    #[must_use]
+    pub fn batch_scratch_len(&self) -> usize {
+        self.with_values(self.reach.batch_scratch_len())
+    }
+
+    fn with_values(&self, scratch: usize) -> usize {
+        let is_other = self.family() == Family::Other;
+        if is_other { scratch.saturating_add(starts::values(&self.reach)) } else { 0 }
     }
 }
 
@@ -48,60 +113,53 @@ impl<R> SixAxisArm<'_, R>
 where
     R: Scalar + Lanes<Real = R, Level = Portable, Mask = bool>,
 {
-    /// All solutions for a target.
+    /// All values of the six hinges within their limits that bring the tool to a target, the nearest to `start` first.
+    /// None if it cannot be reached. `scratch` has [`scratch_len`](Self::scratch_len) numbers or more, and may hold anything.
     ///
     /// # Errors
-    /// If a number is not finite, or the target not unit.
+    /// If a number is not finite or the target farther than 10⁻³ from unit, or there is too little scratch.
     pub fn solutions(
         &self,
         target: DualQuat<R>,
         start: &[R; 6],
+        scratch: &mut [R],
     ) -> Result<Solutions<R>, SolutionsError> {
-        let mut found = [Solutions::default()];
+        enough(scratch.len(), self.scratch_len())?;
         check(&[target], &[*start])?;
-        run::<R>(Portable, self, &[target], &[*start], &mut found);
+        let mut found = [Solutions::default()];
+        if self.family() != Family::Other {
+            run::<R>(Portable, self, &[target], &[*start], &mut found);
+        } else if let (Some((values, scratch)), [found]) =
+            (scratch.split_at_mut_checked(starts::values(&self.reach)), &mut found)
+        {
+            let size = self.reach.mechanism.values;
+            search_all(
+                &self.reach,
+                target,
+                start,
+                found,
+                values,
+                |targets, values, reports, options| {
+                    let starts = values.chunks_exact_mut(size.max(1)).zip(targets);
+                    for ((values, &target), report) in starts.zip(reports) {
+                        // Lengths fit; what is not there, has not converged.
+                        *report = self
+                            .reach
+                            .follow(&[target], values, scratch, options)
+                            .unwrap_or_default();
+                    }
+                },
+            );
+        }
         let [found] = found;
         Ok(found)
     }
 }
 
-/// Many targets.
-#[derive(Clone, Copy, Debug)]
-pub struct SolutionsJob<'a, R> {
-    arm: SixAxisArm<'a, R>,
-    choice: Choice,
-}
-
-impl<R> SolutionsJob<'_, R> {
-    dq8::seams::options!();
-}
-
-impl<R: Scalar> SolutionsJob<'_, R> {
-    /// [`SixAxisArm::solutions`] for many targets, each with a start of its own.
-    ///
-    /// # Errors
-    /// As there, and if there are not as many starts and places for what is found as targets; nothing is written.
-    pub fn solutions(
-        &self,
-        targets: &[DualQuat<R>],
-        starts: &[[R; 6]],
-        found: &mut [Solutions<R>],
-    ) -> Result<(), SolutionsError> {
-        same_length("starts", starts.len(), targets.len())?;
-        same_length("found", found.len(), targets.len())?;
-        check(targets, starts)?;
-        let backend = self.choice.instructions();
-        let arm = &self.arm;
-        backend.share(256, (found, 1), &|first, (found, _): Rows<Solutions<R>>| {
-            let targets = targets.get(first..).unwrap_or_default();
-            let starts = starts.get(first..).unwrap_or_default();
-            backend.run(Targets { arm, targets, starts, found });
-        });
-        Ok(())
-    }
-}
-
-fn check<R: Real>(targets: &[DualQuat<R>], starts: &[[R; 6]]) -> Result<(), SolutionsError> {
+pub(super) fn check<R: Real>(
+    targets: &[DualQuat<R>],
+    starts: &[[R; 6]],
+) -> Result<(), SolutionsError> {
     for (index, target) in targets.iter().enumerate() {
         for number in target.to_array() {
             if !number.is_finite() {
@@ -120,128 +178,4 @@ fn check<R: Real>(targets: &[DualQuat<R>], starts: &[[R; 6]]) -> Result<(), Solu
         }
     }
     Ok(())
-}
-
-struct Targets<'s, R> {
-    arm: &'s SixAxisArm<'s, R>,
-    targets: &'s [DualQuat<R>],
-    starts: &'s [[R; 6]],
-    found: &'s mut [Solutions<R>],
-}
-
-impl<R: Scalar> Kernel for Targets<'_, R> {
-    type Output = ();
-
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn run<V: Level>(self, level: V) {
-        run::<R::Lanes<V>>(level, self.arm, self.targets, self.starts, self.found);
-    }
-}
-
-#[cfg_attr(not(opt_level_0), inline(always))]
-fn run<L: Lanes<Real: Scalar>>(
-    level: L::Level,
-    arm: &SixAxisArm<'_, L::Real>,
-    targets: &[DualQuat<L::Real>],
-    starts: &[[L::Real; 6]],
-    found: &mut [Solutions<L::Real>],
-) {
-    let zero = L::splat(level, L::Real::ZERO);
-    for first in (0..found.len()).step_by(L::LANES) {
-        let mut numbers = [zero.to_array(); 14];
-        for lane in 0..L::LANES {
-            // Lanes that are left over compute along with the last.
-            let from = (first + lane).min(found.len() - 1);
-            let target = targets.get(from).copied().unwrap_or(DualQuat::IDENTITY);
-            let start = starts.get(from).copied().unwrap_or_default();
-            let all = target.to_array().into_iter().chain(start);
-            for (array, number) in numbers.iter_mut().zip(all) {
-                if let Some(slot) = array.as_mut().get_mut(lane) {
-                    *slot = number;
-                }
-            }
-        }
-        let mut target = [zero; 8];
-        for (lanes, array) in target.iter_mut().zip(&numbers) {
-            *lanes = L::load(level, array);
-        }
-        let target = batch::DualQuat::from_array(target).normalize();
-        let (mut start, mut turns) = ([zero; 6], [Complex { re: zero, im: zero }; 6]);
-        for (index, freedom) in arm.reach.freedoms.iter().enumerate().take(6) {
-            let value = L::load(level, &numbers[8 + index]);
-            let value = freedom.range.nearest(value, freedom.range.clamp(value));
-            let (re, im) = cos_sin(value);
-            (start[index], turns[index]) = (value, Complex { re, im });
-        }
-        let branches = Arm::new(level, &arm.geometry, target, turns).solve();
-        for slot in found.iter_mut().skip(first).take(L::LANES) {
-            slot.clear(true);
-        }
-        for branch in &branches {
-            let mut exists = branch.exists;
-            let (mut values, mut square) = ([zero; 6], zero);
-            for (index, freedom) in arm.reach.freedoms.iter().enumerate().take(6) {
-                let angle = branch.turns[index].angle();
-                let value = freedom.range.nearest(angle, start[index]);
-                let (_, beyond) = half_turns((value - angle) * zero.constant(0.5));
-                let rounding = (value.abs() + zero.constant(4.0))
-                    * zero.constant(4.0 * vector::epsilon::<L>());
-                exists = exists & beyond.abs().le(rounding);
-                let way = value - start[index];
-                square = way.mul_add(way, square);
-                values[index] = value;
-            }
-            exists = exists & arm.is_there(values, target);
-            let distance = square.sqrt().to_array();
-            let values = values.map(|value| value.to_array());
-            let exists = exists.to_bitmask();
-            let singular = branch.singular.map(|mask| mask.to_bitmask());
-            for (lane, slot) in found.iter_mut().skip(first).take(L::LANES).enumerate() {
-                if exists >> lane & 1 == 0 {
-                    continue;
-                }
-                let mut solution = Solution::default();
-                for (value, array) in solution.values.iter_mut().zip(&values) {
-                    *value = array.as_ref().get(lane).copied().unwrap_or_default();
-                }
-                solution.distance = distance.as_ref().get(lane).copied().unwrap_or_default();
-                let [shoulder, elbow, wrist] = singular.map(|mask| mask >> lane & 1 == 1);
-                solution.singular = Singular { shoulder, elbow, wrist };
-                slot.insert(solution);
-            }
-        }
-    }
-}
-
-impl<R: Real> SixAxisArm<'_, R> {
-    /// Whether values bring the tool to the target, by the mechanism as it is.
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn is_there<L: Lanes<Real = R>>(&self, values: [L; 6], target: batch::DualQuat<L>) -> L::Mask
-    where
-        R: Scalar,
-    {
-        let (reach, level) = (&self.reach, values[0].level());
-        let mut pose = Placed::<L>::identity(level);
-        let mut values = values.into_iter();
-        for (position, step) in reach.mechanism.steps.iter().enumerate() {
-            if !reach.moves_goal(position) {
-                continue;
-            }
-            pose = if step.parent == NONE { Placed::root(level, step) } else { pose.place(step) };
-            if let JointKind::Revolute { .. } = step.kind
-                && let Some(value) = values.next()
-            {
-                let [cos, sin] = half_turn(value * value.constant(0.5));
-                pose.rotation = pose.turn(step, cos, sin * L::splat(level, step.sign));
-            }
-        }
-        let goal = reach.goals.first().map_or([R::ZERO; 3], |goal| goal.point);
-        let half = vector::scale(vector::splat(level, goal), L::splat(level, R::HALF));
-        let half = pose.moved(half);
-        let way = vector::sub(vector::add(half, half), target.translation());
-        let turn = (batch::Quat::from_array(pose.rotation).conjugate() * target.rotation()).xyz();
-        let fit = L::splat(level, fit::<R>() * R::from(16.0));
-        let far = fit * L::splat(level, self.geometry.size);
-        vector::dot(turn, turn).le(fit * fit) & vector::dot(way, way).le(far * far)
-    }
 }
