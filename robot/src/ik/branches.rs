@@ -12,9 +12,9 @@ use dq8::{Real, Scalar};
 use dq8_simd::Lanes;
 
 /// What is none, in units of the last place; poses themselves are computed to some ten. By how much of the arm's size a target
-/// may be out of reach; the same within reach, where two solutions are one; and the sine between axes that are along each
-/// other.
-const SLACK: [f64; 3] = [64.0, 16.0, 32.0];
+/// may be out of reach; the same within reach, where two solutions are one; the sine between axes that are along each
+/// other; and the square of half the angle between solutions that are hardly two.
+const SLACK: [f64; 4] = [64.0, 16.0, 32.0, 4096.0];
 
 /// One of the eight.
 #[derive(Clone, Copy, Debug)]
@@ -33,7 +33,7 @@ pub(super) struct Arm<'s, L: Lanes> {
     goal: DualQuat<L>,
     /// Where every angle will do.
     start: [Complex<L>; 6],
-    slack: [L; 3],
+    slack: [L; 4],
     normal: [L; 3],
     across: [[L; 3]; 2],
 }
@@ -47,7 +47,7 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         start: [Complex<L>; 6],
     ) -> Self {
         let back = DualQuat::from_array(vector::splat(level, geometry.back.to_array()));
-        let [reach, merge, angle] = SLACK.map(
+        let [reach, merge, angle, square] = SLACK.map(
             #[cfg_attr(not(opt_level_0), inline(always))]
             |units| start[0].re.constant(units * vector::epsilon::<L>()),
         );
@@ -57,7 +57,7 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
             geometry,
             goal: target * back,
             start,
-            slack: [size * reach, size * merge, angle],
+            slack: [size * reach, size * merge, angle, square],
             normal: vector::splat(level, geometry.axes[1]),
             across: geometry.across.map(
                 #[cfg_attr(not(opt_level_0), inline(always))]
@@ -157,7 +157,7 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         for (third, exists) in elbow.turns.into_iter().zip(elbow.exists) {
             let end = vector::add(upper, third.about(self.axis(2), lower));
             let end = vector::scale(end, one / vector::dot(end, end).sqrt());
-            let apart = Apart::new(direction, self.axis(0), self.slack[2]);
+            let apart = Apart::new(direction, self.axis(0), [self.slack[2], self.slack[3]]);
             let shoulder = apart.bend(self.axis(0), self.axis(1), end);
             for (second, is_shoulder) in shoulder.turns.into_iter().zip(shoulder.exists) {
                 let first = Complex::onto(self.axis(0), second.about(self.axis(1), end), direction);
@@ -230,7 +230,7 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         };
         let (radius, height) = (base.norm(), height - along);
         let gap = radius - height.abs();
-        let [slack, merge, part] = self.slack;
+        let [slack, merge, _, part] = self.slack;
         let root = positive(gap * (radius + height.abs())).sqrt();
         let is_free = radius.le(slack);
         // Where the centre is on the axis, both heights are zero.
@@ -245,7 +245,7 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         let [shortest, longest] = self.geometry.spans;
         let [shortest, longest] = [self.number(shortest), self.number(longest)];
         let (inner, outer) = (distance - shortest, longest - distance);
-        let [slack, merge, part] = self.slack;
+        let [slack, merge, _, part] = self.slack;
         let (inner_too, outer_too) = (distance + shortest, longest + distance);
         let cosine = inner.mul_add(inner_too, -(outer * outer_too)) * distance.constant(0.5);
         let mut root = positive(inner * inner_too * (outer * outer_too)).sqrt();
@@ -274,7 +274,7 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn wrist(&self, last: [L; 3], against: [L; 3]) -> (Fork<L>, L::Mask) {
         let before = self.vector(self.geometry.against);
-        let apart = Apart::new(last, against, self.slack[2]);
+        let apart = Apart::new(last, against, [self.slack[2], self.slack[3]]);
         (apart.bend(before, self.axis(4), self.axis(5)), apart.is_along)
     }
 

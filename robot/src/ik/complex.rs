@@ -83,20 +83,20 @@ pub(super) struct Fork<L: Lanes> {
 }
 
 impl<L: Lanes> Fork<L> {
-    /// The angles of base·(re ± i·im), all of any length. What is less than `slack` of the whole is hardly there.
+    /// The angles of base·(re ± i·im), all of any length. An im that is less than `part` of the whole, both squared, is hardly any.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn new(
         base: Complex<L>,
         [re, im]: [L; 2],
         exists: L::Mask,
         is_double: L::Mask,
-        slack: L,
+        part: L,
     ) -> Self {
         let way = Complex { re, im };
         let [one, other] = [base.times(way), base.times(way.conj())];
         let turns = [Complex::unit(one.re, one.im), Complex::unit(other.re, other.im)];
         let square = im * im;
-        let is_singular = is_double | square.le(slack * re.mul_add(re, square));
+        let is_singular = is_double | square.le(part * re.mul_add(re, square));
         Self { turns, exists: [exists, exists & !is_double], is_singular }
     }
 }
@@ -107,23 +107,23 @@ pub(super) struct Apart<L: Lanes> {
     cosine: L,
     sine: L,
     square: L,
-    slack: L,
+    slack: [L; 2],
     pub(super) is_along: L::Mask,
 }
 
 impl<L: Lanes> Apart<L> {
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn new(v: [L; 3], w: [L; 3], slack: L) -> Self {
+    pub(super) fn new(v: [L; 3], w: [L; 3], slack: [L; 2]) -> Self {
         let across = vector::cross(v, w);
         let square = vector::dot(across, across);
         let sine = square.sqrt();
-        Self { cosine: vector::dot(v, w), sine, square, slack, is_along: sine.le(slack) }
+        Self { cosine: vector::dot(v, w), sine, square, slack, is_along: sine.le(slack[0]) }
     }
 
     /// Turns about `axis` that bring `v` as far from `to`. All are unit vectors.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn bend(&self, to: [L; 3], axis: [L; 3], v: [L; 3]) -> Fork<L> {
-        let Self { cosine, sine, square, slack, .. } = *self;
+        let Self { cosine, sine, square, slack: [slack, part], .. } = *self;
         let (one, other) = (vector::dot(to, axis), vector::dot(axis, v));
         let both = one * other;
         let base =
@@ -137,7 +137,7 @@ impl<L: Lanes> Apart<L> {
         let left = differ.neg_mul_add(differ, square) - away;
         let least = L::select(sine.lt(slack), slack, sine) * slack;
         let parts = [cosine - both, positive(left).sqrt()];
-        Fork::new(base, parts, (-least).le(left), left.le(least), slack)
+        Fork::new(base, parts, (-least).le(left), left.le(least), part)
     }
 }
 
