@@ -19,6 +19,7 @@ const SLACK: [f64; 4] = [64.0, 16.0, 32.0, 4096.0];
 /// One of the eight.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Branch<L: Lanes> {
+    /// Of any length.
     pub(super) turns: [Complex<L>; 6],
     pub(super) exists: L::Mask,
     /// Whether it meets another, or is one of many: at the shoulder, the elbow and the wrist.
@@ -114,7 +115,8 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
                 let fourth = Complex::select(is_free, self.start[3], fourth);
                 let left = fourth.conj().about(self.axis(3), turned);
                 let left = fifth.conj().about(self.axis(4), left);
-                let sixth = Complex::unit(vector::dot(across, left), vector::dot(across_too, left));
+                let sixth =
+                    Complex { re: vector::dot(across, left), im: vector::dot(across_too, left) };
                 (turns[3], turns[4], turns[5]) = (fourth, fifth, sixth);
                 let Some(branch) = rest.next() else { return };
                 *branch = Branch { turns, exists: exists & is_wrist, singular };

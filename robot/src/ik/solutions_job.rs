@@ -180,6 +180,9 @@ pub(super) fn run<L: Lanes<Real: Scalar>>(
         }
         for branch in &branches {
             let mut exists = branch.exists;
+            if !exists.any() {
+                continue;
+            }
             let (mut values, mut square) = ([zero; 6], zero);
             for (index, freedom) in arm.reach.freedoms.iter().enumerate().take(6) {
                 let angle = branch.turns[index].angle();
