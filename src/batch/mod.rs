@@ -55,4 +55,5 @@ pub use even::{cos_sin, farthest, half_turns};
 pub use jacobian::lie_bracket;
 pub use quat::Quat;
 pub use representation::{RotationTranslation, gram_schmidt_checked};
+pub use trigonometry::atan2;
 pub use two_bone::TwoBone;

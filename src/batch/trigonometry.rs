@@ -167,7 +167,8 @@ fn atan<L: Lanes>(x: L) -> L {
 /// The angle of the point (`x`, `y`), radians in [−π, π], signs of zeros and infinite coordinates as in IEEE
 /// 754.
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(super) fn atan2<L: Lanes>(y: L, x: L) -> L {
+#[must_use]
+pub fn atan2<L: Lanes>(y: L, x: L) -> L {
     let (up, along) = (y.abs(), x.abs());
     let (zero, one) = (x.constant(0.0), x.constant(1.0));
     let is_steep = along.lt(up);

@@ -167,3 +167,86 @@ impl fmt::Display for RatesError {
 }
 
 impl core::error::Error for RatesError {}
+
+/// What has no solutions to be asked for.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum SolutionsError {
+    /// Lengths that do not fit.
+    Shape(ShapeError),
+    /// More goals than one.
+    Goals {
+        /// How many there are.
+        goals: usize,
+    },
+    /// A goal that leaves some of rotation and position free.
+    NoPose,
+    /// A joint that carries the link and is neither fixed nor a hinge with a value of its own.
+    Joint {
+        /// The joint.
+        joint: usize,
+    },
+    /// More or fewer hinges than six that carry the link.
+    Hinges {
+        /// How many there are.
+        hinges: usize,
+    },
+    /// A target with a number that is not finite.
+    Target {
+        /// The target.
+        index: usize,
+        /// The number in it.
+        value: f64,
+    },
+    /// A target that is farther than 10⁻³ from a unit motion.
+    NotUnit {
+        /// The target.
+        index: usize,
+        /// The norm of its real part.
+        norm: f64,
+    },
+    /// A value of a start that is not finite.
+    Start {
+        /// The start.
+        index: usize,
+        /// The hinge.
+        hinge: usize,
+        /// What it is.
+        value: f64,
+    },
+}
+
+impl From<ShapeError> for SolutionsError {
+    fn from(error: ShapeError) -> Self {
+        Self::Shape(error)
+    }
+}
+
+impl fmt::Display for SolutionsError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Shape(error) => error.fmt(f),
+            Self::Goals { goals } => {
+                write!(f, "there are {goals} goals, and one link has solutions")
+            }
+            Self::NoPose => write!(f, "the goal leaves some of rotation and position free"),
+            Self::Joint { joint } => {
+                write!(f, "joint {joint} carries the link, and is no hinge with a value of its own")
+            }
+            Self::Hinges { hinges } => write!(f, "{hinges} hinges carry the link, not six"),
+            Self::Target { index, value } => write!(f, "target {index} is not finite: {value}"),
+            Self::NotUnit { index, norm } => {
+                write!(
+                    f,
+                    "target {index} is not a unit motion: the norm of its real part is {norm}"
+                )
+            }
+            Self::Start { index, hinge, value } => {
+                write!(f, "value {hinge} of start {index} is not finite: {value}")
+            }
+        }
+    }
+}
+
+impl core::error::Error for SolutionsError {}

@@ -8,6 +8,7 @@
 //! | [`ReachJob`] | searches for many configurations, with options |
 //! | [`Options`], [`Report`], [`Outcome`] | how it searches, and how a search ended |
 //! | [`Reach::rates`], [`ReachJob::sequence`] | velocities; clips of frames |
+//! | [`SixAxisArm`], [`Solutions`] | all ways in which an arm of six hinges reaches a target |
 
 // `goal.rs`, `freedom.rs`, `problem.rs`, `error.rs`: what is asked, checked once, in memory of the caller
 // `bound.rs`: how far a link gets
@@ -17,13 +18,18 @@
 // `rates.rs`: velocities instead of places
 // `range.rs`, `report.rs`: values within limits; what a search is told, and what it tells
 // `normal.rs`, `tree.rs`: damped least squares of any size; of many goals, in the shape of the tree
+// `six_axis.rs`, `solutions.rs`: all solutions of an arm of six hinges; `family.rs`, `complex.rs`, `branches.rs`: by formula,
+// `starts.rs`: by searches
 // `scratch.rs`: numbers of all lanes in memory of the caller
 
 mod assign;
 mod bound;
+mod branches;
 mod columns;
 mod compare;
+mod complex;
 mod error;
+mod family;
 mod forward;
 mod freedom;
 mod goal;
@@ -42,12 +48,17 @@ mod scratch;
 mod search;
 mod sequence;
 mod shape;
+mod six_axis;
+mod solutions;
+mod solutions_job;
 mod solve;
+mod starts;
 mod step;
 mod tree;
 mod wish;
 
-pub use error::{RatesError, ReachError};
+pub use error::{RatesError, ReachError, SolutionsError};
+pub use family::Family;
 pub use freedom::Freedom;
 pub use goal::Goal;
 pub use job::ReachJob;
@@ -55,3 +66,6 @@ pub use job::ReachJob;
 pub use owned::OwnedReach;
 pub use problem::Reach;
 pub use report::{Options, Outcome, Report};
+pub use six_axis::SixAxisArm;
+pub use solutions::{Singular, Solution, Solutions};
+pub use solutions_job::SolutionsJob;

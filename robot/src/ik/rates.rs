@@ -88,7 +88,7 @@ impl<R: Scalar> ReachJob<'_, R> {
     }
 }
 
-fn enough(length: usize, expected: usize) -> Result<(), ShapeError> {
+pub(super) fn enough(length: usize, expected: usize) -> Result<(), ShapeError> {
     let fits = length >= expected;
     if fits { Ok(()) } else { Err(ShapeError::Length { what: "scratch", length, expected }) }
 }

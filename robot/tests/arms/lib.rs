@@ -6,7 +6,7 @@ use dq8::geometry::Screw;
 use dq8::simd::{Lanes, Portable};
 use dq8::{Backend, DualQuat, Line, Quat, Real, Scalar};
 pub use dq8_fixtures::random::Random;
-use dq8_robot::ik::{Goal, Options, OwnedReach, Reach, ReachJob, Report};
+use dq8_robot::ik::{Goal, Options, OwnedReach, Reach, ReachJob, Report, SixAxisArm, SolutionsJob};
 use dq8_robot::{Joint, JointKind, MechanismError, OwnedMechanism};
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 use std::f64::consts::PI;
@@ -258,11 +258,15 @@ pub fn rounded<R: Real, const N: usize>(values: [f64; N]) -> [R; N] {
 
 /// What tests run for long, compiled once for all of them, and optimised as this crate is. To name it is enough.
 #[must_use]
-pub fn instances() -> [*const (); 4] {
+pub fn instances() -> [*const (); 8] {
     [
         ReachJob::<f32>::solve as *const (),
         ReachJob::<f64>::solve as *const (),
         Reach::<f32>::solve as *const (),
         Reach::<f64>::solve as *const (),
+        SixAxisArm::<f32>::solutions as *const (),
+        SixAxisArm::<f64>::solutions as *const (),
+        SolutionsJob::<f32>::solutions as *const (),
+        SolutionsJob::<f64>::solutions as *const (),
     ]
 }

@@ -14,5 +14,6 @@ mod parallel;
 mod points;
 mod reach;
 mod single;
+mod solutions;
 mod tree;
 mod twists;

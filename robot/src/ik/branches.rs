@@ -1,0 +1,322 @@
+//! All solutions of the two families, up to eight in each lane.
+//!
+//! With axes and points where all values are zero, the arm is a product of turns e₁ … e₆ that is the target times
+//! [`Geometry::back`] (Brockett 1984). What a turn about its own axis does not change leaves equations of one angle at a
+//! time (Paden and Kahan; Elias and Wen, *IK-Geo*, 2022), each of which has two solutions, or one, or is free. Every angle
+//! but the last of a group makes up for what the ones before were rounded by, so nothing has to be improved afterwards.
+
+use super::complex::{Apart, Complex, Fork, positive};
+use super::family::{Family, Geometry};
+use dq8::batch::{DualQuat, vector};
+use dq8::{Real, Scalar};
+use dq8_simd::Lanes;
+
+/// What is none, in units of the last place; poses themselves are computed to some ten. By how much of the arm's size a target
+/// may be out of reach; the same within reach, where two solutions are one; the sine between axes that are along each
+/// other; and the square of half the angle between solutions that are hardly two.
+const SLACK: [f64; 4] = [64.0, 16.0, 32.0, 4096.0];
+
+/// One of the eight.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Branch<L: Lanes> {
+    /// Of any length.
+    pub(super) turns: [Complex<L>; 6],
+    pub(super) exists: L::Mask,
+    /// Whether it meets another, or is one of many: at the shoulder, the elbow and the wrist.
+    pub(super) singular: [L::Mask; 3],
+}
+
+/// Geometry and targets on lanes.
+pub(super) struct Arm<'s, L: Lanes> {
+    level: L::Level,
+    geometry: &'s Geometry<L::Real>,
+    /// The motion of what is fixed to the tool.
+    goal: DualQuat<L>,
+    /// Where every angle will do.
+    start: [Complex<L>; 6],
+    slack: [L; 4],
+    normal: [L; 3],
+    across: [[L; 3]; 2],
+}
+
+impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn new(
+        level: L::Level,
+        geometry: &'s Geometry<L::Real>,
+        target: DualQuat<L>,
+        start: [Complex<L>; 6],
+    ) -> Self {
+        let back = DualQuat::from_array(vector::splat(level, geometry.back.to_array()));
+        let [reach, merge, angle, square] = SLACK.map(
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            |units| start[0].re.constant(units * vector::epsilon::<L>()),
+        );
+        let size = L::splat(level, geometry.size);
+        Self {
+            level,
+            geometry,
+            goal: target * back,
+            start,
+            slack: [size * reach, size * merge, angle, square],
+            normal: vector::splat(level, geometry.axes[1]),
+            across: geometry.across.map(
+                #[cfg_attr(not(opt_level_0), inline(always))]
+                |direction| vector::splat(level, direction),
+            ),
+        }
+    }
+
+    /// Memory to be written.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn nowhere(&self) -> Branch<L> {
+        let [zero, ..] = self.slack;
+        let never = zero.lt(zero);
+        let turn = Complex { re: zero, im: zero };
+        Branch { turns: [turn; 6], exists: never, singular: [never; 3] }
+    }
+
+    /// The solutions, but for limits.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn solve(&self) -> [Branch<L>; 8] {
+        let mut branches = [self.nowhere(); 8];
+        match self.geometry.family {
+            Family::SphericalWrist => self.spherical_wrist(&mut branches),
+            Family::ThreeParallel => self.three_parallel(&mut branches),
+            Family::Other => {}
+        }
+        branches
+    }
+
+    /// Turns of the wrist leave its centre where it is: first an arm of three axes for that, then the wrist.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn spherical_wrist(&self, branches: &mut [Branch<L>; 8]) {
+        let last = self.goal.transform_vector(self.axis(5));
+        let [across, across_too] = self.geometry.end;
+        let [across, across_too] = [self.vector(across), self.vector(across_too)];
+        let turned = self.goal.transform_vector(across);
+        let (mut places, mut rest) = ([self.nowhere(); 4], branches.iter_mut());
+        if self.geometry.crosses {
+            self.crossing_shoulder(&mut places);
+        } else {
+            self.parallel_elbow(&mut places);
+        }
+        for Branch { mut turns, exists, mut singular } in places {
+            let (mut last, mut turned) = (last, turned);
+            for (index, turn) in turns.into_iter().enumerate().take(3) {
+                let (axis, back) = (self.axis(index), turn.conj());
+                (last, turned) = (back.about(axis, last), back.about(axis, turned));
+            }
+            let (wrist, is_free) = self.wrist(last, self.vector(self.geometry.against));
+            singular[2] = wrist.is_singular;
+            for (fifth, is_wrist) in wrist.turns.into_iter().zip(wrist.exists) {
+                let swung = fifth.about(self.axis(4), self.axis(5));
+                let fourth = Complex::onto(self.axis(3), swung, last);
+                let fourth = Complex::select(is_free, self.start[3], fourth);
+                let left = fourth.conj().about(self.axis(3), turned);
+                let left = fifth.conj().about(self.axis(4), left);
+                let sixth =
+                    Complex { re: vector::dot(across, left), im: vector::dot(across_too, left) };
+                (turns[3], turns[4], turns[5]) = (fourth, fifth, sixth);
+                let Some(branch) = rest.next() else { return };
+                *branch = Branch { turns, exists: exists & is_wrist, singular };
+            }
+        }
+    }
+
+    /// The centre of the wrist by a shoulder, and two links in a plane.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn parallel_elbow(&self, places: &mut [Branch<L>; 4]) {
+        let way = self.way(self.vector(self.geometry.centre));
+        let shoulder = self.shoulder(way);
+        let mut rest = places.iter_mut();
+        for (first, exists) in shoulder.turns.into_iter().zip(shoulder.exists) {
+            let end = self.in_plane(first, way);
+            let elbow = self.elbow(end.norm());
+            for (third, is_elbow) in elbow.turns.into_iter().zip(elbow.exists) {
+                let Some(place) = rest.next() else { return };
+                place.turns[0] = first;
+                place.turns[1] = self.upper_arm(end, third);
+                place.turns[2] = self.signed(0, third);
+                place.exists = exists & is_elbow;
+                (place.singular[0], place.singular[1]) = (shoulder.is_singular, elbow.is_singular);
+            }
+        }
+    }
+
+    /// The same where the first two axes cross: the distance from there, then the direction.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn crossing_shoulder(&self, places: &mut [Branch<L>; 4]) {
+        let way = self.way(self.vector(self.geometry.centre));
+        let [upper, lower] = [self.vector(self.geometry.upper), self.vector(self.geometry.lower)];
+        let distance = vector::dot(way, way).sqrt();
+        let elbow = self.elbow(distance);
+        let one = distance.constant(1.0);
+        let direction = vector::scale(way, one / distance);
+        // With the centre in the crossing, both axes turn about it.
+        let is_free = distance.le(self.slack[0]);
+        let mut rest = places.iter_mut();
+        for (third, exists) in elbow.turns.into_iter().zip(elbow.exists) {
+            let end = vector::add(upper, third.about(self.axis(2), lower));
+            let end = vector::scale(end, one / vector::dot(end, end).sqrt());
+            let apart = Apart::new(direction, self.axis(0), [self.slack[2], self.slack[3]]);
+            let shoulder = apart.bend(self.axis(0), self.axis(1), end);
+            for (second, is_shoulder) in shoulder.turns.into_iter().zip(shoulder.exists) {
+                let first = Complex::onto(self.axis(0), second.about(self.axis(1), end), direction);
+                let Some(place) = rest.next() else { return };
+                place.turns[0] = Complex::select(apart.is_along | is_free, self.start[0], first);
+                place.turns[1] = Complex::select(is_free, self.start[1], second);
+                place.turns[2] = third;
+                place.exists = exists & (is_shoulder | is_free);
+                (place.singular[0], place.singular[1]) = (shoulder.is_singular, elbow.is_singular);
+            }
+        }
+    }
+
+    /// The three parallel axes change neither the height along them nor a direction along them: that gives the others;
+    /// then a chain of two links and a hand in the plane.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn three_parallel(&self, branches: &mut [Branch<L>; 8]) {
+        let way = self.way(self.vector(self.geometry.centre));
+        let shoulder = self.shoulder(way);
+        let last = self.goal.transform_vector(self.axis(5));
+        let rotation = self.goal.rotation();
+        let hand = self.vector(self.geometry.lower);
+        let mut rest = branches.iter_mut();
+        for (first, exists) in shoulder.turns.into_iter().zip(shoulder.exists) {
+            let normal = first.about(self.axis(0), self.normal);
+            let (wrist, is_free) = self.wrist(last, normal);
+            let normal = rotation.conjugate().rotate(normal);
+            for (fifth, is_wrist) in wrist.turns.into_iter().zip(wrist.exists) {
+                let back = fifth.conj();
+                let swung = back.about(self.axis(4), self.normal);
+                let sixth = Complex::onto(self.axis(5), normal, swung);
+                let sixth = Complex::select(is_free, self.start[5], sixth);
+                let hand = sixth.conj().about(self.axis(5), back.about(self.axis(4), hand));
+                let along = back.about(self.axis(4), self.across[0]);
+                let along = rotation.rotate(sixth.conj().about(self.axis(5), along));
+                let all = self.directions(first, along);
+                let all = Complex::unit(all.re, all.im);
+                let hand = self.in_plane(first, vector::add(way, rotation.rotate(hand)));
+                let elbow = self.elbow(hand.norm());
+                for (third, is_elbow) in elbow.turns.into_iter().zip(elbow.exists) {
+                    let second = self.upper_arm(hand, third);
+                    let fourth = second.times(third).conj().times(all);
+                    let Some(branch) = rest.next() else { return };
+                    *branch = Branch {
+                        turns: [
+                            first,
+                            second,
+                            self.signed(0, third),
+                            self.signed(1, fourth),
+                            fifth,
+                            sixth,
+                        ],
+                        exists: exists & is_elbow & is_wrist,
+                        singular: [shoulder.is_singular, elbow.is_singular, wrist.is_singular],
+                    };
+                }
+            }
+        }
+    }
+
+    /// The first angle, whose turn back brings the centre to its height along the second axis.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn shoulder(&self, way: [L; 3]) -> Fork<L> {
+        let axis = self.axis(0);
+        let (tilt, height) = (self.number(self.geometry.tilt), self.number(self.geometry.height));
+        let along = tilt * vector::dot(axis, way);
+        let base = Complex {
+            re: vector::dot(self.normal, way) - along,
+            im: vector::dot(axis, vector::cross(self.normal, way)),
+        };
+        let (radius, height) = (base.norm(), height - along);
+        let gap = radius - height.abs();
+        let [slack, merge, _, part] = self.slack;
+        let root = positive(gap * (radius + height.abs())).sqrt();
+        let is_free = radius.le(slack);
+        // Where the centre is on the axis, both heights are zero.
+        let mut fork = Fork::new(base, [height, root], (-slack).le(gap), gap.le(merge), part);
+        fork.turns[0] = Complex::select(is_free, self.start[0], fork.turns[0]);
+        fork
+    }
+
+    /// The turn of the lower arm against the upper one, by the distance of the end (Heron).
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn elbow(&self, distance: L) -> Fork<L> {
+        let [shortest, longest] = self.geometry.spans;
+        let [shortest, longest] = [self.number(shortest), self.number(longest)];
+        let (inner, outer) = (distance - shortest, longest - distance);
+        let [slack, merge, _, part] = self.slack;
+        let (inner_too, outer_too) = (distance + shortest, longest + distance);
+        let cosine = inner.mul_add(inner_too, -(outer * outer_too)) * distance.constant(0.5);
+        let mut root = positive(inner * inner_too * (outer * outer_too)).sqrt();
+        let mut is_double = inner.le(merge) | outer.le(merge);
+        if self.geometry.crosses {
+            // The direction of the end is asked for afterwards, and the root of a rounding leads it astray.
+            is_double = inner.le(slack) | outer.le(slack);
+            root = L::select(is_double, root.constant(0.0), root);
+        }
+        let exists = (-slack).le(inner) & (-slack).le(outer);
+        let base = Complex::splat(self.level, self.geometry.between);
+        Fork::new(base, [cosine, root], exists, is_double, part)
+    }
+
+    /// The second angle: where the upper arm is when the end is where it should be.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn upper_arm(&self, end: Complex<L>, third: Complex<L>) -> Complex<L> {
+        let [upper, lower] = self.geometry.links;
+        let (upper, lower) = (Complex::splat(self.level, upper), Complex::splat(self.level, lower));
+        let turn = end.times(upper.plus(third.times(lower)).conj());
+        let is_free = end.norm().le(self.slack[0]);
+        Complex::select(is_free, self.start[1], Complex::unit(turn.re, turn.im))
+    }
+
+    /// The fifth angle, which brings the last axis to where it is to what it is turned against; and where that is along it.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn wrist(&self, last: [L; 3], against: [L; 3]) -> (Fork<L>, L::Mask) {
+        let before = self.vector(self.geometry.against);
+        let apart = Apart::new(last, against, [self.slack[2], self.slack[3]]);
+        (apart.bend(before, self.axis(4), self.axis(5)), apart.is_along)
+    }
+
+    /// From the first axis to a point of the tool.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn way(&self, point: [L; 3]) -> [L; 3] {
+        vector::sub(self.goal.transform_point(point), self.vector(self.geometry.base))
+    }
+
+    /// A direction in the plane of the elbow.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn directions(&self, first: Complex<L>, v: [L; 3]) -> Complex<L> {
+        let v = first.conj().about(self.axis(0), v);
+        Complex { re: vector::dot(self.across[0], v), im: vector::dot(self.across[1], v) }
+    }
+
+    /// A point there.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn in_plane(&self, first: Complex<L>, way: [L; 3]) -> Complex<L> {
+        self.directions(first, way).plus(Complex::splat(self.level, self.geometry.origin))
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn signed(&self, which: usize, turn: Complex<L>) -> Complex<L> {
+        let sign = self.geometry.signs.get(which).copied().unwrap_or(L::Real::ONE);
+        Complex { re: turn.re, im: turn.im * self.number(sign) }
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn axis(&self, index: usize) -> [L; 3] {
+        self.vector(self.geometry.axes.get(index).copied().unwrap_or_default())
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn vector(&self, vector: [L::Real; 3]) -> [L; 3] {
+        vector::splat(self.level, vector)
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn number(&self, number: L::Real) -> L {
+        L::splat(self.level, number)
+    }
+}

@@ -1,0 +1,248 @@
+//! All solutions for many targets.
+
+use super::branches::Arm;
+use super::complex::Complex;
+use super::error::SolutionsError;
+use super::family::{Family, fit};
+use super::rates::enough;
+use super::search::Work;
+use super::six_axis::{SixAxisArm, check};
+use super::solutions::{Singular, Solution, Solutions};
+use super::starts::{self, search_all};
+use crate::mechanism::joint::JointKind;
+use crate::mechanism::placed::Placed;
+use crate::mechanism::step::NONE;
+use crate::mechanism::values::half_turn;
+use dq8::batch::{self, cos_sin, half_turns, vector};
+use dq8::seams::Choice;
+#[cfg(feature = "alloc")]
+use dq8::seams::Rows;
+use dq8::storage::same_length;
+use dq8::{Backend, DualQuat, Kernel, Real as _, Scalar};
+use dq8_simd::{Lanes, Level, Mask};
+
+/// Many targets of a [`SixAxisArm`], as many at a time as there are lanes, with options that all have a default. The
+/// solutions of one do not depend on the others.
+#[derive(Clone, Copy, Debug)]
+pub struct SolutionsJob<'a, R> {
+    arm: SixAxisArm<'a, R>,
+    choice: Choice,
+}
+
+impl<R> SolutionsJob<'_, R> {
+    dq8::seams::options!();
+}
+
+impl<'a, R> SolutionsJob<'a, R> {
+    pub(super) fn new(arm: SixAxisArm<'a, R>) -> Self {
+        Self { arm, choice: Choice::default() }
+    }
+}
+
+impl<R: Scalar> SolutionsJob<'_, R> {
+    /// [`SixAxisArm::solutions`] for many targets, each with a start of its own. Allocates
+    /// [`batch_scratch_len`](SixAxisArm::batch_scratch_len) numbers for each task that runs at the same time.
+    ///
+    /// # Errors
+    /// As there, or if there are not as many starts, or places for what is found, as targets; nothing is written.
+    #[cfg(feature = "alloc")]
+    pub fn solutions(
+        &self,
+        targets: &[DualQuat<R>],
+        starts: &[[R; 6]],
+        found: &mut [Solutions<R>],
+    ) -> Result<(), SolutionsError> {
+        self.check(targets, starts, found)?;
+        let backend = self.choice.instructions();
+        let grain = if self.arm.family() == Family::Other { 1 } else { 256 };
+        backend.share(grain, (found, 1), &|first, (found, _): Rows<'_, Solutions<R>>| {
+            let targets = targets.get(first..).unwrap_or_default();
+            let starts = starts.get(first..).unwrap_or_default();
+            let mut scratch = alloc::vec![R::ZERO; self.arm.batch_scratch_len()];
+            self.run(backend, &mut scratch, targets, starts, found);
+        });
+        Ok(())
+    }
+
+    /// The same in memory of the caller, without allocation, on the thread that calls: `scratch` has
+    /// [`batch_scratch_len`](SixAxisArm::batch_scratch_len) numbers or more, and may hold anything.
+    ///
+    /// # Errors
+    /// As there, or if there is too little scratch; nothing is written.
+    pub fn solutions_in(
+        &self,
+        scratch: &mut [R],
+        targets: &[DualQuat<R>],
+        starts: &[[R; 6]],
+        found: &mut [Solutions<R>],
+    ) -> Result<(), SolutionsError> {
+        enough(scratch.len(), self.arm.batch_scratch_len())?;
+        self.check(targets, starts, found)?;
+        self.run(self.choice.instructions(), scratch, targets, starts, found);
+        Ok(())
+    }
+
+    fn check(
+        &self,
+        targets: &[DualQuat<R>],
+        starts: &[[R; 6]],
+        found: &[Solutions<R>],
+    ) -> Result<(), SolutionsError> {
+        same_length("starts", starts.len(), targets.len())?;
+        same_length("found", found.len(), targets.len())?;
+        check(targets, starts)
+    }
+
+    fn run(
+        &self,
+        backend: Backend,
+        scratch: &mut [R],
+        targets: &[DualQuat<R>],
+        starts: &[[R; 6]],
+        found: &mut [Solutions<R>],
+    ) {
+        let arm = &self.arm;
+        if arm.family() != Family::Other {
+            return backend.run(Targets { arm, targets, starts, found });
+        }
+        let split = scratch.split_at_mut_checked(starts::values(&arm.reach));
+        let Some((values, scratch)) = split else { return };
+        for ((&target, start), found) in targets.iter().zip(starts).zip(found) {
+            search_all(
+                &arm.reach,
+                target,
+                start,
+                found,
+                values,
+                |targets, values, reports, options| {
+                    let work = Work { targets, values, reports, options, clips: None };
+                    arm.reach.job().run::<false, false>(backend, work, scratch);
+                },
+            );
+        }
+    }
+}
+
+struct Targets<'s, R> {
+    arm: &'s SixAxisArm<'s, R>,
+    targets: &'s [DualQuat<R>],
+    starts: &'s [[R; 6]],
+    found: &'s mut [Solutions<R>],
+}
+
+impl<R: Scalar> Kernel for Targets<'_, R> {
+    type Output = ();
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn run<V: Level>(self, level: V) {
+        run::<R::Lanes<V>>(level, self.arm, self.targets, self.starts, self.found);
+    }
+}
+
+#[cfg_attr(not(opt_level_0), inline(always))]
+pub(super) fn run<L: Lanes<Real: Scalar>>(
+    level: L::Level,
+    arm: &SixAxisArm<'_, L::Real>,
+    targets: &[DualQuat<L::Real>],
+    starts: &[[L::Real; 6]],
+    found: &mut [Solutions<L::Real>],
+) {
+    let zero = L::splat(level, L::Real::ZERO);
+    for first in (0..found.len()).step_by(L::LANES) {
+        let mut numbers = [zero.to_array(); 14];
+        for lane in 0..L::LANES {
+            // Lanes that are left over compute along with the last.
+            let from = (first + lane).min(found.len() - 1);
+            let target = targets.get(from).copied().unwrap_or(DualQuat::IDENTITY);
+            let start = starts.get(from).copied().unwrap_or_default();
+            let all = target.to_array().into_iter().chain(start);
+            for (array, number) in numbers.iter_mut().zip(all) {
+                if let Some(slot) = array.as_mut().get_mut(lane) {
+                    *slot = number;
+                }
+            }
+        }
+        let mut target = [zero; 8];
+        for (lanes, array) in target.iter_mut().zip(&numbers) {
+            *lanes = L::load(level, array);
+        }
+        let target = batch::DualQuat::from_array(target).normalize();
+        let (mut start, mut turns) = ([zero; 6], [Complex { re: zero, im: zero }; 6]);
+        for (index, freedom) in arm.reach.freedoms.iter().enumerate().take(6) {
+            let value = L::load(level, &numbers[8 + index]);
+            let value = freedom.range.nearest(value, freedom.range.clamp(value));
+            let (re, im) = cos_sin(value);
+            (start[index], turns[index]) = (value, Complex { re, im });
+        }
+        let branches = Arm::new(level, &arm.geometry, target, turns).solve();
+        for slot in found.iter_mut().skip(first).take(L::LANES) {
+            slot.clear(true);
+        }
+        for branch in &branches {
+            let mut exists = branch.exists;
+            if !exists.any() {
+                continue;
+            }
+            let (mut values, mut square) = ([zero; 6], zero);
+            for (index, freedom) in arm.reach.freedoms.iter().enumerate().take(6) {
+                let angle = branch.turns[index].angle();
+                let value = freedom.range.nearest(angle, start[index]);
+                let (_, beyond) = half_turns((value - angle) * zero.constant(0.5));
+                let rounding = (value.abs() + zero.constant(4.0))
+                    * zero.constant(4.0 * vector::epsilon::<L>());
+                exists = exists & beyond.abs().le(rounding);
+                let way = value - start[index];
+                square = way.mul_add(way, square);
+                values[index] = value;
+            }
+            exists = exists & arm.is_there(values, target);
+            let distance = square.sqrt().to_array();
+            let values = values.map(|value| value.to_array());
+            let exists = exists.to_bitmask();
+            let singular = branch.singular.map(|mask| mask.to_bitmask());
+            for (lane, slot) in found.iter_mut().skip(first).take(L::LANES).enumerate() {
+                if exists >> lane & 1 == 0 {
+                    continue;
+                }
+                let mut solution = Solution::default();
+                for (value, array) in solution.values.iter_mut().zip(&values) {
+                    *value = array.as_ref().get(lane).copied().unwrap_or_default();
+                }
+                solution.distance = distance.as_ref().get(lane).copied().unwrap_or_default();
+                let [shoulder, elbow, wrist] = singular.map(|mask| mask >> lane & 1 == 1);
+                solution.singular = Singular { shoulder, elbow, wrist };
+                slot.insert(solution);
+            }
+        }
+    }
+}
+
+impl<R: Scalar> SixAxisArm<'_, R> {
+    /// Whether values bring the tool to the target, by the mechanism as it is.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn is_there<L: Lanes<Real = R>>(&self, values: [L; 6], target: batch::DualQuat<L>) -> L::Mask {
+        let (reach, level) = (&self.reach, values[0].level());
+        let mut pose = Placed::<L>::identity(level);
+        let mut values = values.into_iter();
+        for (position, step) in reach.mechanism.steps.iter().enumerate() {
+            if !reach.moves_goal(position) {
+                continue;
+            }
+            pose = if step.parent == NONE { Placed::root(level, step) } else { pose.place(step) };
+            if let JointKind::Revolute { .. } = step.kind
+                && let Some(value) = values.next()
+            {
+                let [cos, sin] = half_turn(value * value.constant(0.5));
+                pose.rotation = pose.turn(step, cos, sin * L::splat(level, step.sign));
+            }
+        }
+        let goal = reach.goals.first().map_or([R::ZERO; 3], |goal| goal.point);
+        let half = vector::scale(vector::splat(level, goal), L::splat(level, R::HALF));
+        let half = pose.moved(half);
+        let way = vector::sub(vector::add(half, half), target.translation());
+        let turn = (batch::Quat::from_array(pose.rotation).conjugate() * target.rotation()).xyz();
+        let fit = L::splat(level, fit::<R>() * R::from(16.0));
+        let far = fit * L::splat(level, self.geometry.size);
+        vector::dot(turn, turn).le(fit * fit) & vector::dot(way, way).le(far * far)
+    }
+}
