@@ -2,8 +2,9 @@
 
 use crate::inputs::Inputs;
 use crate::scene::{Scene, step};
-use crate::slices::Operation;
+use crate::slices::kernels;
 use crate::subject::subjects;
+use dq8::storage::Aos;
 use dq8::{
     Backend, Block, Crowd, DualQuat, Hierarchy, ShapeError,
     hierarchy::{Bones, MatrixOrder, Poses, Renormalize, Root, RotationsTranslations},
@@ -188,10 +189,10 @@ fn all_cores_compute_the_bits_of_one_of_slices() {
     let inputs = Inputs::new(2 * 2048 + 77);
     for subject in subjects() {
         let inputs = inputs.rounded(subject.single());
-        for operation in Operation::ALL {
-            let one = subject.slices(Backend::best(), operation, &inputs);
-            let all = subject.slices(Backend::best().threads(3), operation, &inputs);
-            assert!(one == all, "{operation:?} of {}", subject.name());
+        for (index, kernel) in kernels::<Aos<f64>>().iter().enumerate() {
+            let one = subject.slices(Backend::best(), index, &inputs);
+            let all = subject.slices(Backend::best().threads(3), index, &inputs);
+            assert!(one == all, "{} of {}", kernel.name, subject.name());
         }
     }
 }
