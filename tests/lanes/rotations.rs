@@ -82,6 +82,7 @@ fn signs_do_not_matter<L: Provable>() {
         for quat in &quats {
             let [one, other] = [1.0, -1.0].map(|sign| {
                 let quat = batch::Quat::from_array(quat.map(|c| lanes::<L>(&[sign * c])));
+                assert_eq!(row([quat.x(), quat.y(), quat.z()], 0), row(quat.xyz(), 0));
                 row(quat.to_euler(order).angles.angles, 0).map(f64::to_bits)
             });
             assert_eq!(one, other, "{order:?} {quat:?}");
