@@ -95,31 +95,41 @@ fn joints_at_rest_have_derivatives() {
     assert_eq!(slope, [0.0, 0.3, 0.4, 0.0, 1.0, 0.075, 0.1, 0.0]);
 }
 
+/// Hyper-dual numbers have both first derivatives, and the second one, as tables do.
 #[test]
 fn functions_have_their_derivatives() {
-    type D = Dual<f64>;
-    /// A name, the function, where, and its derivative there.
-    type Case = (&'static str, fn(D) -> D, f64, f64);
+    /// A name, the function, where, and its two derivatives there.
+    type Case = (&'static str, fn(Hyper) -> Hyper, f64, [f64; 2]);
+    let (sin, cos) = 0.7_f64.sin_cos();
+    let (root, e) = (2.0_f64.sqrt(), 1.5_f64.exp());
     let cases: [Case; 12] = [
-        ("sqrt", Real::sqrt, 2.0, 0.5 / 2.0_f64.sqrt()),
-        ("sin", Real::sin, 0.7, 0.7_f64.cos()),
-        ("cos", Real::cos, 0.7, -0.7_f64.sin()),
-        ("tan", Real::tan, 0.7, 1.0 / (0.7_f64.cos() * 0.7_f64.cos())),
-        ("asin", Real::asin, 0.6, 1.25),
-        ("acos", Real::acos, 0.6, -1.25),
-        ("atan", Real::atan, 3.0, 0.1),
-        ("exp", Real::exp, 1.5, 1.5_f64.exp()),
-        ("ln", Real::ln, 4.0, 0.25),
-        ("abs", Real::abs, -4.0, -1.0),
-        ("atan2 of y", |y| y.atan2(D::new(2.0, 0.0)), 1.0, 0.4),
-        ("atan2 of x", |x| D::new(2.0, 0.0).atan2(x), 1.0, -0.4),
+        ("sqrt", Real::sqrt, 2.0, [0.5 / root, -0.125 / root]),
+        ("sin", Real::sin, 0.7, [cos, -sin]),
+        ("cos", Real::cos, 0.7, [-sin, -cos]),
+        ("tan", Real::tan, 0.7, [1.0 / (cos * cos), 2.0 * sin / cos.powi(3)]),
+        ("asin", Real::asin, 0.6, [1.25, 1.171_875]),
+        ("acos", Real::acos, 0.6, [-1.25, -1.171_875]),
+        ("atan", Real::atan, 3.0, [0.1, -0.06]),
+        ("exp", Real::exp, 1.5, [e, e]),
+        ("ln", Real::ln, 4.0, [0.25, -0.0625]),
+        ("abs", Real::abs, -4.0, [-1.0, 0.0]),
+        ("atan2 of y", |y| y.atan2(Real::TWO), 1.0, [0.4, -0.16]),
+        ("atan2 of x", |x| Hyper::TWO.atan2(x), 1.0, [-0.4, 0.16]),
     ];
-    for (name, f, at, derivative) in cases {
-        let found = f(D::new(at, 1.0)).dual;
-        assert!((found - derivative).abs() < LAST_BITS, "{name}: {found} for {derivative}");
+    for (name, f, at, [first, second]) in cases {
+        let found = f(Hyper::new(Dual::new(at, 1.0), Dual::new(1.0, 0.0)));
+        let pairs = [(found.dual.real, first), (found.real.dual, first), (found.dual.dual, second)];
+        for (found, wanted) in pairs {
+            assert!((found - wanted).abs() < LAST_BITS, "{name}: {found} for {wanted}");
+        }
     }
+    type D = Dual<f64>;
     let huge = D::new(3e200, 1e200).atan2(D::new(4e200, 0.0));
     assert!((huge.dual - 0.16).abs() < LAST_BITS, "no square overflows: {}", huge.dual);
+    for pole in [D::EPSILON.sqrt(), D::EPSILON.ln(), D::EPSILON.recip()] {
+        assert!(!pole.dual.is_finite(), "{pole}");
+    }
+    assert!((-D::ONE).sqrt().real.is_nan() && (-D::ONE).ln().real.is_nan());
 }
 
 /// ε is positive and smaller than every number.

@@ -8,31 +8,28 @@ use dq8::{
     hierarchy::{Poses, RotationsTranslations},
     representation::{Affine, Polar},
 };
+use dq8_contract::fuzz;
+use dq8_contract::random::Random;
 use std::cell::Cell;
 use std::hint::black_box;
-use std::time::{Duration, Instant};
 
 /// Some units of the last place in `f32`.
 const IN_SINGLE: f32 = 1e-6;
 /// Products of up to as many joints as are drawn, on the scale of their sum.
 const MODELS: f32 = 2e-4;
 
-/// SplitMix64 (Steele, Lea and Flood 2014), and how many functions were called.
+/// Random numbers, and how many functions were called.
 struct Fuzz {
-    state: u64,
+    random: Random,
     calls: Cell<u64>,
 }
 
 impl Fuzz {
     fn bits(&mut self) -> u64 {
-        self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut bits = self.state;
-        bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        bits ^ (bits >> 31)
+        self.random.bits()
     }
     fn below(&mut self, end: usize) -> usize {
-        (self.bits() % end.max(1) as u64) as usize
+        self.random.below(end)
     }
     fn called(&self, times: u64) {
         self.calls.set(self.calls.get() + times);
@@ -340,28 +337,17 @@ fn slices(fuzz: &mut Fuzz) {
 
 #[test]
 fn anything_may_be_given_to_public_functions() {
-    let number = |name: &str| std::env::var(name).ok().and_then(|text| text.parse::<u64>().ok());
-    let seconds =
-        number("DQ8_FUZZ_SECONDS").map_or(Duration::from_millis(200), Duration::from_secs);
-    let (seed, start) = (number("DQ8_FUZZ_SEED").unwrap_or(1), Instant::now());
-    let (mut calls, mut round) = (0_u64, seed);
-    while start.elapsed() < seconds {
-        let mut fuzz =
-            Fuzz { state: round.wrapping_mul(0x2545_f491_4f6c_dd1d), calls: Cell::new(0) };
-        let result = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| {
-            for _ in 0..50 {
-                for _ in 0..20 {
-                    operations(&mut fuzz);
-                    matrices(&mut fuzz);
-                    texts(&mut fuzz);
-                }
-                hierarchies(&mut fuzz);
-                slices(&mut fuzz);
+    fuzz::rounds(|seed| {
+        let mut fuzz = Fuzz { random: fuzz::random(seed), calls: Cell::new(0) };
+        for _ in 0..50 {
+            for _ in 0..20 {
+                operations(&mut fuzz);
+                matrices(&mut fuzz);
+                texts(&mut fuzz);
             }
-        }));
-        assert!(result.is_ok(), "DQ8_FUZZ_SEED={round} fails");
-        calls += fuzz.calls.get();
-        round += 1;
-    }
-    println!("{calls} calls in {} s, seeds {seed} to {}", start.elapsed().as_secs(), round - 1);
+            hierarchies(&mut fuzz);
+            slices(&mut fuzz);
+        }
+        fuzz.calls.get()
+    });
 }

@@ -20,7 +20,7 @@ mod motion;
 mod source;
 
 use crate::clip::Clip;
-use error::{BvhError, Reason};
+use error::BvhError;
 use motion::{Motion, Warning};
 use source::{Lines, Source};
 
@@ -28,7 +28,7 @@ use source::{Lines, Source};
 pub(crate) fn parse(title: String, bytes: &[u8]) -> Result<(Clip, Option<Warning>), BvhError> {
     let text = std::str::from_utf8(bytes).map_err(|error| {
         let before = String::from_utf8_lossy(&bytes[..error.valid_up_to()]);
-        BvhError { line: Lines::of(&before).count(), reason: Reason::NotUtf8 }
+        BvhError::new(Lines::of(&before).count(), "not UTF-8 text")
     })?;
     let mut source = Source::new(text);
     let joints = hierarchy::read(&mut source)?;
@@ -39,7 +39,7 @@ pub(crate) fn parse(title: String, bytes: &[u8]) -> Result<(Clip, Option<Warning
 
 #[cfg(test)]
 mod tests {
-    use super::error::{BvhError, Reason};
+    use super::error::BvhError;
     use super::parse;
     use crate::clip::Clip;
 
@@ -212,8 +212,8 @@ Frame Time: .0083333
             let lines = TWO_JOINTS[..end].lines().count().max(1);
             assert!((1..=lines).contains(&error.line), "{end}: {error}");
         }
-        assert_eq!(read("").map(|_| ()).unwrap_err().reason, Reason::Empty);
-        assert_eq!(read(" \r\n\t").map(|_| ()).unwrap_err().reason, Reason::Empty);
+        assert_eq!(read("").map(|_| ()).unwrap_err().reason, "the file is empty");
+        assert_eq!(read(" \r\n\t").map(|_| ()).unwrap_err().reason, "the file is empty");
     }
 
     /// Of a hip, a spine and a head, as others write it.
@@ -260,7 +260,7 @@ Frame Time: 0.033333
         for start in ["HIERARCHY\nROOT", "HIERARCHY\rROOT", "HIERARCHY\r\nROOT"] {
             let bytes = [start.as_bytes(), b" H\xffps"].concat();
             let error = parse(String::new(), &bytes).map(|_| ()).unwrap_err();
-            assert_eq!(error, BvhError { line: 2, reason: Reason::NotUtf8 });
+            assert_eq!(error, BvhError::new(2, "not UTF-8 text"));
         }
     }
 
@@ -273,7 +273,7 @@ Frame Time: 0.033333
         }
         text += &"}".repeat(depth + 1);
         let unclosed = read(&text[..text.len() - 1]).map(|_| ()).unwrap_err();
-        assert!(matches!(unclosed.reason, Reason::Unclosed { opened: 1, .. }), "{unclosed}");
+        assert!(unclosed.reason.ends_with("for the `{` of line 1"), "{unclosed}");
         text += "MOTION\nFrames: 1\nFrame Time: 1\n90\n";
         let clip = read(&text).unwrap();
         let tip = positions(&clip, 0)[depth];
@@ -284,6 +284,8 @@ Frame Time: 0.033333
     fn an_absurd_frame_count_costs_no_memory() {
         let error = read(&TWO_JOINTS.replace("Frames: 2", &format!("Frames: {}", usize::MAX)));
         let reason = error.map(|_| ()).unwrap_err().reason;
-        assert_eq!(reason, Reason::TooFewFrames { announced: usize::MAX, found: 2 });
+        assert!(
+            reason.ends_with(&format!("{}` is announced, but the file ends after 2", usize::MAX))
+        );
     }
 }

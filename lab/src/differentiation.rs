@@ -1,7 +1,7 @@
 //! Dual numbers differentiate interpolations: what moves at constant speed, and what does not.
 
-use crate::HyperDual;
 use crate::report::{Chart, Section, Series, Table, scientific};
+use crate::{HyperDual, hyper_dual};
 use dq8::{Dual, DualQuat, Quat, Real, Twist};
 use nalgebra::Vector3;
 use std::error::Error;
@@ -135,8 +135,8 @@ fn speeds(way: &Way, keys: [DualQuat<f64>; 2]) -> Vec<Speed> {
             let sigma = DualQuat::from_array(first.map(|c| c.real));
             let rate = DualQuat::from_array(first.map(|c| c.dual));
             let twist = sigma.body_twist(rate);
-            let second = (way.second)(keys.map(lifted), HyperDual::new(t, 1.0, 1.0, 0.0));
-            let acceleration = DualQuat::from_array(second.to_array().map(|c| c.mixed));
+            let second = (way.second)(keys.map(lifted), hyper_dual(t, 1.0, 1.0, 0.0));
+            let acceleration = DualQuat::from_array(second.to_array().map(|c| c.dual.dual));
             let rest = acceleration - rate.derivative_body(twist);
             let change =
                 rest.to_array().into_iter().fold(0.0, |most: f64, c| most.max_or_nan(c.abs()));

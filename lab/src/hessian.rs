@@ -23,9 +23,9 @@ impl Derivatives {
         for i in 0..6 {
             for j in i..6 {
                 let position = arm.pose(seeded(variables, i, j, step)).translation();
-                derivatives.first[i] = position.map(|c| c.first / step);
-                derivatives.first[j] = position.map(|c| c.second / step);
-                derivatives.second[i][j] = position.map(|c| c.mixed / (step * step));
+                derivatives.first[i] = position.map(|c| c.dual.real / step);
+                derivatives.first[j] = position.map(|c| c.real.dual / step);
+                derivatives.second[i][j] = position.map(|c| c.dual.dual / (step * step));
                 derivatives.second[j][i] = derivatives.second[i][j];
             }
         }
@@ -99,9 +99,9 @@ impl Derivatives {
 /// The variables with ε₁ on joint i and ε₂ on joint j, both times `step`.
 #[must_use]
 pub fn seeded(variables: [f64; 6], i: usize, j: usize, step: f64) -> [HyperDual<f64>; 6] {
-    let mut seeded = variables.map(HyperDual::constant);
-    seeded[i].first = step;
-    seeded[j].second = step;
+    let mut seeded = variables.map(HyperDual::from_f64);
+    seeded[i].dual.real = step;
+    seeded[j].real.dual = step;
     seeded
 }
 

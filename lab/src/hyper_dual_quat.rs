@@ -1,6 +1,6 @@
 //! Hyper-dual quaternions as Arends writes them, four quaternions.
 
-use crate::HyperDual;
+use crate::{HyperDual, hyper_dual, hyper_dual_parts};
 use core::ops::{Add, Mul, Neg, Sub};
 use dq8::{DualQuat, Quat, Real};
 
@@ -106,7 +106,7 @@ impl<R: Real> HyperDualQuat<R> {
     pub fn norm_squared(self) -> HyperDual<R> {
         let [first, second] = [self.first, self.second].map(|part| R::TWO * self.real.dot(part));
         let mixed = R::TWO * (self.real.dot(self.mixed) + self.first.dot(self.second));
-        HyperDual::new(self.real.dot(self.real), first, second, mixed)
+        hyper_dual(self.real.dot(self.real), first, second, mixed)
     }
 
     /// a⁻¹ − a⁻¹ba⁻¹ε₁ − a⁻¹ca⁻¹ε₂ + (a⁻¹ba⁻¹ca⁻¹ + a⁻¹ca⁻¹ba⁻¹ − a⁻¹da⁻¹)ε₁ε₂: the inverse of
@@ -197,8 +197,9 @@ impl<R: Real> Mul for HyperDualQuat<R> {
 
 impl<R: Real> From<Quat<HyperDual<R>>> for HyperDualQuat<R> {
     fn from(quat: Quat<HyperDual<R>>) -> Self {
-        let part = |of: fn(HyperDual<R>) -> R| Quat::from_array(quat.to_array().map(of));
-        Self::new(part(|x| x.real), part(|x| x.first), part(|x| x.second), part(|x| x.mixed))
+        let numbers = quat.to_array().map(hyper_dual_parts);
+        let part = |which: usize| Quat::from_array(numbers.map(|parts| parts[which]));
+        Self::new(part(0), part(1), part(2), part(3))
     }
 }
 
@@ -206,6 +207,6 @@ impl<R: Real> From<HyperDualQuat<R>> for Quat<HyperDual<R>> {
     fn from(parts: HyperDualQuat<R>) -> Self {
         let HyperDualQuat { real, first, second, mixed } = parts;
         let [a, b, c, d] = [real, first, second, mixed].map(Quat::to_array);
-        Self::from_array(core::array::from_fn(|i| HyperDual::new(a[i], b[i], c[i], d[i])))
+        Self::from_array(core::array::from_fn(|i| hyper_dual(a[i], b[i], c[i], d[i])))
     }
 }

@@ -29,6 +29,6 @@ pub mod speed;
 
 pub use arm::{Arm, Joint};
 pub use counted::{Counted, Counts};
-pub use hyper_dual::HyperDual;
+pub use hyper_dual::{HyperDual, hyper_dual, hyper_dual_parts};
 pub use hyper_dual_quat::HyperDualQuat;
 pub use logarithm::{LogarithmError, logarithm};

@@ -161,6 +161,8 @@ fn hold<M: Sample>(ledger: &Ledger, on: &str, cases: &[Case]) {
         let tolerance = M::splat(1e-6);
         let close = M::bits(turn.abs_diff_eq(again, zero)) & M::bits(turn.is_unit(tolerance));
         assert_eq!(close, (1 << M::LANES) - 1, "{on}");
+        // Not where a component is the same.
+        assert_eq!(M::bits((-turn).abs_diff_eq(turn, tolerance)), 0, "{on}");
     }
 }
 

@@ -13,16 +13,16 @@ mod judge;
 mod kernels;
 
 use dq8_contract::case::Case;
+use dq8_contract::fuzz;
 use dq8_contract::implementation::{On, implementations, scalar_f64};
 use dq8_contract::lanes::MAX_LANES;
 use dq8_contract::operation::Operation;
 use dq8_contract::operations::OPERATIONS;
-use dq8_contract::random::{self, Random};
+use dq8_contract::random;
 use draw::Draw;
 use families::Families;
 use judge::{Lane, Question, judge};
 use std::collections::BTreeMap;
-use std::time::{Duration, Instant};
 
 /// What was found: the worst of each operation and kind of case.
 #[derive(Default)]
@@ -81,7 +81,7 @@ fn bits((numbers, held): &Lane) -> Vec<u64> {
 }
 
 fn round(single: bool, seed: u64, findings: &mut Findings) {
-    let mut random = Random(seed.wrapping_mul(0x2545_f491_4f6c_dd1d));
+    let mut random = fuzz::random(seed);
     // Of all kinds side by side.
     let cases: Vec<_> = Draw::ALL
         .into_iter()
@@ -132,22 +132,13 @@ fn round(single: bool, seed: u64, findings: &mut Findings) {
     }
 }
 
-fn fuzz(single: bool) {
-    let number = |name: &str| std::env::var(name).ok().and_then(|text| text.parse::<u64>().ok());
-    let seconds =
-        number("DQ8_FUZZ_SECONDS").map_or(Duration::from_millis(200), Duration::from_secs);
-    let (first, start) = (number("DQ8_FUZZ_SEED").unwrap_or(1), Instant::now());
-    let (mut seed, mut findings) = (first, Findings::default());
-    while start.elapsed() < seconds {
-        let done = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| {
-            round(single, seed, &mut findings);
-        }));
-        assert!(done.is_ok(), "DQ8_FUZZ_SEED={seed} panics");
-        seed += 1;
-    }
-    let (calls, seconds) = (findings.calls, start.elapsed().as_secs());
-    let name = if single { "f32" } else { "f64" };
-    println!("{name}: {calls} calls in {seconds} s, seeds {first} to {}", seed - 1);
+fn fuzz_all(single: bool) {
+    let (mut findings, name) = (Findings::default(), if single { "f32" } else { "f64" });
+    fuzz::rounds(|seed| {
+        let before = findings.calls;
+        round(single, seed, &mut findings);
+        findings.calls - before
+    });
     let found: Vec<_> = findings
         .worst
         .iter()
@@ -158,10 +149,10 @@ fn fuzz(single: bool) {
 
 #[test]
 fn every_implementation_in_f32_answers_as_the_scalar_path_in_f64() {
-    fuzz(true);
+    fuzz_all(true);
 }
 
 #[test]
 fn every_implementation_in_f64_answers_as_the_scalar_path_does() {
-    fuzz(false);
+    fuzz_all(false);
 }

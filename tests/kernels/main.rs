@@ -26,6 +26,5 @@ mod plan;
 mod records;
 mod sampling;
 mod scene;
-mod slice_lengths;
 mod slices;
 mod subject;

@@ -2,10 +2,12 @@
 
 use crate::inputs::Inputs;
 use crate::scene::{Scene, step};
-use crate::slices::Operation;
+use crate::slices::kernels;
 use crate::subject::subjects;
+use dq8::representation::RotationTranslation;
+use dq8::storage::Aos;
 use dq8::{
-    Backend, Block, Crowd, DualQuat, Hierarchy, ShapeError,
+    Backend, Block, Crowd, DualQuat, Hierarchy, Job, ShapeError,
     hierarchy::{Bones, MatrixOrder, Poses, Renormalize, Root, RotationsTranslations},
 };
 use dq8_contract::random::Random;
@@ -29,7 +31,7 @@ fn crowd(instances: usize) -> Crowd<f32, 8> {
 fn jobs<'a, E: dq8::Element<8>>(
     hierarchy: &Hierarchy<'a>,
     roots: &'a [E],
-) -> [dq8::Job<'a, Root<'a, E>>; 4] {
+) -> [Job<'a, Root<'a, E>>; 4] {
     let every = Renormalize::Every(3.try_into().expect("not 0"));
     let root = DualQuat::from_translation([1.0, 2.0, 3.0].map(dq8::Real::from_f64));
     [
@@ -40,6 +42,20 @@ fn jobs<'a, E: dq8::Element<8>>(
     ]
 }
 
+/// What a job writes over `before` with one thread, and with all of them.
+#[track_caller]
+fn on_all<'a, T: Clone + PartialEq, O: Clone>(
+    job: &Job<'a, O>,
+    before: &T,
+    run: impl Fn(Job<'a, O>, &mut T) -> Result<(), ShapeError>,
+) -> T {
+    let [mut one, mut all] = [before.clone(), before.clone()];
+    run(job.clone(), &mut one).expect("they fit");
+    run(job.clone().threads(usize::MAX), &mut all).expect("they fit");
+    assert!(one == all);
+    one
+}
+
 #[test]
 fn all_cores_compute_the_bits_of_one() {
     let hierarchy = Hierarchy::new(&PARENTS).expect("a hierarchy");
@@ -47,19 +63,12 @@ fn all_cores_compute_the_bits_of_one() {
         let locals = crowd(instances);
         let roots = locals.blocks().iter().step_by(PARENTS.len()).copied().collect::<Vec<_>>();
         for job in jobs(&hierarchy, &roots) {
-            let (mut one, mut all) = (locals.clone(), locals.clone());
-            job.local_to_model(locals.blocks(), one.blocks_mut()).expect("they fit");
-            job.clone()
-                .threads(usize::MAX)
-                .local_to_model(locals.blocks(), all.blocks_mut())
-                .expect("they fit");
-            assert_eq!(one, all);
-            let mut in_place = locals.clone();
-            job.clone()
-                .threads(usize::MAX)
-                .local_to_model_in_place(in_place.blocks_mut())
-                .expect("they fit");
-            assert_eq!(one, in_place);
+            let apart = on_all(&job, &locals, |job, to| {
+                job.local_to_model(locals.blocks(), to.blocks_mut())
+            });
+            let in_place =
+                on_all(&job, &locals, |job, to| job.local_to_model_in_place(to.blocks_mut()));
+            assert_eq!(apart, in_place);
         }
     }
 }
@@ -72,16 +81,9 @@ fn all_cores_compute_the_bits_of_one_of_plain_motions() {
         let locals = poses(instances);
         let roots: Vec<_> = locals.iter().step_by(PARENTS.len()).copied().collect();
         for job in jobs(&hierarchy, &roots) {
-            let (mut one, mut all) = (locals.clone(), locals.clone());
-            job.local_to_model(&locals, &mut one).expect("they fit");
-            job.clone().threads(usize::MAX).local_to_model(&locals, &mut all).expect("they fit");
-            assert!(one == all, "{instances} instances");
-            let mut in_place = locals.clone();
-            job.clone()
-                .threads(usize::MAX)
-                .local_to_model_in_place(&mut in_place)
-                .expect("they fit");
-            assert!(one == in_place, "{instances} instances, in place");
+            let apart = on_all(&job, &locals, |job, to| job.local_to_model(&locals, to));
+            let in_place = on_all(&job, &locals, |job, to| job.local_to_model_in_place(to));
+            assert!(apart == in_place, "{instances} instances");
         }
     }
 }
@@ -96,67 +98,32 @@ fn all_cores_compute_the_bits_of_one_of_every_form_and_palette() {
     for instances in INSTANCES {
         let locals = poses(instances);
         let turns: Vec<_> = locals.iter().map(|local| local.rotation()).collect();
-        let both: Vec<[f32; 7]> = locals
-            .iter()
-            .map(|local| {
-                let ([x, y, z, w], [tx, ty, tz]) =
-                    (local.rotation().to_array(), local.translation());
-                [x, y, z, w, tx, ty, tz]
-            })
-            .collect();
+        let both: Vec<[f32; 7]> =
+            locals.iter().map(|&local| RotationTranslation::from(local).to_array()).collect();
         let roots: Vec<_> = locals.iter().step_by(PARENTS.len()).copied().collect();
+        let small = vec![[[0.0_f32; 4]; 3]; locals.len()];
+        let large = vec![[[0.0_f32; 4]; 4]; locals.len()];
+        let turned = Bones { rotations: &turns, offsets: &offsets };
+        on_all(&hierarchy.job(), &locals, |job, to| job.locals(turned, to));
         for job in jobs(&hierarchy, &roots) {
-            let (mut one, mut all) = (locals.clone(), locals.clone());
-            let turned = Bones { rotations: &turns, offsets: &offsets };
-            job.locals_to_model(turned, &mut one).expect("they fit");
-            job.clone().threads(usize::MAX).locals_to_model(turned, &mut all).expect("they fit");
-            assert!(one == all, "{instances} instances, rotations");
-            hierarchy.job().locals(turned, &mut one).expect("they fit");
-            hierarchy.job().threads(usize::MAX).locals(turned, &mut all).expect("they fit");
-            assert!(one == all, "{instances} instances, locals");
-
-            let (mut motions, mut par_motions) = (locals.clone(), locals.clone());
-            job.palette_and_models(turned, &mut one, &binds, &mut motions).expect("they fit");
-            job.clone()
-                .threads(usize::MAX)
-                .palette_and_models(turned, &mut all, &binds, &mut par_motions)
-                .expect("they fit");
-            assert!(one == all && motions == par_motions, "{instances} instances, motions");
-
-            let mut small = vec![[[0.0_f32; 4]; 3]; locals.len()];
-            let mut par_small = small.clone();
-            let given = Poses(&locals[..]);
-            job.palette_and_models(given, &mut one, &binds, &mut small).expect("they fit");
-            job.clone()
-                .threads(usize::MAX)
-                .palette_and_models(given, &mut all, &binds, &mut par_small)
-                .expect("they fit");
-            assert!(one == all && small == par_small, "{instances} instances, 3 by 4");
-
-            let mut large = vec![[[0.0_f32; 4]; 4]; locals.len()];
-            let mut par_large = large.clone();
-            let given = RotationsTranslations(&both);
-            job.palette_and_models(given, &mut one, &binds, &mut large).expect("they fit");
-            job.clone()
-                .threads(usize::MAX)
-                .palette_and_models(given, &mut all, &binds, &mut par_large)
-                .expect("they fit");
-            assert!(one == all && large == par_large, "{instances} instances, 4 by 4");
+            on_all(&job, &locals, |job, to| job.locals_to_model(turned, to));
+            on_all(&job, &(locals.clone(), locals.clone()), |job, (models, palette)| {
+                job.palette_and_models(turned, models, &binds, palette)
+            });
+            on_all(&job, &(locals.clone(), small.clone()), |job, (models, palette)| {
+                job.palette_and_models(Poses(&locals[..]), models, &binds, palette)
+            });
+            on_all(&job, &(locals.clone(), large.clone()), |job, (models, palette)| {
+                job.palette_and_models(RotationsTranslations(&both), models, &binds, palette)
+            });
         }
         // And crowds of less than motions, with palettes of matrices.
         let turns = Crowd::<f32, 8, 4>::from_slice(PARENTS.len(), &turns).expect("whole instances");
-        let locals = Bones { rotations: turns.blocks(), offsets: &offsets };
-        let (mut one, mut all) = (crowd(instances), crowd(instances));
-        let mut matrices = Crowd::<f32, 8, 12>::new(PARENTS.len(), instances);
-        let mut par_matrices = matrices.clone();
-        let job = hierarchy.job();
-        job.palette_and_models(locals, one.blocks_mut(), &binds, matrices.blocks_mut())
-            .expect("they fit");
-        job.clone()
-            .threads(usize::MAX)
-            .palette_and_models(locals, all.blocks_mut(), &binds, par_matrices.blocks_mut())
-            .expect("they fit");
-        assert!(one == all && matrices == par_matrices, "{instances} instances in blocks");
+        let turned = Bones { rotations: turns.blocks(), offsets: &offsets };
+        let matrices = Crowd::<f32, 8, 12>::new(PARENTS.len(), instances);
+        on_all(&hierarchy.job(), &(crowd(instances), matrices), |job, (models, palette)| {
+            job.palette_and_models(turned, models.blocks_mut(), &binds, palette.blocks_mut())
+        });
     }
 }
 
@@ -188,10 +155,10 @@ fn all_cores_compute_the_bits_of_one_of_slices() {
     let inputs = Inputs::new(2 * 2048 + 77);
     for subject in subjects() {
         let inputs = inputs.rounded(subject.single());
-        for operation in Operation::ALL {
-            let one = subject.slices(Backend::best(), operation, &inputs);
-            let all = subject.slices(Backend::best().threads(3), operation, &inputs);
-            assert!(one == all, "{operation:?} of {}", subject.name());
+        for (index, kernel) in kernels::<Aos<f64>>().iter().enumerate() {
+            let one = subject.slices(Backend::best(), index, &inputs);
+            let all = subject.slices(Backend::best().threads(3), index, &inputs);
+            assert!(one == all, "{} of {}", kernel.name, subject.name());
         }
     }
 }
@@ -222,23 +189,14 @@ fn what_does_not_fit_is_refused_and_nothing_is_written() {
     let before = crowd.clone();
     let blocks: &[Block<f32, 8>] = before.blocks();
     let roots = &blocks[..7];
-    let error = hierarchy
-        .job()
-        .roots(roots)
-        .threads(usize::MAX)
-        .local_to_model_in_place(crowd.blocks_mut());
+    let job = hierarchy.job().threads(usize::MAX);
+    let error = job.clone().roots(roots).local_to_model_in_place(crowd.blocks_mut());
     assert_eq!(error, Err(ShapeError::Length { what: "roots", length: 7, expected: 625 }));
-    let error =
-        hierarchy.job().threads(usize::MAX).local_to_model(&blocks[5..], crowd.blocks_mut());
+    let error = job.local_to_model(&blocks[5..], crowd.blocks_mut());
     assert!(matches!(error, Err(ShapeError::Length { what: "models", .. })), "{error:?}");
-    let binds = [DualQuat::IDENTITY; 4];
-    let mut palette = before.clone();
-    let error = hierarchy.job().threads(usize::MAX).palette_and_models(
-        Poses(blocks),
-        crowd.blocks_mut(),
-        &binds,
-        palette.blocks_mut(),
-    );
+    let (binds, mut palette) = ([DualQuat::IDENTITY; 4], before.clone());
+    let (models, entries) = (crowd.blocks_mut(), palette.blocks_mut());
+    let error = job.palette_and_models(Poses(blocks), models, &binds, entries);
     assert_eq!(error, Err(ShapeError::Length { what: "inverse_binds", length: 4, expected: 5 }));
     assert_eq!((crowd, palette), (before.clone(), before));
 }

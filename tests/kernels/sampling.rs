@@ -179,9 +179,9 @@ fn blocks_are_sampled_and_layered_as_the_scalar_reference_does() {
     check_all::<AoSoA<[f64; 4]>>();
 }
 
-/// As many instances at a time as the scratch holds; the last time fewer.
+/// As `tests/palette.rs` has it of plain motions; in blocks of eight, two at a time, the last time one.
 #[test]
-fn a_palette_through_scratch_has_the_bits_of_one_with_all_models() {
+fn a_palette_through_scratch_has_the_blocks_of_one_with_all_models() {
     let hierarchy = Hierarchy::new(&SMALL).expect("parents come first");
     let scene = Scene::new(&SMALL, 33, 3);
     let single = |motions: Vec<[f64; 8]>| -> Vec<DualQuat<f32>> {
@@ -189,22 +189,6 @@ fn a_palette_through_scratch_has_the_bits_of_one_with_all_models() {
     };
     let (poses, roots) = (single(scene.poses(33)), single(scene.roots()));
     let binds = single(scene.binds());
-    let job = hierarchy.job().roots(&roots);
-    let (mut models, mut wanted) = (poses.clone(), vec![[[0.0_f32; 4]; 3]; poses.len()]);
-    job.palette_and_models(Poses(&poses), &mut models, &binds, &mut wanted).expect("they fit");
-    for instances in [1, 2, 16, 33, 40] {
-        let mut scratch = vec![DualQuat::IDENTITY; instances * JOINTS];
-        let mut palette = vec![[[0.0_f32; 4]; 3]; poses.len()];
-        job.palette(Poses(&poses), &mut scratch, &binds, &mut palette).expect("they fit");
-        for (entry, wanted) in palette.iter().zip(&wanted) {
-            assert_same_bits(
-                &[entry.as_flattened().try_into().map(|e: [f32; 12]| e.map(f64::from)).unwrap()],
-                &[wanted.as_flattened().try_into().map(|e: [f32; 12]| e.map(f64::from)).unwrap()],
-                "through scratch",
-            );
-        }
-    }
-    // Blocks of eight, two at a time.
     let crowd = dq8::Crowd::<f32, 8>::from_slice(JOINTS, &poses).expect("whole instances");
     let starts = dq8::Crowd::<f32, 8>::from_slice(1, &roots).expect("whole instances");
     let job = hierarchy.job().roots(starts.blocks());

@@ -1,259 +1,276 @@
 //! Kernels over slices: in every layout, on every backend, of any length, what one motion after the
-//! other is.
+//! other is. What a kernel is, [`kernels`] says once.
 
 use crate::inputs::{BETWEEN, HEAVIER, Inputs, LONG};
 use crate::memory::{Memory, lay, read, round};
 use crate::records::{equal, is_finite, same_bits};
 use crate::scene::rounded;
-#[cfg(doc)]
-use crate::subject::Subject;
 use crate::subject::for_every_subject;
-use dq8::{Backend, DualQuat, Line, Plane, Twist, geometry::DualVector, hierarchy::MatrixOrder};
+use dq8::storage::Aos;
+use dq8::{Backend, DualQuat, Line, Plane, ShapeError, Twist};
+use dq8::{geometry::DualVector, hierarchy::MatrixOrder};
 
-/// What is computed of [`Inputs`].
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Operation {
-    Mul,
-    MulLeft,
-    Normalize,
-    Inverse,
-    Nlerp,
-    NlerpEach,
-    Sclerp,
-    SclerpEach,
-    Points,
-    Vectors,
-    PointsEach,
-    VectorsEach,
-    LinesEach,
-    PlanesEach,
-    TwistsEach,
-    Conjugate,
-    Dlb,
-    Log,
-    Exp,
-    ToTwist,
-    FromTwist,
-    PowEach,
-    IntegrateBody,
-    Angles,
-    Distances,
-    Matrices3x4(MatrixOrder),
-    Matrices4x4(MatrixOrder),
+type Answer = Result<Vec<Vec<f64>>, ShapeError>;
+
+/// A kernel, where it can be the same in place, and its elements by the scalar reference in `f64`.
+pub(crate) struct Kernel<L: Memory> {
+    pub(crate) name: &'static str,
+    /// What its errors call the slices that are to be as long as the first one, the output last.
+    as_long: &'static str,
+    run: fn(Backend, &Given<L>) -> Answer,
+    in_place: Option<fn(Backend, &Given<L>) -> Answer>,
+    by_the_book: fn(&One) -> Vec<f64>,
 }
 
-impl Operation {
-    pub(crate) const ALL: [Self; 29] = [
-        Self::Mul,
-        Self::MulLeft,
-        Self::Normalize,
-        Self::Inverse,
-        Self::Nlerp,
-        Self::NlerpEach,
-        Self::Sclerp,
-        Self::SclerpEach,
-        Self::Points,
-        Self::Vectors,
-        Self::PointsEach,
-        Self::VectorsEach,
-        Self::LinesEach,
-        Self::PlanesEach,
-        Self::TwistsEach,
-        Self::Conjugate,
-        Self::Dlb,
-        Self::Log,
-        Self::Exp,
-        Self::ToTwist,
-        Self::FromTwist,
-        Self::PowEach,
-        Self::IntegrateBody,
-        Self::Angles,
-        Self::Distances,
-        Self::Matrices3x4(MatrixOrder::Rows),
-        Self::Matrices3x4(MatrixOrder::Columns),
-        Self::Matrices4x4(MatrixOrder::Rows),
-        Self::Matrices4x4(MatrixOrder::Columns),
-    ];
+/// [`Inputs`] in one layout.
+struct Given<L: Memory> {
+    count: usize,
+    a: Vec<L::Record<8>>,
+    b: Vec<L::Record<8>>,
+    long: Vec<L::Record<8>>,
+    t: Vec<L::Record<1>>,
+    heavier: Vec<L::Record<1>>,
+    vectors: Vec<L::Record<3>>,
+    planes: Vec<L::Record<4>>,
+    twists: Vec<L::Record<6>>,
+    one: DualQuat<L::Real>,
+    between: L::Real,
+    /// Elements of the output.
+    room: usize,
 }
 
-/// What [`Subject::slices`] gives, of one layout.
-pub(crate) fn compute<L: Memory>(
-    backend: Backend,
-    operation: Operation,
-    inputs: &Inputs,
-) -> Vec<Vec<f64>> {
-    let (a, b) = (lay::<L, 8>(1, &inputs.a), lay::<L, 8>(1, &inputs.b));
-    let (t, vectors) = (lay::<L, 1>(1, &inputs.t), lay::<L, 3>(1, &inputs.vectors));
-    let one = DualQuat::from_array(round(inputs.one));
-    let [between] = round([BETWEEN]);
-    let long = lay::<L, 8>(1, &inputs.long());
-    let mut motions = b.clone();
-    let mut moved = vectors.clone();
-    let planes = lay::<L, 4>(1, &inputs.planes);
-    let (twists, mut numbers) = (lay::<L, 6>(1, &inputs.twists), t.clone());
-    let (mut moved_planes, mut moved_twists) = (planes.clone(), twists.clone());
-    let answer = match operation {
-        Operation::Mul => {
-            let mut products = a.clone();
-            backend.mul_in_place(&mut products, &b).expect("they fit");
-            let answer = backend.mul(&a, &b, &mut motions);
-            assert_in_place::<L, 8>(&products, &motions);
-            answer
-        }
-        Operation::MulLeft => {
-            backend.mul_left_in_place(one, &mut motions);
-            Ok(())
-        }
-        Operation::Normalize => {
-            let mut units = long.clone();
-            backend.normalize_in_place(&mut units);
-            let answer = backend.normalize(&long, &mut motions);
-            assert_in_place::<L, 8>(&units, &motions);
-            answer
-        }
-        Operation::Inverse => {
-            let mut inverses = long.clone();
-            backend.inverse_in_place(&mut inverses);
-            let answer = backend.inverse(&long, &mut motions);
-            assert_in_place::<L, 8>(&inverses, &motions);
-            answer
-        }
-        Operation::Nlerp => backend.nlerp(&a, &b, between, &mut motions),
-        Operation::NlerpEach => backend.nlerp_each(&a, &b, &t, &mut motions),
-        Operation::Sclerp => backend.sclerp(&a, &b, between, &mut motions),
-        Operation::SclerpEach => backend.sclerp_each(&a, &b, &t, &mut motions),
-        Operation::Points => {
-            let mut in_place = vectors.clone();
-            backend.transform_points_in_place(one, &mut in_place);
-            let answer = backend.transform_points(one, &vectors, &mut moved);
-            assert_in_place::<L, 3>(&in_place, &moved);
-            answer
-        }
-        Operation::Vectors => {
-            let mut in_place = vectors.clone();
-            backend.transform_vectors_in_place(one, &mut in_place);
-            let answer = backend.transform_vectors(one, &vectors, &mut moved);
-            assert_in_place::<L, 3>(&in_place, &moved);
-            answer
-        }
-        Operation::PointsEach => backend.transform_points_each(&a, &vectors, &mut moved),
-        Operation::VectorsEach => backend.transform_vectors_each(&a, &vectors, &mut moved),
-        Operation::LinesEach => backend.transform_lines_each(&a, &twists, &mut moved_twists),
-        Operation::PlanesEach => backend.transform_planes_each(&a, &planes, &mut moved_planes),
-        Operation::TwistsEach => backend.transform_twists_each(&a, &twists, &mut moved_twists),
-        Operation::Conjugate => {
-            let mut conjugates = a.clone();
-            backend.conjugate_in_place(&mut conjugates);
-            let answer = backend.conjugate(&a, &mut motions);
-            assert_in_place::<L, 8>(&conjugates, &motions);
-            answer
-        }
-        Operation::Dlb => {
-            let weights = lay::<L, 1>(1, &vec![[HEAVIER]; inputs.a.len()]);
-            backend.dlb([(&a[..], &weights[..]), (&b, &t)], &mut motions)
-        }
-        Operation::Log => backend.log(&a, &mut moved_twists),
-        Operation::Exp => backend.exp(&twists, &mut motions),
-        Operation::ToTwist => backend.to_twist(&a, &mut moved_twists),
-        Operation::FromTwist => backend.from_twist(&twists, &mut motions),
-        Operation::PowEach => backend.pow_each(&a, &t, &mut motions),
-        Operation::IntegrateBody => {
-            backend.integrate_body(&a, &twists, round([BETWEEN])[0], &mut motions)
-        }
-        Operation::Angles => backend.angles(&a, &b, &mut numbers),
-        Operation::Distances => backend.distances(&a, &b, &mut numbers),
-        Operation::Matrices3x4(order) => {
-            let mut matrices = lay::<L, 12>(1, &vec![[9.0; 12]; inputs.a.len()]);
-            backend.matrices(&a, order, &mut matrices).expect("they fit");
-            return flat(inputs, &read::<L, 12>(1, &matrices));
-        }
-        Operation::Matrices4x4(order) => {
-            let mut matrices = lay::<L, 16>(1, &vec![[9.0; 16]; inputs.a.len()]);
-            backend.matrices(&a, order, &mut matrices).expect("they fit");
-            return flat(inputs, &read::<L, 16>(1, &matrices));
-        }
-    };
-    answer.expect("they fit");
-    match operation {
-        Operation::Points | Operation::Vectors | Operation::PointsEach | Operation::VectorsEach => {
-            flat(inputs, &read::<L, 3>(1, &moved))
-        }
-        Operation::PlanesEach => flat(inputs, &read::<L, 4>(1, &moved_planes)),
-        Operation::LinesEach | Operation::TwistsEach | Operation::Log | Operation::ToTwist => {
-            flat(inputs, &read::<L, 6>(1, &moved_twists))
-        }
-        Operation::Angles | Operation::Distances => flat(inputs, &read::<L, 1>(1, &numbers)),
-        _ => flat(inputs, &read::<L, 8>(1, &motions)),
+/// Element `i` of [`Inputs`].
+struct One {
+    a: DualQuat<f64>,
+    b: DualQuat<f64>,
+    one: DualQuat<f64>,
+    t: f64,
+    between: f64,
+    vector: [f64; 3],
+    plane: [f64; 4],
+    twist: [f64; 6],
+}
+
+impl One {
+    fn new(inputs: &Inputs, i: usize, between: f64) -> Self {
+        let [a, b, one] = [inputs.a[i], inputs.b[i], inputs.one].map(DualQuat::from_array);
+        let (t, vector) = (inputs.t[i][0], inputs.vectors[i]);
+        Self { a, b, one, t, between, vector, plane: inputs.planes[i], twist: inputs.twists[i] }
     }
 }
 
-fn flat<const C: usize>(inputs: &Inputs, records: &[[f64; C]]) -> Vec<Vec<f64>> {
-    records.iter().take(inputs.a.len()).map(|record| record.to_vec()).collect()
+impl<L: Memory> Given<L> {
+    fn new(inputs: &Inputs) -> Self {
+        let a = lay::<L, 8>(1, &inputs.a);
+        Self {
+            count: inputs.a.len(),
+            room: a.len(),
+            a,
+            b: lay::<L, 8>(1, &inputs.b),
+            long: lay::<L, 8>(1, &inputs.long()),
+            t: lay::<L, 1>(1, &inputs.t),
+            heavier: lay::<L, 1>(1, &vec![[HEAVIER]; inputs.a.len()]),
+            vectors: lay::<L, 3>(1, &inputs.vectors),
+            planes: lay::<L, 4>(1, &inputs.planes),
+            twists: lay::<L, 6>(1, &inputs.twists),
+            one: DualQuat::from_array(round(inputs.one)),
+            between: round([BETWEEN])[0],
+        }
+    }
+
+    /// Slice number `which` without its last element; false if there is no such slice.
+    fn shorten(&mut self, which: usize) -> bool {
+        match which {
+            0 => drop((self.a.pop(), self.long.pop())),
+            1 => drop(self.b.pop()),
+            2 => drop(self.t.pop()),
+            3 => drop(self.heavier.pop()),
+            4 => drop(self.vectors.pop()),
+            5 => drop(self.planes.pop()),
+            6 => drop(self.twists.pop()),
+            7 => self.room -= 1,
+            _ => return false,
+        }
+        true
+    }
+
+    /// What a kernel writes; if it fails, it has written nothing.
+    fn to<const C: usize>(
+        &self,
+        run: impl FnOnce(&mut [L::Record<C>]) -> Result<(), ShapeError>,
+    ) -> Answer {
+        self.over(&vec![L::filled::<C>(round([9.0])[0]); self.room], run)
+    }
+
+    /// The same over `before`.
+    fn over<const C: usize>(
+        &self,
+        before: &[L::Record<C>],
+        run: impl FnOnce(&mut [L::Record<C>]) -> Result<(), ShapeError>,
+    ) -> Answer {
+        let mut output = before.to_vec();
+        let answer = run(&mut output);
+        let [before, output] = [before, &output].map(|records| read::<L, C>(1, records));
+        assert!(answer.is_ok() || output == before, "written in spite of {answer:?}");
+        answer.map(|()| output.iter().take(self.count).map(|record| record.to_vec()).collect())
+    }
 }
 
-fn assert_in_place<L: Memory, const C: usize>(in_place: &[L::Record<C>], apart: &[L::Record<C>]) {
-    let (in_place, apart) = (read::<L, C>(1, in_place), read::<L, C>(1, apart));
-    crate::records::assert_same_bits(&in_place, &apart, "in place");
+impl<L: Memory> Kernel<L> {
+    const fn new(
+        name: &'static str,
+        as_long: &'static str,
+        run: fn(Backend, &Given<L>) -> Answer,
+        by_the_book: fn(&One) -> Vec<f64>,
+    ) -> Self {
+        Self { name, as_long, run, in_place: None, by_the_book }
+    }
+
+    const fn in_place(mut self, run: fn(Backend, &Given<L>) -> Answer) -> Self {
+        self.in_place = Some(run);
+        self
+    }
+
+    /// What it makes of inputs, in place too.
+    pub(crate) fn compute(&self, backend: Backend, inputs: &Inputs) -> Vec<Vec<f64>> {
+        let given = Given::new(inputs);
+        let answer = (self.run)(backend, &given).expect("they fit");
+        if let Some(in_place) = self.in_place {
+            let in_place = in_place(backend, &given).expect("they fit");
+            let same = in_place.iter().zip(&answer).all(|(a, b)| same_bits(a, b));
+            assert!(same, "{} in place on {backend}", self.name);
+        }
+        answer
+    }
+
+    /// Panics unless slices shorter than the first one are refused by their names.
+    pub(crate) fn are_as_long(&self, backend: Backend, inputs: &Inputs) {
+        let (mut named, elements) = (Vec::new(), Given::<L>::new(inputs).room);
+        for which in 0.. {
+            let mut given = Given::<L>::new(inputs);
+            if !given.shorten(which) {
+                break;
+            }
+            match (self.run)(backend, &given) {
+                Ok(_) => {}
+                Err(ShapeError::Length { what, length, expected }) if length < expected => {
+                    assert_eq!([length, expected], [elements - 1, elements], "{}", self.name);
+                    named.push(what);
+                }
+                // The first one is too short for the others.
+                Err(error) => {
+                    let ShapeError::Length { length, expected, .. } = error else {
+                        panic!("{error}")
+                    };
+                    assert_eq!([length, expected], [elements, elements - 1], "{}", self.name);
+                }
+            }
+        }
+        assert_eq!(named.join(" "), self.as_long, "{}, {}", self.name, L::name());
+    }
+}
+
+fn numbers(motion: DualQuat<f64>) -> Vec<f64> {
+    motion.to_array().to_vec()
 }
 
 fn halves([a, b, c, d, e, f]: [f64; 6]) -> ([f64; 3], [f64; 3]) {
     ([a, b, c], [d, e, f])
 }
 
-/// The same by the scalar reference in `f64`.
-fn wanted(operation: Operation, inputs: &Inputs, i: usize, between: f64) -> Vec<f64> {
-    let motion = DualQuat::<f64>::from_array;
-    let (a, b, one) = (motion(inputs.a[i]), motion(inputs.b[i]), motion(inputs.one));
-    let ([t], v) = (inputs.t[i], inputs.vectors[i]);
-    let entry = |columns: bool, count: usize| {
-        let (rows, matrix) = (count / 4, a.to_matrix4());
-        let place = |k: usize| if columns { (k % rows, k / rows) } else { (k / 4, k % 4) };
-        (0..count).map(|k| matrix[place(k).0][place(k).1]).collect()
-    };
-    match operation {
-        Operation::Mul => (a * b).to_array().to_vec(),
-        Operation::MulLeft => (one * b).to_array().to_vec(),
-        Operation::Normalize => a.to_array().to_vec(),
-        Operation::Inverse => a.conjugate().scale(1.0 / LONG).to_array().to_vec(),
-        Operation::Nlerp => a.nlerp(b, between).to_array().to_vec(),
-        Operation::NlerpEach => a.nlerp(b, t).to_array().to_vec(),
-        Operation::Sclerp => a.sclerp(b, between).to_array().to_vec(),
-        Operation::SclerpEach => a.sclerp(b, t).to_array().to_vec(),
-        Operation::Points => one.transform_point(v).to_vec(),
-        Operation::Vectors => one.transform_vector(v).to_vec(),
-        Operation::PointsEach => a.transform_point(v).to_vec(),
-        Operation::VectorsEach => a.transform_vector(v).to_vec(),
-        Operation::LinesEach => {
-            let ([x, y, z], [u, v, w]) = halves(inputs.twists[i]);
-            let line = a.transform_line(Line { direction: [x, y, z], moment: [u, v, w] });
-            [line.direction, line.moment].concat()
-        }
-        Operation::PlanesEach => {
-            let [x, y, z, offset] = inputs.planes[i];
-            let plane = a.transform_plane(Plane { normal: [x, y, z], offset });
-            [&plane.normal[..], &[plane.offset]].concat()
-        }
-        Operation::TwistsEach => a.adjoint(Twist::from_array(inputs.twists[i])).to_array().to_vec(),
-        Operation::Conjugate => a.conjugate().to_array().to_vec(),
-        Operation::Dlb => DualQuat::dlb(&[(a, HEAVIER), (b, t)]).expect("two").to_array().to_vec(),
-        Operation::Log => [a.log().real, a.log().dual].concat(),
-        Operation::Exp => {
-            let (real, dual) = halves(inputs.twists[i]);
-            DualQuat::exp(DualVector { real, dual }).to_array().to_vec()
-        }
-        Operation::ToTwist => a.to_twist().to_array().to_vec(),
-        Operation::FromTwist => {
-            DualQuat::from_twist(Twist::from_array(inputs.twists[i])).to_array().to_vec()
-        }
-        Operation::PowEach => a.pow(t).to_array().to_vec(),
-        Operation::IntegrateBody => {
-            a.integrate_body(Twist::from_array(inputs.twists[i]), between).to_array().to_vec()
-        }
-        Operation::Angles => vec![a.angle_to(b)],
-        Operation::Distances => vec![a.distance_to(b)],
-        Operation::Matrices3x4(order) => entry(order == MatrixOrder::Columns, 12),
-        Operation::Matrices4x4(order) => entry(order == MatrixOrder::Columns, 16),
+/// The numbers of a matrix of this many, row after row or column after column.
+fn entries(motion: DualQuat<f64>, order: MatrixOrder, count: usize) -> Vec<f64> {
+    let (rows, matrix) = (count / 4, motion.to_matrix4());
+    let by_columns = |k: usize| matrix[k % rows][k / rows];
+    let by_rows = |k: usize| matrix[k / 4][k % 4];
+    let each = 0..count;
+    if order == MatrixOrder::Columns {
+        each.map(by_columns).collect()
+    } else {
+        each.map(by_rows).collect()
     }
+}
+
+/// Every kernel over slices whose elements do not see each other.
+#[rustfmt::skip]
+pub(crate) fn kernels<L: Memory>() -> Vec<Kernel<L>> {
+    use MatrixOrder::{Columns, Rows};
+    vec![
+        Kernel::new("mul", "b products", |k, x| x.to(|o| k.mul(&x.a, &x.b, o)), |x| numbers(x.a * x.b))
+            .in_place(|k, x| x.over(&x.a, |o| k.mul_in_place(o, &x.b))),
+        Kernel::new("mul_left_in_place", "", |k, x| x.over(&x.b, |o| { k.mul_left_in_place(x.one, o); Ok(()) }),
+            |x| numbers(x.one * x.b)),
+        Kernel::new("normalize", "units", |k, x| x.to(|o| k.normalize(&x.long, o)), |x| numbers(x.a))
+            .in_place(|k, x| x.over(&x.long, |o| { k.normalize_in_place(o); Ok(()) })),
+        Kernel::new("inverse", "inverses", |k, x| x.to(|o| k.inverse(&x.long, o)),
+            |x| numbers(x.a.conjugate().scale(1.0 / LONG)))
+            .in_place(|k, x| x.over(&x.long, |o| { k.inverse_in_place(o); Ok(()) })),
+        Kernel::new("conjugate", "conjugates", |k, x| x.to(|o| k.conjugate(&x.a, o)),
+            |x| numbers(x.a.conjugate()))
+            .in_place(|k, x| x.over(&x.a, |o| { k.conjugate_in_place(o); Ok(()) })),
+        Kernel::new("nlerp", "b between", |k, x| x.to(|o| k.nlerp(&x.a, &x.b, x.between, o)),
+            |x| numbers(x.a.nlerp(x.b, x.between))),
+        Kernel::new("nlerp_each", "b t between", |k, x| x.to(|o| k.nlerp_each(&x.a, &x.b, &x.t, o)),
+            |x| numbers(x.a.nlerp(x.b, x.t))),
+        Kernel::new("sclerp", "b between", |k, x| x.to(|o| k.sclerp(&x.a, &x.b, x.between, o)),
+            |x| numbers(x.a.sclerp(x.b, x.between))),
+        Kernel::new("sclerp_each", "b t between", |k, x| x.to(|o| k.sclerp_each(&x.a, &x.b, &x.t, o)),
+            |x| numbers(x.a.sclerp(x.b, x.t))),
+        Kernel::new("dlb", "influence influence weights weights",
+            |k, x| x.to(|o| k.dlb([(&x.a[..], &x.heavier[..]), (&x.b, &x.t)], o)),
+            |x| numbers(DualQuat::dlb(&[(x.a, HEAVIER), (x.b, x.t)]).expect("two"))),
+        Kernel::new("log", "logs", |k, x| x.to::<6>(|o| k.log(&x.a, o)),
+            |x| [x.a.log().real, x.a.log().dual].concat()),
+        Kernel::new("exp", "motions", |k, x| x.to::<8>(|o| k.exp(&x.twists, o)), |x| {
+            let (real, dual) = halves(x.twist);
+            numbers(DualQuat::exp(DualVector { real, dual }))
+        }),
+        Kernel::new("to_twist", "twists", |k, x| x.to::<6>(|o| k.to_twist(&x.a, o)),
+            |x| x.a.to_twist().to_array().to_vec()),
+        Kernel::new("from_twist", "motions", |k, x| x.to::<8>(|o| k.from_twist(&x.twists, o)),
+            |x| numbers(DualQuat::from_twist(Twist::from_array(x.twist)))),
+        Kernel::new("pow_each", "t powers", |k, x| x.to(|o| k.pow_each(&x.a, &x.t, o)), |x| numbers(x.a.pow(x.t))),
+        Kernel::new("integrate_body", "twists later", |k, x| x.to(|o| k.integrate_body(&x.a, &x.twists, x.between, o)),
+            |x| numbers(x.a.integrate_body(Twist::from_array(x.twist), x.between))),
+        Kernel::new("angles", "b angles", |k, x| x.to::<1>(|o| k.angles(&x.a, &x.b, o)), |x| vec![x.a.angle_to(x.b)]),
+        Kernel::new("distances", "b distances", |k, x| x.to::<1>(|o| k.distances(&x.a, &x.b, o)),
+            |x| vec![x.a.distance_to(x.b)]),
+        Kernel::new("transform_points", "moved", |k, x| x.to(|o| k.transform_points(x.one, &x.vectors, o)),
+            |x| x.one.transform_point(x.vector).to_vec())
+            .in_place(|k, x| x.over(&x.vectors, |o| { k.transform_points_in_place(x.one, o); Ok(()) })),
+        Kernel::new("transform_vectors", "turned", |k, x| x.to(|o| k.transform_vectors(x.one, &x.vectors, o)),
+            |x| x.one.transform_vector(x.vector).to_vec())
+            .in_place(|k, x| x.over(&x.vectors, |o| { k.transform_vectors_in_place(x.one, o); Ok(()) })),
+        Kernel::new("transform_points_each", "points moved",
+            |k, x| x.to::<3>(|o| k.transform_points_each(&x.a, &x.vectors, o)),
+            |x| x.a.transform_point(x.vector).to_vec()),
+        Kernel::new("transform_vectors_each", "vectors turned",
+            |k, x| x.to::<3>(|o| k.transform_vectors_each(&x.a, &x.vectors, o)),
+            |x| x.a.transform_vector(x.vector).to_vec()),
+        Kernel::new("transform_lines_each", "lines moved",
+            |k, x| x.to::<6>(|o| k.transform_lines_each(&x.a, &x.twists, o)), |x| {
+            let (direction, moment) = halves(x.twist);
+            let line = x.a.transform_line(Line { direction, moment });
+            [line.direction, line.moment].concat()
+        }),
+        Kernel::new("transform_planes_each", "planes moved",
+            |k, x| x.to::<4>(|o| k.transform_planes_each(&x.a, &x.planes, o)), |x| {
+            let [a, b, c, offset] = x.plane;
+            let plane = x.a.transform_plane(Plane { normal: [a, b, c], offset });
+            [&plane.normal[..], &[plane.offset]].concat()
+        }),
+        Kernel::new("transform_twists_each", "twists moved",
+            |k, x| x.to::<6>(|o| k.transform_twists_each(&x.a, &x.twists, o)),
+            |x| x.a.adjoint(Twist::from_array(x.twist)).to_array().to_vec()),
+        Kernel::new("matrices, 3 by 4, rows", "matrices", |k, x| x.to::<12>(|o| k.matrices(&x.a, Rows, o)),
+            |x| entries(x.a, Rows, 12)),
+        Kernel::new("matrices, 3 by 4, columns", "matrices", |k, x| x.to::<12>(|o| k.matrices(&x.a, Columns, o)),
+            |x| entries(x.a, Columns, 12)),
+        Kernel::new("matrices, 4 by 4, rows", "matrices", |k, x| x.to::<16>(|o| k.matrices(&x.a, Rows, o)),
+            |x| entries(x.a, Rows, 16)),
+        Kernel::new("matrices, 4 by 4, columns", "matrices", |k, x| x.to::<16>(|o| k.matrices(&x.a, Columns, o)),
+            |x| entries(x.a, Columns, 16)),
+    ]
 }
 
 #[test]
@@ -266,15 +283,16 @@ fn slices_are_computed_as_one_motion_after_the_other() {
             let epsilon = if single { f64::from(f32::EPSILON) } else { f64::EPSILON };
             let exact = inputs.rounded(single);
             let between = rounded(single, &[[BETWEEN]])[0][0];
-            for operation in Operation::ALL {
-                let got = subject.slices(backend, operation, &inputs);
+            for (index, kernel) in kernels::<Aos<f64>>().iter().enumerate() {
+                let got = subject.slices(backend, index, &inputs);
                 assert_eq!(got.len(), length);
                 for (i, got) in got.iter().enumerate() {
-                    let wanted = wanted(operation, &exact, i, between);
+                    let wanted = (kernel.by_the_book)(&One::new(&exact, i, between));
                     let close = |(a, b): (&f64, &f64)| (a - b).abs() <= 24.0 * epsilon;
                     assert!(
                         got.len() == wanted.len() && got.iter().zip(&wanted).all(close),
-                        "{operation:?}, {} of {length}, {i}, {backend}: {got:?} is not {wanted:?}",
+                        "{}, {} of {length}, {i}, {backend}: {got:?} is not {wanted:?}",
+                        kernel.name,
                         subject.name()
                     );
                 }
@@ -287,13 +305,13 @@ fn slices_are_computed_as_one_motion_after_the_other() {
 fn an_element_gets_the_same_bits_wherever_it_stands() {
     let inputs = Inputs::new(37);
     for_every_subject(|subject, backend| {
-        for operation in Operation::ALL {
-            let whole = subject.slices(backend, operation, &inputs);
+        for (index, kernel) in kernels::<Aos<f64>>().iter().enumerate() {
+            let whole = subject.slices(backend, index, &inputs);
             for first in [1, 2, 3, 5, 8, 13, 15, 16, 21, 29, 36] {
-                let rest = subject.slices(backend, operation, &inputs.from(first));
+                let rest = subject.slices(backend, index, &inputs.from(first));
                 for (rest, whole) in rest.iter().zip(&whole[first..]) {
-                    let name = subject.name();
-                    assert!(same_bits(rest, whole), "{operation:?}, {name}, {backend}, {first}");
+                    let what = || format!("{}, {}, {backend}", kernel.name, subject.name());
+                    assert!(same_bits(rest, whole), "{}, {first}", what());
                 }
             }
         }
@@ -305,23 +323,23 @@ fn an_element_gets_the_same_bits_wherever_it_stands() {
 fn what_is_no_motion_is_seen_in_its_own_place_only() {
     let clean = Inputs::new(35);
     for_every_subject(|subject, backend| {
-        for operation in Operation::ALL {
-            let without = subject.slices(backend, operation, &clean);
+        for (index, &Kernel { name, .. }) in kernels::<Aos<f64>>().iter().enumerate() {
+            let without = subject.slices(backend, index, &clean);
             for (at, component) in [(0, 3), (7, 0), (33, 5)] {
                 for poison in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
                     let mut inputs = clean.clone();
                     (inputs.a[at][component], inputs.b[at][component]) = (poison, poison);
                     (inputs.t[at][0], inputs.vectors[at][0]) = (poison, poison);
                     (inputs.planes[at][0], inputs.twists[at][component % 6]) = (poison, poison);
-                    let with = subject.slices(backend, operation, &inputs);
+                    let with = subject.slices(backend, index, &inputs);
                     for (i, (with, without)) in with.iter().zip(&without).enumerate() {
-                        let what = || format!("{operation:?}, {}, {backend}", subject.name());
+                        let what = || format!("{name}, {}, {backend}", subject.name());
                         // A rotation does not know of a dual part.
-                        let turns = [Operation::VectorsEach, Operation::Angles];
-                        let knows = component < 4 || !turns.contains(&operation);
+                        let turns = ["transform_vectors_each", "angles"];
+                        let knows = component < 4 || !turns.contains(&name);
                         if i != at {
                             assert!(same_bits(with, without), "{}: {at} reached {i}", what());
-                        } else if knows || operation == Operation::Vectors {
+                        } else if knows || name == "transform_vectors" {
                             // The inverse of what is infinite may be zero.
                             let changed = !is_finite(with) || !equal(with, without);
                             assert!(changed, "{}: nothing of {poison}", what());
@@ -332,8 +350,19 @@ fn what_is_no_motion_is_seen_in_its_own_place_only() {
         }
         let mut zero = clean.clone();
         zero.a[7] = [0.0; 8];
-        for (i, unit) in subject.slices(backend, Operation::Normalize, &zero).iter().enumerate() {
+        let normalize = kernels::<Aos<f64>>().iter().position(|kernel| kernel.name == "normalize");
+        let units = subject.slices(backend, normalize.expect("it is there"), &zero);
+        for (i, unit) in units.iter().enumerate() {
             assert_eq!(unit.iter().any(|c| c.is_nan()), i == 7, "{backend}: {i}");
         }
     });
+}
+
+#[test]
+fn slices_of_different_lengths_are_refused_and_the_output_is_untouched() {
+    for_every_subject(|subject, backend| subject.slices_are_as_long(backend, &Inputs::new(35)));
+    let mut out = [DualQuat::from_translation([7.0, 8.0, 9.0]); 5];
+    let refused = Backend::best().mul_in_place(&mut out, &[DualQuat::<f32>::IDENTITY; 4]);
+    assert_eq!(refused, Err(ShapeError::Length { what: "b", length: 4, expected: 5 }));
+    assert_eq!(out, [DualQuat::from_translation([7.0, 8.0, 9.0]); 5]);
 }

@@ -2,7 +2,7 @@
 
 use crate::inputs::Inputs;
 use crate::memory::{Memory, lay, read, round};
-use crate::slices::Operation;
+use crate::slices::kernels;
 use core::marker::PhantomData;
 use core::ops::Range;
 use dq8::simd::Float;
@@ -93,9 +93,11 @@ pub(crate) trait Subject {
     ) -> Vec<[f64; 8]>;
     /// Of one chain, in place and out of place, which are the same to the last bit.
     fn chain(&self, backend: Backend, links: &[[f64; 8]]) -> Vec<[f64; 8]>;
-    /// An operation on slices, of which the results follow one another; in place, where that can be,
-    /// it is the same.
-    fn slices(&self, backend: Backend, operation: Operation, inputs: &Inputs) -> Vec<Vec<f64>>;
+    /// What a kernel of the table makes of slices, of which the results follow one another; in place, where that can
+    /// be, it is the same.
+    fn slices(&self, backend: Backend, kernel: usize, inputs: &Inputs) -> Vec<Vec<f64>>;
+    /// Panics unless every kernel of the table refuses slices of other lengths by their names.
+    fn slices_are_as_long(&self, backend: Backend, inputs: &Inputs);
 
     /// A run with as many input and output elements, and roots if a number of them is given. Panics if
     /// the output is written in spite of an error.
@@ -292,8 +294,12 @@ impl<L: Memory> Subject for In<L> {
         products
     }
 
-    fn slices(&self, backend: Backend, operation: Operation, inputs: &Inputs) -> Vec<Vec<f64>> {
-        crate::slices::compute::<L>(backend, operation, inputs)
+    fn slices(&self, backend: Backend, kernel: usize, inputs: &Inputs) -> Vec<Vec<f64>> {
+        kernels::<L>()[kernel].compute(backend, inputs)
+    }
+
+    fn slices_are_as_long(&self, backend: Backend, inputs: &Inputs) {
+        kernels::<L>().iter().for_each(|kernel| kernel.are_as_long(backend, inputs));
     }
 
     fn run(

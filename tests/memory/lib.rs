@@ -7,34 +7,16 @@
 use dq8::hierarchy::{Plan, PlanScratch};
 use dq8::skinning::{DualBlend, Linear, Skin, Surface, SurfaceMut};
 use dq8::{Backend, DualQuat, Hierarchy};
-use std::time::{Duration, Instant};
+use dq8_fixtures::fuzz;
+use dq8_fixtures::random::Random;
 
 /// Sums of a few dozen numbers in `f32`, relative to the largest.
 const ROUNDING: f32 = 1e-4;
 
 type Motion = DualQuat<f32>;
 
-/// SplitMix64 (Steele, Lea and Flood 2014).
-struct Random(u64);
-
-impl Random {
-    fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut bits = self.0;
-        bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        bits ^ (bits >> 31)
-    }
-    fn below(&mut self, end: usize) -> usize {
-        (self.bits() % end.max(1) as u64) as usize
-    }
-    fn signed(&mut self) -> f32 {
-        (self.bits() >> 40) as f32 / (1 << 23) as f32 - 1.0
-    }
-}
-
 fn translation(random: &mut Random) -> Motion {
-    DualQuat::from_translation([(); 3].map(|()| random.signed()))
+    DualQuat::from_translation(random.vector().map(|c: f64| c as f32))
 }
 
 #[track_caller]
@@ -159,21 +141,12 @@ fn skins(random: &mut Random) {
 
 #[test]
 fn nothing_is_read_or_written_that_is_not_there() {
-    let number = |name: &str| std::env::var(name).ok().and_then(|text| text.parse::<u64>().ok());
-    let seconds =
-        number("DQ8_FUZZ_SECONDS").map_or(Duration::from_millis(200), Duration::from_secs);
-    let (first, start) = (number("DQ8_FUZZ_SEED").unwrap_or(1), Instant::now());
-    let mut seed = first;
-    while start.elapsed() < seconds {
-        let mut random = Random(seed.wrapping_mul(0x2545_f491_4f6c_dd1d));
-        let done = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| {
-            for _ in 0..20 {
-                plans(&mut random);
-                skins(&mut random);
-            }
-        }));
-        assert!(done.is_ok(), "DQ8_FUZZ_SEED={seed} fails");
-        seed += 1;
-    }
-    println!("seeds {first} to {} in {} s", seed - 1, start.elapsed().as_secs());
+    fuzz::rounds(|seed| {
+        let mut random = fuzz::random(seed);
+        for _ in 0..20 {
+            plans(&mut random);
+            skins(&mut random);
+        }
+        40
+    });
 }

@@ -1,20 +1,16 @@
 //! Random numbers, arrays of them, and pointers that may be wrong.
 
 use dq8::{simd, storage::Block};
+use dq8_fixtures::random::Random;
 
-/// SplitMix64 (Steele, Lea and Flood 2014).
-pub(crate) struct Fuzz(pub(crate) u64);
+pub(crate) struct Fuzz(pub(crate) Random);
 
 impl Fuzz {
     pub(crate) fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut bits = self.0;
-        bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        bits ^ (bits >> 31)
+        self.0.bits()
     }
     pub(crate) fn below(&mut self, end: usize) -> usize {
-        (self.bits() % end.max(1) as u64) as usize
+        self.0.below(end)
     }
     pub(crate) fn number(&mut self) -> f32 {
         match self.below(8) {

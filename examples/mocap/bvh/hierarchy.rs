@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use super::error::{BvhError, Reason};
+use super::error::{BvhError, Short};
 use super::source::{Source, Word};
 use crate::clip::{Axis, Channel, Joint};
 
@@ -10,7 +10,7 @@ use crate::clip::{Axis, Channel, Joint};
 /// their children.
 pub(crate) fn read(source: &mut Source<'_>) -> Result<Vec<Joint>, BvhError> {
     let Some(first) = source.next_word() else {
-        return Err(BvhError { line: 1, reason: Reason::Empty });
+        return Err(BvhError::new(1, "the file is empty"));
     };
     if !first.is("HIERARCHY") {
         return Err(BvhError::expected("HIERARCHY", first));
@@ -30,10 +30,10 @@ pub(crate) fn read(source: &mut Source<'_>) -> Result<Vec<Joint>, BvhError> {
     }
     let line = source.line();
     if tree.joints.is_empty() {
-        return Err(BvhError { line, reason: Reason::NoRoot });
+        return Err(BvhError::new(line, "no ROOT before MOTION"));
     }
     if tree.joints.iter().all(|joint| joint.channels.is_empty()) {
-        return Err(BvhError { line, reason: Reason::NoChannels });
+        return Err(BvhError::new(line, "no joint has a channel, so nothing can move"));
     }
     name_end_sites(&mut tree.joints);
     Ok(tree.joints)
@@ -59,8 +59,9 @@ struct Open {
 
 impl Open {
     fn unclosed(&self, joints: &[Joint], line: usize) -> BvhError {
-        let joint = joints[self.joint].name.clone();
-        BvhError { line, reason: Reason::Unclosed { joint, opened: self.line } }
+        let (joint, opened) = (Short(&joints[self.joint].name), self.line);
+        let reason = format!("`{joint}` is not closed: no `}}` for the `{{` of line {opened}");
+        BvhError::new(line, reason)
     }
 }
 
@@ -73,24 +74,22 @@ impl Tree {
             return Err(BvhError::expected("ROOT or MOTION", word));
         };
         let joint = &mut self.joints[open.joint];
-        let fails = |reason| BvhError { line: word.line, reason };
+        let name = joint.name.clone();
+        let has = |what: &str| BvhError::new(word.line, format!("`{}` has {what}", Short(&name)));
         if word.is("OFFSET") {
             if std::mem::replace(&mut open.has_offset, true) {
-                return Err(fails(Reason::Repeated { joint: joint.name.clone(), what: "OFFSET" }));
+                return Err(has("a second OFFSET"));
             }
             joint.offset = read_offset(&joint.name, source)?;
             return Ok(());
         }
         if word.is("CHANNELS") {
             if std::mem::replace(&mut open.has_channels, true) && !joint.end_site {
-                return Err(fails(Reason::Repeated {
-                    joint: joint.name.clone(),
-                    what: "CHANNELS",
-                }));
+                return Err(has("a second CHANNELS"));
             }
             joint.channels = read_channels(&joint.name, source)?;
             if joint.end_site && !joint.channels.is_empty() {
-                return Err(fails(Reason::EndSiteMoves));
+                return Err(BvhError::new(word.line, "an end site has no channels"));
             }
             return Ok(());
         }
@@ -105,10 +104,9 @@ impl Tree {
             };
             return Err(BvhError::expected(what, word));
         }
-        for (has, missing) in [(open.has_offset, "OFFSET"), (open.has_channels, "CHANNELS")] {
-            if !has {
-                return Err(fails(Reason::Incomplete { joint: joint.name.clone(), missing }));
-            }
+        let needs = [(open.has_offset, "no OFFSET"), (open.has_channels, "no CHANNELS")];
+        if let Some((_, missing)) = needs.into_iter().find(|(is_there, _)| !is_there) {
+            return Err(has(missing));
         }
         if word.is("}") {
             self.open.pop();
@@ -128,10 +126,12 @@ impl Tree {
     ) -> Result<(), BvhError> {
         let name = source.next_name();
         if name.is_empty() {
-            return Err(BvhError { line, reason: Reason::NoName { what } });
+            return Err(BvhError::new(line, format!("{what} without a name")));
         }
         if let Some(first) = self.lines.insert(name.clone(), line) {
-            return Err(BvhError { line, reason: Reason::DuplicateJoint { name, first } });
+            let name = Short(&name);
+            let reason = format!("a second joint named `{name}`, the first is on line {first}");
+            return Err(BvhError::new(line, reason));
         }
         self.open_brace(name, false, source)
     }
@@ -165,17 +165,15 @@ impl Tree {
     fn ends_early(&self, line: usize) -> BvhError {
         match self.open.last() {
             Some(open) => open.unclosed(&self.joints, line),
-            None if self.joints.is_empty() => {
-                BvhError { line, reason: Reason::Ends { before: "ROOT" } }
-            }
-            None => BvhError { line, reason: Reason::Ends { before: "MOTION" } },
+            None if self.joints.is_empty() => BvhError::ends(line, "ROOT"),
+            None => BvhError::ends(line, "MOTION"),
         }
     }
 }
 
-fn next<'a>(source: &mut Source<'a>, what: &'static str) -> Result<Word<'a>, BvhError> {
+fn next<'a>(source: &mut Source<'a>, what: &str) -> Result<Word<'a>, BvhError> {
     let line = source.line();
-    source.next_word().ok_or(BvhError { line, reason: Reason::Ends { before: what } })
+    source.next_word().ok_or_else(|| BvhError::ends(line, what))
 }
 
 fn read_offset(joint: &str, source: &mut Source<'_>) -> Result<[f64; 3], BvhError> {
@@ -183,8 +181,9 @@ fn read_offset(joint: &str, source: &mut Source<'_>) -> Result<[f64; 3], BvhErro
     for component in &mut offset {
         let word = next(source, "three numbers of an OFFSET")?;
         *component = word.number().ok_or_else(|| {
-            let (joint, found) = (joint.to_owned(), word.text.to_owned());
-            BvhError { line: word.line, reason: Reason::Offset { joint, found } }
+            let (joint, found) = (Short(joint), Short(word.text));
+            let reason = format!("`{found}` is not a finite number (OFFSET of `{joint}`)");
+            BvhError::new(word.line, reason)
         })?;
     }
     Ok(offset)
@@ -200,29 +199,20 @@ fn read_channels(joint: &str, source: &mut Source<'_>) -> Result<Vec<Channel>, B
     // a wrong name.
     while let Some(word) = source.peek_word().filter(|word| !is_keyword(*word)) {
         source.next_word();
-        let named = || (joint.to_owned(), word.text.to_owned());
+        let (joint, found) = (Short(joint), Short(word.text));
         let Some(channel) = channel(word) else {
-            let (joint, found) = named();
-            return Err(BvhError {
-                line: word.line,
-                reason: Reason::UnknownChannel { joint, found },
-            });
+            let reason = format!("`{found}` is no channel (in `{joint}`)");
+            return Err(BvhError::new(word.line, reason));
         };
         if matches!(channel, Channel::Position(_)) && channels.contains(&channel) {
-            let (joint, found) = named();
-            return Err(BvhError {
-                line: word.line,
-                reason: Reason::DuplicateChannel { joint, found },
-            });
+            return Err(BvhError::new(word.line, format!("`{joint}` lists {found} twice")));
         }
         channels.push(channel);
     }
     if channels.len() != announced {
-        let (joint, found) = (joint.to_owned(), channels.len());
-        return Err(BvhError {
-            line: count.line,
-            reason: Reason::ChannelCount { joint, announced, found },
-        });
+        let (joint, found) = (Short(joint), channels.len());
+        let reason = format!("`{joint}` announces {announced} channels and lists {found}");
+        return Err(BvhError::new(count.line, reason));
     }
     Ok(channels)
 }

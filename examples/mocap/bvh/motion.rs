@@ -1,6 +1,6 @@
 //! The part after `MOTION`: how many frames, how long each lasts, and their values.
 
-use super::error::{BvhError, Reason};
+use super::error::{BvhError, Short};
 use super::source::{Source, Word};
 use std::fmt;
 
@@ -32,16 +32,15 @@ impl fmt::Display for Warning {
 pub(crate) fn read(source: &mut Source<'_>, channels: usize) -> Result<Motion, BvhError> {
     let count = heading(source, &["Frames"], "`Frames:` and a whole number")?;
     let frames = match count.text.parse::<usize>() {
-        Ok(0) => {
-            return Err(BvhError { line: count.line, reason: Reason::NoFrames });
-        }
+        Ok(0) => return Err(BvhError::new(count.line, "the clip has no frames")),
         Ok(frames) => frames,
         Err(_) => return Err(BvhError::expected("`Frames:` and a whole number", count)),
     };
     let time = heading(source, &["Frame", "Time"], "`Frame Time:` and a number")?;
     let Some(frame_time) = time.number().filter(|&seconds| seconds > 0.0) else {
-        let found = time.text.to_owned();
-        return Err(BvhError { line: time.line, reason: Reason::FrameTime { found } });
+        let found = Short(time.text);
+        let reason = format!("the frame time `{found}` is not a positive number of seconds");
+        return Err(BvhError::new(time.line, reason));
     };
     let (values, warning) = values(source, frames, channels)?;
     Ok(Motion { frame_time, values, warning })
@@ -51,11 +50,11 @@ pub(crate) fn read(source: &mut Source<'_>, channels: usize) -> Result<Motion, B
 fn heading<'a>(
     source: &mut Source<'a>,
     keywords: &[&str],
-    what: &'static str,
+    what: &str,
 ) -> Result<Word<'a>, BvhError> {
     let reached = source.line();
     let Some(line) = source.next_line() else {
-        return Err(BvhError { line: reached, reason: Reason::Ends { before: what } });
+        return Err(BvhError::ends(reached, what));
     };
     let words = line.text.split([' ', '\t', '\r', ':']).filter(|word| !word.is_empty());
     let words: Vec<&str> = words.collect();
@@ -80,6 +79,12 @@ fn values(
 ) -> Result<(Vec<f64>, Option<Warning>), BvhError> {
     // Not reserved from `frames`: a wrong count must not cost memory.
     let mut values = Vec::new();
+    let uneven = |line, many, frame, found| {
+        let reason =
+            format!("too {many} values: frame {frame} has {found}, its channels need {channels}");
+        BvhError::new(line, reason)
+    };
+    let announced = format!("`Frames: {frames}` is announced, but");
     let (mut line_before, mut warning) = (source.line(), None);
     while let Some(line) = source.next_line() {
         let (complete, begun) = (values.len() / channels, values.len() % channels);
@@ -88,26 +93,22 @@ fn values(
             warning = Some(Warning { line: line.line, announced: frames });
         }
         if complete > frames {
-            let reason = Reason::TooManyFrames { announced: frames };
-            return Err(BvhError { line: line.line, reason });
+            return Err(BvhError::new(line.line, announced + " more than one more follows"));
         }
         let here = line.text.split_whitespace().count();
         if begun + here > channels {
             // A frame that began on an earlier line was not wrapped but short, for this line starts
             // another one.
-            return Err(if begun == 0 {
-                let reason = Reason::TooManyValues { frame, expected: channels, found: here };
-                BvhError { line: line.line, reason }
-            } else {
-                let reason = Reason::TooFewValues { frame, expected: channels, found: begun };
-                BvhError { line: line_before, reason }
+            return Err(match begun {
+                0 => uneven(line.line, "many", frame, here),
+                _ => uneven(line_before, "few", frame, begun),
             });
         }
         for text in line.text.split_whitespace() {
             let word = Word { text, ..line };
             let Some(value) = word.number() else {
-                let found = text.to_owned();
-                return Err(BvhError { line: line.line, reason: Reason::Value { frame, found } });
+                let reason = format!("`{}` is not a finite number (frame {frame})", Short(text));
+                return Err(BvhError::new(line.line, reason));
             };
             values.push(value);
         }
@@ -115,12 +116,11 @@ fn values(
     }
     let (complete, begun) = (values.len() / channels, values.len() % channels);
     if begun > 0 {
-        let reason = Reason::TooFewValues { frame: complete + 1, expected: channels, found: begun };
-        return Err(BvhError { line: line_before, reason });
+        return Err(uneven(line_before, "few", complete + 1, begun));
     }
     if complete < frames {
-        let reason = Reason::TooFewFrames { announced: frames, found: complete };
-        return Err(BvhError { line: line_before, reason });
+        let reason = format!("{announced} the file ends after {complete}");
+        return Err(BvhError::new(line_before, reason));
     }
     Ok((values, warning))
 }

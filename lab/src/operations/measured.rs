@@ -1,9 +1,9 @@
-use crate::HyperDualQuat;
 use crate::arends;
 use crate::counted::{Counted, Counts};
 use crate::matrix::{self, Matrix};
+use crate::{HyperDual, HyperDualQuat};
 use core::array::from_fn;
-use dq8::{Dual, DualQuat, Quat, Real};
+use dq8::{DualQuat, Quat, Real};
 
 /// An operation, what a source says it takes, and what it takes.
 #[derive(Clone, Debug)]
@@ -240,12 +240,7 @@ fn hyper_dual() -> Vec<Operation> {
     let Sample { motions: [a, b], point, .. } = Sample::new();
     let [p, q] = [a, b].map(|m| HyperDualQuat::new(m.real(), m.dual(), m.dual(), m.real()));
     let moved = HyperDualQuat::point(point);
-    let nested = |sigma: HyperDualQuat<Counted>| {
-        let [a, b, c, d] = [sigma.real, sigma.first, sigma.second, sigma.mixed].map(Quat::to_array);
-        let number = |i: usize| Dual::new(Dual::new(a[i], b[i]), Dual::new(c[i], d[i]));
-        Quat::from_array(from_fn(number))
-    };
-    let (nested_p, nested_q) = (nested(p), nested(q));
+    let [nested_p, nested_q] = [p, q].map(Quat::<HyperDual<_>>::from);
     vec![
         row(
             "hyper-dual quaternion product, written out",

@@ -4,7 +4,7 @@
 use crate::inputs::{assert_close, motion, reals, twist};
 use dq8::{Dual, DualQuat, Quat, Real, Twist};
 use lab::hessian::{Derivatives, bracket, column_derivative, columns, seeded};
-use lab::{Arm, HyperDual};
+use lab::{Arm, HyperDual, hyper_dual};
 use proptest::prelude::*;
 
 type Part = fn(HyperDual<f64>) -> f64;
@@ -20,13 +20,13 @@ proptest! {
         let columns = columns(&arm, q).unwrap();
         for (i, column) in columns.into_iter().enumerate() {
             let pose = arm.pose(seeded(q, i, i, 1.0));
-            let (sigma, rate) = (part(pose, |c| c.real), part(pose, |c| c.first));
+            let (sigma, rate) = (part(pose, |c| c.real.real), part(pose, |c| c.dual.real));
             let spatial = sigma.spatial_twist(rate);
             assert_close(spatial.to_array(), column.to_array(), 4e-15);
             // The body Jacobian is the same columns seen from the effector.
             let body = sigma.conjugate().adjoint(column);
             assert_close(sigma.body_twist(rate).to_array(), body.to_array(), 8e-15);
-            prop_assert_eq!(rate, part(pose, |c| c.second));
+            prop_assert_eq!(rate, part(pose, |c| c.real.dual));
         }
     }
 
@@ -38,7 +38,7 @@ proptest! {
         for i in 0..6 {
             for j in 0..=i {
                 let pose = arm.pose(seeded(q, i, j, 1.0));
-                let (sigma, mixed) = (part(pose, |c| c.real), part(pose, |c| c.mixed));
+                let (sigma, mixed) = (part(pose, |c| c.real.real), part(pose, |c| c.dual.dual));
                 let wanted = bracket(columns[j], columns[i]).scale(0.5);
                 assert_close(sigma.spatial_twist(mixed).to_array(), wanted.to_array(), 4e-15);
             }
@@ -112,11 +112,11 @@ proptest! {
         assert_close(sigma.body_twist(rate).to_array(), apart.to_array(), 8e-14);
         // Its second derivative, by hyper-dual numbers: σ̈ = ½σ̇ξ.
         let [from, to] = [a, b].map(|sigma| {
-            DualQuat::from_array(sigma.to_array().map(HyperDual::constant))
+            DualQuat::from_array(sigma.to_array().map(HyperDual::from_f64))
         });
-        let path = from.sclerp(to, HyperDual::new(t, 1.0, 1.0, 0.0));
-        let wanted = part(path, |c| c.first).derivative_body(apart);
-        assert_close(part(path, |c| c.mixed).to_array(), wanted.to_array(), 8e-13);
+        let path = from.sclerp(to, hyper_dual(t, 1.0, 1.0, 0.0));
+        let wanted = part(path, |c| c.dual.real).derivative_body(apart);
+        assert_close(part(path, |c| c.dual.dual).to_array(), wanted.to_array(), 8e-13);
     }
 }
 

@@ -1,12 +1,10 @@
-//! Hyper-dual numbers and quaternions: Arends' chapter 5, and dq8's nested dual numbers as the
-//! second opinion.
+//! Hyper-dual numbers and quaternions: Arends' chapter 5.
 
 mod numbers;
 mod quaternions;
-mod twins;
 
 use crate::inputs::reals;
-use lab::HyperDual;
+use lab::{HyperDual, hyper_dual};
 use proptest::prelude::{Strategy, any};
 
 type Number = HyperDual<f64>;
@@ -14,12 +12,8 @@ type Number = HyperDual<f64>;
 /// With real parts whose size is from ¼ to 4, so that there is an inverse.
 fn invertible() -> impl Strategy<Value = Number> {
     (0.25..4.0, any::<bool>(), reals(2.0)).prop_map(|(size, negative, [b, c, d]): (f64, _, _)| {
-        HyperDual::new(if negative { -size } else { size }, b, c, d)
+        hyper_dual(if negative { -size } else { size }, b, c, d)
     })
-}
-
-fn parts(x: Number) -> [f64; 4] {
-    [x.real, x.first, x.second, x.mixed]
 }
 
 #[test]

@@ -192,14 +192,10 @@ fn jacobians_agree<F: JacobianFrame>(frame: F) {
             .collect();
         for backend in Backend::available() {
             let what = format!("{backend}, {frame:?}, {count} joints, link {link}");
+            let job = robot.job().backend(backend);
             let mut poses = vec![DualQuat::IDENTITY; configurations];
             let mut columns = vec![[f64::NAN; 6]; wanted.len()];
-            robot
-                .job()
-                .links(&[link])
-                .backend(backend)
-                .jacobians(frame, &values, &mut poses, &mut columns)
-                .unwrap();
+            job.links(&[link]).jacobians(frame, &values, &mut poses, &mut columns).unwrap();
             close_twists(&columns, &wanted, &what);
             for (&pose, &tool) in poses.iter().zip(&tools) {
                 close(pose, tool, POSES, &what);
@@ -208,19 +204,9 @@ fn jacobians_agree<F: JacobianFrame>(frame: F) {
             let links = [link, count - 1, random.below(count), link];
             let mut several = vec![DualQuat::IDENTITY; 4 * configurations];
             let mut all_columns = vec![[f64::NAN; 6]; 4 * wanted.len()];
-            robot
-                .job()
-                .links(&links)
-                .backend(backend)
-                .jacobians(frame, &values, &mut several, &mut all_columns)
-                .unwrap();
+            job.links(&links).jacobians(frame, &values, &mut several, &mut all_columns).unwrap();
             for (index, link) in links.into_iter().enumerate() {
-                robot
-                    .job()
-                    .links(&[link])
-                    .backend(backend)
-                    .jacobians(frame, &values, &mut poses, &mut columns)
-                    .unwrap();
+                job.links(&[link]).jacobians(frame, &values, &mut poses, &mut columns).unwrap();
                 let of_link = several.iter().skip(index).step_by(4);
                 assert!(of_link.eq(&poses), "{what}, number {index} of {links:?}");
                 let of_link = all_columns.chunks_exact(robot.rates()).skip(index).step_by(4);
@@ -272,31 +258,16 @@ fn velocities_and_accelerations_on_lanes_are_those_of_one_configuration() {
         for backend in Backend::available() {
             let what = format!("{backend}, {count} joints");
             let mut poses = vec![DualQuat::IDENTITY; links];
-            let (mut twists, mut accelerations) =
-                (vec![[f64::NAN; 6]; links], vec![[f64::NAN; 6]; links]);
-            robot
-                .job()
-                .backend(backend)
-                .accelerations(
-                    &values,
-                    &rates,
-                    &second,
-                    &mut poses,
-                    &mut twists,
-                    &mut accelerations,
-                )
+            let [mut twists, mut changes, mut alone] = [(); 3].map(|()| vec![[f64::NAN; 6]; links]);
+            let job = robot.job().backend(backend);
+            job.accelerations(&values, &rates, &second, &mut poses, &mut twists, &mut changes)
                 .unwrap();
             close_twists(&twists, &wanted, &what);
-            close_twists(&accelerations, &wanted_second, &what);
+            close_twists(&changes, &wanted_second, &what);
             for (&pose, &wanted) in poses.iter().zip(&wanted_poses) {
                 close(pose, wanted, POSES, &what);
             }
-            let mut alone = vec![[f64::NAN; 6]; links];
-            robot
-                .job()
-                .backend(backend)
-                .velocities(&values, &rates, &mut poses, &mut alone)
-                .unwrap();
+            job.velocities(&values, &rates, &mut poses, &mut alone).unwrap();
             assert_eq!(alone, twists, "{what}");
         }
     }

@@ -3,7 +3,7 @@
 use crate::inputs::{assert_close, motion, reals, twist};
 use dq8::{Dual, DualQuat, Quat};
 use lab::arends::hyper_side_by_side;
-use lab::{HyperDual, HyperDualQuat};
+use lab::{HyperDual, HyperDualQuat, hyper_dual_parts as parts};
 use proptest::prelude::*;
 
 type Four = HyperDualQuat<f64>;
@@ -53,9 +53,9 @@ proptest! {
         same(x.conjugate(), nested(x).conjugate());
         let norm_squared = nested(x).dot(nested(x));
         let found = x.norm_squared();
-        assert_close(super::parts(found), super::parts(norm_squared), 4e-15);
+        assert_close(parts(found), parts(norm_squared), 4e-15);
         // q⁻¹ = q*/(qq*), a division of hyper-dual numbers.
-        let inverse = nested(x).conjugate().scale(norm_squared.inverse().unwrap());
+        let inverse = nested(x).conjugate().scale(norm_squared.recip());
         let inverse = components(inverse.into());
         let size = inverse.into_iter().fold(1.0, |size: f64, c| size.max(c.abs()));
         assert_close(components(x.inverse().unwrap()), inverse, 1e-14 * size);

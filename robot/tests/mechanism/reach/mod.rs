@@ -17,7 +17,7 @@ mod units;
 
 use dq8::{Backend, DualQuat, Quat, Real};
 use dq8_fixtures::random::Random;
-use dq8_robot::ik::{Freedom, Goal, Options, Reach, Report};
+use dq8_robot::ik::{Freedom, Goal, Options, OwnedReach, Reach, Report};
 use dq8_robot::{Joint, Mechanism, OwnedMechanism};
 
 pub(crate) const Z: [f64; 3] = [0.0, 0.0, 1.0];
@@ -86,6 +86,14 @@ pub(crate) fn draw(random: &mut Random, joints: &[Joint<f64>]) -> Vec<f64> {
         values.extend((0..joint.kind.values()).map(|_| random.between(low, high)));
     }
     values
+}
+
+/// The problem of these goals, with a mechanism of its own.
+pub(crate) fn problem<R: Real>(
+    joints: &[Joint<f64>],
+    goals: impl Into<Vec<Goal<R>>>,
+) -> OwnedReach<R> {
+    OwnedReach::new(mechanism(joints), goals).expect("a problem")
 }
 
 /// One configuration, with memory of its own.

@@ -1,7 +1,7 @@
 //! What a report says where there is no solution, or not yet.
 
 use super::{
-    LAST_BITS, REACHED, ROUNDING, apart, at, draw, mechanism, planar, seven, solve, turned,
+    LAST_BITS, REACHED, ROUNDING, apart, at, draw, mechanism, planar, problem, seven, solve, turned,
 };
 use dq8::{DualQuat, Quat};
 use dq8_fixtures::random::Random;
@@ -23,10 +23,8 @@ fn beyond_the_length_of_the_arm_is_out_of_reach_and_the_arm_points_there() {
 #[test]
 fn the_bound_of_the_reach_is_the_sum_of_the_offsets() {
     let joints = seven();
-    let arm = mechanism::<f64>(&joints);
-    let goals = [Goal::pose(7)];
-    let mut freedoms = [Freedom::default(); 7];
-    let reach = Reach::new(arm.view(), &goals, &mut freedoms).expect("a problem");
+    let problem = problem::<f64>(&joints, [Goal::pose(7)]);
+    let reach = problem.view();
     let (centre, length) = reach.reach_bound(0).expect("a bound");
     assert!(centre.iter().zip([0.0, 0.0, 0.34]).all(|(a, b)| (a - b).abs() < LAST_BITS));
     let offsets = 0.32 + 0.08 + 0.08_f64.hypot(0.39) + 0.09 + 0.11;
@@ -166,15 +164,13 @@ fn a_tool_that_cannot_move_away_reaches_where_it_is() {
 /// The code of restarts is all that it leaves out.
 #[test]
 fn following_is_solving_without_restarts() {
-    let arm = mechanism::<f64>(&seven());
-    let goals = [Goal::pose(7)];
-    let mut freedoms = [Freedom::default(); 7];
-    let reach = Reach::new(arm.view(), &goals, &mut freedoms).expect("a problem");
+    let problem = problem::<f64>(&seven(), [Goal::pose(7)]);
+    let reach = problem.view();
     let (mut random, mut converged) = (Random(72), 0);
     let mut scratch = vec![f64::NAN; reach.scratch_len()];
     for _ in 0..100 {
         let [there, start] = [(); 2].map(|()| draw(&mut random, &seven()));
-        let target = arm.view().link_pose(&there, 7).expect("a link");
+        let target = reach.mechanism().link_pose(&there, 7).expect("a link");
         let once = Options { restarts: false, ..Options::default() };
         let mut solved = start.clone();
         let wanted = reach.solve(&[target], &mut solved, &mut scratch, &once).expect("they fit");

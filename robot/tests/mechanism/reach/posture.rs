@@ -1,6 +1,8 @@
 //! What a posture does with the freedom that goals leave.
 
-use super::{REACHED, SETTLED, apart, at, draw, mechanism, planar, seven, solve_everywhere};
+use super::{
+    REACHED, SETTLED, apart, at, draw, mechanism, planar, problem, seven, solve_everywhere,
+};
 use dq8::DualQuat;
 use dq8_fixtures::random::Random;
 use dq8_robot::ik::{Freedom, Goal, Options, Outcome, Reach};
@@ -181,10 +183,8 @@ fn a_posture_too_far_for_a_float_is_left_out() {
         Joint::prismatic(None, DualQuat::IDENTITY, [1.0, 0.0, 0.0]),
         Joint::revolute(Some(0), DualQuat::IDENTITY, super::Z),
     ];
-    let machine = mechanism::<f32>(&joints);
-    let goals = [Goal::position(1)];
-    let mut freedoms = [Freedom::default(); 2];
-    let reach = Reach::new(machine.view(), &goals, &mut freedoms).expect("a problem");
+    let problem = problem::<f32>(&joints, [Goal::position(1)]);
+    let reach = problem.view();
     let reach = reach.with_posture(&[f32::MAX, 0.5]).expect("a posture");
     let target = DualQuat::from_translation([1.0, 0.0, 0.0]);
     for (backend, values, reports) in

@@ -1,6 +1,6 @@
 //! What cannot be asked, and that nothing is touched then.
 
-use super::{at, mechanism, planar, seven, solve};
+use super::{at, mechanism, planar, problem, seven, solve};
 use dq8::{Backend, DualQuat, ShapeError};
 use dq8_robot::ik::{Freedom, Goal, Options, Outcome, Reach, ReachError, Report};
 use dq8_robot::{Joint, JointKind};
@@ -90,10 +90,8 @@ fn limits_that_leave_nothing_are_errors() {
 
 #[test]
 fn postures_that_do_not_fit_are_errors() {
-    let arm = mechanism::<f64>(&planar(&[1.0, 1.0]));
-    let goals = [Goal::pose(2)];
-    let mut freedoms = [Freedom::default(); 2];
-    let reach = Reach::new(arm.view(), &goals, &mut freedoms).expect("a problem");
+    let problem = problem::<f64>(&planar(&[1.0, 1.0]), [Goal::pose(2)]);
+    let reach = problem.view();
     assert_eq!(
         reach.with_posture(&[0.0; 3]).unwrap_err(),
         ReachError::PostureLength { length: 3, expected: 2 }
@@ -104,10 +102,8 @@ fn postures_that_do_not_fit_are_errors() {
 
 #[test]
 fn lengths_that_do_not_fit_are_errors_and_nothing_is_touched() {
-    let arm = mechanism::<f64>(&seven());
-    let goals = [Goal::pose(7), Goal::position(4)];
-    let mut freedoms = [Freedom::default(); 7];
-    let reach = Reach::new(arm.view(), &goals, &mut freedoms).expect("a problem");
+    let problem = problem::<f64>(&seven(), [Goal::pose(7), Goal::position(4)]);
+    let reach = problem.view();
     let options = Options::default();
     let enough = [reach.scratch_len(), reach.batch_scratch_len()];
     let target = at(0.3, 0.2, 0.5);
@@ -146,11 +142,10 @@ fn more_numbers_than_can_be_counted_are_more_than_any_memory_holds() {
 /// Between configurations that are solved.
 #[test]
 fn what_is_not_a_target_or_not_a_start_is_invalid_and_its_values_are_untouched() {
-    let arm = mechanism::<f64>(&seven());
-    let goals = [Goal::pose(7)];
-    let mut freedoms = [Freedom::default(); 7];
-    let reach = Reach::new(arm.view(), &goals, &mut freedoms).expect("a problem");
-    let good = arm.view().link_pose(&[0.5, -0.6, 0.7, -1.4, 0.3, 1.8, -0.4], 7).expect("a link");
+    let problem = problem::<f64>(&seven(), [Goal::pose(7)]);
+    let reach = problem.view();
+    let good =
+        reach.mechanism().link_pose(&[0.5, -0.6, 0.7, -1.4, 0.3, 1.8, -0.4], 7).expect("a link");
     let scaled = |factor: f64| DualQuat::from_array(good.to_array().map(|number| number * factor));
     let with = |index: usize, number: f64| {
         let mut array = good.to_array();

@@ -1,6 +1,6 @@
 //! Whole turns: of all values that are the same pose, the one within the limits that is nearest to the start.
 
-use super::{REACHED, Z, apart, at, mechanism, solve_everywhere, turned};
+use super::{REACHED, Z, apart, at, mechanism, problem, solve_everywhere, turned};
 use dq8::simd::{Float, Lanes, Portable};
 use dq8::{DualQuat, Real, Scalar};
 use dq8_fixtures::random::Random;
@@ -216,15 +216,13 @@ fn no_whole_turn_nearer_to_the_start_is_within_the_limits_after_restarts() {
     for (joint, limits) in joints.iter_mut().zip(limits) {
         joint.limits = Some(limits);
     }
-    let machine = mechanism::<f64>(&joints);
-    let goals = [Goal::pose(7)];
-    let mut freedoms = [Freedom::default(); 7];
-    let reach = Reach::new(machine.view(), &goals, &mut freedoms).expect("a problem");
+    let problem = problem::<f64>(&joints, [Goal::pose(7)]);
+    let reach = problem.view();
     let mut random = Random(71);
     let (mut targets, mut starts) = (Vec::new(), Vec::new());
     for _ in 0..200 {
         let there: Vec<f64> = (0..7).map(|_| random.between(-3.0, 3.0)).collect();
-        targets.push(machine.view().link_pose(&there, 7).expect("a link"));
+        targets.push(reach.mechanism().link_pose(&there, 7).expect("a link"));
         starts.extend((0..7).map(|_| random.between(-40.0, 40.0)));
     }
     for (backend, values, reports) in
