@@ -25,7 +25,7 @@ for level; do
   esac
   for module in skeletons robots; do
     /usr/bin/cargo build --release --locked --target wasm32-unknown-unknown -Zbuild-std=std,panic_abort \
-      -Zbuild-std-features= -Zprofile-rustflags "${flags[@]}" --no-default-features --features "$module"
+      -Zbuild-std-features=optimize_for_size -Zprofile-rustflags "${flags[@]}" --no-default-features --features "$module"
     name=dq8; [ "$module" = skeletons ] || name=robots
     cp "$target/wasm32-unknown-unknown/release/dq8_web.wasm" "package/$name.$level.wasm"
   done

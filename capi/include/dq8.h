@@ -522,7 +522,7 @@ typedef struct dq8_place {
   /**
    * Not for you.
    */
-  uint32_t numbers[5];
+  uint32_t numbers[6];
 } dq8_place;
 
 /**

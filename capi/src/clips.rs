@@ -32,7 +32,7 @@ const _: () = assert!(align_of::<Known>() <= align_of::<*const ()>());
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Place {
     /// Not for you.
-    pub numbers: [u32; 5],
+    pub numbers: [u32; 6],
 }
 
 /// Finds packed clips in bytes of dq8's form, which the Rust and the Python package and the example mocap write. Reads all of

@@ -82,7 +82,7 @@ fn what_does_not_fit_is_refused_and_nothing_is_written() {
         assert_eq!(single::place(&none, 0, 0.0, &raw mut place, &raw mut t), Status::NoClips);
         assert_eq!(single::place(&clips, 1, 0.0, &raw mut place, &raw mut t), Status::UnknownValue);
         assert_eq!(single::place(&clips, 0, 0.0, ptr::null_mut(), &raw mut t), Status::NullPointer);
-        assert_eq!((place.numbers, t), ([0; 5], 5.0));
+        assert_eq!((place.numbers, t), ([0; 6], 5.0));
         // No such place: clip 0 has a step.
         let status = single::to_model(at, 3, ptr::null(), &clips, &place, &t, 1, to);
         assert_eq!(status, Status::Length);

@@ -10,6 +10,8 @@ use bytemuck::{Pod, Zeroable};
 
 /// A number of 32 bits, the lower byte first.
 type Word = [u8; 4];
+/// Where a column begins: a number of 16 bits, the lower byte first.
+type Entry = [u8; 2];
 
 /// Keys in a cache line.
 const PER_LINE: usize = 8;
@@ -17,16 +19,19 @@ const PER_LINE: usize = 8;
 const FAR: usize = 1 << 17;
 
 /// Clips of the same columns: records of four short numbers ([`Shorts`]), one for each frame where a column moves in a
-/// clip, and one in all where it does not. Numbers of 32 bits are written with the lower byte first, and nothing is aligned.
+/// clip, and one in all where it does not. Numbers are written with the lower byte first, and nothing is aligned.
+///
+/// What says where columns begin counts from the clip's own first key: clips in which the same columns move share a row of
+/// it, and it stays in the first cache where keys come from far away.
 ///
 /// All keys that the table leads to are there: checked once, and not in the loop.
 #[derive(Clone, Copy, Debug)]
 pub struct Tracks<'a> {
     keys: &'a [Shorts],
-    /// Of each clip: how many frames, and how many keys from one frame to the next.
-    clips: &'a [[Word; 2]],
-    /// `[clip][column]`: twice the number of the first key, and one more if there is one for each frame.
-    table: &'a [Word],
+    /// Of each clip: its first key, how many frames, how many keys from one frame to the next, and its row.
+    clips: &'a [[Word; 4]],
+    /// `[row][column]`: twice how far the first key is from the clip's, and one more if there is one for each frame.
+    rows: &'a [Entry],
     columns: usize,
 }
 
@@ -34,31 +39,33 @@ impl<'a> Tracks<'a> {
     /// Of bytes; what is left of the last number of each slice is not read.
     ///
     /// # Errors
-    /// The clip, and its column, of the first entry that leads beyond the keys; no column if it is the clip that has more
-    /// frames, or keys from one to the next, than it can have, or no place in the table.
+    /// The first clip with an entry that leads beyond the keys, and which of all entries; none if it is the clip that has
+    /// more frames, or keys from one to the next, than it can have, or no row.
     pub fn new(
         keys: &'a [u8],
         clips: &'a [u8],
-        table: &'a [u8],
+        rows: &'a [u8],
         columns: usize,
     ) -> Result<Self, (usize, Option<usize>)> {
         let clips = clips.as_chunks::<4>().0.as_chunks().0;
-        let tracks = Self { keys: keys.as_chunks().0, clips, table: table.as_chunks().0, columns };
+        let tracks = Self { keys: keys.as_chunks().0, clips, rows: rows.as_chunks().0, columns };
         for clip in 0..clips.len() {
             let row = tracks.row(clip).ok_or((clip, None))?;
-            let (frames, step) = tracks.clip(clip).ok_or((clip, None))?;
+            let Clip { first, frames, step, row: number } =
+                tracks.clip(clip).ok_or((clip, None))?;
             // A clip of one frame has no next one; `TrackPlace` counts keys in 32 bits.
             let last = frames.checked_sub(1).and_then(|last| last.checked_mul(step));
+            let last = last.and_then(|last| last.checked_add(first));
             let last = last.filter(|_| frames > 1 || step == 0).ok_or((clip, None))?;
-            let within = |&entry: &Word| {
-                let entry = u32::from_le_bytes(entry);
-                let after = if entry & 1 == 0 { 0 } else { saturated::<usize>(last) };
+            let within = |&entry: &Entry| {
+                let entry = u16::from_le_bytes(entry);
+                let from = saturated::<usize>(if entry & 1 == 0 { first } else { last });
                 // Without a step nothing moves: frames would be as many as 32 bits count, of one key.
                 (entry & 1 == 0 || step > 0)
-                    && saturated::<usize>(entry >> 1).saturating_add(after) < tracks.keys.len()
+                    && from.saturating_add((entry >> 1).into()) < tracks.keys.len()
             };
             if let Some(column) = row.iter().position(|entry| !within(entry)) {
-                return Err((clip, Some(column)));
+                return Err((clip, Some(number as usize * columns + column)));
             }
         }
         Ok(tracks)
@@ -76,33 +83,38 @@ impl<'a> Tracks<'a> {
         self.columns
     }
 
-    fn row(&self, clip: usize) -> Option<&'a [Word]> {
-        let from = clip.checked_mul(self.columns)?;
+    fn row(&self, clip: usize) -> Option<&'a [Entry]> {
+        let from = saturated::<usize>(self.clip(clip)?.row).checked_mul(self.columns)?;
         u32::try_from(from).ok()?;
-        self.table.get(from..from.checked_add(self.columns)?)
+        self.rows.get(from..from.checked_add(self.columns)?)
     }
 
-    /// How many frames a clip has, and how many keys there are from one to the next. `None` if there is no such clip.
+    fn clip(&self, clip: usize) -> Option<Clip> {
+        let [first, frames, step, row] = self.clips.get(clip)?.map(u32::from_le_bytes);
+        Some(Clip { first, frames, step, row })
+    }
+
+    /// How many frames a clip has. `None` if there is no such clip.
     #[must_use]
-    pub fn clip(&self, clip: usize) -> Option<(u32, u32)> {
-        let [frames, step] = *self.clips.get(clip)?;
-        Some((u32::from_le_bytes(frames), u32::from_le_bytes(step)))
+    pub fn frames(&self, clip: usize) -> Option<u32> {
+        Some(self.clip(clip)?.frames)
     }
 
     /// Whether a column of a clip has a key for each frame. `None` if there is no such column.
     #[must_use]
     pub fn moves(&self, clip: usize, column: usize) -> Option<bool> {
-        Some(u32::from_le_bytes(*self.row(clip)?.get(column)?) & 1 == 1)
+        Some(u16::from_le_bytes(*self.row(clip)?.get(column)?) & 1 == 1)
     }
 
-    /// A key. `None` if there is no such column or frame.
+    /// The number of a key, and the key. `None` if there is no such column or frame.
     #[must_use]
-    pub fn key(&self, clip: usize, column: usize, frame: u32) -> Option<[i16; 4]> {
-        let entry = u32::from_le_bytes(*self.row(clip)?.get(column)?);
-        let (frames, step) = self.clip(clip)?;
-        let frame = (frame < frames).then_some(frame)? * step * (entry & 1);
-        let key = saturated::<usize>(entry >> 1).checked_add(saturated(frame))?;
-        Some(numbers(*self.keys.get(key)?))
+    pub fn key(&self, clip: usize, column: usize, frame: u32) -> Option<(usize, [i16; 4])> {
+        let entry = *self.row(clip)?.get(column)?;
+        let Clip { first, frames, step, .. } = self.clip(clip)?;
+        let there = (frame < frames).then_some(frame)?;
+        let own = TrackPlace { frames: [first, first + there * step], ..TrackPlace::default() };
+        let [key, _] = own.keys(entry);
+        Some((key, numbers(*self.keys.get(key)?)))
     }
 
     /// Between a frame of a clip and the next one; in a clip of one frame at that. `None` if there is no such clip, or no
@@ -110,10 +122,11 @@ impl<'a> Tracks<'a> {
     #[must_use]
     #[inline]
     pub fn place(&self, clip: usize, frame: u32) -> Option<TrackPlace> {
-        let (frames, step) = self.clip(clip)?;
-        let there = frame < frames.saturating_sub(1).max(1);
-        let row = u32::try_from(clip * self.columns).ok()?;
-        there.then_some(TrackPlace { row, frames: [0, frame * step], steps: [0, step] })
+        let Clip { first, frames, step, row } = self.clip(clip)?;
+        (frame < frames.saturating_sub(1).max(1)).then_some(())?;
+        let row = row * u32::try_from(self.columns).ok()?;
+        let frames = [first, first + frame * step];
+        Some(TrackPlace { clip: u32::try_from(clip).ok()?, row, frames, steps: [0, step] })
     }
 
     /// Many places in these clips.
@@ -122,10 +135,10 @@ impl<'a> Tracks<'a> {
     /// The number of the first that is not one of them.
     pub fn placed<'p>(self, places: &'p [TrackPlace]) -> Result<PlacedTracks<'a, 'p>, usize> {
         let there = |place: &TrackPlace| {
-            let clip = saturated::<usize>(place.row).checked_div(self.columns).unwrap_or(0);
-            let frame = place.frames[1].checked_div(place.steps[1]).unwrap_or(0);
+            let after = place.frames[1].wrapping_sub(place.frames[0]);
             // A clip of constants has no step, and so the same place for all frames.
-            self.place(clip, frame).is_some_and(|own| own == *place)
+            let frame = after.checked_div(place.steps[1]).unwrap_or(0);
+            self.place(saturated(place.clip), frame).is_some_and(|own| own == *place)
         };
         match places.iter().position(|place| !there(place)) {
             Some(place) => Err(place),
@@ -134,19 +147,28 @@ impl<'a> Tracks<'a> {
     }
 }
 
+/// A clip, as the file has it.
+struct Clip {
+    first: u32,
+    frames: u32,
+    step: u32,
+    row: u32,
+}
+
 /// A clip and a frame, as [`Tracks::place`] makes them: where they lie. Any bits are a place that [`Tracks::placed`]
 /// accepts or refuses.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(C)]
 pub struct TrackPlace {
-    /// Where the clip's row begins in the table.
+    clip: u32,
+    /// Where the clip's row begins.
     row: u32,
-    /// How many keys after its first the key of a column is, if it stays, and if it moves.
+    /// From which key a column counts, if it stays, and if it moves.
     frames: [u32; 2],
     /// How many keys later the next one is.
     steps: [u32; 2],
 }
-// SAFETY: five numbers of 32 bits, without padding.
+// SAFETY: six numbers of 32 bits, without padding.
 unsafe impl Zeroable for TrackPlace {}
 // SAFETY: as above; any bits are numbers.
 unsafe impl Pod for TrackPlace {}
@@ -176,7 +198,7 @@ impl<'a> PlacedTracks<'a, '_> {
         column: usize,
         t: L,
     ) -> Option<[L; 4]> {
-        let Self { tracks: Tracks { keys, table, columns, .. }, places } = self;
+        let Self { tracks: Tracks { keys, rows, columns, .. }, places } = self;
         let padded;
         let mut lanes = places.get(first..).unwrap_or_default();
         if lanes.len() < L::LANES {
@@ -186,8 +208,8 @@ impl<'a> PlacedTracks<'a, '_> {
         if column >= columns {
             return None;
         }
-        // SAFETY: there are as many places as lanes, each with a row of the table, which has the column; by the check of
-        // the table a key and the next one are there.
+        // SAFETY: there are as many places as lanes, each with a row, which has the column; by the check of the rows a key
+        // and the next one are there.
         Some(unsafe {
             L::between_shorts(
                 level,
@@ -195,7 +217,7 @@ impl<'a> PlacedTracks<'a, '_> {
                 #[cfg_attr(not(opt_level_0), inline(always))]
                 |lane| {
                     let place = lanes.get_unchecked(lane);
-                    place.keys(*table.get_unchecked(place.row as usize + column))
+                    place.keys(*rows.get_unchecked(place.row as usize + column))
                 },
                 t,
             )
@@ -213,13 +235,13 @@ impl<'a> PlacedTracks<'a, '_> {
         column: usize,
         last: bool,
     ) {
-        let Tracks { keys, table, .. } = self.tracks;
+        let Tracks { keys, rows, .. } = self.tracks;
         if !(column.is_multiple_of(PER_LINE) || last) || keys.len() < FAR {
             return;
         }
         // In line: for a call the loop around it would put its registers away.
         for place in self.places.get(first..).unwrap_or_default().iter().take(lanes) {
-            let Some(&entry) = table.get(place.row as usize + column) else { return };
+            let Some(&entry) = rows.get(place.row as usize + column) else { return };
             for key in place.keys(entry).into_iter().filter_map(|key| keys.get(key)) {
                 level.prefetch(key);
             }
@@ -236,7 +258,7 @@ impl<'a> PlacedTracks<'a, '_> {
         t: L,
     ) -> Option<[L; 4]> {
         let place = self.places.get(place)?;
-        let row: &'a [Word] = self.tracks.table.get(place.row as usize..)?;
+        let row: &'a [Entry] = self.tracks.rows.get(place.row as usize..)?;
         let row = row.get(..self.tracks.columns)?;
         let padded;
         let mut lanes = row.get(first..).unwrap_or_default();
@@ -245,14 +267,14 @@ impl<'a> PlacedTracks<'a, '_> {
             lanes = &padded;
         }
         let from = self.tracks.keys.as_ptr();
-        // SAFETY: there are as many entries as lanes, all of the row of the place; by the check of the table a key and the
+        // SAFETY: there are as many entries as lanes, all of the row of the place; by the check of the rows a key and the
         // next one are there.
         unsafe {
             let first = *lanes.get_unchecked(0);
             let mut differ = [0; MAX_LANES];
             for (lane, differ) in differ.iter_mut().enumerate().take(L::LANES) {
-                let beside = u32::from_le_bytes(first).wrapping_add(2 * lane as u32);
-                *differ = u32::from_le_bytes(*lanes.get_unchecked(lane)) ^ beside;
+                let beside = u16::from_le_bytes(first).wrapping_add(2 * lane as u16);
+                *differ = u16::from_le_bytes(*lanes.get_unchecked(lane)) ^ beside;
             }
             // Side by side, most often: an address for all is quicker than one for each.
             if differ.iter().fold(0, |all, one| all | one) == 0 {
@@ -279,8 +301,8 @@ impl<'a> PlacedTracks<'a, '_> {
 impl TrackPlace {
     /// Which keys an entry of its row leads to.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn keys(&self, entry: Word) -> [usize; 2] {
-        let entry = u32::from_le_bytes(entry);
+    fn keys(&self, entry: Entry) -> [usize; 2] {
+        let entry = u16::from_le_bytes(entry);
         let moves = (entry & 1) as usize;
         let key = (entry >> 1) as usize + self.frames[moves] as usize;
         [key, key + self.steps[moves] as usize]
@@ -304,7 +326,7 @@ fn repeat<T: Copy>(some: &[T], last: T) -> [T; MAX_LANES] {
 pub struct OwnedTracks {
     /// Invariant: checked.
     bytes: Box<[u8]>,
-    /// Where keys, clips and table lie.
+    /// Where keys, clips and rows lie.
     ranges: [core::ops::Range<usize>; 3],
     columns: usize,
 }
@@ -320,11 +342,11 @@ impl OwnedTracks {
         ranges: [core::ops::Range<usize>; 3],
         columns: usize,
     ) -> Result<Self, (usize, Option<usize>)> {
-        let [keys, clips, table] = ranges.each_ref().map(|range| bytes.get(range.clone()));
-        let (Some(keys), Some(clips), Some(table)) = (keys, clips, table) else {
+        let [keys, clips, rows] = ranges.each_ref().map(|range| bytes.get(range.clone()));
+        let (Some(keys), Some(clips), Some(rows)) = (keys, clips, rows) else {
             return Err((0, None));
         };
-        Tracks::new(keys, clips, table, columns)?;
+        Tracks::new(keys, clips, rows, columns)?;
         Ok(Self { bytes, ranges, columns })
     }
 
@@ -338,13 +360,8 @@ impl OwnedTracks {
     #[must_use]
     pub fn borrowed(&self) -> Tracks<'_> {
         let part = |range: &core::ops::Range<usize>| &self.bytes[range.clone()];
-        let [keys, clips, table] = self.ranges.each_ref().map(part);
+        let [keys, clips, rows] = self.ranges.each_ref().map(part);
         let clips = clips.as_chunks::<4>().0.as_chunks().0;
-        Tracks {
-            keys: keys.as_chunks().0,
-            clips,
-            table: table.as_chunks().0,
-            columns: self.columns,
-        }
+        Tracks { keys: keys.as_chunks().0, clips, rows: rows.as_chunks().0, columns: self.columns }
     }
 }

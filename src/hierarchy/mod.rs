@@ -7,6 +7,7 @@
 //! | [`Job`] | a run over it: with a root transform, on some of the joints, with a palette, backwards |
 //! | [`Poses`], [`RotationsTranslations`], [`Tracks`], [`Bones`] | forms of [locals](Locals) |
 //! | [`Clip`], [`Sampled`], [`Layered`] | locals that are sampled, blended and masked on their way into registers |
+//! | [`Either`] | locals of one of two forms, which the running program chooses |
 //! | [`OwnedClip`] | a clip with memory of its own (feature `alloc`) |
 //! | [`PackedClip`], [`PackedClips`] | clips in 8 bytes for each track that moves, and frame: owned, borrowed |
 //! | [`Plan`], [`PlanScratch`] | the order in which one instance is computed fastest, for those without a heap |
@@ -27,6 +28,7 @@ mod clip;
 mod concatenate;
 #[cfg(feature = "alloc")]
 mod crowd;
+mod either;
 mod error;
 mod family;
 mod forward;
@@ -71,6 +73,7 @@ pub use crate::palette_entry::{MatrixOrder, PaletteEntry};
 pub use clip::{Clip, Frames};
 #[cfg(feature = "alloc")]
 pub use crowd::Crowd;
+pub use either::Either;
 pub use error::HierarchyError;
 pub use job::Job;
 pub use keys::{Keys, PlacedKeys};

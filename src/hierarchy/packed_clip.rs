@@ -9,6 +9,7 @@ use crate::scalar::DualQuat;
 use crate::storage::shape::{ShapeError, same_length, whole_instances};
 use crate::storage::{Aos, Element};
 use alloc::boxed::Box;
+use alloc::collections::BTreeMap;
 use alloc::vec;
 use alloc::vec::Vec;
 use core::ops::Range;
@@ -91,7 +92,7 @@ impl PackedClip {
     /// box that it moves in is a step. A root that walks far is better kept apart, and given as the root of a job.
     ///
     /// # Errors
-    /// As for [`new`](Self::new), or if there are more keys or joints than 31 bits count.
+    /// As for [`new`](Self::new), or if there are more keys or joints than the form counts.
     pub fn library<K: Element<7, Layout = Aos<f32>>>(
         joints: usize,
         clips: &[&[K]],
@@ -106,7 +107,8 @@ impl PackedClip {
         }
         let rests: Vec<_> =
             (0..joints).map(|j| rest(&clips, joints, j, tolerance)).collect::<Result<_, _>>()?;
-        let (mut keys, mut heads, mut table) = (Vec::<[i16; 4]>::new(), Vec::new(), Vec::new());
+        let (mut keys, mut heads) = (Vec::<[i16; 4]>::new(), Vec::new());
+        let (mut rows, mut known) = (Vec::<u8>::new(), BTreeMap::new());
         for (clip, frames) in clips.iter().enumerate() {
             let tracks = (0..2 * joints)
                 .map(|column| track(clip, frames, joints, column, &rests, tolerance))
@@ -117,13 +119,17 @@ impl PackedClip {
             let moving: Vec<_> = ordered().filter(long).collect();
             let still: Vec<_> = ordered().filter(|&column| tracks[column].len() == 1).collect();
             // A joint that no clip moves has no key; its step is 0, whatever is read.
-            let mut entries = vec![0; 2 * joints];
-            for (place, &column) in (keys.len()..).zip(still.iter().chain(&moving)) {
-                entries[column] = 2 * place + usize::from(long(&column));
+            let mut row = vec![0; 2 * joints];
+            for (place, &column) in still.iter().chain(&moving).enumerate() {
+                let entry = u16::try_from(2 * place + usize::from(long(&column)));
+                row[column] = entry.map_err(|_| PackedError::TooLarge)?;
             }
-            table.extend(entries);
-            let count = frames.len() / joints;
-            heads.extend([count, moving.len()]);
+            let (next, count) = (known.len(), frames.len() / joints);
+            let number = *known.entry(row).or_insert_with_key(|row| {
+                rows.extend(row.iter().flat_map(|entry| entry.to_le_bytes()));
+                next
+            });
+            heads.extend([keys.len(), count, moving.len(), number]);
             keys.extend(still.iter().map(|&column| tracks[column][0]));
             keys.extend(
                 (0..count)
@@ -137,11 +143,18 @@ impl PackedClip {
             Ok(words.map_err(|_| PackedError::TooLarge)?.concat())
         };
         let mut bytes = form::MAGIC.to_vec();
-        bytes.extend(words(&[form::VERSION as usize, joints, clips.len(), keys.len()])?);
+        bytes.extend(words(&[
+            form::VERSION as usize,
+            joints,
+            clips.len(),
+            keys.len(),
+            known.len(),
+            0,
+        ])?);
         bytes.extend(keys.iter().flatten().flat_map(|number: &i16| number.to_le_bytes()));
         bytes.extend(rests.iter().flatten().flat_map(|number| number.to_le_bytes()));
         bytes.extend(words(&heads)?);
-        bytes.extend(words(&table)?);
+        bytes.extend(rows);
         Self::from_bytes(bytes.into())
     }
 
@@ -152,9 +165,9 @@ impl PackedClip {
     pub fn from_bytes(bytes: Box<[u8]>) -> Result<Self, PackedError> {
         PackedClips::from_bytes(&bytes)?;
         let (ranges, joints) = form::parts(&bytes)?;
-        let [keys, rests, clips, table] = ranges.clone();
-        let tracks = OwnedTracks::new(bytes, [keys, clips, table], 2 * joints);
-        Ok(Self { tracks: tracks.map_err(|at| form::beyond(&ranges, joints, at))?, rests })
+        let [keys, rests, clips, rows] = ranges.clone();
+        let tracks = OwnedTracks::new(bytes, [keys, clips, rows], 2 * joints);
+        Ok(Self { tracks: tracks.map_err(|at| form::beyond(&ranges, at))?, rests })
     }
 
     /// The bytes, the same on every target.

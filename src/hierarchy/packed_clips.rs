@@ -35,11 +35,13 @@ pub(super) type Rest = [u8; 16];
 /// | bytes | what |
 /// |---|---|
 /// | 8 | `dq8clips` |
-/// | 4 · `u32` | version 1, joints J, clips N, keys K |
+/// | 6 · `u32` | version 2, joints J, clips N, keys K, rows R, 0 |
 /// | K · 4 · `i16` | keys: a rotation x, y, z, w, 32767 for 1; a translation x, y, z, 0, in steps from the rest |
 /// | J · 4 · `f32` | the rest x, y, z, and 2⁻¹⁴ of a step |
-/// | N · 2 · `u32` | how many frames, and how many keys from one to the next |
-/// | N · 2J · `u32` | twice the number of the first key, and 1 more if there is one for each frame: J rotations, J translations |
+/// | N · 4 · `u32` | the first key, how many frames, how many keys from one to the next, and the row |
+/// | R · 2J · `u16` | twice how far the first key is from the clip's, and 1 more if there is one for each frame: J rotations, J translations |
+///
+/// Clips in which the same tracks move have one row.
 #[derive(Clone, Copy, Debug)]
 pub struct PackedClips<'a> {
     pub(super) tracks: Tracks<'a>,
@@ -47,17 +49,17 @@ pub struct PackedClips<'a> {
 }
 
 pub(super) const MAGIC: &[u8; 8] = b"dq8clips";
-pub(super) const VERSION: u32 = 1;
-const HEAD: usize = 24;
+pub(super) const VERSION: u32 = 2;
+const HEAD: usize = 32;
 
-/// Where keys, rests, clips and table lie, of how many joints.
+/// Where keys, rests, clips and rows lie, of how many joints.
 pub(super) fn parts(bytes: &[u8]) -> Result<([Range<usize>; 4], usize), PackedError> {
     let wrong = |offset, what| PackedError::Bytes { offset, what };
     if bytes.first_chunk() != Some(MAGIC) {
         return Err(wrong(0, "they begin otherwise"));
     }
     let words = bytes.get(8..HEAD).ok_or(wrong(bytes.len(), "they end too early"))?;
-    let [version, joints, clips, keys] =
+    let [version, joints, clips, keys, rows] =
         core::array::from_fn(|i| word(words, i).map_or(0, |word| word as usize));
     if version != VERSION as usize {
         return Err(wrong(8, "their version is another"));
@@ -65,8 +67,8 @@ pub(super) fn parts(bytes: &[u8]) -> Result<([Range<usize>; 4], usize), PackedEr
     let lengths = [
         Some((keys, 8)),
         Some((joints, 16)),
-        Some((clips, 8)),
-        clips.checked_mul(joints).map(|all| (all, 8)),
+        Some((clips, 16)),
+        rows.checked_mul(joints).map(|all| (all, 4)),
     ];
     let mut end = HEAD;
     let mut ranges = [const { 0..0 }; 4];
@@ -106,17 +108,17 @@ impl<'a> PackedClips<'a> {
     /// If they are no packed clips: where.
     pub fn from_bytes(bytes: &'a [u8]) -> Result<Self, PackedError> {
         let (ranges, joints) = parts(bytes)?;
-        let [keys, rests, clips, table] =
+        let [keys, rests, clips, rows] =
             ranges.clone().map(|range| bytes.get(range).unwrap_or_default());
-        let tracks = Tracks::new(keys, clips, table, 2 * joints)
-            .map_err(|at| beyond(&ranges, joints, at))?;
+        let tracks =
+            Tracks::new(keys, clips, rows, 2 * joints).map_err(|at| beyond(&ranges, at))?;
         let packed = Self { tracks, rests: rests.as_chunks().0 };
         packed.check(&ranges)?;
         Ok(packed)
     }
 
     /// Whether rotations are unit and near their neighbours, and rests finite.
-    fn check(&self, [_, rests, _, table]: &[Range<usize>; 4]) -> Result<(), PackedError> {
+    fn check(&self, [keys, rests, ..]: &[Range<usize>; 4]) -> Result<(), PackedError> {
         if let Some(joint) =
             self.rests.iter().position(|rest| floats(rest).iter().any(|c| !c.is_finite()))
         {
@@ -131,9 +133,9 @@ impl<'a> PackedClips<'a> {
             let moves = self.tracks.moves(clip, joint) == Some(true);
             let last = if moves { self.frames(clip).unwrap_or(1) - 1 } else { 0 };
             let key = |frame| self.tracks.key(clip, joint, frame as u32).unwrap_or_default();
-            let fits = (0..=last).all(|frame| neighbours(key(frame), key((frame + 1).min(last))));
-            if !fits {
-                let offset = table.start + 4 * (clip * self.tracks.columns() + joint);
+            let far = |&frame: &usize| !neighbours(key(frame).1, key((frame + 1).min(last)).1);
+            if let Some(frame) = (0..=last).find(far) {
+                let offset = keys.start + 8 * key(frame).0;
                 let what = "rotations of a joint are not unit, or 60° apart";
                 return Err(PackedError::Bytes { offset, what });
             }
@@ -156,7 +158,7 @@ impl<'a> PackedClips<'a> {
     /// How many frames a clip has. `None` if there is no such clip.
     #[must_use]
     pub fn frames(&self, clip: usize) -> Option<usize> {
-        self.tracks.clip(clip).map(|(frames, _)| frames as usize)
+        self.tracks.frames(clip).map(|frames| frames as usize)
     }
 
     /// How many tracks of a clip, rotations and translations of its joints, have a key for each frame; the others have one.
@@ -180,21 +182,16 @@ impl<'a> PackedClips<'a> {
     }
 }
 
-/// An entry of the table that leads nowhere, or a clip that there cannot be.
+/// An entry of a row that leads nowhere, or a clip that there cannot be.
 pub(super) fn beyond(
-    [_, _, clips, table]: &[Range<usize>; 4],
-    joints: usize,
-    (clip, column): (usize, Option<usize>),
+    [_, _, clips, rows]: &[Range<usize>; 4],
+    (clip, entry): (usize, Option<usize>),
 ) -> PackedError {
-    match column {
-        Some(column) => PackedError::Bytes {
-            offset: table.start + 4 * (2 * joints * clip + column),
-            what: "a track has keys that are not there",
-        },
-        None => {
-            PackedError::Bytes { offset: clips.start + 8 * clip, what: "a clip has no such frames" }
-        }
-    }
+    let (offset, what) = match entry {
+        Some(entry) => (rows.start + 2 * entry, "a track has keys that are not there"),
+        None => (clips.start + 16 * clip, "a clip has no such frames, keys or row"),
+    };
+    PackedError::Bytes { offset, what }
 }
 
 fn floats(rest: &Rest) -> [f32; 4] {

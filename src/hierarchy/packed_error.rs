@@ -43,7 +43,7 @@ pub enum PackedError {
         /// The number.
         value: f32,
     },
-    /// More keys or joints than 31 bits count.
+    /// More keys than 32 bits count, or more tracks than 15.
     TooLarge,
     /// Bytes that are no packed clips of this version.
     Bytes {
@@ -71,7 +71,9 @@ impl fmt::Display for PackedError {
                 f,
                 "joint {joint} in frame {frame} of clip {clip} is at {value}, which no range of translations holds"
             ),
-            Self::TooLarge => f.write_str("the clips have more keys or joints than 31 bits count"),
+            Self::TooLarge => f.write_str(
+                "the clips have more keys than 32 bits count, or more tracks than 15 bits",
+            ),
             Self::Bytes { offset, what } => {
                 write!(f, "these are no packed clips: {what}, at byte {offset}")
             }

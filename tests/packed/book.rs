@@ -18,36 +18,45 @@ impl<'b> Book<'b> {
     fn word(&self, at: usize) -> usize {
         u32::from_le_bytes(self.bytes[at..][..4].try_into().unwrap()) as usize
     }
-    /// Where rests, clips and table begin.
+    /// Where rests, clips and rows begin.
     pub(crate) fn sections(&self) -> [usize; 3] {
-        let rests = 24 + 8 * self.keys;
+        let rests = 32 + 8 * self.keys;
         let clips = rests + 16 * self.joints;
-        [rests, clips, clips + 8 * self.clips]
+        [rests, clips, clips + 16 * self.clips]
     }
-    /// Whether all keys that the table leads to are there, in all frames.
+    /// The first key, how many frames, how many keys from one to the next, and the row.
+    fn clip(&self, clip: usize) -> [usize; 4] {
+        let [_, clips, _] = self.sections();
+        std::array::from_fn(|i| self.word(clips + 16 * clip + 4 * i))
+    }
+    /// The first key of a column, and whether it has one for each frame.
+    fn entry(&self, clip: usize, column: usize) -> (usize, usize) {
+        let ([_, _, rows], [first, .., row]) = (self.sections(), self.clip(clip));
+        let at = rows + 2 * (2 * self.joints * row + column);
+        let entry = usize::from(u16::from_le_bytes(self.bytes[at..][..2].try_into().unwrap()));
+        (first + entry / 2, entry % 2)
+    }
+    /// Whether all keys that rows lead to are there, in all frames.
     pub(crate) fn leads_to_keys(&self) -> bool {
-        let [_, clips, table] = self.sections();
         (0..self.clips * 2 * self.joints).all(|index| {
-            let clip = clips + index / (2 * self.joints) * 8;
-            let (last, step) = (self.word(clip) - 1, self.word(clip + 4));
-            let entry = self.word(table + 4 * index);
-            entry / 2 + entry % 2 * last * step < self.keys
+            let (clip, column) = (index / (2 * self.joints), index % (2 * self.joints));
+            let ([_, frames, step, _], (key, moves)) = (self.clip(clip), self.entry(clip, column));
+            key + moves * (frames - 1) * step < self.keys
         })
     }
     fn numbers(&self, clip: usize, column: usize, frame: usize) -> [f64; 4] {
-        let [_, clips, table] = self.sections();
-        let entry = self.word(table + 4 * (2 * self.joints * clip + column));
-        let key = entry / 2 + entry % 2 * frame * self.word(clips + 8 * clip + 4);
+        let ([_, _, step, _], (first, moves)) = (self.clip(clip), self.entry(clip, column));
+        let key = first + moves * frame * step;
         std::array::from_fn(|i| {
-            let at = 24 + 8 * key + 2 * i;
+            let at = 32 + 8 * key + 2 * i;
             i16::from_le_bytes(self.bytes[at..][..2].try_into().unwrap()).into()
         })
     }
     /// The pose `t` of the way from a frame to the next, t rounded as the documentation says.
     pub(crate) fn pose(&self, clip: usize, joint: usize, frame: usize, t: f64) -> Key {
         let t = if t > 0.0 { (t.min(1.0) * 16384.0).round_ties_even() / 16384.0 } else { 0.0 };
-        let [rests, clips, _] = self.sections();
-        let next = (frame + 1).min(self.word(clips + 8 * clip) - 1);
+        let [rests, ..] = self.sections();
+        let next = (frame + 1).min(self.clip(clip)[1] - 1);
         let between = |column| {
             let (a, b) = (self.numbers(clip, column, frame), self.numbers(clip, column, next));
             std::array::from_fn::<f64, 4, _>(|i| (1.0 - t) * a[i] + t * b[i])

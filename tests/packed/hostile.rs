@@ -15,7 +15,7 @@ fn change(random: &mut Random, bytes: &mut [u8]) -> usize {
     let [after, ..] = Book::new(bytes).sections();
     let after = after.min(bytes.len() - 1);
     let place = match random.below(4) {
-        0 => random.below(24),
+        0 => random.below(32),
         1 => any,
         _ => after + random.below(bytes.len() - after),
     };
@@ -24,7 +24,7 @@ fn change(random: &mut Random, bytes: &mut [u8]) -> usize {
         1 => bytes[place] = random.below(256) as u8,
         2 => bytes[place..].iter_mut().take(4).for_each(|byte| *byte = 0xff),
         3 => bytes[place..].iter_mut().take(4).for_each(|byte| *byte = 0),
-        4 if random.below(8) == 0 => return place.max(24),
+        4 if random.below(8) == 0 => return place.max(32),
         _ => bytes[place] = bytes[place].wrapping_add(1),
     }
     bytes.len()
@@ -103,21 +103,34 @@ fn bytes_cut_anywhere_or_longer_are_refused_where_they_end() {
     };
     assert_eq!(wrong(longer), (bytes.len(), "something follows them"));
     let mut other = bytes.to_vec();
-    other[8] = 2;
+    other[8] = 1;
     assert_eq!(wrong(other), (8, "their version is another"));
     let mut other = bytes.to_vec();
-    other[24 + 7] = 0x40;
-    assert_eq!(wrong(other).1, "rotations of a joint are not unit, or 60° apart");
-    let rests = 24 + 8 * u32::from_le_bytes(bytes[20..24].try_into().unwrap()) as usize;
+    other[32 + 7] = 0x40;
+    assert_eq!(wrong(other), (32, "rotations of a joint are not unit, or 60° apart"));
+    let rests = 32 + 8 * u32::from_le_bytes(bytes[20..24].try_into().unwrap()) as usize;
     let mut other = bytes.to_vec();
     other[rests + 16 * 2..][..4].copy_from_slice(&f32::NAN.to_le_bytes());
     assert_eq!(wrong(other), (rests + 32, "a rest is not finite"));
     // Four billion frames of keys that never change would be checked for minutes.
-    let [_, clips, table] = Book::new(bytes).sections();
+    let [_, clips, rows] = Book::new(bytes).sections();
     let mut other = bytes.to_vec();
-    other[clips..][..8].copy_from_slice(&[0xff, 0xff, 0xff, 0xff, 0, 0, 0, 0]);
-    assert_eq!(wrong(other), (table, "a track has keys that are not there"));
+    other[clips + 4..][..8].copy_from_slice(&[0xff, 0xff, 0xff, 0xff, 0, 0, 0, 0]);
+    assert_eq!(wrong(other), (rows, "a track has keys that are not there"));
     let mut other = bytes.to_vec();
-    other[clips..][..4].fill(0);
-    assert_eq!(wrong(other), (clips, "a clip has no such frames"));
+    other[rows + 2 * 5..][..2].fill(0xff);
+    assert_eq!(wrong(other), (rows + 10, "a track has keys that are not there"));
+    // Frames that are none, keys beyond the last, rows beyond the last.
+    for (word, number) in [(1, 0), (0, 0xff), (3, 3)] {
+        let mut other = bytes.to_vec();
+        other[clips + 16 + 4 * word..][..4].fill(number);
+        let Err(PackedError::Bytes { offset, what }) = PackedClip::from_bytes(other.into()) else {
+            panic!("word {word} is taken");
+        };
+        assert_eq!(
+            (offset, what),
+            (clips + 16, "a clip has no such frames, keys or row"),
+            "word {word}"
+        );
+    }
 }

@@ -3,7 +3,7 @@
 //! simd128 does.
 
 use bytemuck::{Pod, cast_slice};
-use dq8::hierarchy::{Clip, Layered, MatrixOrder, Poses, Sampled};
+use dq8::hierarchy::{Clip, Frames, Layered, MatrixOrder, PackedClip, Poses, Sampled, Tolerance};
 use dq8::law::NlerpLerp;
 use dq8::skinning::{DualBlend, Linear, Mixed, Skin, Surface, SurfaceMut};
 use dq8::{Backend, Crowd, DualQuat, Quat, Skeleton};
@@ -68,7 +68,7 @@ fn skeletons(given: &mut Given) -> Result<(), Box<dyn Error>> {
     let (a, b) = (given.records::<7>(FRAMES * JOINTS), given.records::<7>(FRAMES * JOINTS));
     let (at_a, at_b, weights) =
         (given.numbers(INSTANCES), given.numbers(INSTANCES), given.numbers(INSTANCES));
-    let mask = given.numbers(JOINTS);
+    let (mask, clips) = (given.numbers(JOINTS), given.numbers(INSTANCES));
 
     write(&locals)?;
     let mut models = locals.clone();
@@ -99,6 +99,10 @@ fn skeletons(given: &mut Given) -> Result<(), Box<dyn Error>> {
     skeleton.job().locals_to_model(Layered::add(NlerpLerp, a, b, &weights), &mut models)?;
     write(&models)?;
 
+    let clips: Vec<_> = clips.into_iter().map(|clip| clip as usize).collect();
+    let played = Played { skeleton: &skeleton, roots: &roots, binds: &binds, weights: &weights };
+    packed(&played, a, &mask, [(&clips, &at_a), (&[1; INSTANCES], &at_b)])?;
+
     let mut crowd = Crowd::<f32, 4>::from_slice(JOINTS, &locals)?;
     skeleton.job().local_to_model_in_place(crowd.blocks_mut())?;
     write(&crowd.to_vec())?;
@@ -116,6 +120,67 @@ fn skeletons(given: &mut Given) -> Result<(), Box<dyn Error>> {
     backend.matrices(&plain, MatrixOrder::Columns, &mut palette)?;
     write(&palette)?;
     skin(given, &plain[..JOINTS])
+}
+
+struct Played<'a> {
+    skeleton: &'a Skeleton,
+    roots: &'a [Motion],
+    binds: &'a [Motion],
+    weights: &'a [f32],
+}
+
+/// Two packed clips, which this writes as well: how many bytes, and they.
+fn packed(
+    played: &Played<'_>,
+    plain: Sampled<'_, NlerpLerp, Frames<'_, [f32; 7], f32>, f32, 7>,
+    mask: &[f32],
+    places: [(&[usize], &[f32]); 2],
+) -> Result<(), Box<dyn Error>> {
+    let Played { skeleton, roots, binds, weights } = *played;
+    // Every third joint keeps still, and others do in one clip; some translate.
+    let key = |clip: usize, frame: usize, joint: usize| -> [f32; 7] {
+        let still = joint % 3 == 1 || joint % 5 == clip;
+        let time = if still { 0.0 } else { frame as f32 * 0.3 + clip as f32 };
+        let turn = Quat::from_rotation_x(0.1 * joint as f32) * Quat::from_rotation_z(time.sin());
+        let shift = if joint % 4 == 0 { 0.1 * time.cos() } else { 0.0 };
+        let ([x, y, z, w], offset) = (turn.to_array(), 0.02 * joint as f32);
+        [x, y, z, w, offset + shift, 0.3, shift]
+    };
+    let frames = [0, 1].map(|clip| -> Vec<_> {
+        (0..FRAMES * JOINTS).map(|at| key(clip, at / JOINTS, at % JOINTS)).collect()
+    });
+    let library =
+        PackedClip::library(JOINTS, &frames.each_ref().map(Vec::as_slice), Tolerance::default())?;
+    let mut bytes = library.as_bytes().to_vec();
+    write(&[bytes.len() as f32])?;
+    bytes.resize(bytes.len().next_multiple_of(4), 0);
+    std::io::stdout().write_all(&bytes)?;
+
+    let clips = library.clips();
+    let [a, b] = places.map(|(numbers, at)| {
+        let at = numbers.iter().zip(at).filter_map(|(&clip, &at)| clips.place(clip, at));
+        at.unzip::<_, _, Vec<_>, Vec<_>>()
+    });
+    let a = Sampled::new(NlerpLerp, clips, &a.0, &a.1)?;
+    let b = Sampled::new(NlerpLerp, clips, &b.0, &b.1)?;
+    let mut models = vec![Motion::IDENTITY; INSTANCES * JOINTS];
+    skeleton.job().locals_to_model(a, &mut models)?;
+    write(&models)?;
+    let mut scratch = vec![Motion::IDENTITY; 16 * JOINTS];
+    let mut palette = vec![Columns::default(); INSTANCES * JOINTS];
+    let job = skeleton.job().matrix_order(MatrixOrder::Columns);
+    let both = Layered::blend(NlerpLerp, a, b, weights);
+    job.roots(roots).palette(both, &mut scratch, binds, &mut palette)?;
+    write(&palette)?;
+    let both = Layered::add(NlerpLerp, plain, a, weights).mask(mask);
+    job.palette(both, &mut scratch, binds, &mut palette)?;
+    write(&palette)?;
+    let (place, t): (Vec<_>, Vec<_>) = clips.place(1, 1.25).into_iter().unzip();
+    let one = Sampled::new(NlerpLerp, clips, &place, &t)?;
+    skeleton.job().locals_to_model(one, &mut models[..JOINTS])?;
+    write(&models[..JOINTS])?;
+    job.palette(one, &mut scratch, binds, &mut palette[..JOINTS])?;
+    write(&palette[..JOINTS])
 }
 
 fn skin(given: &mut Given, motions: &[Motion]) -> Result<(), Box<dyn Error>> {

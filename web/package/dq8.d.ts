@@ -16,6 +16,8 @@ export interface Dq8 {
   motions(source: number | ArrayLike<number>): Floats;
   /** A skeleton of parents that come before their children; -1 for none. */
   skeleton(parents: ArrayLike<number>): Skeleton;
+  /** Packed clips, of bytes that Rust, Python or the example mocap wrote, copied. */
+  packedClip(bytes: ArrayBufferLike | ArrayLike<number>): PackedClip;
   skin(options: SkinOptions): Skin;
   /** Motions of [x y z w tx ty tz] each. */
   fromRotationsTranslations(poses: Floats, motions: Floats): void;
@@ -50,7 +52,17 @@ export interface Clip extends Freed {
   sample(at: Floats): Sampled;
 }
 
-/** Poses that are made as they are loaded. */
+/** Clips of one skeleton in 8 bytes for each track that moves, and frame. */
+export interface PackedClip extends Freed {
+  /** How many clips there are. */
+  readonly clips: number;
+  /** How many frames one of them has; 0 if there is none of this number. */
+  frames(clip?: number): number;
+  /** Poses, instance i at at[i] frames of clip clips[i], or all of one clip, the first if none is given. */
+  sample(at: Floats, clips?: number | Floats): Sampled;
+}
+
+/** Poses that are made as they are loaded, of plain clips or packed ones. */
 export interface Sampled {
   /** From these to those of another clip, by a weight for each instance, times one for each joint. */
   blend(layer: Sampled, weights: Floats, options?: { mask?: Floats }): Sampled;

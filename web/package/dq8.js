@@ -34,6 +34,8 @@ export class Dq8 {
     return made;
   }
   skeleton(parents) { return new Skeleton(modules.get(this), parents); }
+  /** Packed clips of bytes that Rust, Python or the example mocap wrote, copied. */
+  packedClip(bytes) { return new PackedClip(modules.get(this), bytes); }
   skin(options) { return new Skin(modules.get(this), options); }
   /** Motions of [x y z w tx ty tz] each. */
   fromRotationsTranslations(poses, motions) {
@@ -62,7 +64,7 @@ export class Dq8 {
 }
 
 /** Words of `Source` in Rust. */
-const WORDS = 13;
+const WORDS = 19;
 
 export class Skeleton extends Handle {
   #source; #joints;
@@ -85,7 +87,7 @@ export class Skeleton extends Handle {
     const m = modules.get(this), words = this.#source.view;
     words.fill(0);
     if (source instanceof Sampled) source.write(m, words, inputs);
-    else { inputs.locals = source; words.set(m.array("locals", source, 8), 11); }
+    else { inputs.locals = source; words.set(m.array("locals", source, 8), 17); }
     return this.#source.view.byteOffset;
   }
   /** Model poses [instance][joint] of locals, or of sampled clips; over the locals themselves without `models`. */
@@ -125,13 +127,26 @@ export class Clip extends Handle {
   sample(at) { return new Sampled(this, at); }
 }
 
+export class PackedClip extends Handle {
+  constructor(module, bytes) {
+    super();
+    keep(this, module, module.lend(Uint8Array, new Uint8Array(bytes), (at, n) => module.raw.dq8_packed_clip(at, n)), "dq8_clip_free");
+  }
+  /** How many clips there are. */
+  get clips() { return modules.get(this).raw.dq8_packed_clip_clips(of(this, PackedClip, "clip")); }
+  /** How many frames one of them has; 0 if there is none of this number. */
+  frames(clip = 0) { return modules.get(this).raw.dq8_packed_clip_frames(of(this, PackedClip, "clip"), count("clip", clip)); }
+  /** Poses, instance i at at[i] frames of clip clips[i], or all of one clip. */
+  sample(at, clips = 0) { return new Sampled(this, at, clips); }
+}
+
 /** Poses that are made as they are loaded: those of one clip, or of one over another. */
 export class Sampled {
-  #clip; #at; #layer; #weights; #mask; #adds;
-  constructor(clip, at) { this.#clip = clip; this.#at = at; }
+  #clip; #at; #clips; #layer; #weights; #mask; #adds;
+  constructor(clip, at, clips = 0) { this.#clip = clip; this.#at = at; this.#clips = clips; }
   #with(layer, weights, mask, adds) {
     if (!(layer instanceof Sampled) || layer.#layer || this.#layer) throw new TypeError("layer is no sample of one clip over one other");
-    const made = new Sampled(this.#clip, this.#at);
+    const made = new Sampled(this.#clip, this.#at, this.#clips);
     made.#layer = layer; made.#weights = weights; made.#mask = mask; made.#adds = adds;
     return made;
   }
@@ -139,16 +154,19 @@ export class Sampled {
   blend(layer, weights, { mask } = {}) { return this.#with(layer, weights, mask, false); }
   /** These poses, then so much of those of another clip on top. */
   add(layer, weights, { mask } = {}) { return this.#with(layer, weights, mask, true); }
+  /** Words of `Playing` in Rust. */
+  #playing(m, name, before) {
+    if (modules.get(this.#clip) !== m) throw new TypeError(`${name} is of another module`);
+    const [place, clips] = [of(this.#clip, Handle, name), this.#clips];
+    return [place, ...m.array(`${before}at`, this.#at), ...(typeof clips === "number" ? [0, 0, count("clips", clips)] : [...m.array(`${before}clips`, clips), 0])];
+  }
   write(m, words, inputs) {
-    if (modules.get(this.#clip) !== m) throw new TypeError("clip is of another module");
-    words.set([of(this.#clip, Clip, "clip"), ...m.array("at", this.#at)]);
-    inputs.at = this.#at;
-    if (!this.#layer) return;
     const layer = this.#layer;
-    if (modules.get(layer.#clip) !== m) throw new TypeError("layer is of another module");
-    words.set([of(layer.#clip, Clip, "layer"), ...m.array("layer.at", layer.#at), ...m.array("weights", this.#weights),
-      ...m.maybe("mask", this.#mask), +this.#adds], 3);
-    Object.assign(inputs, { layerAt: layer.#at, weights: this.#weights, mask: this.#mask });
+    words.set(this.#playing(m, "clip", ""));
+    Object.assign(inputs, { at: this.#at, clips: this.#clips });
+    if (!layer) return;
+    words.set([...layer.#playing(m, "layer", "layer."), ...m.array("weights", this.#weights), ...m.maybe("mask", this.#mask), +this.#adds], 6);
+    Object.assign(inputs, { layerAt: layer.#at, layerClips: layer.#clips, weights: this.#weights, mask: this.#mask });
   }
 }
 

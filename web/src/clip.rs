@@ -3,52 +3,108 @@
 use crate::Motion;
 use crate::memory::{made, slice};
 use dq8::ShapeError;
-use dq8::hierarchy::{self, Frames, Layered, Sampled};
+use dq8::hierarchy::{self, Either, Frames, Layered, PackedClip, Playback, Sampled, TrackPlace};
 use dq8::law::NlerpLerp;
 
 type Key = [f32; 7];
 
-/// Keys `[frame][joint]` of rotation x, y, z, w and translation. Not dq8's own, whose times in seconds nobody asks for here:
-/// they are half a kilobyte.
+/// Keys of one clip, or packed ones of many.
 #[derive(Debug)]
-pub(crate) struct Clip {
-    keys: Box<[Key]>,
-    joints: usize,
+pub(crate) enum Clip {
+    /// `[frame][joint]` of rotation x, y, z, w and translation. Not dq8's own, whose times in seconds nobody asks for here: they
+    /// are half a kilobyte.
+    Plain {
+        keys: Box<[Key]>,
+        joints: usize,
+    },
+    Packed(PackedClip),
 }
 
 impl Clip {
     fn new(joints: usize, keys: &[Key]) -> Result<Self, ShapeError> {
         hierarchy::Clip::new(joints, keys)?;
-        Ok(Self { keys: keys.into(), joints })
-    }
-
-    fn view(&self) -> Result<hierarchy::Clip<'_, Key>, ShapeError> {
-        hierarchy::Clip::new(self.joints, &self.keys)
+        Ok(Self::Plain { keys: keys.into(), joints })
     }
 }
+
+type One<'s, K> = Sampled<'s, NlerpLerp, K, f32, 7>;
+/// Poses of a clip.
+type Sample<'s> = Either<One<'s, Frames<'s, Key, f32>>, One<'s, Playback<'s>>>;
+type Layers<'s, const ADDS: bool> = Layered<'s, NlerpLerp, Sample<'s>, Sample<'s>, f32, 7, ADDS>;
+/// Poses of one clip, or of one over another: one kernel for all of them, and not six.
+pub(crate) type Poses<'s> = Either<Sample<'s>, Either<Layers<'s, false>, Layers<'s, true>>>;
 
 /// Where in a clip each instance is, kept so that no frame of an animation allocates.
 #[derive(Debug, Default)]
 pub(crate) struct Places {
     frames: Vec<u32>,
+    places: Vec<TrackPlace>,
     t: Vec<f32>,
 }
 
-impl Places {
-    fn sample<'s>(
-        &'s mut self,
-        clip: &'s Clip,
-        at: &[f32],
-    ) -> Result<Sampled<'s, NlerpLerp, Frames<'s, Key, f32>, f32, 7>, ShapeError> {
-        let view = clip.view()?;
-        self.frames.clear();
-        self.t.clear();
-        for &at in at {
-            let (frame, t) = view.place(at);
-            self.frames.push(frame);
-            self.t.push(t);
-        }
-        Sampled::new(NlerpLerp, view, &self.frames, &self.t)
+/// A clip, and where in it instances are, as JavaScript writes it.
+#[derive(Debug)]
+#[repr(C)]
+struct Playing {
+    /// Null if there is none.
+    clip: *const Clip,
+    at: *const f32,
+    at_count: usize,
+    /// Which of packed clips each instance plays; null if all play the same.
+    clips: *const f32,
+    clip_count: usize,
+    number: u32,
+}
+
+impl Playing {
+    /// `None` if there is no clip.
+    ///
+    /// # Safety
+    /// All that it names is there.
+    unsafe fn sample<'s>(
+        &'s self,
+        places: &'s mut Places,
+    ) -> Result<Option<Sample<'s>>, ShapeError> {
+        // SAFETY: promised.
+        let (clip, at) = unsafe { (self.clip.as_ref(), slice(self.at, self.at_count)) };
+        let Some(clip) = clip else { return Ok(None) };
+        let Places { frames, places, t } = places;
+        t.clear();
+        let sample = match clip {
+            Clip::Plain { keys, joints } => {
+                let clip = hierarchy::Clip::new(*joints, keys)?;
+                frames.clear();
+                for &at in at {
+                    let (frame, part) = clip.place(at);
+                    frames.push(frame);
+                    t.push(part);
+                }
+                Either::One(Sampled::new(NlerpLerp, clip, frames, t)?)
+            }
+            Clip::Packed(packed) => {
+                let packed = packed.clips();
+                // SAFETY: promised.
+                let each = unsafe { slice(self.clips, self.clip_count) };
+                if !self.clips.is_null() && each.len() != at.len() {
+                    let (what, length) = ("clips", each.len());
+                    return Err(ShapeError::Length { what, length, expected: at.len() });
+                }
+                places.clear();
+                for (instance, &at) in at.iter().enumerate() {
+                    let clip = match each.get(instance) {
+                        Some(&clip) if clip as u32 as f32 == clip => clip as usize,
+                        Some(_) => usize::MAX,
+                        None => self.number as usize,
+                    };
+                    let place = packed.place(clip, at).ok_or(ShapeError::NoPlace { instance });
+                    let (place, part) = place?;
+                    places.push(place);
+                    t.push(part);
+                }
+                Either::Other(Sampled::new(NlerpLerp, packed, places, t)?)
+            }
+        };
+        Ok(Some(sample))
     }
 }
 
@@ -56,14 +112,8 @@ impl Places {
 #[derive(Debug)]
 #[repr(C)]
 pub(crate) struct Source {
-    /// Null if these are the poses of `locals`.
-    base: *const Clip,
-    at: *const f32,
-    at_count: usize,
-    /// Null if there is none.
-    layer: *const Clip,
-    layer_at: *const f32,
-    layer_at_count: usize,
+    base: Playing,
+    layer: Playing,
     weights: *const f32,
     weight_count: usize,
     /// Null if there is none.
@@ -74,56 +124,44 @@ pub(crate) struct Source {
     local_count: usize,
 }
 
-/// What is done with poses, compiled for each form that they have.
-pub(crate) trait Visitor: Sized {
-    fn visit<L: hierarchy::Locals<Motion>>(self, locals: L) -> Result<(), ShapeError>;
-    /// Of one clip blended into another.
-    fn blend<L: hierarchy::Locals<Motion>>(self, locals: L) -> Result<(), ShapeError> {
-        self.visit(locals)
-    }
-}
-
 impl Source {
-    /// Where plain locals lie.
-    pub(crate) fn locals(&self) -> Option<*const Motion> {
-        self.base.is_null().then_some(self.locals)
+    /// Whether it is locals that lie there.
+    pub(crate) fn is_at(&self, models: *const Motion) -> bool {
+        self.base.clip.is_null() && self.locals == models
     }
 
+    /// Locals that lie in memory, if there is no clip.
+    ///
+    /// # Safety
+    /// They are there.
+    pub(crate) unsafe fn locals(&self) -> Option<&[Motion]> {
+        // SAFETY: promised.
+        self.base.clip.is_null().then(|| unsafe { slice(self.locals, self.local_count) })
+    }
+
+    /// Poses of clips.
+    ///
     /// # Safety
     /// All that it names is there.
-    pub(crate) unsafe fn visit(
-        &self,
-        [base, layer]: &mut [Places; 2],
-        visitor: impl Visitor,
-    ) -> Result<(), ShapeError> {
+    pub(crate) unsafe fn poses<'s>(
+        &'s self,
+        [base, layer]: &'s mut [Places; 2],
+    ) -> Result<Poses<'s>, ShapeError> {
+        // SAFETY: promised.
+        let (base, layer) = unsafe { (self.base.sample(base)?, self.layer.sample(layer)?) };
+        let Some(base) = base else { return Err(ShapeError::Empty { what: "locals" }) };
+        let Some(layer) = layer else { return Ok(Either::One(base)) };
         // SAFETY: promised.
         let of = |at, count| unsafe { slice(at, count) };
-        // SAFETY: promised.
-        let (base_clip, layer_clip) = unsafe { (self.base.as_ref(), self.layer.as_ref()) };
-        let Some(base_clip) = base_clip else {
-            // SAFETY: promised.
-            let locals = unsafe { slice(self.locals, self.local_count) };
-            return visitor.visit(hierarchy::Poses(locals));
-        };
-        let base = base.sample(base_clip, of(self.at, self.at_count))?;
-        let Some(layer_clip) = layer_clip else {
-            return visitor.visit(base);
-        };
-        let layer = layer.sample(layer_clip, of(self.layer_at, self.layer_at_count))?;
         let weights = of(self.weights, self.weight_count);
         let mask = (!self.mask.is_null()).then(|| of(self.mask, self.mask_count));
-        if self.adds != 0 {
+        Ok(Either::Other(if self.adds == 0 {
+            let both = Layered::blend(NlerpLerp, base, layer, weights);
+            Either::One(mask.map_or(both, |mask| both.mask(mask)))
+        } else {
             let both = Layered::add(NlerpLerp, base, layer, weights);
-            return visitor.visit(match mask {
-                Some(mask) => both.mask(mask),
-                None => both,
-            });
-        }
-        let both = Layered::blend(NlerpLerp, base, layer, weights);
-        visitor.blend(match mask {
-            Some(mask) => both.mask(mask),
-            None => both,
-        })
+            Either::Other(mask.map_or(both, |mask| both.mask(mask)))
+        }))
     }
 }
 
@@ -133,6 +171,27 @@ impl Source {
 unsafe extern "C" fn dq8_clip(joints: usize, keys: *const Key, count: usize) -> *mut Clip {
     // SAFETY: promised.
     made(Clip::new(joints, unsafe { slice(keys, count) }))
+}
+
+/// # Safety
+/// So many bytes are there.
+#[unsafe(no_mangle)]
+unsafe extern "C" fn dq8_packed_clip(bytes: *const u8, count: usize) -> *mut Clip {
+    // SAFETY: promised.
+    made(PackedClip::from_bytes(unsafe { slice(bytes, count) }.into()).map(Clip::Packed))
+}
+
+/// How many packed clips there are.
+#[unsafe(no_mangle)]
+extern "C" fn dq8_packed_clip_clips(clip: &Clip) -> usize {
+    if let Clip::Packed(packed) = clip { packed.clips().clips() } else { 0 }
+}
+
+/// How many frames one of them has; 0 if there is no such clip.
+#[unsafe(no_mangle)]
+extern "C" fn dq8_packed_clip_frames(clip: &Clip, number: usize) -> usize {
+    let Clip::Packed(packed) = clip else { return 0 };
+    packed.clips().frames(number).unwrap_or(0)
 }
 
 /// # Safety

@@ -12,6 +12,7 @@ mod crowd;
 #[cfg(feature = "skeletons")]
 mod limb;
 mod memory;
+#[cfg(feature = "skeletons")]
 mod motions;
 #[cfg(feature = "robots")]
 mod robots;
@@ -24,4 +25,5 @@ mod skin;
 type Motion = dq8::DualQuat<f32>;
 
 /// A 4×4 matrix, column after column: what WebGL, WebGPU and three.js read.
+#[cfg(feature = "skeletons")]
 type Columns = [[f32; 4]; 4];

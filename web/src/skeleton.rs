@@ -1,9 +1,9 @@
 //! Skeletons: model poses and palettes of any number of instances.
 
-use crate::clip::{Places, Source, Visitor};
+use crate::clip::{Places, Source};
 use crate::memory::{made, slice, slice_mut, status};
 use crate::{Columns, Motion};
-use dq8::hierarchy::{Locals, MatrixOrder, Poses, Root};
+use dq8::hierarchy::{MatrixOrder, Poses, Root};
 use dq8::{Hierarchy, ShapeError, Skeleton};
 
 /// How many instances go through scratch at once: as many as the widest lanes hold.
@@ -50,18 +50,6 @@ unsafe fn root<'a>(roots: *const Motion, count: usize) -> Root<'a, Motion> {
     if roots.is_null() { Root::None } else { Root::Each(unsafe { slice(roots, count) }) }
 }
 
-/// Once for each form of locals, whoever calls it.
-#[inline(never)]
-fn models<L: Locals<Motion>>(
-    skeleton: &Skeleton,
-    root: Root<'_, Motion>,
-    locals: L,
-    models: &mut [Motion],
-) -> Result<(), ShapeError> {
-    // Without a plan, which is for one instance alone, and twice the code.
-    skeleton.hierarchy().job().on(root).locals_to_model(locals, models)
-}
-
 /// Palettes of models that are there.
 fn model_palette(
     loose: &[u32],
@@ -73,18 +61,6 @@ fn model_palette(
     let Ok(loose) = Hierarchy::new(loose) else { return Ok(()) };
     let job = loose.job().on(Root::None).matrix_order(MatrixOrder::Columns);
     job.palette(Poses(models), scratch, inverse_binds, palette)
-}
-
-struct Models<'a> {
-    skeleton: &'a Skeleton,
-    root: Root<'a, Motion>,
-    models: &'a mut [Motion],
-}
-
-impl Visitor for Models<'_> {
-    fn visit<L: Locals<Motion>>(self, locals: L) -> Result<(), ShapeError> {
-        models(self.skeleton, self.root, locals, self.models)
-    }
 }
 
 /// Model poses, `[instance][joint]`; in place if the source is where they go.
@@ -103,36 +79,18 @@ unsafe extern "C" fn dq8_skeleton_local_to_model(
     let Rig { skeleton, places, .. } = rig;
     // SAFETY: promised.
     let (root, out) = unsafe { (root(roots, root_count), slice_mut(models, count)) };
-    if source.locals() == Some(models.cast_const()) {
+    if source.is_at(models) {
         return status(skeleton.job().on(root).local_to_model_in_place(out));
     }
+    // Without a plan, which is for one instance alone, and twice the code.
+    let job = skeleton.hierarchy().job().on(root);
     // SAFETY: promised.
-    status(unsafe { source.visit(places, Models { skeleton, root, models: out }) })
-}
-
-struct Palette<'a> {
-    skeleton: &'a Skeleton,
-    root: Root<'a, Motion>,
-    scratch: &'a mut [Motion],
-    models: &'a mut Vec<Motion>,
-    loose: &'a [u32],
-    inverse_binds: &'a [Motion],
-    palette: &'a mut [Columns],
-}
-
-impl Visitor for Palette<'_> {
-    /// Through models in memory: no kernel more, which a page would wait for.
-    fn visit<L: Locals<Motion>>(self, locals: L) -> Result<(), ShapeError> {
-        self.models.resize(self.palette.len(), Motion::IDENTITY);
-        models(self.skeleton, self.root, locals, self.models)?;
-        model_palette(self.loose, self.models, self.scratch, self.inverse_binds, self.palette)
-    }
-
-    /// At once.
-    fn blend<L: Locals<Motion>>(self, locals: L) -> Result<(), ShapeError> {
-        let job = self.skeleton.hierarchy().job().on(self.root).matrix_order(MatrixOrder::Columns);
-        job.palette(locals, self.scratch, self.inverse_binds, self.palette)
-    }
+    status(unsafe {
+        match source.locals() {
+            Some(locals) => job.locals_to_model(Poses(locals), out),
+            None => source.poses(places).and_then(|poses| job.locals_to_model(poses, out)),
+        }
+    })
 }
 
 /// Skinning palettes, `[instance][joint]`, 4×4 matrices by columns.
@@ -152,19 +110,25 @@ unsafe extern "C" fn dq8_skeleton_palette(
 ) -> u32 {
     let Rig { skeleton, places, scratch, models, loose } = rig;
     // SAFETY: promised.
-    let to = unsafe {
-        Palette {
-            skeleton,
-            root: root(roots, root_count),
-            scratch,
-            models,
-            loose,
-            inverse_binds: slice(inverse_binds, bind_count),
-            palette: slice_mut(palette, count),
-        }
+    let (root, inverse_binds, palette) = unsafe {
+        (root(roots, root_count), slice(inverse_binds, bind_count), slice_mut(palette, count))
     };
+    let job = skeleton.hierarchy().job().on(root);
     // SAFETY: promised.
-    status(unsafe { source.visit(places, to) })
+    let Some(locals) = (unsafe { source.locals() }) else {
+        let job = job.matrix_order(MatrixOrder::Columns);
+        // SAFETY: promised.
+        return status(
+            unsafe { source.poses(places) }
+                .and_then(|poses| job.palette(poses, scratch, inverse_binds, palette)),
+        );
+    };
+    // Through models in memory: no kernel more, which a page would wait for.
+    models.resize(palette.len(), Motion::IDENTITY);
+    status(
+        job.locals_to_model(Poses(locals), models)
+            .and_then(|()| model_palette(loose, models, scratch, inverse_binds, palette)),
+    )
 }
 
 /// The same from models.

@@ -32,7 +32,7 @@ export const given = {
   locals: poses(INSTANCES * JOINTS), roots: poses(INSTANCES), binds: poses(JOINTS),
   clipA: poses(FRAMES * JOINTS), clipB: poses(FRAMES * JOINTS),
   atA: numbers(INSTANCES, () => 6 * random() - 1), atB: numbers(INSTANCES, () => 4 * random()), weights: numbers(INSTANCES, random),
-  mask: numbers(JOINTS, random),
+  mask: numbers(JOINTS, random), clips: numbers(INSTANCES, () => Math.floor(2 * random())),
   t: numbers(INSTANCES * JOINTS, random), points: numbers(3 * INSTANCES * JOINTS),
   rest: numbers(3 * VERTICES), normals: numbers(3 * VERTICES),
   joints: numbers(4 * VERTICES, () => Math.floor(JOINTS * random())), skinWeights: weights(VERTICES), shares: numbers(VERTICES, random),

@@ -6,9 +6,10 @@ import { existsSync, readFileSync } from "node:fs";
 import { after, before, describe, test } from "node:test";
 import load from "../package/dq8.js";
 import loadRobots, { OUTCOMES } from "../package/robots.js";
-import { CONFIGURATIONS, INSTANCES, JOINTS, VERTICES, given, parents } from "./given.mjs";
+import { CONFIGURATIONS, FRAMES, INSTANCES, JOINTS, VERTICES, given, parents } from "./given.mjs";
 
 const URDF = new URL("../../robot/robots/arm7.urdf", import.meta.url);
+const STRIDE = new URL("../../tests/firmware/jobs/src/stride.clips", import.meta.url);
 const NATIVE = process.env.DQ8_ANSWERS ?? new URL("../target/debug/examples/answers", import.meta.url).pathname;
 const urdf = readFileSync(URDF, "utf8");
 /** Relaxed-simd rounds once or twice; a search may stop at a neighbour. Relative to the largest number of an answer. */
@@ -72,6 +73,22 @@ for (const level of levels) describe(level, { skip: !built(level) && "not built"
     check("palette of two clips, masked", palette);
     skeleton.localToModel(a.add(b, weights), models);
     check("models of one clip on another", models);
+    // The native library has packed two clips.
+    const length = answers[read], library = dq8.packedClip(answers.slice(read + 1).buffer.slice(0, length));
+    read += 1 + Math.ceil(length / 4);
+    assert.deepEqual([library.clips, library.frames(), library.frames(1), library.frames(2)], [2, FRAMES, FRAMES, 0]);
+    const packed = library.sample(atA, dq8.floats(given.clips));
+    skeleton.localToModel(packed, models);
+    check("models of packed clips", models);
+    skeleton.palette(packed.blend(library.sample(atB, 1), weights), { roots, inverseBinds, palette });
+    check("palette of packed clips", palette);
+    skeleton.palette(a.add(packed, weights, { mask }), { inverseBinds, palette });
+    check("palette of packed clips on a plain one", palette);
+    const one = dq8.motions(JOINTS), alone = dq8.floats(16 * JOINTS);
+    skeleton.localToModel(library.sample(dq8.floats([1.25]), 1), one);
+    check("one skeleton, packed", one);
+    skeleton.palette(library.sample(dq8.floats([1.25]), 1), { inverseBinds, palette: alone });
+    check("palette of one skeleton, packed", alone);
     const crowd = skeleton.crowd(INSTANCES);
     crowd.set(locals);
     crowd.localToModel();
@@ -143,10 +160,10 @@ for (const level of levels) describe(level, { skip: !built(level) && "not built"
     assert.equal(old.length, 0, "memory has grown under the view");
     assert.deepEqual([...numbers.view], [1, 2, 3]);
     assert.equal(numbers.view, numbers.view, "no view is made twice");
-    const bytes = more.view.buffer.byteLength;
+    const bytes = more.view.buffer.byteLength, stride = readFileSync(STRIDE);
     for (let i = 0; i < 50; i++) { more.free(); const again = dq8.floats(1 << 22); again.free(); }
     assert.equal(numbers.view.buffer.byteLength, bytes, "what is freed is used again");
-    for (let i = 0; i < 200; i++) { const s = dq8.skeleton(parents); s.crowd(1000).free(); s.clip(given.clipA).free(); s.free(); }
+    for (let i = 0; i < 200; i++) { const s = dq8.skeleton(parents); s.crowd(1000).free(); s.clip(given.clipA).free(); dq8.packedClip(stride).free(); s.free(); }
     assert.ok(numbers.view.buffer.byteLength <= bytes + (1 << 16));
   });
 
@@ -165,6 +182,15 @@ for (const level of levels) describe(level, { skip: !built(level) && "not built"
     fails(() => skeleton.clip(new Float32Array(0)), /^keys holds no element$/);
     const clip = skeleton.clip(given.clipA.slice(0, 28)), at = dq8.floats(2);
     fails(() => skeleton.localToModel(clip.sample(at).blend(clip.sample(at), at, { mask: dq8.floats(0) }), four), /^mask holds 0 elements where 2 are needed$/);
+    const stride = readFileSync(STRIDE), walk = dq8.packedClip(stride), damaged = Uint8Array.from(stride);
+    damaged[8] = 7;
+    fails(() => dq8.packedClip(damaged), /^these are no packed clips: their version is another, at byte 8$/);
+    fails(() => dq8.packedClip([]), /at byte 0$/);
+    fails(() => skeleton.localToModel(walk.sample(at), four), /^each frame of the clip holds 21 elements where 2 are needed$/);
+    fails(() => skeleton.localToModel(walk.sample(at, dq8.floats(1)), four), /^clips holds 1 elements where 2 are needed$/);
+    for (const clip of [1, -1, 0.5, NaN]) fails(() => skeleton.localToModel(walk.sample(at, dq8.floats([0, clip])), four), /^instance 1 lies at a place of other clips/);
+    fails(() => skeleton.localToModel(walk.sample(at, 1), four), /^instance 0 lies at a place of other clips/);
+    fails(() => skeleton.localToModel(walk.sample(at, -1), four), /^clips is -1, not a whole number$/);
     const wrong = { jointCount: 2, influences: 1, joints: [0, 2], weights: [1, 1] };
     fails(() => dq8.skin(wrong), /vertex 1/);
     fails(() => dq8.skin({ ...wrong, joints: [0, -1] }), /^joints\[1\] is -1/);

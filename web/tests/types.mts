@@ -9,6 +9,10 @@ const palette = dq8.floats(32), inverseBinds = dq8.motions(2), at = dq8.floats(1
 const walk = skeleton.clip(new Float32Array(28)).sample(at);
 skeleton.localToModel(locals);
 skeleton.palette(walk.blend(walk, at), { inverseBinds, palette });
+const packed = dq8.packedClip(new ArrayBuffer(8)), run = packed.sample(at, packed.clips - 1);
+skeleton.localToModel(run.blend(packed.sample(at, at), at), palette);
+// @ts-expect-error: which of the clips is a number, or one for each instance.
+packed.sample(at, "walk");
 const bytes: Float32Array<ArrayBuffer> = palette.view;
 // @ts-expect-error: sampled clips have no memory to go to.
 skeleton.localToModel(walk);

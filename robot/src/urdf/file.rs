@@ -206,7 +206,7 @@ fn limits(
     };
     limit.check(&LIMIT, warnings)?;
     let bound = |attribute, unsaid, endless: &[&str]| {
-        let word = limit.node.attribute(attribute).unwrap_or_default().trim().to_lowercase();
+        let word = limit.node.attribute(attribute).unwrap_or_default().trim().to_ascii_lowercase();
         if endless.contains(&word.as_str()) {
             return Ok(if attribute == "lower" { f64::NEG_INFINITY } else { f64::INFINITY });
         }

@@ -9,7 +9,7 @@ pub(crate) fn meant(
     found: &str,
     names: impl IntoIterator<Item = &'static str>,
 ) -> Option<&'static str> {
-    let found = found.to_lowercase();
+    let found = found.to_ascii_lowercase();
     let letters: Vec<char> = found.chars().collect();
     let own_word = OTHER_WORDS.contains(&found.as_str());
     names.into_iter().find(|name| *name == found || !own_word && near(&letters, name))

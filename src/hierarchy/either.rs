@@ -1,0 +1,99 @@
+//! [`Either`]: locals of one of two forms.
+
+use super::layers::PoseSource;
+use super::locals::sealed::Sealed;
+use super::locals::{Locals, Motions};
+use super::slot::JointSlot;
+use crate::law::{Law, NlerpLerp};
+use crate::shape::ShapeError;
+use crate::storage::{Element, Layout};
+use core::ops::Range;
+use dq8_simd::Level;
+
+/// Rotations and translations of one of two forms, which only the running program knows: a plain clip or a [packed](super::PackedClips) one, one
+/// clip or [layers](super::Layered). A kernel is compiled once for both, and asks at each joint which they are; forms nest.
+///
+/// In WebAssembly, where bytes are what a page waits for, a kernel calls for what they are. Elsewhere that is part of it, as
+/// it is of other locals.
+#[derive(Clone, Copy, Debug)]
+pub enum Either<A, B> {
+    /// Of one form.
+    One(A),
+    /// Of the other.
+    Other(B),
+}
+
+/// What both forms have.
+macro_rules! of {
+    ($either:ident, $locals:ident => $made:expr) => {
+        match $either {
+            Self::One($locals) => $made,
+            Self::Other($locals) => $made,
+        }
+    };
+}
+
+impl<M, A, B, const C: usize> PoseSource<M, C> for Either<A, B>
+where
+    M: Layout,
+    A: PoseSource<M, C>,
+    B: PoseSource<M, C>,
+{
+    fn shape(&self, joints: usize) -> Result<(&'static str, usize), ShapeError> {
+        of!(self, locals => locals.shape(joints))
+    }
+    fn instances(&self) -> Option<usize> {
+        of!(self, locals => locals.instances())
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn pose<V: Level>(self, level: V, slot: JointSlot) -> Option<[M::Register<V>; C]> {
+        of!(self, locals => locals.pose(level, slot))
+    }
+    fn some(self, joints: usize, instances: Range<usize>) -> Self {
+        match self {
+            Self::One(locals) => Self::One(locals.some(joints, instances)),
+            Self::Other(locals) => Self::Other(locals.some(joints, instances)),
+        }
+    }
+}
+
+/// What is called is handed where they lie, and not copies.
+#[cfg_attr(target_family = "wasm", inline(never))]
+#[cfg_attr(not(any(opt_level_0, target_family = "wasm")), inline(always))]
+fn pose<M: Layout, V: Level, S: PoseSource<M, 7>>(
+    poses: &S,
+    level: V,
+    slot: &JointSlot,
+) -> Option<[M::Register<V>; 7]> {
+    poses.pose(level, *slot)
+}
+
+impl<E, A, B> Locals<E> for Either<A, B>
+where
+    E: Element<8>,
+    A: PoseSource<E::Layout, 7>,
+    B: PoseSource<E::Layout, 7>,
+{
+    fn shape(&self, joints: usize, _: usize) -> Result<(&'static str, usize), ShapeError> {
+        PoseSource::<E::Layout, 7>::shape(self, joints)
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Motions<E, V>> {
+        Some(NlerpLerp.motion(pose::<E::Layout, V, _>(&self, level, &slot)?))
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn onto<V: Level>(
+        self,
+        level: V,
+        parent: Motions<E, V>,
+        _: &[E],
+        slot: JointSlot,
+    ) -> Option<Motions<E, V>> {
+        Some(NlerpLerp.onto(parent, pose::<E::Layout, V, _>(&self, level, &slot)?))
+    }
+    fn part(self, joints: usize, instances: Range<usize>) -> Self {
+        PoseSource::<E::Layout, 7>::some(self, joints, instances)
+    }
+}
+
+impl<A, B> Sealed for Either<A, B> {}
