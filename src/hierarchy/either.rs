@@ -5,7 +5,7 @@ use super::locals::sealed::Sealed;
 use super::locals::{Locals, Motions};
 use super::slot::JointSlot;
 use crate::law::{Law, NlerpLerp};
-use crate::shape::ShapeError;
+use crate::storage::shape::ShapeError;
 use crate::storage::{Element, Layout};
 use core::ops::Range;
 use dq8_simd::Level;
