@@ -65,8 +65,8 @@ fn check<L: Lanes>(level: L::Level, parameters: &[f64]) {
             let placed = tracks.placed(&places).expect("of these tracks");
             let wanted = |i: usize, column: usize, t: f64| {
                 let (clip, frame) = at[i.min(18) % 7];
-                let next = (frame + 1).min(tracks.clip(clip).unwrap().0 - 1);
-                let [a, b] = [frame, next].map(|f| tracks.key(clip, column, f).unwrap());
+                let next = (frame + 1).min(tracks.frames(clip).unwrap() - 1);
+                let [a, b] = [frame, next].map(|f| tracks.key(clip, column, f).unwrap().1);
                 by_the_book(a, b, t).map(L::Real::from_i32)
             };
             for (turn, chunk) in parameters.chunks(L::LANES).enumerate() {
