@@ -25,6 +25,6 @@ pub fn job<'a, R: Scalar>(backend: Backend, reach: &'a OwnedReach<R>, values: &[
     let mut found = vec![Solutions::default(); targets.len()];
     Job::new("all solutions", move || {
         arm.job().backend(backend).solutions(&targets, &starts, &mut found).expect("lengths fit");
-        assert!(found.iter().all(|found| found.len() > 1));
+        assert!(found.iter().all(|found| !found.is_empty()));
     })
 }
