@@ -7,7 +7,7 @@ macro_rules! kernels {
     ($($real:ident)*) => {$(mod $real {
         use super::{pose, within};
         use dq8::{DualQuat, Twist};
-        use dq8_robot::ik::{Freedom, Goal, Options, Reach, Report};
+        use dq8_robot::ik::{Freedom, Goal, Options, Reach, Report, SixAxisArm, Solutions};
         use dq8_robot::{Joint, OwnedMechanism, WorldAligned};
 
         const INSTANCES: usize = 37;
@@ -41,6 +41,17 @@ macro_rules! kernels {
                 let mut reports = vec![Report::default(); INSTANCES];
                 let options = Options { max_iterations: 5, ..Options::default() };
                 reach.job().backend(backend).solve(&targets, &mut values, &mut reports, &options).unwrap();
+            });
+        }
+
+        #[test]
+        fn all_solutions_of_an_arm_need_one_mebibyte() {
+            within(1024, |backend| {
+                let arm = dq8_arms::ur5().arm::<$real>();
+                let six = SixAxisArm::new(arm.0.view()).unwrap();
+                let mut found = vec![Solutions::default(); INSTANCES];
+                let job = six.job().backend(backend);
+                job.solutions(&[pose(); INSTANCES], &[[0.1; 6]; INSTANCES], &mut found).unwrap();
             });
         }
     })*};

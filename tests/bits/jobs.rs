@@ -11,7 +11,7 @@ use dq8::law::{Nlerp, NlerpLerp, Sclerp};
 use dq8::skinning::{Blender, DualBlend, Linear, Skin, Surface, SurfaceMut};
 use dq8::storage::{Block, Element, pack, pack_chain, unpack, unpack_chain};
 use dq8::{Backend, DualQuat, Hierarchy, Twist};
-use dq8_robot::ik::{Freedom, Options, Report};
+use dq8_robot::ik::{Freedom, Options, Report, SixAxisArm, Solutions};
 use dq8_robot::{Goal, Joint, Mechanism, Reach, Step, World};
 
 type M = DualQuat<R>;
@@ -62,6 +62,7 @@ pub(crate) fn run(k: Backend, say: &mut dyn FnMut(&str, u64)) {
     trajectories(k, say, &a, &t);
     hierarchies(k, say, [&a, &b, &c], &t);
     robots(k, say, [&a, &b], &mut random);
+    solutions(k, say, &mut random.clone());
     skins(k, say, &a, &points, &mut random);
 }
 
@@ -337,6 +338,50 @@ fn robots(k: Backend, say: &mut dyn FnMut(&str, u64), [a, b]: [&[M; N]; 2], rand
     job.sequence_in(&mut scratch, &[4, 7], &targets, &mut start, &mut reports, &Options::track())
         .expect("lengths fit");
     say("Reach, clips", hash(&start));
+}
+
+/// One arm of each family.
+fn solutions(k: Backend, say: &mut dyn FnMut(&str, u64), random: &mut Random) {
+    const COUNT: usize = 11;
+    let (x, y, z) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]);
+    let wrist = (
+        [z, y, y, x, y, x],
+        [[0.3, 0.0, 0.7], [0.0, 0.0, 1.1], [1.2, 0.0, 0.2], [0.0; 3], [0.0; 3]],
+    );
+    let three = (
+        [z, y, y, y, z, y],
+        [[0.0, 0.1, 0.1], [0.4, -0.1, 0.0], [0.4, 0.0, 0.0], [0.0, 0.1, 0.0], [0.0, 0.0, -0.1]],
+    );
+    for (name, (axes, ways)) in [("solutions", wrist), ("solutions, three parallel axes", three)] {
+        let joints: [Joint<R>; 6] = core::array::from_fn(|link| {
+            let (on, at) = match link.checked_sub(1) {
+                Some(on) => (Some(on), M::from_translation(ways[on])),
+                None => (None, M::IDENTITY),
+            };
+            Joint::revolute(on, at, axes[link]).with_limits([-6.0, 6.0])
+        });
+        let (mut steps, mut freedoms) = ([Step::default(); 6], [Freedom::default(); 6]);
+        let robot = Mechanism::new(&joints, &mut steps).expect("joints are sound");
+        let goals = [Goal::pose(5).at([0.1, 0.0, 0.2])];
+        let reach = Reach::new(robot, &goals, &mut freedoms).expect("goals are sound");
+        let six = SixAxisArm::new(reach).expect("six hinges");
+        let starts: [[R; 6]; COUNT] =
+            [(); COUNT].map(|()| [(); 6].map(|()| 3.0 * random.signed::<R>()));
+        let targets =
+            starts.map(|values| robot.link_pose(&values, 5).expect("there is such a link"));
+        let mut found = [Solutions::default(); COUNT];
+        six.job()
+            .backend(k)
+            .solutions_in(&mut [], &targets, &starts, &mut found)
+            .expect("lengths fit");
+        let mut all = [[0.0; 6]; 8 * COUNT];
+        for (all, found) in all.chunks_mut(8).zip(&found) {
+            for (slot, solution) in all.iter_mut().zip(found.iter()) {
+                *slot = solution.values;
+            }
+        }
+        say(name, hash(&all));
+    }
 }
 
 fn skins(

@@ -10,6 +10,7 @@ mod ours;
 mod peers;
 mod points;
 mod robots;
+mod solutions;
 #[cfg(feature = "peers")]
 mod urdf;
 
@@ -67,4 +68,16 @@ fn main() {
     println!("{}; ns per configuration", backend());
     contest("arm of 7", &robots::arm(), rounds);
     contest("humanoid of 29", &robots::humanoid(), rounds);
+    for (name, is_parallel) in [("spherical wrist", false), ("three parallel", true)] {
+        let (joints, values) = (robots::six(is_parallel), angles(CONFIGURATIONS * 6));
+        let (double, single) = (solutions::reach::<f64>(&joints), solutions::reach::<f32>(&joints));
+        let jobs = vec![
+            solutions::job(backend(), &double, &values),
+            solutions::job(backend(), &single, &values),
+        ];
+        let times = job::least(jobs, CONFIGURATIONS, rounds);
+        for (number, (job, nanoseconds)) in ["f64", "f32"].into_iter().zip(times) {
+            println!("{name:16} {number} {job:40} {nanoseconds:8.1}");
+        }
+    }
 }

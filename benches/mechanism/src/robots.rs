@@ -27,6 +27,22 @@ pub fn arm() -> Vec<Joint<f64>> {
     (0..7).map(|joint| Joint::revolute(parent(joint), placements[joint], Z)).collect()
 }
 
+/// A spherical wrist on a shoulder and an elbow, or three parallel axes.
+pub fn six(three_parallel: bool) -> Vec<Joint<f64>> {
+    let (axes, placements) = if three_parallel {
+        let places = [[0.0, 0.13, 0.1], [0.42, -0.12, 0.0], [0.4, 0.0, 0.0], [0.0, 0.1, 0.0]];
+        ([Z, Y, Y, Y, Z, Y], [places[0], places[1], places[2], places[3], [0.0, 0.0, -0.1]])
+    } else {
+        let places = [[0.0, 0.0, 0.4], [0.0, 0.15, 0.43], [0.02, 0.0, 0.43]];
+        ([Z, Y, Y, Z, Y, Z], [places[0], places[1], places[2], [0.0; 3], [0.0; 3]])
+    };
+    let joint = |joint: usize| match joint.checked_sub(1) {
+        Some(on) => Joint::revolute(Some(on), at(placements[on], 0.0), axes[joint]),
+        None => Joint::revolute(None, DualQuat::IDENTITY, axes[joint]),
+    };
+    (0..6).map(joint).collect()
+}
+
 /// Two legs of six, a waist of three, two arms of seven.
 pub fn humanoid() -> Vec<Joint<f64>> {
     let tilted = |translation, about: [f64; 3], angle: f64| {

@@ -1,15 +1,11 @@
-//! All solutions for arms of six hinges.
+//! Arms of six hinges, and what can be asked of them.
 
 use super::error::SolutionsError;
 use super::family::{Family, Geometry};
 use super::problem::Reach;
-use super::rates::enough;
-use super::solutions::Solutions;
-use super::solutions_job::{SolutionsJob, run};
-use super::starts::{self, search_all};
+use super::starts;
 use crate::mechanism::step::UNIT;
-use dq8::{DualQuat, Real, Scalar};
-use dq8_simd::{Lanes, Portable};
+use dq8::{DualQuat, Real};
 
 /// An arm of six hinges that carries the only goal of a [`Reach`], a whole pose: what it is, found once, to say all of the
 /// ways in which it reaches a target.
@@ -85,12 +81,6 @@ impl<'a, R: Real> SixAxisArm<'a, R> {
         values
     }
 
-    /// Many targets at a time.
-    #[must_use]
-    pub fn job(self) -> SolutionsJob<'a, R> {
-        SolutionsJob::new(self)
-    }
-
     /// How many numbers [`solutions`](Self::solutions) needs to compute in: none for the two families.
     #[must_use]
     pub fn scratch_len(&self) -> usize {
@@ -106,53 +96,6 @@ impl<'a, R: Real> SixAxisArm<'a, R> {
     fn with_values(&self, scratch: usize) -> usize {
         let is_other = self.family() == Family::Other;
         if is_other { scratch.saturating_add(starts::values(&self.reach)) } else { 0 }
-    }
-}
-
-impl<R> SixAxisArm<'_, R>
-where
-    R: Scalar + Lanes<Real = R, Level = Portable, Mask = bool>,
-{
-    /// All values of the six hinges within their limits that bring the tool to a target, the nearest to `start` first.
-    /// None if it cannot be reached. `scratch` has [`scratch_len`](Self::scratch_len) numbers or more, and may hold anything.
-    ///
-    /// # Errors
-    /// If a number is not finite or the target farther than 10⁻³ from unit, or there is too little scratch.
-    pub fn solutions(
-        &self,
-        target: DualQuat<R>,
-        start: &[R; 6],
-        scratch: &mut [R],
-    ) -> Result<Solutions<R>, SolutionsError> {
-        enough(scratch.len(), self.scratch_len())?;
-        check(&[target], &[*start])?;
-        let mut found = [Solutions::default()];
-        if self.family() != Family::Other {
-            run::<R>(Portable, self, &[target], &[*start], &mut found);
-        } else if let (Some((values, scratch)), [found]) =
-            (scratch.split_at_mut_checked(starts::values(&self.reach)), &mut found)
-        {
-            let size = self.reach.mechanism.values;
-            search_all(
-                &self.reach,
-                target,
-                start,
-                found,
-                values,
-                |targets, values, reports, options| {
-                    let starts = values.chunks_exact_mut(size.max(1)).zip(targets);
-                    for ((values, &target), report) in starts.zip(reports) {
-                        // Lengths fit; what is not there, has not converged.
-                        *report = self
-                            .reach
-                            .follow(&[target], values, scratch, options)
-                            .unwrap_or_default();
-                    }
-                },
-            );
-        }
-        let [found] = found;
-        Ok(found)
     }
 }
 

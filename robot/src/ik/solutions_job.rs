@@ -1,4 +1,4 @@
-//! All solutions for many targets.
+//! All solutions, for one target and for many.
 
 use super::branches::Arm;
 use super::complex::Complex;
@@ -19,7 +19,62 @@ use dq8::seams::Choice;
 use dq8::seams::Rows;
 use dq8::storage::same_length;
 use dq8::{Backend, DualQuat, Kernel, Real as _, Scalar};
-use dq8_simd::{Lanes, Level, Mask};
+use dq8_simd::{Lanes, Level, Mask, Portable};
+
+impl<'a, R: Copy> SixAxisArm<'a, R> {
+    /// Many targets at a time.
+    #[must_use]
+    pub fn job(self) -> SolutionsJob<'a, R> {
+        SolutionsJob { arm: self, choice: Choice::default() }
+    }
+}
+
+impl<R> SixAxisArm<'_, R>
+where
+    R: Scalar + Lanes<Real = R, Level = Portable, Mask = bool>,
+{
+    /// All values of the six hinges within their limits that bring the tool to a target, the nearest to `start` first.
+    /// None if it cannot be reached. `scratch` has [`scratch_len`](Self::scratch_len) numbers or more, and may hold anything.
+    ///
+    /// # Errors
+    /// If a number is not finite or the target farther than 10⁻³ from unit, or there is too little scratch.
+    pub fn solutions(
+        &self,
+        target: DualQuat<R>,
+        start: &[R; 6],
+        scratch: &mut [R],
+    ) -> Result<Solutions<R>, SolutionsError> {
+        enough(scratch.len(), self.scratch_len())?;
+        check(&[target], &[*start])?;
+        let mut found = [Solutions::default()];
+        if self.family() != Family::Other {
+            run::<R>(Portable, self, &[target], &[*start], &mut found);
+        } else if let (Some((values, scratch)), [found]) =
+            (scratch.split_at_mut_checked(starts::values(&self.reach)), &mut found)
+        {
+            let size = self.reach.mechanism.values;
+            search_all(
+                &self.reach,
+                target,
+                start,
+                found,
+                values,
+                |targets, values, reports, options| {
+                    let starts = values.chunks_exact_mut(size.max(1)).zip(targets);
+                    for ((values, &target), report) in starts.zip(reports) {
+                        // Lengths fit; what is not there, has not converged.
+                        *report = self
+                            .reach
+                            .follow(&[target], values, scratch, options)
+                            .unwrap_or_default();
+                    }
+                },
+            );
+        }
+        let [found] = found;
+        Ok(found)
+    }
+}
 
 /// Many targets of a [`SixAxisArm`], as many at a time as there are lanes, with options that all have a default. The
 /// solutions of one do not depend on the others.
@@ -31,12 +86,6 @@ pub struct SolutionsJob<'a, R> {
 
 impl<R> SolutionsJob<'_, R> {
     dq8::seams::options!();
-}
-
-impl<'a, R> SolutionsJob<'a, R> {
-    pub(super) fn new(arm: SixAxisArm<'a, R>) -> Self {
-        Self { arm, choice: Choice::default() }
-    }
 }
 
 impl<R: Scalar> SolutionsJob<'_, R> {
@@ -140,7 +189,7 @@ impl<R: Scalar> Kernel for Targets<'_, R> {
 }
 
 #[cfg_attr(not(opt_level_0), inline(always))]
-pub(super) fn run<L: Lanes<Real: Scalar>>(
+fn run<L: Lanes<Real: Scalar>>(
     level: L::Level,
     arm: &SixAxisArm<'_, L::Real>,
     targets: &[DualQuat<L::Real>],
