@@ -14,7 +14,6 @@ pub mod figures;
 pub mod forward_kinematics;
 pub mod hessian;
 mod hyper_dual;
-pub mod hyper_dual_claims;
 mod hyper_dual_quat;
 pub mod interpolation;
 pub mod kenwright;

@@ -17,7 +17,6 @@ const SECTIONS: &[Experiment] = &[
     lab::speed::section,
     lab::interpolation::section,
     lab::keyframing::section,
-    lab::hyper_dual_claims::section,
     lab::forward_kinematics::section,
     lab::differentiation::section,
 ];

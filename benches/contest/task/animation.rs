@@ -6,7 +6,7 @@ use crate::contest::Contest;
 use crate::memory::{Element, Product, Representation, Rows3x4, double};
 use crate::scene::{Scene, Shape};
 use crate::walk;
-use dq8::hierarchy::{Clip, Layered, PackedClip, Sampled, Tolerance, TrackPlace};
+use dq8::hierarchy::{Clip, Layered, Locals, PackedClip, Sampled, Tolerance, TrackPlace};
 use dq8::{
     Backend, Block, DualQuat, Hierarchy,
     law::{Nlerp, NlerpLerp},
@@ -144,6 +144,17 @@ fn apart(a: DualQuat<f64>, b: DualQuat<f64>, t: f64) -> DualQuat<f64> {
     DualQuat::from_rotation_translation(turn, shift)
 }
 
+/// Both clips of the crowd, sampled and blended.
+macro_rules! locals {
+    ($crowd:ident, $law:expr, $keys:ident) => {{
+        let [a, b] = [0, 1].map(|i| {
+            let clip = Clip::new($crowd.parents.len(), &$crowd.$keys[i]).expect("whole frames");
+            Sampled::new($law, clip, &$crowd.frames[i], &$crowd.t[i]).expect("frames of the clip")
+        });
+        Layered::blend($law, a, b, &$crowd.weights)
+    }};
+}
+
 pub(crate) fn with_contest(instances: usize, run: &mut dyn FnMut(&Contest<'_>)) {
     let crowd = Crowd::new(instances);
     let joints = crowd.parents.len();
@@ -157,10 +168,19 @@ pub(crate) fn with_contest(instances: usize, run: &mut dyn FnMut(&Contest<'_>)) 
         ..Contest::new("J6", format!("{joints}x{instances} animated"), title)
     };
     for backend in backends() {
-        plain(&mut contest, &crowd, backend);
-        packed(&mut contest, &crowd, backend);
+        plain(&mut contest, &crowd, backend, "rotations and translations", |crowd| {
+            locals!(crowd, NlerpLerp, keys)
+        });
+        // Both clips in one library.
+        plain(&mut contest, &crowd, backend, "packed", |crowd| {
+            let [a, b] = [0, 1].map(|i| {
+                Sampled::new(NlerpLerp, crowd.packed.clips(), &crowd.places[i], &crowd.t[i])
+                    .expect("places of these clips")
+            });
+            Layered::blend(NlerpLerp, a, b, &crowd.weights)
+        });
         contest.last_should(crowd.expected(&crowd.unpacked, apart));
-        motions(&mut contest, &crowd, backend);
+        plain(&mut contest, &crowd, backend, "motions", |crowd| locals!(crowd, Nlerp, motions));
         contest.last_should(crowd.expected(&crowd.motions, DualQuat::nlerp));
         blocks::<8>(&mut contest, &crowd, backend);
         blocks::<16>(&mut contest, &crowd, backend);
@@ -169,60 +189,23 @@ pub(crate) fn with_contest(instances: usize, run: &mut dyn FnMut(&Contest<'_>)) 
     run(&contest);
 }
 
-/// Both clips of the crowd, sampled and blended.
-macro_rules! locals {
-    ($crowd:ident, $law:expr, $keys:ident) => {{
-        let [a, b] = [0, 1].map(|i| {
-            let clip = Clip::new($crowd.parents.len(), &$crowd.$keys[i]).expect("whole frames");
-            Sampled::new($law, clip, &$crowd.frames[i], &$crowd.t[i]).expect("frames of the clip")
-        });
-        Layered::blend($law, a, b, &$crowd.weights)
-    }};
-}
-
-fn plain<'a>(contest: &mut Contest<'a>, crowd: &'a Crowd, backend: Backend) {
+/// Of plain motions, whatever locals are made of.
+fn plain<'a, L: Locals<Motion>>(
+    contest: &mut Contest<'a>,
+    crowd: &'a Crowd,
+    backend: Backend,
+    name: &str,
+    locals: impl Fn(&'a Crowd) -> L + Copy + 'a,
+) {
     let joints = crowd.parents.len();
     let memory = move || ((), vec![[[0.0_f32; 4]; 3]; crowd.weights.len() * joints]);
     let pass = move |(): &(), palette: &mut [[[f32; 4]; 3]]| {
         let hierarchy = Hierarchy::new(&crowd.parents).expect("parents come first");
         let mut scratch = vec![Motion::IDENTITY; SCRATCH * joints];
-        let locals = locals!(crowd, NlerpLerp, keys);
         let job = hierarchy.job().backend(backend);
-        job.palette(locals, &mut scratch, &crowd.binds, palette).expect("they fit");
+        job.palette(locals(crowd), &mut scratch, &crowd.binds, palette).expect("they fit");
     };
-    let name = format!("dq8 rotations and translations, AoS {backend}");
-    contest.add(name, Some(backend), memory, pass, numbers);
-}
-
-/// Both clips packed, in one library.
-fn packed<'a>(contest: &mut Contest<'a>, crowd: &'a Crowd, backend: Backend) {
-    let joints = crowd.parents.len();
-    let memory = move || ((), vec![[[0.0_f32; 4]; 3]; crowd.weights.len() * joints]);
-    let pass = move |(): &(), palette: &mut [[[f32; 4]; 3]]| {
-        let hierarchy = Hierarchy::new(&crowd.parents).expect("parents come first");
-        let mut scratch = vec![Motion::IDENTITY; SCRATCH * joints];
-        let [a, b] = [0, 1].map(|i| {
-            Sampled::new(NlerpLerp, crowd.packed.clips(), &crowd.places[i], &crowd.t[i])
-                .expect("places of these clips")
-        });
-        let locals = Layered::blend(NlerpLerp, a, b, &crowd.weights);
-        let job = hierarchy.job().backend(backend);
-        job.palette(locals, &mut scratch, &crowd.binds, palette).expect("they fit");
-    };
-    contest.add(format!("dq8 packed, AoS {backend}"), Some(backend), memory, pass, numbers);
-}
-
-fn motions<'a>(contest: &mut Contest<'a>, crowd: &'a Crowd, backend: Backend) {
-    let joints = crowd.parents.len();
-    let memory = move || ((), vec![[[0.0_f32; 4]; 3]; crowd.weights.len() * joints]);
-    let pass = move |(): &(), palette: &mut [[[f32; 4]; 3]]| {
-        let hierarchy = Hierarchy::new(&crowd.parents).expect("parents come first");
-        let mut scratch = vec![Motion::IDENTITY; SCRATCH * joints];
-        let locals = locals!(crowd, Nlerp, motions);
-        let job = hierarchy.job().backend(backend);
-        job.palette(locals, &mut scratch, &crowd.binds, palette).expect("they fit");
-    };
-    contest.add(format!("dq8 motions, AoS {backend}"), Some(backend), memory, pass, numbers);
+    contest.add(format!("dq8 {name}, AoS {backend}"), Some(backend), memory, pass, numbers);
 }
 
 fn numbers(palette: &[[[f32; 4]; 3]], index: usize) -> Vec<f64> {

@@ -82,21 +82,16 @@ pub(super) fn with_contest(run: &mut dyn FnMut(&Contest<'_>)) {
     let numbers = |posed: &[[f32; 3]], index: usize| posed[index].map(f64::from).to_vec();
     let memory = || (scene.points.clone(), scene.points.clone());
     for backend in backends() {
-        let (skin, matrices, motions) = (&skin, &matrices[..], &scene.motions[..]);
+        let (job, matrices, motions) =
+            (skin.job().backend(backend), &matrices[..], &scene.motions[..]);
         let linear = move |points: &Vec<[f32; 3]>, posed: &mut [[f32; 3]]| {
             let (from, to) = (Surface::positions(points), SurfaceMut::positions(posed));
-            skin.job()
-                .backend(backend)
-                .pose(Linear::new(matrices), from, to)
-                .expect("slices of one length");
+            job.pose(Linear::new(matrices), from, to).expect("slices of one length");
         };
         contest.add(format!("dq8 LBS {backend}"), Some(backend), memory, linear, numbers);
         let blend = move |points: &Vec<[f32; 3]>, posed: &mut [[f32; 3]]| {
             let (from, to) = (Surface::positions(points), SurfaceMut::positions(posed));
-            skin.job()
-                .backend(backend)
-                .pose(DualBlend::new(motions), from, to)
-                .expect("slices of one length");
+            job.pose(DualBlend::new(motions), from, to).expect("slices of one length");
         };
         contest.add(format!("dq8 DLB {backend}"), Some(backend), memory, blend, numbers);
         contest.last_should(dual.clone());
@@ -106,10 +101,7 @@ pub(super) fn with_contest(run: &mut dyn FnMut(&Contest<'_>)) {
             let mut turned = turned.borrow_mut();
             let from = Surface::positions(points).normals(points);
             let to = SurfaceMut::positions(posed).normals(&mut turned);
-            skin.job()
-                .backend(backend)
-                .pose(DualBlend::new(motions), from, to)
-                .expect("slices of one length");
+            job.pose(DualBlend::new(motions), from, to).expect("slices of one length");
         };
         let name = format!("dq8 DLB and normals {backend}");
         contest.add(name, Some(backend), memory, normals, numbers);

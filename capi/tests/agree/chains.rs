@@ -20,17 +20,16 @@ macro_rules! agree {
             // SAFETY: arrays have LINKS elements or BLOCKS.
             unsafe {
                 same! { |o|
-                    "plain": &none, c::chain_products(pl, o, LINKS)
+                    &none, c::chain_products(pl, o, LINKS)
                         => best.chain_products(&links, o).unwrap();
-                    "plain, in place": &links, c::chain_products(o, o, LINKS)
-                        => best.chain_products_in_place(o);
-                    "pack": &empty, p::pack_chain($lanes, pl, LINKS, o, BLOCKS)
+                    &links, c::chain_products(o, o, LINKS) => best.chain_products_in_place(o);
+                    &empty, p::pack_chain($lanes, pl, LINKS, o, BLOCKS)
                         => pack_chain(&links, o).unwrap();
-                    "unpack": &none, p::unpack_chain($lanes, numbers(&packed), BLOCKS, o, LINKS)
+                    &none, p::unpack_chain($lanes, numbers(&packed), BLOCKS, o, LINKS)
                         => unpack_chain(&packed, o).unwrap();
-                    "blocks": &empty, c::blocks_chain_products($lanes, numbers(&packed), o, BLOCKS)
+                    &empty, c::blocks_chain_products($lanes, numbers(&packed), o, BLOCKS)
                         => best.chain_products(&packed, o).unwrap();
-                    "blocks, in place": &packed, c::blocks_chain_products($lanes, o, o, BLOCKS)
+                    &packed, c::blocks_chain_products($lanes, o, o, BLOCKS)
                         => best.chain_products_in_place(o);
                 }
             }

@@ -41,14 +41,14 @@ macro_rules! agree {
                 // SAFETY: each argument has as many numbers as it should.
                 unsafe {
                     same! { |o|
-                        "line": &[six], g::line(pa, o, o) => o[0] = line;
-                        "plane": &[four], g::plane(pa, o, o) => o[0] = plane;
-                        "twist": &[twist], g::twist(pa, o, o) => o[0] = a.adjoint(twist);
-                        "to twist": &[twist], g::to_twist(pa, o) => o[0] = a.to_twist();
-                        "integrate": &[a], g::integrate_body(o, numbers(&six), 0.3, o)
+                        &[six], g::line(pa, o, o) => o[0] = line;
+                        &[four], g::plane(pa, o, o) => o[0] = plane;
+                        &[twist], g::twist(pa, o, o) => o[0] = a.adjoint(twist);
+                        &[twist], g::to_twist(pa, o) => o[0] = a.to_twist();
+                        &[a], g::integrate_body(o, numbers(&six), 0.3, o)
                             => o[0] = a.integrate_body(twist, 0.3);
-                        "angle": &[9.0], g::angle_to(pa, pb, o) => o[0] = a.angle_to(b);
-                        "distance": &[9.0], g::distance_to(pa, pb, o) => o[0] = a.distance_to(b);
+                        &[9.0], g::angle_to(pa, pb, o) => o[0] = a.angle_to(b);
+                        &[9.0], g::distance_to(pa, pb, o) => o[0] = a.distance_to(b);
                     }
                 }
             }
@@ -66,26 +66,21 @@ macro_rules! agree {
                 // SAFETY: all arrays have N elements.
                 unsafe {
                     same! { |o|
-                        "conjugate": &none, slices::$of::conjugate(pa, o, N)
-                            => best.conjugate(&a, o).unwrap();
-                        "conjugate in place": &a, slices::$of::conjugate(o, o, N)
-                            => best.conjugate_in_place(o);
-                        "lines": &[[9.0; 6]; N], l::lines_each(pa, ps, o, N)
+                        &none, slices::$of::conjugate(pa, o, N) => best.conjugate(&a, o).unwrap();
+                        &a, slices::$of::conjugate(o, o, N) => best.conjugate_in_place(o);
+                        &[[9.0; 6]; N], l::lines_each(pa, ps, o, N)
                             => best.transform_lines_each(&a, &sixes, o).unwrap();
-                        "planes": &[[9.0; 4]; N], l::planes_each(pa, pf, o, N)
+                        &[[9.0; 4]; N], l::planes_each(pa, pf, o, N)
                             => best.transform_planes_each(&a, &fours, o).unwrap();
-                        "twists": &[[9.0; 6]; N], t::twists_each(pa, ps, o, N)
+                        &[[9.0; 6]; N], t::twists_each(pa, ps, o, N)
                             => best.transform_twists_each(&a, &sixes, o).unwrap();
-                        "integrate": &none, t::integrate_body(pa, ps, 0.3, o, N)
+                        &none, t::integrate_body(pa, ps, 0.3, o, N)
                             => best.integrate_body(&a, &sixes, 0.3, o).unwrap();
-                        "log": &[[9.0; 6]; N], t::log(pa, o, N) => best.log(&a, o).unwrap();
-                        "exp": &none, t::exp(ps, o, N) => best.exp(&sixes, o).unwrap();
-                        "pow": &none, t::pow_each(pa, pt, o, N)
-                            => best.pow_each(&a, &times, o).unwrap();
-                        "angles": &nowhere, m::angles(pa, pb, o, N)
-                            => best.angles(&a, &b, o).unwrap();
-                        "distances": &nowhere, m::distances(pa, pb, o, N)
-                            => best.distances(&a, &b, o).unwrap();
+                        &[[9.0; 6]; N], t::log(pa, o, N) => best.log(&a, o).unwrap();
+                        &none, t::exp(ps, o, N) => best.exp(&sixes, o).unwrap();
+                        &none, t::pow_each(pa, pt, o, N) => best.pow_each(&a, &times, o).unwrap();
+                        &nowhere, m::angles(pa, pb, o, N) => best.angles(&a, &b, o).unwrap();
+                        &nowhere, m::distances(pa, pb, o, N) => best.distances(&a, &b, o).unwrap();
                     }
                 }
             }
@@ -107,24 +102,23 @@ macro_rules! agree {
                 // SAFETY: all arrays have two blocks.
                 unsafe {
                     same! { |o|
-                        "conjugate": &none, slices::$of::blocks_conjugate($lanes, pa, o, 2)
+                        &none, slices::$of::blocks_conjugate($lanes, pa, o, 2)
                             => best.conjugate(&a, o).unwrap();
-                        "lines": &no_six, l::blocks_lines_each($lanes, pa, ps, o, 2)
+                        &no_six, l::blocks_lines_each($lanes, pa, ps, o, 2)
                             => best.transform_lines_each(&a, &sixes, o).unwrap();
-                        "planes": &no_four, l::blocks_planes_each($lanes, pa, pf, o, 2)
+                        &no_four, l::blocks_planes_each($lanes, pa, pf, o, 2)
                             => best.transform_planes_each(&a, &fours, o).unwrap();
-                        "twists": &no_six, t::blocks_twists_each($lanes, pa, ps, o, 2)
+                        &no_six, t::blocks_twists_each($lanes, pa, ps, o, 2)
                             => best.transform_twists_each(&a, &sixes, o).unwrap();
-                        "integrate": &none, t::blocks_integrate_body($lanes, pa, ps, 0.3, o, 2)
+                        &none, t::blocks_integrate_body($lanes, pa, ps, 0.3, o, 2)
                             => best.integrate_body(&a, &sixes, 0.3, o).unwrap();
-                        "log": &no_six, t::blocks_log($lanes, pa, o, 2) => best.log(&a, o).unwrap();
-                        "exp": &none, t::blocks_exp($lanes, ps, o, 2)
-                            => best.exp(&sixes, o).unwrap();
-                        "pow": &none, t::blocks_pow_each($lanes, pa, pt, o, 2)
+                        &no_six, t::blocks_log($lanes, pa, o, 2) => best.log(&a, o).unwrap();
+                        &none, t::blocks_exp($lanes, ps, o, 2) => best.exp(&sixes, o).unwrap();
+                        &none, t::blocks_pow_each($lanes, pa, pt, o, 2)
                             => best.pow_each(&a, &times, o).unwrap();
-                        "angles": &no_one, m::blocks_angles($lanes, pa, pb, o, 2)
+                        &no_one, m::blocks_angles($lanes, pa, pb, o, 2)
                             => best.angles(&a, &b, o).unwrap();
-                        "distances": &no_one, m::blocks_distances($lanes, pa, pb, o, 2)
+                        &no_one, m::blocks_distances($lanes, pa, pb, o, 2)
                             => best.distances(&a, &b, o).unwrap();
                     }
                 }

@@ -51,28 +51,27 @@ macro_rules! agree {
                 // SAFETY: arrays have COUNT or JOINTS elements, as they should.
                 unsafe {
                     same! { |o|
-                        "free": &none, h::local_to_model(p, JOINTS, free, pl, o, n)
+                        &none, h::local_to_model(p, JOINTS, free, pl, o, n)
                             => skeleton.local_to_model(&locals, o).unwrap();
-                        "on a root": &none, h::local_to_model(p, JOINTS, on, pl, o, n)
+                        &none, h::local_to_model(p, JOINTS, on, pl, o, n)
                             => job().local_to_model(&locals, o).unwrap();
-                        "in place": &locals, h::local_to_model(p, JOINTS, on, o, o, n)
+                        &locals, h::local_to_model(p, JOINTS, on, o, o, n)
                             => job().local_to_model_in_place(o).unwrap();
-                        "back": &none, h::model_to_local(p, JOINTS, on, pl, o, n)
+                        &none, h::model_to_local(p, JOINTS, on, pl, o, n)
                             => job().model_to_local(&locals, o).unwrap();
-                        "back in place": &locals, h::model_to_local(p, JOINTS, on, o, o, n)
+                        &locals, h::model_to_local(p, JOINTS, on, o, o, n)
                             => job().model_to_local_in_place(o).unwrap();
-                        "rotations": &none, h::rotations_to_model(p, JOINTS, on, pr, po, o, n)
+                        &none, h::rotations_to_model(p, JOINTS, on, pr, po, o, n)
                             => job().locals_to_model(turns, o).unwrap();
-                        "rotations, translations": &none,
-                            h::rotations_translations_to_model(p, JOINTS, on, prt, o, n)
+                        &none, h::rotations_translations_to_model(p, JOINTS, on, prt, o, n)
                             => job().locals_to_model(RotationsTranslations(&both), o).unwrap();
-                        "palette": &none, h::palette(p, JOINTS, on, pl, pb, pm, o, n)
+                        &none, h::palette(p, JOINTS, on, pl, pb, pm, o, n)
                             => job().palette_and_models(Poses(&locals), &mut wanted, &binds, o).unwrap();
                     }
                     assert_eq!(models, wanted);
                     let pm = models.as_mut_ptr().cast();
                     same! { |o|
-                        "matrices": &[[[9.0; 4]; 3]; COUNT],
+                        &[[[9.0; 4]; 3]; COUNT],
                             h::palette_matrices(p, JOINTS, on, pl, pb, pm, o, n)
                             => job().palette_and_models(Poses(&locals), &mut wanted, &binds, o).unwrap();
                     }
@@ -101,18 +100,16 @@ macro_rules! agree {
                 // SAFETY: arrays have COUNT or JOINTS elements, as they should.
                 unsafe {
                     same! { |o|
-                        "pack": &empty, packing::$of::pack($lanes, JOINTS, pl, COUNT, o, JOINTS)
+                        &empty, packing::$of::pack($lanes, JOINTS, pl, COUNT, o, JOINTS)
                             => pack(JOINTS, &locals, o).unwrap();
-                        "unpack": &none, packing::$of::unpack($lanes, JOINTS, pk, JOINTS, o, COUNT)
+                        &none, packing::$of::unpack($lanes, JOINTS, pk, JOINTS, o, COUNT)
                             => o.copy_from_slice(&locals);
-                        "in place": &blocks,
-                            h::blocks_local_to_model($lanes, p, JOINTS, on, o, o, JOINTS)
+                        &blocks, h::blocks_local_to_model($lanes, p, JOINTS, on, o, o, JOINTS)
                             => job.local_to_model_in_place(o).unwrap();
-                        "rotations": &blocks,
+                        &blocks,
                             h::blocks_rotations_to_model($lanes, p, JOINTS, on, pr, po, o, JOINTS)
                             => job.locals_to_model(turns, o).unwrap();
-                        "palette": &blocks,
-                            h::blocks_palette($lanes, p, JOINTS, on, pk, pb, pm, o, JOINTS)
+                        &blocks, h::blocks_palette($lanes, p, JOINTS, on, pk, pb, pm, o, JOINTS)
                             => job.palette_and_models(Poses(&blocks), &mut wanted, &binds, o).unwrap();
                     }
                 }

@@ -93,12 +93,12 @@ macro_rules! agree {
                     let shape = made.assume_init_ref();
                     assert_eq!((shape.links, shape.values, shape.rates), (LINKS, VALUES, RATES));
                     same! { |o|
-                        "poses": &[Motion::ZERO; LINKS], m::link_poses(of, pv, VALUES, o, LINKS)
+                        &[Motion::ZERO; LINKS], m::link_poses(of, pv, VALUES, o, LINKS)
                             => wanted.link_poses(one, o).unwrap();
                     }
                     for link in 0..LINKS {
                         same! { |o|
-                            "pose": &[Motion::ZERO], m::link_pose(of, pv, VALUES, link, o)
+                            &[Motion::ZERO], m::link_pose(of, pv, VALUES, link, o)
                                 => o[0] = wanted.link_pose(one, link).unwrap();
                         }
                     }
@@ -108,7 +108,7 @@ macro_rules! agree {
                         let pose = ptr::from_mut(&mut reached);
                         let mut other = Motion::ZERO;
                         same! { |o|
-                            "Jacobian": &nothing,
+                            &nothing,
                                 m::link_jacobian(of, frame as i32, pv, VALUES, 6, o, RATES, pose.cast())
                                 => other = rust(o);
                         }
@@ -120,8 +120,7 @@ macro_rules! agree {
                         wanted.link_jacobian(WorldAligned, one, 6, o).unwrap()
                     });
                     same! { |o|
-                        "Jacobian without a pose": &nothing,
-                            m::link_jacobian(of, 0, pv, VALUES, 6, o, RATES, none)
+                        &nothing, m::link_jacobian(of, 0, pv, VALUES, 6, o, RATES, none)
                             => _ = wanted.link_jacobian(World, one, 6, o).unwrap();
                     }
 
@@ -130,14 +129,14 @@ macro_rules! agree {
                     let (of, all) = (&raw const moved, values.len());
                     const ALL: usize = CONFIGURATIONS * LINKS;
                     same! { |o|
-                        "poses of many": &[Motion::ZERO; ALL], l::link_poses(of, pv, all, o, ALL)
+                        &[Motion::ZERO; ALL], l::link_poses(of, pv, all, o, ALL)
                             => wanted.job().poses(&values, o).unwrap();
                     }
                     // Whole blocks: a lane without a configuration has NaN where joints float.
                     const BLOCKS: usize = 16 / $lanes * LINKS;
                     let values = &values[..16 * VALUES];
                     same! { |o|
-                        "poses of many in blocks": &[Block::<$R, $lanes>::splat([9.0; 8]); BLOCKS],
+                        &[Block::<$R, $lanes>::splat([9.0; 8]); BLOCKS],
                             l::blocks_link_poses($lanes, of, pv, 16 * VALUES, o, BLOCKS)
                             => wanted.job().poses(values, o).unwrap();
                     }

@@ -29,34 +29,32 @@ macro_rules! agree {
                 // SAFETY: each argument has as many numbers as it should.
                 unsafe {
                     same! { |o|
-                        "identity": &none, m::identity(o) => o[0] = Motion::IDENTITY;
-                        "from parts": &none, m::from_rotation_translation(numbers(&[turn]), pv, o)
+                        &none, m::identity(o) => o[0] = Motion::IDENTITY;
+                        &none, m::from_rotation_translation(numbers(&[turn]), pv, o)
                             => o[0] = DualQuat::from_rotation_translation(turn, point);
-                        "mul": &none, m::mul(pa, pb, o) => o[0] = a * b;
-                        "mul over b": &[b], m::mul(pa, o, o) => o[0] = a * b;
-                        "conjugate": &none, m::conjugate(pa, o) => o[0] = a.conjugate();
-                        "inverse": &none, m::inverse(numbers(&[scaled]), o)
-                            => o[0] = scaled.inverse();
-                        "normalize": &[scaled], m::normalize(o, o) => o[0] = scaled.normalize();
-                        "point": &[point], m::point(pa, o, o) => o[0] = a.transform_point(point);
-                        "vector": &[[0.0; 3]], m::vector(pa, pv, o)
-                            => o[0] = a.transform_vector(point);
-                        "to 3x4": &[[[9.0; 4]; 3]], m::to_matrix_3x4(pa, o) => o[0] = three;
-                        "to 4x4": &[[[9.0; 4]; 4]], m::to_matrix_4x4(pa, o) => o[0] = four;
-                        "from 3x4": &none, m::from_matrix_3x4(numbers(&three), 1e-5, o)
+                        &none, m::mul(pa, pb, o) => o[0] = a * b;
+                        &[b], m::mul(pa, o, o) => o[0] = a * b;
+                        &none, m::conjugate(pa, o) => o[0] = a.conjugate();
+                        &none, m::inverse(numbers(&[scaled]), o) => o[0] = scaled.inverse();
+                        &[scaled], m::normalize(o, o) => o[0] = scaled.normalize();
+                        &[point], m::point(pa, o, o) => o[0] = a.transform_point(point);
+                        &[[0.0; 3]], m::vector(pa, pv, o) => o[0] = a.transform_vector(point);
+                        &[[[9.0; 4]; 3]], m::to_matrix_3x4(pa, o) => o[0] = three;
+                        &[[[9.0; 4]; 4]], m::to_matrix_4x4(pa, o) => o[0] = four;
+                        &none, m::from_matrix_3x4(numbers(&three), 1e-5, o)
                             => o[0] = DualQuat::from_matrix3x4(three);
-                        "from 4x4": &none, m::from_matrix_4x4(numbers(&four), 1e-5, o)
+                        &none, m::from_matrix_4x4(numbers(&four), 1e-5, o)
                             => o[0] = DualQuat::from_matrix3x4(three);
-                        "nlerp": &none, c::nlerp(pa, pb, 0.3, o) => o[0] = a.nlerp(b, 0.3);
-                        "sclerp": &none, c::sclerp(pa, pb, 0.3, o) => o[0] = a.sclerp(b, 0.3);
-                        "log": &[[[9.0; 3]; 2]], c::log(pa, o) => o[0] = [log.real, log.dual];
-                        "exp": &none, c::exp(numbers(&[log.real, log.dual]), o)
+                        &none, c::nlerp(pa, pb, 0.3, o) => o[0] = a.nlerp(b, 0.3);
+                        &none, c::sclerp(pa, pb, 0.3, o) => o[0] = a.sclerp(b, 0.3);
+                        &[[[9.0; 3]; 2]], c::log(pa, o) => o[0] = [log.real, log.dual];
+                        &none, c::exp(numbers(&[log.real, log.dual]), o)
                             => o[0] = DualQuat::exp(log);
-                        "pow": &none, c::pow(pa, 0.3, o) => o[0] = a.pow(0.3);
-                        "to screw": &[[9.0; 8]], c::to_screw(pa, o) => o[0] = eight;
-                        "from screw": &none, c::from_screw(numbers(&eight), o)
+                        &none, c::pow(pa, 0.3, o) => o[0] = a.pow(0.3);
+                        &[[9.0; 8]], c::to_screw(pa, o) => o[0] = eight;
+                        &none, c::from_screw(numbers(&eight), o)
                             => o[0] = DualQuat::from_screw(screw);
-                        "blend": &none, c::blend(numbers(&some), numbers(&weights), COUNT, o)
+                        &none, c::blend(numbers(&some), numbers(&weights), COUNT, o)
                             => o[0] = DualQuat::dlb(&pairs).unwrap();
                     }
                     assert_eq!(m::check_unit(pa, 1e-5), Done);

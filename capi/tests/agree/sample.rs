@@ -67,11 +67,11 @@ pub(crate) fn compare<T: Clone + PartialEq + Debug, R>(
     assert_ne!(wanted, start, "{what}: nothing happened");
 }
 
-/// [`compare`] for many: of an output `o` that begins as `start`, `name: start, C function => Rust function;`. A macro,
-/// for closures would take six lines for each.
+/// [`compare`] for many: of an output `o` that begins as `start`, `start, C function => Rust function;`, called by the text
+/// of the C function. A macro, for closures would take six lines for each.
 macro_rules! same {
-    (|$o:ident| $($what:literal: $start:expr, $c:expr => $rust:expr;)+) => {
-        $($crate::sample::compare($what, $start, |$o| $c, |$o| $rust);)+
+    (|$o:ident| $($start:expr, $c:expr => $rust:expr;)+) => {
+        $($crate::sample::compare(stringify!($c), $start, |$o| $c, |$o| $rust);)+
     };
 }
 pub(crate) use same;

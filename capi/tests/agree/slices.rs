@@ -26,38 +26,32 @@ macro_rules! agree {
                 // SAFETY: all arrays have COUNT elements.
                 unsafe {
                     same! { |o|
-                        "mul": &none, s::mul(pa, pb, o, n) => best.mul(&a, &b, o).unwrap();
-                        "mul in place": &a, s::mul(o, pb, o, n)
-                            => best.mul_in_place(o, &b).unwrap();
-                        "normalize": &none, s::normalize(ps, o, n)
-                            => best.normalize(&scaled, o).unwrap();
-                        "normalize in place": &scaled, s::normalize(o, o, n)
-                            => best.normalize_in_place(o);
-                        "inverse": &none, s::inverse(ps, o, n) => best.inverse(&scaled, o).unwrap();
-                        "inverse in place": &a, s::inverse(o, o, n) => best.inverse_in_place(o);
-                        "nlerp": &none, s::nlerp(pa, pb, 0.3, o, n)
-                            => best.nlerp(&a, &b, 0.3, o).unwrap();
-                        "sclerp": &none, s::sclerp(pa, pb, 0.3, o, n)
-                            => best.sclerp(&a, &b, 0.3, o).unwrap();
-                        "nlerp_each": &none, s::nlerp_each(pa, pb, pt, o, n)
+                        &none, s::mul(pa, pb, o, n) => best.mul(&a, &b, o).unwrap();
+                        &a, s::mul(o, pb, o, n) => best.mul_in_place(o, &b).unwrap();
+                        &none, s::normalize(ps, o, n) => best.normalize(&scaled, o).unwrap();
+                        &scaled, s::normalize(o, o, n) => best.normalize_in_place(o);
+                        &none, s::inverse(ps, o, n) => best.inverse(&scaled, o).unwrap();
+                        &a, s::inverse(o, o, n) => best.inverse_in_place(o);
+                        &none, s::nlerp(pa, pb, 0.3, o, n) => best.nlerp(&a, &b, 0.3, o).unwrap();
+                        &none, s::sclerp(pa, pb, 0.3, o, n) => best.sclerp(&a, &b, 0.3, o).unwrap();
+                        &none, s::nlerp_each(pa, pb, pt, o, n)
                             => best.nlerp_each(&a, &b, &t, o).unwrap();
-                        "sclerp_each": &none, s::sclerp_each(pa, pb, pt, o, n)
+                        &none, s::sclerp_each(pa, pb, pt, o, n)
                             => best.sclerp_each(&a, &b, &t, o).unwrap();
-                        "points": &nowhere, s::points(pa, pv, o, n)
+                        &nowhere, s::points(pa, pv, o, n)
                             => best.transform_points(a[0], &points, o).unwrap();
-                        "points in place": &points, s::points(pb, o, o, n)
-                            => best.transform_points_in_place(b[0], o);
-                        "vectors": &nowhere, s::vectors(pa, pv, o, n)
+                        &points, s::points(pb, o, o, n) => best.transform_points_in_place(b[0], o);
+                        &nowhere, s::vectors(pa, pv, o, n)
                             => best.transform_vectors(a[0], &points, o).unwrap();
-                        "vectors in place": &points, s::vectors(pb, o, o, n)
+                        &points, s::vectors(pb, o, o, n)
                             => best.transform_vectors_in_place(b[0], o);
-                        "points_each": &nowhere, s::points_each(pa, pv, o, n)
+                        &nowhere, s::points_each(pa, pv, o, n)
                             => best.transform_points_each(&a, &points, o).unwrap();
-                        "vectors_each": &nowhere, s::vectors_each(pa, pv, o, n)
+                        &nowhere, s::vectors_each(pa, pv, o, n)
                             => best.transform_vectors_each(&a, &points, o).unwrap();
-                        "3x4": &[[[9.0; 4]; 3]; COUNT], s::matrices_3x4(pa, 0, o, n)
+                        &[[[9.0; 4]; 3]; COUNT], s::matrices_3x4(pa, 0, o, n)
                             => best.matrices(&a, MatrixOrder::Rows, o).unwrap();
-                        "4x4": &[[[9.0; 4]; 4]; COUNT], s::matrices_4x4(pa, 1, o, n)
+                        &[[[9.0; 4]; 4]; COUNT], s::matrices_4x4(pa, 1, o, n)
                             => best.matrices(&a, MatrixOrder::Columns, o).unwrap();
                     }
                 }
@@ -84,21 +78,19 @@ macro_rules! agree {
                 // SAFETY: all arrays have two blocks.
                 unsafe {
                     same! { |o|
-                        "mul": &none, s::blocks_mul($lanes, pa, pb, o, 2)
-                            => best.mul(&a, &b, o).unwrap();
-                        "normalize": &none, s::blocks_normalize($lanes, pa, o, 2)
+                        &none, s::blocks_mul($lanes, pa, pb, o, 2) => best.mul(&a, &b, o).unwrap();
+                        &none, s::blocks_normalize($lanes, pa, o, 2)
                             => best.normalize(&a, o).unwrap();
-                        "inverse": &none, s::blocks_inverse($lanes, pa, o, 2)
-                            => best.inverse(&a, o).unwrap();
-                        "nlerp": &none, s::blocks_nlerp($lanes, pa, pb, 0.3, o, 2)
+                        &none, s::blocks_inverse($lanes, pa, o, 2) => best.inverse(&a, o).unwrap();
+                        &none, s::blocks_nlerp($lanes, pa, pb, 0.3, o, 2)
                             => best.nlerp(&a, &b, 0.3, o).unwrap();
-                        "sclerp_each": &none, s::blocks_sclerp_each($lanes, pa, pb, pt, o, 2)
+                        &none, s::blocks_sclerp_each($lanes, pa, pb, pt, o, 2)
                             => best.sclerp_each(&a, &b, &t, o).unwrap();
-                        "points": &nowhere, s::blocks_points($lanes, numbers(&[by]), pv, o, 2)
+                        &nowhere, s::blocks_points($lanes, numbers(&[by]), pv, o, 2)
                             => best.transform_points(by, &points, o).unwrap();
-                        "vectors_each": &nowhere, s::blocks_vectors_each($lanes, pa, pv, o, 2)
+                        &nowhere, s::blocks_vectors_each($lanes, pa, pv, o, 2)
                             => best.transform_vectors_each(&a, &points, o).unwrap();
-                        "4x4": &matrices, s::blocks_matrices_4x4($lanes, pa, 0, o, 2)
+                        &matrices, s::blocks_matrices_4x4($lanes, pa, 0, o, 2)
                             => best.matrices(&a, MatrixOrder::Rows, o).unwrap();
                     }
                 }

@@ -20,41 +20,33 @@ macro_rules! all {
             // SAFETY: all arrays are as long as their buffers, whose length is enough for 17 plain
             // things and for three blocks.
             unsafe {
-                refuses!($R, "line", Free, 3, |[a, b, o]| g::line(a, b, o));
-                refuses!($R, "plane", Free, 3, |[a, b, o]| g::plane(a, b, o));
-                refuses!($R, "twist", Free, 3, |[a, b, o]| g::twist(a, b, o));
-                refuses!($R, "to_twist", Free, 2, |[a, o]| g::to_twist(a, o));
-                refuses!($R, "integrate", Free, 3, |[a, b, o]| g::integrate_body(a, b, 0.5, o));
-                refuses!($R, "angle_to", Free, 3, |[a, b, o]| g::angle_to(a, b, o));
-                refuses!($R, "distance_to", Free, 3, |[a, b, o]| g::distance_to(a, b, o));
+                refuses! { $R:
+                    Free, |[a, b, o]| g::line(a, b, o);
+                    Free, |[a, b, o]| g::plane(a, b, o);
+                    Free, |[a, b, o]| g::twist(a, b, o);
+                    Free, |[a, o]| g::to_twist(a, o);
+                    Free, |[a, b, o]| g::integrate_body(a, b, 0.5, o);
+                    Free, |[a, b, o]| g::angle_to(a, b, o);
+                    Free, |[a, b, o]| g::distance_to(a, b, o);
 
-                refuses!($R, "conjugate", InPlace(0), 2, |[a, o]| slices::$of::conjugate(a, o, 17));
-                refuses!($R, "lines_each", Apart, 3, |[a, b, o]| l::lines_each(a, b, o, 17));
-                refuses!($R, "planes_each", Apart, 3, |[a, b, o]| l::planes_each(a, b, o, 17));
-                refuses!($R, "twists_each", Apart, 3, |[a, b, o]| t::twists_each(a, b, o, 17));
-                refuses!($R, "blocks_twists_each", Apart, 3, |[a, b, o]| {
-                    t::blocks_twists_each($lanes, a, b, o, 3)
-                });
-                refuses!($R, "integrate_body", Apart, 3, |[a, b, o]| {
-                    t::integrate_body(a, b, 0.5, o, 17)
-                });
-                refuses!($R, "log", Apart, 2, |[a, o]| t::log(a, o, 17));
-                refuses!($R, "blocks_log", Apart, 2, |[a, o]| t::blocks_log($lanes, a, o, 3));
-                refuses!($R, "exp", Apart, 2, |[a, o]| t::exp(a, o, 17));
-                refuses!($R, "pow_each", Apart, 3, |[a, b, o]| t::pow_each(a, b, o, 17));
-                refuses!($R, "angles", Apart, 3, |[a, b, o]| d::angles(a, b, o, 17));
-                refuses!($R, "distances", Apart, 3, |[a, b, o]| d::distances(a, b, o, 17));
+                    InPlace(0), |[a, o]| slices::$of::conjugate(a, o, 17);
+                    Apart, |[a, b, o]| l::lines_each(a, b, o, 17);
+                    Apart, |[a, b, o]| l::planes_each(a, b, o, 17);
+                    Apart, |[a, b, o]| t::twists_each(a, b, o, 17);
+                    Apart, |[a, b, o]| t::blocks_twists_each($lanes, a, b, o, 3);
+                    Apart, |[a, b, o]| t::integrate_body(a, b, 0.5, o, 17);
+                    Apart, |[a, o]| t::log(a, o, 17);
+                    Apart, |[a, o]| t::blocks_log($lanes, a, o, 3);
+                    Apart, |[a, o]| t::exp(a, o, 17);
+                    Apart, |[a, b, o]| t::pow_each(a, b, o, 17);
+                    Apart, |[a, b, o]| d::angles(a, b, o, 17);
+                    Apart, |[a, b, o]| d::distances(a, b, o, 17);
 
-                refuses!($R, "chain_products", InPlace(0), 2, |[a, o]| c::chain_products(a, o, 17));
-                refuses!($R, "blocks_chain_products", InPlace(0), 2, |[a, o]| {
-                    c::blocks_chain_products($lanes, a, o, 3)
-                });
-                refuses!($R, "pack_chain", Apart, 2, |[a, o]| {
-                    p::pack_chain($lanes, a, 2 * $lanes + 1, o, 3)
-                });
-                refuses!($R, "unpack_chain", Apart, 2, |[a, o]| {
-                    p::unpack_chain($lanes, a, 3, o, 2 * $lanes + 1)
-                });
+                    InPlace(0), |[a, o]| c::chain_products(a, o, 17);
+                    InPlace(0), |[a, o]| c::blocks_chain_products($lanes, a, o, 3);
+                    Apart, |[a, o]| p::pack_chain($lanes, a, 2 * $lanes + 1, o, 3);
+                    Apart, |[a, o]| p::unpack_chain($lanes, a, 3, o, 2 * $lanes + 1);
+                }
             }
         }
     };

@@ -31,89 +31,65 @@ macro_rules! all {
             // SAFETY: all arrays are as long as their buffers, whose length is enough for 17 plain
             // things and for three blocks.
             unsafe {
-                refuses!($R, "mul", InPlace(0), 3, |[a, b, o]| s::mul(a, b, o, 17));
-                refuses!($R, "blocks_mul", InPlace(0), 3, |[a, b, o]| s::blocks_mul(
-                    $lanes, a, b, o, 3
-                ));
-                refuses!($R, "normalize", InPlace(0), 2, |[a, o]| s::normalize(a, o, 17));
-                refuses!($R, "inverse", InPlace(0), 2, |[a, o]| s::inverse(a, o, 17));
-                refuses!($R, "blocks_inverse", InPlace(0), 2, |[a, o]| s::blocks_inverse(
-                    $lanes, a, o, 3
-                ));
-                refuses!($R, "nlerp", Apart, 3, |[a, b, o]| s::nlerp(a, b, 0.5, o, 17));
-                refuses!($R, "nlerp_each", Apart, 4, |[a, b, t, o]| s::nlerp_each(a, b, t, o, 17));
-                refuses!($R, "sclerp", Apart, 3, |[a, b, o]| s::sclerp(a, b, 0.5, o, 17));
-                refuses!($R, "sclerp_each", Apart, 4, |[a, b, t, o]| s::sclerp_each(
-                    a, b, t, o, 17
-                ));
-                refuses!($R, "blocks_sclerp_each", Apart, 4, |[a, b, t, o]| {
-                    s::blocks_sclerp_each($lanes, a, b, t, o, 3)
-                });
+                refuses! { $R:
+                    InPlace(0), |[a, b, o]| s::mul(a, b, o, 17);
+                    InPlace(0), |[a, b, o]| s::blocks_mul($lanes, a, b, o, 3);
+                    InPlace(0), |[a, o]| s::normalize(a, o, 17);
+                    InPlace(0), |[a, o]| s::inverse(a, o, 17);
+                    InPlace(0), |[a, o]| s::blocks_inverse($lanes, a, o, 3);
+                    Apart, |[a, b, o]| s::nlerp(a, b, 0.5, o, 17);
+                    Apart, |[a, b, t, o]| s::nlerp_each(a, b, t, o, 17);
+                    Apart, |[a, b, o]| s::sclerp(a, b, 0.5, o, 17);
+                    Apart, |[a, b, t, o]| s::sclerp_each(a, b, t, o, 17);
+                    Apart, |[a, b, t, o]| s::blocks_sclerp_each($lanes, a, b, t, o, 3);
+                }
                 let mut by = memory!($R);
                 let by = by.0.as_mut_ptr();
-                refuses!($R, "points", InPlace(0), 2, |[a, o]| s::points(by, a, o, 17));
-                refuses!($R, "vectors", InPlace(0), 2, |[a, o]| s::vectors(by, a, o, 17));
-                refuses!($R, "points_each", Apart, 3, |[a, b, o]| s::points_each(a, b, o, 17));
-                refuses!($R, "vectors_each", Apart, 3, |[a, b, o]| s::vectors_each(a, b, o, 17));
-                refuses!($R, "matrices_3x4", Apart, 2, |[a, o]| s::matrices_3x4(a, 0, o, 17));
-                refuses!($R, "matrices_4x4", Apart, 2, |[a, o]| s::matrices_4x4(a, 1, o, 17));
+                refuses! { $R:
+                    InPlace(0), |[a, o]| s::points(by, a, o, 17);
+                    InPlace(0), |[a, o]| s::vectors(by, a, o, 17);
+                    Apart, |[a, b, o]| s::points_each(a, b, o, 17);
+                    Apart, |[a, b, o]| s::vectors_each(a, b, o, 17);
+                    Apart, |[a, o]| s::matrices_3x4(a, 0, o, 17);
+                    Apart, |[a, o]| s::matrices_4x4(a, 1, o, 17);
 
-                refuses!($R, "local_to_model", InPlace(0), 2, |[a, o]| {
-                    h::local_to_model(parents, 2, ptr::null(), a, o, 16)
-                });
-                refuses!($R, "blocks_local_to_model", InPlace(0), 2, |[a, o]| {
-                    h::blocks_local_to_model($lanes, parents, 2, by, a, o, 2)
-                });
-                refuses!($R, "model_to_local", InPlace(0), 2, |[a, o]| {
-                    h::model_to_local(parents, 2, by, a, o, 16)
-                });
-                refuses!($R, "rotations_to_model", Apart, 3, |[a, b, o]| {
-                    h::rotations_to_model(parents, 2, ptr::null(), a, b, o, 16)
-                });
-                refuses!($R, "rotations_translations_to_model", Apart, 2, |[a, o]| {
-                    h::rotations_translations_to_model(parents, 2, ptr::null(), a, o, 16)
-                });
-                refuses!($R, "palette", Apart, 4, |[a, b, models, o]| {
-                    h::palette(parents, 2, ptr::null(), a, b, models, o, 16)
-                });
-                refuses!($R, "palette, models", Apart, 4, |[a, b, palette, o]| {
-                    h::palette_matrices(parents, 2, ptr::null(), a, b, o, palette, 16)
-                });
+                    InPlace(0), |[a, o]| h::local_to_model(parents, 2, ptr::null(), a, o, 16);
+                    InPlace(0), |[a, o]| h::blocks_local_to_model($lanes, parents, 2, by, a, o, 2);
+                    InPlace(0), |[a, o]| h::model_to_local(parents, 2, by, a, o, 16);
+                    Apart, |[a, b, o]| h::rotations_to_model(parents, 2, ptr::null(), a, b, o, 16);
+                    Apart, |[a, o]|
+                        h::rotations_translations_to_model(parents, 2, ptr::null(), a, o, 16);
+                    Apart, |[a, b, models, o]|
+                        h::palette(parents, 2, ptr::null(), a, b, models, o, 16);
+                    Apart, |[a, b, palette, o]|
+                        h::palette_matrices(parents, 2, ptr::null(), a, b, o, palette, 16);
 
-                refuses!($R, "pack", Apart, 2, |[a, o]| p::pack($lanes, 2, a, 16, o, 16 / $lanes));
-                refuses!($R, "unpack", Apart, 2, |[a, o]| p::unpack(
-                    $lanes,
-                    2,
-                    a,
-                    16 / $lanes,
-                    o,
-                    16
-                ));
+                    Apart, |[a, o]| p::pack($lanes, 2, a, 16, o, 16 / $lanes);
+                    Apart, |[a, o]| p::unpack($lanes, 2, a, 16 / $lanes, o, 16);
 
-                refuses!($R, "identity", Free, 1, |[o]| m::identity(o));
-                refuses!($R, "from_rotation_translation", Free, 3, |[a, b, o]| {
-                    m::from_rotation_translation(a, b, o)
-                });
-                refuses!($R, "to_rotation_translation", Free, 3, |[a, b, o]| {
-                    m::to_rotation_translation(a, b, o)
-                });
-                refuses!($R, "to_matrix_3x4", Free, 2, |[a, o]| m::to_matrix_3x4(a, o));
-                refuses!($R, "to_matrix_4x4", Free, 2, |[a, o]| m::to_matrix_4x4(a, o));
-                refuses!($R, "motion_mul", Free, 3, |[a, b, o]| m::mul(a, b, o));
-                refuses!($R, "conjugate", Free, 2, |[a, o]| m::conjugate(a, o));
-                refuses!($R, "motion_inverse", Free, 2, |[a, o]| m::inverse(a, o));
-                refuses!($R, "motion_normalize", Free, 2, |[a, o]| m::normalize(a, o));
-                refuses!($R, "point", Free, 3, |[a, b, o]| m::point(a, b, o));
-                refuses!($R, "vector", Free, 3, |[a, b, o]| m::vector(a, b, o));
-                refuses!($R, "motion_nlerp", Free, 3, |[a, b, o]| c::nlerp(a, b, 0.5, o));
-                refuses!($R, "motion_sclerp", Free, 3, |[a, b, o]| c::sclerp(a, b, 0.5, o));
-                refuses!($R, "log", Free, 2, |[a, o]| c::log(a, o));
-                refuses!($R, "exp", Free, 2, |[a, o]| c::exp(a, o));
-                refuses!($R, "pow", Free, 2, |[a, o]| c::pow(a, 0.5, o));
-                refuses!($R, "to_screw", Free, 2, |[a, o]| c::to_screw(a, o));
-                refuses!($R, "from_screw", Free, 2, |[a, o]| c::from_screw(a, o));
+                    Free, |[o]| m::identity(o);
+                    Free, |[a, b, o]| m::from_rotation_translation(a, b, o);
+                    Free, |[a, b, o]| m::to_rotation_translation(a, b, o);
+                    Free, |[a, o]| m::to_matrix_3x4(a, o);
+                    Free, |[a, o]| m::to_matrix_4x4(a, o);
+                    Free, |[a, b, o]| m::mul(a, b, o);
+                    Free, |[a, o]| m::conjugate(a, o);
+                    Free, |[a, o]| m::inverse(a, o);
+                    Free, |[a, o]| m::normalize(a, o);
+                    Free, |[a, b, o]| m::point(a, b, o);
+                    Free, |[a, b, o]| m::vector(a, b, o);
+                    Free, |[a, b, o]| c::nlerp(a, b, 0.5, o);
+                    Free, |[a, b, o]| c::sclerp(a, b, 0.5, o);
+                    Free, |[a, o]| c::log(a, o);
+                    Free, |[a, o]| c::exp(a, o);
+                    Free, |[a, o]| c::pow(a, 0.5, o);
+                    Free, |[a, o]| c::to_screw(a, o);
+                    Free, |[a, o]| c::from_screw(a, o);
+                }
                 // The first weight is 0, the fourth 1.
-                refuses!($R, "blend", Free, 3, |[a, b, o]| c::blend(a, b, 4, o));
+                refuses! { $R:
+                    Free, |[a, b, o]| c::blend(a, b, 4, o);
+                }
             }
         }
     };

@@ -29,13 +29,13 @@ pub(crate) enum Aliasing {
     Apart,
 }
 
-/// Calls with pointers that are wrong. `call` gets all pointers, the output last.
+/// Calls with pointers that are wrong: whether the output may lie on an input, all pointers, the output last, and the call.
 macro_rules! refuses {
-    ($R:ident, $name:expr, $aliasing:expr, $count:literal, $call:expr) => {{
-        const POINTERS: usize = $count;
-        let call: &dyn Fn([*mut $R; POINTERS]) -> Status = &$call;
+    ($R:ident: $($aliasing:expr, |[$($pointer:ident),+]| $call:expr;)+) => {$({
+        const POINTERS: usize = [$(stringify!($pointer)),+].len();
+        let call: &dyn Fn([*mut $R; POINTERS]) -> Status = &|[$($pointer),+]| $call;
         let aliasing: Aliasing = $aliasing;
-        let name = concat!($name, " ", stringify!($R));
+        let name = concat!(stringify!($call), " ", stringify!($R));
         // How far into an input an output overlaps it, aligned as blocks must be.
         let into =
             if name.contains("pack") || name.contains("blocks") { 64 } else { size_of::<$R>() };
@@ -74,5 +74,5 @@ macro_rules! refuses {
             pointers[POINTERS - 1] = good[at];
             assert_eq!(call(pointers), Status::Ok, "{name}: in place");
         }
-    }};
+    })+};
 }

@@ -12,6 +12,13 @@ use std::ptr;
 /// Calls of a function with its one thing, of eight numbers, and an output of so many numbers.
 type Call<'a, R> = (&'a str, usize, &'a dyn Fn(*const R, *mut R) -> Status);
 
+/// `numbers of the output, |the one thing, output| call;`, each called by its text.
+macro_rules! calls {
+    ($($numbers:expr, |$one:ident, $output:ident| $call:expr;)+) => {
+        &[$((stringify!($call), $numbers, &|$one, $output| $call)),+]
+    };
+}
+
 macro_rules! all {
     ($test:ident, $reach:ident, $R:ident, $of:ident, $lanes:literal) => {
         #[test]
@@ -25,63 +32,37 @@ macro_rules! all {
             // SAFETY: all arrays are as long as their buffers, whose length is enough for 17 plain things and for
             // two blocks of matrices.
             let calls: &[Call<$R>] = unsafe {
-                &[
-                    ("points", 51, &|m, o| s::points(m, a, o, 17)),
-                    ("points in place", 51, &|m, o| s::points(m, o, o, 17)),
-                    ("vectors", 51, &|m, o| s::vectors(m, a, o, 17)),
-                    ("vectors in place", 51, &|m, o| s::vectors(m, o, o, 17)),
-                    ("blocks_points", 8 * lanes, &|m, o| s::blocks_points(lanes, m, a, o, 2)),
-                    ("blocks_points in place", 8 * lanes, &|m, o| {
-                        s::blocks_points(lanes, m, o, o, 2)
-                    }),
-                    ("blocks_vectors", 8 * lanes, &|m, o| s::blocks_vectors(lanes, m, a, o, 2)),
-                    ("local_to_model", 128, &|m, o| h::local_to_model(parents, 2, m, a, o, 16)),
-                    ("local_to_model in place", 128, &|m, o| {
-                        h::local_to_model(parents, 2, m, o, o, 16)
-                    }),
-                    ("blocks_local_to_model", 16 * lanes, &|m, o| {
-                        h::blocks_local_to_model(lanes, parents, 2, m, a, o, 2)
-                    }),
-                    ("blocks_local_to_model in place", 16 * lanes, &|m, o| {
-                        h::blocks_local_to_model(lanes, parents, 2, m, o, o, 2)
-                    }),
-                    ("model_to_local", 128, &|m, o| h::model_to_local(parents, 2, m, a, o, 16)),
-                    ("model_to_local in place", 128, &|m, o| {
-                        h::model_to_local(parents, 2, m, o, o, 16)
-                    }),
-                    ("blocks_model_to_local", 16 * lanes, &|m, o| {
-                        h::blocks_model_to_local(lanes, parents, 2, m, a, o, 2)
-                    }),
-                    ("rotations_to_model", 128, &|m, o| {
-                        h::rotations_to_model(parents, 2, m, a, b, o, 16)
-                    }),
-                    ("blocks_rotations_to_model", 16 * lanes, &|m, o| {
-                        h::blocks_rotations_to_model(lanes, parents, 2, m, a, b, o, 2)
-                    }),
-                    ("rotations_translations_to_model", 128, &|m, o| {
-                        h::rotations_translations_to_model(parents, 2, m, a, o, 16)
-                    }),
-                    ("blocks_rotations_translations_to_model", 16 * lanes, &|m, o| {
-                        h::blocks_rotations_translations_to_model(lanes, parents, 2, m, a, o, 2)
-                    }),
-                    ("palette, models", 128, &|m, o| h::palette(parents, 2, m, a, a, o, b, 16)),
-                    ("palette", 128, &|m, o| h::palette(parents, 2, m, a, a, b, o, 16)),
-                    ("blocks_palette, models", 16 * lanes, &|m, o| {
-                        h::blocks_palette(lanes, parents, 2, m, a, a, o, b, 2)
-                    }),
-                    ("blocks_palette", 16 * lanes, &|m, o| {
-                        h::blocks_palette(lanes, parents, 2, m, a, a, b, o, 2)
-                    }),
-                    ("palette_matrices", 192, &|m, o| {
-                        h::palette_matrices(parents, 2, m, a, a, b, o, 16)
-                    }),
-                    ("blocks_palette_matrices, models", 16 * lanes, &|m, o| {
-                        h::blocks_palette_matrices(lanes, parents, 2, m, a, a, o, b, 2)
-                    }),
-                    ("blocks_palette_matrices", 24 * lanes, &|m, o| {
-                        h::blocks_palette_matrices(lanes, parents, 2, m, a, a, b, o, 2)
-                    }),
-                ]
+                calls! {
+                    51, |m, o| s::points(m, a, o, 17);
+                    51, |m, o| s::points(m, o, o, 17);
+                    51, |m, o| s::vectors(m, a, o, 17);
+                    51, |m, o| s::vectors(m, o, o, 17);
+                    8 * lanes, |m, o| s::blocks_points(lanes, m, a, o, 2);
+                    8 * lanes, |m, o| s::blocks_points(lanes, m, o, o, 2);
+                    8 * lanes, |m, o| s::blocks_vectors(lanes, m, a, o, 2);
+                    128, |m, o| h::local_to_model(parents, 2, m, a, o, 16);
+                    128, |m, o| h::local_to_model(parents, 2, m, o, o, 16);
+                    16 * lanes, |m, o| h::blocks_local_to_model(lanes, parents, 2, m, a, o, 2);
+                    16 * lanes, |m, o| h::blocks_local_to_model(lanes, parents, 2, m, o, o, 2);
+                    128, |m, o| h::model_to_local(parents, 2, m, a, o, 16);
+                    128, |m, o| h::model_to_local(parents, 2, m, o, o, 16);
+                    16 * lanes, |m, o| h::blocks_model_to_local(lanes, parents, 2, m, a, o, 2);
+                    128, |m, o| h::rotations_to_model(parents, 2, m, a, b, o, 16);
+                    16 * lanes, |m, o|
+                        h::blocks_rotations_to_model(lanes, parents, 2, m, a, b, o, 2);
+                    128, |m, o| h::rotations_translations_to_model(parents, 2, m, a, o, 16);
+                    16 * lanes, |m, o|
+                        h::blocks_rotations_translations_to_model(lanes, parents, 2, m, a, o, 2);
+                    128, |m, o| h::palette(parents, 2, m, a, a, o, b, 16);
+                    128, |m, o| h::palette(parents, 2, m, a, a, b, o, 16);
+                    16 * lanes, |m, o| h::blocks_palette(lanes, parents, 2, m, a, a, o, b, 2);
+                    16 * lanes, |m, o| h::blocks_palette(lanes, parents, 2, m, a, a, b, o, 2);
+                    192, |m, o| h::palette_matrices(parents, 2, m, a, a, b, o, 16);
+                    16 * lanes, |m, o|
+                        h::blocks_palette_matrices(lanes, parents, 2, m, a, a, o, b, 2);
+                    24 * lanes, |m, o|
+                        h::blocks_palette_matrices(lanes, parents, 2, m, a, a, b, o, 2);
+                }
             };
             for (name, numbers, call) in calls {
                 let before = memory!($R);

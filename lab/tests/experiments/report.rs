@@ -57,7 +57,6 @@ fn every_section_is_there_and_opens_with_its_claims() {
         "Times of products",
         "Interpolations",
         "Keyframes",
-        "Hyper-dual",
         "Derivatives of forward kinematics",
         "Dual numbers",
     ];

@@ -63,6 +63,13 @@ proptest! {
     }
 
     #[test]
+    fn section_1_the_printed_product_is_the_product(x in any_number(), y in any_number()) {
+        let ([a, b, c, d], [e, f, g, h]) = (parts(x), parts(y));
+        let printed = [a * e, a * f + b * e, a * g + c * e, a * h + b * g + c * f + d * e];
+        assert_close(parts(x * y), printed, 4e-15);
+    }
+
+    #[test]
     fn section_1_the_printed_inverse_is_the_inverse(x in invertible()) {
         let [a, b, c, d] = parts(x);
         let squared = a * a;
