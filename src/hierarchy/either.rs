@@ -49,23 +49,16 @@ where
     fn pose<V: Level>(self, level: V, slot: JointSlot) -> Option<[M::Register<V>; C]> {
         of!(self, locals => locals.pose(level, slot))
     }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn called<V: Level>(&self, level: V, slot: &JointSlot) -> Option<[M::Register<V>; C]> {
+        of!(self, locals => locals.called(level, slot))
+    }
     fn some(self, joints: usize, instances: Range<usize>) -> Self {
         match self {
             Self::One(locals) => Self::One(locals.some(joints, instances)),
             Self::Other(locals) => Self::Other(locals.some(joints, instances)),
         }
     }
-}
-
-/// What is called is handed where they lie, and not copies.
-#[cfg_attr(target_family = "wasm", inline(never))]
-#[cfg_attr(not(any(opt_level_0, target_family = "wasm")), inline(always))]
-fn pose<M: Layout, V: Level, S: PoseSource<M, 7>>(
-    poses: &S,
-    level: V,
-    slot: &JointSlot,
-) -> Option<[M::Register<V>; 7]> {
-    poses.pose(level, *slot)
 }
 
 impl<E, A, B> Locals<E> for Either<A, B>
@@ -79,7 +72,7 @@ where
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Motions<E, V>> {
-        Some(NlerpLerp.motion(pose::<E::Layout, V, _>(&self, level, &slot)?))
+        Some(NlerpLerp.motion(PoseSource::<E::Layout, 7>::called(&self, level, &slot)?))
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn onto<V: Level>(
@@ -89,7 +82,7 @@ where
         _: &[E],
         slot: JointSlot,
     ) -> Option<Motions<E, V>> {
-        Some(NlerpLerp.onto(parent, pose::<E::Layout, V, _>(&self, level, &slot)?))
+        Some(NlerpLerp.onto(parent, PoseSource::<E::Layout, 7>::called(&self, level, &slot)?))
     }
     fn part(self, joints: usize, instances: Range<usize>) -> Self {
         PoseSource::<E::Layout, 7>::some(self, joints, instances)
