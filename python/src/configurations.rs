@@ -225,6 +225,9 @@ fn by_columns<'py>(out: &Bound<'py, PyAny>, shape: &[usize]) -> Answer<'py> {
 type Compute<'f, R, const C: usize> =
     dyn Fn(&[R], &mut [[R; C]]) -> Result<(), ShapeError> + Sync + 'f;
 
+/// So many columns become rows at a time: they are in the nearest cache when they are read.
+const FEW: usize = 8 * MAX_LANES;
+
 /// `each` of the configurations in `numbers`, which writes `count` elements of `to` for one; some together.
 fn pieces<R: Number, const C: usize>(
     threads: &Threads,
@@ -241,11 +244,15 @@ fn pieces<R: Number, const C: usize>(
     // Whole registers.
     let size = count * GRAIN.div_ceil(view.links()).next_multiple_of(MAX_LANES);
     threads.split(size, to, &|(first, to)| {
-        let range = first / count..(first + to.len()) / count;
         let mut made = Vec::new();
-        each(rows(numbers, values, range, &mut made), to)
-            .map_err(|error| failure.set(error))
-            .is_ok()
+        let together = if numbers.len() == 1 { to.len() } else { count * FEW };
+        to.chunks_mut(together).enumerate().all(|(index, to)| {
+            let begin = (first + index * together) / count;
+            let range = begin..begin + to.len() / count;
+            each(rows(numbers, values, range, &mut made), to)
+                .map_err(|error| failure.set(error))
+                .is_ok()
+        })
     });
     failure.into_inner().map_or(Ok(()), |error| Err(value_error(error)))
 }

@@ -4,6 +4,7 @@ use crate::argument::{Argument, Input, common_dtype, is_single};
 use crate::broadcast::common;
 use crate::call::Answer;
 use crate::error::misshapen;
+use crate::links::{check_names, link_of};
 use crate::number::Number;
 use crate::output::Output;
 use crate::plain::check_whole;
@@ -14,14 +15,17 @@ use dq8::simd::MAX_LANES;
 use dq8::{DualQuat, Skeleton};
 use pyo3::exceptions::{PyRuntimeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::PyList;
+use pyo3::types::{PyDict, PyList};
 
 /// A joint hierarchy: the parent of every joint.
 ///
 /// Parameters
 /// ----------
-/// parents : sequence of int, length n
-///     ``parents[j]`` is the parent of joint j, or −1 or None for a root; in any order.
+/// parents : sequence of int, length n, or dict
+///     ``parents[j]`` is the parent of joint j, or −1 or None for a root; in any order. A dict has the name of each joint
+///     and that of its parent.
+/// names : sequence of str, length n, optional
+///     Names of the joints, where `parents` is no dict.
 ///
 /// Examples
 /// --------
@@ -30,10 +34,13 @@ use pyo3::types::PyList;
 /// >>> down = dq8.from_translation([0.0, -1.0, 0.0])
 /// >>> dq8.translation(leg.local_to_model(np.tile(down, (3, 1))))[:, 1]
 /// array([-1., -2., -3.])
+/// >>> dq8.Hierarchy({"foot": "knee", "hip": None, "knee": "hip"}).parents
+/// [2, -1, 1]
 #[pyclass(frozen, module = "dq8")]
 #[derive(Debug)]
 pub(crate) struct Hierarchy {
     parents: Vec<u32>,
+    names: Option<Vec<String>>,
     /// With parents first.
     sorted: Skeleton,
     /// Where each of the sorted joints stands, if not in that order.
@@ -43,14 +50,30 @@ pub(crate) struct Hierarchy {
 #[pymethods]
 impl Hierarchy {
     #[new]
-    fn new(parents: &Bound<'_, PyAny>) -> PyResult<Self> {
-        let parents = parents_of(parents)?;
+    #[pyo3(signature = (parents, names=None))]
+    fn new(parents: &Bound<'_, PyAny>, mut names: Option<Vec<String>>) -> PyResult<Self> {
+        let parents = match parents.cast::<PyDict>() {
+            Ok(by_name) if names.is_none() => {
+                let own: Vec<String> = by_name.keys().extract()?;
+                let parents = parents_by_name(&own, by_name)?;
+                names = Some(own);
+                parents
+            }
+            _ => parents_of(parents)?,
+        };
+        names.iter().try_for_each(|names| check_names("names", names, parents.len()))?;
         let named = |error| PyValueError::new_err(format!("`parents`: {error}"));
         if let Ok(sorted) = Skeleton::new(&parents) {
-            return Ok(Self { parents, sorted, order: None });
+            return Ok(Self { parents, names, sorted, order: None });
         }
         let (sorted, order) = Skeleton::sorted(&parents).map_err(named)?;
-        Ok(Self { parents, sorted, order: Some(order) })
+        Ok(Self { parents, names, sorted, order: Some(order) })
+    }
+
+    /// The names of the joints, or None.
+    #[getter]
+    fn names(&self) -> Option<Vec<String>> {
+        self.names.clone()
     }
 
     /// The parent of every joint, −1 for a root.
@@ -75,8 +98,9 @@ impl Hierarchy {
 
     fn __reduce__<'py>(
         slf: &Bound<'py, Self>,
-    ) -> PyResult<(Bound<'py, PyAny>, (Bound<'py, PyList>,))> {
-        Ok((slf.get_type().into_any(), (slf.get().parents(slf.py())?,)))
+    ) -> PyResult<(Bound<'py, PyAny>, (Bound<'py, PyList>, Option<Vec<String>>))> {
+        let own = slf.get();
+        Ok((slf.get_type().into_any(), (own.parents(slf.py())?, own.names())))
     }
 
     /// Forward kinematics: ``model(j) = model(parent(j)) · local(j)``.
@@ -148,6 +172,17 @@ pub(crate) fn parents_of(parents: &Bound<'_, PyAny>) -> PyResult<Vec<u32>> {
     parents.collect::<Result<_, _>>().map_err(|parent| {
         PyValueError::new_err(format!("`parents`: {parent} is neither a joint nor −1."))
     })
+}
+
+/// Parents as a dict says them, of joints with these names.
+fn parents_by_name(names: &[String], parents: &Bound<'_, PyDict>) -> PyResult<Vec<u32>> {
+    let number = |parent: Bound<'_, PyAny>| {
+        if parent.is_none() {
+            return Ok(dq8::Hierarchy::ROOT);
+        }
+        Ok(link_of(names, "parents", &parent)? as u32)
+    };
+    parents.values().iter().map(number).collect()
 }
 
 #[derive(Clone, Copy)]
@@ -231,9 +266,15 @@ impl Hierarchy {
             let root = match roots {
                 None => Root::None,
                 Some((roots, true)) => Root::Same(DualQuat::from_array(roots[0])),
-                Some((roots, false)) => Root::Each(&roots[first..first + to.len() / self.joints()]),
+                Some((roots, false)) => {
+                    let own = &roots[first..first + to.len() / self.joints()];
+                    Root::Each(bytemuck::must_cast_slice(own))
+                }
             };
             let job = self.sorted.hierarchy().job().on(root);
+            // As motions, for which packed clips and chains have the same kernels.
+            let from: Option<&[DualQuat<R>]> = from.map(bytemuck::must_cast_slice);
+            let to: &mut [DualQuat<R>] = bytemuck::must_cast_slice_mut(to);
             let done = match (direction, from) {
                 (Direction::ToModel, Some(from)) => job.local_to_model(from, to),
                 (Direction::ToModel, None) => job.local_to_model_in_place(to),

@@ -2,7 +2,9 @@
 
 use crate::argument::{Argument, Input};
 use crate::error::misshapen;
+use crate::shape::{EIGHT, NUMBER, tuple};
 use dq8::DualQuat;
+use dq8_robot::urdf::Drive;
 use dq8_robot::{Joint, JointKind, OwnedMechanism};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
@@ -21,10 +23,10 @@ impl Arrays<'_, '_> {
     pub(crate) fn joints(&self) -> PyResult<Vec<Joint<f64>>> {
         let count = self.parents.len();
         let kinds = kinds(self.kinds, count)?;
-        let axes = rows::<3>("axes", self.axes, count)?;
-        let placements = rows::<8>("placements", self.placements, count)?;
+        let axes = rows::<3>("axes", &[3], self.axes, count)?;
+        let placements = rows::<8>("placements", EIGHT, self.placements, count)?;
         let limits = match self.limits {
-            Some(limits) => rows::<2>("limits", limits, count)?,
+            Some(limits) => rows::<2>("limits", &[2], limits, count)?,
             None => vec![NO_LIMITS; count],
         };
         let mut joints = Vec::with_capacity(count);
@@ -48,6 +50,27 @@ impl Arrays<'_, '_> {
 /// Where a joint without limits may go.
 pub(crate) const NO_LIMITS: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
+/// The greatest speeds and efforts of joints.
+pub(crate) fn drives(
+    count: usize,
+    velocities: Option<&Bound<'_, PyAny>>,
+    efforts: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Vec<Drive>> {
+    let greatest = |name, given: Option<&Bound<'_, PyAny>>| {
+        let Some(given) = given else { return Ok(vec![[f64::INFINITY]; count]) };
+        let numbers = rows::<1>(name, NUMBER, given, count)?;
+        if let Some((joint, [wrong])) = numbers.iter().enumerate().find(|(_, it)| !(it[0] >= 0.0)) {
+            let message = format!("`{name}`: that of joint {joint} is {wrong}, not 0 or more.");
+            return Err(PyValueError::new_err(message));
+        }
+        Ok(numbers)
+    };
+    let velocities = greatest("velocity_limits", velocities)?;
+    let efforts = greatest("effort_limits", efforts)?.into_iter();
+    let both = velocities.into_iter().zip(efforts);
+    Ok(both.map(|([velocity], [effort])| Drive { velocity, effort }).collect())
+}
+
 /// One kind for all joints, or one for each.
 fn kinds(given: &Bound<'_, PyAny>, count: usize) -> PyResult<Vec<String>> {
     if let Ok(kind) = given.extract::<String>() {
@@ -66,14 +89,18 @@ fn kinds(given: &Bound<'_, PyAny>, count: usize) -> PyResult<Vec<String>> {
 /// An array with one row for each joint, or one row for all.
 fn rows<const C: usize>(
     name: &'static str,
+    core: &'static [usize],
     value: &Bound<'_, PyAny>,
     count: usize,
 ) -> PyResult<Vec<[f64; C]>> {
-    let input = Input::<f64>::of(&Argument::new(name, const { &[C] }, value)?)?;
+    let input = Input::<f64>::of(&Argument::new(name, core, value)?)?;
     match *input.full_leading() {
         [] | [1] => Ok(input.records::<C>().repeat(count)),
         [own] if own == count => Ok(input.filled(&[count])?.records::<C>().to_vec()),
-        _ => Err(misshapen(name, &format!("({count}, {C}) or ({C},)"), &input.shape())),
+        _ => {
+            let each = tuple(&[&[count], core].concat());
+            Err(misshapen(name, &format!("{each} or {}", tuple(core)), &input.shape()))
+        }
     }
 }
 

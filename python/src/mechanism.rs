@@ -6,20 +6,21 @@ use crate::columns::in_order;
 use crate::configurations::{Frame, Values, jacobian, poses};
 use crate::error::value_error;
 use crate::hierarchy::parents_of;
-use crate::joints::{Arrays, arrays_of, limits, parents, spans, values_and_rates};
-use crate::links::{Chosen, link_of, names};
+use crate::joints::{Arrays, arrays_of, drives, limits, parents, spans, values_and_rates};
+use crate::links::{Chosen, check_names, link_of};
 use crate::reach::{Search, reach};
 use crate::reach_report::ReachReport;
 use crate::shape::{EIGHT, NUMBER, SIX};
 use crate::urdf::text_of;
 use dq8_robot::ik::Options;
-use dq8_robot::urdf::Robot;
+use dq8_robot::urdf::{Drive, Robot};
 use dq8_robot::{Joint, MechanismError, OwnedMechanism};
 use numpy::PyArray1;
 use numpy::prelude::*;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyTuple, PyType};
+use std::iter::repeat_n;
 
 /// A tree of joints: a robot, from a URDF file or from arrays.
 ///
@@ -43,6 +44,9 @@ use pyo3::types::{PyTuple, PyType};
 ///     them; poses are computed of any values.
 /// links : sequence of str, length n, optional
 ///     Names of the links, and of their joints. By default their numbers.
+/// velocity_limits, effort_limits : array_like, shape (n,) or (), optional
+///     The greatest speed, and torque or force, of each joint; ``inf`` for none. They are kept for who drives the robot:
+///     nothing here asks for them.
 ///
 /// Examples
 /// --------
@@ -60,6 +64,7 @@ pub(crate) struct Mechanism {
     /// The root of a URDF file hangs on no joint.
     joint_names: Vec<Option<String>>,
     joints: Vec<Joint<f64>>,
+    drives: Vec<Drive>,
     double: OwnedMechanism<f64>,
     /// Lengths may be beyond `f32`.
     single: Result<OwnedMechanism<f32>, MechanismError>,
@@ -70,7 +75,10 @@ pub(crate) struct Mechanism {
 #[pymethods]
 impl Mechanism {
     #[new]
-    #[pyo3(signature = (parents, kinds, axes, placements, limits=None, links=None))]
+    #[expect(clippy::too_many_arguments, reason = "keywords of Python")]
+    #[pyo3(signature = (
+        parents, kinds, axes, placements, limits=None, links=None, velocity_limits=None, effort_limits=None
+    ))]
     fn new(
         parents: &Bound<'_, PyAny>,
         kinds: &Bound<'_, PyAny>,
@@ -78,18 +86,23 @@ impl Mechanism {
         placements: &Bound<'_, PyAny>,
         limits: Option<&Bound<'_, PyAny>>,
         links: Option<Vec<String>>,
+        velocity_limits: Option<&Bound<'_, PyAny>>,
+        effort_limits: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
         let parents = parents_of(parents)?;
         let count = parents.len();
         if count == 0 {
             return Err(PyValueError::new_err("Expected `parents` to have an element at least."));
         }
-        let links = names(links, count)?;
+        let numbers = || (0..count).map(|link| link.to_string()).collect();
+        let links: Vec<String> = links.unwrap_or_else(numbers);
+        check_names("links", &links, count)?;
+        let drives = drives(count, velocity_limits, effort_limits)?;
         let joints = Arrays { parents: &parents, kinds, axes, placements, limits }.joints()?;
         let double = OwnedMechanism::new(&joints).map_err(value_error)?;
         let single = OwnedMechanism::new(&joints.iter().map(Joint::cast).collect::<Vec<_>>());
         let joint_names = links.iter().cloned().map(Some).collect();
-        Ok(Self { links, joint_names, joints, double, single, urdf: None })
+        Ok(Self { links, joint_names, joints, drives, double, single, urdf: None })
     }
 
     /// A robot from a URDF file.
@@ -116,6 +129,7 @@ impl Mechanism {
             joint_names: robot.joint_names().to_vec(),
             double: OwnedMechanism::new(&joints).map_err(value_error)?,
             single: robot.cast(),
+            drives: robot.drives().to_vec(),
             joints,
             urdf: Some((robot.name().to_owned(), text)),
         })
@@ -163,6 +177,18 @@ impl Mechanism {
         Ok(numbers.reshape([limits.len(), 2])?.into_any())
     }
 
+    /// The greatest speed of each rate, radians or lengths in a unit of time: float64, shape (rates,), infinite for none.
+    #[getter]
+    fn velocity_limits<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        PyArray1::from_vec(py, self.of_rates(|drive| drive.velocity))
+    }
+
+    /// The greatest torque or force at each rate: float64, shape (rates,), infinite for none.
+    #[getter]
+    fn effort_limits<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        PyArray1::from_vec(py, self.of_rates(|drive| drive.effort))
+    }
+
     /// Between what `sample` draws each value.
     #[getter]
     fn _spans(&self) -> Vec<[f64; 2]> {
@@ -193,7 +219,10 @@ impl Mechanism {
             return Ok((slf.get_type().getattr("from_urdf")?, PyTuple::new(py, [urdf])?));
         }
         let (parents, kinds, axes, placements, limits) = arrays_of(&own.joints);
-        let arguments = (parents, kinds, axes, placements, limits, own.links.clone());
+        let (speeds, efforts): (Vec<_>, Vec<_>) =
+            own.drives.iter().map(|drive| (drive.velocity, drive.effort)).unzip();
+        let links = own.links.clone();
+        let arguments = (parents, kinds, axes, placements, limits, links, speeds, efforts);
         Ok((slf.get_type().into_any(), arguments.into_pyobject(py)?))
     }
 
@@ -391,6 +420,13 @@ impl Mechanism {
 }
 
 impl Mechanism {
+    /// What is so of a joint, for each of its rates.
+    fn of_rates(&self, of: impl Fn(&Drive) -> f64) -> Vec<f64> {
+        // Rates of a joint that mimics are those of another one.
+        let own = self.joints.iter().zip(&self.drives).filter(|(joint, _)| joint.mimic.is_none());
+        own.flat_map(|(joint, drive)| repeat_n(of(drive), joint.kind.rates())).collect()
+    }
+
     fn single(&self) -> PyResult<&OwnedMechanism<f32>> {
         self.single.as_ref().map_err(|error| {
             PyValueError::new_err(format!("`values` are float32, for which {error}"))

@@ -165,6 +165,8 @@ impl PackedClip {
             // Each joint a root: its model is its pose.
             let apart = vec![dq8::Hierarchy::ROOT; clips.joints()];
             let hierarchy = dq8::Hierarchy::new(&apart).map_err(value_error)?;
+            // As motions, as `deviation` has them: one kernel for both.
+            let to: &mut [DualQuat<R>] = bytemuck::must_cast_slice_mut(to);
             let done = Sampled::new(NlerpLerp, clips, &places, &t)
                 .and_then(|sampled| hierarchy.job().locals_to_model(sampled, to));
             done.map_err(|error| PyRuntimeError::new_err(error.to_string()))

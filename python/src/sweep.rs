@@ -65,7 +65,9 @@ fn operands<R, F, const A: usize, const B: usize, const C: usize, const D: usize
 {
     let Arguments { a, b, c } = arguments;
     let last = OneOrEach::of(c, each[2]);
-    if const { F::WIDE && B > 0 } && each[0] {
+    if const { F::WIDE && C > 0 } && (each[0] || each[1]) {
+        chunks(threads, law, OneOrEach::of(a, each[0]), OneOrEach::of(b, each[1]), last, to);
+    } else if const { F::WIDE && B > 0 && C == 0 } && each[0] {
         chunks(threads, law, a, OneOrEach::of(b, each[1]), last, to);
     } else if const { !F::WIDE && C > 0 } && each == [true; 3] {
         chunks(threads, law, a, b, c, to);
@@ -75,7 +77,7 @@ fn operands<R, F, const A: usize, const B: usize, const C: usize, const D: usize
         chunks(threads, law, a, One(b.one()), last, to);
     } else if const { C > 0 } && !each[1] {
         chunks(threads, law, One(a.one()), One(b.one()), last, to);
-    } else if const { B > 0 } {
+    } else if const { B > 0 && !(F::WIDE && C > 0) } {
         chunks(threads, law, One(a.one()), b, last, to);
     }
 }

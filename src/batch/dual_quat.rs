@@ -181,12 +181,11 @@ impl<L: Lanes> DualQuat<L> {
         super::vector::are_finite(self.to_array())
     }
 
-    /// Of σ and −σ the one with p_w ≥ 0; a zero of either sign counts as positive.
+    /// Of σ and −σ the one whose first of (p_w, p_x, p_y, p_z) that is not zero is positive.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn canonical(self) -> Self {
-        let w = self.real.w();
-        self.negate_where(w.lt(w.constant(0.0)))
+        self.negate_where(self.real.points_back())
     }
 
     #[cfg_attr(not(opt_level_0), inline(always))]

@@ -10,8 +10,9 @@ impl<L: Lanes> Quat<L> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn angle_to(self, other: Self) -> L {
-        let between = DualQuat::from_rotation(self.conjugate() * other).canonical();
+        let between = DualQuat::from_rotation(self.conjugate() * other);
         let (one, pi) = (self.w().constant(1.0), self.w().constant(core::f64::consts::PI));
+        let between = between.negate_where(between.real().w().lt(one.constant(0.0)));
         let sine = Length::of(between.real().xyz(), one).value();
         // θ = 2 sin Θ · Θ/sin Θ, and rounding may carry it beyond π.
         let angle = (sine + sine) * HalfAngle::of(between).over_sine().real;

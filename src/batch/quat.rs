@@ -85,6 +85,16 @@ impl<L: Lanes> Quat<L> {
         [self.0[0], self.0[1], self.0[2]]
     }
 
+    /// Whether −q is the canonical one of ±q.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn points_back(self) -> L::Mask {
+        let [x, y, z, w] = self.0;
+        let zero = w.constant(0.0);
+        let first = L::select(y.eq(zero), z, y);
+        let first = L::select(x.eq(zero), first, x);
+        L::select(w.eq(zero), first, w).lt(zero)
+    }
+
     /// w − xi − yj − zk
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]

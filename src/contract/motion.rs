@@ -136,7 +136,7 @@ shared_trait! {
         /// p* − εq*
         #[must_use]
         fn conjugate_both(self) -> Self;
-        /// The one of ±σ with p_w ≥ 0.
+        /// The one of ±σ whose first of (p_w, p_x, p_y, p_z) that is not zero is positive.
         #[must_use]
         fn canonical(self) -> Self;
         /// sσ

@@ -59,7 +59,7 @@ shared_trait! {
 
         /// cos(θ/2) + n sin(θ/2)
         fn from_axis_angle(axis: [Self::Real; 3], angle: Self::Real) -> Self;
-        /// n and θ of the one of ±q with w ≥ 0.
+        /// n and θ of the canonical one of ±q.
         fn to_axis_angle(self) -> ([Self::Real; 3], Self::Real);
         /// The turn by |v| about v.
         fn from_scaled_axis(v: [Self::Real; 3]) -> Self;

@@ -5,8 +5,8 @@ use crate::scalar::{Quat, vector};
 
 impl<R: Real> Quat<R> {
     /// The axis, of length 1, and the angle in [0, π] radians of a unit quaternion, n and θ of
-    /// ±q = cos(θ/2) + n sin(θ/2). Of ±q the one with w ≥ 0 is taken; at half a turn, where both n
-    /// and −n are axes, n is the vector part as it stands. No turn has the axis (1, 0, 0).
+    /// ±q = cos(θ/2) + n sin(θ/2). Of ±q the [canonical](crate::DualQuat::canonical) one is taken: w ≥ 0,
+    /// and at half a turn, where both n and −n are axes, the first component of n that is not zero is positive. No turn has the axis (1, 0, 0).
     ///
     /// The angle is twice the arctangent of |n sin(θ/2)| and w, accurate for all angles, where
     /// 2 arccos w loses half of the digits of a small one.
@@ -20,7 +20,7 @@ impl<R: Real> Quat<R> {
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_axis_angle(self) -> ([R; 3], R) {
         crate::scalar::must_be_unit::rotations("Quat::to_axis_angle", [self]);
-        let short = if self.w() < R::ZERO { -self } else { self };
+        let short = if self.points_back() { -self } else { self };
         let sine = vector::norm(short.xyz());
         if sine == R::ZERO {
             // Zero, but for a w that is no number.
@@ -59,7 +59,7 @@ impl<R: Real> Quat<R> {
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_scaled_axis(self) -> [R; 3] {
         crate::scalar::must_be_unit::rotations("Quat::to_scaled_axis", [self]);
-        let short = if self.w() < R::ZERO { -self } else { self };
+        let short = if self.points_back() { -self } else { self };
         let squared = vector::dot(short.xyz(), short.xyz());
         // θ/sin(θ/2) is 2/cos(θ/2) to the last place, and its derivative finite.
         let scale = if squared < R::EPSILON {

@@ -221,12 +221,13 @@ impl<R: Real> DualQuat<R> {
         DualQuat(self.0.map(|component| S::from_f64(component.into())))
     }
 
-    /// Of σ and −σ the one with p_w ≥ 0: both are the same motion. A zero of either sign counts as
-    /// positive.
+    /// Of σ and −σ the one whose first of (p_w, p_x, p_y, p_z) that is not zero is positive: both are the same motion.
+    /// So half a turn has one axis, whichever of the two is given, and logarithms, powers and screws repeat to the last
+    /// bit. (It is the rule of SciPy's `as_quat(canonical=True)`.)
     #[inline]
     #[must_use]
     pub fn canonical(self) -> Self {
-        if self.real().w() < R::ZERO { -self } else { self }
+        if self.real().points_back() { -self } else { self }
     }
 }
 

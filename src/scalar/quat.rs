@@ -129,6 +129,13 @@ impl<R: Real> Quat<R> {
         [self.0[0], self.0[1], self.0[2]]
     }
 
+    /// Whether −q is the [canonical](crate::DualQuat::canonical) one of ±q.
+    #[inline]
+    pub(crate) fn points_back(self) -> bool {
+        let [x, y, z, w] = self.0;
+        [w, x, y].into_iter().find(|&it| it != R::ZERO).unwrap_or(z) < R::ZERO
+    }
+
     /// q* = w − xi − yj − zk, the inverse of a unit quaternion (Hamilton 1844).
     #[inline]
     #[must_use]

@@ -6,7 +6,7 @@ use crate::geometry::{DualVector, Line, Screw};
 use crate::number::Real;
 
 impl<R: Real> DualQuat<R> {
-    /// The screw of a unit σ (Jia §8.2), angle in [0, π]: of ±σ, the one with p_w ≥ 0 is taken.
+    /// The screw of a unit σ (Jia §8.2), angle in [0, π]: of ±σ, the [canonical](Self::canonical) one is taken.
     ///
     /// A pure translation has angle 0, its own direction as axis and moment 0 (Jia's moment is
     /// infinite there); the identity has the axis (1, 0, 0).
@@ -68,8 +68,8 @@ impl<R: Real> DualQuat<R> {
         )
     }
 
-    /// The logarithm of a unit σ, a + εb = (θ̂/2)(l + εm) with σ = ±exp(a + εb): of ±σ, the one with
-    /// p_w ≥ 0, so that |a| ≤ π/2. No singularity: a pure translation has a = 0, b = t/2.
+    /// The logarithm of a unit σ, a + εb = (θ̂/2)(l + εm) with σ = ±exp(a + εb): of ±σ, the
+    /// [canonical](Self::canonical) one, so that |a| ≤ π/2. No singularity: a pure translation has a = 0, b = t/2.
     ///
     /// From Jia eq. 37, the infinite moment multiplied by the vanishing angle:
     /// b = ½ ( h t×l + h cot h (t − d l) + d l ), h = θ/2.
@@ -148,7 +148,7 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// σᵗ = exp(t log σ): the same screw axis, t times the angle and the slide (Jia eq. 44, for any
-    /// real t). Of ±σ, the one with p_w ≥ 0. σ must be unit.
+    /// real t). Of ±σ, the [canonical](Self::canonical) one. σ must be unit.
     ///
     /// ```
     /// use dq8::DualQuat;
@@ -173,7 +173,7 @@ impl<R: Real> DualQuat<R> {
     }
 
     /// σ^½ (Jia eq. 44), the motion that gives σ when made twice: half the angle, half the slide. Of
-    /// ±σ, the one with p_w ≥ 0, so at most a quarter of a turn. σ must be unit.
+    /// ±σ, the [canonical](Self::canonical) one, so at most a quarter of a turn. σ must be unit.
     #[inline]
     #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
@@ -213,7 +213,12 @@ impl<R: Real> DualQuat<R> {
 
     #[inline(never)]
     fn sclerp_by_the_book(self, other: Self, t: R) -> Self {
-        self * (self.conjugate() * other).pow(t)
+        let between = self.conjugate() * other;
+        // At half a turn a power is about the canonical axis; this is about the one that `other` as it stands has.
+        if between.real().w() == R::ZERO && between.real().points_back() {
+            return self * between.conjugate().pow(t).conjugate();
+        }
+        self * between.pow(t)
     }
 
     /// As [`sclerp`](Self::sclerp), but from `self` to `other` and not to −`other`: the longer way

@@ -7,7 +7,7 @@ use crate::number::Number;
 use crate::output::Output;
 use crate::shape::EIGHT;
 use crate::threads::{GRAIN, Threads};
-use dq8::Backend;
+use dq8::{Backend, DualQuat};
 use pyo3::prelude::*;
 
 /// Running products ``σ₀σ₁…σᵢ`` of motions that follow each other: the joints of a rope, the path of its steps.
@@ -63,11 +63,15 @@ fn typed<'py, R: Number>(
         let motions = motions.apart_from(&output)?;
         let (links, threads) =
             (motions.records::<8>(), Threads::for_elements(leading.iter().product()));
-        output.fill(&threads, |to| {
+        output.fill(&threads, |to: &mut [[R; 8]]| {
             threads.split(length * GRAIN.div_ceil(length), to, &|(first, to)| {
-                to.chunks_mut(length)
-                    .zip(links[first..].chunks(length))
-                    .all(|(to, links)| Backend::best().chain_products(links, to).is_ok())
+                // As motions, for which the kernel is there already.
+                bytemuck::must_cast_slice_mut::<[R; 8], DualQuat<R>>(to)
+                    .chunks_mut(length)
+                    .zip(bytemuck::must_cast_slice(&links[first..]).chunks(length))
+                    .all(|(to, links): (_, &[DualQuat<R>])| {
+                        Backend::best().chain_products(links, to).is_ok()
+                    })
             });
             Ok(())
         })

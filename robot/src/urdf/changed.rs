@@ -1,5 +1,6 @@
 //! A robot on something else, or with something more: the names and limits follow.
 
+use super::drive::Drive;
 use super::robot::{Robot, value_names};
 use crate::{Joint, MechanismError, OwnedMechanism};
 use dq8::DualQuat;
@@ -67,6 +68,7 @@ impl Robot {
             return Err(ChangeError::Taken { name: name.into() });
         }
         self.joints[0] = joint;
+        self.drives[0] = Drive::FREE;
         self.joint_names[0] = Some(name.into());
         self.rebuilt()
     }
@@ -98,6 +100,7 @@ impl Robot {
         }
         self.links.insert(name.into(), self.joints.len());
         self.joints.push(Joint::fixed(Some(parent), pose));
+        self.drives.push(Drive::FREE);
         self.link_names.push(name.into());
         self.joint_names.push(Some(name.into()));
         self.rebuilt()

@@ -1,5 +1,6 @@
 //! What a file says about where links are, with what it leaves out.
 
+use super::drive::Drive;
 use super::element::{Element, Lines};
 use super::error::UrdfError;
 use super::place::{AXIS, END, JOINT, LIMIT, LINK, MIMIC, ORIGIN, ROBOT};
@@ -33,6 +34,7 @@ pub(crate) struct JointElement {
     pub(crate) axis: [f64; 3],
     /// Of a revolute or prismatic joint, which must have some.
     pub(crate) limits: Option<[f64; 2]>,
+    pub(crate) drive: Drive,
     pub(crate) mimic: Option<MimicElement>,
 }
 
@@ -137,6 +139,7 @@ impl JointElement {
             Kind::Revolute | Kind::Prismatic => limits(joint, unsaid, warnings)?,
             _ => None,
         };
+        let drive = joint.child("limit")?.map_or(Drive::FREE, Drive::of);
         let mut mimic = None;
         if let Some(element) = joint.child("mimic")? {
             // Who locks a joint leaves its other elements as they are.
@@ -146,7 +149,7 @@ impl JointElement {
                 mimic = Some(MimicElement::read(element, warnings)?);
             }
         }
-        Ok(Self { name, kind, parent, child, xyz, rpy, axis, limits, mimic })
+        Ok(Self { name, kind, parent, child, xyz, rpy, axis, limits, drive, mimic })
     }
 }
 

@@ -51,8 +51,9 @@
 //! it should mimic.
 //!
 //! # What is not read
-//! `<visual>`, `<collision>`, `<inertial>`, `<material>`, `<dynamics>` and what is in them, and `effort`, `velocity` and
-//! other rates of `<limit>`: they say how a robot looks, weighs or is driven, not where its links are.
+//! `<visual>`, `<collision>`, `<inertial>`, `<material>`, `<dynamics>` and what is in them, and rates of
+//! `<limit>` other than `velocity` and `effort`, which are [drives](Robot::drives): they say how a robot looks, weighs or is
+//! driven, not where its links are.
 //!
 //! Everything else that says nothing about places is not read either, and [reported](Robot::warnings): parts for simulators
 //! and controllers (`<gazebo>`, `<transmission>`, `<sensor>` …), names with a prefix, other attributes and elements,
@@ -71,6 +72,7 @@
 //! of XML itself are an error, and so are elements more than 500 deep in each other.
 
 mod changed;
+mod drive;
 mod element;
 mod encoding;
 mod error;
@@ -85,6 +87,7 @@ mod warning;
 mod xml;
 
 pub use changed::ChangeError;
+pub use drive::Drive;
 pub use error::UrdfError;
 pub use robot::Robot;
 pub use warning::UrdfWarning;

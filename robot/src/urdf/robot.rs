@@ -1,3 +1,4 @@
+use super::drive::Drive;
 use super::encoding;
 use super::error::UrdfError;
 use super::file::{File, Name};
@@ -15,6 +16,7 @@ use std::path::Path;
 pub struct Robot {
     pub(super) name: String,
     pub(super) joints: Vec<Joint<f64>>,
+    pub(super) drives: Vec<Drive>,
     pub(super) mechanism: OwnedMechanism<f64>,
     pub(super) link_names: Vec<String>,
     /// The number of each link.
@@ -85,6 +87,8 @@ impl Robot {
         }
         let mechanism =
             OwnedMechanism::new(&joints).map_err(|source| refused(source, &nodes, &robot))?;
+        let drive = |node: &Node<'_>| Some(robot.joints[node.joint?].drive);
+        let drives = nodes.iter().map(|node| drive(node).unwrap_or(Drive::FREE)).collect();
         let name = |node: &Node<'_>| Some(robot.joints[node.joint?].name.text.clone());
         let joint_names: Vec<_> = nodes.iter().map(name).collect();
         Ok(Self {
@@ -92,6 +96,7 @@ impl Robot {
             link_names: nodes.iter().map(|node| node.link.text.clone()).collect(),
             name: robot.name,
             joints,
+            drives,
             mechanism,
             links,
             joint_names,
@@ -130,6 +135,23 @@ impl Robot {
     #[must_use]
     pub fn joints(&self) -> &[Joint<f64>] {
         &self.joints
+    }
+
+    /// How fast and how hard each joint may move.
+    ///
+    /// ```
+    /// # use dq8_robot::urdf::Robot;
+    /// let robot = Robot::from_urdf(
+    ///     "<robot name='door'><link name='wall'/><link name='door'/><joint name='hinge' type='revolute'>
+    ///      <parent link='wall'/><child link='door'/><limit upper='2' velocity='1.5' effort='30'/></joint></robot>",
+    /// )?;
+    /// let hinge = robot.drives()[1];
+    /// assert_eq!((hinge.velocity, hinge.effort), (1.5, 30.0));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn drives(&self) -> &[Drive] {
+        &self.drives
     }
 
     /// The names of the links: link j of the mechanism.

@@ -5,8 +5,8 @@ use crate::batch::{DualQuat, Quat, vector};
 use dq8_simd::Lanes;
 
 impl<L: Lanes> Quat<L> {
-    /// The axis, of length 1, and the angle in [0, π] radians of unit quaternions, of the one of ±q with
-    /// w ≥ 0. No turn has the axis (1, 0, 0).
+    /// The axis, of length 1, and the angle in [0, π] radians of unit quaternions, of the
+    /// [canonical](DualQuat::canonical) one of ±q. No turn has the axis (1, 0, 0).
     ///
     /// ```
     /// use dq8::{batch::Quat, simd::f32x4};
@@ -20,7 +20,7 @@ impl<L: Lanes> Quat<L> {
     #[must_use]
     pub fn to_axis_angle(self) -> ([L; 3], L) {
         let (zero, one) = (self.w().constant(0.0), self.w().constant(1.0));
-        let short = self.scale(L::select(self.w().lt(zero), -one, one));
+        let short = self.scale(L::select(self.points_back(), -one, one));
         let sine = Length::of(short.xyz(), one);
         let still = sine.value().eq(zero);
         let axis = vector::select(still, [one, zero, zero], sine.divide_all(short.xyz()));
@@ -45,7 +45,7 @@ impl<L: Lanes> Quat<L> {
     #[must_use]
     pub fn to_scaled_axis(self) -> [L; 3] {
         let one = self.w().constant(1.0);
-        let short = self.scale(L::select(self.w().lt(one.constant(0.0)), -one, one));
+        let short = self.scale(L::select(self.points_back(), -one, one));
         let scale = short.half_angle_over_sine();
         vector::scale(short.xyz(), scale + scale)
     }
