@@ -74,18 +74,16 @@ impl Tree {
             return Err(BvhError::expected("ROOT or MOTION", word));
         };
         let joint = &mut self.joints[open.joint];
-        let name = joint.name.clone();
-        let has = |what: &str| BvhError::new(word.line, format!("`{}` has {what}", Short(&name)));
         if word.is("OFFSET") {
             if std::mem::replace(&mut open.has_offset, true) {
-                return Err(has("a second OFFSET"));
+                return Err(has(word, joint, "a second OFFSET"));
             }
             joint.offset = read_offset(&joint.name, source)?;
             return Ok(());
         }
         if word.is("CHANNELS") {
             if std::mem::replace(&mut open.has_channels, true) && !joint.end_site {
-                return Err(has("a second CHANNELS"));
+                return Err(has(word, joint, "a second CHANNELS"));
             }
             joint.channels = read_channels(&joint.name, source)?;
             if joint.end_site && !joint.channels.is_empty() {
@@ -106,7 +104,7 @@ impl Tree {
         }
         let needs = [(open.has_offset, "no OFFSET"), (open.has_channels, "no CHANNELS")];
         if let Some((_, missing)) = needs.into_iter().find(|(is_there, _)| !is_there) {
-            return Err(has(missing));
+            return Err(has(word, joint, missing));
         }
         if word.is("}") {
             self.open.pop();
@@ -169,6 +167,10 @@ impl Tree {
             None => BvhError::ends(line, "MOTION"),
         }
     }
+}
+
+fn has(word: Word<'_>, joint: &Joint, what: &str) -> BvhError {
+    BvhError::new(word.line, format!("`{}` has {what}", Short(&joint.name)))
 }
 
 fn next<'a>(source: &mut Source<'a>, what: &str) -> Result<Word<'a>, BvhError> {

@@ -66,25 +66,21 @@ where
     let mut poses = vec![DualQuat::IDENTITY; count * links];
     let mut twists = vec![Twist::from_array([R::ZERO; 6]); count * links];
     let mut accelerations = twists.clone();
-    robot.job().backend(backend).poses(&many, &mut poses).unwrap();
+    let job = robot.job().backend(backend);
+    job.poses(&many, &mut poses).unwrap();
     let mut all = vec![("poses", of_poses(&poses[AT * links..][..links]))];
     let every: Vec<usize> = (0..links).collect();
-    robot.job().links(&every).backend(backend).poses(&many, &mut poses).unwrap();
+    job.links(&every).poses(&many, &mut poses).unwrap();
     all.push(("chosen", of_poses(&poses[AT * links..][..links])));
-    robot.job().backend(backend).velocities(&many, &rates, &mut poses, &mut twists).unwrap();
+    job.velocities(&many, &rates, &mut poses, &mut twists).unwrap();
     all.push(("velocities", of_twists(&twists[AT * links..][..links])));
-    robot
-        .job()
-        .backend(backend)
-        .accelerations(&many, &rates, &rates, &mut poses, &mut twists, &mut accelerations)
-        .unwrap();
+    job.accelerations(&many, &rates, &rates, &mut poses, &mut twists, &mut accelerations).unwrap();
     all.push(("accelerations", of_twists(&accelerations[AT * links..][..links])));
     macro_rules! jacobian {
         ($($what:literal $frame:expr),*) => {$(
             let mut columns = vec![Twist::from_array([R::ZERO; 6]); count * robot.rates()];
             let mut tools = vec![DualQuat::IDENTITY; count];
-            robot.job().links(&[links - 1]).backend(backend).jacobians($frame, &many, &mut tools, &mut columns)
-                .unwrap();
+            job.links(&[links - 1]).jacobians($frame, &many, &mut tools, &mut columns).unwrap();
             all.push(($what, of_twists(&columns[AT * robot.rates()..][..robot.rates()])));
         )*};
     }

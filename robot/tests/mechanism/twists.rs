@@ -28,20 +28,16 @@ where
     let mut poses = vec![vec![pose; links]];
     let mut twists = vec![vec![twist; links], vec![twist; links]];
     let [first, accelerations] = &mut twists[..] else { unreachable!() };
-    let to = &mut poses[0];
-    robot
-        .job()
-        .backend(backend)
-        .accelerations(values, rates, second, to, first, accelerations)
-        .unwrap();
+    let (job, to) = (robot.job().backend(backend), &mut poses[0]);
+    job.accelerations(values, rates, second, to, first, accelerations).unwrap();
     let mut alone = vec![twist; links];
-    robot.job().backend(backend).velocities(values, rates, to, &mut alone).unwrap();
+    job.velocities(values, rates, to, &mut alone).unwrap();
     twists.push(alone);
     macro_rules! jacobian {
         ($($frame:expr)*) => {$(
             let mut pose_of = vec![pose; elements];
             let mut columns = vec![twist; elements * robot.rates()];
-            robot.job().links(&[last]).backend(backend).jacobians($frame, values, &mut pose_of, &mut columns).unwrap();
+            job.links(&[last]).jacobians($frame, values, &mut pose_of, &mut columns).unwrap();
             poses.push(pose_of);
             twists.push(columns);
         )*};
