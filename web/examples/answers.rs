@@ -170,7 +170,7 @@ fn packed(
     let mut palette = vec![Columns::default(); INSTANCES * JOINTS];
     let job = skeleton.job().matrix_order(MatrixOrder::Columns);
     let both = Layered::blend(NlerpLerp, a, b, weights);
-    job.roots(roots).palette(both, &mut scratch, binds, &mut palette)?;
+    job.clone().roots(roots).palette(both, &mut scratch, binds, &mut palette)?;
     write(&palette)?;
     let both = Layered::add(NlerpLerp, plain, a, weights).mask(mask);
     job.palette(both, &mut scratch, binds, &mut palette)?;
