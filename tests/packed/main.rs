@@ -342,6 +342,10 @@ fn packed_clips_are_layered_and_make_palettes_as_others_do() {
     job.locals_to_model(layered, e).unwrap();
     job.locals_to_model(Layered::blend(NlerpLerp, second, first, &weights), f).unwrap();
     assert!(a == b && c == d && e == f && a != c);
+    let mut crowds = [(); 2].map(|()| Crowd::<f32, 8>::new(JOINTS, count));
+    job.locals_to_model(one, crowds[0].blocks_mut()).unwrap();
+    job.locals_to_model(first, crowds[1].blocks_mut()).unwrap();
+    assert_eq!(crowds[0].to_vec(), crowds[1].to_vec());
     // What does not fit is refused before anything is written.
     let others = PackedClip::new(JOINTS, &plain, Tolerance::default()).unwrap();
     let refused = Sampled::new(NlerpLerp, others.clips(), &places[..1], &t[..1]).map(|_| ());
