@@ -1,4 +1,4 @@
-//! Keys of 16 bits between which lanes interpolate, against plain integers, and what their table may say.
+//! Keys of 16 bits between which lanes interpolate, against plain integers, and what their rows may say.
 #![forbid(unsafe_code)]
 
 use dq8_simd::{Float, Lanes, Level, OwnedTracks, Portable, TrackPlace, Tracks};
@@ -21,7 +21,7 @@ fn words<const N: usize>(words: [u32; N]) -> Vec<u8> {
 struct Bytes {
     keys: Vec<u8>,
     clips: Vec<u8>,
-    table: Vec<u8>,
+    rows: Vec<u8>,
 }
 
 impl Bytes {
@@ -34,12 +34,15 @@ impl Bytes {
         };
         Self {
             keys: (0..32 * 4).flat_map(|_| number().to_le_bytes()).collect(),
-            clips: words([5, 2, 4, 3, 1, 0]),
-            table: words([1, 2 * 31, 3, 2 * 12 + 1, 2 * 13 + 1, 2 * 14 + 1, 2 * 30, 0, 2 * 31]),
+            clips: words([0, 5, 2, 0, 12, 4, 3, 1, 0, 1, 0, 2]),
+            rows: [1, 2 * 31, 3, 1, 3, 5, 2 * 30, 0, 2 * 31_u16]
+                .into_iter()
+                .flat_map(u16::to_le_bytes)
+                .collect(),
         }
     }
     fn tracks(&self) -> Result<Tracks<'_>, (usize, Option<usize>)> {
-        Tracks::new(&self.keys, &self.clips, &self.table, 3)
+        Tracks::new(&self.keys, &self.clips, &self.rows, 3)
     }
 }
 
@@ -65,8 +68,8 @@ fn check<L: Lanes>(level: L::Level, parameters: &[f64]) {
             let placed = tracks.placed(&places).expect("of these tracks");
             let wanted = |i: usize, column: usize, t: f64| {
                 let (clip, frame) = at[i.min(18) % 7];
-                let next = (frame + 1).min(tracks.clip(clip).unwrap().0 - 1);
-                let [a, b] = [frame, next].map(|f| tracks.key(clip, column, f).unwrap());
+                let next = (frame + 1).min(tracks.frames(clip).unwrap() - 1);
+                let [a, b] = [frame, next].map(|f| tracks.key(clip, column, f).unwrap().1);
                 by_the_book(a, b, t).map(L::Real::from_i32)
             };
             for (turn, chunk) in parameters.chunks(L::LANES).enumerate() {
@@ -152,27 +155,37 @@ fn between_two_keys_all_lanes_have_what_integers_have_for_every_weight() {
 }
 
 #[test]
-fn a_key_that_is_not_there_is_refused_at_its_clip_and_column() {
+fn a_key_that_is_not_there_is_refused_at_its_clip_and_entry() {
     let good = Bytes::new();
     assert!(good.tracks().is_ok());
-    let with = |entry: usize, number: u32, in_table: bool| {
+    let with = |word: usize, number: u32| {
         let mut bytes = Bytes::new();
-        let words = if in_table { &mut bytes.table } else { &mut bytes.clips };
-        words[4 * entry..][..4].copy_from_slice(&number.to_le_bytes());
+        bytes.clips[4 * word..][..4].copy_from_slice(&number.to_le_bytes());
+        bytes.tracks().map(|_| ())
+    };
+    let with_entry = |entry: usize, number: u16| {
+        let mut bytes = Bytes::new();
+        bytes.rows[2 * entry..][..2].copy_from_slice(&number.to_le_bytes());
         bytes.tracks().map(|_| ())
     };
     // Four frames on, two keys each, from key 23: the last is 31. One later it is not there.
-    assert_eq!(with(0, 2 * 23 + 1, true), Ok(()));
-    assert_eq!(with(0, 2 * 24 + 1, true), Err((0, Some(0))));
-    assert_eq!(with(8, 2 * 32, true), Err((2, Some(2))));
-    assert_eq!(with(4, u32::MAX, true), Err((1, Some(1))));
+    assert_eq!(with_entry(0, 2 * 23 + 1), Ok(()));
+    assert_eq!(with_entry(0, 2 * 24 + 1), Err((0, Some(0))));
+    assert_eq!(with_entry(8, 2 * 32), Err((2, Some(8))));
+    assert_eq!(with_entry(4, u16::MAX), Err((1, Some(4))));
+    // From the clip's first key: three frames on, three keys each, from the third after that, is the last.
+    assert_eq!((with(4, 20), with(4, 21)), (Ok(()), Err((1, Some(5)))));
     // Moves without a step.
-    assert_eq!(with(6, 1, true), Err((2, Some(0))));
-    // No frame; a step without a next frame; more keys than 32 bits count.
-    assert_eq!(with(0, 0, false), Err((0, None)));
-    assert_eq!(with(5, 1, false), Err((2, None)));
-    assert_eq!(with(2, u32::MAX, false), Err((1, None)));
-    let short = Bytes { table: good.table[..32].to_vec(), ..Bytes::new() };
+    assert_eq!(with_entry(6, 1), Err((2, Some(6))));
+    // No frame; a step without a next frame; more keys than 32 bits count, after the first or with it; no such row.
+    assert_eq!(with(1, 0), Err((0, None)));
+    assert_eq!(with(10, 1), Err((2, None)));
+    assert_eq!(with(5, u32::MAX), Err((1, None)));
+    assert_eq!(with(4, u32::MAX), Err((1, None)));
+    assert_eq!(with(11, 3), Err((2, None)));
+    // The row of another clip, which leads too far from the first key of this one.
+    assert_eq!(with(7, 0), Err((1, Some(1))));
+    let short = Bytes { rows: good.rows[..16].to_vec(), ..Bytes::new() };
     assert_eq!(short.tracks().map(|_| ()), Err((2, None)));
     let owned = |ranges| OwnedTracks::new(vec![0; 8].into(), ranges, 0).map(|_| ());
     assert_eq!(owned([0..8, 8..8, 8..8]), Ok(()));
@@ -185,10 +198,10 @@ fn only_places_of_the_same_tracks_are_read() {
     let tracks = bytes.tracks().unwrap();
     assert_eq!((tracks.place(0, 4), tracks.place(3, 0), tracks.place(2, 1)), (None, None, None));
     let good = tracks.place(0, 3).unwrap();
-    for number in 0..5 {
+    for number in 0..6 {
         let mut other = [tracks.place(2, 0).unwrap(), good];
         for by in [1, 6, u32::MAX, 1 << 30] {
-            let place: &mut [u32; 5] = bytemuck::cast_mut(&mut other[1]);
+            let place: &mut [u32; 6] = bytemuck::cast_mut(&mut other[1]);
             place[number] = place[number].wrapping_add(by);
             assert_eq!(tracks.placed(&other).map(|_| ()), Err(1), "{number} {by}");
         }
