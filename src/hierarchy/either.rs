@@ -34,7 +34,7 @@ use dq8_simd::Level;
 ///     arm.job().locals_to_model(locals, &mut models)?;
 ///     assert!((models[1].translation()[0] - x).abs() < 1e-6);
 /// }
-/// # Ok::<(), dq8::ShapeError>(())
+/// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub enum Either<A, B> {
