@@ -1,4 +1,4 @@
-//! Keys of 16 bits between which lanes interpolate, against plain integers, and what their table may say.
+//! Keys of 16 bits between which lanes interpolate, against plain integers, and what their rows may say.
 #![forbid(unsafe_code)]
 
 use dq8_simd::{Float, Lanes, Level, OwnedTracks, Portable, TrackPlace, Tracks};
@@ -11,6 +11,10 @@ fn random(state: &mut u64) -> u64 {
     bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
     bits ^ (bits >> 31)
+}
+
+fn words<const N: usize>(words: [u32; N]) -> Vec<u8> {
+    words.into_iter().flat_map(u32::to_le_bytes).collect()
 }
 
 /// Three clips of three columns, among 32 keys: one clip moves in two columns, one in all, one has a single frame.
@@ -30,10 +34,7 @@ impl Bytes {
         };
         Self {
             keys: (0..32 * 4).flat_map(|_| number().to_le_bytes()).collect(),
-            clips: [0, 5, 2, 0, 12, 4, 3, 1, 0, 1, 0, 2_u32]
-                .into_iter()
-                .flat_map(u32::to_le_bytes)
-                .collect(),
+            clips: words([0, 5, 2, 0, 12, 4, 3, 1, 0, 1, 0, 2]),
             rows: [1, 2 * 31, 3, 1, 3, 5, 2 * 30, 0, 2 * 31_u16]
                 .into_iter()
                 .flat_map(u16::to_le_bytes)
@@ -157,32 +158,33 @@ fn between_two_keys_all_lanes_have_what_integers_have_for_every_weight() {
 fn a_key_that_is_not_there_is_refused_at_its_clip_and_entry() {
     let good = Bytes::new();
     assert!(good.tracks().is_ok());
-    let clip = |word: usize, number: u32| {
+    let with = |word: usize, number: u32| {
         let mut bytes = Bytes::new();
         bytes.clips[4 * word..][..4].copy_from_slice(&number.to_le_bytes());
         bytes.tracks().map(|_| ())
     };
-    let entry = |entry: usize, number: u16| {
+    let with_entry = |entry: usize, number: u16| {
         let mut bytes = Bytes::new();
         bytes.rows[2 * entry..][..2].copy_from_slice(&number.to_le_bytes());
         bytes.tracks().map(|_| ())
     };
     // Four frames on, two keys each, from key 23: the last is 31. One later it is not there.
-    assert_eq!(entry(0, 2 * 23 + 1), Ok(()));
-    assert_eq!(entry(0, 2 * 24 + 1), Err((0, Some(0))));
-    assert_eq!(entry(8, 2 * 32), Err((2, Some(8))));
-    assert_eq!(entry(4, u16::MAX), Err((1, Some(4))));
+    assert_eq!(with_entry(0, 2 * 23 + 1), Ok(()));
+    assert_eq!(with_entry(0, 2 * 24 + 1), Err((0, Some(0))));
+    assert_eq!(with_entry(8, 2 * 32), Err((2, Some(8))));
+    assert_eq!(with_entry(4, u16::MAX), Err((1, Some(4))));
+    // From the clip's first key: three frames on, three keys each, from the third after that, is the last.
+    assert_eq!((with(4, 20), with(4, 21)), (Ok(()), Err((1, Some(5)))));
     // Moves without a step.
-    assert_eq!(entry(6, 1), Err((2, Some(6))));
-    // A clip that begins later moves all of its keys.
-    assert_eq!(clip(4, 20), Ok(()));
-    assert_eq!(clip(4, 21), Err((1, Some(5))));
-    // No frame; a step without a next frame; more keys than 32 bits count; no such row.
-    assert_eq!(clip(1, 0), Err((0, None)));
-    assert_eq!(clip(10, 1), Err((2, None)));
-    assert_eq!(clip(5, u32::MAX), Err((1, None)));
-    assert_eq!(clip(4, u32::MAX), Err((1, None)));
-    assert_eq!(clip(7, 3), Err((1, None)));
+    assert_eq!(with_entry(6, 1), Err((2, Some(6))));
+    // No frame; a step without a next frame; more keys than 32 bits count, after the first or with it; no such row.
+    assert_eq!(with(1, 0), Err((0, None)));
+    assert_eq!(with(10, 1), Err((2, None)));
+    assert_eq!(with(5, u32::MAX), Err((1, None)));
+    assert_eq!(with(4, u32::MAX), Err((1, None)));
+    assert_eq!(with(11, 3), Err((2, None)));
+    // The row of another clip, which leads too far from the first key of this one.
+    assert_eq!(with(7, 0), Err((1, Some(1))));
     let short = Bytes { rows: good.rows[..16].to_vec(), ..Bytes::new() };
     assert_eq!(short.tracks().map(|_| ()), Err((2, None)));
     let owned = |ranges| OwnedTracks::new(vec![0; 8].into(), ranges, 0).map(|_| ());

@@ -15,6 +15,27 @@ use dq8_simd::Level;
 ///
 /// In WebAssembly, where bytes are what a page waits for, a kernel calls for what they are. Elsewhere that is part of it, as
 /// it is of other locals.
+///
+/// ```
+/// use dq8::hierarchy::{Either, RotationsTranslations, Tracks};
+/// use dq8::{DualQuat, Hierarchy, Quat};
+/// let parents = [Hierarchy::ROOT, 0];
+/// let arm = Hierarchy::new(&parents)?;
+/// let turn = Quat::from_rotation_z(core::f32::consts::FRAC_PI_2);
+/// let (rotations, translations) = ([turn; 2], [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0]]);
+/// let together = [[0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0]; 2];
+/// let mut models = [DualQuat::IDENTITY; 2];
+/// for (apart, x) in [(true, 0.0_f32), (false, 2.0)] {
+///     let locals = if apart {
+///         Either::One(Tracks { rotations: &rotations, translations: &translations })
+///     } else {
+///         Either::Other(RotationsTranslations(&together))
+///     };
+///     arm.job().locals_to_model(locals, &mut models)?;
+///     assert!((models[1].translation()[0] - x).abs() < 1e-6);
+/// }
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub enum Either<A, B> {
     /// Of one form.

@@ -5,7 +5,9 @@ mod book;
 mod hostile;
 
 use book::{Book, Key};
-use dq8::hierarchy::{Clip, Layered, PackedClip, PackedError, Sampled, Tolerance, TrackPlace};
+use dq8::hierarchy::{
+    Clip, Either, Layered, PackedClip, PackedError, Sampled, Tolerance, TrackPlace,
+};
 use dq8::law::NlerpLerp;
 use dq8::{Backend, Crowd, DualQuat, Hierarchy, Quat, Scalar, ShapeError};
 use dq8_contract::random::Random;
@@ -328,6 +330,22 @@ fn packed_clips_are_layered_and_make_palettes_as_others_do() {
         job.palette(layered, &mut scratch, &binds, &mut palette).unwrap();
         assert_eq!(palette, models, "{backend}");
     }
+    // Forms that a program chooses as it runs have the bits of each.
+    let job = hierarchy.job();
+    let mut models = [(); 6].map(|()| vec![DualQuat::IDENTITY; count * JOINTS]);
+    let [a, b, c, d, e, f] = &mut models;
+    let [first, second] = [Either::One(one), Either::Other(other)];
+    job.locals_to_model(one, a).unwrap();
+    job.locals_to_model(first, b).unwrap();
+    job.locals_to_model(other, c).unwrap();
+    job.locals_to_model(second, d).unwrap();
+    job.locals_to_model(layered, e).unwrap();
+    job.locals_to_model(Layered::blend(NlerpLerp, second, first, &weights), f).unwrap();
+    assert!(a == b && c == d && e == f && a != c);
+    let mut crowds = [(); 2].map(|()| Crowd::<f32, 8>::new(JOINTS, count));
+    job.locals_to_model(one, crowds[0].blocks_mut()).unwrap();
+    job.locals_to_model(first, crowds[1].blocks_mut()).unwrap();
+    assert_eq!(crowds[0].to_vec(), crowds[1].to_vec());
     // What does not fit is refused before anything is written.
     let others = PackedClip::new(JOINTS, &plain, Tolerance::default()).unwrap();
     let refused = Sampled::new(NlerpLerp, others.clips(), &places[..1], &t[..1]).map(|_| ());

@@ -142,7 +142,7 @@ fn packed(
         let still = joint % 3 == 1 || joint % 5 == clip;
         let time = if still { 0.0 } else { frame as f32 * 0.3 + clip as f32 };
         let turn = Quat::from_rotation_x(0.1 * joint as f32) * Quat::from_rotation_z(time.sin());
-        let shift = if joint % 4 == 0 { 0.1 * time.cos() } else { 0.0 };
+        let shift = if joint.is_multiple_of(4) { 0.1 * time.cos() } else { 0.0 };
         let ([x, y, z, w], offset) = (turn.to_array(), 0.02 * joint as f32);
         [x, y, z, w, offset + shift, 0.3, shift]
     };
@@ -170,7 +170,7 @@ fn packed(
     let mut palette = vec![Columns::default(); INSTANCES * JOINTS];
     let job = skeleton.job().matrix_order(MatrixOrder::Columns);
     let both = Layered::blend(NlerpLerp, a, b, weights);
-    job.roots(roots).palette(both, &mut scratch, binds, &mut palette)?;
+    job.clone().roots(roots).palette(both, &mut scratch, binds, &mut palette)?;
     write(&palette)?;
     let both = Layered::add(NlerpLerp, plain, a, weights).mask(mask);
     job.palette(both, &mut scratch, binds, &mut palette)?;

@@ -4,7 +4,7 @@ import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { brotliCompressSync, constants } from "node:zlib";
 
-for (const [name, most] of [["dq8", 70], ["robots", 120]]) test(`${name} is at most ${most} KB`, (t) => {
+for (const [name, most] of [["dq8", 65], ["robots", 100]]) test(`${name} is at most ${most} KB`, (t) => {
   const wasm = readFileSync(new URL(`../package/${name}.simd128.wasm`, import.meta.url));
   const { length } = brotliCompressSync(wasm, { params: { [constants.BROTLI_PARAM_QUALITY]: 11, [constants.BROTLI_PARAM_SIZE_HINT]: wasm.length } });
   t.diagnostic(`${length} bytes`);
