@@ -4,7 +4,7 @@ use crate::argument::{Argument, Input, common_dtype, is_single};
 use crate::broadcast::common;
 use crate::call::Answer;
 use crate::error::misshapen;
-use crate::links::{check_names, link_of};
+use crate::links::check_names;
 use crate::number::Number;
 use crate::output::Output;
 use crate::plain::check_whole;
@@ -177,10 +177,12 @@ pub(crate) fn parents_of(parents: &Bound<'_, PyAny>) -> PyResult<Vec<u32>> {
 /// Parents as a dict says them, of joints with these names.
 fn parents_by_name(names: &[String], parents: &Bound<'_, PyDict>) -> PyResult<Vec<u32>> {
     let number = |parent: Bound<'_, PyAny>| {
-        if parent.is_none() {
+        let Some(name) = parent.extract::<Option<String>>()? else {
             return Ok(dq8::Hierarchy::ROOT);
-        }
-        Ok(link_of(names, "parents", &parent)? as u32)
+        };
+        let number = names.iter().position(|own| *own == name).map(|number| number as u32);
+        number
+            .ok_or_else(|| PyValueError::new_err(format!("`parents`: there is no joint {name:?}.")))
     };
     parents.values().iter().map(number).collect()
 }

@@ -8,6 +8,7 @@ use dq8_robot::urdf::Drive;
 use dq8_robot::{Joint, JointKind, OwnedMechanism};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
+use std::iter::repeat_n;
 
 /// What the arrays say of each joint, before it is checked.
 pub(crate) struct Arrays<'a, 'py> {
@@ -130,7 +131,7 @@ fn name_and_axis(kind: JointKind<f64>) -> (&'static str, [f64; 3]) {
 pub(crate) fn values_and_rates(
     joints: &[Joint<f64>],
     names: &[Option<String>],
-) -> [Vec<String>; 2] {
+) -> (Vec<String>, Vec<String>) {
     let mut all = [Vec::new(), Vec::new()];
     for (joint, name) in joints.iter().zip(names) {
         let (Some(name), None) = (name, joint.mimic) else { continue };
@@ -147,7 +148,8 @@ pub(crate) fn values_and_rates(
             all.extend(endings.iter().map(|ending| format!("{name}{ending}")));
         }
     }
-    all
+    let [values, rates] = all;
+    (values, rates)
 }
 
 /// Least and largest of all values.
@@ -189,15 +191,31 @@ pub(crate) fn spans(joints: &[Joint<f64>], mechanism: &OwnedMechanism<f64>) -> V
     all
 }
 
-/// What the arrays said of each joint, as `Mechanism` takes it.
-pub(crate) type Given = (Vec<i64>, Vec<&'static str>, Vec<[f64; 3]>, Vec<[f64; 8]>, Vec<[f64; 2]>);
+/// What is so of a joint, for each of its rates; those of a joint that mimics are of another one.
+pub(crate) fn of_rates(joints: &[Joint<f64>], drives: &[Drive], of: fn(&Drive) -> f64) -> Vec<f64> {
+    let own = joints.iter().zip(drives).filter(|(joint, _)| joint.mimic.is_none());
+    own.flat_map(|(joint, drive)| repeat_n(of(drive), joint.kind.rates())).collect()
+}
 
-/// The arrays that joints are made of.
-pub(crate) fn arrays_of(joints: &[Joint<f64>]) -> Given {
+/// What the arrays said of each joint, as `Mechanism` takes it.
+pub(crate) type Given = (
+    Vec<i64>,
+    Vec<&'static str>,
+    Vec<[f64; 3]>,
+    Vec<[f64; 8]>,
+    Vec<[f64; 2]>,
+    Vec<String>,
+    Vec<f64>,
+    Vec<f64>,
+);
+
+/// The arrays that joints are made of, and the names of links.
+pub(crate) fn arrays_of(joints: &[Joint<f64>], drives: &[Drive], links: Vec<String>) -> Given {
     let (kinds, axes) = joints.iter().map(|joint| name_and_axis(joint.kind)).unzip();
     let placements = joints.iter().map(|joint| joint.placement.to_array()).collect();
     let limits = joints.iter().map(|joint| joint.limits.unwrap_or(NO_LIMITS)).collect();
-    (parents(joints), kinds, axes, placements, limits)
+    let (speeds, efforts) = drives.iter().map(|drive| (drive.velocity, drive.effort)).unzip();
+    (parents(joints), kinds, axes, placements, limits, links, speeds, efforts)
 }
 
 /// The parent of each, −1 for the base.

@@ -23,6 +23,13 @@ impl Chosen {
     }
 }
 
+/// The names of so many links, each its own; numbers if none are given.
+pub(crate) fn names(given: Option<Vec<String>>, count: usize) -> PyResult<Vec<String>> {
+    let names = given.unwrap_or_else(|| (0..count).map(|link| link.to_string()).collect());
+    check_names("links", &names, count)?;
+    Ok(names)
+}
+
 /// Checks that there are so many names, each its own.
 pub(crate) fn check_names(argument: &str, names: &[String], count: usize) -> PyResult<()> {
     let twice = names.iter().enumerate().find(|(i, name)| names[..*i].contains(name));
@@ -36,17 +43,16 @@ pub(crate) fn check_names(argument: &str, names: &[String], count: usize) -> PyR
     Err(PyValueError::new_err(message))
 }
 
-/// The number of a link or joint, from its name or number; from the end where it is negative.
+/// The number of a link, from its name or number; from the end where it is negative.
 pub(crate) fn link_of(
     names: &[String],
     argument: &str,
     link: &Bound<'_, PyAny>,
 ) -> PyResult<usize> {
     if let Ok(name) = link.extract::<String>() {
-        return names
-            .iter()
-            .position(|other| *other == name)
-            .ok_or_else(|| PyValueError::new_err(format!("`{argument}`: there is no {name:?}.")));
+        return names.iter().position(|other| *other == name).ok_or_else(|| {
+            PyValueError::new_err(format!("`{argument}`: there is no link {name:?}."))
+        });
     }
     let index: i64 = link.extract().map_err(|_| not_a_link(argument, link))?;
     let count = names.len();

@@ -6,21 +6,19 @@ use crate::columns::in_order;
 use crate::configurations::{Frame, Values, jacobian, poses};
 use crate::error::value_error;
 use crate::hierarchy::parents_of;
-use crate::joints::{Arrays, arrays_of, drives, limits, parents, spans, values_and_rates};
-use crate::links::{Chosen, check_names, link_of};
+use crate::joints::{self, Arrays};
+use crate::links::{Chosen, link_of, names};
 use crate::reach::{Search, reach};
 use crate::reach_report::ReachReport;
 use crate::shape::{EIGHT, NUMBER, SIX};
-use crate::urdf::text_of;
+use crate::urdf::mechanism_of;
 use dq8_robot::ik::Options;
-use dq8_robot::urdf::{Drive, Robot};
+use dq8_robot::urdf::Drive;
 use dq8_robot::{Joint, MechanismError, OwnedMechanism};
 use numpy::PyArray1;
 use numpy::prelude::*;
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyTuple, PyType};
-use std::iter::repeat_n;
 
 /// A tree of joints: a robot, from a URDF file or from arrays.
 ///
@@ -43,10 +41,9 @@ use std::iter::repeat_n;
 ///     The least and the largest value of each joint, ``[-inf, inf]`` for none. ``reach`` keeps to
 ///     them; poses are computed of any values.
 /// links : sequence of str, length n, optional
-///     Names of the links, and of their joints. By default their numbers.
+///     Names of the links and their joints; by default numbers.
 /// velocity_limits, effort_limits : array_like, shape (n,) or (), optional
-///     The greatest speed, and torque or force, of each joint; ``inf`` for none. They are kept for who drives the robot:
-///     nothing here asks for them.
+///     The greatest speed, and torque or force, of each joint; ``inf`` for none. Nothing here asks for them.
 ///
 /// Examples
 /// --------
@@ -60,16 +57,16 @@ use std::iter::repeat_n;
 #[pyclass(frozen, module = "dq8")]
 #[derive(Debug)]
 pub(crate) struct Mechanism {
-    links: Vec<String>,
+    pub(crate) links: Vec<String>,
     /// The root of a URDF file hangs on no joint.
-    joint_names: Vec<Option<String>>,
-    joints: Vec<Joint<f64>>,
-    drives: Vec<Drive>,
-    double: OwnedMechanism<f64>,
+    pub(crate) joint_names: Vec<Option<String>>,
+    pub(crate) joints: Vec<Joint<f64>>,
+    pub(crate) drives: Vec<Drive>,
+    pub(crate) double: OwnedMechanism<f64>,
     /// Lengths may be beyond `f32`.
-    single: Result<OwnedMechanism<f32>, MechanismError>,
+    pub(crate) single: Result<OwnedMechanism<f32>, MechanismError>,
     /// The name of the robot and the text of the file.
-    urdf: Option<(String, String)>,
+    pub(crate) urdf: Option<(String, String)>,
 }
 
 #[pymethods]
@@ -92,12 +89,10 @@ impl Mechanism {
         let parents = parents_of(parents)?;
         let count = parents.len();
         if count == 0 {
-            return Err(PyValueError::new_err("Expected `parents` to have an element at least."));
+            return Err(value_error("Expected `parents` to have an element at least."));
         }
-        let numbers = || (0..count).map(|link| link.to_string()).collect();
-        let links: Vec<String> = links.unwrap_or_else(numbers);
-        check_names("links", &links, count)?;
-        let drives = drives(count, velocity_limits, effort_limits)?;
+        let links = names(links, count)?;
+        let drives = joints::drives(count, velocity_limits, effort_limits)?;
         let joints = Arrays { parents: &parents, kinds, axes, placements, limits }.joints()?;
         let double = OwnedMechanism::new(&joints).map_err(value_error)?;
         let single = OwnedMechanism::new(&joints.iter().map(Joint::cast).collect::<Vec<_>>());
@@ -107,9 +102,9 @@ impl Mechanism {
 
     /// A robot from a URDF file.
     ///
-    /// Link 0 is the root, which has no joint and stands at the base; the others follow in the order of the
-    /// file as far as parents come first. Joints that mimic have no value of their own. What says where
-    /// links are and cannot be expressed is an error, never left out.
+    /// Link 0 is the root, which has no joint and stands at the base; the others follow in the order of the file as far as
+    /// parents come first. Joints that mimic have no value of their own. What says where links are and cannot be expressed
+    /// is an error, never left out.
     ///
     /// Parameters
     /// ----------
@@ -121,18 +116,7 @@ impl Mechanism {
     /// Mechanism
     #[classmethod]
     fn from_urdf(_: &Bound<'_, PyType>, source: &Bound<'_, PyAny>) -> PyResult<Self> {
-        let text = text_of(source)?;
-        let robot = Robot::from_urdf(&text).map_err(value_error)?;
-        let joints = robot.joints().to_vec();
-        Ok(Self {
-            links: robot.link_names().to_vec(),
-            joint_names: robot.joint_names().to_vec(),
-            double: OwnedMechanism::new(&joints).map_err(value_error)?,
-            single: robot.cast(),
-            drives: robot.drives().to_vec(),
-            joints,
-            urdf: Some((robot.name().to_owned(), text)),
-        })
+        mechanism_of(source)
     }
 
     /// The name that a URDF file gives the robot, or None.
@@ -157,22 +141,20 @@ impl Mechanism {
     /// planar joints and ``.qx``, ``.qy``, ``.qz``, ``.qw``, ``.x``, ``.y``, ``.z`` for floating ones.
     #[getter]
     fn values(&self) -> Vec<String> {
-        let [values, _] = values_and_rates(&self.joints, &self.joint_names);
-        values
+        joints::values_and_rates(&self.joints, &self.joint_names).0
     }
 
     /// A name for each rate, and column of a Jacobian: that of the value, but for floating joints ``.wx``,
     /// ``.wy``, ``.wz``, ``.vx``, ``.vy``, ``.vz``, the body twist in the frame of the link.
     #[getter]
     fn rates(&self) -> Vec<String> {
-        let [_, rates] = values_and_rates(&self.joints, &self.joint_names);
-        rates
+        joints::values_and_rates(&self.joints, &self.joint_names).1
     }
 
     /// The least and the largest of each value, radians and lengths: float64, shape (values, 2), infinite for none.
     #[getter]
     fn limits<'py>(&self, py: Python<'py>) -> Answer<'py> {
-        let limits = limits(&self.joints, &self.double);
+        let limits = joints::limits(&self.joints, &self.double);
         let numbers = PyArray1::from_slice(py, limits.as_flattened());
         Ok(numbers.reshape([limits.len(), 2])?.into_any())
     }
@@ -180,25 +162,25 @@ impl Mechanism {
     /// The greatest speed of each rate, radians or lengths in a unit of time: float64, shape (rates,), infinite for none.
     #[getter]
     fn velocity_limits<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        PyArray1::from_vec(py, self.of_rates(|drive| drive.velocity))
+        PyArray1::from_vec(py, joints::of_rates(&self.joints, &self.drives, |drive| drive.velocity))
     }
 
     /// The greatest torque or force at each rate: float64, shape (rates,), infinite for none.
     #[getter]
     fn effort_limits<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        PyArray1::from_vec(py, self.of_rates(|drive| drive.effort))
+        PyArray1::from_vec(py, joints::of_rates(&self.joints, &self.drives, |drive| drive.effort))
     }
 
     /// Between what `sample` draws each value.
     #[getter]
     fn _spans(&self) -> Vec<[f64; 2]> {
-        spans(&self.joints, &self.double)
+        joints::spans(&self.joints, &self.double)
     }
 
     /// The link that carries each link, −1 for the base.
     #[getter]
     fn parents(&self) -> Vec<i64> {
-        parents(&self.joints)
+        joints::parents(&self.joints)
     }
 
     /// How many links there are.
@@ -207,8 +189,8 @@ impl Mechanism {
     }
 
     fn __repr__(&self) -> String {
-        let (links, values) = (self.links.len(), self.double.view().values());
-        format!("<dq8.Mechanism of {links} links, {values} values>")
+        let values = self.double.view().values();
+        format!("<dq8.Mechanism of {} links, {values} values>", self.links.len())
     }
 
     fn __reduce__<'py>(
@@ -218,11 +200,7 @@ impl Mechanism {
         if let Some((_, urdf)) = &own.urdf {
             return Ok((slf.get_type().getattr("from_urdf")?, PyTuple::new(py, [urdf])?));
         }
-        let (parents, kinds, axes, placements, limits) = arrays_of(&own.joints);
-        let (speeds, efforts): (Vec<_>, Vec<_>) =
-            own.drives.iter().map(|drive| (drive.velocity, drive.effort)).unzip();
-        let links = own.links.clone();
-        let arguments = (parents, kinds, axes, placements, limits, links, speeds, efforts);
+        let arguments = joints::arrays_of(&own.joints, &own.drives, own.links.clone());
         Ok((slf.get_type().into_any(), arguments.into_pyobject(py)?))
     }
 
@@ -255,12 +233,11 @@ impl Mechanism {
         out: Option<&Bound<'py, PyAny>>,
     ) -> Answer<'py> {
         let chosen = links.map(|links| Chosen::of(&self.links, links)).transpose()?;
-        let py = values.py();
-        let values = Values::of(values, &|| self.values())?;
-        if values.is_single() {
-            poses(py, self.single()?, &values, chosen, out)
+        let given = Values::of(values, &|| self.values())?;
+        if given.is_single() {
+            poses(values.py(), self.single()?, &given, chosen, out)
         } else {
-            poses(py, &self.double, &values, chosen, out)
+            poses(values.py(), &self.double, &given, chosen, out)
         }
     }
 
@@ -284,8 +261,7 @@ impl Mechanism {
     /// -------
     /// ndarray, shape (..., 6, rates)
     #[doc = common_dtype!()]
-    ///     Rows are ``[ωx, ωy, ωz, vx, vy, vz]``, angular first. Columns of joints that do not carry the
-    ///     link are zero.
+    ///     Rows are ``[ωx, ωy, ωz, vx, vy, vz]``, angular first. Columns of joints that do not carry the link are zero.
     ///
     /// Examples
     /// --------
@@ -304,25 +280,23 @@ impl Mechanism {
     ) -> Answer<'py> {
         let frame = Frame::of(frame)?;
         let link = link_of(&self.links, "link", link)?;
-        let py = values.py();
-        let values = Values::of(values, &|| self.values())?;
-        if values.is_single() {
-            jacobian(py, self.single()?, &values, link, frame, out)
+        let given = Values::of(values, &|| self.values())?;
+        if given.is_single() {
+            jacobian(values.py(), self.single()?, &given, link, frame, out)
         } else {
-            jacobian(py, &self.double, &values, link, frame, out)
+            jacobian(values.py(), &self.double, &given, link, frame, out)
         }
     }
 
     /// Inverse kinematics: values that bring links to targets, for each pair of a target and a start.
     ///
-    /// Damped least squares, steps δ that make ``|Jδ − e|² + λ²|δ|²`` least of the errors e, rotations
-    /// and positions, and the Jacobian J, within the limits of the joints, on SIMD lanes. Where limits or
-    /// local minima stop it, a search begins again from other values, spread evenly within the limits. The
-    /// values returned are the best found, also where a target is not reached; where numbers are not finite
-    /// or a target is not unit, they are the start. ``reach(poses(values, links), start, links)`` is
-    /// the inverse of `poses`. With threads, large calls are computed by all of them. A target out of reach takes all
-    /// iterations, a hundred times as long as others; ``restarts=False`` gives up sooner. Ctrl-C waits for the
-    /// configurations that are being computed.
+    /// Damped least squares, steps δ that make ``|Jδ − e|² + λ²|δ|²`` least of the errors e, rotations and positions, and
+    /// the Jacobian J, within the limits of the joints, on SIMD lanes. Where limits or local minima stop it, a search begins
+    /// again from other values, spread evenly within the limits. The values returned are the best found, also where a target
+    /// is not reached; where numbers are not finite or a target is not unit, they are the start. ``reach(poses(values,
+    /// links), start, links)`` is the inverse of `poses`. With threads, large calls are computed by all of them. A target
+    /// out of reach takes all iterations, a hundred times as long as others; ``restarts=False`` gives up sooner. Ctrl-C
+    /// waits for the configurations that are being computed.
     ///
     /// Parameters
     /// ----------
@@ -333,13 +307,12 @@ impl Mechanism {
     /// links : str, int, or sequence of these
     ///     Which links.
     /// weights : array_like, shape (6,), or (links, 6) for a sequence of links, optional
-    ///     How much the components of the error weigh where not all vanish: rotation, then position, in the
-    ///     axes of the target. Zero leaves one free: ``[0, 0, 0, 1, 1, 1]`` asks for the position alone. By
-    ///     default all are 1.
+    ///     How much the components of the error weigh where not all vanish: rotation, then position, in the axes of the
+    ///     target. Zero leaves one free: ``[0, 0, 0, 1, 1, 1]`` asks for the position alone. By default all are 1.
     /// posture : array_like, shape (values,), or numbers by name, optional
     ///     A configuration to be near to, where the targets leave freedom.
     /// angular_tolerance, linear_tolerance : float
-    ///     The errors that may be left: radians, and the unit of the robot.
+    ///     The errors that may be left: radians, and the robot's unit.
     /// max_iterations : int
     ///     The most steps and restarts together.
     /// length_per_radian : float, optional
@@ -420,16 +393,8 @@ impl Mechanism {
 }
 
 impl Mechanism {
-    /// What is so of a joint, for each of its rates.
-    fn of_rates(&self, of: impl Fn(&Drive) -> f64) -> Vec<f64> {
-        // Rates of a joint that mimics are those of another one.
-        let own = self.joints.iter().zip(&self.drives).filter(|(joint, _)| joint.mimic.is_none());
-        own.flat_map(|(joint, drive)| repeat_n(of(drive), joint.kind.rates())).collect()
-    }
-
     fn single(&self) -> PyResult<&OwnedMechanism<f32>> {
-        self.single.as_ref().map_err(|error| {
-            PyValueError::new_err(format!("`values` are float32, for which {error}"))
-        })
+        let refused = |error| value_error(format!("`values` are float32, for which {error}"));
+        self.single.as_ref().map_err(refused)
     }
 }

@@ -65,6 +65,33 @@ def test_a_hierarchy_is_its_parents():
     assert pickle.loads(pickle.dumps(hierarchy)).parents == PARENTS
 
 
+def test_parents_may_be_names_in_any_order_and_roots_one_for_each_instance(random_motions, close):
+    hierarchy = dq8.Hierarchy({"toe": "knee", "hip": None, "knee": "hip"})
+    assert (hierarchy.names, hierarchy.parents) == (["toe", "hip", "knee"], [2, -1, 1])
+    assert pickle.loads(pickle.dumps(hierarchy)).names == hierarchy.names
+    assert dq8.Hierarchy([-1, 0], ["hip", "knee"]).names == ["hip", "knee"] and dq8.Hierarchy([-1]).names is None
+    locals_, roots = random_motions(4, 3), random_motions(4)
+    models = hierarchy.local_to_model(locals_, root=roots)
+    hip = dq8.mul(roots, locals_[:, 1])
+    knee = dq8.mul(hip, locals_[:, 2])
+    for joint, expected in enumerate([dq8.mul(knee, locals_[:, 0]), hip, knee]):
+        close(models[:, joint], expected, models, expected)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (({"knee": "hip"},), r"`parents`: there is no joint \"hip\""),
+        (([-1, 0], ["hip"]), r"`names` to have 2 names, got 1"),
+        (([-1, 0], ["hip", "hip"]), r"`names`: two have the name \"hip\""),
+        (({"a": "b", "b": "a"},), r"`parents`: "),
+    ],
+)
+def test_names_that_do_not_fit_are_refused(arguments, message):
+    with pytest.raises(ValueError, match=message):
+        dq8.Hierarchy(*arguments)
+
+
 def test_an_arm_of_screws_is_that_of_pytransform3d(rng, close):
     # Product of exponentials: the pose of link j is exp(ξ₁θ₁) … exp(ξⱼθⱼ) Mⱼ, here as twists of the joints.
     import pytransform3d.transformations as p3d

@@ -1,6 +1,7 @@
 """Laws of motions on arrays of any shape and size, by hypothesis."""
 
 import numpy as np
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
@@ -93,3 +94,16 @@ def test_shapes_and_dtypes_are_kept(shape, dtype):
     ]:
         assert result.shape == shape + core
         assert result.dtype == dtype
+
+
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+def test_at_half_a_turn_a_motion_and_its_negative_have_one_logarithm(rng, dtype):
+    motions = dq8.random(200, rng=rng)
+    motions[:, 3] = 0
+    motions[:60, 0] = 0
+    motions[:20, 1] = 0
+    motions = dq8.normalize(motions).astype(dtype)
+    for function in (dq8.log, dq8.to_screw, dq8.to_rotation_vector, lambda m: dq8.pow(m, 0.3)):
+        np.testing.assert_array_equal(function(motions), function(-motions))
+    for vector in dq8.to_rotation_vector(motions):
+        assert vector[vector != 0][0] > 0

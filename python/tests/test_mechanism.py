@@ -303,8 +303,27 @@ def test_mechanisms_of_arrays_are_pickled(rng):
         (lambda m: dq8.Mechanism([-1], "fixed", [0, 0, 1], np.eye(8)[3], links=["a", "b"]), ValueError, r"to have 1 names"),
         (lambda m: dq8.Mechanism([-1] * 2, "fixed", [0, 0, 1], np.eye(8)[3], links=["a"] * 2), ValueError, r"two have the name"),
         (lambda m: dq8.Mechanism([-1], "revolute", [0, 0, 1], np.eye(8)[3], [1, 0]), ValueError, r"the limits 1 and 0"),
+        (lambda m: dq8.Mechanism([-1], "fixed", [0, 0, 1], np.eye(8)[3], effort_limits=-1), ValueError, r"of joint 0 is -1"),
+        (lambda m: dq8.Mechanism([-1], "fixed", [0, 0, 1], np.eye(8)[3], velocity_limits=[np.nan]), ValueError, r"joint 0 is NaN"),
     ],
 )
 def test_errors_name_argument_and_what_is_wrong(crane, call, error, message):
     with pytest.raises(error, match=message):
         call(crane)
+
+
+def test_speed_and_effort_have_the_limits_of_the_file_or_of_the_arrays():
+    urdf = """<robot name="r"><link name="a"/><link name="b"/><link name="c"/><link name="d"/>
+        <joint name="turn" type="continuous"><parent link="a"/><child link="b"/><limit velocity="1.5" effort="30"/></joint>
+        <joint name="fly" type="floating"><parent link="b"/><child link="c"/></joint>
+        <joint name="follow" type="continuous"><parent link="c"/><child link="d"/><limit velocity="9"/>
+        <mimic joint="turn"/></joint></robot>"""
+    robot = dq8.Mechanism.from_urdf(urdf)
+    np.testing.assert_array_equal(robot.velocity_limits, [1.5] + [np.inf] * 6)
+    np.testing.assert_array_equal(robot.effort_limits, [30] + [np.inf] * 6)
+    arm = dq8.Mechanism([-1, 0], ["revolute", "planar"], [0, 0, 1], dq8.identity(), velocity_limits=[2, 3], effort_limits=5)
+    for own in (arm, pickle.loads(pickle.dumps(arm))):
+        np.testing.assert_array_equal(own.velocity_limits, [2, 3, 3, 3])
+        np.testing.assert_array_equal(own.effort_limits, [5] * 4)
+    other = dq8.Mechanism([-1, 0], ["revolute", "planar"], [0, 0, 1], dq8.identity())
+    assert arm == pickle.loads(pickle.dumps(arm)) != other

@@ -141,7 +141,13 @@ def forget_threads() -> None: ...
 def real_array(name: str, value: object) -> NDArray[Any]: ...
 
 class Hierarchy:
-    def __new__(cls, parents: Sequence[int | None] | NDArray[np.integer[Any]]) -> Hierarchy: ...
+    def __new__(
+        cls,
+        parents: Sequence[int | None] | NDArray[np.integer[Any]] | Mapping[str, str | None],
+        names: Sequence[str] | None = None,
+    ) -> Hierarchy: ...
+    @property
+    def names(self) -> list[str] | None: ...
     @property
     def parents(self) -> list[int]: ...
     def __len__(self) -> int: ...
@@ -177,8 +183,10 @@ class Mechanism:
         kinds: str | Sequence[str],
         axes: ArrayLike,
         placements: ArrayLike,
-            limits: ArrayLike | None = None,
+        limits: ArrayLike | None = None,
         links: Sequence[str] | None = None,
+        velocity_limits: ArrayLike | None = None,
+        effort_limits: ArrayLike | None = None,
     ) -> Mechanism: ...
     @classmethod
     def from_urdf(cls, source: str | PathLike[str]) -> Mechanism: ...
@@ -215,6 +223,10 @@ class Mechanism:
     def rates(self) -> list[str]: ...
     @property
     def limits(self) -> NDArray[np.float64]: ...
+    @property
+    def velocity_limits(self) -> NDArray[np.float64]: ...
+    @property
+    def effort_limits(self) -> NDArray[np.float64]: ...
     def __len__(self) -> int: ...
     def poses(
         self, values: _Values, links: str | int | Iterable[str | int] | None = None, *, out: _Floats | None = None
@@ -222,7 +234,7 @@ class Mechanism:
     def jacobian(
         self,
         values: _Values,
-            link: str | int,
+        link: str | int,
         frame: Literal["world", "body", "aligned"] = "world",
         *,
         out: _Floats | None = None,
@@ -231,7 +243,7 @@ class Mechanism:
         self,
         targets: ArrayLike,
         values: _Values,
-            links: str | int | Iterable[str | int],
+        links: str | int | Iterable[str | int],
         *,
         weights: ArrayLike | None = None,
         posture: _Values | None = None,
@@ -254,7 +266,7 @@ class ReachReport:
         restarts: NDArray[np.uint32] | np.uint32,
         angular_error: _Floats | np.float32 | np.float64,
         linear_error: _Floats | np.float32 | np.float64,
-        ) -> ReachReport: ...
+    ) -> ReachReport: ...
     def to_dict(self) -> dict[str, Any]: ...
     @property
     def converged(self) -> NDArray[np.bool] | np.bool: ...

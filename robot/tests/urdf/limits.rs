@@ -1,6 +1,7 @@
 //! Limits: what is written, what is not, and what the format says then.
 
-use dq8_robot::urdf::{Robot, UrdfError};
+use dq8::DualQuat;
+use dq8_robot::urdf::{Drive, Robot, UrdfError};
 
 /// One joint of this type, with these elements and this version of the format.
 fn robot(version: &str, kind: &str, elements: &str) -> Result<Robot, UrdfError> {
@@ -77,6 +78,22 @@ fn joints_of_other_types_have_no_limits() {
             let robot = robot("", kind, elements).unwrap();
             assert!(robot.value_limits().iter().all(Option::is_none), "{kind}");
         }
+    }
+}
+
+#[test]
+fn speeds_and_efforts_are_read_and_what_is_no_number_is_no_limit() {
+    for (limit, velocity, effort) in [
+        (r#"velocity="3" effort=" 9 ""#, 3.0, 9.0),
+        (r#"velocity="0""#, 0.0, f64::INFINITY),
+        (r#"velocity="-1" effort="much""#, f64::INFINITY, f64::INFINITY),
+        (r#"velocity="inf" effort="nan""#, f64::INFINITY, f64::INFINITY),
+    ] {
+        let limit = format!("<limit {limit}/>");
+        let own = robot("", "continuous", &limit).unwrap();
+        assert_eq!(own.drives(), [Drive::FREE, Drive { velocity, effort }], "{limit}");
+        let carried = own.floating().unwrap().with_tool("tool", "b", DualQuat::IDENTITY).unwrap();
+        assert_eq!(carried.drives(), [Drive::FREE, Drive { velocity, effort }, Drive::FREE]);
     }
 }
 
