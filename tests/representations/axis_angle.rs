@@ -68,10 +68,10 @@ fn the_turn_by_a_vector_is_that_of_nalgebra() {
 }
 
 #[test]
-fn half_turns_are_by_pi_about_the_vector_part_as_it_stands() {
-    for axis in [[1.0_f32, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [0.6, 0.0, -0.8]] {
-        for w in [0.0, -0.0] {
-            let half = Quat::from_parts(axis, w);
+fn half_turns_are_by_pi_about_the_canonical_one_of_both_axes() {
+    for axis in [[1.0_f32, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.6, 0.0, -0.8]] {
+        for half in [0.0, -0.0].map(|w| Quat::from_parts(axis, w)).into_iter().flat_map(|q| [q, -q])
+        {
             let turned = half.to_axis_angle();
             assert_eq!((turned.0, turned.1), (axis, core::f32::consts::PI));
             let scaled = half.to_scaled_axis();

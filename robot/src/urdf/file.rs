@@ -139,7 +139,8 @@ impl JointElement {
             Kind::Revolute | Kind::Prismatic => limits(joint, unsaid, warnings)?,
             _ => None,
         };
-        let drive = joint.child("limit")?.map_or(Drive::FREE, Drive::of);
+        // What does not say where links are, is no error: of two there is none.
+        let drive = joint.child("limit").ok().flatten().map_or(Drive::FREE, Drive::of);
         let mut mimic = None;
         if let Some(element) = joint.child("mimic")? {
             // Who locks a joint leaves its other elements as they are.
