@@ -236,7 +236,8 @@ impl<'s, L: Lanes<Real: Scalar>> Arm<'s, L> {
         let root = positive(gap * (radius + height.abs())).sqrt();
         let is_free = radius.le(slack);
         // Where the centre is on the axis, both heights are zero.
-        let mut fork = Fork::new(base, [height, root], (-slack).le(gap), gap.le(merge), part);
+        let is_double = gap.le(merge) | is_free;
+        let mut fork = Fork::new(base, [height, root], (-slack).le(gap), is_double, part);
         fork.turns[0] = Complex::select(is_free, self.start[0], fork.turns[0]);
         fork
     }

@@ -9,6 +9,7 @@ use dq8::scalar::{DualQuat, vector};
 
 /// How the six axes lie.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Family {
     /// The last three axes meet in a point, and the second and third are parallel, or the first two meet: a shoulder, an

@@ -87,7 +87,7 @@ impl<'a, R: Real> SixAxisArm<'a, R> {
         self.with_values(self.reach.scratch_len())
     }
 
-    /// How many a [`SolutionsJob`] needs, with any instructions: none for the two families.
+    /// How many a [`SolutionsJob`](super::SolutionsJob) needs, with any instructions: none for the two families.
     #[must_use]
     pub fn batch_scratch_len(&self) -> usize {
         self.with_values(self.reach.batch_scratch_len())

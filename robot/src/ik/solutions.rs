@@ -5,6 +5,7 @@ use dq8::Real;
 
 /// All ways in which an arm of six hinges has its tool at a target, the nearest to the start first. A slice of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Solutions<R> {
     all: [Solution<R>; 8],
     count: usize,
@@ -14,6 +15,7 @@ pub struct Solutions<R> {
 
 /// One way.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Solution<R> {
     /// The values of the six hinges, from the base up, within their limits; of the turns that are there, the nearest to the
     /// start.
@@ -27,6 +29,7 @@ pub struct Solution<R> {
 /// At which of its joints a solution is singular: it is two that meet, where the target is at the edge of what can be reached,
 /// or one of infinitely many, of which the one with the angle of the start is given.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Singular {
     /// The first axis. The centre of the wrist is on it, or as far from the plane of the arm as it gets.
     pub shoulder: bool,

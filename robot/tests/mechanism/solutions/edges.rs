@@ -187,3 +187,15 @@ fn other_arms_are_searched_for_and_what_is_found_may_not_be_all() {
     job.solutions_in(&mut memory, &poses.targets, &poses.values, &mut again).expect("lengths fit");
     assert_eq!(again, found);
 }
+
+#[cfg(feature = "rayon")]
+#[test]
+fn all_cores_find_every_bit_of_what_one_finds() {
+    for (plan, count) in [(ur5(), 2000), (six_of_any_kind(&mut Random(4)), 3)] {
+        let poses = Poses::<f64>::random(&plan, count);
+        let mut all = vec![Solutions::default(); count];
+        let job = poses.six().job().threads(usize::MAX);
+        job.solutions(&poses.targets, &poses.values, &mut all).expect("lengths fit");
+        assert!(poses.solve() == all);
+    }
+}
