@@ -63,7 +63,7 @@ pub trait Kernel {
 ///
 /// Jobs take the best unless they are given another; the kernels over slices
 /// ([`slices`](crate::slices)) are methods of the backend itself. With the feature `rayon` it may also have
-/// [`threads`](Self::threads).
+/// `threads`.
 ///
 /// ```
 /// use dq8::Backend;
