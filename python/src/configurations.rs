@@ -130,14 +130,38 @@ fn rows<'s, R: Number>(
         return &rows[range.start * values..range.end * values];
     }
     made.resize(range.len() * values, R::ZERO);
-    for (column, numbers) in numbers.iter().enumerate() {
-        let rows = made.chunks_exact_mut(values);
-        match **numbers {
-            [one] => rows.for_each(|row| row[column] = one),
-            _ => rows.zip(&numbers[range.clone()]).for_each(|(row, &it)| row[column] = it),
-        }
+    let mut tiles = made.chunks_exact_mut(4 * values);
+    let mut first = range.start;
+    for tile in &mut tiles {
+        interleave::<R, 4>(numbers, first, tile.chunks_exact_mut(values));
+        first += 4;
+    }
+    for row in tiles.into_remainder().chunks_exact_mut(values) {
+        interleave::<R, 1>(numbers, first, std::iter::once(row));
+        first += 1;
     }
     made
+}
+
+/// `N` rows of columns, side by side: so many stores for one look at where a column lies.
+#[inline(always)]
+fn interleave<'s, R: Number, const N: usize>(
+    numbers: &[&[R]],
+    first: usize,
+    mut rows: impl Iterator<Item = &'s mut [R]>,
+) {
+    let mut rows: [_; N] = std::array::from_fn(|_| rows.next().unwrap_or_default().iter_mut());
+    for column in numbers {
+        let own = match **column {
+            [one] => [one; N],
+            _ => *column[first..].first_chunk().unwrap_or(&[R::ZERO; N]),
+        };
+        for (row, number) in rows.iter_mut().zip(own) {
+            if let Some(slot) = row.next() {
+                *slot = number;
+            }
+        }
+    }
 }
 
 /// The poses of links at each configuration.

@@ -79,7 +79,7 @@ impl<L: Lanes> DualQuat<L> {
         Self::from_dual_parts(cos, times_dual(axis, half_angle * sinc))
     }
 
-    /// (θ̂/2)(l + εm) of the one of ±σ with p_w ≥ 0: the vector part of σ times Θ/sin Θ.
+    /// (θ̂/2)(l + εm) of the [canonical](Self::canonical) one of ±σ: the vector part of σ times Θ/sin Θ.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn log(self) -> DualVector<L> {
@@ -98,7 +98,7 @@ impl<L: Lanes> DualQuat<L> {
         Self::from_dual_parts(cos, times_dual(log, sinc))
     }
 
-    /// σᵗ of the one of ±σ with p_w ≥ 0; `t` may differ from lane to lane. NaN where t times half the
+    /// σᵗ of the [canonical](Self::canonical) one of ±σ; `t` may differ from lane to lane. NaN where t times half the
     /// angle is beyond 2¹⁶ (`f32`) or 2⁴⁵ (`f64`), or t beyond 10¹⁹ or 10¹⁵⁴, where its square is.
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
@@ -110,7 +110,7 @@ impl<L: Lanes> DualQuat<L> {
         Self::from_dual_parts(cos, times_dual(sigma.dual_vector(), factor))
     }
 
-    /// √σ of the one of ±σ with p_w ≥ 0: cos(Θ/2) and the vector part over 2 cos(Θ/2).
+    /// √σ of the [canonical](Self::canonical) one of ±σ: cos(Θ/2) and the vector part over 2 cos(Θ/2).
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn sqrt(self) -> Self {

@@ -124,7 +124,7 @@ shared_trait! {
         fn to_matrix3x4(self) -> [[Self::Real; 4]; 3];
         /// The rows of [R | t] and 0 0 0 1.
         fn to_matrix4(self) -> [[Self::Real; 4]; 4];
-        /// The screw of the one of ±σ with p_w ≥ 0.
+        /// The screw of the canonical one of ±σ.
         fn to_screw(self) -> Screw<Self::Real>;
 
         /// p − εq

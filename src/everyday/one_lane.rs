@@ -27,7 +27,7 @@ pub(super) fn pow<F: Number>(motion: [F; 8], t: F) -> Option<[F; 8]> {
     Some(batch::DualQuat::<F>::from_array(motion).pow(t).to_array())
 }
 
-/// σ^½ of the one of ±σ with p_w ≥ 0
+/// σ^½ of the canonical one of ±σ
 #[inline]
 pub(super) fn sqrt<F: Number>(motion: [F; 8]) -> Option<[F; 8]> {
     Some(batch::DualQuat::<F>::from_array(motion).sqrt().to_array())

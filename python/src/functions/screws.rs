@@ -10,7 +10,8 @@ use dq8::{
 function! {
     /// Logarithms of unit dual quaternions: ``(θ̂/2)(l + εm)``, half the twist that makes the motion.
     ///
-    /// Of ±σ, which are the same motion, that of the one with p_w ≥ 0. `to_twist` is twice this.
+    /// Of ±σ, which are the same motion, that of the one whose first of (p_w, p_x, p_y, p_z) that is not zero is
+    /// positive. `to_twist` is twice this.
     const WIDE: bool = true;
     fn log(
         /// Unit dual quaternions.
