@@ -56,7 +56,8 @@ impl<R: Real> Dual<R> {
     /// ```
     #[inline]
     pub fn inverse(self) -> Result<Self, InverseError> {
-        if self.real == R::ZERO || !self.real.is_finite() {
+        // Not one of zero, nor of 0 + bε, which is none either, but other than zero.
+        if !(self.real / self.real).is_finite() {
             return Err(InverseError { real_norm: self.real.abs().into() });
         }
         Ok(Self::ONE / self)
