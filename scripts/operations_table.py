@@ -177,7 +177,7 @@ def functions(*folders):
 def methods_of_traits():
     found = {}
     for kind, file in TRAITS.items():
-        text = (ROOT / f"src/{file}.rs").read_text(encoding="utf-8")
+        text = (ROOT / f"src/contract/{file}.rs").read_text(encoding="utf-8")
         names = set(re.findall(r"^        fn (\w+)\(", text, re.M))
         operators = {sign for name, sign in OPERATORS.items() if f"{name}<Output = Self>" in text}
         found[kind] = names | operators

@@ -56,8 +56,8 @@ impl<R: Real> Dual<R> {
     /// ```
     #[inline]
     pub fn inverse(self) -> Result<Self, InverseError> {
-        // Not one of zero, nor of 0 + bε, which is none either, but other than zero.
-        if !(self.real / self.real).is_finite() {
+        // What cannot divide zero is zero itself, or 0 + bε, which has no inverse either.
+        if !self.real.is_finite() || !(R::ZERO / self.real).is_finite() {
             return Err(InverseError { real_norm: self.real.abs().into() });
         }
         Ok(Self::ONE / self)
