@@ -15,7 +15,7 @@ use dq8::simd::MAX_LANES;
 use dq8::{DualQuat, Skeleton};
 use pyo3::exceptions::{PyRuntimeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyList};
+use pyo3::types::{PyDict, PyList, PyTuple};
 
 /// A joint hierarchy: the parent of every joint.
 ///
@@ -98,9 +98,10 @@ impl Hierarchy {
 
     fn __reduce__<'py>(
         slf: &Bound<'py, Self>,
-    ) -> PyResult<(Bound<'py, PyAny>, (Bound<'py, PyList>, Option<Vec<String>>))> {
+    ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
         let own = slf.get();
-        Ok((slf.get_type().into_any(), (own.parents(slf.py())?, own.names())))
+        let arguments = (own.parents(slf.py())?, own.names()).into_pyobject(slf.py())?;
+        Ok((slf.get_type().into_any(), arguments))
     }
 
     /// Forward kinematics: ``model(j) = model(parent(j)) · local(j)``.

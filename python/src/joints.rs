@@ -60,7 +60,8 @@ pub(crate) fn drives(
     let greatest = |name, given: Option<&Bound<'_, PyAny>>| {
         let Some(given) = given else { return Ok(vec![[f64::INFINITY]; count]) };
         let numbers = rows::<1>(name, NUMBER, given, count)?;
-        if let Some((joint, [wrong])) = numbers.iter().enumerate().find(|(_, it)| !(it[0] >= 0.0)) {
+        let wrong = |&(_, &[it]): &(usize, &[f64; 1])| it.is_nan() || it < 0.0;
+        if let Some((joint, [wrong])) = numbers.iter().enumerate().find(wrong) {
             let message = format!("`{name}`: that of joint {joint} is {wrong}, not 0 or more.");
             return Err(PyValueError::new_err(message));
         }
