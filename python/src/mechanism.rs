@@ -22,10 +22,9 @@ use pyo3::types::{PyTuple, PyType};
 
 /// A tree of joints: a robot, from a URDF file or from arrays.
 ///
-/// Link j is what joint j carries. A configuration is one array: the values of joint 0, then those of joint
-/// 1, and so on, as `values` names them. Angles are radians. Fixed joints have no value, revolute and
-/// prismatic ones have one, planar ones x, y and the angle, floating ones the rotation (qx, qy, qz, qw), of
-/// any length but zero, and the translation.
+/// Link j is what joint j carries. A configuration is one array: the values of joint 0, then those of joint 1, and so on, as
+/// `values` names them. Angles are radians. Fixed joints have no value, revolute and prismatic ones have one, planar ones x, y
+/// and the angle, floating ones the rotation (qx, qy, qz, qw), of any length but zero, and the translation.
 ///
 /// Parameters
 /// ----------

@@ -20,13 +20,17 @@ mod single {
     pub(crate) type R = f32;
     #[path = "jobs.rs"]
     pub(crate) mod jobs;
+    #[path = "robots.rs"]
+    mod robots;
 }
 #[path = "."]
+#[allow(clippy::duplicate_mod, reason = "the other number")]
 mod double {
     pub(crate) type R = f64;
     #[path = "jobs.rs"]
-    #[allow(clippy::duplicate_mod, reason = "the other number")]
     pub(crate) mod jobs;
+    #[path = "robots.rs"]
+    mod robots;
 }
 
 use dq8::simd::{Portable, Unfused};
