@@ -10,8 +10,9 @@ use crate::storage::{Element, Layout};
 use core::ops::Range;
 use dq8_simd::Level;
 
-/// Rotations and translations of one of two forms, which only the running program knows: a plain clip or a [packed](super::PackedClips) one, one
-/// clip or [layers](super::Layered). A kernel is compiled once for both, and asks at each joint which they are; forms nest.
+/// Rotations and translations of one of two forms, which only the running program knows: a plain clip or a
+/// [packed](super::PackedClips) one, one clip or [layers](super::Layered). A kernel is compiled once for both, and asks at
+/// each joint which they are; forms nest.
 ///
 /// In WebAssembly, where bytes are what a page waits for, a kernel calls for what they are. Elsewhere that is part of it, as
 /// it is of other locals.
