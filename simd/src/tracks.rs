@@ -50,13 +50,13 @@ impl<'a> Tracks<'a> {
         let clips = clips.as_chunks::<4>().0.as_chunks().0;
         let tracks = Self { keys: keys.as_chunks().0, clips, rows: rows.as_chunks().0, columns };
         for clip in 0..clips.len() {
-            let row = tracks.row(clip).ok_or((clip, None))?;
             let Clip { first, frames, step, row: number } =
                 tracks.clip(clip).ok_or((clip, None))?;
+            let row = tracks.row(number).ok_or((clip, None))?;
             // A clip of one frame has no next one; `TrackPlace` counts keys in 32 bits.
-            let last = frames.checked_sub(1).and_then(|last| last.checked_mul(step));
-            let last = last.and_then(|last| last.checked_add(first));
-            let last = last.filter(|_| frames > 1 || step == 0).ok_or((clip, None))?;
+            let last = frames.checked_sub(1).filter(|_| frames > 1 || step == 0);
+            let last = last.map(|last| u64::from(first) + u64::from(last) * u64::from(step));
+            let last = last.and_then(|last| u32::try_from(last).ok()).ok_or((clip, None))?;
             let within = |&entry: &Entry| {
                 let entry = u16::from_le_bytes(entry);
                 let from = saturated::<usize>(if entry & 1 == 0 { first } else { last });
@@ -83,8 +83,8 @@ impl<'a> Tracks<'a> {
         self.columns
     }
 
-    fn row(&self, clip: usize) -> Option<&'a [Entry]> {
-        let from = saturated::<usize>(self.clip(clip)?.row).checked_mul(self.columns)?;
+    fn row(&self, number: u32) -> Option<&'a [Entry]> {
+        let from = saturated::<usize>(number).checked_mul(self.columns)?;
         u32::try_from(from).ok()?;
         self.rows.get(from..from.checked_add(self.columns)?)
     }
@@ -103,14 +103,14 @@ impl<'a> Tracks<'a> {
     /// Whether a column of a clip has a key for each frame. `None` if there is no such column.
     #[must_use]
     pub fn moves(&self, clip: usize, column: usize) -> Option<bool> {
-        Some(u16::from_le_bytes(*self.row(clip)?.get(column)?) & 1 == 1)
+        Some(u16::from_le_bytes(*self.row(self.clip(clip)?.row)?.get(column)?) & 1 == 1)
     }
 
     /// The number of a key, and the key. `None` if there is no such column or frame.
     #[must_use]
     pub fn key(&self, clip: usize, column: usize, frame: u32) -> Option<(usize, [i16; 4])> {
-        let entry = *self.row(clip)?.get(column)?;
-        let Clip { first, frames, step, .. } = self.clip(clip)?;
+        let Clip { first, frames, step, row } = self.clip(clip)?;
+        let entry = *self.row(row)?.get(column)?;
         let there = (frame < frames).then_some(frame)?;
         let own = TrackPlace { frames: [first, first + there * step], ..TrackPlace::default() };
         let [key, _] = own.keys(entry);
