@@ -1,7 +1,9 @@
 //! Dual vectors by the laws of vectors over dual numbers (Jia §§3 and 4), on whole numbers without
-//! rounding.
+//! rounding; and the same operations on lanes.
 
-use dq8::{Dual, DualQuat, Line, geometry::DualVector};
+use dq8::{Dual, DualQuat, Line, Plane, geometry::DualVector, simd::f32x8};
+use dq8_contract::inputs::{for_all, vector};
+use dq8_simd::{Lanes, Portable};
 use proptest::prelude::*;
 
 type Vector = DualVector<f64>;
@@ -112,4 +114,41 @@ fn lines_are_dual_vectors_and_back() {
     assert_eq!(Line::from(vector), line);
     let opposite = Line::from(-vector);
     assert_eq!(opposite, Line { direction: [-1.0, -2.0, -3.0], moment: [-4.0, -5.0, -6.0] });
+}
+
+/// Lanes compute what one number does, bit for bit: nothing is fused on either side.
+#[test]
+fn lanes_compute_as_single_numbers_do() {
+    let eight = prop::array::uniform8(prop::array::uniform4(vector()));
+    for_all(64, &eight, |inputs| {
+        let narrow = inputs.map(|vectors| vectors.map(|v| v.map(|c| c as f32)));
+        let lanes: [[f32x8; 3]; 4] = std::array::from_fn(|which| {
+            std::array::from_fn(|c| f32x8::load(Portable, &narrow.map(|v| v[which][c])))
+        });
+        let wide = everything(lanes).map(|lane| lane.to_array());
+        for (i, vectors) in narrow.into_iter().enumerate() {
+            assert_eq!(everything(vectors), wide.map(|lane| lane[i]));
+        }
+    });
+}
+
+/// Every operation that lanes have too, of four vectors.
+fn everything<T>([a, b, c, d]: [[T; 3]; 4]) -> [T; 25]
+where
+    T: Copy
+        + std::ops::Add<Output = T>
+        + std::ops::Sub<Output = T>
+        + std::ops::Mul<Output = T>
+        + std::ops::Neg<Output = T>,
+{
+    let (v, w) = (DualVector { real: a, dual: b }, DualVector { real: c, dual: d });
+    let (line, other) = (Line::from_point_direction(a, b), Line::from_point_direction(c, d));
+    let products = v.cross(w).scale_dual(v.dot(w)) - (v + -w).scale(a[0]);
+    let near = [line.closest_point_to_origin(), line.closest_point(c), other.moment];
+    let plane = Plane::from_point_normal(a, b);
+    let vectors =
+        [products.real, products.dual, near[0], near[1], near[2], line.moment, line.direction];
+    let scalars =
+        [v.dot(w)[0], v.dot(w)[1], line.reciprocal_product(other), plane.signed_distance(c)];
+    std::array::from_fn(|i| if i < 21 { vectors[i / 3][i % 3] } else { scalars[i - 21] })
 }

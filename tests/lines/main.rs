@@ -1,5 +1,5 @@
-//! Dual vectors, lines and planes: laws and edges; `dq8_contract::geometry` holds each operation to answers of 60 digits.
-//! The second opinion is vector geometry in plain `f64`, with angles by Kahan's formula.
+//! Dual vectors, lines and planes. The second opinion is vector geometry in plain `f64`: closest
+//! points by solving for them, angles by Kahan's formula, planes by solving for their normals.
 
 mod algebra;
 mod edge;

@@ -11,6 +11,9 @@ use nalgebra::{UnitQuaternion, Vector3};
 
 /// glam's sines of angles of a few turns, three products.
 const BY_GLAM: f64 = 1e-14;
+/// The outer angles lose as many digits as the sine or cosine of the middle one has, some hundredths here.
+const AWAY_FROM_LOCK: f64 = 1e-13;
+
 /// The names that glam has for [`EulerOrder::ALL`].
 const OF_GLAM: [EulerRot; 24] = [
     EulerRot::XYZ,
@@ -170,6 +173,32 @@ fn the_middle_angle_is_good_to_a_few_units_near_gimbal_lock() {
     }
     check::<f32>(8.0);
     check::<f64>(12.0);
+}
+
+#[test]
+fn away_from_gimbal_lock_the_angles_are_those_of_glam() {
+    let checked = std::cell::Cell::new(0);
+    for_random_motions(|motion| {
+        let quat = motion.rotation();
+        for (order, of_glam) in EulerOrder::ALL.into_iter().zip(OF_GLAM) {
+            let ours = quat.to_euler(order);
+            let lock = locks(order).into_iter();
+            let off = lock.fold(1.0_f64, |off, lock| off.min((ours.angles.angles[1] - lock).abs()));
+            if off < 0.1 {
+                continue;
+            }
+            let [a, b, c] = glam::DQuat::from_array(quat.to_array()).to_euler(of_glam).into();
+            // Its middle angle is negative in half of the proper orders.
+            let negative = order.axes.is_proper() && b < 0.0;
+            let [a, b, c] = if negative { [a + PI, -b, c + PI] } else { [a, b, c] };
+            for (ours, theirs) in ours.angles.angles.into_iter().zip([a, b, c]) {
+                let apart = (ours - theirs).rem_euclid(2.0 * PI);
+                assert!(apart.min(2.0 * PI - apart) < AWAY_FROM_LOCK, "{order:?} of {quat:?}");
+            }
+            checked.set(checked.get() + 1);
+        }
+    });
+    assert!(checked.get() > 10_000);
 }
 
 /// Arends ch. 2 §5: at θ = π/2 of XYZ and at θ = 0 of ZXZ only the sum of the others is left.
