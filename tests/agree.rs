@@ -1,6 +1,6 @@
 //! Lanes against the scalar reference of the same precision, and every implementation against the
 //! scalar path in `f64`: every operation of the table. What the types have beside it is in
-//! `lanes/`, `algebra/` and the tables of geometry.
+//! `agree_inherent.rs`.
 
 use dq8::{DualQuat, Motion};
 use dq8_contract::bound::distance;

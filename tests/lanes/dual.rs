@@ -3,7 +3,7 @@
 use super::{Provable, lane, lanes, measure, on_every_level};
 use dq8::{Real, batch, scalar};
 use dq8_contract::ledger::{Ledger, Line, line};
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// About 1.6 times the worst, relative to the value and to the derivative, or to 1/1000 where they
 /// vanish. The second opinion is the scalar reference in `f64`, itself half a unit off.
@@ -222,6 +222,26 @@ fn powers_of_zero<L: Provable>() {
 #[test]
 fn powers_of_zero_are_zero_and_one() {
     on_every_level!(powers_of_zero);
+}
+
+/// The derivative, by differences: what a mistake in both twins would not survive.
+#[test]
+fn derivatives_are_limits_of_differences() {
+    for (name, _, on_lanes, places) in functions::<f64>() {
+        for x in places.into_iter().filter(|x| x.abs() < 20.0 && (x.abs() - FRAC_PI_2).abs() > 0.1)
+        {
+            let at = |x: f64| on_lanes(batch::Dual::new(x, 1.0));
+            let h = 1e-5 * x.abs().min(1.0);
+            let slope = (at(x + h).real - at(x - h).real) / (h + h);
+            // Next to the ends of the arcsine the differences are no limits yet.
+            if name.starts_with('a') && x.abs() > 0.99 {
+                continue;
+            }
+            let error = (at(x).dual - slope).abs() / (1.0 + slope.abs());
+            // h² times a third derivative, next to the ends and poles of some thousands.
+            assert!(error < 1e-5, "{name} at {x}: {} and {slope}", at(x).dual);
+        }
+    }
 }
 
 fn what_has_no_inverse_is_told<L: Provable>() {

@@ -1,11 +1,10 @@
 //! What lanes have in addition to [`Motion`](dq8::Motion), against the scalar reference of the same precision or in
-//! `f64`, lane by lane: records and blocks in memory, functions of dual numbers, matrices, and the edges of other
-//! representations, whose answers are held to 60 digits by the tables of `dq8_contract::geometry`.
+//! `f64`, lane by lane: functions of dual numbers, other representations.
 
 mod dual;
+mod euler_angles;
 mod maps;
 mod matrices;
-mod memory;
 mod rotations;
 mod scene;
 mod two_bone;

@@ -7,26 +7,44 @@ use dq8::{DualQuat, Twist, batch};
 use dq8_contract::ledger::{Ledger, line};
 use dq8_contract::sample::Proof;
 
-fn maps_agree<L: Provable>(ledger: &Ledger) {
+fn poses_agree<L: Provable>(ledger: &Ledger) {
     for chunk in cases().chunks(L::LANES) {
-        let a = motions::<L>(chunk, |case| case.a);
+        let (a, b) = (motions::<L>(chunk, |case| case.a), motions(chunk, |case| case.b));
         let (v, w) = (columns::<L, _, 3>(chunk, |case| case.v), columns(chunk, |case| case.w));
-        let pose = batch::RotationTranslation::from(a);
-        let same = pose * batch::RotationTranslation::identity(<L::Level as Proof>::proof());
-        let back = batch::DualQuat::from(batch::RotationTranslation::from_array(same.to_array()));
+        let (pose, other) =
+            (batch::RotationTranslation::from(a), batch::RotationTranslation::from(b));
+        let identity = batch::RotationTranslation::identity(<L::Level as Proof>::proof());
+        let (product, inverse) = (pose * other * identity, pose.inverse());
+        let same = batch::RotationTranslation::from_array(pose.to_array());
+        let back = batch::DualQuat::from(same);
         let twist = Twist { angular: v, linear: w };
         let jacobian = batch::DualQuat::left_jacobian_matrix(twist);
         let undone = batch::DualQuat::left_jacobian_inverse_matrix(twist);
         for (index, case) in chunk.iter().enumerate() {
-            let wanted = RotationTranslation::from(motion::<L::Real>(case.a));
-            let size = 1.0 + case.a.iter().map(|c| c.abs()).sum::<f64>();
-            let got = row(same.to_array(), index);
-            let name = ("RotationTranslation::from", "");
-            measure::<L, 7>(ledger, name, got, exact(wanted.to_array()), size, case);
-            let wanted = exact(DualQuat::from(wanted).to_array());
+            let (a, b) = (motion::<L::Real>(case.a), motion::<L::Real>(case.b));
+            let (v, w) = (rounded(case.v), rounded(case.w));
+            let (by_pose, by_other) = (RotationTranslation::from(a), RotationTranslation::from(b));
+            let size = 1.0 + case.a.iter().chain(&case.b).map(|c| c.abs()).sum::<f64>();
+            let pair = |got: batch::RotationTranslation<L>,
+                        wanted: RotationTranslation<L::Real>,
+                        name: &str| {
+                let got = row(got.to_array(), index);
+                measure::<L, 7>(ledger, (name, ""), got, exact(wanted.to_array()), size, case);
+            };
+            pair(pose, by_pose, "RotationTranslation::from");
+            pair(product, by_pose * by_other, "RotationTranslation::mul");
+            pair(inverse, by_pose.inverse(), "RotationTranslation::inverse");
+            let wanted = exact(DualQuat::from(by_pose).to_array());
             let got = row(back.to_array(), index);
             measure::<L, 8>(ledger, ("DualQuat::from", ""), got, wanted, size, case);
-            let twist = Twist::<L::Real> { angular: rounded(case.v), linear: rounded(case.w) };
+            let three = |got: [L; 3], wanted: [L::Real; 3], scale: f64, name: &str| {
+                measure::<L, 3>(ledger, (name, ""), row(got, index), exact(wanted), scale, case);
+            };
+            let on = columns::<L, _, 3>(chunk, |case| case.v);
+            let name = "RotationTranslation::apply";
+            three(pose.transform_point(on), by_pose.transform_point(v), size, name);
+            three(pose.transform_vector(on), by_pose.transform_vector(v), size, name);
+            let twist = Twist { angular: v, linear: w };
             let wanted = DualQuat::left_jacobian_matrix(twist);
             let inverse = DualQuat::left_jacobian_inverse_matrix(twist);
             let got = jacobian.into_iter().chain(undone);
@@ -39,11 +57,15 @@ fn maps_agree<L: Provable>(ledger: &Ledger) {
 }
 
 #[test]
-fn motions_are_maps_and_maps_motions_and_jacobians_matrices_as_the_scalar_reference_has_them() {
+fn poses_and_jacobians_on_lanes_are_those_of_the_scalar_reference() {
+    #[rustfmt::skip]
     let bounds = [
         line("RotationTranslation::from", &[], 0.8, "fused products"),
+        line("RotationTranslation::mul", &[], 1.2, "fused products"),
+        line("RotationTranslation::inverse", &[], 1.2, "fused products"),
+        line("RotationTranslation::apply", &[], 3.2, "fused products"),
         line("DualQuat::from", &[], 0.4, "fused products"),
         line("Jacobian", &[], 0.8, "polynomials for series"),
     ];
-    Ledger::keep("maps", &bounds, |ledger| on_every_level!(maps_agree, ledger));
+    Ledger::keep("poses", &bounds, |ledger| on_every_level!(poses_agree, ledger));
 }

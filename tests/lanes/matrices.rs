@@ -157,3 +157,20 @@ fn checked_matrices<L: Provable>() {
 fn a_matrix_that_is_no_motion_is_a_lane_of_nan_and_a_mask() {
     on_every_level!(checked_matrices);
 }
+
+/// 32 units of the last place, on either side of 1.
+fn normalized<L: Provable>() {
+    let unit = L::Real::EPSILON.into();
+    for (off, is_one) in [(0.0, true), (20.0, true), (-20.0, true), (40.0, false), (-40.0, false)] {
+        let numbers = [0.0, 0.0, 0.0, 1.0 + off * unit];
+        let quat = batch::Quat::from_array(numbers.map(|c| lanes::<L>(&[c])));
+        assert_eq!(holds(quat.is_normalized(), 0), is_one, "{off}");
+        let motion = batch::DualQuat::new(quat, quat.scale(quat.x()));
+        assert_eq!(holds(motion.is_normalized(), 0), is_one, "{off}");
+    }
+}
+
+#[test]
+fn normalized_is_within_32_units_of_the_last_place() {
+    on_every_level!(normalized);
+}

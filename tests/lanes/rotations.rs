@@ -1,9 +1,74 @@
-//! Axes, angles and directions at the edges.
+//! Axes, angles and directions.
 
-use super::{Provable, exact, holds, lane, lanes, on_every_level, rounded, row};
-use dq8::representation::EulerOrder;
+use super::scene::{cases, quat, quats};
+use super::{Provable, columns, exact, holds, lane, lanes, measure, on_every_level, rounded, row};
 use dq8::{Quat, batch};
-use std::f64::consts::FRAC_1_SQRT_2;
+use dq8_contract::ledger::{Ledger, line};
+
+fn rotations_agree<L: Provable>(ledger: &Ledger) {
+    for chunk in cases().chunks(L::LANES) {
+        let q = quats::<L>(chunk, |case| case.a);
+        let (v, w) = (columns::<L, _, 3>(chunk, |case| case.v), columns(chunk, |case| case.w));
+        let (axis, angle) = q.to_axis_angle();
+        let scaled = q.to_scaled_axis();
+        let (arc, turn) = (batch::Quat::from_rotation_arc(v, w), batch::Quat::from_scaled_axis(v));
+        let (look, failed) = batch::Quat::look_to_checked(v, w);
+        let about = [
+            batch::Quat::from_rotation_x(v[0]),
+            batch::Quat::from_rotation_y(v[0]),
+            batch::Quat::from_rotation_z(v[0]),
+        ];
+        for (index, case) in chunk.iter().enumerate() {
+            let (q, v, w) = (quat(case.a), rounded(case.v), rounded(case.w));
+            let (by_axis, by_angle): ([L::Real; 3], _) = q.to_axis_angle();
+            let see = |name: &str, got: [f64; 4], wanted: [f64; 4], scale: f64| {
+                measure::<L, 4>(ledger, (name, ""), got, wanted, scale, case);
+            };
+            let vector = |[x, y, z]: [f64; 3]| [x, y, z, 0.0];
+            see("axis", vector(row(axis, index)), vector(exact(by_axis)), 1.0);
+            // An angle keeps its relative precision, however small it is.
+            let wanted: f64 = by_angle.into();
+            see("angle", [lane(angle, index), 0.0, 0.0, 0.0], [wanted, 0.0, 0.0, 0.0], wanted);
+            let wanted = vector(exact(q.to_scaled_axis()));
+            see("to_scaled_axis", vector(row(scaled, index)), wanted, by_angle.into());
+            let wanted = exact(Quat::<L::Real>::from_scaled_axis(v).to_array());
+            see("from_scaled_axis", row(turn.to_array(), index), wanted, 1.0);
+            let wanted = exact(Quat::<L::Real>::from_rotation_arc(v, w).to_array());
+            see("from_rotation_arc", row(arc.to_array(), index), wanted, 1.0);
+            let by_directions = Quat::look_to(v, w).expect("they have directions");
+            assert!(!holds(failed, index));
+            see("look_to", row(look.to_array(), index), exact(by_directions.to_array()), 1.0);
+            let wanted = [
+                Quat::from_rotation_x(v[0]),
+                Quat::from_rotation_y(v[0]),
+                Quat::from_rotation_z(v[0]),
+            ];
+            for (got, wanted) in about.into_iter().zip(wanted) {
+                see(
+                    "from_rotation_x, y, z",
+                    row(got.to_array(), index),
+                    exact(wanted.to_array()),
+                    1.0,
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn axes_angles_and_directions_on_lanes_are_those_of_the_scalar_reference() {
+    #[rustfmt::skip]
+    let bounds = [
+        line("axis", &[], 2.0, "another length"),
+        line("angle", &[], 6.5, "a polynomial, where scalar asks for an arctangent"),
+        line("to_scaled_axis", &[], 4.5, "as the angle"),
+        line("from_scaled_axis", &[], 5.0, "polynomials, where scalar asks the library"),
+        line("from_rotation_arc", &[], 5.0, "three lengths and a normalization"),
+        line("look_to", &[], 5.0, "Gram–Schmidt, and a rotation from a matrix"),
+        line("from_rotation_x, y, z", &[], 2.0, "polynomials, where scalar asks the library"),
+    ];
+    Ledger::keep("rotations", &bounds, |ledger| on_every_level!(rotations_agree, ledger));
+}
 
 fn axes_at_the_edges<L: Provable>() {
     let nan = f64::NAN;
@@ -61,36 +126,4 @@ fn axes_at_the_edges<L: Provable>() {
 #[test]
 fn axes_and_directions_at_the_edges_are_those_of_the_scalar_reference() {
     on_every_level!(axes_at_the_edges);
-}
-
-#[test]
-fn euler_angles_of_what_is_no_number_are_none_on_lanes() {
-    let nan = batch::Quat::from_array([f64::NAN, 0.0, 0.0, 1.0]).to_euler(EulerOrder::ALL[0]);
-    assert!(nan.angles.angles.iter().all(|angle| angle.is_nan()) && !nan.gimbal_lock);
-}
-
-/// Half and quarter turns: zeros have signs, and the arctangent of a negative one may be −π instead of π.
-fn signs_do_not_matter<L: Provable>() {
-    let mut quats = Vec::new();
-    for (at, sign) in [0, 1, 2, 3].into_iter().flat_map(|at| [(at, 1.0), (at, -1.0)]) {
-        let (mut half, mut quarter) = ([0.0; 4], [0.0, 0.0, 0.0, FRAC_1_SQRT_2]);
-        half[at] = sign;
-        quarter[at % 3] = sign * FRAC_1_SQRT_2;
-        quats.extend([half, quarter]);
-    }
-    for order in EulerOrder::ALL {
-        for quat in &quats {
-            let [one, other] = [1.0, -1.0].map(|sign| {
-                let quat = batch::Quat::from_array(quat.map(|c| lanes::<L>(&[sign * c])));
-                assert_eq!(row([quat.x(), quat.y(), quat.z()], 0), row(quat.xyz(), 0));
-                row(quat.to_euler(order).angles.angles, 0).map(f64::to_bits)
-            });
-            assert_eq!(one, other, "{order:?} {quat:?}");
-        }
-    }
-}
-
-#[test]
-fn a_quaternion_and_its_negative_have_the_same_euler_angles() {
-    on_every_level!(signs_do_not_matter);
 }

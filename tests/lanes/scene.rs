@@ -32,6 +32,13 @@ pub(super) fn quat<R: Real>([x, y, z, w, ..]: [f64; 8]) -> Quat<R> {
     Quat::from_array(rounded([x, y, z, w])).normalize()
 }
 
+pub(super) fn quats<L: Provable>(
+    cases: &[Case],
+    pick: impl Fn(&Case) -> [f64; 8],
+) -> batch::Quat<L> {
+    batch::Quat::from_array(columns(cases, |case| exact(quat::<L::Real>(pick(case)).to_array())))
+}
+
 pub(super) fn motion<R: Real>(components: [f64; 8]) -> DualQuat<R> {
     DualQuat::from_array(rounded(components)).normalize()
 }
