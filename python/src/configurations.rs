@@ -154,7 +154,7 @@ fn interleave<'s, R: Number, const N: usize>(
     for column in numbers {
         let own = match **column {
             [one] => [one; N],
-            _ => *column[first..].first_chunk().unwrap_or(&[R::ZERO; N]),
+            _ => *column[first..].first_chunk().expect("a number for each configuration"),
         };
         for (row, number) in rows.iter_mut().zip(own) {
             if let Some(slot) = row.next() {
@@ -249,7 +249,7 @@ fn by_columns<'py>(out: &Bound<'py, PyAny>, shape: &[usize]) -> Answer<'py> {
 type Compute<'f, R, const C: usize> =
     dyn Fn(&[R], &mut [[R; C]]) -> Result<(), ShapeError> + Sync + 'f;
 
-/// So many columns become rows at a time: they are in the nearest cache when they are read.
+/// Rows of so many configurations are made of columns at a time: they are in the nearest cache when they are read.
 const FEW: usize = 8 * MAX_LANES;
 
 /// `each` of the configurations in `numbers`, which writes `count` elements of `to` for one; some together.

@@ -52,6 +52,9 @@ proptest! {
             names(&error, &[joint]);
             // A joint that is its own parent is one number.
             names(&error, &[parent as usize]);
+            if let HierarchyError::ParentOutOfRange { joints, .. } = error {
+                names(&error, &[joints]);
+            }
         }
     }
 }

@@ -89,6 +89,8 @@ fn signs_do_not_matter<L: Provable>() {
     for order in EulerOrder::ALL {
         for quat in &quats {
             let quat = quat.map(|c| columns::<L, _, 1>(&[c], |&c| [c])[0]);
+            let lanes = batch::Quat::from_array(quat);
+            assert_eq!(row([lanes.x(), lanes.y(), lanes.z()], 0), row(lanes.xyz(), 0));
             let [one, other] = [quat, quat.map(|c| -c)]
                 .map(|quat| row(batch::Quat::from_array(quat).to_euler(order).angles.angles, 0));
             assert_eq!(
