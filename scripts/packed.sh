@@ -17,8 +17,11 @@ trap 'rm -rf "$elsewhere"' EXIT
     tar -xzmf "$archive" -C "$elsewhere"
     echo "$crate = { path = \"$(basename "$archive" .crate)\" }"
   done
+  # What others wrote is then compiled as it was for the repository, and is there already.
+  sed -n '/^\[profile/,$p' Cargo.toml
 } >"$elsewhere/Cargo.toml"
+cp Cargo.lock "$elsewhere"
 
-export CARGO_TARGET_DIR=$PWD/$target/packed
+export CARGO_TARGET_DIR=$PWD/$target
 # Without the examples of the documentation, which are the same everywhere.
 cargo test --manifest-path "$elsewhere/Cargo.toml" --workspace --features dq8-robot/urdf --lib --tests --examples
