@@ -40,7 +40,9 @@ pub enum Form {
 
 impl Form {
     /// Those that are bounded by lengths.
-    pub const ALL: [Self; 3] = [Self::Single, Self::Lanes, Self::Job];
+    pub const BY_LENGTHS: [Self; 3] = [Self::Single, Self::Lanes, Self::Job];
+    /// All.
+    pub const ALL: [Self; 4] = [Self::Single, Self::Lanes, Self::Job, Self::Function];
     /// As in `bounds.toml`.
     #[must_use]
     pub fn name(self) -> &'static str {
