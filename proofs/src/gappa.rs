@@ -8,6 +8,7 @@
 use crate::bound::Analysis;
 use crate::composed;
 use crate::operations::{Form, Operation, functions};
+use crate::polynomial::Lengths;
 use crate::tape::{FIRST_INPUT, Node, Op, Order, Tape};
 use crate::tape_of;
 use std::collections::BTreeSet;
@@ -52,8 +53,9 @@ pub fn lemmas(operation: &Operation, form: Form, is_single: bool, fused: bool) -
     if composed::sum(operation, tape, form, is_single).is_some() {
         return Lemmas { bound: None, scripts };
     }
-    let mut steps = Steps { operation, form, tape, analysis, is_single, fused, known, scripts };
-    let needed = tape.needed(&tape.outputs);
+    let mut steps = Steps { operation, tape, analysis, is_single, fused, known, scripts };
+    let chosen_by = tape.branches.iter().flat_map(|branch| branch.sides);
+    let needed = tape.needed(&tape.outputs.iter().copied().chain(chosen_by).collect::<Vec<_>>());
     for node in (0..tape.ops.len() as Node).filter(|&node| needed[node as usize]) {
         steps.known[node as usize] = steps.step(node);
     }
@@ -101,13 +103,19 @@ impl Range {
     }
     /// The result of an operation whose product is off by `slack` before it is added; `None` where 0 is divided by.
     fn of(op: Op, n: &[Self], slack: f64) -> Option<Self> {
+        let product = || match op {
+            Op::Mul(a, b) | Op::Fma(a, b, _) | Op::Nfma(a, b, _) if a == b && n[0].0 < 0.0 => {
+                Self(0.0, n[0].size() * n[0].size())
+            }
+            _ => n[0].times(n[1]),
+        };
         Some(match op {
             Op::Input | Op::Const(_) => return None,
             Op::Add(..) => n[0].plus(n[1]),
             Op::Sub(..) => n[0].minus(n[1]),
-            Op::Mul(..) => n[0].times(n[1]),
-            Op::Fma(..) => n[2].plus(n[0].times(n[1]).rounded(slack)),
-            Op::Nfma(..) => n[2].minus(n[0].times(n[1]).rounded(slack)),
+            Op::Mul(..) => product(),
+            Op::Fma(..) => n[2].plus(product().rounded(slack)),
+            Op::Nfma(..) => n[2].minus(product().rounded(slack)),
             Op::Div(..) if n[1].0 > 0.0 => n[0].times(Self(1.0 / n[1].1, 1.0 / n[1].0)),
             Op::Sqrt(_) if n[0].0 > 0.0 => Self(n[0].0.sqrt(), n[0].1.sqrt()),
             Op::Div(..) | Op::Sqrt(_) => return None,
@@ -155,7 +163,6 @@ impl Known {
 
 struct Steps<'a> {
     operation: &'a Operation,
-    form: Form,
     tape: &'a Tape,
     analysis: Analysis,
     is_single: bool,
@@ -168,7 +175,7 @@ impl Steps<'_> {
     /// The lengths of an argument: rotations are nearly unit, all else is at most 1.
     fn length(&self, group: usize) -> Range {
         match self.operation.inputs[group] {
-            _ if self.form == Form::Function => Range(0.0, functions::end(self.operation.name)),
+            ("v", 1) => Range(0.0, functions::end(self.operation.name)),
             ("p" | "r", 4) => Range(1.0 - NEAR, 1.0 + NEAR),
             _ => Range(0.0, 1.0),
         }
@@ -179,17 +186,25 @@ impl Steps<'_> {
         if let Some((_, group)) = self.analysis.sums().find(|sum| sum.0 == node) {
             return Some(self.length(group).times(self.length(group)).short());
         }
-        // Of one number intervals know more.
-        let terms = if self.form == Form::Function { None } else { self.analysis.size(node) }?.0;
-        let size = terms.iter().map(|(powers, c)| {
-            let power = |&(group, power): &(usize, i32)| {
-                let Range(shortest, longest) = self.length(group);
-                if power < 0 { shortest.powi(power) } else { longest.powi(power) }
-            };
-            c * powers.iter().map(power).product::<f64>()
+        let most = |lengths: Lengths| {
+            let terms = lengths.0.into_iter().map(|(powers, c)| {
+                let power = |&(group, power): &(usize, i32)| {
+                    let Range(shortest, longest) = self.length(group);
+                    if power < 0 { shortest.powi(power) } else { longest.powi(power) }
+                };
+                c * powers.iter().map(power).product::<f64>()
+            });
+            terms.sum::<f64>() * (1.0 + 1e-9)
+        };
+        let size = most(self.analysis.size(node)?);
+        // Polarization: |a − b|² ≤ |a|² + |b|² where a·b ≥ 0.
+        let not_below = self.tape.branches.iter().filter_map(|branch| {
+            let [dot, zero] = branch.sides.map(|side| self.known[side as usize]);
+            let is_met = !branch.holds && zero?.exact == Range(0.0, 0.0);
+            let sum = self.analysis.size_of_sum(node, 2.0, branch.sides[0]).filter(|_| is_met)?;
+            Some(most(sum) + 2.0 * dot?.error)
         });
-        let size = up(size.sum::<f64>() * (1.0 + 1e-9));
-        Some(Range(-size, size))
+        Some(Range(-size, not_below.fold(size, f64::min)).short())
     }
 
     /// What a comparison of a number with a constant says of the exact one.
@@ -217,9 +232,10 @@ impl Steps<'_> {
         let known = match self.tape.ops[node as usize] {
             Op::Const(c) => return Some(exactly(Range(c, c))),
             Op::Input => {
-                let Range(_, longest) =
-                    self.length(self.operation.groups()[node as usize - FIRST_INPUT]);
-                exactly(Range(if self.form == Form::Function { 0.0 } else { -longest }, longest))
+                let group = self.operation.groups()[node as usize - FIRST_INPUT];
+                let Range(_, longest) = self.length(group);
+                let is_alone = self.operation.inputs[group] == ("v", 1);
+                exactly(Range(if is_alone { 0.0 } else { -longest }, longest))
             }
             op => self.lemma(node, op)?,
         };
@@ -267,6 +283,7 @@ impl Steps<'_> {
             _ => error(0),
         };
         let (range, given) = (Range::of(op, &exact, 0.0)?, self.by_lengths(node));
+        let given = given.filter(|given| given.both(range) != range);
         let range = given.map_or(range, |given| given.both(range)).short();
         let direct = Range::of(op, &computed, slack)?;
         if rounds {

@@ -276,11 +276,12 @@ pub mod jobs {
     }
 }
 
-/// The functions that polynomials are in.
+/// Functions on lanes that have polynomials in them: of one number, and of motions.
 pub mod functions {
     use super::Operation;
     use dq8::Lanes;
-    use dq8::batch::{Dual, even};
+    use dq8::batch::{Dual, DualQuat, even};
+    use dq8::geometry::DualVector;
 
     /// From 0 to where the range of the polynomials ends.
     #[must_use]
@@ -292,27 +293,53 @@ pub mod functions {
         }
     }
 
-    /// Without their derivatives.
+    const fn of(name: &'static str, inputs: Parts, parts: Parts) -> Operation {
+        Operation { name, inputs, parts }
+    }
+    type Parts = &'static [(&'static str, usize)];
+    const MOTION: Parts = &[("real", 4), ("dual", 4)];
+
+    /// Of one number without their derivatives.
     pub const OPERATIONS: &[Operation] = &[
-        Operation { name: "arc_over_chord", inputs: &[("v", 1)], parts: &[("arc", 1)] },
-        Operation { name: "cos_sinc", inputs: &[("v", 1)], parts: &[("cos", 1), ("sinc", 1)] },
-        Operation { name: "integrals", inputs: &[("v", 1)], parts: &[("first", 1), ("second", 1)] },
-        Operation { name: "half_cotangent", inputs: &[("v", 1)], parts: &[("half", 1)] },
+        of("arc_over_chord", &[("v", 1)], &[("arc", 1)]),
+        of("cos_sinc", &[("v", 1)], &[("cos", 1), ("sinc", 1)]),
+        of("integrals", &[("v", 1)], &[("first", 1), ("second", 1)]),
+        of("half_cotangent", &[("v", 1)], &[("half", 1)]),
+        of("log", &[("p", 4), ("q", 4)], &[("real", 3), ("dual", 3)]),
+        of("exp", &[("v", 3), ("w", 3)], MOTION),
+        of("pow", &[("p", 4), ("q", 4), ("t", 1)], MOTION),
+        of("sqrt", &[("p", 4), ("q", 4)], MOTION),
+        of("sclerp", &[("p", 4), ("q", 4), ("r", 4), ("s", 4), ("t", 1)], MOTION),
     ];
 
     /// The numbers of the answer.
     ///
     /// # Panics
-    /// Without a number.
+    /// Of a name that is not in the table.
     #[inline(always)]
     pub fn run<L: Lanes>(name: &str, from: &[L]) -> Vec<L> {
         let v = Dual::new(from[0], from[0].constant(0.0));
         let both = |(a, b): (Dual<L>, Dual<L>)| vec![a.real, b.real];
+        let motion =
+            |at: usize| DualQuat::from_array(*from[at..].first_chunk().expect("8 numbers"));
+        let numbers = |motion: DualQuat<L>| motion.to_array().to_vec();
         match name {
             "arc_over_chord" => vec![even::arc_over_chord(v).real],
             "cos_sinc" => both(even::cos_sinc(v)),
             "integrals" => both(even::exponential_integrals(v)),
-            _ => vec![even::half_cotangent(v).real],
+            "half_cotangent" => vec![even::half_cotangent(v).real],
+            "log" => {
+                let log = motion(0).log();
+                [log.real, log.dual].concat()
+            }
+            "exp" => {
+                let [real, dual] = [0, 3].map(|at| *from[at..].first_chunk().expect("6 numbers"));
+                numbers(DualQuat::exp(DualVector { real, dual }))
+            }
+            "pow" => numbers(motion(0).pow(from[8])),
+            "sqrt" => numbers(motion(0).sqrt()),
+            "sclerp" => numbers(motion(0).sclerp(motion(8), from[16])),
+            _ => panic!("no function {name}"),
         }
     }
 }
