@@ -68,13 +68,19 @@ fn three<T: Copy>(rows: impl IntoIterator<Item = impl IntoIterator<Item = T>>) -
     rows.into_iter().flatten().collect()
 }
 
-macro_rules! table { ($($name:ident($($input:ident $count:literal),*) -> ($($part:ident $parts:literal),*) = $body:expr;)*) => {
-    /// Every operation that is one path of + − · / √.
-    pub const OPERATIONS: &[Operation] = &[$(Operation {
+/// Rows of the table: names, arguments and answers.
+macro_rules! rows { ($($name:ident($($input:ident $count:literal),*) -> ($($part:ident $parts:literal),*);)*) => {
+    &[$(Operation {
         name: stringify!($name),
         inputs: &[$((stringify!($input), $count)),*],
         parts: &[$((stringify!($part), $parts)),*],
-    }),*];
+    }),*]
+} }
+
+macro_rules! table { ($($name:ident($($input:ident $count:literal),*) -> ($($part:ident $parts:literal),*) = $body:expr;)*) => {
+    /// Every operation that is one path of + − · / √.
+    pub const OPERATIONS: &[Operation] =
+        rows! { $($name($($input $count),*) -> ($($part $parts),*);)* };
     operations! { single dq8::Scalar; dq8::DualQuat; dq8::Quat; dq8::Dual; dq8::Motion; $($name($($input $count),*) = $body;)* }
     operations! { lanes dq8::Lanes; dq8::batch::DualQuat; dq8::batch::Quat; dq8::batch::Dual; dq8::Motion; $($name($($input $count),*) = $body;)* }
 } }
@@ -213,30 +219,12 @@ pub mod jobs {
     use dq8::{Backend, DualQuat, Scalar};
 
     /// A joint under its parent: what forward kinematics repeats; and a model times its inverse bind, as a matrix.
-    pub const OPERATIONS: &[Operation] = &[
-        Operation {
-            name: "local_to_model",
-            inputs: &[("p", 4), ("q", 4), ("r", 4), ("s", 4)],
-            parts: &[("real", 4), ("dual", 4)],
-        },
-        Operation {
-            name: "palette",
-            inputs: &[("p", 4), ("q", 4), ("r", 4), ("s", 4)],
-            parts: &[
-                ("rotation", 3),
-                ("translation", 1),
-                ("rotation", 3),
-                ("translation", 1),
-                ("rotation", 3),
-                ("translation", 1),
-            ],
-        },
-        Operation {
-            name: "linear_skin",
-            inputs: &[("a", 12), ("b", 12), ("c", 12), ("d", 12), ("w", 4), ("v", 3)],
-            parts: &[("point", 3)],
-        },
-    ];
+    pub const OPERATIONS: &[Operation] = rows! {
+        local_to_model(p 4, q 4, r 4, s 4) -> (real 4, dual 4);
+        palette(p 4, q 4, r 4, s 4) ->
+            (rotation 3, translation 1, rotation 3, translation 1, rotation 3, translation 1);
+        linear_skin(a 12, b 12, c 12, d 12, w 4, v 3) -> (point 3);
+    };
 
     /// The numbers of the answer.
     ///
@@ -293,24 +281,18 @@ pub mod functions {
         }
     }
 
-    const fn of(name: &'static str, inputs: Parts, parts: Parts) -> Operation {
-        Operation { name, inputs, parts }
-    }
-    type Parts = &'static [(&'static str, usize)];
-    const MOTION: Parts = &[("real", 4), ("dual", 4)];
-
     /// Of one number without their derivatives.
-    pub const OPERATIONS: &[Operation] = &[
-        of("arc_over_chord", &[("v", 1)], &[("arc", 1)]),
-        of("cos_sinc", &[("v", 1)], &[("cos", 1), ("sinc", 1)]),
-        of("integrals", &[("v", 1)], &[("first", 1), ("second", 1)]),
-        of("half_cotangent", &[("v", 1)], &[("half", 1)]),
-        of("log", &[("p", 4), ("q", 4)], &[("real", 3), ("dual", 3)]),
-        of("exp", &[("v", 3), ("w", 3)], MOTION),
-        of("pow", &[("p", 4), ("q", 4), ("t", 1)], MOTION),
-        of("sqrt", &[("p", 4), ("q", 4)], MOTION),
-        of("sclerp", &[("p", 4), ("q", 4), ("r", 4), ("s", 4), ("t", 1)], MOTION),
-    ];
+    pub const OPERATIONS: &[Operation] = rows! {
+        arc_over_chord(v 1) -> (arc 1);
+        cos_sinc(v 1) -> (cos 1, sinc 1);
+        integrals(v 1) -> (first 1, second 1);
+        half_cotangent(v 1) -> (half 1);
+        log(p 4, q 4) -> (real 3, dual 3);
+        exp(v 3, w 3) -> (real 4, dual 4);
+        pow(p 4, q 4, t 1) -> (real 4, dual 4);
+        sqrt(p 4, q 4) -> (real 4, dual 4);
+        sclerp(p 4, q 4, r 4, s 4, t 1) -> (real 4, dual 4);
+    };
 
     /// The numbers of the answer.
     ///
