@@ -206,7 +206,7 @@ def how_bounded(bounds, kind, name):
     for form in ("single", "lanes"):
         entry = bounds[form].get(name, {})
         for parts in (entry, entry.get("fused", {})):
-            errors = {value for part, value in parts.items() if part not in ("by", "tapes", "fused", "lengths", "underflow")}
+            errors = {value for part, value in parts.items() if part not in ("by", "tapes", "fused", "lengths", "underflow", "gappa")}
             if errors:
                 found.append("exact" if errors == {"0"} else "measured" if "none" in errors
                              else "proved" if parts.get("by") else "by norms")

@@ -12,6 +12,9 @@ use std::collections::BTreeMap;
 /// u of `f32`. Bounds in units of u rise with u, so these hold for `f64` too.
 pub const U: f64 = 1.0 / (1 << 24) as f64;
 
+/// The most factors of a term that is analysed.
+const DEGREE: usize = 6;
+
 /// What roundings do.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Rounding {
@@ -55,7 +58,11 @@ impl Analysis {
         let (groups, roots) = (groups.to_vec(), vec![]);
         let mut analysis = Self { rounding, exact: vec![], error: vec![], roots, groups };
         for node in 0..tape.ops.len() {
-            let (exact, error) = analysis.node(tape, node as Node, fused).unzip();
+            // Of polynomials in polynomials, which have too many terms.
+            let few = |of: &(Polynomial, Polynomial)| {
+                of.0.0.keys().all(|m| m.iter().filter(|v| as_root(**v).is_none()).count() <= DEGREE)
+            };
+            let (exact, error) = analysis.node(tape, node as Node, fused).filter(few).unzip();
             analysis.exact.push(exact);
             analysis.error.push(error);
         }
@@ -249,6 +256,10 @@ impl Analysis {
     /// How large the exact number of a node is at most, by the lengths of the arguments.
     pub(crate) fn size(&self, node: Node) -> Option<Lengths> {
         Some(self.by_lengths(self.exact(node)?))
+    }
+    /// That of a node and c times another.
+    pub(crate) fn size_of_sum(&self, node: Node, c: f64, other: Node) -> Option<Lengths> {
+        Some(self.by_lengths(&self.exact(node)?.plus(c, self.exact(other)?)))
     }
     /// The sums of squares of a whole argument: node and argument.
     pub(crate) fn sums(&self) -> impl Iterator<Item = (Node, usize)> {

@@ -27,7 +27,7 @@ const SLOW: [&str; 2] = ["mul_rotation_translation", "linear_skin"];
 /// # Errors
 /// Of the file system.
 pub fn write(folder: &Path) -> std::io::Result<()> {
-    for form in Form::ALL {
+    for form in Form::BY_LENGTHS {
         for operation in
             form.operations().iter().filter(|operation| !is_twin(operation, form, true))
         {

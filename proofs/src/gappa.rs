@@ -1,193 +1,383 @@
-//! Tapes as scripts for Gappa: every number twice, rounded and exact, and what the difference of the two stays below.
+//! Tapes as lemmas for Gappa, one per operation of a tape: from what is known of its operands, how far the rounded result is
+//! off from the exact one. Many are the same for many tapes, and are proved once.
 //!
 //! Gappa sees intervals of single numbers. What it cannot see is that they are parts of vectors of a length, so each exact
-//! number comes with the bound that follows from that (Cauchy and Schwarz), as a hypothesis; `coq/` has it as a lemma.
+//! number comes with the bound that follows from that (Cauchy and Schwarz), as a hypothesis; `coq/` has it as a lemma. So do
+//! the comparisons that chose the path.
 
 use crate::bound::Analysis;
 use crate::composed;
 use crate::operations::{Form, Operation, functions};
-use crate::tape::{Node, Op, Tape};
-use crate::{is_twin, tape_of};
-use std::fmt::Write;
-use std::path::Path;
+use crate::polynomial::Lengths;
+use crate::tape::{FIRST_INPUT, Node, Op, Order, Tape};
+use crate::tape_of;
+use std::collections::BTreeSet;
+use std::fmt::{Display, Formatter, Result};
 
 /// How far the length of a rotation is from 1: |p| ∈ [1 − 2⁻⁹, 1 + 2⁻⁹].
 const NEAR: f64 = 1.0 / 512.0;
 
-/// Writes scripts per operation, form, precision and rounding of products, one for each number of the answer: Gappa takes three
-/// times as long for all of them at once.
+/// What Gappa is to prove of a tape.
+#[derive(Debug)]
+pub struct Lemmas {
+    /// The largest error of a number of the answer; `None` where one is divided by what may be 0.
+    pub bound: Option<f64>,
+    /// What follows one from the other.
+    pub scripts: BTreeSet<String>,
+}
+
+/// Writes those of every operation, form, precision and rounding of products.
 ///
 /// # Errors
 /// Of the file system.
-pub fn write(folder: &Path) -> std::io::Result<()> {
-    for form in Form::ALL.into_iter().chain([Form::Function]) {
+pub fn write(folder: &str) -> std::io::Result<()> {
+    let mut scripts = BTreeSet::new();
+    for form in Form::ALL {
         for operation in form.operations() {
-            for is_single in
-                [true, false].into_iter().filter(|&is_single| !is_twin(operation, form, is_single))
-            {
-                let tape = tape_of(operation, form, is_single);
-                // Intervals cannot tell how far from 0 a sum is.
-                if composed::sum(operation, &tape, form, is_single).is_some() {
-                    continue;
-                }
-                for fused in if tape.fuses() { &[false, true][..] } else { &[false] } {
-                    let float = if is_single { "f32" } else { "f64" };
-                    let rounding = if *fused { ".fused" } else { "" };
-                    let name = format!("{}.{}{rounding}.{float}", form.name(), operation.name);
-                    let scripts = scripts(operation, form, &tape, is_single, *fused);
-                    for (index, script) in scripts.into_iter().enumerate() {
-                        std::fs::write(folder.join(format!("{name}.{index}.g")), script)?;
-                    }
-                }
+            for (fused, is_single) in [(false, false), (false, true), (true, false), (true, true)] {
+                scripts.append(&mut lemmas(operation, form, is_single, fused).scripts);
             }
         }
     }
-    Ok(())
+    let mut numbered = scripts.iter().enumerate();
+    numbered.try_for_each(|(i, lemma)| std::fs::write(format!("{folder}/{i}.g"), lemma))
 }
 
-/// The lengths of an argument: rotations are nearly unit, all else is at most 1.
-fn lengths(operation: &Operation, form: Form) -> Vec<(f64, f64)> {
-    let of = |&(name, count): &(&str, usize)| {
-        if matches!(form, Form::Function) {
-            (0.0, functions::end(operation.name))
-        } else if count == 4 && matches!(name, "p" | "r") {
-            (1.0 - NEAR, 1.0 + NEAR)
-        } else {
-            (0.0, 1.0)
+/// Those of one tape.
+#[must_use]
+pub fn lemmas(operation: &Operation, form: Form, is_single: bool, fused: bool) -> Lemmas {
+    let tape = &tape_of(operation, form, is_single);
+    let analysis = Analysis::of(tape, &operation.groups(), fused);
+    let (known, scripts) = (vec![None; tape.ops.len()], BTreeSet::new());
+    // Intervals cannot tell how far from 0 a sum is.
+    if composed::sum(operation, tape, form, is_single).is_some() {
+        return Lemmas { bound: None, scripts };
+    }
+    let mut steps = Steps { operation, tape, analysis, is_single, fused, known, scripts };
+    let chosen_by = tape.branches.iter().flat_map(|branch| branch.sides);
+    let needed = tape.needed(&tape.outputs.iter().copied().chain(chosen_by).collect::<Vec<_>>());
+    for node in (0..tape.ops.len() as Node).filter(|&node| needed[node as usize]) {
+        steps.known[node as usize] = steps.step(node);
+    }
+    let errors = tape.outputs.iter().map(|&output| Some(steps.known[output as usize]?.error));
+    let bound = errors.collect::<Option<Vec<f64>>>().map(|e| e.into_iter().fold(0.0, f64::max));
+    // What leads nowhere is not asked for.
+    Lemmas { scripts: if bound.is_some() { steps.scripts } else { BTreeSet::new() }, bound }
+}
+
+/// Numbers from the first to the second.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Range(f64, f64);
+
+impl Range {
+    fn spanned(numbers: &[f64]) -> Self {
+        let (least, most) = (f64::INFINITY, f64::NEG_INFINITY);
+        Self(
+            numbers.iter().copied().fold(least, f64::min),
+            numbers.iter().copied().fold(most, f64::max),
+        )
+    }
+    fn plus(self, other: Self) -> Self {
+        Self(self.0 + other.0, self.1 + other.1)
+    }
+    fn minus(self, other: Self) -> Self {
+        Self(self.0 - other.1, self.1 - other.0)
+    }
+    fn times(self, other: Self) -> Self {
+        let (Self(a, b), Self(c, d)) = (self, other);
+        Self::spanned(&[a * c, a * d, b * c, b * d])
+    }
+    fn both(self, other: Self) -> Self {
+        Self(self.0.max(other.0), self.1.min(other.1))
+    }
+    fn wider(self, by: f64) -> Self {
+        Self((self.0 - by).next_down(), (self.1 + by).next_up())
+    }
+    /// Of rounded numbers: 0 stays 0.
+    fn rounded(self, by: f64) -> Self {
+        let moved = |c: f64, by: f64| if c == 0.0 { c } else { c + by };
+        Self(moved(self.0, -by), moved(self.1, by))
+    }
+    fn size(self) -> f64 {
+        self.0.abs().max(self.1.abs())
+    }
+    /// The result of an operation whose product is off by `slack` before it is added; `None` where 0 is divided by.
+    fn of(op: Op, n: &[Self], slack: f64) -> Option<Self> {
+        let product = || match op {
+            Op::Mul(a, b) | Op::Fma(a, b, _) | Op::Nfma(a, b, _) if a == b && n[0].0 < 0.0 => {
+                Self(0.0, n[0].size() * n[0].size())
+            }
+            _ => n[0].times(n[1]),
+        };
+        Some(match op {
+            Op::Input | Op::Const(_) => return None,
+            Op::Add(..) => n[0].plus(n[1]),
+            Op::Sub(..) => n[0].minus(n[1]),
+            Op::Mul(..) => product(),
+            Op::Fma(..) => n[2].plus(product().rounded(slack)),
+            Op::Nfma(..) => n[2].minus(product().rounded(slack)),
+            Op::Div(..) if n[1].0 > 0.0 => n[0].times(Self(1.0 / n[1].1, 1.0 / n[1].0)),
+            Op::Sqrt(_) if n[0].0 > 0.0 => Self(n[0].0.sqrt(), n[0].1.sqrt()),
+            Op::Div(..) | Op::Sqrt(_) => return None,
+            Op::Neg(_) => Self(-n[0].1, -n[0].0),
+            Op::Abs(_) => Self(0.0, n[0].size()),
+        })
+    }
+    /// With ends of few digits.
+    fn short(self) -> Self {
+        Self(-up(-self.0), up(self.1))
+    }
+}
+
+impl Display for Range {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        write!(f, "[{}, {}]", number(self.0), number(self.1))
+    }
+}
+
+/// What is known of a number.
+#[derive(Clone, Copy, Debug)]
+struct Known {
+    exact: Range,
+    /// How far the computed one is off.
+    error: f64,
+    /// Where that is: rounding is monotone, and does not leave an interval whose ends are floats.
+    computed: Range,
+}
+
+impl Known {
+    /// Whether the range of the computed number says more than that of the exact one.
+    fn is_nearer(&self) -> bool {
+        let near = self.exact.wider(self.error);
+        self.error > 0.0 && self.computed.both(near.short()) != near.short()
+    }
+    /// In a script: itself, or computed (n) and exact (M) where the two differ.
+    fn name(&self, name: &str, prefix: &str) -> String {
+        match self.exact {
+            Range(c, same) if c == same => number(c),
+            _ if self.error == 0.0 => format!("x{name}"),
+            _ => format!("{prefix}{name}"),
         }
-    };
-    operation.inputs.iter().map(of).collect()
+    }
 }
 
-/// Those of numbers that are rounded.
-fn scripts(
-    operation: &Operation,
-    form: Form,
-    tape: &Tape,
+struct Steps<'a> {
+    operation: &'a Operation,
+    tape: &'a Tape,
+    analysis: Analysis,
     is_single: bool,
     fused: bool,
-) -> Vec<String> {
-    let groups = operation.groups();
-    let analysis = Analysis::of(tape, &groups, fused);
-    let lengths = lengths(operation, form);
-    let is_rounded = |&output: &Node| {
-        !matches!(tape.ops[output as usize], Op::Input | Op::Const(_))
-            && analysis.bound(output).is_none_or(|b| !b.0.is_empty())
-    };
-    let precision = if is_single { 32 } else { 64 };
-    let of = |output| {
-        let claim = claim(tape, output, form, fused, &groups, &analysis, &lengths);
-        format!("@rnd = float<ieee_{precision},ne>;\n{claim}")
-    };
-    tape.outputs.iter().copied().filter(is_rounded).map(of).collect()
+    known: Vec<Option<Known>>,
+    scripts: BTreeSet<String>,
 }
 
-/// What leads to a number, and how far it may be off.
-fn claim(
-    tape: &Tape,
-    output: Node,
-    form: Form,
-    fused: bool,
-    groups: &[usize],
-    analysis: &Analysis,
-    lengths: &[(f64, f64)],
-) -> String {
-    let needed = tape.needed(&[output]);
-    let steps: Vec<Node> =
-        (0..tape.ops.len() as Node).filter(|&node| needed[node as usize]).collect();
-
-    let mut text = String::new();
-    for &node in &steps {
-        if tape.ops[node as usize] == Op::Input {
-            let _ = writeln!(text, "x{node} = rnd(x{node}_);");
+impl Steps<'_> {
+    /// The lengths of an argument: rotations are nearly unit, all else is at most 1.
+    fn length(&self, group: usize) -> Range {
+        match self.operation.inputs[group] {
+            ("v", 1) => Range(0.0, functions::end(self.operation.name)),
+            ("p" | "r", 4) => Range(1.0 - NEAR, 1.0 + NEAR),
+            _ => Range(0.0, 1.0),
         }
     }
-    for prefix in ["n", "M"] {
-        for &node in &steps {
-            if let Some(expression) = expression(tape, node, prefix, fused) {
-                let _ = writeln!(text, "{prefix}{node} = {expression};");
+
+    /// Where an exact number is, from the lengths of the arguments.
+    fn by_lengths(&self, node: Node) -> Option<Range> {
+        if let Some((_, group)) = self.analysis.sums().find(|sum| sum.0 == node) {
+            return Some(self.length(group).times(self.length(group)).short());
+        }
+        let most = |lengths: Lengths| {
+            let terms = lengths.0.into_iter().map(|(powers, c)| {
+                let power = |&(group, power): &(usize, i32)| {
+                    let Range(shortest, longest) = self.length(group);
+                    if power < 0 { shortest.powi(power) } else { longest.powi(power) }
+                };
+                c * powers.iter().map(power).product::<f64>()
+            });
+            terms.sum::<f64>() * (1.0 + 1e-9)
+        };
+        let size = most(self.analysis.size(node)?);
+        // Polarization: |a − b|² ≤ |a|² + |b|² where a·b ≥ 0.
+        let not_below = self.tape.branches.iter().filter_map(|branch| {
+            let [dot, zero] = branch.sides.map(|side| self.known[side as usize]);
+            let is_met = !branch.holds && zero?.exact == Range(0.0, 0.0);
+            let sum = self.analysis.size_of_sum(node, 2.0, branch.sides[0]).filter(|_| is_met)?;
+            Some(most(sum) + 2.0 * dot?.error)
+        });
+        Some(Range(-size, not_below.fold(size, f64::min)).short())
+    }
+
+    /// What a comparison of a number with a constant says of the exact one.
+    fn on_path(&self, node: Node, Known { mut exact, error, mut computed }: Known) -> Known {
+        for branch in self.tape.branches.iter().filter(|branch| branch.order != Order::Equal) {
+            let [left, right] = branch.sides;
+            for (of, with, is_below) in [(left, right, branch.holds), (right, left, !branch.holds)]
+            {
+                match self.tape.ops[with as usize] {
+                    Op::Const(c) if of == node && is_below => {
+                        (exact.1, computed.1) = (exact.1.min(c + error), computed.1.min(c));
+                    }
+                    Op::Const(c) if of == node => {
+                        (exact.0, computed.0) = (exact.0.max(c - error), computed.0.max(c));
+                    }
+                    _ => {}
+                }
             }
         }
+        Known { exact: exact.short(), error, computed: computed.short() }
     }
-    let (mut given, mut hints) = (vec![], vec![]);
-    for &node in &steps {
-        match tape.ops[node as usize] {
+
+    fn step(&mut self, node: Node) -> Option<Known> {
+        let exactly = |exact| Known { exact, error: 0.0, computed: exact };
+        let known = match self.tape.ops[node as usize] {
+            Op::Const(c) => return Some(exactly(Range(c, c))),
             Op::Input => {
-                let (_, longest) = lengths[groups[node as usize - crate::tape::FIRST_INPUT]];
-                given.push(match form {
-                    Form::Function => format!("x{node} in [0, {}]", number(longest)),
-                    _ => format!("|x{node}| <= {}", number(longest)),
-                });
+                let group = self.operation.groups()[node as usize - FIRST_INPUT];
+                let Range(_, longest) = self.length(group);
+                let is_alone = self.operation.inputs[group] == ("v", 1);
+                exactly(Range(if is_alone { 0.0 } else { -longest }, longest))
             }
-            Op::Const(_) | Op::Neg(_) => {}
-            _ => {
-                // Of one number intervals know more.
-                let size = if form == Form::Function { None } else { analysis.size(node) };
-                let Some(bound) = size else { continue };
-                let most = bound.0.iter().map(|(powers, c)| {
-                    let power = |&(group, power): &(usize, i32)| {
-                        let (shortest, longest) = lengths[group];
-                        if power < 0 { shortest.powi(power) } else { longest.powi(power) }
-                    };
-                    c * powers.iter().map(power).product::<f64>()
-                });
-                given.push(format!("|M{node}| <= {}", up(most.sum::<f64>() * (1.0 + 1e-9))));
-                hints.push(format!("n{node} -> M{node} + (n{node} - M{node});"));
+            op => self.lemma(node, op)?,
+        };
+        Some(self.on_path(node, known))
+    }
+
+    /// The lemma of one operation, and what it says: the same in numbers, which Gappa is to confirm.
+    fn lemma(&mut self, node: Node, op: Op) -> Option<Known> {
+        let operands = op.operands();
+        let is_exact = |i: usize| self.tape.is_power_of_two(operands[i], 0.0);
+        let (rounds, rounds_product) = match op {
+            Op::Neg(_) | Op::Abs(_) => (false, false),
+            Op::Add(a, b) => (a != b, false),
+            Op::Mul(..) => (!is_exact(0) && !is_exact(1), false),
+            Op::Fma(..) | Op::Nfma(..) => (true, !self.fused && !is_exact(0) && !is_exact(1)),
+            _ => (true, false),
+        };
+        let known: Vec<Known> =
+            operands.iter().map(|&operand| self.known[operand as usize]).collect::<Option<_>>()?;
+        let exact: Vec<Range> = known.iter().map(|known| known.exact).collect();
+        let computed: Vec<Range> = known.iter().map(|known| known.computed).collect();
+        let most = |i: usize| exact[i].size();
+        let error = |i: usize| known[i].error;
+        let of_product = || {
+            let both = error(0) * error(1);
+            let sum = most(0) * error(1) + most(1) * error(0) + both;
+            if both == 0.0 { sum } else { sum.next_up() }
+        };
+
+        let mut slack = 0.0;
+        let mut off = match op {
+            Op::Add(..) | Op::Sub(..) => error(0) + error(1),
+            Op::Mul(..) => of_product(),
+            Op::Fma(..) | Op::Nfma(..) => {
+                if rounds_product {
+                    slack = self.half_unit(computed[0].times(computed[1]).size());
+                }
+                of_product() + slack + error(2)
+            }
+            Op::Div(..) => {
+                let quotient = Range::of(op, &exact, 0.0)?.size();
+                ((error(0) + quotient * error(1)) / computed[1].0).next_up()
+            }
+            Op::Sqrt(_) => (error(0) / (computed[0].0.sqrt() + exact[0].0.sqrt())).next_up(),
+            _ => error(0),
+        };
+        let (range, given) = (Range::of(op, &exact, 0.0)?, self.by_lengths(node));
+        let given = given.filter(|given| given.both(range) != range);
+        let range = given.map_or(range, |given| given.both(range)).short();
+        let direct = Range::of(op, &computed, slack)?;
+        if rounds {
+            // A little more than a power of two has the next unit.
+            let by_exact = if off == 0.0 { range.size() } else { (range.size() + off).next_up() };
+            off += self.half_unit(by_exact.min(direct.size()));
+        }
+        let error = up(off);
+        let near = range.wider(error).short();
+        let direct =
+            if error == 0.0 { range } else { Range(-up_to(20, -direct.0), up_to(20, direct.1)) };
+        let result = Known { exact: range, error, computed: near.both(direct) };
+        if !error.is_finite() {
+            return None;
+        }
+
+        let names: Vec<&str> = operands
+            .iter()
+            .map(|operand| {
+                ["a", "b", "c"][operands.iter().position(|other| other == operand).unwrap_or(0)]
+            })
+            .collect();
+        let named = |prefix: &str| -> Vec<String> {
+            names.iter().zip(&known).map(|(name, known)| known.name(name, prefix)).collect()
+        };
+        let (exact, plain) =
+            (expression(op, &named("M"), false), expression(op, &named("n"), rounds_product));
+        let (mut hypotheses, mut hints) = (BTreeSet::new(), BTreeSet::new());
+        for (name, known) in
+            names.iter().zip(&known).filter(|(_, known)| known.exact.0 != known.exact.1)
+        {
+            hypotheses.insert(format!("{} in {}", known.name(name, "M"), known.exact));
+            if known.error > 0.0 {
+                hypotheses.insert(format!("|n{name} - M{name}| <= {}", number(known.error)));
+                hints.insert(format!("n{name} -> M{name} + (n{name} - M{name});"));
+            }
+            if known.is_nearer() {
+                hypotheses.insert(format!("n{name} in {}", known.computed));
             }
         }
-    }
-    for (sum, group) in analysis.sums().filter(|&(sum, _)| needed[sum as usize]) {
-        let (shortest, longest) = lengths[group];
-        given.push(format!(
-            "M{sum} in [{}, {}]",
-            number(shortest * shortest),
-            number(longest * longest)
+        let computed = if rounds { format!("rnd({plain})") } else { plain.clone() };
+        let mut goal = format!("|{computed} - ({exact})| <= {}", number(error));
+        if result.is_nearer() {
+            goal += &format!(" /\\ {computed} in {}", result.computed);
+        }
+        if given.is_none() {
+            goal += &format!(" /\\ {exact} in {range}");
+        } else {
+            hypotheses.insert(format!("{exact} in {range}"));
+            if plain != exact {
+                hints.insert(format!("{plain} -> {exact} + ({plain} - ({exact}));"));
+            }
+        }
+        let joined = |set: BTreeSet<String>, by| set.into_iter().collect::<Vec<_>>().join(by);
+        self.scripts.insert(format!(
+            "#@ -Echange-threshold=0.0000001\n@rnd = float<ieee_{},ne>;\n{{ {}\n  -> {goal} }}\n{}\n",
+            if self.is_single { 32 } else { 64 },
+            joined(hypotheses, " /\\ "),
+            joined(hints, "\n")
         ));
+        Some(result)
     }
-    let goal = format!("|n{output} - M{output}| in ?");
-    let _ = writeln!(text, "{{ {}\n  -> {goal} }}", given.join("\n  /\\ "));
-    text.extend(hints.into_iter().map(|hint| hint + "\n"));
-    text
+
+    /// Half a unit in the last place of numbers up to this.
+    fn half_unit(&self, most: f64) -> f64 {
+        let (bits, least) = if self.is_single { (25, -150) } else { (54, -1075) };
+        2_f64.powi((most.log2().ceil() as i32 - bits).max(least))
+    }
 }
 
-/// What a node is, of rounded or exact numbers; `None` of what has another name.
-fn expression(tape: &Tape, node: Node, prefix: &str, fused: bool) -> Option<String> {
-    let n = |node: Node| match tape.ops[node as usize] {
-        Op::Input => format!("x{node}"),
-        Op::Const(c) => number(c),
-        _ => format!("{prefix}{node}"),
+/// An operation in Gappa's words, before it is rounded.
+fn expression(op: Op, n: &[String], rounds_product: bool) -> String {
+    let product = || {
+        let product = format!("{} * {}", n[0], n[1]);
+        if rounds_product { format!("rnd({product})") } else { product }
     };
-    let rounded = |text: String| if prefix == "n" { format!("rnd({text})") } else { text };
-    let product = |a: Node, b: Node| {
-        let product = format!("{} * {}", n(a), n(b));
-        if fused || tape.is_power_of_two(a, 0.0) || tape.is_power_of_two(b, 0.0) {
-            product
-        } else {
-            rounded(product)
-        }
-    };
-    Some(match tape.ops[node as usize] {
-        Op::Input | Op::Const(_) => return None,
-        Op::Add(a, b) if a == b => format!("2 * {}", n(a)),
-        Op::Add(a, b) => rounded(format!("{} + {}", n(a), n(b))),
-        Op::Sub(a, b) => rounded(format!("{} - {}", n(a), n(b))),
-        Op::Mul(a, b) if tape.is_power_of_two(a, 0.0) || tape.is_power_of_two(b, 0.0) => {
-            format!("{} * {}", n(a), n(b))
-        }
-        Op::Mul(a, b) => rounded(format!("{} * {}", n(a), n(b))),
-        Op::Fma(a, b, c) => rounded(format!("{} + {}", product(a, b), n(c))),
-        Op::Nfma(a, b, c) => rounded(format!("{} - {}", n(c), product(a, b))),
-        Op::Div(a, b) => rounded(format!("{} / {}", n(a), n(b))),
-        Op::Sqrt(a) => rounded(format!("sqrt({})", n(a))),
-        Op::Neg(a) => format!("-{}", n(a)),
-        Op::Abs(a) => format!("|{}|", n(a)),
-    })
+    match op {
+        Op::Input | Op::Const(_) => unreachable!("computed from nothing"),
+        Op::Add(..) => format!("{} + {}", n[0], n[1]),
+        Op::Sub(..) => format!("{} - {}", n[0], n[1]),
+        Op::Mul(..) => product(),
+        Op::Fma(..) => format!("{} + {}", product(), n[2]),
+        Op::Nfma(..) => format!("{} - {}", n[2], product()),
+        Op::Div(..) => format!("{} / {}", n[0], n[1]),
+        Op::Sqrt(_) => format!("sqrt({})", n[0]),
+        Op::Neg(_) => format!("-{}", n[0]),
+        Op::Abs(_) => format!("|{}|", n[0]),
+    }
 }
 
 /// A number exactly: m·2ᵉ.
 fn number(c: f64) -> String {
     if c == c.trunc() && c.abs() < 1e15 {
-        return format!("{c:.0}");
+        return format!("{}", c as i64);
     }
     let bits = c.abs().to_bits();
     let (mut exponent, mut digits) = ((bits >> 52) as i64 - 1075, bits & ((1 << 52) - 1) | 1 << 52);
@@ -198,11 +388,15 @@ fn number(c: f64) -> String {
     format!("{}{digits}b{exponent}", if c < 0.0 { "-" } else { "" })
 }
 
-/// The next number of 20 bits.
-fn up(c: f64) -> String {
+/// The next number of few bits.
+fn up(c: f64) -> f64 {
+    up_to(26, c)
+}
+
+fn up_to(bits: i32, c: f64) -> f64 {
     if c == 0.0 {
-        return "0".into();
+        return 0.0;
     }
-    let step = 2_f64.powi(c.log2().floor() as i32 - 20);
-    number((c / step).ceil() * step)
+    let step = 2_f64.powi(c.abs().log2().floor() as i32 - bits);
+    (c / step).ceil() * step
 }

@@ -40,7 +40,9 @@ pub enum Form {
 
 impl Form {
     /// Those that are bounded by lengths.
-    pub const ALL: [Self; 3] = [Self::Single, Self::Lanes, Self::Job];
+    pub const BY_LENGTHS: [Self; 3] = [Self::Single, Self::Lanes, Self::Job];
+    /// All.
+    pub const ALL: [Self; 4] = [Self::Single, Self::Lanes, Self::Job, Self::Function];
     /// As in `bounds.toml`.
     #[must_use]
     pub fn name(self) -> &'static str {
@@ -66,13 +68,19 @@ fn three<T: Copy>(rows: impl IntoIterator<Item = impl IntoIterator<Item = T>>) -
     rows.into_iter().flatten().collect()
 }
 
-macro_rules! table { ($($name:ident($($input:ident $count:literal),*) -> ($($part:ident $parts:literal),*) = $body:expr;)*) => {
-    /// Every operation that is one path of + − · / √.
-    pub const OPERATIONS: &[Operation] = &[$(Operation {
+/// Rows of the table: names, arguments and answers.
+macro_rules! rows { ($($name:ident($($input:ident $count:literal),*) -> ($($part:ident $parts:literal),*);)*) => {
+    &[$(Operation {
         name: stringify!($name),
         inputs: &[$((stringify!($input), $count)),*],
         parts: &[$((stringify!($part), $parts)),*],
-    }),*];
+    }),*]
+} }
+
+macro_rules! table { ($($name:ident($($input:ident $count:literal),*) -> ($($part:ident $parts:literal),*) = $body:expr;)*) => {
+    /// Every operation that is one path of + − · / √.
+    pub const OPERATIONS: &[Operation] =
+        rows! { $($name($($input $count),*) -> ($($part $parts),*);)* };
     operations! { single dq8::Scalar; dq8::DualQuat; dq8::Quat; dq8::Dual; dq8::Motion; $($name($($input $count),*) = $body;)* }
     operations! { lanes dq8::Lanes; dq8::batch::DualQuat; dq8::batch::Quat; dq8::batch::Dual; dq8::Motion; $($name($($input $count),*) = $body;)* }
 } }
@@ -211,30 +219,12 @@ pub mod jobs {
     use dq8::{Backend, DualQuat, Scalar};
 
     /// A joint under its parent: what forward kinematics repeats; and a model times its inverse bind, as a matrix.
-    pub const OPERATIONS: &[Operation] = &[
-        Operation {
-            name: "local_to_model",
-            inputs: &[("p", 4), ("q", 4), ("r", 4), ("s", 4)],
-            parts: &[("real", 4), ("dual", 4)],
-        },
-        Operation {
-            name: "palette",
-            inputs: &[("p", 4), ("q", 4), ("r", 4), ("s", 4)],
-            parts: &[
-                ("rotation", 3),
-                ("translation", 1),
-                ("rotation", 3),
-                ("translation", 1),
-                ("rotation", 3),
-                ("translation", 1),
-            ],
-        },
-        Operation {
-            name: "linear_skin",
-            inputs: &[("a", 12), ("b", 12), ("c", 12), ("d", 12), ("w", 4), ("v", 3)],
-            parts: &[("point", 3)],
-        },
-    ];
+    pub const OPERATIONS: &[Operation] = rows! {
+        local_to_model(p 4, q 4, r 4, s 4) -> (real 4, dual 4);
+        palette(p 4, q 4, r 4, s 4) ->
+            (rotation 3, translation 1, rotation 3, translation 1, rotation 3, translation 1);
+        linear_skin(a 12, b 12, c 12, d 12, w 4, v 3) -> (point 3);
+    };
 
     /// The numbers of the answer.
     ///
@@ -274,11 +264,12 @@ pub mod jobs {
     }
 }
 
-/// The functions that polynomials are in.
+/// Functions on lanes that have polynomials in them: of one number, and of motions.
 pub mod functions {
     use super::Operation;
     use dq8::Lanes;
-    use dq8::batch::{Dual, even};
+    use dq8::batch::{Dual, DualQuat, even};
+    use dq8::geometry::DualVector;
 
     /// From 0 to where the range of the polynomials ends.
     #[must_use]
@@ -290,27 +281,47 @@ pub mod functions {
         }
     }
 
-    /// Without their derivatives.
-    pub const OPERATIONS: &[Operation] = &[
-        Operation { name: "arc_over_chord", inputs: &[("v", 1)], parts: &[("arc", 1)] },
-        Operation { name: "cos_sinc", inputs: &[("v", 1)], parts: &[("cos", 1), ("sinc", 1)] },
-        Operation { name: "integrals", inputs: &[("v", 1)], parts: &[("first", 1), ("second", 1)] },
-        Operation { name: "half_cotangent", inputs: &[("v", 1)], parts: &[("half", 1)] },
-    ];
+    /// Of one number without their derivatives.
+    pub const OPERATIONS: &[Operation] = rows! {
+        arc_over_chord(v 1) -> (arc 1);
+        cos_sinc(v 1) -> (cos 1, sinc 1);
+        integrals(v 1) -> (first 1, second 1);
+        half_cotangent(v 1) -> (half 1);
+        log(p 4, q 4) -> (real 3, dual 3);
+        exp(v 3, w 3) -> (real 4, dual 4);
+        pow(p 4, q 4, t 1) -> (real 4, dual 4);
+        sqrt(p 4, q 4) -> (real 4, dual 4);
+        sclerp(p 4, q 4, r 4, s 4, t 1) -> (real 4, dual 4);
+    };
 
     /// The numbers of the answer.
     ///
     /// # Panics
-    /// Without a number.
+    /// Of a name that is not in the table.
     #[inline(always)]
     pub fn run<L: Lanes>(name: &str, from: &[L]) -> Vec<L> {
         let v = Dual::new(from[0], from[0].constant(0.0));
         let both = |(a, b): (Dual<L>, Dual<L>)| vec![a.real, b.real];
+        let motion =
+            |at: usize| DualQuat::from_array(*from[at..].first_chunk().expect("8 numbers"));
+        let numbers = |motion: DualQuat<L>| motion.to_array().to_vec();
         match name {
             "arc_over_chord" => vec![even::arc_over_chord(v).real],
             "cos_sinc" => both(even::cos_sinc(v)),
             "integrals" => both(even::exponential_integrals(v)),
-            _ => vec![even::half_cotangent(v).real],
+            "half_cotangent" => vec![even::half_cotangent(v).real],
+            "log" => {
+                let log = motion(0).log();
+                [log.real, log.dual].concat()
+            }
+            "exp" => {
+                let [real, dual] = [0, 3].map(|at| *from[at..].first_chunk().expect("6 numbers"));
+                numbers(DualQuat::exp(DualVector { real, dual }))
+            }
+            "pow" => numbers(motion(0).pow(from[8])),
+            "sqrt" => numbers(motion(0).sqrt()),
+            "sclerp" => numbers(motion(0).sclerp(motion(8), from[16])),
+            _ => panic!("no function {name}"),
         }
     }
 }

@@ -3,6 +3,7 @@
 use crate::bound::Analysis;
 use crate::composed;
 use crate::coq::is_proved;
+use crate::gappa::lemmas;
 use crate::operations::{Form, Operation};
 use crate::polynomial::Lengths;
 use crate::range::{Range, range};
@@ -89,10 +90,13 @@ pub fn text() -> String {
          # lengths: nothing overflows if no argument is longer (f32 f64), and none that is divided by is shorter than one over\n\
          # that; underflow: what is added where products are below the normal numbers, in units of 2^-150 (f32) or 2^-1075 (f64).\n\
          # by = \"Coq\" where run.sh has theorems of it, for all numbers that are rounded; tapes: prints of the operations of f32\n\
-         # and f64, which change with any.\n",
+         # and f64, which change with any. gappa: the largest error of any number of the answer in units of u, as Gappa proves it\n\
+         # step by step, where rotations have lengths within 2^-9 of 1, all other arguments are no longer than 1, and functions\n\
+         # are of one number in the range of their polynomials.\n",
     );
     for form in Form::ALL {
         for operation in form.operations() {
+            let by_lengths = Form::BY_LENGTHS.contains(&form);
             let tapes = [true, false].map(|is_single| tape_of(operation, form, is_single));
             let fuses = tapes.iter().any(Tape::fuses);
             let [single, double] = tapes.map(|tape| tape.fingerprint());
@@ -102,13 +106,14 @@ pub fn text() -> String {
                 }
                 let rounding = if fused { ".fused" } else { "" };
                 let _ = writeln!(text, "\n[{}.{}{rounding}]", form.name(), operation.name);
-                for part in bounds(operation, form, fused) {
+                for part in by_lengths.then(|| bounds(operation, form, fused)).into_iter().flatten()
+                {
                     let formula =
                         part.bound.map_or("none".into(), |bound| formula(operation, &bound));
                     let _ = writeln!(text, "{} = \"{formula}\"", part.name);
                 }
                 if let Some(Range { powers: [single, double], underflow }) =
-                    range(operation, form, fused)
+                    by_lengths.then(|| range(operation, form, fused)).flatten()
                 {
                     let _ = writeln!(text, "lengths = \"2^{single} 2^{double}\"");
                     if let Some(underflow) = underflow {
@@ -117,7 +122,14 @@ pub fn text() -> String {
                     }
                 }
                 let _ = writeln!(text, "tapes = \"{single:08x} {double:08x}\"");
-                if is_proved(operation, form, fused) {
+                let units = [true, false].map(|is_single| {
+                    let bound = lemmas(operation, form, is_single, fused).bound?;
+                    Some(ceiling(bound / 2_f64.powi(if is_single { -24 } else { -53 })))
+                });
+                if let [Some(single), Some(double)] = units {
+                    let _ = writeln!(text, "gappa = {:?}", single.max(double));
+                }
+                if by_lengths && is_proved(operation, form, fused) {
                     text += "by = \"Coq\"\n";
                 }
             }

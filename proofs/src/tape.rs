@@ -1,5 +1,6 @@
 //! [`Tape`]: the operations that a computation did, in order; and what computes them again.
 
+use dq8::Real;
 use std::cell::RefCell;
 
 /// A number of a tape.
@@ -185,39 +186,26 @@ pub(crate) fn push(op: Op) -> Node {
 }
 
 /// A number that a tape is computed with.
-pub trait Computed:
-    Copy
-    + PartialOrd
-    + std::ops::Add<Output = Self>
-    + std::ops::Sub<Output = Self>
-    + std::ops::Mul<Output = Self>
-    + std::ops::Div<Output = Self>
-    + std::ops::Neg<Output = Self>
-{
-    /// The nearest.
-    fn nearest(value: f64) -> Self;
+pub trait Computed: Real {
     /// ab + c, rounded once.
     fn fused(self, b: Self, c: Self) -> Self;
-    /// √a
-    fn root(self) -> Self;
-    /// |a|
-    fn magnitude(self) -> Self;
 }
-macro_rules! computed { ($($real:ident)*) => {$(
-    impl Computed for $real {
-        fn nearest(value: f64) -> Self { value as $real }
-        fn fused(self, b: Self, c: Self) -> Self { $real::mul_add(self, b, c) }
-        fn root(self) -> Self { self.sqrt() }
-        fn magnitude(self) -> Self { $real::abs(self) }
+impl Computed for f32 {
+    fn fused(self, b: Self, c: Self) -> Self {
+        self.mul_add(b, c)
     }
-)*} }
-computed! { f32 f64 }
+}
+impl Computed for f64 {
+    fn fused(self, b: Self, c: Self) -> Self {
+        self.mul_add(b, c)
+    }
+}
 
 fn compute<F: Computed>(op: Op, numbers: &[F], fused: bool) -> F {
     let n = |node: Node| numbers[node as usize];
     match op {
         Op::Input => unreachable!("inputs are given"),
-        Op::Const(c) => F::nearest(c),
+        Op::Const(c) => F::from_f64(c),
         Op::Add(a, b) => n(a) + n(b),
         Op::Sub(a, b) => n(a) - n(b),
         Op::Mul(a, b) => n(a) * n(b),
@@ -226,9 +214,9 @@ fn compute<F: Computed>(op: Op, numbers: &[F], fused: bool) -> F {
         Op::Fma(a, b, c) => n(a) * n(b) + n(c),
         Op::Nfma(a, b, c) => n(c) - n(a) * n(b),
         Op::Div(a, b) => n(a) / n(b),
-        Op::Sqrt(a) => n(a).root(),
+        Op::Sqrt(a) => n(a).sqrt(),
         Op::Neg(a) => -n(a),
-        Op::Abs(a) => n(a).magnitude(),
+        Op::Abs(a) => n(a).abs(),
     }
 }
 

@@ -1,7 +1,7 @@
 //! A tape is the code: it computes, to the last bit, what the compiled functions do; unfused as single floats, one lane and
 //! portable lanes, fused as AVX2.
 
-use dq8::{Backend, Kernel, Level, Scalar};
+use dq8::{Backend, Kernel, Level, Real, Scalar};
 use dq8_proofs::operations::{Form, Operation, functions, jobs, lanes, single};
 use dq8_proofs::sample::{Random, draw};
 use dq8_proofs::tape::Computed;
@@ -54,7 +54,7 @@ fn check<F: Scalar + Computed>(
         let tape = tape_of(operation, form, F::SINGLE);
         let inputs: Vec<Vec<F>> = inputs(operation)
             .into_iter()
-            .map(|input| input.into_iter().map(F::nearest).collect())
+            .map(|input| input.into_iter().map(<F as Real>::from_f64).collect())
             .collect();
         let (mut numbers, mut on_path) = (vec![], 0);
         for (input, answer) in inputs.iter().zip(code(operation, &inputs)) {
