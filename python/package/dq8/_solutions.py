@@ -34,7 +34,7 @@ def solutions(self: _core.Mechanism, targets: ArrayLike, values: Any, link: str 
 
     By formula where the last three axes meet in a point, and the second and third are parallel or the first two meet (PUMA,
     and most of what welds, paints and lifts), or where the second, third and fourth are parallel and the last two meet (UR, and
-    others that work beside people): about a microsecond each, on SIMD lanes. Other arms search from 64 starts, half a
+    others that work beside people): one to four microseconds each, on SIMD lanes. Other arms search from 64 starts, half a
     millisecond, and find some 99 of 100; those that are nearly of a family, as where 1.5708 was typed for a quarter turn, in a
     tenth of that. Within the limits; of turns more or less those nearest to the start. With threads,
     large calls are computed by all of them.
