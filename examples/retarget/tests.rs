@@ -18,11 +18,11 @@ fn the_walk_of_the_biped_is_followed_within_limits() {
     let places = map::found(&robot(), &biped::clip()).unwrap();
     assert_eq!(places.len(), ROLES.len());
     let scene = Scene::new(robot(), biped::clip(), places, 30.0).unwrap();
-    let (motion, _) = track::one(&scene, &track::tracking(), true, 1).unwrap();
+    let (motion, _) = track::one(&scene, &track::tracking(&scene), true, 1).unwrap();
     let Quality { mean, feet, beyond, .. } = Quality::of(&scene, &motion).unwrap();
     assert!(mean < 15.0 && feet < 3.0, "{mean} mm, feet {feet} mm");
     assert!(beyond <= 0.0, "{beyond}");
-    let (several, _) = track::many::<f32>(&scene, &track::tracking(), true).unwrap();
+    let (several, _) = track::many::<f32>(&scene, &track::tracking(&scene), true).unwrap();
     let apart = motion.iter().zip(&several).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
     assert!(apart < 2e-3, "{apart}");
 

@@ -31,6 +31,7 @@ mod reach;
 mod reach_report;
 mod shape;
 mod skin;
+mod solutions;
 mod sweep;
 mod threads;
 mod urdf;
@@ -106,6 +107,8 @@ mod _core {
     use super::reach_report::ReachReport;
     #[pymodule_export]
     use super::skin::skin;
+    #[pymodule_export]
+    use super::solutions::solutions;
     #[pymodule_export]
     use super::threads::{forget_threads, get_num_threads, set_num_threads};
     #[pymodule_export]

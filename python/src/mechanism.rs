@@ -139,7 +139,7 @@ impl Mechanism {
     /// A name for each value of a configuration: that of the joint, with ``.x``, ``.y``, ``.angle`` for
     /// planar joints and ``.qx``, ``.qy``, ``.qz``, ``.qw``, ``.x``, ``.y``, ``.z`` for floating ones.
     #[getter]
-    fn values(&self) -> Vec<String> {
+    pub(crate) fn values(&self) -> Vec<String> {
         joints::values_and_rates(&self.joints, &self.joint_names).0
     }
 
@@ -392,7 +392,7 @@ impl Mechanism {
 }
 
 impl Mechanism {
-    fn single(&self) -> PyResult<&OwnedMechanism<f32>> {
+    pub(crate) fn single(&self) -> PyResult<&OwnedMechanism<f32>> {
         let refused = |error| value_error(format!("`values` are float32, for which {error}"));
         self.single.as_ref().map_err(refused)
     }

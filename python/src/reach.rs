@@ -37,7 +37,7 @@ const PIECE: RangeInclusive<usize> = MAX_LANES..=256;
 const LONG: Duration = Duration::from_millis(10);
 
 /// How much work a configuration is, in poses of all its links.
-const STEPS: usize = 8;
+pub(crate) const STEPS: usize = 8;
 
 /// Values that bring links to their targets, and what was reached.
 pub(crate) fn reach<'py, R: Number>(
@@ -57,13 +57,10 @@ pub(crate) fn reach<'py, R: Number>(
         }
     };
     let values = Input::<R>::of(&search.values)?;
-    let full = values.full_leading().to_vec();
-    let Some((_, of_values)) = full.split_last().filter(|&(&count, _)| count == value_count) else {
-        return Err(misshapen("values", &format!("(..., {value_count})"), &values.shape()));
-    };
-    let leading = [of_targets, of_values, &[]];
+    let of_values = configurations(&values, value_count)?.to_vec();
+    let leading = [of_targets, &of_values, &[]];
     let Some(Broadcast { shape, .. }) = Broadcast::of(leading, leading) else {
-        return Err(misfit([("targets", of_targets), ("values", of_values)].into_iter()));
+        return Err(misfit([("targets", of_targets), ("values", &of_values)].into_iter()));
     };
 
     let goals = goals::<R>(&search.chosen, search.weights.as_ref())?;
@@ -97,6 +94,17 @@ pub(crate) fn reach<'py, R: Number>(
         solve(&threads, &problem, &targets, to, &mut reports, &options).map_err(value_error)
     })?;
     Ok((values, ReachReport::new(py, &reports, &shape)?))
+}
+
+/// The leading dimensions of configurations of so many values.
+pub(crate) fn configurations<'s, R: Number>(
+    values: &'s Input<'_, R>,
+    count: usize,
+) -> PyResult<&'s [usize]> {
+    match values.full_leading().split_last() {
+        Some((&last, leading)) if last == count => Ok(leading),
+        _ => Err(misshapen("values", &format!("(..., {count})"), &values.shape())),
+    }
 }
 
 /// What is left to be computed, `[configuration]` and what it has of each.

@@ -94,14 +94,14 @@ impl ReachReport {
     }
 }
 
-/// One thing of each report; a scalar where there are no dimensions.
-fn array<R: Number, T: numpy::Element>(
+/// One thing of each of `all`; a scalar where there are no dimensions.
+pub(crate) fn array<S, T: numpy::Element>(
     py: Python<'_>,
-    reports: &[Report<R>],
+    all: &[S],
     shape: &[usize],
-    of: impl Fn(&Report<R>) -> T,
+    of: impl Fn(&S) -> T,
 ) -> PyResult<Py<PyAny>> {
-    let flat = PyArray1::from_iter(py, reports.iter().map(of));
+    let flat = PyArray1::from_iter(py, all.iter().map(of));
     let array: Answer<'_> = if shape.is_empty() {
         flat.get_item(0)
     } else {

@@ -32,7 +32,8 @@ def stubs():
     return {node.name: node for node in ast.parse(source).body if isinstance(node, (ast.FunctionDef, ast.ClassDef))}
 
 
-SCRIPTS = {"mocap.py": [], "robot.py": [PROJECT.parent / "robot" / "robots" / "arm7.urdf"], "scipy_script.py": [], "mesh.py": []}
+SCRIPTS = {"mocap.py": [], "robot.py": [PROJECT.parent / "robot" / "robots" / "arm7.urdf"], "scipy_script.py": [], "mesh.py": [],
+           "all_solutions.py": [PROJECT.parent / "robot" / "robots" / "arm6.urdf"]}
 
 
 @pytest.mark.parametrize("name", SCRIPTS)
@@ -47,7 +48,7 @@ def test_every_script_is_run():
 
 
 # What has no result to show: settings of the process, and what others return.
-WITHOUT_EXAMPLE = ["ReachReport", "backend", "get_num_threads", "set_num_threads", "set_reproducible"]
+WITHOUT_EXAMPLE = ["ReachReport", "Solutions", "backend", "get_num_threads", "set_num_threads", "set_reproducible"]
 
 
 def test_the_tutorial_runs_and_plots(tmp_path):

@@ -15,7 +15,8 @@ Ctrl-C ends a call within some tenths of a second. What `out` holds then is part
 before.
 
 `Mechanism` is a robot: joint values ``(..., values)`` to poses of links and Jacobians, and back from poses
-(`Mechanism.reach`). `skin` lets a mesh follow joints. `PackedClip` is an animation in a quarter of its memory.
+(`Mechanism.reach`; `Mechanism.solutions` for all ways of an arm of six hinges). `skin` lets a mesh follow joints.
+`PackedClip` is an animation in a quarter of its memory.
 
 Time is the first dimension of a clip ``(frames, joints, 8)``; ``axis=`` says where it is another. Columns of Arrow are
 taken as arrays of rows (`from_arrow`, `to_arrow`). ``dq8.dask`` has the functions for arrays of Dask.
@@ -101,6 +102,7 @@ from ._rotations import (
     to_scipy,
     to_wxyz,
 )
+from ._solutions import Solutions
 
 __version__ = "0.1.0"
 
@@ -111,6 +113,7 @@ __all__ = [
     "PackedClip",
     "ReachReport",
     "RigidTransform",
+    "Solutions",
     "adjoint",
     "allclose",
     "angle_to",

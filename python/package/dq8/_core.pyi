@@ -8,6 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.spatial.transform import Rotation
 
+from ._solutions import Solutions
+
 _Floats = NDArray[Any]
 """float32 or float64."""
 
@@ -139,6 +141,9 @@ def set_reproducible(reproducible: bool) -> None: ...
 def get_num_threads() -> int: ...
 def forget_threads() -> None: ...
 def real_array(name: str, value: object) -> NDArray[Any]: ...
+def solutions(
+    mechanism: Mechanism, targets: ArrayLike, values: _Values, link: str | int
+) -> tuple[_Floats, NDArray[np.uint8] | np.uint8, _Floats, NDArray[np.bool], NDArray[np.bool] | np.bool]: ...
 
 class Hierarchy:
     def __new__(
@@ -213,6 +218,7 @@ class Mechanism:
         *,
         damping: float = 0.0,
     ) -> _Floats: ...
+    def solutions(self, targets: ArrayLike, values: _Values, link: str | int = -1) -> Solutions: ...
     @property
     def links(self) -> list[str]: ...
     @property

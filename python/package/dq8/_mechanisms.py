@@ -8,6 +8,7 @@ import numpy as np
 
 from . import _core
 from ._arrays import floats
+from ._solutions import solutions
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -98,5 +99,5 @@ def __hash__(self: _core.Mechanism) -> int:
     return hash(tuple(self.links))
 
 
-for _method in (sample, velocity, rates_for, __eq__, __hash__):
+for _method in (sample, velocity, rates_for, solutions, __eq__, __hash__):
     setattr(_core.Mechanism, _method.__name__, _method)

@@ -55,6 +55,8 @@ pub(super) struct Geometry<R> {
     pub(super) end: [[R; 3]; 2],
     /// A length that is typical for the arm.
     pub(super) size: R,
+    /// How far from parallel, or apart, its axes may be: [`fit`], or of an arm that is only nearly of its family, [`NEAR`].
+    pub(super) fit: R,
 }
 
 /// How far from parallel, or apart, axes may be: what numbers of nine decimals, or chains of rounded turns, differ by.
@@ -62,7 +64,15 @@ pub(super) fn fit<R: Real>() -> R {
     if R::EPSILON > R::from(1e-10) { R::from(1e-5) } else { R::from(1e-8) }
 }
 
+/// The same of arms that somebody typed: 1.57 is nearer to a quarter turn.
+const NEAR: f32 = 1e-3;
+
 impl<R: Real> Geometry<R> {
+    /// Whether the formulas of the family are those of the arm.
+    pub(super) fn is_exact(&self) -> bool {
+        self.fit <= fit()
+    }
+
     /// The arm that carries the only goal.
     ///
     /// # Errors
@@ -103,13 +113,15 @@ impl<R: Real> Geometry<R> {
             size = size + norm(sub(pair[1], pair[0]));
         }
         let tool = pose * DualQuat::from_translation(goal.point);
-        Ok(Self::new(axes, points, tool, size))
+        let of = |fit| Self::new(axes, points, tool, size, fit);
+        let exact = of(fit());
+        Ok(if exact.family == Family::Other { of(R::from(NEAR)) } else { exact })
     }
 
-    fn new(axes: [[R; 3]; 6], points: [[R; 3]; 6], tool: DualQuat<R>, size: R) -> Self {
-        let slack = fit::<R>() * size;
+    fn new(axes: [[R; 3]; 6], points: [[R; 3]; 6], tool: DualQuat<R>, size: R, fit: R) -> Self {
+        let slack = fit * size;
         let is_off = |point, i: usize| norm(cross(axes[i], sub(point, points[i]))) > slack;
-        let parallel = |i: usize, j: usize| norm(cross(axes[i], axes[j])) <= fit();
+        let parallel = |i: usize, j: usize| norm(cross(axes[i], axes[j])) <= fit;
         let normal = axes[1];
         let first_of = any_across(normal);
         let across = [first_of, cross(normal, first_of)];
@@ -151,6 +163,7 @@ impl<R: Real> Geometry<R> {
             against,
             end: [last, cross(axes[5], last)],
             size,
+            fit,
         };
         let bends = parallel(1, 2) && !parallel(0, 1) && lengths.iter().all(|&l| l > slack);
         if !bends {
@@ -170,7 +183,7 @@ impl<R: Real> Geometry<R> {
         (self.crosses, self.base, self.upper, self.lower) = (true, crossing, upper, lower);
         self.spans = [lengths[0] - lengths[1], lengths[0] + lengths[1]].map(|l| norm([l, along]));
         self.between = unit([dot(a, b), dot(upper, b)]);
-        lengths.iter().all(|&length| length > fit::<R>() * self.size)
+        lengths.iter().all(|&length| length > self.fit * self.size)
     }
 }
 

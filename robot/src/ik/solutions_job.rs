@@ -3,7 +3,7 @@
 use super::branches::Arm;
 use super::complex::Complex;
 use super::error::SolutionsError;
-use super::family::{Family, fit};
+use super::family::Family;
 use super::rates::enough;
 use super::search::Work;
 use super::six_axis::{SixAxisArm, check};
@@ -47,10 +47,13 @@ where
         enough(scratch.len(), self.scratch_len())?;
         check(&[target], &[*start])?;
         let mut found = [Solutions::default()];
-        if self.family() != Family::Other {
+        if self.geometry.family != Family::Other {
             run::<R>(Portable, self, &[target], &[*start], &mut found);
-        } else if let (Some((values, scratch)), [found]) =
-            (scratch.split_at_mut_checked(starts::values(&self.reach)), &mut found)
+        }
+        let others =
+            if self.geometry.is_exact() { None } else { Some(starts::values(&self.reach)) };
+        if let (Some((values, scratch)), [found]) =
+            (others.and_then(|others| scratch.split_at_mut_checked(others)), &mut found)
         {
             let size = self.reach.mechanism.values;
             search_all(
@@ -151,8 +154,11 @@ impl<R: Scalar> SolutionsJob<'_, R> {
         found: &mut [Solutions<R>],
     ) {
         let arm = &self.arm;
-        if arm.family() != Family::Other {
-            return backend.run(Targets { arm, targets, starts, found });
+        if arm.geometry.family != Family::Other {
+            backend.run(Targets { arm, targets, starts, found: &mut *found });
+        }
+        if arm.geometry.is_exact() {
+            return;
         }
         let split = scratch.split_at_mut_checked(starts::values(&arm.reach));
         let Some((values, scratch)) = split else { return };
@@ -197,6 +203,8 @@ fn run<L: Lanes<Real: Scalar>>(
     found: &mut [Solutions<L::Real>],
 ) {
     let zero = L::splat(level, L::Real::ZERO);
+    // Searches go on from what is only near, and keep within the limits.
+    let beside = if arm.geometry.is_exact() { zero } else { L::splat(level, arm.near()) };
     for first in (0..found.len()).step_by(L::LANES) {
         let mut numbers = [zero.to_array(); 14];
         for lane in 0..L::LANES {
@@ -239,7 +247,7 @@ fn run<L: Lanes<Real: Scalar>>(
                 let (_, beyond) = half_turns((value - angle) * zero.constant(0.5));
                 let rounding = (value.abs() + zero.constant(4.0))
                     * zero.constant(4.0 * vector::epsilon::<L>());
-                exists = exists & beyond.abs().le(rounding);
+                exists = exists & beyond.abs().le(rounding + beside);
                 let way = value - start[index];
                 square = way.mul_add(way, square);
                 values[index] = value;
@@ -267,6 +275,11 @@ fn run<L: Lanes<Real: Scalar>>(
 }
 
 impl<R: Scalar> SixAxisArm<'_, R> {
+    /// How far the arm may be from what the formulas say, by how far it is from its family.
+    fn near(&self) -> R {
+        self.geometry.fit * R::from(16.0)
+    }
+
     /// Whether values bring the tool to the target, by the mechanism as it is.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn is_there<L: Lanes<Real = R>>(&self, values: [L; 6], target: batch::DualQuat<L>) -> L::Mask {
@@ -290,7 +303,7 @@ impl<R: Scalar> SixAxisArm<'_, R> {
         let half = pose.moved(half);
         let way = vector::sub(vector::add(half, half), target.translation());
         let turn = (batch::Quat::from_array(pose.rotation).conjugate() * target.rotation()).xyz();
-        let fit = L::splat(level, fit::<R>() * R::from(16.0));
+        let fit = L::splat(level, self.near());
         let far = fit * L::splat(level, self.geometry.size);
         vector::dot(turn, turn).le(fit * fit) & vector::dot(way, way).le(far * far)
     }

@@ -16,7 +16,8 @@ pub(super) fn values<R: Copy>(reach: &Reach<'_, R>) -> usize {
     reach.mechanism.values.saturating_mul(STARTS)
 }
 
-/// The solutions that `search` comes to: from `start`, and from values that are spread evenly within the limits.
+/// The solutions that `search` comes to: from those `found` of an arm that is nearly the same; if there are none, from `start`
+/// and from values that are spread evenly within the limits.
 pub(super) fn search_all<R: Scalar>(
     reach: &Reach<'_, R>,
     target: DualQuat<R>,
@@ -36,17 +37,27 @@ pub(super) fn search_all<R: Scalar>(
     values.fill(R::ZERO);
     let size = reach.mechanism.values.max(1);
     let hinges = || reach.freedoms.iter().zip(start);
+    let guesses = *found;
+    let count = if guesses.is_empty() { STARTS } else { guesses.len() };
+    let values = values.get_mut(..count * size).unwrap_or_default();
     for (number, values) in (0..).zip(values.chunks_exact_mut(size)) {
-        for (freedom, &start) in hinges() {
+        let guess = guesses.get(number as usize);
+        for (hinge, (freedom, &start)) in hinges().enumerate() {
+            let guess = guess.and_then(|guess| guess.values.get(hinge));
             if let Some(slot) = values.get_mut(freedom.value as usize) {
-                *slot = if number == 0 { start } else { freedom.beginning(number) };
+                *slot = match guess {
+                    Some(&guess) => guess,
+                    None if number == 0 => start,
+                    None => freedom.beginning(number),
+                };
             }
         }
     }
-    let mut reports = [Report::default(); STARTS];
-    search(&[target; STARTS], values, &mut reports, &options);
+    let (targets, mut reports) = ([target; STARTS], [Report::default(); STARTS]);
+    let reports = reports.get_mut(..count).unwrap_or_default();
+    search(targets.get(..count).unwrap_or_default(), values, reports, &options);
     found.clear(false);
-    for (values, report) in values.chunks_exact(size).zip(&reports) {
+    for (values, report) in values.chunks_exact(size).zip(reports) {
         if !report.is_converged() {
             continue;
         }

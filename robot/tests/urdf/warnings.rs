@@ -1,5 +1,6 @@
 //! What says nothing about places is not read and reported; what is meant to say something is an error.
 
+use super::stands;
 use dq8_robot::urdf::{Robot, UrdfWarning};
 
 /// A hinge, as in the files of real robots, with more in it.
@@ -23,19 +24,6 @@ fn hinge(joint: &str, rest: &str) -> String {
 
 const AXIS: &str = r#"<axis xyz="0 0 1"/>"#;
 const LIMIT: &str = r#"<limit lower="-2" upper="2" effort="9" velocity="3"/>"#;
-
-/// The link behind the hinge, at 0.7 rad: computed elsewhere.
-fn stands(robot: &Robot, link: &str) {
-    let pose = robot.mechanism().link_pose(&[0.7], robot.link(link).unwrap()).unwrap();
-    let wanted =
-        [0.18013404935788466, -0.25178997373755496, 0.6138129886041426, 0.7262142579211889];
-    for (found, wanted) in pose.rotation().to_array().into_iter().zip(wanted) {
-        assert!((found - wanted).abs() < 1e-15, "{pose}");
-    }
-    for (found, wanted) in pose.translation().into_iter().zip([0.1, 0.2, 0.3]) {
-        assert!((found - wanted).abs() < 1e-15, "{pose}");
-    }
-}
 
 fn lines(warnings: &[UrdfWarning]) -> Vec<u32> {
     warnings.iter().map(|warning| warning.line).collect()

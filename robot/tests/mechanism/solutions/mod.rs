@@ -2,6 +2,7 @@
 
 mod counts;
 mod edges;
+mod near;
 mod refused;
 
 use dq8::{DualQuat, Quat, Scalar};
