@@ -5,9 +5,8 @@ use crate::call::Answer;
 use crate::columns::in_order;
 use crate::configurations::{Frame, Values, jacobian, poses};
 use crate::error::value_error;
-use crate::hierarchy::parents_of;
 use crate::joints::{self, Arrays};
-use crate::links::{Chosen, link_of, names};
+use crate::links::{Chosen, link_of, names, parents_of};
 use crate::reach::{Search, reach};
 use crate::reach_report::ReachReport;
 use crate::shape::{EIGHT, NUMBER, SIX};
@@ -55,17 +54,17 @@ use pyo3::types::{PyTuple, PyType};
 ///        [2., 1., 0.]])
 #[pyclass(frozen, module = "dq8")]
 #[derive(Debug)]
-pub(crate) struct Mechanism {
-    pub(crate) links: Vec<String>,
+pub struct Mechanism {
+    pub links: Vec<String>,
     /// The root of a URDF file hangs on no joint.
-    pub(crate) joint_names: Vec<Option<String>>,
-    pub(crate) joints: Vec<Joint<f64>>,
-    pub(crate) drives: Vec<Drive>,
-    pub(crate) double: OwnedMechanism<f64>,
+    pub joint_names: Vec<Option<String>>,
+    pub joints: Vec<Joint<f64>>,
+    pub drives: Vec<Drive>,
+    pub double: OwnedMechanism<f64>,
     /// Lengths may be beyond `f32`.
-    pub(crate) single: Result<OwnedMechanism<f32>, MechanismError>,
+    pub single: Result<OwnedMechanism<f32>, MechanismError>,
     /// The name of the robot and the text of the file.
-    pub(crate) urdf: Option<(String, String)>,
+    pub urdf: Option<(String, String)>,
 }
 
 #[pymethods]

@@ -10,7 +10,7 @@ use pyo3::types::{IntoPyDict, PyDict, PyTuple};
 /// What `Mechanism.reach` reached: arrays of one shape, that of the targets and starts.
 #[pyclass(frozen, module = "dq8")]
 #[derive(Debug)]
-pub(crate) struct ReachReport {
+pub struct ReachReport {
     /// Whether the errors are within the tolerances; bool.
     #[pyo3(get)]
     converged: Py<PyAny>,
@@ -78,7 +78,7 @@ impl ReachReport {
     }
 
     /// Arrays of this shape.
-    pub(crate) fn new<R: Number>(
+    pub fn new<R: Number>(
         py: Python<'_>,
         reports: &[Report<R>],
         shape: &[usize],

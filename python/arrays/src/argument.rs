@@ -16,7 +16,7 @@ use pyo3::types::{PyTuple, PyWeakrefReference};
 /// An argument of a call. All are made before one becomes an [`Input`]: code of the caller may run when one is made
 /// ([`plain`](crate::plain::plain)), and none does afterwards.
 #[derive(Clone, Debug)]
-pub(crate) struct Argument<'py> {
+pub struct Argument<'py> {
     name: &'static str,
     /// The last dimensions, of one element.
     core: &'static [usize],
@@ -27,7 +27,7 @@ pub(crate) struct Argument<'py> {
 
 impl<'py> Argument<'py> {
     /// What the caller called `name`.
-    pub(crate) fn new(
+    pub fn new(
         name: &'static str,
         core: &'static [usize],
         value: &Bound<'py, PyAny>,
@@ -42,33 +42,33 @@ impl<'py> Argument<'py> {
     }
 
     /// Its name in errors.
-    pub(crate) fn name(&self) -> &'static str {
+    pub fn name(&self) -> &'static str {
         self.name
     }
 
     /// The last dimensions, of one element.
-    pub(crate) fn core(&self) -> &'static [usize] {
+    pub fn core(&self) -> &'static [usize] {
         self.core
     }
 
     /// The same with elements of another shape.
-    pub(crate) fn of_elements(self, core: &'static [usize]) -> Self {
+    pub fn of_elements(self, core: &'static [usize]) -> Self {
         Self { core, ..self }
     }
 
     /// The same with `axis` behind all others but those of an element.
-    pub(crate) fn along(self, axis: Axis) -> PyResult<Self> {
+    pub fn along(self, axis: Axis) -> PyResult<Self> {
         let array = axis.last(self.array.as_any(), 1, self.core.len())?;
         Ok(Self { array: array.cast_into()?, ..self })
     }
 
     /// The shape of the array.
-    pub(crate) fn shape(&self) -> &[usize] {
+    pub fn shape(&self) -> &[usize] {
         self.array.shape()
     }
 
     /// Its dtype, as NumPy abbreviates it: kind and bytes.
-    pub(crate) fn dtype(&self) -> (u8, usize) {
+    pub fn dtype(&self) -> (u8, usize) {
         let dtype = self.array.dtype();
         (dtype.kind(), dtype.itemsize())
     }
@@ -76,7 +76,7 @@ impl<'py> Argument<'py> {
 
 /// An argument as memory: one element after the other. What is checked is a view that nobody else has, so it stays as
 /// it was checked.
-pub(crate) struct Input<'py, R: Number> {
+pub struct Input<'py, R: Number> {
     array: PyReadonlyArrayDyn<'py, R>,
     /// The dimensions before those of one element, and 1 for what has no stride.
     leading: Vec<usize>,
@@ -87,12 +87,12 @@ pub(crate) struct Input<'py, R: Number> {
 impl<'py, R: Number> Input<'py, R> {
     /// The array of an argument, without a copy if it lies one element after the other, for a call during which other
     /// threads of Python run.
-    pub(crate) fn of(argument: &Argument<'py>) -> PyResult<Self> {
+    pub fn of(argument: &Argument<'py>) -> PyResult<Self> {
         Ok(Self::attached(argument)?.held())
     }
 
     /// [`of`](Self::of), before it is known whether they do.
-    pub(crate) fn attached(argument: &Argument<'py>) -> PyResult<Self> {
+    pub fn attached(argument: &Argument<'py>) -> PyResult<Self> {
         let py = argument.array.py();
         let view = view(&argument.array)?;
         let array = match view.cast_into::<PyArrayDyn<R>>() {
@@ -133,44 +133,44 @@ impl<'py, R: Number> Input<'py, R> {
     }
 
     /// Such that other threads of Python cannot resize it.
-    pub(crate) fn held(self) -> Self {
+    pub fn held(self) -> Self {
         Self { _held: held(self.array.as_any()), ..self }
     }
 
     /// The dimensions before those of one element; 1 for one whose elements are all the same.
-    pub(crate) fn leading(&self) -> &[usize] {
+    pub fn leading(&self) -> &[usize] {
         &self.leading
     }
 
     /// The interpreter.
-    pub(crate) fn py(&self) -> Python<'py> {
+    pub fn py(&self) -> Python<'py> {
         self.array.py()
     }
 
     /// The shape of the argument.
-    pub(crate) fn shape(&self) -> Vec<usize> {
+    pub fn shape(&self) -> Vec<usize> {
         let core = &self.array.shape()[self.leading.len()..];
         [&self.full_leading[..], core].concat()
     }
 
     /// The leading dimensions of the argument, where [`leading`](Self::leading) may have a 1 for one that
     /// has no stride.
-    pub(crate) fn full_leading(&self) -> &[usize] {
+    pub fn full_leading(&self) -> &[usize] {
         &self.full_leading
     }
 
     /// Whether there is one element for all.
-    pub(crate) fn is_one(&self) -> bool {
+    pub fn is_one(&self) -> bool {
         self.leading.iter().all(|&size| size == 1)
     }
 
     /// Whether this is the very memory of a result of the same shape.
-    pub(crate) fn is(&self, out: &Output<'py, R>) -> bool {
+    pub fn is(&self, out: &Output<'py, R>) -> bool {
         self.array.data().addr() == out.memory().data().addr()
     }
 
     /// The elements.
-    pub(crate) fn records<const C: usize>(&self) -> &[[R; C]] {
+    pub fn records<const C: usize>(&self) -> &[[R; C]] {
         // That it is a slice was checked when it was made.
         self.array.as_slice().unwrap_or_default().as_chunks().0
     }
@@ -183,7 +183,7 @@ impl<'py, R: Number> Input<'py, R> {
     }
 
     /// The same numbers elsewhere, if they lie where `out` is about to be written.
-    pub(crate) fn apart_from(self, out: &Output<'py, R>) -> PyResult<Self> {
+    pub fn apart_from(self, out: &Output<'py, R>) -> PyResult<Self> {
         let Some(given) = out.given() else { return Ok(self) };
         if !self.overlaps(given) {
             return Ok(self);
@@ -193,13 +193,13 @@ impl<'py, R: Number> Input<'py, R> {
     }
 
     /// With an element in memory for each of its own leading dimensions.
-    pub(crate) fn in_full(self) -> PyResult<Self> {
+    pub fn in_full(self) -> PyResult<Self> {
         let shape = self.full_leading.clone();
         self.filled(&shape)
     }
 
     /// With an element in memory for each of `shape`, to which the leading dimensions broadcast.
-    pub(crate) fn filled(self, shape: &[usize]) -> PyResult<Self> {
+    pub fn filled(self, shape: &[usize]) -> PyResult<Self> {
         if self.leading == shape {
             return Ok(self);
         }
@@ -216,9 +216,7 @@ impl<'py, R: Number> Input<'py, R> {
 }
 
 /// Whether a call computes in `f32`: if all its arrays are `f32` or narrower. Python's numbers do not count.
-pub(crate) fn is_single<'a, 'py: 'a>(
-    arguments: impl IntoIterator<Item = &'a Argument<'py>>,
-) -> bool {
+pub fn is_single<'a, 'py: 'a>(arguments: impl IntoIterator<Item = &'a Argument<'py>>) -> bool {
     let mut arrays = arguments.into_iter().filter(|argument| !argument.number).peekable();
     arrays.peek().is_some() && arrays.all(|array| matches!(array.dtype(), (b'f', 2 | 4)))
 }
@@ -256,9 +254,10 @@ fn extent<R: Number>(array: &Bound<'_, PyArrayDyn<R>>) -> (usize, usize) {
 }
 
 /// The line of docstrings that says the dtype of results, where [`is_single`] decides it of all arguments.
+#[macro_export]
 macro_rules! common_dtype {
     () => {
         "    float32 if all arrays are float32 or float16, otherwise float64."
     };
 }
-pub(crate) use common_dtype;
+pub use crate::common_dtype;

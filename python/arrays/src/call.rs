@@ -11,7 +11,7 @@ use dq8::simd::MAX_LANES;
 use pyo3::prelude::*;
 
 /// What a Python function returns.
-pub(crate) type Answer<'py> = PyResult<Bound<'py, PyAny>>;
+pub type Answer<'py> = PyResult<Bound<'py, PyAny>>;
 
 /// From so many elements on, other Python threads run meanwhile: some microseconds of work.
 const RELEASE: usize = 512;
@@ -20,7 +20,7 @@ const RELEASE: usize = 512;
 const SHORT: usize = 32;
 
 /// `law` of the arguments; the result has the last dimensions `core` and is written to `out`, if given.
-pub(crate) fn call<'py, F, const A: usize, const B: usize, const C: usize, const D: usize>(
+pub fn call<'py, F, const A: usize, const B: usize, const C: usize, const D: usize>(
     py: Python<'py>,
     law: F,
     arguments: &[Argument<'py>],

@@ -35,7 +35,7 @@ use pyo3::prelude::*;
 /// array([1., 2., 3., 4.])
 #[pyfunction]
 #[pyo3(signature = (motions, *, axis=0, out=None))]
-pub(crate) fn chain_products<'py>(
+pub fn chain_products<'py>(
     motions: &Bound<'py, PyAny>,
     axis: isize,
     out: Option<&Bound<'py, PyAny>>,

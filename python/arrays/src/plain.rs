@@ -16,10 +16,7 @@ const DEEPEST: usize = 64;
 
 /// What NumPy makes of a value. Code of the caller may run meanwhile (`__array__`), and may change other
 /// arrays: all arguments of a call become plain before one is looked at.
-pub(crate) fn plain<'py>(
-    name: &str,
-    value: &Bound<'py, PyAny>,
-) -> PyResult<Bound<'py, PyUntypedArray>> {
+pub fn plain<'py>(name: &str, value: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyUntypedArray>> {
     if let Ok(array) = exact(value) {
         return Ok(array.clone());
     }
@@ -31,7 +28,7 @@ pub(crate) fn plain<'py>(
 }
 
 /// An array of real numbers of at most 64 bits, as [`plain`] makes it.
-pub(crate) fn real<'py>(
+pub fn real<'py>(
     name: &str,
     core: &[usize],
     value: &Bound<'py, PyAny>,
@@ -64,7 +61,7 @@ pub(crate) fn real<'py>(
 
 /// `value` as the functions take an array called `name`, of real numbers and no subclass.
 #[pyfunction]
-pub(crate) fn real_array<'py>(
+pub fn real_array<'py>(
     name: &str,
     value: &Bound<'py, PyAny>,
 ) -> PyResult<Bound<'py, PyUntypedArray>> {
@@ -72,9 +69,7 @@ pub(crate) fn real_array<'py>(
 }
 
 /// The same memory as an array that nobody else has, so that nobody changes its dtype, shape or flags.
-pub(crate) fn view<'py>(
-    array: &Bound<'py, PyUntypedArray>,
-) -> PyResult<Bound<'py, PyUntypedArray>> {
+pub fn view<'py>(array: &Bound<'py, PyUntypedArray>) -> PyResult<Bound<'py, PyUntypedArray>> {
     let py = array.py();
     let view = match exact(array.as_any()) {
         Ok(array) => array.as_any().get_item(py.Ellipsis())?,
@@ -85,13 +80,13 @@ pub(crate) fn view<'py>(
 }
 
 /// Keeps NumPy from moving the memory of a view: it resizes no array to which there are weak references.
-pub(crate) fn held<'py>(view: &Bound<'py, PyAny>) -> Option<Bound<'py, PyWeakrefReference>> {
+pub fn held<'py>(view: &Bound<'py, PyAny>) -> Option<Bound<'py, PyWeakrefReference>> {
     let base = view.getattr(intern!(view.py(), "base")).ok()?;
     PyWeakrefReference::new(&base).ok()
 }
 
 /// An error if an array stands for more than its numbers: then `out` must not be it.
-pub(crate) fn check_mask(name: &str, array: &Bound<'_, PyAny>) -> PyResult<()> {
+pub fn check_mask(name: &str, array: &Bound<'_, PyAny>) -> PyResult<()> {
     // Of the type: records have fields of any name.
     if exact(array).is_ok() || !array.get_type().hasattr(intern!(array.py(), "mask"))? {
         return Ok(());
@@ -104,7 +99,7 @@ pub(crate) fn check_mask(name: &str, array: &Bound<'_, PyAny>) -> PyResult<()> {
 }
 
 /// An error if numbers are not all that matters of a value: it has a mask, or is computed elsewhere.
-pub(crate) fn check_whole(name: &str, value: &Bound<'_, PyAny>) -> PyResult<()> {
+pub fn check_whole(name: &str, value: &Bound<'_, PyAny>) -> PyResult<()> {
     check(name, value, DEEPEST)
 }
 
@@ -152,7 +147,7 @@ fn is_arrow(value: &Bound<'_, PyAny>) -> PyResult<bool> {
 }
 
 /// Python's own numbers, which take the precision of what they meet.
-pub(crate) fn is_number(value: &Bound<'_, PyAny>) -> bool {
+pub fn is_number(value: &Bound<'_, PyAny>) -> bool {
     value.is_exact_instance_of::<PyFloat>() || value.is_exact_instance_of::<PyInt>()
 }
 
@@ -181,7 +176,7 @@ fn kind(value: &Bound<'_, PyAny>) -> PyResult<String> {
 }
 
 /// What keeps a nested list from being an array of numbers; the value itself if it is no list.
-pub(crate) fn odd_one<'py>(value: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+pub fn odd_one<'py>(value: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
     let mut at = value.clone();
     for _ in 0..DEEPEST {
         if !(at.is_instance_of::<PyList>() || at.is_instance_of::<PyTuple>()) {

@@ -1,18 +1,18 @@
 //! The functions on arrays, and the laws they compute.
 
-pub(crate) mod actions;
-pub(crate) mod algebra;
-pub(crate) mod between;
-pub(crate) mod chains;
-pub(crate) mod conversions;
-pub(crate) mod distances;
+pub mod actions;
+pub mod algebra;
+pub mod between;
+pub mod chains;
+pub mod conversions;
+pub mod distances;
 mod function;
-pub(crate) mod matrices;
-pub(crate) mod means;
-pub(crate) mod screws;
-pub(crate) mod squad;
-pub(crate) mod trajectory;
-pub(crate) mod windows;
+pub mod matrices;
+pub mod means;
+pub mod screws;
+pub mod squad;
+pub mod trajectory;
+pub mod windows;
 
 use dq8::{Lanes, batch};
 

@@ -83,7 +83,7 @@ use std::sync::OnceLock;
 #[pyo3(signature = (
     points, joints, weights, palette, *, method="dlb", shares=None, normals=None, tangents=None, out=None
 ))]
-pub(crate) fn skin<'py>(
+pub fn skin<'py>(
     points: &Bound<'py, PyAny>,
     joints: &Bound<'py, PyAny>,
     weights: &Bound<'py, PyAny>,

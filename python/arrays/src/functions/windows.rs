@@ -53,7 +53,7 @@ use pyo3::prelude::*;
 /// array([2., 4.])
 #[pyfunction]
 #[pyo3(signature = (motions, weights, *, axis=None, tolerance=None, max_iterations=32, out=None))]
-pub(crate) fn dib_windows<'py>(
+pub fn dib_windows<'py>(
     py: Python<'py>,
     motions: &Bound<'py, PyAny>,
     weights: &Bound<'py, PyAny>,

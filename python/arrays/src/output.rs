@@ -15,7 +15,7 @@ use pyo3::types::{PyTuple, PyWeakrefReference};
 static EMPTY: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
 
 /// Where a result is written.
-pub(crate) struct Output<'py, R: Number> {
+pub struct Output<'py, R: Number> {
     /// What the caller gave as `out`, and a view of it that nobody else has, so that it stays as it was checked.
     given: Option<(Bound<'py, PyAny>, Bound<'py, PyArrayDyn<R>>)>,
     /// Contiguous.
@@ -23,7 +23,7 @@ pub(crate) struct Output<'py, R: Number> {
 }
 
 /// What a caller gave as `out`, as a view that nobody else has.
-pub(crate) fn view_of_out<'py>(out: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyUntypedArray>> {
+pub fn view_of_out<'py>(out: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyUntypedArray>> {
     let Ok(array) = out.cast::<PyUntypedArray>() else {
         return Err(PyTypeError::new_err(format!(
             "Expected `out` to be an array, got {}.",
@@ -36,7 +36,7 @@ pub(crate) fn view_of_out<'py>(out: &Bound<'py, PyAny>) -> PyResult<Bound<'py, P
 
 impl<'py, R: Number> Output<'py, R> {
     /// `out`, or a new array.
-    pub(crate) fn new(
+    pub fn new(
         py: Python<'py>,
         out: Option<&Bound<'py, PyAny>>,
         leading: &[usize],
@@ -70,17 +70,17 @@ impl<'py, R: Number> Output<'py, R> {
     }
 
     /// What the caller gave as `out`.
-    pub(crate) fn given(&self) -> Option<&Bound<'py, PyArrayDyn<R>>> {
+    pub fn given(&self) -> Option<&Bound<'py, PyArrayDyn<R>>> {
         self.given.as_ref().map(|(_, view)| view)
     }
 
     /// The array that is written first.
-    pub(crate) fn memory(&self) -> &Bound<'py, PyArrayDyn<R>> {
+    pub fn memory(&self) -> &Bound<'py, PyArrayDyn<R>> {
         &self.array
     }
 
     /// An error if the caller gave memory for this that another output has too.
-    pub(crate) fn check_apart(&self, other: &Self) -> PyResult<()> {
+    pub fn check_apart(&self, other: &Self) -> PyResult<()> {
         let (Some(given), Some(other)) = (self.given(), other.given()) else { return Ok(()) };
         let numpy = given.py().import("numpy")?;
         if numpy.call_method1("shares_memory", (given, other))?.is_truthy()? {
@@ -90,17 +90,17 @@ impl<'py, R: Number> Output<'py, R> {
     }
 
     /// Keeps other threads of Python from resizing it.
-    pub(crate) fn held(&self) -> Option<Bound<'py, PyWeakrefReference>> {
+    pub fn held(&self) -> Option<Bound<'py, PyWeakrefReference>> {
         held(self.given().unwrap_or(&self.array).as_any())
     }
 
     /// The memory to be written.
-    pub(crate) fn borrow(&self) -> PyResult<PyReadwriteArrayDyn<'py, R>> {
+    pub fn borrow(&self) -> PyResult<PyReadwriteArrayDyn<'py, R>> {
         self.array.try_readwrite().map_err(|error| PyValueError::new_err(format!("`out`: {error}")))
     }
 
     /// What the function returns, after `write` has written all elements. Other threads of Python run meanwhile.
-    pub(crate) fn fill<const C: usize>(
+    pub fn fill<const C: usize>(
         self,
         threads: &Threads,
         write: impl FnOnce(&mut [[R; C]]) -> PyResult<()> + Send,
@@ -110,7 +110,7 @@ impl<'py, R: Number> Output<'py, R> {
     }
 
     /// [`fill`](Self::fill), where `write` decides whether other threads of Python run.
-    pub(crate) fn fill_attached<const C: usize>(
+    pub fn fill_attached<const C: usize>(
         self,
         write: impl FnOnce(&mut [[R; C]]) -> PyResult<()>,
     ) -> PyResult<Bound<'py, PyAny>> {
@@ -122,7 +122,7 @@ impl<'py, R: Number> Output<'py, R> {
     }
 
     /// What the function returns: `out`, the new array, or, of no dimensions, a number.
-    pub(crate) fn finish(self) -> PyResult<Bound<'py, PyAny>> {
+    pub fn finish(self) -> PyResult<Bound<'py, PyAny>> {
         let Some((out, view)) = self.given else {
             return if self.array.ndim() == 0 {
                 self.array.get_item(PyTuple::empty(self.array.py()))

@@ -9,14 +9,14 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList, PyTuple};
 
 /// Values as they were given: one array of all, or a column for each name, in order.
-pub(crate) enum Named<'py> {
+pub enum Named<'py> {
     Rows(Bound<'py, PyAny>),
     Columns(Vec<Bound<'py, PyAny>>),
 }
 
 /// The columns of `value` in the order of `names`, side by side in the last dimension; itself, if its columns have no
 /// names or stand in that order.
-pub(crate) fn in_order<'py>(
+pub fn in_order<'py>(
     name: &'static str,
     value: &Bound<'py, PyAny>,
     names: &dyn Fn() -> Vec<String>,
@@ -30,7 +30,7 @@ pub(crate) fn in_order<'py>(
 }
 
 /// [`in_order`], with the columns as they are.
-pub(crate) fn named<'py>(
+pub fn named<'py>(
     name: &'static str,
     value: &Bound<'py, PyAny>,
     names: &dyn Fn() -> Vec<String>,
@@ -86,7 +86,7 @@ pub(crate) fn named<'py>(
 }
 
 /// An error about columns of different shapes.
-pub(crate) fn misfit(name: &str, error: &dyn std::fmt::Display) -> PyErr {
+pub fn misfit(name: &str, error: &dyn std::fmt::Display) -> PyErr {
     PyValueError::new_err(format!("`{name}`: the columns do not fit each other: {error}"))
 }
 

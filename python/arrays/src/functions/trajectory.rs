@@ -46,7 +46,7 @@ use pyo3::prelude::*;
 /// array([1., 5., 8.])
 #[pyfunction]
 #[pyo3(signature = (times, poses, at, *, axis=0, out=None))]
-pub(crate) fn resample<'py>(
+pub fn resample<'py>(
     times: &Bound<'py, PyAny>,
     poses: &Bound<'py, PyAny>,
     at: &Bound<'py, PyAny>,

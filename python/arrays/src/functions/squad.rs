@@ -65,7 +65,7 @@ impl OfMany<4> for Squad {
 /// array([1.5, 0.5, 0. ])
 #[pyfunction]
 #[pyo3(signature = (start, control_start, control_end, end, t, *, out=None))]
-pub(crate) fn squad<'py>(
+pub fn squad<'py>(
     start: &Bound<'py, PyAny>,
     control_start: &Bound<'py, PyAny>,
     control_end: &Bound<'py, PyAny>,
@@ -122,7 +122,7 @@ impl OfMany<3> for Control {
 /// array([1. , 1.5, 0. ])
 #[pyfunction]
 #[pyo3(signature = (previous, current, next, *, out=None))]
-pub(crate) fn squad_control<'py>(
+pub fn squad_control<'py>(
     previous: &Bound<'py, PyAny>,
     current: &Bound<'py, PyAny>,
     next: &Bound<'py, PyAny>,

@@ -7,13 +7,13 @@ use pyo3::exceptions::PyValueError;
 
 /// The leading dimensions of the result, as runs of elements that lie one after the other.
 #[derive(Debug)]
-pub(crate) struct Broadcast {
+pub struct Broadcast {
     /// The leading dimensions of the result.
-    pub(crate) shape: Vec<usize>,
+    pub shape: Vec<usize>,
     /// The elements of a run.
-    pub(crate) run: usize,
+    pub run: usize,
     /// Which arguments have an element for each of a run, where the others have one for all.
-    pub(crate) each: Which,
+    pub each: Which,
     /// The dimensions over which runs are repeated, the last one fastest.
     outer: Vec<Repeat>,
 }
@@ -29,7 +29,7 @@ struct Repeat {
 impl Broadcast {
     /// Of arguments with these leading dimensions; `None` if they do not fit each other. `once` are the same
     /// dimensions, with a 1 for each along which memory has one element, repeated without a stride.
-    pub(crate) fn of(arguments: [&[usize]; 3], once: [&[usize]; 3]) -> Option<Self> {
+    pub fn of(arguments: [&[usize]; 3], once: [&[usize]; 3]) -> Option<Self> {
         let shape = common(arguments.into_iter())?;
         let (mut run, mut each) = (1, [true; 3]);
         let mut outer = Vec::new();
@@ -59,18 +59,18 @@ impl Broadcast {
     }
 
     /// One run of all elements.
-    pub(crate) fn flat(shape: Vec<usize>, each: Which) -> Self {
+    pub fn flat(shape: Vec<usize>, each: Which) -> Self {
         let run = shape.iter().product();
         Self { shape, run, each, outer: Vec::new() }
     }
 
     /// How many runs there are.
-    pub(crate) fn runs(&self) -> usize {
+    pub fn runs(&self) -> usize {
         self.outer.iter().map(|repeat| repeat.size).product()
     }
 
     /// Where in each argument run number `index` begins.
-    pub(crate) fn begin(&self, mut index: usize) -> [usize; 3] {
+    pub fn begin(&self, mut index: usize) -> [usize; 3] {
         let mut begin = [0; 3];
         for repeat in self.outer.iter().rev() {
             let step = index % repeat.size;
@@ -84,7 +84,7 @@ impl Broadcast {
 }
 
 /// The leading dimensions that all of these broadcast to; `None` if they do not fit each other.
-pub(crate) fn common<'a>(arguments: impl Iterator<Item = &'a [usize]>) -> Option<Vec<usize>> {
+pub fn common<'a>(arguments: impl Iterator<Item = &'a [usize]>) -> Option<Vec<usize>> {
     let mut shape = Vec::new();
     for argument in arguments {
         if shape.len() < argument.len() {
@@ -104,14 +104,14 @@ pub(crate) fn common<'a>(arguments: impl Iterator<Item = &'a [usize]>) -> Option
 
 /// Whether an argument with these leading dimensions is the same elements over and over in `shape`, to
 /// which it broadcasts.
-pub(crate) fn cycles(argument: &[usize], shape: &[usize]) -> bool {
+pub fn cycles(argument: &[usize], shape: &[usize]) -> bool {
     let own =
         argument.iter().position(|&size| size != 1).map_or(&[][..], |first| &argument[first..]);
     shape.ends_with(own)
 }
 
 /// Leading dimensions that do not fit each other, with the names of their arguments.
-pub(crate) fn misfit<'a>(arguments: impl Iterator<Item = (&'a str, &'a [usize])>) -> PyErr {
+pub fn misfit<'a>(arguments: impl Iterator<Item = (&'a str, &'a [usize])>) -> PyErr {
     let given: Vec<_> =
         arguments.map(|(name, shape)| format!("`{name}` {}", tuple(shape))).collect();
     PyValueError::new_err(format!(

@@ -36,7 +36,7 @@ use pyo3::types::PyBytes;
 /// True
 #[pyclass(frozen, module = "dq8")]
 #[derive(Debug)]
-pub(crate) struct PackedClip {
+pub struct PackedClip {
     packed: hierarchy::PackedClip,
 }
 

@@ -7,6 +7,6 @@ use dq8_robot::JointValues;
 use numpy::Element;
 
 /// A number that NumPy has too.
-pub(crate) trait Number: Scalar + Element + JointValues<Aos<Self>> + Weight {}
+pub trait Number: Scalar + Element + JointValues<Aos<Self>> + Weight {}
 impl Number for f32 {}
 impl Number for f64 {}

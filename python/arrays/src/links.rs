@@ -1,19 +1,20 @@
-//! Links and their names.
+//! Links and joints: their names and parents.
 
+use crate::plain::check_whole;
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 
 /// Links that were asked for.
 #[derive(Debug)]
-pub(crate) struct Chosen {
-    pub(crate) links: Vec<usize>,
+pub struct Chosen {
+    pub links: Vec<usize>,
     /// Whether it was one, and no sequence.
-    pub(crate) one: bool,
+    pub one: bool,
 }
 
 impl Chosen {
     /// The argument `links`, where links have these names.
-    pub(crate) fn of(names: &[String], links: &Bound<'_, PyAny>) -> PyResult<Self> {
+    pub fn of(names: &[String], links: &Bound<'_, PyAny>) -> PyResult<Self> {
         if links.extract::<String>().is_ok() || links.extract::<i64>().is_ok() {
             return Ok(Self { links: vec![link_of(names, "links", links)?], one: true });
         }
@@ -24,14 +25,14 @@ impl Chosen {
 }
 
 /// The names of so many links, each its own; numbers if none are given.
-pub(crate) fn names(given: Option<Vec<String>>, count: usize) -> PyResult<Vec<String>> {
+pub fn names(given: Option<Vec<String>>, count: usize) -> PyResult<Vec<String>> {
     let names = given.unwrap_or_else(|| (0..count).map(|link| link.to_string()).collect());
     check_names("links", &names, count)?;
     Ok(names)
 }
 
 /// Checks that there are so many names, each its own.
-pub(crate) fn check_names(argument: &str, names: &[String], count: usize) -> PyResult<()> {
+pub fn check_names(argument: &str, names: &[String], count: usize) -> PyResult<()> {
     let twice = names.iter().enumerate().find(|(i, name)| names[..*i].contains(name));
     let message = if names.len() != count {
         format!("Expected `{argument}` to have {count} names, got {}.", names.len())
@@ -44,11 +45,7 @@ pub(crate) fn check_names(argument: &str, names: &[String], count: usize) -> PyR
 }
 
 /// The number of a link, from its name or number; from the end where it is negative.
-pub(crate) fn link_of(
-    names: &[String],
-    argument: &str,
-    link: &Bound<'_, PyAny>,
-) -> PyResult<usize> {
+pub fn link_of(names: &[String], argument: &str, link: &Bound<'_, PyAny>) -> PyResult<usize> {
     if let Ok(name) = link.extract::<String>() {
         return names.iter().position(|other| *other == name).ok_or_else(|| {
             PyValueError::new_err(format!("`{argument}`: there is no link {name:?}."))
@@ -68,4 +65,22 @@ fn not_a_link(argument: &str, given: &Bound<'_, PyAny>) -> PyErr {
     PyTypeError::new_err(format!(
         "Expected `{argument}` to name links or their numbers, got {kind}."
     ))
+}
+
+/// Parents as numbers of joints, −1 for a root.
+pub fn parents_of(parents: &Bound<'_, PyAny>) -> PyResult<Vec<u32>> {
+    check_whole("parents", parents)?;
+    let given: Vec<Option<i64>> = parents.extract().map_err(|_| {
+        PyTypeError::new_err("Expected `parents` to be a sequence of integers, −1 for a root.")
+    })?;
+    let parents = given.iter().map(|&parent| match parent.unwrap_or(-1) {
+        -1 => Ok(dq8::Hierarchy::ROOT),
+        parent => u32::try_from(parent)
+            .ok()
+            .filter(|&parent| parent != dq8::Hierarchy::ROOT)
+            .ok_or(parent),
+    });
+    parents.collect::<Result<_, _>>().map_err(|parent| {
+        PyValueError::new_err(format!("`parents`: {parent} is neither a joint nor −1."))
+    })
 }

@@ -9,7 +9,7 @@ use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// How many elements a piece has: some ten microseconds of work, where starting one takes about one.
-pub(crate) const GRAIN: usize = 4096;
+pub const GRAIN: usize = 4096;
 
 /// More than any machine has use for: threads beyond the cores wait for each other.
 const MOST_THREADS: i64 = 256;
@@ -22,31 +22,31 @@ type Each<'f, T> = dyn Fn(T) -> bool + Sync + 'f;
 
 /// The threads of one call, and what interrupts them.
 #[derive(Debug)]
-pub(crate) struct Threads {
+pub struct Threads {
     pool: Option<Arc<ThreadPool>>,
     interrupt: Interrupt,
 }
 
 impl Threads {
     /// Those for so many elements.
-    pub(crate) fn for_elements(count: usize) -> Self {
+    pub fn for_elements(count: usize) -> Self {
         let large = count >= 2 * GRAIN;
         let pool = || POOL.lock().unwrap_or_else(PoisonError::into_inner).clone();
         Self { pool: large.then(pool).flatten(), interrupt: Interrupt::new() }
     }
 
     /// This one, of a call that cannot be shared out.
-    pub(crate) fn alone() -> Self {
+    pub fn alone() -> Self {
         Self { pool: None, interrupt: Interrupt::new() }
     }
 
     /// Whether there is more than this one.
-    pub(crate) fn many(&self) -> bool {
+    pub fn many(&self) -> bool {
         self.pool.is_some()
     }
 
     /// Runs `job` while other threads of Python run. Where it is interrupted, it may have left out pieces.
-    pub(crate) fn run<T: Send>(
+    pub fn run<T: Send>(
         &self,
         py: Python<'_>,
         job: impl FnOnce() -> PyResult<T> + Send,
@@ -71,7 +71,7 @@ impl Threads {
     }
 
     /// Whether the call is to end early, asked from piece to piece of a job.
-    pub(crate) fn interrupted(&self) -> bool {
+    pub fn interrupted(&self) -> bool {
         if self.pool.is_none() {
             self.interrupt.ask();
         }
@@ -82,11 +82,7 @@ impl Threads {
     ///
     /// (What is called is no type parameter: the pool is compiled once for each type of piece, not for each
     /// function, which took a third of the time of compiling.)
-    pub(crate) fn each<T: Send>(
-        &self,
-        mut pieces: impl Iterator<Item = T>,
-        each: &Each<'_, T>,
-    ) -> bool {
+    pub fn each<T: Send>(&self, mut pieces: impl Iterator<Item = T>, each: &Each<'_, T>) -> bool {
         if self.many() {
             let pieces: Vec<_> = pieces.collect();
             pieces.into_par_iter().all(|piece| self.interrupted() || each(piece))
@@ -96,7 +92,7 @@ impl Threads {
     }
 
     /// [`each`](Self::each) of the pieces of `to` that have `size` elements, with the index of its first one.
-    pub(crate) fn split<'a, T: Send>(
+    pub fn split<'a, T: Send>(
         &self,
         size: usize,
         to: &'a mut [T],
@@ -111,7 +107,7 @@ impl Threads {
     }
 
     /// Runs `work` on each of the threads, to share out pieces of its own.
-    pub(crate) fn all(&self, work: &(dyn Fn() + Sync)) {
+    pub fn all(&self, work: &(dyn Fn() + Sync)) {
         if self.many() {
             rayon::broadcast(|_| work());
         } else {
@@ -125,7 +121,7 @@ impl Threads {
 /// The environment variable ``DQ8_NUM_THREADS`` sets it at import. Results do not depend on it, to the
 /// last bit. In a child made by ``fork`` it is 1 again: threads do not survive a fork.
 #[pyfunction]
-pub(crate) fn set_num_threads(count: &Bound<'_, PyAny>) -> PyResult<()> {
+pub fn set_num_threads(count: &Bound<'_, PyAny>) -> PyResult<()> {
     let threads = count.extract::<i64>();
     if let Err(error) = &threads
         && !error.is_instance_of::<PyOverflowError>(count.py())
@@ -153,13 +149,13 @@ pub(crate) fn set_num_threads(count: &Bound<'_, PyAny>) -> PyResult<()> {
 
 /// How many threads compute large calls.
 #[pyfunction]
-pub(crate) fn get_num_threads() -> usize {
+pub fn get_num_threads() -> usize {
     let pool = POOL.lock().unwrap_or_else(PoisonError::into_inner);
     pool.as_ref().map_or(1, |pool| pool.current_num_threads())
 }
 
 /// In a child process after a fork: the threads of the pool are gone, and waiting for them would never end.
 #[pyfunction]
-pub(crate) fn forget_threads() {
+pub fn forget_threads() {
     std::mem::forget(POOL.lock().unwrap_or_else(PoisonError::into_inner).take());
 }

@@ -45,7 +45,7 @@ macro_rules! function {
         $(#[doc = $of_result])*
         #[pyfunction]
         #[pyo3(signature = ($($($parameter,)+)+ *, out=None))]
-        pub(crate) fn $name<'py>(
+        pub fn $name<'py>(
             py: Python<'py>,
             $($($parameter: &Bound<'py, PyAny>,)+)+
             out: Option<&Bound<'py, PyAny>>,

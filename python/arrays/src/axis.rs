@@ -12,11 +12,11 @@ use pyo3::types::PyTuple;
 
 /// A leading dimension, counted from the first.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Axis(usize);
+pub struct Axis(usize);
 
 impl Axis {
     /// What Python calls so, of an array of elements whose shape is `expected`; from its last dimension where it is negative.
-    pub(crate) fn of(array: &Argument<'_>, axis: isize, expected: &str) -> PyResult<Self> {
+    pub fn of(array: &Argument<'_>, axis: isize, expected: &str) -> PyResult<Self> {
         let (name, shape) = (array.name(), array.shape());
         let Some(leading) = shape.strip_suffix(array.core()).filter(|it| !it.is_empty()) else {
             return Err(misshapen(name, expected, shape));
@@ -32,17 +32,12 @@ impl Axis {
     }
 
     /// `array` with `count` dimensions from this one on behind all others but the last `core`, as kernels have them.
-    pub(crate) fn last<'py>(
-        self,
-        array: &Bound<'py, PyAny>,
-        count: usize,
-        core: usize,
-    ) -> Answer<'py> {
+    pub fn last<'py>(self, array: &Bound<'py, PyAny>, count: usize, core: usize) -> Answer<'py> {
         self.permuted(array, core, |axes| axes.rotate_left(count))
     }
 
     /// What a kernel has made, as Python has it: the other way.
-    pub(crate) fn back<'py>(self, array: &Bound<'py, PyAny>, count: usize) -> Answer<'py> {
+    pub fn back<'py>(self, array: &Bound<'py, PyAny>, count: usize) -> Answer<'py> {
         self.permuted(array, 1, |axes| axes.rotate_right(count))
     }
 
@@ -74,7 +69,7 @@ impl Axis {
     }
 
     /// A result of a kernel, whose shape is `made`: what `write` makes of `out` as the kernel has it, as Python has it.
-    pub(crate) fn written<'py>(
+    pub fn written<'py>(
         self,
         out: Option<&Bound<'py, PyAny>>,
         made: &[usize],

@@ -41,7 +41,7 @@ use pyo3::prelude::*;
 /// array([1., 0., 0.])
 #[pyfunction]
 #[pyo3(signature = (motions, weights=None, *, axis=-2, out=None))]
-pub(crate) fn dlb<'py>(
+pub fn dlb<'py>(
     motions: &Bound<'py, PyAny>,
     weights: Option<&Bound<'py, PyAny>>,
     axis: isize,
@@ -89,7 +89,7 @@ pub(crate) fn dlb<'py>(
 /// array([2., 0., 0.])
 #[pyfunction]
 #[pyo3(signature = (motions, weights=None, *, axis=-2, tolerance=None, max_iterations=32, out=None))]
-pub(crate) fn mean<'py>(
+pub fn mean<'py>(
     motions: &Bound<'py, PyAny>,
     weights: Option<&Bound<'py, PyAny>>,
     axis: isize,

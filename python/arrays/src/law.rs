@@ -5,7 +5,7 @@ use dq8::{Backend, Lanes, Level, Scalar, storage};
 
 /// A function of up to three arguments of `A`, `B` and `C` numbers, whose result has `D`. An argument of
 /// no numbers is not there.
-pub(crate) trait Law<const A: usize, const B: usize, const C: usize, const D: usize>:
+pub trait Law<const A: usize, const B: usize, const C: usize, const D: usize>:
     Copy + Send + Sync
 {
     /// Whether it computes so much per number that AVX-512 is faster, although the transposes in and out
@@ -30,7 +30,7 @@ pub(crate) trait Law<const A: usize, const B: usize, const C: usize, const D: us
 }
 
 /// Where a kernel reads an argument.
-pub(crate) trait Operand<R: Scalar, const C: usize>: Copy + Send + Sync {
+pub trait Operand<R: Scalar, const C: usize>: Copy + Send + Sync {
     /// The elements from `first` on, one per lane.
     fn load<V: Level>(self, level: V, first: usize) -> Option<[R::Lanes<V>; C]>;
     /// The elements from `first` on.
@@ -39,7 +39,7 @@ pub(crate) trait Operand<R: Scalar, const C: usize>: Copy + Send + Sync {
 
 /// The same for all elements.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct One<R, const C: usize>(pub(crate) [R; C]);
+pub struct One<R, const C: usize>(pub [R; C]);
 
 impl<R: Scalar, const C: usize> Operand<R, C> for One<R, C> {
     #[inline(always)]
@@ -60,24 +60,24 @@ impl<R: Scalar, const C: usize> Operand<R, C> for One<R, C> {
 
 /// One for each element; or so many, over and over.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Each<'s, R, const C: usize> {
+pub struct Each<'s, R, const C: usize> {
     /// Where they begin over again, some follow that are the first ones: a register may read beyond the
     /// end.
-    pub(crate) records: &'s [[R; C]],
+    pub records: &'s [[R; C]],
     /// After how many they begin over again.
-    pub(crate) period: usize,
+    pub period: usize,
     /// The first one of the run.
-    pub(crate) first: usize,
+    pub first: usize,
 }
 
 impl<'s, R: Scalar, const C: usize> Each<'s, R, C> {
     /// So many, once.
-    pub(crate) fn of(records: &'s [[R; C]]) -> Self {
+    pub fn of(records: &'s [[R; C]]) -> Self {
         Self { records, period: usize::MAX, first: 0 }
     }
 
     /// The first one; of what is not there, zeros.
-    pub(crate) fn one(self) -> [R; C] {
+    pub fn one(self) -> [R; C] {
         self.records.get(self.first).copied().unwrap_or([R::ZERO; C])
     }
 }
@@ -101,7 +101,7 @@ impl<R: Scalar, const C: usize> Operand<R, C> for Each<'_, R, C> {
 /// One for all elements or one for each: told while it runs, so that there is one kernel for both. For what
 /// computes so much that this does not count.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct OneOrEach<'s, R, const C: usize> {
+pub struct OneOrEach<'s, R, const C: usize> {
     one: [R; C],
     each: Each<'s, R, C>,
     is_each: bool,
@@ -109,7 +109,7 @@ pub(crate) struct OneOrEach<'s, R, const C: usize> {
 
 impl<'s, R: Scalar, const C: usize> OneOrEach<'s, R, C> {
     /// The first of `each`, or all of them; of what is not there, zeros.
-    pub(crate) fn of(each: Each<'s, R, C>, is_each: bool) -> Self {
+    pub fn of(each: Each<'s, R, C>, is_each: bool) -> Self {
         Self { one: each.one(), each, is_each: C > 0 && is_each }
     }
 }
@@ -127,7 +127,7 @@ impl<R: Scalar, const C: usize> Operand<R, C> for OneOrEach<'_, R, C> {
 
 /// Element `i` of `from` in lane `i`; what changes nothing in the lanes that are left.
 #[inline(always)]
-pub(crate) fn load<R: Scalar, V: Level, const C: usize>(
+pub fn load<R: Scalar, V: Level, const C: usize>(
     level: V,
     from: &[[R; C]],
 ) -> Option<[R::Lanes<V>; C]> {
@@ -149,7 +149,7 @@ pub(crate) fn load<R: Scalar, V: Level, const C: usize>(
 
 /// Lane `i` to element `i` of `to`.
 #[inline(always)]
-pub(crate) fn store<L: Lanes, const D: usize>(components: [L; D], to: &mut [[L::Real; D]]) {
+pub fn store<L: Lanes, const D: usize>(components: [L; D], to: &mut [[L::Real; D]]) {
     if let [lanes] = components.as_slice() {
         let numbers = to.as_flattened_mut();
         match numbers.get_mut(..L::LANES) {

@@ -48,7 +48,7 @@ const TOLERANCE: f64 = 1e-3;
 /// array([ 0.,  0.,  0.,  1.,  0.,  0.,  0., -0.])
 #[pyfunction]
 #[pyo3(signature = (matrices, *, check=true, out=None))]
-pub(crate) fn from_matrix<'py>(
+pub fn from_matrix<'py>(
     py: Python<'py>,
     matrices: &Bound<'py, PyAny>,
     check: bool,

@@ -4,16 +4,15 @@ use crate::argument::{Argument, Input, common_dtype, is_single};
 use crate::broadcast::common;
 use crate::call::Answer;
 use crate::error::misshapen;
-use crate::links::check_names;
+use crate::links::{check_names, parents_of};
 use crate::number::Number;
 use crate::output::Output;
-use crate::plain::check_whole;
 use crate::shape::{EIGHT, tuple};
 use crate::threads::{GRAIN, Threads};
 use dq8::hierarchy::Root;
 use dq8::simd::MAX_LANES;
 use dq8::{DualQuat, Skeleton};
-use pyo3::exceptions::{PyRuntimeError, PyTypeError, PyValueError};
+use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList, PyTuple};
 
@@ -38,7 +37,7 @@ use pyo3::types::{PyDict, PyList, PyTuple};
 /// [2, -1, 1]
 #[pyclass(frozen, module = "dq8")]
 #[derive(Debug)]
-pub(crate) struct Hierarchy {
+pub struct Hierarchy {
     parents: Vec<u32>,
     names: Option<Vec<String>>,
     /// With parents first.
@@ -157,24 +156,6 @@ impl Hierarchy {
     }
 }
 
-/// Parents as numbers of joints, −1 for a root.
-pub(crate) fn parents_of(parents: &Bound<'_, PyAny>) -> PyResult<Vec<u32>> {
-    check_whole("parents", parents)?;
-    let given: Vec<Option<i64>> = parents.extract().map_err(|_| {
-        PyTypeError::new_err("Expected `parents` to be a sequence of integers, −1 for a root.")
-    })?;
-    let parents = given.iter().map(|&parent| match parent.unwrap_or(-1) {
-        -1 => Ok(dq8::Hierarchy::ROOT),
-        parent => u32::try_from(parent)
-            .ok()
-            .filter(|&parent| parent != dq8::Hierarchy::ROOT)
-            .ok_or(parent),
-    });
-    parents.collect::<Result<_, _>>().map_err(|parent| {
-        PyValueError::new_err(format!("`parents`: {parent} is neither a joint nor −1."))
-    })
-}
-
 /// Parents as a dict says them, of joints with these names.
 fn parents_by_name(names: &[String], parents: &Bound<'_, PyDict>) -> PyResult<Vec<u32>> {
     let number = |parent: Bound<'_, PyAny>| {
@@ -196,7 +177,7 @@ enum Direction {
 
 impl Hierarchy {
     /// Of joints with parents first; nothing if they are in another order.
-    pub(crate) fn in_order(&self) -> Option<&Skeleton> {
+    pub fn in_order(&self) -> Option<&Skeleton> {
         self.order.is_none().then_some(&self.sorted)
     }
 
