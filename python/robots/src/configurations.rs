@@ -10,8 +10,8 @@ use crate::number::Number;
 use crate::output::{Output, view_of_out};
 use crate::shape::{EIGHT, NUMBER, tuple};
 use crate::threads::{GRAIN, Threads};
-use dq8::simd::MAX_LANES;
-use dq8::{Backend, ShapeError};
+use dq8::simd::{MAX_LANES, Records};
+use dq8::{Backend, Kernel, Lanes, Level, ShapeError};
 use dq8_robot::{Body, Mechanism, OwnedMechanism, World, WorldAligned};
 use numpy::prelude::*;
 use pyo3::exceptions::PyValueError;
@@ -130,35 +130,52 @@ fn rows<'s, R: Number>(
         return &rows[range.start * values..range.end * values];
     }
     made.resize(range.len() * values, R::ZERO);
-    let mut tiles = made.chunks_exact_mut(4 * values);
-    let mut first = range.start;
-    for tile in &mut tiles {
-        interleave::<R, 4>(numbers, first, tile.chunks_exact_mut(values));
-        first += 4;
-    }
-    for row in tiles.into_remainder().chunks_exact_mut(values) {
-        interleave::<R, 1>(numbers, first, std::iter::once(row));
-        first += 1;
-    }
+    Backend::best().run(SideBySide { numbers, first: range.start, values, to: made });
     made
 }
 
-/// `N` rows of columns, side by side: so many stores for one look at where a column lies.
-#[inline(always)]
-fn interleave<'s, R: Number, const N: usize>(
-    numbers: &[&[R]],
+/// Rows of columns, from row `first` on: four columns of as many rows as lanes at a time, which leave in whole quads.
+struct SideBySide<'s, R> {
+    numbers: &'s [&'s [R]],
     first: usize,
-    mut rows: impl Iterator<Item = &'s mut [R]>,
-) {
-    let mut rows: [_; N] = std::array::from_fn(|_| rows.next().unwrap_or_default().iter_mut());
-    for column in numbers {
-        let own = match **column {
-            [one] => [one; N],
-            _ => *column[first..].first_chunk().expect("a number for each configuration"),
-        };
-        for (row, number) in rows.iter_mut().zip(own) {
-            if let Some(slot) = row.next() {
-                *slot = number;
+    values: usize,
+    to: &'s mut [R],
+}
+
+impl<R: Number> Kernel for SideBySide<'_, R> {
+    type Output = ();
+    const WIDE: bool = false;
+
+    #[inline(always)]
+    fn run<V: Level>(self, level: V) {
+        let Self { numbers, first, values, to } = self;
+        let (lanes, rows) = (R::Lanes::<V>::LANES, to.len() / values);
+        let whole = if values < 4 { 0 } else { rows - rows % lanes };
+        for row in (0..whole).step_by(lanes) {
+            let mut begin = 0;
+            // The last four begin earlier where there is no multiple of four.
+            while let Some(columns) = numbers.get(begin..).and_then(|rest| rest.first_chunk()) {
+                let mut quad = [R::Lanes::<V>::splat(level, R::ZERO); 4];
+                let columns: &[&[R]; 4] = columns;
+                for (lanes, column) in quad.iter_mut().zip(columns) {
+                    *lanes = match **column {
+                        [one] => R::Lanes::<V>::splat(level, one),
+                        _ => {
+                            let (records, _) = column[first + row..].as_chunks();
+                            let [loaded] =
+                                R::Lanes::<V>::load_strided(level, records, None, &[R::ZERO]);
+                            loaded
+                        }
+                    };
+                }
+                R::Lanes::<V>::store_rows([quad], &mut to[row * values + begin..], values);
+                begin = if begin + 4 == values { values } else { (begin + 4).min(values - 4) };
+            }
+        }
+        let rest = to[whole * values..].chunks_exact_mut(values);
+        for (row, to) in (first + whole..).zip(rest) {
+            for (slot, column) in to.iter_mut().zip(numbers) {
+                *slot = if let [one] = **column { one } else { column[row] };
             }
         }
     }
