@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
 # The Python package as its users have it: a wheel, built by pip as `pip install ./python` builds it, installed
 # into a fresh environment, tested there. Arguments are those of cargo. A missing tool is a failure that says so.
+#
+#     DQ8_ENGINES=1 ./test.sh    # with the engines of tests/engines.txt too
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -16,9 +18,9 @@ trap 'rm -rf "$out"' EXIT
 step() { printf '%s (%ss)\n' "$*" "$SECONDS"; }
 
 step 'format, lints'
-cargo fmt --check
+cargo fmt --all --check
 # In release, as the wheel is: what macros and build scripts need is then compiled once for both.
-cargo clippy --release --all-targets -- -D warnings
+cargo clippy --release --workspace --all-targets -- -D warnings
 
 step 'wheel'
 # Where it stays: PyO3 is compiled again for an interpreter with another path.
@@ -36,6 +38,7 @@ user "$out"/wheels/dq8-*.whl
 # What it needs of itself is NumPy alone.
 (cd "$out" && user/bin/python -c 'import dq8; dq8.mul(dq8.identity(3), dq8.identity())')
 user -r tests/requirements.txt
+[ -z "${DQ8_ENGINES-}" ] || user -r tests/engines.txt
 "$out/user/bin/python" -m pytest -q -p no:cacheprovider
 
 step 'types'

@@ -97,6 +97,7 @@ IN_C = {
     ("DualQuat", "nlerp"): "nlerp",
     ("DualQuat", "sclerp"): "sclerp",
     ("DualQuat", "dlb"): "blend",
+    ("DualQuat", "dib"): "mean",
     ("DualQuat", "transform_point"): "point",
     ("DualQuat", "transform_vector"): "vector",
     ("DualQuat", "transform_line"): "line",
@@ -145,8 +146,8 @@ ALONE = {"Line", "Plane", "Polar", "Affine"}
 EXACT = PARTS | ORDERS | {"cast", "make_continuous", "abs_diff_eq", "is_finite", "neg", "apply", "scale", "from_rotation",
                           "from_translation", "rotation", "conjugate", "is_unit", "is_normalized",
                           "needs_renormalization", "+", "−", "uniform_scale", "from_matrix3x4", "to_matrix3x4"}
-# What operations are made of, for kernels of users: not in the tables. Nor is anything of `vector.rs`.
-PIECES = {"lie_bracket"}
+# What operations are made of, for kernels of users or for C: not in the tables. Nor is anything of `vector.rs`.
+PIECES = {"lie_bracket", "dib"}
 
 
 def functions(*folders):

@@ -49,6 +49,23 @@ static void all(typename dq8::mechanism<T>::joint (*revolute)(std::int32_t, cons
   moved.poses(many, poses);
   check(moved.links() == 2 && near(poses[8 + 4], moved.pose(values, 1)[4]), "many configurations");
 
+  /* The tips of three configurations are reached again, from others, at the points that they have; the mean of two. */
+  const typename dq8::mechanism<T>::goal goal{1, {0, 0, 0}, {1, 1, 0}, {1, 0, 0}};
+  std::vector<T> targets, start{T(0.4), T(-0.2), T(0.1), T(0.2), T(0.9), T(0.8)}, again(poses.size());
+  for (std::size_t i = 0; i < 3; i++) {
+    dq8::motion<T> at{0, 0, 0, 1};
+    dq8::points(dq8::span<const T>(&poses[16 * i + 8], 8), along, tip);
+    for (std::size_t k = 0; k < 3; k++) at[4 + k] = tip[k] / 2;
+    targets.insert(targets.end(), at.begin(), at.end());
+  }
+  for (const auto &report : moved.reach({&goal, 1}, targets, start)) check(report.outcome == DQ8_OUTCOME_CONVERGED, "reached");
+  moved.poses(start, again);
+  dq8::points(dq8::span<const T>(&again[8], 8), along, tip);
+  check(std::fabs(tip[0] / 2 - targets[4]) < 1e-4 && std::fabs(tip[1] / 2 - targets[5]) < 1e-4, "the tip that was asked for");
+  const auto mean = dq8::mean(dq8::span<const T>(targets.data(), 16));
+  check(mean.converged && near(mean.motion[4], (targets[4] + targets[12]) / 2), "the mean of two translations");
+  check(near(dq8::mean(targets, std::vector<T>{0, 0, 2}).motion[4], targets[20]), "the weights of a mean");
+
   const std::int32_t parents[2] = {-1, 0};
   std::vector<T> locals{bone, bone + 8}, models(16), palette(16), binds(16), square(16);
   locals.insert(locals.end(), bone, bone + 8);
@@ -84,6 +101,9 @@ static void all(typename dq8::mechanism<T>::joint (*revolute)(std::int32_t, cons
   check(refused([&] { dq8::mul(models, binds, tip); }) == DQ8_STATUS_LENGTH, "another length");
   check(refused([&] { dq8::resample(std::array<T, 2>{1, 1}, models, at, between); }, 1) == DQ8_STATUS_TIMES, "times");
   check(refused([&] { dq8::skin<T>(1, 1, {0, 1}, {1, 1}); }, 1) == DQ8_STATUS_JOINT_OUT_OF_RANGE, "no such joint");
+  check(refused([&] { moved.reach({&goal, 1}, targets, many); }) == DQ8_STATUS_OK, "as many values");
+  check(refused([&] { moved.reach({&goal, 1}, targets, columns); }) == DQ8_STATUS_LENGTH, "other values");
+  check(refused([&] { dq8::mean(std::vector<T>()); }) == DQ8_STATUS_NO_INFLUENCES, "nothing");
   check(refused([&] { moved.pose(values, 2); }) == DQ8_STATUS_NO_LINK, "no such link");
   check(refused([&] { sleeve.linear(models, rest, posed); }) == DQ8_STATUS_LENGTH, "motions where matrices belong");
 }

@@ -42,6 +42,7 @@
  *   dq8_motion_integrate_body                  Where a unit motion is after `dt` seconds of a body twist, six ...
  *   dq8_motion_angle_to                        The angle between two unit motions, one number, radians in 0 to pi
  *   dq8_motion_distance_to                     The distance between the translations of two unit motions, one number
+ *   dq8_motion_mean                            The intrinsic mean of `count` unit motions
  *   dq8_motion_identity                        The motion that moves nothing
  *   dq8_motion_from_rotation_translation       Rotate by the unit quaternion `rotation` (x, y, z, w), then move by ...
  *   dq8_motion_to_rotation_translation         The parts of a unit motion
@@ -149,6 +150,8 @@
  *   dq8_unpack_chain                           Writes blocks of a chain into `links`, the other way round
  *   dq8_block_size                             How many numbers one block takes that has `components` (8 in ...
  *   dq8_status_text                            What a status means, in English
+ *   dq8_reach_scratch                          How many numbers `scratch` of dq8_reach must have for so many ...
+ *   dq8_reach                                  dq8_mechanism_reach for `count` configurations, as many at a time ...
  *   dq8_resample                               A trajectory, the unit `poses` at the rising `times`, both ...
  */
 
@@ -1599,6 +1602,42 @@ dq8_status dq8_blocks_link_poses_f64(size_t lanes,
                                      size_t count);
 
 /**
+ * The intrinsic mean of `count` unit motions: the one from which the `weights`, null for equal ones, of the
+ * screws to all of them cancel; found by steps from dq8_motion_blend, `max_iterations` at most (32 serve), until
+ * one turns by no more than `tolerance`, radians, and moves by no more than that part of the longest dual
+ * part (1e-6 serves for float, 1e-14 for double). `converged`, which may be null, is set to 1 if it came to
+ * that, or else to 0.
+ *
+ * The mean of moved motions is the moved mean. Where motions lie more than a quarter of a turn from it, there may
+ * be several. DQ8_STATUS_NO_INFLUENCES if `count` is 0, DQ8_STATUS_NOT_NORMALIZABLE if there is no mean.
+ */
+dq8_status dq8_motion_mean_f32(const float *motions,
+                               const float *weights,
+                               size_t count,
+                               float tolerance,
+                               uint32_t max_iterations,
+                               float *out,
+                               int32_t *converged);
+
+/**
+ * The intrinsic mean of `count` unit motions: the one from which the `weights`, null for equal ones, of the
+ * screws to all of them cancel; found by steps from dq8_motion_blend, `max_iterations` at most (32 serve), until
+ * one turns by no more than `tolerance`, radians, and moves by no more than that part of the longest dual
+ * part (1e-6 serves for float, 1e-14 for double). `converged`, which may be null, is set to 1 if it came to
+ * that, or else to 0.
+ *
+ * The mean of moved motions is the moved mean. Where motions lie more than a quarter of a turn from it, there may
+ * be several. DQ8_STATUS_NO_INFLUENCES if `count` is 0, DQ8_STATUS_NOT_NORMALIZABLE if there is no mean.
+ */
+dq8_status dq8_motion_mean_f64(const double *motions,
+                               const double *weights,
+                               size_t count,
+                               double tolerance,
+                               uint32_t max_iterations,
+                               double *out,
+                               int32_t *converged);
+
+/**
  * Checks `count` joints and makes a mechanism of them, once; its functions then only compute.
  * `steps`, as many as joints, is memory that the mechanism keeps using: what its functions do is
  * undefined if anything else has written it. `joints` are not needed any more.
@@ -3035,6 +3074,64 @@ dq8_status dq8_blocks_matrices_4x4_f64(size_t lanes,
  * status has a text too, which says so.
  */
 const char *dq8_status_text(int32_t status);
+
+/**
+ * How many numbers `scratch` of dq8_reach must have for so many goals, whatever the number of targets; for one
+ * mechanism always the same. DQ8_STATUS_TOO_LARGE for more than 1024 goals.
+ */
+dq8_status dq8_reach_scratch_f32(const struct dq8_mechanism_f32 *mechanism,
+                                 size_t goal_count,
+                                 size_t *scratch_count);
+
+/**
+ * dq8_mechanism_reach for `count` configurations, as many at a time as there are lanes: `targets` are
+ * `[configuration][goal]`, `values`, `value_count` in all, `[configuration][value]`, and there is a report for each.
+ * Goals, posture and options are the same for all.
+ *
+ * The result of one does not depend on the others: threads may each have a part of the configurations, with
+ * scratch of their own, as many numbers as dq8_reach_scratch says. Errors are those of dq8_mechanism_reach.
+ */
+dq8_status dq8_reach_f32(const struct dq8_mechanism_f32 *mechanism,
+                         const struct dq8_goal_f32 *goals,
+                         size_t goal_count,
+                         const float *targets,
+                         const float *posture,
+                         const struct dq8_reach_options_f32 *options,
+                         float *values,
+                         size_t value_count,
+                         float *scratch,
+                         size_t scratch_count,
+                         struct dq8_reach_report_f32 *reports,
+                         size_t count);
+
+/**
+ * How many numbers `scratch` of dq8_reach must have for so many goals, whatever the number of targets; for one
+ * mechanism always the same. DQ8_STATUS_TOO_LARGE for more than 1024 goals.
+ */
+dq8_status dq8_reach_scratch_f64(const struct dq8_mechanism_f64 *mechanism,
+                                 size_t goal_count,
+                                 size_t *scratch_count);
+
+/**
+ * dq8_mechanism_reach for `count` configurations, as many at a time as there are lanes: `targets` are
+ * `[configuration][goal]`, `values`, `value_count` in all, `[configuration][value]`, and there is a report for each.
+ * Goals, posture and options are the same for all.
+ *
+ * The result of one does not depend on the others: threads may each have a part of the configurations, with
+ * scratch of their own, as many numbers as dq8_reach_scratch says. Errors are those of dq8_mechanism_reach.
+ */
+dq8_status dq8_reach_f64(const struct dq8_mechanism_f64 *mechanism,
+                         const struct dq8_goal_f64 *goals,
+                         size_t goal_count,
+                         const double *targets,
+                         const double *posture,
+                         const struct dq8_reach_options_f64 *options,
+                         double *values,
+                         size_t value_count,
+                         double *scratch,
+                         size_t scratch_count,
+                         struct dq8_reach_report_f64 *reports,
+                         size_t count);
 
 /**
  * A trajectory, the unit `poses` at the rising `times`, both `pose_count`, sampled at the times `at`, `count` of

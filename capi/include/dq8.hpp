@@ -78,6 +78,9 @@ struct abi;
     using step = dq8_step_##suffix;                                            \
     using mechanism = dq8_mechanism_##suffix;                                  \
     using skin = dq8_skin_##suffix;                                            \
+    using goal = dq8_goal_##suffix;                                            \
+    using reach_options = dq8_reach_options_##suffix;                          \
+    using reach_report = dq8_reach_report_##suffix;                            \
     static constexpr auto mul = &dq8_mul_##suffix;                             \
     static constexpr auto normalize = &dq8_normalize_##suffix;                 \
     static constexpr auto inverse = &dq8_inverse_##suffix;                     \
@@ -93,6 +96,9 @@ struct abi;
     static constexpr auto link_poses = &dq8_link_poses_##suffix;               \
     static constexpr auto link_pose = &dq8_mechanism_link_pose_##suffix;       \
     static constexpr auto jacobian = &dq8_mechanism_link_jacobian_##suffix;    \
+    static constexpr auto reach_scratch = &dq8_reach_scratch_##suffix;         \
+    static constexpr auto reach = &dq8_reach_##suffix;                         \
+    static constexpr auto mean = &dq8_motion_mean_##suffix;                    \
     static constexpr auto skin_make = &dq8_skin_make_##suffix;                 \
     static constexpr auto skin_dual = &dq8_skin_dual_##suffix;                 \
     static constexpr auto skin_linear = &dq8_skin_linear_##suffix;             \
@@ -192,6 +198,27 @@ void resample(const Times &times, const Poses &poses, const At &at, Out &&out) {
   detail::check(status, bad);
 }
 
+/* The intrinsic mean of motions, which weigh the same unless there are weights; whether it was found in `most` steps. */
+template <class T>
+struct mean_of {
+  motion<T> motion;
+  bool converged;
+};
+template <class Motions>
+auto mean(const Motions &motions, span<const std::remove_const_t<detail::number<Motions>>> weights = {},
+          std::uint32_t most = 32) {
+  using T = std::remove_const_t<detail::number<Motions>>;
+  const span<const T> from(motions);
+  const std::size_t count = detail::things(from.size(), 8);
+  if (weights.size() != 0) detail::same(weights.size(), count);
+  mean_of<T> mean{};
+  std::int32_t converged = 0;
+  const T tolerance = std::is_same_v<T, float> ? T(1e-6) : T(1e-14);
+  detail::check(detail::abi<T>::mean(from.data(), weights.data(), count, tolerance, most, mean.motion.data(), &converged));
+  mean.converged = converged == 1;
+  return mean;
+}
+
 /* Poses of joints, of one or many skeletons, from the frames of their parents to that of the root; `models` may be `locals`. */
 template <class Locals, class Models>
 void local_to_model(span<const std::int32_t> parents, const Locals &locals, Models &&models) {
@@ -252,6 +279,23 @@ class mechanism {
     detail::check(abi::jacobian(&made_, frame, values.data(), values.size(), link, columns.data(),
                                 detail::things(columns.size(), 6), pose.data()));
     return pose;
+  }
+  using goal = typename abi::goal;
+  using reach_options = typename abi::reach_options;
+  using reach_report = typename abi::reach_report;
+  /* Inverse kinematics of one or many configurations: moves [configuration][value] until the links of the goals are at
+     [configuration][goal]. A report for each, which says whether they are. */
+  std::vector<reach_report> reach(span<const goal> goals, span<const T> targets, span<T> values,
+                                  const reach_options *options = nullptr, span<const T> posture = {}) const {
+    std::size_t room = 0;
+    if (goals.size() == 0) throw error(DQ8_STATUS_WEIGHT);
+    if (posture.size() != 0) detail::same(posture.size(), made_.values);
+    detail::check(abi::reach_scratch(&made_, goals.size(), &room));
+    std::vector<T> scratch(room);
+    std::vector<reach_report> reports(detail::things(targets.size(), 8 * goals.size()));
+    detail::check(abi::reach(&made_, goals.data(), goals.size(), targets.data(), posture.data(), options, values.data(),
+                             values.size(), scratch.data(), scratch.size(), reports.data(), reports.size()));
+    return reports;
   }
 
  private:

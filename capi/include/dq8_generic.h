@@ -73,6 +73,8 @@
   DQ8_OF_THINGS(mechanism, dq8_mechanism, dq8_link_poses)(mechanism, values, value_count, poses, count)
 #define dq8_blocks_link_poses(lanes, mechanism, values, value_count, poses, count) \
   DQ8_OF_THINGS(mechanism, dq8_mechanism, dq8_blocks_link_poses)(lanes, mechanism, values, value_count, poses, count)
+#define dq8_motion_mean(motions, weights, count, tolerance, max_iterations, out, converged) \
+  DQ8_OF_NUMBERS(out, dq8_motion_mean)(motions, weights, count, tolerance, max_iterations, out, converged)
 #define dq8_mechanism_make(joints, count, steps, mechanism, bad_joint) \
   DQ8_OF_THINGS(joints, dq8_joint, dq8_mechanism_make)(joints, count, steps, mechanism, bad_joint)
 #define dq8_mechanism_link_poses(mechanism, values, value_count, poses, link_count) \
@@ -229,6 +231,10 @@
   DQ8_OF_NUMBERS(out, dq8_matrices_4x4)(motions, order, out, count)
 #define dq8_blocks_matrices_4x4(lanes, motions, order, out, count) \
   DQ8_OF_NUMBERS(out, dq8_blocks_matrices_4x4)(lanes, motions, order, out, count)
+#define dq8_reach_scratch(mechanism, goal_count, scratch_count) \
+  DQ8_OF_THINGS(mechanism, dq8_mechanism, dq8_reach_scratch)(mechanism, goal_count, scratch_count)
+#define dq8_reach(mechanism, goals, goal_count, targets, posture, options, values, value_count, scratch, scratch_count, reports, count) \
+  DQ8_OF_THINGS(mechanism, dq8_mechanism, dq8_reach)(mechanism, goals, goal_count, targets, posture, options, values, value_count, scratch, scratch_count, reports, count)
 #define dq8_resample(times, poses, pose_count, at, out, count, bad_time) \
   DQ8_OF_NUMBERS(out, dq8_resample)(times, poses, pose_count, at, out, count, bad_time)
 #define dq8_twists_each(motions, twists, out, count) \

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | [`status`] | [`Status`], what every call returns, and its text |
 //! | [`backend`] | which instructions compute |
-//! | [`motion`], [`screw`], [`geometry`] | operations on one motion: the scalar reference |
+//! | [`motion`], [`screw`], [`mean`], [`geometry`] | operations on one motion: the scalar reference |
 //! | [`slices`], [`lines`], [`twists`], [`metric`] | kernels over arrays of motions, points, lines, planes, twists, plain or in blocks |
 //! | [`hierarchy`] | joint hierarchies and skinning palettes, plain or in blocks |
 //! | [`chain`] | long chains, plain or in blocks |
@@ -12,6 +12,7 @@
 //! | [`plan`] | one instance in the order that is fastest, plain |
 //! | [`joint`], [`mechanism`] | one configuration of a mechanism: poses of links, Jacobians |
 //! | [`reach`] | inverse kinematics of one configuration |
+//! | [`targets`] | inverse kinematics of many configurations, plain |
 //! | [`links`] | poses of links for many configurations, plain or in blocks |
 //! | [`skin`], [`mesh`], [`skinning`] | meshes that follow joints, plain, or vertices of several fields |
 //! | [`palette`] | skinning palettes from matrices, plain |
@@ -37,6 +38,7 @@ pub mod hierarchy;
 pub mod joint;
 pub mod lines;
 pub mod links;
+pub mod mean;
 pub mod mechanism;
 mod memory;
 pub mod mesh;
@@ -52,6 +54,7 @@ pub mod skinning;
 pub mod slices;
 mod span;
 pub mod status;
+pub mod targets;
 pub mod trajectory;
 pub mod twists;
 

@@ -1,11 +1,11 @@
-//! Inverse kinematics of one configuration of a mechanism, in memory of the caller.
+//! Inverse kinematics of a mechanism, in memory of the caller: one configuration here, many in [`targets`](crate::targets).
 
 use crate::mechanism::{Made, Mechanism};
 use crate::memory::{Input, Output, bytes, place};
 use crate::span::apart;
 use crate::status::{Done, Status};
 use core::mem::{MaybeUninit, offset_of};
-use dq8::{DualQuat, Lanes, Real, Scalar, simd::Portable};
+use dq8::{DualQuat, Real, Scalar, ShapeError, simd::MAX_LANES};
 use dq8_robot::ik::{self, Freedom, Reach, ReachError};
 
 /// What is asked of a link: components of its error in the axes of its target, and how much each weighs
@@ -80,18 +80,23 @@ pub struct ReachReport<R> {
     pub linear_error: R,
 }
 
-/// The library's goals are those of C, to the byte, and outcomes have the same numbers.
+/// The library's goals and reports are those of C, to the byte, and outcomes have the same numbers.
 macro_rules! same {
-    ($($R:ident)*) => {$(const _: () = {
-        assert!(size_of::<Goal<$R>>() == size_of::<ik::Goal<$R>>());
-        assert!(align_of::<Goal<$R>>() == align_of::<ik::Goal<$R>>());
-        assert!(offset_of!(Goal<$R>, link) == offset_of!(ik::Goal<$R>, link));
-        assert!(offset_of!(Goal<$R>, angular) == offset_of!(ik::Goal<$R>, angular));
-        assert!(offset_of!(Goal<$R>, linear) == offset_of!(ik::Goal<$R>, linear));
-        assert!(offset_of!(Goal<$R>, point) == offset_of!(ik::Goal<$R>, point));
-    };)*};
+    ($C:ty, $Rust:ty: $($field:ident)*) => {
+        const _: () = {
+            assert!(size_of::<$C>() == size_of::<$Rust>());
+            assert!(align_of::<$C>() == align_of::<$Rust>());
+            $(assert!(offset_of!($C, $field) == offset_of!($Rust, $field));)*
+        };
+    };
 }
-same! { f32 f64 }
+macro_rules! same_of {
+    ($($R:ident)*) => {$(
+        same! { Goal<$R>, ik::Goal<$R>: link angular linear point }
+        same! { ReachReport<$R>, ik::Report<$R>: outcome iterations restarts angular_error linear_error }
+    )*};
+}
+same_of! { f32 f64 }
 
 macro_rules! same_outcomes {
     ($($outcome:ident)*) => {$(
@@ -100,21 +105,35 @@ macro_rules! same_outcomes {
 }
 same_outcomes! { Converged OutOfReach AtLimits Stalled Unfinished Invalid }
 
+/// How many configurations a search has at a time.
+#[derive(Clone, Copy)]
+pub(crate) enum Width {
+    One,
+    Lanes,
+}
+
 /// How many numbers as large as `R` a search computes in: those of its freedoms and what aligns them, then its own.
-fn room<R: Real>(known: dq8_robot::Mechanism<'_, R>, goals: usize) -> Result<usize, Status> {
+fn room<R: Real>(
+    known: dq8_robot::Mechanism<'_, R>,
+    goals: usize,
+    width: Width,
+) -> Result<usize, Status> {
+    let lanes = if matches!(width, Width::Lanes) { MAX_LANES } else { 1 };
+    let own = Reach::scratch_bound(known, goals).checked_mul(lanes);
     let freedoms = known.rates().checked_mul(size_of::<Freedom<R>>());
     let bytes = freedoms.and_then(|bytes| bytes.checked_add(align_of::<Freedom<R>>()));
     let numbers = bytes.map(|bytes| bytes.div_ceil(size_of::<R>()));
-    let all = numbers.and_then(|all| all.checked_add(Reach::scratch_bound(known, goals)));
+    let all = numbers.zip(own).and_then(|(numbers, own)| numbers.checked_add(own));
     all.filter(|all| *all <= isize::MAX as usize / size_of::<R>()).ok_or(Status::TooLarge)
 }
 
 /// # Safety
 /// As for [`Made::new`] and [`Output::write`].
-unsafe fn reach_scratch<R: Real>(
+pub(crate) unsafe fn reach_scratch<R: Real>(
     mechanism: *const Mechanism<R>,
     goal_count: usize,
     scratch_count: *mut usize,
+    width: Width,
 ) -> Done {
     // SAFETY: promised.
     let made = unsafe { Made::new(mechanism)? };
@@ -124,7 +143,7 @@ unsafe fn reach_scratch<R: Real>(
         return Err(Status::TooLarge);
     }
     // SAFETY: promised, and apart.
-    unsafe { to.write(room(made.known, goal_count)?) };
+    unsafe { to.write(room(made.known, goal_count, width)?) };
     Ok(())
 }
 
@@ -171,51 +190,68 @@ unsafe fn reach_options<R: Real>(options: *mut ReachOptions<R>) -> Done {
     Ok(())
 }
 
-/// What [`reach`] seeks, and where from.
-struct Asked<R> {
-    mechanism: *const Mechanism<R>,
-    goals: *const Goal<R>,
-    targets: *const R,
-    goal_count: usize,
-    posture: *const R,
-    options: *const ReachOptions<R>,
+/// What [`reach`] seeks.
+pub(crate) struct Asked<R> {
+    pub(crate) mechanism: *const Mechanism<R>,
+    pub(crate) goals: *const Goal<R>,
+    pub(crate) targets: *const R,
+    pub(crate) goal_count: usize,
+    pub(crate) posture: *const R,
+    pub(crate) options: *const ReachOptions<R>,
+}
+
+/// Where from, and what is written: `count` configurations.
+pub(crate) struct Answer<R> {
+    pub(crate) values: *mut R,
+    pub(crate) value_count: usize,
+    pub(crate) scratch: *mut R,
+    pub(crate) scratch_count: usize,
+    pub(crate) reports: *mut ReachReport<R>,
+    pub(crate) count: usize,
+}
+
+/// What a search is given once everything has been checked.
+pub(crate) struct Search<'a, R> {
+    pub(crate) reach: Reach<'a, R>,
+    pub(crate) targets: &'a [DualQuat<R>],
+    pub(crate) values: &'a mut [R],
+    pub(crate) scratch: &'a mut [R],
+    pub(crate) reports: &'a mut [ik::Report<R>],
+    pub(crate) options: ik::Options<R>,
 }
 
 /// # Safety
-/// As for [`Made::new`], [`Input::slice`], [`Output::slice`] and [`Output::write`].
-unsafe fn reach<R>(
+/// As for [`Made::new`], [`Input::slice`] and [`Output::slice`].
+pub(crate) unsafe fn reach<R: Scalar>(
     asked: Asked<R>,
-    values: *mut R,
-    value_count: usize,
-    scratch: *mut R,
-    scratch_count: usize,
-    report: *mut ReachReport<R>,
-) -> Done
-where
-    R: Scalar + Lanes<Real = R, Level = Portable, Mask = bool>,
-{
+    answer: Answer<R>,
+    width: Width,
+    solve: impl FnOnce(Search<'_, R>) -> Result<(), ShapeError>,
+) -> Done {
     // SAFETY: promised.
     let made = unsafe { Made::new(asked.mechanism)? };
+    let Answer { count, value_count, scratch_count, .. } = answer;
+    let target_count = asked.goal_count.checked_mul(count).ok_or(Status::TooLarge)?;
     let goals = Input::<ik::Goal<R>>::new(asked.goals, asked.goal_count)?;
-    let targets = Input::<DualQuat<R>>::new(asked.targets, asked.goal_count)?;
-    let posture_count = if asked.posture.is_null() { 0 } else { value_count };
+    let targets = Input::<DualQuat<R>>::new(asked.targets, target_count)?;
+    let known = made.known;
+    let posture_count = if asked.posture.is_null() { 0 } else { known.values() };
     let posture = Input::<R>::new(asked.posture, posture_count)?;
-    let values = Output::<R>::new(values, value_count)?;
-    let scratch = Output::<MaybeUninit<R>>::new(scratch, scratch_count)?;
-    let result = Output::<ReachReport<R>>::new(report, 1)?;
+    let values = Output::<R>::new(answer.values, value_count)?;
+    let scratch = Output::<MaybeUninit<R>>::new(answer.scratch, scratch_count)?;
+    let reports = Output::<MaybeUninit<ik::Report<R>>>::new(answer.reports, count)?;
     let options = Input::<ReachOptions<R>>::unless_null(asked.options)?;
     let read = [goals.span, targets.span, posture.span, options.span, made.given, made.steps];
-    apart(&[values.span, scratch.span, result.span], &read)?;
+    apart(&[values.span, scratch.span, reports.span], &read)?;
     // SAFETY: promised, and apart.
     let options = match *unsafe { options.slice() } {
         [options] => options.known()?,
         _ => ik::Options::default(),
     };
-    let known = made.known;
-    if asked.goal_count > GOALS || value_count != known.values() {
+    if asked.goal_count > GOALS || known.values().checked_mul(count) != Some(value_count) {
         return Err(Status::Length);
     }
-    if scratch_count < room(known, asked.goal_count)? {
+    if scratch_count < room(known, asked.goal_count, width)? {
         return Err(Status::Length);
     }
     // SAFETY: promised, and apart.
@@ -227,14 +263,19 @@ where
         place(bytes(scratch), known.rates(), Freedom::default()).ok_or(Status::Length)?;
     let mut reach = Reach::new(known, goals, freedoms).map_err(|error| status(&error))?;
     // As much as these goals need, which is no more than was asked for.
-    let (numbers, _) = place(rest, reach.scratch_len(), R::ZERO).ok_or(Status::Length)?;
+    let numbers = match width {
+        Width::One => reach.scratch_len(),
+        Width::Lanes => reach.batch_scratch_len(),
+    };
+    let (scratch, _) = place(rest, numbers, R::ZERO).ok_or(Status::Length)?;
     if !asked.posture.is_null() {
         reach = reach.with_posture(posture).map_err(|error| status(&error))?;
     }
-    let solved = reach.solve(targets, values, numbers, &options)?;
+    // Nothing is refused any more: reports may be written. What C has there need not be one.
     // SAFETY: promised, and apart.
-    unsafe { result.write(ReachReport::of(&solved)) };
-    Ok(())
+    let reports = bytes(unsafe { reports.slice() });
+    let (reports, _) = place(reports, count, ik::Report::default()).ok_or(Status::Length)?;
+    Ok(solve(Search { reach, targets, values, scratch, reports, options })?)
 }
 
 fn status(error: &ReachError) -> Status {
@@ -252,13 +293,6 @@ fn status(error: &ReachError) -> Status {
     }
 }
 
-impl<R: Real> ReachReport<R> {
-    fn of(report: &ik::Report<R>) -> Self {
-        let ik::Report { iterations, restarts, angular_error, linear_error, outcome } = *report;
-        Self { outcome: outcome as i32, iterations, restarts, angular_error, linear_error }
-    }
-}
-
 macro_rules! functions {
     ($R:ident $lanes:tt) => {
         export_one! { $R
@@ -270,7 +304,7 @@ macro_rules! functions {
             /// mechanism always the same. DQ8_STATUS_TOO_LARGE for more than 1024 goals.
             mechanism::reach_scratch(
                 mechanism: *const Mechanism<$R>, goal_count: usize, scratch_count: *mut usize,
-            ) = super::reach_scratch(mechanism, goal_count, scratch_count)
+            ) = super::reach_scratch(mechanism, goal_count, scratch_count, Width::One)
         }
         export_one! { $R
             /// Inverse kinematics of one configuration: moves `values` until the link of each goal is at
@@ -291,11 +325,14 @@ macro_rules! functions {
                 report: *mut ReachReport<$R>,
             ) = super::reach(
                 Asked { mechanism, goals, targets, goal_count, posture, options },
-                values,
-                value_count,
-                scratch,
-                scratch_count,
-                report,
+                Answer { values, value_count, scratch, scratch_count, reports: report, count: 1 },
+                Width::One,
+                |search| {
+                    let Search { reach, targets, values, scratch, reports, options } = search;
+                    let report = reach.solve(targets, values, scratch, &options)?;
+                    reports.fill(report);
+                    Ok(())
+                },
             )
         }
     };

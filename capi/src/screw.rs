@@ -8,7 +8,7 @@ use dq8::{
     geometry::{DualVector, Screw},
 };
 
-fn finite<R: Real>(motion: DualQuat<R>) -> Result<DualQuat<R>, Status> {
+pub(crate) fn finite<R: Real>(motion: DualQuat<R>) -> Result<DualQuat<R>, Status> {
     let finite = motion.to_array().into_iter().all(Real::is_finite);
     if finite { Ok(motion) } else { Err(Status::NotNormalizable) }
 }

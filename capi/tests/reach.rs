@@ -1,4 +1,4 @@
-//! Inverse kinematics of one configuration through C: the same as the library's, and what is refused.
+//! Inverse kinematics through C: the same as the library's, and what is refused.
 
 #[path = "support/answers.rs"]
 mod answers;
@@ -10,6 +10,7 @@ use dq8_capi::Status;
 use dq8_capi::joint::{Joint, JointKind};
 use dq8_capi::mechanism::{Mechanism, Step, double as m};
 use dq8_capi::reach::{Goal, Outcome, ReachOptions, ReachReport, double as c};
+use dq8_capi::targets::double as t;
 use joint::joint;
 use std::mem::MaybeUninit;
 use std::ptr;
@@ -247,4 +248,84 @@ fn pointers_that_are_null_or_overlap_are_refused() {
         assert_eq!(c::reach_scratch(of, usize::MAX, &mut needed), Status::TooLarge);
     }
     assert_eq!(needed, 5);
+}
+
+#[test]
+fn many_are_reached_as_in_rust_whatever_part_of_them_is_asked_for() {
+    const MANY: usize = 21;
+    let arm = arm();
+    let mut targets = [[0.0; 8]; MANY];
+    for (at, target) in targets.iter_mut().enumerate() {
+        let values = [0.1 * at as f64 - 1.0, 0.9, -0.05 * at as f64];
+        // SAFETY: arrays have the length that is said.
+        let status =
+            unsafe { m::link_pose(&arm.made, values.as_ptr(), VALUES, 3, target.as_mut_ptr()) };
+        assert_eq!(status, Status::Ok);
+    }
+    // One beyond the arm, and one that is none.
+    (targets[3][4], targets[7][3]) = (9.0, f64::NAN);
+    let reach = |targets: &[[f64; 8]], wrong: usize| {
+        let (mut values, mut needed) = (vec![[0.1, 0.2, 0.3]; targets.len()], 0);
+        let mut reports = vec![arm.report; targets.len()];
+        // SAFETY: arrays have the length that is said, or the call is refused.
+        let status = unsafe {
+            assert_eq!(t::scratch(&arm.made, 1, &raw mut needed), Status::Ok);
+            let mut scratch = vec![f64::NAN; needed];
+            t::reach(
+                &arm.made,
+                arm.goals.as_ptr(),
+                1,
+                targets.as_ptr().cast(),
+                ptr::null(),
+                ptr::null(),
+                values.as_mut_ptr().cast(),
+                VALUES * targets.len() + usize::from(wrong == 1),
+                scratch.as_mut_ptr(),
+                needed - usize::from(wrong == 2),
+                reports.as_mut_ptr(),
+                targets.len() - usize::from(wrong == 3),
+            )
+        };
+        (status, values, reports)
+    };
+    let (status, values, reports) = reach(&targets, 0);
+    assert_eq!(status, Status::Ok);
+
+    let described = [0_usize, 1, 2, 3].map(|link| {
+        let out = [if link == 0 { 0.0 } else { 1.0 }, 0.0, 0.0];
+        let (on, at) = (link.checked_sub(1), dq8::DualQuat::from_translation(out));
+        let hinge = dq8_robot::Joint::revolute(on, at, [0.0, 0.0, 1.0]);
+        if link < VALUES { hinge.with_limits([-2.5, 2.5]) } else { dq8_robot::Joint::fixed(on, at) }
+    });
+    let mechanism = dq8_robot::OwnedMechanism::new(&described).unwrap();
+    let rust = dq8_robot::ik::OwnedReach::new(mechanism, [dq8_robot::ik::Goal::pose(3)]).unwrap();
+    let (mut same, mut told) = (vec![[0.1, 0.2, 0.3]; MANY], vec![Default::default(); MANY]);
+    let wanted = targets.map(dq8::DualQuat::from_array);
+    rust.job().solve(&wanted, same.as_flattened_mut(), &mut told, &Default::default()).unwrap();
+    assert_eq!(values, same);
+    for (report, told) in reports.iter().zip(&told) {
+        let [errors, others] =
+            [[report.angular_error, report.linear_error], [told.angular_error, told.linear_error]];
+        assert_eq!(errors.map(f64::to_bits), others.map(f64::to_bits));
+        assert_eq!((report.outcome, report.iterations), (told.outcome as i32, told.iterations));
+    }
+    let outcomes: Vec<_> = reports.iter().map(|report| report.outcome).collect();
+    assert!(
+        outcomes.iter().enumerate().all(|(at, &outcome)| match at {
+            3 => outcome == Outcome::OutOfReach as i32,
+            7 => outcome == Outcome::Invalid as i32,
+            _ => outcome == Outcome::Converged as i32,
+        }),
+        "{outcomes:?}"
+    );
+    for part in [0..1, 0..5, 5..6, 9..21] {
+        assert_eq!(reach(&targets[part.clone()], 0).1, values[part.clone()], "{part:?}");
+    }
+    for wrong in 1..=3 {
+        let (status, values, reports) = reach(&targets, wrong);
+        assert_eq!(status, Status::Length, "{wrong}");
+        assert!(values.iter().all(|values| *values == [0.1, 0.2, 0.3]));
+        assert!(reports.iter().all(|report| report.outcome == -7));
+    }
+    assert_eq!(reach(&[], 0).0, Status::Ok);
 }

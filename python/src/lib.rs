@@ -1,40 +1,6 @@
 //! The kernels of dq8 on NumPy arrays: the module `dq8._core`. What users import is in `package/dq8`.
 //!
-//! A call ([`call`]) finds its precision, takes its arguments and its result as memory ([`argument`],
-//! [`output`]), finds runs of elements that lie one after the other ([`broadcast`]), and computes each of
-//! them ([`sweep`]) with the best instructions. What is computed for one element is a [`law::Law`], written
-//! on lanes.
-
-mod argument;
-mod axis;
-mod blend;
-mod broadcast;
-mod call;
-mod columns;
-mod configurations;
-mod cure;
-mod error;
-mod functions;
-mod hierarchy;
-mod interrupt;
-mod joints;
-mod law;
-mod links;
-mod mechanism;
-mod method;
-mod number;
-mod output;
-mod packed_clip;
-mod palette;
-mod plain;
-mod reach;
-mod reach_report;
-mod shape;
-mod skin;
-mod solutions;
-mod sweep;
-mod threads;
-mod urdf;
+//! Functions on arrays are in `arrays`, skeletons and meshes in `figures`, mechanisms in `robots`.
 
 use dq8::Backend;
 use pyo3::prelude::*;
@@ -63,54 +29,56 @@ compile_error!("the feature `reproducible` is needed where portable lanes fuse")
 #[pymodule]
 mod _core {
     #[pymodule_export]
-    use super::functions::actions::{
+    use super::{backend, set_reproducible};
+    #[pymodule_export]
+    use dq8_python_arrays::functions::actions::{
         adjoint, coadjoint, transform_lines, transform_planes, transform_points, transform_vectors,
     };
     #[pymodule_export]
-    use super::functions::algebra::{
+    use dq8_python_arrays::functions::algebra::{
         compose, conjugate, inverse, mul, normalize, unit_or_identity,
     };
     #[pymodule_export]
-    use super::functions::between::{nlerp, sclerp};
+    use dq8_python_arrays::functions::between::{nlerp, sclerp};
     #[pymodule_export]
-    use super::functions::chains::chain_products;
+    use dq8_python_arrays::functions::chains::chain_products;
     #[pymodule_export]
-    use super::functions::conversions::{
+    use dq8_python_arrays::functions::conversions::{
         from_rotation_translation, from_translation, rigidity, to_matrix, translation,
     };
     #[pymodule_export]
-    use super::functions::distances::{angle_to, distance_to, distance_weighted, point_error};
+    use dq8_python_arrays::functions::distances::{
+        angle_to, distance_to, distance_weighted, point_error,
+    };
     #[pymodule_export]
-    use super::functions::matrices::from_matrix;
+    use dq8_python_arrays::functions::matrices::from_matrix;
     #[pymodule_export]
-    use super::functions::means::{dlb, mean};
+    use dq8_python_arrays::functions::means::{dlb, mean};
     #[pymodule_export]
-    use super::functions::screws::{
+    use dq8_python_arrays::functions::screws::{
         exp, from_screw, from_twist, integrate_body, integrate_spatial, left_jacobian,
         left_jacobian_inverse, log, pow, to_screw, to_twist,
     };
     #[pymodule_export]
-    use super::functions::squad::{squad, squad_control};
+    use dq8_python_arrays::functions::squad::{squad, squad_control};
     #[pymodule_export]
-    use super::functions::trajectory::resample;
+    use dq8_python_arrays::functions::trajectory::resample;
     #[pymodule_export]
-    use super::functions::windows::dib_windows;
+    use dq8_python_arrays::functions::windows::dib_windows;
     #[pymodule_export]
-    use super::hierarchy::Hierarchy;
+    use dq8_python_arrays::plain::real_array;
     #[pymodule_export]
-    use super::mechanism::Mechanism;
+    use dq8_python_arrays::threads::{forget_threads, get_num_threads, set_num_threads};
     #[pymodule_export]
-    use super::packed_clip::PackedClip;
+    use dq8_python_figures::hierarchy::Hierarchy;
     #[pymodule_export]
-    use super::plain::real_array;
+    use dq8_python_figures::packed_clip::PackedClip;
     #[pymodule_export]
-    use super::reach_report::ReachReport;
+    use dq8_python_figures::skin::skin;
     #[pymodule_export]
-    use super::skin::skin;
+    use dq8_python_robots::mechanism::Mechanism;
     #[pymodule_export]
-    use super::solutions::solutions;
+    use dq8_python_robots::reach_report::ReachReport;
     #[pymodule_export]
-    use super::threads::{forget_threads, get_num_threads, set_num_threads};
-    #[pymodule_export]
-    use super::{backend, set_reproducible};
+    use dq8_python_robots::solutions::solutions;
 }

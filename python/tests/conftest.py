@@ -9,6 +9,10 @@ from calls import motions
 import dq8
 
 
+def pytest_addoption(parser):
+    parser.addoption("--rows", type=int, default=200_000, help="how many rows go from Parquet to Parquet")
+
+
 @pytest.fixture
 def rng() -> np.random.Generator:
     return np.random.default_rng(18)

@@ -118,16 +118,3 @@ def test_what_nobody_took_is_given_back(rows):
 def test_no_library_of_arrow_is_imported():
     code = "import sys, dq8; dq8.from_arrow(dq8.to_arrow(dq8.identity(3))); assert 'pyarrow' not in sys.modules"
     subprocess.run([sys.executable, "-c", code], check=True)
-
-
-def test_polars_takes_and_gives_columns(rows):
-    polars = pytest.importorskip("polars")
-    frame = polars.DataFrame({"pose": polars.Series(dq8.to_arrow(rows))})
-    np.testing.assert_array_equal(dq8.inverse(frame["pose"]), dq8.inverse(rows))
-
-
-def test_duckdb_takes_and_gives_columns(rows):
-    duckdb = pytest.importorskip("duckdb")
-    table = pa.table({"pose": pa.array(dq8.to_arrow(rows))})
-    found = duckdb.from_arrow(table).select("pose").to_arrow_table()
-    np.testing.assert_array_equal(dq8.inverse(found["pose"]), dq8.inverse(rows))

@@ -77,12 +77,12 @@ def test_tasks_have_names_that_people_understand():
     assert {"dq8-mul", "dq8-inverse"} <= names
 
 
-def test_a_killed_worker_leaves_every_row_once_and_right(tmp_path):
+def test_a_killed_worker_leaves_every_row_once_and_right(tmp_path, request):
     distributed = pytest.importorskip("distributed")
     import pyarrow as pa
     import pyarrow.parquet as pq
 
-    count, parts = 200_000, 10
+    count, parts = request.config.getoption("--rows"), 10
     rng = np.random.default_rng(1)
     values = rng.uniform(-1, 1, size=(count, 3))
     for part in range(parts):

@@ -61,9 +61,15 @@ impl<R: Real> DualQuat<R> {
     #[inline]
     #[must_use]
     pub fn dlb(influences: &[(Self, R)]) -> Option<Self> {
-        let (&(first, weight), others) = influences.split_first()?;
+        Self::blend(influences.iter().copied())
+    }
+
+    /// [`dlb`](Self::dlb) of influences that are not in one slice.
+    #[inline]
+    pub(super) fn blend(mut influences: impl Iterator<Item = (Self, R)>) -> Option<Self> {
+        let (first, weight) = influences.next()?;
         let mut sum = first.scale(weight);
-        for &(motion, weight) in others {
+        for (motion, weight) in influences {
             sum = sum + motion.toward(first).scale(weight);
         }
         Some(sum.normalize())

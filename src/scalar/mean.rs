@@ -46,37 +46,47 @@ impl<R: Real> DualQuat<R> {
         for &(pose, _) in influences {
             crate::scalar::must_be_unit::motions("DualQuat::dib", [pose]);
         }
-        let mut motion = Self::dlb(influences)?;
-        let (mut total, mut longest) = (R::ZERO, R::ZERO);
-        for &(pose, weight) in influences {
-            total += weight;
-            longest = longest.max_or_nan(pose.dual().norm());
-        }
-        let (mut made, mut iterations) = (0, R::ZERO);
-        loop {
-            let step = motion.mean_log(influences, total);
-            let turn = R::TWO * vector::norm(step.real);
-            let slide = vector::norm(step.dual);
-            let converged = turn <= tolerance && slide <= tolerance * longest;
-            // Not the opposite of `converged`: with NaN there is nothing to go on for.
-            let goes_on = turn > tolerance || slide > tolerance * longest;
-            if !goes_on || made == max_iterations {
-                return Some(Mean { motion, iterations, converged });
-            }
-            motion = motion * Self::exp(step);
-            made += 1;
-            iterations += R::ONE;
-        }
+        dib(influences.iter().copied(), tolerance, max_iterations)
     }
 
     /// Σ wᵢ log(σ*σᵢ) / Σ wᵢ
     #[inline]
-    fn mean_log(self, influences: &[(Self, R)], total: R) -> DualVector<R> {
+    fn mean_log(self, influences: impl Iterator<Item = (Self, R)>, total: R) -> DualVector<R> {
         let mut mean = DualVector { real: [R::ZERO; 3], dual: [R::ZERO; 3] };
-        for &(pose, weight) in influences {
+        for (pose, weight) in influences {
             let log = (self.conjugate() * pose).log();
             mean = mean + log.scale(weight / total);
         }
         mean
+    }
+}
+
+/// [`DualQuat::dib`] of influences that are not in one slice: C has weights apart.
+#[inline]
+pub fn dib<R: Real>(
+    influences: impl Iterator<Item = (DualQuat<R>, R)> + Clone,
+    tolerance: R,
+    max_iterations: u32,
+) -> Option<Mean<DualQuat<R>, R, bool>> {
+    let mut motion = DualQuat::blend(influences.clone())?;
+    let (mut total, mut longest) = (R::ZERO, R::ZERO);
+    for (pose, weight) in influences.clone() {
+        total += weight;
+        longest = longest.max_or_nan(pose.dual().norm());
+    }
+    let (mut made, mut iterations) = (0, R::ZERO);
+    loop {
+        let step = motion.mean_log(influences.clone(), total);
+        let turn = R::TWO * vector::norm(step.real);
+        let slide = vector::norm(step.dual);
+        let converged = turn <= tolerance && slide <= tolerance * longest;
+        // Not the opposite of `converged`: with NaN there is nothing to go on for.
+        let goes_on = turn > tolerance || slide > tolerance * longest;
+        if !goes_on || made == max_iterations {
+            return Some(Mean { motion, iterations, converged });
+        }
+        motion = motion * DualQuat::exp(step);
+        made += 1;
+        iterations += R::ONE;
     }
 }

@@ -13,7 +13,7 @@ mod dual_quat;
 mod error;
 mod jacobian;
 mod matrix;
-mod mean;
+pub(crate) mod mean;
 mod metric;
 mod motion;
 pub(crate) mod must_be_unit;

@@ -3,7 +3,7 @@
 use crate::sample::{COUNT, motions, numbers, rotation, same, vector, wave};
 use dq8::DualQuat;
 use dq8_capi::Status::Ok as Done;
-use dq8_capi::{motion, screw};
+use dq8_capi::{mean, motion, screw};
 use std::slice::from_ref;
 
 macro_rules! agree {
@@ -15,7 +15,7 @@ macro_rules! agree {
 
             #[test]
             fn one_motion() {
-                use {motion::$of as m, screw::$of as c};
+                use {mean::$of::mean, motion::$of as m, screw::$of as c};
                 let (a, b) = (motions(0.0)[1], motions(1.0)[2]);
                 let (point, turn, none) = (vector(3, 4.0), rotation(5, 6.0), [Motion::ZERO]);
                 let (pa, pb, pv) = (numbers(from_ref(&a)), numbers(from_ref(&b)), numbers(&point));
@@ -26,6 +26,7 @@ macro_rules! agree {
                 let some = motions(7.0);
                 let weights: Vec<$R> = (0..COUNT).map(|i| 0.5 + wave::<$R>(i, 8.0).abs()).collect();
                 let pairs: Vec<_> = some.iter().copied().zip(weights.iter().copied()).collect();
+                let mut arrived = -1;
                 // SAFETY: each argument has as many numbers as it should.
                 unsafe {
                     same! { |o|
@@ -56,6 +57,21 @@ macro_rules! agree {
                             => o[0] = DualQuat::from_screw(screw);
                         &none, c::blend(numbers(&some), numbers(&weights), COUNT, o)
                             => o[0] = DualQuat::dlb(&pairs).unwrap();
+                    }
+                    let (to, equal) = (
+                        &raw mut arrived,
+                        some.clone().into_iter().map(|motion| (motion, 1.0)).collect::<Vec<_>>(),
+                    );
+                    for (weights, pairs, most, wanted) in [
+                        (weights.as_ptr(), &pairs[..], 64, 1),
+                        (std::ptr::null(), &equal[..], 64, 1),
+                        (weights.as_ptr(), &pairs, 1, 0),
+                    ] {
+                        same! { |o|
+                            &none, mean(numbers(&some), weights, COUNT, 1e-5, most, o, to)
+                                => o[0] = DualQuat::dib(pairs, 1e-5, most).unwrap().motion;
+                        }
+                        assert_eq!(arrived, wanted, "{most} steps");
                     }
                     assert_eq!(m::check_unit(pa, 1e-5), Done);
                     let (mut r, mut t) = ([0.0; 4], [0.0; 3]);

@@ -6,6 +6,7 @@ use dq8_capi::joint::Joint;
 use dq8_capi::links::single as k;
 use dq8_capi::mechanism::{Mechanism, Step, single as c};
 use dq8_capi::reach::{Goal, ReachOptions, ReachReport, single as r};
+use dq8_capi::targets::single as t;
 use std::mem::MaybeUninit;
 use std::ptr;
 
@@ -122,7 +123,23 @@ unsafe fn searches(fuzz: &mut Fuzz, of: *const Mechanism<f32>, values: usize, li
             r::reach(of, goal, wanted, goals, posture, options, to, values, room, room_for, report)
         };
         assert!(search(needed / 2) != Status::Ok, "half of the memory");
-        search(needed)
+        let status = search(needed);
+        // The same for many, which are refused for the same reasons.
+        let (goal, goals) = (goals.as_ptr(), goals.len());
+        assert_eq!(t::scratch(of, goals, &raw mut needed), Status::Ok);
+        let many = fuzz.below(20);
+        let wanted: Vec<_> = (0..many).flat_map(|_| targets.iter().copied()).collect();
+        let (mut from, mut scratch) = (fuzz.numbers(values * many), fuzz.numbers(needed));
+        let mut reports = vec![*report; many];
+        let (wanted, from, n) = (wanted.as_ptr(), from.as_mut_ptr(), values * many);
+        let (room, reports) = (scratch.as_mut_ptr(), reports.as_mut_ptr());
+        let search = |n, m| {
+            t::reach(of, goal, goals, wanted, posture, options, from, n, room, needed, reports, m)
+        };
+        assert!(search(n + 1, many) != Status::Ok, "another number of values");
+        let of_many = search(n, many);
+        assert!(many == 0 || of_many == status, "{status:?} of one, {of_many:?} of {many}");
+        status
     };
     let refused =
         [Status::NoLink, Status::Unmoved, Status::Weight, Status::NotFinite, Status::NullPointer];

@@ -3,6 +3,7 @@
 use crate::random::Fuzz;
 use dq8_capi::Status;
 use dq8_capi::geometry::single as g;
+use dq8_capi::mean::single::mean;
 use dq8_capi::motion::single as m;
 use dq8_capi::screw::single as s;
 
@@ -10,6 +11,7 @@ use dq8_capi::screw::single as s;
 pub(crate) fn motions(fuzz: &mut Fuzz) {
     let (a, b, t) = (fuzz.numbers(8), fuzz.numbers(8), fuzz.number());
     let (three, matrix) = (fuzz.numbers(3), fuzz.numbers(16));
+    let (most, mut converged) = (fuzz.below(9) as u32, -1);
     let (a, b, three, matrix) = (a.as_ptr(), b.as_ptr(), three.as_ptr(), matrix.as_ptr());
     let mut out = [8, 3, 12, 16, 8, 4, 6, 1].map(|count| fuzz.numbers(count));
     let [o8, o3, o12, o16, screw, o4, o6, o1] = out.each_mut().map(|out| out.as_mut_ptr());
@@ -43,6 +45,8 @@ pub(crate) fn motions(fuzz: &mut Fuzz) {
         let _ = m::inverse(a, o8);
         let _ = m::normalize(a, o8);
         let _ = m::check_unit(a, t);
+        let done = mean(matrix, three, 2, t, most, o8, &raw mut converged);
+        assert_eq!(converged == -1, done == Status::NotNormalizable, "{done:?}");
         let _ = m::from_matrix_4x4(matrix, t, o8);
         let _ = m::from_matrix_3x4(matrix, t, o8);
         assert_eq!(m::mul(a, std::ptr::null(), o8), Status::NullPointer);

@@ -11,7 +11,7 @@ mod single;
 
 use answers::answers;
 use dq8_capi::Status;
-use dq8_capi::{hierarchy, motion, packing, screw, slices};
+use dq8_capi::{hierarchy, mean, motion, packing, screw, slices};
 use refuse::{Aliasing, Memory, now};
 use std::ptr;
 
@@ -89,6 +89,8 @@ macro_rules! all {
                 // The first weight is 0, the fourth 1.
                 refuses! { $R:
                     Free, |[a, b, o]| c::blend(a, b, 4, o);
+                    Free, |[a, o]|
+                        mean::$of::mean(a, ptr::null(), 4, 0.0, 4, o, ptr::null_mut());
                 }
             }
         }
@@ -124,6 +126,9 @@ fn what_else_is_wrong() {
     let zero = [0.0_f32; 8];
     // SAFETY: what is dereferenced is as long as it is said to be; the huge ones are refused.
     let results = unsafe {
+        let mean = |motions, weights, count, to| {
+            mean::single::mean(motions, weights, count, 1e-6, 4, to, ptr::null_mut())
+        };
         [
             (s::mul(from, from, to, huge), Status::TooLarge),
             (s::mul(from, from, to, usize::MAX), Status::TooLarge),
@@ -151,6 +156,10 @@ fn what_else_is_wrong() {
             (m::from_matrix_4x4(slanted.as_ptr(), 1e-5, to), Status::NotAffine),
             (m::to_rotation_translation(from, to, to.add(3)), Status::Overlap),
             (screw::single::blend(from, from, 0, to), Status::NoInfluences),
+            (mean(from, from, 0, to), Status::NoInfluences),
+            (mean(from, zero.as_ptr(), 3, to), Status::NotNormalizable),
+            (mean(from, from.wrapping_byte_add(1), 3, to), Status::Misaligned),
+            (mean::single::mean(from, from, 3, 0.0, 4, to, to.cast()), Status::Overlap),
             (screw::single::blend(from, zero.as_ptr(), 3, to), Status::NotNormalizable),
             (screw::single::nlerp(from, nan.as_ptr(), 0.5, to), Status::NotNormalizable),
             (dq8_check_parents([-1, 5].as_ptr(), 2, ptr::null_mut()), Status::ParentOutOfRange),

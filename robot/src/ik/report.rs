@@ -131,7 +131,10 @@ impl<R: Real> Options<R> {
 /// The result of a search.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[repr(C)]
 pub struct Report<R> {
+    /// How it ended.
+    pub outcome: Outcome,
     /// Steps and restarts together; zero where the start was good enough.
     pub iterations: u32,
     /// How many of them were restarts.
@@ -140,8 +143,6 @@ pub struct Report<R> {
     pub angular_error: R,
     /// The distance that is left.
     pub linear_error: R,
-    /// How it ended.
-    pub outcome: Outcome,
 }
 
 impl<R> Report<R> {
@@ -160,6 +161,7 @@ impl<R> Report<R> {
 /// [iterations](Options::max_iterations) may still find a solution elsewhere.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[repr(i32)]
 pub enum Outcome {
     /// Both errors are within the tolerances.
     Converged = 0,

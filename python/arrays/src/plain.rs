@@ -1,0 +1,197 @@
+//! Python objects as plain arrays: no subclasses, and none that stand for more or less than their numbers.
+
+use crate::cure::cure;
+use numpy::prelude::*;
+use numpy::{PyArrayDescrMethods, PyUntypedArray};
+use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::intern;
+use pyo3::prelude::*;
+use pyo3::sync::PyOnceLock;
+use pyo3::types::{PyFloat, PyInt, PyList, PyTuple, PyType, PyWeakrefReference};
+
+static AS_ARRAY: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
+
+/// NumPy nests arrays no deeper.
+const DEEPEST: usize = 64;
+
+/// What NumPy makes of a value. Code of the caller may run meanwhile (`__array__`), and may change other
+/// arrays: all arguments of a call become plain before one is looked at.
+pub fn plain<'py>(name: &str, value: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyUntypedArray>> {
+    if let Ok(array) = exact(value) {
+        return Ok(array.clone());
+    }
+    check_whole(name, value)?;
+    let py = value.py();
+    let array = AS_ARRAY.import(py, "numpy", "asarray")?.call1((value,));
+    let array = array.map_err(|error| PyValueError::new_err(format!("`{name}`: {error}")))?;
+    Ok(array.cast_into::<PyUntypedArray>()?)
+}
+
+/// An array of real numbers of at most 64 bits, as [`plain`] makes it.
+pub fn real<'py>(
+    name: &str,
+    core: &[usize],
+    value: &Bound<'py, PyAny>,
+) -> PyResult<Bound<'py, PyUntypedArray>> {
+    let array = plain(name, value)?;
+    let dtype = array.dtype();
+    if matches!((dtype.kind(), dtype.itemsize()), (b'f', 2 | 4 | 8) | (b'i' | b'u' | b'b', _)) {
+        return Ok(array);
+    }
+    // NumPy makes objects of Arrow's lists.
+    if dtype.kind() == b'O' && is_arrow(value)? {
+        static FROM_ARROW: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
+        let numbers = FROM_ARROW.import(value.py(), "dq8._arrow", "from_arrow")?.call1((value,));
+        let numbers = numbers.map_err(|error| {
+            PyValueError::new_err(format!("`{name}`: {}", error.value(value.py())))
+        })?;
+        return real(name, core, &numbers);
+    }
+    // Arrays have a dtype. Of anything else that NumPy makes objects or text of, the type says more.
+    let is_array = value.is_instance_of::<PyUntypedArray>();
+    let given = match dtype.kind() {
+        b'O' | b'U' | b'S' if !is_array => format!("{}{}", kind(value)?, cure(name, core, value)?),
+        b'O' => format!("dtype object{}", cure(name, core, value)?),
+        _ => format!("dtype {dtype}"),
+    };
+    Err(PyTypeError::new_err(format!(
+        "Expected `{name}` to hold real numbers of at most 64 bits, got {given}."
+    )))
+}
+
+/// `value` as the functions take an array called `name`, of real numbers and no subclass.
+#[pyfunction]
+pub fn real_array<'py>(
+    name: &str,
+    value: &Bound<'py, PyAny>,
+) -> PyResult<Bound<'py, PyUntypedArray>> {
+    view(&real(name, &[], value)?)
+}
+
+/// The same memory as an array that nobody else has, so that nobody changes its dtype, shape or flags.
+pub fn view<'py>(array: &Bound<'py, PyUntypedArray>) -> PyResult<Bound<'py, PyUntypedArray>> {
+    let py = array.py();
+    let view = match exact(array.as_any()) {
+        Ok(array) => array.as_any().get_item(py.Ellipsis())?,
+        // No method of a subclass runs.
+        Err(_) => AS_ARRAY.import(py, "numpy", "asarray")?.call1((array,))?,
+    };
+    Ok(view.cast_into::<PyUntypedArray>()?)
+}
+
+/// Keeps NumPy from moving the memory of a view: it resizes no array to which there are weak references.
+pub fn held<'py>(view: &Bound<'py, PyAny>) -> Option<Bound<'py, PyWeakrefReference>> {
+    let base = view.getattr(intern!(view.py(), "base")).ok()?;
+    PyWeakrefReference::new(&base).ok()
+}
+
+/// An error if an array stands for more than its numbers: then `out` must not be it.
+pub fn check_mask(name: &str, array: &Bound<'_, PyAny>) -> PyResult<()> {
+    // Of the type: records have fields of any name.
+    if exact(array).is_ok() || !array.get_type().hasattr(intern!(array.py(), "mask"))? {
+        return Ok(());
+    }
+    let kind = array.get_type().fully_qualified_name()?;
+    Err(PyTypeError::new_err(format!(
+        "Expected `{name}` to have no mask, got {kind}: pass `{name}.filled(numpy.nan)`, or `{name}.data` to \
+         ignore the mask."
+    )))
+}
+
+/// An error if numbers are not all that matters of a value: it has a mask, or is computed elsewhere.
+pub fn check_whole(name: &str, value: &Bound<'_, PyAny>) -> PyResult<()> {
+    check(name, value, DEEPEST)
+}
+
+fn check(name: &str, value: &Bound<'_, PyAny>, depth: usize) -> PyResult<()> {
+    let py = value.py();
+    if is_number(value) || exact(value).is_ok() {
+        return Ok(());
+    }
+    if let Some(depth) = depth.checked_sub(1)
+        && (value.is_instance_of::<PyList>() || value.is_instance_of::<PyTuple>())
+    {
+        for item in value.try_iter()? {
+            check(name, &item?, depth)?;
+        }
+        return Ok(());
+    }
+    if value.is_instance_of::<PyUntypedArray>() {
+        return check_mask(name, value);
+    }
+    let kind = value.get_type();
+    if !kind.hasattr(intern!(py, "__array_function__"))? && !is_lazy(&kind, value)? {
+        return Ok(());
+    }
+    let name_of_kind = kind.fully_qualified_name()?;
+    Err(PyTypeError::new_err(format!(
+        "Expected `{name}` to be an array in memory, got {name_of_kind}: pass `numpy.asarray({name})` to compute it \
+         here and now, or call the function on its blocks (Dask: the functions of `dq8.dask`)."
+    )))
+}
+
+/// Whether a value is a graph of Dask, of which NumPy would make an array by computing all of it.
+fn is_lazy(kind: &Bound<'_, PyType>, value: &Bound<'_, PyAny>) -> PyResult<bool> {
+    let graph = intern!(value.py(), "__dask_graph__");
+    Ok(kind.hasattr(graph)? && !value.call_method0(graph)?.is_none())
+}
+
+/// Whether a value offers Arrow's memory. Of the objects of pandas, which does as well, [`cure`] says more.
+fn is_arrow(value: &Bound<'_, PyAny>) -> PyResult<bool> {
+    let py = value.py();
+    if value.get_type().module()?.to_string().split('.').next() == Some("pandas") {
+        return Ok(false);
+    }
+    Ok(value.hasattr(intern!(py, "__arrow_c_array__"))?
+        || value.hasattr(intern!(py, "__arrow_c_stream__"))?)
+}
+
+/// Python's own numbers, which take the precision of what they meet.
+pub fn is_number(value: &Bound<'_, PyAny>) -> bool {
+    value.is_exact_instance_of::<PyFloat>() || value.is_exact_instance_of::<PyInt>()
+}
+
+/// A value that is an array, and of no subclass.
+fn exact<'a, 'py>(value: &'a Bound<'py, PyAny>) -> Result<&'a Bound<'py, PyUntypedArray>, ()> {
+    static TYPE: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+    let py = value.py();
+    let array = TYPE.import(py, "numpy", "ndarray").map_err(drop)?;
+    if !value.is_exact_instance(array) {
+        return Err(());
+    }
+    value.cast::<PyUntypedArray>().map_err(drop)
+}
+
+/// The type of a value; of a list, also that of what it holds.
+fn kind(value: &Bound<'_, PyAny>) -> PyResult<String> {
+    if value.is_none() {
+        return Ok("None".to_owned());
+    }
+    let own = value.get_type().fully_qualified_name()?.to_string();
+    let held = odd_one(value)?;
+    if held.is(value) {
+        return Ok(own);
+    }
+    Ok(format!("a {own} with {} in it", kind(&held)?))
+}
+
+/// What keeps a nested list from being an array of numbers; the value itself if it is no list.
+pub fn odd_one<'py>(value: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    let mut at = value.clone();
+    for _ in 0..DEEPEST {
+        if !(at.is_instance_of::<PyList>() || at.is_instance_of::<PyTuple>()) {
+            break;
+        }
+        let mut odd = None;
+        for item in at.try_iter()? {
+            let item = item?;
+            if !is_number(&item) {
+                odd = Some(item);
+                break;
+            }
+        }
+        let Some(item) = odd else { break };
+        at = item;
+    }
+    Ok(at)
+}

@@ -1,0 +1,161 @@
+//! How many threads compute, in pieces between which a call can be interrupted.
+
+use crate::interrupt::{Interrupt, PERIOD};
+use pyo3::exceptions::{PyOverflowError, PyRuntimeError, PyTypeError, PyValueError};
+use pyo3::prelude::*;
+use rayon::prelude::*;
+use rayon::{ThreadPool, ThreadPoolBuilder};
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// How many elements a piece has: some ten microseconds of work, where starting one takes about one.
+pub const GRAIN: usize = 4096;
+
+/// More than any machine has use for: threads beyond the cores wait for each other.
+const MOST_THREADS: i64 = 256;
+
+/// The threads of this process, if there is more than one.
+static POOL: Mutex<Option<Arc<ThreadPool>>> = Mutex::new(None);
+
+/// What is done with a piece of work; whether it could be.
+type Each<'f, T> = dyn Fn(T) -> bool + Sync + 'f;
+
+/// The threads of one call, and what interrupts them.
+#[derive(Debug)]
+pub struct Threads {
+    pool: Option<Arc<ThreadPool>>,
+    interrupt: Interrupt,
+}
+
+impl Threads {
+    /// Those for so many elements.
+    pub fn for_elements(count: usize) -> Self {
+        let large = count >= 2 * GRAIN;
+        let pool = || POOL.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        Self { pool: large.then(pool).flatten(), interrupt: Interrupt::new() }
+    }
+
+    /// This one, of a call that cannot be shared out.
+    pub fn alone() -> Self {
+        Self { pool: None, interrupt: Interrupt::new() }
+    }
+
+    /// Whether there is more than this one.
+    pub fn many(&self) -> bool {
+        self.pool.is_some()
+    }
+
+    /// Runs `job` while other threads of Python run. Where it is interrupted, it may have left out pieces.
+    pub fn run<T: Send>(
+        &self,
+        py: Python<'_>,
+        job: impl FnOnce() -> PyResult<T> + Send,
+    ) -> PyResult<T> {
+        let done = py.detach(|| match &self.pool {
+            None => job(),
+            // This thread only waits: it is the one that Python tells of signals.
+            Some(pool) => pool.in_place_scope(|scope| {
+                let (done, wait) = channel();
+                scope.spawn(move |_| drop(done.send(job())));
+                loop {
+                    match wait.recv_timeout(PERIOD) {
+                        Ok(result) => return result,
+                        Err(RecvTimeoutError::Timeout) => self.interrupt.ask(),
+                        // It panicked, which the scope passes on.
+                        Err(error) => return Err(PyRuntimeError::new_err(error.to_string())),
+                    }
+                }
+            }),
+        });
+        self.interrupt.take().map_or(done, Err)
+    }
+
+    /// Whether the call is to end early, asked from piece to piece of a job.
+    pub fn interrupted(&self) -> bool {
+        if self.pool.is_none() {
+            self.interrupt.ask();
+        }
+        self.interrupt.came()
+    }
+
+    /// Hands `pieces` to `each`, until it cannot do one or the call is interrupted; whether it could.
+    ///
+    /// (What is called is no type parameter: the pool is compiled once for each type of piece, not for each
+    /// function, which took a third of the time of compiling.)
+    pub fn each<T: Send>(&self, mut pieces: impl Iterator<Item = T>, each: &Each<'_, T>) -> bool {
+        if self.many() {
+            let pieces: Vec<_> = pieces.collect();
+            pieces.into_par_iter().all(|piece| self.interrupted() || each(piece))
+        } else {
+            pieces.all(|piece| self.interrupted() || each(piece))
+        }
+    }
+
+    /// [`each`](Self::each) of the pieces of `to` that have `size` elements, with the index of its first one.
+    pub fn split<'a, T: Send>(
+        &self,
+        size: usize,
+        to: &'a mut [T],
+        each: &Each<'_, (usize, &'a mut [T])>,
+    ) -> bool {
+        // A piece or two are not worth handing out.
+        if to.len() < 2 * size {
+            return each((0, to));
+        }
+        let pieces = to.chunks_mut(size).enumerate().map(|(index, piece)| (index * size, piece));
+        self.each(pieces, each)
+    }
+
+    /// Runs `work` on each of the threads, to share out pieces of its own.
+    pub fn all(&self, work: &(dyn Fn() + Sync)) {
+        if self.many() {
+            rayon::broadcast(|_| work());
+        } else {
+            work();
+        }
+    }
+}
+
+/// Let `count` threads, 1 to 256, compute calls of 8192 elements and more; 1, the default, starts none.
+///
+/// The environment variable ``DQ8_NUM_THREADS`` sets it at import. Results do not depend on it, to the
+/// last bit. In a child made by ``fork`` it is 1 again: threads do not survive a fork.
+#[pyfunction]
+pub fn set_num_threads(count: &Bound<'_, PyAny>) -> PyResult<()> {
+    let threads = count.extract::<i64>();
+    if let Err(error) = &threads
+        && !error.is_instance_of::<PyOverflowError>(count.py())
+    {
+        let kind = count.get_type().fully_qualified_name()?;
+        let message = format!("Expected `count` to be a whole number, got {kind}.");
+        return Err(PyTypeError::new_err(message));
+    }
+    let pool = match threads {
+        Ok(1) => None,
+        Ok(threads @ 2..=MOST_THREADS) => {
+            let pool = ThreadPoolBuilder::new().num_threads(threads as usize).build();
+            Some(Arc::new(
+                pool.map_err(|error| PyValueError::new_err(format!("`count` = {count}: {error}")))?,
+            ))
+        }
+        _ => {
+            let message = format!("Expected `count` to be from 1 to {MOST_THREADS}, got {count}.");
+            return Err(PyValueError::new_err(message));
+        }
+    };
+    *POOL.lock().unwrap_or_else(PoisonError::into_inner) = pool;
+    Ok(())
+}
+
+/// How many threads compute large calls.
+#[pyfunction]
+pub fn get_num_threads() -> usize {
+    let pool = POOL.lock().unwrap_or_else(PoisonError::into_inner);
+    pool.as_ref().map_or(1, |pool| pool.current_num_threads())
+}
+
+/// In a child process after a fork: the threads of the pool are gone, and waiting for them would never end.
+#[pyfunction]
+pub fn forget_threads() {
+    std::mem::forget(POOL.lock().unwrap_or_else(PoisonError::into_inner).take());
+}

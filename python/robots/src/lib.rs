@@ -1,0 +1,13 @@
+//! Mechanisms: poses, Jacobians and velocities of links, and inverse kinematics.
+
+mod configurations;
+mod joints;
+pub mod mechanism;
+mod reach;
+pub mod reach_report;
+pub mod solutions;
+mod urdf;
+
+use dq8_python_arrays::{
+    argument, broadcast, call, columns, error, links, number, output, shape, threads,
+};
