@@ -339,7 +339,7 @@ impl Steps<'_> {
         }
         let joined = |set: BTreeSet<String>, by| set.into_iter().collect::<Vec<_>>().join(by);
         self.scripts.insert(format!(
-            "#@ -Echange-threshold=0.0000001\n@rnd = float<ieee_{},ne>;\n{{ {}\n  -> {goal} }}\n{}\n",
+            "#@ -Echange-threshold=0\n@rnd = float<ieee_{},ne>;\n{{ {}\n  -> {goal} }}\n{}\n",
             if self.is_single { 32 } else { 64 },
             joined(hypotheses, " /\\ "),
             joined(hints, "\n")
