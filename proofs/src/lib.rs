@@ -15,6 +15,7 @@ pub mod coq;
 pub mod everyday;
 mod fraction;
 pub mod gappa;
+mod interval;
 pub mod lanes;
 pub mod number;
 pub mod operations;
