@@ -62,9 +62,9 @@ static void all(typename dq8::mechanism<T>::joint (*revolute)(std::int32_t, cons
   moved.poses(start, again);
   dq8::points(dq8::span<const T>(&again[8], 8), along, tip);
   check(std::fabs(tip[0] / 2 - targets[4]) < 1e-4 && std::fabs(tip[1] / 2 - targets[5]) < 1e-4, "the tip that was asked for");
-  const auto mean = dq8::mean(dq8::span<const T>(targets.data(), 16));
-  check(mean.converged && near(mean.motion[4], (targets[4] + targets[12]) / 2), "the mean of two translations");
-  check(near(dq8::mean(targets, std::vector<T>{0, 0, 2}).motion[4], targets[20]), "the weights of a mean");
+  const auto [mean, converged] = dq8::mean(dq8::span<const T>(targets.data(), 16));
+  check(converged && near(mean[4], (targets[4] + targets[12]) / 2), "the mean of two translations");
+  check(near(dq8::mean(targets, std::vector<T>{0, 0, 2}).first[4], targets[20]), "the weights of a mean");
 
   const std::int32_t parents[2] = {-1, 0};
   std::vector<T> locals{bone, bone + 8}, models(16), palette(16), binds(16), square(16);

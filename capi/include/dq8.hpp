@@ -199,11 +199,6 @@ void resample(const Times &times, const Poses &poses, const At &at, Out &&out) {
 }
 
 /* The intrinsic mean of motions, which weigh the same unless there are weights; whether it was found in `most` steps. */
-template <class T>
-struct mean_of {
-  motion<T> motion;
-  bool converged;
-};
 template <class Motions>
 auto mean(const Motions &motions, span<const std::remove_const_t<detail::number<Motions>>> weights = {},
           std::uint32_t most = 32) {
@@ -211,12 +206,11 @@ auto mean(const Motions &motions, span<const std::remove_const_t<detail::number<
   const span<const T> from(motions);
   const std::size_t count = detail::things(from.size(), 8);
   if (weights.size() != 0) detail::same(weights.size(), count);
-  mean_of<T> mean{};
+  motion<T> mean{};
   std::int32_t converged = 0;
   const T tolerance = std::is_same_v<T, float> ? T(1e-6) : T(1e-14);
-  detail::check(detail::abi<T>::mean(from.data(), weights.data(), count, tolerance, most, mean.motion.data(), &converged));
-  mean.converged = converged == 1;
-  return mean;
+  detail::check(detail::abi<T>::mean(from.data(), weights.data(), count, tolerance, most, mean.data(), &converged));
+  return std::pair(mean, converged == 1);
 }
 
 /* Poses of joints, of one or many skeletons, from the frames of their parents to that of the root; `models` may be `locals`. */

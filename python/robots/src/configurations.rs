@@ -266,8 +266,9 @@ fn by_columns<'py>(out: &Bound<'py, PyAny>, shape: &[usize]) -> Answer<'py> {
 type Compute<'f, R, const C: usize> =
     dyn Fn(&[R], &mut [[R; C]]) -> Result<(), ShapeError> + Sync + 'f;
 
-/// Rows of so many configurations are made of columns at a time: they are in the nearest cache when they are read.
-const FEW: usize = 8 * MAX_LANES;
+/// Rows of so many bytes are made of columns at a time: they are in a near cache when they are read, and beginning with
+/// others, which takes half a microsecond, is seldom.
+const MADE: usize = 1 << 15;
 
 /// `each` of the configurations in `numbers`, which writes `count` elements of `to` for one; some together.
 fn pieces<R: Number, const C: usize>(
@@ -284,9 +285,10 @@ fn pieces<R: Number, const C: usize>(
     let (failure, values) = (OnceLock::new(), view.values());
     // Whole registers.
     let size = count * GRAIN.div_ceil(view.links()).next_multiple_of(MAX_LANES);
+    let few = (MADE / (values.max(1) * size_of::<R>())).next_multiple_of(8 * MAX_LANES);
     threads.split(size, to, &|(first, to)| {
         let mut made = Vec::new();
-        let together = if numbers.len() == 1 { to.len() } else { count * FEW };
+        let together = if numbers.len() == 1 { to.len() } else { count * few };
         to.chunks_mut(together).enumerate().all(|(index, to)| {
             let begin = (first + index * together) / count;
             let range = begin..begin + to.len() / count;
