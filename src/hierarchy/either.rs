@@ -2,11 +2,11 @@
 
 use super::layers::PoseSource;
 use super::locals::sealed::Sealed;
-use super::locals::{Locals, Motions};
+use super::locals::{self, Locals, Motions, Rows};
 use super::slot::JointSlot;
-use crate::law::{Law, NlerpLerp};
 use crate::storage::shape::ShapeError;
 use crate::storage::{Element, Layout};
+use bytemuck::Zeroable;
 use core::ops::Range;
 use dq8_simd::Level;
 
@@ -71,10 +71,6 @@ where
     fn pose<V: Level>(self, level: V, slot: JointSlot) -> Option<[M::Register<V>; C]> {
         of!(self, locals => locals.pose(level, slot))
     }
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn called<V: Level>(&self, level: V, slot: &JointSlot) -> Option<[M::Register<V>; C]> {
-        of!(self, locals => locals.called(level, slot))
-    }
     fn some(self, joints: usize, instances: Range<usize>) -> Self {
         match self {
             Self::One(locals) => Self::One(locals.some(joints, instances)),
@@ -83,31 +79,44 @@ where
     }
 }
 
-impl<E, A, B> Locals<E> for Either<A, B>
-where
-    E: Element<8>,
-    A: PoseSource<E::Layout, 7>,
-    B: PoseSource<E::Layout, 7>,
-{
-    fn shape(&self, joints: usize, _: usize) -> Result<(&'static str, usize), ShapeError> {
-        PoseSource::<E::Layout, 7>::shape(self, joints)
+impl<E: Element<8>, A: Locals<E>, B: Locals<E>> Locals<E> for Either<A, B> {
+    fn shape(&self, joints: usize, models: usize) -> Result<(&'static str, usize), ShapeError> {
+        of!(self, locals => locals.shape(joints, models))
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Motions<E, V>> {
-        Some(NlerpLerp.motion(PoseSource::<E::Layout, 7>::called(&self, level, &slot)?))
+    fn load<V: Level>(self, level: V, models: &[E], slot: JointSlot) -> Option<Motions<E, V>> {
+        if !cfg!(target_family = "wasm") {
+            return of!(self, locals => locals.load(level, models, slot));
+        }
+        let mut row = Rows::<E, V>::zeroed();
+        self.rows(level, models, slot, core::slice::from_mut(&mut row))?;
+        Some(locals::load::<E, V>(level, &row))
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn rows<V: Level>(
+        &self,
+        level: V,
+        models: &[E],
+        slot: JointSlot,
+        to: &mut [Rows<E, V>],
+    ) -> Option<()> {
+        of!(self, locals => locals.rows(level, models, slot, to))
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn onto<V: Level>(
         self,
         level: V,
         parent: Motions<E, V>,
-        _: &[E],
+        models: &[E],
         slot: JointSlot,
     ) -> Option<Motions<E, V>> {
-        Some(NlerpLerp.onto(parent, PoseSource::<E::Layout, 7>::called(&self, level, &slot)?))
+        of!(self, locals => locals.onto(level, parent, models, slot))
     }
     fn part(self, joints: usize, instances: Range<usize>) -> Self {
-        PoseSource::<E::Layout, 7>::some(self, joints, instances)
+        match self {
+            Self::One(locals) => Self::One(locals.part(joints, instances)),
+            Self::Other(locals) => Self::Other(locals.part(joints, instances)),
+        }
     }
 }
 

@@ -27,13 +27,6 @@ pub trait PoseSource<M: Layout, const C: usize>: Copy + Send + Sync + Sealed {
     /// The poses of a slot.
     #[doc(hidden)]
     fn pose<V: Level>(self, level: V, slot: JointSlot) -> Option<[M::Register<V>; C]>;
-    /// The same: in WebAssembly by a call, once for all kernels. What is called is handed where it lies, and no copies.
-    #[doc(hidden)]
-    #[cfg_attr(target_family = "wasm", inline(never))]
-    #[cfg_attr(not(any(opt_level_0, target_family = "wasm")), inline(always))]
-    fn called<V: Level>(&self, level: V, slot: &JointSlot) -> Option<[M::Register<V>; C]> {
-        self.pose(level, *slot)
-    }
     /// The poses of some of the instances (blocks).
     #[doc(hidden)]
     #[must_use]

@@ -45,6 +45,12 @@ impl JointSlot {
         Self { joint, first, register: 0, instance, stride: None, end: Some(end) }
     }
 
+    /// Joints that come later.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn after(self, joints: usize) -> Self {
+        Self { joint: self.joint + joints, ..self }
+    }
+
     /// The joint of the first lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn joint(self) -> usize {

@@ -2,7 +2,7 @@
 //! hold them. To transpose and store them would be two fifths of what a palette shuffles and stores, and all parents
 //! are where they were put, so nothing is loaded again.
 
-use super::locals::{Locals, Motions};
+use super::locals::{Locals, Rows, load, store};
 use super::palette::Epilogue;
 use super::product::product_in_lanes;
 use super::run::Run;
@@ -11,9 +11,6 @@ use crate::backend::Kernel;
 use crate::batch;
 use crate::storage::{Element, Layout, Number, Register};
 use dq8_simd::{Lanes, Level};
-
-/// The models of one joint, a row of memory for each register.
-type Rows<E, V> = [<Register<E, V, 8> as Lanes>::Array; 8];
 
 /// Bytes of a cache line, or more than a register has: rows that begin at a multiple of it lie in one line each.
 const LINE: usize = 64;
@@ -79,37 +76,31 @@ fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     models: &mut [Rows<E, V>],
 ) {
     // In registers: what is stored might be what `run` refers to, for all that the compiler knows.
-    let (parents, end) = (run.parents, run.joints.end);
-    let mut joint = run.joints.start;
-    let mut slot = JointSlot::of_instances(joint, instance, parents.len());
-    if joint >= end {
+    let (parents, joints) = (run.parents, run.joints.clone());
+    let first = JointSlot::of_instances(joints.start, instance, parents.len());
+    let Some(rows) = models.get_mut(joints.clone()) else { return };
+    if locals.rows(level, &[], first, rows).is_none() {
         return;
     }
-    let Some(mut local) = locals.load(level, &[], slot) else { return };
-    loop {
-        let after = JointSlot::of_instances((joint + 1).min(end - 1), instance, parents.len());
-        let Some(next) = locals.load(level, &[], after) else { return };
-        let Some(&parent) = parents.get(joint) else { return };
+    for joint in joints {
+        let slot = JointSlot::of_instances(joint, instance, parents.len());
+        let (Some(&parent), Some(local)) = (parents.get(joint), models.get(joint)) else { return };
+        let local = load::<E, V>(level, local);
         // ROOT is beyond the last joint: there is no such model.
         let model = if let Some(parent) = models.get(parent as usize) {
-            product_in_lanes(load::<E, V>(level, parent), local.to_array())
+            product_in_lanes(load::<E, V>(level, parent).to_array(), local.to_array())
         } else if let Some(root) = run.root.load(level, instance, 0) {
             product_in_lanes(root.to_array(), local.to_array())
         } else {
             local.to_array()
         };
         let Some(place) = models.get_mut(joint) else { return };
-        store::<E, V>(model, place);
+        store::<E, V>(batch::DualQuat::from_array(model), place);
         // Loaded again: whether it was normalized or not, the epilogue has one source. It is in the first cache.
         if run.renormalize.applies_to(joint) {
             normalize::<E, V>(level, place);
         }
-        epilogue.run(level, slot, batch::DualQuat::from_array(load::<E, V>(level, place)));
-        joint += 1;
-        if joint >= end {
-            return;
-        }
-        (local, slot) = (next, after);
+        epilogue.run(level, slot, load::<E, V>(level, place));
     }
 }
 
@@ -119,24 +110,8 @@ fn normalize<E: Element<8>, V: Level>(level: V, model: &mut Rows<E, V>) {
     level.run(
         #[cfg_attr(not(opt_level_0), inline(always))]
         || {
-            let unit = Motions::<E, V>::from_array(load::<E, V>(level, model)).normalize();
-            store::<E, V>(unit.to_array(), model);
+            let unit = load::<E, V>(level, model).normalize();
+            store::<E, V>(unit, model);
         },
     );
-}
-
-#[cfg_attr(not(opt_level_0), inline(always))]
-fn load<E: Element<8>, V: Level>(level: V, from: &Rows<E, V>) -> [Register<E, V, 8>; 8] {
-    let mut registers = Motions::<E, V>::identity(level).to_array();
-    for (register, row) in registers.iter_mut().zip(from) {
-        *register = Lanes::load(level, row);
-    }
-    registers
-}
-
-#[cfg_attr(not(opt_level_0), inline(always))]
-fn store<E: Element<8>, V: Level>(model: [Register<E, V, 8>; 8], to: &mut Rows<E, V>) {
-    for (register, row) in model.into_iter().zip(to) {
-        register.store(row);
-    }
 }
