@@ -133,7 +133,7 @@ pub trait Records: Lanes {
                 level,
                 from.as_flattened().as_ptr(),
                 #[cfg_attr(not(opt_level_0), inline(always))]
-                |lane| (*frames.get_unchecked(lane) as usize * gather.pitch + column) * C,
+                |lane| *frames.get_unchecked(lane) as usize * gather.pitch.wrapping_mul(C) + column * C,
             )
         })
     }
