@@ -1,7 +1,7 @@
 //! [`Records`]: between vectors of components and records of numbers in memory.
 
-use crate::gather::Gather;
-use crate::lanes::{Lanes, MAX_LANES};
+use crate::gather::GatheredRows;
+use crate::lanes::Lanes;
 use bytemuck::Zeroable;
 
 /// Transposes between `C` vectors and records of `C` numbers: component `c` of record `i` is lane `i` of
@@ -105,35 +105,27 @@ pub trait Records: Lanes {
             )
         }
     }
-    /// Lane `i` of `C` vectors is the record `column` of row `frames[first + i]`, as [`Gather`] has them;
-    /// lanes beyond the last frame read its row too. `None` if there is no frame, or if a row or the
+    /// Lane `i` of `C` vectors is the record `column` of its row. `None` if a row of the [`Gather`](crate::Gather) or the
     /// column does not exist. `C` must be at least four.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load_gathered<const C: usize>(
         level: Self::Level,
         from: &[[Self::Real; C]],
-        gather: Gather<'_>,
-        first: usize,
+        rows: &GatheredRows<C>,
         column: usize,
     ) -> Option<[Self; C]> {
         const { assert!(C >= 4) }
-        let padded;
-        let mut frames = gather.frames.get(first..).unwrap_or_default();
-        if frames.len() < Self::LANES {
-            padded = repeat(frames, *gather.frames.last()?);
-            frames = &padded;
-        }
-        if gather.greatest.saturating_add(column) >= from.len() {
+        if rows.greatest.saturating_add(column) >= from.len() {
             return None;
         }
-        // SAFETY: there are as many frames as lanes; the record of the greatest frame is there, and no other
-        // lies beyond it.
+        // SAFETY: there are as many rows as any vector has lanes; the record of the greatest is there, and no other lies
+        // beyond it.
         Some(unsafe {
             load_all(
                 level,
                 from.as_flattened().as_ptr(),
                 #[cfg_attr(not(opt_level_0), inline(always))]
-                |lane| *frames.get_unchecked(lane) as usize * gather.pitch.wrapping_mul(C) + column * C,
+                |lane| rows.starts.get_unchecked(lane) + column * C,
             )
         })
     }
@@ -252,17 +244,6 @@ unsafe fn store_all<L: Lanes, const C: usize>(components: [L; C], to: *mut L::Re
         )*};
     }
     fours!(0 1 2 3);
-}
-
-/// Some frames, and `last` in the places that are left.
-#[cold]
-#[inline(never)]
-fn repeat(frames: &[u32], last: u32) -> [u32; MAX_LANES] {
-    let mut padded = [last; MAX_LANES];
-    for (slot, &frame) in padded.iter_mut().zip(frames) {
-        *slot = frame;
-    }
-    padded
 }
 
 /// How many numbers `lanes` records of `count` reach over, `stride` apart.

@@ -1,17 +1,15 @@
 //! [`Locals`]: what a joint adds to its parent, and how it lies in memory.
 
+use super::ahead::{self, Rows};
 use super::slot::JointSlot;
 use crate::batch;
 use crate::storage::shape::{ShapeError, same_length};
 use crate::storage::{self, Element, Number, Register, Source, Tile};
 use core::ops::Range;
-use dq8_simd::{Lanes, Level};
+use dq8_simd::Level;
 
 /// The motions of one register of instances.
 pub(super) type Motions<E, V> = batch::DualQuat<Register<E, V, 8>>;
-
-/// A motion of each lane in memory, a row for each register.
-pub(super) type Rows<E, V> = [<Register<E, V, 8> as Lanes>::Array; 8];
 
 /// Locals of whole instances, `[instance][joint]`: [`Poses`], [`RotationsTranslations`], [`Tracks`],
 /// [`Bones`], [`Sampled`](super::Sampled) or [`Layered`](super::Layered). Sealed.
@@ -34,22 +32,20 @@ pub trait Locals<E: Element<8>>: Copy + Send + Sync + sealed::Sealed {
     #[doc(hidden)]
     fn load<V: Level>(self, level: V, models: &[E], slot: JointSlot) -> Option<Motions<E, V>>;
 
-    /// The locals of a slot and of as many joints after it as `to` has room for, a row of memory for each register. In
-    /// WebAssembly by a call, once for all kernels.
+    /// Whether they are made a group at a time, by [`ahead`](Self::ahead).
     #[doc(hidden)]
-    #[cfg_attr(target_family = "wasm", inline(never))]
-    #[cfg_attr(not(any(opt_level_0, target_family = "wasm")), inline(always))]
-    fn rows<V: Level>(
+    const AHEAD: bool = false;
+
+    /// The locals of a slot and of those after it, no more than a group.
+    #[doc(hidden)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn ahead<V: Level>(
         &self,
         level: V,
-        models: &[E],
         slot: JointSlot,
-        to: &mut [Rows<E, V>],
+        to: &mut [Rows<Register<E, V, 8>>],
     ) -> Option<()> {
-        for (joint, row) in to.iter_mut().enumerate() {
-            store::<E, V>(self.load(level, models, slot.after(joint))?, row);
-        }
-        Some(())
+        ahead::each(slot, to, |slot| Some(self.load(level, &[], slot)?.to_array()))
     }
 
     /// parent · local
@@ -262,22 +258,6 @@ pub(super) fn motions<E: Element<8>, V: Level>(
     tile: Tile,
 ) -> Option<Motions<E, V>> {
     Some(batch::DualQuat::from_array(E::load(level, slice, tile, &storage::identity())?))
-}
-
-#[cfg_attr(not(opt_level_0), inline(always))]
-pub(super) fn load<E: Element<8>, V: Level>(level: V, from: &Rows<E, V>) -> Motions<E, V> {
-    let mut registers = Motions::<E, V>::identity(level).to_array();
-    for (register, row) in registers.iter_mut().zip(from) {
-        *register = Lanes::load(level, row);
-    }
-    batch::DualQuat::from_array(registers)
-}
-
-#[cfg_attr(not(opt_level_0), inline(always))]
-pub(super) fn store<E: Element<8>, V: Level>(motions: Motions<E, V>, to: &mut Rows<E, V>) {
-    for (register, row) in motions.to_array().into_iter().zip(to) {
-        register.store(row);
-    }
 }
 
 /// The part that belongs to some instances, of a slice that holds `count` things for each; as many as there are.

@@ -45,9 +45,10 @@ impl JointSlot {
         Self { joint, first, register: 0, instance, stride: None, end: Some(end) }
     }
 
-    /// Joints that come later.
+    /// A later slot of the same instances, with so many lanes.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn after(self, joints: usize) -> Self {
+    pub(super) fn after(self, slots: usize, lanes: usize) -> Self {
+        let joints = if self.is_of_joints() { slots * lanes } else { slots };
         Self { joint: self.joint + joints, ..self }
     }
 

@@ -30,11 +30,9 @@ impl Clip {
 type Plain<'s> = Sampled<'s, NlerpLerp, Frames<'s, Key, f32>, f32, 7>;
 /// Poses of a clip.
 type Sample<'s> = Either<Plain<'s>, Sampled<'s, NlerpLerp, Playback<'s>, f32, 7>>;
-type Layers<'s, S, const ADDS: bool> = Layered<'s, NlerpLerp, S, S, f32, 7, ADDS>;
-/// One clip blended into another: two plain ones, most often, by a shorter way.
-type Blend<'s> = Either<Layers<'s, Plain<'s>, false>, Layers<'s, Sample<'s>, false>>;
+type Layers<'s, const ADDS: bool> = Layered<'s, NlerpLerp, Sample<'s>, Sample<'s>, f32, 7, ADDS>;
 /// Poses of one clip, or of one over another: one kernel for all of them, and not ten.
-pub(crate) type Poses<'s> = Either<Sample<'s>, Either<Blend<'s>, Layers<'s, Sample<'s>, true>>>;
+pub(crate) type Poses<'s> = Either<Sample<'s>, Either<Layers<'s, false>, Layers<'s, true>>>;
 
 /// Where in a clip each instance is, kept so that no frame of an animation allocates.
 #[derive(Debug, Default)]
@@ -157,21 +155,13 @@ impl Source {
         let of = |at, count| unsafe { slice(at, count) };
         let weights = of(self.weights, self.weight_count);
         let mask = (!self.mask.is_null()).then(|| of(self.mask, self.mask_count));
-        let layers = match (base, layer) {
-            _ if self.adds != 0 => {
-                let both = Layered::add(NlerpLerp, base, layer, weights);
-                Either::Other(mask.map_or(both, |mask| both.mask(mask)))
-            }
-            (Either::One(base), Either::One(layer)) => {
-                let both = Layered::blend(NlerpLerp, base, layer, weights);
-                Either::One(Either::One(mask.map_or(both, |mask| both.mask(mask))))
-            }
-            _ => {
-                let both = Layered::blend(NlerpLerp, base, layer, weights);
-                Either::One(Either::Other(mask.map_or(both, |mask| both.mask(mask))))
-            }
-        };
-        Ok(Either::Other(layers))
+        Ok(Either::Other(if self.adds == 0 {
+            let both = Layered::blend(NlerpLerp, base, layer, weights);
+            Either::One(mask.map_or(both, |mask| both.mask(mask)))
+        } else {
+            let both = Layered::add(NlerpLerp, base, layer, weights);
+            Either::Other(mask.map_or(both, |mask| both.mask(mask)))
+        }))
     }
 }
 
