@@ -11,6 +11,7 @@ use super::slot::JointSlot;
 use crate::backend::Kernel;
 use crate::batch;
 use crate::storage::{Element, Layout, Number, Register};
+use bytemuck::Zeroable;
 use dq8_simd::{Lanes, Level};
 
 /// The models of one joint.
@@ -26,7 +27,7 @@ pub(super) struct Unkept<'r, 's, E: Element<8>, L, X> {
     pub(super) locals: L,
     pub(super) instances: usize,
     pub(super) scratch: &'s mut [E],
-    pub(super) epilogue: &'s mut X,
+    pub(super) epilogue: X,
 }
 
 impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Unkept<'_, '_, E, L, X> {
@@ -36,14 +37,14 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Unkept<'_, '_, E, L
 
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) -> usize {
-        let Self { run, locals, instances, scratch, epilogue } = self;
+        let Self { run, locals, instances, scratch, mut epilogue } = self;
         let lanes = E::Layout::records::<V>();
         let rows = E::plain_mut(scratch).and_then(|plain| rows::<E, V>(plain, run.parents.len()));
         // A register of one number has nothing to transpose, and gains nothing.
         let (Some(rows), 2..) = (rows, lanes) else { return 0 };
         let mut done = 0;
         while instances - done >= lanes {
-            together(level, run, locals, epilogue, done, rows);
+            together(level, run, locals, &mut epilogue, done, rows);
             done += lanes;
         }
         done
@@ -82,6 +83,10 @@ fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
 ) {
     let joints = run.joints.clone();
     let slot = |joint| JointSlot::of_instances(joint, instance, run.parents.len());
+    // Roots' parents, so that every product has one source, memory.
+    let mut base = Models::<E, V>::zeroed();
+    let has_base = run.root.load(level, instance, 0).map(|root| store(root.to_array(), &mut base)).is_some();
+    let base = has_base.then_some(&base);
     if L::AHEAD {
         let rows = models.get_mut(joints.clone()).unwrap_or_default();
         for (first, rows) in joints.clone().step_by(GROUP).zip(rows.chunks_mut(GROUP)) {
@@ -90,9 +95,7 @@ fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
             }
         }
         for joint in joints {
-            let Some(local) = models.get(joint) else { return };
-            let local = load(level, local);
-            if place(level, run, epilogue, slot(joint), local, models).is_none() {
+            if place(level, run, epilogue, slot(joint), None, base, models).is_none() {
                 return;
             }
         }
@@ -106,7 +109,7 @@ fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
         let Some(next) = locals.load(level, &[], slot((joint + 1).min(joints.end - 1))) else {
             return;
         };
-        if place(level, run, epilogue, slot(joint), local.to_array(), models).is_none() {
+        if place(level, run, epilogue, slot(joint), Some(local.to_array()), base, models).is_none() {
             return;
         }
         local = next;
@@ -120,21 +123,26 @@ fn place<E: Element<8>, X: Epilogue<E>, V: Level>(
     run: &Run<'_, E>,
     epilogue: &mut X,
     slot: JointSlot,
-    local: [Register<E, V, 8>; 8],
+    local: Option<[Register<E, V, 8>; 8]>,
+    base: Option<&Models<E, V>>,
     models: &mut [Models<E, V>],
 ) -> Option<()> {
+    let joint = slot.joint();
     // ROOT is beyond the last joint: there is no such model.
-    let model = if let Some(parent) = models.get(*run.parents.get(slot.joint())? as usize) {
-        product_in_lanes(load(level, parent), local)
-    } else if let Some(root) = run.root.load(level, slot.instance(), 0) {
-        product_in_lanes(root.to_array(), local)
-    } else {
-        local
+    let parent = models.get(*run.parents.get(joint)? as usize).or(base);
+    let model = match (parent, local) {
+        (Some(parent), local) => {
+            let local = match local { Some(local) => local, None => load(level, models.get(joint)?) };
+            Some(product_in_lanes(load(level, parent), local))
+        }
+        (None, local) => local,
     };
-    let place = models.get_mut(slot.joint())?;
-    store(model, place);
+    let place = models.get_mut(joint)?;
+    if let Some(model) = model {
+        store(model, place);
+    }
     // Loaded again: whether it was normalized or not, the epilogue has one source. It is in the first cache.
-    if run.renormalize.applies_to(slot.joint()) {
+    if run.renormalize.applies_to(joint) {
         normalize::<E, V>(level, place);
     }
     epilogue.run(level, slot, batch::DualQuat::from_array(load(level, place)));
