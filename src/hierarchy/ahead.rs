@@ -15,13 +15,13 @@ pub(super) type Rows<L> = [<L as Lanes>::Array; 8];
 /// first cache.
 pub(super) const GROUP: usize = 16;
 
-/// A group of locals, if those are made ahead.
-pub(super) struct Ahead<E: Element<8>, V: Level>([Rows<Register<E, V, 8>>; GROUP]);
+/// A group of locals, if they are made ahead.
+pub(super) struct Ahead<E: Element<8>, V: Level>(Option<[Rows<Register<E, V, 8>>; GROUP]>);
 
 impl<E: Element<8>, V: Level> Ahead<E, V> {
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn new() -> Self {
-        Self([Zeroable::zeroed(); GROUP])
+    pub(super) fn of<L: Locals<E>>(_: &L) -> Self {
+        Self(if L::AHEAD { Some([Zeroable::zeroed(); GROUP]) } else { None })
     }
 
     /// The local of a slot; the slots of all joints of `run` are asked for one after the other.
@@ -34,16 +34,16 @@ impl<E: Element<8>, V: Level> Ahead<E, V> {
         models: &[E],
         slot: JointSlot,
     ) -> Option<Motions<E, V>> {
-        if !L::AHEAD {
+        let Some(rows) = self.0.as_mut().filter(|_| L::AHEAD) else {
             return locals.load(level, models, slot);
-        }
+        };
         let step = if slot.is_of_joints() { Register::<E, V, 8>::LANES } else { 1 };
         let at = (slot.joint() - run.joints.start) / step;
         if at.is_multiple_of(GROUP) {
             let all = run.joints.len().div_ceil(step);
-            locals.ahead(level, slot, self.0.get_mut(..GROUP.min(all - at))?)?;
+            locals.ahead(level, slot, rows.get_mut(..GROUP.min(all - at))?)?;
         }
-        Some(batch::DualQuat::from_array(load(level, self.0.get(at % GROUP)?)))
+        Some(batch::DualQuat::from_array(load(level, rows.get(at % GROUP)?)))
     }
 }
 

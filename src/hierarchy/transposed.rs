@@ -25,8 +25,8 @@ use super::run::Run;
 use super::slot::JointSlot;
 use crate::backend::{Backend, Kernel};
 use crate::batch;
-use crate::number::{Real, Scalar};
-use crate::storage::{Element, Layout, Number, Register, Source, Tile, identity};
+use crate::number::Scalar;
+use crate::storage::{Element, Layout, Register, Source, Tile, identity};
 use dq8_simd::{Lanes, Level, MAX_LANES, Portable};
 
 /// So many models are kept as they are in registers, for their children. What lies farther back is
@@ -81,8 +81,8 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Instances<'_, '_, E
         let group = E::Layout::records::<V>().saturating_mul(joints);
         let (mut done, mut instance) = (0, 0);
         // Models as registers hold them; the last one is for parents that are not among them.
-        let mut recent = [[Register::<E, V, 8>::splat(level, Number::<E, 8>::ZERO); 8]; RECENT + 1];
-        let mut ahead = Ahead::new();
+        let mut recent = [Motions::<E, V>::identity(level).to_array(); RECENT + 1];
+        let mut ahead = Ahead::of(&locals);
         let beyond =
             size_of_val(models) > NEAR && !matches!(locals.motions(), Some(Source::Output));
         if group > 0 {
@@ -312,7 +312,7 @@ fn walk<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     // joint per lane again. Motions that lie in memory skip the first stage and are multiplied from where they are.
     let in_memory = locals.motions();
     let mut made = [identity(); MAX_LANES];
-    let mut ahead = Ahead::new();
+    let mut ahead = Ahead::of(&locals);
     for start in run.joints.clone().step_by(lanes) {
         let slot = JointSlot::of_joints(start, instance, joints, run.joints.end);
         if in_memory.is_none() {

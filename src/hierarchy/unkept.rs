@@ -83,10 +83,14 @@ fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
 ) {
     let joints = run.joints.clone();
     let slot = |joint| JointSlot::of_instances(joint, instance, run.parents.len());
-    // Roots' parents, so that every product has one source, memory.
+    // What roots stand on: in memory, as the parents of all others are, so that products have one source.
     let mut base = Models::<E, V>::zeroed();
-    let has_base = run.root.load(level, instance, 0).map(|root| store(root.to_array(), &mut base)).is_some();
-    let base = has_base.then_some(&base);
+    let base = if let Some(root) = run.root.load(level, instance, 0) {
+        store(root.to_array(), &mut base);
+        Some(&base)
+    } else {
+        None
+    };
     if L::AHEAD {
         let rows = models.get_mut(joints.clone()).unwrap_or_default();
         for (first, rows) in joints.clone().step_by(GROUP).zip(rows.chunks_mut(GROUP)) {
@@ -109,14 +113,15 @@ fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
         let Some(next) = locals.load(level, &[], slot((joint + 1).min(joints.end - 1))) else {
             return;
         };
-        if place(level, run, epilogue, slot(joint), Some(local.to_array()), base, models).is_none() {
+        if place(level, run, epilogue, slot(joint), Some(local.to_array()), base, models).is_none()
+        {
             return;
         }
         local = next;
     }
 }
 
-/// The model of a joint, and what follows from it.
+/// The model of a joint, and what follows from it. A local that is none is where the model goes.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn place<E: Element<8>, X: Epilogue<E>, V: Level>(
     level: V,
@@ -130,17 +135,16 @@ fn place<E: Element<8>, X: Epilogue<E>, V: Level>(
     let joint = slot.joint();
     // ROOT is beyond the last joint: there is no such model.
     let parent = models.get(*run.parents.get(joint)? as usize).or(base);
-    let model = match (parent, local) {
-        (Some(parent), local) => {
-            let local = match local { Some(local) => local, None => load(level, models.get(joint)?) };
-            Some(product_in_lanes(load(level, parent), local))
-        }
-        (None, local) => local,
+    let local = match local {
+        Some(local) => local,
+        None => load(level, models.get(joint)?),
+    };
+    let model = match parent {
+        Some(parent) => product_in_lanes(load(level, parent), local),
+        None => local,
     };
     let place = models.get_mut(joint)?;
-    if let Some(model) = model {
-        store(model, place);
-    }
+    store(model, place);
     // Loaded again: whether it was normalized or not, the epilogue has one source. It is in the first cache.
     if run.renormalize.applies_to(joint) {
         normalize::<E, V>(level, place);
