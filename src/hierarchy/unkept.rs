@@ -135,16 +135,21 @@ fn place<E: Element<8>, X: Epilogue<E>, V: Level>(
     let joint = slot.joint();
     // ROOT is beyond the last joint: there is no such model.
     let parent = models.get(*run.parents.get(joint)? as usize).or(base);
-    let local = match local {
-        Some(local) => local,
-        None => load(level, models.get(joint)?),
-    };
-    let model = match parent {
-        Some(parent) => product_in_lanes(load(level, parent), local),
-        None => local,
+    // Roots without a base are stored by themselves: where two ways lead to the product's store, registers move.
+    let model = match (parent, local) {
+        (Some(parent), local) => {
+            let local = match local {
+                Some(local) => local,
+                None => load(level, models.get(joint)?),
+            };
+            Some(product_in_lanes(load(level, parent), local))
+        }
+        (None, local) => local,
     };
     let place = models.get_mut(joint)?;
-    store(model, place);
+    if let Some(model) = model {
+        store(model, place);
+    }
     // Loaded again: whether it was normalized or not, the epilogue has one source. It is in the first cache.
     if run.renormalize.applies_to(joint) {
         normalize::<E, V>(level, place);

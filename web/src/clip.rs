@@ -1,7 +1,7 @@
 //! Clips, and poses sampled from them, one over the other.
 
 use crate::Motion;
-use crate::memory::{made, slice};
+use crate::memory::{exports, frees, made, slice};
 use dq8::ShapeError;
 use dq8::hierarchy::{self, Either, Frames, Layered, PackedClip, Playback, Sampled, TrackPlace};
 use dq8::law::NlerpLerp;
@@ -165,39 +165,24 @@ impl Source {
     }
 }
 
-/// # Safety
-/// So many keys are there.
-#[unsafe(no_mangle)]
-unsafe extern "C" fn dq8_clip(joints: usize, keys: *const Key, count: usize) -> *mut Clip {
-    // SAFETY: promised.
-    made(Clip::new(joints, unsafe { slice(keys, count) }))
-}
+frees!(dq8_clip_free: Clip);
+exports! {
+    fn dq8_clip(joints: usize; keys[count]: Key;) -> *mut Clip {
+        made(Clip::new(joints, keys))
+    }
 
-/// # Safety
-/// So many bytes are there.
-#[unsafe(no_mangle)]
-unsafe extern "C" fn dq8_packed_clip(bytes: *const u8, count: usize) -> *mut Clip {
-    // SAFETY: promised.
-    made(PackedClip::from_bytes(unsafe { slice(bytes, count) }.into()).map(Clip::Packed))
-}
+    fn dq8_packed_clip(; bytes[count]: u8;) -> *mut Clip {
+        made(PackedClip::from_bytes(bytes.into()).map(Clip::Packed))
+    }
 
-/// How many packed clips there are.
-#[unsafe(no_mangle)]
-extern "C" fn dq8_packed_clip_clips(clip: &Clip) -> usize {
-    if let Clip::Packed(packed) = clip { packed.clips().clips() } else { 0 }
-}
+    /// How many packed clips there are.
+    fn dq8_packed_clip_clips(clip: &Clip;;) -> usize {
+        if let Clip::Packed(packed) = clip { packed.clips().clips() } else { 0 }
+    }
 
-/// How many frames one of them has; 0 if there is no such clip.
-#[unsafe(no_mangle)]
-extern "C" fn dq8_packed_clip_frames(clip: &Clip, number: usize) -> usize {
-    let Clip::Packed(packed) = clip else { return 0 };
-    packed.clips().frames(number).unwrap_or(0)
-}
-
-/// # Safety
-/// It has been made, and is not used any more.
-#[unsafe(no_mangle)]
-unsafe extern "C" fn dq8_clip_free(clip: *mut Clip) {
-    // SAFETY: promised.
-    drop(unsafe { Box::from_raw(clip) });
+    /// How many frames one of them has; 0 if there is no such clip.
+    fn dq8_packed_clip_frames(clip: &Clip, number: usize;;) -> usize {
+        let Clip::Packed(packed) = clip else { return 0 };
+        packed.clips().frames(number).unwrap_or(0)
+    }
 }
