@@ -33,6 +33,9 @@ use dq8_simd::{Lanes, Level, MAX_LANES, Portable};
 /// transposed again. More would fill the first cache, which the instances share.
 const RECENT: usize = 16;
 
+/// The recent models, and a place behind them.
+type Recent<E, V> = [[Register<E, V, 8>; 8]; RECENT + 1];
+
 /// Whether many instances in plain slices are worth a loop of their own. Firmware has few, and counts the
 /// bytes of code and stack.
 pub(super) const MANY: bool = cfg!(not(target_os = "none"));
@@ -131,7 +134,7 @@ fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     models: &mut [E],
     epilogue: &mut X,
     Group { instance, beyond }: Group,
-    (recent, ahead): (&mut [[Register<E, V, 8>; 8]; RECENT + 1], &mut Ahead<E, V>),
+    (recent, ahead): (&mut Recent<E, V>, &mut Ahead<E, V>),
 ) {
     // In registers: what is stored might be what `run` refers to, for all that the compiler knows.
     let (parents, joints) = (run.parents, run.parents.len());
@@ -173,7 +176,7 @@ fn far<E: Element<8>, V: Level>(
     level: V,
     models: &[E],
     slot: JointSlot,
-    recent: &mut [[Register<E, V, 8>; 8]; RECENT + 1],
+    recent: &mut Recent<E, V>,
 ) {
     level.run(
         #[cfg_attr(not(opt_level_0), inline(always))]
