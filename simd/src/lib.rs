@@ -62,7 +62,7 @@ pub mod x86_64;
 
 pub use block::{Block, Native, Row};
 pub use checked_schedule::CheckedSchedule;
-pub use gather::Gather;
+pub use gather::{Gather, GatheredRows};
 pub use lanes::{Float, Lanes, Level, MAX_LANES, Mask, PackedDualQuat};
 pub use portable::Portable;
 pub use records::Records;

@@ -1,7 +1,7 @@
 //! [`Records`]: between vectors of components and records of numbers in memory.
 
-use crate::gather::Gather;
-use crate::lanes::{Lanes, MAX_LANES};
+use crate::gather::GatheredRows;
+use crate::lanes::Lanes;
 use bytemuck::Zeroable;
 
 /// Transposes between `C` vectors and records of `C` numbers: component `c` of record `i` is lane `i` of
@@ -105,35 +105,27 @@ pub trait Records: Lanes {
             )
         }
     }
-    /// Lane `i` of `C` vectors is the record `column` of row `frames[first + i]`, as [`Gather`] has them;
-    /// lanes beyond the last frame read its row too. `None` if there is no frame, or if a row or the
+    /// Lane `i` of `C` vectors is the record `column` of its row. `None` if a row of the [`Gather`](crate::Gather) or the
     /// column does not exist. `C` must be at least four.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load_gathered<const C: usize>(
         level: Self::Level,
         from: &[[Self::Real; C]],
-        gather: Gather<'_>,
-        first: usize,
+        rows: &GatheredRows<C>,
         column: usize,
     ) -> Option<[Self; C]> {
         const { assert!(C >= 4) }
-        let padded;
-        let mut frames = gather.frames.get(first..).unwrap_or_default();
-        if frames.len() < Self::LANES {
-            padded = repeat(frames, *gather.frames.last()?);
-            frames = &padded;
-        }
-        if gather.greatest.saturating_add(column) >= from.len() {
+        if rows.greatest.saturating_add(column) >= from.len() {
             return None;
         }
-        // SAFETY: there are as many frames as lanes; the record of the greatest frame is there, and no other
-        // lies beyond it.
+        // SAFETY: there are as many rows as any vector has lanes; the record of the greatest is there, and no other lies
+        // beyond it.
         Some(unsafe {
             load_all(
                 level,
                 from.as_flattened().as_ptr(),
                 #[cfg_attr(not(opt_level_0), inline(always))]
-                |lane| (*frames.get_unchecked(lane) as usize * gather.pitch + column) * C,
+                |lane| rows.starts.get_unchecked(lane) + column * C,
             )
         })
     }
@@ -189,24 +181,29 @@ pub trait Records: Lanes {
             }
             return store_each::<Self, C>(&rows, to, stride.unwrap_or(1));
         }
-        let mut first = 0;
-        while let Some(&[x, y, z, w]) = components.get(first..).and_then(|rest| rest.first_chunk())
-        {
-            // SAFETY: record `LANES − 1` begins `(LANES − 1) · apart` numbers from the start, and four
-            // numbers from `first` on are part of it: checked above.
-            unsafe { Self::store_quads([x, y, z, w], flat.as_mut_ptr().add(first), apart) };
-            if first + 4 >= C {
-                return;
-            }
-            first = (first + 4).min(C - 4);
-        }
+        // SAFETY: checked above.
+        unsafe { store_all(components, flat.as_mut_ptr(), apart) };
     }
 }
 
 impl<L: Lanes> Records for L {}
 
-/// Four components at a time; the last four begin earlier where C is not a multiple of four.
+/// Where four of `C` components begin, the fours one after the other; the last begin earlier where `C` is not a multiple of
+/// four. `None` if all have come.
 ///
+/// Asked four times where a loop would do: whether the compiler unrolls a loop depends on how it weighs bytes, and one that
+/// it leaves goes through memory, which takes 1.4 of the time in WebAssembly.
+#[cfg_attr(not(opt_level_0), inline(always))]
+const fn four<const C: usize>(number: usize) -> Option<usize> {
+    const { assert!(C <= 16) }
+    let first = 4 * number;
+    match (first < C, first + 4 <= C) {
+        (false, _) => None,
+        (true, false) => Some(C.saturating_sub(4)),
+        (true, true) => Some(first),
+    }
+}
+
 /// # Safety
 /// Of the `C` numbers, or of the four if `C` is three, that begin `place(lane)` numbers after `from`, all
 /// may be read, for each lane.
@@ -217,29 +214,36 @@ unsafe fn load_all<L: Lanes, const C: usize>(
     place: impl Fn(usize) -> usize + Copy,
 ) -> [L; C] {
     let mut components = [L::splat(level, L::Real::default()); C];
-    let mut first = 0;
-    loop {
-        // SAFETY: promised.
-        let quad = unsafe { L::load_quads(level, from.add(first), place) };
-        for (component, loaded) in components.iter_mut().skip(first).zip(quad) {
-            *component = loaded;
-        }
-        if first + 4 >= C {
-            return components;
-        }
-        first = (first + 4).min(C - 4);
+    macro_rules! fours {
+        ($($number:literal)*) => {$(
+            if let Some(first) = four::<C>($number) {
+                // SAFETY: promised.
+                let quad = unsafe { L::load_quads(level, from.add(first), place) };
+                for (component, loaded) in components.iter_mut().skip(first).zip(quad) {
+                    *component = loaded;
+                }
+            }
+        )*};
     }
+    fours!(0 1 2 3);
+    components
 }
 
-/// Some frames, and `last` in the places that are left.
-#[cold]
-#[inline(never)]
-fn repeat(frames: &[u32], last: u32) -> [u32; MAX_LANES] {
-    let mut padded = [last; MAX_LANES];
-    for (slot, &frame) in padded.iter_mut().zip(frames) {
-        *slot = frame;
+/// # Safety
+/// `C`, four or more, numbers that begin `i · stride` numbers after `to` may be written, for each lane `i`.
+#[cfg_attr(not(opt_level_0), inline(always))]
+unsafe fn store_all<L: Lanes, const C: usize>(components: [L; C], to: *mut L::Real, stride: usize) {
+    macro_rules! fours {
+        ($($number:literal)*) => {$(
+            if let Some(first) = four::<C>($number)
+                && let Some(&quad) = components.get(first..).and_then(|rest| rest.first_chunk())
+            {
+                // SAFETY: promised.
+                unsafe { L::store_quads(quad, to.add(first), stride) };
+            }
+        )*};
     }
-    padded
+    fours!(0 1 2 3);
 }
 
 /// How many numbers `lanes` records of `count` reach over, `stride` apart.

@@ -128,7 +128,8 @@ fn gathers<L: Lanes, const C: usize>(fuzz: &mut Fuzz, level: L::Level) {
     let (begin, end) = (fuzz.hostile(frames.len()), fuzz.hostile(frames.len()));
     let gather = if fuzz.below(2) == 0 { all } else { all.part(begin..end) };
     let (first, column) = (fuzz.hostile(gather.frames().len()), fuzz.hostile(pitch.min(4)));
-    let got = L::load_gathered(level, &from, gather, first, column);
+    let got =
+        gather.rows::<L, C>(first).and_then(|rows| L::load_gathered(level, &from, &rows, column));
     let place = |frame: u32| (frame as usize).checked_mul(pitch)?.checked_add(column);
     let is_there = |&frame: &u32| place(frame).is_some_and(|at| at < from.len());
     // A part is held to the greatest frame of all.

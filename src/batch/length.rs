@@ -19,22 +19,35 @@ pub(super) struct Length<L> {
 impl<L: Lanes> Length<L> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn of<const N: usize>(vector: [L; N], one: L) -> Self {
-        let squared = sum_of_squares(vector, one);
-        // Stretched, the squares of all numbers there are fit, and so do the quotients on the way.
-        let (half, up, down) = if L::Real::SINGLE { (40, 88, -66) } else { (400, 564, -514) };
-        let limit = power_of_two(2 * half);
-        let small = squared.lt(one.constant(1.0 / limit));
-        let fits = squared.le(one.constant(limit));
-        if (fits & !small).all() {
-            let root = squared.sqrt();
-            return Self { root, first: one / root, stretched: None };
+        match Squared::of(vector, one) {
+            Squared::Fits(squared) => {
+                let root = squared.sqrt();
+                Self { root, first: one / root, stretched: None }
+            }
+            Squared::Beyond { small, fits } => Self::stretched(vector, small, fits, one),
         }
+    }
+
+    /// The vector divided by its length: as [`of`](Self::of) and [`divide_all`](Self::divide_all) have it, but both ways meet
+    /// before the last product. Where they meet after it, the compiler computes both for each component, and selects.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn unit<const N: usize>(vector: [L; N], one: L) -> [L; N] {
+        let (mut vector, factor) = match Squared::of(vector, one) {
+            Squared::Fits(squared) => (vector, one / squared.sqrt()),
+            Squared::Beyond { small, fits } => {
+                let length = Self::stretched(vector, small, fits, one);
+                (scaled(vector, length.first), length.stretched.map_or(one, |(second, _)| second))
+            }
+        };
+        vector = scaled(vector, factor);
+        vector
+    }
+
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn stretched<const N: usize>(vector: [L; N], small: L::Mask, fits: L::Mask, one: L) -> Self {
+        let (half, up, down) = bounds::<L>();
         let stretch = power_by_size(small, fits, one, up, down);
-        let mut stretched = vector;
-        for component in &mut stretched {
-            *component = *component * stretch;
-        }
-        let root = sum_of_squares(stretched, one).sqrt();
+        let root = sum_of_squares(scaled(vector, stretch), one).sqrt();
         // The stretch times the reciprocal in two factors: short vectors are divided by two that are no less than
         // 1, long ones by two that are no greater, so nothing on the way is beyond both ends of the quotient.
         let balance = power_by_size(small, fits, one, up - half, down + half);
@@ -70,6 +83,38 @@ impl<L: Lanes> Length<L> {
         }
         quotients
     }
+}
+
+/// Every component times a factor.
+#[cfg_attr(not(opt_level_0), inline(always))]
+fn scaled<L: Lanes, const N: usize>(mut vector: [L; N], factor: L) -> [L; N] {
+    for component in &mut vector {
+        *component = *component * factor;
+    }
+    vector
+}
+
+/// The squared lengths, or where they are `small` and where they fit.
+enum Squared<L: Lanes> {
+    Fits(L),
+    Beyond { small: L::Mask, fits: L::Mask },
+}
+
+impl<L: Lanes> Squared<L> {
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn of<const N: usize>(vector: [L; N], one: L) -> Self {
+        let squared = sum_of_squares(vector, one);
+        let limit = power_of_two(2 * bounds::<L>().0);
+        let small = squared.lt(one.constant(1.0 / limit));
+        let fits = squared.le(one.constant(limit));
+        if (fits & !small).all() { Self::Fits(squared) } else { Self::Beyond { small, fits } }
+    }
+}
+
+/// Of ordinary lengths the greatest power of two, and those by which short and long vectors are stretched: then the squares
+/// of all numbers there are fit, and so do the quotients on the way.
+const fn bounds<L: Lanes>() -> (i64, i64, i64) {
+    if L::Real::SINGLE { (40, 88, -66) } else { (400, 564, -514) }
 }
 
 /// 2 to one power where a vector is `small`, to another where its squares do not fit, and 1 elsewhere.

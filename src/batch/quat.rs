@@ -141,7 +141,7 @@ impl<L: Lanes> Quat<L> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn normalize(self) -> Self {
-        Self(self.length().divide_all(self.0))
+        Self(Length::unit(self.0, self.w().constant(1.0)))
     }
 
     #[cfg_attr(not(opt_level_0), inline(always))]

@@ -1,5 +1,6 @@
 //! [`Clip`]: key frames of plain numbers, and [`Frames`] of it.
 
+use super::ahead::{Rows, each};
 use super::keys::{Keys, PlacedKeys};
 use super::locals::sealed::Sealed;
 use super::slot::JointSlot;
@@ -168,12 +169,32 @@ where
                 L::load_records(level, keys.get(next..)?, identity()),
             ]
         } else {
+            let rows = self.frames.rows::<L, C>(slot.instance())?;
             [
-                L::load_gathered(level, keys, self.frames, slot.instance(), joint)?,
-                L::load_gathered(level, keys, self.frames, slot.instance(), next)?,
+                L::load_gathered(level, keys, &rows, joint)?,
+                L::load_gathered(level, keys, &rows, next)?,
             ]
         };
         Some(law.between(a, b, t))
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn poses<L: Lanes<Real = R>, W: Law<C>>(
+        self,
+        level: L::Level,
+        law: W,
+        slot: JointSlot,
+        t: L,
+        to: &mut [Rows<L>],
+    ) -> Option<()> {
+        if slot.is_of_joints() {
+            return each(slot, to, |slot| PlacedKeys::pose(self, level, law, slot, t));
+        }
+        let (keys, rows) = (K::plain(self.clip.keys)?, self.frames.rows::<L, C>(slot.instance())?);
+        each(slot, to, |slot| {
+            let (joint, next) = (slot.joint(), slot.joint() + self.clip.joints);
+            let a = L::load_gathered(level, keys, &rows, joint)?;
+            Some(law.between(a, L::load_gathered(level, keys, &rows, next)?, t))
+        })
     }
     fn part(self, instances: Range<usize>) -> Self {
         Self { frames: self.frames.part(instances), ..self }

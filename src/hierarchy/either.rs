@@ -1,21 +1,21 @@
 //! [`Either`]: locals of one of two forms.
 
+use super::ahead::{Rows, load, store};
 use super::layers::PoseSource;
 use super::locals::sealed::Sealed;
 use super::locals::{Locals, Motions};
 use super::slot::JointSlot;
 use crate::law::{Law, NlerpLerp};
 use crate::storage::shape::ShapeError;
-use crate::storage::{Element, Layout};
+use crate::storage::{Element, Layout, Register};
+use bytemuck::Zeroable;
 use core::ops::Range;
 use dq8_simd::Level;
 
 /// Rotations and translations of one of two forms, which only the running program knows: a plain clip or a
-/// [packed](super::PackedClips) one, one clip or [layers](super::Layered). A kernel is compiled once for both, and asks at
-/// each joint which they are; forms nest.
-///
-/// In WebAssembly, where bytes are what a page waits for, a kernel calls for what they are. Elsewhere that is part of it, as
-/// it is of other locals.
+/// [packed](super::PackedClips) one, one clip or [layers](super::Layered). Forms nest. A kernel is compiled once for all of
+/// them, and so is each source of poses, where other locals are part of the kernel: it calls for the poses of sixteen joints at
+/// a time, which go through memory.
 ///
 /// ```
 /// use dq8::hierarchy::{Either, RotationsTranslations, Tracks};
@@ -71,9 +71,13 @@ where
     fn pose<V: Level>(self, level: V, slot: JointSlot) -> Option<[M::Register<V>; C]> {
         of!(self, locals => locals.pose(level, slot))
     }
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn called<V: Level>(&self, level: V, slot: &JointSlot) -> Option<[M::Register<V>; C]> {
-        of!(self, locals => locals.called(level, slot))
+    fn poses<V: Level>(
+        &self,
+        level: V,
+        slot: JointSlot,
+        to: &mut [Rows<M::Register<V>>],
+    ) -> Option<()> {
+        of!(self, locals => locals.poses(level, slot, to))
     }
     fn some(self, joints: usize, instances: Range<usize>) -> Self {
         match self {
@@ -83,18 +87,33 @@ where
     }
 }
 
+impl<A, B> Either<A, B> {
+    /// The pose of one slot.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn called<M: Layout, V: Level>(self, level: V, slot: JointSlot) -> Option<[M::Register<V>; 7]>
+    where
+        Self: PoseSource<M, 7>,
+    {
+        let mut rows = Rows::<M::Register<V>>::zeroed();
+        self.poses(level, slot, core::slice::from_mut(&mut rows))?;
+        Some(load(level, &rows))
+    }
+}
+
 impl<E, A, B> Locals<E> for Either<A, B>
 where
     E: Element<8>,
     A: PoseSource<E::Layout, 7>,
     B: PoseSource<E::Layout, 7>,
 {
+    const AHEAD: bool = true;
+
     fn shape(&self, joints: usize, _: usize) -> Result<(&'static str, usize), ShapeError> {
         PoseSource::<E::Layout, 7>::shape(self, joints)
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Motions<E, V>> {
-        Some(NlerpLerp.motion(PoseSource::<E::Layout, 7>::called(&self, level, &slot)?))
+        Some(NlerpLerp.motion(self.called::<E::Layout, V>(level, slot)?))
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn onto<V: Level>(
@@ -104,7 +123,26 @@ where
         _: &[E],
         slot: JointSlot,
     ) -> Option<Motions<E, V>> {
-        Some(NlerpLerp.onto(parent, PoseSource::<E::Layout, 7>::called(&self, level, &slot)?))
+        Some(NlerpLerp.onto(parent, self.called::<E::Layout, V>(level, slot)?))
+    }
+    #[inline(never)]
+    fn ahead<V: Level>(
+        &self,
+        level: V,
+        slot: JointSlot,
+        to: &mut [Rows<Register<E, V, 8>>],
+    ) -> Option<()> {
+        PoseSource::<E::Layout, 7>::poses(self, level, slot, to)?;
+        level.run(
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            || {
+                for rows in to {
+                    let pose: [Register<E, V, 8>; 7] = load(level, rows);
+                    store(NlerpLerp.motion(pose).to_array(), rows);
+                }
+            },
+        );
+        Some(())
     }
     fn part(self, joints: usize, instances: Range<usize>) -> Self {
         PoseSource::<E::Layout, 7>::some(self, joints, instances)

@@ -41,8 +41,7 @@ pub(super) fn palette<E: Element<8>, L: Locals<E>, M, const C: usize>(
     let mut done = 0;
     if transposed::MANY && E::Layout::THINGS == 1 {
         let instances = palette.len() / joints.max(1);
-        let mut epilogue = Palette { inverse_binds, order, entries: &mut *palette };
-        let epilogue = &mut epilogue;
+        let epilogue = Palette { inverse_binds, order, entries: &mut *palette };
         done = joints * backend.run(Unkept { run, locals, instances, scratch, epilogue });
     }
     let rest = palette.get_mut(done..).unwrap_or_default();

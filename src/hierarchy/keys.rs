@@ -1,5 +1,6 @@
 //! [`Keys`]: where [`Sampled`](super::Sampled) takes its keys from, and [`PlacedKeys`].
 
+use super::ahead::{Rows, each};
 use super::locals::sealed::Sealed;
 use super::slot::JointSlot;
 use crate::law::Law;
@@ -36,6 +37,18 @@ pub trait PlacedKeys<R, const C: usize>: Copy + Send + Sync {
         slot: JointSlot,
         t: L,
     ) -> Option<[L; C]>;
+    /// The poses of a slot and of those after it, in the first `C` of each rows.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn poses<L: Lanes<Real = R>, W: Law<C>>(
+        self,
+        level: L::Level,
+        law: W,
+        slot: JointSlot,
+        t: L,
+        to: &mut [Rows<L>],
+    ) -> Option<()> {
+        each(slot, to, |slot| self.pose(level, law, slot, t))
+    }
     /// Those of some instances.
     #[must_use]
     fn part(self, instances: Range<usize>) -> Self;

@@ -1,5 +1,6 @@
 //! [`PoseSource`]: poses that are computed as they are loaded. Sources nest: a layer loads from other sources.
 
+use super::ahead::{GROUP, Rows, each, load, store};
 use super::locals::sealed::Sealed;
 use super::locals::{Locals, Motions, Poses, RotationsTranslations, Tracks, part_of};
 use super::slot::JointSlot;
@@ -7,8 +8,9 @@ use crate::law::Law;
 use crate::number::Scalar;
 use crate::storage::shape::{ShapeError, same_length};
 use crate::storage::{self, Element, Layout, Number};
+use bytemuck::Zeroable;
 use core::ops::Range;
-use dq8_simd::Level;
+use dq8_simd::{Lanes, Level};
 
 /// Poses of whole instances, `C` numbers each, that come into registers of the layout `M`: stored ones
 /// ([`Poses`], [`RotationsTranslations`], [`Tracks`]), those of a clip ([`Sampled`](super::Sampled)), or [`Layered`] ones. Sealed.
@@ -27,12 +29,19 @@ pub trait PoseSource<M: Layout, const C: usize>: Copy + Send + Sync + Sealed {
     /// The poses of a slot.
     #[doc(hidden)]
     fn pose<V: Level>(self, level: V, slot: JointSlot) -> Option<[M::Register<V>; C]>;
-    /// The same: in WebAssembly by a call, once for all kernels. What is called is handed where it lies, and no copies.
+    /// The poses of a slot and of those after it, no more than a group, in the first `C` of each rows: by a call.
     #[doc(hidden)]
-    #[cfg_attr(target_family = "wasm", inline(never))]
-    #[cfg_attr(not(any(opt_level_0, target_family = "wasm")), inline(always))]
-    fn called<V: Level>(&self, level: V, slot: &JointSlot) -> Option<[M::Register<V>; C]> {
-        self.pose(level, *slot)
+    #[inline(never)]
+    fn poses<V: Level>(
+        &self,
+        level: V,
+        slot: JointSlot,
+        to: &mut [Rows<M::Register<V>>],
+    ) -> Option<()> {
+        level.run(
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            || each(slot, to, |slot| self.pose(level, slot)),
+        )
     }
     /// The poses of some of the instances (blocks).
     #[doc(hidden)]
@@ -149,6 +158,27 @@ impl<'w, W, A, B, R, const C: usize, const ADDS: bool> Layered<'w, W, A, B, R, C
     pub fn mask(self, mask: &'w [R]) -> Self {
         Self { mask: Some(mask), ..self }
     }
+
+    /// Of the slot's instances, and of its joint.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn weight<L: Lanes<Real = R>>(&self, level: L::Level, slot: JointSlot) -> Option<L>
+    where
+        R: Scalar,
+    {
+        let weight: L = slot.of_instance(level, self.weights)?;
+        let Some(mask) = self.mask else { return Some(weight) };
+        let [factor] = slot.of_joint(level, bytemuck::must_cast_slice(mask))?;
+        Some(weight * factor)
+    }
+
+    /// The layer over its base.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn one<L: Lanes>(&self, base: [L; C], layer: [L; C], weight: L) -> [L; C]
+    where
+        W: Law<C>,
+    {
+        if ADDS { self.law.add(base, layer, weight) } else { self.law.between(base, layer, weight) }
+    }
 }
 
 impl<M, W, A, B, const C: usize, const ADDS: bool> PoseSource<M, C>
@@ -180,17 +210,31 @@ where
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn pose<V: Level>(self, level: V, slot: JointSlot) -> Option<[M::Register<V>; C]> {
-        let mut weight: M::Register<V> = slot.of_instance(level, self.weights)?;
-        if let Some(mask) = self.mask {
-            let [factor] = slot.of_joint(level, bytemuck::must_cast_slice(mask))?;
-            weight = weight * factor;
-        }
-        let (base, layer) = (self.base.pose(level, slot)?, self.layer.pose(level, slot)?);
-        Some(if ADDS {
-            self.law.add(base, layer, weight)
-        } else {
-            self.law.between(base, layer, weight)
-        })
+        let weight = self.weight(level, slot)?;
+        Some(self.one(self.base.pose(level, slot)?, self.layer.pose(level, slot)?, weight))
+    }
+    #[inline(never)]
+    fn poses<V: Level>(
+        &self,
+        level: V,
+        slot: JointSlot,
+        to: &mut [Rows<M::Register<V>>],
+    ) -> Option<()> {
+        let mut layers = [Rows::<M::Register<V>>::zeroed(); GROUP];
+        let layers = layers.get_mut(..to.len())?;
+        self.base.poses(level, slot, to)?;
+        self.layer.poses(level, slot, layers)?;
+        level.run(
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            || {
+                let lanes = M::Register::<V>::LANES;
+                for (number, (base, layer)) in to.iter_mut().zip(layers).enumerate() {
+                    let weight: M::Register<V> = self.weight(level, slot.after(number, lanes))?;
+                    store(self.one(load(level, base), load(level, layer), weight), base);
+                }
+                Some(())
+            },
+        )
     }
     fn some(self, joints: usize, instances: Range<usize>) -> Self {
         Self {

@@ -1,5 +1,6 @@
 //! [`Locals`]: what a joint adds to its parent, and how it lies in memory.
 
+use super::ahead::{self, Rows};
 use super::slot::JointSlot;
 use crate::batch;
 use crate::storage::shape::{ShapeError, same_length};
@@ -30,6 +31,22 @@ pub trait Locals<E: Element<8>>: Copy + Send + Sync + sealed::Sealed {
     /// The locals of a slot; `models` are those of its instances, as far as they are known.
     #[doc(hidden)]
     fn load<V: Level>(self, level: V, models: &[E], slot: JointSlot) -> Option<Motions<E, V>>;
+
+    /// Whether they are made a group at a time, by [`ahead`](Self::ahead).
+    #[doc(hidden)]
+    const AHEAD: bool = false;
+
+    /// The locals of a slot and of those after it, no more than a group.
+    #[doc(hidden)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn ahead<V: Level>(
+        &self,
+        level: V,
+        slot: JointSlot,
+        to: &mut [Rows<Register<E, V, 8>>],
+    ) -> Option<()> {
+        ahead::each(slot, to, |slot| Some(self.load(level, &[], slot)?.to_array()))
+    }
 
     /// parent · local
     #[doc(hidden)]

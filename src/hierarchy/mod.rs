@@ -22,6 +22,7 @@
 //! that a child finds its parent in the same lane of another block, without any shuffling: the fastest
 //! way. See [`storage`](crate::storage).
 
+mod ahead;
 mod backward;
 mod chain;
 mod clip;

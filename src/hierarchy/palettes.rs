@@ -97,6 +97,8 @@ impl<S, P: Plans> Job<'_, S, P> {
         L: Locals<E>,
         M: PaletteEntry<C, Layout = E::Layout>,
     {
+        // Before the job is lent to checks: a compiler that has seen the order written keeps the stores of that one alone.
+        let order = self.order;
         self.check_locals::<E, L>(&locals, palette.len())?;
         let run = self.run::<E>();
         let joints = run.parents.len();
@@ -110,7 +112,7 @@ impl<S, P: Plans> Job<'_, S, P> {
                 return Err(ShapeError::NoParent { joint, parent });
             }
         }
-        let epilogue = Palette { inverse_binds, order: self.order, entries: palette };
+        let epilogue = Palette { inverse_binds, order, entries: palette };
         let one = epilogue.entries.len() == joints;
         if let Some(models) = scratch.get_mut(..joints).filter(|_| one) {
             self.forward(locals, models, epilogue);

@@ -1,5 +1,6 @@
 //! [`Sampled`]: animation that is sampled on its way into a register.
 
+use super::ahead::Rows;
 use super::keys::{Keys, PlacedKeys};
 use super::layers::PoseSource;
 use super::locals::sealed::Sealed;
@@ -79,6 +80,21 @@ where
     fn pose<V: Level>(self, level: V, slot: JointSlot) -> Option<[M::Register<V>; C]> {
         let t = slot.of_instance(level, self.t)?;
         self.keys.pose(level, self.law, slot, t)
+    }
+    #[inline(never)]
+    fn poses<V: Level>(
+        &self,
+        level: V,
+        slot: JointSlot,
+        to: &mut [Rows<M::Register<V>>],
+    ) -> Option<()> {
+        level.run(
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            || {
+                let t: M::Register<V> = slot.of_instance(level, self.t)?;
+                self.keys.poses(level, self.law, slot, t, to)
+            },
+        )
     }
     fn some(self, _: usize, instances: Range<usize>) -> Self {
         let t = part_of(self.t, M::THINGS, instances.clone());

@@ -45,6 +45,13 @@ impl JointSlot {
         Self { joint, first, register: 0, instance, stride: None, end: Some(end) }
     }
 
+    /// A later slot of the same instances, with so many lanes.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn after(self, slots: usize, lanes: usize) -> Self {
+        let joints = if self.is_of_joints() { slots * lanes } else { slots };
+        Self { joint: self.joint + joints, ..self }
+    }
+
     /// The joint of the first lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn joint(self) -> usize {

@@ -17,6 +17,7 @@
 //!   however many others are in the call.
 //! - *Prefetch before a strided store*, once models exceed the second cache: the CPU does not foresee so many places.
 
+use super::ahead::Ahead;
 use super::locals::{Locals, Motions, motions};
 use super::palette::Epilogue;
 use super::product::{product, product_in_lanes};
@@ -31,6 +32,9 @@ use dq8_simd::{Lanes, Level, MAX_LANES, Portable};
 /// So many models are kept as they are in registers, for their children. What lies farther back is
 /// transposed again. More would fill the first cache, which the instances share.
 const RECENT: usize = 16;
+
+/// The recent models, and a place behind them.
+type Recent<E, V> = [[Register<E, V, 8>; 8]; RECENT + 1];
 
 /// Whether many instances in plain slices are worth a loop of their own. Firmware has few, and counts the
 /// bytes of code and stack.
@@ -81,13 +85,22 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Instances<'_, '_, E
         let (mut done, mut instance) = (0, 0);
         // Models as registers hold them; the last one is for parents that are not among them.
         let mut recent = [Motions::<E, V>::identity(level).to_array(); RECENT + 1];
+        let mut ahead = Ahead::of(&locals);
         let beyond =
             size_of_val(models) > NEAR && !matches!(locals.motions(), Some(Source::Output));
         if group > 0 {
             for models in models.chunks_exact_mut(group) {
                 if E::Layout::records::<V>() > 1 {
                     let group = Group { instance, beyond };
-                    together(level, run, locals, models, epilogue, group, &mut recent);
+                    together(
+                        level,
+                        run,
+                        locals,
+                        models,
+                        epilogue,
+                        group,
+                        (&mut recent, &mut ahead),
+                    );
                 } else {
                     alone(level, run, locals, models, epilogue, instance);
                 }
@@ -121,7 +134,7 @@ fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     models: &mut [E],
     epilogue: &mut X,
     Group { instance, beyond }: Group,
-    recent: &mut [[Register<E, V, 8>; 8]; RECENT + 1],
+    (recent, ahead): (&mut Recent<E, V>, &mut Ahead<E, V>),
 ) {
     // In registers: what is stored might be what `run` refers to, for all that the compiler knows.
     let (parents, joints) = (run.parents, run.parents.len());
@@ -140,12 +153,12 @@ fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
                 from = RECENT;
                 far(level, models, JointSlot::of_instances(parent, instance, joints), recent);
             }
-            let Some(local) = locals.load(level, models, slot) else { return };
+            let Some(local) = ahead.local(level, run, &locals, models, slot) else { return };
             let model = product_in_lanes(recent[from], local.to_array());
             recent[joint % RECENT] = model;
             E::store(model, models, slot.own_tile());
         } else {
-            root(level, run, locals, models, slot, &mut recent[joint % RECENT]);
+            root(level, run, locals, models, slot, &mut recent[joint % RECENT], ahead);
         }
         if run.renormalize.applies_to(joint) {
             normalize_lanes::<E, V>(level, models, slot, &mut recent[joint % RECENT]);
@@ -163,7 +176,7 @@ fn far<E: Element<8>, V: Level>(
     level: V,
     models: &[E],
     slot: JointSlot,
-    recent: &mut [[Register<E, V, 8>; 8]; RECENT + 1],
+    recent: &mut Recent<E, V>,
 ) {
     level.run(
         #[cfg_attr(not(opt_level_0), inline(always))]
@@ -186,11 +199,12 @@ fn root<E: Element<8>, L: Locals<E>, V: Level>(
     models: &mut [E],
     slot: JointSlot,
     to: &mut [Register<E, V, 8>; 8],
+    ahead: &mut Ahead<E, V>,
 ) {
     level.run(
         #[cfg_attr(not(opt_level_0), inline(always))]
         || {
-            let Some(local) = locals.load(level, models, slot) else { return };
+            let Some(local) = ahead.local(level, run, &locals, models, slot) else { return };
             *to = match run.root.load(level, slot.instance(), 0) {
                 Some(root) => product_in_lanes(root.to_array(), local.to_array()),
                 None => local.to_array(),
@@ -301,10 +315,11 @@ fn walk<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     // joint per lane again. Motions that lie in memory skip the first stage and are multiplied from where they are.
     let in_memory = locals.motions();
     let mut made = [identity(); MAX_LANES];
+    let mut ahead = Ahead::of(&locals);
     for start in run.joints.clone().step_by(lanes) {
         let slot = JointSlot::of_joints(start, instance, joints, run.joints.end);
         if in_memory.is_none() {
-            let Some(locals) = locals.load(level, models, slot) else { return };
+            let Some(locals) = ahead.local(level, run, &locals, models, slot) else { return };
             locals.store_records(&mut made);
         }
         let Some(plain) = E::plain_mut(models) else { return };

@@ -2,6 +2,7 @@
 //! hold them. To transpose and store them would be two fifths of what a palette shuffles and stores, and all parents
 //! are where they were put, so nothing is loaded again.
 
+use super::ahead::{GROUP, Rows, load, store};
 use super::locals::{Locals, Motions};
 use super::palette::Epilogue;
 use super::product::product_in_lanes;
@@ -10,10 +11,11 @@ use super::slot::JointSlot;
 use crate::backend::Kernel;
 use crate::batch;
 use crate::storage::{Element, Layout, Number, Register};
+use bytemuck::Zeroable;
 use dq8_simd::{Lanes, Level};
 
-/// The models of one joint, a row of memory for each register.
-type Rows<E, V> = [<Register<E, V, 8> as Lanes>::Array; 8];
+/// The models of one joint.
+type Models<E, V> = Rows<Register<E, V, 8>>;
 
 /// Bytes of a cache line, or more than a register has: rows that begin at a multiple of it lie in one line each.
 const LINE: usize = 64;
@@ -25,7 +27,7 @@ pub(super) struct Unkept<'r, 's, E: Element<8>, L, X> {
     pub(super) locals: L,
     pub(super) instances: usize,
     pub(super) scratch: &'s mut [E],
-    pub(super) epilogue: &'s mut X,
+    pub(super) epilogue: X,
 }
 
 impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Unkept<'_, '_, E, L, X> {
@@ -35,14 +37,14 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Unkept<'_, '_, E, L
 
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn run<V: Level>(self, level: V) -> usize {
-        let Self { run, locals, instances, scratch, epilogue } = self;
+        let Self { run, locals, instances, scratch, mut epilogue } = self;
         let lanes = E::Layout::records::<V>();
         let rows = E::plain_mut(scratch).and_then(|plain| rows::<E, V>(plain, run.parents.len()));
         // A register of one number has nothing to transpose, and gains nothing.
         let (Some(rows), 2..) = (rows, lanes) else { return 0 };
         let mut done = 0;
         while instances - done >= lanes {
-            together(level, run, locals, epilogue, done, rows);
+            together(level, run, locals, &mut epilogue, done, rows);
             done += lanes;
         }
         done
@@ -54,7 +56,7 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Unkept<'_, '_, E, L
 fn rows<E: Element<8>, V: Level>(
     scratch: &mut [[Number<E, 8>; 8]],
     joints: usize,
-) -> Option<&mut [Rows<E, V>]> {
+) -> Option<&mut [Models<E, V>]> {
     let numbers = scratch.as_flattened_mut();
     let needed = joints.checked_mul(8 * Register::<E, V, 8>::LANES)?;
     let spare = numbers.len().checked_sub(needed)?;
@@ -69,6 +71,7 @@ fn rows<E: Element<8>, V: Level>(
 ///
 /// A joint's local is loaded, which may mean sampled and blended, before the product of the joint before it: the product
 /// waits for its parent, and the CPU does not look far enough ahead to find the next sample meanwhile. A twentieth less time.
+/// Locals that are made ahead wait where the models go.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     level: V,
@@ -76,67 +79,93 @@ fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     locals: L,
     epilogue: &mut X,
     instance: usize,
-    models: &mut [Rows<E, V>],
+    models: &mut [Models<E, V>],
 ) {
-    // In registers: what is stored might be what `run` refers to, for all that the compiler knows.
-    let (parents, end) = (run.parents, run.joints.end);
-    let mut joint = run.joints.start;
-    let mut slot = JointSlot::of_instances(joint, instance, parents.len());
-    if joint >= end {
+    let joints = run.joints.clone();
+    let slot = |joint| JointSlot::of_instances(joint, instance, run.parents.len());
+    // What roots stand on: in memory, as the parents of all others are, so that products have one source.
+    let mut base = Models::<E, V>::zeroed();
+    let base = if let Some(root) = run.root.load(level, instance, 0) {
+        store(root.to_array(), &mut base);
+        Some(&base)
+    } else {
+        None
+    };
+    if L::AHEAD {
+        let rows = models.get_mut(joints.clone()).unwrap_or_default();
+        for (first, rows) in joints.clone().step_by(GROUP).zip(rows.chunks_mut(GROUP)) {
+            if locals.ahead(level, slot(first), rows).is_none() {
+                return;
+            }
+        }
+        for joint in joints {
+            if place(level, run, epilogue, slot(joint), None, base, models).is_none() {
+                return;
+            }
+        }
         return;
     }
-    let Some(mut local) = locals.load(level, &[], slot) else { return };
-    loop {
-        let after = JointSlot::of_instances((joint + 1).min(end - 1), instance, parents.len());
-        let Some(next) = locals.load(level, &[], after) else { return };
-        let Some(&parent) = parents.get(joint) else { return };
-        // ROOT is beyond the last joint: there is no such model.
-        let model = if let Some(parent) = models.get(parent as usize) {
-            product_in_lanes(load::<E, V>(level, parent), local.to_array())
-        } else if let Some(root) = run.root.load(level, instance, 0) {
-            product_in_lanes(root.to_array(), local.to_array())
-        } else {
-            local.to_array()
+    if joints.is_empty() {
+        return;
+    }
+    let Some(mut local) = locals.load(level, &[], slot(joints.start)) else { return };
+    for joint in joints.clone() {
+        let Some(next) = locals.load(level, &[], slot((joint + 1).min(joints.end - 1))) else {
+            return;
         };
-        let Some(place) = models.get_mut(joint) else { return };
-        store::<E, V>(model, place);
-        // Loaded again: whether it was normalized or not, the epilogue has one source. It is in the first cache.
-        if run.renormalize.applies_to(joint) {
-            normalize::<E, V>(level, place);
-        }
-        epilogue.run(level, slot, batch::DualQuat::from_array(load::<E, V>(level, place)));
-        joint += 1;
-        if joint >= end {
+        if place(level, run, epilogue, slot(joint), Some(local.to_array()), base, models).is_none()
+        {
             return;
         }
-        (local, slot) = (next, after);
+        local = next;
     }
+}
+
+/// The model of a joint, and what follows from it. A local that is none is where the model goes.
+#[cfg_attr(not(opt_level_0), inline(always))]
+fn place<E: Element<8>, X: Epilogue<E>, V: Level>(
+    level: V,
+    run: &Run<'_, E>,
+    epilogue: &mut X,
+    slot: JointSlot,
+    local: Option<[Register<E, V, 8>; 8]>,
+    base: Option<&Models<E, V>>,
+    models: &mut [Models<E, V>],
+) -> Option<()> {
+    let joint = slot.joint();
+    // ROOT is beyond the last joint: there is no such model.
+    let parent = models.get(*run.parents.get(joint)? as usize).or(base);
+    // Roots without a base are stored by themselves: where two ways lead to the product's store, registers move.
+    let model = match (parent, local) {
+        (Some(parent), local) => {
+            let local = match local {
+                Some(local) => local,
+                None => load(level, models.get(joint)?),
+            };
+            Some(product_in_lanes(load(level, parent), local))
+        }
+        (None, local) => local,
+    };
+    let place = models.get_mut(joint)?;
+    if let Some(model) = model {
+        store(model, place);
+    }
+    // Loaded again: whether it was normalized or not, the epilogue has one source. It is in the first cache.
+    if run.renormalize.applies_to(joint) {
+        normalize::<E, V>(level, place);
+    }
+    epilogue.run(level, slot, batch::DualQuat::from_array(load(level, place)));
+    Some(())
 }
 
 #[cold]
 #[inline(never)]
-fn normalize<E: Element<8>, V: Level>(level: V, model: &mut Rows<E, V>) {
+fn normalize<E: Element<8>, V: Level>(level: V, model: &mut Models<E, V>) {
     level.run(
         #[cfg_attr(not(opt_level_0), inline(always))]
         || {
-            let unit = Motions::<E, V>::from_array(load::<E, V>(level, model)).normalize();
-            store::<E, V>(unit.to_array(), model);
+            let unit = Motions::<E, V>::from_array(load(level, model)).normalize();
+            store(unit.to_array(), model);
         },
     );
-}
-
-#[cfg_attr(not(opt_level_0), inline(always))]
-fn load<E: Element<8>, V: Level>(level: V, from: &Rows<E, V>) -> [Register<E, V, 8>; 8] {
-    let mut registers = Motions::<E, V>::identity(level).to_array();
-    for (register, row) in registers.iter_mut().zip(from) {
-        *register = Lanes::load(level, row);
-    }
-    registers
-}
-
-#[cfg_attr(not(opt_level_0), inline(always))]
-fn store<E: Element<8>, V: Level>(model: [Register<E, V, 8>; 8], to: &mut Rows<E, V>) {
-    for (register, row) in model.into_iter().zip(to) {
-        register.store(row);
-    }
 }

@@ -3,7 +3,7 @@
 //! simd128 does.
 
 use bytemuck::{Pod, cast_slice};
-use dq8::hierarchy::{Clip, Frames, Layered, MatrixOrder, PackedClip, Poses, Sampled, Tolerance};
+use dq8::hierarchy::{Clip, Layered, Locals, MatrixOrder, PackedClip, Poses, Sampled, Tolerance};
 use dq8::law::NlerpLerp;
 use dq8::skinning::{DualBlend, Linear, Mixed, Skin, Surface, SurfaceMut};
 use dq8::{Backend, Crowd, DualQuat, Quat, Skeleton};
@@ -59,16 +59,42 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
+/// A skeleton and what it stands on: writes models and palettes of any locals.
+struct Posed<'a> {
+    skeleton: &'a Skeleton,
+    roots: &'a [Motion],
+    binds: &'a [Motion],
+}
+
+impl Posed<'_> {
+    fn models(&self, locals: impl Locals<Motion>, instances: usize) -> Result<(), Box<dyn Error>> {
+        let mut models = vec![Motion::IDENTITY; instances * JOINTS];
+        self.skeleton.job().locals_to_model(locals, &mut models)?;
+        write(&models)
+    }
+    fn palette(&self, locals: impl Locals<Motion>, instances: usize) -> Result<(), Box<dyn Error>> {
+        let mut scratch = vec![Motion::IDENTITY; 16 * JOINTS];
+        let mut palette = vec![Columns::default(); instances * JOINTS];
+        let job = self.skeleton.job().matrix_order(MatrixOrder::Columns);
+        if self.roots.is_empty() {
+            job.palette(locals, &mut scratch, self.binds, &mut palette)?;
+        } else {
+            job.roots(self.roots).palette(locals, &mut scratch, self.binds, &mut palette)?;
+        }
+        write(&palette)
+    }
+}
+
 fn skeletons(given: &mut Given) -> Result<(), Box<dyn Error>> {
     let parents: Vec<i32> = (0..JOINTS as i32).map(|joint| (joint + 1) / 2 - 1).collect();
     let skeleton = Skeleton::new(&parents)?;
     let poses = INSTANCES * JOINTS;
     let (locals, roots, binds) =
         (given.motions(poses), given.motions(INSTANCES), given.motions(JOINTS));
+    let posed = Posed { skeleton: &skeleton, roots: &roots, binds: &binds };
     let (a, b) = (given.records::<7>(FRAMES * JOINTS), given.records::<7>(FRAMES * JOINTS));
-    let (at_a, at_b, weights) =
-        (given.numbers(INSTANCES), given.numbers(INSTANCES), given.numbers(INSTANCES));
-    let (mask, clips) = (given.numbers(JOINTS), given.numbers(INSTANCES));
+    let [at_a, at_b, weights] = std::array::from_fn(|_| given.numbers(INSTANCES));
+    let (mask, numbers) = (given.numbers(JOINTS), given.numbers(INSTANCES));
 
     write(&locals)?;
     let mut models = locals.clone();
@@ -77,31 +103,40 @@ fn skeletons(given: &mut Given) -> Result<(), Box<dyn Error>> {
     let plain = models.clone();
     skeleton.job().roots(&roots).local_to_model(&locals, &mut models)?;
     write(&models)?;
-
-    let mut scratch = vec![Motion::IDENTITY; 16 * JOINTS];
-    let mut palette = vec![Columns::default(); poses];
-    let job = skeleton.job().roots(&roots).matrix_order(MatrixOrder::Columns);
-    job.palette(Poses(&locals), &mut scratch, &binds, &mut palette)?;
-    write(&palette)?;
+    posed.palette(Poses(&locals), INSTANCES)?;
 
     let (a, b) = (Clip::new(JOINTS, &a)?, Clip::new(JOINTS, &b)?);
     let (frames_a, t_a): (Vec<_>, Vec<_>) = at_a.iter().map(|&at| a.place(at)).unzip();
     let (frames_b, t_b): (Vec<_>, Vec<_>) = at_b.iter().map(|&at| b.place(at)).unzip();
     let a = Sampled::new(NlerpLerp, a, &frames_a, &t_a)?;
     let b = Sampled::new(NlerpLerp, b, &frames_b, &t_b)?;
-    skeleton.job().locals_to_model(a, &mut models)?;
-    write(&models)?;
-    job.palette(Layered::blend(NlerpLerp, a, b, &weights), &mut scratch, &binds, &mut palette)?;
-    write(&palette)?;
-    let masked = Layered::blend(NlerpLerp, a, b, &weights).mask(&mask);
-    job.palette(masked, &mut scratch, &binds, &mut palette)?;
-    write(&palette)?;
-    skeleton.job().locals_to_model(Layered::add(NlerpLerp, a, b, &weights), &mut models)?;
-    write(&models)?;
+    posed.models(a, INSTANCES)?;
+    posed.palette(Layered::blend(NlerpLerp, a, b, &weights), INSTANCES)?;
+    posed.palette(Layered::blend(NlerpLerp, a, b, &weights).mask(&mask), INSTANCES)?;
+    posed.models(Layered::add(NlerpLerp, a, b, &weights), INSTANCES)?;
 
-    let clips: Vec<_> = clips.into_iter().map(|clip| clip as usize).collect();
-    let played = Played { skeleton: &skeleton, roots: &roots, binds: &binds, weights: &weights };
-    packed(&played, a, &mask, [(&clips, &at_a), (&[1; INSTANCES], &at_b)])?;
+    let library = library()?;
+    let mut bytes = library.as_bytes().to_vec();
+    write(&[bytes.len() as f32])?;
+    bytes.resize(bytes.len().next_multiple_of(4), 0);
+    std::io::stdout().write_all(&bytes)?;
+    let clips = library.clips();
+    let place = |clip, at| clips.place(clip, at).ok_or("there is no such clip");
+    let at = numbers.iter().zip(&at_a).map(|(&clip, &at)| place(clip as usize, at));
+    let (places, t): (Vec<_>, Vec<_>) = at.collect::<Result<Vec<_>, _>>()?.into_iter().unzip();
+    let packed = Sampled::new(NlerpLerp, clips, &places, &t)?;
+    let at = at_b.iter().map(|&at| place(1, at));
+    let (places, t): (Vec<_>, Vec<_>) = at.collect::<Result<Vec<_>, _>>()?.into_iter().unzip();
+    let second = Sampled::new(NlerpLerp, clips, &places, &t)?;
+    posed.models(packed, INSTANCES)?;
+    posed.palette(Layered::blend(NlerpLerp, packed, second, &weights), INSTANCES)?;
+    let loose = Posed { roots: &[], ..posed };
+    loose.palette(Layered::add(NlerpLerp, a, packed, &weights).mask(&mask), INSTANCES)?;
+    let (places, t) = place(1, 1.25)?;
+    let (places, t) = ([places], [t]);
+    let one = Sampled::new(NlerpLerp, clips, &places, &t)?;
+    loose.models(one, 1)?;
+    loose.palette(one, 1)?;
 
     let mut crowd = Crowd::<f32, 4>::from_slice(JOINTS, &locals)?;
     skeleton.job().local_to_model_in_place(crowd.blocks_mut())?;
@@ -117,27 +152,14 @@ fn skeletons(given: &mut Given) -> Result<(), Box<dyn Error>> {
     let mut moved = points.clone();
     backend.transform_points_each(&plain, &points, &mut moved)?;
     write(&moved)?;
+    let mut palette = vec![Columns::default(); poses];
     backend.matrices(&plain, MatrixOrder::Columns, &mut palette)?;
     write(&palette)?;
     skin(given, &plain[..JOINTS])
 }
 
-struct Played<'a> {
-    skeleton: &'a Skeleton,
-    roots: &'a [Motion],
-    binds: &'a [Motion],
-    weights: &'a [f32],
-}
-
-/// Two packed clips, which this writes as well: how many bytes, and they.
-fn packed(
-    played: &Played<'_>,
-    plain: Sampled<'_, NlerpLerp, Frames<'_, [f32; 7], f32>, f32, 7>,
-    mask: &[f32],
-    places: [(&[usize], &[f32]); 2],
-) -> Result<(), Box<dyn Error>> {
-    let Played { skeleton, roots, binds, weights } = *played;
-    // Every third joint keeps still, and others do in one clip; some translate.
+/// Two clips: every third joint keeps still, and others do in one clip; some translate.
+fn library() -> Result<PackedClip, Box<dyn Error>> {
     let key = |clip: usize, frame: usize, joint: usize| -> [f32; 7] {
         let still = joint % 3 == 1 || joint % 5 == clip;
         let time = if still { 0.0 } else { frame as f32 * 0.3 + clip as f32 };
@@ -149,38 +171,8 @@ fn packed(
     let frames = [0, 1].map(|clip| -> Vec<_> {
         (0..FRAMES * JOINTS).map(|at| key(clip, at / JOINTS, at % JOINTS)).collect()
     });
-    let library =
-        PackedClip::library(JOINTS, &frames.each_ref().map(Vec::as_slice), Tolerance::default())?;
-    let mut bytes = library.as_bytes().to_vec();
-    write(&[bytes.len() as f32])?;
-    bytes.resize(bytes.len().next_multiple_of(4), 0);
-    std::io::stdout().write_all(&bytes)?;
-
-    let clips = library.clips();
-    let [a, b] = places.map(|(numbers, at)| {
-        let at = numbers.iter().zip(at).filter_map(|(&clip, &at)| clips.place(clip, at));
-        at.unzip::<_, _, Vec<_>, Vec<_>>()
-    });
-    let a = Sampled::new(NlerpLerp, clips, &a.0, &a.1)?;
-    let b = Sampled::new(NlerpLerp, clips, &b.0, &b.1)?;
-    let mut models = vec![Motion::IDENTITY; INSTANCES * JOINTS];
-    skeleton.job().locals_to_model(a, &mut models)?;
-    write(&models)?;
-    let mut scratch = vec![Motion::IDENTITY; 16 * JOINTS];
-    let mut palette = vec![Columns::default(); INSTANCES * JOINTS];
-    let job = skeleton.job().matrix_order(MatrixOrder::Columns);
-    let both = Layered::blend(NlerpLerp, a, b, weights);
-    job.clone().roots(roots).palette(both, &mut scratch, binds, &mut palette)?;
-    write(&palette)?;
-    let both = Layered::add(NlerpLerp, plain, a, weights).mask(mask);
-    job.palette(both, &mut scratch, binds, &mut palette)?;
-    write(&palette)?;
-    let (place, t): (Vec<_>, Vec<_>) = clips.place(1, 1.25).into_iter().unzip();
-    let one = Sampled::new(NlerpLerp, clips, &place, &t)?;
-    skeleton.job().locals_to_model(one, &mut models[..JOINTS])?;
-    write(&models[..JOINTS])?;
-    job.palette(one, &mut scratch, binds, &mut palette[..JOINTS])?;
-    write(&palette[..JOINTS])
+    let keys = frames.each_ref().map(Vec::as_slice);
+    Ok(PackedClip::library(JOINTS, &keys, Tolerance::default())?)
 }
 
 fn skin(given: &mut Given, motions: &[Motion]) -> Result<(), Box<dyn Error>> {

@@ -1,5 +1,5 @@
 // dq8 for JavaScript: skeletons, clips and skins, many at a time. README.md begins with an example.
-import { Module, Noun, Numbers, count, instantiate } from "./memory.js";
+import { Module, Noun, Numbers, count, dispose, instantiate } from "./memory.js";
 
 // Written out, so that bundlers find and copy the files.
 const FILES = {
@@ -20,47 +20,36 @@ const keep = (noun, module, at, free) => { modules.set(noun, module); places.set
 
 class Handle {
   free() { places.get(this).free(); }
-  [Symbol.dispose ?? Symbol("dispose")]() { this.free(); }
+  [dispose]() { this.free(); }
 }
+/** Calls what a noun can do. */
+const run = (noun, name, plain, ...arrays) => modules.get(noun).call(name, [places.get(noun).place, ...plain], ...arrays);
 
 export class Dq8 {
-  constructor(raw) { modules.set(this, new Module(raw)); }
+  #module;
+  constructor(raw) { this.#module = new Module(raw); }
   /** Numbers: so many zeros, or those of an array. */
-  floats(source) { return new Numbers(modules.get(this), Float32Array, source); }
+  floats(source) { return new Numbers(this.#module, Float32Array, source); }
   /** Motions, eight numbers each: so many identities, or those of an array. */
   motions(source) {
     const made = this.floats(typeof source === "number" ? 8 * source : source);
     if (typeof source === "number") for (let view = made.view, i = 3; i < view.length; i += 8) view[i] = 1;
     return made;
   }
-  skeleton(parents) { return new Skeleton(modules.get(this), parents); }
+  skeleton(parents) { return new Skeleton(this.#module, parents); }
   /** Packed clips of bytes that Rust, Python or the example mocap wrote, copied. */
-  packedClip(bytes) { return new PackedClip(modules.get(this), bytes); }
-  skin(options) { return new Skin(modules.get(this), options); }
+  packedClip(bytes) { return new PackedClip(this.#module, bytes); }
+  skin(options) { return new Skin(this.#module, options); }
   /** Motions of [x y z w tx ty tz] each. */
-  fromRotationsTranslations(poses, motions) {
-    const m = modules.get(this), [from, n] = m.array("poses", poses, 7), [to, room] = m.output("motions", motions, 8, { poses });
-    if (room !== n) throw new RangeError(`motions holds ${room} elements where ${n} are needed`);
-    m.raw.dq8_from_rotations_translations(from, to, n);
-  }
-  mul(a, b, product) {
-    const m = modules.get(this), to = m.output("product", product, 8, { a, b });
-    m.check(m.raw.dq8_mul(...m.array("a", a, 8), ...m.array("b", b, 8), ...to));
-  }
+  fromRotationsTranslations(poses, motions) { this.#module.call("dq8_from_rotations_translations", [], { poses: [poses, 7] }, { motions: [motions, 8] }); }
+  mul(a, b, product) { this.#module.call("dq8_mul", [], { a: [a, 8], b: [b, 8] }, { product: [product, 8] }); }
   /** From a[i] to b[i], t[i] of it, along one screw. */
-  sclerpEach(a, b, t, between) {
-    const m = modules.get(this), to = m.output("between", between, 8, { a, b, t });
-    m.check(m.raw.dq8_sclerp_each(...m.array("a", a, 8), ...m.array("b", b, 8), ...m.array("t", t), ...to));
-  }
+  sclerpEach(a, b, t, between) { this.#module.call("dq8_sclerp_each", [], { a: [a, 8], b: [b, 8], t: [t, 1] }, { between: [between, 8] }); }
   transformPointsEach(motions, points, moved) {
-    const m = modules.get(this), to = m.output("moved", moved, 3, { motions, points });
-    m.check(m.raw.dq8_transform_points_each(...m.array("motions", motions, 8), ...m.array("points", points, 3), ...to));
+    this.#module.call("dq8_transform_points_each", [], { motions: [motions, 8], points: [points, 3] }, { moved: [moved, 3] });
   }
   /** 4×4 matrices by columns: what WebGL, WebGPU and three.js read. */
-  matrices(motions, matrices) {
-    const m = modules.get(this);
-    m.check(m.raw.dq8_matrices(...m.array("motions", motions, 8), ...m.output("matrices", matrices, 16, { motions })));
-  }
+  matrices(motions, matrices) { this.#module.call("dq8_matrices", [], { motions: [motions, 8] }, { matrices: [matrices, 16] }); }
 }
 
 /** Words of `Source` in Rust. */
@@ -70,9 +59,8 @@ export class Skeleton extends Handle {
   #source; #joints;
   constructor(module, parents) {
     super();
-    for (const [joint, parent] of Array.from(parents).entries()) {
-      if (!Number.isInteger(parent)) throw new TypeError(`parents[${joint}] is ${parent}, not a whole number`);
-    }
+    const bad = Array.from(parents).findIndex((parent) => !Number.isInteger(parent));
+    if (bad >= 0) throw new TypeError(`parents[${bad}] is ${parents[bad]}, not a whole number`);
     keep(this, module, module.lend(Int32Array, parents, (at, n) => module.raw.dq8_skeleton(at, n)), "dq8_skeleton_free");
     this.#joints = parents.length;
     this.#source = new Numbers(module, Uint32Array, WORDS);
@@ -83,37 +71,28 @@ export class Skeleton extends Handle {
   clip(keys) { return new Clip(modules.get(this), this.#joints, keys); }
   /** Poses in blocks of four instances. */
   crowd(instances) { return new Crowd(modules.get(this), this, instances); }
-  #from(source, inputs) {
-    const m = modules.get(this), words = this.#source.view;
+  /** Calls with a source, which may be over itself, and roots. */
+  #pose(name, source, roots, reads, writes) {
+    const m = modules.get(this), words = this.#source.view, inputs = { roots };
     words.fill(0);
     if (source instanceof Sampled) source.write(m, words, inputs);
-    else { inputs.locals = source; words.set(m.array("locals", source, 8), 17); }
-    return this.#source.view.byteOffset;
+    else { words.set(m.array("locals", source, 8), 17); if (writes.models?.[0] !== source) inputs.locals = source; }
+    run(this, name, [words.byteOffset, ...m.maybe("roots", roots, 8)], reads, writes, inputs);
   }
   /** Model poses [instance][joint] of locals, or of sampled clips; over the locals themselves without `models`. */
-  localToModel(source, models = source, { roots } = {}) {
-    const m = modules.get(this), at = of(this, Skeleton, "skeleton"), inputs = { roots }, from = this.#from(source, inputs);
-    if (models === source) delete inputs.locals;
-    m.check(m.raw.dq8_skeleton_local_to_model(at, from, ...m.maybe("roots", roots, 8), ...m.output("models", models, 8, inputs)));
-  }
+  localToModel(source, models = source, { roots } = {}) { this.#pose("dq8_skeleton_local_to_model", source, roots, {}, { models: [models, 8] }); }
   /** Skinning palettes [instance][joint], 4×4 matrices by columns. */
   palette(source, { roots, inverseBinds, palette }) {
-    const m = modules.get(this), at = of(this, Skeleton, "skeleton"), inputs = { roots, inverseBinds }, from = this.#from(source, inputs);
-    m.check(m.raw.dq8_skeleton_palette(at, from, ...m.maybe("roots", roots, 8), ...m.array("inverseBinds", inverseBinds, 8),
-      ...m.output("palette", palette, 16, inputs)));
+    this.#pose("dq8_skeleton_palette", source, roots, { inverseBinds: [inverseBinds, 8] }, { palette: [palette, 16] });
   }
   /** The same of models, after something has changed them. */
   modelPalette(models, { inverseBinds, palette }) {
-    const m = modules.get(this);
-    m.check(m.raw.dq8_skeleton_model_palette(of(this, Skeleton, "skeleton"), ...m.array("models", models, 8),
-      ...m.array("inverseBinds", inverseBinds, 8), ...m.output("palette", palette, 16, { models, inverseBinds })));
+    run(this, "dq8_skeleton_model_palette", [], { models: [models, 8], inverseBinds: [inverseBinds, 8] }, { palette: [palette, 16] });
   }
   /** Takes the end of a limb [hip, knee, foot] to the target of each instance, its knee toward the pole. */
   twoBone(limb, models, targets, poles) {
-    const m = modules.get(this), [hip, knee, foot] = Array.from(limb, (joint, i) => count(`limb[${i}]`, joint));
-    const to = m.output("models", models, 8, { targets, poles });
-    m.check(m.raw.dq8_skeleton_two_bone(of(this, Skeleton, "skeleton"), hip, knee, count("limb[2]", foot), ...to,
-      ...m.array("targets", targets, 3), ...m.array("poles", poles, 3)));
+    const joints = Array.from({ length: 3 }, (_, i) => count(`limb[${i}]`, limb[i]));
+    run(this, "dq8_skeleton_two_bone", joints, { targets: [targets, 3], poles: [poles, 3] }, { models: [models, 8] });
   }
 }
 
@@ -180,10 +159,10 @@ export class Crowd extends Handle {
     this.#skeleton = skeleton;
   }
   /** Takes poses [instance][joint]. */
-  set(poses) { const m = modules.get(this); m.check(m.raw.dq8_crowd_set(of(this, Crowd, "crowd"), ...m.array("poses", poses, 8))); }
+  set(poses) { run(this, "dq8_crowd_set", [], { poses: [poses, 8] }); }
   /** In place. */
-  localToModel() { const m = modules.get(this); m.check(m.raw.dq8_crowd_local_to_model(of(this, Crowd, "crowd"), of(this.#skeleton, Skeleton, "skeleton"))); }
-  copyTo(poses) { const m = modules.get(this); m.check(m.raw.dq8_crowd_copy_to(of(this, Crowd, "crowd"), ...m.array("poses", poses, 8))); }
+  localToModel() { run(this, "dq8_crowd_local_to_model", [of(this.#skeleton, Skeleton, "skeleton")]); }
+  copyTo(poses) { run(this, "dq8_crowd_copy_to", [], {}, { poses: [poses, 8] }); }
 }
 
 const BLENDS = ["dual", "linear", "mixed"];
@@ -203,13 +182,13 @@ export class Skin extends Handle {
   free() { super.free(); this.#mesh.free(); }
   /** Poses a mesh by the motions of its joints: "dual", "linear", or "mixed" by a share of dual for each vertex. */
   pose({ blend = "dual", motions, shares, rest, posed, normals, posedNormals }) {
-    const m = modules.get(this), kind = BLENDS.indexOf(blend), inputs = { motions, shares, rest, normals };
+    const m = modules.get(this), kind = BLENDS.indexOf(blend), mesh = this.#mesh.view, inputs = { rest, normals };
     if (kind < 0) throw new RangeError(`blend is ${blend}, none of ${BLENDS.join(", ")}`);
-    const from = m.array("rest", rest, 3), to = m.output("posed", posed, 3, inputs);
-    const extra = normals || posedNormals ? [...m.array("normals", normals, 3), ...m.output("posedNormals", posedNormals, 3, { ...inputs, posed })] : [];
-    this.#mesh.view.fill(0);
-    this.#mesh.view.set([...from, ...to, ...extra]);
-    m.check(m.raw.dq8_skin_pose(of(this, Skin, "skin"), kind, ...m.array("motions", motions, 8),
-      ...(kind === 2 ? m.array("shares", shares) : [0, 0]), this.#mesh.view.byteOffset));
+    const reads = { motions: [motions, 8], shares: [kind === 2 ? shares : undefined, 1, kind !== 2] };
+    const from = m.array("rest", rest, 3), to = m.output("posed", posed, 3, { motions, shares, ...inputs });
+    const extra = normals || posedNormals ? [...m.array("normals", normals, 3), ...m.output("posedNormals", posedNormals, 3, { motions, shares, ...inputs, posed })] : [];
+    mesh.fill(0);
+    mesh.set([...from, ...to, ...extra]);
+    run(this, "dq8_skin_pose", [kind, mesh.byteOffset], reads);
   }
 }

@@ -81,6 +81,13 @@ export class Module {
   array(name, numbers, size = 1) { return placeOf(this, name, numbers, size); }
   /** The same of one that may be missing. */
   maybe(name, numbers, size = 1) { return numbers ? this.array(name, numbers, size) : [0, 0]; }
+  /** Calls a function of numbers, arrays that are read and arrays that are written: { name: [array, size, whether it may be missing] }. */
+  call(name, plain, reads = {}, writes = {}, inputs = {}) {
+    for (const input in reads) inputs[input] = reads[input][0];
+    const write = Object.entries(writes).flatMap(([name, [numbers, size]]) => this.output(name, numbers, size, inputs));
+    const read = Object.entries(reads).flatMap(([name, [numbers, size, missing]]) => missing ? this.maybe(name, numbers, size) : this.array(name, numbers, size));
+    this.check(this.raw[name](...plain, ...read, ...write));
+  }
   /** Of one that is written, and so can be none of those that are read. */
   output(name, numbers, size, inputs) {
     for (const [input, other] of Object.entries(inputs)) if (other === numbers) throw new RangeError(`${name} is the same array as ${input}`);

@@ -43,19 +43,15 @@ export class Robot {
   }
   link(name) { const link = this.linkNames.indexOf(name); return link < 0 ? undefined : link; }
   /** [configuration][value] to [configuration][link]. */
-  poses(values, poses) {
-    const m = this.#module;
-    m.check(m.raw.dq8_robot_poses(this.#noun.place, ...m.array("values", values), ...m.output("poses", poses, 8, { values })));
-  }
+  poses(values, poses) { this.#module.call("dq8_robot_poses", [this.#noun.place], { values: [values, 1] }, { poses: [poses, 8] }); }
   /** [configuration][rate] of six numbers, angular first, in the axes of the world. */
   jacobians(link, values, columns) {
-    const m = this.#module;
-    m.check(m.raw.dq8_robot_jacobians(this.#noun.place, count("link", link), ...m.array("values", values), ...m.output("columns", columns, 6, { values })));
+    this.#module.call("dq8_robot_jacobians", [this.#noun.place, count("link", link)], { values: [values, 1] }, { columns: [columns, 6] });
   }
   /** Moves `values` until `link` is at `target`, a motion; only its position with `position`. */
   reach(link, target, values, { position = false, restarts = true } = {}) {
     const m = this.#module, to = m.output("values", values, 1, { target });
-    const outcome = m.raw.dq8_robot_reach(this.#noun.place, count("link", link), +position, +restarts, ...m.array("target", target, 8), ...to, this.#report.view.byteOffset);
+    const outcome = m.raw.dq8_robot_reach(this.#noun.place, count("link", link), +position, +restarts, this.#report.view.byteOffset, ...m.array("target", target, 8), ...to);
     if (outcome === 255) throw m.error();
     const [iterations, again, angularError, linearError] = this.#report.view;
     return { outcome: OUTCOMES[outcome], iterations, restarts: again, angularError, linearError };

@@ -1,7 +1,7 @@
 //! Clips, and poses sampled from them, one over the other.
 
 use crate::Motion;
-use crate::memory::{made, slice};
+use crate::memory::{exports, frees, made, slice};
 use dq8::ShapeError;
 use dq8::hierarchy::{self, Either, Frames, Layered, PackedClip, Playback, Sampled, TrackPlace};
 use dq8::law::NlerpLerp;
@@ -30,11 +30,9 @@ impl Clip {
 type Plain<'s> = Sampled<'s, NlerpLerp, Frames<'s, Key, f32>, f32, 7>;
 /// Poses of a clip.
 type Sample<'s> = Either<Plain<'s>, Sampled<'s, NlerpLerp, Playback<'s>, f32, 7>>;
-type Layers<'s, S, const ADDS: bool> = Layered<'s, NlerpLerp, S, S, f32, 7, ADDS>;
-/// One clip blended into another: two plain ones, most often, by a shorter way.
-type Blend<'s> = Either<Layers<'s, Plain<'s>, false>, Layers<'s, Sample<'s>, false>>;
+type Layers<'s, const ADDS: bool> = Layered<'s, NlerpLerp, Sample<'s>, Sample<'s>, f32, 7, ADDS>;
 /// Poses of one clip, or of one over another: one kernel for all of them, and not ten.
-pub(crate) type Poses<'s> = Either<Sample<'s>, Either<Blend<'s>, Layers<'s, Sample<'s>, true>>>;
+pub(crate) type Poses<'s> = Either<Sample<'s>, Either<Layers<'s, false>, Layers<'s, true>>>;
 
 /// Where in a clip each instance is, kept so that no frame of an animation allocates.
 #[derive(Debug, Default)]
@@ -157,57 +155,34 @@ impl Source {
         let of = |at, count| unsafe { slice(at, count) };
         let weights = of(self.weights, self.weight_count);
         let mask = (!self.mask.is_null()).then(|| of(self.mask, self.mask_count));
-        let layers = match (base, layer) {
-            _ if self.adds != 0 => {
-                let both = Layered::add(NlerpLerp, base, layer, weights);
-                Either::Other(mask.map_or(both, |mask| both.mask(mask)))
-            }
-            (Either::One(base), Either::One(layer)) => {
-                let both = Layered::blend(NlerpLerp, base, layer, weights);
-                Either::One(Either::One(mask.map_or(both, |mask| both.mask(mask))))
-            }
-            _ => {
-                let both = Layered::blend(NlerpLerp, base, layer, weights);
-                Either::One(Either::Other(mask.map_or(both, |mask| both.mask(mask))))
-            }
-        };
-        Ok(Either::Other(layers))
+        Ok(Either::Other(if self.adds == 0 {
+            let both = Layered::blend(NlerpLerp, base, layer, weights);
+            Either::One(mask.map_or(both, |mask| both.mask(mask)))
+        } else {
+            let both = Layered::add(NlerpLerp, base, layer, weights);
+            Either::Other(mask.map_or(both, |mask| both.mask(mask)))
+        }))
     }
 }
 
-/// # Safety
-/// So many keys are there.
-#[unsafe(no_mangle)]
-unsafe extern "C" fn dq8_clip(joints: usize, keys: *const Key, count: usize) -> *mut Clip {
-    // SAFETY: promised.
-    made(Clip::new(joints, unsafe { slice(keys, count) }))
-}
+frees!(dq8_clip_free: Clip);
+exports! {
+    fn dq8_clip(joints: usize; keys[count]: Key;) -> *mut Clip {
+        made(Clip::new(joints, keys))
+    }
 
-/// # Safety
-/// So many bytes are there.
-#[unsafe(no_mangle)]
-unsafe extern "C" fn dq8_packed_clip(bytes: *const u8, count: usize) -> *mut Clip {
-    // SAFETY: promised.
-    made(PackedClip::from_bytes(unsafe { slice(bytes, count) }.into()).map(Clip::Packed))
-}
+    fn dq8_packed_clip(; bytes[count]: u8;) -> *mut Clip {
+        made(PackedClip::from_bytes(bytes.into()).map(Clip::Packed))
+    }
 
-/// How many packed clips there are.
-#[unsafe(no_mangle)]
-extern "C" fn dq8_packed_clip_clips(clip: &Clip) -> usize {
-    if let Clip::Packed(packed) = clip { packed.clips().clips() } else { 0 }
-}
+    /// How many packed clips there are.
+    fn dq8_packed_clip_clips(clip: &Clip;;) -> usize {
+        if let Clip::Packed(packed) = clip { packed.clips().clips() } else { 0 }
+    }
 
-/// How many frames one of them has; 0 if there is no such clip.
-#[unsafe(no_mangle)]
-extern "C" fn dq8_packed_clip_frames(clip: &Clip, number: usize) -> usize {
-    let Clip::Packed(packed) = clip else { return 0 };
-    packed.clips().frames(number).unwrap_or(0)
-}
-
-/// # Safety
-/// It has been made, and is not used any more.
-#[unsafe(no_mangle)]
-unsafe extern "C" fn dq8_clip_free(clip: *mut Clip) {
-    // SAFETY: promised.
-    drop(unsafe { Box::from_raw(clip) });
+    /// How many frames one of them has; 0 if there is no such clip.
+    fn dq8_packed_clip_frames(clip: &Clip, number: usize;;) -> usize {
+        let Clip::Packed(packed) = clip else { return 0 };
+        packed.clips().frames(number).unwrap_or(0)
+    }
 }

@@ -1,21 +1,14 @@
 //! Limbs of two bones in models that are already there: what stands on a foot follows it, as it was turned.
 
 use crate::Motion;
-use crate::memory::{slice, slice_mut, status};
+use crate::memory::{exports, status};
 use crate::skeleton::Rig;
-use dq8::Quat;
+use dq8::batch::vector::{add, sub};
 use dq8::ik::TwoBone;
+use dq8::{Quat, ShapeError};
 use std::ops::Range;
 
 type Point = [f32; 3];
-
-fn minus([a, b, c]: Point, [x, y, z]: Point) -> Point {
-    [a - x, b - y, c - z]
-}
-
-fn plus([a, b, c]: Point, [x, y, z]: Point) -> Point {
-    [a + x, b + y, c + z]
-}
 
 fn length([x, y, z]: Point) -> f32 {
     (x * x + y * y + z * z).sqrt()
@@ -24,13 +17,13 @@ fn length([x, y, z]: Point) -> f32 {
 /// The turn about `from` that takes the way to `end` to `way`, and then what lies at `from` to `to`. A bone without
 /// length does not turn.
 fn swing(from: Point, end: Point, way: Point, to: Point) -> Motion {
-    let bone = minus(end, from);
+    let bone = sub(end, from);
     let turn = if length(bone) > 0.0 && length(way) > 0.0 {
         Quat::from_rotation_arc(bone, way)
     } else {
         Quat::IDENTITY
     };
-    Motion::from_rotation_translation(turn, minus(to, turn.rotate(from)))
+    Motion::from_rotation_translation(turn, sub(to, turn.rotate(from)))
 }
 
 /// A limb, and the joints that hang from each of its three.
@@ -59,16 +52,16 @@ impl Limb {
         let [hip, knee, foot] = self
             .joints
             .map(|joint| models.get(joint).map_or([f32::NAN; 3], |model| model.translation()));
-        let lengths = [length(minus(knee, hip)), length(minus(foot, knee))];
+        let lengths = [length(sub(knee, hip)), length(sub(foot, knee))];
         let found =
             TwoBone::reach(hip, lengths, target, pole).map_err(|error| error.to_string())?;
         let way = |turn: Quat<f32>, length| turn.rotate([length, 0.0, 0.0]);
         let (upper, lower) = (way(found.upper, lengths[0]), way(found.lower, lengths[1]));
-        let new_knee = plus(hip, upper);
+        let new_knee = add(hip, upper);
         Ok([
             swing(hip, knee, upper, hip),
             swing(knee, foot, lower, new_knee),
-            Motion::from_translation(minus(plus(new_knee, lower), foot)),
+            Motion::from_translation(sub(add(new_knee, lower), foot)),
         ])
     }
 
@@ -89,13 +82,6 @@ impl Limb {
     }
 }
 
-fn whole(what: &str, numbers: usize, instances: usize) -> Result<(), String> {
-    if numbers == instances {
-        return Ok(());
-    }
-    Err(format!("{what} holds {numbers} elements where {instances} are needed"))
-}
-
 fn two_bone(
     rig: &Rig,
     joints: [usize; 3],
@@ -104,8 +90,13 @@ fn two_bone(
     poles: &[Point],
 ) -> Result<(), String> {
     let (limb, count) = (Limb::new(rig, joints)?, rig.skeleton.joints());
-    whole("models", models.len(), count * targets.len())?;
-    whole("poles", poles.len(), targets.len())?;
+    for (what, length, expected) in
+        [("models", models.len(), count * targets.len()), ("poles", poles.len(), targets.len())]
+    {
+        if length != expected {
+            return Err(ShapeError::Length { what, length, expected }.to_string());
+        }
+    }
     // All of them first, so that an error leaves the models as they were.
     let mut parts = Vec::with_capacity(targets.len());
     for (instance, ((models, &target), &pole)) in
@@ -120,26 +111,12 @@ fn two_bone(
     Ok(())
 }
 
-/// Moves the third joint of a limb to the target of its instance, the second one toward the pole.
-///
-/// # Safety
-/// All that is named is there, apart from each other.
-#[unsafe(no_mangle)]
-unsafe extern "C" fn dq8_skeleton_two_bone(
-    rig: &Rig,
-    root: usize,
-    hinge: usize,
-    end: usize,
-    models: *mut Motion,
-    model_count: usize,
-    targets: *const Point,
-    target_count: usize,
-    poles: *const Point,
-    pole_count: usize,
-) -> u32 {
-    // SAFETY: promised.
-    let (models, targets, poles) = unsafe {
-        (slice_mut(models, model_count), slice(targets, target_count), slice(poles, pole_count))
-    };
-    status(two_bone(rig, [root, hinge, end], models, targets, poles))
+exports! {
+    /// Moves the third joint of a limb to the target of its instance, the second one toward the pole.
+    fn dq8_skeleton_two_bone(
+        rig: &Rig, root: usize, hinge: usize, end: usize;
+        targets[target_count]: Point, poles[pole_count]: Point; models[model_count]: Motion
+    ) -> u32 {
+        status(two_bone(rig, [root, hinge, end], models, targets, poles))
+    }
 }

@@ -1,7 +1,7 @@
 //! Skeletons: model poses and palettes of any number of instances.
 
 use crate::clip::{Places, Source};
-use crate::memory::{made, slice, slice_mut, status};
+use crate::memory::{exports, frees, made, slice, status};
 use crate::{Columns, Motion};
 use dq8::hierarchy::{MatrixOrder, Poses, Root};
 use dq8::{Hierarchy, ShapeError, Skeleton};
@@ -18,29 +18,6 @@ pub(crate) struct Rig {
     places: [Places; 2],
     scratch: Box<[Motion]>,
     models: Vec<Motion>,
-}
-
-/// # Safety
-/// So many parents are there.
-#[unsafe(no_mangle)]
-unsafe extern "C" fn dq8_skeleton(parents: *const i32, joints: usize) -> *mut Rig {
-    // SAFETY: promised.
-    let skeleton = Skeleton::new(unsafe { slice(parents, joints) });
-    made(skeleton.map(|skeleton| Rig {
-        skeleton,
-        loose: vec![Hierarchy::ROOT; joints].into(),
-        places: Default::default(),
-        scratch: vec![Motion::IDENTITY; AT_ONCE.saturating_mul(joints)].into(),
-        models: Vec::new(),
-    }))
-}
-
-/// # Safety
-/// It has been made, and is not used any more.
-#[unsafe(no_mangle)]
-unsafe extern "C" fn dq8_skeleton_free(rig: *mut Rig) {
-    // SAFETY: promised.
-    drop(unsafe { Box::from_raw(rig) });
 }
 
 /// # Safety
@@ -63,92 +40,67 @@ fn model_palette(
     job.palette(Poses(models), scratch, inverse_binds, palette)
 }
 
-/// Model poses, `[instance][joint]`; in place if the source is where they go.
-///
-/// # Safety
-/// All that is named is there, and `models` lies apart from it or is the source.
-#[unsafe(no_mangle)]
-unsafe extern "C" fn dq8_skeleton_local_to_model(
-    rig: &mut Rig,
-    source: &Source,
-    roots: *const Motion,
-    root_count: usize,
-    models: *mut Motion,
-    count: usize,
-) -> u32 {
-    let Rig { skeleton, places, .. } = rig;
-    // SAFETY: promised.
-    let (root, out) = unsafe { (root(roots, root_count), slice_mut(models, count)) };
-    if source.is_at(models) {
-        return status(skeleton.job().on(root).local_to_model_in_place(out));
+frees!(dq8_skeleton_free: Rig);
+exports! {
+    fn dq8_skeleton(; parents[joints]: i32;) -> *mut Rig {
+        made(Skeleton::new(parents).map(|skeleton| Rig {
+            skeleton,
+            loose: vec![Hierarchy::ROOT; joints].into(),
+            places: Default::default(),
+            scratch: vec![Motion::IDENTITY; AT_ONCE.saturating_mul(joints)].into(),
+            models: Vec::new(),
+        }))
     }
-    // Without a plan, which is for one instance alone, and twice the code.
-    let job = skeleton.hierarchy().job().on(root);
-    // SAFETY: promised.
-    status(unsafe {
-        match source.locals() {
-            Some(locals) => job.locals_to_model(Poses(locals), out),
-            None => source.poses(places).and_then(|poses| job.locals_to_model(poses, out)),
-        }
-    })
-}
 
-/// Skinning palettes, `[instance][joint]`, 4×4 matrices by columns.
-///
-/// # Safety
-/// All that is named is there, and `palette` lies apart from it.
-#[unsafe(no_mangle)]
-unsafe extern "C" fn dq8_skeleton_palette(
-    rig: &mut Rig,
-    source: &Source,
-    roots: *const Motion,
-    root_count: usize,
-    inverse_binds: *const Motion,
-    bind_count: usize,
-    palette: *mut Columns,
-    count: usize,
-) -> u32 {
-    let Rig { skeleton, places, scratch, models, loose } = rig;
-    // SAFETY: promised.
-    let (root, inverse_binds, palette) = unsafe {
-        (root(roots, root_count), slice(inverse_binds, bind_count), slice_mut(palette, count))
-    };
-    let job = skeleton.hierarchy().job().on(root);
-    // SAFETY: promised.
-    let Some(locals) = (unsafe { source.locals() }) else {
-        let job = job.matrix_order(MatrixOrder::Columns);
+    /// Model poses, `[instance][joint]`; in place if the source is where they go.
+    fn dq8_skeleton_local_to_model(
+        rig: &mut Rig, source: &Source, roots: *const Motion, root_count: usize;; models[count]: Motion
+    ) -> u32 {
+        let Rig { skeleton, places, .. } = rig;
         // SAFETY: promised.
-        return status(
-            unsafe { source.poses(places) }
-                .and_then(|poses| job.palette(poses, scratch, inverse_binds, palette)),
-        );
-    };
-    // Through models in memory: no kernel more, which a page would wait for.
-    models.resize(palette.len(), Motion::IDENTITY);
-    status(
-        job.locals_to_model(Poses(locals), models)
-            .and_then(|()| model_palette(loose, models, scratch, inverse_binds, palette)),
-    )
-}
+        let root = unsafe { root(roots, root_count) };
+        if source.is_at(models.as_ptr()) {
+            return status(skeleton.job().on(root).local_to_model_in_place(models));
+        }
+        // Without a plan, which is for one instance alone, and twice the code.
+        let job = skeleton.hierarchy().job().on(root);
+        // SAFETY: promised.
+        status(unsafe {
+            match source.locals() {
+                Some(locals) => job.locals_to_model(Poses(locals), models),
+                None => source.poses(places).and_then(|poses| job.locals_to_model(poses, models)),
+            }
+        })
+    }
 
-/// The same from models.
-///
-/// # Safety
-/// All that is named is there, and `palette` lies apart from it.
-#[unsafe(no_mangle)]
-unsafe extern "C" fn dq8_skeleton_model_palette(
-    rig: &mut Rig,
-    models: *const Motion,
-    model_count: usize,
-    inverse_binds: *const Motion,
-    bind_count: usize,
-    palette: *mut Columns,
-    count: usize,
-) -> u32 {
-    let Rig { loose, scratch, .. } = rig;
-    // SAFETY: promised.
-    let (models, inverse_binds, palette) = unsafe {
-        (slice(models, model_count), slice(inverse_binds, bind_count), slice_mut(palette, count))
-    };
-    status(model_palette(loose, models, scratch, inverse_binds, palette))
+    /// Skinning palettes, `[instance][joint]`, 4×4 matrices by columns.
+    fn dq8_skeleton_palette(
+        rig: &mut Rig, source: &Source, roots: *const Motion, root_count: usize;
+        inverse_binds[bind_count]: Motion; palette[count]: Columns
+    ) -> u32 {
+        let Rig { skeleton, places, scratch, models, loose } = rig;
+        // SAFETY: promised.
+        let (root, locals) = unsafe { (root(roots, root_count), source.locals()) };
+        let job = skeleton.hierarchy().job().on(root);
+        let Some(locals) = locals else {
+            let job = job.matrix_order(MatrixOrder::Columns);
+            // SAFETY: promised.
+            let poses = unsafe { source.poses(places) };
+            return status(poses.and_then(|poses| job.palette(poses, scratch, inverse_binds, palette)));
+        };
+        // Through models in memory: no kernel more, which a page would wait for.
+        models.resize(palette.len(), Motion::IDENTITY);
+        status(
+            job.locals_to_model(Poses(locals), models)
+                .and_then(|()| model_palette(loose, models, scratch, inverse_binds, palette)),
+        )
+    }
+
+    /// The same from models.
+    fn dq8_skeleton_model_palette(
+        rig: &mut Rig; models[model_count]: Motion, inverse_binds[bind_count]: Motion; palette[count]: Columns
+    ) -> u32 {
+        let Rig { loose, scratch, .. } = rig;
+        status(model_palette(loose, models, scratch, inverse_binds, palette))
+    }
 }

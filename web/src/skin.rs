@@ -1,7 +1,7 @@
 //! Meshes that follow joints.
 
 use crate::Motion;
-use crate::memory::{made, slice, slice_mut, status};
+use crate::memory::{exports, frees, made, slice, slice_mut, status};
 use dq8::hierarchy::MatrixOrder;
 use dq8::skinning::{Blender, DualBlend, Linear, Mixed, Skin, SkinningError, Surface, SurfaceMut};
 use dq8::{Backend, ShapeError};
@@ -36,29 +36,20 @@ impl OwnedSkin {
     }
 }
 
-/// # Safety
-/// So many joints and weights are there.
-#[unsafe(no_mangle)]
-unsafe extern "C" fn dq8_skin(
-    joint_count: usize,
-    influences: usize,
-    joints: *const u16,
-    joints_length: usize,
-    weights: *const f32,
-    weights_length: usize,
-) -> *mut OwnedSkin {
-    // SAFETY: promised.
-    let (joints, weights) =
-        unsafe { (slice(joints, joints_length), slice(weights, weights_length)) };
-    made(OwnedSkin::new(joint_count, influences, joints, weights))
-}
+frees!(dq8_skin_free: OwnedSkin);
+exports! {
+    fn dq8_skin(
+        joint_count: usize, influences: usize; joints[joint_length]: u16, weights[weight_length]: f32;
+    ) -> *mut OwnedSkin {
+        made(OwnedSkin::new(joint_count, influences, joints, weights))
+    }
 
-/// # Safety
-/// It has been made, and is not used any more.
-#[unsafe(no_mangle)]
-unsafe extern "C" fn dq8_skin_free(skin: *mut OwnedSkin) {
-    // SAFETY: promised.
-    drop(unsafe { Box::from_raw(skin) });
+    /// Poses by dual quaternions (0), linearly (1) or by a mix of them (2).
+    fn dq8_skin_pose(
+        skin: &mut OwnedSkin, blend: u32, mesh: &Mesh; motions[motion_count]: Motion, shares[share_count]: f32;
+    ) -> u32 {
+        status(pose(skin, blend, mesh, motions, shares))
+    }
 }
 
 /// Where a mesh is and where it goes.
@@ -104,38 +95,23 @@ fn rows<'m>(motions: &[Motion], matrices: &'m mut Vec<Row>) -> Result<&'m [Row],
     Ok(matrices)
 }
 
-/// Poses by dual quaternions (0), linearly (1) or by a mix of them (2).
-///
-/// # Safety
-/// All that is named is there, and what is posed lies apart.
-#[unsafe(no_mangle)]
-unsafe extern "C" fn dq8_skin_pose(
-    skin: &mut OwnedSkin,
+fn pose(
+    OwnedSkin { skin, matrices, .. }: &mut OwnedSkin,
     blend: u32,
-    motions: *const Motion,
-    motion_count: usize,
-    shares: *const f32,
-    share_count: usize,
     mesh: &Mesh,
-) -> u32 {
-    let OwnedSkin { skin, matrices, .. } = skin;
-    // SAFETY: promised.
-    let (motions, shares) = unsafe { (slice(motions, motion_count), slice(shares, share_count)) };
+    motions: &[Motion],
+    shares: &[f32],
+) -> Result<(), SkinningError> {
     let dual = DualBlend::new(motions);
-    if blend == 0 {
-        // SAFETY: promised.
-        return status(unsafe { mesh.pose(skin, dual) });
+    // SAFETY: what the mesh names is there, and what is posed lies apart, as the package promises.
+    unsafe {
+        if blend == 0 {
+            return mesh.pose(skin, dual);
+        }
+        let rows = Linear::new(rows(motions, matrices)?);
+        if blend == 1 {
+            return mesh.pose(skin, rows);
+        }
+        mesh.pose(skin, Mixed::new(rows, dual, shares)?)
     }
-    let rows = match rows(motions, matrices) {
-        Ok(rows) => Linear::new(rows),
-        Err(error) => return status(Err(error)),
-    };
-    if blend == 1 {
-        // SAFETY: promised.
-        return status(unsafe { mesh.pose(skin, rows) });
-    }
-    status(Mixed::new(rows, dual, shares).and_then(|mixed| {
-        // SAFETY: promised.
-        unsafe { mesh.pose(skin, mixed) }
-    }))
 }

@@ -71,5 +71,5 @@ test("every method of the package is declared, and every export is called", () =
   }
   const called = [...files, text("web/package/memory.js")].join("\n");
   const sources = readdirSync(new URL("../src", import.meta.url)).map((file) => text(`web/src/${file}`)).join("\n");
-  for (const [, name] of sources.matchAll(/extern "C" fn (dq8_\w+)/g)) assert.ok(called.includes(name), `${name} is called by nobody`);
+  for (const [, name] of sources.matchAll(/(?:fn |frees!\()(dq8_\w+)/g)) assert.ok(called.includes(name), `${name} is called by nobody`);
 });
