@@ -1,8 +1,8 @@
 //! [`Clip`]: key frames of plain numbers, and [`Frames`] of it.
 
-use super::ahead::{Rows, each};
 use super::keys::{Keys, PlacedKeys};
 use super::locals::sealed::Sealed;
+use super::rows::{Rows, each};
 use super::slot::JointSlot;
 use crate::law::Law;
 use crate::number::{Real, Scalar};

@@ -1,9 +1,9 @@
 //! [`Either`]: locals of one of two forms.
 
-use super::ahead::{Rows, load, store};
 use super::layers::PoseSource;
 use super::locals::sealed::Sealed;
 use super::locals::{Locals, Motions};
+use super::rows::{Rows, load, store};
 use super::slot::JointSlot;
 use crate::law::{Law, NlerpLerp};
 use crate::storage::shape::ShapeError;

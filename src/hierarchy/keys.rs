@@ -1,7 +1,7 @@
 //! [`Keys`]: where [`Sampled`](super::Sampled) takes its keys from, and [`PlacedKeys`].
 
-use super::ahead::{Rows, each};
 use super::locals::sealed::Sealed;
+use super::rows::{Rows, each};
 use super::slot::JointSlot;
 use crate::law::Law;
 use crate::storage::shape::ShapeError;

@@ -1,8 +1,8 @@
 //! [`PoseSource`]: poses that are computed as they are loaded. Sources nest: a layer loads from other sources.
 
-use super::ahead::{GROUP, Rows, each, load, store};
 use super::locals::sealed::Sealed;
 use super::locals::{Locals, Motions, Poses, RotationsTranslations, Tracks, part_of};
+use super::rows::{GROUP, Rows, each, load, store};
 use super::slot::JointSlot;
 use crate::law::Law;
 use crate::number::Scalar;

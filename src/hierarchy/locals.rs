@@ -1,6 +1,6 @@
 //! [`Locals`]: what a joint adds to its parent, and how it lies in memory.
 
-use super::ahead::{self, Rows};
+use super::rows::{self, Rows};
 use super::slot::JointSlot;
 use crate::batch;
 use crate::storage::shape::{ShapeError, same_length};
@@ -45,7 +45,7 @@ pub trait Locals<E: Element<8>>: Copy + Send + Sync + sealed::Sealed {
         slot: JointSlot,
         to: &mut [Rows<Register<E, V, 8>>],
     ) -> Option<()> {
-        ahead::each(slot, to, |slot| Some(self.load(level, &[], slot)?.to_array()))
+        rows::each(slot, to, |slot| Some(self.load(level, &[], slot)?.to_array()))
     }
 
     /// parent · local

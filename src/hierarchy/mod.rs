@@ -60,6 +60,7 @@ mod product;
 mod renormalize;
 mod root;
 mod root_motion;
+mod rows;
 mod run;
 mod sampled;
 mod schedule;

@@ -1,10 +1,10 @@
 //! [`Sampled`]: animation that is sampled on its way into a register.
 
-use super::ahead::Rows;
 use super::keys::{Keys, PlacedKeys};
 use super::layers::PoseSource;
 use super::locals::sealed::Sealed;
 use super::locals::{Locals, Motions, part_of};
+use super::rows::Rows;
 use super::slot::JointSlot;
 use crate::law::Law;
 use crate::number::Scalar;

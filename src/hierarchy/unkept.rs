@@ -2,10 +2,10 @@
 //! hold them. To transpose and store them would be two fifths of what a palette shuffles and stores, and all parents
 //! are where they were put, so nothing is loaded again.
 
-use super::ahead::{GROUP, Rows, load, store};
 use super::locals::{Locals, Motions};
 use super::palette::Epilogue;
 use super::product::product_in_lanes;
+use super::rows::{GROUP, Rows, load, store};
 use super::run::Run;
 use super::slot::JointSlot;
 use crate::backend::Kernel;

@@ -83,7 +83,7 @@ const SIMD_MAY_IMPORT: &[(&str, &[&str])] = &[
     ("sealed", &[]),
     ("lanes", &["sealed"]),
     ("index", &[]),
-    ("gather", &["index"]),
+    ("gather", &["index", "lanes"]),
     ("records", &["gather", "lanes"]),
     ("block", &["lanes"]),
     ("picks", &["index", "lanes"]),
