@@ -191,11 +191,10 @@ impl<L: Lanes> Records for L {}
 /// Where four of `C` components begin, the fours one after the other; the last begin earlier where `C` is not a multiple of
 /// four. `None` if all have come.
 ///
-/// Asked four times where a loop would do: whether the compiler unrolls a loop depends on how it weighs bytes, and one that
-/// it leaves goes through memory, which takes 1.4 of the time in WebAssembly.
+/// Asked four times where a loop would do, which is left to matrices of six rows: whether the compiler unrolls a loop depends
+/// on how it weighs bytes, and one that it leaves goes through memory, which takes 1.4 of the time in WebAssembly.
 #[cfg_attr(not(opt_level_0), inline(always))]
 const fn four<const C: usize>(number: usize) -> Option<usize> {
-    const { assert!(C <= 16) }
     let first = 4 * number;
     match (first < C, first + 4 <= C) {
         (false, _) => None,
@@ -215,7 +214,7 @@ unsafe fn load_all<L: Lanes, const C: usize>(
 ) -> [L; C] {
     let mut components = [L::splat(level, L::Real::default()); C];
     macro_rules! fours {
-        ($($number:literal)*) => {$(
+        ($($number:expr),*) => {$(
             if let Some(first) = four::<C>($number) {
                 // SAFETY: promised.
                 let quad = unsafe { L::load_quads(level, from.add(first), place) };
@@ -225,7 +224,10 @@ unsafe fn load_all<L: Lanes, const C: usize>(
             }
         )*};
     }
-    fours!(0 1 2 3);
+    fours!(0, 1, 2, 3);
+    for number in 4..C.div_ceil(4) {
+        fours!(number);
+    }
     components
 }
 
@@ -234,7 +236,7 @@ unsafe fn load_all<L: Lanes, const C: usize>(
 #[cfg_attr(not(opt_level_0), inline(always))]
 unsafe fn store_all<L: Lanes, const C: usize>(components: [L; C], to: *mut L::Real, stride: usize) {
     macro_rules! fours {
-        ($($number:literal)*) => {$(
+        ($($number:expr),*) => {$(
             if let Some(first) = four::<C>($number)
                 && let Some(&quad) = components.get(first..).and_then(|rest| rest.first_chunk())
             {
@@ -243,7 +245,10 @@ unsafe fn store_all<L: Lanes, const C: usize>(components: [L; C], to: *mut L::Re
             }
         )*};
     }
-    fours!(0 1 2 3);
+    fours!(0, 1, 2, 3);
+    for number in 4..C.div_ceil(4) {
+        fours!(number);
+    }
 }
 
 /// How many numbers `lanes` records of `count` reach over, `stride` apart.

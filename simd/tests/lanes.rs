@@ -245,6 +245,7 @@ fn check<L: Lanes>(level: L::Level) {
     strided::<L, 7>(level);
     strided::<L, 8>(level);
     strided::<L, 16>(level);
+    strided::<L, 36>(level);
 }
 
 fn check_level<V: Level>(level: V) {

@@ -59,7 +59,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
             "palette_entry",
         ],
     ),
-    ("seams", &["everyday", "backend"]),
+    ("seams", &["scalar", "everyday", "backend"]),
     ("ik", &["number", "scalar"]),
     (
         "hierarchy",
