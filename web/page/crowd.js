@@ -150,7 +150,6 @@ export function crowd(dq8, section) {
       gl.viewport(0, 0, canvas.width, canvas.height);
       gl.clearColor(0, 0, 0, 0); gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
       gl.useProgram(earth); gl.uniformMatrix4fv(view2, false, view); gl.bindVertexArray(field); gl.drawArrays(gl.TRIANGLES, 0, soil.length / 3);
-      // Straight from wasm's memory.
       gl.bindBuffer(gl.ARRAY_BUFFER, poses); gl.bufferSubData(gl.ARRAY_BUFFER, 0, arrays.palette.view);
       gl.useProgram(body); gl.uniformMatrix4fv(place2("view"), false, view); gl.bindVertexArray(bodies); gl.drawArraysInstanced(gl.TRIANGLES, 0, cube.length / 6, state.people * JOINTS);
     };

@@ -10,7 +10,6 @@ export async function robot(robots, section, text) {
     it = next;
     [values, poses, target] = [robots.floats(start), robots.floats(8 * it.linkNames.length), robots.floats([0, 0, 0, 1, 0, 0, 0, 0])];
     it.poses(values, poses);
-    // What moves farthest from the root, by joints.
     const depth = []; it.parents.forEach((parent, j) => { depth[j] = parent < 0 ? 0 : depth[parent] + 1; });
     hand = it.link("hand") ?? depth.indexOf(Math.max(...depth));
     const all = it.parents.map((_, j) => place(poses.view, j)), reach = Math.max(0.2, ...all.map((p) => Math.hypot(...p.map((x, k) => x - all[0][k]))));

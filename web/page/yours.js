@@ -1,4 +1,3 @@
-// What has been dropped, playing.
 import { Scene, colour, place, rgb } from "./scene.js";
 
 export function yours(dq8, section) {

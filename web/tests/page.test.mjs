@@ -116,7 +116,7 @@ test("keys turn a panel and move a slider, and every panel is reached by them", 
 test("nothing has been said to the console, and the page is small", () => {
   assert.deepEqual(page.messages, []);
   const folder = new URL("../page/", import.meta.url), bytes = readdirSync(folder).filter((name) => /\.(html|js)$/.test(name)).reduce((sum, name) => sum + statSync(new URL(name, folder)).size, 0);
-  assert.ok(bytes <= 50 * 1024, `${bytes} bytes`);
+  assert.ok(bytes <= 50_000, `${bytes} bytes`);
 });
 
 test("a phone has it in its width; without WebGL it says so and goes on", async (t) => {
