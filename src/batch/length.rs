@@ -32,15 +32,14 @@ impl<L: Lanes> Length<L> {
     /// before the last product. Where they meet after it, the compiler computes both for each component, and selects.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn unit<const N: usize>(vector: [L; N], one: L) -> [L; N] {
-        let (mut vector, factor) = match Squared::of(vector, one) {
+        let (vector, factor) = match Squared::of(vector, one) {
             Squared::Fits(squared) => (vector, one / squared.sqrt()),
             Squared::Beyond { small, fits } => {
                 let length = Self::stretched(vector, small, fits, one);
                 (scaled(vector, length.first), length.stretched.map_or(one, |(second, _)| second))
             }
         };
-        vector = scaled(vector, factor);
-        vector
+        scaled(vector, factor)
     }
 
     #[cfg_attr(not(opt_level_0), inline(always))]

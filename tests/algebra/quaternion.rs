@@ -192,6 +192,30 @@ fn what_has_no_length_has_no_unit_on_any_implementation() {
     visit_implementations(&mut NoLength);
 }
 
+struct AnyLength;
+
+impl Visitor for AnyLength {
+    fn visit<M: Sample>(&mut self, on: &'static str) {
+        let powers: Vec<i32> =
+            if M::SINGLE { (-149..=126).collect() } else { (-1074..=1022).step_by(7).collect() };
+        for first in 0..powers.len() {
+            // Lanes of all lengths beside each other.
+            let sizes: Vec<_> =
+                (0..M::LANES).map(|lane| powers[(first + 61 * lane) % powers.len()]).collect();
+            let size = M::real(&sizes.iter().map(|&k| f64::from(k).exp2()).collect::<Vec<_>>());
+            let q = <M::Quat as Quaternion>::from_array([size, size, size, -size]);
+            let unit = q.normalize().to_array().map(M::lanes);
+            let wanted = [0.5, 0.5, 0.5, -0.5].map(|part| vec![part; M::LANES]);
+            assert_eq!(unit, wanted, "{on}: powers of two {sizes:?}");
+        }
+    }
+}
+
+#[test]
+fn any_length_there_is_is_divided_by_on_every_implementation() {
+    visit_implementations(&mut AnyLength);
+}
+
 #[test]
 fn differences_count_in_both_directions() {
     let [one, two] = [1.0_f32, 2.0].map(|w| Quat::from_xyzw(0.0, 0.0, 0.0, w));

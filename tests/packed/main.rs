@@ -6,7 +6,7 @@ mod hostile;
 
 use book::{Book, Key};
 use dq8::hierarchy::{
-    Clip, Either, Layered, PackedClip, PackedError, Sampled, Tolerance, TrackPlace,
+    Clip, Either, Layered, Locals, PackedClip, PackedError, Sampled, Tolerance, TrackPlace,
 };
 use dq8::law::NlerpLerp;
 use dq8::{Backend, Crowd, DualQuat, Hierarchy, Quat, Scalar, ShapeError};
@@ -306,6 +306,19 @@ fn outside_two_frames_is_the_nearer_one_and_nan_the_first() {
     assert_ne!(play(0.0), play(1.0));
 }
 
+fn on_roots(
+    backend: Backend,
+    roots: &[DualQuat<f32>],
+    locals: impl Locals<DualQuat<f32>>,
+) -> Vec<DualQuat<f32>> {
+    let mut palette = vec![DualQuat::IDENTITY; roots.len() * JOINTS];
+    let (mut scratch, binds) = ([DualQuat::IDENTITY; 16 * JOINTS], [DualQuat::IDENTITY; JOINTS]);
+    let hierarchy = Hierarchy::new(&PARENTS).unwrap();
+    let job = hierarchy.job().backend(backend).roots(roots);
+    job.palette(locals, &mut scratch, &binds, &mut palette).unwrap();
+    palette
+}
+
 /// Sources nest: packed clips under a layer, plain ones beside them, and into a palette by way of scratch.
 #[test]
 fn packed_clips_are_layered_and_make_palettes_as_others_do() {
@@ -342,6 +355,16 @@ fn packed_clips_are_layered_and_make_palettes_as_others_do() {
     job.locals_to_model(layered, e).unwrap();
     job.locals_to_model(Layered::blend(NlerpLerp, second, first, &weights), f).unwrap();
     assert!(a == b && c == d && e == f && a != c);
+    let roots: Vec<_> =
+        (0..count).map(|i| DualQuat::from_translation([i as f32, 1.0, 0.5])).collect();
+    let mask: Vec<_> = (0..JOINTS).map(|joint| joint as f32 / 20.0).collect();
+    let masked = layered.mask(&mask);
+    // What the other form would be gives the type its name.
+    let both = if count > 1 { Either::One(masked) } else { Either::Other(other) };
+    for backend in Backend::available() {
+        assert_eq!(on_roots(backend, &roots, first), on_roots(backend, &roots, one), "{backend}");
+        assert_eq!(on_roots(backend, &roots, both), on_roots(backend, &roots, masked), "{backend}");
+    }
     let mut crowds = [(); 2].map(|()| Crowd::<f32, 8>::new(JOINTS, count));
     job.locals_to_model(one, crowds[0].blocks_mut()).unwrap();
     job.locals_to_model(first, crowds[1].blocks_mut()).unwrap();
