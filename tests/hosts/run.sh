@@ -45,6 +45,8 @@ scripts/install_missing.sh "${needs[@]}"
 # because there is much to link.
 export RUSTC=/usr/bin/rustc RUSTDOC=/usr/bin/rustdoc RUSTC_BOOTSTRAP=1 CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$PWD/target}/hosts
 export DQ8_CALLED_LANES=0 CARGO_PROFILE_DEV_OPT_LEVEL=1 CARGO_PROFILE_DEV_DEBUG=0 CARGO_INCREMENTAL=0
+# Two workspaces, one profile: the standard library is compiled once for both.
+export CARGO_PROFILE_DEV_LTO=off
 
 # run TARGET LINKER RUNNER OPTION…: tests on one host.
 run() {
