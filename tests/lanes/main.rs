@@ -2,12 +2,10 @@
 //! `f64`, lane by lane: functions of dual numbers, other representations.
 
 mod dual;
-mod euler_angles;
-mod maps;
+mod jacobians;
 mod matrices;
 mod rotations;
 mod scene;
-mod two_bone;
 
 use dq8::{Lanes, Real, Scalar, batch, simd::Float, simd::Mask};
 use dq8_contract::bound::distance;
