@@ -15,8 +15,8 @@ macro_rules! operations {
         pub static OPERATIONS: &[Operation] = &[$(Operation {
             name: stringify!($name),
             arguments: &[$(Argument {
-                domain: domain!($kind).0,
-                numbers: domain!($kind).1,
+                domain: domain(stringify!($kind)).0,
+                numbers: domain(stringify!($kind)).1,
                 #[allow(unused_variables, reason = "most ask for the case alone")]
                 pick: |x, on| pick!(x, on, $kind $field $($more)*),
             }),*],
