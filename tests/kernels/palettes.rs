@@ -45,7 +45,7 @@ fn holds_to_the_last_bit<L: Memory>() {
                 let mut scratch = vec![L::filled::<8>(L::Real::ONE); instances * JOINTS + begin];
                 let scratch = &mut scratch[begin..];
                 let mut palette = vec![empty; poses.len()];
-                let mut same = |wanted: &[L::Record<12>], palette: &[L::Record<12>]| {
+                let same = |wanted: &[L::Record<12>], palette: &[L::Record<12>]| {
                     let what = format!("{} on {backend}, {instances}, {begin}", L::name());
                     assert_same_bits(&read::<L, 12>(1, palette), &read::<L, 12>(1, wanted), &what);
                 };
