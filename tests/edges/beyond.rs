@@ -3,7 +3,7 @@
 use crate::{allowed, only};
 use dq8::DualQuat;
 use dq8_contract::bound::within;
-use dq8_contract::implementation::{On, implementations};
+use dq8_contract::implementation::implementations;
 use dq8_contract::inputs::turn_and_move;
 
 #[test]

@@ -1,7 +1,7 @@
 //! Half a turn, whose axis has two directions.
 
 use super::only;
-use dq8_contract::implementation::{On, implementations};
+use dq8_contract::implementation::implementations;
 
 #[test]
 fn a_motion_and_its_negative_have_one_logarithm_and_one_power() {

@@ -1,7 +1,7 @@
 //! Parts of very different sizes.
 
 use crate::only;
-use dq8_contract::implementation::{On, implementations};
+use dq8_contract::implementation::implementations;
 
 /// 1.5·2ⁿ, in two steps: `powi` goes by way of 2⁻ⁿ, which may be no number.
 fn number(exponent: i32) -> f64 {
