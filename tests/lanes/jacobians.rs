@@ -1,9 +1,10 @@
 //! Jacobians as matrices.
 
 use super::scene::cases;
-use super::{Provable, columns, exact, measure, on_every_level, rounded, row};
+use super::{Provable, columns, exact, measure, rounded, row};
 use dq8::{DualQuat, Twist, batch};
 use dq8_contract::ledger::{Ledger, line};
+use dq8_contract::on_every_lane_type;
 
 fn jacobians_agree<L: Provable>(ledger: &Ledger) {
     for chunk in cases().chunks(L::LANES) {
@@ -27,5 +28,5 @@ fn jacobians_agree<L: Provable>(ledger: &Ledger) {
 #[test]
 fn matrices_of_jacobians_on_lanes_are_those_of_the_scalar_reference() {
     let bounds = [line("Jacobian", &[], 0.8, "polynomials for series")];
-    Ledger::keep("Jacobians", &bounds, |ledger| on_every_level!(jacobians_agree, ledger));
+    Ledger::keep("Jacobians", &bounds, |ledger| on_every_lane_type!(jacobians_agree(ledger)));
 }

@@ -2,10 +2,11 @@
 //! error.
 
 use super::scene::{cases, motion, quat};
-use super::{Provable, columns, exact, holds, lanes, measure, on_every_level, rounded, row};
+use super::{Provable, columns, exact, holds, lanes, measure, rounded, row};
 use dq8::simd::{Lanes, f32x4};
 use dq8::{DualQuat, Quat, Real, batch};
 use dq8_contract::ledger::{Ledger, line};
+use dq8_contract::on_every_lane_type;
 
 /// Whether this target has registers of several numbers.
 const FOUR: bool = <<f32x4 as Lanes>::Native as Lanes>::LANES > 1;
@@ -91,7 +92,9 @@ fn rotations_of_matrices_are_read_and_refused_on_lanes_as_by_the_scalar_referenc
         // Without registers of four numbers the reference divides by the length; with them, both multiply by its reciprocal.
         line("from_matrix3", &[], if FOUR { 3.9 } else { 16.0 }, "another length divides"),
     ];
-    Ledger::keep("matrices", &bounds, |ledger| on_every_level!(checked_rotations_agree, ledger));
+    Ledger::keep("matrices", &bounds, |ledger| {
+        on_every_lane_type!(checked_rotations_agree(ledger))
+    });
 }
 
 fn checked_matrices<L: Provable>() {
@@ -147,7 +150,7 @@ fn checked_matrices<L: Provable>() {
 
 #[test]
 fn a_matrix_that_is_no_motion_is_a_lane_of_nan_and_a_mask() {
-    on_every_level!(checked_matrices);
+    on_every_lane_type!(checked_matrices());
 }
 
 /// 32 units of the last place, on either side of 1.
@@ -164,5 +167,5 @@ fn normalized<L: Provable>() {
 
 #[test]
 fn normalized_is_within_32_units_of_the_last_place() {
-    on_every_level!(normalized);
+    on_every_lane_type!(normalized());
 }

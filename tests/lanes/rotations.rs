@@ -1,9 +1,10 @@
 //! Axes, angles and directions.
 
 use super::scene::{cases, quat, quats};
-use super::{Provable, columns, exact, lane, lanes, measure, on_every_level, rounded, row};
+use super::{Provable, columns, exact, lane, lanes, measure, rounded, row};
 use dq8::{Quat, batch};
 use dq8_contract::ledger::{Ledger, line};
+use dq8_contract::on_every_lane_type;
 
 fn rotations_agree<L: Provable>(ledger: &Ledger) {
     for chunk in cases().chunks(L::LANES) {
@@ -62,7 +63,7 @@ fn axes_angles_and_directions_on_lanes_are_those_of_the_scalar_reference() {
         line("from_rotation_arc", &[], 5.0, "three lengths and a normalization"),
         line("from_rotation_x, y, z", &[], 2.0, "polynomials, where scalar asks the library"),
     ];
-    Ledger::keep("rotations", &bounds, |ledger| on_every_level!(rotations_agree, ledger));
+    Ledger::keep("rotations", &bounds, |ledger| on_every_lane_type!(rotations_agree(ledger)));
 }
 
 fn axes_at_the_edges<L: Provable>() {
@@ -104,5 +105,5 @@ fn axes_at_the_edges<L: Provable>() {
 
 #[test]
 fn axes_and_directions_at_the_edges_are_those_of_the_scalar_reference() {
-    on_every_level!(axes_at_the_edges);
+    on_every_lane_type!(axes_at_the_edges());
 }
