@@ -97,7 +97,7 @@ fn fails(path: &Path) -> impl FnOnce(io::Error) -> Unwritable + use<> {
 mod tests {
     use super::{Outputs, write};
     use std::fs;
-    use std::path::{Path, PathBuf};
+    use std::path::PathBuf;
 
     /// An empty directory for one test.
     fn directory(name: &str) -> PathBuf {
