@@ -41,7 +41,6 @@ TYPES = {
 
 # Lanes have another name where the shared type has one already, or where `try_` becomes `_checked`.
 ON_LANES = {
-    ("EulerAngles", "to_quat"): ("Quat", "from_euler"),
     ("Dual", "inverse"): ("Dual", "inverse_checked"),
 }
 IN_TRAIT = {("DualQuat", "try_normalize"): "normalize_checked", ("DualQuat", "try_inverse"): "inverse_checked",
@@ -128,7 +127,7 @@ REASONS = {
     "g": "a column or a row of `left_jacobian` for each unit twist; the trait has that",
     "h": "by the parts: the other operations of the trait are made of it",
     "k": "no kernel of its own: `Kernel` and `Backend::run` run the form on lanes over any slices",
-    "l": "of single lines, planes and maps: no kernel asks for many, and lanes have no errors that say which two are parallel",
+    "l": "of single lines, planes, maps, poses and limbs: no kernel asks for many, and lanes have no errors that say what is wrong",
     "m": "not in the C interface, which has what firmware and engines call on motions in memory",
     "p": "signs, sums or copies: exact, or one rounding; the laws hold them",
     "q": "no vectors of 60 digits; every implementation is compared with the scalar path in `f64`, and that with laws "
@@ -142,7 +141,8 @@ ORDERS = {"from_wxyz", "to_wxyz", "to_cols_array_2d", "to_rows_array_2d", "try_f
           "try_from_rows_array_2d"}
 OF_EULER_ANGLES = {"from_euler", "from_rpy"}
 NO_LANES = {**dict.fromkeys(ORDERS, "a"), "cast": "b", "make_continuous": "c", "from_rpy": "u"}
-ALONE = {"Line", "Plane", "Polar", "Affine"}
+ALONE = {"Line", "Plane", "Polar", "Affine", "RotationTranslation", "EulerAngles", "TwoBone"}
+FEW = {"from_euler", "to_euler", "look_to", "look_at", "gram_schmidt"}
 EXACT = PARTS | ORDERS | {"cast", "make_continuous", "abs_diff_eq", "is_finite", "neg", "apply", "scale", "from_rotation",
                           "from_translation", "rotation", "conjugate", "is_unit", "is_normalized",
                           "needs_renormalization", "+", "−", "uniform_scale", "from_matrix3x4", "to_matrix3x4"}
@@ -238,7 +238,7 @@ def main():
         if both:
             yield "the same text"
         elif twin is None:
-            yield reason(key, "l" if kind in ALONE else NO_LANES.get(name), "lanes")
+            yield reason(key, "l" if kind in ALONE or name in FEW else NO_LANES.get(name), "lanes")
         else:
             yield "yes" if twin[1] == name else f"`{twin[1] if twin[0] == kind else '::'.join(twin)}`"
         # Trait
@@ -264,7 +264,7 @@ def main():
         # Kernels over slices
         of_slices = KERNELS.get(key, [])
         wrong.extend(f"{kind}::{name}: no kernel {k}" for k in of_slices if k not in kernels)
-        alone = "l" if kind in ALONE and not both else "k"
+        alone = "l" if (kind in ALONE or name in FEW) and not both else "k"
         yield ", ".join(f"`{k}`" for k in of_slices) or (
             reason(key, "d" if name in PARTS else NO_LANES.get(name, alone), "slices"))
         # C

@@ -185,20 +185,9 @@ fn every_implementation_runs_that_the_machine_can_run() {
     assert_eq!(names, wanted);
 }
 
-/// Numbers that hurt, among ordinary ones.
-fn any_number(single: bool) -> impl Strategy<Value = f64> {
-    let bits = if single {
-        any::<u32>().prop_map(|bits| f64::from(f32::from_bits(bits))).boxed()
-    } else {
-        any::<u64>().prop_map(f64::from_bits).boxed()
-    };
-    let special = [0.0, -0.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e-45, 1e-40, 1e30, 3e38];
-    prop_oneof![4 => -2.0..2.0_f64, 1 => bits, 1 => prop::sample::select(special.to_vec())]
-}
-
 /// What operations with a mask take: to draw all numbers of a case takes several times as long.
 fn any_case(single: bool) -> impl Strategy<Value = Case> {
-    let motion = || prop::array::uniform8(any_number(single));
+    let motion = || prop::array::uniform8(inputs::any_number(single, 8));
     // None that a number of a motion is too: where a norm is as large as the tolerance, either is right.
     let no_tolerance = [0.0, -0.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY].to_vec();
     let tolerance = prop_oneof![-2.0..2.0_f64, prop::sample::select(no_tolerance)];

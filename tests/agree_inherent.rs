@@ -9,32 +9,9 @@ use dq8_contract::bound::distance;
 use dq8_contract::case::Case;
 use dq8_contract::inputs;
 use dq8_contract::ledger::{Line, line};
+use dq8_contract::on_every_lane_type;
 use dq8_contract::sample::{Proof, Sample};
 use dq8_simd::{Block, Row};
-
-/// Runs `$body` with `$L` as each lane type that this machine can run.
-macro_rules! for_every_lane_type {
-    (|$name:ident, $L:ident| $body:expr) => {
-        for_every_lane_type! { @each $name, $L, $body;
-            f32, f64, dq8::simd::f32x4, dq8::simd::f32x8, dq8::simd::f32x16, dq8::simd::f64x2, dq8::simd::f64x4,
-            dq8::simd::f64x8 }
-        #[cfg(target_arch = "x86_64")]
-        {
-            use dq8_contract::sample::{Avx2, Avx512, Level};
-            if Avx2::is_there() {
-                for_every_lane_type! { @each $name, $L, $body; <Avx2 as Level>::F32x8, <Avx2 as Level>::F64x4 }
-            }
-            if Avx512::is_there() {
-                for_every_lane_type! { @each $name, $L, $body; <Avx512 as Level>::F32x16, <Avx512 as Level>::F64x8 }
-            }
-        }
-    };
-    (@each $name:ident, $L:ident, $body:expr; $($type:ty),*) => {$({
-        type $L = $type;
-        let $name = stringify!($type);
-        $body
-    })*};
-}
 
 fn round<R: Scalar>(numbers: [f64; 8]) -> [R; 8] {
     numbers.map(<R as Real>::from_f64)
@@ -46,7 +23,8 @@ fn lanes<L: Lanes<Level: Proof>>(numbers: &[f64]) -> L {
 
 #[test]
 fn records_fill_the_first_lanes_and_the_others_hold_the_identity() {
-    fn check<L: Lanes<Level: Proof, Real: Scalar>>(name: &str) {
+    fn check<L: Lanes<Level: Proof, Real: Scalar>>() {
+        let name = std::any::type_name::<L>();
         let motions: Vec<_> = inputs::edge_motions().into_iter().map(round::<L::Real>).collect();
         let identity = scalar::DualQuat::<L::Real>::IDENTITY.to_array();
         for length in 0..=2 * L::LANES + 1 {
@@ -60,12 +38,13 @@ fn records_fill_the_first_lanes_and_the_others_hold_the_identity() {
             }
         }
     }
-    for_every_lane_type!(|name, L| check::<L>(name));
+    on_every_lane_type!(check());
 }
 
 #[test]
 fn records_beyond_the_lanes_are_left_alone() {
-    fn check<L: Lanes<Level: Proof, Real: Scalar>>(name: &str) {
+    fn check<L: Lanes<Level: Proof, Real: Scalar>>() {
+        let name = std::any::type_name::<L>();
         let motions: Vec<_> = inputs::edge_motions().into_iter().map(round::<L::Real>).collect();
         let untouched = round::<L::Real>([9.0; 8]);
         for length in 0..=2 * L::LANES + 1 {
@@ -78,7 +57,7 @@ fn records_beyond_the_lanes_are_left_alone() {
             }
         }
     }
-    for_every_lane_type!(|name, L| check::<L>(name));
+    on_every_lane_type!(check());
 }
 
 /// A slice of any length, a chunk of lanes at a time, the last one partial.
@@ -87,7 +66,8 @@ fn a_slice_gives_the_same_bits_whatever_its_length() {
     fn step<L: Lanes<Level: Proof>>(motion: batch::DualQuat<L>, t: L) -> batch::DualQuat<L> {
         (motion.normalize() * motion).pow(t)
     }
-    fn check<L: Lanes<Level: Proof, Real: Scalar>>(name: &str) {
+    fn check<L: Lanes<Level: Proof, Real: Scalar>>() {
+        let name = std::any::type_name::<L>();
         let motions: Vec<_> = inputs::edge_motions().into_iter().map(round::<L::Real>).collect();
         let t = <L as Lanes>::splat(L::Level::proof(), <L::Real as From<f32>>::from(0.75));
         for length in 0..=2 * L::LANES + 1 {
@@ -104,7 +84,7 @@ fn a_slice_gives_the_same_bits_whatever_its_length() {
             }
         }
     }
-    for_every_lane_type!(|name, L| check::<L>(name));
+    on_every_lane_type!(check());
 }
 
 #[test]
@@ -144,7 +124,8 @@ fn a_block_gives_back_what_was_stored() {
 
 #[test]
 fn is_normalized_says_what_scalar_says() {
-    fn check<L: Lanes<Level: Proof, Real: Scalar>>(name: &str) {
+    fn check<L: Lanes<Level: Proof, Real: Scalar>>() {
+        let name = std::any::type_name::<L>();
         let unit = inputs::edge_motions()[60];
         let epsilon: f64 = <L::Real as Real>::EPSILON.into();
         // 32 units of the last place are allowed; rounding blurs that by two or so.
@@ -156,7 +137,7 @@ fn is_normalized_says_what_scalar_says() {
             assert_eq!((mask.all(), mask.any()), (scalar, scalar), "{name}, {off} units off");
         }
     }
-    for_every_lane_type!(|name, L| check::<L>(name));
+    on_every_lane_type!(check());
 }
 
 /// How far lanes may lie from scalar: about 1.6 times the worst of 60 000 random cases, in units of
@@ -265,7 +246,8 @@ fn on_lanes<L: Lanes<Level: Proof>>(cases: &[Case]) -> Answers<L> {
 
 #[test]
 fn quaternions_and_dual_numbers_agree() {
-    fn check<L: Lanes<Level: Proof, Real: Scalar>>(name: &str) {
+    fn check<L: Lanes<Level: Proof, Real: Scalar>>() {
+        let name = std::any::type_name::<L>();
         for chunk in inputs::unit_cases().chunks(L::LANES) {
             let answers = on_lanes::<L>(chunk);
             for (lane, case) in chunk.iter().enumerate() {
@@ -290,7 +272,7 @@ fn quaternions_and_dual_numbers_agree() {
             }
         }
     }
-    for_every_lane_type!(|name, L| check::<L>(name));
+    on_every_lane_type!(check());
 }
 
 #[test]

@@ -4,16 +4,15 @@
 
 use dq8::storage::{Aos, Element};
 use dq8::{
-    Backend, DualQuat, Lanes, Quat, Real, Scalar, Twist, batch,
-    geometry::DualVector,
-    scalar::MatrixError,
-    simd::{Float, f32x4, f32x8, f32x16, f64x2, f64x4, f64x8},
+    Backend, DualQuat, Lanes, Quat, Real, Scalar, Twist, batch, geometry::DualVector,
+    scalar::MatrixError, simd::Float,
 };
 use dq8_contract::case::Case;
 use dq8_contract::implementation::{On, implementations, scalar_f64};
+use dq8_contract::on_every_lane_type;
 use dq8_contract::operation::{Argument, Domain, Operation};
 use dq8_contract::operations::OPERATIONS;
-use dq8_contract::sample::{Level, Proof};
+use dq8_contract::sample::Proof;
 use dq8_contract::textbook::Textbook;
 
 /// The largest half angle that lanes know: 2¹⁶ and 2⁴⁵.
@@ -115,26 +114,7 @@ fn every_far_turn_is_unit_or_nan<L: Lanes<Level: Proof, Real: Real>>() {
 
 #[test]
 fn lanes_turn_as_far_as_numbers_are_known_and_no_farther() {
-    every_far_turn_is_unit_or_nan::<f32x8>();
-    every_far_turn_is_unit_or_nan::<f32x4>();
-    every_far_turn_is_unit_or_nan::<f32>();
-    every_far_turn_is_unit_or_nan::<f64x4>();
-    every_far_turn_is_unit_or_nan::<f64x2>();
-    every_far_turn_is_unit_or_nan::<f64>();
-    every_far_turn_is_unit_or_nan::<f32x16>();
-    every_far_turn_is_unit_or_nan::<f64x8>();
-    #[cfg(target_arch = "x86_64")]
-    {
-        use dq8_contract::sample::{Avx2, Avx512};
-        if Avx2::is_there() {
-            every_far_turn_is_unit_or_nan::<<Avx2 as Level>::F32x8>();
-            every_far_turn_is_unit_or_nan::<<Avx2 as Level>::F64x4>();
-        }
-        if Avx512::is_there() {
-            every_far_turn_is_unit_or_nan::<<Avx512 as Level>::F32x16>();
-            every_far_turn_is_unit_or_nan::<<Avx512 as Level>::F64x8>();
-        }
-    }
+    on_every_lane_type!(every_far_turn_is_unit_or_nan());
 }
 
 /// The slice kernel, whose lanes are those of the CPU.

@@ -88,7 +88,7 @@ proptest! {
 
 #[test]
 fn the_bound_of_the_shell_is_reached_across_the_axis() {
-    fn check(on: On) {
+    for on in implementations() {
         // Half a turn about z takes (−5,0,0) to (5,0,0), and then on by 3.
         let [a, b] = [0.0, PI]
             .map(|angle| turn_and_move([0.0, 0.0, 1.0], angle, [3.0 * angle / PI, 0.0, 0.0]));
@@ -98,7 +98,6 @@ fn the_bound_of_the_shell_is_reached_across_the_axis() {
         let bound = a.shell_error(b, on.splat(RADIUS)).first();
         assert!((bound - 13.0).abs() < IN_SINGLE, "{on:?}: {bound}");
     }
-    implementations().into_iter().for_each(check);
 }
 
 #[test]
@@ -189,7 +188,7 @@ fn lengths_neither_overflow_nor_vanish_on_the_way() {
 
 #[test]
 fn what_is_not_finite_is_no_distance_and_leaves_other_lanes_alone() {
-    fn check(on: On) {
+    for on in implementations() {
         let (a, b) = (
             turn_and_move([1.0, 2.0, 2.0], 0.5, [1.0, 2.0, 3.0]),
             turn_and_move([0.0, 0.0, 1.0], 1.0, [0.0; 3]),
@@ -216,12 +215,11 @@ fn what_is_not_finite_is_no_distance_and_leaves_other_lanes_alone() {
             }
         }
     }
-    implementations().into_iter().for_each(check);
 }
 
 #[test]
 fn drift_needs_renormalization() {
-    fn check(on: On) {
+    for on in implementations() {
         let motion = DualQuat::from_array(turn_and_move([1.0, 2.0, 2.0], 0.5, [40.0, 2.0, 3.0]));
         let tolerance = on.splat(1e-3);
         let needs = |motion: DualQuat<f64>| {
@@ -237,5 +235,4 @@ fn drift_needs_renormalization() {
         assert!(needs(along(0.1)) && !needs(along(0.01)), "{on:?}");
         assert!(!needs(along(0.1).normalize()), "{on:?}");
     }
-    implementations().into_iter().for_each(check);
 }

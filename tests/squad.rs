@@ -96,7 +96,7 @@ fn keys() -> [DualQuat<f64>; 6] {
 
 #[test]
 fn velocity_is_continuous_across_keys() {
-    fn check(on: On) {
+    for on in implementations() {
         let keys = keys();
         let at = |i: usize| on.same(keys[i].to_array());
         let control = |i: usize| at(i - 1).squad_control(at(i), at(i + 1));
@@ -122,7 +122,6 @@ fn velocity_is_continuous_across_keys() {
             assert!(speed > 0.5, "{on:?}: a standstill would prove nothing");
         }
     }
-    implementations().into_iter().for_each(check);
 }
 
 /// How far along the curve its speed is taken.
@@ -149,7 +148,7 @@ fn a_key_is_passed_with_the_mean_of_its_screws() {
 
 #[test]
 fn what_is_not_finite_gives_nan_in_its_lane_alone() {
-    fn check(on: On) {
+    for on in implementations() {
         let [a, b, c, d, ..] = keys().map(DualQuat::to_array);
         let same = |pose| on.same(pose);
         let t = on.splat(0.25);
@@ -174,5 +173,4 @@ fn what_is_not_finite_gives_nan_in_its_lane_alone() {
             }
         }
     }
-    implementations().into_iter().for_each(check);
 }

@@ -1,7 +1,7 @@
 //! The command line.
 
 use crate::plan::JOBS;
-use mocap::command::{Misuse, Request, set, value};
+use mocap::command::{Misuse, Request, read};
 use std::ffi::OsString;
 use std::path::PathBuf;
 
@@ -28,55 +28,29 @@ pub(crate) struct Args {
 }
 
 pub(crate) fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Request<Args>, Misuse> {
-    let mut args = Args::default();
-    let mut words = words.into_iter();
-    while let Some(word) = words.next() {
-        match word.to_string_lossy().as_ref() {
-            "-h" | "--help" => return Ok(Request::Help),
-            "--quick" => args.quick = true,
-            "--json" => set(&mut args.json, "--json", value("--json", &mut words)?.into())?,
-            "--svg" => set(&mut args.svg, "--svg", value("--svg", &mut words)?.into())?,
-            "--md" => set(&mut args.md, "--md", value("--md", &mut words)?.into())?,
-            other => match JOBS.iter().find(|job| job.eq_ignore_ascii_case(other)) {
+    read(words, ["--json", "--svg", "--md"], |[json, svg, md], others| {
+        let mut args = Args { json, svg, md, ..Args::default() };
+        for word in others {
+            let word = word.to_string_lossy();
+            match JOBS.iter().find(|job| job.eq_ignore_ascii_case(&word)) {
                 Some(job) => args.jobs.push(job),
-                None => return Err(Misuse(format!("no such argument: `{other}`"))),
-            },
+                None if word == "--quick" => args.quick = true,
+                None => return Err(Misuse(format!("no such argument: `{word}`"))),
+            }
         }
-    }
-    Ok(Request::Run(args))
+        Ok(args)
+    })
 }
 
-#[cfg(test)]
-mod tests {
-    use super::{Args, parse};
-    use mocap::command::{Misuse, Request};
-
-    fn words(line: &str) -> Result<Request<Args>, Misuse> {
-        parse(line.split_whitespace().map(Into::into))
-    }
-
-    #[test]
-    fn options_stand_in_any_order() {
-        let jobs = vec!["J7", "J1"];
-        let [json, svg, md] = ["a", "b", "c"].map(|path| Some(path.into()));
-        let args = Args { jobs, quick: true, json, svg, md };
-        assert_eq!(words("J7 --svg b --quick j1 --md c --json a"), Ok(Request::Run(args)));
-        assert_eq!(words(""), Ok(Request::Run(Args::default())));
-        assert_eq!(words("--quick --help"), Ok(Request::Help));
-    }
-
-    #[test]
-    fn misuse_is_named() {
-        for (line, named) in [
-            ("--fast", "`--fast`"),
-            ("J8", "`J8`"),
-            ("a.json", "`a.json`"),
-            ("--json", "--json needs"),
-            ("--json --svg a", "--json needs"),
-            ("--svg a --svg b", "--svg is given twice"),
-        ] {
-            let misuse = words(line).unwrap_err();
-            assert!(misuse.0.contains(named), "{line}: {misuse}");
-        }
+#[test]
+fn jobs_are_named_in_any_case_and_others_are_no_jobs() {
+    let words = |line: &str| parse(line.split_whitespace().map(Into::into));
+    let jobs = vec!["J7", "J1"];
+    let [json, svg, md] = ["a", "b", "c"].map(|path| Some(path.into()));
+    let args = Args { jobs, quick: true, json, svg, md };
+    assert_eq!(words("J7 --svg b --quick j1 --md c --json a"), Ok(Request::Run(args)));
+    assert_eq!(words(""), Ok(Request::Run(Args::default())));
+    for word in ["--fast", "J8", "a.json"] {
+        assert_eq!(words(word), Err(Misuse(format!("no such argument: `{word}`"))));
     }
 }

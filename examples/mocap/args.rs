@@ -1,6 +1,6 @@
 //! The command line.
 
-use crate::command::{Misuse, Request, set, value};
+use crate::command::{Misuse, Request, files, read};
 use std::ffi::OsString;
 use std::path::PathBuf;
 
@@ -22,60 +22,23 @@ pub(crate) struct Args {
 }
 
 pub(crate) fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Request<Args>, Misuse> {
-    let (mut clip, mut csv, mut svg, mut pack) = (None, None, None, None);
-    let mut words = words.into_iter();
-    while let Some(word) = words.next() {
-        let text = word.to_string_lossy();
-        match text.as_ref() {
-            "-h" | "--help" => return Ok(Request::Help),
-            "--csv" => set(&mut csv, "--csv", value("--csv", &mut words)?.into())?,
-            "--svg" => set(&mut svg, "--svg", value("--svg", &mut words)?.into())?,
-            "--pack" => set(&mut pack, "--pack", value("--pack", &mut words)?.into())?,
-            option if option.starts_with('-') => {
-                return Err(Misuse(format!("no such option: `{option}`")));
-            }
-            _ => set(&mut clip, "FILE.bvh", word.into())?,
+    read(words, ["--csv", "--svg", "--pack"], |[csv, svg, pack], others| {
+        let mut clips = files(others)?;
+        match clips.len() {
+            0 | 1 => Ok(Args { clip: clips.pop(), csv, svg, pack }),
+            _ => Err(Misuse("FILE.bvh is given twice".into())),
         }
-    }
-    Ok(Request::Run(Args { clip, csv, svg, pack }))
+    })
 }
 
-#[cfg(test)]
-mod tests {
-    use super::{Args, parse};
-    use crate::command::{Misuse, Request};
-
-    fn words(line: &str) -> Result<Request<Args>, Misuse> {
-        parse(line.split_whitespace().map(Into::into))
-    }
-
-    #[test]
-    fn options_stand_in_any_order() {
-        let args = Args {
-            clip: Some("walk.bvh".into()),
-            csv: Some("a.csv".into()),
-            svg: Some("b.svg".into()),
-            pack: Some("c.dq8".into()),
-        };
-        let line = "--csv a.csv --pack c.dq8 walk.bvh --svg b.svg";
-        assert_eq!(words(line), Ok(Request::Run(args)));
-        let none = Args { clip: None, csv: None, svg: None, pack: None };
-        assert_eq!(words(""), Ok(Request::Run(none)));
-        assert_eq!(words("walk.bvh --help"), Ok(Request::Help));
-    }
-
-    #[test]
-    fn misuse_is_named() {
-        for (line, named) in [
-            ("--cvs a", "`--cvs`"),
-            ("--instances 20", "`--instances`"),
-            ("--csv", "--csv needs"),
-            ("--csv --svg a", "--csv needs"),
-            ("a.bvh b.bvh", "FILE.bvh is given twice"),
-            ("--svg a --svg b", "--svg is given twice"),
-        ] {
-            let misuse = words(line).unwrap_err();
-            assert!(misuse.0.contains(named), "{line}: {misuse}");
-        }
-    }
+#[test]
+fn a_command_line_has_one_clip_at_most() {
+    let words = |line: &str| parse(line.split_whitespace().map(Into::into));
+    let [clip, csv, svg, pack] = ["walk.bvh", "a", "b", "c"].map(|path| Some(path.into()));
+    let args = Args { clip, csv, svg, pack };
+    assert_eq!(words("--csv a --pack c walk.bvh --svg b"), Ok(Request::Run(args)));
+    let none = Args { clip: None, csv: None, svg: None, pack: None };
+    assert_eq!(words(""), Ok(Request::Run(none)));
+    let twice = Err(Misuse("FILE.bvh is given twice".into()));
+    assert_eq!(words("a.bvh b.bvh"), twice);
 }

@@ -3,6 +3,7 @@
 use std::error::Error;
 use std::ffi::OsString;
 use std::io::Write;
+use std::path::PathBuf;
 use std::process::ExitCode;
 use std::{env, fmt, io};
 
@@ -48,17 +49,37 @@ pub fn execute<A>(
     }
 }
 
-/// What follows `option`.
-pub fn value(option: &str, words: &mut impl Iterator<Item = OsString>) -> Result<OsString, Misuse> {
-    // An option in place of a value is a value forgotten; a file of such a name is `./--svg`.
-    let value = words.next().filter(|word| !word.to_string_lossy().starts_with("--"));
-    value.ok_or_else(|| Misuse(format!("{option} needs a value")))
+/// Reads a command line of `options` with a value each and of other words: for help, or what `make` makes of both.
+pub fn read<A, const N: usize>(
+    words: impl IntoIterator<Item = OsString>,
+    options: [&str; N],
+    make: impl FnOnce([Option<PathBuf>; N], Vec<OsString>) -> Result<A, Misuse>,
+) -> Result<Request<A>, Misuse> {
+    let (mut values, mut others) = ([const { None }; N], Vec::new());
+    let mut words = words.into_iter();
+    while let Some(word) = words.next() {
+        let text = word.to_string_lossy();
+        if let Some(at) = options.iter().position(|option| *option == text) {
+            // An option in place of a value is a value forgotten; a file of such a name is `./--svg`.
+            let value = words.next().filter(|word| !word.to_string_lossy().starts_with("--"));
+            let value = value.ok_or_else(|| Misuse(format!("{text} needs a value")))?;
+            if values[at].replace(value.into()).is_some() {
+                return Err(Misuse(format!("{text} is given twice")));
+            }
+        } else if ["-h", "--help"].contains(&text.as_ref()) {
+            return Ok(Request::Help);
+        } else {
+            others.push(word);
+        }
+    }
+    make(values, others).map(Request::Run)
 }
 
-pub fn set<T>(slot: &mut Option<T>, name: &str, value: T) -> Result<(), Misuse> {
-    match slot.replace(value) {
-        None => Ok(()),
-        Some(_) => Err(Misuse(format!("{name} is given twice"))),
+/// The other words of a command line as files.
+pub fn files(others: Vec<OsString>) -> Result<Vec<PathBuf>, Misuse> {
+    match others.iter().find(|word| word.to_string_lossy().starts_with('-')) {
+        Some(option) => Err(Misuse(format!("no such option: `{}`", option.to_string_lossy()))),
+        None => Ok(others.into_iter().map(PathBuf::from).collect()),
     }
 }
 
@@ -67,5 +88,39 @@ pub fn print(text: &str) -> Result<(), Box<dyn Error>> {
     match io::stdout().write_all(text.as_bytes()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(error.into()),
         _ => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Misuse, Request, files, read};
+
+    type Read = ([Option<std::path::PathBuf>; 2], Vec<std::path::PathBuf>);
+
+    fn words(line: &str) -> Result<Request<Read>, Misuse> {
+        let words = line.split_whitespace().map(Into::into);
+        read(words, ["--csv", "--svg"], |values, others| Ok((values, files(others)?)))
+    }
+
+    #[test]
+    fn options_stand_in_any_order() {
+        let [csv, svg] = ["a.csv", "b.svg"].map(|path| Some(path.into()));
+        let read = ([csv, svg], vec!["walk.bvh".into(), "run.bvh".into()]);
+        assert_eq!(words("walk.bvh --svg b.svg run.bvh --csv a.csv"), Ok(Request::Run(read)));
+        assert_eq!(words(""), Ok(Request::Run(([None, None], vec![]))));
+        assert_eq!(words("walk.bvh --help"), Ok(Request::Help));
+    }
+
+    #[test]
+    fn misuse_is_named() {
+        for (line, named) in [
+            ("--cvs a", "`--cvs`"),
+            ("--csv", "--csv needs"),
+            ("--csv --svg a", "--csv needs"),
+            ("--svg a --svg b", "--svg is given twice"),
+        ] {
+            let misuse = words(line).unwrap_err();
+            assert!(misuse.0.contains(named), "{line}: {misuse}");
+        }
     }
 }

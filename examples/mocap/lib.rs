@@ -27,7 +27,6 @@ use std::process::ExitCode;
 use args::Args;
 use clip::Clip;
 use command::print;
-use output::Outputs;
 use positions::Positions;
 
 /// The whole program.
@@ -44,26 +43,19 @@ fn run(args: &Args) -> Result<(), Box<dyn Error>> {
     print(&table::text(&clip, &positions)?)?;
     positions.check()?;
 
-    let (mut paths, mut texts): (Vec<&Path>, Vec<Vec<u8>>) = Default::default();
+    let mut texts: Vec<(&Path, Vec<u8>)> = Vec::new();
     if let Some(path) = &args.csv {
-        paths.push(path);
-        texts.push(csv::table(&clip, &positions)?.into());
+        texts.push((path, csv::table(&clip, &positions)?.into()));
     }
     if let Some(path) = &args.svg {
-        paths.push(path);
-        texts.push(svg::picture(&clip, &positions.world, positions.size)?.into());
+        texts.push((path, svg::picture(&clip, &positions.world, positions.size)?.into()));
     }
     if let Some(path) = &args.pack {
         let (bytes, text) = packed::pack(&clip, positions.size)?;
         print(&text)?;
-        paths.push(path);
-        texts.push(bytes);
+        texts.push((path, bytes));
     }
-    Outputs::open(paths.iter().copied(), args.clip.as_deref())?.write(&texts)?;
-    for path in paths {
-        print(&format!("  wrote {}\n", path.display()))?;
-    }
-    Ok(())
+    output::write(&texts, args.clip.as_deref())
 }
 
 /// A clip from a file; a warning goes to standard error.

@@ -1,5 +1,7 @@
 //! The files the program writes: all of them or none.
 
+use crate::command::print;
+use std::error::Error;
 use std::fmt;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
@@ -18,7 +20,7 @@ impl fmt::Display for Unwritable {
     }
 }
 
-impl std::error::Error for Unwritable {}
+impl Error for Unwritable {}
 
 /// Files that can be written, and are not changed yet. Those that did not exist are gone again if
 /// nothing comes to be written.
@@ -79,6 +81,13 @@ impl Drop for Outputs<'_> {
     }
 }
 
+/// Writes all files or none, and says so. `input` is a file that must not be overwritten.
+pub fn write(files: &[(&Path, Vec<u8>)], input: Option<&Path>) -> Result<(), Box<dyn Error>> {
+    let texts: Vec<_> = files.iter().map(|(_, text)| text).collect();
+    Outputs::open(files.iter().map(|&(path, _)| path), input)?.write(&texts)?;
+    files.iter().try_for_each(|(path, _)| print(&format!("  wrote {}\n", path.display())))
+}
+
 fn fails(path: &Path) -> impl FnOnce(io::Error) -> Unwritable + use<> {
     let path = path.to_owned();
     move |reason| Unwritable { path, reason }
@@ -86,14 +95,9 @@ fn fails(path: &Path) -> impl FnOnce(io::Error) -> Unwritable + use<> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Outputs, Unwritable};
+    use super::{Outputs, write};
     use std::fs;
-    use std::path::{Path, PathBuf};
-
-    fn write(texts: &[(&Path, String)], input: Option<&Path>) -> Result<(), Unwritable> {
-        let outputs = Outputs::open(texts.iter().map(|&(path, _)| path), input)?;
-        outputs.write(&texts.iter().map(|(_, text)| text.clone()).collect::<Vec<_>>())
-    }
+    use std::path::PathBuf;
 
     /// An empty directory for one test.
     fn directory(name: &str) -> PathBuf {
@@ -129,7 +133,7 @@ mod tests {
         let [new, old, wrong] =
             ["new", "old", "no such directory/file"].map(|name| directory.join(name));
         fs::write(&old, "before").unwrap();
-        let texts = [&new, &old, &wrong].map(|path| (path.as_path(), "after".to_owned()));
+        let texts = [&new, &old, &wrong].map(|path| (path.as_path(), "after".into()));
         let error = write(&texts, None).unwrap_err().to_string();
         assert!(error.contains("no such directory"), "{error}");
         assert!(!new.exists());

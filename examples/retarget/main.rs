@@ -15,8 +15,8 @@ mod scene;
 mod track;
 
 use dq8_robot::urdf::Robot;
-use mocap::command::{self, Misuse, Request, print, set, value};
-use mocap::output::Outputs;
+use mocap::command::{self, Misuse, Request, files, print, read};
+use mocap::output;
 use scene::Scene;
 use std::error::Error;
 use std::ffi::OsString;
@@ -44,31 +44,14 @@ struct Args {
 }
 
 fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Request<Args>, Misuse> {
-    let (mut files, mut map, mut rate) = (Vec::new(), None, None);
-    let (mut csv, mut svg) = (None, None);
-    let mut words = words.into_iter();
-    while let Some(word) = words.next() {
-        match word.to_string_lossy().as_ref() {
-            "-h" | "--help" => return Ok(Request::Help),
-            "--map" => set(&mut map, "--map", value("--map", &mut words)?.into())?,
-            "--csv" => set(&mut csv, "--csv", value("--csv", &mut words)?.into())?,
-            "--svg" => set(&mut svg, "--svg", value("--svg", &mut words)?.into())?,
-            "--rate" => {
-                let text = value("--rate", &mut words)?;
-                let number = text.to_string_lossy().parse().ok();
-                let number = number.filter(|rate: &f64| *rate > 0.0 && rate.is_finite());
-                let number = number.ok_or(Misuse(format!("--rate is no rate: {text:?}")))?;
-                set(&mut rate, "--rate", number)?;
-            }
-            option if option.starts_with('-') => {
-                return Err(Misuse(format!("no such option: `{option}`")));
-            }
-            _ => files.push(PathBuf::from(word)),
-        }
-    }
-    let [robot, clip] = <[PathBuf; 2]>::try_from(files)
-        .map_err(|files| Misuse(format!("two files are needed, and {} given", files.len())))?;
-    Ok(Request::Run(Args { robot, clip, map, rate: rate.unwrap_or(30.0), csv, svg }))
+    read(words, ["--map", "--rate", "--csv", "--svg"], |[map, rate, csv, svg], others| {
+        let [robot, clip] = <[PathBuf; 2]>::try_from(files(others)?)
+            .map_err(|files| Misuse(format!("two files are needed, and {} given", files.len())))?;
+        let text = rate.as_deref().map_or("30".into(), Path::to_string_lossy);
+        let rate = text.parse().ok().filter(|rate: &f64| *rate > 0.0 && rate.is_finite());
+        let rate = rate.ok_or_else(|| Misuse(format!("--rate is no rate: {text:?}")))?;
+        Ok(Args { robot, clip, map, rate, csv, svg })
+    })
 }
 
 fn main() -> ExitCode {
@@ -90,20 +73,14 @@ fn run(args: &Args) -> Result<(), Box<dyn Error>> {
     print(&scene.text())?;
     let motion = track::all(&scene)?;
 
-    let (mut paths, mut texts): (Vec<&Path>, Vec<String>) = Default::default();
+    let mut texts: Vec<(&Path, Vec<u8>)> = Vec::new();
     if let Some(path) = &args.csv {
-        paths.push(path);
-        texts.push(table(&scene, &motion)?);
+        texts.push((path, table(&scene, &motion)?.into()));
     }
     if let Some(path) = &args.svg {
-        paths.push(path);
-        texts.push(picture::draw(&scene, &motion)?);
+        texts.push((path, picture::draw(&scene, &motion)?.into()));
     }
-    Outputs::open(paths.iter().copied(), Some(&args.clip))?.write(&texts)?;
-    for path in paths {
-        print(&format!("  wrote {}\n", path.display()))?;
-    }
-    Ok(())
+    output::write(&texts, Some(&args.clip))
 }
 
 /// A row for each frame.

@@ -15,7 +15,6 @@ pub struct Joint {
 
 impl Joint {
     /// A hinge about the line through `point` along `direction`, of length 1.
-    #[must_use]
     pub fn hinge(point: [f64; 3], direction: [f64; 3]) -> Self {
         let ([x, y, z], [a, b, c]) = (point, direction);
         let moment = [y * c - z * b, z * a - x * c, x * b - y * a];
@@ -24,7 +23,6 @@ impl Joint {
 
     /// The joint's own motion. Through its screw, not its exponential: that begins with a length,
     /// which has no derivative at rest.
-    #[must_use]
     pub fn motion<R: Real>(&self, variable: R) -> DualQuat<R> {
         let axis = Line {
             direction: self.axis.direction.map(R::from_f64),
@@ -35,7 +33,6 @@ impl Joint {
     }
 
     /// The twist ξ for one unit of the joint's variable per unit of time: θl + ε(θm + dl).
-    #[must_use]
     pub fn twist(&self) -> Twist<f64> {
         let Line { direction, moment } = self.axis;
         let linear = core::array::from_fn(|i| self.turn * moment[i] + self.slide * direction[i]);
@@ -64,7 +61,6 @@ pub struct Arm {
 impl Arm {
     /// An industrial arm in metres: three joints that place the wrist and three that meet in it, the
     /// fifth a lead screw as well (5 cm a turn), so that no derivative is that of hinges alone.
-    #[must_use]
     pub fn example() -> Self {
         let ([x, y, z], height) = ([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], 0.83);
         let fifth = Joint::hinge([0.72, 0.0, height], y);
@@ -86,7 +82,6 @@ impl Arm {
     }
 
     /// The pose of the effector.
-    #[must_use]
     pub fn pose<R: Real>(&self, variables: [R; 6]) -> DualQuat<R> {
         let rest = DualQuat::from_array(self.rest.to_array().map(R::from_f64));
         let joints = self.joints.iter().zip(variables);

@@ -2,9 +2,8 @@
 
 use core::cell::Cell;
 use core::cmp::Ordering;
-use core::fmt;
-use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
-use dq8::Real;
+use dq8_fixtures::coat;
+use dq8_fixtures::textbook::Operation;
 
 /// How many operations of each kind something took.
 ///
@@ -33,22 +32,10 @@ pub struct Counts {
 }
 
 thread_local! {
-    static COUNTS: Cell<Counts> = const { Cell::new(Counts::NONE) };
+    static COUNTS: Cell<Counts> = Cell::default();
 }
 
 impl Counts {
-    const NONE: Self = Self {
-        multiplications: 0,
-        additions: 0,
-        negations: 0,
-        divisions: 0,
-        square_roots: 0,
-        trigonometric: 0,
-        exponentials: 0,
-        logarithms: 0,
-        comparisons: 0,
-    };
-
     /// What `work` does with [`Counted`] numbers, on this thread.
     ///
     /// ```
@@ -58,177 +45,45 @@ impl Counts {
     /// assert_eq!((counts.multiplications, counts.additions), (1, 1));
     /// ```
     pub fn of<T>(work: impl FnOnce() -> T) -> Self {
-        let before = COUNTS.replace(Self::NONE);
+        let before = COUNTS.take();
         work();
         COUNTS.replace(before)
     }
 }
 
 /// One more of a kind.
-fn count(kind: impl FnOnce(&mut Counts) -> &mut u32) {
+fn count(operation: Operation) {
     let mut counts = COUNTS.get();
-    *kind(&mut counts) += 1;
+    *match operation {
+        Operation::Addition => &mut counts.additions,
+        Operation::Multiplication => &mut counts.multiplications,
+        Operation::Negation => &mut counts.negations,
+        Operation::Division => &mut counts.divisions,
+        Operation::SquareRoot => &mut counts.square_roots,
+        Operation::Trigonometric => &mut counts.trigonometric,
+        Operation::Exponential => &mut counts.exponentials,
+        Operation::Logarithm => &mut counts.logarithms,
+        Operation::Comparison => &mut counts.comparisons,
+    } += 1;
     COUNTS.set(counts);
 }
 
-/// An `f64` that counts: what is written for every [`Real`] is counted by computing it with these.
+/// An `f64` that counts: what is written for every [`Real`](dq8::Real) is counted by computing it with these.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Counted(pub f64);
 
-impl Add for Counted {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
-        count(|counts| &mut counts.additions);
-        Self(self.0 + other.0)
-    }
-}
-
-impl Sub for Counted {
-    type Output = Self;
-    fn sub(self, other: Self) -> Self {
-        count(|counts| &mut counts.additions);
-        Self(self.0 - other.0)
-    }
-}
-
-impl Mul for Counted {
-    type Output = Self;
-    fn mul(self, other: Self) -> Self {
-        count(|counts| &mut counts.multiplications);
-        Self(self.0 * other.0)
-    }
-}
-
-impl Div for Counted {
-    type Output = Self;
-    fn div(self, other: Self) -> Self {
-        count(|counts| &mut counts.divisions);
-        Self(self.0 / other.0)
-    }
-}
-
-impl Neg for Counted {
-    type Output = Self;
-    fn neg(self) -> Self {
-        count(|counts| &mut counts.negations);
-        Self(-self.0)
-    }
-}
-
-impl AddAssign for Counted {
-    fn add_assign(&mut self, other: Self) {
-        *self = *self + other;
-    }
-}
-
-impl SubAssign for Counted {
-    fn sub_assign(&mut self, other: Self) {
-        *self = *self - other;
-    }
-}
-
-impl MulAssign for Counted {
-    fn mul_assign(&mut self, other: Self) {
-        *self = *self * other;
-    }
-}
-
-impl DivAssign for Counted {
-    fn div_assign(&mut self, other: Self) {
-        *self = *self / other;
-    }
-}
+coat!(Counted(f64), count);
 
 impl PartialEq for Counted {
     fn eq(&self, other: &Self) -> bool {
-        count(|counts| &mut counts.comparisons);
+        count(Operation::Comparison);
         self.0 == other.0
     }
 }
 
 impl PartialOrd for Counted {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        count(|counts| &mut counts.comparisons);
+        count(Operation::Comparison);
         self.0.partial_cmp(&other.0)
-    }
-}
-
-impl fmt::Display for Counted {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.fmt(f)
-    }
-}
-
-impl From<f32> for Counted {
-    fn from(value: f32) -> Self {
-        Self(value.into())
-    }
-}
-
-impl From<Counted> for f64 {
-    fn from(value: Counted) -> Self {
-        value.0
-    }
-}
-
-impl Counted {
-    fn trigonometric(self, function: impl FnOnce(f64) -> f64) -> Self {
-        count(|counts| &mut counts.trigonometric);
-        Self(function(self.0))
-    }
-}
-
-impl Real for Counted {
-    const ZERO: Self = Self(0.0);
-    const ONE: Self = Self(1.0);
-    const TWO: Self = Self(2.0);
-    const HALF: Self = Self(0.5);
-    const PI: Self = Self(core::f64::consts::PI);
-    const EPSILON: Self = Self(f64::EPSILON);
-    const NAN: Self = Self(f64::NAN);
-
-    fn from_f64(value: f64) -> Self {
-        Self(value)
-    }
-    fn is_finite(self) -> bool {
-        count(|counts| &mut counts.comparisons);
-        self.0.is_finite()
-    }
-    fn abs(self) -> Self {
-        count(|counts| &mut counts.comparisons);
-        Self(self.0.abs())
-    }
-    fn sqrt(self) -> Self {
-        count(|counts| &mut counts.square_roots);
-        Self(self.0.sqrt())
-    }
-    fn sin(self) -> Self {
-        self.trigonometric(<f64 as Real>::sin)
-    }
-    fn cos(self) -> Self {
-        self.trigonometric(<f64 as Real>::cos)
-    }
-    fn tan(self) -> Self {
-        self.trigonometric(<f64 as Real>::tan)
-    }
-    fn asin(self) -> Self {
-        self.trigonometric(<f64 as Real>::asin)
-    }
-    fn acos(self) -> Self {
-        self.trigonometric(<f64 as Real>::acos)
-    }
-    fn atan(self) -> Self {
-        self.trigonometric(<f64 as Real>::atan)
-    }
-    fn atan2(self, x: Self) -> Self {
-        self.trigonometric(|y| Real::atan2(y, x.0))
-    }
-    fn exp(self) -> Self {
-        count(|counts| &mut counts.exponentials);
-        Self(Real::exp(self.0))
-    }
-    fn ln(self) -> Self {
-        count(|counts| &mut counts.logarithms);
-        Self(Real::ln(self.0))
     }
 }

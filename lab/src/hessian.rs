@@ -17,7 +17,6 @@ impl Derivatives {
     /// By hyper-dual numbers: ε₁ on joint i and ε₂ on joint j, for all 21 pairs i ≤ j (Fike & Alonso
     /// 2011). `step` is what is put on the units and divided out again; it makes no difference but
     /// for rounding, and 1 is as good as any.
-    #[must_use]
     pub fn by_hyper_dual_numbers(arm: &Arm, variables: [f64; 6], step: f64) -> Self {
         let mut derivatives = Self::ZERO;
         for i in 0..6 {
@@ -34,7 +33,6 @@ impl Derivatives {
 
     /// By central differences of positions: (f(q + h) − f(q − h))/2h, and for second derivatives the
     /// same by the second joint.
-    #[must_use]
     pub fn by_central_differences(arm: &Arm, variables: [f64; 6], step: f64) -> Self {
         let at = |moves: &[(usize, f64)]| {
             let mut moved = variables;
@@ -81,7 +79,6 @@ impl Derivatives {
     }
 
     /// The largest difference of first derivatives and that of second ones; NaN if one is.
-    #[must_use]
     pub fn distances(&self, other: &Self) -> [f64; 2] {
         let largest = |a: &[[f64; 3]], b: &[[f64; 3]]| {
             let pairs = a.as_flattened().iter().zip(b.as_flattened());
@@ -97,7 +94,6 @@ impl Derivatives {
 }
 
 /// The variables with ε₁ on joint i and ε₂ on joint j, both times `step`.
-#[must_use]
 pub fn seeded(variables: [f64; 6], i: usize, j: usize, step: f64) -> [HyperDual<f64>; 6] {
     let mut seeded = variables.map(HyperDual::from_f64);
     seeded[i].dual.real = step;
@@ -121,13 +117,11 @@ pub fn columns(arm: &Arm, variables: [f64; 6]) -> Result<[Twist<f64>; 6], Box<dy
 
 /// ∂Jᵢ/∂qⱼ = [Jⱼ, Jᵢ] for j < i: what comes before joint i moves its screw, itself and what comes
 /// after do not.
-#[must_use]
 pub fn column_derivative(columns: &[Twist<f64>; 6], i: usize, j: usize) -> Twist<f64> {
     if j < i { bracket(columns[j], columns[i]) } else { Twist::from_array([0.0; 6]) }
 }
 
 /// [x, y] = ω×η + ε(ω×w + v×η), the Lie bracket of twists x = ω + εv and y = η + εw.
-#[must_use]
 pub fn bracket(x: Twist<f64>, y: Twist<f64>) -> Twist<f64> {
     let turn = |angular, v| Twist { angular, linear: [0.0; 3] }.velocity_at(v);
     let (first, second) = (turn(x.angular, y.linear), turn(y.angular, x.linear));

@@ -17,13 +17,11 @@ pub type HyperDual<R> = Dual<Dual<R>>;
 /// let x = hyper_dual(2.0, 1.0, 1.0, 0.0);
 /// assert_eq!(x * x * x, hyper_dual(8.0, 12.0, 12.0, 12.0));
 /// ```
-#[must_use]
 pub const fn hyper_dual<R: Real>(real: R, first: R, second: R, mixed: R) -> HyperDual<R> {
     Dual { real: Dual { real, dual: second }, dual: Dual { real: first, dual: mixed } }
 }
 
 /// a, b, c and d.
-#[must_use]
 pub const fn hyper_dual_parts<R: Real>(number: HyperDual<R>) -> [R; 4] {
     let Dual { real, dual } = number;
     [real.real, dual.real, real.dual, dual.dual]

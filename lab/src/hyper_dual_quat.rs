@@ -33,26 +33,22 @@ impl<R: Real> HyperDualQuat<R> {
     pub const IDENTITY: Self = Self::from_rotation(Quat::IDENTITY);
 
     /// a + bε₁ + cε₂ + dε₁ε₂
-    #[must_use]
     pub const fn new(real: Quat<R>, first: Quat<R>, second: Quat<R>, mixed: Quat<R>) -> Self {
         Self { real, first, second, mixed }
     }
 
     /// r (Arends, chapter 5, §3).
-    #[must_use]
     pub const fn from_rotation(rotation: Quat<R>) -> Self {
         Self::new(rotation, Quat::ZERO, Quat::ZERO, Quat::ZERO)
     }
 
     /// 1 + ½tε₁ε₂ (Arends, chapter 5, §4).
-    #[must_use]
     pub fn from_translation(translation: [R; 3]) -> Self {
         Self::from_rotation_translation(Quat::IDENTITY, translation)
     }
 
     /// r + ½trε₁ε₂: turn, then translate, as the code of Arends' appendix has it. His §4 prints
     /// r + ½tε₁ε₂, which is that only for r = ±1.
-    #[must_use]
     pub fn from_rotation_translation(rotation: Quat<R>, translation: [R; 3]) -> Self {
         let translation = Quat::from_parts(translation.map(|c| c * R::HALF), R::ZERO);
         Self { mixed: translation * rotation, ..Self::from_rotation(rotation) }
@@ -60,33 +56,28 @@ impl<R: Real> HyperDualQuat<R> {
 
     /// A motion σ = p + εq and its rate σ̇ in one number: p + ṗε₁ + qε₂ + q̇ε₁ε₂, that is σ + ε₁σ̇
     /// with ε₂ for ε. Products of such numbers follow the product rule.
-    #[must_use]
     pub const fn from_moving(sigma: DualQuat<R>, rate: DualQuat<R>) -> Self {
         Self::new(sigma.real(), rate.real(), sigma.dual(), rate.dual())
     }
 
     /// σ and σ̇ of [`from_moving`](Self::from_moving).
-    #[must_use]
     pub const fn to_moving(self) -> (DualQuat<R>, DualQuat<R>) {
         (DualQuat::new(self.real, self.second), DualQuat::new(self.first, self.mixed))
     }
 
     /// Each of the four conjugated: (xy)* = y*x*, and xx* is a hyper-dual number.
-    #[must_use]
     pub fn conjugate(self) -> Self {
         self.each(Quat::conjugate)
     }
 
     /// The conjugate with ε₁ → −ε₁: a* − b*ε₁ + c*ε₂ − d*ε₁ε₂, which turns products round as
     /// [`conjugate`](Self::conjugate) does.
-    #[must_use]
     pub fn conjugate_first(self) -> Self {
         let Self { real, first, second, mixed } = self.conjugate();
         Self::new(real, -first, second, -mixed)
     }
 
     /// The conjugate with ε₂ → −ε₂: a* + b*ε₁ − c*ε₂ − d*ε₁ε₂.
-    #[must_use]
     pub fn conjugate_second(self) -> Self {
         let Self { real, first, second, mixed } = self.conjugate();
         Self::new(real, first, -second, -mixed)
@@ -95,14 +86,12 @@ impl<R: Real> HyperDualQuat<R> {
     /// x† = a* − b*ε₁ − c*ε₂ − d*ε₁ε₂ (Arends, chapter 5, §2; the bars are lost in print, the code of
     /// his appendix has them). Not the conjugate of a product where b and c are not zero: −ε₁ times
     /// −ε₂ is not −ε₁ε₂.
-    #[must_use]
     pub fn dagger(self) -> Self {
         let Self { real, first, second, mixed } = self.conjugate();
         Self::new(real, -first, -second, -mixed)
     }
 
     /// xx*, a hyper-dual number; the square of the norm.
-    #[must_use]
     pub fn norm_squared(self) -> HyperDual<R> {
         let [first, second] = [self.first, self.second].map(|part| R::TWO * self.real.dot(part));
         let mixed = R::TWO * (self.real.dot(self.mixed) + self.first.dot(self.second));
@@ -125,13 +114,11 @@ impl<R: Real> HyperDualQuat<R> {
     }
 
     /// v′ from x(1 + vε₁ε₂)x† (Arends, chapter 5, §3), for a unit a.
-    #[must_use]
     pub fn transform_point(self, point: [R; 3]) -> [R; 3] {
         (self * Self::point(point) * self.dagger()).mixed.xyz()
     }
 
     /// 1 + vε₁ε₂, a point (Arends, chapter 5, §3).
-    #[must_use]
     pub const fn point(point: [R; 3]) -> Self {
         Self { mixed: Quat::from_parts(point, R::ZERO), ..Self::IDENTITY }
     }
@@ -139,7 +126,6 @@ impl<R: Real> HyperDualQuat<R> {
     /// Where a moving body's moving point is, and its velocity: v′ and v̇′ from
     /// x(1 + vε₂ + v̇ε₁ε₂)x̄ with x from [`from_moving`](Self::from_moving), unit, and x̄ the
     /// [conjugate with ε₂ → −ε₂](Self::conjugate_second).
-    #[must_use]
     pub fn transform_moving_point(self, point: [R; 3], velocity: [R; 3]) -> ([R; 3], [R; 3]) {
         let [second, mixed] = [point, velocity].map(|v| Quat::from_parts(v, R::ZERO));
         let moved = self * Self { second, mixed, ..Self::IDENTITY } * self.conjugate_second();

@@ -5,7 +5,6 @@ use dq8::{DualQuat, Real};
 use nalgebra::{Matrix3, Matrix4};
 
 /// The matrix of a unit σ.
-#[must_use]
 pub fn matrix(sigma: DualQuat<f64>) -> Matrix4<f64> {
     let rows = sigma.to_matrix4();
     Matrix4::from_fn(|row, column| rows[row][column])
@@ -13,7 +12,6 @@ pub fn matrix(sigma: DualQuat<f64>) -> Matrix4<f64> {
 
 /// How far the rotation R of an affine matrix is from orthonormal: the largest element of RᵀR − 1; NaN
 /// if one is.
-#[must_use]
 pub fn orthonormality_error(a: &Matrix4<f64>) -> f64 {
     let r: Matrix3<f64> = a.fixed_view::<3, 3>(0, 0).into();
     (r.transpose() * r - Matrix3::identity()).fold(0.0, |most, c| most.max_or_nan(c.abs()))
@@ -71,7 +69,6 @@ pub fn interpolate(
 ///
 /// It ends where it should, but between the ends it turns nothing rigid into something rigid, and
 /// what it gives depends on `offset`, for which he has no rule; [`smallest_offset`] is one.
-#[must_use]
 pub fn interpolate_elements(
     a: &Matrix4<f64>,
     b: &Matrix4<f64>,
@@ -85,7 +82,6 @@ pub fn interpolate_elements(
 }
 
 /// What makes every element of both at least 1 and the smallest just that; zero if they are.
-#[must_use]
 pub fn smallest_offset(a: &Matrix4<f64>, b: &Matrix4<f64>) -> f64 {
     (1.0 - a.min().min(b.min())).max(0.0)
 }

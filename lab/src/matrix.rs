@@ -23,7 +23,6 @@ fn column<R: Real, const N: usize, const M: usize>(matrix: Matrix<R, N, M>, j: u
 /// let a = [[1.0, 2.0], [3.0, 4.0]];
 /// assert_eq!(lab::matrix::product(a, [[0.0, 1.0], [1.0, 0.0]]), [[2.0, 1.0], [4.0, 3.0]]);
 /// ```
-#[must_use]
 pub fn product<R: Real, const L: usize, const M: usize, const N: usize>(
     a: Matrix<R, L, M>,
     b: Matrix<R, M, N>,
@@ -32,13 +31,11 @@ pub fn product<R: Real, const L: usize, const M: usize, const N: usize>(
 }
 
 /// Av
-#[must_use]
 pub fn apply<R: Real, const L: usize, const M: usize>(a: Matrix<R, L, M>, v: [R; M]) -> [R; L] {
     a.map(|row| sum_of_products(row, v))
 }
 
 /// `[A | s][B | t] = [AB | At + s]`: the last rows 0 0 0 1 are neither stored nor multiplied.
-#[must_use]
 pub fn affine_product<R: Real>(a: Matrix<R, 3, 4>, b: Matrix<R, 3, 4>) -> Matrix<R, 3, 4> {
     let linear = product(left(a), left(b));
     let shift = affine_apply(a, column(b, 3));
@@ -46,13 +43,11 @@ pub fn affine_product<R: Real>(a: Matrix<R, 3, 4>, b: Matrix<R, 3, 4>) -> Matrix
 }
 
 /// Av + s
-#[must_use]
 pub fn affine_apply<R: Real>(a: Matrix<R, 3, 4>, v: [R; 3]) -> [R; 3] {
     a.map(|[x, y, z, s]| sum_of_products([x, y, z], v) + s)
 }
 
 /// `[A | s]⁻¹ = [Aᵀ | −Aᵀs]` of a rotation A.
-#[must_use]
 pub fn rigid_inverse<R: Real>(a: Matrix<R, 3, 4>) -> Matrix<R, 3, 4> {
     let transposed: Matrix<R, 3, 3> = core::array::from_fn(|i| column(left(a), i));
     let shift = apply(transposed, column(a, 3));
@@ -63,19 +58,16 @@ pub fn rigid_inverse<R: Real>(a: Matrix<R, 3, 4>) -> Matrix<R, 3, 4> {
 }
 
 /// The 3×3 part.
-#[must_use]
 pub fn left<R: Real>(a: Matrix<R, 3, 4>) -> Matrix<R, 3, 3> {
     a.map(|[x, y, z, _]| [x, y, z])
 }
 
 /// With the row 0 0 0 1 below.
-#[must_use]
 pub fn homogeneous<R: Real>([a, b, c]: Matrix<R, 3, 4>) -> Matrix<R, 4, 4> {
     [a, b, c, [R::ZERO, R::ZERO, R::ZERO, R::ONE]]
 }
 
 /// The rotations by `angles` about the axes x, y and z (Kenwright §3.3, Arends §2.2), radians.
-#[must_use]
 pub fn about_axes<R: Real>(angles: [R; 3]) -> [Matrix<R, 3, 3>; 3] {
     let (zero, one) = (R::ZERO, R::ONE);
     let [(sx, cx), (sy, cy), (sz, cz)] = angles.map(|angle| (angle.sin(), angle.cos()));
@@ -88,7 +80,6 @@ pub fn about_axes<R: Real>(angles: [R; 3]) -> [Matrix<R, 3, 3>; 3] {
 
 /// The rotation by `angle` radians about the unit `axis` n: cos θ 1 + (1 − cos θ) nnᵀ + sin θ N,
 /// Nv = n × v (Rodrigues 1840).
-#[must_use]
 pub fn about<R: Real>([x, y, z]: [R; 3], angle: R) -> Matrix<R, 3, 3> {
     let (sin, cos) = (angle.sin(), angle.cos());
     let rest = R::ONE - cos;
@@ -101,7 +92,6 @@ pub fn about<R: Real>([x, y, z]: [R; 3], angle: R) -> Matrix<R, 3, 3> {
 
 /// The rows made orthonormal by Gram and Schmidt: the first keeps its direction, the second what is
 /// orthogonal to it, and the third is their cross product (Kenwright §3.5.2). Of a singular matrix, NaN.
-#[must_use]
 pub fn gram_schmidt<R: Real>([x, y, _]: Matrix<R, 3, 3>) -> Matrix<R, 3, 3> {
     let unit = |v: [R; 3]| {
         let reciprocal = R::ONE / sum_of_products(v, v).sqrt();
@@ -115,7 +105,6 @@ pub fn gram_schmidt<R: Real>([x, y, _]: Matrix<R, 3, 3>) -> Matrix<R, 3, 3> {
 }
 
 /// AᵀA − 1, by which columns fail to be orthonormal: off the diagonal the skew, on it the scale.
-#[must_use]
 pub fn distortion(a: Matrix<f64, 3, 3>) -> Matrix<f64, 3, 3> {
     core::array::from_fn(|i| {
         core::array::from_fn(|j| {
@@ -127,7 +116,6 @@ pub fn distortion(a: Matrix<f64, 3, 3>) -> Matrix<f64, 3, 3> {
 
 /// The largest element of [`distortion`] off the diagonal: the sine of how far two axes are from a
 /// right angle.
-#[must_use]
 pub fn skew(a: Matrix<f64, 3, 3>) -> f64 {
     let d = distortion(a);
     d[0][1].abs().max(d[0][2].abs()).max(d[1][2].abs())
@@ -135,7 +123,6 @@ pub fn skew(a: Matrix<f64, 3, 3>) -> f64 {
 
 /// The largest element of [`distortion`] on the diagonal: twice the relative change of a length along
 /// an axis.
-#[must_use]
 pub fn stretch(a: Matrix<f64, 3, 3>) -> f64 {
     let d = distortion(a);
     d[0][0].abs().max(d[1][1].abs()).max(d[2][2].abs())

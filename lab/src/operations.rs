@@ -11,7 +11,6 @@ use dq8::{Dual, DualQuat, Quat};
 use std::error::Error;
 
 /// The measured operation of this name.
-#[must_use]
 pub fn find<'a>(list: &'a [Operation], name: &str) -> Option<&'a Operation> {
     list.iter().find(|operation| operation.name == name)
 }
@@ -76,7 +75,6 @@ const HEADLINES: [&str; 10] = [
 ];
 
 /// A row of the table in words.
-#[must_use]
 pub fn sentence(operation: &Operation) -> String {
     let Operation { name, counts, .. } = operation;
     let kinds = [

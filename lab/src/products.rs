@@ -85,7 +85,6 @@ fn squares(product: DualQuat<f32>, exact: DualQuat<f64>) -> Errors {
 }
 
 /// Root mean squares over the chains, by length and method. All methods multiply the same motions.
-#[must_use]
 pub fn errors(lengths: &[usize]) -> Vec<[Errors; METHODS.len()]> {
     let mut sums = vec![[[0.0; 4]; METHODS.len()]; lengths.len()];
     for seed in 1..=CHAINS {

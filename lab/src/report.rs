@@ -44,13 +44,11 @@ impl Section {
 }
 
 /// Plain text as a paragraph.
-#[must_use]
 pub fn paragraph(text: &str) -> String {
     format!("<p>{}</p>\n", escape(text))
 }
 
 /// The whole page.
-#[must_use]
 pub fn page(sections: &[Section]) -> String {
     let mut contents = String::new();
     let mut chapters = String::new();
@@ -72,7 +70,6 @@ pub fn page(sections: &[Section]) -> String {
 }
 
 /// Text as it stands in HTML.
-#[must_use]
 pub fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }

@@ -83,7 +83,6 @@ fn hyper([a, b, c, d]: [Quat<f32>; 4], [e, f, g, h]: [Quat<f32>; 4]) -> [Quat<f3
 pub type Timed = (&'static str, f64);
 
 /// Times all products.
-#[must_use]
 pub fn times() -> Vec<Timed> {
     let mut random = Random(1);
     let motions: Vec<DualQuat<f32>> = (0..2 * PRODUCTS)

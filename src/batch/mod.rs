@@ -46,7 +46,6 @@ mod slerp;
 mod squad;
 mod transform;
 mod trigonometry;
-mod two_bone;
 pub mod vector;
 
 pub use dual::Dual;
@@ -54,6 +53,4 @@ pub use dual_quat::DualQuat;
 pub use even::{cos_sin, farthest, half_turns};
 pub use jacobian::lie_bracket;
 pub use quat::Quat;
-pub use representation::{RotationTranslation, gram_schmidt_checked};
 pub use trigonometry::atan2;
-pub use two_bone::TwoBone;

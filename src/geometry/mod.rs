@@ -2,8 +2,6 @@
 //! and for many (`T` a vector of lanes). Points and directions are plain `[T; 3]`.
 
 mod dual_vector;
-pub(crate) mod euler_angles;
-pub(crate) mod euler_order;
 mod line;
 mod mean;
 mod plane;

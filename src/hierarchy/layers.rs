@@ -4,7 +4,7 @@ use super::locals::sealed::Sealed;
 use super::locals::{Locals, Motions, Poses, RotationsTranslations, Tracks, part_of};
 use super::rows::{GROUP, Rows, each, load, store};
 use super::slot::JointSlot;
-use crate::law::Law;
+use crate::law::{Law, NlerpLerp};
 use crate::number::Scalar;
 use crate::storage::shape::{ShapeError, same_length};
 use crate::storage::{self, Element, Layout, Number};
@@ -49,6 +49,44 @@ pub trait PoseSource<M: Layout, const C: usize>: Copy + Send + Sync + Sealed {
     fn some(self, joints: usize, instances: Range<usize>) -> Self;
 }
 
+/// Poses as locals: each becomes a motion, or stands on its parent, as their law has it.
+macro_rules! locals_by_law {
+    ([$($generics:tt)*] $Poses:ty, $C:tt, |$poses:ident| $law:expr; $($bounds:tt)*) => {
+        impl<E: Element<8>, $($generics)*> Locals<E> for $Poses
+        where
+            $($bounds)*
+        {
+            fn shape(&self, joints: usize, _: usize) -> Result<(&'static str, usize), ShapeError> {
+                PoseSource::<E::Layout, $C>::shape(self, joints)
+            }
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Motions<E, V>> {
+                let $poses = self;
+                Some($law.motion(PoseSource::<E::Layout, $C>::pose($poses, level, slot)?))
+            }
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            fn onto<V: Level>(
+                self,
+                level: V,
+                parent: Motions<E, V>,
+                _: &[E],
+                slot: JointSlot,
+            ) -> Option<Motions<E, V>> {
+                let $poses = self;
+                Some($law.onto(parent, PoseSource::<E::Layout, $C>::pose($poses, level, slot)?))
+            }
+            fn part(self, joints: usize, instances: Range<usize>) -> Self {
+                PoseSource::<E::Layout, $C>::some(self, joints, instances)
+            }
+        }
+    };
+}
+pub(super) use locals_by_law;
+
+locals_by_law!([T] RotationsTranslations<'_, T>, 7, |_poses| NlerpLerp; T: Element<7, Layout = E::Layout>);
+locals_by_law!([Q, T] Tracks<'_, Q, T>, 7, |_poses| NlerpLerp;
+    Q: Element<4, Layout = E::Layout>, T: Element<3, Layout = E::Layout>);
+
 impl<E: Element<8>> PoseSource<E::Layout, 8> for Poses<'_, E> {
     fn shape(&self, _: usize) -> Result<(&'static str, usize), ShapeError> {
         Ok(("poses", self.0.len()))
@@ -68,7 +106,7 @@ impl<E: Element<8>> PoseSource<E::Layout, 8> for Poses<'_, E> {
 
 impl<E: Element<7>> PoseSource<E::Layout, 7> for RotationsTranslations<'_, E> {
     fn shape(&self, _: usize) -> Result<(&'static str, usize), ShapeError> {
-        Ok(("poses", self.0.len()))
+        Ok(("locals", self.0.len()))
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn pose<V: Level>(
@@ -246,34 +284,7 @@ where
     }
 }
 
-impl<E, W, A, B, const C: usize, const ADDS: bool> Locals<E>
-    for Layered<'_, W, A, B, Number<E, 8>, C, ADDS>
-where
-    E: Element<8>,
-    W: Law<C>,
-    A: PoseSource<E::Layout, C>,
-    B: PoseSource<E::Layout, C>,
-{
-    fn shape(&self, joints: usize, _: usize) -> Result<(&'static str, usize), ShapeError> {
-        PoseSource::<E::Layout, C>::shape(self, joints)
-    }
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Motions<E, V>> {
-        Some(self.law.motion(PoseSource::<E::Layout, C>::pose(self, level, slot)?))
-    }
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn onto<V: Level>(
-        self,
-        level: V,
-        parent: Motions<E, V>,
-        _: &[E],
-        slot: JointSlot,
-    ) -> Option<Motions<E, V>> {
-        Some(self.law.onto(parent, PoseSource::<E::Layout, C>::pose(self, level, slot)?))
-    }
-    fn part(self, joints: usize, instances: Range<usize>) -> Self {
-        PoseSource::<E::Layout, C>::some(self, joints, instances)
-    }
-}
+locals_by_law!([W, A, B, const C: usize, const ADDS: bool] Layered<'_, W, A, B, Number<E, 8>, C, ADDS>, C, |poses| poses.law;
+    W: Law<C>, A: PoseSource<E::Layout, C>, B: PoseSource<E::Layout, C>);
 
 impl<W, A, B, R, const C: usize, const ADDS: bool> Sealed for Layered<'_, W, A, B, R, C, ADDS> {}

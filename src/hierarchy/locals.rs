@@ -126,31 +126,6 @@ pub struct RotationsTranslations<'s, T>(
     pub &'s [T],
 );
 
-impl<E: Element<8>, T: Element<7, Layout = E::Layout>> Locals<E> for RotationsTranslations<'_, T> {
-    fn shape(&self, _: usize, _: usize) -> Result<(&'static str, usize), ShapeError> {
-        Ok(("locals", self.0.len()))
-    }
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Motions<E, V>> {
-        let [x, y, z, w, t @ ..] = T::load(level, self.0, slot.tile(), &storage::identity())?;
-        Some(Motions::<E, V>::from_rotation_translation(batch::Quat::from_xyzw(x, y, z, w), t))
-    }
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn onto<V: Level>(
-        self,
-        level: V,
-        parent: Motions<E, V>,
-        _: &[E],
-        slot: JointSlot,
-    ) -> Option<Motions<E, V>> {
-        let [x, y, z, w, t @ ..] = T::load(level, self.0, slot.tile(), &storage::identity())?;
-        Some(parent.mul_rotation_translation(batch::Quat::from_xyzw(x, y, z, w), t))
-    }
-    fn part(self, joints: usize, instances: Range<usize>) -> Self {
-        Self(part_of(self.0, joints, instances))
-    }
-}
-
 /// Rotations and translations of each joint in two arrays, as animation tracks have them:
 /// [`RotationsTranslations`] taken apart.
 ///
@@ -172,43 +147,6 @@ pub struct Tracks<'s, Q, T> {
     pub rotations: &'s [Q],
     /// One for each joint.
     pub translations: &'s [T],
-}
-
-impl<E, Q, T> Locals<E> for Tracks<'_, Q, T>
-where
-    E: Element<8>,
-    Q: Element<4, Layout = E::Layout>,
-    T: Element<3, Layout = E::Layout>,
-{
-    fn shape(&self, _: usize, _: usize) -> Result<(&'static str, usize), ShapeError> {
-        same_length("translations", self.translations.len(), self.rotations.len())?;
-        Ok(("rotations", self.rotations.len()))
-    }
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Motions<E, V>> {
-        let rotation = Q::load(level, self.rotations, slot.tile(), &storage::identity())?;
-        let translation = T::load(level, self.translations, slot.tile(), &storage::identity())?;
-        let rotation = batch::Quat::from_array(rotation);
-        Some(Motions::<E, V>::from_rotation_translation(rotation, translation))
-    }
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn onto<V: Level>(
-        self,
-        level: V,
-        parent: Motions<E, V>,
-        _: &[E],
-        slot: JointSlot,
-    ) -> Option<Motions<E, V>> {
-        let rotation = Q::load(level, self.rotations, slot.tile(), &storage::identity())?;
-        let translation = T::load(level, self.translations, slot.tile(), &storage::identity())?;
-        Some(parent.mul_rotation_translation(batch::Quat::from_array(rotation), translation))
-    }
-    fn part(self, joints: usize, instances: Range<usize>) -> Self {
-        Self {
-            rotations: part_of(self.rotations, joints, instances.clone()),
-            translations: part_of(self.translations, joints, instances),
-        }
-    }
 }
 
 /// Rotations, and the offset of each joint from its parent, the same for all instances: what

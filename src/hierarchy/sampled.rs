@@ -1,7 +1,7 @@
 //! [`Sampled`]: animation that is sampled on its way into a register.
 
 use super::keys::{Keys, PlacedKeys};
-use super::layers::PoseSource;
+use super::layers::{PoseSource, locals_by_law};
 use super::locals::sealed::Sealed;
 use super::locals::{Locals, Motions, part_of};
 use super::rows::Rows;
@@ -103,32 +103,7 @@ where
     }
 }
 
-impl<E, W, P, const C: usize> Locals<E> for Sampled<'_, W, P, Number<E, 8>, C>
-where
-    E: Element<8>,
-    W: Law<C>,
-    P: PlacedKeys<Number<E, 8>, C>,
-{
-    fn shape(&self, joints: usize, _: usize) -> Result<(&'static str, usize), ShapeError> {
-        PoseSource::<E::Layout, C>::shape(self, joints)
-    }
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Motions<E, V>> {
-        Some(self.law.motion(PoseSource::<E::Layout, C>::pose(self, level, slot)?))
-    }
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn onto<V: Level>(
-        self,
-        level: V,
-        parent: Motions<E, V>,
-        _: &[E],
-        slot: JointSlot,
-    ) -> Option<Motions<E, V>> {
-        Some(self.law.onto(parent, PoseSource::<E::Layout, C>::pose(self, level, slot)?))
-    }
-    fn part(self, joints: usize, instances: Range<usize>) -> Self {
-        PoseSource::<E::Layout, C>::some(self, joints, instances)
-    }
-}
+locals_by_law!([W, P, const C: usize] Sampled<'_, W, P, Number<E, 8>, C>, C, |poses| poses.law;
+    W: Law<C>, P: PlacedKeys<Number<E, 8>, C>);
 
 impl<W, P, R, const C: usize> Sealed for Sampled<'_, W, P, R, C> {}

@@ -15,8 +15,8 @@
 //! | rotation and translation | `DualQuat::from(`[`RotationTranslation`]`)` | `RotationTranslation::from` |
 //! | affine map | [`Affine::try_decompose`] | [`Affine::from_motion`] |
 //!
-//! On lanes, in [`batch`](crate::batch), all but [`Polar`] and [`Affine`] have the same names, or end in `_checked`
-//! where there is an error here.
+//! Lanes, in [`batch`](crate::batch), have axis and angle, coordinate axes, arcs and matrices under the same names, or
+//! under ones that end in `_checked` where there is an error here.
 //!
 //! [`DualQuat`]: crate::DualQuat
 //! [`DualQuat::from_matrix3x4`]: crate::DualQuat::from_matrix3x4
@@ -42,17 +42,16 @@ mod axis_angle;
 mod directions;
 mod error;
 mod euler_angles;
+mod euler_order;
 mod gram_schmidt;
 mod polar;
 mod rotation_translation;
 mod symmetric;
 
-#[doc(inline)]
-pub use crate::geometry::euler_angles::{EulerAngles, EulerSolution};
-#[doc(inline)]
-pub use crate::geometry::euler_order::{EulerAxes, EulerFrame, EulerOrder};
 pub use affine::Affine;
 pub use error::OrthonormalError;
+pub use euler_angles::{EulerAngles, EulerSolution};
+pub use euler_order::{EulerAxes, EulerFrame, EulerOrder};
 pub use gram_schmidt::gram_schmidt;
 pub use polar::Polar;
 pub use rotation_translation::RotationTranslation;

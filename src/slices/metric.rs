@@ -1,10 +1,9 @@
-use super::sweep::{SliceKernel, motions, part, sweep};
+use super::map::{OfPairs, operations};
+use super::sweep::sweep;
 use crate::backend::Backend;
-use crate::batch;
+use crate::batch::DualQuat;
+use crate::storage::Element;
 use crate::storage::shape::{ShapeError, same_length};
-use crate::storage::{Element, Register, Tile};
-use core::ops::Range;
-use dq8_simd::{Lanes, Level};
 
 impl Backend {
     /// `angles[i]` = the angle between unit aᵢ and bᵢ, radians in [0, π]; see
@@ -21,7 +20,7 @@ impl Backend {
     ) -> Result<(), ShapeError> {
         same_length("b", b.len(), a.len())?;
         same_length("angles", angles.len(), a.len())?;
-        sweep(self, angles, Between { a, b, measure: Angle });
+        sweep(self, angles, OfPairs { a, b, operation: Angle });
         Ok(())
     }
 
@@ -48,52 +47,12 @@ impl Backend {
     ) -> Result<(), ShapeError> {
         same_length("b", b.len(), a.len())?;
         same_length("distances", distances.len(), a.len())?;
-        sweep(self, distances, Between { a, b, measure: Distance });
+        sweep(self, distances, OfPairs { a, b, operation: Distance });
         Ok(())
     }
 }
 
-/// A number between two motions.
-trait Measure: Copy + Sync {
-    fn of<L: Lanes>(&self, a: batch::DualQuat<L>, b: batch::DualQuat<L>) -> L;
-}
-
-#[derive(Clone, Copy)]
-struct Angle;
-impl Measure for Angle {
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn of<L: Lanes>(&self, a: batch::DualQuat<L>, b: batch::DualQuat<L>) -> L {
-        a.angle_to(b)
-    }
-}
-
-#[derive(Clone, Copy)]
-struct Distance;
-impl Measure for Distance {
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn of<L: Lanes>(&self, a: batch::DualQuat<L>, b: batch::DualQuat<L>) -> L {
-        a.distance_to(b)
-    }
-}
-
-struct Between<'s, E, M> {
-    a: &'s [E],
-    b: &'s [E],
-    measure: M,
-}
-
-impl<E, T, M> SliceKernel<T, 1> for Between<'_, E, M>
-where
-    E: Element<8>,
-    T: Element<1, Layout = E::Layout>,
-    M: Measure,
-{
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn compute<V: Level>(&self, level: V, _: &[T], tile: Tile) -> Option<[Register<T, V, 1>; 1]> {
-        Some([self.measure.of(motions(level, self.a, tile)?, motions(level, self.b, tile)?)])
-    }
-    fn part(&self, elements: Range<usize>) -> Self {
-        let (a, b) = (part(self.a, elements.clone()), part(self.b, elements));
-        Self { a, b, measure: self.measure }
-    }
+operations! {
+    Angle(a: 8, b: 8) -> 1 = [DualQuat::from_array(a).angle_to(DualQuat::from_array(b))];
+    Distance(a: 8, b: 8) -> 1 = [DualQuat::from_array(a).distance_to(DualQuat::from_array(b))];
 }

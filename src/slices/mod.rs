@@ -35,6 +35,7 @@
 
 mod blend;
 mod interpolate;
+mod map;
 mod matrix;
 mod metric;
 mod product;

@@ -1,6 +1,7 @@
+use super::map::{OfEach, OfPairs, operations};
 use super::sweep::{SliceKernel, motions, part, sweep};
 use crate::backend::Backend;
-use crate::batch;
+use crate::batch::DualQuat;
 use crate::geometry::{DualVector, Twist};
 use crate::storage::shape::{ShapeError, same_length};
 use crate::storage::{self, Element, Number, Register, Tile};
@@ -31,7 +32,7 @@ impl Backend {
         logs: &mut [P],
     ) -> Result<(), ShapeError> {
         same_length("logs", logs.len(), motions.len())?;
-        sweep(self, logs, Log { motions });
+        sweep(self, logs, OfEach { a: motions, operation: Log });
         Ok(())
     }
 
@@ -47,7 +48,7 @@ impl Backend {
         motions: &mut [M],
     ) -> Result<(), ShapeError> {
         same_length("motions", motions.len(), logs.len())?;
-        sweep(self, motions, Exp { logs });
+        sweep(self, motions, OfEach { a: logs, operation: Exp });
         Ok(())
     }
 
@@ -74,7 +75,7 @@ impl Backend {
         twists: &mut [P],
     ) -> Result<(), ShapeError> {
         same_length("twists", twists.len(), motions.len())?;
-        sweep(self, twists, ToTwist { motions });
+        sweep(self, twists, OfEach { a: motions, operation: ToTwist });
         Ok(())
     }
 
@@ -90,7 +91,7 @@ impl Backend {
         motions: &mut [M],
     ) -> Result<(), ShapeError> {
         same_length("motions", motions.len(), twists.len())?;
-        sweep(self, motions, FromTwist { twists });
+        sweep(self, motions, OfEach { a: twists, operation: FromTwist });
         Ok(())
     }
 
@@ -107,7 +108,7 @@ impl Backend {
     ) -> Result<(), ShapeError> {
         same_length("t", t.len(), motions.len())?;
         same_length("powers", powers.len(), motions.len())?;
-        sweep(self, powers, Power { motions, t });
+        sweep(self, powers, OfPairs { a: motions, b: t, operation: Power });
         Ok(())
     }
 
@@ -141,81 +142,22 @@ impl Backend {
     }
 }
 
-struct Log<'s, M> {
-    motions: &'s [M],
-}
-
-impl<M: Element<8>, P: Element<6, Layout = M::Layout>> SliceKernel<P, 6> for Log<'_, M> {
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn compute<V: Level>(&self, level: V, _: &[P], tile: Tile) -> Option<[Register<P, V, 6>; 6]> {
-        let log = motions(level, self.motions, tile)?.log();
+operations! {
+    Log(motion: 8) -> 6 = {
+        let log = DualQuat::from_array(motion).log();
         let ([a, b, c], [d, e, f]) = (log.real, log.dual);
-        Some([a, b, c, d, e, f])
-    }
-    fn part(&self, elements: Range<usize>) -> Self {
-        Self { motions: part(self.motions, elements) }
-    }
+        [a, b, c, d, e, f]
+    };
+    Exp(log: 6) -> 8 = {
+        let [a, b, c, d, e, f] = log;
+        DualQuat::exp(DualVector { real: [a, b, c], dual: [d, e, f] }).to_array()
+    };
+    ToTwist(motion: 8) -> 6 = DualQuat::from_array(motion).to_twist().to_array();
+    FromTwist(twist: 6) -> 8 = DualQuat::from_twist(Twist::from_array(twist)).to_array();
 }
 
-struct Exp<'s, P> {
-    logs: &'s [P],
-}
-
-impl<P: Element<6>, M: Element<8, Layout = P::Layout>> SliceKernel<M, 8> for Exp<'_, P> {
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn compute<V: Level>(&self, level: V, _: &[M], tile: Tile) -> Option<[Register<M, V, 8>; 8]> {
-        let [a, b, c, d, e, f] = P::load(level, self.logs, tile, &storage::identity())?;
-        let log = DualVector { real: [a, b, c], dual: [d, e, f] };
-        Some(batch::DualQuat::exp(log).to_array())
-    }
-    fn part(&self, elements: Range<usize>) -> Self {
-        Self { logs: part(self.logs, elements) }
-    }
-}
-
-struct ToTwist<'s, M> {
-    motions: &'s [M],
-}
-
-impl<M: Element<8>, P: Element<6, Layout = M::Layout>> SliceKernel<P, 6> for ToTwist<'_, M> {
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn compute<V: Level>(&self, level: V, _: &[P], tile: Tile) -> Option<[Register<P, V, 6>; 6]> {
-        Some(motions(level, self.motions, tile)?.to_twist().to_array())
-    }
-    fn part(&self, elements: Range<usize>) -> Self {
-        Self { motions: part(self.motions, elements) }
-    }
-}
-
-struct FromTwist<'s, P> {
-    twists: &'s [P],
-}
-
-impl<P: Element<6>, M: Element<8, Layout = P::Layout>> SliceKernel<M, 8> for FromTwist<'_, P> {
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn compute<V: Level>(&self, level: V, _: &[M], tile: Tile) -> Option<[Register<M, V, 8>; 8]> {
-        let twist = P::load(level, self.twists, tile, &storage::identity())?;
-        Some(batch::DualQuat::from_twist(Twist::from_array(twist)).to_array())
-    }
-    fn part(&self, elements: Range<usize>) -> Self {
-        Self { twists: part(self.twists, elements) }
-    }
-}
-
-struct Power<'s, E, T> {
-    motions: &'s [E],
-    t: &'s [T],
-}
-
-impl<E: Element<8>, T: Element<1, Layout = E::Layout>> SliceKernel<E, 8> for Power<'_, E, T> {
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn compute<V: Level>(&self, level: V, _: &[E], tile: Tile) -> Option<[Register<E, V, 8>; 8]> {
-        let [t] = T::load(level, self.t, tile, &storage::identity())?;
-        Some(motions(level, self.motions, tile)?.pow(t).to_array())
-    }
-    fn part(&self, elements: Range<usize>) -> Self {
-        Self { motions: part(self.motions, elements.clone()), t: part(self.t, elements) }
-    }
+operations! {
+    Power(motion: 8, t: 1) -> 8 = DualQuat::from_array(motion).pow(t[0]).to_array();
 }
 
 struct Integrate<'s, E: Element<8>, P> {

@@ -1,11 +1,10 @@
-use super::sweep::{SliceKernel, motions, part, sweep};
+use super::map::{OfPairs, operations};
+use super::sweep::sweep;
 use crate::backend::Backend;
-use crate::batch;
+use crate::batch::DualQuat;
 use crate::geometry::{Line, Plane, Twist};
+use crate::storage::Element;
 use crate::storage::shape::{ShapeError, same_length};
-use crate::storage::{self, Element, Register, Tile};
-use core::ops::Range;
-use dq8_simd::{Lanes, Level};
 
 impl Backend {
     /// `moved[i]` = Rᵢ·`points[i]` + tᵢ of a unit motion each.
@@ -30,7 +29,7 @@ impl Backend {
     ) -> Result<(), ShapeError> {
         same_length("points", points.len(), motions.len())?;
         same_length("moved", moved.len(), motions.len())?;
-        sweep(self, moved, ByEach { motions, from: points, action: OnPoint });
+        sweep(self, moved, OfPairs { a: motions, b: points, operation: OnPoint });
         Ok(())
     }
 
@@ -47,7 +46,7 @@ impl Backend {
     ) -> Result<(), ShapeError> {
         same_length("vectors", vectors.len(), motions.len())?;
         same_length("turned", turned.len(), motions.len())?;
-        sweep(self, turned, ByEach { motions, from: vectors, action: OnVector });
+        sweep(self, turned, OfPairs { a: motions, b: vectors, operation: OnVector });
         Ok(())
     }
 
@@ -75,7 +74,7 @@ impl Backend {
     ) -> Result<(), ShapeError> {
         same_length("lines", lines.len(), motions.len())?;
         same_length("moved", moved.len(), motions.len())?;
-        sweep(self, moved, ByEach { motions, from: lines, action: OnLine });
+        sweep(self, moved, OfPairs { a: motions, b: lines, operation: OnLine });
         Ok(())
     }
 
@@ -93,7 +92,7 @@ impl Backend {
     ) -> Result<(), ShapeError> {
         same_length("planes", planes.len(), motions.len())?;
         same_length("moved", moved.len(), motions.len())?;
-        sweep(self, moved, ByEach { motions, from: planes, action: OnPlane });
+        sweep(self, moved, OfPairs { a: motions, b: planes, operation: OnPlane });
         Ok(())
     }
 
@@ -111,84 +110,27 @@ impl Backend {
     ) -> Result<(), ShapeError> {
         same_length("twists", twists.len(), motions.len())?;
         same_length("moved", moved.len(), motions.len())?;
-        sweep(self, moved, ByEach { motions, from: twists, action: OnTwist });
+        sweep(self, moved, OfPairs { a: motions, b: twists, operation: OnTwist });
         Ok(())
     }
 }
 
-/// The action of a motion on a thing of `C` numbers.
-trait Action<const C: usize>: Copy + Sync {
-    fn act<L: Lanes>(&self, motion: batch::DualQuat<L>, thing: [L; C]) -> [L; C];
-}
-
-#[derive(Clone, Copy)]
-struct OnPoint;
-impl Action<3> for OnPoint {
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn act<L: Lanes>(&self, motion: batch::DualQuat<L>, point: [L; 3]) -> [L; 3] {
-        motion.transform_point(point)
-    }
-}
-
-#[derive(Clone, Copy)]
-struct OnVector;
-impl Action<3> for OnVector {
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn act<L: Lanes>(&self, motion: batch::DualQuat<L>, vector: [L; 3]) -> [L; 3] {
-        motion.transform_vector(vector)
-    }
-}
-
-#[derive(Clone, Copy)]
-struct OnLine;
-impl Action<6> for OnLine {
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn act<L: Lanes>(&self, motion: batch::DualQuat<L>, [a, b, c, d, e, f]: [L; 6]) -> [L; 6] {
-        let line = motion.transform_line(Line { direction: [a, b, c], moment: [d, e, f] });
+operations! {
+    OnPoint(motion: 8, point: 3) -> 3 = DualQuat::from_array(motion).transform_point(point);
+    OnVector(motion: 8, vector: 3) -> 3 = DualQuat::from_array(motion).transform_vector(vector);
+    OnLine(motion: 8, line: 6) -> 6 = {
+        let [a, b, c, d, e, f] = line;
+        let line = Line { direction: [a, b, c], moment: [d, e, f] };
+        let line = DualQuat::from_array(motion).transform_line(line);
         let ([a, b, c], [d, e, f]) = (line.direction, line.moment);
         [a, b, c, d, e, f]
-    }
-}
-
-#[derive(Clone, Copy)]
-struct OnPlane;
-impl Action<4> for OnPlane {
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn act<L: Lanes>(&self, motion: batch::DualQuat<L>, [a, b, c, offset]: [L; 4]) -> [L; 4] {
-        let plane = motion.transform_plane(Plane { normal: [a, b, c], offset });
+    };
+    OnPlane(motion: 8, plane: 4) -> 4 = {
+        let [a, b, c, offset] = plane;
+        let plane = DualQuat::from_array(motion).transform_plane(Plane { normal: [a, b, c], offset });
         let [a, b, c] = plane.normal;
         [a, b, c, plane.offset]
-    }
-}
-
-#[derive(Clone, Copy)]
-struct OnTwist;
-impl Action<6> for OnTwist {
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn act<L: Lanes>(&self, motion: batch::DualQuat<L>, twist: [L; 6]) -> [L; 6] {
-        motion.adjoint(Twist::from_array(twist)).to_array()
-    }
-}
-
-struct ByEach<'s, M, P, A> {
-    motions: &'s [M],
-    from: &'s [P],
-    action: A,
-}
-
-impl<M, P, A, const C: usize> SliceKernel<P, C> for ByEach<'_, M, P, A>
-where
-    M: Element<8>,
-    P: Element<C, Layout = M::Layout>,
-    A: Action<C>,
-{
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn compute<V: Level>(&self, level: V, _: &[P], tile: Tile) -> Option<[Register<P, V, C>; C]> {
-        let thing = P::load(level, self.from, tile, &storage::identity())?;
-        Some(self.action.act(motions(level, self.motions, tile)?, thing))
-    }
-    fn part(&self, elements: Range<usize>) -> Self {
-        let motions = part(self.motions, elements.clone());
-        Self { motions, from: part(self.from, elements), action: self.action }
-    }
+    };
+    OnTwist(motion: 8, twist: 6) -> 6 =
+        DualQuat::from_array(motion).adjoint(Twist::from_array(twist)).to_array();
 }

@@ -1,10 +1,11 @@
-use super::sweep::{SliceKernel, motions, sweep};
+use super::map::{Unary, operations};
+use super::sweep::{SliceKernel, sweep};
 use crate::backend::Backend;
-use crate::batch;
+use crate::batch::DualQuat;
 use crate::storage::shape::{ShapeError, same_length};
-use crate::storage::{Element, Register, Source, Tile};
+use crate::storage::{self, Element, Register, Source, Tile};
 use core::ops::Range;
-use dq8_simd::{Lanes, Level};
+use dq8_simd::Level;
 
 impl Backend {
     /// `units[i]` = σᵢ/√(σᵢσᵢ*), exactly; some component is NaN where the result does not exist (see
@@ -28,14 +29,14 @@ impl Backend {
         units: &mut [E],
     ) -> Result<(), ShapeError> {
         same_length("units", units.len(), motions.len())?;
-        sweep(self, units, Unary { from: Source::Slice(motions), operation: Normalize });
+        sweep(self, units, OrInPlace { from: Source::Slice(motions), operation: Normalize });
         Ok(())
     }
 
     /// [`normalize`](Self::normalize) over the motions themselves.
     #[inline]
     pub fn normalize_in_place<E: Element<8>>(self, motions: &mut [E]) {
-        sweep(self, motions, Unary { from: Source::Output, operation: Normalize });
+        sweep(self, motions, OrInPlace { from: Source::Output, operation: Normalize });
     }
 
     /// `inverses[i]` = σᵢ⁻¹; some component is NaN or infinite where it does not exist (see
@@ -50,14 +51,14 @@ impl Backend {
         inverses: &mut [E],
     ) -> Result<(), ShapeError> {
         same_length("inverses", inverses.len(), motions.len())?;
-        sweep(self, inverses, Unary { from: Source::Slice(motions), operation: Inverse });
+        sweep(self, inverses, OrInPlace { from: Source::Slice(motions), operation: Inverse });
         Ok(())
     }
 
     /// [`inverse`](Self::inverse) over the motions themselves.
     #[inline]
     pub fn inverse_in_place<E: Element<8>>(self, motions: &mut [E]) {
-        sweep(self, motions, Unary { from: Source::Output, operation: Inverse });
+        sweep(self, motions, OrInPlace { from: Source::Output, operation: Inverse });
     }
 
     /// `conjugates[i]` = σᵢ* = p* + εq*, the inverse of unit motions: no division.
@@ -71,55 +72,29 @@ impl Backend {
         conjugates: &mut [E],
     ) -> Result<(), ShapeError> {
         same_length("conjugates", conjugates.len(), motions.len())?;
-        sweep(self, conjugates, Unary { from: Source::Slice(motions), operation: Conjugate });
+        sweep(self, conjugates, OrInPlace { from: Source::Slice(motions), operation: Conjugate });
         Ok(())
     }
 
     /// [`conjugate`](Self::conjugate) over the motions themselves.
     #[inline]
     pub fn conjugate_in_place<E: Element<8>>(self, motions: &mut [E]) {
-        sweep(self, motions, Unary { from: Source::Output, operation: Conjugate });
+        sweep(self, motions, OrInPlace { from: Source::Output, operation: Conjugate });
     }
 }
 
-/// A function of one motion.
-trait UnaryOperation: Copy + Sync {
-    fn of<L: Lanes>(&self, motion: batch::DualQuat<L>) -> batch::DualQuat<L>;
+operations! {
+    Normalize(motion: 8) -> 8 = DualQuat::from_array(motion).normalize().to_array();
+    Inverse(motion: 8) -> 8 = DualQuat::from_array(motion).inverse().to_array();
+    Conjugate(motion: 8) -> 8 = DualQuat::from_array(motion).conjugate().to_array();
 }
 
-#[derive(Clone, Copy)]
-struct Normalize;
-impl UnaryOperation for Normalize {
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn of<L: Lanes>(&self, motion: batch::DualQuat<L>) -> batch::DualQuat<L> {
-        motion.normalize()
-    }
-}
-
-#[derive(Clone, Copy)]
-struct Inverse;
-impl UnaryOperation for Inverse {
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn of<L: Lanes>(&self, motion: batch::DualQuat<L>) -> batch::DualQuat<L> {
-        motion.inverse()
-    }
-}
-
-#[derive(Clone, Copy)]
-struct Conjugate;
-impl UnaryOperation for Conjugate {
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn of<L: Lanes>(&self, motion: batch::DualQuat<L>) -> batch::DualQuat<L> {
-        motion.conjugate()
-    }
-}
-
-struct Unary<'s, E, F> {
+struct OrInPlace<'s, E, F> {
     from: Source<'s, E>,
     operation: F,
 }
 
-impl<E: Element<8>, F: UnaryOperation> SliceKernel<E, 8> for Unary<'_, E, F> {
+impl<E: Element<8>, F: Unary<8, 8>> SliceKernel<E, 8> for OrInPlace<'_, E, F> {
     fn reads_output(&self) -> bool {
         self.from.is_output()
     }
@@ -130,7 +105,8 @@ impl<E: Element<8>, F: UnaryOperation> SliceKernel<E, 8> for Unary<'_, E, F> {
         output: &[E],
         tile: Tile,
     ) -> Option<[Register<E, V, 8>; 8]> {
-        Some(self.operation.of(motions(level, self.from.or(output), tile)?).to_array())
+        let motion = E::load(level, self.from.or(output), tile, &storage::identity())?;
+        Some(self.operation.of(motion))
     }
     fn part(&self, elements: Range<usize>) -> Self {
         Self { from: self.from.part(elements), operation: self.operation }

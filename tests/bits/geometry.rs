@@ -13,6 +13,7 @@ macro_rules! geometry {
                 scalar!(deal, $result $how $scalar);
             }));)*
         }
+        #[allow(unused_variables, reason = "some tables are of single things alone")]
         pub(super) fn lanes<L: dq8::Lanes<Real: dq8::Scalar>>(
             level: L::Level,
             sink: &mut dyn FnMut(&str, u64),

@@ -1,74 +1,31 @@
 //! The kinds of arguments and answers of the tables.
 
 /// An argument, dealt out.
+#[rustfmt::skip]
 macro_rules! take {
-    ($deal:ident, unit) => {
-        $deal.unit()
-    };
-    ($deal:ident, unit_motion) => {
-        $deal.unit()
-    };
-    ($deal:ident, any) => {
-        crate::sample::Sample::motion($deal.numbers())
-    };
-    ($deal:ident, rotation) => {
-        $deal.rotation()
-    };
-    ($deal:ident, unit_quat) => {
-        $deal.rotation()
-    };
-    ($deal:ident, unit_pose) => {
-        ($deal.rotation(), $deal.numbers())
-    };
-    ($deal:ident, any_rotation) => {
-        $deal.quat()
-    };
-    ($deal:ident, quat) => {
-        $deal.quat()
-    };
-    ($deal:ident, dual) => {
-        $deal.dual()
-    };
-    ($deal:ident, influences) => {
-        &[(); 4].map(|()| ($deal.unit(), $deal.number()))[..]
-    };
-    ($deal:ident, level) => {
-        $deal.level()
-    };
-    ($deal:ident, at_most) => {
-        8
-    };
+    ($deal:ident, unit) => { $deal.unit() };
+    ($deal:ident, unit_motion) => { $deal.unit() };
+    ($deal:ident, any) => { crate::sample::Sample::motion($deal.numbers()) };
+    ($deal:ident, rotation) => { $deal.rotation() };
+    ($deal:ident, unit_quat) => { $deal.rotation() };
+    ($deal:ident, unit_pose) => { ($deal.rotation(), $deal.numbers()) };
+    ($deal:ident, any_rotation) => { $deal.quat() };
+    ($deal:ident, quat) => { $deal.quat() };
+    ($deal:ident, dual) => { $deal.dual() };
+    ($deal:ident, influences) => { &[(); 4].map(|()| ($deal.unit(), $deal.number()))[..] };
+    ($deal:ident, level) => { $deal.level() };
+    ($deal:ident, at_most) => { 8 };
     // Smaller steps than this are rounding.
-    ($deal:ident, settled) => {
-        $deal.constant(1e-6)
-    };
-    ($deal:ident, order) => {
-        $deal.order()
-    };
-    ($deal:ident, integer) => {
-        $deal.integer()
-    };
-    ($deal:ident, real) => {
-        $deal.number()
-    };
-    ($deal:ident, number) => {
-        $deal.number()
-    };
-    ($deal:ident, line) => {
-        dq8::Line { direction: $deal.numbers(), moment: $deal.numbers() }
-    };
-    ($deal:ident, plane) => {
-        dq8::Plane { normal: $deal.numbers(), offset: $deal.number() }
-    };
-    ($deal:ident, dual_vector) => {
-        dq8::geometry::DualVector { real: $deal.numbers(), dual: $deal.numbers() }
-    };
-    ($deal:ident, twist) => {
-        dq8::Twist { angular: $deal.numbers(), linear: $deal.numbers() }
-    };
-    ($deal:ident, wrench) => {
-        dq8::geometry::Wrench { force: $deal.numbers(), torque: $deal.numbers() }
-    };
+    ($deal:ident, settled) => { $deal.constant(1e-6) };
+    ($deal:ident, order) => { $deal.order() };
+    ($deal:ident, integer) => { $deal.integer() };
+    ($deal:ident, real) => { $deal.number() };
+    ($deal:ident, number) => { $deal.number() };
+    ($deal:ident, line) => { dq8::Line { direction: $deal.numbers(), moment: $deal.numbers() } };
+    ($deal:ident, plane) => { dq8::Plane { normal: $deal.numbers(), offset: $deal.number() } };
+    ($deal:ident, dual_vector) => { dq8::geometry::DualVector { real: $deal.numbers(), dual: $deal.numbers() } };
+    ($deal:ident, twist) => { dq8::Twist { angular: $deal.numbers(), linear: $deal.numbers() } };
+    ($deal:ident, wrench) => { dq8::geometry::Wrench { force: $deal.numbers(), torque: $deal.numbers() } };
     ($deal:ident, screw) => {
         dq8::geometry::Screw {
             axis: take!($deal, line),
@@ -76,23 +33,15 @@ macro_rules! take {
             slide: $deal.number(),
         }
     };
-    ($deal:ident, rows) => {
-        $deal.matrix()
-    };
-    ($deal:ident, matrix3x4) => {
-        $deal.matrix()
-    };
-    ($deal:ident, matrix3) => {
-        $deal.matrix().map(|[x, y, z, _]| [x, y, z])
-    };
+    ($deal:ident, rows) => { $deal.matrix() };
+    ($deal:ident, matrix3x4) => { $deal.matrix() };
+    ($deal:ident, matrix3) => { $deal.matrix().map(|[x, y, z, _]| [x, y, z]) };
     ($deal:ident, matrix4) => {{
         let ([a, b, c], zero) = ($deal.matrix(), $deal.constant(0.0));
         [a, b, c, [zero, zero, zero, $deal.constant(1.0)]]
     }};
     // A vector, or numbers of which the operation says how many.
-    ($deal:ident, $kind:ident) => {
-        $deal.numbers()
-    };
+    ($deal:ident, $kind:ident) => { $deal.numbers() };
 }
 
 /// An answer, hashed.

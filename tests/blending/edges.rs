@@ -29,17 +29,16 @@ fn degrees(motion: Motions) -> f64 {
 
 #[test]
 fn without_influences_there_is_no_blend() {
-    fn check(on: On) {
+    for on in implementations() {
         assert!(on.dlb(&[]).is_none(), "{on:?}");
         assert!(on.dlb_running(&[]).is_none(), "{on:?}");
         assert!(on.dib(&[], tolerance(on), 8).is_none(), "{on:?}");
     }
-    implementations().into_iter().for_each(check);
 }
 
 #[test]
 fn the_running_sum_turns_what_the_first_influence_would_not() {
-    fn check(on: On) {
+    for on in implementations() {
         let far = everywhere(on, [(turn(0.0), 1.0), (turn(120.0), 1.0), (turn(200.0), 1.0)]);
         assert!((degrees(dlb(&far)) + 8.12).abs() < 0.01, "{on:?}");
         assert!((degrees(dlb_running(&far)) - 108.74).abs() < 0.01, "{on:?}");
@@ -49,12 +48,11 @@ fn the_running_sum_turns_what_the_first_influence_would_not() {
         assert!(degrees(dlb(&zero)).abs() < 0.01, "{on:?}");
         assert!((degrees(dlb_running(&zero)).abs() - 180.0).abs() < 0.01, "{on:?}");
     }
-    implementations().into_iter().for_each(check);
 }
 
 #[test]
 fn at_right_angles_the_sign_is_kept() {
-    fn check(on: On) {
+    for on in implementations() {
         let half_turn = [0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
         for sign in [1.0, -1.0] {
             let second = half_turn.map(|c| sign * c);
@@ -63,12 +61,11 @@ fn at_right_angles_the_sign_is_kept() {
             assert!((degrees(dib(&pair)).abs() - 90.0).abs() < DEGREES, "{on:?}");
         }
     }
-    implementations().into_iter().for_each(check);
 }
 
 #[test]
 fn weights_need_not_sum_to_one() {
-    fn check(on: On) {
+    for on in implementations() {
         let poses = [turn_and_move([1.0, 2.0, 3.0], 0.7, [5.0, 0.0, 1.0]), turn(30.0), turn(80.0)];
         let blends = |factor: f64| {
             let weights = [0.5, 0.375, 0.125].map(|weight| factor * weight);
@@ -96,12 +93,11 @@ fn weights_need_not_sum_to_one() {
             );
         }
     }
-    implementations().into_iter().for_each(check);
 }
 
 #[test]
 fn what_has_no_blend_is_nan_and_leaves_other_lanes_alone() {
-    fn check(on: On) {
+    for on in implementations() {
         let good = [(turn(10.0), 0.75), (turn(50.0), 0.25)];
         let mut bad = vec![("zero", [([0.0; 8], 1.0), ([0.0; 8], 1.0)])];
         bad.push(("weights that cancel", [(turn(10.0), 1.0), (turn(10.0), -1.0)]));
@@ -137,12 +133,11 @@ fn what_has_no_blend_is_nan_and_leaves_other_lanes_alone() {
         let mean = on.dib(&apart, tolerance(on), 32).expect("there are influences");
         assert_eq!(mean.converged, 0, "{on:?}");
     }
-    implementations().into_iter().for_each(check);
 }
 
 #[test]
 fn iterations_are_bounded_and_reported() {
-    fn check(on: On) {
+    for on in implementations() {
         let spread = [turn(0.0), turn(40.0), turn_and_move([1.0, 0.0, 0.0], 1.0, [1.0, 2.0, 3.0])];
         let x = everywhere(on, spread.map(|pose| (pose, 1.0)));
         let all = (1 << on.lanes) - 1;
@@ -163,7 +158,6 @@ fn iterations_are_bounded_and_reported() {
         assert_eq!(alone.converged, all, "{on:?}");
         assert_eq!(alone.iterations.first().to_bits(), 0, "{on:?}");
     }
-    implementations().into_iter().for_each(check);
 }
 
 #[test]
@@ -204,7 +198,7 @@ fn tiny_turns_keep_their_precision() {
 
 #[test]
 fn slerp_and_lerp_apart_go_straight_where_the_screw_goes_round() {
-    fn check(on: On) {
+    for on in implementations() {
         let c = turn_and_move([0.0, 0.0, 1.0], 0.0, [1.0, 0.0, 0.0]);
         let [(a, _), (b, _), (c, _)] =
             everywhere(on, [(turn(0.0), 1.0), (turn(180.0), 1.0), (c, 1.0)]);
@@ -222,7 +216,6 @@ fn slerp_and_lerp_apart_go_straight_where_the_screw_goes_round() {
             assert_same(on.name, at, end, 1.0, 2.0);
         }
     }
-    implementations().into_iter().for_each(check);
 }
 
 #[test]

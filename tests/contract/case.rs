@@ -82,7 +82,6 @@ deck! {
 
 impl Case {
     /// Every number rounded as `on` does.
-    #[must_use]
     pub fn rounded(&self, on: On) -> Self {
         Self::of_numbers(&self.to_numbers().map(|number| on.round(number)))
     }
@@ -104,7 +103,6 @@ pub fn length(components: &[f64]) -> f64 {
 
 impl Arguments {
     /// The motions normalized, for the laws of unit ones: rounded ones are unit to their last place.
-    #[must_use]
     pub fn unit(self) -> Self {
         let [a, b, c, d] = [self.a, self.b, self.c, self.d].map(Motions::normalize);
         Self { a, b, c, d, ..self }
@@ -114,7 +112,6 @@ impl Arguments {
         [self.a, self.b, self.c, self.d]
     }
 
-    #[must_use]
     pub fn with_poses(self, [a, b, c, d]: [Motions; 4]) -> Self {
         Self { a, b, c, d, ..self }
     }

@@ -15,8 +15,8 @@ macro_rules! operations {
         pub static OPERATIONS: &[Operation] = &[$(Operation {
             name: stringify!($name),
             arguments: &[$(Argument {
-                domain: domain!($kind).0,
-                numbers: domain!($kind).1,
+                domain: domain(stringify!($kind)).0,
+                numbers: domain(stringify!($kind)).1,
                 #[allow(unused_variables, reason = "most ask for the case alone")]
                 pick: |x, on| pick!(x, on, $kind $field $($more)*),
             }),*],
@@ -58,7 +58,6 @@ macro_rules! method {
     (@of_motions $name:ident($own:ident $a:ident $(, $kind:ident $field:ident)*) -> $result:ident) => {
         impl Motions {
             #[allow(clippy::should_implement_trait, reason = "the traits are implemented by these")]
-            #[must_use]
             pub fn $name(self $(, $field: argument!($kind))*) -> answer!($result) {
                 let on = self.on;
                 let given = [rows_of(&self) $(, pass!($kind $field))*];
@@ -69,7 +68,6 @@ macro_rules! method {
     };
     ($name:ident($($kind:ident $field:ident),*) -> $result:ident) => {
         impl Implementation {
-            #[must_use]
             pub fn $name(&'static self $(, $field: argument!($kind))*) -> answer!($result) {
                 let (on, given) = (self, [$(pass!($kind $field)),*]);
                 let answer = on.call(Place::$name as usize, &given);

@@ -5,7 +5,7 @@ use crate::bound::Kind;
 use crate::case::Flat;
 use crate::implementation::On;
 use crate::lanes::{Reals, Row};
-use crate::operation::Answer;
+use crate::operation::{Answer, Domain};
 use crate::sample::Sample;
 
 /// The numbers of an argument in a case.
@@ -29,59 +29,21 @@ macro_rules! pick {
     }};
 }
 
-/// Which dual quaternions it may be, and how many numbers it is.
-macro_rules! domain {
-    (any) => {
-        (Domain::Any, 8)
-    };
-    (unit) => {
-        (Domain::Unit, 8)
-    };
-    (rotation) => {
-        (Domain::Rotation, 4)
-    };
-    (any_rotation) => {
-        (Domain::Other, 4)
-    };
-    (influences) => {
-        (Domain::Unit, 9)
-    };
-    (vector) => {
-        (Domain::Other, 3)
-    };
-    (angular) => {
-        (Domain::Other, 3)
-    };
-    (linear) => {
-        (Domain::Other, 3)
-    };
-    (plane) => {
-        (Domain::Other, 4)
-    };
-    (dual) => {
-        (Domain::Other, 2)
-    };
-    (line) => {
-        (Domain::Other, 6)
-    };
-    (dual_vector) => {
-        (Domain::Other, 6)
-    };
-    (twist) => {
-        (Domain::Other, 6)
-    };
-    (wrench) => {
-        (Domain::Other, 6)
-    };
-    (screw) => {
-        (Domain::Other, 8)
-    };
-    (rows) => {
-        (Domain::Other, 12)
-    };
-    ($number:ident) => {
-        (Domain::Other, 1)
-    };
+/// Which dual quaternions an argument of this kind may be, and how many numbers it is.
+pub(crate) const fn domain(kind: &str) -> (Domain, usize) {
+    match kind.as_bytes() {
+        b"any" => (Domain::Any, 8),
+        b"unit" => (Domain::Unit, 8),
+        b"influences" => (Domain::Unit, 9),
+        b"rotation" => (Domain::Rotation, 4),
+        b"dual" => (Domain::Other, 2),
+        b"vector" | b"angular" | b"linear" => (Domain::Other, 3),
+        b"any_rotation" | b"plane" => (Domain::Other, 4),
+        b"line" | b"dual_vector" | b"twist" | b"wrench" => (Domain::Other, 6),
+        b"screw" => (Domain::Other, 8),
+        b"rows" => (Domain::Other, 12),
+        _ => (Domain::Other, 1),
+    }
 }
 
 /// The type of an argument under the names of [`lanes`](crate::lanes).
@@ -108,36 +70,23 @@ macro_rules! argument {
 }
 
 /// An argument as `M` wants it, of its rows.
+#[rustfmt::skip]
 macro_rules! give {
-    ($M:ident, any $rows:expr) => {
-        $M::motion(numbers::<$M, _>($rows))
-    };
-    ($M:ident, unit $rows:expr) => {
-        $M::motion(numbers::<$M, _>($rows))
-    };
-    ($M:ident, rotation $rows:expr) => {
-        $M::quat(numbers::<$M, _>($rows))
-    };
-    ($M:ident, any_rotation $rows:expr) => {
-        $M::quat(numbers::<$M, _>($rows))
-    };
-    ($M:ident, influences $rows:expr) => {
-        &influences::<$M>($rows)[..]
-    };
+    ($M:ident, any $rows:expr) => { $M::motion(numbers::<$M, _>($rows)) };
+    ($M:ident, unit $rows:expr) => { $M::motion(numbers::<$M, _>($rows)) };
+    ($M:ident, rotation $rows:expr) => { $M::quat(numbers::<$M, _>($rows)) };
+    ($M:ident, any_rotation $rows:expr) => { $M::quat(numbers::<$M, _>($rows)) };
+    ($M:ident, influences $rows:expr) => { &influences::<$M>($rows)[..] };
     ($M:ident, dual $rows:expr) => {{
         let [real, dual] = numbers::<$M, _>($rows);
         $M::dual_number(real, dual)
     }};
-    ($M:ident, at_most $rows:expr) => {
-        $rows[0][0] as u32
-    };
+    ($M:ident, at_most $rows:expr) => { $rows[0][0] as u32 };
     ($M:ident, level $rows:expr) => {{
         let _ = $rows;
         $M::level()
     }};
-    ($M:ident, $kind:ident $rows:expr) => {
-        numbers::<$M, _>($rows)
-    };
+    ($M:ident, $kind:ident $rows:expr) => { numbers::<$M, _>($rows) };
 }
 
 /// The rows of an argument under the names of [`lanes`](crate::lanes).
@@ -212,48 +161,31 @@ macro_rules! answer {
 }
 
 /// The rows of what `M` answers.
+#[rustfmt::skip]
 macro_rules! receive {
-    ($M:ident, motion $of:expr) => {
-        motion::<$M>($of)
-    };
-    ($M:ident, small_motion $of:expr) => {
-        small_motion::<$M>($of)
-    };
+    ($M:ident, motion $of:expr) => { motion::<$M>($of) };
+    ($M:ident, small_motion $of:expr) => { small_motion::<$M>($of) };
     ($M:ident, checked $of:expr) => {{
         let (motion_, failed) = $of;
         motion::<$M>(motion_).mask($M::bits(failed))
     }};
-    ($M:ident, blend $of:expr) => {
-        $of.map_or_else(none, motion::<$M>)
-    };
+    ($M:ident, blend $of:expr) => { $of.map_or_else(none, motion::<$M>) };
     ($M:ident, mean $of:expr) => {
         $of.map_or_else(none, |mean: Mean<$M, $M::Real, $M::Mask>| {
             let answer = motion::<$M>(mean.motion).and::<$M>(Kind::Count, &mean.iterations);
             answer.mask($M::bits(mean.converged))
         })
     };
-    ($M:ident, mask $of:expr) => {
-        Answer::default().mask($M::bits($of))
-    };
-    ($M:ident, quat $of:expr) => {
-        Answer::default().and::<$M>(Kind::Plain, &$M::quat_parts($of))
-    };
+    ($M:ident, mask $of:expr) => { Answer::default().mask($M::bits($of)) };
+    ($M:ident, quat $of:expr) => { Answer::default().and::<$M>(Kind::Plain, &$M::quat_parts($of)) };
     ($M:ident, dual $of:expr) => {{
         let [real, dual] = $M::dual_parts($of);
         Answer::default().and::<$M>(Kind::Plain, &real).and::<$M>(Kind::Length, &dual)
     }};
-    ($M:ident, point $of:expr) => {
-        Answer::default().and::<$M>(Kind::Length, &$of)
-    };
-    ($M:ident, length $of:expr) => {
-        Answer::default().and::<$M>(Kind::Length, &$of)
-    };
-    ($M:ident, direction $of:expr) => {
-        Answer::default().and::<$M>(Kind::Plain, &$of)
-    };
-    ($M:ident, angle $of:expr) => {
-        Answer::default().and::<$M>(Kind::Plain, &$of)
-    };
+    ($M:ident, point $of:expr) => { Answer::default().and::<$M>(Kind::Length, &$of) };
+    ($M:ident, length $of:expr) => { Answer::default().and::<$M>(Kind::Length, &$of) };
+    ($M:ident, direction $of:expr) => { Answer::default().and::<$M>(Kind::Plain, &$of) };
+    ($M:ident, angle $of:expr) => { Answer::default().and::<$M>(Kind::Plain, &$of) };
     ($M:ident, line $of:expr) => {{
         let line = $of;
         two::<$M>(Kind::Plain, &line.direction, Kind::Length, &line.moment)
@@ -284,15 +216,11 @@ macro_rules! receive {
         let (angular, linear) = $of;
         two::<$M>(Kind::Plain, &angular, Kind::Length, &linear)
     }};
-    ($M:ident, matrix3x4 $of:expr) => {
-        matrix::<$M>(&$of)
-    };
-    ($M:ident, matrix4 $of:expr) => {
-        matrix::<$M>(&$of)
-    };
+    ($M:ident, matrix3x4 $of:expr) => { matrix::<$M>(&$of) };
+    ($M:ident, matrix4 $of:expr) => { matrix::<$M>(&$of) };
 }
 
-pub(crate) use {answer, argument, domain, give, pass, pick, read, receive};
+pub(crate) use {answer, argument, give, pass, pick, read, receive};
 
 /// Geometry of the numbers of `M`.
 pub(crate) fn numbers<M: Sample, F: Flat<M::Real>>(rows: &[Row]) -> F {

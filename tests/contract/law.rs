@@ -60,7 +60,6 @@ impl Sides {
         Self((0..8).map(|c| (kind(c), column(&left, c), column(&right, c))).collect())
     }
 
-    #[must_use]
     pub fn and(mut self, other: Self) -> Self {
         self.0.extend(other.0);
         self

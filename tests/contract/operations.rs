@@ -22,7 +22,7 @@ use crate::kinds::*;
 use crate::lanes::{MAX_LANES, Motions, Reals, Row};
 use crate::operation::Inputs::{Clusters, Turns, Twists};
 use crate::operation::Sign::{Either, Kept};
-use crate::operation::{Answer, Argument, Call, Domain, Held, Inputs, Operation, Sign};
+use crate::operation::{Answer, Argument, Call, Held, Inputs, Operation, Sign};
 use crate::sample::Sample;
 use crate::scale::{self, of_digits};
 use crate::vectors::Vector;

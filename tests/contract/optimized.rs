@@ -10,7 +10,6 @@ type Block16 = Block<f32, 16>;
 type Points16 = simd::Block<[f32; 16], 3>;
 
 /// To name them is enough; nobody calls this.
-#[must_use]
 pub fn instances() -> [*const (); 16] {
     [
         Job::<u16, f32>::pose::<Linear<'_, f32>, [f32; 3]> as *const (),

@@ -12,7 +12,6 @@ pub struct Place {
 
 impl Place {
     /// `[instance][joint]` records as they lie, rounded; `padding` in lanes without an instance.
-    #[must_use]
     pub fn lay<R: Real>(self, records: &[f64], padding: &[R]) -> Vec<R> {
         let instances = records.len().div_ceil((self.joints * self.components).max(1));
         let places = instances.div_ceil(self.lanes) * self.lanes * self.joints;
@@ -29,7 +28,6 @@ impl Place {
     }
 
     /// Back to `[instance][joint]`, lanes without an instance included.
-    #[must_use]
     pub fn read<R: Real>(self, numbers: &[R]) -> Vec<f64> {
         let mut records = vec![0.0; numbers.len()];
         for index in 0..numbers.len() / self.components {
@@ -51,20 +49,17 @@ impl Place {
 }
 
 /// Equal, or both NaN. Zeros of either sign are equal: the order of a sum decides about them.
-#[must_use]
 pub fn equal(a: &[f64], b: &[f64]) -> bool {
     a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a == b || a.is_nan() && b.is_nan())
 }
 
 /// To the last bit; of NaN there is one.
-#[must_use]
 pub fn same_bits(a: &[f64], b: &[f64]) -> bool {
     let same = |(a, b): (&f64, &f64)| a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan();
     a.len() == b.len() && a.iter().zip(b).all(same)
 }
 
 /// Whether a record holds what no number is.
-#[must_use]
 pub fn is_finite(record: &[f64]) -> bool {
     record.iter().all(|c| c.is_finite())
 }

@@ -193,3 +193,24 @@ mod found {
         }
     }
 }
+
+/// Calls `check::<L>` with every lane type that this machine can run: those of any machine, and those of every level it has.
+#[macro_export]
+macro_rules! on_every_lane_type {
+    (@each $check:ident $given:tt $($L:ty),*) => { $($check::<$L> $given;)* };
+    ($check:ident $given:tt) => {{
+        $crate::on_every_lane_type! { @each $check $given f32, f64, dq8::simd::f32x4, dq8::simd::f32x8,
+            dq8::simd::f32x16, dq8::simd::f64x2, dq8::simd::f64x4, dq8::simd::f64x8 }
+        #[cfg(target_arch = "x86_64")]
+        {
+            use dq8::Level as Of;
+            use dq8::simd::x86_64::{Avx2, Avx512};
+            if <Avx2 as $crate::sample::Proof>::is_there() {
+                $crate::on_every_lane_type! { @each $check $given <Avx2 as Of>::F32x8, <Avx2 as Of>::F64x4 }
+            }
+            if <Avx512 as $crate::sample::Proof>::is_there() {
+                $crate::on_every_lane_type! { @each $check $given <Avx512 as Of>::F32x16, <Avx512 as Of>::F64x8 }
+            }
+        }
+    }};
+}

@@ -15,7 +15,6 @@ pub struct Worst {
 }
 
 impl Worst {
-    #[must_use]
     pub fn of(name: &'static str, bound: Bound) -> Self {
         Self { name, bound, units: Cell::new(0.0) }
     }

@@ -3,12 +3,12 @@
 use crate::{allowed, only};
 use dq8::DualQuat;
 use dq8_contract::bound::within;
-use dq8_contract::implementation::{On, implementations};
+use dq8_contract::implementation::implementations;
 use dq8_contract::inputs::turn_and_move;
 
 #[test]
 fn interpolation_between_close_poses_goes_on_straight_beyond_both() {
-    fn check(on: On) {
+    for on in implementations() {
         let relative = allowed(on, within(2.5, "as pow; the scale is the angle itself"));
         let a = on.same(DualQuat::<f64>::IDENTITY.to_array());
         let b = on.same(turn_and_move([0.0, 0.0, 1.0], 1e-4, [0.0, 0.0, 1e-4]));
@@ -21,13 +21,12 @@ fn interpolation_between_close_poses_goes_on_straight_beyond_both() {
             assert!(error <= relative * half.abs(), "{on:?}, t = {t}: {}", got[6]);
         }
     }
-    implementations().into_iter().for_each(check);
 }
 
 /// Where an angle is its own sine, a multiple of it need not be.
 #[test]
 fn rotations_that_are_close_go_on_turning_beyond_both() {
-    fn check(on: On) {
+    for on in implementations() {
         let relative = allowed(on, within(3.0, "the angle and t are rounded; a multiple, a sine"));
         let a = on.same(DualQuat::<f64>::IDENTITY.to_array());
         for angle in [1e-4, 1e-9] {
@@ -46,5 +45,4 @@ fn rotations_that_are_close_go_on_turning_beyond_both() {
             }
         }
     }
-    implementations().into_iter().for_each(check);
 }

@@ -47,7 +47,7 @@ fn operations(on: On, sigma: Motions) -> Vec<(&'static str, Vec<Reals>)> {
 
 #[test]
 fn no_screw_operation_answers_an_infinity_with_finite_numbers() {
-    fn check(on: On) {
+    for on in implementations() {
         // A turn, a half turn, a translation, and nothing at all.
         let half_turn = turn_and_move([0.0, 0.0, 1.0], std::f64::consts::PI, [1.0, 0.0, 2.0]);
         let translation = [0.0, 0.0, 0.0, 1.0, 1.0, -2.0, 0.5, 0.0];
@@ -73,5 +73,4 @@ fn no_screw_operation_answers_an_infinity_with_finite_numbers() {
             }
         }
     }
-    implementations().into_iter().for_each(check);
 }

@@ -11,41 +11,13 @@ use dq8::{DualQuat, Quat, geometry::DualVector, scalar::MatrixError};
 use dq8_contract::bound::{Bound, within};
 use dq8_contract::case::{Case, NUMBERS};
 use dq8_contract::implementation::{On, implementations};
-use dq8_contract::inputs::{proptest_config, turn_and_move};
+use dq8_contract::inputs::{any_number, proptest_config, turn_and_move};
 use dq8_contract::lanes::Motions;
 use dq8_contract::operations::OPERATIONS;
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
 use std::error::Error;
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
-
-/// Numbers that hurt.
-const HARD: [f64; 14] = [
-    0.0,
-    -0.0,
-    1.0,
-    -1.0,
-    f64::NAN,
-    f64::INFINITY,
-    f64::NEG_INFINITY,
-    1e-45,
-    5e-324,
-    1e-40,
-    1e-20,
-    1e20,
-    3e38,
-    1e308,
-];
-
-/// Any bits of the type, and among them numbers that hurt and ordinary ones.
-fn any_number(single: bool) -> impl Strategy<Value = f64> {
-    let bits = if single {
-        any::<u32>().prop_map(|bits| f64::from(f32::from_bits(bits))).boxed()
-    } else {
-        any::<u64>().prop_map(f64::from_bits).boxed()
-    };
-    prop_oneof![2 => bits, 1 => prop::sample::select(HARD.to_vec()), 1 => -4.0..4.0_f64]
-}
 
 /// All methods of the contract and its operators, whatever they answer.
 fn do_everything(on: On, case: &Case) {
@@ -58,8 +30,8 @@ fn do_everything(on: On, case: &Case) {
 
 #[test]
 fn no_operation_panics_on_any_numbers() {
-    fn check(on: On) {
-        let numbers = prop::collection::vec(any_number(on.single), NUMBERS);
+    for on in implementations() {
+        let numbers = prop::collection::vec(any_number(on.single, 1), NUMBERS);
         let done = TestRunner::new(proptest_config(64)).run(&numbers, |numbers| {
             let numbers = numbers.as_slice().try_into().expect("as many as were asked for");
             do_everything(on, &Case::of_numbers(numbers));
@@ -67,7 +39,6 @@ fn no_operation_panics_on_any_numbers() {
         });
         done.unwrap_or_else(|failure| panic!("{failure}"));
     }
-    implementations().into_iter().for_each(check);
 }
 
 /// A bound, times u.
@@ -96,9 +67,9 @@ fn what_cannot_be_normalized_or_inverted_is_nan_and_said_to_be() {
             bad.push(motion);
         }
     }
-    fn check(on: On, bad: &[[f64; 8]]) {
+    for on in implementations() {
         let all = (1_u64 << on.lanes) - 1;
-        for &motion in bad {
+        for &motion in &bad {
             let sigma = on.same(motion);
             for (checked, unchecked) in [
                 (sigma.normalize_checked(), sigma.normalize()),
@@ -111,13 +82,12 @@ fn what_cannot_be_normalized_or_inverted_is_nan_and_said_to_be() {
             }
         }
     }
-    implementations().into_iter().for_each(|on| check(on, &bad));
 }
 
 #[test]
 fn subnormal_and_huge_numbers_are_normalized_as_any_other() {
     let unit = turn_and_move([0.6, -0.48, 0.64], 1.0, [0.3, -1.2, 0.7]);
-    fn check(on: On, unit: [f64; 8]) {
+    for on in implementations() {
         let exponents = if on.single {
             vec![-40, -38, -30, -20, 0, 20, 30, 37]
         } else {
@@ -140,12 +110,11 @@ fn subnormal_and_huge_numbers_are_normalized_as_any_other() {
             }
         }
     }
-    implementations().into_iter().for_each(|on| check(on, unit));
 }
 
 #[test]
 fn powers_of_tiny_screws_go_far_without_losing_the_angle() {
-    fn check(on: On) {
+    for on in implementations() {
         let relative =
             allowed(on, within(5.5, "half the angle times t, which may be large, and its sine"));
         for (angle, t) in [(1e-3, 1e3), (1e-4, -1e4), (1e-6, 5e5), (1e-12, 1e11), (1e-3, 2.5)] {
@@ -164,12 +133,11 @@ fn powers_of_tiny_screws_go_far_without_losing_the_angle() {
             }
         }
     }
-    implementations().into_iter().for_each(check);
 }
 
 #[test]
 fn the_longer_way_goes_round_and_ends_where_it_should() {
-    fn check(on: On) {
+    for on in implementations() {
         let bound = allowed(on, within(6.5, "π − Θ, to 3 times of it"));
         // 3 radians of half angle: more than a quarter of a turn apart as quaternions.
         let (a, b) = (
@@ -186,12 +154,11 @@ fn the_longer_way_goes_round_and_ends_where_it_should() {
         let lost = only(a.sclerp_long(-a, on.splat(0.5)));
         assert!(lost.iter().any(|c| c.is_nan()), "{on:?}: {lost:?}");
     }
-    implementations().into_iter().for_each(check);
 }
 
 #[test]
 fn a_half_turn_has_a_logarithm_and_an_exponential() {
-    fn check(on: On) {
+    for on in implementations() {
         for w in [0.0, -0.0] {
             let log = on.same([0.0, 0.0, 1.0, w, 0.0, 0.0, 0.0, 0.0]).log();
             let angle = log.real[2].first();
@@ -204,12 +171,11 @@ fn a_half_turn_has_a_logarithm_and_an_exponential() {
             assert!((z - 1.0).abs() <= bound && w.abs() <= bound, "{on:?}: {z} {w}");
         }
     }
-    implementations().into_iter().for_each(check);
 }
 
 #[test]
 fn exponentials_of_many_turns_are_as_good_as_the_angle_is_known() {
-    fn check(on: On) {
+    for on in implementations() {
         let bound = allowed(on, within(1.0, "over the angle, which is rounded, and its square"));
         let zero = on.splat(0.0);
         for half in [1.0, PI, 10.0, 100.0, 1000.0] {
@@ -220,7 +186,6 @@ fn exponentials_of_many_turns_are_as_good_as_the_angle_is_known() {
             assert!(error <= bound * half.max(1.0), "{on:?}, {half}: {error:e}");
         }
     }
-    implementations().into_iter().for_each(check);
 }
 
 #[test]
@@ -236,10 +201,10 @@ fn every_form_of_a_matrix_and_the_ties_between_them_give_the_rotation() {
             rotations.push([0, 1, 2, 3].map(component));
         }
     }
-    fn check(on: On, rotations: &[[f64; 4]]) {
+    for on in implementations() {
         let bound =
             allowed(on, within(5.0, "rounded matrices; four ways to a quaternion, normalized"));
-        for &[x, y, z, w] in rotations {
+        for &[x, y, z, w] in &rotations {
             let rotation = Quat::from_xyzw(x, y, z, w).normalize();
             let exact = DualQuat::from_rotation_translation(rotation, [1.0, 2.0, 3.0]).canonical();
             let rows = exact.to_matrix3x4().map(|row| row.map(|c| on.splat(c)));
@@ -252,13 +217,12 @@ fn every_form_of_a_matrix_and_the_ties_between_them_give_the_rotation() {
             assert!(got[3] >= 0.0 && apart(1.0).min(apart(-1.0)) <= bound, "{on:?}: {got:?}");
         }
     }
-    implementations().into_iter().for_each(|on| check(on, &rotations));
 }
 
 /// Exactly half a turn from another motion: neither way is shorter, and `sign` of the product is 0.
 #[test]
 fn at_half_a_turn_exactly_nothing_vanishes() {
-    fn check(on: On) {
+    for on in implementations() {
         let a = [0.0, 0.0, 0.0, 1.0, 0.5, -1.0, 0.25, 0.0];
         for (direction, w) in [(1.0, 0.0), (-1.0, 0.0), (1.0, -0.0), (-1.0, -0.0)] {
             let b = [0.0, 0.0, direction, w, 2.0, 1.0, 0.0, -1.5];
@@ -300,12 +264,11 @@ fn at_half_a_turn_exactly_nothing_vanishes() {
             }
         }
     }
-    implementations().into_iter().for_each(check);
 }
 
 #[test]
 fn weights_that_cancel_leave_nothing_to_normalize() {
-    fn check(on: On) {
+    for on in implementations() {
         let motion = turn_and_move([0.6, -0.48, 0.64], 1.0, [0.3, -1.2, 0.7]);
         let (sigma, one) = (on.same(motion), on.splat(1.0));
         for other in [sigma, -sigma] {
@@ -313,12 +276,11 @@ fn weights_that_cancel_leave_nothing_to_normalize() {
             assert!(only(gone).iter().all(|c| c.is_nan()), "{on:?}: {gone:?}");
         }
     }
-    implementations().into_iter().for_each(check);
 }
 
 #[test]
 fn a_number_without_a_real_part_has_a_norm_of_nothing_and_is_not_unit() {
-    fn check(on: On) {
+    for on in implementations() {
         let sigma = on.same([0.0, 0.0, -0.0, 0.0, 1.0, 2.0, 3.0, 4.0]);
         let [real, dual] = sigma.norm().map(|part| part.lanes());
         assert!(real.iter().all(|&r| r == 0.0) && dual.iter().all(|d| d.is_nan()), "{on:?}");
@@ -327,13 +289,12 @@ fn a_number_without_a_real_part_has_a_norm_of_nothing_and_is_not_unit() {
             assert_eq!(bad.abs_diff_eq(-bad, on.splat(0.5)), 0, "{on:?}: {bad:?}");
         }
     }
-    implementations().into_iter().for_each(check);
 }
 
 /// w is 0 or −0 at half a turn, and both are the same motion.
 #[test]
 fn zeros_of_either_sign_mean_the_same() {
-    fn check(on: On) {
+    for on in implementations() {
         let c = turn_and_move([1.0, 2.0, 2.0], 0.5, [1.0, 2.0, 3.0]);
         let half_turn = |w| [0.6, 0.0, -0.8, w, 1.5, 2.0, 1.125, 0.25];
         let case = |w| Case { t: 0.75, s: 0.5, ..Case::of_motions(half_turn(w), half_turn(w), c) };
@@ -342,7 +303,6 @@ fn zeros_of_either_sign_mean_the_same() {
             assert_eq!(plus, minus, "{on:?}: {}", operation.name);
         }
     }
-    implementations().into_iter().for_each(check);
 }
 
 #[test]

@@ -112,20 +112,22 @@ const TWINS: &[(&str, &str)] =
     &[("src/scalar", "src/batch"), ("src/representation", "src/batch/representation")];
 
 /// Files of the reference without a twin: no kernel asks for many of these at a time.
-const REFERENCE_ONLY: &[&str] =
-    &["differentiate.rs", "must_be_unit.rs", "affine.rs", "polar.rs", "symmetric.rs"];
+const REFERENCE_ONLY: &[&str] = &[
+    "differentiate.rs",
+    "must_be_unit.rs",
+    "affine.rs",
+    "euler_angles.rs",
+    "euler_order.rs",
+    "gram_schmidt.rs",
+    "polar.rs",
+    "rotation_translation.rs",
+    "symmetric.rs",
+];
 
 /// Files of `batch` without a twin: the reference has these from the standard library (`even`,
-/// `trigonometry`, `exponential`) or as a plain function (`length`: `vector::norm`), and that of `two_bone` is
-/// in `ik`.
-const BATCH_ONLY: &[&str] = &[
-    "even.rs",
-    "even_coefficients.rs",
-    "exponential.rs",
-    "length.rs",
-    "trigonometry.rs",
-    "two_bone.rs",
-];
+/// `trigonometry`, `exponential`) or as a plain function (`length`: `vector::norm`).
+const BATCH_ONLY: &[&str] =
+    &["even.rs", "even_coefficients.rs", "exponential.rs", "length.rs", "trigonometry.rs"];
 
 const MAX_LINES: usize = 400;
 

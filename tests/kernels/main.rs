@@ -20,6 +20,7 @@ mod locals;
 mod matrices;
 mod memory;
 mod packing;
+mod palettes;
 #[cfg(feature = "rayon")]
 mod parallel;
 mod plan;

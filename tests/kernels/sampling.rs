@@ -3,7 +3,7 @@
 use crate::laws::Reference;
 use crate::memory::{Memory, lay, read, round};
 use crate::records::assert_same_bits;
-use crate::scene::{SMALL, Scene, motions, walk};
+use crate::scene::{SMALL, motions, walk};
 use dq8::hierarchy::{Clip, Layered, Sampled};
 use dq8::storage::{AoSoA, Aos};
 use dq8::{
@@ -177,29 +177,6 @@ fn blocks_are_sampled_and_layered_as_the_scalar_reference_does() {
     check_all::<AoSoA<[f32; 8]>>();
     check_all::<AoSoA<[f32; 16]>>();
     check_all::<AoSoA<[f64; 4]>>();
-}
-
-/// As `tests/palette.rs` has it of plain motions; in blocks of eight, two at a time, the last time one.
-#[test]
-fn a_palette_through_scratch_has_the_blocks_of_one_with_all_models() {
-    let hierarchy = Hierarchy::new(&SMALL).expect("parents come first");
-    let scene = Scene::new(&SMALL, 33, 3);
-    let single = |motions: Vec<[f64; 8]>| -> Vec<DualQuat<f32>> {
-        motions.into_iter().map(|motion| DualQuat::from_array(round(motion))).collect()
-    };
-    let (poses, roots) = (single(scene.poses(33)), single(scene.roots()));
-    let binds = single(scene.binds());
-    let crowd = dq8::Crowd::<f32, 8>::from_slice(JOINTS, &poses).expect("whole instances");
-    let starts = dq8::Crowd::<f32, 8>::from_slice(1, &roots).expect("whole instances");
-    let job = hierarchy.job().roots(starts.blocks());
-    let mut models = crowd.clone();
-    let mut wanted = dq8::Crowd::<f32, 8, 12>::new(JOINTS, 33);
-    let given = Poses(crowd.blocks());
-    job.palette_and_models(given, models.blocks_mut(), &binds, wanted.blocks_mut()).expect("fit");
-    let mut palette = dq8::Crowd::<f32, 8, 12>::new(JOINTS, 33);
-    let mut scratch = models.blocks()[..2 * JOINTS].to_vec();
-    job.palette(given, &mut scratch, &binds, palette.blocks_mut()).expect("they fit");
-    assert_eq!(palette, wanted);
 }
 
 /// Instances after those of the first part have places, weights and poses of their own.

@@ -1,8 +1,9 @@
 //! Functions of dual numbers: value and derivative.
 
-use super::{Provable, lane, lanes, measure, on_every_level};
+use super::{Provable, lane, lanes, measure};
 use dq8::{Real, batch, scalar};
 use dq8_contract::ledger::{Ledger, Line, line};
+use dq8_contract::on_every_lane_type;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// About 1.6 times the worst, relative to the value and to the derivative, or to 1/1000 where they
@@ -110,7 +111,7 @@ fn functions_agree<L: Provable>(ledger: &Ledger) {
 #[test]
 fn functions_of_dual_numbers_on_lanes_are_those_of_the_scalar_ones() {
     Ledger::keep("functions of dual numbers", FUNCTIONS, |ledger| {
-        on_every_level!(functions_agree, ledger);
+        on_every_lane_type!(functions_agree(ledger));
     });
 }
 
@@ -164,7 +165,7 @@ fn edges_agree<L: Provable>() {
 
 #[test]
 fn functions_of_dual_numbers_have_the_values_of_the_scalar_ones_at_the_edges() {
-    on_every_level!(edges_agree);
+    on_every_lane_type!(edges_agree());
 }
 
 fn exponentials_keep_their_range<L: Provable>() {
@@ -186,7 +187,7 @@ fn exponentials_keep_their_range<L: Provable>() {
 
 #[test]
 fn exponentials_and_logarithms_reach_over_all_numbers() {
-    on_every_level!(exponentials_keep_their_range);
+    on_every_lane_type!(exponentials_keep_their_range());
 }
 
 fn far_angles<L: Provable>() {
@@ -205,7 +206,7 @@ fn far_angles<L: Provable>() {
 
 #[test]
 fn sines_of_far_angles_are_as_good_as_near_ones_and_nan_beyond_the_range() {
-    on_every_level!(far_angles);
+    on_every_lane_type!(far_angles());
 }
 
 /// a⁰ = 1, also of 0; powers of 0 have no NaN for a derivative.
@@ -221,7 +222,7 @@ fn powers_of_zero<L: Provable>() {
 
 #[test]
 fn powers_of_zero_are_zero_and_one() {
-    on_every_level!(powers_of_zero);
+    on_every_lane_type!(powers_of_zero());
 }
 
 /// The derivative, by differences: what a mistake in both twins would not survive.
@@ -261,5 +262,5 @@ fn what_has_no_inverse_is_told<L: Provable>() {
 
 #[test]
 fn dual_numbers_without_an_inverse_have_a_mask_and_nan() {
-    on_every_level!(what_has_no_inverse_is_told);
+    on_every_lane_type!(what_has_no_inverse_is_told());
 }

@@ -2,12 +2,10 @@
 //! `f64`, lane by lane: functions of dual numbers, other representations.
 
 mod dual;
-mod euler_angles;
-mod maps;
+mod jacobians;
 mod matrices;
 mod rotations;
 mod scene;
-mod two_bone;
 
 use dq8::{Lanes, Real, Scalar, batch, simd::Float, simd::Mask};
 use dq8_contract::bound::distance;
@@ -17,30 +15,6 @@ use dq8_contract::sample::{Proof, Sample};
 /// Lanes of a level that tests can have.
 trait Provable: Lanes<Level: Proof, Real: Scalar> {}
 impl<L: Lanes<Level: Proof, Real: Scalar>> Provable for L {}
-
-/// Runs `check` with each lane type that this machine can run: those of any machine, and those of every level it has.
-macro_rules! on_every_level {
-    (@each $check:ident $given:tt $($type:ty),*) => {{
-        $(on_every_level! { @one $check $type, $given })*
-    }};
-    (@one $check:ident $type:ty, ($($given:expr),*)) => { $check::<$type>($($given),*) };
-    ($check:ident $(, $given:expr)*) => {{
-        use dq8::simd;
-        on_every_level! { @each $check ($($given),*) f32, f64, simd::f32x4, simd::f32x8, simd::f32x16,
-            simd::f64x2, simd::f64x4, simd::f64x8 }
-        #[cfg(target_arch = "x86_64")]
-        {
-            use dq8_contract::sample::{Avx2, Avx512, Level, Proof};
-            if Avx2::is_there() {
-                on_every_level! { @each $check ($($given),*) <Avx2 as Level>::F32x8, <Avx2 as Level>::F64x4 }
-            }
-            if Avx512::is_there() {
-                on_every_level! { @each $check ($($given),*) <Avx512 as Level>::F32x16, <Avx512 as Level>::F64x8 }
-            }
-        }
-    }};
-}
-pub(crate) use on_every_level;
 
 /// Lane `i` from number `i`, rounded; the lanes beyond repeat the first.
 fn lanes<L: Provable>(numbers: &[f64]) -> L {

@@ -2,11 +2,11 @@
 //! error.
 
 use super::scene::{cases, motion, quat};
-use super::{Provable, columns, exact, holds, lanes, measure, on_every_level, rounded, row};
-use dq8::representation::gram_schmidt;
+use super::{Provable, columns, exact, holds, lanes, measure, rounded, row};
 use dq8::simd::{Lanes, f32x4};
 use dq8::{DualQuat, Quat, Real, batch};
 use dq8_contract::ledger::{Ledger, line};
+use dq8_contract::on_every_lane_type;
 
 /// Whether this target has registers of several numbers.
 const FOUR: bool = <<f32x4 as Lanes>::Native as Lanes>::LANES > 1;
@@ -69,19 +69,13 @@ fn columns_of_rows<L: Provable>(cases: &[Rows]) -> [[L; 3]; 3] {
     [[all[0], all[1], all[2]], [all[3], all[4], all[5]], [all[6], all[7], all[8]]]
 }
 
-fn repaired_matrices_agree<L: Provable>(ledger: &Ledger) {
+fn checked_rotations_agree<L: Provable>(ledger: &Ledger) {
     let all = [matrices(), hard_matrices()].concat();
     for chunk in all.chunks(L::LANES) {
         let rows = columns_of_rows::<L>(chunk);
-        let (by_columns, crooked) = batch::gram_schmidt_checked(rows);
         let (rotation, no_rotation) = batch::Quat::from_matrix3_checked(rows, lanes(&[1e-3]));
         for (index, case) in chunk.iter().enumerate() {
             let rows = case.map(rounded::<L::Real, 3>);
-            let wanted = gram_schmidt(rows);
-            assert_eq!(holds(crooked, index), wanted.is_err(), "Gram–Schmidt of {case:?}");
-            let (got, nan) = (flat_row(by_columns, index), [f64::NAN; 9]);
-            measure::<L, 9>(ledger, ("gram_schmidt", ""), got, wanted.map_or(nan, flat), 1.0, case);
-
             let wanted = Quat::try_from_matrix3(rows, <L::Real as Real>::from_f64(1e-3));
             assert_eq!(holds(no_rotation, index), wanted.is_err(), "rotation of {case:?}");
             let wanted = wanted.map_or([f64::NAN; 9], |turn| flat(turn.to_matrix3()));
@@ -92,14 +86,15 @@ fn repaired_matrices_agree<L: Provable>(ledger: &Ledger) {
 }
 
 #[test]
-fn matrices_are_repaired_and_refused_on_lanes_as_by_the_scalar_reference() {
+fn rotations_of_matrices_are_read_and_refused_on_lanes_as_by_the_scalar_reference() {
     #[rustfmt::skip]
     let bounds = [
-        line("gram_schmidt", &[], 6.5, "a rounding over the sines of the columns"),
         // Without registers of four numbers the reference divides by the length; with them, both multiply by its reciprocal.
         line("from_matrix3", &[], if FOUR { 3.9 } else { 16.0 }, "another length divides"),
     ];
-    Ledger::keep("matrices", &bounds, |ledger| on_every_level!(repaired_matrices_agree, ledger));
+    Ledger::keep("matrices", &bounds, |ledger| {
+        on_every_lane_type!(checked_rotations_agree(ledger))
+    });
 }
 
 fn checked_matrices<L: Provable>() {
@@ -155,7 +150,7 @@ fn checked_matrices<L: Provable>() {
 
 #[test]
 fn a_matrix_that_is_no_motion_is_a_lane_of_nan_and_a_mask() {
-    on_every_level!(checked_matrices);
+    on_every_lane_type!(checked_matrices());
 }
 
 /// 32 units of the last place, on either side of 1.
@@ -172,5 +167,5 @@ fn normalized<L: Provable>() {
 
 #[test]
 fn normalized_is_within_32_units_of_the_last_place() {
-    on_every_level!(normalized);
+    on_every_lane_type!(normalized());
 }

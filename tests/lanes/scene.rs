@@ -42,11 +42,3 @@ pub(super) fn quats<L: Provable>(
 pub(super) fn motion<R: Real>(components: [f64; 8]) -> DualQuat<R> {
     DualQuat::from_array(rounded(components)).normalize()
 }
-
-pub(super) fn motions<L: Provable>(
-    cases: &[Case],
-    pick: impl Fn(&Case) -> [f64; 8],
-) -> batch::DualQuat<L> {
-    let unit = |case: &Case| exact(motion::<L::Real>(pick(case)).to_array());
-    batch::DualQuat::from_array(columns(cases, unit))
-}

@@ -19,7 +19,7 @@ use poses::Poses;
 use std::process::ExitCode;
 
 /// Rows of the table, in this order.
-const OPERATIONS: [&str; 15] = [
+const OPERATIONS: [&str; 16] = [
     "product",
     "normalize",
     "nlerp",
@@ -29,6 +29,7 @@ const OPERATIONS: [&str; 15] = [
     "to matrix",
     "slerp",
     "from matrix",
+    "from rigid matrix",
     "dlb of 4",
     "log",
     "exp",

@@ -77,7 +77,7 @@ macro_rules! lineup {
                     rows().map(|row| pose(row.a)).collect(),
                     |&(r, t)| $affine::from_rotation_translation(r, t.into()),
                 )],
-                "from matrix" => vec![Contender::new(
+                "from matrix" | "from rigid matrix" => vec![Contender::new(
                     concat!($matrix, ", unchecked"),
                     rows().map(|row| affine(row.a)).collect(),
                     |a| ($quat::$rotation(&a.matrix3), a.translation),

@@ -54,7 +54,7 @@ pub(crate) fn contenders<R: RealField + Copy>(operation: &str, poses: &Poses) ->
             let turns = steps().map(|(a, b, t)| (a.rotation(), b.rotation(), t)).collect();
             vec![Contender::new("nalgebra `UnitQuaternion`", turns, |(a, b, t)| a.slerp(b, *t))]
         }
-        "from matrix" => {
+        "from matrix" | "from rigid matrix" => {
             let matrices: Vec<(Matrix3<R>, Vector3<R>)> = isometry()
                 .map(|a| (a.rotation.to_rotation_matrix().into_inner(), a.translation.vector))
                 .collect();

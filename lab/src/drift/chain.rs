@@ -20,7 +20,6 @@ pub enum Order {
 
 impl Order {
     /// Where the end effector is in the frame of the last joint.
-    #[must_use]
     pub fn tip(self) -> [f64; 3] {
         match self {
             Self::StateStep => [1.0, 0.0, 0.0],
@@ -54,7 +53,6 @@ pub struct Chain<S> {
 
 impl<S: Representation> Chain<S> {
     /// At the start: a chain along x, bent a little in every joint, this way and that.
-    #[must_use]
     pub fn bent(order: Order) -> Self {
         let zero = S::Real::ZERO;
         let joints = core::array::from_fn(|joint| {
@@ -86,13 +84,11 @@ impl<S: Representation> Chain<S> {
     }
 
     /// The joints from the root, in model space.
-    #[must_use]
     pub fn models(&self) -> [S; LINKS] {
         self.levels(|model| model)
     }
 
     /// The joints from the root, in model space, each put in order before the next is multiplied onto it.
-    #[must_use]
     pub fn levels(&self, upkeep: impl Fn(S) -> S) -> [S; LINKS] {
         let mut model = S::identity();
         self.joints.each_ref().map(|joint| {
@@ -102,14 +98,12 @@ impl<S: Representation> Chain<S> {
     }
 
     /// The end effector, the rows of `[A | t]`.
-    #[must_use]
     pub fn end(&self) -> Matrix<f64, 3, 4> {
         let [.., last] = self.models();
         self.order.end(last.to_matrix())
     }
 
     /// The largest error of the length of a link, relative.
-    #[must_use]
     pub fn link_error(&self) -> f64 {
         let errors = self.joints.iter().enumerate().map(|(joint, state)| {
             let [[.., x], [.., y], [.., z]] = state.to_matrix();

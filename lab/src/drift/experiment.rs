@@ -39,7 +39,6 @@ impl Measure {
     ];
 
     /// For a heading.
-    #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::Skew => "skew",
@@ -63,7 +62,6 @@ pub struct Sample {
 
 impl Sample {
     /// One of its errors.
-    #[must_use]
     pub fn error(&self, measure: Measure) -> f64 {
         self.errors[measure as usize]
     }
@@ -120,7 +118,6 @@ pub const METHODS: [Method; 8] = [
 
 /// Takes the steps twice, as an `S` with `upkeep` in every frame and exactly (dual quaternions in
 /// double precision, normalized), and compares them at every so many frames.
-#[must_use]
 pub fn trace<S: Representation>(
     steps: &[Steps],
     order: Order,
@@ -183,7 +180,6 @@ pub struct Findings {
 ///
 /// # Panics
 /// For no frames.
-#[must_use]
 pub fn findings(frames: usize, order: Order) -> Findings {
     let runs = ROUNDS.map(|round| follow(frames, round, order));
     let (mut last, mut worst) = (Vec::new(), Vec::new());

@@ -25,7 +25,6 @@ impl Repair {
     pub const ALL: [Self; 4] = [Self::Never, Self::States, Self::Levels, Self::Both];
 
     /// For a table.
-    #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::Never => "never",
@@ -72,7 +71,6 @@ pub struct Deviation {
 }
 
 /// Follows a target that goes round in `round` frames.
-#[must_use]
 pub fn against_ideal<S: Representation>(
     [frames, round]: [usize; 2],
     order: Order,

@@ -13,7 +13,6 @@ pub trait Representation: Copy {
     /// A turn about a unit axis, radians.
     fn turn(axis: [Self::Real; 3], angle: Self::Real) -> Self;
     /// `other` acts first.
-    #[must_use]
     fn times(self, other: Self) -> Self;
     /// The same numbers in double precision, and from them what becomes of points: the rows of `[A | t]`.
     fn to_matrix(self) -> Matrix<f64, 3, 4>;
@@ -54,7 +53,6 @@ impl<R: Real> Representation for Homogeneous<R> {
 
 impl<R: Real> Homogeneous<R> {
     /// The 3×3 part made orthonormal by Gram and Schmidt.
-    #[must_use]
     pub fn gram_schmidt(self) -> Self {
         let [a, b, c, last] = self.0;
         let [x, y, z] = matrix::gram_schmidt(matrix::left([a, b, c]));
@@ -126,7 +124,6 @@ impl<R: Real> Representation for Listing<R> {
 }
 
 /// `Normalize` of Kenwright §13.1, which divides by the square of the norm and leaves p·q alone.
-#[must_use]
 pub fn kenwright_normalize<R: Real>(motion: DualQuat<R>) -> DualQuat<R> {
     motion.scale(R::ONE / motion.real().dot(motion.real()))
 }
@@ -171,7 +168,6 @@ impl<R: Real> Representation for RotationTranslation<R> {
 
 impl<R: Real> RotationTranslation<R> {
     /// With a unit quaternion.
-    #[must_use]
     pub fn normalize(self) -> Self {
         Self { rotation: self.rotation.normalize(), ..self }
     }

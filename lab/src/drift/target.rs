@@ -37,7 +37,6 @@ impl Miss {
     }
 
     /// The larger of each.
-    #[must_use]
     pub fn max(self, other: Self) -> Self {
         Self { position: self.position.max(other.position), angle: self.angle.max(other.angle) }
     }
@@ -52,7 +51,6 @@ pub const ARRIVAL: usize = 400;
 ///
 /// By damped least squares on the geometric Jacobian (Wampler 1986), in double precision; the steps
 /// are then rounded to single precision, exactly the same for every representation.
-#[must_use]
 pub fn follow(frames: usize, round: usize, order: Order) -> (Vec<Steps>, Miss) {
     let mut chain = Chain::<DualQuat<f64>>::bent(order);
     let mut steps = Vec::with_capacity(frames);

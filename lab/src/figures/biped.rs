@@ -46,7 +46,6 @@ pub const LIMITS: [Limit; 19] = [
 ];
 
 /// The range of a joint of the biped about an axis, degrees.
-#[must_use]
 pub fn limit_of(name: &str, axis: Axis) -> Option<[f64; 2]> {
     let (side, link) = match (name.strip_prefix("Left"), name.strip_prefix("Right")) {
         (Some(link), _) => (1.0, link),

@@ -41,7 +41,6 @@ pub struct Canvas {
 
 impl Canvas {
     /// With a title above.
-    #[must_use]
     pub fn new(size: [f64; 2], title: &str) -> Self {
         let mut canvas = Self { size, body: String::new() };
         canvas.text([size[0] / 2.0, 22.0], Side::Middle, 17.0, colour::INK, title);
@@ -151,7 +150,6 @@ impl Canvas {
     }
 
     /// The SVG element.
-    #[must_use]
     pub fn to_svg(&self) -> String {
         let [width, height] = self.size;
         format!(
@@ -182,7 +180,6 @@ pub struct View {
 
 impl View {
     /// Where a point is on the canvas.
-    #[must_use]
     pub fn of(&self, [x, y, z]: [f64; 3]) -> [f64; 2] {
         let (sin, cos) = self.turn.sin_cos();
         let (across, deep) = (cos * x - sin * y, sin * x + cos * y);
@@ -191,7 +188,6 @@ impl View {
     }
 
     /// The point at the height of the eye's own plane, y = 0 before the turn, that is seen there.
-    #[must_use]
     pub fn back(&self, [x, y]: [f64; 2]) -> [f64; 3] {
         let across = (x - self.origin[0]) / self.scale;
         let up = (self.origin[1] - y) / self.scale;

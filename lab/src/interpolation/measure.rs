@@ -19,7 +19,6 @@ const STEPS: usize = 500;
 pub const POINT: [f64; 3] = [0.5, 0.2, -0.3];
 
 /// Pairs of poses, from easy to hard.
-#[must_use]
 pub fn pairs() -> [Pair; 5] {
     let turn = |axis: [f64; 3], degrees: f64| Quat::from_axis_angle(axis, degrees.to_radians());
     let pose = |axis, degrees, t| DualQuat::from_rotation_translation(turn(axis, degrees), t);
@@ -93,7 +92,6 @@ pub struct Speed {
 }
 
 /// The speeds all along the way.
-#[must_use]
 pub fn speeds(method: Method, pair: Pair) -> Vec<Speed> {
     let way: Vec<_> = (0..=STEPS).map(|i| (method.at)(pair.from, pair.to, parameter(i))).collect();
     let between = way.windows(2).enumerate().map(|(i, ends)| {
@@ -114,7 +112,6 @@ fn rotation(pose: Matrix<f64, 3, 4>) -> DualQuat<f64> {
 }
 
 /// Measures a way.
-#[must_use]
 pub fn facts(method: Method, pair: Pair) -> Facts {
     let Pair { from, to, .. } = pair;
     let c = DualQuat::from_rotation_translation(

@@ -29,13 +29,11 @@ pub struct Outcome {
 
 impl SlerpCase {
     /// With his function.
-    #[must_use]
     pub fn printed(&self) -> Outcome {
         self.outcome((self.printed)(self.from, self.to, self.t, self.angle))
     }
 
     /// With [`Quat::slerp`].
-    #[must_use]
     pub fn dq8(&self) -> Outcome {
         self.outcome(self.from.slerp(self.to, self.t))
     }
@@ -53,7 +51,6 @@ fn turn(degrees: f32) -> Quat<f32> {
 }
 
 /// The cases in which it breaks, and two in which it does not.
-#[must_use]
 pub fn slerp_cases() -> [SlerpCase; 7] {
     let half_turn = Quat::from_wxyz([0.0_f32, 1.0, 0.0, 0.0]);
     let case = |name, from, to, angle: f32, t, wanted| SlerpCase {
@@ -95,7 +92,6 @@ pub fn slerp_cases() -> [SlerpCase; 7] {
 
 /// The largest norm that Arends' SLERP gives between rotations and the same after a whole turn, which
 /// are opposite quaternions but for rounding, at a quarter of the way.
-#[must_use]
 pub fn largest_norm() -> f32 {
     let norms = (1_u8..=90).map(|degrees| {
         let degrees = f32::from(degrees);

@@ -49,7 +49,6 @@ impl Sample {
 }
 
 /// Measures all of them.
-#[must_use]
 pub fn operations() -> Vec<Operation> {
     let mut list = matrices();
     list.extend(quaternions());

@@ -1,5 +1,4 @@
 /// 10 to a power, written with superscripts: 10⁻⁶.
-#[must_use]
 pub fn power_of_ten(exponent: i32) -> String {
     let digits = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let raised = |c: char| c.to_digit(10).map_or('⁻', |digit| digits[digit as usize]);
@@ -7,7 +6,6 @@ pub fn power_of_ten(exponent: i32) -> String {
 }
 
 /// Two digits and a power of ten: 1.2·10⁻⁶; 0, ∞, and – for NaN.
-#[must_use]
 pub fn scientific(value: f64) -> String {
     if value.is_nan() {
         return "–".to_owned();
@@ -24,7 +22,6 @@ pub fn scientific(value: f64) -> String {
 }
 
 /// With three decimals where that shows it, else [`scientific`].
-#[must_use]
 pub fn decimal(value: f64) -> String {
     if (0.01..1000.0).contains(&value.abs()) {
         with_minus(&format!("{value:.3}"))

@@ -11,7 +11,6 @@ pub struct Table {
 
 impl Table {
     /// Without rows yet.
-    #[must_use]
     pub fn new(caption: &str, headings: &[&str]) -> Self {
         let headings = headings.iter().map(ToString::to_string).collect();
         Self { caption: caption.to_owned(), headings, rows: Vec::new() }
@@ -25,7 +24,6 @@ impl Table {
     }
 
     /// Numbers stand to the right, and so do headings of nothing but numbers and blanks.
-    #[must_use]
     pub fn to_html(&self) -> String {
         let mut html = format!("<table><caption>{}</caption>\n<tr>", escape(&self.caption));
         for (column, heading) in self.headings.iter().enumerate() {

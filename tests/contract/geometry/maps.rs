@@ -1,6 +1,5 @@
 //! Maps of points: affine ones, and rotations with translations.
 
-use dq8::batch;
 use dq8::representation::{Affine, RotationTranslation};
 
 geometry! { maps:
@@ -28,27 +27,21 @@ geometry! { maps:
         alone Affine::from_matrix3x4(a).try_decompose();
     "RotationTranslation::mul"(a: unit_pose, b: unit_pose) -> pose, product_of_poses, [
         within(6.0, "rotations normalized first, multiplied; a rotated vector and a sum")],
-        plain pose(a) * pose(b), pose_on_lanes(a) * pose_on_lanes(b);
+        alone Ok::<_, ()>(pose(a) * pose(b));
     "RotationTranslation::inverse"(a: unit_pose) -> pose, inverse_pose, [
         on(&["near0"], 1.5, "hardly turns"),
         within(12.0, "normalized first; an error of q counts twice on each side of t")],
-        plain pose(a).inverse(), pose_on_lanes(a).inverse();
+        alone Ok::<_, ()>(pose(a).inverse());
     "RotationTranslation::transform_point"(a: unit_pose, p: point) -> point, pose_of_point, [
         on(&["near0"], 1.2, "hardly turns"),
         within(10.0, "as inverse, and a sum")],
-        plain pose(a).transform_point(p), pose_on_lanes(a).transform_point(p);
+        alone Ok::<_, ()>(pose(a).transform_point(p));
     "RotationTranslation::transform_vector"(a: unit_pose, p: point) -> point, |v| each(3, v.norm("p")), [
         on(&["near0"], 0.9, "hardly turns"),
         within(7.0, "as inverse")],
-        plain pose(a).transform_vector(p), pose_on_lanes(a).transform_vector(p);
+        alone Ok::<_, ()>(pose(a).transform_vector(p));
 }
 
 fn pose<R>((rotation, translation): (dq8::Quat<R>, [R; 3])) -> RotationTranslation<R> {
     RotationTranslation { rotation, translation }
-}
-
-fn pose_on_lanes<L>(
-    (rotation, translation): (batch::Quat<L>, [L; 3]),
-) -> batch::RotationTranslation<L> {
-    batch::RotationTranslation { rotation, translation }
 }

@@ -67,11 +67,11 @@ geometry! { quaternions:
     "Quat::look_to"(p: point, q: point) -> quat, look_to, [
         on(&["close"], 0.5, "of the scale, which is over the sine"),
         within(3.0, "as gram_schmidt and from_matrix3")],
-        tried Quat::look_to(p, q), batch::Quat::look_to_checked(p, q);
+        alone Quat::look_to(p, q);
     "DualQuat::look_at"(p: point, q: point, r: point) -> motion, look_at, [
         on(&["close"], 0.4, "of the scale, which is over the sine"),
         within(2.8, "as look_to, and a product with the eye, halved")],
-        tried DualQuat::look_at(p, q, r), batch::DualQuat::look_at_checked(p, q, r);
+        alone DualQuat::look_at(p, q, r);
     "Quat::from_matrix3"(rows: matrix3) -> quat, |_| each(4, 1.0), [
         within(3.0, "rounded on the way in; divided by its largest sum and normalized")],
         plain Quat::from_matrix3(rows), batch::Quat::from_matrix3(rows);

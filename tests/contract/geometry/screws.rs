@@ -1,6 +1,6 @@
 //! Dual vectors, screws, twists and wrenches, and the limb of two bones.
 
-use dq8::{batch, ik::TwoBone};
+use dq8::ik::TwoBone;
 
 geometry! { screws:
     "DualVector::cross"(a: dual_vector, b: dual_vector) -> dual_vector, cross, [
@@ -25,5 +25,5 @@ geometry! { screws:
         on(&["bent"], 1.1, "of the scale, which is over the sine of the bend"),
         on(&["flat"], 13.5, "of that scale; the way to the target rounds, and is as long as both bones"),
         within(7.5, "two arctangents of roots, up to π; a frame of two directions, and products of two quaternions")],
-        tried TwoBone::reach(p, lengths, q, r), batch::TwoBone::reach_checked(p, lengths, q, r);
+        alone TwoBone::reach(p, lengths, q, r);
 }
