@@ -68,7 +68,7 @@ pub fn dib<R: Real>(
     tolerance: R,
     max_iterations: u32,
 ) -> Option<Mean<DualQuat<R>, R, bool>> {
-    let mut motion = DualQuat::blend(influences.clone())?;
+    let mut motion = super::blend::blend(influences.clone())?;
     let (mut total, mut longest) = (R::ZERO, R::ZERO);
     for (pose, weight) in influences.clone() {
         total += weight;
