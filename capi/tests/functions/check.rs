@@ -59,7 +59,9 @@ fn same_as(
     let is_told = |array: &Array| said == Status::Ok || !array.names;
     for ((at, array), was) in outputs().zip(was).filter(|((_, array), _)| is_told(array)) {
         let (argument, now) = (function.arguments[at].name, bits(array, &c.given[at]));
-        assert_eq!(now, bits(array, &rust.given[at]), "{name}, {what}: {argument}");
+        let wanted = bits(array, &rust.given[at]);
+        let differs = now.iter().zip(&wanted).position(|(now, wanted)| now != wanted);
+        assert_eq!(differs, None, "{name}, {what}: {argument}, the first number that differs");
         let nothing = now == was && !now.is_empty() && !array.names && said == Status::Ok;
         assert!(!changes || !nothing, "{name}, {what}: {argument} is as before");
     }
