@@ -114,7 +114,7 @@ macro_rules! add {
             assert_eq!(unsafe { of(&raw const scene.made, goal_count, &raw mut needed) }, Status::Ok);
             needed
         };
-        let [room, room_of_many] = [needed(reach::$of::reach_scratch), needed(targets::$of::scratch)];
+        let [room, room_of_many] = [needed(reach::$of::reach_scratch), needed(targets::$of::reach_scratch)];
         let n = $shape.instances;
         let [one, many] = [(); 2].map(|()| Rc::clone(&scene));
         let target = |at: usize| match at {
@@ -156,13 +156,11 @@ macro_rules! add {
                 let mut search = search(&one, goals, posture)?;
                 report[0] = told(&search.solve(targets, values, &options)?);
             };
-        }
-        functions! { $list:
-            concat!("dq8_reach_scratch_", stringify!($R)), targets::$of::scratch = (
+            "" targets reach_scratch (
                 mechanism: scene.argument(), goal_count: passes(goal_count).wrong(1025, Status::TooLarge),
                 scratch_count: writes::<usize>(1),
             ) => scratch_count[0] = room_of_many;
-            concat!("dq8_reach_", stringify!($R)), targets::$of::reach = (
+            "" targets reach (
                 mechanism: scene.argument(), goals: goals::<$R>($shape), goal_count: count(goal_count),
                 targets: reads::<DualQuat<$R>>(goal_count * n).of(target), posture: posture(), options: asks(),
                 values: writes::<$R>(values * n).only(|at| wave(at, 4)),
