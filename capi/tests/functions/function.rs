@@ -105,7 +105,8 @@ macro_rules! of_arrays {
     ($to:ident $R:ident $of:ident []: $($module:ident $plain:ident $blocks:ident ($($arguments:tt)*) => $rust:expr;)+) => {
         of_numbers! { $to $R $of: $("" $module $plain ($($arguments)*) => $rust;)+ }
     };
-    ($to:ident $R:ident $of:ident [$lanes:literal]: $($module:ident $plain:ident $blocks:ident ($($arguments:tt)*) => $rust:expr;)+) => {
+    ($to:ident $R:ident $of:ident [$lanes:literal]:
+        $($module:ident $plain:ident $blocks:ident ($($arguments:tt)*) => $rust:expr;)+) => {
         of_numbers! { $to $R $of: $(
             "" $module $blocks (lanes: $crate::argument::lanes::<$R>($lanes), $($arguments)*) => $rust;
         )+ }

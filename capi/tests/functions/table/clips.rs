@@ -72,7 +72,10 @@ macro_rules! add {
                 joints: count(joints).wrong_if(joints > 1 && n > 0, joints.saturating_sub(1), Status::Length),
                 root: reads::<DualQuat<$R>>(1).unless_null(0), clips: made(),
                 places: reads::<Place>(n)
-                    .only(move |at| place(of_places.packed.clips().place::<$R>(0, wave::<$R>(at, 1).abs() * 3.0).expect("a clip").0))
+                    .only(move |at| {
+                        let at = wave::<$R>(at, 1).abs() * 3.0;
+                        place(of_places.packed.clips().place(0, at).expect("a clip").0)
+                    })
                     .fault(Status::Length, None, |places| places[0] = Place::default()),
                 t: reads::<$R>(n), instances: count(n), models: writes::<DualQuat<$R>>(n * joints),
             ) => {

@@ -177,12 +177,19 @@ macro_rules! add {
             )
         };
         let packed = InfluenceField { stride: each, first: 0 };
-        let (joint_field, weight_field) = (InfluenceField { stride: each + 3, first: 2 }, InfluenceField { stride: each + 1, first: 1 });
+        let joint_field = InfluenceField { stride: each + 3, first: 2 };
+        let weight_field = InfluenceField { stride: each + 1, first: 1 };
         let any = $shape.any % n.max(1);
         // Between others, which are none.
         let (index, weight) = (
-            move |at: usize| (at % (each + 3)).checked_sub(2).filter(|of| *of < each).map_or(99, |of| first.indices[at / (each + 3) * each + of]),
-            move |at: usize| (at % (each + 1)).checked_sub(1).map_or(<$R>::NAN, |of| second.weights[at / (each + 1) * each + of]),
+            move |at: usize| match (at % (each + 3), at / (each + 3) * each) {
+                (of, vertex) if (2..2 + each).contains(&of) => first.indices[vertex + of - 2],
+                _ => 99,
+            },
+            move |at: usize| match (at % (each + 1), at / (each + 1) * each) {
+                (0, _) => <$R>::NAN,
+                (of, vertex) => second.weights[vertex + of - 1],
+            },
         );
         let indices = |field: InfluenceField, indices: Of<u16, Read>| {
             let at = any * field.stride + field.first;
