@@ -25,9 +25,9 @@ unsafe fn blend<R: Real>(motions: *const R, weights: *const R, count: usize, out
     // SAFETY: promised, and nothing is written before they are read.
     let (motions, weights) = unsafe { (motions.slice(), weights.slice()) };
     let influences = motions.iter().copied().zip(weights.iter().copied());
-    let blend = finite(seams::blend(influences).ok_or(Status::NoInfluences)?)?;
+    let sum = seams::weighted_sum(influences).ok_or(Status::NoInfluences)?;
     // SAFETY: promised, and nothing is read any more.
-    unsafe { out.write(blend) };
+    unsafe { out.write(sum.try_normalize()?) };
     Ok(())
 }
 

@@ -61,7 +61,7 @@ impl<R: Real> DualQuat<R> {
     #[inline]
     #[must_use]
     pub fn dlb(influences: &[(Self, R)]) -> Option<Self> {
-        blend(influences.iter().copied())
+        Some(weighted_sum(influences.iter().copied())?.normalize())
     }
 
     /// As [`dlb`](Self::dlb), each sign turned toward the sum of the motions before: for influences
@@ -100,9 +100,9 @@ impl<R: Real> DualQuat<R> {
     }
 }
 
-/// [`DualQuat::dlb`] of influences that are not in one slice.
+/// The sum of influences, each with the sign that turns it toward the first: normalized, [`DualQuat::dlb`].
 #[inline]
-pub fn blend<R: Real>(
+pub fn weighted_sum<R: Real>(
     mut influences: impl Iterator<Item = (DualQuat<R>, R)>,
 ) -> Option<DualQuat<R>> {
     let (first, weight) = influences.next()?;
@@ -110,5 +110,5 @@ pub fn blend<R: Real>(
     for (motion, weight) in influences {
         sum = sum + motion.toward(first).scale(weight);
     }
-    Some(sum.normalize())
+    Some(sum)
 }
