@@ -147,7 +147,7 @@ EXACT = PARTS | ORDERS | {"cast", "make_continuous", "abs_diff_eq", "is_finite",
                           "from_translation", "rotation", "conjugate", "is_unit", "is_normalized",
                           "needs_renormalization", "+", "−", "uniform_scale", "from_matrix3x4", "to_matrix3x4"}
 # What operations are made of, for kernels of users or for C: not in the tables. Nor is anything of `vector.rs`.
-PIECES = {"lie_bracket", "dib"}
+PIECES = {"lie_bracket", "dib", "weighted_sum"}
 
 
 def functions(*folders):

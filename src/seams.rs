@@ -4,4 +4,5 @@
 pub use crate::backend::Outputs;
 pub use crate::backend::{Choice, Rows, options};
 pub use crate::everyday::{Number, Quick};
+pub use crate::scalar::blend::weighted_sum;
 pub use crate::scalar::mean::dib;

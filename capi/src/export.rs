@@ -58,20 +58,31 @@ macro_rules! export {
     };
 }
 
-/// A function on one thing, `motion`, `mechanism` or `skin`, whose body is what it returns inside.
+/// A function of which there is one form, whose body is what it returns inside; on one thing, `motion`, `mechanism` or
+/// `skin`, or on plain arrays.
 macro_rules! export_one {
+    ($R:ident $(#[doc = $about:literal])* $thing:ident::$name:ident($($arguments:tt)*) = $body:expr) => {
+        export_one! {
+            concat!("dq8_", stringify!($thing), "_", stringify!($name), "_", stringify!($R)),
+            $(#[doc = $about])* $name($($arguments)*) = $body
+        }
+    };
+    ($R:ident $(#[doc = $about:literal])* $name:ident($($arguments:tt)*) = $body:expr) => {
+        export_one! {
+            concat!("dq8_", stringify!($name), "_", stringify!($R)),
+            $(#[doc = $about])* $name($($arguments)*) = $body
+        }
+    };
     (
-        $R:ident
+        $export:expr,
         $(#[doc = $about:literal])*
-        $thing:ident::$name:ident($($argument:ident: $type:ty),* $(,)?) = $body:expr
+        $name:ident($($argument:ident: $type:ty),* $(,)?) = $body:expr
     ) => {
         $(#[doc = $about])*
         ///
         /// # Safety
         /// Arrays have the lengths named; mechanisms and skins are zero or have been made.
-        #[unsafe(export_name = concat!(
-            "dq8_", stringify!($thing), "_", stringify!($name), "_", stringify!($R)
-        ))]
+        #[unsafe(export_name = $export)]
         pub unsafe extern "C" fn $name($($argument: $type),*) -> Status {
             // SAFETY: promised.
             Status::of(unsafe { $body })

@@ -6,9 +6,7 @@ use crate::status::{Done, Status};
 use dq8::storage::{AoSoA, Aos, Layout};
 use dq8::{
     DualQuat, Hierarchy, Job,
-    hierarchy::{
-        Bones, HierarchyError, PaletteEntry, Poses, Root as StandsOn, RotationsTranslations,
-    },
+    hierarchy::{Bones, HierarchyError, Poses, Root as StandsOn, RotationsTranslations},
 };
 
 /// Parents as C has them. It marks roots by -1: in the same four bytes, [`Hierarchy::ROOT`].
@@ -36,42 +34,36 @@ unsafe fn job<'a, L: Layout>(
     }))
 }
 
-/// # Safety
-/// As for [`from_to`]; `parents` and `root` as [`job`].
-unsafe fn local_to_model<L: Layout>(
-    parents: *const i32,
-    joints: usize,
-    root: *const L::Real,
-    locals: *const L::Real,
-    models: *mut L::Real,
-    count: usize,
-) -> Done {
-    let (parents, root) = (self::parents(parents, joints)?, Root::<L>::unless_null(root)?);
-    apart(&[Output::<L::Record<8>>::new(models, count)?.span], &[parents.span, root.span])?;
-    // SAFETY: promised, and apart from what is written.
-    let job = unsafe { job::<L>(&parents, &root)? };
-    let elsewhere = |from: &[_], to: &mut [_]| job.locals_to_model(Poses(from), to);
-    // SAFETY: promised.
-    unsafe { from_to(locals, models, count, elsewhere, |all| job.local_to_model_in_place(all)) }
+/// Poses from others, elsewhere or in place.
+macro_rules! poses {
+    ($name:ident($from:ident, $to:ident) by |$job:ident| $elsewhere:expr, $in_place:ident) => {
+        /// # Safety
+        /// As for [`from_to`]; `parents` and `root` as [`job`].
+        unsafe fn $name<L: Layout>(
+            parents: *const i32,
+            joints: usize,
+            root: *const L::Real,
+            $from: *const L::Real,
+            $to: *mut L::Real,
+            count: usize,
+        ) -> Done {
+            let (parents, root) = (self::parents(parents, joints)?, Root::<L>::unless_null(root)?);
+            let written = Output::<L::Record<8>>::new($to, count)?.span;
+            apart(&[written], &[parents.span, root.span])?;
+            // SAFETY: promised, and apart from what is written.
+            let $job = unsafe { job::<L>(&parents, &root)? };
+            // SAFETY: promised.
+            unsafe { from_to($from, $to, count, $elsewhere, |all| $job.$in_place(all)) }
+        }
+    };
 }
-
-/// # Safety
-/// As for [`from_to`]; `parents` and `root` as [`job`].
-unsafe fn model_to_local<L: Layout>(
-    parents: *const i32,
-    joints: usize,
-    root: *const L::Real,
-    models: *const L::Real,
-    locals: *mut L::Real,
-    count: usize,
-) -> Done {
-    let (parents, root) = (self::parents(parents, joints)?, Root::<L>::unless_null(root)?);
-    apart(&[Output::<L::Record<8>>::new(locals, count)?.span], &[parents.span, root.span])?;
-    // SAFETY: promised, and apart from what is written.
-    let job = unsafe { job::<L>(&parents, &root)? };
-    let elsewhere = |from: &[_], to: &mut [_]| job.model_to_local(from, to);
-    // SAFETY: promised.
-    unsafe { from_to(models, locals, count, elsewhere, |all| job.model_to_local_in_place(all)) }
+poses! {
+    local_to_model(locals, models)
+        by |job| |from: &[_], to: &mut [_]| job.locals_to_model(Poses(from), to), local_to_model_in_place
+}
+poses! {
+    model_to_local(models, locals)
+        by |job| |from: &[_], to: &mut [_]| job.model_to_local(from, to), model_to_local_in_place
 }
 
 /// # Safety
@@ -119,75 +111,39 @@ unsafe fn rotations_translations_to_model<L: Layout>(
     }
 }
 
-/// What [`palette`] and [`palette_matrices`] share: all but what the palette is made of.
-struct Skin<L: Layout> {
-    parents: *const i32,
-    joints: usize,
-    root: *const L::Real,
-    locals: *const L::Real,
-    inverse_binds: *const L::Real,
-    models: *mut L::Real,
-    count: usize,
-}
-
-impl<L: Layout> Skin<L> {
-    /// # Safety
-    /// As for [`Input::slice`] and [`Output::slice`]; `parents` and `root` as [`job`].
-    unsafe fn palette<M: PaletteEntry<C, Layout = L>, const C: usize>(
-        self,
-        palette: *mut L::Real,
-    ) -> Done {
-        let parents = parents(self.parents, self.joints)?;
-        let root = Root::<L>::unless_null(self.root)?;
-        let locals = Input::<L::Record<8>>::new(self.locals, self.count)?;
-        let binds = Input::<DualQuat<L::Real>>::new(self.inverse_binds, self.joints)?;
-        let models = Output::<L::Record<8>>::new(self.models, self.count)?;
-        let palette = Output::<M>::new(palette, self.count)?;
-        apart(&[models.span, palette.span], &[parents.span, root.span, locals.span, binds.span])?;
-        // SAFETY: promised, and apart.
-        unsafe {
-            let job = job::<L>(&parents, &root)?;
-            let locals = Poses(locals.slice());
-            Ok(job.palette_and_models(locals, models.slice(), binds.slice(), palette.slice())?)
+/// Models, and a palette of entries of so many numbers.
+macro_rules! palettes {
+    ($($name:ident of $count:literal;)+) => {$(
+        /// # Safety
+        /// As for [`Input::slice`] and [`Output::slice`]; `parents` and `root` as [`job`].
+        #[expect(clippy::too_many_arguments, reason = "one per line of the C function")]
+        unsafe fn $name<L: Layout>(
+            parents: *const i32,
+            joints: usize,
+            root: *const L::Real,
+            locals: *const L::Real,
+            inverse_binds: *const L::Real,
+            models: *mut L::Real,
+            palette: *mut L::Real,
+            count: usize,
+        ) -> Done {
+            let (parents, root) = (self::parents(parents, joints)?, Root::<L>::unless_null(root)?);
+            let locals = Input::<L::Record<8>>::new(locals, count)?;
+            let binds = Input::<DualQuat<L::Real>>::new(inverse_binds, joints)?;
+            let models = Output::<L::Record<8>>::new(models, count)?;
+            let palette = Output::<L::Record<$count>>::new(palette, count)?;
+            let read = [parents.span, root.span, locals.span, binds.span];
+            apart(&[models.span, palette.span], &read)?;
+            // SAFETY: promised, and apart.
+            unsafe {
+                let (job, locals) = (job::<L>(&parents, &root)?, Poses(locals.slice()));
+                let (models, palette) = (models.slice(), palette.slice());
+                Ok(job.palette_and_models(locals, models, binds.slice(), palette)?)
+            }
         }
-    }
+    )+};
 }
-
-/// # Safety
-/// As for [`Skin::palette`].
-#[expect(clippy::too_many_arguments, reason = "one per line of the C function")]
-unsafe fn palette<L: Layout>(
-    parents: *const i32,
-    joints: usize,
-    root: *const L::Real,
-    locals: *const L::Real,
-    inverse_binds: *const L::Real,
-    models: *mut L::Real,
-    palette: *mut L::Real,
-    count: usize,
-) -> Done {
-    let skin = Skin::<L> { parents, joints, root, locals, inverse_binds, models, count };
-    // SAFETY: promised.
-    unsafe { skin.palette::<L::Record<8>, 8>(palette) }
-}
-
-/// # Safety
-/// As for [`Skin::palette`].
-#[expect(clippy::too_many_arguments, reason = "one per line of the C function")]
-unsafe fn palette_matrices<L: Layout>(
-    parents: *const i32,
-    joints: usize,
-    root: *const L::Real,
-    locals: *const L::Real,
-    inverse_binds: *const L::Real,
-    models: *mut L::Real,
-    palette: *mut L::Real,
-    count: usize,
-) -> Done {
-    let skin = Skin::<L> { parents, joints, root, locals, inverse_binds, models, count };
-    // SAFETY: promised.
-    unsafe { skin.palette::<L::Record<12>, 12>(palette) }
-}
+palettes! { palette of 8; palette_matrices of 12; }
 
 macro_rules! functions {
     ($R:ident $lanes:tt) => {

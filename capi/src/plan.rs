@@ -73,28 +73,17 @@ unsafe fn local_to_model<R: Scalar>(
 
 macro_rules! functions {
     ($R:ident $lanes:tt) => {
-        /// As dq8_local_to_model, joint by joint in the `order` that dq8_plan_make found for the same parents, with the
-        /// eight numbers of a motion in one register: the fastest way for one instance. Several are computed as by
-        /// dq8_local_to_model: `count` motions in all, `joints` times instances. `models` may be `locals`.
-        ///
-        /// DQ8_STATUS_NO_PLAN if a pair of `order` is not a joint and its parent, or a root stands behind other joints.
-        /// An order whose pairs have changed places is not noticed.
-        ///
-        /// # Safety
-        /// Arrays have the lengths named.
-        #[unsafe(export_name = concat!("dq8_plan_local_to_model_", stringify!($R)))]
-        pub unsafe extern "C" fn local_to_model(
-            parents: *const i32,
-            order: *const u32,
-            joints: usize,
-            locals: *const $R,
-            models: *mut $R,
-            count: usize,
-        ) -> Status {
-            Status::of(
-                // SAFETY: promised.
-                unsafe { super::local_to_model(parents, order, joints, locals, models, count) },
-            )
+        export_one! { $R
+            /// As dq8_local_to_model, joint by joint in the `order` that dq8_plan_make found for the same parents, with the
+            /// eight numbers of a motion in one register: the fastest way for one instance. Several are computed as by
+            /// dq8_local_to_model: `count` motions in all, `joints` times instances. `models` may be `locals`.
+            ///
+            /// DQ8_STATUS_NO_PLAN if a pair of `order` is not a joint and its parent, or a root stands behind other joints.
+            /// An order whose pairs have changed places is not noticed.
+            plan::local_to_model(
+                parents: *const i32, order: *const u32, joints: usize, locals: *const $R,
+                models: *mut $R, count: usize,
+            ) = super::local_to_model(parents, order, joints, locals, models, count)
         }
     };
 }

@@ -6,6 +6,7 @@ use crate::status::{Done, Status};
 use dq8::{
     DualQuat, Line, Real,
     geometry::{DualVector, Screw},
+    seams,
 };
 
 pub(crate) fn finite<R: Real>(motion: DualQuat<R>) -> Result<DualQuat<R>, Status> {
@@ -23,12 +24,8 @@ unsafe fn blend<R: Real>(motions: *const R, weights: *const R, count: usize, out
     let out = Output::new(out, 1)?;
     // SAFETY: promised, and nothing is written before they are read.
     let (motions, weights) = unsafe { (motions.slice(), weights.slice()) };
-    let first = motions.first().ok_or(Status::NoInfluences)?;
-    let mut sum = DualQuat::ZERO;
-    for (motion, &weight) in motions.iter().zip(weights) {
-        let apart = motion.real().dot(first.real()) < R::ZERO;
-        sum = sum + motion.scale(if apart { -weight } else { weight });
-    }
+    let influences = motions.iter().copied().zip(weights.iter().copied());
+    let sum = seams::weighted_sum(influences).ok_or(Status::NoInfluences)?;
     // SAFETY: promised, and nothing is read any more.
     unsafe { out.write(sum.try_normalize()?) };
     Ok(())

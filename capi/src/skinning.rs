@@ -6,72 +6,39 @@ use crate::status::{Done, Status};
 use dq8::Scalar;
 use dq8::skinning::{self, DualBlend, Linear, Mixed, StretchedDualBlend};
 
-/// # Safety
-/// As for [`Mesh::pose`].
-unsafe fn linear<R: Scalar + skinning::Weight>(
-    skin: *const Skin<R>,
-    matrices: *const R,
-    joints: usize,
-    mesh: impl Mesh<R>,
-) -> Done {
-    // SAFETY: promised.
-    unsafe {
-        let by = Posing::new(skin, joints, By { matrices: Some(matrices), ..By::NOTHING })?;
-        mesh.pose(&by, |by| Ok(Linear::new(by.matrices)))
-    }
+/// The generic function of each blend: its palettes, what they are to [`Posing`], and the blend of what is found.
+macro_rules! blends {
+    ($($name:ident($($palette:ident),+) of $mesh:ident: $given:expr, |$by:ident| $blend:expr;)+) => {$(
+        /// # Safety
+        /// As for [`Mesh::pose`].
+        unsafe fn $name<R: Scalar + skinning::Weight>(
+            skin: *const Skin<R>,
+            $($palette: *const R,)+
+            joints: usize,
+            $mesh: impl Mesh<R>,
+        ) -> Done {
+            // SAFETY: promised.
+            unsafe {
+                let by = Posing::new(skin, joints, $given)?;
+                $mesh.pose(&by, |$by| $blend)
+            }
+        }
+    )+};
 }
-
-/// # Safety
-/// As for [`Mesh::pose`].
-unsafe fn dual<R: Scalar + skinning::Weight>(
-    skin: *const Skin<R>,
-    motions: *const R,
-    joints: usize,
-    mesh: impl Mesh<R>,
-) -> Done {
-    // SAFETY: promised.
-    unsafe {
-        let by = Posing::new(skin, joints, By { motions: Some(motions), ..By::NOTHING })?;
-        mesh.pose(&by, |by| Ok(DualBlend::new(by.motions)))
-    }
-}
-
-/// # Safety
-/// As for [`Mesh::pose`].
-unsafe fn stretched<R: Scalar + skinning::Weight>(
-    skin: *const Skin<R>,
-    motions: *const R,
-    stretches: *const R,
-    joints: usize,
-    mesh: impl Mesh<R>,
-) -> Done {
-    // SAFETY: promised.
-    unsafe {
-        let palettes = By { motions: Some(motions), matrices: Some(stretches), ..By::NOTHING };
-        let by = Posing::new(skin, joints, palettes)?;
-        mesh.pose(&by, |by| Ok(StretchedDualBlend::new(by.motions, by.matrices)))
-    }
-}
-
-/// # Safety
-/// As for [`Mesh::pose`].
-unsafe fn mixed<R: Scalar + skinning::Weight>(
-    skin: *const Skin<R>,
-    matrices: *const R,
-    motions: *const R,
-    shares: *const R,
-    joints: usize,
-    mesh: impl Mesh<R>,
-) -> Done {
-    // SAFETY: promised.
-    unsafe {
-        let shares = Some((shares, mesh.vertices()));
-        let by = By { motions: Some(motions), matrices: Some(matrices), shares };
-        let by = Posing::new(skin, joints, by)?;
-        mesh.pose(&by, |by| {
-            Mixed::new(Linear::new(by.matrices), DualBlend::new(by.motions), by.shares)
-        })
-    }
+blends! {
+    linear(matrices) of mesh: By { matrices: Some(matrices), ..By::NOTHING },
+        |by| Ok(Linear::new(by.matrices));
+    dual(motions) of mesh: By { motions: Some(motions), ..By::NOTHING },
+        |by| Ok(DualBlend::new(by.motions));
+    stretched(motions, stretches) of mesh:
+        By { motions: Some(motions), matrices: Some(stretches), ..By::NOTHING },
+        |by| Ok(StretchedDualBlend::new(by.motions, by.matrices));
+    mixed(matrices, motions, shares) of mesh: By {
+            motions: Some(motions),
+            matrices: Some(matrices),
+            shares: Some((shares, mesh.vertices())),
+        },
+        |by| Mixed::new(Linear::new(by.matrices), DualBlend::new(by.motions), by.shares);
 }
 
 /// Functions that pose a mesh with these palettes, and the generic one of the first name in the file.

@@ -5,6 +5,7 @@ use crate::profile::PROFILE;
 use crate::progress::Progress;
 use crate::results::{Results, Row};
 use dq8_contest::contest::{Contest, Run, Wrong};
+use dq8_fixtures::turns::turns;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
@@ -41,9 +42,7 @@ pub(crate) fn race(
                 results.limits.reached(&limit.kind, limit.per_pass / nanoseconds);
             }
         }
-        // Each round another one goes first.
-        for turn in 0..contest.contenders.len() {
-            let index = (round + turn) % contest.contenders.len();
+        for index in turns(round, contest.contenders.len()) {
             let contender = &contest.contenders[index];
             progress.show(contest, round, &contender.name);
             let mut run = (contender.start)();

@@ -61,18 +61,7 @@ impl<R: Real> DualQuat<R> {
     #[inline]
     #[must_use]
     pub fn dlb(influences: &[(Self, R)]) -> Option<Self> {
-        Self::blend(influences.iter().copied())
-    }
-
-    /// [`dlb`](Self::dlb) of influences that are not in one slice.
-    #[inline]
-    pub(super) fn blend(mut influences: impl Iterator<Item = (Self, R)>) -> Option<Self> {
-        let (first, weight) = influences.next()?;
-        let mut sum = first.scale(weight);
-        for (motion, weight) in influences {
-            sum = sum + motion.toward(first).scale(weight);
-        }
-        Some(sum.normalize())
+        Some(weighted_sum(influences.iter().copied())?.normalize())
     }
 
     /// As [`dlb`](Self::dlb), each sign turned toward the sum of the motions before: for influences
@@ -109,4 +98,17 @@ impl<R: Real> DualQuat<R> {
     pub(super) fn toward(self, pivot: Self) -> Self {
         if self.real().dot(pivot.real()) < R::ZERO { -self } else { self }
     }
+}
+
+/// The sum of influences, each with the sign that turns it toward the first: normalized, [`DualQuat::dlb`].
+#[inline]
+pub fn weighted_sum<R: Real>(
+    mut influences: impl Iterator<Item = (DualQuat<R>, R)>,
+) -> Option<DualQuat<R>> {
+    let (first, weight) = influences.next()?;
+    let mut sum = first.scale(weight);
+    for (motion, weight) in influences {
+        sum = sum + motion.toward(first).scale(weight);
+    }
+    Some(sum)
 }

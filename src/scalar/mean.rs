@@ -1,5 +1,6 @@
 //! The intrinsic mean of motions.
 
+use super::blend::weighted_sum;
 use super::{DualQuat, vector};
 use crate::geometry::{DualVector, Mean};
 use crate::number::Real;
@@ -68,7 +69,7 @@ pub fn dib<R: Real>(
     tolerance: R,
     max_iterations: u32,
 ) -> Option<Mean<DualQuat<R>, R, bool>> {
-    let mut motion = DualQuat::blend(influences.clone())?;
+    let mut motion = weighted_sum(influences.clone())?.normalize();
     let (mut total, mut longest) = (R::ZERO, R::ZERO);
     for (pose, weight) in influences.clone() {
         total += weight;

@@ -4,7 +4,7 @@
 //! against it. The contract that both keep is [`Motion`](crate::Motion).
 
 mod adjoint;
-mod blend;
+pub(crate) mod blend;
 mod derivative;
 mod differentiate;
 mod dual;

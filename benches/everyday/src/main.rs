@@ -8,13 +8,13 @@
 //! Each contender runs over arrays that fit the first cache. The least time over the rounds counts:
 //! whatever else a machine does only adds to it. Ratios are `dq8` over the peer.
 
-mod contender;
+mod job;
 mod ours;
 mod peer_glam;
 mod peer_nalgebra;
 mod poses;
 
-use contender::Contender;
+use dq8_fixtures::turns::{Job, least};
 use poses::Poses;
 use std::process::ExitCode;
 
@@ -70,35 +70,26 @@ fn main() -> ExitCode {
     ExitCode::SUCCESS
 }
 
-type Lineup = fn(&str, &Poses) -> Vec<Contender>;
+type Lineup = fn(&str, &Poses) -> Vec<Job<'static>>;
 
-fn single(operation: &str, poses: &Poses) -> Vec<Contender> {
+fn single(operation: &str, poses: &Poses) -> Vec<Job<'static>> {
     let mut contenders = ours::contenders::<f32>(operation, poses);
     contenders.extend(peer_nalgebra::contenders::<f32>(operation, poses));
     contenders.extend(peer_glam::single(operation, poses));
     contenders
 }
 
-fn double(operation: &str, poses: &Poses) -> Vec<Contender> {
+fn double(operation: &str, poses: &Poses) -> Vec<Job<'static>> {
     let mut contenders = ours::contenders::<f64>(operation, poses);
     contenders.extend(peer_nalgebra::contenders::<f64>(operation, poses));
     contenders.extend(peer_glam::double(operation, poses));
     contenders
 }
 
-/// Times in turns; the first contender is the one that the others are beside.
-fn row(operation: &str, mut contenders: Vec<Contender>, rounds: usize) {
-    let mut least = vec![f64::INFINITY; contenders.len()];
-    for round in 0..rounds {
-        for turn in 0..contenders.len() {
-            let index = (round + turn) % contenders.len();
-            least[index] = least[index].min(contenders[index].nanoseconds());
-        }
-    }
-    let peers = contenders
-        .iter()
-        .zip(&least)
-        .skip(1)
-        .map(|(peer, &time)| format!("{} {time:.2} (**{:.2}**)", peer.name, least[0] / time));
-    println!("| {operation} | {:.2} | {} |", least[0], peers.collect::<Vec<_>>().join(", "));
+/// The first contender is the one that the others are beside.
+fn row(operation: &str, contenders: Vec<Job<'static>>, rounds: usize) {
+    let [(_, own), peers @ ..] = &least(contenders, poses::COUNT, rounds)[..] else { return };
+    let peers =
+        peers.iter().map(|(peer, time)| format!("{peer} {time:.2} (**{:.2}**)", own / time));
+    println!("| {operation} | {own:.2} | {} |", peers.collect::<Vec<_>>().join(", "));
 }

@@ -1,10 +1,11 @@
 //! dq8, as a user calls it.
 
-use crate::contender::Contender;
+use crate::job::job;
 use crate::poses::{Pose, Poses};
 use dq8::{DualQuat, Quat, Real};
+use dq8_fixtures::turns::Job;
 
-pub(crate) fn contenders<R: Real>(operation: &str, poses: &Poses) -> Vec<Contender> {
+pub(crate) fn contenders<R: Real>(operation: &str, poses: &Poses) -> Vec<Job<'static>> {
     let rows = || poses.rows.iter();
     let a = || rows().map(|row| motion::<R>(row.a));
     let pairs = || rows().map(|row| (motion::<R>(row.a), motion::<R>(row.b)));
@@ -12,25 +13,25 @@ pub(crate) fn contenders<R: Real>(operation: &str, poses: &Poses) -> Vec<Contend
     let moved = || rows().map(|row| (motion::<R>(row.a), row.point.map(R::from_f64)));
     let name = "dq8";
     vec![match operation {
-        "product" => Contender::new(name, pairs().collect(), |&(a, b)| a * b),
+        "product" => job(name, pairs().collect(), |&(a, b)| a * b),
         "normalize" => {
             let three = R::from_f64(3.0);
             let long = a().map(|a| a.scale(three)).collect();
-            Contender::new(name, long, |a: &DualQuat<R>| a.normalize())
+            job(name, long, |a: &DualQuat<R>| a.normalize())
         }
-        "nlerp" => Contender::new(name, steps().collect(), |&(a, b, t)| a.nlerp(b, t)),
-        "sclerp" => Contender::new(name, steps().collect(), |&(a, b, t)| a.sclerp(b, t)),
-        "point" => Contender::new(name, moved().collect(), |&(a, v)| a.transform_point(v)),
-        "vector" => Contender::new(name, moved().collect(), |&(a, v)| a.transform_vector(v)),
-        "to matrix" => Contender::new(name, a().collect(), |a| a.to_matrix3x4()),
+        "nlerp" => job(name, steps().collect(), |&(a, b, t)| a.nlerp(b, t)),
+        "sclerp" => job(name, steps().collect(), |&(a, b, t)| a.sclerp(b, t)),
+        "point" => job(name, moved().collect(), |&(a, v)| a.transform_point(v)),
+        "vector" => job(name, moved().collect(), |&(a, v)| a.transform_vector(v)),
+        "to matrix" => job(name, a().collect(), |a| a.to_matrix3x4()),
         "slerp" => {
             let turns = steps().map(|(a, b, t)| (a.rotation(), b.rotation(), t));
-            Contender::new(name, turns.collect(), |&(a, b, t)| a.slerp(b, t))
+            job(name, turns.collect(), |&(a, b, t)| a.slerp(b, t))
         }
         "from matrix" => {
             let matrices = a().map(|a| a.to_matrix3x4()).collect();
             let near = R::from_f64(1e-4);
-            Contender::new(name, matrices, move |&matrix| {
+            job(name, matrices, move |&matrix| {
                 DualQuat::try_from_matrix3x4(matrix, near).unwrap_or_default()
             })
         }
@@ -42,20 +43,18 @@ pub(crate) fn contenders<R: Real>(operation: &str, poses: &Poses) -> Vec<Contend
             let quarter = R::from_f64(0.25);
             let cluster =
                 pairs().map(|(a, b)| [(a, quarter), (b, quarter), (-a, quarter), (b * a, quarter)]);
-            Contender::new(name, cluster.collect(), |influences| {
-                DualQuat::dlb(influences).unwrap_or_default()
-            })
+            job(name, cluster.collect(), |influences| DualQuat::dlb(influences).unwrap_or_default())
         }
-        "log" => Contender::new(name, a().collect(), |a| a.log()),
+        "log" => job(name, a().collect(), |a| a.log()),
         "exp" => {
             let logs = a().map(|a| a.log()).collect();
-            Contender::new(name, logs, |&log| DualQuat::exp(log))
+            job(name, logs, |&log| DualQuat::exp(log))
         }
-        "pow" => Contender::new(name, steps().collect(), |&(a, _, t)| a.pow(t)),
-        "inverse" => Contender::new(name, a().collect(), |a| a.inverse()),
+        "pow" => job(name, steps().collect(), |&(a, _, t)| a.pow(t)),
+        "inverse" => job(name, a().collect(), |a| a.inverse()),
         "from rotation, translation" => {
             let parts = a().map(|a| (a.rotation(), a.translation())).collect();
-            Contender::new(name, parts, |&(r, t)| DualQuat::from_rotation_translation(r, t))
+            job(name, parts, |&(r, t)| DualQuat::from_rotation_translation(r, t))
         }
         _ => return Vec::new(),
     }]

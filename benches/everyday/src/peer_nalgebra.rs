@@ -1,14 +1,15 @@
 //! nalgebra: `UnitDualQuaternion`, `DualQuaternion` and `Isometry3`.
 
-use crate::contender::Contender;
+use crate::job::job;
 use crate::poses::{Pose, Poses};
+use dq8_fixtures::turns::Job;
 use nalgebra::{
     DualQuaternion, Isometry3, Matrix3, Point3, Quaternion, RealField, Rotation3, Translation3,
     UnitDualQuaternion, UnitQuaternion, Vector3,
 };
 
 /// The same without shortest ways and checks: what nalgebra has.
-pub(crate) fn contenders<R: RealField + Copy>(operation: &str, poses: &Poses) -> Vec<Contender> {
+pub(crate) fn contenders<R: RealField + Copy>(operation: &str, poses: &Poses) -> Vec<Job<'static>> {
     let rows = || poses.rows.iter();
     let a = || rows().map(|row| motion::<R>(row.a));
     let isometry = || rows().map(|row| isometry::<R>(row.a));
@@ -17,8 +18,8 @@ pub(crate) fn contenders<R: RealField + Copy>(operation: &str, poses: &Poses) ->
     let (dual, iso) = ("nalgebra `UnitDualQuaternion`", "`Isometry3`");
     match operation {
         "product" => vec![
-            Contender::new(dual, pairs().collect(), |&(a, b)| a * b),
-            Contender::new(
+            job(dual, pairs().collect(), |&(a, b)| a * b),
+            job(
                 iso,
                 rows().map(|row| (self::isometry::<R>(row.a), self::isometry(row.b))).collect(),
                 |&(a, b)| a * b,
@@ -26,73 +27,69 @@ pub(crate) fn contenders<R: RealField + Copy>(operation: &str, poses: &Poses) ->
         ],
         "normalize" => {
             let long = a().map(|a| a.into_inner() * real::<R>(3.0)).collect();
-            vec![Contender::new("nalgebra `DualQuaternion`, inexact", long, |a| {
-                DualQuaternion::normalize(a)
-            })]
+            vec![job("nalgebra `DualQuaternion`, inexact", long, |a| DualQuaternion::normalize(a))]
         }
-        "nlerp" => vec![Contender::new(dual, steps().collect(), |(a, b, t)| a.nlerp(b, *t))],
-        "sclerp" => vec![Contender::new(dual, steps().collect(), |(a, b, t)| a.sclerp(b, *t))],
+        "nlerp" => vec![job(dual, steps().collect(), |(a, b, t)| a.nlerp(b, *t))],
+        "sclerp" => vec![job(dual, steps().collect(), |(a, b, t)| a.sclerp(b, *t))],
         "point" => {
             let points = || rows().map(|row| Point3::from(row.point.map(real::<R>)));
             vec![
-                Contender::new(dual, a().zip(points()).collect(), |(a, v)| a.transform_point(v)),
-                Contender::new(iso, isometry().zip(points()).collect(), |(a, v)| a * v),
+                job(dual, a().zip(points()).collect(), |(a, v)| a.transform_point(v)),
+                job(iso, isometry().zip(points()).collect(), |(a, v)| a * v),
             ]
         }
         "vector" => {
             let vectors = || rows().map(|row| Vector3::from(row.point.map(real::<R>)));
             vec![
-                Contender::new(dual, a().zip(vectors()).collect(), |(a, v)| a.transform_vector(v)),
-                Contender::new(iso, isometry().zip(vectors()).collect(), |(a, v)| a * v),
+                job(dual, a().zip(vectors()).collect(), |(a, v)| a.transform_vector(v)),
+                job(iso, isometry().zip(vectors()).collect(), |(a, v)| a * v),
             ]
         }
         "to matrix" => vec![
-            Contender::new(dual, a().collect(), |a| a.to_homogeneous()),
-            Contender::new(iso, isometry().collect(), |a| a.to_homogeneous()),
+            job(dual, a().collect(), |a| a.to_homogeneous()),
+            job(iso, isometry().collect(), |a| a.to_homogeneous()),
         ],
         "slerp" => {
             let turns = steps().map(|(a, b, t)| (a.rotation(), b.rotation(), t)).collect();
-            vec![Contender::new("nalgebra `UnitQuaternion`", turns, |(a, b, t)| a.slerp(b, *t))]
+            vec![job("nalgebra `UnitQuaternion`", turns, |(a, b, t)| a.slerp(b, *t))]
         }
         "from matrix" | "from rigid matrix" => {
             let matrices: Vec<(Matrix3<R>, Vector3<R>)> = isometry()
                 .map(|a| (a.rotation.to_rotation_matrix().into_inner(), a.translation.vector))
                 .collect();
-            vec![Contender::new("nalgebra, unchecked", matrices, |&(matrix, t)| {
+            vec![job("nalgebra, unchecked", matrices, |&(matrix, t)| {
                 let matrix = Rotation3::from_matrix_unchecked(matrix);
                 let rotation = UnitQuaternion::from_rotation_matrix(&matrix);
                 UnitDualQuaternion::from_parts(Translation3::from(t), rotation)
             })]
         }
         "inverse" => vec![
-            Contender::new(
+            job(
                 "nalgebra `DualQuaternion`",
                 a().map(UnitDualQuaternion::into_inner).collect(),
                 |a: &DualQuaternion<R>| a.try_inverse().unwrap_or_default(),
             ),
-            Contender::new(iso, isometry().collect(), |a| a.inverse()),
+            job(iso, isometry().collect(), |a| a.inverse()),
         ],
-        "log" => vec![Contender::new(
+        "log" => vec![job(
             "nalgebra `UnitQuaternion`, no translation",
             isometry().map(|a| a.rotation).collect(),
             |a| a.scaled_axis(),
         )],
-        "exp" => vec![Contender::new(
+        "exp" => vec![job(
             "nalgebra `UnitQuaternion`, no translation",
             isometry().map(|a| a.rotation.scaled_axis()).collect(),
             |&axis| UnitQuaternion::from_scaled_axis(axis),
         )],
-        "pow" => vec![Contender::new(
+        "pow" => vec![job(
             "nalgebra `UnitQuaternion`, no translation",
             isometry().zip(rows()).map(|(a, row)| (a.rotation, real::<R>(row.t))).collect(),
             |(a, t)| a.powf(*t),
         )],
         "from rotation, translation" => {
-            vec![Contender::new(
-                dual,
-                isometry().map(|a| (a.translation, a.rotation)).collect(),
-                |&(t, r)| UnitDualQuaternion::from_parts(t, r),
-            )]
+            vec![job(dual, isometry().map(|a| (a.translation, a.rotation)).collect(), |&(t, r)| {
+                UnitDualQuaternion::from_parts(t, r)
+            })]
         }
         _ => Vec::new(),
     }

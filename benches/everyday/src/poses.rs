@@ -21,7 +21,7 @@ pub(crate) struct Row {
 }
 
 /// In and out of 256 motions are 16 KiB in `f32`: the first cache holds both.
-const COUNT: usize = 128;
+pub(crate) const COUNT: usize = 128;
 
 impl Poses {
     pub(crate) fn new() -> Self {

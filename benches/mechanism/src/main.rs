@@ -5,7 +5,6 @@
 //! cargo run --release --manifest-path benches/mechanism/Cargo.toml [--features peers] -- [ROUNDS]
 //! ```
 
-mod job;
 mod ours;
 mod peers;
 mod points;
@@ -16,6 +15,7 @@ mod urdf;
 
 use dq8::{Backend, DualQuat};
 use dq8_fixtures::random::Random;
+use dq8_fixtures::turns::least;
 use dq8_robot::{Joint, OwnedMechanism};
 use peers::by_hand;
 #[cfg(feature = "peers")]
@@ -57,7 +57,7 @@ fn contest(name: &str, joints: &[Joint<f64>], rounds: usize) {
     singles.extend(by_hand::jobs(joints, &single_values, &expected));
 
     for (number, jobs) in [("f64", doubles), ("f32", singles)] {
-        for (job, nanoseconds) in job::least(jobs, CONFIGURATIONS, rounds) {
+        for (job, nanoseconds) in least(jobs, CONFIGURATIONS, rounds) {
             println!("{name:16} {number} {job:40} {nanoseconds:8.1}");
         }
     }
@@ -75,7 +75,7 @@ fn main() {
             solutions::job(backend(), &double, &values),
             solutions::job(backend(), &single, &values),
         ];
-        let times = job::least(jobs, CONFIGURATIONS, rounds);
+        let times = least(jobs, CONFIGURATIONS, rounds);
         for (number, (job, nanoseconds)) in ["f64", "f32"].into_iter().zip(times) {
             println!("{name:16} {number} {job:40} {nanoseconds:8.1}");
         }

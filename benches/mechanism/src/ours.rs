@@ -1,8 +1,8 @@
 //! What dq8 does, in both precisions.
 
-use crate::job::Job;
 use crate::points::{COUNT, Points, spheres};
 use dq8::{Backend, Block, DualQuat, Twist};
+use dq8_fixtures::turns::Job;
 use dq8_robot::ik::{Freedom, Goal, Options, Outcome, Reach, Report};
 use dq8_robot::{Mechanism, World};
 use std::hint::black_box;

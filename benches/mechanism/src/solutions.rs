@@ -1,7 +1,7 @@
 //! All solutions of an arm of six axes.
 
-use crate::job::Job;
 use dq8::{Backend, DualQuat, Scalar};
+use dq8_fixtures::turns::Job;
 use dq8_robot::ik::{Goal, OwnedReach, SixAxisArm, Solutions};
 use dq8_robot::{Joint, OwnedMechanism};
 

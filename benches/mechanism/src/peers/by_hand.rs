@@ -1,8 +1,8 @@
 //! What users write with nalgebra: a loop over joints whose parents come first.
 
 use super::agree;
-use crate::job::Job;
 use dq8::DualQuat;
+use dq8_fixtures::turns::Job;
 use dq8_robot::{Joint, JointKind};
 use nalgebra::{
     Isometry3, Quaternion, RealField, Translation3, Unit, UnitDualQuaternion, UnitQuaternion,

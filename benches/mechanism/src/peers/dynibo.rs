@@ -1,9 +1,9 @@
 //! The crate dynibo: isometries of nalgebra, one configuration at a time, into memory of the caller.
 
 use super::agree;
-use crate::job::Job;
 use crate::urdf;
 use dq8::DualQuat;
+use dq8_fixtures::turns::Job;
 use dynibo::{Frame, Robot};
 use std::hint::black_box;
 use std::path::Path;

@@ -1,9 +1,9 @@
 //! The crate k: it keeps poses in the nodes of a tree and hands out copies.
 
 use super::agree;
-use crate::job::Job;
 use crate::urdf;
 use dq8::DualQuat;
+use dq8_fixtures::turns::Job;
 use std::hint::black_box;
 use std::path::Path;
 

@@ -1,0 +1,110 @@
+//! Every C function keeps to what the header says of all of them. [`table`] says of each what its arguments are and which Rust
+//! function it stands for; from that follow
+//! - calls: it says and writes what the Rust function does, number for number, and writes nothing else;
+//! - calls that are wrong in every way: each has an error of its own and names the index that is wrong, and nothing is written;
+//! - random calls. Arrays have just the length that is said, so that the address sanitizer sees a number read or written
+//!   beyond:
+//!
+//! ```text
+//! RUSTC_BOOTSTRAP=1 RUSTFLAGS=-Zsanitizer=address DQ8_FUZZ_SECONDS=60 cargo test --release -p dq8-capi \
+//!   --test functions --target x86_64-unknown-linux-gnu
+//! ```
+
+#[macro_use]
+mod function;
+mod argument;
+mod check;
+mod element;
+mod memory;
+mod shape;
+mod table;
+
+use dq8_fixtures::fuzz;
+use memory::Call;
+use shape::Shape;
+use std::collections::BTreeSet;
+use table::table;
+
+/// Of a call of each function that is right, for arrays of several lengths.
+fn of_all(check: impl Fn(&Call<'_>)) {
+    let functions = Shape::all().iter().flat_map(table).collect::<Vec<_>>();
+    functions.iter().for_each(|function| check(&Call::new(function, None)));
+}
+
+#[test]
+fn functions_agree_with_those_of_rust() {
+    of_all(check::agrees);
+}
+
+#[test]
+fn what_is_wrong_has_an_error_of_its_own_and_nothing_is_written() {
+    of_all(|call| {
+        check::wrongs(call.function).into_iter().for_each(|wrong| check::refuses(call, wrong))
+    });
+}
+
+#[test]
+fn outputs_lie_apart_from_all_else() {
+    of_all(check::lies_apart);
+}
+
+#[test]
+fn where_there_is_nothing_pointers_may_be_null() {
+    let functions = table(&Shape::nothing());
+    functions.iter().for_each(|function| check::may_lie_nowhere(&Call::new(function, None)));
+}
+
+#[test]
+fn random_calls_stay_within_their_arrays() {
+    fuzz::rounds(|seed| {
+        let mut random = fuzz::random(seed);
+        let functions = table(&Shape::any(&mut random));
+        functions.iter().for_each(|function| check::any(function, &mut random));
+        functions.len() as u64
+    });
+}
+
+/// The table has each function of the header once, by its own name, but those that have a test of their own.
+#[test]
+fn the_table_has_every_function_of_the_header() {
+    const OWN: [&str; 6] = [
+        "dq8_backend_limit",
+        "dq8_backend_name",
+        "dq8_block_size_f32",
+        "dq8_block_size_f64",
+        "dq8_set_reproducible",
+        "dq8_status_text",
+    ];
+    let header = include_str!("../../include/dq8.h");
+    let declared: BTreeSet<_> = header
+        .split("static inline")
+        .enumerate()
+        // What is written out in the header is no function of the library.
+        .flat_map(|(at, text)| {
+            if at == 0 { text } else { text.split_once("\n}\n").expect("an end").1 }.lines()
+        })
+        .filter(|line| !line.starts_with([' ', '/', '#', '*']))
+        .filter_map(|line| {
+            line.split(' ').find_map(|word| word.trim_start_matches('*').split_once('('))
+        })
+        .map(|(name, _)| name)
+        .collect();
+    let functions = table(&Shape::all()[0]);
+    let named: BTreeSet<_> =
+        functions.iter().map(|function| (function.name, function.path)).collect();
+    let paths: BTreeSet<_> = functions.iter().map(|function| function.path).collect();
+    assert_eq!(named.len(), paths.len(), "a function has two names, or a name two functions");
+    for (name, path) in &named {
+        let own = path.rsplit("::").next().expect("a name").trim_start_matches("dq8_");
+        let number = if path.contains("::single::") {
+            "_f32"
+        } else if path.contains("::double::") {
+            "_f64"
+        } else {
+            ""
+        };
+        assert!(name.ends_with(number) && name.contains(own), "{name} is no name of {path}");
+    }
+    let named: BTreeSet<_> = named.into_iter().map(|(name, _)| name).chain(OWN).collect();
+    assert_eq!(declared, named);
+}

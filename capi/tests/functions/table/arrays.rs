@@ -1,0 +1,142 @@
+//! Kernels over arrays, plain and in blocks; and what takes one to the other.
+
+use crate::argument::{Of, Read, Written, count, one_of, passes, reads, writes};
+use crate::element::{Element, SCALED};
+use dq8::hierarchy::MatrixOrder;
+use dq8::storage::{self, Block, Layout};
+use dq8::{Backend, DualQuat};
+use dq8_capi::{Status, chain, lines, metric, packing, slices, trajectory, twists};
+
+fn order(order: i32) -> MatrixOrder {
+    if order == 0 { MatrixOrder::Rows } else { MatrixOrder::Columns }
+}
+
+macro_rules! layout {
+    ($shape:ident $list:ident $R:ident $of:ident $L:ty [$($lanes:literal)?]) => {{
+        fn of<const C: usize>(count: usize) -> Of<<$L as Layout>::Record<C>, Read> {
+            reads(count)
+        }
+        fn to<const C: usize>(count: usize) -> Of<<$L as Layout>::Record<C>, Written> {
+            writes(count)
+        }
+        // Motions that are not unit.
+        fn scaled(count: usize) -> Of<<$L as Layout>::Record<8>, Read> {
+            of::<8>(count).of(|at| Element::sample(at, SCALED))
+        }
+        let n = $shape.count.div_ceil(<$L as Layout>::THINGS);
+        let best = Backend::best();
+        let orders = || one_of([0, 1]).wrong(2, Status::UnknownValue).wrong(-1, Status::UnknownValue);
+        of_arrays! { $list $R $of [$($lanes)?]:
+            slices mul blocks_mul (a: of::<8>(n), b: of::<8>(n), out: to::<8>(n).over("a"), count: count(n))
+                => best.mul(a, b, out);
+            slices normalize blocks_normalize (motions: scaled(n), out: to::<8>(n).over("motions"), count: count(n))
+                => best.normalize(motions, out);
+            slices inverse blocks_inverse (motions: scaled(n), out: to::<8>(n).over("motions"), count: count(n))
+                => best.inverse(motions, out);
+            slices conjugate blocks_conjugate (motions: of::<8>(n), out: to::<8>(n).over("motions"), count: count(n))
+                => best.conjugate(motions, out);
+            slices nlerp blocks_nlerp (a: of::<8>(n), b: of::<8>(n), t: passes(0.3), out: to::<8>(n), count: count(n))
+                => best.nlerp(a, b, t, out);
+            slices nlerp_each blocks_nlerp_each
+                (a: of::<8>(n), b: of::<8>(n), t: of::<1>(n), out: to::<8>(n), count: count(n))
+                => best.nlerp_each(a, b, t, out);
+            slices sclerp blocks_sclerp (a: of::<8>(n), b: of::<8>(n), t: passes(0.3), out: to::<8>(n), count: count(n))
+                => best.sclerp(a, b, t, out);
+            slices sclerp_each blocks_sclerp_each
+                (a: of::<8>(n), b: of::<8>(n), t: of::<1>(n), out: to::<8>(n), count: count(n))
+                => best.sclerp_each(a, b, t, out);
+            slices points blocks_points
+                (motion: reads::<DualQuat<$R>>(1), points: of::<3>(n), out: to::<3>(n).over("points"), count: count(n))
+                => best.transform_points(motion[0], points, out);
+            slices vectors blocks_vectors
+                (motion: reads::<DualQuat<$R>>(1), vectors: of::<3>(n), out: to::<3>(n).over("vectors"), count: count(n))
+                => best.transform_vectors(motion[0], vectors, out);
+            slices points_each blocks_points_each
+                (motions: of::<8>(n), points: of::<3>(n), out: to::<3>(n), count: count(n))
+                => best.transform_points_each(motions, points, out);
+            slices vectors_each blocks_vectors_each
+                (motions: of::<8>(n), vectors: of::<3>(n), out: to::<3>(n), count: count(n))
+                => best.transform_vectors_each(motions, vectors, out);
+            slices matrices_3x4 blocks_matrices_3x4
+                (motions: of::<8>(n), by: orders(), out: to::<12>(n), count: count(n))
+                => best.matrices(motions, order(by), out);
+            slices matrices_4x4 blocks_matrices_4x4
+                (motions: of::<8>(n), by: orders(), out: to::<16>(n), count: count(n))
+                => best.matrices(motions, order(by), out);
+            lines lines_each blocks_lines_each (motions: of::<8>(n), lines: of::<6>(n), out: to::<6>(n), count: count(n))
+                => best.transform_lines_each(motions, lines, out);
+            lines planes_each blocks_planes_each
+                (motions: of::<8>(n), planes: of::<4>(n), out: to::<4>(n), count: count(n))
+                => best.transform_planes_each(motions, planes, out);
+            twists twists_each blocks_twists_each
+                (motions: of::<8>(n), twists: of::<6>(n), out: to::<6>(n), count: count(n))
+                => best.transform_twists_each(motions, twists, out);
+            twists integrate_body blocks_integrate_body
+                (motions: of::<8>(n), twists: of::<6>(n), dt: passes(0.3), out: to::<8>(n), count: count(n))
+                => best.integrate_body(motions, twists, dt, out);
+            twists log blocks_log (motions: of::<8>(n), logs: to::<6>(n), count: count(n)) => best.log(motions, logs);
+            twists exp blocks_exp (logs: of::<6>(n), out: to::<8>(n), count: count(n)) => best.exp(logs, out);
+            twists pow_each blocks_pow_each (motions: of::<8>(n), t: of::<1>(n), out: to::<8>(n), count: count(n))
+                => best.pow_each(motions, t, out);
+            metric angles blocks_angles (a: of::<8>(n), b: of::<8>(n), out: to::<1>(n), count: count(n))
+                => best.angles(a, b, out);
+            metric distances blocks_distances (a: of::<8>(n), b: of::<8>(n), out: to::<1>(n), count: count(n))
+                => best.distances(a, b, out);
+            chain chain_products blocks_chain_products
+                (links: of::<8>(n), out: to::<8>(n).over("links"), count: count(n))
+                => best.chain_products(links, out);
+        }
+        layout! { @rest $shape $list $R $of [$($lanes)?] }
+    }};
+    (@rest $shape:ident $list:ident $R:ident $of:ident []) => {
+        let (n, at) = ($shape.times.len(), $shape.count);
+        let times = $shape.times.clone();
+        of_numbers! { $list $R $of:
+            "" trajectory resample (
+                times: reads::<$R>(n).only(move |i| times[i] as $R)
+                    .fault(Status::Times, Some(2), |times| times[2] = times[1])
+                    .fault(Status::Times, Some(1), |times| times[1] = <$R>::INFINITY),
+                poses: reads::<DualQuat<$R>>(n),
+                pose_count: count(n).wrong(0, Status::Length),
+                at: reads::<$R>(at).only(|i| i as $R * 0.4 - 1.0)
+                    .fault(Status::NotFinite, Some(1), |at| at[1] = <$R>::NAN),
+                out: writes::<DualQuat<$R>>(at),
+                count: count(at),
+                bad_time: crate::argument::names(),
+            ) => Backend::best().resample(times, poses, at, out).map_err(|_| Status::Length);
+        }
+    };
+    (@rest $shape:ident $list:ident $R:ident $of:ident [$lanes:literal]) => {
+        let (joints, n) = ($shape.parents.len(), $shape.poses());
+        let blocks = $shape.instances.div_ceil($lanes) * joints;
+        let links = n.div_ceil($lanes);
+        type Blocks = Block<$R, $lanes>;
+        let lanes = || crate::argument::lanes::<$R>($lanes);
+        let joint_count = || {
+            let no_instances = n % (joints + 1) != 0;
+            passes(joints).wrong_if(n > 0, 0, Status::Length).wrong_if(no_instances, joints + 1, Status::Length)
+        };
+        of_numbers! { $list $R $of:
+            "" packing pack (
+                lanes: lanes(), joints: joint_count(),
+                poses: reads::<DualQuat<$R>>(n), pose_count: count(n).wrong(n + 1, Status::Length),
+                blocks: writes::<Blocks>(blocks), block_count: count(blocks).wrong(blocks + 1, Status::Length),
+            ) => storage::pack(joints, poses, blocks);
+            "" packing unpack (
+                lanes: lanes(), joints: joint_count(),
+                blocks: reads::<Blocks>(blocks), block_count: count(blocks).wrong(blocks + 1, Status::Length),
+                poses: writes::<DualQuat<$R>>(n), pose_count: count(n).wrong(n + 1, Status::Length),
+            ) => storage::unpack(joints, blocks, poses);
+            "" packing pack_chain (
+                lanes: lanes(), links: reads::<DualQuat<$R>>(n), link_count: count(n),
+                blocks: writes::<Blocks>(links), block_count: count(links).wrong(links + 1, Status::Length),
+            ) => storage::pack_chain(links, blocks);
+            "" packing unpack_chain (
+                lanes: lanes(), blocks: reads::<Blocks>(links),
+                block_count: count(links).wrong(links + 1, Status::Length),
+                links: writes::<DualQuat<$R>>(n), link_count: count(n),
+            ) => storage::unpack_chain(blocks, links);
+        }
+    };
+}
+super::for_all_layouts!(layout);
