@@ -123,6 +123,7 @@
 #[cfg(feature = "alloc")]
 extern crate alloc;
 
+mod errors;
 pub mod ik;
 mod mechanism;
 #[cfg(feature = "urdf")]

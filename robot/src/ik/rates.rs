@@ -151,7 +151,7 @@ fn run<L: Lanes<Real: Scalar>>(
     let reach = &Reach { posture: None, ..*reach };
     let options = Options { damping: wanted.damping, ..Options::track() };
     let Some(mut model) = Model::<L, true>::new(level, reach, &options, scratch) else { return };
-    let length = reach.size * L::Real::from(0.125);
+    let length = reach.facts.size * L::Real::from(0.125);
     model.scales.length = L::splat(level, length);
     model.scales.radians_per_length = L::splat(level, L::Real::ONE / length);
     let (count, rates) = (reach.mechanism.values, reach.mechanism.rates);

@@ -171,12 +171,12 @@ impl Counts {
     fn of<R: Copy>(reach: &Reach<'_, R>) -> Self {
         Self {
             values: reach.mechanism.values,
-            twists: reach.twists,
+            twists: reach.facts.twists,
             slots: slots(reach.mechanism),
             goals: reach.goals.len(),
             freedoms: reach.freedoms.len(),
-            rows: reach.rows,
-            tree: reach.tree,
+            rows: reach.facts.rows,
+            tree: reach.facts.tree,
         }
     }
 

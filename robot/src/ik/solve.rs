@@ -3,6 +3,7 @@
 use super::lane::Lane;
 use super::model::Model;
 use super::problem::Reach;
+use super::rates::enough;
 use super::report::{Options, Report};
 use super::search::{Search, Work};
 use dq8::Scalar;
@@ -109,9 +110,6 @@ impl<R: Copy> Work<'_, R> {
         let (goals, values) = (reach.goals.len(), reach.mechanism.values);
         same_length("targets", self.targets.len(), configurations.saturating_mul(goals))?;
         same_length("values", self.values.len(), configurations.saturating_mul(values))?;
-        if scratch < expected {
-            return Err(ShapeError::Length { what: "scratch", length: scratch, expected });
-        }
-        Ok(())
+        enough(scratch, expected)
     }
 }

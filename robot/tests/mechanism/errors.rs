@@ -111,3 +111,20 @@ fn slices_that_do_not_fit_are_left_as_they_were() {
     assert_eq!(refused, Err(no_link));
     assert_eq!(poses, [before; 4]);
 }
+
+#[test]
+fn points_on_links_that_there_are_not_are_refused_and_nothing_is_written() {
+    let hinge = Joint::revolute(None, DualQuat::IDENTITY, [0.0, 0.0, 1.0]);
+    let robot = OwnedMechanism::new(&[hinge, hinge]).unwrap();
+    let (robot, mut places) = (robot.view(), [[5.0_f64; 3]; 2]);
+    let (none, origin) = (ShapeError::NoLink { link: 2, links: 2 }, [0.0; 3]);
+    let beyond = [(0, origin), (2, origin)];
+    assert_eq!(robot.link_points(&[0.0; 2], &beyond, &mut places), Err(none.clone()));
+    assert_eq!(robot.job().points(&beyond, &[0.0; 2], &mut places), Err(none));
+    let points = [(0, origin), (1, origin)];
+    assert!(robot.link_points(&[0.0; 3], &points, &mut places).is_err());
+    assert!(robot.link_points(&[0.0; 2], &points, &mut places[..1]).is_err());
+    assert!(robot.job().points(&points, &[0.0; 3], &mut places).is_err());
+    assert!(robot.job().points(&points, &[0.0; 2], &mut places[..1]).is_err());
+    assert_eq!(places, [[5.0; 3]; 2]);
+}

@@ -1,9 +1,7 @@
 //! One configuration.
 
-use crate::book::Book;
 use crate::tree::{mechanism, tree, values};
 use dq8::{Dual, DualQuat, Quat, Twist};
-use dq8_arms::turning;
 use dq8_fixtures::random::Random;
 use dq8_robot::{Body, Joint, JointKind, Mechanism, OwnedMechanism, World, WorldAligned};
 use nalgebra::{Matrix4, Rotation3, Translation3, Unit, UnitQuaternion, Vector3};
@@ -12,10 +10,6 @@ use nalgebra::{Matrix4, Rotation3, Translation3, Unit, UnitQuaternion, Vector3};
 const ROUNDING: f64 = 2e-13;
 /// The same, times lever arms as long, for what a rate does far away.
 const OF_RATES: f64 = 2e-13;
-/// The same operations in another order, on the scale of a pose.
-const BY_THE_BOOK: f64 = 2e-14;
-/// Five joints, a length each.
-const OF_FIVE: f64 = 2e-15;
 /// A unit vector that is turned once.
 const LAST_BITS: f64 = 1e-15;
 
@@ -85,35 +79,6 @@ fn poses_of_links_are_products_of_matrices() {
             assert!(error < ROUNDING, "link {link} of {count}: {error}");
             let alone = owned.view().link_pose(&values, link).unwrap();
             assert!(alone.distance_to(poses[link]) < ROUNDING, "link {link} of {count} alone");
-        }
-    }
-}
-
-/// All but a sign, which the book has too.
-fn is_as_by_the_book(found: DualQuat<f64>, wanted: DualQuat<f64>) {
-    let bound = BY_THE_BOOK * (1.0 + wanted.dual().norm());
-    assert!(found.abs_diff_eq(wanted, bound), "{found:?}, {wanted:?}");
-}
-
-#[test]
-fn floats_compute_what_the_book_does() {
-    let mut random = Random(10);
-    for count in 1..40 {
-        let joints = tree(&mut random, count);
-        let values = values(&mut random, &joints);
-        let (owned, book, link) = (mechanism::<f64>(&joints), Book::new(&joints), count / 2);
-        let mut poses = [vec![DualQuat::IDENTITY; count], vec![DualQuat::IDENTITY; count]];
-        owned.view().link_poses(&values, &mut poses[0]).unwrap();
-        book.link_poses(&values, &mut poses[1]);
-        for (&found, &wanted) in poses[0].iter().zip(&poses[1]) {
-            is_as_by_the_book(found, wanted);
-        }
-        let mut columns = [(); 2].map(|()| vec![Twist::from_array([0.0; 6]); owned.view().rates()]);
-        let found = owned.view().link_jacobian(Body, &values, link, &mut columns[0]).unwrap();
-        is_as_by_the_book(found, book.link_jacobian(Body, &values, link, &mut columns[1]));
-        for (found, wanted) in columns[0].iter().zip(&columns[1]) {
-            let error = (*found - *wanted).to_array().map(f64::abs);
-            assert!(error.into_iter().all(|error| error < ROUNDING), "{found:?}, {wanted:?}");
         }
     }
 }
@@ -268,32 +233,6 @@ fn moving(
         }
     }
     moved
-}
-
-/// A product of exponentials is another way to the same pose.
-#[test]
-fn an_arm_from_screws_is_the_arm_from_its_joints() {
-    let axes = [[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]];
-    let at = [[0.0, 0.0, 0.2], [0.1, 0.0, 0.3], [0.1, 0.0, 0.8], [0.6, 0.0, 0.8]];
-    let screws: [_; 4] = core::array::from_fn(|joint| turning(axes[joint], at[joint]));
-    let home = DualQuat::from_translation([0.8, 0.0, 0.8]);
-    let arm = OwnedMechanism::from_screws(&screws, home).unwrap();
-    let mut joints = Vec::new();
-    let mut before = [0.0; 3];
-    for (joint, point) in at.into_iter().enumerate() {
-        let step = core::array::from_fn(|i| point[i] - before[i]);
-        let parent = joint.checked_sub(1);
-        joints.push(Joint::revolute(parent, DualQuat::from_translation(step), axes[joint]));
-        before = point;
-    }
-    joints.push(Joint::fixed(Some(3), DualQuat::from_translation([0.2, 0.0, 0.0])));
-    let owned = OwnedMechanism::new(&joints).unwrap();
-    let mut random = Random(4);
-    for _ in 0..100 {
-        let angles: [f64; 4] = random.vector().map(|c| 3.0 * c);
-        let pose = owned.view().link_pose(&angles, 4).unwrap();
-        assert!(pose.distance_to(arm.view().link_pose(&angles, 4).unwrap()) < OF_FIVE);
-    }
 }
 
 #[test]

@@ -10,6 +10,7 @@ mod owned;
 #[cfg(feature = "rayon")]
 mod parallel;
 mod posture;
+mod rates;
 mod refused;
 mod tracking;
 mod turns;
