@@ -1,10 +1,10 @@
 //! Targets that can be reached, for joints of every kind.
 
 use super::super::tree::{tree, values};
-use super::{REACHED, ROUNDING, apart, mechanism, problem, solve_everywhere};
+use super::{REACHED, ROUNDING, apart, at, pose, problem, solve, solve_everywhere, turned};
 use dq8_fixtures::random::Random;
+use dq8_robot::Joint;
 use dq8_robot::ik::{Goal, Options, Outcome};
-use dq8_robot::{Joint, JointKind};
 
 /// Planar and floating joints too, and joints that mimic: from nearby, where there is one way.
 #[test]
@@ -14,17 +14,14 @@ fn random_trees_of_joints_of_every_kind_come_back_to_where_they_were() {
     for _ in 0..120 {
         let joints = tree(&mut random, 9);
         let link = 8;
-        let mechanism = mechanism::<f64>(&joints);
-        let mechanism = mechanism.view();
-        let goal = values(&mut random, &joints);
-        let target = mechanism.link_pose(&goal, link).expect("a link");
-        let starts: Vec<f64> = goal.iter().map(|value| value + 0.1 * random.signed()).collect();
         let reach = problem(&joints, [Goal::pose(link)]);
+        let goal = values(&mut random, &joints);
+        let target = pose(&reach, &goal, link);
+        let starts: Vec<f64> = goal.iter().map(|value| value + 0.1 * random.signed()).collect();
         for (_, values, reports) in
-            solve_everywhere(&reach.view(), &[target], &starts, &Options::default())
+            solve_everywhere(&reach, &[target], &starts, &Options::default())
         {
-            let pose = mechanism.link_pose(&values, link).expect("a link");
-            let [turn, distance] = apart(pose, target);
+            let [turn, distance] = apart(pose(&reach, &values, link), target);
             let report = reports[0];
             assert!((report.angular_error - turn).abs() < ROUNDING, "{turn} {report:?}");
             assert!((report.linear_error - distance).abs() < ROUNDING, "{distance} {report:?}");
@@ -38,13 +35,10 @@ fn random_trees_of_joints_of_every_kind_come_back_to_where_they_were() {
 /// A body in space has one step to anywhere near.
 #[test]
 fn a_floating_joint_is_where_its_target_is() {
-    let joints = [Joint::new(None, super::at(1.0, 2.0, 3.0), JointKind::Floating)];
-    let body = mechanism::<f64>(&joints);
-    let target = super::turned([0.6, 0.0, 0.8], 2.0, [0.3, -5.0, 2.0]);
-    let mut values = [0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0];
-    let report =
-        super::solve(body.view(), &[Goal::pose(0)], &[target], &mut values, &Options::default());
-    assert_eq!(report.outcome, Outcome::Converged, "{report:?}");
-    let [turn, distance] = apart(body.view().link_pose(&values, 0).expect("a link"), target);
+    let body = problem(&[Joint::floating(None, at(1.0, 2.0, 3.0))], [Goal::pose(0)]);
+    let target = turned([0.6, 0.0, 0.8], 2.0, [0.3, -5.0, 2.0]);
+    let (values, report) = solve(&body, target, [0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0]);
+    assert!(report.is_converged(), "{report:?}");
+    let [turn, distance] = apart(pose(&body, &values, 0), target);
     assert!(turn < REACHED && distance < REACHED, "{turn} {distance}");
 }
