@@ -31,7 +31,7 @@ fn way<'s, R: Copy>(
 /// What a [`Mechanism`] asks of floats, by name: where a number is any `Real`, a function over [`Number`] cannot be named, but
 /// what it is to be called with can.
 macro_rules! quick {
-    ($($name:ident { $($field:ident: $type:ty),+ } -> $output:ty = $function:ident;)*) => {$(
+    ($($name:ident { $($field:ident: $type:ty),+ } -> $output:ty;)*) => {$(
         pub(crate) struct $name<'s, R> {
             pub(crate) mechanism: &'s Mechanism<'s, R>,
             pub(crate) values: &'s [R],
@@ -46,99 +46,91 @@ macro_rules! quick {
             where
                 R: Number,
             {
-                Some($function(self.mechanism, self.values, $(self.$field),+))
+                Some(self.run())
             }
         }
     )*};
 }
 quick! {
-    LinkPoses { poses: &'s mut [DualQuat<R>] } -> () = link_poses;
-    LinkPose { link: usize } -> DualQuat<R> = link_pose;
-    LinkJacobian { link: usize, frame: Frame, columns: &'s mut [Twist<R>] } -> DualQuat<R> = link_jacobian;
-    LinkPoints { points: &'s [Point<R>], places: &'s mut [[R; 3]] } -> () = link_points;
+    LinkPoses { poses: &'s mut [DualQuat<R>] } -> ();
+    LinkPose { link: usize } -> DualQuat<R>;
+    LinkJacobian { link: usize, frame: Frame, columns: &'s mut [Twist<R>] } -> DualQuat<R>;
+    LinkPoints { points: &'s [Point<R>], places: &'s mut [[R; 3]] } -> ();
 }
 
 /// For any value: NaN where an angle is too far for lanes.
-#[inline(always)]
-fn link_poses<R: Real + Number>(
-    mechanism: &Mechanism<'_, R>,
-    values: &[R],
-    poses: &mut [DualQuat<R>],
-) {
-    let mut turns = Turns::new(values);
-    turns.begin(mechanism.steps.first());
-    let base = Turned::base();
-    let (mut last, mut at) = (NONE, base);
-    for step in mechanism.steps {
-        // The children of a link but the first come after what the others carry.
-        if step.parent != last {
-            let link = step.parent as usize;
-            at = match (poses.get(link), mechanism.step(link)) {
-                (Some(pose), Some(parent)) => Turned::of_pose(pose, &parent.planned.own),
-                _ => base,
-            };
-        }
-        at = at.placed(step).joined(step, &mut turns);
-        last = step.link;
-        if let Some(slot) = poses.get_mut(step.link as usize) {
-            *slot = at.pose(&step.planned.own);
+impl<R: Real + Number> LinkPoses<'_, R> {
+    #[inline(always)]
+    fn run(self) {
+        let mut turns = Turns::new(self.values);
+        turns.begin(self.mechanism.steps.first());
+        let base = Turned::base();
+        let (mut last, mut at) = (NONE, base);
+        for step in self.mechanism.steps {
+            // The children of a link but the first come after what the others carry.
+            if step.parent != last {
+                let link = step.parent as usize;
+                at = match (self.poses.get(link), self.mechanism.step(link)) {
+                    (Some(pose), Some(parent)) => Turned::of_pose(pose, &parent.planned.own),
+                    _ => base,
+                };
+            }
+            at = at.placed(step).joined(step, &mut turns);
+            last = step.link;
+            if let Some(slot) = self.poses.get_mut(step.link as usize) {
+                *slot = at.pose(&step.planned.own);
+            }
         }
     }
 }
 
-#[inline(always)]
-fn link_pose<R: Real + Number>(
-    mechanism: &Mechanism<'_, R>,
-    values: &[R],
-    link: usize,
-) -> DualQuat<R> {
-    let mut turns = Turns::new(values);
-    turns.begin(way(mechanism, link).next());
-    let (mut at, mut own) = (Turned::base(), &Factor::ONE);
-    for step in way(mechanism, link) {
-        at = at.placed(step).joined(step, &mut turns);
-        own = &step.planned.own;
+impl<R: Real + Number> LinkPose<'_, R> {
+    #[inline(always)]
+    fn run(self) -> DualQuat<R> {
+        let mut turns = Turns::new(self.values);
+        turns.begin(way(self.mechanism, self.link).next());
+        let (mut at, mut own) = (Turned::base(), &Factor::ONE);
+        for step in way(self.mechanism, self.link) {
+            at = at.placed(step).joined(step, &mut turns);
+            own = &step.planned.own;
+        }
+        at.pose(own)
     }
-    at.pose(own)
 }
 
-#[inline(always)]
-fn link_jacobian<R: Real + Number>(
-    mechanism: &Mechanism<'_, R>,
-    values: &[R],
-    link: usize,
-    frame: Frame,
-    all: &mut [Twist<R>],
-) -> DualQuat<R> {
-    all.fill(Twist::from_array([R::ZERO; 6]));
-    let mut turns = Turns::new(values);
-    turns.begin(way(mechanism, link).next());
-    let (mut at, mut own) = (Turned::base(), &Factor::ONE);
-    for step in way(mechanism, link) {
-        let before = at.placed(step);
-        at = before.joined(step, &mut turns);
-        own = &step.planned.own;
-        let columns = all.get_mut(step.rate as usize..).unwrap_or_default();
-        let frames = [before, at].map(|frame| DualQuat::from_array(frame.to_array()));
-        for (index, column) in columns.iter_mut().take(step.kind.rates()).enumerate() {
-            // What others mimic is moved by all of them.
-            *column = *column + step.screw(index, frames, values);
+impl<R: Real + Number> LinkJacobian<'_, R> {
+    #[inline(always)]
+    fn run(self) -> DualQuat<R> {
+        self.columns.fill(Twist::from_array([R::ZERO; 6]));
+        let mut turns = Turns::new(self.values);
+        turns.begin(way(self.mechanism, self.link).next());
+        let (mut at, mut own) = (Turned::base(), &Factor::ONE);
+        for step in way(self.mechanism, self.link) {
+            let before = at.placed(step);
+            at = before.joined(step, &mut turns);
+            own = &step.planned.own;
+            let columns = self.columns.get_mut(step.rate as usize..).unwrap_or_default();
+            let frames = [before, at].map(|frame| DualQuat::from_array(frame.to_array()));
+            for (index, column) in columns.iter_mut().take(step.kind.rates()).enumerate() {
+                // What others mimic is moved by self.columns of them.
+                *column = *column + step.screw(index, frames, self.values);
+            }
         }
+        let pose = at.pose(own);
+        let (back, origin) = (pose.conjugate(), pose.translation());
+        for column in self.columns {
+            // Of a joint that does not carry the self.link, wherever that is.
+            if column.to_array() == [R::ZERO; 6] {
+                continue;
+            }
+            match self.frame {
+                Frame::World => break,
+                Frame::Body => *column = back.adjoint(*column),
+                Frame::WorldAligned => column.linear = column.velocity_at(origin),
+            }
+        }
+        pose
     }
-    let pose = at.pose(own);
-    let (back, origin) = (pose.conjugate(), pose.translation());
-    for column in all {
-        // Of a joint that does not carry the link, wherever that is.
-        if column.to_array() == [R::ZERO; 6] {
-            continue;
-        }
-        match frame {
-            Frame::World => break,
-            Frame::Body => *column = back.adjoint(*column),
-            Frame::WorldAligned => column.linear = column.velocity_at(origin),
-        }
-    }
-    pose
 }
 
 /// A link, and a point in its frame.
@@ -179,42 +171,39 @@ impl<'p, R> Found<'p, R> {
     }
 }
 
-#[inline(always)]
-fn link_points<R: Real + Number>(
-    mechanism: &Mechanism<'_, R>,
-    values: &[R],
-    points: &[Point<R>],
-    places: &mut [[R; 3]],
-) {
-    let mut turns = Turns::new(values);
-    turns.begin(mechanism.steps.first());
-    let mut found = Found::new(points);
-    let (mut last, mut at) = (NONE, Turned::base());
-    for step in mechanism.steps {
-        if step.parent != last {
-            // Again, from the base: there is no memory for frames, and few branch off far from it.
-            at = Turned::base();
-            for step in way(mechanism, step.parent as usize) {
-                at = at.placed(step).joined(step, &mut turns);
+impl<R: Real + Number> LinkPoints<'_, R> {
+    #[inline(always)]
+    fn run(self) {
+        let mut turns = Turns::new(self.values);
+        turns.begin(self.mechanism.steps.first());
+        let mut found = Found::new(self.points);
+        let (mut last, mut at) = (NONE, Turned::base());
+        for step in self.mechanism.steps {
+            if step.parent != last {
+                // Again, from the base: there is no memory for frames, and few branch off far from it.
+                at = Turned::base();
+                for step in way(self.mechanism, step.parent as usize) {
+                    at = at.placed(step).joined(step, &mut turns);
+                }
             }
-        }
-        at = at.placed(step).joined(step, &mut turns);
-        last = step.link;
-        let some = found.of(step.link as usize);
-        if some.is_empty() {
-            continue;
-        }
-        let [a, b, c] = at.pose(&step.planned.own).to_matrix3x4();
-        let column = |k: usize| load([a[k], b[k], c[k], R::ZERO]);
-        let (across, origin) = ([column(0), column(1), column(2)], column(3));
-        for index in some {
-            if let (Some(&(link, [x, y, z])), Some(place)) =
-                (points.get(index), places.get_mut(index))
-                && link == step.link as usize
-            {
-                let at = across[2] * splat(z) + origin;
-                let at = across[0] * splat(x) + (across[1] * splat(y) + at);
-                [place[0], place[1], place[2], _] = at.to_array();
+            at = at.placed(step).joined(step, &mut turns);
+            last = step.link;
+            let some = found.of(step.link as usize);
+            if some.is_empty() {
+                continue;
+            }
+            let [a, b, c] = at.pose(&step.planned.own).to_matrix3x4();
+            let column = |k: usize| load([a[k], b[k], c[k], R::ZERO]);
+            let (across, origin) = ([column(0), column(1), column(2)], column(3));
+            for index in some {
+                if let (Some(&(link, [x, y, z])), Some(place)) =
+                    (self.points.get(index), self.places.get_mut(index))
+                    && link == step.link as usize
+                {
+                    let at = across[2] * splat(z) + origin;
+                    let at = across[0] * splat(x) + (across[1] * splat(y) + at);
+                    [place[0], place[1], place[2], _] = at.to_array();
+                }
             }
         }
     }

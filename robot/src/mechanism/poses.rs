@@ -147,13 +147,15 @@ impl<E: Element<8>, const ALL: bool> Task<E::Layout> for Poses<'_, E, ALL> {
         (): &mut (),
     ) {
         let (link, count) = (step.link as usize, self.count);
-        // The first place only, of a link that is asked for more than once: a loop around the registers of a pose would keep
-        // them in memory, which takes half as long again.
-        let place = if ALL { Some(link) } else { place_of(self.links, link) };
-        let Some(place) = place else { return };
-        E::store(joined.pose.to_motion(), self.poses, group.tile::<E::Layout, V>(place, count));
         if ALL {
-            group.prefetch_next::<E::Layout, V, E>(level, self.poses, place..place + 1, count);
+            let tile = group.tile::<E::Layout, V>(link, count);
+            E::store(joined.pose.to_motion(), self.poses, tile);
+            group.prefetch_next::<E::Layout, V, E>(level, self.poses, link..link + 1, count);
+        } else if let Some(index) = place_of(self.links, link) {
+            // The first place only, of a link that is asked for more than once: a loop around the registers of a pose would
+            // keep them in memory, which takes half as long again.
+            let tile = group.tile::<E::Layout, V>(index, self.links.len());
+            E::store(joined.pose.to_motion(), self.poses, tile);
         }
     }
 }

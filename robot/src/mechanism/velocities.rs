@@ -64,10 +64,8 @@ impl<R: Scalar> Job<'_, R> {
         Ok(())
     }
 
-    /// The same, and spatial accelerations, the derivatives of the spatial twists: acceleration(j) =
-    /// acceleration(parent(j)) + Ad(pose(j)) Sⱼ second_rates(j) + ad(twist) Ad(pose(j)) Sⱼ rates(j)
-    /// (Featherstone, *Rigid Body Dynamics Algorithms*, 2008, eq. 2.47). The point of a link that is at x
-    /// is accelerated by a + α × x + ω × (v + ω × x), for the twist (ω, v) and the acceleration (α, a).
+    /// The same, and spatial accelerations, the derivatives of the spatial twists: what
+    /// [`Mechanism::link_accelerations`] gives for one, by which formula, and what a point of a link makes of it.
     ///
     /// # Errors
     /// If the slices hold different numbers of configurations; nothing is written.
@@ -193,8 +191,9 @@ where
         let mut carrying = all[0];
         for index in 0..step.kind.rates() {
             let which = step.rate as usize + index;
+            let rate = joined.told(rates[0].get(level, which));
             let screw = joined.screw(step, index);
-            let own = screw.scale(joined.told(rates[0].get(level, which)));
+            let own = screw.scale(rate);
             if N > 1 {
                 let second = screw.scale(rates[N - 1].get(level, which));
                 all[N - 1] = all[N - 1] + second + lie_bracket(carrying, own);

@@ -125,7 +125,7 @@ impl<'f> Element<'f> {
             return Err(UrdfError::NotExpressed { line: self.line(), what });
         }
         let parts = if place.numbers { JOINT.elements } else { "" };
-        let mut names = place.names().chain(parts.split_whitespace());
+        let mut names = place.names().chain(parts.split_terminator(' '));
         // Nobody misspells another program's name of what matters here.
         let meant = if own {
             meant(name, names)

@@ -66,7 +66,8 @@ pub(crate) const MIMIC: Place = Place { attributes: "joint multiplier offset", .
 impl Place {
     /// All names that matter.
     pub(crate) fn names(&self) -> impl Iterator<Item = &'static str> + use<> {
-        [self.attributes, self.elements, self.unread].into_iter().flat_map(str::split_whitespace)
+        let all = [self.attributes, self.elements, self.unread].into_iter();
+        all.flat_map(|all| all.split_terminator(' '))
     }
 
     /// Whether an attribute is read here, or need not be.
@@ -81,5 +82,5 @@ impl Place {
 }
 
 fn has(all: &str, name: &str) -> bool {
-    all.split_whitespace().any(|word| word == name)
+    all.split_terminator(' ').any(|word| word == name)
 }

@@ -1,7 +1,7 @@
 //! What makes no mechanism, and calls that do not fit one.
 
 use dq8::{Backend, DualQuat, ShapeError, Twist};
-use dq8_robot::{Joint, JointKind, Mechanism, MechanismError, OwnedMechanism, Step, World};
+use dq8_robot::{Joint, Mechanism, MechanismError, OwnedMechanism, Step, World};
 
 const Z: [f64; 3] = [0.0, 0.0, 1.0];
 
@@ -41,8 +41,7 @@ fn axes_and_placements_are_unit_and_finite() {
         error(&[far]),
         MechanismError::NotFinite { joint: 0, what: "translation", .. }
     ));
-    let thread = JointKind::Screw { axis: Z, pitch: f64::NAN };
-    let thread = Joint::new(None, DualQuat::IDENTITY, thread);
+    let thread = Joint::screw(None, DualQuat::IDENTITY, Z, f64::NAN);
     assert!(matches!(error(&[thread]), MechanismError::NotFinite { joint: 0, what: "pitch", .. }));
 }
 

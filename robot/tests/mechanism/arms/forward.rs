@@ -1,6 +1,6 @@
 //! Poses of arms from screws against nalgebra, how far they get, and screws that make no arm.
 
-use super::REACHED;
+use super::super::reach::REACHED;
 use dq8::geometry::Screw;
 use dq8::scalar::vector;
 use dq8::{DualQuat, Line, Quat, Twist};

@@ -6,7 +6,3 @@ mod lanes;
 mod reference;
 mod shapes;
 mod steps;
-
-/// What [`Options::default`](dq8_robot::ik::Options) calls reached, radians and lengths, and what measuring it is
-/// rounded by.
-const REACHED: f64 = 1.001e-5;
