@@ -30,7 +30,7 @@ impl<'a, R: Real> Scene<'a, R> {
         let mut points: Vec<_> = (0..1 + random.below(3 * last + 3))
             .map(|_| (random.below(last + 1), random.vector().map(R::from_f64)))
             .collect();
-        if count % 3 > 0 {
+        if !count.is_multiple_of(3) {
             points.sort_by_key(|(link, _)| *link);
         }
         Self { robot, links: vec![last, last / 2, 0, last], points, count }

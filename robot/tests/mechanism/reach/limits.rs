@@ -67,6 +67,7 @@ fn what_mimics_a_hinge_says_which_of_its_turns_are_the_same() {
         (Joint::prismatic(None, HERE, X).mimicking(0, 0.05, 0.0), 7.0, 6.5, 7.0, 20.0),
         (Joint::screw(None, HERE, Z, 0.05).mimicking(0, 1.0, 0.0), 7.0, 6.5, 7.0, 20.0),
         (Joint::revolute(None, HERE, Z).mimicking(0, 0.5, 0.0), 7.0, 6.5, 7.0, 20.0),
+        (Joint::revolute(None, HERE, Z).mimicking(0, 0.5, 0.0), 7.0, 0.0, 7.0 - 2.0 * TAU, 20.0),
         (follower.mimicking(0, 2.0, 0.0), 7.0, 60.0, 7.0 + 8.0 * TAU, 1.0),
     ] {
         let machine = problem(&[pinion, follower], [Goal::pose(1)]);
