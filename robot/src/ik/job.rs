@@ -3,8 +3,8 @@
 use super::lane::Lane;
 use super::model::Model;
 use super::problem::Reach;
-use super::rates::enough;
 use super::report::{Options, Report};
+use super::scratch::enough;
 use super::search::{Search, Work};
 use dq8::Scalar;
 use dq8::ShapeError;

@@ -8,11 +8,11 @@ use super::job::ReachJob;
 use super::model::Model;
 use super::problem::Reach;
 use super::report::Options;
-use super::scratch::{GOAL, POSE, TARGET};
+use super::scratch::{GOAL, POSE, TARGET, enough};
 use dq8::batch::{DualQuat, vector};
 use dq8::geometry::Twist;
 use dq8::storage::same_length;
-use dq8::{Kernel, Real, Scalar, ShapeError};
+use dq8::{Kernel, Real, Scalar};
 use dq8_simd::{Lanes, Level, Mask, Portable};
 
 impl<R> Reach<'_, R>
@@ -86,11 +86,6 @@ impl<R: Scalar> ReachJob<'_, R> {
         self.choice.instructions().run(Velocities { reach: &self.reach, wanted, scratch });
         Ok(())
     }
-}
-
-pub(super) fn enough(length: usize, expected: usize) -> Result<(), ShapeError> {
-    let fits = length >= expected;
-    if fits { Ok(()) } else { Err(ShapeError::Length { what: "scratch", length, expected }) }
 }
 
 /// What is asked, and where the answer goes.

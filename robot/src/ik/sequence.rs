@@ -1,8 +1,8 @@
 //! Clips: many frames, each from the one before.
 
 use super::job::ReachJob;
-use super::rates::enough;
 use super::report::{Options, Report};
+use super::scratch::enough;
 use super::search::Work;
 use dq8::scalar::DualQuat;
 #[cfg(feature = "rayon")]
