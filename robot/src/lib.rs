@@ -13,7 +13,7 @@
 //! | [`JointValues`] | how values of many configurations lie in memory |
 //! | [`Reach`], [`Goal`], [`ik`] | inverse kinematics: which values bring links to their targets |
 //! | [`OwnedReach`] | the same with memory of its own (feature `alloc`) |
-//! | [`SixAxisArm`](ik::SixAxisArm) | all ways in which an arm of six hinges reaches a target |
+//! | [`SixAxisArm`](ik::SixAxisArm) | all ways in which an arm of six hinges reaches a target: elbow up and down, shoulder left and right, wrist flipped or not |
 //! | `urdf` | robots from files (feature `urdf`) |
 //!
 //! Everything is there twice: for one configuration and any [`Real`](dq8::Real), by the book, as a method
@@ -61,58 +61,6 @@
 //! # Ok::<(), Box<dyn core::error::Error>>(())
 //! ```
 //!
-//! # Denavit–Hartenberg parameters
-//!
-//! [`Mechanism::from_dh`] takes both conventions. θ, d, a and α of a row, where θ is added to the value:
-//!
-//! ```
-//! use dq8::{DualQuat, Quat};
-//! use dq8_robot::{Dh, DhConvention, OwnedMechanism};
-//! let table = [Dh::hinge(0.0, 0.2, 1.0, 0.5), Dh::hinge(0.0, 0.1, 0.5, 0.0)];
-//! let arm = OwnedMechanism::from_dh(&table, DhConvention::Standard, DualQuat::IDENTITY)?;
-//! let turn = |axis, angle| DualQuat::from_rotation(Quat::from_axis_angle(axis, angle));
-//! let book = |row: Dh<f64>, value| {
-//!     turn([0.0, 0.0, 1.0], value)
-//!         * DualQuat::from_translation([row.a, 0.0, row.d])
-//!         * turn([1.0, 0.0, 0.0], row.alpha)
-//! };
-//! let tool = arm.link_pose(&[0.3, -0.7], 2)?;
-//! assert!(tool.abs_diff_eq(book(table[0], 0.3) * book(table[1], -0.7), 1e-15));
-//! # Ok::<(), Box<dyn core::error::Error>>(())
-//! ```
-//!
-//! # All solutions
-//!
-//! A search ends at one of the ways in which an arm reaches a target. Where the arm has six hinges,
-//! [`SixAxisArm`](ik::SixAxisArm) tells all of them: elbow up and down, shoulder left and right, wrist flipped or not. Of
-//! arms with a spherical wrist, or with three parallel axes, it has formulas, and so knows how many there are:
-//!
-//! ```
-//! use dq8::geometry::Screw;
-//! use dq8::{DualQuat, Line};
-//! use dq8_robot::OwnedMechanism;
-//! use dq8_robot::ik::{Family, Goal, OwnedReach, SixAxisArm};
-//! // A shoulder of two axes, an elbow, and a wrist of three axes that meet; straight up where all values are zero.
-//! let (y, z) = ([0.0_f64, 1.0, 0.0], [0.0, 0.0, 1.0]);
-//! let screws = [(z, 0.0), (y, 0.4), (y, 0.9), (z, 0.0), (y, 1.3), (z, 0.0)].map(|(axis, height)| {
-//!     let axis = Line::from_point_direction([0.0, 0.0, height], axis);
-//!     (Screw { axis, angle: 1.0, slide: 0.0 }, [-2.9, 2.9])
-//! });
-//! let tool = DualQuat::from_translation([0.0, 0.0, 1.4]);
-//! let reach = OwnedReach::new(OwnedMechanism::from_screws(&screws, tool)?, [Goal::pose(6)])?;
-//! let arm = SixAxisArm::new(reach.view())?;
-//! assert_eq!(arm.family(), Family::SphericalWrist);
-//!
-//! let now = [0.1, 0.5, 1.2, 0.3, -0.8, 0.2];
-//! let target = reach.view().mechanism().link_pose(&now, 6)?;
-//! let found = arm.solutions(target, &now, &mut [])?;
-//! // The nearest is the first: the values that the target was made of.
-//! assert!(found[0].distance < 1e-12);
-//! // Of eight, limits of ±2.9 leave three.
-//! assert!(found.len() == 3 && found.is_complete);
-//! # Ok::<(), Box<dyn core::error::Error>>(())
-//! ```
-//!
 //! # Features
 //!
 //! `std` (default), `alloc`, `libm` and `rayon` are those of dq8; `urdf` reads files; `defmt` formats errors and reports.
@@ -123,6 +71,7 @@
 #[cfg(feature = "alloc")]
 extern crate alloc;
 
+mod errors;
 pub mod ik;
 mod mechanism;
 #[cfg(feature = "urdf")]

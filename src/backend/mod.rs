@@ -4,8 +4,4 @@ mod dispatch;
 mod threads;
 
 pub use dispatch::{Backend, Kernel, UnavailableBackend};
-#[cfg(not(feature = "rayon"))]
-pub(crate) use threads::Outputs;
-#[cfg(feature = "rayon")]
-pub use threads::Outputs;
-pub use threads::{Choice, Rows, options};
+pub use threads::{Choice, Outputs, Rows, options};

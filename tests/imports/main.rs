@@ -102,9 +102,10 @@ const SIMD_MAY_IMPORT: &[(&str, &[&str])] = &[
 
 /// The same for `dq8-robot`, which Cargo keeps from everything that `dq8` does not show.
 const ROBOT_MAY_IMPORT: &[(&str, &[&str])] = &[
-    ("mechanism", &["dq8", "dq8_simd"]),
-    ("ik", &["dq8", "dq8_simd", "mechanism"]),
-    ("urdf", &["dq8", "mechanism"]),
+    ("errors", &[]),
+    ("mechanism", &["dq8", "dq8_simd", "errors"]),
+    ("ik", &["dq8", "dq8_simd", "errors", "mechanism"]),
+    ("urdf", &["dq8", "errors", "mechanism"]),
 ];
 
 /// The folders whose files have a twin of the same name in a folder of `batch`.

@@ -79,9 +79,7 @@ fn a_target_is_a_point_or_a_pose() {
     assert_eq!(pose.translation(), [1.0, 2.0, 3.0]);
     assert_eq!(pose.rotation().to_array(), [0.0, 0.0, 0.6, 0.8]);
     assert_eq!(arguments.link.as_deref(), Some("hand"));
-    let wrong =
-        ["1,2", "1,2,3,4", "1,2,x", "1,NaN,3", "1,2,3,0,0,0,0", "1,2,3,0,0,0,1.1", "inf,0,0"];
-    for wrong in wrong {
+    for wrong in "1,2 1,2,3,4 1,2,x 1,NaN,3 1,2,3,0,0,0,0 1,2,3,0,0,0,1.1 inf,0,0".split(' ') {
         assert!(parse(&format!("a --reach {wrong}")).is_err(), "{wrong}");
     }
     assert!(parse("a --link hand").is_err());

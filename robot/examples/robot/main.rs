@@ -31,14 +31,9 @@ fn main() -> ExitCode {
         println!("{}", arguments::USAGE);
         return ExitCode::SUCCESS;
     }
-    let arguments = match Arguments::parse(std::env::args().skip(1)) {
-        Ok(arguments) => arguments,
-        Err(message) => {
-            eprintln!("{message}\n\n{}", arguments::USAGE);
-            return ExitCode::FAILURE;
-        }
-    };
-    match run(&arguments) {
+    let parsed = Arguments::parse(std::env::args().skip(1));
+    let parsed = parsed.map_err(|message| format!("{message}\n\n{}", arguments::USAGE).into());
+    match parsed.and_then(|arguments| run(&arguments)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("{error}");

@@ -149,10 +149,9 @@ fn grid(svg: &mut String, centre: [f64; 3], half: f64, axes: [usize; 2], [left, 
         let (low, high) = (centre[axis] - half, centre[axis] + half);
         for line in (low / step).ceil() as i64..=(high / step).floor() as i64 {
             let share = (line as f64 * step - low) / (high - low) * SIDE;
-            let [x1, y1, x2, y2] = if which == 0 {
-                [left + share, top, left + share, top + SIDE]
-            } else {
-                [left, top + SIDE - share, left + SIDE, top + SIDE - share]
+            let [x1, y1, x2, y2] = match which {
+                0 => [left + share, top, left + share, top + SIDE],
+                _ => [left, top + SIDE - share, left + SIDE, top + SIDE - share],
             };
             let opacity = if line == 0 { 0.35 } else { 0.12 };
             let _ = writeln!(

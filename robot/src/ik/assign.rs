@@ -97,7 +97,8 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Search<'_, L, TRACK> {
         }
         // Unless the caller says otherwise, an eighth of the longest way to a goal weighs as much as a radian. Weights of what
         // follows do not change on the way.
-        let longest = || if TRACK { reach.size } else { reach.typical_length_to(targets, values) };
+        let longest =
+            || if TRACK { reach.facts.size } else { reach.typical_length_to(targets, values) };
         let eighth = || longest() * L::Real::from(0.125);
         let length = self.work.options.length_per_radian.unwrap_or_else(eighth);
         if !length.is_finite() {

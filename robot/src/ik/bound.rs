@@ -75,8 +75,8 @@ impl<R: Real> Reach<'_, R> {
 
     /// The typical length, or where something floats or slides without end, a longer way that it has to go.
     pub(super) fn typical_length_to(&self, targets: &[DualQuat<R>], values: &[R]) -> R {
-        let mut longest = self.size;
-        if self.is_endless {
+        let mut longest = self.facts.size;
+        if self.facts.is_endless {
             for target in targets {
                 longest = longest.max_or_nan(vector::norm(target.translation()));
             }
@@ -112,7 +112,7 @@ impl<R: Real> Reach<'_, R> {
         let target = target.normalize();
         // With a free axis, the nearest point to aim at may lie anywhere along it.
         let asked = self.goals.get(goal)?.linear.into_iter().all(|weight| weight > R::ZERO);
-        let bound = if goal == 0 { self.bound } else { self.reach_bound(goal) };
+        let bound = if goal == 0 { self.facts.bound } else { self.reach_bound(goal) };
         let Some((centre, length)) = bound.filter(|_| asked) else {
             return Some((target, None));
         };

@@ -62,7 +62,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         let (level, reach) = (self.level, self.reach);
         let Some(freedom) = reach.freedoms.get(column) else { return };
         let one = self.scales.length.constant(1.0);
-        let mut row = column * reach.rows;
+        let mut row = column * reach.facts.rows;
         for (index, goal) in reach.goals.iter().enumerate() {
             if !reach.moves(position, goal) {
                 row += goal.rows();

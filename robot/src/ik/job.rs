@@ -4,6 +4,7 @@ use super::lane::Lane;
 use super::model::Model;
 use super::problem::Reach;
 use super::report::{Options, Report};
+use super::scratch::enough;
 use super::search::{Search, Work};
 use dq8::Scalar;
 use dq8::ShapeError;
@@ -71,11 +72,7 @@ impl<R: Scalar> ReachJob<'_, R> {
         options: &Options<R>,
     ) -> Result<(), ShapeError> {
         let scratch = self.reach.batch_scratch_len();
-        Work { targets, values, reports, options, clips: None }.check(
-            &self.reach,
-            scratch,
-            scratch,
-        )?;
+        Work { targets, values, reports, options, clips: None }.check(&self.reach)?;
         let backend = self.choice.instructions();
         let (goals, count) = (self.reach.goals.len(), self.reach.mechanism.values);
         let (grain, outputs) = (grain(reports.len()), ((reports, 1), (values, count)));
@@ -102,7 +99,8 @@ impl<R: Scalar> ReachJob<'_, R> {
         options: &Options<R>,
     ) -> Result<(), ShapeError> {
         let work = Work { targets, values, reports, options, clips: None };
-        work.check(&self.reach, scratch.len(), self.reach.batch_scratch_len())?;
+        work.check(&self.reach)?;
+        enough(scratch.len(), self.reach.batch_scratch_len())?;
         self.run::<true, false>(self.choice.instructions(), work, scratch);
         Ok(())
     }

@@ -17,7 +17,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     /// 1986; Wampler 1986; Buss 2004, eq. 11); held columns are zero. y takes the place of e in `solution`.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn solve_normal(&mut self, damping: L) {
-        let (level, rows, scratch) = (self.level, self.reach.rows, &mut self.scratch);
+        let (level, rows, scratch) = (self.level, self.reach.facts.rows, &mut self.scratch);
         let none = damping.constant(0.0).to_array();
         // One pose is what most ask for: its triangle has 21 numbers, which stay on the stack, and loops of known length.
         // Machine code for one lane would be as long, to gain little: without std, where memory is short, it is left out.

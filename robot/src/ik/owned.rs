@@ -2,7 +2,7 @@ use super::error::{RatesError, ReachError};
 use super::freedom::Freedom;
 use super::goal::Goal;
 use super::job::ReachJob;
-use super::problem::Reach;
+use super::problem::{Facts, Reach};
 use super::report::{Options, Report};
 use crate::mechanism::owned::OwnedMechanism;
 use alloc::vec;
@@ -34,12 +34,7 @@ pub struct OwnedReach<R> {
     /// How many of them move a goal.
     moving: usize,
     posture: Option<Vec<R>>,
-    rows: usize,
-    twists: usize,
-    tree: usize,
-    size: R,
-    is_endless: bool,
-    bound: Option<([R; 3], R)>,
+    facts: Facts<R>,
     scratch: Vec<R>,
 }
 
@@ -54,24 +49,10 @@ impl<R: Real> OwnedReach<R> {
     ) -> Result<Self, ReachError> {
         let goals = goals.into();
         let mut freedoms = vec![Freedom::default(); mechanism.view().rates()];
-        let Reach { freedoms: moving, rows, twists, tree, size, is_endless, bound, .. } =
+        let Reach { freedoms: moving, facts, .. } =
             Reach::new(mechanism.view(), &goals, &mut freedoms)?;
-        let moving = moving.len();
-        let posture = None;
-        Ok(Self {
-            mechanism,
-            goals,
-            freedoms,
-            moving,
-            posture,
-            rows,
-            twists,
-            tree,
-            size,
-            is_endless,
-            bound,
-            scratch: Vec::new(),
-        })
+        let (moving, posture, scratch) = (moving.len(), None, Vec::new());
+        Ok(Self { mechanism, goals, freedoms, moving, posture, facts, scratch })
     }
 
     /// See [`Reach::with_posture`].
@@ -99,12 +80,7 @@ impl<R: Real> OwnedReach<R> {
             freedoms: self.freedoms.get(..self.moving).unwrap_or_default(),
             of_rates: &self.freedoms,
             posture: self.posture.as_deref(),
-            rows: self.rows,
-            twists: self.twists,
-            tree: self.tree,
-            size: self.size,
-            is_endless: self.is_endless,
-            bound: self.bound,
+            facts: self.facts,
         }
     }
 }

@@ -54,6 +54,12 @@ pub struct Reach<'a, R> {
     /// For each rate, where its freedom is among them.
     pub(super) of_rates: &'a [Freedom<R>],
     pub(super) posture: Option<&'a [R]>,
+    pub(super) facts: Facts<R>,
+}
+
+/// What is found of a problem once.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Facts<R> {
     /// How many components of errors there are, and how many screws.
     pub(super) rows: usize,
     pub(super) twists: usize,
@@ -105,21 +111,12 @@ impl<'a, R: Real> Reach<'a, R> {
             twists += if moves(position) { step.kind.rates() } else { 0 };
         }
         let freedoms = of_rates.get(..count).unwrap_or_default();
-        let reach = Self {
-            mechanism,
-            goals,
-            freedoms,
-            of_rates,
-            posture: None,
-            rows,
-            twists,
-            tree,
-            size: R::ONE,
-            is_endless: false,
-            bound: None,
-        };
-        let (size, is_endless) = (reach.typical_length(), reach.has_endless_slides());
-        Ok(Self { size, is_endless, bound: reach.reach_bound(0), ..reach })
+        let facts = Facts { rows, twists, tree, size: R::ONE, is_endless: false, bound: None };
+        let mut reach = Self { mechanism, goals, freedoms, of_rates, posture: None, facts };
+        reach.facts.size = reach.typical_length();
+        reach.facts.is_endless = reach.has_endless_slides();
+        reach.facts.bound = reach.reach_bound(0);
+        Ok(reach)
     }
 
     /// With a preferred configuration. With an [`Options::posture_weight`](super::Options::posture_weight) it always acts;

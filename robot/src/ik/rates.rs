@@ -8,11 +8,11 @@ use super::job::ReachJob;
 use super::model::Model;
 use super::problem::Reach;
 use super::report::Options;
-use super::scratch::{GOAL, POSE, TARGET};
+use super::scratch::{GOAL, POSE, TARGET, enough};
 use dq8::batch::{DualQuat, vector};
 use dq8::geometry::Twist;
 use dq8::storage::same_length;
-use dq8::{Kernel, Real, Scalar, ShapeError};
+use dq8::{Kernel, Real, Scalar};
 use dq8_simd::{Lanes, Level, Mask, Portable};
 
 impl<R> Reach<'_, R>
@@ -88,11 +88,6 @@ impl<R: Scalar> ReachJob<'_, R> {
     }
 }
 
-pub(super) fn enough(length: usize, expected: usize) -> Result<(), ShapeError> {
-    let fits = length >= expected;
-    if fits { Ok(()) } else { Err(ShapeError::Length { what: "scratch", length, expected }) }
-}
-
 /// What is asked, and where the answer goes.
 struct Wanted<'s, R> {
     values: &'s [R],
@@ -151,7 +146,7 @@ fn run<L: Lanes<Real: Scalar>>(
     let reach = &Reach { posture: None, ..*reach };
     let options = Options { damping: wanted.damping, ..Options::track() };
     let Some(mut model) = Model::<L, true>::new(level, reach, &options, scratch) else { return };
-    let length = reach.size * L::Real::from(0.125);
+    let length = reach.facts.size * L::Real::from(0.125);
     model.scales.length = L::splat(level, length);
     model.scales.radians_per_length = L::splat(level, L::Real::ONE / length);
     let (count, rates) = (reach.mechanism.values, reach.mechanism.rates);

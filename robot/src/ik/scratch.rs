@@ -2,7 +2,7 @@
 
 use super::problem::Reach;
 use crate::mechanism::tree::Mechanism;
-use dq8::Scalar;
+use dq8::{Scalar, ShapeError};
 use dq8_simd::{Lanes, MAX_LANES};
 
 /// Registers in memory.
@@ -171,12 +171,12 @@ impl Counts {
     fn of<R: Copy>(reach: &Reach<'_, R>) -> Self {
         Self {
             values: reach.mechanism.values,
-            twists: reach.twists,
+            twists: reach.facts.twists,
             slots: slots(reach.mechanism),
             goals: reach.goals.len(),
             freedoms: reach.freedoms.len(),
-            rows: reach.rows,
-            tree: reach.tree,
+            rows: reach.facts.rows,
+            tree: reach.facts.tree,
         }
     }
 
@@ -208,6 +208,12 @@ fn slots<R>(mechanism: Mechanism<'_, R>) -> usize {
         slots = slots.max(step.slot as usize + 1);
     }
     slots
+}
+
+/// Whether scratch has as many numbers.
+pub(super) fn enough(length: usize, expected: usize) -> Result<(), ShapeError> {
+    let fits = length >= expected;
+    if fits { Ok(()) } else { Err(ShapeError::Length { what: "scratch", length, expected }) }
 }
 
 /// With what aligns it to lines of the cache.

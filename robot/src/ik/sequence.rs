@@ -2,6 +2,7 @@
 
 use super::job::ReachJob;
 use super::report::{Options, Report};
+use super::scratch::enough;
 use super::search::Work;
 use dq8::scalar::DualQuat;
 #[cfg(feature = "rayon")]
@@ -56,11 +57,7 @@ impl<R: Scalar> ReachJob<'_, R> {
         let scratch = self.reach.batch_scratch_len();
         let options = &Options { restarts: false, ..*options };
         check(clips, reports.len())?;
-        Work { targets, values, reports, options, clips: Some(clips) }.check(
-            &self.reach,
-            scratch,
-            scratch,
-        )?;
+        Work { targets, values, reports, options, clips: Some(clips) }.check(&self.reach)?;
         let backend = self.choice.instructions();
         let goals = self.reach.goals.len();
         backend.share(MAX_LANES, Clips { clips, values, reports }, &|first, part| {
@@ -90,7 +87,8 @@ impl<R: Scalar> ReachJob<'_, R> {
         let options = &Options { restarts: false, ..*options };
         let work = Work { targets, values, reports, options, clips: Some(clips) };
         check(clips, work.reports.len())?;
-        work.check(&self.reach, scratch.len(), self.reach.batch_scratch_len())?;
+        work.check(&self.reach)?;
+        enough(scratch.len(), self.reach.batch_scratch_len())?;
         self.run::<false, true>(self.choice.instructions(), work, scratch);
         Ok(())
     }

@@ -4,7 +4,7 @@ use super::branches::Arm;
 use super::complex::Complex;
 use super::error::SolutionsError;
 use super::family::Family;
-use super::rates::enough;
+use super::scratch::enough;
 use super::search::Work;
 use super::six_axis::{SixAxisArm, check};
 use super::solutions::{Singular, Solution, Solutions};

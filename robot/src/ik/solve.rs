@@ -4,6 +4,7 @@ use super::lane::Lane;
 use super::model::Model;
 use super::problem::Reach;
 use super::report::{Options, Report};
+use super::scratch::enough;
 use super::search::{Search, Work};
 use dq8::Scalar;
 use dq8::ShapeError;
@@ -89,7 +90,8 @@ where
     ) -> Result<Report<R>, ShapeError> {
         let mut reports = [Report::default()];
         let work = Work { targets, values, reports: &mut reports, options, clips: None };
-        work.check(self, scratch.len(), self.scratch_len())?;
+        work.check(self)?;
+        enough(scratch.len(), self.scratch_len())?;
         if let Some(model) = Model::<R, TRACK>::new(Portable, self, work.options, scratch) {
             Search::new(model, work, &mut [Lane::IDLE]).run::<AGAIN>();
         }
@@ -99,19 +101,10 @@ where
 }
 
 impl<R: Copy> Work<'_, R> {
-    pub(super) fn check(
-        &self,
-        reach: &Reach<'_, R>,
-        scratch: usize,
-        expected: usize,
-    ) -> Result<(), ShapeError> {
+    pub(super) fn check(&self, reach: &Reach<'_, R>) -> Result<(), ShapeError> {
         let configurations = self.reports.len();
         let (goals, values) = (reach.goals.len(), reach.mechanism.values);
         same_length("targets", self.targets.len(), configurations.saturating_mul(goals))?;
-        same_length("values", self.values.len(), configurations.saturating_mul(values))?;
-        if scratch < expected {
-            return Err(ShapeError::Length { what: "scratch", length: scratch, expected });
-        }
-        Ok(())
+        same_length("values", self.values.len(), configurations.saturating_mul(values))
     }
 }

@@ -68,7 +68,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     /// How many errors the system has rows for.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn rows(&self) -> usize {
-        if self.is_by_tree() { 0 } else { self.reach.rows }
+        if self.is_by_tree() { 0 } else { self.reach.facts.rows }
     }
 
     /// Changes that no limit forbids, and where a limit stopped one.
@@ -108,7 +108,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     /// than allowed.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub(super) fn solve(&mut self, damping: L) -> L {
-        let (level, rows, zero) = (self.level, self.reach.rows, damping.constant(0.0));
+        let (level, rows, zero) = (self.level, self.reach.facts.rows, damping.constant(0.0));
         let wishes = self.reach.posture.is_some() || self.weighs();
         if self.is_by_tree() {
             self.solve_tree(damping, wishes);
@@ -154,7 +154,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn ask(&mut self) {
         let wishes = self.reach.posture.is_some() || self.weighs();
-        let (level, rows, scratch) = (self.level, self.reach.rows, &mut self.scratch);
+        let (level, rows, scratch) = (self.level, self.reach.facts.rows, &mut self.scratch);
         for row in 0..rows {
             scratch.solution.set(row, scratch.left.get(level, row));
         }
@@ -217,7 +217,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     /// step.
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn left_after(&mut self) -> L {
-        let (level, rows) = (self.level, self.reach.rows);
+        let (level, rows) = (self.level, self.reach.facts.rows);
         let mut square = self.scales.length.constant(0.0);
         for row in 0..rows {
             let mut left = self.scratch.left.get(level, row);

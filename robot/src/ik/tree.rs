@@ -239,7 +239,7 @@ impl<R: Real> Reach<'_, R> {
     /// Whether searches with these options have the shape of the tree.
     pub(super) fn is_by_tree(&self, options: &Options<R>) -> bool {
         let is_weighed = self.posture.is_none() || options.posture_weight > R::ZERO;
-        self.tree > 0 && is_weighed
+        self.facts.tree > 0 && is_weighed
     }
 }
 

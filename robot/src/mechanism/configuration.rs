@@ -28,21 +28,40 @@ fn way<'s, R: Copy>(
     steps.filter(move |(position, step)| end - position < step.size as usize).map(|(_, step)| step)
 }
 
-/// [`Mechanism::link_poses`], for any value: NaN where an angle is too far for lanes.
-pub(crate) struct LinkPoses<'s, R> {
-    pub(crate) mechanism: &'s Mechanism<'s, R>,
-    pub(crate) values: &'s [R],
-    pub(crate) poses: &'s mut [DualQuat<R>],
+/// What a [`Mechanism`] asks of floats, by name: where a number is any `Real`, a function over [`Number`] cannot be named, but
+/// what it is to be called with can.
+macro_rules! quick {
+    ($($name:ident { $($field:ident: $type:ty),+ } -> $output:ty;)*) => {$(
+        pub(crate) struct $name<'s, R> {
+            pub(crate) mechanism: &'s Mechanism<'s, R>,
+            pub(crate) values: &'s [R],
+            $(pub(crate) $field: $type),+
+        }
+
+        impl<R: Real> Quick<R> for $name<'_, R> {
+            type Output = $output;
+
+            #[inline]
+            fn compute(self) -> Option<$output>
+            where
+                R: Number,
+            {
+                Some(self.run())
+            }
+        }
+    )*};
+}
+quick! {
+    LinkPoses { poses: &'s mut [DualQuat<R>] } -> ();
+    LinkPose { link: usize } -> DualQuat<R>;
+    LinkJacobian { link: usize, frame: Frame, columns: &'s mut [Twist<R>] } -> DualQuat<R>;
+    LinkPoints { points: &'s [Point<R>], places: &'s mut [[R; 3]] } -> ();
 }
 
-impl<R: Real> Quick<R> for LinkPoses<'_, R> {
-    type Output = ();
-
-    #[inline]
-    fn compute(self) -> Option<()>
-    where
-        R: Number,
-    {
+/// For any value: NaN where an angle is too far for lanes.
+impl<R: Real + Number> LinkPoses<'_, R> {
+    #[inline(always)]
+    fn run(self) {
         let mut turns = Turns::new(self.values);
         turns.begin(self.mechanism.steps.first());
         let base = Turned::base();
@@ -62,25 +81,12 @@ impl<R: Real> Quick<R> for LinkPoses<'_, R> {
                 *slot = at.pose(&step.planned.own);
             }
         }
-        Some(())
     }
 }
 
-/// [`Mechanism::link_pose`].
-pub(crate) struct LinkPose<'s, R> {
-    pub(crate) mechanism: &'s Mechanism<'s, R>,
-    pub(crate) values: &'s [R],
-    pub(crate) link: usize,
-}
-
-impl<R: Real> Quick<R> for LinkPose<'_, R> {
-    type Output = DualQuat<R>;
-
-    #[inline]
-    fn compute(self) -> Option<DualQuat<R>>
-    where
-        R: Number,
-    {
+impl<R: Real + Number> LinkPose<'_, R> {
+    #[inline(always)]
+    fn run(self) -> DualQuat<R> {
         let mut turns = Turns::new(self.values);
         turns.begin(way(self.mechanism, self.link).next());
         let (mut at, mut own) = (Turned::base(), &Factor::ONE);
@@ -88,27 +94,13 @@ impl<R: Real> Quick<R> for LinkPose<'_, R> {
             at = at.placed(step).joined(step, &mut turns);
             own = &step.planned.own;
         }
-        Some(at.pose(own))
+        at.pose(own)
     }
 }
 
-/// [`Mechanism::link_jacobian`].
-pub(crate) struct LinkJacobian<'s, R> {
-    pub(crate) mechanism: &'s Mechanism<'s, R>,
-    pub(crate) values: &'s [R],
-    pub(crate) link: usize,
-    pub(crate) frame: Frame,
-    pub(crate) columns: &'s mut [Twist<R>],
-}
-
-impl<R: Real> Quick<R> for LinkJacobian<'_, R> {
-    type Output = DualQuat<R>;
-
-    #[inline]
-    fn compute(self) -> Option<DualQuat<R>>
-    where
-        R: Number,
-    {
+impl<R: Real + Number> LinkJacobian<'_, R> {
+    #[inline(always)]
+    fn run(self) -> DualQuat<R> {
         self.columns.fill(Twist::from_array([R::ZERO; 6]));
         let mut turns = Turns::new(self.values);
         turns.begin(way(self.mechanism, self.link).next());
@@ -120,14 +112,14 @@ impl<R: Real> Quick<R> for LinkJacobian<'_, R> {
             let columns = self.columns.get_mut(step.rate as usize..).unwrap_or_default();
             let frames = [before, at].map(|frame| DualQuat::from_array(frame.to_array()));
             for (index, column) in columns.iter_mut().take(step.kind.rates()).enumerate() {
-                // What others mimic is moved by all of them.
+                // What others mimic is moved by self.columns of them.
                 *column = *column + step.screw(index, frames, self.values);
             }
         }
         let pose = at.pose(own);
         let (back, origin) = (pose.conjugate(), pose.translation());
         for column in self.columns {
-            // Of a joint that does not carry the link, wherever that is.
+            // Of a joint that does not carry the self.link, wherever that is.
             if column.to_array() == [R::ZERO; 6] {
                 continue;
             }
@@ -137,7 +129,7 @@ impl<R: Real> Quick<R> for LinkJacobian<'_, R> {
                 Frame::WorldAligned => column.linear = column.velocity_at(origin),
             }
         }
-        Some(pose)
+        pose
     }
 }
 
@@ -179,22 +171,9 @@ impl<'p, R> Found<'p, R> {
     }
 }
 
-/// [`Mechanism::link_points`].
-pub(crate) struct LinkPoints<'s, R> {
-    pub(crate) mechanism: &'s Mechanism<'s, R>,
-    pub(crate) values: &'s [R],
-    pub(crate) points: &'s [Point<R>],
-    pub(crate) places: &'s mut [[R; 3]],
-}
-
-impl<R: Real> Quick<R> for LinkPoints<'_, R> {
-    type Output = ();
-
-    #[inline]
-    fn compute(self) -> Option<()>
-    where
-        R: Number,
-    {
+impl<R: Real + Number> LinkPoints<'_, R> {
+    #[inline(always)]
+    fn run(self) {
         let mut turns = Turns::new(self.values);
         turns.begin(self.mechanism.steps.first());
         let mut found = Found::new(self.points);
@@ -227,7 +206,6 @@ impl<R: Real> Quick<R> for LinkPoints<'_, R> {
                 }
             }
         }
-        Some(())
     }
 }
 

@@ -5,11 +5,11 @@ use super::Job;
 use super::Mechanism;
 use super::frame::{Frame, JacobianFrame};
 use super::group::Group;
-use super::job::{grain, things};
+use super::job::things;
 use super::poses::{carries, first_carried, place_of, repeat};
 use super::step::Step;
 use super::values::JointValues;
-use super::walk::{Joined, Task, Walk};
+use super::walk::{Joined, Task};
 use dq8::Scalar;
 use dq8::ShapeError;
 use dq8::batch::{DualQuat, vector};
@@ -67,20 +67,14 @@ impl<R: Scalar> Job<'_, R, &[usize]> {
         let elements =
             mechanism.configurations::<E::Layout, T>(values, links.len(), poses.len())?;
         same_length("columns", columns.len(), poses.len() * rates)?;
-        let mut sums = false;
-        for step in steps {
-            sums |= step.mimics;
-        }
-        let backend = self.choice.instructions();
-        let outputs = ((poses, links.len()), (columns, links.len() * rates));
-        let run = |first, ((poses, _), (columns, _)): (Rows<E>, Rows<C>)| {
-            let (elements, frame) = (things(poses, links.len(), elements), F::FRAME);
-            let values = T::part(values, mechanism.values, first, elements);
-            let task = Jacobians { poses: &mut *poses, columns, steps, links, rates, sums, frame };
-            backend.run(Walk::<E::Layout, _, _> { mechanism, values, elements, task });
-            repeat(links, poses);
-        };
-        backend.share(grain(mechanism.links()), outputs, &run);
+        let sums = steps.iter().any(|step| step.mimics);
+        let (frame, count) = (F::FRAME, links.len());
+        let outputs = ((&mut *poses, count), (columns, count * rates));
+        self.walk(values, outputs, |_, ((poses, _), (columns, _)): (Rows<E>, Rows<C>)| {
+            let elements = things(poses, count, elements);
+            (elements, Jacobians { poses, columns, steps, links, rates, sums, frame })
+        });
+        repeat(links, poses);
         Ok(())
     }
 }

@@ -1,6 +1,9 @@
 use super::tree::Mechanism;
-use dq8::ShapeError;
-use dq8::seams::Choice;
+use super::values::JointValues;
+use super::walk::{Task, Walk};
+use dq8::seams::{Choice, Outputs};
+use dq8::storage::Layout;
+use dq8::{Scalar, ShapeError};
 
 /// A run over many configurations of a mechanism, as many at a time as there are lanes, with options that all have a
 /// default.
@@ -63,10 +66,30 @@ impl<R, S> Job<'_, R, S> {
     dq8::seams::options!();
 }
 
-/// How many configurations, or blocks of them, a task has at least: some microseconds of work, and a multiple of the most
-/// lanes.
-pub(crate) fn grain(links: usize) -> usize {
-    2048_usize.div_ceil(links.max(1)).next_multiple_of(dq8_simd::MAX_LANES)
+impl<R: Scalar, S: Sync> Job<'_, R, S> {
+    /// The walk over all configurations, on as many threads as are asked for. `task` takes a part of the outputs, from some
+    /// configuration or block of them on, and says how many it holds.
+    pub(crate) fn walk<Y, T, O, K>(
+        &self,
+        values: &[T],
+        outputs: O,
+        task: impl Fn(usize, O) -> (usize, K) + Sync,
+    ) where
+        Y: Layout<Real = R>,
+        T: JointValues<Y>,
+        O: Outputs,
+        K: Task<Y>,
+    {
+        let (mechanism, backend) = (self.mechanism, self.choice.instructions());
+        // Some microseconds of work for each thread, and a multiple of the most lanes.
+        let grain = 2048_usize.div_ceil(mechanism.links().max(1));
+        let grain = grain.next_multiple_of(dq8_simd::MAX_LANES);
+        backend.share(grain, outputs, &|first, part| {
+            let (elements, task) = task(first, part);
+            let values = T::part(values, mechanism.values, first, elements);
+            backend.run(Walk::<Y, _, _> { mechanism, values, elements, task });
+        });
+    }
 }
 
 /// How many configurations, or blocks of them, a part of the output holds, `width` elements each; `all` where that is none.

@@ -35,9 +35,7 @@ impl<R: Real> OwnedMechanism<R> {
     /// # Errors
     /// As there.
     pub fn new(joints: &[Joint<R>]) -> Result<Self, MechanismError> {
-        let mut steps = vec![Step::default(); joints.len()];
-        let Mechanism { values, rates, .. } = Mechanism::new(joints, &mut steps)?;
-        Ok(Self { steps, values, rates })
+        Self::of(joints.len(), |steps| Mechanism::new(joints, steps))
     }
 
     /// See [`Mechanism::from_screws`].
@@ -48,9 +46,7 @@ impl<R: Real> OwnedMechanism<R> {
         screws: &[(Screw<R>, [R; 2])],
         tool: DualQuat<R>,
     ) -> Result<Self, MechanismError> {
-        let mut steps = vec![Step::default(); screws.len() + 1];
-        let Mechanism { values, rates, .. } = Mechanism::from_screws(screws, tool, &mut steps)?;
-        Ok(Self { steps, values, rates })
+        Self::of(screws.len() + 1, |steps| Mechanism::from_screws(screws, tool, steps))
     }
 
     /// See [`Mechanism::from_dh`].
@@ -62,9 +58,15 @@ impl<R: Real> OwnedMechanism<R> {
         convention: DhConvention,
         tool: DualQuat<R>,
     ) -> Result<Self, MechanismError> {
-        let mut steps = vec![Step::default(); rows.len() + 1];
-        let made = Mechanism::from_dh(rows, convention, tool, &mut steps)?;
-        let Mechanism { values, rates, .. } = made;
+        Self::of(rows.len() + 1, |steps| Mechanism::from_dh(rows, convention, tool, steps))
+    }
+
+    fn of(
+        count: usize,
+        make: impl for<'s> FnOnce(&'s mut [Step<R>]) -> Result<Mechanism<'s, R>, MechanismError>,
+    ) -> Result<Self, MechanismError> {
+        let mut steps = vec![Step::default(); count];
+        let Mechanism { values, rates, .. } = make(&mut steps)?;
         Ok(Self { steps, values, rates })
     }
 

@@ -3,11 +3,11 @@
 use super::Job;
 use super::configuration::{Found, LinkPoints, Point};
 use super::group::Group;
-use super::job::{grain, things};
+use super::job::things;
 use super::step::Step;
 use super::tree::Mechanism;
 use super::values::JointValues;
-use super::walk::{Joined, Task, Walk};
+use super::walk::{Joined, Task};
 use dq8::batch::{Quat, vector};
 use dq8::storage::{Element, Layout, Number, same_length, whole_instances};
 use dq8::{Real, Scalar, ShapeError};
@@ -101,14 +101,9 @@ impl<R: Scalar> Job<'_, R> {
         mechanism.check_points(points)?;
         let elements = whole_instances("places", points.len(), places.len())?;
         T::check("values", values.len(), mechanism.values, elements)?;
-        let backend = self.choice.instructions();
-        let run = |first, (places, _): (&mut [E], usize)| {
-            let elements = things(places, points.len(), elements);
-            let values = T::part(values, mechanism.values, first, elements);
-            let task = Points { places, found: Found::new(points) };
-            backend.run(Walk::<E::Layout, _, _> { mechanism, values, elements, task });
-        };
-        backend.share(grain(mechanism.links()), (places, points.len()), &run);
+        self.walk(values, (places, points.len()), |_, (places, count): (&mut [E], usize)| {
+            (things(places, count, elements), Points { places, found: Found::new(points) })
+        });
         Ok(())
     }
 }

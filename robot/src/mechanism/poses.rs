@@ -4,10 +4,10 @@ use super::Job;
 #[cfg(doc)]
 use super::Mechanism;
 use super::group::Group;
-use super::job::{grain, things};
+use super::job::things;
 use super::step::Step;
 use super::values::JointValues;
-use super::walk::{Joined, Task, Walk};
+use super::walk::{Joined, Task};
 use dq8::Scalar;
 use dq8::ShapeError;
 use dq8::storage::{Element, Layout, Number};
@@ -49,16 +49,7 @@ impl<R: Scalar> Job<'_, R> {
         E: Element<8, Layout: Layout<Real = R>>,
         T: JointValues<E::Layout>,
     {
-        let (mechanism, links) = (self.mechanism, self.mechanism.links());
-        let elements = mechanism.configurations::<E::Layout, T>(values, links, poses.len())?;
-        let backend = self.choice.instructions();
-        backend.share(grain(links), (poses, links), &|first, (poses, _): (&mut [E], usize)| {
-            let elements = things(poses, links, elements);
-            let values = T::part(values, mechanism.values, first, elements);
-            let task = All { poses, links };
-            backend.run(Walk::<E::Layout, _, _> { mechanism, values, elements, task });
-        });
-        Ok(())
+        self.write::<T, E, true>(&[], self.mechanism.links(), values, poses)
     }
 }
 
@@ -75,18 +66,28 @@ impl<R: Scalar> Job<'_, R, &[usize]> {
         T: JointValues<E::Layout>,
     {
         self.check_links()?;
-        let (mechanism, links) = (self.mechanism, self.links);
-        let elements =
-            mechanism.configurations::<E::Layout, T>(values, links.len(), poses.len())?;
-        let backend = self.choice.instructions();
-        let run = |first, (poses, _): (&mut [E], usize)| {
-            let elements = things(poses, links.len(), elements);
-            let values = T::part(values, mechanism.values, first, elements);
-            let task = Chosen { poses: &mut *poses, links };
-            backend.run(Walk::<E::Layout, _, _> { mechanism, values, elements, task });
-            repeat(links, poses);
-        };
-        backend.share(grain(mechanism.links()), (poses, links.len()), &run);
+        self.write::<T, E, false>(self.links, self.links.len(), values, poses)?;
+        repeat(self.links, poses);
+        Ok(())
+    }
+}
+
+impl<R: Scalar, S: Sync> Job<'_, R, S> {
+    fn write<T, E, const ALL: bool>(
+        &self,
+        links: &[usize],
+        count: usize,
+        values: &[T],
+        poses: &mut [E],
+    ) -> Result<(), ShapeError>
+    where
+        E: Element<8, Layout: Layout<Real = R>>,
+        T: JointValues<E::Layout>,
+    {
+        let elements = self.mechanism.configurations::<E::Layout, T>(values, count, poses.len())?;
+        self.walk(values, (poses, count), |_, (poses, _): (&mut [E], usize)| {
+            (things(poses, count, elements), Poses::<E, ALL> { poses, links, count })
+        });
         Ok(())
     }
 }
@@ -116,12 +117,14 @@ pub(crate) fn place_of(links: &[usize], link: usize) -> Option<usize> {
     )
 }
 
-struct All<'s, E> {
+/// The poses of all links, or of some.
+struct Poses<'s, E, const ALL: bool> {
     poses: &'s mut [E],
-    links: usize,
+    links: &'s [usize],
+    count: usize,
 }
 
-impl<E: Element<8>> Task<E::Layout> for All<'_, E> {
+impl<E: Element<8>, const ALL: bool> Task<E::Layout> for Poses<'_, E, ALL> {
     type State<V: Level> = ();
     type Carried<V: Level> = ();
 
@@ -129,6 +132,10 @@ impl<E: Element<8>> Task<E::Layout> for All<'_, E> {
     fn start<V: Level>(&self, _: V) {}
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn base<V: Level>(_: V) {}
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn skips(&self, steps: &[Step<Number<E, 8>>], position: usize) -> bool {
+        !(ALL || carries(steps, position, self.links))
+    }
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn link<V: Level>(
         &mut self,
@@ -139,43 +146,14 @@ impl<E: Element<8>> Task<E::Layout> for All<'_, E> {
         (): &(),
         (): &mut (),
     ) {
-        let link = step.link as usize;
-        let tile = group.tile::<E::Layout, V>(link, self.links);
-        E::store(joined.pose.to_motion(), self.poses, tile);
-        group.prefetch_next::<E::Layout, V, E>(level, self.poses, link..link + 1, self.links);
-    }
-}
-
-struct Chosen<'s, E> {
-    poses: &'s mut [E],
-    links: &'s [usize],
-}
-
-impl<E: Element<8>> Task<E::Layout> for Chosen<'_, E> {
-    type State<V: Level> = ();
-    type Carried<V: Level> = ();
-
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn start<V: Level>(&self, _: V) {}
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn base<V: Level>(_: V) {}
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn skips(&self, steps: &[Step<Number<E, 8>>], position: usize) -> bool {
-        !carries(steps, position, self.links)
-    }
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn link<V: Level>(
-        &mut self,
-        _: V,
-        group: Group,
-        step: &Step<Number<E, 8>>,
-        joined: &Joined<<E::Layout as Layout>::Register<V>>,
-        (): &(),
-        (): &mut (),
-    ) {
-        // The first place only, of a link that is asked for more than once: a loop around the registers of a pose would keep
-        // them in memory, which takes half as long again.
-        if let Some(index) = place_of(self.links, step.link as usize) {
+        let (link, count) = (step.link as usize, self.count);
+        if ALL {
+            let tile = group.tile::<E::Layout, V>(link, count);
+            E::store(joined.pose.to_motion(), self.poses, tile);
+            group.prefetch_next::<E::Layout, V, E>(level, self.poses, link..link + 1, count);
+        } else if let Some(index) = place_of(self.links, link) {
+            // The first place only, of a link that is asked for more than once: a loop around the registers of a pose would
+            // keep them in memory, which takes half as long again.
             let tile = group.tile::<E::Layout, V>(index, self.links.len());
             E::store(joined.pose.to_motion(), self.poses, tile);
         }

@@ -4,7 +4,7 @@
 use super::configuration::{LinkJacobian, LinkPose, LinkPoses};
 use super::frame::{Frame, JacobianFrame};
 use super::joint::JointKind;
-use super::step::{NONE, Step};
+use super::step::Step;
 use super::tree::Mechanism;
 use dq8::Real;
 use dq8::ShapeError;
@@ -103,12 +103,10 @@ impl<R: Real> Mechanism<'_, R> {
         let mut tail = DualQuat::IDENTITY;
         let mut joint = link;
         while let Some(step) = self.step(joint) {
-            for (index, own) in step.own_twists(values).into_iter().enumerate() {
-                let slot = columns.get_mut((step.rate as usize).saturating_add(index));
-                if let (Some(own), Some(column)) = (own, slot) {
-                    // What others mimic is moved by all of them.
-                    *column = *column + tail.conjugate().adjoint(own);
-                }
+            let own = columns.get_mut(step.rate as usize..).unwrap_or_default();
+            for (index, column) in own.iter_mut().take(step.kind.rates()).enumerate() {
+                // What others mimic is moved by all of them.
+                *column = *column + tail.conjugate().adjoint(step.own_twist(index, values));
             }
             tail = step.placement() * step.motion(values) * tail;
             joint = step.parent as usize;
@@ -142,7 +140,9 @@ impl<R: Real> Mechanism<'_, R> {
         self.link_poses(values, poses)?;
         for step in self.steps {
             let Some(pose) = poses.get(step.link as usize) else { continue };
-            let mut twist = pose.adjoint(step.own_twist(values, rates));
+            let zero = Twist::from_array([R::ZERO; 6]);
+            let own = step.moved(values, rates).fold(zero, |sum, own| sum + own);
+            let mut twist = pose.adjoint(own);
             if let Some(parent) = twists.get(step.parent as usize) {
                 twist = *parent + twist;
             }
@@ -178,14 +178,14 @@ impl<R: Real> Mechanism<'_, R> {
             let Some(pose) = poses.get(step.link as usize) else { continue };
             let parent = step.parent as usize;
             let mut acceleration = accelerations.get(parent).copied().unwrap_or(zero);
-            acceleration = acceleration + pose.adjoint(step.own_twist(values, second_rates));
+            let own = step.moved(values, second_rates).fold(zero, |sum, own| sum + own);
+            acceleration = acceleration + pose.adjoint(own);
             // What carries the screws of the joint along: its parent, and for the turn of a planar joint
             // its slides, which are before it.
             let mut carrying = twists.get(parent).copied().unwrap_or(zero);
-            let own_rates = rates.get(step.rate as usize..).unwrap_or_default();
-            for (own, &rate) in step.own_twists(values).into_iter().zip(own_rates) {
-                let Some(own) = own else { continue };
-                let moving = pose.adjoint(own).scale(rate);
+            let own_rates = rates.get(step.rate as usize..).unwrap_or_default().iter();
+            for (index, &rate) in own_rates.take(step.kind.rates()).enumerate() {
+                let moving = pose.adjoint(step.own_twist(index, values)).scale(rate);
                 acceleration = acceleration + lie_bracket(carrying, moving);
                 if let JointKind::Planar { .. } = step.kind {
                     carrying = carrying + moving;
@@ -248,53 +248,35 @@ impl<R: Real> Step<R> {
         }
     }
 
-    /// The body twists of the link for each rate of the joint alone, in the frame of the link.
-    fn own_twists(&self, values: &[R]) -> [Option<Twist<R>>; 6] {
+    /// The body twist of the link for a rate of one of the joint alone, number `index`, in the frame of the link.
+    fn own_twist(&self, index: usize, values: &[R]) -> Twist<R> {
         let zero = [R::ZERO; 3];
-        let mut twists = [None; 6];
-        let times = self.multiplier;
-        let single = |angular, linear| {
-            let mut twists = [None; 6];
-            twists[0] = Some(Twist { angular, linear }.scale(times));
-            twists
-        };
-        match self.kind {
-            JointKind::Fixed => twists,
-            JointKind::Revolute { axis } => single(axis, zero),
-            JointKind::Prismatic { axis } => single(zero, axis),
-            JointKind::Screw { axis, pitch } => single(axis, vector::scale(axis, pitch)),
-            JointKind::Planar { normal } => {
+        let (angular, linear) = match self.kind {
+            JointKind::Fixed => (zero, zero),
+            JointKind::Revolute { axis } => (axis, zero),
+            JointKind::Prismatic { axis } => (zero, axis),
+            JointKind::Screw { axis, pitch } => (axis, vector::scale(axis, pitch)),
+            JointKind::Planar { .. } if index < 2 => {
                 // The slides come before the turn.
                 let back = self.motion(values).rotation().conjugate();
-                let [first, second] = self.plane.map(|direction| back.rotate(direction));
-                twists[0] = Some(Twist { angular: zero, linear: first });
-                twists[1] = Some(Twist { angular: zero, linear: second });
-                twists[2] = Some(Twist { angular: normal, linear: zero });
-                twists
+                (zero, back.rotate(self.plane[index % 2]))
             }
+            JointKind::Planar { normal } => (normal, zero),
             JointKind::Floating => {
-                for (index, twist) in twists.iter_mut().enumerate() {
-                    let mut unit = [R::ZERO; 6];
-                    unit[index] = R::ONE;
-                    *twist = Some(Twist::from_array(unit));
-                }
-                twists
+                let mut unit = zero;
+                unit[index % 3] = R::ONE;
+                if index < 3 { (unit, zero) } else { (zero, unit) }
             }
-        }
+        };
+        let own = Twist { angular, linear };
+        if self.mimics { own.scale(self.multiplier) } else { own }
     }
 
-    /// Their sum, each times its rate.
-    fn own_twist(&self, values: &[R], rates: &[R]) -> Twist<R> {
-        let mut sum = Twist::from_array([R::ZERO; 6]);
-        if self.rate == NONE {
-            return sum;
-        }
-        let rates = rates.get(self.rate as usize..).unwrap_or_default();
-        for (twist, &rate) in self.own_twists(values).into_iter().zip(rates) {
-            if let Some(twist) = twist {
-                sum = sum + twist.scale(rate);
-            }
-        }
-        sum
+    /// The body twists for the joint's rates among all of them, in order.
+    fn moved(&self, values: &[R], rates: &[R]) -> impl Iterator<Item = Twist<R>> {
+        // None of a joint without rates.
+        let rates = rates.get(self.rate as usize..).unwrap_or_default().iter();
+        let own = rates.take(self.kind.rates()).enumerate();
+        own.map(move |(index, &rate)| self.own_twist(index, values).scale(rate))
     }
 }

@@ -93,24 +93,18 @@ impl<R: Real> Step<R> {
     pub(crate) fn of(joint: &Joint<R>, index: usize) -> Result<Self, MechanismError> {
         let mut step = Self::default();
         step.place(joint.placement, index)?;
-        step.kind = match joint.kind {
-            JointKind::Fixed => JointKind::Fixed,
-            JointKind::Floating => JointKind::Floating,
-            JointKind::Revolute { axis } => JointKind::Revolute { axis: unit(axis, index)? },
-            JointKind::Prismatic { axis } => JointKind::Prismatic { axis: unit(axis, index)? },
-            JointKind::Screw { axis, pitch } => {
-                finite(pitch, "pitch", index)?;
-                JointKind::Screw { axis: unit(axis, index)?, pitch }
-            }
-            JointKind::Planar { normal } => JointKind::Planar { normal: unit(normal, index)? },
-        };
-        step.axis = match step.kind {
-            JointKind::Revolute { axis }
-            | JointKind::Prismatic { axis }
-            | JointKind::Screw { axis, .. }
-            | JointKind::Planar { normal: axis } => axis,
-            JointKind::Fixed | JointKind::Floating => [R::ZERO; 3],
-        };
+        step.kind = joint.kind;
+        if let JointKind::Screw { pitch, .. } = step.kind {
+            finite(pitch, "pitch", index)?;
+        }
+        if let JointKind::Revolute { axis }
+        | JointKind::Prismatic { axis }
+        | JointKind::Screw { axis, .. }
+        | JointKind::Planar { normal: axis } = &mut step.kind
+        {
+            *axis = unit(*axis, index)?;
+            step.axis = *axis;
+        }
         step.aligned = Alignment::of(step.axis);
         let [x, y, z] = step.axis;
         if step.aligned != Alignment::Any && x + y + z < R::ZERO {

@@ -23,9 +23,15 @@ pub trait JointValues<Y: Layout>: Copy + Debug + Send + Sync + sealed::Sealed {
         count: usize,
         elements: usize,
     ) -> Result<(), ShapeError>;
+    /// How many of them an element of poses has of each value: one block, or a number for each configuration.
+    #[doc(hidden)]
+    const EACH: usize;
     /// Those of `elements` configurations or blocks of them, from `first` on, or of as many as there are.
     #[doc(hidden)]
-    fn part(slice: &[Self], count: usize, first: usize, elements: usize) -> &[Self];
+    fn part(slice: &[Self], count: usize, first: usize, elements: usize) -> &[Self] {
+        let rest = slice.get(first * Self::EACH * count..).unwrap_or_default();
+        rest.get(..elements * Self::EACH * count).unwrap_or(rest)
+    }
     /// Four numbers from `first` on, or fewer where a configuration has no more than that.
     #[doc(hidden)]
     fn load<V: Level>(
@@ -38,6 +44,8 @@ pub trait JointValues<Y: Layout>: Copy + Debug + Send + Sync + sealed::Sealed {
 }
 
 impl<A: Row<Real: Scalar>> JointValues<AoSoA<A>> for Block<A, 1> {
+    const EACH: usize = 1;
+
     #[inline]
     fn check(
         what: &'static str,
@@ -46,11 +54,6 @@ impl<A: Row<Real: Scalar>> JointValues<AoSoA<A>> for Block<A, 1> {
         elements: usize,
     ) -> Result<(), ShapeError> {
         same_length(what, length, elements * count)
-    }
-
-    fn part(slice: &[Self], count: usize, first: usize, elements: usize) -> &[Self] {
-        let rest = slice.get(first * count..).unwrap_or_default();
-        rest.get(..elements * count).unwrap_or(rest)
     }
 
     #[cfg_attr(not(opt_level_0), inline(always))]
@@ -76,6 +79,8 @@ impl<A: Row<Real: Scalar>> JointValues<AoSoA<A>> for Block<A, 1> {
 macro_rules! plain {
     ($($real:ident)*) => {$(
         impl<Y: Layout<Real = $real>> JointValues<Y> for $real {
+            const EACH: usize = Y::THINGS;
+
             #[inline]
             fn check(
                 what: &'static str,
@@ -88,11 +93,6 @@ macro_rules! plain {
                     return Ok(());
                 }
                 same_length(what, length, elements * Y::THINGS * count)
-            }
-
-            fn part(slice: &[Self], count: usize, first: usize, elements: usize) -> &[Self] {
-                let rest = slice.get(first * Y::THINGS * count..).unwrap_or_default();
-                rest.get(..elements * Y::THINGS * count).unwrap_or(rest)
             }
 
             #[cfg_attr(not(opt_level_0), inline(always))]

@@ -4,11 +4,11 @@ use super::Job;
 #[cfg(doc)]
 use super::Mechanism;
 use super::group::Group;
-use super::job::{grain, things};
+use super::job::things;
 use super::joint::JointKind;
 use super::step::Step;
 use super::values::{JointNumbers, JointValues, Numbers};
-use super::walk::{Joined, Task, Walk};
+use super::walk::{Joined, Task};
 use dq8::Scalar;
 use dq8::ShapeError;
 use dq8::batch::lie_bracket;
@@ -52,27 +52,20 @@ impl<R: Scalar> Job<'_, R> {
         T: JointValues<E::Layout>,
         C: Element<6, Layout = E::Layout>,
     {
-        let (mechanism, links, count) =
-            (self.mechanism, self.mechanism.links(), self.mechanism.rates);
-        let elements = mechanism.configurations::<E::Layout, T>(values, links, poses.len())?;
-        T::check("rates", rates.len(), count, elements)?;
+        let (links, count) = (self.mechanism.links(), self.mechanism.rates);
+        let elements = self.moving(values, &[rates], poses.len())?;
         same_length("twists", twists.len(), poses.len())?;
-        let backend = self.choice.instructions();
-        let run = |first, ((poses, _), (twists, _)): (Rows<E>, Rows<C>)| {
+        let outputs = ((poses, links), (twists, links));
+        self.walk(values, outputs, |first, ((poses, _), (twists, _)): (Rows<E>, Rows<C>)| {
             let elements = things(poses, links, elements);
-            let values = T::part(values, mechanism.values, first, elements);
-            let rates = T::part(rates, count, first, elements);
-            let task = Velocities { moving: Moving { poses, twists, links }, rates, count };
-            backend.run(Walk::<E::Layout, _, _> { mechanism, values, elements, task });
-        };
-        backend.share(grain(links), ((poses, links), (twists, links)), &run);
+            let rates = [T::part(rates, count, first, elements)];
+            (elements, Moving { poses, moved: [twists], rates, links, count })
+        });
         Ok(())
     }
 
-    /// The same, and spatial accelerations, the derivatives of the spatial twists: acceleration(j) =
-    /// acceleration(parent(j)) + Ad(pose(j)) Sⱼ second_rates(j) + ad(twist) Ad(pose(j)) Sⱼ rates(j)
-    /// (Featherstone, *Rigid Body Dynamics Algorithms*, 2008, eq. 2.47). The point of a link that is at x
-    /// is accelerated by a + α × x + ω × (v + ω × x), for the twist (ω, v) and the acceleration (α, a).
+    /// The same, and spatial accelerations, the derivatives of the spatial twists: what
+    /// [`Mechanism::link_accelerations`] gives for one, by which formula, and what a point of a link makes of it.
     ///
     /// # Errors
     /// If the slices hold different numbers of configurations; nothing is written.
@@ -110,181 +103,114 @@ impl<R: Scalar> Job<'_, R> {
         T: JointValues<E::Layout>,
         C: Element<6, Layout = E::Layout>,
     {
-        let (mechanism, links, count) =
-            (self.mechanism, self.mechanism.links(), self.mechanism.rates);
-        let elements = mechanism.configurations::<E::Layout, T>(values, links, poses.len())?;
-        T::check("rates", rates.len(), count, elements)?;
-        T::check("second_rates", second_rates.len(), count, elements)?;
+        let (links, count) = (self.mechanism.links(), self.mechanism.rates);
+        let elements = self.moving(values, &[rates, second_rates], poses.len())?;
         same_length("twists", twists.len(), poses.len())?;
         same_length("accelerations", accelerations.len(), poses.len())?;
-        let backend = self.choice.instructions();
         let outputs = ((poses, links), ((twists, links), (accelerations, links)));
-        let run = |first, ((poses, _), ((twists, _), (of, _))): (Rows<E>, (Rows<C>, Rows<C>))| {
+        type All<'s, E, C> = (Rows<'s, E>, (Rows<'s, C>, Rows<'s, C>));
+        self.walk(values, outputs, |first, ((poses, _), ((twists, _), (of, _))): All<E, C>| {
             let elements = things(poses, links, elements);
-            let values = T::part(values, mechanism.values, first, elements);
-            let [rates, second_rates] =
-                [rates, second_rates].map(|rates| T::part(rates, count, first, elements));
-            let moving = Moving { poses, twists, links };
-            let task = Accelerations { moving, rates, second_rates, count, accelerations: of };
-            backend.run(Walk::<E::Layout, _, _> { mechanism, values, elements, task });
-        };
-        backend.share(grain(links), outputs, &run);
+            let rates = [rates, second_rates].map(|rates| T::part(rates, count, first, elements));
+            (elements, Moving { poses, moved: [twists, of], rates, links, count })
+        });
         Ok(())
+    }
+
+    /// How many configurations, or blocks of them, have poses, values and rates.
+    fn moving<Y: Layout, T: JointValues<Y>>(
+        &self,
+        values: &[T],
+        rates: &[&[T]],
+        poses: usize,
+    ) -> Result<usize, ShapeError> {
+        let mechanism = self.mechanism;
+        let elements = mechanism.configurations::<Y, T>(values, mechanism.links(), poses)?;
+        for (what, rates) in ["rates", "second_rates"].into_iter().zip(rates) {
+            T::check(what, rates.len(), mechanism.rates, elements)?;
+        }
+        Ok(elements)
     }
 }
 
-/// What is written of every link.
-struct Moving<'s, E, C> {
+/// Poses and twists, and with `N` = 2 accelerations: each by rates of its own.
+struct Moving<'s, T, E, C, const N: usize> {
     poses: &'s mut [E],
-    twists: &'s mut [C],
+    moved: [&'s mut [C]; N],
+    rates: [&'s [T]; N],
     links: usize,
+    count: usize,
 }
 
-impl<E: Element<8>, C: Element<6, Layout = E::Layout>> Moving<'_, E, C> {
+impl<'s, T, E, C, const N: usize> Task<E::Layout> for Moving<'s, T, E, C, N>
+where
+    T: JointValues<E::Layout>,
+    E: Element<8>,
+    C: Element<6, Layout = E::Layout>,
+{
+    const WIDE: bool = false;
+    type State<V: Level> = [Numbers<'s, E::Layout, T, V>; N];
+    type Carried<V: Level> = [Twist<<E::Layout as Layout>::Register<V>>; N];
+
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn store<V: Level>(
+    fn start<V: Level>(&self, level: V) -> Self::State<V> {
+        self.rates.map(
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            |rates| Numbers::new(level, rates, self.count),
+        )
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn base<V: Level>(level: V) -> Self::Carried<V> {
+        [Twist::from_array(vector::splat(level, [Number::<E, 8>::default(); 6])); N]
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn begin<V: Level>(
+        &mut self,
+        _: V,
+        group: Group,
+        _: &[Step<Number<E, 8>>],
+        rates: &mut Self::State<V>,
+    ) {
+        for rates in rates {
+            rates.turn_to(group);
+        }
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn link<V: Level>(
         &mut self,
         level: V,
         group: Group,
         step: &Step<Number<E, 8>>,
         joined: &Joined<<E::Layout as Layout>::Register<V>>,
-        twist: Twist<<E::Layout as Layout>::Register<V>>,
-    ) {
+        parent: &Self::Carried<V>,
+        rates: &mut Self::State<V>,
+    ) -> Self::Carried<V> {
+        let mut all = *parent;
+        // The twist that carries the next screw along: the turn of a planar joint comes after its slides,
+        // while the twist of a floating one is given in its own frame at once.
+        let mut carrying = all[0];
+        for index in 0..step.kind.rates() {
+            let which = step.rate as usize + index;
+            let rate = joined.told(rates[0].get(level, which));
+            let screw = joined.screw(step, index);
+            let own = screw.scale(rate);
+            if N > 1 {
+                let second = screw.scale(rates[N - 1].get(level, which));
+                all[N - 1] = all[N - 1] + second + lie_bracket(carrying, own);
+            }
+            all[0] = all[0] + own;
+            if matches!(step.kind, JointKind::Planar { .. }) {
+                carrying = all[0];
+            }
+        }
         let (link, links) = (step.link as usize, self.links);
         let tile = group.tile::<E::Layout, V>(link, links);
         E::store(joined.pose.to_motion(), self.poses, tile);
         group.prefetch_next::<E::Layout, V, E>(level, self.poses, link..link + 1, links);
-        C::store(twist.to_array(), self.twists, tile);
-        group.prefetch_next::<E::Layout, V, C>(level, self.twists, link..link + 1, links);
-    }
-}
-
-struct Velocities<'s, T, E, C> {
-    moving: Moving<'s, E, C>,
-    rates: &'s [T],
-    count: usize,
-}
-
-impl<'s, T, E, C> Task<E::Layout> for Velocities<'s, T, E, C>
-where
-    T: JointValues<E::Layout>,
-    E: Element<8>,
-    C: Element<6, Layout = E::Layout>,
-{
-    const WIDE: bool = false;
-    type State<V: Level> = Numbers<'s, E::Layout, T, V>;
-    type Carried<V: Level> = Twist<<E::Layout as Layout>::Register<V>>;
-
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn start<V: Level>(&self, level: V) -> Self::State<V> {
-        Numbers::new(level, self.rates, self.count)
-    }
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn base<V: Level>(level: V) -> Self::Carried<V> {
-        Twist::from_array(vector::splat(level, [Number::<E, 8>::default(); 6]))
-    }
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn begin<V: Level>(
-        &mut self,
-        _: V,
-        group: Group,
-        _: &[Step<Number<E, 8>>],
-        state: &mut Self::State<V>,
-    ) {
-        state.turn_to(group);
-    }
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn link<V: Level>(
-        &mut self,
-        level: V,
-        group: Group,
-        step: &Step<Number<E, 8>>,
-        joined: &Joined<<E::Layout as Layout>::Register<V>>,
-        parent: &Self::Carried<V>,
-        state: &mut Self::State<V>,
-    ) -> Self::Carried<V> {
-        let mut twist = *parent;
-        for index in 0..step.kind.rates() {
-            let rate = joined.told(state.get(level, step.rate as usize + index));
-            twist = twist + joined.screw(step, index).scale(rate);
+        for (moved, of_link) in self.moved.iter_mut().zip(&all) {
+            C::store(of_link.to_array(), moved, tile);
+            group.prefetch_next::<E::Layout, V, C>(level, moved, link..link + 1, links);
         }
-        self.moving.store::<V>(level, group, step, joined, twist);
-        twist
-    }
-}
-
-struct Accelerations<'s, T, E, C> {
-    moving: Moving<'s, E, C>,
-    rates: &'s [T],
-    second_rates: &'s [T],
-    count: usize,
-    accelerations: &'s mut [C],
-}
-
-impl<'s, T, E, C> Task<E::Layout> for Accelerations<'s, T, E, C>
-where
-    T: JointValues<E::Layout>,
-    E: Element<8>,
-    C: Element<6, Layout = E::Layout>,
-{
-    const WIDE: bool = false;
-    type State<V: Level> = [Numbers<'s, E::Layout, T, V>; 2];
-    /// Twist and acceleration.
-    type Carried<V: Level> = [Twist<<E::Layout as Layout>::Register<V>>; 2];
-
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn start<V: Level>(&self, level: V) -> Self::State<V> {
-        [
-            Numbers::new(level, self.rates, self.count),
-            Numbers::new(level, self.second_rates, self.count),
-        ]
-    }
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn base<V: Level>(level: V) -> Self::Carried<V> {
-        [Twist::from_array(vector::splat(level, [Number::<E, 8>::default(); 6])); 2]
-    }
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn begin<V: Level>(
-        &mut self,
-        _: V,
-        group: Group,
-        _: &[Step<Number<E, 8>>],
-        [rates, second_rates]: &mut Self::State<V>,
-    ) {
-        rates.turn_to(group);
-        second_rates.turn_to(group);
-    }
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn link<V: Level>(
-        &mut self,
-        level: V,
-        group: Group,
-        step: &Step<Number<E, 8>>,
-        joined: &Joined<<E::Layout as Layout>::Register<V>>,
-        parent: &Self::Carried<V>,
-        [rates, second_rates]: &mut Self::State<V>,
-    ) -> Self::Carried<V> {
-        let [mut twist, mut acceleration] = *parent;
-        // The twist that carries the next screw along: the turn of a planar joint comes after its slides,
-        // while the twist of a floating one is given in its own frame at once.
-        let mut carrying = twist;
-        for index in 0..step.kind.rates() {
-            let which = step.rate as usize + index;
-            let screw = joined.screw(step, index);
-            let own = screw.scale(joined.told(rates.get(level, which)));
-            acceleration = acceleration
-                + screw.scale(second_rates.get(level, which))
-                + lie_bracket(carrying, own);
-            twist = twist + own;
-            if matches!(step.kind, JointKind::Planar { .. }) {
-                carrying = twist;
-            }
-        }
-        self.moving.store::<V>(level, group, step, joined, twist);
-        let (link, links) = (step.link as usize, self.moving.links);
-        let tile = group.tile::<E::Layout, V>(link, links);
-        C::store(acceleration.to_array(), self.accelerations, tile);
-        group.prefetch_next::<E::Layout, V, C>(level, self.accelerations, link..link + 1, links);
-        [twist, acceleration]
+        all
     }
 }

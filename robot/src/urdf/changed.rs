@@ -2,39 +2,21 @@
 
 use super::drive::Drive;
 use super::robot::{Robot, value_names};
+use crate::errors::errors;
 use crate::{Joint, MechanismError, OwnedMechanism};
 use dq8::DualQuat;
-use std::fmt;
 
-/// What a robot cannot be changed to.
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum ChangeError {
-    /// A name that something of the robot has already.
-    Taken {
-        /// The name.
-        name: String,
-    },
-    /// A link that there is not.
-    Unknown {
-        /// The name.
-        name: String,
-        /// The names that there are.
-        links: Vec<String>,
-    },
-    /// What a mechanism refuses.
-    Mechanism(MechanismError),
-}
-
-impl fmt::Display for ChangeError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Taken { name } => write!(f, "the robot has a {name:?} already"),
-            Self::Unknown { name, links } => {
-                write!(f, "the robot has no link {name:?}; it has {}", links.join(", "))
-            }
-            Self::Mechanism(error) => error.fmt(f),
-        }
+errors! {
+    /// What a robot cannot be changed to.
+    #[derive(Clone, Debug, PartialEq)]
+    ChangeError {
+        /// A name that something of the robot has already.
+        Taken { name: String = "The name." } => "the robot has a {name:?} already";
+        /// A link that there is not.
+        Unknown { name: String = "The name.", links: Vec<String> = "The names that there are." }
+            => "the robot has no link {name:?}; it has {}", links.join(", ");
+        /// What a mechanism refuses.
+        Mechanism(error: MechanismError) => "{error}";
     }
 }
 
@@ -107,7 +89,7 @@ impl Robot {
     }
 
     fn rebuilt(self) -> Result<Self, ChangeError> {
-        let mechanism = OwnedMechanism::new(&self.joints).map_err(ChangeError::Mechanism)?;
+        let mechanism = OwnedMechanism::new(&self.joints)?;
         let value_names = value_names(&self.joints, &self.joint_names);
         Ok(Self { mechanism, value_names, ..self })
     }

@@ -83,7 +83,7 @@ impl<'f> Element<'f> {
     ) -> Result<(), UrdfError> {
         for attribute in self.node.attributes() {
             let name = &self.lines.text[attribute.range_qname()];
-            if place.attributes.contains(&name) || place.known.contains(&name) {
+            if place.has_attribute(name) {
                 continue;
             }
             // A name with a prefix is another program's.
@@ -116,7 +116,7 @@ impl<'f> Element<'f> {
         warnings: &mut Vec<UrdfWarning>,
     ) -> Result<(), UrdfError> {
         let (name, own) = (self.name(), self.prefix() == parent.prefix());
-        if own && (place.elements.contains(&name) || place.known.contains(&name)) {
+        if own && place.has_element(name) {
             return Ok(());
         }
         let namespace = self.node.tag_name().namespace().filter(|_| !own);
@@ -124,8 +124,8 @@ impl<'f> Element<'f> {
             let what = "an element of xacro: expand the file first".into();
             return Err(UrdfError::NotExpressed { line: self.line(), what });
         }
-        let parts = if place.numbers { JOINT.elements } else { &[] };
-        let mut names = place.names().chain(parts.iter().copied());
+        let parts = if place.numbers { JOINT.elements } else { "" };
+        let mut names = place.names().chain(parts.split_terminator(' '));
         // Nobody misspells another program's name of what matters here.
         let meant = if own {
             meant(name, names)

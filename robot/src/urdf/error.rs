@@ -1,214 +1,100 @@
 use crate::MechanismError;
+use crate::errors::errors;
 use std::error::Error;
-use std::fmt;
 
-/// A file that does not describe a robot, or describes one that a mechanism cannot express. Each names the line and the
-/// element.
-#[derive(Debug)]
-#[non_exhaustive]
-pub enum UrdfError {
-    /// The file cannot be read.
-    Read {
-        /// Its name.
-        path: String,
-        /// Why.
-        source: std::io::Error,
-    },
-    /// The text is not XML.
-    Parse {
-        /// The line, counted from one.
-        line: u32,
-        /// What the reader of XML says.
-        message: String,
-    },
-    /// An element, an attribute or text that the format does not have there.
-    Unexpected {
-        /// The line on which the element begins.
-        line: u32,
-        /// The element, or the one that holds the attribute or text.
-        element: String,
-        /// What is wrong with it.
-        what: String,
-    },
-    /// An element or attribute that the format asks for.
-    Missing {
-        /// The line on which the element begins.
-        line: u32,
-        /// The element that should hold it.
-        element: String,
-        /// What is missing.
-        what: String,
-    },
-    /// An attribute that is not so many numbers.
-    Numbers {
-        /// The line on which the element begins.
-        line: u32,
-        /// The element.
-        element: String,
-        /// The attribute.
-        attribute: &'static str,
-        /// How many numbers it should hold.
-        wanted: usize,
-        /// What it holds.
-        text: String,
-    },
-    /// A revolute or prismatic joint without `<limit>`.
-    NoLimit {
-        /// The line on which the joint begins.
-        line: u32,
-        /// The joint.
-        joint: String,
-    },
-    /// Something that says where links are and that a mechanism cannot express.
-    NotExpressed {
-        /// The line on which the element begins.
-        line: u32,
-        /// The element or attribute.
-        what: String,
-    },
-    /// Two links, or two joints, have one name.
-    Twice {
-        /// The line of the second.
-        line: u32,
-        /// `link` or `joint`.
-        element: &'static str,
-        /// The name.
-        name: String,
-        /// The line of the first.
-        first: u32,
-    },
-    /// A joint names a link or another joint that there is not.
-    Unknown {
-        /// The line of what names it.
-        line: u32,
-        /// The joint.
-        joint: String,
-        /// `parent link`, `child link` or `mimic joint`.
-        element: &'static str,
-        /// What it names.
-        name: String,
-    },
-    /// A link is the child of two joints.
-    TwoParents {
-        /// The line on which the second of the joints names it.
-        line: u32,
-        /// The link.
-        link: String,
-        /// The second of the joints.
-        joint: String,
-        /// The first of them.
-        first: String,
-    },
-    /// Not exactly one link is the child of no joint.
-    Roots {
-        /// The line of the second of them; of `<robot>` if there is no link.
-        line: u32,
-        /// The names of those that are.
-        links: Vec<String>,
-    },
-    /// A link that hangs on itself, by way of others.
-    Circle {
-        /// The line of the link.
-        line: u32,
-        /// The link.
-        link: String,
-    },
-    /// An axis without a direction.
-    Axis {
-        /// The line of the axis.
-        line: u32,
-        /// The joint.
-        joint: String,
-        /// The axis.
-        axis: [f64; 3],
-    },
-    /// Limits that are not in order.
-    Limits {
-        /// The line of the limits.
-        line: u32,
-        /// The joint.
-        joint: String,
-        /// The lower and the upper one.
-        limits: [f64; 2],
-    },
-    /// Joints that mimic each other in a circle, or a joint that has not one value.
-    Mimic {
-        /// The line of `<mimic>`.
-        line: u32,
-        /// The joint.
-        joint: String,
-        /// What it should mimic.
-        other: String,
-    },
-    /// What a mechanism refuses.
-    Mechanism {
-        /// The line of the joint.
-        line: u32,
-        /// The joint, or the root.
-        joint: String,
-        /// Why. Its own number of the joint is that of the link.
-        source: MechanismError,
-    },
-}
-
-impl fmt::Display for UrdfError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Read { path, source } => write!(f, "cannot read {path}: {source}"),
-            Self::Parse { line, message } => write!(f, "not a URDF file: line {line}: {message}"),
-            Self::Unexpected { line, element, what } => {
-                write!(f, "not a URDF file: line {line}: {element}: {what}")
-            }
-            Self::Missing { line, element, what } => {
-                write!(f, "not a URDF file: line {line}: {element}: {what} is missing")
-            }
-            Self::Numbers { line, element, attribute, wanted, text } => write!(
-                f,
-                "not a URDF file: line {line}: {element}: {attribute}={text:?} where {wanted} numbers must be"
-            ),
-            Self::NoLimit { line, joint } => write!(
-                f,
-                "not a URDF file: line {line}: <joint name={joint:?}>: a revolute or prismatic joint must have a <limit>"
-            ),
-            Self::NotExpressed { line, what } => {
-                write!(f, "cannot be expressed: line {line}: {what}")
-            }
-            Self::Twice { line, element, name, first } => write!(
-                f,
-                "line {line}: two <{element}> have the name {name:?}, the first is on line {first}"
-            ),
-            Self::Unknown { line, joint, element, name } => {
-                write!(f, "line {line}: <joint name={joint:?}>: there is no {element} {name:?}")
-            }
-            Self::TwoParents { line, link, joint, first } => write!(
-                f,
-                "line {line}: <joint name={joint:?}>: its child link {link:?} has a parent already, by \
-                 <joint name={first:?}>"
-            ),
-            Self::Roots { line, links } if links.is_empty() => {
-                write!(f, "line {line}: <robot> has no <link>")
-            }
-            Self::Roots { line, links } => {
-                write!(f, "line {line}: more than one <link> is a root: {links:?}")
-            }
-            Self::Circle { line, link } => {
-                write!(f, "line {line}: <link name={link:?}> hangs on itself")
-            }
-            Self::Axis { line, joint, axis } => {
-                write!(f, "line {line}: <joint name={joint:?}>: the axis {axis:?} has no direction")
-            }
-            Self::Limits { line, joint, limits: [lower, upper] } => write!(
-                f,
-                "line {line}: <joint name={joint:?}>: the lower limit {lower} is above the upper limit {upper}"
-            ),
-            Self::Mimic { line, joint, other } => write!(
-                f,
-                "line {line}: <joint name={joint:?}> cannot mimic {other:?}: both must have one value, and no circle"
-            ),
-            Self::Mechanism { line, joint, source } => {
-                write!(f, "line {line}: <joint name={joint:?}>: {source}")
-            }
+errors! {
+    /// A file that does not describe a robot, or describes one that a mechanism cannot express. Each names the line and the
+    /// element.
+    #[derive(Debug)]
+    UrdfError {
+        /// The file cannot be read.
+        Read { path: String = "Its name.", source: std::io::Error = "Why." } => "cannot read {path}: {source}";
+        /// The text is not XML.
+        Parse { line: u32 = "The line, counted from one.", message: String = "What the reader of XML says." }
+            => "not a URDF file: line {line}: {message}";
+        /// An element, an attribute or text that the format does not have there.
+        Unexpected {
+            line: u32 = "The line on which the element begins.",
+            element: String = "The element, or the one that holds the attribute or text.",
+            what: String = "What is wrong with it."
         }
+            => "not a URDF file: line {line}: {element}: {what}";
+        /// An element or attribute that the format asks for.
+        Missing {
+            line: u32 = "The line on which the element begins.",
+            element: String = "The element that should hold it.",
+            what: String = "What is missing."
+        }
+            => "not a URDF file: line {line}: {element}: {what} is missing";
+        /// An attribute that is not so many numbers.
+        Numbers {
+            line: u32 = "The line on which the element begins.",
+            element: String = "The element.",
+            attribute: &'static str = "The attribute.",
+            wanted: usize = "How many numbers it should hold.",
+            text: String = "What it holds."
+        }
+            => "not a URDF file: line {line}: {element}: {attribute}={text:?} where {wanted} numbers must be";
+        /// A revolute or prismatic joint without `<limit>`.
+        NoLimit { line: u32 = "The line on which the joint begins.", joint: String = "The joint." }
+            => "not a URDF file: line {line}: <joint name={joint:?}>: a revolute or prismatic joint must have a <limit>";
+        /// Something that says where links are and that a mechanism cannot express.
+        NotExpressed { line: u32 = "The line on which the element begins.", what: String = "The element or attribute." }
+            => "cannot be expressed: line {line}: {what}";
+        /// Two links, or two joints, have one name.
+        Twice {
+            line: u32 = "The line of the second.",
+            element: &'static str = "`link` or `joint`.",
+            name: String = "The name.",
+            first: u32 = "The line of the first."
+        }
+            => "line {line}: two <{element}> have the name {name:?}, the first is on line {first}";
+        /// A joint names a link or another joint that there is not.
+        Unknown {
+            line: u32 = "The line of what names it.",
+            joint: String = "The joint.",
+            element: &'static str = "`parent link`, `child link` or `mimic joint`.",
+            name: String = "What it names."
+        }
+            => "line {line}: <joint name={joint:?}>: there is no {element} {name:?}";
+        /// A link is the child of two joints.
+        TwoParents {
+            line: u32 = "The line on which the second of the joints names it.",
+            link: String = "The link.",
+            joint: String = "The second of the joints.",
+            first: String = "The first of them."
+        }
+            => "line {line}: <joint name={joint:?}>: its child link {link:?} has a parent already, by <joint name={first:?}>";
+        /// Not exactly one link is the child of no joint.
+        Roots {
+            line: u32 = "The line of the second of them; of `<robot>` if there is no link.",
+            links: Vec<String> = "The names of those that are."
+        }
+            => "line {line}: {}", match links.as_slice() {
+                [] => "<robot> has no <link>".to_owned(),
+                _ => format!("more than one <link> is a root: {links:?}"),
+            };
+        /// A link that hangs on itself, by way of others.
+        Circle { line: u32 = "The line of the link.", link: String = "The link." }
+            => "line {line}: <link name={link:?}> hangs on itself";
+        /// An axis without a direction.
+        Axis { line: u32 = "The line of the axis.", joint: String = "The joint.", axis: [f64; 3] = "The axis." }
+            => "line {line}: <joint name={joint:?}>: the axis {axis:?} has no direction";
+        /// Limits that are not in order.
+        Limits {
+            line: u32 = "The line of the limits.", joint: String = "The joint.", limits: [f64; 2] = "The lower and the upper one."
+        }
+            => "line {line}: <joint name={joint:?}>: the lower limit {} is above the upper limit {}", limits[0], limits[1];
+        /// Joints that mimic each other in a circle, or a joint that has not one value.
+        Mimic { line: u32 = "The line of `<mimic>`.", joint: String = "The joint.", other: String = "What it should mimic." }
+            => "line {line}: <joint name={joint:?}> cannot mimic {other:?}: both must have one value, and no circle";
+        /// What a mechanism refuses.
+        Mechanism {
+            line: u32 = "The line of the joint.",
+            joint: String = "The joint, or the root.",
+            source: MechanismError = "Why. Its own number of the joint is that of the link."
+        }
+            => "line {line}: <joint name={joint:?}>: {source}";
     }
 }
 

@@ -6,6 +6,8 @@ use super::error::UrdfError;
 use super::place::{AXIS, END, JOINT, LIMIT, LINK, MIMIC, ORIGIN, ROBOT};
 use super::warning::UrdfWarning;
 use super::xml;
+use crate::{Joint, JointKind};
+use dq8::{DualQuat, Quat};
 use roxmltree::Document;
 
 /// `<robot>`.
@@ -151,6 +153,21 @@ impl JointElement {
             }
         }
         Ok(Self { name, kind, parent, child, xyz, rpy, axis, limits, drive, mimic })
+    }
+
+    /// The joint of a mechanism, but for what it mimics.
+    pub(crate) fn joint(&self, parent: usize) -> Joint<f64> {
+        let ([roll, pitch, yaw], axis) = (self.rpy, self.axis);
+        let kind = match self.kind {
+            Kind::Fixed => JointKind::Fixed,
+            Kind::Revolute | Kind::Continuous => JointKind::Revolute { axis },
+            Kind::Prismatic => JointKind::Prismatic { axis },
+            Kind::Planar => JointKind::Planar { normal: axis },
+            Kind::Floating => JointKind::Floating,
+        };
+        let turn = Quat::from_rpy(roll, pitch, yaw);
+        let placement = DualQuat::from_rotation_translation(turn, self.xyz);
+        Joint { limits: self.limits, ..Joint::new(Some(parent), placement, kind) }
     }
 }
 

@@ -77,7 +77,6 @@ mod element;
 mod encoding;
 mod error;
 mod file;
-mod joint;
 mod mimics;
 mod place;
 mod robot;

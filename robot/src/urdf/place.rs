@@ -5,97 +5,82 @@
 ///
 /// [close]: super::spelling::meant
 pub(crate) struct Place {
-    /// Attributes that are read.
-    pub(crate) attributes: &'static [&'static str],
+    /// Attributes that are read, words between spaces, as in all of these.
+    pub(crate) attributes: &'static str,
     /// Elements that are read.
-    pub(crate) elements: &'static [&'static str],
+    pub(crate) elements: &'static str,
     /// Attributes and elements that are not read, and that say something about places.
-    pub(crate) unread: &'static [&'static str],
+    pub(crate) unread: &'static str,
     /// Parts of the format that say nothing about places: nobody needs to be told that they are not read.
-    pub(crate) known: &'static [&'static str],
+    pub(crate) known: &'static str,
     /// Whether it has numbers, which text in it may be meant to be.
     pub(crate) numbers: bool,
 }
 
+const NOTHING: Place =
+    Place { attributes: "", elements: "", unread: "", known: "", numbers: false };
+const NUMBERS: Place = Place { numbers: true, ..NOTHING };
+
 /// A loop would tie the values of joints to each other.
 pub(crate) const ROBOT: Place = Place {
-    attributes: &["version"],
-    elements: &["link", "joint"],
-    unread: &["loop_joint"],
-    known: &["name", "material"],
-    numbers: false,
+    attributes: "version",
+    elements: "link joint",
+    unread: "loop_joint",
+    known: "name material",
+    ..NOTHING
 };
 
 pub(crate) const LINK: Place = Place {
-    attributes: &["name"],
-    elements: &[],
-    unread: &["link", "joint"],
-    known: &["visual", "collision", "inertial"],
-    numbers: false,
+    attributes: "name",
+    unread: "link joint",
+    known: "visual collision inertial",
+    ..NOTHING
 };
 
-pub(crate) const JOINT: Place = Place {
-    attributes: &["name", "type"],
-    elements: &PARTS,
-    unread: &[],
-    known: &["dynamics"],
-    numbers: false,
-};
+const PARTS: &str = "origin parent child axis limit mimic";
 
-const PARTS: [&str; 6] = ["origin", "parent", "child", "axis", "limit", "mimic"];
+pub(crate) const JOINT: Place =
+    Place { attributes: "name type", elements: PARTS, known: "dynamics", ..NOTHING };
 
 /// `<parent>` and `<child>`.
-pub(crate) const END: Place =
-    Place { attributes: &["link"], elements: &[], unread: &PARTS, known: &[], numbers: true };
+pub(crate) const END: Place = Place { attributes: "link", unread: PARTS, ..NUMBERS };
 
 pub(crate) const ORIGIN: Place = Place {
-    attributes: &["xyz", "rpy"],
-    elements: &[],
-    unread: &[
-        "x",
-        "y",
-        "z",
-        "roll",
-        "pitch",
-        "yaw",
-        "quat",
-        "quat_xyzw",
-        "quat_wxyz",
-        "quaternion",
-    ],
-    known: &[],
-    numbers: true,
+    attributes: "xyz rpy",
+    unread: "x y z roll pitch yaw quat quat_xyzw quat_wxyz quaternion",
+    ..NUMBERS
 };
 
-pub(crate) const AXIS: Place = Place {
-    attributes: &["xyz"],
-    elements: &[],
-    unread: &["x", "y", "z"],
-    known: &[],
-    numbers: true,
-};
+pub(crate) const AXIS: Place = Place { attributes: "xyz", unread: "x y z", ..NUMBERS };
 
 /// The other attributes of the format are about speeds and forces.
 pub(crate) const LIMIT: Place = Place {
-    attributes: &["lower", "upper"],
-    elements: &[],
-    unread: &["min", "max"],
-    known: &["effort", "velocity", "acceleration", "deceleration", "jerk"],
-    numbers: true,
+    attributes: "lower upper",
+    unread: "min max",
+    known: "effort velocity acceleration deceleration jerk",
+    ..NUMBERS
 };
 
-pub(crate) const MIMIC: Place = Place {
-    attributes: &["joint", "multiplier", "offset"],
-    elements: &[],
-    unread: &[],
-    known: &[],
-    numbers: true,
-};
+pub(crate) const MIMIC: Place = Place { attributes: "joint multiplier offset", ..NUMBERS };
 
 impl Place {
     /// All names that matter.
     pub(crate) fn names(&self) -> impl Iterator<Item = &'static str> + use<> {
-        let names = self.attributes.iter().chain(self.elements).chain(self.unread);
-        names.copied()
+        let all = [self.attributes, self.elements, self.unread].into_iter();
+        all.flat_map(|all| all.split_terminator(' '))
     }
+
+    /// Whether an attribute is read here, or need not be.
+    pub(crate) fn has_attribute(&self, name: &str) -> bool {
+        [self.attributes, self.known].into_iter().any(|all| has(all, name))
+    }
+
+    /// The same of an element.
+    pub(crate) fn has_element(&self, name: &str) -> bool {
+        [self.elements, self.known].into_iter().any(|all| has(all, name))
+    }
+}
+
+fn has(all: &str, name: &str) -> bool {
+    all.split_terminator(' ').any(|word| word == name)
 }

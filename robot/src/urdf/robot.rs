@@ -2,7 +2,6 @@ use super::drive::Drive;
 use super::encoding;
 use super::error::UrdfError;
 use super::file::{File, Name};
-use super::joint::joint;
 use super::mimics::{Leader, leaders};
 use super::tree::{Node, nodes};
 use super::warning::UrdfWarning;
@@ -77,7 +76,7 @@ impl Robot {
                 continue;
             };
             let from = &robot.joints[number];
-            let mut joint = joint(from, link(&from.parent));
+            let mut joint = from.joint(link(&from.parent));
             joint.mimic = leaders[number].map(|Leader { joint, multiplier, offset }| Mimic {
                 joint: link(&robot.joints[joint].child),
                 multiplier,

@@ -1,7 +1,7 @@
 //! What makes no mechanism, and calls that do not fit one.
 
 use dq8::{Backend, DualQuat, ShapeError, Twist};
-use dq8_robot::{Joint, JointKind, Mechanism, MechanismError, OwnedMechanism, Step, World};
+use dq8_robot::{Joint, Mechanism, MechanismError, OwnedMechanism, Step, World};
 
 const Z: [f64; 3] = [0.0, 0.0, 1.0];
 
@@ -41,8 +41,7 @@ fn axes_and_placements_are_unit_and_finite() {
         error(&[far]),
         MechanismError::NotFinite { joint: 0, what: "translation", .. }
     ));
-    let thread = JointKind::Screw { axis: Z, pitch: f64::NAN };
-    let thread = Joint::new(None, DualQuat::IDENTITY, thread);
+    let thread = Joint::screw(None, DualQuat::IDENTITY, Z, f64::NAN);
     assert!(matches!(error(&[thread]), MechanismError::NotFinite { joint: 0, what: "pitch", .. }));
 }
 
@@ -110,4 +109,21 @@ fn slices_that_do_not_fit_are_left_as_they_were() {
     let refused = robot.link_jacobian(World, &[0.0; 2], 2, &mut columns);
     assert_eq!(refused, Err(no_link));
     assert_eq!(poses, [before; 4]);
+}
+
+#[test]
+fn points_on_links_that_there_are_not_are_refused_and_nothing_is_written() {
+    let hinge = Joint::revolute(None, DualQuat::IDENTITY, [0.0, 0.0, 1.0]);
+    let robot = OwnedMechanism::new(&[hinge, hinge]).unwrap();
+    let (robot, mut places) = (robot.view(), [[5.0_f64; 3]; 2]);
+    let (none, origin) = (ShapeError::NoLink { link: 2, links: 2 }, [0.0; 3]);
+    let beyond = [(0, origin), (2, origin)];
+    assert_eq!(robot.link_points(&[0.0; 2], &beyond, &mut places), Err(none.clone()));
+    assert_eq!(robot.job().points(&beyond, &[0.0; 2], &mut places), Err(none));
+    let points = [(0, origin), (1, origin)];
+    assert!(robot.link_points(&[0.0; 3], &points, &mut places).is_err());
+    assert!(robot.link_points(&[0.0; 2], &points, &mut places[..1]).is_err());
+    assert!(robot.job().points(&points, &[0.0; 3], &mut places).is_err());
+    assert!(robot.job().points(&points, &[0.0; 2], &mut places[..1]).is_err());
+    assert_eq!(places, [[5.0; 3]; 2]);
 }

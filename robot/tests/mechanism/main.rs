@@ -2,16 +2,11 @@
 //! differentiation, and what cannot be one.
 
 mod arms;
-mod book;
 mod dh;
 mod empty;
 mod errors;
-mod far;
 mod hinge;
-mod lanes;
-#[cfg(feature = "rayon")]
-mod parallel;
-mod points;
+mod jobs;
 mod reach;
 mod single;
 mod solutions;

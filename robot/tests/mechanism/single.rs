@@ -1,9 +1,7 @@
 //! One configuration.
 
-use crate::book::Book;
 use crate::tree::{mechanism, tree, values};
 use dq8::{Dual, DualQuat, Quat, Twist};
-use dq8_arms::turning;
 use dq8_fixtures::random::Random;
 use dq8_robot::{Body, Joint, JointKind, Mechanism, OwnedMechanism, World, WorldAligned};
 use nalgebra::{Matrix4, Rotation3, Translation3, Unit, UnitQuaternion, Vector3};
@@ -12,10 +10,6 @@ use nalgebra::{Matrix4, Rotation3, Translation3, Unit, UnitQuaternion, Vector3};
 const ROUNDING: f64 = 2e-13;
 /// The same, times lever arms as long, for what a rate does far away.
 const OF_RATES: f64 = 2e-13;
-/// The same operations in another order, on the scale of a pose.
-const BY_THE_BOOK: f64 = 2e-14;
-/// Five joints, a length each.
-const OF_FIVE: f64 = 2e-15;
 /// A unit vector that is turned once.
 const LAST_BITS: f64 = 1e-15;
 
@@ -89,108 +83,69 @@ fn poses_of_links_are_products_of_matrices() {
     }
 }
 
-/// All but a sign, which the book has too.
-fn is_as_by_the_book(found: DualQuat<f64>, wanted: DualQuat<f64>) {
-    let bound = BY_THE_BOOK * (1.0 + wanted.dual().norm());
-    assert!(found.abs_diff_eq(wanted, bound), "{found:?}, {wanted:?}");
+/// A random tree, values, rates and second rates of it, in order; dual numbers move at these.
+struct Moving {
+    joints: Vec<Joint<f64>>,
+    values: Vec<f64>,
+    rates: Vec<f64>,
+    second: Vec<f64>,
+    owned: OwnedMechanism<f64>,
+    dual: OwnedMechanism<Dual<f64>>,
 }
 
-#[test]
-fn floats_compute_what_the_book_does() {
-    let mut random = Random(10);
-    for count in 1..40 {
+fn trees(seed: u64) -> impl Iterator<Item = Moving> {
+    let mut random = Random(seed);
+    (1..25).map(move |count| {
         let joints = tree(&mut random, count);
         let values = values(&mut random, &joints);
-        let (owned, book, link) = (mechanism::<f64>(&joints), Book::new(&joints), count / 2);
-        let mut poses = [vec![DualQuat::IDENTITY; count], vec![DualQuat::IDENTITY; count]];
-        owned.view().link_poses(&values, &mut poses[0]).unwrap();
-        book.link_poses(&values, &mut poses[1]);
-        for (&found, &wanted) in poses[0].iter().zip(&poses[1]) {
-            is_as_by_the_book(found, wanted);
-        }
-        let mut columns = [(); 2].map(|()| vec![Twist::from_array([0.0; 6]); owned.view().rates()]);
-        let found = owned.view().link_jacobian(Body, &values, link, &mut columns[0]).unwrap();
-        is_as_by_the_book(found, book.link_jacobian(Body, &values, link, &mut columns[1]));
-        for (found, wanted) in columns[0].iter().zip(&columns[1]) {
-            let error = (*found - *wanted).to_array().map(f64::abs);
-            assert!(error.into_iter().all(|error| error < ROUNDING), "{found:?}, {wanted:?}");
-        }
-    }
+        let (owned, dual) = (mechanism::<f64>(&joints), mechanism(&joints));
+        let mut drawn = || (0..owned.view().rates()).map(|_| random.signed()).collect();
+        let (rates, second) = (drawn(), drawn());
+        Moving { joints, values, rates, second, owned, dual }
+    })
+}
+
+#[track_caller]
+fn close(found: Twist<f64>, wanted: Twist<f64>, what: &str) {
+    let error = (found - wanted).to_array().map(f64::abs).into_iter().fold(0.0, f64::max);
+    assert!(error < OF_RATES, "{what}: {error}");
 }
 
 /// Dual numbers in place of values differentiate the poses; σ̇ σ* is half the spatial twist.
 #[test]
-fn jacobians_are_derivatives_of_poses() {
-    let mut random = Random(2);
-    for count in 1..25 {
-        let joints = tree(&mut random, count);
-        let values = values(&mut random, &joints);
-        let (owned, dual) = (mechanism::<f64>(&joints), mechanism::<Dual<f64>>(&joints));
-        let link = random.below(count);
-        let mut columns = vec![Twist::from_array([0.0; 6]); owned.view().rates()];
-        let pose = owned.view().link_jacobian(World, &values, link, &mut columns).unwrap();
-        for (rate, column) in columns.iter().enumerate() {
-            let wanted = derivative(&joints, &values, &owned, &dual, link, rate);
-            let error = (*column - wanted).to_array().map(f64::abs);
-            let largest = error.into_iter().fold(0.0, f64::max);
-            assert!(largest < OF_RATES, "rate {rate}, link {link} of {count}: {largest}");
-        }
-        let mut others = columns.clone();
-        owned.view().link_jacobian(Body, &values, link, &mut others).unwrap();
-        for (column, body) in columns.iter().zip(&others) {
-            let error = (*column - pose.adjoint(*body)).to_array().map(f64::abs);
-            assert!(error.into_iter().all(|error| error < OF_RATES), "body");
-        }
-        owned.view().link_jacobian(WorldAligned, &values, link, &mut others).unwrap();
-        for (column, aligned) in columns.iter().zip(&others) {
-            let at_link = column.velocity_at(pose.translation());
-            let error = (0..3).map(|i| {
-                (aligned.linear[i] - at_link[i])
-                    .abs()
-                    .max((aligned.angular[i] - column.angular[i]).abs())
-            });
-            assert!(error.fold(0.0, f64::max) < OF_RATES, "aligned");
-        }
-    }
-}
-
-/// The spatial twist of a link for a rate of one, by dual numbers.
-fn derivative(
-    joints: &[Joint<f64>],
-    values: &[f64],
-    owned: &OwnedMechanism<f64>,
-    dual: &OwnedMechanism<Dual<f64>>,
-    link: usize,
-    rate: usize,
-) -> Twist<f64> {
-    let mut rates = vec![0.0; owned.view().rates()];
-    rates[rate] = 1.0;
-    let moved = moving(joints, values, &rates, owned.view());
-    let pose = dual.view().link_pose(&moved, link).unwrap().to_array();
-    let at = DualQuat::from_array(pose.map(|number| number.real));
-    let speed = DualQuat::from_array(pose.map(|number| number.dual));
-    let [wx, wy, wz, _, vx, vy, vz, _] = (speed * at.conjugate()).scale(2.0).to_array();
-    Twist::from_array([wx, wy, wz, vx, vy, vz])
-}
-
-#[test]
-fn velocities_are_jacobians_times_rates() {
-    let mut random = Random(3);
-    for count in 1..25 {
-        let joints = tree(&mut random, count);
-        let values = values(&mut random, &joints);
-        let owned = mechanism::<f64>(&joints);
-        let robot = owned.view();
-        let rates: Vec<f64> = (0..robot.rates()).map(|_| random.signed()).collect();
-        let zero = Twist::from_array([0.0; 6]);
+fn jacobians_are_derivatives_of_poses_and_velocities_are_jacobians_times_rates() {
+    for Moving { joints, values, rates, owned, dual, .. } in trees(2) {
+        let (robot, count, zero) = (owned.view(), joints.len(), Twist::<f64>::ZERO);
         let (mut poses, mut twists) = (vec![DualQuat::IDENTITY; count], vec![zero; count]);
         robot.link_velocities(&values, &rates, &mut poses, &mut twists).unwrap();
-        let mut columns = vec![zero; robot.rates()];
+        let (mut columns, mut others) = (vec![zero; rates.len()], vec![zero; rates.len()]);
         for (link, twist) in twists.into_iter().enumerate() {
-            robot.link_jacobian(World, &values, link, &mut columns).unwrap();
+            let pose = robot.link_jacobian(World, &values, link, &mut columns).unwrap();
             let sum = columns.iter().zip(&rates).fold(zero, |sum, (c, &rate)| sum + c.scale(rate));
-            let error = (sum - twist).to_array().map(f64::abs);
-            assert!(error.into_iter().all(|error| error < OF_RATES), "link {link} of {count}");
+            close(sum, twist, "velocity");
+            robot.link_jacobian(Body, &values, link, &mut others).unwrap();
+            for (column, body) in columns.iter().zip(&others) {
+                close(*column, pose.adjoint(*body), "body");
+            }
+            robot.link_jacobian(WorldAligned, &values, link, &mut others).unwrap();
+            for (column, aligned) in columns.iter().zip(&others) {
+                let linear = column.velocity_at(pose.translation());
+                close(*aligned, Twist { linear, ..*column }, "aligned");
+            }
+        }
+        // Of one link; the columns of all others are where its velocity comes from.
+        let link = count / 2;
+        robot.link_jacobian(World, &values, link, &mut columns).unwrap();
+        for (rate, column) in columns.iter().enumerate() {
+            let mut alone = vec![0.0; rates.len()];
+            alone[rate] = 1.0;
+            let moved = moving(&joints, &values, &alone, robot);
+            let pose = dual.view().link_pose(&moved, link).unwrap().to_array();
+            let at = DualQuat::from_array(pose.map(|number| number.real));
+            let speed = DualQuat::from_array(pose.map(|number| number.dual));
+            let [wx, wy, wz, _, vx, vy, vz, _] = (speed * at.conjugate()).scale(2.0).to_array();
+            let wanted = Twist::from_array([wx, wy, wz, vx, vy, vz]);
+            close(*column, wanted, &format!("rate {rate}, link {link} of {count}"));
         }
     }
 }
@@ -198,37 +153,21 @@ fn velocities_are_jacobians_times_rates() {
 /// Twists of dual numbers: values and rates that move differentiate them.
 #[test]
 fn accelerations_are_derivatives_of_twists() {
-    let mut random = Random(7);
-    for count in 1..25 {
-        let joints = tree(&mut random, count);
-        let values = values(&mut random, &joints);
-        let (owned, dual) = (mechanism::<f64>(&joints), mechanism::<Dual<f64>>(&joints));
-        let robot = owned.view();
-        let mut next = |_| random.signed();
-        let rates: Vec<f64> = (0..robot.rates()).map(&mut next).collect();
-        let second: Vec<f64> = (0..robot.rates()).map(&mut next).collect();
-        let zero = Twist::from_array([0.0; 6]);
+    for Moving { joints, values, rates, second, owned, dual } in trees(7) {
+        let (robot, count, zero) = (owned.view(), joints.len(), Twist::ZERO);
         let (mut poses, mut twists) = (vec![DualQuat::IDENTITY; count], vec![zero; count]);
-        let mut accelerations = twists.clone();
+        let mut found = twists.clone();
         robot
-            .link_accelerations(
-                &values,
-                &rates,
-                &second,
-                &mut poses,
-                &mut twists,
-                &mut accelerations,
-            )
+            .link_accelerations(&values, &rates, &second, &mut poses, &mut twists, &mut found)
             .unwrap();
         let moved = moving(&joints, &values, &rates, robot);
         let changing: Vec<_> =
             rates.iter().zip(&second).map(|(&rate, &second)| Dual::new(rate, second)).collect();
-        let nothing = Dual::new(0.0, 0.0);
         let mut dual_poses = vec![DualQuat::IDENTITY; count];
-        let mut dual_twists = vec![Twist::from_array([nothing; 6]); count];
+        let mut dual_twists = vec![Twist::from_array([Dual::new(0.0, 0.0); 6]); count];
         let view = dual.view();
         view.link_velocities(&moved, &changing, &mut dual_poses, &mut dual_twists).unwrap();
-        for (link, (wanted, found)) in dual_twists.iter().zip(&accelerations).enumerate() {
+        for (link, (wanted, found)) in dual_twists.iter().zip(&found).enumerate() {
             for (wanted, found) in wanted.to_array().into_iter().zip(found.to_array()) {
                 let error = (wanted.dual - found).abs() / (1.0 + found.abs());
                 assert!(error < OF_RATES, "link {link} of {count}: {error}");
@@ -268,32 +207,6 @@ fn moving(
         }
     }
     moved
-}
-
-/// A product of exponentials is another way to the same pose.
-#[test]
-fn an_arm_from_screws_is_the_arm_from_its_joints() {
-    let axes = [[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]];
-    let at = [[0.0, 0.0, 0.2], [0.1, 0.0, 0.3], [0.1, 0.0, 0.8], [0.6, 0.0, 0.8]];
-    let screws: [_; 4] = core::array::from_fn(|joint| turning(axes[joint], at[joint]));
-    let home = DualQuat::from_translation([0.8, 0.0, 0.8]);
-    let arm = OwnedMechanism::from_screws(&screws, home).unwrap();
-    let mut joints = Vec::new();
-    let mut before = [0.0; 3];
-    for (joint, point) in at.into_iter().enumerate() {
-        let step = core::array::from_fn(|i| point[i] - before[i]);
-        let parent = joint.checked_sub(1);
-        joints.push(Joint::revolute(parent, DualQuat::from_translation(step), axes[joint]));
-        before = point;
-    }
-    joints.push(Joint::fixed(Some(3), DualQuat::from_translation([0.2, 0.0, 0.0])));
-    let owned = OwnedMechanism::new(&joints).unwrap();
-    let mut random = Random(4);
-    for _ in 0..100 {
-        let angles: [f64; 4] = random.vector().map(|c| 3.0 * c);
-        let pose = owned.view().link_pose(&angles, 4).unwrap();
-        assert!(pose.distance_to(arm.view().link_pose(&angles, 4).unwrap()) < OF_FIVE);
-    }
 }
 
 #[test]

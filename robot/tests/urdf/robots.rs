@@ -1,8 +1,9 @@
-//! The robots of this repository, against matrices from the same elements.
+//! The robots of this repository, against nalgebra and another reader of the same elements.
 
 use dq8::DualQuat;
 use dq8_robot::JointKind;
 use dq8_robot::urdf::Robot;
+use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 use std::collections::HashMap;
 
 const FILES: [(&str, &str, usize); 3] = [
@@ -11,40 +12,10 @@ const FILES: [(&str, &str, usize); 3] = [
     ("humanoid", include_str!("../../robots/humanoid.urdf"), 29),
 ];
 
-type Matrix = [[f64; 4]; 4];
-
-const IDENTITY: Matrix =
-    [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
-
-fn product(a: Matrix, b: Matrix) -> Matrix {
-    core::array::from_fn(|row| {
-        core::array::from_fn(|column| (0..4).map(|k| a[row][k] * b[k][column]).sum())
-    })
-}
-
-fn shift([x, y, z]: [f64; 3]) -> Matrix {
-    let mut matrix = IDENTITY;
-    (matrix[0][3], matrix[1][3], matrix[2][3]) = (x, y, z);
-    matrix
-}
-
-/// Rodrigues' rotation by `angle` about a unit axis.
-fn turn([x, y, z]: [f64; 3], angle: f64) -> Matrix {
-    let (s, c) = angle.sin_cos();
-    let d = 1.0 - c;
-    [
-        [c + d * x * x, d * x * y - s * z, d * x * z + s * y, 0.0],
-        [d * x * y + s * z, c + d * y * y, d * y * z - s * x, 0.0],
-        [d * x * z - s * y, d * y * z + s * x, c + d * z * z, 0.0],
-        [0.0, 0.0, 0.0, 1.0],
-    ]
-}
-
-/// Poses of links by name, from the elements as urdf-rs reads them.
-fn by_matrices(text: &str, values: &HashMap<&str, f64>) -> HashMap<String, Matrix> {
+/// Poses of links by name, by nalgebra, from the elements as urdf-rs reads them.
+fn by_nalgebra(text: &str, values: &HashMap<&str, f64>) -> HashMap<String, Isometry3<f64>> {
     let file = urdf_rs::read_from_string(text).unwrap();
-    let mut poses: HashMap<String, Matrix> = HashMap::new();
-    poses.insert(file.links[0].name.clone(), IDENTITY);
+    let mut poses = HashMap::from([(file.links[0].name.clone(), Isometry3::identity())]);
     while poses.len() < file.links.len() {
         for joint in &file.joints {
             let Some(&parent) = poses.get(&joint.parent.link) else { continue };
@@ -52,26 +23,24 @@ fn by_matrices(text: &str, values: &HashMap<&str, f64>) -> HashMap<String, Matri
                 Some(mimic) => values[mimic.joint.as_str()],
                 None => values.get(joint.name.as_str()).copied().unwrap_or(0.0),
             };
-            let [roll, pitch, yaw] = joint.origin.rpy.0;
-            let axis = joint.axis.xyz.0;
-            let motion = match joint.joint_type {
-                urdf_rs::JointType::Fixed => IDENTITY,
-                urdf_rs::JointType::Prismatic => shift(axis.map(|number| number * value)),
-                _ => turn(axis, value),
+            let ([roll, pitch, yaw], xyz) = (joint.origin.rpy.0, joint.origin.xyz.0);
+            let turn = UnitQuaternion::from_euler_angles(roll, pitch, yaw);
+            let placement = Isometry3::from_parts(Translation3::from(xyz), turn);
+            let [along, about] = match joint.joint_type {
+                urdf_rs::JointType::Fixed => [0.0, 0.0],
+                urdf_rs::JointType::Prismatic => [value, 0.0],
+                _ => [0.0, value],
             };
-            // About fixed axes: roll first, so it stands last.
-            let (x, y, z) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]);
-            let turned = product(product(turn(z, yaw), turn(y, pitch)), turn(x, roll));
-            let placement = product(shift(joint.origin.xyz.0), turned);
-            let pose = product(product(parent, placement), motion);
-            poses.insert(joint.child.link.clone(), pose);
+            let axis = Vector3::from(joint.axis.xyz.0);
+            let motion = Isometry3::new(axis * along, axis * about);
+            poses.insert(joint.child.link.clone(), parent * placement * motion);
         }
     }
     poses
 }
 
 #[test]
-fn poses_of_links_are_products_of_matrices() {
+fn poses_of_links_are_those_of_nalgebra() {
     for (name, text, values) in FILES {
         let robot = Robot::from_urdf(text).unwrap();
         assert_eq!((robot.name(), robot.mechanism().values()), (name, values));
@@ -82,17 +51,13 @@ fn poses_of_links_are_products_of_matrices() {
         let mut poses = vec![DualQuat::IDENTITY; configurations * links];
         robot.mechanism().job().poses(&all, &mut poses).unwrap();
         for (values, poses) in all.chunks_exact(values).zip(poses.chunks_exact(links)) {
-            let named: HashMap<_, _> = robot
-                .value_names()
-                .iter()
-                .map(String::as_str)
-                .zip(values.iter().copied())
-                .collect();
-            let wanted = by_matrices(text, &named);
+            let names = robot.value_names().iter().map(String::as_str);
+            let wanted = by_nalgebra(text, &names.zip(values.iter().copied()).collect());
             for (link, pose) in robot.link_names().iter().zip(poses) {
+                let wanted = wanted[link].to_homogeneous();
                 for (row, numbers) in pose.to_matrix3x4().into_iter().enumerate() {
                     for (column, number) in numbers.into_iter().enumerate() {
-                        let error = (number - wanted[link][row][column]).abs();
+                        let error = (number - wanted[(row, column)]).abs();
                         assert!(error < 1e-14, "{name}, {link}: {error}");
                     }
                 }

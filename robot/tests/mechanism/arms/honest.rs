@@ -1,54 +1,52 @@
 //! A report means what it says: inputs as people type them, hinges many turns away, arms of any size.
-//! What is called reached is measured by nalgebra in `f64`.
+//! What is called reached is measured in `f64`.
 
+use super::super::reach::apart;
 use dq8::geometry::Screw;
 use dq8::{Backend, DualQuat, Line, Quat, Real, Scalar};
 use dq8_arms::{Arm, Axis, Plan, Random, exact, rounded, six_of_any_kind};
 use dq8_fixtures::kinematics;
 use dq8_robot::ik::{Options, Outcome};
-use nalgebra::Isometry3;
 use std::f64::consts::TAU;
 
-/// What came of some searches.
-#[derive(Default)]
+/// What came of some searches: how many converged, and the worst error of those.
 struct Tally {
     converged: usize,
-    /// The worst error of those, as nalgebra finds it.
     worst: f64,
 }
 
-/// One search.
-struct Case<R, const N: usize> {
-    target: DualQuat<R>,
-    /// Where that is.
-    there: Isometry3<f64>,
-    start: [R; N],
-}
+/// A target, where that is, and values to start from.
+type Case<R> = (DualQuat<R>, DualQuat<f64>, [R; 6]);
 
-/// Searches with `arm`; the truth is that of `plan`.
-fn tally<R: Scalar, const N: usize>(
-    arm: &Arm<R, N>,
-    plan: &Plan<N>,
-    cases: &[Case<R, N>],
-    tally: &mut Tally,
-) {
-    let options = Options::default();
-    let targets: Vec<_> = cases.iter().map(|case| case.target).collect();
-    let mut values: Vec<_> = cases.iter().map(|case| case.start).collect();
-    let reports = arm.reach_all(Backend::best(), &targets, &mut values, &options);
-    for ((case, values), report) in cases.iter().zip(&values).zip(&reports) {
-        for (&value, axis) in values.iter().zip(&plan.axes) {
-            let [low, high] = rounded::<R, 2>(axis.limits);
-            assert!(low <= value && value <= high, "{value} is not within {:?}", axis.limits);
-        }
-        if report.outcome == Outcome::Converged {
-            let end = plan.isometry(&exact(*values));
-            let turn = end.rotation.angle_to(&case.there.rotation);
-            let distance = (end.translation.vector - case.there.translation.vector).norm();
-            tally.converged += 1;
-            tally.worst = tally.worst.max(turn).max(distance);
+/// Searches of some arms of six hinges, `each` of them for so many targets: an arm has what `seen` makes of it, and is what
+/// `is` makes of it.
+fn tally<R: Scalar>(
+    seed: u64,
+    [arms, each]: [usize; 2],
+    [seen, is]: [&dyn Fn(Plan<6>) -> Plan<6>; 2],
+    case: impl Fn(&Plan<6>, &Arm<R, 6>, &Arm<f64, 6>, &mut Random) -> Case<R>,
+) -> Tally {
+    let (mut random, mut sum) = (Random(seed), Tally { converged: 0, worst: 0.0 });
+    for _ in 0..arms {
+        let plan = six_of_any_kind(&mut random);
+        let (arm, truth) = (seen(plan).arm::<R>(), is(plan).arm::<f64>());
+        let cases: Vec<_> = (0..each).map(|_| case(&plan, &arm, &truth, &mut random)).collect();
+        let targets: Vec<_> = cases.iter().map(|(target, ..)| *target).collect();
+        let mut values: Vec<_> = cases.iter().map(|(.., start)| *start).collect();
+        let reports = arm.reach_all(Backend::best(), &targets, &mut values, &Options::default());
+        for (((_, there, _), values), report) in cases.iter().zip(&values).zip(&reports) {
+            for (&value, axis) in values.iter().zip(&seen(plan).axes) {
+                let [low, high] = rounded::<R, 2>(axis.limits);
+                assert!(low <= value && value <= high, "{value} is not within {:?}", axis.limits);
+            }
+            if report.is_converged() {
+                let [turn, distance] = apart(truth.forward(&exact(*values)), *there);
+                sum.converged += 1;
+                sum.worst = sum.worst.max(turn).max(distance);
+            }
         }
     }
+    sum
 }
 
 /// Tolerance, and what poses of arms of about a length are rounded by.
@@ -60,35 +58,18 @@ fn to_decimals(number: f64, decimals: i32) -> f64 {
     (number * 10f64.powi(decimals)).round() / 10f64.powi(decimals)
 }
 
-fn isometry(pose: DualQuat<f64>) -> Isometry3<f64> {
-    let [x, y, z, w] = pose.rotation().to_array();
-    let turn = nalgebra::UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(w, x, y, z));
-    let [x, y, z] = pose.translation();
-    Isometry3::from_parts(nalgebra::Translation3::new(x, y, z), turn)
-}
-
-fn pose<R: Real>(there: &Isometry3<f64>) -> DualQuat<R> {
-    let [x, y, z, w]: [f64; 4] = there.rotation.coords.into();
-    let turn = Quat::from_array(rounded::<R, 4>([x, y, z, w]));
-    DualQuat::from_rotation_translation(turn, rounded(there.translation.vector.into()))
+fn cast<R: Real>(pose: DualQuat<f64>) -> DualQuat<R> {
+    DualQuat::from_array(rounded(pose.to_array()))
 }
 
 /// 24 arms of six hinges, 16 targets each; `change` is what becomes of a target before the arm sees
 /// it. A target may have lost its unit norm, and is where its normalized form is.
 fn with_targets<R: Scalar>(change: impl Fn(DualQuat<R>) -> DualQuat<R>) -> Tally {
-    let (mut random, mut sum) = (Random(14), Tally::default());
-    for _ in 0..24 {
-        let plan = six_of_any_kind(&mut random);
-        let arm = plan.arm::<R>();
-        let cases: [_; 16] = core::array::from_fn(|_| {
-            let target = change(arm.forward(&rounded(plan.draw(&mut random))));
-            let exact = DualQuat::from_array(target.to_array().map(Into::<f64>::into));
-            let there = isometry(exact.normalize());
-            Case { target, there, start: rounded(plan.draw(&mut random)) }
-        });
-        tally(&arm, &plan, &cases, &mut sum);
-    }
-    sum
+    tally::<R>(14, [24, 16], [&|plan| plan; 2], |plan, arm, _, random| {
+        let target = change(arm.forward(&rounded(plan.draw(random))));
+        let there = DualQuat::from_array(exact(target.to_array())).normalize();
+        (target, there, rounded(plan.draw(random)))
+    })
 }
 
 fn typed_targets_are_reached_as_computed_ones<R: Scalar>() {
@@ -145,23 +126,20 @@ fn a_target_farther_from_unit_than_a_thousandth_is_invalid() {
     }
 }
 
-/// Arms whose axes are as long as `change` makes them. Nalgebra turns about the same axes at length 1.
+/// Arms whose axes are as long as `change` makes them. What they are turns about the same axes at length 1.
 fn with_axes<R: Scalar>(change: impl Fn([f64; 3]) -> [f64; 3]) -> Tally {
-    let (mut random, mut sum) = (Random(17), Tally::default());
-    for _ in 0..25 {
-        let exact = six_of_any_kind(&mut random);
-        let off = exact.with_axes(|axis| Axis { direction: change(axis.direction), ..axis });
-        let unit = off.with_axes(|axis| {
+    let off =
+        |plan: Plan<6>| plan.with_axes(|axis| Axis { direction: change(axis.direction), ..axis });
+    let unit = |plan: Plan<6>| {
+        off(plan).with_axes(|axis| {
             let length = axis.direction.iter().map(|c| c * c).sum::<f64>().sqrt();
             Axis { direction: axis.direction.map(|c| c / length), ..axis }
-        });
-        let cases: [_; 16] = core::array::from_fn(|_| {
-            let there = unit.isometry(&exact.draw(&mut random));
-            Case { target: pose(&there), there, start: rounded(exact.draw(&mut random)) }
-        });
-        tally(&off.arm::<R>(), &unit, &cases, &mut sum);
-    }
-    sum
+        })
+    };
+    tally::<R>(17, [25, 16], [&off, &unit], |plan, _, truth, random| {
+        let there = truth.forward(&plan.draw(random));
+        (cast(there), there, rounded(plan.draw(random)))
+    })
 }
 
 fn axes_nearly_unit_are_unit<R: Scalar>() {
@@ -184,18 +162,12 @@ fn axes_typed_with_four_decimals_are_turned_about_as_unit_ones() {
 
 /// Hinges with these limits, started this many turns away.
 fn turns_away<R: Scalar>(limits: [f64; 2], turns: f64) -> Tally {
-    let (mut random, mut sum) = (Random(18), Tally::default());
-    for _ in 0..25 {
-        let within = six_of_any_kind(&mut random);
-        let plan = within.with_axes(|axis| Axis { limits, ..axis });
-        let cases: [_; 8] = core::array::from_fn(|_| {
-            let there = plan.isometry(&within.draw(&mut random));
-            let start = within.draw(&mut random).map(|value| value + turns * TAU);
-            Case { target: pose(&there), there, start: rounded(start) }
-        });
-        tally(&plan.arm::<R>(), &plan, &cases, &mut sum);
-    }
-    sum
+    let limited = |plan: Plan<6>| plan.with_axes(|axis| Axis { limits, ..axis });
+    tally::<R>(18, [25, 8], [&limited; 2], |within, _, truth, random| {
+        let there = truth.forward(&within.draw(random));
+        let start = within.draw(random).map(|value| value + turns * TAU);
+        (cast(there), there, rounded(start))
+    })
 }
 
 fn endless_hinges_are_honest<R: Scalar>() {

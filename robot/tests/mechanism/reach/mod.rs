@@ -10,15 +10,16 @@ mod owned;
 #[cfg(feature = "rayon")]
 mod parallel;
 mod posture;
+mod rates;
 mod refused;
 mod tracking;
 mod turns;
 mod units;
 
-use dq8::{Backend, DualQuat, Quat, Real};
+use dq8::{Backend, DualQuat, Quat, Real, Scalar};
 use dq8_fixtures::random::Random;
-use dq8_robot::ik::{Freedom, Goal, Options, OwnedReach, Reach, Report};
-use dq8_robot::{Joint, Mechanism, OwnedMechanism};
+use dq8_robot::ik::{Goal, Options, OwnedReach, Report};
+use dq8_robot::{Joint, OwnedMechanism};
 
 pub(crate) const Z: [f64; 3] = [0.0, 0.0, 1.0];
 
@@ -78,6 +79,10 @@ pub(crate) fn seven() -> Vec<Joint<f64>> {
     joints
 }
 
+/// Values of the seven, and others to start from.
+pub(crate) const THERE: [f64; 7] = [0.5, -0.6, 0.7, -1.4, 0.3, 1.8, -0.4];
+pub(crate) const START: [f64; 7] = [0.0, 0.2, 0.0, -1.0, 0.0, 1.2, 0.0];
+
 /// Values within the limits; within ±3 where there are none.
 pub(crate) fn draw(random: &mut Random, joints: &[Joint<f64>]) -> Vec<f64> {
     let mut values = Vec::new();
@@ -96,34 +101,49 @@ pub(crate) fn problem<R: Real>(
     OwnedReach::new(mechanism(joints), goals).expect("a problem")
 }
 
-/// One configuration, with memory of its own.
-pub(crate) fn solve(
-    mechanism: Mechanism<'_, f64>,
-    goals: &[Goal<f64>],
+/// Where a link is.
+pub(crate) fn pose<R: Real>(reach: &OwnedReach<R>, values: &[R], link: usize) -> DualQuat<R> {
+    reach.view().mechanism().link_pose(values, link).expect("a link")
+}
+
+/// One configuration: what its values become, and the report.
+pub(crate) fn solve_with<const N: usize>(
+    reach: &OwnedReach<f64>,
     targets: &[DualQuat<f64>],
-    values: &mut [f64],
+    start: [f64; N],
     options: &Options<f64>,
-) -> Report<f64> {
-    let mut freedoms = vec![Freedom::default(); mechanism.rates()];
-    let reach = Reach::new(mechanism, goals, &mut freedoms).expect("a problem");
+) -> ([f64; N], Report<f64>) {
     // What is in it must not matter.
-    let mut scratch = vec![f64::NAN; reach.scratch_len()];
-    reach.solve(targets, values, &mut scratch, options).expect("lengths fit")
+    let (mut values, mut scratch) = (start, vec![f64::NAN; reach.view().scratch_len()]);
+    let report = reach.view().solve(targets, &mut values, &mut scratch, options);
+    (values, report.expect("lengths fit"))
+}
+
+/// With default options.
+pub(crate) fn solve<const N: usize>(
+    reach: &OwnedReach<f64>,
+    target: DualQuat<f64>,
+    start: [f64; N],
+) -> ([f64; N], Report<f64>) {
+    solve_with(reach, &[target], start, &Options::default())
+}
+
+/// Whether a number of each is near to the other's.
+pub(crate) fn near(a: &[f64], b: &[f64], bound: f64) -> bool {
+    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| (a - b).abs() < bound)
 }
 
 /// What a backend returns: values and reports.
 pub(crate) type Solved<R> = (Backend, Vec<R>, Vec<Report<R>>);
 
 /// The same on all backends.
-pub(crate) fn solve_everywhere<R>(
-    reach: &Reach<'_, R>,
+pub(crate) fn solve_everywhere<R: Scalar>(
+    reach: &OwnedReach<R>,
     targets: &[DualQuat<R>],
     starts: &[R],
     options: &Options<R>,
-) -> Vec<Solved<R>>
-where
-    R: Real + dq8::simd::Float,
-{
+) -> Vec<Solved<R>> {
+    let reach = reach.view();
     let configurations = targets.len() / reach.goals().len();
     let mut scratch = vec![R::NAN; reach.batch_scratch_len()];
     Backend::available()

@@ -1,10 +1,14 @@
 //! Following targets that move: many goals in the shape of the tree, weights that always act, ends, clips, velocities.
 
-use super::{Solved, Z, apart, at, draw, mechanism, planar, seven, solve, turned};
+use super::{
+    Solved, Z, apart, at, draw, mechanism, near, planar, pose, problem, seven, solve, solve_with,
+    turned,
+};
+use dq8::scalar::vector;
 use dq8::{Backend, DualQuat, Twist};
 use dq8_fixtures::random::Random;
 use dq8_robot::ik::{Goal, Options, Outcome, OwnedReach, RatesError, Report};
-use dq8_robot::{Joint, OwnedMechanism, WorldAligned};
+use dq8_robot::{Joint, WorldAligned};
 
 /// A body that floats, with limbs of hinges with limits, a slide, a screw, and a part that carries nothing.
 fn body() -> Vec<Joint<f64>> {
@@ -41,9 +45,9 @@ fn configuration(random: &mut Random) -> Vec<f64> {
 }
 
 /// Targets near the poses of a configuration, in every direction, so that no values reach them all.
-fn targets(body: &OwnedMechanism<f64>, random: &mut Random, near: &[f64]) -> Vec<DualQuat<f64>> {
+fn targets(body: &OwnedReach<f64>, random: &mut Random, near: &[f64]) -> Vec<DualQuat<f64>> {
     let mut target = |goal: &Goal<f64>| {
-        let pose = body.link_pose(near, goal.link).expect("a link");
+        let pose = pose(body, near, goal.link);
         let [x, y, z] = [0.1; 3].map(|size| size * random.signed());
         pose * at(x, y, z) * turned(random.direction(), 0.2, goal.point)
     };
@@ -74,7 +78,7 @@ fn by_rows(goals: &[Goal<f64>]) -> Vec<Goal<f64>> {
 
 #[test]
 fn many_goals_in_the_shape_of_the_tree_are_the_least_squares_of_all_rows() {
-    let machine = mechanism::<f64>(&body());
+    let problems = [goals(), by_rows(&goals())].map(|goals| problem(&body(), goals));
     let mut random = Random(41);
     let (mut limited, mut moved) = (0, 0.0_f64);
     for (round, options) in [
@@ -88,16 +92,11 @@ fn many_goals_in_the_shape_of_the_tree_are_the_least_squares_of_all_rows() {
     .enumerate()
     {
         let near = configuration(&mut random);
-        let targets = targets(&machine, &mut random, &near);
+        let targets = targets(&problems[0], &mut random, &near);
         let start: Vec<f64> = near.iter().map(|value| value + 0.1 * random.signed()).collect();
-        let [tree, rows] = [goals(), by_rows(&goals())].map(|goals| {
-            let reach = OwnedReach::new(machine.clone(), goals).expect("a problem");
-            let reach = reach.with_posture(vec![0.3; near.len()]).expect("a posture");
-            if options.posture_weight > 0.0 {
-                reach
-            } else {
-                OwnedReach::new(machine.clone(), reach.view().goals()).expect("a problem")
-            }
+        let [tree, rows] = problems.clone().map(|reach| match options.posture_weight > 0.0 {
+            true => reach.with_posture(vec![0.3; near.len()]).expect("a posture"),
+            false => reach,
         });
         let expected = track_everywhere(&rows, &targets, &start, options);
         for ((backend, values, reports), (_, wanted, others)) in
@@ -118,9 +117,8 @@ fn many_goals_in_the_shape_of_the_tree_are_the_least_squares_of_all_rows() {
 /// A slide between a target, a posture and its start divides its way by the squares of their weights.
 #[test]
 fn posture_and_start_always_weigh_what_they_are_said_to() {
-    let slide = mechanism::<f64>(&[Joint::prismatic(None, DualQuat::IDENTITY, [1.0, 0.0, 0.0])]);
-    let reach = OwnedReach::new(slide, [Goal::position(0)]).expect("a problem");
-    let reach = reach.with_posture([5.0]).expect("a posture");
+    let slide = Joint::prismatic(None, DualQuat::IDENTITY, [1.0, 0.0, 0.0]);
+    let reach = problem(&[slide], [Goal::position(0)]).with_posture([5.0]).expect("a posture");
     let options = Options {
         max_iterations: 60,
         damping: 0.0,
@@ -137,17 +135,13 @@ fn posture_and_start_always_weigh_what_they_are_said_to() {
 
 #[test]
 fn a_step_that_gains_too_little_is_the_last() {
-    let joints = [
-        Joint::prismatic(None, DualQuat::IDENTITY, [1.0, 0.0, 0.0]),
-        Joint::fixed(Some(0), DualQuat::IDENTITY),
-    ];
-    let slide = mechanism::<f64>(&joints);
-    let goals = [Goal::position(0), Goal::position(1)];
-    let targets = [at(0.0, 0.0, 0.0), at(1.0, 0.0, 0.0)];
+    let here = DualQuat::IDENTITY;
+    let slide = [Joint::prismatic(None, here, [1.0, 0.0, 0.0]), Joint::fixed(Some(0), here)];
+    let slide = problem(&slide, [Goal::position(0), Goal::position(1)]);
     let iterations = [0.0, 0.05].map(|least_gain| {
         let options = Options { least_gain, restarts: false, ..Options::default() };
-        let mut values = [0.3];
-        let report = solve(slide.view(), &goals, &targets, &mut values, &options);
+        let targets = [at(0.0, 0.0, 0.0), at(1.0, 0.0, 0.0)];
+        let (values, report) = solve_with(&slide, &targets, [0.3], &options);
         assert_eq!(report.outcome, Outcome::Stalled);
         assert!((values[0] - 0.5).abs() < 2e-2, "{values:?}");
         report.iterations
@@ -158,11 +152,10 @@ fn a_step_that_gains_too_little_is_the_last() {
 /// What floats may be anywhere.
 #[test]
 fn far_from_the_base_tracking_weighs_as_it_does_near_it() {
-    let machine = mechanism::<f64>(&body());
+    let mut reach = problem(&body(), goals());
     let mut random = Random(43);
     let near = configuration(&mut random);
-    let targets = targets(&machine, &mut random, &near);
-    let mut reach = OwnedReach::new(machine, goals()).expect("a problem");
+    let targets = targets(&reach, &mut random, &near);
     let [tracked, solved] = [true, false].map(|tracks| {
         [0.0, 1000.0].map(|far| {
             let (mut values, away) = (near.clone(), at(far, 0.0, 0.0));
@@ -178,12 +171,8 @@ fn far_from_the_base_tracking_weighs_as_it_does_near_it() {
     });
     let apart =
         |[a, b]: &[Vec<f64>; 2]| a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-    assert!(
-        apart(&tracked) < 1e-8 && apart(&solved) > 1e-4,
-        "{} {}",
-        apart(&tracked),
-        apart(&solved)
-    );
+    let (tracked, solved) = (apart(&tracked), apart(&solved));
+    assert!(tracked < 1e-8 && solved > 1e-4, "{tracked} {solved}");
 }
 
 /// A point of a link is what a fixed link there would be.
@@ -191,35 +180,30 @@ fn far_from_the_base_tracking_weighs_as_it_does_near_it() {
 fn a_goal_at_a_point_is_that_of_a_link_fixed_there() {
     let mut joints = seven();
     joints.push(Joint::fixed(Some(7), at(0.1, -0.2, 0.3)));
-    let arm = mechanism::<f64>(&joints);
     let mut random = Random(45);
+    let [at_point, at_link] =
+        [Goal::pose(7).at([0.1, -0.2, 0.3]), Goal::pose(8)].map(|goal| problem(&joints, [goal]));
     for _ in 0..20 {
         let [there, start] = [(); 2].map(|()| draw(&mut random, &joints));
-        let target = arm.link_pose(&there, 8).expect("a link");
-        let goals = [Goal::pose(7).at([0.1, -0.2, 0.3]), Goal::pose(8)];
-        let [point, link] = goals.map(|goal| {
-            let mut values = start.clone();
-            let report = solve(arm.view(), &[goal], &[target], &mut values, &Options::default());
-            assert_eq!(report.outcome, Outcome::Converged);
-            values
-        });
-        assert!(point.iter().zip(&link).all(|(a, b)| (a - b).abs() < 1e-9), "{point:?} {link:?}");
-        let pose = arm.link_pose(&point, 8).expect("a link");
-        assert!(apart(pose, target)[1] < super::REACHED);
+        let target = pose(&at_link, &there, 8);
+        let start: [f64; 7] = start.try_into().expect("seven");
+        let (point, report) = solve(&at_point, target, start);
+        let (link, _) = solve(&at_link, target, start);
+        assert!(report.is_converged() && near(&point, &link, 1e-9), "{point:?} {link:?}");
+        assert!(apart(pose(&at_point, &point, 8), target)[1] < super::REACHED);
     }
 }
 
 /// Whatever the lengths of the clips, and however many there are; frames without targets stand still.
 #[test]
 fn a_clip_is_its_frames_one_after_the_other() {
-    let machine = mechanism::<f64>(&body());
-    let reach = OwnedReach::new(machine.clone(), goals()).expect("a problem");
-    let (count, options) = (machine.view().values(), Options::track());
+    let reach = problem(&body(), goals());
+    let (count, options) = (reach.view().mechanism().values(), Options::track());
     let mut random = Random(47);
     let clips: Vec<usize> = (0..70).map(|clip| [3, 0, 7, 1, 12][clip % 5]).collect();
     let frames: usize = clips.iter().sum();
     let near = configuration(&mut random);
-    let mut all: Vec<_> = (0..frames).flat_map(|_| targets(&machine, &mut random, &near)).collect();
+    let mut all: Vec<_> = (0..frames).flat_map(|_| targets(&reach, &mut random, &near)).collect();
     all[5 * goals().len()] = DualQuat::from_array([f64::NAN; 8]);
     let start: Vec<f64> = near.repeat(frames);
     for backend in Backend::available() {
@@ -251,7 +235,7 @@ fn rates_are_the_damped_least_squares_of_the_velocities() {
     let (mut random, damping) = (Random(49), 0.1);
     let count = 11;
     for goals in [goals(), by_rows(&goals())] {
-        let reach = OwnedReach::new(machine.clone(), goals.clone()).expect("a problem");
+        let reach = problem(&body(), goals.clone());
         let view = reach.view();
         let values: Vec<f64> = (0..count).flat_map(|_| configuration(&mut random)).collect();
         let twists: Vec<_> = (0..count * goals.len())
@@ -268,37 +252,19 @@ fn rates_are_the_damped_least_squares_of_the_velocities() {
                 let length = 0.125 * longest();
                 let mut gradient = vec![0.0; size];
                 for (goal, twist) in goals.iter().zip(&twists[index * goals.len()..]) {
-                    let mut columns = vec![[0.0; 6]; size];
-                    let mut pose = [DualQuat::IDENTITY];
-                    machine
-                        .job()
-                        .links(&[goal.link])
-                        .jacobians(WorldAligned, values, &mut pose, &mut columns)
-                        .expect("a link");
-                    let arm = pose[0].rotation().rotate(goal.point);
-                    for column in &mut columns {
-                        let [a, b, c, x, y, z] = *column;
-                        let swing = [
-                            b * arm[2] - c * arm[1],
-                            c * arm[0] - a * arm[2],
-                            a * arm[1] - b * arm[0],
-                        ];
-                        *column = [a, b, c, x + swing[0], y + swing[1], z + swing[2]];
+                    let mut columns = vec![Twist::ZERO; size];
+                    let pose =
+                        machine.view().link_jacobian(WorldAligned, values, goal.link, &mut columns);
+                    let arm = pose.expect("a link").rotation().rotate(goal.point);
+                    for of in &mut columns {
+                        of.linear = of.velocity_at(arm);
                     }
-                    let [ra, rl] =
-                        [goal.angular[0], goal.linear[0] / length].map(|weight| weight * weight);
-                    for part in 0..6 {
-                        let weight = if part < 3 { ra } else { rl };
-                        let done: f64 = columns
-                            .iter()
-                            .zip(rates)
-                            .map(|(column, rate)| column[part] * rate)
-                            .sum();
-                        let left = weight * (done - twist.to_array()[part]);
-                        gradient
-                            .iter_mut()
-                            .zip(&columns)
-                            .for_each(|(sum, column)| *sum += left * column[part]);
+                    let done = columns.iter().zip(rates).map(|(of, &rate)| of.scale(rate));
+                    let left = done.fold(Twist::ZERO, |sum, of| sum + of) - *twist;
+                    let [angular, linear] = [goal.angular[0], goal.linear[0] / length];
+                    for (sum, of) in gradient.iter_mut().zip(&columns) {
+                        *sum += angular * angular * vector::dot(left.angular, of.angular)
+                            + linear * linear * vector::dot(left.linear, of.linear);
                     }
                 }
                 for (rate, (sum, speed)) in gradient.iter().zip(rates).enumerate() {
@@ -315,13 +281,12 @@ fn rates_are_the_damped_least_squares_of_the_velocities() {
 
 /// The longest way to a goal of the body.
 fn longest() -> f64 {
-    let norm = |v: [f64; 3]| v.iter().map(|c| c * c).sum::<f64>().sqrt();
     let joints = body();
     let way = |goal: &Goal<f64>| {
-        let (mut sum, mut link) = (norm(goal.point), Some(goal.link));
+        let (mut sum, mut link) = (vector::norm(goal.point), Some(goal.link));
         while let Some(at) = link {
             let slide = if at == 9 { 0.1 } else { 0.0 };
-            sum += norm(joints[at].placement.translation()) + slide;
+            sum += vector::norm(joints[at].placement.translation()) + slide;
             link = joints[at].parent;
         }
         sum
@@ -331,20 +296,17 @@ fn longest() -> f64 {
 
 #[test]
 fn rates_lead_no_joint_beyond_its_limit_and_the_others_make_up_for_it() {
-    let limited = Joint::with_limits;
     let mut joints = planar(&[1.0, 1.0, 1.0]);
-    joints[1] = limited(joints[1], [-2.0, 0.5]);
-    let arm = mechanism::<f64>(&joints);
-    let reach = OwnedReach::new(arm, [Goal::position(3)]).expect("a problem");
+    joints[1] = joints[1].with_limits([-2.0, 0.5]);
+    let reach = problem(&joints, [Goal::position(3)]);
     let (view, mut scratch) = (reach.view(), vec![f64::NAN; reach.view().scratch_len()]);
     let mut speed = |angle: f64, rates: &mut [f64; 3]| {
         let up = Twist { angular: [0.0; 3], linear: [-0.4, 0.3, 0.0] };
         view.rates(&[0.0, angle, 0.4], &[up], 0.0, rates, &mut scratch).expect("lengths fit");
-        let mechanism = view.mechanism();
         let h = 1e-6;
         let place = |by: f64| {
             let values = [by * rates[0], angle + by * rates[1], 0.4 + by * rates[2]];
-            mechanism.link_pose(&values, 3).expect("a link").translation()
+            pose(&reach, &values, 3).translation()
         };
         let (a, b) = (place(h), place(-h));
         assert!(((a[0] - b[0]) / (2.0 * h) + 0.4).abs() < 1e-6, "{angle}: {rates:?}");
@@ -358,8 +320,7 @@ fn rates_lead_no_joint_beyond_its_limit_and_the_others_make_up_for_it() {
 
 #[test]
 fn rates_of_what_is_no_number_are_refused_and_not_written() {
-    let reach =
-        OwnedReach::new(mechanism::<f64>(&planar(&[1.0])), [Goal::position(1)]).expect("a problem");
+    let reach = problem(&planar(&[1.0]), [Goal::position(1)]);
     let (view, mut scratch) = (reach.view(), vec![0.0; reach.view().scratch_len()]);
     let (fine, mut rates) = (Twist::default(), [7.0]);
     let nan = Twist { angular: [0.0, f64::NAN, 0.0], linear: [0.0; 3] };
@@ -378,17 +339,4 @@ fn rates_of_what_is_no_number_are_refused_and_not_written() {
     let short = view.rates(&[0.0], &[], 0.0, &mut rates, &mut scratch);
     assert!(matches!(short, Err(RatesError::Shape(_))));
     assert_eq!(rates, [7.0]);
-}
-
-/// Nothing that is asked for is dropped.
-#[test]
-fn a_search_that_does_not_track_refuses_weights_of_posture_and_start() {
-    let arm = mechanism::<f64>(&planar(&[1.0, 1.0]));
-    for (posture_weight, start_weight) in [(0.1, 0.0), (0.0, 0.1)] {
-        let options = Options { posture_weight, start_weight, ..Options::default() };
-        let mut values = [0.1, 0.2];
-        let goals = [Goal::position(2)];
-        let report = solve(arm.view(), &goals, &[at(1.0, 1.0, 0.0)], &mut values, &options);
-        assert_eq!((report.outcome, values), (Outcome::Invalid, [0.1, 0.2]));
-    }
 }

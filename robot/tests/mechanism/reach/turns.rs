@@ -1,11 +1,11 @@
 //! Whole turns: of all values that are the same pose, the one within the limits that is nearest to the start.
 
-use super::{REACHED, Z, apart, at, mechanism, problem, solve_everywhere, turned};
+use super::{REACHED, Z, apart, at, pose, problem, solve_everywhere, turned};
 use dq8::simd::{Float, Lanes, Portable};
 use dq8::{DualQuat, Real, Scalar};
 use dq8_fixtures::random::Random;
-use dq8_robot::ik::{Freedom, Goal, Options, Outcome, Reach};
-use dq8_robot::{Joint, JointKind};
+use dq8_robot::Joint;
+use dq8_robot::ik::{Goal, Options, Outcome};
 use std::f64::consts::{PI, TAU};
 
 const X: [f64; 3] = [1.0, 0.0, 0.0];
@@ -18,18 +18,14 @@ fn from<R>(joints: &[Joint<f64>], there: &[f64], start: &[f64], restarts: bool) 
 where
     R: Scalar + Float + Lanes<Real = R, Level = Portable, Mask = bool>,
 {
-    let machine = mechanism::<R>(joints);
     let link = joints.len() - 1;
-    let rounded = |values: &[f64]| values.iter().map(|&v| <R as Real>::from_f64(v)).collect();
-    let there: Vec<R> = rounded(there);
-    let target = machine.view().link_pose(&there, link).expect("a link");
-    let goals = [Goal::pose(link)];
-    let mut freedoms = vec![Freedom::default(); machine.view().rates()];
-    let reach = Reach::new(machine.view(), &goals, &mut freedoms).expect("a problem");
+    let mut reach = problem::<R>(joints, [Goal::pose(link)]);
+    let [there, start]: [Vec<R>; 2] = [there, start]
+        .map(|values| values.iter().map(|&value| <R as Real>::from_f64(value)).collect());
+    let target = pose(&reach, &there, link);
     let options = Options { restarts, ..Options::default() };
-    let start: Vec<R> = rounded(start);
-    let (mut values, mut scratch) = (start.clone(), vec![R::ZERO; reach.scratch_len()]);
-    let report = reach.solve(&[target], &mut values, &mut scratch, &options).expect("lengths fit");
+    let mut values = start.clone();
+    let report = reach.solve(&[target], &mut values, &options).expect("lengths fit");
     let mut all = vec![(values, report)];
     // More of them than lanes, each alone in its values.
     let (targets, starts) = (vec![target; 17], start.repeat(17));
@@ -41,7 +37,7 @@ where
     all.into_iter()
         .map(|(values, report)| {
             assert_eq!(report.outcome, Outcome::Converged, "{report:?}");
-            let [turn, distance] = apart(machine.view().link_pose(&values, link).unwrap(), target);
+            let [turn, distance] = apart(pose(&reach, &values, link), target);
             assert!(turn.max(distance) < REACHED + 20.0 * R::EPSILON.into(), "{values:?}");
             values.into_iter().map(Into::into).collect()
         })
@@ -151,9 +147,8 @@ fn values_that_fit_the_limits_a_turn_less_are_found() {
 /// Its turn has no limits; its slides have nothing to do with turns.
 #[test]
 fn the_turn_of_a_planar_joint_is_endless_too() {
-    let kind = JointKind::Planar { normal: Z };
-    let joints =
-        [Joint::new(None, DualQuat::IDENTITY, kind), Joint::fixed(Some(0), at(1.0, 0.0, 0.0))];
+    let plate = Joint::planar(None, DualQuat::IDENTITY, Z);
+    let joints = [plate, Joint::fixed(Some(0), at(1.0, 0.0, 0.0))];
     leads(&joints, [0.2, -7.0, 3.25], [0.1, -6.9, 3.2], [0.2, -7.0, 3.25]);
     leads(&joints, [8.0, -7.0, 0.2], [7.5, -7.0, 13.0], [8.0, -7.0, 0.2 + 2.0 * TAU]);
 }
@@ -161,8 +156,7 @@ fn the_turn_of_a_planar_joint_is_endless_too() {
 /// A turn along a thread is another pose, and so is a turn of what something follows by half as much.
 #[test]
 fn turns_that_are_another_pose_stay() {
-    let thread = JointKind::Screw { axis: Z, pitch: 0.05 };
-    let joints = [Joint::new(None, DualQuat::IDENTITY, thread)];
+    let joints = [Joint::screw(None, DualQuat::IDENTITY, Z, 0.05)];
     leads(&joints, [9.0], [8.0], [9.0]);
     let half = [
         Joint::revolute(None, DualQuat::IDENTITY, Z),
@@ -183,7 +177,7 @@ fn turns_that_are_another_pose_stay() {
 /// Both signs of a quaternion are the same rotation.
 #[test]
 fn the_rotation_of_a_floating_joint_has_the_sign_of_the_start() {
-    let joints = [Joint::new(None, DualQuat::IDENTITY, JointKind::Floating)];
+    let joints = [Joint::floating(None, DualQuat::IDENTITY)];
     let pose = |angle: f64| {
         let [x, y, z, w] = turned(Z, angle, [0.0; 3]).rotation().to_array();
         [x, y, z, w, 0.1, 0.2, 0.3]
@@ -204,32 +198,24 @@ fn the_rotation_of_a_floating_joint_has_the_sign_of_the_start() {
 #[test]
 fn no_whole_turn_nearer_to_the_start_is_within_the_limits_after_restarts() {
     let mut joints = super::seven();
-    let limits = [
-        [-OPEN, OPEN],
-        [-4.0, 4.0],
-        [0.0, OPEN],
-        [-TAU, TAU],
-        [-30.0, 60.0],
-        [-3.1, 3.1],
-        [-OPEN, 2.0],
-    ];
+    let low = [-OPEN, -4.0, 0.0, -TAU, -30.0, -3.1, -OPEN];
+    let high = [OPEN, 4.0, OPEN, TAU, 60.0, 3.1, 2.0];
+    let limits: [_; 7] = core::array::from_fn(|i| [low[i], high[i]]);
     for (joint, limits) in joints.iter_mut().zip(limits) {
         joint.limits = Some(limits);
     }
     let problem = problem::<f64>(&joints, [Goal::pose(7)]);
-    let reach = problem.view();
     let mut random = Random(71);
     let (mut targets, mut starts) = (Vec::new(), Vec::new());
     for _ in 0..200 {
         let there: Vec<f64> = (0..7).map(|_| random.between(-3.0, 3.0)).collect();
-        targets.push(reach.mechanism().link_pose(&there, 7).expect("a link"));
+        targets.push(pose(&problem, &there, 7));
         starts.extend((0..7).map(|_| random.between(-40.0, 40.0)));
     }
     for (backend, values, reports) in
-        solve_everywhere(&reach, &targets, &starts, &Options::default())
+        solve_everywhere(&problem, &targets, &starts, &Options::default())
     {
-        let converged =
-            reports.iter().filter(|report| report.outcome == Outcome::Converged).count();
+        let converged = reports.iter().filter(|report| report.is_converged()).count();
         assert!(converged >= 198, "{backend}: {converged}");
         assert!(reports.iter().any(|report| report.restarts > 0), "{backend}");
         for (index, (&value, &start)) in values.iter().zip(&starts).enumerate() {

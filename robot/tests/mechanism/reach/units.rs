@@ -1,39 +1,26 @@
 //! The unit of length is the caller's.
 
-use super::{at, draw, mechanism, planar, seven, solve_everywhere, turned};
+use super::{Solved, at, draw, planar, pose, problem, seven, solve_everywhere, turned};
 use dq8::DualQuat;
 use dq8_fixtures::random::Random;
-use dq8_robot::ik::{Freedom, Goal, Options, Reach};
-use dq8_robot::{Joint, JointKind, OwnedMechanism};
+use dq8_robot::ik::{Goal, Options};
+use dq8_robot::{Joint, JointKind};
 
 /// A mast on a rail with a thread, an arm that slides out, and a hand.
 fn crane() -> Vec<Joint<f64>> {
-    let placements = [
-        at(0.1, 0.0, 0.3),
-        turned([1.0, 0.0, 0.0], 0.7, [0.2, 0.1, 0.0]),
-        turned([0.0, 1.0, 0.0], -0.4, [0.0, 0.3, 0.2]),
-        at(0.4, 0.0, 0.1),
-        turned([0.0, 0.6, 0.8], 1.1, [0.3, 0.0, 0.1]),
-        at(0.1, 0.2, 0.3),
-    ];
-    let z = [0.0, 0.0, 1.0];
-    let kinds = [
-        JointKind::Prismatic { axis: [1.0, 0.0, 0.0] },
-        JointKind::Revolute { axis: z },
-        JointKind::Screw { axis: z, pitch: 0.25 },
-        JointKind::Revolute { axis: [0.0, 1.0, 0.0] },
-        JointKind::Prismatic { axis: [0.0, 0.6, 0.8] },
-        JointKind::Revolute { axis: [0.8, 0.6, 0.0] },
-    ];
-    let joint = |(index, (kind, placement)): (usize, (JointKind<f64>, DualQuat<f64>))| {
-        let joint = Joint::new(index.checked_sub(1), placement, kind);
-        joint.with_limits(if matches!(kind, JointKind::Prismatic { .. }) {
-            [-0.5, 0.75]
-        } else {
-            [-2.5, 2.5]
-        })
-    };
-    kinds.into_iter().zip(placements).enumerate().map(joint).collect()
+    let [x, y, z] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let turn = [-2.5, 2.5];
+    let slide = |on, at, axis| Joint::prismatic(on, at, axis).with_limits([-0.5, 0.75]);
+    let hinge = |on, at, axis| Joint::revolute(Some(on), at, axis).with_limits(turn);
+    let thread = turned(y, -0.4, [0.0, 0.3, 0.2]);
+    vec![
+        slide(None, at(0.1, 0.0, 0.3), x),
+        hinge(0, turned(x, 0.7, [0.2, 0.1, 0.0]), z),
+        Joint::screw(Some(1), thread, z, 0.25).with_limits(turn),
+        hinge(2, at(0.4, 0.0, 0.1), y),
+        slide(Some(3), turned([0.0, 0.6, 0.8], 1.1, [0.3, 0.0, 0.1]), [0.0, 0.6, 0.8]),
+        hinge(4, at(0.1, 0.2, 0.3), [0.8, 0.6, 0.0]),
+    ]
 }
 
 /// The same, sliding as far as it likes.
@@ -53,7 +40,7 @@ fn is_slide(joint: &Joint<f64>) -> bool {
 }
 
 /// The same joints in that unit.
-fn rescaled(joints: &[Joint<f64>], scale: f64) -> OwnedMechanism<f64> {
+fn rescaled(joints: &[Joint<f64>], scale: f64) -> Vec<Joint<f64>> {
     let joint = |joint: &Joint<f64>| {
         let mut joint = *joint;
         joint.placement = motion(joint.placement, scale);
@@ -65,7 +52,7 @@ fn rescaled(joints: &[Joint<f64>], scale: f64) -> OwnedMechanism<f64> {
         }
         joint
     };
-    mechanism(&joints.iter().map(joint).collect::<Vec<_>>())
+    joints.iter().map(joint).collect()
 }
 
 /// What is the same number in another unit is the same for a factor of two to the last bit: a search takes the same steps
@@ -82,13 +69,10 @@ fn a_search_takes_the_same_steps_whatever_the_unit_of_length_is() {
     for (joints, length_per_radian) in scenes {
         let mut random = Random(5);
         let link = joints.len() - 1;
-        let goals = [Goal::pose(link)];
-        let own = mechanism::<f64>(&joints);
-        let count = 6;
+        let (own, count) = (problem(&joints, [Goal::pose(link)]), 6);
         let starts: Vec<_> = (0..count).flat_map(|_| draw(&mut random, &joints)).collect();
-        let targets: Vec<_> = (0..count)
-            .map(|_| own.view().link_pose(&draw(&mut random, &joints), link).expect("a link"))
-            .collect();
+        let targets: Vec<_> =
+            (0..count).map(|_| pose(&own, &draw(&mut random, &joints), link)).collect();
         let postures = [None, Some(draw(&mut random, &joints))];
         for posture in postures {
             let search = |scale: f64| {
@@ -97,12 +81,9 @@ fn a_search_takes_the_same_steps_whatever_the_unit_of_length_is() {
                     let unit = |joint: &Joint<f64>| if is_slide(joint) { scale } else { 1.0 };
                     values.iter().zip(joints).map(|(value, joint)| value * unit(joint)).collect()
                 };
-                let there = rescaled(&joints, scale);
-                let mut freedoms = vec![Freedom::default(); there.view().rates()];
-                let posture = posture.as_deref().map(|posture| in_unit(posture, scale));
-                let mut reach = Reach::new(there.view(), &goals, &mut freedoms).expect("a problem");
+                let mut reach = problem(&rescaled(&joints, scale), [Goal::pose(link)]);
                 if let Some(posture) = &posture {
-                    reach = reach.with_posture(posture).expect("a posture");
+                    reach = reach.with_posture(in_unit(posture, scale)).expect("a posture");
                 }
                 let targets: Vec<_> = targets.iter().map(|&pose| motion(pose, scale)).collect();
                 let options = Options {
@@ -111,25 +92,11 @@ fn a_search_takes_the_same_steps_whatever_the_unit_of_length_is() {
                     ..Options::default()
                 };
                 let solved = solve_everywhere(&reach, &targets, &in_unit(&starts, scale), &options);
-                let mut all = Vec::new();
-                for (backend, values, reports) in solved {
-                    let values = in_unit(&values, 1.0 / scale);
-                    let steps: Vec<_> = reports
-                        .iter()
-                        .map(|report| {
-                            let linear = report.linear_error / scale;
-                            (
-                                report.outcome,
-                                report.iterations,
-                                report.restarts,
-                                report.angular_error,
-                                linear,
-                            )
-                        })
-                        .collect();
-                    all.push((backend, values, steps));
-                }
-                all
+                let in_metres = |(backend, values, mut reports): Solved<f64>| {
+                    reports.iter_mut().for_each(|report| report.linear_error /= scale);
+                    (backend, in_unit(&values, 1.0 / scale), reports)
+                };
+                solved.into_iter().map(in_metres).collect::<Vec<_>>()
             };
             let metres = search(1.0);
             for scale in [1024.0, 1.0 / 256.0] {

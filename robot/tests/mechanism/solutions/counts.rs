@@ -120,8 +120,8 @@ fn apart(a: &[f64; 6], b: &[f64; 6]) -> f64 {
 #[test]
 fn searches_from_1_024_starts_find_these_and_no_others() {
     let options = Options {
-        angular_tolerance: 1e-11,
-        linear_tolerance: 1e-11,
+        angular_tolerance: 1e-12,
+        linear_tolerance: 1e-12,
         restarts: false,
         ..Options::default()
     };

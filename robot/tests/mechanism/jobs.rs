@@ -1,0 +1,399 @@
+//! Everything that is asked of a mechanism: on the lanes of every backend, in every layout and precision, of any number of
+//! configurations, on any number of threads, near and far, it is what one configuration gives; and that, what the book does.
+
+use crate::tree::{mechanism, tree, values};
+use dq8::simd::Row;
+use dq8::storage::{AoSoA, Aos, Block, Element, Layout, LinearFirst, pack};
+use dq8::{Backend, DualQuat, Real, Scalar, Twist};
+use dq8_fixtures::random::Random;
+use dq8_fixtures::textbook::Textbook;
+use dq8_robot::{Body, Job, Joint, JointKind, JointValues, Mechanism, World, WorldAligned};
+
+/// What of rounding is left in poses, relative to where they are, in numbers of twists, and in places: up to 64 products one
+/// after the other, moments about links that are some lengths away, points as far.
+const DOUBLE: [f64; 3] = [2e-14, 1e-13, 1e-13];
+const SINGLE: [f64; 3] = [1e-5, 1e-4, 1e-4];
+
+/// A mechanism, which links of it and points on it are asked for, and of how many configurations.
+struct Scene<'a, R> {
+    robot: Mechanism<'a, R>,
+    links: Vec<usize>,
+    points: Vec<(usize, [R; 3])>,
+    count: usize,
+}
+
+impl<'a, R: Real> Scene<'a, R> {
+    /// One of the links twice; points in the order of their links, or in none.
+    fn new(robot: Mechanism<'a, R>, count: usize) -> Self {
+        let last = robot.links() - 1;
+        let mut random = Random(last as u64);
+        let mut points: Vec<_> = (0..1 + random.below(3 * last + 3))
+            .map(|_| (random.below(last + 1), random.vector().map(R::from_f64)))
+            .collect();
+        if !count.is_multiple_of(3) {
+            points.sort_by_key(|(link, _)| *link);
+        }
+        Self { robot, links: vec![last, last / 2, 0, last], points, count }
+    }
+}
+
+/// An answer: what it is, how many numbers a thing has, and the numbers, `[configuration][thing][number]`.
+#[derive(Clone, Debug, PartialEq)]
+struct Answer {
+    what: &'static str,
+    width: usize,
+    numbers: Vec<f64>,
+}
+
+fn answer<E: Element<C>, const C: usize>(what: &'static str, all: &[E], count: usize) -> Answer {
+    let things = E::Layout::THINGS;
+    let each = all.len() / count.div_ceil(things);
+    let thing = |index: usize| {
+        let (configuration, thing) = (index / each, index % each);
+        let at = (configuration / things * each + thing) * things + configuration % things;
+        E::get(all, at).expect("a thing").map(Into::into)
+    };
+    Answer { what, width: C, numbers: (0..count * each).flat_map(thing).collect() }
+}
+
+/// All that a job computes.
+fn on_lanes<R, T, E, C, P>(
+    scene: &Scene<'_, R>,
+    job: Job<'_, R>,
+    [values, rates, second]: [&[T]; 3],
+    (pose, twist, place): (E, C, P),
+) -> Vec<Answer>
+where
+    R: Scalar,
+    T: JointValues<E::Layout>,
+    E: Element<8, Layout: Layout<Real = R>>,
+    C: Element<6, Layout = E::Layout>,
+    P: Element<3, Layout = E::Layout>,
+{
+    let Scene { robot, links, points, count } = scene;
+    let elements = count.div_ceil(E::Layout::THINGS);
+    let mut poses = vec![pose; elements * robot.links()];
+    let mut chosen = vec![pose; elements * links.len()];
+    let mut twists = vec![twist; elements * robot.links()];
+    let (mut accelerations, mut all) = (twists.clone(), Vec::new());
+    job.poses(values, &mut poses).unwrap();
+    all.push(answer("poses", &poses, *count));
+    job.links(links).poses(values, &mut chosen).unwrap();
+    all.push(answer("chosen", &chosen, *count));
+    job.velocities(values, rates, &mut poses, &mut twists).unwrap();
+    all.push(answer("velocities", &twists, *count));
+    job.accelerations(values, rates, second, &mut poses, &mut twists, &mut accelerations).unwrap();
+    all.push(answer("poses", &poses, *count));
+    all.push(answer("velocities", &twists, *count));
+    all.push(answer("accelerations", &accelerations, *count));
+    let mut places = vec![place; elements * points.len()];
+    job.points(points, values, &mut places).unwrap();
+    all.push(answer("places", &places, *count));
+    let mut columns = vec![twist; elements * links.len() * robot.rates()];
+    macro_rules! jacobians {
+        ($($what:literal $frame:expr),*) => {$(
+            job.links(links).jacobians($frame, values, &mut chosen, &mut columns).unwrap();
+            all.push(answer("chosen", &chosen, *count));
+            all.push(answer($what, &columns, *count));
+        )*};
+    }
+    jacobians! { "world" World, "body" Body, "aligned" WorldAligned }
+    all
+}
+
+/// The same by the methods for one configuration.
+fn alone<R: Real>(scene: &Scene<'_, R>, [values, rates, second]: [&[R]; 3]) -> Vec<Answer> {
+    let Scene { robot, links, points, count } = scene;
+    let mut all: Vec<Answer> = Vec::new();
+    for at in 0..*count {
+        let of = |all: &'_ [R], each: usize| all[at * each..][..each].to_vec();
+        let (values, rates) = (of(values, robot.values()), of(rates, robot.rates()));
+        let second = of(second, robot.rates());
+        let mut poses = vec![DualQuat::IDENTITY; robot.links()];
+        let mut twists = vec![Twist::from_array([R::ZERO; 6]); robot.links()];
+        let mut accelerations = twists.clone();
+        let mut one = Vec::new();
+        let flat = |what, width, numbers: Vec<R>| {
+            let numbers = numbers.into_iter().map(Into::into).collect();
+            Answer { what, width, numbers }
+        };
+        let motions = |what, all: &[DualQuat<R>]| {
+            flat(what, 8, all.iter().flat_map(|pose| pose.to_array()).collect())
+        };
+        let speeds = |what, all: &[Twist<R>]| {
+            flat(what, 6, all.iter().flat_map(|twist| twist.to_array()).collect())
+        };
+        robot.link_poses(&values, &mut poses).unwrap();
+        one.push(motions("poses", &poses));
+        let chosen: Vec<_> =
+            links.iter().map(|&link| robot.link_pose(&values, link).unwrap()).collect();
+        one.push(motions("chosen", &chosen));
+        robot.link_velocities(&values, &rates, &mut poses, &mut twists).unwrap();
+        one.push(speeds("velocities", &twists));
+        robot
+            .link_accelerations(
+                &values,
+                &rates,
+                &second,
+                &mut poses,
+                &mut twists,
+                &mut accelerations,
+            )
+            .unwrap();
+        one.push(motions("poses", &poses));
+        one.push(speeds("velocities", &twists));
+        one.push(speeds("accelerations", &accelerations));
+        let mut places = vec![[R::NAN; 3]; points.len()];
+        robot.link_points(&values, points, &mut places).unwrap();
+        one.push(flat("places", 3, places.concat()));
+        macro_rules! jacobians {
+            ($($what:literal $frame:expr),*) => {$(
+                let mut columns = vec![Twist::from_array([R::NAN; 6]); links.len() * robot.rates()];
+                let each = links.iter().zip(columns.chunks_exact_mut(robot.rates().max(1)));
+                let chosen: Vec<_> = each
+                    .map(|(&link, columns)| {
+                        robot.link_jacobian($frame, &values, link, columns).unwrap()
+                    })
+                    .collect();
+                one.push(motions("chosen", &chosen));
+                one.push(speeds($what, &columns));
+            )*};
+        }
+        jacobians! { "world" World, "body" Body, "aligned" WorldAligned }
+        if all.is_empty() {
+            all = one;
+        } else {
+            all.iter_mut().zip(one).for_each(|(all, one)| all.numbers.extend(one.numbers));
+        }
+    }
+    all
+}
+
+/// Numbers are the same to rounding, the signs of poses too: neighbours may be blended.
+#[track_caller]
+fn close(found: &[Answer], wanted: &[Answer], bounds: [f64; 3], what: &str) {
+    for (found, wanted) in found.iter().zip(wanted) {
+        assert_eq!(found.numbers.len(), wanted.numbers.len(), "{what}");
+        let things = found.numbers.chunks(found.width).zip(wanted.numbers.chunks(found.width));
+        for (found_of, wanted_of) in things {
+            let dual = wanted_of.iter().skip(4).map(|c| c * c).sum::<f64>().sqrt();
+            for (a, b) in found_of.iter().zip(wanted_of) {
+                let bound = match found.width {
+                    8 => bounds[0] * (1.0 + dual),
+                    6 => bounds[1] * (1.0 + b.abs()),
+                    _ => bounds[2],
+                };
+                let name = found.what;
+                assert!((a - b).abs() <= bound, "{what}: {name}: {found_of:?} {wanted_of:?}");
+            }
+        }
+    }
+}
+
+/// The same in blocks of `N`: with plain values, and with values in blocks.
+fn in_blocks<R, const N: usize>(
+    scene: &Scene<'_, R>,
+    backend: Backend,
+    inputs: [&[R]; 3],
+) -> [Vec<Answer>; 2]
+where
+    R: Scalar + JointValues<AoSoA<[R; N]>> + Element<1, Layout = Aos<R>>,
+    [R; N]: Row<Real = R>,
+{
+    let (robot, job) = (scene.robot, scene.robot.job().backend(backend));
+    let nine = <R as Real>::from_f64(9.0);
+    let empty = (
+        Block::<R, N, 8>::splat([nine; 8]),
+        Block::<R, N, 6>::splat([nine; 6]),
+        Block::<R, N, 3>::splat([nine; 3]),
+    );
+    let counts = [robot.values(), robot.rates(), robot.rates()];
+    let packed = [0, 1, 2].map(|which| {
+        let blocks = scene.count.div_ceil(N) * counts[which];
+        let mut packed = vec![Block::<R, N, 1>::splat([R::ZERO]); blocks];
+        pack(counts[which], inputs[which], &mut packed).unwrap();
+        packed
+    });
+    let given = packed.each_ref().map(|packed| &packed[..]);
+    [on_lanes(scene, job, inputs, empty), on_lanes(scene, job, given, empty)]
+}
+
+/// Values and two sets of rates of so many configurations.
+fn drawn(random: &mut Random, joints: &[Joint<f64>], rates: usize, count: usize) -> [Vec<f64>; 3] {
+    let values = (0..count).flat_map(|_| values(random, joints)).collect();
+    let mut rates = || (0..count * rates).map(|_| random.signed()).collect();
+    [values, rates(), rates()]
+}
+
+fn cast<R: Real>(numbers: &[Vec<f64>; 3]) -> [Vec<R>; 3] {
+    numbers.each_ref().map(|all| all.iter().map(|&number| R::from_f64(number)).collect())
+}
+
+fn slices<R>(numbers: &[Vec<R>; 3]) -> [&[R]; 3] {
+    numbers.each_ref().map(|all| &all[..])
+}
+
+fn plain<R: Real>() -> (DualQuat<R>, [R; 6], [R; 3]) {
+    (DualQuat::IDENTITY, [R::NAN; 6], [R::NAN; 3])
+}
+
+#[test]
+fn every_job_computes_what_one_configuration_does_and_that_what_the_book_does() {
+    let mut random = Random(5);
+    for links in (1..30).chain([64]) {
+        let joints = tree(&mut random, links);
+        let (double, single) = (mechanism::<f64>(&joints), mechanism::<f32>(&joints));
+        let by_the_book = mechanism::<Textbook<f64>>(&joints);
+        let count = [1, 2, 3, 4, 7, 8, 9, 16, 33][links % 9];
+        let (robot, rates) = (double.view(), double.view().rates());
+        if robot.values() == 0 {
+            continue;
+        }
+        let numbers = drawn(&mut random, &joints, rates, count);
+        let (inputs, floats) = (slices(&numbers), cast::<f32>(&numbers));
+        let floats = slices(&floats);
+        let book = alone(&Scene::new(by_the_book.view(), count), slices(&cast(&numbers)));
+        let (scene, narrow) = (Scene::new(robot, count), Scene::new(single.view(), count));
+        close(&alone(&scene, inputs), &book, DOUBLE, "alone");
+        close(&alone(&narrow, floats), &book, SINGLE, "alone, in f32");
+        for backend in Backend::available() {
+            let what = format!("{backend}, {links} joints, {count} configurations");
+            let job = robot.job().backend(backend);
+            let found = on_lanes(&scene, job, inputs, plain());
+            close(&found, &book, DOUBLE, &what);
+            // What is asked together is what is asked alone.
+            for (one, other) in [(0, 3), (2, 4), (1, 7), (1, 9), (1, 11)] {
+                assert_eq!(found[one], found[other], "{what}");
+            }
+            for (index, &link) in scene.links.iter().enumerate() {
+                let own = Scene { links: vec![link], points: scene.points.clone(), ..scene };
+                for (all, own) in found.iter().zip(on_lanes(&own, job, inputs, plain())) {
+                    let each = own.numbers.len() / count;
+                    if ["chosen", "world", "body", "aligned"].contains(&all.what) {
+                        let part = all.numbers.chunks(each.max(1)).skip(index).step_by(4);
+                        assert!(part.eq(own.numbers.chunks(each.max(1))), "{what}: {index}");
+                    }
+                }
+            }
+            if links > 17 {
+                continue;
+            }
+            let (pose, _, place) = plain();
+            let named = on_lanes(&scene, job, inputs, (pose, Twist::ZERO, place));
+            assert_eq!(named, found, "{what}, twists");
+            let turned = (pose, LinearFirst([9.0; 6]), place);
+            assert_eq!(on_lanes(&scene, job, inputs, turned), found, "{what}, linear part first");
+            let [a, b] = in_blocks::<f64, 8>(&scene, backend, inputs);
+            let [c, d] = in_blocks::<f64, 4>(&scene, backend, inputs);
+            assert!([a, b, c, d].iter().all(|other| *other == found), "{what}, blocks");
+            let rounded = on_lanes(&narrow, single.job().backend(backend), floats, plain());
+            close(&rounded, &book, SINGLE, &format!("{what}, in f32"));
+            let [a, b] = in_blocks::<f32, 16>(&narrow, backend, floats);
+            let [c, d] = in_blocks::<f32, 8>(&narrow, backend, floats);
+            assert!([a, b, c, d].iter().all(|other| *other == rounded), "{what}, blocks of f32");
+        }
+    }
+}
+
+#[cfg(feature = "rayon")]
+#[test]
+fn all_cores_give_every_bit_of_what_one_gives_and_refuse_what_one_refuses() {
+    let mut random = Random(10);
+    // Some tasks each.
+    for (links, count) in [(1, 5000), (7, 1000), (30, 300)] {
+        let joints = tree(&mut random, links);
+        let owned = mechanism::<f64>(&joints);
+        let scene = Scene::new(owned.view(), count);
+        let numbers = drawn(&mut random, &joints, scene.robot.rates(), count);
+        let [one, all] = [1, usize::MAX].map(|threads| owned.job().threads(threads));
+        let inputs = slices(&numbers);
+        assert!(on_lanes(&scene, one, inputs, plain()) == on_lanes(&scene, all, inputs, plain()));
+        let mut poses = vec![DualQuat::IDENTITY; count * links];
+        let [values, rates, _] = inputs;
+        for (fewer, rates) in [(links, rates), (0, &rates[1..])] {
+            let mut twists = vec![[7.0; 6]; count * links - fewer];
+            assert!(all.velocities(values, rates, &mut poses[fewer..], &mut twists).is_err());
+            assert!(twists.iter().all(|twist| *twist == [7.0; 6]), "{links}, refused");
+        }
+    }
+}
+
+/// A configuration with an angle so far, alone and among others: where a number is NaN in one, it is in the other, and so
+/// are all of its link, and nothing of the others; elsewhere they are the same but for hundredths of a radian, to which such
+/// an angle is known. Whether something is NaN.
+fn is_nowhere<R>(joints: &[Joint<f64>], angle: usize, far: f64, random: &mut Random) -> Vec<bool>
+where
+    R: Scalar + Element<1, Layout = Aos<R>> + JointValues<Aos<R>>,
+{
+    const AT: usize = 6;
+    let (owned, count) = (mechanism::<R>(joints), 17);
+    let robot = owned.view();
+    let mut numbers = cast::<R>(&drawn(random, joints, robot.rates(), count));
+    numbers[0][AT * robot.values() + angle] = <R as Real>::from_f64(far);
+    let counts = [robot.values(), robot.rates(), robot.rates()];
+    let own = [0, 1, 2].map(|which| &numbers[which][AT * counts[which]..][..counts[which]]);
+    let own = alone(&Scene { count: 1, ..Scene::new(robot, count) }, own);
+    let mut nowhere = Vec::new();
+    for backend in Backend::available() {
+        let job = robot.job().backend(backend);
+        let scene = Scene::new(robot, count);
+        for (own, all) in own.iter().zip(on_lanes(&scene, job, slices(&numbers), plain())) {
+            let what = format!("{backend}, {}, angle {angle} at {far}: {joints:?}", own.what);
+            let each = (all.numbers.len() / count).max(1);
+            for (index, found) in all.numbers.chunks(each).enumerate() {
+                assert!(index == AT || found.iter().all(|c| c.is_finite()), "{what}, {index}");
+            }
+            let found = all.numbers.chunks(each).nth(AT).unwrap_or_default();
+            let size = own.numbers.iter().filter(|c| !c.is_nan()).fold(1.0, |m, c| c.abs().max(m));
+            for (a, b) in own.numbers.iter().zip(found) {
+                let same = a.is_nan() && b.is_nan() || (a - b).abs() <= 0.1 * size;
+                assert!(same, "{what}: {a} alone, {b} among others");
+            }
+            let is_of_links = !["world", "body", "aligned"].contains(&own.what);
+            for link in own.numbers.chunks(own.width).filter(|_| is_of_links) {
+                let is_nan = link[0].is_nan();
+                assert!(link.iter().all(|c| c.is_nan() == is_nan), "{what}: {link:?}");
+            }
+        }
+        nowhere.push(own.iter().any(|own| own.numbers.iter().any(|c| c.is_nan())));
+    }
+    nowhere
+}
+
+fn far_angles<R>()
+where
+    R: Scalar + Element<1, Layout = Aos<R>> + JointValues<Aos<R>>,
+{
+    let mut random = Random(46);
+    // The largest angle, radians.
+    let limit = 2f64.powi(if R::EPSILON.into() > 1e-10 { 17 } else { 46 });
+    let turn = |on| Joint::revolute(on, DualQuat::IDENTITY, [0.0, 1.0, 0.0]);
+    for far in [f64::INFINITY, f64::NAN] {
+        let nowhere = is_nowhere::<R>(&[turn(None), turn(Some(0))], 1, far, &mut random);
+        assert!(nowhere.iter().all(|&nan| nan), "{far}");
+    }
+    for links in 1..12 {
+        let joints = tree(&mut random, links);
+        let robot = mechanism::<R>(&joints);
+        for (link, joint) in joints.iter().enumerate().filter(|(_, joint)| joint.mimic.is_none()) {
+            let first = robot.view().values_of(link).unwrap().start;
+            let angle = match joint.kind {
+                JointKind::Revolute { .. } | JointKind::Screw { .. } => first,
+                JointKind::Planar { .. } => first + 2,
+                _ => continue,
+            };
+            // The screw slides as far as it turns, and what mimics turns less.
+            for far in [0.99_f64, -0.99, 1.01, -3.0, 20.0] {
+                let nowhere = is_nowhere::<R>(&joints, angle, far * limit, &mut random);
+                let is_far = far.abs() > 1.0;
+                assert!(nowhere.iter().all(|&nan| nan == is_far), "{far} of the limit, {joint:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn far_angles_have_one_answer_alone_and_on_lanes_and_leave_other_configurations_alone() {
+    far_angles::<f64>();
+    far_angles::<f32>();
+}
