@@ -39,11 +39,16 @@ Proof.
   assert (Rabs c = a) by (destruct C as [-> | ->]; rewrite ?Rabs_Ropp; apply Rabs_pos_eq; exact A). lra.
 Qed.
 
-(* A component of a vector of length l. *)
-Lemma component l x : 0 <= l -> bounded (l * x) (l * x) (l * Rabs x) 0.
+(* A component of a vector of length l: its size is a number of its own, so that what follows stays short. *)
+Lemma component l x : 0 <= l -> exists y, y = l * Rabs x /\ 0 <= y /\ bounded (l * x) (l * x) y 0.
 Proof.
-  intros. unfold bounded. replace (l * x - l * x) with 0 by ring.
-  rewrite Rabs_R0, Rabs_mult, (Rabs_pos_eq l) by lra. lra.
+  intros. exists (l * Rabs x). unfold bounded. replace (l * x - l * x) with 0 by ring.
+  rewrite Rabs_R0, Rabs_mult, (Rabs_pos_eq l) by lra. repeat split; try lra. apply Rmult_le_pos; [lra | apply Rabs_pos].
+Qed.
+(* And of one whose unit is its length. *)
+Lemma given x : exists y, y = Rabs x /\ 0 <= y /\ bounded x x y 0.
+Proof.
+  exists (Rabs x). unfold bounded. replace (x - x) with 0 by ring. rewrite Rabs_R0. repeat split; try lra. apply Rabs_pos.
 Qed.
 
 Lemma opposite n m a e : bounded n m a e -> bounded (- n) (- m) a e.
@@ -98,10 +103,6 @@ Proof.
   { apply Rmult_le_compat_l; [lra |]. apply Rmult_le_compat_r; lra. }
   lra.
 Qed.
-
-(* A component of a vector whose unit is its length. *)
-Lemma given x : bounded x x (Rabs x) 0.
-Proof. unfold bounded. replace (x - x) with 0 by ring. rewrite Rabs_R0. lra. Qed.
 
 Lemma below a c : - c <= a <= c -> Rabs a <= c.
 Proof. intros. apply Rabs_le. assumption. Qed.

@@ -257,9 +257,11 @@ impl Analysis {
     pub(crate) fn size(&self, node: Node) -> Option<Lengths> {
         Some(self.by_lengths(self.exact(node)?))
     }
-    /// That of a node and c times another.
+    /// That of a node and c times another, where terms of one and the other have as many factors.
     pub(crate) fn size_of_sum(&self, node: Node, c: f64, other: Node) -> Option<Lengths> {
-        Some(self.by_lengths(&self.exact(node)?.plus(c, self.exact(other)?)))
+        let (one, other) = (self.exact(node)?, self.exact(other)?);
+        let factors = |of: &Polynomial| of.0.keys().next().map(Vec::len);
+        (factors(one) == factors(other)).then(|| self.by_lengths(&one.plus(c, other)))
     }
     /// The sums of squares of a whole argument: node and argument.
     pub(crate) fn sums(&self) -> impl Iterator<Item = (Node, usize)> {

@@ -1,18 +1,20 @@
-//! Weighted sums that are normalized: the bound of the whole, from those of both parts.
+//! Weighted sums that are normalized, or that move points without being: the bound of the whole, from those of both parts.
 //!
-//! With z + δ for the computed sum, of real part p and dual part q, and N for the exact normalization,
+//! With z + δ for the computed sum, of real part p and dual part q, N for the exact normalization and M(v) = Rv + t for what a
+//! motion of any length does to a point, which is the rotation by p/|p| and t = 2qp⁻¹,
 //!
 //! ```text
-//! |N(z + δ) − N(z)| ≤ |δp|/ℓ                                real, for 2|δ|/(|a| + |b|) of Dunkl and Williams (1964)
-//!                   ≤ |δq|/ℓ + (2/√3) |δp||q|/ℓ²            dual
+//! |N(z + δ) − N(z)|       ≤ |δp|/ℓ                                real, for 2|δ|/(|a| + |b|) of Dunkl and Williams (1964)
+//!                         ≤ |δq|/ℓ + (2/√3) |δp||q|/ℓ²            dual
+//! |M(v) − M′(v)|          ≤ 2 (|δp||v|/ℓ + |δq|/ℓ + |δp||q|/ℓ²)   for a⁻¹ − b⁻¹ = a⁻¹(b − a)b⁻¹
 //! ```
 //!
-//! where ℓ is the least length of p on the way, and the second is the largest slope of (1 − eeᵀ)/|p|, e = p/|p|. What
-//! normalizing itself rounds is added. ℓ ≥ |p|(1 − 2⁻¹⁰) if u|δp| ≤ 2⁻¹⁰|p|, which holds where the bound of the real part is
-//! below [`FAR`].
+//! where ℓ is the least length of p on the way, and 2/√3 is of the largest slope of (1 − eeᵀ)/|p|, e = p/|p|. What the last step
+//! itself rounds is added. ℓ ≥ |p|(1 − 2⁻¹⁰) if u|δp| ≤ 2⁻¹⁰|p|, which holds where the bound of the real part, or half that of a point
+//! with |v| = 1, is below [`FAR`].
 
 use crate::bound::{Analysis, U};
-use crate::operations::{Form, OPERATIONS, Operation};
+use crate::operations::{Form, Operation};
 use crate::polynomial::Lengths;
 use crate::table::bounds;
 use crate::tape::{Node, Tape};
@@ -24,7 +26,7 @@ pub const FAR: f64 = 16_000.0;
 /// 1/(1 − 2⁻¹⁰)², and what is of second order.
 const MARGIN: f64 = 1.002_1;
 
-/// What normalizes at the end, and the nodes of the sum that it is given.
+/// What comes after the sum, and the nodes that it is given: sum, and point.
 #[must_use]
 pub fn sum(
     operation: &Operation,
@@ -32,11 +34,26 @@ pub fn sum(
     form: Form,
     is_single: bool,
 ) -> Option<(&'static Operation, Vec<Node>)> {
-    if !matches!(form, Form::Single | Form::Lanes) || operation.name.contains("normalize") {
+    let last = ["normalize", "quat_normalize", "scaled_point"];
+    if operation.name.contains("normalize") || last.contains(&operation.name) {
         return None;
     }
-    let mut last = OPERATIONS.iter().filter(|o| matches!(o.name, "normalize" | "quat_normalize"));
+    let mut last = form.operations().iter().filter(|other| last.contains(&other.name));
     last.find_map(|last| Some((last, tape.ends_in(&tape_of(last, form, is_single))?)))
+}
+
+/// Of each argument of what comes after a sum, its length and how far it is off.
+pub(crate) fn given(
+    analysis: &Analysis,
+    last: &Operation,
+    mut nodes: &[Node],
+) -> Option<Vec<(Lengths, Lengths)>> {
+    let each = last.inputs.iter().map(|&(_, count)| {
+        let (these, rest) = nodes.split_at(count);
+        nodes = rest;
+        analysis.vector(these)
+    });
+    each.collect()
 }
 
 /// The bound of each number, of which the length of the sum's real part is the group after the arguments.
@@ -47,17 +64,27 @@ pub(crate) fn of(
     form: Form,
     fused: bool,
 ) -> Option<Vec<Lengths>> {
-    let (real, dual) = sum.split_at(4);
-    let over = Lengths([(vec![(operation.inputs.len(), -1)], MARGIN)].into());
-    let own = bounds(last, form, fused).into_iter().map(|part| part.bound);
-    let own: Vec<f64> = own.map(|own| Some(own?.0.values().sum())).collect::<Option<_>>()?;
-    let off = analysis.vector(real)?.1.times(&over);
-    let mut parts = vec![Lengths::constant(own[0]).plus(&off); 4];
-    if !dual.is_empty() {
-        let (size, moved) = analysis.vector(dual)?;
-        let of_dual = size.scaled(own[1]).plus(&moved.scaled(1.0 + own[1] * U)).times(&over);
-        let turned = off.times(&size).times(&over).scaled(2.0 / 3.0_f64.sqrt());
-        parts.extend(vec![of_dual.plus(&turned); 4]);
+    let length = |power| Lengths([(vec![(operation.inputs.len(), power)], MARGIN)].into());
+    let given = given(analysis, last, sum)?;
+    let (none, over) = (Lengths::default(), length(-1));
+    let off = given[0].1.times(&over);
+    let (size, moved) = given.get(1).map_or((&none, &none), |dual| (&dual.0, &dual.1));
+    let (moved, turned) = (moved.times(&over), off.times(size).times(&over));
+    let mut parts = vec![];
+    for (&(name, count), part) in last.parts.iter().zip(bounds(last, form, fused)) {
+        let mut bound = match name {
+            "dual" => moved.clone().plus(&turned.scaled(2.0 / 3.0_f64.sqrt())),
+            "point" => off.times(&given[2].0).plus(&moved).plus(&turned).scaled(2.0),
+            _ => off.clone(),
+        };
+        for (powers, c) in part.bound?.0 {
+            let factors = powers.into_iter().map(|(argument, power)| match argument {
+                0 => length(power),
+                _ => given[argument].0.clone().plus(&given[argument].1.scaled(U)),
+            });
+            bound = bound.plus(&factors.fold(Lengths::constant(c), |all, one| all.times(&one)));
+        }
+        parts.extend(vec![bound; count]);
     }
     Some(parts)
 }

@@ -177,9 +177,14 @@ impl Theorem<'_> {
         };
         let _ = write!(
             text,
-            " :\n  Rabs ({difference}) <= u * ({stated}).\nProof.\n{}  {last}\n  clear -U0 {}.\n",
+            " :\n  Rabs ({difference}) <= u * ({stated}).\nProof.\n{}  {last}\n  clear - U0 {}.\n  subst.\n",
             self.proof.steps,
-            used.iter().map(|&g| format!("L{0} N{0}", letter(g))).collect::<Vec<_>>().join(" ")
+            used.iter()
+                .flat_map(|&g| {
+                    let sizes = self.proof.inputs(g).filter(|i| self.proof.done.contains_key(i));
+                    sizes.map(|i| format!(" Y{i}")).chain([format!(" L{0} N{0}", letter(g))])
+                })
+                .collect::<String>()
         );
         for &g in &used {
             let sum = squares(g, &|i| format!("Rabs x{i} * Rabs x{i}"));

@@ -259,6 +259,16 @@ impl Steps<'_> {
         if result.is_nearer() {
             goal += &format!(" /\\ {computed} in {}", result.computed);
         }
+        if let (Op::Div(..), [over, under]) = (op, &known[..])
+            && over.error.min(under.error) > 0.0
+        {
+            // As `off` has it; by itself Gappa cuts the range into thousands.
+            let [a, b] = [names[0], names[1]];
+            hints.insert(format!("n{a} / n{b} -> M{a} / M{b} + (n{a} / n{b} - M{a} / M{b});"));
+            hints.insert(format!(
+                "n{a} / n{b} - M{a} / M{b} -> ((n{a} - M{a}) - (M{a} / M{b}) * (n{b} - M{b})) / n{b} {{ n{b} <> 0, M{b} <> 0 }};"
+            ));
+        }
         if given.is_none() {
             goal += &format!(" /\\ {exact} in {range}");
         } else {
@@ -268,10 +278,12 @@ impl Steps<'_> {
             }
         }
         let joined = |set: BTreeSet<String>, by| set.into_iter().collect::<Vec<_>>().join(by);
+        let arrow = if hypotheses.is_empty() { "" } else { "\n  -> " };
         self.scripts.insert(format!(
-            "#@ -Echange-threshold=0\n@rnd = float<ieee_{},ne>;\n{{ {}\n  -> {goal} }}\n{}\n",
+            "#@ -Echange-threshold=0\n@rnd = float<ieee_{},ne>;\n{{ {}{goal} }}\n{}\n",
             if self.is_single { 32 } else { 64 },
-            joined(hypotheses, " /\\ "),
+            // Of constants nothing is supposed.
+            joined(hypotheses, " /\\ ") + arrow,
             joined(hints, "\n")
         ));
         Some(result)

@@ -215,52 +215,84 @@ table! {
 pub mod jobs {
     use super::Operation;
     use dq8::hierarchy::{Hierarchy, Poses};
-    use dq8::skinning::{Linear, Skin, Surface, SurfaceMut, Weight};
+    use dq8::skinning::{Blender, DualBlend, Linear, Skin, Surface, SurfaceMut, Weight};
     use dq8::{Backend, DualQuat, Scalar};
 
-    /// A joint under its parent: what forward kinematics repeats; and a model times its inverse bind, as a matrix.
+    /// A joint under its parent: what forward kinematics repeats; a model times its inverse bind, as a matrix; skins of four
+    /// joints, all of whose real parts are an argument, and all of whose dual parts; and what such a sum does to a point.
     pub const OPERATIONS: &[Operation] = rows! {
         local_to_model(p 4, q 4, r 4, s 4) -> (real 4, dual 4);
         palette(p 4, q 4, r 4, s 4) ->
             (rotation 3, translation 1, rotation 3, translation 1, rotation 3, translation 1);
         linear_skin(a 12, b 12, c 12, d 12, w 4, v 3) -> (point 3);
+        scaled_point(p 4, q 4, v 3) -> (point 3);
+        dual_skin(p 16, q 16, w 4, v 3) -> (point 3);
     };
 
     /// The numbers of the answer.
     ///
     /// # Panics
-    /// If there are too few numbers.
+    /// Of a name that is not in the table.
     pub fn run<R: Scalar + Weight>(name: &str, backend: Backend, from: &[R]) -> Vec<R> {
-        if let Some((weights, &[x, y, z])) =
-            from.get(48..).and_then(|rest| rest.split_at_checked(4))
-        {
-            let matrix = |joint: usize| {
-                core::array::from_fn(|row| core::array::from_fn(|i| from[12 * joint + 4 * row + i]))
-            };
-            let (palette, mut posed) = ([0, 1, 2, 3].map(matrix), [[R::ZERO; 3]]);
-            // Weights of either sign, for all that draws numbers.
-            let weights: Vec<R> =
-                weights.iter().map(|&w| if w < R::ZERO { -w } else { w }).collect();
-            let skin = Skin::new(4, 4, &[0_u8, 1, 2, 3], &weights).expect("four joints");
-            let (rest, points) = ([[x, y, z]], SurfaceMut::positions(&mut posed));
-            let job = skin.job().backend(backend);
-            job.pose(Linear::new(&palette), Surface::positions(&rest), points).expect("one vertex");
-            return posed.as_flattened().to_vec();
-        }
-        let motion =
-            |at: usize| DualQuat::from_array(*from[at..].first_chunk().expect("16 numbers"));
+        let quat = |at: usize| core::array::from_fn::<R, 4, _>(|i| from[at + i]);
+        let motion = |real: usize, dual: usize| {
+            let ([px, py, pz, pw], [qx, qy, qz, qw]) = (quat(real), quat(dual));
+            DualQuat::from_array([px, py, pz, pw, qx, qy, qz, qw])
+        };
         let (parents, mut models) = ([Hierarchy::ROOT, 0], [DualQuat::IDENTITY; 2]);
-        let joints = if name == "palette" { 1 } else { 2 };
-        let hierarchy = Hierarchy::new(&parents[..joints]).expect("a root, and its child");
-        let job = hierarchy.job().backend(backend);
-        if name == "palette" {
-            let mut matrix = [[[R::ZERO; 4]; 3]];
-            job.palette(Poses(&[motion(0)]), &mut models[..1], &[motion(8)], &mut matrix)
-                .expect("one each");
-            return matrix.as_flattened().as_flattened().to_vec();
+        let job =
+            |joints: usize| Hierarchy::new(&parents[..joints]).expect("a root, and its child");
+        match name {
+            "local_to_model" => {
+                let locals = [motion(0, 4), motion(8, 12)];
+                job(2)
+                    .job()
+                    .backend(backend)
+                    .local_to_model(&locals, &mut models)
+                    .expect("two of each");
+                models[1].to_array().to_vec()
+            }
+            "palette" => {
+                let (locals, binds, mut matrix) =
+                    ([motion(0, 4)], [motion(8, 12)], [[[R::ZERO; 4]; 3]]);
+                let job = job(1).job().backend(backend);
+                job.palette(Poses(&locals), &mut models[..1], &binds, &mut matrix)
+                    .expect("one each");
+                matrix.as_flattened().as_flattened().to_vec()
+            }
+            "linear_skin" => {
+                let palette = [0, 12, 24, 36].map(|at| [0, 4, 8].map(|row| quat(at + row)));
+                skinned(Linear::new(&palette), quat(48), &from[52..], backend)
+            }
+            "dual_skin" => {
+                let palette = [0, 4, 8, 12].map(|at| motion(at, 16 + at));
+                skinned(DualBlend::new(&palette), quat(32), &from[36..], backend)
+            }
+            // With a joint that adds nothing, so that its weight is not all there is.
+            "scaled_point" => {
+                let none = DualQuat::ZERO;
+                let (palette, weights) =
+                    ([motion(0, 4), none, none, none], [R::ZERO, R::ZERO, R::ONE, R::ONE]);
+                skinned(DualBlend::new(&palette), weights, &from[8..], backend)
+            }
+            _ => panic!("no job {name}"),
         }
-        job.local_to_model(&[motion(0), motion(8)], &mut models).expect("two of each");
-        models[1].to_array().to_vec()
+    }
+
+    fn skinned<R: Scalar + Weight>(
+        blend: impl Blender<R>,
+        weights: [R; 4],
+        point: &[R],
+        backend: Backend,
+    ) -> Vec<R> {
+        // Weights of either sign, for all that draws numbers; the last first, for the recorded one is the greatest.
+        let [d, c, b, a] = weights.map(|w| if w < R::ZERO { -w } else { w });
+        let weights = [a, b, c, d];
+        let skin = Skin::new(4, 4, &[0_u8, 1, 2, 3], &weights).expect("four joints");
+        let (rest, mut posed) = ([*point.first_chunk().expect("a point")], [[R::ZERO; 3]]);
+        let (rest, points) = (Surface::positions(&rest), SurfaceMut::positions(&mut posed));
+        skin.job().backend(backend).pose(blend, rest, points).expect("one vertex");
+        posed.as_flattened().to_vec()
     }
 }
 

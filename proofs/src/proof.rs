@@ -95,7 +95,9 @@ impl<'a> Proof<'a> {
                         format!("component u l{letter} x{node} L{letter}"),
                     ),
                 };
-                self.say(&format!("pose proof ({lemma}) as B{node}."));
+                self.say(&format!(
+                    "destruct ({lemma}) as (y{node} & Y{node} & P{node} & B{node})."
+                ));
                 self.know(node, &text, &text, Polynomial::variable(node), Polynomial::default());
             }
             Op::Const(c) => self.constant(node, c),
@@ -211,24 +213,30 @@ impl<'a> Proof<'a> {
         ));
         self.roundings.push((node, text.into()));
         let Known { exact, size, error, .. } = self.done[&node].clone();
-        let mut error = error.plus(1.0, &size.plus(U, &error));
-        let mut size = size;
-        if self.root.is_some() {
-            (size, error) = (up(&size), up(&error));
-            let monomials = [&size, &error].into_iter().flat_map(|p| p.0.keys());
-            let positive: BTreeSet<String> = monomials
-                .filter_map(|m| m.iter().map(|v| format!("(Rabs_pos x{v})")).reduce(times))
-                .collect();
-            let positive: String =
-                positive.iter().map(|fact| format!("pose proof {fact}; ")).collect();
-            self.say(&format!(
-                "apply (weaker u U0 _ _ _ _ ({}) ({})) in B{node}; [| clear; {positive}lra | clear; {positive}lra].",
-                text_of(&size),
-                text_of(&error),
-            ));
-        }
+        let error = error.plus(1.0, &size.plus(U, &error));
         self.know(node, &format!("r{node}"), &exact, size, error);
+        self.shorten(node);
         Some(())
+    }
+
+    /// Size and error as polynomials, in numbers that are not negative: what is made of them stays short.
+    fn shorten(&mut self, node: Node) {
+        let Known { computed, exact, size, error } = self.done[&node].clone();
+        let (size, error) = (up(&size), up(&error));
+        let monomials = || [&size, &error].into_iter().flat_map(|p| p.0.keys());
+        let kept: BTreeSet<_> = monomials().flatten().map(|v| format!(" P{v}")).collect();
+        let kept =
+            if kept.is_empty() { String::new() } else { format!(" -{}", String::from_iter(kept)) };
+        let positive: BTreeSet<_> =
+            monomials().filter_map(|m| m.iter().map(|v| format!("P{v}")).reduce(times)).collect();
+        let positive = positive.into_iter().map(|fact| format!("pose proof {fact}; "));
+        let steps = format!("clear{kept}; {}lra", positive.collect::<String>());
+        self.say(&format!(
+            "apply (weaker u U0 _ _ _ _ ({}) ({})) in B{node}; [| {steps} | {steps}].",
+            text_of(&size),
+            text_of(&error),
+        ));
+        self.know(node, &computed, &exact, size, error);
     }
 
     /// From the computed sum of squares to its root.
@@ -241,10 +249,11 @@ impl<'a> Proof<'a> {
             .inputs(group)
             .map(|x| format!("pose proof (same_square x{x}); pose proof (Rle_0_sqr x{x}); "));
         let squares: String = squares.collect();
+        let sizes: String = self.inputs(group).map(|x| format!(" Y{x}")).collect();
         let letter = self.operation.inputs[group].0;
         self.say(&format!("assert (S_ : Rabs (r{sum} - 1) <= u * {relative})."));
         self.say(&format!(
-            "{{ replace (r{sum} - 1) with (r{sum} - {exact}) by (clear - N{letter}; lra). apply (error u U0 _ _ _ _ _ B{sum}). clear - N{letter}; {squares}unfold Rsqr in *; lra. }}"
+            "{{ replace (r{sum} - 1) with (r{sum} - {exact}) by (clear - N{letter}; lra). apply (error u U0 _ _ _ _ _ B{sum}). clear - N{letter}{sizes}; subst; {squares}unfold Rsqr in *; lra. }}"
         ));
         self.say(&format!(
             "destruct (root u U0 U1 r{sum} {relative} ltac:(lra) S_) as (h & P_ & R_ & Q_ & H1 & H_ & K_ & H1_ & K1_)."
@@ -316,6 +325,7 @@ impl<'a> Proof<'a> {
             let mut text = rational(c.abs());
             for factor in factors {
                 self.product(next + 1, next, factor);
+                self.shorten(next + 1);
                 if factor < 20_000 {
                     let _ = write!(text, " * x{factor}");
                 }
@@ -342,14 +352,13 @@ fn times(a: String, b: String) -> String {
 
 /// Coefficients rounded up to few decimals, so that what is written stays short.
 fn up(polynomial: &Polynomial) -> Polynomial {
-    let up = |c: f64| (c * 1e6 + 1e-3).ceil() / 1e6;
+    let up = |c: f64| if (c * 1e6).fract() == 0.0 { c } else { (c * 1e6 + 1e-3).ceil() / 1e6 };
     Polynomial(polynomial.0.iter().map(|(monomial, &c)| (monomial.clone(), up(c))).collect())
 }
 
 fn text_of(polynomial: &Polynomial) -> String {
     let terms = polynomial.0.iter().map(|(monomial, &c)| {
-        let factors =
-            monomial.iter().map(|v| format!("Rabs x{v}")).reduce(|a, b| format!("{a} * {b}"));
+        let factors = monomial.iter().map(|v| format!("y{v}")).reduce(|a, b| format!("{a} * {b}"));
         format!("{} * ({})", rational(c), factors.unwrap_or("1".into()))
     });
     let terms: Vec<String> = terms.collect();

@@ -1,6 +1,7 @@
 //! [`Range`]: for which sizes of the arguments a bound holds, and what it lacks below the normal numbers.
 
 use crate::bound::{Analysis, Rounding};
+use crate::composed;
 use crate::operations::{Form, Operation};
 use crate::polynomial::Lengths;
 use crate::tape::{Node, Op, Tape};
@@ -25,11 +26,27 @@ pub fn range(operation: &Operation, form: Form, fused: bool) -> Option<Range> {
         [true, false].into_iter().zip(powers.iter_mut().zip([128, 1024]))
     {
         let tape = tape_of(operation, form, is_single);
-        let sizes = sizes(&tape, &Analysis::of(&tape, &groups, fused))?;
-        let fits = |k: i32| sizes.iter().all(|size| log(size, k) < f64::from(largest) - 0.001);
+        let analysis = Analysis::of(&tape, &groups, fused);
+        // A sum that is normalized: what is summed, and what is normalized by itself.
+        let sum = composed::sum(operation, &tape, form, is_single);
+        let sizes = sizes(&tape, &analysis, sum.as_ref().map_or(&tape.outputs, |sum| &sum.1))?;
+        let last = match &sum {
+            Some((last, nodes)) => {
+                let most = range(last, form, fused)?.powers[usize::from(!is_single)];
+                Some((most, composed::given(&analysis, last, nodes)?))
+            }
+            None => None,
+        };
+        let fits = |k: i32| {
+            let below = |size: &Lengths, most: i32| log(size, k) < f64::from(most) - 0.001;
+            sizes.iter().all(|size| below(size, largest))
+                && last.iter().all(|(most, given)| given.iter().all(|(one, _)| below(one, *most)))
+        };
         // Squares whose root is taken have a path of their own beyond these lengths.
         let divides = |op: &Op| matches!(op, Op::Div(..) | Op::Sqrt(_));
-        let longest = if !tape.ops.iter().any(divides) {
+        let longest = if let Some((most, _)) = &last {
+            most + 1
+        } else if !tape.ops.iter().any(divides) {
             largest
         } else if is_single {
             41
@@ -49,8 +66,8 @@ pub fn range(operation: &Operation, form: Form, fused: bool) -> Option<Range> {
 }
 
 /// Of all numbers on the way, products that are not rounded among them.
-fn sizes(tape: &Tape, analysis: &Analysis) -> Option<Vec<Lengths>> {
-    let needed = tape.needed(&tape.outputs);
+fn sizes(tape: &Tape, analysis: &Analysis, of: &[Node]) -> Option<Vec<Lengths>> {
+    let needed = tape.needed(of);
     let mut sizes = vec![];
     for node in (0..tape.ops.len()).filter(|&node| needed[node]) {
         if let Op::Fma(a, b, _) | Op::Nfma(a, b, _) = tape.ops[node] {

@@ -149,6 +149,19 @@ pub(crate) fn push(op: Op) -> Node {
             _ => None,
         };
         let is = |node: Node, c: f64| constant(node) == Some(c);
+        // As a comparison has said.
+        let is_negative = |node: Node| {
+            let mut less = tape.branches.iter().filter(|branch| branch.order == Order::Less);
+            less.find_map(|branch| match branch.sides {
+                [left, 0] if left == node => Some(branch.holds),
+                [0, right] if right == node && branch.holds => Some(false),
+                _ => None,
+            })
+        };
+        let op = match op {
+            Op::Fma(a, b, c) if is(c, 0.0) => Op::Mul(a, b),
+            op => op,
+        };
         let op = match op {
             Op::Mul(a, b) if is(a, 1.0) => return b,
             Op::Mul(a, b) if is(b, 1.0) => return a,
@@ -159,7 +172,6 @@ pub(crate) fn push(op: Op) -> Node {
             Op::Add(a, b) | Op::Sub(a, b) if is(b, 0.0) => return a,
             Op::Sub(a, b) if is(a, 0.0) => Op::Neg(b),
             Op::Fma(a, b, c) | Op::Nfma(a, b, c) if is(a, 0.0) || is(b, 0.0) => return c,
-            Op::Fma(a, b, c) if is(c, 0.0) => Op::Mul(a, b),
             op => op,
         };
         let op = match op {
@@ -167,6 +179,12 @@ pub(crate) fn push(op: Op) -> Node {
             Op::Neg(a) => match tape.ops[a as usize] {
                 Op::Neg(b) => return b,
                 Op::Const(c) => Op::Const(-c),
+                _ => op,
+            },
+            Op::Abs(a) => match (constant(a), tape.ops[a as usize]) {
+                (Some(c), _) => Op::Const(c.abs()),
+                (_, Op::Neg(b)) if is_negative(b) == Some(true) => return a,
+                _ if is_negative(a) == Some(false) => return a,
                 _ => op,
             },
             op => op,
