@@ -77,9 +77,8 @@ fn theorems(operation: &Operation, form: Form, tape: &Tape, fused: bool) -> Opti
     }
     let parts = table::bounds(operation, form, fused);
     let analysis = Analysis::of(tape, &operation.groups(), fused);
-    let names = operation.parts.iter().flat_map(|&(name, count)| std::iter::repeat_n(name, count));
     let mut last = None;
-    for (index, (&output, name)) in tape.outputs.iter().zip(names).enumerate() {
+    for (index, (&output, name)) in tape.outputs.iter().zip(operation.names()).enumerate() {
         let bound = parts.iter().find(|part| part.name == name)?.bound.as_ref()?;
         let proof = Proof::of(operation, tape, &analysis, fused, output)?;
         if proof.done[&output].error.0.is_empty() {

@@ -18,10 +18,9 @@ impl Operation {
         let groups = self.inputs.iter().enumerate();
         groups.flat_map(|(group, &(_, count))| std::iter::repeat_n(group, count)).collect()
     }
-    /// How many numbers go in.
-    #[must_use]
-    pub fn count(&self) -> usize {
-        self.inputs.iter().map(|input| input.1).sum()
+    /// The part that each number of the answer belongs to.
+    pub fn names(&self) -> impl Iterator<Item = &'static str> + use<> {
+        self.parts.iter().flat_map(|&(name, count)| std::iter::repeat_n(name, count))
     }
 }
 

@@ -312,13 +312,7 @@ impl<'a> Proof<'a> {
         let (mut next, mut sum, mut exact) = (20_002, None, String::new());
         for (monomial, &c) in &self.analysis.exact(output)?.0 {
             let factors = monomial.iter().map(|&v| match as_root(v) {
-                Some((_, power)) => {
-                    if power == 1 {
-                        20_000
-                    } else {
-                        20_001
-                    }
-                }
+                Some((_, power)) => 20_000 + Node::from(power != 1),
                 None => v,
             });
             self.constant(next, c.abs());

@@ -27,27 +27,25 @@ pub fn bounds(operation: &Operation, form: Form, fused: bool) -> Vec<Part> {
     let tapes = [true, false].map(|is_single| tape_of(operation, form, is_single));
     let tapes = if tapes[0].is_same_as(&tapes[1]) { &tapes[..1] } else { &tapes };
     let mut parts: Vec<Part> = vec![];
+    for name in operation.names() {
+        if parts.iter().all(|part| part.name != name) {
+            parts.push(Part { name, bound: Some(Lengths::default()) });
+        }
+    }
     for (tape, is_single) in tapes.iter().zip([true, false]) {
         let analysis = Analysis::of(tape, &operation.groups(), fused);
         let composed = composed::sum(operation, tape, form, is_single)
             .and_then(|sum| composed::of(operation, &analysis, &sum, form, fused));
-        let mut outputs = 0..tape.outputs.len();
-        for &(name, count) in operation.parts {
-            let mut bound = Some(Lengths::default());
-            for output in outputs.by_ref().take(count) {
-                let one = match &composed {
-                    Some(bounds) => Some(bounds[output].clone()),
-                    None => analysis.bound(tape.outputs[output]),
-                };
-                match (&mut bound, one) {
-                    (Some(bound), Some(one)) => bound.worst(&one),
-                    _ => bound = None,
+        for (output, name) in operation.names().enumerate() {
+            let one = match &composed {
+                Some(bounds) => Some(bounds[output].clone()),
+                None => analysis.bound(tape.outputs[output]),
+            };
+            for part in parts.iter_mut().filter(|part| part.name == name) {
+                match (&mut part.bound, &one) {
+                    (Some(bound), Some(one)) => bound.worst(one),
+                    _ => part.bound = None,
                 }
-            }
-            match (parts.iter_mut().find(|part| part.name == name), bound) {
-                (None, bound) => parts.push(Part { name, bound }),
-                (Some(Part { bound: Some(old), .. }), Some(bound)) => old.worst(&bound),
-                (Some(part), _) => part.bound = None,
             }
         }
     }
@@ -86,7 +84,7 @@ pub fn text() -> String {
         "# Bounds of rounding errors, computed from the code by `cargo run -- bounds`; tests/bounds.rs compares.\n\
          # |computed - exact| of every number of a part <= u times its bound, u = 2^-24 (f32) or 2^-53 (f64), where exact is\n\
          # the formula on the given floats; |p| is the length of the argument, and |z| that of the real part of a weighted sum that is\n\
-         # normalized (bounds above 16000 are none). On the ordinary path (README.md);\n\
+         # normalized, or moves a point (bounds above 16000 are none). On the ordinary path (README.md);\n\
          # lengths: nothing overflows if no argument is longer (f32 f64), and none that is divided by is shorter than one over\n\
          # that; underflow: what is added where products are below the normal numbers, in units of 2^-150 (f32) or 2^-1075 (f64).\n\
          # by = \"Coq\" where run.sh has theorems of it, for all numbers that are rounded; tapes: prints of the operations of f32\n\

@@ -122,14 +122,8 @@ fn errors_stay_below_the_bounds_and_come_near() {
                     continue;
                 }
                 let known = bounds(operation, form, fused);
-                let of = |name| {
-                    known.iter().find(|part| part.name == name).expect("a part each").clone()
-                };
-                let parts = operation
-                    .parts
-                    .iter()
-                    .flat_map(|&(name, count)| std::iter::repeat_n(of(name), count));
-                let parts = parts.collect();
+                let of = |name| known.iter().find(|part| part.name == name).expect("a part each");
+                let parts = operation.names().map(|name| of(name).clone()).collect();
                 let sum =
                     composed::sum(operation, &tape, form, true).map_or(vec![], |(_, sum)| sum);
                 let (single, double) = (vec![], vec![]);
