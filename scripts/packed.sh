@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The crates as users get them: packed, unpacked elsewhere, and there they, their examples and their tests compile: no file
-# is missing. What the tests say does not depend on where they lie.
+# is missing.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
