@@ -515,7 +515,7 @@ typedef struct dq8_clips {
   /**
    * Not for you.
    */
-  const uint8_t *opaque[9];
+  const uint8_t *opaque[11];
 } dq8_clips;
 
 /**

@@ -20,11 +20,16 @@ pub struct Clips {
     pub clips: usize,
     /// Not for you.
     // A `Known`.
-    opaque: [MaybeUninit<*const u8>; 9],
+    opaque: [MaybeUninit<*const u8>; 11],
 }
 
-type Known = PackedClips<'static>;
-const _: () = assert!(size_of::<Known>() <= 9 * size_of::<*const ()>());
+/// What C keeps, and where its bytes lie.
+#[derive(Clone, Copy)]
+struct Known {
+    clips: PackedClips<'static>,
+    bytes: Span,
+}
+const _: () = assert!(size_of::<Known>() <= 11 * size_of::<*const ()>());
 const _: () = assert!(align_of::<Known>() <= align_of::<*const ()>());
 
 /// A clip, and the frame after which an instance is: made by dq8_clips_place, and good for the same clips.
@@ -60,8 +65,8 @@ unsafe fn make(bytes: *const u8, length: usize, clips: *mut Clips, bad_offset: *
     let (made, bad_offset) = (Output::<Clips>::new(clips, 1)?, Output::unless_null(bad_offset)?);
     apart(&[made.span, bad_offset.span], &[bytes.span])?;
     // SAFETY: promised; what is made lives as long as C keeps the bytes.
-    let known: Known = match PackedClips::from_bytes(unsafe { bytes.slice() }) {
-        Ok(known) => known,
+    let known = match PackedClips::from_bytes(unsafe { bytes.slice() }) {
+        Ok(clips) => Known { clips, bytes: bytes.span },
         Err(error) => {
             if let PackedError::Bytes { offset, .. } = error {
                 // SAFETY: promised, and apart.
@@ -70,10 +75,10 @@ unsafe fn make(bytes: *const u8, length: usize, clips: *mut Clips, bad_offset: *
             return Err(Status::NotClips);
         }
     };
-    let opaque = [const { MaybeUninit::uninit() }; 9];
+    let opaque = [const { MaybeUninit::uninit() }; 11];
     // SAFETY: promised, and apart; clips of the library fit, by the assertion.
     unsafe {
-        made.write(Clips { joints: known.joints(), clips: known.clips(), opaque });
+        made.write(Clips { joints: known.clips.joints(), clips: known.clips.clips(), opaque });
         ptr::addr_of_mut!((*clips).opaque).cast::<Known>().write(known);
     }
     Ok(())
@@ -102,10 +107,10 @@ unsafe fn place<R: Scalar>(
     t: *mut R,
 ) -> Done {
     // SAFETY: promised.
-    let (known, span) = unsafe { known(clips)? };
+    let (Known { clips, bytes }, span) = unsafe { known(clips)? };
     let (place, to) = (Output::<TrackPlace>::new(place, 1)?, Output::<R>::new(t, 1)?);
-    apart(&[place.span, to.span], &[span])?;
-    let (found, t) = known.place(clip, at).ok_or(Status::UnknownValue)?;
+    apart(&[place.span, to.span], &[span, bytes])?;
+    let (found, t) = clips.place(clip, at).ok_or(Status::UnknownValue)?;
     // SAFETY: promised, and apart.
     unsafe {
         place.write(found);
@@ -132,15 +137,15 @@ unsafe fn to_model<R: Scalar>(
     let (places, t) =
         (Input::<TrackPlace>::new(places, instances)?, Input::<R>::new(t, instances)?);
     // SAFETY: promised.
-    let (known, span) = unsafe { known(clips)? };
+    let (Known { clips, bytes }, span) = unsafe { known(clips)? };
     let count = instances.checked_mul(joints).ok_or(Status::TooLarge)?;
     let models = Output::<DualQuat<R>>::new(models, count)?;
-    apart(&[models.span], &[parents.span, root.span, places.span, t.span, span])?;
+    apart(&[models.span], &[parents.span, root.span, places.span, t.span, span, bytes])?;
     // SAFETY: promised, and apart.
     unsafe {
         let root = root.slice().first().copied().map_or(Root::None, Root::Same);
         let hierarchy = Hierarchy::new(parents.slice())?;
-        let sampled = Sampled::new(NlerpLerp, known, places.slice(), t.slice())?;
+        let sampled = Sampled::new(NlerpLerp, clips, places.slice(), t.slice())?;
         Ok(hierarchy.job().on(root).locals_to_model(sampled, models.slice())?)
     }
 }

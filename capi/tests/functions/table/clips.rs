@@ -1,6 +1,7 @@
 //! Packed clips.
 
 use super::hierarchies::{parents, unsigned};
+use super::memory;
 use crate::argument::{count, names, passes, reads, writes};
 use crate::element::{wave, zeroed};
 use crate::function::Function;
@@ -55,6 +56,7 @@ macro_rules! add {
         let made = || {
             let scene = Rc::clone(&$scene);
             reads::<Clips>(1)
+                .keeps(vec![memory(scene.packed.as_bytes())])
                 .only(move |_| scene.made)
                 .fault(Status::NoClips, None, |made| made[0] = zeroed())
         };
