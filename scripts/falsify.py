@@ -60,12 +60,18 @@ def uncovered(mutations, rows):
     return [row for row in rows if not any((row[1], test) in tried for test in row[3])]
 
 
+def is_there(test):
+    file, _, name = test.partition("::")
+    return (ROOT / file).exists() and f"fn {name}(" in (ROOT / file).read_text()
+
+
 def check(mutations, without, rows):
     names, wrong = {}, []
     for line, row, _, tests in rows:
         if row in names:
             wrong.append(f"line {line}: two rows are called {row}")
         names[row] = set(tests)
+        wrong += [f"line {line}: no such test: {test}" for test in tests if ".rs::" in test and not is_there(test)]
     for mutation in mutations:
         path = ROOT / mutation["file"]
         text = path.read_text() if path.exists() else ""
@@ -73,10 +79,7 @@ def check(mutations, without, rows):
             wrong.append(f"{mutation['file']}: {count} times: {mutation['old']}")
         if mutation["old"] == mutation["new"]:
             wrong.append(f"{mutation['file']}: no change: {mutation['old']}")
-        for test in mutation["tests"]:
-            file, _, name = test.partition("::")
-            if not (ROOT / file).exists() or f"fn {name}(" not in (ROOT / file).read_text():
-                wrong.append(f"no such test: {test}")
+        wrong += [f"no such test: {test}" for test in mutation["tests"] if not is_there(test)]
         for row in mutation.get("rows", ()):
             if not is_formula(mutation):
                 wrong.append(f"{mutation['file']}: a change of a test falsifies no row: {row}")

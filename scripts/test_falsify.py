@@ -31,6 +31,11 @@ class Check(unittest.TestCase):
     def test_a_claim_with_a_foreign_test_is_refused(self):
         self.assertEqual(refused(with_row(NONSENSE)), ["no change falsifies: Jia §4, moon"])
 
+    def test_the_tests_of_a_claim_are_there(self):
+        gone = "| §4, moon | it is round | `tests/laws.rs::the_moon_is_round` | holds |\n"
+        found = refused(with_row(gone))
+        self.assertTrue(any(line.endswith("no such test: tests/laws.rs::the_moon_is_round") for line in found), found)
+
     def test_a_claim_cannot_hide_behind_the_name_of_another(self):
         found = refused(with_row(NONSENSE.replace("§4, moon", "§4, inverse")))
         self.assertTrue(any("two rows are called Jia §4, inverse" in line for line in found), found)
