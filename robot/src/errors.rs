@@ -1,7 +1,7 @@
 //! Errors as lists: of each what it is, what it names, and what it says.
 
-/// An enum of errors. Each has a documentation, fields of which each has one too, and a message that names them; what another
-/// error causes holds that, and is made of it.
+/// An enum of errors. Each has documentation and a message, and fields, documented too, that the message names; one that has another
+/// error as its cause holds it, and is made from it.
 macro_rules! errors {
     ($(#[$of:meta])* $name:ident {$(
         $(#[$doc:meta])*

@@ -37,7 +37,7 @@ pub(crate) fn contenders<R: Real>(operation: &str, poses: &Poses) -> Vec<Job<'st
         }
         "from rigid matrix" => {
             let matrices = a().map(|a| a.to_matrix3x4()).collect();
-            Contender::new(name, matrices, |&matrix| DualQuat::from_matrix3x4(matrix))
+            job(name, matrices, |&matrix| DualQuat::from_matrix3x4(matrix))
         }
         "dlb of 4" => {
             let quarter = R::from_f64(0.25);

@@ -46,6 +46,7 @@ fn same_as(
     in_c(&mut c);
     in_rust(&mut rust);
     let (name, before) = (function.name, c.now());
+    let beside = (c.around(), function.kept());
     let bits = |array: &Array, value: &Value| match value.pointer() {
         start if start.is_null() => Vec::new(),
         start => (array.bits)(start),
@@ -65,6 +66,10 @@ fn same_as(
         let nothing = now == was && !now.is_empty() && !array.names && said == Status::Ok;
         assert!(!changes || !nothing, "{name}, {what}: {argument} is as before");
     }
+    assert!(
+        (c.around(), function.kept()) == beside,
+        "{name}, {what}: something beside its arrays was written"
+    );
     let now = c.now();
     for (at, _) in function.arrays().filter(|(_, array)| !array.writes) {
         assert!(
@@ -78,8 +83,7 @@ fn same_as(
 /// The call is refused, and nothing has been written but the index that is wrong, and scratch.
 fn refused(call: &Call<'_>, status: Status, index: Option<usize>, what: &str) {
     let (function, name) = (call.function, call.function.name);
-    let kept = || function.arrays().flat_map(|(_, array)| array.kept()).collect::<Vec<_>>();
-    let before = (call.now(), kept());
+    let before = (call.now(), function.kept());
     assert_eq!((function.c)(&call.given), status, "{name}, {what}");
     let now = call.now();
     for (at, array) in function.arrays().filter(|(_, array)| !array.scratch) {
@@ -91,7 +95,7 @@ fn refused(call: &Call<'_>, status: Status, index: Option<usize>, what: &str) {
             assert!(now[at] == before.0[at], "{name}, {what}: {argument} was written");
         }
     }
-    assert!(kept() == before.1, "{name}, {what}: what is kept was written");
+    assert!(function.kept() == before.1, "{name}, {what}: what is kept was written");
 }
 
 /// What may be wrong with a call, by the number of the argument and of the way.

@@ -126,7 +126,7 @@ macro_rules! from_array {
 }
 from_array! { DualQuat 8 Quat 4 Twist 6 }
 
-/// What an array of must be said, if it is read.
+/// A thing all of whose bytes are zero: arrays that are read say with what else to fill them.
 pub(crate) fn zeroed<T: Copy>() -> T {
     // SAFETY: called for numbers, pointers, and what has not been made.
     unsafe { std::mem::zeroed() }

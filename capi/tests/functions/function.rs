@@ -34,6 +34,10 @@ impl Function {
     pub(crate) fn scalar(&self, at: usize) -> &Scalar {
         self.scalars().find(|(other, _)| *other == at).expect("a number").1
     }
+    /// What is in the memory that something in an argument points to.
+    pub(crate) fn kept(&self) -> Vec<Vec<u8>> {
+        self.arrays().flat_map(|(_, array)| array.kept()).collect()
+    }
     /// The argument that an output may be.
     pub(crate) fn over(&self, output: &Array) -> Option<usize> {
         let at = |name| self.arguments.iter().position(|argument| argument.name == name);

@@ -71,7 +71,7 @@ impl<'f> Call<'f> {
             given[at] = scalar.values.first().expect("a number").clone();
         }
         for (at, array) in function.arrays() {
-            // A block is behind a line, a number behind a number.
+            // As much is before an array as it is aligned to: it is aligned no more than that.
             let behind = if random.is_some() { 0 } else { BEHIND };
             let room = Room::new(array.align, array.bytes, behind);
             let contents = random.as_deref_mut().map_or(Contents::Sample(at), Contents::Random);
@@ -98,6 +98,16 @@ impl<'f> Call<'f> {
     /// Where the array begins, whatever is passed for it.
     pub(crate) fn start(&self, at: usize) -> *mut u8 {
         self.room(at).start
+    }
+    /// What is around the array of each argument.
+    pub(crate) fn around(&self) -> Vec<[Vec<u8>; 2]> {
+        let around = |room: &Option<Room>| {
+            room.as_ref().map_or([const { Vec::new() }; 2], |room| {
+                let (before, rest) = room.all().split_at(room.start.addr() - room.base.addr());
+                [before.to_vec(), rest[room.bytes..].to_vec()]
+            })
+        };
+        self.rooms.iter().map(around).collect()
     }
     /// What is in the memory of each argument, and around it.
     pub(crate) fn now(&self) -> Vec<Vec<u8>> {

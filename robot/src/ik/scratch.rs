@@ -210,7 +210,7 @@ fn slots<R>(mechanism: Mechanism<'_, R>) -> usize {
     slots
 }
 
-/// Whether scratch has as many numbers.
+/// An error if scratch has fewer numbers than are needed.
 pub(super) fn enough(length: usize, expected: usize) -> Result<(), ShapeError> {
     let fits = length >= expected;
     if fits { Ok(()) } else { Err(ShapeError::Length { what: "scratch", length, expected }) }

@@ -112,14 +112,14 @@ impl<R: Real + Number> LinkJacobian<'_, R> {
             let columns = self.columns.get_mut(step.rate as usize..).unwrap_or_default();
             let frames = [before, at].map(|frame| DualQuat::from_array(frame.to_array()));
             for (index, column) in columns.iter_mut().take(step.kind.rates()).enumerate() {
-                // What others mimic is moved by self.columns of them.
+                // What others mimic is moved by all of them.
                 *column = *column + step.screw(index, frames, self.values);
             }
         }
         let pose = at.pose(own);
         let (back, origin) = (pose.conjugate(), pose.translation());
         for column in self.columns {
-            // Of a joint that does not carry the self.link, wherever that is.
+            // Of a joint that does not carry the link, wherever that is.
             if column.to_array() == [R::ZERO; 6] {
                 continue;
             }

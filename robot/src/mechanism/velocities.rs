@@ -64,8 +64,8 @@ impl<R: Scalar> Job<'_, R> {
         Ok(())
     }
 
-    /// The same, and spatial accelerations, the derivatives of the spatial twists: what
-    /// [`Mechanism::link_accelerations`] gives for one, by which formula, and what a point of a link makes of it.
+    /// The same, and spatial accelerations, the derivatives of the spatial twists, as
+    /// [`Mechanism::link_accelerations`] gives them for one: the formula is there, and the acceleration of a point of a link.
     ///
     /// # Errors
     /// If the slices hold different numbers of configurations; nothing is written.

@@ -193,14 +193,14 @@ fn close(found: &[Answer], wanted: &[Answer], bounds: [f64; 3], what: &str) {
 /// The same in blocks of `N`: with plain values, and with values in blocks.
 fn in_blocks<R, const N: usize>(
     scene: &Scene<'_, R>,
-    backend: Backend,
+    job: Job<'_, R>,
     inputs: [&[R]; 3],
 ) -> [Vec<Answer>; 2]
 where
     R: Scalar + JointValues<AoSoA<[R; N]>> + Element<1, Layout = Aos<R>>,
     [R; N]: Row<Real = R>,
 {
-    let (robot, job) = (scene.robot, scene.robot.job().backend(backend));
+    let robot = scene.robot;
     let nine = <R as Real>::from_f64(9.0);
     let empty = (
         Block::<R, N, 8>::splat([nine; 8]),
@@ -265,6 +265,16 @@ fn every_job_computes_what_one_configuration_does_and_that_what_the_book_does() 
             for (one, other) in [(0, 3), (2, 4), (1, 7), (1, 9), (1, 11)] {
                 assert_eq!(found[one], found[other], "{what}");
             }
+            let of_links = |all: &[f64]| {
+                scene
+                    .links
+                    .iter()
+                    .flat_map(|&link| &all[8 * link..][..8])
+                    .copied()
+                    .collect::<Vec<_>>()
+            };
+            let chosen = found[0].numbers.chunks(8 * robot.links()).flat_map(of_links);
+            assert!(chosen.eq(found[1].numbers.iter().copied()), "{what}, chosen among all");
             for (index, &link) in scene.links.iter().enumerate() {
                 let own = Scene { links: vec![link], points: scene.points.clone(), ..scene };
                 for (all, own) in found.iter().zip(on_lanes(&own, job, inputs, plain())) {
@@ -283,13 +293,14 @@ fn every_job_computes_what_one_configuration_does_and_that_what_the_book_does() 
             assert_eq!(named, found, "{what}, twists");
             let turned = (pose, LinearFirst([9.0; 6]), place);
             assert_eq!(on_lanes(&scene, job, inputs, turned), found, "{what}, linear part first");
-            let [a, b] = in_blocks::<f64, 8>(&scene, backend, inputs);
-            let [c, d] = in_blocks::<f64, 4>(&scene, backend, inputs);
+            let [a, b] = in_blocks::<f64, 8>(&scene, job, inputs);
+            let [c, d] = in_blocks::<f64, 4>(&scene, job, inputs);
             assert!([a, b, c, d].iter().all(|other| *other == found), "{what}, blocks");
-            let rounded = on_lanes(&narrow, single.job().backend(backend), floats, plain());
+            let job = single.job().backend(backend);
+            let rounded = on_lanes(&narrow, job, floats, plain());
             close(&rounded, &book, SINGLE, &format!("{what}, in f32"));
-            let [a, b] = in_blocks::<f32, 16>(&narrow, backend, floats);
-            let [c, d] = in_blocks::<f32, 8>(&narrow, backend, floats);
+            let [a, b] = in_blocks::<f32, 16>(&narrow, job, floats);
+            let [c, d] = in_blocks::<f32, 8>(&narrow, job, floats);
             assert!([a, b, c, d].iter().all(|other| *other == rounded), "{what}, blocks of f32");
         }
     }
@@ -307,7 +318,9 @@ fn all_cores_give_every_bit_of_what_one_gives_and_refuse_what_one_refuses() {
         let numbers = drawn(&mut random, &joints, scene.robot.rates(), count);
         let [one, all] = [1, usize::MAX].map(|threads| owned.job().threads(threads));
         let inputs = slices(&numbers);
-        assert!(on_lanes(&scene, one, inputs, plain()) == on_lanes(&scene, all, inputs, plain()));
+        let wanted = on_lanes(&scene, one, inputs, plain());
+        assert!(on_lanes(&scene, all, inputs, plain()) == wanted);
+        assert!(in_blocks::<f64, 8>(&scene, all, inputs).iter().all(|found| *found == wanted));
         let mut poses = vec![DualQuat::IDENTITY; count * links];
         let [values, rates, _] = inputs;
         for (fewer, rates) in [(links, rates), (0, &rates[1..])] {
@@ -319,9 +332,14 @@ fn all_cores_give_every_bit_of_what_one_gives_and_refuse_what_one_refuses() {
 }
 
 /// A configuration with an angle so far, alone and among others: where a number is NaN in one, it is in the other, and so
-/// are all of its link, and nothing of the others; elsewhere they are the same but for hundredths of a radian, to which such
+/// are all of its link, and nothing of the others nor of the links before it; elsewhere they are the same but for hundredths of a radian, to which such
 /// an angle is known. Whether something is NaN.
-fn is_nowhere<R>(joints: &[Joint<f64>], angle: usize, far: f64, random: &mut Random) -> Vec<bool>
+fn is_nowhere<R>(
+    joints: &[Joint<f64>],
+    [link, angle]: [usize; 2],
+    far: f64,
+    random: &mut Random,
+) -> Vec<bool>
 where
     R: Scalar + Element<1, Layout = Aos<R>> + JointValues<Aos<R>>,
 {
@@ -349,6 +367,10 @@ where
                 let same = a.is_nan() && b.is_nan() || (a - b).abs() <= 0.1 * size;
                 assert!(same, "{what}: {a} alone, {b} among others");
             }
+            if own.what == "poses" {
+                let before = &own.numbers[..8 * link];
+                assert!(before.iter().all(|c| c.is_finite()), "{what}: {before:?}");
+            }
             let is_of_links = !["world", "body", "aligned"].contains(&own.what);
             for link in own.numbers.chunks(own.width).filter(|_| is_of_links) {
                 let is_nan = link[0].is_nan();
@@ -369,7 +391,7 @@ where
     let limit = 2f64.powi(if R::EPSILON.into() > 1e-10 { 17 } else { 46 });
     let turn = |on| Joint::revolute(on, DualQuat::IDENTITY, [0.0, 1.0, 0.0]);
     for far in [f64::INFINITY, f64::NAN] {
-        let nowhere = is_nowhere::<R>(&[turn(None), turn(Some(0))], 1, far, &mut random);
+        let nowhere = is_nowhere::<R>(&[turn(None), turn(Some(0))], [1, 1], far, &mut random);
         assert!(nowhere.iter().all(|&nan| nan), "{far}");
     }
     for links in 1..12 {
@@ -384,7 +406,7 @@ where
             };
             // The screw slides as far as it turns, and what mimics turns less.
             for far in [0.99_f64, -0.99, 1.01, -3.0, 20.0] {
-                let nowhere = is_nowhere::<R>(&joints, angle, far * limit, &mut random);
+                let nowhere = is_nowhere::<R>(&joints, [link, angle], far * limit, &mut random);
                 let is_far = far.abs() > 1.0;
                 assert!(nowhere.iter().all(|&nan| nan == is_far), "{far} of the limit, {joint:?}");
             }

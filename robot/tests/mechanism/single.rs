@@ -133,7 +133,7 @@ fn jacobians_are_derivatives_of_poses_and_velocities_are_jacobians_times_rates()
                 close(*aligned, Twist { linear, ..*column }, "aligned");
             }
         }
-        // Of one link; the columns of all others are where its velocity comes from.
+        // Of one link: its velocity is that of its columns.
         let link = count / 2;
         robot.link_jacobian(World, &values, link, &mut columns).unwrap();
         for (rate, column) in columns.iter().enumerate() {

@@ -4,7 +4,7 @@ use super::super::reach::REACHED;
 use dq8::geometry::Screw;
 use dq8::scalar::vector;
 use dq8::{DualQuat, Line, Quat, Twist};
-use dq8_arms::{Arm, Axis, Plan, Random, exact, gantry, puma, rounded, ur5};
+use dq8_arms::{Arm, Axis, Plan, Random, exact, gantry, puma, rounded, six_of_any_kind, ur5};
 use dq8_robot::ik::{Options, Outcome};
 use dq8_robot::{Mechanism, MechanismError, OwnedMechanism, Step, World};
 
@@ -66,6 +66,7 @@ fn the_pose_is_the_product_of_the_motions_of_the_joints() {
     is_a_product_of_motions(&ur5());
     is_a_product_of_motions(&puma());
     is_a_product_of_motions(&gantry());
+    (0..10).for_each(|seed| is_a_product_of_motions(&six_of_any_kind(&mut Random(seed))));
 }
 
 #[test]

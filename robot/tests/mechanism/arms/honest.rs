@@ -18,24 +18,24 @@ struct Tally {
 /// A target, where that is, and values to start from.
 type Case<R> = (DualQuat<R>, DualQuat<f64>, [R; 6]);
 
-/// Searches of some arms of six hinges, `each` of them for so many targets: an arm has what `seen` makes of it, and is what
-/// `is` makes of it.
+/// Searches of some arms of six hinges, `each` of them for so many targets: the search has the arm that
+/// `given` makes of each, and the truth is what `exact_arm` makes of it.
 fn tally<R: Scalar>(
     seed: u64,
     [arms, each]: [usize; 2],
-    [seen, is]: [&dyn Fn(Plan<6>) -> Plan<6>; 2],
+    [given, exact_arm]: [&dyn Fn(Plan<6>) -> Plan<6>; 2],
     case: impl Fn(&Plan<6>, &Arm<R, 6>, &Arm<f64, 6>, &mut Random) -> Case<R>,
 ) -> Tally {
     let (mut random, mut sum) = (Random(seed), Tally { converged: 0, worst: 0.0 });
     for _ in 0..arms {
         let plan = six_of_any_kind(&mut random);
-        let (arm, truth) = (seen(plan).arm::<R>(), is(plan).arm::<f64>());
+        let (arm, truth) = (given(plan).arm::<R>(), exact_arm(plan).arm::<f64>());
         let cases: Vec<_> = (0..each).map(|_| case(&plan, &arm, &truth, &mut random)).collect();
         let targets: Vec<_> = cases.iter().map(|(target, ..)| *target).collect();
         let mut values: Vec<_> = cases.iter().map(|(.., start)| *start).collect();
         let reports = arm.reach_all(Backend::best(), &targets, &mut values, &Options::default());
         for (((_, there, _), values), report) in cases.iter().zip(&values).zip(&reports) {
-            for (&value, axis) in values.iter().zip(&seen(plan).axes) {
+            for (&value, axis) in values.iter().zip(&given(plan).axes) {
                 let [low, high] = rounded::<R, 2>(axis.limits);
                 assert!(low <= value && value <= high, "{value} is not within {:?}", axis.limits);
             }
