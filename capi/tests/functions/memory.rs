@@ -99,8 +99,11 @@ impl<'f> Call<'f> {
     pub(crate) fn start(&self, at: usize) -> *mut u8 {
         self.room(at).start
     }
-    /// What is around the array of each argument.
+    /// What is around the array of each argument; of a call with one slid, nothing: that lies around another.
     pub(crate) fn around(&self) -> Vec<[Vec<u8>; 2]> {
+        if self.function.arrays().any(|(at, _)| self.rooms[at].is_none()) {
+            return Vec::new();
+        }
         let around = |room: &Option<Room>| {
             room.as_ref().map_or([const { Vec::new() }; 2], |room| {
                 let (before, rest) = room.all().split_at(room.start.addr() - room.base.addr());
