@@ -23,7 +23,7 @@ BLOCKS = r"\[f32; {lanes}"
 KERNELS = [
     ("pairwise product", r"sweep::Sweep<.*slices::product::Product.*" + BLOCKS, 0),
     ("points by one motion", r"sweep::Sweep<.*slices::transform::ByOne.*" + BLOCKS, 0),
-    ("normalize", r"sweep::Sweep<.*slices::unit::Unary.*" + BLOCKS + ".*Normalize", 0),
+    ("normalize", r"sweep::Sweep<.*slices::unit::OrInPlace.*" + BLOCKS + ".*Normalize", 0),
     ("ScLERP", r"sweep::Sweep<.*slices::interpolate::Interpolation.*" + BLOCKS, None),
     ("crowd in place", r"concatenate::Forward.*" + BLOCKS, 4),
     ("one instance, planned", r"plan::Walk<f32>", 0),
