@@ -1,5 +1,5 @@
 //! Everything that is asked of a mechanism: on the lanes of every backend, in every layout and precision, of any number of
-//! configurations, on any number of threads, near and far, it is what one configuration gives; and that, what the book does.
+//! configurations, on any number of threads, it is what one configuration gives; and that, what the book does.
 
 use crate::tree::{mechanism, tree, values};
 use dq8::simd::Row;
@@ -7,7 +7,7 @@ use dq8::storage::{AoSoA, Aos, Block, Element, Layout, LinearFirst, pack};
 use dq8::{Backend, DualQuat, Real, Scalar, Twist};
 use dq8_fixtures::random::Random;
 use dq8_fixtures::textbook::Textbook;
-use dq8_robot::{Body, Job, Joint, JointKind, JointValues, Mechanism, World, WorldAligned};
+use dq8_robot::{Body, Job, Joint, JointValues, Mechanism, World, WorldAligned};
 
 /// What of rounding is left in poses, relative to where they are, in numbers of twists, and in places: up to 64 products one
 /// after the other, moments about links that are some lengths away, points as far.
@@ -15,7 +15,7 @@ const DOUBLE: [f64; 3] = [2e-14, 1e-13, 1e-13];
 const SINGLE: [f64; 3] = [1e-5, 1e-4, 1e-4];
 
 /// A mechanism, which links of it and points on it are asked for, and of how many configurations.
-struct Scene<'a, R> {
+pub(super) struct Scene<'a, R> {
     robot: Mechanism<'a, R>,
     links: Vec<usize>,
     points: Vec<(usize, [R; 3])>,
@@ -24,7 +24,7 @@ struct Scene<'a, R> {
 
 impl<'a, R: Real> Scene<'a, R> {
     /// One of the links twice; points in the order of their links, or in none.
-    fn new(robot: Mechanism<'a, R>, count: usize) -> Self {
+    pub(super) fn new(robot: Mechanism<'a, R>, count: usize) -> Self {
         let last = robot.links() - 1;
         let mut random = Random(last as u64);
         let mut points: Vec<_> = (0..1 + random.below(3 * last + 3))
@@ -39,10 +39,10 @@ impl<'a, R: Real> Scene<'a, R> {
 
 /// An answer: what it is, how many numbers a thing has, and the numbers, `[configuration][thing][number]`.
 #[derive(Clone, Debug, PartialEq)]
-struct Answer {
-    what: &'static str,
-    width: usize,
-    numbers: Vec<f64>,
+pub(super) struct Answer {
+    pub(super) what: &'static str,
+    pub(super) width: usize,
+    pub(super) numbers: Vec<f64>,
 }
 
 fn answer<E: Element<C>, const C: usize>(what: &'static str, all: &[E], count: usize) -> Answer {
@@ -57,7 +57,7 @@ fn answer<E: Element<C>, const C: usize>(what: &'static str, all: &[E], count: u
 }
 
 /// All that a job computes.
-fn on_lanes<R, T, E, C, P>(
+pub(super) fn on_lanes<R, T, E, C, P>(
     scene: &Scene<'_, R>,
     job: Job<'_, R>,
     [values, rates, second]: [&[T]; 3],
@@ -102,7 +102,10 @@ where
 }
 
 /// The same by the methods for one configuration.
-fn alone<R: Real>(scene: &Scene<'_, R>, [values, rates, second]: [&[R]; 3]) -> Vec<Answer> {
+pub(super) fn alone<R: Real>(
+    scene: &Scene<'_, R>,
+    [values, rates, second]: [&[R]; 3],
+) -> Vec<Answer> {
     let Scene { robot, links, points, count } = scene;
     let mut all: Vec<Answer> = Vec::new();
     for at in 0..*count {
@@ -219,21 +222,26 @@ where
 }
 
 /// Values and two sets of rates of so many configurations.
-fn drawn(random: &mut Random, joints: &[Joint<f64>], rates: usize, count: usize) -> [Vec<f64>; 3] {
+pub(super) fn drawn(
+    random: &mut Random,
+    joints: &[Joint<f64>],
+    rates: usize,
+    count: usize,
+) -> [Vec<f64>; 3] {
     let values = (0..count).flat_map(|_| values(random, joints)).collect();
     let mut rates = || (0..count * rates).map(|_| random.signed()).collect();
     [values, rates(), rates()]
 }
 
-fn cast<R: Real>(numbers: &[Vec<f64>; 3]) -> [Vec<R>; 3] {
+pub(super) fn cast<R: Real>(numbers: &[Vec<f64>; 3]) -> [Vec<R>; 3] {
     numbers.each_ref().map(|all| all.iter().map(|&number| R::from_f64(number)).collect())
 }
 
-fn slices<R>(numbers: &[Vec<R>; 3]) -> [&[R]; 3] {
+pub(super) fn slices<R>(numbers: &[Vec<R>; 3]) -> [&[R]; 3] {
     numbers.each_ref().map(|all| &all[..])
 }
 
-fn plain<R: Real>() -> (DualQuat<R>, [R; 6], [R; 3]) {
+pub(super) fn plain<R: Real>() -> (DualQuat<R>, [R; 6], [R; 3]) {
     (DualQuat::IDENTITY, [R::NAN; 6], [R::NAN; 3])
 }
 
@@ -329,93 +337,4 @@ fn all_cores_give_every_bit_of_what_one_gives_and_refuse_what_one_refuses() {
             assert!(twists.iter().all(|twist| *twist == [7.0; 6]), "{links}, refused");
         }
     }
-}
-
-/// A configuration with an angle so far, alone and among others: where a number is NaN in one, it is in the other, and so
-/// are all of its link, and nothing of the others nor of the links before it; elsewhere they are the same but for hundredths of a radian, to which such
-/// an angle is known. Whether something is NaN.
-fn is_nowhere<R>(
-    joints: &[Joint<f64>],
-    [link, angle]: [usize; 2],
-    far: f64,
-    random: &mut Random,
-) -> Vec<bool>
-where
-    R: Scalar + Element<1, Layout = Aos<R>> + JointValues<Aos<R>>,
-{
-    const AT: usize = 6;
-    let (owned, count) = (mechanism::<R>(joints), 17);
-    let robot = owned.view();
-    let mut numbers = cast::<R>(&drawn(random, joints, robot.rates(), count));
-    numbers[0][AT * robot.values() + angle] = <R as Real>::from_f64(far);
-    let counts = [robot.values(), robot.rates(), robot.rates()];
-    let own = [0, 1, 2].map(|which| &numbers[which][AT * counts[which]..][..counts[which]]);
-    let own = alone(&Scene { count: 1, ..Scene::new(robot, count) }, own);
-    let mut nowhere = Vec::new();
-    for backend in Backend::available() {
-        let job = robot.job().backend(backend);
-        let scene = Scene::new(robot, count);
-        for (own, all) in own.iter().zip(on_lanes(&scene, job, slices(&numbers), plain())) {
-            let what = format!("{backend}, {}, angle {angle} at {far}: {joints:?}", own.what);
-            let each = (all.numbers.len() / count).max(1);
-            for (index, found) in all.numbers.chunks(each).enumerate() {
-                assert!(index == AT || found.iter().all(|c| c.is_finite()), "{what}, {index}");
-            }
-            let found = all.numbers.chunks(each).nth(AT).unwrap_or_default();
-            let size = own.numbers.iter().filter(|c| !c.is_nan()).fold(1.0, |m, c| c.abs().max(m));
-            for (a, b) in own.numbers.iter().zip(found) {
-                let same = a.is_nan() && b.is_nan() || (a - b).abs() <= 0.1 * size;
-                assert!(same, "{what}: {a} alone, {b} among others");
-            }
-            if own.what == "poses" {
-                let before = &own.numbers[..8 * link];
-                assert!(before.iter().all(|c| c.is_finite()), "{what}: {before:?}");
-            }
-            let is_of_links = !["world", "body", "aligned"].contains(&own.what);
-            for link in own.numbers.chunks(own.width).filter(|_| is_of_links) {
-                let is_nan = link[0].is_nan();
-                assert!(link.iter().all(|c| c.is_nan() == is_nan), "{what}: {link:?}");
-            }
-        }
-        nowhere.push(own.iter().any(|own| own.numbers.iter().any(|c| c.is_nan())));
-    }
-    nowhere
-}
-
-fn far_angles<R>()
-where
-    R: Scalar + Element<1, Layout = Aos<R>> + JointValues<Aos<R>>,
-{
-    let mut random = Random(46);
-    // The largest angle, radians.
-    let limit = 2f64.powi(if R::EPSILON.into() > 1e-10 { 17 } else { 46 });
-    let turn = |on| Joint::revolute(on, DualQuat::IDENTITY, [0.0, 1.0, 0.0]);
-    for far in [f64::INFINITY, f64::NAN] {
-        let nowhere = is_nowhere::<R>(&[turn(None), turn(Some(0))], [1, 1], far, &mut random);
-        assert!(nowhere.iter().all(|&nan| nan), "{far}");
-    }
-    for links in 1..12 {
-        let joints = tree(&mut random, links);
-        let robot = mechanism::<R>(&joints);
-        for (link, joint) in joints.iter().enumerate().filter(|(_, joint)| joint.mimic.is_none()) {
-            let first = robot.view().values_of(link).unwrap().start;
-            let angle = match joint.kind {
-                JointKind::Revolute { .. } | JointKind::Screw { .. } => first,
-                JointKind::Planar { .. } => first + 2,
-                _ => continue,
-            };
-            // The screw slides as far as it turns, and what mimics turns less.
-            for far in [0.99_f64, -0.99, 1.01, -3.0, 20.0] {
-                let nowhere = is_nowhere::<R>(&joints, [link, angle], far * limit, &mut random);
-                let is_far = far.abs() > 1.0;
-                assert!(nowhere.iter().all(|&nan| nan == is_far), "{far} of the limit, {joint:?}");
-            }
-        }
-    }
-}
-
-#[test]
-fn far_angles_have_one_answer_alone_and_on_lanes_and_leave_other_configurations_alone() {
-    far_angles::<f64>();
-    far_angles::<f32>();
 }

@@ -5,6 +5,7 @@ mod arms;
 mod dh;
 mod empty;
 mod errors;
+mod far;
 mod hinge;
 mod jobs;
 mod reach;
