@@ -39,7 +39,7 @@ TYPES = {
     "": "Functions",
 }
 
-# Lanes have another name where the shared type has one already, or where `try_` becomes `_checked`.
+# Lanes have another name where an error becomes a mask.
 ON_LANES = {
     ("Dual", "inverse"): ("Dual", "inverse_checked"),
 }
@@ -127,7 +127,7 @@ REASONS = {
     "g": "a column or a row of `left_jacobian` for each unit twist; the trait has that",
     "h": "by the parts: the other operations of the trait are made of it",
     "k": "no kernel of its own: `Kernel` and `Backend::run` run the form on lanes over any slices",
-    "l": "of single lines, planes, maps, poses and limbs: no kernel asks for many, and lanes have no errors that say what is wrong",
+    "l": "asked for one at a time: lines, planes, maps, poses, limbs, Euler angles, directions; no kernel has many",
     "m": "not in the C interface, which has what firmware and engines call on motions in memory",
     "p": "signs, sums or copies: exact, or one rounding; the laws hold them",
     "q": "no vectors of 60 digits; every implementation is compared with the scalar path in `f64`, and that with laws "

@@ -3,7 +3,7 @@
 //! A dual quaternion is eight floats: a rotation and a translation in one number. This crate
 //! multiplies, blends and interpolates them, moves points with them, and runs them down joint
 //! hierarchies; one at a time in a textbook reference, or as many at a time as the lanes of a SIMD
-//! register, with the same operations and the same laws.
+//! register, with the same laws.
 //!
 //! ```
 //! use dq8::{Crowd, DualQuat, Hierarchy, Quat};
@@ -29,7 +29,7 @@
 //! | [`Motion`] | **the conventions, stated once**, and the laws; the trait of both implementations |
 //! | [`Quaternion`], [`DualNumber`] | the same for what motions are made of |
 //! | [`DualQuat`], [`Quat`], [`Dual`] | the scalar reference, in textbook form |
-//! | [`batch`] | the same names on lanes |
+//! | [`batch`] | the same names on lanes, of all that kernels ask for |
 //! | [`Real`] | what the reference computes with: floats, dual numbers (which differentiate it), your own |
 //! | [`representation`] | Euler angles, rotation and translation, polar decomposition, affine maps |
 //! | [`Line`], [`Plane`], [`geometry`] | what motions act on and are described by: screws, dual vectors |

@@ -152,3 +152,34 @@ fn order_is_that_of_an_infinitesimal() {
     assert!(!Dual::new(0.0, f64::INFINITY).is_finite());
     assert_eq!(Dual::new(1.5, -2.0).to_string(), "(1.5 + -2ε)");
 }
+
+/// ε₁ε₂ is positive and smaller than ε₁, that smaller than ε₂, and that than every number; all parts are seen.
+#[test]
+fn order_is_that_of_infinitesimals_of_infinitesimals_too() {
+    // A number, ε₂, ε₁, ε₁ε₂.
+    let hyper = |[a, b, c, d]: [f64; 4]| Hyper::new(Dual::new(a, b), Dual::new(c, d));
+    let positive = [
+        hyper([0.0, 0.0, 0.0, 1e300]),
+        hyper([0.0, 0.0, 1.0, 0.0]),
+        hyper([0.0, 0.0, 1e300, 0.0]),
+        hyper([0.0, 1.0, 0.0, 0.0]),
+        hyper([f64::MIN_POSITIVE, 0.0, 0.0, 0.0]),
+    ];
+    let mut sorted: Vec<_> = positive.into_iter().rev().map(|x| -x).collect();
+    sorted.push(<Hyper as Real>::ZERO);
+    sorted.extend(positive);
+    assert!(sorted.is_sorted_by(|a, b| a < b), "{sorted:?}");
+    for x in sorted {
+        assert_eq!(x.abs(), (-x).abs());
+        assert!(x.abs() >= <Hyper as Real>::ZERO && x.abs().real.real.is_sign_positive());
+    }
+    assert!(hyper([-0.0, 0.0, -2.0, 1.0]).abs().real.real.is_sign_positive());
+    for part in 0..4 {
+        for odd in [f64::NAN, f64::INFINITY] {
+            let mut parts = [1.0; 4];
+            parts[part] = odd;
+            assert!(!hyper(parts).is_finite());
+            assert_eq!(hyper(parts).is_nan(), odd.is_nan());
+        }
+    }
+}

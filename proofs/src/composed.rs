@@ -78,9 +78,10 @@ pub(crate) fn of(
             _ => off.clone(),
         };
         for (powers, c) in part.bound?.0 {
-            let factors = powers.into_iter().map(|(argument, power)| match argument {
-                0 => length(power),
-                _ => given[argument].0.clone().plus(&given[argument].1.scaled(U)),
+            let factors = powers.into_iter().map(|(argument, power)| match (argument, power) {
+                (0, _) => length(power),
+                (_, 1) => given[argument].0.clone().plus(&given[argument].1.scaled(U)),
+                _ => unreachable!("a last step is linear in what is not normalized"),
             });
             bound = bound.plus(&factors.fold(Lengths::constant(c), |all, one| all.times(&one)));
         }

@@ -89,7 +89,7 @@ locals_by_law!([Q, T] Tracks<'_, Q, T>, 7, |_poses| NlerpLerp;
 
 impl<E: Element<8>> PoseSource<E::Layout, 8> for Poses<'_, E> {
     fn shape(&self, _: usize) -> Result<(&'static str, usize), ShapeError> {
-        Ok(("poses", self.0.len()))
+        Ok(("locals", self.0.len()))
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn pose<V: Level>(

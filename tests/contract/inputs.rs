@@ -80,7 +80,7 @@ pub fn vector() -> impl Strategy<Value = [f64; 3]> {
     prop::array::uniform3(-2.0..2.0_f64)
 }
 
-/// Any bits of the type, numbers that hurt, and ordinary ones, so many times as often as the second.
+/// Any bits of the type with weight 2, numbers that hurt with 1, and ordinary ones with the weight given.
 pub fn any_number(single: bool, ordinary: u32) -> impl Strategy<Value = f64> {
     let bits = if single {
         any::<u32>().prop_map(|bits| f64::from(f32::from_bits(bits))).boxed()
@@ -88,8 +88,9 @@ pub fn any_number(single: bool, ordinary: u32) -> impl Strategy<Value = f64> {
         any::<u64>().prop_map(f64::from_bits).boxed()
     };
     let (inf, tiny) = (f64::INFINITY, 5e-324);
-    let hard = [0.0, -0.0, f64::NAN, inf, -inf, 1e-45, tiny, 1e-40, 1e-20, 1e20, 1e30, 3e38, 1e308];
-    prop_oneof![2 => bits, 1 => prop::sample::select(hard.to_vec()), ordinary => -4.0..4.0_f64]
+    let one = [0.0, -0.0, 1.0, -1.0, f64::NAN, inf, -inf];
+    let hard = [&one[..], &[1e-45, tiny, 1e-40, 1e-20, 1e20, 1e30, 3e38, 1e308]].concat();
+    prop_oneof![2 => bits, 1 => prop::sample::select(hard), ordinary => -4.0..4.0_f64]
 }
 
 /// Interpolation parameters and exponents: inside [0, 1], its ends, and beyond. Multiples of 2⁻¹⁰,

@@ -14,7 +14,7 @@ use dq8_contract::random::Random;
 const PARENTS: [u32; 20] = [ROOT, 0, 1, 2, 3, 2, 5, ROOT, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 0];
 const JOINTS: usize = PARENTS.len();
 
-/// Whole registers of every width, and some left over.
+/// Of [`MAX_INSTANCES`]: whole registers of every width, and one instance more.
 fn holds_to_the_last_bit<L: Memory>() {
     let scene = Scene::new(&PARENTS, MAX_INSTANCES, 7);
     let hierarchy = Hierarchy::new(&PARENTS).expect("parents come first");
