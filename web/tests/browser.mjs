@@ -78,7 +78,8 @@ export async function open({ flags = [] } = {}) {
       await Promise.race([send("Browser.close").catch(() => {}), new Promise((later) => setTimeout(later, 3000))]);
       if (process_.exitCode === null) process_.kill();
       await ended;
-      rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
+      // Its children end after it, and write until then.
+      rmSync(profile, { recursive: true, force: true, maxRetries: 20 });
     },
   };
 }
