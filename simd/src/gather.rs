@@ -53,7 +53,8 @@ impl<'f> Gather<'f> {
             frames = &padded;
         }
         let mut starts = [0; MAX_LANES];
-        for (start, &frame) in starts.iter_mut().zip(frames).take(L::LANES) {
+        // So many, known to the compiler: of a number that is not it makes masked stores, whose reader waits for memory.
+        for (start, &frame) in starts.iter_mut().zip(frames.get(..L::LANES)?) {
             // What wraps lies beyond every table, and so does the greatest.
             *start = (frame as usize).wrapping_mul(self.pitch.wrapping_mul(C));
         }
