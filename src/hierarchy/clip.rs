@@ -187,14 +187,24 @@ where
         to: &mut [Rows<L>],
     ) -> Option<()> {
         if slot.is_of_joints() {
-            return each(slot, to, |slot| PlacedKeys::pose(self, level, law, slot, t));
+            return each(
+                slot,
+                to,
+                #[cfg_attr(not(opt_level_0), inline(always))]
+                |slot| PlacedKeys::pose(self, level, law, slot, t),
+            );
         }
         let (keys, rows) = (K::plain(self.clip.keys)?, self.frames.rows::<L, C>(slot.instance())?);
-        each(slot, to, |slot| {
-            let (joint, next) = (slot.joint(), slot.joint() + self.clip.joints);
-            let a = L::load_gathered(level, keys, &rows, joint)?;
-            Some(law.between(a, L::load_gathered(level, keys, &rows, next)?, t))
-        })
+        each(
+            slot,
+            to,
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            |slot| {
+                let (joint, next) = (slot.joint(), slot.joint() + self.clip.joints);
+                let a = L::load_gathered(level, keys, &rows, joint)?;
+                Some(law.between(a, L::load_gathered(level, keys, &rows, next)?, t))
+            },
+        )
     }
     fn part(self, instances: Range<usize>) -> Self {
         Self { frames: self.frames.part(instances), ..self }

@@ -47,7 +47,12 @@ pub trait PlacedKeys<R, const C: usize>: Copy + Send + Sync {
         t: L,
         to: &mut [Rows<L>],
     ) -> Option<()> {
-        each(slot, to, |slot| self.pose(level, law, slot, t))
+        each(
+            slot,
+            to,
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            |slot| self.pose(level, law, slot, t),
+        )
     }
     /// Those of some instances.
     #[must_use]

@@ -7,7 +7,7 @@ use super::slot::JointSlot;
 use crate::law::{Law, NlerpLerp};
 use crate::number::Scalar;
 use crate::storage::shape::{ShapeError, same_length};
-use crate::storage::{self, Element, Layout, Number};
+use crate::storage::{self, Element, Layout, Number, Register};
 use bytemuck::Zeroable;
 use core::ops::Range;
 use dq8_simd::{Lanes, Level};
@@ -40,7 +40,14 @@ pub trait PoseSource<M: Layout, const C: usize>: Copy + Send + Sync + Sealed {
     ) -> Option<()> {
         level.run(
             #[cfg_attr(not(opt_level_0), inline(always))]
-            || each(slot, to, |slot| self.pose(level, slot)),
+            || {
+                each(
+                    slot,
+                    to,
+                    #[cfg_attr(not(opt_level_0), inline(always))]
+                    |slot| self.pose(level, slot),
+                )
+            },
         )
     }
     /// The poses of some of the instances (blocks).
@@ -51,13 +58,30 @@ pub trait PoseSource<M: Layout, const C: usize>: Copy + Send + Sync + Sealed {
 
 /// Poses as locals: each becomes a motion, or stands on its parent, as their law has it.
 macro_rules! locals_by_law {
-    ([$($generics:tt)*] $Poses:ty, $C:tt, |$poses:ident| $law:expr; $($bounds:tt)*) => {
+    ([$($generics:tt)*] $Poses:ty, $C:tt, $ahead:literal, |$poses:ident| $law:expr; $($bounds:tt)*) => {
         impl<E: Element<8>, $($generics)*> Locals<E> for $Poses
         where
             $($bounds)*
         {
+            const AHEAD: bool = $ahead;
+
             fn shape(&self, joints: usize, _: usize) -> Result<(&'static str, usize), ShapeError> {
                 PoseSource::<E::Layout, $C>::shape(self, joints)
+            }
+            #[inline(never)]
+            fn ahead<V: Level>(&self, level: V, slot: JointSlot, to: &mut [Rows<Register<E, V, 8>>]) -> Option<()> {
+                let $poses = self;
+                PoseSource::<E::Layout, $C>::poses($poses, level, slot, to)?;
+                level.run(
+                    #[cfg_attr(not(opt_level_0), inline(always))]
+                    || {
+                        for rows in to {
+                            let pose: [Register<E, V, 8>; $C] = load(level, rows);
+                            store($law.motion(pose).to_array(), rows);
+                        }
+                    },
+                );
+                Some(())
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
             fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Motions<E, V>> {
@@ -83,8 +107,8 @@ macro_rules! locals_by_law {
 }
 pub(super) use locals_by_law;
 
-locals_by_law!([T] RotationsTranslations<'_, T>, 7, |_poses| NlerpLerp; T: Element<7, Layout = E::Layout>);
-locals_by_law!([Q, T] Tracks<'_, Q, T>, 7, |_poses| NlerpLerp;
+locals_by_law!([T] RotationsTranslations<'_, T>, 7, false, |_poses| NlerpLerp; T: Element<7, Layout = E::Layout>);
+locals_by_law!([Q, T] Tracks<'_, Q, T>, 7, false, |_poses| NlerpLerp;
     Q: Element<4, Layout = E::Layout>, T: Element<3, Layout = E::Layout>);
 
 impl<E: Element<8>> PoseSource<E::Layout, 8> for Poses<'_, E> {
@@ -284,7 +308,7 @@ where
     }
 }
 
-locals_by_law!([W, A, B, const C: usize, const ADDS: bool] Layered<'_, W, A, B, Number<E, 8>, C, ADDS>, C, |poses| poses.law;
+locals_by_law!([W, A, B, const C: usize, const ADDS: bool] Layered<'_, W, A, B, Number<E, 8>, C, ADDS>, C, true, |poses| poses.law;
     W: Law<C>, A: PoseSource<E::Layout, C>, B: PoseSource<E::Layout, C>);
 
 impl<W, A, B, R, const C: usize, const ADDS: bool> Sealed for Layered<'_, W, A, B, R, C, ADDS> {}

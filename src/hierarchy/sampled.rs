@@ -4,12 +4,12 @@ use super::keys::{Keys, PlacedKeys};
 use super::layers::{PoseSource, locals_by_law};
 use super::locals::sealed::Sealed;
 use super::locals::{Locals, Motions, part_of};
-use super::rows::Rows;
+use super::rows::{Rows, load, store};
 use super::slot::JointSlot;
 use crate::law::Law;
 use crate::number::Scalar;
 use crate::storage::shape::{ShapeError, same_length};
-use crate::storage::{Element, Layout, Number};
+use crate::storage::{Element, Layout, Number, Register};
 use core::ops::Range;
 use dq8_simd::Level;
 
@@ -103,7 +103,7 @@ where
     }
 }
 
-locals_by_law!([W, P, const C: usize] Sampled<'_, W, P, Number<E, 8>, C>, C, |poses| poses.law;
+locals_by_law!([W, P, const C: usize] Sampled<'_, W, P, Number<E, 8>, C>, C, true, |poses| poses.law;
     W: Law<C>, P: PlacedKeys<Number<E, 8>, C>);
 
 impl<W, P, R, const C: usize> Sealed for Sampled<'_, W, P, R, C> {}
