@@ -1,7 +1,9 @@
 //! model(j) = model(parent(j)) · local(j), for blocks: lanes are instances in memory already.
 
-use super::locals::{Locals, Motions, motions};
+use super::ahead::Ahead;
+use super::locals::{InPlace, Locals, Motions, Numbers, motions};
 use super::palette::Epilogue;
+use super::rows::GROUP;
 use super::run::Run;
 use super::slot::JointSlot;
 use crate::backend::Kernel;
@@ -44,6 +46,7 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Forward<'_, '_, E, 
     fn run<V: Level>(self, level: V) {
         let Self { run, locals, models, mut epilogue } = self;
         let joints = run.parents.len();
+        let mut ahead = Ahead::of(&locals);
         // Registers of one block are side by side already.
         let alone = E::Layout::registers::<V>() > 1 || joints > CACHE / 2 / size_of::<E>();
         let side_by_side = if OVERLAPS && !alone { 2 } else { 1 };
@@ -53,9 +56,16 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Forward<'_, '_, E, 
         for (first, models) in (0..).step_by(side_by_side).zip(sets) {
             let Some((a, b)) = models.split_at_mut_checked(joints) else { return };
             if side_by_side == 1 || b.is_empty() {
-                forward(level, run, locals, &mut epilogue, [(first, a)]);
+                forward(level, run, locals, &mut epilogue, [(first, a)], &mut ahead);
             } else {
-                forward(level, run, locals, &mut epilogue, [(first, a), (first + 1, b)]);
+                forward(
+                    level,
+                    run,
+                    locals,
+                    &mut epilogue,
+                    [(first, a), (first + 1, b)],
+                    &mut ahead,
+                );
             }
         }
     }
@@ -68,8 +78,25 @@ fn forward<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level, const K: usize
     locals: L,
     epilogue: &mut X,
     mut instances: [(usize, &mut [E]); K],
+    ahead: &mut Ahead<E, V>,
 ) {
+    let lanes = Register::<E, V, 8>::LANES;
+    let slot = |joint, instance, register| {
+        let first = instance * E::Layout::THINGS + register * lanes;
+        JointSlot::in_block(joint, instance * run.parents.len(), register, first)
+    };
     for joint in run.joints.clone() {
+        if L::MADE && (joint - run.joints.start).is_multiple_of(GROUP) {
+            let group = GROUP.min(run.joints.end - joint);
+            for (instance, models) in &mut instances {
+                for register in 0..E::Layout::registers::<V>() {
+                    let slot = slot(joint, *instance, register);
+                    if ahead.place(level, &locals, models, slot, group).is_none() {
+                        return;
+                    }
+                }
+            }
+        }
         // ROOT is beyond the last joint: there is no such model.
         let Some(&parent) = run.parents.get(joint) else { return };
         let renormalize = run.renormalize.applies_to(joint);
@@ -78,19 +105,14 @@ fn forward<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level, const K: usize
                 level.prefetch(soon);
             }
             for register in 0..E::Layout::registers::<V>() {
-                let slot = JointSlot::in_block(
-                    joint,
-                    *instance * run.parents.len(),
-                    register,
-                    *instance * E::Layout::THINGS + register * Register::<E, V, 8>::LANES,
-                );
+                let slot = slot(joint, *instance, register);
                 // One comparison, the bounds check of this load, also tells roots from children. The root's
                 // model goes to memory, like that of a child: a value that two paths could have left in
                 // registers would be moved there on both.
                 let parent = Tile::at(parent as usize, register);
                 if let Some(parent) = motions(level, models, parent) {
-                    let Some(model) = locals.onto(level, parent, models, slot) else { return };
-                    store(model, models, slot);
+                    let Some(local) = local(level, locals, models, slot) else { return };
+                    store(locals.onto(parent, local), models, slot);
                 } else {
                     root(level, run, *instance, locals, models, slot);
                 }
@@ -127,7 +149,8 @@ fn root<E: Element<8>, L: Locals<E>, V: Level>(
     level.run(
         #[cfg_attr(not(opt_level_0), inline(always))]
         || {
-            let Some(local) = locals.load(level, models, slot) else { return };
+            let Some(local) = local(level, locals, models, slot) else { return };
+            let local = locals.motion(local);
             let model = match run.root.load(level, instance, slot.own_tile().register) {
                 Some(root) => root * local,
                 None => local,
@@ -135,6 +158,17 @@ fn root<E: Element<8>, L: Locals<E>, V: Level>(
             store(model, models, slot);
         },
     );
+}
+
+/// The local of a slot; where locals are made, it lies where its model will.
+#[cfg_attr(not(opt_level_0), inline(always))]
+fn local<E: Element<8>, L: Locals<E>, V: Level>(
+    level: V,
+    locals: L,
+    models: &[E],
+    slot: JointSlot,
+) -> Option<Numbers<E, V>> {
+    if L::MADE { InPlace.load(level, models, slot) } else { locals.load(level, models, slot) }
 }
 
 #[cfg_attr(not(opt_level_0), inline(always))]

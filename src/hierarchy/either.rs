@@ -1,14 +1,13 @@
 //! [`Either`]: locals of one of two forms.
 
-use super::layers::PoseSource;
+use super::layers::{PoseSource, locals_by_law};
 use super::locals::sealed::Sealed;
-use super::locals::{Locals, Motions};
-use super::rows::{Rows, load, store};
+use super::locals::{Locals, Motions, Numbers};
+use super::rows::{Rows, numbers, pose};
 use super::slot::JointSlot;
 use crate::law::{Law, NlerpLerp};
 use crate::storage::shape::ShapeError;
 use crate::storage::{Element, Layout, Register};
-use bytemuck::Zeroable;
 use core::ops::Range;
 use dq8_simd::Level;
 
@@ -87,66 +86,7 @@ where
     }
 }
 
-impl<A, B> Either<A, B> {
-    /// The pose of one slot.
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn called<M: Layout, V: Level>(self, level: V, slot: JointSlot) -> Option<[M::Register<V>; 7]>
-    where
-        Self: PoseSource<M, 7>,
-    {
-        let mut rows = Rows::<M::Register<V>>::zeroed();
-        self.poses(level, slot, core::slice::from_mut(&mut rows))?;
-        Some(load(level, &rows))
-    }
-}
-
-impl<E, A, B> Locals<E> for Either<A, B>
-where
-    E: Element<8>,
-    A: PoseSource<E::Layout, 7>,
-    B: PoseSource<E::Layout, 7>,
-{
-    const AHEAD: bool = true;
-
-    fn shape(&self, joints: usize, _: usize) -> Result<(&'static str, usize), ShapeError> {
-        PoseSource::<E::Layout, 7>::shape(self, joints)
-    }
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Motions<E, V>> {
-        Some(NlerpLerp.motion(self.called::<E::Layout, V>(level, slot)?))
-    }
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn onto<V: Level>(
-        self,
-        level: V,
-        parent: Motions<E, V>,
-        _: &[E],
-        slot: JointSlot,
-    ) -> Option<Motions<E, V>> {
-        Some(NlerpLerp.onto(parent, self.called::<E::Layout, V>(level, slot)?))
-    }
-    #[inline(never)]
-    fn ahead<V: Level>(
-        &self,
-        level: V,
-        slot: JointSlot,
-        to: &mut [Rows<Register<E, V, 8>>],
-    ) -> Option<()> {
-        PoseSource::<E::Layout, 7>::poses(self, level, slot, to)?;
-        level.run(
-            #[cfg_attr(not(opt_level_0), inline(always))]
-            || {
-                for rows in to {
-                    let pose: [Register<E, V, 8>; 7] = load(level, rows);
-                    store(NlerpLerp.motion(pose).to_array(), rows);
-                }
-            },
-        );
-        Some(())
-    }
-    fn part(self, joints: usize, instances: Range<usize>) -> Self {
-        PoseSource::<E::Layout, 7>::some(self, joints, instances)
-    }
-}
+locals_by_law!([A, B] Either<A, B>, 7, |_poses| NlerpLerp;
+    A: PoseSource<E::Layout, 7>, B: PoseSource<E::Layout, 7>);
 
 impl<A, B> Sealed for Either<A, B> {}

@@ -1,8 +1,8 @@
 //! [`PoseSource`]: poses that are computed as they are loaded. Sources nest: a layer loads from other sources.
 
 use super::locals::sealed::Sealed;
-use super::locals::{Locals, Motions, Poses, RotationsTranslations, Tracks, part_of};
-use super::rows::{GROUP, Rows, each, load, store};
+use super::locals::{Locals, Motions, Numbers, Poses, RotationsTranslations, Tracks, part_of};
+use super::rows::{GROUP, Rows, each, load, numbers, pose, store};
 use super::slot::JointSlot;
 use crate::law::{Law, NlerpLerp};
 use crate::number::Scalar;
@@ -26,6 +26,9 @@ pub trait PoseSource<M: Layout, const C: usize>: Copy + Send + Sync + Sealed {
     fn instances(&self) -> Option<usize> {
         None
     }
+    /// Whether they are computed, not loaded.
+    #[doc(hidden)]
+    const MADE: bool = true;
     /// The poses of a slot.
     #[doc(hidden)]
     fn pose<V: Level>(self, level: V, slot: JointSlot) -> Option<[M::Register<V>; C]>;
@@ -58,46 +61,38 @@ pub trait PoseSource<M: Layout, const C: usize>: Copy + Send + Sync + Sealed {
 
 /// Poses as locals: each becomes a motion, or stands on its parent, as their law has it.
 macro_rules! locals_by_law {
-    ([$($generics:tt)*] $Poses:ty, $C:tt, $ahead:literal, |$poses:ident| $law:expr; $($bounds:tt)*) => {
+    ([$($generics:tt)*] $Poses:ty, $C:tt, |$poses:ident| $law:expr; $($bounds:tt)*) => {
         impl<E: Element<8>, $($generics)*> Locals<E> for $Poses
         where
             $($bounds)*
         {
-            const AHEAD: bool = $ahead;
+            const MADE: bool = <Self as PoseSource<E::Layout, $C>>::MADE;
 
             fn shape(&self, joints: usize, _: usize) -> Result<(&'static str, usize), ShapeError> {
                 PoseSource::<E::Layout, $C>::shape(self, joints)
             }
-            #[inline(never)]
-            fn ahead<V: Level>(&self, level: V, slot: JointSlot, to: &mut [Rows<Register<E, V, 8>>]) -> Option<()> {
-                let $poses = self;
-                PoseSource::<E::Layout, $C>::poses($poses, level, slot, to)?;
-                level.run(
-                    #[cfg_attr(not(opt_level_0), inline(always))]
-                    || {
-                        for rows in to {
-                            let pose: [Register<E, V, 8>; $C] = load(level, rows);
-                            store($law.motion(pose).to_array(), rows);
-                        }
-                    },
-                );
-                Some(())
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Numbers<E, V>> {
+                Some(numbers(PoseSource::<E::Layout, $C>::pose(self, level, slot)?))
             }
             #[cfg_attr(not(opt_level_0), inline(always))]
-            fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Motions<E, V>> {
-                let $poses = self;
-                Some($law.motion(PoseSource::<E::Layout, $C>::pose($poses, level, slot)?))
-            }
-            #[cfg_attr(not(opt_level_0), inline(always))]
-            fn onto<V: Level>(
-                self,
+            fn ahead<V: Level>(
+                &self,
                 level: V,
-                parent: Motions<E, V>,
-                _: &[E],
                 slot: JointSlot,
-            ) -> Option<Motions<E, V>> {
+                to: &mut [Rows<Register<E, V, 8>>],
+            ) -> Option<()> {
+                PoseSource::<E::Layout, $C>::poses(self, level, slot, to)
+            }
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            fn motion<V: Level>(self, local: Numbers<E, V>) -> Motions<E, V> {
                 let $poses = self;
-                Some($law.onto(parent, PoseSource::<E::Layout, $C>::pose($poses, level, slot)?))
+                $law.motion(pose(local))
+            }
+            #[cfg_attr(not(opt_level_0), inline(always))]
+            fn onto<V: Level>(self, parent: Motions<E, V>, local: Numbers<E, V>) -> Motions<E, V> {
+                let $poses = self;
+                $law.onto(parent, pose(local))
             }
             fn part(self, joints: usize, instances: Range<usize>) -> Self {
                 PoseSource::<E::Layout, $C>::some(self, joints, instances)
@@ -107,11 +102,13 @@ macro_rules! locals_by_law {
 }
 pub(super) use locals_by_law;
 
-locals_by_law!([T] RotationsTranslations<'_, T>, 7, false, |_poses| NlerpLerp; T: Element<7, Layout = E::Layout>);
-locals_by_law!([Q, T] Tracks<'_, Q, T>, 7, false, |_poses| NlerpLerp;
+locals_by_law!([T] RotationsTranslations<'_, T>, 7, |_poses| NlerpLerp; T: Element<7, Layout = E::Layout>);
+locals_by_law!([Q, T] Tracks<'_, Q, T>, 7, |_poses| NlerpLerp;
     Q: Element<4, Layout = E::Layout>, T: Element<3, Layout = E::Layout>);
 
 impl<E: Element<8>> PoseSource<E::Layout, 8> for Poses<'_, E> {
+    const MADE: bool = false;
+
     fn shape(&self, _: usize) -> Result<(&'static str, usize), ShapeError> {
         Ok(("locals", self.0.len()))
     }
@@ -129,6 +126,8 @@ impl<E: Element<8>> PoseSource<E::Layout, 8> for Poses<'_, E> {
 }
 
 impl<E: Element<7>> PoseSource<E::Layout, 7> for RotationsTranslations<'_, E> {
+    const MADE: bool = false;
+
     fn shape(&self, _: usize) -> Result<(&'static str, usize), ShapeError> {
         Ok(("locals", self.0.len()))
     }
@@ -148,6 +147,8 @@ impl<E: Element<7>> PoseSource<E::Layout, 7> for RotationsTranslations<'_, E> {
 impl<Q: Element<4>, T: Element<3, Layout = Q::Layout>> PoseSource<Q::Layout, 7>
     for Tracks<'_, Q, T>
 {
+    const MADE: bool = false;
+
     fn shape(&self, _: usize) -> Result<(&'static str, usize), ShapeError> {
         same_length("translations", self.translations.len(), self.rotations.len())?;
         Ok(("rotations", self.rotations.len()))
@@ -235,7 +236,7 @@ impl<'w, W, A, B, R, const C: usize, const ADDS: bool> Layered<'w, W, A, B, R, C
 
     /// The layer over its base.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn one<L: Lanes>(&self, base: [L; C], layer: [L; C], weight: L) -> [L; C]
+    fn over<L: Lanes>(&self, base: [L; C], layer: [L; C], weight: L) -> [L; C]
     where
         W: Law<C>,
     {
@@ -273,7 +274,7 @@ where
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn pose<V: Level>(self, level: V, slot: JointSlot) -> Option<[M::Register<V>; C]> {
         let weight = self.weight(level, slot)?;
-        Some(self.one(self.base.pose(level, slot)?, self.layer.pose(level, slot)?, weight))
+        Some(self.over(self.base.pose(level, slot)?, self.layer.pose(level, slot)?, weight))
     }
     #[inline(never)]
     fn poses<V: Level>(
@@ -292,7 +293,7 @@ where
                 let lanes = M::Register::<V>::LANES;
                 for (number, (base, layer)) in to.iter_mut().zip(layers).enumerate() {
                     let weight: M::Register<V> = self.weight(level, slot.after(number, lanes))?;
-                    store(self.one(load(level, base), load(level, layer), weight), base);
+                    store(self.over(load(level, base), load(level, layer), weight), base);
                 }
                 Some(())
             },
@@ -308,7 +309,7 @@ where
     }
 }
 
-locals_by_law!([W, A, B, const C: usize, const ADDS: bool] Layered<'_, W, A, B, Number<E, 8>, C, ADDS>, C, true, |poses| poses.law;
+locals_by_law!([W, A, B, const C: usize, const ADDS: bool] Layered<'_, W, A, B, Number<E, 8>, C, ADDS>, C, |poses| poses.law;
     W: Law<C>, A: PoseSource<E::Layout, C>, B: PoseSource<E::Layout, C>);
 
 impl<W, A, B, R, const C: usize, const ADDS: bool> Sealed for Layered<'_, W, A, B, R, C, ADDS> {}

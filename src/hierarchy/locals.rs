@@ -3,10 +3,14 @@
 use super::rows::{self, Rows};
 use super::slot::JointSlot;
 use crate::batch;
+use crate::law::{Law, NlerpLerp};
 use crate::storage::shape::{ShapeError, same_length};
 use crate::storage::{self, Element, Number, Register, Source, Tile};
 use core::ops::Range;
 use dq8_simd::Level;
+
+/// The numbers of one register of locals: those of motions, or of poses, and then nothing that is read.
+pub(super) type Numbers<E, V> = [Register<E, V, 8>; 8];
 
 /// The motions of one register of instances.
 pub(super) type Motions<E, V> = batch::DualQuat<Register<E, V, 8>>;
@@ -30,35 +34,32 @@ pub trait Locals<E: Element<8>>: Copy + Send + Sync + sealed::Sealed {
 
     /// The locals of a slot; `models` are those of its instances, as far as they are known.
     #[doc(hidden)]
-    fn load<V: Level>(self, level: V, models: &[E], slot: JointSlot) -> Option<Motions<E, V>>;
+    fn load<V: Level>(self, level: V, models: &[E], slot: JointSlot) -> Option<Numbers<E, V>>;
 
-    /// Whether they are made a group at a time, by [`ahead`](Self::ahead).
+    /// Whether they are computed: then a kernel calls for a group of them, [`ahead`](Self::ahead). Part of the kernel, they
+    /// would take its registers, and find for each joint again what is the same for all.
     #[doc(hidden)]
-    const AHEAD: bool = false;
+    const MADE: bool = false;
 
     /// The locals of a slot and of those after it, no more than a group.
     #[doc(hidden)]
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn ahead<V: Level>(
-        &self,
-        level: V,
-        slot: JointSlot,
-        to: &mut [Rows<Register<E, V, 8>>],
-    ) -> Option<()> {
-        rows::each(slot, to, |slot| Some(self.load(level, &[], slot)?.to_array()))
+    fn ahead<V: Level>(&self, _: V, _: JointSlot, _: &mut [Rows<Register<E, V, 8>>]) -> Option<()> {
+        None
+    }
+
+    /// A local as a motion.
+    #[doc(hidden)]
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn motion<V: Level>(self, local: Numbers<E, V>) -> Motions<E, V> {
+        batch::DualQuat::from_array(local)
     }
 
     /// parent · local
     #[doc(hidden)]
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn onto<V: Level>(
-        self,
-        level: V,
-        parent: Motions<E, V>,
-        models: &[E],
-        slot: JointSlot,
-    ) -> Option<Motions<E, V>> {
-        Some(parent * self.load(level, models, slot)?)
+    fn onto<V: Level>(self, parent: Motions<E, V>, local: Numbers<E, V>) -> Motions<E, V> {
+        parent * self.motion(local)
     }
 
     /// Their place, if they are motions in memory, to be read number by number.
@@ -85,8 +86,8 @@ impl<E: Element<8>> Locals<E> for Poses<'_, E> {
         Ok(("locals", self.0.len()))
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Motions<E, V>> {
-        motions(level, self.0, slot.tile())
+    fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Numbers<E, V>> {
+        E::load(level, self.0, slot.tile(), &storage::identity())
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn motions(&self) -> Option<Source<'_, E>> {
@@ -106,8 +107,8 @@ impl<E: Element<8>> Locals<E> for InPlace {
         Ok(("poses", models))
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn load<V: Level>(self, level: V, models: &[E], slot: JointSlot) -> Option<Motions<E, V>> {
-        motions(level, models, slot.own_tile())
+    fn load<V: Level>(self, level: V, models: &[E], slot: JointSlot) -> Option<Numbers<E, V>> {
+        E::load(level, models, slot.own_tile(), &storage::identity())
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn motions(&self) -> Option<Source<'_, E>> {
@@ -165,23 +166,18 @@ impl<E: Element<8>, Q: Element<4, Layout = E::Layout>> Locals<E> for Bones<'_, Q
         Ok(("rotations", self.rotations.len()))
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Motions<E, V>> {
-        let rotation = Q::load(level, self.rotations, slot.tile(), &storage::identity())?;
-        let offset = slot.of_joint(level, self.offsets)?;
-        let rotation = batch::Quat::from_array(rotation);
-        Some(Motions::<E, V>::from_rotation_translation(rotation, offset))
+    fn load<V: Level>(self, level: V, _: &[E], slot: JointSlot) -> Option<Numbers<E, V>> {
+        let [x, y, z, w] = Q::load(level, self.rotations, slot.tile(), &storage::identity())?;
+        let [a, b, c] = slot.of_joint(level, self.offsets)?;
+        Some(rows::numbers([x, y, z, w, a, b, c]))
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn onto<V: Level>(
-        self,
-        level: V,
-        parent: Motions<E, V>,
-        _: &[E],
-        slot: JointSlot,
-    ) -> Option<Motions<E, V>> {
-        let rotation = Q::load(level, self.rotations, slot.tile(), &storage::identity())?;
-        let offset = slot.of_joint(level, self.offsets)?;
-        Some(parent.mul_rotation_translation(batch::Quat::from_array(rotation), offset))
+    fn motion<V: Level>(self, local: Numbers<E, V>) -> Motions<E, V> {
+        NlerpLerp.motion(rows::pose(local))
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn onto<V: Level>(self, parent: Motions<E, V>, local: Numbers<E, V>) -> Motions<E, V> {
+        NlerpLerp.onto(parent, rows::pose(local))
     }
     fn part(self, joints: usize, instances: Range<usize>) -> Self {
         Self { rotations: part_of(self.rotations, joints, instances), ..self }

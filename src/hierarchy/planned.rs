@@ -73,8 +73,8 @@ impl<E: Element<8>, L: Locals<E>> Kernel for Begin<'_, '_, E, L> {
         if !matches!(locals.motions(), Some(Source::Output)) {
             for start in (0..joints).step_by(E::Layout::records::<V>()) {
                 let slot = JointSlot::of_joints(start, 0, joints, joints);
-                let Some(lanes) = locals.load(level, models, slot) else { return };
-                E::store(lanes.to_array(), models, slot.own_tile());
+                let Some(local) = locals.load(level, models, slot) else { return };
+                E::store(locals.motion(local).to_array(), models, slot.own_tile());
             }
         }
         // Then a root is the root transform times its local, and the plan needs none.

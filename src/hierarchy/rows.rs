@@ -40,3 +40,15 @@ pub(super) fn store<L: Lanes, const C: usize>(registers: [L; C], to: &mut Rows<L
         register.store(row);
     }
 }
+
+/// The numbers of a pose, and its first one where it has none.
+#[cfg_attr(not(opt_level_0), inline(always))]
+pub(super) fn numbers<L: Lanes, const C: usize>(pose: [L; C]) -> [L; 8] {
+    core::array::from_fn(|i| *pose.get(i).unwrap_or(&pose[0]))
+}
+
+/// The pose of [`numbers`].
+#[cfg_attr(not(opt_level_0), inline(always))]
+pub(super) fn pose<L: Lanes, const C: usize>(numbers: [L; 8]) -> [L; C] {
+    core::array::from_fn(|i| *numbers.get(i).unwrap_or(&numbers[0]))
+}

@@ -3,8 +3,8 @@
 use super::keys::{Keys, PlacedKeys};
 use super::layers::{PoseSource, locals_by_law};
 use super::locals::sealed::Sealed;
-use super::locals::{Locals, Motions, part_of};
-use super::rows::{Rows, load, store};
+use super::locals::{Locals, Motions, Numbers, part_of};
+use super::rows::{Rows, numbers, pose};
 use super::slot::JointSlot;
 use crate::law::Law;
 use crate::number::Scalar;
@@ -103,7 +103,7 @@ where
     }
 }
 
-locals_by_law!([W, P, const C: usize] Sampled<'_, W, P, Number<E, 8>, C>, C, true, |poses| poses.law;
+locals_by_law!([W, P, const C: usize] Sampled<'_, W, P, Number<E, 8>, C>, C, |poses| poses.law;
     W: Law<C>, P: PlacedKeys<Number<E, 8>, C>);
 
 impl<W, P, R, const C: usize> Sealed for Sampled<'_, W, P, R, C> {}

@@ -102,7 +102,7 @@ impl<E: Element<8>, L: Locals<E>, X: Epilogue<E>> Kernel for Instances<'_, '_, E
                         (&mut recent, &mut ahead),
                     );
                 } else {
-                    alone(level, run, locals, models, epilogue, instance);
+                    alone(level, run, locals, models, epilogue, instance, &mut ahead);
                 }
                 done += group;
                 instance += E::Layout::records::<V>();
@@ -154,7 +154,7 @@ fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
                 far(level, models, JointSlot::of_instances(parent, instance, joints), recent);
             }
             let Some(local) = ahead.local(level, run, &locals, models, slot) else { return };
-            let model = product_in_lanes(recent[from], local.to_array());
+            let model = product_in_lanes(recent[from], locals.motion(local).to_array());
             recent[joint % RECENT] = model;
             E::store(model, models, slot.own_tile());
         } else {
@@ -205,9 +205,10 @@ fn root<E: Element<8>, L: Locals<E>, V: Level>(
         #[cfg_attr(not(opt_level_0), inline(always))]
         || {
             let Some(local) = ahead.local(level, run, &locals, models, slot) else { return };
+            let local = locals.motion(local).to_array();
             *to = match run.root.load(level, slot.instance(), 0) {
-                Some(root) => product_in_lanes(root.to_array(), local.to_array()),
-                None => local.to_array(),
+                Some(root) => product_in_lanes(root.to_array(), local),
+                None => local,
             };
             E::store(*to, models, slot.own_tile());
         },
@@ -241,6 +242,7 @@ fn alone<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     models: &mut [E],
     epilogue: &mut X,
     instance: usize,
+    ahead: &mut Ahead<E, V>,
 ) {
     let joints = run.parents.len();
     for joint in run.joints.clone() {
@@ -252,15 +254,12 @@ fn alone<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
             Some(parent) => motions(level, core::slice::from_ref(parent), Tile::at(0, 0)),
             None => run.root.load(level, instance, 0),
         };
-        let model = match parent {
-            Some(parent) => {
-                let Some(local) = locals.load(level, models, slot) else { return };
-                let product = product_in_lanes(parent.to_array(), local.to_array());
-                Some(batch::DualQuat::from_array(product))
-            }
-            None => locals.load(level, models, slot),
-        };
-        let Some(mut model) = model else { return };
+        let Some(local) = ahead.local(level, run, &locals, models, slot) else { return };
+        let mut model = locals.motion(local);
+        if let Some(parent) = parent {
+            let product = product_in_lanes(parent.to_array(), model.to_array());
+            model = batch::DualQuat::from_array(product);
+        }
         if run.renormalize.applies_to(joint) {
             model = model.normalize();
         }
@@ -319,8 +318,8 @@ fn walk<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     for start in run.joints.clone().step_by(lanes) {
         let slot = JointSlot::of_joints(start, instance, joints, run.joints.end);
         if in_memory.is_none() {
-            let Some(locals) = ahead.local(level, run, &locals, models, slot) else { return };
-            locals.store_records(&mut made);
+            let Some(local) = ahead.local(level, run, &locals, models, slot) else { return };
+            locals.motion(local).store_records(&mut made);
         }
         let Some(plain) = E::plain_mut(models) else { return };
         for joint in start..run.joints.end.min(start + lanes) {

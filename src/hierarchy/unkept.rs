@@ -91,7 +91,7 @@ fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     } else {
         None
     };
-    if L::AHEAD {
+    if L::MADE {
         let rows = models.get_mut(joints.clone()).unwrap_or_default();
         for (first, rows) in joints.clone().step_by(GROUP).zip(rows.chunks_mut(GROUP)) {
             if locals.ahead(level, slot(first), rows).is_none() {
@@ -99,7 +99,9 @@ fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
             }
         }
         for joint in joints {
-            if place(level, run, epilogue, slot(joint), None, base, models).is_none() {
+            let Some(rows) = models.get(joint) else { return };
+            let local = locals.motion(load(level, rows)).to_array();
+            if place(level, run, epilogue, slot(joint), local, base, models).is_none() {
                 return;
             }
         }
@@ -113,43 +115,36 @@ fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
         let Some(next) = locals.load(level, &[], slot((joint + 1).min(joints.end - 1))) else {
             return;
         };
-        if place(level, run, epilogue, slot(joint), Some(local.to_array()), base, models).is_none()
-        {
+        let made = locals.motion(local).to_array();
+        if place(level, run, epilogue, slot(joint), made, base, models).is_none() {
             return;
         }
         local = next;
     }
 }
 
-/// The model of a joint, and what follows from it. A local that is none is where the model goes.
+/// The model of a joint, and what follows from it.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn place<E: Element<8>, X: Epilogue<E>, V: Level>(
     level: V,
     run: &Run<'_, E>,
     epilogue: &mut X,
     slot: JointSlot,
-    local: Option<[Register<E, V, 8>; 8]>,
+    local: [Register<E, V, 8>; 8],
     base: Option<&Models<E, V>>,
     models: &mut [Models<E, V>],
 ) -> Option<()> {
     let joint = slot.joint();
     // ROOT is beyond the last joint: there is no such model.
     let parent = models.get(*run.parents.get(joint)? as usize).or(base);
-    // Roots without a base are stored by themselves: where two ways lead to the product's store, registers move.
-    let model = match (parent, local) {
-        (Some(parent), local) => {
-            let local = match local {
-                Some(local) => local,
-                None => load(level, models.get(joint)?),
-            };
-            Some(product_in_lanes(load(level, parent), local))
-        }
-        (None, local) => local,
-    };
-    let place = models.get_mut(joint)?;
-    if let Some(model) = model {
-        store(model, place);
+    // Two stores: where two ways lead to one, registers move.
+    if let Some(parent) = parent {
+        let model = product_in_lanes(load(level, parent), local);
+        store(model, models.get_mut(joint)?);
+    } else {
+        store(local, models.get_mut(joint)?);
     }
+    let place = models.get_mut(joint)?;
     // Loaded again: whether it was normalized or not, the epilogue has one source. It is in the first cache.
     if run.renormalize.applies_to(joint) {
         normalize::<E, V>(level, place);

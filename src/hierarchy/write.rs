@@ -32,7 +32,7 @@ impl<E: Element<8>, L: Locals<E>> Kernel for Write<'_, '_, E, L> {
                         JointSlot::of_joints(joint, instance, joints, run.joints.end)
                     };
                     let Some(local) = locals.load(level, &[], slot) else { return };
-                    E::store(local.to_array(), slot.within(poses), slot.tile());
+                    E::store(locals.motion(local).to_array(), slot.within(poses), slot.tile());
                 }
             }
         }
