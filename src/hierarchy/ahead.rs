@@ -27,7 +27,10 @@ impl<E: Element<8>, V: Level> Ahead<E, V> {
         models: &[E],
         slot: JointSlot,
     ) -> Option<Numbers<E, V>> {
-        let Some(rows) = self.0.as_mut() else { return locals.load(level, models, slot) };
+        if !L::MADE {
+            return locals.load(level, models, slot);
+        }
+        let rows = self.0.as_mut()?;
         let step = if slot.is_of_joints() { Register::<E, V, 8>::LANES } else { 1 };
         let at = (slot.joint() - run.joints.start) / step;
         if at.is_multiple_of(GROUP) {

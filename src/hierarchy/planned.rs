@@ -1,5 +1,6 @@
 //! One instance in the order of a plan, with every form of locals, a root and a palette.
 
+use super::ahead::Ahead;
 use super::locals::{Locals, motions};
 use super::palette::Epilogue;
 use super::plan::Plan;
@@ -71,9 +72,10 @@ impl<E: Element<8>, L: Locals<E>> Kernel for Begin<'_, '_, E, L> {
         let joints = run.parents.len();
         // What lies there already stays.
         if !matches!(locals.motions(), Some(Source::Output)) {
+            let mut ahead = Ahead::of(&locals);
             for start in (0..joints).step_by(E::Layout::records::<V>()) {
                 let slot = JointSlot::of_joints(start, 0, joints, joints);
-                let Some(local) = locals.load(level, models, slot) else { return };
+                let Some(local) = ahead.local(level, run, &locals, models, slot) else { return };
                 E::store(locals.motion(local).to_array(), models, slot.own_tile());
             }
         }
