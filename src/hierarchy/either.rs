@@ -13,8 +13,7 @@ use dq8_simd::Level;
 
 /// Rotations and translations of one of two forms, which only the running program knows: a plain clip or a
 /// [packed](super::PackedClips) one, one clip or [layers](super::Layered). Forms nest. A kernel is compiled once for all of
-/// them, and so is each source of poses, where other locals are part of the kernel: it calls for the poses of sixteen joints at
-/// a time, which go through memory.
+/// them, and so is each source of poses.
 ///
 /// ```
 /// use dq8::hierarchy::{Either, RotationsTranslations, Tracks};

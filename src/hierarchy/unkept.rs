@@ -68,10 +68,7 @@ fn rows<E: Element<8>, V: Level>(
 }
 
 /// One group; `instance` is its first one. All models go through memory, as in [`super::transposed`].
-///
-/// A joint's local is loaded, which may mean sampled and blended, before the product of the joint before it: the product
-/// waits for its parent, and the CPU does not look far enough ahead to find the next sample meanwhile. A twentieth less time.
-/// Locals that are made ahead wait where the models go.
+/// Locals that are made wait where the models go.
 #[cfg_attr(not(opt_level_0), inline(always))]
 fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
     level: V,
@@ -98,28 +95,21 @@ fn together<E: Element<8>, L: Locals<E>, X: Epilogue<E>, V: Level>(
                 return;
             }
         }
-        for joint in joints {
-            let Some(rows) = models.get(joint) else { return };
-            let local = locals.motion(load(level, rows)).to_array();
-            if place(level, run, epilogue, slot(joint), local, base, models).is_none() {
-                return;
-            }
-        }
-        return;
     }
-    if joints.is_empty() {
-        return;
-    }
-    let Some(mut local) = locals.load(level, &[], slot(joints.start)) else { return };
-    for joint in joints.clone() {
-        let Some(next) = locals.load(level, &[], slot((joint + 1).min(joints.end - 1))) else {
-            return;
+    for joint in joints {
+        let local = if L::MADE {
+            models.get(joint).map(
+                #[cfg_attr(not(opt_level_0), inline(always))]
+                |rows| load(level, rows),
+            )
+        } else {
+            locals.load(level, &[], slot(joint))
         };
-        let made = locals.motion(local).to_array();
-        if place(level, run, epilogue, slot(joint), made, base, models).is_none() {
+        let Some(local) = local else { return };
+        let local = locals.motion(local).to_array();
+        if place(level, run, epilogue, slot(joint), local, base, models).is_none() {
             return;
         }
-        local = next;
     }
 }
 
