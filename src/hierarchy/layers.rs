@@ -66,7 +66,8 @@ macro_rules! locals_by_law {
         where
             $($bounds)*
         {
-            const MADE: bool = <Self as PoseSource<E::Layout, $C>>::MADE;
+            // Firmware counts bytes of code and stack.
+            const MADE: bool = super::transposed::MANY && <Self as PoseSource<E::Layout, $C>>::MADE;
 
             fn shape(&self, joints: usize, _: usize) -> Result<(&'static str, usize), ShapeError> {
                 PoseSource::<E::Layout, $C>::shape(self, joints)
