@@ -7,7 +7,6 @@ use dq8_simd::Lanes;
 impl<L: Lanes> DualQuat<L> {
     /// ω′ = Rω, v′ = Rv + t × ω′; σ must be unit.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn adjoint(self, twist: Twist<L>) -> Twist<L> {
         let angular = self.real().rotate(twist.angular);
         let turned = self.real().rotate(twist.linear);
@@ -16,7 +15,6 @@ impl<L: Lanes> DualQuat<L> {
 
     /// f′ = Rf, τ′ = Rτ + t × f′; σ must be unit.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn coadjoint(self, wrench: Wrench<L>) -> Wrench<L> {
         let force = self.real().rotate(wrench.force);
         let turned = self.real().rotate(wrench.torque);

@@ -37,7 +37,6 @@ impl<L: Lanes> DualQuat<L> {
 
     /// l′ = Rl, m′ = Rm + t × l′; σ must be unit.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn transform_line(self, line: Line<L>) -> Line<L> {
         let direction = self.real().rotate(line.direction);
         let turned = self.real().rotate(line.moment);
@@ -46,7 +45,6 @@ impl<L: Lanes> DualQuat<L> {
 
     /// n′ = Rn, d′ = d + n′·t; σ must be unit.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn transform_plane(self, plane: Plane<L>) -> Plane<L> {
         let normal = self.real().rotate(plane.normal);
         let offset = plane.offset + vector::dot(normal, self.translation());

@@ -27,6 +27,7 @@ crate::plain::plain! {
     #[derive(Clone, Copy, Debug, Default, PartialEq)]
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     #[cfg_attr(feature = "rkyv_08", derive(rkyv::Archive, rkyv::Serialize, rkyv::Deserialize))]
+    #[must_use]
     pub struct Twist<T> {
         /// ω, radians per unit of time.
         pub angular: [T; 3],
@@ -38,7 +39,6 @@ crate::plain::plain! {
 impl<T: Copy> Twist<T> {
     /// From `[ωx, ωy, ωz, vx, vy, vz]`.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub const fn from_array([wx, wy, wz, vx, vy, vz]: [T; 6]) -> Self {
         Self { angular: [wx, wy, wz], linear: [vx, vy, vz] }
     }
@@ -53,7 +53,6 @@ impl<T: Copy> Twist<T> {
 
     /// The twist times a number: a joint's screw times its rate.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn scale(self, factor: T) -> Self
     where
         T: Mul<Output = T>,

@@ -165,6 +165,7 @@ impl<Q: Element<4>, T: Element<3, Layout = Q::Layout>> PoseSource<Q::Layout, 7>
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[must_use]
 pub struct Layered<'w, W, A, B, R, const C: usize, const ADDS: bool> {
     law: W,
     base: A,
@@ -175,7 +176,6 @@ pub struct Layered<'w, W, A, B, R, const C: usize, const ADDS: bool> {
 
 impl<'w, W: Law<C>, A, B, R: Scalar, const C: usize> Layered<'w, W, A, B, R, C, false> {
     /// From `base` (weight 0) to `layer` (weight 1). One weight for each instance.
-    #[must_use]
     pub fn blend(law: W, base: A, layer: B, weights: &'w [R]) -> Self {
         Self { law, base, layer, weights, mask: None }
     }
@@ -184,7 +184,6 @@ impl<'w, W: Law<C>, A, B, R: Scalar, const C: usize> Layered<'w, W, A, B, R, C, 
 impl<'w, W: Law<C>, A, B, R: Scalar, const C: usize> Layered<'w, W, A, B, R, C, true> {
     /// `base`, and `layer` as a difference that is added to it, as much of it as the weight says; the
     /// [`Law`] says how. One weight for each instance.
-    #[must_use]
     pub fn add(law: W, base: A, layer: B, weights: &'w [R]) -> Self {
         Self { law, base, layer, weights, mask: None }
     }
@@ -192,7 +191,6 @@ impl<'w, W: Law<C>, A, B, R: Scalar, const C: usize> Layered<'w, W, A, B, R, C, 
 
 impl<'w, W, A, B, R, const C: usize, const ADDS: bool> Layered<'w, W, A, B, R, C, ADDS> {
     /// A factor of the weight for each joint.
-    #[must_use]
     pub fn mask(self, mask: &'w [R]) -> Self {
         Self { mask: Some(mask), ..self }
     }

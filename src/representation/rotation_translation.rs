@@ -19,6 +19,7 @@ crate::plain::plain! {
     #[derive(Clone, Copy, Debug, PartialEq)]
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     #[cfg_attr(feature = "rkyv_08", derive(rkyv::Archive, rkyv::Serialize, rkyv::Deserialize))]
+    #[must_use]
     pub struct RotationTranslation<R> {
         /// r, unit.
         pub rotation: Quat<R>,
@@ -39,7 +40,6 @@ impl<R: Real> RotationTranslation<R> {
     pub const IDENTITY: Self = Self { rotation: Quat::IDENTITY, translation: [R::ZERO; 3] };
 
     /// From `[x, y, z, w, tx, ty, tz]`.
-    #[must_use]
     pub const fn from_array([x, y, z, w, tx, ty, tz]: [R; 7]) -> Self {
         Self { rotation: Quat::from_xyzw(x, y, z, w), translation: [tx, ty, tz] }
     }
@@ -52,7 +52,6 @@ impl<R: Real> RotationTranslation<R> {
     }
 
     /// The inverse motion, r* and −r*tr.
-    #[must_use]
     pub fn inverse(self) -> Self {
         let rotation = self.rotation.conjugate();
         Self { rotation, translation: rotation.rotate(self.translation).map(|c| -c) }

@@ -22,7 +22,6 @@ impl<R: Real> DualQuat<R> {
     /// assert_eq!(pose.adjoint(turning).linear, [0.0, -2.0, 0.0]);
     /// ```
     #[inline]
-    #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn adjoint(self, twist: Twist<R>) -> Twist<R> {
         crate::scalar::must_be_unit::motions("DualQuat::adjoint", [self]);
@@ -46,7 +45,6 @@ impl<R: Real> DualQuat<R> {
     /// assert_eq!(pose.coadjoint(weight).torque, [0.0, 18.0, 0.0]);
     /// ```
     #[inline]
-    #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn coadjoint(self, wrench: Wrench<R>) -> Wrench<R> {
         crate::scalar::must_be_unit::motions("DualQuat::coadjoint", [self]);

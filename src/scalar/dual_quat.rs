@@ -108,7 +108,6 @@ impl<R: Real> DualQuat<R> {
 
     /// p, the real part.
     #[inline]
-    #[must_use]
     pub const fn real(self) -> Quat<R> {
         let [x, y, z, w, ..] = self.0;
         Quat::from_xyzw(x, y, z, w)
@@ -116,7 +115,6 @@ impl<R: Real> DualQuat<R> {
 
     /// q, the dual part.
     #[inline]
-    #[must_use]
     pub const fn dual(self) -> Quat<R> {
         let [.., x, y, z, w] = self.0;
         Quat::from_xyzw(x, y, z, w)
@@ -124,14 +122,12 @@ impl<R: Real> DualQuat<R> {
 
     /// The dual number among the four dual components: p_w + εq_w (Jia eq. 15).
     #[inline]
-    #[must_use]
     pub const fn dual_scalar(self) -> Dual<R> {
         Dual::new(self.real().w(), self.dual().w())
     }
 
     /// The dual vector among the four dual components (Jia eq. 15).
     #[inline]
-    #[must_use]
     pub const fn dual_vector(self) -> DualVector<R> {
         DualVector { real: self.real().xyz(), dual: self.dual().xyz() }
     }
@@ -184,7 +180,6 @@ impl<R: Real> DualQuat<R> {
     /// The dual number ⟨a, b⟩ = p_a·p_b + ε(p_a·q_b + q_a·p_b), the dual scalar of ab*
     /// ([`dual_scalar`](Self::dual_scalar)). Its real part p_a·p_b is Kenwright's `Dot` (§13.1). For unit motions it is the cosine of half their dual angle.
     #[inline]
-    #[must_use]
     pub fn dot(self, other: Self) -> Dual<R> {
         Dual::new(
             self.real().dot(other.real()),

@@ -36,7 +36,6 @@ impl<R: Real> DualQuat<R> {
     /// assert_eq!(raised.moment, [0.0, 2.0, 0.0]); // (0,0,2) × (1,0,0)
     /// ```
     #[inline]
-    #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn transform_line(self, line: Line<R>) -> Line<R> {
         crate::scalar::must_be_unit::motions("DualQuat::transform_line", [self]);
@@ -56,7 +55,6 @@ impl<R: Real> DualQuat<R> {
     /// assert_eq!(raised.offset, 2.0);
     /// ```
     #[inline]
-    #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn transform_plane(self, plane: Plane<R>) -> Plane<R> {
         crate::scalar::must_be_unit::motions("DualQuat::transform_plane", [self]);

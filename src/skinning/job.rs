@@ -25,6 +25,7 @@ use dq8_simd::picks::Index;
 /// # Ok::<(), dq8::skinning::SkinningError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[must_use]
 pub struct Job<'s, J, W> {
     skin: Skin<'s, J, W>,
     choice: Choice,
@@ -53,7 +54,6 @@ impl<'s, J: Index, W: Weight> Skin<'s, J, W> {
     }
 
     /// A run with options.
-    #[must_use]
     pub fn job(&self) -> Job<'s, J, W> {
         Job { skin: *self, choice: Choice::default() }
     }

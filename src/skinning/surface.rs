@@ -2,6 +2,7 @@ use crate::storage::shape::{ShapeError, same_length};
 
 /// A mesh at rest: what there is for each vertex. Normals and tangents of length 1.
 #[derive(Clone, Copy, Debug)]
+#[must_use]
 pub struct Surface<'s, P> {
     /// The positions of the vertices.
     pub positions: &'s [P],
@@ -13,17 +14,14 @@ pub struct Surface<'s, P> {
 
 impl<'s, P> Surface<'s, P> {
     /// Nothing but positions.
-    #[must_use]
     pub fn positions(positions: &'s [P]) -> Self {
         Self { positions, normals: None, tangents: None }
     }
     /// And normals.
-    #[must_use]
     pub fn normals(self, normals: &'s [P]) -> Self {
         Self { normals: Some(normals), ..self }
     }
     /// And tangents.
-    #[must_use]
     pub fn tangents(self, tangents: &'s [P]) -> Self {
         Self { tangents: Some(tangents), ..self }
     }
@@ -37,6 +35,7 @@ impl<'s, P> Surface<'s, P> {
 
 /// The memory that a posed mesh goes to. It has normals and tangents if the mesh at rest has.
 #[derive(Debug)]
+#[must_use]
 pub struct SurfaceMut<'s, P> {
     /// The positions of the vertices.
     pub positions: &'s mut [P],
@@ -48,17 +47,14 @@ pub struct SurfaceMut<'s, P> {
 
 impl<'s, P> SurfaceMut<'s, P> {
     /// Nothing but positions.
-    #[must_use]
     pub fn positions(positions: &'s mut [P]) -> Self {
         Self { positions, normals: None, tangents: None }
     }
     /// And normals.
-    #[must_use]
     pub fn normals(self, normals: &'s mut [P]) -> Self {
         Self { normals: Some(normals), ..self }
     }
     /// And tangents.
-    #[must_use]
     pub fn tangents(self, tangents: &'s mut [P]) -> Self {
         Self { tangents: Some(tangents), ..self }
     }
