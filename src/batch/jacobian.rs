@@ -46,37 +46,30 @@ impl<L: Lanes> DualQuat<L> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn left_jacobian_matrix(at: Twist<L>) -> [[L; 6]; 6] {
-        let mut rows = [at.to_array(); 6];
-        for column in 0..6 {
-            let image = Self::left_jacobian(at, unit_twist(at, column)).to_array();
-            for (row, value) in rows.iter_mut().zip(image) {
-                row[column] = value;
-            }
-        }
-        rows
+        matrix(at, Self::left_jacobian)
     }
 
     /// J_l⁻¹(x) as 6×6 matrices, in the order of [`left_jacobian_matrix`](Self::left_jacobian_matrix).
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn left_jacobian_inverse_matrix(at: Twist<L>) -> [[L; 6]; 6] {
-        let mut rows = [at.to_array(); 6];
-        for column in 0..6 {
-            let image = Self::left_jacobian_inverse(at, unit_twist(at, column)).to_array();
-            for (row, value) in rows.iter_mut().zip(image) {
-                row[column] = value;
-            }
-        }
-        rows
+        matrix(at, Self::left_jacobian_inverse)
     }
 }
 
-/// 1 in one component and 0 in the others.
+/// The matrix of a linear map: its columns are what it does to the unit twists.
 #[cfg_attr(not(opt_level_0), inline(always))]
-fn unit_twist<L: Lanes>(like: Twist<L>, component: usize) -> Twist<L> {
-    let mut unit = [like.angular[0].constant(0.0); 6];
-    unit[component] = unit[component].constant(1.0);
-    Twist::from_array(unit)
+fn matrix<L: Lanes>(at: Twist<L>, map: impl Fn(Twist<L>, Twist<L>) -> Twist<L>) -> [[L; 6]; 6] {
+    let mut rows = [at.to_array(); 6];
+    for column in 0..6 {
+        let mut unit = [at.angular[0].constant(0.0); 6];
+        unit[column] = unit[column].constant(1.0);
+        let image = map(at, Twist::from_array(unit)).to_array();
+        for (row, value) in rows.iter_mut().zip(image) {
+            row[column] = value;
+        }
+    }
+    rows
 }
 
 /// x·x

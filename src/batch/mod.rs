@@ -19,9 +19,9 @@
 
 mod adjoint;
 mod blend;
+mod contract;
 mod derivative;
 mod dual;
-mod dual_number;
 mod dual_quat;
 #[cfg(not(dq8_record))]
 #[expect(unreachable_pub, reason = "open to numbers that record")]
@@ -35,10 +35,8 @@ mod length;
 mod matrix;
 mod mean;
 mod metric;
-mod motion;
 mod norm;
 mod quat;
-mod quaternion;
 mod representation;
 mod rigid;
 mod screw;

@@ -1,10 +1,10 @@
 use crate::number::Real;
-use crate::scalar::{DualQuat, Quat, vector};
+use crate::scalar::{Quat, vector};
 use core::ops::Mul;
 
 crate::plain::plain! {
     /// A rotation and a translation side by side, v ↦ r v r* + t (Kenwright §3): what files and
-    /// physics engines hold, a number less than a [`DualQuat`], and the same motion.
+    /// physics engines hold, a number less than a [`DualQuat`](crate::DualQuat), and the same motion.
     ///
     /// Slices of it are what [`RotationsTranslations`](crate::hierarchy::RotationsTranslations) takes.
     ///
@@ -78,19 +78,5 @@ impl<R: Real> Mul for RotationTranslation<R> {
             rotation: self.rotation * other.rotation,
             translation: self.transform_point(other.translation),
         }
-    }
-}
-
-/// r + ½εtr
-impl<R: Real> From<RotationTranslation<R>> for DualQuat<R> {
-    fn from(pose: RotationTranslation<R>) -> Self {
-        Self::from_rotation_translation(pose.rotation, pose.translation)
-    }
-}
-
-/// r = p, t = 2qp* of a unit σ.
-impl<R: Real> From<DualQuat<R>> for RotationTranslation<R> {
-    fn from(motion: DualQuat<R>) -> Self {
-        Self { rotation: motion.rotation(), translation: motion.translation() }
     }
 }

@@ -14,6 +14,7 @@ use std::collections::BTreeSet;
 /// without any, to test with.
 const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("errors", &[]),
+    ("conversions", &[]),
     ("plain", &["dq8_simd"]),
     ("geometry", &["plain"]),
     ("contract", &["geometry"]),
@@ -23,14 +24,15 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     ("scalar", &["errors", "plain", "number", "geometry", "contract", "everyday"]),
     ("incidence", &["errors", "number", "geometry", "scalar"]),
     ("representation", &["errors", "number", "geometry", "plain", "scalar"]),
-    ("operators", &["errors", "number", "geometry", "scalar", "representation"]),
+    ("operators", &["errors", "conversions", "number", "geometry", "scalar", "representation"]),
     ("guide", &[]),
-    ("interop", &["number", "geometry", "scalar", "representation"]),
+    ("interop", &["conversions", "number", "geometry", "scalar", "representation"]),
     ("backend", &["dq8_simd"]),
     (
         "storage",
         &[
             "errors",
+            "conversions",
             "plain",
             "number",
             "geometry",
