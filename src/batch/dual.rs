@@ -1,4 +1,5 @@
-use core::ops::{Add, Div, Mul, Neg, Sub};
+use crate::contract::sums;
+use core::ops::{Div, Mul};
 use dq8_simd::Lanes;
 
 /// Dual numbers a + εb, one per lane: [`Dual`](crate::Dual) on lanes.
@@ -82,20 +83,8 @@ impl<L: Lanes> Dual<L> {
     }
 }
 
-impl<L: Lanes> Add for Dual<L> {
-    type Output = Self;
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn add(self, other: Self) -> Self {
-        Self::new(self.real + other.real, self.dual + other.dual)
-    }
-}
-
-impl<L: Lanes> Sub for Dual<L> {
-    type Output = Self;
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn sub(self, other: Self) -> Self {
-        Self::new(self.real - other.real, self.dual - other.dual)
-    }
+sums! {
+    [L: Lanes] #[cfg_attr(not(opt_level_0), inline(always))] Dual<L>: (real) (dual)
 }
 
 /// ac + ε(ad + bc)
@@ -114,13 +103,5 @@ impl<L: Lanes> Div for Dual<L> {
     fn div(self, other: Self) -> Self {
         let quotient = self.real / other.real;
         Self::new(quotient, quotient.neg_mul_add(other.dual, self.dual) / other.real)
-    }
-}
-
-impl<L: Lanes> Neg for Dual<L> {
-    type Output = Self;
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn neg(self) -> Self {
-        Self::new(-self.real, -self.dual)
     }
 }

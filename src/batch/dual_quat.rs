@@ -1,6 +1,7 @@
 use super::{Dual, Quat, vector};
+use crate::contract::sums;
 use crate::geometry::DualVector;
-use core::ops::{Add, Mul, Neg, Sub};
+use core::ops::Mul;
 use dq8_simd::{Block, Lanes, Level, Records, Row};
 
 /// Dual quaternions σ = p + εq, one per lane: [`DualQuat`](crate::DualQuat) on lanes.
@@ -202,20 +203,8 @@ impl<L: Lanes> DualQuat<L> {
     }
 }
 
-impl<L: Lanes> Add for DualQuat<L> {
-    type Output = Self;
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn add(self, other: Self) -> Self {
-        Self::new(self.real + other.real, self.dual + other.dual)
-    }
-}
-
-impl<L: Lanes> Sub for DualQuat<L> {
-    type Output = Self;
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn sub(self, other: Self) -> Self {
-        Self::new(self.real - other.real, self.dual - other.dual)
-    }
+sums! {
+    [L: Lanes] #[cfg_attr(not(opt_level_0), inline(always))] DualQuat<L>: (real) (dual)
 }
 
 /// p₁p₂ + ε(p₁q₂ + q₁p₂): 48 multiplications, 40 of them fused with the additions.
@@ -225,13 +214,5 @@ impl<L: Lanes> Mul for DualQuat<L> {
     fn mul(self, other: Self) -> Self {
         let dual = self.dual.mul_onto(other.real, self.real * other.dual);
         Self::new(self.real * other.real, dual)
-    }
-}
-
-impl<L: Lanes> Neg for DualQuat<L> {
-    type Output = Self;
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn neg(self) -> Self {
-        Self::new(-self.real, -self.dual)
     }
 }

@@ -5,6 +5,7 @@ mod dual_number;
 mod motion;
 mod quaternion;
 mod shared_trait;
+mod sums;
 
 pub use dual_number::DualNumber;
 pub(crate) use dual_number::delegate_dual_number;
@@ -13,3 +14,4 @@ pub(crate) use motion::delegate_motion;
 pub use quaternion::Quaternion;
 pub(crate) use quaternion::delegate_quaternion;
 pub(crate) use shared_trait::{sealed, shared_trait};
+pub(crate) use sums::sums;

@@ -79,30 +79,7 @@ impl<T: Copy> DualVector<T> {
     }
 }
 
-impl<T: Copy + Add<Output = T>> Add for DualVector<T> {
-    type Output = Self;
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn add(self, other: Self) -> Self {
-        Self { real: vector::add(self.real, other.real), dual: vector::add(self.dual, other.dual) }
-    }
-}
-
-impl<T: Copy + Sub<Output = T>> Sub for DualVector<T> {
-    type Output = Self;
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn sub(self, other: Self) -> Self {
-        Self { real: vector::sub(self.real, other.real), dual: vector::sub(self.dual, other.dual) }
-    }
-}
-
-impl<T: Copy + Neg<Output = T>> Neg for DualVector<T> {
-    type Output = Self;
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn neg(self) -> Self {
-        let ([a, b, c], [d, e, f]) = (self.real, self.dual);
-        Self { real: [-a, -b, -c], dual: [-d, -e, -f] }
-    }
-}
+sums!(DualVector { real, dual });
 
 /// l + εm
 impl<T> From<Line<T>> for DualVector<T> {

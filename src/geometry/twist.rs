@@ -1,3 +1,4 @@
+use super::vector;
 use core::ops::{Add, Mul, Neg, Sub};
 
 crate::plain::plain! {
@@ -74,31 +75,4 @@ impl<T: Copy> Twist<T> {
     }
 }
 
-impl<T: Copy + Add<Output = T>> Add for Twist<T> {
-    type Output = Self;
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn add(self, other: Self) -> Self {
-        let [a, b, c, d, e, f] = self.to_array();
-        let [g, h, i, j, k, l] = other.to_array();
-        Self::from_array([a + g, b + h, c + i, d + j, e + k, f + l])
-    }
-}
-
-impl<T: Copy + Sub<Output = T>> Sub for Twist<T> {
-    type Output = Self;
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn sub(self, other: Self) -> Self {
-        let [a, b, c, d, e, f] = self.to_array();
-        let [g, h, i, j, k, l] = other.to_array();
-        Self::from_array([a - g, b - h, c - i, d - j, e - k, f - l])
-    }
-}
-
-impl<T: Copy + Neg<Output = T>> Neg for Twist<T> {
-    type Output = Self;
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn neg(self) -> Self {
-        let [a, b, c, d, e, f] = self.to_array();
-        Self::from_array([-a, -b, -c, -d, -e, -f])
-    }
-}
+sums!(Twist { angular, linear });

@@ -7,7 +7,7 @@ use super::slot::JointSlot;
 use crate::law::{Law, NlerpLerp};
 use crate::number::Scalar;
 use crate::storage::shape::{ShapeError, same_length};
-use crate::storage::{self, Element, Layout, Number};
+use crate::storage::{self, Element, Layout, Number, Register};
 use bytemuck::Zeroable;
 use core::ops::Range;
 use dq8_simd::{Lanes, Level};
@@ -92,11 +92,7 @@ impl<E: Element<8>> PoseSource<E::Layout, 8> for Poses<'_, E> {
         Ok(("locals", self.0.len()))
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn pose<V: Level>(
-        self,
-        level: V,
-        slot: JointSlot,
-    ) -> Option<[<E::Layout as Layout>::Register<V>; 8]> {
+    fn pose<V: Level>(self, level: V, slot: JointSlot) -> Option<[Register<E, V, 8>; 8]> {
         E::load(level, self.0, slot.tile(), &storage::identity())
     }
     fn some(self, joints: usize, instances: Range<usize>) -> Self {
@@ -109,11 +105,7 @@ impl<E: Element<7>> PoseSource<E::Layout, 7> for RotationsTranslations<'_, E> {
         Ok(("locals", self.0.len()))
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn pose<V: Level>(
-        self,
-        level: V,
-        slot: JointSlot,
-    ) -> Option<[<E::Layout as Layout>::Register<V>; 7]> {
+    fn pose<V: Level>(self, level: V, slot: JointSlot) -> Option<[Register<E, V, 7>; 7]> {
         E::load(level, self.0, slot.tile(), &storage::identity())
     }
     fn some(self, joints: usize, instances: Range<usize>) -> Self {
@@ -129,11 +121,7 @@ impl<Q: Element<4>, T: Element<3, Layout = Q::Layout>> PoseSource<Q::Layout, 7>
         Ok(("rotations", self.rotations.len()))
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn pose<V: Level>(
-        self,
-        level: V,
-        slot: JointSlot,
-    ) -> Option<[<Q::Layout as Layout>::Register<V>; 7]> {
+    fn pose<V: Level>(self, level: V, slot: JointSlot) -> Option<[Register<Q, V, 4>; 7]> {
         let [x, y, z, w] = Q::load(level, self.rotations, slot.tile(), &storage::identity())?;
         let [a, b, c] = T::load(level, self.translations, slot.tile(), &storage::identity())?;
         Some([x, y, z, w, a, b, c])

@@ -1,6 +1,7 @@
 use super::error::InverseError;
+use crate::contract::sums;
 use crate::number::Real;
-use core::ops::{Add, Div, Mul, Neg, Sub};
+use core::ops::{Div, Mul};
 
 crate::plain::plain! {
     /// A dual number a + εb, ε² = 0 (Clifford 1873).
@@ -181,21 +182,9 @@ impl<R: Real> Dual<R> {
     }
 }
 
-/// (a + εb) + (c + εd) = (a + c) + ε(b + d) (Jia eq. 5).
-impl<R: Real> Add for Dual<R> {
-    type Output = Self;
-    #[inline]
-    fn add(self, other: Self) -> Self {
-        Self::new(self.real + other.real, self.dual + other.dual)
-    }
-}
-
-impl<R: Real> Sub for Dual<R> {
-    type Output = Self;
-    #[inline]
-    fn sub(self, other: Self) -> Self {
-        Self::new(self.real - other.real, self.dual - other.dual)
-    }
+sums! {
+    /// (a + εb) + (c + εd) = (a + c) + ε(b + d) (Jia eq. 5).
+    [R: Real] #[inline] Dual<R>: (real) (dual)
 }
 
 /// (a + εb)(c + εd) = ac + ε(ad + bc) (Jia eq. 6).
@@ -215,13 +204,5 @@ impl<R: Real> Div for Dual<R> {
     fn div(self, other: Self) -> Self {
         let quotient = self.real / other.real;
         Self::new(quotient, (self.dual - quotient * other.dual) / other.real)
-    }
-}
-
-impl<R: Real> Neg for Dual<R> {
-    type Output = Self;
-    #[inline]
-    fn neg(self) -> Self {
-        Self::new(-self.real, -self.dual)
     }
 }

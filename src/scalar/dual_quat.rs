@@ -1,8 +1,9 @@
 use super::{Dual, Quat};
+use crate::contract::sums;
 use crate::everyday;
 use crate::geometry::DualVector;
 use crate::number::Real;
-use core::ops::{Add, Mul, Neg, Sub};
+use core::ops::Mul;
 
 crate::plain::plain! {
     /// A dual quaternion σ = p + εq, in memory `[px, py, pz, pw, qx, qy, qz, qw]`.
@@ -241,21 +242,9 @@ impl<R> AsMut<[R; 8]> for DualQuat<R> {
     }
 }
 
-/// Component by component (Jia eq. 13).
-impl<R: Real> Add for DualQuat<R> {
-    type Output = Self;
-    #[inline]
-    fn add(self, other: Self) -> Self {
-        Self::new(self.real() + other.real(), self.dual() + other.dual())
-    }
-}
-
-impl<R: Real> Sub for DualQuat<R> {
-    type Output = Self;
-    #[inline]
-    fn sub(self, other: Self) -> Self {
-        self + -other
-    }
+sums! {
+    /// Component by component (Jia eq. 13).
+    [R: Real] #[inline] DualQuat<R>: (real()) (dual())
 }
 
 /// σ₁σ₂ = p₁p₂ + ε(p₁q₂ + q₁p₂) (Jia eq. 14): the motion σ₂, then the motion σ₁.
@@ -272,13 +261,5 @@ impl<R: Real> Mul for DualQuat<R> {
             self.real() * other.real(),
             self.real() * other.dual() + self.dual() * other.real(),
         )
-    }
-}
-
-impl<R: Real> Neg for DualQuat<R> {
-    type Output = Self;
-    #[inline]
-    fn neg(self) -> Self {
-        Self::new(-self.real(), -self.dual())
     }
 }

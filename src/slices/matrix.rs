@@ -1,7 +1,7 @@
 //! Matrices, out and in.
 
 use super::rigid_matrix::RigidMatrix;
-use super::sweep::{SliceKernel, motions, part, sweep};
+use super::sweep::{SliceKernel, Things, motions, part, sweep};
 use crate::backend::{Backend, Kernel};
 use crate::errors::errors;
 use crate::palette_entry::{MatrixOrder, PaletteEntry};
@@ -142,7 +142,7 @@ where
     M: PaletteEntry<C, Layout = E::Layout>,
 {
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn compute<V: Level>(&self, level: V, _: &[M], tile: Tile) -> Option<[Register<M, V, C>; C]> {
+    fn compute<V: Level>(&self, level: V, _: &[M], tile: Tile) -> Things<M, V, C> {
         Some(M::of(motions(level, self.motions, tile)?, self.order))
     }
     fn part(&self, elements: Range<usize>) -> Self {
@@ -161,7 +161,7 @@ where
     E: Element<8, Layout = M::Layout>,
 {
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn compute<V: Level>(&self, level: V, _: &[E], tile: Tile) -> Option<[Register<E, V, 8>; 8]> {
+    fn compute<V: Level>(&self, level: V, _: &[E], tile: Tile) -> Things<E, V, 8> {
         let numbers = M::load(level, self.matrices, tile, &storage::identity())?;
         Some(M::motion(numbers, self.order).to_array())
     }

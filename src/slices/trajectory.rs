@@ -3,7 +3,7 @@
 use super::interpolate::{Interpolation, Many};
 #[cfg(feature = "rayon")]
 use super::sweep::GRAIN;
-use super::sweep::{SliceKernel, motions, part, sweep};
+use super::sweep::{SliceKernel, Things, motions, part, sweep};
 #[cfg(feature = "rayon")]
 use crate::backend::Rows;
 use crate::backend::{Backend, Kernel};
@@ -14,7 +14,7 @@ use crate::law::Sclerp;
 use crate::number::{Real, Scalar};
 use crate::scalar::DualQuat;
 use crate::storage::shape::{ShapeError, same_length};
-use crate::storage::{Element, Register, Tile, tiles};
+use crate::storage::{Element, Tile, tiles};
 use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
@@ -256,12 +256,7 @@ struct Velocities<'s, R> {
 
 impl<R: Scalar> SliceKernel<Twist<R>, 6> for Velocities<'_, R> {
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn compute<V: Level>(
-        &self,
-        level: V,
-        _: &[Twist<R>],
-        tile: Tile,
-    ) -> Option<[Register<Twist<R>, V, 6>; 6]> {
+    fn compute<V: Level>(&self, level: V, _: &[Twist<R>], tile: Tile) -> Things<Twist<R>, V, 6> {
         let (a, b) = (motions(level, self.a, tile)?, motions(level, self.b, tile)?);
         let [duration] = <[R; 1]>::load(level, self.durations, tile, &[R::ONE])?;
         // A logarithm takes the shorter way.
