@@ -1,4 +1,4 @@
-use crate::contract::sums;
+use crate::contract::{power, sums};
 use core::ops::{Div, Mul};
 use dq8_simd::Lanes;
 
@@ -68,18 +68,7 @@ impl<L: Lanes> Dual<L> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn powi(self, n: i32) -> Self {
         let one = Self::new(self.real.constant(1.0), self.real.constant(0.0));
-        let (mut power, mut square, mut left) = (one, self, n.unsigned_abs());
-        while left > 0 {
-            if left % 2 == 1 {
-                power = power * square;
-            }
-            left /= 2;
-            // One more might overflow, and ∞·0 would be NaN.
-            if left > 0 {
-                square = square * square;
-            }
-        }
-        if n < 0 { power.recip() } else { power }
+        power(self, one, n)
     }
 }
 

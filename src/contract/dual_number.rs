@@ -72,3 +72,20 @@ shared_trait! {
         fn ln(self) -> Self;
     }
 }
+
+/// xⁿ for whole n, by squaring.
+#[inline(always)]
+pub(crate) fn power<D: DualNumber>(x: D, one: D, n: i32) -> D {
+    let (mut power, mut square, mut left) = (one, x, n.unsigned_abs());
+    while left > 0 {
+        if left % 2 == 1 {
+            power = power * square;
+        }
+        left /= 2;
+        // One more might overflow, and ∞·0 would be NaN.
+        if left > 0 {
+            square = square * square;
+        }
+    }
+    if n < 0 { power.recip() } else { power }
+}

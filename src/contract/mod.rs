@@ -8,7 +8,7 @@ mod shared_trait;
 mod sums;
 
 pub use dual_number::DualNumber;
-pub(crate) use dual_number::delegate_dual_number;
+pub(crate) use dual_number::{delegate_dual_number, power};
 pub use motion::Motion;
 pub(crate) use motion::delegate_motion;
 pub use quaternion::Quaternion;

@@ -23,7 +23,6 @@
 //! way. See [`storage`](crate::storage).
 
 mod ahead;
-mod backward;
 mod chain;
 mod clip;
 mod concatenate;
@@ -69,7 +68,6 @@ mod skeleton;
 mod slot;
 mod transposed;
 mod unkept;
-mod write;
 
 pub use crate::palette_entry::{MatrixOrder, PaletteEntry};
 pub use clip::{Clip, Frames};

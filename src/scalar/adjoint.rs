@@ -1,6 +1,6 @@
 //! What a change of frame does to twists and wrenches.
 
-use super::{DualQuat, vector};
+use super::DualQuat;
 use crate::geometry::{Twist, Wrench};
 use crate::number::Real;
 
@@ -25,10 +25,8 @@ impl<R: Real> DualQuat<R> {
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn adjoint(self, twist: Twist<R>) -> Twist<R> {
         crate::scalar::must_be_unit::motions("DualQuat::adjoint", [self]);
-        let angular = self.real().rotate(twist.angular);
-        let turned = self.real().rotate(twist.linear);
-        let shift = vector::cross(self.translation(), angular);
-        Twist { angular, linear: vector::add(turned, shift) }
+        let (angular, linear) = self.carry(twist.angular, twist.linear);
+        Twist { angular, linear }
     }
 
     /// The co-adjoint action on wrenches: f′ = Rf, τ′ = Rτ + t × f′, so that the power of a wrench on
@@ -48,9 +46,7 @@ impl<R: Real> DualQuat<R> {
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn coadjoint(self, wrench: Wrench<R>) -> Wrench<R> {
         crate::scalar::must_be_unit::motions("DualQuat::coadjoint", [self]);
-        let force = self.real().rotate(wrench.force);
-        let turned = self.real().rotate(wrench.torque);
-        let shift = vector::cross(self.translation(), force);
-        Wrench { force, torque: vector::add(turned, shift) }
+        let (force, torque) = self.carry(wrench.force, wrench.torque);
+        Wrench { force, torque }
     }
 }

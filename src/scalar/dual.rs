@@ -1,5 +1,5 @@
 use super::error::InverseError;
-use crate::contract::sums;
+use crate::contract::{power, sums};
 use crate::number::Real;
 use core::ops::{Div, Mul};
 
@@ -85,18 +85,7 @@ impl<R: Real> Dual<R> {
     /// ```
     #[inline]
     pub fn powi(self, n: i32) -> Self {
-        let (mut power, mut square, mut left) = (Self::ONE, self, n.unsigned_abs());
-        while left > 0 {
-            if left % 2 == 1 {
-                power = power * square;
-            }
-            left /= 2;
-            // One more might overflow, and ∞·0 would be NaN.
-            if left > 0 {
-                square = square * square;
-            }
-        }
-        if n < 0 { power.recip() } else { power }
+        power(self, Self::ONE, n)
     }
 
     /// f(a + εb) = f(a) + ε b f′(a), given f(a) and f′(a) (Jia eq. 10).

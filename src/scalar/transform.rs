@@ -39,10 +39,8 @@ impl<R: Real> DualQuat<R> {
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn transform_line(self, line: Line<R>) -> Line<R> {
         crate::scalar::must_be_unit::motions("DualQuat::transform_line", [self]);
-        let direction = self.real().rotate(line.direction);
-        let turned = self.real().rotate(line.moment);
-        let shift = vector::cross(self.translation(), direction);
-        Line { direction, moment: vector::add(turned, shift) }
+        let (direction, moment) = self.carry(line.direction, line.moment);
+        Line { direction, moment }
     }
 
     /// The plane n′ = Rn, d′ = d + n′·t: of n·x = d, with x = R⁻¹(x′ − t). σ must be unit. None of the sources
@@ -61,5 +59,12 @@ impl<R: Real> DualQuat<R> {
         let normal = self.real().rotate(plane.normal);
         let offset = plane.offset + vector::dot(normal, self.translation());
         Plane { normal, offset }
+    }
+
+    /// Ra, and Rb + t × Ra: what becomes of a vector, and of its moment.
+    #[inline]
+    pub(super) fn carry(self, a: [R; 3], b: [R; 3]) -> ([R; 3], [R; 3]) {
+        let (a, b) = (self.real().rotate(a), self.real().rotate(b));
+        (a, vector::add(b, vector::cross(self.translation(), a)))
     }
 }
