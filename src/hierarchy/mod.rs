@@ -23,6 +23,7 @@
 //! way. See [`storage`](crate::storage).
 
 mod ahead;
+mod backward;
 mod chain;
 mod clip;
 mod concatenate;
@@ -68,6 +69,7 @@ mod skeleton;
 mod slot;
 mod transposed;
 mod unkept;
+mod write;
 
 pub use crate::palette_entry::{MatrixOrder, PaletteEntry};
 pub use clip::{Clip, Frames};

@@ -1,11 +1,11 @@
 //! Whole instances to each task, on several threads (feature `rayon`).
 
+use super::backward::Backward;
 use super::forward;
-use super::local_poses::Write;
 use super::locals::Locals;
-use super::model_to_local::Backward;
 use super::palette::{Epilogue, Palette};
 use super::run::Run;
+use super::write::Write;
 use crate::backend::Backend;
 use crate::backend::Outputs;
 use crate::palette_entry::PaletteEntry;
