@@ -28,6 +28,7 @@ mod dual_quat;
 pub(crate) mod even;
 #[cfg(dq8_record)]
 pub mod even;
+#[rustfmt::skip]
 pub(crate) mod even_coefficients;
 mod exponential;
 mod jacobian;
