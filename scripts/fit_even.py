@@ -13,6 +13,7 @@ LEFT and INVERSE are the coefficients of x × (x × y) in the left Jacobian of S
 """
 
 import sys
+import textwrap
 from functools import cache
 from pathlib import Path
 
@@ -196,9 +197,9 @@ def rust():
             text += f" {kind} fit error {value}, of the derivative {derivative}.\n"
             text += f"pub(crate) const {name}_{precision}: [{precision.lower()}; {len(c)}] ="
             row = ", ".join(literal(x, bits) for x in c)
-            # As rustfmt would have it, or the next `cargo fmt` makes --check fail.
-            fits = len(row) + len("    [];") <= 100
-            text += f"\n    [{row}];\n" if fits else " [\n    " + row.replace(", ", ",\n    ") + ",\n];\n"
+            # In rows, which rustfmt is told to leave alone: it would have a line for each number.
+            rows = textwrap.wrap(row + ",", 96)
+            text += " [\n" + "".join(f"    {row}\n" for row in rows) + "];\n"
     return text
 
 

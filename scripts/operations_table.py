@@ -167,6 +167,10 @@ def functions(*folders):
                         found.setdefault((kind, OPERATORS[trait]), file)
                 elif text == "}":
                     owner = None
+                # Sums of what is two parts, or two vectors, are written by a macro.
+                if (parts := re.match(r"(?:    \[.*\] #\[.*\] |sums!\()(\w+)(?:<\w+>:| \{)", text)) and parts[1] in TYPES:
+                    for trait in ("Add", "Sub", "Neg"):
+                        found.setdefault((parts[1], OPERATORS[trait]), file)
                 if owner in TYPES and (name := re.match(r"    pub (?:const )?fn (\w+)", text)):
                     found.setdefault((owner, name[1]), file)
                 if (bare := re.match(r"pub fn (\w+)", text)) and bare[1] not in PIECES:

@@ -13,10 +13,8 @@ pub trait Law<const C: usize>: Copy + core::fmt::Debug + Send + Sync + sealed::S
     #[must_use]
     fn add<L: Lanes>(self, base: [L; C], delta: [L; C], weight: L) -> [L; C];
     /// The pose as a motion.
-    #[must_use]
     fn motion<L: Lanes>(self, pose: [L; C]) -> DualQuat<L>;
     /// parent · pose
-    #[must_use]
     #[cfg_attr(not(opt_level_0), inline(always))]
     fn onto<L: Lanes>(self, parent: DualQuat<L>, pose: [L; C]) -> DualQuat<L> {
         parent * self.motion(pose)

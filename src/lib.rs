@@ -91,6 +91,8 @@ compile_error!("dq8 needs square roots and trigonometry: enable the feature `std
 mod backend;
 pub mod batch;
 mod contract;
+mod conversions;
+mod errors;
 #[cfg(not(dq8_record))]
 mod everyday;
 #[cfg(dq8_record)]

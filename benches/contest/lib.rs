@@ -4,25 +4,15 @@
 //! A [`Task`](task::Task) makes the data of a [`Contest`](contest::Contest), whose contenders can be
 //! checked against `f64` and timed, by whoever holds it. [`memory`] is how each contender keeps motions
 //! and points, [`limit`] is what the machine can do at most.
+//!
+//! Contests are in two packages, and what they are made of in a third: two cores compile them in half the time of one.
 
 #![allow(missing_docs, reason = "shared by programs, not published")]
 #![allow(missing_debug_implementations, reason = "contests hold closures")]
 
-pub mod caches;
-pub mod contest;
-pub mod limit;
-pub mod memory;
 pub mod scene;
 pub mod skeleton;
 pub mod task;
 mod walk;
 
-use dq8::Backend;
-
-/// Those that take part: all that this machine has, and, with the feature `reproducible`, the one that does not fuse.
-pub fn backends() -> impl Iterator<Item = Backend> {
-    #[cfg(feature = "reproducible")]
-    return Backend::available().chain([Backend::reproducible()]);
-    #[cfg(not(feature = "reproducible"))]
-    return Backend::available();
-}
+pub use dq8_contest_kit::{backends, caches, contest, limit, memory};

@@ -2,8 +2,6 @@
 
 mod animation;
 mod hierarchy;
-mod pairs;
-mod points;
 mod skin;
 
 pub use crate::scene::Shape;
@@ -14,6 +12,7 @@ pub use points::Motions;
 use crate::caches::{Caches, Level};
 use crate::contest::Contest;
 use crate::limit::Limit;
+use dq8_contest_slices::{pairs, points};
 
 /// A contest whose data are not made yet.
 #[derive(Clone, Copy)]

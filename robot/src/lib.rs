@@ -71,7 +71,6 @@
 #[cfg(feature = "alloc")]
 extern crate alloc;
 
-mod errors;
 pub mod ik;
 mod mechanism;
 #[cfg(feature = "urdf")]

@@ -23,8 +23,8 @@ pub const fn only<T, F: Numbers<T>>(_: &F) {}
 /// one field only. All fields are numbers, arrays of numbers, or plain themselves; anything else does not compile.
 ///
 /// The macro writes `#[repr(C)]`, or `#[repr(transparent)]` for a tuple of one field. No name that it uses is looked up
-/// where it is called. It takes documentation, derives and, for a feature, derives and what `serde` reads: no other
-/// attribute, for one may change the layout or take the struct away.
+/// where it is called. It takes documentation, `must_use`, derives and, for a feature, derives and what `serde` reads: no
+/// other attribute, for one may change the layout or take the struct away.
 ///
 /// ```
 /// dq8_simd::plain! {
@@ -106,6 +106,7 @@ macro_rules! plain {
     (@without_padding C) => {};
     (@without_padding transparent) => {};
     (@harmless doc $($text:tt)+) => {};
+    (@harmless must_use) => {};
     (@harmless derive($($traits:tt)*)) => {};
     (@harmless cfg_attr(feature = $feature:literal, derive($($traits:tt)*))) => {};
     (@harmless cfg_attr(feature = $feature:literal, serde($($how:tt)*))) => {};

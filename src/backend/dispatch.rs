@@ -71,6 +71,7 @@ pub trait Kernel {
 /// assert_eq!(Backend::PORTABLE.to_string(), "portable");
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[must_use]
 pub struct Backend {
     proof: Proof,
     #[cfg(feature = "rayon")]
@@ -148,7 +149,6 @@ impl Backend {
     /// assert_eq!(links[99].rotation().to_array().map(f32::to_bits), [0, 0, 0xbf75_7c15, 0x3e91_3c18]);
     /// ```
     #[cfg(feature = "reproducible")]
-    #[must_use]
     pub fn reproducible() -> Self {
         Self::available().last().unwrap_or(Self::PORTABLE).unfused()
     }
@@ -176,7 +176,6 @@ impl Backend {
 
     /// The best backend that this CPU has. Detection runs once; afterwards this is three loads.
     #[inline]
-    #[must_use]
     pub fn best() -> Self {
         let mut best = Self::PORTABLE;
         let limit = LIMIT.load(Ordering::Relaxed);

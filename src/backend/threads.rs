@@ -15,7 +15,6 @@ pub struct Choice {
 impl Choice {
     /// The instructions, and how many threads.
     #[inline]
-    #[must_use]
     pub fn instructions(self) -> Backend {
         let backend = self.backend.unwrap_or_default();
         #[cfg(feature = "rayon")]
@@ -32,7 +31,6 @@ impl Choice {
 macro_rules! __options {
     ($(#[$example:meta])*) => {
         /// Runs with these instructions; by default with the best that the CPU has.
-        #[must_use]
         pub fn backend(mut self, backend: $crate::Backend) -> Self {
             self.choice.backend = Some(backend);
             self
@@ -42,7 +40,6 @@ macro_rules! __options {
         /// `usize::MAX` for all of them. Every bit of the result is the same for any number of threads.
         $(#[$example])*
         #[cfg(feature = "rayon")]
-        #[must_use]
         pub fn threads(mut self, threads: usize) -> Self {
             self.choice.threads = Some(threads);
             self
@@ -92,7 +89,6 @@ mod many {
         /// assert_eq!(two[99_999].translation(), [2.0, 0.0, 0.0]);
         /// # Ok::<(), dq8::ShapeError>(())
         /// ```
-        #[must_use]
         pub fn threads(mut self, threads: usize) -> Self {
             self.threads = NonZeroUsize::new(threads).unwrap_or(NonZeroUsize::MIN);
             self

@@ -6,7 +6,6 @@ use dq8_simd::Lanes;
 impl<L: Lanes> Quat<L> {
     /// (1−t)a ± tb exactly normalized, by the shorter way; `t` may differ from lane to lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn nlerp(self, other: Self, t: L) -> Self {
         let away = other.dot(self).lt(t.constant(0.0));
         let start = self.scale(t.constant(1.0) - t);
@@ -17,7 +16,6 @@ impl<L: Lanes> Quat<L> {
 impl<L: Lanes> DualQuat<L> {
     /// (1−t)a ± tb exactly normalized, by the shorter way; `t` may differ from lane to lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn nlerp(self, other: Self, t: L) -> Self {
         let weight = other.weight_toward(self, t);
         let start = self.scale(t.constant(1.0) - t);

@@ -7,7 +7,6 @@ use dq8_simd::Lanes;
 impl<L: Lanes> DualQuat<L> {
     /// ½ξσ, ξ = ω + εv the spatial twist.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn derivative_spatial(self, twist: Twist<L>) -> Self {
         let half = half(twist);
         let dual = times_left(half.real, self.dual()) + times_left(half.dual, self.real());
@@ -16,7 +15,6 @@ impl<L: Lanes> DualQuat<L> {
 
     /// ½σξ, ξ = ω + εv the body twist.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn derivative_body(self, twist: Twist<L>) -> Self {
         let half = half(twist);
         let dual = times_right(self.dual(), half.real) + times_right(self.real(), half.dual);
@@ -25,7 +23,6 @@ impl<L: Lanes> DualQuat<L> {
 
     /// 2σ̇σ* of unit σ
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn spatial_twist(self, derivative: Self) -> Twist<L> {
         let two = self.real().w().constant(2.0);
         let (p, q) = (self.real(), self.dual());
@@ -40,7 +37,6 @@ impl<L: Lanes> DualQuat<L> {
 
     /// 2σ*σ̇ of unit σ
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn body_twist(self, derivative: Self) -> Twist<L> {
         let two = self.real().w().constant(2.0);
         let (p, q) = (self.real(), self.dual());
@@ -56,7 +52,6 @@ impl<L: Lanes> DualQuat<L> {
     /// ½ωr + ½ε(ṫr + ½tωr), `angular` ω in fixed axes and `linear` ṫ; σ must be unit. Here as ½ξσ with
     /// the spatial twist ξ = ω + ε(ṫ + t × ω).
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn derivative_from_velocity(self, angular: [L; 3], linear: [L; 3]) -> Self {
         let at_origin = vector::cross_onto(self.translation(), angular, linear);
         self.derivative_spatial(Twist { angular, linear: at_origin })
@@ -74,14 +69,12 @@ impl<L: Lanes> DualQuat<L> {
     /// exp(½ξ), the motion that a constant twist makes in unit time. NaN where |ω| is beyond 2¹⁷ radians
     /// (`f32`; `f64`: 2⁴⁶), and so for the integrals.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn from_twist(twist: Twist<L>) -> Self {
         Self::exp(half(twist))
     }
 
     /// 2 log σ, the constant twist that makes the motion in unit time.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn to_twist(self) -> Twist<L> {
         let log = self.log();
         let two = self.real().w().constant(2.0);
@@ -90,21 +83,18 @@ impl<L: Lanes> DualQuat<L> {
 
     /// 2 log(a*b), the constant body twist that takes a to b in unit time by the shorter way.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn twist_to(self, other: Self) -> Twist<L> {
         (self.conjugate() * other).to_twist()
     }
 
     /// exp(½ξ dt) σ, ξ a constant spatial twist; `dt` may differ from lane to lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn integrate_spatial(self, twist: Twist<L>, dt: L) -> Self {
         Self::from_twist(twist.scale(dt)) * self
     }
 
     /// σ exp(½ξ dt), ξ a constant body twist; `dt` may differ from lane to lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn integrate_body(self, twist: Twist<L>, dt: L) -> Self {
         self * Self::from_twist(twist.scale(dt))
     }

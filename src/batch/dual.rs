@@ -1,8 +1,10 @@
-use core::ops::{Add, Div, Mul, Neg, Sub};
+use crate::contract::{power, sums};
+use core::ops::{Div, Mul};
 use dq8_simd::Lanes;
 
 /// Dual numbers a + εb, one per lane: [`Dual`](crate::Dual) on lanes.
 #[derive(Clone, Copy, Debug)]
+#[must_use]
 pub struct Dual<L> {
     /// a, the real part.
     pub real: L,
@@ -13,28 +15,24 @@ pub struct Dual<L> {
 impl<L: Lanes> Dual<L> {
     /// a + εb
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn new(real: L, dual: L) -> Self {
         Self { real, dual }
     }
 
     /// f(a + εb) = f(a) + ε b f′(a), given f(a) and f′(a) (Jia eq. 10).
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn apply(self, value: L, derivative: L) -> Self {
         Self::new(value, self.dual * derivative)
     }
 
     /// s(a + εb) for a real number s.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn scale(self, factor: L) -> Self {
         Self::new(self.real * factor, self.dual * factor)
     }
 
     /// √(a + εb) = √a + ε b/(2√a)
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn sqrt(self) -> Self {
         let root = self.real.sqrt();
         self.apply(root, root.constant(0.5) / root)
@@ -42,7 +40,6 @@ impl<L: Lanes> Dual<L> {
 
     /// 1 / (a + εb) = a⁻¹ − ε b a⁻² (Jia eq. 7)
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn recip(self) -> Self {
         let recip = self.real.constant(1.0) / self.real;
         // One after the other: the square may overflow, or vanish, where the product with b does not.
@@ -59,7 +56,6 @@ impl<L: Lanes> Dual<L> {
     /// assert_eq!((inverse * x).real.to_array()[3], 1.0);
     /// ```
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn inverse_checked(self) -> (Self, L::Mask) {
         let (zero, nan) = (self.real.constant(0.0), self.real.constant(f64::NAN));
         let failed = self.real.eq(zero) | !super::vector::is_finite(self.real);
@@ -70,38 +66,14 @@ impl<L: Lanes> Dual<L> {
 
     /// aⁿ + ε b n aⁿ⁻¹ for whole n, the same in every lane, by squaring.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn powi(self, n: i32) -> Self {
         let one = Self::new(self.real.constant(1.0), self.real.constant(0.0));
-        let (mut power, mut square, mut left) = (one, self, n.unsigned_abs());
-        while left > 0 {
-            if left % 2 == 1 {
-                power = power * square;
-            }
-            left /= 2;
-            // One more might overflow, and ∞·0 would be NaN.
-            if left > 0 {
-                square = square * square;
-            }
-        }
-        if n < 0 { power.recip() } else { power }
+        power(self, one, n)
     }
 }
 
-impl<L: Lanes> Add for Dual<L> {
-    type Output = Self;
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn add(self, other: Self) -> Self {
-        Self::new(self.real + other.real, self.dual + other.dual)
-    }
-}
-
-impl<L: Lanes> Sub for Dual<L> {
-    type Output = Self;
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn sub(self, other: Self) -> Self {
-        Self::new(self.real - other.real, self.dual - other.dual)
-    }
+sums! {
+    [L: Lanes] #[cfg_attr(not(opt_level_0), inline(always))] Dual<L>: (real) (dual)
 }
 
 /// ac + ε(ad + bc)
@@ -120,13 +92,5 @@ impl<L: Lanes> Div for Dual<L> {
     fn div(self, other: Self) -> Self {
         let quotient = self.real / other.real;
         Self::new(quotient, quotient.neg_mul_add(other.dual, self.dual) / other.real)
-    }
-}
-
-impl<L: Lanes> Neg for Dual<L> {
-    type Output = Self;
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn neg(self) -> Self {
-        Self::new(-self.real, -self.dual)
     }
 }

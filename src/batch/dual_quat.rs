@@ -1,6 +1,7 @@
 use super::{Dual, Quat, vector};
+use crate::contract::sums;
 use crate::geometry::DualVector;
-use core::ops::{Add, Mul, Neg, Sub};
+use core::ops::Mul;
 use dq8_simd::{Block, Lanes, Level, Records, Row};
 
 /// Dual quaternions σ = p + εq, one per lane: [`DualQuat`](crate::DualQuat) on lanes.
@@ -8,6 +9,7 @@ use dq8_simd::{Block, Lanes, Level, Records, Row};
 /// Conventions and laws are those of [`Motion`](crate::Motion); formulas, sources and examples stand
 /// on the scalar type.
 #[derive(Clone, Copy, Debug)]
+#[must_use]
 pub struct DualQuat<L> {
     real: Quat<L>,
     dual: Quat<L>,
@@ -16,14 +18,12 @@ pub struct DualQuat<L> {
 impl<L: Lanes> DualQuat<L> {
     /// p + εq
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn new(real: Quat<L>, dual: Quat<L>) -> Self {
         Self { real, dual }
     }
 
     /// The identity in every lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn identity(level: L::Level) -> Self {
         let one = Quat::<L>::identity(level);
         let zero = one.w().constant(0.0);
@@ -32,21 +32,18 @@ impl<L: Lanes> DualQuat<L> {
 
     /// The same motion in every lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn splat(level: L::Level, motion: impl Into<[L::Real; 8]>) -> Self {
         Self::from_array(vector::splat(level, motion.into()))
     }
 
     /// From the lanes of `[px, py, pz, pw, qx, qy, qz, qw]`.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn from_array([px, py, pz, pw, qx, qy, qz, qw]: [L; 8]) -> Self {
         Self::new(Quat::from_xyzw(px, py, pz, pw), Quat::from_xyzw(qx, qy, qz, qw))
     }
 
     /// From a dual number and a dual vector (Jia eq. 15).
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn from_dual_parts(scalar: Dual<L>, vector: DualVector<L>) -> Self {
         Self::new(
             Quat::from_parts(vector.real, scalar.real),
@@ -57,7 +54,6 @@ impl<L: Lanes> DualQuat<L> {
     /// Lane `i` from record `i`, `[px, py, pz, pw, qx, qy, qz, qw]`: plain dual quaternions in
     /// memory, transposed on the way in. Lanes without a record hold the identity.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn load_records(level: L::Level, records: &[[L::Real; 8]]) -> Self {
         let (zero, one) = (L::Real::default(), L::Real::from(1.0));
         let identity = [zero, zero, zero, one, zero, zero, zero, zero];
@@ -81,49 +77,42 @@ impl<L: Lanes> DualQuat<L> {
 
     /// p, the real part.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn real(self) -> Quat<L> {
         self.real
     }
 
     /// q, the dual part.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn dual(self) -> Quat<L> {
         self.dual
     }
 
     /// p_w + εq_w
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn dual_scalar(self) -> Dual<L> {
         Dual::new(self.real.w(), self.dual.w())
     }
 
     /// The three dual components in addition to [`dual_scalar`](Self::dual_scalar).
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn dual_vector(self) -> DualVector<L> {
         DualVector { real: self.real.xyz(), dual: self.dual.xyz() }
     }
 
     /// σ• = p − εq
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn conjugate_dual(self) -> Self {
         Self::new(self.real, -self.dual)
     }
 
     /// σ* = p* + εq*, the inverse of a unit σ
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn conjugate(self) -> Self {
         Self::new(self.real.conjugate(), self.dual.conjugate())
     }
 
     /// σ⋄ = p* − εq*
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn conjugate_both(self) -> Self {
         let [x, y, z, w] = self.dual.to_array();
         Self::new(self.real.conjugate(), Quat::from_xyzw(x, y, z, -w))
@@ -131,14 +120,12 @@ impl<L: Lanes> DualQuat<L> {
 
     /// sσ for a real number s a lane
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn scale(self, factor: L) -> Self {
         Self::new(self.real.scale(factor), self.dual.scale(factor))
     }
 
     /// (a + εb)σ for one dual number per lane
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn scale_dual(self, factor: Dual<L>) -> Self {
         let dual = self.real.scale_onto(factor.dual, self.dual.scale(factor.real));
         Self::new(self.real.scale(factor.real), dual)
@@ -156,7 +143,6 @@ impl<L: Lanes> DualQuat<L> {
 
     /// ⟨a, b⟩ = p_a·p_b + ε(p_a·q_b + q_a·p_b)
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn dot(self, other: Self) -> Dual<L> {
         let across = self.real.dot(other.dual) + self.dual.dot(other.real);
         Dual::new(self.real.dot(other.real), across)
@@ -183,7 +169,6 @@ impl<L: Lanes> DualQuat<L> {
 
     /// Of σ and −σ the one whose first of (p_w, p_x, p_y, p_z) that is not zero is positive.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn canonical(self) -> Self {
         self.negate_where(self.real.points_back())
     }
@@ -199,7 +184,6 @@ impl<L: Lanes> DualQuat<L> {
 impl<L: Lanes> DualQuat<L> {
     /// The dual quaternions of a block.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn load<A, V>(level: V, block: &Block<A, 8>) -> Self
     where
         A: Row<Lanes<V> = L>,
@@ -219,20 +203,8 @@ impl<L: Lanes> DualQuat<L> {
     }
 }
 
-impl<L: Lanes> Add for DualQuat<L> {
-    type Output = Self;
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn add(self, other: Self) -> Self {
-        Self::new(self.real + other.real, self.dual + other.dual)
-    }
-}
-
-impl<L: Lanes> Sub for DualQuat<L> {
-    type Output = Self;
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn sub(self, other: Self) -> Self {
-        Self::new(self.real - other.real, self.dual - other.dual)
-    }
+sums! {
+    [L: Lanes] #[cfg_attr(not(opt_level_0), inline(always))] DualQuat<L>: (real) (dual)
 }
 
 /// p₁p₂ + ε(p₁q₂ + q₁p₂): 48 multiplications, 40 of them fused with the additions.
@@ -242,13 +214,5 @@ impl<L: Lanes> Mul for DualQuat<L> {
     fn mul(self, other: Self) -> Self {
         let dual = self.dual.mul_onto(other.real, self.real * other.dual);
         Self::new(self.real * other.real, dual)
-    }
-}
-
-impl<L: Lanes> Neg for DualQuat<L> {
-    type Output = Self;
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn neg(self) -> Self {
-        Self::new(-self.real, -self.dual)
     }
 }

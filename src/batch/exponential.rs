@@ -12,7 +12,6 @@ use dq8_simd::{Float, Lanes};
 impl<L: Lanes> Dual<L> {
     /// eᵃ + ε b eᵃ
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn exp(self) -> Self {
         let exp = exp(self.real);
         self.apply(exp, exp)
@@ -20,7 +19,6 @@ impl<L: Lanes> Dual<L> {
 
     /// ln a + ε b/a; NaN for a < 0.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn ln(self) -> Self {
         self.apply(ln(self.real), self.real.constant(1.0) / self.real)
     }

@@ -15,7 +15,6 @@ use dq8_simd::Lanes;
 impl<L: Lanes> DualQuat<L> {
     /// exp(½(x + δy)) ≈ exp(½δ J_l(x) y) exp(½x) with x = `at`, y = `along`.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn left_jacobian(at: Twist<L>, along: Twist<L>) -> Twist<L> {
         let (first, second) = exponential_integrals(square(at));
         let once = lie_bracket(at, along);
@@ -24,14 +23,12 @@ impl<L: Lanes> DualQuat<L> {
 
     /// exp(½(x + δy)) ≈ exp(½x) exp(½δ J_r(x) y)
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn right_jacobian(at: Twist<L>, along: Twist<L>) -> Twist<L> {
         Self::left_jacobian(-at, along)
     }
 
     /// 2 log(exp(½δy) exp(½x)) ≈ x + δ J_l⁻¹(x) y; infinite at |ω| = 2π.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn left_jacobian_inverse(at: Twist<L>, along: Twist<L>) -> Twist<L> {
         let u = square(at);
         let minus_half = Dual::new(u.real.constant(-0.5), u.real.constant(0.0));
@@ -41,7 +38,6 @@ impl<L: Lanes> DualQuat<L> {
 
     /// 2 log(exp(½x) exp(½δy)) ≈ x + δ J_r⁻¹(x) y; infinite at |ω| = 2π.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn right_jacobian_inverse(at: Twist<L>, along: Twist<L>) -> Twist<L> {
         Self::left_jacobian_inverse(-at, along)
     }
@@ -50,37 +46,30 @@ impl<L: Lanes> DualQuat<L> {
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn left_jacobian_matrix(at: Twist<L>) -> [[L; 6]; 6] {
-        let mut rows = [at.to_array(); 6];
-        for column in 0..6 {
-            let image = Self::left_jacobian(at, unit_twist(at, column)).to_array();
-            for (row, value) in rows.iter_mut().zip(image) {
-                row[column] = value;
-            }
-        }
-        rows
+        matrix(at, Self::left_jacobian)
     }
 
     /// J_l⁻¹(x) as 6×6 matrices, in the order of [`left_jacobian_matrix`](Self::left_jacobian_matrix).
     #[cfg_attr(not(opt_level_0), inline(always))]
     #[must_use]
     pub fn left_jacobian_inverse_matrix(at: Twist<L>) -> [[L; 6]; 6] {
-        let mut rows = [at.to_array(); 6];
-        for column in 0..6 {
-            let image = Self::left_jacobian_inverse(at, unit_twist(at, column)).to_array();
-            for (row, value) in rows.iter_mut().zip(image) {
-                row[column] = value;
-            }
-        }
-        rows
+        matrix(at, Self::left_jacobian_inverse)
     }
 }
 
-/// 1 in one component and 0 in the others.
+/// The matrix of a linear map: its columns are what it does to the unit twists.
 #[cfg_attr(not(opt_level_0), inline(always))]
-fn unit_twist<L: Lanes>(like: Twist<L>, component: usize) -> Twist<L> {
-    let mut unit = [like.angular[0].constant(0.0); 6];
-    unit[component] = unit[component].constant(1.0);
-    Twist::from_array(unit)
+fn matrix<L: Lanes>(at: Twist<L>, map: impl Fn(Twist<L>, Twist<L>) -> Twist<L>) -> [[L; 6]; 6] {
+    let mut rows = [at.to_array(); 6];
+    for column in 0..6 {
+        let mut unit = [at.angular[0].constant(0.0); 6];
+        unit[column] = unit[column].constant(1.0);
+        let image = map(at, Twist::from_array(unit)).to_array();
+        for (row, value) in rows.iter_mut().zip(image) {
+            row[column] = value;
+        }
+    }
+    rows
 }
 
 /// x·x
@@ -92,7 +81,6 @@ fn square<L: Lanes>(x: Twist<L>) -> Dual<L> {
 
 /// x × y, the Lie bracket [x, y]: ad_x y, how fast y changes that is carried along by the twist x.
 #[cfg_attr(not(opt_level_0), inline(always))]
-#[must_use]
 pub fn lie_bracket<L: Lanes>(x: Twist<L>, y: Twist<L>) -> Twist<L> {
     let moved = vector::cross(x.linear, y.angular);
     Twist {

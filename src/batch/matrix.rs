@@ -22,7 +22,6 @@ impl<L: Lanes> Quat<L> {
     /// The unit quaternions of rotation matrices, w ≥ 0 (Shepperd 1978): all four forms, one of which
     /// divides by the largest component.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn from_matrix3(rows: [[L; 3]; 3]) -> Self {
         let [[m00, m01, m02], [m10, m11, m12], [m20, m21, m22]] = rows;
         let one = m00.constant(1.0);
@@ -45,7 +44,6 @@ impl<L: Lanes> Quat<L> {
     /// more than `tolerance` in a product of its rows (it scales, shears or mirrors), or an element is not
     /// finite. Those are NaN.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn from_matrix3_checked(rows: [[L; 3]; 3], tolerance: L) -> (Self, L::Mask) {
         let [a, b, c] = rows;
         let (zero, one) = (tolerance.constant(0.0), tolerance.constant(1.0));
@@ -84,7 +82,6 @@ impl<L: Lanes> DualQuat<L> {
 
     /// The motions of rigid matrices, p_w ≥ 0.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn from_matrix3x4(rows: [[L; 4]; 3]) -> Self {
         let rotation = Quat::from_matrix3(rows.map(|[x, y, z, _]| [x, y, z]));
         Self::from_rotation_translation(rotation, rows.map(|[.., t]| t))
@@ -103,7 +100,6 @@ impl<L: Lanes> DualQuat<L> {
     /// assert_eq!(motion.translation()[0].to_array()[..2], [1.0; 2]);
     /// ```
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn from_matrix3x4_checked(rows: [[L; 4]; 3], tolerance: L) -> (Self, L::Mask) {
         let [[a, b, c, x], [d, e, f, y], [g, h, i, z]] = rows;
         let (rotation, failed) =
@@ -116,7 +112,6 @@ impl<L: Lanes> DualQuat<L> {
 
     /// As [`from_matrix3x4_checked`](Self::from_matrix3x4_checked), and the last row must be 0 0 0 1.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn from_matrix4_checked(rows: [[L; 4]; 4], tolerance: L) -> (Self, L::Mask) {
         let [a, b, c, [x, y, z, w]] = rows;
         let (zero, one) = (tolerance.constant(0.0), tolerance.constant(1.0));

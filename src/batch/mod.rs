@@ -19,15 +19,16 @@
 
 mod adjoint;
 mod blend;
+mod contract;
 mod derivative;
 mod dual;
-mod dual_number;
 mod dual_quat;
 #[cfg(not(dq8_record))]
 #[expect(unreachable_pub, reason = "open to numbers that record")]
 pub(crate) mod even;
 #[cfg(dq8_record)]
 pub mod even;
+#[rustfmt::skip]
 pub(crate) mod even_coefficients;
 mod exponential;
 mod jacobian;
@@ -35,10 +36,8 @@ mod length;
 mod matrix;
 mod mean;
 mod metric;
-mod motion;
 mod norm;
 mod quat;
-mod quaternion;
 mod representation;
 mod rigid;
 mod screw;

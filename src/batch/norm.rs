@@ -6,7 +6,6 @@ use dq8_simd::Lanes;
 impl<L: Lanes> Quat<L> {
     /// q*/|q|²; NaN or infinite in lanes that are zero or not finite.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn inverse(self) -> Self {
         let length = self.length();
         Self::from_array(length.divide_all(length.divide_all(self.conjugate().to_array())))
@@ -15,7 +14,6 @@ impl<L: Lanes> Quat<L> {
     /// q/|q|, and the lanes that have none: q zero, or a component of q or its length not finite. Those are
     /// NaN.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn normalize_checked(self) -> (Self, L::Mask) {
         let length = self.length();
         let (value, unit) = (length.value(), length.divide_all(self.to_array()));
@@ -43,7 +41,6 @@ impl<L: Lanes> Quat<L> {
 impl<L: Lanes> DualQuat<L> {
     /// √(σσ*) = |p| + ε (p·q)/|p|; the dual part is NaN where p = 0.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn norm(self) -> Dual<L> {
         let length = self.real().length();
         let unit = Quat::from_array(length.divide_all(self.real().to_array()));
@@ -53,7 +50,6 @@ impl<L: Lanes> DualQuat<L> {
     /// Exact normalization: the real part to unit length and the dual part orthogonal to it. Where
     /// [`normalize_checked`](Self::normalize_checked) fails, some component is NaN.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn normalize(self) -> Self {
         let length = self.real().length();
         let p = Quat::from_array(length.divide_all(self.real().to_array()));
@@ -74,7 +70,6 @@ impl<L: Lanes> DualQuat<L> {
     /// assert_eq!(back, [[0.0, 0.0, 0.0, 1.0, 3.0, 0.0, 0.0, 0.0]]);
     /// ```
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn normalize_checked(self) -> (Self, L::Mask) {
         self.normalize().checked()
     }
@@ -101,7 +96,6 @@ impl<L: Lanes> DualQuat<L> {
     /// σ⁻¹ of any σ with p ≠ 0. Where [`inverse_checked`](Self::inverse_checked) fails, some
     /// component is NaN or infinite.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn inverse(self) -> Self {
         let length = self.real().length();
         let unit = Quat::from_array(length.divide_all(self.real().to_array())).conjugate();
@@ -116,7 +110,6 @@ impl<L: Lanes> DualQuat<L> {
     /// σ⁻¹ = p⁻¹ − ε p⁻¹qp⁻¹, and the lanes that have none: p zero, or a component of σ or of the
     /// result not finite. In those, every component is NaN.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn inverse_checked(self) -> (Self, L::Mask) {
         self.inverse().checked()
     }

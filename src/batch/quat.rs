@@ -6,12 +6,12 @@ use dq8_simd::Lanes;
 
 /// Quaternions, one per lane: [`Quat`](crate::Quat) on lanes.
 #[derive(Clone, Copy, Debug)]
+#[must_use]
 pub struct Quat<L>([L; 4]);
 
 impl<L: Lanes> Quat<L> {
     /// 1 in every lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn identity(level: L::Level) -> Self {
         let zero = L::splat(level, L::Real::from(0.0));
         Self([zero, zero, zero, zero.constant(1.0)])
@@ -19,28 +19,24 @@ impl<L: Lanes> Quat<L> {
 
     /// From components in the order of memory.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn from_xyzw(x: L, y: L, z: L, w: L) -> Self {
         Self([x, y, z, w])
     }
 
     /// From `[x, y, z, w]`.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn from_array(xyzw: [L; 4]) -> Self {
         Self(xyzw)
     }
 
     /// From the vector part and the scalar part.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn from_parts([x, y, z]: [L; 3], w: L) -> Self {
         Self([x, y, z, w])
     }
 
     /// cos(θ/2) + n sin(θ/2); `axis` must have length 1, `angle` is in radians.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn from_axis_angle(axis: [L; 3], angle: L) -> Self {
         let half = angle * angle.constant(0.5);
         let (cos, sinc) = cos_sinc(Dual::new(half * half, half.constant(0.0)));
@@ -97,7 +93,6 @@ impl<L: Lanes> Quat<L> {
 
     /// w − xi − yj − zk
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn conjugate(self) -> Self {
         let [x, y, z, w] = self.0;
         Self([-x, -y, -z, w])
@@ -139,7 +134,6 @@ impl<L: Lanes> Quat<L> {
 
     /// q / |q|; some component is NaN in lanes that are zero or not finite.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn normalize(self) -> Self {
         Self(Length::unit(self.0, self.w().constant(1.0)))
     }
@@ -151,7 +145,6 @@ impl<L: Lanes> Quat<L> {
 
     /// q times a real number.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn scale(self, factor: L) -> Self {
         let [x, y, z, w] = self.0;
         Self([x * factor, y * factor, z * factor, w * factor])

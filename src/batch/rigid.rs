@@ -6,14 +6,12 @@ use dq8_simd::Lanes;
 impl<L: Lanes> DualQuat<L> {
     /// r + ε0; `rotation` must be unit.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn from_rotation(rotation: Quat<L>) -> Self {
         Self::new(rotation, Quat::from_array([rotation.w().constant(0.0); 4]))
     }
 
     /// 1 + ½εt
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn from_translation(translation: [L; 3]) -> Self {
         let zero = translation[0].constant(0.0);
         let half = vector::scale(translation, zero.constant(0.5));
@@ -22,7 +20,6 @@ impl<L: Lanes> DualQuat<L> {
 
     /// Rotate, then translate: r + ½εtr; `rotation` must be unit.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn from_rotation_translation(rotation: Quat<L>, translation: [L; 3]) -> Self {
         let half = vector::scale(translation, rotation.w().constant(0.5));
         let (r, w) = (rotation.xyz(), rotation.w());
@@ -33,7 +30,6 @@ impl<L: Lanes> DualQuat<L> {
 
     /// Translate, then rotate: r + ½εrt; `rotation` must be unit.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn from_translation_rotation(translation: [L; 3], rotation: Quat<L>) -> Self {
         let half = vector::scale(translation, rotation.w().constant(0.5));
         let (r, w) = (rotation.xyz(), rotation.w());
@@ -44,7 +40,6 @@ impl<L: Lanes> DualQuat<L> {
     /// σ(r + ½εtr) = (p + ε(q + ½pt))r, in 47 operations. Joining r and t first takes 15, and a product 48
     /// more.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn mul_rotation_translation(self, rotation: Quat<L>, translation: [L; 3]) -> Self {
         let half = vector::scale(translation, rotation.w().constant(0.5));
         let (p, w, q) = (self.real().xyz(), self.real().w(), self.dual());
@@ -57,7 +52,6 @@ impl<L: Lanes> DualQuat<L> {
 
     /// r = p of unit σ
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn rotation(self) -> Quat<L> {
         self.real()
     }

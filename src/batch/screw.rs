@@ -34,7 +34,6 @@ impl<L: Lanes> DualQuat<L> {
     /// axis and moment 0; the identity has the axis (1, 0, 0). The moment is not finite where |t| over the
     /// angle overflows.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn to_screw(self) -> Screw<L> {
         let sigma = self.canonical();
         let half = HalfAngle::of(sigma);
@@ -70,7 +69,6 @@ impl<L: Lanes> DualQuat<L> {
     /// [`exp`](Self::exp), [`pow`](Self::pow), [`sclerp`](Self::sclerp) and what is built on them: such
     /// a number is known to no more than a 256th of a radian.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn from_screw(screw: Screw<L>) -> Self {
         let half = screw.angle.constant(0.5);
         let half_angle = Dual::new(screw.angle * half, screw.slide * half);
@@ -81,7 +79,6 @@ impl<L: Lanes> DualQuat<L> {
 
     /// (θ̂/2)(l + εm) of the [canonical](Self::canonical) one of ±σ: the vector part of σ times Θ/sin Θ.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn log(self) -> DualVector<L> {
         let sigma = self.canonical();
         times_dual(sigma.dual_vector(), HalfAngle::of(sigma).over_sine())
@@ -90,7 +87,6 @@ impl<L: Lanes> DualQuat<L> {
     /// cos ĥ + sin ĥ (l + εm) of a + εb, with ĥ² = a·a + 2ε a·b. NaN where |a| is beyond 2¹⁶ (`f32`) or
     /// 2⁴⁵ (`f64`).
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn exp(log: DualVector<L>) -> Self {
         let across = vector::dot(log.real, log.dual);
         let square = Dual::new(vector::dot(log.real, log.real), across + across);
@@ -101,7 +97,6 @@ impl<L: Lanes> DualQuat<L> {
     /// σᵗ of the [canonical](Self::canonical) one of ±σ; `t` may differ from lane to lane. NaN where t times half the
     /// angle is beyond 2¹⁶ (`f32`) or 2⁴⁵ (`f64`), or t beyond 10¹⁹ or 10¹⁵⁴, where its square is.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn pow(self, t: L) -> Self {
         let sigma = self.canonical();
         let half = HalfAngle::of(sigma);
@@ -112,7 +107,6 @@ impl<L: Lanes> DualQuat<L> {
 
     /// √σ of the [canonical](Self::canonical) one of ±σ: cos(Θ/2) and the vector part over 2 cos(Θ/2).
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn sqrt(self) -> Self {
         let sigma = self.canonical();
         let cos = HalfAngle::of(sigma).half_cosine;
@@ -133,7 +127,6 @@ impl<L: Lanes> DualQuat<L> {
     ///
     /// The difference b − a is exact for poses that almost agree, where their cosine has lost it.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn sclerp(self, other: Self, t: L) -> Self {
         let apart = self.real().dot(other.real()).lt(t.constant(0.0));
         Way::between(self, other, apart).at(t)
@@ -142,7 +135,6 @@ impl<L: Lanes> DualQuat<L> {
     /// As [`sclerp`](Self::sclerp), but from `self` to `other` and not to −`other`. The way from σ
     /// to −σ has no axis: NaN.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn sclerp_long(self, other: Self, t: L) -> Self {
         let zero = t.constant(0.0);
         let apart = self.real().dot(other.real()).lt(zero);

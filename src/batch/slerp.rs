@@ -9,7 +9,6 @@ impl<L: Lanes> Quat<L> {
     ///
     /// The screw motion of pure rotations: the dual part that it computes is discarded.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn slerp(self, other: Self, t: L) -> Self {
         DualQuat::from_rotation(self).sclerp(DualQuat::from_rotation(other), t).real()
     }
@@ -18,7 +17,6 @@ impl<L: Lanes> Quat<L> {
 impl<L: Lanes> DualQuat<L> {
     /// Rotation by SLERP, translation by LERP; `t` may differ from lane to lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn slerp_lerp(self, other: Self, t: L) -> Self {
         let rotation = self.rotation().slerp(other.rotation(), t);
         let start = vector::scale(self.translation(), t.constant(1.0) - t);

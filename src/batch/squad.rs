@@ -8,7 +8,6 @@ impl<L: Lanes> DualQuat<L> {
     /// sclerp(sclerp(σ₀, σ₁, t), sclerp(s₀, s₁, t), 2t(1−t)) from `self` to `end`; `t` may differ
     /// from lane to lane.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn squad(self, control_start: Self, control_end: Self, end: Self, t: L) -> Self {
         let along_keys = self.sclerp(end, t);
         let along_controls = control_start.sclerp(control_end, t);
@@ -17,7 +16,6 @@ impl<L: Lanes> DualQuat<L> {
 
     /// σ exp(−(log(σ*σ₊) + log(σ*σ₋))/4)
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn squad_control(previous: Self, current: Self, next: Self) -> Self {
         let inverse = current.conjugate();
         let (ahead, back) = ((inverse * next).log(), (inverse * previous).log());

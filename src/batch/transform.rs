@@ -37,19 +37,23 @@ impl<L: Lanes> DualQuat<L> {
 
     /// l′ = Rl, m′ = Rm + t × l′; σ must be unit.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn transform_line(self, line: Line<L>) -> Line<L> {
-        let direction = self.real().rotate(line.direction);
-        let turned = self.real().rotate(line.moment);
-        Line { direction, moment: vector::cross_onto(self.translation(), direction, turned) }
+        let (direction, moment) = self.carry(line.direction, line.moment);
+        Line { direction, moment }
     }
 
     /// n′ = Rn, d′ = d + n′·t; σ must be unit.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn transform_plane(self, plane: Plane<L>) -> Plane<L> {
         let normal = self.real().rotate(plane.normal);
         let offset = plane.offset + vector::dot(normal, self.translation());
         Plane { normal, offset }
+    }
+
+    /// Ra, and Rb + t × Ra: what becomes of a vector, and of its moment.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub(super) fn carry(self, a: [L; 3], b: [L; 3]) -> ([L; 3], [L; 3]) {
+        let (a, b) = (self.real().rotate(a), self.real().rotate(b));
+        (a, vector::cross_onto(self.translation(), a, b))
     }
 }

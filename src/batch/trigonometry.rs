@@ -11,7 +11,6 @@ use dq8_simd::{Float, Lanes};
 impl<L: Lanes> Dual<L> {
     /// sin a + ε b cos a, radians; NaN beyond 2¹⁶ rad (`f32`) or 2⁴⁵ rad (`f64`).
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn sin(self) -> Self {
         let (sin, cos) = sin_cos(self.real);
         self.apply(sin, cos)
@@ -19,7 +18,6 @@ impl<L: Lanes> Dual<L> {
 
     /// cos a − ε b sin a, radians; NaN beyond 2¹⁶ rad (`f32`) or 2⁴⁵ rad (`f64`).
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn cos(self) -> Self {
         let (sin, cos) = sin_cos(self.real);
         self.apply(cos, -sin)
@@ -27,7 +25,6 @@ impl<L: Lanes> Dual<L> {
 
     /// tan a + ε b/cos²a, radians; NaN beyond 2¹⁶ rad (`f32`) or 2⁴⁵ rad (`f64`).
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn tan(self) -> Self {
         let (sin, cos) = sin_cos(self.real);
         let tan = sin / cos;
@@ -36,21 +33,18 @@ impl<L: Lanes> Dual<L> {
 
     /// arcsin a + ε b/√(1 − a²), radians, |a| ≤ 1, else NaN; the derivative is infinite at ±1.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn asin(self) -> Self {
         self.apply(asin(self.real), self.real.constant(1.0) / cathetus(self.real))
     }
 
     /// arccos a − ε b/√(1 − a²), radians, |a| ≤ 1, else NaN; the derivative is infinite at ±1.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn acos(self) -> Self {
         self.apply(acos(self.real), self.real.constant(-1.0) / cathetus(self.real))
     }
 
     /// arctan a + ε b/(1 + a²), radians.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn atan(self) -> Self {
         let one = self.real.constant(1.0);
         self.apply(atan(self.real), one / self.real.mul_add(self.real, one))
@@ -59,7 +53,6 @@ impl<L: Lanes> Dual<L> {
     /// The angle of the point (`x`, `self`), radians, with the derivative (x dy − y dx)/(x² + y²), by
     /// ratios to the larger of the two: squares might vanish.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn atan2(self, x: Self) -> Self {
         let (up, along) = (self.real.abs(), x.real.abs());
         let largest = L::select(along.lt(up), up, along);

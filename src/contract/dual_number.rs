@@ -43,46 +43,49 @@ shared_trait! {
         /// a + εb
         fn new(real: Self::Real, dual: Self::Real) -> Self;
         /// f(a) + εb f′(a), given f(a) and f′(a).
-        #[must_use]
         fn apply(self, value: Self::Real, derivative: Self::Real) -> Self;
         /// s(a + εb)
-        #[must_use]
         fn scale(self, factor: Self::Real) -> Self;
         /// 1/(a + εb), infinite or NaN for a = 0.
-        #[must_use]
         fn recip(self) -> Self;
         /// (a + εb)ⁿ
-        #[must_use]
         fn powi(self, n: i32) -> Self;
         /// √a + εb/(2√a)
-        #[must_use]
         fn sqrt(self) -> Self;
         /// sin a + εb cos a. On lanes NaN beyond 2¹⁶ rad (`f32`) or 2⁴⁵ rad (`f64`), as cosine and tangent.
-        #[must_use]
         fn sin(self) -> Self;
         /// cos a − εb sin a
-        #[must_use]
         fn cos(self) -> Self;
         /// tan a + εb/cos²a
-        #[must_use]
         fn tan(self) -> Self;
         /// arcsin a + εb/√(1 − a²)
-        #[must_use]
         fn asin(self) -> Self;
         /// arccos a − εb/√(1 − a²)
-        #[must_use]
         fn acos(self) -> Self;
         /// arctan a + εb/(1 + a²)
-        #[must_use]
         fn atan(self) -> Self;
         /// The angle of the point (`x`, `self`).
-        #[must_use]
         fn atan2(self, x: Self) -> Self;
         /// eᵃ + εb eᵃ
-        #[must_use]
         fn exp(self) -> Self;
         /// ln a + εb/a
-        #[must_use]
         fn ln(self) -> Self;
     }
+}
+
+/// xⁿ for whole n, by squaring.
+#[inline(always)]
+pub(crate) fn power<D: DualNumber>(x: D, one: D, n: i32) -> D {
+    let (mut power, mut square, mut left) = (one, x, n.unsigned_abs());
+    while left > 0 {
+        if left % 2 == 1 {
+            power = power * square;
+        }
+        left /= 2;
+        // One more might overflow, and ∞·0 would be NaN.
+        if left > 0 {
+            square = square * square;
+        }
+    }
+    if n < 0 { power.recip() } else { power }
 }

@@ -109,7 +109,6 @@ shared_trait! {
         /// r + ½εrt
         fn from_translation_rotation(translation: [Self::Real; 3], rotation: Self::Quat) -> Self;
         /// σ(r + ½εtr)
-        #[must_use]
         fn mul_rotation_translation(self, rotation: Self::Quat, translation: [Self::Real; 3]) -> Self;
         /// The motion of a rigid matrix, p_w ≥ 0.
         fn from_matrix3x4(rows: [[Self::Real; 4]; 3]) -> Self;
@@ -128,22 +127,16 @@ shared_trait! {
         fn to_screw(self) -> Screw<Self::Real>;
 
         /// p − εq
-        #[must_use]
         fn conjugate_dual(self) -> Self;
         /// p* + εq*
-        #[must_use]
         fn conjugate(self) -> Self;
         /// p* − εq*
-        #[must_use]
         fn conjugate_both(self) -> Self;
         /// The one of ±σ whose first of (p_w, p_x, p_y, p_z) that is not zero is positive.
-        #[must_use]
         fn canonical(self) -> Self;
         /// sσ
-        #[must_use]
         fn scale(self, factor: Self::Real) -> Self;
         /// (a + εb)σ
-        #[must_use]
         fn scale_dual(self, factor: Self::Dual) -> Self;
         /// p_a·p_b + ε(p_a·q_b + q_a·p_b)
         fn dot(self, other: Self) -> Self::Dual;
@@ -151,12 +144,10 @@ shared_trait! {
         /// √(σσ*)
         fn norm(self) -> Self::Dual;
         /// σ/√(σσ*), or NaN.
-        #[must_use]
         fn normalize(self) -> Self;
         /// ||p| − 1| ≤ tolerance and |p·q| ≤ tolerance·max(1, |q|)
         fn is_unit(self, tolerance: Self::Real) -> Self::Mask;
         /// σ⁻¹, or NaN.
-        #[must_use]
         fn inverse(self) -> Self;
         /// Every component differs by at most `tolerance`.
         fn abs_diff_eq(self, other: Self, tolerance: Self::Real) -> Self::Mask;
@@ -171,7 +162,6 @@ shared_trait! {
         fn transform_plane(self, plane: Plane<Self::Real>) -> Plane<Self::Real>;
 
         /// normalize((1−t)a ± tb)
-        #[must_use]
         fn nlerp(self, other: Self, t: Self::Real) -> Self;
         /// normalize(Σ ±wᵢσᵢ), signs toward the first; `None` without influences.
         fn dlb(influences: &[(Self, Self::Real)]) -> Option<Self>;
@@ -184,7 +174,6 @@ shared_trait! {
             max_iterations: u32,
         ) -> Option<Mean<Self, Self::Real, Self::Mask>>;
         /// slerp(r_a, r_b, t) and (1−t)t_a + t t_b, to compare with.
-        #[must_use]
         fn slerp_lerp(self, other: Self, t: Self::Real) -> Self;
 
         /// (θ̂/2)(l + εm)
@@ -193,22 +182,16 @@ shared_trait! {
         /// (`f32`) or 2⁴⁵ rad (`f64`), as are the powers and interpolations that go so far.
         fn exp(log: DualVector<Self::Real>) -> Self;
         /// σᵗ
-        #[must_use]
         fn pow(self, t: Self::Real) -> Self;
         /// √σ
-        #[must_use]
         fn sqrt(self) -> Self;
         /// a(a*b)ᵗ by the shorter way
-        #[must_use]
         fn sclerp(self, other: Self, t: Self::Real) -> Self;
         /// a(a*b)ᵗ without turning b to −b
-        #[must_use]
         fn sclerp_long(self, other: Self, t: Self::Real) -> Self;
         /// sclerp(sclerp(σ₀, σ₁, t), sclerp(s₀, s₁, t), 2t(1−t)) from `self` to `end`
-        #[must_use]
         fn squad(self, control_start: Self, control_end: Self, end: Self, t: Self::Real) -> Self;
         /// σ exp(−(log(σ*σ₊) + log(σ*σ₋))/4)
-        #[must_use]
         fn squad_control(previous: Self, current: Self, next: Self) -> Self;
 
         /// θ, the angle of p_a*p_b, radians in [0, π]
@@ -225,17 +208,14 @@ shared_trait! {
         fn needs_renormalization(self, tolerance: Self::Real) -> Self::Mask;
 
         /// ½ξσ, ξ the spatial twist
-        #[must_use]
         fn derivative_spatial(self, twist: Twist<Self::Real>) -> Self;
         /// ½σξ, ξ the body twist
-        #[must_use]
         fn derivative_body(self, twist: Twist<Self::Real>) -> Self;
         /// 2σ̇σ*
         fn spatial_twist(self, derivative: Self) -> Twist<Self::Real>;
         /// 2σ*σ̇
         fn body_twist(self, derivative: Self) -> Twist<Self::Real>;
         /// ½ωr + ½ε(ṫr + ½tωr)
-        #[must_use]
         fn derivative_from_velocity(self, angular: [Self::Real; 3], linear: [Self::Real; 3]) -> Self;
         /// (ω, ṫ)
         fn velocity(self, derivative: Self) -> ([Self::Real; 3], [Self::Real; 3]);
@@ -246,10 +226,8 @@ shared_trait! {
         /// 2 log(a*b) by the shorter way, a body twist
         fn twist_to(self, other: Self) -> Twist<Self::Real>;
         /// exp(½ξ dt) σ
-        #[must_use]
         fn integrate_spatial(self, twist: Twist<Self::Real>, dt: Self::Real) -> Self;
         /// σ exp(½ξ dt)
-        #[must_use]
         fn integrate_body(self, twist: Twist<Self::Real>, dt: Self::Real) -> Self;
         /// ω′ = Rω, v′ = Rv + t × ω′
         fn adjoint(self, twist: Twist<Self::Real>) -> Twist<Self::Real>;

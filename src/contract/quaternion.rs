@@ -79,20 +79,16 @@ shared_trait! {
         fn to_matrix3(self) -> [[Self::Real; 3]; 3];
 
         /// w − xi − yj − zk
-        #[must_use]
         fn conjugate(self) -> Self;
         /// sq
-        #[must_use]
         fn scale(self, factor: Self::Real) -> Self;
         /// The scalar product of the two as 4-vectors.
         fn dot(self, other: Self) -> Self::Real;
         /// |q|
         fn norm(self) -> Self::Real;
         /// q/|q|, or NaN.
-        #[must_use]
         fn normalize(self) -> Self;
         /// q*/|q|², or NaN or infinite.
-        #[must_use]
         fn inverse(self) -> Self;
         /// ||q| − 1| ≤ tolerance
         fn is_unit(self, tolerance: Self::Real) -> Self::Mask;
@@ -104,10 +100,8 @@ shared_trait! {
         /// The angle of a*b, radians in [0, π].
         fn angle_to(self, other: Self) -> Self::Real;
         /// normalize((1−t)a ± tb)
-        #[must_use]
         fn nlerp(self, other: Self, t: Self::Real) -> Self;
         /// a(a*b)ᵗ by the shorter way.
-        #[must_use]
         fn slerp(self, other: Self, t: Self::Real) -> Self;
     }
 }

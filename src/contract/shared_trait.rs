@@ -19,6 +19,7 @@ macro_rules! shared_trait {
         )* }
     ) => {
         $(#[$about])*
+        #[allow(clippy::double_must_use, reason = "some results are so by themselves")]
         pub trait $Trait: crate::contract::sealed::Sealed $(+ $bound)* {
             $($types)*
 
@@ -28,10 +29,12 @@ macro_rules! shared_trait {
 
             $(
                 $(#[$own])*
+                #[must_use]
                 fn $of_each($($given $(: $kind)?),*) -> $outcome;
             )*
             $(
                 $(#[$method])*
+                #[must_use]
                 fn $name($($argument $(: $type)?),*) -> $result;
             )*
         }

@@ -85,30 +85,29 @@ pub trait Number:
     fn is_between(self, least: Self, most: Self) -> bool;
 }
 
-impl Number for f32 {
-    type Four = f32x4;
-    #[inline(always)]
-    fn power_of_two(self) -> Self {
-        Self::from_bits(self.to_bits() & 0x7f80_0000)
-    }
-    #[inline(always)]
-    fn is_between(self, least: Self, most: Self) -> bool {
-        let (least, most) = (least.to_bits(), most.to_bits());
-        self.to_bits().wrapping_sub(least) < most.wrapping_sub(least)
-    }
+/// The two differ in the bits of their exponents.
+macro_rules! numbers {
+    ($($real:ident $four:ident $exponent:literal;)*) => {$(
+        impl Number for $real {
+            type Four = $four;
+            #[inline(always)]
+            fn power_of_two(self) -> Self {
+                Self::from_bits(self.to_bits() & $exponent)
+            }
+            #[inline(always)]
+            fn is_between(self, least: Self, most: Self) -> bool {
+                let (least, most) = (least.to_bits(), most.to_bits());
+                self.to_bits().wrapping_sub(least) < most.wrapping_sub(least)
+            }
+        }
+        impl Four for $four {
+            type Number = $real;
+        }
+    )*};
 }
-
-impl Number for f64 {
-    type Four = f64x4;
-    #[inline(always)]
-    fn power_of_two(self) -> Self {
-        Self::from_bits(self.to_bits() & 0x7ff0_0000_0000_0000)
-    }
-    #[inline(always)]
-    fn is_between(self, least: Self, most: Self) -> bool {
-        let (least, most) = (least.to_bits(), most.to_bits());
-        self.to_bits().wrapping_sub(least) < most.wrapping_sub(least)
-    }
+numbers! {
+    f32 f32x4 0x7f80_0000;
+    f64 f64x4 0x7ff0_0000_0000_0000;
 }
 
 /// Four lanes.
@@ -118,12 +117,4 @@ pub trait Four:
 {
     /// The number in each.
     type Number: Number<Four = Self>;
-}
-
-impl Four for f32x4 {
-    type Number = f32;
-}
-
-impl Four for f64x4 {
-    type Number = f64;
 }

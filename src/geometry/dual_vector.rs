@@ -22,6 +22,7 @@ crate::plain::plain! {
     /// ```
     #[derive(Clone, Copy, Debug, Default, PartialEq)]
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+    #[must_use]
     pub struct DualVector<T> {
         /// a
         pub real: [T; 3],
@@ -33,7 +34,6 @@ crate::plain::plain! {
 impl<T: Copy> DualVector<T> {
     /// s(a + εb) for a real number s.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn scale(self, factor: T) -> Self
     where
         T: Mul<Output = T>,
@@ -43,7 +43,6 @@ impl<T: Copy> DualVector<T> {
 
     /// (s + εu)(a + εb) = sa + ε(sb + ua) for a dual number, given as `[s, u]` (Jia §3).
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn scale_dual(self, [real, dual]: [T; 2]) -> Self
     where
         T: Add<Output = T> + Mul<Output = T>,
@@ -70,7 +69,6 @@ impl<T: Copy> DualVector<T> {
     /// The cross product (a + εb) × (c + εd) = a × c + ε(a × d + b × c) (Jia eq. 9). For unit lines
     /// it is sin θ̂ times their common perpendicular.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn cross(self, other: Self) -> Self
     where
         T: Add<Output = T> + Sub<Output = T> + Mul<Output = T>,
@@ -81,30 +79,7 @@ impl<T: Copy> DualVector<T> {
     }
 }
 
-impl<T: Copy + Add<Output = T>> Add for DualVector<T> {
-    type Output = Self;
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn add(self, other: Self) -> Self {
-        Self { real: vector::add(self.real, other.real), dual: vector::add(self.dual, other.dual) }
-    }
-}
-
-impl<T: Copy + Sub<Output = T>> Sub for DualVector<T> {
-    type Output = Self;
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn sub(self, other: Self) -> Self {
-        Self { real: vector::sub(self.real, other.real), dual: vector::sub(self.dual, other.dual) }
-    }
-}
-
-impl<T: Copy + Neg<Output = T>> Neg for DualVector<T> {
-    type Output = Self;
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn neg(self) -> Self {
-        let ([a, b, c], [d, e, f]) = (self.real, self.dual);
-        Self { real: [-a, -b, -c], dual: [-d, -e, -f] }
-    }
-}
+sums!(DualVector { real, dual });
 
 /// l + εm
 impl<T> From<Line<T>> for DualVector<T> {

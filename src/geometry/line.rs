@@ -13,6 +13,7 @@ crate::plain::plain! {
     /// [`common_perpendicular`](Line::common_perpendicular) and others.
     #[derive(Clone, Copy, Debug, PartialEq)]
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+    #[must_use]
     pub struct Line<T> {
         /// l, the direction.
         pub direction: [T; 3],
@@ -31,7 +32,6 @@ impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> Line<T> {
     /// assert_eq!(line.moment, [0.0, 2.0, 0.0]);
     /// ```
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn from_point_direction(point: [T; 3], direction: [T; 3]) -> Self {
         Self { direction, moment: vector::cross(point, direction) }
     }

@@ -5,6 +5,7 @@ crate::plain::plain! {
     /// A plane n·x = d.
     #[derive(Clone, Copy, Debug, PartialEq)]
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+    #[must_use]
     pub struct Plane<T> {
         /// n, the normal.
         pub normal: [T; 3],
@@ -17,7 +18,6 @@ impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> Plane<T> {
     /// n·x = n·p. The normal is taken as it is; a zero one makes no plane, which
     /// [`try_normalize`](Plane::try_normalize) reports.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn from_point_normal(point: [T; 3], normal: [T; 3]) -> Self {
         Self { normal, offset: vector::dot(normal, point) }
     }

@@ -7,6 +7,7 @@ crate::plain::plain! {
     /// (Jia, *Dual Quaternions*, eq. 43).
     #[derive(Clone, Copy, Debug, PartialEq)]
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+    #[must_use]
     pub struct Screw<T> {
         /// The screw axis l + εm, |l| = 1.
         pub axis: Line<T>,

@@ -1,3 +1,4 @@
+use super::vector;
 use core::ops::{Add, Mul, Neg, Sub};
 
 crate::plain::plain! {
@@ -27,6 +28,7 @@ crate::plain::plain! {
     #[derive(Clone, Copy, Debug, Default, PartialEq)]
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     #[cfg_attr(feature = "rkyv_08", derive(rkyv::Archive, rkyv::Serialize, rkyv::Deserialize))]
+    #[must_use]
     pub struct Twist<T> {
         /// ω, radians per unit of time.
         pub angular: [T; 3],
@@ -38,7 +40,6 @@ crate::plain::plain! {
 impl<T: Copy> Twist<T> {
     /// From `[ωx, ωy, ωz, vx, vy, vz]`.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub const fn from_array([wx, wy, wz, vx, vy, vz]: [T; 6]) -> Self {
         Self { angular: [wx, wy, wz], linear: [vx, vy, vz] }
     }
@@ -53,7 +54,6 @@ impl<T: Copy> Twist<T> {
 
     /// The twist times a number: a joint's screw times its rate.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn scale(self, factor: T) -> Self
     where
         T: Mul<Output = T>,
@@ -75,31 +75,4 @@ impl<T: Copy> Twist<T> {
     }
 }
 
-impl<T: Copy + Add<Output = T>> Add for Twist<T> {
-    type Output = Self;
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn add(self, other: Self) -> Self {
-        let [a, b, c, d, e, f] = self.to_array();
-        let [g, h, i, j, k, l] = other.to_array();
-        Self::from_array([a + g, b + h, c + i, d + j, e + k, f + l])
-    }
-}
-
-impl<T: Copy + Sub<Output = T>> Sub for Twist<T> {
-    type Output = Self;
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn sub(self, other: Self) -> Self {
-        let [a, b, c, d, e, f] = self.to_array();
-        let [g, h, i, j, k, l] = other.to_array();
-        Self::from_array([a - g, b - h, c - i, d - j, e - k, f - l])
-    }
-}
-
-impl<T: Copy + Neg<Output = T>> Neg for Twist<T> {
-    type Output = Self;
-    #[cfg_attr(not(opt_level_0), inline(always))]
-    fn neg(self) -> Self {
-        let [a, b, c, d, e, f] = self.to_array();
-        Self::from_array([-a, -b, -c, -d, -e, -f])
-    }
-}
+sums!(Twist { angular, linear });

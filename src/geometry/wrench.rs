@@ -9,6 +9,7 @@ crate::plain::plain! {
     /// [`DualQuat::coadjoint`](crate::DualQuat::coadjoint) takes the one to the other.
     #[derive(Clone, Copy, Debug, Default, PartialEq)]
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+    #[must_use]
     pub struct Wrench<T> {
         /// f
         pub force: [T; 3],

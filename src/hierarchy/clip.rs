@@ -15,6 +15,7 @@ use dq8_simd::{Gather, Lanes, Records};
 /// Key frames at equal distances in time, `[frame][joint]`: motions, or rotations with translations
 /// `[x, y, z, w, tx, ty, tz]`. A clip that loops ends with its first frame once more.
 #[derive(Clone, Copy, Debug)]
+#[must_use]
 pub struct Clip<'c, K> {
     pub(super) keys: &'c [K],
     pub(super) joints: usize,
@@ -37,13 +38,11 @@ impl<'c, K> Clip<'c, K> {
     }
 
     /// The same clip with times in seconds, of so many frames a second; without, times are frames.
-    #[must_use]
     pub fn with_rate(self, frames_per_second: f64) -> Self {
         Self { rate: frames_per_second, ..self }
     }
 
     /// The same clip, which begins again where it ends: times before and after it are those of other rounds.
-    #[must_use]
     pub fn looping(self) -> Self {
         Self { loops: true, ..self }
     }

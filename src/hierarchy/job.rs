@@ -31,6 +31,7 @@ use core::ops::{Bound, Range, RangeBounds};
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
+#[must_use]
 pub struct Job<'a, S = NoRoot, P = NoPlan> {
     parents: &'a [u32],
     joints: Range<usize>,
@@ -61,7 +62,6 @@ impl<'a> Hierarchy<'a> {
     /// A run with options, each of which has a default. The element type belongs to what is called at the end, so one
     /// job serves `f32` and `f64`, plain slices and blocks.
     #[inline]
-    #[must_use]
     pub fn job(&self) -> Job<'a> {
         Job {
             parents: self.parents(),
@@ -86,13 +86,11 @@ impl<'a, P> Job<'a, NoRoot, P> {
     /// leg.job().root(one).roots(&roots);
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
-    #[must_use]
     pub fn root<R>(self, root: DualQuat<R>) -> Job<'a, DualQuat<R>, P> {
         self.with(root)
     }
 
     /// Puts the root joints of each instance (block) on its own element of `roots`.
-    #[must_use]
     pub fn roots<E>(self, roots: &'a [E]) -> Job<'a, &'a [E], P> {
         self.with(roots)
     }
@@ -109,7 +107,6 @@ impl<'a, P> Job<'a, NoRoot, P> {
     /// assert_eq!(models[1].translation(), [0.0, -2.0, 0.0]);
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
-    #[must_use]
     pub fn on<E: Element<8>>(self, root: Root<'a, E>) -> Job<'a, Root<'a, E>, P> {
         self.with(root)
     }
@@ -130,7 +127,6 @@ impl<'a, S, P> Job<'a, S, P> {
 
     /// Only these joints are computed. Their parents outside the range must already hold their
     /// model poses; the other joints are not written.
-    #[must_use]
     pub fn joints(mut self, joints: impl RangeBounds<usize>) -> Self {
         let start = match joints.start_bound() {
             Bound::Included(&start) => start,
@@ -148,14 +144,12 @@ impl<'a, S, P> Job<'a, S, P> {
 
     /// Sets the order of the numbers in a palette's matrices; rows by default, which is what
     /// [skins](crate::skinning::Linear) read.
-    #[must_use]
     pub fn matrix_order(mut self, order: MatrixOrder) -> Self {
         self.order = order;
         self
     }
 
     /// Sets when models are normalized on the way down; never by default.
-    #[must_use]
     pub fn renormalize(mut self, policy: Renormalize) -> Self {
         self.renormalize = policy;
         self
@@ -177,7 +171,6 @@ impl<'a, S, P> Job<'a, S, P> {
 
     /// Computes one instance in the order of this plan. A [`Skeleton`](super::Skeleton)'s job has its own.
     #[inline]
-    #[must_use]
     pub fn plan(self, plan: &Plan<'a>) -> Job<'a, S, Plan<'a>> {
         Job {
             parents: self.parents,

@@ -114,11 +114,7 @@ impl<E: Element<8>> PoseSource<E::Layout, 8> for Poses<'_, E> {
         Ok(("locals", self.0.len()))
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn pose<V: Level>(
-        self,
-        level: V,
-        slot: JointSlot,
-    ) -> Option<[<E::Layout as Layout>::Register<V>; 8]> {
+    fn pose<V: Level>(self, level: V, slot: JointSlot) -> Option<[Register<E, V, 8>; 8]> {
         E::load(level, self.0, slot.tile(), &storage::identity())
     }
     fn some(self, joints: usize, instances: Range<usize>) -> Self {
@@ -133,11 +129,7 @@ impl<E: Element<7>> PoseSource<E::Layout, 7> for RotationsTranslations<'_, E> {
         Ok(("locals", self.0.len()))
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn pose<V: Level>(
-        self,
-        level: V,
-        slot: JointSlot,
-    ) -> Option<[<E::Layout as Layout>::Register<V>; 7]> {
+    fn pose<V: Level>(self, level: V, slot: JointSlot) -> Option<[Register<E, V, 7>; 7]> {
         E::load(level, self.0, slot.tile(), &storage::identity())
     }
     fn some(self, joints: usize, instances: Range<usize>) -> Self {
@@ -155,11 +147,7 @@ impl<Q: Element<4>, T: Element<3, Layout = Q::Layout>> PoseSource<Q::Layout, 7>
         Ok(("rotations", self.rotations.len()))
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn pose<V: Level>(
-        self,
-        level: V,
-        slot: JointSlot,
-    ) -> Option<[<Q::Layout as Layout>::Register<V>; 7]> {
+    fn pose<V: Level>(self, level: V, slot: JointSlot) -> Option<[Register<Q, V, 4>; 7]> {
         let [x, y, z, w] = Q::load(level, self.rotations, slot.tile(), &storage::identity())?;
         let [a, b, c] = T::load(level, self.translations, slot.tile(), &storage::identity())?;
         Some([x, y, z, w, a, b, c])
@@ -191,6 +179,7 @@ impl<Q: Element<4>, T: Element<3, Layout = Q::Layout>> PoseSource<Q::Layout, 7>
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[must_use]
 pub struct Layered<'w, W, A, B, R, const C: usize, const ADDS: bool> {
     law: W,
     base: A,
@@ -201,7 +190,6 @@ pub struct Layered<'w, W, A, B, R, const C: usize, const ADDS: bool> {
 
 impl<'w, W: Law<C>, A, B, R: Scalar, const C: usize> Layered<'w, W, A, B, R, C, false> {
     /// From `base` (weight 0) to `layer` (weight 1). One weight for each instance.
-    #[must_use]
     pub fn blend(law: W, base: A, layer: B, weights: &'w [R]) -> Self {
         Self { law, base, layer, weights, mask: None }
     }
@@ -210,7 +198,6 @@ impl<'w, W: Law<C>, A, B, R: Scalar, const C: usize> Layered<'w, W, A, B, R, C, 
 impl<'w, W: Law<C>, A, B, R: Scalar, const C: usize> Layered<'w, W, A, B, R, C, true> {
     /// `base`, and `layer` as a difference that is added to it, as much of it as the weight says; the
     /// [`Law`] says how. One weight for each instance.
-    #[must_use]
     pub fn add(law: W, base: A, layer: B, weights: &'w [R]) -> Self {
         Self { law, base, layer, weights, mask: None }
     }
@@ -218,7 +205,6 @@ impl<'w, W: Law<C>, A, B, R: Scalar, const C: usize> Layered<'w, W, A, B, R, C, 
 
 impl<'w, W, A, B, R, const C: usize, const ADDS: bool> Layered<'w, W, A, B, R, C, ADDS> {
     /// A factor of the weight for each joint.
-    #[must_use]
     pub fn mask(self, mask: &'w [R]) -> Self {
         Self { mask: Some(mask), ..self }
     }

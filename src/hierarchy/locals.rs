@@ -4,16 +4,14 @@ use super::rows::{self, Rows};
 use super::slot::JointSlot;
 use crate::batch;
 use crate::law::{Law, NlerpLerp};
+pub(super) use crate::palette_entry::{Motions, motions};
 use crate::storage::shape::{ShapeError, same_length};
-use crate::storage::{self, Element, Number, Register, Source, Tile};
+use crate::storage::{self, Element, Number, Register, Source};
 use core::ops::Range;
 use dq8_simd::Level;
 
 /// The numbers of one register of locals: those of motions, or of poses, and then nothing that is read.
 pub(super) type Numbers<E, V> = [Register<E, V, 8>; 8];
-
-/// The motions of one register of instances.
-pub(super) type Motions<E, V> = batch::DualQuat<Register<E, V, 8>>;
 
 /// Locals of whole instances, `[instance][joint]`: [`Poses`], [`RotationsTranslations`], [`Tracks`],
 /// [`Bones`], [`Sampled`](super::Sampled) or [`Layered`](super::Layered). Sealed.
@@ -182,16 +180,6 @@ impl<E: Element<8>, Q: Element<4, Layout = E::Layout>> Locals<E> for Bones<'_, Q
     fn part(self, joints: usize, instances: Range<usize>) -> Self {
         Self { rotations: part_of(self.rotations, joints, instances), ..self }
     }
-}
-
-/// The motions of a tile; the identity in lanes beyond the end of `slice`.
-#[cfg_attr(not(opt_level_0), inline(always))]
-pub(super) fn motions<E: Element<8>, V: Level>(
-    level: V,
-    slice: &[E],
-    tile: Tile,
-) -> Option<Motions<E, V>> {
-    Some(batch::DualQuat::from_array(E::load(level, slice, tile, &storage::identity())?))
 }
 
 /// The part that belongs to some instances, of a slice that holds `count` things for each; as many as there are.

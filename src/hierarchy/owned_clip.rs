@@ -15,6 +15,7 @@ use alloc::vec::Vec;
 /// # Ok::<(), dq8::ShapeError>(())
 /// ```
 #[derive(Clone, Debug)]
+#[must_use]
 pub struct OwnedClip<K> {
     keys: Vec<K>,
     joints: usize,
@@ -35,19 +36,16 @@ impl<K> OwnedClip<K> {
     }
 
     /// See [`Clip::with_rate`].
-    #[must_use]
     pub fn with_rate(self, frames_per_second: f64) -> Self {
         Self { rate: frames_per_second, ..self }
     }
 
     /// See [`Clip::looping`].
-    #[must_use]
     pub fn looping(self) -> Self {
         Self { loops: true, ..self }
     }
 
     /// The same, borrowed: what everything is asked of.
-    #[must_use]
     pub fn view(&self) -> Clip<'_, K> {
         Clip {
             keys: &self.keys,

@@ -224,7 +224,6 @@ impl Skeleton {
     }
 
     /// A run with options: a root, a palette, any form of locals.
-    #[must_use]
     pub fn job(&self) -> Job<'_, NoRoot, Plan<'_>> {
         self.hierarchy().job().plan(&self.plan.borrowed(&self.parents))
     }

@@ -10,62 +10,33 @@
 //! # Ok::<(), dq8::scalar::MatrixError>(())
 //! ```
 
+use crate::conversions::conversions;
 use crate::number::Real;
-use crate::scalar::MatrixError;
-use crate::scalar::{DualQuat, Quat};
+use crate::scalar::{DualQuat, MatrixError, Quat};
 
 /// One line for each precision: glam's types have nothing in common that a generic could name.
 macro_rules! precision {
-    ($real:ident, $quat:ident, $vec:ident, $mat3:ident, $mat4:ident) => {
-        impl From<glam::$quat> for Quat<$real> {
-            fn from(quaternion: glam::$quat) -> Self {
-                Self::from_array(quaternion.to_array())
-            }
-        }
-        impl From<Quat<$real>> for glam::$quat {
-            fn from(quaternion: Quat<$real>) -> Self {
-                Self::from_array(quaternion.to_array())
-            }
-        }
-        /// The rotation must be unit.
-        impl From<(glam::$quat, glam::$vec)> for DualQuat<$real> {
-            fn from((rotation, translation): (glam::$quat, glam::$vec)) -> Self {
-                Self::from_rotation_translation(rotation.into(), translation.to_array())
-            }
-        }
-        /// The rotation and the translation of a unit σ.
-        impl From<DualQuat<$real>> for (glam::$quat, glam::$vec) {
-            fn from(motion: DualQuat<$real>) -> Self {
-                (motion.rotation().into(), motion.translation().into())
-            }
-        }
-        impl From<Quat<$real>> for glam::$mat3 {
-            fn from(rotation: Quat<$real>) -> Self {
-                Self::from_cols_array_2d(&rotation.to_cols_array_2d())
-            }
-        }
-        impl From<DualQuat<$real>> for glam::$mat4 {
-            fn from(motion: DualQuat<$real>) -> Self {
-                Self::from_cols_array_2d(&motion.to_cols_array_2d())
-            }
+    ($real:ident, $quat:ident, $vec:ident, $mat3:ident, $mat4:ident, $affine:ident) => {
+        conversions! {
+            [] glam::$quat => Quat<$real>: |quaternion| Self::from_array(quaternion.to_array());
+            [] Quat<$real> => glam::$quat: |quaternion| Self::from_array(quaternion.to_array());
+            /// The rotation must be unit.
+            [] (glam::$quat, glam::$vec) => DualQuat<$real>:
+                |(r, t)| Self::from_rotation_translation(r.into(), t.to_array());
+            /// The rotation and the translation of a unit σ.
+            [] DualQuat<$real> => (glam::$quat, glam::$vec):
+                |motion| (motion.rotation().into(), motion.translation().into());
+            [] Quat<$real> => glam::$mat3: |rotation| Self::from_cols_array_2d(&rotation.to_cols_array_2d());
+            [] DualQuat<$real> => glam::$mat4: |motion| Self::from_cols_array_2d(&motion.to_cols_array_2d());
+            [] DualQuat<$real> => glam::$affine: |motion| {
+                let (rotation, translation) = motion.into();
+                Self::from_rotation_translation(rotation, translation)
+            };
         }
         impl TryFrom<glam::$mat4> for DualQuat<$real> {
             type Error = MatrixError;
             fn try_from(matrix: glam::$mat4) -> Result<Self, MatrixError> {
                 Self::try_from_cols_array_2d(matrix.to_cols_array_2d(), Real::sqrt($real::EPSILON))
-            }
-        }
-    };
-}
-precision! { f32, Quat, Vec3, Mat3, Mat4 }
-precision! { f64, DQuat, DVec3, DMat3, DMat4 }
-
-macro_rules! affine {
-    ($($real:ident $affine:ident $mat4:ident;)*) => {$(
-        impl From<DualQuat<$real>> for glam::$affine {
-            fn from(motion: DualQuat<$real>) -> Self {
-                let (rotation, translation) = motion.into();
-                Self::from_rotation_translation(rotation, translation)
             }
         }
         impl TryFrom<glam::$affine> for DualQuat<$real> {
@@ -74,35 +45,31 @@ macro_rules! affine {
                 glam::$mat4::from(map).try_into()
             }
         }
+    };
+}
+precision! { f32, Quat, Vec3, Mat3, Mat4, Affine3A }
+precision! { f64, DQuat, DVec3, DMat3, DMat4, DAffine3 }
+
+/// Slices as they lie, to be read and to be written.
+macro_rules! casts {
+    ($($from:ty => $to:ty: $what:literal $read:ident $write:ident;)*) => {$(
+        #[doc = concat!("glam's ", $what, ", where they lie.")]
+        #[must_use]
+        pub fn $read(theirs: &[$from]) -> &[$to] {
+            bytemuck::must_cast_slice(theirs)
+        }
+        #[doc = concat!("glam's ", $what, ", to be written.")]
+        #[must_use]
+        pub fn $write(theirs: &mut [$from]) -> &mut [$to] {
+            bytemuck::must_cast_slice_mut(theirs)
+        }
     )*};
 }
-affine! {
-    f32 Affine3A Mat4;
-    f64 DAffine3 DMat4;
-}
-
-/// glam's quaternions as ours, where they lie.
-#[must_use]
-pub fn quats(quaternions: &[glam::Quat]) -> &[Quat<f32>] {
-    bytemuck::must_cast_slice(quaternions)
-}
-
-/// glam's quaternions as ours, to be written.
-#[must_use]
-pub fn quats_mut(quaternions: &mut [glam::Quat]) -> &mut [Quat<f32>] {
-    bytemuck::must_cast_slice_mut(quaternions)
-}
-
-/// glam's quaternions of `f64` as ours, where they lie.
-#[must_use]
-pub fn dquats(quaternions: &[glam::DQuat]) -> &[Quat<f64>] {
-    bytemuck::must_cast_slice(quaternions)
-}
-
-/// glam's quaternions of `f64` as ours, to be written.
-#[must_use]
-pub fn dquats_mut(quaternions: &mut [glam::DQuat]) -> &mut [Quat<f64>] {
-    bytemuck::must_cast_slice_mut(quaternions)
+casts! {
+    glam::Quat => Quat<f32>: "quaternions as ours" quats quats_mut;
+    glam::DQuat => Quat<f64>: "quaternions of `f64` as ours" dquats dquats_mut;
+    glam::Vec3 => [f32; 3]: "vectors as points" points points_mut;
+    glam::DVec3 => [f64; 3]: "vectors of `f64` as points" dpoints dpoints_mut;
 }
 
 /// glam's matrices as the columns that they are, to be written: a palette by
@@ -125,28 +92,4 @@ pub fn dquats_mut(quaternions: &mut [glam::DQuat]) -> &mut [Quat<f64>] {
 #[must_use]
 pub fn mat4s_mut(matrices: &mut [glam::Mat4]) -> &mut [[[f32; 4]; 4]] {
     bytemuck::must_cast_slice_mut(matrices)
-}
-
-/// glam's vectors as points, where they lie.
-#[must_use]
-pub fn points(vectors: &[glam::Vec3]) -> &[[f32; 3]] {
-    bytemuck::must_cast_slice(vectors)
-}
-
-/// glam's vectors as points, to be written.
-#[must_use]
-pub fn points_mut(vectors: &mut [glam::Vec3]) -> &mut [[f32; 3]] {
-    bytemuck::must_cast_slice_mut(vectors)
-}
-
-/// glam's vectors of `f64` as points, where they lie.
-#[must_use]
-pub fn dpoints(vectors: &[glam::DVec3]) -> &[[f64; 3]] {
-    bytemuck::must_cast_slice(vectors)
-}
-
-/// glam's vectors of `f64` as points, to be written.
-#[must_use]
-pub fn dpoints_mut(vectors: &mut [glam::DVec3]) -> &mut [[f64; 3]] {
-    bytemuck::must_cast_slice_mut(vectors)
 }

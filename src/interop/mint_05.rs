@@ -1,54 +1,22 @@
 //! mint 0.5, the types that other libraries agree on.
 
+use crate::conversions::conversions;
 use crate::number::Real;
-use crate::scalar::MatrixError;
-use crate::scalar::{DualQuat, Quat};
+use crate::scalar::{DualQuat, MatrixError, Quat};
 use mint::{ColumnMatrix3, ColumnMatrix4, Quaternion, RowMatrix3, RowMatrix3x4, RowMatrix4};
-
-impl<R: Real> From<Quaternion<R>> for Quat<R> {
-    fn from(quaternion: Quaternion<R>) -> Self {
-        Self::from_parts(quaternion.v.into(), quaternion.s)
-    }
-}
-
-impl<R: Real> From<Quat<R>> for Quaternion<R> {
-    fn from(quaternion: Quat<R>) -> Self {
-        Self { s: quaternion.w(), v: quaternion.xyz().into() }
-    }
-}
 
 impl<R: Real> mint::IntoMint for Quat<R> {
     type MintType = Quaternion<R>;
 }
 
-impl<R: Real> From<Quat<R>> for ColumnMatrix3<R> {
-    fn from(rotation: Quat<R>) -> Self {
-        rotation.to_cols_array_2d().into()
-    }
-}
-
-impl<R: Real> From<Quat<R>> for RowMatrix3<R> {
-    fn from(rotation: Quat<R>) -> Self {
-        rotation.to_matrix3().into()
-    }
-}
-
-impl<R: Real> From<DualQuat<R>> for ColumnMatrix4<R> {
-    fn from(motion: DualQuat<R>) -> Self {
-        motion.to_cols_array_2d().into()
-    }
-}
-
-impl<R: Real> From<DualQuat<R>> for RowMatrix4<R> {
-    fn from(motion: DualQuat<R>) -> Self {
-        motion.to_matrix4().into()
-    }
-}
-
-impl<R: Real> From<DualQuat<R>> for RowMatrix3x4<R> {
-    fn from(motion: DualQuat<R>) -> Self {
-        motion.to_matrix3x4().into()
-    }
+conversions! {
+    [R: Real] Quaternion<R> => Quat<R>: |quaternion| Self::from_parts(quaternion.v.into(), quaternion.s);
+    [R: Real] Quat<R> => Quaternion<R>: |rotation| Self { s: rotation.w(), v: rotation.xyz().into() };
+    [R: Real] Quat<R> => ColumnMatrix3<R>: |rotation| rotation.to_cols_array_2d().into();
+    [R: Real] Quat<R> => RowMatrix3<R>: |rotation| rotation.to_matrix3().into();
+    [R: Real] DualQuat<R> => ColumnMatrix4<R>: |motion| motion.to_cols_array_2d().into();
+    [R: Real] DualQuat<R> => RowMatrix4<R>: |motion| motion.to_matrix4().into();
+    [R: Real] DualQuat<R> => RowMatrix3x4<R>: |motion| motion.to_matrix3x4().into();
 }
 
 impl<R: Real> TryFrom<ColumnMatrix4<R>> for DualQuat<R> {

@@ -16,12 +16,6 @@
 //!
 //! A matrix becomes a motion only through `TryFrom`, which wants it rigid within √ε of its numbers (3·10⁻⁴ in
 //! `f32`, 1.5·10⁻⁸ in `f64`); [`DualQuat::try_from_cols_array_2d`] takes another tolerance.
-//!
-//! [`Quat`]: crate::Quat
-//! [`DualQuat`]: crate::DualQuat
-//! [`DualQuat::try_from_cols_array_2d`]: crate::DualQuat::try_from_cols_array_2d
-//! [`Twist`]: crate::Twist
-//! [`RotationTranslation`]: crate::representation::RotationTranslation
 
 #[cfg(feature = "approx_05")]
 mod approx_05;
@@ -39,3 +33,6 @@ pub mod nalgebra_035;
 pub mod proptest;
 #[cfg(feature = "rand_010")]
 mod rand_010;
+
+#[cfg(doc)]
+use crate::{DualQuat, Quat, Twist, representation::RotationTranslation};

@@ -9,93 +9,36 @@
 //! assert!((Isometry3::from(motion).to_homogeneous() - isometry.to_homogeneous()).norm() < 1e-15);
 //! ```
 
+use crate::conversions::conversions;
 use crate::number::Real;
-use crate::scalar::MatrixError;
-use crate::scalar::{DualQuat, Quat};
+use crate::scalar::{DualQuat, MatrixError, Quat};
 use bytemuck::Pod;
 use nalgebra::{
     DualQuaternion, Isometry3, Matrix4, Quaternion, RealField, Rotation3, UnitDualQuaternion,
-    UnitQuaternion, Vector4,
+    UnitQuaternion,
 };
 
-impl<R: Real + nalgebra::Scalar> From<Quaternion<R>> for Quat<R> {
-    fn from(quaternion: Quaternion<R>) -> Self {
-        Self::from_array(quaternion.coords.into())
-    }
-}
-
-impl<R: Real + nalgebra::Scalar> From<Quat<R>> for Quaternion<R> {
-    fn from(quaternion: Quat<R>) -> Self {
-        Self { coords: Vector4::from(quaternion.to_array()) }
-    }
-}
-
-impl<R: Real + RealField> From<UnitQuaternion<R>> for Quat<R> {
-    fn from(rotation: UnitQuaternion<R>) -> Self {
-        rotation.into_inner().into()
-    }
-}
-
-/// The quaternion must be unit.
-impl<R: Real + RealField> From<Quat<R>> for UnitQuaternion<R> {
-    fn from(rotation: Quat<R>) -> Self {
-        Self::new_unchecked(rotation.into())
-    }
-}
-
-/// The quaternion must be unit.
-impl<R: Real + RealField> From<Quat<R>> for Rotation3<R> {
-    fn from(rotation: Quat<R>) -> Self {
-        UnitQuaternion::from(rotation).into()
-    }
-}
-
-impl<R: Real + nalgebra::Scalar> From<DualQuaternion<R>> for DualQuat<R> {
-    fn from(sigma: DualQuaternion<R>) -> Self {
-        Self::new(sigma.real.into(), sigma.dual.into())
-    }
-}
-
-impl<R: Real + nalgebra::Scalar> From<DualQuat<R>> for DualQuaternion<R> {
-    fn from(sigma: DualQuat<R>) -> Self {
-        Self { real: sigma.real().into(), dual: sigma.dual().into() }
-    }
-}
-
-impl<R: Real + RealField> From<UnitDualQuaternion<R>> for DualQuat<R> {
-    fn from(motion: UnitDualQuaternion<R>) -> Self {
-        motion.into_inner().into()
-    }
-}
-
-/// σ must be unit.
-impl<R: Real + RealField> From<DualQuat<R>> for UnitDualQuaternion<R> {
-    fn from(motion: DualQuat<R>) -> Self {
-        Self::new_unchecked(motion.into())
-    }
-}
-
-impl<R: Real + RealField> From<Isometry3<R>> for DualQuat<R> {
-    fn from(isometry: Isometry3<R>) -> Self {
-        Self::from_rotation_translation(
-            isometry.rotation.into(),
-            isometry.translation.vector.into(),
-        )
-    }
-}
-
-/// σ must be unit.
-impl<R: Real + RealField> From<DualQuat<R>> for Isometry3<R> {
-    fn from(motion: DualQuat<R>) -> Self {
-        Self::from_parts(motion.translation().into(), motion.rotation().into())
-    }
-}
-
-/// σ must be unit.
-impl<R: Real + RealField> From<DualQuat<R>> for Matrix4<R> {
-    fn from(motion: DualQuat<R>) -> Self {
-        motion.to_cols_array_2d().into()
-    }
+conversions! {
+    [R: Real + nalgebra::Scalar] Quaternion<R> => Quat<R>: |quaternion| Self::from_array(quaternion.coords.into());
+    [R: Real + nalgebra::Scalar] Quat<R> => Quaternion<R>: |rotation| Self { coords: rotation.to_array().into() };
+    [R: Real + RealField] UnitQuaternion<R> => Quat<R>: |rotation| rotation.into_inner().into();
+    /// The quaternion must be unit.
+    [R: Real + RealField] Quat<R> => UnitQuaternion<R>: |rotation| Self::new_unchecked(rotation.into());
+    /// The quaternion must be unit.
+    [R: Real + RealField] Quat<R> => Rotation3<R>: |rotation| UnitQuaternion::from(rotation).into();
+    [R: Real + nalgebra::Scalar] DualQuaternion<R> => DualQuat<R>: |sigma| Self::new(sigma.real.into(), sigma.dual.into());
+    [R: Real + nalgebra::Scalar] DualQuat<R> => DualQuaternion<R>:
+        |sigma| Self { real: sigma.real().into(), dual: sigma.dual().into() };
+    [R: Real + RealField] UnitDualQuaternion<R> => DualQuat<R>: |motion| motion.into_inner().into();
+    /// σ must be unit.
+    [R: Real + RealField] DualQuat<R> => UnitDualQuaternion<R>: |motion| Self::new_unchecked(motion.into());
+    [R: Real + RealField] Isometry3<R> => DualQuat<R>:
+        |isometry| Self::from_rotation_translation(isometry.rotation.into(), isometry.translation.vector.into());
+    /// σ must be unit.
+    [R: Real + RealField] DualQuat<R> => Isometry3<R>:
+        |motion| Self::from_parts(motion.translation().into(), motion.rotation().into());
+    /// σ must be unit.
+    [R: Real + RealField] DualQuat<R> => Matrix4<R>: |motion| motion.to_cols_array_2d().into();
 }
 
 impl<R: Real + RealField> TryFrom<Matrix4<R>> for DualQuat<R> {

@@ -1,10 +1,10 @@
-//! `+=`, `-=`, `*=`: `a *= b` is a = ab, so b comes first.
+//! `+=`, `-=`, `*=`, `/=`: `a *= b` is a = ab, so b comes first.
 
 use crate::geometry::{DualVector, Twist};
 use crate::number::Real;
 use crate::representation::{Affine, RotationTranslation};
-use crate::scalar::{DualQuat, Quat};
-use core::ops::{AddAssign, MulAssign, SubAssign};
+use crate::scalar::{Dual, DualQuat, Quat};
+use core::ops::{AddAssign, DivAssign, MulAssign, SubAssign};
 
 macro_rules! assign {
     ($($thing:ident: $($trait:ident $method:ident $operator:tt),*;)*) => {$($(
@@ -17,6 +17,7 @@ macro_rules! assign {
     )*)*};
 }
 assign! {
+    Dual: AddAssign add_assign +, SubAssign sub_assign -, MulAssign mul_assign *, DivAssign div_assign /;
     Quat: AddAssign add_assign +, SubAssign sub_assign -, MulAssign mul_assign *;
     DualQuat: AddAssign add_assign +, SubAssign sub_assign -, MulAssign mul_assign *;
     RotationTranslation: MulAssign mul_assign *;

@@ -1,80 +1,43 @@
 //! `From` and `Into` for arrays and for the parts of a motion, where the order of the numbers is that of memory.
 //! Matrices have named functions instead, because a conversion could not say rows or columns.
 
+use crate::conversions::conversions;
 use crate::geometry::{Twist, Wrench};
 use crate::number::Real;
 use crate::representation::RotationTranslation;
 use crate::scalar::{DualQuat, Quat};
 
-macro_rules! arrays {
-    ($($thing:ident: $count:literal, $order:literal;)*) => {$(
-        #[doc = $order]
-        impl<R: Real> From<[R; $count]> for $thing<R> {
-            #[inline]
-            fn from(components: [R; $count]) -> Self {
-                Self::from_array(components)
-            }
-        }
-        #[doc = $order]
-        impl<R: Real> From<$thing<R>> for [R; $count] {
-            #[inline]
-            fn from(thing: $thing<R>) -> Self {
-                thing.to_array()
-            }
-        }
-    )*};
-}
-arrays! {
-    Quat: 4, "`[x, y, z, w]`";
-    DualQuat: 8, "`[px, py, pz, pw, qx, qy, qz, qw]`";
-    RotationTranslation: 7, "`[x, y, z, w, tx, ty, tz]`";
-    Twist: 6, "`[ωx, ωy, ωz, vx, vy, vz]`";
-}
-
-/// Force and torque.
-impl<R: Real> From<([R; 3], [R; 3])> for Wrench<R> {
-    #[inline]
-    fn from((force, torque): ([R; 3], [R; 3])) -> Self {
-        Self { force, torque }
-    }
-}
-
-/// [`DualQuat::from_rotation`]
-impl<R: Real> From<Quat<R>> for DualQuat<R> {
-    #[inline]
-    fn from(rotation: Quat<R>) -> Self {
-        Self::from_rotation(rotation)
-    }
-}
-
-/// [`DualQuat::from_rotation_translation`]
-impl<R: Real> From<(Quat<R>, [R; 3])> for DualQuat<R> {
-    #[inline]
-    fn from((rotation, translation): (Quat<R>, [R; 3])) -> Self {
-        Self::from_rotation_translation(rotation, translation)
-    }
-}
-
-/// The rotation and the translation of a unit σ.
-impl<R: Real> From<DualQuat<R>> for (Quat<R>, [R; 3]) {
-    #[inline]
-    fn from(motion: DualQuat<R>) -> Self {
-        (motion.rotation(), motion.translation())
-    }
-}
-
-/// Rotation and translation, side by side.
-impl<R: Real> From<(Quat<R>, [R; 3])> for RotationTranslation<R> {
-    #[inline]
-    fn from((rotation, translation): (Quat<R>, [R; 3])) -> Self {
-        Self { rotation, translation }
-    }
-}
-
-/// p + εq of its two quaternions.
-impl<R: Real> From<[Quat<R>; 2]> for DualQuat<R> {
-    #[inline]
-    fn from([real, dual]: [Quat<R>; 2]) -> Self {
-        Self::new(real, dual)
-    }
+conversions! {
+    /// `[x, y, z, w]`
+    [R: Real] [R; 4] => Quat<R>: |components| Self::from_array(components);
+    /// `[x, y, z, w]`
+    [R: Real] Quat<R> => [R; 4]: |rotation| rotation.to_array();
+    /// `[px, py, pz, pw, qx, qy, qz, qw]`
+    [R: Real] [R; 8] => DualQuat<R>: |components| Self::from_array(components);
+    /// `[px, py, pz, pw, qx, qy, qz, qw]`
+    [R: Real] DualQuat<R> => [R; 8]: |motion| motion.to_array();
+    /// `[x, y, z, w, tx, ty, tz]`
+    [R: Real] [R; 7] => RotationTranslation<R>: |components| Self::from_array(components);
+    /// `[x, y, z, w, tx, ty, tz]`
+    [R: Real] RotationTranslation<R> => [R; 7]: |pose| pose.to_array();
+    /// `[ωx, ωy, ωz, vx, vy, vz]`
+    [R: Real] [R; 6] => Twist<R>: |components| Self::from_array(components);
+    /// `[ωx, ωy, ωz, vx, vy, vz]`
+    [R: Real] Twist<R> => [R; 6]: |twist| twist.to_array();
+    /// Force and torque.
+    [R: Real] ([R; 3], [R; 3]) => Wrench<R>: |(force, torque)| Self { force, torque };
+    /// [`DualQuat::from_rotation`]
+    [R: Real] Quat<R> => DualQuat<R>: |rotation| Self::from_rotation(rotation);
+    /// [`DualQuat::from_rotation_translation`]
+    [R: Real] (Quat<R>, [R; 3]) => DualQuat<R>: |(r, t)| Self::from_rotation_translation(r, t);
+    /// The rotation and the translation of a unit σ.
+    [R: Real] DualQuat<R> => (Quat<R>, [R; 3]): |motion| (motion.rotation(), motion.translation());
+    /// Rotation and translation, side by side.
+    [R: Real] (Quat<R>, [R; 3]) => RotationTranslation<R>: |(rotation, translation)| Self { rotation, translation };
+    /// r + ½εtr
+    [R: Real] RotationTranslation<R> => DualQuat<R>: |pose| (pose.rotation, pose.translation).into();
+    /// r = p, t = 2qp* of a unit σ.
+    [R: Real] DualQuat<R> => RotationTranslation<R>: |motion| <(Quat<R>, [R; 3])>::from(motion).into();
+    /// p + εq of its two quaternions.
+    [R: Real] [Quat<R>; 2] => DualQuat<R>: |[real, dual]| Self::new(real, dual);
 }

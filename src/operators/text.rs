@@ -1,6 +1,7 @@
 //! The plain types as text: [`Display`](fmt::Display) writes `[x, y, z, w]`, and `parse` reads it back to
 //! the last bit.
 
+use crate::errors::errors;
 use crate::geometry::Twist;
 use crate::number::Real;
 use crate::representation::RotationTranslation;
@@ -8,33 +9,17 @@ use crate::scalar::{DualQuat, Quat};
 use core::fmt;
 use core::str::FromStr;
 
-/// Text that is not a list of so many numbers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum ParseError {
-    /// The entry at this place of the list is not a number.
-    NotANumber {
-        /// Its place among the numbers, from 0 on.
-        index: usize,
-    },
-    /// The list has the wrong length.
-    Count {
-        /// Their number.
-        found: usize,
-        /// The number that there must be.
-        expected: usize,
-    },
-}
-
-impl fmt::Display for ParseError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NotANumber { index } => write!(f, "element {index} of the list is not a number"),
-            Self::Count { found, expected } => {
-                write!(f, "the list has {found} numbers where {expected} are needed")
-            }
-        }
+errors! {
+    /// Text that is not a list of so many numbers.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+    ParseError {
+        /// The entry at this place of the list is not a number.
+        NotANumber { index: usize = "Its place among the numbers, from 0 on." }
+            => "element {index} of the list is not a number";
+        /// The list has the wrong length.
+        Count { found: usize = "Their number.", expected: usize = "The number that there must be." }
+            => "the list has {found} numbers where {expected} are needed";
     }
 }
 

@@ -36,7 +36,6 @@ impl<R: Real> Quat<R> {
     /// use dq8::Quat;
     /// assert_eq!(Quat::from_scaled_axis([0.0_f32; 3]), Quat::IDENTITY);
     /// ```
-    #[must_use]
     pub fn from_scaled_axis(v: [R; 3]) -> Self {
         // cos(θ/2) and sin(θ/2)/θ are 1 and ½ to the last place, and their derivatives finite.
         if vector::dot(v, v) < R::EPSILON {

@@ -13,19 +13,16 @@ impl<R: Real> Quat<R> {
     /// let [x, y, z] = Quat::from_rotation_x(core::f64::consts::FRAC_PI_2).rotate([0.0, 1.0, 0.0]);
     /// assert!(x == 0.0 && y.abs() < 1e-15 && (z - 1.0).abs() < 1e-15);
     /// ```
-    #[must_use]
     pub fn from_rotation_x(angle: R) -> Self {
         Self::from_axis_angle([R::ONE, R::ZERO, R::ZERO], angle)
     }
 
     /// The turn by `angle` radians about the y axis, cos(θ/2) + j sin(θ/2).
-    #[must_use]
     pub fn from_rotation_y(angle: R) -> Self {
         Self::from_axis_angle([R::ZERO, R::ONE, R::ZERO], angle)
     }
 
     /// The turn by `angle` radians about the z axis, cos(θ/2) + k sin(θ/2).
-    #[must_use]
     pub fn from_rotation_z(angle: R) -> Self {
         Self::from_axis_angle([R::ZERO, R::ZERO, R::ONE], angle)
     }
@@ -43,7 +40,6 @@ impl<R: Real> Quat<R> {
     /// let [x, y, z] = turn.rotate([1.0, 0.0, 0.0]);
     /// assert!(x.abs() < 1e-15 && y == 0.0 && (z - 1.0).abs() < 1e-15);
     /// ```
-    #[must_use]
     pub fn from_rotation_arc(from: [R; 3], to: [R; 3]) -> Self {
         let (a, b) = (unit(from), unit(to));
         let (sum, difference) = (vector::add(a, b), vector::sub(b, a));

@@ -49,7 +49,6 @@ pub struct EulerSolution<R> {
 impl<R: Real> EulerAngles<R> {
     /// The unit quaternion of the three turns, in the order that the frame says
     /// ([`EulerFrame`]). Any angles.
-    #[must_use]
     pub fn to_quat(self) -> Quat<R> {
         let mut turns = [Quat::IDENTITY; 3];
         for (turn, (axis, angle)) in
@@ -76,7 +75,6 @@ impl<R: Real> Quat<R> {
     /// let turn = Quat::from_euler(order, 0.3_f64, 0.0, 0.0);
     /// assert!(turn.abs_diff_eq(Quat::from_rotation_z(0.3), 1e-15));
     /// ```
-    #[must_use]
     pub fn from_euler(order: EulerOrder, first: R, second: R, third: R) -> Self {
         EulerAngles { angles: [first, second, third], order }.to_quat()
     }
@@ -91,7 +89,6 @@ impl<R: Real> Quat<R> {
     /// let [x, y, z] = turn.rotate([0.0, 1.0, 0.0]);
     /// assert!(x.abs() < 1e-15 && y.abs() < 1e-15 && (z - 1.0).abs() < 1e-15);
     /// ```
-    #[must_use]
     pub fn from_rpy(roll: R, pitch: R, yaw: R) -> Self {
         let order = EulerOrder { axes: EulerAxes::XYZ, frame: EulerFrame::Extrinsic };
         Self::from_euler(order, roll, pitch, yaw)

@@ -27,60 +27,34 @@ pub enum EulerFrame {
     Extrinsic,
 }
 
-/// The axes of three turns, first turn first: no two neighbours are equal.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[allow(missing_docs, reason = "the names are the axes")]
-pub enum EulerAxes {
-    XYZ,
-    XZY,
-    YXZ,
-    YZX,
-    ZXY,
-    ZYX,
-    XYX,
-    XZX,
-    YXY,
-    YZY,
-    ZXZ,
-    ZYZ,
+/// Each by its name, and its axes as indices.
+macro_rules! axes {
+    ($($name:ident [$($index:literal)*])*) => {
+        /// The axes of three turns, first turn first: no two neighbours are equal.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        #[allow(missing_docs, reason = "the names are the axes")]
+        pub enum EulerAxes { $($name),* }
+
+        impl EulerAxes {
+            /// All twelve: the six of Tait and Bryan, then the six proper ones.
+            pub const ALL: [Self; 12] = [$(Self::$name),*];
+
+            /// The axes as indices into a vector: x is 0, y is 1, z is 2.
+            #[must_use]
+            pub const fn indices(self) -> [usize; 3] {
+                match self {
+                    $(Self::$name => [$($index),*]),*
+                }
+            }
+        }
+    };
+}
+axes! {
+    XYZ [0 1 2] XZY [0 2 1] YXZ [1 0 2] YZX [1 2 0] ZXY [2 0 1] ZYX [2 1 0]
+    XYX [0 1 0] XZX [0 2 0] YXY [1 0 1] YZY [1 2 1] ZXZ [2 0 2] ZYZ [2 1 2]
 }
 
 impl EulerAxes {
-    /// All twelve: the six of Tait and Bryan, then the six proper ones.
-    pub const ALL: [Self; 12] = [
-        Self::XYZ,
-        Self::XZY,
-        Self::YXZ,
-        Self::YZX,
-        Self::ZXY,
-        Self::ZYX,
-        Self::XYX,
-        Self::XZX,
-        Self::YXY,
-        Self::YZY,
-        Self::ZXZ,
-        Self::ZYZ,
-    ];
-
-    /// The axes as indices into a vector: x is 0, y is 1, z is 2.
-    #[must_use]
-    pub const fn indices(self) -> [usize; 3] {
-        match self {
-            Self::XYZ => [0, 1, 2],
-            Self::XZY => [0, 2, 1],
-            Self::YXZ => [1, 0, 2],
-            Self::YZX => [1, 2, 0],
-            Self::ZXY => [2, 0, 1],
-            Self::ZYX => [2, 1, 0],
-            Self::XYX => [0, 1, 0],
-            Self::XZX => [0, 2, 0],
-            Self::YXY => [1, 0, 1],
-            Self::YZY => [1, 2, 1],
-            Self::ZXZ => [2, 0, 2],
-            Self::ZYZ => [2, 1, 2],
-        }
-    }
-
     /// `true` if the last axis is the first one again: then the middle angle is in [0, π], and
     /// otherwise in [−π/2, π/2].
     #[must_use]

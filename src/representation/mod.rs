@@ -17,25 +17,6 @@
 //!
 //! Lanes, in [`batch`](crate::batch), have axis and angle, coordinate axes, arcs and matrices under the same names, or
 //! under ones that end in `_checked` where there is an error here.
-//!
-//! [`DualQuat`]: crate::DualQuat
-//! [`DualQuat::from_matrix3x4`]: crate::DualQuat::from_matrix3x4
-//! [`DualQuat::try_from_matrix4`]: crate::DualQuat::try_from_matrix4
-//! [`DualQuat::to_matrix3x4`]: crate::DualQuat::to_matrix3x4
-//! [`DualQuat::to_matrix4`]: crate::DualQuat::to_matrix4
-//! [`Quat`]: crate::Quat
-//! [`Quat::to_euler`]: crate::Quat::to_euler
-//! [`Quat::from_axis_angle`]: crate::Quat::from_axis_angle
-//! [`Quat::to_axis_angle`]: crate::Quat::to_axis_angle
-//! [`Quat::from_rotation_x`]: crate::Quat::from_rotation_x
-//! [`Quat::from_rotation_arc`]: crate::Quat::from_rotation_arc
-//! [`Quat::look_to`]: crate::Quat::look_to
-//! [`Quat::rotate`]: crate::Quat::rotate
-//! [`Quat::from_scaled_axis`]: crate::Quat::from_scaled_axis
-//! [`Quat::to_scaled_axis`]: crate::Quat::to_scaled_axis
-//! [`Quat::from_matrix3`]: crate::Quat::from_matrix3
-//! [`Quat::try_from_matrix3`]: crate::Quat::try_from_matrix3
-//! [`Quat::to_matrix3`]: crate::Quat::to_matrix3
 
 mod affine;
 mod axis_angle;
@@ -55,3 +36,6 @@ pub use euler_order::{EulerAxes, EulerFrame, EulerOrder};
 pub use gram_schmidt::gram_schmidt;
 pub use polar::Polar;
 pub use rotation_translation::RotationTranslation;
+
+#[cfg(doc)]
+use crate::{DualQuat, Quat};

@@ -1,10 +1,10 @@
 use crate::number::Real;
-use crate::scalar::{DualQuat, Quat, vector};
+use crate::scalar::{Quat, vector};
 use core::ops::Mul;
 
 crate::plain::plain! {
     /// A rotation and a translation side by side, v ↦ r v r* + t (Kenwright §3): what files and
-    /// physics engines hold, a number less than a [`DualQuat`], and the same motion.
+    /// physics engines hold, a number less than a [`DualQuat`](crate::DualQuat), and the same motion.
     ///
     /// Slices of it are what [`RotationsTranslations`](crate::hierarchy::RotationsTranslations) takes.
     ///
@@ -19,6 +19,7 @@ crate::plain::plain! {
     #[derive(Clone, Copy, Debug, PartialEq)]
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     #[cfg_attr(feature = "rkyv_08", derive(rkyv::Archive, rkyv::Serialize, rkyv::Deserialize))]
+    #[must_use]
     pub struct RotationTranslation<R> {
         /// r, unit.
         pub rotation: Quat<R>,
@@ -39,7 +40,6 @@ impl<R: Real> RotationTranslation<R> {
     pub const IDENTITY: Self = Self { rotation: Quat::IDENTITY, translation: [R::ZERO; 3] };
 
     /// From `[x, y, z, w, tx, ty, tz]`.
-    #[must_use]
     pub const fn from_array([x, y, z, w, tx, ty, tz]: [R; 7]) -> Self {
         Self { rotation: Quat::from_xyzw(x, y, z, w), translation: [tx, ty, tz] }
     }
@@ -52,7 +52,6 @@ impl<R: Real> RotationTranslation<R> {
     }
 
     /// The inverse motion, r* and −r*tr.
-    #[must_use]
     pub fn inverse(self) -> Self {
         let rotation = self.rotation.conjugate();
         Self { rotation, translation: rotation.rotate(self.translation).map(|c| -c) }
@@ -79,19 +78,5 @@ impl<R: Real> Mul for RotationTranslation<R> {
             rotation: self.rotation * other.rotation,
             translation: self.transform_point(other.translation),
         }
-    }
-}
-
-/// r + ½εtr
-impl<R: Real> From<RotationTranslation<R>> for DualQuat<R> {
-    fn from(pose: RotationTranslation<R>) -> Self {
-        Self::from_rotation_translation(pose.rotation, pose.translation)
-    }
-}
-
-/// r = p, t = 2qp* of a unit σ.
-impl<R: Real> From<DualQuat<R>> for RotationTranslation<R> {
-    fn from(motion: DualQuat<R>) -> Self {
-        Self { rotation: motion.rotation(), translation: motion.translation() }
     }
 }

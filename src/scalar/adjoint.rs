@@ -1,6 +1,6 @@
 //! What a change of frame does to twists and wrenches.
 
-use super::{DualQuat, vector};
+use super::DualQuat;
 use crate::geometry::{Twist, Wrench};
 use crate::number::Real;
 
@@ -22,14 +22,11 @@ impl<R: Real> DualQuat<R> {
     /// assert_eq!(pose.adjoint(turning).linear, [0.0, -2.0, 0.0]);
     /// ```
     #[inline]
-    #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn adjoint(self, twist: Twist<R>) -> Twist<R> {
         crate::scalar::must_be_unit::motions("DualQuat::adjoint", [self]);
-        let angular = self.real().rotate(twist.angular);
-        let turned = self.real().rotate(twist.linear);
-        let shift = vector::cross(self.translation(), angular);
-        Twist { angular, linear: vector::add(turned, shift) }
+        let (angular, linear) = self.carry(twist.angular, twist.linear);
+        Twist { angular, linear }
     }
 
     /// The co-adjoint action on wrenches: f′ = Rf, τ′ = Rτ + t × f′, so that the power of a wrench on
@@ -46,13 +43,10 @@ impl<R: Real> DualQuat<R> {
     /// assert_eq!(pose.coadjoint(weight).torque, [0.0, 18.0, 0.0]);
     /// ```
     #[inline]
-    #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn coadjoint(self, wrench: Wrench<R>) -> Wrench<R> {
         crate::scalar::must_be_unit::motions("DualQuat::coadjoint", [self]);
-        let force = self.real().rotate(wrench.force);
-        let turned = self.real().rotate(wrench.torque);
-        let shift = vector::cross(self.translation(), force);
-        Wrench { force, torque: vector::add(turned, shift) }
+        let (force, torque) = self.carry(wrench.force, wrench.torque);
+        Wrench { force, torque }
     }
 }

@@ -9,7 +9,6 @@ impl<R: Real> Quat<R> {
     /// `t` = 0 gives `self`, 1 gives ±`other`. On the same arc as [`slerp`](Self::slerp), cheaper, and
     /// not at constant speed. NaN if the sum is zero.
     #[inline]
-    #[must_use]
     pub fn nlerp(self, other: Self, t: R) -> Self {
         let near = if self.dot(other) < R::ZERO { -other } else { other };
         (self.scale(R::ONE - t) + near.scale(t)).normalize()

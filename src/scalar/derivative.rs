@@ -44,7 +44,6 @@ impl<R: Real> DualQuat<R> {
     /// [`derivative_spatial`](Self::derivative_spatial), whose formula times 2σ* it is. Scalar parts,
     /// zero where σ̇ keeps σ unit, are dropped. Jia's eq. 45 solved for the twist.
     #[inline]
-    #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn spatial_twist(self, derivative: Self) -> Twist<R> {
         crate::scalar::must_be_unit::motions("DualQuat::spatial_twist", [self]);
@@ -54,7 +53,6 @@ impl<R: Real> DualQuat<R> {
     /// The body twist 2σ*σ̇ of a unit σ that changes by σ̇ per unit of time; undoes
     /// [`derivative_body`](Self::derivative_body), as [`spatial_twist`](Self::spatial_twist) does.
     #[inline]
-    #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn body_twist(self, derivative: Self) -> Twist<R> {
         crate::scalar::must_be_unit::motions("DualQuat::body_twist", [self]);
@@ -124,7 +122,6 @@ impl<R: Real> DualQuat<R> {
     /// assert_eq!((twist.angular, twist.linear), ([0.0; 3], [1.0, 2.0, 3.0]));
     /// ```
     #[inline]
-    #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_twist(self) -> Twist<R> {
         crate::scalar::must_be_unit::motions("DualQuat::to_twist", [self]);
@@ -147,7 +144,6 @@ impl<R: Real> DualQuat<R> {
     /// let [x, y, _] = pose.twist_to(goal).linear;
     /// assert!((x - 2.0).abs() < 1e-15 && y.abs() < 1e-15);
     /// ```
-    #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn twist_to(self, other: Self) -> Twist<R> {
         crate::scalar::must_be_unit::motions("DualQuat::twist_to", [self, other]);

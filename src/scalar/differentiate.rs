@@ -3,7 +3,15 @@
 use crate::number::Real;
 use crate::scalar::Dual;
 use core::fmt;
-use core::ops::{AddAssign, DivAssign, MulAssign, SubAssign};
+
+/// Those that dual numbers have anyway.
+macro_rules! functions {
+    ($($name:ident($($x:ident)?))*) => {$(
+        fn $name(self $(, $x: Self)?) -> Self {
+            Self::$name(self $(, $x)?)
+        }
+    )*};
+}
 
 /// Forward automatic differentiation: a function written for every `R: Real`, computed with x + ε,
 /// gives f(x) + εf′(x) (Jia eq. 10). `Dual<Dual<R>>` are the hyper-dual numbers of Fike & Alonso
@@ -45,65 +53,12 @@ impl<R: Real> Real for Dual<R> {
         let dual = if self < <Self as Real>::ZERO { -self.dual } else { self.dual };
         Self::new(self.real.abs(), dual)
     }
-    fn sqrt(self) -> Self {
-        Self::sqrt(self)
-    }
-    fn sin(self) -> Self {
-        Self::sin(self)
-    }
-    fn cos(self) -> Self {
-        Self::cos(self)
-    }
-    fn tan(self) -> Self {
-        Self::tan(self)
-    }
-    fn asin(self) -> Self {
-        Self::asin(self)
-    }
-    fn acos(self) -> Self {
-        Self::acos(self)
-    }
-    fn atan(self) -> Self {
-        Self::atan(self)
-    }
-    fn atan2(self, x: Self) -> Self {
-        Self::atan2(self, x)
-    }
-    fn exp(self) -> Self {
-        Self::exp(self)
-    }
-    fn ln(self) -> Self {
-        Self::ln(self)
-    }
+    functions! { sqrt() sin() cos() tan() asin() acos() atan() atan2(x) exp() ln() }
 }
 
 impl<R: Real> fmt::Display for Dual<R> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "({} + {}ε)", self.real, self.dual)
-    }
-}
-
-impl<R: Real> AddAssign for Dual<R> {
-    fn add_assign(&mut self, other: Self) {
-        *self = *self + other;
-    }
-}
-
-impl<R: Real> SubAssign for Dual<R> {
-    fn sub_assign(&mut self, other: Self) {
-        *self = *self - other;
-    }
-}
-
-impl<R: Real> MulAssign for Dual<R> {
-    fn mul_assign(&mut self, other: Self) {
-        *self = *self * other;
-    }
-}
-
-impl<R: Real> DivAssign for Dual<R> {
-    fn div_assign(&mut self, other: Self) {
-        *self = *self / other;
     }
 }
 

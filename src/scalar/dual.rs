@@ -1,6 +1,7 @@
 use super::error::InverseError;
+use crate::contract::{power, sums};
 use crate::number::Real;
-use core::ops::{Add, Div, Mul, Neg, Sub};
+use core::ops::{Div, Mul};
 
 crate::plain::plain! {
     /// A dual number a + εb, ε² = 0 (Clifford 1873).
@@ -20,6 +21,7 @@ crate::plain::plain! {
     /// first, dual parts where these are equal.
     #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+    #[must_use]
     pub struct Dual<R> {
         /// a, the real part.
         pub real: R,
@@ -38,7 +40,6 @@ impl<R: Real> Dual<R> {
 
     /// a + εb
     #[inline]
-    #[must_use]
     pub const fn new(real: R, dual: R) -> Self {
         Self { real, dual }
     }
@@ -65,14 +66,12 @@ impl<R: Real> Dual<R> {
 
     /// s(a + εb) for a real number s.
     #[inline]
-    #[must_use]
     pub fn scale(self, factor: R) -> Self {
         Self::new(self.real * factor, self.dual * factor)
     }
 
     /// 1 / (a + εb) without a check: infinite or NaN for a = 0, as of floats.
     #[inline]
-    #[must_use]
     pub fn recip(self) -> Self {
         Self::ONE / self
     }
@@ -85,20 +84,8 @@ impl<R: Real> Dual<R> {
     /// assert_eq!(Dual::new(2.0_f32, 1.0).powi(-1), Dual::new(0.5, -0.25));
     /// ```
     #[inline]
-    #[must_use]
     pub fn powi(self, n: i32) -> Self {
-        let (mut power, mut square, mut left) = (Self::ONE, self, n.unsigned_abs());
-        while left > 0 {
-            if left % 2 == 1 {
-                power = power * square;
-            }
-            left /= 2;
-            // One more might overflow, and ∞·0 would be NaN.
-            if left > 0 {
-                square = square * square;
-            }
-        }
-        if n < 0 { power.recip() } else { power }
+        power(self, Self::ONE, n)
     }
 
     /// f(a + εb) = f(a) + ε b f′(a), given f(a) and f′(a) (Jia eq. 10).
@@ -109,7 +96,6 @@ impl<R: Real> Dual<R> {
     /// assert_eq!(cube(Dual::new(2.0, 1.0)), Dual::new(8.0, 12.0));
     /// ```
     #[inline]
-    #[must_use]
     pub fn apply(self, value: R, derivative: R) -> Self {
         Self::new(value, self.dual * derivative)
     }
@@ -117,7 +103,6 @@ impl<R: Real> Dual<R> {
     /// √(a + εb) = √a + ε b/(2√a), by Jia's eq. 10; Fabisch ("Inverse Square Root of a Dual Number") has its
     /// reciprocal. NaN for a < 0. For a = 0 there is no dual part: it is infinite, or NaN where b = 0 too.
     #[inline]
-    #[must_use]
     pub fn sqrt(self) -> Self {
         let root = self.real.sqrt();
         self.apply(root, R::HALF / root)
@@ -125,21 +110,18 @@ impl<R: Real> Dual<R> {
 
     /// sin a + ε b cos a, radians.
     #[inline]
-    #[must_use]
     pub fn sin(self) -> Self {
         self.apply(self.real.sin(), self.real.cos())
     }
 
     /// cos a − ε b sin a, radians.
     #[inline]
-    #[must_use]
     pub fn cos(self) -> Self {
         self.apply(self.real.cos(), -self.real.sin())
     }
 
     /// tan a + ε b/cos²a, radians.
     #[inline]
-    #[must_use]
     pub fn tan(self) -> Self {
         let tan = self.real.tan();
         self.apply(tan, R::ONE + tan * tan)
@@ -147,7 +129,6 @@ impl<R: Real> Dual<R> {
 
     /// arcsin a + ε b/√(1 − a²), radians, |a| ≤ 1, else NaN; the derivative is infinite at ±1.
     #[inline]
-    #[must_use]
     pub fn asin(self) -> Self {
         let cos = ((R::ONE - self.real) * (R::ONE + self.real)).sqrt();
         self.apply(self.real.asin(), R::ONE / cos)
@@ -155,7 +136,6 @@ impl<R: Real> Dual<R> {
 
     /// arccos a − ε b/√(1 − a²), radians, |a| ≤ 1, else NaN; the derivative is infinite at ±1.
     #[inline]
-    #[must_use]
     pub fn acos(self) -> Self {
         let sin = ((R::ONE - self.real) * (R::ONE + self.real)).sqrt();
         self.apply(self.real.acos(), -R::ONE / sin)
@@ -163,7 +143,6 @@ impl<R: Real> Dual<R> {
 
     /// arctan a + ε b/(1 + a²), radians.
     #[inline]
-    #[must_use]
     pub fn atan(self) -> Self {
         self.apply(self.real.atan(), R::ONE / (R::ONE + self.real * self.real))
     }
@@ -171,7 +150,6 @@ impl<R: Real> Dual<R> {
     /// The angle of the point (`x`, `self`), radians in [−π, π], with the derivative
     /// (x dy − y dx)/(x² + y²), by ratios to the larger of the two: squares might vanish.
     #[inline]
-    #[must_use]
     pub fn atan2(self, x: Self) -> Self {
         let largest = self.real.abs().max_or_nan(x.real.abs());
         let (sin, cos) = (self.real / largest, x.real / largest);
@@ -181,7 +159,6 @@ impl<R: Real> Dual<R> {
 
     /// eᵃ + ε b eᵃ
     #[inline]
-    #[must_use]
     pub fn exp(self) -> Self {
         let exp = self.real.exp();
         self.apply(exp, exp)
@@ -189,27 +166,14 @@ impl<R: Real> Dual<R> {
 
     /// ln a + ε b/a; NaN for a < 0.
     #[inline]
-    #[must_use]
     pub fn ln(self) -> Self {
         self.apply(self.real.ln(), R::ONE / self.real)
     }
 }
 
-/// (a + εb) + (c + εd) = (a + c) + ε(b + d) (Jia eq. 5).
-impl<R: Real> Add for Dual<R> {
-    type Output = Self;
-    #[inline]
-    fn add(self, other: Self) -> Self {
-        Self::new(self.real + other.real, self.dual + other.dual)
-    }
-}
-
-impl<R: Real> Sub for Dual<R> {
-    type Output = Self;
-    #[inline]
-    fn sub(self, other: Self) -> Self {
-        Self::new(self.real - other.real, self.dual - other.dual)
-    }
+sums! {
+    /// (a + εb) + (c + εd) = (a + c) + ε(b + d) (Jia eq. 5).
+    [R: Real] #[inline] Dual<R>: (real) (dual)
 }
 
 /// (a + εb)(c + εd) = ac + ε(ad + bc) (Jia eq. 6).
@@ -229,13 +193,5 @@ impl<R: Real> Div for Dual<R> {
     fn div(self, other: Self) -> Self {
         let quotient = self.real / other.real;
         Self::new(quotient, (self.dual - quotient * other.dual) / other.real)
-    }
-}
-
-impl<R: Real> Neg for Dual<R> {
-    type Output = Self;
-    #[inline]
-    fn neg(self) -> Self {
-        Self::new(-self.real, -self.dual)
     }
 }

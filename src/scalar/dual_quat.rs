@@ -1,8 +1,9 @@
 use super::{Dual, Quat};
+use crate::contract::sums;
 use crate::everyday;
 use crate::geometry::DualVector;
 use crate::number::Real;
-use core::ops::{Add, Mul, Neg, Sub};
+use core::ops::Mul;
 
 crate::plain::plain! {
     /// A dual quaternion σ = p + εq, in memory `[px, py, pz, pw, qx, qy, qz, qw]`.
@@ -108,7 +109,6 @@ impl<R: Real> DualQuat<R> {
 
     /// p, the real part.
     #[inline]
-    #[must_use]
     pub const fn real(self) -> Quat<R> {
         let [x, y, z, w, ..] = self.0;
         Quat::from_xyzw(x, y, z, w)
@@ -116,7 +116,6 @@ impl<R: Real> DualQuat<R> {
 
     /// q, the dual part.
     #[inline]
-    #[must_use]
     pub const fn dual(self) -> Quat<R> {
         let [.., x, y, z, w] = self.0;
         Quat::from_xyzw(x, y, z, w)
@@ -124,14 +123,12 @@ impl<R: Real> DualQuat<R> {
 
     /// The dual number among the four dual components: p_w + εq_w (Jia eq. 15).
     #[inline]
-    #[must_use]
     pub const fn dual_scalar(self) -> Dual<R> {
         Dual::new(self.real().w(), self.dual().w())
     }
 
     /// The dual vector among the four dual components (Jia eq. 15).
     #[inline]
-    #[must_use]
     pub const fn dual_vector(self) -> DualVector<R> {
         DualVector { real: self.real().xyz(), dual: self.dual().xyz() }
     }
@@ -184,7 +181,6 @@ impl<R: Real> DualQuat<R> {
     /// The dual number ⟨a, b⟩ = p_a·p_b + ε(p_a·q_b + q_a·p_b), the dual scalar of ab*
     /// ([`dual_scalar`](Self::dual_scalar)). Its real part p_a·p_b is Kenwright's `Dot` (§13.1). For unit motions it is the cosine of half their dual angle.
     #[inline]
-    #[must_use]
     pub fn dot(self, other: Self) -> Dual<R> {
         Dual::new(
             self.real().dot(other.real()),
@@ -246,21 +242,9 @@ impl<R> AsMut<[R; 8]> for DualQuat<R> {
     }
 }
 
-/// Component by component (Jia eq. 13).
-impl<R: Real> Add for DualQuat<R> {
-    type Output = Self;
-    #[inline]
-    fn add(self, other: Self) -> Self {
-        Self::new(self.real() + other.real(), self.dual() + other.dual())
-    }
-}
-
-impl<R: Real> Sub for DualQuat<R> {
-    type Output = Self;
-    #[inline]
-    fn sub(self, other: Self) -> Self {
-        self + -other
-    }
+sums! {
+    /// Component by component (Jia eq. 13).
+    [R: Real] #[inline] DualQuat<R>: (real()) (dual())
 }
 
 /// σ₁σ₂ = p₁p₂ + ε(p₁q₂ + q₁p₂) (Jia eq. 14): the motion σ₂, then the motion σ₁.
@@ -277,13 +261,5 @@ impl<R: Real> Mul for DualQuat<R> {
             self.real() * other.real(),
             self.real() * other.dual() + self.dual() * other.real(),
         )
-    }
-}
-
-impl<R: Real> Neg for DualQuat<R> {
-    type Output = Self;
-    #[inline]
-    fn neg(self) -> Self {
-        Self::new(-self.real(), -self.dual())
     }
 }

@@ -1,5 +1,6 @@
 //! [`NormalizeError`], [`InverseError`], [`MatrixError`]: motions that do not exist.
 
+use crate::errors::errors;
 use core::fmt;
 
 /// A dual quaternion that cannot be normalized: its real part is zero or some component is not finite
@@ -44,73 +45,33 @@ impl fmt::Display for InverseError {
 
 impl core::error::Error for InverseError {}
 
-/// A matrix that is not a rigid motion.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum MatrixError {
-    /// Rows `row` and `column` of the rotation are not orthonormal: their product is `value`
-    /// where the identity has 0 or 1.
-    NotOrthonormal {
-        /// The first of the two rows.
-        row: usize,
-        /// The second of the two rows.
-        column: usize,
-        /// Their scalar product.
-        value: f64,
-    },
-    /// A rotation times a number: the matrix scales by the same factor in every direction.
-    Scales {
-        /// The factor, negative if the matrix mirrors as well.
-        factor: f64,
-    },
-    /// The rotation mirrors: its determinant is negative.
-    Mirrors {
-        /// The determinant.
-        determinant: f64,
-    },
-    /// An element of the translation is not finite.
-    NotFinite {
-        /// The row of the element.
-        row: usize,
-        /// The element.
-        value: f64,
-    },
-    /// The last row of a 4×4 matrix is not 0 0 0 1.
-    NotAffine {
-        /// The column of the element that differs.
-        column: usize,
-        /// The element.
-        value: f64,
-    },
-}
-
-impl fmt::Display for MatrixError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NotOrthonormal { row, column, value } => write!(
-                f,
-                "not a rotation: the product of rows {row} and {column} is {value} \
-                 (non-uniform scale and shear are not rigid motions: Affine::try_decompose takes them apart)"
-            ),
-            Self::Scales { factor } => write!(
-                f,
-                "not a rotation: the matrix scales by {factor}, which no motion does \
-                 (Affine::try_decompose takes the scale and the motion apart)"
-            ),
-            Self::Mirrors { determinant } => {
-                write!(f, "not a rotation: the determinant is {determinant}")
-            }
-            Self::NotFinite { row, value } => {
-                write!(f, "the translation is not finite: element {row} is {value}")
-            }
-            Self::NotAffine { column, value } => write!(
-                f,
-                "not affine: element {column} of the last row is {value}, which must be 0 0 0 1 \
-                 (a matrix given by columns, as by glam, nalgebra and glTF, is for \
-                 try_from_cols_array_2d)"
-            ),
+errors! {
+    /// A matrix that is not a rigid motion.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+    MatrixError {
+        /// Rows `row` and `column` of the rotation are not orthonormal: their product is `value`
+        /// where the identity has 0 or 1.
+        NotOrthonormal {
+            row: usize = "The first of the two rows.",
+            column: usize = "The second of the two rows.",
+            value: f64 = "Their scalar product."
         }
+            => "not a rotation: the product of rows {row} and {column} is {value} (non-uniform scale and shear are not \
+                rigid motions: Affine::try_decompose takes them apart)";
+        /// A rotation times a number: the matrix scales by the same factor in every direction.
+        Scales { factor: f64 = "The factor, negative if the matrix mirrors as well." }
+            => "not a rotation: the matrix scales by {factor}, which no motion does \
+                (Affine::try_decompose takes the scale and the motion apart)";
+        /// The rotation mirrors: its determinant is negative.
+        Mirrors { determinant: f64 = "The determinant." } => "not a rotation: the determinant is {determinant}";
+        /// An element of the translation is not finite.
+        NotFinite { row: usize = "The row of the element.", value: f64 = "The element." }
+            => "the translation is not finite: element {row} is {value}";
+        /// The last row of a 4×4 matrix is not 0 0 0 1.
+        NotAffine { column: usize = "The column of the element that differs.", value: f64 = "The element." }
+            => "not affine: element {column} of the last row is {value}, which must be 0 0 0 1 (a matrix given by \
+                columns, as by glam, nalgebra and glTF, is for try_from_cols_array_2d)";
     }
 }
 

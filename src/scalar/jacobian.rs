@@ -33,7 +33,6 @@ impl<R: Real> DualQuat<R> {
     /// assert!(error.to_array().iter().all(|e| e.abs() < 1e-5));
     /// ```
     #[inline]
-    #[must_use]
     pub fn left_jacobian(at: Twist<R>, along: Twist<R>) -> Twist<R> {
         let u = square(at);
         let (first, second) = if u.real < R::ONE {
@@ -50,7 +49,6 @@ impl<R: Real> DualQuat<R> {
     /// x answers, exp(½(x + δy)) ≈ exp(½x) exp(½δ J_r(x) y). J_r(x) = J_l(−x), and
     /// J_l(x) = Ad_{exp ½x} J_r(x).
     #[inline]
-    #[must_use]
     pub fn right_jacobian(at: Twist<R>, along: Twist<R>) -> Twist<R> {
         Self::left_jacobian(-at, along)
     }
@@ -62,7 +60,6 @@ impl<R: Real> DualQuat<R> {
     /// For |ω| < 2π; C is **infinite at |ω| = 2π** and every multiple of it, and errors grow like
     /// 1/(2π − |ω|) near it. A twist from [`to_twist`](Self::to_twist) has |ω| ≤ π.
     #[inline]
-    #[must_use]
     pub fn left_jacobian_inverse(at: Twist<R>, along: Twist<R>) -> Twist<R> {
         let u = square(at);
         let second = if u.real < R::ONE {
@@ -79,7 +76,6 @@ impl<R: Real> DualQuat<R> {
     /// changes when the motion changes by the *body* twist y, J_r⁻¹(x) = J_l⁻¹(−x). See
     /// [`left_jacobian_inverse`](Self::left_jacobian_inverse).
     #[inline]
-    #[must_use]
     pub fn right_jacobian_inverse(at: Twist<R>, along: Twist<R>) -> Twist<R> {
         Self::left_jacobian_inverse(-at, along)
     }
@@ -169,7 +165,6 @@ fn square<R: Real>(x: Twist<R>) -> Dual<R> {
 /// x × y, the Lie bracket [x, y]: how fast y changes that is carried along by the twist x (Lynch & Park, *Modern
 /// Robotics*, 2017, definition 8.4).
 #[inline]
-#[must_use]
 pub fn lie_bracket<R: Real>(x: Twist<R>, y: Twist<R>) -> Twist<R> {
     let linear =
         vector::add(vector::cross(x.angular, y.linear), vector::cross(x.linear, y.angular));

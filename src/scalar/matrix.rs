@@ -34,7 +34,6 @@ impl<R: Real> Quat<R> {
     /// Shepperd (1978): what is divided by is w where the trace is not negative, so that w ≥ ½, and else the largest of
     /// the other three components, so that it is not small.
     #[inline]
-    #[must_use]
     pub fn from_matrix3(rows: [[R; 3]; 3]) -> Self {
         let [[m00, m01, m02], [m10, m11, m12], [m20, m21, m22]] = rows;
         let one = R::ONE;

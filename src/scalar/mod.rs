@@ -5,21 +5,19 @@
 
 mod adjoint;
 pub(crate) mod blend;
+mod contract;
 mod derivative;
 mod differentiate;
 mod dual;
-mod dual_number;
 mod dual_quat;
 mod error;
 mod jacobian;
 mod matrix;
 pub(crate) mod mean;
 mod metric;
-mod motion;
 pub(crate) mod must_be_unit;
 mod norm;
 mod quat;
-mod quaternion;
 mod rigid;
 mod screw;
 mod slerp;

@@ -14,7 +14,6 @@ impl<R: Real> Quat<R> {
     /// assert_eq!(Quat::from_xyzw(0.0_f32, 0.0, 2.0, 0.0).inverse().to_array(), [0.0, 0.0, -0.5, 0.0]);
     /// ```
     #[inline]
-    #[must_use]
     pub fn inverse(self) -> Self {
         let unit = self.normalize().conjugate();
         Self::from_array(vector::over_norm(unit.to_array(), self.norm()))
@@ -46,7 +45,6 @@ impl<R: Real> DualQuat<R> {
     /// assert_eq!(sigma.norm(), Dual::new(5.0, 3.0));
     /// ```
     #[inline]
-    #[must_use]
     pub fn norm(self) -> Dual<R> {
         let norm = self.real().norm();
         // p/|p| first: p·q itself may overflow where the quotient does not.

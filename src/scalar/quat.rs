@@ -20,6 +20,7 @@ crate::plain::plain! {
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     #[cfg_attr(feature = "rkyv_08", derive(rkyv::Archive, rkyv::Serialize, rkyv::Deserialize))]
     #[cfg_attr(feature = "serde", serde(transparent))]
+    #[must_use]
     pub struct Quat<R>([R; 4]);
 }
 
@@ -39,28 +40,24 @@ impl<R: Real> Quat<R> {
 
     /// From components in the order of memory.
     #[inline]
-    #[must_use]
     pub const fn from_xyzw(x: R, y: R, z: R, w: R) -> Self {
         Self([x, y, z, w])
     }
 
     /// From components in the order of the literature.
     #[inline]
-    #[must_use]
     pub const fn from_wxyz([w, x, y, z]: [R; 4]) -> Self {
         Self([x, y, z, w])
     }
 
     /// From `[x, y, z, w]`.
     #[inline]
-    #[must_use]
     pub const fn from_array(xyzw: [R; 4]) -> Self {
         Self(xyzw)
     }
 
     /// From the vector part and the scalar part.
     #[inline]
-    #[must_use]
     pub const fn from_parts([x, y, z]: [R; 3], w: R) -> Self {
         Self([x, y, z, w])
     }
@@ -68,7 +65,6 @@ impl<R: Real> Quat<R> {
     /// The turn by `angle` radians about `axis`, which must have length 1:
     /// cos(θ/2) + n sin(θ/2) (Jia eq. 3).
     #[inline]
-    #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn from_axis_angle(axis: [R; 3], angle: R) -> Self {
         crate::scalar::must_be_unit::axis("Quat::from_axis_angle", axis);
@@ -138,7 +134,6 @@ impl<R: Real> Quat<R> {
 
     /// q* = w − xi − yj − zk, the inverse of a unit quaternion (Hamilton 1844).
     #[inline]
-    #[must_use]
     pub fn conjugate(self) -> Self {
         let [x, y, z, w] = self.0;
         Self([-x, -y, -z, w])
@@ -169,7 +164,6 @@ impl<R: Real> Quat<R> {
 
     /// The same with numbers of another type, each rounded to the nearest: `f32` to `f64` and back.
     #[inline]
-    #[must_use]
     pub fn cast<S: Real>(self) -> Quat<S> {
         Quat(self.0.map(|component| S::from_f64(component.into())))
     }
@@ -184,7 +178,6 @@ impl<R: Real> Quat<R> {
 
     /// q times a real number.
     #[inline]
-    #[must_use]
     pub fn scale(self, factor: R) -> Self {
         let [x, y, z, w] = self.0;
         Self([x * factor, y * factor, z * factor, w * factor])
@@ -192,7 +185,6 @@ impl<R: Real> Quat<R> {
 
     /// q / |q|; every component is NaN where [`try_normalize`](Self::try_normalize) fails.
     #[inline]
-    #[must_use]
     pub fn normalize(self) -> Self {
         self.unit().unwrap_or(Self([R::NAN; 4]))
     }

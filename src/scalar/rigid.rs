@@ -72,7 +72,6 @@ impl<R: Real> DualQuat<R> {
 
     /// The rotation r = p of a unit σ (Jia eq. 23).
     #[inline]
-    #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn rotation(self) -> Quat<R> {
         crate::scalar::must_be_unit::motions("DualQuat::rotation", [self]);

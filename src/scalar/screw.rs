@@ -21,7 +21,6 @@ impl<R: Real> DualQuat<R> {
     /// assert_eq!((screw.angle, screw.slide, screw.axis.direction), (0.0, 5.0, [0.0, 0.6, 0.8]));
     /// ```
     #[inline]
-    #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn to_screw(self) -> Screw<R> {
         crate::scalar::must_be_unit::motions("DualQuat::to_screw", [self]);
@@ -80,7 +79,6 @@ impl<R: Real> DualQuat<R> {
     /// assert_eq!((log.real, log.dual), ([0.0; 3], [1.0, 2.0, 3.0]));
     /// ```
     #[inline]
-    #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn log(self) -> DualVector<R> {
         crate::scalar::must_be_unit::motions("DualQuat::log", [self]);

@@ -25,7 +25,6 @@ impl<R: Real> Quat<R> {
     /// assert_eq!(Quat::IDENTITY.slerp(tiny, 0.25).y(), 0.25e-30);
     /// ```
     #[inline]
-    #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn slerp(self, other: Self, t: R) -> Self {
         crate::scalar::must_be_unit::rotations("Quat::slerp", [self, other]);

@@ -36,14 +36,11 @@ impl<R: Real> DualQuat<R> {
     /// assert_eq!(raised.moment, [0.0, 2.0, 0.0]); // (0,0,2) × (1,0,0)
     /// ```
     #[inline]
-    #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn transform_line(self, line: Line<R>) -> Line<R> {
         crate::scalar::must_be_unit::motions("DualQuat::transform_line", [self]);
-        let direction = self.real().rotate(line.direction);
-        let turned = self.real().rotate(line.moment);
-        let shift = vector::cross(self.translation(), direction);
-        Line { direction, moment: vector::add(turned, shift) }
+        let (direction, moment) = self.carry(line.direction, line.moment);
+        Line { direction, moment }
     }
 
     /// The plane n′ = Rn, d′ = d + n′·t: of n·x = d, with x = R⁻¹(x′ − t). σ must be unit. None of the sources
@@ -56,12 +53,18 @@ impl<R: Real> DualQuat<R> {
     /// assert_eq!(raised.offset, 2.0);
     /// ```
     #[inline]
-    #[must_use]
     #[cfg_attr(dq8_debug_assert_unit, track_caller)]
     pub fn transform_plane(self, plane: Plane<R>) -> Plane<R> {
         crate::scalar::must_be_unit::motions("DualQuat::transform_plane", [self]);
         let normal = self.real().rotate(plane.normal);
         let offset = plane.offset + vector::dot(normal, self.translation());
         Plane { normal, offset }
+    }
+
+    /// Ra, and Rb + t × Ra: what becomes of a vector, and of its moment.
+    #[inline]
+    pub(super) fn carry(self, a: [R; 3], b: [R; 3]) -> ([R; 3], [R; 3]) {
+        let (a, b) = (self.real().rotate(a), self.real().rotate(b));
+        (a, vector::add(b, vector::cross(self.translation(), a)))
     }
 }

@@ -6,6 +6,8 @@ use super::run::{check, pose};
 use super::skin::Skin;
 use super::surface::{Surface, SurfaceMut};
 use super::weight::Weight;
+#[cfg(doc)]
+use super::{DualBlend, Linear, Mixed, StretchedDualBlend};
 use crate::backend::Choice;
 use crate::number::Scalar;
 use crate::storage::{Element, Number};
@@ -25,6 +27,7 @@ use dq8_simd::picks::Index;
 /// # Ok::<(), dq8::skinning::SkinningError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[must_use]
 pub struct Job<'s, J, W> {
     skin: Skin<'s, J, W>,
     choice: Choice,
@@ -37,11 +40,6 @@ impl<'s, J: Index, W: Weight> Skin<'s, J, W> {
     ///
     /// # Errors
     /// If the slices, the palette and the skin do not fit each other; `posed` is untouched.
-    ///
-    /// [`Linear`]: crate::skinning::Linear
-    /// [`DualBlend`]: crate::skinning::DualBlend
-    /// [`StretchedDualBlend`]: crate::skinning::StretchedDualBlend
-    /// [`Mixed`]: crate::skinning::Mixed
     #[inline]
     pub fn pose<B: Blender<Number<P, 3>>, P: Element<3>>(
         &self,
@@ -53,7 +51,6 @@ impl<'s, J: Index, W: Weight> Skin<'s, J, W> {
     }
 
     /// A run with options.
-    #[must_use]
     pub fn job(&self) -> Job<'s, J, W> {
         Job { skin: *self, choice: Choice::default() }
     }

@@ -46,7 +46,8 @@ impl<P: Element<3>> Outputs for Separate<'_, P> {
     }
     fn split(self, at: usize) -> (Self, Self) {
         let at = (at / P::Layout::THINGS).min(self.posed.positions.len());
-        let ((rest, others), (posed, to_others)) = (self.rest.split(at), self.posed.split(at));
+        let (rest, others) = self.rest.split(at, <[P]>::split_at);
+        let (posed, to_others) = self.posed.split(at, <[P]>::split_at_mut);
         (Self { rest, posed }, Self { rest: others, posed: to_others })
     }
 }

@@ -62,6 +62,6 @@ pub use mixed::Mixed;
 pub use palette::{Split, matrix_palette, split_palette};
 pub use skin::Skin;
 pub use stretched::StretchedDualBlend;
-pub use surface::{Surface, SurfaceMut};
+pub use surface::{Surface, SurfaceMut, Vertices};
 pub use vertex::{dual_blend, linear_blend};
 pub use weight::Weight;

@@ -1,4 +1,4 @@
-use super::sweep::{SliceKernel, motions, part, sweep};
+use super::sweep::{SliceKernel, Things, motions, part, sweep};
 use crate::backend::Backend;
 use crate::batch;
 use crate::storage::shape::{ShapeError, same_length};
@@ -47,7 +47,7 @@ where
     T: Element<1, Layout = E::Layout>,
 {
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn compute<V: Level>(&self, level: V, _: &[E], tile: Tile) -> Option<[Register<E, V, 8>; 8]> {
+    fn compute<V: Level>(&self, level: V, _: &[E], tile: Tile) -> Things<E, V, 8> {
         let zero = Register::<E, V, 8>::splat(level, Default::default());
         let mut influences = [(batch::DualQuat::identity(level), zero); K];
         for ((motions_of, weights), influence) in self.0.iter().zip(&mut influences) {

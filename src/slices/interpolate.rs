@@ -1,4 +1,4 @@
-use super::sweep::{SliceKernel, part, sweep};
+use super::sweep::{SliceKernel, Things, part, sweep};
 use crate::backend::Backend;
 use crate::law::{Law, Nlerp, Sclerp};
 use crate::storage::shape::{ShapeError, same_length};
@@ -137,7 +137,7 @@ pub(super) struct Interpolation<'s, E, W, T> {
 
 impl<E: Element<8>, W: Law<8>, T: Parameter<E>> SliceKernel<E, 8> for Interpolation<'_, E, W, T> {
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn compute<V: Level>(&self, level: V, _: &[E], tile: Tile) -> Option<[Register<E, V, 8>; 8]> {
+    fn compute<V: Level>(&self, level: V, _: &[E], tile: Tile) -> Things<E, V, 8> {
         let a = E::load(level, self.a, tile, &storage::identity())?;
         let b = E::load(level, self.b, tile, &storage::identity())?;
         Some(self.law.between(a, b, self.t.load(level, tile)?))

@@ -1,7 +1,7 @@
 //! Kernels that are one operation of the lanes: [`OfEach`] record of a slice, [`OfPairs`] of two.
 
-use super::sweep::{SliceKernel, part};
-use crate::storage::{self, Element, Register, Tile};
+use super::sweep::{SliceKernel, Things, part};
+use crate::storage::{self, Element, Tile};
 use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
@@ -54,7 +54,7 @@ where
     F: Unary<C, D>,
 {
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn compute<V: Level>(&self, level: V, _: &[Q], tile: Tile) -> Option<[Register<Q, V, D>; D]> {
+    fn compute<V: Level>(&self, level: V, _: &[Q], tile: Tile) -> Things<Q, V, D> {
         Some(self.operation.of(E::load(level, self.a, tile, &storage::identity())?))
     }
     fn part(&self, elements: Range<usize>) -> Self {
@@ -77,7 +77,7 @@ where
     F: Binary<A, B, D>,
 {
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn compute<V: Level>(&self, level: V, _: &[Q], tile: Tile) -> Option<[Register<Q, V, D>; D]> {
+    fn compute<V: Level>(&self, level: V, _: &[Q], tile: Tile) -> Things<Q, V, D> {
         let b = T::load(level, self.b, tile, &storage::identity())?;
         Some(self.operation.of(E::load(level, self.a, tile, &storage::identity())?, b))
     }

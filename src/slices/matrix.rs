@@ -1,48 +1,33 @@
 //! Matrices, out and in.
 
 use super::rigid_matrix::RigidMatrix;
-use super::sweep::{SliceKernel, motions, part, sweep};
+use super::sweep::{SliceKernel, Things, motions, part, sweep};
 use crate::backend::{Backend, Kernel};
+use crate::errors::errors;
 use crate::palette_entry::{MatrixOrder, PaletteEntry};
 use crate::scalar::MatrixError;
 use crate::storage::shape::{ShapeError, same_length};
 use crate::storage::{self, Element, Layout, Number, Register, Tile};
-use core::fmt;
 use core::ops::Range;
 use dq8_simd::{Lanes, Level, Mask};
 
-/// Matrices that are no motions, or slices that do not fit. Nothing has been written.
-#[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum MatricesError {
-    /// The slices differ in length.
-    Shape(ShapeError),
-    /// A matrix is no rigid motion.
-    NotRigid {
-        /// Which, the first one; in blocks, things are counted one after the other.
-        index: usize,
-        /// The fault.
-        error: MatrixError,
-    },
-}
-
-impl fmt::Display for MatricesError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Shape(error) => error.fmt(f),
-            Self::NotRigid { index, error } => write!(f, "matrix {index}: {error}"),
+errors! {
+    /// Matrices that are no motions, or slices that do not fit. Nothing has been written.
+    #[derive(Clone, Debug, PartialEq)]
+    #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+    MatricesError {
+        /// The slices differ in length.
+        Shape(error: ShapeError) => "{error}";
+        /// A matrix is no rigid motion.
+        NotRigid {
+            index: usize = "Which, the first one; in blocks, things are counted one after the other.",
+            error: MatrixError = "The fault."
         }
+            => "matrix {index}: {error}";
     }
 }
 
 impl core::error::Error for MatricesError {}
-
-impl From<ShapeError> for MatricesError {
-    fn from(error: ShapeError) -> Self {
-        Self::Shape(error)
-    }
-}
 
 impl Backend {
     /// `matrices[i]` = [R | t] of unit σᵢ: 3×4 matrices for twelve numbers per element, 4×4 matrices,
@@ -157,7 +142,7 @@ where
     M: PaletteEntry<C, Layout = E::Layout>,
 {
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn compute<V: Level>(&self, level: V, _: &[M], tile: Tile) -> Option<[Register<M, V, C>; C]> {
+    fn compute<V: Level>(&self, level: V, _: &[M], tile: Tile) -> Things<M, V, C> {
         Some(M::of(motions(level, self.motions, tile)?, self.order))
     }
     fn part(&self, elements: Range<usize>) -> Self {
@@ -176,7 +161,7 @@ where
     E: Element<8, Layout = M::Layout>,
 {
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn compute<V: Level>(&self, level: V, _: &[E], tile: Tile) -> Option<[Register<E, V, 8>; 8]> {
+    fn compute<V: Level>(&self, level: V, _: &[E], tile: Tile) -> Things<E, V, 8> {
         let numbers = M::load(level, self.matrices, tile, &storage::identity())?;
         Some(M::motion(numbers, self.order).to_array())
     }

@@ -1,9 +1,9 @@
-use super::sweep::{SliceKernel, motions, part, sweep};
+use super::sweep::{SliceKernel, Things, motions, part, sweep};
 use crate::backend::Backend;
 use crate::batch;
 use crate::scalar::DualQuat;
 use crate::storage::shape::{ShapeError, same_length};
-use crate::storage::{Element, Number, Register, Source, Tile};
+use crate::storage::{Element, Number, Source, Tile};
 use core::ops::Range;
 use dq8_simd::Level;
 
@@ -67,12 +67,7 @@ impl<E: Element<8>> SliceKernel<E, 8> for ProductByOne<Number<E, 8>> {
         true
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn compute<V: Level>(
-        &self,
-        level: V,
-        output: &[E],
-        tile: Tile,
-    ) -> Option<[Register<E, V, 8>; 8]> {
+    fn compute<V: Level>(&self, level: V, output: &[E], tile: Tile) -> Things<E, V, 8> {
         let left = batch::DualQuat::splat(level, self.0);
         Some((left * motions(level, output, tile)?).to_array())
     }
@@ -91,12 +86,7 @@ impl<E: Element<8>> SliceKernel<E, 8> for Product<'_, E> {
         self.a.is_output()
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn compute<V: Level>(
-        &self,
-        level: V,
-        output: &[E],
-        tile: Tile,
-    ) -> Option<[Register<E, V, 8>; 8]> {
+    fn compute<V: Level>(&self, level: V, output: &[E], tile: Tile) -> Things<E, V, 8> {
         let a = motions(level, self.a.or(output), tile)?;
         Some((a * motions(level, self.b, tile)?).to_array())
     }

@@ -1,5 +1,5 @@
 use super::map::{OfEach, OfPairs, operations};
-use super::sweep::{SliceKernel, motions, part, sweep};
+use super::sweep::{SliceKernel, Things, motions, part, sweep};
 use crate::backend::Backend;
 use crate::batch::DualQuat;
 use crate::geometry::{DualVector, Twist};
@@ -168,7 +168,7 @@ struct Integrate<'s, E: Element<8>, P> {
 
 impl<E: Element<8>, P: Element<6, Layout = E::Layout>> SliceKernel<E, 8> for Integrate<'_, E, P> {
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn compute<V: Level>(&self, level: V, _: &[E], tile: Tile) -> Option<[Register<E, V, 8>; 8]> {
+    fn compute<V: Level>(&self, level: V, _: &[E], tile: Tile) -> Things<E, V, 8> {
         let twist = P::load(level, self.twists, tile, &storage::identity())?;
         let dt = Register::<E, V, 8>::splat(level, self.dt);
         let motion = motions(level, self.motions, tile)?;

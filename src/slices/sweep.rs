@@ -1,10 +1,13 @@
 //! The loop of all kernels over slices.
 
 use crate::backend::{Backend, Kernel};
-use crate::batch;
-use crate::storage::{self, Element, Layout, Register, Tile};
+pub(super) use crate::palette_entry::motions;
+use crate::storage::{Element, Layout, Register, Tile};
 use core::ops::Range;
 use dq8_simd::Level;
+
+/// The things of a tile, a register for each component; `None` if an input ends before.
+pub(super) type Things<Q, V, const D: usize> = Option<[Register<Q, V, D>; D]>;
 
 /// A computation for each element of a slice, lanes at a time.
 pub(super) trait SliceKernel<Q: Element<D>, const D: usize>: Sized + Sync {
@@ -13,13 +16,8 @@ pub(super) trait SliceKernel<Q: Element<D>, const D: usize>: Sized + Sync {
         false
     }
 
-    /// The things of a tile; `output` is what the slice holds so far. `None` if an input ends before.
-    fn compute<V: Level>(
-        &self,
-        level: V,
-        output: &[Q],
-        tile: Tile,
-    ) -> Option<[Register<Q, V, D>; D]>;
+    /// The things of a tile; `output` is what the slice holds so far.
+    fn compute<V: Level>(&self, level: V, output: &[Q], tile: Tile) -> Things<Q, V, D>;
 
     /// The same computation for some of the elements.
     #[cfg_attr(not(feature = "rayon"), expect(dead_code, reason = "threads take parts"))]
@@ -125,14 +123,4 @@ impl<Q: Element<D>, K: SliceKernel<Q, D>, const D: usize> Kernel for Stream<'_, 
             |tile| kernel.compute(level, &[], tile),
         );
     }
-}
-
-/// The motions of a tile; the identity in lanes beyond the end of `slice`.
-#[cfg_attr(not(opt_level_0), inline(always))]
-pub(super) fn motions<E: Element<8>, V: Level>(
-    level: V,
-    slice: &[E],
-    tile: Tile,
-) -> Option<batch::DualQuat<Register<E, V, 8>>> {
-    Some(batch::DualQuat::from_array(E::load(level, slice, tile, &storage::identity())?))
 }

@@ -3,69 +3,44 @@
 use super::interpolate::{Interpolation, Many};
 #[cfg(feature = "rayon")]
 use super::sweep::GRAIN;
-use super::sweep::{SliceKernel, motions, part, sweep};
+use super::sweep::{SliceKernel, Things, motions, part, sweep};
 #[cfg(feature = "rayon")]
 use crate::backend::Rows;
 use crate::backend::{Backend, Kernel};
 use crate::batch;
+use crate::errors::errors;
 use crate::geometry::Twist;
 use crate::law::Sclerp;
 use crate::number::{Real, Scalar};
 use crate::scalar::DualQuat;
 use crate::storage::shape::{ShapeError, same_length};
-use crate::storage::{Element, Register, Tile, tiles};
-use core::fmt;
+use crate::storage::{Element, Tile, tiles};
 use core::ops::Range;
 use dq8_simd::{Lanes, Level};
 
 /// The number of samples that are looked up before they are computed: few enough to stay in the first cache, on the stack.
 const CHUNK: usize = 64;
 
-/// Times and poses that do not make a trajectory.
-#[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum TrajectoryError {
-    /// Slices that do not fit each other.
-    Shape(ShapeError),
-    /// There are no poses to sample.
-    Empty,
-    /// A time is not finite, or not later than the one before.
-    NotRising {
-        /// The number of the time.
-        index: usize,
-        /// Its value.
-        value: f64,
-    },
-    /// A time to sample at is NaN.
-    NotATime {
-        /// Which.
-        index: usize,
-    },
-}
-
-impl fmt::Display for TrajectoryError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Shape(error) => error.fmt(f),
-            Self::Empty => f.write_str("a trajectory without poses has no samples"),
-            Self::NotRising { index, value } => {
-                write!(f, "time {index} is {value}: times must be finite, and rise")
-            }
-            Self::NotATime { index } => write!(f, "sample {index} is asked for at NaN"),
-        }
+errors! {
+    /// Times and poses that do not make a trajectory.
+    #[derive(Clone, Debug, PartialEq)]
+    #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+    TrajectoryError {
+        /// Slices that do not fit each other.
+        Shape(error: ShapeError) => "{error}";
+        /// There are no poses to sample.
+        Empty => "a trajectory without poses has no samples";
+        /// A time is not finite, or not later than the one before.
+        NotRising { index: usize = "The number of the time.", value: f64 = "Its value." }
+            => "time {index} is {value}: times must be finite, and rise";
+        /// A time to sample at is NaN.
+        NotATime { index: usize = "Which." } => "sample {index} is asked for at NaN";
     }
 }
 
 impl core::error::Error for TrajectoryError {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
         if let Self::Shape(error) = self { Some(error) } else { None }
-    }
-}
-
-impl From<ShapeError> for TrajectoryError {
-    fn from(error: ShapeError) -> Self {
-        Self::Shape(error)
     }
 }
 
@@ -281,12 +256,7 @@ struct Velocities<'s, R> {
 
 impl<R: Scalar> SliceKernel<Twist<R>, 6> for Velocities<'_, R> {
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn compute<V: Level>(
-        &self,
-        level: V,
-        _: &[Twist<R>],
-        tile: Tile,
-    ) -> Option<[Register<Twist<R>, V, 6>; 6]> {
+    fn compute<V: Level>(&self, level: V, _: &[Twist<R>], tile: Tile) -> Things<Twist<R>, V, 6> {
         let (a, b) = (motions(level, self.a, tile)?, motions(level, self.b, tile)?);
         let [duration] = <[R; 1]>::load(level, self.durations, tile, &[R::ONE])?;
         // A logarithm takes the shorter way.

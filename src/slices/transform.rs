@@ -1,4 +1,4 @@
-use super::sweep::{SliceKernel, sweep};
+use super::sweep::{SliceKernel, Things, sweep};
 use crate::backend::Backend;
 use crate::scalar::DualQuat;
 use crate::storage::shape::{ShapeError, same_length};
@@ -83,12 +83,7 @@ impl<P: Element<3>> SliceKernel<P, 3> for ByOne<'_, P> {
         self.from.is_output()
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn compute<V: Level>(
-        &self,
-        level: V,
-        output: &[P],
-        tile: Tile,
-    ) -> Option<[Register<P, V, 3>; 3]> {
+    fn compute<V: Level>(&self, level: V, output: &[P], tile: Tile) -> Things<P, V, 3> {
         let [x, y, z] = P::load(level, self.from.or(output), tile, &storage::identity())?;
         let mut moved = [x; 3];
         for (moved, row) in moved.iter_mut().zip(self.rows) {

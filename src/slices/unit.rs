@@ -1,9 +1,9 @@
 use super::map::{Unary, operations};
-use super::sweep::{SliceKernel, sweep};
+use super::sweep::{SliceKernel, Things, sweep};
 use crate::backend::Backend;
 use crate::batch::DualQuat;
 use crate::storage::shape::{ShapeError, same_length};
-use crate::storage::{self, Element, Register, Source, Tile};
+use crate::storage::{self, Element, Source, Tile};
 use core::ops::Range;
 use dq8_simd::Level;
 
@@ -99,12 +99,7 @@ impl<E: Element<8>, F: Unary<8, 8>> SliceKernel<E, 8> for OrInPlace<'_, E, F> {
         self.from.is_output()
     }
     #[cfg_attr(not(opt_level_0), inline(always))]
-    fn compute<V: Level>(
-        &self,
-        level: V,
-        output: &[E],
-        tile: Tile,
-    ) -> Option<[Register<E, V, 8>; 8]> {
+    fn compute<V: Level>(&self, level: V, output: &[E], tile: Tile) -> Things<E, V, 8> {
         let motion = E::load(level, self.from.or(output), tile, &storage::identity())?;
         Some(self.operation.of(motion))
     }

@@ -3,6 +3,7 @@
 use super::aos::{self, Aos};
 use super::element::{Element, Register, sealed};
 use super::tile::Tile;
+use crate::conversions::conversions;
 use crate::geometry::Twist;
 use crate::number::Scalar;
 use dq8_simd::{Float, Level};
@@ -29,16 +30,9 @@ const fn other<T: Copy>([a, b, c, d, e, f]: [T; 6]) -> [T; 6] {
     [d, e, f, a, b, c]
 }
 
-impl<R: Copy> From<Twist<R>> for LinearFirst<R> {
-    fn from(twist: Twist<R>) -> Self {
-        Self(other(twist.to_array()))
-    }
-}
-
-impl<R: Copy> From<LinearFirst<R>> for Twist<R> {
-    fn from(LinearFirst(numbers): LinearFirst<R>) -> Self {
-        Self::from_array(other(numbers))
-    }
+conversions! {
+    [R: Copy] Twist<R> => LinearFirst<R>: |twist| Self(other(twist.to_array()));
+    [R: Copy] LinearFirst<R> => Twist<R>: |twist| Self::from_array(other(twist.0));
 }
 
 impl<R> sealed::Sealed for LinearFirst<R> {}

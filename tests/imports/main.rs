@@ -13,28 +13,41 @@ use std::collections::BTreeSet;
 /// knows the names of the operations, and the answers come through `Real` alone: so there are numbers
 /// without any, to test with.
 const MAY_IMPORT: &[(&str, &[&str])] = &[
+    ("errors", &[]),
+    ("conversions", &[]),
     ("plain", &["dq8_simd"]),
     ("geometry", &["plain"]),
     ("contract", &["geometry"]),
     ("batch", &["geometry", "contract", "dq8_simd"]),
     ("everyday", &["geometry", "batch", "dq8_simd"]),
     ("number", &["geometry", "everyday", "dq8_simd"]),
-    ("scalar", &["plain", "number", "geometry", "contract", "everyday"]),
-    ("incidence", &["number", "geometry", "scalar"]),
-    ("representation", &["number", "geometry", "plain", "scalar"]),
-    ("operators", &["number", "geometry", "scalar", "representation"]),
+    ("scalar", &["errors", "plain", "number", "geometry", "contract", "everyday"]),
+    ("incidence", &["errors", "number", "geometry", "scalar"]),
+    ("representation", &["errors", "number", "geometry", "plain", "scalar"]),
+    ("operators", &["errors", "conversions", "number", "geometry", "scalar", "representation"]),
     ("guide", &[]),
-    ("interop", &["number", "geometry", "scalar", "representation"]),
+    ("interop", &["conversions", "number", "geometry", "scalar", "representation"]),
     ("backend", &["dq8_simd"]),
     (
         "storage",
-        &["plain", "number", "geometry", "dq8_simd", "scalar", "representation", "backend"],
+        &[
+            "errors",
+            "conversions",
+            "plain",
+            "number",
+            "geometry",
+            "dq8_simd",
+            "scalar",
+            "representation",
+            "backend",
+        ],
     ),
     ("palette_entry", &["dq8_simd", "batch", "storage"]),
     ("law", &["dq8_simd", "batch"]),
     (
         "slices",
         &[
+            "errors",
             "number",
             "geometry",
             "dq8_simd",
@@ -49,6 +62,7 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
     (
         "skinning",
         &[
+            "errors",
             "number",
             "dq8_simd",
             "scalar",
@@ -59,11 +73,12 @@ const MAY_IMPORT: &[(&str, &[&str])] = &[
             "palette_entry",
         ],
     ),
-    ("seams", &["scalar", "everyday", "backend"]),
-    ("ik", &["number", "scalar"]),
+    ("seams", &["errors", "scalar", "everyday", "backend"]),
+    ("ik", &["errors", "number", "scalar"]),
     (
         "hierarchy",
         &[
+            "errors",
             "number",
             "geometry",
             "contract",
@@ -102,10 +117,9 @@ const SIMD_MAY_IMPORT: &[(&str, &[&str])] = &[
 
 /// The same for `dq8-robot`, which Cargo keeps from everything that `dq8` does not show.
 const ROBOT_MAY_IMPORT: &[(&str, &[&str])] = &[
-    ("errors", &[]),
-    ("mechanism", &["dq8", "dq8_simd", "errors"]),
-    ("ik", &["dq8", "dq8_simd", "errors", "mechanism"]),
-    ("urdf", &["dq8", "errors", "mechanism"]),
+    ("mechanism", &["dq8", "dq8_simd"]),
+    ("ik", &["dq8", "dq8_simd", "mechanism"]),
+    ("urdf", &["dq8", "mechanism"]),
 ];
 
 /// The folders whose files have a twin of the same name in a folder of `batch`.

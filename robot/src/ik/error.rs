@@ -1,5 +1,5 @@
-use crate::errors::errors;
 use dq8::ShapeError;
+use dq8::seams::errors;
 
 errors! {
     /// What cannot be asked of a mechanism.

@@ -37,6 +37,7 @@ use dq8_simd::{Level, MAX_LANES};
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[must_use]
 pub struct ReachJob<'a, R> {
     pub(super) reach: Reach<'a, R>,
     pub(super) choice: Choice,
@@ -44,7 +45,6 @@ pub struct ReachJob<'a, R> {
 
 impl<'a, R: Copy> Reach<'a, R> {
     /// A search for many configurations.
-    #[must_use]
     pub fn job(self) -> ReachJob<'a, R> {
         ReachJob { reach: self, choice: Choice::default() }
     }

@@ -66,7 +66,6 @@ impl<R: Real> OwnedReach<R> {
     }
 
     /// A search for many configurations: [`Reach::job`].
-    #[must_use]
     pub fn job(&self) -> ReachJob<'_, R> {
         self.view().job()
     }

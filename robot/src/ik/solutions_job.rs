@@ -23,7 +23,6 @@ use dq8_simd::{Lanes, Level, Mask, Portable};
 
 impl<'a, R: Copy> SixAxisArm<'a, R> {
     /// Many targets at a time.
-    #[must_use]
     pub fn job(self) -> SolutionsJob<'a, R> {
         SolutionsJob { arm: self, choice: Choice::default() }
     }
@@ -82,6 +81,7 @@ where
 /// Many targets of a [`SixAxisArm`], as many at a time as there are lanes, with options that all have a default. The
 /// solutions of one do not depend on the others.
 #[derive(Clone, Copy, Debug)]
+#[must_use]
 pub struct SolutionsJob<'a, R> {
     arm: SixAxisArm<'a, R>,
     choice: Choice,

@@ -1,4 +1,4 @@
-use crate::errors::errors;
+use dq8::seams::errors;
 
 errors! {
     /// Joints that make no mechanism. All name the joint.

@@ -24,6 +24,7 @@ use dq8::{Scalar, ShapeError};
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[must_use]
 pub struct Job<'a, R, S = AllLinks> {
     pub(crate) mechanism: Mechanism<'a, R>,
     pub(crate) links: S,
@@ -36,7 +37,6 @@ pub struct AllLinks;
 
 impl<'a, R: Copy> Mechanism<'a, R> {
     /// A run over many configurations.
-    #[must_use]
     pub fn job(self) -> Job<'a, R> {
         Job { mechanism: self, links: AllLinks, choice: Choice::default() }
     }
@@ -45,7 +45,6 @@ impl<'a, R: Copy> Mechanism<'a, R> {
 impl<'a, R: Copy> Job<'a, R> {
     /// Only these links, in this order. Links that carry none of them are not computed; for a tool at the end of an arm
     /// nothing else is stored.
-    #[must_use]
     pub fn links(self, links: &'a [usize]) -> Job<'a, R, &'a [usize]> {
         Job { mechanism: self.mechanism, links, choice: self.choice }
     }

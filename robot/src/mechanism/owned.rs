@@ -71,7 +71,6 @@ impl<R: Real> OwnedMechanism<R> {
     }
 
     /// A run over many configurations: [`Mechanism::job`].
-    #[must_use]
     pub fn job(&self) -> Job<'_, R>
     where
         R: Copy,

@@ -2,9 +2,9 @@
 
 use super::drive::Drive;
 use super::robot::{Robot, value_names};
-use crate::errors::errors;
 use crate::{Joint, MechanismError, OwnedMechanism};
 use dq8::DualQuat;
+use dq8::seams::errors;
 
 errors! {
     /// What a robot cannot be changed to.

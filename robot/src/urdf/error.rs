@@ -1,5 +1,5 @@
 use crate::MechanismError;
-use crate::errors::errors;
+use dq8::seams::errors;
 use std::error::Error;
 
 errors! {

@@ -32,7 +32,6 @@ impl<L: Lanes> Quat<L> {
     /// The turn by |v| radians about the direction of v. NaN where |v| is beyond 2¹⁷ (`f32`) or 2⁴⁶
     /// (`f64`) radians.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn from_scaled_axis(v: [L; 3]) -> Self {
         let zero = v[0].constant(0.0);
         let half = vector::scale(v, v[0].constant(0.5));

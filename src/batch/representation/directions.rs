@@ -7,7 +7,6 @@ use dq8_simd::Lanes;
 impl<L: Lanes> Quat<L> {
     /// The turns by `angle` radians about the x axis.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn from_rotation_x(angle: L) -> Self {
         let (zero, one) = (angle.constant(0.0), angle.constant(1.0));
         Self::from_axis_angle([one, zero, zero], angle)
@@ -15,7 +14,6 @@ impl<L: Lanes> Quat<L> {
 
     /// The turns by `angle` radians about the y axis.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn from_rotation_y(angle: L) -> Self {
         let (zero, one) = (angle.constant(0.0), angle.constant(1.0));
         Self::from_axis_angle([zero, one, zero], angle)
@@ -23,7 +21,6 @@ impl<L: Lanes> Quat<L> {
 
     /// The turns by `angle` radians about the z axis.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn from_rotation_z(angle: L) -> Self {
         let (zero, one) = (angle.constant(0.0), angle.constant(1.0));
         Self::from_axis_angle([zero, zero, one], angle)
@@ -32,7 +29,6 @@ impl<L: Lanes> Quat<L> {
     /// The least turns that take the direction of `from` to that of `to`, vectors of any length; about the axis
     /// most across `from` where they are opposite, NaN for a zero vector.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    #[must_use]
     pub fn from_rotation_arc(from: [L; 3], to: [L; 3]) -> Self {
         let one = from[0].constant(1.0);
         let (a, b) = (Length::of(from, one).divide_all(from), Length::of(to, one).divide_all(to));

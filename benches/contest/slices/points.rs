@@ -27,7 +27,7 @@ struct Scene {
     points: Many<Point>,
 }
 
-pub(super) fn with_contest(
+pub fn with_contest(
     motions: Motions,
     level: Level,
     caches: &Caches,

@@ -2,7 +2,9 @@
 
 /// An enum of errors. Each has documentation and a message, and fields, documented too, that the message names; one that has another
 /// error as its cause holds it, and is made from it.
-macro_rules! errors {
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __errors {
     ($(#[$of:meta])* $name:ident {$(
         $(#[$doc:meta])*
         $variant:ident $({ $($field:ident: $type:ty = $says:literal),+ })? $(($cause:ident: $other:ty))?
@@ -30,4 +32,4 @@ macro_rules! errors {
         })?)*
     };
 }
-pub(crate) use errors;
+pub use __errors as errors;

@@ -56,7 +56,7 @@ struct Pairs {
     b: Many<Motion>,
 }
 
-pub(super) fn with_contest(
+pub fn with_contest(
     operation: Operation,
     level: Level,
     caches: &Caches,
