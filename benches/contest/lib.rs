@@ -1,11 +1,10 @@
-//! Jobs, their data, and everyone who does them: what the criterion benches and the example
-//! `compare` share.
+//! Jobs, their data, and everyone who does them, for the example `compare`.
 //!
 //! A [`Task`](task::Task) makes the data of a [`Contest`](contest::Contest), whose contenders can be
 //! checked against `f64` and timed, by whoever holds it. [`memory`] is how each contender keeps motions
 //! and points, [`limit`] is what the machine can do at most.
 
-#![allow(missing_docs, reason = "shared by programs, not published")]
+#![allow(missing_docs, reason = "of one program, not published")]
 #![allow(missing_debug_implementations, reason = "contests hold closures")]
 
 pub mod caches;
