@@ -3,7 +3,6 @@
 mod counts;
 mod derivatives;
 mod drift;
-mod figures;
 mod hyper_dual;
 mod inputs;
 mod interpolation;
