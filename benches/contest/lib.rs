@@ -1,4 +1,5 @@
-//! Jobs, their data, and everyone who does them, for the example `compare`.
+//! Jobs, their data, and everyone who does them: what the criterion benches and the example
+//! `compare` share.
 //!
 //! A [`Task`](task::Task) makes the data of a [`Contest`](contest::Contest), whose contenders can be
 //! checked against `f64` and timed, by whoever holds it. [`memory`] is how each contender keeps motions
@@ -6,7 +7,7 @@
 //!
 //! Contests are in two packages, and what they are made of in a third: two cores compile them in half the time of one.
 
-#![allow(missing_docs, reason = "of one program, not published")]
+#![allow(missing_docs, reason = "shared by programs, not published")]
 #![allow(missing_debug_implementations, reason = "contests hold closures")]
 
 pub mod scene;

@@ -13,9 +13,14 @@ pub enum Shape {
     Biped,
     /// One, of so many joints in a row.
     Chain { joints: u32 },
+    /// One, of [`MANY`] joints in so many chains.
+    Chains { count: u32 },
+    /// One, of [`MANY`] joints, with so many children each.
+    Tree { children: u32 },
 }
 
-/// Metres between the joints of chains.
+pub const MANY: u32 = 256;
+/// Metres between the joints of chains and trees.
 const LINK: f64 = 0.1;
 
 impl Shape {
@@ -32,6 +37,14 @@ impl Shape {
                 return (clip.parents(), bones.collect());
             }
             Self::Chain { joints } => (0..joints).map(|joint| joint.wrapping_sub(1)).collect(),
+            Self::Chains { count } => {
+                let parent = |joint: u32| joint.checked_sub(count).unwrap_or(Hierarchy::ROOT);
+                (0..MANY).map(parent).collect()
+            }
+            Self::Tree { children } => {
+                let before = |joint: u32| joint.checked_sub(1).map(|before| before / children);
+                (0..MANY).map(|joint| before(joint).unwrap_or(Hierarchy::ROOT)).collect()
+            }
         };
         let bone = |&parent: &u32| (parent != Hierarchy::ROOT).then_some(LINK);
         let bones = parents.iter().map(bone).collect();

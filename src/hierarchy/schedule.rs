@@ -6,8 +6,8 @@ use core::cmp::Reverse;
 /// The number of other joints that are begun before a joint whose parent is being computed. A product of a plan
 /// takes about four times as long as until the next one can begin.
 ///
-/// Measured on skeletons of 21 and 64 joints, with other values here, by `cargo run --release
-/// --example compare -- J3`: 3 to 6 are the same within a few hundredths, plain level order takes a twentieth
+/// Measured on skeletons of 21 and 64 joints, with other values here, by `cargo bench --bench hierarchy
+/// -- one-instance`: 3 to 6 are the same within a few hundredths, plain level order takes a twentieth
 /// longer, depth first half as long again.
 const BETWEEN: u32 = 4;
 

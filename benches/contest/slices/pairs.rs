@@ -5,7 +5,10 @@ use crate::caches::{Caches, Footprint, Level};
 use crate::contest::Contest;
 use crate::limit::{Limit, Limited};
 use crate::memory::{Element, Many, Own, Packed, Product, QuatVec3A, Rows3x4, double, single};
-use dq8::{Backend, Block, DualQuat, Quat, ShapeError};
+use dq8::{
+    Backend, Block, DualQuat, Lanes, Quat, ShapeError, batch,
+    simd::{Portable, f32x8, f32x16},
+};
 use dq8_fixtures::random::Random;
 use glam::{Affine3A, Mat4};
 use nalgebra::{DualQuaternion, Isometry3, UnitDualQuaternion};
@@ -16,8 +19,25 @@ use ultraviolet::{Isometry3x8, Lerp, Mat4x8, Slerp};
 pub enum Operation {
     Product,
     Normalize,
+    Inverse,
+    Matrix,
     Nlerp,
     Sclerp,
+    Log,
+    Pow,
+}
+
+impl Operation {
+    pub const ALL: [Self; 8] = [
+        Self::Product,
+        Self::Normalize,
+        Self::Inverse,
+        Self::Matrix,
+        Self::Nlerp,
+        Self::Sclerp,
+        Self::Log,
+        Self::Pow,
+    ];
 }
 
 /// How far interpolation goes, the same for all pairs.
@@ -48,8 +68,12 @@ pub fn with_contest(
     let (job, name, title) = match operation {
         Operation::Product => ("J1", "", "pairwise product"),
         Operation::Normalize => ("J5", "normalize ", "normalize"),
+        Operation::Inverse => ("J5", "inverse ", "invert"),
+        Operation::Matrix => ("J5", "matrix ", "rows of a 3×4 matrix"),
         Operation::Nlerp => ("J5", "NLERP ", "blend linearly"),
         Operation::Sclerp => ("J5", "ScLERP ", "interpolate along screws"),
+        Operation::Log => ("J5", "log ", "logarithm"),
+        Operation::Pow => ("J5", "pow ", "power"),
     };
     let size = format!("{name}{}", level.name());
     let mut contest = Contest {
@@ -60,8 +84,12 @@ pub fn with_contest(
     match operation {
         Operation::Product => product(&pairs, &mut contest),
         Operation::Normalize => normalize(&pairs, &mut contest),
+        Operation::Inverse => inverse(&pairs, &mut contest),
+        Operation::Matrix => matrix(&pairs, &mut contest),
         Operation::Nlerp => nlerp(&pairs, &mut contest),
         Operation::Sclerp => sclerp(&pairs, &mut contest),
+        Operation::Log => log(&pairs, &mut contest),
+        Operation::Pow => pow(&pairs, &mut contest),
     }
     run(&contest);
 }
@@ -75,6 +103,18 @@ macro_rules! own {
         $pairs.own::<Motion>($contest, "AoS", $kernel);
         $pairs.own::<Block<f32, 8>>($contest, "8 lanes", $kernel);
         $pairs.own::<Block<f32, 16>>($contest, "16 lanes", $kernel);
+    };
+}
+
+/// `lanes!(pairs, contest, |a, b| outcome)`: the plain loop that users of scalars and of lanes write,
+/// with the instructions that the build has.
+macro_rules! lanes {
+    ($pairs:ident, $contest:ident, |$a:ident, $b:pat_param| $outcome:expr) => {
+        $pairs.each($contest, "dq8 scalar", |$a: &Motion, $b: &Motion| $outcome);
+        type L8 = batch::DualQuat<f32x8>;
+        $pairs.each($contest, "dq8 f32x8", |$a: &L8, $b: &L8| $outcome);
+        type L16 = batch::DualQuat<f32x16>;
+        $pairs.each($contest, "dq8 f32x16", |$a: &L16, $b: &L16| $outcome);
     };
 }
 
@@ -113,6 +153,44 @@ fn normalize<'a>(pairs: &'a Pairs, contest: &mut Contest<'a>) {
         "nalgebra DualQuaternion",
         |a: &DualQuaternion<f32>, _: &DualQuaternion<f32>| a.normalize(),
     );
+}
+
+fn inverse<'a>(pairs: &'a Pairs, contest: &mut Contest<'a>) {
+    contest.expected = pairs.expected(|a, _| a.inverse());
+    own!(pairs, contest, |backend, a, _, output| backend.inverse(a, output));
+    lanes!(pairs, contest, |a, _| a.inverse());
+    pairs.each(contest, "glam Affine3A", |a: &Affine3A, _: &Affine3A| a.inverse());
+    type Peer = UnitDualQuaternion<f32>;
+    pairs.each(contest, "nalgebra UnitDualQuaternion", |a: &Peer, _: &Peer| a.inverse());
+}
+
+fn matrix<'a>(pairs: &'a Pairs, contest: &mut Contest<'a>) {
+    let flat = |matrix: [[f64; 4]; 3]| {
+        <[f64; 12]>::try_from(matrix.as_flattened()).expect("three rows of four")
+    };
+    contest.expected = pairs.expected(|a, _| flat(a.to_matrix3x4()));
+    lanes!(pairs, contest, |a, _| {
+        let [a, b, c] = a.to_matrix3x4();
+        [a[0], a[1], a[2], a[3], b[0], b[1], b[2], b[3], c[0], c[1], c[2], c[3]]
+    });
+    // It has 4×4 only.
+    type Peer = UnitDualQuaternion<f32>;
+    pairs.each(contest, "nalgebra UnitDualQuaternion", |a: &Peer, _: &Peer| a.to_homogeneous());
+}
+
+fn log<'a>(pairs: &'a Pairs, contest: &mut Contest<'a>) {
+    contest.expected = pairs.expected(|a, _| a.log());
+    lanes!(pairs, contest, |a, _| a.log());
+}
+
+fn pow<'a>(pairs: &'a Pairs, contest: &mut Contest<'a>) {
+    contest.expected = pairs.expected(|a, _| a.pow(f64::from(T)));
+    pairs.each(contest, "dq8 scalar", |a: &Motion, _: &Motion| a.pow(T));
+    type L8 = batch::DualQuat<f32x8>;
+    pairs.each(contest, "dq8 f32x8", |a: &L8, _: &L8| a.pow(<f32x8 as Lanes>::splat(Portable, T)));
+    type L16 = batch::DualQuat<f32x16>;
+    let wide = <f32x16 as Lanes>::splat(Portable, T);
+    pairs.each(contest, "dq8 f32x16", move |a: &L16, _: &L16| a.pow(wide));
 }
 
 fn nlerp<'a>(pairs: &'a Pairs, contest: &mut Contest<'a>) {

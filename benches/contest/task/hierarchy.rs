@@ -49,6 +49,12 @@ pub(crate) fn with_contest(shape: Shape, way: Way, run: &mut dyn FnMut(&Contest<
         Shape::Chain { .. } => {
             (format!("chain {joints}"), format!("one chain of {joints} joints"), of_a_chain)
         }
+        Shape::Chains { count } => {
+            (format!("chains {count}"), format!("{count} chains, {joints} joints"), of_a_chain)
+        }
+        Shape::Tree { children } => {
+            (format!("tree {children}"), format!("{children} children a joint"), of_a_chain)
+        }
     };
     let crowd = matches!(shape, Shape::Crowd { instances: 2.. });
     let job = if crowd { "J2" } else { "J3" };

@@ -3,7 +3,11 @@
 use super::{Element, Packed, Representation, Rows, flat};
 use dq8::simd::Row;
 use dq8::storage::{self, Layout};
-use dq8::{Block, DualQuat, Quat};
+use dq8::{Block, DualQuat, Lanes, Quat, geometry::DualVector, simd::Portable};
+use dq8::{
+    batch,
+    simd::{f32x8, f32x16},
+};
 
 /// Motions as dq8's kernels take them: one after the other, or in blocks.
 pub trait Own: storage::Element<8, Layout: Layout<Real = f32>> + Packed<DualQuat<f32>> {
@@ -123,8 +127,68 @@ impl Packed<Self> for [f32; 3] {
     }
 }
 
-impl<T: Copy + Into<f64> + 'static, const C: usize> Element for [T; C] {
-    fn numbers(&self, _: usize) -> Vec<f64> {
-        self.map(Into::into).to_vec()
+/// A number, or one per lane.
+pub trait Number: Copy + 'static {
+    const LANES: usize = 1;
+
+    fn lane(self, lane: usize) -> f64;
+}
+
+impl Number for f32 {
+    fn lane(self, _: usize) -> f64 {
+        self.into()
+    }
+}
+
+impl Number for f64 {
+    fn lane(self, _: usize) -> f64 {
+        self
+    }
+}
+
+impl Number for f32x8 {
+    const LANES: usize = 8;
+
+    fn lane(self, lane: usize) -> f64 {
+        self.to_array()[lane].into()
+    }
+}
+
+impl Number for f32x16 {
+    const LANES: usize = 16;
+
+    fn lane(self, lane: usize) -> f64 {
+        self.to_array()[lane].into()
+    }
+}
+
+impl<T: Number, const C: usize> Element for [T; C] {
+    const LANES: usize = T::LANES;
+
+    fn numbers(&self, lane: usize) -> Vec<f64> {
+        self.iter().map(|number| number.lane(lane)).collect()
+    }
+}
+
+impl<T: Number> Element for DualVector<T> {
+    const LANES: usize = T::LANES;
+
+    fn numbers(&self, lane: usize) -> Vec<f64> {
+        [self.real.numbers(lane), self.dual.numbers(lane)].concat()
+    }
+}
+
+impl<L: Number + Lanes<Real = f32, Level = Portable>> Element for batch::DualQuat<L> {
+    const LANES: usize = <L as Number>::LANES;
+
+    fn numbers(&self, lane: usize) -> Vec<f64> {
+        DualQuat::from_array(self.to_array().map(|number| number.lane(lane))).numbers(0)
+    }
+}
+
+impl<L: Number + Lanes<Real = f32, Level = Portable>> Packed<DualQuat<f32>> for batch::DualQuat<L> {
+    fn gather(lanes: &[DualQuat<f32>]) -> Self {
+        let row = |c: usize| lanes.iter().map(|motion| motion.to_array()[c]).collect::<Vec<_>>();
+        Self::from_array(std::array::from_fn(|c| L::load_partial(Portable, &row(c), 0.0)))
     }
 }

@@ -6,14 +6,20 @@ use dq8_contest::task::{Motions, Operation, Shape, Task, Way};
 /// Every task that anyone runs, small.
 fn all() -> Vec<Task> {
     let crowd = |instances| Shape::Crowd { instances };
-    let pairs = [Operation::Product, Operation::Normalize, Operation::Nlerp, Operation::Sclerp];
-    let mut tasks = pairs.map(|operation| Task::Pairs(operation, Level::L1)).to_vec();
+    let mut tasks: Vec<_> =
+        Operation::ALL.map(|operation| Task::Pairs(operation, Level::L1)).into();
     tasks.extend([Motions::One, Motions::Each].map(|by| Task::Points(by, Level::L1)));
     tasks.push(Task::Animation(64));
     tasks.extend([Way::In, Way::Out, Way::Rotations].map(|w| Task::Hierarchy(crowd(64), w)));
     tasks.push(Task::Skin);
     tasks.extend([1, 8].map(|instances| Task::Hierarchy(crowd(instances), Way::In)));
-    for shape in [crowd(1), Shape::Biped, Shape::Chain { joints: 1000 }] {
+    for shape in [
+        crowd(1),
+        Shape::Biped,
+        Shape::Chain { joints: 1000 },
+        Shape::Chains { count: 4 },
+        Shape::Tree { children: 4 },
+    ] {
         tasks.extend([Task::Hierarchy(shape, Way::Out)]);
     }
     tasks
