@@ -54,7 +54,9 @@ pub fn lemmas(operation: &Operation, form: Form, is_single: bool, fused: bool) -
         return Lemmas { bound: None, scripts };
     }
     let mut steps = Steps { operation, tape, analysis, is_single, fused, known, scripts };
-    let chosen_by = tape.branches.iter().flat_map(|branch| branch.sides);
+    // Of constants alone nothing is asked.
+    let of_inputs = tape.branches.iter().filter(|branch| !tape.inputs(&branch.sides).is_empty());
+    let chosen_by = of_inputs.flat_map(|branch| branch.sides);
     let needed = tape.needed(&tape.outputs.iter().copied().chain(chosen_by).collect::<Vec<_>>());
     for node in (0..tape.ops.len() as Node).filter(|&node| needed[node as usize]) {
         steps.known[node as usize] = steps.step(node);

@@ -215,7 +215,9 @@ pub mod jobs {
     use super::Operation;
     use dq8::hierarchy::{Hierarchy, Poses};
     use dq8::skinning::{Blender, DualBlend, Linear, Skin, Surface, SurfaceMut, Weight};
-    use dq8::{Backend, DualQuat, Scalar};
+    use dq8::storage::Aos;
+    use dq8::{Backend, DualQuat, Scalar, Twist};
+    use dq8_robot::{Joint, JointValues, Mechanism, Step, World};
 
     /// A joint under its parent: what forward kinematics repeats; a model times its inverse bind, as a matrix; skins of four
     /// joints, all of whose real parts are an argument, and all of whose dual parts; and what such a sum does to a point.
@@ -226,13 +228,19 @@ pub mod jobs {
         linear_skin(a 12, b 12, c 12, d 12, w 4, v 3) -> (point 3);
         scaled_point(p 4, q 4, v 3) -> (point 3);
         dual_skin(p 16, q 16, w 4, v 3) -> (point 3);
+        link_jacobian(p 4, v 3) -> (angular 3, linear 3);
+        jacobians(p 4, v 3) -> (angular 3, linear 3);
     };
 
     /// The numbers of the answer.
     ///
     /// # Panics
     /// Of a name that is not in the table.
-    pub fn run<R: Scalar + Weight>(name: &str, backend: Backend, from: &[R]) -> Vec<R> {
+    pub fn run<R: Scalar + Weight + JointValues<Aos<R>>>(
+        name: &str,
+        backend: Backend,
+        from: &[R],
+    ) -> Vec<R> {
         let quat = |at: usize| core::array::from_fn::<R, 4, _>(|i| from[at + i]);
         let motion = |real: usize, dual: usize| {
             let ([px, py, pz, pw], [qx, qy, qz, qw]) = (quat(real), quat(dual));
@@ -273,6 +281,25 @@ pub mod jobs {
                 let (palette, weights) =
                     ([motion(0, 4), none, none, none], [R::ZERO, R::ZERO, R::ONE, R::ONE]);
                 skinned(DualBlend::new(&palette), weights, &from[8..], backend)
+            }
+            // A hinge about z on a body at p and v, and no need to know how it is turned.
+            "link_jacobian" | "jacobians" => {
+                let z = [R::ZERO, R::ZERO, R::ONE];
+                let joints = [
+                    Joint::floating(None, DualQuat::IDENTITY),
+                    Joint::revolute(Some(0), DualQuat::IDENTITY, z),
+                ];
+                let mut steps = [Step::default(); 2];
+                let arm = Mechanism::new(&joints, &mut steps).expect("a body and a hinge");
+                let (values, zero) = ([from, &[R::ONE]].concat(), Twist::from_array([R::ZERO; 6]));
+                let (mut columns, mut pose) = ([zero; 7], [DualQuat::IDENTITY]);
+                if name == "jacobians" {
+                    let job = arm.job().backend(backend).links(&[1]);
+                    job.jacobians(World, &values, &mut pose, &mut columns).expect("one");
+                } else {
+                    arm.link_jacobian(World, &values, 1, &mut columns).expect("one");
+                }
+                columns[6].to_array().to_vec()
             }
             _ => panic!("no job {name}"),
         }

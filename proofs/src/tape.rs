@@ -283,10 +283,10 @@ impl Tape {
             .fold(0x811c_9dc5, |hash, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193))
     }
 
-    /// Whether anything differs where hardware fuses.
+    /// Whether any answer differs where hardware fuses.
     #[must_use]
     pub fn fuses(&self) -> bool {
-        self.ops.iter().any(|op| matches!(op, Op::Fma(..) | Op::Nfma(..)))
+        self.alone().0.iter().any(|op| matches!(op, Op::Fma(..) | Op::Nfma(..)))
     }
 
     /// Which nodes these are made of.
