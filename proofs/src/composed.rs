@@ -34,7 +34,7 @@ pub fn sum(
     form: Form,
     is_single: bool,
 ) -> Option<(&'static Operation, Vec<Node>)> {
-    let last = ["normalize", "quat_normalize", "scaled_point"];
+    let last = ["normalize", "quat_normalize", "scaled_point", "scaled_normal", "unit_normal"];
     if operation.name.contains("normalize") || last.contains(&operation.name) {
         return None;
     }
@@ -75,6 +75,7 @@ pub(crate) fn of(
         let mut bound = match name {
             "dual" => moved.clone().plus(&turned.scaled(2.0 / 3.0_f64.sqrt())),
             "point" => off.times(&given[2].0).plus(&moved).plus(&turned).scaled(2.0),
+            "normal" => off.times(&given[1].0).scaled(2.0),
             _ => off.clone(),
         };
         for (powers, c) in part.bound?.0 {

@@ -216,7 +216,7 @@ pub mod jobs {
     use dq8::hierarchy::{Hierarchy, Poses};
     use dq8::skinning::{Blender, DualBlend, Linear, Skin, Surface, SurfaceMut, Weight};
     use dq8::storage::Aos;
-    use dq8::{Backend, DualQuat, Scalar, Twist};
+    use dq8::{Backend, DualQuat, Quat, Scalar, Twist};
     use dq8_robot::{Joint, JointValues, Mechanism, Step, World};
 
     /// A joint under its parent: what forward kinematics repeats; a model times its inverse bind, as a matrix; skins of four
@@ -228,6 +228,10 @@ pub mod jobs {
         linear_skin(a 12, b 12, c 12, d 12, w 4, v 3) -> (point 3);
         scaled_point(p 4, q 4, v 3) -> (point 3);
         dual_skin(p 16, q 16, w 4, v 3) -> (point 3);
+        linear_normal(a 12, b 12, c 12, d 12, w 4, v 3) -> (normal 3);
+        unit_normal(v 3) -> (unit 3);
+        dual_normal(p 16, w 4, v 3) -> (normal 3);
+        scaled_normal(p 4, v 3) -> (normal 3);
         link_jacobian(p 4, v 3) -> (angular 3, linear 3);
         jacobians(p 4, v 3) -> (angular 3, linear 3);
     };
@@ -242,6 +246,7 @@ pub mod jobs {
         from: &[R],
     ) -> Vec<R> {
         let quat = |at: usize| core::array::from_fn::<R, 4, _>(|i| from[at + i]);
+        let real = |at: usize| Quat::from_array(quat(at));
         let motion = |real: usize, dual: usize| {
             let ([px, py, pz, pw], [qx, qy, qz, qw]) = (quat(real), quat(dual));
             DualQuat::from_array([px, py, pz, pw, qx, qy, qz, qw])
@@ -267,20 +272,33 @@ pub mod jobs {
                     .expect("one each");
                 matrix.as_flattened().as_flattened().to_vec()
             }
-            "linear_skin" => {
+            "linear_skin" | "linear_normal" => {
                 let palette = [0, 12, 24, 36].map(|at| [0, 4, 8].map(|row| quat(at + row)));
-                skinned(Linear::new(&palette), quat(48), &from[52..], backend)
+                skinned(name, Linear::new(&palette), quat(48), &from[52..], backend)
+            }
+            "unit_normal" => {
+                let identity = DualQuat::IDENTITY.to_matrix3x4();
+                let weights = [R::ONE, R::ZERO, R::ZERO, R::ZERO];
+                skinned(name, Linear::new(&[identity; 4]), weights, from, backend)
             }
             "dual_skin" => {
                 let palette = [0, 4, 8, 12].map(|at| motion(at, 16 + at));
-                skinned(DualBlend::new(&palette), quat(32), &from[36..], backend)
+                skinned(name, DualBlend::new(&palette), quat(32), &from[36..], backend)
+            }
+            "dual_normal" => {
+                let palette = [0, 4, 8, 12].map(|at| DualQuat::from_rotation(real(at)));
+                skinned(name, DualBlend::new(&palette), quat(16), &from[20..], backend)
             }
             // With a joint that adds nothing, so that its weight is not all there is.
-            "scaled_point" => {
+            "scaled_point" | "scaled_normal" => {
                 let none = DualQuat::ZERO;
+                let (first, rest) = match name {
+                    "scaled_point" => (motion(0, 4), &from[8..]),
+                    _ => (DualQuat::from_rotation(real(0)), &from[4..]),
+                };
                 let (palette, weights) =
-                    ([motion(0, 4), none, none, none], [R::ZERO, R::ZERO, R::ONE, R::ONE]);
-                skinned(DualBlend::new(&palette), weights, &from[8..], backend)
+                    ([first, none, none, none], [R::ZERO, R::ZERO, R::ONE, R::ONE]);
+                skinned(name, DualBlend::new(&palette), weights, rest, backend)
             }
             // A hinge about z on a body at p and v, and no need to know how it is turned.
             "link_jacobian" | "jacobians" => {
@@ -305,20 +323,27 @@ pub mod jobs {
         }
     }
 
+    /// A point, or a normal.
     fn skinned<R: Scalar + Weight>(
+        name: &str,
         blend: impl Blender<R>,
         weights: [R; 4],
-        point: &[R],
+        vector: &[R],
         backend: Backend,
     ) -> Vec<R> {
         // Weights of either sign, for all that draws numbers; the last first, for the recorded one is the greatest.
         let [d, c, b, a] = weights.map(|w| if w < R::ZERO { -w } else { w });
         let weights = [a, b, c, d];
         let skin = Skin::new(4, 4, &[0_u8, 1, 2, 3], &weights).expect("four joints");
-        let (rest, mut posed) = ([*point.first_chunk().expect("a point")], [[R::ZERO; 3]]);
-        let (rest, points) = (Surface::positions(&rest), SurfaceMut::positions(&mut posed));
-        skin.job().backend(backend).pose(blend, rest, points).expect("one vertex");
-        posed.as_flattened().to_vec()
+        let (vector, zero) = ([*vector.first_chunk().expect("three numbers")], [[R::ZERO; 3]]);
+        let (mut point, mut normal) = (zero, zero);
+        let (mut rest, mut posed) =
+            (Surface::positions(&vector), SurfaceMut::positions(&mut point));
+        if name.contains("normal") {
+            (rest, posed) = (rest.normals(&vector), posed.normals(&mut normal));
+        }
+        skin.job().backend(backend).pose(blend, rest, posed).expect("one vertex");
+        if name.contains("normal") { normal[0].to_vec() } else { point[0].to_vec() }
     }
 }
 

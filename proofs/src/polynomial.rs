@@ -1,6 +1,6 @@
 //! [`Polynomial`]: what a tape computes, in its inputs, and how large that can be by the lengths of its arguments.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Variables of a monomial in rising order. Inputs are their nodes; a root that a tape computes of a sum of squares is a
 /// variable of its own, and so is one over it.
@@ -186,38 +186,30 @@ pub(crate) fn unfoldings(
     terms: &[(Monomial, f64)],
     group: &dyn Fn(u32) -> usize,
 ) -> impl Iterator<Item = Matrix> {
+    let orders: Vec<_> = terms.iter().map(|(term, c)| (orders(groups, term, group), c)).collect();
     (1_u32..1 << (groups.len().max(1) - usize::from(groups.len() > 1))).map(move |rows| {
         let mut cells = Matrix::new();
-        for (monomial, c) in terms {
-            let mut orders = vec![];
-            permutations(&mut monomial.clone(), 0, &mut |order| {
-                if order.iter().map(|&v| group(v)).eq(groups.iter().copied()) {
-                    orders.push(order.to_vec());
-                }
-            });
-            for order in &orders {
+        for (orders, c) in &orders {
+            for order in orders {
                 let part = |side: u32| {
                     (0..order.len()).filter(|i| rows >> i & 1 == side).map(|i| order[i]).collect()
                 };
-                *cells.entry((part(1), part(0))).or_default() += c / orders.len() as f64;
+                *cells.entry((part(1), part(0))).or_default() += *c / orders.len() as f64;
             }
         }
         cells
     })
 }
 
-fn permutations(of: &mut Monomial, at: usize, each: &mut dyn FnMut(&[u32])) {
-    if at == of.len() {
-        return each(of);
-    }
-    for i in at..of.len() {
-        // Equal variables once.
-        if (at..i).all(|j| of[j] != of[i]) {
-            of.swap(at, i);
-            permutations(of, at + 1, each);
-            of.swap(at, i);
-        }
-    }
+/// The variables in every order in which they are of these groups; equal ones once.
+fn orders(groups: &[usize], of: &[u32], group: &dyn Fn(u32) -> usize) -> BTreeSet<Monomial> {
+    let Some((&first, groups)) = groups.split_first() else { return [vec![]].into() };
+    let firsts = (0..of.len()).filter(|&i| group(of[i]) == first);
+    let each = firsts.flat_map(|i| {
+        let rest = [&of[..i], &of[i + 1..]].concat();
+        orders(groups, &rest, group).into_iter().map(move |rest| [&[of[i]], &rest[..]].concat())
+    });
+    each.collect()
 }
 
 /// No less than ‖M‖₂, by ‖M‖₂² = ‖MᵀM‖₂ ≤ ‖(MᵀM)ⁿ‖∞^(1/n), n = 2²⁰; but for the rounding of this computation, for

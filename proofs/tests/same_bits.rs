@@ -72,9 +72,11 @@ fn check<F: Scalar + Computed>(
         }
         // The book's norm has a path for each order of four components, and blends one for each sign of a motion or weight.
         let expected = match operation.name {
-            "norm" | "nlerp" | "dlb" | "dlb_running" | "linear_skin" => count() / 40,
+            "norm" | "nlerp" | "dlb" | "dlb_running" | "linear_skin" | "linear_normal" => {
+                count() / 40
+            }
             // And each sign of three products of motions.
-            "dual_skin" => count() / 500,
+            "dual_skin" | "dual_normal" => count() / 500,
             _ => count() / 3,
         };
         assert!(
