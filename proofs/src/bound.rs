@@ -48,15 +48,8 @@ struct Root {
 
 impl Analysis {
     /// Of a tape whose inputs belong to these groups.
-    #[must_use]
-    pub fn of(tape: &Tape, groups: &[usize], fused: bool) -> Self {
-        Self::with(Rounding::Normal, tape, groups, fused)
-    }
-
-    /// Of one kind of rounding.
-    pub(crate) fn with(rounding: Rounding, tape: &Tape, groups: &[usize], fused: bool) -> Self {
-        let (groups, roots) = (groups.to_vec(), vec![]);
-        let mut analysis = Self { rounding, exact: vec![], error: vec![], roots, groups };
+    pub(crate) fn of(tape: &Tape, groups: Vec<usize>, fused: bool, rounding: Rounding) -> Self {
+        let mut analysis = Self { rounding, exact: vec![], error: vec![], roots: vec![], groups };
         for node in 0..tape.ops.len() {
             // Of polynomials in polynomials, which have too many terms.
             let few = |of: &(Polynomial, Polynomial)| {

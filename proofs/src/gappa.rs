@@ -5,13 +5,12 @@
 //! number comes with the bound that follows from that (Cauchy and Schwarz), as a hypothesis; `coq/` has it as a lemma. So do
 //! the comparisons that chose the path.
 
-use crate::bound::Analysis;
-use crate::composed;
+use crate::bound::{Analysis, Rounding};
 use crate::interval::{Range, number, up, up_to};
-use crate::operations::{Form, Operation, functions};
+use crate::operations::{Operation, end};
 use crate::polynomial::Lengths;
+use crate::record::Record;
 use crate::tape::{FIRST_INPUT, Node, Op, Order, Tape};
-use crate::tape_of;
 use std::collections::BTreeSet;
 
 /// How far the length of a rotation is from 1: |p| ∈ [1 − 2⁻⁹, 1 + 2⁻⁹].
@@ -31,28 +30,23 @@ pub struct Lemmas {
 /// # Errors
 /// Of the file system.
 pub fn write(folder: &str) -> std::io::Result<()> {
-    let mut scripts = BTreeSet::new();
-    for form in Form::ALL {
-        for operation in form.operations() {
-            for (fused, is_single) in [(false, false), (false, true), (true, false), (true, true)] {
-                scripts.append(&mut lemmas(operation, form, is_single, fused).scripts);
-            }
-        }
-    }
+    let each = Record::all().iter().flat_map(|record| [lemmas(record, 0), lemmas(record, 1)]);
+    let scripts: BTreeSet<String> = each.flat_map(|lemmas| lemmas.scripts).collect();
     let mut numbered = scripts.iter().enumerate();
     numbered.try_for_each(|(i, lemma)| std::fs::write(format!("{folder}/{i}.g"), lemma))
 }
 
 /// Those of one tape.
 #[must_use]
-pub fn lemmas(operation: &Operation, form: Form, is_single: bool, fused: bool) -> Lemmas {
-    let tape = &tape_of(operation, form, is_single);
-    let analysis = Analysis::of(tape, &operation.groups(), fused);
+pub fn lemmas(record: &Record, precision: usize) -> Lemmas {
+    let tape = &record.tapes[precision];
     let (known, scripts) = (vec![None; tape.ops.len()], BTreeSet::new());
     // Intervals cannot tell how far from 0 a sum is.
-    if composed::sum(operation, tape, form, is_single).is_some() {
+    if record.last(precision).is_some() {
         return Lemmas { bound: None, scripts };
     }
+    let analysis = record.analysis(precision, Rounding::Normal);
+    let (operation, fused, is_single) = (record.operation, record.fused, precision == 0);
     let mut steps = Steps { operation, tape, analysis, is_single, fused, known, scripts };
     // Of constants alone nothing is asked.
     let of_inputs = tape.branches.iter().filter(|branch| !tape.inputs(&branch.sides).is_empty());
@@ -107,7 +101,7 @@ impl Steps<'_> {
     /// The lengths of an argument: rotations are nearly unit, all else is at most 1.
     fn length(&self, group: usize) -> Range {
         match self.operation.inputs[group] {
-            ("v", 1) => Range(0.0, functions::end(self.operation.name)),
+            ("v", 1) => Range(0.0, end(self.operation.name)),
             ("p" | "r", 4) => Range(1.0 - NEAR, 1.0 + NEAR),
             _ => Range(0.0, 1.0),
         }

@@ -2,10 +2,9 @@
 
 use crate::bound::{Analysis, Rounding};
 use crate::composed;
-use crate::operations::{Form, Operation};
 use crate::polynomial::Lengths;
+use crate::record::Record;
 use crate::tape::{Node, Op, Tape};
-use crate::tape_of;
 
 /// Where nothing overflows, and what underflow adds.
 #[derive(Clone, Debug)]
@@ -19,21 +18,17 @@ pub struct Range {
 
 /// The range of an operation; `None` where its numbers are not analysed.
 #[must_use]
-pub fn range(operation: &Operation, form: Form, fused: bool) -> Option<Range> {
-    let (groups, mut powers, mut underflow) =
-        (operation.groups(), [0; 2], Some(Lengths::default()));
-    for (is_single, (power, largest)) in
-        [true, false].into_iter().zip(powers.iter_mut().zip([128, 1024]))
-    {
-        let tape = tape_of(operation, form, is_single);
-        let analysis = Analysis::of(&tape, &groups, fused);
+pub fn range(record: &Record) -> Option<Range> {
+    let (mut powers, mut underflow) = ([0; 2], Some(Lengths::default()));
+    for (precision, largest) in [128, 1024].into_iter().enumerate() {
+        let tape = &record.tapes[precision];
+        let analysis = record.analysis(precision, Rounding::Normal);
         // A sum that is normalized: what is summed, and what is normalized by itself.
-        let sum = composed::sum(operation, &tape, form, is_single);
-        let sizes = sizes(&tape, &analysis, sum.as_ref().map_or(&tape.outputs, |sum| &sum.1))?;
+        let sum = record.last(precision);
+        let sizes = sizes(tape, &analysis, sum.as_ref().map_or(&tape.outputs, |sum| &sum.1))?;
         let last = match &sum {
             Some((last, nodes)) => {
-                let most = range(last, form, fused)?.powers[usize::from(!is_single)];
-                Some((most, composed::given(&analysis, last, nodes)?))
+                Some((range(last)?.powers[precision], composed::given(&analysis, last, nodes)?))
             }
             None => None,
         };
@@ -48,13 +43,11 @@ pub fn range(operation: &Operation, form: Form, fused: bool) -> Option<Range> {
             most + 1
         } else if !tape.ops.iter().any(divides) {
             largest
-        } else if is_single {
-            41
         } else {
-            401
+            [41, 401][precision]
         };
-        *power = (0..longest).rev().find(|&k| fits(k))?;
-        let below = Analysis::with(Rounding::Below, &tape, &groups, fused);
+        powers[precision] = (0..longest).rev().find(|&k| fits(k))?;
+        let below = record.analysis(precision, Rounding::Below);
         for &output in &tape.outputs {
             match (&mut underflow, below.bound(output)) {
                 (Some(worst), Some(one)) => worst.worst(&one),
