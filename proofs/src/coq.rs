@@ -62,7 +62,7 @@ fn theorems(record: &Record, precision: usize) -> Option<String> {
     let mut last = None;
     for (index, (&output, name)) in tape.outputs.iter().zip(operation.names()).enumerate() {
         let bound = parts.iter().find(|part| part.name == name)?.bound.as_ref()?;
-        let proof = Proof::of(operation, tape, &analysis, record.fused, output)?;
+        let proof = Proof::of(operation, tape, analysis, record.fused, output)?;
         if proof.done[&output].error.0.is_empty() {
             continue;
         }

@@ -90,7 +90,7 @@ impl Known {
 struct Steps<'a> {
     operation: &'a Operation,
     tape: &'a Tape,
-    analysis: Analysis,
+    analysis: &'a Analysis,
     is_single: bool,
     fused: bool,
     known: Vec<Option<Known>>,

@@ -25,10 +25,10 @@ pub fn range(record: &Record) -> Option<Range> {
         let analysis = record.analysis(precision, Rounding::Normal);
         // A sum that is normalized: what is summed, and what is normalized by itself.
         let sum = record.last(precision);
-        let sizes = sizes(tape, &analysis, sum.as_ref().map_or(&tape.outputs, |sum| &sum.1))?;
+        let sizes = sizes(tape, analysis, sum.as_ref().map_or(&tape.outputs, |sum| &sum.1))?;
         let last = match &sum {
             Some((last, nodes)) => {
-                Some((range(last)?.powers[precision], composed::given(&analysis, last, nodes)?))
+                Some((range(last)?.powers[precision], composed::given(analysis, last, nodes)?))
             }
             None => None,
         };

@@ -6,7 +6,7 @@ use crate::operations::{Form, Operation, functions, jobs, lanes, single};
 use crate::sample;
 use crate::tape::{Node, Tape, record};
 use dq8::Backend;
-use std::sync::LazyLock;
+use std::sync::{LazyLock, OnceLock};
 
 /// An operation in one form: what a section of `bounds.toml` is about.
 #[derive(Debug)]
@@ -19,6 +19,8 @@ pub struct Record {
     pub fused: bool,
     /// Of `f32` and `f64`, on the ordinary path: that of a motion that is nearly unit.
     pub tapes: [Tape; 2],
+    /// Of each, for both roundings.
+    analyses: [[OnceLock<Analysis>; 2]; 2],
 }
 
 impl Record {
@@ -29,10 +31,12 @@ impl Record {
             let mut all = vec![];
             for form in Form::ALL {
                 for operation in form.operations() {
-                    let of = || [tape::<true>(operation, form), tape::<false>(operation, form)];
-                    all.push(Record { operation, form, fused: false, tapes: of() });
-                    if of().iter().any(Tape::fuses) {
-                        all.push(Record { operation, form, fused: true, tapes: of() });
+                    let tapes = [tape::<true>(operation, form), tape::<false>(operation, form)];
+                    for fused in [false, true] {
+                        if !fused || tapes.iter().any(Tape::fuses) {
+                            let (tapes, analyses) = (tapes.clone(), Default::default());
+                            all.push(Record { operation, form, fused, tapes, analyses });
+                        }
                     }
                 }
             }
@@ -63,9 +67,11 @@ impl Record {
         0..2 - usize::from(self.tapes[0].is_same_as(&self.tapes[1]))
     }
 
-    pub(crate) fn analysis(&self, precision: usize, rounding: Rounding) -> Analysis {
-        let groups = self.operation.groups();
-        Analysis::of(&self.tapes[precision], groups, self.fused, rounding)
+    pub(crate) fn analysis(&self, precision: usize, rounding: Rounding) -> &Analysis {
+        self.analyses[precision][rounding as usize].get_or_init(|| {
+            let groups = self.operation.groups();
+            Analysis::of(&self.tapes[precision], groups, self.fused, rounding)
+        })
     }
 
     /// Whether a record before this one is the same: then nothing need be proved twice.

@@ -24,7 +24,7 @@ pub fn bounds(record: &Record) -> Vec<Part> {
     let mut parts: Vec<Part> = vec![];
     for precision in record.precisions() {
         let analysis = record.analysis(precision, Rounding::Normal);
-        let composed = composed::of(record, precision, &analysis);
+        let composed = composed::of(record, precision, analysis);
         for (output, name) in record.operation.names().enumerate() {
             let one = match &composed {
                 Some(bounds) => Some(bounds[output].clone()),
