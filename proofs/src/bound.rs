@@ -8,6 +8,7 @@
 use crate::polynomial::{Lengths, Polynomial, as_root, root};
 use crate::tape::{FIRST_INPUT, Node, Op, Tape};
 use std::collections::BTreeMap;
+use std::sync::OnceLock;
 
 /// u of `f32`. Bounds in units of u rise with u, so these hold for `f64` too.
 pub const U: f64 = 1.0 / (1 << 24) as f64;
@@ -31,6 +32,7 @@ pub struct Analysis {
     /// Without rounding, of each node; `None` beyond what is analysed.
     exact: Vec<Option<Polynomial>>,
     error: Vec<Option<Polynomial>>,
+    sizes: Vec<OnceLock<Option<Lengths>>>,
     roots: Vec<Root>,
     groups: Vec<usize>,
 }
@@ -49,7 +51,9 @@ struct Root {
 impl Analysis {
     /// Of a tape whose inputs belong to these groups.
     pub(crate) fn of(tape: &Tape, groups: Vec<usize>, fused: bool, rounding: Rounding) -> Self {
-        let mut analysis = Self { rounding, exact: vec![], error: vec![], roots: vec![], groups };
+        let (exact, error, roots) = (vec![], vec![], vec![]);
+        let sizes = vec![OnceLock::new(); tape.ops.len()];
+        let mut analysis = Self { rounding, exact, error, sizes, roots, groups };
         for node in 0..tape.ops.len() {
             // Of polynomials in polynomials, which have too many terms.
             let few = |of: &(Polynomial, Polynomial)| {
@@ -247,8 +251,9 @@ impl Analysis {
 // What scripts need beside the bounds.
 impl Analysis {
     /// How large the exact number of a node is at most, by the lengths of the arguments.
-    pub(crate) fn size(&self, node: Node) -> Option<Lengths> {
-        Some(self.by_lengths(self.exact(node)?))
+    pub(crate) fn size(&self, node: Node) -> Option<&Lengths> {
+        let size = || Some(self.by_lengths(self.exact(node)?));
+        self.sizes[node as usize].get_or_init(size).as_ref()
     }
     /// That of a node and c times another, where terms of one and the other have as many factors.
     pub(crate) fn size_of_sum(&self, node: Node, c: f64, other: Node) -> Option<Lengths> {

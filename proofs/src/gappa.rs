@@ -112,8 +112,8 @@ impl Steps<'_> {
         if let Some((_, group)) = self.analysis.sums().find(|sum| sum.0 == node) {
             return Some(self.length(group).times(self.length(group)).short());
         }
-        let most = |lengths: Lengths| {
-            let terms = lengths.0.into_iter().map(|(powers, c)| {
+        let most = |lengths: &Lengths| {
+            let terms = lengths.0.iter().map(|(powers, c)| {
                 let power = |&(group, power): &(usize, i32)| {
                     let Range(shortest, longest) = self.length(group);
                     if power < 0 { shortest.powi(power) } else { longest.powi(power) }
@@ -128,7 +128,7 @@ impl Steps<'_> {
             let [dot, zero] = branch.sides.map(|side| self.known[side as usize]);
             let is_met = !branch.holds && zero?.exact == Range(0.0, 0.0);
             let sum = self.analysis.size_of_sum(node, 2.0, branch.sides[0]).filter(|_| is_met)?;
-            Some(most(sum) + 2.0 * dot?.error)
+            Some(most(&sum) + 2.0 * dot?.error)
         });
         Some(Range(-size, not_below.fold(size, f64::min)).short())
     }

@@ -20,7 +20,7 @@ pub struct Range {
 #[must_use]
 pub fn range(record: &Record) -> Option<Range> {
     let (mut powers, mut underflow) = ([0; 2], Some(Lengths::default()));
-    for (precision, largest) in [128, 1024].into_iter().enumerate() {
+    for precision in record.precisions() {
         let tape = &record.tapes[precision];
         let analysis = record.analysis(precision, Rounding::Normal);
         // A sum that is normalized: what is summed, and what is normalized by itself.
@@ -28,25 +28,31 @@ pub fn range(record: &Record) -> Option<Range> {
         let sizes = sizes(tape, analysis, sum.as_ref().map_or(&tape.outputs, |sum| &sum.1))?;
         let last = match &sum {
             Some((last, nodes)) => {
-                Some((range(last)?.powers[precision], composed::given(analysis, last, nodes)?))
+                Some((range(last)?.powers, composed::given(analysis, last, nodes)?))
             }
             None => None,
         };
-        let fits = |k: i32| {
-            let below = |size: &Lengths, most: i32| log(size, k) < f64::from(most) - 0.001;
-            sizes.iter().all(|size| below(size, largest))
-                && last.iter().all(|(most, given)| given.iter().all(|(one, _)| below(one, *most)))
-        };
-        // Squares whose root is taken have a path of their own beyond these lengths.
-        let divides = |op: &Op| matches!(op, Op::Div(..) | Op::Sqrt(_));
-        let longest = if let Some((most, _)) = &last {
-            most + 1
-        } else if !tape.ops.iter().any(divides) {
-            largest
-        } else {
-            [41, 401][precision]
-        };
-        powers[precision] = (0..longest).rev().find(|&k| fits(k))?;
+        for (i, largest) in [(0, 128), (1, 1024)] {
+            // One code for both.
+            if record.precisions().contains(&i) && i != precision {
+                continue;
+            }
+            let fits = |k: i32| {
+                let below = |size: &Lengths, most: i32| log(size, k) < f64::from(most) - 0.001;
+                let given = |(most, given): &([i32; 2], Vec<(Lengths, _)>)| {
+                    given.iter().all(|(one, _)| below(one, most[i]))
+                };
+                sizes.iter().all(|size| below(size, largest)) && last.iter().all(given)
+            };
+            // Squares whose root is taken have a path of their own beyond these lengths.
+            let divides = |op: &Op| matches!(op, Op::Div(..) | Op::Sqrt(_));
+            let longest = match &last {
+                Some((most, _)) => most[i] + 1,
+                None if tape.ops.iter().any(divides) => [41, 401][i],
+                None => largest,
+            };
+            powers[i] = (0..longest).rev().find(|&k| fits(k))?;
+        }
         let below = record.analysis(precision, Rounding::Below);
         for &output in &tape.outputs {
             match (&mut underflow, below.bound(output)) {
@@ -64,9 +70,9 @@ fn sizes(tape: &Tape, analysis: &Analysis, of: &[Node]) -> Option<Vec<Lengths>> 
     let mut sizes = vec![];
     for node in (0..tape.ops.len()).filter(|&node| needed[node]) {
         if let Op::Fma(a, b, _) | Op::Nfma(a, b, _) = tape.ops[node] {
-            sizes.push(analysis.size(a)?.times(&analysis.size(b)?));
+            sizes.push(analysis.size(a)?.times(analysis.size(b)?));
         }
-        sizes.push(analysis.size(node as Node)?);
+        sizes.push(analysis.size(node as Node)?.clone());
     }
     Some(sizes)
 }
