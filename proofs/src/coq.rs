@@ -63,7 +63,7 @@ fn theorems(record: &Record, precision: usize) -> Option<String> {
     for (index, (&output, name)) in tape.outputs.iter().zip(operation.names()).enumerate() {
         let bound = parts.iter().find(|part| part.name == name)?.bound.as_ref()?;
         let proof = Proof::of(operation, tape, analysis, record.fused, output)?;
-        if proof.done[&output].error.0.is_empty() {
+        if proof.done[&output].most.error.0.is_empty() {
             continue;
         }
         last = Some(format!("{}_{index}", operation.name));
@@ -88,7 +88,7 @@ impl Theorem<'_> {
         let letter = |g: usize| self.operation.inputs[g].0;
         let known = self.proof.done[&self.output].clone();
         let unit = self.proof.root.map(|_| self.proof.unit(self.output));
-        let (mut error, mut exact) = (known.error, known.exact.clone());
+        let (mut error, mut exact) = (known.most.error, known.exact.clone());
         let mut last = format!("apply (error u U0 _ _ _ _ _ B{}).", self.output);
         if unit.is_some() {
             let (node, more, plain) = self.proof.in_lengths(self.output)?;
