@@ -97,32 +97,33 @@ impl Analysis {
     fn node(&mut self, tape: &Tape, node: Node, fused: bool) -> Option<Bounded> {
         // Below the normal numbers a half is rounded.
         let least = if self.rounding == Rounding::Normal { 0.0 } else { 1.0 };
-        let rounds = |a, b| !tape.is_power_of_two(a, least) && !tape.is_power_of_two(b, least);
-        Some(match tape.ops[node as usize] {
-            Op::Input => Bounded::exactly(Polynomial::variable(node)),
-            Op::Const(c) if c.is_finite() => Bounded::exactly(Polynomial::constant(c)),
+        let [rounds_product, rounds] = tape.roundings(node, fused, least);
+        let (is_product, exact) = match tape.ops[node as usize] {
+            Op::Input => (false, Bounded::exactly(Polynomial::variable(node))),
+            Op::Const(c) if c.is_finite() => (false, Bounded::exactly(Polynomial::constant(c))),
             Op::Const(_) | Op::Abs(_) => return None,
-            Op::Neg(a) => Bounded::exactly(Polynomial::default()).plus(-1.0, self.known(a)?),
-            Op::Add(a, b) if a == b => self.known(a)?.plus(1.0, self.known(b)?),
-            Op::Add(a, b) => self.sum(self.known(a)?.plus(1.0, self.known(b)?)),
-            Op::Sub(a, b) => self.sum(self.known(a)?.plus(-1.0, self.known(b)?)),
-            Op::Mul(a, b) => self.product(self.known(a)?.times(self.known(b)?), rounds(a, b)),
+            Op::Neg(a) => {
+                (false, Bounded::exactly(Polynomial::default()).plus(-1.0, self.known(a)?))
+            }
+            Op::Add(a, b) => (false, self.known(a)?.plus(1.0, self.known(b)?)),
+            Op::Sub(a, b) => (false, self.known(a)?.plus(-1.0, self.known(b)?)),
+            Op::Mul(a, b) => (true, self.known(a)?.times(self.known(b)?)),
             Op::Fma(a, b, c) | Op::Nfma(a, b, c) => {
                 let sign = if matches!(tape.ops[node as usize], Op::Fma(..)) { 1.0 } else { -1.0 };
                 let product = self.known(a)?.times(self.known(b)?);
-                let product = self.product(product, !fused && rounds(a, b));
-                let sum = self.known(c)?.plus(sign, &product);
-                if fused { self.product(sum, true) } else { self.sum(sum) }
+                let product = if rounds_product { self.rounded(true, product) } else { product };
+                (fused, self.known(c)?.plus(sign, &product))
             }
             Op::Sqrt(a) => {
                 let k = self.root_of(a)?;
-                self.sum(Bounded::exactly(Polynomial::variable(root(k))))
+                (false, Bounded::exactly(Polynomial::variable(root(k))))
             }
             Op::Div(a, b) => {
                 let over = self.reciprocal(b)?;
-                self.product(self.known(a)?.times(&over), true)
+                (true, self.known(a)?.times(&over))
             }
-        })
+        };
+        Some(if rounds { self.rounded(is_product, exact) } else { exact })
     }
 
     fn known(&self, node: Node) -> Option<&Bounded> {
@@ -132,18 +133,14 @@ impl Analysis {
         self.known(node).map(|known| &known.value)
     }
 
-    /// A sum or root, rounded. They are never below: sums are whole multiples of the least number.
-    fn sum(&self, of: Bounded) -> Bounded {
-        if self.rounding == Rounding::Normal { of.rounded() } else { of }
-    }
-    /// A product or quotient, rounded or not.
-    fn product(&self, of: Bounded, rounds: bool) -> Bounded {
+    /// One rounding, of a product or not: sums are never below, but whole multiples of the least number.
+    fn rounded(&self, is_product: bool, of: Bounded) -> Bounded {
         match self.rounding {
-            _ if !rounds => of,
             Rounding::Normal => of.rounded(),
-            Rounding::Below => {
+            Rounding::Below if is_product => {
                 Bounded { error: of.error.plus(1.0, &Polynomial::constant(1.0)), ..of }
             }
+            Rounding::Below => of,
         }
     }
 

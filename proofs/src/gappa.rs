@@ -171,14 +171,7 @@ impl Steps<'_> {
     /// The lemma of one operation, and what it says: the same in numbers, which Gappa is to confirm.
     fn lemma(&mut self, node: Node, op: Op) -> Option<Known> {
         let operands = op.operands();
-        let is_exact = |i: usize| self.tape.is_power_of_two(operands[i], 0.0);
-        let (rounds, rounds_product) = match op {
-            Op::Neg(_) | Op::Abs(_) => (false, false),
-            Op::Add(a, b) => (a != b, false),
-            Op::Mul(..) => (!is_exact(0) && !is_exact(1), false),
-            Op::Fma(..) | Op::Nfma(..) => (true, !self.fused && !is_exact(0) && !is_exact(1)),
-            _ => (true, false),
-        };
+        let [rounds_product, rounds] = self.tape.roundings(node, self.fused, 0.0);
         let known: Vec<Known> =
             operands.iter().map(|&operand| self.known[operand as usize]).collect::<Option<_>>()?;
         let exact: Vec<Range> = known.iter().map(|known| known.exact).collect();

@@ -17,7 +17,7 @@ use dq8_simd::sealed::Sealed;
 use dq8_simd::{Float, Lanes, Level, Portable};
 
 /// A node of the tape; `SINGLE` where it stands for `f32`, else for `f64`.
-#[derive(Clone, Copy, Pod, Zeroable)]
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
 #[repr(transparent)]
 pub struct Recorded<const SINGLE: bool>(pub Node);
 
@@ -62,19 +62,9 @@ impl<const S: bool> PartialOrd for Recorded<S> {
         Some(order)
     }
 }
-impl<const S: bool> Default for Recorded<S> {
-    fn default() -> Self {
-        Self(0)
-    }
-}
-impl<const S: bool> fmt::Debug for Recorded<S> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "n{}", self.0)
-    }
-}
 impl<const S: bool> fmt::Display for Recorded<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "n{}", self.0)
+        write!(f, "{self:?}")
     }
 }
 impl<const S: bool> From<f32> for Recorded<S> {

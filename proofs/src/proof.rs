@@ -87,7 +87,7 @@ impl<'a> Proof<'a> {
     }
 
     fn step(&mut self, node: Node) -> Option<()> {
-        let power = |node| self.tape.is_power_of_two(node, 0.0);
+        let [rounds_product, rounds] = self.tape.roundings(node, self.fused, 0.0);
         match self.tape.ops[node as usize] {
             Op::Input => {
                 let letter = self.operation.inputs[self.group(node)].0;
@@ -105,28 +105,31 @@ impl<'a> Proof<'a> {
             }
             Op::Const(c) => self.constant(node, c),
             Op::Neg(a) => self.opposite(node, a),
-            Op::Add(a, b) => self.sum(node, 1.0, a, b, a != b)?,
-            Op::Sub(a, b) => self.sum(node, -1.0, a, b, true)?,
-            Op::Mul(a, b) => self.product(node, a, b, !power(a) && !power(b))?,
+            Op::Add(a, b) => self.sum(node, 1.0, a, b),
+            Op::Sub(a, b) => self.sum(node, -1.0, a, b),
+            Op::Mul(a, b) => self.product(node, a, b),
             Op::Fma(a, b, c) | Op::Nfma(a, b, c) => {
                 let inner = 10_000 + node;
-                self.product(inner, a, b, !self.fused && !power(a) && !power(b))?;
+                self.product(inner, a, b);
+                if rounds_product {
+                    self.round(inner)?;
+                }
                 match self.tape.ops[node as usize] {
-                    Op::Fma(..) => self.sum(node, 1.0, inner, c, true)?,
-                    _ => self.sum(node, -1.0, c, inner, true)?,
+                    Op::Fma(..) => self.sum(node, 1.0, inner, c),
+                    _ => self.sum(node, -1.0, c, inner),
                 }
             }
             Op::Sqrt(a) if self.is_sum(a) => {
                 self.say(&format!("pose proof H_ as B{node}."));
                 self.done.insert(node, Known::exactly("h", Polynomial::constant(NEAR)));
-                self.near(node, &format!("sqrt r{a}"), &format!("rewrite R_ in O{node}."))?;
+                return self.near(node, &format!("sqrt r{a}"), &format!("rewrite R_ in O{node}."));
             }
             Op::Div(one, a) if self.tape.ops[one as usize] == Op::Const(1.0) && self.is_sum(a) => {
                 self.say(&format!("pose proof (times u U0 U1 _ _ _ _ _ _ _ _ K_ K_) as B{node}."));
                 let size = Polynomial::constant(NEAR * NEAR);
                 self.done.insert(node, Known::exactly("(/ h * / h)", size));
                 let rewritten = format!("rewrite Q_, over_square in O{node}.");
-                self.near(node, &format!("1 / r{a}"), &rewritten)?;
+                return self.near(node, &format!("1 / r{a}"), &rewritten);
             }
             Op::Div(one, a)
                 if self.tape.ops[one as usize] == Op::Const(1.0) && self.done[&a].exact == "h" =>
@@ -138,9 +141,12 @@ impl<'a> Proof<'a> {
                 let most = Bounded { value: Polynomial::constant(2.0 * NEAR - 1.0), error };
                 let (computed, exact) = (text.clone(), "/ h".into());
                 self.done.insert(node, Known { computed, exact, most });
-                self.near(node, &text, "")?;
+                return self.near(node, &text, "");
             }
             Op::Div(..) | Op::Sqrt(_) | Op::Abs(_) => return None,
+        }
+        if rounds {
+            self.round(node)?;
         }
         if self.is_sum(node) {
             self.take_root(node);
@@ -165,17 +171,15 @@ impl<'a> Proof<'a> {
         self.done.insert(node, Known { computed, exact, most });
     }
 
-    fn sum(&mut self, node: Node, sign: f64, a: Node, b: Node, rounds: bool) -> Option<()> {
+    fn sum(&mut self, node: Node, sign: f64, a: Node, b: Node) {
         let (lemma, operator) = if sign > 0.0 { ("plus u", '+') } else { ("minus u", '-') };
         let most = self.done[&a].most.plus(1.0, &self.done[&b].most);
         self.pose(node, lemma, operator, [a, b], most);
-        if rounds { self.round(node) } else { Some(()) }
     }
 
-    fn product(&mut self, node: Node, a: Node, b: Node, rounds: bool) -> Option<()> {
+    fn product(&mut self, node: Node, a: Node, b: Node) {
         let most = self.done[&a].most.times(&self.done[&b].most);
         self.pose(node, "times u U0 U1", '*', [a, b], most);
-        if rounds { self.round(node) } else { Some(()) }
     }
 
     fn round(&mut self, node: Node) -> Option<()> {
@@ -307,7 +311,7 @@ impl<'a> Proof<'a> {
             self.constant(next, c.abs());
             let mut text = rational(c.abs());
             for factor in factors {
-                self.product(next + 1, next, factor, false)?;
+                self.product(next + 1, next, factor);
                 self.shorten(next + 1);
                 if factor < 20_000 {
                     let _ = write!(text, " * x{factor}");
@@ -317,7 +321,7 @@ impl<'a> Proof<'a> {
             let (term, sign) = (next, if c < 0.0 { "-" } else { "+" });
             next += 1;
             match sum {
-                Some(before) => self.sum(next, c, before, term, false)?,
+                Some(before) => self.sum(next, c, before, term),
                 None if c < 0.0 => self.opposite(next, term),
                 None => next = term,
             }
