@@ -5,7 +5,7 @@
 //! variable: the computed sum ŝ counts as exact while √ŝ and 1/ŝ go through the tape, so that their errors cancel, and what ŝ
 //! itself is off enters once, at the end.
 
-use crate::polynomial::{Lengths, Monomial, Polynomial, as_root, root};
+use crate::polynomial::{Lengths, Monomial, Polynomial, Sum, as_root, root};
 use crate::tape::{FIRST_INPUT, Node, Op, Tape};
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
@@ -231,12 +231,12 @@ impl Analysis {
             for (&node, along) in nodes.iter().zip(first..) {
                 sum = sum.plus(1.0, &of(self.known(node)?).times(&Polynomial::variable(along)));
             }
-            let Lengths(by) = sum.by_lengths(&group, &|k| self.roots[k].group);
+            let Sum(by) = sum.by_lengths(&group, &|k| self.roots[k].group);
             let without = by.into_iter().map(|(mut powers, c)| {
                 powers.retain(|&(g, _)| g != last);
                 (powers, c)
             });
-            Some(Lengths(without.collect()))
+            Some(Sum(without.collect()))
         };
         Some((length(|known| &known.value)?, length(|known| &known.error)?))
     }

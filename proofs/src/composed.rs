@@ -11,10 +11,10 @@
 //!
 //! where ℓ is the least length of p on the way, and 2/√3 is of the largest slope of (1 − eeᵀ)/|p|, e = p/|p|. What the last step
 //! itself rounds is added. ℓ ≥ |p|(1 − 2⁻¹⁰) if u|δp| ≤ 2⁻¹⁰|p|, which holds where the bound of the real part, or half that of a point
-//! with |v| = 1, is below [`FAR`].
+//! or normal with |v| = 1, is below [`FAR`].
 
 use crate::bound::{Analysis, U};
-use crate::polynomial::Lengths;
+use crate::polynomial::{Lengths, Sum};
 use crate::record::Record;
 use crate::table::bounds;
 use crate::tape::Node;
@@ -43,7 +43,7 @@ pub(crate) fn given(
 pub(crate) fn of(record: &Record, precision: usize, analysis: &Analysis) -> Option<Vec<Lengths>> {
     let (last, sum) = record.last(precision)?;
     let z = record.operation.inputs.len();
-    let length = |power| Lengths([(vec![(z, power)], MARGIN)].into());
+    let length = |power| Sum([(vec![(z, power)], MARGIN)].into());
     let given = given(analysis, last, &sum)?;
     let (none, over) = (Lengths::default(), length(-1));
     let off = given[0].1.times(&over);
@@ -52,18 +52,19 @@ pub(crate) fn of(record: &Record, precision: usize, analysis: &Analysis) -> Opti
     let mut parts = vec![];
     for (&(name, count), part) in last.operation.parts.iter().zip(bounds(last)) {
         let mut bound = match name {
-            "dual" => moved.clone().plus(&turned.scaled(2.0 / 3.0_f64.sqrt())),
-            "point" => off.times(&given[2].0).plus(&moved).plus(&turned).scaled(2.0),
+            "dual" => moved.plus(1.0, &turned.scaled(2.0 / 3.0_f64.sqrt())),
+            "point" => off.times(&given[2].0).plus(1.0, &moved).plus(1.0, &turned).scaled(2.0),
             "normal" => off.times(&given[1].0).scaled(2.0),
             _ => off.clone(),
         };
         for (powers, c) in part.bound?.0 {
             let factors = powers.into_iter().map(|(argument, power)| match (argument, power) {
                 (0, _) => length(power),
-                (_, 1) => given[argument].0.clone().plus(&given[argument].1.scaled(U)),
+                (_, 1) => given[argument].0.plus(U, &given[argument].1),
                 _ => unreachable!("a last step is linear in what is not normalized"),
             });
-            bound = bound.plus(&factors.fold(Lengths::constant(c), |all, one| all.times(&one)));
+            bound =
+                bound.plus(1.0, &factors.fold(Lengths::constant(c), |all, one| all.times(&one)));
         }
         parts.extend(vec![bound; count]);
     }

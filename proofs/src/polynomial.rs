@@ -20,49 +20,73 @@ pub(crate) fn as_root(variable: u32) -> Option<(usize, i32)> {
 /// Terms by the groups of their inputs, and by their roots.
 pub(crate) type Kinds = BTreeMap<(Vec<usize>, Monomial), Vec<(Monomial, f64)>>;
 
-/// Coefficients by monomial.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Polynomial(pub(crate) BTreeMap<Monomial, f64>);
+/// What terms are made of, beside their coefficients.
+pub trait Factors: Clone + Default + Ord {
+    /// Those of a product.
+    #[must_use]
+    fn times(&self, other: &Self) -> Self;
+}
 
-impl Polynomial {
+/// A root times one over it is nothing.
+impl Factors for Monomial {
+    fn times(&self, other: &Self) -> Self {
+        let mut all = [&self[..], &other[..]].concat();
+        all.sort_unstable();
+        let cancelled = |all: &Self| {
+            let mut roots = all.iter().filter(|&&v| as_root(v).is_some_and(|(_, k)| k == 1));
+            roots.find(|&&root| all.contains(&(root + 1))).copied()
+        };
+        while let Some(root) = cancelled(&all) {
+            // One over a root is the number after it.
+            let at = all.partition_point(|&v| v < root);
+            let over = all.partition_point(|&v| v < root + 1);
+            all.remove(over);
+            all.remove(at);
+        }
+        all
+    }
+}
+
+/// Powers of the lengths of arguments.
+pub type Powers = Vec<(usize, i32)>;
+
+impl Factors for Powers {
+    fn times(&self, other: &Self) -> Self {
+        let mut powers = BTreeMap::new();
+        self.iter().chain(other).for_each(|&(group, k)| *powers.entry(group).or_default() += k);
+        powers.retain(|_, k| *k != 0);
+        powers.into_iter().collect()
+    }
+}
+
+/// Coefficients by factors.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Sum<K>(pub BTreeMap<K, f64>);
+/// By variables.
+pub(crate) type Polynomial = Sum<Monomial>;
+/// By powers of lengths.
+pub type Lengths = Sum<Powers>;
+
+impl<K: Factors> Sum<K> {
     /// c
     pub(crate) fn constant(c: f64) -> Self {
-        Self(if c == 0.0 { BTreeMap::new() } else { BTreeMap::from([(vec![], c)]) })
-    }
-    /// x
-    pub(crate) fn variable(x: u32) -> Self {
-        Self(BTreeMap::from([(vec![x], 1.0)]))
+        Self(if c == 0.0 { BTreeMap::new() } else { [(K::default(), c)].into() })
     }
     /// self + c other
     pub(crate) fn plus(&self, c: f64, other: &Self) -> Self {
         let mut sum = self.0.clone();
-        for (monomial, coefficient) in &other.0 {
-            *sum.entry(monomial.clone()).or_default() += c * coefficient;
+        for (factors, coefficient) in &other.0 {
+            *sum.entry(factors.clone()).or_default() += c * coefficient;
         }
         sum.retain(|_, coefficient| *coefficient != 0.0);
         Self(sum)
     }
-    /// self · other; a root times one over it is 1.
+    /// self · other
     pub(crate) fn times(&self, other: &Self) -> Self {
         let mut product = BTreeMap::new();
         for (a, x) in &self.0 {
             for (b, y) in &other.0 {
-                let mut monomial = [&a[..], &b[..]].concat();
-                monomial.sort_unstable();
-                let mut at = 0;
-                while at + 1 < monomial.len() {
-                    // One over a root is the number after it.
-                    if as_root(monomial[at]).is_some_and(|(_, power)| power == 1)
-                        && let Some(over) = monomial.iter().position(|&v| v == monomial[at] + 1)
-                    {
-                        monomial.remove(over);
-                        monomial.remove(at);
-                        at = 0;
-                    } else {
-                        at += 1;
-                    }
-                }
-                *product.entry(monomial).or_default() += x * y;
+                *product.entry(a.times(b)).or_default() += x * y;
             }
         }
         product.retain(|_, coefficient| *coefficient != 0.0);
@@ -71,6 +95,13 @@ impl Polynomial {
     /// c self
     pub(crate) fn scaled(&self, c: f64) -> Self {
         Self::default().plus(c, self)
+    }
+}
+
+impl Polynomial {
+    /// x
+    pub(crate) fn variable(x: u32) -> Self {
+        Self([(vec![x], 1.0)].into())
     }
     /// All coefficients without their signs.
     pub(crate) fn magnitude(&self) -> Self {
@@ -124,10 +155,6 @@ impl Polynomial {
     }
 }
 
-/// Coefficients by powers of lengths.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Lengths(pub BTreeMap<Vec<(usize, i32)>, f64>);
-
 impl Lengths {
     /// The value for these lengths.
     #[must_use]
@@ -136,30 +163,6 @@ impl Lengths {
             powers.iter().map(|&(g, k)| lengths[g].powi(k)).product::<f64>()
         };
         self.0.iter().map(|(powers, c)| c * of(powers)).sum()
-    }
-    pub(crate) fn constant(c: f64) -> Self {
-        Self([(vec![], c)].into())
-    }
-    pub(crate) fn scaled(&self, c: f64) -> Self {
-        Self(self.0.iter().map(|(powers, x)| (powers.clone(), c * x)).collect())
-    }
-    pub(crate) fn plus(mut self, other: &Self) -> Self {
-        for (powers, c) in &other.0 {
-            *self.0.entry(powers.clone()).or_default() += c;
-        }
-        self
-    }
-    pub(crate) fn times(&self, other: &Self) -> Self {
-        let mut product = Self::default();
-        for (a, x) in &self.0 {
-            for (b, y) in &other.0 {
-                let mut powers = BTreeMap::<usize, i32>::new();
-                a.iter().chain(b).for_each(|&(g, k)| *powers.entry(g).or_default() += k);
-                powers.retain(|_, k| *k != 0);
-                *product.0.entry(powers.into_iter().collect()).or_default() += x * y;
-            }
-        }
-        product
     }
     /// The larger of each coefficient.
     pub(crate) fn worst(&mut self, other: &Self) {

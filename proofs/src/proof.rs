@@ -7,7 +7,7 @@
 use crate::bound::{Analysis, Bounded};
 use crate::fraction::rational;
 use crate::operations::Operation;
-use crate::polynomial::{Polynomial, as_root};
+use crate::polynomial::{Polynomial, Sum, as_root};
 use crate::tape::{FIRST_INPUT, Node, Op, Tape};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
@@ -340,7 +340,7 @@ fn times(a: String, b: String) -> String {
 /// Coefficients rounded up to few decimals, so that what is written stays short.
 fn up(polynomial: &Polynomial) -> Polynomial {
     let up = |c: f64| if (c * 1e6).fract() == 0.0 { c } else { (c * 1e6 + 1e-3).ceil() / 1e6 };
-    Polynomial(polynomial.0.iter().map(|(monomial, &c)| (monomial.clone(), up(c))).collect())
+    Sum(polynomial.0.iter().map(|(monomial, &c)| (monomial.clone(), up(c))).collect())
 }
 
 fn text_of(polynomial: &Polynomial) -> String {
