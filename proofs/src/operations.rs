@@ -59,6 +59,11 @@ impl Form {
         [single::OPERATIONS, lanes::OPERATIONS, jobs::OPERATIONS, functions::OPERATIONS]
             [self as usize]
     }
+    /// What computes an operation by its name: the numbers of the answer.
+    #[must_use]
+    pub fn run<R: Number + Lanes>(self) -> fn(&str, Backend, &[R]) -> Vec<R> {
+        [single::run, lanes::run, jobs::run, functions::run][self as usize]
+    }
 }
 
 /// What jobs compute with.

@@ -2,7 +2,7 @@
 
 use crate::bound::{Analysis, Rounding};
 use crate::number::Recorded;
-use crate::operations::{Form, Operation, functions, jobs, lanes, single};
+use crate::operations::{Form, Operation};
 use crate::sample;
 use crate::tape::{Node, Tape, record};
 use dq8::Backend;
@@ -104,13 +104,7 @@ impl Record {
 fn tape<const S: bool>(operation: &Operation, form: Form) -> Tape {
     record(&sample::ordinary(operation), |nodes| {
         let numbers: Vec<Recorded<S>> = nodes.iter().map(|&node| Recorded(node)).collect();
-        let run = match form {
-            Form::Single => single::run,
-            Form::Lanes => lanes::run,
-            Form::Function => functions::run,
-            Form::Job => jobs::run,
-        };
-        let outputs = run(operation.name, Backend::PORTABLE, &numbers);
+        let outputs = form.run()(operation.name, Backend::PORTABLE, &numbers);
         outputs.into_iter().map(|number| number.0).collect()
     })
 }

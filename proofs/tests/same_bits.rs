@@ -2,7 +2,7 @@
 //! portable lanes, fused as AVX2.
 
 use dq8::{Backend, Kernel, Level, Real};
-use dq8_proofs::operations::{Form, Number, functions, jobs, lanes, single};
+use dq8_proofs::operations::{Form, Number, functions, lanes};
 use dq8_proofs::record::Record;
 use dq8_proofs::sample::{Random, draw};
 use dq8_proofs::tape::Computed;
@@ -40,16 +40,15 @@ impl<F: Float> Kernel for OnLanes<'_, F> {
 
 /// What the compiled code computes.
 fn code<F: Number + Lanes>(record: &Record, inputs: &[Vec<F>]) -> Vec<Vec<F>> {
-    let avx2 =
-        || Backend::avx2().expect("this test compares with AVX2: run it on a CPU that has it");
-    let (run, backend): (fn(&str, Backend, &[F]) -> Vec<F>, _) = match (record.form, record.fused) {
-        (Form::Lanes | Form::Function, true) => return avx2().run(OnLanes(record, inputs)),
-        (Form::Job, true) => (jobs::run, avx2()),
-        (Form::Job, false) => (jobs::run, Backend::PORTABLE),
-        (Form::Single, _) => (single::run, Backend::PORTABLE),
-        (Form::Lanes, false) => (lanes::run, Backend::PORTABLE),
-        (Form::Function, false) => (functions::run, Backend::PORTABLE),
-    };
+    let mut backend = Backend::PORTABLE;
+    if record.fused {
+        backend =
+            Backend::avx2().expect("this test compares with AVX2: run it on a CPU that has it");
+        if matches!(record.form, Form::Lanes | Form::Function) {
+            return backend.run(OnLanes(record, inputs));
+        }
+    }
+    let run = record.form.run();
     inputs.iter().map(|input| run(record.operation.name, backend, input)).collect()
 }
 
