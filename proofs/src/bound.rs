@@ -5,15 +5,46 @@
 //! variable: the computed sum ŝ counts as exact while √ŝ and 1/ŝ go through the tape, so that their errors cancel, and what ŝ
 //! itself is off enters once, at the end.
 
-use crate::polynomial::{Lengths, Polynomial, as_root, root};
+use crate::polynomial::{Lengths, Monomial, Polynomial, Sum, as_root, root};
 use crate::tape::{FIRST_INPUT, Node, Op, Tape};
 use std::collections::BTreeMap;
+use std::sync::OnceLock;
 
 /// u of `f32`. Bounds in units of u rise with u, so these hold for `f64` too.
 pub const U: f64 = 1.0 / (1 << 24) as f64;
 
 /// The most factors of a term that is analysed.
 const DEGREE: usize = 6;
+
+/// A number without rounding, and what it is off by at most: in units of u, with coefficients ≥ 0.
+#[derive(Clone, Debug)]
+pub(crate) struct Bounded {
+    pub(crate) value: Polynomial,
+    pub(crate) error: Polynomial,
+}
+
+impl Bounded {
+    pub(crate) fn exactly(value: Polynomial) -> Self {
+        Self { value, error: Polynomial::default() }
+    }
+    /// self + c other
+    pub(crate) fn plus(&self, c: f64, other: &Self) -> Self {
+        let error = self.error.plus(c.abs(), &other.error);
+        Self { value: self.value.plus(c, &other.value), error }
+    }
+    /// self · other
+    pub(crate) fn times(&self, other: &Self) -> Self {
+        let of_other = self.value.magnitude().times(&other.error);
+        let first = of_other.plus(1.0, &other.value.magnitude().times(&self.error));
+        let error = first.plus(U, &self.error.times(&other.error));
+        Self { value: self.value.times(&other.value), error }
+    }
+    /// The same after one rounding, relatively by u.
+    pub(crate) fn rounded(self) -> Self {
+        let more = self.value.magnitude().plus(U, &self.error);
+        Self { error: self.error.plus(1.0, &more), ..self }
+    }
+}
 
 /// What roundings do.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,9 +59,9 @@ pub(crate) enum Rounding {
 #[derive(Debug)]
 pub struct Analysis {
     rounding: Rounding,
-    /// Without rounding, of each node; `None` beyond what is analysed.
-    exact: Vec<Option<Polynomial>>,
-    error: Vec<Option<Polynomial>>,
+    /// Of each node; `None` beyond what is analysed.
+    known: Vec<Option<Bounded>>,
+    sizes: Vec<OnceLock<Option<Lengths>>>,
     roots: Vec<Root>,
     groups: Vec<usize>,
 }
@@ -48,108 +79,69 @@ struct Root {
 
 impl Analysis {
     /// Of a tape whose inputs belong to these groups.
-    #[must_use]
-    pub fn of(tape: &Tape, groups: &[usize], fused: bool) -> Self {
-        Self::with(Rounding::Normal, tape, groups, fused)
-    }
-
-    /// Of one kind of rounding.
-    pub(crate) fn with(rounding: Rounding, tape: &Tape, groups: &[usize], fused: bool) -> Self {
-        let (groups, roots) = (groups.to_vec(), vec![]);
-        let mut analysis = Self { rounding, exact: vec![], error: vec![], roots, groups };
+    pub(crate) fn of(tape: &Tape, groups: Vec<usize>, fused: bool, rounding: Rounding) -> Self {
+        let (known, sizes, roots) = (vec![], vec![OnceLock::new(); tape.ops.len()], vec![]);
+        let mut analysis = Self { rounding, known, sizes, roots, groups };
         for node in 0..tape.ops.len() {
             // Of polynomials in polynomials, which have too many terms.
-            let few = |of: &(Polynomial, Polynomial)| {
-                of.0.0.keys().all(|m| m.iter().filter(|v| as_root(**v).is_none()).count() <= DEGREE)
+            let few = |of: &Bounded| {
+                let factors = |m: &Monomial| m.iter().filter(|v| as_root(**v).is_none()).count();
+                of.value.0.keys().all(|monomial| factors(monomial) <= DEGREE)
             };
-            let (exact, error) = analysis.node(tape, node as Node, fused).filter(few).unzip();
-            analysis.exact.push(exact);
-            analysis.error.push(error);
+            let known = analysis.node(tape, node as Node, fused).filter(few);
+            analysis.known.push(known);
         }
         analysis
     }
 
-    fn node(&mut self, tape: &Tape, node: Node, fused: bool) -> Option<(Polynomial, Polynomial)> {
+    fn node(&mut self, tape: &Tape, node: Node, fused: bool) -> Option<Bounded> {
         // Below the normal numbers a half is rounded.
         let least = if self.rounding == Rounding::Normal { 0.0 } else { 1.0 };
-        let power_of_two = |node| tape.is_power_of_two(node, least);
-        Some(match tape.ops[node as usize] {
-            Op::Input => (Polynomial::variable(node), Polynomial::default()),
-            Op::Const(c) if c.is_finite() => (Polynomial::constant(c), Polynomial::default()),
+        let [rounds_product, rounds] = tape.roundings(node, fused, least);
+        let (is_product, exact) = match tape.ops[node as usize] {
+            Op::Input => (false, Bounded::exactly(Polynomial::variable(node))),
+            Op::Const(c) if c.is_finite() => (false, Bounded::exactly(Polynomial::constant(c))),
             Op::Const(_) | Op::Abs(_) => return None,
-            Op::Neg(a) => (self.exact(a)?.scaled(-1.0), self.error(a)?.clone()),
-            Op::Add(a, b) if a == b => (self.exact(a)?.scaled(2.0), self.error(a)?.scaled(2.0)),
-            Op::Add(a, b) => self.sum(a, 1.0, b)?,
-            Op::Sub(a, b) => self.sum(a, -1.0, b)?,
-            Op::Mul(a, b) => {
-                let product = self.product(a, b)?;
-                if power_of_two(a) || power_of_two(b) {
-                    product
-                } else {
-                    self.rounded(true, product)
-                }
+            Op::Neg(a) => {
+                (false, Bounded::exactly(Polynomial::default()).plus(-1.0, self.known(a)?))
             }
+            Op::Add(a, b) => (false, self.known(a)?.plus(1.0, self.known(b)?)),
+            Op::Sub(a, b) => (false, self.known(a)?.plus(-1.0, self.known(b)?)),
+            Op::Mul(a, b) => (true, self.known(a)?.times(self.known(b)?)),
             Op::Fma(a, b, c) | Op::Nfma(a, b, c) => {
                 let sign = if matches!(tape.ops[node as usize], Op::Fma(..)) { 1.0 } else { -1.0 };
-                let product = self.product(a, b)?;
-                let is_exact = fused || power_of_two(a) || power_of_two(b);
-                let (product, error) = if is_exact { product } else { self.rounded(true, product) };
-                self.rounded(
-                    fused,
-                    (self.exact(c)?.plus(sign, &product), error.plus(1.0, self.error(c)?)),
-                )
+                let product = self.known(a)?.times(self.known(b)?);
+                let product = if rounds_product { self.rounded(true, product) } else { product };
+                (fused, self.known(c)?.plus(sign, &product))
             }
             Op::Sqrt(a) => {
                 let k = self.root_of(a)?;
-                self.rounded(false, (Polynomial::variable(root(k)), Polynomial::default()))
+                (false, Bounded::exactly(Polynomial::variable(root(k))))
             }
             Op::Div(a, b) => {
-                let (over, error) = self.reciprocal(b)?;
-                self.rounded(
-                    true,
-                    self.multiplied((self.exact(a)?, self.error(a)?), (&over, &error)),
-                )
+                let over = self.reciprocal(b)?;
+                (true, self.known(a)?.times(&over))
             }
-        })
-    }
-
-    pub(crate) fn exact(&self, node: Node) -> Option<&Polynomial> {
-        self.exact[node as usize].as_ref()
-    }
-    fn error(&self, node: Node) -> Option<&Polynomial> {
-        self.error[node as usize].as_ref()
-    }
-
-    /// One rounding of a value with an error, of a product or not.
-    fn rounded(
-        &self,
-        is_product: bool,
-        (exact, error): (Polynomial, Polynomial),
-    ) -> (Polynomial, Polynomial) {
-        let more = match self.rounding {
-            Rounding::Normal => exact.magnitude().plus(U, &error),
-            // Sums are never below: they are whole multiples of the least number.
-            Rounding::Below => Polynomial::constant(if is_product { 1.0 } else { 0.0 }),
         };
-        (exact, error.plus(1.0, &more))
+        Some(if rounds { self.rounded(is_product, exact) } else { exact })
     }
 
-    fn sum(&self, a: Node, sign: f64, b: Node) -> Option<(Polynomial, Polynomial)> {
-        let error = self.error(a)?.plus(1.0, self.error(b)?);
-        Some(self.rounded(false, (self.exact(a)?.plus(sign, self.exact(b)?), error)))
+    fn known(&self, node: Node) -> Option<&Bounded> {
+        self.known[node as usize].as_ref()
+    }
+    pub(crate) fn exact(&self, node: Node) -> Option<&Polynomial> {
+        self.known(node).map(|known| &known.value)
     }
 
-    fn product(&self, a: Node, b: Node) -> Option<(Polynomial, Polynomial)> {
-        Some(self.multiplied((self.exact(a)?, self.error(a)?), (self.exact(b)?, self.error(b)?)))
-    }
-
-    fn multiplied(
-        &self,
-        (a, a_error): (&Polynomial, &Polynomial),
-        (b, b_error): (&Polynomial, &Polynomial),
-    ) -> (Polynomial, Polynomial) {
-        let first = a.magnitude().times(b_error).plus(1.0, &b.magnitude().times(a_error));
-        (a.times(b), first.plus(U, &a_error.times(b_error)))
+    /// One rounding, of a product or not: sums are never below, but whole multiples of the least number.
+    fn rounded(&self, is_product: bool, of: Bounded) -> Bounded {
+        match self.rounding {
+            Rounding::Normal => of.rounded(),
+            Rounding::Below if is_product => {
+                Bounded { error: of.error.plus(1.0, &Polynomial::constant(1.0)), ..of }
+            }
+            Rounding::Below => of,
+        }
     }
 
     /// Which root the node is the square of: new, or known.
@@ -157,7 +149,7 @@ impl Analysis {
         if let Some(k) = self.roots.iter().position(|root| root.sum == sum) {
             return Some(k);
         }
-        let exact = self.exact(sum)?;
+        let Bounded { value: exact, error } = self.known(sum)?;
         let first = exact.0.keys().next()?.first()?.checked_sub(FIRST_INPUT as u32)?;
         let group = *self.groups.get(first as usize)?;
         let squares = self.groups.iter().enumerate().filter(|(_, g)| **g == group).map(|(i, _)| {
@@ -168,7 +160,6 @@ impl Analysis {
             return None;
         }
         // All terms positive: the error is relative.
-        let error = self.error(sum)?;
         if !error.0.keys().all(|monomial| exact.0.contains_key(monomial)) {
             return None;
         }
@@ -178,12 +169,12 @@ impl Analysis {
     }
 
     /// One over a sum of squares or a multiple of a root, and its error.
-    fn reciprocal(&mut self, node: Node) -> Option<(Polynomial, Polynomial)> {
+    fn reciprocal(&mut self, node: Node) -> Option<Bounded> {
         if let Some(k) = self.root_of(node) {
             let over = Polynomial::variable(root(k) + 1);
-            return Some((over.times(&over), Polynomial::default()));
+            return Some(Bounded::exactly(over.times(&over)));
         }
-        let (exact, error) = (self.exact(node)?, self.error(node)?);
+        let Bounded { value: exact, error } = self.known(node)?;
         let (monomial, &c) = exact.0.first_key_value()?;
         if exact.0.len() != 1 || monomial.iter().any(|&v| as_root(v).is_none()) {
             return None;
@@ -192,20 +183,20 @@ impl Analysis {
             return None;
         }
         let relative = error.0.get(monomial).copied().unwrap_or(0.0) / c.abs();
-        let mut over = Polynomial::constant(1.0 / c);
+        let mut value = Polynomial::constant(1.0 / c);
         for &v in monomial {
             let (k, power) = as_root(v)?;
-            over =
-                over.times(&Polynomial::variable(if power == 1 { root(k) + 1 } else { root(k) }));
+            let over = root(k) + u32::from(power == 1);
+            value = value.times(&Polynomial::variable(over));
         }
-        let error = over.magnitude().scaled(relative / (1.0 - relative * U));
-        Some((over, error))
+        let error = value.magnitude().scaled(relative / (1.0 - relative * U));
+        Some(Bounded { value, error })
     }
 
     /// What the error of a node stays below, by the lengths of the arguments; `None` beyond what is analysed.
     #[must_use]
     pub fn bound(&self, node: Node) -> Option<Lengths> {
-        let (exact, error) = (self.exact(node)?, self.error(node)?);
+        let Bounded { value: exact, error } = self.known(node)?;
         // √ŝ = √s (1 + η)
         let off = |k: usize| {
             self.roots[k].relative / 2.0 / (1.0 - self.roots[k].relative * U).powf(1.5) * U
@@ -235,27 +226,28 @@ impl Analysis {
         let first = (FIRST_INPUT + self.groups.len()) as u32;
         let last = self.groups.last().map_or(0, |last| last + 1);
         let group = |v: u32| if v < first { self.groups[v as usize - FIRST_INPUT] } else { last };
-        let length = |of: &dyn Fn(&Self, Node) -> Option<Polynomial>| {
+        let length = |of: fn(&Bounded) -> &Polynomial| {
             let mut sum = Polynomial::default();
             for (&node, along) in nodes.iter().zip(first..) {
-                sum = sum.plus(1.0, &of(self, node)?.times(&Polynomial::variable(along)));
+                sum = sum.plus(1.0, &of(self.known(node)?).times(&Polynomial::variable(along)));
             }
-            let Lengths(by) = sum.by_lengths(&group, &|k| self.roots[k].group);
+            let Sum(by) = sum.by_lengths(&group, &|k| self.roots[k].group);
             let without = by.into_iter().map(|(mut powers, c)| {
                 powers.retain(|&(g, _)| g != last);
                 (powers, c)
             });
-            Some(Lengths(without.collect()))
+            Some(Sum(without.collect()))
         };
-        Some((length(&|all, n| all.exact(n).cloned())?, length(&|all, n| all.error(n).cloned())?))
+        Some((length(|known| &known.value)?, length(|known| &known.error)?))
     }
 }
 
 // What scripts need beside the bounds.
 impl Analysis {
     /// How large the exact number of a node is at most, by the lengths of the arguments.
-    pub(crate) fn size(&self, node: Node) -> Option<Lengths> {
-        Some(self.by_lengths(self.exact(node)?))
+    pub(crate) fn size(&self, node: Node) -> Option<&Lengths> {
+        let size = || Some(self.by_lengths(self.exact(node)?));
+        self.sizes[node as usize].get_or_init(size).as_ref()
     }
     /// That of a node and c times another, where terms of one and the other have as many factors.
     pub(crate) fn size_of_sum(&self, node: Node, c: f64, other: Node) -> Option<Lengths> {

@@ -11,14 +11,13 @@
 //!
 //! where ℓ is the least length of p on the way, and 2/√3 is of the largest slope of (1 − eeᵀ)/|p|, e = p/|p|. What the last step
 //! itself rounds is added. ℓ ≥ |p|(1 − 2⁻¹⁰) if u|δp| ≤ 2⁻¹⁰|p|, which holds where the bound of the real part, or half that of a point
-//! with |v| = 1, is below [`FAR`].
+//! or normal with |v| = 1, is below [`FAR`].
 
 use crate::bound::{Analysis, U};
-use crate::operations::{Form, Operation};
-use crate::polynomial::Lengths;
+use crate::polynomial::{Lengths, Sum};
+use crate::record::Record;
 use crate::table::bounds;
-use crate::tape::{Node, Tape};
-use crate::tape_of;
+use crate::tape::Node;
 
 /// Beyond it, in units of u, sums cancel too far.
 pub const FAR: f64 = 16_000.0;
@@ -26,29 +25,13 @@ pub const FAR: f64 = 16_000.0;
 /// 1/(1 − 2⁻¹⁰)², and what is of second order.
 const MARGIN: f64 = 1.002_1;
 
-/// What comes after the sum, and the nodes that it is given: sum, and point.
-#[must_use]
-pub fn sum(
-    operation: &Operation,
-    tape: &Tape,
-    form: Form,
-    is_single: bool,
-) -> Option<(&'static Operation, Vec<Node>)> {
-    let last = ["normalize", "quat_normalize", "scaled_point"];
-    if operation.name.contains("normalize") || last.contains(&operation.name) {
-        return None;
-    }
-    let mut last = form.operations().iter().filter(|other| last.contains(&other.name));
-    last.find_map(|last| Some((last, tape.ends_in(&tape_of(last, form, is_single))?)))
-}
-
 /// Of each argument of what comes after a sum, its length and how far it is off.
 pub(crate) fn given(
     analysis: &Analysis,
-    last: &Operation,
+    last: &Record,
     mut nodes: &[Node],
 ) -> Option<Vec<(Lengths, Lengths)>> {
-    let each = last.inputs.iter().map(|&(_, count)| {
+    let each = last.operation.inputs.iter().map(|&(_, count)| {
         let (these, rest) = nodes.split_at(count);
         nodes = rest;
         analysis.vector(these)
@@ -57,33 +40,31 @@ pub(crate) fn given(
 }
 
 /// The bound of each number, of which the length of the sum's real part is the group after the arguments.
-pub(crate) fn of(
-    operation: &Operation,
-    analysis: &Analysis,
-    (last, sum): &(&Operation, Vec<Node>),
-    form: Form,
-    fused: bool,
-) -> Option<Vec<Lengths>> {
-    let length = |power| Lengths([(vec![(operation.inputs.len(), power)], MARGIN)].into());
-    let given = given(analysis, last, sum)?;
+pub(crate) fn of(record: &Record, precision: usize, analysis: &Analysis) -> Option<Vec<Lengths>> {
+    let (last, sum) = record.last(precision)?;
+    let z = record.operation.inputs.len();
+    let length = |power| Sum([(vec![(z, power)], MARGIN)].into());
+    let given = given(analysis, last, &sum)?;
     let (none, over) = (Lengths::default(), length(-1));
     let off = given[0].1.times(&over);
     let (size, moved) = given.get(1).map_or((&none, &none), |dual| (&dual.0, &dual.1));
     let (moved, turned) = (moved.times(&over), off.times(size).times(&over));
     let mut parts = vec![];
-    for (&(name, count), part) in last.parts.iter().zip(bounds(last, form, fused)) {
+    for (&(name, count), part) in last.operation.parts.iter().zip(bounds(last)) {
         let mut bound = match name {
-            "dual" => moved.clone().plus(&turned.scaled(2.0 / 3.0_f64.sqrt())),
-            "point" => off.times(&given[2].0).plus(&moved).plus(&turned).scaled(2.0),
+            "dual" => moved.plus(1.0, &turned.scaled(2.0 / 3.0_f64.sqrt())),
+            "point" => off.times(&given[2].0).plus(1.0, &moved).plus(1.0, &turned).scaled(2.0),
+            "normal" => off.times(&given[1].0).scaled(2.0),
             _ => off.clone(),
         };
         for (powers, c) in part.bound?.0 {
             let factors = powers.into_iter().map(|(argument, power)| match (argument, power) {
                 (0, _) => length(power),
-                (_, 1) => given[argument].0.clone().plus(&given[argument].1.scaled(U)),
+                (_, 1) => given[argument].0.plus(U, &given[argument].1),
                 _ => unreachable!("a last step is linear in what is not normalized"),
             });
-            bound = bound.plus(&factors.fold(Lengths::constant(c), |all, one| all.times(&one)));
+            bound =
+                bound.plus(1.0, &factors.fold(Lengths::constant(c), |all, one| all.times(&one)));
         }
         parts.extend(vec![bound; count]);
     }

@@ -5,14 +5,14 @@
 //! are vectors of length at most 1, times a length. The proof is the running error analysis step by step, and at its end
 //! the inequality of Cauchy and Schwarz, term by term with weights, which are found here and checked there.
 
-use crate::bound::Analysis;
+use crate::bound::Rounding;
 use crate::fraction::{rational, weights};
-use crate::operations::{Form, Operation};
+use crate::operations::Operation;
 use crate::polynomial::{Lengths, Matrix, Monomial, norm, unfoldings};
 use crate::proof::Proof;
+use crate::record::Record;
 use crate::table::{self, ceiling};
 use crate::tape::{FIRST_INPUT, Node, Tape};
-use crate::{is_twin, tape_of};
 use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::path::Path;
@@ -27,61 +27,43 @@ const SLOW: [&str; 2] = ["mul_rotation_translation", "linear_skin"];
 /// # Errors
 /// Of the file system.
 pub fn write(folder: &Path) -> std::io::Result<()> {
-    for form in Form::BY_LENGTHS {
-        for operation in
-            form.operations().iter().filter(|operation| !is_twin(operation, form, true))
-        {
-            let [tape, other] = [true, false].map(|is_single| tape_of(operation, form, is_single));
-            // `f64` with code of its own.
-            if !other.is_same_as(&tape) {
-                save(folder, operation, form, &other, false, "_f64")?;
-            }
-            for fused in if tape.fuses() { &[false, true][..] } else { &[false] } {
-                save(folder, operation, form, &tape, *fused, if *fused { "_fused" } else { "" })?;
+    for record in Record::by_lengths().filter(|record| !record.is_twin()) {
+        for precision in record.precisions() {
+            let suffix = if record.fused { "_fused" } else { ["", "_f64"][precision] };
+            if let Some(theorems) = theorems(record, precision) {
+                let name = format!("{}_{}{suffix}.v", record.form.name(), record.operation.name);
+                std::fs::write(folder.join(name), theorems)?;
             }
         }
     }
     Ok(())
 }
 
-fn save(
-    folder: &Path,
-    operation: &Operation,
-    form: Form,
-    tape: &Tape,
-    fused: bool,
-    suffix: &str,
-) -> std::io::Result<()> {
-    let path = folder.join(format!("{}_{}{suffix}.v", form.name(), operation.name));
-    theorems(operation, form, tape, fused).map_or(Ok(()), |theorems| std::fs::write(path, theorems))
-}
-
-/// Whether there are theorems of an operation, or of one that does the same, for single motions and for lanes.
+/// Whether there are theorems of a record, or of one that is the same.
 #[must_use]
-pub fn is_proved(operation: &Operation, form: Form, fused: bool) -> bool {
-    let [single, double] = [true, false].map(|is_single| tape_of(operation, form, is_single));
-    theorems(operation, form, &single, fused).is_some()
-        && (double.is_same_as(&single) || theorems(operation, form, &double, false).is_some())
+pub fn is_proved(record: &Record) -> bool {
+    record.precisions().all(|precision| theorems(record, precision).is_some())
 }
 
 /// Of all numbers that are rounded; `None` where none is, or where one is not a form of few factors.
-fn theorems(operation: &Operation, form: Form, tape: &Tape, fused: bool) -> Option<String> {
+fn theorems(record: &Record, precision: usize) -> Option<String> {
+    let (operation, tape) = (record.operation, &record.tapes[precision]);
     let mut text = format!(
         "(* {} ({}{}), written by `cargo run -- coq`. *)\nFrom Coq Require Import Reals Psatz.\nRequire Import rounding.\nOpen Scope R_scope.\n",
         operation.name,
-        form.name(),
-        if fused { ", fused" } else { "" },
+        record.form.name(),
+        if record.fused { ", fused" } else { "" },
     );
     if SLOW.contains(&operation.name) {
         return None;
     }
-    let parts = table::bounds(operation, form, fused);
-    let analysis = Analysis::of(tape, &operation.groups(), fused);
+    let parts = table::bounds(record);
+    let analysis = record.analysis(precision, Rounding::Normal);
     let mut last = None;
     for (index, (&output, name)) in tape.outputs.iter().zip(operation.names()).enumerate() {
         let bound = parts.iter().find(|part| part.name == name)?.bound.as_ref()?;
-        let proof = Proof::of(operation, tape, &analysis, fused, output)?;
-        if proof.done[&output].error.0.is_empty() {
+        let proof = Proof::of(operation, tape, analysis, record.fused, output)?;
+        if proof.done[&output].most.error.0.is_empty() {
             continue;
         }
         last = Some(format!("{}_{index}", operation.name));
@@ -106,7 +88,7 @@ impl Theorem<'_> {
         let letter = |g: usize| self.operation.inputs[g].0;
         let known = self.proof.done[&self.output].clone();
         let unit = self.proof.root.map(|_| self.proof.unit(self.output));
-        let (mut error, mut exact) = (known.error, known.exact.clone());
+        let (mut error, mut exact) = (known.most.error, known.exact.clone());
         let mut last = format!("apply (error u U0 _ _ _ _ _ B{}).", self.output);
         if unit.is_some() {
             let (node, more, plain) = self.proof.in_lengths(self.output)?;

@@ -5,13 +5,12 @@
 //! number comes with the bound that follows from that (Cauchy and Schwarz), as a hypothesis; `coq/` has it as a lemma. So do
 //! the comparisons that chose the path.
 
-use crate::bound::Analysis;
-use crate::composed;
+use crate::bound::{Analysis, Rounding};
 use crate::interval::{Range, number, up, up_to};
-use crate::operations::{Form, Operation, functions};
+use crate::operations::{Operation, end};
 use crate::polynomial::Lengths;
+use crate::record::Record;
 use crate::tape::{FIRST_INPUT, Node, Op, Order, Tape};
-use crate::tape_of;
 use std::collections::BTreeSet;
 
 /// How far the length of a rotation is from 1: |p| ∈ [1 − 2⁻⁹, 1 + 2⁻⁹].
@@ -31,30 +30,27 @@ pub struct Lemmas {
 /// # Errors
 /// Of the file system.
 pub fn write(folder: &str) -> std::io::Result<()> {
-    let mut scripts = BTreeSet::new();
-    for form in Form::ALL {
-        for operation in form.operations() {
-            for (fused, is_single) in [(false, false), (false, true), (true, false), (true, true)] {
-                scripts.append(&mut lemmas(operation, form, is_single, fused).scripts);
-            }
-        }
-    }
+    let each = Record::all().iter().flat_map(|record| [lemmas(record, 0), lemmas(record, 1)]);
+    let scripts: BTreeSet<String> = each.flat_map(|lemmas| lemmas.scripts).collect();
     let mut numbered = scripts.iter().enumerate();
     numbered.try_for_each(|(i, lemma)| std::fs::write(format!("{folder}/{i}.g"), lemma))
 }
 
 /// Those of one tape.
 #[must_use]
-pub fn lemmas(operation: &Operation, form: Form, is_single: bool, fused: bool) -> Lemmas {
-    let tape = &tape_of(operation, form, is_single);
-    let analysis = Analysis::of(tape, &operation.groups(), fused);
+pub fn lemmas(record: &Record, precision: usize) -> Lemmas {
+    let tape = &record.tapes[precision];
     let (known, scripts) = (vec![None; tape.ops.len()], BTreeSet::new());
     // Intervals cannot tell how far from 0 a sum is.
-    if composed::sum(operation, tape, form, is_single).is_some() {
+    if record.last(precision).is_some() {
         return Lemmas { bound: None, scripts };
     }
+    let analysis = record.analysis(precision, Rounding::Normal);
+    let (operation, fused, is_single) = (record.operation, record.fused, precision == 0);
     let mut steps = Steps { operation, tape, analysis, is_single, fused, known, scripts };
-    let chosen_by = tape.branches.iter().flat_map(|branch| branch.sides);
+    // Of constants alone nothing is asked.
+    let of_inputs = tape.branches.iter().filter(|branch| !tape.inputs(&branch.sides).is_empty());
+    let chosen_by = of_inputs.flat_map(|branch| branch.sides);
     let needed = tape.needed(&tape.outputs.iter().copied().chain(chosen_by).collect::<Vec<_>>());
     for node in (0..tape.ops.len() as Node).filter(|&node| needed[node as usize]) {
         steps.known[node as usize] = steps.step(node);
@@ -94,7 +90,7 @@ impl Known {
 struct Steps<'a> {
     operation: &'a Operation,
     tape: &'a Tape,
-    analysis: Analysis,
+    analysis: &'a Analysis,
     is_single: bool,
     fused: bool,
     known: Vec<Option<Known>>,
@@ -105,7 +101,7 @@ impl Steps<'_> {
     /// The lengths of an argument: rotations are nearly unit, all else is at most 1.
     fn length(&self, group: usize) -> Range {
         match self.operation.inputs[group] {
-            ("v", 1) => Range(0.0, functions::end(self.operation.name)),
+            ("v", 1) => Range(0.0, end(self.operation.name)),
             ("p" | "r", 4) => Range(1.0 - NEAR, 1.0 + NEAR),
             _ => Range(0.0, 1.0),
         }
@@ -116,8 +112,8 @@ impl Steps<'_> {
         if let Some((_, group)) = self.analysis.sums().find(|sum| sum.0 == node) {
             return Some(self.length(group).times(self.length(group)).short());
         }
-        let most = |lengths: Lengths| {
-            let terms = lengths.0.into_iter().map(|(powers, c)| {
+        let most = |lengths: &Lengths| {
+            let terms = lengths.0.iter().map(|(powers, c)| {
                 let power = |&(group, power): &(usize, i32)| {
                     let Range(shortest, longest) = self.length(group);
                     if power < 0 { shortest.powi(power) } else { longest.powi(power) }
@@ -132,7 +128,7 @@ impl Steps<'_> {
             let [dot, zero] = branch.sides.map(|side| self.known[side as usize]);
             let is_met = !branch.holds && zero?.exact == Range(0.0, 0.0);
             let sum = self.analysis.size_of_sum(node, 2.0, branch.sides[0]).filter(|_| is_met)?;
-            Some(most(sum) + 2.0 * dot?.error)
+            Some(most(&sum) + 2.0 * dot?.error)
         });
         Some(Range(-size, not_below.fold(size, f64::min)).short())
     }
@@ -175,14 +171,7 @@ impl Steps<'_> {
     /// The lemma of one operation, and what it says: the same in numbers, which Gappa is to confirm.
     fn lemma(&mut self, node: Node, op: Op) -> Option<Known> {
         let operands = op.operands();
-        let is_exact = |i: usize| self.tape.is_power_of_two(operands[i], 0.0);
-        let (rounds, rounds_product) = match op {
-            Op::Neg(_) | Op::Abs(_) => (false, false),
-            Op::Add(a, b) => (a != b, false),
-            Op::Mul(..) => (!is_exact(0) && !is_exact(1), false),
-            Op::Fma(..) | Op::Nfma(..) => (true, !self.fused && !is_exact(0) && !is_exact(1)),
-            _ => (true, false),
-        };
+        let [rounds_product, rounds] = self.tape.roundings(node, self.fused, 0.0);
         let known: Vec<Known> =
             operands.iter().map(|&operand| self.known[operand as usize]).collect::<Option<_>>()?;
         let exact: Vec<Range> = known.iter().map(|known| known.exact).collect();

@@ -1,6 +1,7 @@
 //! [`Wide`]: lanes of recorded numbers, of any level, for kernels over slices.
 
 use crate::number::Recorded;
+use bytemuck::Pod;
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 use dq8_simd::sealed::Sealed;
 use dq8_simd::{Lanes, Level, Mask, PackedDualQuat};
@@ -73,63 +74,63 @@ impl<const N: usize> Mask for Bools<N> {
     }
 }
 
-/// bytemuck knows arrays of some lengths, not of every `N`.
-macro_rules! wide { ($($n:literal)*) => {$(
-    impl<V: Level, const S: bool> Lanes for Wide<V, S, $n> {
-        type Real = Recorded<S>;
-        type Mask = Bools<$n>;
-        type Level = V;
-        type Native = Self;
-        type Array = [Recorded<S>; $n];
-        const LANES: usize = $n;
-        fn level(self) -> V {
-            self.0
-        }
-        fn splat(level: V, number: Recorded<S>) -> Self {
-            Self(level, [number; $n])
-        }
-        fn load(level: V, from: &[Recorded<S>; $n]) -> Self {
-            Self(level, *from)
-        }
-        fn store(self, to: &mut [Recorded<S>; $n]) {
-            *to = self.1;
-        }
-        unsafe fn between_shorts(
-            _: V,
-            _: *const [u8; 8],
-            _: impl Fn(usize) -> [usize; 2],
-            _: Self,
-        ) -> [Self; 4] {
-            panic!("exact but for one rounding: nothing to record")
-        }
-        fn mul_add(self, factor: Self, addend: Self) -> Self {
-            Self(self.0, core::array::from_fn(|i| self.1[i].mul_add(factor.1[i], addend.1[i])))
-        }
-        fn neg_mul_add(self, factor: Self, addend: Self) -> Self {
-            Self(self.0, core::array::from_fn(|i| self.1[i].neg_mul_add(factor.1[i], addend.1[i])))
-        }
-        fn sqrt(self) -> Self {
-            Self(self.0, self.1.map(Lanes::sqrt))
-        }
-        fn abs(self) -> Self {
-            Self(self.0, self.1.map(Lanes::abs))
-        }
-        fn copysign(self, sign: Self) -> Self {
-            self.zip(sign, Lanes::copysign)
-        }
-        fn lt(self, other: Self) -> Bools<$n> {
-            self.compare(other, Lanes::lt)
-        }
-        fn le(self, other: Self) -> Bools<$n> {
-            self.compare(other, Lanes::le)
-        }
-        fn eq(self, other: Self) -> Bools<$n> {
-            self.compare(other, Lanes::eq)
-        }
-        fn select(mask: Bools<$n>, yes: Self, no: Self) -> Self {
-            Self(yes.0, core::array::from_fn(|i| if mask.0[i] { yes.1[i] } else { no.1[i] }))
-        }
+impl<V: Level, const S: bool, const N: usize> Lanes for Wide<V, S, N>
+where
+    // As bytemuck knows of some lengths.
+    [Recorded<S>; N]: Pod,
+{
+    type Real = Recorded<S>;
+    type Mask = Bools<N>;
+    type Level = V;
+    type Native = Self;
+    type Array = [Recorded<S>; N];
+    const LANES: usize = N;
+    fn level(self) -> V {
+        self.0
     }
-)*} }
-wide! { 4 8 }
+    fn splat(level: V, number: Recorded<S>) -> Self {
+        Self(level, [number; N])
+    }
+    fn load(level: V, from: &[Recorded<S>; N]) -> Self {
+        Self(level, *from)
+    }
+    fn store(self, to: &mut [Recorded<S>; N]) {
+        *to = self.1;
+    }
+    unsafe fn between_shorts(
+        _: V,
+        _: *const [u8; 8],
+        _: impl Fn(usize) -> [usize; 2],
+        _: Self,
+    ) -> [Self; 4] {
+        panic!("exact but for one rounding: nothing to record")
+    }
+    fn mul_add(self, factor: Self, addend: Self) -> Self {
+        Self(self.0, core::array::from_fn(|i| self.1[i].mul_add(factor.1[i], addend.1[i])))
+    }
+    fn neg_mul_add(self, factor: Self, addend: Self) -> Self {
+        Self(self.0, core::array::from_fn(|i| self.1[i].neg_mul_add(factor.1[i], addend.1[i])))
+    }
+    fn sqrt(self) -> Self {
+        Self(self.0, self.1.map(Lanes::sqrt))
+    }
+    fn abs(self) -> Self {
+        Self(self.0, self.1.map(Lanes::abs))
+    }
+    fn copysign(self, sign: Self) -> Self {
+        self.zip(sign, Lanes::copysign)
+    }
+    fn lt(self, other: Self) -> Bools<N> {
+        self.compare(other, Lanes::lt)
+    }
+    fn le(self, other: Self) -> Bools<N> {
+        self.compare(other, Lanes::le)
+    }
+    fn eq(self, other: Self) -> Bools<N> {
+        self.compare(other, Lanes::eq)
+    }
+    fn select(mask: Bools<N>, yes: Self, no: Self) -> Self {
+        Self(yes.0, core::array::from_fn(|i| if mask.0[i] { yes.1[i] } else { no.1[i] }))
+    }
+}
 impl<V: Level, const S: bool> PackedDualQuat for Wide<V, S, 8> {}

@@ -1,5 +1,13 @@
 //! The operations that are recorded: one line each, for single motions and for lanes alike, as dq8 has them.
 
+use dq8::batch::even;
+use dq8::geometry::{DualVector, Wrench};
+use dq8::hierarchy::{Hierarchy, Poses};
+use dq8::skinning::{Blender, DualBlend, Linear, Skin, Surface, SurfaceMut, Weight};
+use dq8::storage::Aos;
+use dq8::{Backend, Lanes, Line, Plane, Scalar, ShapeError, Twist};
+use dq8_robot::{Joint, JointValues, Mechanism, Step, World};
+
 /// An operation: what goes in and comes out, in groups of numbers whose length is that of a vector.
 #[derive(Clone, Copy, Debug)]
 pub struct Operation {
@@ -33,69 +41,55 @@ pub enum Form {
     Lanes,
     /// A job over slices, on the packed lanes of one motion.
     Job,
-    /// Functions of one number on lanes, in the range of their polynomials.
+    /// Functions on lanes that have polynomials in them, in the range of these: of one number, and of motions.
     Function,
 }
 
 impl Form {
-    /// Those that are bounded by lengths.
-    pub const BY_LENGTHS: [Self; 3] = [Self::Single, Self::Lanes, Self::Job];
     /// All.
-    pub const ALL: [Self; 4] = [Self::Single, Self::Lanes, Self::Job, Self::Function];
+    pub(crate) const ALL: [Self; 4] = [Self::Single, Self::Lanes, Self::Job, Self::Function];
     /// As in `bounds.toml`.
     #[must_use]
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Single => "single",
-            Self::Lanes => "lanes",
-            Self::Job => "job",
-            Self::Function => "function",
-        }
+        ["single", "lanes", "job", "function"][self as usize]
     }
     /// What there is in this form.
     #[must_use]
     pub fn operations(self) -> &'static [Operation] {
-        match self {
-            Self::Job => jobs::OPERATIONS,
-            Self::Function => functions::OPERATIONS,
-            _ => OPERATIONS,
-        }
+        [single::OPERATIONS, lanes::OPERATIONS, jobs::OPERATIONS, functions::OPERATIONS]
+            [self as usize]
+    }
+    /// What computes an operation by its name: the numbers of the answer.
+    #[must_use]
+    pub fn run<R: Number + Lanes>(self) -> fn(&str, Backend, &[R]) -> Vec<R> {
+        [single::run, lanes::run, jobs::run, functions::run][self as usize]
     }
 }
 
-fn three<T: Copy>(rows: impl IntoIterator<Item = impl IntoIterator<Item = T>>) -> Vec<T> {
-    rows.into_iter().flatten().collect()
-}
+/// What jobs compute with.
+pub trait Number: Scalar + Weight + JointValues<Aos<Self>> {}
+impl<R: Scalar + Weight + JointValues<Aos<R>>> Number for R {}
 
-/// Rows of the table: names, arguments and answers.
-macro_rules! rows { ($($name:ident($($input:ident $count:literal),*) -> ($($part:ident $parts:literal),*);)*) => {
-    &[$(Operation {
-        name: stringify!($name),
-        inputs: &[$((stringify!($input), $count)),*],
-        parts: &[$((stringify!($part), $parts)),*],
-    }),*]
-} }
-
-macro_rules! table { ($($name:ident($($input:ident $count:literal),*) -> ($($part:ident $parts:literal),*) = $body:expr;)*) => {
-    /// Every operation that is one path of + − · / √.
-    pub const OPERATIONS: &[Operation] =
-        rows! { $($name($($input $count),*) -> ($($part $parts),*);)* };
-    operations! { single dq8::Scalar; dq8::DualQuat; dq8::Quat; dq8::Dual; dq8::Motion; $($name($($input $count),*) = $body;)* }
-    operations! { lanes dq8::Lanes; dq8::batch::DualQuat; dq8::batch::Quat; dq8::batch::Dual; dq8::Motion; $($name($($input $count),*) = $body;)* }
-} }
-
+/// A module with the rows of a table in one form.
 macro_rules! operations {
-    ($form:ident $number:path; $motion:path; $quat:path; $dual:path; $contract:path; $($name:ident($($input:ident $count:literal),*) = $body:expr;)*) => {
-        /// The operations in one form.
+    ($form:ident, |$backend:ident|, $number:path, $motion:path, $quat:path, $dual:path, $contract:path;
+        $($name:ident($($input:ident $count:literal),*) -> ($($part:ident $parts:literal),*) = $body:expr;)*) => {
+        #[allow(dead_code, unused_imports, reason = "not all of it in every form")]
+        #[doc = concat!("The operations of the form `", stringify!($form), "`.")]
         pub mod $form {
-            use super::three;
+            use super::*;
             use $number as Number;
             use $motion as DualQuat;
             use $quat as Quat;
             use $dual as Dual;
             use $contract as Motion;
-            use dq8::geometry::Wrench;
-            use dq8::{Line, Plane, Twist};
+
+            /// Names, arguments and answers.
+            pub const OPERATIONS: &[Operation] = &[$(Operation {
+                name: stringify!($name),
+                inputs: &[$((stringify!($input), $count)),*],
+                parts: &[$((stringify!($part), $parts)),*],
+            }),*];
 
             fn motion<T: Number>([px, py, pz, pw]: [T; 4], [qx, qy, qz, qw]: [T; 4]) -> DualQuat<T> {
                 DualQuat::from_array([px, py, pz, pw, qx, qy, qz, qw])
@@ -106,18 +100,14 @@ macro_rules! operations {
             fn numbers<T: Number>(motion: DualQuat<T>) -> Vec<T> {
                 motion.to_array().to_vec()
             }
-            fn taken<T: Copy, const N: usize>(from: &mut &[T]) -> [T; N] {
-                let (first, rest) = from.split_first_chunk().expect("as many as the table says");
-                *from = rest;
-                *first
-            }
 
             /// The numbers of the answer.
             ///
             /// # Panics
             /// Of a name that is not in the table.
             #[inline(always)]
-            pub fn run<T: Number>(name: &str, mut from: &[T]) -> Vec<T> {
+            pub fn run<T: Number>(name: &str, $backend: Backend, mut from: &[T]) -> Vec<T> {
+                let _ = $backend;
                 match name {
                     $(stringify!($name) => {
                         $(let $input: [T; $count] = taken(&mut from);)*
@@ -128,6 +118,21 @@ macro_rules! operations {
             }
         }
     };
+}
+
+/// For single motions and for lanes alike.
+macro_rules! table { ($($rows:tt)*) => {
+    operations! { single, |backend|, dq8::Scalar, dq8::DualQuat, dq8::Quat, dq8::Dual, dq8::Motion; $($rows)* }
+    operations! { lanes, |backend|, dq8::Lanes, dq8::batch::DualQuat, dq8::batch::Quat, dq8::batch::Dual, dq8::Motion; $($rows)* }
+} }
+
+fn three<T: Copy>(rows: impl IntoIterator<Item = impl IntoIterator<Item = T>>) -> Vec<T> {
+    rows.into_iter().flatten().collect()
+}
+fn taken<T: Copy, const N: usize>(from: &mut &[T]) -> [T; N] {
+    let (first, rest) = from.split_first_chunk().expect("as many as the table says");
+    *from = rest;
+    *first
 }
 
 table! {
@@ -210,149 +215,131 @@ table! {
     quat_dot(p 4, r 4) -> (dot 1) = vec![quat(p).dot(quat(r))];
 }
 
-/// Jobs over slices.
-pub mod jobs {
-    use super::Operation;
-    use dq8::hierarchy::{Hierarchy, Poses};
-    use dq8::skinning::{Blender, DualBlend, Linear, Skin, Surface, SurfaceMut, Weight};
-    use dq8::{Backend, DualQuat, Scalar};
-
-    /// A joint under its parent: what forward kinematics repeats; a model times its inverse bind, as a matrix; skins of four
-    /// joints, all of whose real parts are an argument, and all of whose dual parts; and what such a sum does to a point.
-    pub const OPERATIONS: &[Operation] = rows! {
-        local_to_model(p 4, q 4, r 4, s 4) -> (real 4, dual 4);
-        palette(p 4, q 4, r 4, s 4) ->
-            (rotation 3, translation 1, rotation 3, translation 1, rotation 3, translation 1);
-        linear_skin(a 12, b 12, c 12, d 12, w 4, v 3) -> (point 3);
-        scaled_point(p 4, q 4, v 3) -> (point 3);
-        dual_skin(p 16, q 16, w 4, v 3) -> (point 3);
+// Jobs over slices. A joint under its parent: what forward kinematics repeats; a model times its inverse bind, as a matrix;
+// skins of four joints, all of whose real parts are an argument, and all of whose dual parts; what such sums do to a point
+// and a normal; and the column of a hinge about z, on a body at p and v.
+operations! { jobs, |backend|, super::Number, dq8::DualQuat, dq8::Quat, dq8::Dual, dq8::Motion;
+    local_to_model(p 4, q 4, r 4, s 4) -> (real 4, dual 4) = {
+        let skeleton = Hierarchy::new(&[Hierarchy::ROOT, 0]).expect("a root, and its child");
+        let (locals, mut models) = ([motion(p, q), motion(r, s)], [DualQuat::IDENTITY; 2]);
+        skeleton.job().backend(backend).local_to_model(&locals, &mut models).expect("two of each");
+        numbers(models[1])
     };
-
-    /// The numbers of the answer.
-    ///
-    /// # Panics
-    /// Of a name that is not in the table.
-    pub fn run<R: Scalar + Weight>(name: &str, backend: Backend, from: &[R]) -> Vec<R> {
-        let quat = |at: usize| core::array::from_fn::<R, 4, _>(|i| from[at + i]);
-        let motion = |real: usize, dual: usize| {
-            let ([px, py, pz, pw], [qx, qy, qz, qw]) = (quat(real), quat(dual));
-            DualQuat::from_array([px, py, pz, pw, qx, qy, qz, qw])
-        };
-        let (parents, mut models) = ([Hierarchy::ROOT, 0], [DualQuat::IDENTITY; 2]);
-        let job =
-            |joints: usize| Hierarchy::new(&parents[..joints]).expect("a root, and its child");
-        match name {
-            "local_to_model" => {
-                let locals = [motion(0, 4), motion(8, 12)];
-                job(2)
-                    .job()
-                    .backend(backend)
-                    .local_to_model(&locals, &mut models)
-                    .expect("two of each");
-                models[1].to_array().to_vec()
-            }
-            "palette" => {
-                let (locals, binds, mut matrix) =
-                    ([motion(0, 4)], [motion(8, 12)], [[[R::ZERO; 4]; 3]]);
-                let job = job(1).job().backend(backend);
-                job.palette(Poses(&locals), &mut models[..1], &binds, &mut matrix)
-                    .expect("one each");
-                matrix.as_flattened().as_flattened().to_vec()
-            }
-            "linear_skin" => {
-                let palette = [0, 12, 24, 36].map(|at| [0, 4, 8].map(|row| quat(at + row)));
-                skinned(Linear::new(&palette), quat(48), &from[52..], backend)
-            }
-            "dual_skin" => {
-                let palette = [0, 4, 8, 12].map(|at| motion(at, 16 + at));
-                skinned(DualBlend::new(&palette), quat(32), &from[36..], backend)
-            }
-            // With a joint that adds nothing, so that its weight is not all there is.
-            "scaled_point" => {
-                let none = DualQuat::ZERO;
-                let (palette, weights) =
-                    ([motion(0, 4), none, none, none], [R::ZERO, R::ZERO, R::ONE, R::ONE]);
-                skinned(DualBlend::new(&palette), weights, &from[8..], backend)
-            }
-            _ => panic!("no job {name}"),
-        }
-    }
-
-    fn skinned<R: Scalar + Weight>(
-        blend: impl Blender<R>,
-        weights: [R; 4],
-        point: &[R],
-        backend: Backend,
-    ) -> Vec<R> {
-        // Weights of either sign, for all that draws numbers; the last first, for the recorded one is the greatest.
-        let [d, c, b, a] = weights.map(|w| if w < R::ZERO { -w } else { w });
-        let weights = [a, b, c, d];
-        let skin = Skin::new(4, 4, &[0_u8, 1, 2, 3], &weights).expect("four joints");
-        let (rest, mut posed) = ([*point.first_chunk().expect("a point")], [[R::ZERO; 3]]);
-        let (rest, points) = (Surface::positions(&rest), SurfaceMut::positions(&mut posed));
-        skin.job().backend(backend).pose(blend, rest, points).expect("one vertex");
-        posed.as_flattened().to_vec()
-    }
+    palette(p 4, q 4, r 4, s 4) -> (rotation 3, translation 1, rotation 3, translation 1, rotation 3, translation 1) = {
+        let root = Hierarchy::new(&[Hierarchy::ROOT]).expect("a root");
+        let (locals, binds) = ([motion(p, q)], [motion(r, s)]);
+        let (mut models, mut matrix) = ([DualQuat::IDENTITY], [[[T::ZERO; 4]; 3]]);
+        let job = root.job().backend(backend);
+        job.palette(Poses(&locals), &mut models, &binds, &mut matrix).expect("one each");
+        three(matrix[0])
+    };
+    linear_skin(a 12, b 12, c 12, d 12, w 4, v 3) -> (point 3) =
+        skinned(Linear::new(&[a, b, c, d].map(rows)), w, v, backend, false);
+    scaled_point(p 4, q 4, v 3) -> (point 3) = skinned(DualBlend::new(&alone(motion(p, q))), LAST.map(T::from), v, backend, false);
+    dual_skin(p 16, q 16, w 4, v 3) -> (point 3) = {
+        let [p, q] = [p, q].map(quats);
+        skinned(DualBlend::new(&[0, 1, 2, 3].map(|i| motion(p[i], q[i]))), w, v, backend, false)
+    };
+    linear_normal(a 12, b 12, c 12, d 12, w 4, v 3) -> (normal 3) =
+        skinned(Linear::new(&[a, b, c, d].map(rows)), w, v, backend, true);
+    unit_normal(v 3) -> (unit 3) = {
+        let identity = DualQuat::IDENTITY.to_matrix3x4();
+        skinned(Linear::new(&[identity; 4]), [1.0, 0.0, 0.0, 0.0].map(T::from), v, backend, true)
+    };
+    dual_normal(p 16, w 4, v 3) -> (normal 3) =
+        skinned(DualBlend::new(&quats(p).map(|p| DualQuat::from_rotation(quat(p)))), w, v, backend, true);
+    scaled_normal(p 4, v 3) -> (normal 3) =
+        skinned(DualBlend::new(&alone(DualQuat::from_rotation(quat(p)))), LAST.map(T::from), v, backend, true);
+    link_jacobian(p 4, v 3) -> (angular 3, linear 3) = hinge(p, v, |arm, values, columns| {
+        arm.link_jacobian(World, values, 1, columns).map(|_| ())
+    });
+    jacobians(p 4, v 3) -> (angular 3, linear 3) = hinge(p, v, |arm, values, columns| {
+        let mut poses = [DualQuat::IDENTITY];
+        arm.job().backend(backend).links(&[1]).jacobians(World, values, &mut poses, columns)
+    });
 }
 
-/// Functions on lanes that have polynomials in them: of one number, and of motions.
-pub mod functions {
-    use super::Operation;
-    use dq8::Lanes;
-    use dq8::batch::{Dual, DualQuat, even};
-    use dq8::geometry::DualVector;
+/// Four weights: with joints that add nothing, so that one weight is not all there is.
+const LAST: [f32; 4] = [0.0, 0.0, 1.0, 1.0];
 
-    /// From 0 to where the range of the polynomials ends.
-    #[must_use]
-    pub fn end(name: &str) -> f64 {
-        match name {
-            "arc_over_chord" => 2.0,
-            "cos_sinc" => 2.5,
-            _ => 10.0,
-        }
+fn alone<T: Scalar>(motion: dq8::DualQuat<T>) -> [dq8::DualQuat<T>; 4] {
+    [motion, dq8::DualQuat::ZERO, dq8::DualQuat::ZERO, dq8::DualQuat::ZERO]
+}
+fn rows<T: Copy>(numbers: [T; 12]) -> [[T; 4]; 3] {
+    let mut from = &numbers[..];
+    [(); 3].map(|()| taken(&mut from))
+}
+fn quats<T: Copy>(numbers: [T; 16]) -> [[T; 4]; 4] {
+    let mut from = &numbers[..];
+    [(); 4].map(|()| taken(&mut from))
+}
+
+/// A point, or a normal.
+fn skinned<T: Number>(
+    blend: impl Blender<T>,
+    weights: [T; 4],
+    v: [T; 3],
+    backend: Backend,
+    is_normal: bool,
+) -> Vec<T> {
+    // Weights of either sign, for all that draws numbers; the last first, for the recorded one is the greatest.
+    let [d, c, b, a] = weights.map(|w| if w < T::ZERO { -w } else { w });
+    let weights = [a, b, c, d];
+    let skin = Skin::new(4, 4, &[0_u8, 1, 2, 3], &weights).expect("four joints");
+    let (v, mut point, mut normal) = ([v], [[T::ZERO; 3]], [[T::ZERO; 3]]);
+    let (mut rest, mut posed) = (Surface::positions(&v), SurfaceMut::positions(&mut point));
+    if is_normal {
+        (rest, posed) = (rest.normals(&v), posed.normals(&mut normal));
     }
+    skin.job().backend(backend).pose(blend, rest, posed).expect("one vertex");
+    three(if is_normal { normal } else { point })
+}
 
-    /// Of one number without their derivatives.
-    pub const OPERATIONS: &[Operation] = rows! {
-        arc_over_chord(v 1) -> (arc 1);
-        cos_sinc(v 1) -> (cos 1, sinc 1);
-        integrals(v 1) -> (first 1, second 1);
-        half_cotangent(v 1) -> (half 1);
-        log(p 4, q 4) -> (real 3, dual 3);
-        exp(v 3, w 3) -> (real 4, dual 4);
-        pow(p 4, q 4, t 1) -> (real 4, dual 4);
-        sqrt(p 4, q 4) -> (real 4, dual 4);
-        sclerp(p 4, q 4, r 4, s 4, t 1) -> (real 4, dual 4);
+/// The last column of `jacobian`, of a hinge about z on a body: where that is and how the hinge stands are the values.
+fn hinge<T: Number>(
+    p: [T; 4],
+    v: [T; 3],
+    jacobian: impl Fn(&Mechanism<'_, T>, &[T], &mut [Twist<T>]) -> Result<(), ShapeError>,
+) -> Vec<T> {
+    let (z, still) = ([T::ZERO, T::ZERO, T::ONE], dq8::DualQuat::IDENTITY);
+    let joints = [Joint::floating(None, still), Joint::revolute(Some(0), still, z)];
+    let mut steps = [Step::default(); 2];
+    let arm = Mechanism::new(&joints, &mut steps).expect("a body and a hinge");
+    let (values, mut columns) =
+        ([&p[..], &v, &[T::ONE]].concat(), [Twist::from_array([T::ZERO; 6]); 7]);
+    jacobian(&arm, &values, &mut columns).expect("7 rates");
+    columns[6].to_array().to_vec()
+}
+
+operations! { functions, |backend|, dq8::Lanes, dq8::batch::DualQuat, dq8::batch::Quat, dq8::batch::Dual, dq8::Motion;
+    arc_over_chord(v 1) -> (arc 1) = vec![even::arc_over_chord(number(v)).real];
+    cos_sinc(v 1) -> (cos 1, sinc 1) = both(even::cos_sinc(number(v)));
+    integrals(v 1) -> (first 1, second 1) = both(even::exponential_integrals(number(v)));
+    half_cotangent(v 1) -> (half 1) = vec![even::half_cotangent(number(v)).real];
+    log(p 4, q 4) -> (real 3, dual 3) = {
+        let log = motion(p, q).log();
+        three([log.real, log.dual])
     };
+    exp(v 3, w 3) -> (real 4, dual 4) = numbers(DualQuat::exp(DualVector { real: v, dual: w }));
+    pow(p 4, q 4, t 1) -> (real 4, dual 4) = numbers(motion(p, q).pow(t[0]));
+    sqrt(p 4, q 4) -> (real 4, dual 4) = numbers(motion(p, q).sqrt());
+    sclerp(p 4, q 4, r 4, s 4, t 1) -> (real 4, dual 4) = numbers(motion(p, q).sclerp(motion(r, s), t[0]));
+}
 
-    /// The numbers of the answer.
-    ///
-    /// # Panics
-    /// Of a name that is not in the table.
-    #[inline(always)]
-    pub fn run<L: Lanes>(name: &str, from: &[L]) -> Vec<L> {
-        let v = Dual::new(from[0], from[0].constant(0.0));
-        let both = |(a, b): (Dual<L>, Dual<L>)| vec![a.real, b.real];
-        let motion =
-            |at: usize| DualQuat::from_array(*from[at..].first_chunk().expect("8 numbers"));
-        let numbers = |motion: DualQuat<L>| motion.to_array().to_vec();
-        match name {
-            "arc_over_chord" => vec![even::arc_over_chord(v).real],
-            "cos_sinc" => both(even::cos_sinc(v)),
-            "integrals" => both(even::exponential_integrals(v)),
-            "half_cotangent" => vec![even::half_cotangent(v).real],
-            "log" => {
-                let log = motion(0).log();
-                [log.real, log.dual].concat()
-            }
-            "exp" => {
-                let [real, dual] = [0, 3].map(|at| *from[at..].first_chunk().expect("6 numbers"));
-                numbers(DualQuat::exp(DualVector { real, dual }))
-            }
-            "pow" => numbers(motion(0).pow(from[8])),
-            "sqrt" => numbers(motion(0).sqrt()),
-            "sclerp" => numbers(motion(0).sclerp(motion(8), from[16])),
-            _ => panic!("no function {name}"),
-        }
+// Functions of one number, without their derivatives.
+fn number<L: Lanes>([v]: [L; 1]) -> dq8::batch::Dual<L> {
+    dq8::batch::Dual::new(v, v.constant(0.0))
+}
+fn both<L: Lanes>((a, b): (dq8::batch::Dual<L>, dq8::batch::Dual<L>)) -> Vec<L> {
+    vec![a.real, b.real]
+}
+
+/// From 0 to where the range of the polynomials of a function of one number ends.
+#[must_use]
+pub fn end(name: &str) -> f64 {
+    match name {
+        "arc_over_chord" => 2.0,
+        "cos_sinc" => 2.5,
+        _ => 10.0,
     }
 }

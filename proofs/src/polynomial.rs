@@ -1,6 +1,6 @@
 //! [`Polynomial`]: what a tape computes, in its inputs, and how large that can be by the lengths of its arguments.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Variables of a monomial in rising order. Inputs are their nodes; a root that a tape computes of a sum of squares is a
 /// variable of its own, and so is one over it.
@@ -20,49 +20,73 @@ pub(crate) fn as_root(variable: u32) -> Option<(usize, i32)> {
 /// Terms by the groups of their inputs, and by their roots.
 pub(crate) type Kinds = BTreeMap<(Vec<usize>, Monomial), Vec<(Monomial, f64)>>;
 
-/// Coefficients by monomial.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Polynomial(pub(crate) BTreeMap<Monomial, f64>);
+/// What terms are made of, beside their coefficients.
+pub trait Factors: Clone + Default + Ord {
+    /// Those of a product.
+    #[must_use]
+    fn times(&self, other: &Self) -> Self;
+}
 
-impl Polynomial {
+/// A root times one over it is nothing.
+impl Factors for Monomial {
+    fn times(&self, other: &Self) -> Self {
+        let mut all = [&self[..], &other[..]].concat();
+        all.sort_unstable();
+        let cancelled = |all: &Self| {
+            let mut roots = all.iter().filter(|&&v| as_root(v).is_some_and(|(_, k)| k == 1));
+            roots.find(|&&root| all.contains(&(root + 1))).copied()
+        };
+        while let Some(root) = cancelled(&all) {
+            // One over a root is the number after it.
+            let at = all.partition_point(|&v| v < root);
+            let over = all.partition_point(|&v| v < root + 1);
+            all.remove(over);
+            all.remove(at);
+        }
+        all
+    }
+}
+
+/// Powers of the lengths of arguments.
+pub type Powers = Vec<(usize, i32)>;
+
+impl Factors for Powers {
+    fn times(&self, other: &Self) -> Self {
+        let mut powers = BTreeMap::new();
+        self.iter().chain(other).for_each(|&(group, k)| *powers.entry(group).or_default() += k);
+        powers.retain(|_, k| *k != 0);
+        powers.into_iter().collect()
+    }
+}
+
+/// Coefficients by factors.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Sum<K>(pub BTreeMap<K, f64>);
+/// By variables.
+pub(crate) type Polynomial = Sum<Monomial>;
+/// By powers of lengths.
+pub type Lengths = Sum<Powers>;
+
+impl<K: Factors> Sum<K> {
     /// c
     pub(crate) fn constant(c: f64) -> Self {
-        Self(if c == 0.0 { BTreeMap::new() } else { BTreeMap::from([(vec![], c)]) })
-    }
-    /// x
-    pub(crate) fn variable(x: u32) -> Self {
-        Self(BTreeMap::from([(vec![x], 1.0)]))
+        Self(if c == 0.0 { BTreeMap::new() } else { [(K::default(), c)].into() })
     }
     /// self + c other
     pub(crate) fn plus(&self, c: f64, other: &Self) -> Self {
         let mut sum = self.0.clone();
-        for (monomial, coefficient) in &other.0 {
-            *sum.entry(monomial.clone()).or_default() += c * coefficient;
+        for (factors, coefficient) in &other.0 {
+            *sum.entry(factors.clone()).or_default() += c * coefficient;
         }
         sum.retain(|_, coefficient| *coefficient != 0.0);
         Self(sum)
     }
-    /// self · other; a root times one over it is 1.
+    /// self · other
     pub(crate) fn times(&self, other: &Self) -> Self {
         let mut product = BTreeMap::new();
         for (a, x) in &self.0 {
             for (b, y) in &other.0 {
-                let mut monomial = [&a[..], &b[..]].concat();
-                monomial.sort_unstable();
-                let mut at = 0;
-                while at + 1 < monomial.len() {
-                    // One over a root is the number after it.
-                    if as_root(monomial[at]).is_some_and(|(_, power)| power == 1)
-                        && let Some(over) = monomial.iter().position(|&v| v == monomial[at] + 1)
-                    {
-                        monomial.remove(over);
-                        monomial.remove(at);
-                        at = 0;
-                    } else {
-                        at += 1;
-                    }
-                }
-                *product.entry(monomial).or_default() += x * y;
+                *product.entry(a.times(b)).or_default() += x * y;
             }
         }
         product.retain(|_, coefficient| *coefficient != 0.0);
@@ -71,6 +95,13 @@ impl Polynomial {
     /// c self
     pub(crate) fn scaled(&self, c: f64) -> Self {
         Self::default().plus(c, self)
+    }
+}
+
+impl Polynomial {
+    /// x
+    pub(crate) fn variable(x: u32) -> Self {
+        Self([(vec![x], 1.0)].into())
     }
     /// All coefficients without their signs.
     pub(crate) fn magnitude(&self) -> Self {
@@ -124,10 +155,6 @@ impl Polynomial {
     }
 }
 
-/// Coefficients by powers of lengths.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Lengths(pub BTreeMap<Vec<(usize, i32)>, f64>);
-
 impl Lengths {
     /// The value for these lengths.
     #[must_use]
@@ -136,30 +163,6 @@ impl Lengths {
             powers.iter().map(|&(g, k)| lengths[g].powi(k)).product::<f64>()
         };
         self.0.iter().map(|(powers, c)| c * of(powers)).sum()
-    }
-    pub(crate) fn constant(c: f64) -> Self {
-        Self([(vec![], c)].into())
-    }
-    pub(crate) fn scaled(&self, c: f64) -> Self {
-        Self(self.0.iter().map(|(powers, x)| (powers.clone(), c * x)).collect())
-    }
-    pub(crate) fn plus(mut self, other: &Self) -> Self {
-        for (powers, c) in &other.0 {
-            *self.0.entry(powers.clone()).or_default() += c;
-        }
-        self
-    }
-    pub(crate) fn times(&self, other: &Self) -> Self {
-        let mut product = Self::default();
-        for (a, x) in &self.0 {
-            for (b, y) in &other.0 {
-                let mut powers = BTreeMap::<usize, i32>::new();
-                a.iter().chain(b).for_each(|&(g, k)| *powers.entry(g).or_default() += k);
-                powers.retain(|_, k| *k != 0);
-                *product.0.entry(powers.into_iter().collect()).or_default() += x * y;
-            }
-        }
-        product
     }
     /// The larger of each coefficient.
     pub(crate) fn worst(&mut self, other: &Self) {
@@ -186,38 +189,30 @@ pub(crate) fn unfoldings(
     terms: &[(Monomial, f64)],
     group: &dyn Fn(u32) -> usize,
 ) -> impl Iterator<Item = Matrix> {
+    let orders: Vec<_> = terms.iter().map(|(term, c)| (orders(groups, term, group), c)).collect();
     (1_u32..1 << (groups.len().max(1) - usize::from(groups.len() > 1))).map(move |rows| {
         let mut cells = Matrix::new();
-        for (monomial, c) in terms {
-            let mut orders = vec![];
-            permutations(&mut monomial.clone(), 0, &mut |order| {
-                if order.iter().map(|&v| group(v)).eq(groups.iter().copied()) {
-                    orders.push(order.to_vec());
-                }
-            });
-            for order in &orders {
+        for (orders, c) in &orders {
+            for order in orders {
                 let part = |side: u32| {
                     (0..order.len()).filter(|i| rows >> i & 1 == side).map(|i| order[i]).collect()
                 };
-                *cells.entry((part(1), part(0))).or_default() += c / orders.len() as f64;
+                *cells.entry((part(1), part(0))).or_default() += *c / orders.len() as f64;
             }
         }
         cells
     })
 }
 
-fn permutations(of: &mut Monomial, at: usize, each: &mut dyn FnMut(&[u32])) {
-    if at == of.len() {
-        return each(of);
-    }
-    for i in at..of.len() {
-        // Equal variables once.
-        if (at..i).all(|j| of[j] != of[i]) {
-            of.swap(at, i);
-            permutations(of, at + 1, each);
-            of.swap(at, i);
-        }
-    }
+/// The variables in every order in which they are of these groups; equal ones once.
+fn orders(groups: &[usize], of: &[u32], group: &dyn Fn(u32) -> usize) -> BTreeSet<Monomial> {
+    let Some((&first, groups)) = groups.split_first() else { return [vec![]].into() };
+    let firsts = (0..of.len()).filter(|&i| group(of[i]) == first);
+    let each = firsts.flat_map(|i| {
+        let rest = [&of[..i], &of[i + 1..]].concat();
+        orders(groups, &rest, group).into_iter().map(move |rest| [&[of[i]], &rest[..]].concat())
+    });
+    each.collect()
 }
 
 /// No less than ‖M‖₂, by ‖M‖₂² = ‖MᵀM‖₂ ≤ ‖(MᵀM)ⁿ‖∞^(1/n), n = 2²⁰; but for the rounding of this computation, for

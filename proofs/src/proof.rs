@@ -4,10 +4,10 @@
 //! is its unit times a number. The root of the computed |p|² is `h`, exact while roots and quotients go through the steps, so
 //! that their errors cancel; how far it is from 1 enters at the end ([`Proof::in_lengths`]), as in `bound.rs`.
 
-use crate::bound::{Analysis, U};
+use crate::bound::{Analysis, Bounded};
 use crate::fraction::rational;
 use crate::operations::Operation;
-use crate::polynomial::{Polynomial, as_root};
+use crate::polynomial::{Polynomial, Sum, as_root};
 use crate::tape::{FIRST_INPUT, Node, Op, Tape};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
@@ -22,9 +22,15 @@ pub(crate) struct Known {
     pub(crate) computed: String,
     /// Without rounding.
     pub(crate) exact: String,
-    size: Polynomial,
-    /// In units of u.
-    pub(crate) error: Polynomial,
+    /// Its size, and its error.
+    pub(crate) most: Bounded,
+}
+
+impl Known {
+    /// Of a number without error.
+    fn exactly(text: &str, size: Polynomial) -> Self {
+        Self { computed: text.into(), exact: text.into(), most: Bounded::exactly(size) }
+    }
 }
 
 /// The steps of one proof.
@@ -71,20 +77,17 @@ impl<'a> Proof<'a> {
         let _ = writeln!(self.steps, "  {line}");
     }
 
-    fn know(
-        &mut self,
-        node: Node,
-        computed: &str,
-        exact: &str,
-        size: Polynomial,
-        error: Polynomial,
-    ) {
-        let (computed, exact) = (computed.into(), exact.into());
-        self.done.insert(node, Known { computed, exact, size, error });
+    /// By a lemma about two numbers.
+    fn pose(&mut self, node: Node, lemma: &str, operator: char, [a, b]: [Node; 2], most: Bounded) {
+        self.say(&format!("pose proof ({lemma} _ _ _ _ _ _ _ _ B{a} B{b}) as B{node}."));
+        let (a, b) = (&self.done[&a], &self.done[&b]);
+        let text = |a: &str, b: &str| format!("({a} {operator} {b})");
+        let (computed, exact) = (text(&a.computed, &b.computed), text(&a.exact, &b.exact));
+        self.done.insert(node, Known { computed, exact, most });
     }
 
     fn step(&mut self, node: Node) -> Option<()> {
-        let power = |node| self.tape.is_power_of_two(node, 0.0);
+        let [rounds_product, rounds] = self.tape.roundings(node, self.fused, 0.0);
         match self.tape.ops[node as usize] {
             Op::Input => {
                 let letter = self.operation.inputs[self.group(node)].0;
@@ -98,45 +101,35 @@ impl<'a> Proof<'a> {
                 self.say(&format!(
                     "destruct ({lemma}) as (y{node} & Y{node} & P{node} & B{node})."
                 ));
-                self.know(node, &text, &text, Polynomial::variable(node), Polynomial::default());
+                self.done.insert(node, Known::exactly(&text, Polynomial::variable(node)));
             }
             Op::Const(c) => self.constant(node, c),
             Op::Neg(a) => self.opposite(node, a),
-            Op::Add(a, b) => {
-                self.sum(node, 1.0, a, b);
-                self.round(node, a != b)?;
-            }
-            Op::Sub(a, b) => {
-                self.sum(node, -1.0, a, b);
-                self.round(node, true)?;
-            }
-            Op::Mul(a, b) => {
-                let rounds = !power(a) && !power(b);
-                self.product(node, a, b);
-                self.round(node, rounds)?;
-            }
+            Op::Add(a, b) => self.sum(node, 1.0, a, b),
+            Op::Sub(a, b) => self.sum(node, -1.0, a, b),
+            Op::Mul(a, b) => self.product(node, a, b),
             Op::Fma(a, b, c) | Op::Nfma(a, b, c) => {
-                let (inner, rounds) = (10_000 + node, !self.fused && !power(a) && !power(b));
+                let inner = 10_000 + node;
                 self.product(inner, a, b);
-                self.round(inner, rounds)?;
+                if rounds_product {
+                    self.round(inner)?;
+                }
                 match self.tape.ops[node as usize] {
                     Op::Fma(..) => self.sum(node, 1.0, inner, c),
                     _ => self.sum(node, -1.0, c, inner),
                 }
-                self.round(node, true)?;
             }
             Op::Sqrt(a) if self.is_sum(a) => {
                 self.say(&format!("pose proof H_ as B{node}."));
-                let text = format!("sqrt r{a}");
-                self.know(node, "h", "h", Polynomial::constant(NEAR), Polynomial::default());
-                self.near(node, &text, &format!("rewrite R_ in O{node}."))?;
+                self.done.insert(node, Known::exactly("h", Polynomial::constant(NEAR)));
+                return self.near(node, &format!("sqrt r{a}"), &format!("rewrite R_ in O{node}."));
             }
             Op::Div(one, a) if self.tape.ops[one as usize] == Op::Const(1.0) && self.is_sum(a) => {
                 self.say(&format!("pose proof (times u U0 U1 _ _ _ _ _ _ _ _ K_ K_) as B{node}."));
                 let size = Polynomial::constant(NEAR * NEAR);
-                self.know(node, "(/ h * / h)", "(/ h * / h)", size, Polynomial::default());
+                self.done.insert(node, Known::exactly("(/ h * / h)", size));
                 let rewritten = format!("rewrite Q_, over_square in O{node}.");
-                self.near(node, &format!("1 / r{a}"), &rewritten)?;
+                return self.near(node, &format!("1 / r{a}"), &rewritten);
             }
             Op::Div(one, a)
                 if self.tape.ops[one as usize] == Op::Const(1.0) && self.done[&a].exact == "h" =>
@@ -144,11 +137,16 @@ impl<'a> Proof<'a> {
                 let text = format!("1 / r{a}");
                 self.say(&format!("pose proof (over u U0 U1 _ _ _ _ B{a} H1) as B{node}."));
                 self.say(&format!("specialize (B{node} ltac:(lra))."));
-                let error = self.done[&a].error.scaled(1.0 + 1e-5);
-                self.know(node, &text, "/ h", Polynomial::constant(2.0 * NEAR - 1.0), error);
-                self.near(node, &text, "")?;
+                let error = self.done[&a].most.error.scaled(1.0 + 1e-5);
+                let most = Bounded { value: Polynomial::constant(2.0 * NEAR - 1.0), error };
+                let (computed, exact) = (text.clone(), "/ h".into());
+                self.done.insert(node, Known { computed, exact, most });
+                return self.near(node, &text, "");
             }
             Op::Div(..) | Op::Sqrt(_) | Op::Abs(_) => return None,
+        }
+        if rounds {
+            self.round(node)?;
         }
         if self.is_sum(node) {
             self.take_root(node);
@@ -163,39 +161,28 @@ impl<'a> Proof<'a> {
     fn constant(&mut self, node: Node, c: f64) {
         let (text, size) = (rational(c), rational(c.abs()));
         self.say(&format!("assert (B{node} := constant u {text} {size} ltac:(lra) ltac:(lra))."));
-        self.know(node, &text, &text, Polynomial::constant(c.abs()), Polynomial::default());
+        self.done.insert(node, Known::exactly(&text, Polynomial::constant(c.abs())));
     }
 
     fn opposite(&mut self, node: Node, a: Node) {
         self.say(&format!("pose proof (opposite u _ _ _ _ B{a}) as B{node}."));
-        let Known { computed, exact, size, error } = self.done[&a].clone();
-        self.know(node, &format!("(- {computed})"), &format!("(- {exact})"), size, error);
+        let Known { computed, exact, most } = self.done[&a].clone();
+        let (computed, exact) = (format!("(- {computed})"), format!("(- {exact})"));
+        self.done.insert(node, Known { computed, exact, most });
     }
 
     fn sum(&mut self, node: Node, sign: f64, a: Node, b: Node) {
-        let (lemma, sign) = if sign > 0.0 { ("plus", '+') } else { ("minus", '-') };
-        self.say(&format!("pose proof ({lemma} u _ _ _ _ _ _ _ _ B{a} B{b}) as B{node}."));
-        let (a, b) = (self.done[&a].clone(), self.done[&b].clone());
-        let text = |a: &str, b: &str| format!("({a} {sign} {b})");
-        let (computed, exact) = (text(&a.computed, &b.computed), text(&a.exact, &b.exact));
-        let (size, error) = (a.size.plus(1.0, &b.size), a.error.plus(1.0, &b.error));
-        self.know(node, &computed, &exact, size, error);
+        let (lemma, operator) = if sign > 0.0 { ("plus u", '+') } else { ("minus u", '-') };
+        let most = self.done[&a].most.plus(1.0, &self.done[&b].most);
+        self.pose(node, lemma, operator, [a, b], most);
     }
 
     fn product(&mut self, node: Node, a: Node, b: Node) {
-        self.say(&format!("pose proof (times u U0 U1 _ _ _ _ _ _ _ _ B{a} B{b}) as B{node}."));
-        let (a, b) = (self.done[&a].clone(), self.done[&b].clone());
-        let text = |a: &str, b: &str| format!("({a} * {b})");
-        let (computed, exact) = (text(&a.computed, &b.computed), text(&a.exact, &b.exact));
-        let first = a.size.times(&b.error).plus(1.0, &b.size.times(&a.error));
-        let error = first.plus(U, &a.error.times(&b.error));
-        self.know(node, &computed, &exact, a.size.times(&b.size), error);
+        let most = self.done[&a].most.times(&self.done[&b].most);
+        self.pose(node, "times u U0 U1", '*', [a, b], most);
     }
 
-    fn round(&mut self, node: Node, rounds: bool) -> Option<()> {
-        if !rounds {
-            return Some(());
-        }
+    fn round(&mut self, node: Node) -> Option<()> {
         let text = self.done[&node].computed.clone();
         self.near(node, &text, "")
     }
@@ -212,17 +199,17 @@ impl<'a> Proof<'a> {
             "apply (rounded u U0 U1 _ _ _ _ r{node}) in B{node}; [| exact O{node}]."
         ));
         self.roundings.push((node, text.into()));
-        let Known { exact, size, error, .. } = self.done[&node].clone();
-        let error = error.plus(1.0, &size.plus(U, &error));
-        self.know(node, &format!("r{node}"), &exact, size, error);
+        let known = self.done.get_mut(&node)?;
+        known.computed = format!("r{node}");
+        known.most = known.most.clone().rounded();
         self.shorten(node);
         Some(())
     }
 
     /// Size and error as polynomials, in numbers that are not negative: what is made of them stays short.
     fn shorten(&mut self, node: Node) {
-        let Known { computed, exact, size, error } = self.done[&node].clone();
-        let (size, error) = (up(&size), up(&error));
+        let Bounded { value, error } = &self.done[&node].most;
+        let (size, error) = (up(value), up(error));
         let monomials = || [&size, &error].into_iter().flat_map(|p| p.0.keys());
         let kept: BTreeSet<_> = monomials().flatten().map(|v| format!(" P{v}")).collect();
         let kept =
@@ -236,12 +223,15 @@ impl<'a> Proof<'a> {
             text_of(&size),
             text_of(&error),
         ));
-        self.know(node, &computed, &exact, size, error);
+        if let Some(known) = self.done.get_mut(&node) {
+            known.most = Bounded { value: size, error };
+        }
     }
 
     /// From the computed sum of squares to its root.
     fn take_root(&mut self, sum: Node) {
-        let relative = self.done[&sum].error.0.values().fold(0.0_f64, |worst, c| worst.max(*c));
+        let relative =
+            self.done[&sum].most.error.0.values().fold(0.0_f64, |worst, c| worst.max(*c));
         let relative = rational((relative * 1e5).ceil() / 1e5);
         let exact = self.done[&sum].exact.clone();
         let group = self.group_of_root();
@@ -303,11 +293,14 @@ impl<'a> Proof<'a> {
 
     /// Of a number that roots went into: what it is off from the exact one, beside the rounding of its steps, and that one.
     pub(crate) fn in_lengths(&mut self, output: Node) -> Option<(Node, Polynomial, String)> {
-        let relative = self.done[&self.root?.0].error.0.values().fold(0.0_f64, |w, c| w.max(*c));
+        let relative =
+            self.done[&self.root?.0].most.error.0.values().fold(0.0_f64, |w, c| w.max(*c));
         let off = Polynomial::constant((relative * 1e5).ceil() / 1e5 / 2.0 + 1e-5);
         for (node, computed, lemma) in [(20_000, "h", "H1_"), (20_001, "(/ h)", "K1_")] {
             self.say(&format!("pose proof {lemma} as B{node}."));
-            self.know(node, computed, "1", Polynomial::constant(1.0), off.clone());
+            let (computed, exact) = (computed.into(), "1".into());
+            let most = Bounded { value: Polynomial::constant(1.0), error: off.clone() };
+            self.done.insert(node, Known { computed, exact, most });
         }
         let (mut next, mut sum, mut exact) = (20_002, None, String::new());
         for (monomial, &c) in &self.analysis.exact(output)?.0 {
@@ -335,7 +328,7 @@ impl<'a> Proof<'a> {
             let _ = write!(exact, " {sign} {text}");
             (sum, next) = (Some(next), next + 1);
         }
-        Some((sum?, self.done[&sum?].error.clone(), format!("(0{exact})")))
+        Some((sum?, self.done[&sum?].most.error.clone(), format!("(0{exact})")))
     }
 }
 
@@ -347,7 +340,7 @@ fn times(a: String, b: String) -> String {
 /// Coefficients rounded up to few decimals, so that what is written stays short.
 fn up(polynomial: &Polynomial) -> Polynomial {
     let up = |c: f64| if (c * 1e6).fract() == 0.0 { c } else { (c * 1e6 + 1e-3).ceil() / 1e6 };
-    Polynomial(polynomial.0.iter().map(|(monomial, &c)| (monomial.clone(), up(c))).collect())
+    Sum(polynomial.0.iter().map(|(monomial, &c)| (monomial.clone(), up(c))).collect())
 }
 
 fn text_of(polynomial: &Polynomial) -> String {

@@ -2,10 +2,9 @@
 
 use crate::bound::{Analysis, Rounding};
 use crate::composed;
-use crate::operations::{Form, Operation};
 use crate::polynomial::Lengths;
+use crate::record::Record;
 use crate::tape::{Node, Op, Tape};
-use crate::tape_of;
 
 /// Where nothing overflows, and what underflow adds.
 #[derive(Clone, Debug)]
@@ -19,42 +18,42 @@ pub struct Range {
 
 /// The range of an operation; `None` where its numbers are not analysed.
 #[must_use]
-pub fn range(operation: &Operation, form: Form, fused: bool) -> Option<Range> {
-    let (groups, mut powers, mut underflow) =
-        (operation.groups(), [0; 2], Some(Lengths::default()));
-    for (is_single, (power, largest)) in
-        [true, false].into_iter().zip(powers.iter_mut().zip([128, 1024]))
-    {
-        let tape = tape_of(operation, form, is_single);
-        let analysis = Analysis::of(&tape, &groups, fused);
+pub fn range(record: &Record) -> Option<Range> {
+    let (mut powers, mut underflow) = ([0; 2], Some(Lengths::default()));
+    for precision in record.precisions() {
+        let tape = &record.tapes[precision];
+        let analysis = record.analysis(precision, Rounding::Normal);
         // A sum that is normalized: what is summed, and what is normalized by itself.
-        let sum = composed::sum(operation, &tape, form, is_single);
-        let sizes = sizes(&tape, &analysis, sum.as_ref().map_or(&tape.outputs, |sum| &sum.1))?;
+        let sum = record.last(precision);
+        let sizes = sizes(tape, analysis, sum.as_ref().map_or(&tape.outputs, |sum| &sum.1))?;
         let last = match &sum {
             Some((last, nodes)) => {
-                let most = range(last, form, fused)?.powers[usize::from(!is_single)];
-                Some((most, composed::given(&analysis, last, nodes)?))
+                Some((range(last)?.powers, composed::given(analysis, last, nodes)?))
             }
             None => None,
         };
-        let fits = |k: i32| {
-            let below = |size: &Lengths, most: i32| log(size, k) < f64::from(most) - 0.001;
-            sizes.iter().all(|size| below(size, largest))
-                && last.iter().all(|(most, given)| given.iter().all(|(one, _)| below(one, *most)))
-        };
-        // Squares whose root is taken have a path of their own beyond these lengths.
-        let divides = |op: &Op| matches!(op, Op::Div(..) | Op::Sqrt(_));
-        let longest = if let Some((most, _)) = &last {
-            most + 1
-        } else if !tape.ops.iter().any(divides) {
-            largest
-        } else if is_single {
-            41
-        } else {
-            401
-        };
-        *power = (0..longest).rev().find(|&k| fits(k))?;
-        let below = Analysis::with(Rounding::Below, &tape, &groups, fused);
+        for (i, largest) in [(0, 128), (1, 1024)] {
+            // One code for both.
+            if record.precisions().contains(&i) && i != precision {
+                continue;
+            }
+            let fits = |k: i32| {
+                let below = |size: &Lengths, most: i32| log(size, k) < f64::from(most) - 0.001;
+                let given = |(most, given): &([i32; 2], Vec<(Lengths, _)>)| {
+                    given.iter().all(|(one, _)| below(one, most[i]))
+                };
+                sizes.iter().all(|size| below(size, largest)) && last.iter().all(given)
+            };
+            // Squares whose root is taken have a path of their own beyond these lengths.
+            let divides = |op: &Op| matches!(op, Op::Div(..) | Op::Sqrt(_));
+            let longest = match &last {
+                Some((most, _)) => most[i] + 1,
+                None if tape.ops.iter().any(divides) => [41, 401][i],
+                None => largest,
+            };
+            powers[i] = (0..longest).rev().find(|&k| fits(k))?;
+        }
+        let below = record.analysis(precision, Rounding::Below);
         for &output in &tape.outputs {
             match (&mut underflow, below.bound(output)) {
                 (Some(worst), Some(one)) => worst.worst(&one),
@@ -71,9 +70,9 @@ fn sizes(tape: &Tape, analysis: &Analysis, of: &[Node]) -> Option<Vec<Lengths>> 
     let mut sizes = vec![];
     for node in (0..tape.ops.len()).filter(|&node| needed[node]) {
         if let Op::Fma(a, b, _) | Op::Nfma(a, b, _) = tape.ops[node] {
-            sizes.push(analysis.size(a)?.times(&analysis.size(b)?));
+            sizes.push(analysis.size(a)?.times(analysis.size(b)?));
         }
-        sizes.push(analysis.size(node as Node)?);
+        sizes.push(analysis.size(node as Node)?.clone());
     }
     Some(sizes)
 }

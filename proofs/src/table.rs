@@ -1,15 +1,13 @@
 //! `bounds.toml`: every bound, as it is computed from the tapes.
 
-use crate::bound::Analysis;
+use crate::bound::Rounding;
 use crate::composed;
 use crate::coq::is_proved;
 use crate::gappa::lemmas;
-use crate::operations::{Form, Operation};
+use crate::operations::Operation;
 use crate::polynomial::Lengths;
 use crate::range::{Range, range};
-use crate::tape::Tape;
-use crate::tape_of;
-use std::fmt::Write;
+use crate::record::Record;
 
 /// A bound of one part of an answer.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,32 +18,22 @@ pub struct Part {
     pub bound: Option<Lengths>,
 }
 
-/// The bounds of an operation in a form, by the lengths of its arguments.
+/// The bounds of a record, by the lengths of its arguments; the larger where the two precisions have code of their own.
 #[must_use]
-pub fn bounds(operation: &Operation, form: Form, fused: bool) -> Vec<Part> {
-    // Where the two precisions have code of their own, the larger counts.
-    let tapes = [true, false].map(|is_single| tape_of(operation, form, is_single));
-    let tapes = if tapes[0].is_same_as(&tapes[1]) { &tapes[..1] } else { &tapes };
+pub fn bounds(record: &Record) -> Vec<Part> {
     let mut parts: Vec<Part> = vec![];
-    for name in operation.names() {
-        if parts.iter().all(|part| part.name != name) {
-            parts.push(Part { name, bound: Some(Lengths::default()) });
-        }
-    }
-    for (tape, is_single) in tapes.iter().zip([true, false]) {
-        let analysis = Analysis::of(tape, &operation.groups(), fused);
-        let composed = composed::sum(operation, tape, form, is_single)
-            .and_then(|sum| composed::of(operation, &analysis, &sum, form, fused));
-        for (output, name) in operation.names().enumerate() {
+    for precision in record.precisions() {
+        let analysis = record.analysis(precision, Rounding::Normal);
+        let composed = composed::of(record, precision, analysis);
+        for (output, name) in record.operation.names().enumerate() {
             let one = match &composed {
                 Some(bounds) => Some(bounds[output].clone()),
-                None => analysis.bound(tape.outputs[output]),
+                None => analysis.bound(record.tapes[precision].outputs[output]),
             };
-            for part in parts.iter_mut().filter(|part| part.name == name) {
-                match (&mut part.bound, &one) {
-                    (Some(bound), Some(one)) => bound.worst(one),
-                    _ => part.bound = None,
-                }
+            match (parts.iter_mut().find(|part| part.name == name), one) {
+                (None, bound) => parts.push(Part { name, bound }),
+                (Some(Part { bound: Some(bound), .. }), Some(one)) => bound.worst(&one),
+                (Some(part), _) => part.bound = None,
             }
         }
     }
@@ -92,46 +80,34 @@ pub fn text() -> String {
          # step by step, where rotations have lengths within 2^-9 of 1, all other arguments are no longer than 1, and functions\n\
          # are of one number in the range of their polynomials.\n",
     );
-    for form in Form::ALL {
-        for operation in form.operations() {
-            let by_lengths = Form::BY_LENGTHS.contains(&form);
-            let tapes = [true, false].map(|is_single| tape_of(operation, form, is_single));
-            let fuses = tapes.iter().any(Tape::fuses);
-            let [single, double] = tapes.map(|tape| tape.fingerprint());
-            for fused in [false, true] {
-                if fused && !fuses {
-                    continue;
-                }
-                let rounding = if fused { ".fused" } else { "" };
-                let _ = writeln!(text, "\n[{}.{}{rounding}]", form.name(), operation.name);
-                for part in by_lengths.then(|| bounds(operation, form, fused)).into_iter().flatten()
-                {
-                    let formula =
-                        part.bound.map_or("none".into(), |bound| formula(operation, &bound));
-                    let _ = writeln!(text, "{} = \"{formula}\"", part.name);
-                }
-                if let Some(Range { powers: [single, double], underflow }) =
-                    by_lengths.then(|| range(operation, form, fused)).flatten()
-                {
-                    let _ = writeln!(text, "lengths = \"2^{single} 2^{double}\"");
-                    if let Some(underflow) = underflow {
-                        let _ =
-                            writeln!(text, "underflow = \"{}\"", formula(operation, &underflow));
-                    }
-                }
-                let _ = writeln!(text, "tapes = \"{single:08x} {double:08x}\"");
-                let units = [true, false].map(|is_single| {
-                    let bound = lemmas(operation, form, is_single, fused).bound?;
-                    Some(ceiling(bound / 2_f64.powi(if is_single { -24 } else { -53 })))
-                });
-                if let [Some(single), Some(double)] = units {
-                    let _ = writeln!(text, "gappa = {:?}", single.max(double));
-                }
-                if by_lengths && is_proved(operation, form, fused) {
-                    text += "by = \"Coq\"\n";
-                }
-            }
+    for record in Record::all() {
+        text += &section(record);
+    }
+    text
+}
+
+fn section(record: &Record) -> String {
+    let mut text = format!("\n[{}]\n", record.name());
+    let mut line = |name: &str, is: String| text += &format!("{name} = {is}\n");
+    if record.is_by_lengths() {
+        let formula = |bound: &Lengths| format!("\"{}\"", formula(record.operation, bound));
+        for part in bounds(record) {
+            line(part.name, part.bound.map_or("\"none\"".into(), |bound| formula(&bound)));
         }
+        if let Some(Range { powers: [single, double], underflow }) = range(record) {
+            line("lengths", format!("\"2^{single} 2^{double}\""));
+            underflow.iter().for_each(|underflow| line("underflow", formula(underflow)));
+        }
+    }
+    let [single, double] = [0, 1].map(|precision: usize| record.tapes[precision].fingerprint());
+    line("tapes", format!("\"{single:08x} {double:08x}\""));
+    let units = [24, 53].into_iter().enumerate();
+    let units = units.map(|(i, bits)| Some(ceiling(lemmas(record, i).bound? * 2_f64.powi(bits))));
+    if let Some(units) = units.collect::<Option<Vec<_>>>() {
+        line("gappa", format!("{:?}", units[0].max(units[1])));
+    }
+    if record.is_by_lengths() && is_proved(record) {
+        line("by", "\"Coq\"".into());
     }
     text
 }

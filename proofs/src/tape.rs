@@ -283,10 +283,10 @@ impl Tape {
             .fold(0x811c_9dc5, |hash, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193))
     }
 
-    /// Whether anything differs where hardware fuses.
+    /// Whether any answer differs where hardware fuses.
     #[must_use]
     pub fn fuses(&self) -> bool {
-        self.ops.iter().any(|op| matches!(op, Op::Fma(..) | Op::Nfma(..)))
+        self.alone().0.iter().any(|op| matches!(op, Op::Fma(..) | Op::Nfma(..)))
     }
 
     /// Which nodes these are made of.
@@ -343,10 +343,20 @@ impl Tape {
         (0..self.ops.len() as Node).filter(is_input).collect()
     }
 
-    /// Whether a product with this node is exact: ±2ᵏ, no smaller than `least`.
+    /// Whether an operation rounds a product before it is added to something, and whether it rounds the result.
+    /// Products with ±2ᵏ, no smaller than `least`, are exact.
     #[must_use]
-    pub fn is_power_of_two(&self, node: Node, least: f64) -> bool {
-        matches!(self.ops[node as usize], Op::Const(c)
-            if c != 0.0 && c.abs() >= least && c.abs().log2().fract() == 0.0)
+    pub fn roundings(&self, node: Node, fused: bool, least: f64) -> [bool; 2] {
+        let is_power = |node: Node| {
+            matches!(self.ops[node as usize], Op::Const(c)
+                if c != 0.0 && c.abs() >= least && c.abs().log2().fract() == 0.0)
+        };
+        match self.ops[node as usize] {
+            Op::Input | Op::Const(_) | Op::Neg(_) | Op::Abs(_) => [false, false],
+            Op::Add(a, b) => [false, a != b],
+            Op::Mul(a, b) => [false, !is_power(a) && !is_power(b)],
+            Op::Fma(a, b, _) | Op::Nfma(a, b, _) => [!fused && !is_power(a) && !is_power(b), true],
+            Op::Sub(..) | Op::Div(..) | Op::Sqrt(_) => [false, true],
+        }
     }
 }

@@ -1,14 +1,12 @@
 //! Errors of `f32` from the exact value (the same tape in `f64`), on random inputs and climbing from the worst: each below its
 //! bound, and bounds not much larger than what is found.
 
-use dq8_proofs::composed::{self, FAR};
-use dq8_proofs::operations::{Form, Operation};
-use dq8_proofs::polynomial::Lengths;
-use dq8_proofs::range::range;
+use dq8_proofs::composed::FAR;
+use dq8_proofs::range::{Range, range};
+use dq8_proofs::record::Record;
 use dq8_proofs::sample::{Random, draw};
 use dq8_proofs::table::{Part, bounds};
-use dq8_proofs::tape::{Node, Tape};
-use dq8_proofs::tape_of;
+use dq8_proofs::tape::Node;
 
 /// How many times the worst error found a bound may be, of what has been found after this many inputs.
 const INPUTS: usize = 20_000;
@@ -25,47 +23,55 @@ const LOOSE: &[(&str, f64)] = &[
 ];
 
 /// The largest error over its bound, and for which inputs.
-struct Search<'a> {
-    operation: &'a Operation,
-    tape: Tape,
-    fused: bool,
+struct Search {
+    record: &'static Record,
     /// The weighted sum that is normalized.
     sum: Vec<Node>,
     /// Where nothing overflows, and what underflow adds; 0 where that is not known.
-    range: i32,
-    underflow: Option<Lengths>,
+    range: Range,
     /// Of each output.
     parts: Vec<Part>,
     single: Vec<f32>,
     double: Vec<f64>,
 }
 
-impl Search<'_> {
+impl Search {
+    fn of(record: &'static Record) -> Self {
+        let known = bounds(record);
+        let of = |name| known.iter().find(|part| part.name == name).expect("a part each").clone();
+        let parts = record.operation.names().map(of).collect();
+        let sum =
+            record.last(0).map_or(vec![], |(last, sum)| sum[..last.operation.inputs[0].1].to_vec());
+        let range = range(record).unwrap_or(Range { powers: [0; 2], underflow: None });
+        Self { record, sum, range, parts, single: vec![], double: vec![] }
+    }
+
     fn ratio(&mut self, inputs: &[f32]) -> Option<(f64, &'static str)> {
-        if !self.tape.run(inputs, self.fused, &mut self.single) {
+        let (operation, tape) = (self.record.operation, &self.record.tapes[0]);
+        if !tape.run(inputs, self.record.fused, &mut self.single) {
             return None;
         }
         let exact: Vec<f64> = inputs.iter().map(|&c| c.into()).collect();
-        self.tape.run(&exact, false, &mut self.double);
-        let mut lengths = vec![0.0; self.operation.inputs.len()];
-        for (group, c) in self.operation.groups().into_iter().zip(&exact) {
+        tape.run(&exact, false, &mut self.double);
+        let mut lengths = vec![0.0; operation.inputs.len()];
+        for (group, c) in operation.groups().into_iter().zip(&exact) {
             lengths[group] += c * c;
         }
         if !self.sum.is_empty() {
-            let sum = self.sum.iter().take(4).map(|&node| self.double[node as usize]);
+            let sum = self.sum.iter().map(|&node| self.double[node as usize]);
             lengths.push(sum.map(|c| c * c).sum());
         }
         let lengths: Vec<f64> = lengths.into_iter().map(f64::sqrt).collect();
         if self.parts[0].bound.as_ref().is_some_and(|bound| bound.at(&lengths) > FAR) {
             return None;
         }
-        let ratios = self.tape.outputs.iter().zip(&self.parts).filter_map(|(&output, part)| {
-            let below = self.underflow.as_ref().map_or(0.0, |below| below.at(&lengths));
+        let ratios = tape.outputs.iter().zip(&self.parts).filter_map(|(&output, part)| {
+            let below = self.range.underflow.as_ref().map_or(0.0, |below| below.at(&lengths));
             let bound =
                 part.bound.as_ref()?.at(&lengths) * 2_f64.powi(-24) + below * 2_f64.powi(-150);
             let error =
                 (f64::from(self.single[output as usize]) - self.double[output as usize]).abs();
-            assert!(error.is_finite(), "{} overflows for {inputs:?}", self.operation.name);
+            assert!(error.is_finite(), "{} overflows for {inputs:?}", operation.name);
             // 0 where nothing is rounded.
             Some((if error == 0.0 { 0.0 } else { error / bound }, part.name))
         });
@@ -78,12 +84,12 @@ impl Search<'_> {
         for i in 0..INPUTS {
             let inputs: Vec<f32> = if i < INPUTS / 4 || at.is_empty() {
                 // As long as may be, or so short that products are below the normal numbers.
-                let length = match (i % 8, &self.underflow) {
-                    (6, Some(_)) => 0.99 * 2_f64.powi(self.range),
+                let length = match (i % 8, &self.range.underflow) {
+                    (6, Some(_)) => 0.99 * 2_f64.powi(self.range.powers[0]),
                     (7, Some(_)) => 1e-21,
                     _ => 1.0,
                 };
-                let numbers = draw(self.operation, &[length], &mut random);
+                let numbers = draw(self.record.operation, &[length], &mut random);
                 numbers.into_iter().map(|c| c as f32).collect()
             } else {
                 // Some numbers by few units in the last place, or by many.
@@ -102,7 +108,7 @@ impl Search<'_> {
             assert!(
                 ratio <= 1.0,
                 "{} {part}: {ratio} of its bound for {inputs:?}",
-                self.operation.name
+                self.record.name()
             );
             if ratio > worst {
                 (worst, at) = (ratio, inputs);
@@ -114,39 +120,11 @@ impl Search<'_> {
 
 #[test]
 fn errors_stay_below_the_bounds_and_come_near() {
-    for form in Form::BY_LENGTHS {
-        for operation in form.operations() {
-            for fused in [false, true] {
-                let tape = tape_of(operation, form, true);
-                if fused && !tape.fuses() {
-                    continue;
-                }
-                let known = bounds(operation, form, fused);
-                let of = |name| known.iter().find(|part| part.name == name).expect("a part each");
-                let parts = operation.names().map(|name| of(name).clone()).collect();
-                let sum =
-                    composed::sum(operation, &tape, form, true).map_or(vec![], |(_, sum)| sum);
-                let (single, double) = (vec![], vec![]);
-                let (range, underflow) = range(operation, form, fused)
-                    .map_or((0, None), |range| (range.powers[0], range.underflow));
-                let mut search =
-                    Search { operation, tape, fused, sum, range, underflow, parts, single, double };
-                let worst = search.worst();
-                let rounding = if fused { ", fused" } else { "" };
-                println!(
-                    "{} ({}{rounding}): bound / found {:.2}",
-                    operation.name,
-                    form.name(),
-                    1.0 / worst
-                );
-                if let Some((_, loose)) = LOOSE.iter().find(|(name, _)| *name == operation.name) {
-                    assert!(
-                        worst * loose >= 1.0,
-                        "{}: {worst} of its bound is the most found",
-                        operation.name
-                    );
-                }
-            }
+    for record in Record::by_lengths() {
+        let (name, worst) = (record.name(), Search::of(record).worst());
+        println!("{name}: bound / found {:.2}", 1.0 / worst);
+        if let Some((_, loose)) = LOOSE.iter().find(|(name, _)| *name == record.operation.name) {
+            assert!(worst * loose >= 1.0, "{name}: {worst} of its bound is the most found");
         }
     }
 }

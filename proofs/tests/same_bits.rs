@@ -1,11 +1,11 @@
 //! A tape is the code: it computes, to the last bit, what the compiled functions do; unfused as single floats, one lane and
 //! portable lanes, fused as AVX2.
 
-use dq8::{Backend, Kernel, Level, Real, Scalar};
-use dq8_proofs::operations::{Form, Operation, functions, jobs, lanes, single};
+use dq8::{Backend, Kernel, Level, Real};
+use dq8_proofs::operations::{Form, Number, functions, lanes};
+use dq8_proofs::record::Record;
 use dq8_proofs::sample::{Random, draw};
 use dq8_proofs::tape::Computed;
-use dq8_proofs::tape_of;
 use dq8_simd::{Float, Lanes};
 
 /// Inputs per operation, form and precision: a sample, or as many as `run.sh` asks for.
@@ -14,105 +14,76 @@ fn count() -> usize {
 }
 
 /// Operations on lanes with the instructions of a level, many inputs at once.
-struct OnLanes<'a, F>(Form, &'a str, &'a [Vec<F>]);
+struct OnLanes<'a, F>(&'a Record, &'a [Vec<F>]);
 
 impl<F: Float> Kernel for OnLanes<'_, F> {
     type Output = Vec<Vec<F>>;
     const WIDE: bool = false;
     #[inline(always)]
     fn run<V: Level>(self, level: V) -> Vec<Vec<F>> {
-        let Self(form, name, inputs) = self;
-        let mut answers = vec![];
-        for inputs in inputs.chunks(<F::Lanes<V>>::LANES) {
-            let arguments: Vec<F::Lanes<V>> = (0..inputs[0].len())
-                .map(|i| {
-                    let row: Vec<F> = inputs.iter().map(|input| input[i]).collect();
-                    Lanes::load_partial(level, &row, row[0])
-                })
-                .collect();
-            let answer = match form {
-                Form::Function => functions::run(name, &arguments),
-                _ => lanes::run(name, &arguments),
-            };
-            let rows: Vec<_> = answer.into_iter().map(Lanes::to_array).collect();
-            answers.extend(
-                (0..inputs.len())
-                    .map(|lane| rows.iter().map(|row| row.as_ref()[lane]).collect::<Vec<F>>()),
-            );
-        }
-        answers
+        let Self(Record { operation, form, .. }, inputs) = self;
+        let answers = inputs.chunks(<F::Lanes<V>>::LANES).flat_map(|inputs| {
+            let arguments = (0..inputs[0].len()).map(|i| {
+                let row: Vec<F> = inputs.iter().map(|input| input[i]).collect();
+                Lanes::load_partial(level, &row, row[0])
+            });
+            let arguments: Vec<F::Lanes<V>> = arguments.collect();
+            let run = if *form == Form::Function { functions::run } else { lanes::run };
+            let rows = run(operation.name, Backend::PORTABLE, &arguments);
+            let rows: Vec<_> = rows.into_iter().map(Lanes::to_array).collect();
+            let lane = move |lane: usize| rows.iter().map(|row| row.as_ref()[lane]).collect();
+            (0..inputs.len()).map(lane)
+        });
+        answers.collect()
     }
 }
 
-/// Compares the tape of each operation with what `code` computes.
-fn check<F: Scalar + Computed>(
-    form: Form,
-    fused: bool,
-    code: impl Fn(&Operation, &[Vec<F>]) -> Vec<Vec<F>>,
-) {
-    for operation in form.operations() {
-        let tape = tape_of(operation, form, F::SINGLE);
-        let inputs: Vec<Vec<F>> = inputs(operation)
-            .into_iter()
-            .map(|input| input.into_iter().map(<F as Real>::from_f64).collect())
-            .collect();
-        let (mut numbers, mut on_path) = (vec![], 0);
-        for (input, answer) in inputs.iter().zip(code(operation, &inputs)) {
-            if !tape.run(input, fused, &mut numbers) {
-                continue;
-            }
-            on_path += 1;
-            let recorded: Vec<F> =
-                tape.outputs.iter().map(|&output| numbers[output as usize]).collect();
-            assert!(
-                recorded == answer,
-                "{} of {input:?}: tape {recorded:?}, code {answer:?}",
-                operation.name
-            );
+/// What the compiled code computes.
+fn code<F: Number + Lanes>(record: &Record, inputs: &[Vec<F>]) -> Vec<Vec<F>> {
+    let mut backend = Backend::PORTABLE;
+    if record.fused {
+        backend =
+            Backend::avx2().expect("this test compares with AVX2: run it on a CPU that has it");
+        if matches!(record.form, Form::Lanes | Form::Function) {
+            return backend.run(OnLanes(record, inputs));
         }
-        // The book's norm has a path for each order of four components, and blends one for each sign of a motion or weight.
-        let expected = match operation.name {
-            "norm" | "nlerp" | "dlb" | "dlb_running" | "linear_skin" => count() / 40,
-            // And each sign of three products of motions.
-            "dual_skin" => count() / 500,
-            _ => count() / 3,
-        };
-        assert!(
-            on_path > expected,
-            "{}: only {on_path} inputs on the recorded path",
-            operation.name
-        );
     }
+    let run = record.form.run();
+    inputs.iter().map(|input| run(record.operation.name, backend, input)).collect()
 }
 
-fn inputs(operation: &Operation) -> Vec<Vec<f64>> {
+fn check<F: Number + Lanes + Computed>(record: &Record) {
+    let (name, tape) = (record.name(), &record.tapes[usize::from(!F::SINGLE)]);
     let mut random = Random::new(0x9e37_79b9_7f4a_7c15);
-    (0..count()).map(|_| draw(operation, &[1.0, 3.0], &mut random)).collect()
-}
-
-fn avx2() -> Backend {
-    Backend::avx2().expect("this test compares with AVX2: run it on a CPU that has it")
-}
-
-/// For both floats.
-macro_rules! both { ($($name:ident: $form:expr, $fused:expr, |$operation:ident, $inputs:ident| $code:expr;)*) => {$(
-    #[test]
-    fn $name() {
-        check::<f32>($form, $fused, |$operation, $inputs| $code);
-        check::<f64>($form, $fused, |$operation, $inputs| $code);
+    let mut draw = || draw(record.operation, &[1.0, 3.0], &mut random);
+    let inputs = (0..count()).map(|_| draw().into_iter().map(<F as Real>::from_f64).collect());
+    let inputs: Vec<Vec<F>> = inputs.collect();
+    let (mut numbers, mut on_path) = (vec![], 0);
+    for (input, answer) in inputs.iter().zip(code(record, &inputs)) {
+        if !tape.run(input, record.fused, &mut numbers) {
+            continue;
+        }
+        on_path += 1;
+        let outputs = tape.outputs.iter();
+        let recorded: Vec<F> = outputs.map(|&output| numbers[output as usize]).collect();
+        assert!(recorded == answer, "{name} of {input:?}: tape {recorded:?}, code {answer:?}");
     }
-)*} }
-both! {
-    single_floats: Form::Single, false, |operation, inputs|
-        inputs.iter().map(|input| single::run(operation.name, input)).collect();
-    one_lane: Form::Lanes, false, |operation, inputs|
-        inputs.iter().map(|input| lanes::run(operation.name, input)).collect();
-    fused_lanes: Form::Lanes, true, |operation, inputs| avx2().run(OnLanes(Form::Lanes, operation.name, inputs));
-    functions_of_one_lane: Form::Function, false, |operation, inputs|
-        inputs.iter().map(|input| functions::run(operation.name, input)).collect();
-    fused_functions: Form::Function, true,
-        |operation, inputs| avx2().run(OnLanes(Form::Function, operation.name, inputs));
-    unfused_job: Form::Job, false, |operation, inputs|
-        inputs.iter().map(|input| jobs::run(operation.name, Backend::PORTABLE, input)).collect();
-    fused_job: Form::Job, true, |operation, inputs| inputs.iter().map(|input| jobs::run(operation.name, avx2(), input)).collect();
+    // The book's norm has a path for each order of four components, and blends one for each sign of a motion or weight.
+    let part = match record.operation.name {
+        "norm" | "nlerp" | "dlb" | "dlb_running" | "linear_skin" | "linear_normal" => 40,
+        // And each sign of three products of motions.
+        "dual_skin" | "dual_normal" => 500,
+        _ => 3,
+    };
+    assert!(on_path > count() / part, "{name}: only {on_path} inputs on the recorded path");
+}
+
+#[test]
+fn singles() {
+    Record::all().iter().for_each(check::<f32>);
+}
+
+#[test]
+fn doubles() {
+    Record::all().iter().for_each(check::<f64>);
 }

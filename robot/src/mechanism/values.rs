@@ -209,7 +209,8 @@ pub(crate) fn half_turn<L: Lanes>(half: L) -> [L; 2] {
     [cos, sin]
 }
 
-mod sealed {
+pub(crate) mod sealed {
+    /// Closed but to numbers that record.
     pub trait Sealed {}
     impl Sealed for f32 {}
     impl Sealed for f64 {}
