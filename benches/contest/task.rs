@@ -1,8 +1,6 @@
 //! [`Task`]: what is to be measured.
 
-mod animation;
 mod hierarchy;
-mod skin;
 
 pub use crate::scene::Shape;
 pub use hierarchy::Way;
@@ -12,6 +10,7 @@ pub use points::Motions;
 use crate::caches::{Caches, Level};
 use crate::contest::Contest;
 use crate::limit::Limit;
+use dq8_contest_crowd::{animation, skin};
 use dq8_contest_slices::{pairs, points};
 
 /// A contest whose data are not made yet.
