@@ -1,6 +1,7 @@
 //! [`Task`]: what is to be measured.
 
 mod hierarchy;
+mod skin;
 
 pub use crate::scene::Shape;
 pub use hierarchy::Way;
@@ -10,7 +11,7 @@ pub use points::Motions;
 use crate::caches::{Caches, Level};
 use crate::contest::Contest;
 use crate::limit::Limit;
-use dq8_contest_crowd::{animation, skin};
+use dq8_contest_crowd::animation;
 use dq8_contest_slices::{pairs, points};
 
 /// A contest whose data are not made yet.

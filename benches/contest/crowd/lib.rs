@@ -1,9 +1,8 @@
-//! Contests of what a crowd needs for a frame. A package of its own, as the contests over slices are.
+//! The contest of what a crowd needs for a frame: most of what there is to compile, so in a package of its own.
 
 #![allow(missing_docs, reason = "shared by programs, not published")]
 #![allow(missing_debug_implementations, reason = "contests hold closures")]
 
 pub mod animation;
-pub mod skin;
 
 use dq8_contest_kit::{backends, contest, memory, scene, walk};

@@ -67,7 +67,7 @@ impl Scene {
     }
 }
 
-pub fn with_contest(run: &mut dyn FnMut(&Contest<'_>)) {
+pub(super) fn with_contest(run: &mut dyn FnMut(&Contest<'_>)) {
     let scene = Scene::new();
     let skin = scene.skin();
     let dual = scene.expected(true);
