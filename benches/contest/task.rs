@@ -1,6 +1,5 @@
 //! [`Task`]: what is to be measured.
 
-mod animation;
 mod hierarchy;
 mod skin;
 
@@ -12,6 +11,7 @@ pub use points::Motions;
 use crate::caches::{Caches, Level};
 use crate::contest::Contest;
 use crate::limit::Limit;
+use dq8_contest_crowd::animation;
 use dq8_contest_slices::{pairs, points};
 
 /// A contest whose data are not made yet.

@@ -1,4 +1,4 @@
-//! What contests are made of: contenders, the memory of each, and what the machine can do at most.
+//! What contests are made of: contenders, the memory of each, skeletons, and what the machine can do at most.
 
 #![allow(missing_docs, reason = "shared by programs, not published")]
 #![allow(missing_debug_implementations, reason = "contests hold closures")]
@@ -7,6 +7,9 @@ pub mod caches;
 pub mod contest;
 pub mod limit;
 pub mod memory;
+pub mod scene;
+pub mod skeleton;
+pub mod walk;
 
 use dq8::Backend;
 

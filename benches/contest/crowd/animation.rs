@@ -155,7 +155,7 @@ macro_rules! locals {
     }};
 }
 
-pub(crate) fn with_contest(instances: usize, run: &mut dyn FnMut(&Contest<'_>)) {
+pub fn with_contest(instances: usize, run: &mut dyn FnMut(&Contest<'_>)) {
     let crowd = Crowd::new(instances);
     let joints = crowd.parents.len();
     let title = format!(

@@ -52,15 +52,15 @@ impl Shape {
     }
 }
 
-pub(crate) struct Scene {
-    pub(crate) parents: Vec<u32>,
-    pub(crate) locals: Many<DualQuat<f32>>,
+pub struct Scene {
+    pub parents: Vec<u32>,
+    pub locals: Many<DualQuat<f32>>,
     /// Of each joint, from its parent; zero for roots.
-    pub(crate) bones: Vec<[f32; 3]>,
+    pub bones: Vec<[f32; 3]>,
 }
 
 impl Scene {
-    pub(crate) fn new(shape: Shape) -> Self {
+    pub fn new(shape: Shape) -> Self {
         let (parents, bones) = shape.skeleton();
         let instances = if let Shape::Crowd { instances } = shape { instances } else { 1 };
         let different = skeleton::locals(&bones, instances.min(Many::<DualQuat<f32>>::DIFFERENT));
@@ -75,21 +75,21 @@ impl Scene {
         }
     }
 
-    pub(crate) fn rotations(&self) -> Many<[f32; 4]> {
+    pub fn rotations(&self) -> Many<[f32; 4]> {
         let (joints, locals) = (self.parents.len(), self.locals.different());
         let rotations = locals.iter().map(|local| local.rotation().to_array()).collect();
         Many::new(joints, rotations, self.locals.len() / joints)
     }
 
     /// Where each instance stands.
-    pub(crate) fn roots(&self) -> Many<DualQuat<f32>> {
+    pub fn roots(&self) -> Many<DualQuat<f32>> {
         let joints = self.parents.len();
         let instances = self.locals.different().chunks(joints);
         let places = instances.map(|poses| DualQuat::from_translation(poses[0].translation()));
         Many::new(1, places.collect(), self.locals.len() / joints)
     }
 
-    pub(crate) fn expected(&self, hierarchy: &Hierarchy) -> Vec<Vec<f64>> {
+    pub fn expected(&self, hierarchy: &Hierarchy) -> Vec<Vec<f64>> {
         let different = self.locals.different().iter();
         let mut poses: Vec<_> = different.map(Rows3x4::<f64>::from_motion).collect();
         walk::local_to_model_in_place(hierarchy, &mut poses);
