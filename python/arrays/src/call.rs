@@ -170,7 +170,10 @@ impl<R: Number> Runs<'_, R> {
         let Self { arguments, broadcast, size, compute } = *self;
         for (index, to) in to.chunks_mut(broadcast.run * size).enumerate() {
             let begin = broadcast.begin(first + index);
-            let begin = |at: usize| std::array::from_fn(|i| arguments[i].from(begin[i] + at));
+            // What is one for all is so for each piece.
+            let begin = |at| {
+                [0, 1, 2].map(|i| arguments[i].from(begin[i] + at * usize::from(broadcast.each[i])))
+            };
             if broadcast.each == [false; 3] {
                 // One for all, all of them: one element says what all are.
                 let (one, rest) = to.split_at_mut(size);
