@@ -1,5 +1,7 @@
 """Every function against SciPy and pytransform3d, or against its formula in NumPy."""
 
+import itertools
+
 import numpy as np
 import pytest
 import pytransform3d.trajectories as p3t
@@ -8,6 +10,7 @@ from calls import CALLS, arguments_of
 from scipy.spatial.transform import RigidTransform, Rotation
 
 import dq8
+from dq8._signatures import SIGNATURES
 
 FIRST = [3, 0, 1, 2, 7, 4, 5, 6]
 LAST = [1, 2, 3, 0, 5, 6, 7, 4]
@@ -292,3 +295,14 @@ def test_float32_is_float64_of_the_same_numbers_to_the_precision_of_float32(name
     assert single.dtype == np.float32 and double.dtype == np.float64
     vectors = [array for array in (*arguments, double) if array.ndim > 1]
     close(single, double, *vectors, bound=SINGLE.get(name, 2**-21))
+
+
+@pytest.mark.parametrize("name", [name for name, (shapes, _) in SIGNATURES.items() if len(shapes) > 1])
+def test_a_large_call_is_many_small_ones_whichever_arguments_are_one_for_all(name, rng):
+    function, arguments = CALLS[name][0], arguments_of(name, rng)
+    many = lambda array: np.concatenate([array] * 500)
+    for is_each in itertools.product([False, True], repeat=len(arguments)):
+        pairs = list(zip(arguments, is_each))
+        small = function(*(array if each else array[0] for array, each in pairs))
+        large = function(*(many(array) if each else array[0] for array, each in pairs))
+        np.testing.assert_array_equal(large, many(small) if any(is_each) else small)

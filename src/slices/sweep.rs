@@ -70,7 +70,8 @@ fn whole<Q: Element<D>, K: SliceKernel<Q, D>, const D: usize>(
     kernel: K,
     past_caches: bool,
 ) {
-    if past_caches {
+    // A constant too, so that there is no such kernel where none is run.
+    if const { Q::Layout::STREAMS } && past_caches {
         backend.run(Stream { output, kernel });
     } else {
         backend.run(Sweep { output, kernel });

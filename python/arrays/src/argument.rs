@@ -41,6 +41,13 @@ impl<'py> Argument<'py> {
         Ok(Self { name, core, array: real(name, core, value)?, number: is_number(value) })
     }
 
+    /// All of a call: names, shapes of elements, values.
+    pub fn all(
+        given: &[(&'static str, &'static [usize], &Bound<'py, PyAny>)],
+    ) -> PyResult<Vec<Self>> {
+        given.iter().map(|&(name, core, value)| Self::new(name, core, value)).collect()
+    }
+
     /// Its name in errors.
     pub fn name(&self) -> &'static str {
         self.name
@@ -171,8 +178,18 @@ impl<'py, R: Number> Input<'py, R> {
 
     /// The elements.
     pub fn records<const C: usize>(&self) -> &[[R; C]] {
+        self.numbers().as_chunks().0
+    }
+
+    /// The numbers of all elements.
+    pub fn numbers(&self) -> &[R] {
         // That it is a slice was checked when it was made.
-        self.array.as_slice().unwrap_or_default().as_chunks().0
+        self.array.as_slice().unwrap_or_default()
+    }
+
+    /// How many numbers an element has.
+    pub fn size(&self) -> usize {
+        self.array.shape()[self.leading.len()..].iter().product()
     }
 
     /// Whether its memory is part of that of `other`.

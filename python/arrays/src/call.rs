@@ -2,10 +2,10 @@
 
 use crate::argument::{Argument, Input, is_single};
 use crate::broadcast::{Broadcast, cycles, misfit};
-use crate::law::{Each, Law, Operand};
+use crate::law::{Law, Numbers};
 use crate::number::Number;
 use crate::output::Output;
-use crate::sweep::{Arguments, sweep};
+use crate::sweep::{Piece, sweep};
 use crate::threads::{GRAIN, Threads};
 use dq8::simd::MAX_LANES;
 use pyo3::prelude::*;
@@ -19,6 +19,9 @@ const RELEASE: usize = 512;
 /// Runs shorter than this are made into one: beginning a run costs as much as some elements.
 const SHORT: usize = 32;
 
+/// What computes a piece: all that is compiled for each law.
+type Compute<'f, R> = dyn Fn(Piece<'_, R>) + Sync + 'f;
+
 /// `law` of the arguments; the result has the last dimensions `core` and is written to `out`, if given.
 pub fn call<'py, F, const A: usize, const B: usize, const C: usize, const D: usize>(
     py: Python<'py>,
@@ -31,23 +34,19 @@ where
     F: Law<A, B, C, D>,
 {
     if is_single(arguments) {
-        typed::<f32, F, A, B, C, D>(py, law, arguments, core, out)
+        typed::<f32>(py, &|piece| sweep(law, piece), arguments, core, out)
     } else {
-        typed::<f64, F, A, B, C, D>(py, law, arguments, core, out)
+        typed::<f64>(py, &|piece| sweep(law, piece), arguments, core, out)
     }
 }
 
-fn typed<'py, R, F, const A: usize, const B: usize, const C: usize, const D: usize>(
+fn typed<'py, R: Number>(
     py: Python<'py>,
-    law: F,
+    compute: &Compute<'_, R>,
     arguments: &[Argument<'py>],
     core: &[usize],
     out: Option<&Bound<'py, PyAny>>,
-) -> Answer<'py>
-where
-    R: Number,
-    F: Law<A, B, C, D>,
-{
+) -> Answer<'py> {
     let Ready { mut inputs, broadcast, output, cycling } = ready::<R>(py, arguments, core, out)?;
     let large = broadcast.shape.iter().product::<usize>() >= RELEASE;
     let _held = large.then(|| output.held());
@@ -56,15 +55,16 @@ where
     }
     let [a, b, c] = &inputs;
     let (mut cycle_a, mut cycle_b, mut cycle_c) = (Vec::new(), Vec::new(), Vec::new());
-    let arguments = Arguments {
-        a: operand(a, cycling, &mut cycle_a),
-        b: operand(b, cycling, &mut cycle_b),
-        c: operand(c, cycling, &mut cycle_c),
-    };
+    let arguments = [
+        operand(a, cycling, &mut cycle_a),
+        operand(b, cycling, &mut cycle_b),
+        operand(c, cycling, &mut cycle_c),
+    ];
+    let runs = Runs { arguments, broadcast: &broadcast, size: core.iter().product(), compute };
     output.fill_attached(|to| {
-        let threads = Threads::for_elements(to.len());
+        let threads = Threads::for_elements(to.len() / runs.size);
         let compute = |to| {
-            runs(&threads, law, arguments, &broadcast, to);
+            runs.write(&threads, to);
             Ok(())
         };
         if large { threads.run(py, || compute(to)) } else { compute(to) }
@@ -113,17 +113,19 @@ fn ready<'py, R: Number>(
 
 /// The elements of an argument. If there must be `cycling` of them and there are fewer, then those over and
 /// over, from `cycle`.
-fn operand<'s, R: Number, const C: usize>(
+fn operand<'s, R: Number>(
     input: &'s Option<Input<'_, R>>,
     cycling: Option<usize>,
-    cycle: &'s mut Vec<[R; C]>,
-) -> Each<'s, R, C> {
-    let records = input.as_ref().map_or(&[][..], |input| input.records());
-    if cycling.is_none_or(|count| records.len() <= 1 || records.len() == count) {
-        return Each::of(records);
+    cycle: &'s mut Vec<R>,
+) -> Numbers<'s, R> {
+    let Some(input) = input else { return Numbers::of(&[]) };
+    let (numbers, size) = (input.numbers(), input.size());
+    let count = numbers.len() / size;
+    if cycling.is_none_or(|all| count <= 1 || count == all) {
+        return Numbers::of(numbers);
     }
-    cycle.extend(records.iter().cycle().take(records.len() + MAX_LANES));
-    Each { records: cycle, period: records.len(), first: 0 }
+    cycle.extend(numbers.iter().cycle().take(numbers.len() + MAX_LANES * size));
+    Numbers { period: count, ..Numbers::of(cycle) }
 }
 
 fn broadcast<R: Number>(
@@ -138,38 +140,51 @@ fn broadcast<R: Number>(
     })
 }
 
-/// Every run of a broadcast.
-fn runs<R, F, const A: usize, const B: usize, const C: usize, const D: usize>(
-    threads: &Threads,
-    law: F,
-    arguments: Arguments<'_, R, A, B, C>,
-    broadcast: &Broadcast,
-    to: &mut [[R; D]],
-) where
-    R: Number,
-    F: Law<A, B, C, D>,
-{
-    if to.is_empty() {
-        return;
-    }
-    let run = |index: usize, to: &mut [[R; D]]| {
-        let [a, b, c] = broadcast.begin(index);
-        let arguments =
-            Arguments { a: arguments.a.from(a), b: arguments.b.from(b), c: arguments.c.from(c) };
-        sweep(threads, law, arguments, broadcast.each, to);
-    };
-    let each_run = |first: usize, to: &mut [[R; D]]| {
-        for (index, to) in to.chunks_mut(broadcast.run).enumerate() {
-            run(first + index, to);
+/// Every run of a broadcast, each of whose results has `size` numbers.
+struct Runs<'s, R> {
+    arguments: [Numbers<'s, R>; 3],
+    broadcast: &'s Broadcast,
+    size: usize,
+    compute: &'s Compute<'s, R>,
+}
+
+impl<R: Number> Runs<'_, R> {
+    fn write(&self, threads: &Threads, to: &mut [R]) {
+        if to.is_empty() {
+            return;
         }
-    };
-    // Long runs are split, short ones are handed out whole, some together.
-    if broadcast.run >= 2 * GRAIN {
-        return each_run(0, to);
+        let run = self.broadcast.run;
+        // Long runs are split, short ones are handed out whole, some together.
+        if run >= 2 * GRAIN {
+            return self.some(threads, 0, to);
+        }
+        let together = run * GRAIN.div_ceil(run) * self.size;
+        threads.split(together, to, &|(first, to)| {
+            self.some(threads, first / (run * self.size), to);
+            true
+        });
     }
-    let together = broadcast.run * GRAIN.div_ceil(broadcast.run);
-    threads.split(together, to, &|(first, to)| {
-        each_run(first / broadcast.run, to);
-        true
-    });
+
+    /// Those from number `first` on.
+    fn some(&self, threads: &Threads, first: usize, to: &mut [R]) {
+        let Self { arguments, broadcast, size, compute } = *self;
+        for (index, to) in to.chunks_mut(broadcast.run * size).enumerate() {
+            let begin = broadcast.begin(first + index);
+            // What is one for all is so for each piece.
+            let begin = |at| {
+                [0, 1, 2].map(|i| arguments[i].from(begin[i] + at * usize::from(broadcast.each[i])))
+            };
+            if broadcast.each == [false; 3] {
+                // One for all, all of them: one element says what all are.
+                let (one, rest) = to.split_at_mut(size);
+                compute(Piece { arguments: begin(0), each: [true, false, false], to: one });
+                rest.chunks_mut(size).for_each(|to| to.copy_from_slice(one));
+                continue;
+            }
+            threads.split(GRAIN * size, to, &|(at, to)| {
+                compute(Piece { arguments: begin(at / size), each: broadcast.each, to });
+                true
+            });
+        }
+    }
 }

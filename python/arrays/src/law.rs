@@ -98,6 +98,37 @@ impl<R: Scalar, const C: usize> Operand<R, C> for Each<'_, R, C> {
     }
 }
 
+/// [`Each`], whatever there is in an element.
+#[derive(Clone, Copy, Debug)]
+pub struct Numbers<'s, R> {
+    /// Element after element.
+    pub numbers: &'s [R],
+    /// As in [`Each`].
+    pub period: usize,
+    /// As in [`Each`].
+    pub first: usize,
+}
+
+impl<'s, R> Numbers<'s, R> {
+    /// So many, once.
+    pub fn of(numbers: &'s [R]) -> Self {
+        Self { numbers, period: usize::MAX, first: 0 }
+    }
+
+    /// Those of elements of `C` numbers.
+    pub fn each<const C: usize>(self) -> Each<'s, R, C> {
+        let Self { numbers, period, first } = self;
+        // An argument that is not there has elements of no numbers.
+        let records = if C == 0 { &[] } else { numbers.as_chunks().0 };
+        Each { records, period, first }
+    }
+
+    /// The elements from `first` on.
+    pub fn from(self, first: usize) -> Self {
+        Self { first: self.first + first, ..self }
+    }
+}
+
 /// One for all elements or one for each: told while it runs, so that there is one kernel for both. For what
 /// computes so much that this does not count.
 #[derive(Clone, Copy, Debug)]

@@ -106,17 +106,17 @@ impl<'py, R: Number> Output<'py, R> {
         write: impl FnOnce(&mut [[R; C]]) -> PyResult<()> + Send,
     ) -> PyResult<Bound<'py, PyAny>> {
         let (py, _held) = (self.array.py(), self.held());
-        self.fill_attached(|to| threads.run(py, || write(to)))
+        self.fill_attached(|to| threads.run(py, || write(to.as_chunks_mut().0)))
     }
 
     /// [`fill`](Self::fill), where `write` decides whether other threads of Python run.
-    pub fn fill_attached<const C: usize>(
+    pub fn fill_attached(
         self,
-        write: impl FnOnce(&mut [[R; C]]) -> PyResult<()>,
+        write: impl FnOnce(&mut [R]) -> PyResult<()>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let mut memory = self.borrow()?;
         // It is contiguous.
-        write(memory.as_slice_mut().map_err(value_error)?.as_chunks_mut().0)?;
+        write(memory.as_slice_mut().map_err(value_error)?)?;
         drop(memory);
         self.finish()
     }

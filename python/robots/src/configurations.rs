@@ -5,6 +5,7 @@ use crate::broadcast::common;
 use crate::call::Answer;
 use crate::columns::{Named, misfit, named};
 use crate::error::{misshapen, value_error};
+use crate::law::load;
 use crate::links::Chosen;
 use crate::number::Number;
 use crate::output::{Output, view_of_out};
@@ -134,7 +135,7 @@ fn rows<'s, R: Number>(
     made
 }
 
-/// Rows of columns, from row `first` on: four columns of as many rows as lanes at a time, which leave in whole quads.
+/// Rows of columns, from row `first` on: of four columns at a time as many rows as lanes, which leave in whole quads.
 struct SideBySide<'s, R> {
     numbers: &'s [&'s [R]],
     first: usize,
@@ -151,25 +152,33 @@ impl<R: Number> Kernel for SideBySide<'_, R> {
         let Self { numbers, first, values, to } = self;
         let (lanes, rows) = (R::Lanes::<V>::LANES, to.len() / values);
         let whole = if values < 4 { 0 } else { rows - rows % lanes };
-        for row in (0..whole).step_by(lanes) {
-            let mut begin = 0;
+        for begin in (0..values).step_by(4) {
             // The last four begin earlier where there is no multiple of four.
-            while let Some(columns) = numbers.get(begin..).and_then(|rest| rest.first_chunk()) {
+            let begin = begin.min(values.saturating_sub(4));
+            let Some(columns) = numbers.get(begin..).and_then(|rest| rest.first_chunk::<4>())
+            else {
+                break;
+            };
+            // Cut once, not at each load.
+            let columns = columns.map(|it| if it.len() == 1 { it } else { &it[first..] });
+            for row in (0..whole).step_by(lanes) {
                 let mut quad = [R::Lanes::<V>::splat(level, R::ZERO); 4];
-                let columns: &[&[R]; 4] = columns;
-                for (lanes, column) in quad.iter_mut().zip(columns) {
-                    *lanes = match **column {
+                for (slot, column) in quad.iter_mut().zip(columns) {
+                    // The next rows come while these are computed with.
+                    if let Some(ahead) = column.get(row + whole) {
+                        level.prefetch(ahead);
+                    }
+                    *slot = match *column {
                         [one] => R::Lanes::<V>::splat(level, one),
                         _ => {
-                            let (records, _) = column[first + row..].as_chunks();
-                            let [loaded] =
-                                R::Lanes::<V>::load_strided(level, records, None, &[R::ZERO]);
+                            let Some([loaded]) = load(level, column[row..].as_chunks().0) else {
+                                return;
+                            };
                             loaded
                         }
                     };
                 }
                 R::Lanes::<V>::store_rows([quad], &mut to[row * values + begin..], values);
-                begin = if begin + 4 == values { values } else { (begin + 4).min(values - 4) };
             }
         }
         let rest = to[whole * values..].chunks_exact_mut(values);
@@ -268,7 +277,7 @@ type Compute<'f, R, const C: usize> =
 
 /// Rows of so many bytes are made of columns at a time: they are in a near cache when they are read, and beginning with
 /// others, which takes half a microsecond, is seldom.
-const MADE: usize = 1 << 15;
+const MADE: usize = 1 << 14;
 
 /// `each` of the configurations in `numbers`, which writes `count` elements of `to` for one; some together.
 fn pieces<R: Number, const C: usize>(
@@ -286,6 +295,8 @@ fn pieces<R: Number, const C: usize>(
     // Whole registers.
     let size = count * GRAIN.div_ceil(view.links()).next_multiple_of(MAX_LANES);
     let few = (MADE / (values.max(1) * size_of::<R>())).next_multiple_of(8 * MAX_LANES);
+    // Memory for rows is got once for some of them.
+    let size = if numbers.len() == 1 { size } else { 4 * size.max(count * few) };
     threads.split(size, to, &|(first, to)| {
         let mut made = Vec::new();
         let together = if numbers.len() == 1 { to.len() } else { count * few };

@@ -67,6 +67,7 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
         self.model.scratch.start.fill(zero);
         self.model.scratch.goals.fill(zero);
         let mut last = Stepped { left: zero, moved: zero };
+        let again = AGAIN && self.work.options.restarts;
         // Each round: errors of all lanes, a decision per lane, one step of those that go on. Lanes of different age are
         // in the same round, so none waits for the slowest of a group: the round costs the same, whoever takes part.
         loop {
@@ -95,9 +96,9 @@ impl<'s, L: Lanes<Real: Scalar>, const TRACK: bool> Search<'s, L, TRACK> {
             let running = zero.lt(running);
             // Those that have ended, or begin again, stay where they are.
             if running.any() {
-                last = self.model.step::<AGAIN>(apart, caution, running, zero.lt(arrived));
+                last = self.model.step(apart, caution, running, zero.lt(arrived), again);
             }
-            if AGAIN {
+            if again {
                 self.turn();
             }
         }

@@ -171,7 +171,8 @@ impl<R: Scalar> SolutionsJob<'_, R> {
                 values,
                 |targets, values, reports, options| {
                     let work = Work { targets, values, reports, options, clips: None };
-                    arm.reach.job().run::<false, false>(backend, work, scratch);
+                    // The kernel of other searches, told by `options` that it does not begin again.
+                    arm.reach.job().run::<true, false>(backend, work, scratch);
                 },
             );
         }

@@ -28,12 +28,13 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
     /// Moves the lanes that run, damped `caution` times as much as usual; those that have arrived, toward the
     /// posture too.
     #[cfg_attr(not(opt_level_0), inline(always))]
-    pub(super) fn step<const AGAIN: bool>(
+    pub(super) fn step(
         &mut self,
         apart: Apart<L>,
         caution: L,
         running: L::Mask,
         arrived: L::Mask,
+        again: bool,
     ) -> Stepped<L> {
         let damping = caution * caution.constant(DAMPING);
         let damping = apart.square.mul_add(damping, self.scales.least_damping);
@@ -59,7 +60,7 @@ impl<L: Lanes<Real: Scalar>, const TRACK: bool> Model<'_, L, TRACK> {
         }
         // Nobody asks where a search cannot begin again.
         let left =
-            if AGAIN && limited.any() { L::select(limited, self.left_after(), zero) } else { zero };
+            if again && limited.any() { L::select(limited, self.left_after(), zero) } else { zero };
         let moved = if self.reach.posture.is_some() { self.moved() } else { zero };
         self.advance(running);
         Stepped { left, moved }

@@ -56,9 +56,9 @@ macro_rules! function {
                 @law [$(const WIDE: bool = $wide;)?] [$($of_one)?] $result $body
                 $($(($parameter $shape))+)+ (_ [0]) (_ [0])
             }
-            let arguments = [$($(
-                Argument::new([$($called,)? stringify!($parameter)][0], &$shape, $parameter)?,
-            )+)+];
+            let arguments = Argument::all(&[$($(
+                ([$($called,)? stringify!($parameter)][0], &$shape, $parameter),
+            )+)+])?;
             call(py, Of, &arguments, &$result, out)
         }
     };
