@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Everything that is proved, from the tapes of today's code: run.sh, from anywhere. For Debian; installs what is missing.
-# Of CPU: half a minute for Gappa, 8 minutes for Coq to check its proofs, 7 for its own theorems.
+# Of CPU: half a minute for Gappa, 5 minutes for Coq to check its proofs, 5 for its own theorems.
 set -euo pipefail
 cd "$(dirname "$0")"
 
