@@ -9,7 +9,7 @@ mod target;
 
 pub use chain::{Chain, LINKS, Order, Steps};
 pub use experiment::{Findings, METHODS, Measure, Method, ROUNDS, Sample, findings, trace};
-pub use ideal::{Deviation, Loop, Repair, against_ideal};
+pub use ideal::{Deviation, Frames, Loop, Repair, against_ideal};
 pub use representation::{
     Homogeneous, Listing, Representation, RotationTranslation, kenwright_normalize,
 };

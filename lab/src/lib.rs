@@ -10,6 +10,7 @@ mod counted;
 pub mod differentiation;
 pub mod drift;
 pub mod fabisch;
+pub mod figures;
 pub mod forward_kinematics;
 pub mod hessian;
 mod hyper_dual;

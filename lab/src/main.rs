@@ -11,6 +11,7 @@ type Experiment = fn() -> Result<Section, Box<dyn Error>>;
 /// In the order of the page.
 const SECTIONS: &[Experiment] = &[
     lab::drift::section,
+    lab::figures::section,
     lab::products::section,
     lab::operations::section,
     lab::speed::section,

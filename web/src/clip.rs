@@ -22,7 +22,7 @@ pub(crate) enum Clip {
 
 impl Clip {
     fn new(joints: usize, keys: &[Key]) -> Result<Self, ShapeError> {
-        hierarchy::Clip::new(joints, keys)?;
+        let _checked = hierarchy::Clip::new(joints, keys)?;
         Ok(Self::Plain { keys: keys.into(), joints })
     }
 }

@@ -45,7 +45,7 @@ pub enum Loop {
 }
 
 /// The frames of all joints in model space, rows of `[A | t]`, and of the end.
-type Frames = [Matrix<f64, 3, 4>; LINKS + 1];
+pub type Frames = [Matrix<f64, 3, 4>; LINKS + 1];
 
 /// What becomes of a chain; numbers are the worst of all frames.
 #[derive(Clone, Copy, Debug)]
@@ -64,6 +64,10 @@ pub struct Deviation {
     pub jump: f64,
     /// By how much the end misses the target after it has arrived.
     pub missed: Miss,
+    /// In the last frame, of the ideal chain.
+    pub ideal: Frames,
+    /// In the last frame, of this one.
+    pub actual: Frames,
 }
 
 /// Follows a target that goes round in `round` frames.
@@ -92,8 +96,10 @@ pub fn against_ideal<S: Representation>(
         link: 0.0,
         jump: 0.0,
         missed: Miss::default(),
+        ideal: placed(ideal),
+        actual: placed(seen),
     };
-    let mut before = offsets(&placed(seen), &placed(ideal));
+    let mut before = offsets(&worst.actual, &worst.ideal);
     for frame in 0..frames {
         let looked_at = if closed == Loop::Closed { &seen } else { &ideal };
         let step = towards(looked_at, order, frame, round);
@@ -105,13 +111,13 @@ pub fn against_ideal<S: Representation>(
         }
         seen = levels(&chain).map(S::to_matrix);
         ideal = exact.models().map(DualQuat::to_matrix3x4);
-        let (actual, exactly) = (placed(seen), placed(ideal));
-        let offset = offsets(&actual, &exactly);
-        let [.., end] = actual;
-        let [motion, wanted] = [end, exactly[LINKS]].map(DualQuat::from_matrix3x4);
+        (worst.actual, worst.ideal) = (placed(seen), placed(ideal));
+        let offset = offsets(&worst.actual, &worst.ideal);
+        let [.., end] = worst.actual;
+        let [motion, wanted] = [end, worst.ideal[LINKS]].map(DualQuat::from_matrix3x4);
         worst.position = worst.position.max(length(offset[LINKS]));
         worst.angle = worst.angle.max(motion.angle_to(wanted));
-        for (model, pair) in seen.iter().zip(actual.windows(2)) {
+        for (model, pair) in seen.iter().zip(worst.actual.windows(2)) {
             worst.skew = worst.skew.max(matrix::skew(matrix::left(*model)));
             worst.stretch = worst.stretch.max(matrix::stretch(matrix::left(*model)));
             let apart = length(core::array::from_fn(|i| pair[1][i][3] - pair[0][i][3]));

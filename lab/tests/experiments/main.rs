@@ -3,6 +3,7 @@
 mod counts;
 mod derivatives;
 mod drift;
+mod figures;
 mod hyper_dual;
 mod inputs;
 mod interpolation;

@@ -51,6 +51,7 @@ fn every_section_is_there_and_opens_with_its_claims() {
     let (page, _) = run();
     let titles = [
         "Drift",
+        "Figures",
         "Long products",
         "Operation counts",
         "Times of products",
