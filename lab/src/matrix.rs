@@ -132,3 +132,8 @@ pub fn stretch(a: Matrix<f64, 3, 3>) -> f64 {
 pub(crate) fn length([x, y, z]: [f64; 3]) -> f64 {
     x.hypot(y).hypot(z)
 }
+
+/// How far apart the origins of two frames are.
+pub(crate) fn distance(a: Matrix<f64, 3, 4>, b: Matrix<f64, 3, 4>) -> f64 {
+    length([0, 1, 2].map(|i| a[i][3] - b[i][3]))
+}
