@@ -145,7 +145,7 @@ const BEYOND: f64 = 3.0;
 
 #[test]
 fn every_operation_of_geometry_answers_any_numbers_as_the_scalar_path_in_double_does() {
-    let mut random = Random(12);
+    let (mut random, mut wrong) = (Random(12), Vec::new());
     let (single, double): (Vec<On>, Vec<On>) =
         implementations().into_iter().partition(|on| on.single);
     for (place, _) in geometry::operations() {
@@ -160,11 +160,14 @@ fn every_operation_of_geometry_answers_any_numbers_as_the_scalar_path_in_double_
                 for worst in worst_errors(on, &asked).expect("every operation has a bound") {
                     let units =
                         [worst.error, BEYOND * worst.allowed].map(|error| error / on.roundoff());
-                    assert!(units[0] <= units[1], "{on:?}: {} is off by {units:?}", worst.op);
+                    if units[0].is_nan() || units[0] > units[1] {
+                        wrong.push(format!("{on:?}: {} is off by {units:?}", worst.op));
+                    }
                 }
             }
         }
     }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
 #[test]
