@@ -120,7 +120,7 @@ impl<A: Row, const C: usize> Block<A, C> {
     /// One part of every component; nothing beyond the last part.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn store_part<V: Level>(&mut self, components: [Native<A, V>; C], part: usize) {
-        for (row, component) in self.0.iter_mut().zip(&components) {
+        for (row, component) in self.0.iter_mut().zip(components) {
             let parts: &mut [<Native<A, V> as Lanes>::Array] =
                 bytemuck::cast_slice_mut(core::slice::from_mut(row));
             if let Some(array) = parts.get_mut(part) {
@@ -164,7 +164,7 @@ impl<A: Row, const C: usize> Block<A, C> {
     /// All lanes of every component.
     #[cfg_attr(not(opt_level_0), inline(always))]
     pub fn store<V: Level>(&mut self, components: [A::Lanes<V>; C]) {
-        for (row, component) in self.0.iter_mut().zip(&components) {
+        for (row, component) in self.0.iter_mut().zip(components) {
             component.store(row);
         }
     }
