@@ -129,6 +129,18 @@ impl<A: Row, const C: usize> Block<A, C> {
         }
     }
 
+    /// One part of every component, from memory; nothing beyond the last part.
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    pub fn copy_part<V: Level>(&mut self, rows: &[<Native<A, V> as Lanes>::Array], part: usize) {
+        for (row, from) in self.0.iter_mut().zip(rows) {
+            let parts: &mut [<Native<A, V> as Lanes>::Array] =
+                bytemuck::cast_slice_mut(core::slice::from_mut(row));
+            if let Some(array) = parts.get_mut(part) {
+                *array = *from;
+            }
+        }
+    }
+
     /// Fills `to` past the caches: `each` computes one part of a block, and its first `None` ends the
     /// loop. Faster where the caches could not hold `to` anyway, slower where they could.
     #[cfg_attr(not(opt_level_0), inline(always))]

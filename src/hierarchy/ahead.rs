@@ -4,7 +4,6 @@ use super::locals::{Locals, Numbers};
 use super::rows::{GROUP, Rows, load};
 use super::run::Run;
 use super::slot::JointSlot;
-use crate::batch;
 use crate::storage::{Element, Register};
 use bytemuck::Zeroable;
 use dq8_simd::{Lanes, Level};
@@ -54,9 +53,7 @@ impl<E: Element<8>, V: Level> Ahead<E, V> {
         let rows = self.0.as_mut()?.get_mut(..joints)?;
         locals.ahead(level, slot, rows)?;
         for (number, rows) in rows.iter().enumerate() {
-            // Through a motion: an array whose numbers have no names of their own would be stored from memory.
-            let local = batch::DualQuat::from_array(load(level, rows));
-            E::store(local.to_array(), models, slot.after(number, 1).own_tile());
+            E::copy::<V>(rows, models, slot.after(number, 1).own_tile());
         }
         Some(())
     }

@@ -2,7 +2,7 @@ use super::element::{Element, Layout, sealed};
 use super::tile::Tile;
 use crate::number::Scalar;
 use core::marker::PhantomData;
-use dq8_simd::{Level, Native, Row};
+use dq8_simd::{Lanes, Level, Native, Row};
 
 /// `N` things of `C` components each: `C` rows of `N` numbers, of motions ([px, py, pz, pw, qx, qy, qz, qw]) where nothing
 /// else is said. `Block<f32, 8>` is 256 bytes; `Block<f32, 8, 3>` holds eight points.
@@ -41,6 +41,12 @@ impl<A: Row<Real: Scalar>, const C: usize> Element<C> for dq8_simd::Block<A, C> 
     fn store<V: Level>(components: [Native<A, V>; C], to: &mut [Self], tile: Tile) {
         if let Some(block) = to.get_mut(tile.element) {
             block.store_part::<V>(components, tile.register);
+        }
+    }
+    #[cfg_attr(not(opt_level_0), inline(always))]
+    fn copy<V: Level>(rows: &[<Native<A, V> as Lanes>::Array], to: &mut [Self], tile: Tile) {
+        if let Some(block) = to.get_mut(tile.element) {
+            block.copy_part::<V>(rows, tile.register);
         }
     }
     #[inline]

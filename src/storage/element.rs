@@ -70,6 +70,11 @@ pub trait Element<const C: usize>: Copy + Debug + Send + Sync + sealed::Sealed {
     /// The things of a tile from each component; what lies beyond the end of `to` is dropped.
     fn store<V: Level>(components: [Register<Self, V, C>; C], to: &mut [Self], tile: Tile);
 
+    /// [`store`](Self::store) of components that lie in memory, a row each. Blocks alone have rows: of others nothing is
+    /// copied.
+    #[doc(hidden)]
+    fn copy<V: Level>(_: &[<Register<Self, V, C> as Lanes>::Array], _: &mut [Self], _: Tile) {}
+
     /// Thing number `index`.
     #[must_use]
     fn get(slice: &[Self], index: usize) -> Option<[Number<Self, C>; C]>;
